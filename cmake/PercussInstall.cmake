@@ -1,0 +1,1 @@
+# Installation of the tool, the libraries and their headers, and the Debian package.

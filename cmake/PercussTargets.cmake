@@ -1,0 +1,28 @@
+# percuss_options(TARGET): the language level, warnings and sanitizers that every target of ours shares.
+function(percuss_options target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_compile_options(${target} PRIVATE
+    -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wdouble-promotion -Wnon-virtual-dtor
+    -Wold-style-cast -Wcast-align -Woverloaded-virtual
+    # Equal bytes on every machine of one kind: no contraction into fused multiply-add behind our back.
+    -ffp-contract=off
+    $<$<BOOL:${PERCUSS_WERROR}>:-Werror>)
+  if(PERCUSS_SANITIZE)
+    target_compile_options(${target} PUBLIC -fsanitize=${PERCUSS_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+    target_link_options(${target} PUBLIC -fsanitize=${PERCUSS_SANITIZE})
+  endif()
+endfunction()
+
+# percuss_floor(NAME PUBLIC libs PRIVATE libs): one static library per folder of src/, percuss_NAME.
+function(percuss_floor name)
+  cmake_parse_arguments(ARG "" "" "PUBLIC;PRIVATE" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/src/${name}/*.cpp)
+  add_library(percuss_${name} STATIC ${sources})
+  add_library(percuss::${name} ALIAS percuss_${name})
+  set_target_properties(percuss_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+  target_include_directories(percuss_${name} PUBLIC
+    $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/src> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/percuss>)
+  target_link_libraries(percuss_${name} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
+  percuss_options(percuss_${name})
+  set_property(GLOBAL APPEND PROPERTY PERCUSS_FLOORS percuss_${name})
+endfunction()

@@ -1,0 +1,54 @@
+#include "acquire/record.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <memory>
+#include <utility>
+
+namespace percuss {
+
+Record select_rows(const Record& record, const std::function<bool(const RowInfo&)>& keep) {
+  Record out = record;
+  out.rows.clear();
+  std::vector<std::size_t> from;
+  for (std::size_t row = 0; row < record.rows.size(); ++row) {
+    if (!keep(record.rows[row])) continue;
+    out.rows.push_back(record.rows[row]);
+    from.push_back(row);
+  }
+  out.read_force_N = [from, read = record.read_force_N](std::size_t row, std::size_t first, std::span<double> samples) {
+    read(from.at(row), first, samples);
+  };
+  out.read_accel_mps2 = [from, read = record.read_accel_mps2](std::size_t row, std::size_t channel, std::size_t first,
+                                                              std::span<double> samples) {
+    read(from.at(row), channel, first, samples);
+  };
+  return out;
+}
+
+Record record_in_memory(double fs_Hz, std::vector<std::vector<double>> force_N,
+                        std::vector<std::vector<std::vector<double>>> accel_mps2) {
+  assert(force_N.size() == accel_mps2.size());
+  Record record;
+  record.format = "memory";
+  record.fs_Hz = fs_Hz;
+  record.force.name = "force";
+  for (const auto& row : force_N) record.rows.push_back({.samples = row.size()});
+  for (std::size_t c = 0; !accel_mps2.empty() && c < accel_mps2.front().size(); ++c) {
+    record.accel.push_back({.name = "accel " + std::to_string(c + 1), .unit = "m/s^2"});
+  }
+  const auto copy = [](const std::vector<double>& from, std::size_t first, std::span<double> out) {
+    std::copy_n(from.begin() + static_cast<std::ptrdiff_t>(first), out.size(), out.begin());
+  };
+  auto force = std::make_shared<const std::vector<std::vector<double>>>(std::move(force_N));
+  auto accel = std::make_shared<const std::vector<std::vector<std::vector<double>>>>(std::move(accel_mps2));
+  record.read_force_N = [force, copy](std::size_t row, std::size_t first, std::span<double> out) {
+    copy(force->at(row), first, out);
+  };
+  record.read_accel_mps2 = [accel, copy](std::size_t row, std::size_t channel, std::size_t first, std::span<double> out) {
+    copy(accel->at(row).at(channel), first, out);
+  };
+  return record;
+}
+
+}  // namespace percuss

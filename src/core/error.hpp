@@ -1,0 +1,24 @@
+#pragma once
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace percuss {
+
+/// Unusable input: a file, an option's value or their combination. The message is one line that names the place and the remedy.
+///   "problem (where); remedy"
+class InputError : public std::runtime_error {
+ public:
+  InputError(std::string_view problem, std::string_view where, std::string_view remedy);
+};
+
+/// The command line asks for something that percuss does not offer. Same form of message.
+class UsageError : public std::runtime_error {
+ public:
+  UsageError(std::string_view problem, std::string_view remedy);
+};
+
+/// `text` as it may stand inside a one-line message: control characters shown as '?', cut after `limit` bytes with "...".
+std::string one_line(std::string_view text, std::size_t limit = 200);
+
+}  // namespace percuss

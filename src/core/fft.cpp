@@ -1,0 +1,94 @@
+#include "core/fft.hpp"
+
+#include <fftw3.h>
+
+#include <cassert>
+#include <map>
+#include <mutex>
+
+namespace percuss {
+namespace {
+
+// FFTW's planner is not thread-safe, its execution is; plans live as long as the process.
+std::mutex planner;
+
+fftw_complex* as_fftw(Complex* p) { return reinterpret_cast<fftw_complex*>(p); }
+
+struct Buffers {
+  explicit Buffers(std::size_t n) : real(fftw_alloc_real(n)), complex(fftw_alloc_complex(n / 2 + 1)) {}
+  Buffers(const Buffers&) = delete;
+  Buffers& operator=(const Buffers&) = delete;
+  ~Buffers() {
+    fftw_free(real);
+    fftw_free(complex);
+  }
+  double* real;
+  fftw_complex* complex;
+};
+
+// Only 16-byte alignment is promised by std::vector and only that is assumed: UNALIGNED would cost the vector units.
+fftw_plan forward_plan(std::size_t n) {
+  static std::map<std::size_t, fftw_plan> plans;
+  const std::scoped_lock lock(planner);
+  auto& plan = plans[n];
+  if (plan == nullptr) {
+    const Buffers buffers(n);
+    plan = fftw_plan_dft_r2c_1d(static_cast<int>(n), buffers.real, buffers.complex, FFTW_ESTIMATE | FFTW_PRESERVE_INPUT);
+  }
+  return plan;
+}
+
+fftw_plan inverse_plan(std::size_t n) {
+  static std::map<std::size_t, fftw_plan> plans;
+  const std::scoped_lock lock(planner);
+  auto& plan = plans[n];
+  if (plan == nullptr) {
+    const Buffers buffers(n);
+    plan = fftw_plan_dft_c2r_1d(static_cast<int>(n), buffers.complex, buffers.real, FFTW_ESTIMATE);
+  }
+  return plan;
+}
+
+}  // namespace
+
+void real_dft(std::span<const double> x, std::span<Complex> out) {
+  assert(!x.empty() && out.size() == x.size() / 2 + 1);
+  fftw_plan plan = forward_plan(x.size());
+  auto* in = const_cast<double*>(x.data());  // PRESERVE_INPUT: read only
+  if (fftw_alignment_of(in) == 0 && fftw_alignment_of(reinterpret_cast<double*>(out.data())) == 0) {
+    fftw_execute_dft_r2c(plan, in, as_fftw(out.data()));
+    return;
+  }
+  const std::vector<double> aligned(x.begin(), x.end());
+  std::vector<Complex> result(out.size());
+  fftw_execute_dft_r2c(plan, const_cast<double*>(aligned.data()), as_fftw(result.data()));
+  std::copy(result.begin(), result.end(), out.begin());
+}
+
+std::vector<Complex> real_dft(std::span<const double> x) {
+  std::vector<Complex> out(x.size() / 2 + 1);
+  real_dft(x, out);
+  return out;
+}
+
+std::vector<double> inverse_real_dft(std::span<const Complex> lines, std::size_t samples) {
+  assert(samples >= 1 && lines.size() == samples / 2 + 1);
+  std::vector<Complex> scratch(lines.begin(), lines.end());  // the c2r transform destroys its input
+  std::vector<double> out(samples);
+  fftw_execute_dft_c2r(inverse_plan(samples), as_fftw(scratch.data()), out.data());
+  for (double& value : out) value /= static_cast<double>(samples);
+  return out;
+}
+
+std::size_t fast_length_at_most(std::size_t n) {
+  for (std::size_t length = n; length > 1; --length) {
+    std::size_t rest = length;
+    for (const std::size_t prime : {2U, 3U, 5U, 7U}) {
+      while (rest % prime == 0) rest /= prime;
+    }
+    if (rest == 1) return length;
+  }
+  return 1;
+}
+
+}  // namespace percuss

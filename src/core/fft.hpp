@@ -1,0 +1,26 @@
+#pragma once
+#include <complex>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace percuss {
+
+using Complex = std::complex<double>;
+
+/// Discrete Fourier transform of a real sequence, one-sided, unscaled:
+///   X[k] = Σ_n x[n] exp(−2πj k n / N),  k = 0 … N/2                            (1)
+/// shapes  x [N]; result [N/2 + 1].
+/// Plans are FFTW_ESTIMATE and kept per length: equal input gives equal bytes. Threads may call at once.
+std::vector<Complex> real_dft(std::span<const double> x);
+
+/// As above into caller's storage; x.size() >= 1, out.size() == x.size()/2 + 1.
+void real_dft(std::span<const double> x, std::span<Complex> out);
+
+/// The inverse of (1) with its 1/N: sequence of `samples` values whose one-sided transform is `lines`.
+std::vector<double> inverse_real_dft(std::span<const Complex> lines, std::size_t samples);
+
+/// The largest length <= n whose prime factors are 2, 3, 5 and 7 only (n >= 1).
+std::size_t fast_length_at_most(std::size_t n);
+
+}  // namespace percuss

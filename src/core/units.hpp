@@ -1,0 +1,33 @@
+#pragma once
+#include <numbers>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace percuss {
+
+inline constexpr double kStandardGravity_mps2 = 9.80665;      // exact by definition, [1] in docs/sources.md
+inline constexpr double kPoundForce_N = 4.4482216152605;      // exact by definition, [1]
+inline constexpr double kInch_m = 0.0254;                     // exact by definition, [1]
+inline constexpr double kTwoPi = 2 * std::numbers::pi;
+
+enum class Quantity { force, acceleration, voltage, time, angle, length, mass };
+
+/// A unit's name as found in files: what it measures and what one of it is in SI (V for voltage, rad for angle).
+struct Unit {
+  Quantity quantity;
+  double to_SI;
+};
+
+/// Reads a unit's name: N kN lbf kgf, m/s^2 m/s2 m/s² mm/s² cm/s² in/s² ft/s² g mg, V mV, s ms us, deg rad, m cm mm in ft, kg g(mass only by
+/// request) lb oz. Case matters where the unit's does (mg is milli-g, Mg is not known); spaces, '*', '·' and brackets around it do not.
+/// Returns nothing for an unknown name.
+std::optional<Unit> parse_unit(std::string_view name);
+
+/// As parse_unit, and InputError unless the unit measures `wanted`. `where` names the place for the message.
+Unit require_unit(std::string_view name, Quantity wanted, std::string_view where);
+
+/// The SI name of a quantity: N, m/s^2, V, s, rad, m, kg.
+std::string si_name(Quantity quantity);
+
+}  // namespace percuss
