@@ -1,0 +1,31 @@
+#pragma once
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "acquire/record.hpp"
+
+namespace percuss::tools {
+
+/// The options that say how recorded files are to be read; shared by analyze, frf, info and calibrate.
+struct ReadFlags {
+  std::vector<std::string> paths;
+  ReadOptions options;
+  std::string setup_path;                 // --setup CHANNELS.json
+  FilesMean files = FilesMean::automatic;  // --files
+  // as typed, in the units of the option's name; turned into options by finish()
+  std::vector<double> angle_deg;
+  std::vector<double> position_m;
+  std::optional<double> force_sensitivity_mV_per_N;
+  std::vector<double> accel_sensitivity_mV_per_g;
+};
+
+void add_read_flags(CLI::App& command, ReadFlags& flags);
+
+/// The set-up file and typed units worked into flags.options. Throws InputError.
+ReadOptions finished_options(const ReadFlags& flags);
+
+/// Every path opened; what several of them mean is the caller's affair (join_records).
+std::vector<Record> open_records(const ReadFlags& flags);
+
+}  // namespace percuss::tools
