@@ -4,6 +4,8 @@ function(percuss_options target)
   target_compile_options(${target} PRIVATE
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wdouble-promotion -Wnon-virtual-dtor
     -Wold-style-cast -Wcast-align -Woverloaded-virtual
+    # A designated initialiser that leaves members at their defaults is how options are given here.
+    -Wno-missing-field-initializers
     # Equal bytes on every machine of one kind: no contraction into fused multiply-add behind our back.
     -ffp-contract=off
     $<$<BOOL:${PERCUSS_WERROR}>:-Werror>)
