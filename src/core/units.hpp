@@ -6,9 +6,9 @@
 
 namespace percuss {
 
-inline constexpr double kStandardGravity_mps2 = 9.80665;      // exact by definition, [1] in docs/sources.md
-inline constexpr double kPoundForce_N = 4.4482216152605;      // exact by definition, [1]
-inline constexpr double kInch_m = 0.0254;                     // exact by definition, [1]
+inline constexpr double kStandardGravity_mps2 = 9.80665;  // exact by definition, [1] in docs/sources.md
+inline constexpr double kPoundForce_N = 4.4482216152605;  // exact by definition, [1]
+inline constexpr double kInch_m = 0.0254;                 // exact by definition, [1]
 inline constexpr double kTwoPi = 2 * std::numbers::pi;
 
 enum class Quantity { force, acceleration, voltage, time, angle, length, mass };
@@ -19,9 +19,12 @@ struct Unit {
   double to_SI;
 };
 
-/// Reads a unit's name: N kN lbf kgf, m/s^2 m/s2 m/s² mm/s² cm/s² in/s² ft/s² g mg, V mV, s ms us, deg rad, m cm mm in ft, kg g(mass only by
-/// request) lb oz. Case matters where the unit's does (mg is milli-g, Mg is not known); spaces, '*', '·' and brackets around it do not.
-/// Returns nothing for an unknown name.
+/// Reads a unit's name as instruments write it.
+///   force N mN kN lbf lb-f kgf · acceleration m/s^2 mm/s^2 cm/s^2 in/s^2 ft/s^2 g mg · voltage V mV µV · time s ms us
+///   min angle deg rad · length m mm cm in ft · mass kg lb oz
+/// Squares may be ^2, **2, 2 or ² (UTF-8 or Latin-1), products and quotients m/s/s, m*s^-2, m·s-2, m_s2 or mps2; micro
+/// is u or µ. Case matters where the unit's does (mg is milli-g; Mg is not known); spaces and brackets around it do
+/// not. Plain g is standard gravity, never gram, and mN is millinewton. Returns nothing for an unknown name.
 std::optional<Unit> parse_unit(std::string_view name);
 
 /// As parse_unit, and InputError unless the unit measures `wanted`. `where` names the place for the message.
