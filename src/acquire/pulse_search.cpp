@@ -1,0 +1,95 @@
+#include "acquire/pulse_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/statistics.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr std::size_t kChunk = std::size_t{1} << 18;  // samples read at a time: 2 MiB stays in the cache
+constexpr std::size_t kBlock = 64;                    // resolution of the envelope kept of the whole row
+constexpr std::size_t kNoiseSamples = 4096;           // per chunk: enough for a median good to 2 %
+constexpr double kTriggerNoise = 12;                  // deviations: one false alarm in 10^30 samples of Gaussian noise
+constexpr double kTriggerFraction = 0.01;             // of the largest: below it a hit is useless beside the others
+
+struct Envelope {
+  std::vector<double> low, high;           // per block
+  std::vector<double> chunk_median, chunk_noise;
+};
+
+// Medians over an even subset are as unmoved by pulses as over all samples, and cost nothing.
+std::vector<double> thinned(std::span<const double> x) {
+  const std::size_t stride = std::max<std::size_t>(1, x.size() / kNoiseSamples);
+  std::vector<double> out;
+  out.reserve(x.size() / stride + 1);
+  for (std::size_t i = 0; i < x.size(); i += stride) out.push_back(x[i]);
+  return out;
+}
+
+Envelope envelope_of(const Record& record, std::size_t row, std::size_t first, std::size_t last) {
+  Envelope envelope;
+  std::vector<double> buffer;
+  for (std::size_t at = first; at < last; at += buffer.size()) {
+    buffer.resize(std::min(kChunk, last - at));
+    record.read_force_N(row, at, buffer);
+    const auto subset = thinned(buffer);
+    envelope.chunk_median.push_back(median(subset));
+    envelope.chunk_noise.push_back(robust_std(subset));
+    for (std::size_t b = 0; b < buffer.size(); b += kBlock) {
+      const auto begin = buffer.begin() + static_cast<std::ptrdiff_t>(b);
+      const auto end = buffer.begin() + static_cast<std::ptrdiff_t>(std::min(b + kBlock, buffer.size()));
+      const auto [low, high] = std::minmax_element(begin, end);
+      envelope.low.push_back(*low);
+      envelope.high.push_back(*high);
+    }
+  }
+  return envelope;
+}
+
+// The envelope knows the block; the sample within it (and its neighbours, when blocks join) is read again.
+std::size_t largest_sample(const Record& record, std::size_t row, std::size_t begin, std::size_t end, double baseline) {
+  std::vector<double> x(end - begin);
+  record.read_force_N(row, begin, x);
+  const auto further = [&](double a, double b) { return std::abs(a - baseline) < std::abs(b - baseline); };
+  return begin + static_cast<std::size_t>(std::max_element(x.begin(), x.end(), further) - x.begin());
+}
+
+}  // namespace
+
+ForceSurvey survey_force(const Record& record, std::size_t row, const TriggerOptions& options) {
+  ForceSurvey survey;
+  const std::size_t last = std::min(options.last, record.rows.at(row).samples);
+  if (options.first >= last) return survey;
+  const Envelope envelope = envelope_of(record, row, options.first, last);
+  survey.baseline_N = median(envelope.chunk_median);
+  survey.noise_N = median(envelope.chunk_noise);
+  std::vector<double> reach(envelope.low.size());
+  for (std::size_t b = 0; b < reach.size(); ++b) {
+    reach[b] = std::max(envelope.high[b] - survey.baseline_N, survey.baseline_N - envelope.low[b]);
+  }
+  survey.largest_N = *std::max_element(reach.begin(), reach.end());
+  survey.trigger_N = options.trigger_N.value_or(
+      std::max(kTriggerNoise * survey.noise_N, kTriggerFraction * survey.largest_N));
+  if (!(survey.largest_N > 0)) return survey;
+
+  const auto separation = static_cast<std::size_t>(options.separation_s * record.fs_Hz) / kBlock + 1;
+  for (std::size_t b = 0; b < reach.size(); ++b) {
+    if (reach[b] < survey.trigger_N) continue;
+    const std::size_t end = std::min(b + separation, reach.size());
+    std::size_t best = b;
+    for (std::size_t i = b; i < end; ++i) {
+      if (reach[i] > reach[best]) best = i;
+    }
+    const std::size_t begin_sample = options.first + best * kBlock;
+    survey.events.push_back(
+        largest_sample(record, row, begin_sample, std::min(begin_sample + kBlock, last), survey.baseline_N));
+    // Go on after the event's own separation, counted from its largest block, so that its decay is not a second event.
+    b = std::max(best + separation, end) - 1;
+  }
+  return survey;
+}
+
+}  // namespace percuss

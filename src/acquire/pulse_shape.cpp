@@ -1,0 +1,156 @@
+#include "acquire/pulse_shape.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/fft.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr double kFoot = 0.05;             // of the peak: above the ringing of a brick-wall filter, below any real pulse's flank
+constexpr std::size_t kRinging = 72;       // samples: twice the reach of delta-sigma converters' filters down to 1e-8
+constexpr double kGateNoise = 4;           // deviations
+constexpr double kGateFloor = 1e-9;        // of the peak
+constexpr double kSecondNoise = 6;         // deviations of the smoothed force
+constexpr double kSecondFraction = 0.005;  // of the peak; smaller ones change no FRF by more than 0.04 dB
+constexpr double kBandwidthDrop = 0.1;     // −20 dB
+
+// Where |x| crosses `level` between samples i and i + 1, as a fractional sample.
+double crossing(double a, double b, double level, double i) { return b == a ? i : i + (level - a) / (b - a); }
+
+std::size_t max_of_signed(std::span<const double> x, double sign, std::size_t begin, std::size_t end) {
+  std::size_t best = begin;
+  for (std::size_t i = begin; i < end; ++i) {
+    if (sign * x[i] > sign * x[best]) best = i;
+  }
+  return best;
+}
+
+// Running mean over 2h + 1 samples: averages the filter's ringing near fs/2 and the noise, keeps a pulse as long as the main one.
+std::vector<double> smoothed(std::span<const double> x, double sign, std::size_t h) {
+  std::vector<double> out(x.size());
+  double sum = 0;
+  for (std::size_t i = 0; i < std::min(h, x.size()); ++i) sum += sign * x[i];
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (i + h < x.size()) sum += sign * x[i + h];
+    if (i > h) sum -= sign * x[i - h - 1];
+    const std::size_t count = std::min(i + h, x.size() - 1) - (i > h ? i - h : 0) + 1;
+    out[i] = sum / static_cast<double>(count);
+  }
+  return out;
+}
+
+}  // namespace
+
+PulseShape shape_of_pulse(std::span<const double> force_N, std::size_t peak) {
+  PulseShape pulse{.peak = peak, .rise = static_cast<double>(peak), .fall = static_cast<double>(peak)};
+  const double sign = force_N[peak] < 0 ? -1 : 1;
+  const double level = kFoot * std::abs(force_N[peak]);
+  std::size_t i = peak;
+  while (i > 0 && sign * force_N[i - 1] >= level) --i;
+  pulse.starts_inside = i > 0;
+  pulse.rise = i == 0 ? 0 : crossing(sign * force_N[i - 1], sign * force_N[i], level, static_cast<double>(i - 1));
+  i = peak;
+  while (i + 1 < force_N.size() && sign * force_N[i + 1] >= level) ++i;
+  pulse.fall = i + 1 == force_N.size() ? static_cast<double>(i)
+                                       : crossing(sign * force_N[i], sign * force_N[i + 1], level, static_cast<double>(i));
+  return pulse;
+}
+
+Gate gate_around(std::span<const double> force_N, const PulseShape& pulse, double noise_N) {
+  const double level = std::max(kGateNoise * noise_N, kGateFloor * std::abs(force_N[pulse.peak]));
+  const auto rise = static_cast<std::size_t>(std::max(0.0, std::floor(pulse.rise)));
+  const auto fall = std::min(static_cast<std::size_t>(std::ceil(pulse.fall)), force_N.size() - 1);
+  Gate gate{.first = rise, .end = fall + 1};
+  for (std::size_t i = rise > kRinging ? rise - kRinging : 0; i < rise; ++i) {
+    if (std::abs(force_N[i]) > level) {
+      gate.first = i;
+      break;
+    }
+  }
+  for (std::size_t i = std::min(fall + kRinging, force_N.size() - 1); i > fall; --i) {
+    if (std::abs(force_N[i]) > level) {
+      gate.end = i + 1;
+      break;
+    }
+  }
+  return gate;
+}
+
+std::optional<SecondPulse> second_pulse(std::span<const double> force_N, const PulseShape& pulse, double noise_N) {
+  const double sign = force_N[pulse.peak] < 0 ? -1 : 1;
+  const double width = std::max(1.0, pulse.fall - pulse.rise);
+  const auto half = static_cast<std::size_t>(width / 4);
+  const auto x = smoothed(force_N, sign, half);
+  const double main = *std::max_element(x.begin(), x.end());
+  const double noise = noise_N / std::sqrt(static_cast<double>(2 * half + 1));
+  const double least = std::max(kSecondNoise * noise, kSecondFraction * main);
+  const double guard = std::max(width, 8.0);
+
+  // A second pulse rises from a valley: its height above the lowest point between the two is what counts.
+  SecondPulse best;
+  const auto scan = [&](std::size_t begin, std::size_t end, bool forward) {
+    double valley = std::numeric_limits<double>::infinity();
+    for (std::size_t n = 0; n + begin < end; ++n) {
+      const std::size_t i = forward ? begin + n : end - 1 - n;
+      valley = std::min(valley, x[i]);
+      const double rise = x[i] - std::max(valley, 0.0);
+      if (rise < least || rise < 0.5 * x[i] || rise / main <= best.ratio) continue;
+      best = {.delay_samples = static_cast<double>(i) - static_cast<double>(pulse.peak), .ratio = rise / main};
+    }
+  };
+  const double after = pulse.fall + guard;
+  if (after < static_cast<double>(x.size())) scan(static_cast<std::size_t>(after), x.size(), true);
+  if (pulse.rise > guard) scan(0, static_cast<std::size_t>(pulse.rise - guard), false);
+  if (best.ratio <= 0) return std::nullopt;
+  // Between the true peaks, not the smoothed ones: the force itself near the bump found.
+  const auto near = static_cast<std::size_t>(static_cast<double>(pulse.peak) + best.delay_samples);
+  const std::size_t reach = 2 * half + 1;
+  const std::size_t peak = max_of_signed(force_N, sign, near > reach ? near - reach : 0, std::min(near + reach + 1, x.size()));
+  best.delay_samples = static_cast<double>(peak) - static_cast<double>(pulse.peak);
+  return best;
+}
+
+std::size_t samples_at_rail(std::span<const double> x) {
+  if (x.size() < 4) return 0;
+  const auto [low, high] = std::minmax_element(x.begin(), x.end());
+  double step = std::numeric_limits<double>::infinity();  // the recorder's resolution, as far as these samples tell it
+  for (std::size_t i = 1; i < x.size(); ++i) {
+    const double change = std::abs(x[i] - x[i - 1]);
+    if (change > 0) step = std::min(step, change);
+  }
+  if (!std::isfinite(step)) return 0;
+  constexpr double kSmoothPeak = 5;  // a quantised parabola with three equal samples falls by at most 4 steps beside them
+  std::size_t found = 0;
+  for (const double rail : {*low, *high}) {
+    for (std::size_t i = 0; i < x.size();) {
+      std::size_t n = i;
+      while (n < x.size() && x[n] == rail) ++n;
+      if (n - i >= 3) {
+        const double before = i > 0 ? std::abs(x[i - 1] - rail) : 0;
+        const double after = n < x.size() ? std::abs(x[n] - rail) : 0;
+        if (std::max(before, after) > kSmoothPeak * step) found += n - i;
+      }
+      i = std::max(n, i + 1);
+    }
+  }
+  return found;
+}
+
+double bandwidth_Hz(std::span<const double> pulse, double fs_Hz) {
+  constexpr std::size_t kLines = 4096;  // a resolution of fs/8192
+  std::vector<double> padded(std::max(2 * kLines, pulse.size()));
+  std::copy(pulse.begin(), pulse.end(), padded.begin());
+  const auto spectrum = real_dft(padded);
+  double largest = 0;
+  for (const Complex& line : spectrum) largest = std::max(largest, std::abs(line));
+  // The first crossing, not the last: beyond the first deep zero of the spectrum the side lobes excite nothing evenly.
+  std::size_t top = 0;
+  while (top + 1 < spectrum.size() && std::abs(spectrum[top]) < largest) ++top;
+  while (top + 1 < spectrum.size() && std::abs(spectrum[top]) > kBandwidthDrop * largest) ++top;
+  return static_cast<double>(top) * fs_Hz / static_cast<double>(padded.size());
+}
+
+}  // namespace percuss

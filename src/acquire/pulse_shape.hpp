@@ -1,0 +1,40 @@
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace percuss {
+
+/// The main pulse within a stretch of force, baseline removed.
+struct PulseShape {
+  std::size_t peak = 0;       // sample
+  double rise = 0, fall = 0;  // where it crosses 5 % of the peak, in samples (interpolated)
+  bool starts_inside = true;  // false: the stretch begins above 5 % of the peak
+};
+
+/// Crossings of 5 % of the value at `peak` on either side of it.
+PulseShape shape_of_pulse(std::span<const double> force_N, std::size_t peak);
+
+/// The gate [first, end) that holds the pulse and the ringing of the recorder's anti-alias filter: out to the last sample within
+/// 72 of the pulse's feet that stands 4 noise deviations, or 1e-9 of the peak, above zero.
+struct Gate {
+  std::size_t first = 0, end = 0;
+};
+Gate gate_around(std::span<const double> force_N, const PulseShape& pulse, double noise_N);
+
+/// A second pulse of the same sign: how far from the main one, and how large beside it.
+struct SecondPulse {
+  double delay_samples = 0;  // negative: before the main one
+  double ratio = 0;
+};
+std::optional<SecondPulse> second_pulse(std::span<const double> force_N, const PulseShape& pulse, double noise_N);
+
+/// Number of consecutive samples at the stretch's extreme value when it looks like the recorder's rail, else 0: three or more equal
+/// samples, with a neighbour further away than a smooth peak's would be.
+std::size_t samples_at_rail(std::span<const double> x);
+
+/// Frequency at which the amplitude spectrum of a pulse falls 20 dB below its largest line for good.
+double bandwidth_Hz(std::span<const double> pulse, double fs_Hz);
+
+}  // namespace percuss

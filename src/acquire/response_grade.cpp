@@ -1,0 +1,106 @@
+#include "acquire/response_grade.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "acquire/pulse_shape.hpp"
+#include "core/statistics.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr double kDecayed_dB = -52;      // six time constants: truncation changes an FRF by less than 0.5 %, [12]
+constexpr double kAboveNoise = 2;        // times the pre-trigger's rms: what is left is ringing
+constexpr std::size_t kLeastQuiet = 12;  // samples before the pulse's ringing that can tell noise
+constexpr double kOnsetNoise = 6;        // deviations
+constexpr double kOnsetFraction = 0.02;  // of the largest response
+constexpr double kStillFalling = 0.9;    // of the rms one window earlier
+
+double rms_about_mean(std::span<const double> x) {
+  double mean = 0;
+  for (const double value : x) mean += value / static_cast<double>(x.size());
+  double sum = 0;
+  for (const double value : x) sum += (value - mean) * (value - mean);
+  return x.empty() ? 0 : std::sqrt(sum / static_cast<double>(x.size()));
+}
+
+// The pre-trigger up to where the anti-alias filter's ringing begins.
+std::span<const double> quiet_part(const Hit& hit, std::span<const double> accel) {
+  const std::size_t end = std::min(hit.gate_first > hit.first ? hit.gate_first - hit.first : 0, accel.size());
+  return accel.first(end);
+}
+
+void grade_end(ResponseGrade& grade, const Hit& hit, std::span<const double> accel) {
+  const std::size_t after = std::min(accel.size(), hit.gate_first - hit.first + hit.gated_N.size());
+  const std::size_t window = std::max<std::size_t>(8, (accel.size() - after) / 20);
+  if (after + 3 * window > accel.size()) return;
+  const double start = rms_about_mean(accel.subspan(after, window));
+  const double end = rms_about_mean(accel.last(window));
+  const double before_end = rms_about_mean(accel.subspan(accel.size() - 2 * window, window));
+  if (!(start > 0)) return;
+  grade.left_dB = 20 * std::log10(std::max(end, 1e-300) / start);
+  const auto quiet = quiet_part(hit, accel);
+  const bool above_noise = quiet.size() >= kLeastQuiet && !grade.rings_before ? end > kAboveNoise * rms_about_mean(quiet)
+                                                                             : end < kStillFalling * before_end;
+  grade.truncated = grade.left_dB > kDecayed_dB && above_noise;
+}
+
+// The pre-trigger rings when it stands well above the stretch's end: noise does not decay.
+bool rings_before(const Hit& hit, std::span<const double> accel) {
+  const auto quiet = quiet_part(hit, accel);
+  const std::size_t window = std::max<std::size_t>(8, accel.size() / 20);
+  if (quiet.size() < kLeastQuiet || accel.size() < 4 * window) return false;
+  const double end = rms_about_mean(accel.last(window));
+  return rms_about_mean(quiet) > 4 * end && end > 0;
+}
+
+void grade_onset(ResponseGrade& grade, const Hit& hit, std::span<const double> accel, double fs_Hz) {
+  const auto quiet = quiet_part(hit, accel);
+  const double rest = quiet.empty() ? 0 : median({quiet.begin(), quiet.end()});
+  const double noise = robust_std({quiet.begin(), quiet.end()});
+  const std::size_t peak = hit.peak - hit.first;
+  double largest = 0;
+  for (std::size_t i = peak; i < accel.size(); ++i) largest = std::max(largest, std::abs(accel[i] - rest));
+  const double level = std::max(kOnsetNoise * noise, kOnsetFraction * largest);
+  const auto onset = static_cast<std::size_t>(std::max(0.0, std::floor(hit.onset_s * fs_Hz) - static_cast<double>(hit.first)));
+  for (std::size_t i = onset > 2 ? onset - 2 : 0; i < accel.size(); ++i) {
+    if (std::abs(accel[i] - rest) < level) continue;
+    grade.polarity = accel[i] > rest ? 1 : -1;
+    grade.delay_s = static_cast<double>(hit.first + i) / fs_Hz - hit.onset_s;
+    return;
+  }
+}
+
+}  // namespace
+
+ResponseGrade grade_response(const Hit& hit, std::span<const double> accel_mps2, double fs_Hz) {
+  ResponseGrade grade;
+  if (hit.gated_N.empty() || accel_mps2.size() != hit.samples) return grade;
+  grade.rail_samples = samples_at_rail(accel_mps2);
+  grade.rings_before = rings_before(hit, accel_mps2);
+  grade_end(grade, hit, accel_mps2);
+  grade_onset(grade, hit, accel_mps2, fs_Hz);
+  return grade;
+}
+
+void add_response_findings(Hit& hit, const std::vector<ResponseGrade>& channels) {
+  const ResponseGrade* worst = nullptr;
+  std::size_t rail = 0;
+  for (const ResponseGrade& grade : channels) {
+    rail = std::max(rail, grade.rail_samples);
+    if (grade.truncated && (worst == nullptr || grade.left_dB > worst->left_dB)) worst = &grade;
+  }
+  if (rail > 0) {
+    hit.findings.push_back({.code = FindingCode::overload, .severity = Severity::reject, .value = static_cast<double>(rail),
+                            .message = fmt::format("acceleration clipped: {} samples at the rail; raise the input range", rail)});
+  }
+  if (worst != nullptr) {
+    hit.findings.push_back({.code = FindingCode::truncated_decay, .severity = Severity::warn, .value = worst->left_dB,
+                            .message = fmt::format("still ringing at the end, {:.0f} dB below the start: record longer, or rely on the "
+                                                   "fitted damping, which allows for it", worst->left_dB)});
+  }
+}
+
+}  // namespace percuss

@@ -1,0 +1,27 @@
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "acquire/hits.hpp"
+
+namespace percuss {
+
+/// What one acceleration channel shows of one hit.
+struct ResponseGrade {
+  double left_dB = 0;             // level at the stretch's end, below that just after the hit
+  bool truncated = false;         // … and it is ringing, not noise
+  std::size_t rail_samples = 0;   // at the recorder's rail
+  bool rings_before = false;      // the pre-trigger is not at rest
+  std::optional<double> delay_s;  // from the force's onset to the response's; resolution one sample
+  int polarity = 0;               // sign of the first motion; 0: not seen
+};
+
+/// Grades one channel's samples over the hit's stretch (accel.size() == hit.samples).
+ResponseGrade grade_response(const Hit& hit, std::span<const double> accel_mps2, double fs_Hz);
+
+/// Adds `truncated_decay` and `overload` for the worst channel to the hit's findings.
+void add_response_findings(Hit& hit, const std::vector<ResponseGrade>& channels);
+
+}  // namespace percuss

@@ -1,0 +1,83 @@
+#include "frf/estimators.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numeric>
+
+#include "core/error.hpp"
+
+namespace percuss {
+namespace {
+
+// (3) for one line; `scale` is the mean ratio of acceleration to force, which makes the two channels comparable.
+Complex total_least_squares(double ff, double aa, Complex fa, double scale) {
+  const double a = aa / (scale * scale);
+  const Complex cross = fa / scale;
+  if (std::abs(cross) == 0) return 0;
+  const double half = 0.5 * (a - ff);
+  const double root = std::sqrt(half * half + std::norm(cross));
+  // Of the two equal forms, the one without cancellation.
+  return half >= 0 ? scale * (half + root) / std::conj(cross) : scale * cross / (root - half);
+}
+
+double mean_ratio(const CrossSpectra& spectra) {
+  const double ff = std::accumulate(spectra.ff.begin(), spectra.ff.end(), 0.0);
+  const double aa = std::accumulate(spectra.aa.begin(), spectra.aa.end(), 0.0);
+  return aa > 0 ? std::sqrt(aa / ff) : 1;
+}
+
+}  // namespace
+
+CrossSpectra cross_spectra(std::span<const std::vector<Complex>* const> force, std::span<const std::vector<Complex>* const> accel) {
+  assert(force.size() == accel.size() && !force.empty());
+  const std::size_t lines = force.front()->size();
+  CrossSpectra sum{.ff = std::vector<double>(lines), .aa = std::vector<double>(lines), .fa = std::vector<Complex>(lines), .averages = force.size()};
+  for (std::size_t h = 0; h < force.size(); ++h) {
+    const auto& f = *force[h];
+    const auto& a = *accel[h];
+    assert(f.size() == lines && a.size() == lines);
+    for (std::size_t k = 0; k < lines; ++k) {
+      sum.ff[k] += std::norm(f[k]);
+      sum.aa[k] += std::norm(a[k]);
+      // conj(F)·A written out: std::complex's product checks for infinities and does not vectorise.
+      sum.fa[k] += Complex(f[k].real() * a[k].real() + f[k].imag() * a[k].imag(), f[k].real() * a[k].imag() - f[k].imag() * a[k].real());
+    }
+  }
+  return sum;
+}
+
+Frf estimate_frf(const CrossSpectra& spectra, const LineRange& lines, Estimator estimator) {
+  const std::size_t count = spectra.ff.size();
+  Frf frf{.value = std::vector<Complex>(count), .averages = spectra.averages};
+  const bool averaged = spectra.averages > 1;
+  if (averaged) {
+    frf.std.resize(count);
+    frf.coherence.resize(count);
+  }
+  const double scale = estimator == Estimator::hv ? mean_ratio(spectra) : 1;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double ff = spectra.ff[k];
+    const double aa = spectra.aa[k];
+    const Complex fa = spectra.fa[k];
+    if (!(ff > 0)) {
+      throw InputError(fmt::format("the force has no energy at {:.6g} Hz", lines.freq_Hz(k)), "FRF", "narrow --band");
+    }
+    const Complex h1 = fa / ff;  // (1)
+    switch (estimator) {
+      case Estimator::h1: frf.value[k] = h1; break;
+      case Estimator::h2: frf.value[k] = std::norm(fa) > 0 ? aa / std::conj(fa) : Complex{}; break;  // (2)
+      case Estimator::hv: frf.value[k] = total_least_squares(ff, aa, fa, scale); break;
+    }
+    if (!averaged) continue;
+    // (4), (5) as residual energy, which stays exact where the coherence is 1 to all digits.
+    const double unexplained = std::max(0.0, aa - std::norm(fa) / ff);
+    frf.coherence[k] = aa > 0 ? std::min(1.0, 1 - unexplained / aa) : 0;
+    frf.std[k] = std::sqrt(unexplained / (ff * static_cast<double>(spectra.averages - 1)));
+  }
+  return frf;
+}
+
+}  // namespace percuss

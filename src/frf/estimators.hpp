@@ -1,0 +1,43 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "frf/spectra.hpp"
+
+namespace percuss {
+
+enum class Estimator { h1, h2, hv };
+
+/// Sums over hits of products of spectra, line by line (one-sided, unscaled: only ratios are used).
+///   G_ff = Σ |F|²,  G_aa = Σ |A|²,  G_fa = Σ conj(F) A
+struct CrossSpectra {
+  std::vector<double> ff, aa;
+  std::vector<Complex> fa;
+  std::size_t averages = 0;
+};
+
+/// force and accel: [hits][lines], of the same hits in the same order.
+CrossSpectra cross_spectra(std::span<const std::vector<Complex>* const> force, std::span<const std::vector<Complex>* const> accel);
+
+/// Accelerance of one response to one point, averaged over hits.
+struct Frf {
+  std::vector<Complex> value;     // (m/s²)/N
+  std::vector<double> std;        // deviation of |value − truth| from the scatter over hits, (m/s²)/N; empty for one hit
+  std::vector<double> coherence;  // ordinary, 0 … 1; empty for one hit
+  std::size_t averages = 0;
+};
+
+/// Accelerance from averaged force/acceleration spectra.
+///   H1 = G_fa / G_ff                    unbiased by noise on the acceleration                          (1)
+///   H2 = G_aa / conj(G_fa)              unbiased by noise on the force                                 (2)
+///   Hv = total least squares: the smaller eigenvector of [[G_ff, conj G_fa], [G_fa, G_aa]], both channels
+///        scaled to the same mean power over the lines given                                            (3)
+///   γ² = |G_fa|² / (G_ff G_aa)                                                                         (4)
+///   σ² = (1 − γ²)/γ² · |H1|² / (n − 1), n hits                                                         (5)
+/// shapes  every array (lines).
+/// units   (m/s²)/N.
+/// errors  InputError when the force never excited a line (G_ff = 0).
+/// source  [3], [4] in docs/sources.md.
+Frf estimate_frf(const CrossSpectra& spectra, const LineRange& lines, Estimator estimator = Estimator::h1);
+
+}  // namespace percuss

@@ -1,0 +1,56 @@
+#include "frf/spectra.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "frf/windows.hpp"
+
+namespace percuss {
+namespace {
+
+std::vector<Complex> kept(const std::vector<double>& x, const LineRange& lines) {
+  const auto all = real_dft(x);
+  const auto begin = all.begin() + static_cast<std::ptrdiff_t>(lines.first);
+  return {begin, begin + static_cast<std::ptrdiff_t>(lines.count)};
+}
+
+double origin_of(const Hit& hit) { return static_cast<double>(hit.peak - hit.first); }
+
+}  // namespace
+
+LineRange lines_in_band(double fs_Hz, std::size_t samples, double low_Hz, double high_Hz) {
+  LineRange lines{.fs_Hz = fs_Hz, .samples = samples};
+  // A line within a millionth of a bin of the edge belongs to the band: edges are typed as round numbers.
+  const double edge = 1e-6;
+  const auto top = static_cast<double>(samples / 2);
+  const double low = std::clamp(std::ceil(low_Hz / lines.df_Hz() - edge), 0.0, top + 1);
+  const double high = std::clamp(std::floor(high_Hz / lines.df_Hz() + edge), 0.0, top);
+  lines.first = static_cast<std::size_t>(low);
+  lines.count = high >= low ? static_cast<std::size_t>(high - low) + 1 : 0;
+  return lines;
+}
+
+ForceBlock force_block(const Hit& hit, double fs_Hz, double decay_per_s) {
+  ForceBlock block{.offset = hit.gate_first - hit.first, .force_N = hit.gated_N, .decay_per_s = decay_per_s};
+  apply_exponential(block.force_N, decay_per_s, fs_Hz, origin_of(hit) - static_cast<double>(block.offset));
+  return block;
+}
+
+std::vector<Complex> force_spectrum(const ForceBlock& block, const LineRange& lines) {
+  std::vector<double> x(lines.samples);
+  if (block.offset < x.size()) {
+    std::copy_n(block.force_N.begin(), std::min(block.force_N.size(), x.size() - block.offset),
+                x.begin() + static_cast<std::ptrdiff_t>(block.offset));
+  }
+  return kept(x, lines);
+}
+
+std::vector<Complex> accel_spectrum(const Hit& hit, std::span<const double> accel_mps2, const LineRange& lines, double decay_per_s) {
+  assert(accel_mps2.size() >= lines.samples);
+  std::vector<double> x(accel_mps2.begin(), accel_mps2.begin() + static_cast<std::ptrdiff_t>(lines.samples));
+  apply_exponential(x, decay_per_s, lines.fs_Hz, origin_of(hit));
+  return kept(x, lines);
+}
+
+}  // namespace percuss

@@ -1,0 +1,41 @@
+#pragma once
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "acquire/hits.hpp"
+#include "acquire/record.hpp"
+#include "core/fft.hpp"
+
+namespace percuss {
+
+/// The lines of a transform of `samples` values that are kept: first … first + count − 1.
+struct LineRange {
+  double fs_Hz = 0;
+  std::size_t samples = 0;
+  std::size_t first = 0;
+  std::size_t count = 0;
+  double df_Hz() const { return fs_Hz / static_cast<double>(samples); }
+  double freq_Hz(std::size_t line) const { return static_cast<double>(first + line) * df_Hz(); }
+};
+
+/// The lines of a transform that lie within [low, high] Hz.
+LineRange lines_in_band(double fs_Hz, std::size_t samples, double low_Hz, double high_Hz);
+
+/// A hit's force as it enters the spectra: the samples that are not zero, in a block that begins at the hit's first sample.
+/// With an exponential window it carries that window; `decay_per_s` is 0 without one.
+struct ForceBlock {
+  std::size_t offset = 0;  // of the first sample within the block
+  std::vector<double> force_N;
+  double decay_per_s = 0;
+};
+ForceBlock force_block(const Hit& hit, double fs_Hz, double decay_per_s);
+
+/// Transform of a force block at the lines wanted. One real FFT. shapes: result [lines.count]; units N (unscaled sums).
+std::vector<Complex> force_spectrum(const ForceBlock& block, const LineRange& lines);
+
+/// Transform of one acceleration channel over the hit's stretch (cut to lines.samples); the window has its origin at the pulse's
+/// peak as for the force. `accel_mps2` holds at least lines.samples values.
+std::vector<Complex> accel_spectrum(const Hit& hit, std::span<const double> accel_mps2, const LineRange& lines, double decay_per_s);
+
+}  // namespace percuss
