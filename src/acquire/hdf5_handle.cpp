@@ -1,0 +1,39 @@
+#include "acquire/hdf5_handle.hpp"
+
+#include <utility>
+
+namespace percuss::hdf5 {
+namespace {
+
+std::mutex& library_mutex() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+}  // namespace
+
+Lock::Lock() : hold_(library_mutex()) {
+  static const bool plugins_off = H5PLset_loading_state(0) >= 0;
+  static_cast<void>(plugins_off);
+  // The library keeps one error stack, and with it the handler that prints, per thread.
+  thread_local const bool silent = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0;
+  static_cast<void>(silent);
+}
+
+Handle& Handle::operator=(Handle&& other) noexcept {
+  if (this != &other) {
+    close();
+    id_ = other.release();
+  }
+  return *this;
+}
+
+bool Handle::close() {
+  if (id_ < 0) return true;
+  // Closes whatever the identifier stands for, as H5Fclose, H5Dclose, … do.
+  return H5Idec_ref(release()) >= 0;
+}
+
+hid_t Handle::release() { return std::exchange(id_, H5I_INVALID_HID); }
+
+}  // namespace percuss::hdf5

@@ -1,0 +1,77 @@
+#pragma once
+// For .cpp files only, as hdf5_handle.hpp is. A Lock is held by the caller throughout.
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "acquire/hdf5_handle.hpp"
+
+namespace percuss::hdf5 {
+
+/// A file that may come from anywhere, open for reading. Every message names its path.
+/// errors  InputError: it cannot be opened, is not HDF5, is truncated or damaged.
+class InputHdf5 {
+ public:
+  explicit InputHdf5(std::string path);
+
+  const std::string& path() const { return path_; }
+  std::uint64_t bytes() const { return bytes_; }
+  hid_t id() const { return file_.get(); }
+
+  /// Whether the root group has a link of this name.
+  bool has(const std::string& name) const;
+  /// Names in the root group, in order, at most `limit` of them.
+  std::vector<std::string> names(std::size_t limit) const;
+  /// "path: /name", the place in a message.
+  std::string where(const std::string& name) const { return path_ + ": /" + name; }
+
+ private:
+  std::string path_;
+  std::uint64_t bytes_ = 0;
+  Handle file_;
+};
+
+/// A numeric data set of the root group, known to lie wholly in its file before any sample is read.
+/// errors  InputError: links to other files, groups, other types than integers and IEEE floats, sizes that the file
+/// cannot hold,
+///         compression other than gzip.
+class InputDataSet {
+ public:
+  InputDataSet(const InputHdf5& file, const std::string& name);
+
+  /// Number of elements along each dimension; empty for a scalar.
+  const std::vector<std::size_t>& shape() const { return shape_; }
+  std::size_t elements() const { return elements_; }
+  hid_t id() const { return set_.get(); }
+
+  /// Elements first … first + out.size() − 1 along the last dimension, at index `at` of the others. InputError when
+  /// they cannot be decoded.
+  void read(std::span<const std::size_t> at, std::size_t first, std::span<double> out) const;
+  /// All of it, in C order; for small sets.
+  std::vector<double> read_all() const;
+
+ private:
+  void open(const InputHdf5& file, const std::string& name);
+  void check_type() const;
+  void read_shape();
+  void check_storage(const InputHdf5& file, const std::string& name);
+  void check_chunks(const InputHdf5& file, const std::string& name, hid_t creation, std::uint64_t claim_limit);
+  [[noreturn]] void damaged() const;
+
+  std::string where_;
+  Handle set_;
+  std::vector<std::size_t> shape_;
+  std::size_t elements_ = 1, element_bytes_ = 0;
+};
+
+/// The numbers of an attribute, nothing when it is absent. InputError when it does not hold 1 … `limit` numbers.
+std::optional<std::vector<double>> number_attribute(hid_t object, const std::string& name, const std::string& where,
+                                                    std::size_t limit);
+
+/// The text of an attribute, nothing when it is absent. InputError when it is not one text.
+std::optional<std::string> text_attribute(hid_t object, const std::string& name, const std::string& where);
+
+}  // namespace percuss::hdf5
