@@ -1,1 +1,36 @@
 # Installation of the tool, the libraries and their headers, and the Debian package.
+include(CMakePackageConfigHelpers)
+
+get_property(floors GLOBAL PROPERTY PERCUSS_FLOORS)
+install(TARGETS ${floors} EXPORT percussTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(DIRECTORY src/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/percuss FILES_MATCHING PATTERN "*.hpp")
+
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/percuss)
+install(EXPORT percussTargets NAMESPACE percuss:: DESTINATION ${package_dir})
+configure_package_config_file(cmake/percussConfig.cmake.in ${PROJECT_BINARY_DIR}/percussConfig.cmake
+                              INSTALL_DESTINATION ${package_dir})
+# Before 1.0 a minor version may change the interface.
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/percussConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/percussConfig.cmake ${PROJECT_BINARY_DIR}/percussConfigVersion.cmake
+        DESTINATION ${package_dir})
+
+# Debian looks for the licence in a file called copyright.
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
+install(FILES README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} FILES_MATCHING PATTERN "*.md" PATTERN "*.json")
+if(EXISTS ${PROJECT_SOURCE_DIR}/fixtures)
+  install(DIRECTORY fixtures DESTINATION ${CMAKE_INSTALL_DATADIR}/percuss)
+endif()
+
+# One package: the tool with its run-time libraries as dependencies; whoever links against percuss adds the suggested ones.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME percuss)
+set(CPACK_PACKAGE_CONTACT "percuss maintainers <percuss@example.org>")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS
+    "libeigen3-dev, libfftw3-dev, libgsl-dev, libtbb-dev, libfmt-dev, nlohmann-json3-dev, libhdf5-dev, pkg-config")
+include(CPack)

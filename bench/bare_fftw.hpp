@@ -1,0 +1,33 @@
+#pragma once
+#include <fftw3.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace percuss {
+
+/// FFTW called by hand on memory of its own, planned once: what every other time is compared with.
+class BareFftw {
+ public:
+  explicit BareFftw(std::size_t samples)
+      : in_(fftw_alloc_real(samples)),
+        out_(fftw_alloc_complex(samples / 2 + 1)),
+        plan_(fftw_plan_dft_r2c_1d(static_cast<int>(samples), in_, out_, FFTW_ESTIMATE | FFTW_PRESERVE_INPUT)) {}
+  BareFftw(const BareFftw&) = delete;
+  BareFftw& operator=(const BareFftw&) = delete;
+  ~BareFftw() {
+    fftw_destroy_plan(plan_);
+    fftw_free(in_);
+    fftw_free(out_);
+  }
+  void fill(const std::vector<double>& x) { std::copy(x.begin(), x.end(), in_); }
+  void transform() { fftw_execute(plan_); }
+
+ private:
+  double* in_;
+  fftw_complex* out_;
+  fftw_plan plan_;
+};
+
+}  // namespace percuss

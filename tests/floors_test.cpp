@@ -1,0 +1,137 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace percuss {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+constexpr std::array<std::string_view, 10> kFloors{"core",    "acquire", "frf",      "identify", "model",
+                                                   "metrics", "synth",   "pipeline", "report",   "tools"};
+
+struct Include {
+  std::string name;    // what stands between the quotes or brackets
+  bool quoted = true;  // "ours", not <theirs>
+};
+
+struct Source {
+  std::string path;   // from the top of the sources: "src/core/fft.cpp"
+  std::string floor;  // "core"
+  bool header = false;
+  std::vector<Include> includes;
+};
+
+std::vector<Include> includes_in(const std::string& text) {
+  static const std::regex line(R"re((?:^|\n)[ \t]*#[ \t]*include[ \t]*([<"])([^>"\n]+)[>"])re");
+  std::vector<Include> out;
+  for (std::sregex_iterator it(text.begin(), text.end(), line), end; it != end; ++it) {
+    out.push_back({.name = (*it)[2], .quoted = (*it)[1] == "\""});
+  }
+  return out;
+}
+
+std::vector<Source> sources() {
+  const fs::path top = PERCUSS_SOURCE_DIR;
+  std::vector<Source> out;
+  for (const char* folder : {"src", "tools"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(top / folder)) {
+      const fs::path path = fs::relative(entry.path(), top);
+      if (path.extension() != ".hpp" && path.extension() != ".cpp") continue;
+      std::ostringstream text;
+      text << std::ifstream(entry.path()).rdbuf();
+      out.push_back({.path = path.string(),
+                     .floor = path.parent_path().filename().string(),
+                     .header = path.extension() == ".hpp",
+                     .includes = includes_in(text.str())});
+    }
+  }
+  return out;
+}
+
+std::ptrdiff_t height(std::string_view floor) {
+  return std::find(kFloors.begin(), kFloors.end(), floor) - kFloors.begin();
+}
+
+/// The includes of `source` that name a floor above its own, or no floor at all ("fft.hpp" for "core/fft.hpp").
+std::vector<std::string> wrong_floors(const Source& source) {
+  std::vector<std::string> out;
+  for (const auto& include : source.includes) {
+    if (!include.quoted) continue;
+    const std::size_t slash = include.name.find('/');
+    const bool beside =
+        slash == std::string::npos && source.floor == "tools";  // the tool's files name each other plainly
+    if (!beside && height(include.name.substr(0, slash)) > height(source.floor)) {
+      out.push_back(source.path + " includes " + include.name);
+    }
+  }
+  return out;
+}
+
+/// The includes of a header of the library that are neither the standard library's, nor Eigen's, nor our own.
+std::vector<std::string> third_parties(const Source& source) {
+  std::vector<std::string> out;
+  for (const auto& [name, quoted] : source.includes) {
+    const bool standard = name.find_first_of("./") == std::string::npos;
+    if (!quoted && !standard && !name.starts_with("Eigen/")) out.push_back(source.path + " includes " + name);
+  }
+  return out;
+}
+
+TEST(Floors, AreTheFoldersThatExist) {
+  for (const auto& source : sources()) EXPECT_LT(height(source.floor), std::ssize(kFloors)) << source.path;
+}
+
+TEST(Floors, IncludeOnlyWhatLiesBelow) {
+  std::vector<std::string> wrong;
+  for (const auto& source : sources()) {
+    for (auto& sentence : wrong_floors(source)) wrong.push_back(std::move(sentence));
+  }
+  EXPECT_THAT(wrong, IsEmpty());
+}
+
+TEST(Floors, KeepThirdPartiesOutOfHeaders) {
+  std::vector<std::string> wrong;
+  for (const auto& source : sources()) {
+    if (!source.header || source.floor == "tools") continue;  // the command line's parser is the tool's own affair
+    for (auto& sentence : third_parties(source)) wrong.push_back(std::move(sentence));
+  }
+  EXPECT_THAT(wrong, IsEmpty());
+}
+
+TEST(Floors, IncludeFftwInOneFile) {
+  std::vector<std::string> files;
+  for (const auto& source : sources()) {
+    for (const auto& include : source.includes) {
+      if (include.name == "fftw3.h") files.push_back(source.path);
+    }
+  }
+  EXPECT_THAT(files, ElementsAre("src/core/fft.cpp"));
+}
+
+// The checks above pass on an empty list too, so they are shown to see what they are for.
+TEST(Floors, AreSeenToBeBroken) {
+  const Source source{
+      .path = "src/frf/x.hpp",
+      .floor = "frf",
+      .header = true,
+      .includes = includes_in("#pragma once\n#include <vector>\n #  include <hdf5.h>\n#include \"core/fft.hpp\"\n"
+                              "#include \"x.hpp\"\n#include \"report/json.hpp\"\n// #include \"model/beam.hpp\"\n")};
+  EXPECT_THAT(wrong_floors(source),
+              ElementsAre("src/frf/x.hpp includes x.hpp", "src/frf/x.hpp includes report/json.hpp"));
+  EXPECT_THAT(third_parties(source), ElementsAre("src/frf/x.hpp includes hdf5.h"));
+}
+
+}  // namespace
+}  // namespace percuss
