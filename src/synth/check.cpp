@@ -1,0 +1,149 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "core/error.hpp"
+#include "synth/spec.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr double kMostValues = 1U << 28;  // samples of all signals together: 2 GiB
+constexpr double kLarge = 1e12;           // beyond any force, acceleration or ratio of a hammer test
+
+void require(bool ok, const std::string& problem, const std::string& where, const std::string& remedy) {
+  if (!ok) throw InputError(problem, where, remedy);
+}
+
+/// low <= value <= high; NaN fails.
+void in_range(double value, double low, double high, const std::string& key) {
+  if (value >= low && value <= high) return;
+  throw InputError(fmt::format("{} is {:g}", key, value), "synth spec", fmt::format("give {:g} to {:g}", low, high));
+}
+
+void count_in_range(std::size_t value, std::size_t low, std::size_t high, const std::string& key) {
+  if (value >= low && value <= high) return;
+  throw InputError(fmt::format("{} is {}", key, value), "synth spec", fmt::format("give {} to {}", low, high));
+}
+
+void check_size(const SynthSpec& spec) {
+  in_range(spec.fs_Hz, 1, 1e8, "fs_hz");
+  count_in_range(spec.samples, 16, std::size_t{1} << 28, "samples");
+  count_in_range(spec.points.size(), 1, 10000, "number of impact points");
+  count_in_range(spec.sensors.size(), 1, 256, "number of sensors");
+  count_in_range(spec.hits, 1, 10000, "hits");
+  count_in_range(spec.runs, 1, 10000, "runs");
+  count_in_range(spec.modes.size(), 0, 200, "number of modes");
+  const bool rows = spec.layout == SynthLayout::rows;
+  const double hits = rows ? static_cast<double>(spec.hits) * static_cast<double>(spec.points.size()) : 1;
+  const double values = static_cast<double>(spec.samples) * static_cast<double>(spec.sensors.size() + 1) *
+                        static_cast<double>(spec.runs) * hits;
+  require(values <= kMostValues, fmt::format("the record would hold {:g} samples", values),
+          "samples × signals × hits × points × runs", fmt::format("ask for at most {:g} together", kMostValues));
+}
+
+void check_residues(const std::vector<double>& values, const SynthSpec& spec, const std::string& key) {
+  const std::size_t wanted = spec.points.size() * spec.sensors.size();
+  require(values.empty() || values.size() == wanted, fmt::format("{} has {} numbers", key, values.size()), "synth spec",
+          fmt::format("give one per impact point and sensor, {} in all", wanted));
+  for (const double v : values) in_range(v, -kLarge, kLarge, key);
+}
+
+void check_structure(const SynthSpec& spec) {
+  const SynthStructure& s = spec.structure;
+  in_range(s.length_m, 1e-3, 100, "structure.length_m");
+  in_range(s.barrel_m, 1e-3, s.length_m, "structure.barrel_m");
+  in_range(s.radius_m, 1e-6, 100, "structure.radius_m");
+  in_range(s.mass_kg, 1e-6, 1e9, "structure.mass_kg");
+  in_range(s.inertia_kgm2, 1e-9, 1e12, "structure.inertia_kgm2");
+  in_range(s.cm_m, 0, s.length_m, "structure.cm_m");
+  check_residues(s.rigid_line_per_kg, spec, "structure.rigid_line_per_kg");
+  for (std::size_t i = 0; i < spec.modes.size(); ++i) {
+    const SynthMode& m = spec.modes[i];
+    const std::string key = fmt::format("modes[{}].", i);
+    in_range(m.freq_Hz, 1e-6 * spec.fs_Hz, spec.fs_Hz, key + "frequency_hz");
+    in_range(m.damping_ratio, 1e-6, 0.5, key + "damping_ratio");
+    in_range(m.order, 1, 50, key + "order");
+    in_range(m.angle_rad, -100, 100, key + "angle_deg (in rad)");
+    in_range(m.amplitude_per_sqrt_kg, -1e6, 1e6, key + "amplitude_per_sqrt_kg");
+    check_residues(m.residue_per_kg, spec, key + "residue_per_kg");
+  }
+}
+
+void check_places(const SynthSpec& spec) {
+  for (std::size_t i = 0; i < spec.sensors.size(); ++i) {
+    const SynthSensor& s = spec.sensors[i];
+    const std::string key = fmt::format("sensors[{}].", i);
+    in_range(s.position_m, 0, spec.structure.length_m, key + "position_m");
+    in_range(s.angle_rad, -100, 100, key + "angle_deg (in rad)");
+    require(std::abs(s.sign) == 1, fmt::format("{}sign is {:g}", key, s.sign), "synth spec", "give 1 or -1");
+    in_range(s.gain, 1e-9, 1e9, key + "gain");
+  }
+  for (std::size_t i = 0; i < spec.points.size(); ++i) {
+    const std::string key = fmt::format("impact[{}].", i);
+    in_range(spec.points[i].position_m, 0, spec.structure.length_m, key + "position_m");
+    in_range(spec.points[i].angle_rad, -100, 100, key + "angle_deg (in rad)");
+  }
+}
+
+void check_hits(const SynthSpec& spec) {
+  const double duration_s = static_cast<double>(spec.samples) / spec.fs_Hz;
+  in_range(spec.pulse.width_s, 0.01 / spec.fs_Hz, 512 / spec.fs_Hz, "pulse.width_s");
+  in_range(spec.pulse.peak_N, 1e-9, 1e9, "pulse.peak_n");
+  in_range(spec.pulse.width_spread, 0, 0.9, "pulse.width_spread");
+  in_range(spec.pulse.peak_spread, 0, 0.9, "pulse.peak_spread");
+  in_range(spec.pretrigger_s, -duration_s, duration_s, "pretrigger_s");
+  in_range(spec.onset_spread_s, 0, duration_s, "onset_spread_s");
+  in_range(spec.band_low_Hz, 0, spec.fs_Hz / 2, "band_hz[0]");
+  in_range(spec.band_high_Hz, spec.band_low_Hz, spec.fs_Hz / 2, "band_hz[1]");
+  const bool continuous = spec.layout == SynthLayout::continuous;
+  require(continuous || spec.hit_times_s.empty(), "hit_times_s with one hit per row", "hit_times_s",
+          "set layout to continuous, or give pretrigger_s instead");
+  require(!continuous || spec.points.size() == 1, "several impact points in one continuous row", "impact",
+          "set layout to rows, or give one point");
+  require(spec.hit_times_s.empty() || spec.hit_times_s.size() == spec.hits,
+          fmt::format("{} hits but {} times", spec.hits, spec.hit_times_s.size()), "hit_times_s",
+          "give one time per hit");
+  for (std::size_t i = 0; i < spec.hit_times_s.size(); ++i) {
+    in_range(spec.hit_times_s[i], i > 0 ? spec.hit_times_s[i - 1] : 0, duration_s, fmt::format("hit_times_s[{}]", i));
+  }
+}
+
+void check_recorder(const SynthSpec& spec) {
+  const SynthRecorder& r = spec.recorder;
+  in_range(spec.noise.force, 0, 10, "noise.force");
+  in_range(spec.noise.accel, 0, 1000, "noise.accel");
+  in_range(r.force_gain, 1e-9, 1e9, "recorder.force_gain");
+  in_range(r.force_bias_N, -kLarge, kLarge, "recorder.force_bias_n");
+  in_range(r.accel_bias_mps2, -kLarge, kLarge, "recorder.accel_bias_mps2");
+  in_range(r.accel_drift_mps2_per_s, -kLarge, kLarge, "recorder.accel_drift_mps2_per_s");
+  in_range(r.bits, 0, 32, "recorder.bits");
+  in_range(r.force_clip_N.value_or(1), 1e-12, kLarge, "recorder.force_clip_n");
+  in_range(r.accel_clip_mps2.value_or(1), 1e-12, kLarge, "recorder.accel_clip_mps2");
+  in_range(r.force_range_N.value_or(1), 1e-12, kLarge, "recorder.force_range_n");
+  in_range(r.accel_range_mps2.value_or(1), 1e-12, kLarge, "recorder.accel_range_mps2");
+  require(r.bits > 0 || (!r.force_range_N && !r.accel_range_mps2), "a range without bits", "recorder",
+          "give bits, or force_clip_n and accel_clip_mps2");
+  for (std::size_t i = 0; i < spec.faults.size(); ++i) {
+    const SynthFault& f = spec.faults[i];
+    const std::string key = fmt::format("faults[{}].", i);
+    count_in_range(f.hit, 0, spec.hits * spec.points.size() - 1, key + "hit");
+    in_range(f.ratio, 1e-9, 100, key + "ratio");
+    in_range(f.delay_s, 0, static_cast<double>(spec.samples) / spec.fs_Hz, key + "delay_s");
+    require(f.kind != SynthFaultKind::late || spec.layout == SynthLayout::rows, "a late trigger in a continuous record",
+            key + "kind", "set layout to rows, or leave the fault out");
+  }
+}
+
+}  // namespace
+
+void check(const SynthSpec& spec) {
+  check_size(spec);
+  check_structure(spec);
+  check_places(spec);
+  check_hits(spec);
+  check_recorder(spec);
+}
+
+}  // namespace percuss

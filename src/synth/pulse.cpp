@@ -1,0 +1,229 @@
+#include "synth/pulse.hpp"
+
+#include <gsl/gsl_integration.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+namespace percuss {
+namespace {
+
+using Complex = std::complex<double>;
+constexpr double kPi = std::numbers::pi;
+constexpr double kCutoff = 0.45;      // cycles/sample
+constexpr double kEdgeExponent = 37;  // Gaussian e^−37 = 1e-16 at the edge of the support
+constexpr double kForgotten = 42;     // a decay below e^−42 = 6e-19 is over
+constexpr std::size_t kNodes = 16;    // Gauss–Legendre: panels of one or two samples, error far below rounding
+
+struct GaussLegendre {
+  std::array<double, kNodes> x{}, weight{};  // on [0, 1]
+  GaussLegendre() {
+    gsl_integration_glfixed_table* table = gsl_integration_glfixed_table_alloc(kNodes);
+    for (std::size_t i = 0; i < kNodes; ++i) gsl_integration_glfixed_point(0, 1, i, &x[i], &weight[i], table);
+    gsl_integration_glfixed_table_free(table);
+  }
+};
+
+const GaussLegendre& rule() {
+  static const GaussLegendre shared;
+  return shared;
+}
+
+/// The pulse's shape as Σ re·cos(m W t) + im·sin(m W t), m counting multiples of W = π/width.
+struct Harmonic {
+  double multiple;
+  Complex amplitude;  // of e^{j m W t}; its conjugate partner stands in the list as well
+};
+
+std::vector<Harmonic> harmonics(PulseKind kind) {
+  switch (kind) {
+    case PulseKind::haversine:
+      return {{0, 0.5}, {2, -0.25}, {-2, -0.25}};
+    case PulseKind::sine_cubed:
+      return {{1, {0, -0.375}}, {-1, {0, 0.375}}, {3, {0, 0.125}}, {-3, {0, -0.125}}};
+    case PulseKind::halfsine:
+      break;
+  }
+  return {{1, {0, -0.5}}, {-1, {0, 0.5}}};
+}
+
+double unit_pulse(PulseKind kind, double fraction) {
+  if (fraction < 0 || fraction > 1) return 0;
+  const double s = std::sin(kPi * fraction);
+  return kind == PulseKind::halfsine ? s : kind == PulseKind::haversine ? s * s : s * s * s;
+}
+
+/// (e^a − e^b)/(a − b), also where a and b nearly meet.
+Complex divided_exponential(Complex a, Complex b) {
+  const Complex z = a - b;
+  if (std::abs(z) > 0.5) return (std::exp(a) - std::exp(b)) / z;
+  Complex sum = 0;
+  for (int n = 18; n >= 1; --n) sum = (sum * z + 1.0) / static_cast<double>(n);
+  return std::exp(b) * sum;
+}
+
+/// A mode's pole in 1/sample and the factor c of its acceleration's regular part 2 Re(c e^{λt}).
+struct SampledPole {
+  Complex lambda, factor;
+  SampledPole(const Pole& pole, double fs_Hz) {
+    const double omega = 2 * kPi * pole.freq_Hz / fs_Hz;
+    const double damped = omega * std::sqrt((1 - pole.damping_ratio) * (1 + pole.damping_ratio));
+    lambda = {-pole.damping_ratio * omega, damped};
+    factor = lambda * lambda / Complex(0, 2 * damped);
+  }
+};
+
+/// A pulse in samples, shape 1 at its peak.
+struct SampledPulse {
+  PulseKind kind;
+  double onset, width, end;
+  SampledPulse(const Pulse& pulse, double fs_Hz)
+      : kind(pulse.kind), onset(pulse.onset_s * fs_Hz), width(pulse.width_s * fs_Hz), end(onset + width) {}
+
+  /// ∫_0^τ e^{λ(τ−v)} p(v) dv, 0 <= τ <= width.
+  Complex response(Complex lambda, double tau) const {
+    Complex sum = 0;
+    for (const Harmonic& h : harmonics(kind)) {
+      sum += h.amplitude * tau * divided_exponential({0, h.multiple * kPi * tau / width}, lambda * tau);
+    }
+    return sum;
+  }
+};
+
+/// Samples around the pulse, first <= n < last, where the filter sees it.
+struct Zone {
+  long first, last;
+  explicit Zone(const SampledPulse& p)
+      : first(static_cast<long>(std::floor(p.onset - kFilterReach))),
+        last(static_cast<long>(std::ceil(p.end + kFilterReach)) + 1) {}
+};
+
+/// Filtered force (unit peak) and, per pole, the filtered modal response while the pulse acts, for the zone's samples n
+/// in [a, b).
+struct DuringPulse {
+  std::vector<double> force;
+  std::vector<std::vector<Complex>> modal;
+};
+
+DuringPulse during_pulse(const SampledPulse& pulse, const std::vector<SampledPole>& poles, long a, long b) {
+  const auto size = static_cast<std::size_t>(b - a);
+  DuringPulse out{std::vector<double>(size), {poles.size(), std::vector<Complex>(size)}};
+  const auto panels = static_cast<std::size_t>(std::ceil(pulse.width / 2));
+  const double step = pulse.width / static_cast<double>(panels);
+  std::vector<Complex> response(poles.size());
+  for (std::size_t node = 0; node < panels * kNodes; ++node) {
+    const double tau = (static_cast<double>(node / kNodes) + rule().x[node % kNodes]) * step;
+    const double weight = rule().weight[node % kNodes] * step;
+    const double shape = unit_pulse(pulse.kind, tau / pulse.width);
+    for (std::size_t r = 0; r < poles.size(); ++r) response[r] = pulse.response(poles[r].lambda, tau);
+    for (std::size_t i = 0; i < size; ++i) {
+      const double kernel =
+          weight * anti_alias_kernel(static_cast<double>(a) + static_cast<double>(i) - pulse.onset - tau);
+      out.force[i] += kernel * shape;
+      for (std::size_t r = 0; r < poles.size(); ++r) out.modal[r][i] += kernel * response[r];
+    }
+  }
+  return out;
+}
+
+/// Z[i] = ∫_{−reach}^{v} b(u) e^{λ(v−u)} du at v = zone.first + i − end: what the filter makes of a decay that starts
+/// at the pulse's end. One panel per sample, carried on by Z(v + 1) = e^λ Z(v) + new panel, which damps its own
+/// rounding errors.
+std::vector<std::vector<Complex>> after_pulse(const SampledPulse& pulse, const std::vector<SampledPole>& poles,
+                                              const Zone& zone) {
+  const auto size = static_cast<std::size_t>(zone.last - zone.first);
+  std::vector<std::vector<Complex>> out(poles.size(), std::vector<Complex>(size));
+  for (std::size_t i = 0; i < size; ++i) {
+    const double v = static_cast<double>(zone.first) + static_cast<double>(i) - pulse.end;
+    const double from = std::max(v - 1, -kFilterReach);
+    const double width = std::min(v, kFilterReach) - from;
+    std::array<double, kNodes> kernel{};
+    for (std::size_t k = 0; k < kNodes && width > 0; ++k) {
+      kernel[k] = rule().weight[k] * width * anti_alias_kernel(from + rule().x[k] * width);
+    }
+    for (std::size_t r = 0; r < poles.size(); ++r) {
+      Complex z = i > 0 ? out[r][i - 1] * std::exp(poles[r].lambda) : 0;
+      for (std::size_t k = 0; k < kNodes && width > 0; ++k) {
+        z += kernel[k] * std::exp(poles[r].lambda * (v - from - rule().x[k] * width));
+      }
+      out[r][i] = z;
+    }
+  }
+  return out;
+}
+
+/// Re(start·e^{λ n}) for n = skip, skip + 1, … into `out`; every value from two exponentials, so that errors do not
+/// grow with n.
+void add_decay(Complex start, Complex lambda, double skip, std::span<double> out) {
+  constexpr std::size_t kBlock = 256;
+  std::array<Complex, kBlock> powers;
+  for (std::size_t i = 0; i < kBlock; ++i) powers[i] = std::exp(lambda * static_cast<double>(i));
+  for (std::size_t block = 0; block < out.size(); block += kBlock) {
+    const Complex head = start * std::exp(lambda * (skip + static_cast<double>(block)));
+    const std::size_t size = std::min(kBlock, out.size() - block);
+    for (std::size_t i = 0; i < size; ++i) {
+      out[block + i] += head.real() * powers[i].real() - head.imag() * powers[i].imag();
+    }
+  }
+}
+
+}  // namespace
+
+double anti_alias_kernel(double u) {
+  if (std::abs(u) > kFilterReach) return 0;
+  const double x = 2 * kPi * kCutoff * u;
+  const double sinc = std::abs(x) < 1e-4 ? 1 - x * x / 6 : std::sin(x) / x;
+  return 2 * kCutoff * sinc * std::exp(-kEdgeExponent * u * u / (kFilterReach * kFilterReach));
+}
+
+double pulse_force_N(const Pulse& pulse, double t_s) {
+  return pulse.peak_N * unit_pulse(pulse.kind, t_s / pulse.width_s);
+}
+
+double pulse_impulse_Ns(const Pulse& pulse) {
+  const double mean = pulse.kind == PulseKind::halfsine    ? 2 / kPi
+                      : pulse.kind == PulseKind::haversine ? 0.5
+                                                           : 4 / (3 * kPi);
+  return mean * pulse.peak_N * pulse.width_s;
+}
+
+PulseBasis pulse_basis(const Pulse& pulse, double fs_Hz, std::span<const Pole> poles, std::size_t first,
+                       std::size_t count) {
+  assert(pulse.width_s > 0 && fs_Hz > 0);
+  const SampledPulse sampled(pulse, fs_Hz);
+  std::vector<SampledPole> lines;
+  for (const Pole& pole : poles) lines.emplace_back(pole, fs_Hz);
+  const Zone zone(sampled);
+  const auto range_first = static_cast<long>(first), range_last = static_cast<long>(first + count);
+  const long a = std::clamp(zone.first, range_first, range_last);
+  const long b = std::clamp(zone.last, a, range_last);
+  PulseBasis out{static_cast<std::size_t>(a), {}, std::vector<std::vector<double>>(lines.size())};
+  DuringPulse during = during_pulse(sampled, lines, a, b);
+  out.force_N = std::move(during.force);
+  for (double& f : out.force_N) f *= pulse.peak_N;
+  const auto after = after_pulse(sampled, lines, zone);
+  for (std::size_t r = 0; r < lines.size(); ++r) {
+    const Complex at_end = sampled.response(lines[r].lambda, sampled.width);
+    const Complex scale = 2 * pulse.peak_N * lines[r].factor;
+    const auto in_zone = static_cast<std::size_t>(b - a);
+    for (std::size_t i = 0; i < in_zone; ++i) {
+      const Complex filtered_decay = after[r][static_cast<std::size_t>(a - zone.first) + i] * at_end;
+      out.regular_N[r].push_back((scale * (during.modal[r][i] + filtered_decay)).real());
+    }
+    // From the zone's last sample on: a pure exponential.
+    const Complex start = scale * after[r].back() * at_end;
+    const double skip = static_cast<double>(b - (zone.last - 1));
+    const double size = std::log(std::abs(start) / (std::abs(pulse.peak_N) + 1e-300) + 1e-300) + kForgotten;
+    const double left = std::ceil(size / -lines[r].lambda.real() - skip);
+    const auto tail = static_cast<std::size_t>(std::clamp(left, 0.0, static_cast<double>(range_last - b)));
+    out.regular_N[r].resize(in_zone + tail);
+    add_decay(start, lines[r].lambda, skip, std::span(out.regular_N[r]).subspan(in_zone));
+  }
+  return out;
+}
+
+}  // namespace percuss
