@@ -1,0 +1,90 @@
+# shellcheck shell=sh
+# Sourced by .ci/run and .ci/full at the top of the repository: the checks themselves, and how a step is shown and timed.
+jobs=$(nproc)
+began=$(date +%s)
+summary=
+current=start
+trap '[ $? -eq 0 ] || echo "== $current: FAILED" >&2' EXIT
+
+# step NAME COMMAND...: runs it under its name; the first that fails ends the run (by set -e: "||" here would switch that off inside
+# the command).
+step() {
+  current=$1
+  shift
+  echo "== $current"
+  started=$(date +%s)
+  "$@"
+  echo "== $current: ok, $(($(date +%s) - started)) s"
+}
+
+# tested NAME COMMAND...: a step that ends in ctest, whose total is kept for the end.
+tested() {
+  preset=$1
+  shift
+  mkdir -p build
+  step "$preset: tests" logged "build/$preset-tests.log" "$@"
+  summary="$summary$preset: $(grep 'tests passed' "build/$preset-tests.log")
+"
+}
+
+# Shows a command's output, keeps it in a file, and ends as the command did (a pipe alone would end as tee does).
+logged() {
+  log=$1
+  shift
+  { "$@" 2>&1 && echo 0 >"$log.status" || echo 1 >"$log.status"; } | tee "$log"
+  status=$(cat "$log.status")
+  rm -f "$log.status"
+  return "$status"
+}
+
+totals() {
+  printf '%s' "$summary"
+  echo "all checks passed in $(($(date +%s) - began)) s"
+}
+
+build() {
+  cmake --preset "$1" >/dev/null
+  cmake --build --preset "$1" --parallel "$jobs"
+}
+
+all_sources() { git ls-files --cached --others --exclude-standard '*.cpp' '*.hpp'; }
+
+# The .cpp files to look at again: those changed, and those that include a changed header by name.
+changed_sources() {
+  base=${CI_BASE:-$(git merge-base HEAD '@{upstream}' 2>/dev/null || true)}
+  if [ -z "$base" ] || { [ -z "${CI_BASE:-}" ] && [ "$base" = "$(git rev-parse HEAD)" ]; }; then
+    base=$(git rev-parse --verify --quiet HEAD~1) || { all_sources; return; }
+  fi
+  { git diff --name-only --diff-filter=d "$base" -- '*.cpp' '*.hpp'; git ls-files --others --exclude-standard '*.cpp' '*.hpp'; } |
+    while read -r file; do
+      case $file in
+        *.cpp) echo "$file" ;;
+        *) all_sources | grep '\.cpp$' | xargs grep -lF "${file#src/}\"" || true ;;
+      esac
+    done | sort -u
+}
+
+# tidy FILES: clang-tidy on the .cpp files among them that the preset tidy compiles.
+tidy() {
+  printf '%s\n' "$1" | while read -r file; do
+    grep -qF "\"$PWD/$file\"" build/tidy/compile_commands.json && echo "$file"
+  done | xargs -r -P "$jobs" -n 1 clang-tidy -p build/tidy --quiet
+}
+
+check_layout() { all_sources | xargs clang-format --dry-run -Werror; }
+
+check_scripts() { grep -lE '^#!/bin/(ba)?sh|shellcheck shell=' start .ci/* | xargs shellcheck; }
+
+# Packs what release built, and runs the tool from the unpacked package.
+check_package() {
+  rm -rf build/package
+  cpack --config build/release/CPackConfig.cmake -B build/package >/dev/null
+  deb=$(ls build/package/percuss_*.deb)
+  dpkg-deb -I "$deb" | sed -n '/Package\|Version\|Depends\|Installed-Size/p'
+  dpkg-deb -c "$deb" >build/package/list
+  for path in bin/percuss include/percuss/core/fft.hpp 'lib/.*/libpercuss_core.a' 'lib/.*/percussConfig.cmake' share/doc/percuss/copyright; do
+    grep -q " \./usr/$path\$" build/package/list || { echo "the package lacks /usr/$path" >&2; return 1; }
+  done
+  dpkg-deb -x "$deb" build/package/root
+  build/package/root/usr/bin/percuss --version
+}
