@@ -43,7 +43,7 @@ totals() {
 }
 
 build() {
-  cmake --preset "$1" >/dev/null
+  cmake --preset "$1" -DPERCUSS_WERROR=ON >/dev/null
   cmake --build --preset "$1" --parallel "$jobs"
 }
 
