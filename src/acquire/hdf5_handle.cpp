@@ -5,8 +5,8 @@
 namespace percuss::hdf5 {
 namespace {
 
-std::mutex& library_mutex() {
-  static std::mutex mutex;
+std::recursive_mutex& library_mutex() {
+  static std::recursive_mutex mutex;
   return mutex;
 }
 

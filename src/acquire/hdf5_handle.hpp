@@ -6,14 +6,14 @@
 
 namespace percuss::hdf5 {
 
-/// Held around all use of the library, closing included: it may not be used from several threads at once. Also sees to
-/// it that the library prints nothing and loads no plug-ins.
+/// Held around all use of the library, closing included: it may not be used from several threads at once. One thread
+/// may hold several. Also sees to it that the library prints nothing and loads no plug-ins.
 class Lock {
  public:
   Lock();
 
  private:
-  std::unique_lock<std::mutex> hold_;
+  std::unique_lock<std::recursive_mutex> hold_;
 };
 
 /// Owns an identifier of any kind (file, data set, type, property list …); false when there is none.

@@ -80,7 +80,7 @@ SignalChoice accel_choice(const ReadOptions& options, const ChannelSetup* setup,
            entry(options.accel_sensitivity_V_per_mps2, index, count, "acceleration sensitivity"));
   if (!options.accel_unit.empty()) choice.unit = options.accel_unit;
   overrule(choice.angle_rad, entry_of_each(options.angle_rad, index, count, "angle"));
-  overrule(choice.position_m, entry_of_each(options.position_m, index, count, "position"));
+  overrule(choice.position_m, entry(options.position_m, index, count, "position"));
   return choice;
 }
 

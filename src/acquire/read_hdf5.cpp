@@ -1,0 +1,249 @@
+#include "acquire/read_hdf5.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numbers>
+#include <utility>
+
+#include "acquire/hdf5_layout.hpp"
+#include "acquire/signal_choice.hpp"
+#include "core/error.hpp"
+
+namespace percuss {
+namespace {
+
+using hdf5::InputDataSet;
+using hdf5::InputHdf5;
+
+constexpr double kDegree_rad = std::numbers::pi / 180;
+constexpr double kLowestRate_Hz = 1e-3, kHighestRate_Hz = 1e9;  // nothing that is hit rings outside
+constexpr std::size_t kMostPoints = 1'000'000, kMostChannels = 100'000;
+constexpr std::size_t kNamesShown = 12;
+constexpr std::array kKnownNames{"force", "accel", "point", "run", "geometry"};
+
+/// What the read functions of a record share.
+struct OpenRecord {
+  InputHdf5 file;
+  InputDataSet force, accel;
+  hdf5::Layout layout;
+  double force_to_N = 1;
+  std::vector<std::size_t> channels;  // of /accel, as chosen
+  std::vector<double> to_mps2;        // likewise
+};
+
+std::string list(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text.empty() ? "nothing" : text;
+}
+
+InputDataSet open_required(const InputHdf5& file, const std::string& name) {
+  if (file.has(name)) return InputDataSet(file, name);
+  throw InputError("no data set /" + name + " among: " + list(file.names(kNamesShown)), file.path(),
+                   "store force [hits, samples] and accel [hits, channels, samples]");
+}
+
+double checked_rate(double fs_Hz, const std::string& where) {
+  if (fs_Hz >= kLowestRate_Hz && fs_Hz <= kHighestRate_Hz) return fs_Hz;
+  throw InputError("sampling rate " + std::to_string(fs_Hz) + " Hz is not usable", where, "give --fs in Hz");
+}
+
+double read_rate_Hz(const OpenRecord& open, const ReadOptions& options) {
+  if (options.fs_Hz) return checked_rate(*options.fs_Hz, "--fs");
+  const InputHdf5& file = open.file;
+  const std::array<std::pair<hid_t, std::string>, 3> places{{{file.id(), file.path() + ": attribute fs"},
+                                                             {open.force.id(), file.where("force attribute fs")},
+                                                             {open.accel.id(), file.where("accel attribute fs")}}};
+  std::optional<double> found_Hz;
+  for (const auto& [object, where] : places) {
+    const auto values = hdf5::number_attribute(object, "fs", where, 1);
+    if (!values) continue;
+    const double fs_Hz = checked_rate(values->front(), where);
+    if (found_Hz && *found_Hz != fs_Hz) {
+      throw InputError("two sampling rates: " + std::to_string(*found_Hz) + " and " + std::to_string(fs_Hz) + " Hz",
+                       where, "give --fs in Hz");
+    }
+    found_Hz = fs_Hz;
+  }
+  if (!found_Hz)
+    throw InputError("no sampling rate: attribute fs is missing", file.path(), "store it in Hz, or give --fs");
+  return *found_Hz;
+}
+
+/// An attribute of /accel with one number per channel; NaN there means not known.
+std::vector<std::optional<double>> per_channel(const OpenRecord& open, const std::string& name) {
+  std::vector<std::optional<double>> out(open.layout.channels);
+  const std::string where = open.file.where("accel");
+  const auto values = hdf5::number_attribute(open.accel.id(), name, where, kMostChannels);
+  if (!values) return out;
+  if (values->size() != out.size()) {
+    throw InputError("attribute " + name + " holds " + std::to_string(values->size()) + " numbers for " +
+                         std::to_string(out.size()) + " channels",
+                     where, "store one per channel");
+  }
+  for (std::size_t c = 0; c < out.size(); ++c) {
+    const double value = (*values)[c];
+    if (std::isinf(value)) throw InputError("attribute " + name + " is infinite", where, "store a finite number");
+    if (!std::isnan(value)) out[c] = value;
+  }
+  return out;
+}
+
+void describe_signals(OpenRecord& open, const ReadOptions& options, Record& record) {
+  const InputHdf5& file = open.file;
+  record.force.name = "force";
+  record.force.unit = hdf5::text_attribute(open.force.id(), "unit_str", file.where("force")).value_or("");
+  apply_choice(record.force, force_choice(options, hdf5::force_setup(options)), Quantity::force, file.where("force"));
+  open.force_to_N = record.force.to_SI;
+
+  const std::string unit = hdf5::text_attribute(open.accel.id(), "unit_str", file.where("accel")).value_or("");
+  const auto angle_deg = per_channel(open, "angle_deg"), position_m = per_channel(open, "position_m");
+  open.channels = hdf5::chosen_channels(options, open.layout.channels, file.path());
+  for (std::size_t i = 0; i < open.channels.size(); ++i) {
+    const std::size_t c = open.channels[i];
+    SignalInfo signal{.name = hdf5::channel_name(c), .unit = unit, .position_m = position_m[c]};
+    if (angle_deg[c]) signal.angle_rad = *angle_deg[c] * kDegree_rad;
+    const ChannelSetup* const setup = hdf5::accel_setup(options, c, open.layout.channels);
+    apply_choice(signal, accel_choice(options, setup, i, open.channels.size()), Quantity::acceleration,
+                 file.where("accel") + ", " + signal.name);
+    open.to_mps2.push_back(signal.to_SI);
+    record.accel.push_back(std::move(signal));
+  }
+}
+
+/// A data set of one whole number per row; zeros when it is absent.
+std::vector<int> numbers_per_row(const InputHdf5& file, const std::string& name, std::size_t rows) {
+  std::vector<int> out(rows, 0);
+  if (!file.has(name)) return out;
+  const InputDataSet set(file, name);
+  if (set.shape().size() > 1 || set.elements() != rows) {
+    throw InputError("shape " + hdf5::shape_text(set.shape()) + " for " + std::to_string(rows) + " hits",
+                     file.where(name), "store one whole number per hit");
+  }
+  const std::vector<double> values = set.read_all();
+  for (std::size_t row = 0; row < rows; ++row) {
+    if (std::rint(values[row]) != values[row] || std::abs(values[row]) > std::numeric_limits<int>::max()) {
+      throw InputError("entry " + std::to_string(row) + " is not a whole number", file.where(name),
+                       "store one whole number per hit");
+    }
+    out[row] = static_cast<int>(values[row]);
+  }
+  return out;
+}
+
+std::vector<std::vector<double>> read_geometry(const InputHdf5& file) {
+  if (!file.has("geometry")) return {};
+  const InputDataSet set(file, "geometry");
+  const auto& shape = set.shape();
+  if (shape.size() != 2 || (shape[1] != 2 && shape[1] != 3) || shape[0] > kMostPoints) {
+    throw InputError("shape " + hdf5::shape_text(shape), file.where("geometry"), "store [points, 2 or 3]");
+  }
+  const std::vector<double> values = set.read_all();
+  if (!std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); })) {
+    throw InputError("not a finite number", file.where("geometry"), "store every coordinate");
+  }
+  std::vector<std::vector<double>> points;
+  for (auto at = values.begin(); at != values.end(); at += static_cast<std::ptrdiff_t>(shape[1])) {
+    points.emplace_back(at, at + static_cast<std::ptrdiff_t>(shape[1]));
+  }
+  return points;
+}
+
+void describe_rows(const OpenRecord& open, Record& record) {
+  const InputHdf5& file = open.file;
+  const std::vector<int> point = numbers_per_row(file, "point", open.layout.rows);
+  const std::vector<int> run = numbers_per_row(file, "run", open.layout.rows);
+  for (std::size_t row = 0; row < open.layout.rows; ++row) {
+    record.rows.push_back({.samples = open.layout.samples, .point = point[row], .run = run[row]});
+  }
+  const auto continuous = hdf5::number_attribute(file.id(), "continuous", file.path(), 1);
+  record.continuous = continuous ? continuous->front() != 0 : !open.layout.force_has_rows;
+}
+
+void note_unused(const InputHdf5& file, Record& record) {
+  std::vector<std::string> unused;
+  for (const std::string& name : file.names(kNamesShown)) {
+    const bool known = std::find(kKnownNames.begin(), kKnownNames.end(), name) != kKnownNames.end();
+    if (!known) unused.push_back("/" + name);
+  }
+  if (!unused.empty()) record.notes.push_back("not used: " + list(unused));
+}
+
+/// Scales in place. InputError names the first sample that is not finite, as h5py would index it.
+void to_SI(std::span<double> samples, double factor, const std::string& where, std::span<const std::size_t> at,
+           std::size_t first) {
+  for (double& sample : samples) {
+    sample *= factor;
+    if (std::isfinite(sample)) continue;
+    std::vector<std::size_t> index(at.begin(), at.end());
+    index.push_back(first + static_cast<std::size_t>(&sample - samples.data()));
+    throw InputError("sample is not a finite number", where + hdf5::shape_text(index), "repair or leave out this hit");
+  }
+}
+
+void read_force(const OpenRecord& open, std::size_t row, std::size_t first, std::span<double> out_N) {
+  assert(row < open.layout.rows && first + out_N.size() <= open.layout.samples);
+  const std::array at{row};
+  const auto index = std::span(at).first(open.layout.force_has_rows ? 1 : 0);
+  {
+    const hdf5::Lock lock;
+    open.force.read(index, first, out_N);
+  }
+  to_SI(out_N, open.force_to_N, open.file.where("force"), index, first);
+}
+
+void read_accel(const OpenRecord& open, std::size_t row, std::size_t channel, std::size_t first,
+                std::span<double> out_mps2) {
+  assert(row < open.layout.rows && channel < open.channels.size());
+  assert(first + out_mps2.size() <= open.layout.samples);
+  std::vector<std::size_t> index;
+  if (open.layout.accel_has_rows) index.push_back(row);
+  if (open.layout.accel_has_channels) index.push_back(open.channels[channel]);
+  {
+    const hdf5::Lock lock;
+    open.accel.read(index, first, out_mps2);
+  }
+  to_SI(out_mps2, open.to_mps2[channel], open.file.where("accel"), index, first);
+}
+
+std::unique_ptr<OpenRecord> open_sets(const std::string& path) {
+  InputHdf5 file(path);
+  InputDataSet force = open_required(file, "force");
+  InputDataSet accel = open_required(file, "accel");
+  const hdf5::Layout layout = hdf5::layout_of(force, accel, file);
+  return std::make_unique<OpenRecord>(
+      OpenRecord{.file = std::move(file), .force = std::move(force), .accel = std::move(accel), .layout = layout});
+}
+
+}  // namespace
+
+Record open_hdf5(const std::string& path, const ReadOptions& options) {
+  const hdf5::Lock lock;
+  auto opened = open_sets(path);
+  Record record;
+  record.files.push_back({.path = path, .bytes = opened->file.bytes()});
+  record.format = "HDF5";
+  record.fs_Hz = read_rate_Hz(*opened, options);
+  describe_signals(*opened, options, record);
+  describe_rows(*opened, record);
+  record.geometry = read_geometry(opened->file);
+  note_unused(opened->file, record);
+  // Closing is a use of the library as well.
+  const std::shared_ptr<const OpenRecord> open(opened.release(), [](const OpenRecord* last) {
+    const hdf5::Lock closing;
+    delete last;
+  });
+  record.read_force_N = [open](std::size_t row, std::size_t first, std::span<double> out) {
+    read_force(*open, row, first, out);
+  };
+  record.read_accel_mps2 = [open](std::size_t row, std::size_t channel, std::size_t first, std::span<double> out) {
+    read_accel(*open, row, channel, first, out);
+  };
+  return record;
+}
+
+}  // namespace percuss
