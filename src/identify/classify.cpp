@@ -1,0 +1,208 @@
+#include "identify/classify.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "identify/ratio_likelihood.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr double kPairSpacing = 0.04;     // of the frequency: the two planes of one bending mode lie closer than this
+constexpr double kPairKnown = 0.7;        // prior weight of "a close pair is one mode twice"
+constexpr double kSure = 0.9;             // probability from which a mode's plane counts as known
+constexpr double kNamed = 0.6;            // below it the verdict is "unknown"
+constexpr double kRival = 0.05;
+constexpr double kComplex = 0.4;          // imaginary over whole ratio above which no real shape explains it
+
+// Probabilities of the readings, in the order bending, hoop, neither.
+using Belief = std::array<double, 3>;
+
+Belief normalised(Belief b) {
+  const double sum = b[0] + b[1] + b[2];
+  if (!(sum > 0)) return {1.0 / 3, 1.0 / 3, 1.0 / 3};
+  for (double& p : b) p /= sum;
+  return b;
+}
+
+struct Ratio {
+  Complex value;
+  double std = 0;
+  RatioAngle angle;
+  bool known = false;
+};
+
+// Least squares over the points hit: every point's pair of residues has the same ratio.
+Ratio ratio_of(const Mode& mode, const SensorPair& sensors) {
+  double first_power = 0, second_power = 0, first_noise = 0, second_noise = 0;
+  Complex cross;
+  for (const Residue& a : mode.residues) {
+    if (a.channel != sensors.first) continue;
+    for (const Residue& b : mode.residues) {
+      if (b.channel != sensors.second || b.point != a.point) continue;
+      cross += std::conj(a.value) * b.value;
+      first_power += std::norm(a.value);
+      second_power += std::norm(b.value);
+      first_noise += a.std * a.std;
+      second_noise += b.std * b.std;
+    }
+  }
+  Ratio ratio;
+  if (!(first_power > 0) || !(second_power > 0)) return ratio;
+  ratio.value = cross / first_power;
+  const double mean_square = std::norm(ratio.value);
+  ratio.std = std::sqrt((second_noise + mean_square * first_noise) / first_power);
+  ratio.known = true;
+  // As an angle χ = atan(ratio): well behaved when the first sensor sits on a node.
+  const double size = std::hypot(std::sqrt(first_power), std::sqrt(second_power));
+  const double sign = cross.real() < 0 ? -1 : 1;
+  ratio.angle.chi_rad = std::atan2(sign * std::sqrt(second_power), std::sqrt(first_power));
+  ratio.angle.std_rad = std::sqrt((first_noise * second_power + second_noise * first_power)) / (size * size);
+  ratio.angle.out_of_phase = std::abs(cross) > 0 ? std::abs(cross.imag()) / std::abs(cross) : 1;
+  return ratio;
+}
+
+// A close pair of one family: what the partner's angle makes of this mode's reading.
+Belief with_partner(const Belief& own, const Belief& partner, const RatioAngle& a, const RatioAngle& b) {
+  const double spread = std::hypot(0.1, std::hypot(a.std_rad, b.std_rad));
+  const double right_angle = wrapped_density(a.chi_rad - b.chi_rad - std::numbers::pi / 2, spread);
+  const Belief together{own[0] * right_angle, own[1] * partner[1], own[2] * partner[2]};
+  const Belief apart{own[0] * (partner[0] + partner[1] + partner[2]) / 3, own[1] * (partner[0] + partner[1] + partner[2]) / 3,
+                     own[2] * (partner[0] + partner[1] + partner[2]) / 3};
+  Belief out{};
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = kPairKnown * together[i] + (1 - kPairKnown) * apart[i];
+  return out;
+}
+
+std::vector<double> sure_planes(const std::vector<Belief>& beliefs, const std::vector<Ratio>& ratios, std::size_t except) {
+  std::vector<double> planes;
+  for (std::size_t m = 0; m < beliefs.size(); ++m) {
+    if (m != except && ratios[m].known && beliefs[m][0] > kSure) planes.push_back(ratios[m].angle.chi_rad);
+  }
+  return planes;
+}
+
+bool close_pair(const Mode& a, const Mode& b, const ClassifyOptions& options) {
+  const double apart = std::abs(a.pole.freq_Hz - b.pole.freq_Hz);
+  return apart <= std::max(options.double_peak_Hz, kPairSpacing * std::min(a.pole.freq_Hz, b.pole.freq_Hz));
+}
+
+std::optional<std::size_t> partner_of(const std::vector<Mode>& modes, std::size_t m, const ClassifyOptions& options) {
+  std::optional<std::size_t> best;
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    if (i == m || !close_pair(modes[i], modes[m], options)) continue;
+    const auto apart = [&](std::size_t j) { return std::abs(modes[j].pole.freq_Hz - modes[m].pole.freq_Hz); };
+    if (!best || apart(i) < apart(*best)) best = i;
+  }
+  return best;
+}
+
+std::vector<Belief> beliefs_of(const std::vector<Mode>& modes, const std::vector<Ratio>& ratios, const SensorPair& sensors,
+                               const ClassifyOptions& options) {
+  const RatioLikelihood likelihood(sensors.first_rad, sensors.second_rad, options.angle_std_rad);
+  std::vector<Belief> raw(modes.size()), beliefs(modes.size());
+  for (int pass = 0; pass < 3; ++pass) {  // the second and third know the planes that the one before was sure of
+    for (std::size_t m = 0; m < modes.size(); ++m) {
+      const auto planes = pass == 0 ? std::vector<double>{} : sure_planes(beliefs, ratios, m);
+      raw[m] = ratios[m].known ? Belief{likelihood.bending(ratios[m].angle, planes), likelihood.hoop(ratios[m].angle), likelihood.other(ratios[m].angle)}
+                               : Belief{1, 1, 1};
+    }
+    for (std::size_t m = 0; m < modes.size(); ++m) {
+      const auto partner = partner_of(modes, m, options);
+      beliefs[m] = normalised(partner && ratios[*partner].known
+                                  ? with_partner(raw[m], raw[*partner], ratios[m].angle, ratios[*partner].angle)
+                                  : raw[m]);
+    }
+  }
+  return beliefs;
+}
+
+void judge(Verdict& verdict, const Belief& belief, const Ratio& ratio) {
+  if (!ratio.known) return;
+  verdict.ratio = ratio.value;
+  verdict.ratio_std = ratio.std;
+  const bool bending = belief[0] >= belief[1];
+  const double best = std::max(belief[0], belief[1]);
+  const double rival = std::min(belief[0], belief[1]);
+  const bool real_shape = ratio.angle.out_of_phase < kComplex;
+  verdict.family = best >= kNamed && real_shape ? (bending ? Family::bending : Family::hoop) : Family::unknown;
+  verdict.confidence = verdict.family == Family::unknown ? 1 - best : best;
+  if (verdict.family == Family::unknown) {
+    verdict.alternative = bending ? Family::bending : Family::hoop;
+  } else if (rival > kRival) {
+    verdict.alternative = bending ? Family::hoop : Family::bending;
+  }
+}
+
+void mark_double_peaks(const std::vector<Mode>& modes, std::vector<Verdict>& verdicts, const ClassifyOptions& options) {
+  for (std::size_t m = 0; m + 1 < modes.size(); ++m) {
+    const double apart = modes[m + 1].pole.freq_Hz - modes[m].pole.freq_Hz;
+    if (apart > options.double_peak_Hz || verdicts[m].family != verdicts[m + 1].family || verdicts[m].double_peak) continue;
+    verdicts[m].double_peak = DoublePeak{.partner = m + 1, .separation_Hz = apart, .first = true};
+    verdicts[m + 1].double_peak = DoublePeak{.partner = m, .separation_Hz = apart, .first = false};
+  }
+}
+
+void number_orders(const std::vector<Mode>& modes, std::vector<Verdict>& verdicts, const ClassifyOptions& options) {
+  for (const Family family : {Family::bending, Family::hoop}) {
+    int order = 0;
+    std::optional<std::size_t> before;
+    bool paired = false;  // a mode has one partner at most
+    for (std::size_t m = 0; m < modes.size(); ++m) {
+      if (verdicts[m].family != family) continue;
+      const bool same = before && !paired && close_pair(modes[*before], modes[m], options);
+      if (!same) ++order;
+      paired = same;
+      verdicts[m].order = order;
+      before = m;
+    }
+  }
+}
+
+}  // namespace
+
+const char* name_of(Family family) {
+  switch (family) {
+    case Family::bending: return "bending";
+    case Family::hoop: return "hoop";
+    case Family::unknown: return "unknown";
+  }
+  return "";
+}
+
+std::optional<SensorPair> pair_of_sensors(const std::vector<std::optional<double>>& angle_rad) {
+  std::optional<SensorPair> best;
+  double best_off = 0;
+  for (std::size_t i = 0; i < angle_rad.size(); ++i) {
+    for (std::size_t j = i + 1; j < angle_rad.size(); ++j) {
+      if (!angle_rad[i] || !angle_rad[j]) continue;
+      const double off = std::abs(std::cos(*angle_rad[j] - *angle_rad[i]));  // 0 at a right angle
+      if (best && off >= best_off) continue;
+      best = SensorPair{.first = i, .second = j, .first_rad = *angle_rad[i], .second_rad = *angle_rad[j]};
+      best_off = off;
+    }
+  }
+  return best;
+}
+
+std::vector<Verdict> classify(const std::vector<Mode>& modes, const std::optional<SensorPair>& sensors,
+                              const std::vector<std::optional<double>>& overlay_dB, const ClassifyOptions& options) {
+  std::vector<Verdict> verdicts(modes.size());
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    verdicts[m].overlay_dB = overlay_dB[m];
+    verdicts[m].overlaid = overlay_dB[m] && std::abs(*overlay_dB[m]) <= options.overlay_dB;
+  }
+  if (sensors) {
+    std::vector<Ratio> ratios;
+    for (const Mode& mode : modes) ratios.push_back(ratio_of(mode, *sensors));
+    const auto beliefs = beliefs_of(modes, ratios, *sensors, options);
+    for (std::size_t m = 0; m < modes.size(); ++m) judge(verdicts[m], beliefs[m], ratios[m]);
+  }
+  mark_double_peaks(modes, verdicts, options);
+  number_orders(modes, verdicts, options);
+  return verdicts;
+}
+
+}  // namespace percuss

@@ -1,0 +1,259 @@
+#include "identify/local_fit.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/units.hpp"
+
+namespace percuss {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXcd;
+using Eigen::MatrixXd;
+using Eigen::VectorXcd;
+using Eigen::VectorXd;
+
+constexpr double kLeastDamping = 1e-7;
+constexpr double kMostDamping = 0.5;
+
+// The linear problem of one point at given poles: columns of modes and polynomial, and its solution for the point's outputs.
+struct PointProblem {
+  std::vector<std::size_t> outputs;
+  std::vector<ModeColumn> columns;
+  MatrixXcd basis;     // orthonormal, [lines, columns]
+  MatrixXcd solve;     // coefficients = solve · data
+  MatrixXcd amplitude; // [columns, outputs of this point]
+  MatrixXcd residual;  // [lines, outputs of this point]
+};
+
+struct State {
+  std::vector<PointProblem> points;
+  double cost = 0;
+};
+
+class Fitter {
+ public:
+  Fitter(const FrfSet& set, const std::vector<VectorXcd>& data, VectorXd weight, const LocalFitOptions& options)
+      : set_(set), data_(data), weight_(std::move(weight)), options_(options) {
+    for (std::size_t o = 0; o < set.outputs.size(); ++o) {
+      const std::size_t point = set.outputs[o].point;
+      if (by_point_.size() <= point) by_point_.resize(point + 1);
+      by_point_[point].push_back(o);
+    }
+  }
+
+  State evaluate(const std::vector<Pole>& poles) const {
+    State state;
+    for (std::size_t p = 0; p < by_point_.size(); ++p) {
+      if (by_point_[p].empty()) continue;
+      state.points.push_back(solve_point(p, poles));
+      const auto& point = state.points.back();
+      for (std::size_t i = 0; i < point.outputs.size(); ++i) {
+        const double w = weight_(static_cast<Index>(point.outputs[i]));
+        state.cost += point.residual.col(static_cast<Index>(i)).squaredNorm() / (w * w);
+      }
+    }
+    return state;
+  }
+
+  // Normal equations of the poles (2 per mode: Hz, damping ratio) at a state, Kaufman's Jacobian.
+  std::pair<MatrixXd, VectorXd> normal_equations(const State& state, std::size_t modes) const {
+    const auto n = static_cast<Index>(2 * modes);
+    MatrixXd a = MatrixXd::Zero(n, n);
+    VectorXd b = VectorXd::Zero(n);
+    for (const PointProblem& point : state.points) {
+      MatrixXcd derivative(point.basis.rows(), n);
+      for (std::size_t m = 0; m < modes; ++m) {
+        derivative.col(static_cast<Index>(2 * m)) = point.columns[m].by_freq;
+        derivative.col(static_cast<Index>(2 * m + 1)) = point.columns[m].by_damping;
+      }
+      derivative -= point.basis * (point.basis.adjoint() * derivative);  // what the linear part cannot follow
+      const MatrixXcd gram = derivative.adjoint() * derivative;
+      const MatrixXcd slope = derivative.adjoint() * point.residual;
+      for (std::size_t i = 0; i < point.outputs.size(); ++i) {
+        const double w = weight_(static_cast<Index>(point.outputs[i]));
+        const auto amplitude = [&](Index parameter) { return point.amplitude(parameter / 2, static_cast<Index>(i)); };
+        for (Index r = 0; r < n; ++r) {
+          b(r) += (std::conj(amplitude(r)) * slope(r, static_cast<Index>(i))).real() / (w * w);
+          for (Index c = 0; c < n; ++c) a(r, c) += (std::conj(amplitude(r)) * gram(r, c) * amplitude(c)).real() / (w * w);
+        }
+      }
+    }
+    return {a, b};
+  }
+
+ private:
+  PointProblem solve_point(std::size_t p, const std::vector<Pole>& poles) const {
+    PointProblem point{.outputs = by_point_[p]};
+    const auto lines = static_cast<Index>(options_.count);
+    const auto modes = static_cast<Index>(poles.size());
+    MatrixXcd columns(lines, modes + options_.residual_terms);
+    for (Index m = 0; m < modes; ++m) {
+      point.columns.push_back(mode_column(poles[static_cast<std::size_t>(m)], set_.points[p], set_.lines, options_.first, options_.count));
+      columns.col(m) = point.columns.back().value;
+    }
+    const VectorXd x = VectorXd::LinSpaced(lines, -1, 1);
+    for (int term = 0; term < options_.residual_terms; ++term) columns.col(modes + term) = x.array().pow(term).cast<Complex>();
+    const Eigen::HouseholderQR<MatrixXcd> qr(columns);
+    point.basis = qr.householderQ() * MatrixXcd::Identity(lines, columns.cols());
+    const MatrixXcd r = qr.matrixQR().topRows(columns.cols()).triangularView<Eigen::Upper>();
+    point.solve = r.triangularView<Eigen::Upper>().solve(point.basis.adjoint());
+    MatrixXcd data(lines, static_cast<Index>(point.outputs.size()));
+    for (std::size_t i = 0; i < point.outputs.size(); ++i) data.col(static_cast<Index>(i)) = data_[point.outputs[i]];
+    point.amplitude = point.solve * data;
+    point.residual = data - columns * point.amplitude;
+    return point;
+  }
+
+  const FrfSet& set_;
+  const std::vector<VectorXcd>& data_;
+  VectorXd weight_;
+  LocalFitOptions options_;
+  std::vector<std::vector<std::size_t>> by_point_;
+};
+
+bool allowed(const std::vector<Pole>& poles) {
+  return std::all_of(poles.begin(), poles.end(), [](const Pole& p) {
+    return p.freq_Hz > 0 && p.damping_ratio > kLeastDamping && p.damping_ratio < kMostDamping;
+  });
+}
+
+std::vector<Pole> moved(std::vector<Pole> poles, const VectorXd& step) {
+  for (std::size_t m = 0; m < poles.size(); ++m) {
+    poles[m].freq_Hz += step(static_cast<Index>(2 * m));
+    poles[m].damping_ratio += step(static_cast<Index>(2 * m + 1));
+  }
+  return poles;
+}
+
+// The step in the units that matter: half-power bandwidths for the frequency, itself for the damping.
+double size_of(const VectorXd& step, const std::vector<Pole>& poles) {
+  double size = 0;
+  for (std::size_t m = 0; m < poles.size(); ++m) {
+    size = std::max({size, std::abs(step(static_cast<Index>(2 * m))) / (0.5 * poles[m].half_power_Hz()),
+                     std::abs(step(static_cast<Index>(2 * m + 1))) / poles[m].damping_ratio});
+  }
+  return size;
+}
+
+// Levenberg–Marquardt; returns the state reached.
+State descend(const Fitter& fitter, LocalFit& fit, const LocalFitOptions& options) {
+  State state = fitter.evaluate(fit.poles);
+  double lambda = 1e-4;
+  for (int step = 0; step < options.max_steps && !fit.converged; ++step) {
+    const auto [a, b] = fitter.normal_equations(state, fit.poles.size());
+    bool better = false;
+    for (int attempt = 0; attempt < 12 && !better; ++attempt) {
+      MatrixXd damped = a;
+      damped.diagonal() *= 1 + lambda;
+      const VectorXd move = damped.ldlt().solve(b);
+      const double size = size_of(move, fit.poles);
+      const auto poles = moved(fit.poles, move);
+      if (!std::isfinite(size) || size > 1e3 || !allowed(poles)) {
+        lambda = std::max(lambda * 10, 1e-3);
+        continue;
+      }
+      State next = fitter.evaluate(poles);
+      better = next.cost <= state.cost;
+      if (!better && size < options.tolerance) return state;  // as far as rounding lets it go
+      lambda = better ? lambda * 0.2 : lambda * 10;
+      if (!better) continue;
+      fit.converged = size < options.tolerance;
+      fit.poles = poles;
+      state = std::move(next);
+    }
+    if (!better) return state;
+  }
+  return state;
+}
+
+void add_uncertainty(LocalFit& fit, const Fitter& fitter, const State& state, const VectorXd& weight) {
+  const std::size_t modes = fit.poles.size();
+  const auto [a, b] = fitter.normal_equations(state, modes);
+  // Complex data: |residual|² per line is twice the variance of each real part, and so are the weights' squares.
+  const double scale = fit.degrees > 0 ? state.cost / static_cast<double>(fit.degrees) : 1;
+  const MatrixXd covariance = a.ldlt().solve(MatrixXd::Identity(a.rows(), a.cols())) * scale;
+  for (Index m = 0; m < static_cast<Index>(modes); ++m) {
+    fit.freq_std_Hz(m) = std::sqrt(std::max(0.0, covariance(2 * m, 2 * m)));
+    fit.damping_std(m) = std::sqrt(std::max(0.0, covariance(2 * m + 1, 2 * m + 1)));
+  }
+  for (const PointProblem& point : state.points) {
+    const MatrixXcd inverse_gram = point.solve * point.solve.adjoint();
+    for (std::size_t i = 0; i < point.outputs.size(); ++i) {
+      const auto o = static_cast<Index>(point.outputs[i]);
+      const auto column = static_cast<Index>(i);
+      // dA/dθ = −Φ⁺ (dφ_θ) A: what a moved pole does to the amplitudes.
+      MatrixXcd moves(static_cast<Index>(modes), 2 * static_cast<Index>(modes));
+      for (Index m = 0; m < static_cast<Index>(modes); ++m) {
+        const auto& mode = point.columns[static_cast<std::size_t>(m)];
+        moves.col(2 * m) = -(point.solve * mode.by_freq).head(static_cast<Index>(modes)) * point.amplitude(m, column);
+        moves.col(2 * m + 1) = -(point.solve * mode.by_damping).head(static_cast<Index>(modes)) * point.amplitude(m, column);
+      }
+      const MatrixXcd from_poles = moves * covariance.cast<Complex>() * moves.adjoint();
+      for (Index m = 0; m < static_cast<Index>(modes); ++m) {
+        fit.residues(o, m) = point.amplitude(m, column);
+        const double linear = inverse_gram(m, m).real() * weight(o) * weight(o) * scale;  // of each real part
+        fit.residue_std(o, m) = std::sqrt(std::max(0.0, linear + 0.5 * from_poles(m, m).real()));
+      }
+      const auto residual = point.residual.col(column);
+      const double freedom = std::max(1.0, static_cast<double>(residual.size() - static_cast<Index>(modes) - 2));
+      fit.noise(o) = std::sqrt(residual.squaredNorm() / freedom);
+    }
+  }
+}
+
+}  // namespace
+
+LocalFit fit_locally(const FrfSet& set, const std::vector<VectorXcd>& data, const VectorXd& weight, std::vector<Pole> start,
+                     const LocalFitOptions& options) {
+  const auto outputs = static_cast<Index>(set.outputs.size());
+  const auto modes = static_cast<Index>(start.size());
+  LocalFit fit{.poles = std::move(start),
+               .residues = MatrixXcd::Zero(outputs, modes),
+               .residue_std = MatrixXd::Zero(outputs, modes),
+               .freq_std_Hz = VectorXd::Zero(modes),
+               .damping_std = VectorXd::Zero(modes),
+               .noise = VectorXd::Zero(outputs)};
+  const Fitter fitter(set, data, weight, options);
+  const State state = descend(fitter, fit, options);
+  fit.cost = state.cost;
+  const auto unknowns = 2 * fit.poles.size() + 2 * set.outputs.size() * static_cast<std::size_t>(modes + options.residual_terms);
+  const std::size_t values = 2 * set.outputs.size() * options.count;
+  fit.degrees = values > unknowns ? values - unknowns : 0;
+  add_uncertainty(fit, fitter, state, weight);
+  return fit;
+}
+
+Pole pole_of_window(const FrfSet& set, const std::vector<VectorXcd>& data, std::size_t first) {
+  // Per output the unknowns a, b are projected out; what is left is one complex unknown s.
+  Complex numerator;
+  double denominator = 0;
+  for (const VectorXcd& h : data) {
+    VectorXcd jw(h.size());
+    for (Index i = 0; i < h.size(); ++i) jw(i) = Complex(0, kTwoPi * set.lines.freq_Hz(first + static_cast<std::size_t>(i)));
+    const Complex centre = jw(h.size() / 2);
+    MatrixXcd basis(h.size(), 2);
+    basis.col(0).setOnes();
+    basis.col(1) = (jw.array() - centre) / (jw(h.size() - 1) - jw(0));
+    const MatrixXcd q = Eigen::HouseholderQR<MatrixXcd>(basis).householderQ() * MatrixXcd::Identity(h.size(), 2);
+    const VectorXcd shifted = ((jw.array() - centre) * h.array()).matrix();
+    const VectorXcd left = shifted - q * (q.adjoint() * shifted);
+    const VectorXcd right = h - q * (q.adjoint() * h);
+    numerator += right.dot(left);
+    denominator += right.squaredNorm();
+  }
+  if (!(denominator > 0)) return {};
+  const auto h_size = data.front().size();
+  const double middle = kTwoPi * set.lines.freq_Hz(first + static_cast<std::size_t>(h_size / 2));
+  const Complex s = numerator / denominator + Complex(0, middle);
+  if (!(s.real() < 0) || !(s.imag() > 0)) return {};
+  const double omega = std::abs(s);
+  return {.freq_Hz = omega / kTwoPi, .damping_ratio = std::min(-s.real() / omega, 0.99 * kMostDamping)};
+}
+
+}  // namespace percuss

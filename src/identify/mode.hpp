@@ -1,0 +1,26 @@
+#pragma once
+#include <complex>
+#include <vector>
+
+#include "identify/modal_model.hpp"
+
+namespace percuss {
+
+/// A mode's residue at one output: accelerance H(ω) = … + A·(jω)²/((jω)² + 2ζω_r jω + ω_r²), 1/kg.
+struct Residue {
+  std::size_t point = 0;
+  std::size_t channel = 0;
+  Complex value;
+  double std = 0;           // of the real and of the imaginary part
+  double relative_std = 0;  // of what all outputs of the point share (the force's own noise), as a fraction of |value|
+};
+
+/// An identified mode with one standard deviation on everything.
+struct Mode {
+  Pole pole;
+  double freq_std_Hz = 0;
+  double damping_std = 0;
+  std::vector<Residue> residues;  // [outputs], in the order of FrfSet::outputs
+};
+
+}  // namespace percuss
