@@ -6,7 +6,7 @@ function(percuss_options target)
     -Wold-style-cast -Wcast-align -Woverloaded-virtual
     # A designated initialiser that leaves members at their defaults is how options are given here.
     -Wno-missing-field-initializers
-    # g++ 12 sees an overlap in "x" + std::string that is not there (its bug 105651).
+    # g++ 12 sees an overlap in "x" + std::string that is not there (GCC bug 105329).
     $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
     # Equal bytes on every machine of one kind: no contraction into fused multiply-add behind our back.
     -ffp-contract=off
