@@ -1,0 +1,90 @@
+#include "acquire/hdf5_output.hpp"
+
+#include <cassert>
+
+#include "core/error.hpp"
+
+namespace percuss::hdf5 {
+
+OutputHdf5::OutputHdf5(const std::string& path, bool force) : path_(path), aside_(path, force) {
+  const Lock lock;
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS));
+  H5Pset_file_locking(access.get(), false, true);  // as for reading; nobody else knows this file yet
+  file_ = Handle(H5Fcreate(aside_.unfinished_path().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()));
+  check(static_cast<bool>(file_));
+}
+
+OutputHdf5::~OutputHdf5() {
+  const Lock lock;
+  sets_.clear();
+  file_.close();
+}
+
+void OutputHdf5::create_set(const std::string& name, std::span<const std::size_t> shape, Stored type) {
+  const Lock lock;
+  const std::vector<hsize_t> extent(shape.begin(), shape.end());
+  const Handle space(H5Screate_simple(static_cast<int>(extent.size()), extent.data(), nullptr));
+  const Handle creation(H5Pcreate(H5P_DATASET_CREATE));
+  H5Pset_obj_track_times(creation.get(), false);
+  H5Pset_fill_time(creation.get(), H5D_FILL_TIME_NEVER);  // every element is written anyway
+  const hid_t stored = type == Stored::int32 ? H5T_STD_I32LE : H5T_IEEE_F64LE;
+  Handle set(H5Dcreate2(file_.get(), name.c_str(), stored, space.get(), H5P_DEFAULT, creation.get(), H5P_DEFAULT));
+  check(static_cast<bool>(set));
+  sets_[name] = std::move(set);
+}
+
+void OutputHdf5::write(const std::string& set, std::span<const std::size_t> at, std::size_t first,
+                       std::span<const double> values) {
+  const Lock lock;
+  std::vector<hsize_t> start(at.begin(), at.end()), count(at.size(), 1);
+  start.push_back(first);
+  count.push_back(values.size());
+  const hsize_t length = values.size();
+  const Handle file_space(H5Dget_space(object(set)));
+  const Handle memory_space(H5Screate_simple(1, &length, nullptr));
+  assert(static_cast<std::size_t>(H5Sget_simple_extent_ndims(file_space.get())) == start.size());
+  check(H5Sselect_hyperslab(file_space.get(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr) >= 0 &&
+        H5Dwrite(object(set), H5T_NATIVE_DOUBLE, memory_space.get(), file_space.get(), H5P_DEFAULT, values.data()) >=
+            0);
+}
+
+void OutputHdf5::set_numbers(const std::string& set, const std::string& name, std::span<const double> values,
+                             bool array) {
+  assert(array || values.size() == 1);
+  const Lock lock;
+  const hsize_t length = values.size();
+  const Handle space(array ? H5Screate_simple(1, &length, nullptr) : H5Screate(H5S_SCALAR));
+  const Handle attribute(H5Acreate2(object(set), name.c_str(), H5T_IEEE_F64LE, space.get(), H5P_DEFAULT, H5P_DEFAULT));
+  check(attribute && H5Awrite(attribute.get(), H5T_NATIVE_DOUBLE, values.data()) >= 0);
+}
+
+void OutputHdf5::set_text(const std::string& set, const std::string& name, const std::string& text) {
+  const Lock lock;
+  // Of variable length: h5py and MATLAB show such text as text, one of fixed length as bytes.
+  const Handle type(H5Tcopy(H5T_C_S1));
+  H5Tset_size(type.get(), H5T_VARIABLE);
+  H5Tset_cset(type.get(), H5T_CSET_UTF8);
+  const Handle space(H5Screate(H5S_SCALAR));
+  const Handle attribute(H5Acreate2(object(set), name.c_str(), type.get(), space.get(), H5P_DEFAULT, H5P_DEFAULT));
+  const char* const bytes = text.c_str();
+  check(attribute && H5Awrite(attribute.get(), type.get(), static_cast<const void*>(&bytes)) >= 0);
+}
+
+void OutputHdf5::commit() {
+  {
+    const Lock lock;
+    bool done = H5Fflush(file_.get(), H5F_SCOPE_LOCAL) >= 0;
+    for (auto& [name, set] : sets_) done = set.close() && done;
+    done = file_.close() && done;
+    check(done);
+  }
+  aside_.commit();
+}
+
+hid_t OutputHdf5::object(const std::string& set) const { return set.empty() ? file_.get() : sets_.at(set).get(); }
+
+void OutputHdf5::check(bool done) const {
+  if (!done) throw InputError("cannot write HDF5", path_, "free some space or choose another folder");
+}
+
+}  // namespace percuss::hdf5

@@ -1,0 +1,45 @@
+#pragma once
+// For .cpp files only, as hdf5_handle.hpp is.
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "acquire/atomic_file.hpp"
+#include "acquire/hdf5_handle.hpp"
+
+namespace percuss::hdf5 {
+
+enum class Stored { float64, int32 };
+
+/// An HDF5 file that appears whole under its name, or not at all. Equal calls give equal bytes: no clocks, little
+/// endian. Locks the library itself, and only while it is used. errors  InputError from every member when the file
+/// exists and `force` is not set, or when it cannot be written.
+class OutputHdf5 {
+ public:
+  OutputHdf5(const std::string& path, bool force);
+  ~OutputHdf5();
+  OutputHdf5(const OutputHdf5&) = delete;
+  OutputHdf5& operator=(const OutputHdf5&) = delete;
+
+  void create_set(const std::string& name, std::span<const std::size_t> shape, Stored type = Stored::float64);
+  /// Elements first … first + values.size() − 1 along the last dimension, at index `at` of the others.
+  void write(const std::string& set, std::span<const std::size_t> at, std::size_t first,
+             std::span<const double> values);
+  /// Attributes of a set, or of the root for an empty name. One number is stored as a scalar unless `array` is set.
+  void set_numbers(const std::string& set, const std::string& name, std::span<const double> values, bool array);
+  void set_text(const std::string& set, const std::string& name, const std::string& text);
+  /// Puts the file in its place. Once, last.
+  void commit();
+
+ private:
+  hid_t object(const std::string& set) const;
+  void check(bool done) const;
+
+  std::string path_;
+  AtomicFile aside_;
+  Handle file_;
+  std::map<std::string, Handle> sets_;
+};
+
+}  // namespace percuss::hdf5
