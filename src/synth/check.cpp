@@ -12,22 +12,36 @@ namespace {
 constexpr double kMostValues = 1U << 28;  // samples of all signals together: 2 GiB
 constexpr double kLarge = 1e12;           // beyond any force, acceleration or ratio of a hammer test
 
-void require(bool ok, const std::string& problem, const std::string& where, const std::string& remedy) {
-  if (!ok) throw InputError(problem, where, remedy);
-}
+/// A spec under examination and what to call it in messages.
+class Checker {
+ public:
+  Checker(const SynthSpec& checked, std::string_view place) : spec(checked), where(place) {}
+  void size() const;
+  void structure() const;
+  void places() const;
+  void hits() const;
+  void recorder() const;
 
-/// low <= value <= high; NaN fails.
-void in_range(double value, double low, double high, const std::string& key) {
-  if (value >= low && value <= high) return;
-  throw InputError(fmt::format("{} is {:g}", key, value), "synth spec", fmt::format("give {:g} to {:g}", low, high));
-}
+ private:
+  void require(bool ok, const std::string& problem, const std::string& key, const std::string& remedy) const {
+    if (!ok) throw InputError(problem, fmt::format("{}, {}", where, key), remedy);
+  }
+  /// low <= value <= high; NaN fails.
+  void in_range(double value, double low, double high, const std::string& key) const {
+    require(value >= low && value <= high, fmt::format("{:g} is out of range", value), key,
+            fmt::format("give {:g} to {:g}", low, high));
+  }
+  void count_in_range(std::size_t value, std::size_t low, std::size_t high, const std::string& key) const {
+    require(value >= low && value <= high, fmt::format("{} is out of range", value), key,
+            fmt::format("give {} to {}", low, high));
+  }
+  void residues(const std::vector<double>& values, const std::string& key) const;
 
-void count_in_range(std::size_t value, std::size_t low, std::size_t high, const std::string& key) {
-  if (value >= low && value <= high) return;
-  throw InputError(fmt::format("{} is {}", key, value), "synth spec", fmt::format("give {} to {}", low, high));
-}
+  const SynthSpec& spec;
+  std::string where;
+};
 
-void check_size(const SynthSpec& spec) {
+void Checker::size() const {
   in_range(spec.fs_Hz, 1, 1e8, "fs_hz");
   count_in_range(spec.samples, 16, std::size_t{1} << 28, "samples");
   count_in_range(spec.points.size(), 1, 10000, "number of impact points");
@@ -43,14 +57,14 @@ void check_size(const SynthSpec& spec) {
           "samples × signals × hits × points × runs", fmt::format("ask for at most {:g} together", kMostValues));
 }
 
-void check_residues(const std::vector<double>& values, const SynthSpec& spec, const std::string& key) {
+void Checker::residues(const std::vector<double>& values, const std::string& key) const {
   const std::size_t wanted = spec.points.size() * spec.sensors.size();
-  require(values.empty() || values.size() == wanted, fmt::format("{} has {} numbers", key, values.size()), "synth spec",
+  require(values.empty() || values.size() == wanted, fmt::format("{} numbers", values.size()), key,
           fmt::format("give one per impact point and sensor, {} in all", wanted));
   for (const double v : values) in_range(v, -kLarge, kLarge, key);
 }
 
-void check_structure(const SynthSpec& spec) {
+void Checker::structure() const {
   const SynthStructure& s = spec.structure;
   in_range(s.length_m, 1e-3, 100, "structure.length_m");
   in_range(s.barrel_m, 1e-3, s.length_m, "structure.barrel_m");
@@ -58,7 +72,7 @@ void check_structure(const SynthSpec& spec) {
   in_range(s.mass_kg, 1e-6, 1e9, "structure.mass_kg");
   in_range(s.inertia_kgm2, 1e-9, 1e12, "structure.inertia_kgm2");
   in_range(s.cm_m, 0, s.length_m, "structure.cm_m");
-  check_residues(s.rigid_line_per_kg, spec, "structure.rigid_line_per_kg");
+  residues(s.rigid_line_per_kg, "structure.rigid_line_per_kg");
   for (std::size_t i = 0; i < spec.modes.size(); ++i) {
     const SynthMode& m = spec.modes[i];
     const std::string key = fmt::format("modes[{}].", i);
@@ -67,17 +81,17 @@ void check_structure(const SynthSpec& spec) {
     in_range(m.order, 1, 50, key + "order");
     in_range(m.angle_rad, -100, 100, key + "angle_deg (in rad)");
     in_range(m.amplitude_per_sqrt_kg, -1e6, 1e6, key + "amplitude_per_sqrt_kg");
-    check_residues(m.residue_per_kg, spec, key + "residue_per_kg");
+    residues(m.residue_per_kg, key + "residue_per_kg");
   }
 }
 
-void check_places(const SynthSpec& spec) {
+void Checker::places() const {
   for (std::size_t i = 0; i < spec.sensors.size(); ++i) {
     const SynthSensor& s = spec.sensors[i];
     const std::string key = fmt::format("sensors[{}].", i);
     in_range(s.position_m, 0, spec.structure.length_m, key + "position_m");
     in_range(s.angle_rad, -100, 100, key + "angle_deg (in rad)");
-    require(std::abs(s.sign) == 1, fmt::format("{}sign is {:g}", key, s.sign), "synth spec", "give 1 or -1");
+    require(std::abs(s.sign) == 1, fmt::format("{:g} is no sign", s.sign), key + "sign", "give 1 or -1");
     in_range(s.gain, 1e-9, 1e9, key + "gain");
   }
   for (std::size_t i = 0; i < spec.points.size(); ++i) {
@@ -87,7 +101,7 @@ void check_places(const SynthSpec& spec) {
   }
 }
 
-void check_hits(const SynthSpec& spec) {
+void Checker::hits() const {
   const double duration_s = static_cast<double>(spec.samples) / spec.fs_Hz;
   in_range(spec.pulse.width_s, 0.01 / spec.fs_Hz, 512 / spec.fs_Hz, "pulse.width_s");
   in_range(spec.pulse.peak_N, 1e-9, 1e9, "pulse.peak_n");
@@ -110,7 +124,7 @@ void check_hits(const SynthSpec& spec) {
   }
 }
 
-void check_recorder(const SynthSpec& spec) {
+void Checker::recorder() const {
   const SynthRecorder& r = spec.recorder;
   in_range(spec.noise.force, 0, 10, "noise.force");
   in_range(spec.noise.accel, 0, 1000, "noise.accel");
@@ -138,12 +152,13 @@ void check_recorder(const SynthSpec& spec) {
 
 }  // namespace
 
-void check(const SynthSpec& spec) {
-  check_size(spec);
-  check_structure(spec);
-  check_places(spec);
-  check_hits(spec);
-  check_recorder(spec);
+void check(const SynthSpec& spec, std::string_view where) {
+  const Checker checker(spec, where);
+  checker.size();
+  checker.structure();
+  checker.places();
+  checker.hits();
+  checker.recorder();
 }
 
 }  // namespace percuss

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/units.hpp"
@@ -111,8 +112,8 @@ struct SynthSpec {
   std::vector<SynthFault> faults{};
 };
 
-/// Throws InputError naming the key, unless the spec can be synthesised: finite, physical, of a size that fits in
-/// memory.
-void check(const SynthSpec& spec);
+/// Throws InputError naming the key and `where`, unless the spec can be synthesised: finite, physical, of a size that
+/// fits in memory.
+void check(const SynthSpec& spec, std::string_view where = "synth spec");
 
 }  // namespace percuss

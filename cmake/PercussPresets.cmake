@@ -1,0 +1,12 @@
+# Builds the synthetic tests of fixtures/ into percuss_synth, found there by name, and installs them for people to copy.
+file(GLOB fixtures CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/fixtures/*.json)
+set(PERCUSS_PRESETS "")
+foreach(fixture IN LISTS fixtures)
+  get_filename_component(name ${fixture} NAME_WE)
+  file(READ ${fixture} text)
+  string(APPEND PERCUSS_PRESETS "    SynthPreset{\"${name}\", R\"json(${text})json\"},\n")
+endforeach()
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${fixtures})
+configure_file(${PROJECT_SOURCE_DIR}/src/synth/presets.cpp.in ${CMAKE_CURRENT_BINARY_DIR}/generated/presets.cpp @ONLY)
+target_sources(percuss_synth PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/generated/presets.cpp)
+install(FILES ${fixtures} DESTINATION ${CMAKE_INSTALL_DATADIR}/percuss/fixtures)

@@ -1,0 +1,251 @@
+#include "synth/read_spec.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <istream>
+#include <nlohmann/json.hpp>
+
+#include "core/error.hpp"
+#include "synth/strict_json.hpp"
+
+namespace percuss {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kLongestText = std::size_t{4} << 20;
+constexpr int kDeepest = 6;
+constexpr double kDegree = std::numbers::pi / 180;
+
+/// A word out of a short list.
+template <class Enum>
+void read_word(StrictObject& object, const std::string& key, std::initializer_list<std::pair<const char*, Enum>> words,
+               Enum& to) {
+  std::string text;
+  object.read(key, text);
+  if (text.empty() && object.find(key) == nullptr) return;
+  std::vector<std::string> known;
+  for (const auto& [word, value] : words) {
+    if (text == word) {
+      to = value;
+      return;
+    }
+    known.emplace_back(word);
+  }
+  object.fail(fmt::format("\"{}\" is not known", one_line(text, 40)), key,
+              fmt::format("give one of {}", fmt::join(known, ", ")));
+}
+
+void read_degrees(StrictObject& object, const std::string& key, double& to_rad) {
+  double degrees = to_rad / kDegree;
+  object.read(key, degrees);
+  to_rad = object.find(key) != nullptr ? degrees * kDegree : to_rad;
+}
+
+void read_optional(StrictObject& object, const std::string& key, std::optional<double>& to) {
+  double value = 0;
+  object.read(key, value);
+  if (object.find(key) != nullptr) to = value;
+}
+
+/// Every object of a list: read(object, item) fills a fresh item.
+template <class Item, class Read>
+void read_list(StrictObject& parent, const std::string& key, std::vector<Item>& to, const Read& read) {
+  const json* list = parent.find(key);
+  if (list == nullptr) return;
+  if (!list->is_array()) parent.fail("not a list", key, "give [ { … }, … ]");
+  to.clear();
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    StrictObject object((*list)[i], parent.where(), fmt::format("{}[{}]", parent.path_of(key), i));
+    read(object, to.emplace_back());
+    object.finish();
+  }
+}
+
+template <class Read>
+void read_part(StrictObject& parent, const std::string& key, const Read& read) {
+  const json* part = parent.find(key);
+  if (part == nullptr) return;
+  StrictObject object(*part, parent.where(), parent.path_of(key));
+  read(object);
+  object.finish();
+}
+
+void read_structure(StrictObject& o, SynthStructure& to) {
+  o.read("length_m", to.length_m);
+  o.read("barrel_m", to.barrel_m);
+  o.read("radius_m", to.radius_m);
+  o.read("mass_kg", to.mass_kg);
+  o.read("inertia_kgm2", to.inertia_kgm2);
+  o.read("cm_m", to.cm_m);
+  o.read("rigid_line_per_kg", to.rigid_line_per_kg);
+}
+
+void read_mode(StrictObject& o, SynthMode& to) {
+  o.need("frequency_hz");
+  o.need("damping_ratio");
+  o.read("frequency_hz", to.freq_Hz);
+  o.read("damping_ratio", to.damping_ratio);
+  read_word(o, "family", {{"bending", SynthFamily::bending}, {"hoop", SynthFamily::hoop}}, to.family);
+  o.read("order", to.order);
+  read_degrees(o, "angle_deg", to.angle_rad);
+  o.read("amplitude_per_sqrt_kg", to.amplitude_per_sqrt_kg);
+  o.read("residue_per_kg", to.residue_per_kg);
+}
+
+void read_sensor(StrictObject& o, SynthSensor& to) {
+  o.read("position_m", to.position_m);
+  read_degrees(o, "angle_deg", to.angle_rad);
+  o.read("sign", to.sign);
+  o.read("gain", to.gain);
+}
+
+void read_point(StrictObject& o, SynthPoint& to) {
+  o.read("position_m", to.position_m);
+  read_degrees(o, "angle_deg", to.angle_rad);
+}
+
+void read_impact(StrictObject& o, std::vector<SynthPoint>& to) {
+  const json* impact = o.find("impact");
+  if (impact != nullptr && impact->is_object()) {
+    read_part(o, "impact", [&](StrictObject& point) {
+      to.assign(1, {});
+      read_point(point, to.front());
+    });
+  } else {
+    read_list(o, "impact", to, read_point);
+  }
+}
+
+void read_pulse(StrictObject& o, SynthPulse& to) {
+  read_word(
+      o, "kind",
+      {{"halfsine", PulseKind::halfsine}, {"haversine", PulseKind::haversine}, {"sine-cubed", PulseKind::sine_cubed}},
+      to.kind);
+  o.read("width_s", to.width_s);
+  o.read("peak_n", to.peak_N);
+  o.read("width_spread", to.width_spread);
+  o.read("peak_spread", to.peak_spread);
+}
+
+void read_recorder(StrictObject& o, SynthRecorder& to) {
+  o.read("force_gain", to.force_gain);
+  o.read("force_bias_n", to.force_bias_N);
+  o.read("accel_bias_mps2", to.accel_bias_mps2);
+  o.read("accel_drift_mps2_per_s", to.accel_drift_mps2_per_s);
+  read_optional(o, "force_clip_n", to.force_clip_N);
+  read_optional(o, "accel_clip_mps2", to.accel_clip_mps2);
+  o.read("bits", to.bits);
+  read_optional(o, "force_range_n", to.force_range_N);
+  read_optional(o, "accel_range_mps2", to.accel_range_mps2);
+}
+
+void read_fault(StrictObject& o, SynthFault& to) {
+  using Kind = SynthFaultKind;
+  o.need("hit");
+  o.need("kind");
+  o.read("hit", to.hit);
+  read_word(o, "kind",
+            {{"double", Kind::double_hit},
+             {"weak", Kind::weak},
+             {"missing", Kind::missing},
+             {"late", Kind::late},
+             {"reversed", Kind::reversed}},
+            to.kind);
+  // What a kind of fault does not use is an unknown key.
+  if (to.kind == Kind::double_hit || to.kind == Kind::weak) o.read("ratio", to.ratio);
+  if (to.kind == Kind::double_hit || to.kind == Kind::late) o.read("delay_s", to.delay_s);
+}
+
+void read_length(StrictObject& o, SynthSpec& to) {
+  o.need("fs_hz");
+  o.read("fs_hz", to.fs_Hz);
+  if (o.find("duration_s") == nullptr) {
+    o.need("samples");
+    o.read("samples", to.samples);
+    return;
+  }
+  if (o.find("samples") != nullptr) o.fail("given beside samples", "duration_s", "leave one of them");
+  double duration_s = 0;
+  o.read("duration_s", duration_s);
+  const double samples = std::round(duration_s * to.fs_Hz);
+  if (!(samples >= 0 && samples <= 1e15))
+    o.fail("absurd together with fs_hz", "duration_s", "give a length in seconds");
+  to.samples = static_cast<std::size_t>(samples);
+}
+
+void read_hits(StrictObject& o, SynthSpec& to) {
+  read_word(o, "layout", {{"rows", SynthLayout::rows}, {"continuous", SynthLayout::continuous}}, to.layout);
+  o.read("hit_times_s", to.hit_times_s);
+  if (!to.hit_times_s.empty()) to.hits = to.hit_times_s.size();
+  o.read("hits", to.hits);
+  o.read("runs", to.runs);
+  o.read("pretrigger_s", to.pretrigger_s);
+  o.read("onset_spread_s", to.onset_spread_s);
+  read_part(o, "pulse", [&](StrictObject& part) { read_pulse(part, to.pulse); });
+  read_list(o, "faults", to.faults, read_fault);
+}
+
+void read_band(StrictObject& o, SynthSpec& to) {
+  std::vector<double> band{to.band_low_Hz, std::min(to.band_high_Hz, 0.4 * to.fs_Hz)};
+  o.read("band_hz", band);
+  if (band.size() != 2) o.fail(fmt::format("{} numbers", band.size()), "band_hz", "give [low, high]");
+  to.band_low_Hz = band[0];
+  to.band_high_Hz = band[1];
+}
+
+}  // namespace
+
+SynthSpec parse_synth_spec(std::string_view text, std::string_view where) {
+  const std::string place(where);
+  if (text.size() > kLongestText) throw InputError("longer than 4 MiB", place, "is this a synth spec?");
+  const json document = parse_strict_json(text, place, kDeepest);
+  StrictObject o(document, place, "");
+  SynthSpec spec;
+  std::string schema = "percuss/synth/1";
+  o.read("schema", schema);
+  if (schema != "percuss/synth/1") o.fail("another kind of document", "schema", "give percuss/synth/1");
+  o.read("name", spec.name);
+  o.read("description", spec.description);
+  o.read("seed", spec.seed);
+  read_length(o, spec);
+  read_band(o, spec);
+  read_part(o, "structure", [&](StrictObject& part) { read_structure(part, spec.structure); });
+  o.need("modes");
+  read_list(o, "modes", spec.modes, read_mode);
+  read_list(o, "sensors", spec.sensors, read_sensor);
+  read_impact(o, spec.points);
+  read_hits(o, spec);
+  read_part(o, "noise", [&](StrictObject& part) {
+    part.read("force", spec.noise.force);
+    part.read("accel", spec.noise.accel);
+  });
+  read_part(o, "recorder", [&](StrictObject& part) { read_recorder(part, spec.recorder); });
+  o.finish();
+  check(spec, where);
+  return spec;
+}
+
+std::string read_spec_text(std::istream& in, std::string_view where) {
+  std::string text(kLongestText + 1, '\0');
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  if (in.bad()) throw InputError("cannot be read", where, "check the file");
+  if (text.size() > kLongestText) throw InputError("longer than 4 MiB", where, "is this a synth spec?");
+  return text;
+}
+
+SynthSpec synth_preset(std::string_view name) {
+  std::vector<std::string_view> names;
+  for (const SynthPreset& preset : synth_presets()) {
+    if (preset.name == name) return parse_synth_spec(preset.text, name);
+    names.push_back(preset.name);
+  }
+  throw InputError("neither a file nor a preset", one_line(name),
+                   fmt::format("presets are {}", fmt::join(names, ", ")));
+}
+
+}  // namespace percuss

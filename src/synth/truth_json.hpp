@@ -1,0 +1,12 @@
+#pragma once
+#include <string>
+
+#include "synth/record.hpp"
+
+namespace percuss {
+
+/// The truth as a document "percuss/synth-truth/1" (docs/synth.md): what a record was made from, beside which an
+/// analysis is held.
+std::string truth_json(const Truth& truth);
+
+}  // namespace percuss

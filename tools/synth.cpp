@@ -1,0 +1,141 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "acquire/atomic_file.hpp"
+#include "acquire/write_csv.hpp"
+#include "acquire/write_hdf5.hpp"
+#include "command.hpp"
+#include "core/error.hpp"
+#include "synth/read_spec.hpp"
+#include "synth/record.hpp"
+#include "synth/truth_json.hpp"
+
+namespace percuss::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct SynthFlags {
+  std::string spec;
+  std::vector<std::string> outputs;
+  std::optional<std::uint64_t> seed;
+  std::size_t threads = 0;
+  bool force = false, list = false, example = false, json = false, quiet = false;
+};
+
+SynthSpec spec_named(const std::string& name) {
+  if (name == "-") return parse_synth_spec(read_spec_text(std::cin, "standard input"), "standard input");
+  std::error_code ignored;
+  if (!fs::exists(name, ignored)) return synth_preset(name);
+  if (fs::is_directory(name, ignored)) throw InputError("is a folder", name, "name a synth spec or a preset");
+  std::ifstream file(name, std::ios::binary);
+  if (!file) throw InputError("cannot be opened", name, "check its permissions");
+  return parse_synth_spec(read_spec_text(file, name), name);
+}
+
+std::string truth_path(const std::string& output) { return fs::path(output).replace_extension(".truth.json").string(); }
+
+/// Outputs that cannot be written are refused before anything is computed.
+void check_outputs(const SynthFlags& flags) {
+  std::set<std::string> paths;
+  for (const std::string& output : flags.outputs) {
+    const std::string kind = fs::path(output).extension().string();
+    if (kind != ".h5" && kind != ".hdf5" && kind != ".csv") {
+      throw UsageError(fmt::format("unknown kind of output \"{}\"", output), "name a file that ends in .h5 or .csv");
+    }
+    if (!paths.insert(output).second) throw UsageError(fmt::format("output \"{}\" twice", output), "leave one of them");
+    paths.insert(truth_path(output));
+  }
+  for (const std::string& path : paths) {
+    std::error_code ignored;
+    if (!flags.force && fs::exists(path, ignored))
+      throw InputError("the file exists", path, "use --force to overwrite it");
+  }
+}
+
+void write_outputs(const SynthFlags& flags, const SyntheticTest& test, const std::string& truth) {
+  std::set<std::string> truths;
+  for (const std::string& output : flags.outputs) {
+    const bool csv = fs::path(output).extension() == ".csv";
+    csv ? write_record_csv(output, test.record, flags.force) : write_hdf5(output, test.record, flags.force);
+    truths.insert(truth_path(output));
+  }
+  for (const std::string& path : truths) write_file(path, truth, flags.force);
+}
+
+void print_summary(const SynthFlags& flags, const Truth& truth, const Record& record) {
+  const SynthSpec& spec = truth.spec;
+  fmt::print("{}: {} {} of {} samples at {:g} Hz, {} acceleration channels\n", one_line(spec.name), record.rows.size(),
+             record.rows.size() == 1 ? "row" : "rows", spec.samples, spec.fs_Hz, spec.sensors.size());
+  for (const SynthMode& m : spec.modes) {
+    fmt::print("{:>10.3f} Hz  {:>7.4f} %  {} {}\n", m.freq_Hz, 100 * m.damping_ratio,
+               m.family == SynthFamily::bending ? "bending" : "hoop", m.order);
+  }
+  for (std::size_t h = 0; h < truth.hits.size(); ++h) {
+    if (truth.hits[h].flag != "good") fmt::print("  hit {}: {}\n", h, truth.hits[h].flag);
+  }
+  for (const std::string& output : flags.outputs) fmt::print("{}, truth in {}\n", output, truth_path(output));
+}
+
+void print_presets(bool json) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const SynthPreset& preset : synth_presets()) {
+    const SynthSpec spec = synth_preset(preset.name);
+    all.push_back({{"name", preset.name}, {"description", spec.description}});
+    if (!json) fmt::print("{:<16} {}\n", preset.name, spec.description);
+  }
+  if (json)
+    fmt::print("{}\n", nlohmann::ordered_json{{"schema", "percuss/synth-presets/1"}, {"presets", all}}.dump(1, ' '));
+}
+
+int run_synth(const SynthFlags& flags) {
+  if (flags.list || flags.example) {
+    if (flags.list) print_presets(flags.json);
+    if (flags.example) fmt::print("{}", synth_example());
+    return kOk;
+  }
+  if (flags.spec.empty()) throw UsageError("no spec", "name a JSON file, a preset (percuss synth --list) or -");
+  if (flags.outputs.empty() && !flags.json) throw UsageError("no output", "give -o FILE.h5 or -o FILE.csv");
+  check_outputs(flags);
+  SynthSpec spec = spec_named(flags.spec);
+  spec.seed = flags.seed.value_or(spec.seed);
+  const SyntheticTest test = synthesise(spec, flags.threads);
+  const std::string truth = truth_json(test.truth);
+  write_outputs(flags, test, truth);
+  if (flags.json) {
+    fmt::print("{}", truth);
+  } else if (!flags.quiet) {
+    print_summary(flags, test.truth, test.record);
+  }
+  return kOk;
+}
+
+}  // namespace
+
+void add_synth(CLI::App& app, Run& run) {
+  CLI::App* command = app.add_subcommand("synth", "synthetic test records with exactly known truth");
+  auto flags = std::make_shared<SynthFlags>();
+  command->add_option("SPEC", flags->spec, "JSON file, name of a preset, or - for standard input");
+  command
+      ->add_option("-o,--output", flags->outputs,
+                   "record to write (.h5 or .csv, repeatable); the truth goes to its stem + .truth.json")
+      ->type_name("FILE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command->add_option("--seed", flags->seed, "use this seed instead of the spec's")->type_name("N");
+  command->add_option("--threads", flags->threads, "threads to use (0: all); the samples do not depend on it")
+      ->type_name("N");
+  command->add_flag("--force", flags->force, "overwrite files that exist");
+  command->add_flag("--list", flags->list, "list the presets");
+  command->add_flag("--example", flags->example, "print a spec with every key, explained");
+  command->add_flag("--json", flags->json, "print the truth (with --list: the presets) as one JSON document");
+  command->add_flag("--quiet", flags->quiet, "print nothing but errors");
+  command->callback([flags, &run] { run = [flags] { return run_synth(*flags); }; });
+}
+
+}  // namespace percuss::tools
