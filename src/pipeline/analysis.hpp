@@ -1,0 +1,126 @@
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "acquire/hits.hpp"
+#include "acquire/record.hpp"
+#include "acquire/response_grade.hpp"
+#include "core/lazy.hpp"
+#include "core/trace.hpp"
+#include "frf/estimators.hpp"
+#include "identify/classify.hpp"
+#include "identify/local_fit.hpp"
+#include "identify/mode.hpp"
+#include "identify/quick.hpp"
+
+namespace percuss {
+
+struct AnalysisOptions {
+  std::optional<std::pair<double, double>> band_Hz;  // default: what the hammer excited
+  Estimator estimator = Estimator::h1;               // of the FRFs shown; modes are fitted to H1, whose noise is known
+  HitOptions hits;
+  std::vector<std::size_t> accept_hits, reject_hits;  // the user's word on single hits
+  double exponential_end = 0;                         // exponential window falling to this fraction; 0: none
+  QuickOptions modes;
+  ClassifyOptions classes;
+  std::size_t threads = 0;
+};
+
+/// A hit with everything the analysis found out about it.
+struct AnalysedHit {
+  Hit hit;
+  int point = 0;
+  bool accepted = false;
+  bool by_user = false;                  // accepted or rejected by the user's word
+  std::vector<ResponseGrade> responses;  // [channels]; empty when the accelerations were not read
+};
+
+/// An averaged FRF and whose it is.
+struct PointFrf {
+  int point = 0;
+  std::size_t channel = 0;
+  Frf frf;
+};
+
+/// A mode as one hit alone shows it.
+struct HitMode {
+  std::size_t hit = 0;
+  std::size_t mode = 0;
+  Pole pole;
+  double freq_std_Hz = 0;
+  double damping_std = 0;
+};
+
+struct Warning {
+  std::string code;
+  std::string message;
+};
+
+/// One test, from record to named modes, computed as far as asked and kept. Inputs are immutable: other options are another Analysis.
+/// Accessors call the stages they need and nothing else; trace() tells which ran. Not for use by several threads at once.
+class Analysis {
+ public:
+  Analysis(Record record, AnalysisOptions options);
+
+  const Record& record() const { return record_; }
+  const AnalysisOptions& options() const { return options_; }
+  Trace& trace() const { return trace_; }
+
+  /// Hits graded by their force alone: reads nothing else. Index i is the user's hit number.
+  const std::vector<AnalysedHit>& force_hits() const;
+  /// … and by their responses and by how well they agree with one another.
+  const std::vector<AnalysedHit>& hits() const;
+  /// False when no hit can be used: FRFs and modes cannot be had then.
+  bool possible() const;
+
+  std::pair<double, double> band_Hz() const;
+  /// The lines of the FRFs: the band and a margin for modes just outside, as far as the force reaches.
+  const LineRange& lines() const;
+  double window_decay_per_s() const;
+  /// Averaged FRFs over lines(), [points × channels], point by point, with the estimator asked for.
+  const std::vector<PointFrf>& frfs() const;
+  /// Modes within the band, ascending.
+  const std::vector<Mode>& modes() const;
+  const std::vector<Verdict>& verdicts() const;
+  /// Every mode as each accepted hit alone shows it: repeatability, drift, dependence on the force.
+  const std::vector<HitMode>& modes_per_hit() const;
+  std::vector<Warning> warnings() const;
+
+ private:
+  struct Response {
+    ResponseGrade grade;
+    std::vector<Complex> spectrum;
+  };
+  std::vector<AnalysedHit> find() const;
+  std::vector<AnalysedHit> graded() const;
+  LineRange choose_lines() const;
+  const std::vector<std::vector<Response>>& responses() const;  // [hits][channels]; empty for hits rejected by their force
+  std::vector<std::vector<Response>> read_responses() const;
+  const std::vector<std::vector<Complex>>& force_spectra() const;  // [hits]
+  std::vector<PointFrf> average() const;
+  FrfSet frf_set(const std::vector<std::size_t>& hits) const;  // H1 of these hits, by point
+  std::vector<std::size_t> accepted_hits() const;
+  std::vector<Mode> identify() const;
+  std::vector<Verdict> name_modes() const;
+  std::vector<HitMode> identify_per_hit() const;
+
+  Record record_;
+  AnalysisOptions options_;
+  mutable Trace trace_;
+  Lazy<std::vector<AnalysedHit>> force_hits_, hits_;
+  Lazy<LineRange> lines_;
+  Lazy<std::vector<std::vector<Response>>> responses_;
+  Lazy<std::vector<std::vector<Complex>>> force_spectra_;
+  Lazy<std::vector<PointFrf>> frfs_;
+  Lazy<std::vector<Mode>> modes_;
+  Lazy<std::vector<Verdict>> verdicts_;
+  Lazy<std::vector<HitMode>> modes_per_hit_;
+};
+
+/// The runs of a record (repeated tests in one file) as records of their own, ascending by run.
+std::vector<std::pair<int, Record>> split_runs(const Record& record);
+
+}  // namespace percuss

@@ -1,0 +1,19 @@
+#pragma once
+#include <vector>
+
+#include "core/fft.hpp"
+#include "pipeline/analysis.hpp"
+
+namespace percuss {
+
+/// A hit's transforms; empty for hits that take no part.
+struct HitSpectra {
+  const std::vector<Complex>* force = nullptr;
+  std::vector<const std::vector<Complex>*> accel;  // [channels]
+};
+
+/// Compares the accepted hits of each point with one another: adds `outlier` (and takes the hit out) where one disagrees with the
+/// others far more than they do among themselves, and `low_coherence` where the others explain less than 90 % of its response.
+void grade_agreement(std::vector<AnalysedHit>& hits, const std::vector<HitSpectra>& spectra);
+
+}  // namespace percuss

@@ -1,0 +1,60 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "pipeline/analysis.hpp"
+
+namespace percuss {
+namespace {
+
+bool any_finding(const std::vector<AnalysedHit>& hits, FindingCode code, bool accepted_only) {
+  return std::any_of(hits.begin(), hits.end(), [&](const AnalysedHit& hit) {
+    return (hit.accepted || !accepted_only) && std::any_of(hit.hit.findings.begin(), hit.hit.findings.end(), [&](const Finding& f) { return f.code == code; });
+  });
+}
+
+// What is left of a mode when the record ends, as a fraction of its start.
+double left_at_end(const Mode& mode, const LineRange& lines, double decay_per_s) {
+  const double rate = mode.pole.damping_ratio * 6.283185307179586 * mode.pole.freq_Hz + decay_per_s;
+  return std::exp(-rate * static_cast<double>(lines.samples) / lines.fs_Hz);
+}
+
+}  // namespace
+
+std::vector<Warning> Analysis::warnings() const {
+  std::vector<Warning> out;
+  const auto& all = hits_.ready() ? hits() : force_hits();
+  for (const std::string& note : record_.notes) out.push_back({"input", note});
+  const auto rejected = std::count_if(all.begin(), all.end(), [](const AnalysedHit& hit) { return !hit.accepted; });
+  if (rejected > 0) out.push_back({"rejected_hits", fmt::format("{} of {} hits not used; the reasons stand beside them", rejected, all.size())});
+  if (any_finding(all, FindingCode::polarity, true)) {
+    out.push_back({"polarity", "the force is negative during the pulse: the FRFs have the wrong sign unless --force-scale is negative"});
+  }
+  if (any_finding(all, FindingCode::low_bandwidth, true)) {
+    out.push_back({"low_bandwidth", "the hammer's force does not reach the end of the band: modes there are weakly excited"});
+  }
+  const bool rings = std::any_of(all.begin(), all.end(), [](const AnalysedHit& hit) {
+    return hit.accepted && std::any_of(hit.responses.begin(), hit.responses.end(), [](const ResponseGrade& g) { return g.rings_before; });
+  });
+  if (rings) out.push_back({"not_at_rest", "the structure was still ringing before a hit: wait longer between hits; damping there may be off by more than its ±"});
+  if (modes_.ready()) {
+    for (const Mode& mode : modes()) {
+      const double left = left_at_end(mode, lines(), window_decay_per_s());
+      if (left < 0.0025) continue;  // six time constants
+      out.push_back({"truncated_decay", fmt::format("the mode at {:.2f} Hz still has {:.1f} % of its amplitude when the record ends; its damping is "
+                                                    "fitted with that allowed for, not read from the peak's width", mode.pole.freq_Hz, left * 100)});
+    }
+  }
+  if (verdicts_.ready()) {
+    for (std::size_t m = 0; m < verdicts().size(); ++m) {
+      const auto& pair = verdicts()[m].double_peak;
+      if (!pair || !pair->first) continue;
+      out.push_back({"double_peak", fmt::format("{:.1f} Hz is a double peak, {:.1f} Hz apart; the first is quoted. Possible causes: a tuned absorber, a "
+                                                "crack or other damage, uneven wall or material", modes()[m].pole.freq_Hz, pair->separation_Hz)});
+    }
+  }
+  return out;
+}
+
+}  // namespace percuss

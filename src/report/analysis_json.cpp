@@ -1,0 +1,213 @@
+#include "report/analysis_json.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "core/error.hpp"
+#include "core/units.hpp"
+#include "report/version.hpp"
+
+namespace percuss {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json finding_json(const Finding& finding) {
+  Json json{{"code", name_of(finding.code)}, {"severity", name_of(finding.severity)}, {"value", finding.value}};
+  if (finding.delay_s) json["delay_s"] = *finding.delay_s;
+  json["message"] = finding.message;
+  return json;
+}
+
+Json response_json(std::size_t channel, const ResponseGrade& grade) {
+  Json json{{"channel", channel}, {"left_db", grade.left_dB}, {"truncated", grade.truncated}, {"polarity", grade.polarity}};
+  json["delay_s"] = grade.delay_s ? Json(*grade.delay_s) : Json();
+  return json;
+}
+
+Json hits_json(const Analysis& analysis, const std::vector<AnalysedHit>& hits) {
+  Json out = Json::array();
+  const bool several = analysis.record().files.size() > 1;
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    const Hit& hit = hits[i].hit;
+    Json json{{"index", i}, {"point", hits[i].point}};
+    if (several) json["file"] = analysis.record().files[analysis.record().rows[hit.row].file].path;
+    if (analysis.record().rows.size() > 1) json["row"] = hit.row;
+    json["time_s"] = hit.onset_s;
+    json["peak_force_n"] = hit.peak_N;
+    json["pulse_s"] = hit.pulse_s;
+    json["bandwidth_hz"] = hit.bandwidth_Hz;
+    json["accepted"] = hits[i].accepted;
+    if (hits[i].by_user) json["by_user"] = true;
+    json["findings"] = Json::array();
+    for (const Finding& finding : hit.findings) json["findings"].push_back(finding_json(finding));
+    if (!hits[i].responses.empty()) {
+      json["responses"] = Json::array();
+      for (std::size_t c = 0; c < hits[i].responses.size(); ++c) json["responses"].push_back(response_json(c, hits[i].responses[c]));
+    }
+    out.push_back(std::move(json));
+  }
+  return out;
+}
+
+void add_verdict(Json& json, const Verdict& verdict) {
+  json["family"] = name_of(verdict.family);
+  json["order"] = verdict.order > 0 ? Json(verdict.order) : Json();
+  json["confidence"] = verdict.confidence;
+  json["alternative"] = verdict.alternative ? Json(name_of(*verdict.alternative)) : Json();
+  json["overlay"] = verdict.overlay_dB ? Json{{"difference_db", *verdict.overlay_dB}, {"overlaid", verdict.overlaid}} : Json();
+  json["ratio"] = verdict.ratio ? Json{{"re", verdict.ratio->real()}, {"im", verdict.ratio->imag()}, {"std", verdict.ratio_std}} : Json();
+  json["double_peak"] = Json();
+  if (verdict.double_peak) {
+    json["double_peak"] = {{"partner", verdict.double_peak->partner}, {"separation_hz", verdict.double_peak->separation_Hz}, {"first", verdict.double_peak->first}};
+  }
+}
+
+// What the damping would read from the windowed FRF as it stands: the pole shifted by the window's decay.
+double raw_damping(const Pole& pole, double decay_per_s) {
+  const double omega = kTwoPi * pole.freq_Hz;
+  const double real = pole.damping_ratio * omega + decay_per_s;
+  const double imag = omega * std::sqrt(1 - pole.damping_ratio * pole.damping_ratio);
+  return real / std::hypot(real, imag);
+}
+
+Json modes_json(const Analysis& analysis, bool classes) {
+  Json out = Json::array();
+  const double decay = analysis.window_decay_per_s();
+  for (std::size_t m = 0; m < analysis.modes().size(); ++m) {
+    const Mode& mode = analysis.modes()[m];
+    Json json{{"index", m},
+              {"frequency_hz", mode.pole.freq_Hz},
+              {"frequency_std_hz", mode.freq_std_Hz},
+              {"damping_ratio", mode.pole.damping_ratio},
+              {"damping_ratio_std", mode.damping_std}};
+    if (decay > 0) json["damping_ratio_raw"] = raw_damping(mode.pole, decay);
+    if (classes) add_verdict(json, analysis.verdicts()[m]);
+    json["residues"] = Json::array();
+    for (const Residue& r : mode.residues) {
+      const double std = std::hypot(r.std, r.relative_std * std::abs(r.value));
+      json["residues"].push_back({{"point", r.point}, {"channel", r.channel}, {"re", r.value.real()}, {"im", r.value.imag()}, {"std", std}});
+    }
+    out.push_back(std::move(json));
+  }
+  return out;
+}
+
+Json frf_json(const Analysis& analysis) {
+  const auto& frfs = analysis.frfs();
+  Json json{{"lines", analysis.lines().count}, {"df_hz", analysis.lines().df_Hz()}, {"averages", Json::array()}};
+  for (const PointFrf& frf : frfs) json["averages"].push_back({{"point", frf.point}, {"channel", frf.channel}, {"averages", frf.frf.averages}});
+  return json;
+}
+
+Json coherence_json(const Analysis& analysis) {
+  Json out = Json::array();
+  const auto [low, high] = analysis.band_Hz();
+  for (const PointFrf& frf : analysis.frfs()) {
+    double sum = 0;
+    std::size_t lines = 0, below = 0;
+    for (std::size_t k = 0; k < frf.frf.coherence.size(); ++k) {
+      const double freq_Hz = analysis.lines().freq_Hz(k);
+      if (freq_Hz < low || freq_Hz > high) continue;
+      ++lines;
+      sum += frf.frf.coherence[k];
+      below += frf.frf.coherence[k] < 0.9 ? 1 : 0;
+    }
+    Json json{{"point", frf.point}, {"channel", frf.channel}, {"mean", Json()}, {"fraction_below_0_9", Json()}};
+    if (lines > 0) {
+      json["mean"] = sum / static_cast<double>(lines);
+      json["fraction_below_0_9"] = static_cast<double>(below) / static_cast<double>(lines);
+    }
+    out.push_back(std::move(json));
+  }
+  return out;
+}
+
+Json per_hit_json(const Analysis& analysis) {
+  Json out = Json::array();
+  for (const HitMode& m : analysis.modes_per_hit()) {
+    out.push_back({{"hit", m.hit}, {"mode", m.mode}, {"peak_force_n", analysis.hits()[m.hit].hit.peak_N},
+                   {"frequency_hz", m.pole.freq_Hz}, {"frequency_std_hz", m.freq_std_Hz},
+                   {"damping_ratio", m.pole.damping_ratio}, {"damping_ratio_std", m.damping_std}});
+  }
+  return out;
+}
+
+Json options_json(const Analysis& analysis) {
+  const AnalysisOptions& o = analysis.options();
+  Json json = Json::object();
+  if (!o.accept_hits.empty()) json["accept_hits"] = o.accept_hits;
+  if (!o.reject_hits.empty()) json["reject_hits"] = o.reject_hits;
+  if (o.modes.modes) json["modes"] = *o.modes.modes;
+  if (!o.modes.start_Hz.empty()) json["start_hz"] = o.modes.start_Hz;
+  if (o.hits.trigger_N) json["trigger_n"] = *o.hits.trigger_N;
+  if (o.hits.pretrigger_s) json["pretrigger_s"] = *o.hits.pretrigger_s;
+  if (o.hits.length_s) json["length_s"] = *o.hits.length_s;
+  if (o.hits.from_s > 0) json["from_s"] = o.hits.from_s;
+  if (o.hits.to_s) json["to_s"] = *o.hits.to_s;
+  if (!o.hits.gate_force) json["force_window"] = "off";
+  if (o.exponential_end > 0) json["exponential_end"] = o.exponential_end;
+  if (o.classes.overlay_dB != ClassifyOptions{}.overlay_dB) json["overlay_db"] = o.classes.overlay_dB;
+  return json;
+}
+
+}  // namespace
+
+std::set<Section> all_sections() { return {Section::hits, Section::frf, Section::coherence, Section::modes, Section::classes}; }
+
+std::set<Section> parse_sections(const std::vector<std::string>& names) {
+  static const std::vector<std::pair<std::string, Section>> known{{"hits", Section::hits}, {"frf", Section::frf}, {"coherence", Section::coherence},
+                                                                  {"modes", Section::modes}, {"classes", Section::classes}};
+  std::set<Section> out;
+  for (const std::string& name : names) {
+    const auto it = std::find_if(known.begin(), known.end(), [&](const auto& entry) { return entry.first == name; });
+    if (it == known.end()) throw UsageError("--only does not know the section '" + name + "'", "use hits, frf, coherence, modes or classes");
+    out.insert(it->second);
+  }
+  return out;
+}
+
+Json analysis_json(const Analysis& analysis, const JsonOptions& options) {
+  const auto wants = [&](Section section) { return options.sections.contains(section); };
+  const bool force_only = options.sections == std::set{Section::hits};
+  Json json{{"schema", "percuss/analysis/1"}, {"version", version()}, {"inputs", Json::array()}};
+  for (const InputFile& file : analysis.record().files) json["inputs"].push_back({{"path", file.path}, {"bytes", file.bytes}});
+  json["fs_hz"] = analysis.record().fs_Hz;
+  const auto& hits = force_only ? analysis.force_hits() : analysis.hits();
+  if (analysis.possible()) {
+    const auto [low, high] = analysis.band_Hz();
+    json["band_hz"] = {low, high};
+  }
+  if (!force_only && wants(Section::modes)) json["effort"] = "quick";
+  if (Json chosen = options_json(analysis); !chosen.empty()) json["options"] = std::move(chosen);
+  if (wants(Section::hits)) json["hits"] = hits_json(analysis, hits);
+  if (analysis.possible()) {
+    if (wants(Section::frf)) json["frf"] = frf_json(analysis);
+    if (wants(Section::coherence)) json["coherence"] = coherence_json(analysis);
+    if (wants(Section::modes) || wants(Section::classes)) json["modes"] = modes_json(analysis, wants(Section::classes));
+    if (options.per_hit) json["modes_per_hit"] = per_hit_json(analysis);
+  } else if (wants(Section::modes)) {
+    json["modes"] = Json::array();
+  }
+  json["warnings"] = Json::array();
+  for (const Warning& warning : analysis.warnings()) json["warnings"].push_back({{"code", warning.code}, {"message", warning.message}});
+  if (options.trace) {
+    json["trace"] = Json::array();
+    for (const auto& stage : analysis.trace().stages()) json["trace"].push_back({{"stage", stage.name}, {"calls", stage.calls}, {"seconds", stage.seconds}});
+  }
+  return json;
+}
+
+Json runs_json(const std::vector<std::pair<int, Json>>& runs) {
+  Json json{{"schema", "percuss/analysis/1"}, {"version", version()}, {"runs", Json::array()}};
+  for (const auto& [run, document] : runs) {
+    Json entry = document;
+    entry["run"] = run;
+    json["runs"].push_back(std::move(entry));
+  }
+  return json;
+}
+
+}  // namespace percuss
