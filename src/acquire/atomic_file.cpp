@@ -50,9 +50,13 @@ std::string remedy_for(int error) {
   }
 }
 
+/// What the names of all unfinished files for this target begin with.
+std::string unfinished_prefix(const std::string& target) {
+  return "." + name_of(target).substr(0, kNameBytesKept) + ".percuss-";
+}
+
 std::string unfinished_name(const std::string& target, int attempt) {
-  std::string name =
-      folder_of(target) + "/." + name_of(target).substr(0, kNameBytesKept) + ".percuss-" + std::to_string(::getpid());
+  std::string name = folder_of(target) + "/" + unfinished_prefix(target) + std::to_string(::getpid());
   if (attempt > 0) name += "-" + std::to_string(attempt);
   return name;
 }
@@ -111,8 +115,8 @@ AtomicFile::AtomicFile(std::string path, bool force, Aside aside) : path_(std::m
 }
 
 AtomicFile::~AtomicFile() {
+  if (!committed_ && named_) ::unlink(unfinished_path_.c_str());
   if (descriptor_ >= 0) ::close(descriptor_);
-  if (!committed_ && !nameless_ && !unfinished_path_.empty()) ::unlink(unfinished_path_.c_str());
 }
 
 void AtomicFile::open_nameless(const std::string& folder) {
@@ -126,9 +130,16 @@ void AtomicFile::open_nameless(const std::string& folder) {
 }
 
 void AtomicFile::open_named() {
+  remove_abandoned_files(folder_of(target_), unfinished_prefix(target_));
   unfinished_path_ = first_free_name(target_, [this](const std::string& name) {
     descriptor_ = ::open(name.c_str(), O_CREAT | O_EXCL | O_RDWR | O_CLOEXEC, kMode);
-    return descriptor_ >= 0;
+    if (descriptor_ < 0) return false;
+    named_.emplace(name, descriptor_);
+    if (named_->still_there()) return true;
+    named_.reset();
+    ::close(std::exchange(descriptor_, -1));
+    errno = EEXIST;  // as good as taken
+    return false;
   });
   if (descriptor_ < 0) fail("cannot write");
 }

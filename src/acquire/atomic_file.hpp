@@ -1,6 +1,9 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <string_view>
+
+#include "acquire/unfinished_files.hpp"
 
 namespace percuss {
 
@@ -25,7 +28,8 @@ class AtomicFile {
 
   /// Appends.
   void write(std::string_view bytes);
-  /// Where libraries that want a name may write instead, until commit.
+  /// Where libraries that want a name may write instead, until commit; Aside::named for those that do not take
+  /// /proc/self/fd/N.
   const std::string& unfinished_path() const { return unfinished_path_; }
   /// Puts the file in its place, with mode 0644 less the umask. Once.
   void commit();
@@ -39,6 +43,7 @@ class AtomicFile {
   std::string path_, target_, unfinished_path_;
   bool force_, nameless_ = false, committed_ = false;
   int descriptor_ = -1;
+  std::optional<UnfinishedFile> named_;
 };
 
 /// The whole file at once.

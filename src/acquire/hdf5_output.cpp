@@ -6,7 +6,8 @@
 
 namespace percuss::hdf5 {
 
-OutputHdf5::OutputHdf5(const std::string& path, bool force) : path_(path), aside_(path, force) {
+OutputHdf5::OutputHdf5(const std::string& path, bool force)
+    : path_(path), aside_(path, force, AtomicFile::Aside::named) {
   const Lock lock;
   const Handle access(H5Pcreate(H5P_FILE_ACCESS));
   H5Pset_file_locking(access.get(), false, true);  // as for reading; nobody else knows this file yet
