@@ -1,0 +1,32 @@
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "acquire/csv_header.hpp"
+#include "acquire/record.hpp"
+
+namespace percuss {
+
+/// What each column of a text file is; indices as in CsvColumn::index.
+struct CsvColumns {
+  CsvColumn force;
+  std::vector<CsvColumn> accel;
+  std::optional<CsvColumn> time, hit, point, run;
+};
+
+/// Finds the columns: as the options name them (name, name without unit, or 1-based number; letter case aside), then as
+/// the set-up gives their role, else by unit and by words in the name. `file` is for messages. errors  InputError,
+/// which names the columns seen: none or several could be the force, none the acceleration; an option names a column
+/// that is not there, has no numbers, or is named twice.
+CsvColumns find_csv_columns(const CsvHeader& header, const ReadOptions& options, const std::string& file);
+
+/// The set-up's entry for a column, or nullptr.
+const ChannelSetup* setup_of(const CsvColumn& column, const ReadOptions& options);
+
+/// Whether a first column with this name may be the time although neither name nor unit says so: it is no count of
+/// samples and no signal.
+bool may_be_time(const CsvColumn& column, const CsvColumns& columns);
+
+}  // namespace percuss

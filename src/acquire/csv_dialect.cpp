@@ -1,0 +1,166 @@
+#include "acquire/csv_dialect.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+#include "acquire/csv_number.hpp"
+
+namespace percuss {
+namespace {
+
+bool is_blank(char c) { return c == ' ' || c == '\t'; }
+
+std::string_view without_leading_blanks(std::string_view text) {
+  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+  return text;
+}
+
+bool take_blank_separated(std::string_view& line, std::string_view& cell) {
+  line = without_leading_blanks(line);
+  if (line.empty() || line.front() == '\r') return false;
+  std::size_t end = 0;
+  while (end < line.size() && !is_blank(line[end]) && line[end] != '\r') ++end;
+  cell = line.substr(0, end);
+  line.remove_prefix(end);
+  return true;
+}
+
+// Where the cell at the front of `line` ends: the first delimiter that is not inside quotes.
+std::size_t cell_end(std::string_view line, const CsvDialect& dialect) {
+  const auto start = line.find_first_not_of(' ');
+  if (start == std::string_view::npos || line[start] != '"') return std::min(line.find(dialect.delimiter), line.size());
+  bool inside = false;
+  for (std::size_t i = start; i < line.size(); ++i) {
+    if (line[i] == '"') inside = !inside;
+    if (line[i] == dialect.delimiter && !inside) return i;
+  }
+  return line.size();
+}
+
+bool in_most(const std::vector<std::string_view>& lines, char wanted) {
+  const auto count = std::count_if(lines.begin(), lines.end(), [&](std::string_view line) {
+    bool inside = false;
+    return std::any_of(line.begin(), line.end(), [&](char c) {
+      if (c == '"') inside = !inside;
+      return c == wanted && !inside;
+    });
+  });
+  return 2 * static_cast<std::size_t>(count) > lines.size();
+}
+
+// Words such as "0,25 -1,5e3" and nothing else: digits on both sides of one comma, no point.
+bool is_comma_decimals(std::string_view line) {
+  std::size_t words = 0, with_comma = 0;
+  for (std::string_view cell; take_blank_separated(line, cell); ++words) {
+    if (std::count(cell.begin(), cell.end(), ',') > 1 || parse_number(cell, true).problem != NumberProblem::none)
+      return false;
+    const auto comma = cell.find(',');
+    if (comma == std::string_view::npos) continue;
+    if (comma == 0 || comma + 1 == cell.size()) return false;
+    ++with_comma;
+  }
+  return words > 1 && with_comma > 0;
+}
+
+bool has_comma_in_number(std::string_view line, const CsvDialect& dialect) {
+  const auto cells = split_cells(line, dialect);
+  return std::any_of(cells.begin(), cells.end(), [](std::string_view cell) {
+    return cell.find(',') != std::string_view::npos && parse_number(cell, true).problem == NumberProblem::none;
+  });
+}
+
+}  // namespace
+
+std::string_view take_line(std::string_view& rest, char line_end) {
+  if (rest.empty()) return {};
+  const auto* end = static_cast<const char*>(std::memchr(rest.data(), line_end, rest.size()));
+  const std::size_t length = end == nullptr ? rest.size() : static_cast<std::size_t>(end - rest.data());
+  std::string_view line = rest.substr(0, length);
+  rest.remove_prefix(std::min(length + 1, rest.size()));
+  if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+  return line;
+}
+
+bool take_cell(std::string_view& line, const CsvDialect& dialect, std::string_view& cell) {
+  if (dialect.delimiter == ' ') return take_blank_separated(line, cell);
+  if (line.data() == nullptr) return false;
+  const std::size_t end = cell_end(line, dialect);
+  cell = line.substr(0, end);
+  line = end < line.size() ? line.substr(end + 1) : std::string_view{};  // no data left: the next call finds nothing
+  return true;
+}
+
+std::vector<std::string_view> split_cells(std::string_view line, const CsvDialect& dialect, std::size_t limit) {
+  std::vector<std::string_view> cells;
+  for (std::string_view cell; cells.size() < limit && take_cell(line, dialect, cell);) cells.push_back(trimmed(cell));
+  return cells;
+}
+
+bool is_skipped(std::string_view line, const CsvDialect& dialect) {
+  for (const char c : line) {
+    if (c == '#' || c == '%') return true;
+    if (!is_blank(c) && c != '\r' && c != '"' && c != dialect.delimiter) return false;
+  }
+  return true;
+}
+
+char find_line_end(std::string_view text) {
+  const bool old_mac = text.find('\n') == std::string_view::npos && text.find('\r') != std::string_view::npos;
+  return old_mac ? '\r' : '\n';
+}
+
+std::vector<std::string_view> probe_lines(std::string_view text, char line_end) {
+  constexpr std::size_t kMost = 64;
+  constexpr std::size_t kLongestPart_bytes = std::size_t{1} << 20U;
+  while (!text.empty() && (text.back() == line_end || is_blank(text.back()) || text.back() == '\r'))
+    text.remove_suffix(1);
+  // The last eighth, from a line's start on; it may be less than one line: then the last line.
+  std::string_view part = text.substr(text.size() - std::min(text.size() / 8, kLongestPart_bytes));
+  const auto next = part.find(line_end);
+  const auto last = text.rfind(line_end);
+  if (next != std::string_view::npos) {
+    part.remove_prefix(next + 1);
+  } else {
+    part = last == std::string_view::npos ? text : text.substr(last + 1);
+  }
+  std::vector<std::string_view> lines;
+  while (!part.empty() && lines.size() < kMost) {
+    const auto line = take_line(part, line_end);
+    if (!is_skipped(line, {})) lines.push_back(line);
+  }
+  return lines;
+}
+
+CsvDialect find_dialect(const std::vector<std::string_view>& probes, char line_end) {
+  CsvDialect dialect{.delimiter = ' ', .line_end = line_end};
+  if (in_most(probes, ';')) {
+    dialect.delimiter = ';';
+  } else if (in_most(probes, '\t')) {
+    dialect.delimiter = '\t';
+  } else if (in_most(probes, ',') && !std::all_of(probes.begin(), probes.end(), is_comma_decimals)) {
+    dialect.delimiter = ',';
+  }
+  const auto any = [&](auto&& test) { return std::any_of(probes.begin(), probes.end(), test); };
+  dialect.quoted = any([](std::string_view line) { return line.find('"') != std::string_view::npos; });
+  dialect.decimal_comma = any([&](std::string_view line) { return has_comma_in_number(line, dialect); });
+  return dialect;
+}
+
+std::vector<std::size_t> find_number_columns(const std::vector<std::string_view>& probes, const CsvDialect& dialect) {
+  std::vector<std::size_t> numbers;
+  for (const auto line : probes) {
+    const auto cells = split_cells(line, dialect);
+    numbers.resize(std::max(numbers.size(), cells.size()));
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      const auto problem = parse_number(cells[c], dialect.decimal_comma).problem;
+      if (problem != NumberProblem::empty && problem != NumberProblem::not_a_number) ++numbers[c];
+    }
+  }
+  std::vector<std::size_t> columns;
+  for (std::size_t c = 0; c < numbers.size(); ++c) {
+    if (2 * numbers[c] >= probes.size() && numbers[c] > 0) columns.push_back(c);
+  }
+  return columns;
+}
+
+}  // namespace percuss

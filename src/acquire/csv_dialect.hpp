@@ -1,0 +1,42 @@
+#pragma once
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace percuss {
+
+/// How a text file separates its lines and cells.
+struct CsvDialect {
+  char delimiter = ',';  // ',' ';' '\t', or ' ' for any run of blanks
+  bool decimal_comma = false;
+  bool quoted = false;   // cells of numbers may stand in double quotes
+  char line_end = '\n';  // '\r' for files of old Macintoshes; "\r\n" is '\n' with a '\r' that is cut off
+};
+
+/// Takes the next line off `rest`, without its end. Empty when `rest` is.
+std::string_view take_line(std::string_view& rest, char line_end);
+
+/// Takes the next cell off `line`, quotes and blanks left on; returns false when there is none left.
+bool take_cell(std::string_view& line, const CsvDialect& dialect, std::string_view& cell);
+
+/// All cells of a line, blanks and quotes off; at most `limit`.
+std::vector<std::string_view> split_cells(std::string_view line, const CsvDialect& dialect, std::size_t limit = 4096);
+
+/// Lines without data wherever they stand: blank, delimiters only, or a comment (# or %).
+bool is_skipped(std::string_view line, const CsvDialect& dialect);
+
+/// Lines from the last part of the file, where headers no longer are; at most 64, none of them blank or a comment.
+std::vector<std::string_view> probe_lines(std::string_view text, char line_end);
+
+char find_line_end(std::string_view text);
+
+/// The dialect that `probes` are written in: the delimiter is the first of ; tab , that most of them contain, else
+/// blanks. A comma is the decimal mark when the delimiter is another one, or when all that a line holds are words like
+/// 0,25 and blanks.
+CsvDialect find_dialect(const std::vector<std::string_view>& probes, char line_end);
+
+/// Indices of columns that hold numbers in at least half of `probes`.
+std::vector<std::size_t> find_number_columns(const std::vector<std::string_view>& probes, const CsvDialect& dialect);
+
+}  // namespace percuss

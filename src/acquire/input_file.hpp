@@ -1,0 +1,34 @@
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace percuss {
+
+/// A file's bytes, read once and shared.
+struct FileBytes {
+  std::string path;  // as people know it; "-" is standard input
+  std::shared_ptr<const char> data;
+  std::size_t size = 0;
+
+  std::string_view view() const { return {data.get(), size}; }
+};
+
+/// Sees the first bytes (up to 64 KiB) before the rest is read, and throws InputError when they cannot be what is
+/// wanted.
+using LookAtHead = std::function<void(std::string_view head)>;
+
+/// `path` for messages: "standard input" for "-".
+std::string input_name(const std::string& path);
+
+/// A regular file's first bytes, at most `count`. Pipes, devices and folders are refused without waiting for them.
+/// errors  InputError: missing, no permission, not a regular file.
+std::string first_bytes(const std::string& path, std::size_t count);
+
+/// The whole of a regular file, or of standard input for "-". Memory follows what was really read, never a size that is
+/// claimed. errors  as first_bytes; longer than `limit_bytes`; whatever `look` throws.
+FileBytes read_input(const std::string& path, std::uint64_t limit_bytes, const LookAtHead& look = {});
+
+}  // namespace percuss

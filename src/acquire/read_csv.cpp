@@ -1,0 +1,155 @@
+#include "acquire/read_csv.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "acquire/csv_columns.hpp"
+#include "acquire/csv_dialect.hpp"
+#include "acquire/csv_rows.hpp"
+#include "acquire/csv_table.hpp"
+#include "acquire/signal_choice.hpp"
+#include "core/error.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+std::size_t size_of_mark(std::string_view text) {
+  return text.substr(0, 3) == kByteOrderMark ? kByteOrderMark.size() : 0;
+}
+
+CsvTable open_table(const FileBytes& bytes) {
+  constexpr std::size_t kMostColumns = 4096;
+  const std::string file = input_name(bytes.path);
+  const std::size_t mark = size_of_mark(bytes.view());
+  const std::string_view text = bytes.view().substr(mark);
+  require_text(text.substr(0, std::size_t{1} << 16U), file);
+  const char line_end = find_line_end(text);
+  const auto probes = probe_lines(text, line_end);
+  const CsvDialect dialect = find_dialect(probes, line_end);
+  const auto columns = find_number_columns(probes, dialect);
+  if (columns.empty()) throw InputError("no lines of numbers found", file, "save it as text with one line per sample");
+  if (columns.back() >= kMostColumns - 1) throw InputError("more than 4095 columns", file, "save one line per sample");
+  CsvHeader header = read_csv_header(text, dialect, columns, file);
+  header.data_start += mark;
+  return {bytes, dialect, std::move(header), columns};
+}
+
+// What the read functions of a record share.
+struct OpenCsv {
+  explicit OpenCsv(const FileBytes& bytes) : table(open_table(bytes)) {}
+  CsvTable table;
+  std::vector<CsvRow> rows;
+  std::size_t force_column = 0;
+  double force_to_N = 1;
+  std::vector<std::size_t> accel_columns;
+  std::vector<double> accel_to_mps2;
+};
+
+SignalInfo describe_force(const CsvColumn& column, const ReadOptions& options, const std::string& file,
+                          std::vector<std::string>& notes) {
+  SignalInfo signal{.name = column.name, .unit = column.unit};
+  SignalChoice choice = force_choice(options, setup_of(column, options));
+  const std::string unit = choice.unit.empty() ? column.unit : choice.unit;
+  const auto known = parse_unit(unit);
+  const bool volts = known && known->quantity == Quantity::voltage;
+  if (volts && !choice.scale && !choice.sensitivity_V_per_SI) {
+    choice.scale = known->to_SI;
+    notes.push_back(fmt::format(
+        "the force {} is not calibrated: 1 V counts as 1 N; give --force-scale or --force-sensitivity", column.name));
+  } else if (unit.empty() && !choice.scale && !choice.sensitivity_V_per_SI) {
+    notes.push_back(fmt::format("the unit of {} is not stated; taken as N", column.name));
+  }
+  apply_choice(signal, choice, Quantity::force, file + ": column " + column.name);
+  if (signal.unit.empty() && !choice.scale && !choice.sensitivity_V_per_SI) signal.unit = "N";
+  return signal;
+}
+
+SignalInfo describe_accel(const CsvColumn& column, const ReadOptions& options, std::size_t index, std::size_t count,
+                          const std::string& file, std::vector<std::string>& notes) {
+  SignalInfo signal{.name = column.name, .unit = column.unit};
+  const SignalChoice choice = accel_choice(options, setup_of(column, options), index, count);
+  const bool assumed = column.unit.empty() && choice.unit.empty() && !choice.scale && !choice.sensitivity_V_per_SI;
+  apply_choice(signal, choice, Quantity::acceleration, file + ": column " + column.name);
+  if (assumed) {
+    signal.unit = "m/s^2";
+    notes.push_back(fmt::format("the unit of {} is not stated; taken as m/s^2", column.name));
+  }
+  return signal;
+}
+
+void describe_signals(const CsvColumns& columns, const ReadOptions& options, OpenCsv& open, Record& record) {
+  const std::string file = input_name(open.table.path());
+  record.force = describe_force(columns.force, options, file, record.notes);
+  open.force_column = columns.force.index;
+  open.force_to_N = record.force.to_SI;
+  for (std::size_t c = 0; c < columns.accel.size(); ++c) {
+    record.accel.push_back(describe_accel(columns.accel[c], options, c, columns.accel.size(), file, record.notes));
+    open.accel_columns.push_back(columns.accel[c].index);
+    open.accel_to_mps2.push_back(record.accel.back().to_SI);
+  }
+}
+
+void describe_rows(const OpenCsv& open, Record& record) {
+  for (const auto& row : open.rows) {
+    if (row.info.samples < 2) {
+      throw InputError("fewer than two samples", open.table.place(row.first_line),
+                       "record for longer, or delete the line");
+    }
+    record.rows.push_back(row.info);
+  }
+}
+
+void read_scaled(const OpenCsv& open, std::size_t row, std::size_t column, double to_SI, std::size_t first,
+                 std::span<double> out) {
+  assert(row < open.rows.size() && first + out.size() <= open.rows[row].info.samples);
+  const std::size_t line = open.rows[row].first_line + first;
+  open.table.read(column, line, out);
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    out[i] *= to_SI;
+    if (!std::isfinite(out[i]))
+      throw InputError("too large once scaled to SI", open.table.place(line + i, column),
+                       "correct the number or the scale");
+  }
+}
+
+}  // namespace
+
+void require_text(std::string_view head, const std::string& name) {
+  if (head.empty()) throw InputError("the file is empty", name, "record or export it again");
+  const auto starts = [&](std::string_view bytes) { return head.substr(0, bytes.size()) == bytes; };
+  if (starts("\xFF\xFE") || starts("\xFE\xFF")) throw InputError("this is UTF-16 text", name, "save it as UTF-8");
+  const auto control = std::count_if(head.begin(), head.end(), [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return byte < 0x20 && c != '\n' && c != '\r' && c != '\t' && c != '\f' && c != '\v' && c != 0x1A;
+  });
+  if (control > 0)
+    throw InputError("this is neither text nor a format that percuss knows", name, "save it as CSV or HDF5");
+}
+
+Record open_csv(const FileBytes& bytes, const ReadOptions& options) {
+  auto open = std::make_shared<OpenCsv>(bytes);
+  Record record;
+  record.files.push_back({.path = bytes.path, .bytes = bytes.size});
+  record.format = "CSV";
+  const CsvColumns columns = find_csv_columns(open->table.header(), options, input_name(bytes.path));
+  describe_signals(columns, options, *open, record);
+  open->rows = find_csv_rows(open->table, columns);
+  describe_rows(*open, record);
+  record.fs_Hz = find_csv_rate_Hz(open->table, columns, open->rows, options, record.notes);
+  record.read_force_N = [open](std::size_t row, std::size_t first, std::span<double> out) {
+    read_scaled(*open, row, open->force_column, open->force_to_N, first, out);
+  };
+  record.read_accel_mps2 = [open](std::size_t row, std::size_t channel, std::size_t first, std::span<double> out) {
+    read_scaled(*open, row, open->accel_columns.at(channel), open->accel_to_mps2.at(channel), first, out);
+  };
+  return record;
+}
+
+}  // namespace percuss

@@ -1,0 +1,19 @@
+#pragma once
+#include <string>
+
+#include "acquire/input_file.hpp"
+#include "acquire/record.hpp"
+
+namespace percuss {
+
+/// Opens a text file of columns (docs/formats.md) and describes it: layout, channels and rate are known, of the numbers
+/// only the columns time, hit, point and run have been parsed. The text stays in memory while the record or a copy of
+/// it lives. errors  InputError, one line with file, line and column: no columns of numbers, no force or acceleration
+/// among them, no sampling rate, uneven time, fewer than two samples in a row; the read functions throw it for gaps and
+/// for texts that are no finite number.
+Record open_csv(const FileBytes& bytes, const ReadOptions& options = {});
+
+/// Throws InputError unless these first bytes of the file `name` can be those of a text in ASCII, UTF-8 or Latin-1.
+void require_text(std::string_view head, const std::string& name);
+
+}  // namespace percuss
