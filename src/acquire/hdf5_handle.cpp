@@ -1,8 +1,14 @@
 #include "acquire/hdf5_handle.hpp"
 
+#include <hdf5.h>
+
+#include <type_traits>
 #include <utility>
 
 namespace percuss::hdf5 {
+
+static_assert(std::is_same_v<Id, hid_t>);
+
 namespace {
 
 std::recursive_mutex& library_mutex() {
@@ -34,6 +40,6 @@ bool Handle::close() {
   return H5Idec_ref(release()) >= 0;
 }
 
-hid_t Handle::release() { return std::exchange(id_, H5I_INVALID_HID); }
+Id Handle::release() { return std::exchange(id_, H5I_INVALID_HID); }
 
 }  // namespace percuss::hdf5

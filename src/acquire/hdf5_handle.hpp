@@ -1,10 +1,11 @@
 #pragma once
-// For .cpp files only: hdf5.h stays out of every other header.
-#include <hdf5.h>
-
+#include <cstdint>
 #include <mutex>
 
 namespace percuss::hdf5 {
+
+/// The library's hid_t, so that hdf5.h stays in .cpp files; negative for none.
+using Id = std::int64_t;
 
 /// Held around all use of the library, closing included: it may not be used from several threads at once. One thread
 /// may hold several. Also sees to it that the library prints nothing and loads no plug-ins.
@@ -19,21 +20,21 @@ class Lock {
 /// Owns an identifier of any kind (file, data set, type, property list …); false when there is none.
 class Handle {
  public:
-  explicit Handle(hid_t id = H5I_INVALID_HID) : id_(id) {}
+  explicit Handle(Id id = -1) : id_(id) {}
   ~Handle() { close(); }
   Handle(Handle&& other) noexcept : id_(other.release()) {}
   Handle& operator=(Handle&& other) noexcept;
   Handle(const Handle&) = delete;
   Handle& operator=(const Handle&) = delete;
 
-  hid_t get() const { return id_; }
+  Id get() const { return id_; }
   explicit operator bool() const { return id_ >= 0; }
   /// False when the library could not finish what it had still to write.
   bool close();
 
  private:
-  hid_t release();
-  hid_t id_;
+  Id release();
+  Id id_;
 };
 
 }  // namespace percuss::hdf5

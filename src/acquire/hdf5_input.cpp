@@ -1,6 +1,7 @@
 #include "acquire/hdf5_input.hpp"
 
 #include <fcntl.h>
+#include <hdf5.h>
 #include <sys/stat.h>
 #include <unistd.h>
 

@@ -1,5 +1,4 @@
 #pragma once
-// For .cpp files only, as hdf5_handle.hpp is. A Lock is held by the caller throughout.
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -11,6 +10,8 @@
 
 namespace percuss::hdf5 {
 
+// The caller holds a Lock around all of this.
+
 /// A file that may come from anywhere, open for reading. Every message names its path.
 /// errors  InputError: it cannot be opened, is not HDF5, is truncated or damaged.
 class InputHdf5 {
@@ -19,7 +20,7 @@ class InputHdf5 {
 
   const std::string& path() const { return path_; }
   std::uint64_t bytes() const { return bytes_; }
-  hid_t id() const { return file_.get(); }
+  Id id() const { return file_.get(); }
 
   /// Whether the root group has a link of this name.
   bool has(const std::string& name) const;
@@ -45,7 +46,7 @@ class InputDataSet {
   /// Number of elements along each dimension; empty for a scalar.
   const std::vector<std::size_t>& shape() const { return shape_; }
   std::size_t elements() const { return elements_; }
-  hid_t id() const { return set_.get(); }
+  Id id() const { return set_.get(); }
 
   /// Elements first … first + out.size() − 1 along the last dimension, at index `at` of the others. InputError when
   /// they cannot be decoded.
@@ -58,7 +59,7 @@ class InputDataSet {
   void check_type() const;
   void read_shape();
   void check_storage(const InputHdf5& file, const std::string& name);
-  void check_chunks(const InputHdf5& file, const std::string& name, hid_t creation, std::uint64_t claim_limit);
+  void check_chunks(const InputHdf5& file, const std::string& name, Id creation, std::uint64_t claim_limit);
   [[noreturn]] void damaged() const;
 
   std::string where_;
@@ -68,10 +69,10 @@ class InputDataSet {
 };
 
 /// The numbers of an attribute, nothing when it is absent. InputError when it does not hold 1 … `limit` numbers.
-std::optional<std::vector<double>> number_attribute(hid_t object, const std::string& name, const std::string& where,
+std::optional<std::vector<double>> number_attribute(Id object, const std::string& name, const std::string& where,
                                                     std::size_t limit);
 
 /// The text of an attribute, nothing when it is absent. InputError when it is not one text.
-std::optional<std::string> text_attribute(hid_t object, const std::string& name, const std::string& where);
+std::optional<std::string> text_attribute(Id object, const std::string& name, const std::string& where);
 
 }  // namespace percuss::hdf5

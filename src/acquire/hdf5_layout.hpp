@@ -1,5 +1,4 @@
 #pragma once
-// For .cpp files only, as hdf5_handle.hpp is.
 #include <cstddef>
 #include <span>
 #include <string>

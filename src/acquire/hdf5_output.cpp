@@ -1,5 +1,7 @@
 #include "acquire/hdf5_output.hpp"
 
+#include <hdf5.h>
+
 #include <cassert>
 
 #include "core/error.hpp"

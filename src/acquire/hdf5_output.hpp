@@ -1,5 +1,4 @@
 #pragma once
-// For .cpp files only, as hdf5_handle.hpp is.
 #include <map>
 #include <span>
 #include <string>
@@ -33,7 +32,7 @@ class OutputHdf5 {
   void commit();
 
  private:
-  hid_t object(const std::string& set) const;
+  Id object(const std::string& set) const;
   void check(bool done) const;
 
   std::string path_;

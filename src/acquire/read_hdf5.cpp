@@ -55,9 +55,9 @@ double checked_rate(double fs_Hz, const std::string& where) {
 double read_rate_Hz(const OpenRecord& open, const ReadOptions& options) {
   if (options.fs_Hz) return checked_rate(*options.fs_Hz, "--fs");
   const InputHdf5& file = open.file;
-  const std::array<std::pair<hid_t, std::string>, 3> places{{{file.id(), file.path() + ": attribute fs"},
-                                                             {open.force.id(), file.where("force attribute fs")},
-                                                             {open.accel.id(), file.where("accel attribute fs")}}};
+  const std::array<std::pair<hdf5::Id, std::string>, 3> places{{{file.id(), file.path() + ": attribute fs"},
+                                                                {open.force.id(), file.where("force attribute fs")},
+                                                                {open.accel.id(), file.where("accel attribute fs")}}};
   std::optional<double> found_Hz;
   for (const auto& [object, where] : places) {
     const auto values = hdf5::number_attribute(object, "fs", where, 1);
