@@ -147,7 +147,8 @@ void InputDataSet::check_chunks(const InputHdf5& file, const std::string& name, 
   }
   if (chunk_bytes > claim_limit) throw InputError("claims chunks larger than the file", where_, kWriteAnew);
   hsize_t present = 0;
-  if (expected <= kChunksCounted && H5Dget_num_chunks(set_.get(), H5S_ALL, &present) < 0) damaged();
+  const Handle space(H5Dget_space(set_.get()));  // this library does not take H5S_ALL here
+  if (expected <= kChunksCounted && H5Dget_num_chunks(set_.get(), space.get(), &present) < 0) damaged();
   if (expected <= kChunksCounted && present < expected) {
     throw InputError("holds " + std::to_string(present) + " of its " + std::to_string(expected) + " chunks", where_,
                      "record it again: it was never completed");

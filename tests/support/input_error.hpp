@@ -1,0 +1,26 @@
+#pragma once
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "core/error.hpp"
+
+namespace percuss::test {
+
+/// The message of the InputError that `work` throws; fails the test and returns nothing when it throws none.
+template <class Work>
+std::string input_error_of(Work&& work) {
+  try {
+    work();
+  } catch (const InputError& error) {
+    const std::string message = error.what();
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+    EXPECT_NE(message.find("); "), std::string::npos) << "no place or remedy in: " << message;
+    return message;
+  }
+  ADD_FAILURE() << "no InputError";
+  return {};
+}
+
+}  // namespace percuss::test
