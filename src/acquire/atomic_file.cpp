@@ -109,6 +109,8 @@ AtomicFile::AtomicFile(std::string path, bool force, Aside aside) : path_(std::m
                        "name a file, or - for standard output");
     }
     if (!force_) refuse_existing(path_);
+  } else if (errno != ENOENT) {
+    fail("cannot write");
   }
   if (aside == Aside::nameless_if_possible) open_nameless(folder_of(target_));
   if (descriptor_ < 0) open_named();

@@ -19,8 +19,9 @@ std::recursive_mutex& library_mutex() {
 }  // namespace
 
 Lock::Lock() : hold_(library_mutex()) {
-  static const bool plugins_off = H5PLset_loading_state(0) >= 0;
-  static_cast<void>(plugins_off);
+  // Once, before the library starts. Its own clean-up at exit crashes after a disk was full; ours leaves nothing to do.
+  static const bool ready = H5dont_atexit() >= 0 && H5PLset_loading_state(0) >= 0;
+  static_cast<void>(ready);
   // The library keeps one error stack, and with it the handler that prints, per thread.
   thread_local const bool silent = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0;
   static_cast<void>(silent);
