@@ -11,7 +11,7 @@ namespace percuss::tools {
 struct ReadFlags {
   std::vector<std::string> paths;
   ReadOptions options;
-  std::string setup_path;                 // --setup CHANNELS.json
+  std::string setup_path;                  // --setup CHANNELS.json
   FilesMean files = FilesMean::automatic;  // --files
   // as typed, in the units of the option's name; turned into options by finish()
   std::vector<double> angle_deg;
@@ -25,7 +25,11 @@ void add_read_flags(CLI::App& command, ReadFlags& flags);
 /// The set-up file and typed units worked into flags.options. Throws InputError.
 ReadOptions finished_options(const ReadFlags& flags);
 
-/// Every path opened; what several of them mean is the caller's affair (join_records).
+/// One path opened with finished options.
+Record open_record_at(const ReadFlags& flags, const ReadOptions& options, std::size_t index);
+
+/// Every path opened; UsageError for none, or for one that is named twice; what several of them mean is the caller's
+/// affair (join_records).
 std::vector<Record> open_records(const ReadFlags& flags);
 
 }  // namespace percuss::tools

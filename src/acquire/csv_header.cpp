@@ -165,7 +165,9 @@ void fill_columns(CsvHeader& header, const std::optional<Cells>& names, const st
     auto [base, unit] = named ? split_name(column.name) : NameAndUnit{};
     column.base = std::move(base);
     column.unit = std::move(unit);
-    if (units && c < units->size() && !(*units)[c].empty() && (numbers || named)) column.unit = to_utf8((*units)[c]);
+    // The first cell of the row of units may say "Unit" itself.
+    const bool stated = units && c < units->size() && !(*units)[c].empty();
+    if (stated && (c > 0 || parse_unit(to_utf8((*units)[c])))) column.unit = to_utf8((*units)[c]);
     header.columns.push_back(std::move(column));
   }
 }
@@ -210,7 +212,10 @@ NameAndUnit split_name(std::string_view name) {
     static constexpr std::string_view kSeparators = "_ /:,-";
     if (kSeparators.find(text[i]) == std::string_view::npos) continue;
     const auto ending = text.substr(i + 1);
-    if (parse_unit(ending)) return {std::string(trimmed(text.substr(0, i))), std::string(ending)};
+    if (!parse_unit(ending)) continue;
+    std::string unit(ending);
+    std::replace(unit.begin(), unit.end(), '_', '/');
+    return {std::string(trimmed(text.substr(0, i))), unit};
   }
   return {std::string(text), {}};
 }

@@ -1,5 +1,7 @@
 #include <array>
+#include <cctype>
 #include <cstdint>
+#include <cstring>
 #include <string>
 #include <string_view>
 
@@ -42,6 +44,19 @@ bool is_universal_file(std::string_view head) {
   return line.substr(0, 6) == "    -1" && line.find_first_not_of(' ', 6) == std::string_view::npos;
 }
 
+// A MAT file of level 4 starts with numbers: type (M, O, P, T as decimal digits, of which only these occur), rows,
+// columns, 0 or 1 for complex, length of the first variable's name.
+bool is_mat4(std::string_view head) {
+  std::array<std::uint32_t, 5> words{};
+  if (head.size() < sizeof words) return false;
+  std::memcpy(words.data(), head.data(), sizeof words);
+  const auto [type, rows, columns, complex, name] = words;
+  const bool known_type = type <= 51 && type % 10 <= 2 && type / 10 <= 5;
+  const std::size_t name_end = sizeof words + name - 1;
+  return known_type && rows > 0 && columns > 0 && complex <= 1 && name >= 2 && name <= 64 && name_end < head.size() &&
+         head[name_end] == '\0' && std::isalpha(static_cast<unsigned char>(head[sizeof words])) != 0;
+}
+
 void refuse_foreign(std::string_view head, const std::string& name) {
   const auto refuse = [&](std::string_view kind) {
     throw InputError(std::string(kind) + " is not readable yet", name, "save it as CSV or HDF5");
@@ -49,6 +64,7 @@ void refuse_foreign(std::string_view head, const std::string& name) {
   for (const auto& magic : kNotReadable) {
     if (head.substr(0, magic.start.size()) == magic.start) refuse(magic.kind);
   }
+  if (is_mat4(head)) refuse("a MAT file of level 4");
   if (is_universal_file(head)) refuse("a universal file (UFF)");
 }
 

@@ -1,0 +1,172 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <set>
+
+#include "acquire/atomic_file.hpp"
+#include "acquire/channel_setup.hpp"
+#include "acquire/input_file.hpp"
+#include "command.hpp"
+#include "core/error.hpp"
+#include "output.hpp"
+#include "read_flags.hpp"
+#include "report/number.hpp"
+#include "report/text_table.hpp"
+
+namespace percuss::tools {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kRadian_deg = 180 / std::numbers::pi;
+
+struct InfoFlags {
+  ReadFlags read;
+  OutputFlags output;
+  bool example = false;
+};
+
+/// What a record's rows come to.
+struct Extent {
+  std::size_t samples = 0, shortest = 0, longest = 0, points = 0, runs = 0;
+};
+
+Extent extent_of(const Record& record) {
+  Extent extent;
+  std::set<int> points, runs;
+  for (const auto& row : record.rows) {
+    extent.samples += row.samples;
+    extent.shortest = extent.shortest == 0 ? row.samples : std::min(extent.shortest, row.samples);
+    extent.longest = std::max(extent.longest, row.samples);
+    points.insert(row.point);
+    runs.insert(row.run);
+  }
+  extent.points = points.size();
+  extent.runs = runs.size();
+  return extent;
+}
+
+Json optional_json(const std::optional<double>& value, double factor) {
+  return value ? Json(*value * factor) : Json(nullptr);
+}
+
+Json channel_json(const SignalInfo& signal, const char* role, const char* si_unit) {
+  return {{"role", role},
+          {"name", signal.name},
+          {"unit", signal.unit.empty() ? si_unit : signal.unit},
+          {"si_unit", si_unit},
+          {"to_si", signal.to_SI},
+          {"angle_deg", optional_json(signal.angle_rad, kRadian_deg)},
+          {"position_m", optional_json(signal.position_m, 1)}};
+}
+
+Json record_json(const Record& record) {
+  const Extent extent = extent_of(record);
+  Json channels = Json::array();
+  channels.push_back(channel_json(record.force, "force", "N"));
+  for (const auto& signal : record.accel) channels.push_back(channel_json(signal, "acceleration", "m/s^2"));
+  return {{"path", record.files.front().path},
+          {"bytes", record.files.front().bytes},
+          {"kind", record.format},
+          {"fs_hz", record.fs_Hz},
+          {"rows", record.rows.size()},
+          {"samples", extent.samples},
+          {"shortest_row", extent.shortest},
+          {"longest_row", extent.longest},
+          {"duration_s", static_cast<double>(extent.samples) / record.fs_Hz},
+          {"points", extent.points},
+          {"runs", extent.runs},
+          {"continuous", record.continuous || record.rows.size() == 1},
+          {"channels", channels},
+          {"geometry_points", record.geometry.size()},
+          {"notes", record.notes}};
+}
+
+std::string plural(std::size_t count, const char* what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+std::string optional_text(const std::optional<double>& value, double factor) {
+  return value ? fmt::format("{:.6g}", *value * factor) : "-";
+}
+
+std::string record_text(const Record& record, std::size_t width) {
+  const Extent extent = extent_of(record);
+  std::string rows = plural(record.rows.size(), "row") + " of " + plural(extent.longest, "sample");
+  if (extent.shortest != extent.longest)
+    rows = fmt::format("{} of {} to {} samples", plural(record.rows.size(), "row"), extent.shortest, extent.longest);
+  std::string text = fmt::format("{}: {}, {}, {:.10g} Hz, {:.4g} s", input_name(record.files.front().path),
+                                 record.format, rows, record.fs_Hz, static_cast<double>(extent.samples) / record.fs_Hz);
+  if (extent.points > 1) text += fmt::format(", {}", plural(extent.points, "point"));
+  if (extent.runs > 1) text += fmt::format(", {}", plural(extent.runs, "run"));
+  text += '\n';
+  using Align = TextTable::Align;
+  TextTable table({{"  role"},
+                   {"name"},
+                   {"unit"},
+                   {"SI per unit", Align::right},
+                   {"angle/°", Align::right},
+                   {"position/m", Align::right},
+                   {""}});
+  const auto add = [&](const SignalInfo& signal, const char* role, const char* si_unit) {
+    table.add({std::string("  ") + role, one_line(signal.name, 40),
+               signal.unit.empty() ? si_unit : one_line(signal.unit, 20), fmt::format("{:.6g}", signal.to_SI),
+               optional_text(signal.angle_rad, kRadian_deg), optional_text(signal.position_m, 1), ""});
+  };
+  add(record.force, "force", "N");
+  for (const auto& signal : record.accel) add(signal, "acceleration", "m/s^2");
+  text += table.text(width);
+  for (const auto& note : record.notes) text += "  " + wrapped("note: " + note, width, 2) + '\n';
+  return text;
+}
+
+void write_outputs(const OutputFlags& output, const std::string& document) {
+  for (const auto& path : output.paths) write_file(path, document, output.force);
+}
+
+int run_info(const InfoFlags& flags) {
+  if (flags.example) {
+    fmt::print("{}", channel_setup_example());
+    return kOk;
+  }
+  if (flags.read.paths.empty()) throw UsageError("no file", "name at least one, or - for standard input");
+  check_extensions(flags.output, {".json"});
+  const ReadOptions options = finished_options(flags.read);
+  Json files = Json::array();
+  int code = kOk;
+  for (std::size_t i = 0; i < flags.read.paths.size(); ++i) {
+    try {
+      const Record record = open_record_at(flags.read, options, i);
+      files.push_back(record_json(record));
+      if (!flags.output.json) fmt::print("{}", record_text(record, terminal_width()));
+    } catch (const InputError& error) {
+      // One bad file must not hide what the others hold.
+      std::cerr << "percuss: " << error.what() << '\n';
+      files.push_back({{"path", flags.read.paths[i]}, {"error", error.what()}});
+      code = kBadInput;
+    }
+  }
+  const std::string document =
+      Json{{"schema", "percuss/info/1"}, {"files", files}}.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  if (flags.output.json) fmt::print("{}", document);
+  write_outputs(flags.output, document);
+  return code;
+}
+
+}  // namespace
+
+void add_info(CLI::App& app, Run& run) {
+  CLI::App* command =
+      app.add_subcommand("info", "what is in a file: kind, channels, units, rate, hits, what could not be read");
+  auto flags = std::make_shared<InfoFlags>();
+  add_read_flags(*command, flags->read);
+  add_output_flags(*command, flags->output);
+  command->add_flag("--example", flags->example, "print a channel set-up for --setup, to start from");
+  command->callback([flags, &run] { run = [flags] { return run_info(*flags); }; });
+}
+
+}  // namespace percuss::tools

@@ -1,0 +1,118 @@
+#include "read_flags.hpp"
+
+#include <fmt/format.h>
+
+#include <numbers>
+#include <set>
+
+#include "acquire/channel_setup.hpp"
+#include "core/error.hpp"
+#include "core/units.hpp"
+
+namespace percuss::tools {
+namespace {
+
+constexpr double kMilli = 1e-3;
+
+/// A list of numbers in one word, "0,90", so that the words after it are files again.
+template <class T>
+void add_list(CLI::App& command, const char* name, std::vector<T>& values, const char* help, const char* type) {
+  command.add_option(name, values, help)->type_name(type)->delimiter(',')->allow_extra_args(false)->group("Reading");
+}
+
+template <class T>
+void add_value(CLI::App& command, const char* name, T& value, const char* help, const char* type) {
+  command.add_option(name, value, help)->type_name(type)->group("Reading");
+}
+
+void require_distinct(const std::vector<std::string>& paths) {
+  std::set<std::string> seen;
+  for (const auto& path : paths) {
+    if (!seen.insert(path).second)
+      throw UsageError(fmt::format("\"{}\" is given twice", one_line(path)), "name each file once");
+  }
+}
+
+void require_unit_or_volts(const std::string& name, Quantity wanted, const char* option) {
+  const auto unit = parse_unit(name);
+  const bool volts = unit && unit->quantity == Quantity::voltage;
+  if (!name.empty() && !volts) require_unit(name, wanted, option);
+}
+
+FilesMean files_mean(const std::string& text) {
+  if (text == "hits") return FilesMean::hits;
+  if (text == "points") return FilesMean::points;
+  if (text == "tests") return FilesMean::tests;
+  throw UsageError("--files cannot mean \"" + one_line(text, 40) + "\"", "use hits, points or tests");
+}
+
+/// The options for file `index`: of a scale per file, that file's.
+ReadOptions options_of_file(const ReadOptions& all, std::size_t index, std::size_t files) {
+  ReadOptions options = all;
+  if (options.force_scale.size() > 1) {
+    if (options.force_scale.size() != files) {
+      throw UsageError(fmt::format("{} values of --force-scale for {} files", options.force_scale.size(), files),
+                       "give one for all or one per file");
+    }
+    options.force_scale = {all.force_scale[index]};
+  }
+  return options;
+}
+
+}  // namespace
+
+void add_read_flags(CLI::App& command, ReadFlags& flags) {
+  ReadOptions& options = flags.options;
+  command.add_option("FILE", flags.paths, "records to read: HDF5, CSV or text; - is standard input")->type_name("");
+  add_value(command, "--fs", options.fs_Hz, "sampling rate, whatever the file says", "HZ");
+  add_value(command, "--force-channel", options.force_channel, "the force: name or 1-based number of its column",
+            "NAME");
+  add_list(command, "--accel-channel", options.accel_channels,
+           "the accelerations, in this order (repeatable, or a list)", "NAME,...");
+  add_value(command, "--unit", options.accel_unit, "unit of the stored accelerations: m/s^2, g, cm/s^2, ...", "UNIT");
+  add_value(command, "--force-unit", options.force_unit, "unit of the stored forces: N, lbf, ...", "UNIT");
+  add_list(command, "--force-scale", options.force_scale, "N per stored unit; one, or one per file", "N,...");
+  add_list(command, "--accel-scale", options.accel_scale, "m/s^2 per stored unit; one, or one per channel", "X,...");
+  add_value(command, "--force-sensitivity", flags.force_sensitivity_mV_per_N,
+            "of the hammer, for forces stored in volts", "mV/N");
+  add_list(command, "--accel-sensitivity", flags.accel_sensitivity_mV_per_g,
+           "for accelerations stored in volts; one, or one per channel", "mV/g,...");
+  add_list(command, "--angle", flags.angle_deg, "of each accelerometer around the barrel", "DEG,...");
+  add_list(command, "--position", flags.position_m, "of each accelerometer from the barrel's end", "M,...");
+  add_value(command, "--setup", flags.setup_path, "channel set-up (JSON; percuss info --example prints one)", "FILE");
+  command
+      .add_option_function<std::string>(
+          "--files", [&flags](const std::string& text) { flags.files = files_mean(text); },
+          "what several files are: hits of one test, one point each, or tests of their own")
+      ->type_name("hits|points|tests")
+      ->group("Reading");
+}
+
+ReadOptions finished_options(const ReadFlags& flags) {
+  ReadOptions options = flags.options;
+  for (const double angle_deg : flags.angle_deg) options.angle_rad.push_back(angle_deg * std::numbers::pi / 180);
+  options.position_m = flags.position_m;
+  if (flags.force_sensitivity_mV_per_N) options.force_sensitivity_V_per_N = *flags.force_sensitivity_mV_per_N * kMilli;
+  for (const double mV_per_g : flags.accel_sensitivity_mV_per_g) {
+    options.accel_sensitivity_V_per_mps2.push_back(mV_per_g * kMilli / kStandardGravity_mps2);
+  }
+  require_unit_or_volts(options.accel_unit, Quantity::acceleration, "--unit");
+  require_unit_or_volts(options.force_unit, Quantity::force, "--force-unit");
+  if (!flags.setup_path.empty()) options.setup = read_channel_setup(flags.setup_path);
+  return options;
+}
+
+Record open_record_at(const ReadFlags& flags, const ReadOptions& options, std::size_t index) {
+  return open_record(flags.paths[index], options_of_file(options, index, flags.paths.size()));
+}
+
+std::vector<Record> open_records(const ReadFlags& flags) {
+  if (flags.paths.empty()) throw UsageError("no file", "name at least one, or - for standard input");
+  require_distinct(flags.paths);
+  const ReadOptions options = finished_options(flags);
+  std::vector<Record> records;
+  for (std::size_t i = 0; i < flags.paths.size(); ++i) records.push_back(open_record_at(flags, options, i));
+  return records;
+}
+
+}  // namespace percuss::tools
