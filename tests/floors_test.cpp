@@ -5,6 +5,7 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <regex>
 #include <sstream>
 #include <string>
@@ -31,6 +32,7 @@ struct Source {
   std::string floor;  // "core"
   bool header = false;
   std::vector<Include> includes;
+  std::vector<std::string> types;  // those defined at namespace scope
 };
 
 std::vector<Include> includes_in(const std::string& text) {
@@ -39,6 +41,14 @@ std::vector<Include> includes_in(const std::string& text) {
   for (std::sregex_iterator it(text.begin(), text.end(), line), end; it != end; ++it) {
     out.push_back({.name = (*it)[2], .quoted = (*it)[1] == "\""});
   }
+  return out;
+}
+
+// Definitions start in column 1, as the layout of the sources demands.
+std::vector<std::string> types_in(const std::string& text) {
+  static const std::regex line(R"((?:^|\n)(?:struct|class|enum class)[ ]+(\w+)[^;\n]*\{)");
+  std::vector<std::string> out;
+  for (std::sregex_iterator it(text.begin(), text.end(), line), end; it != end; ++it) out.push_back((*it)[1]);
   return out;
 }
 
@@ -54,7 +64,8 @@ std::vector<Source> sources() {
       out.push_back({.path = path.string(),
                      .floor = path.parent_path().filename().string(),
                      .header = path.extension() == ".hpp",
-                     .includes = includes_in(text.str())});
+                     .includes = includes_in(text.str()),
+                     .types = types_in(text.str())});
     }
   }
   return out;
@@ -120,6 +131,21 @@ TEST(Floors, IncludeFftwInOneFile) {
   EXPECT_THAT(files, ElementsAre("src/core/fft.cpp"));
 }
 
+// Two types of one name in one namespace are one type to the linker, whatever they hold.
+TEST(Floors, NameEachTypeOnce) {
+  std::map<std::string, std::string> home;
+  std::vector<std::string> twice;
+  for (const auto& source : sources()) {
+    if (!source.header) continue;
+    for (const auto& type : source.types) {
+      const auto [known, fresh] = home.emplace(type, source.path);
+      if (!fresh) twice.push_back(type + " in " + known->second + " and " + source.path);
+    }
+  }
+  EXPECT_GT(home.size(), 0U);
+  EXPECT_THAT(twice, IsEmpty());
+}
+
 // The checks above pass on an empty list too, so they are shown to see what they are for.
 TEST(Floors, AreSeenToBeBroken) {
   const Source source{
@@ -131,6 +157,8 @@ TEST(Floors, AreSeenToBeBroken) {
   EXPECT_THAT(wrong_floors(source),
               ElementsAre("src/frf/x.hpp includes x.hpp", "src/frf/x.hpp includes report/json.hpp"));
   EXPECT_THAT(third_parties(source), ElementsAre("src/frf/x.hpp includes hdf5.h"));
+  EXPECT_THAT(types_in("struct A {\nclass B;\n  struct Inner {};\n};\nenum class C : int { x };\n"),
+              ElementsAre("A", "C"));
 }
 
 }  // namespace
