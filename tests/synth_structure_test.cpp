@@ -20,11 +20,10 @@ TEST(FreeBeam, IsOneAtBothEndsUpToItsSymmetry) {
 }
 
 TEST(FreeBeam, HasItsFirstNodesWhereTextbooksSay) {
-  constexpr double kTolerance =
-      2e-4;  // the slope is below 5 and textbooks print four digits: 0.2242, 0.1321 and 0.0944
-  EXPECT_LE(std::abs(free_beam_shape(1, 0.22416)), kTolerance);
-  EXPECT_LE(std::abs(free_beam_shape(2, 0.13211)), kTolerance);
-  EXPECT_LE(std::abs(free_beam_shape(3, 0.09440)), kTolerance);
+  constexpr double kTolerance = 5.5e-4;  // half of the fourth digit times a slope of up to β = 11
+  EXPECT_LE(std::abs(free_beam_shape(1, 0.2242)), kTolerance);
+  EXPECT_LE(std::abs(free_beam_shape(2, 0.1321)), kTolerance);
+  EXPECT_LE(std::abs(free_beam_shape(3, 0.0944)), kTolerance);
 }
 
 TEST(FreeBeam, ShapesAreOrthogonalToEachOtherAndToRigidMotion) {

@@ -15,8 +15,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kFreqStep = 1e-6, kDampingStep = 1e-4;  // relative: truncation and rounding both near 1e-9
-constexpr std::size_t kChunk = 8192;                     // samples at a time: memory does not grow with the record
+constexpr double kFreqStep = 1e-6, kDampingStep = 1e-4;     // relative: truncation and rounding both near 1e-9
+constexpr std::size_t kChunkValues = std::size_t{1} << 20;  // at a time: memory does not grow with the record
 constexpr double kUnseen = 1e99;
 
 /// Poles as they are, then with f up, f down, ζ up, ζ down.
@@ -56,11 +56,19 @@ void add_columns(const SynthSpec& spec, const Pulse& pulse, std::span<const Pole
 MatrixXd row_products(const Truth& truth, std::span<const TrueHit> hits) {
   const auto size = static_cast<Index>(3 * truth.spec.modes.size() + 1);
   const std::vector<Pole> poles = poles_and_neighbours(truth.spec);
+  const std::size_t chunk = kChunkValues / static_cast<std::size_t>(size);
+  std::vector<Pulse> pulses;
+  for (const TrueHit& hit : hits) {
+    for (const Pulse& pulse : pulses_of(truth.spec, hit)) pulses.push_back(pulse);
+  }
   MatrixXd sum = MatrixXd::Zero(size, size);
-  for (std::size_t first = 0; first < truth.spec.samples; first += kChunk) {
-    MatrixXd columns = MatrixXd::Zero(static_cast<Index>(std::min(kChunk, truth.spec.samples - first)), size);
-    for (const TrueHit& hit : hits) {
-      for (const Pulse& pulse : pulses_of(truth.spec, hit)) add_columns(truth.spec, pulse, poles, first, columns);
+  for (std::size_t first = 0; first < truth.spec.samples; first += chunk) {
+    const std::size_t count = std::min(chunk, truth.spec.samples - first);
+    MatrixXd columns = MatrixXd::Zero(static_cast<Index>(count), size);
+    for (const Pulse& pulse : pulses) {
+      const PulseReach reach = pulse_reach(pulse, truth.spec.fs_Hz, poles);
+      if (reach.first >= static_cast<double>(first + count) || reach.last <= static_cast<double>(first)) continue;
+      add_columns(truth.spec, pulse, poles, first, columns);
     }
     sum.noalias() += columns.transpose() * columns;
   }

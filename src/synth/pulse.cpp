@@ -137,19 +137,30 @@ std::vector<std::vector<Complex>> after_pulse(const SampledPulse& pulse, const s
                                               const Zone& zone) {
   const auto size = static_cast<std::size_t>(zone.last - zone.first);
   std::vector<std::vector<Complex>> out(poles.size(), std::vector<Complex>(size));
+  const auto v_of = [&](std::size_t i) { return static_cast<double>(zone.first) + static_cast<double>(i) - pulse.end; };
+  // A panel spans [from, from + width]: one sample, less where the filter begins and ends.
+  const auto from_of = [&](std::size_t i) { return std::max(v_of(i) - 1, -kFilterReach); };
+  const auto width_of = [&](std::size_t i) { return std::max(0.0, std::min(v_of(i), kFilterReach) - from_of(i)); };
+  std::vector<std::array<double, kNodes>> kernel(size);
   for (std::size_t i = 0; i < size; ++i) {
-    const double v = static_cast<double>(zone.first) + static_cast<double>(i) - pulse.end;
-    const double from = std::max(v - 1, -kFilterReach);
-    const double width = std::min(v, kFilterReach) - from;
-    std::array<double, kNodes> kernel{};
-    for (std::size_t k = 0; k < kNodes && width > 0; ++k) {
-      kernel[k] = rule().weight[k] * width * anti_alias_kernel(from + rule().x[k] * width);
+    for (std::size_t k = 0; k < kNodes; ++k) {
+      kernel[i][k] = rule().weight[k] * width_of(i) * anti_alias_kernel(from_of(i) + rule().x[k] * width_of(i));
     }
-    for (std::size_t r = 0; r < poles.size(); ++r) {
-      Complex z = i > 0 ? out[r][i - 1] * std::exp(poles[r].lambda) : 0;
-      for (std::size_t k = 0; k < kNodes && width > 0; ++k) {
-        z += kernel[k] * std::exp(poles[r].lambda * (v - from - rule().x[k] * width));
+  }
+  for (std::size_t r = 0; r < poles.size(); ++r) {
+    const Complex step = std::exp(poles[r].lambda);
+    std::array<Complex, kNodes> decay;  // from a panel's nodes to its v, the same in all whole panels
+    double decay_width = -1;
+    Complex z = 0;
+    for (std::size_t i = 0; i < size; ++i) {
+      const double width = width_of(i), gap = v_of(i) - from_of(i) - width;
+      if (width != decay_width || gap != 0) {
+        for (std::size_t k = 0; k < kNodes; ++k)
+          decay[k] = std::exp(poles[r].lambda * (v_of(i) - from_of(i) - rule().x[k] * width));
+        decay_width = gap == 0 ? width : -1;
       }
+      z *= step;
+      for (std::size_t k = 0; k < kNodes && width > 0; ++k) z += kernel[i][k] * decay[k];
       out[r][i] = z;
     }
   }
@@ -189,6 +200,16 @@ double pulse_impulse_Ns(const Pulse& pulse) {
                       : pulse.kind == PulseKind::haversine ? 0.5
                                                            : 4 / (3 * kPi);
   return mean * pulse.peak_N * pulse.width_s;
+}
+
+PulseReach pulse_reach(const Pulse& pulse, double fs_Hz, std::span<const Pole> poles) {
+  constexpr double kLargest = 5;  // a regular part never exceeds e^5 of the force's peak
+  const Zone zone(SampledPulse(pulse, fs_Hz));
+  double longest = 0;
+  for (const Pole& pole : poles) {
+    longest = std::max(longest, (kForgotten + kLargest) * fs_Hz / (2 * kPi * pole.freq_Hz * pole.damping_ratio));
+  }
+  return {static_cast<double>(zone.first), static_cast<double>(zone.last) + longest};
 }
 
 PulseBasis pulse_basis(const Pulse& pulse, double fs_Hz, std::span<const Pole> poles, std::size_t first,

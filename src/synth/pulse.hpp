@@ -41,6 +41,13 @@ double anti_alias_kernel(double u);
 double pulse_force_N(const Pulse& pulse, double t_s);
 double pulse_impulse_Ns(const Pulse& pulse);
 
+/// The samples [first, last) of a record that a pulse touches at all: before and after them its basis is empty. A
+/// bound, cheap.
+struct PulseReach {
+  double first, last;
+};
+PulseReach pulse_reach(const Pulse& pulse, double fs_Hz, std::span<const Pole> poles);
+
 /// Samples first … first + count − 1 of (filter ∗ force) and (filter ∗ modal response ∗ force), from closed forms:
 /// Gauss–Legendre panels over the pulse and the filter's support, where the integrands are entire; one exact
 /// exponential per pole afterwards, cut when it is below e^−42 of the peak. errors  none: frequency in (0, fs], damping
