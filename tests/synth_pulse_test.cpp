@@ -9,11 +9,11 @@
 #include <string>
 
 #include "core/fft.hpp"
+#include "synth/filter.hpp"
 
 namespace percuss {
 namespace {
 
-constexpr double kTwoPiHere = 2 * std::numbers::pi;
 constexpr double kFs_Hz = 25600;
 
 /// Five-point Gauss rule on panels of a quarter sample: the integrands turn by less than 0.4 rad from a panel's middle
@@ -68,7 +68,7 @@ TEST_P(EveryPulse, IsWhatBruteForceConvolutionGives) {
   const Pulse pulse{GetParam(), onset / kFs_Hz, width / kFs_Hz, 1};
   const Pole pole{1900, 0.02};
   const PulseBasis basis = pulse_basis(pulse, kFs_Hz, std::array{pole}, 0, 1024);
-  const double omega = kTwoPiHere * pole.freq_Hz / kFs_Hz, sigma = pole.damping_ratio * omega;
+  const double omega = kTwoPi * pole.freq_Hz / kFs_Hz, sigma = pole.damping_ratio * omega;
   const double damped = std::sqrt(omega * omega - sigma * sigma);
   // Second derivative of e^−σt sin(ω_d t)/ω_d without its impulse at 0.
   const auto impulse_response = [&](double t) {
@@ -102,7 +102,7 @@ INSTANTIATE_TEST_SUITE_P(Pulse, EveryPulse,
 TEST(Pulse, LeavesPureExponentialsBehind) {
   const Pole pole{575, 0.006};
   const PulseBasis basis = pulse_basis({PulseKind::halfsine, 0.005, 0.4e-3, 300}, kFs_Hz, std::array{pole}, 0, 20000);
-  const double omega = kTwoPiHere * pole.freq_Hz / kFs_Hz, decay = std::exp(-pole.damping_ratio * omega);
+  const double omega = kTwoPi * pole.freq_Hz / kFs_Hz, decay = std::exp(-pole.damping_ratio * omega);
   const double turn = std::cos(omega * std::sqrt(1 - pole.damping_ratio * pole.damping_ratio));
   const std::vector<double>& a = basis.regular_N[0];
   constexpr double kTolerance = 1e-14;  // of the peak: rounding of three terms

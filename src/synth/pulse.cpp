@@ -1,7 +1,5 @@
 #include "synth/pulse.hpp"
 
-#include <gsl/gsl_integration.h>
-
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -9,29 +7,14 @@
 #include <complex>
 #include <numbers>
 
+#include "synth/filter.hpp"
+
 namespace percuss {
 namespace {
 
 using Complex = std::complex<double>;
 constexpr double kPi = std::numbers::pi;
-constexpr double kCutoff = 0.45;      // cycles/sample
-constexpr double kEdgeExponent = 37;  // Gaussian e^−37 = 1e-16 at the edge of the support
-constexpr double kForgotten = 42;     // a decay below e^−42 = 6e-19 is over
-constexpr std::size_t kNodes = 16;    // Gauss–Legendre: panels of one or two samples, error far below rounding
-
-struct GaussLegendre {
-  std::array<double, kNodes> x{}, weight{};  // on [0, 1]
-  GaussLegendre() {
-    gsl_integration_glfixed_table* table = gsl_integration_glfixed_table_alloc(kNodes);
-    for (std::size_t i = 0; i < kNodes; ++i) gsl_integration_glfixed_point(0, 1, i, &x[i], &weight[i], table);
-    gsl_integration_glfixed_table_free(table);
-  }
-};
-
-const GaussLegendre& rule() {
-  static const GaussLegendre shared;
-  return shared;
-}
+constexpr double kForgotten = 42;  // a decay below e^−42 = 6e-19 is over
 
 /// The pulse's shape as Σ re·cos(m W t) + im·sin(m W t), m counting multiples of W = π/width.
 struct Harmonic {
@@ -115,9 +98,9 @@ DuringPulse during_pulse(const SampledPulse& pulse, const std::vector<SampledPol
   const auto panels = static_cast<std::size_t>(std::ceil(pulse.width / 2));
   const double step = pulse.width / static_cast<double>(panels);
   std::vector<Complex> response(poles.size());
-  for (std::size_t node = 0; node < panels * kNodes; ++node) {
-    const double tau = (static_cast<double>(node / kNodes) + rule().x[node % kNodes]) * step;
-    const double weight = rule().weight[node % kNodes] * step;
+  for (std::size_t node = 0; node < panels * kGaussNodes; ++node) {
+    const double tau = (static_cast<double>(node / kGaussNodes) + gauss_legendre().x[node % kGaussNodes]) * step;
+    const double weight = gauss_legendre().weight[node % kGaussNodes] * step;
     const double shape = unit_pulse(pulse.kind, tau / pulse.width);
     for (std::size_t r = 0; r < poles.size(); ++r) response[r] = pulse.response(poles[r].lambda, tau);
     for (std::size_t i = 0; i < size; ++i) {
@@ -141,55 +124,51 @@ std::vector<std::vector<Complex>> after_pulse(const SampledPulse& pulse, const s
   // A panel spans [from, from + width]: one sample, less where the filter begins and ends.
   const auto from_of = [&](std::size_t i) { return std::max(v_of(i) - 1, -kFilterReach); };
   const auto width_of = [&](std::size_t i) { return std::max(0.0, std::min(v_of(i), kFilterReach) - from_of(i)); };
-  std::vector<std::array<double, kNodes>> kernel(size);
+  std::vector<std::array<double, kGaussNodes>> kernel(size);
   for (std::size_t i = 0; i < size; ++i) {
-    for (std::size_t k = 0; k < kNodes; ++k) {
-      kernel[i][k] = rule().weight[k] * width_of(i) * anti_alias_kernel(from_of(i) + rule().x[k] * width_of(i));
+    for (std::size_t k = 0; k < kGaussNodes; ++k) {
+      kernel[i][k] = gauss_legendre().weight[k] * width_of(i) *
+                     anti_alias_kernel(from_of(i) + gauss_legendre().x[k] * width_of(i));
     }
   }
   for (std::size_t r = 0; r < poles.size(); ++r) {
     const Complex step = std::exp(poles[r].lambda);
-    std::array<Complex, kNodes> decay;  // from a panel's nodes to its v, the same in all whole panels
+    std::array<Complex, kGaussNodes> decay;  // from a panel's nodes to its v, the same in all whole panels
     double decay_width = -1;
     Complex z = 0;
     for (std::size_t i = 0; i < size; ++i) {
       const double width = width_of(i), gap = v_of(i) - from_of(i) - width;
       if (width != decay_width || gap != 0) {
-        for (std::size_t k = 0; k < kNodes; ++k)
-          decay[k] = std::exp(poles[r].lambda * (v_of(i) - from_of(i) - rule().x[k] * width));
+        for (std::size_t k = 0; k < kGaussNodes; ++k)
+          decay[k] = std::exp(poles[r].lambda * (v_of(i) - from_of(i) - gauss_legendre().x[k] * width));
         decay_width = gap == 0 ? width : -1;
       }
       z *= step;
-      for (std::size_t k = 0; k < kNodes && width > 0; ++k) z += kernel[i][k] * decay[k];
+      for (std::size_t k = 0; k < kGaussNodes && width > 0; ++k) z += kernel[i][k] * decay[k];
       out[r][i] = z;
     }
   }
   return out;
 }
 
-/// Re(start·e^{λ n}) for n = skip, skip + 1, … into `out`; every value from two exponentials, so that errors do not
-/// grow with n.
-void add_decay(Complex start, Complex lambda, double skip, std::span<double> out) {
+/// Appends Re(start·e^{λ n}) for n = skip, skip + 1, … until it is e^−42 of the peak, at most `most` values; each from
+/// two exponentials, so that errors do not grow with n.
+void append_decay(Complex start, Complex lambda, double skip, double peak, double most, std::vector<double>& to) {
+  const double size = std::log(std::abs(start) / (std::abs(peak) + 1e-300) + 1e-300) + kForgotten;
+  const auto count = static_cast<std::size_t>(std::clamp(std::ceil(size / -lambda.real() - skip), 0.0, most));
   constexpr std::size_t kBlock = 256;
   std::array<Complex, kBlock> powers;
-  for (std::size_t i = 0; i < kBlock; ++i) powers[i] = std::exp(lambda * static_cast<double>(i));
-  for (std::size_t block = 0; block < out.size(); block += kBlock) {
+  for (std::size_t i = 0; i < std::min(kBlock, count); ++i) powers[i] = std::exp(lambda * static_cast<double>(i));
+  to.reserve(to.size() + count);
+  for (std::size_t block = 0; block < count; block += kBlock) {
     const Complex head = start * std::exp(lambda * (skip + static_cast<double>(block)));
-    const std::size_t size = std::min(kBlock, out.size() - block);
-    for (std::size_t i = 0; i < size; ++i) {
-      out[block + i] += head.real() * powers[i].real() - head.imag() * powers[i].imag();
+    for (std::size_t i = 0; i < std::min(kBlock, count - block); ++i) {
+      to.push_back(head.real() * powers[i].real() - head.imag() * powers[i].imag());
     }
   }
 }
 
 }  // namespace
-
-double anti_alias_kernel(double u) {
-  if (std::abs(u) > kFilterReach) return 0;
-  const double x = 2 * kPi * kCutoff * u;
-  const double sinc = std::abs(x) < 1e-4 ? 1 - x * x / 6 : std::sin(x) / x;
-  return 2 * kCutoff * sinc * std::exp(-kEdgeExponent * u * u / (kFilterReach * kFilterReach));
-}
 
 double pulse_force_N(const Pulse& pulse, double t_s) {
   return pulse.peak_N * unit_pulse(pulse.kind, t_s / pulse.width_s);
@@ -230,19 +209,14 @@ PulseBasis pulse_basis(const Pulse& pulse, double fs_Hz, std::span<const Pole> p
   for (std::size_t r = 0; r < lines.size(); ++r) {
     const Complex at_end = sampled.response(lines[r].lambda, sampled.width);
     const Complex scale = 2 * pulse.peak_N * lines[r].factor;
-    const auto in_zone = static_cast<std::size_t>(b - a);
-    for (std::size_t i = 0; i < in_zone; ++i) {
+    for (std::size_t i = 0; i < out.force_N.size(); ++i) {
       const Complex filtered_decay = after[r][static_cast<std::size_t>(a - zone.first) + i] * at_end;
       out.regular_N[r].push_back((scale * (during.modal[r][i] + filtered_decay)).real());
     }
     // From the zone's last sample on: a pure exponential.
-    const Complex start = scale * after[r].back() * at_end;
     const double skip = static_cast<double>(b - (zone.last - 1));
-    const double size = std::log(std::abs(start) / (std::abs(pulse.peak_N) + 1e-300) + 1e-300) + kForgotten;
-    const double left = std::ceil(size / -lines[r].lambda.real() - skip);
-    const auto tail = static_cast<std::size_t>(std::clamp(left, 0.0, static_cast<double>(range_last - b)));
-    out.regular_N[r].resize(in_zone + tail);
-    add_decay(start, lines[r].lambda, skip, std::span(out.regular_N[r]).subspan(in_zone));
+    append_decay(scale * after[r].back() * at_end, lines[r].lambda, skip, pulse.peak_N,
+                 static_cast<double>(range_last - b), out.regular_N[r]);
   }
   return out;
 }

@@ -238,14 +238,4 @@ std::string read_spec_text(std::istream& in, std::string_view where) {
   return text;
 }
 
-SynthSpec synth_preset(std::string_view name) {
-  std::vector<std::string_view> names;
-  for (const SynthPreset& preset : synth_presets()) {
-    if (preset.name == name) return parse_synth_spec(preset.text, name);
-    names.push_back(preset.name);
-  }
-  throw InputError("neither a file nor a preset", one_line(name),
-                   fmt::format("presets are {}", fmt::join(names, ", ")));
-}
-
 }  // namespace percuss

@@ -1,6 +1,20 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "core/error.hpp"
 #include "synth/read_spec.hpp"
 
 namespace percuss {
+
+SynthSpec synth_preset(std::string_view name) {
+  std::vector<std::string_view> names;
+  for (const SynthPreset& preset : synth_presets()) {
+    if (preset.name == name) return parse_synth_spec(preset.text, name);
+    names.push_back(preset.name);
+  }
+  throw InputError("neither a file nor a preset", one_line(name),
+                   fmt::format("presets are {}", fmt::join(names, ", ")));
+}
 
 std::string_view synth_example() {
   return R"json({
