@@ -111,22 +111,19 @@ char find_line_end(std::string_view text) {
 
 std::vector<std::string_view> probe_lines(std::string_view text, char line_end) {
   constexpr std::size_t kMost = 64;
-  constexpr std::size_t kLongestPart_bytes = std::size_t{1} << 20U;
-  while (!text.empty() && (text.back() == line_end || is_blank(text.back()) || text.back() == '\r'))
-    text.remove_suffix(1);
-  // The last eighth, from a line's start on; it may be less than one line: then the last line.
-  std::string_view part = text.substr(text.size() - std::min(text.size() / 8, kLongestPart_bytes));
-  const auto next = part.find(line_end);
-  const auto last = text.rfind(line_end);
-  if (next != std::string_view::npos) {
-    part.remove_prefix(next + 1);
-  } else {
-    part = last == std::string_view::npos ? text : text.substr(last + 1);
-  }
   std::vector<std::string_view> lines;
-  while (!part.empty() && lines.size() < kMost) {
-    const auto line = take_line(part, line_end);
-    if (!is_skipped(line, {})) lines.push_back(line);
+  std::size_t last_end = 0;  // of the last line that is not skipped
+  while (!text.empty() && lines.size() < kMost && (lines.empty() || text.size() > last_end - last_end / 8)) {
+    text.remove_suffix(text.back() == line_end ? 1 : 0);
+    const auto before = text.rfind(line_end);
+    const std::size_t start = before == std::string_view::npos ? 0 : before + 1;
+    std::string_view line = text.substr(start);
+    if (!is_skipped(line, {.delimiter = ','}) && !is_skipped(line, {.delimiter = ';'})) {
+      if (lines.empty()) last_end = text.size();
+      if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+      lines.push_back(line);
+    }
+    text.remove_suffix(text.size() - start);
   }
   return lines;
 }

@@ -26,7 +26,8 @@ std::vector<std::string_view> split_cells(std::string_view line, const CsvDialec
 /// Lines without data wherever they stand: blank, delimiters only, or a comment (# or %).
 bool is_skipped(std::string_view line, const CsvDialect& dialect);
 
-/// Lines from the last part of the file, where headers no longer are; at most 64, none of them blank or a comment.
+/// Lines from the last eighth of the file, where headers no longer are, last one first; at least one and at most 64
+/// where there are any, none of them blank or a comment.
 std::vector<std::string_view> probe_lines(std::string_view text, char line_end);
 
 char find_line_end(std::string_view text);

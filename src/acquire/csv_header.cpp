@@ -13,6 +13,8 @@ namespace {
 
 using Cells = std::vector<std::string_view>;
 
+constexpr std::string_view kRemedy = "save it as text with one line per sample";
+
 struct HeaderLine {
   std::string_view text;
   bool comment = false;
@@ -70,7 +72,7 @@ std::vector<HeaderLine> take_header_lines(std::string_view text, const CsvDialec
                              : line.find_first_not_of("#% \t", mark));
     if (!skipped || mark != std::string_view::npos) lines.push_back({line, skipped});
   }
-  throw InputError("no lines of numbers after the header", file, "save it as text with one line per sample");
+  throw InputError("no lines of numbers after the header", file, kRemedy);
 }
 
 // Cells of a header line in a file of blank-separated columns, whose names may themselves hold blanks: "Time (s)  Force

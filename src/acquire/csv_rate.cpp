@@ -68,19 +68,40 @@ std::string uneven_text(double gap_s, double step_s) {
   return fmt::format("uneven time: a step of {:.6g} s where {:.6g} s is usual", gap_s, step_s);
 }
 
-// The first stamp whose distance from even spacing is more than the rounding explains.
-std::optional<std::size_t> first_uneven(const Stamps& row) {
-  // Stamps that went through single precision carry its rounding, but never as much as a sample that is missing.
+double mean_step_s(std::span<const double> t) { return (t.back() - t.front()) / static_cast<double>(t.size() - 1); }
+
+struct Deviation {
+  double stamp_s = 0;  // of a stamp from even spacing between first and last, at most
+  double step_s = 0;   // of a step from the mean step, at most
+};
+
+Deviation largest_deviation(std::span<const double> t) {
+  const double mean_s = mean_step_s(t);
+  Deviation largest;
+  for (std::size_t i = 1; i < t.size(); ++i) {
+    largest.stamp_s = std::max(largest.stamp_s, std::abs(t[i] - (t.front() + static_cast<double>(i) * mean_s)));
+    largest.step_s = std::max(largest.step_s, std::abs(t[i] - t[i - 1] - mean_s));
+  }
+  return largest;
+}
+
+// Stamps that all lie on even spacing far within their rounding were not rounded at all: the step is a whole number of
+// the last digit's units, as in 0.001, 0.002.
+bool is_exact(const Stamps& row, const Deviation& deviation) { return deviation.stamp_s <= 0.01 * row.resolution_s; }
+
+// Whether rounding explains how uneven the stamps are.
+bool is_even(const Stamps& row, const Deviation& deviation) {
   constexpr double kSinglePrecision = 0x1p-23;
   const auto t = row.time_s;
-  const double step_s = (t.back() - t.front()) / static_cast<double>(t.size() - 1);
-  if (!(step_s > 0)) return t.size() - 1;
+  const double step_s = mean_step_s(t);
+  if (!(step_s > 0)) return false;
+  if (is_exact(row, deviation)) return true;
+  // Steps of one unit with a few of two are lost samples more likely than a rate that is odd by so little.
+  if (std::abs(step_s / row.resolution_s - 1) < 0.25) return false;
+  // Stamps that went through single precision carry its rounding, but never as much as a sample that is lost.
   const double largest_s = std::max(std::abs(t.front()), std::abs(t.back()));
   const double tolerance_s = 1.001 * row.resolution_s + std::min(kSinglePrecision * largest_s, 0.4 * step_s);
-  for (std::size_t i = 0; i < t.size(); ++i) {
-    if (!(std::abs(t[i] - (t.front() + static_cast<double>(i) * step_s)) <= tolerance_s)) return i;
-  }
-  return std::nullopt;
+  return deviation.stamp_s <= tolerance_s && deviation.step_s <= tolerance_s;
 }
 
 // The largest departure from the usual step, near which the stamps went wrong: that names the place better than
@@ -126,11 +147,12 @@ std::optional<double> stated_rate_Hz(std::string_view line, const CsvDialect& di
 }
 
 std::optional<StampedRate> rate_of_stamps(std::span<const Stamps> rows, StampProblem& problem) {
-  constexpr double kCoarsest = 1e-4;  // relative; a coarser rate would shift every frequency by as much
-  double steps = 0, length_s = 0, open_s = 0;
+  constexpr double kCoarsest = 5e-4;  // relative; a rate as wrong as that would shift every frequency by as much
+  double steps = 0, length_s = 0, off_s = 0;
   for (std::size_t r = 0; r < rows.size(); ++r) {
     if (rows[r].time_s.size() < 2) continue;
-    if (first_uneven(rows[r])) {
+    const Deviation deviation = largest_deviation(rows[r].time_s);
+    if (!is_even(rows[r], deviation)) {
       double usual_s = 0;
       const std::size_t at = oddest_step(rows[r], usual_s);
       problem = {uneven_text(rows[r].time_s[at] - rows[r].time_s[at - 1], usual_s), r, at};
@@ -138,19 +160,19 @@ std::optional<StampedRate> rate_of_stamps(std::span<const Stamps> rows, StampPro
     }
     steps += static_cast<double>(rows[r].time_s.size() - 1);
     length_s += rows[r].time_s.back() - rows[r].time_s.front();
-    open_s += rows[r].resolution_s;
+    off_s += is_exact(rows[r], deviation) ? 0 : rows[r].resolution_s;
   }
   if (steps == 0) {
     problem.text = "fewer than two time stamps";
     return std::nullopt;
   }
-  if (!(open_s <= kCoarsest * length_s)) {
+  if (!(off_s <= kCoarsest * length_s)) {
     problem.text = fmt::format("time stamps with {:.2g} s per digit are too coarse to tell the sampling rate",
-                               open_s / static_cast<double>(rows.size()));
+                               off_s / static_cast<double>(rows.size()));
     return std::nullopt;
   }
   StampedRate rate{
-      .fs_Hz = steps / length_s, .lowest_Hz = steps / (length_s + open_s), .highest_Hz = steps / (length_s - open_s)};
+      .fs_Hz = steps / length_s, .lowest_Hz = steps / (length_s + off_s), .highest_Hz = steps / (length_s - off_s)};
   // Sums of doubles are off by their own rounding even where the digits are exact.
   rate.lowest_Hz *= 1 - 1e-12;
   rate.highest_Hz *= 1 + 1e-12;

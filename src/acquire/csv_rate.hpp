@@ -30,7 +30,7 @@ struct StampedRate {
 ///   fs = Σ (n − 1) / Σ (t_last − t_first)   over rows                              (1)
 /// and then the roundest number between what the rounding of the stamps leaves open.
 /// errors  std::optional is empty and `problem` says why: stamps that are uneven beyond their rounding, do not rise,
-/// are too coarse to tell the rate to 1e-4, or are fewer than two. `at` is the offending stamp, counted over all rows.
+/// are too coarse to tell the rate to 5e-4, or are fewer than two. `at` is the offending stamp, counted over all rows.
 struct StampProblem {
   std::string text;
   std::size_t row = 0, at = 0;

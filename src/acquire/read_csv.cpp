@@ -34,8 +34,8 @@ CsvTable open_table(const FileBytes& bytes) {
   const auto probes = probe_lines(text, line_end);
   const CsvDialect dialect = find_dialect(probes, line_end);
   const auto columns = find_number_columns(probes, dialect);
-  if (columns.empty()) throw InputError("no lines of numbers found", file, "save it as text with one line per sample");
-  if (columns.back() >= kMostColumns - 1) throw InputError("more than 4095 columns", file, "save one line per sample");
+  if (!columns.empty() && columns.back() >= kMostColumns - 1)
+    throw InputError("more than 4095 columns", file, "save one line per sample");
   CsvHeader header = read_csv_header(text, dialect, columns, file);
   header.data_start += mark;
   return {bytes, dialect, std::move(header), columns};

@@ -1,0 +1,33 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "acquire/input_file.hpp"
+#include "acquire/read_csv.hpp"
+
+namespace percuss::test {
+
+/// A text as if it had been read from the file x.csv.
+inline FileBytes csv_bytes(const std::string& text) {
+  const auto kept = std::make_shared<const std::string>(text);
+  return {"x.csv", std::shared_ptr<const char>(kept, kept->data()), kept->size()};
+}
+
+inline Record csv_record(const std::string& text, const ReadOptions& options = {}) {
+  return open_csv(csv_bytes(text), options);
+}
+
+inline std::vector<double> force_N(const Record& record, std::size_t row = 0) {
+  std::vector<double> samples(record.rows.at(row).samples);
+  record.read_force_N(row, 0, samples);
+  return samples;
+}
+
+inline std::vector<double> accel_mps2(const Record& record, std::size_t channel = 0, std::size_t row = 0) {
+  std::vector<double> samples(record.rows.at(row).samples);
+  record.read_accel_mps2(row, channel, 0, samples);
+  return samples;
+}
+
+}  // namespace percuss::test
