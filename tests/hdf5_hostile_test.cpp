@@ -33,7 +33,7 @@ class Hdf5Hostile : public testing::Test {
       if (without != "accel") file.ramp("accel", {2, 2, 9});
       spoil(file);
     }
-    const std::string message = input_error_of([&] { open_hdf5(path_, options); });
+    std::string message = input_error_of([&] { open_hdf5(path_, options); });
     EXPECT_THAT(message, HasSubstr(path_));
     return message;
   }

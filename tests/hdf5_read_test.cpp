@@ -199,7 +199,7 @@ TEST_F(Hdf5Read, RefusesChannelsThatAreNotThere) {
 }
 
 TEST_F(Hdf5Read, NamesTheSampleThatIsNotFinite) {
-  std::vector<double> accel(2 * 2 * 9, 1.0);
+  std::vector<double> accel(36, 1.0);
   accel[(1 * 2 + 1) * 9 + 4] = std::numeric_limits<double>::quiet_NaN();
   Hdf5Builder(path_).numbers("", "fs", {1000}).ramp("force", {2, 9}).values("accel", {2, 2, 9}, accel);
   const Record record = open_hdf5(path_);
@@ -216,6 +216,7 @@ TEST_F(Hdf5Read, ServesSeveralThreads) {
       .ramp("accel", {4, 2, 300}, {.chunk = {2, 1, 64}, .gzip = 3});
   const Record record = open_hdf5(path_);
   std::vector<std::thread> threads;
+  threads.reserve(4);
   for (int i = 0; i < 4; ++i) {
     threads.emplace_back([&] {
       for (int turn = 0; turn < 20; ++turn) {

@@ -5,8 +5,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <cassert>
+#include <array>
 #include <cerrno>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -71,16 +72,15 @@ std::vector<std::string> InputHdf5::names(std::size_t limit) const {
 namespace percuss {
 
 bool is_hdf5(const std::string& path) {
-  constexpr char kSignature[] = "\x89HDF\r\n\x1a\n";
-  constexpr std::size_t kBytes = sizeof kSignature - 1;
+  constexpr std::string_view kSignature = "\x89HDF\r\n\x1a\n";
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (descriptor < 0) return false;
   bool found = false;
-  char bytes[kBytes];
+  std::array<char, kSignature.size()> bytes{};
   // A user block of 512 bytes times a power of two may come first.
   for (off_t at = 0; !found; at = at == 0 ? 512 : 2 * at) {
-    if (::pread(descriptor, bytes, kBytes, at) != static_cast<ssize_t>(kBytes)) break;
-    found = std::string_view(bytes, kBytes) == std::string_view(kSignature, kBytes);
+    if (::pread(descriptor, bytes.data(), bytes.size(), at) != static_cast<ssize_t>(bytes.size())) break;
+    found = std::string_view(bytes.data(), bytes.size()) == kSignature;
   }
   ::close(descriptor);
   return found;

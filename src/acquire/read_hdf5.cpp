@@ -42,7 +42,7 @@ std::string list(const std::vector<std::string>& names) {
 }
 
 InputDataSet open_required(const InputHdf5& file, const std::string& name) {
-  if (file.has(name)) return InputDataSet(file, name);
+  if (file.has(name)) return {file, name};
   throw InputError("no data set /" + name + " among: " + list(file.names(kNamesShown)), file.path(),
                    "store force [hits, samples] and accel [hits, channels, samples]");
 }

@@ -49,10 +49,11 @@ void write_row(AtomicFile& file, const Record& record, std::size_t row) {
     const std::size_t count = std::min(kBlockSamples, samples - first);
     for (std::size_t c = 0; c < columns.size(); ++c) {
       columns[c].resize(count);
-      if (c == 0)
+      if (c == 0) {
         record.read_force_N(row, first, columns[c]);
-      else
+      } else {
         record.read_accel_mps2(row, c - 1, first, columns[c]);
+      }
     }
     text.clear();
     for (std::size_t i = 0; i < count; ++i) {

@@ -14,7 +14,7 @@ std::string input_error_of(Work&& work) {
   try {
     work();
   } catch (const InputError& error) {
-    const std::string message = error.what();
+    std::string message = error.what();
     EXPECT_EQ(message.find('\n'), std::string::npos) << message;
     EXPECT_NE(message.find("); "), std::string::npos) << "no place or remedy in: " << message;
     return message;
