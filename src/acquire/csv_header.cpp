@@ -178,6 +178,7 @@ void fill_columns(CsvHeader& header, const std::optional<Cells>& names, const st
 
 CsvHeader read_csv_header(std::string_view text, const CsvDialect& dialect,
                           const std::vector<std::size_t>& number_columns, const std::string& file) {
+  if (number_columns.empty()) throw InputError("no lines of numbers found", file, kRemedy);
   CsvHeader header;
   const auto lines = take_header_lines(text, dialect, number_columns, header, file);
   const std::size_t count = number_columns.back() + 1;
