@@ -1,5 +1,7 @@
 #include "acquire/read_hdf5.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -22,7 +24,7 @@ using hdf5::InputHdf5;
 constexpr double kDegree_rad = std::numbers::pi / 180;
 constexpr double kLowestRate_Hz = 1e-3, kHighestRate_Hz = 1e9;  // nothing that is hit rings outside
 constexpr std::size_t kMostPoints = 1'000'000, kMostChannels = 100'000;
-constexpr std::size_t kNamesShown = 12;
+constexpr std::size_t kNamesShown = 12, kNameBytesShown = 40;
 constexpr std::array kKnownNames{"force", "accel", "point", "run", "geometry"};
 
 /// What the read functions of a record share.
@@ -37,7 +39,7 @@ struct OpenRecord {
 
 std::string list(const std::vector<std::string>& names) {
   std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + one_line(name, kNameBytesShown);
   return text.empty() ? "nothing" : text;
 }
 
@@ -49,7 +51,7 @@ InputDataSet open_required(const InputHdf5& file, const std::string& name) {
 
 double checked_rate(double fs_Hz, const std::string& where) {
   if (fs_Hz >= kLowestRate_Hz && fs_Hz <= kHighestRate_Hz) return fs_Hz;
-  throw InputError("sampling rate " + std::to_string(fs_Hz) + " Hz is not usable", where, "give --fs in Hz");
+  throw InputError(fmt::format("sampling rate {} Hz is not usable", fs_Hz), where, "give --fs in Hz");
 }
 
 double read_rate_Hz(const OpenRecord& open, const ReadOptions& options) {
@@ -64,14 +66,12 @@ double read_rate_Hz(const OpenRecord& open, const ReadOptions& options) {
     if (!values) continue;
     const double fs_Hz = checked_rate(values->front(), where);
     if (found_Hz && *found_Hz != fs_Hz) {
-      throw InputError("two sampling rates: " + std::to_string(*found_Hz) + " and " + std::to_string(fs_Hz) + " Hz",
-                       where, "give --fs in Hz");
+      throw InputError(fmt::format("two sampling rates: {} and {} Hz", *found_Hz, fs_Hz), where, "give --fs in Hz");
     }
     found_Hz = fs_Hz;
   }
-  if (!found_Hz)
-    throw InputError("no sampling rate: attribute fs is missing", file.path(), "store it in Hz, or give --fs");
-  return *found_Hz;
+  if (found_Hz) return *found_Hz;
+  throw InputError("no sampling rate: attribute fs is missing", file.path(), "store it in Hz, or give --fs");
 }
 
 /// An attribute of /accel with one number per channel; NaN there means not known.
