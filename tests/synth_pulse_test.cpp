@@ -66,7 +66,7 @@ TEST_P(EveryPulse, KeepsItsImpulseThroughTheFilter) {
 TEST_P(EveryPulse, IsWhatBruteForceConvolutionGives) {
   const double onset = 130.37, width = 7.7;  // samples
   const Pulse pulse{GetParam(), onset / kFs_Hz, width / kFs_Hz, 1};
-  const Pole pole{1900, 0.02};
+  const SynthPole pole{1900, 0.02};
   const PulseBasis basis = pulse_basis(pulse, kFs_Hz, std::array{pole}, 0, 1024);
   const double omega = kTwoPi * pole.freq_Hz / kFs_Hz, sigma = pole.damping_ratio * omega;
   const double damped = std::sqrt(omega * omega - sigma * sigma);
@@ -100,7 +100,7 @@ INSTANTIATE_TEST_SUITE_P(Pulse, EveryPulse,
                          testing::Values(PulseKind::halfsine, PulseKind::haversine, PulseKind::sine_cubed), name_of);
 
 TEST(Pulse, LeavesPureExponentialsBehind) {
-  const Pole pole{575, 0.006};
+  const SynthPole pole{575, 0.006};
   const PulseBasis basis = pulse_basis({PulseKind::halfsine, 0.005, 0.4e-3, 300}, kFs_Hz, std::array{pole}, 0, 20000);
   const double omega = kTwoPi * pole.freq_Hz / kFs_Hz, decay = std::exp(-pole.damping_ratio * omega);
   const double turn = std::cos(omega * std::sqrt(1 - pole.damping_ratio * pole.damping_ratio));
@@ -113,7 +113,7 @@ TEST(Pulse, LeavesPureExponentialsBehind) {
 
 TEST(Pulse, CutsADecayOnlyWhereNothingIsLeft) {
   const PulseBasis basis =
-      pulse_basis({PulseKind::halfsine, 0.005, 0.4e-3, 300}, kFs_Hz, std::array{Pole{2000, 0.05}}, 0, 20000);
+      pulse_basis({PulseKind::halfsine, 0.005, 0.4e-3, 300}, kFs_Hz, std::array{SynthPole{2000, 0.05}}, 0, 20000);
   EXPECT_LT(basis.regular_N[0].size(), 5000U);
   constexpr double kForgotten = 1e-17;  // of the peak: a tenth of what a double could add to it
   EXPECT_LE(std::abs(basis.regular_N[0].back()), kForgotten * peak(basis.regular_N[0]));
@@ -121,7 +121,7 @@ TEST(Pulse, CutsADecayOnlyWhereNothingIsLeft) {
 
 TEST(Pulse, DoesNotDependOnTheStretchAskedFor) {
   const Pulse pulse{PulseKind::haversine, 0.005, 0.3e-3, 300};
-  const std::array poles{Pole{169, 0.01}, Pole{1900, 0.003}};
+  const std::array poles{SynthPole{169, 0.01}, SynthPole{1900, 0.003}};
   const PulseBasis whole = pulse_basis(pulse, kFs_Hz, poles, 0, 4096);
   constexpr double kTolerance = 1e-13;  // of the peak: exponentials are rounded from another start
   for (const std::size_t first : {100U, 130U, 150U, 1000U}) {
@@ -137,7 +137,7 @@ TEST(Pulse, DoesNotDependOnTheStretchAskedFor) {
 }
 
 TEST(Pulse, BeforeTheFirstSampleStillRings) {
-  const std::array poles{Pole{169, 0.01}};
+  const std::array poles{SynthPole{169, 0.01}};
   const PulseBasis late = pulse_basis({PulseKind::haversine, -0.02, 0.3e-3, 300}, kFs_Hz, poles, 0, 1024);
   const PulseBasis early = pulse_basis({PulseKind::haversine, 0.02, 0.3e-3, 300}, kFs_Hz, poles, 0, 4096);
   EXPECT_EQ(peak(late.force_N), 0);
@@ -147,7 +147,7 @@ TEST(Pulse, BeforeTheFirstSampleStillRings) {
 }
 
 TEST(AntiAliasFilter, IsFlatInTheBandAndStopsItsImage) {
-  std::vector<double> kernel(8 * 1024, 0.0);  // eight values a sample, so that frequencies to 4 fs show
+  std::vector<double> kernel(8192, 0.0);  // eight values a sample, so that frequencies to 4 fs show
   for (int i = -512; i <= 512; ++i)
     kernel[static_cast<std::size_t>((i + 8192) % 8192)] = anti_alias_kernel(i / 8.0) / 8;
   const std::vector<Complex> gain = real_dft(kernel);

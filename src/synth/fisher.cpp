@@ -20,8 +20,8 @@ constexpr std::size_t kChunkValues = std::size_t{1} << 20;  // at a time: memory
 constexpr double kUnseen = 1e99;
 
 /// Poles as they are, then with f up, f down, ζ up, ζ down.
-std::vector<Pole> poles_and_neighbours(const SynthSpec& spec) {
-  std::vector<Pole> out;
+std::vector<SynthPole> poles_and_neighbours(const SynthSpec& spec) {
+  std::vector<SynthPole> out;
   for (const auto& [df, dz] :
        {std::pair{0.0, 0.0}, {kFreqStep, 0.0}, {-kFreqStep, 0.0}, {0.0, kDampingStep}, {0.0, -kDampingStep}}) {
     for (const SynthMode& m : spec.modes) out.push_back({m.freq_Hz * (1 + df), m.damping_ratio * (1 + dz)});
@@ -34,7 +34,7 @@ void add_to(std::span<const double> values, double scale, std::size_t offset, Ei
 }
 
 /// Columns for unit residues over samples first …: ∂/∂f_r, ∂/∂ζ_r (times the residue), ∂/∂residue_r, ∂/∂rigid line.
-void add_columns(const SynthSpec& spec, const Pulse& pulse, std::span<const Pole> poles, std::size_t first,
+void add_columns(const SynthSpec& spec, const Pulse& pulse, std::span<const SynthPole> poles, std::size_t first,
                  MatrixXd& columns) {
   const PulseBasis basis = pulse_basis(pulse, spec.fs_Hz, poles, first, static_cast<std::size_t>(columns.rows()));
   const std::size_t modes = spec.modes.size(), offset = basis.first - first;
@@ -55,7 +55,7 @@ void add_columns(const SynthSpec& spec, const Pulse& pulse, std::span<const Pole
 /// Inner products of those columns over a row, for the hits [first, last) that share it.
 MatrixXd row_products(const Truth& truth, std::span<const TrueHit> hits) {
   const auto size = static_cast<Index>(3 * truth.spec.modes.size() + 1);
-  const std::vector<Pole> poles = poles_and_neighbours(truth.spec);
+  const std::vector<SynthPole> poles = poles_and_neighbours(truth.spec);
   const std::size_t chunk = kChunkValues / static_cast<std::size_t>(size);
   std::vector<Pulse> pulses;
   for (const TrueHit& hit : hits) {

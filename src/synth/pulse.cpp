@@ -52,7 +52,7 @@ Complex divided_exponential(Complex a, Complex b) {
 /// A mode's pole in 1/sample and the factor c of its acceleration's regular part 2 Re(c e^{λt}).
 struct SampledPole {
   Complex lambda, factor;
-  SampledPole(const Pole& pole, double fs_Hz) {
+  SampledPole(const SynthPole& pole, double fs_Hz) {
     const double omega = 2 * kPi * pole.freq_Hz / fs_Hz;
     const double damped = omega * std::sqrt((1 - pole.damping_ratio) * (1 + pole.damping_ratio));
     lambda = {-pole.damping_ratio * omega, damped};
@@ -99,8 +99,9 @@ DuringPulse during_pulse(const SampledPulse& pulse, const std::vector<SampledPol
   const double step = pulse.width / static_cast<double>(panels);
   std::vector<Complex> response(poles.size());
   for (std::size_t node = 0; node < panels * kGaussNodes; ++node) {
-    const double tau = (static_cast<double>(node / kGaussNodes) + gauss_legendre().x[node % kGaussNodes]) * step;
-    const double weight = gauss_legendre().weight[node % kGaussNodes] * step;
+    const std::size_t panel = node / kGaussNodes, in_panel = node % kGaussNodes;
+    const double tau = (static_cast<double>(panel) + gauss_legendre().x[in_panel]) * step;
+    const double weight = gauss_legendre().weight[in_panel] * step;
     const double shape = unit_pulse(pulse.kind, tau / pulse.width);
     for (std::size_t r = 0; r < poles.size(); ++r) response[r] = pulse.response(poles[r].lambda, tau);
     for (std::size_t i = 0; i < size; ++i) {
@@ -181,22 +182,22 @@ double pulse_impulse_Ns(const Pulse& pulse) {
   return mean * pulse.peak_N * pulse.width_s;
 }
 
-PulseReach pulse_reach(const Pulse& pulse, double fs_Hz, std::span<const Pole> poles) {
+PulseReach pulse_reach(const Pulse& pulse, double fs_Hz, std::span<const SynthPole> poles) {
   constexpr double kLargest = 5;  // a regular part never exceeds e^5 of the force's peak
   const Zone zone(SampledPulse(pulse, fs_Hz));
   double longest = 0;
-  for (const Pole& pole : poles) {
+  for (const SynthPole& pole : poles) {
     longest = std::max(longest, (kForgotten + kLargest) * fs_Hz / (2 * kPi * pole.freq_Hz * pole.damping_ratio));
   }
   return {static_cast<double>(zone.first), static_cast<double>(zone.last) + longest};
 }
 
-PulseBasis pulse_basis(const Pulse& pulse, double fs_Hz, std::span<const Pole> poles, std::size_t first,
+PulseBasis pulse_basis(const Pulse& pulse, double fs_Hz, std::span<const SynthPole> poles, std::size_t first,
                        std::size_t count) {
   assert(pulse.width_s > 0 && fs_Hz > 0);
   const SampledPulse sampled(pulse, fs_Hz);
   std::vector<SampledPole> lines;
-  for (const Pole& pole : poles) lines.emplace_back(pole, fs_Hz);
+  for (const SynthPole& pole : poles) lines.emplace_back(pole, fs_Hz);
   const Zone zone(sampled);
   const auto range_first = static_cast<long>(first), range_last = static_cast<long>(first + count);
   const long a = std::clamp(zone.first, range_first, range_last);
@@ -214,7 +215,7 @@ PulseBasis pulse_basis(const Pulse& pulse, double fs_Hz, std::span<const Pole> p
       out.regular_N[r].push_back((scale * (during.modal[r][i] + filtered_decay)).real());
     }
     // From the zone's last sample on: a pure exponential.
-    const double skip = static_cast<double>(b - (zone.last - 1));
+    const auto skip = static_cast<double>(b - (zone.last - 1));
     append_decay(scale * after[r].back() * at_end, lines[r].lambda, skip, pulse.peak_N,
                  static_cast<double>(range_last - b), out.regular_N[r]);
   }

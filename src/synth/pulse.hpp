@@ -15,7 +15,7 @@ struct Pulse {
   double peak_N = 0;
 };
 
-struct Pole {
+struct SynthPole {
   double freq_Hz = 0;
   double damping_ratio = 0;
 };
@@ -38,13 +38,13 @@ double pulse_impulse_Ns(const Pulse& pulse);
 struct PulseReach {
   double first, last;
 };
-PulseReach pulse_reach(const Pulse& pulse, double fs_Hz, std::span<const Pole> poles);
+PulseReach pulse_reach(const Pulse& pulse, double fs_Hz, std::span<const SynthPole> poles);
 
 /// Samples first … first + count − 1 of (filter ∗ force) and (filter ∗ modal response ∗ force), from closed forms:
 /// Gauss–Legendre panels over the pulse and the filter's support, where the integrands are entire; one exact
 /// exponential per pole afterwards, cut when it is below e^−42 of the peak. errors  none: frequency in (0, fs], damping
 /// ratio in (0, 0.5], width > 0 are preconditions.
-PulseBasis pulse_basis(const Pulse& pulse, double fs_Hz, std::span<const Pole> poles, std::size_t first,
+PulseBasis pulse_basis(const Pulse& pulse, double fs_Hz, std::span<const SynthPole> poles, std::size_t first,
                        std::size_t count);
 
 }  // namespace percuss

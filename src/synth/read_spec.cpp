@@ -6,15 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <istream>
-#include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
 #include "synth/strict_json.hpp"
 
 namespace percuss {
 namespace {
-
-using nlohmann::json;
 
 constexpr std::size_t kLongestText = std::size_t{4} << 20;
 constexpr int kDeepest = 6;
@@ -26,7 +23,7 @@ void read_word(StrictObject& object, const std::string& key, std::initializer_li
                Enum& to) {
   std::string text;
   object.read(key, text);
-  if (text.empty() && object.find(key) == nullptr) return;
+  if (text.empty() && !object.has(key)) return;
   std::vector<std::string> known;
   for (const auto& [word, value] : words) {
     if (text == word) {
@@ -42,36 +39,13 @@ void read_word(StrictObject& object, const std::string& key, std::initializer_li
 void read_degrees(StrictObject& object, const std::string& key, double& to_rad) {
   double degrees = to_rad / kDegree;
   object.read(key, degrees);
-  to_rad = object.find(key) != nullptr ? degrees * kDegree : to_rad;
+  to_rad = object.has(key) ? degrees * kDegree : to_rad;
 }
 
 void read_optional(StrictObject& object, const std::string& key, std::optional<double>& to) {
   double value = 0;
   object.read(key, value);
-  if (object.find(key) != nullptr) to = value;
-}
-
-/// Every object of a list: read(object, item) fills a fresh item.
-template <class Item, class Read>
-void read_list(StrictObject& parent, const std::string& key, std::vector<Item>& to, const Read& read) {
-  const json* list = parent.find(key);
-  if (list == nullptr) return;
-  if (!list->is_array()) parent.fail("not a list", key, "give [ { … }, … ]");
-  to.clear();
-  for (std::size_t i = 0; i < list->size(); ++i) {
-    StrictObject object((*list)[i], parent.where(), fmt::format("{}[{}]", parent.path_of(key), i));
-    read(object, to.emplace_back());
-    object.finish();
-  }
-}
-
-template <class Read>
-void read_part(StrictObject& parent, const std::string& key, const Read& read) {
-  const json* part = parent.find(key);
-  if (part == nullptr) return;
-  StrictObject object(*part, parent.where(), parent.path_of(key));
-  read(object);
-  object.finish();
+  if (object.has(key)) to = value;
 }
 
 void read_structure(StrictObject& o, SynthStructure& to) {
@@ -106,18 +80,6 @@ void read_sensor(StrictObject& o, SynthSensor& to) {
 void read_point(StrictObject& o, SynthPoint& to) {
   o.read("position_m", to.position_m);
   read_degrees(o, "angle_deg", to.angle_rad);
-}
-
-void read_impact(StrictObject& o, std::vector<SynthPoint>& to) {
-  const json* impact = o.find("impact");
-  if (impact != nullptr && impact->is_object()) {
-    read_part(o, "impact", [&](StrictObject& point) {
-      to.assign(1, {});
-      read_point(point, to.front());
-    });
-  } else {
-    read_list(o, "impact", to, read_point);
-  }
 }
 
 void read_pulse(StrictObject& o, SynthPulse& to) {
@@ -163,12 +125,12 @@ void read_fault(StrictObject& o, SynthFault& to) {
 void read_length(StrictObject& o, SynthSpec& to) {
   o.need("fs_hz");
   o.read("fs_hz", to.fs_Hz);
-  if (o.find("duration_s") == nullptr) {
+  if (!o.has("duration_s")) {
     o.need("samples");
     o.read("samples", to.samples);
     return;
   }
-  if (o.find("samples") != nullptr) o.fail("given beside samples", "duration_s", "leave one of them");
+  if (o.has("samples")) o.fail("given beside samples", "duration_s", "leave one of them");
   double duration_s = 0;
   o.read("duration_s", duration_s);
   const double samples = std::round(duration_s * to.fs_Hz);
@@ -185,8 +147,7 @@ void read_hits(StrictObject& o, SynthSpec& to) {
   o.read("runs", to.runs);
   o.read("pretrigger_s", to.pretrigger_s);
   o.read("onset_spread_s", to.onset_spread_s);
-  read_part(o, "pulse", [&](StrictObject& part) { read_pulse(part, to.pulse); });
-  read_list(o, "faults", to.faults, read_fault);
+  o.read_part("pulse", [&](StrictObject& part) { read_pulse(part, to.pulse); });
 }
 
 void read_band(StrictObject& o, SynthSpec& to) {
@@ -197,14 +158,14 @@ void read_band(StrictObject& o, SynthSpec& to) {
   to.band_high_Hz = band[1];
 }
 
-}  // namespace
+/// The items of a list, which replace those that were there.
+template <class Item>
+void read_items(StrictObject& o, const std::string& key, std::vector<Item>& to, void (*read)(StrictObject&, Item&)) {
+  if (o.has(key)) to.clear();
+  o.read_list(key, [&](StrictObject& item) { read(item, to.emplace_back()); });
+}
 
-SynthSpec parse_synth_spec(std::string_view text, std::string_view where) {
-  const std::string place(where);
-  if (text.size() > kLongestText) throw InputError("longer than 4 MiB", place, "is this a synth spec?");
-  const json document = parse_strict_json(text, place, kDeepest);
-  StrictObject o(document, place, "");
-  SynthSpec spec;
+void read_document(StrictObject& o, SynthSpec& spec) {
   std::string schema = "percuss/synth/1";
   o.read("schema", schema);
   if (schema != "percuss/synth/1") o.fail("another kind of document", "schema", "give percuss/synth/1");
@@ -213,18 +174,27 @@ SynthSpec parse_synth_spec(std::string_view text, std::string_view where) {
   o.read("seed", spec.seed);
   read_length(o, spec);
   read_band(o, spec);
-  read_part(o, "structure", [&](StrictObject& part) { read_structure(part, spec.structure); });
+  o.read_part("structure", [&](StrictObject& part) { read_structure(part, spec.structure); });
   o.need("modes");
-  read_list(o, "modes", spec.modes, read_mode);
-  read_list(o, "sensors", spec.sensors, read_sensor);
-  read_impact(o, spec.points);
+  read_items(o, "modes", spec.modes, read_mode);
+  read_items(o, "sensors", spec.sensors, read_sensor);
+  read_items(o, "impact", spec.points, read_point);
+  read_items(o, "faults", spec.faults, read_fault);
   read_hits(o, spec);
-  read_part(o, "noise", [&](StrictObject& part) {
+  o.read_part("noise", [&](StrictObject& part) {
     part.read("force", spec.noise.force);
     part.read("accel", spec.noise.accel);
   });
-  read_part(o, "recorder", [&](StrictObject& part) { read_recorder(part, spec.recorder); });
-  o.finish();
+  o.read_part("recorder", [&](StrictObject& part) { read_recorder(part, spec.recorder); });
+}
+
+}  // namespace
+
+SynthSpec parse_synth_spec(std::string_view text, std::string_view where) {
+  const std::string place(where);
+  if (text.size() > kLongestText) throw InputError("longer than 4 MiB", place, "is this a synth spec?");
+  SynthSpec spec;
+  read_strict_json(text, place, kDeepest, [&](StrictObject& o) { read_document(o, spec); });
   check(spec, where);
   return spec;
 }

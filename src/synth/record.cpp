@@ -33,7 +33,7 @@ Truth planned_truth(const SynthSpec& spec) {
 void add_hit(const Truth& truth, const TrueHit& hit, std::vector<double>& force_N,
              std::vector<std::vector<double>>& accel_mps2) {
   const SynthSpec& spec = truth.spec;
-  std::vector<Pole> poles;
+  std::vector<SynthPole> poles;
   for (const SynthMode& mode : spec.modes) poles.push_back({mode.freq_Hz, mode.damping_ratio});
   const auto add = [](const std::vector<double>& values, double scale, std::size_t first, std::vector<double>& to) {
     for (std::size_t i = 0; i < values.size(); ++i) to[first + i] += scale * values[i];
