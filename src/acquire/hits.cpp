@@ -92,7 +92,8 @@ void describe_pulse(Hit& hit, const std::vector<double>& x, std::size_t peak, do
   hit.peak_N = x[peak];
   hit.onset_s = (static_cast<double>(hit.first) + pulse.rise) / fs_Hz;
   hit.pulse_s = std::max(pulse.fall - pulse.rise, 1.0) / fs_Hz;
-  const Gate gate = options.gate_force ? gate_around(x, pulse, hit.noise_N) : Gate{0, x.size()};
+  const Gate gate = gate_around(x, pulse, hit.noise_N);
+  if (!options.gate_force) hit.whole_N = x;
   hit.gate_first = hit.first + gate.first;
   hit.gated_N.assign(x.begin() + static_cast<std::ptrdiff_t>(gate.first), x.begin() + static_cast<std::ptrdiff_t>(gate.end));
   hit.bandwidth_Hz = bandwidth_Hz(hit.gated_N, fs_Hz);

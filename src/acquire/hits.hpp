@@ -22,6 +22,7 @@ struct Hit {
   double baseline_N = 0;
   std::size_t gate_first = 0;        // first sample of `gated_N` in the row
   std::vector<double> gated_N;       // the pulse with the anti-alias filter's ringing, baseline removed; zero outside
+  std::vector<double> whole_N;       // the whole stretch, baseline removed; empty unless HitOptions::gate_force is off
   std::vector<Finding> findings;
 };
 
@@ -31,7 +32,7 @@ struct HitOptions {
   std::optional<double> length_s;      // of the stretch, pre-trigger included
   double from_s = 0;                   // only hits in this part of each row
   std::optional<double> to_s;
-  bool gate_force = true;              // false: gated_N holds the whole stretch
+  bool gate_force = true;              // false: the FRFs take the force's whole stretch, noise and all
 };
 
 /// Finds and grades the hits of a record from its force alone. In a record of several rows each row is one hit; a single row or

@@ -16,6 +16,8 @@ constexpr double kAboveNoise = 2;        // times the pre-trigger's rms: what is
 constexpr std::size_t kLeastQuiet = 12;  // samples before the pulse's ringing that can tell noise
 constexpr double kOnsetNoise = 6;        // deviations
 constexpr double kOnsetFraction = 0.02;  // of the largest response
+constexpr double kRinging = 4;           // times the level at the stretch's end
+constexpr double kNegligible = 0.0025;   // of the response: the same −52 dB
 constexpr double kStillFalling = 0.9;    // of the rms one window earlier
 
 double rms_about_mean(std::span<const double> x) {
@@ -47,13 +49,14 @@ void grade_end(ResponseGrade& grade, const Hit& hit, std::span<const double> acc
   grade.truncated = grade.left_dB > kDecayed_dB && above_noise;
 }
 
-// The pre-trigger rings when it stands well above the stretch's end: noise does not decay.
+// The pre-trigger rings when it stands well above the stretch's end (noise does not decay) and is no mere rounding beside the response.
 bool rings_before(const Hit& hit, std::span<const double> accel) {
   const auto quiet = quiet_part(hit, accel);
   const std::size_t window = std::max<std::size_t>(8, accel.size() / 20);
   if (quiet.size() < kLeastQuiet || accel.size() < 4 * window) return false;
-  const double end = rms_about_mean(accel.last(window));
-  return rms_about_mean(quiet) > 4 * end && end > 0;
+  const double before = rms_about_mean(quiet);
+  const double start = rms_about_mean(accel.subspan(quiet.size(), window));
+  return before > kRinging * rms_about_mean(accel.last(window)) && before > kNegligible * start;
 }
 
 void grade_onset(ResponseGrade& grade, const Hit& hit, std::span<const double> accel, double fs_Hz) {

@@ -32,14 +32,17 @@ LineRange lines_in_band(double fs_Hz, std::size_t samples, double low_Hz, double
 }
 
 ForceBlock force_block(const Hit& hit, double fs_Hz, double decay_per_s) {
-  ForceBlock block{.offset = hit.gate_first - hit.first, .force_N = hit.gated_N, .decay_per_s = decay_per_s};
+  ForceBlock block{.offset = hit.gate_first - hit.first, .force_N = hit.gated_N, .whole_N = hit.whole_N, .decay_per_s = decay_per_s};
+  apply_exponential(block.whole_N, decay_per_s, fs_Hz, origin_of(hit));
   apply_exponential(block.force_N, decay_per_s, fs_Hz, origin_of(hit) - static_cast<double>(block.offset));
   return block;
 }
 
 std::vector<Complex> force_spectrum(const ForceBlock& block, const LineRange& lines) {
   std::vector<double> x(lines.samples);
-  if (block.offset < x.size()) {
+  if (!block.whole_N.empty()) {
+    std::copy_n(block.whole_N.begin(), std::min(block.whole_N.size(), x.size()), x.begin());
+  } else if (block.offset < x.size()) {
     std::copy_n(block.force_N.begin(), std::min(block.force_N.size(), x.size() - block.offset),
                 x.begin() + static_cast<std::ptrdiff_t>(block.offset));
   }

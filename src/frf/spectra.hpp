@@ -22,11 +22,12 @@ struct LineRange {
 /// The lines of a transform that lie within [low, high] Hz.
 LineRange lines_in_band(double fs_Hz, std::size_t samples, double low_Hz, double high_Hz);
 
-/// A hit's force as it enters the spectra: the samples that are not zero, in a block that begins at the hit's first sample.
-/// With an exponential window it carries that window; `decay_per_s` is 0 without one.
+/// A hit's force as it enters the spectra, in a block that begins at the hit's first sample: the pulse, or everything when it is not
+/// gated. With an exponential window it carries that window; `decay_per_s` is 0 without one.
 struct ForceBlock {
-  std::size_t offset = 0;  // of the first sample within the block
-  std::vector<double> force_N;
+  std::size_t offset = 0;        // of the pulse's first sample within the block
+  std::vector<double> force_N;   // the pulse: what drives the structure
+  std::vector<double> whole_N;   // from the block's beginning; empty: the force is zero outside the pulse
   double decay_per_s = 0;
 };
 ForceBlock force_block(const Hit& hit, double fs_Hz, double decay_per_s);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "core/statistics.hpp"
 #include "identify/peaks.hpp"
@@ -14,30 +15,76 @@ constexpr double kMedianOfNoise = 0.693147;  // median of an exponential distrib
 constexpr double kRoughnessGain = 1.5;       // variance of x(k) − (x(k−1) + x(k+1))/2 over that of x
 constexpr double kNoiseProminence = 6;       // deviations of the level's own fluctuation
 constexpr double kDecibelsPerNeper = 8.6859;
+constexpr double kReach = 6;              // half-widths on either side that a hidden resonance is looked for over
+constexpr double kHiddenGain = 30;        // noise powers, beyond what the outputs' own noise gives: one false alarm in 10^10 lines
+constexpr double kModelFloor = 1e-6;      // of the largest line: what a fit leaves of noise-free data is no mode
+constexpr double kWidest = 0.03;          // half-width over frequency of the broadest hidden mode
+
+// Power of the noise on each line, from roughness: where an FRF is smooth the second difference is noise alone, and the median over
+// a stretch of lines skips the resonances.
+std::vector<double> noise_power(std::span<const Complex> h) {
+  const std::size_t n = h.size();
+  std::vector<double> rough(n), noise(n);
+  for (std::size_t k = 1; k + 1 < n; ++k) rough[k] = std::norm(h[k] - 0.5 * (h[k - 1] + h[k + 1])) / kRoughnessGain;
+  const std::size_t half = kNoiseLines / 2;
+  for (std::size_t block = 0; block < n; block += half) {
+    const std::size_t begin = std::max<std::size_t>(1, block > half ? block - half : 1);
+    const std::size_t end = std::min(n - 1, block + 2 * half);
+    const double middle = begin < end ? median({rough.begin() + static_cast<std::ptrdiff_t>(begin), rough.begin() + static_cast<std::ptrdiff_t>(end)}) : 0;
+    for (std::size_t k = block; k < std::min(n, block + half); ++k) noise[k] = middle / kMedianOfNoise;
+  }
+  return noise;
+}
+
+double largest_of(std::span<const Complex> h) {
+  double largest = 0;
+  for (const Complex& value : h) largest = std::max(largest, std::abs(value));
+  return largest;
+}
 
 struct Level {
   std::vector<double> power, noise;  // Σ over outputs of |H|² and of the noise's share
 };
 
-// Noise from roughness: where the FRF is smooth the second difference is noise alone; the median skips the resonances.
 Level level_of(const FrfSet& set) {
   const std::size_t n = set.lines.count;
   Level level{std::vector<double>(n), std::vector<double>(n)};
-  std::vector<double> rough(n);
   for (const Output& output : set.outputs) {
-    for (std::size_t k = 0; k < n; ++k) level.power[k] += std::norm(output.frf[k]);
-    for (std::size_t k = 1; k + 1 < n; ++k) {
-      rough[k] += std::norm(output.frf[k] - 0.5 * (output.frf[k - 1] + output.frf[k + 1])) / kRoughnessGain;
+    const auto noise = noise_power(output.frf);
+    for (std::size_t k = 0; k < n; ++k) {
+      level.power[k] += std::norm(output.frf[k]);
+      level.noise[k] += noise[k];
     }
   }
-  const std::size_t half = kNoiseLines / 2;
-  for (std::size_t block = 0; block < n; block += half) {
-    const std::size_t begin = std::max<std::size_t>(1, block > half ? block - half : 1);
-    const std::size_t end = std::min(n - 1, block + 2 * half);
-    const double noise = begin < end ? median({rough.begin() + static_cast<std::ptrdiff_t>(begin), rough.begin() + static_cast<std::ptrdiff_t>(end)}) : 0;
-    for (std::size_t k = block; k < std::min(n, block + half); ++k) level.noise[k] = noise / kMedianOfNoise;
-  }
   return level;
+}
+
+// A resonance of half-width h (in lines) on a straight background: its shape with the background projected out, over ±kReach·h.
+Eigen::VectorXcd resonance(double h) {
+  const auto reach = static_cast<Eigen::Index>(std::ceil(kReach * h));
+  const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(2 * reach + 1, -static_cast<double>(reach), static_cast<double>(reach));
+  Eigen::VectorXcd g(x.size());
+  for (Eigen::Index i = 0; i < x.size(); ++i) g(i) = 1.0 / Complex(h, x(i));
+  g.array() -= g.mean();
+  g -= x.cast<Complex>() * (x.cast<Complex>().dot(g) / x.squaredNorm());
+  return g / g.norm();
+}
+
+// Energy that a resonance of half-width h at each line explains, over the noise there, summed over the outputs.
+std::vector<double> gain_of(const std::vector<Eigen::VectorXcd>& residual, const std::vector<std::vector<double>>& noise, double h, std::size_t step) {
+  const Eigen::VectorXcd g = resonance(h);
+  const Eigen::Index reach = g.size() / 2;
+  const auto lines = static_cast<std::size_t>(residual.front().size());
+  std::vector<double> gain(lines / step + 1);
+  for (std::size_t i = 0; i < gain.size(); ++i) {
+    const auto k = static_cast<Eigen::Index>(i * step);
+    if (k < reach || k + reach >= static_cast<Eigen::Index>(lines)) continue;
+    for (std::size_t o = 0; o < residual.size(); ++o) {
+      const double power = std::norm(g.dot(residual[o].segment(k - reach, g.size())));
+      if (noise[o][i * step] > 0) gain[i] += power / noise[o][i * step];
+    }
+  }
+  return gain;
 }
 
 std::vector<Eigen::VectorXcd> cut(const FrfSet& set, std::size_t first, std::size_t count) {
@@ -82,6 +129,42 @@ std::vector<Pole> candidate_poles(const FrfSet& set, const CandidateOptions& opt
     if (snr < options.snr || peak.prominence < options.prominence_dB + wobble_dB) continue;
     poles.push_back(pole_at_line(set, peak.line));
   }
+  return poles;
+}
+
+std::vector<Pole> hidden_poles(const FrfSet& set, const std::vector<Eigen::VectorXcd>& residual) {
+  struct Found {
+    double line, half_width, gain;
+  };
+  std::vector<Found> found;
+  std::vector<std::vector<double>> noise;
+  for (std::size_t o = 0; o < residual.size(); ++o) {
+    noise.push_back(noise_power(std::span(residual[o].data(), static_cast<std::size_t>(residual[o].size()))));
+    const double floor = std::pow(kModelFloor * largest_of(set.outputs[o].frf), 2);
+    for (double& power : noise.back()) power = std::max(power, floor);
+  }
+  const double threshold = kHiddenGain + 3 * static_cast<double>(residual.size());
+  const double top_Hz = set.lines.freq_Hz(set.lines.count - 1);
+  for (double h = 1.5; h < kWidest * top_Hz / set.lines.df_Hz(); h *= 2) {
+    const auto step = static_cast<std::size_t>(std::max(1.0, h / 2));
+    const auto gain = gain_of(residual, noise, h, step);
+    for (const Peak& peak : find_peaks(gain)) {
+      if (gain[peak.line] > threshold) found.push_back({static_cast<double>(peak.line * step), h, gain[peak.line]});
+    }
+  }
+  // The best width at each place; what lies within its resonance is the same one seen at another width.
+  std::sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.gain > b.gain; });
+  std::vector<Found> kept;
+  for (const Found& f : found) {
+    const bool same = std::any_of(kept.begin(), kept.end(), [&](const Found& k) { return std::abs(f.line - k.line) < 3 * std::max(k.half_width, f.half_width); });
+    if (!same) kept.push_back(f);
+  }
+  std::vector<Pole> poles;
+  for (const Found& f : kept) {
+    const double freq_Hz = (static_cast<double>(set.lines.first) + f.line) * set.lines.df_Hz();
+    poles.push_back({.freq_Hz = freq_Hz, .damping_ratio = std::min(0.1, f.half_width * set.lines.df_Hz() / freq_Hz)});
+  }
+  std::sort(poles.begin(), poles.end(), [](const Pole& a, const Pole& b) { return a.freq_Hz < b.freq_Hz; });
   return poles;
 }
 

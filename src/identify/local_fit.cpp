@@ -92,13 +92,14 @@ class Fitter {
     PointProblem point{.outputs = by_point_[p]};
     const auto lines = static_cast<Index>(options_.count);
     const auto modes = static_cast<Index>(poles.size());
-    MatrixXcd columns(lines, modes + options_.residual_terms);
+    const auto terms = static_cast<Index>(options_.residual_terms);
+    MatrixXcd columns(lines, modes + terms);
     for (Index m = 0; m < modes; ++m) {
       point.columns.push_back(mode_column(poles[static_cast<std::size_t>(m)], set_.points[p], set_.lines, options_.first, options_.count));
       columns.col(m) = point.columns.back().value;
     }
     const VectorXd x = VectorXd::LinSpaced(lines, -1, 1);
-    for (int term = 0; term < options_.residual_terms; ++term) columns.col(modes + term) = x.array().pow(term).cast<Complex>();
+    for (Index term = 0; term < terms; ++term) columns.col(modes + term) = x.array().pow(static_cast<double>(term)).cast<Complex>();
     const Eigen::HouseholderQR<MatrixXcd> qr(columns);
     point.basis = qr.householderQ() * MatrixXcd::Identity(lines, columns.cols());
     const MatrixXcd r = qr.matrixQR().topRows(columns.cols()).triangularView<Eigen::Upper>();
@@ -222,7 +223,7 @@ LocalFit fit_locally(const FrfSet& set, const std::vector<VectorXcd>& data, cons
   const Fitter fitter(set, data, weight, options);
   const State state = descend(fitter, fit, options);
   fit.cost = state.cost;
-  const auto unknowns = 2 * fit.poles.size() + 2 * set.outputs.size() * static_cast<std::size_t>(modes + options.residual_terms);
+  const auto unknowns = 2 * fit.poles.size() + 2 * set.outputs.size() * (fit.poles.size() + options.residual_terms);
   const std::size_t values = 2 * set.outputs.size() * options.count;
   fit.degrees = values > unknowns ? values - unknowns : 0;
   add_uncertainty(fit, fitter, state, weight);

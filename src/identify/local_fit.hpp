@@ -17,6 +17,7 @@ struct Output {
 /// Everything identification works on. All outputs share the lines; outputs of one point share its hits.
 struct FrfSet {
   LineRange lines;
+  double reach_Hz = 0;  // where the force has fallen by 20 dB; 0: not known
   std::vector<PointForce> points;
   std::vector<Output> outputs;
 };
@@ -35,7 +36,7 @@ struct LocalFit {
 
 struct LocalFitOptions {
   std::size_t first = 0, count = 0;  // the window of lines
-  int residual_terms = 2;            // complex polynomial coefficients for what other modes leave
+  std::size_t residual_terms = 3;    // complex polynomial coefficients for what other modes leave
   int max_steps = 30;
   double tolerance = 1e-9;           // step, in units of half the bandwidth
 };

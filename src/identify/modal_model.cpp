@@ -37,45 +37,75 @@ std::pair<Complex, Complex> state_at_end(const ForceBlock& block, Complex s, dou
   return {q, by_s};
 }
 
-// What the part of the decay beyond the record's end takes away, and its derivative by s, for one sign of the imaginary part.
+// a·b without std::complex's tests for infinities, which keep the compiler from vectorising.
+inline Complex times(Complex a, Complex b) {
+  return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
+}
+
+inline Complex inverse(Complex a) { return std::conj(a) / std::norm(a); }
+
+// What the part of the decay beyond the record's end takes away, for one sign of the imaginary part; added to `value` and, by the
+// chain rule along ds, to the derivatives.
 struct Missing {
-  Eigen::VectorXcd value, by_s;
+  Complex windowed;               // s − σ
+  Complex c, c_by_s;              // ω_d counts as constant here; see `chain`
+  std::vector<Complex> q, q_by_s; // [hits]
 };
 
-Missing missing_decay(Complex s, double window_decay, const PointForce& force, const LineRange& lines, std::size_t first, std::size_t count) {
-  const double dt_s = 1 / lines.fs_Hz;
-  const Complex c = s * s / Complex(0, 2 * s.imag());  // s.imag() = ±ω_d: the conjugate pole gets the conjugate factor
-  // ω_d depends on s through its imaginary part; along the pole's own path that derivative is added by the caller's chain rule.
-  const Complex c_by_s = 2.0 * s / Complex(0, 2 * s.imag());
-  Missing out{Eigen::VectorXcd::Zero(static_cast<Eigen::Index>(count)), Eigen::VectorXcd::Zero(static_cast<Eigen::Index>(count))};
-  const Complex windowed = s - window_decay;
-  std::vector<std::pair<Complex, Complex>> ends;
-  for (const ForceBlock& block : force.blocks) ends.push_back(state_at_end(block, windowed, dt_s, lines.samples));
-  for (std::size_t k = 0; k < count; ++k) {
-    const std::size_t line = first + k;
-    Complex q, q_by_s;
-    for (std::size_t h = 0; h < ends.size(); ++h) {
-      const Complex weight = std::conj(force.spectra[h][line]) / force.ff[line];
-      q += weight * ends[h].first;
-      q_by_s += weight * ends[h].second;
-    }
-    const Complex turn = std::exp((windowed - Complex(0, kTwoPi * lines.freq_Hz(line))) * dt_s);
-    const Complex d = 1.0 / (1.0 - turn);
-    const Complex d_by_s = dt_s * turn * d * d;
-    const auto i = static_cast<Eigen::Index>(k);
-    out.value(i) = c * q * d;
-    out.by_s(i) = c_by_s * q * d + c * (q_by_s * d + q * d_by_s);
+Missing missing_of(Complex s, double window_decay, const PointForce& force, const LineRange& lines) {
+  const Complex two_j_wd(0, 2 * s.imag());  // s.imag() = ±ω_d: the conjugate pole gets the conjugate factor
+  Missing m{.windowed = s - window_decay, .c = s * s / two_j_wd, .c_by_s = 2.0 * s / two_j_wd, .q = {}, .q_by_s = {}};
+  for (const ForceBlock& block : force.blocks) {
+    const auto [q, by_s] = state_at_end(block, m.windowed, 1 / lines.fs_Hz, lines.samples);
+    m.q.push_back(q);
+    m.q_by_s.push_back(by_s);
   }
-  return out;
+  return m;
+}
+
+void subtract_missing(ModeColumn& column, const PoleTerms& p, bool conjugate, const PointForce& force, const LineRange& lines,
+                      double window_decay, std::size_t first) {
+  const double dt_s = 1 / lines.fs_Hz;
+  const auto side = [&](Complex z) { return conjugate ? std::conj(z) : z; };
+  const Missing m = missing_of(side(p.s), window_decay, force, lines);
+  // c holds ω_d itself: d(1/ω_d) = −dω_d/ω_d · (1/ω_d).
+  const Complex by_freq = side(p.by_omega) * kTwoPi;
+  const Complex by_damping = side(p.by_zeta);
+  const double wd_by_freq = p.by_omega.imag() * kTwoPi / p.s.imag();
+  const double wd_by_damping = p.by_zeta.imag() / p.s.imag();
+  const Complex decay = std::exp(m.windowed * dt_s);
+  const Complex step = std::polar(1.0, -kTwoPi * lines.df_Hz() * dt_s);
+  Complex turn = std::polar(1.0, -kTwoPi * lines.freq_Hz(first) * dt_s);
+  for (Eigen::Index i = 0; i < column.value.size(); ++i, turn = times(turn, step)) {
+    const std::size_t line = first + static_cast<std::size_t>(i);
+    Complex q, q_by_s;
+    for (std::size_t h = 0; h < m.q.size(); ++h) {
+      q += times(force.weights[h][line], m.q[h]);
+      q_by_s += times(force.weights[h][line], m.q_by_s[h]);
+    }
+    const Complex around = times(decay, turn);
+    const Complex d = inverse(1.0 - around);
+    const Complex d_by_s = dt_s * times(around, times(d, d));
+    const Complex value = times(m.c, times(q, d));
+    const Complex by_s = times(m.c_by_s, times(q, d)) + times(m.c, times(q_by_s, d) + times(q, d_by_s));
+    column.value(i) -= value;
+    column.by_freq(i) -= times(by_s, by_freq) - value * wd_by_freq;
+    column.by_damping(i) -= times(by_s, by_damping) - value * wd_by_damping;
+  }
 }
 
 }  // namespace
 
-PointForce point_force(std::vector<ForceBlock> blocks, const LineRange& lines, double noise_N) {
-  PointForce force{.blocks = std::move(blocks), .spectra = {}, .ff = std::vector<double>(lines.count), .noise_N = noise_N};
-  for (const ForceBlock& block : force.blocks) {
-    force.spectra.push_back(force_spectrum(block, lines));
-    for (std::size_t k = 0; k < lines.count; ++k) force.ff[k] += std::norm(force.spectra.back()[k]);
+PointForce point_force(std::vector<ForceBlock> blocks, const std::vector<const std::vector<Complex>*>& spectra, double noise_N) {
+  const std::size_t lines = spectra.front()->size();
+  PointForce force{.blocks = std::move(blocks), .weights = {}, .ff = std::vector<double>(lines), .noise_N = noise_N};
+  for (const auto* spectrum : spectra) {
+    for (std::size_t k = 0; k < lines; ++k) force.ff[k] += std::norm((*spectrum)[k]);
+  }
+  for (const auto* spectrum : spectra) {
+    std::vector<Complex> weight(lines);
+    for (std::size_t k = 0; k < lines; ++k) weight[k] = std::conj((*spectrum)[k]) / force.ff[k];
+    force.weights.push_back(std::move(weight));
   }
   return force;
 }
@@ -87,27 +117,17 @@ ModeColumn mode_column(const Pole& pole, const PointForce& force, const LineRang
   ModeColumn column{Eigen::VectorXcd(size), Eigen::VectorXcd(size), Eigen::VectorXcd(size)};
   for (Eigen::Index i = 0; i < size; ++i) {
     const Complex jw(window_decay, kTwoPi * lines.freq_Hz(first + static_cast<std::size_t>(i)));
-    const Complex denominator = jw * jw + 2 * p.zeta * p.omega * jw + p.omega * p.omega;
-    const Complex h = jw * jw / denominator;
+    const Complex jw2 = times(jw, jw);
+    const Complex resonance = inverse(jw2 + 2 * p.zeta * p.omega * jw + p.omega * p.omega);
+    const Complex h = times(jw2, resonance);
+    const Complex slope = -times(h, resonance);
     column.value(i) = h;
-    column.by_freq(i) = -h / denominator * (2 * p.zeta * jw + 2 * p.omega) * kTwoPi;
-    column.by_damping(i) = -h / denominator * (2 * p.omega * jw);
+    column.by_freq(i) = times(slope, 2 * p.zeta * jw + 2 * p.omega) * kTwoPi;
+    column.by_damping(i) = times(slope, 2 * p.omega * jw);
   }
   const double duration_s = static_cast<double>(lines.samples) / lines.fs_Hz;
   if (std::exp((p.s.real() - window_decay) * duration_s) < kGone) return column;
-  for (const bool conjugate : {false, true}) {
-    const Complex s = conjugate ? std::conj(p.s) : p.s;
-    const Missing missing = missing_decay(s, window_decay, force, lines, first, count);
-    // c holds ω_d itself: d(1/ω_d) = −dω_d/ω_d · (1/ω_d).
-    const double wd = p.s.imag();
-    const auto chain = [&](Complex ds) -> Eigen::VectorXcd {
-      const Complex step = conjugate ? std::conj(ds) : ds;
-      return missing.by_s * step - missing.value * (ds.imag() / wd);
-    };
-    column.value -= missing.value;
-    column.by_freq -= chain(p.by_omega) * kTwoPi;
-    column.by_damping -= chain(p.by_zeta);
-  }
+  for (const bool conjugate : {false, true}) subtract_missing(column, p, conjugate, force, lines, window_decay, first);
   return column;
 }
 

@@ -18,11 +18,12 @@ struct Pole {
 /// The averaged hits of one impact point, as far as the model of a truncated record needs them.
 struct PointForce {
   std::vector<ForceBlock> blocks;              // [hits]
-  std::vector<std::vector<Complex>> spectra;   // [hits][lines]
+  std::vector<std::vector<Complex>> weights;   // conj(F_h)/Σ|F|² [hits][lines]: each hit's part in H1 = Σ weight·A
   std::vector<double> ff;                      // Σ |F|² [lines]
   double noise_N = 0;                          // deviation of the force channel's noise
 };
-PointForce point_force(std::vector<ForceBlock> blocks, const LineRange& lines, double noise_N);
+/// spectra [hits] point to force_spectrum of each block.
+PointForce point_force(std::vector<ForceBlock> blocks, const std::vector<const std::vector<Complex>*>& spectra, double noise_N);
 
 /// A mode's share of an H1 estimate, for residue 1, and its derivatives, at lines first … first + count − 1 of `lines`.
 struct ModeColumn {

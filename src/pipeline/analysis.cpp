@@ -217,25 +217,25 @@ std::vector<PointFrf> Analysis::average() const {
 
 FrfSet Analysis::frf_set(const std::vector<std::size_t>& which) const {
   FrfSet set{.lines = lines()};
+  std::vector<double> reach;
+  for (const std::size_t h : which) reach.push_back(hits()[h].hit.bandwidth_Hz);
+  set.reach_Hz = median(reach);
   const double decay = window_decay_per_s();
   for (const auto& [point, members] : by_point(hits(), which)) {
-    PointForce force{.ff = std::vector<double>(lines().count)};
+    std::vector<ForceBlock> blocks;
     std::vector<double> noise;
-    for (const std::size_t h : members) {
-      force.blocks.push_back(force_block(hits()[h].hit, record_.fs_Hz, decay));
-      force.spectra.push_back(force_spectra()[h]);
-      noise.push_back(hits()[h].hit.noise_N);
-      for (std::size_t k = 0; k < lines().count; ++k) force.ff[k] += std::norm(force.spectra.back()[k]);
-    }
-    force.noise_N = median(noise);
     std::vector<const std::vector<Complex>*> spectra;
-    for (const auto& spectrum : force.spectra) spectra.push_back(&spectrum);
+    for (const std::size_t h : members) {
+      blocks.push_back(force_block(hits()[h].hit, record_.fs_Hz, decay));
+      noise.push_back(hits()[h].hit.noise_N);
+      spectra.push_back(&force_spectra()[h]);
+    }
     for (std::size_t c = 0; c < record_.accel.size(); ++c) {
       std::vector<const std::vector<Complex>*> accel;
       for (const std::size_t h : members) accel.push_back(&responses()[h][c].spectrum);
       set.outputs.push_back({.point = set.points.size(), .channel = c, .frf = estimate_frf(cross_spectra(spectra, accel), lines()).value});
     }
-    set.points.push_back(std::move(force));
+    set.points.push_back(point_force(std::move(blocks), spectra, median(noise)));
   }
   return set;
 }

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/units.hpp"
 #include "pipeline/analysis.hpp"
 
 namespace percuss {
 namespace {
+
+constexpr double kDecayed = 0.0025;  // six time constants, as for the hits' own finding
 
 bool any_finding(const std::vector<AnalysedHit>& hits, FindingCode code, bool accepted_only) {
   return std::any_of(hits.begin(), hits.end(), [&](const AnalysedHit& hit) {
@@ -16,7 +19,7 @@ bool any_finding(const std::vector<AnalysedHit>& hits, FindingCode code, bool ac
 
 // What is left of a mode when the record ends, as a fraction of its start.
 double left_at_end(const Mode& mode, const LineRange& lines, double decay_per_s) {
-  const double rate = mode.pole.damping_ratio * 6.283185307179586 * mode.pole.freq_Hz + decay_per_s;
+  const double rate = mode.pole.damping_ratio * kTwoPi * mode.pole.freq_Hz + decay_per_s;
   return std::exp(-rate * static_cast<double>(lines.samples) / lines.fs_Hz);
 }
 
@@ -39,19 +42,25 @@ std::vector<Warning> Analysis::warnings() const {
   });
   if (rings) out.push_back({"not_at_rest", "the structure was still ringing before a hit: wait longer between hits; damping there may be off by more than its ±"});
   if (modes_.ready()) {
+    std::string ringing;
     for (const Mode& mode : modes()) {
       const double left = left_at_end(mode, lines(), window_decay_per_s());
-      if (left < 0.0025) continue;  // six time constants
-      out.push_back({"truncated_decay", fmt::format("the mode at {:.2f} Hz still has {:.1f} % of its amplitude when the record ends; its damping is "
-                                                    "fitted with that allowed for, not read from the peak's width", mode.pole.freq_Hz, left * 100)});
+      if (left > kDecayed) ringing += fmt::format("{}{:.1f} Hz ({:.1f} %)", ringing.empty() ? "" : ", ", mode.pole.freq_Hz, left * 100);
+    }
+    if (!ringing.empty()) {
+      out.push_back({"truncated_decay", "still ringing when the record ends, with this part of their amplitude: " + ringing +
+                                            "; the damping is fitted with the missing decay allowed for, not read from a peak's width"});
     }
   }
   if (verdicts_.ready()) {
+    std::string pairs;
     for (std::size_t m = 0; m < verdicts().size(); ++m) {
       const auto& pair = verdicts()[m].double_peak;
-      if (!pair || !pair->first) continue;
-      out.push_back({"double_peak", fmt::format("{:.1f} Hz is a double peak, {:.1f} Hz apart; the first is quoted. Possible causes: a tuned absorber, a "
-                                                "crack or other damage, uneven wall or material", modes()[m].pole.freq_Hz, pair->separation_Hz)});
+      if (pair && pair->first) pairs += fmt::format("{}{:.1f} Hz ({:.1f} Hz apart)", pairs.empty() ? "" : ", ", modes()[m].pole.freq_Hz, pair->separation_Hz);
+    }
+    if (!pairs.empty()) {
+      out.push_back({"double_peak", "double peaks, of which the first is quoted: " + pairs +
+                                        ". Possible causes: a tuned absorber, a crack or other damage, uneven wall or material"});
     }
   }
   return out;

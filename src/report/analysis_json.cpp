@@ -113,7 +113,7 @@ Json coherence_json(const Analysis& analysis) {
       if (freq_Hz < low || freq_Hz > high) continue;
       ++lines;
       sum += frf.frf.coherence[k];
-      below += frf.frf.coherence[k] < 0.9 ? 1 : 0;
+      if (frf.frf.coherence[k] < 0.9) ++below;
     }
     Json json{{"point", frf.point}, {"channel", frf.channel}, {"mean", Json()}, {"fraction_below_0_9", Json()}};
     if (lines > 0) {

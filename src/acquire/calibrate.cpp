@@ -1,0 +1,79 @@
+#include "acquire/calibrate.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr std::size_t kBefore = 8;     // samples before the pulse that tell the offsets
+constexpr double kCompared = 0.5;      // of the peak
+constexpr double kLeastForce = 0.2;    // of the largest hit
+
+double mean(const std::vector<double>& x, std::size_t first, std::size_t last) {
+  double sum = 0;
+  for (std::size_t i = first; i < last; ++i) sum += x[i];
+  return last > first ? sum / static_cast<double>(last - first) : 0;
+}
+
+CalibrationHit compare(const Record& record, const Hit& hit, double mass_kg) {
+  const auto pulse = static_cast<std::size_t>(std::ceil(hit.pulse_s * record.fs_Hz)) + 2;
+  const auto onset = static_cast<std::size_t>(hit.onset_s * record.fs_Hz);  // the last sample before the rise
+  const std::size_t first = onset > kBefore ? onset - kBefore : 0;
+  const std::size_t last = std::min(record.rows[hit.row].samples, hit.peak + pulse);
+  std::vector<double> force(last - first), accel(last - first);
+  record.read_force_N(hit.row, first, force);
+  record.read_accel_mps2(hit.row, 0, first, accel);
+  const double force_rest = mean(force, 0, onset - first);
+  const double accel_rest = mean(accel, 0, onset - first);
+  CalibrationHit out{.time_s = hit.onset_s, .peak_force = hit.peak_N};
+  double cross = 0, power = 0;
+  for (std::size_t i = 0; i < force.size(); ++i) {
+    const double f = force[i] - force_rest;
+    const double a = accel[i] - accel_rest;
+    if (f * hit.peak_N < kCompared * hit.peak_N * hit.peak_N) continue;
+    ++out.samples;
+    cross += f * std::abs(a);
+    power += f * f;
+    if (std::abs(a) > std::abs(out.peak_accel_mps2)) out.peak_accel_mps2 = a;
+  }
+  out.scale = power > 0 ? mass_kg * cross / power : 0;
+  return out;
+}
+
+}  // namespace
+
+Calibration calibrate(const Record& record, double mass_kg, const HitOptions& options) {
+  const std::string where = record.files.empty() ? "record" : record.files.front().path;
+  if (record.accel.size() != 1) {
+    throw InputError("calibration takes one acceleration channel, this has " + std::to_string(record.accel.size()), where,
+                     "name the one on the free mass with --accel-channel");
+  }
+  Calibration out;
+  double largest = 0;
+  for (const Hit& hit : find_hits(record, options)) {
+    if (hit.gated_N.empty()) continue;
+    out.hits.push_back(compare(record, hit, mass_kg));
+    out.hits.back().index = out.hits.size() - 1;
+    largest = std::max(largest, std::abs(hit.peak_N));
+  }
+  double weights = 0, sum = 0, squares = 0;
+  std::size_t used = 0;
+  for (CalibrationHit& hit : out.hits) {
+    hit.used = std::abs(hit.peak_force) >= kLeastForce * largest && hit.samples > 0;
+    if (!hit.used) continue;
+    const double weight = hit.peak_force * hit.peak_force;
+    weights += weight;
+    sum += weight * hit.scale;
+    squares += weight * hit.scale * hit.scale;
+    ++used;
+  }
+  if (used == 0) throw InputError("no hit on the free mass", where, "check the force channel, or lower --trigger");
+  out.scale = sum / weights;
+  if (used > 1) out.scale_std = std::sqrt(std::max(0.0, squares / weights - out.scale * out.scale) / static_cast<double>(used - 1));
+  return out;
+}
+
+}  // namespace percuss

@@ -1,0 +1,168 @@
+#include "report/analysis_text.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/units.hpp"
+#include "report/number.hpp"
+#include "report/text_table.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr std::size_t kMostHits = 40;  // rows of hits shown when all is well; rejected ones always are
+
+std::string heading(const Analysis& analysis, std::size_t hits, std::size_t width) {
+  const Record& record = analysis.record();
+  std::string name = record.files.empty() ? "record" : record.files.front().path;
+  if (record.files.size() > 1) name += fmt::format(" and {} more", record.files.size() - 1);
+  std::string sensors = fmt::format("{} accelerometer{}", record.accel.size(), record.accel.size() == 1 ? "" : "s");
+  std::string angles;
+  for (const SignalInfo& signal : record.accel) {
+    if (signal.angle_rad) angles += fmt::format("{}{:.4g}°", angles.empty() ? "" : ", ", *signal.angle_rad * 180 / std::numbers::pi);
+  }
+  if (!angles.empty()) sensors += " (" + angles + ")";
+  std::string text = fmt::format("{}   {} · {} hit{} × {}", name, short_frequency(record.fs_Hz), hits, hits == 1 ? "" : "s", sensors);
+  if (analysis.possible()) {
+    const auto [low, high] = analysis.band_Hz();
+    text += fmt::format(" · band {:.4g}–{:.4g} Hz", low, high);
+  }
+  return wrapped(text, width, 0) + "\n";
+}
+
+// What does not reject is said in full once, among the warnings; beside the hit its name and number do.
+std::string brief(const Finding& finding) {
+  switch (finding.code) {
+    case FindingCode::weak: return fmt::format("weak ({:.0f} %)", finding.value * 100);
+    case FindingCode::truncated_decay: return fmt::format("rings on ({:.0f} dB)", finding.value);
+    case FindingCode::low_bandwidth: return "soft";
+    case FindingCode::low_coherence: return fmt::format("agrees {:.0f} % with the others", finding.value * 100);
+    case FindingCode::polarity: return "negative";
+    default: return finding.message;
+  }
+}
+
+std::string hit_verdict(const AnalysedHit& hit) {
+  std::string text = hit.accepted ? "ok" : "rejected";
+  if (hit.by_user) text += hit.accepted ? " (kept by --accept-hit)" : " (taken out by --reject-hit)";
+  std::string reasons;
+  for (const Finding& finding : hit.hit.findings) {
+    reasons += (reasons.empty() ? ": " : "; ") + (finding.severity == Severity::reject ? finding.message : brief(finding));
+  }
+  return text + reasons;
+}
+
+std::string hits_text(const Analysis& analysis, const std::vector<AnalysedHit>& hits, std::size_t width) {
+  const bool points = std::any_of(hits.begin(), hits.end(), [&](const AnalysedHit& h) { return h.point != hits.front().point; });
+  const bool files = analysis.record().files.size() > 1;
+  std::vector<TextTable::Column> columns{{"hit", TextTable::Align::right}};
+  if (points) columns.push_back({"point", TextTable::Align::right});
+  if (files) columns.push_back({"file"});
+  for (const char* name : {"time", "peak", "pulse", "reaches"}) columns.push_back({name, TextTable::Align::right});
+  columns.push_back({"verdict"});
+  TextTable table(columns);
+  std::size_t shown = 0, left_out = 0;
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    if (hits[i].accepted && shown >= kMostHits) {
+      ++left_out;
+      continue;
+    }
+    ++shown;
+    const Hit& hit = hits[i].hit;
+    const bool pulse = !hit.gated_N.empty();
+    std::vector<std::string> cells{fmt::format("{}", i)};
+    if (points) cells.push_back(fmt::format("{}", hits[i].point));
+    if (files) {
+      const std::string& path = analysis.record().files[analysis.record().rows[hit.row].file].path;
+      cells.push_back(path.substr(path.rfind('/') + 1));
+    }
+    cells.push_back(pulse ? fmt::format("{:.3f} s", hit.onset_s) : "–");
+    cells.push_back(pulse ? fmt::format("{:.3g} N", hit.peak_N) : "–");
+    cells.push_back(pulse ? fmt::format("{:.2f} ms", hit.pulse_s * 1e3) : "–");
+    cells.push_back(pulse ? short_frequency(std::round(hit.bandwidth_Hz)) : "–");
+    cells.push_back(hit_verdict(hits[i]));
+    table.add(std::move(cells));
+  }
+  std::string text = table.text(width);
+  if (left_out > 0) text += fmt::format("… and {} more hits in order (all of them with --json)\n", left_out);
+  return text;
+}
+
+std::string note_of(const Analysis& analysis, std::size_t m) {
+  const Verdict& verdict = analysis.verdicts()[m];
+  std::string note;
+  const auto add = [&](const std::string& text) { note += (note.empty() ? "" : "; ") + text; };
+  if (verdict.double_peak) {
+    add(verdict.double_peak->first ? fmt::format("double peak, {:.1f} Hz apart: this one is quoted", verdict.double_peak->separation_Hz)
+                                   : "second of the double peak");
+  }
+  if (verdict.family != Family::unknown && verdict.confidence < 0.95) add(fmt::format("{:.0f} % sure", verdict.confidence * 100));
+  if (verdict.alternative) add(fmt::format("could be {}", name_of(*verdict.alternative)));
+  return note;
+}
+
+std::string family_of(const Verdict& verdict) {
+  return verdict.order > 0 ? fmt::format("{} {}", name_of(verdict.family), verdict.order) : name_of(verdict.family);
+}
+
+std::string modes_text(const Analysis& analysis, bool classes, std::size_t width) {
+  if (analysis.modes().empty()) return "no mode stands out of the noise in the band\n";
+  const bool named = classes && std::any_of(analysis.verdicts().begin(), analysis.verdicts().end(), [](const Verdict& v) { return v.ratio.has_value(); });
+  std::vector<TextTable::Column> columns{{"mode", TextTable::Align::right}};
+  if (named) columns.push_back({"family"});
+  columns.push_back({"frequency", TextTable::Align::right});
+  columns.push_back({"damping", TextTable::Align::right});
+  if (named) columns.push_back({"overlay", TextTable::Align::right});
+  columns.push_back({named ? "note" : ""});
+  TextTable table(columns);
+  for (std::size_t m = 0; m < analysis.modes().size(); ++m) {
+    const Mode& mode = analysis.modes()[m];
+    std::vector<std::string> cells{fmt::format("{}", m)};
+    if (named) cells.push_back(family_of(analysis.verdicts()[m]));
+    cells.push_back(with_deviation(mode.pole.freq_Hz, mode.freq_std_Hz) + " Hz");
+    cells.push_back(with_deviation(mode.pole.damping_ratio * 100, mode.damping_std * 100) + " %");
+    if (named) {
+      const auto& overlay_dB = analysis.verdicts()[m].overlay_dB;
+      cells.push_back(overlay_dB ? fmt::format("{:.1f} dB", *overlay_dB) : "–");
+    }
+    cells.push_back(named ? note_of(analysis, m) : "");
+    table.add(std::move(cells));
+  }
+  return table.text(width);
+}
+
+std::string per_hit_text(const Analysis& analysis, std::size_t width) {
+  TextTable table({{"mode", TextTable::Align::right}, {"hit", TextTable::Align::right}, {"peak", TextTable::Align::right},
+                   {"frequency", TextTable::Align::right}, {"damping", TextTable::Align::right}, {""}});
+  for (std::size_t m = 0; m < analysis.modes().size(); ++m) {
+    for (const HitMode& found : analysis.modes_per_hit()) {
+      if (found.mode != m) continue;
+      table.add({fmt::format("{}", m), fmt::format("{}", found.hit), fmt::format("{:.3g} N", analysis.hits()[found.hit].hit.peak_N),
+                 with_deviation(found.pole.freq_Hz, found.freq_std_Hz) + " Hz",
+                 with_deviation(found.pole.damping_ratio * 100, found.damping_std * 100) + " %", ""});
+    }
+  }
+  return table.text(width);
+}
+
+}  // namespace
+
+std::string analysis_text(const Analysis& analysis, const TextOptions& options) {
+  const auto wants = [&](Section section) { return options.sections.contains(section); };
+  const bool force_only = options.sections == std::set{Section::hits};
+  const auto& hits = force_only ? analysis.force_hits() : analysis.hits();
+  std::string text = heading(analysis, hits.size(), options.width) + "\n";
+  if (wants(Section::hits)) text += hits_text(analysis, hits, options.width) + "\n";
+  if (analysis.possible()) {
+    if (wants(Section::modes) || wants(Section::classes)) text += modes_text(analysis, wants(Section::classes), options.width) + "\n";
+    if (options.per_hit) text += per_hit_text(analysis, options.width) + "\n";
+  } else {
+    text += "no hit can be used: no FRF, no modes (--accept-hit overrules a rejection)\n\n";
+  }
+  for (const Warning& warning : analysis.warnings()) text += wrapped("! " + warning.message, options.width, 2) + "\n";
+  return text;
+}
+
+}  // namespace percuss

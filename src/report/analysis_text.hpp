@@ -1,0 +1,19 @@
+#pragma once
+#include <set>
+#include <string>
+
+#include "pipeline/analysis.hpp"
+#include "report/analysis_json.hpp"
+
+namespace percuss {
+
+struct TextOptions {
+  std::set<Section> sections = all_sections();
+  std::size_t width = 100;  // of the terminal
+  bool per_hit = false;
+};
+
+/// The analysis as a person reads it: one line of what was measured, the hits, the modes with ±, then warnings in words.
+std::string analysis_text(const Analysis& analysis, const TextOptions& options = {});
+
+}  // namespace percuss

@@ -1,0 +1,57 @@
+#include "report/frf_files.hpp"
+
+#include <fmt/format.h>
+
+#include <iterator>
+
+#include "acquire/atomic_file.hpp"
+
+namespace percuss {
+namespace {
+
+const char* name_of_estimator(Estimator estimator) {
+  switch (estimator) {
+    case Estimator::h1: return "H1";
+    case Estimator::h2: return "H2";
+    case Estimator::hv: return "Hv";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string frf_csv(const Analysis& analysis, FrfKind kind) {
+  const auto& frfs = analysis.frfs();
+  const LineRange& lines = analysis.lines();
+  std::vector<Frf> shown;
+  for (const PointFrf& frf : frfs) shown.push_back(converted(frf.frf, lines, kind, analysis.window_decay_per_s()));
+  std::string out = fmt::format("# {} {}, {}, exp(+jwt)\nfrequency_hz", name_of(kind), unit_of(kind), name_of_estimator(analysis.options().estimator));
+  for (const PointFrf& frf : frfs) {
+    for (const char* part : {"re", "im", "std", "coherence"}) out += fmt::format(",p{}_c{}_{}", frf.point, frf.channel, part);
+  }
+  out += '\n';
+  const auto [low, high] = analysis.band_Hz();
+  const double edge_Hz = 1e-6 * lines.df_Hz();
+  auto end = std::back_inserter(out);
+  for (std::size_t k = 0; k < lines.count; ++k) {
+    const double freq_Hz = lines.freq_Hz(k);
+    if (freq_Hz < low - edge_Hz || freq_Hz > high + edge_Hz) continue;
+    fmt::format_to(end, "{}", freq_Hz);
+    for (const Frf& frf : shown) {
+      fmt::format_to(end, ",{},{}", frf.value[k].real(), frf.value[k].imag());
+      if (frf.std.empty()) {
+        out += ",,";
+      } else {
+        fmt::format_to(end, ",{},{}", frf.std[k], frf.coherence[k]);
+      }
+    }
+    out += '\n';
+  }
+  return out;
+}
+
+void write_frf_csv(const std::string& path, const Analysis& analysis, FrfKind kind, bool force) {
+  write_file(path, frf_csv(analysis, kind), force);
+}
+
+}  // namespace percuss

@@ -1,0 +1,13 @@
+#pragma once
+#include <string>
+
+namespace percuss {
+
+/// "169.00034 ± 0.00042": the deviation with two significant digits, the value with as many decimals. A deviation of 0 or none:
+/// the value with six significant digits. At most 12 decimals.
+std::string with_deviation(double value, double deviation);
+
+/// Frequencies and lengths for people: four significant digits, k for thousands ("3.9 kHz").
+std::string short_frequency(double freq_Hz);
+
+}  // namespace percuss

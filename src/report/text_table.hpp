@@ -1,0 +1,31 @@
+#pragma once
+#include <string>
+#include <vector>
+
+namespace percuss {
+
+/// A table of text for a terminal: columns as wide as their longest cell, two spaces between, the last one wrapped at `width` onto
+/// lines of its own. Width counts characters, not bytes (UTF-8).
+class TextTable {
+ public:
+  enum class Align { left, right };
+  struct Column {
+    std::string head;
+    Align align = Align::left;
+  };
+  explicit TextTable(std::vector<Column> columns) : columns_(std::move(columns)) {}
+  void add(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
+  std::string text(std::size_t width) const;
+
+ private:
+  std::vector<Column> columns_;
+  std::vector<std::vector<std::string>> rows_;
+};
+
+/// Characters of a UTF-8 text (bytes that begin one).
+std::size_t text_width(const std::string& text);
+
+/// `text` broken at spaces into lines of at most `width` characters, later lines indented.
+std::string wrapped(const std::string& text, std::size_t width, std::size_t indent);
+
+}  // namespace percuss

@@ -1,0 +1,140 @@
+#include <fmt/format.h>
+
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "acquire/atomic_file.hpp"
+#include "analysis_flags.hpp"
+#include "command.hpp"
+#include "core/error.hpp"
+#include "output.hpp"
+#include "progress.hpp"
+#include "read_flags.hpp"
+#include "report/analysis_json.hpp"
+#include "report/analysis_text.hpp"
+#include "report/frf_files.hpp"
+
+namespace percuss::tools {
+namespace {
+
+struct AnalyzeFlags {
+  ReadFlags read;
+  AnalysisFlags analysis;
+  OutputFlags output;
+  std::vector<std::string> only;
+  bool trace = false;
+  bool per_hit = false;
+};
+
+// One test of the command line: all of the files together, or each on its own, or each run of one file.
+struct Test {
+  int run = 0;
+  std::unique_ptr<Analysis> analysis;
+};
+
+// Two channels without angles are taken as 0° and 90°, as the two-accelerometer test places them.
+void assume_angles(Record& record) {
+  const bool none = !record.accel.empty() && std::none_of(record.accel.begin(), record.accel.end(),
+                                                          [](const SignalInfo& s) { return s.angle_rad; });
+  if (!none || record.accel.size() != 2) return;
+  record.accel[0].angle_rad = 0;
+  record.accel[1].angle_rad = std::numbers::pi / 2;
+  record.notes.emplace_back(
+      "the accelerometers' angles are not stated: taken as 0° and 90° around the barrel (--angle 0,90 confirms it)");
+}
+
+std::vector<Test> tests_of(const AnalyzeFlags& flags) {
+  std::vector<Record> records = open_records(flags.read);
+  if (flags.read.files != FilesMean::tests) {
+    Record joined = join_records(std::move(records), flags.read.files);
+    records.clear();
+    records.push_back(std::move(joined));
+  }
+  std::vector<Test> tests;
+  for (Record& record : records) {
+    assume_angles(record);
+    for (auto& [run, part] : split_runs(record)) {
+      const int number = records.size() > 1 ? static_cast<int>(tests.size()) : run;
+      tests.push_back(
+          {.run = number, .analysis = std::make_unique<Analysis>(std::move(part), analysis_options(flags.analysis))});
+    }
+  }
+  return tests;
+}
+
+void print_trace(const Analysis& analysis) {
+  for (const auto& stage : analysis.trace().stages())
+    std::cerr << fmt::format("{:<20} {:>6} calls  {:.6f} s\n", stage.name, stage.calls, stage.seconds);
+}
+
+void write_outputs(const AnalyzeFlags& flags, const std::vector<Test>& tests, const nlohmann::ordered_json& document) {
+  for (const std::string& path : flags.output.paths) {
+    if (extension_of(path) == ".json") {
+      write_file(path, document.dump(2) + "\n", flags.output.force);
+    } else if (!tests.front().analysis->possible()) {
+      throw InputError("there are no FRFs: no hit can be used", path, "see the hits' findings");
+    } else if (tests.size() > 1) {
+      throw UsageError("several tests do not fit one FRF file", "analyse one file or run at a time");
+    } else if (extension_of(path) == ".csv") {
+      write_frf_csv(path, *tests.front().analysis, FrfKind::accelerance, flags.output.force);
+    } else {
+      write_frf_hdf5(path, *tests.front().analysis, FrfKind::accelerance, flags.output.force);
+    }
+  }
+}
+
+int analyze(const AnalyzeFlags& flags) {
+  check_extensions(flags.output, {".json", ".csv", ".h5"});
+  const auto sections = flags.only.empty() ? all_sections() : parse_sections(flags.only);
+  const Progress progress("analysing", flags.output.quiet);
+  const auto tests = tests_of(flags);
+  const bool wants_json =
+      flags.output.json || std::any_of(flags.output.paths.begin(), flags.output.paths.end(),
+                                       [](const std::string& path) { return extension_of(path) == ".json"; });
+  std::vector<std::pair<int, nlohmann::ordered_json>> documents;
+  bool possible = true;
+  std::string text;
+  for (const Test& test : tests) {
+    const JsonOptions options{.sections = sections, .trace = flags.trace, .per_hit = flags.per_hit};
+    if (wants_json) documents.emplace_back(test.run, analysis_json(*test.analysis, options));
+    if (!flags.output.json) {
+      if (tests.size() > 1) text += fmt::format("{}test {}\n", text.empty() ? "" : "\n", test.run);
+      text +=
+          analysis_text(*test.analysis, {.sections = sections, .width = terminal_width(), .per_hit = flags.per_hit});
+    }
+    possible = possible && test.analysis->possible();
+  }
+  nlohmann::ordered_json document;
+  if (wants_json) document = documents.size() == 1 ? documents.front().second : runs_json(documents);
+  progress.stop();
+  std::cout << (flags.output.json ? document.dump(2) + "\n" : text);
+  write_outputs(flags, tests, document);
+  if (flags.trace && !flags.output.json) {
+    for (const Test& test : tests) print_trace(*test.analysis);
+  }
+  return possible ? kOk : kImpossible;
+}
+
+}  // namespace
+
+void add_analyze(CLI::App& app, Run& run) {
+  auto flags = std::make_shared<AnalyzeFlags>();
+  CLI::App* command =
+      app.add_subcommand("analyze", "Modes of a structure from hammer tests: hits, FRFs, modes, bending or hoop");
+  command->footer("Example: percuss analyze bat.h5 --band 60:3200 --json");
+  add_read_flags(*command, flags->read);
+  add_analysis_flags(*command, flags->analysis);
+  add_output_flags(*command, flags->output);
+  command
+      ->add_option("--only", flags->only,
+                   "Compute and report these sections only: hits, frf, coherence, modes, classes")
+      ->delimiter(',')
+      ->type_name("SECTION,...");
+  command->add_flag("--per-hit", flags->per_hit, "Also every mode as each hit alone shows it");
+  command->add_flag("--trace", flags->trace, "What ran: stages, calls, seconds");
+  command->callback([flags, &run] { run = [flags] { return analyze(*flags); }; });
+}
+
+}  // namespace percuss::tools

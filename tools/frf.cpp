@@ -1,0 +1,69 @@
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "acquire/atomic_file.hpp"
+#include "analysis_flags.hpp"
+#include "command.hpp"
+#include "core/error.hpp"
+#include "output.hpp"
+#include "progress.hpp"
+#include "read_flags.hpp"
+#include "report/analysis_json.hpp"
+#include "report/frf_files.hpp"
+
+namespace percuss::tools {
+namespace {
+
+struct FrfFlags {
+  ReadFlags read;
+  AnalysisFlags analysis;
+  OutputFlags output;
+  std::string kind = "accelerance";
+};
+
+int frf(const FrfFlags& flags) {
+  check_extensions(flags.output, {".csv", ".h5", ".json"});
+  const FrfKind kind = flags.kind == "mobility"     ? FrfKind::mobility
+                       : flags.kind == "receptance" ? FrfKind::receptance
+                                                    : FrfKind::accelerance;
+  const Progress progress("averaging", flags.output.quiet);
+  const Analysis analysis(join_records(open_records(flags.read), flags.read.files), analysis_options(flags.analysis));
+  analysis.hits();
+  if (!analysis.possible()) {
+    progress.stop();
+    std::cout << analysis_json(analysis, {.sections = {Section::hits}}).dump(2) << '\n';
+    return kImpossible;
+  }
+  const auto summary = analysis_json(analysis, {.sections = {Section::hits, Section::frf, Section::coherence}});
+  progress.stop();
+  for (const std::string& path : flags.output.paths) {
+    if (extension_of(path) == ".csv") write_frf_csv(path, analysis, kind, flags.output.force);
+    if (extension_of(path) == ".h5") write_frf_hdf5(path, analysis, kind, flags.output.force);
+    if (extension_of(path) == ".json") write_file(path, summary.dump(2) + "\n", flags.output.force);
+  }
+  if (flags.output.json) {
+    std::cout << summary.dump(2) << '\n';
+  } else if (flags.output.paths.empty()) {
+    std::cout << frf_csv(analysis, kind);
+  }
+  return kOk;
+}
+
+}  // namespace
+
+void add_frf(CLI::App& app, Run& run) {
+  auto flags = std::make_shared<FrfFlags>();
+  CLI::App* command =
+      app.add_subcommand("frf", "Averaged FRFs and coherence only, as CSV on standard output or into files");
+  command->footer("Example: percuss frf bat.h5 --band 60:3200 -o frf.csv");
+  add_read_flags(*command, flags->read);
+  add_analysis_flags(*command, flags->analysis);
+  add_output_flags(*command, flags->output);
+  command->add_option("--kind", flags->kind, "accelerance, mobility or receptance")
+      ->check(CLI::IsMember({"accelerance", "mobility", "receptance"}))
+      ->capture_default_str();
+  command->callback([flags, &run] { run = [flags] { return frf(*flags); }; });
+}
+
+}  // namespace percuss::tools

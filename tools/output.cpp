@@ -1,0 +1,45 @@
+#include "output.hpp"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+#include "core/error.hpp"
+
+namespace percuss::tools {
+
+void add_output_flags(CLI::App& command, OutputFlags& flags) {
+  command.add_option("-o,--output", flags.paths, "Write to this file; its extension says what (repeatable)")
+      ->type_name("FILE");
+  command.add_flag("--json", flags.json, "One JSON document on standard output");
+  command.add_flag("--force", flags.force, "Overwrite files that exist");
+  command.add_flag("--quiet", flags.quiet, "No progress and no warnings on standard error");
+}
+
+std::string extension_of(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+void check_extensions(const OutputFlags& flags, const std::vector<std::string>& known) {
+  for (const std::string& path : flags.paths) {
+    if (std::find(known.begin(), known.end(), extension_of(path)) != known.end()) continue;
+    throw UsageError("cannot tell what to write to '" + path + "'",
+                     fmt::format("use a name that ends in {}", fmt::join(known, ", ")));
+  }
+}
+
+std::size_t terminal_width() {
+  winsize size{};
+  if (isatty(STDOUT_FILENO) == 1 && ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col >= 40)
+    return size.ws_col;
+  return 100;
+}
+
+}  // namespace percuss::tools

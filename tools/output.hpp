@@ -1,0 +1,27 @@
+#pragma once
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+namespace percuss::tools {
+
+/// Where results go: flags that every command shares.
+struct OutputFlags {
+  std::vector<std::string> paths;  // -o, repeatable
+  bool json = false;
+  bool force = false;
+  bool quiet = false;
+};
+
+void add_output_flags(CLI::App& command, OutputFlags& flags);
+
+/// The extension of a path in lower case, with its dot; "" for none.
+std::string extension_of(const std::string& path);
+
+/// UsageError when a path's extension is not among `known`: nothing is read or computed for a file that cannot be written.
+void check_extensions(const OutputFlags& flags, const std::vector<std::string>& known);
+
+/// Columns of the terminal on standard output; 100 when it is none.
+std::size_t terminal_width();
+
+}  // namespace percuss::tools
