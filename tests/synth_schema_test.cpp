@@ -1,0 +1,60 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support/json_schema.hpp"
+#include "synth/read_spec.hpp"
+#include "synth/record.hpp"
+#include "synth/truth_json.hpp"
+
+namespace percuss {
+namespace {
+
+using nlohmann::json;
+using test::schema_named;
+using test::schema_violations;
+using testing::IsEmpty;
+
+json with_comments(std::string_view text) { return json::parse(text.begin(), text.end(), nullptr, true, true); }
+
+TEST(SynthSchema, AcceptsEveryPresetAndTheExample) {
+  const json schema = schema_named("synth");
+  for (const SynthPreset& preset : synth_presets()) {
+    EXPECT_THAT(schema_violations(with_comments(preset.text), schema), IsEmpty()) << preset.name;
+  }
+  EXPECT_THAT(schema_violations(with_comments(synth_example()), schema), IsEmpty());
+}
+
+TEST(SynthSchema, KnowsTheKeysThatTheReaderKnows) {
+  // A key of the schema that the reader does not know would be refused as unknown; the reverse is in the example, which
+  // has them all.
+  const json schema = schema_named("synth");
+  json document = with_comments(synth_example());
+  EXPECT_THAT(schema_violations(document, schema), IsEmpty());
+  document["sampels"] = 3;
+  EXPECT_EQ(schema_violations(document, schema).size(), 1U);
+  EXPECT_ANY_THROW(parse_synth_spec(document.dump(), "test"));
+}
+
+TEST(SynthSchema, AcceptsTheTruthOfEveryPreset) {
+  const json schema = schema_named("synth-truth");
+  for (const SynthPreset& preset : synth_presets()) {
+    SynthSpec spec = synth_preset(preset.name);
+    if (spec.layout == SynthLayout::rows) spec.samples = 1024;
+    EXPECT_THAT(schema_violations(json::parse(truth_json(synthesise(spec).truth)), schema), IsEmpty()) << preset.name;
+  }
+}
+
+TEST(SchemaViolations, AreSeen) {
+  const json schema = json::parse(R"({"type": "object", "additionalProperties": false, "required": ["a"],
+      "properties": {"a": {"type": "array", "minItems": 1, "items": {"type": "number", "minimum": 2}}, "b": {"enum": ["x"]}}})");
+  const auto broken = [&](const char* text) { return schema_violations(json::parse(text), schema).size(); };
+  EXPECT_EQ(broken(R"({"a": [2, 3], "b": "x"})"), 0U);
+  EXPECT_EQ(broken(R"({"a": [1, "3"]})"), 2U);
+  EXPECT_EQ(broken(R"({"a": []})"), 1U);
+  EXPECT_EQ(broken(R"({"b": "y", "c": 1})"), 3U);
+  EXPECT_EQ(broken("[]"), 1U);
+  EXPECT_EQ(schema_violations(3, json::parse(R"({"multipleOf": 2})")).size(), 1U);
+}
+
+}  // namespace
+}  // namespace percuss
