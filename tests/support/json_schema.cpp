@@ -23,15 +23,17 @@ bool any_type(const json& value, const json& types) {
   return std::any_of(types.begin(), types.end(), [&](const json& type) { return is_of(value, type); });
 }
 
+std::string member_of(std::string place, const std::string& key) { return place.append(".").append(key); }
+
 void append(Lines& to, const Lines& lines) { to.insert(to.end(), lines.begin(), lines.end()); }
 
 Lines in_properties(const json& value, const json& schema, const std::string& place) {
   Lines out;
   for (const auto& [key, item] : value.items()) {
     if (schema["properties"].contains(key)) {
-      append(out, schema_violations(item, schema["properties"][key], place + "." + key));
-    } else if (schema.value("additionalProperties", true) == false) {
-      out.push_back(place + "." + key + " is not in the schema");
+      append(out, schema_violations(item, schema["properties"][key], member_of(place, key)));
+    } else if (!schema.value("additionalProperties", true)) {
+      out.push_back(member_of(place, key).append(" is not in the schema"));
     }
   }
   return out;
@@ -73,7 +75,8 @@ std::vector<std::string> schema_violations(const json& document, const json& sch
     } else if (word == "items") {
       if (document.is_array()) append(out, in_items(document, limit, place));
     } else if (word != "additionalProperties" && !holds(document, word, limit)) {
-      out.push_back(place + " breaks " + word + " " + limit.dump().substr(0, 100));
+      std::string line = place;
+      out.push_back(line.append(" breaks ").append(word).append(" ").append(limit.dump(), 0, 100));
     }
   }
   return out;
