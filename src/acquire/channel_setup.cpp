@@ -100,7 +100,7 @@ void require_known_keys(const Json& json, const Entry& entry) {
 }
 
 std::string read_role(const Entry& entry) {
-  const std::string role = entry.text("role").value_or("");
+  std::string role = entry.text("role").value_or("");
   if (role.empty() || role == "force" || role == "acceleration" || role == "ignore") return role;
   throw InputError("unknown role \"" + one_line(role, 40) + "\"", entry.where("role"),
                    "use force, acceleration or ignore");

@@ -65,12 +65,9 @@ std::vector<HeaderLine> take_header_lines(std::string_view text, const CsvDialec
     }
     rest = after;
     ++header.lines;
-    const auto mark = skipped ? line.find_first_of("#%") : std::string_view::npos;
-    if (mark != std::string_view::npos)
-      line.remove_prefix(line.find_first_not_of("#% \t", mark) == std::string_view::npos
-                             ? line.size()
-                             : line.find_first_not_of("#% \t", mark));
-    if (!skipped || mark != std::string_view::npos) lines.push_back({line, skipped});
+    const bool comment = skipped && line.find_first_of("#%") != std::string_view::npos;
+    if (comment) line.remove_prefix(std::min(line.find_first_not_of("#% \t"), line.size()));
+    if (!skipped || comment) lines.push_back({line, comment});
   }
   throw InputError("no lines of numbers after the header", file, kRemedy);
 }
@@ -147,9 +144,9 @@ void refuse_frf(const std::vector<HeaderLine>& lines, const CsvDialect& dialect,
 std::optional<Cells> last_row(const std::vector<HeaderLine>& lines, const CsvDialect& dialect, std::size_t columns,
                               const auto& fits) {
   for (const bool comment : {false, true}) {
-    for (auto line = lines.rbegin(); line != lines.rend(); ++line) {
-      if (line->comment != comment) continue;
-      if (Cells cells = header_cells(line->text, dialect, columns); fits(cells)) return cells;
+    for (std::size_t i = lines.size(); i-- > 0;) {
+      if (lines[i].comment != comment) continue;
+      if (Cells cells = header_cells(lines[i].text, dialect, columns); fits(cells)) return cells;
     }
   }
   return std::nullopt;

@@ -86,7 +86,7 @@ std::optional<StampedRate> stamped_rate(const CsvTable& table, const CsvColumn& 
     stamps.push_back(
         {std::span(time_s).subspan(rows[r].first_line, rows[r].info.samples), to_s * std::pow(10.0, -decimals[r])});
   }
-  const auto rate = rate_of_stamps(stamps, problem);
+  auto rate = rate_of_stamps(stamps, problem);
   steps_of_one = rate && std::abs(rate->fs_Hz * to_s - 1) < 1e-9;
   return rate;
 }

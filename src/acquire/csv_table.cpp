@@ -110,7 +110,7 @@ CsvTable::Column& CsvTable::column(std::size_t index) const {
 void CsvTable::parse_block(std::size_t index, std::size_t block, Block& into) const {
   const std::size_t first = block * kBlock_lines;
   const std::size_t count = std::min(kBlock_lines, lines_ - first);
-  auto numbers = std::make_unique_for_overwrite<double[]>(count);  // NOLINT(modernize-avoid-c-arrays): not zeroed first
+  std::vector<double> numbers(count);
   std::string_view rest = data().substr(block_start_[block]);
   for (std::size_t i = 0; i < count;) {
     const std::string_view line = take_line(rest, dialect_.line_end);
@@ -136,7 +136,7 @@ void CsvTable::read(std::size_t index, std::size_t first, std::span<double> out)
     const std::size_t offset = first % kBlock_lines;
     const std::size_t count = std::min(kBlock_lines - offset, out.size());
     std::call_once(blocks[b].once, [&] { parse_block(index, b, blocks[b]); });
-    std::copy_n(blocks[b].numbers.get() + offset, count, out.begin());
+    std::copy_n(blocks[b].numbers.data() + offset, count, out.begin());
     out = out.subspan(count);
     first += count;
   }

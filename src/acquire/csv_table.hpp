@@ -42,7 +42,7 @@ class CsvTable {
  private:
   struct Block {
     std::once_flag once;
-    std::unique_ptr<double[]> numbers;
+    std::vector<double> numbers;
   };
   using Column = std::vector<Block>;
 

@@ -7,6 +7,21 @@
 #include "core/error.hpp"
 
 namespace percuss::hdf5 {
+namespace {
+
+Handle complex_type(Id part) {
+  Handle type(H5Tcreate(H5T_COMPOUND, 2 * H5Tget_size(part)));
+  H5Tinsert(type.get(), "r", 0, part);
+  H5Tinsert(type.get(), "i", H5Tget_size(part), part);
+  return type;
+}
+
+Handle file_type(Stored type) {
+  if (type == Stored::complex128) return complex_type(H5T_IEEE_F64LE);
+  return Handle(H5Tcopy(type == Stored::int32 ? H5T_STD_I32LE : H5T_IEEE_F64LE));
+}
+
+}  // namespace
 
 OutputHdf5::OutputHdf5(const std::string& path, bool force)
     : path_(path), aside_(path, force, AtomicFile::Aside::named) {
@@ -30,25 +45,36 @@ void OutputHdf5::create_set(const std::string& name, std::span<const std::size_t
   const Handle creation(H5Pcreate(H5P_DATASET_CREATE));
   H5Pset_obj_track_times(creation.get(), false);
   H5Pset_fill_time(creation.get(), H5D_FILL_TIME_NEVER);  // every element is written anyway
-  const hid_t stored = type == Stored::int32 ? H5T_STD_I32LE : H5T_IEEE_F64LE;
-  Handle set(H5Dcreate2(file_.get(), name.c_str(), stored, space.get(), H5P_DEFAULT, creation.get(), H5P_DEFAULT));
+  const Handle stored = file_type(type);
+  Handle set(H5Dcreate2(file_.get(), name.c_str(), stored.get(), space.get(), H5P_DEFAULT, creation.get(), H5P_DEFAULT));
   check(static_cast<bool>(set));
   sets_[name] = std::move(set);
 }
 
 void OutputHdf5::write(const std::string& set, std::span<const std::size_t> at, std::size_t first,
                        std::span<const double> values) {
+  write_as(H5T_NATIVE_DOUBLE, set, at, first, values.size(), values.data());
+}
+
+void OutputHdf5::write(const std::string& set, std::span<const std::size_t> at, std::size_t first,
+                       std::span<const std::complex<double>> values) {
   const Lock lock;
-  std::vector<hsize_t> start(at.begin(), at.end()), count(at.size(), 1);
+  const Handle type = complex_type(H5T_NATIVE_DOUBLE);
+  write_as(type.get(), set, at, first, values.size(), values.data());
+}
+
+void OutputHdf5::write_as(Id memory_type, const std::string& set, std::span<const std::size_t> at, std::size_t first,
+                          std::size_t count, const void* values) {
+  const Lock lock;
+  std::vector<hsize_t> start(at.begin(), at.end()), counts(at.size(), 1);
   start.push_back(first);
-  count.push_back(values.size());
-  const hsize_t length = values.size();
+  counts.push_back(count);
+  const hsize_t length = count;
   const Handle file_space(H5Dget_space(object(set)));
   const Handle memory_space(H5Screate_simple(1, &length, nullptr));
   assert(static_cast<std::size_t>(H5Sget_simple_extent_ndims(file_space.get())) == start.size());
-  check(H5Sselect_hyperslab(file_space.get(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr) >= 0 &&
-        H5Dwrite(object(set), H5T_NATIVE_DOUBLE, memory_space.get(), file_space.get(), H5P_DEFAULT, values.data()) >=
-            0);
+  check(H5Sselect_hyperslab(file_space.get(), H5S_SELECT_SET, start.data(), nullptr, counts.data(), nullptr) >= 0 &&
+        H5Dwrite(object(set), memory_type, memory_space.get(), file_space.get(), H5P_DEFAULT, values) >= 0);
 }
 
 void OutputHdf5::set_numbers(const std::string& set, const std::string& name, std::span<const double> values,

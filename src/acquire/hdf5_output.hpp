@@ -1,4 +1,5 @@
 #pragma once
+#include <complex>
 #include <map>
 #include <span>
 #include <string>
@@ -9,7 +10,8 @@
 
 namespace percuss::hdf5 {
 
-enum class Stored { float64, int32 };
+/// complex128 is a compound {r, i} of two float64, as h5py reads and writes complex numbers.
+enum class Stored { float64, int32, complex128 };
 
 /// An HDF5 file that appears whole under its name, or not at all. Equal calls give equal bytes: no clocks, little
 /// endian. Locks the library itself, and only while it is used. errors  InputError from every member when the file
@@ -25,6 +27,8 @@ class OutputHdf5 {
   /// Elements first … first + values.size() − 1 along the last dimension, at index `at` of the others.
   void write(const std::string& set, std::span<const std::size_t> at, std::size_t first,
              std::span<const double> values);
+  void write(const std::string& set, std::span<const std::size_t> at, std::size_t first,
+             std::span<const std::complex<double>> values);
   /// Attributes of a set, or of the root for an empty name. One number is stored as a scalar unless `array` is set.
   void set_numbers(const std::string& set, const std::string& name, std::span<const double> values, bool array);
   void set_text(const std::string& set, const std::string& name, const std::string& text);
@@ -33,6 +37,8 @@ class OutputHdf5 {
 
  private:
   Id object(const std::string& set) const;
+  void write_as(Id memory_type, const std::string& set, std::span<const std::size_t> at, std::size_t first,
+                std::size_t count, const void* values);
   void check(bool done) const;
 
   std::string path_;

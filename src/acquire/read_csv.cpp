@@ -113,9 +113,10 @@ void read_scaled(const OpenCsv& open, std::size_t row, std::size_t column, doubl
   open.table.read(column, line, out);
   for (std::size_t i = 0; i < out.size(); ++i) {
     out[i] *= to_SI;
-    if (!std::isfinite(out[i]))
+    if (!std::isfinite(out[i])) {
       throw InputError("too large once scaled to SI", open.table.place(line + i, column),
                        "correct the number or the scale");
+    }
   }
 }
 

@@ -18,6 +18,9 @@ constexpr double kOnsetNoise = 6;        // deviations
 constexpr double kOnsetFraction = 0.02;  // of the largest response
 constexpr double kRinging = 4;           // times the level at the stretch's end
 constexpr double kNegligible = 0.0025;   // of the response: the same −52 dB
+constexpr std::size_t kEnvelopeWindows = 64;
+constexpr double kSteady = 1.5;          // the level one quarter earlier over the last quarter's; backgrounds wander
+constexpr double kSunk = 2;              // times the final level
 constexpr double kStillFalling = 0.9;    // of the rms one window earlier
 
 double rms_about_mean(std::span<const double> x) {
@@ -80,12 +83,27 @@ void grade_onset(ResponseGrade& grade, const Hit& hit, std::span<const double> a
 
 ResponseGrade grade_response(const Hit& hit, std::span<const double> accel_mps2, double fs_Hz) {
   ResponseGrade grade;
-  if (hit.gated_N.empty() || accel_mps2.size() != hit.samples) return grade;
+  if (hit.gated_N.empty() || accel_mps2.size() <= hit.peak - hit.first) return grade;
   grade.rail_samples = samples_at_rail(accel_mps2);
   grade.rings_before = rings_before(hit, accel_mps2);
   grade_end(grade, hit, accel_mps2);
   grade_onset(grade, hit, accel_mps2, fs_Hz);
   return grade;
+}
+
+std::size_t decayed_length(const Hit& hit, std::span<const double> accel_mps2) {
+  const std::size_t after = std::min(accel_mps2.size(), hit.gate_first - hit.first + hit.gated_N.size());
+  const std::size_t window = (accel_mps2.size() - after) / kEnvelopeWindows;
+  if (window < 8) return accel_mps2.size();
+  std::vector<double> level;
+  for (std::size_t w = 0; w < kEnvelopeWindows; ++w) level.push_back(rms_about_mean(accel_mps2.subspan(after + w * window, window)));
+  const std::size_t quarter = kEnvelopeWindows / 4;
+  const double final_level = median({level.end() - static_cast<std::ptrdiff_t>(quarter), level.end()});
+  const double earlier = median({level.end() - static_cast<std::ptrdiff_t>(2 * quarter), level.end() - static_cast<std::ptrdiff_t>(quarter)});
+  if (!(final_level > 0) || earlier > kSteady * final_level) return accel_mps2.size();
+  std::size_t sunk = kEnvelopeWindows;
+  while (sunk > 0 && level[sunk - 1] < kSunk * final_level) --sunk;
+  return std::min(accel_mps2.size(), after + 2 * std::max<std::size_t>(sunk, 1) * window);
 }
 
 void add_response_findings(Hit& hit, const std::vector<ResponseGrade>& channels) {

@@ -31,6 +31,15 @@ double mean_ratio(const CrossSpectra& spectra) {
 
 }  // namespace
 
+const char* name_of(Estimator estimator) {
+  switch (estimator) {
+    case Estimator::h1: return "H1";
+    case Estimator::h2: return "H2";
+    case Estimator::hv: return "Hv";
+  }
+  return "";
+}
+
 CrossSpectra cross_spectra(std::span<const std::vector<Complex>* const> force, std::span<const std::vector<Complex>* const> accel) {
   assert(force.size() == accel.size() && !force.empty());
   const std::size_t lines = force.front()->size();

@@ -8,6 +8,9 @@ namespace percuss {
 
 enum class Estimator { h1, h2, hv };
 
+/// H1, H2, Hv
+const char* name_of(Estimator estimator);
+
 /// Sums over hits of products of spectra, line by line (one-sided, unscaled: only ratios are used).
 ///   G_ff = Σ |F|²,  G_aa = Σ |A|²,  G_fa = Σ conj(F) A
 struct CrossSpectra {

@@ -29,7 +29,7 @@ constexpr double kHiddenApart = 2;     // bandwidths from a known mode: closer o
 constexpr double kSignificant = 6;     // deviations of a residue
 constexpr double kStandsOut = 3;       // a mode's peak over the rms residual of its window
 constexpr double kMostMisfit = 8;      // times: a mode 24 times the residual is one however poor the fit
-constexpr double kBeyondReach = 3;
+constexpr double kBeyondReach = 12;     // times: where the force has sunk into its own spectrum's side lobes, small peaks are not modes
 constexpr double kMostDamping = 0.3;
 constexpr double kDynamicRange = 1e-5;   // of the largest line: smaller peaks cannot be told from what the polynomial leaves
 constexpr std::size_t kLeastForFit = 16;  // lines
@@ -51,6 +51,7 @@ class Quick {
     std::vector<Pole> poles;
     for (const double freq_Hz : options_.start_Hz) poles.push_back(pole_near(set_, freq_Hz));
     if (options_.start_Hz.empty()) poles = candidate_poles(set_);
+    shown_ = poles;
     regroup(poles);
     sweep(kSweeps);
     if (options_.start_Hz.empty()) {
@@ -199,14 +200,16 @@ class Quick {
     return false;
   }
 
-  // How far a mode has to stand out: further where the window's residual is not noise but the model's own misfit (which a weak mode
-  // may be made of), and beyond the hammer's reach.
+  // How far a mode has to stand out: further when it showed no peak of its own where the window's residual is not noise but the model's
+  // misfit, which such a mode may be made of; and beyond the hammer's reach.
   double least_standing(const Group& group, std::size_t m) const {
+    const Pole& pole = group.fit.poles[m];
+    const bool shown = std::any_of(shown_.begin(), shown_.end(), [&](const Pole& peak) { return std::abs(peak.freq_Hz - pole.freq_Hz) < width_of(pole); });
     double misfit = 1;
     for (Index o = 0; o < group.fit.noise.size(); ++o) misfit = std::max(misfit, group.fit.noise(o) / noise_(o));
-    const bool reached = set_.reach_Hz <= 0 || group.fit.poles[m].freq_Hz <= set_.reach_Hz;
+    const bool reached = set_.reach_Hz <= 0 || pole.freq_Hz <= set_.reach_Hz;
     // Before the set of modes has settled a misfit may be another mode's, still to be found.
-    return kStandsOut * (settled_ ? std::min(misfit, kMostMisfit) : 1) * (reached ? 1 : kBeyondReach);
+    return kStandsOut * (settled_ && !shown ? std::min(misfit, kMostMisfit) : 1) * (reached ? 1 : kBeyondReach);
   }
 
   bool credible(const Group& group, std::size_t m) const {
@@ -362,6 +365,7 @@ class Quick {
   const QuickOptions& options_;
   VectorXd noise_, largest_;  // per output: deviation of a line's noise, largest line
   std::vector<Group> groups_;
+  std::vector<Pole> shown_;  // those that began as a peak
   std::vector<Pole> tried_;  // hidden modes that were given a chance
   bool settled_ = false;
 };

@@ -80,15 +80,43 @@ const LineRange& Analysis::lines() const {
   return lines_.get([&] { return choose_lines(); });
 }
 
-LineRange Analysis::choose_lines() const {
+// In a long record what follows the decay is background alone: a shorter transform sees less of it.
+std::size_t Analysis::longest_decay() const {
+  return longest_decay_.get([&] {
+    std::vector<const Hit*> used;
+    for (const AnalysedHit& hit : force_hits()) {
+      if (hit.accepted) used.push_back(&hit.hit);
+    }
+    const std::size_t channels = record_.accel.size();
+    std::vector<std::size_t> length(used.size() * channels);
+    parallel_for(length.size(), options_.threads, [&](std::size_t t) {
+      const Hit& hit = *used[t / channels];
+      std::vector<double> accel(hit.samples);
+      trace_.run("read acceleration", [&] { record_.read_accel_mps2(hit.row, t % channels, hit.first, accel); });
+      length[t] = decayed_length(hit, accel);
+    });
+    return *std::max_element(length.begin(), length.end());
+  });
+}
+
+std::size_t Analysis::block_samples() const {
   std::size_t samples = 0;
+  for (const AnalysedHit& hit : force_hits()) {
+    if (hit.accepted) samples = samples == 0 ? hit.hit.samples : std::min(samples, hit.hit.samples);
+  }
+  if (samples == 0) throw InputError("no hit can be used", where(record_), "see the hits' findings; --accept-hit overrules them");
+  const bool searched = record_.continuous || record_.rows.size() == 1;
+  if (!searched) return samples;
+  if (!options_.hits.length_s) samples = std::min(samples, longest_decay());
+  return fast_length_at_most(samples);
+}
+
+LineRange Analysis::choose_lines() const {
+  const std::size_t samples = block_samples();
   double reach = 0;
   for (const AnalysedHit& hit : force_hits()) {
-    if (!hit.accepted) continue;
-    samples = samples == 0 ? hit.hit.samples : std::min(samples, hit.hit.samples);
-    reach = std::max(reach, hit.hit.bandwidth_Hz);
+    if (hit.accepted) reach = std::max(reach, hit.hit.bandwidth_Hz);
   }
-  if (record_.continuous || record_.rows.size() == 1) samples = fast_length_at_most(std::max<std::size_t>(samples, 1));
   const auto [low, high] = band_Hz();
   if (!(low < high) || low < 0 || high > record_.fs_Hz / 2) {
     throw InputError(fmt::format("the band {:.6g}:{:.6g} Hz does not fit a sampling rate of {:.6g} Hz", low, high, record_.fs_Hz), "--band",
@@ -128,7 +156,7 @@ std::vector<std::vector<Analysis::Response>> Analysis::read_responses() const {
   parallel_for(tasks.size(), options_.threads, [&](std::size_t t) {
     const auto [h, c] = tasks[t];
     const Hit& hit = hits[h].hit;
-    std::vector<double> accel(hit.samples);
+    std::vector<double> accel(range.samples);
     trace_.run("read acceleration", [&, c = c] { record_.read_accel_mps2(hit.row, c, hit.first, accel); });
     Response& response = out[h][c];
     response.grade = grade_response(hit, accel, record_.fs_Hz);

@@ -97,6 +97,8 @@ class Analysis {
   std::vector<AnalysedHit> find() const;
   std::vector<AnalysedHit> graded() const;
   LineRange choose_lines() const;
+  std::size_t block_samples() const;    // the common length of the hits' transforms
+  std::size_t longest_decay() const;    // of the accepted hits of a continuous record, over all channels
   const std::vector<std::vector<Response>>& responses() const;  // [hits][channels]; empty for hits rejected by their force
   std::vector<std::vector<Response>> read_responses() const;
   const std::vector<std::vector<Complex>>& force_spectra() const;  // [hits]
@@ -112,6 +114,7 @@ class Analysis {
   mutable Trace trace_;
   Lazy<std::vector<AnalysedHit>> force_hits_, hits_;
   Lazy<LineRange> lines_;
+  Lazy<std::size_t> longest_decay_;
   Lazy<std::vector<std::vector<Response>>> responses_;
   Lazy<std::vector<std::vector<Complex>>> force_spectra_;
   Lazy<std::vector<PointFrf>> frfs_;

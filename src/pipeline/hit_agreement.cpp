@@ -21,6 +21,11 @@ std::vector<double> without(const std::vector<double>& values, std::size_t i) {
   return rest;
 }
 
+std::string disagreement(double explained) {
+  const std::string how_far = explained > 0 ? fmt::format("explain only {:.0f} % of its response", explained * 100) : "do not explain its response at all";
+  return "the other hits " + how_far + ": did the point or the direction change (--files points)?";
+}
+
 }  // namespace
 
 void grade_agreement(std::vector<AnalysedHit>& hits, const std::vector<HitSpectra>& spectra) {
@@ -47,8 +52,7 @@ void grade_agreement(std::vector<AnalysedHit>& hits, const std::vector<HitSpectr
         if (!hit.by_user) hit.accepted = false;
       } else if (1 - left[i] < kLowCoherence) {
         hit.hit.findings.push_back({.code = FindingCode::low_coherence, .severity = Severity::warn, .value = 1 - left[i],
-                                    .message = fmt::format("the other hits explain {:.0f} % of its response only: did the point or the "
-                                                           "direction change?", (1 - left[i]) * 100)});
+                                    .message = disagreement(1 - left[i])});
       }
     }
   }

@@ -38,7 +38,7 @@ std::string brief(const Finding& finding) {
     case FindingCode::weak: return fmt::format("weak ({:.0f} %)", finding.value * 100);
     case FindingCode::truncated_decay: return fmt::format("rings on ({:.0f} dB)", finding.value);
     case FindingCode::low_bandwidth: return "soft";
-    case FindingCode::low_coherence: return fmt::format("agrees {:.0f} % with the others", finding.value * 100);
+    case FindingCode::low_coherence: return finding.value > 0 ? fmt::format("agrees {:.0f} % with the others", finding.value * 100) : "does not agree with the others";
     case FindingCode::polarity: return "negative";
     default: return finding.message;
   }

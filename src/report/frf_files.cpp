@@ -7,25 +7,12 @@
 #include "acquire/atomic_file.hpp"
 
 namespace percuss {
-namespace {
-
-const char* name_of_estimator(Estimator estimator) {
-  switch (estimator) {
-    case Estimator::h1: return "H1";
-    case Estimator::h2: return "H2";
-    case Estimator::hv: return "Hv";
-  }
-  return "";
-}
-
-}  // namespace
-
 std::string frf_csv(const Analysis& analysis, FrfKind kind) {
   const auto& frfs = analysis.frfs();
   const LineRange& lines = analysis.lines();
   std::vector<Frf> shown;
   for (const PointFrf& frf : frfs) shown.push_back(converted(frf.frf, lines, kind, analysis.window_decay_per_s()));
-  std::string out = fmt::format("# {} {}, {}, exp(+jwt)\nfrequency_hz", name_of(kind), unit_of(kind), name_of_estimator(analysis.options().estimator));
+  std::string out = fmt::format("# {} {}, {}, exp(+jwt)\nfrequency_hz", name_of(kind), unit_of(kind), name_of(analysis.options().estimator));
   for (const PointFrf& frf : frfs) {
     for (const char* part : {"re", "im", "std", "coherence"}) out += fmt::format(",p{}_c{}_{}", frf.point, frf.channel, part);
   }
