@@ -2,7 +2,6 @@
 
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "acquire/atomic_file.hpp"
@@ -69,10 +68,10 @@ void print_trace(const Analysis& analysis) {
     std::cerr << fmt::format("{:<20} {:>6} calls  {:.6f} s\n", stage.name, stage.calls, stage.seconds);
 }
 
-void write_outputs(const AnalyzeFlags& flags, const std::vector<Test>& tests, const nlohmann::ordered_json& document) {
+void write_outputs(const AnalyzeFlags& flags, const std::vector<Test>& tests, const std::string& document) {
   for (const std::string& path : flags.output.paths) {
     if (extension_of(path) == ".json") {
-      write_file(path, document.dump(2) + "\n", flags.output.force);
+      write_file(path, document, flags.output.force);
     } else if (!tests.front().analysis->possible()) {
       throw InputError("there are no FRFs: no hit can be used", path, "see the hits' findings");
     } else if (tests.size() > 1) {
@@ -93,27 +92,25 @@ int analyze(const AnalyzeFlags& flags) {
   const bool wants_json =
       flags.output.json || std::any_of(flags.output.paths.begin(), flags.output.paths.end(),
                                        [](const std::string& path) { return extension_of(path) == ".json"; });
-  std::vector<std::pair<int, nlohmann::ordered_json>> documents;
-  bool possible = true;
+  std::string document;
+  if (wants_json) {
+    std::vector<NumberedAnalysis> numbered;
+    for (const Test& test : tests) numbered.push_back({.run = test.run, .analysis = test.analysis.get()});
+    document = analysis_json(numbered, {.sections = sections, .trace = flags.trace, .per_hit = flags.per_hit});
+  }
   std::string text;
   for (const Test& test : tests) {
-    const JsonOptions options{.sections = sections, .trace = flags.trace, .per_hit = flags.per_hit};
-    if (wants_json) documents.emplace_back(test.run, analysis_json(*test.analysis, options));
-    if (!flags.output.json) {
-      if (tests.size() > 1) text += fmt::format("{}test {}\n", text.empty() ? "" : "\n", test.run);
-      text +=
-          analysis_text(*test.analysis, {.sections = sections, .width = terminal_width(), .per_hit = flags.per_hit});
-    }
-    possible = possible && test.analysis->possible();
+    if (flags.output.json) break;
+    if (tests.size() > 1) text += fmt::format("{}test {}\n", text.empty() ? "" : "\n", test.run);
+    text += analysis_text(*test.analysis, {.sections = sections, .width = terminal_width(), .per_hit = flags.per_hit});
   }
-  nlohmann::ordered_json document;
-  if (wants_json) document = documents.size() == 1 ? documents.front().second : runs_json(documents);
   progress.stop();
-  std::cout << (flags.output.json ? document.dump(2) + "\n" : text);
+  std::cout << (flags.output.json ? document : text);
   write_outputs(flags, tests, document);
   if (flags.trace && !flags.output.json) {
     for (const Test& test : tests) print_trace(*test.analysis);
   }
+  const bool possible = std::all_of(tests.begin(), tests.end(), [](const Test& test) { return test.analysis->possible(); });
   return possible ? kOk : kImpossible;
 }
 

@@ -1,6 +1,5 @@
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "acquire/atomic_file.hpp"
 #include "analysis_flags.hpp"
@@ -32,7 +31,7 @@ int frf(const FrfFlags& flags) {
   analysis.hits();
   if (!analysis.possible()) {
     progress.stop();
-    std::cout << analysis_json(analysis, {.sections = {Section::hits}}).dump(2) << '\n';
+    std::cout << analysis_json(analysis, {.sections = {Section::hits}});
     return kImpossible;
   }
   const auto summary = analysis_json(analysis, {.sections = {Section::hits, Section::frf, Section::coherence}});
@@ -40,10 +39,10 @@ int frf(const FrfFlags& flags) {
   for (const std::string& path : flags.output.paths) {
     if (extension_of(path) == ".csv") write_frf_csv(path, analysis, kind, flags.output.force);
     if (extension_of(path) == ".h5") write_frf_hdf5(path, analysis, kind, flags.output.force);
-    if (extension_of(path) == ".json") write_file(path, summary.dump(2) + "\n", flags.output.force);
+    if (extension_of(path) == ".json") write_file(path, summary, flags.output.force);
   }
   if (flags.output.json) {
-    std::cout << summary.dump(2) << '\n';
+    std::cout << summary;
   } else if (flags.output.paths.empty()) {
     std::cout << frf_csv(analysis, kind);
   }

@@ -1,7 +1,9 @@
+#include <csignal>
 #include <exception>
 #include <iostream>
 #include <new>
 
+#include "acquire/unfinished_files.hpp"
 #include "command.hpp"
 #include "core/error.hpp"
 
@@ -40,7 +42,14 @@ int parse_and_run(int argc, char** argv) {
 
 }  // namespace
 
+extern "C" void clean_up_and_die(int signal) {
+  percuss::remove_unfinished_files();  // safe within a signal handler
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
+
 int main(int argc, char** argv) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, clean_up_and_die);
   try {
     return parse_and_run(argc, argv);
   } catch (const UsageError& e) {

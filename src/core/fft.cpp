@@ -28,7 +28,7 @@ struct Buffers {
 
 // Only 16-byte alignment is promised by std::vector and only that is assumed: UNALIGNED would cost the vector units.
 fftw_plan forward_plan(std::size_t n) {
-  static std::map<std::size_t, fftw_plan> plans;
+  static auto& plans = *new std::map<std::size_t, fftw_plan>;  // lives as long as the process
   const std::scoped_lock lock(planner);
   auto& plan = plans[n];
   if (plan == nullptr) {
@@ -39,7 +39,7 @@ fftw_plan forward_plan(std::size_t n) {
 }
 
 fftw_plan inverse_plan(std::size_t n) {
-  static std::map<std::size_t, fftw_plan> plans;
+  static auto& plans = *new std::map<std::size_t, fftw_plan>;  // lives as long as the process
   const std::scoped_lock lock(planner);
   auto& plan = plans[n];
   if (plan == nullptr) {

@@ -153,23 +153,7 @@ Json options_json(const Analysis& analysis) {
   return json;
 }
 
-}  // namespace
-
-std::set<Section> all_sections() { return {Section::hits, Section::frf, Section::coherence, Section::modes, Section::classes}; }
-
-std::set<Section> parse_sections(const std::vector<std::string>& names) {
-  static const std::vector<std::pair<std::string, Section>> known{{"hits", Section::hits}, {"frf", Section::frf}, {"coherence", Section::coherence},
-                                                                  {"modes", Section::modes}, {"classes", Section::classes}};
-  std::set<Section> out;
-  for (const std::string& name : names) {
-    const auto it = std::find_if(known.begin(), known.end(), [&](const auto& entry) { return entry.first == name; });
-    if (it == known.end()) throw UsageError("--only does not know the section '" + name + "'", "use hits, frf, coherence, modes or classes");
-    out.insert(it->second);
-  }
-  return out;
-}
-
-Json analysis_json(const Analysis& analysis, const JsonOptions& options) {
+Json document_of(const Analysis& analysis, const JsonOptions& options) {
   const auto wants = [&](Section section) { return options.sections.contains(section); };
   const bool force_only = options.sections == std::set{Section::hits};
   Json json{{"schema", "percuss/analysis/1"}, {"version", version()}, {"inputs", Json::array()}};
@@ -200,14 +184,34 @@ Json analysis_json(const Analysis& analysis, const JsonOptions& options) {
   return json;
 }
 
-Json runs_json(const std::vector<std::pair<int, Json>>& runs) {
-  Json json{{"schema", "percuss/analysis/1"}, {"version", version()}, {"runs", Json::array()}};
-  for (const auto& [run, document] : runs) {
-    Json entry = document;
-    entry["run"] = run;
-    json["runs"].push_back(std::move(entry));
+std::string text_of(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
+
+}  // namespace
+
+std::set<Section> all_sections() { return {Section::hits, Section::frf, Section::coherence, Section::modes, Section::classes}; }
+
+std::set<Section> parse_sections(const std::vector<std::string>& names) {
+  static const std::vector<std::pair<std::string, Section>> known{{"hits", Section::hits}, {"frf", Section::frf}, {"coherence", Section::coherence},
+                                                                  {"modes", Section::modes}, {"classes", Section::classes}};
+  std::set<Section> out;
+  for (const std::string& name : names) {
+    const auto it = std::find_if(known.begin(), known.end(), [&](const auto& entry) { return entry.first == name; });
+    if (it == known.end()) throw UsageError("--only does not know the section '" + name + "'", "use hits, frf, coherence, modes or classes");
+    out.insert(it->second);
   }
-  return json;
+  return out;
+}
+
+std::string analysis_json(const Analysis& analysis, const JsonOptions& options) { return text_of(document_of(analysis, options)); }
+
+std::string analysis_json(const std::vector<NumberedAnalysis>& tests, const JsonOptions& options) {
+  if (tests.size() == 1) return analysis_json(*tests.front().analysis, options);
+  Json json{{"schema", "percuss/analysis/1"}, {"version", version()}, {"runs", Json::array()}};
+  for (const NumberedAnalysis& test : tests) {
+    json["runs"].push_back(document_of(*test.analysis, options));
+    json["runs"].back()["run"] = test.run;
+  }
+  return text_of(json);
 }
 
 }  // namespace percuss

@@ -1,8 +1,6 @@
 #pragma once
-#include <nlohmann/json_fwd.hpp>
 #include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "pipeline/analysis.hpp"
@@ -22,10 +20,15 @@ struct JsonOptions {
   bool per_hit = false;
 };
 
-/// The document percuss/analysis/1 with the sections asked for.
-nlohmann::ordered_json analysis_json(const Analysis& analysis, const JsonOptions& options = {});
+/// One of several tests: its run number (or place on the command line) and its analysis.
+struct NumberedAnalysis {
+  int run = 0;
+  const Analysis* analysis = nullptr;
+};
 
-/// {"schema", "version", "runs": […]} for several analyses, each with its run number.
-nlohmann::ordered_json runs_json(const std::vector<std::pair<int, nlohmann::ordered_json>>& runs);
+/// The document percuss/analysis/1 with the sections asked for, indented, with a line end. Several tests stand in an array "runs".
+/// Text that is not UTF-8 (file names) is shown with replacement characters.
+std::string analysis_json(const std::vector<NumberedAnalysis>& tests, const JsonOptions& options = {});
+std::string analysis_json(const Analysis& analysis, const JsonOptions& options = {});
 
 }  // namespace percuss
