@@ -7,6 +7,7 @@
 
 #include "core/units.hpp"
 #include "support/input_error.hpp"
+#include "support/json_schema.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace percuss {
@@ -32,6 +33,11 @@ TEST(ChannelSetup, ExampleReadsBack) {
   EXPECT_EQ(setup[2].position_m, 0.15);
   EXPECT_DOUBLE_EQ(setup[1].sensitivity_V_per_SI.value(), 10.2e-3 / kStandardGravity_mps2);
   EXPECT_EQ(setup[1].unit, "V");
+}
+
+TEST(ChannelSetup, ExampleFollowsTheSchema) {
+  const auto example = nlohmann::json::parse(channel_setup_example());
+  EXPECT_THAT(test::schema_violations(example, test::schema_named("channel-setup")), testing::IsEmpty());
 }
 
 TEST(ChannelSetup, LeavesOpenWhatItDoesNotSay) {
