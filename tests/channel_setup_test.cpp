@@ -103,7 +103,7 @@ TEST(ChannelSetup, NamesTheKeyThatIsWrong) {
 
 TEST(ChannelSetup, RefusesWhatIsNoSetUp) {
   for (const char* json :
-       {"", "[", "[]", "{}", "3", "[3]", "[[]]", "nul", "[{\"name\": \"a\"}] x", "[{\"name\": \"\xFF\"}]"}) {
+       {"", "[", "[]", "{}", "3", "[3]", "[[]]", "nul", R"([{"name": "a"}] x)", "[{\"name\": \"\xFF\"}]"}) {
     EXPECT_THAT(refusal_of(json), HasSubstr("s.json")) << json;
   }
   EXPECT_THAT(refusal_of(std::string(100000, '[')), HasSubstr("deeper than 16"));

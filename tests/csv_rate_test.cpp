@@ -22,7 +22,7 @@ std::optional<StampedRate> rate_of(const std::vector<double>& time_s, double res
                                    std::string* problem = nullptr) {
   const std::vector<Stamps> rows = {{time_s, resolution_s}};
   StampProblem found;
-  const auto rate = rate_of_stamps(rows, found);
+  auto rate = rate_of_stamps(rows, found);
   if (problem != nullptr) *problem = found.text;
   EXPECT_EQ(rate.has_value(), found.text.empty());
   return rate;
