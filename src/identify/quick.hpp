@@ -18,8 +18,4 @@ struct QuickOptions {
 /// Deviations are scaled by each window's residual. Modes in ascending frequency.
 std::vector<Mode> identify_quick(const FrfSet& set, const QuickOptions& options = {});
 
-/// Deviation of the noise on each output's lines, from how rough the FRF is between neighbouring lines: |H(k) − (H(k−1) + H(k+1))/2|,
-/// median over all lines. (m/s²)/N, [outputs].
-Eigen::VectorXd roughness(const FrfSet& set);
-
 }  // namespace percuss

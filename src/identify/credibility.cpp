@@ -1,0 +1,87 @@
+#include "identify/credibility.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace percuss {
+namespace {
+
+using Eigen::Index;
+
+constexpr double kSignificant = 6;      // deviations of a residue
+constexpr double kStandsOut = 3;        // a mode's peak over the rms residual of its window
+constexpr double kMostMisfit = 8;       // times: a mode 24 times the residual is one however poor the fit
+constexpr double kBeyondReach = 12;     // times: in the side lobes of the force's spectrum small peaks are not modes
+constexpr double kMostDamping = 0.3;
+constexpr double kDynamicRange = 1e-5;  // of the largest line: smaller peaks cannot be told from what the polynomial leaves
+constexpr double kLeastSplit = 0.5;     // bandwidths between two modes
+constexpr double kCertain = 1e9;        // a quotient over no noise at all
+
+double significance(const LocalFit& fit, std::size_t mode) {
+  double best = 0;
+  for (Index o = 0; o < fit.residues.rows(); ++o) {
+    const double std = fit.residue_std(o, static_cast<Index>(mode));
+    best = std::max(best, std > 0 ? std::abs(fit.residues(o, static_cast<Index>(mode))) / std : kCertain);
+  }
+  return best;
+}
+
+// Above the fit's own imperfection at some output.
+bool tall(const GroupedFit& all, const LocalFit& fit, std::size_t mode) {
+  for (Index o = 0; o < fit.residues.rows(); ++o) {
+    const double peak = std::abs(fit.residues(o, static_cast<Index>(mode))) / (2 * fit.poles[mode].damping_ratio);
+    if (peak > kDynamicRange * all.largest()(o)) return true;
+  }
+  return false;
+}
+
+double least_standing(const GroupedFit& all, const FitGroup& group, std::size_t mode, const CredibilityContext& context) {
+  const Pole& pole = group.fit.poles[mode];
+  const bool shown = std::any_of(context.shown.begin(), context.shown.end(),
+                                 [&](const Pole& peak) { return std::abs(peak.freq_Hz - pole.freq_Hz) < all.width_Hz(pole); });
+  double misfit = 1;
+  for (Index o = 0; o < group.fit.noise.size(); ++o) misfit = std::max(misfit, group.fit.noise(o) / all.noise()(o));
+  const bool reached = all.set().reach_Hz <= 0 || pole.freq_Hz <= all.set().reach_Hz;
+  // Before the set of modes has settled a misfit may be another mode's, still to be found.
+  return kStandsOut * (context.settled && !shown ? std::min(misfit, kMostMisfit) : 1) * (reached ? 1 : kBeyondReach);
+}
+
+}  // namespace
+
+double stands_out(const GroupedFit& all, const FitGroup& group, std::size_t mode) {
+  const LocalFit& fit = group.fit;
+  // The peak's height, or what a single line sees of a mode narrower than that.
+  const double width = std::max(2 * fit.poles[mode].damping_ratio, all.set().lines.df_Hz() / fit.poles[mode].freq_Hz);
+  double best = 0;
+  for (Index o = 0; o < fit.residues.rows(); ++o) {
+    const double peak = std::abs(fit.residues(o, static_cast<Index>(mode))) / width;
+    best = std::max(best, fit.noise(o) > 0 ? peak / fit.noise(o) : kCertain);
+  }
+  return best;
+}
+
+bool credible(const GroupedFit& all, const FitGroup& group, std::size_t mode, const CredibilityContext& context) {
+  const Pole& pole = group.fit.poles[mode];
+  const double low = all.set().lines.freq_Hz(group.first);
+  const double high = all.set().lines.freq_Hz(group.first + group.count - 1);
+  const auto m = static_cast<Index>(mode);
+  return tall(all, group.fit, mode) && pole.freq_Hz > low && pole.freq_Hz < high && pole.damping_ratio < kMostDamping &&
+         significance(group.fit, mode) > kSignificant && stands_out(all, group, mode) > least_standing(all, group, mode, context) &&
+         group.fit.freq_std_Hz(m) < all.width_Hz(pole) && group.fit.damping_std(m) < pole.damping_ratio;
+}
+
+bool all_credible(const GroupedFit& all, const FitGroup& group, const CredibilityContext& context) {
+  const auto& poles = group.fit.poles;
+  for (std::size_t m = 0; m < poles.size(); ++m) {
+    if (!credible(all, group, m, context)) return false;
+    for (std::size_t i = 0; i < m; ++i) {
+      const double a = all.width_Hz(poles[i]);
+      const double b = all.width_Hz(poles[m]);
+      const double least = kLeastSplit * std::max(std::min(a, b), 0.5 * std::max(a, b));
+      if (std::abs(poles[i].freq_Hz - poles[m].freq_Hz) <= least) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace percuss

@@ -1,0 +1,154 @@
+#include "identify/grouped_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/statistics.hpp"
+
+namespace percuss {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXcd;
+using Eigen::VectorXd;
+
+constexpr double kWindow = 10;      // half-power bandwidths on either side: beyond lies under 0.1 % of a mode's information
+constexpr double kLeastLines = 8;   // … and never fewer lines
+constexpr double kMostLines = 400;  // … nor more: the polynomial follows other modes' tails over a short stretch only
+constexpr double kTogether = 4;     // bandwidths apart at which two modes are fitted together
+
+void carry_over(const std::vector<FitGroup>& before, FitGroup& group, std::size_t m) {
+  for (const FitGroup& old : before) {
+    for (std::size_t i = 0; i < old.fit.poles.size(); ++i) {
+      if (old.fit.poles[i].freq_Hz != group.fit.poles[m].freq_Hz || old.fit.residues.size() == 0) continue;
+      group.fit.residues.col(static_cast<Index>(m)) = old.fit.residues.col(static_cast<Index>(i));
+    }
+  }
+}
+
+
+}  // namespace
+
+GroupedFit::GroupedFit(const FrfSet& set) : set_(set), noise_(roughness(set)), largest_(VectorXd::Zero(noise_.size())) {
+  for (std::size_t o = 0; o < set.outputs.size(); ++o) {
+    double& largest = largest_(static_cast<Index>(o));
+    for (const Complex& line : set.outputs[o].frf) largest = std::max(largest, std::abs(line));
+  }
+}
+
+std::vector<Pole> GroupedFit::poles() const {
+  std::vector<Pole> all;
+  for (const FitGroup& group : groups_) all.insert(all.end(), group.fit.poles.begin(), group.fit.poles.end());
+  return all;
+}
+
+double GroupedFit::width_Hz(const Pole& pole) const { return std::max(pole.half_power_Hz(), 0.5 * set_.lines.df_Hz()); }
+
+void GroupedFit::place_window(FitGroup& group) const {
+  double low = 1e300;
+  double high = 0;
+  for (const Pole& pole : group.fit.poles) {
+    const double half = std::clamp(kWindow * width_Hz(pole), kLeastLines * set_.lines.df_Hz(), kMostLines * set_.lines.df_Hz());
+    low = std::min(low, pole.freq_Hz - half);
+    high = std::max(high, pole.freq_Hz + half);
+  }
+  const auto line = [&](double freq_Hz) {
+    const double at = std::round(freq_Hz / set_.lines.df_Hz()) - static_cast<double>(set_.lines.first);
+    return static_cast<std::size_t>(std::clamp(at, 0.0, static_cast<double>(set_.lines.count - 1)));
+  };
+  // Twice as many lines as complex unknowns at the least, also for a group at the band's edge.
+  const auto least = 2 * (group.fit.poles.size() + LocalFitOptions{}.residual_terms) + 2;
+  group.first = line(low);
+  std::size_t last = line(high);
+  while (last - group.first + 1 < least && last - group.first + 1 < set_.lines.count) {
+    if (group.first > 0) --group.first;
+    if (last + 1 < set_.lines.count) ++last;
+  }
+  group.count = last - group.first + 1;
+}
+
+
+void GroupedFit::replace(std::vector<Pole> poles) {
+  const std::vector<FitGroup> before = std::move(groups_);
+  groups_.clear();
+  std::sort(poles.begin(), poles.end(), [](const Pole& a, const Pole& b) { return a.freq_Hz < b.freq_Hz; });
+  const auto near = [&](const Pole& last, const Pole& next) {
+    return next.freq_Hz - last.freq_Hz < kTogether * std::max(width_Hz(last), width_Hz(next));
+  };
+  for (const Pole& pole : poles) {
+    const bool join = !groups_.empty() && groups_.back().fit.poles.size() < kMostTogether && near(groups_.back().fit.poles.back(), pole);
+    if (!join) groups_.emplace_back();
+    groups_.back().fit.poles.push_back(pole);
+  }
+  const auto outputs = static_cast<Index>(set_.outputs.size());
+  for (FitGroup& group : groups_) {
+    group.fit.residues = Eigen::MatrixXcd::Zero(outputs, static_cast<Index>(group.fit.poles.size()));
+    for (std::size_t m = 0; m < group.fit.poles.size(); ++m) carry_over(before, group, m);
+    place_window(group);
+  }
+}
+
+void GroupedFit::sweep(int times) {
+  for (int i = 0; i < times; ++i) {
+    if (i > 0) replace(poles());  // poles that moved may belong together now
+    for (FitGroup& group : groups_) {
+      const auto data = remainder(group);
+      // Twice: the first residual tells each output's noise here, which is not the noise elsewhere.
+      group.fit = fit(group, data, group.fit.poles, noise_);
+      group.fit = fit(group, data, group.fit.poles, weights_from(group.fit));
+    }
+  }
+}
+
+std::vector<VectorXcd> GroupedFit::remainder(const FitGroup& group) const {
+  std::vector<VectorXcd> data;
+  for (const Output& output : set_.outputs) {
+    data.emplace_back(Eigen::Map<const VectorXcd>(output.frf.data() + group.first, static_cast<Index>(group.count)));
+  }
+  for (const FitGroup& other : groups_) {
+    if (&other == &group || other.fit.residues.isZero(0)) continue;
+    for (std::size_t m = 0; m < other.fit.poles.size(); ++m) {
+      for (std::size_t p = 0; p < set_.points.size(); ++p) {
+        const ModeColumn column = mode_column(other.fit.poles[m], set_.points[p], set_.lines, group.first, group.count);
+        for (std::size_t o = 0; o < set_.outputs.size(); ++o) {
+          if (set_.outputs[o].point == p) data[o] -= column.value * other.fit.residues(static_cast<Index>(o), static_cast<Index>(m));
+        }
+      }
+    }
+  }
+  return data;
+}
+
+std::vector<VectorXcd> GroupedFit::residual() const {
+  FitGroup none;  // belongs to no group: all of them are subtracted
+  none.count = set_.lines.count;
+  return remainder(none);
+}
+
+LocalFit GroupedFit::fit(const FitGroup& group, const std::vector<VectorXcd>& data, std::vector<Pole> start, const VectorXd& weight) const {
+  return fit_locally(set_, data, weight, std::move(start), {.first = group.first, .count = group.count});
+}
+
+VectorXd GroupedFit::weights_from(const LocalFit& fit) const {
+  VectorXd weight = fit.noise;
+  for (Index o = 0; o < weight.size(); ++o) weight(o) = std::max(weight(o), 1e-3 * noise_(o));
+  return weight;
+}
+
+VectorXd roughness(const FrfSet& set) {
+  VectorXd noise(static_cast<Index>(set.outputs.size()));
+  for (std::size_t o = 0; o < set.outputs.size(); ++o) {
+    const auto& h = set.outputs[o].frf;
+    std::vector<double> rough;
+    double largest = 0;
+    for (std::size_t k = 1; k + 1 < h.size(); ++k) {
+      rough.push_back(std::norm(h[k] - 0.5 * (h[k - 1] + h[k + 1])) / 1.5);
+      largest = std::max(largest, std::abs(h[k]));
+    }
+    // A noise-free FRF still has rounding; a weight of zero would be none.
+    noise(static_cast<Index>(o)) = std::max({std::sqrt(median(rough) / 0.693147), 1e-12 * largest, 1e-300});
+  }
+  return noise;
+}
+
+}  // namespace percuss

@@ -1,0 +1,61 @@
+#pragma once
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+#include "identify/local_fit.hpp"
+
+namespace percuss {
+
+/// Poles fitted together over a window of lines.
+struct FitGroup {
+  LocalFit fit;
+  std::size_t first = 0, count = 0;  // the window
+};
+
+/// A set of modes fitted piece by piece: close ones together, each piece over a window of its own lines with the shares of all others
+/// subtracted. A few sweeps over the pieces come to the same least-squares solution as one fit over the whole band, at a fraction of
+/// the work.
+class GroupedFit {
+ public:
+  /// `set` must outlive this object.
+  explicit GroupedFit(const FrfSet& set);
+
+  const std::vector<FitGroup>& groups() const { return groups_; }
+  std::vector<Pole> poles() const;
+  const FrfSet& set() const { return set_; }
+  /// Per output: deviation of a line's noise as the FRF's roughness tells it; the largest line.
+  const Eigen::VectorXd& noise() const { return noise_; }
+  const Eigen::VectorXd& largest() const { return largest_; }
+  /// Half-power bandwidth, at least half a line.
+  double width_Hz(const Pole& pole) const;
+
+  /// Other poles: residues of those already known stay; new ones count as 0 until the next sweep.
+  void replace(std::vector<Pole> poles);
+  /// Fits every group in turn, `times` over.
+  void sweep(int times);
+  /// What is left in the group's window when all other groups' shares are subtracted, [outputs][group.count].
+  std::vector<Eigen::VectorXcd> remainder(const FitGroup& group) const;
+  /// … and over all lines when every group's share is.
+  std::vector<Eigen::VectorXcd> residual() const;
+  /// The group's window fitted anew with these poles; for trials.
+  LocalFit fit(const FitGroup& group, const std::vector<Eigen::VectorXcd>& data, std::vector<Pole> start, const Eigen::VectorXd& weight) const;
+  /// The noise of each output in the window as the fit's residual tells it.
+  Eigen::VectorXd weights_from(const LocalFit& fit) const;
+
+  /// No more than this many are fitted together.
+  static constexpr std::size_t kMostTogether = 4;
+
+ private:
+  void place_window(FitGroup& group) const;
+
+  const FrfSet& set_;
+  Eigen::VectorXd noise_, largest_;
+  std::vector<FitGroup> groups_;
+};
+
+/// Deviation of the noise on each output's lines, from how rough the FRF is between neighbouring lines: |H(k) − (H(k−1) + H(k+1))/2|,
+/// median over all lines. (m/s²)/N, [outputs].
+Eigen::VectorXd roughness(const FrfSet& set);
+
+}  // namespace percuss
