@@ -1,0 +1,46 @@
+#include "core/error.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace percuss {
+namespace {
+
+TEST(InputError, NamesProblemPlaceAndRemedy) {
+  EXPECT_STREQ(InputError("no force channel", "x.csv", "name it").what(), "no force channel (x.csv); name it");
+}
+
+TEST(UsageError, NamesProblemAndRemedy) {
+  EXPECT_STREQ(UsageError("unknown option", "see --help").what(), "unknown option; see --help");
+}
+
+TEST(InputError, StaysOnOneLineWhateverTheFileHolds) {
+  const std::string message = InputError("a\nb", "c\r\td", std::string("e\0f", 3)).what();
+  EXPECT_EQ(message, "a?b (c??d); e?f");
+}
+
+TEST(InputError, StaysShortWhateverTheFileHolds) {
+  const std::string endless(1 << 20, 'x');
+  EXPECT_LE(std::string(InputError(endless, endless, endless).what()).size(), 2000U);
+}
+
+TEST(OneLine, KeepsPrintableTextAndBytesBeyondAscii) {
+  EXPECT_EQ(one_line("m/s² at 90°"), "m/s² at 90°");
+  EXPECT_EQ(one_line(""), "");
+}
+
+TEST(OneLine, ShowsControlCharactersAsQuestionMarks) {
+  for (int code = 0; code < 0x20; ++code) EXPECT_EQ(one_line(std::string(1, static_cast<char>(code))), "?") << code;
+  EXPECT_EQ(one_line("\x7f"), "?");
+  EXPECT_EQ(one_line(" ~"), " ~");
+}
+
+TEST(OneLine, CutsWhatIsLongerThanTheLimitOnly) {
+  EXPECT_EQ(one_line("abcdef", 6), "abcdef");
+  EXPECT_EQ(one_line("abcdefg", 6), "abcdef...");
+  EXPECT_EQ(one_line("abc", 0), "...");
+}
+
+}  // namespace
+}  // namespace percuss

@@ -1,0 +1,64 @@
+#include "core/parallel.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <atomic>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace percuss {
+namespace {
+
+constexpr std::array<std::size_t, 6> kAnyThreads = {0, 1, 2, 7, 1000, std::numeric_limits<std::size_t>::max()};
+
+TEST(ParallelFor, CallsEachTaskOnceOnAnyNumberOfThreads) {
+  for (const std::size_t threads : kAnyThreads) {
+    for (const std::size_t count : {0U, 1U, 2U, 1000U}) {
+      std::vector<std::atomic<int>> calls(count);
+      parallel_for(count, threads, [&](std::size_t i) { ++calls.at(i); });
+      for (const auto& number : calls) EXPECT_EQ(number, 1);
+    }
+  }
+}
+
+TEST(ParallelFor, RunsHereAndInOrderOnOneThread) {
+  std::vector<std::size_t> order;  // unguarded: a second thread would be a race
+  const auto here = std::this_thread::get_id();
+  parallel_for(50, 1, [&](std::size_t i) {
+    EXPECT_EQ(std::this_thread::get_id(), here);
+    order.push_back(i);
+  });
+  std::vector<std::size_t> expected(50);
+  std::iota(expected.begin(), expected.end(), std::size_t{0});
+  EXPECT_EQ(order, expected);
+}
+
+TEST(ParallelFor, PassesATasksExceptionOn) {
+  for (const std::size_t threads : kAnyThreads) {
+    const auto work = [&] {
+      parallel_for(20, threads, [](std::size_t i) {
+        if (i == 13) throw std::runtime_error("task 13");
+      });
+    };
+    try {
+      work();
+      FAIL() << "no exception on " << threads << " threads";
+    } catch (const std::runtime_error& error) {
+      EXPECT_STREQ(error.what(), "task 13");
+    }
+  }
+}
+
+TEST(ParallelFor, MayBeNested) {
+  std::vector<std::atomic<int>> calls(100);
+  parallel_for(10, 0, [&](std::size_t i) { parallel_for(10, 0, [&](std::size_t j) { ++calls.at(10 * i + j); }); });
+  for (const auto& number : calls) EXPECT_EQ(number, 1);
+}
+
+}  // namespace
+}  // namespace percuss
