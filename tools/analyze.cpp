@@ -110,7 +110,8 @@ int analyze(const AnalyzeFlags& flags) {
   if (flags.trace && !flags.output.json) {
     for (const Test& test : tests) print_trace(*test.analysis);
   }
-  const bool possible = std::all_of(tests.begin(), tests.end(), [](const Test& test) { return test.analysis->possible(); });
+  const bool possible =
+      std::all_of(tests.begin(), tests.end(), [](const Test& test) { return test.analysis->possible(); });
   return possible ? kOk : kImpossible;
 }
 

@@ -26,29 +26,42 @@ struct CalibrateFlags {
 };
 
 nlohmann::ordered_json json_of(const CalibrateFlags& flags, const Record& record, const Calibration& calibration) {
-  nlohmann::ordered_json json{{"schema", "percuss/calibration/1"}, {"version", version()}, {"inputs", nlohmann::ordered_json::array()}};
+  nlohmann::ordered_json json{
+      {"schema", "percuss/calibration/1"}, {"version", version()}, {"inputs", nlohmann::ordered_json::array()}};
   for (const InputFile& file : record.files) json["inputs"].push_back({{"path", file.path}, {"bytes", file.bytes}});
   json["mass_kg"] = flags.mass_kg;
   json["force_scale"] = calibration.scale;
   json["force_scale_std"] = calibration.scale_std;
   json["hits"] = nlohmann::ordered_json::array();
   for (const CalibrationHit& hit : calibration.hits) {
-    nlohmann::ordered_json row{{"index", hit.index}, {"time_s", hit.time_s}, {"peak_force", hit.peak_force}, {"peak_acceleration_mps2", hit.peak_accel_mps2},
-                               {"samples", hit.samples}, {"scale", hit.scale}, {"used", hit.used}};
+    nlohmann::ordered_json row{{"index", hit.index},
+                               {"time_s", hit.time_s},
+                               {"peak_force", hit.peak_force},
+                               {"peak_acceleration_mps2", hit.peak_accel_mps2},
+                               {"samples", hit.samples},
+                               {"scale", hit.scale},
+                               {"used", hit.used}};
     json["hits"].push_back(std::move(row));
   }
   return json;
 }
 
 std::string text_of(const CalibrateFlags& flags, const Record& record, const Calibration& calibration) {
-  TextTable table({{"hit", TextTable::Align::right}, {"time", TextTable::Align::right}, {"force peak", TextTable::Align::right},
-                   {"acceleration", TextTable::Align::right}, {"N per unit", TextTable::Align::right}, {""}});
+  TextTable table({{"hit", TextTable::Align::right},
+                   {"time", TextTable::Align::right},
+                   {"force peak", TextTable::Align::right},
+                   {"acceleration", TextTable::Align::right},
+                   {"N per unit", TextTable::Align::right},
+                   {""}});
   for (const CalibrationHit& hit : calibration.hits) {
-    table.add({fmt::format("{}", hit.index), fmt::format("{:.3f} s", hit.time_s), fmt::format("{:.5g}", hit.peak_force), fmt::format("{:.4g} m/s²", hit.peak_accel_mps2),
-               fmt::format("{:.6g}", hit.scale), hit.used ? "" : "not used: too weak"});
+    table.add({fmt::format("{}", hit.index), fmt::format("{:.3f} s", hit.time_s), fmt::format("{:.5g}", hit.peak_force),
+               fmt::format("{:.4g} m/s²", hit.peak_accel_mps2), fmt::format("{:.6g}", hit.scale),
+               hit.used ? "" : "not used: too weak"});
   }
-  return fmt::format("{}   {} kg free mass\n\n", record.files.front().path, flags.mass_kg) + table.text(terminal_width()) +
-         fmt::format("\n1 unit of the force channel is {} N: use --force-scale {:.8g}\n", with_deviation(calibration.scale, calibration.scale_std), calibration.scale);
+  return fmt::format("{}   {} kg free mass\n\n", record.files.front().path, flags.mass_kg) +
+         table.text(terminal_width()) +
+         fmt::format("\n1 unit of the force channel is {} N: use --force-scale {:.8g}\n",
+                     with_deviation(calibration.scale, calibration.scale_std), calibration.scale);
 }
 
 int calibrate_file(const CalibrateFlags& flags) {
@@ -65,12 +78,18 @@ int calibrate_file(const CalibrateFlags& flags) {
 
 void add_calibrate(CLI::App& app, Run& run) {
   auto flags = std::make_shared<CalibrateFlags>();
-  CLI::App* command = app.add_subcommand("calibrate", "What one unit of the force channel is in N, from hits on a free mass");
+  CLI::App* command =
+      app.add_subcommand("calibrate", "What one unit of the force channel is in N, from hits on a free mass");
   command->footer("Example: percuss calibrate hits.csv --mass 1.25 --force-channel CH8");
   add_read_flags(*command, flags->read);
   add_output_flags(*command, flags->output);
-  command->add_option("--mass", flags->mass_kg, "The free mass in kg, its accelerometer included")->required()->check(CLI::PositiveNumber);
-  command->add_option("--trigger", flags->trigger, "Reading of the force channel that counts as a hit (default: from the noise)")->check(CLI::PositiveNumber);
+  command->add_option("--mass", flags->mass_kg, "The free mass in kg, its accelerometer included")
+      ->required()
+      ->check(CLI::PositiveNumber);
+  command
+      ->add_option("--trigger", flags->trigger,
+                   "Reading of the force channel that counts as a hit (default: from the noise)")
+      ->check(CLI::PositiveNumber);
   command->callback([flags, &run] { run = [flags] { return calibrate_file(*flags); }; });
 }
 

@@ -37,7 +37,8 @@ int parse_and_run(int argc, char** argv) {
   }
   const int code = run();
   std::cout.flush();
-  return std::cout ? code : report("could not write to standard output; is the disk full or the pipe closed?", kBadInput);
+  return std::cout ? code
+                   : report("could not write to standard output; is the disk full or the pipe closed?", kBadInput);
 }
 
 }  // namespace

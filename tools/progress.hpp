@@ -7,7 +7,8 @@
 
 namespace percuss::tools {
 
-/// Says on standard error, if it is a terminal, that work goes on, once it has taken longer than a second; wiped when done.
+/// Says on standard error, if it is a terminal, that work goes on, once it has taken longer than a second; wiped when
+/// done.
 class Progress {
  public:
   Progress(std::string what, bool quiet);

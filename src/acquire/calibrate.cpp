@@ -8,9 +8,9 @@
 namespace percuss {
 namespace {
 
-constexpr std::size_t kBefore = 8;     // samples before the pulse that tell the offsets
-constexpr double kCompared = 0.5;      // of the peak
-constexpr double kLeastForce = 0.2;    // of the largest hit
+constexpr std::size_t kBefore = 8;   // samples before the pulse that tell the offsets
+constexpr double kCompared = 0.5;    // of the peak
+constexpr double kLeastForce = 0.2;  // of the largest hit
 
 double mean(const std::vector<double>& x, std::size_t first, std::size_t last) {
   double sum = 0;
@@ -48,8 +48,8 @@ CalibrationHit compare(const Record& record, const Hit& hit, double mass_kg) {
 Calibration calibrate(const Record& record, double mass_kg, const HitOptions& options) {
   const std::string where = record.files.empty() ? "record" : record.files.front().path;
   if (record.accel.size() != 1) {
-    throw InputError("calibration takes one acceleration channel, this has " + std::to_string(record.accel.size()), where,
-                     "name the one on the free mass with --accel-channel");
+    throw InputError("calibration takes one acceleration channel, this has " + std::to_string(record.accel.size()),
+                     where, "name the one on the free mass with --accel-channel");
   }
   Calibration out;
   double largest = 0;
@@ -72,7 +72,8 @@ Calibration calibrate(const Record& record, double mass_kg, const HitOptions& op
   }
   if (used == 0) throw InputError("no hit on the free mass", where, "check the force channel, or lower --trigger");
   out.scale = sum / weights;
-  if (used > 1) out.scale_std = std::sqrt(std::max(0.0, squares / weights - out.scale * out.scale) / static_cast<double>(used - 1));
+  if (used > 1)
+    out.scale_std = std::sqrt(std::max(0.0, squares / weights - out.scale * out.scale) / static_cast<double>(used - 1));
   return out;
 }
 

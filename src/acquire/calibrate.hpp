@@ -11,10 +11,10 @@ namespace percuss {
 struct CalibrationHit {
   std::size_t index = 0;
   double time_s = 0;
-  double peak_force = 0;       // in the channel's present unit
+  double peak_force = 0;  // in the channel's present unit
   double peak_accel_mps2 = 0;
-  std::size_t samples = 0;     // above half of the force's peak: those compared
-  double scale = 0;            // N per present unit
+  std::size_t samples = 0;  // above half of the force's peak: those compared
+  double scale = 0;         // N per present unit
   bool used = false;
 };
 
@@ -24,10 +24,10 @@ struct Calibration {
   std::vector<CalibrationHit> hits;
 };
 
-/// The force channel's scale from hits on a free mass: force = mass · acceleration. Per hit, least squares over the samples above half
-/// of the force's peak, both signals counted from their mean just before the hit; over hits, weighted by the square of the force
-/// (hits below a fifth of the largest take no part). The sign is chosen such that the push is positive.
-/// errors  InputError when the record has not exactly one acceleration channel or no hit.
+/// The force channel's scale from hits on a free mass: force = mass · acceleration. Per hit, least squares over the
+/// samples above half of the force's peak, both signals counted from their mean just before the hit; over hits,
+/// weighted by the square of the force (hits below a fifth of the largest take no part). The sign is chosen such that
+/// the push is positive. errors  InputError when the record has not exactly one acceleration channel or no hit.
 Calibration calibrate(const Record& record, double mass_kg, const HitOptions& options = {});
 
 }  // namespace percuss

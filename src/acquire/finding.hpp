@@ -6,7 +6,16 @@
 namespace percuss {
 
 enum class FindingCode {
-  double_hit, overload, late_trigger, no_pulse, weak, truncated_decay, low_bandwidth, low_coherence, outlier, polarity
+  double_hit,
+  overload,
+  late_trigger,
+  no_pulse,
+  weak,
+  truncated_decay,
+  low_bandwidth,
+  low_coherence,
+  outlier,
+  polarity
 };
 enum class Severity { info, warn, reject };
 

@@ -13,13 +13,13 @@
 namespace percuss {
 namespace {
 
-constexpr double kPulseToNoise = 10;        // a pulse stands at least this far out of the noise
-constexpr double kLongestPulse_s = 0.05;    // softer than any hammer tip; longer is drift
-constexpr std::size_t kLongestPulse = 8;    // samples, for records too slow to show a pulse at all
-constexpr double kDoubleScan_s = 0.25;      // bounces come within a few tens of milliseconds
-constexpr double kDoubleRejects = 0.01;     // of the main pulse
-constexpr double kWeak = 0.2;               // of the median hit's peak
-constexpr double kLateTrigger = 0.05;       // of the peak already there at the first sample
+constexpr double kPulseToNoise = 10;      // a pulse stands at least this far out of the noise
+constexpr double kLongestPulse_s = 0.05;  // softer than any hammer tip; longer is drift
+constexpr std::size_t kLongestPulse = 8;  // samples, for records too slow to show a pulse at all
+constexpr double kDoubleScan_s = 0.25;    // bounces come within a few tens of milliseconds
+constexpr double kDoubleRejects = 0.01;   // of the main pulse
+constexpr double kWeak = 0.2;             // of the median hit's peak
+constexpr double kLateTrigger = 0.05;     // of the peak already there at the first sample
 constexpr std::size_t kPretriggerSamples = 128;
 constexpr double kPretrigger_s = 0.005;
 
@@ -37,10 +37,12 @@ Part asked_part(const Record& record, std::size_t row, const HitOptions& options
   throw InputError(fmt::format("nothing lies between --from {} and --to {}: the row is {:.6g} s long", options.from_s,
                                options.to_s ? fmt::format("{}", *options.to_s) : "the end",
                                static_cast<double>(samples) / record.fs_Hz),
-                   record.files.empty() ? "record" : record.files[record.rows[row].file].path, "give a later --to or an earlier --from");
+                   record.files.empty() ? "record" : record.files[record.rows[row].file].path,
+                   "give a later --to or an earlier --from");
 }
 
-std::vector<double> force_between(const Record& record, std::size_t row, std::size_t first, std::size_t last, double baseline) {
+std::vector<double> force_between(const Record& record, std::size_t row, std::size_t first, std::size_t last,
+                                  double baseline) {
   std::vector<double> x(last - first);
   record.read_force_N(row, first, x);
   for (double& value : x) value -= baseline;
@@ -58,7 +60,8 @@ void grade_double(Hit& hit, const std::optional<SecondPulse>& second, double fs_
   hit.findings.push_back({.code = FindingCode::double_hit,
                           .severity = second->ratio > kDoubleRejects ? Severity::reject : Severity::info,
                           .value = second->ratio,
-                          .message = fmt::format("second hit {} {:.2f} ms, {:.1f} % of the main one", second->delay_samples < 0 ? "before the main one by" : "after",
+                          .message = fmt::format("second hit {} {:.2f} ms, {:.1f} % of the main one",
+                                                 second->delay_samples < 0 ? "before the main one by" : "after",
                                                  delay_s * 1e3, second->ratio * 100),
                           .delay_s = delay_s});
 }
@@ -67,21 +70,31 @@ void grade_pulse(Hit& hit, std::span<const double> x, const PulseShape& pulse) {
   const double peak = std::abs(hit.peak_N);
   const double at_start = std::abs(x.front()) / peak;
   if (hit.gate_first == hit.first && (!pulse.starts_inside || at_start > kLateTrigger)) {
-    hit.findings.push_back({.code = FindingCode::late_trigger, .severity = Severity::reject, .value = at_start,
+    hit.findings.push_back({.code = FindingCode::late_trigger,
+                            .severity = Severity::reject,
+                            .value = at_start,
                             .message = fmt::format("the record starts inside the pulse, at {:.0f} % of its peak: "
-                                                   "set a pre-trigger on the recorder", at_start * 100)});
+                                                   "set a pre-trigger on the recorder",
+                                                   at_start * 100)});
   }
-  const std::size_t rail = samples_at_rail(std::span(x).subspan(
-      static_cast<std::size_t>(std::max(0.0, pulse.rise)),
-      std::min(x.size(), static_cast<std::size_t>(pulse.fall) + 2) - static_cast<std::size_t>(std::max(0.0, pulse.rise))));
+  const std::size_t rail =
+      samples_at_rail(std::span(x).subspan(static_cast<std::size_t>(std::max(0.0, pulse.rise)),
+                                           std::min(x.size(), static_cast<std::size_t>(pulse.fall) + 2) -
+                                               static_cast<std::size_t>(std::max(0.0, pulse.rise))));
   if (rail > 0) {
-    hit.findings.push_back({.code = FindingCode::overload, .severity = Severity::reject, .value = static_cast<double>(rail),
-                            .message = fmt::format("force clipped: {} samples at the rail; raise the input range", rail)});
+    hit.findings.push_back(
+        {.code = FindingCode::overload,
+         .severity = Severity::reject,
+         .value = static_cast<double>(rail),
+         .message = fmt::format("force clipped: {} samples at the rail; raise the input range", rail)});
   }
   if (hit.peak_N < 0) {
-    hit.findings.push_back({.code = FindingCode::polarity, .severity = Severity::warn, .value = hit.peak_N,
-                            .message = "the force pulse is negative, but a hammer only pushes: every FRF has the wrong sign "
-                                       "unless --force-scale is negative"});
+    hit.findings.push_back({.code = FindingCode::polarity,
+                            .severity = Severity::warn,
+                            .value = hit.peak_N,
+                            .message =
+                                "the force pulse is negative, but a hammer only pushes: every FRF has the wrong sign "
+                                "unless --force-scale is negative"});
   }
 }
 
@@ -95,7 +108,8 @@ void describe_pulse(Hit& hit, const std::vector<double>& x, std::size_t peak, do
   const Gate gate = gate_around(x, pulse, hit.noise_N);
   if (!options.gate_force) hit.whole_N = x;
   hit.gate_first = hit.first + gate.first;
-  hit.gated_N.assign(x.begin() + static_cast<std::ptrdiff_t>(gate.first), x.begin() + static_cast<std::ptrdiff_t>(gate.end));
+  hit.gated_N.assign(x.begin() + static_cast<std::ptrdiff_t>(gate.first),
+                     x.begin() + static_cast<std::ptrdiff_t>(gate.end));
   hit.bandwidth_Hz = bandwidth_Hz(hit.gated_N, fs_Hz);
   grade_pulse(hit, x, pulse);
   const auto scan = std::min(x.size(), peak + static_cast<std::size_t>(kDoubleScan_s * fs_Hz) + 1);
@@ -109,19 +123,32 @@ bool is_pulse(std::span<const double> x, std::size_t peak, double noise_N, doubl
 }
 
 Hit without_pulse(std::size_t row, const Part& part, const ForceSurvey& survey) {
-  Hit hit{.row = row, .first = part.first, .samples = part.last - part.first, .noise_N = survey.noise_N, .baseline_N = survey.baseline_N};
+  Hit hit{.row = row,
+          .first = part.first,
+          .samples = part.last - part.first,
+          .noise_N = survey.noise_N,
+          .baseline_N = survey.baseline_N};
   const double ratio = survey.noise_N > 0 ? survey.largest_N / survey.noise_N : 0;
-  hit.findings.push_back({.code = FindingCode::no_pulse, .severity = Severity::reject, .value = ratio,
-                          .message = fmt::format("no hammer pulse: the force's largest excursion is {:.2g} N, {:.1f} times its noise; "
-                                                 "check the hammer's cable and channel", survey.largest_N, ratio)});
+  hit.findings.push_back(
+      {.code = FindingCode::no_pulse,
+       .severity = Severity::reject,
+       .value = ratio,
+       .message = fmt::format("no hammer pulse: the force's largest excursion is {:.2g} N, {:.1f} times its noise; "
+                              "check the hammer's cable and channel",
+                              survey.largest_N, ratio)});
   return hit;
 }
 
 // Each row is one hit: the whole row belongs to it.
 Hit hit_of_row(const Record& record, std::size_t row, const HitOptions& options) {
   const Part part = asked_part(record, row, options);
-  const ForceSurvey survey = survey_force(record, row, {.trigger_N = options.trigger_N, .first = part.first, .last = part.last});
-  Hit hit{.row = row, .first = part.first, .samples = part.last - part.first, .noise_N = survey.noise_N, .baseline_N = survey.baseline_N};
+  const ForceSurvey survey =
+      survey_force(record, row, {.trigger_N = options.trigger_N, .first = part.first, .last = part.last});
+  Hit hit{.row = row,
+          .first = part.first,
+          .samples = part.last - part.first,
+          .noise_N = survey.noise_N,
+          .baseline_N = survey.baseline_N};
   const auto x = force_between(record, row, part.first, part.last, survey.baseline_N);
   const auto largest = static_cast<std::size_t>(
       std::max_element(x.begin(), x.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }) - x.begin());
@@ -133,11 +160,13 @@ Hit hit_of_row(const Record& record, std::size_t row, const HitOptions& options)
 }
 
 // The stretch of a continuous record that belongs to event e: from its pre-trigger to the next one's.
-Part stretch_of(const ForceSurvey& survey, std::size_t e, const Part& part, std::size_t pretrigger, std::optional<std::size_t> length) {
+Part stretch_of(const ForceSurvey& survey, std::size_t e, const Part& part, std::size_t pretrigger,
+                std::optional<std::size_t> length) {
   const auto begin = [&](std::size_t event) {
     return std::max(part.first, event > pretrigger + part.first ? event - pretrigger : part.first);
   };
-  const std::size_t first = e > 0 ? std::max(begin(survey.events[e]), survey.events[e - 1] + 1) : begin(survey.events[e]);
+  const std::size_t first =
+      e > 0 ? std::max(begin(survey.events[e]), survey.events[e - 1] + 1) : begin(survey.events[e]);
   std::size_t last = e + 1 < survey.events.size() ? begin(survey.events[e + 1]) : part.last;
   if (length) last = std::min(last, first + *length);
   return {first, std::max(last, survey.events[e] + 1)};
@@ -145,17 +174,24 @@ Part stretch_of(const ForceSurvey& survey, std::size_t e, const Part& part, std:
 
 std::vector<Hit> hits_in_row(const Record& record, std::size_t row, const HitOptions& options) {
   const Part part = asked_part(record, row, options);
-  const ForceSurvey survey = survey_force(record, row, {.trigger_N = options.trigger_N, .first = part.first, .last = part.last});
+  const ForceSurvey survey =
+      survey_force(record, row, {.trigger_N = options.trigger_N, .first = part.first, .last = part.last});
   std::optional<std::size_t> length;
   if (options.length_s) length = static_cast<std::size_t>(*options.length_s * record.fs_Hz);
   std::vector<Hit> hits;
   for (std::size_t e = 0; e < survey.events.size(); ++e) {
     const Part stretch = stretch_of(survey, e, part, pretrigger_samples(record, options), length);
-    const auto scan = std::min(stretch.last, survey.events[e] + static_cast<std::size_t>(kDoubleScan_s * record.fs_Hz) + 1);
-    const auto x = force_between(record, row, stretch.first, options.gate_force ? scan : stretch.last, survey.baseline_N);
+    const auto scan =
+        std::min(stretch.last, survey.events[e] + static_cast<std::size_t>(kDoubleScan_s * record.fs_Hz) + 1);
+    const auto x =
+        force_between(record, row, stretch.first, options.gate_force ? scan : stretch.last, survey.baseline_N);
     const std::size_t peak = survey.events[e] - stretch.first;
     if (!is_pulse(x, peak, survey.noise_N, record.fs_Hz)) continue;
-    Hit hit{.row = row, .first = stretch.first, .samples = stretch.last - stretch.first, .noise_N = survey.noise_N, .baseline_N = survey.baseline_N};
+    Hit hit{.row = row,
+            .first = stretch.first,
+            .samples = stretch.last - stretch.first,
+            .noise_N = survey.noise_N,
+            .baseline_N = survey.baseline_N};
     describe_pulse(hit, x, peak, record.fs_Hz, options);
     hits.push_back(std::move(hit));
   }
@@ -172,8 +208,11 @@ void grade_weak(std::vector<Hit>& hits) {
   for (Hit& hit : hits) {
     const double ratio = std::abs(hit.peak_N) / typical;
     if (hit.peak_N == 0 || ratio >= kWeak) continue;
-    hit.findings.push_back({.code = FindingCode::weak, .severity = Severity::warn, .value = ratio,
-                            .message = fmt::format("weak: {:.3g} N, {:.0f} % of the typical hit", std::abs(hit.peak_N), ratio * 100)});
+    hit.findings.push_back(
+        {.code = FindingCode::weak,
+         .severity = Severity::warn,
+         .value = ratio,
+         .message = fmt::format("weak: {:.3g} N, {:.0f} % of the typical hit", std::abs(hit.peak_N), ratio * 100)});
   }
 }
 
@@ -196,9 +235,13 @@ std::vector<Hit> find_hits(const Record& record, const HitOptions& options) {
 void grade_bandwidth(std::vector<Hit>& hits, double band_high_Hz) {
   for (Hit& hit : hits) {
     if (hit.peak_N == 0 || hit.bandwidth_Hz >= band_high_Hz) continue;
-    hit.findings.push_back({.code = FindingCode::low_bandwidth, .severity = Severity::warn, .value = hit.bandwidth_Hz,
-                            .message = fmt::format("the force reaches {:.0f} Hz (−20 dB), the band ends at {:.0f} Hz: use a harder tip "
-                                                   "or narrow --band", hit.bandwidth_Hz, band_high_Hz)});
+    hit.findings.push_back(
+        {.code = FindingCode::low_bandwidth,
+         .severity = Severity::warn,
+         .value = hit.bandwidth_Hz,
+         .message = fmt::format("the force reaches {:.0f} Hz (−20 dB), the band ends at {:.0f} Hz: use a harder tip "
+                                "or narrow --band",
+                                hit.bandwidth_Hz, band_high_Hz)});
   }
 }
 

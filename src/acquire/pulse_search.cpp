@@ -9,14 +9,14 @@
 namespace percuss {
 namespace {
 
-constexpr std::size_t kChunk = std::size_t{1} << 18;  // samples read at a time: 2 MiB stays in the cache
+constexpr std::size_t kChunk = std::size_t{1} << 18;  // about the samples read at a time: 2 MiB stays in the cache
 constexpr std::size_t kBlock = 64;                    // resolution of the envelope kept of the whole row
 constexpr std::size_t kNoiseSamples = 4096;           // per chunk: enough for a median good to 2 %
 constexpr double kTriggerNoise = 12;                  // deviations: one false alarm in 10^30 samples of Gaussian noise
 constexpr double kTriggerFraction = 0.01;             // of the largest: below it a hit is useless beside the others
 
 struct Envelope {
-  std::vector<double> low, high;           // per block
+  std::vector<double> low, high;  // per block
   std::vector<double> chunk_median, chunk_noise;
 };
 
@@ -32,8 +32,11 @@ std::vector<double> thinned(std::span<const double> x) {
 Envelope envelope_of(const Record& record, std::size_t row, std::size_t first, std::size_t last) {
   Envelope envelope;
   std::vector<double> buffer;
+  // Chunks of one size, whole blocks each: the median over chunks would give a remainder of a few samples a full vote.
+  const std::size_t chunks = (last - first + kChunk - 1) / kChunk;
+  const std::size_t size = ((last - first) / chunks / kBlock + 1) * kBlock;
   for (std::size_t at = first; at < last; at += buffer.size()) {
-    buffer.resize(std::min(kChunk, last - at));
+    buffer.resize(std::min(size, last - at));
     record.read_force_N(row, at, buffer);
     const auto subset = thinned(buffer);
     envelope.chunk_median.push_back(median(subset));
@@ -71,8 +74,8 @@ ForceSurvey survey_force(const Record& record, std::size_t row, const TriggerOpt
     reach[b] = std::max(envelope.high[b] - survey.baseline_N, survey.baseline_N - envelope.low[b]);
   }
   survey.largest_N = *std::max_element(reach.begin(), reach.end());
-  survey.trigger_N = options.trigger_N.value_or(
-      std::max(kTriggerNoise * survey.noise_N, kTriggerFraction * survey.largest_N));
+  survey.trigger_N =
+      options.trigger_N.value_or(std::max(kTriggerNoise * survey.noise_N, kTriggerFraction * survey.largest_N));
   if (!(survey.largest_N > 0)) return survey;
 
   const auto separation = static_cast<std::size_t>(options.separation_s * record.fs_Hz) / kBlock + 1;

@@ -9,7 +9,7 @@
 namespace percuss {
 namespace {
 
-constexpr double kFoot = 0.05;             // of the peak: above the ringing of a brick-wall filter, below any real pulse's flank
+constexpr double kFoot = 0.05;  // of the peak: above the ringing of a brick-wall filter, below any real pulse's flank
 constexpr std::size_t kRinging = 72;       // samples: twice the reach of delta-sigma converters' filters down to 1e-8
 constexpr double kGateNoise = 4;           // deviations
 constexpr double kGateFloor = 1e-9;        // of the peak
@@ -28,7 +28,8 @@ std::size_t max_of_signed(std::span<const double> x, double sign, std::size_t be
   return best;
 }
 
-// Running mean over 2h + 1 samples: averages the filter's ringing near fs/2 and the noise, keeps a pulse as long as the main one.
+// Running mean over 2h + 1 samples: averages the filter's ringing near fs/2 and the noise, keeps a pulse as long as the
+// main one.
 std::vector<double> smoothed(std::span<const double> x, double sign, std::size_t h) {
   std::vector<double> out(x.size());
   double sum = 0;
@@ -54,8 +55,9 @@ PulseShape shape_of_pulse(std::span<const double> force_N, std::size_t peak) {
   pulse.rise = i == 0 ? 0 : crossing(sign * force_N[i - 1], sign * force_N[i], level, static_cast<double>(i - 1));
   i = peak;
   while (i + 1 < force_N.size() && sign * force_N[i + 1] >= level) ++i;
-  pulse.fall = i + 1 == force_N.size() ? static_cast<double>(i)
-                                       : crossing(sign * force_N[i], sign * force_N[i + 1], level, static_cast<double>(i));
+  pulse.fall = i + 1 == force_N.size()
+                   ? static_cast<double>(i)
+                   : crossing(sign * force_N[i], sign * force_N[i + 1], level, static_cast<double>(i));
   return pulse;
 }
 
@@ -108,7 +110,8 @@ std::optional<SecondPulse> second_pulse(std::span<const double> force_N, const P
   // Between the true peaks, not the smoothed ones: the force itself near the bump found.
   const auto near = static_cast<std::size_t>(static_cast<double>(pulse.peak) + best.delay_samples);
   const std::size_t reach = 2 * half + 1;
-  const std::size_t peak = max_of_signed(force_N, sign, near > reach ? near - reach : 0, std::min(near + reach + 1, x.size()));
+  const std::size_t peak =
+      max_of_signed(force_N, sign, near > reach ? near - reach : 0, std::min(near + reach + 1, x.size()));
   best.delay_samples = static_cast<double>(peak) - static_cast<double>(pulse.peak);
   return best;
 }
@@ -122,7 +125,8 @@ std::size_t samples_at_rail(std::span<const double> x) {
     if (change > 0) step = std::min(step, change);
   }
   if (!std::isfinite(step)) return 0;
-  constexpr double kSmoothPeak = 5;  // a quantised parabola with three equal samples falls by at most 4 steps beside them
+  constexpr double kSmoothPeak =
+      5;  // a quantised parabola with three equal samples falls by at most 4 steps beside them
   std::size_t found = 0;
   for (const double rail : {*low, *high}) {
     for (std::size_t i = 0; i < x.size();) {

@@ -16,8 +16,8 @@ struct PulseShape {
 /// Crossings of 5 % of the value at `peak` on either side of it.
 PulseShape shape_of_pulse(std::span<const double> force_N, std::size_t peak);
 
-/// The gate [first, end) that holds the pulse and the ringing of the recorder's anti-alias filter: out to the last sample within
-/// 72 of the pulse's feet that stands 4 noise deviations, or 1e-9 of the peak, above zero.
+/// The gate [first, end) that holds the pulse and the ringing of the recorder's anti-alias filter: out to the last
+/// sample within 72 of the pulse's feet that stands 4 noise deviations, or 1e-9 of the peak, above zero.
 struct Gate {
   std::size_t first = 0, end = 0;
 };
@@ -30,8 +30,8 @@ struct SecondPulse {
 };
 std::optional<SecondPulse> second_pulse(std::span<const double> force_N, const PulseShape& pulse, double noise_N);
 
-/// Number of consecutive samples at the stretch's extreme value when it looks like the recorder's rail, else 0: three or more equal
-/// samples, with a neighbour further away than a smooth peak's would be.
+/// Number of consecutive samples at the stretch's extreme value when it looks like the recorder's rail, else 0: three
+/// or more equal samples, with a neighbour further away than a smooth peak's would be.
 std::size_t samples_at_rail(std::span<const double> x);
 
 /// Frequency at which the amplitude spectrum of a pulse falls 20 dB below its largest line for good.

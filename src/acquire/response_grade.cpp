@@ -19,9 +19,9 @@ constexpr double kOnsetFraction = 0.02;  // of the largest response
 constexpr double kRinging = 4;           // times the level at the stretch's end
 constexpr double kNegligible = 0.0025;   // of the response: the same −52 dB
 constexpr std::size_t kEnvelopeWindows = 64;
-constexpr double kSteady = 1.5;          // the level one quarter earlier over the last quarter's; backgrounds wander
-constexpr double kSunk = 2;              // times the final level
-constexpr double kStillFalling = 0.9;    // of the rms one window earlier
+constexpr double kSteady = 1.5;        // the level one quarter earlier over the last quarter's; backgrounds wander
+constexpr double kSunk = 2;            // times the final level
+constexpr double kStillFalling = 0.9;  // of the rms one window earlier
 
 double rms_about_mean(std::span<const double> x) {
   double mean = 0;
@@ -47,12 +47,14 @@ void grade_end(ResponseGrade& grade, const Hit& hit, std::span<const double> acc
   if (!(start > 0)) return;
   grade.left_dB = 20 * std::log10(std::max(end, 1e-300) / start);
   const auto quiet = quiet_part(hit, accel);
-  const bool above_noise = quiet.size() >= kLeastQuiet && !grade.rings_before ? end > kAboveNoise * rms_about_mean(quiet)
-                                                                             : end < kStillFalling * before_end;
+  const bool above_noise = quiet.size() >= kLeastQuiet && !grade.rings_before
+                               ? end > kAboveNoise * rms_about_mean(quiet)
+                               : end < kStillFalling * before_end;
   grade.truncated = grade.left_dB > kDecayed_dB && above_noise;
 }
 
-// The pre-trigger rings when it stands well above the stretch's end (noise does not decay) and is no mere rounding beside the response.
+// The pre-trigger rings when it stands well above the stretch's end (noise does not decay) and is no mere rounding
+// beside the response.
 bool rings_before(const Hit& hit, std::span<const double> accel) {
   const auto quiet = quiet_part(hit, accel);
   const std::size_t window = std::max<std::size_t>(8, accel.size() / 20);
@@ -70,7 +72,8 @@ void grade_onset(ResponseGrade& grade, const Hit& hit, std::span<const double> a
   double largest = 0;
   for (std::size_t i = peak; i < accel.size(); ++i) largest = std::max(largest, std::abs(accel[i] - rest));
   const double level = std::max(kOnsetNoise * noise, kOnsetFraction * largest);
-  const auto onset = static_cast<std::size_t>(std::max(0.0, std::floor(hit.onset_s * fs_Hz) - static_cast<double>(hit.first)));
+  const auto onset =
+      static_cast<std::size_t>(std::max(0.0, std::floor(hit.onset_s * fs_Hz) - static_cast<double>(hit.first)));
   for (std::size_t i = onset > 2 ? onset - 2 : 0; i < accel.size(); ++i) {
     if (std::abs(accel[i] - rest) < level) continue;
     grade.polarity = accel[i] > rest ? 1 : -1;
@@ -96,10 +99,12 @@ std::size_t decayed_length(const Hit& hit, std::span<const double> accel_mps2) {
   const std::size_t window = (accel_mps2.size() - after) / kEnvelopeWindows;
   if (window < 8) return accel_mps2.size();
   std::vector<double> level;
-  for (std::size_t w = 0; w < kEnvelopeWindows; ++w) level.push_back(rms_about_mean(accel_mps2.subspan(after + w * window, window)));
+  for (std::size_t w = 0; w < kEnvelopeWindows; ++w)
+    level.push_back(rms_about_mean(accel_mps2.subspan(after + w * window, window)));
   const std::size_t quarter = kEnvelopeWindows / 4;
   const double final_level = median({level.end() - static_cast<std::ptrdiff_t>(quarter), level.end()});
-  const double earlier = median({level.end() - static_cast<std::ptrdiff_t>(2 * quarter), level.end() - static_cast<std::ptrdiff_t>(quarter)});
+  const double earlier = median(
+      {level.end() - static_cast<std::ptrdiff_t>(2 * quarter), level.end() - static_cast<std::ptrdiff_t>(quarter)});
   if (!(final_level > 0) || earlier > kSteady * final_level) return accel_mps2.size();
   std::size_t sunk = kEnvelopeWindows;
   while (sunk > 0 && level[sunk - 1] < kSunk * final_level) --sunk;
@@ -114,13 +119,20 @@ void add_response_findings(Hit& hit, const std::vector<ResponseGrade>& channels)
     if (grade.truncated && (worst == nullptr || grade.left_dB > worst->left_dB)) worst = &grade;
   }
   if (rail > 0) {
-    hit.findings.push_back({.code = FindingCode::overload, .severity = Severity::reject, .value = static_cast<double>(rail),
-                            .message = fmt::format("acceleration clipped: {} samples at the rail; raise the input range", rail)});
+    hit.findings.push_back(
+        {.code = FindingCode::overload,
+         .severity = Severity::reject,
+         .value = static_cast<double>(rail),
+         .message = fmt::format("acceleration clipped: {} samples at the rail; raise the input range", rail)});
   }
   if (worst != nullptr) {
-    hit.findings.push_back({.code = FindingCode::truncated_decay, .severity = Severity::warn, .value = worst->left_dB,
-                            .message = fmt::format("still ringing at the end, {:.0f} dB below the start: record longer, or rely on the "
-                                                   "fitted damping, which allows for it", worst->left_dB)});
+    hit.findings.push_back(
+        {.code = FindingCode::truncated_decay,
+         .severity = Severity::warn,
+         .value = worst->left_dB,
+         .message = fmt::format("still ringing at the end, {:.0f} dB below the start: record longer, or rely on the "
+                                "fitted damping, which allows for it",
+                                worst->left_dB)});
   }
 }
 

@@ -15,7 +15,8 @@ std::string one_line(std::string_view text, std::size_t limit) {
 }
 
 InputError::InputError(std::string_view problem, std::string_view where, std::string_view remedy)
-    : std::runtime_error(fmt::format("{} ({}); {}", one_line(problem, 600), one_line(where, 600), one_line(remedy, 600))) {}
+    : std::runtime_error(
+          fmt::format("{} ({}); {}", one_line(problem, 600), one_line(where, 600), one_line(remedy, 600))) {}
 
 UsageError::UsageError(std::string_view problem, std::string_view remedy)
     : std::runtime_error(fmt::format("{}; {}", one_line(problem, 600), one_line(remedy, 600))) {}

@@ -5,7 +5,8 @@
 
 namespace percuss {
 
-/// Unusable input: a file, an option's value or their combination. The message is one line that names the place and the remedy.
+/// Unusable input: a file, an option's value or their combination. The message is one line that names the place and the
+/// remedy.
 ///   "problem (where); remedy"
 class InputError : public std::runtime_error {
  public:
@@ -18,7 +19,8 @@ class UsageError : public std::runtime_error {
   UsageError(std::string_view problem, std::string_view remedy);
 };
 
-/// `text` as it may stand inside a one-line message: control characters shown as '?', cut after `limit` bytes with "...".
+/// `text` as it may stand inside a one-line message: control characters shown as '?', cut after `limit` bytes with
+/// "...".
 std::string one_line(std::string_view text, std::size_t limit = 200);
 
 }  // namespace percuss

@@ -33,7 +33,8 @@ fftw_plan forward_plan(std::size_t n) {
   auto& plan = plans[n];
   if (plan == nullptr) {
     const Buffers buffers(n);
-    plan = fftw_plan_dft_r2c_1d(static_cast<int>(n), buffers.real, buffers.complex, FFTW_ESTIMATE | FFTW_PRESERVE_INPUT);
+    plan =
+        fftw_plan_dft_r2c_1d(static_cast<int>(n), buffers.real, buffers.complex, FFTW_ESTIMATE | FFTW_PRESERVE_INPUT);
   }
   return plan;
 }

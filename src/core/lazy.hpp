@@ -8,8 +8,8 @@ namespace percuss {
 
 /// One result, computed when first asked for and kept.
 ///   double fs() const { return fs_.get([&] { return costly(); }); }
-/// A computation that throws leaves the slot empty, so that asking again tries again; one that asks for its own slot throws
-/// std::logic_error. A slot is not locked: demand it before tasks that share it start, or from one task only.
+/// A computation that throws leaves the slot empty, so that asking again tries again; one that asks for its own slot
+/// throws std::logic_error. A slot is not locked: demand it before tasks that share it start, or from one task only.
 template <class T>
 class Lazy {
  public:

@@ -6,18 +6,24 @@ namespace percuss {
 
 const char* name_of(FrfKind kind) {
   switch (kind) {
-    case FrfKind::accelerance: return "accelerance";
-    case FrfKind::mobility: return "mobility";
-    case FrfKind::receptance: return "receptance";
+    case FrfKind::accelerance:
+      return "accelerance";
+    case FrfKind::mobility:
+      return "mobility";
+    case FrfKind::receptance:
+      return "receptance";
   }
   return "";
 }
 
 const char* unit_of(FrfKind kind) {
   switch (kind) {
-    case FrfKind::accelerance: return "(m/s^2)/N";
-    case FrfKind::mobility: return "(m/s)/N";
-    case FrfKind::receptance: return "m/N";
+    case FrfKind::accelerance:
+      return "(m/s^2)/N";
+    case FrfKind::mobility:
+      return "(m/s)/N";
+    case FrfKind::receptance:
+      return "m/N";
   }
   return "";
 }

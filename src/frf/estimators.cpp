@@ -33,17 +33,24 @@ double mean_ratio(const CrossSpectra& spectra) {
 
 const char* name_of(Estimator estimator) {
   switch (estimator) {
-    case Estimator::h1: return "H1";
-    case Estimator::h2: return "H2";
-    case Estimator::hv: return "Hv";
+    case Estimator::h1:
+      return "H1";
+    case Estimator::h2:
+      return "H2";
+    case Estimator::hv:
+      return "Hv";
   }
   return "";
 }
 
-CrossSpectra cross_spectra(std::span<const std::vector<Complex>* const> force, std::span<const std::vector<Complex>* const> accel) {
+CrossSpectra cross_spectra(std::span<const std::vector<Complex>* const> force,
+                           std::span<const std::vector<Complex>* const> accel) {
   assert(force.size() == accel.size() && !force.empty());
   const std::size_t lines = force.front()->size();
-  CrossSpectra sum{.ff = std::vector<double>(lines), .aa = std::vector<double>(lines), .fa = std::vector<Complex>(lines), .averages = force.size()};
+  CrossSpectra sum{.ff = std::vector<double>(lines),
+                   .aa = std::vector<double>(lines),
+                   .fa = std::vector<Complex>(lines),
+                   .averages = force.size()};
   for (std::size_t h = 0; h < force.size(); ++h) {
     const auto& f = *force[h];
     const auto& a = *accel[h];
@@ -52,7 +59,8 @@ CrossSpectra cross_spectra(std::span<const std::vector<Complex>* const> force, s
       sum.ff[k] += std::norm(f[k]);
       sum.aa[k] += std::norm(a[k]);
       // conj(F)·A written out: std::complex's product checks for infinities and does not vectorise.
-      sum.fa[k] += Complex(f[k].real() * a[k].real() + f[k].imag() * a[k].imag(), f[k].real() * a[k].imag() - f[k].imag() * a[k].real());
+      sum.fa[k] += Complex(f[k].real() * a[k].real() + f[k].imag() * a[k].imag(),
+                           f[k].real() * a[k].imag() - f[k].imag() * a[k].real());
     }
   }
   return sum;
@@ -76,9 +84,15 @@ Frf estimate_frf(const CrossSpectra& spectra, const LineRange& lines, Estimator 
     }
     const Complex h1 = fa / ff;  // (1)
     switch (estimator) {
-      case Estimator::h1: frf.value[k] = h1; break;
-      case Estimator::h2: frf.value[k] = std::norm(fa) > 0 ? aa / std::conj(fa) : Complex{}; break;  // (2)
-      case Estimator::hv: frf.value[k] = total_least_squares(ff, aa, fa, scale); break;
+      case Estimator::h1:
+        frf.value[k] = h1;
+        break;
+      case Estimator::h2:
+        frf.value[k] = std::norm(fa) > 0 ? aa / std::conj(fa) : Complex{};
+        break;  // (2)
+      case Estimator::hv:
+        frf.value[k] = total_least_squares(ff, aa, fa, scale);
+        break;
     }
     if (!averaged) continue;
     // (4), (5) as residual energy, which stays exact where the coherence is 1 to all digits.

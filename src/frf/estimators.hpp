@@ -20,12 +20,13 @@ struct CrossSpectra {
 };
 
 /// force and accel: [hits][lines], of the same hits in the same order.
-CrossSpectra cross_spectra(std::span<const std::vector<Complex>* const> force, std::span<const std::vector<Complex>* const> accel);
+CrossSpectra cross_spectra(std::span<const std::vector<Complex>* const> force,
+                           std::span<const std::vector<Complex>* const> accel);
 
 /// Accelerance of one response to one point, averaged over hits.
 struct Frf {
-  std::vector<Complex> value;     // (m/s²)/N
-  std::vector<double> std;        // deviation of |value − truth| from the scatter over hits, (m/s²)/N; empty for one hit
+  std::vector<Complex> value;  // (m/s²)/N
+  std::vector<double> std;  // deviation of |value − truth| from the scatter over hits, (m/s²)/N; empty for one hit
   std::vector<double> coherence;  // ordinary, 0 … 1; empty for one hit
   std::size_t averages = 0;
 };

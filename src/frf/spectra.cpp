@@ -32,7 +32,8 @@ LineRange lines_in_band(double fs_Hz, std::size_t samples, double low_Hz, double
 }
 
 ForceBlock force_block(const Hit& hit, double fs_Hz, double decay_per_s) {
-  ForceBlock block{.offset = hit.gate_first - hit.first, .force_N = hit.gated_N, .whole_N = hit.whole_N, .decay_per_s = decay_per_s};
+  ForceBlock block{
+      .offset = hit.gate_first - hit.first, .force_N = hit.gated_N, .whole_N = hit.whole_N, .decay_per_s = decay_per_s};
   apply_exponential(block.whole_N, decay_per_s, fs_Hz, origin_of(hit));
   apply_exponential(block.force_N, decay_per_s, fs_Hz, origin_of(hit) - static_cast<double>(block.offset));
   return block;
@@ -49,7 +50,8 @@ std::vector<Complex> force_spectrum(const ForceBlock& block, const LineRange& li
   return kept(x, lines);
 }
 
-std::vector<Complex> accel_spectrum(const Hit& hit, std::span<const double> accel_mps2, const LineRange& lines, double decay_per_s) {
+std::vector<Complex> accel_spectrum(const Hit& hit, std::span<const double> accel_mps2, const LineRange& lines,
+                                    double decay_per_s) {
   assert(accel_mps2.size() >= lines.samples);
   std::vector<double> x(accel_mps2.begin(), accel_mps2.begin() + static_cast<std::ptrdiff_t>(lines.samples));
   apply_exponential(x, decay_per_s, lines.fs_Hz, origin_of(hit));

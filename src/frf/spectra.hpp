@@ -22,12 +22,12 @@ struct LineRange {
 /// The lines of a transform that lie within [low, high] Hz.
 LineRange lines_in_band(double fs_Hz, std::size_t samples, double low_Hz, double high_Hz);
 
-/// A hit's force as it enters the spectra, in a block that begins at the hit's first sample: the pulse, or everything when it is not
-/// gated. With an exponential window it carries that window; `decay_per_s` is 0 without one.
+/// A hit's force as it enters the spectra, in a block that begins at the hit's first sample: the pulse, or everything
+/// when it is not gated. With an exponential window it carries that window; `decay_per_s` is 0 without one.
 struct ForceBlock {
-  std::size_t offset = 0;        // of the pulse's first sample within the block
-  std::vector<double> force_N;   // the pulse: what drives the structure
-  std::vector<double> whole_N;   // from the block's beginning; empty: the force is zero outside the pulse
+  std::size_t offset = 0;       // of the pulse's first sample within the block
+  std::vector<double> force_N;  // the pulse: what drives the structure
+  std::vector<double> whole_N;  // from the block's beginning; empty: the force is zero outside the pulse
   double decay_per_s = 0;
 };
 ForceBlock force_block(const Hit& hit, double fs_Hz, double decay_per_s);
@@ -35,8 +35,9 @@ ForceBlock force_block(const Hit& hit, double fs_Hz, double decay_per_s);
 /// Transform of a force block at the lines wanted. One real FFT. shapes: result [lines.count]; units N (unscaled sums).
 std::vector<Complex> force_spectrum(const ForceBlock& block, const LineRange& lines);
 
-/// Transform of one acceleration channel over the hit's stretch (cut to lines.samples); the window has its origin at the pulse's
-/// peak as for the force. `accel_mps2` holds at least lines.samples values.
-std::vector<Complex> accel_spectrum(const Hit& hit, std::span<const double> accel_mps2, const LineRange& lines, double decay_per_s);
+/// Transform of one acceleration channel over the hit's stretch (cut to lines.samples); the window has its origin at
+/// the pulse's peak as for the force. `accel_mps2` holds at least lines.samples values.
+std::vector<Complex> accel_spectrum(const Hit& hit, std::span<const double> accel_mps2, const LineRange& lines,
+                                    double decay_per_s);
 
 }  // namespace percuss

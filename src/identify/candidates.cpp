@@ -15,13 +15,14 @@ constexpr double kMedianOfNoise = 0.693147;  // median of an exponential distrib
 constexpr double kRoughnessGain = 1.5;       // variance of x(k) − (x(k−1) + x(k+1))/2 over that of x
 constexpr double kNoiseProminence = 6;       // deviations of the level's own fluctuation
 constexpr double kDecibelsPerNeper = 8.6859;
-constexpr double kReach = 6;              // half-widths on either side that a hidden resonance is looked for over
-constexpr double kHiddenGain = 30;        // noise powers, beyond what the outputs' own noise gives: one false alarm in 10^10 lines
-constexpr double kModelFloor = 1e-6;      // of the largest line: what a fit leaves of noise-free data is no mode
-constexpr double kWidest = 0.03;          // half-width over frequency of the broadest hidden mode
+constexpr double kReach = 6;  // half-widths on either side that a hidden resonance is looked for over
+constexpr double kHiddenGain =
+    30;  // noise powers, beyond what the outputs' own noise gives: one false alarm in 10^10 lines
+constexpr double kModelFloor = 1e-6;  // of the largest line: what a fit leaves of noise-free data is no mode
+constexpr double kWidest = 0.03;      // half-width over frequency of the broadest hidden mode
 
-// Power of the noise on each line, from roughness: where an FRF is smooth the second difference is noise alone, and the median over
-// a stretch of lines skips the resonances.
+// Power of the noise on each line, from roughness: where an FRF is smooth the second difference is noise alone, and the
+// median over a stretch of lines skips the resonances.
 std::vector<double> noise_power(std::span<const Complex> h) {
   const std::size_t n = h.size();
   std::vector<double> rough(n), noise(n);
@@ -30,7 +31,9 @@ std::vector<double> noise_power(std::span<const Complex> h) {
   for (std::size_t block = 0; block < n; block += half) {
     const std::size_t begin = std::max<std::size_t>(1, block > half ? block - half : 1);
     const std::size_t end = std::min(n - 1, block + 2 * half);
-    const double middle = begin < end ? median({rough.begin() + static_cast<std::ptrdiff_t>(begin), rough.begin() + static_cast<std::ptrdiff_t>(end)}) : 0;
+    const double middle = begin < end ? median({rough.begin() + static_cast<std::ptrdiff_t>(begin),
+                                                rough.begin() + static_cast<std::ptrdiff_t>(end)})
+                                      : 0;
     for (std::size_t k = block; k < std::min(n, block + half); ++k) noise[k] = middle / kMedianOfNoise;
   }
   return noise;
@@ -59,10 +62,12 @@ Level level_of(const FrfSet& set) {
   return level;
 }
 
-// A resonance of half-width h (in lines) on a straight background: its shape with the background projected out, over ±kReach·h.
+// A resonance of half-width h (in lines) on a straight background: its shape with the background projected out, over
+// ±kReach·h.
 Eigen::VectorXcd resonance(double h) {
   const auto reach = static_cast<Eigen::Index>(std::ceil(kReach * h));
-  const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(2 * reach + 1, -static_cast<double>(reach), static_cast<double>(reach));
+  const Eigen::VectorXd x =
+      Eigen::VectorXd::LinSpaced(2 * reach + 1, -static_cast<double>(reach), static_cast<double>(reach));
   Eigen::VectorXcd g(x.size());
   for (Eigen::Index i = 0; i < x.size(); ++i) g(i) = 1.0 / Complex(h, x(i));
   g.array() -= g.mean();
@@ -71,7 +76,8 @@ Eigen::VectorXcd resonance(double h) {
 }
 
 // Energy that a resonance of half-width h at each line explains, over the noise there, summed over the outputs.
-std::vector<double> gain_of(const std::vector<Eigen::VectorXcd>& residual, const std::vector<std::vector<double>>& noise, double h, std::size_t step) {
+std::vector<double> gain_of(const std::vector<Eigen::VectorXcd>& residual,
+                            const std::vector<std::vector<double>>& noise, double h, std::size_t step) {
   const Eigen::VectorXcd g = resonance(h);
   const Eigen::Index reach = g.size() / 2;
   const auto lines = static_cast<std::size_t>(residual.front().size());
@@ -156,7 +162,9 @@ std::vector<Pole> hidden_poles(const FrfSet& set, const std::vector<Eigen::Vecto
   std::sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.gain > b.gain; });
   std::vector<Found> kept;
   for (const Found& f : found) {
-    const bool same = std::any_of(kept.begin(), kept.end(), [&](const Found& k) { return std::abs(f.line - k.line) < 3 * std::max(k.half_width, f.half_width); });
+    const bool same = std::any_of(kept.begin(), kept.end(), [&](const Found& k) {
+      return std::abs(f.line - k.line) < 3 * std::max(k.half_width, f.half_width);
+    });
     if (!same) kept.push_back(f);
   }
   std::vector<Pole> poles;

@@ -14,9 +14,10 @@ struct CandidateOptions {
 /// First poles from the prominent maxima of Σ|H|² over the outputs, in ascending frequency.
 std::vector<Pole> candidate_poles(const FrfSet& set, const CandidateOptions& options = {});
 
-/// First poles of modes too weak or too close to a stronger one to show as a peak of their own: what is left of the FRFs (residual
-/// [outputs][lines], the known modes subtracted) is correlated with resonances of several bandwidths on a straight background; where
-/// the gain stands out of the residual's own noise, there is a candidate. Ascending frequency.
+/// First poles of modes too weak or too close to a stronger one to show as a peak of their own: what is left of the
+/// FRFs (residual [outputs][lines], the known modes subtracted) is correlated with resonances of several bandwidths on
+/// a straight background; where the gain stands out of the residual's own noise, there is a candidate. Ascending
+/// frequency.
 std::vector<Pole> hidden_poles(const FrfSet& set, const std::vector<Eigen::VectorXcd>& residual);
 
 /// A first pole from the lines around a frequency.

@@ -10,12 +10,12 @@
 namespace percuss {
 namespace {
 
-constexpr double kPairSpacing = 0.04;     // of the frequency: the two planes of one bending mode lie closer than this
-constexpr double kPairKnown = 0.7;        // prior weight of "a close pair is one mode twice"
-constexpr double kSure = 0.9;             // probability from which a mode's plane counts as known
-constexpr double kNamed = 0.6;            // below it the verdict is "unknown"
+constexpr double kPairSpacing = 0.04;  // of the frequency: the two planes of one bending mode lie closer than this
+constexpr double kPairKnown = 0.7;     // prior weight of "a close pair is one mode twice"
+constexpr double kSure = 0.9;          // probability from which a mode's plane counts as known
+constexpr double kNamed = 0.6;         // below it the verdict is "unknown"
 constexpr double kRival = 0.05;
-constexpr double kComplex = 0.4;          // imaginary over whole ratio above which no real shape explains it
+constexpr double kComplex = 0.4;  // imaginary over whole ratio above which no real shape explains it
 
 // Probabilities of the readings, in the order bending, hoop, neither.
 using Belief = std::array<double, 3>;
@@ -69,14 +69,16 @@ Belief with_partner(const Belief& own, const Belief& partner, const RatioAngle& 
   const double spread = std::hypot(0.1, std::hypot(a.std_rad, b.std_rad));
   const double right_angle = wrapped_density(a.chi_rad - b.chi_rad - std::numbers::pi / 2, spread);
   const Belief together{own[0] * right_angle, own[1] * partner[1], own[2] * partner[2]};
-  const Belief apart{own[0] * (partner[0] + partner[1] + partner[2]) / 3, own[1] * (partner[0] + partner[1] + partner[2]) / 3,
+  const Belief apart{own[0] * (partner[0] + partner[1] + partner[2]) / 3,
+                     own[1] * (partner[0] + partner[1] + partner[2]) / 3,
                      own[2] * (partner[0] + partner[1] + partner[2]) / 3};
   Belief out{};
   for (std::size_t i = 0; i < out.size(); ++i) out[i] = kPairKnown * together[i] + (1 - kPairKnown) * apart[i];
   return out;
 }
 
-std::vector<double> sure_planes(const std::vector<Belief>& beliefs, const std::vector<Ratio>& ratios, std::size_t except) {
+std::vector<double> sure_planes(const std::vector<Belief>& beliefs, const std::vector<Ratio>& ratios,
+                                std::size_t except) {
   std::vector<double> planes;
   for (std::size_t m = 0; m < beliefs.size(); ++m) {
     if (m != except && ratios[m].known && beliefs[m][0] > kSure) planes.push_back(ratios[m].angle.chi_rad);
@@ -99,14 +101,15 @@ std::optional<std::size_t> partner_of(const std::vector<Mode>& modes, std::size_
   return best;
 }
 
-std::vector<Belief> beliefs_of(const std::vector<Mode>& modes, const std::vector<Ratio>& ratios, const SensorPair& sensors,
-                               const ClassifyOptions& options) {
+std::vector<Belief> beliefs_of(const std::vector<Mode>& modes, const std::vector<Ratio>& ratios,
+                               const SensorPair& sensors, const ClassifyOptions& options) {
   const RatioLikelihood likelihood(sensors.first_rad, sensors.second_rad, options.angle_std_rad);
   std::vector<Belief> raw(modes.size()), beliefs(modes.size());
   for (int pass = 0; pass < 3; ++pass) {  // the second and third know the planes that the one before was sure of
     for (std::size_t m = 0; m < modes.size(); ++m) {
       const auto planes = pass == 0 ? std::vector<double>{} : sure_planes(beliefs, ratios, m);
-      raw[m] = ratios[m].known ? Belief{likelihood.bending(ratios[m].angle, planes), likelihood.hoop(ratios[m].angle), likelihood.other(ratios[m].angle)}
+      raw[m] = ratios[m].known ? Belief{likelihood.bending(ratios[m].angle, planes), likelihood.hoop(ratios[m].angle),
+                                        likelihood.other(ratios[m].angle)}
                                : Belief{1, 1, 1};
     }
     for (std::size_t m = 0; m < modes.size(); ++m) {
@@ -139,7 +142,8 @@ void judge(Verdict& verdict, const Belief& belief, const Ratio& ratio) {
 void mark_double_peaks(const std::vector<Mode>& modes, std::vector<Verdict>& verdicts, const ClassifyOptions& options) {
   for (std::size_t m = 0; m + 1 < modes.size(); ++m) {
     const double apart = modes[m + 1].pole.freq_Hz - modes[m].pole.freq_Hz;
-    if (apart > options.double_peak_Hz || verdicts[m].family != verdicts[m + 1].family || verdicts[m].double_peak) continue;
+    if (apart > options.double_peak_Hz || verdicts[m].family != verdicts[m + 1].family || verdicts[m].double_peak)
+      continue;
     verdicts[m].double_peak = DoublePeak{.partner = m + 1, .separation_Hz = apart, .first = true};
     verdicts[m + 1].double_peak = DoublePeak{.partner = m, .separation_Hz = apart, .first = false};
   }
@@ -165,9 +169,12 @@ void number_orders(const std::vector<Mode>& modes, std::vector<Verdict>& verdict
 
 const char* name_of(Family family) {
   switch (family) {
-    case Family::bending: return "bending";
-    case Family::hoop: return "hoop";
-    case Family::unknown: return "unknown";
+    case Family::bending:
+      return "bending";
+    case Family::hoop:
+      return "hoop";
+    case Family::unknown:
+      return "unknown";
   }
   return "";
 }

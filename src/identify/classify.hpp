@@ -14,19 +14,19 @@ const char* name_of(Family family);
 struct DoublePeak {
   std::size_t partner = 0;  // index of the other mode
   double separation_Hz = 0;
-  bool first = false;       // the lower one: the one to quote
+  bool first = false;  // the lower one: the one to quote
 };
 
 /// What two accelerometers around the barrel say about one mode.
 struct Verdict {
   Family family = Family::unknown;
-  int order = 0;                         // counts from 1 within the family; 0 when unknown
-  double confidence = 0;                 // posterior probability of `family`
-  std::optional<Family> alternative;     // the rival reading when its probability is above 5 %
-  std::optional<double> overlay_dB;      // magnitude of the second FRF over the first at the peak
-  bool overlaid = false;                 // |overlay_dB| within the threshold: the source's sign of a hoop mode
-  std::optional<Complex> ratio;          // residue of the second sensor over that of the first
-  double ratio_std = 0;                  // of the real and of the imaginary part
+  int order = 0;                      // counts from 1 within the family; 0 when unknown
+  double confidence = 0;              // posterior probability of `family`
+  std::optional<Family> alternative;  // the rival reading when its probability is above 5 %
+  std::optional<double> overlay_dB;   // magnitude of the second FRF over the first at the peak
+  bool overlaid = false;              // |overlay_dB| within the threshold: the source's sign of a hoop mode
+  std::optional<Complex> ratio;       // residue of the second sensor over that of the first
+  double ratio_std = 0;               // of the real and of the imaginary part
   std::optional<DoublePeak> double_peak;
 };
 
@@ -38,7 +38,7 @@ struct ClassifyOptions {
 
 /// The two channels whose angles are nearest to 90° apart (modulo 180°); nothing when fewer than two have an angle.
 struct SensorPair {
-  std::size_t first = 0, second = 0;     // channels
+  std::size_t first = 0, second = 0;  // channels
   double first_rad = 0, second_rad = 0;
 };
 std::optional<SensorPair> pair_of_sensors(const std::vector<std::optional<double>>& angle_rad);
@@ -46,11 +46,12 @@ std::optional<SensorPair> pair_of_sensors(const std::vector<std::optional<double
 /// Names every mode from the ratio of its residues at two sensors, angles θ₁ and θ₂ apart:
 ///   bending in the plane ψ:      cos(θ₂ − ψ)/cos(θ₁ − ψ)             any value; tan ψ for 90°           (1)
 ///   hoop (n = 2), turned by θ₀:  cos 2(θ₂ − θ₀)/cos 2(θ₁ − θ₀)       −1 for 90°, whatever θ₀             (2)
-/// Both likelihoods are integrated over the unknown plane and turn, the ratio's deviation and the sensors' placement; modes already
-/// known to bend tell the planes of the others, and close pairs are judged together: the two planes of one bending mode are at right
-/// angles, the two turns of a hoop pair give equal ratios. overlay_dB[m] is the measured magnitude difference at mode m's peak.
-/// source  [8] section 3.6 for the overlay rule and the 25 Hz rule.
+/// Both likelihoods are integrated over the unknown plane and turn, the ratio's deviation and the sensors' placement;
+/// modes already known to bend tell the planes of the others, and close pairs are judged together: the two planes of
+/// one bending mode are at right angles, the two turns of a hoop pair give equal ratios. overlay_dB[m] is the measured
+/// magnitude difference at mode m's peak. source  [8] section 3.6 for the overlay rule and the 25 Hz rule.
 std::vector<Verdict> classify(const std::vector<Mode>& modes, const std::optional<SensorPair>& sensors,
-                              const std::vector<std::optional<double>>& overlay_dB, const ClassifyOptions& options = {});
+                              const std::vector<std::optional<double>>& overlay_dB,
+                              const ClassifyOptions& options = {});
 
 }  // namespace percuss

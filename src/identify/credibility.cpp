@@ -8,14 +8,15 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kSignificant = 6;      // deviations of a residue
-constexpr double kStandsOut = 3;        // a mode's peak over the rms residual of its window
-constexpr double kMostMisfit = 8;       // times: a mode 24 times the residual is one however poor the fit
-constexpr double kBeyondReach = 12;     // times: in the side lobes of the force's spectrum small peaks are not modes
+constexpr double kSignificant = 6;   // deviations of a residue
+constexpr double kStandsOut = 3;     // a mode's peak over the rms residual of its window
+constexpr double kMostMisfit = 8;    // times: a mode 24 times the residual is one however poor the fit
+constexpr double kBeyondReach = 12;  // times: in the side lobes of the force's spectrum small peaks are not modes
 constexpr double kMostDamping = 0.3;
-constexpr double kDynamicRange = 1e-5;  // of the largest line: smaller peaks cannot be told from what the polynomial leaves
-constexpr double kLeastSplit = 0.5;     // bandwidths between two modes
-constexpr double kCertain = 1e9;        // a quotient over no noise at all
+constexpr double kDynamicRange =
+    1e-5;  // of the largest line: smaller peaks cannot be told from what the polynomial leaves
+constexpr double kLeastSplit = 0.5;  // bandwidths between two modes
+constexpr double kCertain = 1e9;     // a quotient over no noise at all
 
 double significance(const LocalFit& fit, std::size_t mode) {
   double best = 0;
@@ -35,10 +36,12 @@ bool tall(const GroupedFit& all, const LocalFit& fit, std::size_t mode) {
   return false;
 }
 
-double least_standing(const GroupedFit& all, const FitGroup& group, std::size_t mode, const CredibilityContext& context) {
+double least_standing(const GroupedFit& all, const FitGroup& group, std::size_t mode,
+                      const CredibilityContext& context) {
   const Pole& pole = group.fit.poles[mode];
-  const bool shown = std::any_of(context.shown.begin(), context.shown.end(),
-                                 [&](const Pole& peak) { return std::abs(peak.freq_Hz - pole.freq_Hz) < all.width_Hz(pole); });
+  const bool shown = std::any_of(context.shown.begin(), context.shown.end(), [&](const Pole& peak) {
+    return std::abs(peak.freq_Hz - pole.freq_Hz) < all.width_Hz(pole);
+  });
   double misfit = 1;
   for (Index o = 0; o < group.fit.noise.size(); ++o) misfit = std::max(misfit, group.fit.noise(o) / all.noise()(o));
   const bool reached = all.set().reach_Hz <= 0 || pole.freq_Hz <= all.set().reach_Hz;
@@ -66,7 +69,8 @@ bool credible(const GroupedFit& all, const FitGroup& group, std::size_t mode, co
   const double high = all.set().lines.freq_Hz(group.first + group.count - 1);
   const auto m = static_cast<Index>(mode);
   return tall(all, group.fit, mode) && pole.freq_Hz > low && pole.freq_Hz < high && pole.damping_ratio < kMostDamping &&
-         significance(group.fit, mode) > kSignificant && stands_out(all, group, mode) > least_standing(all, group, mode, context) &&
+         significance(group.fit, mode) > kSignificant &&
+         stands_out(all, group, mode) > least_standing(all, group, mode, context) &&
          group.fit.freq_std_Hz(m) < all.width_Hz(pole) && group.fit.damping_std(m) < pole.damping_ratio;
 }
 

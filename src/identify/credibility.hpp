@@ -15,9 +15,9 @@ struct CredibilityContext {
 /// How far the mode's own peak stands out of what the window's fit leaves, at the output where it does most.
 double stands_out(const GroupedFit& all, const FitGroup& group, std::size_t mode);
 
-/// A mode is credible when it lies within its window, is determined (deviations below its own width and damping), has a residue that
-/// is significant somewhere, and stands out: further when it showed no peak of its own and the residual is more than noise, and
-/// further where the hammer did not reach.
+/// A mode is credible when it lies within its window, is determined (deviations below its own width and damping), has a
+/// residue that is significant somewhere, and stands out: further when it showed no peak of its own and the residual is
+/// more than noise, and further where the hammer did not reach.
 bool credible(const GroupedFit& all, const FitGroup& group, std::size_t mode, const CredibilityContext& context);
 
 /// Every mode of the group credible, and no two of them one bent line: apart by half the narrower one's width.

@@ -12,7 +12,7 @@ using Eigen::Index;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-constexpr double kWindow = 10;      // half-power bandwidths on either side: beyond lies under 0.1 % of a mode's information
+constexpr double kWindow = 10;  // half-power bandwidths on either side: beyond lies under 0.1 % of a mode's information
 constexpr double kLeastLines = 8;   // … and never fewer lines
 constexpr double kMostLines = 400;  // … nor more: the polynomial follows other modes' tails over a short stretch only
 constexpr double kTogether = 4;     // bandwidths apart at which two modes are fitted together
@@ -25,7 +25,6 @@ void carry_over(const std::vector<FitGroup>& before, FitGroup& group, std::size_
     }
   }
 }
-
 
 }  // namespace
 
@@ -48,7 +47,8 @@ void GroupedFit::place_window(FitGroup& group) const {
   double low = 1e300;
   double high = 0;
   for (const Pole& pole : group.fit.poles) {
-    const double half = std::clamp(kWindow * width_Hz(pole), kLeastLines * set_.lines.df_Hz(), kMostLines * set_.lines.df_Hz());
+    const double half =
+        std::clamp(kWindow * width_Hz(pole), kLeastLines * set_.lines.df_Hz(), kMostLines * set_.lines.df_Hz());
     low = std::min(low, pole.freq_Hz - half);
     high = std::max(high, pole.freq_Hz + half);
   }
@@ -67,7 +67,6 @@ void GroupedFit::place_window(FitGroup& group) const {
   group.count = last - group.first + 1;
 }
 
-
 void GroupedFit::replace(std::vector<Pole> poles) {
   const std::vector<FitGroup> before = std::move(groups_);
   groups_.clear();
@@ -76,7 +75,8 @@ void GroupedFit::replace(std::vector<Pole> poles) {
     return next.freq_Hz - last.freq_Hz < kTogether * std::max(width_Hz(last), width_Hz(next));
   };
   for (const Pole& pole : poles) {
-    const bool join = !groups_.empty() && groups_.back().fit.poles.size() < kMostTogether && near(groups_.back().fit.poles.back(), pole);
+    const bool join = !groups_.empty() && groups_.back().fit.poles.size() < kMostTogether &&
+                      near(groups_.back().fit.poles.back(), pole);
     if (!join) groups_.emplace_back();
     groups_.back().fit.poles.push_back(pole);
   }
@@ -100,6 +100,20 @@ void GroupedFit::sweep(int times) {
   }
 }
 
+void GroupedFit::subtract(const LocalFit& fit, std::size_t mode, const FitGroup& window,
+                          std::vector<VectorXcd>& data) const {
+  const bool decayed = decays_within(fit.poles[mode], set_.points.front(), set_.lines);
+  std::size_t point = set_.points.size();
+  ModeColumn column;
+  for (std::size_t o = 0; o < data.size(); ++o) {
+    const bool same = point < set_.points.size() && (decayed || set_.outputs[o].point == point);
+    if (!same)
+      column = mode_column(fit.poles[mode], set_.points[set_.outputs[o].point], set_.lines, window.first, window.count);
+    point = set_.outputs[o].point;
+    data[o] -= column.value * fit.residues(static_cast<Index>(o), static_cast<Index>(mode));
+  }
+}
+
 std::vector<VectorXcd> GroupedFit::remainder(const FitGroup& group) const {
   std::vector<VectorXcd> data;
   for (const Output& output : set_.outputs) {
@@ -107,14 +121,7 @@ std::vector<VectorXcd> GroupedFit::remainder(const FitGroup& group) const {
   }
   for (const FitGroup& other : groups_) {
     if (&other == &group || other.fit.residues.isZero(0)) continue;
-    for (std::size_t m = 0; m < other.fit.poles.size(); ++m) {
-      for (std::size_t p = 0; p < set_.points.size(); ++p) {
-        const ModeColumn column = mode_column(other.fit.poles[m], set_.points[p], set_.lines, group.first, group.count);
-        for (std::size_t o = 0; o < set_.outputs.size(); ++o) {
-          if (set_.outputs[o].point == p) data[o] -= column.value * other.fit.residues(static_cast<Index>(o), static_cast<Index>(m));
-        }
-      }
-    }
+    for (std::size_t m = 0; m < other.fit.poles.size(); ++m) subtract(other.fit, m, group, data);
   }
   return data;
 }
@@ -125,7 +132,8 @@ std::vector<VectorXcd> GroupedFit::residual() const {
   return remainder(none);
 }
 
-LocalFit GroupedFit::fit(const FitGroup& group, const std::vector<VectorXcd>& data, std::vector<Pole> start, const VectorXd& weight) const {
+LocalFit GroupedFit::fit(const FitGroup& group, const std::vector<VectorXcd>& data, std::vector<Pole> start,
+                         const VectorXd& weight) const {
   return fit_locally(set_, data, weight, std::move(start), {.first = group.first, .count = group.count});
 }
 

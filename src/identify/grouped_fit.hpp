@@ -13,9 +13,9 @@ struct FitGroup {
   std::size_t first = 0, count = 0;  // the window
 };
 
-/// A set of modes fitted piece by piece: close ones together, each piece over a window of its own lines with the shares of all others
-/// subtracted. A few sweeps over the pieces come to the same least-squares solution as one fit over the whole band, at a fraction of
-/// the work.
+/// A set of modes fitted piece by piece: close ones together, each piece over a window of its own lines with the shares
+/// of all others subtracted. A few sweeps over the pieces come to the same least-squares solution as one fit over the
+/// whole band, at a fraction of the work.
 class GroupedFit {
  public:
   /// `set` must outlive this object.
@@ -39,7 +39,8 @@ class GroupedFit {
   /// … and over all lines when every group's share is.
   std::vector<Eigen::VectorXcd> residual() const;
   /// The group's window fitted anew with these poles; for trials.
-  LocalFit fit(const FitGroup& group, const std::vector<Eigen::VectorXcd>& data, std::vector<Pole> start, const Eigen::VectorXd& weight) const;
+  LocalFit fit(const FitGroup& group, const std::vector<Eigen::VectorXcd>& data, std::vector<Pole> start,
+               const Eigen::VectorXd& weight) const;
   /// The noise of each output in the window as the fit's residual tells it.
   Eigen::VectorXd weights_from(const LocalFit& fit) const;
 
@@ -48,14 +49,16 @@ class GroupedFit {
 
  private:
   void place_window(FitGroup& group) const;
+  void subtract(const LocalFit& fit, std::size_t mode, const FitGroup& window,
+                std::vector<Eigen::VectorXcd>& data) const;
 
   const FrfSet& set_;
   Eigen::VectorXd noise_, largest_;
   std::vector<FitGroup> groups_;
 };
 
-/// Deviation of the noise on each output's lines, from how rough the FRF is between neighbouring lines: |H(k) − (H(k−1) + H(k+1))/2|,
-/// median over all lines. (m/s²)/N, [outputs].
+/// Deviation of the noise on each output's lines, from how rough the FRF is between neighbouring lines: |H(k) − (H(k−1)
+/// + H(k+1))/2|, median over all lines. (m/s²)/N, [outputs].
 Eigen::VectorXd roughness(const FrfSet& set);
 
 }  // namespace percuss

@@ -21,14 +21,15 @@ using Eigen::VectorXd;
 constexpr double kLeastDamping = 1e-7;
 constexpr double kMostDamping = 0.5;
 
-// The linear problem of one point at given poles: columns of modes and polynomial, and its solution for the point's outputs.
+// The linear problem of one point at given poles: columns of modes and polynomial, and its solution for the point's
+// outputs.
 struct PointProblem {
   std::vector<std::size_t> outputs;
   std::vector<ModeColumn> columns;
-  MatrixXcd basis;     // orthonormal, [lines, columns]
-  MatrixXcd solve;     // coefficients = solve · data
-  MatrixXcd amplitude; // [columns, outputs of this point]
-  MatrixXcd residual;  // [lines, outputs of this point]
+  MatrixXcd basis;      // orthonormal, [lines, columns]
+  MatrixXcd solve;      // coefficients = solve · data
+  MatrixXcd amplitude;  // [columns, outputs of this point]
+  MatrixXcd residual;   // [lines, outputs of this point]
 };
 
 struct State {
@@ -44,14 +45,15 @@ class Fitter {
       const std::size_t point = set.outputs[o].point;
       if (by_point_.size() <= point) by_point_.resize(point + 1);
       by_point_[point].push_back(o);
+      together_.front().push_back(o);
     }
   }
 
   State evaluate(const std::vector<Pole>& poles) const {
     State state;
-    for (std::size_t p = 0; p < by_point_.size(); ++p) {
-      if (by_point_[p].empty()) continue;
-      state.points.push_back(solve_point(p, poles));
+    for (const auto& outputs : same_columns(poles)) {
+      if (outputs.empty()) continue;
+      state.points.push_back(solve_point(outputs, poles));
       const auto& point = state.points.back();
       for (std::size_t i = 0; i < point.outputs.size(); ++i) {
         const double w = weight_(static_cast<Index>(point.outputs[i]));
@@ -80,7 +82,8 @@ class Fitter {
         const auto amplitude = [&](Index parameter) { return point.amplitude(parameter / 2, static_cast<Index>(i)); };
         for (Index r = 0; r < n; ++r) {
           b(r) += (std::conj(amplitude(r)) * slope(r, static_cast<Index>(i))).real() / (w * w);
-          for (Index c = 0; c < n; ++c) a(r, c) += (std::conj(amplitude(r)) * gram(r, c) * amplitude(c)).real() / (w * w);
+          for (Index c = 0; c < n; ++c)
+            a(r, c) += (std::conj(amplitude(r)) * gram(r, c) * amplitude(c)).real() / (w * w);
         }
       }
     }
@@ -88,18 +91,31 @@ class Fitter {
   }
 
  private:
-  PointProblem solve_point(std::size_t p, const std::vector<Pole>& poles) const {
-    PointProblem point{.outputs = by_point_[p]};
+  // Outputs that share their columns: all of them once every mode has decayed within the record, else those of one
+  // point.
+  const std::vector<std::vector<std::size_t>>& same_columns(const std::vector<Pole>& poles) const {
+    const bool decayed = std::all_of(poles.begin(), poles.end(), [&](const Pole& pole) {
+      return decays_within(pole, set_.points.front(), set_.lines);
+    });
+    return decayed ? together_ : by_point_;
+  }
+
+  PointProblem solve_point(const std::vector<std::size_t>& outputs, const std::vector<Pole>& poles) const {
+    PointProblem point{.outputs = outputs};
+    const PointForce& force = set_.points[set_.outputs[outputs.front()].point];
     const auto lines = static_cast<Index>(options_.count);
     const auto modes = static_cast<Index>(poles.size());
     const auto terms = static_cast<Index>(options_.residual_terms);
     MatrixXcd columns(lines, modes + terms);
     for (Index m = 0; m < modes; ++m) {
-      point.columns.push_back(mode_column(poles[static_cast<std::size_t>(m)], set_.points[p], set_.lines, options_.first, options_.count));
+      point.columns.push_back(
+          mode_column(poles[static_cast<std::size_t>(m)], force, set_.lines, options_.first, options_.count));
       columns.col(m) = point.columns.back().value;
     }
     const VectorXd x = VectorXd::LinSpaced(lines, -1, 1);
-    for (Index term = 0; term < terms; ++term) columns.col(modes + term) = x.array().pow(static_cast<double>(term)).cast<Complex>();
+    VectorXd power = VectorXd::Ones(lines);
+    for (Index term = 0; term < terms; ++term, power = power.cwiseProduct(x))
+      columns.col(modes + term) = power.cast<Complex>();
     const Eigen::HouseholderQR<MatrixXcd> qr(columns);
     point.basis = qr.householderQ() * MatrixXcd::Identity(lines, columns.cols());
     const MatrixXcd r = qr.matrixQR().topRows(columns.cols()).triangularView<Eigen::Upper>();
@@ -115,7 +131,7 @@ class Fitter {
   const std::vector<VectorXcd>& data_;
   VectorXd weight_;
   LocalFitOptions options_;
-  std::vector<std::vector<std::size_t>> by_point_;
+  std::vector<std::vector<std::size_t>> by_point_, together_{1};
 };
 
 bool allowed(const std::vector<Pole>& poles) {
@@ -193,7 +209,8 @@ void add_uncertainty(LocalFit& fit, const Fitter& fitter, const State& state, co
       for (Index m = 0; m < static_cast<Index>(modes); ++m) {
         const auto& mode = point.columns[static_cast<std::size_t>(m)];
         moves.col(2 * m) = -(point.solve * mode.by_freq).head(static_cast<Index>(modes)) * point.amplitude(m, column);
-        moves.col(2 * m + 1) = -(point.solve * mode.by_damping).head(static_cast<Index>(modes)) * point.amplitude(m, column);
+        moves.col(2 * m + 1) =
+            -(point.solve * mode.by_damping).head(static_cast<Index>(modes)) * point.amplitude(m, column);
       }
       const MatrixXcd from_poles = moves * covariance.cast<Complex>() * moves.adjoint();
       for (Index m = 0; m < static_cast<Index>(modes); ++m) {
@@ -210,8 +227,8 @@ void add_uncertainty(LocalFit& fit, const Fitter& fitter, const State& state, co
 
 }  // namespace
 
-LocalFit fit_locally(const FrfSet& set, const std::vector<VectorXcd>& data, const VectorXd& weight, std::vector<Pole> start,
-                     const LocalFitOptions& options) {
+LocalFit fit_locally(const FrfSet& set, const std::vector<VectorXcd>& data, const VectorXd& weight,
+                     std::vector<Pole> start, const LocalFitOptions& options) {
   const auto outputs = static_cast<Index>(set.outputs.size());
   const auto modes = static_cast<Index>(start.size());
   LocalFit fit{.poles = std::move(start),
@@ -236,7 +253,8 @@ Pole pole_of_window(const FrfSet& set, const std::vector<VectorXcd>& data, std::
   double denominator = 0;
   for (const VectorXcd& h : data) {
     VectorXcd jw(h.size());
-    for (Index i = 0; i < h.size(); ++i) jw(i) = Complex(0, kTwoPi * set.lines.freq_Hz(first + static_cast<std::size_t>(i)));
+    for (Index i = 0; i < h.size(); ++i)
+      jw(i) = Complex(0, kTwoPi * set.lines.freq_Hz(first + static_cast<std::size_t>(i)));
     const Complex centre = jw(h.size() / 2);
     MatrixXcd basis(h.size(), 2);
     basis.col(0).setOnes();

@@ -9,9 +9,9 @@ namespace percuss {
 
 /// One FRF to be fitted: the response `channel` to hits at points[point].
 struct Output {
-  std::size_t point = 0;    // index into FrfSet::points
-  std::size_t channel = 0;  // acceleration channel
-  std::vector<Complex> frf; // H1 [lines]
+  std::size_t point = 0;     // index into FrfSet::points
+  std::size_t channel = 0;   // acceleration channel
+  std::vector<Complex> frf;  // H1 [lines]
 };
 
 /// Everything identification works on. All outputs share the lines; outputs of one point share its hits.
@@ -24,13 +24,13 @@ struct FrfSet {
 
 /// Poles that are fitted together, and what the fit says of them.
 struct LocalFit {
-  std::vector<Pole> poles;          // [modes]
-  Eigen::MatrixXcd residues;        // [outputs, modes], 1/kg
-  Eigen::MatrixXd residue_std;      // of |residue − truth|/√2: each of real and imaginary part; force gain left out
+  std::vector<Pole> poles;      // [modes]
+  Eigen::MatrixXcd residues;    // [outputs, modes], 1/kg
+  Eigen::MatrixXd residue_std;  // of |residue − truth|/√2: each of real and imaginary part; force gain left out
   Eigen::VectorXd freq_std_Hz, damping_std;
-  Eigen::VectorXd noise;            // [outputs] rms of |residual| per line, (m/s²)/N
-  double cost = 0;                  // Σ |residual|²/noise-weight², with the weights given
-  std::size_t degrees = 0;          // real data minus real parameters
+  Eigen::VectorXd noise;    // [outputs] rms of |residual| per line, (m/s²)/N
+  double cost = 0;          // Σ |residual|²/noise-weight², with the weights given
+  std::size_t degrees = 0;  // real data minus real parameters
   bool converged = false;
 };
 
@@ -38,14 +38,14 @@ struct LocalFitOptions {
   std::size_t first = 0, count = 0;  // the window of lines
   std::size_t residual_terms = 3;    // complex polynomial coefficients for what other modes leave
   int max_steps = 30;
-  double tolerance = 1e-9;           // step, in units of half the bandwidth
+  double tolerance = 1e-9;  // step, in units of half the bandwidth
 };
 
-/// Least squares of the outputs' lines in a window by modes with complex residues and a polynomial: poles by Levenberg–Marquardt with
-/// an analytic Jacobian, everything linear eliminated (variable projection). Outputs are weighted by 1/weight[o] and, in the end, all
-/// deviations are scaled by the residual.
-/// shapes  data[o] holds options.count lines (what other modes contribute already subtracted); weight [outputs].
-/// source  [7] in docs/sources.md.
+/// Least squares of the outputs' lines in a window by modes with complex residues and a polynomial: poles by
+/// Levenberg–Marquardt with an analytic Jacobian, everything linear eliminated (variable projection). Outputs are
+/// weighted by 1/weight[o] and, in the end, all deviations are scaled by the residual. shapes  data[o] holds
+/// options.count lines (what other modes contribute already subtracted); weight [outputs]. source  [7] in
+/// docs/sources.md.
 LocalFit fit_locally(const FrfSet& set, const std::vector<Eigen::VectorXcd>& data, const Eigen::VectorXd& weight,
                      std::vector<Pole> start, const LocalFitOptions& options);
 

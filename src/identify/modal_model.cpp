@@ -8,7 +8,8 @@
 namespace percuss {
 namespace {
 
-constexpr double kGone = 1e-15;  // what has decayed to this fraction is not worth a transform's rounding
+constexpr double kGone =
+    1e-10;  // what is missing moves a pole by this part of its bandwidth at the most: below any record's noise
 
 struct PoleTerms {
   double omega, zeta;
@@ -20,7 +21,11 @@ PoleTerms terms_of(const Pole& pole) {
   const double zeta = pole.damping_ratio;
   const double root = std::sqrt(1 - zeta * zeta);
   const Complex direction(-zeta, root);
-  return {.omega = omega, .zeta = zeta, .s = omega * direction, .by_omega = direction, .by_zeta = omega * Complex(-1, -zeta / root)};
+  return {.omega = omega,
+          .zeta = zeta,
+          .s = omega * direction,
+          .by_omega = direction,
+          .by_zeta = omega * Complex(-1, -zeta / root)};
 }
 
 // q_h and dq_h/ds of (1).
@@ -44,12 +49,12 @@ inline Complex times(Complex a, Complex b) {
 
 inline Complex inverse(Complex a) { return std::conj(a) / std::norm(a); }
 
-// What the part of the decay beyond the record's end takes away, for one sign of the imaginary part; added to `value` and, by the
-// chain rule along ds, to the derivatives.
+// What the part of the decay beyond the record's end takes away, for one sign of the imaginary part; added to `value`
+// and, by the chain rule along ds, to the derivatives.
 struct Missing {
-  Complex windowed;               // s − σ
-  Complex c, c_by_s;              // ω_d counts as constant here; see `chain`
-  std::vector<Complex> q, q_by_s; // [hits]
+  Complex windowed;                // s − σ
+  Complex c, c_by_s;               // ω_d counts as constant here; see `chain`
+  std::vector<Complex> q, q_by_s;  // [hits]
 };
 
 Missing missing_of(Complex s, double window_decay, const PointForce& force, const LineRange& lines) {
@@ -63,8 +68,8 @@ Missing missing_of(Complex s, double window_decay, const PointForce& force, cons
   return m;
 }
 
-void subtract_missing(ModeColumn& column, const PoleTerms& p, bool conjugate, const PointForce& force, const LineRange& lines,
-                      double window_decay, std::size_t first) {
+void subtract_missing(ModeColumn& column, const PoleTerms& p, bool conjugate, const PointForce& force,
+                      const LineRange& lines, double window_decay, std::size_t first) {
   const double dt_s = 1 / lines.fs_Hz;
   const auto side = [&](Complex z) { return conjugate ? std::conj(z) : z; };
   const Missing m = missing_of(side(p.s), window_decay, force, lines);
@@ -96,7 +101,8 @@ void subtract_missing(ModeColumn& column, const PoleTerms& p, bool conjugate, co
 
 }  // namespace
 
-PointForce point_force(std::vector<ForceBlock> blocks, const std::vector<const std::vector<Complex>*>& spectra, double noise_N) {
+PointForce point_force(std::vector<ForceBlock> blocks, const std::vector<const std::vector<Complex>*>& spectra,
+                       double noise_N) {
   const std::size_t lines = spectra.front()->size();
   PointForce force{.blocks = std::move(blocks), .weights = {}, .ff = std::vector<double>(lines), .noise_N = noise_N};
   for (const auto* spectrum : spectra) {
@@ -110,7 +116,14 @@ PointForce point_force(std::vector<ForceBlock> blocks, const std::vector<const s
   return force;
 }
 
-ModeColumn mode_column(const Pole& pole, const PointForce& force, const LineRange& lines, std::size_t first, std::size_t count) {
+bool decays_within(const Pole& pole, const PointForce& force, const LineRange& lines) {
+  const double window_decay = force.blocks.empty() ? 0 : force.blocks.front().decay_per_s;
+  const double duration_s = static_cast<double>(lines.samples) / lines.fs_Hz;
+  return std::exp((terms_of(pole).s.real() - window_decay) * duration_s) < kGone;
+}
+
+ModeColumn mode_column(const Pole& pole, const PointForce& force, const LineRange& lines, std::size_t first,
+                       std::size_t count) {
   const PoleTerms p = terms_of(pole);
   const double window_decay = force.blocks.empty() ? 0 : force.blocks.front().decay_per_s;
   const auto size = static_cast<Eigen::Index>(count);
@@ -125,8 +138,7 @@ ModeColumn mode_column(const Pole& pole, const PointForce& force, const LineRang
     column.by_freq(i) = times(slope, 2 * p.zeta * jw + 2 * p.omega) * kTwoPi;
     column.by_damping(i) = times(slope, 2 * p.omega * jw);
   }
-  const double duration_s = static_cast<double>(lines.samples) / lines.fs_Hz;
-  if (std::exp((p.s.real() - window_decay) * duration_s) < kGone) return column;
+  if (decays_within(pole, force, lines)) return column;
   for (const bool conjugate : {false, true}) subtract_missing(column, p, conjugate, force, lines, window_decay, first);
   return column;
 }

@@ -17,27 +17,33 @@ struct Pole {
 
 /// The averaged hits of one impact point, as far as the model of a truncated record needs them.
 struct PointForce {
-  std::vector<ForceBlock> blocks;              // [hits]
-  std::vector<std::vector<Complex>> weights;   // conj(F_h)/Σ|F|² [hits][lines]: each hit's part in H1 = Σ weight·A
-  std::vector<double> ff;                      // Σ |F|² [lines]
-  double noise_N = 0;                          // deviation of the force channel's noise
+  std::vector<ForceBlock> blocks;             // [hits]
+  std::vector<std::vector<Complex>> weights;  // conj(F_h)/Σ|F|² [hits][lines]: each hit's part in H1 = Σ weight·A
+  std::vector<double> ff;                     // Σ |F|² [lines]
+  double noise_N = 0;                         // deviation of the force channel's noise
 };
 /// spectra [hits] point to force_spectrum of each block.
-PointForce point_force(std::vector<ForceBlock> blocks, const std::vector<const std::vector<Complex>*>& spectra, double noise_N);
+PointForce point_force(std::vector<ForceBlock> blocks, const std::vector<const std::vector<Complex>*>& spectra,
+                       double noise_N);
 
 /// A mode's share of an H1 estimate, for residue 1, and its derivatives, at lines first … first + count − 1 of `lines`.
 struct ModeColumn {
-  Eigen::VectorXcd value;                    // dimensionless
-  Eigen::VectorXcd by_freq, by_damping;      // per Hz, per unit of damping ratio
+  Eigen::VectorXcd value;                // dimensionless
+  Eigen::VectorXcd by_freq, by_damping;  // per Hz, per unit of damping ratio
 };
 
-/// The accelerance of one mode as H1 sees it when the structure was at rest before each hit and the record ends before the decay:
+/// True when the mode has decayed by the record's end: then its column is H(jω) itself, the same for every point.
+bool decays_within(const Pole& pole, const PointForce& force, const LineRange& lines);
+
+/// The accelerance of one mode as H1 sees it when the structure was at rest before each hit and the record ends before
+/// the decay:
 ///   φ(k) = H(jω) − Σ_h conj(F_h(k)) [c q_h D(k) + conj(c q_h) D̃(k)] / Σ_h |F_h(k)|²                        (1)
 ///   H(jω) = (jω)² / ((jω)² + 2ζω_r jω + ω_r²),  c = s²/(2jω_d),  q_h = Δ Σ_n f_h[n] exp(s(N − n)Δ)
 ///   D = 1/(1 − exp((s − jω)Δ)),  D̃ the same with conj(s)
 /// With an exponential window of decay σ, jω + σ stands for jω in H, s − σ for s in q and D.
 /// What is missing after the record's end is thereby part of the model: no leakage, no bias of the damping.
 /// source  [5], [6] in docs/sources.md.
-ModeColumn mode_column(const Pole& pole, const PointForce& force, const LineRange& lines, std::size_t first, std::size_t count);
+ModeColumn mode_column(const Pole& pole, const PointForce& force, const LineRange& lines, std::size_t first,
+                       std::size_t count);
 
 }  // namespace percuss

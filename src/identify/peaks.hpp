@@ -11,8 +11,8 @@ struct Peak {
   double prominence = 0;
 };
 
-/// Every local maximum of `level` (the middle of a flat one), in ascending order, in linear time. A maximum at either end counts when
-/// it stands above its only neighbour. The ends are saddles of their own height.
+/// Every local maximum of `level` (the middle of a flat one), in ascending order, in linear time. A maximum at either
+/// end counts when it stands above its only neighbour. The ends are saddles of their own height.
 std::vector<Peak> find_peaks(std::span<const double> level);
 
 }  // namespace percuss

@@ -14,13 +14,13 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr int kSweeps = 2;            // after a change each window sees its neighbours' final shares in the second
-constexpr int kRounds = 6;            // of dropping, splitting and looking for hidden modes
-constexpr double kSplitGain = 0.25;   // a second mode must leave at most this part of the residual's energy
-constexpr double kSplitTest = 25;     // F statistic
-constexpr double kSplitStart = 0.4;   // bandwidths to either side
-constexpr double kMisfit = 1.4;       // rms residual over the noise from which a second mode could leave a quarter of the energy
-constexpr double kHiddenApart = 2;    // bandwidths from a known mode: closer ones are found by splitting
+constexpr int kSweeps = 2;           // after a change each window sees its neighbours' final shares in the second
+constexpr int kRounds = 6;           // of dropping, splitting and looking for hidden modes
+constexpr double kSplitGain = 0.25;  // a second mode must leave at most this part of the residual's energy
+constexpr double kSplitTest = 25;    // F statistic
+constexpr double kSplitStart = 0.4;  // bandwidths to either side
+constexpr double kMisfit = 2;  // residual's energy over the noise's from which it is asked whether there are two modes
+constexpr double kHiddenApart = 2;        // bandwidths from a known mode: closer ones are found by splitting
 constexpr std::size_t kLeastForFit = 16;  // lines
 
 class Quick {
@@ -93,12 +93,9 @@ class Quick {
     return use(std::move(poles));
   }
 
-  // More than noise is left at some output.
+  // More than noise is left, on the average over the outputs: a second mode could leave a quarter of that energy.
   bool misfits(const LocalFit& fit) const {
-    for (Index o = 0; o < fit.noise.size(); ++o) {
-      if (fit.noise(o) > kMisfit * all_.noise()(o)) return true;
-    }
-    return false;
+    return (fit.noise.array() / all_.noise().array()).square().mean() > kMisfit;
   }
 
   std::vector<Pole> with_one_more(const FitGroup& group) const {
@@ -115,7 +112,8 @@ class Quick {
       for (const double side : {-kSplitStart, kSplitStart}) {
         FitGroup trial = group;
         trial.fit = all_.fit(group, data, split(now, m, side), weight);
-        if (trial.fit.cost < best.fit.cost && trial.fit.degrees > 0 && all_credible(all_, trial, context_)) best = std::move(trial);
+        if (trial.fit.cost < best.fit.cost && trial.fit.degrees > 0 && all_credible(all_, trial, context_))
+          best = std::move(trial);
       }
     }
     const double gained = (before - best.fit.cost) / static_cast<double>(unknowns);
@@ -137,7 +135,8 @@ class Quick {
     const double at = freq_Hz / set_.lines.df_Hz() - static_cast<double>(set_.lines.first);
     const auto line = static_cast<std::size_t>(std::clamp(at, 0.0, static_cast<double>(set_.lines.count - 1)));
     double gated = 0;
-    for (const ForceBlock& block : force.blocks) gated += static_cast<double>(std::max(block.force_N.size(), block.whole_N.size()));
+    for (const ForceBlock& block : force.blocks)
+      gated += static_cast<double>(std::max(block.force_N.size(), block.whole_N.size()));
     gated /= static_cast<double>(force.blocks.size());
     return force.noise_N * std::sqrt(0.5 * gated / force.ff[line]);
   }
@@ -169,7 +168,8 @@ class Quick {
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return rank[a] > rank[b]; });
     order.resize(std::min(wanted, order.size()));
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return found[a].pole.freq_Hz < found[b].pole.freq_Hz; });
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b) { return found[a].pole.freq_Hz < found[b].pole.freq_Hz; });
     std::vector<Mode> out;
     for (const std::size_t i : order) out.push_back(std::move(found[i]));
     return out;

@@ -59,8 +59,9 @@ struct Warning {
   std::string message;
 };
 
-/// One test, from record to named modes, computed as far as asked and kept. Inputs are immutable: other options are another Analysis.
-/// Accessors call the stages they need and nothing else; trace() tells which ran. Not for use by several threads at once.
+/// One test, from record to named modes, computed as far as asked and kept. Inputs are immutable: other options are
+/// another Analysis. Accessors call the stages they need and nothing else; trace() tells which ran. Not for use by
+/// several threads at once.
 class Analysis {
  public:
   Analysis(Record record, AnalysisOptions options);
@@ -97,9 +98,10 @@ class Analysis {
   std::vector<AnalysedHit> find() const;
   std::vector<AnalysedHit> graded() const;
   LineRange choose_lines() const;
-  std::size_t block_samples() const;    // the common length of the hits' transforms
-  std::size_t longest_decay() const;    // of the accepted hits of a continuous record, over all channels
-  const std::vector<std::vector<Response>>& responses() const;  // [hits][channels]; empty for hits rejected by their force
+  std::size_t block_samples() const;  // the common length of the hits' transforms
+  std::size_t longest_decay() const;  // of the accepted hits of a continuous record, over all channels
+  const std::vector<std::vector<Response>>& responses()
+      const;  // [hits][channels]; empty for hits rejected by their force
   std::vector<std::vector<Response>> read_responses() const;
   const std::vector<std::vector<Complex>>& force_spectra() const;  // [hits]
   std::vector<PointFrf> average() const;

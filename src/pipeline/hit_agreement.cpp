@@ -22,7 +22,8 @@ std::vector<double> without(const std::vector<double>& values, std::size_t i) {
 }
 
 std::string disagreement(double explained) {
-  const std::string how_far = explained > 0 ? fmt::format("explain only {:.0f} % of its response", explained * 100) : "do not explain its response at all";
+  const std::string how_far = explained > 0 ? fmt::format("explain only {:.0f} % of its response", explained * 100)
+                                            : "do not explain its response at all";
   return "the other hits " + how_far + ": did the point or the direction change (--files points)?";
 }
 
@@ -46,12 +47,18 @@ void grade_agreement(std::vector<AnalysedHit>& hits, const std::vector<HitSpectr
       AnalysedHit& hit = hits[members[i]];
       const double typical = median(without(left, i));
       if (members.size() >= kLeastHits && left[i] > kOutlierRatio * typical && left[i] > kOutlierEnergy) {
-        hit.hit.findings.push_back({.code = FindingCode::outlier, .severity = Severity::reject, .value = left[i],
-                                    .message = fmt::format("unlike the others: their FRFs leave {:.0f} % of its response unexplained, of "
-                                                           "each other's {:.1f} %", left[i] * 100, typical * 100)});
+        hit.hit.findings.push_back(
+            {.code = FindingCode::outlier,
+             .severity = Severity::reject,
+             .value = left[i],
+             .message = fmt::format("unlike the others: their FRFs leave {:.0f} % of its response unexplained, of "
+                                    "each other's {:.1f} %",
+                                    left[i] * 100, typical * 100)});
         if (!hit.by_user) hit.accepted = false;
       } else if (1 - left[i] < kLowCoherence) {
-        hit.hit.findings.push_back({.code = FindingCode::low_coherence, .severity = Severity::warn, .value = 1 - left[i],
+        hit.hit.findings.push_back({.code = FindingCode::low_coherence,
+                                    .severity = Severity::warn,
+                                    .value = 1 - left[i],
                                     .message = disagreement(1 - left[i])});
       }
     }

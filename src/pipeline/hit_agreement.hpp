@@ -12,8 +12,9 @@ struct HitSpectra {
   std::vector<const std::vector<Complex>*> accel;  // [channels]
 };
 
-/// Compares the accepted hits of each point with one another: adds `outlier` (and takes the hit out) where one disagrees with the
-/// others far more than they do among themselves, and `low_coherence` where the others explain less than 90 % of its response.
+/// Compares the accepted hits of each point with one another: adds `outlier` (and takes the hit out) where one
+/// disagrees with the others far more than they do among themselves, and `low_coherence` where the others explain less
+/// than 90 % of its response.
 void grade_agreement(std::vector<AnalysedHit>& hits, const std::vector<HitSpectra>& spectra);
 
 }  // namespace percuss

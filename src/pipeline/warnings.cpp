@@ -13,7 +13,8 @@ constexpr double kDecayed = 0.0025;  // six time constants, as for the hits' own
 
 bool any_finding(const std::vector<AnalysedHit>& hits, FindingCode code, bool accepted_only) {
   return std::any_of(hits.begin(), hits.end(), [&](const AnalysedHit& hit) {
-    return (hit.accepted || !accepted_only) && std::any_of(hit.hit.findings.begin(), hit.hit.findings.end(), [&](const Finding& f) { return f.code == code; });
+    return (hit.accepted || !accepted_only) && std::any_of(hit.hit.findings.begin(), hit.hit.findings.end(),
+                                                           [&](const Finding& f) { return f.code == code; });
   });
 }
 
@@ -30,37 +31,51 @@ std::vector<Warning> Analysis::warnings() const {
   const auto& all = hits_.ready() ? hits() : force_hits();
   for (const std::string& note : record_.notes) out.push_back({"input", note});
   const auto rejected = std::count_if(all.begin(), all.end(), [](const AnalysedHit& hit) { return !hit.accepted; });
-  if (rejected > 0) out.push_back({"rejected_hits", fmt::format("{} of {} hits not used; the reasons stand beside them", rejected, all.size())});
+  if (rejected > 0)
+    out.push_back(
+        {"rejected_hits", fmt::format("{} of {} hits not used; the reasons stand beside them", rejected, all.size())});
   if (any_finding(all, FindingCode::polarity, true)) {
-    out.push_back({"polarity", "the force is negative during the pulse: the FRFs have the wrong sign unless --force-scale is negative"});
+    out.push_back(
+        {"polarity",
+         "the force is negative during the pulse: the FRFs have the wrong sign unless --force-scale is negative"});
   }
   if (any_finding(all, FindingCode::low_bandwidth, true)) {
-    out.push_back({"low_bandwidth", "the hammer's force does not reach the end of the band: modes there are weakly excited"});
+    out.push_back(
+        {"low_bandwidth", "the hammer's force does not reach the end of the band: modes there are weakly excited"});
   }
   const bool rings = std::any_of(all.begin(), all.end(), [](const AnalysedHit& hit) {
-    return hit.accepted && std::any_of(hit.responses.begin(), hit.responses.end(), [](const ResponseGrade& g) { return g.rings_before; });
+    return hit.accepted && std::any_of(hit.responses.begin(), hit.responses.end(),
+                                       [](const ResponseGrade& g) { return g.rings_before; });
   });
-  if (rings) out.push_back({"not_at_rest", "the structure was still ringing before a hit: wait longer between hits; damping there may be off by more than its ±"});
+  if (rings)
+    out.push_back({"not_at_rest",
+                   "the structure was still ringing before a hit: wait longer between hits; damping there may be off "
+                   "by more than its ±"});
   if (modes_.ready()) {
     std::string ringing;
     for (const Mode& mode : modes()) {
       const double left = left_at_end(mode, lines(), window_decay_per_s());
-      if (left > kDecayed) ringing += fmt::format("{}{:.1f} Hz ({:.1f} %)", ringing.empty() ? "" : ", ", mode.pole.freq_Hz, left * 100);
+      if (left > kDecayed)
+        ringing += fmt::format("{}{:.1f} Hz ({:.1f} %)", ringing.empty() ? "" : ", ", mode.pole.freq_Hz, left * 100);
     }
     if (!ringing.empty()) {
-      out.push_back({"truncated_decay", "still ringing when the record ends, with this part of their amplitude: " + ringing +
-                                            "; the damping is fitted with the missing decay allowed for, not read from a peak's width"});
+      out.push_back({"truncated_decay",
+                     "still ringing when the record ends, with this part of their amplitude: " + ringing +
+                         "; the damping is fitted with the missing decay allowed for, not read from a peak's width"});
     }
   }
   if (verdicts_.ready()) {
     std::string pairs;
     for (std::size_t m = 0; m < verdicts().size(); ++m) {
       const auto& pair = verdicts()[m].double_peak;
-      if (pair && pair->first) pairs += fmt::format("{}{:.1f} Hz ({:.1f} Hz apart)", pairs.empty() ? "" : ", ", modes()[m].pole.freq_Hz, pair->separation_Hz);
+      if (pair && pair->first)
+        pairs += fmt::format("{}{:.1f} Hz ({:.1f} Hz apart)", pairs.empty() ? "" : ", ", modes()[m].pole.freq_Hz,
+                             pair->separation_Hz);
     }
     if (!pairs.empty()) {
-      out.push_back({"double_peak", "double peaks, of which the first is quoted: " + pairs +
-                                        ". Possible causes: a tuned absorber, a crack or other damage, uneven wall or material"});
+      out.push_back(
+          {"double_peak", "double peaks, of which the first is quoted: " + pairs +
+                              ". Possible causes: a tuned absorber, a crack or other damage, uneven wall or material"});
     }
   }
   return out;

@@ -22,7 +22,8 @@ Json finding_json(const Finding& finding) {
 }
 
 Json response_json(std::size_t channel, const ResponseGrade& grade) {
-  Json json{{"channel", channel}, {"left_db", grade.left_dB}, {"truncated", grade.truncated}, {"polarity", grade.polarity}};
+  Json json{
+      {"channel", channel}, {"left_db", grade.left_dB}, {"truncated", grade.truncated}, {"polarity", grade.polarity}};
   json["delay_s"] = grade.delay_s ? Json(*grade.delay_s) : Json();
   return json;
 }
@@ -45,7 +46,8 @@ Json hits_json(const Analysis& analysis, const std::vector<AnalysedHit>& hits) {
     for (const Finding& finding : hit.findings) json["findings"].push_back(finding_json(finding));
     if (!hits[i].responses.empty()) {
       json["responses"] = Json::array();
-      for (std::size_t c = 0; c < hits[i].responses.size(); ++c) json["responses"].push_back(response_json(c, hits[i].responses[c]));
+      for (std::size_t c = 0; c < hits[i].responses.size(); ++c)
+        json["responses"].push_back(response_json(c, hits[i].responses[c]));
     }
     out.push_back(std::move(json));
   }
@@ -57,11 +59,16 @@ void add_verdict(Json& json, const Verdict& verdict) {
   json["order"] = verdict.order > 0 ? Json(verdict.order) : Json();
   json["confidence"] = verdict.confidence;
   json["alternative"] = verdict.alternative ? Json(name_of(*verdict.alternative)) : Json();
-  json["overlay"] = verdict.overlay_dB ? Json{{"difference_db", *verdict.overlay_dB}, {"overlaid", verdict.overlaid}} : Json();
-  json["ratio"] = verdict.ratio ? Json{{"re", verdict.ratio->real()}, {"im", verdict.ratio->imag()}, {"std", verdict.ratio_std}} : Json();
+  json["overlay"] =
+      verdict.overlay_dB ? Json{{"difference_db", *verdict.overlay_dB}, {"overlaid", verdict.overlaid}} : Json();
+  json["ratio"] = verdict.ratio
+                      ? Json{{"re", verdict.ratio->real()}, {"im", verdict.ratio->imag()}, {"std", verdict.ratio_std}}
+                      : Json();
   json["double_peak"] = Json();
   if (verdict.double_peak) {
-    json["double_peak"] = {{"partner", verdict.double_peak->partner}, {"separation_hz", verdict.double_peak->separation_Hz}, {"first", verdict.double_peak->first}};
+    json["double_peak"] = {{"partner", verdict.double_peak->partner},
+                           {"separation_hz", verdict.double_peak->separation_Hz},
+                           {"first", verdict.double_peak->first}};
   }
 }
 
@@ -88,7 +95,8 @@ Json modes_json(const Analysis& analysis, bool classes) {
     json["residues"] = Json::array();
     for (const Residue& r : mode.residues) {
       const double std = std::hypot(r.std, r.relative_std * std::abs(r.value));
-      json["residues"].push_back({{"point", r.point}, {"channel", r.channel}, {"re", r.value.real()}, {"im", r.value.imag()}, {"std", std}});
+      json["residues"].push_back(
+          {{"point", r.point}, {"channel", r.channel}, {"re", r.value.real()}, {"im", r.value.imag()}, {"std", std}});
     }
     out.push_back(std::move(json));
   }
@@ -98,7 +106,8 @@ Json modes_json(const Analysis& analysis, bool classes) {
 Json frf_json(const Analysis& analysis) {
   const auto& frfs = analysis.frfs();
   Json json{{"lines", analysis.lines().count}, {"df_hz", analysis.lines().df_Hz()}, {"averages", Json::array()}};
-  for (const PointFrf& frf : frfs) json["averages"].push_back({{"point", frf.point}, {"channel", frf.channel}, {"averages", frf.frf.averages}});
+  for (const PointFrf& frf : frfs)
+    json["averages"].push_back({{"point", frf.point}, {"channel", frf.channel}, {"averages", frf.frf.averages}});
   return json;
 }
 
@@ -128,9 +137,13 @@ Json coherence_json(const Analysis& analysis) {
 Json per_hit_json(const Analysis& analysis) {
   Json out = Json::array();
   for (const HitMode& m : analysis.modes_per_hit()) {
-    out.push_back({{"hit", m.hit}, {"mode", m.mode}, {"peak_force_n", analysis.hits()[m.hit].hit.peak_N},
-                   {"frequency_hz", m.pole.freq_Hz}, {"frequency_std_hz", m.freq_std_Hz},
-                   {"damping_ratio", m.pole.damping_ratio}, {"damping_ratio_std", m.damping_std}});
+    out.push_back({{"hit", m.hit},
+                   {"mode", m.mode},
+                   {"peak_force_n", analysis.hits()[m.hit].hit.peak_N},
+                   {"frequency_hz", m.pole.freq_Hz},
+                   {"frequency_std_hz", m.freq_std_Hz},
+                   {"damping_ratio", m.pole.damping_ratio},
+                   {"damping_ratio_std", m.damping_std}});
   }
   return out;
 }
@@ -157,7 +170,8 @@ Json document_of(const Analysis& analysis, const JsonOptions& options) {
   const auto wants = [&](Section section) { return options.sections.contains(section); };
   const bool force_only = options.sections == std::set{Section::hits};
   Json json{{"schema", "percuss/analysis/1"}, {"version", version()}, {"inputs", Json::array()}};
-  for (const InputFile& file : analysis.record().files) json["inputs"].push_back({{"path", file.path}, {"bytes", file.bytes}});
+  for (const InputFile& file : analysis.record().files)
+    json["inputs"].push_back({{"path", file.path}, {"bytes", file.bytes}});
   json["fs_hz"] = analysis.record().fs_Hz;
   const auto& hits = force_only ? analysis.force_hits() : analysis.hits();
   if (analysis.possible()) {
@@ -176,10 +190,12 @@ Json document_of(const Analysis& analysis, const JsonOptions& options) {
     json["modes"] = Json::array();
   }
   json["warnings"] = Json::array();
-  for (const Warning& warning : analysis.warnings()) json["warnings"].push_back({{"code", warning.code}, {"message", warning.message}});
+  for (const Warning& warning : analysis.warnings())
+    json["warnings"].push_back({{"code", warning.code}, {"message", warning.message}});
   if (options.trace) {
     json["trace"] = Json::array();
-    for (const auto& stage : analysis.trace().stages()) json["trace"].push_back({{"stage", stage.name}, {"calls", stage.calls}, {"seconds", stage.seconds}});
+    for (const auto& stage : analysis.trace().stages())
+      json["trace"].push_back({{"stage", stage.name}, {"calls", stage.calls}, {"seconds", stage.seconds}});
   }
   return json;
 }
@@ -188,21 +204,29 @@ std::string text_of(const Json& json) { return json.dump(2, ' ', false, Json::er
 
 }  // namespace
 
-std::set<Section> all_sections() { return {Section::hits, Section::frf, Section::coherence, Section::modes, Section::classes}; }
+std::set<Section> all_sections() {
+  return {Section::hits, Section::frf, Section::coherence, Section::modes, Section::classes};
+}
 
 std::set<Section> parse_sections(const std::vector<std::string>& names) {
-  static const std::vector<std::pair<std::string, Section>> known{{"hits", Section::hits}, {"frf", Section::frf}, {"coherence", Section::coherence},
-                                                                  {"modes", Section::modes}, {"classes", Section::classes}};
+  static const std::vector<std::pair<std::string, Section>> known{{"hits", Section::hits},
+                                                                  {"frf", Section::frf},
+                                                                  {"coherence", Section::coherence},
+                                                                  {"modes", Section::modes},
+                                                                  {"classes", Section::classes}};
   std::set<Section> out;
   for (const std::string& name : names) {
     const auto it = std::find_if(known.begin(), known.end(), [&](const auto& entry) { return entry.first == name; });
-    if (it == known.end()) throw UsageError("--only does not know the section '" + name + "'", "use hits, frf, coherence, modes or classes");
+    if (it == known.end())
+      throw UsageError("--only does not know the section '" + name + "'", "use hits, frf, coherence, modes or classes");
     out.insert(it->second);
   }
   return out;
 }
 
-std::string analysis_json(const Analysis& analysis, const JsonOptions& options) { return text_of(document_of(analysis, options)); }
+std::string analysis_json(const Analysis& analysis, const JsonOptions& options) {
+  return text_of(document_of(analysis, options));
+}
 
 std::string analysis_json(const std::vector<NumberedAnalysis>& tests, const JsonOptions& options) {
   if (tests.size() == 1) return analysis_json(*tests.front().analysis, options);

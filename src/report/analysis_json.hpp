@@ -26,8 +26,8 @@ struct NumberedAnalysis {
   const Analysis* analysis = nullptr;
 };
 
-/// The document percuss/analysis/1 with the sections asked for, indented, with a line end. Several tests stand in an array "runs".
-/// Text that is not UTF-8 (file names) is shown with replacement characters.
+/// The document percuss/analysis/1 with the sections asked for, indented, with a line end. Several tests stand in an
+/// array "runs". Text that is not UTF-8 (file names) is shown with replacement characters.
 std::string analysis_json(const std::vector<NumberedAnalysis>& tests, const JsonOptions& options = {});
 std::string analysis_json(const Analysis& analysis, const JsonOptions& options = {});
 

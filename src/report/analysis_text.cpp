@@ -21,10 +21,12 @@ std::string heading(const Analysis& analysis, std::size_t hits, std::size_t widt
   std::string sensors = fmt::format("{} accelerometer{}", record.accel.size(), record.accel.size() == 1 ? "" : "s");
   std::string angles;
   for (const SignalInfo& signal : record.accel) {
-    if (signal.angle_rad) angles += fmt::format("{}{:.4g}°", angles.empty() ? "" : ", ", *signal.angle_rad * 180 / std::numbers::pi);
+    if (signal.angle_rad)
+      angles += fmt::format("{}{:.4g}°", angles.empty() ? "" : ", ", *signal.angle_rad * 180 / std::numbers::pi);
   }
   if (!angles.empty()) sensors += " (" + angles + ")";
-  std::string text = fmt::format("{}   {} · {} hit{} × {}", name, short_frequency(record.fs_Hz), hits, hits == 1 ? "" : "s", sensors);
+  std::string text =
+      fmt::format("{}   {} · {} hit{} × {}", name, short_frequency(record.fs_Hz), hits, hits == 1 ? "" : "s", sensors);
   if (analysis.possible()) {
     const auto [low, high] = analysis.band_Hz();
     text += fmt::format(" · band {:.4g}–{:.4g} Hz", low, high);
@@ -35,12 +37,19 @@ std::string heading(const Analysis& analysis, std::size_t hits, std::size_t widt
 // What does not reject is said in full once, among the warnings; beside the hit its name and number do.
 std::string brief(const Finding& finding) {
   switch (finding.code) {
-    case FindingCode::weak: return fmt::format("weak ({:.0f} %)", finding.value * 100);
-    case FindingCode::truncated_decay: return fmt::format("rings on ({:.0f} dB)", finding.value);
-    case FindingCode::low_bandwidth: return "soft";
-    case FindingCode::low_coherence: return finding.value > 0 ? fmt::format("agrees {:.0f} % with the others", finding.value * 100) : "does not agree with the others";
-    case FindingCode::polarity: return "negative";
-    default: return finding.message;
+    case FindingCode::weak:
+      return fmt::format("weak ({:.0f} %)", finding.value * 100);
+    case FindingCode::truncated_decay:
+      return fmt::format("rings on ({:.0f} dB)", finding.value);
+    case FindingCode::low_bandwidth:
+      return "soft";
+    case FindingCode::low_coherence:
+      return finding.value > 0 ? fmt::format("agrees {:.0f} % with the others", finding.value * 100)
+                               : "does not agree with the others";
+    case FindingCode::polarity:
+      return "negative";
+    default:
+      return finding.message;
   }
 }
 
@@ -49,13 +58,15 @@ std::string hit_verdict(const AnalysedHit& hit) {
   if (hit.by_user) text += hit.accepted ? " (kept by --accept-hit)" : " (taken out by --reject-hit)";
   std::string reasons;
   for (const Finding& finding : hit.hit.findings) {
-    reasons += (reasons.empty() ? ": " : "; ") + (finding.severity == Severity::reject ? finding.message : brief(finding));
+    reasons +=
+        (reasons.empty() ? ": " : "; ") + (finding.severity == Severity::reject ? finding.message : brief(finding));
   }
   return text + reasons;
 }
 
 std::string hits_text(const Analysis& analysis, const std::vector<AnalysedHit>& hits, std::size_t width) {
-  const bool points = std::any_of(hits.begin(), hits.end(), [&](const AnalysedHit& h) { return h.point != hits.front().point; });
+  const bool points =
+      std::any_of(hits.begin(), hits.end(), [&](const AnalysedHit& h) { return h.point != hits.front().point; });
   const bool files = analysis.record().files.size() > 1;
   std::vector<TextTable::Column> columns{{"hit", TextTable::Align::right}};
   if (points) columns.push_back({"point", TextTable::Align::right});
@@ -95,10 +106,12 @@ std::string note_of(const Analysis& analysis, std::size_t m) {
   std::string note;
   const auto add = [&](const std::string& text) { note += (note.empty() ? "" : "; ") + text; };
   if (verdict.double_peak) {
-    add(verdict.double_peak->first ? fmt::format("double peak, {:.1f} Hz apart: this one is quoted", verdict.double_peak->separation_Hz)
-                                   : "second of the double peak");
+    add(verdict.double_peak->first
+            ? fmt::format("double peak, {:.1f} Hz apart: this one is quoted", verdict.double_peak->separation_Hz)
+            : "second of the double peak");
   }
-  if (verdict.family != Family::unknown && verdict.confidence < 0.95) add(fmt::format("{:.0f} % sure", verdict.confidence * 100));
+  if (verdict.family != Family::unknown && verdict.confidence < 0.95)
+    add(fmt::format("{:.0f} % sure", verdict.confidence * 100));
   if (verdict.alternative) add(fmt::format("could be {}", name_of(*verdict.alternative)));
   return note;
 }
@@ -109,7 +122,8 @@ std::string family_of(const Verdict& verdict) {
 
 std::string modes_text(const Analysis& analysis, bool classes, std::size_t width) {
   if (analysis.modes().empty()) return "no mode stands out of the noise in the band\n";
-  const bool named = classes && std::any_of(analysis.verdicts().begin(), analysis.verdicts().end(), [](const Verdict& v) { return v.ratio.has_value(); });
+  const bool named = classes && std::any_of(analysis.verdicts().begin(), analysis.verdicts().end(),
+                                            [](const Verdict& v) { return v.ratio.has_value(); });
   std::vector<TextTable::Column> columns{{"mode", TextTable::Align::right}};
   if (named) columns.push_back({"family"});
   columns.push_back({"frequency", TextTable::Align::right});
@@ -134,12 +148,17 @@ std::string modes_text(const Analysis& analysis, bool classes, std::size_t width
 }
 
 std::string per_hit_text(const Analysis& analysis, std::size_t width) {
-  TextTable table({{"mode", TextTable::Align::right}, {"hit", TextTable::Align::right}, {"peak", TextTable::Align::right},
-                   {"frequency", TextTable::Align::right}, {"damping", TextTable::Align::right}, {""}});
+  TextTable table({{"mode", TextTable::Align::right},
+                   {"hit", TextTable::Align::right},
+                   {"peak", TextTable::Align::right},
+                   {"frequency", TextTable::Align::right},
+                   {"damping", TextTable::Align::right},
+                   {""}});
   for (std::size_t m = 0; m < analysis.modes().size(); ++m) {
     for (const HitMode& found : analysis.modes_per_hit()) {
       if (found.mode != m) continue;
-      table.add({fmt::format("{}", m), fmt::format("{}", found.hit), fmt::format("{:.3g} N", analysis.hits()[found.hit].hit.peak_N),
+      table.add({fmt::format("{}", m), fmt::format("{}", found.hit),
+                 fmt::format("{:.3g} N", analysis.hits()[found.hit].hit.peak_N),
                  with_deviation(found.pole.freq_Hz, found.freq_std_Hz) + " Hz",
                  with_deviation(found.pole.damping_ratio * 100, found.damping_std * 100) + " %", ""});
     }
@@ -156,7 +175,8 @@ std::string analysis_text(const Analysis& analysis, const TextOptions& options) 
   std::string text = heading(analysis, hits.size(), options.width) + "\n";
   if (wants(Section::hits)) text += hits_text(analysis, hits, options.width) + "\n";
   if (analysis.possible()) {
-    if (wants(Section::modes) || wants(Section::classes)) text += modes_text(analysis, wants(Section::classes), options.width) + "\n";
+    if (wants(Section::modes) || wants(Section::classes))
+      text += modes_text(analysis, wants(Section::classes), options.width) + "\n";
     if (options.per_hit) text += per_hit_text(analysis, options.width) + "\n";
   } else {
     text += "no hit can be used: no FRF, no modes (--accept-hit overrules a rejection)\n\n";

@@ -13,7 +13,8 @@ struct TextOptions {
   bool per_hit = false;
 };
 
-/// The analysis as a person reads it: one line of what was measured, the hits, the modes with ±, then warnings in words.
+/// The analysis as a person reads it: one line of what was measured, the hits, the modes with ±, then warnings in
+/// words.
 std::string analysis_text(const Analysis& analysis, const TextOptions& options = {});
 
 }  // namespace percuss

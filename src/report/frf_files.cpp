@@ -12,9 +12,11 @@ std::string frf_csv(const Analysis& analysis, FrfKind kind) {
   const LineRange& lines = analysis.lines();
   std::vector<Frf> shown;
   for (const PointFrf& frf : frfs) shown.push_back(converted(frf.frf, lines, kind, analysis.window_decay_per_s()));
-  std::string out = fmt::format("# {} {}, {}, exp(+jwt)\nfrequency_hz", name_of(kind), unit_of(kind), name_of(analysis.options().estimator));
+  std::string out = fmt::format("# {} {}, {}, exp(+jwt)\nfrequency_hz", name_of(kind), unit_of(kind),
+                                name_of(analysis.options().estimator));
   for (const PointFrf& frf : frfs) {
-    for (const char* part : {"re", "im", "std", "coherence"}) out += fmt::format(",p{}_c{}_{}", frf.point, frf.channel, part);
+    for (const char* part : {"re", "im", "std", "coherence"})
+      out += fmt::format(",p{}_c{}_{}", frf.point, frf.channel, part);
   }
   out += '\n';
   const auto [low, high] = analysis.band_Hz();

@@ -3,8 +3,8 @@
 
 namespace percuss {
 
-/// "169.00034 ± 0.00042": the deviation with two significant digits, the value with as many decimals. A deviation of 0 or none:
-/// the value with six significant digits. At most 12 decimals.
+/// "169.00034 ± 0.00042": the deviation with two significant digits, the value with as many decimals. A deviation of 0
+/// or none: the value with six significant digits. At most 12 decimals.
 std::string with_deviation(double value, double deviation);
 
 /// Frequencies and lengths for people: four significant digits, k for thousands ("3.9 kHz").

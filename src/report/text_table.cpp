@@ -20,7 +20,8 @@ void trim_right(std::string& line) {
 }  // namespace
 
 std::size_t text_width(const std::string& text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
 std::string wrapped(const std::string& text, std::size_t width, std::size_t indent) {
@@ -61,7 +62,8 @@ std::string TextTable::text(std::size_t width) const {
   };
   std::vector<std::string> heads;
   for (const Column& column : columns_) heads.push_back(column.head);
-  for (std::size_t c = 0; c < heads.size(); ++c) heads[c] = c + 1 < heads.size() ? padded(heads[c], widths[c], columns_[c].align) : heads[c];
+  for (std::size_t c = 0; c < heads.size(); ++c)
+    heads[c] = c + 1 < heads.size() ? padded(heads[c], widths[c], columns_[c].align) : heads[c];
   std::string out = line(heads);
   for (const auto& row : rows_) out += line(row);
   return out;

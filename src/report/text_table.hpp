@@ -4,8 +4,8 @@
 
 namespace percuss {
 
-/// A table of text for a terminal: columns as wide as their longest cell, two spaces between, the last one wrapped at `width` onto
-/// lines of its own. Width counts characters, not bytes (UTF-8).
+/// A table of text for a terminal: columns as wide as their longest cell, two spaces between, the last one wrapped at
+/// `width` onto lines of its own. Width counts characters, not bytes (UTF-8).
 class TextTable {
  public:
   enum class Align { left, right };

@@ -1,0 +1,96 @@
+// The hits' responses: read, graded, transformed.
+#include <algorithm>
+
+#include "core/parallel.hpp"
+#include "frf/windows.hpp"
+#include "pipeline/analysis.hpp"
+#include "pipeline/hit_agreement.hpp"
+
+namespace percuss {
+
+// In a long record what follows the decay is background alone: a shorter transform sees less of it.
+std::size_t Analysis::longest_decay() const {
+  return longest_decay_.get([&] {
+    std::vector<const Hit*> used;
+    for (const AnalysedHit& hit : force_hits()) {
+      if (hit.accepted) used.push_back(&hit.hit);
+    }
+    const std::size_t channels = record_.accel.size();
+    std::vector<std::size_t> length(used.size() * channels);
+    parallel_for(length.size(), options_.threads, [&](std::size_t t) {
+      const Hit& hit = *used[t / channels];
+      std::vector<double> accel(hit.samples);
+      trace_.run("read acceleration", [&] { record_.read_accel_mps2(hit.row, t % channels, hit.first, accel); });
+      length[t] = decayed_length(hit, accel);
+    });
+    return *std::max_element(length.begin(), length.end());
+  });
+}
+
+const std::vector<std::vector<Analysis::Response>>& Analysis::responses() const {
+  return responses_.get([&] { return read_responses(); });
+}
+
+std::vector<std::vector<Analysis::Response>> Analysis::read_responses() const {
+  const auto& hits = force_hits();
+  const LineRange& range = lines();
+  const double decay = window_decay_per_s();
+  const std::size_t channels = record_.accel.size();
+  std::vector<std::vector<Response>> out(hits.size());
+  std::vector<std::pair<std::size_t, std::size_t>> tasks;
+  for (std::size_t h = 0; h < hits.size(); ++h) {
+    if (!hits[h].accepted) continue;
+    out[h].resize(channels);
+    for (std::size_t c = 0; c < channels; ++c) tasks.emplace_back(h, c);
+  }
+  parallel_for(tasks.size(), options_.threads, [&](std::size_t t) {
+    const auto [h, c] = tasks[t];
+    const Hit& hit = hits[h].hit;
+    std::vector<double> accel(range.samples);
+    trace_.run("read acceleration", [&, c = c] { record_.read_accel_mps2(hit.row, c, hit.first, accel); });
+    Response& response = out[h][c];
+    response.grade = grade_response(hit, accel, record_.fs_Hz);
+    response.spectrum = trace_.run("fft", [&] { return accel_spectrum(hit, accel, range, decay); });
+  });
+  return out;
+}
+
+const std::vector<std::vector<Complex>>& Analysis::force_spectra() const {
+  return force_spectra_.get([&] {
+    const auto& hits = force_hits();
+    std::vector<std::vector<Complex>> spectra(hits.size());
+    const LineRange& range = lines();
+    const double decay = window_decay_per_s();
+    parallel_for(hits.size(), options_.threads, [&](std::size_t h) {
+      if (!hits[h].accepted) return;
+      spectra[h] =
+          trace_.run("fft", [&] { return force_spectrum(force_block(hits[h].hit, record_.fs_Hz, decay), range); });
+    });
+    return spectra;
+  });
+}
+
+const std::vector<AnalysedHit>& Analysis::hits() const {
+  return hits_.get([&] { return graded(); });
+}
+
+std::vector<AnalysedHit> Analysis::graded() const {
+  std::vector<AnalysedHit> out = force_hits();
+  if (!possible()) return out;
+  const auto& all = responses();
+  for (std::size_t h = 0; h < out.size(); ++h) {
+    for (const Response& response : all[h]) out[h].responses.push_back(response.grade);
+    add_response_findings(out[h].hit, out[h].responses);
+    if (!out[h].by_user) out[h].accepted = out[h].accepted && !rejects(out[h].hit.findings);
+  }
+  std::vector<HitSpectra> spectra(out.size());
+  for (std::size_t h = 0; h < out.size(); ++h) {
+    if (!out[h].accepted) continue;
+    spectra[h].force = &force_spectra()[h];
+    for (const Response& response : all[h]) spectra[h].accel.push_back(&response.spectrum);
+  }
+  trace_.run("agreement", [&] { grade_agreement(out, spectra); });
+  return out;
+}
+
+}  // namespace percuss

@@ -1,0 +1,144 @@
+// From the hits' spectra to FRFs, modes and their names.
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "core/statistics.hpp"
+#include "pipeline/analysis.hpp"
+
+namespace percuss {
+namespace {
+
+// Hits by the point they struck, ascending.
+std::map<int, std::vector<std::size_t>> by_point(const std::vector<AnalysedHit>& hits,
+                                                 const std::vector<std::size_t>& which) {
+  std::map<int, std::vector<std::size_t>> points;
+  for (const std::size_t h : which) points[hits[h].point].push_back(h);
+  return points;
+}
+
+}  // namespace
+
+const std::vector<PointFrf>& Analysis::frfs() const {
+  return frfs_.get([&] {
+    const auto hits = accepted_hits();
+    force_spectra();
+    return trace_.run("frf", [&] { return average(); });
+  });
+}
+
+std::vector<PointFrf> Analysis::average() const {
+  std::vector<PointFrf> out;
+  for (const auto& [point, members] : by_point(hits(), accepted_hits())) {
+    std::vector<const std::vector<Complex>*> force;
+    for (const std::size_t h : members) force.push_back(&force_spectra()[h]);
+    for (std::size_t c = 0; c < record_.accel.size(); ++c) {
+      std::vector<const std::vector<Complex>*> accel;
+      for (const std::size_t h : members) accel.push_back(&responses()[h][c].spectrum);
+      out.push_back({.point = point,
+                     .channel = c,
+                     .frf = estimate_frf(cross_spectra(force, accel), lines(), options_.estimator)});
+    }
+  }
+  return out;
+}
+
+FrfSet Analysis::frf_set(const std::vector<std::size_t>& which) const {
+  FrfSet set{.lines = lines()};
+  std::vector<double> reach;
+  for (const std::size_t h : which) reach.push_back(hits()[h].hit.bandwidth_Hz);
+  set.reach_Hz = median(reach);
+  const double decay = window_decay_per_s();
+  for (const auto& [point, members] : by_point(hits(), which)) {
+    std::vector<ForceBlock> blocks;
+    std::vector<double> noise;
+    std::vector<const std::vector<Complex>*> spectra;
+    for (const std::size_t h : members) {
+      blocks.push_back(force_block(hits()[h].hit, record_.fs_Hz, decay));
+      noise.push_back(hits()[h].hit.noise_N);
+      spectra.push_back(&force_spectra()[h]);
+    }
+    for (std::size_t c = 0; c < record_.accel.size(); ++c) {
+      std::vector<const std::vector<Complex>*> accel;
+      for (const std::size_t h : members) accel.push_back(&responses()[h][c].spectrum);
+      set.outputs.push_back({.point = set.points.size(),
+                             .channel = c,
+                             .frf = estimate_frf(cross_spectra(spectra, accel), lines()).value});
+    }
+    set.points.push_back(point_force(std::move(blocks), spectra, median(noise)));
+  }
+  return set;
+}
+
+const std::vector<Mode>& Analysis::modes() const {
+  return modes_.get([&] {
+    const FrfSet set = frf_set(accepted_hits());
+    auto modes = trace_.run("modes", [&] { return identify_quick(set, options_.modes); });
+    std::vector<int> points;
+    for (const auto& [point, members] : by_point(hits(), accepted_hits())) points.push_back(point);
+    const auto [low, high] = band_Hz();
+    std::erase_if(modes, [&, low = low, high = high](const Mode& mode) {
+      return mode.pole.freq_Hz < low || mode.pole.freq_Hz > high;
+    });
+    for (Mode& mode : modes) {
+      for (Residue& residue : mode.residues) residue.point = static_cast<std::size_t>(points[residue.point]);
+    }
+    return modes;
+  });
+}
+
+const std::vector<Verdict>& Analysis::verdicts() const {
+  return verdicts_.get([&] {
+    modes();
+    return trace_.run("classes", [&] { return name_modes(); });
+  });
+}
+
+std::vector<Verdict> Analysis::name_modes() const {
+  std::vector<std::optional<double>> angles;
+  for (const SignalInfo& signal : record_.accel) angles.push_back(signal.angle_rad);
+  const auto sensors = pair_of_sensors(angles);
+  std::vector<std::optional<double>> overlay_dB(modes().size());
+  if (sensors) {
+    const auto line_of = [&](double freq_Hz) {
+      return static_cast<std::size_t>(std::lround(freq_Hz / lines().df_Hz())) - lines().first;
+    };
+    for (std::size_t m = 0; m < modes().size(); ++m) {
+      double first = 0, second = 0;
+      for (const PointFrf& frf : frfs()) {
+        const double power = std::norm(frf.frf.value[std::min(line_of(modes()[m].pole.freq_Hz), lines().count - 1)]);
+        (frf.channel == sensors->first ? first : second) +=
+            frf.channel == sensors->first || frf.channel == sensors->second ? power : 0;
+      }
+      if (first > 0 && second > 0) overlay_dB[m] = 10 * std::log10(second / first);
+    }
+  }
+  return classify(modes(), sensors, overlay_dB, options_.classes);
+}
+
+const std::vector<HitMode>& Analysis::modes_per_hit() const {
+  return modes_per_hit_.get([&] {
+    modes();
+    return trace_.run("modes per hit", [&] { return identify_per_hit(); });
+  });
+}
+
+std::vector<HitMode> Analysis::identify_per_hit() const {
+  QuickOptions options;
+  for (const Mode& mode : modes()) options.start_Hz.push_back(mode.pole.freq_Hz);
+  std::vector<HitMode> out;
+  if (options.start_Hz.empty()) return out;
+  for (const std::size_t h : accepted_hits()) {
+    const auto found = identify_quick(frf_set({h}), options);
+    for (std::size_t m = 0; m < found.size() && m < modes().size(); ++m) {
+      out.push_back({.hit = h,
+                     .mode = m,
+                     .pole = found[m].pole,
+                     .freq_std_Hz = found[m].freq_std_Hz,
+                     .damping_std = found[m].damping_std});
+    }
+  }
+  return out;
+}
+
+}  // namespace percuss
