@@ -1,24 +1,16 @@
 #include "core/statistics.hpp"
 
-#include <algorithm>
+#include <gsl/gsl_statistics_double.h>
+
 #include <cmath>
-#include <cstddef>
 
 namespace percuss {
 
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  if (values.size() % 2 == 1) return *middle;
-  return 0.5 * (*middle + *std::max_element(values.begin(), middle));
-}
+double median(std::vector<double> values) { return values.empty() ? 0 : gsl_stats_median(values.data(), 1, values.size()); }
 
 double robust_std(std::vector<double> values) {
-  constexpr double kGaussian = 1.4826022185056018;  // 1/Φ⁻¹(3/4)
-  const double centre = median(values);
-  for (double& value : values) value = std::abs(value - centre);
-  return kGaussian * median(std::move(values));
+  std::vector<double> work(values.size());
+  return values.empty() ? 0 : gsl_stats_mad(values.data(), 1, values.size(), work.data());
 }
 
 double rms(std::span<const double> values) {
