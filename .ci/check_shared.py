@@ -1,0 +1,206 @@
+"""The checks of .ci/check-shared: see there."""
+import argparse
+import importlib.util
+import json
+import math
+import os
+import shutil
+import statistics
+import subprocess
+import sys
+import tempfile
+
+import h5py
+import numpy
+import scipy.io
+
+PERCUSS = os.environ["PERCUSS"]
+FEW_SIGMA = 4.5  # of the reported deviation: one in 150 000 for a normal distribution
+ROUNDING = 1e-6  # of a damping ratio: where there is no noise, deviations shrink to what arithmetic leaves
+
+results = []
+
+
+def check(name, passed, shown=""):
+    results.append(bool(passed))
+    print("%-4s %-64s %s" % ("ok" if passed else "FAIL", name, shown), flush=True)
+
+
+def percuss(*arguments):
+    """exit code and document of a command"""
+    done = subprocess.run([PERCUSS, *map(str, arguments), "--json"], capture_output=True, text=True, timeout=600)
+    try:
+        return done.returncode, json.loads(done.stdout)
+    except ValueError:
+        print(done.stderr.strip())
+        return done.returncode, {"hits": [], "modes": [], "coherence": []}
+
+
+def codes(hit):
+    return [finding["code"] for finding in hit["findings"]]
+
+
+def nearest(document, frequency_hz):
+    return min(document["modes"], key=lambda mode: abs(mode["frequency_hz"] - frequency_hz), default={"frequency_hz": math.inf, "damping_ratio": math.inf})
+
+
+def check_pyfrf(data):
+    folder = os.path.join(data, "pyfrf_5hits")
+    known = [m for m in json.load(open(os.path.join(folder, "independent.json")))["modes"] if m["fit_residual"] < 0.12]
+    # Three independent estimates of each damping. Their pooled relative spread: the root of the mean, over the modes, of the squared
+    # relative standard deviation of the three. A damping may be that far from the median of the three.
+    three = [[m["zeta_lscf"], m["zeta_sdof"], m["zeta_hp"]] for m in known]
+    spread = math.sqrt(statistics.mean(statistics.variance(z) / statistics.mean(z) ** 2 for z in three))
+    for file in ("record.h5", "hit1.csv"):
+        code, document = percuss("analyze", os.path.join(folder, file), "--band", "400:8000")
+        check("pyfrf %s: every hit accepted" % file, code == 0 and document["hits"] and all(h["accepted"] for h in document["hits"]), "%d hits" % len(document["hits"]))
+        if file == "record.h5":
+            check("pyfrf %s: at most 25 modes" % file, 0 < len(document["modes"]) <= 25, "%d modes" % len(document["modes"]))
+        for mode, zeta in zip(known, three):
+            found = nearest(document, mode["f_sdof"])
+            off = found["frequency_hz"] / mode["f_sdof"] - 1
+            check("pyfrf %s: %.2f Hz within 0.07 %%" % (file, mode["f_sdof"]), abs(off) <= 7e-4, "%+.4f %%" % (100 * off))
+            if file == "record.h5":
+                off = found["damping_ratio"] / statistics.median(zeta) - 1
+                check("pyfrf %s: %.2f Hz, damping within %.1f %% of the median" % (file, mode["f_sdof"], 100 * spread), abs(off) <= spread,
+                      "%+.1f %% (%.6f; others %s)" % (100 * off, found["damping_ratio"], " ".join("%.6f" % z for z in zeta)))
+    _, document = percuss("analyze", os.path.join(folder, "record.h5"), "--band", "100:8000", "--only", "frf,coherence")
+    below = [c["fraction_below_0_9"] for c in document["coherence"]]
+    check("pyfrf record.h5: coherence below 0.9 on less than 3 % of lines", below and max(below) < 0.03, "%.2f %%" % (100 * max(below, default=math.nan)))
+
+
+def check_frame(data):
+    folder = os.path.join(data, "frame3_50hz")
+    scale = {}
+    for file, published in (("imp_ham_calib_set2.CSV", 0.00684), ("Imp_ham_calib_set1.CSV", 0.01020)):
+        _, document = percuss("calibrate", os.path.join(folder, file), "--mass", 1.25, "--force-channel", "CH8")
+        scale[file] = document.get("force_scale", math.nan)
+        off = abs(scale[file]) / published - 1
+        check("frame3 %s: %.5f N per unit within 3 %%" % (file, published), abs(off) <= 0.03, "%.6f, %+.1f %%" % (scale[file], 100 * off))
+    mean = sum(scale.values()) / len(scale)
+    for file, sample in (("imp_ham_set1_nomass.CSV", 13), ("imp_ham_set2_nomass.CSV", 27), ("imp_ham_set3_no_mass.CSV", 5)):
+        _, document = percuss("analyze", os.path.join(folder, file), "--force-channel", "CH8", "--force-scale=%.6f" % mean)
+        onsets = [h["time_s"] * 50 for h in document["hits"] if h["accepted"]]
+        # The peak is at this sample; the pulse, one sample wide, begins at most one and a half before it.
+        check("frame3 %s: the one hit at sample %d" % (file, sample), len(onsets) == 1 and sample - 1.5 <= onsets[0] <= sample + 0.5, "onset %s" % ", ".join("%.2f" % o for o in onsets))
+        for frequency in (2.16, 6.89, 13.24):
+            found = nearest(document, frequency)["frequency_hz"]
+            check("frame3 %s: %.2f Hz within 0.03 Hz" % (file, frequency), abs(found - frequency) <= 0.03, "%.4f Hz" % found)
+
+
+def check_bad_hits(data, scratch):
+    for case, wanted in (("case1", "late_trigger"), ("case2", "no_pulse")):
+        mat = scipy.io.loadmat(os.path.join(data, "bad_hits_vt", case + ".mat"), squeeze_me=True)
+        force, accel, fs = mat["Time_chan_1"], mat["Time_chan_2"], float(mat["Time_Sample_Rate"])
+        path = os.path.join(scratch, case)
+        with h5py.File(path + ".h5", "w") as file:
+            file.attrs["fs"] = fs
+            file["force"], file["accel"] = force[None], accel[None, None]
+        columns = numpy.column_stack([numpy.arange(len(force)) / fs, force, accel])
+        numpy.savetxt(path + ".csv", columns, delimiter=",", header="t_s,force_N,acc_m_s2", comments="", fmt="%.12g")
+        for end in (".h5", ".csv"):
+            code, document = percuss("analyze", path + end)
+            found = sorted({c for h in document["hits"] for c in codes(h)})
+            check("bad hits %s%s: rejected as %s, exit 4" % (case, end, wanted),
+                  code == 4 and wanted in found and not any(h["accepted"] for h in document["hits"]), "exit %d, %s" % (code, ", ".join(found)))
+
+
+def check_long(name, truth, path):
+    _, document = percuss("analyze", path, "--only", "hits")
+    hits = document["hits"]
+    pairs, extra = [], list(hits)
+    for time, flag, delay in zip(truth["hit_time_s"], truth["hit_flag"], truth["second_hit_delay_s"]):
+        hit = min(extra, key=lambda h: abs(h["time_s"] - time), default=None)
+        if hit is not None and abs(hit["time_s"] - time) <= 1e-3:
+            extra.remove(hit)
+            pairs.append((hit, flag, delay))
+    worst = max((min(abs(h["time_s"] - t) for h in hits) for t in truth["hit_time_s"]), default=math.nan) if hits else math.nan
+    check(name + ": every hit found within 1 ms", len(pairs) == len(truth["hit_time_s"]), "%d of %d, worst %.3f ms" % (len(pairs), len(truth["hit_time_s"]), 1e3 * worst))
+    check(name + ": no false alarm", not extra, "%d" % len(extra))
+    doubles = [(h, d) for h, flag, d in pairs if flag == "double"]
+    delays = [abs(f["delay_s"] - d) for h, d in doubles for f in h["findings"] if f["code"] == "double_hit"]
+    check(name + ": doubles rejected, delay within 1 ms", len(delays) == len(doubles) and max(delays, default=0) <= 1e-3 and not any(h["accepted"] for h, _ in doubles),
+          "%d of %d, worst %.3f ms" % (len(delays), len(doubles), 1e3 * max(delays, default=0)))
+    weak = [h for h, flag, _ in pairs if flag == "weak"]
+    check(name + ": weak ones flagged, not rejected", all("weak" in codes(h) and h["accepted"] for h in weak), "%d" % len(weak))
+    good = [h for h, flag, _ in pairs if flag == "good"]
+    check(name + ": the good ones accepted", all(h["accepted"] for h in good), "%d of %d" % (sum(h["accepted"] for h in good), len(good)))
+
+
+def separated(truth, i):
+    """more than three half-power bandwidths from every other mode, by the wider of the two"""
+    width = [2 * z * f for f, z in zip(truth["f_hz"], truth["zeta"])]
+    return all(abs(f - truth["f_hz"][i]) > 3 * max(width[i], w) for j, (f, w) in enumerate(zip(truth["f_hz"], width)) if j != i)
+
+
+def check_modes(name, truth, path, score):
+    low, high = truth["band_hz"]
+    code, document = percuss("analyze", path, "--band", "%g:%g" % (low, high), "--effort", "quick")
+    scored = score.score_one(truth, document)
+    rows = {row["true_hz"]: row for row in scored["modes"]}
+    wanted = [rows[f] for i, f in enumerate(truth["f_hz"]) if truth["in_band"][i] and separated(truth, i) and rows[f]["asked"]]
+    check(name + ": every separated mode found", code == 0 and wanted and all(r["found"] for r in wanted), "%d of %d" % (sum(r["found"] for r in wanted), len(wanted)))
+    found = [r for r in wanted if r["found"]]
+    worst = max((abs(r["f_ppm"]) for r in found), default=math.nan)
+    check(name + ": frequencies within 200 ppm", worst <= 200, "%.2f ppm" % worst)
+    worst = max((abs(r["zeta_pct"]) for r in found), default=math.nan)
+    check(name + ": damping within 3 %", worst <= 3, "%.3f %%" % worst)
+    wrong = ["%.0f Hz: %s" % (r["true_hz"], r["family"]) for r in found if not r["family_ok"]]
+    check(name + ": families right", not wrong, "; ".join(wrong))
+    check(name + ": nothing spurious", not scored["spurious"], " ".join("%.1f Hz" % f for f in scored["spurious"]))
+
+
+def check_truncated(name, truth, path, score):
+    low, high = truth["band_hz"]
+    _, document = percuss("analyze", path, "--band", "%g:%g" % (low, high), "--effort", "quick")
+    cut = [h for h in document["hits"] if "truncated_decay" in codes(h)]
+    check(name + ": truncated_decay on every hit", document["hits"] and len(cut) == len(document["hits"]), "%d of %d" % (len(cut), len(document["hits"])))
+    _, got, _ = score.pair(truth, document["modes"])
+    errors = []
+    for i, k in got.items():
+        mode, zeta = document["modes"][k], truth["zeta"][i]
+        errors.append(abs(mode["damping_ratio"] - zeta) / (mode["damping_ratio_std"] + ROUNDING * zeta / FEW_SIGMA))
+    check(name + ": damping errors within %.1f reported deviations" % FEW_SIGMA, errors and max(errors) <= FEW_SIGMA, "%d modes, worst %.2f" % (len(errors), max(errors, default=math.nan)))
+
+
+def check_seed(seed, arguments, scratch, score):
+    names = ["c1_clean", "c2_light", "c3_doublet", "c4_noise", "c6_short", "l1_long"]
+    folder = os.path.join(arguments.cases or scratch, "s%d" % seed)
+    if not arguments.cases:
+        maker = os.path.join(arguments.shared, "cases", "make_cases.py")
+        subprocess.run([sys.executable, "-B", maker, folder, "--seed", str(seed), "--only", ",".join(names), "--no-csv"], check=True, stdout=subprocess.DEVNULL)
+    for case in names:
+        truth = json.load(open(os.path.join(folder, case, "truth.json")))
+        path, name = os.path.join(folder, case, "data.h5"), "seed %d %s" % (seed, case)
+        if case == "l1_long":
+            check_long(name, truth, path)
+        elif case in ("c2_light", "c6_short"):
+            check_truncated(name, truth, path, score)
+        else:
+            check_modes(name, truth, path, score)
+    if not arguments.cases:
+        shutil.rmtree(folder)
+
+
+def main():
+    parser = argparse.ArgumentParser(prog=".ci/check-shared")
+    parser.add_argument("--seeds", default="0,1,2,3,4,5")
+    parser.add_argument("--cases")
+    parser.add_argument("shared")
+    arguments = parser.parse_args()
+    spec = importlib.util.spec_from_file_location("score", os.path.join(arguments.shared, "cases", "score.py"))
+    score = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(score)
+    data = os.path.join(arguments.shared, "data")
+    with tempfile.TemporaryDirectory(prefix="percuss-check-") as scratch:
+        check_pyfrf(data)
+        check_frame(data)
+        check_bad_hits(data, scratch)
+        for seed in map(int, arguments.seeds.split(",")):
+            check_seed(seed, arguments, scratch, score)
+    print("%d passed, %d failed" % (sum(results), len(results) - sum(results)))
+    return 0 if all(results) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
