@@ -73,9 +73,8 @@ void write_outputs(const AnalyzeFlags& flags, const std::vector<Test>& tests, co
     if (extension_of(path) == ".json") {
       write_file(path, document, flags.output.force);
     } else if (!tests.front().analysis->possible()) {
-      throw InputError("there are no FRFs: no hit can be used", path, "see the hits' findings");
-    } else if (tests.size() > 1) {
-      throw UsageError("several tests do not fit one FRF file", "analyse one file or run at a time");
+      std::cerr << "percuss: no hit can be used, so there are no FRFs to write (" + one_line(path) +
+                       "); see the hits' findings\n";
     } else if (extension_of(path) == ".csv") {
       write_frf_csv(path, *tests.front().analysis, FrfKind::accelerance, flags.output.force);
     } else {
@@ -84,14 +83,22 @@ void write_outputs(const AnalyzeFlags& flags, const std::vector<Test>& tests, co
   }
 }
 
+bool is_json(const std::string& path) { return extension_of(path) == ".json"; }
+
+// Before anything is computed.
+void require_one_test_for_frfs(const OutputFlags& output, std::size_t tests) {
+  if (tests > 1 && !std::all_of(output.paths.begin(), output.paths.end(), is_json))
+    throw UsageError("several tests do not fit one file of FRFs", "analyse one file or run at a time");
+}
+
 int analyze(const AnalyzeFlags& flags) {
-  check_extensions(flags.output, {".json", ".csv", ".h5"});
+  check_outputs(flags.output, {".json", ".csv", ".h5"});
   const auto sections = flags.only.empty() ? all_sections() : parse_sections(flags.only);
   const Progress progress("analysing", flags.output.quiet);
   const auto tests = tests_of(flags);
+  require_one_test_for_frfs(flags.output, tests.size());
   const bool wants_json =
-      flags.output.json || std::any_of(flags.output.paths.begin(), flags.output.paths.end(),
-                                       [](const std::string& path) { return extension_of(path) == ".json"; });
+      flags.output.json || std::any_of(flags.output.paths.begin(), flags.output.paths.end(), is_json);
   std::string document;
   if (wants_json) {
     std::vector<NumberedAnalysis> numbered;
@@ -105,8 +112,8 @@ int analyze(const AnalyzeFlags& flags) {
     text += analysis_text(*test.analysis, {.sections = sections, .width = terminal_width(), .per_hit = flags.per_hit});
   }
   progress.stop();
-  std::cout << (flags.output.json ? document : text);
   write_outputs(flags, tests, document);
+  std::cout << (flags.output.json ? document : text) << std::flush;
   if (flags.trace && !flags.output.json) {
     for (const Test& test : tests) print_trace(*test.analysis);
   }

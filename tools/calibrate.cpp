@@ -65,7 +65,7 @@ std::string text_of(const CalibrateFlags& flags, const Record& record, const Cal
 }
 
 int calibrate_file(const CalibrateFlags& flags) {
-  check_extensions(flags.output, {".json"});
+  check_outputs(flags.output, {".json"});
   const Record record = join_records(open_records(flags.read), flags.read.files);
   const Calibration calibration = calibrate(record, flags.mass_kg, {.trigger_N = flags.trigger});
   const std::string document = json_of(flags, record, calibration).dump(2) + "\n";

@@ -22,7 +22,7 @@ struct FrfFlags {
 };
 
 int frf(const FrfFlags& flags) {
-  check_extensions(flags.output, {".csv", ".h5", ".json"});
+  check_outputs(flags.output, {".csv", ".h5", ".json"});
   const FrfKind kind = flags.kind == "mobility"     ? FrfKind::mobility
                        : flags.kind == "receptance" ? FrfKind::receptance
                                                     : FrfKind::accelerance;

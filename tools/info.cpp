@@ -134,7 +134,7 @@ int run_info(const InfoFlags& flags) {
     return kOk;
   }
   if (flags.read.paths.empty()) throw UsageError("no file", "name at least one, or - for standard input");
-  check_extensions(flags.output, {".json"});
+  check_outputs(flags.output, {".json"});
   const ReadOptions options = finished_options(flags.read);
   Json files = Json::array();
   int code = kOk;
@@ -162,6 +162,7 @@ int run_info(const InfoFlags& flags) {
 void add_info(CLI::App& app, Run& run) {
   CLI::App* command =
       app.add_subcommand("info", "what is in a file: kind, channels, units, rate, hits, what could not be read");
+  command->footer("Example: percuss info bat.h5");
   auto flags = std::make_shared<InfoFlags>();
   add_read_flags(*command, flags->read);
   add_output_flags(*command, flags->output);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <set>
 
 #include "core/error.hpp"
 
@@ -27,11 +28,17 @@ std::string extension_of(const std::string& path) {
   return extension;
 }
 
-void check_extensions(const OutputFlags& flags, const std::vector<std::string>& known) {
+void check_outputs(const OutputFlags& flags, const std::vector<std::string>& known) {
+  std::set<std::string> seen;
   for (const std::string& path : flags.paths) {
-    if (std::find(known.begin(), known.end(), extension_of(path)) != known.end()) continue;
-    throw UsageError("cannot tell what to write to '" + path + "'",
-                     fmt::format("use a name that ends in {}", fmt::join(known, ", ")));
+    if (std::find(known.begin(), known.end(), extension_of(path)) == known.end()) {
+      throw UsageError("cannot tell what to write to '" + path + "'",
+                       fmt::format("use a name that ends in {}", fmt::join(known, ", ")));
+    }
+    if (!seen.insert(path).second) throw UsageError("'" + path + "' is to be written twice", "name each file once");
+    std::error_code ignored;
+    if (!flags.force && std::filesystem::exists(path, ignored))
+      throw InputError("file exists", path, "give another name or --force");
   }
 }
 

@@ -18,9 +18,9 @@ void add_output_flags(CLI::App& command, OutputFlags& flags);
 /// The extension of a path in lower case, with its dot; "" for none.
 std::string extension_of(const std::string& path);
 
-/// UsageError when a path's extension is not among `known`: nothing is read or computed for a file that cannot be
-/// written.
-void check_extensions(const OutputFlags& flags, const std::vector<std::string>& known);
+/// Nothing is read or computed for a file that cannot be written: UsageError when a path's extension is not among
+/// `known` or a path is named twice, InputError when the file exists and --force is not given.
+void check_outputs(const OutputFlags& flags, const std::vector<std::string>& known);
 
 /// Columns of the terminal on standard output; 100 when it is none.
 std::size_t terminal_width();

@@ -28,6 +28,10 @@ int parse_and_run(int argc, char** argv) {
   add_info(app, run);
   add_calibrate(app, run);
   add_synth(app, run);
+  // A word that is no command would be called a missing command.
+  const auto named = [&](const CLI::App* command) { return command->get_name() == argv[1]; };
+  if (argc > 1 && argv[1][0] != '-' && app.get_subcommands(named).empty())
+    throw UsageError(std::string("there is no command '") + argv[1] + "'", "percuss --help lists them");
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& e) {

@@ -119,6 +119,7 @@ int run_synth(const SynthFlags& flags) {
 
 void add_synth(CLI::App& app, Run& run) {
   CLI::App* command = app.add_subcommand("synth", "synthetic test records with exactly known truth");
+  command->footer("Example: percuss synth composite-bat -o composite.h5");
   auto flags = std::make_shared<SynthFlags>();
   command->add_option("SPEC", flags->spec, "JSON file, name of a preset, or - for standard input");
   command

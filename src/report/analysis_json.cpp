@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "report/coherence_summary.hpp"
 #include "report/version.hpp"
 
 namespace percuss {
@@ -113,23 +114,12 @@ Json frf_json(const Analysis& analysis) {
 
 Json coherence_json(const Analysis& analysis) {
   Json out = Json::array();
-  const auto [low, high] = analysis.band_Hz();
   for (const PointFrf& frf : analysis.frfs()) {
-    double sum = 0;
-    std::size_t lines = 0, below = 0;
-    for (std::size_t k = 0; k < frf.frf.coherence.size(); ++k) {
-      const double freq_Hz = analysis.lines().freq_Hz(k);
-      if (freq_Hz < low || freq_Hz > high) continue;
-      ++lines;
-      sum += frf.frf.coherence[k];
-      if (frf.frf.coherence[k] < 0.9) ++below;
-    }
-    Json json{{"point", frf.point}, {"channel", frf.channel}, {"mean", Json()}, {"fraction_below_0_9", Json()}};
-    if (lines > 0) {
-      json["mean"] = sum / static_cast<double>(lines);
-      json["fraction_below_0_9"] = static_cast<double>(below) / static_cast<double>(lines);
-    }
-    out.push_back(std::move(json));
+    const auto summary = summary_of_coherence(analysis, frf);
+    out.push_back({{"point", frf.point},
+                   {"channel", frf.channel},
+                   {"mean", summary ? Json(summary->mean) : Json()},
+                   {"fraction_below_0_9", summary ? Json(summary->below) : Json()}});
   }
   return out;
 }

@@ -5,8 +5,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "acquire/input_file.hpp"
+#include "core/error.hpp"
 #include "core/units.hpp"
+#include "report/coherence_summary.hpp"
 #include "report/number.hpp"
+#include "report/response_summary.hpp"
 #include "report/text_table.hpp"
 
 namespace percuss {
@@ -16,7 +20,7 @@ constexpr std::size_t kMostHits = 40;  // rows of hits shown when all is well; r
 
 std::string heading(const Analysis& analysis, std::size_t hits, std::size_t width) {
   const Record& record = analysis.record();
-  std::string name = record.files.empty() ? "record" : record.files.front().path;
+  std::string name = record.files.empty() ? "record" : one_line(input_name(record.files.front().path), 400);
   if (record.files.size() > 1) name += fmt::format(" and {} more", record.files.size() - 1);
   std::string sensors = fmt::format("{} accelerometer{}", record.accel.size(), record.accel.size() == 1 ? "" : "s");
   std::string angles;
@@ -26,12 +30,13 @@ std::string heading(const Analysis& analysis, std::size_t hits, std::size_t widt
   }
   if (!angles.empty()) sensors += " (" + angles + ")";
   std::string text =
-      fmt::format("{}   {} · {} hit{} × {}", name, short_frequency(record.fs_Hz), hits, hits == 1 ? "" : "s", sensors);
+      fmt::format("{} · {} hit{} × {}", short_frequency(record.fs_Hz), hits, hits == 1 ? "" : "s", sensors);
   if (analysis.possible()) {
     const auto [low, high] = analysis.band_Hz();
     text += fmt::format(" · band {:.4g}–{:.4g} Hz", low, high);
   }
-  return wrapped(text, width, 0) + "\n";
+  if (text_width(name) + 3 + text_width(text) <= width) return name + "   " + text + '\n';
+  return name + "\n  " + wrapped(text, width, 2) + '\n';
 }
 
 // What does not reject is said in full once, among the warnings; beside the hit its name and number do.
@@ -87,7 +92,7 @@ std::string hits_text(const Analysis& analysis, const std::vector<AnalysedHit>& 
     if (points) cells.push_back(fmt::format("{}", hits[i].point));
     if (files) {
       const std::string& path = analysis.record().files[analysis.record().rows[hit.row].file].path;
-      cells.push_back(path.substr(path.rfind('/') + 1));
+      cells.push_back(one_line(path.substr(path.rfind('/') + 1), 40));
     }
     cells.push_back(pulse ? fmt::format("{:.3f} s", hit.onset_s) : "–");
     cells.push_back(pulse ? fmt::format("{:.3g} N", hit.peak_N) : "–");
@@ -120,6 +125,11 @@ std::string family_of(const Verdict& verdict) {
   return verdict.order > 0 ? fmt::format("{} {}", name_of(verdict.family), verdict.order) : name_of(verdict.family);
 }
 
+std::string decibels(double value_dB) {
+  const double rounded_dB = std::round(value_dB * 10) / 10;
+  return fmt::format("{:.1f} dB", rounded_dB == 0 ? 0.0 : rounded_dB);  // no -0.0
+}
+
 std::string modes_text(const Analysis& analysis, bool classes, std::size_t width) {
   if (analysis.modes().empty()) return "no mode stands out of the noise in the band\n";
   const bool named = classes && std::any_of(analysis.verdicts().begin(), analysis.verdicts().end(),
@@ -129,7 +139,7 @@ std::string modes_text(const Analysis& analysis, bool classes, std::size_t width
   columns.push_back({"frequency", TextTable::Align::right});
   columns.push_back({"damping", TextTable::Align::right});
   if (named) columns.push_back({"overlay", TextTable::Align::right});
-  columns.push_back({named ? "note" : ""});
+  columns.push_back({"note"});
   TextTable table(columns);
   for (std::size_t m = 0; m < analysis.modes().size(); ++m) {
     const Mode& mode = analysis.modes()[m];
@@ -139,12 +149,34 @@ std::string modes_text(const Analysis& analysis, bool classes, std::size_t width
     cells.push_back(with_deviation(mode.pole.damping_ratio * 100, mode.damping_std * 100) + " %");
     if (named) {
       const auto& overlay_dB = analysis.verdicts()[m].overlay_dB;
-      cells.push_back(overlay_dB ? fmt::format("{:.1f} dB", *overlay_dB) : "–");
+      cells.push_back(overlay_dB ? decibels(*overlay_dB) : "–");
     }
-    cells.push_back(named ? note_of(analysis, m) : "");
+    cells.push_back(classes ? note_of(analysis, m) : "");
     table.add(std::move(cells));
   }
   return table.text(width);
+}
+
+std::string frf_text(const Analysis& analysis) {
+  const auto [least, most] =
+      std::minmax_element(analysis.frfs().begin(), analysis.frfs().end(),
+                          [](const PointFrf& a, const PointFrf& b) { return a.frf.averages < b.frf.averages; });
+  std::string averages = fmt::format("{}", least->frf.averages);
+  if (most->frf.averages != least->frf.averages) averages += fmt::format(" to {}", most->frf.averages);
+  return fmt::format("FRFs: {} lines, {:.4g} Hz apart; averages: {}\n", analysis.lines().count,
+                     analysis.lines().df_Hz(), averages);
+}
+
+// Of several FRFs the one that agrees least.
+std::string coherence_text(const Analysis& analysis) {
+  std::optional<CoherenceSummary> worst;
+  for (const PointFrf& frf : analysis.frfs()) {
+    const auto summary = summary_of_coherence(analysis, frf);
+    if (summary && (!worst || summary->mean < worst->mean)) worst = summary;
+  }
+  if (!worst) return "coherence: none, as there is one hit only\n";
+  return fmt::format("coherence{}: {:.4f} on average, below 0.9 on {:.2g} % of the band's lines\n",
+                     analysis.frfs().size() > 1 ? " (of the worst FRF)" : "", worst->mean, worst->below * 100);
 }
 
 std::string per_hit_text(const Analysis& analysis, std::size_t width) {
@@ -174,7 +206,11 @@ std::string analysis_text(const Analysis& analysis, const TextOptions& options) 
   const auto& hits = force_only ? analysis.force_hits() : analysis.hits();
   std::string text = heading(analysis, hits.size(), options.width) + "\n";
   if (wants(Section::hits)) text += hits_text(analysis, hits, options.width) + "\n";
+  if (wants(Section::hits) && !force_only) text += responses_text(analysis, options.width) + "\n";
   if (analysis.possible()) {
+    if (wants(Section::frf)) text += frf_text(analysis);
+    if (wants(Section::coherence)) text += coherence_text(analysis);
+    if (wants(Section::frf) || wants(Section::coherence)) text += '\n';
     if (wants(Section::modes) || wants(Section::classes))
       text += modes_text(analysis, wants(Section::classes), options.width) + "\n";
     if (options.per_hit) text += per_hit_text(analysis, options.width) + "\n";
@@ -182,6 +218,7 @@ std::string analysis_text(const Analysis& analysis, const TextOptions& options) 
     text += "no hit can be used: no FRF, no modes (--accept-hit overrules a rejection)\n\n";
   }
   for (const Warning& warning : analysis.warnings()) text += wrapped("! " + warning.message, options.width, 2) + "\n";
+  while (text.ends_with("\n\n")) text.pop_back();
   return text;
 }
 

@@ -1,0 +1,17 @@
+#pragma once
+#include <optional>
+
+#include "pipeline/analysis.hpp"
+
+namespace percuss {
+
+/// The coherence of one FRF over the band's lines, in two numbers.
+struct CoherenceSummary {
+  double mean = 0;
+  double below = 0;  // the fraction of lines below 0.9
+};
+
+/// Nothing for a single hit, which has no coherence.
+std::optional<CoherenceSummary> summary_of_coherence(const Analysis& analysis, const PointFrf& frf);
+
+}  // namespace percuss
