@@ -43,6 +43,14 @@ std::vector<double> smoothed(std::span<const double> x, double sign, std::size_t
   return out;
 }
 
+// A filter rings by turns to either side; a pulse stands alone.
+bool looks_like_ringing(std::span<const double> x, std::size_t i) {
+  constexpr std::size_t kNear = 3;
+  const std::size_t first = i > kNear ? i - kNear : 0;
+  const auto around = x.subspan(first, std::min(i + kNear + 1, x.size()) - first);
+  return -*std::min_element(around.begin(), around.end()) > 0.5 * x[i];
+}
+
 }  // namespace
 
 PulseShape shape_of_pulse(std::span<const double> force_N, std::size_t peak) {
@@ -100,6 +108,7 @@ std::optional<SecondPulse> second_pulse(std::span<const double> force_N, const P
       valley = std::min(valley, x[i]);
       const double rise = x[i] - std::max(valley, 0.0);
       if (rise < least || rise < 0.5 * x[i] || rise / main <= best.ratio) continue;
+      if (half == 0 && looks_like_ringing(x, i)) continue;  // too short a pulse to be averaged
       best = {.delay_samples = static_cast<double>(i) - static_cast<double>(pulse.peak), .ratio = rise / main};
     }
   };

@@ -34,7 +34,7 @@ std::optional<SecondPulse> second_pulse(std::span<const double> force_N, const P
 /// or more equal samples, with a neighbour further away than a smooth peak's would be.
 std::size_t samples_at_rail(std::span<const double> x);
 
-/// Frequency at which the amplitude spectrum of a pulse falls 20 dB below its largest line for good.
+/// Frequency at which the amplitude spectrum of a pulse first falls 20 dB below its largest line.
 double bandwidth_Hz(std::span<const double> pulse, double fs_Hz);
 
 }  // namespace percuss
