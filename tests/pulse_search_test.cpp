@@ -118,7 +118,7 @@ TEST(SurveyForce, FindsPulsesOnTheBordersOfChunksAndBlocks) {
   constexpr std::size_t kSamples = 2 * kChunk + 1000;
   std::vector<std::size_t> borders = chunk_borders(kSamples);
   ASSERT_EQ(borders.size(), 3U);
-  borders[0] = 64 * 500;  // the first has none before it: a block's instead
+  borders[0] = 32000;  // the first has none before it: a border of blocks instead
   std::vector<double> all(kSamples);
   for (const std::size_t border : borders) {
     for (const std::size_t at : {border - 1, border}) {
@@ -179,8 +179,8 @@ TEST(SurveyForce, ReadsEachSampleOnceAndTheBlocksOfItsEventsTwice) {
   ASSERT_EQ(found.events.size(), 3U);
   const auto times = [&](int n) { return static_cast<std::size_t>(std::count(reads->begin(), reads->end(), n)); };
   EXPECT_EQ(times(0), 500U);
-  EXPECT_EQ(times(2), 3 * 64U);
-  EXPECT_EQ(times(1), x.size() - 500 - 3 * 64);
+  EXPECT_EQ(times(2), 192U);  // three blocks of 64
+  EXPECT_EQ(times(1), x.size() - 500 - 192);
 }
 
 TEST(SurveyForce, DoesNotDependOnUnitSignOrOffset) {
