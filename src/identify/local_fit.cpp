@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/units.hpp"
+#include "identify/variable_projection.hpp"
 
 namespace percuss {
 namespace {
@@ -20,119 +21,6 @@ using Eigen::VectorXd;
 
 constexpr double kLeastDamping = 1e-7;
 constexpr double kMostDamping = 0.5;
-
-// The linear problem of one point at given poles: columns of modes and polynomial, and its solution for the point's
-// outputs.
-struct PointProblem {
-  std::vector<std::size_t> outputs;
-  std::vector<ModeColumn> columns;
-  MatrixXcd basis;      // orthonormal, [lines, columns]
-  MatrixXcd solve;      // coefficients = solve · data
-  MatrixXcd amplitude;  // [columns, outputs of this point]
-  MatrixXcd residual;   // [lines, outputs of this point]
-};
-
-struct State {
-  std::vector<PointProblem> points;
-  double cost = 0;
-};
-
-class Fitter {
- public:
-  Fitter(const FrfSet& set, const std::vector<VectorXcd>& data, VectorXd weight, const LocalFitOptions& options)
-      : set_(set), data_(data), weight_(std::move(weight)), options_(options) {
-    for (std::size_t o = 0; o < set.outputs.size(); ++o) {
-      const std::size_t point = set.outputs[o].point;
-      if (by_point_.size() <= point) by_point_.resize(point + 1);
-      by_point_[point].push_back(o);
-      together_.front().push_back(o);
-    }
-  }
-
-  State evaluate(const std::vector<Pole>& poles) const {
-    State state;
-    for (const auto& outputs : same_columns(poles)) {
-      if (outputs.empty()) continue;
-      state.points.push_back(solve_point(outputs, poles));
-      const auto& point = state.points.back();
-      for (std::size_t i = 0; i < point.outputs.size(); ++i) {
-        const double w = weight_(static_cast<Index>(point.outputs[i]));
-        state.cost += point.residual.col(static_cast<Index>(i)).squaredNorm() / (w * w);
-      }
-    }
-    return state;
-  }
-
-  // Normal equations of the poles (2 per mode: Hz, damping ratio) at a state, Kaufman's Jacobian.
-  std::pair<MatrixXd, VectorXd> normal_equations(const State& state, std::size_t modes) const {
-    const auto n = static_cast<Index>(2 * modes);
-    MatrixXd a = MatrixXd::Zero(n, n);
-    VectorXd b = VectorXd::Zero(n);
-    for (const PointProblem& point : state.points) {
-      MatrixXcd derivative(point.basis.rows(), n);
-      for (std::size_t m = 0; m < modes; ++m) {
-        derivative.col(static_cast<Index>(2 * m)) = point.columns[m].by_freq;
-        derivative.col(static_cast<Index>(2 * m + 1)) = point.columns[m].by_damping;
-      }
-      derivative -= point.basis * (point.basis.adjoint() * derivative);  // what the linear part cannot follow
-      const MatrixXcd gram = derivative.adjoint() * derivative;
-      const MatrixXcd slope = derivative.adjoint() * point.residual;
-      for (std::size_t i = 0; i < point.outputs.size(); ++i) {
-        const double w = weight_(static_cast<Index>(point.outputs[i]));
-        const auto amplitude = [&](Index parameter) { return point.amplitude(parameter / 2, static_cast<Index>(i)); };
-        for (Index r = 0; r < n; ++r) {
-          b(r) += (std::conj(amplitude(r)) * slope(r, static_cast<Index>(i))).real() / (w * w);
-          for (Index c = 0; c < n; ++c)
-            a(r, c) += (std::conj(amplitude(r)) * gram(r, c) * amplitude(c)).real() / (w * w);
-        }
-      }
-    }
-    return {a, b};
-  }
-
- private:
-  // Outputs that share their columns: all of them once every mode has decayed within the record, else those of one
-  // point.
-  const std::vector<std::vector<std::size_t>>& same_columns(const std::vector<Pole>& poles) const {
-    const bool decayed = std::all_of(poles.begin(), poles.end(), [&](const Pole& pole) {
-      return decays_within(pole, set_.points.front(), set_.lines);
-    });
-    return decayed ? together_ : by_point_;
-  }
-
-  PointProblem solve_point(const std::vector<std::size_t>& outputs, const std::vector<Pole>& poles) const {
-    PointProblem point{.outputs = outputs};
-    const PointForce& force = set_.points[set_.outputs[outputs.front()].point];
-    const auto lines = static_cast<Index>(options_.count);
-    const auto modes = static_cast<Index>(poles.size());
-    const auto terms = static_cast<Index>(options_.residual_terms);
-    MatrixXcd columns(lines, modes + terms);
-    for (Index m = 0; m < modes; ++m) {
-      point.columns.push_back(
-          mode_column(poles[static_cast<std::size_t>(m)], force, set_.lines, options_.first, options_.count));
-      columns.col(m) = point.columns.back().value;
-    }
-    const VectorXd x = VectorXd::LinSpaced(lines, -1, 1);
-    VectorXd power = VectorXd::Ones(lines);
-    for (Index term = 0; term < terms; ++term, power = power.cwiseProduct(x))
-      columns.col(modes + term) = power.cast<Complex>();
-    const Eigen::HouseholderQR<MatrixXcd> qr(columns);
-    point.basis = qr.householderQ() * MatrixXcd::Identity(lines, columns.cols());
-    const MatrixXcd r = qr.matrixQR().topRows(columns.cols()).triangularView<Eigen::Upper>();
-    point.solve = r.triangularView<Eigen::Upper>().solve(point.basis.adjoint());
-    MatrixXcd data(lines, static_cast<Index>(point.outputs.size()));
-    for (std::size_t i = 0; i < point.outputs.size(); ++i) data.col(static_cast<Index>(i)) = data_[point.outputs[i]];
-    point.amplitude = point.solve * data;
-    point.residual = data - columns * point.amplitude;
-    return point;
-  }
-
-  const FrfSet& set_;
-  const std::vector<VectorXcd>& data_;
-  VectorXd weight_;
-  LocalFitOptions options_;
-  std::vector<std::vector<std::size_t>> by_point_, together_{1};
-};
 
 bool allowed(const std::vector<Pole>& poles) {
   return std::all_of(poles.begin(), poles.end(), [](const Pole& p) {
@@ -159,11 +47,11 @@ double size_of(const VectorXd& step, const std::vector<Pole>& poles) {
 }
 
 // Levenberg–Marquardt; returns the state reached.
-State descend(const Fitter& fitter, LocalFit& fit, const LocalFitOptions& options) {
-  State state = fitter.evaluate(fit.poles);
+ProjectedState descend(const VariableProjection& projection, LocalFit& fit, const LocalFitOptions& options) {
+  ProjectedState state = projection.evaluate(fit.poles);
   double lambda = 1e-4;
   for (int step = 0; step < options.max_steps && !fit.converged; ++step) {
-    const auto [a, b] = fitter.normal_equations(state, fit.poles.size());
+    const auto [a, b] = projection.normal_equations(state, fit.poles.size());
     bool better = false;
     for (int attempt = 0; attempt < 12 && !better; ++attempt) {
       MatrixXd damped = a;
@@ -175,7 +63,7 @@ State descend(const Fitter& fitter, LocalFit& fit, const LocalFitOptions& option
         lambda = std::max(lambda * 10, 1e-3);
         continue;
       }
-      State next = fitter.evaluate(poles);
+      ProjectedState next = projection.evaluate(poles);
       better = next.cost <= state.cost;
       if (!better && size < options.tolerance) return state;  // as far as rounding lets it go
       lambda = better ? lambda * 0.2 : lambda * 10;
@@ -189,9 +77,10 @@ State descend(const Fitter& fitter, LocalFit& fit, const LocalFitOptions& option
   return state;
 }
 
-void add_uncertainty(LocalFit& fit, const Fitter& fitter, const State& state, const VectorXd& weight) {
+void add_uncertainty(LocalFit& fit, const VariableProjection& projection, const ProjectedState& state,
+                     const VectorXd& weight) {
   const std::size_t modes = fit.poles.size();
-  const auto [a, b] = fitter.normal_equations(state, modes);
+  const auto [a, b] = projection.normal_equations(state, modes);
   // Complex data: |residual|² per line is twice the variance of each real part, and so are the weights' squares.
   const double scale = fit.degrees > 0 ? state.cost / static_cast<double>(fit.degrees) : 1;
   const MatrixXd covariance = a.ldlt().solve(MatrixXd::Identity(a.rows(), a.cols())) * scale;
@@ -199,26 +88,27 @@ void add_uncertainty(LocalFit& fit, const Fitter& fitter, const State& state, co
     fit.freq_std_Hz(m) = std::sqrt(std::max(0.0, covariance(2 * m, 2 * m)));
     fit.damping_std(m) = std::sqrt(std::max(0.0, covariance(2 * m + 1, 2 * m + 1)));
   }
-  for (const PointProblem& point : state.points) {
-    const MatrixXcd inverse_gram = point.solve * point.solve.adjoint();
-    for (std::size_t i = 0; i < point.outputs.size(); ++i) {
-      const auto o = static_cast<Index>(point.outputs[i]);
+  for (const ProjectedPart& part : state.parts) {
+    const MatrixXcd solve =
+        part.triangle.triangularView<Eigen::Upper>().solve(part.basis.adjoint());  // amplitudes = solve · data
+    const MatrixXcd inverse_gram = solve * solve.adjoint();
+    for (std::size_t i = 0; i < part.outputs.size(); ++i) {
+      const auto o = static_cast<Index>(part.outputs[i]);
       const auto column = static_cast<Index>(i);
       // dA/dθ = −Φ⁺ (dφ_θ) A: what a moved pole does to the amplitudes.
       MatrixXcd moves(static_cast<Index>(modes), 2 * static_cast<Index>(modes));
       for (Index m = 0; m < static_cast<Index>(modes); ++m) {
-        const auto& mode = point.columns[static_cast<std::size_t>(m)];
-        moves.col(2 * m) = -(point.solve * mode.by_freq).head(static_cast<Index>(modes)) * point.amplitude(m, column);
-        moves.col(2 * m + 1) =
-            -(point.solve * mode.by_damping).head(static_cast<Index>(modes)) * point.amplitude(m, column);
+        const auto& mode = part.columns[static_cast<std::size_t>(m)];
+        moves.col(2 * m) = -(solve * mode.by_freq).head(static_cast<Index>(modes)) * part.amplitude(m, column);
+        moves.col(2 * m + 1) = -(solve * mode.by_damping).head(static_cast<Index>(modes)) * part.amplitude(m, column);
       }
       const MatrixXcd from_poles = moves * covariance.cast<Complex>() * moves.adjoint();
       for (Index m = 0; m < static_cast<Index>(modes); ++m) {
-        fit.residues(o, m) = point.amplitude(m, column);
+        fit.residues(o, m) = part.amplitude(m, column);
         const double linear = inverse_gram(m, m).real() * weight(o) * weight(o) * scale;  // of each real part
         fit.residue_std(o, m) = std::sqrt(std::max(0.0, linear + 0.5 * from_poles(m, m).real()));
       }
-      const auto residual = point.residual.col(column);
+      const auto residual = part.residual.col(column);
       const double freedom = std::max(1.0, static_cast<double>(residual.size() - static_cast<Index>(modes) - 2));
       fit.noise(o) = std::sqrt(residual.squaredNorm() / freedom);
     }
@@ -237,13 +127,13 @@ LocalFit fit_locally(const FrfSet& set, const std::vector<VectorXcd>& data, cons
                .freq_std_Hz = VectorXd::Zero(modes),
                .damping_std = VectorXd::Zero(modes),
                .noise = VectorXd::Zero(outputs)};
-  const Fitter fitter(set, data, weight, options);
-  const State state = descend(fitter, fit, options);
+  const VariableProjection projection(set, data, weight, options.first, options.count, options.residual_terms);
+  const ProjectedState state = descend(projection, fit, options);
   fit.cost = state.cost;
   const auto unknowns = 2 * fit.poles.size() + 2 * set.outputs.size() * (fit.poles.size() + options.residual_terms);
   const std::size_t values = 2 * set.outputs.size() * options.count;
   fit.degrees = values > unknowns ? values - unknowns : 0;
-  add_uncertainty(fit, fitter, state, weight);
+  add_uncertainty(fit, projection, state, weight);
   return fit;
 }
 

@@ -3,24 +3,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "identify/modal_model.hpp"
+#include "identify/frf_set.hpp"
 
 namespace percuss {
-
-/// One FRF to be fitted: the response `channel` to hits at points[point].
-struct Output {
-  std::size_t point = 0;     // index into FrfSet::points
-  std::size_t channel = 0;   // acceleration channel
-  std::vector<Complex> frf;  // H1 [lines]
-};
-
-/// Everything identification works on. All outputs share the lines; outputs of one point share its hits.
-struct FrfSet {
-  LineRange lines;
-  double reach_Hz = 0;  // where the force has fallen by 20 dB; 0: not known
-  std::vector<PointForce> points;
-  std::vector<Output> outputs;
-};
 
 /// Poles that are fitted together, and what the fit says of them.
 struct LocalFit {
