@@ -135,7 +135,8 @@ void CsvTable::read(std::size_t index, std::size_t first, std::span<double> out)
     const std::size_t b = first / kBlock_lines;
     const std::size_t offset = first % kBlock_lines;
     const std::size_t count = std::min(kBlock_lines - offset, out.size());
-    std::call_once(blocks[b].once, [&] { parse_block(index, b, blocks[b]); });
+    const std::lock_guard lock(blocks[b].mutex);
+    if (blocks[b].numbers.empty()) parse_block(index, b, blocks[b]);
     std::copy_n(blocks[b].numbers.data() + offset, count, out.begin());
     out = out.subspan(count);
     first += count;

@@ -41,7 +41,7 @@ class CsvTable {
 
  private:
   struct Block {
-    std::once_flag once;
+    std::mutex mutex;  // not std::call_once: thread sanitizers hang when its function throws
     std::vector<double> numbers;
   };
   using Column = std::vector<Block>;
