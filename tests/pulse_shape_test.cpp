@@ -99,6 +99,15 @@ TEST(GateAround, StaysInsideTheStretch) {
   }
 }
 
+std::size_t rail_of(const std::vector<double>& x) { return samples_at_rail(x, resolution_of(x)); }
+
+TEST(ResolutionOf, IsTheSmallestChange) {
+  EXPECT_EQ(resolution_of(std::vector<double>{0, 3, 3, 2.5, 9, 7}), 0.5);
+  EXPECT_EQ(resolution_of(std::vector<double>{4, 4, 4}), 0);
+  EXPECT_EQ(resolution_of(std::vector<double>{4}), 0);
+  EXPECT_EQ(resolution_of({}), 0);
+}
+
 TEST(SamplesAtRail, CountsWhatIsClipped) {
   for (const double scale : {1.0, -1.0, 1e-30, 1e30}) {
     std::vector<double> x(60);
@@ -109,7 +118,7 @@ TEST(SamplesAtRail, CountsWhatIsClipped) {
       value = std::min(value, 70.0) * scale;
     }
     ASSERT_GE(clipped, 10U);
-    EXPECT_EQ(samples_at_rail(x), clipped);
+    EXPECT_EQ(rail_of(x), clipped);
   }
 }
 
@@ -120,7 +129,7 @@ TEST(SamplesAtRail, CountsBothRails) {
     x[n] = std::clamp(10 * std::sin(2 * pi * (static_cast<double>(n) + 0.3) / 37.7), -8.0, 8.0);
     if (std::abs(x[n]) == 8) ++clipped;
   }
-  EXPECT_EQ(samples_at_rail(x), clipped);
+  EXPECT_EQ(rail_of(x), clipped);
 }
 
 TEST(SamplesAtRail, IsNotMisledByQuantisedSmoothPeaks) {
@@ -133,7 +142,7 @@ TEST(SamplesAtRail, IsNotMisledByQuantisedSmoothPeaks) {
         for (double& value : x) value = std::round(value);
         const PulseShape pulse = shape_of(x);
         const auto first = static_cast<std::size_t>(pulse.rise), last = static_cast<std::size_t>(pulse.fall) + 1;
-        EXPECT_EQ(samples_at_rail(std::span(x).subspan(first, last - first)), 0U)
+        EXPECT_EQ(samples_at_rail(std::span(x).subspan(first, last - first), resolution_of(x)), 0U)
             << bits << ' ' << width << ' ' << fraction;
       }
     }
@@ -141,12 +150,12 @@ TEST(SamplesAtRail, IsNotMisledByQuantisedSmoothPeaks) {
 }
 
 TEST(SamplesAtRail, SeesNoRailInSilenceOrShortStretches) {
-  EXPECT_EQ(samples_at_rail({}), 0U);
-  EXPECT_EQ(samples_at_rail(std::vector<double>(3, 5.0)), 0U);
-  EXPECT_EQ(samples_at_rail(std::vector<double>(100, 5.0)), 0U);
+  EXPECT_EQ(rail_of({}), 0U);
+  EXPECT_EQ(rail_of(std::vector<double>(3, 5.0)), 0U);
+  EXPECT_EQ(rail_of(std::vector<double>(100, 5.0)), 0U);
   std::vector<double> noise(10000);
   test::add_noise(noise, 1, 2);
-  EXPECT_EQ(samples_at_rail(noise), 0U);
+  EXPECT_EQ(rail_of(noise), 0U);
 }
 
 TEST(Bandwidth, OfASingleSampleReachesHalfTheRate) {

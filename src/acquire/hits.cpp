@@ -77,10 +77,9 @@ void grade_pulse(Hit& hit, std::span<const double> x, const PulseShape& pulse) {
                                                    "set a pre-trigger on the recorder",
                                                    at_start * 100)});
   }
-  const std::size_t rail =
-      samples_at_rail(std::span(x).subspan(static_cast<std::size_t>(std::max(0.0, pulse.rise)),
-                                           std::min(x.size(), static_cast<std::size_t>(pulse.fall) + 2) -
-                                               static_cast<std::size_t>(std::max(0.0, pulse.rise))));
+  const auto rise = static_cast<std::size_t>(std::max(0.0, pulse.rise));
+  const std::size_t fall = std::min(x.size(), static_cast<std::size_t>(pulse.fall) + 2);
+  const std::size_t rail = samples_at_rail(x.subspan(rise, fall - rise), resolution_of(x));
   if (rail > 0) {
     hit.findings.push_back(
         {.code = FindingCode::overload,
@@ -99,21 +98,25 @@ void grade_pulse(Hit& hit, std::span<const double> x, const PulseShape& pulse) {
 }
 
 // `x` is the stretch with the baseline removed, `peak` the main pulse's sample in it.
-void describe_pulse(Hit& hit, const std::vector<double>& x, std::size_t peak, double fs_Hz, const HitOptions& options) {
+void describe_pulse(Hit& hit, std::span<const double> x, std::size_t peak, double fs_Hz, const HitOptions& options) {
   const PulseShape pulse = shape_of_pulse(x, peak);
   hit.peak = hit.first + peak;
   hit.peak_N = x[peak];
   hit.onset_s = (static_cast<double>(hit.first) + pulse.rise) / fs_Hz;
   hit.pulse_s = std::max(pulse.fall - pulse.rise, 1.0) / fs_Hz;
   const Gate gate = gate_around(x, pulse, hit.noise_N);
-  if (!options.gate_force) hit.whole_N = x;
+  if (!options.gate_force) hit.whole_N.assign(x.begin(), x.end());
   hit.gate_first = hit.first + gate.first;
   hit.gated_N.assign(x.begin() + static_cast<std::ptrdiff_t>(gate.first),
                      x.begin() + static_cast<std::ptrdiff_t>(gate.end));
   hit.bandwidth_Hz = bandwidth_Hz(hit.gated_N, fs_Hz);
   grade_pulse(hit, x, pulse);
-  const auto scan = std::min(x.size(), peak + static_cast<std::size_t>(kDoubleScan_s * fs_Hz) + 1);
-  grade_double(hit, second_pulse(std::span(x).first(scan), pulse, hit.noise_N), fs_Hz);
+}
+
+// `x` reaches as far as a second pulse is looked for, which may be before the stretch.
+void look_for_second(Hit& hit, std::span<const double> x, std::size_t peak, double fs_Hz) {
+  const auto end = std::min(x.size(), peak + static_cast<std::size_t>(kDoubleScan_s * fs_Hz) + 1);
+  grade_double(hit, second_pulse(x.first(end), shape_of_pulse(x, peak), hit.noise_N), fs_Hz);
 }
 
 bool is_pulse(std::span<const double> x, std::size_t peak, double noise_N, double fs_Hz) {
@@ -155,7 +158,11 @@ Hit hit_of_row(const Record& record, std::size_t row, const HitOptions& options)
   const bool triggered = !options.trigger_N || std::abs(x[largest]) >= *options.trigger_N;
   if (!triggered || !is_pulse(x, largest, survey.noise_N, record.fs_Hz)) return without_pulse(row, part, survey);
   describe_pulse(hit, x, largest, record.fs_Hz, options);
-  if (options.length_s) hit.samples = std::min(hit.samples, static_cast<std::size_t>(*options.length_s * record.fs_Hz));
+  look_for_second(hit, x, largest, record.fs_Hz);
+  if (options.length_s) {  // never without the pulse
+    const auto length = static_cast<std::size_t>(*options.length_s * record.fs_Hz);
+    hit.samples = std::min(hit.samples, std::max(length, largest + 1));
+  }
   return hit;
 }
 
@@ -172,6 +179,12 @@ Part stretch_of(const ForceSurvey& survey, std::size_t e, const Part& part, std:
   return {first, std::max(last, survey.events[e] + 1)};
 }
 
+// Where to begin looking for a smaller hit before event e: not where the previous one's bounces are looked for.
+std::size_t scan_begin(const ForceSurvey& survey, std::size_t e, const Part& part, std::size_t scan) {
+  const std::size_t free = e > 0 ? survey.events[e - 1] + scan : part.first;
+  return std::max({part.first, free, survey.events[e] > scan ? survey.events[e] - scan : 0});
+}
+
 std::vector<Hit> hits_in_row(const Record& record, std::size_t row, const HitOptions& options) {
   const Part part = asked_part(record, row, options);
   const ForceSurvey survey =
@@ -181,10 +194,11 @@ std::vector<Hit> hits_in_row(const Record& record, std::size_t row, const HitOpt
   std::vector<Hit> hits;
   for (std::size_t e = 0; e < survey.events.size(); ++e) {
     const Part stretch = stretch_of(survey, e, part, pretrigger_samples(record, options), length);
-    const auto scan =
-        std::min(stretch.last, survey.events[e] + static_cast<std::size_t>(kDoubleScan_s * record.fs_Hz) + 1);
-    const auto x =
-        force_between(record, row, stretch.first, options.gate_force ? scan : stretch.last, survey.baseline_N);
+    const auto scan = static_cast<std::size_t>(kDoubleScan_s * record.fs_Hz) + 1;
+    const std::size_t begin = std::min(stretch.first, scan_begin(survey, e, part, scan));
+    const std::size_t end = options.gate_force ? std::min(stretch.last, survey.events[e] + scan) : stretch.last;
+    const auto all = force_between(record, row, begin, end, survey.baseline_N);
+    const auto x = std::span(all).subspan(stretch.first - begin);
     const std::size_t peak = survey.events[e] - stretch.first;
     if (!is_pulse(x, peak, survey.noise_N, record.fs_Hz)) continue;
     Hit hit{.row = row,
@@ -193,6 +207,7 @@ std::vector<Hit> hits_in_row(const Record& record, std::size_t row, const HitOpt
             .noise_N = survey.noise_N,
             .baseline_N = survey.baseline_N};
     describe_pulse(hit, x, peak, record.fs_Hz, options);
+    look_for_second(hit, all, survey.events[e] - begin, record.fs_Hz);
     hits.push_back(std::move(hit));
   }
   if (hits.empty()) hits.push_back(without_pulse(row, part, survey));

@@ -125,17 +125,20 @@ std::optional<SecondPulse> second_pulse(std::span<const double> force_N, const P
   return best;
 }
 
-std::size_t samples_at_rail(std::span<const double> x) {
-  if (x.size() < 4) return 0;
-  const auto [low, high] = std::minmax_element(x.begin(), x.end());
-  double step = std::numeric_limits<double>::infinity();  // the recorder's resolution, as far as these samples tell it
+double resolution_of(std::span<const double> x) {
+  double step = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < x.size(); ++i) {
     const double change = std::abs(x[i] - x[i - 1]);
     if (change > 0) step = std::min(step, change);
   }
-  if (!std::isfinite(step)) return 0;
-  constexpr double kSmoothPeak =
-      5;  // a quantised parabola with three equal samples falls by at most 4 steps beside them
+  return std::isfinite(step) ? step : 0;
+}
+
+std::size_t samples_at_rail(std::span<const double> x, double resolution) {
+  if (x.size() < 4 || !(resolution > 0)) return 0;
+  const auto [low, high] = std::minmax_element(x.begin(), x.end());
+  // A quantised parabola with three equal samples falls by at most 4 steps beside them.
+  constexpr double kSmoothPeak = 5;
   std::size_t found = 0;
   for (const double rail : {*low, *high}) {
     for (std::size_t i = 0; i < x.size();) {
@@ -144,7 +147,7 @@ std::size_t samples_at_rail(std::span<const double> x) {
       if (n - i >= 3) {
         const double before = i > 0 ? std::abs(x[i - 1] - rail) : 0;
         const double after = n < x.size() ? std::abs(x[n] - rail) : 0;
-        if (std::max(before, after) > kSmoothPeak * step) found += n - i;
+        if (std::max(before, after) > kSmoothPeak * resolution) found += n - i;
       }
       i = std::max(n, i + 1);
     }

@@ -30,9 +30,13 @@ struct SecondPulse {
 };
 std::optional<SecondPulse> second_pulse(std::span<const double> force_N, const PulseShape& pulse, double noise_N);
 
-/// Number of consecutive samples at the stretch's extreme value when it looks like the recorder's rail, else 0: three
-/// or more equal samples, with a neighbour further away than a smooth peak's would be.
-std::size_t samples_at_rail(std::span<const double> x);
+/// The smallest change from one sample to the next: the recorder's resolution, as far as these samples tell it. 0 for
+/// a constant.
+double resolution_of(std::span<const double> x);
+
+/// Number of samples at the stretch's extreme values where they look like the recorder's rail, else 0: three or more
+/// equal ones in a row, with a neighbour further away than a smooth peak's would be at this resolution.
+std::size_t samples_at_rail(std::span<const double> x, double resolution);
 
 /// Frequency at which the amplitude spectrum of a pulse first falls 20 dB below its largest line.
 double bandwidth_Hz(std::span<const double> pulse, double fs_Hz);
