@@ -70,6 +70,7 @@ Missing missing_of(Complex s, double window_decay, const PointForce& force, cons
 
 void subtract_missing(ModeColumn& column, const PoleTerms& p, bool conjugate, const PointForce& force,
                       const LineRange& lines, double window_decay, std::size_t first) {
+  const bool slopes = column.by_freq.size() > 0;
   const double dt_s = 1 / lines.fs_Hz;
   const auto side = [&](Complex z) { return conjugate ? std::conj(z) : z; };
   const Missing m = missing_of(side(p.s), window_decay, force, lines);
@@ -86,14 +87,15 @@ void subtract_missing(ModeColumn& column, const PoleTerms& p, bool conjugate, co
     Complex q, q_by_s;
     for (std::size_t h = 0; h < m.q.size(); ++h) {
       q += times(force.weights[h][line], m.q[h]);
-      q_by_s += times(force.weights[h][line], m.q_by_s[h]);
+      if (slopes) q_by_s += times(force.weights[h][line], m.q_by_s[h]);
     }
     const Complex around = times(decay, turn);
     const Complex d = inverse(1.0 - around);
-    const Complex d_by_s = dt_s * times(around, times(d, d));
     const Complex value = times(m.c, times(q, d));
-    const Complex by_s = times(m.c_by_s, times(q, d)) + times(m.c, times(q_by_s, d) + times(q, d_by_s));
     column.value(i) -= value;
+    if (!slopes) continue;
+    const Complex d_by_s = dt_s * times(around, times(d, d));
+    const Complex by_s = times(m.c_by_s, times(q, d)) + times(m.c, times(q_by_s, d) + times(q, d_by_s));
     column.by_freq(i) -= times(by_s, by_freq) - value * wd_by_freq;
     column.by_damping(i) -= times(by_s, by_damping) - value * wd_by_damping;
   }
@@ -123,18 +125,20 @@ bool decays_within(const Pole& pole, const PointForce& force, const LineRange& l
 }
 
 ModeColumn mode_column(const Pole& pole, const PointForce& force, const LineRange& lines, std::size_t first,
-                       std::size_t count) {
+                       std::size_t count, Need need) {
   const PoleTerms p = terms_of(pole);
   const double window_decay = force.blocks.empty() ? 0 : force.blocks.front().decay_per_s;
   const auto size = static_cast<Eigen::Index>(count);
-  ModeColumn column{Eigen::VectorXcd(size), Eigen::VectorXcd(size), Eigen::VectorXcd(size)};
+  const bool slopes = need == Need::derivatives;
+  ModeColumn column{Eigen::VectorXcd(size), Eigen::VectorXcd(slopes ? size : 0), Eigen::VectorXcd(slopes ? size : 0)};
   for (Eigen::Index i = 0; i < size; ++i) {
     const Complex jw(window_decay, kTwoPi * lines.freq_Hz(first + static_cast<std::size_t>(i)));
     const Complex jw2 = times(jw, jw);
     const Complex resonance = inverse(jw2 + 2 * p.zeta * p.omega * jw + p.omega * p.omega);
     const Complex h = times(jw2, resonance);
-    const Complex slope = -times(h, resonance);
     column.value(i) = h;
+    if (!slopes) continue;
+    const Complex slope = -times(h, resonance);
     column.by_freq(i) = times(slope, 2 * p.zeta * jw + 2 * p.omega) * kTwoPi;
     column.by_damping(i) = times(slope, 2 * p.omega * jw);
   }

@@ -43,7 +43,9 @@ bool decays_within(const Pole& pole, const PointForce& force, const LineRange& l
 /// With an exponential window of decay σ, jω + σ stands for jω in H, s − σ for s in q and D.
 /// What is missing after the record's end is thereby part of the model: no leakage, no bias of the damping.
 /// source  [5], [6] in docs/sources.md.
+/// Need::value leaves the derivatives empty, at half the work.
+enum class Need { value, derivatives };
 ModeColumn mode_column(const Pole& pole, const PointForce& force, const LineRange& lines, std::size_t first,
-                       std::size_t count);
+                       std::size_t count, Need need = Need::derivatives);
 
 }  // namespace percuss

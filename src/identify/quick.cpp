@@ -20,8 +20,10 @@ constexpr double kSplitGain = 0.25;  // a second mode must leave at most this pa
 constexpr double kSplitTest = 25;    // F statistic
 constexpr double kSplitStart = 0.4;  // bandwidths to either side
 constexpr double kMisfit = 2;  // residual's energy over the noise's from which it is asked whether there are two modes
-constexpr double kHiddenApart = 2;        // bandwidths from a known mode: closer ones are found by splitting
-constexpr std::size_t kLeastForFit = 16;  // lines
+constexpr double kHiddenApart = 2;   // bandwidths from a known mode: closer ones are found by splitting
+constexpr double kRounding = 1e-12;  // of a frequency: what transforms and fits in double precision are good for …
+constexpr double kRoundingDamping = 1e-9;  // … and of a damping ratio
+constexpr std::size_t kLeastForFit = 16;   // lines
 
 class Quick {
  public:
@@ -143,7 +145,10 @@ class Quick {
 
   Mode mode_of(const LocalFit& fit, std::size_t m) const {
     const auto i = static_cast<Index>(m);
-    Mode mode{.pole = fit.poles[m], .freq_std_Hz = fit.freq_std_Hz(i), .damping_std = fit.damping_std(i)};
+    const Pole& pole = fit.poles[m];
+    Mode mode{.pole = pole,
+              .freq_std_Hz = std::hypot(fit.freq_std_Hz(i), kRounding * pole.freq_Hz),
+              .damping_std = std::hypot(fit.damping_std(i), kRoundingDamping * pole.damping_ratio)};
     for (std::size_t o = 0; o < set_.outputs.size(); ++o) {
       mode.residues.push_back({.point = set_.outputs[o].point,
                                .channel = set_.outputs[o].channel,
