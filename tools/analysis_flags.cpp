@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "number_checks.hpp"
 
 namespace percuss::tools {
 namespace {
@@ -37,20 +38,27 @@ void add_analysis_flags(CLI::App& command, AnalysisFlags& flags) {
       ->capture_default_str();
   command.add_option("--accept-hit", flags.accept_hits, "Use these hits whatever was found")
       ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(counted())
       ->type_name("I,...");
-  command.add_option("--reject-hit", flags.reject_hits, "Leave these hits out")->delimiter(',')->type_name("I,...");
+  command.add_option("--reject-hit", flags.reject_hits, "Leave these hits out")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(counted())
+      ->type_name("I,...");
   command.add_option("--modes", flags.modes, "Report this many modes, the clearest ones")->check(CLI::Range(1, 1000));
   command.add_option("--start", flags.start_Hz, "Fit modes at these frequencies and no others")
       ->delimiter(',')
-      ->check(CLI::PositiveNumber)
+      ->allow_extra_args(false)
+      ->check(above_zero())
       ->type_name("HZ,...");
   command.add_option("--trigger", flags.trigger_N, "Force in N that counts as a hit (default: from the noise)")
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   command.add_option("--pretrigger", flags.pretrigger_s, "Seconds kept before each hit of a long record")
-      ->check(CLI::NonNegativeNumber);
-  command.add_option("--length", flags.length_s, "Seconds kept of each hit")->check(CLI::PositiveNumber);
-  command.add_option("--from", flags.from_s, "Use each row from this second on")->check(CLI::NonNegativeNumber);
-  command.add_option("--to", flags.to_s, "... and up to this one")->check(CLI::PositiveNumber);
+      ->check(not_negative());
+  command.add_option("--length", flags.length_s, "Seconds kept of each hit")->check(above_zero());
+  command.add_option("--from", flags.from_s, "Use each row from this second on")->check(not_negative());
+  command.add_option("--to", flags.to_s, "... and up to this one")->check(above_zero());
   command
       .add_option("--force-window", flags.force_window,
                   "auto: the pulse alone enters the FRF; off: the whole force record")
@@ -59,9 +67,10 @@ void add_analysis_flags(CLI::App& command, AnalysisFlags& flags) {
   command
       .add_option("--exponential", flags.exponential_end,
                   "Exponential window falling to this fraction at the end; the damping is corrected exactly")
+      ->check(finite())
       ->check(CLI::Range(1e-12, 0.999999));
   command.add_option("--overlay-db", flags.overlay_dB, "Two FRFs this close at a peak count as overlaid")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->capture_default_str();
   command.add_option("--threads", flags.threads, "Threads to use (default: all; the result is the same)")
       ->check(CLI::Range(0, 1024));

@@ -136,6 +136,7 @@ void add_analyze(CLI::App& app, Run& run) {
       ->add_option("--only", flags->only,
                    "Compute and report these sections only: hits, frf, coherence, modes, classes")
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->type_name("SECTION,...");
   command->add_flag("--per-hit", flags->per_hit, "Also every mode as each hit alone shows it");
   command->add_flag("--trace", flags->trace, "What ran: stages, calls, seconds");

@@ -9,6 +9,7 @@
 #include "acquire/calibrate.hpp"
 #include "command.hpp"
 #include "core/error.hpp"
+#include "number_checks.hpp"
 #include "output.hpp"
 #include "read_flags.hpp"
 #include "report/number.hpp"
@@ -85,11 +86,11 @@ void add_calibrate(CLI::App& app, Run& run) {
   add_output_flags(*command, flags->output);
   command->add_option("--mass", flags->mass_kg, "The free mass in kg, its accelerometer included")
       ->required()
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   command
       ->add_option("--trigger", flags->trigger,
                    "Reading of the force channel that counts as a hit (default: from the noise)")
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   command->callback([flags, &run] { run = [flags] { return calibrate_file(*flags); }; });
 }
 

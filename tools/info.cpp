@@ -138,10 +138,12 @@ int run_info(const InfoFlags& flags) {
   const ReadOptions options = finished_options(flags.read);
   Json files = Json::array();
   int code = kOk;
+  bool any = false;
   for (std::size_t i = 0; i < flags.read.paths.size(); ++i) {
     try {
       const Record record = open_record_at(flags.read, options, i);
       files.push_back(record_json(record));
+      any = true;
       if (!flags.output.json) fmt::print("{}", record_text(record, terminal_width()));
     } catch (const InputError& error) {
       // One bad file must not hide what the others hold.
@@ -153,7 +155,7 @@ int run_info(const InfoFlags& flags) {
   const std::string document =
       Json{{"schema", "percuss/info/1"}, {"files", files}}.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
   if (flags.output.json) fmt::print("{}", document);
-  write_outputs(flags.output, document);
+  if (any) write_outputs(flags.output, document);
   return code;
 }
 

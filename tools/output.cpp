@@ -15,7 +15,8 @@ namespace percuss::tools {
 
 void add_output_flags(CLI::App& command, OutputFlags& flags) {
   command.add_option("-o,--output", flags.paths, "Write to this file; its extension says what (repeatable)")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->allow_extra_args(false);  // the words after it are records
   command.add_flag("--json", flags.json, "One JSON document on standard output");
   command.add_flag("--force", flags.force, "Overwrite files that exist");
   command.add_flag("--quiet", flags.quiet, "No progress and no warnings on standard error");

@@ -3,6 +3,7 @@
 #include <iostream>
 #include <new>
 
+#include "acquire/calibrate.hpp"
 #include "acquire/unfinished_files.hpp"
 #include "command.hpp"
 #include "core/error.hpp"
@@ -59,6 +60,8 @@ int main(int argc, char** argv) {
     return parse_and_run(argc, argv);
   } catch (const UsageError& e) {
     return report(e.what(), kUsage);
+  } catch (const NoHitError& e) {
+    return report(e.what(), kImpossible);
   } catch (const InputError& e) {
     return report(e.what(), kBadInput);
   } catch (const std::bad_alloc&) {

@@ -8,6 +8,7 @@
 #include "acquire/channel_setup.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "number_checks.hpp"
 
 namespace percuss::tools {
 namespace {
@@ -16,8 +17,12 @@ constexpr double kMilli = 1e-3;
 
 /// A list of numbers in one word, "0,90", so that the words after it are files again.
 template <class T>
-void add_list(CLI::App& command, const char* name, std::vector<T>& values, const char* help, const char* type) {
-  command.add_option(name, values, help)->type_name(type)->delimiter(',')->allow_extra_args(false)->group("Reading");
+CLI::Option* add_list(CLI::App& command, const char* name, std::vector<T>& values, const char* help, const char* type) {
+  return command.add_option(name, values, help)
+      ->type_name(type)
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->group("Reading");
 }
 
 template <class T>
@@ -77,8 +82,9 @@ void add_read_flags(CLI::App& command, ReadFlags& flags) {
             "of the hammer, for forces stored in volts", "mV/N");
   add_list(command, "--accel-sensitivity", flags.accel_sensitivity_mV_per_g,
            "for accelerations stored in volts; one, or one per channel", "mV/g,...");
-  add_list(command, "--angle", flags.angle_deg, "of each accelerometer around the barrel", "DEG,...");
-  add_list(command, "--position", flags.position_m, "of each accelerometer from the barrel's end", "M,...");
+  add_list(command, "--angle", flags.angle_deg, "of each accelerometer around the barrel", "DEG,...")->check(finite());
+  add_list(command, "--position", flags.position_m, "of each accelerometer from the barrel's end", "M,...")
+      ->check(finite());
   add_value(command, "--setup", flags.setup_path, "channel set-up (JSON; percuss info --example prints one)", "FILE");
   command
       .add_option_function<std::string>(

@@ -1,12 +1,11 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iostream>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "acquire/atomic_file.hpp"
+#include "acquire/input_file.hpp"
 #include "acquire/write_csv.hpp"
 #include "acquire/write_hdf5.hpp"
 #include "command.hpp"
@@ -20,6 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::uint64_t kLongestSpec_bytes = std::uint64_t{5} << 20U;  // parse_synth_spec is stricter
+
 struct SynthFlags {
   std::string spec;
   std::vector<std::string> outputs;
@@ -29,13 +30,10 @@ struct SynthFlags {
 };
 
 SynthSpec spec_named(const std::string& name) {
-  if (name == "-") return parse_synth_spec(read_spec_text(std::cin, "standard input"), "standard input");
   std::error_code ignored;
-  if (!fs::exists(name, ignored)) return synth_preset(name);
-  if (fs::is_directory(name, ignored)) throw InputError("is a folder", name, "name a synth spec or a preset");
-  std::ifstream file(name, std::ios::binary);
-  if (!file) throw InputError("cannot be opened", name, "check its permissions");
-  return parse_synth_spec(read_spec_text(file, name), name);
+  if (name != "-" && !fs::exists(name, ignored) && name.find('/') == std::string::npos) return synth_preset(name);
+  const auto bytes = read_input(name, kLongestSpec_bytes);
+  return parse_synth_spec(bytes.view(), input_name(name));
 }
 
 std::string truth_path(const std::string& output) { return fs::path(output).replace_extension(".truth.json").string(); }

@@ -70,7 +70,7 @@ Calibration calibrate(const Record& record, double mass_kg, const HitOptions& op
     squares += weight * hit.scale * hit.scale;
     ++used;
   }
-  if (used == 0) throw InputError("no hit on the free mass", where, "check the force channel, or lower --trigger");
+  if (used == 0) throw NoHitError("no hit on the free mass", where, "check the force channel, or lower --trigger");
   out.scale = sum / weights;
   if (used > 1)
     out.scale_std = std::sqrt(std::max(0.0, squares / weights - out.scale * out.scale) / static_cast<double>(used - 1));

@@ -4,8 +4,15 @@
 
 #include "acquire/hits.hpp"
 #include "acquire/record.hpp"
+#include "core/error.hpp"
 
 namespace percuss {
+
+/// There is nothing to calibrate with: the record is readable, but no hit is in it.
+class NoHitError : public InputError {
+ public:
+  using InputError::InputError;
+};
 
 /// What one hit on the free mass says.
 struct CalibrationHit {
@@ -27,7 +34,7 @@ struct Calibration {
 /// The force channel's scale from hits on a free mass: force = mass · acceleration. Per hit, least squares over the
 /// samples above half of the force's peak, both signals counted from their mean just before the hit; over hits,
 /// weighted by the square of the force (hits below a fifth of the largest take no part). The sign is chosen such that
-/// the push is positive. errors  InputError when the record has not exactly one acceleration channel or no hit.
+/// the push is positive. errors  InputError when the record has not exactly one acceleration channel; NoHitError.
 Calibration calibrate(const Record& record, double mass_kg, const HitOptions& options = {});
 
 }  // namespace percuss

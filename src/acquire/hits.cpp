@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "acquire/asked_part.hpp"
 #include "acquire/pulse_search.hpp"
 #include "acquire/pulse_shape.hpp"
 #include "core/error.hpp"
@@ -20,26 +21,6 @@ constexpr double kDoubleScan_s = 0.25;    // bounces come within a few tens of m
 constexpr double kDoubleRejects = 0.01;   // of the main pulse
 constexpr double kWeak = 0.2;             // of the median hit's peak
 constexpr double kLateTrigger = 0.05;     // of the peak already there at the first sample
-constexpr std::size_t kPretriggerSamples = 128;
-constexpr double kPretrigger_s = 0.005;
-
-struct Part {
-  std::size_t first, last;
-};
-
-Part asked_part(const Record& record, std::size_t row, const HitOptions& options) {
-  const std::size_t samples = record.rows[row].samples;
-  const auto index = [&](double t) {
-    return static_cast<std::size_t>(std::clamp(t * record.fs_Hz, 0.0, static_cast<double>(samples)));
-  };
-  const Part part{index(options.from_s), options.to_s ? index(*options.to_s) : samples};
-  if (part.first < part.last) return part;
-  throw InputError(fmt::format("nothing lies between --from {} and --to {}: the row is {:.6g} s long", options.from_s,
-                               options.to_s ? fmt::format("{}", *options.to_s) : "the end",
-                               static_cast<double>(samples) / record.fs_Hz),
-                   record.files.empty() ? "record" : record.files[record.rows[row].file].path,
-                   "give a later --to or an earlier --from");
-}
 
 std::vector<double> force_between(const Record& record, std::size_t row, std::size_t first, std::size_t last,
                                   double baseline) {
@@ -47,11 +28,6 @@ std::vector<double> force_between(const Record& record, std::size_t row, std::si
   record.read_force_N(row, first, x);
   for (double& value : x) value -= baseline;
   return x;
-}
-
-std::size_t pretrigger_samples(const Record& record, const HitOptions& options) {
-  if (options.pretrigger_s) return static_cast<std::size_t>(std::max(0.0, *options.pretrigger_s) * record.fs_Hz);
-  return std::max(kPretriggerSamples, static_cast<std::size_t>(kPretrigger_s * record.fs_Hz));
 }
 
 void grade_double(Hit& hit, const std::optional<SecondPulse>& second, double fs_Hz) {
@@ -125,20 +101,21 @@ bool is_pulse(std::span<const double> x, std::size_t peak, double noise_N, doubl
   return pulse.fall - pulse.rise <= std::max(kLongestPulse_s * fs_Hz, static_cast<double>(kLongestPulse));
 }
 
-Hit without_pulse(std::size_t row, const Part& part, const ForceSurvey& survey) {
+Hit without_pulse(std::size_t row, const Part& part, const ForceSurvey& survey, const HitOptions& options) {
   Hit hit{.row = row,
           .first = part.first,
           .samples = part.last - part.first,
           .noise_N = survey.noise_N,
           .baseline_N = survey.baseline_N};
+  const std::string remedy = options.trigger_N ? fmt::format("--trigger asks for {:.6g} N", *options.trigger_N)
+                                               : "check the hammer's cable and channel";
   const double ratio = survey.noise_N > 0 ? survey.largest_N / survey.noise_N : 0;
   hit.findings.push_back(
       {.code = FindingCode::no_pulse,
        .severity = Severity::reject,
        .value = ratio,
-       .message = fmt::format("no hammer pulse: the force's largest excursion is {:.2g} N, {:.1f} times its noise; "
-                              "check the hammer's cable and channel",
-                              survey.largest_N, ratio)});
+       .message = fmt::format("no hammer pulse: the force's largest excursion is {:.2g} N, {:.1f} times its noise; {}",
+                              std::abs(survey.largest_N), ratio, remedy)});
   return hit;
 }
 
@@ -156,13 +133,12 @@ Hit hit_of_row(const Record& record, std::size_t row, const HitOptions& options)
   const auto largest = static_cast<std::size_t>(
       std::max_element(x.begin(), x.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }) - x.begin());
   const bool triggered = !options.trigger_N || std::abs(x[largest]) >= *options.trigger_N;
-  if (!triggered || !is_pulse(x, largest, survey.noise_N, record.fs_Hz)) return without_pulse(row, part, survey);
+  if (!triggered || !is_pulse(x, largest, survey.noise_N, record.fs_Hz))
+    return without_pulse(row, part, survey, options);
   describe_pulse(hit, x, largest, record.fs_Hz, options);
   look_for_second(hit, x, largest, record.fs_Hz);
-  if (options.length_s) {  // never without the pulse
-    const auto length = static_cast<std::size_t>(*options.length_s * record.fs_Hz);
-    hit.samples = std::min(hit.samples, std::max(length, largest + 1));
-  }
+  const auto length = asked_length(record, options);
+  if (length) hit.samples = std::min(hit.samples, std::max(*length, largest + 1));  // never without the pulse
   return hit;
 }
 
@@ -189,8 +165,7 @@ std::vector<Hit> hits_in_row(const Record& record, std::size_t row, const HitOpt
   const Part part = asked_part(record, row, options);
   const ForceSurvey survey =
       survey_force(record, row, {.trigger_N = options.trigger_N, .first = part.first, .last = part.last});
-  std::optional<std::size_t> length;
-  if (options.length_s) length = static_cast<std::size_t>(*options.length_s * record.fs_Hz);
+  const auto length = asked_length(record, options);
   std::vector<Hit> hits;
   for (std::size_t e = 0; e < survey.events.size(); ++e) {
     const Part stretch = stretch_of(survey, e, part, pretrigger_samples(record, options), length);
@@ -210,7 +185,7 @@ std::vector<Hit> hits_in_row(const Record& record, std::size_t row, const HitOpt
     look_for_second(hit, all, survey.events[e] - begin, record.fs_Hz);
     hits.push_back(std::move(hit));
   }
-  if (hits.empty()) hits.push_back(without_pulse(row, part, survey));
+  if (hits.empty()) hits.push_back(without_pulse(row, part, survey, options));
   return hits;
 }
 

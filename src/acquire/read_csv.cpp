@@ -12,6 +12,7 @@
 #include "acquire/csv_dialect.hpp"
 #include "acquire/csv_rows.hpp"
 #include "acquire/csv_table.hpp"
+#include "acquire/largest_sample.hpp"
 #include "acquire/signal_choice.hpp"
 #include "core/error.hpp"
 
@@ -113,7 +114,7 @@ void read_scaled(const OpenCsv& open, std::size_t row, std::size_t column, doubl
   open.table.read(column, line, out);
   for (std::size_t i = 0; i < out.size(); ++i) {
     out[i] *= to_SI;
-    if (!std::isfinite(out[i])) {
+    if (!(std::abs(out[i]) <= kLargestSample)) {
       throw InputError("too large once scaled to SI", open.table.place(line + i, column),
                        "correct the number or the scale");
     }

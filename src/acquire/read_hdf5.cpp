@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "acquire/hdf5_layout.hpp"
+#include "acquire/largest_sample.hpp"
 #include "acquire/signal_choice.hpp"
 #include "core/error.hpp"
 
@@ -167,8 +168,7 @@ void describe_rows(const OpenRecord& open, Record& record) {
 void note_unused(const InputHdf5& file, Record& record) {
   std::vector<std::string> unused;
   for (const std::string& name : file.names(kNamesShown)) {
-    const bool known = std::find(kKnownNames.begin(), kKnownNames.end(), name) != kKnownNames.end();
-    if (!known) unused.push_back("/" + name);
+    if (std::find(kKnownNames.begin(), kKnownNames.end(), name) == kKnownNames.end()) unused.push_back("/" + name);
   }
   if (!unused.empty()) record.notes.push_back("not used: " + list(unused));
 }
@@ -178,10 +178,11 @@ void to_SI(std::span<double> samples, double factor, const std::string& where, s
            std::size_t first) {
   for (double& sample : samples) {
     sample *= factor;
-    if (std::isfinite(sample)) continue;
+    if (std::abs(sample) <= kLargestSample) continue;
     std::vector<std::size_t> index(at.begin(), at.end());
     index.push_back(first + static_cast<std::size_t>(&sample - samples.data()));
-    throw InputError("sample is not a finite number", where + hdf5::shape_text(index), "repair or leave out this hit");
+    const char* is = std::isfinite(sample) ? "sample is too large" : "sample is not a finite number";
+    throw InputError(is, where + hdf5::shape_text(index), "repair or leave out this hit");
   }
 }
 

@@ -175,7 +175,7 @@ std::string coherence_text(const Analysis& analysis) {
     if (summary && (!worst || summary->mean < worst->mean)) worst = summary;
   }
   if (!worst) return "coherence: none, as there is one hit only\n";
-  return fmt::format("coherence{}: {:.4f} on average, below 0.9 on {:.2g} % of the band's lines\n",
+  return fmt::format("coherence{}: {:.4f} on average, below 0.9 on {:.1f} % of the band's lines\n",
                      analysis.frfs().size() > 1 ? " (of the worst FRF)" : "", worst->mean, worst->below * 100);
 }
 
@@ -198,6 +198,8 @@ std::string per_hit_text(const Analysis& analysis, std::size_t width) {
   return table.text(width);
 }
 
+std::string spaced(const std::string& text) { return text.empty() ? text : text + '\n'; }
+
 }  // namespace
 
 std::string analysis_text(const Analysis& analysis, const TextOptions& options) {
@@ -206,7 +208,7 @@ std::string analysis_text(const Analysis& analysis, const TextOptions& options) 
   const auto& hits = force_only ? analysis.force_hits() : analysis.hits();
   std::string text = heading(analysis, hits.size(), options.width) + "\n";
   if (wants(Section::hits)) text += hits_text(analysis, hits, options.width) + "\n";
-  if (wants(Section::hits) && !force_only) text += responses_text(analysis, options.width) + "\n";
+  if (wants(Section::hits) && !force_only) text += spaced(responses_text(analysis, options.width));
   if (analysis.possible()) {
     if (wants(Section::frf)) text += frf_text(analysis);
     if (wants(Section::coherence)) text += coherence_text(analysis);

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <istream>
 
 #include "core/error.hpp"
 #include "synth/strict_json.hpp"
@@ -197,15 +196,6 @@ SynthSpec parse_synth_spec(std::string_view text, std::string_view where) {
   read_strict_json(text, place, kDeepest, [&](StrictObject& o) { read_document(o, spec); });
   check(spec, where);
   return spec;
-}
-
-std::string read_spec_text(std::istream& in, std::string_view where) {
-  std::string text(kLongestText + 1, '\0');
-  in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(in.gcount()));
-  if (in.bad()) throw InputError("cannot be read", where, "check the file");
-  if (text.size() > kLongestText) throw InputError("longer than 4 MiB", where, "is this a synth spec?");
-  return text;
 }
 
 }  // namespace percuss

@@ -1,5 +1,4 @@
 #pragma once
-#include <iosfwd>
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,9 +11,6 @@ namespace percuss {
 /// errors  InputError for anything but a valid spec: not JSON, too deep or too long, a key unknown, doubled, missing or
 /// of the wrong kind, a value out of range.
 SynthSpec parse_synth_spec(std::string_view text, std::string_view where);
-
-/// The whole of a stream, at most as much as a spec may have; InputError beyond.
-std::string read_spec_text(std::istream& in, std::string_view where);
 
 struct SynthPreset {
   std::string_view name, text;
