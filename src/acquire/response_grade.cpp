@@ -22,6 +22,8 @@ constexpr std::size_t kEnvelopeWindows = 64;
 constexpr double kSteady = 1.5;        // the level one quarter earlier over the last quarter's; backgrounds wander
 constexpr double kSunk = 2;            // times the final level
 constexpr double kStillFalling = 0.9;  // of the rms one window earlier
+// An exponential that falls by less than this over the record looks as steady as a background by its last quarters.
+constexpr double kFallen = kSteady * kSteady * kSteady * kSteady;
 
 double rms_about_mean(std::span<const double> x) {
   double mean = 0;
@@ -58,7 +60,7 @@ void grade_end(ResponseGrade& grade, const Hit& hit, std::span<const double> acc
 bool rings_before(const Hit& hit, std::span<const double> accel) {
   const auto quiet = quiet_part(hit, accel);
   const std::size_t window = std::max<std::size_t>(8, accel.size() / 20);
-  if (quiet.size() < kLeastQuiet || accel.size() < 4 * window) return false;
+  if (quiet.size() < kLeastQuiet || accel.size() < std::max(quiet.size() + window, 4 * window)) return false;
   const double before = rms_about_mean(quiet);
   const double start = rms_about_mean(accel.subspan(quiet.size(), window));
   return before > kRinging * rms_about_mean(accel.last(window)) && before > kNegligible * start;
@@ -74,6 +76,7 @@ void grade_onset(ResponseGrade& grade, const Hit& hit, std::span<const double> a
   const double level = std::max(kOnsetNoise * noise, kOnsetFraction * largest);
   const auto onset =
       static_cast<std::size_t>(std::max(0.0, std::floor(hit.onset_s * fs_Hz) - static_cast<double>(hit.first)));
+  if (!(level > 0)) return;
   for (std::size_t i = onset > 2 ? onset - 2 : 0; i < accel.size(); ++i) {
     if (std::abs(accel[i] - rest) < level) continue;
     grade.polarity = accel[i] > rest ? 1 : -1;
@@ -106,6 +109,9 @@ std::size_t decayed_length(const Hit& hit, std::span<const double> accel_mps2) {
   const double earlier = median(
       {level.end() - static_cast<std::ptrdiff_t>(2 * quarter), level.end() - static_cast<std::ptrdiff_t>(quarter)});
   if (!(final_level > 0) || earlier > kSteady * final_level) return accel_mps2.size();
+  const auto quiet = quiet_part(hit, accel_mps2);
+  const bool seen_before = quiet.size() >= kLeastQuiet && kSunk * rms_about_mean(quiet) > final_level;
+  if (!seen_before && *std::max_element(level.begin(), level.end()) < kFallen * final_level) return accel_mps2.size();
   std::size_t sunk = kEnvelopeWindows;
   while (sunk > 0 && level[sunk - 1] < kSunk * final_level) --sunk;
   return std::min(accel_mps2.size(), after + 2 * std::max<std::size_t>(sunk, 1) * window);

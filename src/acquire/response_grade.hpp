@@ -23,7 +23,8 @@ ResponseGrade grade_response(const Hit& hit, std::span<const double> accel_mps2,
 
 /// Where a response has sunk into a steady background: the number of samples from the stretch's beginning to twice the
 /// time after the hit after which it stays within twice its final level. The whole length when it is still falling at
-/// the end. What lies beyond holds background alone.
+/// the end, or has fallen too little to tell ringing from a background that the pre-trigger does not show. What lies
+/// beyond holds background alone.
 std::size_t decayed_length(const Hit& hit, std::span<const double> accel_mps2);
 
 /// Adds `truncated_decay` and `overload` for the worst channel to the hit's findings.
