@@ -64,16 +64,16 @@ Calibration calibrate(const Record& record, double mass_kg, const HitOptions& op
   for (CalibrationHit& hit : out.hits) {
     hit.used = std::abs(hit.peak_force) >= kLeastForce * largest && hit.samples > 0;
     if (!hit.used) continue;
-    const double weight = hit.peak_force * hit.peak_force;
-    weights += weight;
-    sum += weight * hit.scale;
-    squares += weight * hit.scale * hit.scale;
+    weights += hit.peak_force * hit.peak_force;
+    sum += hit.peak_force * hit.peak_force * hit.scale;
     ++used;
   }
   if (used == 0) throw NoHitError("no hit on the free mass", where, "check the force channel, or lower --trigger");
   out.scale = sum / weights;
-  if (used > 1)
-    out.scale_std = std::sqrt(std::max(0.0, squares / weights - out.scale * out.scale) / static_cast<double>(used - 1));
+  for (const CalibrationHit& hit : out.hits) {
+    if (hit.used) squares += std::pow(hit.peak_force * (hit.scale - out.scale), 2);
+  }
+  if (used > 1) out.scale_std = std::sqrt(squares / weights / static_cast<double>(used - 1));
   return out;
 }
 

@@ -1,0 +1,133 @@
+#include "acquire/calibrate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "support/force_row.hpp"
+#include "support/input_error.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr double kFs_Hz = 25600;
+constexpr double kMass_kg = 4.2;
+
+struct Bench {
+  double scale = 0.0102;  // N per unit of the force channel
+  double offset = 0;      // of the force channel, in its unit
+  double accel_offset = 0;
+  double noise = 0;  // of both, beside the peak
+  double accel_sign = 1;
+  std::vector<double> peaks_N = {300, 180, 420};
+};
+
+/// Hits on a free mass, one per row: force/scale + offset beside force/mass.
+Record free_mass(const Bench& bench) {
+  std::vector<std::vector<double>> force;
+  std::vector<std::vector<std::vector<double>>> accel;
+  for (std::size_t h = 0; h < bench.peaks_N.size(); ++h) {
+    std::vector<double> x(6000);
+    test::add_filtered_haversine(x, 300.3 + static_cast<double>(h), 30, bench.peaks_N[h]);
+    auto f = x, a = x;
+    test::add_noise(f, bench.noise * 300, 2 * h);
+    test::add_noise(a, bench.noise * 300, 2 * h + 1);
+    for (double& value : f) value = value / bench.scale + bench.offset;
+    for (double& value : a) value = bench.accel_sign * value / kMass_kg + bench.accel_offset;
+    force.push_back(f);
+    accel.push_back({a});
+  }
+  return record_in_memory(kFs_Hz, force, accel);
+}
+
+TEST(Calibrate, IsExactOnAFreeMass) {
+  const Calibration found = calibrate(free_mass({}), kMass_kg);
+  // What the filter rings in the samples that tell the offsets, 8 to 1 before the pulse: 3e-4 of the peak at most.
+  constexpr double kRinging = 1e-3;
+  EXPECT_LE(std::abs(found.scale / 0.0102 - 1), kRinging);
+  ASSERT_EQ(found.hits.size(), 3U);
+  for (std::size_t h = 0; h < 3; ++h) {
+    EXPECT_EQ(found.hits[h].index, h);
+    EXPECT_TRUE(found.hits[h].used);
+    EXPECT_GE(found.hits[h].samples, 14U);  // half of a haversine of 30 samples stands above half of its peak
+    EXPECT_LE(found.hits[h].samples, 16U);
+  }
+}
+
+TEST(Calibrate, PutBackIntoNewtonsLawHolds) {
+  constexpr double kRounding = 1e-12;  // of sums of 15 products
+  for (const double scale : {0.0102, -0.00684, 1.0, 1e-30, -1e30}) {
+    const Calibration found = calibrate(free_mass({.scale = scale}), kMass_kg);
+    EXPECT_LE(std::abs(found.scale / scale - 1), kRounding) << scale;  // both ring alike: force = mass · acceleration
+    EXPECT_LE(found.scale_std, kRounding * std::abs(scale)) << scale;
+    for (const CalibrationHit& hit : found.hits) {
+      EXPECT_LE(std::abs(hit.scale / scale - 1), kRounding);
+      EXPECT_LE(std::abs(hit.peak_accel_mps2 * kMass_kg / (hit.peak_force * scale) - 1), 1e-3);  // offsets, see above
+    }
+  }
+}
+
+TEST(Calibrate, IgnoresOffsetsAndTheAccelerometersDirection) {
+  constexpr double kRounding = 1e-11;  // of values beside offsets ten times as large
+  const Bench offset{.offset = -3e5, .accel_offset = 700};
+  EXPECT_LE(std::abs(calibrate(free_mass(offset), kMass_kg).scale / 0.0102 - 1), kRounding);
+  const Bench turned{.accel_sign = -1};
+  const Calibration found = calibrate(free_mass(turned), kMass_kg);
+  EXPECT_LE(std::abs(found.scale / 0.0102 - 1), kRounding);
+  EXPECT_LE(found.hits[0].peak_accel_mps2, -60);  // 300 N on 4.2 kg, as recorded
+}
+
+TEST(Calibrate, IsProportionalToTheMass) {
+  const Record record = free_mass({});
+  EXPECT_DOUBLE_EQ(calibrate(record, 2 * kMass_kg).scale, 2 * calibrate(record, kMass_kg).scale);
+}
+
+TEST(Calibrate, LeavesWeakHitsOut) {
+  const Calibration found = calibrate(free_mass({.peaks_N = {300, 50, 250}}), kMass_kg);
+  ASSERT_EQ(found.hits.size(), 3U);
+  EXPECT_TRUE(found.hits[0].used);
+  EXPECT_FALSE(found.hits[1].used);  // below a fifth of the largest
+  EXPECT_TRUE(found.hits[2].used);
+}
+
+TEST(Calibrate, LiesWithinItsDeviation) {
+  const std::vector<double> peaks(20, 300);
+  const Calibration found = calibrate(free_mass({.noise = 0.01, .peaks_N = peaks}), kMass_kg);
+  // 15 samples a hit above half of the peak, of mean square 0.6; two channels and two offsets of 8 samples.
+  const double expected = 0.01 * std::sqrt(2 * (1 / (15 * 0.6) + 1 / (8 * 0.75))) / std::sqrt(20.0);
+  EXPECT_LE(std::abs(found.scale / 0.0102 - 1), 5 * expected);
+  constexpr double kFactor = 1.8;  // a deviation from 20 hits is known to 16 %; five of those
+  EXPECT_LE(found.scale_std / 0.0102, kFactor * expected);
+  EXPECT_GE(found.scale_std / 0.0102, expected / kFactor);
+}
+
+TEST(Calibrate, HasNoDeviationForOneHit) {
+  const Calibration found = calibrate(free_mass({.noise = 0.01, .peaks_N = {300}}), kMass_kg);
+  EXPECT_EQ(found.scale_std, 0);
+  EXPECT_EQ(found.hits.size(), 1U);
+}
+
+TEST(Calibrate, TakesAPulseAtTheVeryStartOrEnd) {
+  for (const std::size_t at : {std::size_t{0}, std::size_t{999}}) {
+    std::vector<double> force(1000), accel(1000);
+    force[at] = 50;
+    accel[at] = 5;
+    const Calibration found = calibrate(record_in_memory(kFs_Hz, {force}, {{accel}}), 2);
+    EXPECT_DOUBLE_EQ(found.scale, 0.2);
+  }
+}
+
+TEST(Calibrate, RefusesRecordsItCannotUse) {
+  using testing::HasSubstr;
+  const std::vector<double> x(1000);
+  const Record none = record_in_memory(kFs_Hz, {x}, {{}});
+  const Record two = record_in_memory(kFs_Hz, {x}, {{x, x}});
+  const Record silent = record_in_memory(kFs_Hz, {x}, {{x}});
+  EXPECT_THAT(test::input_error_of([&] { calibrate(none, kMass_kg); }), HasSubstr("this has 0"));
+  EXPECT_THAT(test::input_error_of([&] { calibrate(two, kMass_kg); }), HasSubstr("--accel-channel"));
+  EXPECT_THAT(test::input_error_of([&] { calibrate(silent, kMass_kg); }), HasSubstr("no hit"));
+}
+
+}  // namespace
+}  // namespace percuss
