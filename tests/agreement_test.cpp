@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace percuss {
@@ -11,13 +12,14 @@ using Lines = std::vector<Complex>;
 
 /// force [hits][lines], accel [hits][channels][lines].
 std::vector<double> unexplained(const std::vector<Lines>& force, const std::vector<std::vector<Lines>>& accel) {
-  std::vector<const Lines*> f;
+  const auto addresses = [](const std::vector<Lines>& lines) {
+    std::vector<const Lines*> out(lines.size());
+    std::transform(lines.begin(), lines.end(), out.begin(), [](const Lines& one) { return &one; });
+    return out;
+  };
   std::vector<std::vector<const Lines*>> a(accel.size());
-  for (const Lines& lines : force) f.push_back(&lines);
-  for (std::size_t h = 0; h < accel.size(); ++h) {
-    for (const Lines& lines : accel[h]) a[h].push_back(&lines);
-  }
-  return unexplained_by_others(f, a);
+  std::transform(accel.begin(), accel.end(), a.begin(), addresses);
+  return unexplained_by_others(addresses(force), a);
 }
 
 const std::vector<Lines> kForce = {{1.0, Complex(0, 2)}, {-3.0, 1.0}, {Complex(1, 1), 5.0}};

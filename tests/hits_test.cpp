@@ -133,8 +133,8 @@ TEST(FindHits, GatesTheForceToItsPulse) {
   test::add_filtered_haversine(x, 5000.4, kWidth, 200);
   const Hit hit = hits_in({x})[0];
   EXPECT_TRUE(hit.whole_N.empty());
-  EXPECT_LE(hit.gated_N.size(), 2 * 72 + kWidth + 2);
-  constexpr double kFloor = 1e-9 * 200 + 1e-13;  // of the peak; rounding of the offset
+  EXPECT_LE(hit.gated_N.size(), 144 + kWidth + 2);  // the filter's reach on either side
+  constexpr double kFloor = 1e-9 * 200 + 1e-13;     // of the peak; rounding of the offset
   double outside = 0;
   for (std::size_t n = 0; n < x.size(); ++n) {
     const std::size_t at = n - hit.gate_first;
