@@ -1,0 +1,161 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "support/percuss_process.hpp"
+#include "support/scratch_folder.hpp"
+#include "support/synthetic_files.hpp"
+
+// The user's word over the program's: percuss analyze with every choice, and what it says to a wrong one.
+namespace percuss {
+namespace {
+
+using nlohmann::json;
+using test::run_percuss;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+class AnalyzeChoices : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = std::make_unique<test::ScratchFolder>();
+    test::write_small_test(path(),
+                           R"("hits": 3, "faults": [{"hit": 1, "kind": "double", "delay_s": 0.02, "ratio": 0.3}])");
+  }
+  static void TearDownTestSuite() { folder_.reset(); }
+  static std::string path() { return folder_->file("bat.h5"); }
+  static json document_of(std::vector<std::string> options) {
+    options.insert(options.begin(), {"analyze", path(), "--json"});
+    const auto outcome = run_percuss(options);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return json::parse(outcome.out);
+  }
+  /// The one line on standard error, nothing on standard output.
+  static std::string refusal_of(std::vector<std::string> options, int code) {
+    options.insert(options.begin(), {"analyze", path()});
+    const auto outcome = run_percuss(options);
+    EXPECT_EQ(outcome.code, code) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(test::lines_of(outcome.err).size(), 1U) << outcome.err;
+    return outcome.err;
+  }
+  inline static std::unique_ptr<test::ScratchFolder> folder_;
+};
+
+TEST_F(AnalyzeChoices, WithoutAnyNoneIsRecorded) {
+  const json document = document_of({});
+  EXPECT_FALSE(document.contains("options"));
+  EXPECT_EQ(document["hits"][1]["accepted"], false);
+  EXPECT_FALSE(document["hits"][1].contains("by_user"));
+  const json& finding = document["hits"][1]["findings"][0];
+  EXPECT_EQ(finding["code"], "double_hit");
+  EXPECT_EQ(finding["severity"], "reject");
+  EXPECT_NEAR(finding["value"], 0.3, 0.03);
+  EXPECT_NEAR(finding["delay_s"], 0.02, 0.001);
+}
+
+TEST_F(AnalyzeChoices, AcceptsAndRejectsHitsAgainstTheFindings) {
+  const json document = document_of({"--accept-hit", "1", "--reject-hit", "0"});
+  EXPECT_EQ(document["options"]["accept_hits"], (json{1}));
+  EXPECT_EQ(document["options"]["reject_hits"], (json{0}));
+  EXPECT_EQ(document["hits"][0]["accepted"], false);
+  EXPECT_EQ(document["hits"][0]["by_user"], true);
+  EXPECT_EQ(document["hits"][1]["accepted"], true);
+  EXPECT_EQ(document["hits"][1]["by_user"], true);
+  EXPECT_EQ(document["hits"][1]["findings"][0]["code"], "double_hit");
+  EXPECT_EQ(document["hits"][2]["accepted"], true);
+  EXPECT_FALSE(document["hits"][2].contains("by_user"));
+}
+
+TEST_F(AnalyzeChoices, ReportsAsManyModesAsAskedFor) {
+  const json document = document_of({"--modes", "1"});
+  EXPECT_EQ(document["options"]["modes"], 1);
+  EXPECT_EQ(document["modes"].size(), 1U);
+}
+
+TEST_F(AnalyzeChoices, FitsAtTheGivenFrequencies) {
+  const json document = document_of({"--start", "199,702"});
+  EXPECT_EQ(document["options"]["start_hz"], (json{199, 702}));
+  ASSERT_EQ(document["modes"].size(), 2U);
+  EXPECT_NEAR(document["modes"][0]["frequency_hz"], 200, 0.05);
+  EXPECT_NEAR(document["modes"][1]["frequency_hz"], 700, 0.05);
+}
+
+TEST_F(AnalyzeChoices, CutsWhereItIsTold) {
+  const json document =
+      document_of({"--from", "0.02", "--to", "0.9", "--trigger", "50", "--pretrigger", "0.01", "--length", "0.7"});
+  const json& options = document["options"];
+  EXPECT_EQ(options["from_s"], 0.02);
+  EXPECT_EQ(options["to_s"], 0.9);
+  EXPECT_EQ(options["trigger_n"], 50);
+  EXPECT_EQ(options["pretrigger_s"], 0.01);
+  EXPECT_EQ(options["length_s"], 0.7);
+  EXPECT_NEAR(document["hits"][0]["time_s"], 0.05, 0.003);
+  EXPECT_NEAR(document["modes"][0]["frequency_hz"], 200, 0.05);
+}
+
+TEST_F(AnalyzeChoices, CorrectsTheDampingForTheExponentialWindow) {
+  const json document = document_of({"--exponential", "0.001"});
+  EXPECT_EQ(document["options"]["exponential_end"], 0.001);
+  ASSERT_EQ(document["modes"].size(), 2U);
+  const json& mode = document["modes"][0];
+  EXPECT_NEAR(mode["damping_ratio"], 0.01, 1e-4);
+  EXPECT_GT(mode["damping_ratio_raw"], 0.012);
+}
+
+TEST_F(AnalyzeChoices, RecordsTheOtherSettingsThatWereChanged) {
+  const json document = document_of({"--force-window", "off", "--overlay-db", "0.5"});
+  EXPECT_EQ(document["options"]["force_window"], "off");
+  EXPECT_EQ(document["options"]["overlay_db"], 0.5);
+}
+
+TEST_F(AnalyzeChoices, SaysInOneLineWhatIsWrongWithAChoice) {
+  EXPECT_THAT(refusal_of({"--band", "60"}, 2), AllOf(HasSubstr("--band"), HasSubstr("LO:HI")));
+  EXPECT_THAT(refusal_of({"--band", "900:60"}, 2), HasSubstr("--band"));
+  EXPECT_THAT(refusal_of({"--band", "nan:60"}, 2), HasSubstr("--band"));
+  EXPECT_THAT(refusal_of({"--band", "60:900:2"}, 2), HasSubstr("--band"));
+  EXPECT_THAT(refusal_of({"--band", "60:9000"}, 3), AllOf(HasSubstr("--band"), HasSubstr("4096 Hz")));
+  EXPECT_THAT(refusal_of({"--only", "hits,noise"}, 2), AllOf(HasSubstr("'noise'"), HasSubstr("coherence")));
+  EXPECT_THAT(refusal_of({"--accept-hit", "7"}, 3), AllOf(HasSubstr("no hit 7"), HasSubstr("count from 0")));
+  EXPECT_THAT(refusal_of({"--accept-hit", "1", "--reject-hit", "1"}, 2), HasSubstr("both accepted and rejected"));
+  EXPECT_THAT(refusal_of({"--accept-hit", "-1"}, 2), HasSubstr("--accept-hit"));
+  EXPECT_THAT(refusal_of({"--modes", "0"}, 2), HasSubstr("--modes"));
+  EXPECT_THAT(refusal_of({"--start", "-5"}, 2), HasSubstr("--start"));
+  EXPECT_THAT(refusal_of({"--from", "0.5", "--to", "0.2"}, 2), HasSubstr("--to"));
+  EXPECT_THAT(refusal_of({"--from", "7"}, 3), AllOf(HasSubstr("--from"), HasSubstr(path())));
+  EXPECT_THAT(refusal_of({"--exponential", "2"}, 2), HasSubstr("--exponential"));
+  EXPECT_THAT(refusal_of({"--estimator", "h3"}, 2), HasSubstr("--estimator"));
+  EXPECT_THAT(refusal_of({"--files", "all"}, 2), HasSubstr("--files"));
+  EXPECT_THAT(refusal_of({"--nonsense"}, 2), HasSubstr("--nonsense"));
+  EXPECT_THAT(refusal_of({path()}, 2), HasSubstr("twice"));
+}
+
+TEST_F(AnalyzeChoices, TakesTheChannelsAndUnitsTheUserNames) {
+  test::write_bytes(folder_->file("lab.csv"), [] {
+    std::string text = "a;b;c\n";
+    for (int i = 0; i < 2000; ++i)
+      text += std::to_string(i % 7) + ";" + (i >= 100 && i < 110 ? "0,5" : "0,0") + ";" + std::to_string(i % 5) + "\n";
+    return text;
+  }());
+  const auto outcome =
+      run_percuss({"analyze", folder_->file("lab.csv"), "--json", "--fs", "1000", "--force-channel", "b",
+                   "--accel-channel", "3", "--unit", "g", "--force-unit", "lbf", "--only", "hits"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const json document = json::parse(outcome.out);
+  EXPECT_EQ(document["fs_hz"], 1000);
+  EXPECT_NEAR(document["hits"][0]["peak_force_n"], 0.5 * 4.4482216152605, 0.3);
+}
+
+TEST_F(AnalyzeChoices, TakesAChannelSetUp) {
+  test::write_bytes(
+      folder_->file("setup.json"),
+      R"([{"name": "accel 1", "role": "acceleration", "angle_deg": 30}, {"name": "accel 2", "role": "ignore"}])");
+  const json document = document_of({"--setup", folder_->file("setup.json")});
+  EXPECT_EQ(document["modes"][0]["residues"].size(), 1U);
+}
+
+}  // namespace
+}  // namespace percuss

@@ -1,0 +1,105 @@
+#include "support/percuss_process.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <csignal>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+namespace percuss::test {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr uid_t kNobody = 65534;
+
+struct Pipe {
+  Pipe() {
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
+  }
+  ~Pipe() {
+    for (const int end : ends) {
+      if (end >= 0) ::close(end);
+    }
+  }
+  Pipe(const Pipe&) = delete;
+  Pipe& operator=(const Pipe&) = delete;
+  void close_end(std::size_t end) { ::close(std::exchange(ends[end], -1)); }
+  std::array<int, 2> ends{-1, -1};
+};
+
+// Between fork and exec: system calls only. The program is opened before rights are given up, so that it may lie where
+// they do not reach.
+[[noreturn]] void become_percuss(char* const* arguments, const ProcessOptions& options, const Pipe& out,
+                                 const Pipe& err) {
+  const int program = ::open(PERCUSS_EXECUTABLE, O_RDONLY | O_CLOEXEC);
+  const int input = ::open(options.input.empty() ? "/dev/null" : options.input.c_str(), O_RDONLY | O_CLOEXEC);
+  const int output = options.output.empty() ? out.ends[1] : ::open(options.output.c_str(), O_WRONLY | O_CLOEXEC);
+  bool ready = program >= 0 && ::dup2(input, 0) == 0 && ::dup2(output, 1) == 1 && ::dup2(err.ends[1], 2) == 2;
+  ready = ready && (options.folder.empty() || ::chdir(options.folder.c_str()) == 0);
+  if (options.ordinary_user && ::geteuid() == 0) ready = ready && ::setgid(kNobody) == 0 && ::setuid(kNobody) == 0;
+  if (ready) ::fexecve(program, arguments, environ);
+  ::_exit(127);
+}
+
+// Takes what there is; false once the writer has closed its end.
+bool drain(int end, std::string& text) {
+  std::array<char, 65536> block{};
+  const ssize_t got = ::read(end, block.data(), block.size());
+  if (got > 0) text.append(block.data(), static_cast<std::size_t>(got));
+  return got > 0;
+}
+
+// Reads both streams until they end; false when the deadline comes first.
+bool read_both(const Pipe& out, const Pipe& err, ProcessOutcome& outcome, Clock::time_point deadline) {
+  std::array<pollfd, 2> streams{{{out.ends[0], POLLIN, 0}, {err.ends[0], POLLIN, 0}}};
+  while (streams[0].fd >= 0 || streams[1].fd >= 0) {
+    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
+    if (left <= 0) return false;
+    ::poll(streams.data(), streams.size(), static_cast<int>(left));
+    if (streams[0].revents != 0 && !drain(streams[0].fd, outcome.out)) streams[0].fd = -1;
+    if (streams[1].revents != 0 && !drain(streams[1].fd, outcome.err)) streams[1].fd = -1;
+  }
+  return true;
+}
+
+}  // namespace
+
+ProcessOutcome run_percuss(const std::vector<std::string>& arguments, const ProcessOptions& options) {
+  std::vector<std::string> words{"percuss"};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> pointers;
+  for (auto& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  Pipe out, err;
+  const pid_t child = ::fork();
+  if (child < 0) throw std::runtime_error("no process");
+  if (child == 0) become_percuss(pointers.data(), options, out, err);
+  out.close_end(1);
+  err.close_end(1);
+  ProcessOutcome outcome;
+  outcome.timed_out = !read_both(out, err, outcome, Clock::now() + options.limit);
+  if (outcome.timed_out) ::kill(child, SIGKILL);
+  int status = 0;
+  rusage usage{};
+  if (::wait4(child, &status, 0, &usage) != child) throw std::runtime_error("the process is lost");
+  outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  outcome.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+  outcome.peak_bytes = static_cast<std::size_t>(usage.ru_maxrss) * 1024;
+  return outcome;
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+}  // namespace percuss::test
