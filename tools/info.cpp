@@ -99,8 +99,9 @@ std::string record_text(const Record& record, std::size_t width) {
   std::string rows = plural(record.rows.size(), "row") + " of " + plural(extent.longest, "sample");
   if (extent.shortest != extent.longest)
     rows = fmt::format("{} of {} to {} samples", plural(record.rows.size(), "row"), extent.shortest, extent.longest);
-  std::string text = fmt::format("{}: {}, {}, {:.10g} Hz, {:.4g} s", input_name(record.files.front().path),
-                                 record.format, rows, record.fs_Hz, static_cast<double>(extent.samples) / record.fs_Hz);
+  std::string text =
+      fmt::format("{}: {}, {}, {:.10g} Hz, {:.4g} s", one_line(input_name(record.files.front().path), 400),
+                  record.format, rows, record.fs_Hz, static_cast<double>(extent.samples) / record.fs_Hz);
   if (extent.points > 1) text += fmt::format(", {}", plural(extent.points, "point"));
   if (extent.runs > 1) text += fmt::format(", {}", plural(extent.runs, "run"));
   text += '\n';
@@ -120,7 +121,7 @@ std::string record_text(const Record& record, std::size_t width) {
   add(record.force, "force", "N");
   for (const auto& signal : record.accel) add(signal, "acceleration", "m/s^2");
   text += table.text(width);
-  for (const auto& note : record.notes) text += "  " + wrapped("note: " + note, width, 2) + '\n';
+  for (const auto& note : record.notes) text += "  " + wrapped("note: " + one_line(note, 2000), width, 2) + '\n';
   return text;
 }
 

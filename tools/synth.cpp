@@ -77,7 +77,8 @@ void print_summary(const SynthFlags& flags, const Truth& truth, const Record& re
   for (std::size_t h = 0; h < truth.hits.size(); ++h) {
     if (truth.hits[h].flag != "good") fmt::print("  hit {}: {}\n", h, truth.hits[h].flag);
   }
-  for (const std::string& output : flags.outputs) fmt::print("{}, truth in {}\n", output, truth_path(output));
+  for (const std::string& output : flags.outputs)
+    fmt::print("{}, truth in {}\n", one_line(output, 400), one_line(truth_path(output), 400));
 }
 
 void print_presets(bool json) {

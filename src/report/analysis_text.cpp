@@ -131,7 +131,10 @@ std::string decibels(double value_dB) {
 }
 
 std::string modes_text(const Analysis& analysis, bool classes, std::size_t width) {
-  if (analysis.modes().empty()) return "no mode stands out of the noise in the band\n";
+  if (analysis.modes().empty()) {
+    return analysis.options().modes.start_Hz.empty() ? "no mode stands out of the noise in the band\n"
+                                                     : "no mode could be fitted at the frequencies of --start\n";
+  }
   const bool named = classes && std::any_of(analysis.verdicts().begin(), analysis.verdicts().end(),
                                             [](const Verdict& v) { return v.ratio.has_value(); });
   std::vector<TextTable::Column> columns{{"mode", TextTable::Align::right}};
@@ -174,7 +177,7 @@ std::string coherence_text(const Analysis& analysis) {
     const auto summary = summary_of_coherence(analysis, frf);
     if (summary && (!worst || summary->mean < worst->mean)) worst = summary;
   }
-  if (!worst) return "coherence: none, as there is one hit only\n";
+  if (!worst) return "coherence: none, as no point has several hits\n";
   return fmt::format("coherence{}: {:.4f} on average, below 0.9 on {:.1f} % of the band's lines\n",
                      analysis.frfs().size() > 1 ? " (of the worst FRF)" : "", worst->mean, worst->below * 100);
 }
@@ -219,7 +222,8 @@ std::string analysis_text(const Analysis& analysis, const TextOptions& options) 
   } else {
     text += "no hit can be used: no FRF, no modes (--accept-hit overrules a rejection)\n\n";
   }
-  for (const Warning& warning : analysis.warnings()) text += wrapped("! " + warning.message, options.width, 2) + "\n";
+  for (const Warning& warning : analysis.warnings())
+    text += wrapped("! " + one_line(warning.message, 4000), options.width, 2) + "\n";
   while (text.ends_with("\n\n")) text.pop_back();
   return text;
 }
