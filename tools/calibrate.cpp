@@ -31,6 +31,8 @@ nlohmann::ordered_json json_of(const CalibrateFlags& flags, const Record& record
       {"schema", "percuss/calibration/1"}, {"version", version()}, {"inputs", nlohmann::ordered_json::array()}};
   for (const InputFile& file : record.files) json["inputs"].push_back({{"path", file.path}, {"bytes", file.bytes}});
   json["mass_kg"] = flags.mass_kg;
+  json["n_per_unit"] = std::abs(calibration.scale);
+  json["polarity"] = calibration.scale < 0 ? -1 : 1;
   json["force_scale"] = calibration.scale;
   json["force_scale_std"] = calibration.scale_std;
   json["hits"] = nlohmann::ordered_json::array();
@@ -61,15 +63,17 @@ std::string text_of(const CalibrateFlags& flags, const Record& record, const Cal
   }
   return fmt::format("{}   {} kg free mass\n\n", record.files.front().path, flags.mass_kg) +
          table.text(terminal_width()) +
-         fmt::format("\n1 unit of the force channel is {} N: use --force-scale {:.8g}\n",
-                     with_deviation(calibration.scale, calibration.scale_std), calibration.scale);
+         fmt::format("\n1 unit of the force channel is {} N{}: use --force-scale {:.8g}\n",
+                     with_deviation(std::abs(calibration.scale), calibration.scale_std),
+                     calibration.scale < 0 ? ", and it reads pushes as negative" : "", calibration.scale);
 }
 
 int calibrate_file(const CalibrateFlags& flags) {
   check_outputs(flags.output, {".json"});
   const Record record = join_records(open_records(flags.read), flags.read.files);
   const Calibration calibration = calibrate(record, flags.mass_kg, {.trigger_N = flags.trigger});
-  const std::string document = json_of(flags, record, calibration).dump(2) + "\n";
+  const std::string document =
+      json_of(flags, record, calibration).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
   for (const std::string& path : flags.output.paths) write_file(path, document, flags.output.force);
   std::cout << (flags.output.json ? document : text_of(flags, record, calibration));
   return kOk;
