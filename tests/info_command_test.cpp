@@ -1,12 +1,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
-#include <array>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "support/json_schema.hpp"
+#include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace percuss {
@@ -15,11 +13,6 @@ namespace {
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-struct Outcome {
-  int code = -1;
-  std::string out;
-};
-
 class InfoCommand : public testing::Test {
  protected:
   InfoCommand() {
@@ -27,28 +20,22 @@ class InfoCommand : public testing::Test {
     test::write_bytes(file("b.csv"), "t_s,CH1,CH2\n0,1,2\n0.1,3,4\n0.2,5,6\n");
   }
   std::string file(const std::string& name) const { return folder_.file(name); }
-  Outcome run(const std::string& arguments, const std::string& streams = "2>&1") const {
-    const std::string command = "\"" PERCUSS_EXECUTABLE "\" info " + arguments + " " + streams;
-    FILE* pipe = popen(command.c_str(), "r");
-    Outcome outcome;
-    std::array<char, 4096> block{};
-    for (std::size_t got = 0; (got = fread(block.data(), 1, block.size(), pipe)) > 0;)
-      outcome.out.append(block.data(), got);
-    outcome.code = WEXITSTATUS(pclose(pipe));
-    return outcome;
+  static test::ProcessOutcome run(std::vector<std::string> arguments, const std::string& input = "") {
+    arguments.insert(arguments.begin(), "info");
+    return test::run_percuss(arguments, {.input = input});
   }
   test::ScratchFolder folder_;
 };
 
 TEST_F(InfoCommand, DescribesAFileToPeople) {
-  const auto outcome = run(file("a.csv"));
+  const auto outcome = run({file("a.csv")});
   EXPECT_EQ(outcome.code, 0);
   EXPECT_THAT(outcome.out, HasSubstr("CSV, 1 row of 3 samples, 10 Hz, 0.3 s"));
   EXPECT_THAT(outcome.out, HasSubstr("force_N"));
 }
 
 TEST_F(InfoCommand, DescribesTheOtherFilesWhenOneIsBad) {
-  const auto outcome = run("--json " + file("a.csv") + " " + file("none.csv") + " " + file("b.csv"), "2>/dev/null");
+  const auto outcome = run({"--json", file("a.csv"), file("none.csv"), file("b.csv")});
   EXPECT_EQ(outcome.code, 3);
   const auto document = nlohmann::json::parse(outcome.out);
   EXPECT_THAT(test::schema_violations(document, test::schema_named("info")), IsEmpty());
@@ -61,10 +48,9 @@ TEST_F(InfoCommand, DescribesTheOtherFilesWhenOneIsBad) {
 
 TEST_F(InfoCommand, TakesListsInOneWordSoThatFilesMayFollow) {
   const auto outcome =
-      run("--json --force-channel CH1 --accel-channel CH2,t_s --angle -90,90 --unit mg --force-sensitivity 2 "
-          "--force-unit mV --position 0.5 " +
-          file("b.csv"));
-  ASSERT_EQ(outcome.code, 0) << outcome.out;
+      run({"--json", "--force-channel", "CH1", "--accel-channel", "CH2,t_s", "--angle", "-90,90", "--unit", "mg",
+           "--force-sensitivity", "2", "--force-unit", "mV", "--position", "0.5", file("b.csv")});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
   const auto channels = nlohmann::json::parse(outcome.out)["files"][0]["channels"];
   EXPECT_EQ(channels[0]["to_si"], 0.5);
   EXPECT_EQ(channels[1]["name"], "CH2");
@@ -74,35 +60,35 @@ TEST_F(InfoCommand, TakesListsInOneWordSoThatFilesMayFollow) {
 }
 
 TEST_F(InfoCommand, ReadsStandardInput) {
-  const auto outcome = run("- --json < " + file("a.csv"));
+  const auto outcome = run({"-", "--json"}, file("a.csv"));
   EXPECT_EQ(outcome.code, 0);
   EXPECT_EQ(nlohmann::json::parse(outcome.out)["files"][0]["path"], "-");
 }
 
 TEST_F(InfoCommand, GivesEachFileItsForceScale) {
-  auto outcome = run("--json --force-scale 2,3 " + file("a.csv") + " --force-channel 2 --accel-channel 3 --unit g " +
-                     file("b.csv"));
-  ASSERT_EQ(outcome.code, 0) << outcome.out;
+  auto outcome = run({"--json", "--force-scale", "2,3", file("a.csv"), "--force-channel", "2", "--accel-channel", "3",
+                      "--unit", "g", file("b.csv")});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
   const auto files = nlohmann::json::parse(outcome.out)["files"];
   EXPECT_EQ(files[0]["channels"][0]["to_si"], 2);
   EXPECT_EQ(files[1]["channels"][0]["to_si"], 3);
-  outcome = run("--force-scale 2,3,4 " + file("a.csv"));
+  outcome = run({"--force-scale", "2,3,4", file("a.csv")});
   EXPECT_EQ(outcome.code, 2);
 }
 
 TEST_F(InfoCommand, PrintsASetUpThatItReads) {
-  ASSERT_EQ(run("--example > " + file("setup.json")).code, 0);
-  const auto outcome = run("--json --accel-channel CH2 --setup " + file("setup.json") + " " + file("b.csv"));
-  ASSERT_EQ(outcome.code, 0) << outcome.out;
+  test::write_bytes(file("setup.json"), run({"--example"}).out);
+  const auto outcome = run({"--json", "--accel-channel", "CH2", "--setup", file("setup.json"), file("b.csv")});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(nlohmann::json::parse(outcome.out)["files"][0]["channels"][1]["position_m"], 0.15);
 }
 
 TEST_F(InfoCommand, SaysWhatItWasGivenWrong) {
-  EXPECT_EQ(run("").code, 2);
-  EXPECT_EQ(run("--files many " + file("a.csv")).code, 2);
-  EXPECT_EQ(run("--unit furlong " + file("a.csv")).code, 3);
-  EXPECT_EQ(run("--fs nan " + file("a.csv")).code, 3);
-  EXPECT_EQ(run("--angle 0,90 " + file("a.csv")).code, 3);
+  EXPECT_EQ(run({}).code, 2);
+  EXPECT_EQ(run({"--files", "many", file("a.csv")}).code, 2);
+  EXPECT_EQ(run({"--unit", "furlong", file("a.csv")}).code, 3);
+  EXPECT_EQ(run({"--fs", "nan", file("a.csv")}).code, 3);
+  EXPECT_EQ(run({"--angle", "0,90", file("a.csv")}).code, 3);
 }
 
 }  // namespace
