@@ -29,7 +29,7 @@ const Hit& hit() {
 std::vector<double> ringing(double tau, double peak = 50, std::size_t onset = kOnset, std::size_t samples = kSamples) {
   std::vector<double> x(samples);
   for (std::size_t n = onset; n < samples; ++n) {
-    const double t = static_cast<double>(n - onset);
+    const auto t = static_cast<double>(n - onset);
     x[n] = peak * std::exp(-t / tau) * std::sin(0.2 * t);
   }
   return x;
@@ -79,7 +79,7 @@ TEST(GradeResponse, KnowsRingingFromNoiseWithoutAPretrigger) {
 TEST(GradeResponse, SeesWhatRingsBeforeTheHit) {
   auto earlier = ringing(1500);
   for (std::size_t n = 0; n < kSamples; ++n) {
-    const double t = static_cast<double>(n);
+    const auto t = static_cast<double>(n);
     earlier[n] += 4 * std::exp(-t / 1500) * std::cos(0.05 * t);
   }
   EXPECT_TRUE(grade(earlier).rings_before);
@@ -170,7 +170,7 @@ TEST(DecayedLength, IsTwiceTheTimeToTheBackground) {
   test::add_noise(x, kNoise, 2);
   // rms² = peak² e^(−2t/τ)/2 + σ² is (2σ)² at:
   const double sunk = kTau * std::log(50 / std::sqrt(6.0) / kNoise);
-  const double after = static_cast<double>(hit().gate_first + hit().gated_N.size());
+  const auto after = static_cast<double>(hit().gate_first + hit().gated_N.size());
   const double window = (kSamples - after) / 64;
   const double exact = after + 2 * (static_cast<double>(kOnset) + sunk - after);
   EXPECT_LE(std::abs(static_cast<double>(decayed_length(hit(), x)) - exact), 2.5 * window);  // whole windows, twice

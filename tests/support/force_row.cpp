@@ -25,8 +25,8 @@ void add_filtered_haversine(std::vector<double>& x, double onset, double width, 
 
 void add_noise(std::vector<double>& x, double deviation, std::uint64_t seed) {
   std::mt19937_64 generator(seed);
-  std::normal_distribution<double> normal(0, deviation);
-  for (double& value : x) value += normal(generator);
+  std::normal_distribution<double> normal;
+  for (double& value : x) value += deviation * normal(generator);
 }
 
 std::vector<double> ac_coupled(const std::vector<double>& x, double time_constant_samples) {
