@@ -156,7 +156,8 @@ TEST_F(HostileSamples, RefusesFilesWithoutTheChannels) {
   Hdf5Builder(hdf5_).numbers("", "fs", {2048});
   expect_every_command_refuses(hdf5_, "bad.h5");
   write_csv("force_N\n", [&](std::size_t i) { return fmt::format("{}\n", force_[i]); });
-  expect_every_command_refuses(csv_, "bad.csv");
+  expect_analyses_refuse(csv_, "bad.csv");
+  refusal_of({"calibrate", csv_, "--mass", "1"}, {".json"}, "bad.csv");
   write_csv("t_s,force_N\n",
             [&](std::size_t i) { return fmt::format("{},{}\n", static_cast<double>(i) / 2048, force_[i]); });
   expect_analyses_refuse(csv_, "bad.csv");

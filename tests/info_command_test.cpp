@@ -43,7 +43,21 @@ TEST_F(InfoCommand, DescribesTheOtherFilesWhenOneIsBad) {
   EXPECT_EQ(document["files"][0]["fs_hz"], 10);
   EXPECT_EQ(document["files"][0]["channels"][1]["to_si"], 9.80665);
   EXPECT_THAT(document["files"][1]["error"], HasSubstr("no such file"));
-  EXPECT_THAT(document["files"][2]["error"], HasSubstr("no force column found among t_s, CH1, CH2"));
+  EXPECT_THAT(document["files"][2]["needs"], HasSubstr("no force column found among t_s, CH1, CH2"));
+}
+
+TEST_F(InfoCommand, ListsTheColumnsWhenOnlyTheUserCanNameTheChannels) {
+  test::write_bytes(file("lab.csv"), "Sampling Rate(Hz),50\nCH No.,CH2,CH8\nUnit,cm/s2,V\n0,1,2\n0.02,3,4\n0.04,5,6\n");
+  auto outcome = run({file("lab.csv")});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, testing::AllOf(HasSubstr("CSV, 3 columns, 50 Hz"), HasSubstr("CH2"), HasSubstr("cm/s2"),
+                                          HasSubstr("--force-channel")));
+  outcome = run({"--json", file("lab.csv")});
+  const auto document = nlohmann::json::parse(outcome.out);
+  EXPECT_THAT(test::schema_violations(document, test::schema_named("info")), IsEmpty());
+  EXPECT_EQ(document["files"][0]["columns"][2]["name"], "CH8");
+  EXPECT_EQ(document["files"][0]["columns"][2]["number"], 3);
+  EXPECT_EQ(document["files"][0]["columns"][2]["unit"], "V");
 }
 
 TEST_F(InfoCommand, TakesListsInOneWordSoThatFilesMayFollow) {

@@ -102,6 +102,7 @@ int analyze(const AnalyzeFlags& flags) {
   std::string document;
   if (wants_json) {
     std::vector<NumberedAnalysis> numbered;
+    numbered.reserve(tests.size());
     for (const Test& test : tests) numbered.push_back({.run = test.run, .analysis = test.analysis.get()});
     document = analysis_json(numbered, {.sections = sections, .trace = flags.trace, .per_hit = flags.per_hit});
   }

@@ -9,6 +9,7 @@
 
 #include "acquire/atomic_file.hpp"
 #include "acquire/channel_setup.hpp"
+#include "acquire/csv_columns.hpp"
 #include "acquire/input_file.hpp"
 #include "command.hpp"
 #include "core/error.hpp"
@@ -125,6 +126,33 @@ std::string record_text(const Record& record, std::size_t width) {
   return text;
 }
 
+// A text whose channels only the user can name.
+Json columns_json(const std::string& path, const UnclearColumns& seen) {
+  Json columns = Json::array();
+  for (const auto& column : seen.columns) {
+    columns.push_back({{"number", column.index + 1},
+                       {"name", column.name},
+                       {"unit", column.unit.empty() ? Json(nullptr) : Json(column.unit)},
+                       {"numbers", column.has_numbers}});
+  }
+  return {{"path", path},
+          {"kind", "CSV"},
+          {"fs_hz", optional_json(seen.fs_Hz, 1)},
+          {"columns", columns},
+          {"needs", seen.what()}};
+}
+
+std::string columns_text(const std::string& path, const UnclearColumns& seen, std::size_t width) {
+  std::string text = one_line(input_name(path), 400) + ": CSV, " + plural(seen.columns.size(), "column");
+  if (seen.fs_Hz) text += fmt::format(", {:.10g} Hz", *seen.fs_Hz);
+  TextTable table({{"  number", TextTable::Align::right}, {"name"}, {"unit"}, {""}});
+  for (const auto& column : seen.columns) {
+    table.add({fmt::format("{}", column.index + 1), one_line(column.name, 40),
+               column.unit.empty() ? "-" : one_line(column.unit, 20), column.has_numbers ? "" : "no numbers"});
+  }
+  return text + '\n' + table.text(width) + "  " + wrapped(std::string("needed: ") + seen.what(), width, 2) + '\n';
+}
+
 void write_outputs(const OutputFlags& output, const std::string& document) {
   for (const auto& path : output.paths) write_file(path, document, output.force);
 }
@@ -146,6 +174,10 @@ int run_info(const InfoFlags& flags) {
       files.push_back(record_json(record));
       any = true;
       if (!flags.output.json) fmt::print("{}", record_text(record, terminal_width()));
+    } catch (const UnclearColumns& seen) {
+      files.push_back(columns_json(flags.read.paths[i], seen));
+      any = true;
+      if (!flags.output.json) fmt::print("{}", columns_text(flags.read.paths[i], seen, terminal_width()));
     } catch (const InputError& error) {
       // One bad file must not hide what the others hold.
       std::cerr << "percuss: " << error.what() << '\n';

@@ -149,11 +149,11 @@ class Finder {
     const auto found = candidates(Quantity::force, kForceWords, "force");
     if (found.size() == 1) return found.front();
     if (found.empty()) {
-      throw InputError("no force column found among " + list_of(header_.columns), where_,
-                       "name it with --force-channel");
+      throw UnclearColumns("no force column found among " + list_of(header_.columns), where_,
+                           "name it with --force-channel", header_);
     }
-    throw InputError(fmt::format("{} columns could be the force: {}", found.size(), list_of(found)), where_,
-                     "name it with --force-channel");
+    throw UnclearColumns(fmt::format("{} columns could be the force: {}", found.size(), list_of(found)), where_,
+                         "name it with --force-channel", header_);
   }
 
   void find_accel() {
@@ -172,8 +172,8 @@ class Finder {
       if (column.index != columns_.force.index) columns_.accel.push_back(column);
     }
     if (columns_.accel.empty()) {
-      throw InputError("no acceleration column found among " + list_of(header_.columns), where_,
-                       "name it with --accel-channel");
+      throw UnclearColumns("no acceleration column found among " + list_of(header_.columns), where_,
+                           "name it with --accel-channel", header_);
     }
   }
 

@@ -75,6 +75,7 @@ ProcessOutcome run_percuss(const std::vector<std::string>& arguments, const Proc
   std::vector<std::string> words{"percuss"};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> pointers;
+  pointers.reserve(words.size() + 1);
   for (auto& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
   Pipe out, err;
