@@ -15,6 +15,7 @@ constexpr double kMedianOfNoise = 0.693147;  // median of an exponential distrib
 constexpr double kRoughnessGain = 1.5;       // variance of x(k) − (x(k−1) + x(k+1))/2 over that of x
 constexpr double kNoiseProminence = 6;       // deviations of the level's own fluctuation
 constexpr double kDecibelsPerNeper = 8.6859;
+constexpr double kPointing = 0.005;
 constexpr double kReach = 6;  // half-widths on either side that a hidden resonance is looked for over
 constexpr double kHiddenGain =
     30;  // noise powers, beyond what the outputs' own noise gives: one false alarm in 10^10 lines
@@ -177,12 +178,21 @@ std::vector<Pole> hidden_poles(const FrfSet& set, const std::vector<Eigen::Vecto
 }
 
 Pole pole_near(const FrfSet& set, double freq_Hz) {
+  // What a person points at is the nearest peak: the highest line within half a per cent, or four lines.
   const double at = freq_Hz / set.lines.df_Hz() - static_cast<double>(set.lines.first);
-  auto line = static_cast<std::size_t>(std::clamp(std::round(at), 0.0, static_cast<double>(set.lines.count - 1)));
-  Pole pole = pole_at_line(set, line);
-  const double reach = std::max(4 * set.lines.df_Hz(), 2 * pole.half_power_Hz());
-  if (std::abs(pole.freq_Hz - freq_Hz) > reach) pole.freq_Hz = freq_Hz;
-  return pole;
+  const double reach = std::max(4.0, kPointing * freq_Hz / set.lines.df_Hz());
+  const auto clamped = [&](double line) {
+    return static_cast<std::size_t>(std::clamp(std::round(line), 0.0, static_cast<double>(set.lines.count - 1)));
+  };
+  std::size_t best = clamped(at);
+  double highest = 0;
+  for (std::size_t line = clamped(at - reach); line <= clamped(at + reach); ++line) {
+    double power = 0;
+    for (const Output& output : set.outputs) power += std::norm(output.frf[line]);
+    if (power > highest) best = line;
+    highest = std::max(highest, power);
+  }
+  return pole_at_line(set, best);
 }
 
 }  // namespace percuss

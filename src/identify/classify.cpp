@@ -11,10 +11,10 @@ namespace percuss {
 namespace {
 
 constexpr double kPairSpacing = 0.04;  // of the frequency: the two planes of one bending mode lie closer than this
-constexpr double kPairKnown = 0.7;     // prior weight of "a close pair is one mode twice"
+constexpr double kPairKnown = 0.9;     // prior weight of "a close pair is one mode twice"
 constexpr double kSure = 0.9;          // probability from which a mode's plane counts as known
 constexpr double kNamed = 0.6;         // below it the verdict is "unknown"
-constexpr double kRival = 0.05;
+constexpr double kRival = 0.03;
 constexpr double kComplex = 0.4;  // imaginary over whole ratio above which no real shape explains it
 
 // Probabilities of the readings, in the order bending, hoop, neither.
@@ -50,7 +50,7 @@ Ratio ratio_of(const Mode& mode, const SensorPair& sensors) {
     }
   }
   Ratio ratio;
-  if (!(first_power > 0) || !(second_power > 0)) return ratio;
+  if (!(first_power > 0)) return ratio;
   ratio.value = cross / first_power;
   const double mean_square = std::norm(ratio.value);
   ratio.std = std::sqrt((second_noise + mean_square * first_noise) / first_power);
@@ -60,7 +60,8 @@ Ratio ratio_of(const Mode& mode, const SensorPair& sensors) {
   const double sign = cross.real() < 0 ? -1 : 1;
   ratio.angle.chi_rad = std::atan2(sign * std::sqrt(second_power), std::sqrt(first_power));
   ratio.angle.std_rad = std::sqrt((first_noise * second_power + second_noise * first_power)) / (size * size);
-  ratio.angle.out_of_phase = std::abs(cross) > 0 ? std::abs(cross.imag()) / std::abs(cross) : 1;
+  // Relative to both: what one sensor sees at its node is noise, of any phase.
+  ratio.angle.out_of_phase = 2 * std::abs(cross.imag()) / (size * size);
   return ratio;
 }
 

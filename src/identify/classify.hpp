@@ -22,7 +22,7 @@ struct Verdict {
   Family family = Family::unknown;
   int order = 0;                      // counts from 1 within the family; 0 when unknown
   double confidence = 0;              // posterior probability of `family`
-  std::optional<Family> alternative;  // the rival reading when its probability is above 5 %
+  std::optional<Family> alternative;  // the rival reading when its probability is above 3 %
   std::optional<double> overlay_dB;   // magnitude of the second FRF over the first at the peak
   bool overlaid = false;              // |overlay_dB| within the threshold: the source's sign of a hoop mode
   std::optional<Complex> ratio;       // residue of the second sensor over that of the first

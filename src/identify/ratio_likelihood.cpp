@@ -10,7 +10,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double kFloor_rad = 0.01;  // shapes are no purer than this: 0.5° of mixing
+constexpr double kFloor_rad = 0.035;  // 2°: shapes mix, and barrels are not round
 constexpr double kPlane_rad = 0.14;  // 8°: how far the planes of different bending modes differ
 constexpr double kKnownPlane = 0.7;  // weight of "in a known plane", the rest "in any"
 constexpr double kRare = 0.05;       // of neither bending nor n = 2 among the modes of a bat below a few kHz
