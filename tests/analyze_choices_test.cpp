@@ -4,6 +4,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "support/json_schema.hpp"
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/synthetic_files.hpp"
@@ -31,7 +32,9 @@ class AnalyzeChoices : public testing::Test {
     options.insert(options.begin(), {"analyze", path(), "--json"});
     const auto outcome = run_percuss(options);
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    return json::parse(outcome.out);
+    json document = json::parse(outcome.out);
+    EXPECT_THAT(test::schema_violations(document, test::schema_named("analysis")), testing::IsEmpty());
+    return document;
   }
   /// The one line on standard error, nothing on standard output.
   static std::string refusal_of(std::vector<std::string> options, int code) {
@@ -107,9 +110,10 @@ TEST_F(AnalyzeChoices, CorrectsTheDampingForTheExponentialWindow) {
 }
 
 TEST_F(AnalyzeChoices, RecordsTheOtherSettingsThatWereChanged) {
-  const json document = document_of({"--force-window", "off", "--overlay-db", "0.5"});
+  const json document = document_of({"--force-window", "off", "--overlay-db", "0.5", "--estimator", "h2"});
   EXPECT_EQ(document["options"]["force_window"], "off");
   EXPECT_EQ(document["options"]["overlay_db"], 0.5);
+  EXPECT_EQ(document["options"]["estimator"], "H2");
 }
 
 TEST_F(AnalyzeChoices, SaysInOneLineWhatIsWrongWithAChoice) {

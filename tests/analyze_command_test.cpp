@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "support/json_schema.hpp"
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/synthetic_files.hpp"
@@ -35,12 +36,23 @@ class AnalyzeCommand : public testing::Test {
     arguments.insert(arguments.begin(), "analyze");
     return run_percuss(arguments, options);
   }
+  static std::vector<std::string> violations_in(const json& document) {
+    const json schema = test::schema_named("analysis");
+    auto violations = test::schema_violations(document, schema);
+    for (const json& run : document.value("runs", json::array())) {
+      const auto more = test::schema_violations(run, schema);
+      violations.insert(violations.end(), more.begin(), more.end());
+    }
+    return violations;
+  }
   static json document_of(std::vector<std::string> arguments) {
     arguments.emplace_back("--json");
     const auto outcome = analyze(std::move(arguments));
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
-    return json::parse(outcome.out);
+    json document = json::parse(outcome.out);
+    EXPECT_THAT(violations_in(document), IsEmpty());
+    return document;
   }
   inline static std::unique_ptr<test::ScratchFolder> folder_;
 };
@@ -167,6 +179,7 @@ TEST_F(AnalyzeCommand, StillReportsWhenNothingCanBeAnalysed) {
   EXPECT_EQ(document["hits"][0]["accepted"], false);
   EXPECT_EQ(document["hits"][0]["findings"][0]["code"], "no_pulse");
   EXPECT_THAT(document["modes"], IsEmpty());
+  EXPECT_THAT(violations_in(document), IsEmpty());
   outcome = analyze({file("missing.h5")});
   EXPECT_EQ(outcome.code, 4);
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("no hammer pulse"), HasSubstr("no hit can be used")));

@@ -143,6 +143,7 @@ Json options_json(const Analysis& analysis) {
   Json json = Json::object();
   if (!o.accept_hits.empty()) json["accept_hits"] = o.accept_hits;
   if (!o.reject_hits.empty()) json["reject_hits"] = o.reject_hits;
+  if (o.estimator != Estimator::h1) json["estimator"] = name_of(o.estimator);
   if (o.modes.modes) json["modes"] = *o.modes.modes;
   if (!o.modes.start_Hz.empty()) json["start_hz"] = o.modes.start_Hz;
   if (o.hits.trigger_N) json["trigger_n"] = *o.hits.trigger_N;
