@@ -46,7 +46,8 @@ void OutputHdf5::create_set(const std::string& name, std::span<const std::size_t
   H5Pset_obj_track_times(creation.get(), false);
   H5Pset_fill_time(creation.get(), H5D_FILL_TIME_NEVER);  // every element is written anyway
   const Handle stored = file_type(type);
-  Handle set(H5Dcreate2(file_.get(), name.c_str(), stored.get(), space.get(), H5P_DEFAULT, creation.get(), H5P_DEFAULT));
+  Handle set(
+      H5Dcreate2(file_.get(), name.c_str(), stored.get(), space.get(), H5P_DEFAULT, creation.get(), H5P_DEFAULT));
   check(static_cast<bool>(set));
   sets_[name] = std::move(set);
 }

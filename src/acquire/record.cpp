@@ -45,9 +45,8 @@ Record record_in_memory(double fs_Hz, std::vector<std::vector<double>> force_N,
   record.read_force_N = [force, copy](std::size_t row, std::size_t first, std::span<double> out) {
     copy(force->at(row), first, out);
   };
-  record.read_accel_mps2 = [accel, copy](std::size_t row, std::size_t channel, std::size_t first, std::span<double> out) {
-    copy(accel->at(row).at(channel), first, out);
-  };
+  record.read_accel_mps2 = [accel, copy](std::size_t row, std::size_t channel, std::size_t first,
+                                         std::span<double> out) { copy(accel->at(row).at(channel), first, out); };
   return record;
 }
 

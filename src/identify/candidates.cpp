@@ -20,6 +20,7 @@ constexpr double kReach = 6;  // half-widths on either side that a hidden resona
 constexpr double kHiddenGain =
     30;  // noise powers, beyond what the outputs' own noise gives: one false alarm in 10^10 lines
 constexpr double kModelFloor = 1e-6;  // of the largest line: what a fit leaves of noise-free data is no mode
+constexpr double kNarrowest = 1.5;    // lines
 constexpr double kWidest = 0.03;      // half-width over frequency of the broadest hidden mode
 
 // Power of the noise on each line, from roughness: where an FRF is smooth the second difference is noise alone, and the
@@ -152,7 +153,9 @@ std::vector<Pole> hidden_poles(const FrfSet& set, const std::vector<Eigen::Vecto
   }
   const double threshold = kHiddenGain + 3 * static_cast<double>(residual.size());
   const double top_Hz = set.lines.freq_Hz(set.lines.count - 1);
-  for (double h = 1.5; h < kWidest * top_Hz / set.lines.df_Hz(); h *= 2) {
+  const double widest = kWidest * top_Hz / set.lines.df_Hz();
+  for (std::size_t doubling = 0; kNarrowest * std::exp2(doubling) < widest; ++doubling) {
+    const double h = kNarrowest * std::exp2(doubling);
     const auto step = static_cast<std::size_t>(std::max(1.0, h / 2));
     const auto gain = gain_of(residual, noise, h, step);
     for (const Peak& peak : find_peaks(gain)) {

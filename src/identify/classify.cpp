@@ -204,6 +204,7 @@ std::vector<Verdict> classify(const std::vector<Mode>& modes, const std::optiona
   }
   if (sensors) {
     std::vector<Ratio> ratios;
+    ratios.reserve(modes.size());
     for (const Mode& mode : modes) ratios.push_back(ratio_of(mode, *sensors));
     const auto beliefs = beliefs_of(modes, ratios, *sensors, options);
     for (std::size_t m = 0; m < modes.size(); ++m) judge(verdicts[m], beliefs[m], ratios[m]);

@@ -107,9 +107,10 @@ void GroupedFit::subtract(const LocalFit& fit, std::size_t mode, const FitGroup&
   ModeColumn column;
   for (std::size_t o = 0; o < data.size(); ++o) {
     const bool same = point < set_.points.size() && (decayed || set_.outputs[o].point == point);
-    if (!same)
-      column = mode_column(fit.poles[mode], set_.points[set_.outputs[o].point], set_.lines, window.first, window.count,
-                           Need::value);
+    if (!same) {
+      const PointForce& force = set_.points[set_.outputs[o].point];
+      column = mode_column(fit.poles[mode], force, set_.lines, window.first, window.count, Need::value);
+    }
     point = set_.outputs[o].point;
     data[o] -= column.value * fit.residues(static_cast<Index>(o), static_cast<Index>(mode));
   }

@@ -101,7 +101,7 @@ class Quick {
   }
 
   std::vector<Pole> with_one_more(const FitGroup& group) const {
-    const std::vector<Pole> now = group.fit.poles;
+    std::vector<Pole> now = group.fit.poles;
     const std::size_t unknowns = 2 + 2 * set_.outputs.size();
     const bool fitted = group.fit.degrees > 2 * unknowns;
     if (!fitted || now.size() >= GroupedFit::kMostTogether || !misfits(group.fit)) return now;
@@ -176,6 +176,7 @@ class Quick {
     std::sort(order.begin(), order.end(),
               [&](std::size_t a, std::size_t b) { return found[a].pole.freq_Hz < found[b].pole.freq_Hz; });
     std::vector<Mode> out;
+    out.reserve(order.size());
     for (const std::size_t i : order) out.push_back(std::move(found[i]));
     return out;
   }

@@ -11,9 +11,9 @@ namespace {
 using std::numbers::pi;
 
 constexpr double kFloor_rad = 0.035;  // 2°: shapes mix, and barrels are not round
-constexpr double kPlane_rad = 0.14;  // 8°: how far the planes of different bending modes differ
-constexpr double kKnownPlane = 0.7;  // weight of "in a known plane", the rest "in any"
-constexpr double kRare = 0.05;       // of neither bending nor n = 2 among the modes of a bat below a few kHz
+constexpr double kPlane_rad = 0.14;   // 8°: how far the planes of different bending modes differ
+constexpr double kKnownPlane = 0.7;   // weight of "in a known plane", the rest "in any"
+constexpr double kRare = 0.05;        // of neither bending nor n = 2 among the modes of a bat below a few kHz
 constexpr int kTurns = 180;
 constexpr std::array<double, 5> kNodes{-1.5, -0.75, 0, 0.75, 1.5};       // of the placement error, in deviations …
 constexpr std::array<double, 5> kWeights{0.12, 0.23, 0.30, 0.23, 0.12};  // … and a Gaussian's weight there

@@ -136,6 +136,7 @@ std::vector<std::pair<int, Record>> split_runs(const Record& record) {
   std::map<int, bool> runs;
   for (const RowInfo& row : record.rows) runs[row.run] = true;
   std::vector<std::pair<int, Record>> out;
+  out.reserve(runs.size());
   for (const auto& [run, present] : runs) {
     out.emplace_back(run, select_rows(record, [run = run](const RowInfo& row) { return row.run == run; }));
   }

@@ -46,6 +46,7 @@ std::vector<PointFrf> Analysis::average() const {
 FrfSet Analysis::frf_set(const std::vector<std::size_t>& which) const {
   FrfSet set{.lines = lines()};
   std::vector<double> reach;
+  reach.reserve(which.size());
   for (const std::size_t h : which) reach.push_back(hits()[h].hit.bandwidth_Hz);
   set.reach_Hz = median(reach);
   const double decay = window_decay_per_s();
