@@ -31,8 +31,8 @@ struct RowInfo {
   int run = 0;           // repeated test in one file
 };
 
-/// What was recorded, described without its samples: those are read when asked for, so that what nobody asks for is never read.
-/// A row is one hit, unless there is just one row or `continuous` is set: then hits are searched within it.
+/// What was recorded, described without its samples: those are read when asked for, so that what nobody asks for is
+/// never read. A row is one hit, unless there is just one row or `continuous` is set: then hits are searched within it.
 struct Record {
   std::vector<InputFile> files;
   std::string format;  // for people: "HDF5", "CSV"
@@ -52,9 +52,9 @@ struct Record {
 
 /// How one channel is connected, from a set-up file; empty members leave what the file says.
 struct ChannelSetup {
-  std::string name;                           // the column's name or 1-based number, or the data set's channel ("accel 1")
-  std::string role;                           // "force", "acceleration" or "ignore"
-  double sign = 1;                            // −1 when the sensor points against its axis
+  std::string name;  // the column's name or 1-based number, or the data set's channel ("accel 1")
+  std::string role;  // "force", "acceleration" or "ignore"
+  double sign = 1;   // −1 when the sensor points against its axis
   std::optional<double> angle_rad;
   std::optional<double> position_m;
   std::optional<double> sensitivity_V_per_SI;  // volts per N or per m/s²
@@ -64,14 +64,14 @@ struct ChannelSetup {
 /// What the user says about a file; everything is optional and wins over what the file says.
 struct ReadOptions {
   std::optional<double> fs_Hz;
-  std::string force_channel;                            // name or 1-based number of the column
-  std::vector<std::string> accel_channels;              // likewise, in the order wanted
-  std::vector<double> force_scale;                      // N per stored unit; one for all files or one per file
-  std::vector<double> accel_scale;                      // m/s² per stored unit; one for all or one per channel
-  std::optional<double> force_sensitivity_V_per_N;      // stored numbers are V (or mV by their unit)
-  std::vector<double> accel_sensitivity_V_per_mps2;     // one for all or one per channel
-  std::string force_unit, accel_unit;                   // of the stored numbers
-  std::vector<double> angle_rad, position_m;            // per acceleration channel
+  std::string force_channel;                         // name or 1-based number of the column
+  std::vector<std::string> accel_channels;           // likewise, in the order wanted
+  std::vector<double> force_scale;                   // N per stored unit; one for all files or one per file
+  std::vector<double> accel_scale;                   // m/s² per stored unit; one for all or one per channel
+  std::optional<double> force_sensitivity_V_per_N;   // stored numbers are V (or mV by their unit)
+  std::vector<double> accel_sensitivity_V_per_mps2;  // one for all or one per channel
+  std::string force_unit, accel_unit;                // of the stored numbers
+  std::vector<double> angle_rad, position_m;         // per acceleration channel
   std::vector<ChannelSetup> setup;
 };
 
@@ -80,8 +80,9 @@ enum class FilesMean { automatic, hits, points, tests };
 /// Opens one file of any kind that percuss reads ("-" is standard input) and describes it. Throws InputError.
 Record open_record(const std::string& path, const ReadOptions& options = {});
 
-/// Several files as one record: more hits of one test (same point), or one point each. Automatic is hits. Sampling rates and the
-/// number and order of channels must agree. InputError names the file that differs. A single record passes through unchanged.
+/// Several files as one record: more hits of one test (same point), or one point each. Automatic is hits. Sampling
+/// rates and the number and order of channels must agree. InputError names the file that differs. A single record
+/// passes through unchanged.
 Record join_records(std::vector<Record> records, FilesMean mean);
 
 /// The rows of `record` for which keep(row) holds, as a record of its own.

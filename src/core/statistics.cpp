@@ -6,7 +6,9 @@
 
 namespace percuss {
 
-double median(std::vector<double> values) { return values.empty() ? 0 : gsl_stats_median(values.data(), 1, values.size()); }
+double median(std::vector<double> values) {
+  return values.empty() ? 0 : gsl_stats_median(values.data(), 1, values.size());
+}
 
 double robust_std(std::vector<double> values) {
   std::vector<double> work(values.size());

@@ -10,10 +10,11 @@
 namespace percuss {
 namespace {
 
-constexpr double kPairSpacing = 0.04;  // of the frequency: the two planes of one bending mode lie closer than this
-constexpr double kPairKnown = 0.9;     // prior weight of "a close pair is one mode twice"
-constexpr double kSure = 0.9;          // probability from which a mode's plane counts as known
-constexpr double kNamed = 0.6;         // below it the verdict is "unknown"
+constexpr double kPairSpacing = 0.04;   // of the frequency: the two planes of one bending mode lie closer than this
+constexpr double kSplitSpacing = 0.15;  // of the frequency: the 25 Hz rule is for bats, whose modes lie above 100 Hz
+constexpr double kPairKnown = 0.9;      // prior weight of "a close pair is one mode twice"
+constexpr double kSure = 0.9;           // probability from which a mode's plane counts as known
+constexpr double kNamed = 0.6;          // below it the verdict is "unknown"
 constexpr double kRival = 0.03;
 constexpr double kComplex = 0.4;  // imaginary over whole ratio above which no real shape explains it
 
@@ -143,8 +144,8 @@ void judge(Verdict& verdict, const Belief& belief, const Ratio& ratio) {
 void mark_double_peaks(const std::vector<Mode>& modes, std::vector<Verdict>& verdicts, const ClassifyOptions& options) {
   for (std::size_t m = 0; m + 1 < modes.size(); ++m) {
     const double apart = modes[m + 1].pole.freq_Hz - modes[m].pole.freq_Hz;
-    if (apart > options.double_peak_Hz || verdicts[m].family != verdicts[m + 1].family || verdicts[m].double_peak)
-      continue;
+    const double most_Hz = std::min(options.double_peak_Hz, kSplitSpacing * modes[m].pole.freq_Hz);
+    if (apart > most_Hz || verdicts[m].family != verdicts[m + 1].family || verdicts[m].double_peak) continue;
     verdicts[m].double_peak = DoublePeak{.partner = m + 1, .separation_Hz = apart, .first = true};
     verdicts[m + 1].double_peak = DoublePeak{.partner = m, .separation_Hz = apart, .first = false};
   }
