@@ -64,11 +64,12 @@ changed_sources() {
     done | sort -u
 }
 
-# tidy FILES: clang-tidy on the .cpp files among them that the preset tidy compiles.
+# tidy PRESET FILES: clang-tidy on the .cpp files among them that the preset, one of clang's, compiles.
 tidy() {
-  printf '%s\n' "$1" | while read -r file; do
-    grep -qF "\"$PWD/$file\"" build/tidy/compile_commands.json && echo "$file"
-  done | xargs -r -P "$jobs" -n 1 clang-tidy -p build/tidy --quiet
+  commands=build/$1
+  printf '%s\n' "$2" | while read -r file; do
+    grep -qF "\"$PWD/$file\"" "$commands/compile_commands.json" && echo "$file"
+  done | xargs -r -P "$jobs" -n 1 clang-tidy -p "$commands" --quiet
 }
 
 check_layout() { all_sources | xargs clang-format --dry-run -Werror; }
