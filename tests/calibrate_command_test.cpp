@@ -63,7 +63,7 @@ TEST_F(CalibrateCommand, FindsWhatOneUnitOfTheForceIs) {
 TEST_F(CalibrateCommand, TellsPeopleTheOptionToUse) {
   const auto outcome = calibrate({"--mass", "1.25"});
   EXPECT_EQ(outcome.code, 0);
-  EXPECT_THAT(outcome.out, AllOf(HasSubstr("1.25 kg"), HasSubstr("--force-scale 0.0084"), HasSubstr(" ± ")));
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("1.25 kg"), HasSubstr("--force-scale 0.008"), HasSubstr(" ± ")));
 }
 
 TEST_F(CalibrateCommand, WritesTheDocument) {
