@@ -42,5 +42,17 @@ TEST(OneLine, CutsWhatIsLongerThanTheLimitOnly) {
   EXPECT_EQ(one_line("abc", 0), "...");
 }
 
+TEST(OneLine, CutsBetweenCharactersNotInsideThem) {
+  EXPECT_EQ(one_line("90°x", 4), "90°...");
+  EXPECT_EQ(one_line("90°x", 3), "90...");
+  for (const std::size_t limit : {1U, 2U, 3U}) EXPECT_EQ(one_line("\xF0\x9F\x94\xA8 hit", limit), "...") << limit;
+  EXPECT_EQ(one_line("\xF0\x9F\x94\xA8 hit", 4), "\xF0\x9F\x94\xA8...");
+}
+
+TEST(OneLine, CutsWhatIsNoUtf8WhereItIs) {
+  const std::string bytes(20, '\x80');
+  EXPECT_EQ(one_line(bytes, 10), bytes.substr(0, 10) + "...");
+}
+
 }  // namespace
 }  // namespace percuss

@@ -4,9 +4,23 @@
 
 namespace percuss {
 
+namespace {
+
+// The last place up to `limit` that is not inside a UTF-8 character. Where no character starts within the four bytes
+// before it the text is no UTF-8, and is cut where it is.
+std::size_t cut_at(std::string_view text, std::size_t limit) {
+  const auto continues = [&](std::size_t i) { return (static_cast<unsigned char>(text[i]) & 0xC0U) == 0x80U; };
+  if (text.size() <= limit) return text.size();
+  std::size_t cut = limit;
+  while (cut > 0 && limit - cut < 3 && continues(cut)) --cut;
+  return continues(cut) ? limit : cut;
+}
+
+}  // namespace
+
 std::string one_line(std::string_view text, std::size_t limit) {
   std::string out;
-  for (const char c : text.substr(0, limit)) {
+  for (const char c : text.substr(0, cut_at(text, limit))) {
     const auto byte = static_cast<unsigned char>(c);
     out += byte < 0x20 || byte == 0x7f ? '?' : c;
   }

@@ -19,8 +19,8 @@ class UsageError : public std::runtime_error {
   UsageError(std::string_view problem, std::string_view remedy);
 };
 
-/// `text` as it may stand inside a one-line message: control characters shown as '?', cut after `limit` bytes with
-/// "...".
+/// `text` as it may stand inside a one-line message: control characters shown as '?', cut after `limit` bytes at most,
+/// never inside a UTF-8 character, with "...".
 std::string one_line(std::string_view text, std::size_t limit = 200);
 
 }  // namespace percuss
