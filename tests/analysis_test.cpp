@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "report/analysis_json.hpp"
+#include "support/input_error.hpp"
 #include "synth/record.hpp"
 
 namespace percuss {
@@ -146,6 +147,17 @@ TEST(Analysis, RefusesBandsThatHoldNothing) {
   EXPECT_THROW(Analysis(record, {.band_Hz = std::pair{100.0, 101.0}}).lines(), InputError);
   EXPECT_THROW(Analysis(record, {.band_Hz = std::pair{100.0, 9e9}}).lines(), InputError);
   EXPECT_THROW(Analysis(record, {.accept_hits = {7}}).hits(), InputError);
+}
+
+TEST(Analysis, BlamesTheForceWhereNoBandFollowsFromIt) {
+  std::vector<double> force(4096), accel(4096);
+  std::fill_n(force.begin() + 500, 20, 1e308);  // the transform runs over
+  accel[510] = 1;
+  const Analysis analysis(record_in_memory(12800, {force}, {{accel}}), {});
+  const std::string message = test::input_error_of([&] { analysis.lines(); });
+  EXPECT_THAT(message, testing::HasSubstr("the force shows no bandwidth"));
+  EXPECT_THAT(message, testing::HasSubstr("or give --band"));
+  EXPECT_THAT(message, testing::Not(testing::HasSubstr("0:0")));
 }
 
 TEST(Analysis, CorrectsTheExponentialWindowExactly) {

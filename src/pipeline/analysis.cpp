@@ -102,6 +102,10 @@ LineRange Analysis::choose_lines() const {
     if (hit.accepted) reach = std::max(reach, hit.hit.bandwidth_Hz);
   }
   const auto [low, high] = band_Hz();
+  if (!options_.band_Hz && !(low < high)) {
+    throw InputError("the force shows no bandwidth, from which the band would follow", where(record_),
+                     "check the force's channel, unit and scale, or give --band LO:HI");
+  }
   if (!(low < high) || low < 0 || high > record_.fs_Hz / 2) {
     throw InputError(
         fmt::format("the band {:.6g}:{:.6g} Hz does not fit a sampling rate of {:.6g} Hz", low, high, record_.fs_Hz),
