@@ -99,7 +99,7 @@ TEST(GateAround, StaysInsideTheStretch) {
   }
 }
 
-std::size_t rail_of(const std::vector<double>& x) { return samples_at_rail(x, resolution_of(x)); }
+std::size_t rail_of(const std::vector<double>& x) { return samples_at_rail(x, resolution_of(x), 0); }
 
 TEST(ResolutionOf, IsTheSmallestChange) {
   EXPECT_EQ(resolution_of(std::vector<double>{0, 3, 3, 2.5, 9, 7}), 0.5);
@@ -132,6 +132,17 @@ TEST(SamplesAtRail, CountsBothRails) {
   EXPECT_EQ(rail_of(x), clipped);
 }
 
+TEST(SamplesAtRail, TakesNoRestForARail) {
+  for (const double sign : {1.0, -1.0}) {
+    std::vector<double> x(200);
+    for (std::size_t n = 50; n < 80; ++n)
+      x[n] = sign * (3 + std::sin(0.7 * static_cast<double>(n)));  // to one side only
+    EXPECT_EQ(rail_of(x), 0U);
+    for (double& value : x) value = std::clamp(value, -3.1, 3.1);
+    EXPECT_EQ(rail_of(x), static_cast<std::size_t>(std::count(x.begin(), x.end(), sign * 3.1)));
+  }
+}
+
 TEST(SamplesAtRail, IsNotMisledByQuantisedSmoothPeaks) {
   for (const int bits : {6, 8, 12, 16}) {
     const double steps = std::ldexp(1, bits - 1) * 0.8;
@@ -142,7 +153,7 @@ TEST(SamplesAtRail, IsNotMisledByQuantisedSmoothPeaks) {
         for (double& value : x) value = std::round(value);
         const PulseShape pulse = shape_of(x);
         const auto first = static_cast<std::size_t>(pulse.rise), last = static_cast<std::size_t>(pulse.fall) + 1;
-        EXPECT_EQ(samples_at_rail(std::span(x).subspan(first, last - first), resolution_of(x)), 0U)
+        EXPECT_EQ(samples_at_rail(std::span(x).subspan(first, last - first), resolution_of(x), 0), 0U)
             << bits << ' ' << width << ' ' << fraction;
       }
     }

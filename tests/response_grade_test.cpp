@@ -116,6 +116,38 @@ TEST(GradeResponse, SaysNothingOfAChannelThatShowsNothing) {
   }
 }
 
+TEST(GradeResponse, KnowsADeadChannel) {
+  for (const double level : {0.0, -3.25}) EXPECT_TRUE(grade(std::vector<double>(kSamples, level)).dead);
+  std::vector<double> nearly(kSamples);
+  nearly[17] = 1e-300;
+  EXPECT_FALSE(grade(nearly).dead);
+  EXPECT_FALSE(grade(ringing(1000)).dead);
+}
+
+TEST(GradeResponse, TakesNoRestForARail) {
+  for (const std::size_t onset : {kOnset, std::size_t{2}}) {  // with and without a pre-trigger
+    std::vector<double> x(kSamples);
+    for (std::size_t n = onset; n < onset + 400; ++n)
+      x[n] = 30 + 20 * std::sin(0.2 * static_cast<double>(n - onset));  // to one side only
+    EXPECT_EQ(grade_response(hit_at(onset), x, kFs_Hz).rail_samples, 0U) << onset;
+  }
+}
+
+// The record's filter lets the response ring before it comes, in turns near half the rate.
+TEST(GradeResponse, IsNotMisledByTheFiltersRinging) {
+  for (const double sign : {1.0, -1.0}) {
+    for (const std::size_t start : {kOnset - 2, kOnset - 1, kOnset}) {
+      auto x = ringing(1000, sign * 50);
+      for (std::size_t n = start; n < kOnset + 4; ++n) x[n] += n % 2 == 0 ? 4 : -4;
+      const ResponseGrade found = grade(x);
+      EXPECT_EQ(found.polarity, sign > 0 ? 1 : -1) << start;
+      ASSERT_TRUE(found.delay_s);
+      EXPECT_GE(*found.delay_s, 0);
+      EXPECT_LE(*found.delay_s, 3 / kFs_Hz);
+    }
+  }
+}
+
 TEST(GradeResponse, CountsSamplesAtTheRail) {
   auto clipped = ringing(2000);
   for (double& value : clipped) value = std::clamp(value, -30.0, 30.0);

@@ -8,6 +8,7 @@
 #include "acquire/asked_part.hpp"
 #include "acquire/pulse_search.hpp"
 #include "acquire/pulse_shape.hpp"
+#include "acquire/shared_rail.hpp"
 #include "core/error.hpp"
 #include "core/statistics.hpp"
 
@@ -55,7 +56,7 @@ void grade_pulse(Hit& hit, std::span<const double> x, const PulseShape& pulse) {
   }
   const auto rise = static_cast<std::size_t>(std::max(0.0, pulse.rise));
   const std::size_t fall = std::min(x.size(), static_cast<std::size_t>(pulse.fall) + 2);
-  const std::size_t rail = samples_at_rail(x.subspan(rise, fall - rise), resolution_of(x));
+  const std::size_t rail = samples_at_rail(x.subspan(rise, fall - rise), resolution_of(x), 0);
   if (rail > 0) {
     hit.findings.push_back(
         {.code = FindingCode::overload,
@@ -219,6 +220,7 @@ std::vector<Hit> find_hits(const Record& record, const HitOptions& options) {
     }
   }
   grade_weak(hits);
+  grade_shared_rail(hits, record);
   return hits;
 }
 

@@ -134,13 +134,14 @@ double resolution_of(std::span<const double> x) {
   return std::isfinite(step) ? step : 0;
 }
 
-std::size_t samples_at_rail(std::span<const double> x, double resolution) {
+std::size_t samples_at_rail(std::span<const double> x, double resolution, double rest) {
   if (x.size() < 4 || !(resolution > 0)) return 0;
   const auto [low, high] = std::minmax_element(x.begin(), x.end());
   // A quantised parabola with three equal samples falls by at most 4 steps beside them.
   constexpr double kSmoothPeak = 5;
   std::size_t found = 0;
   for (const double rail : {*low, *high}) {
+    if (rail == rest) continue;
     for (std::size_t i = 0; i < x.size();) {
       std::size_t n = i;
       while (n < x.size() && x[n] == rail) ++n;

@@ -16,6 +16,9 @@ constexpr double kAboveNoise = 2;        // times the pre-trigger's rms: what is
 constexpr std::size_t kLeastQuiet = 12;  // samples before the pulse's ringing that can tell noise
 constexpr double kOnsetNoise = 6;        // deviations
 constexpr double kOnsetFraction = 0.02;  // of the largest response
+constexpr std::size_t kLeastPush = 4;    // samples
+constexpr double kSetOut = 0.25;         // of the largest velocity during two pulses
+constexpr double kOtherWay = 0.05;       // … before that the other way: the modes cancel at first, and noise decides
 constexpr double kRinging = 4;           // times the level at the stretch's end
 constexpr double kNegligible = 0.0025;   // of the response: the same −52 dB
 constexpr std::size_t kEnvelopeWindows = 64;
@@ -37,6 +40,13 @@ double rms_about_mean(std::span<const double> x) {
 std::span<const double> quiet_part(const Hit& hit, std::span<const double> accel) {
   const std::size_t end = std::min(hit.gate_first > hit.first ? hit.gate_first - hit.first : 0, accel.size());
   return accel.first(end);
+}
+
+// Before the hit; without a pre-trigger, where the record ends.
+double resting_level(const Hit& hit, std::span<const double> accel) {
+  auto quiet = quiet_part(hit, accel);
+  if (quiet.empty()) quiet = accel.last(std::max<std::size_t>(1, accel.size() / 20));
+  return median({quiet.begin(), quiet.end()});
 }
 
 void grade_end(ResponseGrade& grade, const Hit& hit, std::span<const double> accel) {
@@ -66,23 +76,42 @@ bool rings_before(const Hit& hit, std::span<const double> accel) {
   return before > kRinging * rms_about_mean(accel.last(window)) && before > kNegligible * start;
 }
 
+// Which way a response sets out: the sign of its velocity once that has become large beside what the push makes of it.
+// A sample of acceleration may be the anti-alias filter's ringing, which goes both ways and leaves no velocity.
+int first_direction(std::span<const double> accel, double rest, double noise) {
+  std::vector<double> velocity(accel.size());
+  double sum = 0, largest = 0;
+  for (std::size_t n = 0; n < accel.size(); ++n) {
+    velocity[n] = sum += accel[n] - rest;
+    largest = std::max(largest, std::abs(sum));
+  }
+  if (largest < kOnsetNoise * noise * std::sqrt(static_cast<double>(accel.size()))) return 0;
+  if (!(largest > 0)) return 0;
+  const auto first =
+      std::find_if(velocity.begin(), velocity.end(), [&](double v) { return std::abs(v) >= kSetOut * largest; });
+  const int sign = *first > 0 ? 1 : -1;
+  const bool other_way =
+      std::any_of(velocity.begin(), first, [&](double v) { return -sign * v > kOtherWay * largest; });
+  return other_way ? 0 : sign;
+}
+
 void grade_onset(ResponseGrade& grade, const Hit& hit, std::span<const double> accel, double fs_Hz) {
   const auto quiet = quiet_part(hit, accel);
   const double rest = quiet.empty() ? 0 : median({quiet.begin(), quiet.end()});
   const double noise = robust_std({quiet.begin(), quiet.end()});
-  const std::size_t peak = hit.peak - hit.first;
   double largest = 0;
-  for (std::size_t i = peak; i < accel.size(); ++i) largest = std::max(largest, std::abs(accel[i] - rest));
+  for (const double value : accel.subspan(hit.peak - hit.first)) largest = std::max(largest, std::abs(value - rest));
   const double level = std::max(kOnsetNoise * noise, kOnsetFraction * largest);
-  const auto onset =
-      static_cast<std::size_t>(std::max(0.0, std::floor(hit.onset_s * fs_Hz) - static_cast<double>(hit.first)));
   if (!(level > 0)) return;
-  for (std::size_t i = onset > 2 ? onset - 2 : 0; i < accel.size(); ++i) {
-    if (std::abs(accel[i] - rest) < level) continue;
-    grade.polarity = accel[i] > rest ? 1 : -1;
-    grade.delay_s = static_cast<double>(hit.first + i) / fs_Hz - hit.onset_s;
-    return;
-  }
+  const double onset = hit.onset_s * fs_Hz - static_cast<double>(hit.first);
+  auto i = static_cast<std::size_t>(std::max(0.0, std::floor(onset) - 2));
+  while (i < accel.size() && std::abs(accel[i] - rest) < level) ++i;
+  const auto push = static_cast<std::size_t>(std::ceil(2 * hit.pulse_s * fs_Hz));
+  const std::size_t end = std::min(accel.size(), i + std::max(kLeastPush, push));
+  grade.polarity = first_direction(accel.subspan(i, end - i), rest, noise);
+  if (grade.polarity == 0) return;
+  while (i < end && grade.polarity * (accel[i] - rest) < level) ++i;  // past ringing to the other side
+  grade.delay_s = std::max(0.0, (static_cast<double>(i) - onset) / fs_Hz);
 }
 
 }  // namespace
@@ -90,7 +119,10 @@ void grade_onset(ResponseGrade& grade, const Hit& hit, std::span<const double> a
 ResponseGrade grade_response(const Hit& hit, std::span<const double> accel_mps2, double fs_Hz) {
   ResponseGrade grade;
   if (hit.gated_N.empty() || accel_mps2.size() <= hit.peak - hit.first) return grade;
-  grade.rail_samples = samples_at_rail(accel_mps2, resolution_of(accel_mps2));
+  const auto [low, high] = std::minmax_element(accel_mps2.begin(), accel_mps2.end());
+  grade.dead = *low == *high;
+  if (grade.dead) return grade;
+  grade.rail_samples = samples_at_rail(accel_mps2, resolution_of(accel_mps2), resting_level(hit, accel_mps2));
   grade.rings_before = rings_before(hit, accel_mps2);
   grade_end(grade, hit, accel_mps2);
   grade_onset(grade, hit, accel_mps2, fs_Hz);

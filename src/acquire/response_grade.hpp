@@ -14,8 +14,9 @@ struct ResponseGrade {
   bool truncated = false;         // … and it is ringing, not noise
   std::size_t rail_samples = 0;   // at the recorder's rail
   bool rings_before = false;      // the pre-trigger is not at rest
-  std::optional<double> delay_s;  // from the force's onset to the response's; resolution one sample
-  int polarity = 0;               // sign of the first motion; 0: not seen
+  bool dead = false;              // every sample is the same
+  std::optional<double> delay_s;  // from the force's onset to the response's, not negative; resolution one sample
+  int polarity = 0;               // sign of the first motion; 0: not seen, or too uneven to tell
 };
 
 /// Grades one channel's samples, which begin at the hit's first one.

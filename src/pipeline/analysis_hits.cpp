@@ -89,7 +89,10 @@ std::vector<AnalysedHit> Analysis::graded() const {
     spectra[h].force = &force_spectra()[h];
     for (const Response& response : all[h]) spectra[h].accel.push_back(&response.spectrum);
   }
-  trace_.run("agreement", [&] { grade_agreement(out, spectra); });
+  trace_.run("agreement", [&] {
+    grade_agreement(out, spectra);
+    settle_first_motion(out);
+  });
   return out;
 }
 
