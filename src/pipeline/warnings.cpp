@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/error.hpp"
+#include "core/significant.hpp"
 #include "core/units.hpp"
 #include "pipeline/analysis.hpp"
 
@@ -16,6 +18,21 @@ bool any_finding(const std::vector<AnalysedHit>& hits, FindingCode code, bool ac
     return (hit.accepted || !accepted_only) && std::any_of(hit.hit.findings.begin(), hit.hit.findings.end(),
                                                            [&](const Finding& f) { return f.code == code; });
   });
+}
+
+// "hits 0, 2", or "every hit used"; empty when the channel is alive in all of them.
+std::string dead_hits(const std::vector<AnalysedHit>& hits, std::size_t channel) {
+  std::string numbers;
+  bool alive = false;
+  for (std::size_t h = 0; h < hits.size(); ++h) {
+    if (!hits[h].accepted || hits[h].responses.size() <= channel) continue;
+    if (hits[h].responses[channel].dead) {
+      numbers += fmt::format("{}{}", numbers.empty() ? "hits " : ", ", h);
+    } else {
+      alive = true;
+    }
+  }
+  return numbers.empty() || alive ? numbers : "every hit used";
 }
 
 // What is left of a mode when the record ends, as a fraction of its start.
@@ -43,6 +60,13 @@ std::vector<Warning> Analysis::warnings() const {
     out.push_back(
         {"low_bandwidth", "the hammer's force does not reach the end of the band: modes there are weakly excited"});
   }
+  for (std::size_t c = 0; c < record_.accel.size(); ++c) {
+    const std::string dead = dead_hits(all, c);
+    if (dead.empty()) continue;
+    out.push_back({"dead_channel", fmt::format("{} reads the same number throughout in {}: check its cable, or choose "
+                                               "the others with --accel-channel",
+                                               one_line(record_.accel[c].name, 40), dead)});
+  }
   const bool rings = std::any_of(all.begin(), all.end(), [](const AnalysedHit& hit) {
     return hit.accepted && std::any_of(hit.responses.begin(), hit.responses.end(),
                                        [](const ResponseGrade& g) { return g.rings_before; });
@@ -69,8 +93,8 @@ std::vector<Warning> Analysis::warnings() const {
     for (std::size_t m = 0; m < verdicts().size(); ++m) {
       const auto& pair = verdicts()[m].double_peak;
       if (pair && pair->first)
-        pairs += fmt::format("{}{:.1f} Hz ({:.1f} Hz apart)", pairs.empty() ? "" : ", ", modes()[m].pole.freq_Hz,
-                             pair->separation_Hz);
+        pairs += fmt::format("{}{:.1f} Hz ({} Hz apart)", pairs.empty() ? "" : ", ", modes()[m].pole.freq_Hz,
+                             significant(pair->separation_Hz, 3));
     }
     if (!pairs.empty()) {
       out.push_back(

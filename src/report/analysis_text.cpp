@@ -7,6 +7,7 @@
 
 #include "acquire/input_file.hpp"
 #include "core/error.hpp"
+#include "core/significant.hpp"
 #include "core/units.hpp"
 #include "report/coherence_summary.hpp"
 #include "report/number.hpp"
@@ -111,9 +112,9 @@ std::string note_of(const Analysis& analysis, std::size_t m) {
   std::string note;
   const auto add = [&](const std::string& text) { note += (note.empty() ? "" : "; ") + text; };
   if (verdict.double_peak) {
-    add(verdict.double_peak->first
-            ? fmt::format("double peak, {:.1f} Hz apart: this one is quoted", verdict.double_peak->separation_Hz)
-            : "second of the double peak");
+    add(verdict.double_peak->first ? fmt::format("double peak, {} Hz apart: this one is quoted",
+                                                 significant(verdict.double_peak->separation_Hz, 3))
+                                   : "second of the double peak");
   }
   if (verdict.family != Family::unknown && verdict.confidence < 0.95)
     add(fmt::format("{:.0f} % sure", verdict.confidence * 100));
