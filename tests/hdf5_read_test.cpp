@@ -178,6 +178,19 @@ TEST_F(Hdf5Read, TakesTheUsersWordOverTheFiles) {
   EXPECT_EQ(accel_mps2(record, 1, 1), ramp(27, 9, -kStandardGravity_mps2));
 }
 
+TEST_F(Hdf5Read, KeepsAForceInVoltsAndSaysThatFrfsArePerVolt) {
+  Hdf5Builder(path_)
+      .numbers("", "fs", {1000})
+      .ramp("force", {2, 9})
+      .ramp("accel", {2, 9})
+      .text("force", "unit_str", "mV");
+  const Record record = open_hdf5(path_, {});
+  ASSERT_EQ(record.notes.size(), 1u);
+  EXPECT_THAT(record.notes[0], HasSubstr("FRFs are per volt"));
+  EXPECT_EQ(record.force.to_SI, 1e-3);
+  EXPECT_TRUE(open_hdf5(path_, {.force_sensitivity_V_per_N = 0.01}).notes.empty());
+}
+
 TEST_F(Hdf5Read, LeavesOutWhatTheSetupIgnores) {
   Hdf5Builder(path_).numbers("", "fs", {1000}).ramp("force", {2, 9}).ramp("accel", {2, 3, 9});
   const Record record = open_hdf5(path_, {.setup = {{.name = "2", .role = "ignore"}}});

@@ -53,10 +53,34 @@ TEST(ReadCsv, SaysWhatItTookForGranted) {
                                         HasSubstr("acc is not stated; taken as m/s^2")));
 }
 
+TEST(ReadCsv, SaysAtOnceThatCommasDoTwoThings) {
+  std::string even = "time_s,force_N,acc_m_s2\n", uneven = even, late = even, units = "time,force,acc\ns,N,m/s2\n";
+  for (int n = 0; n < 300; ++n) {
+    const std::string time = "0," + std::to_string(1000 + n).substr(1);
+    even += time + ",1,5,-2,25\n";
+    uneven += time + (n % 3 == 0 ? ",1,5,0\n" : ",1,5,2,5\n");
+    late += n < 100 ? "0,0,0\n" : time + ",1,5,-2,25\n";
+    units += time + ",0,-2,25\n";
+  }
+  for (const std::string& text : {even, uneven, late, units}) {
+    const std::string message = input_error_of([&] { csv_record(text); });
+    EXPECT_THAT(message, HasSubstr("commas stand between the cells and for the decimal point"));
+    EXPECT_THAT(message, HasSubstr("semicolons"));
+  }
+}
+
+TEST(ReadCsv, TakesWholeNumbersBetweenCommas) {
+  EXPECT_EQ(csv_record("time_s,force_N,acc_m_s2\n0,1,2\n1,3,4\n2,3,4\n").fs_Hz, 1);
+  // Whole numbers under no names, and a padded table
+  const ReadOptions numbered{.fs_Hz = 10, .force_channel = "2", .accel_channels = {"3"}};
+  EXPECT_EQ(csv_record("Operator,Smith\n0,1,2\n1,3,4\n2,3,4\n", numbered).rows.at(0).samples, 3U);
+  EXPECT_EQ(csv_record("time_s,force_N,acc_m_s2\n0,1,2,,\n1,3,4,,\n2,3,4,,\n").fs_Hz, 1);
+}
+
 TEST(ReadCsv, KeepsAForceInVoltsAndSaysThatItIsNotCalibrated) {
   const std::string text = "t_s,CH2 (cm/s2),CH8 (mV)\n0,100,5\n0.1,100,5\n0.2,100,5\n";
   Record record = csv_record(text, {.force_channel = "CH8"});
-  EXPECT_THAT(record.notes, ElementsAre(HasSubstr("not calibrated")));
+  EXPECT_THAT(record.notes, ElementsAre(HasSubstr("FRFs are per volt")));
   EXPECT_EQ(record.force.to_SI, 1e-3);
   record = csv_record(text, {.force_channel = "CH8", .force_sensitivity_V_per_N = 0.002});
   EXPECT_THAT(record.notes, IsEmpty());

@@ -39,6 +39,27 @@ TEST(SignalChoice, DividesVoltsBySensitivity) {
   EXPECT_THAT(input_error_of([] { applied({}, Quantity::force, "V"); }), HasSubstr("sensitivity"));
 }
 
+TEST(SignalChoice, KeepsAForceInVoltsWithANote) {
+  const auto force_of = [](const SignalChoice& choice, const char* unit, std::size_t notes_expected) {
+    SignalInfo signal{.name = "hammer", .unit = unit};
+    std::vector<std::string> notes;
+    apply_force_choice(signal, choice, "here", notes);
+    EXPECT_EQ(notes.size(), notes_expected);
+    if (!notes.empty()) {
+      EXPECT_THAT(notes[0], HasSubstr("hammer"));
+      EXPECT_THAT(notes[0], HasSubstr("per volt"));
+      EXPECT_THAT(notes[0], HasSubstr("--force-sensitivity"));
+    }
+    return signal.to_SI;
+  };
+  EXPECT_EQ(force_of({}, "V", 1), 1);
+  EXPECT_EQ(force_of({.sign = -1}, "mV", 1), -1e-3);
+  EXPECT_EQ(force_of({.unit = "mV"}, "N", 1), 1e-3);
+  EXPECT_EQ(force_of({.scale = 5}, "V", 0), 5);
+  EXPECT_EQ(force_of({.sensitivity_V_per_SI = 0.5}, "V", 0), 2);
+  EXPECT_EQ(force_of({}, "N", 0), 1);
+}
+
 TEST(SignalChoice, LetsAScaleWinOverUnitAndSensitivity) {
   EXPECT_EQ(applied({.scale = 3, .sensitivity_V_per_SI = 0.01}, Quantity::force, "no unit").to_SI, 3);
 }

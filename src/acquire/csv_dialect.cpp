@@ -69,6 +69,39 @@ bool has_comma_in_number(std::string_view line, const CsvDialect& dialect) {
   });
 }
 
+std::vector<std::string_view> used_cells(std::string_view line, const CsvDialect& dialect) {
+  auto cells = split_cells(line, dialect);
+  while (!cells.empty() && cells.back().empty()) cells.pop_back();
+  return cells;
+}
+
+// A text's first lines: how many names the last one before the numbers has, and the numbers.
+struct Beginning {
+  std::size_t names = 0;
+  std::vector<std::string_view> numbers;
+};
+
+Beginning beginning_of(std::string_view text, const CsvDialect& dialect) {
+  constexpr int kMostLines = 64;
+  Beginning out;
+  for (int n = 0; n < kMostLines && !text.empty(); ++n) {
+    const std::string_view line = take_line(text, dialect.line_end);
+    if (is_skipped(line, dialect)) continue;
+    const auto cells = used_cells(line, dialect);
+    const bool names = std::none_of(cells.begin(), cells.end(), [](std::string_view cell) {
+      return parse_number(cell, false).problem == NumberProblem::none;
+    });
+    if (names && out.numbers.empty()) out.names = cells.size();
+    if (!names) out.numbers.push_back(line);
+  }
+  return out;
+}
+
+// "05", as the part behind a decimal comma may be and a whole number hardly ever is.
+bool is_zero_padded(std::string_view cell) {
+  return cell.size() > 1 && cell[0] == '0' && cell.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
 }  // namespace
 
 std::string_view take_line(std::string_view& rest, char line_end) {
@@ -141,6 +174,28 @@ CsvDialect find_dialect(const std::vector<std::string_view>& probes, char line_e
   dialect.quoted = any([](std::string_view line) { return line.find('"') != std::string_view::npos; });
   dialect.decimal_comma = any([&](std::string_view line) { return has_comma_in_number(line, dialect); });
   return dialect;
+}
+
+bool has_two_kinds_of_comma(std::string_view text, const std::vector<std::string_view>& probes,
+                            const CsvDialect& dialect) {
+  if (dialect.delimiter != ',' || dialect.decimal_comma) return false;
+  auto [names, lines] = beginning_of(text, dialect);
+  lines.insert(lines.end(), probes.begin(), probes.end());
+  const auto more = std::count_if(probes.begin(), probes.end(), [&, names = names](std::string_view line) {
+    return used_cells(line, dialect).size() > names;
+  });
+  std::size_t twice = 0, least = 0, most = 0;
+  bool padded = false;
+  for (const std::string_view line : lines) {
+    if (line.find('.') != std::string_view::npos) return false;
+    const auto cells = used_cells(line, dialect);
+    if (cells.size() == 2 * names) ++twice;
+    least = least == 0 ? cells.size() : std::min(least, cells.size());
+    most = std::max(most, cells.size());
+    padded = padded || std::any_of(cells.begin(), cells.end(), is_zero_padded);
+  }
+  const bool uneven = padded || least != most || twice == lines.size();
+  return names > 1 && 2 * static_cast<std::size_t>(more) > probes.size() && most <= 2 * names && uneven;
 }
 
 std::vector<std::size_t> find_number_columns(const std::vector<std::string_view>& probes, const CsvDialect& dialect) {

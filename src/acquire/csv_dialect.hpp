@@ -37,6 +37,13 @@ char find_line_end(std::string_view text);
 /// 0,25 and blanks.
 CsvDialect find_dialect(const std::vector<std::string_view>& probes, char line_end);
 
+/// True where commas seem to stand both between the cells and for the decimal point, so that nobody can tell which is
+/// which: "0,05,1,5" under two names. No line of numbers looked at (the text's first and the probes) holds a point,
+/// most have more cells than the last line of names, and their numbers are as uneven as fractions make them: twice the
+/// names, changing, or padded with zeros.
+bool has_two_kinds_of_comma(std::string_view text, const std::vector<std::string_view>& probes,
+                            const CsvDialect& dialect);
+
 /// Indices of columns that hold numbers in at least half of `probes`.
 std::vector<std::size_t> find_number_columns(const std::vector<std::string_view>& probes, const CsvDialect& dialect);
 

@@ -34,6 +34,10 @@ CsvTable open_table(const FileBytes& bytes) {
   const char line_end = find_line_end(text);
   const auto probes = probe_lines(text, line_end);
   const CsvDialect dialect = find_dialect(probes, line_end);
+  if (has_two_kinds_of_comma(text, probes, dialect)) {
+    throw InputError("commas stand between the cells and for the decimal point as well", file,
+                     "save it with semicolons or tabs between the cells, or with decimal points");
+  }
   const auto columns = find_number_columns(probes, dialect);
   if (!columns.empty() && columns.back() >= kMostColumns - 1)
     throw InputError("more than 4095 columns", file, "save one line per sample");
@@ -56,19 +60,13 @@ struct OpenCsv {
 SignalInfo describe_force(const CsvColumn& column, const ReadOptions& options, const std::string& file,
                           std::vector<std::string>& notes) {
   SignalInfo signal{.name = column.name, .unit = column.unit};
-  SignalChoice choice = force_choice(options, setup_of(column, options));
-  const std::string unit = choice.unit.empty() ? column.unit : choice.unit;
-  const auto known = parse_unit(unit);
-  const bool volts = known && known->quantity == Quantity::voltage;
-  if (volts && !choice.scale && !choice.sensitivity_V_per_SI) {
-    choice.scale = known->to_SI;
-    notes.push_back(fmt::format(
-        "the force {} is not calibrated: 1 V counts as 1 N; give --force-scale or --force-sensitivity", column.name));
-  } else if (unit.empty() && !choice.scale && !choice.sensitivity_V_per_SI) {
+  const SignalChoice choice = force_choice(options, setup_of(column, options));
+  const bool assumed = column.unit.empty() && choice.unit.empty() && !choice.scale && !choice.sensitivity_V_per_SI;
+  apply_force_choice(signal, choice, file + ": column " + column.name, notes);
+  if (assumed) {
+    signal.unit = "N";
     notes.push_back(fmt::format("the unit of {} is not stated; taken as N", column.name));
   }
-  apply_choice(signal, choice, Quantity::force, file + ": column " + column.name);
-  if (signal.unit.empty() && !choice.scale && !choice.sensitivity_V_per_SI) signal.unit = "N";
   return signal;
 }
 

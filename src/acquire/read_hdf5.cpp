@@ -98,7 +98,8 @@ void describe_signals(OpenRecord& open, const ReadOptions& options, Record& reco
   const InputHdf5& file = open.file;
   record.force.name = "force";
   record.force.unit = hdf5::text_attribute(open.force.id(), "unit_str", file.where("force")).value_or("");
-  apply_choice(record.force, force_choice(options, hdf5::force_setup(options)), Quantity::force, file.where("force"));
+  apply_force_choice(record.force, force_choice(options, hdf5::force_setup(options)), file.where("force"),
+                     record.notes);
   open.force_to_N = record.force.to_SI;
 
   const std::string unit = hdf5::text_attribute(open.accel.id(), "unit_str", file.where("accel")).value_or("");

@@ -98,4 +98,18 @@ void apply_choice(SignalInfo& signal, const SignalChoice& choice, Quantity measu
   if (choice.position_m) signal.position_m = choice.position_m;
 }
 
+void apply_force_choice(SignalInfo& signal, const SignalChoice& choice, const std::string& where,
+                        std::vector<std::string>& notes) {
+  const auto known = parse_unit(choice.unit.empty() ? signal.unit : choice.unit);
+  SignalChoice completed = choice;
+  if (known && known->quantity == Quantity::voltage && !choice.scale && !choice.sensitivity_V_per_SI) {
+    completed.scale = known->to_SI;
+    notes.push_back(
+        "the force " + one_line(signal.name, 40) +
+        " is in volts and not calibrated: 1 V counts as 1 N, so that FRFs are per volt; give --force-scale or "
+        "--force-sensitivity");
+  }
+  apply_choice(signal, completed, Quantity::force, where);
+}
+
 }  // namespace percuss

@@ -31,4 +31,9 @@ SignalChoice accel_choice(const ReadOptions& options, const ChannelSetup* setup,
 ///         than volts, a scale or sensitivity that is zero or not finite.
 void apply_choice(SignalInfo& signal, const SignalChoice& choice, Quantity measures, const std::string& where);
 
+/// apply_choice for the force. Volts that nobody gives a sensitivity or scale for are kept: frequencies and damping do
+/// not need newtons. A note then says that FRFs are per volt.
+void apply_force_choice(SignalInfo& signal, const SignalChoice& choice, const std::string& where,
+                        std::vector<std::string>& notes);
+
 }  // namespace percuss
