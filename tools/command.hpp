@@ -23,6 +23,7 @@ using Run = std::function<int()>;
 void add_info(CLI::App& app, Run& run);
 void add_analyze(CLI::App& app, Run& run);
 void add_frf(CLI::App& app, Run& run);
+void add_nodes(CLI::App& app, Run& run);
 void add_calibrate(CLI::App& app, Run& run);
 void add_synth(CLI::App& app, Run& run);
 

@@ -26,6 +26,7 @@ int parse_and_run(int argc, char** argv) {
   Run run;
   add_analyze(app, run);
   add_frf(app, run);
+  add_nodes(app, run);
   add_info(app, run);
   add_calibrate(app, run);
   add_synth(app, run);

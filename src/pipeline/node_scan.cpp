@@ -1,0 +1,106 @@
+#include "pipeline/node_scan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "core/error.hpp"
+#include "core/units.hpp"
+
+namespace percuss {
+namespace {
+
+std::string where(const Record& record) { return record.files.empty() ? "record" : record.files.front().path; }
+
+std::vector<int> points_of(const Record& record) {
+  std::set<int> points;
+  for (const RowInfo& row : record.rows) points.insert(row.point);
+  return {points.begin(), points.end()};
+}
+
+// |H| at the mode's peak, point by point as in `at`.
+std::vector<double> peaks_of(const Analysis& analysis, const Mode& mode, const std::vector<int>& at) {
+  const LineRange& lines = analysis.lines();
+  const double line = std::round(mode.pole.freq_Hz / lines.df_Hz()) - static_cast<double>(lines.first);
+  const auto k = static_cast<std::size_t>(std::clamp(line, 0.0, static_cast<double>(lines.count - 1)));
+  std::vector<double> peak(at.size());
+  for (const PointFrf& frf : analysis.frfs()) {
+    const auto place = std::find(at.begin(), at.end(), frf.point) - at.begin();
+    if (static_cast<std::size_t>(place) == at.size()) continue;
+    double& sum = peak[static_cast<std::size_t>(place)];
+    sum = std::hypot(sum, std::abs(frf.frf.value[k]));
+  }
+  return peak;
+}
+
+// Points and their places, without those that no hit was left of.
+struct MeasuredPlaces {
+  std::vector<int> point;
+  std::vector<double> position_m;
+};
+
+MeasuredPlaces measured(const Analysis& analysis, const ScanPositions& positions, std::vector<Warning>& warnings) {
+  std::set<int> with_frf;
+  for (const PointFrf& frf : analysis.frfs()) with_frf.insert(frf.point);
+  const auto all = points_of(analysis.record());
+  MeasuredPlaces places;
+  std::string missing;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (with_frf.contains(all[i])) {
+      places.point.push_back(all[i]);
+      places.position_m.push_back(positions.at_m(i));
+    } else {
+      missing += fmt::format("{}{:.4g} in", missing.empty() ? "" : ", ", positions.at_m(i) / kInch_m);
+    }
+  }
+  if (!missing.empty())
+    warnings.push_back({"missing_position", "no usable hit at " + missing + ": the nodes are found without"});
+  return places;
+}
+
+}  // namespace
+
+Record as_scan(Record record, const ScanPositions& positions) {
+  const std::size_t points = points_of(record).size();
+  const std::size_t rows = record.rows.size();
+  if (points == positions.count) return record;
+  if (points != 1 || rows < positions.count || rows % positions.count != 0 || record.continuous) {
+    throw InputError(fmt::format("{} point{} and {} row{} of hits for {} positions", points, points == 1 ? "" : "s",
+                                 rows, rows == 1 ? "" : "s", positions.count),
+                     where(record),
+                     "give --positions START:STEP:END with one position per point, file or row, in their order");
+  }
+  const std::size_t each = rows / positions.count;
+  for (std::size_t row = 0; row < rows; ++row) record.rows[row].point = static_cast<int>(row / each);
+  record.notes.push_back(
+      fmt::format("the points of the hits are not stated: {} row{} in turn are taken as one position of the scan", each,
+                  each == 1 ? "" : "s"));
+  return record;
+}
+
+NodeScan scan_nodes(const Analysis& analysis, const ScanPositions& positions, double resolution_m) {
+  const std::size_t points = points_of(analysis.record()).size();
+  if (points != positions.count) {
+    throw InputError(fmt::format("{} points for {} positions", points, positions.count), where(analysis.record()),
+                     "give one position per point");
+  }
+  NodeScan scan{.positions = positions, .modes = {}, .warnings = {}};
+  const MeasuredPlaces places = measured(analysis, positions, scan.warnings);
+  for (std::size_t m = 0; m < analysis.modes().size(); ++m) {
+    if (analysis.verdicts()[m].family == Family::hoop) continue;
+    const Mode& mode = analysis.modes()[m];
+    ModeAlongScan along{.mode = m,
+                        .shape = shape_along(mode, places.point, places.position_m),
+                        .peak = peaks_of(analysis, mode, places.point),
+                        .nodes = {},
+                        .rule_m = {}};
+    along.nodes = find_nodes(along.shape);
+    along.rule_m = minimum_of_peak(places.position_m, along.peak, resolution_m);
+    scan.modes.push_back(std::move(along));
+  }
+  return scan;
+}
+
+}  // namespace percuss
