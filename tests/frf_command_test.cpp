@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "support/json_schema.hpp"
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/synthetic_files.hpp"
@@ -87,6 +88,7 @@ TEST_F(FrfCommand, WritesTheFilesItIsAskedFor) {
   EXPECT_EQ(outcome.out, "");
   EXPECT_EQ(test::bytes_of(file("frf.csv")), frf({file("bat.h5"), "--estimator", "hv"}).out);
   const json summary = json::parse(test::bytes_of(file("frf.json")));
+  EXPECT_THAT(test::schema_violations(summary, test::schema_named("analysis")), testing::IsEmpty());
   EXPECT_EQ(summary["frf"]["averages"][0]["averages"], 3);
   EXPECT_GT(summary["coherence"][0]["mean"], 0.9);
   EXPECT_EQ(test::bytes_of(file("frf.h5")).substr(1, 3), "HDF");
