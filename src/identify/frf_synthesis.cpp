@@ -1,0 +1,104 @@
+#include "identify/frf_synthesis.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "core/units.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr Eigen::Index kTerms = 3;
+
+Eigen::MatrixXcd residual_columns(const LineRange& band, double decay_per_s) {
+  Eigen::MatrixXcd out(static_cast<Eigen::Index>(band.count), kTerms);
+  const double end = kTwoPi * band.freq_Hz(band.count - 1);
+  for (Eigen::Index k = 0; k < out.rows(); ++k) {
+    const Complex s = Complex(decay_per_s, kTwoPi * band.freq_Hz(static_cast<std::size_t>(k))) / end;
+    out(k, 0) = 1;
+    out(k, 1) = s * s;
+    out(k, 2) = s * s * s * s;
+  }
+  return out;
+}
+
+double decay_of(const FrfSet& set) {
+  const bool known = !set.points.empty() && !set.points.front().blocks.empty();
+  return known ? set.points.front().blocks.front().decay_per_s : 0;
+}
+
+// The modes' columns in the band, computed once where they are the same for every point.
+class ModeColumns {
+ public:
+  ModeColumns(const FrfSet& set, const std::vector<Mode>& modes, const LineRange& band)
+      : set_(set), modes_(modes), first_(band.first - set.lines.first), count_(band.count), common_(modes.size()) {}
+
+  Eigen::VectorXcd column(std::size_t mode, std::size_t point) {
+    const Pole& pole = modes_[mode].pole;
+    const PointForce& force = set_.points[point];
+    if (!decays_within(pole, force, set_.lines))
+      return mode_column(pole, force, set_.lines, first_, count_, Need::value).value;
+    if (common_[mode].size() == 0)
+      common_[mode] = mode_column(pole, force, set_.lines, first_, count_, Need::value).value;
+    return common_[mode];
+  }
+
+ private:
+  const FrfSet& set_;
+  const std::vector<Mode>& modes_;
+  std::size_t first_, count_;
+  std::vector<Eigen::VectorXcd> common_;
+};
+
+}  // namespace
+
+double frac(const std::vector<Complex>& measured, const std::vector<Complex>& made) {
+  assert(measured.size() == made.size());
+  Complex cross;
+  double a = 0, b = 0;
+  for (std::size_t k = 0; k < measured.size(); ++k) {
+    cross += std::conj(measured[k]) * made[k];
+    a += std::norm(measured[k]);
+    b += std::norm(made[k]);
+  }
+  return a > 0 && b > 0 ? std::min(1.0, std::norm(cross) / a / b) : 0;  // (2)
+}
+
+std::vector<SynthesisedFrf> synthesised_frfs(const FrfSet& set, const std::vector<Mode>& modes, const LineRange& band) {
+  assert(band.first >= set.lines.first && band.first + band.count <= set.lines.first + set.lines.count);
+  std::vector<SynthesisedFrf> out;
+  if (band.count == 0) return out;
+  const Eigen::MatrixXcd terms = residual_columns(band, decay_of(set));
+  const Eigen::HouseholderQR<Eigen::MatrixXcd> solver(terms);
+  ModeColumns columns(set, modes, band);
+  std::vector<double> levels;
+  for (std::size_t o = 0; o < set.outputs.size(); ++o) {
+    const Output& output = set.outputs[o];
+    const auto begin = output.frf.begin() + static_cast<std::ptrdiff_t>(band.first - set.lines.first);
+    const std::vector<Complex> measured(begin, begin + static_cast<std::ptrdiff_t>(band.count));
+    const auto lines = static_cast<Eigen::Index>(band.count);
+    Eigen::VectorXcd sum = Eigen::VectorXcd::Zero(lines);
+    for (std::size_t m = 0; m < modes.size(); ++m) sum += modes[m].residues[o].value * columns.column(m, output.point);
+    const Eigen::VectorXcd rest = Eigen::Map<const Eigen::VectorXcd>(measured.data(), lines) - sum;
+    const Eigen::VectorXcd fitted = solver.solve(rest);
+    sum += terms * fitted;  // (1)
+    SynthesisedFrf made{.point = output.point,
+                        .channel = output.channel,
+                        .value = {sum.data(), sum.data() + lines},
+                        .terms = {fitted.data(), fitted.data() + kTerms}};
+    made.frac = frac(measured, made.value);
+    out.push_back(std::move(made));
+    double power = 0;
+    for (const Complex& h : measured) power += std::norm(h);
+    levels.push_back(power);
+  }
+  const double most = levels.empty() ? 0 : *std::max_element(levels.begin(), levels.end());
+  constexpr double kFloor = 1e-30;  // of the strongest's power: a dead channel reads −300 dB
+  for (std::size_t o = 0; o < out.size() && most > 0; ++o)
+    out[o].level_dB = 10 * std::log10(std::max(levels[o] / most, kFloor));
+  return out;
+}
+
+}  // namespace percuss

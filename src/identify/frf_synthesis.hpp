@@ -1,0 +1,32 @@
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "identify/frf_set.hpp"
+#include "identify/mode.hpp"
+
+namespace percuss {
+
+/// An FRF made again from the modes, and how well it agrees with the measured one over the band.
+struct SynthesisedFrf {
+  std::size_t point = 0;  // index into FrfSet::points
+  std::size_t channel = 0;
+  std::vector<Complex> value;  // [lines of the band], (m/s²)/N
+  std::vector<Complex> terms;  // r_0, r_2, r_4 of (1)
+  double frac = 0;             // 1: the same lines up to one factor
+  double level_dB = 0;         // root mean square of the measured lines, under the strongest FRF
+};
+
+/// Every FRF of the set from the modes' residues and what lies outside the band, fitted by least squares:
+///   H(k) = Σ_r A_r φ_r(k) + r_0 + r_2 s² + r_4 s⁴,  s = jω over its value at the band's end                (1)
+///   FRAC = |Σ_k conj(H) Ĥ|² / (Σ|H|² Σ|Ĥ|²)                                                              (2)
+/// φ_r as H1 sees it, a truncated decay included (mode_column). r_0 is the rigid body's line, r_2 and r_4 begin the
+/// series of what modes above the band add.
+/// shapes  modes' residues in the order of set.outputs; `band` within set.lines.
+/// source  [4] in docs/sources.md.
+std::vector<SynthesisedFrf> synthesised_frfs(const FrfSet& set, const std::vector<Mode>& modes, const LineRange& band);
+
+/// FRAC (2) of two FRFs; 0 when either is zero everywhere.
+double frac(const std::vector<Complex>& measured, const std::vector<Complex>& made);
+
+}  // namespace percuss
