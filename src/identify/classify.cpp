@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "identify/ratio_likelihood.hpp"
+#include "identify/ring_split.hpp"
 
 namespace percuss {
 namespace {
@@ -167,7 +168,36 @@ void number_orders(const std::vector<Mode>& modes, std::vector<Verdict>& verdict
   }
 }
 
+// Bending planes; those of hoop modes where the sensors do not stand at right angles.
+void find_planes(const std::vector<Mode>& modes, std::vector<Verdict>& verdicts, const SensorPair& sensors,
+                 const ClassifyOptions& options) {
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    auto& pair = verdicts[m].double_peak;
+    if (!pair || !pair->first || verdicts[m].family == Family::unknown) continue;
+    const int order = verdicts[m].family == Family::bending ? 1 : 2;
+    const auto plane = [&](std::size_t i) {
+      return plane_from_sensors(modes[i], sensors, order, options.angle_std_rad);
+    };
+    describe_split(modes[m], modes[pair->partner], plane(m), plane(pair->partner), *pair,
+                   *verdicts[pair->partner].double_peak);
+  }
+}
+
 }  // namespace
+
+void number_verdicts(const std::vector<Mode>& modes, std::vector<Verdict>& verdicts, const ClassifyOptions& options) {
+  for (Verdict& verdict : verdicts) {
+    verdict.order = 0;
+    verdict.double_peak.reset();
+  }
+  mark_double_peaks(modes, verdicts, options);
+  number_orders(modes, verdicts, options);
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    auto& pair = verdicts[m].double_peak;
+    if (pair && pair->first)
+      describe_split(modes[m], modes[pair->partner], {}, {}, *pair, *verdicts[pair->partner].double_peak);
+  }
+}
 
 const char* name_of(Family family) {
   switch (family) {
@@ -210,8 +240,8 @@ std::vector<Verdict> classify(const std::vector<Mode>& modes, const std::optiona
     const auto beliefs = beliefs_of(modes, ratios, *sensors, options);
     for (std::size_t m = 0; m < modes.size(); ++m) judge(verdicts[m], beliefs[m], ratios[m]);
   }
-  mark_double_peaks(modes, verdicts, options);
-  number_orders(modes, verdicts, options);
+  number_verdicts(modes, verdicts, options);
+  if (sensors) find_planes(modes, verdicts, *sensors, options);
   return verdicts;
 }
 

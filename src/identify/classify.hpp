@@ -4,18 +4,13 @@
 #include <string>
 #include <vector>
 
+#include "identify/double_peak.hpp"
 #include "identify/mode.hpp"
 
 namespace percuss {
 
 enum class Family { bending, hoop, unknown };
 const char* name_of(Family family);
-
-struct DoublePeak {
-  std::size_t partner = 0;  // index of the other mode
-  double separation_Hz = 0;
-  bool first = false;  // the lower one: the one to quote
-};
 
 /// What two accelerometers around the barrel say about one mode.
 struct Verdict {
@@ -53,5 +48,9 @@ std::optional<SensorPair> pair_of_sensors(const std::vector<std::optional<double
 std::vector<Verdict> classify(const std::vector<Mode>& modes, const std::optional<SensorPair>& sensors,
                               const std::vector<std::optional<double>>& overlay_dB,
                               const ClassifyOptions& options = {});
+
+/// Marks double peaks and numbers the orders anew from the verdicts' families. Two members of one family that lie close
+/// together share an order.
+void number_verdicts(const std::vector<Mode>& modes, std::vector<Verdict>& verdicts, const ClassifyOptions& options);
 
 }  // namespace percuss
