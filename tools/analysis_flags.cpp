@@ -27,11 +27,20 @@ std::pair<double, double> parse_band(const std::string& text, const char* option
                    "give two frequencies in Hz, the lower first: LO:HI, as 60:3200");
 }
 
+Effort effort_of(const std::string& name) {
+  for (const Effort effort : {Effort::quick, Effort::standard}) {
+    if (name == name_of(effort)) return effort;
+  }
+  return Effort::best;
+}
+
 void add_analysis_flags(CLI::App& command, AnalysisFlags& flags) {
   command.add_option("--band", flags.band, "Frequency band LO:HI in Hz (default: what the hammer excited)")
       ->type_name("LO:HI");
-  command.add_option("--effort", flags.effort, "quick: peaks and local fits")
-      ->check(CLI::IsMember({"quick"}))
+  command.add_option("--effort", flags.effort,
+                     "quick: peaks and local fits; standard: also close pairs and weak modes; best: all modes together, at "
+                     "the statistical limit")
+      ->check(CLI::IsMember({"quick", "standard", "best"}))
       ->capture_default_str();
   command.add_option("--estimator", flags.estimator, "FRF estimator: h1, h2 or hv")
       ->check(CLI::IsMember({"h1", "h2", "hv"}))
@@ -97,7 +106,7 @@ AnalysisOptions analysis_options(const AnalysisFlags& flags) {
     }
   }
   options.exponential_end = flags.exponential_end;
-  options.modes = {.modes = flags.modes, .start_Hz = flags.start_Hz};
+  options.modes = {.effort = effort_of(flags.effort), .modes = flags.modes, .start_Hz = flags.start_Hz};
   options.classes.overlay_dB = flags.overlay_dB;
   options.threads = flags.threads;
   return options;

@@ -11,7 +11,7 @@ namespace percuss::tools {
 /// The options of the analysis itself, shared by analyze and frf, as typed.
 struct AnalysisFlags {
   std::string band;
-  std::string effort = "quick";
+  std::string effort = "best";
   std::string estimator = "h1";
   std::vector<std::size_t> accept_hits, reject_hits;
   std::optional<std::size_t> modes;

@@ -6,6 +6,10 @@
 
 namespace percuss {
 
+/// What transforms and fits in double precision are good for: of a frequency, and of a damping ratio.
+inline constexpr double kRounding = 1e-12;
+inline constexpr double kRoundingDamping = 1e-9;
+
 /// A mode's residue at one output: accelerance H(ω) = … + A·(jω)²/((jω)² + 2ζω_r jω + ω_r²), 1/kg.
 struct Residue {
   std::size_t point = 0;

@@ -14,7 +14,7 @@
 #include "identify/classify.hpp"
 #include "identify/local_fit.hpp"
 #include "identify/mode.hpp"
-#include "identify/quick.hpp"
+#include "identify/identify.hpp"
 
 namespace percuss {
 
@@ -24,7 +24,7 @@ struct AnalysisOptions {
   HitOptions hits;
   std::vector<std::size_t> accept_hits, reject_hits;  // the user's word on single hits
   double exponential_end = 0;                         // exponential window falling to this fraction; 0: none
-  QuickOptions modes;
+  IdentifyOptions modes;
   ClassifyOptions classes;
   std::size_t threads = 0;
 };

@@ -74,7 +74,7 @@ FrfSet Analysis::frf_set(const std::vector<std::size_t>& which) const {
 const std::vector<Mode>& Analysis::modes() const {
   return modes_.get([&] {
     const FrfSet set = frf_set(accepted_hits());
-    auto modes = trace_.run("modes", [&] { return identify_quick(set, options_.modes); });
+    auto modes = trace_.run("modes", [&] { return identify_modes(set, options_.modes); });
     std::vector<int> points;
     for (const auto& [point, members] : by_point(hits(), accepted_hits())) points.push_back(point);
     const auto [low, high] = band_Hz();
@@ -125,12 +125,12 @@ const std::vector<HitMode>& Analysis::modes_per_hit() const {
 }
 
 std::vector<HitMode> Analysis::identify_per_hit() const {
-  QuickOptions options;
+  IdentifyOptions options{.effort = options_.modes.effort};
   for (const Mode& mode : modes()) options.start_Hz.push_back(mode.pole.freq_Hz);
   std::vector<HitMode> out;
   if (options.start_Hz.empty()) return out;
   for (const std::size_t h : accepted_hits()) {
-    const auto found = identify_quick(frf_set({h}), options);
+    const auto found = identify_modes(frf_set({h}), options);
     for (std::size_t m = 0; m < found.size() && m < modes().size(); ++m) {
       out.push_back({.hit = h,
                      .mode = m,

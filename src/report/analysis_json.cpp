@@ -169,7 +169,7 @@ Json document_of(const Analysis& analysis, const JsonOptions& options) {
     const auto [low, high] = analysis.band_Hz();
     json["band_hz"] = {low, high};
   }
-  if (!force_only && wants(Section::modes)) json["effort"] = "quick";
+  if (!force_only && wants(Section::modes)) json["effort"] = name_of(analysis.options().modes.effort);
   if (Json chosen = options_json(analysis); !chosen.empty()) json["options"] = std::move(chosen);
   if (wants(Section::hits)) json["hits"] = hits_json(analysis, hits);
   if (analysis.possible()) {

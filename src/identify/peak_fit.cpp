@@ -1,11 +1,11 @@
-#include "identify/quick.hpp"
+#include "identify/peak_fit.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "identify/candidates.hpp"
 #include "identify/credibility.hpp"
+#include "identify/force_noise.hpp"
 #include "identify/grouped_fit.hpp"
 
 namespace percuss {
@@ -20,16 +20,14 @@ constexpr double kSplitGain = 0.25;  // a second mode must leave at most this pa
 constexpr double kSplitTest = 25;    // F statistic
 constexpr double kSplitStart = 0.4;  // bandwidths to either side
 constexpr double kMisfit = 2;  // residual's energy over the noise's from which it is asked whether there are two modes
-constexpr double kHiddenApart = 2;   // bandwidths from a known mode: closer ones are found by splitting
-constexpr double kRounding = 1e-12;  // of a frequency: what transforms and fits in double precision are good for …
-constexpr double kRoundingDamping = 1e-9;  // … and of a damping ratio
-constexpr std::size_t kLeastForFit = 16;   // lines
+constexpr double kHiddenApart = 2;        // bandwidths from a known mode: closer ones are found by splitting
+constexpr std::size_t kLeastForFit = 16;  // lines
 
-class Quick {
+class PeakFit {
  public:
-  Quick(const FrfSet& set, const QuickOptions& options) : set_(set), options_(options), all_(set) {}
+  PeakFit(const FrfSet& set, const PeakFitOptions& options) : set_(set), options_(options), all_(set) {}
 
-  std::vector<Mode> run() {
+  std::vector<PeakMode> run() {
     for (const double freq_Hz : options_.start_Hz) context_.shown.push_back(pole_near(set_, freq_Hz));
     if (options_.start_Hz.empty()) context_.shown = candidate_poles(set_);
     all_.replace(context_.shown);
@@ -40,7 +38,7 @@ class Quick {
 
  private:
   void settle() {
-    for (int round = 0; round < kRounds; ++round) {
+    for (int round = 0; options_.thorough && round < kRounds; ++round) {
       const bool dropped = drop_insignificant();
       // A residual is searched for hidden modes only when no pair is left in it to be split.
       const bool changed = split_groups() || dropped || add_hidden();
@@ -131,18 +129,6 @@ class Quick {
     return poles;
   }
 
-  // Relative deviation of a point's force spectrum near a frequency: its channel's noise within the gate.
-  double force_deviation(std::size_t point, double freq_Hz) const {
-    const PointForce& force = set_.points[point];
-    const double at = freq_Hz / set_.lines.df_Hz() - static_cast<double>(set_.lines.first);
-    const auto line = static_cast<std::size_t>(std::clamp(at, 0.0, static_cast<double>(set_.lines.count - 1)));
-    double gated = 0;
-    for (const ForceBlock& block : force.blocks)
-      gated += static_cast<double>(std::max(block.force_N.size(), block.whole_N.size()));
-    gated /= static_cast<double>(force.blocks.size());
-    return force.noise_N * std::sqrt(0.5 * gated / force.ff[line]);
-  }
-
   Mode mode_of(const LocalFit& fit, std::size_t m) const {
     const auto i = static_cast<Index>(m);
     const Pole& pole = fit.poles[m];
@@ -154,35 +140,34 @@ class Quick {
                                .channel = set_.outputs[o].channel,
                                .value = fit.residues(static_cast<Index>(o), i),
                                .std = fit.residue_std(static_cast<Index>(o), i),
-                               .relative_std = force_deviation(set_.outputs[o].point, mode.pole.freq_Hz)});
+                               .relative_std = gain_deviation(set_, set_.outputs[o].point, mode.pole.freq_Hz)});
     }
     return mode;
   }
 
-  std::vector<Mode> modes() const {
-    std::vector<Mode> found;
-    std::vector<double> rank;
+  std::vector<PeakMode> modes() const {
+    std::vector<PeakMode> found;
     for (const FitGroup& group : all_.groups()) {
       for (std::size_t m = 0; m < group.fit.poles.size(); ++m) {
-        found.push_back(mode_of(group.fit, m));
-        rank.push_back(stands_out(all_, group, m));
+        found.push_back({.mode = mode_of(group.fit, m),
+                         .stands_out = stands_out(all_, group, m),
+                         .first = group.first,
+                         .count = group.count,
+                         .noise = group.fit.noise,
+                         .unknowns_per_output = 2 * (group.fit.poles.size() + LocalFitOptions{}.residual_terms)});
       }
     }
-    const std::size_t wanted = options_.modes.value_or(found.size());
-    std::vector<std::size_t> order(found.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return rank[a] > rank[b]; });
-    order.resize(std::min(wanted, order.size()));
-    std::sort(order.begin(), order.end(),
-              [&](std::size_t a, std::size_t b) { return found[a].pole.freq_Hz < found[b].pole.freq_Hz; });
-    std::vector<Mode> out;
-    out.reserve(order.size());
-    for (const std::size_t i : order) out.push_back(std::move(found[i]));
-    return out;
+    if (!options_.modes || *options_.modes >= found.size()) return found;
+    std::stable_sort(found.begin(), found.end(),
+                     [](const PeakMode& a, const PeakMode& b) { return a.stands_out > b.stands_out; });
+    found.resize(*options_.modes);
+    std::sort(found.begin(), found.end(),
+              [](const PeakMode& a, const PeakMode& b) { return a.mode.pole.freq_Hz < b.mode.pole.freq_Hz; });
+    return found;
   }
 
   const FrfSet& set_;
-  const QuickOptions& options_;
+  const PeakFitOptions& options_;
   GroupedFit all_;
   CredibilityContext context_;
   std::vector<Pole> tried_;  // hidden modes that were given a chance
@@ -190,9 +175,9 @@ class Quick {
 
 }  // namespace
 
-std::vector<Mode> identify_quick(const FrfSet& set, const QuickOptions& options) {
+std::vector<PeakMode> fit_peaks(const FrfSet& set, const PeakFitOptions& options) {
   if (set.lines.count < kLeastForFit || set.outputs.empty()) return {};
-  return Quick(set, options).run();
+  return PeakFit(set, options).run();
 }
 
 }  // namespace percuss

@@ -1,0 +1,69 @@
+#include "identify/force_noise.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/units.hpp"
+
+namespace percuss {
+namespace {
+
+using Eigen::Index;
+
+// Between delays, in periods of the highest line: its square turns by four radians at the most, so that the variables'
+// noise is neither more nor less real than that of all samples.
+constexpr double kDelay = 0.32;
+
+// Samples of the gate that carry noise into the force, averaged over the hits.
+double gated_samples(const PointForce& force) {
+  double gated = 0;
+  for (const ForceBlock& block : force.blocks)
+    gated += static_cast<double>(std::max(block.force_N.size(), block.whole_N.size()));
+  return gated / static_cast<double>(force.blocks.size());
+}
+
+// Of the pulse within its gate, samples.
+double centre_of(const ForceBlock& block) {
+  const auto& f = block.force_N;
+  double moment = 0, sum = 0;
+  for (std::size_t n = 0; n < f.size(); ++n) {
+    moment += static_cast<double>(n) * f[n] * f[n];
+    sum += f[n] * f[n];
+  }
+  return sum > 0 ? moment / sum : 0;
+}
+
+}  // namespace
+
+Eigen::MatrixXcd gain_errors(const FrfSet& set, std::size_t point, std::size_t first, std::size_t count) {
+  const PointForce& force = set.points[point];
+  if (force.blocks.empty() || !(force.noise_N > 0)) return {};
+  const double gated = gated_samples(force);
+  const double highest_Hz = set.lines.freq_Hz(first + count - 1);
+  const double apart = std::max(1.0, kDelay * set.lines.fs_Hz / highest_Hz);
+  const auto variables = static_cast<Index>(std::max(2.0, std::ceil(gated / apart)));
+  const double step = gated / static_cast<double>(variables);
+  const double scale = force.noise_N * std::sqrt(step);
+  const double centre = centre_of(force.blocks.front());
+  Eigen::MatrixXcd errors(static_cast<Index>(count), variables);
+  for (Index k = 0; k < errors.rows(); ++k) {
+    const auto line = first + static_cast<std::size_t>(k);
+    const double turn = -kTwoPi * set.lines.freq_Hz(line) / set.lines.fs_Hz;
+    const double size = scale / std::sqrt(std::max(force.ff[line], 1e-300));
+    for (Index i = 0; i < variables; ++i) {
+      const double delay = (static_cast<double>(i) + 0.5) * step - 0.5 - centre;
+      errors(k, i) = std::polar(size, turn * delay);
+    }
+  }
+  return errors;
+}
+
+double gain_deviation(const FrfSet& set, std::size_t point, double freq_Hz) {
+  const PointForce& force = set.points[point];
+  if (force.blocks.empty() || force.ff.empty()) return 0;  // nothing is known of the force
+  const double at = freq_Hz / set.lines.df_Hz() - static_cast<double>(set.lines.first);
+  const auto line = static_cast<std::size_t>(std::clamp(at, 0.0, static_cast<double>(set.lines.count - 1)));
+  return force.noise_N * std::sqrt(0.5 * gated_samples(force) / force.ff[line]);
+}
+
+}  // namespace percuss

@@ -1,0 +1,289 @@
+#include "identify/joint_fit.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "identify/force_noise.hpp"
+#include "identify/joint_projection.hpp"
+
+namespace percuss {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kLeastDamping = 1e-7;
+constexpr double kMostDamping = 0.5;
+constexpr double kPhaseTest = 4;   // deviations of a common phase: one real mode in 16 000 is called complex
+constexpr double kSpreadTest = 6;  // deviations of a χ² sum over the outputs
+constexpr double kSpill = 0.1;     // of the strongest contradiction: a weaker one may be what that spilt
+constexpr int kRounds = 8;         // of real against complex
+
+bool allowed(const std::vector<Pole>& poles) {
+  return std::all_of(poles.begin(), poles.end(), [](const Pole& p) {
+    return p.freq_Hz > 0 && p.damping_ratio > kLeastDamping && p.damping_ratio < kMostDamping;
+  });
+}
+
+std::vector<Pole> moved(std::vector<Pole> poles, const VectorXd& step) {
+  for (std::size_t m = 0; m < poles.size(); ++m) {
+    poles[m].freq_Hz += step(static_cast<Index>(2 * m));
+    poles[m].damping_ratio += step(static_cast<Index>(2 * m + 1));
+  }
+  return poles;
+}
+
+double size_of(const VectorXd& step, const std::vector<Pole>& poles) {
+  double size = 0;
+  for (std::size_t m = 0; m < poles.size(); ++m) {
+    size = std::max({size, std::abs(step(static_cast<Index>(2 * m))) / (0.5 * poles[m].half_power_Hz()),
+                     std::abs(step(static_cast<Index>(2 * m + 1))) / poles[m].damping_ratio});
+  }
+  return size;
+}
+
+VectorXd solve_scaled(const MatrixXd& matrix, const VectorXd& right, double lambda) {
+  const VectorXd scale = matrix.diagonal().cwiseSqrt().cwiseMax(1e-300).cwiseInverse();
+  MatrixXd even = scale.asDiagonal() * matrix * scale.asDiagonal();
+  even.diagonal() *= 1 + lambda;
+  return scale.cwiseProduct(even.ldlt().solve(scale.cwiseProduct(right)));
+}
+
+MatrixXd inverse_scaled(const MatrixXd& matrix) {
+  const VectorXd scale = matrix.diagonal().cwiseSqrt().cwiseMax(1e-300).cwiseInverse();
+  const MatrixXd even = scale.asDiagonal() * matrix * scale.asDiagonal();
+  return scale.asDiagonal() * even.ldlt().solve(MatrixXd::Identity(even.rows(), even.cols())) * scale.asDiagonal();
+}
+
+// Levenberg–Marquardt from `state`; true when the last step was small enough.
+bool descend(const JointProjection& projection, JointState& state, const JointFitOptions& options) {
+  double lambda = 1e-6;
+  for (int step = 0; step < options.max_steps; ++step) {
+    const JointNormal normal = projection.normal_equations(state);
+    bool better = false;
+    for (int attempt = 0; attempt < 8 && !better; ++attempt) {
+      const VectorXd move = solve_scaled(normal.matrix, normal.right, lambda);
+      const double size = size_of(move, state.model.poles);
+      JointModel model = state.model;
+      model.poles = moved(std::move(model.poles), move);
+      if (!std::isfinite(size) || size > 1e2 || !allowed(model.poles)) {
+        lambda = std::max(lambda * 10, 1e-3);
+        continue;
+      }
+      JointState next = projection.evaluate(std::move(model));
+      better = next.cost <= state.cost;
+      if (size < options.tolerance) {  // as far as rounding lets it go
+        if (better) state = std::move(next);
+        return true;
+      }
+      lambda = better ? lambda * 0.1 : lambda * 10;
+      if (better) state = std::move(next);
+    }
+    if (!better) return false;
+  }
+  return false;
+}
+
+// What a common phase error of a mode's residues does.
+struct PhaseEffect {
+  double push = 0;         // score of the phase over all points
+  double information = 0;  // of it, the poles known
+  VectorXd on_poles;       // [2 modes] cross information with the poles
+  double spread = 0;       // Σ over outputs of score²/information
+  std::size_t outputs = 0;
+};
+
+class Phases {
+ public:
+  Phases(const JointProjection& projection, const JointState& state) : projection_(projection), state_(state) {
+    for (std::size_t m = 0; m < state.model.poles.size(); ++m) effects_.push_back(effect_of(m));
+  }
+  const PhaseEffect& operator[](std::size_t mode) const { return effects_[mode]; }
+
+ private:
+  PhaseEffect effect_of(std::size_t mode) const {
+    const auto& model = state_.model;
+    const auto unknowns = static_cast<Index>(2 * model.poles.size());
+    PhaseEffect effect{.on_poles = VectorXd::Zero(unknowns)};
+    for (const JointPart& part : state_.parts) {
+      const auto q = part.quadrature.col(static_cast<Index>(mode));
+      const VectorXd cross = part.columns.transpose() * q;
+      const VectorXd solved = part.inverse * cross;
+      const double gram = q.squaredNorm() - cross.dot(solved);
+      const VectorXd with_slopes = part.slopes.transpose() * q - part.slopes.transpose() * (part.columns * solved);
+      for (std::size_t i = 0; i < part.outputs.size(); ++i) {
+        const auto o = static_cast<Index>(i);
+        const double noise = projection_.noise()(static_cast<Index>(part.outputs[i]));
+        const double own = part.amplitude(static_cast<Index>(part.first[mode]), o) / noise;
+        const double push = own * q.dot(part.residual.col(o)) / noise;
+        const double information = own * own * gram;
+        effect.push += push;
+        effect.information += information;
+        if (information > 0) effect.spread += push * push / information;
+        ++effect.outputs;
+        for (std::size_t m = 0; m < model.poles.size(); ++m) {
+          for (Index k = 0; k < (model.real[m] ? 1 : 2); ++k) {
+            const auto column = static_cast<Index>(part.first[m]) + k;
+            const double other = part.amplitude(column, o) / noise;
+            effect.on_poles(static_cast<Index>(2 * m)) += own * other * with_slopes(2 * column);
+            effect.on_poles(static_cast<Index>(2 * m + 1)) += own * other * with_slopes(2 * column + 1);
+          }
+        }
+      }
+    }
+    return effect;
+  }
+
+  const JointProjection& projection_;
+  const JointState& state_;
+  std::vector<PhaseEffect> effects_;
+};
+
+// Of the phase of a point's force near a pole.
+double phase_variance(const FrfSet& set, std::size_t point, const Pole& pole) {
+  const double deviation = gain_deviation(set, point, pole.freq_Hz);
+  return deviation * deviation;
+}
+
+// How strongly the lines contradict real residues, by a common phase or by phases that differ between outputs: above 1
+// they do.
+double contradiction(const FrfSet& set, const PhaseEffect& effect, const Pole& pole, const MatrixXd& covariance) {
+  const double information = effect.information - effect.on_poles.dot(covariance * effect.on_poles);
+  if (!(information > 1e-12 * effect.information)) return 0;
+  double prior = 0;
+  for (std::size_t p = 0; p < set.points.size(); ++p) prior += phase_variance(set, p, pole);
+  prior /= static_cast<double>(set.points.size() * set.points.size());  // of the mean phase
+  const double common = effect.push * effect.push / (information + prior * information * information);
+  const auto n = static_cast<double>(effect.outputs);
+  const double expected = n * (1 + prior * effect.information / n);
+  return std::max(common / (kPhaseTest * kPhaseTest),
+                  effect.spread / (expected * (1 + kSpreadTest * std::sqrt(2 / n))));
+}
+
+class Joint {
+ public:
+  Joint(const FrfSet& set, std::vector<Pole> start, const JointFitOptions& options)
+      : set_(set), options_(options), projection_(set, start) {
+    const std::size_t modes = start.size();
+    state_ = projection_.evaluate({.poles = std::move(start), .real = std::vector<char>(modes, 0)});
+  }
+
+  JointFit run() {
+    // Complex residues contradict nothing: what they leave tells the noise.
+    descend(projection_, state_, options_);
+    projection_.weigh_by(state_);
+    state_ = projection_.evaluate(state_.model);
+    choose_real();
+    bool converged = descend(projection_, state_, options_);
+    for (int round = 0; round < kRounds && release(); ++round) converged = descend(projection_, state_, options_);
+    return result(converged);
+  }
+
+ private:
+  // Real residues where they leave the smaller deviation of the frequency.
+  void choose_real() {
+    const std::size_t modes = state_.model.poles.size();
+    JointModel real_model = state_.model;
+    real_model.real.assign(modes, 1);
+    const VectorXd real = variances(projection_.evaluate(real_model));
+    const VectorXd complex = variances(state_);
+    for (std::size_t m = 0; m < modes; ++m) {
+      const auto i = static_cast<Index>(2 * m);
+      state_.model.real[m] = real(i) <= complex(i) ? 1 : 0;
+    }
+    state_ = projection_.evaluate(state_.model);
+  }
+
+  MatrixXd covariance_of(const JointState& state) const {
+    const JointNormal normal = projection_.with_force_noise(state);
+    const MatrixXd inverse = inverse_scaled(normal.matrix);
+    return inverse + inverse * normal.force * inverse;
+  }
+  VectorXd variances(const JointState& state) const { return covariance_of(state).diagonal(); }
+
+  // Real residues that the lines contradict become complex; true when any did. The most contradicted ones first: what
+  // they cannot follow spills over to the others.
+  bool release() {
+    const MatrixXd covariance = inverse_scaled(projection_.normal_equations(state_).matrix);
+    const Phases phases(projection_, state_);
+    std::vector<double> against(state_.model.real.size());
+    for (std::size_t m = 0; m < against.size(); ++m) {
+      if (state_.model.real[m]) against[m] = contradiction(set_, phases[m], state_.model.poles[m], covariance);
+    }
+    const double most = against.empty() ? 0 : *std::max_element(against.begin(), against.end());
+    if (most <= 1) return false;
+    for (std::size_t m = 0; m < against.size(); ++m) {
+      if (against[m] > std::max(1.0, kSpill * most)) state_.model.real[m] = 0;
+    }
+    state_ = projection_.evaluate(state_.model);
+    return true;
+  }
+
+  JointFit result(bool converged) const {
+    const auto outputs = static_cast<Index>(set_.outputs.size());
+    const auto modes = static_cast<Index>(state_.model.poles.size());
+    JointFit fit{.poles = state_.model.poles,
+                 .real = state_.model.real,
+                 .residues = Eigen::MatrixXcd::Zero(outputs, modes),
+                 .residue_std = MatrixXd::Zero(outputs, modes),
+                 .freq_std_Hz = VectorXd::Zero(modes),
+                 .damping_std = VectorXd::Zero(modes),
+                 .residual = std::vector<Eigen::VectorXcd>(set_.outputs.size()),
+                 .converged = converged};
+    const MatrixXd total = covariance_of(state_);
+    for (Index m = 0; m < modes; ++m) {
+      fit.freq_std_Hz(m) = std::sqrt(std::max(0.0, total(2 * m, 2 * m)));
+      fit.damping_std(m) = std::sqrt(std::max(0.0, total(2 * m + 1, 2 * m + 1)));
+    }
+    for (std::size_t p = 0; p < state_.parts.size(); ++p) add_residues(fit, p, total);
+    return fit;
+  }
+
+  void add_residues(JointFit& fit, std::size_t p, const MatrixXd& covariance) const {
+    const JointPart& part = state_.parts[p];
+    const MatrixXd follow = part.inverse * (part.columns.transpose() * part.slopes);  // what moved columns do
+    for (std::size_t i = 0; i < part.outputs.size(); ++i) {
+      const auto o = static_cast<Index>(part.outputs[i]);
+      const auto column = static_cast<Index>(i);
+      const double noise = projection_.noise()(o);
+      MatrixXd moves = MatrixXd::Zero(part.inverse.rows(), covariance.rows());
+      for (std::size_t m = 0; m < fit.real.size(); ++m) {
+        for (Index k = 0; k < (fit.real[m] ? 1 : 2); ++k) {
+          const Index at = static_cast<Index>(part.first[m]) + k;
+          for (Index d = 0; d < 2; ++d)
+            moves.col(static_cast<Index>(2 * m) + d) -= follow.col(2 * at + d) * part.amplitude(at, column);
+        }
+      }
+      const MatrixXd spread = part.inverse * noise * noise + moves * covariance * moves.transpose();
+      for (std::size_t m = 0; m < fit.real.size(); ++m) {
+        const auto at = static_cast<Index>(part.first[m]);
+        const auto mode = static_cast<Index>(m);
+        const double imaginary = fit.real[m] ? 0 : part.amplitude(at + 1, column);
+        fit.residues(o, mode) = Complex(part.amplitude(at, column), imaginary);
+        const double variance = fit.real[m] ? spread(at, at) : 0.5 * (spread(at, at) + spread(at + 1, at + 1));
+        fit.residue_std(o, mode) = std::sqrt(std::max(0.0, variance));
+      }
+      const auto lines = static_cast<Index>(set_.lines.count);
+      const VectorXd& weight = projection_.line_weight(p);
+      Eigen::VectorXcd& left = fit.residual[part.outputs[i]];
+      left.resize(lines);
+      left.real() = part.residual.col(column).head(lines).cwiseQuotient(weight);
+      left.imag() = part.residual.col(column).tail(lines).cwiseQuotient(weight);
+    }
+  }
+
+  const FrfSet& set_;
+  const JointFitOptions& options_;
+  JointProjection projection_;
+  JointState state_;
+};
+
+}  // namespace
+
+JointFit fit_jointly(const FrfSet& set, std::vector<Pole> start, const JointFitOptions& options) {
+  return Joint(set, std::move(start), options).run();
+}
+
+}  // namespace percuss

@@ -1,0 +1,33 @@
+#pragma once
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+#include "identify/frf_set.hpp"
+
+namespace percuss {
+
+/// All modes fitted together to all lines of all outputs.
+struct JointFit {
+  std::vector<Pole> poles;
+  std::vector<char> real;                    // [modes] the residues are real
+  Eigen::MatrixXcd residues;                 // [outputs, modes], 1/kg
+  Eigen::MatrixXd residue_std;               // of real and imaginary part; force gain left out
+  Eigen::VectorXd freq_std_Hz, damping_std;  // the force's noise included
+  std::vector<Eigen::VectorXcd> residual;    // [outputs][lines] what the fit leaves, (m/s²)/N
+  bool converged = false;
+};
+
+struct JointFitOptions {
+  int max_steps = 20;
+  double tolerance = 1e-7;  // step, in units of half the bandwidth
+};
+
+/// Maximum likelihood of H1 lines whose noise is that of the response: poles by Levenberg–Marquardt with an analytic
+/// Jacobian, everything linear eliminated. Real and complex residues compete: a mode's residues are real where that
+/// leaves the smaller deviation (a complex one absorbs the phase error that the force's noise causes) and the lines do
+/// not contradict it. Deviations come from the Fisher information, scaled by the residual; what the force's noise does
+/// to the poles is added (errors in variables). source  [5], [7] in docs/sources.md.
+JointFit fit_jointly(const FrfSet& set, std::vector<Pole> start, const JointFitOptions& options = {});
+
+}  // namespace percuss

@@ -1,0 +1,79 @@
+#pragma once
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+#include "identify/frf_set.hpp"
+
+namespace percuss {
+
+/// Which poles a joint fit works with, and whose residues are real.
+struct JointModel {
+  std::vector<Pole> poles;
+  std::vector<char> real;  // [modes] residue without imaginary part: a real mode shape, sensors without delay
+  bool all_real() const;   // then the background's coefficients are real as well
+};
+
+/// The linear part of a joint fit at given poles, for outputs that share their columns. Complex lines are stacked as
+/// real over imaginary parts and weighted.
+struct JointPart {
+  std::vector<std::size_t> outputs;     // indices into FrfSet::outputs
+  std::vector<std::size_t> first;       // [modes] column of the residue's real part; the imaginary part's follows
+  Eigen::MatrixXd columns;              // [2 lines, unknowns per output]
+  Eigen::MatrixXd slopes;               // of the columns along frequency and damping, two for each residue column
+  Eigen::MatrixXd quadrature;           // [2 lines, modes] a residue's imaginary part, whether fitted or not
+  Eigen::MatrixXd inverse;              // of columnsᵀ·columns
+  Eigen::MatrixXd amplitude, residual;  // [unknowns, outputs], [2 lines, outputs]
+};
+
+struct JointState {
+  JointModel model;
+  std::vector<JointPart> parts;
+  double cost = 0;  // Σ residual²/noise²
+};
+
+/// What a joint fit says of the poles: unknowns in the order frequency, damping ratio per mode.
+struct JointNormal {
+  Eigen::MatrixXd matrix;  // Fisher information
+  Eigen::VectorXd right;
+  Eigen::MatrixXd force;  // covariance of `right` that the force channel's noise causes
+};
+
+/// Least squares of all lines of all outputs at once by modes and a background: mass line, and guard modes at fixed
+/// places for what lies beyond the lines.
+class JointProjection {
+ public:
+  /// set must outlive this object.
+  JointProjection(const FrfSet& set, const std::vector<Pole>& poles);
+
+  JointState evaluate(JointModel model) const;
+  JointNormal normal_equations(const JointState& state) const;
+  /// … with `force` filled in.
+  JointNormal with_force_noise(const JointState& state) const;
+
+  /// Takes each output's noise, and how the noise goes with frequency, from what a fit left.
+  void weigh_by(const JointState& state);
+  /// [outputs] deviation of a weighted line's real part.
+  const Eigen::VectorXd& noise() const { return noise_; }
+  const FrfSet& set() const { return set_; }
+  /// Weight of the lines of an output's part.
+  const Eigen::VectorXd& line_weight(std::size_t part) const { return parts_[part].weight; }
+
+ private:
+  struct Plan {
+    std::vector<std::size_t> outputs;
+    Eigen::VectorXd weight;  // [lines]
+    Eigen::MatrixXd data;    // [2 lines, outputs] weighted
+  };
+  void fill(Plan& plan) const;
+  void add_background(const Plan& plan, Eigen::Ref<Eigen::MatrixXd> columns) const;
+  JointPart solve(const Plan& plan, const JointModel& model) const;
+  Eigen::MatrixXd spread_of(const JointState& state, const JointPart& part, Eigen::Index output) const;
+  void add_force_noise(const JointState& state, const JointPart& part, JointNormal& normal) const;
+
+  const FrfSet& set_;
+  std::vector<Plan> parts_;
+  Eigen::VectorXd noise_;
+};
+
+}  // namespace percuss
