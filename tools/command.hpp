@@ -25,6 +25,7 @@ void add_analyze(CLI::App& app, Run& run);
 void add_frf(CLI::App& app, Run& run);
 void add_nodes(CLI::App& app, Run& run);
 void add_calibrate(CLI::App& app, Run& run);
+void add_survey(CLI::App& app, Run& run);
 void add_synth(CLI::App& app, Run& run);
 
 }  // namespace percuss::tools

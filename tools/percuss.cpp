@@ -27,6 +27,7 @@ int parse_and_run(int argc, char** argv) {
   add_analyze(app, run);
   add_frf(app, run);
   add_nodes(app, run);
+  add_survey(app, run);
   add_info(app, run);
   add_calibrate(app, run);
   add_synth(app, run);

@@ -83,6 +83,8 @@ class Analysis {
   double window_decay_per_s() const;
   /// Averaged FRFs over lines(), [points × channels], point by point, with the estimator asked for.
   const std::vector<PointFrf>& frfs() const;
+  /// H1 of the accepted hits, as the modes were fitted to it; points ascending by number.
+  FrfSet fitted_frfs() const { return frf_set(accepted_hits()); }
   /// Modes within the band, ascending.
   const std::vector<Mode>& modes() const;
   const std::vector<Verdict>& verdicts() const;

@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "identify/ring_split.hpp"
 #include "report/coherence_summary.hpp"
 #include "report/version.hpp"
 
@@ -55,6 +56,20 @@ Json hits_json(const Analysis& analysis, const std::vector<AnalysedHit>& hits) {
   return out;
 }
 
+void add_split(Json& json, const DoublePeak& peak) {
+  json["separation_std_hz"] = peak.separation_std_Hz;
+  json["first_over_second_db"] = peak.first_over_second_dB;
+  json["quoted"] = peak.quoted;
+  json["split"] = Json();
+  if (!peak.planes) return;
+  constexpr double kRadian_deg = 180 / std::numbers::pi;
+  json["split"] = {{"cause", name_of(peak.planes->cause)},
+                   {"plane_deg", peak.planes->own.plane_rad * kRadian_deg},
+                   {"plane_std_deg", peak.planes->own.std_rad * kRadian_deg},
+                   {"between_deg", peak.planes->between_rad * kRadian_deg},
+                   {"between_std_deg", peak.planes->between_std_rad * kRadian_deg}};
+}
+
 void add_verdict(Json& json, const Verdict& verdict) {
   json["family"] = name_of(verdict.family);
   json["order"] = verdict.order > 0 ? Json(verdict.order) : Json();
@@ -70,6 +85,7 @@ void add_verdict(Json& json, const Verdict& verdict) {
     json["double_peak"] = {{"partner", verdict.double_peak->partner},
                            {"separation_hz", verdict.double_peak->separation_Hz},
                            {"first", verdict.double_peak->first}};
+    add_split(json["double_peak"], *verdict.double_peak);
   }
 }
 
@@ -81,7 +97,8 @@ double raw_damping(const Pole& pole, double decay_per_s) {
   return real / std::hypot(real, imag);
 }
 
-Json modes_json(const Analysis& analysis, bool classes) {
+Json modes_json(const Analysis& analysis, const JsonOptions& options) {
+  const bool classes = options.sections.contains(Section::classes);
   Json out = Json::array();
   const double decay = analysis.window_decay_per_s();
   for (std::size_t m = 0; m < analysis.modes().size(); ++m) {
@@ -92,7 +109,7 @@ Json modes_json(const Analysis& analysis, bool classes) {
               {"damping_ratio", mode.pole.damping_ratio},
               {"damping_ratio_std", mode.damping_std}};
     if (decay > 0) json["damping_ratio_raw"] = raw_damping(mode.pole, decay);
-    if (classes) add_verdict(json, analysis.verdicts()[m]);
+    if (classes) add_verdict(json, (options.verdicts != nullptr ? *options.verdicts : analysis.verdicts())[m]);
     json["residues"] = Json::array();
     for (const Residue& r : mode.residues) {
       const double std = std::hypot(r.std, r.relative_std * std::abs(r.value));
@@ -175,13 +192,13 @@ Json document_of(const Analysis& analysis, const JsonOptions& options) {
   if (analysis.possible()) {
     if (wants(Section::frf)) json["frf"] = frf_json(analysis);
     if (wants(Section::coherence)) json["coherence"] = coherence_json(analysis);
-    if (wants(Section::modes) || wants(Section::classes)) json["modes"] = modes_json(analysis, wants(Section::classes));
+    if (wants(Section::modes) || wants(Section::classes)) json["modes"] = modes_json(analysis, options);
     if (options.per_hit) json["modes_per_hit"] = per_hit_json(analysis);
   } else if (wants(Section::modes)) {
     json["modes"] = Json::array();
   }
   json["warnings"] = Json::array();
-  for (const Warning& warning : analysis.warnings())
+  for (const Warning& warning : options.warnings != nullptr ? *options.warnings : analysis.warnings())
     json["warnings"].push_back({{"code", warning.code}, {"message", warning.message}});
   if (options.trace) {
     json["trace"] = Json::array();

@@ -18,6 +18,8 @@ struct JsonOptions {
   std::set<Section> sections = all_sections();
   bool trace = false;
   bool per_hit = false;
+  const std::vector<Verdict>* verdicts = nullptr;  // of the modes, in place of the analysis' own
+  const std::vector<Warning>* warnings = nullptr;
 };
 
 /// One of several tests: its run number (or place on the command line) and its analysis.

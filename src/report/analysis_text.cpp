@@ -223,7 +223,7 @@ std::string analysis_text(const Analysis& analysis, const TextOptions& options) 
   } else {
     text += "no hit can be used: no FRF, no modes (--accept-hit overrules a rejection)\n\n";
   }
-  for (const Warning& warning : analysis.warnings())
+  for (const Warning& warning : options.warnings ? analysis.warnings() : std::vector<Warning>{})
     text += wrapped("! " + one_line(warning.message, 4000), options.width, 2) + "\n";
   while (text.ends_with("\n\n")) text.pop_back();
   return text;

@@ -11,6 +11,7 @@ struct TextOptions {
   std::set<Section> sections = all_sections();
   std::size_t width = 100;  // of the terminal
   bool per_hit = false;
+  bool warnings = true;
 };
 
 /// The analysis as a person reads it: one line of what was measured, the hits, the modes with ±, then warnings in

@@ -1,0 +1,220 @@
+#include "pipeline/survey.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "core/error.hpp"
+#include "identify/cmif.hpp"
+#include "identify/ring_split.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr double kSamePlace_m = 2e-3;                          // how near a blow can be set beside a sensor …
+constexpr double kSameAngle_rad = 2 * std::numbers::pi / 180;  // … and around the tube
+constexpr double kDoubt = 0.9;                                 // confidence below which a rival is named
+constexpr double kPoorFrac = 0.99, kStrong_dB = -20;
+
+std::set<int> points_of(const Record& record) {
+  std::set<int> points;
+  for (const RowInfo& row : record.rows) points.insert(row.point);
+  return points;
+}
+
+// The family of the second most energetic order.
+std::optional<Family> rival_of(const TubeShape& tube) {
+  int second = -1;
+  for (int n = 0; n < static_cast<int>(tube.energy.size()); ++n) {
+    if (n == tube.order) continue;
+    if (second < 0 || tube.energy[static_cast<std::size_t>(n)] > tube.energy[static_cast<std::size_t>(second)])
+      second = n;
+  }
+  return second == 1 ? Family::bending : second == 2 ? Family::hoop : Family::unknown;
+}
+
+void name_by_tube(Verdict& verdict, const TubeShape& tube) {
+  const Family family = family_of(tube);
+  const bool sure = tube.confidence >= kDoubt;
+  if (family == Family::unknown && !sure && verdict.family != Family::unknown) return;  // two sensors know better
+  verdict.family = family;
+  verdict.confidence = tube.confidence;
+  verdict.alternative = sure ? std::nullopt : rival_of(tube);
+}
+
+bool same_pattern(const std::optional<TubeShape>& a, const std::optional<TubeShape>& b) {
+  if (!a || !b) return true;
+  return a->order == b->order && (!a->sign_changes || !b->sign_changes || a->sign_changes == b->sign_changes);
+}
+
+std::optional<PatternPlane> plane_of(const std::optional<TubeShape>& tube) {
+  if (!tube || !tube->plane_rad) return std::nullopt;
+  return PatternPlane{*tube->plane_rad, tube->plane_std_rad, tube->order};
+}
+
+}  // namespace
+
+Survey::Survey(const Analysis& analysis, SurveyOptions options)
+    : analysis_(analysis),
+      options_(std::move(options)),
+      geometry_(options_.geometry ? options_.geometry : geometry_of_record(analysis.record().geometry)) {
+  place_points();
+  find_driving_points();
+}
+
+void Survey::place_points() {
+  if (!geometry_) return;
+  std::set<int> known;
+  for (const GeometryPoint& p : geometry_->points) {
+    known.insert(p.point);
+    if (geometry_->tube) places_[static_cast<std::size_t>(p.point)] = {p.position_m, p.angle_rad};
+  }
+  if (!options_.geometry) return;
+  for (const int point : points_of(analysis_.record())) {
+    if (known.contains(point)) continue;
+    throw InputError(fmt::format("point {} was measured but stands nowhere in the geometry", point), "--geometry",
+                     fmt::format("add it, or number the points as the record does: {} to {}",
+                                 *points_of(analysis_.record()).begin(), *points_of(analysis_.record()).rbegin()));
+  }
+}
+
+void Survey::find_driving_points() {
+  const auto& accel = analysis_.record().accel;
+  const auto points = points_of(analysis_.record());
+  for (const DrivingPoint& at : options_.driving) {
+    if (points.contains(static_cast<int>(at.point)) && at.channel < accel.size()) continue;
+    throw InputError(fmt::format("point {} with channel {} was not measured", at.point, at.channel), "--driving-point",
+                     fmt::format("give POINT:CHANNEL with points {} to {} and channels 0 to {}", *points.begin(),
+                                 *points.rbegin(), accel.size() - 1));
+  }
+  driving_ = options_.driving;
+  if (!driving_.empty() || options_.roving != Roving::hammer) return;
+  for (const auto& [point, place] : places_) {
+    for (std::size_t c = 0; c < accel.size(); ++c) {
+      if (!accel[c].position_m || !accel[c].angle_rad || !points.contains(static_cast<int>(point))) continue;
+      const double around = std::remainder(*accel[c].angle_rad - place.angle_rad, 2 * std::numbers::pi);
+      if (std::abs(*accel[c].position_m - place.position_m) <= kSamePlace_m && std::abs(around) <= kSameAngle_rad)
+        driving_.push_back({.point = point, .channel = c});
+    }
+  }
+}
+
+const FrfSet& Survey::frf_set() const {
+  return frf_set_.get([&] { return analysis_.fitted_frfs(); });
+}
+
+const std::vector<ModeShape>& Survey::shapes() const {
+  return shapes_.get([&] {
+    const auto& modes = analysis_.modes();
+    return analysis_.trace().run("shapes", [&] {
+      std::vector<ModeShape> shapes;
+      shapes.reserve(modes.size());
+      for (const Mode& mode : modes) shapes.push_back(shape_of(mode, {.roving = options_.roving, .driving = driving_}));
+      return shapes;
+    });
+  });
+}
+
+const std::vector<std::optional<TubeShape>>& Survey::tubes() const {
+  return tubes_.get([&] {
+    std::vector<std::optional<TubeShape>> tubes;
+    for (const ModeShape& shape : shapes()) tubes.push_back(tube_shape(shape, places_));
+    return tubes;
+  });
+}
+
+const std::vector<Verdict>& Survey::verdicts() const {
+  return verdicts_.get([&] { return name_by_shapes(); });
+}
+
+std::vector<Verdict> Survey::name_by_shapes() const {
+  std::vector<Verdict> verdicts = analysis_.verdicts();
+  const bool any = std::any_of(tubes().begin(), tubes().end(), [](const auto& tube) { return tube.has_value(); });
+  if (!any) return verdicts;
+  const auto& modes = analysis_.modes();
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    if (tubes()[m]) name_by_tube(verdicts[m], *tubes()[m]);
+  }
+  number_verdicts(modes, verdicts, analysis_.options().classes);
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    auto& peak = verdicts[m].double_peak;
+    if (!peak || !peak->first) continue;
+    auto& other = verdicts[peak->partner].double_peak;
+    const std::size_t partner = peak->partner;
+    if (same_pattern(tubes()[m], tubes()[partner])) {
+      describe_split(modes[m], modes[partner], plane_of(tubes()[m]), plane_of(tubes()[partner]), *peak, *other);
+    } else {
+      peak.reset();
+      other.reset();
+    }
+  }
+  return verdicts;
+}
+
+const std::vector<std::vector<Mac>>& Survey::macs() const {
+  return macs_.get([&] { return auto_mac(shapes()); });
+}
+
+LineRange Survey::band() const {
+  const auto [low, high] = analysis_.band_Hz();
+  const LineRange& all = analysis_.lines();
+  LineRange band = lines_in_band(all.fs_Hz, all.samples, low, high);
+  const std::size_t first = std::max(band.first, all.first);
+  const std::size_t end = std::min(band.first + band.count, all.first + all.count);
+  band.first = first;
+  band.count = end > first ? end - first : 0;
+  return band;
+}
+
+const std::vector<SynthesisedFrf>& Survey::synthesis() const {
+  return synthesis_.get([&] {
+    const FrfSet& set = frf_set();
+    const auto& modes = analysis_.modes();
+    return analysis_.trace().run("synthesis", [&] { return synthesised_frfs(set, modes, band()); });
+  });
+}
+
+std::vector<int> Survey::frf_points() const {
+  std::set<int> points;
+  for (const AnalysedHit& hit : analysis_.hits()) {
+    if (hit.accepted) points.insert(hit.point);
+  }
+  return {points.begin(), points.end()};
+}
+
+const Eigen::MatrixXd& Survey::indicator() const {
+  return indicator_.get([&] {
+    const FrfSet& set = frf_set();
+    return analysis_.trace().run("mode indicator", [&] { return cmif(set, band()); });
+  });
+}
+
+std::vector<DrivingPointCheck> Survey::driving_checks() const {
+  return check_driving_points(analysis_.modes(), driving_);
+}
+
+std::vector<ReciprocityCheck> Survey::reciprocity() const {
+  std::vector<std::pair<DrivingPoint, DrivingPoint>> pairs;
+  for (std::size_t i = 0; i < driving_.size(); ++i) {
+    for (std::size_t j = i + 1; j < driving_.size(); ++j) {
+      if (driving_[i].channel == driving_[j].channel) continue;
+      pairs.push_back({{driving_[i].point, driving_[j].channel}, {driving_[j].point, driving_[i].channel}});
+    }
+  }
+  return check_reciprocity(analysis_.modes(), pairs);
+}
+
+std::vector<Warning> Survey::warnings() const {
+  std::vector<Warning> out = analysis_.warnings();
+  if (!analysis_.possible()) return out;
+  std::erase_if(out, [](const Warning& warning) { return warning.code == "double_peak"; });  // as the shapes tell it
+  for (Warning& warning : survey_warnings(*this)) out.push_back(std::move(warning));
+  return out;
+}
+
+bool poorly_explained(const SynthesisedFrf& frf) { return frf.level_dB >= kStrong_dB && !(frf.frac >= kPoorFrac); }
+
+}  // namespace percuss

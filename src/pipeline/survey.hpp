@@ -1,0 +1,79 @@
+#pragma once
+#include <Eigen/Core>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "acquire/geometry.hpp"
+#include "core/lazy.hpp"
+#include "identify/cylinder.hpp"
+#include "identify/frf_synthesis.hpp"
+#include "identify/mac.hpp"
+#include "identify/shape_checks.hpp"
+#include "identify/shapes.hpp"
+#include "pipeline/analysis.hpp"
+
+namespace percuss {
+
+struct SurveyOptions {
+  std::optional<Geometry> geometry;  // absent: the record's own
+  Roving roving = Roving::hammer;
+  std::vector<DrivingPoint> driving;  // the user's; absent: points that lie where a sensor sits
+};
+
+/// A test of many points: what the modes' residues, and where their points lie, say of the structure. Computed as far
+/// as asked and kept; `analysis` must outlive it. Not for use by several threads at once.
+class Survey {
+ public:
+  /// errors  InputError: a point that was hit stands nowhere in the geometry given; a driving point that was not
+  /// measured.
+  Survey(const Analysis& analysis, SurveyOptions options);
+
+  const Analysis& analysis() const { return analysis_; }
+  const SurveyOptions& options() const { return options_; }
+  const std::optional<Geometry>& geometry() const { return geometry_; }
+  const std::vector<DrivingPoint>& driving_points() const { return driving_; }
+
+  const std::vector<ModeShape>& shapes() const;                // [modes]
+  const std::vector<std::optional<TubeShape>>& tubes() const;  // [modes]; nothing where the geometry is no tube
+  /// Named from the shapes where these tell, else from two sensors as analyze names them.
+  const std::vector<Verdict>& verdicts() const;
+  const std::vector<std::vector<Mac>>& macs() const;  // [modes][modes]
+  /// Lines of the band asked for.
+  LineRange band() const;
+  const std::vector<SynthesisedFrf>& synthesis() const;  // [outputs], point as an index into frf_points()
+  std::vector<int> frf_points() const;                   // numbers of the points that have FRFs, ascending
+  const Eigen::MatrixXd& indicator() const;              // CMIF [lines of band(), values]
+  std::vector<DrivingPointCheck> driving_checks() const;
+  std::vector<ReciprocityCheck> reciprocity() const;
+  /// The analysis' warnings and the survey's own.
+  std::vector<Warning> warnings() const;
+
+ private:
+  void place_points();
+  void find_driving_points();
+  std::vector<Verdict> name_by_shapes() const;
+  const FrfSet& frf_set() const;
+
+  const Analysis& analysis_;
+  SurveyOptions options_;
+  std::optional<Geometry> geometry_;
+  TubeGeometry places_;
+  std::vector<DrivingPoint> driving_;
+  Lazy<FrfSet> frf_set_;
+  Lazy<std::vector<ModeShape>> shapes_;
+  Lazy<std::vector<std::optional<TubeShape>>> tubes_;
+  Lazy<std::vector<Verdict>> verdicts_;
+  Lazy<std::vector<std::vector<Mac>>> macs_;
+  Lazy<std::vector<SynthesisedFrf>> synthesis_;
+  Lazy<Eigen::MatrixXd> indicator_;
+};
+
+/// An FRF that the modes do not explain although it is strong: FRAC below 0.99 within 20 dB of the strongest.
+bool poorly_explained(const SynthesisedFrf& frf);
+
+/// Warnings of a survey: sensors that sit on nodes, wrong signs, broken reciprocity, FRFs that the modes do not
+/// explain.
+std::vector<Warning> survey_warnings(const Survey& survey);
+
+}  // namespace percuss

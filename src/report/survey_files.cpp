@@ -1,0 +1,155 @@
+#include "report/survey_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <numbers>
+
+#include "acquire/hdf5_output.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr double kRadian_deg = 180 / std::numbers::pi;
+
+const GeometryPoint* place_of(const Survey& survey, std::size_t point) {
+  if (!survey.geometry()) return nullptr;
+  const auto& points = survey.geometry()->points;
+  const auto found = std::find_if(points.begin(), points.end(),
+                                  [&](const GeometryPoint& p) { return p.point == static_cast<int>(point); });
+  return found == points.end() ? nullptr : &*found;
+}
+
+void write_numbers(hdf5::OutputHdf5& out, const std::string& name, const std::vector<double>& values,
+                   hdf5::Stored type = hdf5::Stored::float64) {
+  out.create_set(name, std::array{values.size()}, type);
+  if (!values.empty()) out.write(name, {}, 0, std::span<const double>(values));
+}
+
+void write_shapes(hdf5::OutputHdf5& out, const Survey& survey) {
+  const auto& shapes = survey.shapes();
+  const auto& places = shapes.front().places;
+  const std::array size{shapes.size(), places.size()};
+  out.create_set("shape", size, hdf5::Stored::complex128);
+  out.create_set("shape_std", size);
+  for (std::size_t m = 0; m < shapes.size(); ++m) {
+    std::vector<Complex> value;
+    std::vector<double> std;
+    for (const ShapePlace& place : shapes[m].places) {
+      value.push_back(place.value);
+      std.push_back(place.std);
+    }
+    out.write("shape", std::array{m}, 0, std::span<const Complex>(value));
+    out.write("shape_std", std::array{m}, 0, std::span<const double>(std));
+  }
+  std::vector<double> point, channel;
+  out.create_set("xyz_m", std::array<std::size_t, 2>{places.size(), 3});
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    point.push_back(static_cast<double>(places[i].point));
+    channel.push_back(static_cast<double>(places[i].channel));
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    const auto xyz = drawn_at(survey, places[i].point).value_or(std::array{kNone, kNone, kNone});
+    out.write("xyz_m", std::array{i}, 0, std::span<const double>(xyz));
+  }
+  write_numbers(out, "point", point, hdf5::Stored::int32);
+  write_numbers(out, "channel", channel, hdf5::Stored::int32);
+}
+
+void write_macs(hdf5::OutputHdf5& out, const Survey& survey) {
+  const auto& macs = survey.macs();
+  for (const char* name : {"auto_mac", "auto_mac_std"}) out.create_set(name, std::array{macs.size(), macs.size()});
+  for (std::size_t m = 0; m < macs.size(); ++m) {
+    std::vector<double> value, std;
+    for (const Mac& mac : macs[m]) {
+      value.push_back(mac.value);
+      std.push_back(mac.std);
+    }
+    out.write("auto_mac", std::array{m}, 0, std::span<const double>(value));
+    out.write("auto_mac_std", std::array{m}, 0, std::span<const double>(std));
+  }
+}
+
+void write_cmif(hdf5::OutputHdf5& out, const Survey& survey) {
+  const Eigen::MatrixXd& values = survey.indicator();
+  const LineRange band = survey.band();
+  std::vector<double> freq_Hz;
+  for (std::size_t k = 0; k < band.count; ++k) freq_Hz.push_back(band.freq_Hz(k));
+  write_numbers(out, "cmif_frequency_hz", freq_Hz);
+  out.create_set("cmif", std::array{band.count, static_cast<std::size_t>(values.cols())});
+  for (Eigen::Index k = 0; k < values.rows(); ++k) {
+    const Eigen::VectorXd line = values.row(k);
+    out.write("cmif", std::array{static_cast<std::size_t>(k)}, 0,
+              std::span<const double>(line.data(), static_cast<std::size_t>(line.size())));
+  }
+}
+
+}  // namespace
+
+std::optional<std::array<double, 3>> drawn_at(const Survey& survey, std::size_t point) {
+  const GeometryPoint* place = place_of(survey, point);
+  if (place == nullptr) return std::nullopt;
+  if (place->xyz_m) return place->xyz_m;
+  return std::array{place->position_m, place->radius_m * std::cos(place->angle_rad),
+                    place->radius_m * std::sin(place->angle_rad)};
+}
+
+std::string shapes_csv(const Survey& survey) {
+  std::string out =
+      "mode,frequency_hz,damping_ratio,family,order,point,channel,position_m,angle_deg,x_m,y_m,z_m,re,im,std\n";
+  auto end = std::back_inserter(out);
+  const auto& modes = survey.analysis().modes();
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    const Verdict& verdict = survey.verdicts()[m];
+    for (const ShapePlace& place : survey.shapes()[m].places) {
+      fmt::format_to(end, "{},{},{},{},{},{},{},", m, modes[m].pole.freq_Hz, modes[m].pole.damping_ratio,
+                     name_of(verdict.family), verdict.order > 0 ? fmt::format("{}", verdict.order) : "", place.point,
+                     place.channel);
+      const GeometryPoint* at = place_of(survey, place.point);
+      const bool tube = at != nullptr && survey.geometry()->tube;
+      out += tube ? fmt::format("{},{},", at->position_m, at->angle_rad * kRadian_deg) : ",,";
+      const auto xyz = drawn_at(survey, place.point);
+      out += xyz ? fmt::format("{},{},{},", (*xyz)[0], (*xyz)[1], (*xyz)[2]) : ",,,";
+      fmt::format_to(end, "{},{},{}\n", place.value.real(), place.value.imag(), place.std);
+    }
+  }
+  return out;
+}
+
+std::string cmif_csv(const Survey& survey) {
+  const Eigen::MatrixXd& values = survey.indicator();
+  const LineRange band = survey.band();
+  std::string out = "frequency_hz";
+  for (Eigen::Index v = 0; v < values.cols(); ++v) out += fmt::format(",singular_value_{}", v + 1);
+  out += '\n';
+  for (Eigen::Index k = 0; k < values.rows(); ++k) {
+    out += fmt::format("{}", band.freq_Hz(static_cast<std::size_t>(k)));
+    for (Eigen::Index v = 0; v < values.cols(); ++v) out += fmt::format(",{}", values(k, v));
+    out += '\n';
+  }
+  return out;
+}
+
+void write_survey_hdf5(const std::string& path, const Survey& survey, bool force) {
+  const auto& modes = survey.analysis().modes();
+  std::vector<double> freq_Hz, damping;
+  for (const Mode& mode : modes) {
+    freq_Hz.push_back(mode.pole.freq_Hz);
+    damping.push_back(mode.pole.damping_ratio);
+  }
+  hdf5::OutputHdf5 out(path, force);
+  write_numbers(out, "frequency_hz", freq_Hz);
+  write_numbers(out, "damping_ratio", damping);
+  if (!modes.empty()) {
+    write_shapes(out, survey);
+    write_macs(out, survey);
+    out.set_text("", "normalisation", name_of(survey.shapes().front().normalisation));
+  }
+  write_cmif(out, survey);
+  out.commit();
+}
+
+}  // namespace percuss

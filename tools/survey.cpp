@@ -1,0 +1,140 @@
+#include <fmt/format.h>
+
+#include <charconv>
+#include <iostream>
+#include <memory>
+
+#include "acquire/atomic_file.hpp"
+#include "analysis_flags.hpp"
+#include "command.hpp"
+#include "core/error.hpp"
+#include "output.hpp"
+#include "progress.hpp"
+#include "read_flags.hpp"
+#include "report/survey_files.hpp"
+#include "report/survey_json.hpp"
+#include "report/survey_text.hpp"
+
+namespace percuss::tools {
+namespace {
+
+struct SurveyFlags {
+  ReadFlags read;
+  AnalysisFlags analysis;
+  OutputFlags output;
+  std::string geometry_path;
+  std::string roving = "hammer";
+  std::vector<std::string> driving;
+  bool hits = false;
+  bool trace = false;
+  bool example = false;
+};
+
+// "POINT" or "POINT:CHANNEL".
+DrivingPoint parse_driving(const std::string& text) {
+  DrivingPoint at;
+  const char* const end = text.data() + text.size();
+  auto [rest, error] = std::from_chars(text.data(), end, at.point);
+  bool good = error == std::errc{};
+  if (good && rest != end) {
+    good = *rest == ':';
+    const auto channel = std::from_chars(rest + (good ? 1 : 0), end, at.channel);
+    good = good && channel.ec == std::errc{} && channel.ptr == end;
+  }
+  if (good) return at;
+  throw UsageError("--driving-point cannot be '" + text + "'", "give POINT:CHANNEL, both counted from 0, as 17:0");
+}
+
+SurveyOptions survey_options(const SurveyFlags& flags) {
+  SurveyOptions options{.roving = flags.roving == "sensor" ? Roving::sensor : Roving::hammer};
+  for (const std::string& text : flags.driving) options.driving.push_back(parse_driving(text));
+  if (!flags.geometry_path.empty()) options.geometry = read_geometry(flags.geometry_path);
+  return options;
+}
+
+// Several files are one point each unless the user says otherwise.
+Record record_of(const SurveyFlags& flags) {
+  if (flags.read.files == FilesMean::tests)
+    throw UsageError("a survey is one test", "use --files points or --files hits");
+  const FilesMean mean = flags.read.files == FilesMean::automatic ? FilesMean::points : flags.read.files;
+  Record record = join_records(open_records(flags.read), mean);
+  for (const RowInfo& row : record.rows) {
+    if (row.run == record.rows.front().run) continue;
+    throw InputError("several runs", record.files[row.file].path, "a survey is one test; put each run in its own file");
+  }
+  return record;
+}
+
+bool is_indicator(const std::string& path) { return path.ends_with(".cmif.csv"); }
+
+void write_outputs(const SurveyFlags& flags, const Survey& survey, const std::string& document) {
+  for (const std::string& path : flags.output.paths) {
+    const std::string kind = extension_of(path);
+    if (kind == ".json") {
+      write_file(path, document, flags.output.force);
+    } else if (!survey.analysis().possible()) {
+      std::cerr << "percuss: no hit can be used, so there are no shapes to write (" + one_line(path) +
+                       "); see the hits' findings\n";
+    } else if (kind == ".csv") {
+      write_file(path, is_indicator(path) ? cmif_csv(survey) : shapes_csv(survey), flags.output.force);
+    } else {
+      write_survey_hdf5(path, survey, flags.output.force);
+    }
+  }
+}
+
+int run_survey(const SurveyFlags& flags) {
+  if (flags.example) {
+    std::cout << geometry_example();
+    return kOk;
+  }
+  check_outputs(flags.output, {".json", ".csv", ".h5"});
+  const SurveyOptions options = survey_options(flags);
+  const Progress progress("analysing", flags.output.quiet);
+  const Analysis analysis(record_of(flags), analysis_options(flags.analysis));
+  const Survey survey(analysis, options);
+  analysis.hits();
+  const bool wants_json = flags.output.json || std::any_of(flags.output.paths.begin(), flags.output.paths.end(),
+                                                           [](const auto& p) { return extension_of(p) == ".json"; });
+  const std::string document = wants_json ? survey_json(survey, {.trace = flags.trace}) : "";
+  const std::string text = flags.output.json ? "" : survey_text(survey, flags.hits, terminal_width());
+  progress.stop();
+  write_outputs(flags, survey, document);
+  std::cout << (flags.output.json ? document : text) << std::flush;
+  if (flags.trace && !flags.output.json) {
+    for (const auto& stage : analysis.trace().stages())
+      std::cerr << fmt::format("{:<20} {:>6} calls  {:.6f} s\n", stage.name, stage.calls, stage.seconds);
+  }
+  return analysis.possible() ? kOk : kImpossible;
+}
+
+}  // namespace
+
+void add_survey(CLI::App& app, Run& run) {
+  auto flags = std::make_shared<SurveyFlags>();
+  CLI::App* command = app.add_subcommand("survey", "Mode shapes from a test of many points: MAC, modal mass, orders");
+  command->footer(
+      "Example: percuss survey barrel.h5 --geometry points.csv --band 60:3200 -o shapes.csv -o modes.cmif.csv");
+  add_read_flags(*command, flags->read);
+  add_analysis_flags(*command, flags->analysis);
+  add_output_flags(*command, flags->output);
+  command
+      ->add_option("--geometry", flags->geometry_path,
+                   "Where the points lie, a CSV as --example prints it (default: what the record says)")
+      ->type_name("FILE");
+  command->add_option("--roving", flags->roving, "What was moved from point to point")
+      ->check(CLI::IsMember({"hammer", "sensor"}))
+      ->capture_default_str();
+  command
+      ->add_option("--driving-point", flags->driving,
+                   "A point struck right beside the sensor of a channel (default: points that lie where a sensor sits)")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("POINT:CHANNEL,...");
+  command->add_flag("--hits", flags->hits, "Also the table of hits");
+  command->add_flag("--trace", flags->trace, "What ran: stages, calls, seconds");
+  command->add_flag("--example", flags->example, "Print an example of a geometry file and stop");
+  command->callback([flags, &run] { run = [flags] { return run_survey(*flags); }; });
+}
+
+}  // namespace percuss::tools
