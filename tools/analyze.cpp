@@ -34,7 +34,8 @@ struct Test {
 };
 
 // Two channels without angles are taken as 0° and 90°, as the two-accelerometer test places them.
-void assume_angles(Record& record) {
+template <class AnyRecord>
+void assume_angles(AnyRecord& record) {
   const bool none = !record.accel.empty() && std::none_of(record.accel.begin(), record.accel.end(),
                                                           [](const SignalInfo& s) { return s.angle_rad; });
   if (!none || record.accel.size() != 2) return;
@@ -44,8 +45,25 @@ void assume_angles(Record& record) {
       "the accelerometers' angles are not stated: taken as 0° and 90° around the barrel (--angle 0,90 confirms it)");
 }
 
+std::vector<Test> tests_of_frfs(const AnalyzeFlags& flags, std::vector<FrfRecord> frfs) {
+  if (flags.read.files != FilesMean::tests) {
+    FrfRecord joined = join_frfs_of(flags.read, std::move(frfs));
+    frfs.clear();
+    frfs.push_back(std::move(joined));
+  }
+  std::vector<Test> tests;
+  for (FrfRecord& record : frfs) {
+    assume_angles(record);
+    tests.push_back({.run = static_cast<int>(tests.size()),
+                     .analysis = std::make_unique<Analysis>(std::move(record), analysis_options(flags.analysis))});
+  }
+  return tests;
+}
+
 std::vector<Test> tests_of(const AnalyzeFlags& flags) {
-  std::vector<Record> records = open_records(flags.read);
+  Measurements opened = open_measurements(flags.read);
+  if (!opened.frfs.empty()) return tests_of_frfs(flags, std::move(opened.frfs));
+  std::vector<Record> records = std::move(opened.records);
   if (flags.read.files != FilesMean::tests) {
     Record joined = join_records(std::move(records), flags.read.files);
     records.clear();

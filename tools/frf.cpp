@@ -21,13 +21,22 @@ struct FrfFlags {
   std::string kind = "accelerance";
 };
 
+std::unique_ptr<Analysis> analysis_of(const FrfFlags& flags) {
+  Measurements opened = open_measurements(flags.read);
+  const AnalysisOptions options = analysis_options(flags.analysis);
+  if (!opened.frfs.empty())
+    return std::make_unique<Analysis>(join_frfs_of(flags.read, std::move(opened.frfs)), options);
+  return std::make_unique<Analysis>(join_records(std::move(opened.records), flags.read.files), options);
+}
+
 int frf(const FrfFlags& flags) {
   check_outputs(flags.output, {".csv", ".h5", ".json"});
   const FrfKind kind = flags.kind == "mobility"     ? FrfKind::mobility
                        : flags.kind == "receptance" ? FrfKind::receptance
                                                     : FrfKind::accelerance;
   const Progress progress("averaging", flags.output.quiet);
-  const Analysis analysis(join_records(open_records(flags.read), flags.read.files), analysis_options(flags.analysis));
+  const auto opened = analysis_of(flags);
+  const Analysis& analysis = *opened;
   analysis.hits();
   if (!analysis.possible()) {
     progress.stop();

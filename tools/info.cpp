@@ -13,6 +13,7 @@
 #include "acquire/input_file.hpp"
 #include "command.hpp"
 #include "core/error.hpp"
+#include "info_frfs.hpp"
 #include "output.hpp"
 #include "read_flags.hpp"
 #include "report/number.hpp"
@@ -170,10 +171,13 @@ int run_info(const InfoFlags& flags) {
   bool any = false;
   for (std::size_t i = 0; i < flags.read.paths.size(); ++i) {
     try {
-      const Record record = open_record_at(flags.read, options, i);
-      files.push_back(record_json(record));
+      const auto opened = open_measurement_at(flags.read, options, i);
+      const auto* const frfs = std::get_if<FrfRecord>(&opened);
+      files.push_back(frfs != nullptr ? frfs_json(*frfs) : record_json(std::get<Record>(opened)));
       any = true;
-      if (!flags.output.json) fmt::print("{}", record_text(record, terminal_width()));
+      if (flags.output.json) continue;
+      fmt::print("{}", frfs != nullptr ? frfs_text(*frfs, terminal_width())
+                                       : record_text(std::get<Record>(opened), terminal_width()));
     } catch (const UnclearColumns& seen) {
       files.push_back(columns_json(flags.read.paths[i], seen));
       any = true;

@@ -38,6 +38,11 @@ void require_distinct(const std::vector<std::string>& paths) {
   }
 }
 
+void require_files(const ReadFlags& flags) {
+  if (flags.paths.empty()) throw UsageError("no file", "name at least one, or - for standard input");
+  require_distinct(flags.paths);
+}
+
 void require_unit_or_volts(const std::string& name, Quantity wanted, const char* option) {
   const auto unit = parse_unit(name);
   const bool volts = unit && unit->quantity == Quantity::voltage;
@@ -49,6 +54,11 @@ FilesMean files_mean(const std::string& text) {
   if (text == "points") return FilesMean::points;
   if (text == "tests") return FilesMean::tests;
   throw UsageError("--files cannot mean \"" + one_line(text, 40) + "\"", "use hits, points or tests");
+}
+
+FrfKind frf_kind(const std::string& text) {
+  if (const auto kind = parse_frf_kind(text)) return *kind;
+  throw UsageError("--frf-kind cannot be \"" + one_line(text, 40) + "\"", "use accelerance, mobility or receptance");
 }
 
 /// The options for file `index`: of a scale per file, that file's.
@@ -68,7 +78,8 @@ ReadOptions options_of_file(const ReadOptions& all, std::size_t index, std::size
 
 void add_read_flags(CLI::App& command, ReadFlags& flags) {
   ReadOptions& options = flags.options;
-  command.add_option("FILE", flags.paths, "records to read: HDF5, CSV or text; - is standard input")->type_name("");
+  command.add_option("FILE", flags.paths, "records to read, or FRFs: HDF5, CSV or text; - is standard input")
+      ->type_name("");
   add_value(command, "--fs", options.fs_Hz, "sampling rate, whatever the file says", "HZ");
   add_value(command, "--force-channel", options.force_channel, "the force: name or 1-based number of its column",
             "NAME");
@@ -92,6 +103,12 @@ void add_read_flags(CLI::App& command, ReadFlags& flags) {
           "what several files are: hits of one test, one point each, or tests of their own")
       ->type_name("hits|points|tests")
       ->group("Reading");
+  command
+      .add_option_function<std::string>(
+          "--frf-kind", [&flags](const std::string& text) { flags.frf_kind = frf_kind(text); },
+          "what files of FRFs hold, whatever they say")
+      ->type_name("accelerance|mobility|receptance")
+      ->group("Reading");
 }
 
 ReadOptions finished_options(const ReadFlags& flags) {
@@ -112,9 +129,34 @@ Record open_record_at(const ReadFlags& flags, const ReadOptions& options, std::s
   return open_record(flags.paths[index], options_of_file(options, index, flags.paths.size()));
 }
 
+std::variant<Record, FrfRecord> open_measurement_at(const ReadFlags& flags, const ReadOptions& options,
+                                                    std::size_t index) {
+  return open_measurement(flags.paths[index],
+                          {.read = options_of_file(options, index, flags.paths.size()), .kind = flags.frf_kind});
+}
+
+Measurements open_measurements(const ReadFlags& flags) {
+  require_files(flags);
+  const ReadOptions options = finished_options(flags);
+  Measurements out;
+  for (std::size_t i = 0; i < flags.paths.size(); ++i) {
+    auto opened = open_measurement_at(flags, options, i);
+    if (auto* record = std::get_if<Record>(&opened)) out.records.push_back(std::move(*record));
+    if (auto* frfs = std::get_if<FrfRecord>(&opened)) out.frfs.push_back(std::move(*frfs));
+    if (out.records.empty() || out.frfs.empty()) continue;
+    throw InputError("records of time and FRFs cannot be joined", flags.paths[i], "analyse the two kinds apart");
+  }
+  return out;
+}
+
+FrfRecord join_frfs_of(const ReadFlags& flags, std::vector<FrfRecord> frfs) {
+  if (frfs.size() > 1 && flags.files == FilesMean::hits)
+    throw UsageError("several files of FRFs are no hits of one test", "give --files points or tests");
+  return join_frfs(std::move(frfs));
+}
+
 std::vector<Record> open_records(const ReadFlags& flags) {
-  if (flags.paths.empty()) throw UsageError("no file", "name at least one, or - for standard input");
-  require_distinct(flags.paths);
+  require_files(flags);
   const ReadOptions options = finished_options(flags);
   std::vector<Record> records;
   for (std::size_t i = 0; i < flags.paths.size(); ++i) records.push_back(open_record_at(flags, options, i));

@@ -1,9 +1,12 @@
 #pragma once
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "acquire/record.hpp"
+#include "frf/frf_record.hpp"
 
 namespace percuss::tools {
 
@@ -13,6 +16,7 @@ struct ReadFlags {
   ReadOptions options;
   std::string setup_path;                  // --setup CHANNELS.json
   FilesMean files = FilesMean::automatic;  // --files
+  std::optional<FrfKind> frf_kind;         // --frf-kind
   // as typed, in the units of the option's name; turned into options by finish()
   std::vector<double> angle_deg;
   std::vector<double> position_m;
@@ -27,6 +31,22 @@ ReadOptions finished_options(const ReadFlags& flags);
 
 /// One path opened with finished options.
 Record open_record_at(const ReadFlags& flags, const ReadOptions& options, std::size_t index);
+
+/// What the files hold: records of time or FRFs, never both.
+struct Measurements {
+  std::vector<Record> records;
+  std::vector<FrfRecord> frfs;
+};
+
+/// Every path opened as what it is. InputError for records of time beside FRFs; UsageError as open_records.
+Measurements open_measurements(const ReadFlags& flags);
+
+/// One path opened as what it is, with finished options.
+std::variant<Record, FrfRecord> open_measurement_at(const ReadFlags& flags, const ReadOptions& options,
+                                                    std::size_t index);
+
+/// Files of FRFs as one test: several are points. UsageError when --files says hits.
+FrfRecord join_frfs_of(const ReadFlags& flags, std::vector<FrfRecord> frfs);
 
 /// Every path opened; UsageError for none, or for one that is named twice; what several of them mean is the caller's
 /// affair (join_records).

@@ -174,12 +174,12 @@ void fill_columns(CsvHeader& header, const std::optional<Cells>& names, const st
 }  // namespace
 
 CsvHeader read_csv_header(std::string_view text, const CsvDialect& dialect,
-                          const std::vector<std::size_t>& number_columns, const std::string& file) {
+                          const std::vector<std::size_t>& number_columns, const std::string& file, CsvContent content) {
   if (number_columns.empty()) throw InputError("no lines of numbers found", file, kRemedy);
   CsvHeader header;
   const auto lines = take_header_lines(text, dialect, number_columns, header, file);
   const std::size_t count = number_columns.back() + 1;
-  refuse_frf(lines, dialect, count, file);
+  if (content == CsvContent::time_record) refuse_frf(lines, dialect, count, file);
   const auto is_units = [&](const Cells& cells) { return is_unit_row(cells, number_columns); };
   const auto is_names = [&](const Cells& cells) {
     return is_name_row(cells, dialect, number_columns) && !is_units(cells);

@@ -28,11 +28,15 @@ struct CsvHeader {
   std::string fs_line;             // that line, for messages
 };
 
+/// What the columns of a text may be.
+enum class CsvContent { time_record, frf };
+
 /// Reads what stands before the data. Names are the last line with a text over every column of numbers, units the last
 /// one with nothing but units; comment lines count as well, but an ordinary line wins. errors  InputError: no line of
-/// numbers; the columns are those of an FRF or a spectrum, not of a time record.
+/// numbers; for a time record, the columns are those of an FRF or a spectrum.
 CsvHeader read_csv_header(std::string_view text, const CsvDialect& dialect,
-                          const std::vector<std::size_t>& number_columns, const std::string& file);
+                          const std::vector<std::size_t>& number_columns, const std::string& file,
+                          CsvContent content = CsvContent::time_record);
 
 /// "force_N" → {"force", "N"}, "Force (N)", "accel [g]", "Force/N", "acc0_m_s2" likewise; no unit: {name, ""}.
 struct NameAndUnit {

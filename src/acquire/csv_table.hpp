@@ -8,10 +8,12 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "acquire/csv_dialect.hpp"
 #include "acquire/csv_header.hpp"
+#include "acquire/csv_layout.hpp"
 #include "acquire/input_file.hpp"
 
 namespace percuss {
@@ -23,6 +25,8 @@ class CsvTable {
   /// `header` says where the data starts; every line from there on is data, blank or a comment.
   /// errors  InputError: a line with too few or too many cells, a line too long.
   CsvTable(FileBytes bytes, CsvDialect dialect, CsvHeader header, const std::vector<std::size_t>& number_columns);
+  CsvTable(FileBytes bytes, CsvLayout layout)
+      : CsvTable(std::move(bytes), layout.dialect, std::move(layout.header), layout.number_columns) {}
 
   std::size_t lines() const { return lines_; }
   const CsvHeader& header() const { return header_; }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cassert>
 #include <limits>
+#include <optional>
 
 #include "acquire/hdf5_input.hpp"
 #include "core/error.hpp"
@@ -50,6 +51,28 @@ bool is_plain_number(hid_t type) {
   return std::any_of(known.begin(), known.end(), [type](hid_t one) { return H5Tequal(type, one) > 0; });
 }
 
+/// The library's own text, freed.
+std::string member_name(hid_t type, unsigned member) {
+  char* const name = H5Tget_member_name(type, member);
+  const std::string copy = name == nullptr ? "" : name;
+  H5free_memory(name);
+  return copy;
+}
+
+/// The members of a complex number: real part, then imaginary.
+std::optional<std::array<std::string, 2>> complex_members(hid_t type) {
+  if (H5Tget_class(type) != H5T_COMPOUND || H5Tget_nmembers(type) != 2) return std::nullopt;
+  std::array<std::string, 2> names;
+  for (unsigned i = 0; i < 2; ++i) {
+    const Handle member(H5Tget_member_type(type, i));
+    if (!member || !is_plain_number(member.get())) return std::nullopt;
+    names.at(i) = member_name(type, i);
+  }
+  const bool known = (names[0] == "r" && names[1] == "i") || (names[0] == "re" && names[1] == "im") ||
+                     (names[0] == "real" && names[1] == "imag");
+  return known ? std::optional(names) : std::nullopt;
+}
+
 std::uint64_t times(std::uint64_t a, std::uint64_t b) {
   constexpr auto kMost = std::numeric_limits<std::uint64_t>::max();
   return b != 0 && a > kMost / b ? kMost : a * b;
@@ -70,10 +93,11 @@ void check_filters(hid_t creation, const std::string& where) {
 
 }  // namespace
 
-InputDataSet::InputDataSet(const InputHdf5& file, const std::string& name) : where_(file.where(name)) {
+InputDataSet::InputDataSet(const InputHdf5& file, const std::string& name, Elements elements)
+    : where_(file.where(name)) {
   open(file, name);
   read_shape();
-  check_type();
+  check_type(elements);
   check_storage(file, name);
 }
 
@@ -86,8 +110,13 @@ void InputDataSet::open(const InputHdf5& file, const std::string& name) {
   set_ = std::move(object);
 }
 
-void InputDataSet::check_type() const {
+void InputDataSet::check_type(Elements elements) const {
   const Handle type(H5Dget_type(set_.get()));
+  if (elements == Elements::complex) {
+    if (type && complex_members(type.get())) return;
+    throw InputError("not an array of complex numbers", where_,
+                     "store compounds of two floats r and i, as h5py does with complex128");
+  }
   if (!type || !is_plain_number(type.get())) {
     throw InputError("not an array of integers or floats of 32 or 64 bits", where_, "store float32 or float64");
   }
@@ -161,6 +190,21 @@ void InputDataSet::check_chunks(const InputHdf5& file, const std::string& name, 
 }
 
 void InputDataSet::read(std::span<const std::size_t> at, std::size_t first, std::span<double> out) const {
+  read_as(H5T_NATIVE_DOUBLE, at, first, out.size(), out.data());
+}
+
+void InputDataSet::read(std::span<const std::size_t> at, std::size_t first, std::span<std::complex<double>> out) const {
+  const Handle stored(H5Dget_type(set_.get()));
+  const auto members = stored ? complex_members(stored.get()) : std::nullopt;
+  if (!members) damaged();
+  const Handle type(H5Tcreate(H5T_COMPOUND, sizeof(std::complex<double>)));
+  H5Tinsert(type.get(), (*members)[0].c_str(), 0, H5T_NATIVE_DOUBLE);
+  H5Tinsert(type.get(), (*members)[1].c_str(), sizeof(double), H5T_NATIVE_DOUBLE);
+  read_as(type.get(), at, first, out.size(), out.data());
+}
+
+void InputDataSet::read_as(hid_t memory_type, std::span<const std::size_t> at, std::size_t first,
+                           std::size_t count_last, void* out) const {
   assert(at.size() + 1 == shape_.size());
   std::array<hsize_t, kMostDimensions> start{}, count{};
   for (std::size_t d = 0; d < at.size(); ++d) {
@@ -168,13 +212,13 @@ void InputDataSet::read(std::span<const std::size_t> at, std::size_t first, std:
     count[d] = 1;
   }
   start[at.size()] = first;
-  count[at.size()] = out.size();
-  const hsize_t length = out.size();
+  count[at.size()] = count_last;
+  const hsize_t length = count_last;
   const Handle file_space(H5Dget_space(set_.get()));
   const Handle memory_space(H5Screate_simple(1, &length, nullptr));
   if (!file_space || !memory_space ||
       H5Sselect_hyperslab(file_space.get(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr) < 0 ||
-      H5Dread(set_.get(), H5T_NATIVE_DOUBLE, memory_space.get(), file_space.get(), H5P_DEFAULT, out.data()) < 0) {
+      H5Dread(set_.get(), memory_type, memory_space.get(), file_space.get(), H5P_DEFAULT, out) < 0) {
     damaged();
   }
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include <complex>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -35,13 +36,17 @@ class InputHdf5 {
   Handle file_;
 };
 
+/// What the elements of a data set must be: integers and floats, or complex numbers as h5py writes them (a compound of
+/// two floats, r and i).
+enum class Elements { real, complex };
+
 /// A numeric data set of the root group, known to lie wholly in its file before any sample is read.
 /// errors  InputError: links to other files, groups, other types than integers and IEEE floats, sizes that the file
 /// cannot hold,
 ///         compression other than gzip.
 class InputDataSet {
  public:
-  InputDataSet(const InputHdf5& file, const std::string& name);
+  InputDataSet(const InputHdf5& file, const std::string& name, Elements elements = Elements::real);
 
   /// Number of elements along each dimension; empty for a scalar.
   const std::vector<std::size_t>& shape() const { return shape_; }
@@ -51,15 +56,18 @@ class InputDataSet {
   /// Elements first … first + out.size() − 1 along the last dimension, at index `at` of the others. InputError when
   /// they cannot be decoded.
   void read(std::span<const std::size_t> at, std::size_t first, std::span<double> out) const;
+  /// The same for a set of complex numbers.
+  void read(std::span<const std::size_t> at, std::size_t first, std::span<std::complex<double>> out) const;
   /// All of it, in C order; for small sets.
   std::vector<double> read_all() const;
 
  private:
   void open(const InputHdf5& file, const std::string& name);
-  void check_type() const;
+  void check_type(Elements elements) const;
   void read_shape();
   void check_storage(const InputHdf5& file, const std::string& name);
   void check_chunks(const InputHdf5& file, const std::string& name, Id creation, std::uint64_t claim_limit);
+  void read_as(Id memory_type, std::span<const std::size_t> at, std::size_t first, std::size_t count, void* out) const;
   [[noreturn]] void damaged() const;
 
   std::string where_;

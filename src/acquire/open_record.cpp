@@ -68,27 +68,32 @@ void refuse_foreign(std::string_view head, const std::string& name) {
   if (is_universal_file(head)) refuse("a universal file (UFF)");
 }
 
-Record open_standard_input(const ReadOptions& options) {
-  const auto look = [](std::string_view head) {
-    if (head.substr(0, kHdf5.size()) == kHdf5) {
-      throw InputError("HDF5 cannot be read from a pipe, which has no places to jump to", input_name("-"),
-                       "give the file's name");
-    }
-    refuse_foreign(head, input_name("-"));
-    require_text(head, input_name("-"));
-  };
-  return open_csv(read_input("-", kLargestPipe_bytes, look), options);
-}
-
 }  // namespace
 
-Record open_record(const std::string& path, const ReadOptions& options) {
-  if (path == "-") return open_standard_input(options);
+FileBytes read_text(const std::string& path) {
+  if (path == "-") {
+    const auto look = [](std::string_view head) {
+      if (head.substr(0, kHdf5.size()) == kHdf5) {
+        throw InputError("HDF5 cannot be read from a pipe, which has no places to jump to", input_name("-"),
+                         "give the file's name");
+      }
+      refuse_foreign(head, input_name("-"));
+      require_text(head, input_name("-"));
+    };
+    return read_input("-", kLargestPipe_bytes, look);
+  }
   const std::string head = first_bytes(path, kHead_bytes);
   refuse_foreign(head, path);
-  if (is_hdf5(path)) return open_hdf5(path, options);
   require_text(head, path);
-  return open_csv(read_input(path, kLargestText_bytes), options);
+  return read_input(path, kLargestText_bytes);
+}
+
+Record open_record(const std::string& path, const ReadOptions& options) {
+  if (path != "-") {
+    refuse_foreign(first_bytes(path, kHead_bytes), path);
+    if (is_hdf5(path)) return open_hdf5(path, options);
+  }
+  return open_csv(read_text(path), options);
 }
 
 }  // namespace percuss

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "acquire/csv_columns.hpp"
-#include "acquire/csv_dialect.hpp"
 #include "acquire/csv_rows.hpp"
 #include "acquire/csv_table.hpp"
 #include "acquire/largest_sample.hpp"
@@ -19,36 +18,9 @@
 namespace percuss {
 namespace {
 
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-
-std::size_t size_of_mark(std::string_view text) {
-  return text.substr(0, 3) == kByteOrderMark ? kByteOrderMark.size() : 0;
-}
-
-CsvTable open_table(const FileBytes& bytes) {
-  constexpr std::size_t kMostColumns = 4096;
-  const std::string file = input_name(bytes.path);
-  const std::size_t mark = size_of_mark(bytes.view());
-  const std::string_view text = bytes.view().substr(mark);
-  require_text(text.substr(0, std::size_t{1} << 16U), file);
-  const char line_end = find_line_end(text);
-  const auto probes = probe_lines(text, line_end);
-  const CsvDialect dialect = find_dialect(probes, line_end);
-  if (has_two_kinds_of_comma(text, probes, dialect)) {
-    throw InputError("commas stand between the cells and for the decimal point as well", file,
-                     "save it with semicolons or tabs between the cells, or with decimal points");
-  }
-  const auto columns = find_number_columns(probes, dialect);
-  if (!columns.empty() && columns.back() >= kMostColumns - 1)
-    throw InputError("more than 4095 columns", file, "save one line per sample");
-  CsvHeader header = read_csv_header(text, dialect, columns, file);
-  header.data_start += mark;
-  return {bytes, dialect, std::move(header), columns};
-}
-
 // What the read functions of a record share.
 struct OpenCsv {
-  explicit OpenCsv(const FileBytes& bytes) : table(open_table(bytes)) {}
+  explicit OpenCsv(const FileBytes& bytes) : table(bytes, layout_of_text(bytes, CsvContent::time_record)) {}
   CsvTable table;
   std::vector<CsvRow> rows;
   std::size_t force_column = 0;

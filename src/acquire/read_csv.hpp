@@ -13,6 +13,10 @@ namespace percuss {
 /// for texts that are no finite number.
 Record open_csv(const FileBytes& bytes, const ReadOptions& options = {});
 
+/// The whole of a text file, or of standard input for "-". errors  InputError: not readable, too long, no text, or a
+/// kind of file that percuss does not read.
+FileBytes read_text(const std::string& path);
+
 /// Throws InputError unless these first bytes of the file `name` can be those of a text in ASCII, UTF-8 or Latin-1.
 void require_text(std::string_view head, const std::string& name);
 

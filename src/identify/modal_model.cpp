@@ -1,5 +1,6 @@
 #include "identify/modal_model.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -119,6 +120,9 @@ PointForce point_force(std::vector<ForceBlock> blocks, const std::vector<const s
 }
 
 bool decays_within(const Pole& pole, const PointForce& force, const LineRange& lines) {
+  const bool known = std::any_of(force.blocks.begin(), force.blocks.end(),
+                                 [](const ForceBlock& block) { return !block.force_N.empty(); });
+  if (!known) return true;  // what follows the record's end is not known without the force
   const double window_decay = force.blocks.empty() ? 0 : force.blocks.front().decay_per_s;
   const double duration_s = static_cast<double>(lines.samples) / lines.fs_Hz;
   return std::exp((terms_of(pole).s.real() - window_decay) * duration_s) < kGone;

@@ -15,7 +15,9 @@ struct Pole {
   double half_power_Hz() const { return 2 * damping_ratio * freq_Hz; }  // bandwidth, 3 dB down
 };
 
-/// The averaged hits of one impact point, as far as the model of a truncated record needs them.
+/// The averaged hits of one impact point, as far as the model of a truncated record needs them. Without blocks, or with
+/// blocks without force, nothing is known of the force: the FRF is taken as it is, `ff` is empty. A block's decay is
+/// that of the exponential window in any case.
 struct PointForce {
   std::vector<ForceBlock> blocks;             // [hits]
   std::vector<std::vector<Complex>> weights;  // conj(F_h)/Σ|F|² [hits][lines]: each hit's part in H1 = Σ weight·A
@@ -32,7 +34,8 @@ struct ModeColumn {
   Eigen::VectorXcd by_freq, by_damping;  // per Hz, per unit of damping ratio
 };
 
-/// True when the mode has decayed by the record's end: then its column is H(jω) itself, the same for every point.
+/// True when the mode has decayed by the record's end, or nothing is known of the force: then its column is H(jω)
+/// itself, the same for every point.
 bool decays_within(const Pole& pole, const PointForce& force, const LineRange& lines);
 
 /// The accelerance of one mode as H1 sees it when the structure was at rest before each hit and the record ends before

@@ -45,7 +45,7 @@ const std::vector<AnalysedHit>& Analysis::force_hits() const {
 }
 
 std::vector<AnalysedHit> Analysis::find() const {
-  auto found = find_hits(record_, options_.hits);
+  auto found = given_ ? std::vector<Hit>{} : find_hits(record_, options_.hits);
   check_numbers(options_.accept_hits, found.size(), "--accept-hit");
   check_numbers(options_.reject_hits, found.size(), "--reject-hit");
   if (options_.band_Hz) grade_bandwidth(found, options_.band_Hz->second);
@@ -64,12 +64,14 @@ std::vector<AnalysedHit> Analysis::find() const {
 }
 
 bool Analysis::possible() const {
+  if (given_) return true;
   const auto& all = hits_.ready() ? hits() : force_hits();
   return std::any_of(all.begin(), all.end(), [](const AnalysedHit& hit) { return hit.accepted; });
 }
 
 std::pair<double, double> Analysis::band_Hz() const {
   if (options_.band_Hz) return *options_.band_Hz;
+  if (given_) return given_band_Hz();
   std::vector<double> reach;
   for (const AnalysedHit& hit : force_hits()) {
     if (hit.accepted) reach.push_back(hit.hit.bandwidth_Hz);
@@ -79,7 +81,7 @@ std::pair<double, double> Analysis::band_Hz() const {
 }
 
 const LineRange& Analysis::lines() const {
-  return lines_.get([&] { return choose_lines(); });
+  return lines_.get([&] { return given_ ? given_lines() : choose_lines(); });
 }
 
 std::size_t Analysis::block_samples() const {
@@ -123,12 +125,14 @@ LineRange Analysis::choose_lines() const {
 }
 
 double Analysis::window_decay_per_s() const {
+  if (given_) return given_->decay_per_s;
   if (!(options_.exponential_end > 0)) return 0;
   return decay_for_end(options_.exponential_end, static_cast<double>(lines().samples) / record_.fs_Hz);
 }
 
 std::vector<std::size_t> Analysis::accepted_hits() const {
   std::vector<std::size_t> list;
+  if (given_) return list;
   for (std::size_t h = 0; h < hits().size(); ++h) {
     if (hits()[h].accepted) list.push_back(h);
   }

@@ -11,6 +11,7 @@
 #include "core/lazy.hpp"
 #include "core/trace.hpp"
 #include "frf/estimators.hpp"
+#include "frf/frf_record.hpp"
 #include "identify/classify.hpp"
 #include "identify/local_fit.hpp"
 #include "identify/mode.hpp"
@@ -38,13 +39,6 @@ struct AnalysedHit {
   std::vector<ResponseGrade> responses;  // [channels]; empty when the accelerations were not read
 };
 
-/// An averaged FRF and whose it is.
-struct PointFrf {
-  int point = 0;
-  std::size_t channel = 0;
-  Frf frf;
-};
-
 /// A mode as one hit alone shows it.
 struct HitMode {
   std::size_t hit = 0;
@@ -65,9 +59,13 @@ struct Warning {
 class Analysis {
  public:
   Analysis(Record record, AnalysisOptions options);
+  /// A test of which only the FRFs are left: no hits, and what a force would tell is not known.
+  Analysis(FrfRecord frfs, AnalysisOptions options);
 
   const Record& record() const { return record_; }
   const AnalysisOptions& options() const { return options_; }
+  /// The FRFs it was given in place of a record; nullptr otherwise.
+  const FrfRecord* given_frfs() const { return given_ ? &*given_ : nullptr; }
   Trace& trace() const { return trace_; }
 
   /// Hits graded by their force alone: reads nothing else. Index i is the user's hit number.
@@ -112,8 +110,15 @@ class Analysis {
   std::vector<Mode> identify() const;
   std::vector<Verdict> name_modes() const;
   std::vector<HitMode> identify_per_hit() const;
+  // The same from FRFs that were given (analysis_frfs.cpp).
+  std::pair<double, double> given_band_Hz() const;
+  LineRange given_lines() const;
+  std::vector<PointFrf> given_within_lines() const;
+  FrfSet given_set() const;
+  void warn_of_leakage(std::vector<Warning>& out) const;
 
   Record record_;
+  std::optional<FrfRecord> given_;
   AnalysisOptions options_;
   mutable Trace trace_;
   Lazy<std::vector<AnalysedHit>> force_hits_, hits_;

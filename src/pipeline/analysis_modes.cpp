@@ -17,10 +17,20 @@ std::map<int, std::vector<std::size_t>> by_point(const std::vector<AnalysedHit>&
   return points;
 }
 
+// The points of FRFs that stand point by point.
+std::vector<int> points_of(const std::vector<PointFrf>& frfs) {
+  std::vector<int> points;
+  for (const PointFrf& frf : frfs) {
+    if (points.empty() || points.back() != frf.point) points.push_back(frf.point);
+  }
+  return points;
+}
+
 }  // namespace
 
 const std::vector<PointFrf>& Analysis::frfs() const {
   return frfs_.get([&] {
+    if (given_) return given_within_lines();
     const auto hits = accepted_hits();
     force_spectra();
     return trace_.run("frf", [&] { return average(); });
@@ -44,6 +54,7 @@ std::vector<PointFrf> Analysis::average() const {
 }
 
 FrfSet Analysis::frf_set(const std::vector<std::size_t>& which) const {
+  if (given_) return given_set();
   FrfSet set{.lines = lines()};
   std::vector<double> reach;
   reach.reserve(which.size());
@@ -77,6 +88,7 @@ const std::vector<Mode>& Analysis::modes() const {
     auto modes = trace_.run("modes", [&] { return identify_modes(set, options_.modes); });
     std::vector<int> points;
     for (const auto& [point, members] : by_point(hits(), accepted_hits())) points.push_back(point);
+    if (given_) points = points_of(frfs());
     const auto [low, high] = band_Hz();
     std::erase_if(modes, [&, low = low, high = high](const Mode& mode) {
       return mode.pole.freq_Hz < low || mode.pole.freq_Hz > high;

@@ -75,7 +75,9 @@ std::vector<Warning> Analysis::warnings() const {
     out.push_back({"not_at_rest",
                    "the structure was still ringing before a hit: wait longer between hits; damping there may be off "
                    "by more than its ±"});
-  if (modes_.ready()) {
+  if (given_) {
+    warn_of_leakage(out);
+  } else if (modes_.ready()) {
     std::string ringing;
     for (const Mode& mode : modes()) {
       const double left = left_at_end(mode, lines(), window_decay_per_s());

@@ -180,7 +180,7 @@ Json document_of(const Analysis& analysis, const JsonOptions& options) {
   Json json{{"schema", "percuss/analysis/1"}, {"version", version()}, {"inputs", Json::array()}};
   for (const InputFile& file : analysis.record().files)
     json["inputs"].push_back({{"path", file.path}, {"bytes", file.bytes}});
-  json["fs_hz"] = analysis.record().fs_Hz;
+  json["fs_hz"] = analysis.given_frfs() != nullptr ? Json() : Json(analysis.record().fs_Hz);  // FRFs do not tell it
   const auto& hits = force_only ? analysis.force_hits() : analysis.hits();
   if (analysis.possible()) {
     const auto [low, high] = analysis.band_Hz();

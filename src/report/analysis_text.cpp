@@ -32,6 +32,10 @@ std::string heading(const Analysis& analysis, std::size_t hits, std::size_t widt
   if (!angles.empty()) sensors += " (" + angles + ")";
   std::string text =
       fmt::format("{} · {} hit{} × {}", short_frequency(record.fs_Hz), hits, hits == 1 ? "" : "s", sensors);
+  if (const FrfRecord* given = analysis.given_frfs()) {
+    const std::size_t points = given->frfs.size() / record.accel.size();
+    text = fmt::format("FRFs ({}) · {} point{} × {}", name_of(given->kind), points, points == 1 ? "" : "s", sensors);
+  }
   if (analysis.possible()) {
     const auto [low, high] = analysis.band_Hz();
     text += fmt::format(" · band {:.4g}–{:.4g} Hz", low, high);
@@ -167,6 +171,7 @@ std::string frf_text(const Analysis& analysis) {
                           [](const PointFrf& a, const PointFrf& b) { return a.frf.averages < b.frf.averages; });
   std::string averages = fmt::format("{}", least->frf.averages);
   if (most->frf.averages != least->frf.averages) averages += fmt::format(" to {}", most->frf.averages);
+  if (most->frf.averages == 0) averages = "not stated";
   return fmt::format("FRFs: {} lines, {:.4g} Hz apart; averages: {}\n", analysis.lines().count,
                      analysis.lines().df_Hz(), averages);
 }
@@ -178,6 +183,7 @@ std::string coherence_text(const Analysis& analysis) {
     const auto summary = summary_of_coherence(analysis, frf);
     if (summary && (!worst || summary->mean < worst->mean)) worst = summary;
   }
+  if (!worst && analysis.given_frfs() != nullptr) return "coherence: none in the file\n";
   if (!worst) return "coherence: none, as no point has several hits\n";
   return fmt::format("coherence{}: {:.4f} on average, below 0.9 on {:.1f} % of the band's lines\n",
                      analysis.frfs().size() > 1 ? " (of the worst FRF)" : "", worst->mean, worst->below * 100);
@@ -211,8 +217,9 @@ std::string analysis_text(const Analysis& analysis, const TextOptions& options) 
   const bool force_only = options.sections == std::set{Section::hits};
   const auto& hits = force_only ? analysis.force_hits() : analysis.hits();
   std::string text = heading(analysis, hits.size(), options.width) + "\n";
-  if (wants(Section::hits)) text += hits_text(analysis, hits, options.width) + "\n";
-  if (wants(Section::hits) && !force_only) text += spaced(responses_text(analysis, options.width));
+  const bool has_hits = analysis.given_frfs() == nullptr;
+  if (wants(Section::hits) && has_hits) text += hits_text(analysis, hits, options.width) + "\n";
+  if (wants(Section::hits) && !force_only && has_hits) text += spaced(responses_text(analysis, options.width));
   if (analysis.possible()) {
     if (wants(Section::frf)) text += frf_text(analysis);
     if (wants(Section::coherence)) text += coherence_text(analysis);

@@ -2,18 +2,37 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
+#include <numbers>
 
 #include "acquire/atomic_file.hpp"
 
 namespace percuss {
+namespace {
+
+// What a reader needs beside the numbers: ", angle_deg 0 90, decay_per_s 4.6".
+std::string statements(const Analysis& analysis) {
+  std::string out;
+  const auto& accel = analysis.record().accel;
+  const bool angles = std::all_of(accel.begin(), accel.end(), [](const SignalInfo& s) { return s.angle_rad; });
+  if (angles) out += ", angle_deg";
+  for (const SignalInfo& signal : accel) {
+    if (angles) out += fmt::format(" {:.10g}", *signal.angle_rad * 180 / std::numbers::pi);
+  }
+  if (analysis.window_decay_per_s() > 0) out += fmt::format(", decay_per_s {}", analysis.window_decay_per_s());
+  return out;
+}
+
+}  // namespace
+
 std::string frf_csv(const Analysis& analysis, FrfKind kind) {
   const auto& frfs = analysis.frfs();
   const LineRange& lines = analysis.lines();
   std::vector<Frf> shown;
   for (const PointFrf& frf : frfs) shown.push_back(converted(frf.frf, lines, kind, analysis.window_decay_per_s()));
-  std::string out = fmt::format("# {} {}, {}, exp(+jwt)\nfrequency_hz", name_of(kind), unit_of(kind),
-                                name_of(analysis.options().estimator));
+  std::string out = fmt::format("# {} {}, {}, exp(+jwt){}\nfrequency_hz", name_of(kind), unit_of(kind),
+                                name_of(analysis.options().estimator), statements(analysis));
   for (const PointFrf& frf : frfs) {
     for (const char* part : {"re", "im", "std", "coherence"})
       out += fmt::format(",p{}_c{}_{}", frf.point, frf.channel, part);

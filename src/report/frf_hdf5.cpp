@@ -1,6 +1,9 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <map>
+#include <numbers>
 
 #include "acquire/hdf5_output.hpp"
 #include "report/frf_files.hpp"
@@ -14,6 +17,20 @@ std::pair<std::size_t, std::size_t> band_lines(const Analysis& analysis) {
   const auto [low, high] = analysis.band_Hz();
   const LineRange band = lines_in_band(lines.fs_Hz, lines.samples, low, high);
   return {band.first - lines.first, band.count};
+}
+
+// Where the sensors sit, as far as it is known.
+void write_sensors(hdf5::OutputHdf5& out, const Analysis& analysis) {
+  constexpr double kRadian_deg = 180 / std::numbers::pi;
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> angle_deg, position_m;
+  for (const SignalInfo& signal : analysis.record().accel) {
+    angle_deg.push_back(signal.angle_rad ? *signal.angle_rad * kRadian_deg : kUnknown);
+    position_m.push_back(signal.position_m.value_or(kUnknown));
+  }
+  const auto known = [](double x) { return std::isfinite(x); };
+  if (std::any_of(angle_deg.begin(), angle_deg.end(), known)) out.set_numbers("frf", "angle_deg", angle_deg, true);
+  if (std::any_of(position_m.begin(), position_m.end(), known)) out.set_numbers("frf", "position_m", position_m, true);
 }
 
 }  // namespace
@@ -50,6 +67,9 @@ void write_frf_hdf5(const std::string& path, const Analysis& analysis, FrfKind k
     out.write("coherence", at, 0, std::span<const double>(shown.coherence).subspan(first, count));
   }
   out.set_text("", "kind", name_of(kind));
+  write_sensors(out, analysis);
+  if (analysis.window_decay_per_s() > 0)
+    out.set_numbers("", "decay_per_s", std::array{analysis.window_decay_per_s()}, false);
   out.set_text("", "unit", unit_of(kind));
   out.set_text("", "estimator", name_of(analysis.options().estimator));
   out.set_numbers("", "averages", std::array{*std::min_element(averages.begin(), averages.end())}, false);

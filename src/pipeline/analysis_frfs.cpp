@@ -1,0 +1,126 @@
+// A test of which only the FRFs are left.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "core/units.hpp"
+#include "pipeline/analysis.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr double kLowestPart = 0.01;  // of the highest frequency: below it drift and the suspension rule
+constexpr double kMargin = 0.15;      // of the band's width, on either side
+constexpr double kDecayed = 0.0025;   // of the amplitude: six time constants
+constexpr std::size_t kLeastLines = 16;
+
+Record described(const FrfRecord& frfs) {
+  Record record;
+  record.files = frfs.files;
+  record.format = frfs.format;
+  record.fs_Hz = frfs.lines.fs_Hz;
+  record.accel = frfs.accel;
+  record.notes = frfs.notes;
+  return record;
+}
+
+template <class Value>
+std::vector<Value> part_of(const std::vector<Value>& all, std::size_t first, std::size_t count) {
+  if (all.empty()) return {};
+  const auto begin = all.begin() + static_cast<std::ptrdiff_t>(first);
+  return {begin, begin + static_cast<std::ptrdiff_t>(count)};
+}
+
+}  // namespace
+
+Analysis::Analysis(FrfRecord frfs, AnalysisOptions options)
+    : record_(described(frfs)), given_(std::move(frfs)), options_(std::move(options)) {
+  const std::string where = record_.files.empty() ? "FRFs" : record_.files.front().path;
+  const auto refuse = [&](const char* option) {
+    throw InputError(std::string(option) + " needs records of time, not FRFs", where, "leave it out");
+  };
+  if (options_.exponential_end > 0) refuse("--exponential");
+  if (options_.estimator != Estimator::h1) refuse("--estimator");
+}
+
+std::pair<double, double> Analysis::given_band_Hz() const {
+  const LineRange& all = given_->lines;
+  const double high = all.freq_Hz(all.count - 1);
+  return {std::max(all.freq_Hz(0), kLowestPart * high), high};
+}
+
+LineRange Analysis::given_lines() const {
+  const LineRange& all = given_->lines;
+  const auto [low, high] = band_Hz();
+  const double top = all.freq_Hz(all.count - 1);
+  if (!(low < high) || low < 0 || high > top + 0.5 * all.df_Hz() || low > top) {
+    throw InputError(fmt::format("the band {:.6g}:{:.6g} Hz does not fit FRFs from {:.6g} to {:.6g} Hz", low, high,
+                                 all.freq_Hz(0), top),
+                     "--band", "give LO:HI within them");
+  }
+  const double margin = kMargin * (high - low);
+  LineRange lines =
+      lines_in_band(all.fs_Hz, all.samples, std::max(low - margin, 0.5 * low), std::min(high + margin, top));
+  const std::size_t end = std::min(lines.first + lines.count, all.first + all.count);
+  lines.first = std::max(lines.first, all.first);
+  lines.count = end > lines.first ? end - lines.first : 0;
+  if (lines.count < kLeastLines) {
+    throw InputError(fmt::format("only {} lines of {:.4g} Hz lie in the band {:.6g}:{:.6g} Hz", lines.count,
+                                 lines.df_Hz(), low, high),
+                     record_.files.empty() ? "FRFs" : record_.files.front().path, "widen --band");
+  }
+  return lines;
+}
+
+std::vector<PointFrf> Analysis::given_within_lines() const {
+  const std::size_t first = lines().first - given_->lines.first;
+  const std::size_t count = lines().count;
+  std::vector<PointFrf> out;
+  for (const PointFrf& all : given_->frfs) {
+    out.push_back({.point = all.point,
+                   .channel = all.channel,
+                   .frf = {.value = part_of(all.frf.value, first, count),
+                           .std = part_of(all.frf.std, first, count),
+                           .coherence = part_of(all.frf.coherence, first, count),
+                           .averages = all.frf.averages}});
+  }
+  return out;
+}
+
+FrfSet Analysis::given_set() const {
+  FrfSet set{.lines = lines()};
+  std::optional<int> point;
+  for (const PointFrf& frf : frfs()) {
+    if (frf.point != point) {
+      set.points.emplace_back();  // nothing is known of the force but its window
+      if (given_->decay_per_s > 0) set.points.back().blocks.push_back({.decay_per_s = given_->decay_per_s});
+    }
+    point = frf.point;
+    set.outputs.push_back({.point = set.points.size() - 1, .channel = frf.channel, .frf = frf.frf.value});
+  }
+  return set;
+}
+
+void Analysis::warn_of_leakage(std::vector<Warning>& out) const {
+  if (!modes_.ready()) return;
+  const double duration_s = 1 / lines().df_Hz();
+  std::string ringing;
+  for (const Mode& mode : modes()) {
+    const double rate = mode.pole.damping_ratio * kTwoPi * mode.pole.freq_Hz + given_->decay_per_s;
+    const double left = std::exp(-rate * duration_s);
+    if (left > kDecayed)
+      ringing += fmt::format("{}{:.1f} Hz ({:.1f} %)", ringing.empty() ? "" : ", ", mode.pole.freq_Hz, left * 100);
+  }
+  if (ringing.empty()) return;
+  out.push_back(
+      {"truncated_decay",
+       fmt::format(
+           "the lines' spacing tells of records of {:.4g} s, at whose end these modes still rang with this part "
+           "of their amplitude: {}. Without the force that cannot be allowed for: their residues may be off by "
+           "as much, and their damping reads high if the recorder applied an exponential window",
+           duration_s, ringing)});
+}
+
+}  // namespace percuss

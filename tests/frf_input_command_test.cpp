@@ -1,0 +1,165 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "support/json_schema.hpp"
+#include "support/percuss_process.hpp"
+#include "support/scratch_folder.hpp"
+#include "support/synthetic_files.hpp"
+
+namespace percuss {
+namespace {
+
+using nlohmann::json;
+using test::lines_of;
+using test::run_percuss;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+// What a record and its FRFs may differ by: the band's edges cut the FRFs' lines, and the record's end is not modelled.
+constexpr double kSame = 1e-5;
+
+class FrfInput : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = std::make_unique<test::ScratchFolder>();
+    test::write_small_test(file("bat.h5"));
+    for (const char* kind : {"accelerance", "mobility", "receptance"}) {
+      for (const char* end : {".csv", ".h5"}) {
+        const std::string name = std::string(kind) + end;
+        run_percuss({"frf", file("bat.h5"), "--band", "60:1000", "--kind", kind, "-o", file(name)});
+      }
+    }
+  }
+  static void TearDownTestSuite() { folder_.reset(); }
+  static std::string file(const std::string& name) { return folder_->file(name); }
+  static json analysed(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "analyze");
+    arguments.emplace_back("--json");
+    const auto outcome = run_percuss(arguments);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return outcome.code == 0 ? json::parse(outcome.out) : json{{"modes", json::array()}};
+  }
+  inline static std::unique_ptr<test::ScratchFolder> folder_;
+};
+
+TEST_F(FrfInput, GivesTheModesOfTheRecordTheFrfsWereMadeFrom) {
+  const json record = analysed({file("bat.h5"), "--band", "60:1000"});
+  ASSERT_EQ(record["modes"].size(), 2U);
+  for (const char* name :
+       {"accelerance.csv", "accelerance.h5", "mobility.csv", "mobility.h5", "receptance.csv", "receptance.h5"}) {
+    const json frfs = analysed({file(name)});
+    ASSERT_EQ(frfs["modes"].size(), 2U) << name;
+    for (std::size_t m = 0; m < 2; ++m) {
+      const json &a = record["modes"][m], &b = frfs["modes"][m];
+      const double f = a["frequency_hz"], zeta = a["damping_ratio"];
+      EXPECT_LE(std::abs(b["frequency_hz"].get<double>() / f - 1), kSame) << name;
+      EXPECT_LE(std::abs(b["damping_ratio"].get<double>() / zeta - 1), 100 * kSame) << name;
+      EXPECT_EQ(b["family"], a["family"]) << name << ": the angles come with the FRFs";
+      EXPECT_NEAR(b["residues"][0]["re"].get<double>(), a["residues"][0]["re"].get<double>(), 1e-3);
+    }
+  }
+}
+
+TEST_F(FrfInput, GivesADocumentWithoutHitsThatTheSchemaDescribes) {
+  for (const char* name : {"accelerance.csv", "mobility.h5"}) {
+    const json document = analysed({file(name)});
+    EXPECT_THAT(test::schema_violations(document, test::schema_named("analysis")), IsEmpty());
+    EXPECT_EQ(document["hits"], json::array());
+    EXPECT_TRUE(document["fs_hz"].is_null());
+    EXPECT_EQ(document["warnings"], json::array()) << "nothing was assumed";
+    EXPECT_GT(document["coherence"][0]["mean"], 0.9);
+  }
+}
+
+TEST_F(FrfInput, KnowsAWindowThatTheFrfsWereMadeWith) {
+  for (const char* name : {"windowed.csv", "windowed.h5"}) {
+    run_percuss({"frf", file("bat.h5"), "--band", "60:1000", "--exponential", "0.01", "-o", file(name)});
+    const json document = analysed({file(name)});
+    ASSERT_EQ(document["modes"].size(), 2U) << name;
+    EXPECT_NEAR(document["modes"][0]["damping_ratio"].get<double>(), 0.01, 1e-5) << name;
+    EXPECT_GT(document["modes"][0]["damping_ratio_raw"].get<double>(), 0.013) << name;
+  }
+}
+
+TEST_F(FrfInput, TakesSeveralFilesAsPointsAndSensorsSignsFromASetup) {
+  test::write_bytes(file("setup.json"), R"([{"name": "1", "direction": "-x"}])");
+  test::write_bytes(file("again.csv"), test::bytes_of(file("accelerance.csv")));
+  const json document =
+      analysed({file("accelerance.csv"), file("again.csv"), "--setup", file("setup.json"), "--angle", "0,90"});
+  ASSERT_EQ(document["modes"].size(), 2U);
+  const json residues = document["modes"][0]["residues"];
+  ASSERT_EQ(residues.size(), 4U);
+  EXPECT_EQ(residues[2]["point"], 1);
+  EXPECT_NEAR(residues[0]["re"].get<double>(), -0.9, 1e-3);
+  EXPECT_NEAR(residues[1]["re"].get<double>(), 0.3, 1e-3);
+}
+
+TEST_F(FrfInput, WarnsOfWhatItAssumed) {
+  std::string text = test::bytes_of(file("accelerance.csv"));
+  test::write_bytes(file("bare.csv"), text.substr(text.find('\n') + 1));
+  const json document = analysed({file("bare.csv")});
+  EXPECT_THAT(document["warnings"].dump(), AllOf(HasSubstr("taken as accelerance"), HasSubstr("taken as 0°")));
+  const json told = analysed({file("bare.csv"), "--frf-kind", "accelerance", "--angle", "0,90"});
+  EXPECT_EQ(told["warnings"], json::array());
+  EXPECT_EQ(told["modes"], document["modes"]);
+}
+
+TEST_F(FrfInput, IsToldToPeople) {
+  const auto outcome = run_percuss({"analyze", file("mobility.csv")});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("FRFs (mobility)"), HasSubstr("1 point × 2 accelerometers"),
+                                 HasSubstr("bending 1"), testing::Not(HasSubstr("verdict"))));
+}
+
+TEST_F(FrfInput, IsDescribedByInfo) {
+  const auto outcome = run_percuss({"info", file("mobility.csv"), file("accelerance.h5"), "--json"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const json document = json::parse(outcome.out);
+  EXPECT_THAT(test::schema_violations(document, test::schema_named("info")), IsEmpty());
+  EXPECT_EQ(document["files"][0]["frf_kind"], "mobility");
+  EXPECT_EQ(document["files"][0]["lines"], 941);
+  EXPECT_EQ(document["files"][1]["kind"], "FRF HDF5");
+  EXPECT_EQ(document["files"][1]["coherence"], true);
+  EXPECT_THAT(run_percuss({"info", file("mobility.csv")}).out, HasSubstr("941 lines of 1 Hz from 60 to 1000 Hz"));
+}
+
+TEST_F(FrfInput, IsConvertedByFrf) {
+  const auto outcome = run_percuss({"frf", file("receptance.h5"), "--kind", "mobility"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(lines_of(outcome.out).at(0), HasSubstr("mobility"));
+  EXPECT_EQ(lines_of(outcome.out).size(), 943U);
+}
+
+TEST_F(FrfInput, RefusesInOneLineWhatDoesNotGoWithFrfs) {
+  const std::string frfs = file("accelerance.csv");
+  const std::vector<std::pair<std::vector<std::string>, int>> cases{
+      {{frfs, "--fs", "100"}, 3},          {{frfs, "--exponential", "0.1"}, 3},
+      {{frfs, "--estimator", "h2"}, 3},    {{frfs, "--reject-hit", "0"}, 3},
+      {{frfs, "--band", "60:2000"}, 3},    {{frfs, "--frf-kind", "impedance"}, 2},
+      {{frfs, file("bat.h5")}, 3},         {{frfs, file("mobility.h5"), "--files", "hits"}, 2},
+      {{frfs, "--accel-channel", "7"}, 3},
+  };
+  for (auto [arguments, code] : cases) {
+    arguments.insert(arguments.begin(), "analyze");
+    const auto outcome = run_percuss(arguments);
+    EXPECT_EQ(outcome.code, code) << arguments.back() << outcome.err;
+    EXPECT_EQ(outcome.out, "") << arguments.back();
+    EXPECT_EQ(lines_of(outcome.err).size(), 1U) << outcome.err;
+  }
+}
+
+TEST_F(FrfInput, SurvivesFrfsWithoutAnythingInThem) {
+  std::string text = "# accelerance (m/s^2)/N\nfrequency,re,im\n";
+  for (int k = 0; k < 200; ++k) text += std::to_string(k) + ",0,0\n";
+  test::write_bytes(file("silent.csv"), text);
+  const json document = analysed({file("silent.csv")});
+  EXPECT_EQ(document["modes"], json::array());
+}
+
+}  // namespace
+}  // namespace percuss

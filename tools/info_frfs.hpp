@@ -1,0 +1,13 @@
+#pragma once
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "frf/frf_record.hpp"
+
+namespace percuss::tools {
+
+/// What percuss info says of a file of FRFs, as JSON and for people.
+nlohmann::ordered_json frfs_json(const FrfRecord& record);
+std::string frfs_text(const FrfRecord& record, std::size_t width);
+
+}  // namespace percuss::tools
