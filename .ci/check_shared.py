@@ -105,6 +105,36 @@ def check_bad_hits(data, scratch):
                   code == 4 and wanted in found and not any(h["accepted"] for h in document["hits"]), "exit %d, %s" % (code, ", ".join(found)))
 
 
+def mac(a, b):
+    inner = sum(x.conjugate() * y for x, y in zip(a, b))
+    return abs(inner) ** 2 / (sum(abs(x) ** 2 for x in a) * sum(abs(y) ** 2 for y in b))
+
+
+def check_modelab(data, scratch):
+    folder = os.path.join(data, "modelab_beam")
+    independent = json.load(open(os.path.join(folder, "independent.json")))
+    files = [os.path.join(folder, "Hxysv0000%d.txt" % i) for i in range(1, 10)]
+    setup = os.path.join(scratch, "setup.json")
+    json.dump([{"name": "accel 1", "direction": "-x", "position_m": 0.5}], open(setup, "w"))
+    code, document = percuss("analyze", *files, "--setup", setup)
+    check("modelab: FRFs alone, no hits", code == 0 and document["hits"] == [] and len(document["inputs"]) == 9)
+    # Below 65 Hz (setup.csv, fMin) lie the beam's suspension and noise.
+    found = [m["frequency_hz"] for m in document["modes"] if m["frequency_hz"] > 65]
+    check("modelab: four modes and no others", len(found) == 4, " ".join("%.3f" % f for f in found))
+    for mode, shape in zip(independent["modes"], independent["shapes_real"]):
+        nearby = nearest(document, mode["f_sdof"])
+        off = nearby["frequency_hz"] - round(mode["f_sdof"], 3)
+        check("modelab: %.3f Hz within 10 mHz" % mode["f_sdof"], abs(off) <= 0.010, "%+.1f mHz" % (1000 * off))
+        zetas = [mode["zeta_lscf"], mode["zeta_sdof"], mode["zeta_hp"]]
+        zeta = nearby["damping_ratio"]
+        check("modelab: %.3f Hz, damping within the independent spread" % mode["f_sdof"], min(zetas) <= zeta <= max(zetas), "%.3g of %.3g to %.3g" % (zeta, min(zetas), max(zetas)))
+        residues = [complex(r["re"], r["im"]) for r in sorted(nearby.get("residues", []), key=lambda r: r["point"])]
+        value = mac(residues, shape["shape"]) if len(residues) == 9 else 0
+        check("modelab: %.3f Hz, MAC at least 0.98" % mode["f_sdof"], value >= 0.98, "%.4f" % value)
+        # Turned by the set-up, the driving point (the fourth) is positive.
+        check("modelab: %.3f Hz, the driving point is positive" % mode["f_sdof"], len(residues) == 9 and residues[3].real > 0)
+
+
 def check_long(name, truth, path):
     _, document = percuss("analyze", path, "--only", "hits")
     hits = document["hits"]
@@ -196,6 +226,7 @@ def main():
         check_pyfrf(data)
         check_frame(data)
         check_bad_hits(data, scratch)
+        check_modelab(data, scratch)
         for seed in map(int, arguments.seeds.split(",")):
             check_seed(seed, arguments, scratch, score)
     print("%d passed, %d failed" % (sum(results), len(results) - sum(results)))

@@ -7,6 +7,7 @@
 #include "identify/credibility.hpp"
 #include "identify/force_noise.hpp"
 #include "identify/grouped_fit.hpp"
+#include "identify/moving.hpp"
 
 namespace percuss {
 namespace {
@@ -20,6 +21,7 @@ constexpr double kSplitGain = 0.25;  // a second mode must leave at most this pa
 constexpr double kSplitTest = 25;    // F statistic
 constexpr double kSplitStart = 0.4;  // bandwidths to either side
 constexpr double kMisfit = 2;  // residual's energy over the noise's from which it is asked whether there are two modes
+constexpr double kMovingApart = 10;       // … from one that moves: as far as its window reaches
 constexpr double kHiddenApart = 2;        // bandwidths from a known mode: closer ones are found by splitting
 constexpr std::size_t kLeastForFit = 16;  // lines
 
@@ -39,12 +41,14 @@ class PeakFit {
  private:
   void settle() {
     for (int round = 0; options_.thorough && round < kRounds; ++round) {
+      while (merge_moving()) all_.sweep(kSweeps);
       const bool dropped = drop_insignificant();
       // A residual is searched for hidden modes only when no pair is left in it to be split.
       const bool changed = split_groups() || dropped || add_hidden();
       if (!changed) break;
       all_.sweep(kSweeps);
     }
+    while (merge_moving()) all_.sweep(kSweeps);
     context_.settled = true;
     while (drop_insignificant()) all_.sweep(kSweeps);
   }
@@ -54,6 +58,29 @@ class PeakFit {
     for (const FitGroup& group : all_.groups()) {
       for (std::size_t m = 0; m < group.fit.poles.size(); ++m) {
         if (credible(all_, group, m, context_)) kept.push_back(group.fit.poles[m]);
+      }
+    }
+    return use(std::move(kept));
+  }
+
+  // Modes that no common pole fits: what is left around them is no mode.
+  std::vector<Pole> moving_poles() const {
+    std::vector<Pole> poles;
+    for (const FitGroup& group : all_.groups()) {
+      if (group.fit.degrees > 0 && !moving_modes(all_, group).empty())
+        poles.insert(poles.end(), group.fit.poles.begin(), group.fit.poles.end());
+    }
+    return poles;
+  }
+
+  // Poles of one mode that moves from point to point.
+  bool merge_moving() {
+    std::vector<Pole> kept;
+    for (const FitGroup& group : all_.groups()) {
+      if (const auto one = merged(all_, group)) {
+        kept.push_back(*one);
+      } else {
+        kept.insert(kept.end(), group.fit.poles.begin(), group.fit.poles.end());
       }
     }
     return use(std::move(kept));
@@ -70,13 +97,14 @@ class PeakFit {
   bool add_hidden() {
     const std::vector<Pole> known = all_.poles();
     std::vector<Pole> poles = known;
+    const std::vector<Pole> moving = moving_poles();
     for (const Pole& hidden : hidden_poles(set_, all_.residual())) {
       const auto near = [&](const std::vector<Pole>& list, double widths) {
         return std::any_of(list.begin(), list.end(), [&](const Pole& pole) {
           return std::abs(pole.freq_Hz - hidden.freq_Hz) <= widths * all_.width_Hz(pole);
         });
       };
-      if (near(known, kHiddenApart) || near(tried_, 1)) continue;
+      if (near(known, kHiddenApart) || near(moving, kMovingApart) || near(tried_, 1)) continue;
       poles.push_back(hidden);
       tried_.push_back(hidden);
     }
@@ -118,7 +146,8 @@ class PeakFit {
     }
     const double gained = (before - best.fit.cost) / static_cast<double>(unknowns);
     const double left = best.fit.cost / static_cast<double>(best.fit.degrees);
-    return best.fit.cost < kSplitGain * before && gained > kSplitTest * left ? best.fit.poles : now;
+    if (best.fit.cost >= kSplitGain * before || gained <= kSplitTest * left) return now;
+    return moves_instead(set_, {.data = data, .weight = weight}, group, best) ? now : best.fit.poles;
   }
 
   // Pole m as two, `side` bandwidths off its place on either side.
@@ -145,9 +174,23 @@ class PeakFit {
     return mode;
   }
 
+  static void move(PeakMode& found, const MovingMode& moving) {
+    found.noise = moving.noise;
+    Mode& mode = found.mode;
+    mode.pole = moving.pole;
+    mode.freq_std_Hz = moving.freq_std_Hz;
+    mode.damping_std = moving.damping_std;
+    mode.moves_Hz = moving.spread_Hz;
+    for (std::size_t o = 0; o < mode.residues.size(); ++o) {
+      mode.residues[o].value = moving.residues[o];
+      mode.residues[o].std = moving.residue_std[o];
+    }
+  }
+
   std::vector<PeakMode> modes() const {
     std::vector<PeakMode> found;
     for (const FitGroup& group : all_.groups()) {
+      const auto moving = moving_modes(all_, group);
       for (std::size_t m = 0; m < group.fit.poles.size(); ++m) {
         found.push_back({.mode = mode_of(group.fit, m),
                          .stands_out = stands_out(all_, group, m),
@@ -155,6 +198,7 @@ class PeakFit {
                          .count = group.count,
                          .noise = group.fit.noise,
                          .unknowns_per_output = 2 * (group.fit.poles.size() + LocalFitOptions{}.residual_terms)});
+        if (!moving.empty()) move(found.back(), moving[m]);
       }
     }
     if (!options_.modes || *options_.modes >= found.size()) return found;

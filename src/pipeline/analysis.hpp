@@ -116,6 +116,7 @@ class Analysis {
   std::vector<PointFrf> given_within_lines() const;
   FrfSet given_set() const;
   void warn_of_leakage(std::vector<Warning>& out) const;
+  void warn_of_moving(std::vector<Warning>& out) const;
 
   Record record_;
   std::optional<FrfRecord> given_;

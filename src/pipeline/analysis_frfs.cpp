@@ -123,4 +123,17 @@ void Analysis::warn_of_leakage(std::vector<Warning>& out) const {
            duration_s, ringing)});
 }
 
+void Analysis::warn_of_moving(std::vector<Warning>& out) const {
+  if (!modes_.ready()) return;
+  std::string moving;
+  for (const Mode& mode : modes()) {
+    if (mode.moves_Hz > 0)
+      moving += fmt::format("{}{:.1f} Hz (by {:.2g} Hz)", moving.empty() ? "" : ", ", mode.pole.freq_Hz, mode.moves_Hz);
+  }
+  if (moving.empty()) return;
+  out.push_back({"moving_modes", "resonances that move from point to point: " + moving +
+                                     ". Means over the points are quoted, and their ± counts the moving. Possible "
+                                     "causes: temperature, the strength of the blows, a sensor that was moved"});
+}
+
 }  // namespace percuss

@@ -75,6 +75,7 @@ std::vector<Warning> Analysis::warnings() const {
     out.push_back({"not_at_rest",
                    "the structure was still ringing before a hit: wait longer between hits; damping there may be off "
                    "by more than its ±"});
+  warn_of_moving(out);
   if (given_) {
     warn_of_leakage(out);
   } else if (modes_.ready()) {
