@@ -93,6 +93,13 @@ TEST_F(NodesCommand, TakesSeveralFilesAsPointsInTheirOrder) {
   EXPECT_NEAR(first_node_in(json::parse(outcome.out)), 7.5, kNode_in);
 }
 
+TEST_F(NodesCommand, WorksFromFrfsAlone) {
+  ASSERT_EQ(run_percuss({"frf", file("scan.h5"), "--band", "60:1000", "-o", file("frf.csv")}).code, 0);
+  const auto outcome = nodes({file("frf.csv"), "--positions", "6:0.5:9", "--json"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NEAR(first_node_in(json::parse(outcome.out)), 7.5, kNode_in);
+}
+
 TEST_F(NodesCommand, PrintsATableForPeople) {
   const auto outcome = nodes({file("scan.h5"), "--positions", "6:0.5:9", "-o", file("nodes.json")});
   ASSERT_EQ(outcome.code, 0) << outcome.err;

@@ -62,15 +62,23 @@ ScanPositions parse_positions(const std::string& text) {
   return {.start_m = start * to_m, .step_m = step * to_m, .count = static_cast<std::size_t>(std::lround(steps)) + 1};
 }
 
+std::unique_ptr<Analysis> analysis_of(const NodesFlags& flags, const ScanPositions& positions) {
+  const FilesMean mean = flags.read.files == FilesMean::automatic ? FilesMean::points : flags.read.files;
+  if (mean == FilesMean::tests)
+    throw UsageError("several tests do not make one scan", "give --files points, or the files of one scan");
+  const AnalysisOptions options = analysis_options(flags.analysis);
+  Measurements opened = open_measurements(flags.read);
+  if (!opened.frfs.empty())
+    return std::make_unique<Analysis>(join_frfs_of(flags.read, std::move(opened.frfs)), options);
+  return std::make_unique<Analysis>(as_scan(join_records(std::move(opened.records), mean), positions), options);
+}
+
 int nodes(const NodesFlags& flags) {
   const ScanPositions positions = parse_positions(flags.positions);
   check_outputs(flags.output, {".json"});
   const Progress progress("analysing", flags.output.quiet);
-  const FilesMean mean = flags.read.files == FilesMean::automatic ? FilesMean::points : flags.read.files;
-  if (mean == FilesMean::tests)
-    throw UsageError("several tests do not make one scan", "give --files points, or the files of one scan");
-  const Analysis analysis(as_scan(join_records(open_records(flags.read), mean), positions),
-                          analysis_options(flags.analysis));
+  const auto opened = analysis_of(flags, positions);
+  const Analysis& analysis = *opened;
   analysis.hits();
   if (!analysis.possible()) {
     progress.stop();

@@ -20,6 +20,13 @@ std::vector<int> points_of(const Record& record) {
   return {points.begin(), points.end()};
 }
 
+std::vector<int> points_of(const Analysis& analysis) {
+  if (analysis.given_frfs() == nullptr) return points_of(analysis.record());
+  std::set<int> points;
+  for (const PointFrf& frf : analysis.given_frfs()->frfs) points.insert(frf.point);
+  return {points.begin(), points.end()};
+}
+
 // |H| at the mode's peak, point by point as in `at`.
 std::vector<double> peaks_of(const Analysis& analysis, const Mode& mode, const std::vector<int>& at) {
   const LineRange& lines = analysis.lines();
@@ -44,7 +51,7 @@ struct MeasuredPlaces {
 MeasuredPlaces measured(const Analysis& analysis, const ScanPositions& positions, std::vector<Warning>& warnings) {
   std::set<int> with_frf;
   for (const PointFrf& frf : analysis.frfs()) with_frf.insert(frf.point);
-  const auto all = points_of(analysis.record());
+  const auto all = points_of(analysis);
   MeasuredPlaces places;
   std::string missing;
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -81,7 +88,7 @@ Record as_scan(Record record, const ScanPositions& positions) {
 }
 
 NodeScan scan_nodes(const Analysis& analysis, const ScanPositions& positions, double resolution_m) {
-  const std::size_t points = points_of(analysis.record()).size();
+  const std::size_t points = points_of(analysis).size();
   if (points != positions.count) {
     throw InputError(fmt::format("{} points for {} positions", points, positions.count), where(analysis.record()),
                      "give one position per point");
