@@ -132,6 +132,15 @@ TEST_F(SurveyCommand, TakesARovingSensor) {
   EXPECT_EQ(document["modes"][1]["family"], "hoop");
 }
 
+TEST_F(SurveyCommand, TakesFrequencyResponsesAsWell) {
+  ASSERT_EQ(run_percuss({"frf", file("bare.h5"), "--band", "60:1500", "-o", file("frf.h5"), "--force"}).code, 0);
+  const json document = document_of({file("frf.h5"), "--geometry", file("points.csv")});
+  ASSERT_EQ(document["modes"].size(), 2U);
+  EXPECT_EQ(document["modes"][1]["family"], "hoop");
+  EXPECT_EQ(document["frac"].size(), 18U);
+  EXPECT_EQ(document["frac"][17]["point"], 17);
+}
+
 TEST_F(SurveyCommand, PrintsAnExampleThatItReads) {
   test::write_bytes(file("example.csv"), survey({"--example"}).out);
   EXPECT_EQ(document_of({file("bare.h5"), "--geometry", file("example.csv")})["geometry"]["points"], 24);

@@ -53,16 +53,21 @@ SurveyOptions survey_options(const SurveyFlags& flags) {
 }
 
 // Several files are one point each unless the user says otherwise.
-Record record_of(const SurveyFlags& flags) {
+std::unique_ptr<Analysis> analysis_of(const SurveyFlags& flags) {
   if (flags.read.files == FilesMean::tests)
     throw UsageError("a survey is one test", "use --files points or --files hits");
+  Measurements opened = open_measurements(flags.read);
+  if (!opened.frfs.empty()) {
+    return std::make_unique<Analysis>(join_frfs_of(flags.read, std::move(opened.frfs)),
+                                      analysis_options(flags.analysis));
+  }
   const FilesMean mean = flags.read.files == FilesMean::automatic ? FilesMean::points : flags.read.files;
-  Record record = join_records(open_records(flags.read), mean);
+  Record record = join_records(std::move(opened.records), mean);
   for (const RowInfo& row : record.rows) {
     if (row.run == record.rows.front().run) continue;
     throw InputError("several runs", record.files[row.file].path, "a survey is one test; put each run in its own file");
   }
-  return record;
+  return std::make_unique<Analysis>(std::move(record), analysis_options(flags.analysis));
 }
 
 bool is_indicator(const std::string& path) { return path.ends_with(".cmif.csv"); }
@@ -91,7 +96,8 @@ int run_survey(const SurveyFlags& flags) {
   check_outputs(flags.output, {".json", ".csv", ".h5"});
   const SurveyOptions options = survey_options(flags);
   const Progress progress("analysing", flags.output.quiet);
-  const Analysis analysis(record_of(flags), analysis_options(flags.analysis));
+  const auto made = analysis_of(flags);
+  const Analysis& analysis = *made;
   const Survey survey(analysis, options);
   analysis.hits();
   const bool wants_json = flags.output.json || std::any_of(flags.output.paths.begin(), flags.output.paths.end(),

@@ -19,9 +19,11 @@ constexpr double kSameAngle_rad = 2 * std::numbers::pi / 180;  // … and around
 constexpr double kDoubt = 0.9;                                 // confidence below which a rival is named
 constexpr double kPoorFrac = 0.99, kStrong_dB = -20;
 
-std::set<int> points_of(const Record& record) {
+std::set<int> points_of(const Analysis& analysis) {
   std::set<int> points;
-  for (const RowInfo& row : record.rows) points.insert(row.point);
+  for (const RowInfo& row : analysis.record().rows) points.insert(row.point);
+  if (analysis.given_frfs() == nullptr) return points;
+  for (const PointFrf& frf : analysis.given_frfs()->frfs) points.insert(frf.point);
   return points;
 }
 
@@ -73,17 +75,17 @@ void Survey::place_points() {
     if (geometry_->tube) places_[static_cast<std::size_t>(p.point)] = {p.position_m, p.angle_rad};
   }
   if (!options_.geometry) return;
-  for (const int point : points_of(analysis_.record())) {
+  for (const int point : points_of(analysis_)) {
     if (known.contains(point)) continue;
     throw InputError(fmt::format("point {} was measured but stands nowhere in the geometry", point), "--geometry",
                      fmt::format("add it, or number the points as the record does: {} to {}",
-                                 *points_of(analysis_.record()).begin(), *points_of(analysis_.record()).rbegin()));
+                                 *points_of(analysis_).begin(), *points_of(analysis_).rbegin()));
   }
 }
 
 void Survey::find_driving_points() {
   const auto& accel = analysis_.record().accel;
-  const auto points = points_of(analysis_.record());
+  const auto points = points_of(analysis_);
   for (const DrivingPoint& at : options_.driving) {
     if (points.contains(static_cast<int>(at.point)) && at.channel < accel.size()) continue;
     throw InputError(fmt::format("point {} with channel {} was not measured", at.point, at.channel), "--driving-point",
@@ -179,6 +181,7 @@ const std::vector<SynthesisedFrf>& Survey::synthesis() const {
 
 std::vector<int> Survey::frf_points() const {
   std::set<int> points;
+  if (analysis_.given_frfs() != nullptr) points = points_of(analysis_);
   for (const AnalysedHit& hit : analysis_.hits()) {
     if (hit.accepted) points.insert(hit.point);
   }
