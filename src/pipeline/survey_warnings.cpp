@@ -145,7 +145,7 @@ void warn_of_frac(const Survey& survey, std::vector<Warning>& out) {
   if (count == 0) return;
   if (count > kMostNamed) poor += fmt::format(" and {} more", count - kMostNamed);
   out.push_back({"frac", "the modes explain less than 99 % (FRAC) of the FRF of " + poor +
-                             ": modes may be missing, or these hits were poor"});
+                             ": modes may be missing, resonances may have moved between points, or hits were poor"});
 }
 
 void warn_of_pairs(const Survey& survey, std::vector<Warning>& out) {
