@@ -77,6 +77,16 @@ TEST(Analysis, RunsNoIdentificationForFrfs) {
   EXPECT_EQ(stages(analysis), (std::set<std::string>{"hits", "read acceleration", "fft", "agreement", "frf"}));
 }
 
+TEST(Analysis, RunsNoIdentificationForTheStabilisationDiagramAndNoDiagramForModes) {
+  const Analysis analysis = analysis_of(synthesise(bat()).record);
+  EXPECT_FALSE(analysis.stabilisation().poles.empty());
+  EXPECT_EQ(stages(analysis),
+            (std::set<std::string>{"hits", "read acceleration", "fft", "agreement", "stabilisation"}));
+  const Analysis other = analysis_of(synthesise(bat()).record);
+  other.modes();
+  EXPECT_FALSE(stages(other).contains("stabilisation"));
+}
+
 TEST(Analysis, TransformsEachSignalOnce) {
   const auto reads = std::make_shared<Reads>();
   const Analysis analysis = analysis_of(counted(synthesise(bat()).record, reads));

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -138,6 +139,21 @@ TEST_F(AnalyzeCommand, TellsEachHitsOwnModesOnRequest) {
   for (const json& found : document["modes_per_hit"]) EXPECT_GT(found["peak_force_n"], 100);
   EXPECT_FALSE(document_of({file("bat.h5")}).contains("modes_per_hit"));
   EXPECT_THAT(analyze({file("bat.h5"), "--per-hit"}).out, HasSubstr("mode  hit"));
+}
+
+TEST_F(AnalyzeCommand, HoldsTheStabilisationDiagramOnRequest) {
+  const json document = document_of({file("bat.h5"), "--stabilisation", "--band", "500:1000"});
+  EXPECT_EQ(document["stabilisation"]["band_hz"], (json{500, 1000}));
+  std::size_t stable = 0;
+  for (const json& pole : document["stabilisation"]["poles"]) {
+    EXPECT_TRUE(pole["frequency_hz"] >= 500 && pole["frequency_hz"] <= 1000);
+    if (pole["flag"] == "stable" && std::abs(pole["frequency_hz"].get<double>() - 700) < 0.1) ++stable;
+  }
+  EXPECT_GE(stable, 20U);  // of 39 orders
+  EXPECT_FALSE(document_of({file("bat.h5")}).contains("stabilisation"));
+  const auto without = analyze({file("bat.h5"), "--stabilisation"});
+  EXPECT_EQ(without.code, 2);
+  EXPECT_THAT(without.err, HasSubstr("add --json"));
 }
 
 TEST_F(AnalyzeCommand, KeepsToTheBand) {

@@ -25,6 +25,7 @@ struct AnalyzeFlags {
   std::vector<std::string> only;
   bool trace = false;
   bool per_hit = false;
+  bool stabilisation = false;
 };
 
 // One test of the command line: all of the files together, or each on its own, or each run of one file.
@@ -112,17 +113,21 @@ void require_one_test_for_frfs(const OutputFlags& output, std::size_t tests) {
 int analyze(const AnalyzeFlags& flags) {
   check_outputs(flags.output, {".json", ".csv", ".h5"});
   const auto sections = flags.only.empty() ? all_sections() : parse_sections(flags.only);
+  const bool wants_json =
+      flags.output.json || std::any_of(flags.output.paths.begin(), flags.output.paths.end(), is_json);
+  if (flags.stabilisation && !wants_json)
+    throw UsageError("--stabilisation goes into the JSON document", "add --json or -o FILE.json");
   const Progress progress("analysing", flags.output.quiet);
   const auto tests = tests_of(flags);
   require_one_test_for_frfs(flags.output, tests.size());
-  const bool wants_json =
-      flags.output.json || std::any_of(flags.output.paths.begin(), flags.output.paths.end(), is_json);
   std::string document;
   if (wants_json) {
     std::vector<NumberedAnalysis> numbered;
     numbered.reserve(tests.size());
     for (const Test& test : tests) numbered.push_back({.run = test.run, .analysis = test.analysis.get()});
-    document = analysis_json(numbered, {.sections = sections, .trace = flags.trace, .per_hit = flags.per_hit});
+    document = analysis_json(
+        numbered,
+        {.sections = sections, .trace = flags.trace, .per_hit = flags.per_hit, .stabilisation = flags.stabilisation});
   }
   std::string text;
   for (const Test& test : tests) {
@@ -158,6 +163,8 @@ void add_analyze(CLI::App& app, Run& run) {
       ->allow_extra_args(false)
       ->type_name("SECTION,...");
   command->add_flag("--per-hit", flags->per_hit, "Also every mode as each hit alone shows it");
+  command->add_flag("--stabilisation", flags->stabilisation,
+                    "Also the poles of all model orders, in the JSON document");
   command->add_flag("--trace", flags->trace, "What ran: stages, calls, seconds");
   command->callback([flags, &run] { run = [flags] { return analyze(*flags); }; });
 }

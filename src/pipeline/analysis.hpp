@@ -13,9 +13,10 @@
 #include "frf/estimators.hpp"
 #include "frf/frf_record.hpp"
 #include "identify/classify.hpp"
+#include "identify/identify.hpp"
 #include "identify/local_fit.hpp"
 #include "identify/mode.hpp"
-#include "identify/identify.hpp"
+#include "identify/stabilisation.hpp"
 
 namespace percuss {
 
@@ -88,6 +89,8 @@ class Analysis {
   const std::vector<Verdict>& verdicts() const;
   /// Every mode as each accepted hit alone shows it: repeatability, drift, dependence on the force.
   const std::vector<HitMode>& modes_per_hit() const;
+  /// The stabilisation diagram of the FRFs that the modes are fitted to; poles within the band. No mode needs it.
+  const Stabilisation& stabilisation() const;
   std::vector<Warning> warnings() const;
 
  private:
@@ -131,6 +134,7 @@ class Analysis {
   Lazy<std::vector<Mode>> modes_;
   Lazy<std::vector<Verdict>> verdicts_;
   Lazy<std::vector<HitMode>> modes_per_hit_;
+  Lazy<Stabilisation> stabilisation_;
 };
 
 /// The runs of a record (repeated tests in one file) as records of their own, ascending by run.

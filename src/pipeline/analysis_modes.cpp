@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
 
 #include "core/statistics.hpp"
 #include "pipeline/analysis.hpp"
@@ -133,6 +134,18 @@ const std::vector<HitMode>& Analysis::modes_per_hit() const {
   return modes_per_hit_.get([&] {
     modes();
     return trace_.run("modes per hit", [&] { return identify_per_hit(); });
+  });
+}
+
+const Stabilisation& Analysis::stabilisation() const {
+  return stabilisation_.get([&] {
+    const FrfSet set = fitted_frfs();
+    Stabilisation diagram = trace_.run("stabilisation", [&] { return stabilise(set); });
+    std::tie(diagram.low_Hz, diagram.high_Hz) = band_Hz();
+    std::erase_if(diagram.poles, [&](const StabilisationPole& pole) {
+      return pole.pole.freq_Hz < diagram.low_Hz || pole.pole.freq_Hz > diagram.high_Hz;
+    });
+    return diagram;
   });
 }
 

@@ -1,11 +1,9 @@
 #include "report/analysis_json.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "core/error.hpp"
 #include "core/units.hpp"
 #include "identify/ring_split.hpp"
 #include "report/coherence_summary.hpp"
@@ -155,6 +153,17 @@ Json per_hit_json(const Analysis& analysis) {
   return out;
 }
 
+Json stabilisation_json(const Stabilisation& diagram) {
+  Json json{{"band_hz", {diagram.low_Hz, diagram.high_Hz}}, {"poles", Json::array()}};
+  for (const StabilisationPole& pole : diagram.poles) {
+    json["poles"].push_back({{"order", pole.order},
+                             {"frequency_hz", pole.pole.freq_Hz},
+                             {"damping_ratio", pole.pole.damping_ratio},
+                             {"flag", name_of(pole.stability)}});
+  }
+  return json;
+}
+
 Json options_json(const Analysis& analysis) {
   const AnalysisOptions& o = analysis.options();
   Json json = Json::object();
@@ -194,6 +203,7 @@ Json document_of(const Analysis& analysis, const JsonOptions& options) {
     if (wants(Section::coherence)) json["coherence"] = coherence_json(analysis);
     if (wants(Section::modes) || wants(Section::classes)) json["modes"] = modes_json(analysis, options);
     if (options.per_hit) json["modes_per_hit"] = per_hit_json(analysis);
+    if (options.stabilisation) json["stabilisation"] = stabilisation_json(analysis.stabilisation());
   } else if (wants(Section::modes)) {
     json["modes"] = Json::array();
   }
@@ -211,26 +221,6 @@ Json document_of(const Analysis& analysis, const JsonOptions& options) {
 std::string text_of(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
 }  // namespace
-
-std::set<Section> all_sections() {
-  return {Section::hits, Section::frf, Section::coherence, Section::modes, Section::classes};
-}
-
-std::set<Section> parse_sections(const std::vector<std::string>& names) {
-  static const std::vector<std::pair<std::string, Section>> known{{"hits", Section::hits},
-                                                                  {"frf", Section::frf},
-                                                                  {"coherence", Section::coherence},
-                                                                  {"modes", Section::modes},
-                                                                  {"classes", Section::classes}};
-  std::set<Section> out;
-  for (const std::string& name : names) {
-    const auto it = std::find_if(known.begin(), known.end(), [&](const auto& entry) { return entry.first == name; });
-    if (it == known.end())
-      throw UsageError("--only does not know the section '" + name + "'", "use hits, frf, coherence, modes or classes");
-    out.insert(it->second);
-  }
-  return out;
-}
 
 std::string analysis_json(const Analysis& analysis, const JsonOptions& options) {
   return text_of(document_of(analysis, options));

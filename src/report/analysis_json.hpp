@@ -4,20 +4,15 @@
 #include <vector>
 
 #include "pipeline/analysis.hpp"
+#include "report/sections.hpp"
 
 namespace percuss {
-
-/// Parts of an analysis that a report can hold; naming them is the demand that computes them.
-enum class Section { hits, frf, coherence, modes, classes };
-
-/// The sections named in a list such as {"hits", "modes"}; UsageError names the known ones.
-std::set<Section> parse_sections(const std::vector<std::string>& names);
-std::set<Section> all_sections();
 
 struct JsonOptions {
   std::set<Section> sections = all_sections();
   bool trace = false;
   bool per_hit = false;
+  bool stabilisation = false;                      // the diagram: the demand that computes it
   const std::vector<Verdict>* verdicts = nullptr;  // of the modes, in place of the analysis' own
   const std::vector<Warning>* warnings = nullptr;
 };

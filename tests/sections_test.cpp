@@ -1,0 +1,19 @@
+#include "report/sections.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/error.hpp"
+
+namespace percuss {
+namespace {
+
+TEST(ParseSections, KnowsEveryOneByName) {
+  EXPECT_EQ(parse_sections({"hits", "frf", "coherence", "modes", "classes"}), all_sections());
+  EXPECT_EQ(parse_sections({"frf", "frf"}), std::set{Section::frf});
+  EXPECT_TRUE(parse_sections({}).empty());
+}
+
+TEST(ParseSections, RefusesOthers) { EXPECT_THROW(parse_sections({"hits", "Modes"}), UsageError); }
+
+}  // namespace
+}  // namespace percuss
