@@ -10,10 +10,10 @@ namespace percuss {
 /// FFTW called by hand on memory of its own, planned once: what every other time is compared with.
 class BareFftw {
  public:
-  explicit BareFftw(std::size_t samples)
+  explicit BareFftw(std::size_t samples, unsigned planning = FFTW_ESTIMATE)
       : in_(fftw_alloc_real(samples)),
         out_(fftw_alloc_complex(samples / 2 + 1)),
-        plan_(fftw_plan_dft_r2c_1d(static_cast<int>(samples), in_, out_, FFTW_ESTIMATE | FFTW_PRESERVE_INPUT)) {}
+        plan_(fftw_plan_dft_r2c_1d(static_cast<int>(samples), in_, out_, planning | FFTW_PRESERVE_INPUT)) {}
   BareFftw(const BareFftw&) = delete;
   BareFftw& operator=(const BareFftw&) = delete;
   ~BareFftw() {

@@ -35,19 +35,19 @@ double centre_of(const ForceBlock& block) {
 
 }  // namespace
 
-Eigen::MatrixXcd gain_errors(const FrfSet& set, std::size_t point, std::size_t first, std::size_t count) {
+Eigen::MatrixXcd gain_errors(const FrfSet& set, std::size_t point, const std::vector<std::size_t>& lines) {
   const PointForce& force = set.points[point];
-  if (force.blocks.empty() || !(force.noise_N > 0)) return {};
+  if (force.blocks.empty() || !(force.noise_N > 0) || lines.empty()) return {};
   const double gated = gated_samples(force);
-  const double highest_Hz = set.lines.freq_Hz(first + count - 1);
+  const double highest_Hz = set.lines.freq_Hz(lines.back());
   const double apart = std::max(1.0, kDelay * set.lines.fs_Hz / highest_Hz);
   const auto variables = static_cast<Index>(std::max(2.0, std::ceil(gated / apart)));
   const double step = gated / static_cast<double>(variables);
   const double scale = force.noise_N * std::sqrt(step);
   const double centre = centre_of(force.blocks.front());
-  Eigen::MatrixXcd errors(static_cast<Index>(count), variables);
+  Eigen::MatrixXcd errors(static_cast<Index>(lines.size()), variables);
   for (Index k = 0; k < errors.rows(); ++k) {
-    const auto line = first + static_cast<std::size_t>(k);
+    const std::size_t line = lines[static_cast<std::size_t>(k)];
     const double turn = -kTwoPi * set.lines.freq_Hz(line) / set.lines.fs_Hz;
     const double size = scale / std::sqrt(std::max(force.ff[line], 1e-300));
     for (Index i = 0; i < variables; ++i) {

@@ -1,16 +1,17 @@
 #pragma once
 #include <Eigen/Core>
 #include <cstddef>
+#include <vector>
 
 #include "identify/frf_set.hpp"
 
 namespace percuss {
 
 /// What the force channel's noise within the gate does to the FRFs of a point: a gain 1 + ε(ω), common to all
-/// responses, smooth over frequency because the gate is short. Column i is ε(k) at lines first … first + count − 1 for
-/// the i-th of independent standard normal variables; Σ over columns of |ε|² is its variance. Empty where the noise is
-/// not known. shape  [count, variables].
-Eigen::MatrixXcd gain_errors(const FrfSet& set, std::size_t point, std::size_t first, std::size_t count);
+/// responses, smooth over frequency because the gate is short. Column i is ε at the lines given for the i-th of
+/// independent standard normal variables; Σ over columns of |ε|² is its variance. Empty where the noise is not known.
+/// shape  [lines.size(), variables].
+Eigen::MatrixXcd gain_errors(const FrfSet& set, std::size_t point, const std::vector<std::size_t>& lines);
 
 /// Deviation of that gain near a frequency, of real and imaginary part each.
 double gain_deviation(const FrfSet& set, std::size_t point, double freq_Hz);

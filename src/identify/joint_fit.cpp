@@ -230,7 +230,7 @@ class Joint {
                  .residue_std = MatrixXd::Zero(outputs, modes),
                  .freq_std_Hz = VectorXd::Zero(modes),
                  .damping_std = VectorXd::Zero(modes),
-                 .residual = std::vector<Eigen::VectorXcd>(set_.outputs.size()),
+                 .residual = projection_.left_over(state_),
                  .converged = converged};
     const MatrixXd total = covariance_of(state_);
     for (Index m = 0; m < modes; ++m) {
@@ -265,12 +265,6 @@ class Joint {
         const double variance = fit.real[m] ? spread(at, at) : 0.5 * (spread(at, at) + spread(at + 1, at + 1));
         fit.residue_std(o, mode) = std::sqrt(std::max(0.0, variance));
       }
-      const auto lines = static_cast<Index>(set_.lines.count);
-      const VectorXd& weight = projection_.line_weight(p);
-      Eigen::VectorXcd& left = fit.residual[part.outputs[i]];
-      left.resize(lines);
-      left.real() = part.residual.col(column).head(lines).cwiseQuotient(weight);
-      left.imag() = part.residual.col(column).tail(lines).cwiseQuotient(weight);
     }
   }
 

@@ -2,9 +2,9 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "identify/background.hpp"
 #include "identify/force_noise.hpp"
 
 namespace percuss {
@@ -16,21 +16,14 @@ using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-// What lies beyond the lines, as accelerance of undamped guard modes at fixed places: the highest line over the mode's
-// frequency, squared. 0 is the mass line.
-constexpr std::array<double, 5> kGuards{0, 0.87, 0.6, 0.3, 0.1};
-constexpr Index kBackground = static_cast<Index>(kGuards.size()) + 1;  // … and one below the lines
 constexpr Index kSmoothLines = 100;   // on either side: a variance from 200 lines costs under 1 % of the bound
 constexpr double kLeastNoise = 1e-3;  // of the noise elsewhere: where a fit leaves nothing, its weight stays finite
 
-// Real over imaginary parts of w·z, and of j·w·z.
-void stack(const VectorXcd& z, const VectorXd& w, Eigen::Ref<VectorXd> column) {
-  column.head(z.size()) = z.real().cwiseProduct(w);
-  column.tail(z.size()) = z.imag().cwiseProduct(w);
-}
-void stack_turned(const VectorXcd& z, const VectorXd& w, Eigen::Ref<VectorXd> column) {
-  column.head(z.size()) = -z.imag().cwiseProduct(w);
-  column.tail(z.size()) = z.real().cwiseProduct(w);
+// A stacked column times j.
+void turn(const Eigen::Ref<const VectorXd>& column, Eigen::Ref<VectorXd> turned) {
+  const Index half = column.size() / 2;
+  turned.head(half) = -column.tail(half);
+  turned.tail(half) = column.head(half);
 }
 
 // Inverse of a Gram matrix whose columns may differ by many decades.
@@ -49,7 +42,10 @@ bool JointModel::all_real() const {
 }
 
 JointProjection::JointProjection(const FrfSet& set, const std::vector<Pole>& poles)
-    : set_(set), noise_(VectorXd::Ones(static_cast<Index>(set.outputs.size()))) {
+    : set_(set),
+      blocks_(set.lines, poles),
+      background_(background_shapes(set.lines)),
+      noise_(VectorXd::Ones(static_cast<Index>(set.outputs.size()))) {
   const bool together = std::all_of(set.points.begin(), set.points.end(), [&](const PointForce& force) {
     return std::all_of(poles.begin(), poles.end(), [&](const Pole& p) { return decays_within(p, force, set.lines); });
   });
@@ -71,11 +67,14 @@ JointProjection::JointProjection(const FrfSet& set, const std::vector<Pole>& pol
 
 void JointProjection::fill(Plan& plan) const {
   const auto lines = static_cast<Index>(set_.lines.count);
-  plan.data.resize(2 * lines, static_cast<Index>(plan.outputs.size()));
+  plan.data.resize(2 * blocks_.count(), static_cast<Index>(plan.outputs.size()));
   for (std::size_t i = 0; i < plan.outputs.size(); ++i) {
     const Eigen::Map<const VectorXcd> frf(set_.outputs[plan.outputs[i]].frf.data(), lines);
-    stack(frf, plan.weight, plan.data.col(static_cast<Index>(i)));
+    blocks_.sum(frf, plan.weight, plan.data.col(static_cast<Index>(i)));
   }
+  plan.background.resize(2 * blocks_.count(), background_.cols());
+  for (Index term = 0; term < background_.cols(); ++term)
+    blocks_.sum(background_.col(term).cast<Complex>(), plan.weight, plan.background.col(term));
 }
 
 JointState JointProjection::evaluate(JointModel model) const {
@@ -91,25 +90,8 @@ JointState JointProjection::evaluate(JointModel model) const {
   return state;
 }
 
-// Real coefficients, or real and imaginary ones in turn.
-void JointProjection::add_background(const Plan& plan, Eigen::Ref<MatrixXd> columns) const {
-  const auto lines = static_cast<Index>(set_.lines.count);
-  const Index turns = columns.cols() / kBackground;
-  const VectorXd freq = VectorXd::LinSpaced(lines, set_.lines.freq_Hz(0), set_.lines.freq_Hz(set_.lines.count - 1));
-  const Eigen::ArrayXd x = (freq / freq(lines - 1)).array().square();
-  const double lowest = std::max(x(0), x(1) * 0.25);  // a band may begin at 0 Hz
-  for (Index term = 0; term < kBackground; ++term) {
-    const bool below = term + 1 == kBackground;
-    const Eigen::ArrayXd shape =
-        below ? (lowest / x.max(lowest)).eval() : (1 / (1 - kGuards[static_cast<std::size_t>(term)] * x)).eval();
-    const VectorXd weighted = plan.weight.array() * shape;
-    columns.col(turns * term).head(lines) = weighted;
-    if (turns == 2) columns.col(turns * term + 1).tail(lines) = weighted;
-  }
-}
-
 JointPart JointProjection::solve(const Plan& plan, const JointModel& model) const {
-  const auto lines = static_cast<Index>(set_.lines.count);
+  const Index rows = 2 * blocks_.count();
   const auto modes = static_cast<Index>(model.poles.size());
   JointPart part;
   part.outputs = plan.outputs;
@@ -120,23 +102,27 @@ JointPart JointProjection::solve(const Plan& plan, const JointModel& model) cons
   }
   const PointForce& force = set_.points[set_.outputs[plan.outputs.front()].point];
   const Index turns = model.all_real() ? 1 : 2;  // real coefficients of the background, or complex ones
-  part.columns = MatrixXd::Zero(2 * lines, unknowns + turns * kBackground);
-  part.slopes.resize(2 * lines, 2 * unknowns);
-  part.quadrature.resize(2 * lines, modes);
+  part.columns.resize(rows, unknowns + turns * background_.cols());
+  part.slopes.resize(rows, 2 * unknowns);
+  part.quadrature.resize(rows, modes);
   for (Index m = 0; m < modes; ++m) {
     const auto at = static_cast<std::size_t>(m);
     const ModeColumn mode = mode_column(model.poles[at], force, set_.lines, 0, set_.lines.count);
     const auto first = static_cast<Index>(part.first[at]);
-    stack(mode.value, plan.weight, part.columns.col(first));
-    stack(mode.by_freq, plan.weight, part.slopes.col(2 * first));
-    stack(mode.by_damping, plan.weight, part.slopes.col(2 * first + 1));
-    stack_turned(mode.value, plan.weight, part.quadrature.col(m));
+    blocks_.sum(mode.value, plan.weight, part.columns.col(first));
+    blocks_.sum(mode.by_freq, plan.weight, part.slopes.col(2 * first));
+    blocks_.sum(mode.by_damping, plan.weight, part.slopes.col(2 * first + 1));
+    turn(part.columns.col(first), part.quadrature.col(m));
     if (model.real[at]) continue;
     part.columns.col(first + 1) = part.quadrature.col(m);
-    stack_turned(mode.by_freq, plan.weight, part.slopes.col(2 * first + 2));
-    stack_turned(mode.by_damping, plan.weight, part.slopes.col(2 * first + 3));
+    turn(part.slopes.col(2 * first), part.slopes.col(2 * first + 2));
+    turn(part.slopes.col(2 * first + 1), part.slopes.col(2 * first + 3));
   }
-  add_background(plan, part.columns.rightCols(part.columns.cols() - unknowns));
+  for (Index term = 0; term < background_.cols(); ++term) {
+    const Index at = unknowns + turns * term;
+    part.columns.col(at) = plan.background.col(term);
+    if (turns == 2) turn(part.columns.col(at), part.columns.col(at + 1));
+  }
   part.inverse = inverse_gram(part.columns);
   part.amplitude = part.inverse * (part.columns.transpose() * plan.data);
   part.residual = plan.data - part.columns * part.amplitude;
@@ -189,7 +175,7 @@ JointNormal JointProjection::with_force_noise(const JointState& state) const {
 
 // A gain error ε(ω) adds ε·H to every response of its point: what that does to the right-hand side.
 void JointProjection::add_force_noise(const JointState& state, const JointPart& part, JointNormal& normal) const {
-  const auto lines = static_cast<Index>(set_.lines.count);
+  const Index blocks = blocks_.count();
   const MatrixXd follow = part.inverse * (part.columns.transpose() * part.slopes);
   const MatrixXd synthesised = part.columns * part.amplitude;
   for (std::size_t p = 0; p < set_.points.size(); ++p) {
@@ -197,16 +183,16 @@ void JointProjection::add_force_noise(const JointState& state, const JointPart& 
     Eigen::MatrixXcd errors;
     for (std::size_t i = 0; i < part.outputs.size(); ++i) {
       if (set_.outputs[part.outputs[i]].point != p) continue;
-      if (errors.size() == 0) errors = gain_errors(set_, p, 0, set_.lines.count);
+      if (errors.size() == 0) errors = gain_errors(set_, p, blocks_.middles());
       if (errors.size() == 0) break;
       const auto o = static_cast<Index>(i);
       const MatrixXd re = errors.real();
       const MatrixXd im = errors.imag();
-      MatrixXd moved(2 * lines, errors.cols());
-      const auto h_re = synthesised.col(o).head(lines).asDiagonal();
-      const auto h_im = synthesised.col(o).tail(lines).asDiagonal();
-      moved.topRows(lines) = h_re * re - h_im * im;
-      moved.bottomRows(lines) = h_re * im + h_im * re;
+      MatrixXd moved(2 * blocks, errors.cols());
+      const auto h_re = synthesised.col(o).head(blocks).asDiagonal();
+      const auto h_im = synthesised.col(o).tail(blocks).asDiagonal();
+      moved.topRows(blocks) = h_re * re - h_im * im;
+      moved.bottomRows(blocks) = h_re * im + h_im * re;
       const MatrixXd score = part.slopes.transpose() * moved - follow.transpose() * (part.columns.transpose() * moved);
       const MatrixXd spread = spread_of(state, part, o);
       const MatrixXd mine = spread.transpose() * score / noise_(static_cast<Index>(part.outputs[i]));
@@ -217,19 +203,45 @@ void JointProjection::add_force_noise(const JointState& state, const JointPart& 
   }
 }
 
+std::vector<VectorXcd> JointProjection::left_over(const JointState& state) const {
+  std::vector<VectorXcd> left(set_.outputs.size());
+  const auto lines = static_cast<Index>(set_.lines.count);
+  for (const JointPart& part : state.parts) {
+    const PointForce& force = set_.points[set_.outputs[part.outputs.front()].point];
+    MatrixXcd columns(lines, part.columns.cols());
+    for (std::size_t m = 0; m < state.model.poles.size(); ++m) {
+      const auto first = static_cast<Index>(part.first[m]);
+      columns.col(first) = mode_column(state.model.poles[m], force, set_.lines, 0, set_.lines.count, Need::value).value;
+      if (!state.model.real[m]) columns.col(first + 1) = Complex(0, 1) * columns.col(first);
+    }
+    const Index turns = state.model.all_real() ? 1 : 2;
+    for (Index term = 0; term < background_.cols(); ++term) {
+      const Index at = columns.cols() - turns * (background_.cols() - term);
+      columns.col(at) = background_.col(term).cast<Complex>();
+      if (turns == 2) columns.col(at + 1) = Complex(0, 1) * columns.col(at);
+    }
+    for (std::size_t i = 0; i < part.outputs.size(); ++i) {
+      const Eigen::Map<const VectorXcd> frf(set_.outputs[part.outputs[i]].frf.data(), lines);
+      left[part.outputs[i]] = frf - columns * part.amplitude.col(static_cast<Index>(i)).cast<Complex>();
+    }
+  }
+  return left;
+}
+
 void JointProjection::weigh_by(const JointState& state) {
   const auto lines = static_cast<Index>(set_.lines.count);
+  const std::vector<VectorXcd> left = left_over(state);
   for (std::size_t p = 0; p < parts_.size(); ++p) {
     const JointPart& part = state.parts[p];
     const double freedom =
         std::max(1.0, static_cast<double>(2 * lines - part.columns.cols()) -
                           2 * static_cast<double>(state.model.poles.size()) / static_cast<double>(set_.outputs.size()));
     VectorXd power = VectorXd::Zero(lines);
-    for (std::size_t i = 0; i < part.outputs.size(); ++i) {
-      const auto residual = part.residual.col(static_cast<Index>(i));
-      const double variance = std::max(residual.squaredNorm() / freedom, 1e-300);
-      noise_(static_cast<Index>(part.outputs[i])) = std::sqrt(variance);
-      power += (residual.head(lines).cwiseAbs2() + residual.tail(lines).cwiseAbs2()) / variance;
+    for (const std::size_t o : part.outputs) {
+      const VectorXd weighted = left[o].cwiseAbs2().cwiseProduct(parts_[p].weight.cwiseAbs2());
+      const double variance = std::max(weighted.sum() / freedom, 1e-300);
+      noise_(static_cast<Index>(o)) = std::sqrt(variance);
+      power += weighted / variance;
     }
     power /= 2 * static_cast<double>(part.outputs.size());  // about 1 everywhere when the noise is even
     VectorXd sum(lines + 1);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "identify/frf_set.hpp"
+#include "identify/line_blocks.hpp"
 
 namespace percuss {
 
@@ -14,16 +15,16 @@ struct JointModel {
   bool all_real() const;   // then the background's coefficients are real as well
 };
 
-/// The linear part of a joint fit at given poles, for outputs that share their columns. Complex lines are stacked as
-/// real over imaginary parts and weighted.
+/// The linear part of a joint fit at given poles, for outputs that share their columns. Rows are weighted blocks of
+/// lines, real above imaginary parts.
 struct JointPart {
   std::vector<std::size_t> outputs;     // indices into FrfSet::outputs
   std::vector<std::size_t> first;       // [modes] column of the residue's real part; the imaginary part's follows
-  Eigen::MatrixXd columns;              // [2 lines, unknowns per output]
+  Eigen::MatrixXd columns;              // [rows, unknowns per output]
   Eigen::MatrixXd slopes;               // of the columns along frequency and damping, two for each residue column
-  Eigen::MatrixXd quadrature;           // [2 lines, modes] a residue's imaginary part, whether fitted or not
+  Eigen::MatrixXd quadrature;           // [rows, modes] a residue's imaginary part, whether fitted or not
   Eigen::MatrixXd inverse;              // of columnsᵀ·columns
-  Eigen::MatrixXd amplitude, residual;  // [unknowns, outputs], [2 lines, outputs]
+  Eigen::MatrixXd amplitude, residual;  // [unknowns, outputs], [rows, outputs]
 };
 
 struct JointState {
@@ -53,25 +54,27 @@ class JointProjection {
 
   /// Takes each output's noise, and how the noise goes with frequency, from what a fit left.
   void weigh_by(const JointState& state);
-  /// [outputs] deviation of a weighted line's real part.
+  /// What the fit leaves of every line, not weighted: [outputs][lines], (m/s²)/N.
+  std::vector<Eigen::VectorXcd> left_over(const JointState& state) const;
+  /// [outputs] deviation of a row.
   const Eigen::VectorXd& noise() const { return noise_; }
   const FrfSet& set() const { return set_; }
-  /// Weight of the lines of an output's part.
-  const Eigen::VectorXd& line_weight(std::size_t part) const { return parts_[part].weight; }
 
  private:
   struct Plan {
     std::vector<std::size_t> outputs;
-    Eigen::VectorXd weight;  // [lines]
-    Eigen::MatrixXd data;    // [2 lines, outputs] weighted
+    Eigen::VectorXd weight;      // [lines]
+    Eigen::MatrixXd data;        // [rows, outputs]
+    Eigen::MatrixXd background;  // [rows, terms]
   };
   void fill(Plan& plan) const;
-  void add_background(const Plan& plan, Eigen::Ref<Eigen::MatrixXd> columns) const;
   JointPart solve(const Plan& plan, const JointModel& model) const;
   Eigen::MatrixXd spread_of(const JointState& state, const JointPart& part, Eigen::Index output) const;
   void add_force_noise(const JointState& state, const JointPart& part, JointNormal& normal) const;
 
   const FrfSet& set_;
+  LineBlocks blocks_;
+  Eigen::MatrixXd background_;  // [lines, terms]
   std::vector<Plan> parts_;
   Eigen::VectorXd noise_;
 };

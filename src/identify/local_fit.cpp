@@ -89,24 +89,16 @@ void add_uncertainty(LocalFit& fit, const VariableProjection& projection, const 
     fit.damping_std(m) = std::sqrt(std::max(0.0, covariance(2 * m + 1, 2 * m + 1)));
   }
   for (const ProjectedPart& part : state.parts) {
-    const MatrixXcd solve =
-        part.triangle.triangularView<Eigen::Upper>().solve(part.basis.adjoint());  // amplitudes = solve · data
-    const MatrixXcd inverse_gram = solve * solve.adjoint();
     for (std::size_t i = 0; i < part.outputs.size(); ++i) {
       const auto o = static_cast<Index>(part.outputs[i]);
       const auto column = static_cast<Index>(i);
-      // dA/dθ = −Φ⁺ (dφ_θ) A: what a moved pole does to the amplitudes.
-      MatrixXcd moves(static_cast<Index>(modes), 2 * static_cast<Index>(modes));
-      for (Index m = 0; m < static_cast<Index>(modes); ++m) {
-        const auto& mode = part.columns[static_cast<std::size_t>(m)];
-        moves.col(2 * m) = -(solve * mode.by_freq).head(static_cast<Index>(modes)) * part.amplitude(m, column);
-        moves.col(2 * m + 1) = -(solve * mode.by_damping).head(static_cast<Index>(modes)) * part.amplitude(m, column);
-      }
-      const MatrixXcd from_poles = moves * covariance.cast<Complex>() * moves.adjoint();
+      // What a moved pole does to the amplitudes.
+      const MatrixXcd moves = projection.residue_moves(part, column);
       for (Index m = 0; m < static_cast<Index>(modes); ++m) {
         fit.residues(o, m) = part.amplitude(m, column);
-        const double linear = inverse_gram(m, m).real() * weight(o) * weight(o) * scale;  // of each real part
-        fit.residue_std(o, m) = std::sqrt(std::max(0.0, linear + 0.5 * from_poles(m, m).real()));
+        const double linear = part.inverse_gram(m, m).real() * weight(o) * weight(o) * scale;  // of each real part
+        const double from_poles = (moves.row(m) * covariance.cast<Complex>() * moves.row(m).adjoint())(0).real();
+        fit.residue_std(o, m) = std::sqrt(std::max(0.0, linear + 0.5 * from_poles));
       }
       const auto residual = part.residual.col(column);
       const double freedom = std::max(1.0, static_cast<double>(residual.size() - static_cast<Index>(modes) - 2));

@@ -1,5 +1,6 @@
 #include "identify/variable_projection.hpp"
 
+#include <Eigen/Cholesky>
 #include <Eigen/QR>
 #include <algorithm>
 
@@ -11,15 +12,48 @@ using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
+namespace {
+
+// Orthonormal polynomials over the lines.
+MatrixXd polynomials(Index lines, Index terms) {
+  const VectorXd x = VectorXd::LinSpaced(lines, -1, 1);
+  MatrixXd powers(lines, terms);
+  VectorXd power = VectorXd::Ones(lines);
+  for (Index term = 0; term < terms; ++term, power = power.cwiseProduct(x)) powers.col(term) = power;
+  return Eigen::HouseholderQR<MatrixXd>(powers).householderQ() * MatrixXd::Identity(lines, terms);
+}
+
+// Of a Gram matrix whose columns may differ by many decades.
+MatrixXcd inverse_of(const MatrixXcd& gram) {
+  const VectorXd scale = gram.diagonal().real().cwiseSqrt().cwiseMax(1e-300).cwiseInverse();
+  const MatrixXcd even = scale.asDiagonal() * gram * scale.asDiagonal();
+  const MatrixXcd solved = even.ldlt().solve(MatrixXcd::Identity(gram.rows(), gram.cols()));
+  return scale.asDiagonal() * solved * scale.asDiagonal();
+}
+
+}  // namespace
+
 VariableProjection::VariableProjection(const FrfSet& set, const std::vector<VectorXcd>& data, VectorXd weight,
                                        std::size_t first, std::size_t count, std::size_t polynomial_terms)
-    : set_(set), data_(data), weight_(std::move(weight)), first_(first), count_(count), terms_(polynomial_terms) {
+    : set_(set),
+      polynomial_(polynomials(static_cast<Index>(count), static_cast<Index>(polynomial_terms))),
+      data_(static_cast<Index>(count), static_cast<Index>(data.size())),
+      weight_(std::move(weight)),
+      first_(first),
+      count_(count) {
   for (std::size_t o = 0; o < set.outputs.size(); ++o) {
     const std::size_t point = set.outputs[o].point;
     if (by_point_.size() <= point) by_point_.resize(point + 1);
     by_point_[point].push_back(o);
     together_.front().push_back(o);
+    data_.col(static_cast<Index>(o)) = data[o];
   }
+  project(data_);
+}
+
+void VariableProjection::project(MatrixXcd& columns) const {
+  const MatrixXcd along = polynomial_.transpose() * columns;
+  columns.noalias() -= polynomial_ * along;
 }
 
 ProjectedState VariableProjection::evaluate(const std::vector<Pole>& poles) const {
@@ -42,14 +76,11 @@ std::pair<MatrixXd, VectorXd> VariableProjection::normal_equations(const Project
   MatrixXd matrix = MatrixXd::Zero(n, n);
   VectorXd right = VectorXd::Zero(n);
   for (const ProjectedPart& part : state.parts) {
-    MatrixXcd derivative(part.basis.rows(), n);
-    for (std::size_t m = 0; m < modes; ++m) {
-      derivative.col(static_cast<Index>(2 * m)) = part.columns[m].by_freq;
-      derivative.col(static_cast<Index>(2 * m + 1)) = part.columns[m].by_damping;
-    }
-    derivative -= part.basis * (part.basis.adjoint() * derivative);
-    const MatrixXcd gram = derivative.adjoint() * derivative;
-    const MatrixXcd slope = derivative.adjoint() * part.residual;
+    const MatrixXcd poly = polynomial_.transpose() * part.slopes;
+    const MatrixXcd cross = part.columns.adjoint() * part.slopes;
+    const MatrixXcd gram =
+        part.slopes.adjoint() * part.slopes - poly.adjoint() * poly - cross.adjoint() * part.inverse_gram * cross;
+    const MatrixXcd slope = part.slopes.adjoint() * part.residual;
     for (std::size_t i = 0; i < part.outputs.size(); ++i) {
       const double w = weight_(static_cast<Index>(part.outputs[i]));
       const auto column = static_cast<Index>(i);
@@ -62,6 +93,12 @@ std::pair<MatrixXd, VectorXd> VariableProjection::normal_equations(const Project
     }
   }
   return {matrix, right};
+}
+
+MatrixXcd VariableProjection::residue_moves(const ProjectedPart& part, Index output) const {
+  MatrixXcd moves = -part.inverse_gram * (part.columns.adjoint() * part.slopes);
+  for (Index c = 0; c < moves.cols(); ++c) moves.col(c) *= part.amplitude(c / 2, output);
+  return moves;
 }
 
 // Outputs with equal columns: all of them once every mode has decayed within the record, else those of one point.
@@ -78,24 +115,30 @@ ProjectedPart VariableProjection::solve(const std::vector<std::size_t>& outputs,
   const PointForce& force = set_.points[set_.outputs[outputs.front()].point];
   const auto lines = static_cast<Index>(count_);
   const auto modes = static_cast<Index>(poles.size());
-  const auto terms = static_cast<Index>(terms_);
-  MatrixXcd columns(lines, modes + terms);
+  part.columns.resize(lines, modes);
+  part.slopes.resize(lines, 2 * modes);
   for (Index m = 0; m < modes; ++m) {
-    part.columns.push_back(mode_column(poles[static_cast<std::size_t>(m)], force, set_.lines, first_, count_));
-    columns.col(m) = part.columns.back().value;
+    const ModeColumn mode = mode_column(poles[static_cast<std::size_t>(m)], force, set_.lines, first_, count_);
+    part.columns.col(m) = mode.value;
+    part.slopes.col(2 * m) = mode.by_freq;
+    part.slopes.col(2 * m + 1) = mode.by_damping;
   }
-  const VectorXd x = VectorXd::LinSpaced(lines, -1, 1);
-  VectorXd power = VectorXd::Ones(lines);
-  for (Index term = 0; term < terms; ++term, power = power.cwiseProduct(x))
-    columns.col(modes + term) = power.cast<Complex>();
-  const Eigen::HouseholderQR<MatrixXcd> qr(columns);
-  part.basis = qr.householderQ() * MatrixXcd::Identity(lines, columns.cols());
-  part.triangle = qr.matrixQR().topRows(columns.cols()).triangularView<Eigen::Upper>();
-  MatrixXcd data(lines, static_cast<Index>(outputs.size()));
-  for (std::size_t i = 0; i < outputs.size(); ++i) data.col(static_cast<Index>(i)) = data_[outputs[i]];
-  const MatrixXcd projected = part.basis.adjoint() * data;
-  part.amplitude = part.triangle.triangularView<Eigen::Upper>().solve(projected);
-  part.residual = data - part.basis * projected;
+  project(part.columns);
+  part.inverse_gram = inverse_of(part.columns.adjoint() * part.columns);
+  if (outputs.size() == set_.outputs.size()) {
+    part.residual = data_;
+  } else {
+    part.residual.resize(lines, static_cast<Index>(outputs.size()));
+    for (std::size_t i = 0; i < outputs.size(); ++i)
+      part.residual.col(static_cast<Index>(i)) = data_.col(static_cast<Index>(outputs[i]));
+  }
+  // Twice: the normal equations alone lose half of the digits.
+  part.amplitude = MatrixXcd::Zero(modes, part.residual.cols());
+  for (int pass = 0; pass < 2; ++pass) {
+    const MatrixXcd correction = part.inverse_gram * (part.columns.adjoint() * part.residual);
+    part.amplitude += correction;
+    part.residual.noalias() -= part.columns * correction;
+  }
   return part;
 }
 

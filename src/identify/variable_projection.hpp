@@ -8,13 +8,14 @@
 
 namespace percuss {
 
-/// The linear problem of outputs that share their columns, at given poles, and its solution.
+/// The linear problem of outputs that share their columns, at given poles, and its solution. The polynomial is
+/// projected out of everything.
 struct ProjectedPart {
   std::vector<std::size_t> outputs;  // indices into FrfSet::outputs
-  std::vector<ModeColumn> columns;   // [modes]
-  Eigen::MatrixXcd basis;            // orthonormal basis of modes and polynomial, [lines, columns]
-  Eigen::MatrixXcd triangle;         // columns = basis · triangle
-  Eigen::MatrixXcd amplitude;        // [columns, outputs of this part]
+  Eigen::MatrixXcd columns;          // [lines, modes] what the polynomial cannot follow of each mode
+  Eigen::MatrixXcd slopes;           // [lines, 2 modes] of the modes by frequency and damping ratio, not projected
+  Eigen::MatrixXcd inverse_gram;     // (columnsᴴ·columns)⁻¹
+  Eigen::MatrixXcd amplitude;        // [modes, outputs of this part]
   Eigen::MatrixXcd residual;         // [lines, outputs of this part]
 };
 
@@ -24,10 +25,10 @@ struct ProjectedState {
 };
 
 /// Least squares of FRF lines in a window by modes and a complex polynomial, as a function of the poles alone:
-/// everything linear is eliminated by QR. source  [7] in docs/sources.md.
+/// everything linear is eliminated. source  [7] in docs/sources.md.
 class VariableProjection {
  public:
-  /// data[o] holds `count` lines from `first` on; weight [outputs]. set and data must outlive this object.
+  /// data[o] holds `count` lines from `first` on; weight [outputs]. set must outlive this object.
   VariableProjection(const FrfSet& set, const std::vector<Eigen::VectorXcd>& data, Eigen::VectorXd weight,
                      std::size_t first, std::size_t count, std::size_t polynomial_terms);
 
@@ -37,14 +38,19 @@ class VariableProjection {
   /// Kaufman's Jacobian: what the linear part cannot follow of each derivative.
   std::pair<Eigen::MatrixXd, Eigen::VectorXd> normal_equations(const ProjectedState& state, std::size_t modes) const;
 
+  /// How the residues of an output follow the poles: −(columns⁺)·slopes·residue, [modes, 2 modes].
+  Eigen::MatrixXcd residue_moves(const ProjectedPart& part, Eigen::Index output) const;
+
  private:
   const std::vector<std::vector<std::size_t>>& outputs_alike(const std::vector<Pole>& poles) const;
   ProjectedPart solve(const std::vector<std::size_t>& outputs, const std::vector<Pole>& poles) const;
+  void project(Eigen::MatrixXcd& columns) const;
 
   const FrfSet& set_;
-  const std::vector<Eigen::VectorXcd>& data_;
+  Eigen::MatrixXd polynomial_;  // [lines, terms] orthonormal
+  Eigen::MatrixXcd data_;       // [lines, outputs] the polynomial projected out
   Eigen::VectorXd weight_;
-  std::size_t first_, count_, terms_;
+  std::size_t first_, count_;
   std::vector<std::vector<std::size_t>> by_point_, together_{1};
 };
 

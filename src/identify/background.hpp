@@ -1,0 +1,13 @@
+#pragma once
+#include <Eigen/Core>
+
+#include "frf/spectra.hpp"
+
+namespace percuss {
+
+/// What lies beyond the lines, as real accelerances: the mass line, undamped guard modes at fixed places above the
+/// lines and one below them. Combinations of these follow the tails of any modes out there. shape  [lines.count,
+/// terms].
+Eigen::MatrixXd background_shapes(const LineRange& lines);
+
+}  // namespace percuss
