@@ -1,11 +1,9 @@
 #include "identify/classify.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numbers>
 
-#include "identify/ratio_likelihood.hpp"
+#include "identify/family_belief.hpp"
 #include "identify/ring_split.hpp"
 
 namespace percuss {
@@ -13,25 +11,15 @@ namespace {
 
 constexpr double kPairSpacing = 0.04;   // of the frequency: the two planes of one bending mode lie closer than this
 constexpr double kSplitSpacing = 0.15;  // of the frequency: the 25 Hz rule is for bats, whose modes lie above 100 Hz
-constexpr double kPairKnown = 0.9;      // prior weight of "a close pair is one mode twice"
-constexpr double kSure = 0.9;           // probability from which a mode's plane counts as known
+constexpr double kSure = 0.9;           // below it the rival is named
 constexpr double kNamed = 0.6;          // below it the verdict is "unknown"
 constexpr double kRival = 0.03;
 constexpr double kComplex = 0.4;  // imaginary over whole ratio above which no real shape explains it
 
-// Probabilities of the readings, in the order bending, hoop, neither.
-using Belief = std::array<double, 3>;
-
-Belief normalised(Belief b) {
-  const double sum = b[0] + b[1] + b[2];
-  if (!(sum > 0)) return {1.0 / 3, 1.0 / 3, 1.0 / 3};
-  for (double& p : b) p /= sum;
-  return b;
-}
-
 struct Ratio {
   Complex value;
   double std = 0;
+  double size = 1;  // of both residues
   RatioAngle angle;
   bool known = false;
 };
@@ -58,35 +46,14 @@ Ratio ratio_of(const Mode& mode, const SensorPair& sensors) {
   ratio.std = std::sqrt((second_noise + mean_square * first_noise) / first_power);
   ratio.known = true;
   // As an angle χ = atan(ratio): well behaved when the first sensor sits on a node.
-  const double size = std::hypot(std::sqrt(first_power), std::sqrt(second_power));
+  const double size = std::sqrt(first_power + second_power);
+  ratio.size = size;
   const double sign = cross.real() < 0 ? -1 : 1;
   ratio.angle.chi_rad = std::atan2(sign * std::sqrt(second_power), std::sqrt(first_power));
   ratio.angle.std_rad = std::sqrt((first_noise * second_power + second_noise * first_power)) / (size * size);
   // Relative to both: what one sensor sees at its node is noise, of any phase.
   ratio.angle.out_of_phase = 2 * std::abs(cross.imag()) / (size * size);
   return ratio;
-}
-
-// A close pair of one family: what the partner's angle makes of this mode's reading.
-Belief with_partner(const Belief& own, const Belief& partner, const RatioAngle& a, const RatioAngle& b) {
-  const double spread = std::hypot(0.1, std::hypot(a.std_rad, b.std_rad));
-  const double right_angle = wrapped_density(a.chi_rad - b.chi_rad - std::numbers::pi / 2, spread);
-  const Belief together{own[0] * right_angle, own[1] * partner[1], own[2] * partner[2]};
-  const Belief apart{own[0] * (partner[0] + partner[1] + partner[2]) / 3,
-                     own[1] * (partner[0] + partner[1] + partner[2]) / 3,
-                     own[2] * (partner[0] + partner[1] + partner[2]) / 3};
-  Belief out{};
-  for (std::size_t i = 0; i < out.size(); ++i) out[i] = kPairKnown * together[i] + (1 - kPairKnown) * apart[i];
-  return out;
-}
-
-std::vector<double> sure_planes(const std::vector<Belief>& beliefs, const std::vector<Ratio>& ratios,
-                                std::size_t except) {
-  std::vector<double> planes;
-  for (std::size_t m = 0; m < beliefs.size(); ++m) {
-    if (m != except && ratios[m].known && beliefs[m][0] > kSure) planes.push_back(ratios[m].angle.chi_rad);
-  }
-  return planes;
 }
 
 bool close_pair(const Mode& a, const Mode& b, const ClassifyOptions& options) {
@@ -106,23 +73,16 @@ std::optional<std::size_t> partner_of(const std::vector<Mode>& modes, std::size_
 
 std::vector<Belief> beliefs_of(const std::vector<Mode>& modes, const std::vector<Ratio>& ratios,
                                const SensorPair& sensors, const ClassifyOptions& options) {
-  const RatioLikelihood likelihood(sensors.first_rad, sensors.second_rad, options.angle_std_rad);
-  std::vector<Belief> raw(modes.size()), beliefs(modes.size());
-  for (int pass = 0; pass < 3; ++pass) {  // the second and third know the planes that the one before was sure of
-    for (std::size_t m = 0; m < modes.size(); ++m) {
-      const auto planes = pass == 0 ? std::vector<double>{} : sure_planes(beliefs, ratios, m);
-      raw[m] = ratios[m].known ? Belief{likelihood.bending(ratios[m].angle, planes), likelihood.hoop(ratios[m].angle),
-                                        likelihood.other(ratios[m].angle)}
-                               : Belief{1, 1, 1};
-    }
-    for (std::size_t m = 0; m < modes.size(); ++m) {
-      const auto partner = partner_of(modes, m, options);
-      beliefs[m] = normalised(partner && ratios[*partner].known
-                                  ? with_partner(raw[m], raw[*partner], ratios[m].angle, ratios[*partner].angle)
-                                  : raw[m]);
-    }
+  std::vector<FamilyEvidence> evidence(modes.size());
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    evidence[m].freq_Hz = modes[m].pole.freq_Hz;
+    evidence[m].size = ratios[m].size;
+    if (ratios[m].known) evidence[m].ratio = ratios[m].angle;
+    const auto partner = partner_of(modes, m, options);
+    if (partner && partner_of(modes, *partner, options) == m) evidence[m].partner = partner;
   }
-  return beliefs;
+  const SetUpError error{.angle_rad = options.angle_std_rad, .gain = options.gain_std};
+  return family_beliefs(evidence, RatioLikelihood(sensors.first_rad, sensors.second_rad, error));
 }
 
 void judge(Verdict& verdict, const Belief& belief, const Ratio& ratio) {
@@ -137,7 +97,7 @@ void judge(Verdict& verdict, const Belief& belief, const Ratio& ratio) {
   verdict.confidence = verdict.family == Family::unknown ? 1 - best : best;
   if (verdict.family == Family::unknown) {
     verdict.alternative = bending ? Family::bending : Family::hoop;
-  } else if (rival > kRival) {
+  } else if (rival > kRival || best < kSure) {
     verdict.alternative = bending ? Family::hoop : Family::bending;
   }
 }
