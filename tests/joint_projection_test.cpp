@@ -65,7 +65,8 @@ TEST(JointProjection, FindsEachOutputsNoise) {
     second[k] = clean.outputs[1].frf[k] + 5.0 * (second[k] - clean.outputs[1].frf[k]);
   JointProjection projection(set, kTruth);
   const JointModel model{.poles = kTruth, .real = {1, 1, 1}};
-  projection.weigh_by(projection.evaluate(model));
+  const JointState flat = projection.evaluate(model);
+  projection.weigh_by(flat, projection.left_over(flat));
   EXPECT_LE(std::abs(projection.noise()(0) / 0.02 - 1), kTolerance);
   EXPECT_LE(std::abs(projection.noise()(1) / 0.10 - 1), kTolerance);
   // With its own weights every row has the variance 1.

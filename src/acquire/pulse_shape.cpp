@@ -141,7 +141,7 @@ std::size_t samples_at_rail(std::span<const double> x, double resolution, double
   constexpr double kSmoothPeak = 5;
   std::size_t found = 0;
   for (const double rail : {*low, *high}) {
-    if (rail == rest) continue;
+    if (rail == rest || std::count(x.begin(), x.end(), rail) < 3) continue;
     for (std::size_t i = 0; i < x.size();) {
       std::size_t n = i;
       while (n < x.size() && x[n] == rail) ++n;
@@ -161,12 +161,12 @@ double bandwidth_Hz(std::span<const double> pulse, double fs_Hz) {
   std::vector<double> padded(std::max(2 * kLines, pulse.size()));
   std::copy(pulse.begin(), pulse.end(), padded.begin());
   const auto spectrum = real_dft(padded);
-  double largest = 0;
-  for (const Complex& line : spectrum) largest = std::max(largest, std::abs(line));
+  double largest = 0;  // as power
+  for (const Complex& line : spectrum) largest = std::max(largest, std::norm(line));
   // The first crossing, not the last: beyond the first deep zero of the spectrum the side lobes excite nothing evenly.
   std::size_t top = 0;
-  while (top + 1 < spectrum.size() && std::abs(spectrum[top]) < largest) ++top;
-  while (top + 1 < spectrum.size() && std::abs(spectrum[top]) > kBandwidthDrop * largest) ++top;
+  while (top + 1 < spectrum.size() && std::norm(spectrum[top]) < largest) ++top;
+  while (top + 1 < spectrum.size() && std::norm(spectrum[top]) > kBandwidthDrop * kBandwidthDrop * largest) ++top;
   return static_cast<double>(top) * fs_Hz / static_cast<double>(padded.size());
 }
 

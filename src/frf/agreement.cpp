@@ -3,6 +3,14 @@
 #include <cstddef>
 
 namespace percuss {
+namespace {
+
+// conj(a)·b without std::complex's tests for infinities, which keep the compiler from vectorising.
+inline Complex turned_back(Complex a, Complex b) {
+  return {a.real() * b.real() + a.imag() * b.imag(), a.real() * b.imag() - a.imag() * b.real()};
+}
+
+}  // namespace
 
 std::vector<double> unexplained_by_others(std::span<const std::vector<Complex>* const> force,
                                           std::span<const std::vector<const std::vector<Complex>*>> accel) {
@@ -15,15 +23,15 @@ std::vector<double> unexplained_by_others(std::span<const std::vector<Complex>* 
       Complex fa;
       double ff = 0;
       for (std::size_t h = 0; h < hits; ++h) {
-        fa += std::conj((*force[h])[k]) * (*accel[h][c])[k];
+        fa += turned_back((*force[h])[k], (*accel[h][c])[k]);
         ff += std::norm((*force[h])[k]);
       }
       for (std::size_t h = 0; h < hits; ++h) {
         const Complex f = (*force[h])[k];
         const Complex a = (*accel[h][c])[k];
         const double rest = ff - std::norm(f);
-        const Complex frf = rest > 0 ? (fa - std::conj(f) * a) / rest : Complex{};
-        left[h] += std::norm(a - frf * f);
+        const Complex frf = rest > 0 ? (fa - turned_back(f, a)) / rest : Complex{};
+        left[h] += std::norm(a - turned_back(std::conj(frf), f));
         all[h] += std::norm(a);
       }
     }

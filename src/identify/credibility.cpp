@@ -15,7 +15,8 @@ constexpr double kBeyondReach = 12;  // times: in the side lobes of the force's 
 constexpr double kMostDamping = 0.3;
 constexpr double kDynamicRange =
     1e-5;  // of the largest line: smaller peaks cannot be told from what the polynomial leaves
-constexpr double kLeastSplit = 0.5;  // bandwidths between two modes
+constexpr double kLeastSplit = 0.5;  // bandwidths between two modes when one is split …
+constexpr double kCoincide = 0.05;   // … below which a fit has pushed two into one
 constexpr double kCertain = 1e9;     // a quotient over no noise at all
 
 double significance(const LocalFit& fit, std::size_t mode) {
@@ -72,6 +73,10 @@ bool credible(const GroupedFit& all, const FitGroup& group, std::size_t mode, co
          significance(group.fit, mode) > kSignificant &&
          stands_out(all, group, mode) > least_standing(all, group, mode, context) &&
          group.fit.freq_std_Hz(m) < all.width_Hz(pole) && group.fit.damping_std(m) < pole.damping_ratio;
+}
+
+bool coincide(const GroupedFit& all, const Pole& a, const Pole& b) {
+  return std::abs(a.freq_Hz - b.freq_Hz) < kCoincide * std::min(all.width_Hz(a), all.width_Hz(b));
 }
 
 bool all_credible(const GroupedFit& all, const FitGroup& group, const CredibilityContext& context) {

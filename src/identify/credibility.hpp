@@ -20,6 +20,9 @@ double stands_out(const GroupedFit& all, const FitGroup& group, std::size_t mode
 /// more than noise, and further where the hammer did not reach.
 bool credible(const GroupedFit& all, const FitGroup& group, std::size_t mode, const CredibilityContext& context);
 
+/// Two poles that a fit has pushed into one: nothing tells their residues apart any more.
+bool coincide(const GroupedFit& all, const Pole& a, const Pole& b);
+
 /// Every mode of the group credible, and no two of them one bent line: apart by half the narrower one's width.
 bool all_credible(const GroupedFit& all, const FitGroup& group, const CredibilityContext& context);
 

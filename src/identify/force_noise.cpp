@@ -50,9 +50,11 @@ Eigen::MatrixXcd gain_errors(const FrfSet& set, std::size_t point, const std::ve
     const std::size_t line = lines[static_cast<std::size_t>(k)];
     const double turn = -kTwoPi * set.lines.freq_Hz(line) / set.lines.fs_Hz;
     const double size = scale / std::sqrt(std::max(force.ff[line], 1e-300));
+    const Complex from_one_to_next = std::polar(1.0, turn * step);
+    Complex error = std::polar(size, turn * (0.5 * step - 0.5 - centre));
     for (Index i = 0; i < variables; ++i) {
-      const double delay = (static_cast<double>(i) + 0.5) * step - 0.5 - centre;
-      errors(k, i) = std::polar(size, turn * delay);
+      errors(k, i) = error;
+      error *= from_one_to_next;
     }
   }
   return errors;

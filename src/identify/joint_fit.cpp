@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "identify/force_noise.hpp"
 #include "identify/joint_projection.hpp"
+#include "identify/phase_evidence.hpp"
+#include "identify/pole_step.hpp"
 
 namespace percuss {
 namespace {
@@ -14,35 +15,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kLeastDamping = 1e-7;
-constexpr double kMostDamping = 0.5;
-constexpr double kPhaseTest = 4;   // deviations of a common phase: one real mode in 16 000 is called complex
-constexpr double kSpreadTest = 6;  // deviations of a χ² sum over the outputs
-constexpr double kSpill = 0.1;     // of the strongest contradiction: a weaker one may be what that spilt
-constexpr int kRounds = 8;         // of real against complex
-
-bool allowed(const std::vector<Pole>& poles) {
-  return std::all_of(poles.begin(), poles.end(), [](const Pole& p) {
-    return p.freq_Hz > 0 && p.damping_ratio > kLeastDamping && p.damping_ratio < kMostDamping;
-  });
-}
-
-std::vector<Pole> moved(std::vector<Pole> poles, const VectorXd& step) {
-  for (std::size_t m = 0; m < poles.size(); ++m) {
-    poles[m].freq_Hz += step(static_cast<Index>(2 * m));
-    poles[m].damping_ratio += step(static_cast<Index>(2 * m + 1));
-  }
-  return poles;
-}
-
-double size_of(const VectorXd& step, const std::vector<Pole>& poles) {
-  double size = 0;
-  for (std::size_t m = 0; m < poles.size(); ++m) {
-    size = std::max({size, std::abs(step(static_cast<Index>(2 * m))) / (0.5 * poles[m].half_power_Hz()),
-                     std::abs(step(static_cast<Index>(2 * m + 1))) / poles[m].damping_ratio});
-  }
-  return size;
-}
+constexpr double kSpill = 0.1;  // of the strongest contradiction: a weaker one may be what that spilt
+constexpr int kRounds = 8;      // of real against complex
 
 VectorXd solve_scaled(const MatrixXd& matrix, const VectorXd& right, double lambda) {
   const VectorXd scale = matrix.diagonal().cwiseSqrt().cwiseMax(1e-300).cwiseInverse();
@@ -65,10 +39,10 @@ bool descend(const JointProjection& projection, JointState& state, const JointFi
     bool better = false;
     for (int attempt = 0; attempt < 8 && !better; ++attempt) {
       const VectorXd move = solve_scaled(normal.matrix, normal.right, lambda);
-      const double size = size_of(move, state.model.poles);
+      const double size = step_size(move, state.model.poles);
       JointModel model = state.model;
-      model.poles = moved(std::move(model.poles), move);
-      if (!std::isfinite(size) || size > 1e2 || !allowed(model.poles)) {
+      model.poles = moved_by(std::move(model.poles), move);
+      if (!std::isfinite(size) || size > 1e2 || !poles_allowed(model.poles)) {
         lambda = std::max(lambda * 10, 1e-3);
         continue;
       }
@@ -86,82 +60,6 @@ bool descend(const JointProjection& projection, JointState& state, const JointFi
   return false;
 }
 
-// What a common phase error of a mode's residues does.
-struct PhaseEffect {
-  double push = 0;         // score of the phase over all points
-  double information = 0;  // of it, the poles known
-  VectorXd on_poles;       // [2 modes] cross information with the poles
-  double spread = 0;       // Σ over outputs of score²/information
-  std::size_t outputs = 0;
-};
-
-class Phases {
- public:
-  Phases(const JointProjection& projection, const JointState& state) : projection_(projection), state_(state) {
-    for (std::size_t m = 0; m < state.model.poles.size(); ++m) effects_.push_back(effect_of(m));
-  }
-  const PhaseEffect& operator[](std::size_t mode) const { return effects_[mode]; }
-
- private:
-  PhaseEffect effect_of(std::size_t mode) const {
-    const auto& model = state_.model;
-    const auto unknowns = static_cast<Index>(2 * model.poles.size());
-    PhaseEffect effect{.on_poles = VectorXd::Zero(unknowns)};
-    for (const JointPart& part : state_.parts) {
-      const auto q = part.quadrature.col(static_cast<Index>(mode));
-      const VectorXd cross = part.columns.transpose() * q;
-      const VectorXd solved = part.inverse * cross;
-      const double gram = q.squaredNorm() - cross.dot(solved);
-      const VectorXd with_slopes = part.slopes.transpose() * q - part.slopes.transpose() * (part.columns * solved);
-      for (std::size_t i = 0; i < part.outputs.size(); ++i) {
-        const auto o = static_cast<Index>(i);
-        const double noise = projection_.noise()(static_cast<Index>(part.outputs[i]));
-        const double own = part.amplitude(static_cast<Index>(part.first[mode]), o) / noise;
-        const double push = own * q.dot(part.residual.col(o)) / noise;
-        const double information = own * own * gram;
-        effect.push += push;
-        effect.information += information;
-        if (information > 0) effect.spread += push * push / information;
-        ++effect.outputs;
-        for (std::size_t m = 0; m < model.poles.size(); ++m) {
-          for (Index k = 0; k < (model.real[m] ? 1 : 2); ++k) {
-            const auto column = static_cast<Index>(part.first[m]) + k;
-            const double other = part.amplitude(column, o) / noise;
-            effect.on_poles(static_cast<Index>(2 * m)) += own * other * with_slopes(2 * column);
-            effect.on_poles(static_cast<Index>(2 * m + 1)) += own * other * with_slopes(2 * column + 1);
-          }
-        }
-      }
-    }
-    return effect;
-  }
-
-  const JointProjection& projection_;
-  const JointState& state_;
-  std::vector<PhaseEffect> effects_;
-};
-
-// Of the phase of a point's force near a pole.
-double phase_variance(const FrfSet& set, std::size_t point, const Pole& pole) {
-  const double deviation = gain_deviation(set, point, pole.freq_Hz);
-  return deviation * deviation;
-}
-
-// How strongly the lines contradict real residues, by a common phase or by phases that differ between outputs: above 1
-// they do.
-double contradiction(const FrfSet& set, const PhaseEffect& effect, const Pole& pole, const MatrixXd& covariance) {
-  const double information = effect.information - effect.on_poles.dot(covariance * effect.on_poles);
-  if (!(information > 1e-12 * effect.information)) return 0;
-  double prior = 0;
-  for (std::size_t p = 0; p < set.points.size(); ++p) prior += phase_variance(set, p, pole);
-  prior /= static_cast<double>(set.points.size() * set.points.size());  // of the mean phase
-  const double common = effect.push * effect.push / (information + prior * information * information);
-  const auto n = static_cast<double>(effect.outputs);
-  const double expected = n * (1 + prior * effect.information / n);
-  return std::max(common / (kPhaseTest * kPhaseTest),
-                  effect.spread / (expected * (1 + kSpreadTest * std::sqrt(2 / n))));
-}
-
 class Joint {
  public:
   Joint(const FrfSet& set, std::vector<Pole> start, const JointFitOptions& options)
@@ -172,13 +70,21 @@ class Joint {
 
   JointFit run() {
     // Complex residues contradict nothing: what they leave tells the noise.
-    descend(projection_, state_, options_);
-    projection_.weigh_by(state_);
+    const bool settled = descend(projection_, state_, options_);
+    const auto left = projection_.left_over(state_);
+    if (!settled || (options_.worth_it && !options_.worth_it(left))) return {.poles = state_.model.poles};
+    projection_.weigh_by(state_, left);
     state_ = projection_.evaluate(state_.model);
     choose_real();
     bool converged = descend(projection_, state_, options_);
     for (int round = 0; round < kRounds && release(); ++round) converged = descend(projection_, state_, options_);
-    return result(converged);
+    return result(converged, covariance_of(state_));
+  }
+
+  JointFit at_start(const MatrixXd& covariance) {
+    projection_.weigh_by(state_, projection_.left_over(state_));
+    state_ = projection_.evaluate(state_.model);
+    return result(true, covariance);
   }
 
  private:
@@ -207,10 +113,9 @@ class Joint {
   // they cannot follow spills over to the others.
   bool release() {
     const MatrixXd covariance = inverse_scaled(projection_.normal_equations(state_).matrix);
-    const Phases phases(projection_, state_);
     std::vector<double> against(state_.model.real.size());
     for (std::size_t m = 0; m < against.size(); ++m) {
-      if (state_.model.real[m]) against[m] = contradiction(set_, phases[m], state_.model.poles[m], covariance);
+      if (state_.model.real[m]) against[m] = phase_contradiction(projection_, state_, m, covariance);
     }
     const double most = against.empty() ? 0 : *std::max_element(against.begin(), against.end());
     if (most <= 1) return false;
@@ -221,7 +126,7 @@ class Joint {
     return true;
   }
 
-  JointFit result(bool converged) const {
+  JointFit result(bool converged, const MatrixXd& total) const {
     const auto outputs = static_cast<Index>(set_.outputs.size());
     const auto modes = static_cast<Index>(state_.model.poles.size());
     JointFit fit{.poles = state_.model.poles,
@@ -232,12 +137,12 @@ class Joint {
                  .damping_std = VectorXd::Zero(modes),
                  .residual = projection_.left_over(state_),
                  .converged = converged};
-    const MatrixXd total = covariance_of(state_);
     for (Index m = 0; m < modes; ++m) {
       fit.freq_std_Hz(m) = std::sqrt(std::max(0.0, total(2 * m, 2 * m)));
       fit.damping_std(m) = std::sqrt(std::max(0.0, total(2 * m + 1, 2 * m + 1)));
     }
     for (std::size_t p = 0; p < state_.parts.size(); ++p) add_residues(fit, p, total);
+    fit.residue_std = (fit.residue_std.cwiseAbs2() + projection_.residue_force_variance(state_)).cwiseSqrt();
     return fit;
   }
 
@@ -278,6 +183,10 @@ class Joint {
 
 JointFit fit_jointly(const FrfSet& set, std::vector<Pole> start, const JointFitOptions& options) {
   return Joint(set, std::move(start), options).run();
+}
+
+JointFit fit_residues(const FrfSet& set, const std::vector<Pole>& poles, const MatrixXd& covariance) {
+  return Joint(set, poles, {}).at_start(covariance);
 }
 
 }  // namespace percuss

@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "identify/frf_set.hpp"
@@ -19,6 +20,8 @@ struct JointFit {
 };
 
 struct JointFitOptions {
+  /// Asked once with what complex residues leave of all lines, [outputs][lines]; false ends the fit as not converged.
+  std::function<bool(const std::vector<Eigen::VectorXcd>& left)> worth_it;
   int max_steps = 20;
   double tolerance = 1e-7;  // step, in units of half the bandwidth
 };
@@ -29,5 +32,9 @@ struct JointFitOptions {
 /// not contradict it. Deviations come from the Fisher information, scaled by the residual; what the force's noise does
 /// to the poles is added (errors in variables). source  [5], [7] in docs/sources.md.
 JointFit fit_jointly(const FrfSet& set, std::vector<Pole> start, const JointFitOptions& options = {});
+
+/// The residues of all outputs at given poles, complex, with their deviations; `covariance` is the poles', unknowns in
+/// the order frequency, damping ratio per mode.
+JointFit fit_residues(const FrfSet& set, const std::vector<Pole>& poles, const Eigen::MatrixXd& covariance);
 
 }  // namespace percuss

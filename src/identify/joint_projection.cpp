@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "identify/background.hpp"
-#include "identify/force_noise.hpp"
 
 namespace percuss {
 namespace {
@@ -151,7 +150,6 @@ JointNormal JointProjection::normal_equations(const JointState& state) const {
   return out;
 }
 
-// From slope columns to the unknowns of the poles, with an output's residues, in units of its noise.
 MatrixXd JointProjection::spread_of(const JointState& state, const JointPart& part, Index output) const {
   const double noise = noise_(static_cast<Index>(part.outputs[static_cast<std::size_t>(output)]));
   const auto modes = static_cast<Index>(state.model.poles.size());
@@ -173,34 +171,11 @@ JointNormal JointProjection::with_force_noise(const JointState& state) const {
   return out;
 }
 
-// A gain error ε(ω) adds ε·H to every response of its point: what that does to the right-hand side.
-void JointProjection::add_force_noise(const JointState& state, const JointPart& part, JointNormal& normal) const {
-  const Index blocks = blocks_.count();
-  const MatrixXd follow = part.inverse * (part.columns.transpose() * part.slopes);
-  const MatrixXd synthesised = part.columns * part.amplitude;
-  for (std::size_t p = 0; p < set_.points.size(); ++p) {
-    MatrixXd push;
-    Eigen::MatrixXcd errors;
-    for (std::size_t i = 0; i < part.outputs.size(); ++i) {
-      if (set_.outputs[part.outputs[i]].point != p) continue;
-      if (errors.size() == 0) errors = gain_errors(set_, p, blocks_.middles());
-      if (errors.size() == 0) break;
-      const auto o = static_cast<Index>(i);
-      const MatrixXd re = errors.real();
-      const MatrixXd im = errors.imag();
-      MatrixXd moved(2 * blocks, errors.cols());
-      const auto h_re = synthesised.col(o).head(blocks).asDiagonal();
-      const auto h_im = synthesised.col(o).tail(blocks).asDiagonal();
-      moved.topRows(blocks) = h_re * re - h_im * im;
-      moved.bottomRows(blocks) = h_re * im + h_im * re;
-      const MatrixXd score = part.slopes.transpose() * moved - follow.transpose() * (part.columns.transpose() * moved);
-      const MatrixXd spread = spread_of(state, part, o);
-      const MatrixXd mine = spread.transpose() * score / noise_(static_cast<Index>(part.outputs[i]));
-      if (push.size() == 0) push = MatrixXd::Zero(mine.rows(), mine.cols());
-      push += mine;
-    }
-    if (push.size() > 0) normal.force += push * push.transpose();
-  }
+MatrixXd JointProjection::residue_force_variance(const JointState& state) const {
+  MatrixXd variance =
+      MatrixXd::Zero(static_cast<Index>(set_.outputs.size()), static_cast<Index>(state.model.poles.size()));
+  for (const JointPart& part : state.parts) add_residue_variance(state, part, variance);
+  return variance;
 }
 
 std::vector<VectorXcd> JointProjection::left_over(const JointState& state) const {
@@ -228,9 +203,8 @@ std::vector<VectorXcd> JointProjection::left_over(const JointState& state) const
   return left;
 }
 
-void JointProjection::weigh_by(const JointState& state) {
+void JointProjection::weigh_by(const JointState& state, const std::vector<VectorXcd>& left) {
   const auto lines = static_cast<Index>(set_.lines.count);
-  const std::vector<VectorXcd> left = left_over(state);
   for (std::size_t p = 0; p < parts_.size(); ++p) {
     const JointPart& part = state.parts[p];
     const double freedom =

@@ -51,9 +51,16 @@ class JointProjection {
   JointNormal normal_equations(const JointState& state) const;
   /// … with `force` filled in.
   JointNormal with_force_noise(const JointState& state) const;
+  /// Variance of each residue (of its real and imaginary part) that the force channel's noise causes beyond the gain
+  /// common to the point's responses (gain_deviation): what it makes of the other modes. [outputs, modes]
+  Eigen::MatrixXd residue_force_variance(const JointState& state) const;
 
-  /// Takes each output's noise, and how the noise goes with frequency, from what a fit left.
-  void weigh_by(const JointState& state);
+  /// From slope columns to the unknowns of the poles, with the residues of an output of the part, in units of its
+  /// noise.
+  Eigen::MatrixXd spread_of(const JointState& state, const JointPart& part, Eigen::Index output) const;
+
+  /// Takes each output's noise, and how the noise goes with frequency, from what a fit left (its left_over).
+  void weigh_by(const JointState& state, const std::vector<Eigen::VectorXcd>& left);
   /// What the fit leaves of every line, not weighted: [outputs][lines], (m/s²)/N.
   std::vector<Eigen::VectorXcd> left_over(const JointState& state) const;
   /// [outputs] deviation of a row.
@@ -69,8 +76,8 @@ class JointProjection {
   };
   void fill(Plan& plan) const;
   JointPart solve(const Plan& plan, const JointModel& model) const;
-  Eigen::MatrixXd spread_of(const JointState& state, const JointPart& part, Eigen::Index output) const;
   void add_force_noise(const JointState& state, const JointPart& part, JointNormal& normal) const;
+  void add_residue_variance(const JointState& state, const JointPart& part, Eigen::MatrixXd& variance) const;
 
   const FrfSet& set_;
   LineBlocks blocks_;

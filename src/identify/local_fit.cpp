@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/units.hpp"
+#include "identify/pole_step.hpp"
 #include "identify/variable_projection.hpp"
 
 namespace percuss {
@@ -19,32 +20,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-constexpr double kLeastDamping = 1e-7;
 constexpr double kMostDamping = 0.5;
-
-bool allowed(const std::vector<Pole>& poles) {
-  return std::all_of(poles.begin(), poles.end(), [](const Pole& p) {
-    return p.freq_Hz > 0 && p.damping_ratio > kLeastDamping && p.damping_ratio < kMostDamping;
-  });
-}
-
-std::vector<Pole> moved(std::vector<Pole> poles, const VectorXd& step) {
-  for (std::size_t m = 0; m < poles.size(); ++m) {
-    poles[m].freq_Hz += step(static_cast<Index>(2 * m));
-    poles[m].damping_ratio += step(static_cast<Index>(2 * m + 1));
-  }
-  return poles;
-}
-
-// The step in the units that matter: half-power bandwidths for the frequency, itself for the damping.
-double size_of(const VectorXd& step, const std::vector<Pole>& poles) {
-  double size = 0;
-  for (std::size_t m = 0; m < poles.size(); ++m) {
-    size = std::max({size, std::abs(step(static_cast<Index>(2 * m))) / (0.5 * poles[m].half_power_Hz()),
-                     std::abs(step(static_cast<Index>(2 * m + 1))) / poles[m].damping_ratio});
-  }
-  return size;
-}
 
 // Levenberg–Marquardt; returns the state reached.
 ProjectedState descend(const VariableProjection& projection, LocalFit& fit, const LocalFitOptions& options) {
@@ -57,9 +33,9 @@ ProjectedState descend(const VariableProjection& projection, LocalFit& fit, cons
       MatrixXd damped = a;
       damped.diagonal() *= 1 + lambda;
       const VectorXd move = damped.ldlt().solve(b);
-      const double size = size_of(move, fit.poles);
-      const auto poles = moved(fit.poles, move);
-      if (!std::isfinite(size) || size > 1e3 || !allowed(poles)) {
+      const double size = step_size(move, fit.poles);
+      const auto poles = moved_by(fit.poles, move);
+      if (!std::isfinite(size) || size > 1e3 || !poles_allowed(poles)) {
         lambda = std::max(lambda * 10, 1e-3);
         continue;
       }

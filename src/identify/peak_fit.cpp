@@ -31,10 +31,13 @@ class PeakFit {
 
   std::vector<PeakMode> run() {
     for (const double freq_Hz : options_.start_Hz) context_.shown.push_back(pole_near(set_, freq_Hz));
-    if (options_.start_Hz.empty()) context_.shown = candidate_poles(set_);
+    context_.shown.insert(context_.shown.end(), options_.start.begin(), options_.start.end());
+    const bool given = !context_.shown.empty();
+    if (!given) context_.shown = candidate_poles(set_);
     all_.replace(context_.shown);
     all_.sweep(kSweeps);
-    if (options_.start_Hz.empty()) settle();
+    if (!given) settle();
+    if (!options_.start.empty()) keep_credible();
     return modes();
   }
 
@@ -49,6 +52,10 @@ class PeakFit {
       all_.sweep(kSweeps);
     }
     while (merge_moving()) all_.sweep(kSweeps);
+    keep_credible();
+  }
+
+  void keep_credible() {
     context_.settled = true;
     while (drop_insignificant()) all_.sweep(kSweeps);
   }
@@ -57,7 +64,10 @@ class PeakFit {
     std::vector<Pole> kept;
     for (const FitGroup& group : all_.groups()) {
       for (std::size_t m = 0; m < group.fit.poles.size(); ++m) {
-        if (credible(all_, group, m, context_)) kept.push_back(group.fit.poles[m]);
+        const Pole& pole = group.fit.poles[m];
+        const bool twice =
+            std::any_of(kept.begin(), kept.end(), [&](const Pole& k) { return coincide(all_, k, pole); });
+        if (!twice && credible(all_, group, m, context_)) kept.push_back(pole);
       }
     }
     return use(std::move(kept));

@@ -13,6 +13,7 @@ struct PeakFitOptions {
   bool thorough = true;              // look for second modes in each window and for modes that show no peak
   std::optional<std::size_t> modes;  // keep this many, the most significant ones
   std::vector<double> start_Hz;      // these and no others
+  std::vector<Pole> start;           // those of these, from an earlier fit, that are credible
 };
 
 /// A mode as the fit of its own window of lines gives it.

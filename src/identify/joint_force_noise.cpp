@@ -1,0 +1,79 @@
+// What the force channel's noise does to a joint fit: a gain error ε(ω) adds ε·H to every response of its point.
+#include <algorithm>
+
+#include "identify/force_noise.hpp"
+#include "identify/joint_projection.hpp"
+
+namespace percuss {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXcd;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// ε·H of one output for each of ε's variables. shapes  response [rows], errors [blocks, variables].
+MatrixXd moved_by(const MatrixXcd& errors, const VectorXd& response) {
+  const Index blocks = errors.rows();
+  const MatrixXd re = errors.real();
+  const MatrixXd im = errors.imag();
+  const auto h_re = response.head(blocks).asDiagonal();
+  const auto h_im = response.tail(blocks).asDiagonal();
+  MatrixXd moved(2 * blocks, errors.cols());
+  moved.topRows(blocks) = h_re * re - h_im * im;
+  moved.bottomRows(blocks) = h_re * im + h_im * re;
+  return moved;
+}
+
+}  // namespace
+
+void JointProjection::add_force_noise(const JointState& state, const JointPart& part, JointNormal& normal) const {
+  const MatrixXd follow = part.inverse * (part.columns.transpose() * part.slopes);
+  const MatrixXd synthesised = part.columns * part.amplitude;
+  for (std::size_t p = 0; p < set_.points.size(); ++p) {
+    MatrixXd push;
+    MatrixXcd errors;
+    for (std::size_t i = 0; i < part.outputs.size(); ++i) {
+      if (set_.outputs[part.outputs[i]].point != p) continue;
+      if (errors.size() == 0) errors = gain_errors(set_, p, blocks_.middles());
+      if (errors.size() == 0) break;
+      const auto o = static_cast<Index>(i);
+      const MatrixXd moved = moved_by(errors, synthesised.col(o));
+      const MatrixXd score = part.slopes.transpose() * moved - follow.transpose() * (part.columns.transpose() * moved);
+      const MatrixXd mine = spread_of(state, part, o).transpose() * score / noise_(static_cast<Index>(part.outputs[i]));
+      if (push.size() == 0) push = MatrixXd::Zero(mine.rows(), mine.cols());
+      push += mine;
+    }
+    if (push.size() > 0) normal.force += push * push.transpose();
+  }
+}
+
+void JointProjection::add_residue_variance(const JointState& state, const JointPart& part, MatrixXd& variance) const {
+  const MatrixXd synthesised = part.columns * part.amplitude;
+  const std::vector<std::size_t> lines = blocks_.middles();
+  MatrixXcd errors;
+  std::size_t point = set_.points.size();
+  for (std::size_t i = 0; i < part.outputs.size(); ++i) {
+    const Output& output = set_.outputs[part.outputs[i]];
+    if (output.point != point) errors = gain_errors(set_, output.point, lines);
+    point = output.point;
+    if (errors.size() == 0) continue;
+    const auto o = static_cast<Index>(i);
+    const MatrixXd moves = part.inverse * (part.columns.transpose() * moved_by(errors, synthesised.col(o)));
+    for (std::size_t m = 0; m < state.model.poles.size(); ++m) {
+      const auto first = static_cast<Index>(part.first[m]);
+      const double line = state.model.poles[m].freq_Hz / set_.lines.df_Hz() - static_cast<double>(set_.lines.first);
+      const auto above = std::lower_bound(lines.begin(), lines.end(), line,
+                                          [](std::size_t a, double b) { return static_cast<double>(a) < b; });
+      const Index at = std::min<Index>(above - lines.begin(), errors.rows() - 1);
+      const bool real = state.model.real[m] != 0;
+      const Complex residue(part.amplitude(first, o), real ? 0 : part.amplitude(first + 1, o));
+      const Eigen::RowVectorXcd gain = residue * errors.row(at);
+      double sum = (moves.row(first) - gain.real()).squaredNorm();
+      if (!real) sum = 0.5 * (sum + (moves.row(first + 1) - gain.imag()).squaredNorm());
+      variance(static_cast<Index>(part.outputs[i]), static_cast<Index>(m)) = sum;
+    }
+  }
+}
+
+}  // namespace percuss

@@ -1,0 +1,152 @@
+#include "identify/many_outputs.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/units.hpp"
+#include "identify/force_noise.hpp"
+#include "identify/grouped_fit.hpp"
+#include "identify/joint_fit.hpp"
+#include "identify/moving.hpp"
+#include "identify/peak_fit.hpp"
+#include "identify/principal.hpp"
+#include "identify/refine.hpp"
+
+namespace percuss {
+namespace {
+
+using Eigen::Index;
+
+constexpr double kMostLeft = 0.05;   // of a mode's amplitude at a record's end
+constexpr double kCompleted = 1e-9;  // what is missing counts no more
+constexpr double kExplained = 1.5;   // energy around a mode over the noise's
+constexpr double kAround = 5;        // half-power bandwidths
+constexpr double kLeastAround = 10;  // lines
+
+// An exponential window belongs to the pulse, which mixed outputs do not have.
+bool windowed(const FrfSet& set) {
+  return std::any_of(set.points.begin(), set.points.end(), [](const PointForce& force) {
+    return !force.blocks.empty() && force.blocks.front().decay_per_s != 0;
+  });
+}
+
+double left_at_end(const FrfSet& set, const Pole& pole) {
+  return std::exp(-kTwoPi * pole.freq_Hz * pole.damping_ratio / set.lines.df_Hz());
+}
+
+double most_left(const FrfSet& set, const std::vector<PeakMode>& modes) {
+  double most = 0;
+  for (const PeakMode& mode : modes) most = std::max(most, left_at_end(set, mode.mode.pole));
+  return most;
+}
+
+// Of a close pair it must be asked whether it only stands for one mode that moves from point to point.
+bool pairs_move(const FrfSet& set, const std::vector<Pole>& poles) {
+  GroupedFit all(set);
+  all.replace(poles);
+  const auto pair = [](const FitGroup& group) { return group.fit.poles.size() > 1; };
+  if (std::none_of(all.groups().begin(), all.groups().end(), pair)) return false;
+  all.sweep(1);
+  return std::any_of(all.groups().begin(), all.groups().end(),
+                     [&](const FitGroup& group) { return pair(group) && merged(all, group); });
+}
+
+Eigen::MatrixXd covariance_of(const std::vector<PeakMode>& modes) {
+  const auto unknowns = static_cast<Index>(2 * modes.size());
+  Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(unknowns, unknowns);
+  for (Index m = 0; m < unknowns / 2; ++m) {
+    const Mode& mode = modes[static_cast<std::size_t>(m)].mode;
+    covariance(2 * m, 2 * m) = mode.freq_std_Hz * mode.freq_std_Hz;
+    covariance(2 * m + 1, 2 * m + 1) = mode.damping_std * mode.damping_std;
+  }
+  return covariance;
+}
+
+std::vector<Pole> poles_of(const std::vector<PeakMode>& modes) {
+  std::vector<Pole> poles;
+  for (const PeakMode& mode : modes) poles.push_back(mode.mode.pole);
+  return poles;
+}
+
+// The set as records would have given it that hold the whole decay.
+FrfSet completed(const FrfSet& set, const JointFit& fit) {
+  FrfSet out = set;
+  const PointForce none;
+  for (std::size_t m = 0; m < fit.poles.size(); ++m) {
+    const Eigen::VectorXcd whole = mode_column(fit.poles[m], none, set.lines, 0, set.lines.count, Need::value).value;
+    std::size_t point = set.points.size();
+    Eigen::VectorXcd missing;
+    for (std::size_t o = 0; o < set.outputs.size(); ++o) {
+      const PointForce& force = set.points[set.outputs[o].point];
+      if (decays_within(fit.poles[m], force, set.lines)) continue;
+      if (set.outputs[o].point != point)
+        missing = whole - mode_column(fit.poles[m], force, set.lines, 0, set.lines.count, Need::value).value;
+      point = set.outputs[o].point;
+      const Complex residue = fit.residues(static_cast<Index>(o), static_cast<Index>(m));
+      for (std::size_t k = 0; k < set.lines.count; ++k)
+        out.outputs[o].frf[k] += residue * missing(static_cast<Index>(k));
+    }
+  }
+  return out;
+}
+
+// Common poles leave the noise alone around every mode.
+bool explains(const FrfSet& set, const JointFit& fit) {
+  const Eigen::VectorXd noise = roughness(set);
+  for (const Pole& pole : fit.poles) {
+    const double at = pole.freq_Hz / set.lines.df_Hz() - static_cast<double>(set.lines.first);
+    const double half = std::max(kAround * pole.half_power_Hz() / set.lines.df_Hz(), kLeastAround);
+    const double last = static_cast<double>(set.lines.count - 1);
+    const auto from = static_cast<Index>(std::clamp(at - half, 0.0, last));
+    const auto to = static_cast<Index>(std::clamp(at + half, 0.0, last));
+    double energy = 0;
+    for (std::size_t o = 0; o < set.outputs.size(); ++o) {
+      const double n = noise(static_cast<Index>(o));
+      energy += fit.residual[o].segment(from, to - from + 1).squaredNorm() / (n * n);
+    }
+    if (energy > kExplained * static_cast<double>(set.outputs.size()) * static_cast<double>(to - from + 1))
+      return false;
+  }
+  return true;
+}
+
+std::vector<Mode> modes_of(const FrfSet& set, const std::vector<PeakMode>& found, const JointFit& fit) {
+  std::vector<Mode> modes;
+  for (std::size_t m = 0; m < found.size(); ++m) {
+    Mode mode = found[m].mode;
+    mode.residues.clear();
+    for (std::size_t o = 0; o < set.outputs.size(); ++o) {
+      mode.residues.push_back({.point = set.outputs[o].point,
+                               .channel = set.outputs[o].channel,
+                               .value = fit.residues(static_cast<Index>(o), static_cast<Index>(m)),
+                               .std = fit.residue_std(static_cast<Index>(o), static_cast<Index>(m)),
+                               .relative_std = gain_deviation(set, set.outputs[o].point, mode.pole.freq_Hz)});
+    }
+    modes.push_back(std::move(mode));
+  }
+  return modes;
+}
+
+}  // namespace
+
+std::optional<std::vector<Mode>> identify_many(const FrfSet& set, const IdentifyOptions& options) {
+  if (windowed(set)) return std::nullopt;
+  FrfSet few = principal_outputs(set, kFewOutputs);
+  const PeakFitOptions thorough{.thorough = options.effort != Effort::quick, .modes = options.modes};
+  auto found = fit_peaks(few, thorough);
+  if (found.empty() || most_left(set, found) > kMostLeft) return std::nullopt;
+  // Each time what is missing after the records' ends is known better, by as much as is missing.
+  for (double left = most_left(set, found); left > kCompleted; left *= most_left(set, found)) {
+    const JointFit fit = fit_residues(set, poles_of(found), covariance_of(found));
+    few = principal_outputs(completed(set, fit), kFewOutputs);
+    few.points.front().blocks.clear();
+    found = fit_peaks(few, {.start = poles_of(found)});
+  }
+  if (pairs_move(set, poles_of(found))) return std::nullopt;
+  if (options.effort == Effort::best) refine(few, found);
+  const JointFit fit = fit_residues(set, poles_of(found), covariance_of(found));
+  if (!explains(set, fit)) return std::nullopt;
+  return modes_of(set, found, fit);
+}
+
+}  // namespace percuss
