@@ -114,7 +114,7 @@ TEST(Geometry, RefusesWhatIsNoGeometry) {
         "point\n1\n", "point,position_m,angle_deg\nm,m,deg\n"}) {
     EXPECT_THAT(refusal_of(text), HasSubstr("g.csv")) << text;
   }
-  EXPECT_THAT(refusal_of(std::string("point,position_m,angle_deg\n0,\0,1\n", 35)), HasSubstr("no text"));
+  EXPECT_THAT(refusal_of(std::string("point,position_m,angle_deg\n0,\0,1\n", 33)), HasSubstr("no text"));
   EXPECT_THAT(refusal_of(std::string(std::size_t{17} << 20U, 'x')), HasSubstr("16 MiB"));
   const test::ScratchFolder folder;
   EXPECT_THAT(input_error_of([&] { read_geometry(folder.path()); }), HasSubstr("folder"));

@@ -7,10 +7,8 @@
 namespace percuss {
 namespace {
 
-TEST(PoleStep, AllowsWhatDecaysAndIsApart) {
-  EXPECT_TRUE(poles_allowed({{100, 0.01}, {100.1, 0.01}}));
-  EXPECT_TRUE(poles_allowed({{100, 0.01}, {100, 0.011}}));  // the same frequency, twice
-  EXPECT_FALSE(poles_allowed({{100, 0.01}, {300, 0.01}, {100.001, 0.01}}));
+TEST(PoleStep, AllowsWhatDecays) {
+  EXPECT_TRUE(poles_allowed({{100, 0.01}, {100.1, 0.49}}));
   EXPECT_FALSE(poles_allowed({{-1, 0.01}}));
   EXPECT_FALSE(poles_allowed({{100, 0}}));
   EXPECT_FALSE(poles_allowed({{100, 0.6}}));

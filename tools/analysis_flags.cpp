@@ -37,9 +37,11 @@ Effort effort_of(const std::string& name) {
 void add_analysis_flags(CLI::App& command, AnalysisFlags& flags) {
   command.add_option("--band", flags.band, "Frequency band LO:HI in Hz (default: what the hammer excited)")
       ->type_name("LO:HI");
-  command.add_option("--effort", flags.effort,
-                     "quick: peaks and local fits; standard: also close pairs and weak modes; best: all modes together, at "
-                     "the statistical limit")
+  command
+      .add_option(
+          "--effort", flags.effort,
+          "quick: peaks and local fits; standard: also close pairs and weak modes; best: all modes together, at "
+          "the statistical limit")
       ->check(CLI::IsMember({"quick", "standard", "best"}))
       ->capture_default_str();
   command.add_option("--estimator", flags.estimator, "FRF estimator: h1, h2 or hv")

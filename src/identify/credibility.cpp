@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "identify/force_noise.hpp"
+
 namespace percuss {
 namespace {
 
@@ -12,6 +14,7 @@ constexpr double kSignificant = 6;   // deviations of a residue
 constexpr double kStandsOut = 3;     // a mode's peak over the rms residual of its window
 constexpr double kMostMisfit = 8;    // times: a mode 24 times the residual is one however poor the fit
 constexpr double kBeyondReach = 12;  // times: in the side lobes of the force's spectrum small peaks are not modes
+constexpr double kForceNoise = 8;    // deviations of the gain that the force's noise causes
 constexpr double kMostDamping = 0.3;
 constexpr double kDynamicRange =
     1e-5;  // of the largest line: smaller peaks cannot be told from what the polynomial leaves
@@ -33,6 +36,20 @@ bool tall(const GroupedFit& all, const LocalFit& fit, std::size_t mode) {
   for (Index o = 0; o < fit.residues.rows(); ++o) {
     const double peak = std::abs(fit.residues(o, static_cast<Index>(mode))) / (2 * fit.poles[mode].damping_ratio);
     if (peak > kDynamicRange * all.largest()(o)) return true;
+  }
+  return false;
+}
+
+// Above what the force channel's own noise makes of the response there: a gain that wavers with frequency.
+bool above_force_noise(const GroupedFit& all, const FitGroup& group, std::size_t mode) {
+  const FrfSet& set = all.set();
+  const Pole& pole = group.fit.poles[mode];
+  const double at = pole.freq_Hz / set.lines.df_Hz() - static_cast<double>(set.lines.first);
+  const auto line = static_cast<std::size_t>(std::clamp(at, 0.0, static_cast<double>(set.lines.count - 1)));
+  for (Index o = 0; o < group.fit.residues.rows(); ++o) {
+    const Output& output = set.outputs[static_cast<std::size_t>(o)];
+    const double peak = std::abs(group.fit.residues(o, static_cast<Index>(mode))) / (2 * pole.damping_ratio);
+    if (peak > kForceNoise * gain_deviation(set, output.point, pole.freq_Hz) * std::abs(output.frf[line])) return true;
   }
   return false;
 }
@@ -69,8 +86,8 @@ bool credible(const GroupedFit& all, const FitGroup& group, std::size_t mode, co
   const double low = all.set().lines.freq_Hz(group.first);
   const double high = all.set().lines.freq_Hz(group.first + group.count - 1);
   const auto m = static_cast<Index>(mode);
-  return tall(all, group.fit, mode) && pole.freq_Hz > low && pole.freq_Hz < high && pole.damping_ratio < kMostDamping &&
-         significance(group.fit, mode) > kSignificant &&
+  return tall(all, group.fit, mode) && above_force_noise(all, group, mode) && pole.freq_Hz > low &&
+         pole.freq_Hz < high && pole.damping_ratio < kMostDamping && significance(group.fit, mode) > kSignificant &&
          stands_out(all, group, mode) > least_standing(all, group, mode, context) &&
          group.fit.freq_std_Hz(m) < all.width_Hz(pole) && group.fit.damping_std(m) < pole.damping_ratio;
 }

@@ -6,8 +6,7 @@
 
 namespace percuss {
 
-/// Poles a fit may try: frequency above zero, damping ratio between 1e-7 and a half, no two so close together (a
-/// thousandth of a bandwidth) that their residues cannot be told apart.
+/// Poles a fit may try: frequency above zero, damping ratio between 1e-7 and a half.
 bool poles_allowed(const std::vector<Pole>& poles);
 
 /// The poles after a step, [2 modes] in the order frequency (Hz), damping ratio per mode.
