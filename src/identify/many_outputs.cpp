@@ -64,6 +64,7 @@ Eigen::MatrixXd covariance_of(const std::vector<PeakMode>& modes) {
 
 std::vector<Pole> poles_of(const std::vector<PeakMode>& modes) {
   std::vector<Pole> poles;
+  poles.reserve(modes.size());
   for (const PeakMode& mode : modes) poles.push_back(mode.mode.pole);
   return poles;
 }
@@ -96,7 +97,7 @@ bool explains(const FrfSet& set, const JointFit& fit) {
   for (const Pole& pole : fit.poles) {
     const double at = pole.freq_Hz / set.lines.df_Hz() - static_cast<double>(set.lines.first);
     const double half = std::max(kAround * pole.half_power_Hz() / set.lines.df_Hz(), kLeastAround);
-    const double last = static_cast<double>(set.lines.count - 1);
+    const auto last = static_cast<double>(set.lines.count - 1);
     const auto from = static_cast<Index>(std::clamp(at - half, 0.0, last));
     const auto to = static_cast<Index>(std::clamp(at + half, 0.0, last));
     double energy = 0;
@@ -136,11 +137,13 @@ std::optional<std::vector<Mode>> identify_many(const FrfSet& set, const Identify
   auto found = fit_peaks(few, thorough);
   if (found.empty() || most_left(set, found) > kMostLeft) return std::nullopt;
   // Each time what is missing after the records' ends is known better, by as much as is missing.
-  for (double left = most_left(set, found); left > kCompleted; left *= most_left(set, found)) {
+  double left = most_left(set, found);
+  while (left > kCompleted) {
     const JointFit fit = fit_residues(set, poles_of(found), covariance_of(found));
     few = principal_outputs(completed(set, fit), kFewOutputs);
     few.points.front().blocks.clear();
     found = fit_peaks(few, {.start = poles_of(found)});
+    left *= most_left(set, found);
   }
   if (pairs_move(set, poles_of(found))) return std::nullopt;
   if (options.effort == Effort::best) refine(few, found);

@@ -31,6 +31,7 @@ bool agrees(const PeakMode& local, const std::vector<Eigen::VectorXcd>& left) {
 
 void refine(const FrfSet& set, std::vector<PeakMode>& modes) {
   std::vector<Pole> start;
+  start.reserve(modes.size());
   for (const PeakMode& mode : modes) start.push_back(mode.mode.pole);
   // Where it cannot follow a single mode, its real residues and deviations need not be worked out.
   const auto follows_any = [&](const std::vector<Eigen::VectorXcd>& left) {
