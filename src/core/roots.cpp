@@ -6,6 +6,8 @@
 #include <limits>
 #include <vector>
 
+#include "core/complex.hpp"
+
 namespace percuss {
 namespace {
 
@@ -15,12 +17,6 @@ using Eigen::VectorXcd;
 
 constexpr int kMostSteps = 60;
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-
-// The library's product and quotient look after infinities, at ten times the work.
-Complex times(Complex a, Complex b) {
-  return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
-}
-Complex inverse(Complex a) { return std::conj(a) / std::norm(a); }
 
 struct Value {
   Complex p, slope;

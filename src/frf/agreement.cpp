@@ -2,16 +2,9 @@
 
 #include <cstddef>
 
+#include "core/complex.hpp"
+
 namespace percuss {
-namespace {
-
-// conj(a)·b without std::complex's tests for infinities, which keep the compiler from vectorising.
-inline Complex turned_back(Complex a, Complex b) {
-  return {a.real() * b.real() + a.imag() * b.imag(), a.real() * b.imag() - a.imag() * b.real()};
-}
-
-}  // namespace
-
 std::vector<double> unexplained_by_others(std::span<const std::vector<Complex>* const> force,
                                           std::span<const std::vector<const std::vector<Complex>*>> accel) {
   const std::size_t hits = force.size();
@@ -23,15 +16,15 @@ std::vector<double> unexplained_by_others(std::span<const std::vector<Complex>* 
       Complex fa;
       double ff = 0;
       for (std::size_t h = 0; h < hits; ++h) {
-        fa += turned_back((*force[h])[k], (*accel[h][c])[k]);
+        fa += conj_times((*force[h])[k], (*accel[h][c])[k]);
         ff += std::norm((*force[h])[k]);
       }
       for (std::size_t h = 0; h < hits; ++h) {
         const Complex f = (*force[h])[k];
         const Complex a = (*accel[h][c])[k];
         const double rest = ff - std::norm(f);
-        const Complex frf = rest > 0 ? (fa - turned_back(f, a)) / rest : Complex{};
-        left[h] += std::norm(a - turned_back(std::conj(frf), f));
+        const Complex frf = rest > 0 ? (fa - conj_times(f, a)) / rest : Complex{};
+        left[h] += std::norm(a - conj_times(std::conj(frf), f));
         all[h] += std::norm(a);
       }
     }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/complex.hpp"
 #include "core/error.hpp"
 
 namespace percuss {
@@ -58,9 +59,7 @@ CrossSpectra cross_spectra(std::span<const std::vector<Complex>* const> force,
     for (std::size_t k = 0; k < lines; ++k) {
       sum.ff[k] += std::norm(f[k]);
       sum.aa[k] += std::norm(a[k]);
-      // conj(F)·A written out: std::complex's product checks for infinities and does not vectorise.
-      sum.fa[k] += Complex(f[k].real() * a[k].real() + f[k].imag() * a[k].imag(),
-                           f[k].real() * a[k].imag() - f[k].imag() * a[k].real());
+      sum.fa[k] += conj_times(f[k], a[k]);
     }
   }
   return sum;

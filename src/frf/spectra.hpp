@@ -1,4 +1,6 @@
 #pragma once
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -17,6 +19,12 @@ struct LineRange {
   std::size_t count = 0;
   double df_Hz() const { return fs_Hz / static_cast<double>(samples); }
   double freq_Hz(std::size_t line) const { return static_cast<double>(first + line) * df_Hz(); }
+  double position(double freq_Hz) const { return freq_Hz / df_Hz() - static_cast<double>(first); }  // in lines
+  std::size_t nearest(double freq_Hz) const { return at(position(freq_Hz)); }
+  /// The line nearest to a position; the first or last one for a position beyond them.
+  std::size_t at(double position) const {
+    return static_cast<std::size_t>(std::clamp(std::round(position), 0.0, static_cast<double>(count - 1)));
+  }
 };
 
 /// The lines of a transform that lie within [low, high] Hz.

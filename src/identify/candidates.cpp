@@ -182,14 +182,11 @@ std::vector<Pole> hidden_poles(const FrfSet& set, const std::vector<Eigen::Vecto
 
 Pole pole_near(const FrfSet& set, double freq_Hz) {
   // What a person points at is the nearest peak: the highest line within half a per cent, or four lines.
-  const double at = freq_Hz / set.lines.df_Hz() - static_cast<double>(set.lines.first);
+  const double at = set.lines.position(freq_Hz);
   const double reach = std::max(4.0, kPointing * freq_Hz / set.lines.df_Hz());
-  const auto clamped = [&](double line) {
-    return static_cast<std::size_t>(std::clamp(std::round(line), 0.0, static_cast<double>(set.lines.count - 1)));
-  };
-  std::size_t best = clamped(at);
+  std::size_t best = set.lines.at(at);
   double highest = 0;
-  for (std::size_t line = clamped(at - reach); line <= clamped(at + reach); ++line) {
+  for (std::size_t line = set.lines.at(at - reach); line <= set.lines.at(at + reach); ++line) {
     double power = 0;
     for (const Output& output : set.outputs) power += std::norm(output.frf[line]);
     if (power > highest) best = line;

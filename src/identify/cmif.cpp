@@ -1,9 +1,10 @@
 #include "identify/cmif.hpp"
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cassert>
 #include <set>
+
+#include "core/linear_algebra.hpp"
 
 namespace percuss {
 
@@ -20,7 +21,7 @@ Eigen::MatrixXd cmif(const FrfSet& set, const LineRange& band) {
       frf(static_cast<Eigen::Index>(output.point), column) =
           output.frf[band.first - set.lines.first + static_cast<std::size_t>(k)];
     }
-    out.row(k) = Eigen::JacobiSVD<Eigen::MatrixXcd>(frf).singularValues().transpose();
+    out.row(k) = singular_values(frf).transpose();
   }
   return out;
 }

@@ -44,8 +44,7 @@ bool tall(const GroupedFit& all, const LocalFit& fit, std::size_t mode) {
 bool above_force_noise(const GroupedFit& all, const FitGroup& group, std::size_t mode) {
   const FrfSet& set = all.set();
   const Pole& pole = group.fit.poles[mode];
-  const double at = pole.freq_Hz / set.lines.df_Hz() - static_cast<double>(set.lines.first);
-  const auto line = static_cast<std::size_t>(std::clamp(at, 0.0, static_cast<double>(set.lines.count - 1)));
+  const std::size_t line = set.lines.nearest(pole.freq_Hz);
   for (Index o = 0; o < group.fit.residues.rows(); ++o) {
     const Output& output = set.outputs[static_cast<std::size_t>(o)];
     const double peak = std::abs(group.fit.residues(o, static_cast<Index>(mode))) / (2 * pole.damping_ratio);

@@ -1,6 +1,5 @@
 #include "identify/cylinder.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -78,7 +77,8 @@ void find_axial(TubeShape& shape, const std::vector<RingFit>& fits) {
       const Eigen::Vector2d pair = fit.inverse.middleRows(first, 2) * fit.value;
       squares += pair * pair.transpose();
     }
-    along = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(squares).eigenvectors().col(1);
+    const double angle = 0.5 * std::atan2(2 * squares(0, 1), squares(0, 0) - squares(1, 1));
+    along = {std::cos(angle), std::sin(angle)};
   }
   const Eigen::Vector2d across(-along(1), along(0));
   double power = 0, across_variance = 0;

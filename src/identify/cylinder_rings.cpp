@@ -1,10 +1,11 @@
 #include "identify/cylinder_rings.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
+
+#include "core/linear_algebra.hpp"
 
 namespace percuss {
 namespace {
@@ -91,11 +92,9 @@ bool resolves(const Ring& ring, int highest, bool half, RingFit& fit) {
     columns.conservativeResize(Eigen::NoChange, 2 * highest);
     columns.rightCols<1>() = fit.pattern.rightCols<2>() * turn;
   }
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr;
-  qr.setThreshold(kResolved);
-  qr.compute(columns);
-  if (qr.rank() < columns.cols()) return false;
-  fit.inverse = qr.solve(Eigen::MatrixXd::Identity(columns.rows(), columns.rows()));
+  const auto inverse = left_inverse(columns, kResolved);
+  if (!inverse) return false;
+  fit.inverse = *inverse;
   if (!half) return true;
   const Eigen::RowVectorXd last = fit.inverse.bottomRows<1>();
   fit.inverse.conservativeResize(fit.pattern.cols(), Eigen::NoChange);

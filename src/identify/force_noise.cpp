@@ -63,9 +63,7 @@ Eigen::MatrixXcd gain_errors(const FrfSet& set, std::size_t point, const std::ve
 double gain_deviation(const FrfSet& set, std::size_t point, double freq_Hz) {
   const PointForce& force = set.points[point];
   if (force.blocks.empty() || force.ff.empty()) return 0;  // nothing is known of the force
-  const double at = freq_Hz / set.lines.df_Hz() - static_cast<double>(set.lines.first);
-  const auto line = static_cast<std::size_t>(std::clamp(at, 0.0, static_cast<double>(set.lines.count - 1)));
-  return force.noise_N * std::sqrt(0.5 * gated_samples(force) / force.ff[line]);
+  return force.noise_N * std::sqrt(0.5 * gated_samples(force) / force.ff[set.lines.nearest(freq_Hz)]);
 }
 
 }  // namespace percuss

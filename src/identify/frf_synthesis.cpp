@@ -1,10 +1,10 @@
 #include "identify/frf_synthesis.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 
+#include "core/linear_algebra.hpp"
 #include "core/units.hpp"
 
 namespace percuss {
@@ -71,7 +71,6 @@ std::vector<SynthesisedFrf> synthesised_frfs(const FrfSet& set, const std::vecto
   std::vector<SynthesisedFrf> out;
   if (band.count == 0) return out;
   const Eigen::MatrixXcd terms = residual_columns(band, decay_of(set));
-  const Eigen::HouseholderQR<Eigen::MatrixXcd> solver(terms);
   ModeColumns columns(set, modes, band);
   std::vector<double> levels;
   for (std::size_t o = 0; o < set.outputs.size(); ++o) {
@@ -82,7 +81,7 @@ std::vector<SynthesisedFrf> synthesised_frfs(const FrfSet& set, const std::vecto
     Eigen::VectorXcd sum = Eigen::VectorXcd::Zero(lines);
     for (std::size_t m = 0; m < modes.size(); ++m) sum += modes[m].residues[o].value * columns.column(m, output.point);
     const Eigen::VectorXcd rest = Eigen::Map<const Eigen::VectorXcd>(measured.data(), lines) - sum;
-    const Eigen::VectorXcd fitted = solver.solve(rest);
+    const Eigen::VectorXcd fitted = least_squares(terms, rest);
     sum += terms * fitted;  // (1)
     SynthesisedFrf made{.point = output.point,
                         .channel = output.channel,

@@ -52,14 +52,10 @@ void GroupedFit::place_window(FitGroup& group) const {
     low = std::min(low, pole.freq_Hz - half);
     high = std::max(high, pole.freq_Hz + half);
   }
-  const auto line = [&](double freq_Hz) {
-    const double at = std::round(freq_Hz / set_.lines.df_Hz()) - static_cast<double>(set_.lines.first);
-    return static_cast<std::size_t>(std::clamp(at, 0.0, static_cast<double>(set_.lines.count - 1)));
-  };
   // Twice as many lines as complex unknowns at the least, also for a group at the band's edge.
   const auto least = 2 * (group.fit.poles.size() + LocalFitOptions{}.residual_terms) + 2;
-  group.first = line(low);
-  std::size_t last = line(high);
+  group.first = set_.lines.nearest(low);
+  std::size_t last = set_.lines.nearest(high);
   while (last - group.first + 1 < least && last - group.first + 1 < set_.lines.count) {
     if (group.first > 0) --group.first;
     if (last + 1 < set_.lines.count) ++last;

@@ -1,9 +1,9 @@
 #include "identify/joint_fit.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
+#include "core/linear_algebra.hpp"
 #include "identify/joint_projection.hpp"
 #include "identify/phase_evidence.hpp"
 #include "identify/pole_step.hpp"
@@ -18,19 +18,6 @@ using Eigen::VectorXd;
 constexpr double kSpill = 0.1;  // of the strongest contradiction: a weaker one may be what that spilt
 constexpr int kRounds = 8;      // of real against complex
 
-VectorXd solve_scaled(const MatrixXd& matrix, const VectorXd& right, double lambda) {
-  const VectorXd scale = matrix.diagonal().cwiseSqrt().cwiseMax(1e-300).cwiseInverse();
-  MatrixXd even = scale.asDiagonal() * matrix * scale.asDiagonal();
-  even.diagonal() *= 1 + lambda;
-  return scale.cwiseProduct(even.ldlt().solve(scale.cwiseProduct(right)));
-}
-
-MatrixXd inverse_scaled(const MatrixXd& matrix) {
-  const VectorXd scale = matrix.diagonal().cwiseSqrt().cwiseMax(1e-300).cwiseInverse();
-  const MatrixXd even = scale.asDiagonal() * matrix * scale.asDiagonal();
-  return scale.asDiagonal() * even.ldlt().solve(MatrixXd::Identity(even.rows(), even.cols())) * scale.asDiagonal();
-}
-
 // Levenberg–Marquardt from `state`; true when the last step was small enough.
 bool descend(const JointProjection& projection, JointState& state, const JointFitOptions& options) {
   double lambda = 1e-6;
@@ -38,7 +25,7 @@ bool descend(const JointProjection& projection, JointState& state, const JointFi
     const JointNormal normal = projection.normal_equations(state);
     bool better = false;
     for (int attempt = 0; attempt < 8 && !better; ++attempt) {
-      const VectorXd move = solve_scaled(normal.matrix, normal.right, lambda);
+      const VectorXd move = solve_gram(normal.matrix, normal.right, lambda);
       const double size = step_size(move, state.model.poles);
       JointModel model = state.model;
       model.poles = moved_by(std::move(model.poles), move);
@@ -104,7 +91,7 @@ class Joint {
 
   MatrixXd covariance_of(const JointState& state) const {
     const JointNormal normal = projection_.with_force_noise(state);
-    const MatrixXd inverse = inverse_scaled(normal.matrix);
+    const MatrixXd inverse = inverse_gram(normal.matrix);
     return inverse + inverse * normal.force * inverse;
   }
   VectorXd variances(const JointState& state) const { return covariance_of(state).diagonal(); }
@@ -112,7 +99,7 @@ class Joint {
   // Real residues that the lines contradict become complex; true when any did. The most contradicted ones first: what
   // they cannot follow spills over to the others.
   bool release() {
-    const MatrixXd covariance = inverse_scaled(projection_.normal_equations(state_).matrix);
+    const MatrixXd covariance = inverse_gram(projection_.normal_equations(state_).matrix);
     std::vector<double> against(state_.model.real.size());
     for (std::size_t m = 0; m < against.size(); ++m) {
       if (state_.model.real[m]) against[m] = phase_contradiction(projection_, state_, m, covariance);

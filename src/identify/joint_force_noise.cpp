@@ -62,7 +62,7 @@ void JointProjection::add_residue_variance(const JointState& state, const JointP
     const MatrixXd moves = part.inverse * (part.columns.transpose() * moved_by(errors, synthesised.col(o)));
     for (std::size_t m = 0; m < state.model.poles.size(); ++m) {
       const auto first = static_cast<Index>(part.first[m]);
-      const double line = state.model.poles[m].freq_Hz / set_.lines.df_Hz() - static_cast<double>(set_.lines.first);
+      const double line = set_.lines.position(state.model.poles[m].freq_Hz);
       const auto above = std::lower_bound(lines.begin(), lines.end(), line,
                                           [](std::size_t a, double b) { return static_cast<double>(a) < b; });
       const Index at = std::min<Index>(above - lines.begin(), errors.rows() - 1);

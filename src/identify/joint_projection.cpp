@@ -1,9 +1,9 @@
 #include "identify/joint_projection.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
+#include "core/linear_algebra.hpp"
 #include "identify/background.hpp"
 
 namespace percuss {
@@ -23,15 +23,6 @@ void turn(const Eigen::Ref<const VectorXd>& column, Eigen::Ref<VectorXd> turned)
   const Index half = column.size() / 2;
   turned.head(half) = -column.tail(half);
   turned.tail(half) = column.head(half);
-}
-
-// Inverse of a Gram matrix whose columns may differ by many decades.
-MatrixXd inverse_gram(const MatrixXd& columns) {
-  const MatrixXd gram = columns.transpose() * columns;
-  const VectorXd scale = gram.diagonal().cwiseSqrt().cwiseMax(1e-300).cwiseInverse();
-  const MatrixXd even = scale.asDiagonal() * gram * scale.asDiagonal();
-  const MatrixXd solved = even.ldlt().solve(MatrixXd::Identity(gram.rows(), gram.cols()));
-  return scale.asDiagonal() * solved * scale.asDiagonal();
 }
 
 }  // namespace
@@ -122,7 +113,7 @@ JointPart JointProjection::solve(const Plan& plan, const JointModel& model) cons
     part.columns.col(at) = plan.background.col(term);
     if (turns == 2) turn(part.columns.col(at), part.columns.col(at + 1));
   }
-  part.inverse = inverse_gram(part.columns);
+  part.inverse = inverse_gram(MatrixXd(part.columns.transpose() * part.columns));
   part.amplitude = part.inverse * (part.columns.transpose() * plan.data);
   part.residual = plan.data - part.columns * part.amplitude;
   // Once more with what is left: the normal equations alone lose half of the digits.

@@ -16,7 +16,7 @@ constexpr double kLeastCore = 4;  // lines
 LineBlocks::LineBlocks(const LineRange& lines, const std::vector<Pole>& poles) {
   std::vector<double> widest(lines.count, kMostLines);
   for (const Pole& pole : poles) {
-    const double at = pole.freq_Hz / lines.df_Hz() - static_cast<double>(lines.first);
+    const double at = lines.position(pole.freq_Hz);
     const double core = std::max(kCore * pole.half_power_Hz() / lines.df_Hz(), kLeastCore);
     for (std::size_t k = 0; k < lines.count; ++k)
       widest[k] = std::min(widest[k], kGrowth * (std::abs(static_cast<double>(k) - at) - core));

@@ -1,12 +1,10 @@
 #include "identify/local_fit.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "core/linear_algebra.hpp"
 #include "core/units.hpp"
 #include "identify/pole_step.hpp"
 #include "identify/variable_projection.hpp"
@@ -30,9 +28,7 @@ ProjectedState descend(const VariableProjection& projection, LocalFit& fit, cons
     const auto [a, b] = projection.normal_equations(state, fit.poles.size());
     bool better = false;
     for (int attempt = 0; attempt < 12 && !better; ++attempt) {
-      MatrixXd damped = a;
-      damped.diagonal() *= 1 + lambda;
-      const VectorXd move = damped.ldlt().solve(b);
+      const VectorXd move = solve_gram(a, b, lambda);
       const double size = step_size(move, fit.poles);
       const auto poles = moved_by(fit.poles, move);
       if (!std::isfinite(size) || size > 1e3 || !poles_allowed(poles)) {
@@ -59,7 +55,7 @@ void add_uncertainty(LocalFit& fit, const VariableProjection& projection, const 
   const auto [a, b] = projection.normal_equations(state, modes);
   // Complex data: |residual|² per line is twice the variance of each real part, and so are the weights' squares.
   const double scale = fit.degrees > 0 ? state.cost / static_cast<double>(fit.degrees) : 1;
-  const MatrixXd covariance = a.ldlt().solve(MatrixXd::Identity(a.rows(), a.cols())) * scale;
+  const MatrixXd covariance = inverse_gram(a) * scale;
   for (Index m = 0; m < static_cast<Index>(modes); ++m) {
     fit.freq_std_Hz(m) = std::sqrt(std::max(0.0, covariance(2 * m, 2 * m)));
     fit.damping_std(m) = std::sqrt(std::max(0.0, covariance(2 * m + 1, 2 * m + 1)));
@@ -109,24 +105,19 @@ Pole pole_of_window(const FrfSet& set, const std::vector<VectorXcd>& data, std::
   // Per output the unknowns a, b are projected out; what is left is one complex unknown s.
   Complex numerator;
   double denominator = 0;
+  const Index size = data.front().size();
+  const MatrixXd q = orthonormal_polynomials(size, 2);
+  VectorXcd jw(size);  // from the window's middle
+  for (Index i = 0; i < size; ++i) jw(i) = Complex(0, kTwoPi * set.lines.df_Hz() * static_cast<double>(i - size / 2));
   for (const VectorXcd& h : data) {
-    VectorXcd jw(h.size());
-    for (Index i = 0; i < h.size(); ++i)
-      jw(i) = Complex(0, kTwoPi * set.lines.freq_Hz(first + static_cast<std::size_t>(i)));
-    const Complex centre = jw(h.size() / 2);
-    MatrixXcd basis(h.size(), 2);
-    basis.col(0).setOnes();
-    basis.col(1) = (jw.array() - centre) / (jw(h.size() - 1) - jw(0));
-    const MatrixXcd q = Eigen::HouseholderQR<MatrixXcd>(basis).householderQ() * MatrixXcd::Identity(h.size(), 2);
-    const VectorXcd shifted = ((jw.array() - centre) * h.array()).matrix();
-    const VectorXcd left = shifted - q * (q.adjoint() * shifted);
-    const VectorXcd right = h - q * (q.adjoint() * h);
+    const VectorXcd shifted = jw.cwiseProduct(h);
+    const VectorXcd left = shifted - q * (q.transpose() * shifted);
+    const VectorXcd right = h - q * (q.transpose() * h);
     numerator += right.dot(left);
     denominator += right.squaredNorm();
   }
   if (!(denominator > 0)) return {};
-  const auto h_size = data.front().size();
-  const double middle = kTwoPi * set.lines.freq_Hz(first + static_cast<std::size_t>(h_size / 2));
+  const double middle = kTwoPi * set.lines.freq_Hz(first + static_cast<std::size_t>(size / 2));
   const Complex s = numerator / denominator + Complex(0, middle);
   if (!(s.real() < 0) || !(s.imag() > 0)) return {};
   const double omega = std::abs(s);

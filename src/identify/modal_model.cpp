@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/complex.hpp"
 #include "core/units.hpp"
 
 namespace percuss {
@@ -42,13 +43,6 @@ std::pair<Complex, Complex> state_at_end(const ForceBlock& block, Complex s, dou
   }
   return {q, by_s};
 }
-
-// a·b without std::complex's tests for infinities, which keep the compiler from vectorising.
-inline Complex times(Complex a, Complex b) {
-  return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
-}
-
-inline Complex inverse(Complex a) { return std::conj(a) / std::norm(a); }
 
 // What the part of the decay beyond the record's end takes away, for one sign of the imaginary part; added to `value`
 // and, by the chain rule along ds, to the derivatives.
@@ -119,13 +113,16 @@ PointForce point_force(std::vector<ForceBlock> blocks, const std::vector<const s
   return force;
 }
 
+double left_at_end(const Pole& pole, const LineRange& lines, double window_decay_per_s) {
+  return std::exp(-(pole.damping_ratio * kTwoPi * pole.freq_Hz + window_decay_per_s) / lines.df_Hz());
+}
+
 bool decays_within(const Pole& pole, const PointForce& force, const LineRange& lines) {
   const bool known = std::any_of(force.blocks.begin(), force.blocks.end(),
                                  [](const ForceBlock& block) { return !block.force_N.empty(); });
   if (!known) return true;  // what follows the record's end is not known without the force
   const double window_decay = force.blocks.empty() ? 0 : force.blocks.front().decay_per_s;
-  const double duration_s = static_cast<double>(lines.samples) / lines.fs_Hz;
-  return std::exp((terms_of(pole).s.real() - window_decay) * duration_s) < kGone;
+  return left_at_end(pole, lines, window_decay) < kGone;
 }
 
 ModeColumn mode_column(const Pole& pole, const PointForce& force, const LineRange& lines, std::size_t first,

@@ -34,6 +34,10 @@ struct ModeColumn {
   Eigen::VectorXcd by_freq, by_damping;  // per Hz, per unit of damping ratio
 };
 
+/// What is left of a mode's amplitude when a record of lines.samples ends, as a fraction of its start; with an
+/// exponential window of that decay.
+double left_at_end(const Pole& pole, const LineRange& lines, double window_decay_per_s = 0);
+
 /// True when the mode has decayed by the record's end, or nothing is known of the force: then its column is H(jω)
 /// itself, the same for every point.
 bool decays_within(const Pole& pole, const PointForce& force, const LineRange& lines);

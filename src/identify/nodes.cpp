@@ -1,10 +1,11 @@
 #include "identify/nodes.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
+
+#include "core/linear_algebra.hpp"
 
 namespace percuss {
 namespace {
@@ -60,11 +61,9 @@ PolynomialFit fit_polynomial(const VectorXd& u, const VectorXd& y, const VectorX
   VectorXd power = std.cwiseInverse();
   for (Index i = 0; i <= degree; ++i, power = power.cwiseProduct(u)) columns.col(i) = power;
   const VectorXd scaled = y.cwiseQuotient(std);
-  const Eigen::ColPivHouseholderQR<MatrixXd> qr(columns);
   PolynomialFit fit;
-  fit.coefficient = qr.solve(scaled);
-  const MatrixXd gram = columns.transpose() * columns;
-  fit.covariance = gram.ldlt().solve(MatrixXd::Identity(gram.rows(), gram.cols()));
+  fit.covariance = inverse_gram(MatrixXd(columns.transpose() * columns));
+  fit.coefficient = least_squares(columns, scaled);
   fit.chi2 = (scaled - columns * fit.coefficient).squaredNorm();
   fit.degrees_of_freedom = static_cast<std::size_t>(std::max<Index>(0, u.size() - degree - 1));
   return fit;

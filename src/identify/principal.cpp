@@ -1,11 +1,11 @@
 #include "identify/principal.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <functional>
 #include <utility>
 #include <vector>
 
+#include "core/linear_algebra.hpp"
 #include "identify/grouped_fit.hpp"
 
 namespace percuss {
@@ -50,7 +50,7 @@ MatrixXd standing_out(const FrfSet& set, const VectorXd& noise) {
 FrfSet principal_outputs(const FrfSet& set, std::size_t most) {
   const VectorXd noise = roughness(set);
   const MatrixXd rows = standing_out(set, noise);
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> directions(rows.transpose() * rows);
+  const MatrixXd directions = eigenvectors(rows.transpose() * rows);
   const auto outputs = static_cast<Index>(set.outputs.size());
   const Index kept = std::min<Index>(outputs, static_cast<Index>(most));
   FrfSet mixed{.lines = set.lines, .reach_Hz = set.reach_Hz};
@@ -61,7 +61,7 @@ FrfSet principal_outputs(const FrfSet& set, std::size_t most) {
   }
   mixed.points.push_back(std::move(force));
   for (Index i = 0; i < kept; ++i) {
-    const VectorXd mix = directions.eigenvectors().col(outputs - 1 - i).cwiseQuotient(noise);
+    const VectorXd mix = directions.col(i).cwiseQuotient(noise);
     Output output{.point = 0, .channel = static_cast<std::size_t>(i), .frf = std::vector<Complex>(set.lines.count)};
     Eigen::Map<Eigen::VectorXcd> sum(output.frf.data(), static_cast<Index>(set.lines.count));
     for (Index o = 0; o < outputs; ++o) {

@@ -1,10 +1,10 @@
 #include "identify/scan_shape.hpp"
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 
+#include "core/linear_algebra.hpp"
 #include "core/statistics.hpp"
 
 namespace percuss {
@@ -75,8 +75,7 @@ ScanShape shape_along(const Mode& mode, std::span<const int> point, std::span<co
   if (table.value.size() == 0) return shape;
   const VectorXd weight = channel_weights(table);
   const MatrixXcd scaled = table.value * weight.cast<Complex>().asDiagonal();
-  const Eigen::JacobiSVD<MatrixXcd> svd(scaled, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  const VectorXcd sees = svd.matrixV().col(0);
+  const VectorXcd sees = leading_right_vector(scaled);
   const VectorXcd along = scaled * sees;
   // Σ a² has twice the phase of a line through the a.
   Complex turn = std::polar(1.0, -0.5 * std::arg((along.array() * along.array()).sum()));

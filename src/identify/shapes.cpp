@@ -1,9 +1,10 @@
 #include "identify/shapes.hpp"
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <set>
+
+#include "core/linear_algebra.hpp"
 
 namespace percuss {
 namespace {
@@ -70,8 +71,7 @@ Eigen::VectorXcd solve_side(const Eigen::MatrixXcd& value, const Eigen::MatrixXd
 
 RankOne rank_one(const Grid& grid) {
   RankOne fit;
-  const Eigen::JacobiSVD<Eigen::MatrixXcd> svd(grid.value, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  fit.b = svd.matrixV().col(0).conjugate();
+  fit.b = leading_right_vector(grid.value).conjugate();
   for (int sweep = 0; sweep < (grid.channels.size() > 1 ? kSweeps : 1); ++sweep) {
     fit.a = solve_side(grid.value, grid.weight, fit.b, fit.a_std);
     if (grid.channels.size() == 1) break;

@@ -1,8 +1,8 @@
 #include "identify/variable_projection.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/QR>
 #include <algorithm>
+
+#include "core/linear_algebra.hpp"
 
 namespace percuss {
 
@@ -12,31 +12,10 @@ using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-namespace {
-
-// Orthonormal polynomials over the lines.
-MatrixXd polynomials(Index lines, Index terms) {
-  const VectorXd x = VectorXd::LinSpaced(lines, -1, 1);
-  MatrixXd powers(lines, terms);
-  VectorXd power = VectorXd::Ones(lines);
-  for (Index term = 0; term < terms; ++term, power = power.cwiseProduct(x)) powers.col(term) = power;
-  return Eigen::HouseholderQR<MatrixXd>(powers).householderQ() * MatrixXd::Identity(lines, terms);
-}
-
-// Of a Gram matrix whose columns may differ by many decades.
-MatrixXcd inverse_of(const MatrixXcd& gram) {
-  const VectorXd scale = gram.diagonal().real().cwiseSqrt().cwiseMax(1e-300).cwiseInverse();
-  const MatrixXcd even = scale.asDiagonal() * gram * scale.asDiagonal();
-  const MatrixXcd solved = even.ldlt().solve(MatrixXcd::Identity(gram.rows(), gram.cols()));
-  return scale.asDiagonal() * solved * scale.asDiagonal();
-}
-
-}  // namespace
-
 VariableProjection::VariableProjection(const FrfSet& set, const std::vector<VectorXcd>& data, VectorXd weight,
                                        std::size_t first, std::size_t count, std::size_t polynomial_terms)
     : set_(set),
-      polynomial_(polynomials(static_cast<Index>(count), static_cast<Index>(polynomial_terms))),
+      polynomial_(orthonormal_polynomials(static_cast<Index>(count), static_cast<Index>(polynomial_terms))),
       data_(static_cast<Index>(count), static_cast<Index>(data.size())),
       weight_(std::move(weight)),
       first_(first),
@@ -124,7 +103,7 @@ ProjectedPart VariableProjection::solve(const std::vector<std::size_t>& outputs,
     part.slopes.col(2 * m + 1) = mode.by_damping;
   }
   project(part.columns);
-  part.inverse_gram = inverse_of(part.columns.adjoint() * part.columns);
+  part.inverse_gram = inverse_gram(MatrixXcd(part.columns.adjoint() * part.columns));
   if (outputs.size() == set_.outputs.size()) {
     part.residual = data_;
   } else {

@@ -118,7 +118,7 @@ class Analysis {
   LineRange given_lines() const;
   std::vector<PointFrf> given_within_lines() const;
   FrfSet given_set() const;
-  void warn_of_leakage(std::vector<Warning>& out) const;
+  void warn_of_truncation(std::vector<Warning>& out) const;
   void warn_of_moving(std::vector<Warning>& out) const;
 
   Record record_;

@@ -2,10 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/error.hpp"
-#include "core/units.hpp"
 #include "pipeline/analysis.hpp"
 
 namespace percuss {
@@ -13,7 +11,6 @@ namespace {
 
 constexpr double kLowestPart = 0.01;  // of the highest frequency: below it drift and the suspension rule
 constexpr double kMargin = 0.15;      // of the band's width, on either side
-constexpr double kDecayed = 0.0025;   // of the amplitude: six time constants
 constexpr std::size_t kLeastLines = 16;
 
 Record described(const FrfRecord& frfs) {
@@ -101,26 +98,6 @@ FrfSet Analysis::given_set() const {
     set.outputs.push_back({.point = set.points.size() - 1, .channel = frf.channel, .frf = frf.frf.value});
   }
   return set;
-}
-
-void Analysis::warn_of_leakage(std::vector<Warning>& out) const {
-  if (!modes_.ready()) return;
-  const double duration_s = 1 / lines().df_Hz();
-  std::string ringing;
-  for (const Mode& mode : modes()) {
-    const double rate = mode.pole.damping_ratio * kTwoPi * mode.pole.freq_Hz + given_->decay_per_s;
-    const double left = std::exp(-rate * duration_s);
-    if (left > kDecayed)
-      ringing += fmt::format("{}{:.1f} Hz ({:.1f} %)", ringing.empty() ? "" : ", ", mode.pole.freq_Hz, left * 100);
-  }
-  if (ringing.empty()) return;
-  out.push_back(
-      {"truncated_decay",
-       fmt::format(
-           "the lines' spacing tells of records of {:.4g} s, at whose end these modes still rang with this part "
-           "of their amplitude: {}. Without the force that cannot be allowed for: their residues may be off by "
-           "as much, and their damping reads high if the recorder applied an exponential window",
-           duration_s, ringing)});
 }
 
 void Analysis::warn_of_moving(std::vector<Warning>& out) const {

@@ -114,13 +114,11 @@ std::vector<Verdict> Analysis::name_modes() const {
   const auto sensors = pair_of_sensors(angles);
   std::vector<std::optional<double>> overlay_dB(modes().size());
   if (sensors) {
-    const auto line_of = [&](double freq_Hz) {
-      return static_cast<std::size_t>(std::lround(freq_Hz / lines().df_Hz())) - lines().first;
-    };
     for (std::size_t m = 0; m < modes().size(); ++m) {
+      const std::size_t peak = lines().nearest(modes()[m].pole.freq_Hz);
       double first = 0, second = 0;
       for (const PointFrf& frf : frfs()) {
-        const double power = std::norm(frf.frf.value[std::min(line_of(modes()[m].pole.freq_Hz), lines().count - 1)]);
+        const double power = std::norm(frf.frf.value[peak]);
         (frf.channel == sensors->first ? first : second) +=
             frf.channel == sensors->first || frf.channel == sensors->second ? power : 0;
       }

@@ -29,9 +29,7 @@ std::vector<int> points_of(const Analysis& analysis) {
 
 // |H| at the mode's peak, point by point as in `at`.
 std::vector<double> peaks_of(const Analysis& analysis, const Mode& mode, const std::vector<int>& at) {
-  const LineRange& lines = analysis.lines();
-  const double line = std::round(mode.pole.freq_Hz / lines.df_Hz()) - static_cast<double>(lines.first);
-  const auto k = static_cast<std::size_t>(std::clamp(line, 0.0, static_cast<double>(lines.count - 1)));
+  const std::size_t k = analysis.lines().nearest(mode.pole.freq_Hz);
   std::vector<double> peak(at.size());
   for (const PointFrf& frf : analysis.frfs()) {
     const auto place = std::find(at.begin(), at.end(), frf.point) - at.begin();

@@ -1,11 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/error.hpp"
 #include "core/significant.hpp"
-#include "core/units.hpp"
 #include "pipeline/analysis.hpp"
 
 namespace percuss {
@@ -35,13 +33,27 @@ std::string dead_hits(const std::vector<AnalysedHit>& hits, std::size_t channel)
   return numbers.empty() || alive ? numbers : "every hit used";
 }
 
-// What is left of a mode when the record ends, as a fraction of its start.
-double left_at_end(const Mode& mode, const LineRange& lines, double decay_per_s) {
-  const double rate = mode.pole.damping_ratio * kTwoPi * mode.pole.freq_Hz + decay_per_s;
-  return std::exp(-rate * static_cast<double>(lines.samples) / lines.fs_Hz);
-}
-
 }  // namespace
+
+void Analysis::warn_of_truncation(std::vector<Warning>& out) const {
+  if (!modes_.ready()) return;
+  std::string ringing;
+  for (const Mode& mode : modes()) {
+    const double left = left_at_end(mode.pole, lines(), window_decay_per_s());
+    if (left > kDecayed)
+      ringing += fmt::format("{}{:.1f} Hz ({:.1f} %)", ringing.empty() ? "" : ", ", mode.pole.freq_Hz, left * 100);
+  }
+  if (ringing.empty()) return;
+  out.push_back(
+      {"truncated_decay",
+       given_ ? fmt::format("the lines' spacing tells of records of {:.4g} s, at whose end these modes still rang with "
+                            "this part of their amplitude: {}. Without the force that cannot be allowed for: their "
+                            "residues may be off by as much, and their damping reads high if the recorder applied an "
+                            "exponential window",
+                            1 / lines().df_Hz(), ringing)
+              : "still ringing when the record ends, with this part of their amplitude: " + ringing +
+                    "; the damping is fitted with the missing decay allowed for, not read from a peak's width"});
+}
 
 std::vector<Warning> Analysis::warnings() const {
   std::vector<Warning> out;
@@ -76,21 +88,7 @@ std::vector<Warning> Analysis::warnings() const {
                    "the structure was still ringing before a hit: wait longer between hits; damping there may be off "
                    "by more than its ±"});
   warn_of_moving(out);
-  if (given_) {
-    warn_of_leakage(out);
-  } else if (modes_.ready()) {
-    std::string ringing;
-    for (const Mode& mode : modes()) {
-      const double left = left_at_end(mode, lines(), window_decay_per_s());
-      if (left > kDecayed)
-        ringing += fmt::format("{}{:.1f} Hz ({:.1f} %)", ringing.empty() ? "" : ", ", mode.pole.freq_Hz, left * 100);
-    }
-    if (!ringing.empty()) {
-      out.push_back({"truncated_decay",
-                     "still ringing when the record ends, with this part of their amplitude: " + ringing +
-                         "; the damping is fitted with the missing decay allowed for, not read from a peak's width"});
-    }
-  }
+  warn_of_truncation(out);
   if (verdicts_.ready()) {
     std::string pairs;
     for (std::size_t m = 0; m < verdicts().size(); ++m) {
