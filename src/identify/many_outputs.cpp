@@ -1,9 +1,7 @@
 #include "identify/many_outputs.hpp"
 
 #include <algorithm>
-#include <cmath>
 
-#include "core/units.hpp"
 #include "identify/force_noise.hpp"
 #include "identify/grouped_fit.hpp"
 #include "identify/joint_fit.hpp"
@@ -30,13 +28,9 @@ bool windowed(const FrfSet& set) {
   });
 }
 
-double left_at_end(const FrfSet& set, const Pole& pole) {
-  return std::exp(-kTwoPi * pole.freq_Hz * pole.damping_ratio / set.lines.df_Hz());
-}
-
 double most_left(const FrfSet& set, const std::vector<PeakMode>& modes) {
   double most = 0;
-  for (const PeakMode& mode : modes) most = std::max(most, left_at_end(set, mode.mode.pole));
+  for (const PeakMode& mode : modes) most = std::max(most, left_at_end(mode.mode.pole, set.lines));
   return most;
 }
 
@@ -91,15 +85,25 @@ FrfSet completed(const FrfSet& set, const JointFit& fit) {
   return out;
 }
 
+// Turns `few` into the outputs of complete records, and fits `found` to them. Each time what is missing is known
+// better, by as much as is missing.
+void complete(const FrfSet& set, FrfSet& few, std::vector<PeakMode>& found) {
+  for (double left = most_left(set, found); left > kCompleted; left *= most_left(set, found)) {
+    const JointFit fit = fit_residues(set, poles_of(found), covariance_of(found));
+    few = principal_outputs(completed(set, fit), kFewOutputs);
+    few.points.front().blocks.clear();
+    found = fit_peaks(few, {.start = poles_of(found)});
+  }
+}
+
 // Common poles leave the noise alone around every mode.
 bool explains(const FrfSet& set, const JointFit& fit) {
   const Eigen::VectorXd noise = roughness(set);
   for (const Pole& pole : fit.poles) {
-    const double at = pole.freq_Hz / set.lines.df_Hz() - static_cast<double>(set.lines.first);
+    const double at = set.lines.position(pole.freq_Hz);
     const double half = std::max(kAround * pole.half_power_Hz() / set.lines.df_Hz(), kLeastAround);
-    const auto last = static_cast<double>(set.lines.count - 1);
-    const auto from = static_cast<Index>(std::clamp(at - half, 0.0, last));
-    const auto to = static_cast<Index>(std::clamp(at + half, 0.0, last));
+    const auto from = static_cast<Index>(set.lines.at(at - half));
+    const auto to = static_cast<Index>(set.lines.at(at + half));
     double energy = 0;
     for (std::size_t o = 0; o < set.outputs.size(); ++o) {
       const double n = noise(static_cast<Index>(o));
@@ -133,17 +137,13 @@ std::vector<Mode> modes_of(const FrfSet& set, const std::vector<PeakMode>& found
 std::optional<std::vector<Mode>> identify_many(const FrfSet& set, const IdentifyOptions& options) {
   if (windowed(set)) return std::nullopt;
   FrfSet few = principal_outputs(set, kFewOutputs);
-  const PeakFitOptions thorough{.thorough = options.effort != Effort::quick, .modes = options.modes};
-  auto found = fit_peaks(few, thorough);
-  if (found.empty() || most_left(set, found) > kMostLeft) return std::nullopt;
-  // Each time what is missing after the records' ends is known better, by as much as is missing.
-  double left = most_left(set, found);
-  while (left > kCompleted) {
-    const JointFit fit = fit_residues(set, poles_of(found), covariance_of(found));
-    few = principal_outputs(completed(set, fit), kFewOutputs);
-    few.points.front().blocks.clear();
-    found = fit_peaks(few, {.start = poles_of(found)});
-    left *= most_left(set, found);
+  std::vector<PeakMode> found;
+  // The clear modes first: what is missing of them after the records' ends would pass for hidden ones.
+  for (const bool thorough : {false, true}) {
+    if (thorough && options.effort == Effort::quick) break;
+    found = fit_peaks(few, {.thorough = thorough, .modes = options.modes});
+    if (found.empty() || most_left(set, found) > kMostLeft) return std::nullopt;
+    complete(set, few, found);
   }
   if (pairs_move(set, poles_of(found))) return std::nullopt;
   if (options.effort == Effort::best) refine(few, found);
