@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "number_checks.hpp"
 
 namespace percuss::tools {
 namespace {
@@ -34,57 +33,39 @@ Effort effort_of(const std::string& name) {
   return Effort::best;
 }
 
-void add_analysis_flags(CLI::App& command, AnalysisFlags& flags) {
-  command.add_option("--band", flags.band, "Frequency band LO:HI in Hz (default: what the hammer excited)")
-      ->type_name("LO:HI");
+void add_analysis_flags(Command& command, AnalysisFlags& flags) {
+  command.value("--band", flags.band, "Frequency band LO:HI in Hz (default: what the hammer excited)").type("LO:HI");
   command
-      .add_option(
-          "--effort", flags.effort,
-          "quick: peaks and local fits; standard: also close pairs and weak modes; best: all modes together, at "
-          "the statistical limit")
-      ->check(CLI::IsMember({"quick", "standard", "best"}))
-      ->capture_default_str();
-  command.add_option("--estimator", flags.estimator, "FRF estimator: h1, h2 or hv")
-      ->check(CLI::IsMember({"h1", "h2", "hv"}))
-      ->capture_default_str();
-  command.add_option("--accept-hit", flags.accept_hits, "Use these hits whatever was found")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->check(counted())
-      ->type_name("I,...");
-  command.add_option("--reject-hit", flags.reject_hits, "Leave these hits out")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->check(counted())
-      ->type_name("I,...");
-  command.add_option("--modes", flags.modes, "Report this many modes, the clearest ones")->check(CLI::Range(1, 1000));
-  command.add_option("--start", flags.start_Hz, "Fit modes at these frequencies and no others")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->check(above_zero())
-      ->type_name("HZ,...");
-  command.add_option("--trigger", flags.trigger_N, "Force in N that counts as a hit (default: from the noise)")
-      ->check(above_zero());
-  command.add_option("--pretrigger", flags.pretrigger_s, "Seconds kept before each hit of a long record")
-      ->check(not_negative());
-  command.add_option("--length", flags.length_s, "Seconds kept of each hit")->check(above_zero());
-  command.add_option("--from", flags.from_s, "Use each row from this second on")->check(not_negative());
-  command.add_option("--to", flags.to_s, "... and up to this one")->check(above_zero());
+      .value("--effort", flags.effort,
+             "quick: peaks and local fits; standard: also close pairs and weak modes; best: all modes together, at "
+             "the statistical limit")
+      .one_of({"quick", "standard", "best"})
+      .show_default();
+  command.value("--estimator", flags.estimator, "FRF estimator: h1, h2 or hv")
+      .one_of({"h1", "h2", "hv"})
+      .show_default();
+  command.list("--accept-hit", flags.accept_hits, "Use these hits whatever was found").type("I,...");
+  command.list("--reject-hit", flags.reject_hits, "Leave these hits out").type("I,...");
+  command.value("--modes", flags.modes, "Report this many modes, the clearest ones").within(1, 1000);
+  command.list("--start", flags.start_Hz, "Fit modes at these frequencies and no others").above_zero().type("HZ,...");
+  command.value("--trigger", flags.trigger_N, "Force in N that counts as a hit (default: from the noise)").above_zero();
+  command.value("--pretrigger", flags.pretrigger_s, "Seconds kept before each hit of a long record").not_negative();
+  command.value("--length", flags.length_s, "Seconds kept of each hit").above_zero();
+  command.value("--from", flags.from_s, "Use each row from this second on").not_negative();
+  command.value("--to", flags.to_s, "... and up to this one").above_zero();
   command
-      .add_option("--force-window", flags.force_window,
-                  "auto: the pulse alone enters the FRF; off: the whole force record")
-      ->check(CLI::IsMember({"auto", "off"}))
-      ->capture_default_str();
+      .value("--force-window", flags.force_window, "auto: the pulse alone enters the FRF; off: the whole force record")
+      .one_of({"auto", "off"})
+      .show_default();
   command
-      .add_option("--exponential", flags.exponential_end,
-                  "Exponential window falling to this fraction at the end; the damping is corrected exactly")
-      ->check(finite())
-      ->check(CLI::Range(1e-12, 0.999999));
-  command.add_option("--overlay-db", flags.overlay_dB, "Two FRFs this close at a peak count as overlaid")
-      ->check(above_zero())
-      ->capture_default_str();
-  command.add_option("--threads", flags.threads, "Threads to use (default: all; the result is the same)")
-      ->check(CLI::Range(0, 1024));
+      .value("--exponential", flags.exponential_end,
+             "Exponential window falling to this fraction at the end; the damping is corrected exactly")
+      .finite()
+      .within(1e-12, 0.999999);
+  command.value("--overlay-db", flags.overlay_dB, "Two FRFs this close at a peak count as overlaid")
+      .above_zero()
+      .show_default();
+  command.value("--threads", flags.threads, "Threads to use (default: all; the result is the same)").within(0, 1024);
 }
 
 AnalysisOptions analysis_options(const AnalysisFlags& flags) {

@@ -1,9 +1,9 @@
 #pragma once
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "command_line.hpp"
 #include "pipeline/analysis.hpp"
 
 namespace percuss::tools {
@@ -24,7 +24,7 @@ struct AnalysisFlags {
   std::size_t threads = 0;
 };
 
-void add_analysis_flags(CLI::App& command, AnalysisFlags& flags);
+void add_analysis_flags(Command& command, AnalysisFlags& flags);
 
 /// Throws UsageError for values that contradict each other.
 AnalysisOptions analysis_options(const AnalysisFlags& flags);

@@ -148,25 +148,20 @@ int analyze(const AnalyzeFlags& flags) {
 
 }  // namespace
 
-void add_analyze(CLI::App& app, Run& run) {
+void add_analyze(CommandLine& line) {
   auto flags = std::make_shared<AnalyzeFlags>();
-  CLI::App* command =
-      app.add_subcommand("analyze", "Modes of a structure from hammer tests: hits, FRFs, modes, bending or hoop");
-  command->footer("Example: percuss analyze bat.h5 --band 60:3200 --json");
-  add_read_flags(*command, flags->read);
-  add_analysis_flags(*command, flags->analysis);
-  add_output_flags(*command, flags->output);
-  command
-      ->add_option("--only", flags->only,
-                   "Compute and report these sections only: hits, frf, coherence, modes, classes")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->type_name("SECTION,...");
-  command->add_flag("--per-hit", flags->per_hit, "Also every mode as each hit alone shows it");
-  command->add_flag("--stabilisation", flags->stabilisation,
-                    "Also the poles of all model orders, in the JSON document");
-  command->add_flag("--trace", flags->trace, "What ran: stages, calls, seconds");
-  command->callback([flags, &run] { run = [flags] { return analyze(*flags); }; });
+  Command command =
+      line.command("analyze", "Modes of a structure from hammer tests: hits, FRFs, modes, bending or hoop",
+                   [flags] { return analyze(*flags); });
+  command.example("percuss analyze bat.h5 --band 60:3200 --json");
+  add_read_flags(command, flags->read);
+  add_analysis_flags(command, flags->analysis);
+  add_output_flags(command, flags->output);
+  command.list("--only", flags->only, "Compute and report these sections only: hits, frf, coherence, modes, classes")
+      .type("SECTION,...");
+  command.flag("--per-hit", flags->per_hit, "Also every mode as each hit alone shows it");
+  command.flag("--stabilisation", flags->stabilisation, "Also the poles of all model orders, in the JSON document");
+  command.flag("--trace", flags->trace, "What ran: stages, calls, seconds");
 }
 
 }  // namespace percuss::tools

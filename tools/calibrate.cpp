@@ -9,7 +9,6 @@
 #include "acquire/calibrate.hpp"
 #include "command.hpp"
 #include "core/error.hpp"
-#include "number_checks.hpp"
 #include "output.hpp"
 #include "read_flags.hpp"
 #include "report/number.hpp"
@@ -81,21 +80,17 @@ int calibrate_file(const CalibrateFlags& flags) {
 
 }  // namespace
 
-void add_calibrate(CLI::App& app, Run& run) {
+void add_calibrate(CommandLine& line) {
   auto flags = std::make_shared<CalibrateFlags>();
-  CLI::App* command =
-      app.add_subcommand("calibrate", "What one unit of the force channel is in N, from hits on a free mass");
-  command->footer("Example: percuss calibrate hits.csv --mass 1.25 --force-channel CH8");
-  add_read_flags(*command, flags->read);
-  add_output_flags(*command, flags->output);
-  command->add_option("--mass", flags->mass_kg, "The free mass in kg, its accelerometer included")
-      ->required()
-      ->check(above_zero());
+  Command command = line.command("calibrate", "What one unit of the force channel is in N, from hits on a free mass",
+                                 [flags] { return calibrate_file(*flags); });
+  command.example("percuss calibrate hits.csv --mass 1.25 --force-channel CH8");
+  add_read_flags(command, flags->read);
+  add_output_flags(command, flags->output);
+  command.value("--mass", flags->mass_kg, "The free mass in kg, its accelerometer included").required().above_zero();
   command
-      ->add_option("--trigger", flags->trigger,
-                   "Reading of the force channel that counts as a hit (default: from the noise)")
-      ->check(above_zero());
-  command->callback([flags, &run] { run = [flags] { return calibrate_file(*flags); }; });
+      .value("--trigger", flags->trigger, "Reading of the force channel that counts as a hit (default: from the noise)")
+      .above_zero();
 }
 
 }  // namespace percuss::tools

@@ -1,6 +1,5 @@
 #pragma once
-#include <CLI/CLI.hpp>
-#include <functional>
+#include "command_line.hpp"
 
 namespace percuss::tools {
 
@@ -15,17 +14,14 @@ enum ExitCode {
   kPartial = 6
 };
 
-/// What to run once the command line is understood; returns an ExitCode. A command's `add_…` declares its options on
-/// `app` and, when the user chose it, sets `run`. Commands write data to stdout, progress and warnings to stderr, and
-/// throw InputError or UsageError, which main turns into one line and its exit code.
-using Run = std::function<int()>;
-
-void add_info(CLI::App& app, Run& run);
-void add_analyze(CLI::App& app, Run& run);
-void add_frf(CLI::App& app, Run& run);
-void add_nodes(CLI::App& app, Run& run);
-void add_calibrate(CLI::App& app, Run& run);
-void add_survey(CLI::App& app, Run& run);
-void add_synth(CLI::App& app, Run& run);
+// Each declares a command: its options, and what to run. Commands write data to stdout, progress and warnings to
+// stderr, and throw InputError or UsageError, which main turns into one line and its exit code.
+void add_info(CommandLine& line);
+void add_analyze(CommandLine& line);
+void add_frf(CommandLine& line);
+void add_nodes(CommandLine& line);
+void add_calibrate(CommandLine& line);
+void add_survey(CommandLine& line);
+void add_synth(CommandLine& line);
 
 }  // namespace percuss::tools

@@ -60,18 +60,17 @@ int frf(const FrfFlags& flags) {
 
 }  // namespace
 
-void add_frf(CLI::App& app, Run& run) {
+void add_frf(CommandLine& line) {
   auto flags = std::make_shared<FrfFlags>();
-  CLI::App* command =
-      app.add_subcommand("frf", "Averaged FRFs and coherence only, as CSV on standard output or into files");
-  command->footer("Example: percuss frf bat.h5 --band 60:3200 -o frf.csv");
-  add_read_flags(*command, flags->read);
-  add_analysis_flags(*command, flags->analysis);
-  add_output_flags(*command, flags->output);
-  command->add_option("--kind", flags->kind, "accelerance, mobility or receptance")
-      ->check(CLI::IsMember({"accelerance", "mobility", "receptance"}))
-      ->capture_default_str();
-  command->callback([flags, &run] { run = [flags] { return frf(*flags); }; });
+  Command command = line.command("frf", "Averaged FRFs and coherence only, as CSV on standard output or into files",
+                                 [flags] { return frf(*flags); });
+  command.example("percuss frf bat.h5 --band 60:3200 -o frf.csv");
+  add_read_flags(command, flags->read);
+  add_analysis_flags(command, flags->analysis);
+  add_output_flags(command, flags->output);
+  command.value("--kind", flags->kind, "accelerance, mobility or receptance")
+      .one_of({"accelerance", "mobility", "receptance"})
+      .show_default();
 }
 
 }  // namespace percuss::tools

@@ -198,15 +198,14 @@ int run_info(const InfoFlags& flags) {
 
 }  // namespace
 
-void add_info(CLI::App& app, Run& run) {
-  CLI::App* command =
-      app.add_subcommand("info", "what is in a file: kind, channels, units, rate, hits, what could not be read");
-  command->footer("Example: percuss info bat.h5");
+void add_info(CommandLine& line) {
   auto flags = std::make_shared<InfoFlags>();
-  add_read_flags(*command, flags->read);
-  add_output_flags(*command, flags->output);
-  command->add_flag("--example", flags->example, "print a channel set-up for --setup, to start from");
-  command->callback([flags, &run] { run = [flags] { return run_info(*flags); }; });
+  Command command = line.command("info", "what is in a file: kind, channels, units, rate, hits, what could not be read",
+                                 [flags] { return run_info(*flags); });
+  command.example("percuss info bat.h5");
+  add_read_flags(command, flags->read);
+  add_output_flags(command, flags->output);
+  command.flag("--example", flags->example, "print a channel set-up for --setup, to start from");
 }
 
 }  // namespace percuss::tools

@@ -95,20 +95,20 @@ int nodes(const NodesFlags& flags) {
 
 }  // namespace
 
-void add_nodes(CLI::App& app, Run& run) {
+void add_nodes(CommandLine& line) {
   auto flags = std::make_shared<NodesFlags>();
-  CLI::App* command = app.add_subcommand("nodes", "Where bending modes have their nodes, from a scan of impacts");
-  command->footer("Example: percuss nodes scan.h5 --positions 3:0.25:9in");
+  Command command = line.command("nodes", "Where bending modes have their nodes, from a scan of impacts",
+                                 [flags] { return nodes(*flags); });
+  command.example("percuss nodes scan.h5 --positions 3:0.25:9in");
   command
-      ->add_option("--positions", flags->positions,
-                   "Where the hits of the scan were, from the barrel's end, in the order of points or files; inches "
-                   "unless a unit (in, m, mm) follows")
-      ->required()
-      ->type_name("START:STEP:END[UNIT]");
-  add_read_flags(*command, flags->read);
-  add_analysis_flags(*command, flags->analysis);
-  add_output_flags(*command, flags->output);
-  command->callback([flags, &run] { run = [flags] { return nodes(*flags); }; });
+      .value("--positions", flags->positions,
+             "Where the hits of the scan were, from the barrel's end, in the order of points or files; inches "
+             "unless a unit (in, m, mm) follows")
+      .required()
+      .type("START:STEP:END[UNIT]");
+  add_read_flags(command, flags->read);
+  add_analysis_flags(command, flags->analysis);
+  add_output_flags(command, flags->output);
 }
 
 }  // namespace percuss::tools

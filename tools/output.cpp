@@ -13,13 +13,12 @@
 
 namespace percuss::tools {
 
-void add_output_flags(CLI::App& command, OutputFlags& flags) {
-  command.add_option("-o,--output", flags.paths, "Write to this file; its extension says what (repeatable)")
-      ->type_name("FILE")
-      ->allow_extra_args(false);  // the words after it are records
-  command.add_flag("--json", flags.json, "One JSON document on standard output");
-  command.add_flag("--force", flags.force, "Overwrite files that exist");
-  command.add_flag("--quiet", flags.quiet, "No progress and no warnings on standard error");
+void add_output_flags(Command& command, OutputFlags& flags) {
+  command.repeatable("-o,--output", flags.paths, "Write to this file; its extension says what (repeatable)")
+      .type("FILE");
+  command.flag("--json", flags.json, "One JSON document on standard output");
+  command.flag("--force", flags.force, "Overwrite files that exist");
+  command.flag("--quiet", flags.quiet, "No progress and no warnings on standard error");
 }
 
 std::string extension_of(const std::string& path) {

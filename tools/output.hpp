@@ -1,7 +1,8 @@
 #pragma once
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
+
+#include "command_line.hpp"
 
 namespace percuss::tools {
 
@@ -13,7 +14,7 @@ struct OutputFlags {
   bool quiet = false;
 };
 
-void add_output_flags(CLI::App& command, OutputFlags& flags);
+void add_output_flags(Command& command, OutputFlags& flags);
 
 /// The extension of a path in lower case, with its dot; "" for none.
 std::string extension_of(const std::string& path);

@@ -19,30 +19,15 @@ int report(const char* what, int code) {
 }
 
 int parse_and_run(int argc, char** argv) {
-  CLI::App app{"percuss: modes of a structure from hammer tests, with error bars"};
-  app.name("percuss");
-  app.set_version_flag("--version", "percuss " PERCUSS_VERSION);
-  app.require_subcommand(1);
-  Run run;
-  add_analyze(app, run);
-  add_frf(app, run);
-  add_nodes(app, run);
-  add_survey(app, run);
-  add_info(app, run);
-  add_calibrate(app, run);
-  add_synth(app, run);
-  // A word that is no command would be called a missing command.
-  const auto named = [&](const CLI::App* command) { return command->get_name() == argv[1]; };
-  if (argc > 1 && argv[1][0] != '-' && app.get_subcommands(named).empty())
-    throw UsageError(std::string("there is no command '") + argv[1] + "'", "percuss --help lists them");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& e) {
-    return app.exit(e);  // --help and --version
-  } catch (const CLI::ParseError& e) {
-    return report((one_line(e.what()) + "; see percuss --help or percuss COMMAND --help").c_str(), kUsage);
-  }
-  const int code = run();
+  CommandLine line("percuss", "percuss: modes of a structure from hammer tests, with error bars", PERCUSS_VERSION);
+  add_analyze(line);
+  add_frf(line);
+  add_nodes(line);
+  add_survey(line);
+  add_info(line);
+  add_calibrate(line);
+  add_synth(line);
+  const int code = line.run(argc, argv);
   std::cout.flush();
   return std::cout ? code
                    : report("could not write to standard output; is the disk full or the pipe closed?", kBadInput);

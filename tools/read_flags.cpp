@@ -8,27 +8,13 @@
 #include "acquire/channel_setup.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
-#include "number_checks.hpp"
 
 namespace percuss::tools {
 namespace {
 
 constexpr double kMilli = 1e-3;
 
-/// A list of numbers in one word, "0,90", so that the words after it are files again.
-template <class T>
-CLI::Option* add_list(CLI::App& command, const char* name, std::vector<T>& values, const char* help, const char* type) {
-  return command.add_option(name, values, help)
-      ->type_name(type)
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->group("Reading");
-}
-
-template <class T>
-void add_value(CLI::App& command, const char* name, T& value, const char* help, const char* type) {
-  command.add_option(name, value, help)->type_name(type)->group("Reading");
-}
+constexpr const char* kGroup = "Reading";
 
 void require_distinct(const std::vector<std::string>& paths) {
   std::set<std::string> seen;
@@ -76,39 +62,59 @@ ReadOptions options_of_file(const ReadOptions& all, std::size_t index, std::size
 
 }  // namespace
 
-void add_read_flags(CLI::App& command, ReadFlags& flags) {
+void add_read_flags(Command& command, ReadFlags& flags) {
   ReadOptions& options = flags.options;
-  command.add_option("FILE", flags.paths, "records to read, or FRFs: HDF5, CSV or text; - is standard input")
-      ->type_name("");
-  add_value(command, "--fs", options.fs_Hz, "sampling rate, whatever the file says", "HZ");
-  add_value(command, "--force-channel", options.force_channel, "the force: name or 1-based number of its column",
-            "NAME");
-  add_list(command, "--accel-channel", options.accel_channels,
-           "the accelerations, in this order (repeatable, or a list)", "NAME,...");
-  add_value(command, "--unit", options.accel_unit, "unit of the stored accelerations: m/s^2, g, cm/s^2, ...", "UNIT");
-  add_value(command, "--force-unit", options.force_unit, "unit of the stored forces: N, lbf, ...", "UNIT");
-  add_list(command, "--force-scale", options.force_scale, "N per stored unit; one, or one per file", "N,...");
-  add_list(command, "--accel-scale", options.accel_scale, "m/s^2 per stored unit; one, or one per channel", "X,...");
-  add_value(command, "--force-sensitivity", flags.force_sensitivity_mV_per_N,
-            "of the hammer, for forces stored in volts", "mV/N");
-  add_list(command, "--accel-sensitivity", flags.accel_sensitivity_mV_per_g,
-           "for accelerations stored in volts; one, or one per channel", "mV/g,...");
-  add_list(command, "--angle", flags.angle_deg, "of each accelerometer around the barrel", "DEG,...")->check(finite());
-  add_list(command, "--position", flags.position_m, "of each accelerometer from the barrel's end", "M,...")
-      ->check(finite());
-  add_value(command, "--setup", flags.setup_path, "channel set-up (JSON; percuss info --example prints one)", "FILE");
+  command.words("FILE", flags.paths, "records to read, or FRFs: HDF5, CSV or text; - is standard input");
+  command.value("--fs", options.fs_Hz, "sampling rate, whatever the file says").type("HZ").group(kGroup);
+  command.value("--force-channel", options.force_channel, "the force: name or 1-based number of its column")
+      .type("NAME")
+      .group(kGroup);
+  command.list("--accel-channel", options.accel_channels, "the accelerations, in this order (repeatable, or a list)")
+      .type("NAME,...")
+      .group(kGroup);
+  command.value("--unit", options.accel_unit, "unit of the stored accelerations: m/s^2, g, cm/s^2, ...")
+      .type("UNIT")
+      .group(kGroup);
+  command.value("--force-unit", options.force_unit, "unit of the stored forces: N, lbf, ...")
+      .type("UNIT")
+      .group(kGroup);
+  command.list("--force-scale", options.force_scale, "N per stored unit; one, or one per file")
+      .type("N,...")
+      .group(kGroup);
+  command.list("--accel-scale", options.accel_scale, "m/s^2 per stored unit; one, or one per channel")
+      .type("X,...")
+      .group(kGroup);
+  command.value("--force-sensitivity", flags.force_sensitivity_mV_per_N, "of the hammer, for forces stored in volts")
+      .type("mV/N")
+      .group(kGroup);
   command
-      .add_option_function<std::string>(
+      .list("--accel-sensitivity", flags.accel_sensitivity_mV_per_g,
+            "for accelerations stored in volts; one, or one per channel")
+      .type("mV/g,...")
+      .group(kGroup);
+  command.list("--angle", flags.angle_deg, "of each accelerometer around the barrel")
+      .type("DEG,...")
+      .group(kGroup)
+      .finite();
+  command.list("--position", flags.position_m, "of each accelerometer from the barrel's end")
+      .type("M,...")
+      .group(kGroup)
+      .finite();
+  command.value("--setup", flags.setup_path, "channel set-up (JSON; percuss info --example prints one)")
+      .type("FILE")
+      .group(kGroup);
+  command
+      .value(
           "--files", [&flags](const std::string& text) { flags.files = files_mean(text); },
           "what several files are: hits of one test, one point each, or tests of their own")
-      ->type_name("hits|points|tests")
-      ->group("Reading");
+      .type("hits|points|tests")
+      .group(kGroup);
   command
-      .add_option_function<std::string>(
+      .value(
           "--frf-kind", [&flags](const std::string& text) { flags.frf_kind = frf_kind(text); },
           "what files of FRFs hold, whatever they say")
-      ->type_name("accelerance|mobility|receptance")
-      ->group("Reading");
+      .type("accelerance|mobility|receptance")
+      .group(kGroup);
 }
 
 ReadOptions finished_options(const ReadFlags& flags) {

@@ -1,11 +1,11 @@
 #pragma once
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "acquire/record.hpp"
+#include "command_line.hpp"
 #include "frf/frf_record.hpp"
 
 namespace percuss::tools {
@@ -24,7 +24,7 @@ struct ReadFlags {
   std::vector<double> accel_sensitivity_mV_per_g;
 };
 
-void add_read_flags(CLI::App& command, ReadFlags& flags);
+void add_read_flags(Command& command, ReadFlags& flags);
 
 /// The set-up file and typed units worked into flags.options. Throws InputError.
 ReadOptions finished_options(const ReadFlags& flags);

@@ -116,31 +116,28 @@ int run_survey(const SurveyFlags& flags) {
 
 }  // namespace
 
-void add_survey(CLI::App& app, Run& run) {
+void add_survey(CommandLine& line) {
   auto flags = std::make_shared<SurveyFlags>();
-  CLI::App* command = app.add_subcommand("survey", "Mode shapes from a test of many points: MAC, modal mass, orders");
-  command->footer(
-      "Example: percuss survey barrel.h5 --geometry points.csv --band 60:3200 -o shapes.csv -o modes.cmif.csv");
-  add_read_flags(*command, flags->read);
-  add_analysis_flags(*command, flags->analysis);
-  add_output_flags(*command, flags->output);
+  Command command = line.command("survey", "Mode shapes from a test of many points: MAC, modal mass, orders",
+                                 [flags] { return run_survey(*flags); });
+  command.example("percuss survey barrel.h5 --geometry points.csv --band 60:3200 -o shapes.csv -o modes.cmif.csv");
+  add_read_flags(command, flags->read);
+  add_analysis_flags(command, flags->analysis);
+  add_output_flags(command, flags->output);
   command
-      ->add_option("--geometry", flags->geometry_path,
-                   "Where the points lie, a CSV as --example prints it (default: what the record says)")
-      ->type_name("FILE");
-  command->add_option("--roving", flags->roving, "What was moved from point to point")
-      ->check(CLI::IsMember({"hammer", "sensor"}))
-      ->capture_default_str();
+      .value("--geometry", flags->geometry_path,
+             "Where the points lie, a CSV as --example prints it (default: what the record says)")
+      .type("FILE");
+  command.value("--roving", flags->roving, "What was moved from point to point")
+      .one_of({"hammer", "sensor"})
+      .show_default();
   command
-      ->add_option("--driving-point", flags->driving,
-                   "A point struck right beside the sensor of a channel (default: points that lie where a sensor sits)")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->type_name("POINT:CHANNEL,...");
-  command->add_flag("--hits", flags->hits, "Also the table of hits");
-  command->add_flag("--trace", flags->trace, "What ran: stages, calls, seconds");
-  command->add_flag("--example", flags->example, "Print an example of a geometry file and stop");
-  command->callback([flags, &run] { run = [flags] { return run_survey(*flags); }; });
+      .list("--driving-point", flags->driving,
+            "A point struck right beside the sensor of a channel (default: points that lie where a sensor sits)")
+      .type("POINT:CHANNEL,...");
+  command.flag("--hits", flags->hits, "Also the table of hits");
+  command.flag("--trace", flags->trace, "What ran: stages, calls, seconds");
+  command.flag("--example", flags->example, "Print an example of a geometry file and stop");
 }
 
 }  // namespace percuss::tools

@@ -116,26 +116,23 @@ int run_synth(const SynthFlags& flags) {
 
 }  // namespace
 
-void add_synth(CLI::App& app, Run& run) {
-  CLI::App* command = app.add_subcommand("synth", "synthetic test records with exactly known truth");
-  command->footer("Example: percuss synth composite-bat -o composite.h5");
+void add_synth(CommandLine& line) {
   auto flags = std::make_shared<SynthFlags>();
-  command->add_option("SPEC", flags->spec, "JSON file, name of a preset, or - for standard input");
+  Command command =
+      line.command("synth", "synthetic test records with exactly known truth", [flags] { return run_synth(*flags); });
+  command.example("percuss synth composite-bat -o composite.h5");
+  command.word("SPEC", flags->spec, "JSON file, name of a preset, or - for standard input");
   command
-      ->add_option("-o,--output", flags->outputs,
-                   "record to write (.h5 or .csv, repeatable); the truth goes to its stem + .truth.json")
-      ->type_name("FILE")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command->add_option("--seed", flags->seed, "use this seed instead of the spec's")->type_name("N");
-  command->add_option("--threads", flags->threads, "threads to use (0: all); the samples do not depend on it")
-      ->type_name("N");
-  command->add_flag("--force", flags->force, "overwrite files that exist");
-  command->add_flag("--list", flags->list, "list the presets");
-  command->add_flag("--example", flags->example, "print a spec with every key, explained");
-  command->add_flag("--json", flags->json, "print the truth (with --list: the presets) as one JSON document");
-  command->add_flag("--quiet", flags->quiet, "print nothing but errors");
-  command->callback([flags, &run] { run = [flags] { return run_synth(*flags); }; });
+      .repeatable("-o,--output", flags->outputs,
+                  "record to write (.h5 or .csv, repeatable); the truth goes to its stem + .truth.json")
+      .type("FILE");
+  command.value("--seed", flags->seed, "use this seed instead of the spec's").type("N");
+  command.value("--threads", flags->threads, "threads to use (0: all); the samples do not depend on it").type("N");
+  command.flag("--force", flags->force, "overwrite files that exist");
+  command.flag("--list", flags->list, "list the presets");
+  command.flag("--example", flags->example, "print a spec with every key, explained");
+  command.flag("--json", flags->json, "print the truth (with --list: the presets) as one JSON document");
+  command.flag("--quiet", flags->quiet, "print nothing but errors");
 }
 
 }  // namespace percuss::tools
