@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <memory>
-#include <nlohmann/json.hpp>
 
+#include "support/json.hpp"
 #include "support/json_schema.hpp"
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
@@ -32,7 +32,7 @@ class AnalyzeChoices : public testing::Test {
     options.insert(options.begin(), {"analyze", path(), "--json"});
     const auto outcome = run_percuss(options);
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    json document = json::parse(outcome.out);
+    json document = test::parse_json(outcome.out);
     EXPECT_THAT(test::schema_violations(document, test::schema_named("analysis")), testing::IsEmpty());
     return document;
   }
@@ -148,7 +148,7 @@ TEST_F(AnalyzeChoices, TakesTheChannelsAndUnitsTheUserNames) {
       run_percuss({"analyze", folder_->file("lab.csv"), "--json", "--fs", "1000", "--force-channel", "b",
                    "--accel-channel", "3", "--unit", "g", "--force-unit", "lbf", "--only", "hits"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  const json document = json::parse(outcome.out);
+  const json document = test::parse_json(outcome.out);
   EXPECT_EQ(document["fs_hz"], 1000);
   EXPECT_NEAR(document["hits"][0]["peak_force_n"], 0.5 * 4.4482216152605, 0.3);
 }

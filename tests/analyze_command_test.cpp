@@ -4,8 +4,8 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 
+#include "support/json.hpp"
 #include "support/json_schema.hpp"
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
@@ -51,7 +51,7 @@ class AnalyzeCommand : public testing::Test {
     const auto outcome = analyze(std::move(arguments));
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
-    json document = json::parse(outcome.out);
+    json document = test::parse_json(outcome.out);
     EXPECT_THAT(violations_in(document), IsEmpty());
     return document;
   }
@@ -91,7 +91,7 @@ TEST_F(AnalyzeCommand, ReadsTheSameFromTextAndFromStandardInput) {
   EXPECT_NEAR(document["modes"][1]["frequency_hz"], 700, 0.01);
   const auto outcome = analyze({"-", "--json", "--angle=0,90"}, {.input = file("bat.csv")});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  const json piped = json::parse(outcome.out);
+  const json piped = test::parse_json(outcome.out);
   EXPECT_EQ(piped["inputs"][0]["path"], "-");
   document["inputs"] = piped["inputs"];
   EXPECT_EQ(piped, document);
@@ -191,7 +191,7 @@ TEST_F(AnalyzeCommand, TakesSeveralFilesAsHitsPointsOrTests) {
 TEST_F(AnalyzeCommand, StillReportsWhenNothingCanBeAnalysed) {
   auto outcome = analyze({file("missing.h5"), "--json"});
   EXPECT_EQ(outcome.code, 4);
-  const json document = json::parse(outcome.out);
+  const json document = test::parse_json(outcome.out);
   EXPECT_EQ(document["hits"][0]["accepted"], false);
   EXPECT_EQ(document["hits"][0]["findings"][0]["code"], "no_pulse");
   EXPECT_THAT(document["modes"], IsEmpty());

@@ -4,8 +4,8 @@
 
 #include <cmath>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
+#include "support/json.hpp"
 #include "support/json_schema.hpp"
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
@@ -51,7 +51,7 @@ class CalibrateCommand : public testing::Test {
 TEST_F(CalibrateCommand, FindsWhatOneUnitOfTheForceIs) {
   const auto outcome = calibrate({"--mass", "1.25", "--json"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  const json document = json::parse(outcome.out);
+  const json document = test::parse_json(outcome.out);
   EXPECT_THAT(test::schema_violations(document, test::schema_named("calibration")), testing::IsEmpty());
   EXPECT_EQ(document["mass_kg"], 1.25);
   EXPECT_NEAR(document["force_scale"], kScale, 0.01 * kScale);
@@ -69,7 +69,7 @@ TEST_F(CalibrateCommand, TellsPeopleTheOptionToUse) {
 TEST_F(CalibrateCommand, WritesTheDocument) {
   const std::string out = folder_.file("scale.json");
   ASSERT_EQ(calibrate({"--mass", "1.25", "-o", out}).code, 0);
-  EXPECT_NEAR(json::parse(test::bytes_of(out))["force_scale"], kScale, 0.01 * kScale);
+  EXPECT_NEAR(test::parse_json(test::bytes_of(out))["force_scale"], kScale, 0.01 * kScale);
   const auto refused = calibrate({"--mass", "1.25", "-o", out});
   EXPECT_EQ(refused.code, 3);
   EXPECT_EQ(refused.out, "");

@@ -36,7 +36,7 @@ TEST(ChannelSetup, ExampleReadsBack) {
 }
 
 TEST(ChannelSetup, ExampleFollowsTheSchema) {
-  const auto example = nlohmann::json::parse(channel_setup_example());
+  const auto example = test::parse_json(channel_setup_example());
   EXPECT_THAT(test::schema_violations(example, test::schema_named("channel-setup")), testing::IsEmpty());
 }
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "support/json.hpp"
 #include "support/json_schema.hpp"
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
@@ -87,7 +87,7 @@ TEST_F(FrfCommand, WritesTheFilesItIsAskedFor) {
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(outcome.out, "");
   EXPECT_EQ(test::bytes_of(file("frf.csv")), frf({file("bat.h5"), "--estimator", "hv"}).out);
-  const json summary = json::parse(test::bytes_of(file("frf.json")));
+  const json summary = test::parse_json(test::bytes_of(file("frf.json")));
   EXPECT_THAT(test::schema_violations(summary, test::schema_named("analysis")), testing::IsEmpty());
   EXPECT_EQ(summary["frf"]["averages"][0]["averages"], 3);
   EXPECT_GT(summary["coherence"][0]["mean"], 0.9);
@@ -120,7 +120,7 @@ TEST_F(FrfCommand, RefusesKindsOfFileItDoesNotKnow) {
 TEST_F(FrfCommand, WritesNothingWhenThereIsNoFrf) {
   const auto outcome = frf({file("missing.h5"), "-o", file("none.csv"), "-o", file("none.h5"), "--json"});
   EXPECT_EQ(outcome.code, 4);
-  EXPECT_EQ(json::parse(outcome.out)["hits"][0]["findings"][0]["code"], "no_pulse");
+  EXPECT_EQ(test::parse_json(outcome.out)["hits"][0]["findings"][0]["code"], "no_pulse");
   EXPECT_FALSE(std::filesystem::exists(file("none.csv")));
   EXPECT_FALSE(std::filesystem::exists(file("none.h5")));
 }

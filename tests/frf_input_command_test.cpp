@@ -3,8 +3,8 @@
 
 #include <cmath>
 #include <memory>
-#include <nlohmann/json.hpp>
 
+#include "support/json.hpp"
 #include "support/json_schema.hpp"
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
@@ -42,7 +42,7 @@ class FrfInput : public testing::Test {
     arguments.emplace_back("--json");
     const auto outcome = run_percuss(arguments);
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    return outcome.code == 0 ? json::parse(outcome.out) : json{{"modes", json::array()}};
+    return outcome.code == 0 ? test::parse_json(outcome.out) : json{{"modes", json::array()}};
   }
   inline static std::unique_ptr<test::ScratchFolder> folder_;
 };
@@ -119,7 +119,7 @@ TEST_F(FrfInput, IsToldToPeople) {
 TEST_F(FrfInput, IsDescribedByInfo) {
   const auto outcome = run_percuss({"info", file("mobility.csv"), file("accelerance.h5"), "--json"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  const json document = json::parse(outcome.out);
+  const json document = test::parse_json(outcome.out);
   EXPECT_THAT(test::schema_violations(document, test::schema_named("info")), IsEmpty());
   EXPECT_EQ(document["files"][0]["frf_kind"], "mobility");
   EXPECT_EQ(document["files"][0]["lines"], 941);

@@ -3,9 +3,9 @@
 #include <sys/stat.h>
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <random>
 
+#include "support/json.hpp"
 #include "support/percuss_process.hpp"
 #include "support/refusal.hpp"
 #include "support/scratch_folder.hpp"
@@ -111,7 +111,7 @@ TEST_F(HostileInput, ReportsGoodFilesWithHostileNames) {
     EXPECT_THAT(text.out, testing::Not(HasSubstr("\x1b")));
     const auto json = run_percuss({"analyze", file(name), "--json"});
     EXPECT_EQ(json.code, 0) << json.err;
-    EXPECT_EQ(nlohmann::json::parse(json.out)["modes"].size(), 2U);
+    EXPECT_EQ(test::parse_json(json.out)["modes"].size(), 2U);
     const auto info = run_percuss({"info", file(name)});
     EXPECT_EQ(info.code, 0) << info.err;
     EXPECT_THAT(info.out, testing::Not(HasSubstr("\x1b")));

@@ -2,10 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <random>
 
 #include "support/hdf5_builder.hpp"
+#include "support/json.hpp"
 #include "support/percuss_process.hpp"
 #include "support/refusal.hpp"
 #include "support/scratch_folder.hpp"

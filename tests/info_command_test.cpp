@@ -1,8 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
+#include "support/json.hpp"
 #include "support/json_schema.hpp"
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
@@ -37,7 +36,7 @@ TEST_F(InfoCommand, DescribesAFileToPeople) {
 TEST_F(InfoCommand, DescribesTheOtherFilesWhenOneIsBad) {
   const auto outcome = run({"--json", file("a.csv"), file("none.csv"), file("b.csv")});
   EXPECT_EQ(outcome.code, 3);
-  const auto document = nlohmann::json::parse(outcome.out);
+  const auto document = test::parse_json(outcome.out);
   EXPECT_THAT(test::schema_violations(document, test::schema_named("info")), IsEmpty());
   ASSERT_EQ(document["files"].size(), 3U);
   EXPECT_EQ(document["files"][0]["fs_hz"], 10);
@@ -53,7 +52,7 @@ TEST_F(InfoCommand, ListsTheColumnsWhenOnlyTheUserCanNameTheChannels) {
   EXPECT_THAT(outcome.out, testing::AllOf(HasSubstr("CSV, 3 columns, 50 Hz"), HasSubstr("CH2"), HasSubstr("cm/s2"),
                                           HasSubstr("--force-channel")));
   outcome = run({"--json", file("lab.csv")});
-  const auto document = nlohmann::json::parse(outcome.out);
+  const auto document = test::parse_json(outcome.out);
   EXPECT_THAT(test::schema_violations(document, test::schema_named("info")), IsEmpty());
   EXPECT_EQ(document["files"][0]["columns"][2]["name"], "CH8");
   EXPECT_EQ(document["files"][0]["columns"][2]["number"], 3);
@@ -65,7 +64,7 @@ TEST_F(InfoCommand, TakesListsInOneWordSoThatFilesMayFollow) {
       run({"--json", "--force-channel", "CH1", "--accel-channel", "CH2,t_s", "--angle", "-90,90", "--unit", "mg",
            "--force-sensitivity", "2", "--force-unit", "mV", "--position", "0.5", file("b.csv")});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  const auto channels = nlohmann::json::parse(outcome.out)["files"][0]["channels"];
+  const auto channels = test::parse_json(outcome.out)["files"][0]["channels"];
   EXPECT_EQ(channels[0]["to_si"], 0.5);
   EXPECT_EQ(channels[1]["name"], "CH2");
   EXPECT_EQ(channels[1]["angle_deg"], -90);
@@ -76,14 +75,14 @@ TEST_F(InfoCommand, TakesListsInOneWordSoThatFilesMayFollow) {
 TEST_F(InfoCommand, ReadsStandardInput) {
   const auto outcome = run({"-", "--json"}, file("a.csv"));
   EXPECT_EQ(outcome.code, 0);
-  EXPECT_EQ(nlohmann::json::parse(outcome.out)["files"][0]["path"], "-");
+  EXPECT_EQ(test::parse_json(outcome.out)["files"][0]["path"], "-");
 }
 
 TEST_F(InfoCommand, GivesEachFileItsForceScale) {
   auto outcome = run({"--json", "--force-scale", "2,3", file("a.csv"), "--force-channel", "2", "--accel-channel", "3",
                       "--unit", "g", file("b.csv")});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  const auto files = nlohmann::json::parse(outcome.out)["files"];
+  const auto files = test::parse_json(outcome.out)["files"];
   EXPECT_EQ(files[0]["channels"][0]["to_si"], 2);
   EXPECT_EQ(files[1]["channels"][0]["to_si"], 3);
   outcome = run({"--force-scale", "2,3,4", file("a.csv")});
@@ -94,7 +93,7 @@ TEST_F(InfoCommand, PrintsASetUpThatItReads) {
   test::write_bytes(file("setup.json"), run({"--example"}).out);
   const auto outcome = run({"--json", "--accel-channel", "CH2", "--setup", file("setup.json"), file("b.csv")});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_EQ(nlohmann::json::parse(outcome.out)["files"][0]["channels"][1]["position_m"], 0.15);
+  EXPECT_EQ(test::parse_json(outcome.out)["files"][0]["channels"][1]["position_m"], 0.15);
 }
 
 TEST_F(InfoCommand, SaysWhatItWasGivenWrong) {

@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "acquire/write_hdf5.hpp"
+#include "support/json.hpp"
 #include "support/json_schema.hpp"
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
@@ -69,7 +69,7 @@ constexpr double kNode_in = 0.01;  // noise of a thousandth on a straight line
 TEST_F(NodesCommand, GivesADocumentThatItsSchemaDescribes) {
   const auto outcome = nodes({file("scan.h5"), "--positions", "6:0.5:9in", "--json"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  const json document = json::parse(outcome.out);
+  const json document = test::parse_json(outcome.out);
   EXPECT_THAT(test::schema_violations(document, test::schema_named("nodes")), testing::IsEmpty());
   EXPECT_NEAR(first_node_in(document), 7.5, kNode_in);
   EXPECT_EQ(document["modes"][0]["minimum_in"], 7.5);
@@ -81,7 +81,7 @@ TEST_F(NodesCommand, TakesInchesUnlessAUnitFollows) {
   for (const char* positions : {"6:0.5:9", "6:0.5:9in", "0.1524:0.0127:0.2286m", "152.4:12.7:228.6mm"}) {
     const auto outcome = nodes({file("scan.h5"), "--positions", positions, "--json"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_NEAR(first_node_in(json::parse(outcome.out)), 7.5, kNode_in) << positions;
+    EXPECT_NEAR(first_node_in(test::parse_json(outcome.out)), 7.5, kNode_in) << positions;
   }
 }
 
@@ -90,21 +90,21 @@ TEST_F(NodesCommand, TakesSeveralFilesAsPointsInTheirOrder) {
   for (int point = 0; point < 7; ++point) arguments.push_back(file("point" + std::to_string(point) + ".h5"));
   const auto outcome = nodes(arguments);
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_NEAR(first_node_in(json::parse(outcome.out)), 7.5, kNode_in);
+  EXPECT_NEAR(first_node_in(test::parse_json(outcome.out)), 7.5, kNode_in);
 }
 
 TEST_F(NodesCommand, WorksFromFrfsAlone) {
   ASSERT_EQ(run_percuss({"frf", file("scan.h5"), "--band", "60:1000", "-o", file("frf.csv")}).code, 0);
   const auto outcome = nodes({file("frf.csv"), "--positions", "6:0.5:9", "--json"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_NEAR(first_node_in(json::parse(outcome.out)), 7.5, kNode_in);
+  EXPECT_NEAR(first_node_in(test::parse_json(outcome.out)), 7.5, kNode_in);
 }
 
 TEST_F(NodesCommand, PrintsATableForPeople) {
   const auto outcome = nodes({file("scan.h5"), "--positions", "6:0.5:9", "-o", file("nodes.json")});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("7 positions, 6 to 9 in"), HasSubstr("7.500 in"), HasSubstr("±")));
-  EXPECT_EQ(json::parse(test::bytes_of(file("nodes.json")))["schema"], "percuss/nodes/1");
+  EXPECT_EQ(test::parse_json(test::bytes_of(file("nodes.json")))["schema"], "percuss/nodes/1");
 }
 
 TEST_F(NodesCommand, RefusesPositionsItCannotRead) {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <variant>
 
 #include "core/units.hpp"
@@ -14,6 +13,7 @@
 #include "identify/lscf.hpp"
 #include "pipeline/analysis.hpp"
 #include "report/analysis_json.hpp"
+#include "support/json.hpp"
 #include "support/modal_lines.hpp"
 #include "support/scratch_folder.hpp"
 #include "synth/record.hpp"
@@ -74,7 +74,7 @@ TEST(PublishedDefects, DampingIsCorrectedForTheExponentialWindowExactly) {
   EXPECT_LE(std::abs(analysis.modes()[0].pole.damping_ratio / 0.01 - 1), kRounding);
   EXPECT_LE(std::abs(analysis.modes()[0].pole.freq_Hz / 200 - 1), kRounding);
   // What an uncorrected tool reads stands beside it, under its own name.
-  const auto document = nlohmann::json::parse(analysis_json(analysis));
+  const auto document = test::parse_json(analysis_json(analysis));
   EXPECT_NEAR(document["modes"][0]["damping_ratio_raw"].get<double>(), 0.0137, 5e-5);
 }
 

@@ -2,11 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "acquire/hdf5_input.hpp"
 #include "acquire/write_hdf5.hpp"
+#include "support/json.hpp"
 #include "support/json_schema.hpp"
 #include "support/percuss_process.hpp"
 #include "support/refusal.hpp"
@@ -60,7 +60,7 @@ class SurveyCommand : public testing::Test {
     arguments.emplace_back("--json");
     const auto outcome = survey(std::move(arguments));
     EXPECT_EQ(outcome.code, code) << outcome.err;
-    json document = json::parse(outcome.out);
+    json document = test::parse_json(outcome.out);
     EXPECT_THAT(test::schema_violations(document, test::schema_named("analysis")), IsEmpty());
     return document;
   }
@@ -122,7 +122,7 @@ TEST_F(SurveyCommand, WritesShapesAndTheIndicator) {
   const hdf5::InputHdf5 stored(file("s.h5"));
   for (const char* set : {"shape", "shape_std", "xyz_m", "point", "auto_mac", "cmif", "cmif_frequency_hz"})
     EXPECT_TRUE(stored.has(set)) << set;
-  EXPECT_EQ(json::parse(test::bytes_of(file("s.json")))["schema"], "percuss/analysis/1");
+  EXPECT_EQ(test::parse_json(test::bytes_of(file("s.json")))["schema"], "percuss/analysis/1");
 }
 
 TEST_F(SurveyCommand, TakesARovingSensor) {

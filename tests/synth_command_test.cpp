@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
+#include "support/json.hpp"
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
 
@@ -33,7 +33,7 @@ TEST_F(SynthCommand, WritesTheRecordAndItsTruth) {
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_TRUE(fs::exists(path("a.h5")));
   EXPECT_THAT(bytes_of(path("a.csv")), HasSubstr("hit,t_s,force_N"));
-  EXPECT_EQ(nlohmann::json::parse(bytes_of(path("a.truth.json")))["name"], "truncated");
+  EXPECT_EQ(test::parse_json(bytes_of(path("a.truth.json")))["name"], "truncated");
 }
 
 TEST_F(SynthCommand, GivesEqualBytesForEqualSeedsOnAnyNumberOfThreads) {
@@ -44,7 +44,7 @@ TEST_F(SynthCommand, GivesEqualBytesForEqualSeedsOnAnyNumberOfThreads) {
   EXPECT_TRUE(bytes_of(path("a.h5")) == bytes_of(path("b.h5")));
   EXPECT_TRUE(bytes_of(path("a.truth.json")) == bytes_of(path("b.truth.json")));
   EXPECT_FALSE(bytes_of(path("a.h5")) == bytes_of(path("c.h5")));
-  EXPECT_EQ(nlohmann::json::parse(bytes_of(path("c.truth.json")))["seed"], 77);
+  EXPECT_EQ(test::parse_json(bytes_of(path("c.truth.json")))["seed"], 77);
 }
 
 TEST_F(SynthCommand, OverwritesOnlyWhenForced) {
@@ -72,12 +72,12 @@ TEST_F(SynthCommand, ReadsStandardInputAndPrintsTheTruth) {
   write_bytes(path("spec.json"), spec);
   const ProcessOutcome outcome = synth({"-", "--json"}, path("spec.json"));
   EXPECT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_EQ(nlohmann::json::parse(outcome.out)["f_hz"][0], 100);
+  EXPECT_EQ(test::parse_json(outcome.out)["f_hz"][0], 100);
 }
 
 TEST_F(SynthCommand, ListsItsPresets) {
   EXPECT_THAT(synth({"--list"}).out, AllOf(HasSubstr("wood-bat"), HasSubstr("roving-barrel")));
-  const auto list = nlohmann::json::parse(synth({"--list", "--json"}).out);
+  const auto list = test::parse_json(synth({"--list", "--json"}).out);
   EXPECT_EQ(list["schema"], "percuss/synth-presets/1");
   EXPECT_GE(list["presets"].size(), 11U);
 }

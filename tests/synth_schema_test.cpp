@@ -40,20 +40,21 @@ TEST(SynthSchema, AcceptsTheTruthOfEveryPreset) {
   for (const SynthPreset& preset : synth_presets()) {
     SynthSpec spec = synth_preset(preset.name);
     if (spec.layout == SynthLayout::rows) spec.samples = 1024;
-    EXPECT_THAT(schema_violations(json::parse(truth_json(synthesise(spec).truth)), schema), IsEmpty()) << preset.name;
+    EXPECT_THAT(schema_violations(test::parse_json(truth_json(synthesise(spec).truth)), schema), IsEmpty())
+        << preset.name;
   }
 }
 
 TEST(SchemaViolations, AreSeen) {
-  const json schema = json::parse(R"({"type": "object", "additionalProperties": false, "required": ["a"],
+  const json schema = test::parse_json(R"({"type": "object", "additionalProperties": false, "required": ["a"],
       "properties": {"a": {"type": "array", "minItems": 1, "items": {"type": "number", "minimum": 2}}, "b": {"enum": ["x"]}}})");
-  const auto broken = [&](const char* text) { return schema_violations(json::parse(text), schema).size(); };
+  const auto broken = [&](const char* text) { return schema_violations(test::parse_json(text), schema).size(); };
   EXPECT_EQ(broken(R"({"a": [2, 3], "b": "x"})"), 0U);
   EXPECT_EQ(broken(R"({"a": [1, "3"]})"), 2U);
   EXPECT_EQ(broken(R"({"a": []})"), 1U);
   EXPECT_EQ(broken(R"({"b": "y", "c": 1})"), 3U);
   EXPECT_EQ(broken("[]"), 1U);
-  EXPECT_EQ(schema_violations(3, json::parse(R"({"multipleOf": 2})")).size(), 1U);
+  EXPECT_EQ(schema_violations(3, test::parse_json(R"({"multipleOf": 2})")).size(), 1U);
 }
 
 }  // namespace

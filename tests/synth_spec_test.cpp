@@ -4,10 +4,10 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "core/error.hpp"
+#include "support/json.hpp"
 #include "synth/read_spec.hpp"
 #include "synth/record.hpp"
 #include "synth/truth_json.hpp"
@@ -123,7 +123,7 @@ TEST(Presets, AreListedWhenTheNameIsWrong) {
 
 TEST(TruthDocument, HoldsWhatAnAnalysisIsHeldAgainst) {
   const SyntheticTest test = synthesise(synth_preset("composite-bat"));
-  const auto truth = nlohmann::json::parse(truth_json(test.truth));
+  const auto truth = test::parse_json(truth_json(test.truth));
   EXPECT_EQ(truth["schema"], "percuss/synth-truth/1");
   EXPECT_EQ(truth["f_hz"].size(), 6U);
   EXPECT_EQ(truth["kind"][3], "hoop");
@@ -141,7 +141,7 @@ TEST(TruthDocument, HoldsWhatAnAnalysisIsHeldAgainst) {
 TEST(TruthDocument, OfARovingHammerGoesByPoint) {
   SynthSpec spec = synth_preset("roving-barrel");
   spec.samples = 1024;
-  const auto truth = nlohmann::json::parse(truth_json(synthesise(spec).truth));
+  const auto truth = test::parse_json(truth_json(synthesise(spec).truth));
   EXPECT_EQ(truth["points"], 24);
   EXPECT_EQ(truth["A"].size(), 24U);
   EXPECT_EQ(truth["A"][0].size(), 5U);

@@ -1,0 +1,13 @@
+#include "support/json.hpp"
+
+#include <ostream>
+
+namespace percuss::test {
+
+nlohmann::json parse_json(std::string_view text) { return nlohmann::json::parse(text.begin(), text.end()); }
+
+}  // namespace percuss::test
+
+NLOHMANN_JSON_NAMESPACE_BEGIN
+void PrintTo(const json& value, std::ostream* out) { *out << value.dump(); }
+NLOHMANN_JSON_NAMESPACE_END
