@@ -64,10 +64,11 @@ changed_sources() {
     done | sort -u
 }
 
-# tidy PRESET FILES: clang-tidy on the .cpp files among them that the preset, one of clang's, compiles.
+# tidy FILES: clang-tidy on the .cpp files among them that are compiled. The preset tidy lists each file's own command.
 tidy() {
-  commands=build/$1
-  printf '%s\n' "$2" | while read -r file; do
+  cmake --preset tidy -DPERCUSS_WERROR=ON >/dev/null
+  commands=build/tidy
+  printf '%s\n' "$1" | while read -r file; do
     grep -qF "\"$PWD/$file\"" "$commands/compile_commands.json" && echo "$file"
   done | xargs -r -P "$jobs" -n 1 clang-tidy -p "$commands" --quiet
 }

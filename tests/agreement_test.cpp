@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace percuss {
-namespace {
+namespace percuss::agreement_test {
 
 using Lines = std::vector<Complex>;
 
@@ -79,5 +78,4 @@ TEST(UnexplainedByOthers, NeedsTwoHitsAndAResponse) {
   EXPECT_EQ(silent, (std::vector<double>{0, 0}));
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::agreement_test

@@ -11,8 +11,7 @@
 #include "support/input_error.hpp"
 #include "synth/record.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::analysis_test {
 
 SynthSpec bat(std::uint64_t seed = 0) {
   SynthSpec spec;
@@ -188,5 +187,4 @@ TEST(SplitRuns, GivesEachRunItsRows) {
   for (const auto& [run, record] : runs) EXPECT_EQ(record.rows.size(), 5U) << run;
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::analysis_test

@@ -8,8 +8,7 @@
 #include "support/percuss_process.hpp"
 #include "synth/record.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::analysis_text_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -89,5 +88,4 @@ TEST(AnalysisText, KeepsToTheWidth) {
   }
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::analysis_text_test

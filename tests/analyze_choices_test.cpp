@@ -10,8 +10,7 @@
 #include "support/synthetic_files.hpp"
 
 // The user's word over the program's: percuss analyze with every choice, and what it says to a wrong one.
-namespace percuss {
-namespace {
+namespace percuss::analyze_choices_test {
 
 using nlohmann::json;
 using test::run_percuss;
@@ -161,5 +160,4 @@ TEST_F(AnalyzeChoices, TakesAChannelSetUp) {
   EXPECT_EQ(document["modes"][0]["residues"].size(), 1U);
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::analyze_choices_test

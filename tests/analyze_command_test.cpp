@@ -11,8 +11,7 @@
 #include "support/scratch_folder.hpp"
 #include "support/synthetic_files.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::analyze_command_test {
 
 using nlohmann::json;
 using test::run_percuss;
@@ -201,5 +200,4 @@ TEST_F(AnalyzeCommand, StillReportsWhenNothingCanBeAnalysed) {
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("no hammer pulse"), HasSubstr("no hit can be used")));
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::analyze_command_test

@@ -5,8 +5,7 @@
 #include "support/force_row.hpp"
 #include "support/input_error.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::asked_part_test {
 
 using test::input_error_of;
 using testing::HasSubstr;
@@ -46,5 +45,4 @@ TEST(AskedLength, HoldsTwoSamplesAtLeast) {
   EXPECT_THAT(input_error_of([] { asked_length(record(), {.length_s = 0.001}); }), HasSubstr("two samples"));
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::asked_part_test

@@ -15,8 +15,7 @@
 #include "support/input_error.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::atomic_file_test {
 
 namespace fs = std::filesystem;
 using test::input_error_of;
@@ -185,5 +184,4 @@ TEST(WriteFile, WritesAllAtOnce) {
   EXPECT_THROW(write_file(path, "other", false), InputError);
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::atomic_file_test

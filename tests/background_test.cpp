@@ -4,8 +4,7 @@
 
 #include <Eigen/QR>
 
-namespace percuss {
-namespace {
+namespace percuss::background_test {
 
 const LineRange kLines{.fs_Hz = 8192, .samples = 8192, .first = 60, .count = 3200};
 
@@ -36,5 +35,4 @@ TEST(BackgroundShapes, AreFiniteFromZeroHertz) {
   EXPECT_TRUE(background_shapes({.fs_Hz = 1000, .samples = 1000, .first = 0, .count = 400}).allFinite());
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::background_test

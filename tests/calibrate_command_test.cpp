@@ -10,8 +10,7 @@
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::calibrate_command_test {
 
 using nlohmann::json;
 using test::run_percuss;
@@ -97,5 +96,4 @@ TEST_F(CalibrateCommand, CannotCalibrateWithoutAHit) {
   EXPECT_EQ(test::lines_of(outcome.err).size(), 1U) << outcome.err;
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::calibrate_command_test

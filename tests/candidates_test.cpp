@@ -7,8 +7,7 @@
 
 #include "support/modal_lines.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::candidates_test {
 
 std::vector<Eigen::VectorXcd> lines_of(const FrfSet& set) {
   std::vector<Eigen::VectorXcd> data;
@@ -117,5 +116,4 @@ TEST(PoleNear, StaysWhereThereIsNone) {
   EXPECT_GT(pole_near(set, 1e6).freq_Hz, 0);  // beyond them
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::candidates_test

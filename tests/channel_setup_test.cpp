@@ -10,8 +10,7 @@
 #include "support/json_schema.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::channel_setup_test {
 
 using test::input_error_of;
 using testing::HasSubstr;
@@ -113,5 +112,4 @@ TEST(ChannelSetup, RefusesWhatIsNoSetUp) {
   EXPECT_THAT(input_error_of([&] { read_channel_setup(folder.file("none")); }), HasSubstr("no such file"));
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::channel_setup_test

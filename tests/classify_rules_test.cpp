@@ -6,8 +6,7 @@
 
 #include "identify/classify.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::classify_rules_test {
 
 Mode mode_at(double freq_Hz, double first, double second) {
   return {.pole = {freq_Hz, 0.003},
@@ -116,5 +115,4 @@ TEST(Family, HasNames) {
   EXPECT_STREQ(name_of(Family::unknown), "unknown");
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::classify_rules_test

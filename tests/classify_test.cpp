@@ -5,8 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace percuss {
-namespace {
+namespace percuss::classify_test {
 
 using std::numbers::pi;
 
@@ -192,5 +191,4 @@ TEST(PairOfSensors, NeedsTwoAngles) {
   EXPECT_FALSE(pair_of_sensors({0.0, std::nullopt}));
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::classify_test

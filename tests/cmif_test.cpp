@@ -6,8 +6,7 @@
 
 #include "support/modal_lines.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::cmif_test {
 
 constexpr double kRounding = 1e-12;
 
@@ -66,5 +65,4 @@ TEST(Cmif, TakesAnOutputThatIsMissingAsZero) {
   EXPECT_TRUE(cmif(set, set.lines).allFinite());
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::cmif_test

@@ -5,8 +5,7 @@
 #include "support/modal_lines.hpp"
 #include "synth/record.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::coherence_summary_test {
 
 Analysis analysis_of(std::size_t hits) {
   SynthSpec spec =
@@ -38,5 +37,4 @@ TEST(CoherenceSummary, IsNoneForASingleHit) {
   EXPECT_FALSE(summary_of_coherence(analysis, analysis.frfs().front()));
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::coherence_summary_test

@@ -6,8 +6,7 @@
 
 #include "core/units.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::convert_test {
 
 constexpr double kRounding = 1e-15;  // of one division
 
@@ -87,5 +86,4 @@ TEST(FrfKind, HasTheNamesAndUnitsOfTheField) {
   EXPECT_STREQ(unit_of(FrfKind::receptance), "m/N");
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::convert_test

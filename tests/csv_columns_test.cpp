@@ -5,8 +5,7 @@
 
 #include "support/input_error.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::csv_columns_test {
 
 using test::input_error_of;
 using testing::ElementsAre;
@@ -101,5 +100,4 @@ TEST(CsvColumns, RefuseNamesThatAreNotThereOrTwice) {
               HasSubstr("named twice"));
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::csv_columns_test

@@ -3,8 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace percuss {
-namespace {
+namespace percuss::csv_dialect_test {
 
 using testing::ElementsAre;
 
@@ -74,5 +73,4 @@ TEST(CsvDialect, FindsColumnsOfNumbersBesideText) {
   EXPECT_THAT(find_number_columns({}, {}), ElementsAre());
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::csv_dialect_test

@@ -5,8 +5,7 @@
 
 #include "support/input_error.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::csv_header_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -104,5 +103,4 @@ TEST(CsvHeader, TurnsLatin1IntoUtf8AndLeavesUtf8Alone) {
   EXPECT_EQ(to_utf8("\xC0\xAF"), "\xC3\x80\xC2\xAF");  // overlong: not UTF-8
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::csv_header_test

@@ -4,8 +4,7 @@
 
 #include <string>
 
-namespace percuss {
-namespace {
+namespace percuss::csv_number_test {
 
 double value_of(std::string_view cell, bool decimal_comma = false) {
   const auto number = parse_number(cell, decimal_comma);
@@ -72,5 +71,4 @@ TEST(CsvNumber, CountsDecimalsWithTheExponentApplied) {
   EXPECT_EQ(decimals_of("4E+03", false), -3);
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::csv_number_test

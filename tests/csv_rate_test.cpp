@@ -6,8 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace percuss {
-namespace {
+namespace percuss::csv_rate_test {
 
 using testing::HasSubstr;
 
@@ -117,5 +116,4 @@ TEST(RoundestBetween, HasTheFewestDigits) {
   }
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::csv_rate_test

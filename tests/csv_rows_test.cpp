@@ -6,8 +6,7 @@
 #include "support/csv_text.hpp"
 #include "support/input_error.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::csv_rows_test {
 
 using test::csv_record;
 using test::input_error_of;
@@ -111,5 +110,4 @@ TEST(CsvRate, NamesTheLineWhereTimeIsUneven) {
               HasSubstr("the time is empty (x.csv: line 3"));
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::csv_rows_test

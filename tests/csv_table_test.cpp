@@ -9,8 +9,7 @@
 #include "support/csv_text.hpp"
 #include "support/input_error.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::csv_table_test {
 
 using test::input_error_of;
 using testing::ElementsAre;
@@ -99,5 +98,4 @@ TEST(CsvTable, RefusesALineThatNeverEnds) {
   EXPECT_THAT(input_error_of([&] { table_of(text); }), HasSubstr("line of more than 1 MiB"));
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::csv_table_test

@@ -7,8 +7,7 @@
 
 #include "synth/random.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::cylinder_test {
 
 using std::numbers::pi;
 
@@ -184,5 +183,4 @@ TEST(TubeShape, TakesAnglesThatAreNotEven) {
   EXPECT_NEAR(*tube->plane_rad, 0.3, kRounding);
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::cylinder_test

@@ -4,8 +4,7 @@
 
 #include <string>
 
-namespace percuss {
-namespace {
+namespace percuss::error_test {
 
 TEST(InputError, NamesProblemPlaceAndRemedy) {
   EXPECT_STREQ(InputError("no force channel", "x.csv", "name it").what(), "no force channel (x.csv); name it");
@@ -54,5 +53,4 @@ TEST(OneLine, CutsWhatIsNoUtf8WhereItIs) {
   EXPECT_EQ(one_line(bytes, 10), bytes.substr(0, 10) + "...");
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::error_test

@@ -9,8 +9,7 @@
 
 #include "support/input_error.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::estimators_test {
 
 using Lines = std::vector<Complex>;
 constexpr LineRange kLines{.fs_Hz = 1000, .samples = 500, .first = 10, .count = 0};
@@ -239,5 +238,4 @@ TEST(Estimator, HasTheNamesOfTheField) {
   EXPECT_STREQ(name_of(Estimator::hv), "Hv");
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::estimators_test

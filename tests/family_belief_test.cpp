@@ -6,8 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace percuss {
-namespace {
+namespace percuss::family_belief_test {
 
 using std::numbers::pi;
 
@@ -79,5 +78,4 @@ TEST(FamilyBelief, HoldsForSoManyModesThatProductsLeaveTheRangeOfADouble) {
   EXPECT_TRUE(std::all_of(found.begin(), found.end(), [](const Belief& b) { return b[0] > 0.95; }));
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::family_belief_test

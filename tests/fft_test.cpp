@@ -9,8 +9,7 @@
 
 #include "core/parallel.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::fft_test {
 
 constexpr double kRounding = 1e-14;  // of the largest line: a transform's rounding grows as ε √log N, ε = 1.1e-16
 
@@ -166,5 +165,4 @@ TEST(FastLength, CostsFewSamplesOfALongRecord) {
   EXPECT_LE(static_cast<double>(prime - fast_length_at_most(prime)), 0.01 * static_cast<double>(prime));
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::fft_test

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace percuss {
-namespace {
+namespace percuss::finding_test {
 
 TEST(Finding, HasTheNamesThatScriptsRelyOn) {
   EXPECT_STREQ(name_of(FindingCode::double_hit), "double_hit");
@@ -32,5 +31,4 @@ TEST(Finding, RejectsAHitWhereverTheRejectionStands) {
   EXPECT_TRUE(rejects({info, warn, reject}));
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::finding_test

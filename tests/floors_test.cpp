@@ -13,8 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace percuss {
-namespace {
+namespace percuss::floors_test {
 
 namespace fs = std::filesystem;
 using testing::ElementsAre;
@@ -177,5 +176,4 @@ TEST(Floors, AreSeenToBeBroken) {
   EXPECT_THAT(source.types, ElementsAre("A", "C"));
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::floors_test

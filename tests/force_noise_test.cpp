@@ -9,8 +9,7 @@
 #include "support/modal_lines.hpp"
 #include "synth/random.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::force_noise_test {
 
 constexpr double kNoise_N = 0.02;
 
@@ -82,5 +81,4 @@ TEST(GainErrors, AreNoneWithoutAForce) {
   EXPECT_EQ(gain_deviation(set, 0, 500), 0);
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::force_noise_test

@@ -12,8 +12,7 @@
 #include "support/scratch_folder.hpp"
 #include "support/synthetic_files.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::frf_command_test {
 
 using nlohmann::json;
 using test::lines_of;
@@ -125,5 +124,4 @@ TEST_F(FrfCommand, WritesNothingWhenThereIsNoFrf) {
   EXPECT_FALSE(std::filesystem::exists(file("none.h5")));
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::frf_command_test

@@ -12,8 +12,7 @@
 #include "support/scratch_folder.hpp"
 #include "synth/record.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::frf_files_test {
 
 using test::lines_of;
 using testing::HasSubstr;
@@ -97,5 +96,4 @@ TEST(WriteFrfCsv, ReplacesAFileOnlyWhenForced) {
   EXPECT_EQ(test::bytes_of(path), frf_csv(analysis, FrfKind::accelerance));
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::frf_files_test

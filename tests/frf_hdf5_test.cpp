@@ -11,8 +11,7 @@
 #include "support/scratch_folder.hpp"
 #include "synth/record.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::frf_hdf5_test {
 
 using hdf5::InputDataSet;
 using hdf5::InputHdf5;
@@ -105,5 +104,4 @@ TEST_F(FrfHdf5, ReplacesAFileOnlyWhenForced) {
   EXPECT_GT(numbers("frequency_hz").size(), 0U);
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::frf_hdf5_test

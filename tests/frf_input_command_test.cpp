@@ -10,8 +10,7 @@
 #include "support/scratch_folder.hpp"
 #include "support/synthetic_files.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::frf_input_command_test {
 
 using nlohmann::json;
 using test::lines_of;
@@ -161,5 +160,4 @@ TEST_F(FrfInput, SurvivesFrfsWithoutAnythingInThem) {
   EXPECT_EQ(document["modes"], json::array());
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::frf_input_command_test

@@ -8,8 +8,7 @@
 #include "core/units.hpp"
 #include "support/input_error.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::frf_record_test {
 
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -116,5 +115,4 @@ TEST(JoinFrfs, RefusesOtherLinesAndNamesTheFile) {
   EXPECT_THAT(test::input_error_of([&] { join_frfs({first, other}); }), HasSubstr("other.csv"));
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::frf_record_test

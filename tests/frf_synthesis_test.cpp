@@ -7,8 +7,7 @@
 #include "support/modal_lines.hpp"
 #include "synth/record.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::frf_synthesis_test {
 
 constexpr double kRounding = 1e-12;
 
@@ -90,5 +89,4 @@ TEST(Frac, IsBlindToOneFactor) {
   EXPECT_EQ(frac({0, 0}, {0, 1}), 0);
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::frf_synthesis_test

@@ -4,8 +4,7 @@
 
 #include "core/units.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::frf_unit_test {
 
 struct Case {
   const char* text;
@@ -51,5 +50,4 @@ TEST(ParseFrfKind, KnowsTheFieldsWords) {
   EXPECT_FALSE(parse_frf_kind("impedance"));
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::frf_unit_test

@@ -10,8 +10,7 @@
 #include "support/input_error.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::geometry_test {
 
 using std::numbers::pi;
 using test::input_error_of;
@@ -125,5 +124,4 @@ TEST(Geometry, ShowsNoControlCharactersOfTheFile) {
   EXPECT_THAT(refusal_of("point,position_m,angle_deg\n0,\x1b[2J,0\n"), testing::Not(HasSubstr("\x1b")));
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::geometry_test

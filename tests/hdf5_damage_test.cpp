@@ -10,8 +10,7 @@
 #include "support/input_error.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::hdf5_damage_test {
 
 using test::Hdf5Builder;
 
@@ -90,5 +89,4 @@ TEST_F(Hdf5Damage, OfTheSamplesPlaceIsAnInputError) {
   EXPECT_THAT(test::input_error_of([&] { open_hdf5(path_); }), testing::HasSubstr("/force"));
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::hdf5_damage_test

@@ -11,8 +11,7 @@
 #include "support/input_error.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::hdf5_hostile_test {
 
 using test::Hdf5Builder;
 using test::input_error_of;
@@ -234,5 +233,4 @@ TEST_F(Hdf5Hostile, FollowsLinksWithinTheFile) {
   EXPECT_EQ(open_hdf5(path_).rows.size(), 2u);
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::hdf5_hostile_test

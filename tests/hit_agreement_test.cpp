@@ -6,8 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace percuss {
-namespace {
+namespace percuss::hit_agreement_test {
 
 constexpr std::size_t kLines = 200;
 
@@ -175,5 +174,4 @@ TEST(SettleFirstMotion, AsksTheAcceptedHitsOfOnePoint) {
   EXPECT_EQ(settled(hits), (Polarities{1, 1, -1, -1}));
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::hit_agreement_test

@@ -7,8 +7,7 @@
 #include "support/force_row.hpp"
 #include "synth/record.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::hits_grade_test {
 
 constexpr double kFs_Hz = 25600;
 constexpr std::size_t kSamples = 12000;
@@ -207,5 +206,4 @@ TEST(GradeBandwidth, WarnsWhenTheForceEndsBelowTheBand) {
   EXPECT_TRUE(hits[2].findings.empty());  // no pulse says enough
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::hits_grade_test

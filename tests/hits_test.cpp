@@ -9,8 +9,7 @@
 #include "support/force_row.hpp"
 #include "support/input_error.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::hits_test {
 
 using Rows = std::vector<std::vector<double>>;
 
@@ -204,5 +203,4 @@ TEST(FindHits, SurvivesRowsOfAFewSamples) {
   }
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::hits_test

@@ -12,8 +12,7 @@
 #include "support/synthetic_files.hpp"
 
 // What is no record at all, as percuss meets it on a user's disk.
-namespace percuss {
-namespace {
+namespace percuss::hostile_input_test {
 
 namespace fs = std::filesystem;
 using test::expect_every_command_refuses;
@@ -154,5 +153,4 @@ TEST_F(HostileInput, RefusesOutputsThatCannotBeWritten) {
   fs::permissions(folder_.path(), fs::perms::all);
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::hostile_input_test

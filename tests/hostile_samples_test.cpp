@@ -11,8 +11,7 @@
 #include "support/scratch_folder.hpp"
 
 // Records that are well formed as files, and no use as measurements.
-namespace percuss {
-namespace {
+namespace percuss::hostile_samples_test {
 
 using test::expect_analyses_refuse;
 using test::expect_every_command_refuses;
@@ -193,5 +192,4 @@ TEST_F(HostileSamples, RefusesFilesThatDoNotGoTogether) {
   refusal_of({"analyze", hdf5_, folder_.file("none.h5")}, {".json"}, "none.h5");
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::hostile_samples_test

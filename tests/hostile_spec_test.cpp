@@ -8,8 +8,7 @@
 #include "support/synthetic_files.hpp"
 
 // Specs for percuss synth that are none.
-namespace percuss {
-namespace {
+namespace percuss::hostile_spec_test {
 
 namespace fs = std::filesystem;
 using test::refusal_of;
@@ -73,5 +72,4 @@ TEST_F(HostileSpec, IsRefusedWhenItsNumbersCannotBe) {
   expect_refusal_of_text(R"({"fs_hz": 1000, "samples": 1000, "modes": [{"frequency_hz": 100, "damping_ratio": 2}]})");
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::hostile_spec_test

@@ -12,8 +12,7 @@
 #include "support/synthetic_files.hpp"
 
 // Files cut off, damaged, or smaller than they claim.
-namespace percuss {
-namespace {
+namespace percuss::hostile_truncation_test {
 
 using test::expect_every_command_refuses;
 using test::Hdf5Builder;
@@ -133,5 +132,4 @@ TEST_F(HostileTruncation, TakesNoMemoryForWhatATextClaims) {
   EXPECT_LT(outcome.peak_bytes, std::size_t{1} << 30U);
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::hostile_truncation_test

@@ -9,8 +9,7 @@
 #include "support/modal_lines.hpp"
 #include "synth/record.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::identify_test {
 
 // Deviations of a fit scaled by its residual scatter themselves; of some hundred values one beyond this is not chance.
 constexpr double kDeviations = 4.5;
@@ -151,5 +150,4 @@ TEST(IdentifyModes, BestLeavesToTheLocalFitWhatTheModelCannotFollow) {
   EXPECT_LE(std::abs(best[0].pole.freq_Hz - 320), kDeviations * best[0].freq_std_Hz);
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::identify_test

@@ -6,8 +6,7 @@
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::info_command_test {
 
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -104,5 +103,4 @@ TEST_F(InfoCommand, SaysWhatItWasGivenWrong) {
   EXPECT_EQ(run({"--angle", "0,90", file("a.csv")}).code, 3);
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::info_command_test

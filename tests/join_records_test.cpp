@@ -5,8 +5,7 @@
 #include "support/csv_text.hpp"
 #include "support/input_error.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::join_records_test {
 
 using test::input_error_of;
 using testing::ElementsAre;
@@ -88,5 +87,4 @@ TEST(JoinRecords, NotesChannelsThatAreCalledOtherwise) {
               ElementsAre(HasSubstr("top of b"), "b: mind this"));
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::join_records_test

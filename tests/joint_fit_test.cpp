@@ -8,8 +8,7 @@
 #include "synth/fisher.hpp"
 #include "synth/record.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::joint_fit_test {
 
 const std::vector<Pole> kTruth{{300.3, 0.01}, {305, 0.012}, {420, 0.006}};
 const std::vector<Pole> kStart{{300.6, 0.011}, {304.7, 0.011}, {420.4, 0.0065}};
@@ -107,5 +106,4 @@ TEST(FitJointly, MeetsTheBoundOfATruncatedRecord) {
   }
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::joint_fit_test

@@ -6,8 +6,7 @@
 
 #include "support/modal_lines.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::joint_projection_test {
 
 const std::vector<Pole> kTruth{{300.3, 0.01}, {305, 0.012}, {420, 0.006}};
 
@@ -75,5 +74,4 @@ TEST(JointProjection, FindsEachOutputsNoise) {
   EXPECT_LE(std::abs(state.cost / static_cast<double>(state.parts[0].residual.size()) - 1), kOfRows);
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::joint_projection_test

@@ -4,8 +4,7 @@
 
 #include <stdexcept>
 
-namespace percuss {
-namespace {
+namespace percuss::lazy_test {
 
 TEST(Lazy, ComputesOnceAndOnlyOnDemand) {
   Lazy<int> slot;
@@ -29,5 +28,4 @@ TEST(Lazy, RefusesAStageThatDemandsItself) {
   EXPECT_THROW(self(), std::logic_error);
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::lazy_test

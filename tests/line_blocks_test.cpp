@@ -6,8 +6,7 @@
 
 #include "support/modal_lines.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::line_blocks_test {
 
 const LineRange kLines{.fs_Hz = 8192, .samples = 16384, .first = 100, .count = 4000};
 
@@ -54,5 +53,4 @@ TEST(LineBlocks, CoverEveryLineOnce) {
   EXPECT_EQ(blocks.middles().size(), static_cast<std::size_t>(blocks.count()));
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::line_blocks_test

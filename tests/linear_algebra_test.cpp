@@ -5,8 +5,7 @@
 #include <cmath>
 #include <complex>
 
-namespace percuss {
-namespace {
+namespace percuss::linear_algebra_test {
 
 using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
@@ -86,5 +85,4 @@ TEST(SingularValues, OfAMatrixMadeFromThem) {
   EXPECT_NEAR(std::abs(leading_right_vector(matrix).dot(v)), 1, 1e-14);
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::linear_algebra_test

@@ -6,8 +6,7 @@
 
 #include "support/modal_lines.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::local_fit_test {
 
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
@@ -146,5 +145,4 @@ TEST(PoleOfWindow, SaysSoWhenThereIsNone) {
   EXPECT_EQ(pole_of_window(set, lines_of(set), 0).freq_Hz, 0);
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::local_fit_test

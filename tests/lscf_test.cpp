@@ -8,8 +8,7 @@
 #include "support/modal_lines.hpp"
 #include "synth/record.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::lscf_test {
 
 Complex root_of(const Pole& pole) {
   return {-pole.damping_ratio * pole.freq_Hz, pole.freq_Hz * std::sqrt(1 - pole.damping_ratio * pole.damping_ratio)};
@@ -119,5 +118,4 @@ TEST(LscfPoles, HaveNoMoreOrdersThanTheLinesCarry) {
   for (const Pole& mode : kThree) EXPECT_LE(error_of(high.back(), mode), kExact) << mode.freq_Hz;
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::lscf_test

@@ -7,8 +7,7 @@
 
 #include "synth/random.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::mac_test {
 
 using Complex = std::complex<double>;
 
@@ -106,5 +105,4 @@ TEST(AutoMac, ComparesAllModesOverTheirCommonPlaces) {
   EXPECT_GT(table[2][0].std, 0);
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::mac_test

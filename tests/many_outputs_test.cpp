@@ -7,8 +7,7 @@
 #include "support/modal_lines.hpp"
 #include "synth/record.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::many_outputs_test {
 
 constexpr double kDeviations = 4.5;
 constexpr std::size_t kOutputs = 30;
@@ -70,5 +69,4 @@ TEST(IdentifyMany, FitsRecordsThatEndBeforeTheDecay) {
   EXPECT_LE(std::abs((*modes)[0].pole.damping_ratio - 0.005), kDeviations * (*modes)[0].damping_std);
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::many_outputs_test

@@ -5,8 +5,7 @@
 #include "support/modal_lines.hpp"
 #include "synth/record.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::modal_model_test {
 
 double largest(const Eigen::VectorXcd& x) { return x.cwiseAbs().maxCoeff(); }
 
@@ -142,5 +141,4 @@ TEST(PointForce, WeighsEachHitByItsPartOfTheEnergy) {
     EXPECT_NEAR(std::abs(force.weights[0][k] * a[k] + force.weights[1][k] * b[k] - 1.0), 0, 1e-15);
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::modal_model_test

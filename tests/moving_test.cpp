@@ -6,8 +6,7 @@
 
 #include "support/modal_lines.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::moving_test {
 
 constexpr double kNoise = 0.02;  // of lines whose peaks are 1/(2·0.001) = 500 times the residue
 
@@ -104,5 +103,4 @@ TEST(Merged, TakesTwoPointsForTooFewToTell) {
   EXPECT_FALSE(merged(all, all.groups().front()));
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::moving_test

@@ -11,8 +11,7 @@
 #include "synth/record.hpp"
 #include "synth/structure.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::node_scan_test {
 
 // What a scan by hand is asked to give (the positions themselves are good to a few hundredths of an inch) …
 constexpr double kNode_in = 0.02;
@@ -122,5 +121,4 @@ TEST(AsScan, RefusesAnotherNumberOfPoints) {
   EXPECT_THAT(message, testing::HasSubstr("24 positions"));
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::node_scan_test

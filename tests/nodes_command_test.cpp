@@ -10,8 +10,7 @@
 #include "support/scratch_folder.hpp"
 #include "synth/record.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::nodes_command_test {
 
 using nlohmann::json;
 using test::lines_of;
@@ -125,5 +124,4 @@ TEST_F(NodesCommand, RefusesAScanOfAnotherLength) {
   EXPECT_THAT(outcome.err, AllOf(HasSubstr("7 points"), HasSubstr("25 positions"), HasSubstr("scan.h5")));
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::nodes_command_test

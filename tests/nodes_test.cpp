@@ -8,8 +8,7 @@
 #include "synth/random.hpp"
 #include "synth/structure.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::nodes_test {
 
 constexpr double kRounding = 1e-9;  // of a least-squares fit in double precision, m
 
@@ -138,5 +137,4 @@ TEST(MinimumOfPeak, IsTheBottomOfTheV) {
   EXPECT_EQ(minimum_of_peak(std::vector{1.0, 2.0}, std::vector{1.0, 1.0}, 0.1), std::nullopt);
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::nodes_test

@@ -4,8 +4,7 @@
 
 #include <limits>
 
-namespace percuss {
-namespace {
+namespace percuss::number_test {
 
 TEST(WithDeviation, GivesTheDeviationTwoDigitsAndTheValueAsManyDecimals) {
   EXPECT_EQ(with_deviation(169.000341, 0.00042), "169.00034 ± 0.00042");
@@ -41,5 +40,4 @@ TEST(ShortFrequency, TakesKilohertzFromAThousand) {
   EXPECT_EQ(short_frequency(0.12345), "0.1235 Hz");
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::number_test

@@ -11,8 +11,7 @@
 #include <thread>
 #include <vector>
 
-namespace percuss {
-namespace {
+namespace percuss::parallel_test {
 
 constexpr std::array<std::size_t, 6> kAnyThreads = {0, 1, 2, 7, 1000, std::numeric_limits<std::size_t>::max()};
 
@@ -60,5 +59,4 @@ TEST(ParallelFor, MayBeNested) {
   for (const auto& number : calls) EXPECT_EQ(number, 1);
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::parallel_test

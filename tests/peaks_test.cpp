@@ -8,8 +8,7 @@
 
 #include "synth/random.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::peaks_test {
 
 /// The definition, word for word, in quadratic time: walk from a maximum to either side until something is higher (or
 /// the end comes); the lowest value met on each side is a saddle; the higher one counts.
@@ -96,5 +95,4 @@ TEST(FindPeaks, IsLinearOnAStaircase) {
   EXPECT_LE(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), kSeconds);
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::peaks_test

@@ -9,8 +9,7 @@
 #include "support/scratch_folder.hpp"
 
 // The program as a whole: its help, its version, and what it says to a wrong command line.
-namespace percuss {
-namespace {
+namespace percuss::percuss_command_test {
 
 using test::run_percuss;
 using testing::HasSubstr;
@@ -96,5 +95,4 @@ TEST(PercussCommand, SaysWhenStandardOutputTakesNothingMore) {
   EXPECT_THAT(outcome.err, HasSubstr("could not write to standard output"));
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::percuss_command_test

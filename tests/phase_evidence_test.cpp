@@ -6,8 +6,7 @@
 
 #include "support/modal_lines.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::phase_evidence_test {
 
 const Pole kPole{300.3, 0.01};
 
@@ -41,5 +40,4 @@ TEST(PhaseContradiction, IsStrongForACommonPhaseAndForPhasesThatDiffer) {
   EXPECT_GE(evidence(0.2, -0.2, 1), 1);
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::phase_evidence_test

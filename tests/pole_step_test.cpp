@@ -4,8 +4,7 @@
 
 #include <limits>
 
-namespace percuss {
-namespace {
+namespace percuss::pole_step_test {
 
 TEST(PoleStep, AllowsWhatDecays) {
   EXPECT_TRUE(poles_allowed({{100, 0.01}, {100.1, 0.49}}));
@@ -25,5 +24,4 @@ TEST(PoleStep, MovesAndMeasuresInHalfBandwidths) {
   EXPECT_DOUBLE_EQ(step_size(step, poles), 0.5);  // half a hertz is half of half of 2 Hz
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::pole_step_test

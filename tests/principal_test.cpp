@@ -7,8 +7,7 @@
 #include "identify/joint_fit.hpp"
 #include "support/modal_lines.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::principal_test {
 
 const std::vector<Pole> kTruth{{300.3, 0.01}, {305, 0.012}, {420, 0.006}};
 
@@ -51,5 +50,4 @@ TEST(PrincipalOutputs, KnowAsMuchOfThePolesAsAllOutputs) {
   }
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::principal_test

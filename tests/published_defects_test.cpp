@@ -18,8 +18,7 @@
 #include "support/scratch_folder.hpp"
 #include "synth/record.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::published_defects_test {
 
 constexpr double kWindowEnd = 0.01;  // the exponential window ends at 1 %
 
@@ -207,5 +206,4 @@ TEST(PublishedDefects, EstimatesDoNotChangeAfterThePick) {
   }
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::published_defects_test

@@ -8,8 +8,7 @@
 
 #include "support/force_row.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::pulse_search_test {
 
 using Events = std::vector<std::size_t>;
 
@@ -200,5 +199,4 @@ TEST(SurveyForce, DoesNotDependOnUnitSignOrOffset) {
   EXPECT_EQ(survey(x).events, plain.events);
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::pulse_search_test

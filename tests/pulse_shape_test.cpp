@@ -8,8 +8,7 @@
 
 #include "support/force_row.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::pulse_shape_test {
 
 using std::numbers::pi;
 
@@ -197,5 +196,4 @@ TEST(Bandwidth, TakesPulsesOfAnyLength) {
   EXPECT_GE(bandwidth_Hz(x, 20011), 0.9);
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::pulse_shape_test

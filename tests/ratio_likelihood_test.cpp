@@ -5,8 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace percuss {
-namespace {
+namespace percuss::ratio_likelihood_test {
 
 using std::numbers::pi;
 
@@ -125,5 +124,4 @@ TEST(RatioLikelihood, AllowsForTheGainsWhereTheyTurnTheRatio) {
   EXPECT_NEAR(unknown.bending(none, 0), known.bending(none, 0), 1e-12);
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::ratio_likelihood_test

@@ -9,8 +9,7 @@
 #include "support/csv_text.hpp"
 #include "support/input_error.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::read_csv_test {
 
 using test::accel_mps2;
 using test::csv_record;
@@ -159,5 +158,4 @@ TEST(ReadCsv, SurvivesMutationsOfAGoodFile) {
   EXPECT_GT(refused, 1000U);
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::read_csv_test

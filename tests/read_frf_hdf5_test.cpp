@@ -13,8 +13,7 @@
 #include "support/input_error.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::read_frf_hdf5_test {
 
 using testing::HasSubstr;
 
@@ -91,5 +90,4 @@ TEST(ReadFrfHdf5, RefusesFrfsThatAreNotComplex) {
   EXPECT_THAT(test::input_error_of([&] { read_frf_hdf5(path); }), HasSubstr("complex"));
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::read_frf_hdf5_test

@@ -7,8 +7,7 @@
 
 #include "support/force_row.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::response_grade_test {
 
 constexpr double kFs_Hz = 25600;
 constexpr std::size_t kSamples = 12000;
@@ -244,5 +243,4 @@ TEST(AddResponseFindings, NamesTheWorstChannel) {
   EXPECT_TRUE(good.findings.empty());
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::response_grade_test

@@ -8,8 +8,7 @@
 #include "support/modal_lines.hpp"
 #include "synth/record.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::response_summary_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -55,5 +54,4 @@ TEST(ResponsesText, SaysNothingOfADeadChannel) {
   EXPECT_THAT(summary_of(dead), Not(HasSubstr("accel 2")));
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::response_summary_test

@@ -7,8 +7,7 @@
 
 #include "synth/random.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::ring_split_test {
 
 using std::numbers::pi;
 
@@ -121,5 +120,4 @@ TEST(RingSplit, IsInTheVerdictsOfTwoSensors) {
   EXPECT_TRUE(verdicts[0].double_peak->quoted);
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::ring_split_test

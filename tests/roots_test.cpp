@@ -6,8 +6,7 @@
 #include <complex>
 #include <vector>
 
-namespace percuss {
-namespace {
+namespace percuss::roots_test {
 
 using Eigen::Index;
 using Eigen::VectorXcd;
@@ -75,5 +74,4 @@ TEST(PolynomialRoots, OfAConstantAreNone) {
   EXPECT_EQ(companion_roots({}).size(), 0);
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::roots_test

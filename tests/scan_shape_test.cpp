@@ -5,8 +5,7 @@
 #include <array>
 #include <cmath>
 
-namespace percuss {
-namespace {
+namespace percuss::scan_shape_test {
 
 constexpr double kRounding = 1e-12;  // of a singular value decomposition
 
@@ -58,5 +57,4 @@ TEST(ShapeAlong, LeavesOutPointsWithoutResidues) {
   EXPECT_TRUE(shape_along(Mode{}, kPoints, kPositions).amplitude.empty());
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::scan_shape_test

@@ -7,8 +7,7 @@
 #include "acquire/pulse_shape.hpp"
 #include "support/force_row.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::second_pulse_test {
 
 constexpr std::size_t kSamples = 6000;
 
@@ -129,5 +128,4 @@ TEST(SecondPulse, NeedsNoMoreThanThePulse) {
   }
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::second_pulse_test

@@ -4,8 +4,7 @@
 
 #include "core/error.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::sections_test {
 
 TEST(ParseSections, KnowsEveryOneByName) {
   EXPECT_EQ(parse_sections({"hits", "frf", "coherence", "modes", "classes"}), all_sections());
@@ -15,5 +14,4 @@ TEST(ParseSections, KnowsEveryOneByName) {
 
 TEST(ParseSections, RefusesOthers) { EXPECT_THROW(parse_sections({"hits", "Modes"}), UsageError); }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::sections_test

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace percuss {
-namespace {
+namespace percuss::shape_checks_test {
 
 constexpr double kRounding = 1e-12;
 
@@ -45,5 +44,4 @@ TEST(ReciprocityCheck, HoldsForTheResiduesOfOneShape) {
   EXPECT_LE(checks[0].deviations, kRounding);
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::shape_checks_test

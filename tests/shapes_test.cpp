@@ -6,8 +6,7 @@
 
 #include "synth/random.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::shapes_test {
 
 constexpr double kRounding = 1e-12;
 
@@ -133,5 +132,4 @@ TEST(Shape, SurvivesAModeThatIsNowhere) {
   EXPECT_TRUE(shape_of({}).places.empty());
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::shapes_test

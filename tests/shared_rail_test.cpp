@@ -8,8 +8,7 @@
 #include "synth/read_spec.hpp"
 #include "synth/record.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::shared_rail_test {
 
 std::size_t overloads(const Hit& hit) {
   return static_cast<std::size_t>(std::count_if(hit.findings.begin(), hit.findings.end(),
@@ -86,5 +85,4 @@ TEST(SharedRail, AgreesWithTheTruthOfEveryPreset) {
   }
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::shared_rail_test

@@ -7,8 +7,7 @@
 
 #include "support/input_error.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::signal_choice_test {
 
 using test::input_error_of;
 using testing::HasSubstr;
@@ -92,5 +91,4 @@ TEST(SignalChoice, RefusesListsOfAnotherLength) {
   EXPECT_THAT(input_error_of([] { accel_choice({.angle_rad = {1}}, nullptr, 0, 2); }), HasSubstr("one per channel"));
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::signal_choice_test

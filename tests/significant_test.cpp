@@ -4,8 +4,7 @@
 
 #include <limits>
 
-namespace percuss {
-namespace {
+namespace percuss::significant_test {
 
 TEST(Significant, ShowsSoManyDigitsWhateverTheSize) {
   EXPECT_EQ(significant(12, 3), "12.0");
@@ -30,5 +29,4 @@ TEST(Significant, ShowsWhatIsNoNumber) {
   EXPECT_EQ(significant(std::numeric_limits<double>::infinity(), 3), "inf");
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::significant_test

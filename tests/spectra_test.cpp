@@ -8,8 +8,7 @@
 #include "frf/windows.hpp"
 #include "synth/record.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::spectra_test {
 
 TEST(LinesInBand, HoldsTheLinesFromEdgeToEdge) {
   const LineRange lines = lines_in_band(1000, 500, 10, 20);  // 2 Hz apart
@@ -158,5 +157,4 @@ TEST(Spectra, OfALaterResponseTurnBackwards) {
   }
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::spectra_test

@@ -7,8 +7,7 @@
 
 #include "support/modal_lines.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::stabilisation_test {
 
 const std::vector<Pole> kModes{{169.03, 0.01}, {575.4, 0.006}, {1190.06, 0.004}, {1195.8, 0.004}};
 
@@ -115,5 +114,4 @@ TEST(StabilisedCandidates, AreNearEveryModeAndMembersOfADoublet) {
   }
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::stabilisation_test

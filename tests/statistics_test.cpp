@@ -6,8 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace percuss {
-namespace {
+namespace percuss::statistics_test {
 
 std::vector<double> gaussian(std::size_t count, double deviation) {
   std::mt19937_64 generator(1);
@@ -73,5 +72,4 @@ TEST(Rms, IsTheRootOfTheMeanSquare) {
   EXPECT_EQ(rms({}), 0);
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::statistics_test

@@ -14,8 +14,7 @@
 #include "support/synthetic_files.hpp"
 #include "synth/record.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::survey_command_test {
 
 using nlohmann::json;
 using test::run_percuss;
@@ -168,5 +167,4 @@ TEST_F(SurveyCommand, StillReportsWhenNothingCanBeAnalysed) {
   EXPECT_EQ(survey({file("missing.h5")}).code, 4);
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::survey_command_test

@@ -11,8 +11,7 @@
 #include "synth/record.hpp"
 #include "synth/structure.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::survey_test {
 
 using std::numbers::pi;
 using testing::Contains;
@@ -223,5 +222,4 @@ TEST(Survey, FindsTheWrongSignOfADrivingPointAndBrokenReciprocity) {
   EXPECT_THAT(Survey(bad, {}).warnings(), Contains(Field(&Warning::code, "driving_point_sign")));
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::survey_test

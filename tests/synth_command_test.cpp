@@ -7,8 +7,7 @@
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::synth_command_test {
 
 namespace fs = std::filesystem;
 using test::bytes_of;
@@ -96,5 +95,4 @@ TEST_F(SynthCommand, EndsWithTheCodeOfTheMistake) {
   EXPECT_FALSE(fs::exists(path("a.h5")));
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::synth_command_test

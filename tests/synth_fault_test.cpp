@@ -8,8 +8,7 @@
 #include "synth/record.hpp"
 #include "synth/schedule.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::synth_fault_test {
 
 SynthSpec bat() {
   SynthSpec spec;
@@ -168,5 +167,4 @@ TEST(RandomStream, NormalsHaveTheirMoments) {
   EXPECT_LE(std::abs(fourth / n - 3), 5 * std::sqrt(96 / n));  // and √96 over √n
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::synth_fault_test

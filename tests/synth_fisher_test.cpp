@@ -5,8 +5,7 @@
 #include <cmath>
 #include <complex>
 
-namespace percuss {
-namespace {
+namespace percuss::synth_fisher_test {
 
 using std::numbers::pi;
 
@@ -74,5 +73,4 @@ TEST(CramerRaoBound, IsAbsentWithoutNoise) {
   EXPECT_FALSE(synthesise(spec).truth.bound.has_value());
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::synth_fisher_test

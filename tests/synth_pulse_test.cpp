@@ -11,8 +11,7 @@
 #include "core/fft.hpp"
 #include "synth/filter.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::synth_pulse_test {
 
 constexpr double kFs_Hz = 25600;
 
@@ -163,5 +162,4 @@ TEST(AntiAliasFilter, IsFlatInTheBandAndStopsItsImage) {
   }
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::synth_pulse_test

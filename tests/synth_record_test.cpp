@@ -8,8 +8,7 @@
 
 #include "synth/pulse.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::synth_record_test {
 
 using std::numbers::pi;
 
@@ -170,5 +169,4 @@ TEST(Synthesise, AFreeMassNeedsNoModes) {
   for (std::size_t i = 0; i < f.size(); ++i) ASSERT_DOUBLE_EQ(a[i], f[i] / 2.5);
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::synth_record_test

@@ -6,8 +6,7 @@
 #include "synth/record.hpp"
 #include "synth/truth_json.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::synth_schema_test {
 
 using nlohmann::json;
 using test::schema_named;
@@ -57,5 +56,4 @@ TEST(SchemaViolations, AreSeen) {
   EXPECT_EQ(schema_violations(3, test::parse_json(R"({"multipleOf": 2})")).size(), 1U);
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::synth_schema_test

@@ -12,8 +12,7 @@
 #include "synth/record.hpp"
 #include "synth/truth_json.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::synth_spec_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -147,5 +146,4 @@ TEST(TruthDocument, OfARovingHammerGoesByPoint) {
   EXPECT_EQ(truth["A"][0].size(), 5U);
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::synth_spec_test

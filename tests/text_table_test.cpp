@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
-namespace percuss {
-namespace {
+namespace percuss::text_table_test {
 
 std::size_t widest_line(const std::string& text) {
   std::istringstream lines(text);
@@ -69,5 +68,4 @@ TEST(TextTable, ObeysTheWidthWhereWordsAllow) {
   }
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::text_table_test

@@ -7,8 +7,7 @@
 
 #include "core/parallel.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::trace_test {
 
 TEST(Trace, IsEmptyBeforeAnythingRan) { EXPECT_TRUE(Trace().stages().empty()); }
 
@@ -58,5 +57,4 @@ TEST(Trace, CountsFromManyThreads) {
   EXPECT_EQ(trace.stages()[1].calls, 500U);
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::trace_test

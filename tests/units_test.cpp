@@ -6,8 +6,7 @@
 
 #include "core/error.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::units_test {
 
 // Products of exact constants: one rounding each.
 constexpr double kRounding = 4e-16;
@@ -84,5 +83,4 @@ TEST(SiName, IsReadBackAsFactorOne) {
   }
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::units_test

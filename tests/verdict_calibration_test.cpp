@@ -10,8 +10,7 @@
 #include "support/random_bat.hpp"
 #include "synth/record.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::verdict_calibration_test {
 
 constexpr std::size_t kBats = 240;
 constexpr double kConfident = 0.9;
@@ -122,5 +121,4 @@ TEST(Verdicts, AreRightAsOftenAsTheySayOverRandomBats) {
   expect_calibrated(bats);
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::verdict_calibration_test

@@ -7,8 +7,7 @@
 #include "support/modal_lines.hpp"
 #include "synth/record.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::warnings_test {
 
 using testing::AllOf;
 using testing::Contains;
@@ -117,5 +116,4 @@ TEST(Warnings, ShowHowFarApartClosePairsAreHoweverClose) {
   EXPECT_THAT(warnings, Contains(AllOf(HasSubstr("double_peak: "), HasSubstr("(0.0400 Hz apart)"))));
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::warnings_test

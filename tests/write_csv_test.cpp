@@ -10,8 +10,7 @@
 #include "support/input_error.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace percuss {
-namespace {
+namespace percuss::write_csv_test {
 
 class WriteCsv : public testing::Test {
  protected:
@@ -69,5 +68,4 @@ TEST_F(WriteCsv, ReplacesOnlyWhenForced) {
   EXPECT_THAT(test::input_error_of([&] { write_record_csv(path_, record, false); }), testing::HasSubstr("--force"));
 }
 
-}  // namespace
-}  // namespace percuss
+}  // namespace percuss::write_csv_test
