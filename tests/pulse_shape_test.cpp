@@ -98,7 +98,7 @@ TEST(GateAround, StaysInsideTheStretch) {
   }
 }
 
-std::size_t rail_of(const std::vector<double>& x) { return samples_at_rail(x, resolution_of(x), 0); }
+std::size_t rail_of(const std::vector<double>& x) { return samples_at_rail(x, extremes_of(x), x, 0); }
 
 TEST(ResolutionOf, IsTheSmallestChange) {
   EXPECT_EQ(resolution_of(std::vector<double>{0, 3, 3, 2.5, 9, 7}), 0.5);
@@ -152,7 +152,8 @@ TEST(SamplesAtRail, IsNotMisledByQuantisedSmoothPeaks) {
         for (double& value : x) value = std::round(value);
         const PulseShape pulse = shape_of(x);
         const auto first = static_cast<std::size_t>(pulse.rise), last = static_cast<std::size_t>(pulse.fall) + 1;
-        EXPECT_EQ(samples_at_rail(std::span(x).subspan(first, last - first), resolution_of(x), 0), 0U)
+        const auto pulse_alone = std::span(x).subspan(first, last - first);
+        EXPECT_EQ(samples_at_rail(pulse_alone, extremes_of(pulse_alone), x, 0), 0U)
             << bits << ' ' << width << ' ' << fraction;
       }
     }

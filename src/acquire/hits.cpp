@@ -56,7 +56,8 @@ void grade_pulse(Hit& hit, std::span<const double> x, const PulseShape& pulse) {
   }
   const auto rise = static_cast<std::size_t>(std::max(0.0, pulse.rise));
   const std::size_t fall = std::min(x.size(), static_cast<std::size_t>(pulse.fall) + 2);
-  const std::size_t rail = samples_at_rail(x.subspan(rise, fall - rise), resolution_of(x), 0);
+  const auto within = x.subspan(rise, fall - rise);
+  const std::size_t rail = samples_at_rail(within, extremes_of(within), x, 0);
   if (rail > 0) {
     hit.findings.push_back(
         {.code = FindingCode::overload,
@@ -131,8 +132,9 @@ Hit hit_of_row(const Record& record, std::size_t row, const HitOptions& options)
           .noise_N = survey.noise_N,
           .baseline_N = survey.baseline_N};
   const auto x = force_between(record, row, part.first, part.last, survey.baseline_N);
-  const auto largest = static_cast<std::size_t>(
-      std::max_element(x.begin(), x.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }) - x.begin());
+  const Extremes extremes = extremes_of(x);
+  const double furthest = extremes.high >= -extremes.low ? extremes.high : extremes.low;
+  const auto largest = static_cast<std::size_t>(std::find(x.begin(), x.end(), furthest) - x.begin());
   const bool triggered = !options.trigger_N || std::abs(x[largest]) >= *options.trigger_N;
   if (!triggered || !is_pulse(x, largest, survey.noise_N, record.fs_Hz))
     return without_pulse(row, part, survey, options);

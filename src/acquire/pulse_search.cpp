@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kChunk = std::size_t{1} << 18;  // about the samples read at a time: 2 MiB stays in the cache
 constexpr std::size_t kBlock = 64;                    // resolution of the envelope kept of the whole row
-constexpr std::size_t kNoiseSamples = 4096;           // per chunk: enough for a median good to 2 %
+constexpr std::size_t kNoiseSamples = 2048;           // per chunk: enough for a deviation good to 3 %
 constexpr double kTriggerNoise = 12;                  // deviations: one false alarm in 10^30 samples of Gaussian noise
 constexpr double kTriggerFraction = 0.01;             // of the largest: below it a hit is useless beside the others
 
@@ -38,15 +38,13 @@ Envelope envelope_of(const Record& record, std::size_t row, std::size_t first, s
   for (std::size_t at = first; at < last; at += buffer.size()) {
     buffer.resize(std::min(size, last - at));
     record.read_force_N(row, at, buffer);
-    const auto subset = thinned(buffer);
-    envelope.chunk_median.push_back(median(subset));
-    envelope.chunk_noise.push_back(robust_std(subset));
+    const Spread subset = spread_of(thinned(buffer));
+    envelope.chunk_median.push_back(subset.median);
+    envelope.chunk_noise.push_back(subset.robust_std);
     for (std::size_t b = 0; b < buffer.size(); b += kBlock) {
-      const auto begin = buffer.begin() + static_cast<std::ptrdiff_t>(b);
-      const auto end = buffer.begin() + static_cast<std::ptrdiff_t>(std::min(b + kBlock, buffer.size()));
-      const auto [low, high] = std::minmax_element(begin, end);
-      envelope.low.push_back(*low);
-      envelope.high.push_back(*high);
+      const Extremes block = extremes_of(std::span(buffer).subspan(b, std::min(kBlock, buffer.size() - b)));
+      envelope.low.push_back(block.low);
+      envelope.high.push_back(block.high);
     }
   }
   return envelope;

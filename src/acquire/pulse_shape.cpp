@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/fft.hpp"
+#include "core/statistics.hpp"
 
 namespace percuss {
 namespace {
@@ -134,21 +135,24 @@ double resolution_of(std::span<const double> x) {
   return std::isfinite(step) ? step : 0;
 }
 
-std::size_t samples_at_rail(std::span<const double> x, double resolution, double rest) {
-  if (x.size() < 4 || !(resolution > 0)) return 0;
-  const auto [low, high] = std::minmax_element(x.begin(), x.end());
+std::size_t samples_at_rail(std::span<const double> x, const Extremes& extremes, std::span<const double> around,
+                            double rest) {
+  if (x.size() < 4) return 0;
   // A quantised parabola with three equal samples falls by at most 4 steps beside them.
   constexpr double kSmoothPeak = 5;
+  std::optional<double> resolution;  // found when asked for, which is seldom
   std::size_t found = 0;
-  for (const double rail : {*low, *high}) {
+  for (const double rail : {extremes.low, extremes.high}) {
     if (rail == rest || std::count(x.begin(), x.end(), rail) < 3) continue;
+    if (!resolution) resolution = resolution_of(around);
+    if (!(*resolution > 0)) return 0;
     for (std::size_t i = 0; i < x.size();) {
       std::size_t n = i;
       while (n < x.size() && x[n] == rail) ++n;
       if (n - i >= 3) {
         const double before = i > 0 ? std::abs(x[i - 1] - rail) : 0;
         const double after = n < x.size() ? std::abs(x[n] - rail) : 0;
-        if (std::max(before, after) > kSmoothPeak * resolution) found += n - i;
+        if (std::max(before, after) > kSmoothPeak * *resolution) found += n - i;
       }
       i = std::max(n, i + 1);
     }

@@ -4,6 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "core/statistics.hpp"
+
 namespace percuss {
 
 /// The main pulse within a stretch of force, baseline removed.
@@ -36,8 +38,10 @@ double resolution_of(std::span<const double> x);
 
 /// Number of samples at the stretch's extreme values where they look like the recorder's rail, else 0: three or more
 /// equal ones in a row, with a neighbour further away than a smooth peak's would be at this resolution. An extreme at
-/// which the signal rests is no rail: a signal to one side only stands there before and after.
-std::size_t samples_at_rail(std::span<const double> x, double resolution, double rest);
+/// which the signal rests is no rail: a signal to one side only stands there before and after. `extremes` are
+/// those of x; `around`, longer than x, tells the resolution.
+std::size_t samples_at_rail(std::span<const double> x, const Extremes& extremes, std::span<const double> around,
+                            double rest);
 
 /// Frequency at which the amplitude spectrum of a pulse first falls 20 dB below its largest line.
 double bandwidth_Hz(std::span<const double> pulse, double fs_Hz);

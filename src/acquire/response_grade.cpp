@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
@@ -29,11 +30,9 @@ constexpr double kStillFalling = 0.9;  // of the rms one window earlier
 constexpr double kFallen = kSteady * kSteady * kSteady * kSteady;
 
 double rms_about_mean(std::span<const double> x) {
-  double mean = 0;
-  for (const double value : x) mean += value / static_cast<double>(x.size());
-  double sum = 0;
-  for (const double value : x) sum += (value - mean) * (value - mean);
-  return x.empty() ? 0 : std::sqrt(sum / static_cast<double>(x.size()));
+  if (x.empty()) return 0;
+  const Eigen::Map<const Eigen::ArrayXd> values(x.data(), static_cast<Eigen::Index>(x.size()));
+  return std::sqrt((values - values.mean()).square().mean());
 }
 
 // The pre-trigger up to where the anti-alias filter's ringing begins.
@@ -95,12 +94,11 @@ int first_direction(std::span<const double> accel, double rest, double noise) {
   return other_way ? 0 : sign;
 }
 
-void grade_onset(ResponseGrade& grade, const Hit& hit, std::span<const double> accel, double fs_Hz) {
+void grade_onset(ResponseGrade& grade, const Hit& hit, std::span<const double> accel, const Extremes& extremes,
+                 double fs_Hz) {
   const auto quiet = quiet_part(hit, accel);
-  const double rest = quiet.empty() ? 0 : median({quiet.begin(), quiet.end()});
-  const double noise = robust_std({quiet.begin(), quiet.end()});
-  double largest = 0;
-  for (const double value : accel.subspan(hit.peak - hit.first)) largest = std::max(largest, std::abs(value - rest));
+  const auto [rest, noise] = spread_of({quiet.begin(), quiet.end()});
+  const double largest = extremes.furthest_from(rest);
   const double level = std::max(kOnsetNoise * noise, kOnsetFraction * largest);
   if (!(level > 0)) return;
   const double onset = hit.onset_s * fs_Hz - static_cast<double>(hit.first);
@@ -119,13 +117,13 @@ void grade_onset(ResponseGrade& grade, const Hit& hit, std::span<const double> a
 ResponseGrade grade_response(const Hit& hit, std::span<const double> accel_mps2, double fs_Hz) {
   ResponseGrade grade;
   if (hit.gated_N.empty() || accel_mps2.size() <= hit.peak - hit.first) return grade;
-  const auto [low, high] = std::minmax_element(accel_mps2.begin(), accel_mps2.end());
-  grade.dead = *low == *high;
+  const Extremes extremes = extremes_of(accel_mps2);
+  grade.dead = extremes.low == extremes.high;
   if (grade.dead) return grade;
-  grade.rail_samples = samples_at_rail(accel_mps2, resolution_of(accel_mps2), resting_level(hit, accel_mps2));
+  grade.rail_samples = samples_at_rail(accel_mps2, extremes, accel_mps2, resting_level(hit, accel_mps2));
   grade.rings_before = rings_before(hit, accel_mps2);
   grade_end(grade, hit, accel_mps2);
-  grade_onset(grade, hit, accel_mps2, fs_Hz);
+  grade_onset(grade, hit, accel_mps2, extremes, fs_Hz);
   return grade;
 }
 

@@ -1,18 +1,37 @@
 #include "core/statistics.hpp"
 
-#include <gsl/gsl_statistics_double.h>
-
+#include <Eigen/Core>
 #include <cmath>
 
 namespace percuss {
+namespace {
 
-double median(std::vector<double> values) {
-  return values.empty() ? 0 : gsl_stats_median(values.data(), 1, values.size());
+constexpr double kGaussian = 1.4826;  // deviations per median absolute deviation
+
+// Of at least one value, whose order it changes.
+double median_within(std::vector<double>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return values.size() % 2 == 1 ? *middle : 0.5 * (*middle + *std::max_element(values.begin(), middle));
 }
 
-double robust_std(std::vector<double> values) {
-  std::vector<double> work(values.size());
-  return values.empty() ? 0 : gsl_stats_mad(values.data(), 1, values.size(), work.data());
+}  // namespace
+
+double median(std::vector<double> values) { return values.empty() ? 0 : median_within(values); }
+
+double robust_std(std::vector<double> values) { return spread_of(std::move(values)).robust_std; }
+
+Spread spread_of(std::vector<double> values) {
+  if (values.empty()) return {};
+  const double middle = median_within(values);
+  for (double& value : values) value = std::abs(value - middle);
+  return {.median = middle, .robust_std = kGaussian * median_within(values)};
+}
+
+Extremes extremes_of(std::span<const double> values) {
+  if (values.empty()) return {};
+  const Eigen::Map<const Eigen::ArrayXd> all(values.data(), static_cast<Eigen::Index>(values.size()));
+  return {.low = all.minCoeff(), .high = all.maxCoeff()};
 }
 
 double rms(std::span<const double> values) {

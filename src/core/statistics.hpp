@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -10,6 +11,19 @@ double median(std::vector<double> values);
 /// Standard deviation of Gaussian noise as the median absolute deviation from the median tells it (× 1.4826, [2] in
 /// docs/sources.md): unmoved by pulses that fill less than half of the samples. 0 for none.
 double robust_std(std::vector<double> values);
+
+/// Both at once, for the price of the second.
+struct Spread {
+  double median = 0, robust_std = 0;
+};
+Spread spread_of(std::vector<double> values);
+
+/// Smallest and largest value; both 0 for none.
+struct Extremes {
+  double low = 0, high = 0;
+  double furthest_from(double centre) const { return std::max(high - centre, centre - low); }
+};
+Extremes extremes_of(std::span<const double> values);
 
 /// √(Σx²/n); 0 for none.
 double rms(std::span<const double> values);

@@ -15,6 +15,7 @@ using Eigen::VectorXd;
 constexpr double kWindow = 10;  // half-power bandwidths on either side: beyond lies under 0.1 % of a mode's information
 constexpr double kLeastLines = 8;   // … and never fewer lines
 constexpr double kMostLines = 400;  // … nor more: the polynomial follows other modes' tails over a short stretch only
+constexpr double kRoughly = 1e-3;   // half-power bandwidths: near enough to see the noise
 constexpr double kTogether = 4;     // bandwidths apart at which two modes are fitted together
 
 void carry_over(const std::vector<FitGroup>& before, FitGroup& group, std::size_t m) {
@@ -22,6 +23,7 @@ void carry_over(const std::vector<FitGroup>& before, FitGroup& group, std::size_
     for (std::size_t i = 0; i < old.fit.poles.size(); ++i) {
       if (old.fit.poles[i].freq_Hz != group.fit.poles[m].freq_Hz || old.fit.residues.size() == 0) continue;
       group.fit.residues.col(static_cast<Index>(m)) = old.fit.residues.col(static_cast<Index>(i));
+      if (old.fit.poles.size() == group.fit.poles.size()) group.fit.noise = old.fit.noise;
     }
   }
 }
@@ -89,8 +91,8 @@ void GroupedFit::sweep(int times) {
     if (i > 0) replace(poles());  // poles that moved may belong together now
     for (FitGroup& group : groups_) {
       const auto data = remainder(group);
-      // Twice: the first residual tells each output's noise here, which is not the noise elsewhere.
-      group.fit = fit(group, data, group.fit.poles, noise_);
+      // A first residual tells each output's noise here, which is not the noise elsewhere.
+      if (group.fit.noise.size() == 0) group.fit = fit(group, data, group.fit.poles, noise_, kRoughly);
       group.fit = fit(group, data, group.fit.poles, weights_from(group.fit));
     }
   }
@@ -131,8 +133,9 @@ std::vector<VectorXcd> GroupedFit::residual() const {
 }
 
 LocalFit GroupedFit::fit(const FitGroup& group, const std::vector<VectorXcd>& data, std::vector<Pole> start,
-                         const VectorXd& weight) const {
-  return fit_locally(set_, data, weight, std::move(start), {.first = group.first, .count = group.count});
+                         const VectorXd& weight, double tolerance) const {
+  return fit_locally(set_, data, weight, std::move(start),
+                     {.first = group.first, .count = group.count, .tolerance = tolerance});
 }
 
 VectorXd GroupedFit::weights_from(const LocalFit& fit) const {
@@ -146,13 +149,14 @@ VectorXd roughness(const FrfSet& set) {
   for (std::size_t o = 0; o < set.outputs.size(); ++o) {
     const auto& h = set.outputs[o].frf;
     std::vector<double> rough;
+    rough.reserve(h.size());
     double largest = 0;
     for (std::size_t k = 1; k + 1 < h.size(); ++k) {
       rough.push_back(std::norm(h[k] - 0.5 * (h[k - 1] + h[k + 1])) / 1.5);
-      largest = std::max(largest, std::abs(h[k]));
+      largest = std::max(largest, std::norm(h[k]));
     }
     // A noise-free FRF still has rounding; a weight of zero would be none.
-    noise(static_cast<Index>(o)) = std::max({std::sqrt(median(rough) / 0.693147), 1e-12 * largest, 1e-300});
+    noise(static_cast<Index>(o)) = std::max({std::sqrt(median(rough) / 0.693147), 1e-12 * std::sqrt(largest), 1e-300});
   }
   return noise;
 }

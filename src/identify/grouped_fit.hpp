@@ -40,7 +40,7 @@ class GroupedFit {
   std::vector<Eigen::VectorXcd> residual() const;
   /// The group's window fitted anew with these poles; for trials.
   LocalFit fit(const FitGroup& group, const std::vector<Eigen::VectorXcd>& data, std::vector<Pole> start,
-               const Eigen::VectorXd& weight) const;
+               const Eigen::VectorXd& weight, double tolerance = LocalFitOptions{}.tolerance) const;
   /// The noise of each output in the window as the fit's residual tells it.
   Eigen::VectorXd weights_from(const LocalFit& fit) const;
 

@@ -23,7 +23,7 @@ struct LocalFitOptions {
   std::size_t first = 0, count = 0;  // the window of lines
   std::size_t residual_terms = 3;    // complex polynomial coefficients for what other modes leave
   int max_steps = 30;
-  double tolerance = 1e-9;  // step, in units of half the bandwidth
+  double tolerance = 1e-7;  // step, in units of half the bandwidth
 };
 
 /// Least squares of the outputs' lines in a window by modes with complex residues and a polynomial: poles by

@@ -63,6 +63,7 @@ void grade_agreement(std::vector<AnalysedHit>& hits, const std::vector<HitSpectr
     while (members.size() >= kLeastHits) {
       // The worst hit has spoiled the FRFs that judge the others: how they agree is seen without it.
       const auto worst = static_cast<std::size_t>(std::max_element(left.begin(), left.end()) - left.begin());
+      if (left[worst] <= kOutlierEnergy) break;
       const auto others = without(members, worst);
       auto among_others = unexplained(spectra, others);
       const double typical = median(among_others);
