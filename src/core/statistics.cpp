@@ -6,7 +6,7 @@
 namespace percuss {
 namespace {
 
-constexpr double kGaussian = 1.4826;  // deviations per median absolute deviation
+constexpr double kGaussian = 1.4826022185056018;  // deviations per median absolute deviation
 
 // Of at least one value, whose order it changes.
 double median_within(std::vector<double>& values) {

@@ -14,7 +14,10 @@ constexpr double kSignificant = 6;   // deviations of a residue
 constexpr double kStandsOut = 3;     // a mode's peak over the rms residual of its window
 constexpr double kMostMisfit = 8;    // times: a mode 24 times the residual is one however poor the fit
 constexpr double kBeyondReach = 12;  // times: in the side lobes of the force's spectrum small peaks are not modes
-constexpr double kForceNoise = 8;    // deviations of the gain that the force's noise causes
+constexpr double kWidest = 0.25;  // of all lines: a wider half-power bandwidth is not told from what lies between modes
+constexpr double kForceNoise = 8;  // deviations of the gain that the force's noise causes
+constexpr double kUnknownGain =
+    1e-3;  // its deviation where the force is not known: a good hammer's, near its bandwidth
 constexpr double kMostDamping = 0.3;
 constexpr double kDynamicRange =
     1e-5;  // of the largest line: smaller peaks cannot be told from what the polynomial leaves
@@ -48,7 +51,9 @@ bool above_force_noise(const GroupedFit& all, const FitGroup& group, std::size_t
   for (Index o = 0; o < group.fit.residues.rows(); ++o) {
     const Output& output = set.outputs[static_cast<std::size_t>(o)];
     const double peak = std::abs(group.fit.residues(o, static_cast<Index>(mode))) / (2 * pole.damping_ratio);
-    if (peak > kForceNoise * gain_deviation(set, output.point, pole.freq_Hz) * std::abs(output.frf[line])) return true;
+    const bool known = !set.points[output.point].ff.empty();
+    const double gain = known ? gain_deviation(set, output.point, pole.freq_Hz) : kUnknownGain;
+    if (peak > kForceNoise * gain * std::abs(output.frf[line])) return true;
   }
   return false;
 }
@@ -85,8 +90,10 @@ bool credible(const GroupedFit& all, const FitGroup& group, std::size_t mode, co
   const double low = all.set().lines.freq_Hz(group.first);
   const double high = all.set().lines.freq_Hz(group.first + group.count - 1);
   const auto m = static_cast<Index>(mode);
+  const double widest_Hz = kWidest * static_cast<double>(all.set().lines.count) * all.set().lines.df_Hz();
   return tall(all, group.fit, mode) && above_force_noise(all, group, mode) && pole.freq_Hz > low &&
-         pole.freq_Hz < high && pole.damping_ratio < kMostDamping && significance(group.fit, mode) > kSignificant &&
+         pole.freq_Hz < high && pole.damping_ratio < kMostDamping && pole.half_power_Hz() < widest_Hz &&
+         significance(group.fit, mode) > kSignificant &&
          stands_out(all, group, mode) > least_standing(all, group, mode, context) &&
          group.fit.freq_std_Hz(m) < all.width_Hz(pole) && group.fit.damping_std(m) < pole.damping_ratio;
 }
