@@ -15,9 +15,10 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr int kSweeps = 2;           // after a change each window sees its neighbours' final shares in the second
-constexpr int kRounds = 6;           // of dropping, splitting and looking for hidden modes
-constexpr double kSplitGain = 0.25;  // a second mode must leave at most this part of the residual's energy
+constexpr int kSweeps = 2;  // after a change each window sees its neighbours' final shares in the second
+constexpr int kRounds = 6;  // of dropping, splitting and looking for hidden modes
+constexpr double kSplitGain =
+    0.25;  // a second mode must leave at most this part of the residual's energy where one misfits
 constexpr double kSplitTest = 25;    // F statistic
 constexpr double kSplitStart = 0.4;  // bandwidths to either side
 constexpr double kMisfit = 2;  // residual's energy over the noise's from which it is asked whether there are two modes
@@ -131,21 +132,34 @@ class PeakFit {
     return use(std::move(poles));
   }
 
-  // More than noise is left, on the average over the outputs: a second mode could leave a quarter of that energy.
-  bool misfits(const LocalFit& fit) const {
-    return (fit.noise.array() / all_.noise().array()).square().mean() > kMisfit;
+  // More than noise is left in these outputs: a second mode could leave a quarter of that energy.
+  std::vector<Index> misfits(const LocalFit& fit) const {
+    std::vector<Index> outputs;
+    for (Index o = 0; o < fit.noise.size(); ++o) {
+      if (std::pow(fit.noise(o) / all_.noise()(o), 2) > kMisfit) outputs.push_back(o);
+    }
+    return outputs;
+  }
+
+  // The part of the residual's energy that is left there, on the average over the outputs: many see nothing of a mode.
+  static double left_in(const std::vector<Index>& outputs, const LocalFit& before, const LocalFit& after) {
+    double sum = 0;
+    for (const Index o : outputs) sum += std::pow(after.noise(o) / before.noise(o), 2);
+    return sum / static_cast<double>(outputs.size());
   }
 
   std::vector<Pole> with_one_more(const FitGroup& group) const {
     std::vector<Pole> now = group.fit.poles;
     const std::size_t unknowns = 2 + 2 * set_.outputs.size();
     const bool fitted = group.fit.degrees > 2 * unknowns;
-    if (!fitted || now.size() >= GroupedFit::kMostTogether || !misfits(group.fit)) return now;
+    if (!fitted || now.size() >= GroupedFit::kMostTogether) return now;
+    const std::vector<Index> amiss = misfits(group.fit);
+    if (amiss.empty()) return now;
     const auto data = all_.remainder(group);
     const VectorXd weight = all_.weights_from(group.fit);
     FitGroup best = group;
     best.fit = all_.fit(group, data, now, weight);
-    const double before = best.fit.cost;
+    const LocalFit one = best.fit;
     for (std::size_t m = 0; m < now.size(); ++m) {
       for (const double side : {-kSplitStart, kSplitStart}) {
         FitGroup trial = group;
@@ -154,9 +168,9 @@ class PeakFit {
           best = std::move(trial);
       }
     }
-    const double gained = (before - best.fit.cost) / static_cast<double>(unknowns);
+    const double gained = (one.cost - best.fit.cost) / static_cast<double>(unknowns);
     const double left = best.fit.cost / static_cast<double>(best.fit.degrees);
-    if (best.fit.cost >= kSplitGain * before || gained <= kSplitTest * left) return now;
+    if (left_in(amiss, one, best.fit) >= kSplitGain || gained <= kSplitTest * left) return now;
     return moves_instead(set_, {.data = data, .weight = weight}, group, best) ? now : best.fit.poles;
   }
 
