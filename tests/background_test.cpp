@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/QR>
+#include "core/linear_algebra.hpp"
 
 namespace percuss::background_test {
 
@@ -16,7 +16,7 @@ double missed(double freq_Hz) {
     const double f = kLines.freq_Hz(static_cast<std::size_t>(k));
     tail(k) = f * f / (f * f - freq_Hz * freq_Hz);
   }
-  return (tail - shapes * shapes.colPivHouseholderQr().solve(tail)).norm() / tail.norm();
+  return (tail - shapes * least_squares(shapes, tail)).norm() / tail.norm();
 }
 
 TEST(BackgroundShapes, FollowTheTailsOfModesBeyondTheLines) {

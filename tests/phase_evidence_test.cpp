@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
-
+#include "core/linear_algebra.hpp"
 #include "support/modal_lines.hpp"
 
 namespace percuss::phase_evidence_test {
@@ -23,7 +22,7 @@ double evidence(double first_rad, double second_rad, std::uint64_t seed) {
   Eigen::MatrixXd covariance;
   for (int step = 0; step < 4; ++step) {
     const JointNormal normal = projection.normal_equations(state);
-    covariance = normal.matrix.inverse();
+    covariance = inverse_gram(normal.matrix);
     const Eigen::VectorXd move = covariance * normal.right;
     const Pole& pole = state.model.poles[0];
     state = projection.evaluate({.poles = {{pole.freq_Hz + move(0), pole.damping_ratio + move(1)}}, .real = {1}});

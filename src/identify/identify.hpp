@@ -7,11 +7,12 @@
 
 namespace percuss {
 
-/// How much work goes into the modes; docs/accuracy.md gives the run time and the error of each.
+/// How much work goes into the modes. Run times are those of a whole analysis of five hits, over that of bare transforms
+/// of the same records; errors those of frequencies, over the Cramér–Rao bound, where each mode shows a peak of its own.
 enum class Effort {
-  quick,     // peaks, each fitted over its own window
-  standard,  // … also modes that show no peak of their own: close pairs, weak ones
-  best,      // … and all of them together at the statistical limit
+  quick,     // peaks, each fitted over its own window: 7 times, 1.7; what shows no peak is not looked for
+  standard,  // … also close pairs and weak modes: 13 times, 1.7
+  best,      // … and all of them together: 32 times, 1.0
 };
 const char* name_of(Effort effort);
 
