@@ -7,8 +7,9 @@
 
 namespace percuss {
 
-/// How much work goes into the modes. Run times are those of a whole analysis of five hits, over that of bare transforms
-/// of the same records; errors those of frequencies, over the Cramér–Rao bound, where each mode shows a peak of its own.
+/// How much work goes into the modes. Run times are those of a whole analysis of five hits, over that of bare
+/// transforms of the same records; errors those of frequencies, over the Cramér–Rao bound, where each mode shows a peak
+/// of its own.
 enum class Effort {
   quick,     // peaks, each fitted over its own window: 7 times, 1.7; what shows no peak is not looked for
   standard,  // … also close pairs and weak modes: 13 times, 1.7

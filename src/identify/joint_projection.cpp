@@ -69,8 +69,9 @@ void JointProjection::fill(Plan& plan) const {
 
 JointState JointProjection::evaluate(JointModel model) const {
   JointState state{.model = std::move(model), .parts = {}};
+  const std::vector<ModeColumn> whole = whole_columns(state.model, Need::derivatives);
   for (const Plan& plan : parts_) {
-    state.parts.push_back(solve(plan, state.model));
+    state.parts.push_back(solve(plan, state.model, whole));
     const JointPart& part = state.parts.back();
     for (std::size_t i = 0; i < part.outputs.size(); ++i) {
       const double noise = noise_(static_cast<Index>(part.outputs[i]));
@@ -80,7 +81,16 @@ JointState JointProjection::evaluate(JointModel model) const {
   return state;
 }
 
-JointPart JointProjection::solve(const Plan& plan, const JointModel& model) const {
+std::vector<ModeColumn> JointProjection::whole_columns(const JointModel& model, Need need) const {
+  std::vector<ModeColumn> columns;
+  const double decay = window_decay_per_s(set_.points.front());  // one for all points of an analysis
+  for (const Pole& pole : model.poles)
+    columns.push_back(whole_column(pole, decay, set_.lines, 0, set_.lines.count, need));
+  return columns;
+}
+
+JointPart JointProjection::solve(const Plan& plan, const JointModel& model,
+                                 const std::vector<ModeColumn>& whole) const {
   const Index rows = 2 * blocks_.count();
   const auto modes = static_cast<Index>(model.poles.size());
   JointPart part;
@@ -97,7 +107,7 @@ JointPart JointProjection::solve(const Plan& plan, const JointModel& model) cons
   part.quadrature.resize(rows, modes);
   for (Index m = 0; m < modes; ++m) {
     const auto at = static_cast<std::size_t>(m);
-    const ModeColumn mode = mode_column(model.poles[at], force, set_.lines, 0, set_.lines.count);
+    const ModeColumn mode = without_missing(whole[at], model.poles[at], force, set_.lines, 0);
     const auto first = static_cast<Index>(part.first[at]);
     blocks_.sum(mode.value, plan.weight, part.columns.col(first));
     blocks_.sum(mode.by_freq, plan.weight, part.slopes.col(2 * first));
@@ -172,12 +182,13 @@ MatrixXd JointProjection::residue_force_variance(const JointState& state) const 
 std::vector<VectorXcd> JointProjection::left_over(const JointState& state) const {
   std::vector<VectorXcd> left(set_.outputs.size());
   const auto lines = static_cast<Index>(set_.lines.count);
+  const std::vector<ModeColumn> whole = whole_columns(state.model, Need::value);
   for (const JointPart& part : state.parts) {
     const PointForce& force = set_.points[set_.outputs[part.outputs.front()].point];
     MatrixXcd columns(lines, part.columns.cols());
     for (std::size_t m = 0; m < state.model.poles.size(); ++m) {
       const auto first = static_cast<Index>(part.first[m]);
-      columns.col(first) = mode_column(state.model.poles[m], force, set_.lines, 0, set_.lines.count, Need::value).value;
+      columns.col(first) = without_missing(whole[m], state.model.poles[m], force, set_.lines, 0).value;
       if (!state.model.real[m]) columns.col(first + 1) = Complex(0, 1) * columns.col(first);
     }
     const Index turns = state.model.all_real() ? 1 : 2;

@@ -75,7 +75,8 @@ class JointProjection {
     Eigen::MatrixXd background;  // [rows, terms]
   };
   void fill(Plan& plan) const;
-  JointPart solve(const Plan& plan, const JointModel& model) const;
+  std::vector<ModeColumn> whole_columns(const JointModel& model, Need need) const;
+  JointPart solve(const Plan& plan, const JointModel& model, const std::vector<ModeColumn>& whole) const;
   void add_force_noise(const JointState& state, const JointPart& part, JointNormal& normal) const;
   void add_residue_variance(const JointState& state, const JointPart& part, Eigen::MatrixXd& variance) const;
 

@@ -121,19 +121,21 @@ bool decays_within(const Pole& pole, const PointForce& force, const LineRange& l
   const bool known = std::any_of(force.blocks.begin(), force.blocks.end(),
                                  [](const ForceBlock& block) { return !block.force_N.empty(); });
   if (!known) return true;  // what follows the record's end is not known without the force
-  const double window_decay = force.blocks.empty() ? 0 : force.blocks.front().decay_per_s;
-  return left_at_end(pole, lines, window_decay) < kGone;
+  return left_at_end(pole, lines, window_decay_per_s(force)) < kGone;
 }
 
-ModeColumn mode_column(const Pole& pole, const PointForce& force, const LineRange& lines, std::size_t first,
-                       std::size_t count, Need need) {
+double window_decay_per_s(const PointForce& force) {
+  return force.blocks.empty() ? 0 : force.blocks.front().decay_per_s;
+}
+
+ModeColumn whole_column(const Pole& pole, double window_decay_per_s, const LineRange& lines, std::size_t first,
+                        std::size_t count, Need need) {
   const PoleTerms p = terms_of(pole);
-  const double window_decay = force.blocks.empty() ? 0 : force.blocks.front().decay_per_s;
   const auto size = static_cast<Eigen::Index>(count);
   const bool slopes = need == Need::derivatives;
   ModeColumn column{Eigen::VectorXcd(size), Eigen::VectorXcd(slopes ? size : 0), Eigen::VectorXcd(slopes ? size : 0)};
   for (Eigen::Index i = 0; i < size; ++i) {
-    const Complex jw(window_decay, kTwoPi * lines.freq_Hz(first + static_cast<std::size_t>(i)));
+    const Complex jw(window_decay_per_s, kTwoPi * lines.freq_Hz(first + static_cast<std::size_t>(i)));
     const Complex jw2 = times(jw, jw);
     const Complex resonance = inverse(jw2 + 2 * p.zeta * p.omega * jw + p.omega * p.omega);
     const Complex h = times(jw2, resonance);
@@ -143,9 +145,22 @@ ModeColumn mode_column(const Pole& pole, const PointForce& force, const LineRang
     column.by_freq(i) = times(slope, 2 * p.zeta * jw + 2 * p.omega) * kTwoPi;
     column.by_damping(i) = times(slope, 2 * p.omega * jw);
   }
-  if (decays_within(pole, force, lines)) return column;
-  for (const bool conjugate : {false, true}) subtract_missing(column, p, conjugate, force, lines, window_decay, first);
   return column;
+}
+
+ModeColumn without_missing(ModeColumn whole, const Pole& pole, const PointForce& force, const LineRange& lines,
+                           std::size_t first) {
+  if (decays_within(pole, force, lines)) return whole;
+  const double decay = window_decay_per_s(force);
+  for (const bool conjugate : {false, true})
+    subtract_missing(whole, terms_of(pole), conjugate, force, lines, decay, first);
+  return whole;
+}
+
+ModeColumn mode_column(const Pole& pole, const PointForce& force, const LineRange& lines, std::size_t first,
+                       std::size_t count, Need need) {
+  return without_missing(whole_column(pole, window_decay_per_s(force), lines, first, count, need), pole, force, lines,
+                         first);
 }
 
 }  // namespace percuss

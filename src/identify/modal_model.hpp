@@ -55,4 +55,15 @@ enum class Need { value, derivatives };
 ModeColumn mode_column(const Pole& pole, const PointForce& force, const LineRange& lines, std::size_t first,
                        std::size_t count, Need need = Need::derivatives);
 
+/// H of (1) alone: what the columns of all points have in common.
+ModeColumn whole_column(const Pole& pole, double window_decay_per_s, const LineRange& lines, std::size_t first,
+                        std::size_t count, Need need = Need::derivatives);
+
+/// φ of (1) from H.
+ModeColumn without_missing(ModeColumn whole, const Pole& pole, const PointForce& force, const LineRange& lines,
+                           std::size_t first);
+
+/// 0 without a window, or where nothing is known of one.
+double window_decay_per_s(const PointForce& force);
+
 }  // namespace percuss
