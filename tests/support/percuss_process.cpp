@@ -1,7 +1,9 @@
 #include "support/percuss_process.hpp"
 
 #include <fcntl.h>
+#include <linux/capability.h>
 #include <poll.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -16,8 +18,6 @@ namespace percuss::test {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-constexpr uid_t kNobody = 65534;
 
 struct Pipe {
   Pipe() {
@@ -34,8 +34,12 @@ struct Pipe {
   std::array<int, 2> ends{-1, -1};
 };
 
-// Between fork and exec: system calls only. The program is opened before rights are given up, so that it may lie where
-// they do not reach.
+// From the next exec on permissions hold for root as well. Another user might not even reach the libraries.
+bool give_up_root_rights() {
+  return ::prctl(PR_CAPBSET_DROP, CAP_DAC_OVERRIDE) == 0 && ::prctl(PR_CAPBSET_DROP, CAP_DAC_READ_SEARCH) == 0;
+}
+
+// Between fork and exec: system calls only.
 [[noreturn]] void become_percuss(char* const* arguments, const ProcessOptions& options, const Pipe& out,
                                  const Pipe& err) {
   const int program = ::open(PERCUSS_EXECUTABLE, O_RDONLY | O_CLOEXEC);
@@ -43,7 +47,7 @@ struct Pipe {
   const int output = options.output.empty() ? out.ends[1] : ::open(options.output.c_str(), O_WRONLY | O_CLOEXEC);
   bool ready = program >= 0 && ::dup2(input, 0) == 0 && ::dup2(output, 1) == 1 && ::dup2(err.ends[1], 2) == 2;
   ready = ready && (options.folder.empty() || ::chdir(options.folder.c_str()) == 0);
-  if (options.ordinary_user && ::geteuid() == 0) ready = ready && ::setgid(kNobody) == 0 && ::setuid(kNobody) == 0;
+  if (options.ordinary_user && ::geteuid() == 0) ready = ready && give_up_root_rights();
   if (ready) ::fexecve(program, arguments, environ);
   ::_exit(127);
 }
