@@ -19,6 +19,8 @@ struct FrfSet {
   double reach_Hz = 0;  // where the force has fallen by 20 dB; 0: not known
   std::vector<PointForce> points;
   std::vector<Output> outputs;
+  /// Of the exponential window, one for all points; 0 without one.
+  double window_decay_per_s() const { return points.empty() ? 0 : points.front().window_decay_per_s(); }
 };
 
 }  // namespace percuss

@@ -24,34 +24,6 @@ Eigen::MatrixXcd residual_columns(const LineRange& band, double decay_per_s) {
   return out;
 }
 
-double decay_of(const FrfSet& set) {
-  const bool known = !set.points.empty() && !set.points.front().blocks.empty();
-  return known ? set.points.front().blocks.front().decay_per_s : 0;
-}
-
-// The modes' columns in the band, computed once where they are the same for every point.
-class ModeColumns {
- public:
-  ModeColumns(const FrfSet& set, const std::vector<Mode>& modes, const LineRange& band)
-      : set_(set), modes_(modes), first_(band.first - set.lines.first), count_(band.count), common_(modes.size()) {}
-
-  Eigen::VectorXcd column(std::size_t mode, std::size_t point) {
-    const Pole& pole = modes_[mode].pole;
-    const PointForce& force = set_.points[point];
-    if (!decays_within(pole, force, set_.lines))
-      return mode_column(pole, force, set_.lines, first_, count_, Need::value).value;
-    if (common_[mode].size() == 0)
-      common_[mode] = mode_column(pole, force, set_.lines, first_, count_, Need::value).value;
-    return common_[mode];
-  }
-
- private:
-  const FrfSet& set_;
-  const std::vector<Mode>& modes_;
-  std::size_t first_, count_;
-  std::vector<Eigen::VectorXcd> common_;
-};
-
 }  // namespace
 
 double frac(const std::vector<Complex>& measured, const std::vector<Complex>& made) {
@@ -70,16 +42,22 @@ std::vector<SynthesisedFrf> synthesised_frfs(const FrfSet& set, const std::vecto
   assert(band.first >= set.lines.first && band.first + band.count <= set.lines.first + set.lines.count);
   std::vector<SynthesisedFrf> out;
   if (band.count == 0) return out;
-  const Eigen::MatrixXcd terms = residual_columns(band, decay_of(set));
-  ModeColumns columns(set, modes, band);
+  const Eigen::MatrixXcd terms = residual_columns(band, set.window_decay_per_s());
+  const std::size_t first = band.first - set.lines.first;
+  std::vector<ModeColumn> whole;
+  for (const Mode& mode : modes)
+    whole.push_back(whole_column(mode.pole, set.window_decay_per_s(), set.lines, first, band.count, Need::value));
   std::vector<double> levels;
   for (std::size_t o = 0; o < set.outputs.size(); ++o) {
     const Output& output = set.outputs[o];
-    const auto begin = output.frf.begin() + static_cast<std::ptrdiff_t>(band.first - set.lines.first);
+    const auto begin = output.frf.begin() + static_cast<std::ptrdiff_t>(first);
     const std::vector<Complex> measured(begin, begin + static_cast<std::ptrdiff_t>(band.count));
     const auto lines = static_cast<Eigen::Index>(band.count);
     Eigen::VectorXcd sum = Eigen::VectorXcd::Zero(lines);
-    for (std::size_t m = 0; m < modes.size(); ++m) sum += modes[m].residues[o].value * columns.column(m, output.point);
+    for (std::size_t m = 0; m < modes.size(); ++m) {
+      const PointForce& force = set.points[output.point];
+      sum += modes[m].residues[o].value * without_missing(whole[m], modes[m].pole, force, set.lines, first).value;
+    }
     const Eigen::VectorXcd rest = Eigen::Map<const Eigen::VectorXcd>(measured.data(), lines) - sum;
     const Eigen::VectorXcd fitted = least_squares(terms, rest);
     sum += terms * fitted;  // (1)

@@ -83,9 +83,8 @@ JointState JointProjection::evaluate(JointModel model) const {
 
 std::vector<ModeColumn> JointProjection::whole_columns(const JointModel& model, Need need) const {
   std::vector<ModeColumn> columns;
-  const double decay = window_decay_per_s(set_.points.front());  // one for all points of an analysis
   for (const Pole& pole : model.poles)
-    columns.push_back(whole_column(pole, decay, set_.lines, 0, set_.lines.count, need));
+    columns.push_back(whole_column(pole, set_.window_decay_per_s(), set_.lines, 0, set_.lines.count, need));
   return columns;
 }
 

@@ -136,10 +136,6 @@ std::vector<Pole> poles_of(const VectorXcd& w, const Circle& circle, double wind
   return poles;
 }
 
-double window_decay_per_s(const FrfSet& set) {
-  return set.points.empty() || set.points.front().blocks.empty() ? 0 : set.points.front().blocks.front().decay_per_s;
-}
-
 }  // namespace
 
 std::vector<LscfOrder> lscf_poles(const FrfSet& set, const LscfOptions& asked) {
@@ -165,7 +161,7 @@ std::vector<LscfOrder> lscf_poles(const FrfSet& set, const LscfOptions& asked) {
     w.conservativeResize(order);
     w(order - 1) = std::polar(kStartRadius, kGoldenAngle * static_cast<double>(order));
     w = polynomial_roots(a, w);
-    out.push_back({.order = static_cast<std::size_t>(order), .poles = poles_of(w, circle, window_decay_per_s(set))});
+    out.push_back({.order = static_cast<std::size_t>(order), .poles = poles_of(w, circle, set.window_decay_per_s())});
   }
   return out;
 }

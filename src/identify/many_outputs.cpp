@@ -21,13 +21,6 @@ constexpr double kExplained = 1.5;   // energy around a mode over the noise's
 constexpr double kAround = 5;        // half-power bandwidths
 constexpr double kLeastAround = 10;  // lines
 
-// An exponential window belongs to the pulse, which mixed outputs do not have.
-bool windowed(const FrfSet& set) {
-  return std::any_of(set.points.begin(), set.points.end(), [](const PointForce& force) {
-    return !force.blocks.empty() && force.blocks.front().decay_per_s != 0;
-  });
-}
-
 double most_left(const FrfSet& set, const std::vector<PeakMode>& modes) {
   double most = 0;
   for (const PeakMode& mode : modes) most = std::max(most, left_at_end(mode.mode.pole, set.lines));
@@ -66,16 +59,15 @@ std::vector<Pole> poles_of(const std::vector<PeakMode>& modes) {
 // The set as records would have given it that hold the whole decay.
 FrfSet completed(const FrfSet& set, const JointFit& fit) {
   FrfSet out = set;
-  const PointForce none;
   for (std::size_t m = 0; m < fit.poles.size(); ++m) {
-    const Eigen::VectorXcd whole = mode_column(fit.poles[m], none, set.lines, 0, set.lines.count, Need::value).value;
+    const ModeColumn whole = whole_column(fit.poles[m], 0, set.lines, 0, set.lines.count, Need::value);
     std::size_t point = set.points.size();
     Eigen::VectorXcd missing;
     for (std::size_t o = 0; o < set.outputs.size(); ++o) {
       const PointForce& force = set.points[set.outputs[o].point];
       if (decays_within(fit.poles[m], force, set.lines)) continue;
       if (set.outputs[o].point != point)
-        missing = whole - mode_column(fit.poles[m], force, set.lines, 0, set.lines.count, Need::value).value;
+        missing = whole.value - without_missing(whole, fit.poles[m], force, set.lines, 0).value;
       point = set.outputs[o].point;
       const Complex residue = fit.residues(static_cast<Index>(o), static_cast<Index>(m));
       for (std::size_t k = 0; k < set.lines.count; ++k)
@@ -135,7 +127,8 @@ std::vector<Mode> modes_of(const FrfSet& set, const std::vector<PeakMode>& found
 }  // namespace
 
 std::optional<std::vector<Mode>> identify_many(const FrfSet& set, const IdentifyOptions& options) {
-  if (windowed(set)) return std::nullopt;
+  // An exponential window belongs to the pulse, which mixed outputs do not have.
+  if (set.window_decay_per_s() != 0) return std::nullopt;
   FrfSet few = principal_outputs(set, kFewOutputs);
   std::vector<PeakMode> found;
   // The clear modes first: what is missing of them after the records' ends would pass for hidden ones.

@@ -52,9 +52,13 @@ struct Missing {
   std::vector<Complex> q, q_by_s;  // [hits]
 };
 
-Missing missing_of(Complex s, double window_decay, const PointForce& force, const LineRange& lines) {
+Missing missing_of(Complex s, const PointForce& force, const LineRange& lines) {
   const Complex two_j_wd(0, 2 * s.imag());  // s.imag() = ±ω_d: the conjugate pole gets the conjugate factor
-  Missing m{.windowed = s - window_decay, .c = s * s / two_j_wd, .c_by_s = 2.0 * s / two_j_wd, .q = {}, .q_by_s = {}};
+  Missing m{.windowed = s - force.window_decay_per_s(),
+            .c = s * s / two_j_wd,
+            .c_by_s = 2.0 * s / two_j_wd,
+            .q = {},
+            .q_by_s = {}};
   for (const ForceBlock& block : force.blocks) {
     const auto [q, by_s] = state_at_end(block, m.windowed, 1 / lines.fs_Hz, lines.samples);
     m.q.push_back(q);
@@ -64,11 +68,11 @@ Missing missing_of(Complex s, double window_decay, const PointForce& force, cons
 }
 
 void subtract_missing(ModeColumn& column, const PoleTerms& p, bool conjugate, const PointForce& force,
-                      const LineRange& lines, double window_decay, std::size_t first) {
+                      const LineRange& lines, std::size_t first) {
   const bool slopes = column.by_freq.size() > 0;
   const double dt_s = 1 / lines.fs_Hz;
   const auto side = [&](Complex z) { return conjugate ? std::conj(z) : z; };
-  const Missing m = missing_of(side(p.s), window_decay, force, lines);
+  const Missing m = missing_of(side(p.s), force, lines);
   // c holds ω_d itself: d(1/ω_d) = −dω_d/ω_d · (1/ω_d).
   const Complex by_freq = side(p.by_omega) * kTwoPi;
   const Complex by_damping = side(p.by_zeta);
@@ -121,11 +125,7 @@ bool decays_within(const Pole& pole, const PointForce& force, const LineRange& l
   const bool known = std::any_of(force.blocks.begin(), force.blocks.end(),
                                  [](const ForceBlock& block) { return !block.force_N.empty(); });
   if (!known) return true;  // what follows the record's end is not known without the force
-  return left_at_end(pole, lines, window_decay_per_s(force)) < kGone;
-}
-
-double window_decay_per_s(const PointForce& force) {
-  return force.blocks.empty() ? 0 : force.blocks.front().decay_per_s;
+  return left_at_end(pole, lines, force.window_decay_per_s()) < kGone;
 }
 
 ModeColumn whole_column(const Pole& pole, double window_decay_per_s, const LineRange& lines, std::size_t first,
@@ -151,15 +151,14 @@ ModeColumn whole_column(const Pole& pole, double window_decay_per_s, const LineR
 ModeColumn without_missing(ModeColumn whole, const Pole& pole, const PointForce& force, const LineRange& lines,
                            std::size_t first) {
   if (decays_within(pole, force, lines)) return whole;
-  const double decay = window_decay_per_s(force);
-  for (const bool conjugate : {false, true})
-    subtract_missing(whole, terms_of(pole), conjugate, force, lines, decay, first);
+  const PoleTerms terms = terms_of(pole);
+  for (const bool conjugate : {false, true}) subtract_missing(whole, terms, conjugate, force, lines, first);
   return whole;
 }
 
 ModeColumn mode_column(const Pole& pole, const PointForce& force, const LineRange& lines, std::size_t first,
                        std::size_t count, Need need) {
-  return without_missing(whole_column(pole, window_decay_per_s(force), lines, first, count, need), pole, force, lines,
+  return without_missing(whole_column(pole, force.window_decay_per_s(), lines, first, count, need), pole, force, lines,
                          first);
 }
 

@@ -23,6 +23,7 @@ struct PointForce {
   std::vector<std::vector<Complex>> weights;  // conj(F_h)/Σ|F|² [hits][lines]: each hit's part in H1 = Σ weight·A
   std::vector<double> ff;                     // Σ |F|² [lines]
   double noise_N = 0;                         // deviation of the force channel's noise
+  double window_decay_per_s() const { return blocks.empty() ? 0 : blocks.front().decay_per_s; }  // 0: none is known of
 };
 /// spectra [hits] point to force_spectrum of each block.
 PointForce point_force(std::vector<ForceBlock> blocks, const std::vector<const std::vector<Complex>*>& spectra,
@@ -62,8 +63,5 @@ ModeColumn whole_column(const Pole& pole, double window_decay_per_s, const LineR
 /// φ of (1) from H.
 ModeColumn without_missing(ModeColumn whole, const Pole& pole, const PointForce& force, const LineRange& lines,
                            std::size_t first);
-
-/// 0 without a window, or where nothing is known of one.
-double window_decay_per_s(const PointForce& force);
 
 }  // namespace percuss
