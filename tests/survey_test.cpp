@@ -141,7 +141,7 @@ TEST_F(BarrelSurvey, ExplainsTheFrfs) {
   ASSERT_EQ(survey_->synthesis().size(), 40U);
   for (const SynthesisedFrf& frf : survey_->synthesis()) EXPECT_FALSE(poorly_explained(frf)) << frf.frac;
   EXPECT_EQ(static_cast<std::size_t>(survey_->indicator().rows()), survey_->band().count);
-  EXPECT_EQ(survey_->frf_points().size(), 40U);
+  EXPECT_EQ(survey_->analysis().frf_points().size(), 40U);
 }
 
 TEST_F(BarrelSurvey, AgreesWithTheTwoAccelerometerTest) {

@@ -4,7 +4,6 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <set>
 
 #include "acquire/atomic_file.hpp"
@@ -13,6 +12,7 @@
 #include "acquire/input_file.hpp"
 #include "command.hpp"
 #include "core/error.hpp"
+#include "core/units.hpp"
 #include "info_frfs.hpp"
 #include "output.hpp"
 #include "read_flags.hpp"
@@ -23,8 +23,6 @@ namespace percuss::tools {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr double kRadian_deg = 180 / std::numbers::pi;
 
 struct InfoFlags {
   ReadFlags read;
@@ -50,10 +48,6 @@ Extent extent_of(const Record& record) {
   extent.points = points.size();
   extent.runs = runs.size();
   return extent;
-}
-
-Json optional_json(const std::optional<double>& value, double factor) {
-  return value ? Json(*value * factor) : Json(nullptr);
 }
 
 Json channel_json(const SignalInfo& signal, const char* role, const char* si_unit) {
@@ -90,10 +84,6 @@ Json record_json(const Record& record) {
 
 std::string plural(std::size_t count, const char* what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
-
-std::string optional_text(const std::optional<double>& value, double factor) {
-  return value ? fmt::format("{:.6g}", *value * factor) : "-";
 }
 
 std::string record_text(const Record& record, std::size_t width) {

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
 
 #include "core/error.hpp"
+#include "core/units.hpp"
 #include "report/text_table.hpp"
 
 namespace percuss::tools {
@@ -13,12 +13,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kRadian_deg = 180 / std::numbers::pi;
-
 bool has_coherence(const FrfRecord& record) {
   return std::all_of(record.frfs.begin(), record.frfs.end(),
                      [](const PointFrf& f) { return !f.frf.coherence.empty(); });
 }
+
+}  // namespace
 
 std::string optional_text(const std::optional<double>& value, double factor) {
   return value ? fmt::format("{:.6g}", *value * factor) : "-";
@@ -27,8 +27,6 @@ std::string optional_text(const std::optional<double>& value, double factor) {
 Json optional_json(const std::optional<double>& value, double factor) {
   return value ? Json(*value * factor) : Json(nullptr);
 }
-
-}  // namespace
 
 Json frfs_json(const FrfRecord& record) {
   Json channels = Json::array();

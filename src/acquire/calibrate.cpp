@@ -46,7 +46,7 @@ CalibrationHit compare(const Record& record, const Hit& hit, double mass_kg) {
 }  // namespace
 
 Calibration calibrate(const Record& record, double mass_kg, const HitOptions& options) {
-  const std::string where = record.files.empty() ? "record" : record.files.front().path;
+  const std::string where = record.source();
   if (record.accel.size() != 1) {
     throw InputError("calibration takes one acceleration channel, this has " + std::to_string(record.accel.size()),
                      where, "name the one on the free mass with --accel-channel");

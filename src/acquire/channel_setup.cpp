@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <set>
 
 #include "acquire/csv_header.hpp"
@@ -22,7 +21,6 @@ using Json = nlohmann::json;
 constexpr std::uint64_t kLargest_bytes = std::uint64_t{1} << 20U;
 constexpr int kDeepest = 16;
 constexpr std::size_t kMostChannels = 4096;
-constexpr double kDegree_rad = std::numbers::pi / 180;
 
 constexpr std::array<std::string_view, 9> kKeys = {
     "name", "role", "sign", "direction", "angle_deg", "position_m", "sensitivity", "sensitivity_unit", "unit"};

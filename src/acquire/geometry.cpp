@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <set>
 
 #include "acquire/csv_dialect.hpp"
@@ -20,7 +19,6 @@ namespace {
 constexpr std::uint64_t kLargest_bytes = std::uint64_t{16} << 20U;
 constexpr std::size_t kMostPoints = 100'000;
 constexpr double kFarthest = 1e4;  // m or rad: no structure is larger
-constexpr double kDegree_rad = std::numbers::pi / 180;
 constexpr const char* kRemedy = "see percuss survey --example";
 
 enum Field : std::size_t { kPoint, kX, kY, kZ, kPosition, kAngle, kRadius, kFields };

@@ -14,26 +14,24 @@ namespace {
 
 constexpr double kSameRate = 1e-6;  // relative
 
-std::string name_of(const Record& record) { return record.files.empty() ? record.format : record.files.front().path; }
-
 void require_alike(const Record& first, const Record& other) {
   if (!(std::abs(other.fs_Hz / first.fs_Hz - 1) <= kSameRate)) {
     throw InputError(
-        fmt::format("sampling rate {:.10g} Hz where {} has {:.10g} Hz", other.fs_Hz, name_of(first), first.fs_Hz),
-        name_of(other), "analyse it by itself, or give --files tests");
+        fmt::format("sampling rate {:.10g} Hz where {} has {:.10g} Hz", other.fs_Hz, first.source(), first.fs_Hz),
+        other.source(), "analyse it by itself, or give --files tests");
   }
   if (other.accel.size() != first.accel.size()) {
     throw InputError(
-        fmt::format("{} acceleration channels where {} has {}", other.accel.size(), name_of(first), first.accel.size()),
-        name_of(other), "choose the same ones with --accel-channel");
+        fmt::format("{} acceleration channels where {} has {}", other.accel.size(), first.source(), first.accel.size()),
+        other.source(), "choose the same ones with --accel-channel");
   }
 }
 
 void note_other_names(const Record& first, const Record& other, std::vector<std::string>& notes) {
   const auto compare = [&](const SignalInfo& a, const SignalInfo& b) {
     if (a.name == b.name) return;
-    notes.push_back(fmt::format("{} of {} is taken as the same channel as {} of {}", b.name, name_of(other), a.name,
-                                name_of(first)));
+    notes.push_back(fmt::format("{} of {} is taken as the same channel as {} of {}", b.name, other.source(), a.name,
+                                first.source()));
   };
   compare(first.force, other.force);
   for (std::size_t c = 0; c < first.accel.size(); ++c) compare(first.accel[c], other.accel[c]);
@@ -80,7 +78,7 @@ Record join_records(std::vector<Record> records, FilesMean mean) {
     }
     points += number_of_points(record);
     out.files.insert(out.files.end(), record.files.begin(), record.files.end());
-    for (const auto& note : record.notes) out.notes.push_back(name_of(record) + ": " + note);
+    for (const auto& note : record.notes) out.notes.push_back(record.source() + ": " + note);
     out.continuous = out.continuous && (record.rows.size() == 1 || record.continuous);
     if (record.format != out.format) out.format = "several";
   }

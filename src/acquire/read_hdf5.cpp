@@ -8,13 +8,13 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <numbers>
 #include <utility>
 
 #include "acquire/hdf5_layout.hpp"
 #include "acquire/largest_sample.hpp"
 #include "acquire/signal_choice.hpp"
 #include "core/error.hpp"
+#include "core/units.hpp"
 
 namespace percuss {
 namespace {
@@ -22,7 +22,6 @@ namespace {
 using hdf5::InputDataSet;
 using hdf5::InputHdf5;
 
-constexpr double kDegree_rad = std::numbers::pi / 180;
 constexpr double kLowestRate_Hz = 1e-3, kHighestRate_Hz = 1e9;  // nothing that is hit rings outside
 constexpr std::size_t kMostPoints = 1'000'000, kMostChannels = 100'000;
 constexpr std::size_t kNamesShown = 12, kNameBytesShown = 40;

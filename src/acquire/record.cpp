@@ -7,6 +7,12 @@
 
 namespace percuss {
 
+std::set<int> Record::points() const {
+  std::set<int> out;
+  for (const RowInfo& row : rows) out.insert(row.point);
+  return out;
+}
+
 Record select_rows(const Record& record, const std::function<bool(const RowInfo&)>& keep) {
   Record out = record;
   out.rows.clear();

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -43,6 +44,9 @@ struct Record {
   bool continuous = false;                    // every row may hold several hits
   std::vector<std::vector<double>> geometry;  // [points][2 or 3], as stored; may be empty
   std::vector<std::string> notes;             // what was assumed or could not be read, one line each
+  /// The (first) file's path, or what it is where there is no file: names the record in messages.
+  std::string source() const { return files.empty() ? format : files.front().path; }
+  std::set<int> points() const;
 
   /// Samples first … first + out.size() − 1 of a row's force, in N. Several threads may call at once.
   std::function<void(std::size_t row, std::size_t first, std::span<double> out)> read_force_N;

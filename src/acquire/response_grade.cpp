@@ -20,7 +20,7 @@ constexpr double kOnsetFraction = 0.02;  // of the largest response
 constexpr std::size_t kLeastPush = 4;    // samples
 constexpr double kSetOut = 0.25;         // of the largest velocity during two pulses
 constexpr double kOtherWay = 0.05;       // … before that the other way: the modes cancel at first, and noise decides
-constexpr double kRinging = 4;           // times the level at the stretch's end
+constexpr double kRingingBefore = 4;     // times the level at the stretch's end
 constexpr double kNegligible = 0.0025;   // of the response: the same −52 dB
 constexpr std::size_t kEnvelopeWindows = 64;
 constexpr double kSteady = 1.5;        // the level one quarter earlier over the last quarter's; backgrounds wander
@@ -72,7 +72,7 @@ bool rings_before(const Hit& hit, std::span<const double> accel) {
   if (quiet.size() < kLeastQuiet || accel.size() < std::max(quiet.size() + window, 4 * window)) return false;
   const double before = rms_about_mean(quiet);
   const double start = rms_about_mean(accel.subspan(quiet.size(), window));
-  return before > kRinging * rms_about_mean(accel.last(window)) && before > kNegligible * start;
+  return before > kRingingBefore * rms_about_mean(accel.last(window)) && before > kNegligible * start;
 }
 
 // Which way a response sets out: the sign of its velocity once that has become large beside what the push makes of it.

@@ -3,16 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <numbers>
 #include <optional>
 
 #include "acquire/hdf5_output.hpp"
 #include "core/error.hpp"
+#include "core/units.hpp"
 
 namespace percuss {
 namespace {
 
-constexpr double kRadian_deg = 180 / std::numbers::pi;
 constexpr std::size_t kBlockSamples = std::size_t{1} << 17;  // 1 MiB at a time, however long the record
 
 void check_writable(const std::string& path, const Record& record) {

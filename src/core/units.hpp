@@ -10,6 +10,8 @@ inline constexpr double kStandardGravity_mps2 = 9.80665;  // exact by definition
 inline constexpr double kPoundForce_N = 4.4482216152605;  // exact by definition, [1]
 inline constexpr double kInch_m = 0.0254;                 // exact by definition, [1]
 inline constexpr double kTwoPi = 2 * std::numbers::pi;
+inline constexpr double kRadian_deg = 180 / std::numbers::pi;
+inline constexpr double kDegree_rad = std::numbers::pi / 180;
 
 enum class Quantity { force, acceleration, voltage, time, angle, length, mass };
 

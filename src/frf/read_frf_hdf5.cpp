@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <set>
 
 #include "acquire/hdf5_input.hpp"
 #include "acquire/hdf5_layout.hpp"
 #include "core/error.hpp"
+#include "core/units.hpp"
 
 namespace percuss {
 namespace {
@@ -94,7 +94,7 @@ void read_sensors(const InputHdf5& file, const InputDataSet& frf, std::size_t ch
   for (std::size_t c = 0; c < channels; ++c) {
     SignalInfo signal{.name = hdf5::channel_name(c)};
     if (angle_deg && c < angle_deg->size() && std::isfinite((*angle_deg)[c]))
-      signal.angle_rad = (*angle_deg)[c] * std::numbers::pi / 180;
+      signal.angle_rad = (*angle_deg)[c] * kDegree_rad;
     if (position_m && c < position_m->size() && std::isfinite((*position_m)[c])) signal.position_m = (*position_m)[c];
     record.accel.push_back(std::move(signal));
   }

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <numbers>
 
 #include "acquire/csv_layout.hpp"
 #include "acquire/csv_number.hpp"
@@ -135,7 +134,7 @@ void read_statements(std::string_view header, StoredFrfs& out) {
     }
   }
   for (std::size_t c = 0; c < std::min(angle_deg.size(), out.record.accel.size()); ++c)
-    out.record.accel[c].angle_rad = angle_deg[c] * std::numbers::pi / 180;
+    out.record.accel[c].angle_rad = angle_deg[c] * kDegree_rad;
 }
 
 std::vector<double> read_column(const CsvTable& table, std::size_t index) {
@@ -156,7 +155,7 @@ std::vector<Complex> read_value(const CsvTable& table, const Columns& columns, s
   const auto first = read_column(table, columns.first);
   const auto second = read_column(table, columns.second);
   std::vector<Complex> value(first.size());
-  double to_rad = columns.phase_to_rad.value_or(std::numbers::pi / 180);
+  double to_rad = columns.phase_to_rad.value_or(kDegree_rad);
   if (columns.polar && !columns.phase_to_rad) {
     const std::string note = "the unit of the phase is not stated: taken as degrees";
     if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);

@@ -19,9 +19,9 @@ constexpr double kPointing = 0.005;
 constexpr double kReach = 6;  // half-widths on either side that a hidden resonance is looked for over
 constexpr double kHiddenGain =
     30;  // noise powers, beyond what the outputs' own noise gives: one false alarm in 10^10 lines
-constexpr double kModelFloor = 1e-6;  // of the largest line: what a fit leaves of noise-free data is no mode
-constexpr double kNarrowest = 1.5;    // lines
-constexpr double kWidest = 0.03;      // half-width over frequency of the broadest hidden mode
+constexpr double kModelFloor = 1e-6;    // of the largest line: what a fit leaves of noise-free data is no mode
+constexpr double kNarrowest = 1.5;      // lines
+constexpr double kWidestHidden = 0.03;  // half-width over frequency of the broadest hidden mode
 
 // Power of the noise on each line, from roughness: where an FRF is smooth the second difference is noise alone, and the
 // median over a stretch of lines skips the resonances.
@@ -153,7 +153,7 @@ std::vector<Pole> hidden_poles(const FrfSet& set, const std::vector<Eigen::Vecto
   }
   const double threshold = kHiddenGain + 3 * static_cast<double>(residual.size());
   const double top_Hz = set.lines.freq_Hz(set.lines.count - 1);
-  const double widest = kWidest * top_Hz / set.lines.df_Hz();
+  const double widest = kWidestHidden * top_Hz / set.lines.df_Hz();
   for (std::size_t doubling = 0; kNarrowest * std::exp2(doubling) < widest; ++doubling) {
     const double h = kNarrowest * std::exp2(doubling);
     const auto step = static_cast<std::size_t>(std::max(1.0, h / 2));

@@ -12,7 +12,6 @@ namespace {
 constexpr double kPairSpacing = 0.04;   // of the frequency: the two planes of one bending mode lie closer than this
 constexpr double kSplitSpacing = 0.15;  // of the frequency: the 25 Hz rule is for bats, whose modes lie above 100 Hz
 constexpr double kSure = 0.9;           // below it the rival is named
-constexpr double kNamed = 0.6;          // below it the verdict is "unknown"
 constexpr double kRival = 0.03;
 constexpr double kComplex = 0.4;  // imaginary over whole ratio above which no real shape explains it
 

@@ -10,6 +10,7 @@
 namespace percuss {
 
 enum class Family { bending, hoop, unknown };
+inline constexpr double kNamed = 0.6;  // probability below which a mode's family is unknown
 const char* name_of(Family family);
 
 /// What two accelerometers around the barrel say about one mode.

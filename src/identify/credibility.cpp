@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kSignificant = 6;   // deviations of a residue
+constexpr double kSeen = 6;          // deviations of a residue
 constexpr double kStandsOut = 3;     // a mode's peak over the rms residual of its window
 constexpr double kMostMisfit = 8;    // times: a mode 24 times the residual is one however poor the fit
 constexpr double kBeyondReach = 12;  // times: in the side lobes of the force's spectrum small peaks are not modes
@@ -18,7 +18,6 @@ constexpr double kWidest = 0.25;  // of all lines: a wider half-power bandwidth 
 constexpr double kForceNoise = 8;  // deviations of the gain that the force's noise causes
 constexpr double kUnknownGain =
     1e-3;  // its deviation where the force is not known: a good hammer's, near its bandwidth
-constexpr double kMostDamping = 0.3;
 constexpr double kDynamicRange =
     1e-5;  // of the largest line: smaller peaks cannot be told from what the polynomial leaves
 constexpr double kLeastSplit = 0.5;  // bandwidths between two modes when one is split …
@@ -93,7 +92,7 @@ bool credible(const GroupedFit& all, const FitGroup& group, std::size_t mode, co
   const double widest_Hz = kWidest * static_cast<double>(all.set().lines.count) * all.set().lines.df_Hz();
   return tall(all, group.fit, mode) && above_force_noise(all, group, mode) && pole.freq_Hz > low &&
          pole.freq_Hz < high && pole.damping_ratio < kMostDamping && pole.half_power_Hz() < widest_Hz &&
-         significance(group.fit, mode) > kSignificant &&
+         significance(group.fit, mode) > kSeen &&
          stands_out(all, group, mode) > least_standing(all, group, mode, context) &&
          group.fit.freq_std_Hz(m) < all.width_Hz(pole) && group.fit.damping_std(m) < pole.damping_ratio;
 }

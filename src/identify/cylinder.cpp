@@ -5,16 +5,15 @@
 #include <numbers>
 
 #include "identify/cylinder_rings.hpp"
+#include "identify/mode.hpp"
 
 namespace percuss {
 namespace {
 
 constexpr double kMixing = 0.1;      // of the energy: real shapes are no pure harmonics
-constexpr double kSignificant = 3;   // deviations
 constexpr double kLeast = 0.05;      // of the largest: smaller axial values tell no sign
 constexpr double kAliasFour = 0.99;  // that a pattern is not its alias of n ≥ 4, or of n = 3
 constexpr double kAliasThree = 0.95;
-constexpr double kNamed = 0.6;  // below it the family is unknown, as for two sensors
 
 struct Energy {
   double value = 0, variance = 0;

@@ -8,13 +8,13 @@ namespace {
 
 constexpr double kCore = 2;      // half-power bandwidths on either side of a pole that stay single lines
 constexpr double kGrowth = 0.1;  // lines of a block per line of distance from there
-constexpr double kMostLines = 64;
+constexpr double kMostInBlock = 64;
 constexpr double kLeastCore = 4;  // lines
 
 }  // namespace
 
 LineBlocks::LineBlocks(const LineRange& lines, const std::vector<Pole>& poles) {
-  std::vector<double> widest(lines.count, kMostLines);
+  std::vector<double> widest(lines.count, kMostInBlock);
   for (const Pole& pole : poles) {
     const double at = lines.position(pole.freq_Hz);
     const double core = std::max(kCore * pole.half_power_Hz() / lines.df_Hz(), kLeastCore);

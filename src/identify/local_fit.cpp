@@ -18,8 +18,6 @@ using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-constexpr double kMostDamping = 0.5;
-
 // Levenberg–Marquardt; returns the state reached.
 ProjectedState descend(const VariableProjection& projection, LocalFit& fit, const LocalFitOptions& options) {
   ProjectedState state = projection.evaluate(fit.poles);
@@ -121,7 +119,7 @@ Pole pole_of_window(const FrfSet& set, const std::vector<VectorXcd>& data, std::
   const Complex s = numerator / denominator + Complex(0, middle);
   if (!(s.real() < 0) || !(s.imag() > 0)) return {};
   const double omega = std::abs(s);
-  return {.freq_Hz = omega / kTwoPi, .damping_ratio = std::min(-s.real() / omega, 0.99 * kMostDamping)};
+  return {.freq_Hz = omega / kTwoPi, .damping_ratio = std::min(-s.real() / omega, 0.99 * kMostFittedDamping)};
 }
 
 }  // namespace percuss

@@ -24,7 +24,6 @@ constexpr std::size_t kMostOrder = 100;
 constexpr std::size_t kLinesPerOrder = 4;
 constexpr double kRidge = 1e-15;      // of the diagonal: sends poles that noise-free lines do not need far out
 constexpr double kRidgeGrowth = 4;    // until the factorisation succeeds
-constexpr double kMostDamping = 0.3;  // beyond it a pole models the background
 constexpr double kNoiseFloor = 1e-6;  // of an output's largest line
 constexpr double kStartRadius = 0.6;  // of an additional root; those of noise lie there or further in
 constexpr double kGoldenAngle = 2.39996;

@@ -15,6 +15,8 @@ struct Pole {
   double half_power_Hz() const { return 2 * damping_ratio * freq_Hz; }  // bandwidth, 3 dB down
 };
 
+inline constexpr double kMostDamping = 0.3;  // a ratio beyond it is the background's
+
 /// The averaged hits of one impact point, as far as the model of a truncated record needs them. Without blocks, or with
 /// blocks without force, nothing is known of the force: the FRF is taken as it is, `ff` is empty. A block's decay is
 /// that of the exponential window in any case.

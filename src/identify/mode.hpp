@@ -10,6 +10,9 @@ namespace percuss {
 inline constexpr double kRounding = 1e-12;
 inline constexpr double kRoundingDamping = 1e-9;
 
+/// Deviations from which a residue is told from nothing.
+inline constexpr double kSignificant = 3;
+
 /// A mode's residue at one output: accelerance H(ω) = … + A·(jω)²/((jω)² + 2ζω_r jω + ω_r²), 1/kg.
 struct Residue {
   std::size_t point = 0;

@@ -13,7 +13,7 @@ using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
 constexpr std::size_t kLeastPoints = 3;  // two may see one mode of an orthogonal pair each
-constexpr double kMisfit = 2;            // energy left over the noise's: below it the points agree
+constexpr double kPointsDisagree = 2;    // energy left over the noise's: below it the points agree
 constexpr double kMovesTest = 25;        // F statistic of poles of their own
 // Energy left over that of common poles: what moves from hit to hit also bends while it decays, which a further mode
 // follows better than a single one. Of a true pair a single mode leaves tens to thousands of times as much.
@@ -185,7 +185,7 @@ std::optional<Pole> merged(const GroupedFit& all, const FitGroup& group) {
 std::vector<MovingMode> moving_modes(const GroupedFit& all, const FitGroup& group) {
   const std::size_t count = all.set().points.size();
   if (count < kLeastPoints) return {};
-  if ((group.fit.noise.array() / all.noise().array()).square().mean() < kMisfit) return {};
+  if ((group.fit.noise.array() / all.noise().array()).square().mean() < kPointsDisagree) return {};
   const WindowData window{.data = all.remainder(group), .weight = all.weights_from(group.fit)};
   const LocalFit common = all.fit(group, window.data, group.fit.poles, window.weight);
   const PointFits points = fit_each_point(all.set(), window, group, common.cost);

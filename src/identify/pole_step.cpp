@@ -9,13 +9,12 @@ namespace {
 using Eigen::Index;
 
 constexpr double kLeastDamping = 1e-7;
-constexpr double kMostDamping = 0.5;
 
 }  // namespace
 
 bool poles_allowed(const std::vector<Pole>& poles) {
   return std::all_of(poles.begin(), poles.end(), [](const Pole& p) {
-    return p.freq_Hz > 0 && p.damping_ratio > kLeastDamping && p.damping_ratio < kMostDamping;
+    return p.freq_Hz > 0 && p.damping_ratio > kLeastDamping && p.damping_ratio < kMostFittedDamping;
   });
 }
 

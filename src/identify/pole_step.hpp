@@ -6,6 +6,7 @@
 
 namespace percuss {
 
+inline constexpr double kMostFittedDamping = 0.5;
 /// Poles a fit may try: frequency above zero, damping ratio between 1e-7 and a half.
 bool poles_allowed(const std::vector<Pole>& poles);
 

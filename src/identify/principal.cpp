@@ -16,7 +16,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kAboveNoise = 20;  // energy of a line, over the noise of all outputs, from which it tells directions
-constexpr std::size_t kMostLines = 1500;  // … the strongest ones
+constexpr std::size_t kMostChosen = 1500;  // … the strongest ones
 
 // The outputs over their noise, real parts above imaginary parts of the lines that stand out: [2 lines, outputs].
 MatrixXd standing_out(const FrfSet& set, const VectorXd& noise) {
@@ -32,7 +32,7 @@ MatrixXd standing_out(const FrfSet& set, const VectorXd& noise) {
   std::sort(level.begin(), level.end(), std::greater<>());
   const double least = kAboveNoise * static_cast<double>(set.outputs.size());
   std::size_t kept = 0;
-  while (kept < std::min(lines, kMostLines) && (kept < 2 * set.outputs.size() || level[kept].first > least)) ++kept;
+  while (kept < std::min(lines, kMostChosen) && (kept < 2 * set.outputs.size() || level[kept].first > least)) ++kept;
   MatrixXd rows(static_cast<Index>(2 * kept), static_cast<Index>(set.outputs.size()));
   for (std::size_t o = 0; o < set.outputs.size(); ++o) {
     const auto column = static_cast<Index>(o);

@@ -4,12 +4,6 @@
 #include <cmath>
 
 namespace percuss {
-namespace {
-
-constexpr double kSignificant = 3;  // deviations
-
-}  // namespace
-
 std::vector<DrivingPointCheck> check_driving_points(const std::vector<Mode>& modes,
                                                     const std::vector<DrivingPoint>& driving) {
   std::vector<DrivingPointCheck> out;

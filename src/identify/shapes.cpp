@@ -9,8 +9,7 @@
 namespace percuss {
 namespace {
 
-constexpr double kSignificant = 3;  // deviations
-constexpr int kSweeps = 20;         // of the rank-one fit; a few suffice, as the start is the singular vector
+constexpr int kSweeps = 20;  // of the rank-one fit; a few suffice, as the start is the singular vector
 
 // Residues as a matrix with weights 1/σ², 0 where nothing was measured.
 struct Grid {

@@ -9,21 +9,17 @@
 #include "core/error.hpp"
 #include "core/statistics.hpp"
 #include "frf/windows.hpp"
+#include "pipeline/band_lines.hpp"
 
 namespace percuss {
 namespace {
 
-constexpr double kAntiAlias = 0.44;   // of fs: above it a recorder's filter shapes the FRF
-constexpr double kLowestPart = 0.01;  // of the excited band: below it drift and the suspension rule
-constexpr double kMargin = 0.15;      // of the band's width, on either side
-constexpr double kForceReach = 1.2;   // of the −20 dB bandwidth: as far as a margin may go
-constexpr std::size_t kLeastLines = 16;
+constexpr double kAntiAlias = 0.44;  // of fs: above it a recorder's filter shapes the FRF
+constexpr double kForceReach = 1.2;  // of the −20 dB bandwidth: as far as a margin may go
 
 bool listed(const std::vector<std::size_t>& list, std::size_t i) {
   return std::find(list.begin(), list.end(), i) != list.end();
 }
-
-std::string where(const Record& record) { return record.files.empty() ? "record" : record.files.front().path; }
 
 void check_numbers(const std::vector<std::size_t>& list, std::size_t hits, const char* option) {
   for (const std::size_t i : list) {
@@ -37,7 +33,7 @@ void check_numbers(const std::vector<std::size_t>& list, std::size_t hits, const
 
 Analysis::Analysis(Record record, AnalysisOptions options) : record_(std::move(record)), options_(std::move(options)) {
   if (record_.accel.empty())
-    throw InputError("no acceleration channel", where(record_), "name one with --accel-channel");
+    throw InputError("no acceleration channel", record_.source(), "name one with --accel-channel");
 }
 
 const std::vector<AnalysedHit>& Analysis::force_hits() const {
@@ -63,6 +59,14 @@ std::vector<AnalysedHit> Analysis::find() const {
   return hits;
 }
 
+std::set<int> Analysis::points() const {
+  std::set<int> out = record_.points();
+  if (given_) {
+    for (const PointFrf& frf : given_->frfs) out.insert(frf.point);
+  }
+  return out;
+}
+
 bool Analysis::possible() const {
   if (given_) return true;
   const auto& all = hits_.ready() ? hits() : force_hits();
@@ -77,7 +81,7 @@ std::pair<double, double> Analysis::band_Hz() const {
     if (hit.accepted) reach.push_back(hit.hit.bandwidth_Hz);
   }
   const double high = reach.empty() ? kAntiAlias * record_.fs_Hz : std::min(median(reach), kAntiAlias * record_.fs_Hz);
-  return {kLowestPart * high, high};
+  return {lowest_Hz(high), high};
 }
 
 const LineRange& Analysis::lines() const {
@@ -90,7 +94,7 @@ std::size_t Analysis::block_samples() const {
     if (hit.accepted) samples = samples == 0 ? hit.hit.samples : std::min(samples, hit.hit.samples);
   }
   if (samples == 0)
-    throw InputError("no hit can be used", where(record_), "see the hits' findings; --accept-hit overrules them");
+    throw InputError("no hit can be used", record_.source(), "see the hits' findings; --accept-hit overrules them");
   const bool searched = record_.continuous || record_.rows.size() == 1;
   if (!searched) return samples;
   if (!options_.hits.length_s) samples = std::min(samples, longest_decay());
@@ -105,7 +109,7 @@ LineRange Analysis::choose_lines() const {
   }
   const auto [low, high] = band_Hz();
   if (!options_.band_Hz && !(low < high)) {
-    throw InputError("the force shows no bandwidth, from which the band would follow", where(record_),
+    throw InputError("the force shows no bandwidth, from which the band would follow", record_.source(),
                      "check the force's channel, unit and scale, or give --band LO:HI");
   }
   if (!(low < high) || low < 0 || high > record_.fs_Hz / 2) {
@@ -113,14 +117,10 @@ LineRange Analysis::choose_lines() const {
         fmt::format("the band {:.6g}:{:.6g} Hz does not fit a sampling rate of {:.6g} Hz", low, high, record_.fs_Hz),
         "--band", "give LO:HI with LO < HI <= half the sampling rate");
   }
-  const double margin = kMargin * (high - low);
-  const double top = std::max(high, std::min({high + margin, kForceReach * reach, kAntiAlias * record_.fs_Hz}));
-  const LineRange range = lines_in_band(record_.fs_Hz, samples, std::max(low - margin, 0.5 * low), top);
-  if (range.count < kLeastLines) {
-    throw InputError(fmt::format("only {} lines of {:.4g} Hz lie in the band {:.6g}:{:.6g} Hz", range.count,
-                                 range.df_Hz(), low, high),
-                     where(record_), "record longer or widen --band");
-  }
+  const auto [from, to] = with_margin(low, high);
+  const double top = std::max(high, std::min({to, kForceReach * reach, kAntiAlias * record_.fs_Hz}));
+  const LineRange range = lines_in_band(record_.fs_Hz, samples, from, top);
+  require_lines(range, low, high, record_.source(), "record longer or widen --band");
   return range;
 }
 
@@ -137,7 +137,7 @@ std::vector<std::size_t> Analysis::accepted_hits() const {
     if (hits()[h].accepted) list.push_back(h);
   }
   if (!list.empty()) return list;
-  throw InputError("no hit can be used", where(record_), "see the hits' findings; --accept-hit overrules them");
+  throw InputError("no hit can be used", record_.source(), "see the hits' findings; --accept-hit overrules them");
 }
 
 std::vector<std::pair<int, Record>> split_runs(const Record& record) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -68,6 +69,8 @@ class Analysis {
   /// The FRFs it was given in place of a record; nullptr otherwise.
   const FrfRecord* given_frfs() const { return given_ ? &*given_ : nullptr; }
   Trace& trace() const { return trace_; }
+  /// The numbers of the points that were hit, or that the FRFs given are of.
+  std::set<int> points() const;
 
   /// Hits graded by their force alone: reads nothing else. Index i is the user's hit number.
   const std::vector<AnalysedHit>& force_hits() const;
@@ -80,6 +83,8 @@ class Analysis {
   /// The lines of the FRFs: the band and a margin for modes just outside, as far as the force reaches.
   const LineRange& lines() const;
   double window_decay_per_s() const;
+  /// The points with an accepted hit, or of the FRFs given: those of frfs(), ascending.
+  std::vector<int> frf_points() const;
   /// Averaged FRFs over lines(), [points × channels], point by point, with the estimator asked for.
   const std::vector<PointFrf>& frfs() const;
   /// H1 of the accepted hits, as the modes were fitted to it; points ascending by number.

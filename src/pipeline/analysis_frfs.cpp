@@ -5,13 +5,10 @@
 
 #include "core/error.hpp"
 #include "pipeline/analysis.hpp"
+#include "pipeline/band_lines.hpp"
 
 namespace percuss {
 namespace {
-
-constexpr double kLowestPart = 0.01;  // of the highest frequency: below it drift and the suspension rule
-constexpr double kMargin = 0.15;      // of the band's width, on either side
-constexpr std::size_t kLeastLines = 16;
 
 Record described(const FrfRecord& frfs) {
   Record record;
@@ -34,9 +31,8 @@ std::vector<Value> part_of(const std::vector<Value>& all, std::size_t first, std
 
 Analysis::Analysis(FrfRecord frfs, AnalysisOptions options)
     : record_(described(frfs)), given_(std::move(frfs)), options_(std::move(options)) {
-  const std::string where = record_.files.empty() ? "FRFs" : record_.files.front().path;
   const auto refuse = [&](const char* option) {
-    throw InputError(std::string(option) + " needs records of time, not FRFs", where, "leave it out");
+    throw InputError(std::string(option) + " needs records of time, not FRFs", record_.source(), "leave it out");
   };
   if (options_.exponential_end > 0) refuse("--exponential");
   if (options_.estimator != Estimator::h1) refuse("--estimator");
@@ -45,7 +41,7 @@ Analysis::Analysis(FrfRecord frfs, AnalysisOptions options)
 std::pair<double, double> Analysis::given_band_Hz() const {
   const LineRange& all = given_->lines;
   const double high = all.freq_Hz(all.count - 1);
-  return {std::max(all.freq_Hz(0), kLowestPart * high), high};
+  return {std::max(all.freq_Hz(0), lowest_Hz(high)), high};
 }
 
 LineRange Analysis::given_lines() const {
@@ -57,17 +53,12 @@ LineRange Analysis::given_lines() const {
                                  all.freq_Hz(0), top),
                      "--band", "give LO:HI within them");
   }
-  const double margin = kMargin * (high - low);
-  LineRange lines =
-      lines_in_band(all.fs_Hz, all.samples, std::max(low - margin, 0.5 * low), std::min(high + margin, top));
+  const auto [from, to] = with_margin(low, high);
+  LineRange lines = lines_in_band(all.fs_Hz, all.samples, from, std::min(to, top));
   const std::size_t end = std::min(lines.first + lines.count, all.first + all.count);
   lines.first = std::max(lines.first, all.first);
   lines.count = end > lines.first ? end - lines.first : 0;
-  if (lines.count < kLeastLines) {
-    throw InputError(fmt::format("only {} lines of {:.4g} Hz lie in the band {:.6g}:{:.6g} Hz", lines.count,
-                                 lines.df_Hz(), low, high),
-                     record_.files.empty() ? "FRFs" : record_.files.front().path, "widen --band");
-  }
+  require_lines(lines, low, high, record_.source(), "widen --band");
   return lines;
 }
 

@@ -18,15 +18,6 @@ std::map<int, std::vector<std::size_t>> by_point(const std::vector<AnalysedHit>&
   return points;
 }
 
-// The points of FRFs that stand point by point.
-std::vector<int> points_of(const std::vector<PointFrf>& frfs) {
-  std::vector<int> points;
-  for (const PointFrf& frf : frfs) {
-    if (points.empty() || points.back() != frf.point) points.push_back(frf.point);
-  }
-  return points;
-}
-
 }  // namespace
 
 const std::vector<PointFrf>& Analysis::frfs() const {
@@ -83,13 +74,18 @@ FrfSet Analysis::frf_set(const std::vector<std::size_t>& which) const {
   return set;
 }
 
+std::vector<int> Analysis::frf_points() const {
+  std::set<int> of;
+  if (given_) of = points();
+  for (const std::size_t h : accepted_hits()) of.insert(hits()[h].point);
+  return {of.begin(), of.end()};
+}
+
 const std::vector<Mode>& Analysis::modes() const {
   return modes_.get([&] {
     const FrfSet set = frf_set(accepted_hits());
     auto modes = trace_.run("modes", [&] { return identify_modes(set, options_.modes); });
-    std::vector<int> points;
-    for (const auto& [point, members] : by_point(hits(), accepted_hits())) points.push_back(point);
-    if (given_) points = points_of(frfs());
+    const std::vector<int> points = frf_points();
     const auto [low, high] = band_Hz();
     std::erase_if(modes, [&, low = low, high = high](const Mode& mode) {
       return mode.pole.freq_Hz < low || mode.pole.freq_Hz > high;

@@ -12,21 +12,6 @@
 namespace percuss {
 namespace {
 
-std::string where(const Record& record) { return record.files.empty() ? "record" : record.files.front().path; }
-
-std::vector<int> points_of(const Record& record) {
-  std::set<int> points;
-  for (const RowInfo& row : record.rows) points.insert(row.point);
-  return {points.begin(), points.end()};
-}
-
-std::vector<int> points_of(const Analysis& analysis) {
-  if (analysis.given_frfs() == nullptr) return points_of(analysis.record());
-  std::set<int> points;
-  for (const PointFrf& frf : analysis.given_frfs()->frfs) points.insert(frf.point);
-  return {points.begin(), points.end()};
-}
-
 // |H| at the mode's peak, point by point as in `at`.
 std::vector<double> peaks_of(const Analysis& analysis, const Mode& mode, const std::vector<int>& at) {
   const std::size_t k = analysis.lines().nearest(mode.pole.freq_Hz);
@@ -49,15 +34,16 @@ struct MeasuredPlaces {
 MeasuredPlaces measured(const Analysis& analysis, const ScanPositions& positions, std::vector<Warning>& warnings) {
   std::set<int> with_frf;
   for (const PointFrf& frf : analysis.frfs()) with_frf.insert(frf.point);
-  const auto all = points_of(analysis);
   MeasuredPlaces places;
   std::string missing;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (with_frf.contains(all[i])) {
-      places.point.push_back(all[i]);
-      places.position_m.push_back(positions.at_m(i));
+  std::size_t i = 0;
+  for (const int point : analysis.points()) {
+    const double position_m = positions.at_m(i++);
+    if (with_frf.contains(point)) {
+      places.point.push_back(point);
+      places.position_m.push_back(position_m);
     } else {
-      missing += fmt::format("{}{:.4g} in", missing.empty() ? "" : ", ", positions.at_m(i) / kInch_m);
+      missing += fmt::format("{}{:.4g} in", missing.empty() ? "" : ", ", position_m / kInch_m);
     }
   }
   if (!missing.empty())
@@ -68,13 +54,13 @@ MeasuredPlaces measured(const Analysis& analysis, const ScanPositions& positions
 }  // namespace
 
 Record as_scan(Record record, const ScanPositions& positions) {
-  const std::size_t points = points_of(record).size();
+  const std::size_t points = record.points().size();
   const std::size_t rows = record.rows.size();
   if (points == positions.count) return record;
   if (points != 1 || rows < positions.count || rows % positions.count != 0 || record.continuous) {
     throw InputError(fmt::format("{} point{} and {} row{} of hits for {} positions", points, points == 1 ? "" : "s",
                                  rows, rows == 1 ? "" : "s", positions.count),
-                     where(record),
+                     record.source(),
                      "give --positions START:STEP:END with one position per point, file or row, in their order");
   }
   const std::size_t each = rows / positions.count;
@@ -86,9 +72,9 @@ Record as_scan(Record record, const ScanPositions& positions) {
 }
 
 NodeScan scan_nodes(const Analysis& analysis, const ScanPositions& positions, double resolution_m) {
-  const std::size_t points = points_of(analysis).size();
+  const std::size_t points = analysis.points().size();
   if (points != positions.count) {
-    throw InputError(fmt::format("{} points for {} positions", points, positions.count), where(analysis.record()),
+    throw InputError(fmt::format("{} points for {} positions", points, positions.count), analysis.record().source(),
                      "give one position per point");
   }
   NodeScan scan{.positions = positions, .modes = {}, .warnings = {}};

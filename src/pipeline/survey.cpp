@@ -8,24 +8,17 @@
 #include <set>
 
 #include "core/error.hpp"
+#include "core/units.hpp"
 #include "identify/cmif.hpp"
 #include "identify/ring_split.hpp"
 
 namespace percuss {
 namespace {
 
-constexpr double kSamePlace_m = 2e-3;                          // how near a blow can be set beside a sensor …
-constexpr double kSameAngle_rad = 2 * std::numbers::pi / 180;  // … and around the tube
-constexpr double kDoubt = 0.9;                                 // confidence below which a rival is named
+constexpr double kSamePlace_m = 2e-3;               // how near a blow can be set beside a sensor …
+constexpr double kSameAngle_rad = 2 * kDegree_rad;  // … and around the tube
+constexpr double kDoubt = 0.9;                      // confidence below which a rival is named
 constexpr double kPoorFrac = 0.99, kStrong_dB = -20;
-
-std::set<int> points_of(const Analysis& analysis) {
-  std::set<int> points;
-  for (const RowInfo& row : analysis.record().rows) points.insert(row.point);
-  if (analysis.given_frfs() == nullptr) return points;
-  for (const PointFrf& frf : analysis.given_frfs()->frfs) points.insert(frf.point);
-  return points;
-}
 
 // The family of the second most energetic order.
 std::optional<Family> rival_of(const TubeShape& tube) {
@@ -75,17 +68,18 @@ void Survey::place_points() {
     if (geometry_->tube) places_[static_cast<std::size_t>(p.point)] = {p.position_m, p.angle_rad};
   }
   if (!options_.geometry) return;
-  for (const int point : points_of(analysis_)) {
+  const std::set<int> measured = analysis_.points();
+  for (const int point : measured) {
     if (known.contains(point)) continue;
     throw InputError(fmt::format("point {} was measured but stands nowhere in the geometry", point), "--geometry",
-                     fmt::format("add it, or number the points as the record does: {} to {}",
-                                 *points_of(analysis_).begin(), *points_of(analysis_).rbegin()));
+                     fmt::format("add it, or number the points as the record does: {} to {}", *measured.begin(),
+                                 *measured.rbegin()));
   }
 }
 
 void Survey::find_driving_points() {
   const auto& accel = analysis_.record().accel;
-  const auto points = points_of(analysis_);
+  const auto points = analysis_.points();
   for (const DrivingPoint& at : options_.driving) {
     if (points.contains(static_cast<int>(at.point)) && at.channel < accel.size()) continue;
     throw InputError(fmt::format("point {} with channel {} was not measured", at.point, at.channel), "--driving-point",
@@ -177,15 +171,6 @@ const std::vector<SynthesisedFrf>& Survey::synthesis() const {
     const auto& modes = analysis_.modes();
     return analysis_.trace().run("synthesis", [&] { return synthesised_frfs(set, modes, band()); });
   });
-}
-
-std::vector<int> Survey::frf_points() const {
-  std::set<int> points;
-  if (analysis_.given_frfs() != nullptr) points = points_of(analysis_);
-  for (const AnalysedHit& hit : analysis_.hits()) {
-    if (hit.accepted) points.insert(hit.point);
-  }
-  return {points.begin(), points.end()};
 }
 
 const Eigen::MatrixXd& Survey::indicator() const {

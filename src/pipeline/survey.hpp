@@ -41,9 +41,9 @@ class Survey {
   const std::vector<std::vector<Mac>>& macs() const;  // [modes][modes]
   /// Lines of the band asked for.
   LineRange band() const;
-  const std::vector<SynthesisedFrf>& synthesis() const;  // [outputs], point as an index into frf_points()
-  std::vector<int> frf_points() const;                   // numbers of the points that have FRFs, ascending
-  const Eigen::MatrixXd& indicator() const;              // CMIF [lines of band(), values]
+  const std::vector<SynthesisedFrf>& synthesis()
+      const;                                 // [outputs], point as an index into the analysis's frf_points()
+  const Eigen::MatrixXd& indicator() const;  // CMIF [lines of band(), values]
   std::vector<DrivingPointCheck> driving_checks() const;
   std::vector<ReciprocityCheck> reciprocity() const;
   /// The analysis' warnings and the survey's own.

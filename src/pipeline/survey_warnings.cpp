@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "core/error.hpp"
+#include "core/units.hpp"
 #include "pipeline/survey.hpp"
 
 namespace percuss {
@@ -16,7 +16,6 @@ constexpr double kBlind = 0.1;        // sensitivity below which a sensor sits o
 constexpr double kRoundPair = 0.1;    // of the frequency: how far asymmetry splits a ring mode
 constexpr double kReciprocal = 0.05;  // of the residue, and
 constexpr double kDeviations = 4;
-constexpr double kRadian_deg = 180 / std::numbers::pi;
 constexpr std::size_t kMostNamed = 8;
 
 std::string mode_name(const Survey& survey, std::size_t m) {
@@ -137,7 +136,7 @@ void warn_of_signs(const Survey& survey, std::vector<Warning>& out) {
 void warn_of_frac(const Survey& survey, std::vector<Warning>& out) {
   std::string poor;
   std::size_t count = 0;
-  const auto points = survey.frf_points();
+  const auto points = survey.analysis().frf_points();
   for (const SynthesisedFrf& frf : survey.synthesis()) {
     if (!poorly_explained(frf) || ++count > kMostNamed) continue;
     add_name(poor, fmt::format("point {} channel {} ({:.4f})", points[frf.point], frf.channel, frf.frac));

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "core/units.hpp"
 #include "identify/ring_split.hpp"
@@ -60,7 +59,6 @@ void add_split(Json& json, const DoublePeak& peak) {
   json["quoted"] = peak.quoted;
   json["split"] = Json();
   if (!peak.planes) return;
-  constexpr double kRadian_deg = 180 / std::numbers::pi;
   json["split"] = {{"cause", name_of(peak.planes->cause)},
                    {"plane_deg", peak.planes->own.plane_rad * kRadian_deg},
                    {"plane_std_deg", peak.planes->own.std_rad * kRadian_deg},

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "acquire/input_file.hpp"
 #include "core/error.hpp"
@@ -21,13 +20,13 @@ constexpr std::size_t kMostHits = 40;  // rows of hits shown when all is well; r
 
 std::string heading(const Analysis& analysis, std::size_t hits, std::size_t width) {
   const Record& record = analysis.record();
-  std::string name = record.files.empty() ? "record" : one_line(input_name(record.files.front().path), 400);
+  std::string name = one_line(input_name(record.source()), 400);
   if (record.files.size() > 1) name += fmt::format(" and {} more", record.files.size() - 1);
   std::string sensors = fmt::format("{} accelerometer{}", record.accel.size(), record.accel.size() == 1 ? "" : "s");
   std::string angles;
   for (const SignalInfo& signal : record.accel) {
     if (signal.angle_rad)
-      angles += fmt::format("{}{:.4g}°", angles.empty() ? "" : ", ", *signal.angle_rad * 180 / std::numbers::pi);
+      angles += fmt::format("{}{:.4g}°", angles.empty() ? "" : ", ", *signal.angle_rad * kRadian_deg);
   }
   if (!angles.empty()) sensors += " (" + angles + ")";
   std::string text =

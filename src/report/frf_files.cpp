@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <iterator>
-#include <numbers>
 
 #include "acquire/atomic_file.hpp"
+#include "core/units.hpp"
 
 namespace percuss {
 namespace {
@@ -18,7 +18,7 @@ std::string statements(const Analysis& analysis) {
   const bool angles = std::all_of(accel.begin(), accel.end(), [](const SignalInfo& s) { return s.angle_rad; });
   if (angles) out += ", angle_deg";
   for (const SignalInfo& signal : accel) {
-    if (angles) out += fmt::format(" {:.10g}", *signal.angle_rad * 180 / std::numbers::pi);
+    if (angles) out += fmt::format(" {:.10g}", *signal.angle_rad * kRadian_deg);
   }
   if (analysis.window_decay_per_s() > 0) out += fmt::format(", decay_per_s {}", analysis.window_decay_per_s());
   return out;

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numbers>
 
 #include "acquire/hdf5_output.hpp"
+#include "core/units.hpp"
 #include "report/frf_files.hpp"
 
 namespace percuss {
@@ -21,7 +21,6 @@ std::pair<std::size_t, std::size_t> band_lines(const Analysis& analysis) {
 
 // Where the sensors sit, as far as it is known.
 void write_sensors(hdf5::OutputHdf5& out, const Analysis& analysis) {
-  constexpr double kRadian_deg = 180 / std::numbers::pi;
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> angle_deg, position_m;
   for (const SignalInfo& signal : analysis.record().accel) {

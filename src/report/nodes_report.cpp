@@ -55,7 +55,7 @@ std::string joined(const std::vector<std::string>& texts) {
 
 std::string heading(const Analysis& analysis, const NodeScan& scan) {
   const Record& record = analysis.record();
-  std::string name = record.files.empty() ? "record" : one_line(input_name(record.files.front().path), 400);
+  std::string name = one_line(input_name(record.source()), 400);
   if (record.files.size() > 1) name += fmt::format(" and {} more", record.files.size() - 1);
   const ScanPositions& p = scan.positions;
   return fmt::format("{}   {} positions, {:.5g} to {:.5g} in from the barrel's end, {:.4g} in apart\n", name, p.count,

@@ -7,14 +7,12 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <numbers>
 
 #include "acquire/hdf5_output.hpp"
+#include "core/units.hpp"
 
 namespace percuss {
 namespace {
-
-constexpr double kRadian_deg = 180 / std::numbers::pi;
 
 const GeometryPoint* place_of(const Survey& survey, std::size_t point) {
   if (!survey.geometry()) return nullptr;

@@ -1,14 +1,12 @@
 #include "report/survey_json.hpp"
+#include "core/units.hpp"
 
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 namespace percuss {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr double kRadian_deg = 180 / std::numbers::pi;
 
 template <class T>
 Json or_null(const std::optional<T>& value) {
@@ -80,7 +78,7 @@ Json mac_json(const Survey& survey) {
 
 Json frac_json(const Survey& survey) {
   Json out = Json::array();
-  const auto points = survey.frf_points();
+  const auto points = survey.analysis().frf_points();
   for (const SynthesisedFrf& frf : survey.synthesis()) {
     out.push_back({{"point", points[frf.point]},
                    {"channel", frf.channel},

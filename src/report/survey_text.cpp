@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
 
 #include "core/error.hpp"
+#include "core/units.hpp"
 #include "report/analysis_text.hpp"
 #include "report/number.hpp"
 #include "report/text_table.hpp"
@@ -13,7 +13,6 @@
 namespace percuss {
 namespace {
 
-constexpr double kRadian_deg = 180 / std::numbers::pi;
 constexpr double kAlike = 0.2;  // a MAC between two modes that is worth a word
 
 std::string family_cell(const Verdict& verdict) {

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/units.hpp"
 #include "synth/strict_json.hpp"
 
 namespace percuss {
@@ -14,7 +15,6 @@ namespace {
 
 constexpr std::size_t kLongestText = std::size_t{4} << 20;
 constexpr int kDeepest = 6;
-constexpr double kDegree = std::numbers::pi / 180;
 
 /// A word out of a short list.
 template <class Enum>
@@ -36,9 +36,9 @@ void read_word(StrictObject& object, const std::string& key, std::initializer_li
 }
 
 void read_degrees(StrictObject& object, const std::string& key, double& to_rad) {
-  double degrees = to_rad / kDegree;
+  double degrees = to_rad / kDegree_rad;
   object.read(key, degrees);
-  to_rad = object.has(key) ? degrees * kDegree : to_rad;
+  to_rad = object.has(key) ? degrees * kDegree_rad : to_rad;
 }
 
 void read_optional(StrictObject& object, const std::string& key, std::optional<double>& to) {

@@ -2,14 +2,13 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/units.hpp"
 #include "synth/schedule.hpp"
 
 namespace percuss {
 namespace {
 
 using nlohmann::ordered_json;
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 const char* name_of(PulseKind kind) {
   return kind == PulseKind::halfsine ? "halfsine" : kind == PulseKind::haversine ? "haversine" : "sine-cubed";
@@ -48,7 +47,7 @@ void add_modes(const Truth& truth, ordered_json& out) {
 }
 
 void add_places(const Truth& truth, ordered_json& out) {
-  const auto degrees = [](const auto& place) { return place.angle_rad / kDegree; };
+  const auto degrees = [](const auto& place) { return place.angle_rad / kDegree_rad; };
   const auto metres = [](const auto& place) { return place.position_m; };
   const SynthSpec& spec = truth.spec;
   out["points"] = spec.points.size();
