@@ -17,7 +17,7 @@ using Eigen::Index;
 
 constexpr double kMostLeft = 0.05;   // of a mode's amplitude at a record's end
 constexpr double kCompleted = 1e-9;  // what is missing counts no more
-constexpr double kExplained = 1.5;   // energy around a mode over the noise's
+constexpr double kExplained = 1.5;   // energy around a mode over what noise explains
 constexpr double kAround = 5;        // half-power bandwidths
 constexpr double kLeastAround = 10;  // lines
 
@@ -88,7 +88,16 @@ void complete(const FrfSet& set, FrfSet& few, std::vector<PeakMode>& found) {
   }
 }
 
-// Common poles leave the noise alone around every mode.
+// [lines] the variance of the force's gain error against that at the pole, which the residue takes up.
+Eigen::VectorXd gain_variance(const FrfSet& set, std::size_t point, Index from, Index to, std::size_t pole) {
+  std::vector<std::size_t> lines{pole};
+  for (Index k = from; k <= to; ++k) lines.push_back(static_cast<std::size_t>(k));
+  const Eigen::MatrixXcd errors = gain_errors(set, point, lines);
+  if (errors.size() == 0) return Eigen::VectorXd::Zero(to - from + 1);
+  return (errors.bottomRows(to - from + 1).rowwise() - errors.row(0)).rowwise().squaredNorm();
+}
+
+// Common poles leave the noise alone around every mode: the responses', and what the force's makes of a large FRF.
 bool explains(const FrfSet& set, const JointFit& fit) {
   const Eigen::VectorXd noise = roughness(set);
   for (const Pole& pole : fit.poles) {
@@ -96,13 +105,18 @@ bool explains(const FrfSet& set, const JointFit& fit) {
     const double half = std::max(kAround * pole.half_power_Hz() / set.lines.df_Hz(), kLeastAround);
     const auto from = static_cast<Index>(set.lines.at(at - half));
     const auto to = static_cast<Index>(set.lines.at(at + half));
-    double energy = 0;
+    double energy = 0, expected = 0;
+    Eigen::VectorXd gain;
     for (std::size_t o = 0; o < set.outputs.size(); ++o) {
+      const Output& output = set.outputs[o];
+      if (o == 0 || output.point != set.outputs[o - 1].point)
+        gain = gain_variance(set, output.point, from, to, set.lines.at(at));
       const double n = noise(static_cast<Index>(o));
       energy += fit.residual[o].segment(from, to - from + 1).squaredNorm() / (n * n);
+      for (Index k = from; k <= to; ++k)
+        expected += 1 + gain(k - from) * std::norm(output.frf[static_cast<std::size_t>(k)]) / (n * n);
     }
-    if (energy > kExplained * static_cast<double>(set.outputs.size()) * static_cast<double>(to - from + 1))
-      return false;
+    if (energy > kExplained * expected) return false;
   }
   return true;
 }
