@@ -66,7 +66,7 @@ changed_sources() {
 
 # tidy FILES: clang-tidy on the .cpp files among them that are compiled. The preset tidy lists each file's own command.
 tidy() {
-  cmake --preset tidy -DPERCUSS_WERROR=ON >/dev/null
+  cmake --preset tidy >/dev/null
   commands=build/tidy
   printf '%s\n' "$1" | while read -r file; do
     grep -qF "\"$PWD/$file\"" "$commands/compile_commands.json" && echo "$file"
