@@ -10,7 +10,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
-using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
 // What scales the diagonal to ones; an unknown that nothing depends on stays as it is.
@@ -50,10 +49,6 @@ MatrixXd orthonormal_polynomials(Index points, Index terms) {
 VectorXd least_squares(const MatrixXd& columns, const VectorXd& right) {
   return Eigen::ColPivHouseholderQR<MatrixXd>(columns).solve(right);
 }
-VectorXcd least_squares(const MatrixXcd& columns, const VectorXcd& right) {
-  return Eigen::ColPivHouseholderQR<MatrixXcd>(columns).solve(right);
-}
-
 std::optional<MatrixXd> left_inverse(const MatrixXd& columns, double least_pivot) {
   Eigen::ColPivHouseholderQR<MatrixXd> qr;
   qr.setThreshold(least_pivot);

@@ -18,19 +18,9 @@ Eigen::MatrixXd orthonormal_polynomials(Eigen::Index points, Eigen::Index terms)
 
 /// The x that minimises |columns·x − right|, by QR with column pivoting. shapes: columns [n, m], right [n], result [m].
 Eigen::VectorXd least_squares(const Eigen::MatrixXd& columns, const Eigen::VectorXd& right);
-Eigen::VectorXcd least_squares(const Eigen::MatrixXcd& columns, const Eigen::VectorXcd& right);
 
 /// The pseudo-inverse, whose product with any `right` is the above; none when a pivot falls below `least_pivot` of the
 /// largest. shapes: columns [n, m], result [m, n]: for small n.
 std::optional<Eigen::MatrixXd> left_inverse(const Eigen::MatrixXd& columns, double least_pivot);
-
-/// Eigenvectors of a real symmetric matrix, that of the largest eigenvalue first. shape [n, n], in columns.
-Eigen::MatrixXd eigenvectors(const Eigen::MatrixXd& symmetric);
-
-/// Singular values, largest first. shape [min(rows, columns)].
-Eigen::VectorXd singular_values(const Eigen::MatrixXcd& matrix);
-
-/// Right singular vector of the largest singular value. shape [columns], norm 1.
-Eigen::VectorXcd leading_right_vector(const Eigen::MatrixXcd& matrix);
 
 }  // namespace percuss

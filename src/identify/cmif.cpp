@@ -4,7 +4,7 @@
 #include <cassert>
 #include <set>
 
-#include "core/linear_algebra.hpp"
+#include "core/principal_directions.hpp"
 
 namespace percuss {
 

@@ -43,6 +43,7 @@ std::vector<SynthesisedFrf> synthesised_frfs(const FrfSet& set, const std::vecto
   std::vector<SynthesisedFrf> out;
   if (band.count == 0) return out;
   const Eigen::MatrixXcd terms = residual_columns(band, set.window_decay_per_s());
+  const Eigen::MatrixXcd fit = inverse_gram(Eigen::MatrixXcd(terms.adjoint() * terms)) * terms.adjoint();
   const std::size_t first = band.first - set.lines.first;
   std::vector<ModeColumn> whole;
   for (const Mode& mode : modes)
@@ -59,7 +60,7 @@ std::vector<SynthesisedFrf> synthesised_frfs(const FrfSet& set, const std::vecto
       sum += modes[m].residues[o].value * without_missing(whole[m], modes[m].pole, force, set.lines, first).value;
     }
     const Eigen::VectorXcd rest = Eigen::Map<const Eigen::VectorXcd>(measured.data(), lines) - sum;
-    const Eigen::VectorXcd fitted = least_squares(terms, rest);
+    const Eigen::VectorXcd fitted = fit * rest;
     sum += terms * fitted;  // (1)
     SynthesisedFrf made{.point = output.point,
                         .channel = output.channel,

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/linear_algebra.hpp"
+#include "core/principal_directions.hpp"
 #include "identify/grouped_fit.hpp"
 
 namespace percuss {

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "core/linear_algebra.hpp"
+#include "core/principal_directions.hpp"
 #include "core/statistics.hpp"
 
 namespace percuss {

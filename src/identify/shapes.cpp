@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "core/linear_algebra.hpp"
+#include "core/principal_directions.hpp"
 
 namespace percuss {
 namespace {
