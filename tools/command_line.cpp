@@ -72,10 +72,6 @@ Option Option::show_default() {
   option_->capture_default_str();
   return *this;
 }
-Option Option::group(const char* name) {
-  option_->group(name);
-  return *this;
-}
 
 Option Command::word(const char* name, std::string& value, const char* help) {
   return Option(app_->add_option(name, value, help)->type_name(""));
@@ -114,6 +110,11 @@ Option Command::list(const char* names, std::vector<std::size_t>& values, const 
   return Option(app_->add_option(names, values, help)->delimiter(',')->allow_extra_args(false)).counted();
 }
 void Command::flag(const char* names, bool& value, const char* help) { app_->add_flag(names, value, help); }
+std::string Command::heading(const std::string& name) {
+  std::string before = app_->option_defaults()->get_group();
+  app_->option_defaults()->group(name);
+  return before;
+}
 void Command::example(const char* command_line) { app_->footer(std::string("Example: ") + command_line); }
 
 CommandLine::CommandLine(const char* name, const char* description, const char* version)

@@ -28,7 +28,6 @@ class Option {
   Option counted();  // digits only: CLI11 would take −1 as a very large count
   Option required();
   Option show_default();
-  Option group(const char* name);
 
  private:
   CLI::Option* option_;
@@ -53,6 +52,8 @@ class Command {
   Option list(const char* names, std::vector<double>& values, const char* help);
   Option list(const char* names, std::vector<std::size_t>& values, const char* help);
   void flag(const char* names, bool& value, const char* help);
+  /// --help shows the options declared from here on under `name`; returns what they were shown under before.
+  std::string heading(const std::string& name);
   void example(const char* command_line);
 
  private:

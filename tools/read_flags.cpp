@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <numbers>
 #include <set>
 
 #include "acquire/channel_setup.hpp"
@@ -65,61 +64,41 @@ ReadOptions options_of_file(const ReadOptions& all, std::size_t index, std::size
 void add_read_flags(Command& command, ReadFlags& flags) {
   ReadOptions& options = flags.options;
   command.words("FILE", flags.paths, "records to read, or FRFs: HDF5, CSV or text; - is standard input");
-  command.value("--fs", options.fs_Hz, "sampling rate, whatever the file says").type("HZ").group(kGroup);
+  const std::string others = command.heading(kGroup);
+  command.value("--fs", options.fs_Hz, "sampling rate, whatever the file says").type("HZ");
   command.value("--force-channel", options.force_channel, "the force: name or 1-based number of its column")
-      .type("NAME")
-      .group(kGroup);
+      .type("NAME");
   command.list("--accel-channel", options.accel_channels, "the accelerations, in this order (repeatable, or a list)")
-      .type("NAME,...")
-      .group(kGroup);
-  command.value("--unit", options.accel_unit, "unit of the stored accelerations: m/s^2, g, cm/s^2, ...")
-      .type("UNIT")
-      .group(kGroup);
-  command.value("--force-unit", options.force_unit, "unit of the stored forces: N, lbf, ...")
-      .type("UNIT")
-      .group(kGroup);
-  command.list("--force-scale", options.force_scale, "N per stored unit; one, or one per file")
-      .type("N,...")
-      .group(kGroup);
-  command.list("--accel-scale", options.accel_scale, "m/s^2 per stored unit; one, or one per channel")
-      .type("X,...")
-      .group(kGroup);
+      .type("NAME,...");
+  command.value("--unit", options.accel_unit, "unit of the stored accelerations: m/s^2, g, cm/s^2, ...").type("UNIT");
+  command.value("--force-unit", options.force_unit, "unit of the stored forces: N, lbf, ...").type("UNIT");
+  command.list("--force-scale", options.force_scale, "N per stored unit; one, or one per file").type("N,...");
+  command.list("--accel-scale", options.accel_scale, "m/s^2 per stored unit; one, or one per channel").type("X,...");
   command.value("--force-sensitivity", flags.force_sensitivity_mV_per_N, "of the hammer, for forces stored in volts")
-      .type("mV/N")
-      .group(kGroup);
+      .type("mV/N");
   command
       .list("--accel-sensitivity", flags.accel_sensitivity_mV_per_g,
             "for accelerations stored in volts; one, or one per channel")
-      .type("mV/g,...")
-      .group(kGroup);
-  command.list("--angle", flags.angle_deg, "of each accelerometer around the barrel")
-      .type("DEG,...")
-      .group(kGroup)
-      .finite();
-  command.list("--position", flags.position_m, "of each accelerometer from the barrel's end")
-      .type("M,...")
-      .group(kGroup)
-      .finite();
-  command.value("--setup", flags.setup_path, "channel set-up (JSON; percuss info --example prints one)")
-      .type("FILE")
-      .group(kGroup);
+      .type("mV/g,...");
+  command.list("--angle", flags.angle_deg, "of each accelerometer around the barrel").type("DEG,...").finite();
+  command.list("--position", flags.position_m, "of each accelerometer from the barrel's end").type("M,...").finite();
+  command.value("--setup", flags.setup_path, "channel set-up (JSON; percuss info --example prints one)").type("FILE");
   command
       .value(
           "--files", [&flags](const std::string& text) { flags.files = files_mean(text); },
           "what several files are: hits of one test, one point each, or tests of their own")
-      .type("hits|points|tests")
-      .group(kGroup);
+      .type("hits|points|tests");
   command
       .value(
           "--frf-kind", [&flags](const std::string& text) { flags.frf_kind = frf_kind(text); },
           "what files of FRFs hold, whatever they say")
-      .type("accelerance|mobility|receptance")
-      .group(kGroup);
+      .type("accelerance|mobility|receptance");
+  command.heading(others);
 }
 
 ReadOptions finished_options(const ReadFlags& flags) {
   ReadOptions options = flags.options;
-  for (const double angle_deg : flags.angle_deg) options.angle_rad.push_back(angle_deg * std::numbers::pi / 180);
+  for (const double angle_deg : flags.angle_deg) options.angle_rad.push_back(angle_deg * kDegree_rad);
   options.position_m = flags.position_m;
   if (flags.force_sensitivity_mV_per_N) options.force_sensitivity_V_per_N = *flags.force_sensitivity_mV_per_N * kMilli;
   for (const double mV_per_g : flags.accel_sensitivity_mV_per_g) {

@@ -133,8 +133,8 @@ Hit hit_of_row(const Record& record, std::size_t row, const HitOptions& options)
           .baseline_N = survey.baseline_N};
   const auto x = force_between(record, row, part.first, part.last, survey.baseline_N);
   const Extremes extremes = extremes_of(x);
-  const double furthest = extremes.high >= -extremes.low ? extremes.high : extremes.low;
-  const auto largest = static_cast<std::size_t>(std::find(x.begin(), x.end(), furthest) - x.begin());
+  const auto is_largest = [most = extremes.furthest_from(0)](double v) { return std::abs(v) == most; };
+  const auto largest = static_cast<std::size_t>(std::find_if(x.begin(), x.end(), is_largest) - x.begin());
   const bool triggered = !options.trigger_N || std::abs(x[largest]) >= *options.trigger_N;
   if (!triggered || !is_pulse(x, largest, survey.noise_N, record.fs_Hz))
     return without_pulse(row, part, survey, options);

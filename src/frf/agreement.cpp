@@ -6,6 +6,7 @@
 #include "core/complex.hpp"
 
 namespace percuss {
+
 std::vector<double> unexplained_by_others(std::span<const std::vector<Complex>* const> force,
                                           std::span<const std::vector<const std::vector<Complex>*>> accel) {
   const std::size_t hits = force.size();
