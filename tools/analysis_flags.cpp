@@ -37,8 +37,8 @@ void add_analysis_flags(Command& command, AnalysisFlags& flags) {
   command.value("--band", flags.band, "Frequency band LO:HI in Hz (default: what the hammer excited)").type("LO:HI");
   command
       .value("--effort", flags.effort,
-             "quick: peaks and local fits; standard: also close pairs and weak modes; best: all modes together, at "
-             "the statistical limit")
+             "quick: each mode over its own lines; standard: also looks longer for close and weak ones; best: all "
+             "modes together, at the statistical limit")
       .one_of({"quick", "standard", "best"})
       .show_default();
   command.value("--estimator", flags.estimator, "FRF estimator: h1, h2 or hv")

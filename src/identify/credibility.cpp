@@ -98,7 +98,10 @@ bool credible(const GroupedFit& all, const FitGroup& group, std::size_t mode, co
 }
 
 bool coincide(const GroupedFit& all, const Pole& a, const Pole& b) {
-  return std::abs(a.freq_Hz - b.freq_Hz) < kCoincide * std::min(all.width_Hz(a), all.width_Hz(b));
+  const FrfSet& set = all.set();
+  const bool known = std::any_of(set.points.begin(), set.points.end(), [](const auto& p) { return !p.ff.empty(); });
+  const double least_Hz = known ? 0 : set.lines.df_Hz();
+  return std::abs(a.freq_Hz - b.freq_Hz) < std::max(least_Hz, kCoincide * std::min(all.width_Hz(a), all.width_Hz(b)));
 }
 
 bool all_credible(const GroupedFit& all, const FitGroup& group, const CredibilityContext& context) {
@@ -106,6 +109,7 @@ bool all_credible(const GroupedFit& all, const FitGroup& group, const Credibilit
   for (std::size_t m = 0; m < poles.size(); ++m) {
     if (!credible(all, group, m, context)) return false;
     for (std::size_t i = 0; i < m; ++i) {
+      if (coincide(all, poles[i], poles[m])) return false;
       const double a = all.width_Hz(poles[i]);
       const double b = all.width_Hz(poles[m]);
       const double least = kLeastSplit * std::max(std::min(a, b), 0.5 * std::max(a, b));

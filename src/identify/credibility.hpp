@@ -20,7 +20,8 @@ double stands_out(const GroupedFit& all, const FitGroup& group, std::size_t mode
 /// more than noise, and further where the hammer did not reach.
 bool credible(const GroupedFit& all, const FitGroup& group, std::size_t mode, const CredibilityContext& context);
 
-/// Two poles that a fit has pushed into one: nothing tells their residues apart any more.
+/// Two poles that a fit has pushed into one: nothing tells their residues apart any more. Where nothing is known of the
+/// force, and so of the records' ends and windows, poles within one line are the shape of one resonance.
 bool coincide(const GroupedFit& all, const Pole& a, const Pole& b);
 
 /// Every mode of the group credible, and no two of them one bent line: apart by half the narrower one's width.

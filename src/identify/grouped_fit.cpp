@@ -15,7 +15,6 @@ using Eigen::VectorXd;
 constexpr double kWindow = 10;  // half-power bandwidths on either side: beyond lies under 0.1 % of a mode's information
 constexpr double kLeastLines = 8;   // … and never fewer lines
 constexpr double kMostLines = 400;  // … nor more: the polynomial follows other modes' tails over a short stretch only
-constexpr double kRoughly = 1e-3;   // half bandwidths: near enough to see the noise
 constexpr double kTogether = 4;     // bandwidths apart at which two modes are fitted together
 
 void carry_over(const std::vector<FitGroup>& before, FitGroup& group, std::size_t m) {

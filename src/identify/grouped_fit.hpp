@@ -44,6 +44,8 @@ class GroupedFit {
   /// The noise of each output in the window as the fit's residual tells it.
   Eigen::VectorXd weights_from(const LocalFit& fit) const;
 
+  /// Tolerance that is near enough to see the noise.
+  static constexpr double kRoughly = 1e-3;
   /// No more than this many are fitted together.
   static constexpr std::size_t kMostTogether = 4;
 

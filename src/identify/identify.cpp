@@ -22,8 +22,8 @@ std::vector<Mode> identify_modes(const FrfSet& set, const IdentifyOptions& optio
   if (options.start_Hz.empty() && set.outputs.size() > kFewOutputs) {
     if (auto modes = identify_many(set, options)) return *std::move(modes);
   }
-  auto found = fit_peaks(
-      set, {.thorough = options.effort != Effort::quick, .modes = options.modes, .start_Hz = options.start_Hz});
+  const int rounds = options.effort == Effort::quick ? kFewRounds : kThorough;
+  auto found = fit_peaks(set, {.rounds = rounds, .modes = options.modes, .start_Hz = options.start_Hz});
   if (options.effort == Effort::best && !found.empty()) refine(set, found);
   std::vector<Mode> modes;
   modes.reserve(found.size());

@@ -7,12 +7,11 @@
 
 namespace percuss {
 
-/// How much work goes into the modes. Run times are those of a whole analysis of five hits, over that of bare
-/// transforms of the same records; errors those of frequencies, over the Cramér–Rao bound, where each mode shows a peak
-/// of its own.
+/// How much work goes into the modes. Run times are those of a whole analysis of five hits with a close pair, over that
+/// of bare transforms of the same records; errors those of frequencies, over the Cramér–Rao bound.
 enum class Effort {
-  quick,     // peaks, each fitted over its own window: 7 times, 1.7; what shows no peak is not looked for
-  standard,  // … also close pairs and weak modes: 13 times, 1.7
+  quick,     // each mode over its own lines; close pairs and hidden modes are looked for in three rounds: 12 times, 1.7
+  standard,  // … in as many as it takes: no different where there are few
   best,      // … and all of them together: 32 times, 1.0
 };
 const char* name_of(Effort effort);

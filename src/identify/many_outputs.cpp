@@ -146,9 +146,8 @@ std::optional<std::vector<Mode>> identify_many(const FrfSet& set, const Identify
   FrfSet few = principal_outputs(set, kFewOutputs);
   std::vector<PeakMode> found;
   // The clear modes first: what is missing of them after the records' ends would pass for hidden ones.
-  for (const bool thorough : {false, true}) {
-    if (thorough && options.effort == Effort::quick) break;
-    found = fit_peaks(few, {.thorough = thorough, .modes = options.modes});
+  for (const int rounds : {0, options.effort == Effort::quick ? kFewRounds : kThorough}) {
+    found = fit_peaks(few, {.rounds = rounds, .modes = options.modes});
     if (found.empty() || most_left(set, found) > kMostLeft) return std::nullopt;
     complete(set, few, found);
   }

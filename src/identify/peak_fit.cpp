@@ -16,7 +16,6 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 constexpr int kSweeps = 2;  // after a change each window sees its neighbours' final shares in the second
-constexpr int kRounds = 6;  // of dropping, splitting and looking for hidden modes
 constexpr double kSplitGain =
     0.25;  // a second mode must leave at most this part of the residual's energy where one misfits
 constexpr double kSplitTest = 25;    // F statistic
@@ -44,7 +43,7 @@ class PeakFit {
 
  private:
   void settle() {
-    for (int round = 0; options_.thorough && round < kRounds; ++round) {
+    for (int round = 0; round < options_.rounds; ++round) {
       while (merge_moving()) all_.sweep(kSweeps);
       const bool dropped = drop_insignificant();
       // A residual is searched for hidden modes only when no pair is left in it to be split.
@@ -163,7 +162,7 @@ class PeakFit {
     for (std::size_t m = 0; m < now.size(); ++m) {
       for (const double side : {-kSplitStart, kSplitStart}) {
         FitGroup trial = group;
-        trial.fit = all_.fit(group, data, split(now, m, side), weight);
+        trial.fit = all_.fit(group, data, split(now, m, side), weight, GroupedFit::kRoughly);
         if (trial.fit.cost < best.fit.cost && trial.fit.degrees > 0 && all_credible(all_, trial, context_))
           best = std::move(trial);
       }

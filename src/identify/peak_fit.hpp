@@ -9,8 +9,11 @@
 
 namespace percuss {
 
+/// Rounds that are enough for most structures, and that find all there is.
+inline constexpr int kFewRounds = 3, kThorough = 6;
+
 struct PeakFitOptions {
-  bool thorough = true;              // look for second modes in each window and for modes that show no peak
+  int rounds = kThorough;            // of looking for second modes in each window, then for modes that show no peak
   std::optional<std::size_t> modes;  // keep this many, the most significant ones
   std::vector<double> start_Hz;      // these and no others
   std::vector<Pole> start;           // those of these, from an earlier fit, that are credible
@@ -26,8 +29,8 @@ struct PeakMode {
 };
 
 /// Modes from peaks: prominent maxima of the summed FRFs, each fitted over a window of its own lines with what the
-/// other modes contribute subtracted (a few sweeps), close ones together. Thorough: a second mode is added where one
-/// leaves a residual it explains, and modes too weak to show are looked for in what is left. Deviations are scaled by
+/// other modes contribute subtracted (a few sweeps), close ones together. A second mode is added where one leaves a
+/// residual it explains, and modes too weak to show are looked for in what is left. Deviations are scaled by
 /// each window's residual. Modes in ascending frequency.
 std::vector<PeakMode> fit_peaks(const FrfSet& set, const PeakFitOptions& options = {});
 

@@ -1,0 +1,11 @@
+#pragma once
+#include <cstddef>
+
+namespace percuss {
+
+/// Calls call(task, 0) … call(task, count − 1) on up to `threads` threads (0: all), in any order. The only file that
+/// sees oneTBB, and the only one that the thread sanitizer does not watch: what the library orders it cannot see.
+void run_in_arena(std::size_t count, std::size_t threads, void (*call)(const void* task, std::size_t i),
+                  const void* task);
+
+}  // namespace percuss
