@@ -11,9 +11,10 @@ namespace percuss::candidates_test {
 
 std::vector<Eigen::VectorXcd> lines_of(const FrfSet& set) {
   std::vector<Eigen::VectorXcd> data;
-  for (const Output& output : set.outputs)
+  for (const Output& output : set.outputs) {
     data.emplace_back(
         Eigen::Map<const Eigen::VectorXcd>(output.frf.data(), static_cast<Eigen::Index>(set.lines.count)));
+  }
   return data;
 }
 

@@ -34,9 +34,10 @@ std::string written(const test::ScratchFolder& folder, const FrfFile& made) {
   for (std::size_t p = 0; p < 2; ++p) {
     for (std::size_t c = 0; c < 2; ++c) {
       std::vector<Complex> value;
-      for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t k = 0; k < 3; ++k) {
         value.emplace_back(made.first_value + 10.0 * static_cast<double>(c) + 100.0 * static_cast<double>(p),
                            static_cast<double>(k));
+      }
       out.write("frf", std::array{p, c}, 0, std::span<const Complex>(value));
     }
   }

@@ -24,10 +24,11 @@ FrfSet set_of(double noise, std::uint64_t seed = 1) {
 // A diagram drawn by hand: one pole per order from 2 up.
 Stabilisation column(std::size_t orders, double freq_Hz, double damping_ratio) {
   Stabilisation diagram;
-  for (std::size_t order = 2; order < 2 + orders; ++order)
+  for (std::size_t order = 2; order < 2 + orders; ++order) {
     diagram.poles.push_back({.order = order,
                              .pole = {.freq_Hz = freq_Hz, .damping_ratio = damping_ratio},
                              .stability = order == 2 ? Stability::fresh : Stability::stable});
+  }
   return diagram;
 }
 

@@ -42,9 +42,10 @@ class SurveyCommand : public testing::Test {
     record.geometry.clear();
     write_hdf5(file("bare.h5"), record, true);
     std::string geometry = "point,position_mm,angle_deg\n";
-    for (std::size_t p = 0; p < 18; ++p)
+    for (std::size_t p = 0; p < 18; ++p) {
       geometry +=
           std::to_string(p) + "," + std::to_string(50 + 80 * (p / 6)) + "," + std::to_string(60 * (p % 6)) + "\n";
+    }
     test::write_bytes(file("points.csv"), geometry);
     test::write_small_test(file("runs.h5"), R"("hits": 1, "runs": 2)");
     test::write_small_test(file("missing.h5"), R"("hits": 1, "faults": [{"hit": 0, "kind": "missing"}])");

@@ -52,9 +52,10 @@ class Companion {
   Companion(const InputHdf5& file, const std::string& name, const InputDataSet& frf) : where_(file.where(name)) {
     if (!file.has(name)) return;
     set_.emplace(file, name);
-    if (set_->shape() != frf.shape())
+    if (set_->shape() != frf.shape()) {
       throw InputError("shape " + hdf5::shape_text(set_->shape()) + " for FRFs " + hdf5::shape_text(frf.shape()),
                        where_, "store one number per line");
+    }
   }
   std::vector<double> read(const Shape& shape, std::size_t point, std::size_t channel) const {
     if (!set_) return {};

@@ -123,9 +123,10 @@ void warn_of_signs(const Survey& survey, std::vector<Warning>& out) {
   }
   std::string broken;
   for (const ReciprocityCheck& check : survey.reciprocity()) {
-    if (check.difference > kReciprocal && check.deviations > kDeviations)
+    if (check.difference > kReciprocal && check.deviations > kDeviations) {
       add_name(broken, fmt::format("mode {}, points {} and {} ({:.0f} %)", check.mode, check.one.point,
                                    check.other.point, check.difference * 100));
+    }
   }
   if (!broken.empty()) {
     out.push_back({"reciprocity", "residues that must be equal both ways round are not: " + broken +
@@ -154,9 +155,10 @@ void warn_of_pairs(const Survey& survey, std::vector<Warning>& out) {
     if (!pair || !pair->first) continue;
     std::string text =
         fmt::format("{:.1f} Hz ({:.1f} Hz apart", survey.analysis().modes()[m].pole.freq_Hz, pair->separation_Hz);
-    if (pair->planes)
+    if (pair->planes) {
       text += fmt::format(", planes {:.2f} ± {:.2g}° apart", pair->planes->between_rad * kRadian_deg,
                           pair->planes->between_std_rad * kRadian_deg);
+    }
     add_name(pairs, text + (pair->quoted ? ")" : "; the second is quoted, which hides it)"));
   }
   if (!pairs.empty()) {

@@ -60,9 +60,10 @@ std::vector<Warning> Analysis::warnings() const {
   const auto& all = hits_.ready() ? hits() : force_hits();
   for (const std::string& note : record_.notes) out.push_back({"input", note});
   const auto rejected = std::count_if(all.begin(), all.end(), [](const AnalysedHit& hit) { return !hit.accepted; });
-  if (rejected > 0)
+  if (rejected > 0) {
     out.push_back(
         {"rejected_hits", fmt::format("{} of {} hits not used; the reasons stand beside them", rejected, all.size())});
+  }
   if (any_finding(all, FindingCode::polarity, true)) {
     out.push_back(
         {"polarity",
@@ -83,19 +84,21 @@ std::vector<Warning> Analysis::warnings() const {
     return hit.accepted && std::any_of(hit.responses.begin(), hit.responses.end(),
                                        [](const ResponseGrade& g) { return g.rings_before; });
   });
-  if (rings)
+  if (rings) {
     out.push_back({"not_at_rest",
                    "the structure was still ringing before a hit: wait longer between hits; damping there may be off "
                    "by more than its ±"});
+  }
   warn_of_moving(out);
   warn_of_truncation(out);
   if (verdicts_.ready()) {
     std::string pairs;
     for (std::size_t m = 0; m < verdicts().size(); ++m) {
       const auto& pair = verdicts()[m].double_peak;
-      if (pair && pair->first)
+      if (pair && pair->first) {
         pairs += fmt::format("{}{:.1f} Hz ({} Hz apart)", pairs.empty() ? "" : ", ", modes()[m].pole.freq_Hz,
                              significant(pair->separation_Hz, 3));
+      }
     }
     if (!pairs.empty()) {
       out.push_back(
