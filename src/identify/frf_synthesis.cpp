@@ -46,6 +46,7 @@ std::vector<SynthesisedFrf> synthesised_frfs(const FrfSet& set, const std::vecto
   const Eigen::MatrixXcd fit = inverse_gram(Eigen::MatrixXcd(terms.adjoint() * terms)) * terms.adjoint();
   const std::size_t first = band.first - set.lines.first;
   std::vector<ModeColumn> whole;
+  whole.reserve(modes.size());
   for (const Mode& mode : modes)
     whole.push_back(whole_column(mode.pole, set.window_decay_per_s(), set.lines, first, band.count, Need::value));
   std::vector<double> levels;

@@ -83,6 +83,7 @@ JointState JointProjection::evaluate(JointModel model) const {
 
 std::vector<ModeColumn> JointProjection::whole_columns(const JointModel& model, Need need) const {
   std::vector<ModeColumn> columns;
+  columns.reserve(model.poles.size());
   for (const Pole& pole : model.poles)
     columns.push_back(whole_column(pole, set_.window_decay_per_s(), set_.lines, 0, set_.lines.count, need));
   return columns;
