@@ -103,10 +103,10 @@ Pole pole_of_window(const FrfSet& set, const std::vector<VectorXcd>& data, std::
   // Per output the unknowns a, b are projected out; what is left is one complex unknown s.
   Complex numerator;
   double denominator = 0;
-  const Index size = data.front().size();
+  const Index size = data.front().size(), half = size / 2;
   const MatrixXd q = orthonormal_polynomials(size, 2);
-  VectorXcd jw(size);  // from the window's middle
-  for (Index i = 0; i < size; ++i) jw(i) = Complex(0, kTwoPi * set.lines.df_Hz() * static_cast<double>(i - size / 2));
+  VectorXcd jw(size);
+  for (Index i = 0; i < size; ++i) jw(i) = Complex(0, kTwoPi * set.lines.df_Hz() * static_cast<double>(i - half));
   for (const VectorXcd& h : data) {
     const VectorXcd shifted = jw.cwiseProduct(h);
     const VectorXcd left = shifted - q * (q.transpose() * shifted);
@@ -115,7 +115,7 @@ Pole pole_of_window(const FrfSet& set, const std::vector<VectorXcd>& data, std::
     denominator += right.squaredNorm();
   }
   if (!(denominator > 0)) return {};
-  const double middle = kTwoPi * set.lines.freq_Hz(first + static_cast<std::size_t>(size / 2));
+  const double middle = kTwoPi * set.lines.freq_Hz(first + static_cast<std::size_t>(half));
   const Complex s = numerator / denominator + Complex(0, middle);
   if (!(s.real() < 0) || !(s.imag() > 0)) return {};
   const double omega = std::abs(s);

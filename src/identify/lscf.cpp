@@ -109,11 +109,13 @@ MatrixXcd normal_matrix(const FrfSet& set, const LscfOptions& options, const Cir
 }
 
 MatrixXcd factor_of(const MatrixXcd& matrix) {
-  for (double ridge = kRidge; ridge < 1; ridge *= kRidgeGrowth) {
+  double ridge = kRidge;
+  while (ridge < 1) {
     MatrixXcd ridged = matrix;
     ridged.diagonal() *= 1 + ridge;
     const Eigen::LLT<MatrixXcd> factor(ridged);
     if (factor.info() == Eigen::Success) return factor.matrixL();
+    ridge *= kRidgeGrowth;
   }
   return {};
 }

@@ -80,11 +80,13 @@ FrfSet completed(const FrfSet& set, const JointFit& fit) {
 // Turns `few` into the outputs of complete records, and fits `found` to them. Each time what is missing is known
 // better, by as much as is missing.
 void complete(const FrfSet& set, FrfSet& few, std::vector<PeakMode>& found) {
-  for (double left = most_left(set, found); left > kCompleted; left *= most_left(set, found)) {
+  double left = most_left(set, found);
+  while (left > kCompleted) {
     const JointFit fit = fit_residues(set, poles_of(found), covariance_of(found));
     few = principal_outputs(completed(set, fit), kFewOutputs);
     few.points.front().blocks.clear();
     found = fit_peaks(few, {.start = poles_of(found)});
+    left *= most_left(set, found);
   }
 }
 
