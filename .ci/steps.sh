@@ -84,7 +84,7 @@ check_package() {
   deb=$(ls build/package/percuss_*.deb)
   dpkg-deb -I "$deb" | sed -n '/Package\|Version\|Depends\|Installed-Size/p'
   dpkg-deb -c "$deb" >build/package/list
-  for path in bin/percuss include/percuss/core/fft.hpp 'lib/.*/libpercuss_core.a' 'lib/.*/percussConfig.cmake' share/doc/percuss/copyright; do
+  for path in bin/percuss include/percuss/core/fft.hpp 'lib.*/libpercuss_core.a' 'lib.*/percussConfig.cmake' share/doc/percuss/copyright; do
     grep -q " \./usr/$path\$" build/package/list || { echo "the package lacks /usr/$path" >&2; return 1; }
   done
   dpkg-deb -x "$deb" build/package/root
