@@ -30,6 +30,7 @@ std::string frf_csv(const Analysis& analysis, FrfKind kind) {
   const auto& frfs = analysis.frfs();
   const LineRange& lines = analysis.lines();
   std::vector<Frf> shown;
+  shown.reserve(frfs.size());
   for (const PointFrf& frf : frfs) shown.push_back(converted(frf.frf, lines, kind, analysis.window_decay_per_s()));
   std::string out = fmt::format("# {} {}, {}, exp(+jwt){}\nfrequency_hz", name_of(kind), unit_of(kind),
                                 name_of(analysis.options().estimator), statements(analysis));
