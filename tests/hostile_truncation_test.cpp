@@ -89,8 +89,7 @@ TEST_F(HostileTruncation, SurvivesSingleBytesDamagedInHdf5) {
     damaged[at] = static_cast<char>(random() & 0xFFU);
     SCOPED_TRACE(at);
     test::write_bytes(hdf5_, damaged);
-    const auto outcome =
-        run_percuss({"analyze", hdf5_, "--effort", "quick", "--json"}, {.limit = std::chrono::seconds(20)});
+    const auto outcome = run_percuss({"analyze", hdf5_, "--json"}, {.limit = std::chrono::seconds(20)});
     EXPECT_EQ(outcome.signal, 0);
     EXPECT_THAT(outcome.code, AnyOf(0, 3, 4)) << outcome.err;
     if (outcome.code == 3) {

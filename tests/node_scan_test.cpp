@@ -73,11 +73,11 @@ void expect_nodes(const char* preset, std::uint64_t seed) {
 }
 
 TEST(NodeScan, FindsTheNodesOfAWoodBat) {
-  for (std::uint64_t seed = 0; seed < 3; ++seed) expect_nodes("wood-bat", seed);
+  for (std::uint64_t seed = 0; seed < 5; ++seed) expect_nodes("wood-bat", seed);
 }
 
 TEST(NodeScan, FindsTheNodesOfAnAluminiumBat) {
-  for (std::uint64_t seed = 0; seed < 3; ++seed) expect_nodes("aluminium-bat", seed);
+  for (std::uint64_t seed = 0; seed < 5; ++seed) expect_nodes("aluminium-bat", seed);
 }
 
 TEST(NodeScan, IsExactWithoutNoise) {
