@@ -37,15 +37,14 @@ struct Extent {
 
 Extent extent_of(const Record& record) {
   Extent extent;
-  std::set<int> points, runs;
+  std::set<int> runs;
   for (const auto& row : record.rows) {
     extent.samples += row.samples;
     extent.shortest = extent.shortest == 0 ? row.samples : std::min(extent.shortest, row.samples);
     extent.longest = std::max(extent.longest, row.samples);
-    points.insert(row.point);
     runs.insert(row.run);
   }
-  extent.points = points.size();
+  extent.points = record.points().size();
   extent.runs = runs.size();
   return extent;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 namespace percuss {
+
 std::vector<DrivingPointCheck> check_driving_points(const std::vector<Mode>& modes,
                                                     const std::vector<DrivingPoint>& driving) {
   std::vector<DrivingPointCheck> out;
