@@ -23,5 +23,6 @@ void add_nodes(CommandLine& line);
 void add_calibrate(CommandLine& line);
 void add_survey(CommandLine& line);
 void add_synth(CommandLine& line);
+void add_model_rigid(CommandLine& line);
 
 }  // namespace percuss::tools

@@ -125,17 +125,38 @@ CommandLine::CommandLine(const char* name, const char* description, const char* 
 
 CommandLine::~CommandLine() = default;
 
+void CommandLine::group(const char* name, const char* description) {
+  app_->add_subcommand(name, description)->require_subcommand(1);
+}
+
 Command CommandLine::command(const char* name, const char* description, std::function<int()> run) {
-  CLI::App* command = app_->add_subcommand(name, description);
+  const std::string_view words = name;
+  const std::size_t blank = words.find(' ');
+  CLI::App* parent =
+      blank == std::string_view::npos ? app_.get() : app_->get_subcommand(std::string(words.substr(0, blank)));
+  CLI::App* command = parent->add_subcommand(std::string(words.substr(blank + 1)), description);
   command->callback([this, run = std::move(run)] { chosen_ = run; });
   return Command(command);
 }
 
+// A word that is no command would be called a missing command.
+void CommandLine::check_commands(int argc, char** argv) const {
+  const CLI::App* app = app_.get();
+  std::string before;  // the words so far
+  for (int i = 1; i < argc && argv[i][0] != '-'; ++i) {
+    const auto all = app->get_subcommands(nullptr);
+    if (all.empty()) return;
+    const auto found = std::find_if(all.begin(), all.end(), [&](const auto* one) { return one->check_name(argv[i]); });
+    if (found == all.end())
+      throw UsageError("there is no command '" + before + one_line(argv[i], 40) + "'",
+                       "percuss " + before + "--help lists them");
+    app = *found;
+    before += app->get_name() + " ";
+  }
+}
+
 int CommandLine::run(int argc, char** argv) {
-  // A word that is no command would be called a missing command.
-  const auto named = [&](const CLI::App* command) { return command->get_name() == argv[1]; };
-  if (argc > 1 && argv[1][0] != '-' && app_->get_subcommands(named).empty())
-    throw UsageError(std::string("there is no command '") + argv[1] + "'", "percuss --help lists them");
+  check_commands(argc, argv);
   try {
     app_->parse(argc, argv);
   } catch (const CLI::Success& e) {

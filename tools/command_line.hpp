@@ -68,6 +68,9 @@ class CommandLine {
   CommandLine(const CommandLine&) = delete;
   CommandLine& operator=(const CommandLine&) = delete;
 
+  /// A command that only gathers others: they are named "GROUP NAME" and declared after it.
+  void group(const char* name, const char* description);
+
   /// `run` is called when the command was chosen and its options understood; it returns an exit code.
   Command command(const char* name, const char* description, std::function<int()> run);
 
@@ -75,6 +78,8 @@ class CommandLine {
   int run(int argc, char** argv);
 
  private:
+  void check_commands(int argc, char** argv) const;
+
   std::unique_ptr<CLI::App> app_;
   std::function<int()> chosen_;
 };

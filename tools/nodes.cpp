@@ -1,8 +1,5 @@
 #include <fmt/format.h>
 
-#include <array>
-#include <charconv>
-#include <cmath>
 #include <iostream>
 #include <memory>
 
@@ -14,6 +11,7 @@
 #include "output.hpp"
 #include "pipeline/node_scan.hpp"
 #include "progress.hpp"
+#include "ranges.hpp"
 #include "read_flags.hpp"
 #include "report/analysis_json.hpp"
 #include "report/nodes_report.hpp"
@@ -22,8 +20,6 @@ namespace percuss::tools {
 namespace {
 
 constexpr double kResolution_m = 0.125 * kInch_m;  // to which the rule of thumb is read
-constexpr double kMostPositions = 10000;
-constexpr double kWholeSteps = 1e-6;  // of a step: how exactly END must be reached
 
 struct NodesFlags {
   ReadFlags read;
@@ -32,34 +28,19 @@ struct NodesFlags {
   std::string positions;
 };
 
-[[noreturn]] void refuse(const std::string& text, const char* problem) {
-  throw UsageError("--positions " + one_line(text, 80) + ": " + problem,
-                   "give START:STEP:END with a unit (in, m, mm, cm, ft), as 3:0.25:9in; inches where there is none");
-}
-
 // "3:0.25:9", "3:0.25:9in", "80:5:250mm"
 ScanPositions parse_positions(const std::string& text) {
-  std::array<double, 3> number{};
-  const char* at = text.data();
-  const char* const end = at + text.size();
-  for (std::size_t i = 0; i < number.size(); ++i) {
-    if (i > 0 && (at == end || *at++ != ':')) refuse(text, "not three numbers with colons between");
-    const auto [after, error] = std::from_chars(at, end, number.at(i));
-    if (error != std::errc{} || !std::isfinite(number.at(i))) refuse(text, "not three numbers with colons between");
-    at = after;
-  }
+  const char* const remedy =
+      "give START:STEP:END with a unit (in, m, mm, cm, ft), as 3:0.25:9in; inches where there is none";
+  const auto [range, name] = parse_range_with_unit("--positions", text, remedy);
   double to_m = kInch_m;
-  if (at != end) {
-    const auto unit = parse_unit({at, static_cast<std::size_t>(end - at)});
-    if (!unit || unit->quantity != Quantity::length) refuse(text, "the unit is not one of length");
+  if (!name.empty()) {
+    const auto unit = parse_unit(name);
+    if (!unit || unit->quantity != Quantity::length)
+      throw UsageError("--positions " + one_line(text, 80) + ": the unit is not one of length", remedy);
     to_m = unit->to_SI;
   }
-  const auto [start, step, stop] = number;
-  if (!(step > 0) || !(stop > start)) refuse(text, "the step must be above zero and END above START");
-  const double steps = (stop - start) / step;
-  if (steps >= kMostPositions) refuse(text, "more than 10000 positions");
-  if (std::abs(steps - std::round(steps)) > kWholeSteps) refuse(text, "END is not a whole number of steps from START");
-  return {.start_m = start * to_m, .step_m = step * to_m, .count = static_cast<std::size_t>(std::lround(steps)) + 1};
+  return {.start_m = range.low * to_m, .step_m = range.step * to_m, .count = range.count};
 }
 
 std::unique_ptr<Analysis> analysis_of(const NodesFlags& flags, const ScanPositions& positions) {

@@ -1,0 +1,36 @@
+#pragma once
+
+namespace percuss {
+
+/// A ball against a rigid bat that turns about its centre of mass and moves with it.
+struct RigidCollision {
+  double ball_mass_kg = 0.145;
+  double bat_mass_kg = 0.83;
+  double inertia_kgm2 = 0.039;   // of the bat about its centre of mass
+  double ball_speed_mps = 67;    // of the ball towards the bat
+  double swing_rate_radps = 60;  // of the bat's rotation
+  double bat_speed_mps = 0;      // of the bat's centre of mass, towards the ball
+  double restitution = 0.55;     // relative speed after / before, at the point of impact
+};
+
+/// The mass that the ball feels, z_m from the bat's centre of mass:
+///   M_e = M / (1 + M z²/I)                                   (1)
+double effective_mass_kg(const RigidCollision& collision, double z_m);
+
+/// Speed of the bat's surface there, towards the ball: u = V + |ω| z.                                    (2)
+double swing_speed_mps(const RigidCollision& collision, double z_m);
+
+/// Speed of the ball after the impact, back where it came from:
+///   v' = [v (e M_e − m) + u M_e (1 + e)] / (m + M_e)         (3)
+/// source  [10] in docs/sources.md
+double exit_speed_mps(const RigidCollision& collision, double z_m);
+
+struct BestImpact {
+  double z_m = 0, exit_speed_mps = 0;
+};
+
+/// Where between low_m and high_m (from the centre of mass) the ball leaves fastest: the root of (3)'s derivative, or
+/// an end.
+BestImpact best_impact(const RigidCollision& collision, double low_m, double high_m);
+
+}  // namespace percuss

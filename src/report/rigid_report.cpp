@@ -1,0 +1,43 @@
+#include "report/rigid_report.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "report/version.hpp"
+
+namespace percuss {
+
+ModelReport rigid_report(const RigidCollision& collision, const std::vector<double>& z_m) {
+  const BestImpact best = best_impact(collision, z_m.front(), z_m.back());
+  NumberColumn exit{.name = "exit_speed_mps"}, swing{.name = "swing_speed_mps"}, mass{.name = "effective_mass_kg"};
+  nlohmann::ordered_json json{{"schema", "percuss/model-rigid/1"},
+                              {"version", version()},
+                              {"best", {{"z_m", best.z_m}, {"exit_speed_mps", best.exit_speed_mps}}},
+                              {"curve", nlohmann::ordered_json::array()}};
+  for (const double z : z_m) {
+    exit.values.push_back(exit_speed_mps(collision, z));
+    swing.values.push_back(swing_speed_mps(collision, z));
+    mass.values.push_back(effective_mass_kg(collision, z));
+    json["curve"].push_back({{"z_m", z},
+                             {exit.name, exit.values.back()},
+                             {swing.name, swing.values.back()},
+                             {mass.name, mass.values.back()}});
+  }
+  const double near_m = 0.05;
+  const auto loss = [&](double z) { return best.exit_speed_mps - exit_speed_mps(collision, z); };
+  ModelReport report;
+  report.json = json.dump(2) + "\n";
+  report.text = fmt::format(
+      "rigid bat: the ball leaves fastest, with {:.2f} m/s, {:.1f} mm from the centre of mass (positive towards the "
+      "barrel)\n5 cm farther in it is {:.2f} m/s slower, 5 cm farther out {:.2f} m/s\n",
+      best.exit_speed_mps, 1000 * best.z_m, loss(best.z_m - near_m), loss(best.z_m + near_m));
+  report.chart = {.title = "Rigid bat",
+                  .x = {.label = "impact from the centre of mass, m"},
+                  .y = {.label = "speed, m/s"},
+                  .curves = {{"ball after impact", z_m, exit.values}, {"bat before impact", z_m, swing.values}}};
+  report.columns = {{"z_m", z_m}, exit, swing, mass};
+  return report;
+}
+
+}  // namespace percuss

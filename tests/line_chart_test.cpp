@@ -1,0 +1,68 @@
+#include "report/line_chart.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace percuss::line_chart_test {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+TEST(RoundTicks, AreRoundAndInside) {
+  EXPECT_THAT(round_ticks(0.03, 5.2, 5), ElementsAre(1, 2, 3, 4, 5));
+  EXPECT_THAT(round_ticks(-100, 100, 4), ElementsAre(-100, -50, 0, 50, 100));
+  EXPECT_THAT(round_ticks(1, 1, 4), IsEmpty());
+}
+
+LineChart chart() {
+  return {.title = "COR < 1 & falling",
+          .x = {.label = "hoop frequency, Hz"},
+          .y = {.label = "COR"},
+          .curves = {{.name = "a", .x = {0, 1, 2, 3}, .y = {1, 2, std::numeric_limits<double>::quiet_NaN(), 4}},
+                     {.name = "b", .x = {0, 3}, .y = {4, 4}, .marks = true}}};
+}
+
+TEST(LineChart, DrawsEachLineInsideThePlotAndBreaksItWhereThereIsNoValue) {
+  const std::string svg = line_chart_svg(chart());
+  EXPECT_THAT(svg, HasSubstr("M72.0 371.4L254.7 266.5M620.0 56.6\""));  // margins of 4 % of the plot's 340 px
+  EXPECT_THAT(svg, HasSubstr("<circle cx=\"620.0\""));
+}
+
+TEST(LineChart, EscapesWhatSvgWouldRead) {
+  EXPECT_THAT(line_chart_svg(chart()), HasSubstr("COR &lt; 1 &amp; falling"));
+}
+
+TEST(LineChart, KeepsNamesApart) {
+  const std::string svg = line_chart_svg(chart());
+  EXPECT_THAT(svg, HasSubstr("y=\"60.6\" fill=\"#0072B2\">a<"));
+  EXPECT_THAT(svg, HasSubstr("y=\"75.6\" fill=\"#D55E00\">b<"));
+}
+
+TEST(LineChart, StandsWithoutAnyValue) {
+  EXPECT_THAT(line_chart_svg({.title = "nothing"}), Not(HasSubstr("nan")));
+  EXPECT_THAT(line_chart_svg({.curves = {{.name = "one", .x = {5}, .y = {7}}}}), Not(HasSubstr("nan")));
+}
+
+TEST(LineChart, DrawsNoMoreThanThePageCanShow) {
+  ChartCurve curve{.name = "noise"};
+  for (int i = 0; i < 100000; ++i) {
+    curve.x.push_back(i);
+    curve.y.push_back(i == 77777 ? 9 : i % 2);
+  }
+  const std::string svg = line_chart_svg({.curves = {curve}});
+  EXPECT_LT(svg.size(), 30000U);
+  EXPECT_THAT(svg, HasSubstr(" 56.6L"));  // the one that stands out is kept
+}
+
+TEST(LineChart, CountsDecadesOnALogarithmicAxis) {
+  const std::string svg =
+      line_chart_svg({.x = {.logarithmic = true}, .y = {.logarithmic = true}, .curves = {{"", {1, 1000}, {1, 1e-6}}}});
+  EXPECT_THAT(svg, HasSubstr("<text x=\"254.7\" y=\"402\" text-anchor=\"middle\">10</text>"));
+  EXPECT_THAT(svg, HasSubstr(">1e-06<"));
+}
+
+}  // namespace percuss::line_chart_test
