@@ -5,6 +5,7 @@
 #include <span>
 
 #include "core/statistics.hpp"
+#include "core/tall_products.hpp"
 #include "identify/peaks.hpp"
 
 namespace percuss {
@@ -77,19 +78,33 @@ Eigen::VectorXcd resonance(double h) {
   return g / g.norm();
 }
 
-// Energy that a resonance of half-width h at each line explains, over the noise there, summed over the outputs.
-std::vector<double> gain_of(const std::vector<Eigen::VectorXcd>& residual,
-                            const std::vector<std::vector<double>>& noise, double h, std::size_t step) {
-  const Eigen::VectorXcd g = resonance(h);
-  const Eigen::Index reach = g.size() / 2;
-  const auto lines = static_cast<std::size_t>(residual.front().size());
-  std::vector<double> gain(lines / step + 1);
-  for (std::size_t i = 0; i < gain.size(); ++i) {
-    const auto k = static_cast<Eigen::Index>(i * step);
-    if (k < reach || k + reach >= static_cast<Eigen::Index>(lines)) continue;
-    for (std::size_t o = 0; o < residual.size(); ++o) {
-      const double power = std::norm(g.dot(residual[o].segment(k - reach, g.size())));
-      if (noise[o][i * step] > 0) gain[i] += power / noise[o][i * step];
+// One output's residual at some width of its lines, and the noise's power there.
+struct ResidualLines {
+  Eigen::VectorXcd residual;
+  std::vector<double> noise;
+};
+
+// Lines twice as wide: the mean of two, whose noise has half the power; what a model leaves does not average out.
+ResidualLines halved(const ResidualLines& lines, double floor) {
+  const Eigen::Index n = lines.residual.size() / 2;
+  ResidualLines wide{Eigen::VectorXcd(n), std::vector<double>(static_cast<std::size_t>(n))};
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    wide.residual(i) = 0.5 * (lines.residual(2 * i) + lines.residual(2 * i + 1));
+    wide.noise[k] = std::max(floor, 0.25 * (lines.noise[2 * k] + lines.noise[2 * k + 1]));
+  }
+  return wide;
+}
+
+// Energy that the resonance explains at each line, over the noise there, summed over the outputs.
+std::vector<double> gain_of(const std::vector<ResidualLines>& outputs, const Eigen::VectorXcd& shape) {
+  const Eigen::Index reach = shape.size() / 2;
+  const Eigen::Index lines = outputs.front().residual.size();
+  std::vector<double> gain(static_cast<std::size_t>(lines));
+  for (Eigen::Index k = reach; k + reach < lines; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    for (const ResidualLines& output : outputs) {
+      if (output.noise[i] > 0) gain[i] += std::norm(adjoint_dot(shape, output.residual, k - reach)) / output.noise[i];
     }
   }
   return gain;
@@ -145,22 +160,26 @@ std::vector<Pole> hidden_poles(const FrfSet& set, const std::vector<Eigen::Vecto
     double line, half_width, gain;
   };
   std::vector<Found> found;
-  std::vector<std::vector<double>> noise;
+  std::vector<ResidualLines> outputs;
+  std::vector<double> floors;
   for (std::size_t o = 0; o < residual.size(); ++o) {
-    noise.push_back(noise_power(std::span(residual[o].data(), static_cast<std::size_t>(residual[o].size()))));
-    const double floor = std::pow(kModelFloor * largest_of(set.outputs[o].frf), 2);
-    for (double& power : noise.back()) power = std::max(power, floor);
+    outputs.push_back({residual[o], noise_power({residual[o].data(), static_cast<std::size_t>(residual[o].size())})});
+    floors.push_back(std::pow(kModelFloor * largest_of(set.outputs[o].frf), 2));
+    for (double& power : outputs.back().noise) power = std::max(power, floors.back());
   }
   const double threshold = kHiddenGain + 3 * static_cast<double>(residual.size());
   const double top_Hz = set.lines.freq_Hz(set.lines.count - 1);
   const double widest = kWidestHidden * top_Hz / set.lines.df_Hz();
-  for (std::size_t doubling = 0; kNarrowest * std::exp2(doubling) < widest; ++doubling) {
-    const double h = kNarrowest * std::exp2(doubling);
-    const auto step = static_cast<std::size_t>(std::max(1.0, h / 2));
-    const auto gain = gain_of(residual, noise, h, step);
+  const Eigen::VectorXcd shape = resonance(kNarrowest);
+  // Each resonance is looked for on lines so wide that it is as narrow as can be: the work halves at every doubling.
+  for (double width = 1; kNarrowest * width < widest; width *= 2) {
+    const auto gain = gain_of(outputs, shape);
     for (const Peak& peak : find_peaks(gain)) {
-      if (gain[peak.line] > threshold) found.push_back({static_cast<double>(peak.line * step), h, gain[peak.line]});
+      if (gain[peak.line] <= threshold) continue;
+      const double line = (static_cast<double>(peak.line) + 0.5) * width - 0.5;
+      found.push_back({line, kNarrowest * width, gain[peak.line]});
     }
+    for (std::size_t o = 0; o < outputs.size(); ++o) outputs[o] = halved(outputs[o], floors[o]);
   }
   // The best width at each place; what lies within its resonance is the same one seen at another width.
   std::sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.gain > b.gain; });

@@ -20,9 +20,15 @@ constexpr double kUnknownGain =
     1e-3;  // its deviation where the force is not known: a good hammer's, near its bandwidth
 constexpr double kDynamicRange =
     1e-5;  // of the largest line: smaller peaks cannot be told from what the polynomial leaves
-constexpr double kLeastSplit = 0.5;  // bandwidths between two modes when one is split …
-constexpr double kCoincide = 0.05;   // … below which a fit has pushed two into one
-constexpr double kCertain = 1e9;     // a quotient over no noise at all
+constexpr double kLeastSplit = 0.5;        // bandwidths between two modes when one is split …
+constexpr double kLeastProvenSplit = 0.1;  // … and when the two leave nothing but noise
+constexpr double kNoiseAlone = 1.5;        // times the lines' roughness, which a resonance that moves never comes near
+constexpr double kCoincide = 0.05;         // … below which a fit has pushed two into one
+constexpr double kCertain = 1e9;           // a quotient over no noise at all
+
+double most_misfit(const GroupedFit& all, const LocalFit& fit) {
+  return fit.noise.cwiseQuotient(all.noise()).maxCoeff();
+}
 
 double significance(const LocalFit& fit, std::size_t mode) {
   double best = 0;
@@ -63,8 +69,7 @@ double least_standing(const GroupedFit& all, const FitGroup& group, std::size_t 
   const bool shown = std::any_of(context.shown.begin(), context.shown.end(), [&](const Pole& peak) {
     return std::abs(peak.freq_Hz - pole.freq_Hz) < all.width_Hz(pole);
   });
-  double misfit = 1;
-  for (Index o = 0; o < group.fit.noise.size(); ++o) misfit = std::max(misfit, group.fit.noise(o) / all.noise()(o));
+  const double misfit = std::max(1.0, most_misfit(all, group.fit));
   const bool reached = all.set().reach_Hz <= 0 || pole.freq_Hz <= all.set().reach_Hz;
   // Before the set of modes has settled a misfit may be another mode's, still to be found.
   return kStandsOut * (context.settled && !shown ? std::min(misfit, kMostMisfit) : 1) * (reached ? 1 : kBeyondReach);
@@ -106,13 +111,14 @@ bool coincide(const GroupedFit& all, const Pole& a, const Pole& b) {
 
 bool all_credible(const GroupedFit& all, const FitGroup& group, const CredibilityContext& context) {
   const auto& poles = group.fit.poles;
+  const double apart = most_misfit(all, group.fit) < kNoiseAlone ? kLeastProvenSplit : kLeastSplit;
   for (std::size_t m = 0; m < poles.size(); ++m) {
     if (!credible(all, group, m, context)) return false;
     for (std::size_t i = 0; i < m; ++i) {
       if (coincide(all, poles[i], poles[m])) return false;
       const double a = all.width_Hz(poles[i]);
       const double b = all.width_Hz(poles[m]);
-      const double least = kLeastSplit * std::max(std::min(a, b), 0.5 * std::max(a, b));
+      const double least = apart * std::max(std::min(a, b), 0.5 * std::max(a, b));
       if (std::abs(poles[i].freq_Hz - poles[m].freq_Hz) <= least) return false;
     }
   }

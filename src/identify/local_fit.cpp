@@ -18,10 +18,14 @@ using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
+// What an undamped step can still gain, of the residual's share per degree of freedom: a hundredth of a deviation.
+constexpr double kNothingGained = 1e-4;
+constexpr double kUndamped = 1e-4;
+
 // Levenberg–Marquardt; returns the state reached.
 ProjectedState descend(const VariableProjection& projection, LocalFit& fit, const LocalFitOptions& options) {
   ProjectedState state = projection.evaluate(fit.poles);
-  double lambda = 1e-4;
+  double lambda = kUndamped;
   for (int step = 0; step < options.max_steps && !fit.converged; ++step) {
     const auto [a, b] = projection.normal_equations(state, fit.poles.size());
     bool better = false;
@@ -36,9 +40,11 @@ ProjectedState descend(const VariableProjection& projection, LocalFit& fit, cons
       ProjectedState next = projection.evaluate(poles);
       better = next.cost <= state.cost;
       if (!better && size < options.tolerance) return state;  // as far as rounding lets it go
+      const bool undamped = lambda <= kUndamped;
       lambda = better ? lambda * 0.2 : lambda * 10;
       if (!better) continue;
-      fit.converged = size < options.tolerance;
+      const double gain = move.dot(b), share = next.cost / static_cast<double>(std::max<std::size_t>(fit.degrees, 1));
+      fit.converged = size < options.tolerance || (undamped && gain < kNothingGained * share);
       fit.poles = poles;
       state = std::move(next);
     }
@@ -90,11 +96,11 @@ LocalFit fit_locally(const FrfSet& set, const std::vector<VectorXcd>& data, cons
                .damping_std = VectorXd::Zero(modes),
                .noise = VectorXd::Zero(outputs)};
   const VariableProjection projection(set, data, weight, options.first, options.count, options.residual_terms);
-  const ProjectedState state = descend(projection, fit, options);
-  fit.cost = state.cost;
   const auto unknowns = 2 * fit.poles.size() + 2 * set.outputs.size() * (fit.poles.size() + options.residual_terms);
   const std::size_t values = 2 * set.outputs.size() * options.count;
   fit.degrees = values > unknowns ? values - unknowns : 0;
+  const ProjectedState state = descend(projection, fit, options);
+  fit.cost = state.cost;
   add_uncertainty(fit, projection, state, weight);
   return fit;
 }

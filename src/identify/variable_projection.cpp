@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/linear_algebra.hpp"
+#include "core/tall_products.hpp"
 
 namespace percuss {
 
@@ -31,8 +32,7 @@ VariableProjection::VariableProjection(const FrfSet& set, const std::vector<Vect
 }
 
 void VariableProjection::project(MatrixXcd& columns) const {
-  const MatrixXcd along = polynomial_.transpose() * columns;
-  columns.noalias() -= polynomial_ * along;
+  subtract_product(columns, polynomial_, transposed_product(polynomial_, columns));
 }
 
 ProjectedState VariableProjection::evaluate(const std::vector<Pole>& poles) const {
@@ -55,11 +55,11 @@ std::pair<MatrixXd, VectorXd> VariableProjection::normal_equations(const Project
   MatrixXd matrix = MatrixXd::Zero(n, n);
   VectorXd right = VectorXd::Zero(n);
   for (const ProjectedPart& part : state.parts) {
-    const MatrixXcd poly = polynomial_.transpose() * part.slopes;
-    const MatrixXcd cross = part.columns.adjoint() * part.slopes;
-    const MatrixXcd gram =
-        part.slopes.adjoint() * part.slopes - poly.adjoint() * poly - cross.adjoint() * part.inverse_gram * cross;
-    const MatrixXcd slope = part.slopes.adjoint() * part.residual;
+    const MatrixXcd poly = transposed_product(polynomial_, part.slopes);
+    const MatrixXcd cross = adjoint_product(part.columns, part.slopes);
+    const MatrixXcd gram = adjoint_gram(part.slopes) - adjoint_gram(poly) -
+                           adjoint_product(cross, part.inverse_gram.lazyProduct(cross).eval());
+    const MatrixXcd slope = adjoint_product(part.slopes, part.residual);
     for (std::size_t i = 0; i < part.outputs.size(); ++i) {
       const double w = weight_(static_cast<Index>(part.outputs[i]));
       const auto column = static_cast<Index>(i);
@@ -75,7 +75,7 @@ std::pair<MatrixXd, VectorXd> VariableProjection::normal_equations(const Project
 }
 
 MatrixXcd VariableProjection::residue_moves(const ProjectedPart& part, Index output) const {
-  MatrixXcd moves = -part.inverse_gram * (part.columns.adjoint() * part.slopes);
+  MatrixXcd moves = -part.inverse_gram * adjoint_product(part.columns, part.slopes);
   for (Index c = 0; c < moves.cols(); ++c) moves.col(c) *= part.amplitude(c / 2, output);
   return moves;
 }
@@ -103,7 +103,7 @@ ProjectedPart VariableProjection::solve(const std::vector<std::size_t>& outputs,
     part.slopes.col(2 * m + 1) = mode.by_damping;
   }
   project(part.columns);
-  part.inverse_gram = inverse_gram(MatrixXcd(part.columns.adjoint() * part.columns));
+  part.inverse_gram = inverse_gram(adjoint_gram(part.columns));
   if (outputs.size() == set_.outputs.size()) {
     part.residual = data_;
   } else {
@@ -114,9 +114,9 @@ ProjectedPart VariableProjection::solve(const std::vector<std::size_t>& outputs,
   // Twice: the normal equations alone lose half of the digits.
   part.amplitude = MatrixXcd::Zero(modes, part.residual.cols());
   for (int pass = 0; pass < 2; ++pass) {
-    const MatrixXcd correction = part.inverse_gram * (part.columns.adjoint() * part.residual);
+    const MatrixXcd correction = part.inverse_gram.lazyProduct(adjoint_product(part.columns, part.residual));
     part.amplitude += correction;
-    part.residual.noalias() -= part.columns * correction;
+    subtract_product(part.residual, part.columns, correction);
   }
   return part;
 }

@@ -1,0 +1,26 @@
+#pragma once
+#include <Eigen/Core>
+#include <complex>
+
+namespace percuss {
+
+// Products of tall matrices with few columns. A general product is made for large matrices: it copies both sides into
+// blocks first, which here costs more than the product itself.
+
+/// leftᴴ·right. shapes: left [n, a], right [n, b], result [a, b].
+Eigen::MatrixXcd adjoint_product(const Eigen::MatrixXcd& left, const Eigen::MatrixXcd& right);
+
+/// leftᴴ·right[first … first + left.size()].
+std::complex<double> adjoint_dot(const Eigen::VectorXcd& left, const Eigen::VectorXcd& right, Eigen::Index first = 0);
+
+/// columnsᴴ·columns. shapes: columns [n, a], result [a, a].
+Eigen::MatrixXcd adjoint_gram(const Eigen::MatrixXcd& columns);
+
+/// leftᵀ·right. shapes: left [n, a], right [n, b], result [a, b].
+Eigen::MatrixXcd transposed_product(const Eigen::MatrixXd& left, const Eigen::MatrixXcd& right);
+
+/// from −= columns·factors. shapes: from [n, b], columns [n, a], factors [a, b].
+void subtract_product(Eigen::MatrixXcd& from, const Eigen::MatrixXcd& columns, const Eigen::MatrixXcd& factors);
+void subtract_product(Eigen::MatrixXcd& from, const Eigen::MatrixXd& columns, const Eigen::MatrixXcd& factors);
+
+}  // namespace percuss
