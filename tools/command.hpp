@@ -22,6 +22,8 @@ void add_frf(CommandLine& line);
 void add_nodes(CommandLine& line);
 void add_calibrate(CommandLine& line);
 void add_survey(CommandLine& line);
+void add_compare(CommandLine& line);
+void add_deflect(CommandLine& line);
 void add_synth(CommandLine& line);
 void add_model_rigid(CommandLine& line);
 

@@ -26,6 +26,8 @@ int parse_and_run(int argc, char** argv) {
   add_survey(line);
   add_info(line);
   add_calibrate(line);
+  add_deflect(line);
+  add_compare(line);
   add_synth(line);
   line.group("model", "Predictions: beams, bats, barrels and what a ball does to them");
   add_model_rigid(line);

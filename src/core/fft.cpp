@@ -50,6 +50,13 @@ fftw_plan inverse_plan(std::size_t n) {
   return plan;
 }
 
+bool fast_length(std::size_t length) {
+  for (const std::size_t prime : {2U, 3U, 5U, 7U}) {
+    while (length % prime == 0 && length > 0) length /= prime;
+  }
+  return length == 1;
+}
+
 }  // namespace
 
 void real_dft(std::span<const double> x, std::span<Complex> out) {
@@ -82,14 +89,13 @@ std::vector<double> inverse_real_dft(std::span<const Complex> lines, std::size_t
 }
 
 std::size_t fast_length_at_most(std::size_t n) {
-  for (std::size_t length = n; length > 1; --length) {
-    std::size_t rest = length;
-    for (const std::size_t prime : {2U, 3U, 5U, 7U}) {
-      while (rest % prime == 0) rest /= prime;
-    }
-    if (rest == 1) return length;
-  }
-  return 1;
+  while (n > 1 && !fast_length(n)) --n;
+  return n;
+}
+
+std::size_t fast_length_at_least(std::size_t n) {
+  while (!fast_length(n)) ++n;
+  return n;
 }
 
 }  // namespace percuss

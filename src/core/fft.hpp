@@ -23,4 +23,7 @@ std::vector<double> inverse_real_dft(std::span<const Complex> lines, std::size_t
 /// The largest length <= n whose prime factors are 2, 3, 5 and 7 only (n >= 1).
 std::size_t fast_length_at_most(std::size_t n);
 
+/// … and the smallest >= n.
+std::size_t fast_length_at_least(std::size_t n);
+
 }  // namespace percuss

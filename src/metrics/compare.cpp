@@ -1,0 +1,183 @@
+#include "metrics/compare.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace percuss {
+namespace {
+
+constexpr std::size_t kLeastPlaces = 3;
+constexpr double kSamePlace_m = 1e-6;
+
+bool families_agree(const ComparedMode& a, const ComparedMode& b) {
+  const auto any = [](const std::string& family) { return family.empty() || family == "unknown"; };
+  return any(a.family) || any(b.family) || a.family == b.family;
+}
+
+bool near_enough(const ComparedMode& a, const ComparedMode& b, double furthest) {
+  return families_agree(a, b) && a.freq_Hz > 0 && b.freq_Hz > 0 &&
+         std::abs(b.freq_Hz - a.freq_Hz) <= furthest * std::max(a.freq_Hz, b.freq_Hz);
+}
+
+std::optional<Mac> mac_of(const ComparedMode& a, const ComparedMode& b) {
+  ShapeValues first, second;
+  for (const auto& [place, component] : a.shape) {
+    const auto other = b.shape.find(place);
+    if (other == b.shape.end()) continue;
+    first.value.push_back(component.value);
+    first.std.push_back(component.std);
+    second.value.push_back(other->second.value);
+    second.std.push_back(other->second.std);
+  }
+  if (first.value.size() < kLeastPlaces) return std::nullopt;
+  return mac(first, second);
+}
+
+ModePair pair_of(const ComparedDocument& a, const ComparedDocument& b, std::size_t i, std::size_t k) {
+  const ComparedMode &x = a.modes[i], &y = b.modes[k];
+  ModePair pair{.a = i, .b = k, .difference_percent = 100 * (y.freq_Hz / x.freq_Hz - 1)};
+  if (x.freq_std_Hz > 0 || y.freq_std_Hz > 0)
+    pair.difference_std_percent =
+        100 * y.freq_Hz / x.freq_Hz * std::hypot(x.freq_std_Hz / x.freq_Hz, y.freq_std_Hz / y.freq_Hz);
+  pair.mac = mac_of(x, y);
+  return pair;
+}
+
+// The best shape first.
+std::vector<ModePair> by_shape(const ComparedDocument& a, const ComparedDocument& b, const PairOptions& options) {
+  std::vector<ModePair> all, chosen;
+  for (std::size_t i = 0; i < a.modes.size(); ++i) {
+    for (std::size_t k = 0; k < b.modes.size(); ++k) {
+      if (!near_enough(a.modes[i], b.modes[k], options.furthest)) continue;
+      ModePair pair = pair_of(a, b, i, k);
+      if (pair.mac && pair.mac->value >= options.least_mac) all.push_back(std::move(pair));
+    }
+  }
+  std::stable_sort(all.begin(), all.end(),
+                   [](const ModePair& x, const ModePair& y) { return x.mac->value > y.mac->value; });
+  for (ModePair& pair : all) {
+    const bool taken = std::any_of(chosen.begin(), chosen.end(),
+                                   [&](const ModePair& other) { return other.a == pair.a || other.b == pair.b; });
+    if (!taken) chosen.push_back(std::move(pair));
+  }
+  return chosen;
+}
+
+// Of pairs in order the most, and of those the nearest: the usual table of partial answers.
+std::vector<ModePair> by_frequency(const ComparedDocument& a, const ComparedDocument& b, const PairOptions& options) {
+  struct Best {
+    std::size_t pairs = 0;
+    double apart = 0;
+    bool better(const Best& other) const {
+      return pairs > other.pairs || (pairs == other.pairs && apart < other.apart);
+    }
+  };
+  const auto ascending = [](const ComparedDocument& document) {
+    std::vector<std::size_t> order(document.modes.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t x, std::size_t y) {
+      return document.modes[x].freq_Hz < document.modes[y].freq_Hz;
+    });
+    return order;
+  };
+  const auto rows = ascending(a), columns = ascending(b);
+  std::vector<std::vector<Best>> best(rows.size() + 1, std::vector<Best>(columns.size() + 1));
+  const auto together = [&](std::size_t i, std::size_t k) -> std::optional<Best> {
+    const ComparedMode &x = a.modes[rows[i]], &y = b.modes[columns[k]];
+    if (!near_enough(x, y, options.furthest)) return std::nullopt;
+    const Best& before = best[i][k];
+    return Best{.pairs = before.pairs + 1, .apart = before.apart + std::abs(std::log(y.freq_Hz / x.freq_Hz))};
+  };
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      Best& here = best[i + 1][k + 1];
+      here = best[i][k + 1].better(best[i + 1][k]) ? best[i][k + 1] : best[i + 1][k];
+      if (const auto pair = together(i, k); pair && pair->better(here)) here = *pair;
+    }
+  }
+  std::vector<ModePair> pairs;
+  for (std::size_t i = rows.size(), k = columns.size(); i > 0 && k > 0;) {
+    const Best& here = best[i][k];
+    const auto same = [&](const Best& other) { return other.pairs == here.pairs && other.apart == here.apart; };
+    if (same(best[i - 1][k])) {
+      --i;
+    } else if (same(best[i][k - 1])) {
+      --k;
+    } else {
+      pairs.push_back(pair_of(a, b, rows[--i], columns[--k]));
+    }
+  }
+  return pairs;
+}
+
+bool share_shapes(const ComparedDocument& a, const ComparedDocument& b) {
+  return !a.modes.empty() && !b.modes.empty() && mac_of(a.modes.front(), b.modes.front()).has_value();
+}
+
+// A document's deflection at a position, from its neighbours' where it has positions enough.
+std::optional<ComparedDeflection> at_position(const ComparedDocument& document, double position_m) {
+  const ComparedDeflection *below = nullptr, *above = nullptr;
+  for (const ComparedDeflection& d : document.deflections) {
+    if (!d.position_m) continue;
+    if (*d.position_m <= position_m + kSamePlace_m && (!below || *d.position_m > *below->position_m)) below = &d;
+    if (*d.position_m >= position_m - kSamePlace_m && (!above || *d.position_m < *above->position_m)) above = &d;
+  }
+  if (!below || !above) return std::nullopt;
+  const double step_m = *above->position_m - *below->position_m;
+  if (step_m < kSamePlace_m) return *below;
+  if (!document.model) return std::nullopt;  // a test is not known between its points
+  const double part = (position_m - *below->position_m) / step_m;
+  return ComparedDeflection{.position_m = position_m, .peak_m = (1 - part) * below->peak_m + part * above->peak_m};
+}
+
+std::optional<ComparedDeflection> at_point(const ComparedDocument& document, int point) {
+  for (const ComparedDeflection& d : document.deflections) {
+    if (d.point == point) return d;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+PairedModes pair_modes(const ComparedDocument& a, const ComparedDocument& b, const PairOptions& options) {
+  PairedModes out{.pairs = share_shapes(a, b) ? by_shape(a, b, options) : by_frequency(a, b, options)};
+  std::sort(out.pairs.begin(), out.pairs.end(), [](const ModePair& x, const ModePair& y) { return x.a < y.a; });
+  const auto rest = [&](const ComparedDocument& document, std::size_t ModePair::*side) {
+    std::vector<std::size_t> left;
+    for (std::size_t m = 0; m < document.modes.size(); ++m) {
+      const bool paired =
+          std::any_of(out.pairs.begin(), out.pairs.end(), [&](const ModePair& pair) { return pair.*side == m; });
+      if (!paired && document.modes[m].freq_Hz > 0) left.push_back(m);
+    }
+    return left;
+  };
+  out.unpaired_a = rest(a, &ModePair::a);
+  out.unpaired_b = rest(b, &ModePair::b);
+  return out;
+}
+
+std::vector<DeflectionPair> pair_deflections(const ComparedDocument& a, const ComparedDocument& b) {
+  // What is known at single places only leads; a model answers at each of them.
+  const bool swapped = a.model && !b.model;
+  const ComparedDocument &lead = swapped ? b : a, &other = swapped ? a : b;
+  std::vector<DeflectionPair> pairs;
+  for (const ComparedDeflection& d : lead.deflections) {
+    const auto match = d.position_m ? at_position(other, *d.position_m)
+                       : d.point    ? at_point(other, *d.point)
+                                    : std::nullopt;
+    if (!match || !(d.peak_m > 0) || !(match->peak_m > 0)) continue;
+    // Model over test, or b over a: the other over the one that leads, either way.
+    const double ratio = match->peak_m / d.peak_m;
+    pairs.push_back({.point = d.point,
+                     .position_m = d.position_m,
+                     .a_m = swapped ? match->peak_m : d.peak_m,
+                     .b_m = swapped ? d.peak_m : match->peak_m,
+                     .ratio = ratio,
+                     .ratio_std = ratio * std::hypot(d.std_m / d.peak_m, match->std_m / match->peak_m)});
+  }
+  return pairs;
+}
+
+}  // namespace percuss

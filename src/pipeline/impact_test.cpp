@@ -1,0 +1,195 @@
+#include "pipeline/impact_test.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <set>
+
+#include "core/error.hpp"
+#include "core/parallel.hpp"
+#include "core/units.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr std::size_t kEnoughRest = 16;  // samples before the onset from which a bias can be read beside the ringing
+
+bool usable(const AnalysedHit& hit, const AnalysisOptions& options, std::size_t index) {
+  const auto has = [](const std::vector<std::size_t>& list, std::size_t i) {
+    return std::find(list.begin(), list.end(), i) != list.end();
+  };
+  if (has(options.reject_hits, index)) return false;
+  if (has(options.accept_hits, index)) return true;
+  return std::none_of(hit.hit.findings.begin(), hit.hit.findings.end(),
+                      [](const Finding& finding) { return finding.code == FindingCode::no_pulse; });
+}
+
+// Where the contact begins, from the first sample of the hit's stretch.
+double onset_in_stretch_s(const Hit& hit, double fs_Hz) {
+  return std::max(0.0, hit.onset_s - static_cast<double>(hit.first) / fs_Hz);
+}
+
+std::vector<ModeShare> shares_of(const Analysis& analysis, int point, std::size_t channel, double corner_Hz) {
+  std::vector<ModeShare> shares;
+  for (const Mode& mode : analysis.modes()) {
+    for (const Residue& residue : mode.residues) {
+      if (static_cast<int>(residue.point) != point || residue.channel != channel) continue;
+      // The amplifier's high-pass is in the FRF, and so in the residue: s/(s + ω_c) at the pole.
+      const double omega = kTwoPi * mode.pole.freq_Hz, zeta = mode.pole.damping_ratio;
+      const Complex s = omega * Complex(-zeta, std::sqrt(1 - zeta * zeta));
+      const Complex undone = (s + kTwoPi * corner_Hz) / s;
+      const double std = std::hypot(residue.std, residue.relative_std * std::abs(residue.value)) * std::abs(undone);
+      shares.push_back({.pole = mode.pole, .residue_per_kg = residue.value * undone, .residue_std_per_kg = std});
+    }
+  }
+  return shares;
+}
+
+DeflectedHit deflected(const Analysis& analysis, const ImpactTestOptions& options, std::size_t h, std::size_t channel,
+                       const std::vector<ModeShare>& modes) {
+  const Record& record = analysis.record();
+  const AnalysedHit& hit = analysis.force_hits()[h];
+  std::vector<double> accel(hit.hit.samples), force(hit.hit.samples);
+  record.read_accel_mps2(hit.hit.row, channel, hit.hit.first, accel);
+  if (!modes.empty() || options.effective_mass_kg) {
+    for (std::size_t i = 0; i < hit.hit.gated_N.size(); ++i) {
+      const std::size_t at = hit.hit.gate_first + i - hit.hit.first;
+      if (at < force.size()) force[at] = hit.hit.gated_N[i];
+    }
+  } else {
+    force.clear();
+  }
+  const ImpactSignal signal{.fs_Hz = record.fs_Hz,
+                            .accel_mps2 = accel,
+                            .onset_s = onset_in_stretch_s(hit.hit, record.fs_Hz),
+                            .force_N = force,
+                            .rigid_per_kg = options.effective_mass_kg ? 1 / *options.effective_mass_kg : 0,
+                            .modes = modes};
+  return {.hit = h,
+          .channel = channel,
+          .point = hit.point,
+          .first_s = static_cast<double>(hit.hit.first) / record.fs_Hz,
+          .deflection = deflection_of(signal, options.deflection)};
+}
+
+using PositionOf = std::function<std::optional<double>(int point)>;
+
+PositionOf positions(const Analysis& analysis, const ImpactTestOptions& options) {
+  const std::set<int> points = analysis.record().points();
+  if (options.position_m.empty()) return [](int) { return std::optional<double>(); };
+  if (options.position_m.size() != points.size()) {
+    throw InputError(fmt::format("{} positions for {} points", options.position_m.size(), points.size()),
+                     analysis.record().source(), "give one position for each point that was struck");
+  }
+  std::map<int, double> by_point;
+  for (const int point : points) by_point.emplace(point, options.position_m[by_point.size()]);
+  return [by_point](int point) { return std::optional<double>(by_point.at(point)); };
+}
+
+std::vector<PointDeflection> averaged(const std::vector<DeflectedHit>& hits, const PositionOf& position_of) {
+  std::map<std::pair<int, std::size_t>, std::vector<const Deflection*>> groups;
+  for (const DeflectedHit& hit : hits) groups[{hit.point, hit.channel}].push_back(&hit.deflection);
+  std::vector<PointDeflection> points;
+  for (const auto& [key, members] : groups) {
+    const auto n = static_cast<double>(members.size());
+    PointDeflection point{.point = key.first, .channel = key.second, .hits = members.size()};
+    point.position_m = position_of(key.first);
+    double own = 0, scatter = 0;
+    for (const Deflection* d : members) {
+      point.peak_m += std::abs(d->peak_m) / n;
+      own += d->peak_std_m * d->peak_std_m;
+    }
+    for (const Deflection* d : members) scatter += std::pow(std::abs(d->peak_m) - point.peak_m, 2);
+    point.std_m = std::sqrt(own) / n;
+    if (members.size() > 1) point.std_m = std::max(point.std_m, std::sqrt(scatter / (n * (n - 1))));
+    points.push_back(point);
+  }
+  return points;
+}
+
+std::vector<ImpactSpeed> speeds(const Analysis& analysis, const std::vector<std::size_t>& hits,
+                                const ImpactTestOptions& options) {
+  std::vector<ImpactSpeed> out;
+  if (!options.beam_distance_m) return out;
+  const double sample_s = 1 / analysis.record().fs_Hz;
+  for (const std::size_t h : hits) {
+    const double time_s = analysis.force_hits()[h].hit.onset_s - options.beam_time_s;
+    if (!(time_s > sample_s)) {
+      throw InputError(fmt::format("hit {} comes {:.6g} s after the light beam", h, time_s), analysis.record().source(),
+                       "correct --beam-time, or leave --beam-distance out");
+    }
+    const double speed = *options.beam_distance_m / time_s;
+    out.push_back({.hit = h, .speed_mps = speed, .std_mps = speed * sample_s / std::sqrt(12.0) / time_s});
+  }
+  return out;
+}
+
+bool shows_rest(const Analysis& analysis, const std::vector<std::size_t>& hits) {
+  return std::all_of(hits.begin(), hits.end(), [&](std::size_t h) {
+    return onset_in_stretch_s(analysis.force_hits()[h].hit, analysis.record().fs_Hz) * analysis.record().fs_Hz >=
+           static_cast<double>(kEnoughRest);
+  });
+}
+
+void warn(const Analysis& analysis, const ImpactTestOptions& options, const std::vector<std::size_t>& hits,
+          ImpactTest& test) {
+  if (hits.size() < analysis.force_hits().size())
+    test.warnings.push_back(
+        {"no_pulse", fmt::format("{} of {} hits show no impact and are left out",
+                                 analysis.force_hits().size() - hits.size(), analysis.force_hits().size())});
+  if (!shows_rest(analysis, hits))
+    test.warnings.push_back({"no_rest",
+                             "a record begins too late to show the rest before the impact, from which a bias is read; "
+                             "record with more pre-trigger"});
+  const bool drifting = std::any_of(test.hits.begin(), test.hits.end(), [](const DeflectedHit& hit) {
+    return hit.deflection.method == DeflectionMethod::drift_free && !hit.deflection.held;
+  });
+  if (drifting && !options.deflection.free_body)
+    test.warnings.push_back(
+        {"drift",
+         "the structure does not swing about where it rested, or the record is too short to tell: late "
+         "deflections drift as their deviation says (--free-body says that it may move away)"});
+}
+
+}  // namespace
+
+ImpactTest deflect(const Analysis& analysis, const ImpactTestOptions& options) {
+  const PositionOf position_of = positions(analysis, options);
+  std::vector<std::size_t> hits;
+  for (std::size_t h = 0; h < analysis.force_hits().size(); ++h) {
+    if (usable(analysis.force_hits()[h], analysis.options(), h)) hits.push_back(h);
+  }
+  const DeflectionMethod method = options.deflection.method;
+  const bool modal = method == DeflectionMethod::modal ||
+                     (method == DeflectionMethod::automatic && !shows_rest(analysis, hits) && analysis.possible());
+  const std::size_t channels = analysis.record().accel.size();
+  std::map<std::pair<int, std::size_t>, std::vector<ModeShare>> shares;
+  for (const std::size_t h : hits) {
+    const int point = analysis.force_hits()[h].point;
+    for (std::size_t c = 0; c < channels; ++c) {
+      auto& share = shares[{point, c}];
+      if (modal && share.empty()) share = shares_of(analysis, point, c, options.deflection.highpass_corner_Hz);
+      if (method == DeflectionMethod::modal && share.empty())
+        throw InputError("no mode is known at a struck point", fmt::format("hit {}", h),
+                         "choose another --method, or see what percuss analyze says of the hits");
+    }
+  }
+  ImpactTest test{.speeds = speeds(analysis, hits, options)};
+  test.hits.resize(hits.size() * channels);
+  analysis.trace().run("deflection", [&] {
+    parallel_for(test.hits.size(), analysis.options().threads, [&](std::size_t i) {
+      const std::size_t h = hits[i / channels], c = i % channels;
+      test.hits[i] = deflected(analysis, options, h, c, shares.at({analysis.force_hits()[h].point, c}));
+    });
+    return 0;
+  });
+  for (DeflectedHit& hit : test.hits) hit.position_m = position_of(hit.point);
+  test.points = averaged(test.hits, position_of);
+  warn(analysis, options, hits, test);
+  return test;
+}
+
+}  // namespace percuss

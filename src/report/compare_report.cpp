@@ -1,0 +1,233 @@
+#include "report/compare_report.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cassert>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "core/error.hpp"
+#include "report/number.hpp"
+#include "report/text_table.hpp"
+#include "report/version.hpp"
+
+namespace percuss {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kWidth = 160;
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+// One document against the first.
+struct Comparison {
+  const ComparedDocument& a;
+  const ComparedDocument& b;
+  PairedModes modes;
+  std::vector<DeflectionPair> deflections;
+};
+
+Json optional_number(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+
+Json pairs_json(const Comparison& c) {
+  Json pairs = Json::array();
+  for (const ModePair& pair : c.modes.pairs) {
+    pairs.push_back({{"a", pair.a},
+                     {"b", pair.b},
+                     {"frequency_a_hz", c.a.modes[pair.a].freq_Hz},
+                     {"frequency_b_hz", c.b.modes[pair.b].freq_Hz},
+                     {"difference_percent", pair.difference_percent},
+                     {"difference_std_percent", optional_number(pair.difference_std_percent)},
+                     {"mac", pair.mac ? Json(pair.mac->value) : Json()}});
+  }
+  return pairs;
+}
+
+Json unpaired_json(const ComparedDocument& document, const std::vector<std::size_t>& modes) {
+  Json list = Json::array();
+  for (const std::size_t m : modes) list.push_back({{"index", m}, {"frequency_hz", document.modes[m].freq_Hz}});
+  return list;
+}
+
+Json deflections_json(const Comparison& c) {
+  Json list = Json::array();
+  for (const DeflectionPair& pair : c.deflections) {
+    list.push_back({{"point", pair.point ? Json(*pair.point) : Json()},
+                    {"position_m", optional_number(pair.position_m)},
+                    {"peak_a_m", pair.a_m},
+                    {"peak_b_m", pair.b_m},
+                    {"ratio", pair.ratio},
+                    {"ratio_std", pair.ratio_std}});
+  }
+  return list;
+}
+
+Json comparison_json(const Comparison& c) {
+  const bool inverted = c.a.model && !c.b.model;
+  return {{"pairs", pairs_json(c)},
+          {"unpaired_a", unpaired_json(c.a, c.modes.unpaired_a)},
+          {"unpaired_b", unpaired_json(c.b, c.modes.unpaired_b)},
+          {"deflections", deflections_json(c)},
+          {"ratio", inverted ? "a/b" : "b/a"}};
+}
+
+std::string json_of(const std::vector<ComparedDocument>& documents, const std::vector<Comparison>& comparisons) {
+  Json json{{"schema", "percuss/compare/1"}, {"version", version()}, {"documents", Json::array()}};
+  for (const ComparedDocument& document : documents)
+    json["documents"].push_back({{"path", document.name}, {"schema", document.schema}});
+  json.update(comparison_json(comparisons.front()));
+  json["others"] = Json::array();
+  for (std::size_t i = 1; i < comparisons.size(); ++i) {
+    Json other{{"document", i + 1}};
+    other.update(comparison_json(comparisons[i]));
+    json["others"].push_back(std::move(other));
+  }
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+const ModePair* pair_at(const Comparison& c, std::size_t mode) {
+  for (const ModePair& pair : c.modes.pairs) {
+    if (pair.a == mode) return &pair;
+  }
+  return nullptr;
+}
+
+std::string frequency_text(const ComparedMode& mode) { return with_deviation(mode.freq_Hz, mode.freq_std_Hz) + " Hz"; }
+
+std::string modes_text(const std::vector<ComparedDocument>& documents, const std::vector<Comparison>& comparisons) {
+  std::vector<TextTable::Column> heads{{"mode", TextTable::Align::right}, {"family"}};
+  for (const ComparedDocument& document : documents)
+    heads.push_back({one_line(document.name, 40), TextTable::Align::right});
+  heads.push_back({""});
+  TextTable table(std::move(heads));
+  for (std::size_t m = 0; m < documents.front().modes.size(); ++m) {
+    const ComparedMode& mode = documents.front().modes[m];
+    if (!(mode.freq_Hz > 0)) continue;
+    std::vector<std::string> cells{fmt::format("{}", m), mode.family, frequency_text(mode)};
+    for (const Comparison& c : comparisons) {
+      const ModePair* pair = pair_at(c, m);
+      std::string cell =
+          pair ? fmt::format("{} ({:+.2f} %", frequency_text(c.b.modes[pair->b]), pair->difference_percent) : "–";
+      if (pair) cell += pair->mac ? fmt::format(", MAC {:.3f})", pair->mac->value) : ")";
+      cells.push_back(std::move(cell));
+    }
+    cells.emplace_back("");
+    table.add(std::move(cells));
+  }
+  std::string text = table.text(kWidth);
+  for (const Comparison& c : comparisons) {
+    if (c.modes.unpaired_b.empty()) continue;
+    text += fmt::format("only in {}:", one_line(c.b.name, 200));
+    for (const std::size_t m : c.modes.unpaired_b) text += fmt::format(" {:.6g} Hz", c.b.modes[m].freq_Hz);
+    text += '\n';
+  }
+  return text;
+}
+
+std::string deflections_text(const Comparison& c) {
+  const bool inverted = c.a.model && !c.b.model;
+  TextTable table({{"place", TextTable::Align::right},
+                   {one_line(c.a.name, 40), TextTable::Align::right},
+                   {one_line(c.b.name, 40), TextTable::Align::right},
+                   {inverted ? "first/second" : "second/first", TextTable::Align::right},
+                   {""}});
+  for (const DeflectionPair& pair : c.deflections) {
+    const std::string place = pair.position_m ? fmt::format("{:.1f} mm", 1000 * *pair.position_m)
+                              : pair.point    ? fmt::format("point {}", *pair.point)
+                                              : "";
+    table.add({place, fmt::format("{:.4g} mm", 1000 * pair.a_m), fmt::format("{:.4g} mm", 1000 * pair.b_m),
+               with_deviation(pair.ratio, pair.ratio_std), ""});
+  }
+  return "\nlargest deflection\n" + table.text(kWidth);
+}
+
+std::vector<NumberColumn> columns_of(const std::vector<ComparedDocument>& documents,
+                                     const std::vector<Comparison>& comparisons) {
+  std::vector<NumberColumn> columns{{.name = "mode", .values = {}}, {.name = "frequency_1_hz", .values = {}}};
+  for (std::size_t i = 0; i < comparisons.size(); ++i) {
+    columns.push_back({.name = fmt::format("frequency_{}_hz", i + 2), .values = {}});
+    columns.push_back({.name = fmt::format("difference_{}_percent", i + 2), .values = {}});
+  }
+  std::vector<NumberColumn> places{{.name = "position_m", .values = {}}, {.name = "point", .values = {}},
+                                   {.name = "peak_1_m", .values = {}},   {.name = "peak_2_m", .values = {}},
+                                   {.name = "ratio", .values = {}},      {.name = "ratio_std", .values = {}}};
+  for (std::size_t m = 0; m < documents.front().modes.size(); ++m) {
+    columns[0].values.push_back(static_cast<double>(m));
+    columns[1].values.push_back(documents.front().modes[m].freq_Hz);
+    for (std::size_t i = 0; i < comparisons.size(); ++i) {
+      const ModePair* pair = pair_at(comparisons[i], m);
+      columns[2 + 2 * i].values.push_back(pair ? comparisons[i].b.modes[pair->b].freq_Hz : kNone);
+      columns[3 + 2 * i].values.push_back(pair ? pair->difference_percent : kNone);
+    }
+    for (NumberColumn& column : places) column.values.push_back(kNone);
+  }
+  for (const DeflectionPair& pair : comparisons.front().deflections) {
+    for (NumberColumn& column : columns) column.values.push_back(kNone);
+    const std::array row{pair.position_m.value_or(kNone),
+                         pair.point ? *pair.point : kNone,
+                         pair.a_m,
+                         pair.b_m,
+                         pair.ratio,
+                         pair.ratio_std};
+    for (std::size_t i = 0; i < row.size(); ++i) places[i].values.push_back(row.at(i));
+  }
+  if (!comparisons.front().deflections.empty()) columns.insert(columns.end(), places.begin(), places.end());
+  return columns;
+}
+
+LineChart chart_of(const std::vector<Comparison>& comparisons) {
+  const Comparison& first = comparisons.front();
+  LineChart chart;
+  if (!first.deflections.empty()) {
+    const bool positions = first.deflections.front().position_m.has_value();
+    chart = {.title = "Largest deflection",
+             .x = {.label = positions ? "position, m" : "point"},
+             .y = {.label = "largest deflection, mm"}};
+    ChartCurve a{.name = first.a.name, .marks = true}, b{.name = first.b.name, .marks = true};
+    for (const DeflectionPair& pair : first.deflections) {
+      for (ChartCurve* curve : {&a, &b}) curve->x.push_back(positions ? *pair.position_m : *pair.point);
+      a.y.push_back(1000 * pair.a_m);
+      b.y.push_back(1000 * pair.b_m);
+    }
+    chart.curves = {a, b};
+    return chart;
+  }
+  chart = {
+      .title = "Frequencies against " + first.a.name, .x = {.label = "frequency, Hz"}, .y = {.label = "difference, %"}};
+  for (const Comparison& c : comparisons) {
+    ChartCurve curve{.name = c.b.name, .marks = true};
+    for (const ModePair& pair : c.modes.pairs) {
+      curve.x.push_back(c.a.modes[pair.a].freq_Hz);
+      curve.y.push_back(pair.difference_percent);
+    }
+    chart.curves.push_back(std::move(curve));
+  }
+  return chart;
+}
+
+}  // namespace
+
+ModelReport compare_report(const std::vector<ComparedDocument>& documents, const PairOptions& options) {
+  assert(documents.size() >= 2);
+  std::vector<Comparison> comparisons;
+  comparisons.reserve(documents.size());
+  bool deflections = false, modes = false;
+  for (std::size_t i = 1; i < documents.size(); ++i) {
+    const ComparedDocument &a = documents.front(), &b = documents[i];
+    comparisons.push_back({.a = a, .b = b, .modes = pair_modes(a, b, options), .deflections = pair_deflections(a, b)});
+    deflections = deflections || !comparisons.back().deflections.empty();
+    modes = modes || !comparisons.back().modes.pairs.empty();
+  }
+  ModelReport report;
+  report.json = json_of(documents, comparisons);
+  if (modes || !deflections) report.text = modes_text(documents, comparisons);
+  for (const Comparison& c : comparisons) {
+    if (!c.deflections.empty()) report.text += deflections_text(c);
+  }
+  report.columns = columns_of(documents, comparisons);
+  report.chart = chart_of(comparisons);
+  return report;
+}
+
+}  // namespace percuss

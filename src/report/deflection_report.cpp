@@ -1,0 +1,183 @@
+#include "report/deflection_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "acquire/hdf5_output.hpp"
+#include "acquire/input_file.hpp"
+#include "core/error.hpp"
+#include "report/number.hpp"
+#include "report/text_table.hpp"
+#include "report/version.hpp"
+
+namespace percuss {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kMostDrawn = 12;
+
+double time_s(const Analysis& analysis, const DeflectedHit& hit, std::size_t sample) {
+  return hit.first_s + static_cast<double>(sample) / analysis.record().fs_Hz;
+}
+
+Json hit_json(const Analysis& analysis, const DeflectedHit& hit) {
+  const Deflection& d = hit.deflection;
+  return {{"index", hit.hit},
+          {"channel", hit.channel},
+          {"point", hit.point},
+          {"position_m", hit.position_m ? Json(*hit.position_m) : Json()},
+          {"peak_m", std::abs(d.peak_m)},
+          {"peak_time_s", time_s(analysis, hit, d.peak)},
+          {"peak_std_m", d.std_m.empty() ? Json() : Json(d.peak_std_m)},
+          {"direction", d.peak_m < 0 ? -1 : 1},
+          {"method", name_of(d.method)},
+          {"bias_mps2", d.bias_mps2},
+          {"drift_m", d.drift_m},
+          {"held", d.held}};
+}
+
+std::string millimetres(double value_m, double std_m) { return with_deviation(1000 * value_m, 1000 * std_m) + " mm"; }
+
+std::string channel_name(const Analysis& analysis, std::size_t channel) {
+  const std::string& name = analysis.record().accel[channel].name;
+  return name.empty() ? fmt::format("accel {}", channel + 1) : one_line(name, 40);
+}
+
+}  // namespace
+
+std::string deflection_json(const Analysis& analysis, const ImpactTest& test) {
+  Json json{{"schema", "percuss/deflection/1"}, {"version", version()}, {"inputs", Json::array()}};
+  for (const InputFile& file : analysis.record().files)
+    json["inputs"].push_back({{"path", file.path}, {"bytes", file.bytes}});
+  json["fs_hz"] = analysis.record().fs_Hz;
+  json["hits"] = Json::array();
+  for (const DeflectedHit& hit : test.hits) json["hits"].push_back(hit_json(analysis, hit));
+  json["points"] = Json::array();
+  for (const PointDeflection& point : test.points) {
+    json["points"].push_back({{"point", point.point},
+                              {"channel", point.channel},
+                              {"position_m", point.position_m ? Json(*point.position_m) : Json()},
+                              {"hits", point.hits},
+                              {"peak_m", point.peak_m},
+                              {"peak_std_m", point.std_m}});
+  }
+  json["impact_speeds"] = Json::array();
+  for (const ImpactSpeed& speed : test.speeds)
+    json["impact_speeds"].push_back(
+        {{"index", speed.hit}, {"speed_mps", speed.speed_mps}, {"speed_std_mps", speed.std_mps}});
+  json["warnings"] = Json::array();
+  for (const Warning& warning : test.warnings)
+    json["warnings"].push_back({{"code", warning.code}, {"message", warning.message}});
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string deflection_text(const Analysis& analysis, const ImpactTest& test, std::size_t width) {
+  using Align = TextTable::Align;
+  TextTable hits({{"hit", Align::right},
+                  {"point", Align::right},
+                  {"sensor"},
+                  {"largest deflection", Align::right},
+                  {"at", Align::right},
+                  {"drift at the end", Align::right},
+                  {"method"}});
+  for (const DeflectedHit& hit : test.hits) {
+    const Deflection& d = hit.deflection;
+    hits.add({fmt::format("{}", hit.hit), fmt::format("{}", hit.point), channel_name(analysis, hit.channel),
+              millimetres(d.peak_m, d.peak_std_m), fmt::format("{:.4f} s", time_s(analysis, hit, d.peak)),
+              fmt::format("{:.2g} mm", 1000 * d.drift_m), name_of(d.method)});
+  }
+  TextTable points(
+      {{"point", Align::right}, {"sensor"}, {"hits", Align::right}, {"mean of the largest deflections", Align::right}});
+  bool repeats = false;
+  for (const PointDeflection& point : test.points) {
+    points.add({fmt::format("{}", point.point), channel_name(analysis, point.channel), fmt::format("{}", point.hits),
+                millimetres(point.peak_m, point.std_m)});
+    repeats = repeats || point.hits > 1;
+  }
+  std::string text = one_line(input_name(analysis.record().source()), 400) + "\n\n" + hits.text(width);
+  if (repeats) text += "\n" + points.text(width);
+  for (const ImpactSpeed& speed : test.speeds)
+    text +=
+        fmt::format("hit {}: the ball came with {} m/s\n", speed.hit, with_deviation(speed.speed_mps, speed.std_mps));
+  for (const Warning& warning : test.warnings) text += "\n" + wrapped("! " + one_line(warning.message, 4000), width, 2);
+  return text.ends_with('\n') ? text : text + "\n";
+}
+
+std::string deflection_csv(const Analysis& analysis, const ImpactTest& test) {
+  std::string text = "hit,channel,t_s,velocity_mps,deflection_m,deflection_std_m\n";
+  for (const DeflectedHit& hit : test.hits) {
+    const Deflection& d = hit.deflection;
+    for (std::size_t i = 0; i < d.deflection_m.size(); ++i) {
+      fmt::format_to(std::back_inserter(text), "{},{},{},{},{},", hit.hit, hit.channel, time_s(analysis, hit, i),
+                     d.velocity_mps[i], d.deflection_m[i]);
+      if (!d.std_m.empty()) fmt::format_to(std::back_inserter(text), "{}", d.std_m[i]);
+      text += '\n';
+    }
+  }
+  return text;
+}
+
+void write_deflection_hdf5(const std::string& path, const Analysis& analysis, const ImpactTest& test, bool force) {
+  const std::size_t channels = analysis.record().accel.size(), hits = test.hits.size() / channels;
+  std::size_t samples = 0;
+  for (const DeflectedHit& hit : test.hits) samples = std::max(samples, hit.deflection.deflection_m.size());
+  hdf5::OutputHdf5 out(path, force);
+  const std::array shape{hits, channels, samples};
+  const std::array<std::pair<const char*, std::vector<double> Deflection::*>, 3> sets{
+      {{"deflection_m", &Deflection::deflection_m},
+       {"velocity_mps", &Deflection::velocity_mps},
+       {"deflection_std_m", &Deflection::std_m}}};
+  for (const auto& [name, member] : sets) {
+    out.create_set(name, shape);
+    for (std::size_t i = 0; i < test.hits.size(); ++i) {
+      std::vector<double> values = test.hits[i].deflection.*member;
+      values.resize(samples, std::numeric_limits<double>::quiet_NaN());
+      out.write(name, std::array{i / channels, i % channels}, 0, std::span<const double>(values));
+    }
+  }
+  std::vector<double> numbers, points, starts;
+  for (std::size_t h = 0; h < hits; ++h) {
+    const DeflectedHit& hit = test.hits[h * channels];
+    numbers.push_back(static_cast<double>(hit.hit));
+    points.push_back(hit.point);
+    starts.push_back(hit.first_s);
+  }
+  out.create_set("hit", std::array{hits}, hdf5::Stored::int32);
+  out.write("hit", {}, 0, std::span<const double>(numbers));
+  out.create_set("point", std::array{hits}, hdf5::Stored::int32);
+  out.write("point", {}, 0, std::span<const double>(points));
+  out.create_set("start_s", std::array{hits});
+  out.write("start_s", {}, 0, std::span<const double>(starts));
+  out.set_numbers("", "fs", std::array{analysis.record().fs_Hz}, false);
+  out.commit();
+}
+
+LineChart deflection_chart(const Analysis& analysis, const ImpactTest& test) {
+  std::vector<const DeflectedHit*> largest;
+  largest.reserve(test.hits.size());
+  for (const DeflectedHit& hit : test.hits) largest.push_back(&hit);
+  std::stable_sort(largest.begin(), largest.end(), [](const DeflectedHit* a, const DeflectedHit* b) {
+    return std::abs(a->deflection.peak_m) > std::abs(b->deflection.peak_m);
+  });
+  largest.resize(std::min(largest.size(), kMostDrawn));
+  LineChart chart{
+      .title = "Deflection at the accelerometer", .x = {.label = "time, s"}, .y = {.label = "deflection, mm"}};
+  for (const DeflectedHit* hit : largest) {
+    ChartCurve curve{.name = fmt::format("hit {}, {}", hit->hit, channel_name(analysis, hit->channel))};
+    for (std::size_t i = 0; i < hit->deflection.deflection_m.size(); ++i) {
+      curve.x.push_back(time_s(analysis, *hit, i));
+      curve.y.push_back(1000 * hit->deflection.deflection_m[i]);
+    }
+    chart.curves.push_back(std::move(curve));
+  }
+  return chart;
+}
+
+}  // namespace percuss

@@ -1,0 +1,26 @@
+#pragma once
+#include <string>
+
+#include "pipeline/impact_test.hpp"
+#include "report/line_chart.hpp"
+
+namespace percuss {
+
+/// percuss/deflection/1: peaks per hit and channel, means per point, impact speeds, warnings.
+std::string deflection_json(const Analysis& analysis, const ImpactTest& test);
+
+/// The same for people, `width` columns wide.
+std::string deflection_text(const Analysis& analysis, const ImpactTest& test, std::size_t width);
+
+/// Every sample: hit, channel, time from the row's beginning, velocity, deflection and its deviation (empty where the
+/// method knows none).
+std::string deflection_csv(const Analysis& analysis, const ImpactTest& test);
+
+/// /deflection_m, /velocity_mps, /deflection_std_m [hits, channels, samples], filled up with NaN; /hit, /point [hits],
+/// /start_s [hits]; attribute fs. Whole or absent.
+void write_deflection_hdf5(const std::string& path, const Analysis& analysis, const ImpactTest& test, bool force);
+
+/// Deflection over time of the hits with the largest peaks, a dozen at the most.
+LineChart deflection_chart(const Analysis& analysis, const ImpactTest& test);
+
+}  // namespace percuss

@@ -1,0 +1,14 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "metrics/compare.hpp"
+
+namespace percuss {
+
+/// The documents in one of percuss's JSON files ("-" is standard input) that have modes or deflections: an analysis
+/// (each of its runs is one), a model of a beam, an impact, a bat or a shell, deflections. Keys that are not needed are
+/// not looked at. InputError: not JSON, another kind of document, a needed key missing or of another type.
+std::vector<ComparedDocument> read_documents(const std::string& path);
+
+}  // namespace percuss

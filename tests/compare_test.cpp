@@ -1,0 +1,87 @@
+#include "metrics/compare.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace percuss::compare_test {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+ComparedDocument of(const std::vector<double>& freq_Hz, const std::string& family = "") {
+  ComparedDocument document;
+  for (const double f : freq_Hz) document.modes.push_back({.freq_Hz = f, .family = family, .shape = {}});
+  return document;
+}
+
+std::vector<std::pair<std::size_t, std::size_t>> indices(const PairedModes& paired) {
+  std::vector<std::pair<std::size_t, std::size_t>> out;
+  for (const ModePair& pair : paired.pairs) out.emplace_back(pair.a, pair.b);
+  return out;
+}
+
+TEST(PairModes, PairsTheNearestInOrder) {
+  const PairedModes paired = pair_modes(of({165, 568, 1177, 1851}), of({170, 560, 900, 1200, 1800}));
+  EXPECT_THAT(indices(paired),
+              ElementsAre(testing::Pair(0, 0), testing::Pair(1, 1), testing::Pair(2, 3), testing::Pair(3, 4)));
+  EXPECT_THAT(paired.unpaired_a, IsEmpty());
+  EXPECT_THAT(paired.unpaired_b, ElementsAre(2));
+  EXPECT_NEAR(paired.pairs[0].difference_percent, 100 * 5 / 165.0, 1e-9);
+}
+
+TEST(PairModes, PairsMoreRatherThanNearer) {
+  // 108 is nearest to 110, but then 100 has no partner.
+  EXPECT_THAT(indices(pair_modes(of({100, 108}), of({110, 125}))),
+              ElementsAre(testing::Pair(0, 0), testing::Pair(1, 1)));
+}
+
+TEST(PairModes, LeavesAloneWhatIsTooFarOrOfAnotherFamily) {
+  EXPECT_THAT(indices(pair_modes(of({100}), of({200}))), IsEmpty());
+  EXPECT_THAT(indices(pair_modes(of({1900}, "hoop"), of({1905}, "bending"))), IsEmpty());
+  EXPECT_THAT(indices(pair_modes(of({1900}, "hoop"), of({1905}, "unknown"))), ElementsAre(testing::Pair(0, 0)));
+}
+
+TEST(PairModes, LeavesRigidBodiesOut) {
+  const PairedModes paired = pair_modes(of({0, 0, 100}), of({101}));
+  EXPECT_THAT(indices(paired), ElementsAre(testing::Pair(2, 0)));
+  EXPECT_THAT(paired.unpaired_a, IsEmpty());
+}
+
+TEST(PairModes, GoesByShapeWhereThereIsOne) {
+  ComparedDocument a = of({100, 104}), b = of({101, 103});
+  const auto shape = [](double x, double y, double z) {
+    return std::map<std::pair<int, int>, ComparedMode::Component>{
+        {{0, 0}, {{x, 0}, 0}}, {{1, 0}, {{y, 0}, 0}}, {{2, 0}, {{z, 0}, 0}}};
+  };
+  a.modes[0].shape = b.modes[1].shape = shape(1, 1, 1);
+  a.modes[1].shape = b.modes[0].shape = shape(1, 0, -1);
+  const PairedModes paired = pair_modes(a, b);
+  EXPECT_THAT(indices(paired), ElementsAre(testing::Pair(0, 1), testing::Pair(1, 0)));
+  EXPECT_NEAR(paired.pairs[0].mac->value, 1, 1e-12);
+}
+
+ComparedDocument deflected(bool model, const std::vector<std::pair<double, double>>& at) {
+  ComparedDocument document{.model = model, .modes = {}, .deflections = {}};
+  for (const auto& [position_m, peak_m] : at)
+    document.deflections.push_back({.position_m = position_m, .peak_m = peak_m, .std_m = model ? 0 : 0.01 * peak_m});
+  return document;
+}
+
+TEST(PairDeflections, InterpolatesAModelBetweenItsPositions) {
+  const auto test = deflected(false, {{0.1, 0.002}, {0.25, 0.005}, {0.5, 0.01}});
+  const auto model = deflected(true, {{0.1, 0.0022}, {0.3, 0.0066}});
+  for (const auto& pairs : {pair_deflections(test, model), pair_deflections(model, test)}) {
+    ASSERT_EQ(pairs.size(), 2U);  // none beyond the model's positions
+    EXPECT_NEAR(pairs[0].ratio, 1.1, 1e-12);
+    EXPECT_NEAR(pairs[1].ratio, 1.1, 1e-12);
+    EXPECT_NEAR(pairs[0].ratio_std, 0.011, 1e-12);
+  }
+  EXPECT_EQ(pair_deflections(model, test)[0].a_m, 0.0022);
+}
+
+TEST(PairDeflections, DoesNotInterpolateATest) {
+  EXPECT_THAT(pair_deflections(deflected(false, {{0.2, 0.001}}), deflected(false, {{0.1, 0.001}, {0.3, 0.001}})),
+              IsEmpty());
+}
+
+}  // namespace percuss::compare_test

@@ -1,0 +1,52 @@
+#include <memory>
+
+#include "command.hpp"
+#include "core/error.hpp"
+#include "model_output.hpp"
+#include "report/compare_report.hpp"
+#include "report/read_document.hpp"
+
+namespace percuss::tools {
+namespace {
+
+constexpr double kPercent = 100;
+
+struct CompareFlags {
+  std::vector<std::string> paths;
+  double furthest_percent = kPercent * PairOptions{}.furthest;
+  double least_mac = PairOptions{}.least_mac;
+  OutputFlags output;
+};
+
+int compare(const CompareFlags& flags) {
+  check_model_outputs(flags.output);
+  std::vector<ComparedDocument> documents;
+  for (const std::string& path : flags.paths) {
+    for (ComparedDocument& document : read_documents(path)) documents.push_back(std::move(document));
+  }
+  if (documents.size() < 2) throw UsageError("one document cannot be compared", "name two or more");
+  return show_model(
+      compare_report(documents, {.furthest = flags.furthest_percent / kPercent, .least_mac = flags.least_mac}),
+      flags.output);
+}
+
+}  // namespace
+
+void add_compare(CommandLine& line) {
+  auto flags = std::make_shared<CompareFlags>();
+  Command command = line.command("compare", "Modes or deflections of tests and models, side by side",
+                                 [flags] { return compare(*flags); });
+  command.example("percuss compare test.json model.json");
+  command.words("FILE", flags->paths, "Documents that analyze, survey, deflect and model wrote with --json").required();
+  command.value("--furthest", flags->furthest_percent, "Frequencies further apart than this are not of the same mode")
+      .above_zero()
+      .type("PERCENT")
+      .show_default();
+  command.value("--least-mac", flags->least_mac, "Shapes that agree less are not of the same mode")
+      .within(0, 1)
+      .type("MAC")
+      .show_default();
+  add_output_flags(command, flags->output);
+}
+
+}  // namespace percuss::tools

@@ -1,0 +1,115 @@
+#include <iostream>
+#include <memory>
+
+#include "acquire/atomic_file.hpp"
+#include "analysis_flags.hpp"
+#include "command.hpp"
+#include "core/error.hpp"
+#include "output.hpp"
+#include "pipeline/impact_test.hpp"
+#include "progress.hpp"
+#include "ranges.hpp"
+#include "read_flags.hpp"
+#include "report/deflection_report.hpp"
+
+namespace percuss::tools {
+namespace {
+
+struct DeflectFlags {
+  ReadFlags read;
+  AnalysisFlags analysis;
+  OutputFlags output;
+  ImpactTestOptions options;
+  std::string method = "auto", positions;
+};
+
+DeflectionMethod method_named(const std::string& name) {
+  for (const DeflectionMethod method : {DeflectionMethod::small_interval, DeflectionMethod::drift_free,
+                                        DeflectionMethod::frequency, DeflectionMethod::modal}) {
+    if (name == name_of(method)) return method;
+  }
+  return DeflectionMethod::automatic;
+}
+
+Analysis analysis_of(const DeflectFlags& flags) {
+  if (flags.read.files == FilesMean::tests)
+    throw UsageError("several tests do not make one", "give --files hits or --files points, or one test at a time");
+  return {join_records(open_records(flags.read), flags.read.files), analysis_options(flags.analysis)};
+}
+
+int deflect_files(const DeflectFlags& flags) {
+  check_outputs(flags.output, {".json", ".csv", ".h5", ".svg"});
+  ImpactTestOptions options = flags.options;
+  options.deflection.method = method_named(flags.method);
+  if (!flags.positions.empty()) options.position_m = parse_range("--positions", flags.positions).values();
+  const Progress progress("integrating", flags.output.quiet);
+  const Analysis analysis = analysis_of(flags);
+  const ImpactTest test = deflect(analysis, options);
+  progress.stop();
+  const std::string document = deflection_json(analysis, test);
+  for (const std::string& path : flags.output.paths) {
+    const std::string kind = extension_of(path);
+    if (kind == ".h5" && !test.hits.empty()) {
+      write_deflection_hdf5(path, analysis, test, flags.output.force);
+    } else if (kind == ".json") {
+      write_file(path, document, flags.output.force);
+    } else if (kind == ".csv") {
+      write_file(path, deflection_csv(analysis, test), flags.output.force);
+    } else if (kind == ".svg") {
+      write_file(path, line_chart_svg(deflection_chart(analysis, test)), flags.output.force);
+    }
+  }
+  if (flags.output.json) {
+    std::cout << document;
+  } else if (!flags.output.quiet) {
+    std::cout << deflection_text(analysis, test, terminal_width());
+  }
+  return test.hits.empty() ? kImpossible : kOk;
+}
+
+}  // namespace
+
+void add_deflect(CommandLine& line) {
+  auto flags = std::make_shared<DeflectFlags>();
+  Command command = line.command("deflect", "Deflection under an impact, from the acceleration at the struck point",
+                                 [flags] { return deflect_files(*flags); });
+  command.example("percuss deflect bat.h5 --highpass-corner 1");
+  DeflectionOptions& deflection = flags->options.deflection;
+  command
+      .value(
+          "--method", flags->method,
+          "How acceleration becomes deflection; auto integrates without drift where the record shows the rest before "
+          "the impact, else it takes modes and force")
+      .one_of({"auto", "small-interval", "drift-free", "frequency", "modal"})
+      .show_default();
+  command
+      .value("--highpass-corner", deflection.highpass_corner_Hz,
+             "First-order high-pass of the charge amplifier, which is undone; 0: none")
+      .not_negative()
+      .type("HZ");
+  command.value("--lowest", deflection.lowest_Hz, "Method frequency: leave out what is slower than this")
+      .above_zero()
+      .type("HZ");
+  command.flag("--free-body", deflection.free_body,
+               "The structure may move away: it need not swing about where it rested");
+  command
+      .value("--effective-mass", flags->options.effective_mass_kg,
+             "Mass of the free body at the struck point: its own motion under the force is known then")
+      .above_zero()
+      .type("KG");
+  command.value("--positions", flags->positions, "Where the points lie along the structure, in m, in their order")
+      .type("LO:STEP:HI");
+  command
+      .value("--beam-distance", flags->options.beam_distance_m,
+             "From the light beam to the structure: tells the ball's speed")
+      .above_zero()
+      .type("M");
+  command.value("--beam-time", flags->options.beam_time_s, "When the ball broke the beam, from the record's beginning")
+      .finite()
+      .type("S");
+  add_read_flags(command, flags->read);
+  add_analysis_flags(command, flags->analysis);
+  add_output_flags(command, flags->output);
+}
+
+}  // namespace percuss::tools
