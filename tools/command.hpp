@@ -23,6 +23,8 @@ void add_nodes(CommandLine& line);
 void add_calibrate(CommandLine& line);
 void add_survey(CommandLine& line);
 void add_synth(CommandLine& line);
+void add_model_beam(CommandLine& line);
+void add_model_impact(CommandLine& line);
 void add_model_rigid(CommandLine& line);
 
 }  // namespace percuss::tools
