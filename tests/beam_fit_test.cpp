@@ -62,6 +62,12 @@ TEST(BeamFit, PassesExactlyThroughAsManyFrequenciesAsUnknowns) {
   EXPECT_FALSE(fit.parameters[0].std.has_value());
 }
 
+TEST(BeamFit, SaysThatASpringIsAsGoodAsAClamp) {
+  const double clamped_Hz = beam_modes({.support = BeamSupport::clamped}, 1)[0].freq_Hz();
+  EXPECT_TRUE(fit_beam({}, {torsion}, {{.mode = 0, .freq_Hz = 2 * clamped_Hz}}).at_limit);
+  EXPECT_FALSE(fit_beam({}, {torsion}, {{.mode = 0, .freq_Hz = 0.5 * clamped_Hz}}).at_limit);
+}
+
 // Noise of known size: deviations of the fitted values must be those stated.
 TEST(BeamFit, StatesTrueDeviations) {
   constexpr int kRuns = 400;

@@ -220,4 +220,12 @@ TEST(BeamImpact, GivesUpWhereThereIsNoEnd) {
   EXPECT_THROW(simulate_impact(impact), InputError);
 }
 
+TEST(BeamImpact, RefusesWhatNumbersDoNotHold) {
+  for (const double speed_mps : {1e-300, 1e300}) {
+    Impact impact;
+    impact.speed_mps = speed_mps;
+    EXPECT_THROW(simulate_impact(impact), InputError);
+  }
+}
+
 }  // namespace percuss::impact_test

@@ -89,6 +89,7 @@ TEST(ModelImpactCommand, NamesTheOptionThatIsWrong) {
                                                {"--step", "1"},
                                                {"--contact-cor", "1.1"},
                                                {"--contact-cor", "0"},
+                                               {"--contact-cor", "nan"},
                                                {"--length", "0"},
                                                {"--sweep", "ei"},
                                                {"--sweep", "mass=1:1:2"},

@@ -11,7 +11,7 @@
 namespace percuss::tools {
 namespace {
 
-constexpr std::size_t kMostModes = 1000;
+constexpr std::size_t kMostModes = 200;
 constexpr const char* kStaticForm = "give LOAD:LEVER:DEFLECTION, in N, m from the spring and m";
 
 struct ModelBeamFlags {
@@ -53,9 +53,10 @@ std::vector<BeamParameter> asked_parameters(const ModelBeamFlags& flags) {
 void check_fit(const ModelBeamFlags& flags, BeamSupport support, const std::vector<BeamParameter>& asked) {
   if (asked.empty()) throw UsageError("--measured: nothing is to be fitted to it", "say what, as --fit ei,torsion");
   const bool spring = support == BeamSupport::torsion;
-  if (!spring && std::find(asked.begin(), asked.end(), BeamParameter::torsion) != asked.end())
+  if (!spring && std::find(asked.begin(), asked.end(), BeamParameter::torsion) != asked.end()) {
     throw UsageError("--fit torsion: a beam with --support " + flags.beam.support + " has no spring",
                      "fit ei or rho-a");
+  }
   if (asked.size() > most_beam_parameters(support)) {
     throw UsageError(spring ? "--fit: frequencies tell EI/ρA and T·L/EI only, not all three"
                             : "--fit: without a spring frequencies tell EI/ρA only, not both",
@@ -78,7 +79,7 @@ std::vector<MeasuredFrequency> measured_frequencies(const ModelBeamFlags& flags,
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t mode = flags.measured_modes.empty() ? rigid + i : flags.measured_modes[i];
     if (mode < rigid || mode >= kMostModes)
-      throw UsageError("--measured-modes: a rigid-body mode, or not below 1000", "use the numbers of the table");
+      throw UsageError("--measured-modes: a rigid-body mode, or not below 200", "use the numbers of the table");
     if (i > 0 && !(flags.measured_Hz[i] > flags.measured_Hz[i - 1] && mode > measured.back().mode))
       throw UsageError("--measured: frequencies and their modes must rise", "sort them");
     measured.push_back({.mode = mode,
@@ -105,7 +106,7 @@ TorsionFit static_torsion(const ModelBeamFlags& flags, const UniformBeam& beam) 
 
 int model_beam(const ModelBeamFlags& flags) {
   check_model_outputs(flags.output);
-  if (flags.modes < 1 || flags.modes > kMostModes) throw UsageError("--modes: not from 1 to 1000", "the default is 10");
+  if (flags.modes < 1 || flags.modes > kMostModes) throw UsageError("--modes: not from 1 to 200", "the default is 10");
   UniformBeam beam = beam_of(flags.beam);
   beam.gyration_m = flags.gyration_m.value_or(0);
   beam.shear_stiffness_N = flags.shear_stiffness_N.value_or(0);

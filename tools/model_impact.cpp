@@ -67,9 +67,10 @@ ImpactOptions impact_options(const ModelImpactFlags& flags, const Impact& impact
   if (flags.method == "small-increment") options.method = ImpactMethod::small_increment;
   if (flags.step_s) {
     const double wall_s = hertz_contact_s(impact);
-    if (!(*flags.step_s >= kShortestStep * wall_s && *flags.step_s <= kLongestStep * wall_s))
+    if (!(*flags.step_s >= kShortestStep * wall_s && *flags.step_s <= kLongestStep * wall_s)) {
       throw UsageError("--step: not between a millionth and a tenth of the contact's duration",
                        "the same ball's contact with a wall takes " + std::to_string(1e6 * wall_s) + " µs");
+    }
     options.step_s = *flags.step_s;
   }
   for (const std::string& path : flags.output.paths)

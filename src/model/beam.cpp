@@ -150,9 +150,11 @@ std::vector<BeamMode> beam_modes(const UniformBeam& asked, std::size_t count) {
   modes.reserve(count);
   for (std::size_t elastic = 1; modes.size() < count; ++elastic) {
     modes.push_back(beam.is_timoshenko() ? timoshenko_mode(beam, elastic) : elastic_mode(beam, elastic));
-    if (!(std::isfinite(modes.back().omega_radps) && modes.back().omega_radps > 0))
+    const double omega = modes.back().omega_radps;
+    if (!(std::isfinite(omega) && omega > 0)) {
       throw InputError("the beam's frequencies are beyond what numbers hold", "stiffness, mass and length",
-                       "give values in N·m², kg/m and m");
+                       "look at --ei, --rho-a and --length: N·m², kg/m and m");
+    }
   }
   return modes;
 }

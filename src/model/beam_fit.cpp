@@ -13,6 +13,7 @@ namespace percuss {
 namespace {
 
 constexpr double kLeastTorsion = 1e-6, kMostTorsion = 1e6;  // of T*: beyond, frequencies no longer tell
+constexpr double kNearLimit = 10;
 constexpr int kMostFitRounds = 200;
 constexpr double kFitSettled = 1e-12;    // of the parameters' logarithms
 constexpr double kFitDifference = 1e-5;  // of a logarithm, for the derivatives: 1e-10 of them is left out
@@ -161,6 +162,9 @@ BeamFit fit_beam(const UniformBeam& beam, const std::vector<BeamParameter>& aske
   const FrequencyFit problem(beam, asked, measured);
   const Eigen::VectorXd logs = problem.solve();
   BeamFit fit{.beam = problem.beam_at(logs), .chi2 = problem.misfit(logs).squaredNorm()};
+  const double relative = fit.beam.relative_torsion();
+  fit.at_limit = beam.support == BeamSupport::torsion &&
+                 (relative < kNearLimit * kLeastTorsion || relative > kMostTorsion / kNearLimit);
   const Eigen::VectorXd model = problem.model_logs(fit.beam).array().exp();
   fit.model_Hz.assign(model.begin(), model.end());
   const Eigen::MatrixXd columns = problem.derivatives(logs);
@@ -192,9 +196,10 @@ TorsionFit fit_torsion(const std::vector<StaticReading>& readings, double stiffn
     xy += turn(reading) * turned_m(reading);
   }
   const double softness = xy / xx;  // 1/T
-  if (!(softness > 0 && std::isfinite(softness)))
+  if (!(softness > 0 && std::isfinite(softness))) {
     throw InputError("the beam's own bending would already deflect more than was read", "static readings",
-                     "look at EI, at the readings and at their units (N, m, m)");
+                     "look at --ei and at the readings (--static) and their units: N, m, m");
+  }
   TorsionFit fit{.torsion_Nmprad = 1 / softness};
   if (readings.size() < 2) return fit;
   double left = 0;

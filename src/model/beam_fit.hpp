@@ -25,6 +25,7 @@ struct BeamFit {
   UniformBeam beam;  // with the fitted values in it
   std::vector<FittedParameter> parameters;
   std::vector<double> model_Hz;  // beside the measured ones
+  bool at_limit = false;         // T* ran to 1e-6 or 1e6: as good as no spring or a clamp, and T is not determined
   double chi2 = 0;               // Σ ((ln f − ln f_model) f/σ)²; σ = f where it is not known
 };
 

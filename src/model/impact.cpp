@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <utility>
 
 #include "core/error.hpp"
@@ -13,9 +14,9 @@
 namespace percuss {
 namespace {
 
-constexpr double kFirstPassSteps = 32;              // to the Hertz time
-constexpr double kSettledImpact = 5e-10;            // error of the coefficient of restitution, and of the energy
-constexpr double kAimedImpact = 2e-10;              // … at which a shorter step is aimed
+constexpr double kFirstPassSteps = 32;             // to the Hertz time
+constexpr double kSettledImpact = 5e-10;           // error of the coefficient of restitution, and of the energy
+constexpr double kAimedImpact = 2e-10;             // … at which a shorter step is aimed
 constexpr std::size_t kMostModeSteps = 5'000'000;  // in one pass: less than a second
 constexpr double kClassicStep_s = 1e-5;
 constexpr std::size_t kSeriesContact = 400, kSeriesFree = 4000;
@@ -57,9 +58,11 @@ class ContactPass {
     const double energy_J = now_.energy_J, speed_mps = state_.ball_mps;
     remember(series);
     for (bool touching = true; touching; remember(series)) {
-      if (++result_.steps * system_.modes() > kMostModeSteps)
+      if (++result_.steps * system_.modes() > kMostModeSteps) {
         throw InputError("ball and beam do not separate", "the contact, after as many steps as are reasonable",
-                         "look for a value far off (stiffness, mass, speed), or take a longer step or fewer modes");
+                         "look for a value far off (--hertz, --ball-mass, --speed, --ei, --rho-a), or take a longer "
+                         "--step or fewer --modes");
+      }
       const BallOnBeamReading before = now_;
       double dt_s = next_step_s();
       kept_ = state_;
@@ -125,6 +128,11 @@ class ContactPass {
   ImpactResult result_;
 };
 
+[[noreturn]] void refuse_values(const char* what) {
+  throw InputError(std::string(what) + " beyond what numbers hold", "ball and beam",
+                   "look at --ball-mass, --speed, --hertz, --ei and --rho-a");
+}
+
 double worst_impact_error(const ImpactResult& result) {
   return std::max(result.cor_uncertainty.value_or(1), result.energy_error);
 }
@@ -172,6 +180,8 @@ double hysteresis_for_spm(double restitution, double speed_mps) {
 }
 
 ImpactResult simulate_impact(const Impact& impact, const ImpactOptions& options) {
+  if (!std::isnormal(hertz_approach_m(impact)) || !std::isnormal(hertz_contact_s(impact)))
+    refuse_values("the ball's approach and the contact's duration are");
   BallOnBeam system(impact);
   const bool controlled = options.method == ImpactMethod::modal && options.step_s == 0;
   double step_s = options.step_s;
@@ -185,6 +195,7 @@ ImpactResult simulate_impact(const Impact& impact, const ImpactOptions& options)
     const double before = result.cor;
     result = finer.run(options.series);
     end = finer.end();
+    if (!std::isfinite(result.cor + result.energy_error)) refuse_values("the motion is");
     result.cor_uncertainty = std::abs(result.cor - before) / (std::pow(shorter, 4) - 1);
     shorter = std::clamp(std::pow(worst_impact_error(result) / kAimedImpact, 0.25), 1.5, 16.0);
   }

@@ -61,7 +61,7 @@ inline constexpr double kFollowed_s = 0.08;
 /// would spoil the order (4). Without a step given, it is halved until the rebound changes by less than 1e-9 and
 /// the energy closes as well; that is 1e-10 of the truth and better.
 /// errors  InputError when the two do not separate within as many steps as are reasonable.
-/// source  [9], after Goldsmith and Timoshenko; (2)'s loss after Hunt and Crossley.
+/// source  [9]; (2)'s loss [13]; the five steps [14].
 ImpactResult simulate_impact(const Impact& impact, const ImpactOptions& options = {});
 
 /// The duration of the same ball's contact with a rigid wall: 2.943 α_m/v, α_m = (5 m v²/(4 k₂))^(2/5).

@@ -107,7 +107,7 @@ BeamMode timoshenko_mode(const UniformBeam& beam, std::size_t elastic) {
   if (!lambda) {
     throw InputError("more modes than lie below the frequency from where Timoshenko's beam carries two kinds of wave",
                      fmt::format("{:.6g} Hz", waves_of(beam, last_lambda(beam)).omega_radps / kTwoPi),
-                     "ask for fewer modes");
+                     "ask for fewer --modes");
   }
   const Waves w = waves_of(beam, *lambda);
   const double e = std::exp(-w.a), s = std::sin(w.b), c = std::cos(w.b);

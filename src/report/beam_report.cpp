@@ -67,7 +67,9 @@ Json fit_json(const BeamOrigin& origin) {
                              {"difference_percent", 100 * (origin.fit->model_Hz[i] / one.freq_Hz - 1)}});
     }
   }
-  return {{"parameters", parameters}, {"frequencies", frequencies}};
+  return {{"parameters", parameters},
+          {"frequencies", frequencies},
+          {"at_limit", origin.fit.has_value() && origin.fit->at_limit}};
 }
 
 std::string parameter_text(BeamParameter which, double value, const std::optional<double>& std) {
@@ -78,12 +80,15 @@ std::string parameter_text(BeamParameter which, double value, const std::optiona
 
 std::string fit_text(const BeamOrigin& origin) {
   std::string text;
-  if (origin.torsion)
+  if (origin.torsion) {
     text += "from static readings: " +
             parameter_text(BeamParameter::torsion, origin.torsion->torsion_Nmprad, origin.torsion->std_Nmprad);
+  }
   if (!origin.fit) return text;
   for (const FittedParameter& one : origin.fit->parameters)
     text += "fitted: " + parameter_text(one.which, one.value, one.std);
+  if (origin.fit->at_limit)
+    text += "the spring ran to where it is as good as none or as a clamp: its stiffness is not determined\n";
   TextTable table({{"mode", TextTable::Align::right},
                    {"measured", TextTable::Align::right},
                    {"model", TextTable::Align::right},
