@@ -43,6 +43,7 @@ TEST(ModelRigidCommand, NamesTheOptionThatIsWrong) {
                                                                                       {"--length", "0"},
                                                                                       {"--swing-rate", "inf"},
                                                                                       {"--cor", "1.5"},
+                                                                                      {"--cor", "nan"},
                                                                                       {"--at", "3:0:4"}}) {
     const auto outcome = run_percuss({"model", "rigid", option, value});
     EXPECT_EQ(outcome.code, 2) << option;

@@ -25,6 +25,8 @@ void add_survey(CommandLine& line);
 void add_compare(CommandLine& line);
 void add_deflect(CommandLine& line);
 void add_synth(CommandLine& line);
+void add_model_beam(CommandLine& line);
+void add_model_impact(CommandLine& line);
 void add_model_rigid(CommandLine& line);
 
 }  // namespace percuss::tools

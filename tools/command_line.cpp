@@ -1,5 +1,7 @@
 #include "command_line.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
@@ -20,7 +22,7 @@ double number_in(std::string_view text) {
   return whole ? value : std::numeric_limits<double>::quiet_NaN();
 }
 
-CLI::Validator number(const char* wanted, const std::function<bool(double)>& holds) {
+CLI::Validator number(const std::string& wanted, const std::function<bool(double)>& holds) {
   return {[wanted, holds](std::string& text) {
             const double value = number_in(text);
             return std::isfinite(value) && holds(value) ? std::string()
@@ -40,7 +42,8 @@ Option Option::one_of(const std::vector<std::string>& names) {
   return *this;
 }
 Option Option::within(double low, double high) {
-  option_->check(CLI::Range(low, high));
+  const std::string wanted = fmt::format("a number from {} to {}", low, high);
+  option_->check(number(wanted, [low, high](double value) { return value >= low && value <= high; }));
   return *this;
 }
 Option Option::above_zero() {

@@ -30,6 +30,8 @@ int parse_and_run(int argc, char** argv) {
   add_compare(line);
   add_synth(line);
   line.group("model", "Predictions: beams, bats, barrels and what a ball does to them");
+  add_model_beam(line);
+  add_model_impact(line);
   add_model_rigid(line);
   const int code = line.run(argc, argv);
   std::cout.flush();

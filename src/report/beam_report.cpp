@@ -1,0 +1,173 @@
+#include "report/beam_report.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "report/number.hpp"
+#include "report/text_table.hpp"
+#include "report/version.hpp"
+
+namespace percuss {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kShapePoints = 201;
+constexpr std::size_t kMostCurves = 7;
+constexpr std::size_t kBeamTableWidth = 100;
+constexpr std::array<const char*, 4> kSupports{"torsion", "pinned", "clamped", "free"};
+
+struct ParameterName {
+  const char *key, *name, *unit;
+};
+ParameterName name_of(BeamParameter which) {
+  switch (which) {
+    case BeamParameter::stiffness:
+      return {"ei_nm2", "EI", "N·m²"};
+    case BeamParameter::torsion:
+      return {"torsion_nmprad", "T", "N·m/rad"};
+    default:
+      return {"rho_a_kgpm", "ρA", "kg/m"};
+  }
+}
+
+template <class Value>
+Json or_null(const std::optional<Value>& value) {
+  return value ? Json(*value) : Json();
+}
+
+Json beam_json(const UniformBeam& beam) {
+  const bool spring = beam.support == BeamSupport::torsion;
+  return {{"support", support_name(beam.support)},
+          {"ei_nm2", beam.stiffness_Nm2},
+          {"rho_a_kgpm", beam.mass_per_length_kgpm},
+          {"torsion_nmprad", spring ? Json(beam.torsion_Nmprad) : Json()},
+          {"length_m", beam.length_m},
+          {"gyration_m", beam.gyration_m > 0 ? Json(beam.gyration_m) : Json()},
+          {"shear_stiffness_n", beam.shear_stiffness_N > 0 ? Json(beam.shear_stiffness_N) : Json()}};
+}
+
+Json fit_json(const BeamOrigin& origin) {
+  if (!origin.fit && !origin.torsion) return {};
+  Json parameters = Json::array(), frequencies = Json::array();
+  const auto add = [&](BeamParameter which, double value, const std::optional<double>& std) {
+    parameters.push_back({{"name", name_of(which).key}, {"value", value}, {"std", or_null(std)}});
+  };
+  if (origin.torsion) add(BeamParameter::torsion, origin.torsion->torsion_Nmprad, origin.torsion->std_Nmprad);
+  if (origin.fit) {
+    for (const FittedParameter& one : origin.fit->parameters) add(one.which, one.value, one.std);
+    for (std::size_t i = 0; i < origin.measured.size(); ++i) {
+      const MeasuredFrequency& one = origin.measured[i];
+      frequencies.push_back({{"mode", one.mode},
+                             {"measured_hz", one.freq_Hz},
+                             {"measured_std_hz", one.std_Hz > 0 ? Json(one.std_Hz) : Json()},
+                             {"model_hz", origin.fit->model_Hz[i]},
+                             {"difference_percent", 100 * (origin.fit->model_Hz[i] / one.freq_Hz - 1)}});
+    }
+  }
+  return {{"parameters", parameters},
+          {"frequencies", frequencies},
+          {"at_limit", origin.fit.has_value() && origin.fit->at_limit}};
+}
+
+std::string parameter_text(BeamParameter which, double value, const std::optional<double>& std) {
+  const ParameterName name = name_of(which);
+  if (std) return fmt::format("{} = {} {}\n", name.name, with_deviation(value, *std), name.unit);
+  return fmt::format("{} = {:.6g} {} (no deviation: no more readings than unknowns)\n", name.name, value, name.unit);
+}
+
+std::string fit_text(const BeamOrigin& origin) {
+  std::string text;
+  if (origin.torsion) {
+    text += "from static readings: " +
+            parameter_text(BeamParameter::torsion, origin.torsion->torsion_Nmprad, origin.torsion->std_Nmprad);
+  }
+  if (!origin.fit) return text;
+  for (const FittedParameter& one : origin.fit->parameters)
+    text += "fitted: " + parameter_text(one.which, one.value, one.std);
+  if (origin.fit->at_limit)
+    text += "the spring ran to where it is as good as none or as a clamp: its stiffness is not determined\n";
+  TextTable table({{"mode", TextTable::Align::right},
+                   {"measured", TextTable::Align::right},
+                   {"model", TextTable::Align::right},
+                   {"difference", TextTable::Align::right}});
+  for (std::size_t i = 0; i < origin.measured.size(); ++i) {
+    const MeasuredFrequency& one = origin.measured[i];
+    table.add({std::to_string(one.mode), with_deviation(one.freq_Hz, one.std_Hz) + " Hz",
+               fmt::format("{:.6g} Hz", origin.fit->model_Hz[i]),
+               fmt::format("{:+.2f} %", 100 * (origin.fit->model_Hz[i] / one.freq_Hz - 1))});
+  }
+  return text + table.text(kBeamTableWidth) + "\n";
+}
+
+std::string mode_table(const std::vector<BeamMode>& modes) {
+  TextTable table({{"mode", TextTable::Align::right},
+                   {"frequency", TextTable::Align::right},
+                   {"λ", TextTable::Align::right},
+                   {"nodes, mm from x = 0"}});
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    std::vector<std::string> nodes;
+    for (const double node_m : beam_nodes_m(modes[i])) nodes.push_back(fmt::format("{:.1f}", 1000 * node_m));
+    const bool rigid = modes[i].omega_radps == 0;
+    table.add({std::to_string(i), rigid ? "0 Hz" : fmt::format("{:.6g} Hz", modes[i].freq_Hz()),
+               rigid ? "rigid body" : fmt::format("{:.6f}", modes[i].lambda),
+               fmt::format("{}", fmt::join(nodes, " "))});
+  }
+  return table.text(kBeamTableWidth);
+}
+
+std::string heading(const UniformBeam& beam) {
+  std::string text = fmt::format("{} beam: EI {:.6g} N·m², ρA {:.6g} kg/m, length {:.6g} m",
+                                 beam.support == BeamSupport::free      ? "free"
+                                 : beam.support == BeamSupport::torsion ? "torsion spring/free"
+                                 : beam.support == BeamSupport::pinned  ? "pinned/free"
+                                                                        : "clamped/free",
+                                 beam.stiffness_Nm2, beam.mass_per_length_kgpm, beam.length_m);
+  if (beam.support == BeamSupport::torsion) text += fmt::format(", spring {:.6g} N·m/rad", beam.torsion_Nmprad);
+  if (beam.is_timoshenko()) text += "; with rotary inertia and shear as given (Timoshenko)";
+  return text + "\n\n";
+}
+
+}  // namespace
+
+const char* support_name(BeamSupport support) { return kSupports.at(static_cast<std::size_t>(support)); }
+
+std::optional<BeamSupport> support_named(const std::string& name) {
+  for (std::size_t i = 0; i < kSupports.size(); ++i) {
+    if (name == kSupports.at(i)) return static_cast<BeamSupport>(i);
+  }
+  return {};
+}
+
+ModelReport beam_report(const UniformBeam& beam, const std::vector<BeamMode>& modes, const BeamOrigin& origin) {
+  Json json{{"schema", "percuss/model-beam/1"}, {"version", version()}, {"beam", beam_json(beam)}};
+  for (const char* list : {"frequency_hz", "lambda", "node_m"}) json[list] = Json::array();
+  for (const BeamMode& mode : modes) {
+    json["frequency_hz"].push_back(mode.freq_Hz());
+    json["lambda"].push_back(mode.lambda);
+    json["node_m"].push_back(beam_nodes_m(mode));
+  }
+  json["fit"] = fit_json(origin);
+  ModelReport report;
+  report.json = json.dump(2) + "\n";
+  report.text = heading(beam) + fit_text(origin) + mode_table(modes);
+  NumberColumn x{.name = "x_m"};
+  x.values.reserve(kShapePoints);
+  for (std::size_t i = 0; i < kShapePoints; ++i)
+    x.values.push_back(beam.length_m * static_cast<double>(i) / static_cast<double>(kShapePoints - 1));
+  report.columns = {x};
+  report.chart = {.title = "Mode shapes", .x = {.label = "along the beam from x = 0, m"}, .y = {.label = "deflection"}};
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    NumberColumn shape{.name = fmt::format("mode_{}", i)};
+    shape.values.reserve(kShapePoints);
+    for (const double x_m : x.values) shape.values.push_back(modes[i].shape(x_m));
+    if (i < kMostCurves)
+      report.chart.curves.push_back({fmt::format("{}: {:.5g} Hz", i, modes[i].freq_Hz()), x.values, shape.values});
+    report.columns.push_back(std::move(shape));
+  }
+  return report;
+}
+
+}  // namespace percuss

@@ -1,0 +1,186 @@
+#include "report/impact_report.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "core/units.hpp"
+#include "report/text_table.hpp"
+#include "report/version.hpp"
+
+namespace percuss {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kImpactTableWidth = 100;
+
+struct SweptName {
+  const char *key, *label;
+};
+constexpr std::array<SweptName, 5> kSwept{{{"ei", "EI, N·m²"},
+                                           {"torsion", "torsion spring, N·m/rad"},
+                                           {"rho_a", "mass per length, kg/m"},
+                                           {"at", "impact from the spring's end, m"},
+                                           {"speed", "ball speed, m/s"}}};
+
+Json optional_json(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+
+// What the document says of one impact, and of each of a sweep.
+void add_result(Json& json, const ImpactResult& r) {
+  json["cor"] = r.cor;
+  json["contact_s"] = r.contact_s;
+  json["peak_force_n"] = r.peak_force_N;
+  json["peak_deflection_m"] = r.peak_deflection_m;
+  json["peak_deflection_time_s"] = r.peak_deflection_time_s;
+  json["recontact"] = r.recontact_s.has_value();
+  json["recontact_time_s"] = optional_json(r.recontact_s);
+  json["energy_error"] = r.energy_error;
+}
+
+std::string document(const ImpactResult& result, const std::vector<ImpactSweep>& sweeps) {
+  Json json{{"schema", "percuss/model-impact/1"}, {"version", version()}};
+  add_result(json, result);
+  json["cor_uncertainty"] = optional_json(result.cor_uncertainty);
+  json["lost_j"] = result.lost_J;
+  json["steps"] = result.steps;
+  json["frequency_hz"] = Json::array();
+  for (const double omega : result.omega_radps) json["frequency_hz"].push_back(omega / kTwoPi);
+  if (!sweeps.empty()) json["sweep"] = Json::array();
+  for (const ImpactSweep& sweep : sweeps) {
+    for (std::size_t i = 0; i < sweep.values.size(); ++i) {
+      Json entry{{sweep.parameter, sweep.values[i]}};
+      add_result(entry, sweep.results[i]);
+      json["sweep"].push_back(std::move(entry));
+    }
+  }
+  return json.dump(2) + "\n";
+}
+
+std::string recontact_text(const ImpactResult& r) {
+  return r.recontact_s ? fmt::format("after {:.1f} ms", 1000 * *r.recontact_s) : "none";
+}
+
+std::string result_text(const Impact& impact, const ImpactResult& r) {
+  std::string text = fmt::format(
+      "coefficient of restitution {:.5f} at the first separation, after {:.3f} ms of contact\n"
+      "the ball comes with {:.4g} m/s and leaves with {:.4g} m/s{}\n"
+      "largest force {:.5g} N; largest deflection of the beam there {:.4g} mm, {:.2f} ms after first touch\n"
+      "touch again: {}\nenergy closes to {:.1e}",
+      r.cor, 1000 * r.contact_s, impact.speed_mps, std::abs(r.cor) * impact.speed_mps,
+      r.cor < 0 ? " in the same direction" : "", r.peak_force_N, 1000 * r.peak_deflection_m,
+      1000 * r.peak_deflection_time_s, recontact_text(r), r.energy_error);
+  if (r.lost_J > 0) text += fmt::format("; {:.4g} J lost in the contact", r.lost_J);
+  return text + "\n";
+}
+
+std::string sweep_text(const ImpactSweep& sweep) {
+  TextTable table({{sweep.parameter, TextTable::Align::right},
+                   {"restitution", TextTable::Align::right},
+                   {"contact", TextTable::Align::right},
+                   {"force", TextTable::Align::right},
+                   {"deflection", TextTable::Align::right},
+                   {"touch again"}});
+  for (std::size_t i = 0; i < sweep.values.size(); ++i) {
+    const ImpactResult& r = sweep.results[i];
+    table.add({fmt::format("{:.6g}", sweep.values[i]), fmt::format("{:.4f}", r.cor),
+               fmt::format("{:.3f} ms", 1000 * r.contact_s), fmt::format("{:.4g} N", r.peak_force_N),
+               fmt::format("{:.3f} mm", 1000 * r.peak_deflection_m), recontact_text(r)});
+  }
+  return "\n" + table.text(kImpactTableWidth);
+}
+
+std::vector<NumberColumn> series_columns(const std::vector<ImpactMoment>& series) {
+  std::vector<NumberColumn> columns{
+      {"time_s", {}}, {"deflection_m", {}}, {"force_n", {}}, {"ball_speed_mps", {}}, {"ball_m", {}}};
+  for (NumberColumn& column : columns) column.values.reserve(series.size());
+  for (const ImpactMoment& moment : series) {
+    columns[0].values.push_back(moment.time_s);
+    columns[1].values.push_back(moment.beam_m);
+    columns[2].values.push_back(moment.force_N);
+    columns[3].values.push_back(moment.ball_speed_mps);
+    columns[4].values.push_back(moment.ball_m);
+  }
+  return columns;
+}
+
+std::vector<double> times(const std::vector<double>& values, double factor) {
+  std::vector<double> out = values;
+  for (double& value : out) value *= factor;
+  return out;
+}
+
+LineChart series_chart(const std::vector<NumberColumn>& columns) {
+  const std::vector<double> time_ms = times(columns[0].values, 1000);
+  return {.title = "Ball on beam",
+          .x = {.label = "time after first touch, ms"},
+          .y = {.label = "deflection in cm, force in kN, speed in m/s"},
+          .curves = {{"beam, cm", time_ms, times(columns[1].values, 100)},
+                     {"force, kN", time_ms, times(columns[2].values, 1e-3)},
+                     {"ball, m/s", time_ms, columns[3].values}}};
+}
+
+// A row per impact of all sweeps; parameters that a sweep leaves alone at the value they have.
+std::vector<NumberColumn> sweep_columns(const Impact& impact, const std::vector<ImpactSweep>& sweeps) {
+  std::vector<NumberColumn> columns;
+  columns.reserve(kSwept.size() + 6);
+  for (const SweptName& name : kSwept) columns.push_back({name.key, {}});
+  for (const char* name :
+       {"cor", "contact_s", "peak_force_n", "peak_deflection_m", "peak_deflection_time_s", "recontact_time_s"})
+    columns.push_back({name, {}});
+  for (const ImpactSweep& sweep : sweeps) {
+    for (std::size_t i = 0; i < sweep.values.size(); ++i) {
+      Impact varied = impact;
+      *swept_value(varied, sweep.parameter) = sweep.values[i];
+      std::size_t c = 0;
+      for (const SweptName& name : kSwept) columns[c++].values.push_back(*swept_value(varied, name.key));
+      const ImpactResult& r = sweep.results[i];
+      for (const double value : {r.cor, r.contact_s, r.peak_force_N, r.peak_deflection_m, r.peak_deflection_time_s,
+                                 r.recontact_s.value_or(std::numeric_limits<double>::quiet_NaN())})
+        columns[c++].values.push_back(value);
+    }
+  }
+  return columns;
+}
+
+LineChart sweep_chart(const Impact& impact, const std::vector<ImpactSweep>& sweeps) {
+  LineChart chart{.title = "Ball on beam", .y = {.label = "coefficient of restitution"}};
+  Impact base = impact;
+  for (const ImpactSweep& sweep : sweeps) {
+    ChartCurve curve{.name = sweep.parameter, .x = sweep.values, .marks = true};
+    if (sweeps.size() > 1) curve.x = times(sweep.values, 1 / *swept_value(base, sweep.parameter));
+    curve.y.reserve(sweep.results.size());
+    for (const ImpactResult& result : sweep.results) curve.y.push_back(result.cor);
+    chart.curves.push_back(std::move(curve));
+  }
+  chart.x.label = "parameter over its own value";
+  for (const SweptName& name : kSwept) {
+    if (sweeps.size() == 1 && sweeps.front().parameter == name.key) chart.x.label = name.label;
+  }
+  return chart;
+}
+
+}  // namespace
+
+double* swept_value(Impact& impact, const std::string& parameter) {
+  if (parameter == "ei") return &impact.beam.stiffness_Nm2;
+  if (parameter == "torsion") return &impact.beam.torsion_Nmprad;
+  if (parameter == "rho_a") return &impact.beam.mass_per_length_kgpm;
+  if (parameter == "at") return &impact.at_m;
+  return parameter == "speed" ? &impact.speed_mps : nullptr;
+}
+
+ModelReport impact_report(const Impact& impact, const ImpactResult& result, const std::vector<ImpactSweep>& sweeps) {
+  ModelReport report;
+  report.json = document(result, sweeps);
+  report.text = result_text(impact, result);
+  for (const ImpactSweep& sweep : sweeps) report.text += sweep_text(sweep);
+  report.columns = sweeps.empty() ? series_columns(result.series) : sweep_columns(impact, sweeps);
+  report.chart = sweeps.empty() ? series_chart(report.columns) : sweep_chart(impact, sweeps);
+  return report;
+}
+
+}  // namespace percuss

@@ -1,0 +1,24 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "model/impact.hpp"
+#include "report/model_report.hpp"
+
+namespace percuss {
+
+/// One parameter varied, the others as in the impact reported.
+struct ImpactSweep {
+  std::string parameter;  // "ei", "torsion", "rho_a", "at", "speed"
+  std::vector<double> values;
+  std::vector<ImpactResult> results;  // [values]
+};
+
+/// percuss/model-impact/1. Columns and chart show the series, or the sweeps where there are any.
+ModelReport impact_report(const Impact& impact, const ImpactResult& result,
+                          const std::vector<ImpactSweep>& sweeps = {});
+
+/// What a sweep varies: nullptr for a name that is none.
+double* swept_value(Impact& impact, const std::string& parameter);
+
+}  // namespace percuss

@@ -1,0 +1,122 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support/json_schema.hpp"
+#include "support/percuss_process.hpp"
+#include "support/scratch_folder.hpp"
+
+namespace percuss::model_beam_command_test {
+
+using test::run_percuss;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+nlohmann::json document(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), {"model", "beam", "--json"});
+  const auto outcome = run_percuss(arguments);
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  auto out = test::parse_json(outcome.out);
+  EXPECT_THAT(test::schema_violations(out, test::schema_named("model-beam")), IsEmpty());
+  return out;
+}
+
+TEST(ModelBeamCommand, GivesADocumentThatItsSchemaDescribes) {
+  const auto all = document({});
+  ASSERT_EQ(all["frequency_hz"].size(), 10U);
+  EXPECT_NEAR(all["frequency_hz"][1].get<double>(), 322.433, 0.5e-3);
+  EXPECT_EQ(all["node_m"][3].size(), 3U);
+  EXPECT_TRUE(all["fit"].is_null());
+}
+
+TEST(ModelBeamCommand, ListsRigidBodyModesAtZero) {
+  const auto pinned = document({"--support", "pinned", "--modes", "2"});
+  EXPECT_EQ(pinned["frequency_hz"][0], 0);
+  EXPECT_NEAR(pinned["lambda"][1].get<double>(), 3.9266023, 1e-7);
+  const auto free = document({"--support", "free", "--modes", "3"});
+  EXPECT_EQ(free["frequency_hz"][1], 0);
+  EXPECT_NEAR(free["lambda"][2].get<double>(), 4.7300407, 1e-7);
+  EXPECT_TRUE(free["beam"]["torsion_nmprad"].is_null());
+}
+
+TEST(ModelBeamCommand, TakesShearRotaryInertiaAndLayers) {
+  const auto stubby =
+      document({"--support", "free", "--gyration", "0.05", "--shear-stiffness", "2e6", "--modes", "3", "--ei", "4000"});
+  EXPECT_NEAR(stubby["frequency_hz"][2].get<double>(), 386.1276095, 1e-6);
+  const auto layers = document({"--layer", "7e10:0.1:0.002:2700", "--layer", "7e10:0.1:0.008:2700"});
+  EXPECT_NEAR(layers["beam"]["ei_nm2"].get<double>(), 7e10 * 0.1 * 1e-6 / 12, 1e-9);
+  EXPECT_NEAR(layers["beam"]["rho_a_kgpm"].get<double>(), 2.7, 1e-12);
+}
+
+TEST(ModelBeamCommand, FitsMeasuredFrequencies) {
+  const auto fit = document({"--fit", "ei,torsion", "--measured", "14.536,322.433,1037.79", "--measured-std", "0.01"});
+  ASSERT_EQ(fit["fit"]["parameters"].size(), 2U);
+  EXPECT_NEAR(fit["fit"]["parameters"][0]["value"].get<double>(), 4000, 1);
+  EXPECT_NEAR(fit["fit"]["parameters"][1]["value"].get<double>(), 1200, 1);
+  EXPECT_GT(fit["fit"]["parameters"][1]["std"].get<double>(), 0);
+  EXPECT_EQ(fit["beam"]["ei_nm2"], fit["fit"]["parameters"][0]["value"]);
+  const auto free =
+      document({"--support", "free", "--fit", "rho-a", "--measured", "1276.645", "--measured-modes", "3"});
+  EXPECT_NEAR(free["fit"]["parameters"][0]["value"].get<double>(), 2.24, 1e-5);
+  EXPECT_TRUE(free["fit"]["parameters"][0]["std"].is_null());
+}
+
+TEST(ModelBeamCommand, TakesTheSpringFromStaticReadings) {
+  // 10 N and 20 N at 0.5 m: P a²/T + P a³/(3 EI) with T = 1200, EI = 4000.
+  const auto fit = document({"--static", "10:0.5:0.0021875", "--static", "20:0.5:0.004375"});
+  EXPECT_NEAR(fit["beam"]["torsion_nmprad"].get<double>(), 1200, 1e-6);
+}
+
+TEST(ModelBeamCommand, WritesShapesAsTableAndPicture) {
+  const test::ScratchFolder folder;
+  const auto outcome = run_percuss({"model", "beam", "--modes", "3", "-o", "a.csv", "-o", "a.svg", "-o", "a.json"},
+                                   {.folder = folder.path()});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto lines = test::lines_of(test::bytes_of(folder.file("a.csv")));
+  ASSERT_EQ(lines.size(), 202U);
+  EXPECT_EQ(lines[0], "x_m,mode_0,mode_1,mode_2");
+  EXPECT_THAT(test::bytes_of(folder.file("a.svg")), testing::StartsWith("<svg "));
+}
+
+TEST(ModelBeamCommand, NamesTheOptionThatIsWrong) {
+  using Words = std::vector<std::string>;
+  for (const Words& words : std::vector<Words>{{"--length", "0"},
+                                               {"--ei", "-4000"},
+                                               {"--rho-a", "nan"},
+                                               {"--torsion", "inf"},
+                                               {"--torsion", "-1"},
+                                               {"--torsion", "5", "--support", "free"},
+                                               {"--support", "glued"},
+                                               {"--modes", "0"},
+                                               {"--modes", "-1"},
+                                               {"--modes", "100000000"},
+                                               {"--gyration", "0"},
+                                               {"--shear-stiffness", "x"},
+                                               {"--layer", "1:2"},
+                                               {"--layer", "1:2:nan"},
+                                               {"--layer", "1:2:3:4:5"},
+                                               {"--layer", "7e10:0.1:0.01", "--ei", "5"},
+                                               {"--fit", "ei,torsion,rho-a", "--measured", "1,2,3"},
+                                               {"--fit", "ei,rho-a", "--measured", "1,2", "--support", "clamped"},
+                                               {"--fit", "torsion", "--measured", "1,2", "--support", "free"},
+                                               {"--fit", "mass", "--measured", "1"},
+                                               {"--fit", "ei", "--ei", "3", "--measured", "1"},
+                                               {"--fit", "ei,torsion", "--measured", "1"},
+                                               {"--fit", "ei"},
+                                               {"--measured", "100"},
+                                               {"--measured", "100,50", "--fit", "ei"},
+                                               {"--measured", "nan", "--fit", "ei"},
+                                               {"--measured-std", "0", "--measured", "9", "--fit", "ei"},
+                                               {"--measured-modes", "1,2", "--measured", "9", "--fit", "ei"},
+                                               {"--static", "10:0.5"},
+                                               {"--static", "10:0.9:0.001"},
+                                               {"--static", "10:0.5:0.002", "--torsion", "5"}}) {
+    Words arguments{"model", "beam"};
+    arguments.insert(arguments.end(), words.begin(), words.end());
+    const auto outcome = run_percuss(arguments);
+    EXPECT_EQ(outcome.code, 2) << testing::PrintToString(words);
+    EXPECT_THAT(outcome.err, HasSubstr(words[0]));
+    EXPECT_EQ(test::lines_of(outcome.err).size(), 1U) << outcome.err;
+  }
+}
+
+}  // namespace percuss::model_beam_command_test

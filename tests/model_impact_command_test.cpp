@@ -1,0 +1,109 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support/json_schema.hpp"
+#include "support/percuss_process.hpp"
+#include "support/scratch_folder.hpp"
+
+namespace percuss::model_impact_command_test {
+
+using test::run_percuss;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+nlohmann::json document(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), {"model", "impact", "--json"});
+  const auto outcome = run_percuss(arguments);
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  auto out = test::parse_json(outcome.out);
+  EXPECT_THAT(test::schema_violations(out, test::schema_named("model-impact")), IsEmpty());
+  return out;
+}
+
+TEST(ModelImpactCommand, GivesADocumentThatItsSchemaDescribes) {
+  const auto all = document({});
+  EXPECT_NEAR(all["cor"].get<double>(), 0.4699495, 1e-6);  // impact_test.cpp says where from
+  EXPECT_EQ(all["recontact"], false);
+  EXPECT_EQ(all["frequency_hz"].size(), 10U);
+  EXPECT_FALSE(all.contains("sweep"));
+}
+
+TEST(ModelImpactCommand, SweepsEachOfItsParameters) {
+  const auto all = document({"--sweep", "ei=1000:1000:6000", "--sweep", "torsion=500:500:3000", "--sweep",
+                             "rho-a=0.6:0.2:3", "--sweep", "at=0.025:0.065:0.545", "--sweep", "speed=1:1:3"});
+  const auto& sweep = all["sweep"];
+  ASSERT_EQ(sweep.size(), 6U + 6U + 13U + 9U + 3U);
+  EXPECT_EQ(sweep[3]["ei"], 4000);
+  EXPECT_EQ(sweep[3]["cor"], all["cor"]);  // the bat itself
+  EXPECT_EQ(sweep[12]["rho_a"], 0.6);
+  EXPECT_EQ(sweep[12]["recontact"], true);
+  EXPECT_LT(sweep[12]["cor"].get<double>(), 0);
+  EXPECT_EQ(sweep[25]["at"], 0.025);
+}
+
+TEST(ModelImpactCommand, IsTheSameOnOneThread) {
+  const std::vector<std::string> words{"model", "impact", "--sweep", "ei=1000:500:6000", "--json", "--threads"};
+  auto one = words, four = words;
+  one.emplace_back("1");
+  four.emplace_back("4");
+  EXPECT_EQ(run_percuss(one).out, run_percuss(four).out);
+}
+
+TEST(ModelImpactCommand, OffersTheSourcesMethodAndALossyContact) {
+  const auto classic = document({"--method", "small-increment", "--step", "1e-6"});
+  EXPECT_NEAR(classic["cor"].get<double>(), 0.46995, 2e-3);
+  EXPECT_TRUE(classic["cor_uncertainty"].is_null());
+  const auto lossy = document({"--contact-cor", "0.6"});
+  EXPECT_LT(lossy["cor"].get<double>(), 0.4);
+  EXPECT_GT(lossy["lost_j"].get<double>(), 0);
+}
+
+TEST(ModelImpactCommand, WritesSeriesAndCurves) {
+  const test::ScratchFolder folder;
+  ASSERT_EQ(run_percuss({"model", "impact", "-o", "a.csv", "-o", "a.svg"}, {.folder = folder.path()}).code, 0);
+  const auto series = test::lines_of(test::bytes_of(folder.file("a.csv")));
+  EXPECT_EQ(series[0], "time_s,deflection_m,force_n,ball_speed_mps,ball_m");
+  EXPECT_GT(series.size(), 4000U);
+  ASSERT_EQ(run_percuss({"model", "impact", "--sweep", "at=0.1:0.1:0.5", "-o", "b.csv", "-o", "b.svg"},
+                        {.folder = folder.path()})
+                .code,
+            0);
+  const auto sweep = test::lines_of(test::bytes_of(folder.file("b.csv")));
+  ASSERT_EQ(sweep.size(), 6U);
+  EXPECT_THAT(sweep[1], testing::StartsWith("4000,1200,2.24,0.1,5,"));
+  EXPECT_THAT(test::bytes_of(folder.file("b.svg")), HasSubstr("coefficient of restitution"));
+}
+
+TEST(ModelImpactCommand, NamesTheOptionThatIsWrong) {
+  using Words = std::vector<std::string>;
+  for (const Words& words : std::vector<Words>{{"--ball-mass", "-0.1"},
+                                               {"--speed", "0"},
+                                               {"--hertz", "nan"},
+                                               {"--at", "0.6"},
+                                               {"--at", "-0.1"},
+                                               {"--modes", "0"},
+                                               {"--modes", "1000000"},
+                                               {"--method", "euler"},
+                                               {"--step", "0"},
+                                               {"--step", "1e-15"},
+                                               {"--step", "1"},
+                                               {"--contact-cor", "1.1"},
+                                               {"--contact-cor", "0"},
+                                               {"--contact-cor", "nan"},
+                                               {"--length", "0"},
+                                               {"--sweep", "ei"},
+                                               {"--sweep", "mass=1:1:2"},
+                                               {"--sweep", "ei=0:1:5"},
+                                               {"--sweep", "ei=1:1:nan"},
+                                               {"--sweep", "at=0.1:0.1:0.9"},
+                                               {"--sweep", "torsion=1:1:2", "--support", "free"}}) {
+    Words arguments{"model", "impact"};
+    arguments.insert(arguments.end(), words.begin(), words.end());
+    const auto outcome = run_percuss(arguments);
+    EXPECT_EQ(outcome.code, 2) << testing::PrintToString(words);
+    EXPECT_THAT(outcome.err, HasSubstr(words[0]));
+    EXPECT_EQ(test::lines_of(outcome.err).size(), 1U) << outcome.err;
+  }
+}
+
+}  // namespace percuss::model_impact_command_test
