@@ -25,5 +25,7 @@ void add_survey(CommandLine& line);
 void add_synth(CommandLine& line);
 void add_model_rigid(CommandLine& line);
 void add_model_trampoline(CommandLine& line);
+void add_model_bat(CommandLine& line);
+void add_model_shell(CommandLine& line);
 
 }  // namespace percuss::tools

@@ -30,6 +30,8 @@ int parse_and_run(int argc, char** argv) {
   line.group("model", "Predictions: beams, bats, barrels and what a ball does to them");
   add_model_rigid(line);
   add_model_trampoline(line);
+  add_model_bat(line);
+  add_model_shell(line);
   const int code = line.run(argc, argv);
   std::cout.flush();
   return std::cout ? code

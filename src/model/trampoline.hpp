@@ -35,7 +35,7 @@ struct Rebound {
 };
 
 /// Solves (1) to (3), to 1e-10 of the ball's speed, until the ball can no longer be caught up by the barrel.
-/// errors  InputError where that takes more than a million steps.
+/// errors  InputError where that takes more than a million steps, or the constants are too far apart for numbers.
 Rebound rebound(const Trampoline& model, double hoop_Hz);
 
 /// The same with a barrel that does not give way.
@@ -48,8 +48,8 @@ struct HoopPeak {
 /// The rebounds at each of `hoop_Hz`. Each stands by itself: `threads` as in parallel_for.
 std::vector<Rebound> hoop_sweep(const Trampoline& model, const std::vector<double>& hoop_Hz, std::size_t threads = 0);
 
-/// The hoop frequency with the largest COR: Brent's minimisation between the neighbours of the sweep's best; the best
-/// itself where it is the first or the last. shapes: hoop_Hz ascending, sweep alike long.
+/// The hoop frequency with the largest COR, by peak_between from the sweep's best. shapes: hoop_Hz ascending, sweep
+/// alike long.
 HoopPeak best_hoop(const Trampoline& model, const std::vector<double>& hoop_Hz, const std::vector<Rebound>& sweep);
 
 /// Hoop frequency with the extra mass on the barrel: f √(m₂/(m₂ + Δm)).                               (4)

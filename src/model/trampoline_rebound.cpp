@@ -1,6 +1,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/error.hpp"
 #include "core/units.hpp"
 #include "model/bracketed_root.hpp"
 #include "model/damped_oscillator.hpp"
@@ -83,6 +84,8 @@ Rebound rebound(const Trampoline& model, double hoop_Hz) {
   }
   result.cor = -now.ball_mps / speed;
   result.contact_s = now.time_s;
+  if (!std::isfinite(result.cor))
+    throw InputError("the contact has no solution in numbers", "trampoline model", "check its constants");
   return result;
 }
 
