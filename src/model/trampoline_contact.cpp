@@ -23,7 +23,7 @@ constexpr int kMostHalvings = 100;
 using ContactState = std::array<double, kContactStates>;  // ball, its speed, barrel, its speed
 
 // Equations (1) and (2) of trampoline.hpp with s of (1) for the time.
-int contact_rates(double s, const double y[], double dy[], void* forces) {
+int contact_rates(double s, const double* y, double* dy, void* forces) {
   const auto& f = *static_cast<const TrampolineForces*>(forces);
   const double slowing = 4 * kScale_s * s * s * s;
   const double force_N = f.contact_N(y[0] - y[2], y[1] - y[3]);
