@@ -135,6 +135,23 @@ def check_modelab(data, scratch):
         check("modelab: %.3f Hz, the driving point is positive" % mode["f_sdof"], len(residues) == 9 and residues[3].real > 0)
 
 
+def check_r161(data):
+    profile = os.path.join(data, "r161_profile", "r161.dat")
+    code, document = percuss("model", "bat", "--profile", profile, "--profile-unit", "cm:mm", "--density", 649, "--young", 1.814e10, "--shear", 1.05e9)
+    frequencies, nodes = document.get("frequency_hz", []), document.get("node_m", [])
+    check("r161: the modes are there", code == 0 and len(frequencies) >= 5 and len(nodes) >= 5, "%d modes" % len(frequencies))
+    for found, published, within in zip(frequencies, (165, 568, 1177, 1851, 2580), (6, 2.5, 1, 1, 1)):
+        off = 100 * (found / published - 1)
+        check("r161: %d Hz (Nathan 2000, Table II) within %g %%" % (published, within), abs(off) <= within, "%.2f Hz, %+.2f %%" % (found, off))
+    for found, published in zip(nodes, ((17, 68), (7, 39, 72), (5, 25, 50, 74))):
+        # Printed in whole centimetres, for a bat 1.8 % heavier than this profile.
+        near = len(found) == len(published) and all(abs(100 * f - p) <= 1 for f, p in zip(found, published))
+        check("r161: nodes at %s cm" % (published,), near, " ".join("%.1f" % (100 * f) for f in found))
+    for found, published_in in zip(nodes, (6.5, 4.9)):
+        from_end_in = (document["length_m"] - found[-1]) / 0.0254
+        check("r161: outer node near %.1f in from the barrel's end" % published_in, abs(from_end_in - published_in) <= 0.1, "%.2f in" % from_end_in)
+
+
 def check_long(name, truth, path):
     _, document = percuss("analyze", path, "--only", "hits")
     hits = document["hits"]
@@ -227,6 +244,7 @@ def main():
         check_frame(data)
         check_bad_hits(data, scratch)
         check_modelab(data, scratch)
+        check_r161(data)
         for seed in map(int, arguments.seeds.split(",")):
             check_seed(seed, arguments, scratch, score)
     print("%d passed, %d failed" % (sum(results), len(results) - sum(results)))

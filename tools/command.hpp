@@ -28,5 +28,8 @@ void add_synth(CommandLine& line);
 void add_model_beam(CommandLine& line);
 void add_model_impact(CommandLine& line);
 void add_model_rigid(CommandLine& line);
+void add_model_trampoline(CommandLine& line);
+void add_model_bat(CommandLine& line);
+void add_model_shell(CommandLine& line);
 
 }  // namespace percuss::tools

@@ -33,6 +33,9 @@ int parse_and_run(int argc, char** argv) {
   add_model_beam(line);
   add_model_impact(line);
   add_model_rigid(line);
+  add_model_trampoline(line);
+  add_model_bat(line);
+  add_model_shell(line);
   const int code = line.run(argc, argv);
   std::cout.flush();
   return std::cout ? code

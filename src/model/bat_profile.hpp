@@ -1,0 +1,29 @@
+#pragma once
+#include <vector>
+
+namespace percuss {
+
+/// A bat of round slices, from the knob's end (0) on. shapes: both alike long, at least one.
+struct BatProfile {
+  std::vector<double> end_m;       // far end of each slice, ascending
+  std::vector<double> diameter_m;  // above zero
+
+  double length_m() const { return end_m.back(); }
+};
+
+struct BatMaterial {
+  double density_kgpm3 = 649;
+  double young_Pa = 1.814e10;
+  double shear_Pa = 1.05e9;  // shear modulus × shape factor
+};
+
+/// What a bat is when it does not bend.
+struct BatInertia {
+  double mass_kg = 0;
+  double cm_m = 0;          // its centre of mass, from the knob's end
+  double inertia_kgm2 = 0;  // about an axis across it through the centre of mass, thickness included
+};
+
+BatInertia inertia_of(const BatProfile& profile, const BatMaterial& material);
+
+}  // namespace percuss

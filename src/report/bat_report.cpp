@@ -1,0 +1,163 @@
+#include "report/bat_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "core/units.hpp"
+#include "model/peak_between.hpp"
+#include "report/version.hpp"
+
+namespace percuss {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr Eigen::Index kModesShown = 8;  // whose shares of the energy are listed one by one
+constexpr std::size_t kModesInText = 5;
+
+// Exit speeds over the place, each with its own account.
+struct BatCurve {
+  std::vector<double> z_m;
+  std::vector<BatRebound> flexible;
+  NumberColumn exit{.name = "exit_speed_mps", .values = {}}, rigid{.name = "rigid_exit_speed_mps", .values = {}},
+      half{.name = "half_modes_exit_speed_mps", .values = {}}, contact{.name = "contact_s", .values = {}},
+      contacts{.name = "contacts", .values = {}}, ball{.name = "ball_share", .values = {}},
+      vibration{.name = "vibration_share", .values = {}};
+  PeakPlace best, best_rigid;
+};
+
+BatCurve curve_of(const BatModes& bat, const BatCollision& collision, const std::vector<double>& z_m) {
+  const auto modes = static_cast<std::size_t>(bat.freq_Hz.size());
+  const RigidCollision rigid = rigid_collision(bat.inertia, collision);
+  BatCurve curve{.z_m = z_m, .flexible = bat_sweep(bat, modes, collision, z_m), .best = {}, .best_rigid = {}};
+  for (const BatRebound& half : bat_sweep(bat, modes / 2, collision, z_m))
+    curve.half.values.push_back(half.exit_speed_mps);
+  for (std::size_t i = 0; i < z_m.size(); ++i) {
+    const BatRebound& r = curve.flexible[i];
+    curve.exit.values.push_back(r.exit_speed_mps);
+    curve.rigid.values.push_back(r.contacts == 0 ? r.exit_speed_mps : exit_speed_mps(rigid, z_m[i] - bat.inertia.cm_m));
+    curve.contact.values.push_back(r.contact_s);
+    curve.contacts.values.push_back(static_cast<double>(r.contacts));
+    curve.ball.values.push_back(r.ball_share);
+    curve.vibration.values.push_back(r.mode_share.sum());
+  }
+  curve.best = peak_between([&](double z) { return bat_rebound(bat, modes, collision, z).exit_speed_mps; }, z_m,
+                            curve.exit.values);
+  curve.best_rigid =
+      peak_between([&](double z) { return exit_speed_mps(rigid, z - bat.inertia.cm_m); }, z_m, curve.rigid.values);
+  return curve;
+}
+
+Json modes_json(const BatModes& bat) {
+  Json json{{"frequency_hz", Json::array()}, {"node_m", Json::array()}};
+  for (Eigen::Index mode = 0; mode < bat.freq_Hz.size(); ++mode) {
+    json["frequency_hz"].push_back(bat.freq_Hz[mode]);
+    json["node_m"].push_back(nodes_of(bat, static_cast<std::size_t>(mode)));
+  }
+  json["mass_kg"] = bat.inertia.mass_kg;
+  json["cm_m"] = bat.inertia.cm_m;
+  json["inertia_kgm2"] = bat.inertia.inertia_kgm2;
+  json["length_m"] = bat.length_m;
+  return json;
+}
+
+Json curve_json(const BatCurve& curve) {
+  Json json = Json::array();
+  for (std::size_t i = 0; i < curve.z_m.size(); ++i) {
+    const BatRebound& r = curve.flexible[i];
+    const Eigen::VectorXd share = r.mode_share.head(std::min(kModesShown, r.mode_share.size()));
+    json.push_back({{"z_m", curve.z_m[i]},
+                    {curve.exit.name, r.exit_speed_mps},
+                    {curve.rigid.name, curve.rigid.values[i]},
+                    {curve.half.name, curve.half.values[i]},
+                    {curve.contact.name, r.contact_s},
+                    {curve.contacts.name, r.contacts},
+                    {curve.ball.name, r.ball_share},
+                    {curve.vibration.name, curve.vibration.values[i]},
+                    {"mode_share", std::vector<double>(share.begin(), share.end())}});
+  }
+  return json;
+}
+
+std::string modes_text(const BatModes& bat) {
+  std::string text =
+      fmt::format("bat: {:.4f} kg, {:.3f} m long, centre of mass {:.1f} mm from the knob, {:.5f} kg m2 about it\n",
+                  bat.inertia.mass_kg, bat.length_m, 1000 * bat.inertia.cm_m, bat.inertia.inertia_kgm2);
+  for (std::size_t mode = 0; mode < std::min(kModesInText, static_cast<std::size_t>(bat.freq_Hz.size())); ++mode) {
+    fmt::format_to(std::back_inserter(text), "bending {}: {:.1f} Hz, nodes", mode + 1,
+                   bat.freq_Hz[static_cast<Eigen::Index>(mode)]);
+    for (const double z : nodes_of(bat, mode)) fmt::format_to(std::back_inserter(text), " {:.1f}", 1000 * z);
+    text += " mm from the knob\n";
+  }
+  return text;
+}
+
+std::string curve_text(const BatModes& bat, const BatCurve& curve) {
+  double most = 0, most_at = 0;
+  for (std::size_t i = 0; i < curve.z_m.size(); ++i) {
+    const double change = std::abs(curve.exit.values[i] - curve.half.values[i]);
+    if (change > most) most = change, most_at = curve.z_m[i];
+  }
+  return fmt::format(
+      "the ball leaves fastest, with {:.2f} m/s, {:.1f} mm from the knob ({:.2f} in from the barrel's end); a rigid "
+      "bat: "
+      "{:.2f} m/s at {:.1f} mm\nmodes: {}; half of them would change the exit speed by up to {:.3f} m/s (at {:.0f} "
+      "mm): "
+      "those left out, by about as much again\n",
+      curve.best.y, 1000 * curve.best.x, (bat.length_m - curve.best.x) / kInch_m, curve.best_rigid.y,
+      1000 * curve.best_rigid.x, bat.freq_Hz.size(), most, 1000 * most_at);
+}
+
+// The deflections take the places of table and chart.
+Json show_wave(const BatModes& bat, const BatCollision& collision, const BatWaveWanted& wanted, ModelReport& report) {
+  const Eigen::MatrixXd wave =
+      bat_wave(bat, static_cast<std::size_t>(bat.freq_Hz.size()), collision, wanted.z_m, wanted.time_s);
+  const std::vector<double> at_m = positions_of(bat.beam);
+  Json json{{"z_m", wanted.z_m}, {"time_s", wanted.time_s}, {"largest_m", Json::array()}, {"at_m", Json::array()}};
+  report.columns = {{"z_m", at_m}};
+  report.chart = {.title = fmt::format("Bat struck {:.0f} mm from the knob", 1000 * wanted.z_m),
+                  .x = {.label = "from the knob, m"},
+                  .y = {.label = "deflection, mm"},
+                  .curves = {}};
+  for (Eigen::Index i = 0; i < wave.cols(); ++i) {
+    const double time_s = wanted.time_s[static_cast<std::size_t>(i)];
+    const std::vector<double> w_m(wave.col(i).begin(), wave.col(i).end());
+    Eigen::Index at = 0;
+    wave.col(i).cwiseAbs().maxCoeff(&at);
+    json["largest_m"].push_back(wave(at, i));
+    json["at_m"].push_back(at_m[static_cast<std::size_t>(at)]);
+    std::vector<double> w_mm = w_m;
+    for (double& w : w_mm) w *= 1000;
+    report.columns.push_back({fmt::format("deflection_m_{:g}_s", time_s), w_m});
+    report.chart.curves.push_back({fmt::format("{:g} ms", 1000 * time_s), at_m, w_mm});
+  }
+  return json;
+}
+
+}  // namespace
+
+ModelReport bat_report(const BatModes& bat, const BatCollision& collision, const std::vector<double>& z_m,
+                       const std::optional<BatWaveWanted>& wave) {
+  const BatCurve curve = curve_of(bat, collision, z_m);
+  Json json{{"schema", "percuss/model-bat/1"}, {"version", version()}};
+  json.update(modes_json(bat));
+  json["best"] = {{"z_m", curve.best.x}, {curve.exit.name, curve.best.y}};
+  json["curve"] = curve_json(curve);
+  ModelReport report;
+  report.chart = {.title = "Bat that bends",
+                  .x = {.label = "impact from the knob, m"},
+                  .y = {.label = "exit speed, m/s"},
+                  .curves = {{"bending", z_m, curve.exit.values}, {"rigid", z_m, curve.rigid.values}}};
+  report.columns = {{"z_m", z_m},  curve.exit,     curve.rigid, curve.half,
+                    curve.contact, curve.contacts, curve.ball,  curve.vibration};
+  if (wave) json["wave"] = show_wave(bat, collision, *wave, report);
+  report.text = modes_text(bat) + curve_text(bat, curve);
+  report.json = json.dump(2) + "\n";
+  return report;
+}
+
+}  // namespace percuss

@@ -1,0 +1,22 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "model/bat_collision.hpp"
+#include "report/model_report.hpp"
+
+namespace percuss {
+
+/// Where and when percuss model bat is to show the bat's deflection.
+struct BatWaveWanted {
+  double z_m = 0;              // of the impact
+  std::vector<double> time_s;  // from the touch on, ascending
+};
+
+/// percuss/model-bat/1: modes, nodes and inertia of a bat, and the exit speed of a ball over the place of impact z_m
+/// (from the knob, ascending), for the bat that bends and for the rigid one. All of bat's modes take part. With `wave`
+/// the table and the chart show the deflection along the bat instead.
+ModelReport bat_report(const BatModes& bat, const BatCollision& collision, const std::vector<double>& z_m,
+                       const std::optional<BatWaveWanted>& wave = {});
+
+}  // namespace percuss

@@ -1,0 +1,22 @@
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "model/shell.hpp"
+#include "model/shell_fit.hpp"
+#include "report/model_report.hpp"
+
+namespace percuss {
+
+/// A fit that the shell shown was taken from, and what it was made from.
+struct FittedShell {
+  std::vector<MeasuredHoop> measured;
+  ShellFit fit;
+};
+
+/// percuss/model-shell/1: hoop frequencies of a tube with n waves around it, Flügge's for 1 … modes half-waves along.
+ModelReport shell_report(const TubeShell& shell, std::size_t n, std::size_t modes,
+                         const std::optional<FittedShell>& fitted = {});
+
+}  // namespace percuss
