@@ -210,8 +210,25 @@ def check_truncated(name, truth, path, score):
     check(name + ": damping errors within %.1f reported deviations" % FEW_SIGMA, errors and max(errors) <= FEW_SIGMA, "%d modes, worst %.2f" % (len(errors), max(errors, default=math.nan)))
 
 
+def check_deflection(name, truth, path):
+    corner = truth["highpass_corner_hz"]
+    code, document = percuss("deflect", path, "--highpass-corner", corner)
+    hits, peaks = document["hits"], truth["peak_deflection_m"]
+    check(name + ": every impact has a deflection", code == 0 and len(hits) == len(peaks), "%d hits" % len(hits))
+    if len(hits) != len(peaks):
+        return
+    off = [100 * (h["peak_m"] / p - 1) for h, p in zip(hits, peaks)]
+    if corner == 0:
+        check(name + ": every peak within 0.1 %", max(map(abs, off)) <= 0.1, "worst %.2g %%" % max(off, key=abs))
+        return
+    large = [o for o, p in zip(off, peaks) if p > 0.005]
+    check(name + ": peaks above 5 mm within 1 %", large and max(map(abs, large)) <= 1, "%d of %d, worst %.2g %%" % (len(large), len(off), max(large, key=abs)))
+    deviations = [abs(h["peak_m"] - p) / h["peak_std_m"] for h, p in zip(hits, peaks)]
+    check(name + ": every peak within 3 reported deviations", max(deviations) <= 3, "worst %.2f" % max(deviations))
+
+
 def check_seed(seed, arguments, scratch, score):
-    names = ["c1_clean", "c2_light", "c3_doublet", "c4_noise", "c6_short", "l1_long"]
+    names = ["c1_clean", "c2_light", "c3_doublet", "c4_noise", "c6_short", "l1_long", "d1_clean", "d2_real"]
     folder = os.path.join(arguments.cases or scratch, "s%d" % seed)
     if not arguments.cases:
         maker = os.path.join(arguments.shared, "cases", "make_cases.py")
@@ -221,6 +238,8 @@ def check_seed(seed, arguments, scratch, score):
         path, name = os.path.join(folder, case, "data.h5"), "seed %d %s" % (seed, case)
         if case == "l1_long":
             check_long(name, truth, path)
+        elif case in ("d1_clean", "d2_real"):
+            check_deflection(name, truth, path)
         elif case in ("c2_light", "c6_short"):
             check_truncated(name, truth, path, score)
         else:

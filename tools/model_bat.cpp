@@ -11,7 +11,7 @@ namespace percuss::tools {
 namespace {
 
 constexpr std::size_t kBatSteps = 60;
-constexpr std::size_t kMostModes = 200;
+constexpr std::size_t kMostBatModes = 200;
 constexpr double kLongestWave_s = 0.1;
 
 struct BatFlags {
@@ -44,7 +44,7 @@ std::optional<BatWaveWanted> wave_of(const BatFlags& flags, double length_m) {
 
 int model_bat(const BatFlags& flags) {
   check_model_outputs(flags.output);
-  if (flags.modes == 0 || flags.modes > kMostModes)
+  if (flags.modes == 0 || flags.modes > kMostBatModes)
     throw UsageError("--modes is not between 1 and 200", "40 are enough for most");
   const BatProfile profile = read_bat_profile(flags.profile, flags.unit);
   const std::vector<double> z_m = places(flags, profile.length_m());

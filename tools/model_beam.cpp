@@ -11,7 +11,7 @@
 namespace percuss::tools {
 namespace {
 
-constexpr std::size_t kMostModes = 200;
+constexpr std::size_t kMostBeamModes = 200;
 constexpr const char* kStaticForm = "give LOAD:LEVER:DEFLECTION, in N, m from the spring and m";
 
 struct ModelBeamFlags {
@@ -78,7 +78,7 @@ std::vector<MeasuredFrequency> measured_frequencies(const ModelBeamFlags& flags,
   measured.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t mode = flags.measured_modes.empty() ? rigid + i : flags.measured_modes[i];
-    if (mode < rigid || mode >= kMostModes)
+    if (mode < rigid || mode >= kMostBeamModes)
       throw UsageError("--measured-modes: a rigid-body mode, or not below 200", "use the numbers of the table");
     if (i > 0 && !(flags.measured_Hz[i] > flags.measured_Hz[i - 1] && mode > measured.back().mode))
       throw UsageError("--measured: frequencies and their modes must rise", "sort them");
@@ -106,7 +106,8 @@ TorsionFit static_torsion(const ModelBeamFlags& flags, const UniformBeam& beam) 
 
 int model_beam(const ModelBeamFlags& flags) {
   check_model_outputs(flags.output);
-  if (flags.modes < 1 || flags.modes > kMostModes) throw UsageError("--modes: not from 1 to 200", "the default is 10");
+  if (flags.modes < 1 || flags.modes > kMostBeamModes)
+    throw UsageError("--modes: not from 1 to 200", "the default is 10");
   UniformBeam beam = beam_of(flags.beam);
   beam.gyration_m = flags.gyration_m.value_or(0);
   beam.shear_stiffness_N = flags.shear_stiffness_N.value_or(0);

@@ -15,7 +15,9 @@ using Eigen::VectorXd;
 constexpr double kWindow = 10;  // half-power bandwidths on either side: beyond lies under 0.1 % of a mode's information
 constexpr double kLeastLines = 8;   // … and never fewer lines
 constexpr double kMostLines = 400;  // … nor more: the polynomial follows other modes' tails over a short stretch only
-constexpr double kTogether = 4;     // bandwidths apart at which two modes are fitted together
+constexpr double kLeastForce =
+    1e-6;                        // of the strongest line's power: a pulse's spectrum has zeros, where FRFs mean nothing
+constexpr double kTogether = 4;  // bandwidths apart at which two modes are fitted together
 
 void carry_over(const std::vector<FitGroup>& before, FitGroup& group, std::size_t m) {
   for (const FitGroup& old : before) {
@@ -32,7 +34,12 @@ void carry_over(const std::vector<FitGroup>& before, FitGroup& group, std::size_
 GroupedFit::GroupedFit(const FrfSet& set) : set_(set), noise_(roughness(set)), largest_(VectorXd::Zero(noise_.size())) {
   for (std::size_t o = 0; o < set.outputs.size(); ++o) {
     double& largest = largest_(static_cast<Index>(o));
-    for (const Complex& line : set.outputs[o].frf) largest = std::max(largest, std::abs(line));
+    const std::vector<Complex>& frf = set.outputs[o].frf;
+    const std::vector<double>& ff = set.points[set.outputs[o].point].ff;
+    const double least = ff.empty() ? 0 : kLeastForce * *std::max_element(ff.begin(), ff.end());
+    for (std::size_t k = 0; k < frf.size(); ++k) {
+      if (ff.empty() || ff[k] > least) largest = std::max(largest, std::abs(frf[k]));
+    }
   }
 }
 

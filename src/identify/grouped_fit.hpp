@@ -24,7 +24,8 @@ class GroupedFit {
   const std::vector<FitGroup>& groups() const { return groups_; }
   std::vector<Pole> poles() const;
   const FrfSet& set() const { return set_; }
-  /// Per output: deviation of a line's noise as the FRF's roughness tells it; the largest line.
+  /// Per output: deviation of a line's noise as the FRF's roughness tells it; the largest line that the force
+  /// reached.
   const Eigen::VectorXd& noise() const { return noise_; }
   const Eigen::VectorXd& largest() const { return largest_; }
   /// Half-power bandwidth, at least half a line.

@@ -28,6 +28,7 @@ struct ComparedDeflection {
   std::optional<int> point;          // of a test
   std::optional<double> position_m;  // along the structure
   double peak_m = 0, std_m = 0;
+  double forward_m = 0, forward_std_m = 0;  // the way the structure first went, as a model states it; 0: not stated
 };
 
 /// What one document has to compare.
@@ -68,7 +69,8 @@ struct DeflectionPair {
 };
 
 /// Deflections at the same place: the same position (a model's sweep is interpolated between its positions) where both
-/// have positions, else the same point.
+/// have positions, else the same point. Against a model the deflections the way the structure first went count, where
+/// they are stated.
 std::vector<DeflectionPair> pair_deflections(const ComparedDocument& a, const ComparedDocument& b);
 
 }  // namespace percuss

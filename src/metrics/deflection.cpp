@@ -15,7 +15,8 @@ constexpr std::size_t kLeastBefore = 8;  // samples at rest that a bias can be r
 constexpr std::size_t kRinging = 32;     // samples before the onset that an anti-alias filter rings for, at the most
 constexpr double kMethodError = 1e-6;  // of the largest deflection: what rounding and the filter's first ringing leave
 constexpr double kOnsetNoise = 8, kOnsetLevel = 1e-3;
-constexpr double kHalf = 0.5;  // of the frequency of the strongest line, below which nothing is kept
+constexpr double kClearlyMoved = 0.1;  // of the largest deflection
+constexpr double kHalf = 0.5;          // of the frequency of the strongest line, below which nothing is kept
 
 double largest_magnitude(std::span<const double> x) { return extremes_of(x).furthest_from(0); }
 
@@ -124,16 +125,31 @@ Deflection by_modes(const ImpactSignal& signal) {
           .std_m = std::move(modal.std_m)};
 }
 
-// Where the magnitude is largest beyond its deviation: late in a record that drifts, large values mean nothing.
-void find_peak(Deflection& d) {
-  double best = -1e300;
+// Where direction times deflection is largest beyond its deviation: late in a record that drifts, large values mean
+// nothing. Direction 0: either way.
+std::size_t surest(const Deflection& d, double direction) {
+  std::size_t best = 0;
+  double most = -1e300;
   for (std::size_t i = 0; i < d.deflection_m.size(); ++i) {
-    const double sure = std::abs(d.deflection_m[i]) - (d.std_m.empty() ? 0 : d.std_m[i]);
-    if (sure > best) d.peak = i;
-    best = std::max(best, sure);
+    const double way = direction == 0 ? std::abs(d.deflection_m[i]) : direction * d.deflection_m[i];
+    const double sure = way - (d.std_m.empty() ? 0 : d.std_m[i]);
+    if (sure > most) best = i;
+    most = std::max(most, sure);
   }
+  return best;
+}
+
+void find_peaks_of(Deflection& d) {
+  const auto deviation = [&](std::size_t i) { return d.std_m.empty() ? 0 : d.std_m[i]; };
+  d.peak = surest(d, 0);
   d.peak_m = d.deflection_m[d.peak];
-  d.peak_std_m = d.std_m.empty() ? 0 : d.std_m[d.peak];
+  d.peak_std_m = deviation(d.peak);
+  const double clear = kClearlyMoved * std::abs(d.peak_m);
+  const auto first =
+      std::find_if(d.deflection_m.begin(), d.deflection_m.end(), [&](double w) { return std::abs(w) >= clear; });
+  const std::size_t forward = surest(d, std::copysign(1.0, first == d.deflection_m.end() ? d.peak_m : *first));
+  d.forward_m = d.deflection_m[forward];
+  d.forward_std_m = deviation(forward);
 }
 
 }  // namespace
@@ -165,7 +181,7 @@ Deflection deflection_of(const ImpactSignal& signal, const DeflectionOptions& op
                    : method == DeflectionMethod::frequency    ? by_lines(signal, options)
                    : method == DeflectionMethod::modal        ? by_modes(signal)
                                                               : drift_free(signal, options);
-  find_peak(out);
+  find_peaks_of(out);
   return out;
 }
 

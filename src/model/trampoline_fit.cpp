@@ -12,7 +12,7 @@ namespace percuss {
 namespace {
 
 constexpr double kExponentNudge = 1e-4;  // of an exponent: differences of a model that is good to 1e-11
-constexpr double kFitSettled = 1e-9;
+constexpr double kExponentsSettled = 1e-9;
 constexpr double kMostFitDamping = 1e12;
 constexpr double kUnknownExponent = 100;  // a deviation as large is rounding's
 constexpr int kMostFitSteps = 100;
@@ -71,7 +71,7 @@ class CcorFit {
       } else {
         damping *= 10;
       }
-      if (step.norm() < kFitSettled || damping > kMostFitDamping) return now;
+      if (step.norm() < kExponentsSettled || damping > kMostFitDamping) return now;
     }
     throw InputError("no exponents a and b explain it", kMeasuredCcor, "check speeds, or start from other --a and --b");
   }

@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <set>
+#include <tuple>
 
 #include "core/error.hpp"
 #include "core/parallel.hpp"
@@ -89,22 +90,30 @@ PositionOf positions(const Analysis& analysis, const ImpactTestOptions& options)
   return [by_point](int point) { return std::optional<double>(by_point.at(point)); };
 }
 
+// Mean magnitude over repeats, and its deviation.
+std::pair<double, double> mean_of(const std::vector<const Deflection*>& members, double Deflection::*value,
+                                  double Deflection::*deviation) {
+  const auto n = static_cast<double>(members.size());
+  double mean = 0, own = 0, scatter = 0;
+  for (const Deflection* d : members) {
+    mean += std::abs(d->*value) / n;
+    own += d->*deviation * (d->*deviation);
+  }
+  for (const Deflection* d : members) scatter += std::pow(std::abs(d->*value) - mean, 2);
+  const double from_scatter = members.size() > 1 ? std::sqrt(scatter / (n * (n - 1))) : 0;
+  return {mean, std::max(std::sqrt(own) / n, from_scatter)};
+}
+
 std::vector<PointDeflection> averaged(const std::vector<DeflectedHit>& hits, const PositionOf& position_of) {
   std::map<std::pair<int, std::size_t>, std::vector<const Deflection*>> groups;
   for (const DeflectedHit& hit : hits) groups[{hit.point, hit.channel}].push_back(&hit.deflection);
   std::vector<PointDeflection> points;
   for (const auto& [key, members] : groups) {
-    const auto n = static_cast<double>(members.size());
     PointDeflection point{.point = key.first, .channel = key.second, .hits = members.size()};
     point.position_m = position_of(key.first);
-    double own = 0, scatter = 0;
-    for (const Deflection* d : members) {
-      point.peak_m += std::abs(d->peak_m) / n;
-      own += d->peak_std_m * d->peak_std_m;
-    }
-    for (const Deflection* d : members) scatter += std::pow(std::abs(d->peak_m) - point.peak_m, 2);
-    point.std_m = std::sqrt(own) / n;
-    if (members.size() > 1) point.std_m = std::max(point.std_m, std::sqrt(scatter / (n * (n - 1))));
+    std::tie(point.peak_m, point.std_m) = mean_of(members, &Deflection::peak_m, &Deflection::peak_std_m);
+    std::tie(point.forward_m, point.forward_std_m) =
+        mean_of(members, &Deflection::forward_m, &Deflection::forward_std_m);
     points.push_back(point);
   }
   return points;

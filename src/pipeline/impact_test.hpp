@@ -38,6 +38,7 @@ struct PointDeflection {
   std::optional<double> position_m;
   double peak_m = 0;  // mean magnitude of the hits' peaks
   double std_m = 0;   // of the mean: from the scatter of two hits or more, no less than from the hits' own deviations
+  double forward_m = 0, forward_std_m = 0;  // likewise of the deflections the way the structure first went
 };
 
 struct ImpactTest {

@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kWidth = 160;
+constexpr std::size_t kTableWidth = 160;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 // One document against the first.
@@ -115,7 +115,7 @@ std::string modes_text(const std::vector<ComparedDocument>& documents, const std
     cells.emplace_back("");
     table.add(std::move(cells));
   }
-  std::string text = table.text(kWidth);
+  std::string text = table.text(kTableWidth);
   for (const Comparison& c : comparisons) {
     if (c.modes.unpaired_b.empty()) continue;
     text += fmt::format("only in {}:", one_line(c.b.name, 200));
@@ -139,7 +139,7 @@ std::string deflections_text(const Comparison& c) {
     table.add({place, fmt::format("{:.4g} mm", 1000 * pair.a_m), fmt::format("{:.4g} mm", 1000 * pair.b_m),
                with_deviation(pair.ratio, pair.ratio_std), ""});
   }
-  return "\nlargest deflection\n" + table.text(kWidth);
+  return "\nlargest deflection\n" + table.text(kTableWidth);
 }
 
 std::vector<NumberColumn> columns_of(const std::vector<ComparedDocument>& documents,

@@ -21,7 +21,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMostDrawn = 12;
+constexpr std::size_t kMostHitsDrawn = 12;
 
 double time_s(const Analysis& analysis, const DeflectedHit& hit, std::size_t sample) {
   return hit.first_s + static_cast<double>(sample) / analysis.record().fs_Hz;
@@ -37,6 +37,8 @@ Json hit_json(const Analysis& analysis, const DeflectedHit& hit) {
           {"peak_time_s", time_s(analysis, hit, d.peak)},
           {"peak_std_m", d.std_m.empty() ? Json() : Json(d.peak_std_m)},
           {"direction", d.peak_m < 0 ? -1 : 1},
+          {"forward_m", std::abs(d.forward_m)},
+          {"forward_std_m", d.std_m.empty() ? Json() : Json(d.forward_std_m)},
           {"method", name_of(d.method)},
           {"bias_mps2", d.bias_mps2},
           {"drift_m", d.drift_m},
@@ -66,7 +68,9 @@ std::string deflection_json(const Analysis& analysis, const ImpactTest& test) {
                               {"position_m", point.position_m ? Json(*point.position_m) : Json()},
                               {"hits", point.hits},
                               {"peak_m", point.peak_m},
-                              {"peak_std_m", point.std_m}});
+                              {"peak_std_m", point.std_m},
+                              {"forward_m", point.forward_m},
+                              {"forward_std_m", point.forward_std_m}});
   }
   json["impact_speeds"] = Json::array();
   for (const ImpactSpeed& speed : test.speeds)
@@ -166,7 +170,7 @@ LineChart deflection_chart(const Analysis& analysis, const ImpactTest& test) {
   std::stable_sort(largest.begin(), largest.end(), [](const DeflectedHit* a, const DeflectedHit* b) {
     return std::abs(a->deflection.peak_m) > std::abs(b->deflection.peak_m);
   });
-  largest.resize(std::min(largest.size(), kMostDrawn));
+  largest.resize(std::min(largest.size(), kMostHitsDrawn));
   LineChart chart{
       .title = "Deflection at the accelerometer", .x = {.label = "time, s"}, .y = {.label = "deflection, mm"}};
   for (const DeflectedHit* hit : largest) {

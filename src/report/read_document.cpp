@@ -96,7 +96,9 @@ void add_deflections(const Part& part, ComparedDocument& document) {
   for (const Part& point : part.at("points").list()) {
     ComparedDeflection d{.point = whole(point.at("point").number()),
                          .peak_m = point.at("peak_m").number(),
-                         .std_m = point.number_or("peak_std_m", 0)};
+                         .std_m = point.number_or("peak_std_m", 0),
+                         .forward_m = point.number_or("forward_m", 0),
+                         .forward_std_m = point.number_or("forward_std_m", 0)};
     if (point.has("position_m")) d.position_m = point.at("position_m").number();
     document.deflections.push_back(d);
   }
@@ -117,6 +119,7 @@ void add_impacts(const Part& part, ComparedDocument& document) {
 std::vector<ComparedDocument> read_documents(const std::string& path) {
   const FileBytes bytes = read_input(path, kLargest_bytes);
   const std::string name = input_name(path);
+  if (bytes.size == 0) throw InputError("the file is empty", name, "write it again");
   const json value = parsed_document(bytes.view(), name);
   const Part top(value, name);
   const std::string schema = top.at("schema").text();
