@@ -218,9 +218,10 @@ void ConfinedProcess::report_death() {
   const bool known = ::waitpid(child_, &status, 0) == child_;
   child_ = -1;
   const int signal = known && WIFSIGNALED(status) ? WTERMSIG(status) : 0;
-  if (signal == SIGXCPU || signal == SIGKILL)
+  if (signal == SIGXCPU || signal == SIGKILL) {
     throw InputError("reading it takes longer than any file of its size should", path_,
                      "is it damaged? Else give --trust-input");
+  }
   throw InputError(fmt::format("it makes the library that reads it crash (signal {})", signal), path_,
                    "it is damaged: save it again, or export another format");
 }

@@ -55,9 +55,10 @@ void MatOutput::header(std::string_view name, std::span<const std::size_t> shape
   body += name;
   pad(body);
   const std::uint64_t bytes = body.size() + (complex ? 2U : 1U) * (kTag_bytes + padded(data_bytes));
-  if (bytes >= kLongest_bytes)
+  if (bytes >= kLongest_bytes) {
     throw InputError("variable " + std::string(name) + " does not fit a MAT file of level 5 (2 GiB)", path_,
                      "write HDF5, or fewer hits to a file");
+  }
   std::string tag;
   put_tag(tag, kMatrix, bytes);
   file_.write(tag + body);

@@ -87,9 +87,10 @@ std::optional<double> mat_rate_Hz(const MatFile& file, const ReadOptions& option
   const auto dt_s = mat_number(file, {"dt", "dts", "deltat", "sampletime", "samplinginterval", "sampleinterval"});
   if (!found_Hz && dt_s && *dt_s > 0) found_Hz = 1 / *dt_s;
   if (found_Hz) usable_rate_Hz(*found_Hz, file.path);
-  if (found_Hz && dt_s && !(std::abs(*found_Hz * *dt_s - 1) <= kSameRates))
+  if (found_Hz && dt_s && !(std::abs(*found_Hz * *dt_s - 1) <= kSameRates)) {
     throw InputError(fmt::format("a rate of {} Hz, and {} s between samples", *found_Hz, *dt_s), file.path,
                      "give --fs in Hz");
+  }
   if (found_Hz) return found_Hz;
   for (const MatVariable& variable : file.variables) {
     if (is_time_vector(variable)) return usable_rate_Hz(rate_of_times_Hz(file, variable), file.path);

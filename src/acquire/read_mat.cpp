@@ -100,9 +100,10 @@ std::vector<std::optional<double>> per_channel(const MatFile& file, const char* 
 int whole_number(const MatFile& file, const char* name, std::size_t row, std::size_t rows) {
   const MatVariable* const given = find_variable(file, name);
   if (given == nullptr || given->is_text) return 0;
-  if (given->size() != rows || !(std::abs(given->real[row]) <= std::numeric_limits<int>::max()))
+  if (given->size() != rows || !(std::abs(given->real[row]) <= std::numeric_limits<int>::max())) {
     throw InputError(fmt::format("not one whole number for each of {} hits", rows), file.path + ": " + name,
                      "store one per hit");
+  }
   return static_cast<int>(std::lround(given->real[row]));
 }
 

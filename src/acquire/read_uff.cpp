@@ -152,9 +152,10 @@ Record open_uff(const FileBytes& file, UffContents contents, const ReadOptions& 
     functions.push_back(&function);
     is_force.push_back(is_force_function(function, options));
   }
-  if (functions.empty())
+  if (functions.empty()) {
     throw InputError("no records of time and no FRFs among " + list_of_sets(open->contents), name,
                      "export functions as data set 58");
+  }
   open->rows = uff_rows(functions, is_force, name);
   SignalTable table;
   table.files.push_back({.path = file.path, .bytes = file.size});

@@ -91,9 +91,10 @@ LineRange lines_of_function(const UffFunction& f, const std::string& where, std:
   const double first = std::round(f.x0 / df_Hz);
   constexpr double kSlack = 0.05;  // of a line, as for texts
   const bool fits = df_Hz > 0 && first >= 0 && std::abs(f.x0 / df_Hz - first) <= kSlack;
-  if (!fits || f.count < 2)
+  if (!fits || f.count < 2) {
     throw InputError(fmt::format("{} lines from {} Hz in steps of {} Hz", f.count, f.x0, f.dx), where,
                      "export lines that are multiples of their spacing");
+  }
   for (std::size_t k = 0; k < f.count; ++k) freq_Hz[k] = (first + static_cast<double>(k)) * df_Hz;
   return lines_of(freq_Hz, where);
 }
@@ -146,14 +147,16 @@ void require_grid(const StoredFrfs& out, const std::string& file) {
   std::set<int> points;
   for (const StoredFrf& frf : out.frfs) {
     points.insert(frf.point);
-    if (!seen.emplace(frf.point, frf.channel).second)
+    if (!seen.emplace(frf.point, frf.channel).second) {
       throw InputError(fmt::format("two FRFs of channel {} at point {}", frf.channel + 1, frf.point), file,
                        "keep one of them");
+    }
   }
-  if (points.size() * out.record.accel.size() != out.frfs.size())
+  if (points.size() * out.record.accel.size() != out.frfs.size()) {
     throw InputError(fmt::format("{} FRFs, not one of each of {} channels for each of {} points", out.frfs.size(),
                                  out.record.accel.size(), points.size()),
                      file, "export the same channels for every point");
+  }
 }
 
 }  // namespace
