@@ -115,7 +115,7 @@ ConfinedService record_service(Record record) {
           }};
 }
 
-Record served_record(Unpacker& in, std::shared_ptr<ConfinedProcess> process) {
+Record served_record(Unpacker& in, const std::shared_ptr<ConfinedProcess>& process) {
   Record record;
   try {
     record = unpack_description(in);

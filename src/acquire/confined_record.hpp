@@ -12,7 +12,7 @@ namespace percuss {
 ConfinedService record_service(Record record);
 
 /// The record that a confined process describes and serves. `in` stands where record_service began.
-Record served_record(Unpacker& in, std::shared_ptr<ConfinedProcess> process);
+Record served_record(Unpacker& in, const std::shared_ptr<ConfinedProcess>& process);
 
 /// Parts of it, for other descriptions.
 void pack_signal(Packer& out, const SignalInfo& signal);
