@@ -98,11 +98,24 @@ def check_bad_hits(data, scratch):
             file["force"], file["accel"] = force[None], accel[None, None]
         columns = numpy.column_stack([numpy.arange(len(force)) / fs, force, accel])
         numpy.savetxt(path + ".csv", columns, delimiter=",", header="t_s,force_N,acc_m_s2", comments="", fmt="%.12g")
-        for end in (".h5", ".csv"):
-            code, document = percuss("analyze", path + end)
+        named = ("--force-channel", "Time_chan_1", "--accel-channel", "Time_chan_2")
+        for end, words in ((".h5", ()), (".csv", ()), (".mat", named)):
+            file = os.path.join(data, "bad_hits_vt", case + end) if end == ".mat" else path + end
+            code, document = percuss("analyze", file, *words)
             found = sorted({c for h in document["hits"] for c in codes(h)})
             check("bad hits %s%s: rejected as %s, exit 4" % (case, end, wanted),
                   code == 4 and wanted in found and not any(h["accepted"] for h in document["hits"]), "exit %d, %s" % (code, ", ".join(found)))
+
+
+def check_plate(data):
+    folder = os.path.join(data, "plate_9x9")
+    # Modes that the independent fit describes well; its two methods differ by up to 0.02 % on them.
+    known = [m for m in json.load(open(os.path.join(folder, "independent.json")))["modes_Ref_1"] if m["fit_residual"] < 0.05 and m["f_sdof"] < 600]
+    code, document = percuss("analyze", os.path.join(folder, "00A_Ref_1.MAT"), "--df", 0.5, "--band", "40:600")
+    check("plate: 81 FRFs of a MAT file", code == 0 and len(document["modes"]) >= 5, "%d modes" % len(document["modes"]))
+    for mode in known:
+        off = nearest(document, mode["f_sdof"])["frequency_hz"] / mode["f_sdof"] - 1
+        check("plate: %.2f Hz within 0.02 %%" % mode["f_sdof"], abs(off) <= 2e-4, "%+.4f %%" % (100 * off))
 
 
 def mac(a, b):
@@ -264,6 +277,7 @@ def main():
         check_bad_hits(data, scratch)
         check_modelab(data, scratch)
         check_r161(data)
+        check_plate(data)
         for seed in map(int, arguments.seeds.split(",")):
             check_seed(seed, arguments, scratch, score)
     print("%d passed, %d failed" % (sum(results), len(results) - sum(results)))

@@ -10,6 +10,8 @@ find_package(HDF5 REQUIRED COMPONENTS C)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(FFTW3 REQUIRED IMPORTED_TARGET fftw3)
 add_library(FFTW3::fftw3 ALIAS PkgConfig::FFTW3)
+pkg_check_modules(MATIO REQUIRED IMPORTED_TARGET matio>=1.5.23)
+add_library(MATIO::matio ALIAS PkgConfig::MATIO)
 
 if(NOT TARGET HDF5::HDF5)
   add_library(percuss_hdf5 INTERFACE)

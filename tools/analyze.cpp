@@ -14,6 +14,7 @@
 #include "report/analysis_json.hpp"
 #include "report/analysis_text.hpp"
 #include "report/frf_files.hpp"
+#include "report/modes_uff.hpp"
 
 namespace percuss::tools {
 namespace {
@@ -94,10 +95,10 @@ void write_outputs(const AnalyzeFlags& flags, const std::vector<Test>& tests, co
     } else if (!tests.front().analysis->possible()) {
       std::cerr << "percuss: no hit can be used, so there are no FRFs to write (" + one_line(path) +
                        "); see the hits' findings\n";
-    } else if (extension_of(path) == ".csv") {
-      write_frf_csv(path, *tests.front().analysis, FrfKind::accelerance, flags.output.force);
+    } else if (is_uff(path)) {
+      write_modes_uff(path, *tests.front().analysis, flags.output.force);
     } else {
-      write_frf_hdf5(path, *tests.front().analysis, FrfKind::accelerance, flags.output.force);
+      write_frfs(path, frf_record_of(*tests.front().analysis), FrfKind::accelerance, flags.output.force);
     }
   }
 }
@@ -111,7 +112,7 @@ void require_one_test_for_frfs(const OutputFlags& output, std::size_t tests) {
 }
 
 int analyze(const AnalyzeFlags& flags) {
-  check_outputs(flags.output, {".json", ".csv", ".h5"});
+  check_outputs(flags.output, {".json", ".csv", ".h5", ".mat", ".uff", ".unv"});
   const auto sections = flags.only.empty() ? all_sections() : parse_sections(flags.only);
   const bool wants_json =
       flags.output.json || std::any_of(flags.output.paths.begin(), flags.output.paths.end(), is_json);

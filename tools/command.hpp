@@ -20,6 +20,7 @@ void add_info(CommandLine& line);
 void add_analyze(CommandLine& line);
 void add_frf(CommandLine& line);
 void add_nodes(CommandLine& line);
+void add_convert(CommandLine& line);
 void add_calibrate(CommandLine& line);
 void add_survey(CommandLine& line);
 void add_compare(CommandLine& line);

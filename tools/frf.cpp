@@ -30,7 +30,7 @@ std::unique_ptr<Analysis> analysis_of(const FrfFlags& flags) {
 }
 
 int frf(const FrfFlags& flags) {
-  check_outputs(flags.output, {".csv", ".h5", ".json"});
+  check_outputs(flags.output, {".csv", ".h5", ".json", ".mat", ".uff", ".unv"});
   const FrfKind kind = flags.kind == "mobility"     ? FrfKind::mobility
                        : flags.kind == "receptance" ? FrfKind::receptance
                                                     : FrfKind::accelerance;
@@ -46,9 +46,11 @@ int frf(const FrfFlags& flags) {
   const auto summary = analysis_json(analysis, {.sections = {Section::hits, Section::frf, Section::coherence}});
   progress.stop();
   for (const std::string& path : flags.output.paths) {
-    if (extension_of(path) == ".csv") write_frf_csv(path, analysis, kind, flags.output.force);
-    if (extension_of(path) == ".h5") write_frf_hdf5(path, analysis, kind, flags.output.force);
-    if (extension_of(path) == ".json") write_file(path, summary, flags.output.force);
+    if (extension_of(path) == ".json") {
+      write_file(path, summary, flags.output.force);
+    } else {
+      write_frfs(path, frf_record_of(analysis), kind, flags.output.force);
+    }
   }
   if (flags.output.json) {
     std::cout << summary;

@@ -126,14 +126,15 @@ Json columns_json(const std::string& path, const UnclearColumns& seen) {
                        {"numbers", column.has_numbers}});
   }
   return {{"path", path},
-          {"kind", "CSV"},
+          {"kind", seen.format},
           {"fs_hz", optional_json(seen.fs_Hz, 1)},
           {"columns", columns},
           {"needs", seen.what()}};
 }
 
 std::string columns_text(const std::string& path, const UnclearColumns& seen, std::size_t width) {
-  std::string text = one_line(input_name(path), 400) + ": CSV, " + plural(seen.columns.size(), "column");
+  std::string text = one_line(input_name(path), 400) + ": " + seen.format + ", " +
+                     plural(seen.columns.size(), seen.format == "CSV" ? "column" : "signal");
   if (seen.fs_Hz) text += fmt::format(", {:.10g} Hz", *seen.fs_Hz);
   TextTable table({{"  number", TextTable::Align::right}, {"name"}, {"unit"}, {""}});
   for (const auto& column : seen.columns) {

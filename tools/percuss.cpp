@@ -25,6 +25,7 @@ int parse_and_run(int argc, char** argv) {
   add_nodes(line);
   add_survey(line);
   add_info(line);
+  add_convert(line);
   add_calibrate(line);
   add_deflect(line);
   add_compare(line);

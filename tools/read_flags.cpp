@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 
 #include "acquire/channel_setup.hpp"
+#include "acquire/csv_number.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "output.hpp"
 
 namespace percuss::tools {
 namespace {
@@ -46,6 +49,16 @@ FrfKind frf_kind(const std::string& text) {
   throw UsageError("--frf-kind cannot be \"" + one_line(text, 40) + "\"", "use accelerance, mobility or receptance");
 }
 
+// A number, or else a name.
+void take_rate(const std::string& text, ReadOptions& options) {
+  const ParsedNumber number = parse_number(text, false);
+  if (number.problem == NumberProblem::none || number.problem == NumberProblem::not_finite) {
+    options.fs_Hz = number.problem == NumberProblem::none ? number.value : 0;
+  } else {
+    options.fs_variable = text;
+  }
+}
+
 /// The options for file `index`: of a scale per file, that file's.
 ReadOptions options_of_file(const ReadOptions& all, std::size_t index, std::size_t files) {
   ReadOptions options = all;
@@ -63,9 +76,17 @@ ReadOptions options_of_file(const ReadOptions& all, std::size_t index, std::size
 
 void add_read_flags(Command& command, ReadFlags& flags) {
   ReadOptions& options = flags.options;
-  command.words("FILE", flags.paths, "records to read, or FRFs: HDF5, CSV or text; - is standard input");
+  command.words("FILE", flags.paths,
+                "records to read, or FRFs: HDF5, MAT, UFF, LabVIEW, CSV or text; - is standard input");
   const std::string others = command.heading(kGroup);
-  command.value("--fs", options.fs_Hz, "sampling rate, whatever the file says").type("HZ");
+  command
+      .value(
+          "--fs", [&options](const std::string& text) { take_rate(text, options); },
+          "sampling rate, whatever the file says; or the variable of a MAT file that holds it")
+      .type("HZ");
+  command.value("--df", options.df_Hz, "spacing of FRFs, for files that do not state their frequencies (MAT)")
+      .above_zero()
+      .type("HZ");
   command.value("--force-channel", options.force_channel, "the force: name or 1-based number of its column")
       .type("NAME");
   command.list("--accel-channel", options.accel_channels, "the accelerations, in this order (repeatable, or a list)")
@@ -93,11 +114,20 @@ void add_read_flags(Command& command, ReadFlags& flags) {
           "--frf-kind", [&flags](const std::string& text) { flags.frf_kind = frf_kind(text); },
           "what files of FRFs hold, whatever they say")
       .type("accelerance|mobility|receptance");
+  command.flag("--trust-input", flags.trust_input,
+               "read MAT and HDF5 files in this process, not in a confined one of their own");
   command.heading(others);
 }
 
 ReadOptions finished_options(const ReadFlags& flags) {
   ReadOptions options = flags.options;
+  const bool has_variables = std::any_of(flags.paths.begin(), flags.paths.end(),
+                                         [](const auto& path) { return extension_of(path) == ".mat"; });
+  if (!options.fs_variable.empty() && !has_variables) {
+    throw UsageError(fmt::format("--fs cannot be \"{}\"", one_line(options.fs_variable, 40)),
+                     "give a number in Hz (with a MAT file also the name of a variable)");
+  }
+  options.confined = !flags.trust_input;
   for (const double angle_deg : flags.angle_deg) options.angle_rad.push_back(angle_deg * kDegree_rad);
   options.position_m = flags.position_m;
   if (flags.force_sensitivity_mV_per_N) options.force_sensitivity_V_per_N = *flags.force_sensitivity_mV_per_N * kMilli;

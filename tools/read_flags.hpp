@@ -17,6 +17,7 @@ struct ReadFlags {
   std::string setup_path;                  // --setup CHANNELS.json
   FilesMean files = FilesMean::automatic;  // --files
   std::optional<FrfKind> frf_kind;         // --frf-kind
+  bool trust_input = false;                // --trust-input
   // as typed, in the units of the option's name; turned into options by finish()
   std::vector<double> angle_deg;
   std::vector<double> position_m;

@@ -11,6 +11,7 @@
 #include "output.hpp"
 #include "progress.hpp"
 #include "read_flags.hpp"
+#include "report/modes_uff.hpp"
 #include "report/survey_files.hpp"
 #include "report/survey_json.hpp"
 #include "report/survey_text.hpp"
@@ -82,6 +83,8 @@ void write_outputs(const SurveyFlags& flags, const Survey& survey, const std::st
                        "); see the hits' findings\n";
     } else if (kind == ".csv") {
       write_file(path, is_indicator(path) ? cmif_csv(survey) : shapes_csv(survey), flags.output.force);
+    } else if (is_uff(path)) {
+      write_modes_uff(path, survey, flags.output.force);
     } else {
       write_survey_hdf5(path, survey, flags.output.force);
     }
@@ -93,7 +96,7 @@ int run_survey(const SurveyFlags& flags) {
     std::cout << geometry_example();
     return kOk;
   }
-  check_outputs(flags.output, {".json", ".csv", ".h5"});
+  check_outputs(flags.output, {".json", ".csv", ".h5", ".uff", ".unv"});
   const SurveyOptions options = survey_options(flags);
   const Progress progress("analysing", flags.output.quiet);
   const auto made = analysis_of(flags);

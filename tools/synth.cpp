@@ -1,13 +1,13 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "acquire/atomic_file.hpp"
 #include "acquire/input_file.hpp"
-#include "acquire/write_csv.hpp"
-#include "acquire/write_hdf5.hpp"
+#include "acquire/write_record.hpp"
 #include "command.hpp"
 #include "core/error.hpp"
 #include "synth/read_spec.hpp"
@@ -43,8 +43,10 @@ void check_outputs(const SynthFlags& flags) {
   std::set<std::string> paths;
   for (const std::string& output : flags.outputs) {
     const std::string kind = fs::path(output).extension().string();
-    if (kind != ".h5" && kind != ".hdf5" && kind != ".csv") {
-      throw UsageError(fmt::format("unknown kind of output \"{}\"", output), "name a file that ends in .h5 or .csv");
+    const auto& known = record_extensions();
+    if (std::find(known.begin(), known.end(), kind) == known.end()) {
+      throw UsageError(fmt::format("unknown kind of output \"{}\"", output),
+                       fmt::format("name a file that ends in {}", fmt::join(known, ", ")));
     }
     if (!paths.insert(output).second) throw UsageError(fmt::format("output \"{}\" twice", output), "leave one of them");
     paths.insert(truth_path(output));
@@ -59,8 +61,7 @@ void check_outputs(const SynthFlags& flags) {
 void write_outputs(const SynthFlags& flags, const SyntheticTest& test, const std::string& truth) {
   std::set<std::string> truths;
   for (const std::string& output : flags.outputs) {
-    const bool csv = fs::path(output).extension() == ".csv";
-    csv ? write_record_csv(output, test.record, flags.force) : write_hdf5(output, test.record, flags.force);
+    write_record(output, test.record, flags.force);
     truths.insert(truth_path(output));
   }
   for (const std::string& path : truths) write_file(path, truth, flags.force);
@@ -124,7 +125,7 @@ void add_synth(CommandLine& line) {
   command.word("SPEC", flags->spec, "JSON file, name of a preset, or - for standard input");
   command
       .repeatable("-o,--output", flags->outputs,
-                  "record to write (.h5 or .csv, repeatable); the truth goes to its stem + .truth.json")
+                  "record to write (.h5, .csv, .mat, .uff; repeatable); the truth goes to its stem + .truth.json")
       .type("FILE");
   command.value("--seed", flags->seed, "use this seed instead of the spec's").type("N");
   command.value("--threads", flags->threads, "threads to use (0: all); the samples do not depend on it").type("N");

@@ -49,14 +49,16 @@ std::string list_of(const std::vector<CsvColumn>& columns) {
     text +=
         (i == 0 ? "" : ", ") + one_line(column.name, 40) + (show_unit ? " [" + one_line(column.unit, 20) + "]" : "");
   }
-  if (columns.size() > kShown) text += fmt::format(", … ({} columns)", columns.size());
+  if (columns.size() > kShown) text += fmt::format(", … ({} in all)", columns.size());
   return text;
 }
 
 class Finder {
  public:
   Finder(const CsvHeader& header, const ReadOptions& options, const std::string& file)
-      : header_(header), options_(options), where_(file + (header.named ? ": header" : ": no header with names")) {}
+      : header_(header),
+        options_(options),
+        where_(header.text ? file + (header.named ? ": header" : ": no header with names") : file) {}
 
   CsvColumns find() {
     columns_.hit = take_exact("hit");

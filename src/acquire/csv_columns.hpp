@@ -22,8 +22,11 @@ class UnclearColumns : public InputError {
  public:
   UnclearColumns(std::string_view problem, std::string_view where, std::string_view remedy, const CsvHeader& header)
       : InputError(problem, where, remedy), columns(header.columns), fs_Hz(header.fs_Hz) {}
+  UnclearColumns(const InputError& error, const CsvHeader& header)
+      : InputError(error), columns(header.columns), fs_Hz(header.fs_Hz) {}
   std::vector<CsvColumn> columns;  // all there are
   std::optional<double> fs_Hz;     // if a line of the header states it
+  std::string format = "CSV";
 };
 
 /// Finds the columns: as the options name them (name, name without unit, or 1-based number; letter case aside), then as

@@ -22,6 +22,7 @@ struct CsvHeader {
   std::size_t lines = 0;       // lines before the data, of any kind
   std::size_t data_start = 0;  // byte where the first line of data starts
   bool named = false;
+  bool text = true;                // of a text in columns; else the columns are signals of a file of another kind
   std::size_t width = 0;           // cells of the line of names, empty ones too
   std::vector<CsvColumn> columns;  // every column that has a name or numbers, in the file's order
   std::optional<double> fs_Hz;     // stated by a line such as "Sampling Rate(Hz),50"

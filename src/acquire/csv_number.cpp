@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kLongestRewritten = 64;  // characters; a longer number with comma or D exponent is no number
 
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v'; }
+bool is_padding(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 // from_chars says "out of range" for too large and too small alike and leaves the value alone: tell them apart by the
@@ -60,8 +60,8 @@ bool says_not_finite(std::string_view text) {
 
 std::string_view trimmed(std::string_view text) {
   const auto strip = [](std::string_view& t) {
-    while (!t.empty() && is_blank(t.front())) t.remove_prefix(1);
-    while (!t.empty() && is_blank(t.back())) t.remove_suffix(1);
+    while (!t.empty() && is_padding(t.front())) t.remove_prefix(1);
+    while (!t.empty() && is_padding(t.back())) t.remove_suffix(1);
   };
   strip(text);
   if (text.size() >= 2 && text.front() == '"' && text.back() == '"') {

@@ -205,6 +205,8 @@ std::optional<Geometry> geometry_of_record(const std::vector<std::vector<double>
   Geometry geometry;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     GeometryPoint point{.point = static_cast<int>(i)};
+    // Numbers that no point has, in formats that name their points.
+    if (std::any_of(rows[i].begin(), rows[i].end(), [](double x) { return std::isnan(x); })) continue;
     if (rows[i].size() == 3) {
       point.xyz_m = {rows[i][0], rows[i][1], rows[i][2]};
     } else if (rows[i].size() == 2) {
@@ -215,6 +217,7 @@ std::optional<Geometry> geometry_of_record(const std::vector<std::vector<double>
     }
     geometry.points.push_back(point);
   }
+  if (geometry.points.empty()) return std::nullopt;
   geometry.tube = rows.front().size() == 2;
   if (!geometry.tube) tube_from_coordinates(geometry);
   return geometry;

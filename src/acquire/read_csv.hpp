@@ -17,6 +17,9 @@ Record open_csv(const FileBytes& bytes, const ReadOptions& options = {});
 /// kind of file that percuss does not read.
 FileBytes read_text(const std::string& path);
 
+/// The record in bytes that read_text returned: a universal file, a LabVIEW file or text in columns.
+Record open_text(const FileBytes& bytes, const ReadOptions& options = {});
+
 /// Throws InputError unless these first bytes of the file `name` can be those of a text in ASCII, UTF-8 or Latin-1.
 void require_text(std::string_view head, const std::string& name);
 

@@ -68,6 +68,8 @@ struct ChannelSetup {
 /// What the user says about a file; everything is optional and wins over what the file says.
 struct ReadOptions {
   std::optional<double> fs_Hz;
+  std::string fs_variable;                           // the rate's own variable, in files that name them (MAT)
+  std::optional<double> df_Hz;                       // spacing of FRFs' lines, where the file does not state it
   std::string force_channel;                         // name or 1-based number of the column
   std::vector<std::string> accel_channels;           // likewise, in the order wanted
   std::vector<double> force_scale;                   // N per stored unit; one for all files or one per file
@@ -77,6 +79,7 @@ struct ReadOptions {
   std::string force_unit, accel_unit;                // of the stored numbers
   std::vector<double> angle_rad, position_m;         // per acceleration channel
   std::vector<ChannelSetup> setup;
+  bool confined = false;  // read binary files of others' libraries in a process of its own (confined_process.hpp)
 };
 
 enum class FilesMean { automatic, hits, points, tests };

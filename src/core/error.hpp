@@ -11,6 +11,11 @@ namespace percuss {
 class InputError : public std::runtime_error {
  public:
   InputError(std::string_view problem, std::string_view where, std::string_view remedy);
+  /// One that was reported in another process, by its message.
+  static InputError with_message(const std::string& message) { return InputError(message); }
+
+ private:
+  explicit InputError(const std::string& message) : std::runtime_error(message) {}
 };
 
 /// The command line asks for something that percuss does not offer. Same form of message.

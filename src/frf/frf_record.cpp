@@ -7,13 +7,20 @@
 
 #include "acquire/hdf5_layout.hpp"
 #include "acquire/largest_sample.hpp"
+#include "acquire/mat_file.hpp"
 #include "acquire/read_csv.hpp"
 #include "acquire/read_hdf5.hpp"
+#include "acquire/read_lvm.hpp"
+#include "acquire/read_mat.hpp"
+#include "acquire/read_uff.hpp"
 #include "acquire/signal_choice.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "frf/confined_measurement.hpp"
 #include "frf/read_frf_hdf5.hpp"
+#include "frf/read_frf_mat.hpp"
 #include "frf/read_frf_text.hpp"
+#include "frf/read_frf_uff.hpp"
 
 namespace percuss {
 namespace {
@@ -31,6 +38,23 @@ void refuse_useless(const ReadOptions& options, const std::string& where) {
   if (options.fs_Hz) refuse("--fs", "the lines say how long the records were");
   if (options.force_sensitivity_V_per_N || !options.accel_sensitivity_V_per_mps2.empty())
     refuse("a sensitivity", "they are no volts (--accel-scale and --force-scale do)");
+}
+
+// Only MAT files have variables that options can name.
+void refuse_variable_names(const ReadOptions& options, const std::string& path) {
+  if (options.fs_variable.empty()) return;
+  throw InputError("--fs is no number: " + one_line(options.fs_variable, 40), input_name(path),
+                   "give it in Hz (in MAT files it may be a variable)");
+}
+
+// A variable of FRFs that an option names, or the rate that spaces its lines, has been used up by its reader.
+FrfReadOptions without_places(FrfReadOptions options) {
+  options.read.fs_Hz.reset();
+  options.read.fs_variable.clear();
+  std::erase_if(options.read.accel_channels, [](const std::string& name) {
+    return name.find_first_not_of("0123456789") != std::string::npos && !name.starts_with("accel");
+  });
+  return options;
 }
 
 // m/s² or its integrals per stored unit of the response; N per stored unit of the force.
@@ -139,11 +163,31 @@ LineRange lines_of(const std::vector<double>& freq_Hz, const std::string& where)
 }
 
 std::variant<Record, FrfRecord> open_measurement(const std::string& path, const FrfReadOptions& options) {
+  constexpr std::size_t kHead_bytes = 4096;
+  const bool mat = path != "-" && is_mat(first_bytes(path, kHead_bytes));
+  if (options.read.confined && path != "-" && (mat || is_hdf5(path))) {
+    FrfReadOptions within = options;
+    within.read.confined = false;
+    return open_measurement_confined(path, [&] { return open_measurement(path, within); });
+  }
+  if (!mat) refuse_variable_names(options.read, path);
+  if (mat) {
+    MatFile file = read_mat_file(path);
+    if (auto frfs = read_frf_mat(file, options)) return finished_frfs(std::move(*frfs), without_places(options));
+    return open_mat(std::move(file), options.read);
+  }
   if (path != "-" && is_hdf5(path)) {
     if (auto frfs = read_frf_hdf5(path)) return finished_frfs(std::move(*frfs), options);
     return open_record(path, options.read);
   }
   const FileBytes text = read_text(path);
+  if (is_universal_file(text.view())) {
+    UffContents contents = read_uff_contents(text);
+    if (auto frfs = read_frf_uff(text, contents, options.kind.has_value()))
+      return finished_frfs(std::move(*frfs), options);
+    return open_uff(text, std::move(contents), options.read);
+  }
+  if (is_lvm(text.view())) return open_lvm(text, options.read);
   if (auto frfs = read_frf_text(text, options.kind.has_value())) return finished_frfs(std::move(*frfs), options);
   return open_csv(text, options.read);
 }

@@ -24,11 +24,13 @@ struct FrfRecord {
   std::vector<InputFile> files;
   std::string format;                   // for people: "FRF text", "FRF HDF5"
   FrfKind kind = FrfKind::accelerance;  // as stored; `frfs` are accelerances
-  LineRange lines;                 // of every FRF; its fs_Hz is twice the highest frequency, the true one is not known
-  std::vector<SignalInfo> accel;   // [channels]; to_SI is what the stored FRF was multiplied with: unit and sign
-  std::vector<PointFrf> frfs;      // [points × channels], point by point, ascending
-  double decay_per_s = 0;          // of the exponential window the file says was on force and response
-  std::vector<std::string> notes;  // what was assumed, one line each
+  LineRange lines;                // of every FRF; its fs_Hz is twice the highest frequency, the true one is not known
+  std::vector<SignalInfo> accel;  // [channels]; to_SI is what the stored FRF was multiplied with: unit and sign
+  std::vector<PointFrf> frfs;     // [points × channels], point by point, ascending
+  std::string estimator = "H1";
+  std::vector<std::vector<double>> geometry;  // [points][3], as in Record; may be empty
+  double decay_per_s = 0;                     // of the exponential window the file says was on force and response
+  std::vector<std::string> notes;             // what was assumed, one line each
 };
 
 /// What the user says about FRF files beyond ReadOptions; wins over what the file says.

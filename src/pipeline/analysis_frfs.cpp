@@ -17,6 +17,7 @@ Record described(const FrfRecord& frfs) {
   record.fs_Hz = frfs.lines.fs_Hz;
   record.accel = frfs.accel;
   record.notes = frfs.notes;
+  record.geometry = frfs.geometry;
   return record;
 }
 

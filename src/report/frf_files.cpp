@@ -1,66 +1,66 @@
 #include "report/frf_files.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <iterator>
 
 #include "acquire/atomic_file.hpp"
-#include "core/units.hpp"
+#include "core/error.hpp"
+#include "frf/write_frf.hpp"
 
 namespace percuss {
 namespace {
 
-// What a reader needs beside the numbers: ", angle_deg 0 90, decay_per_s 4.6".
-std::string statements(const Analysis& analysis) {
-  std::string out;
-  const auto& accel = analysis.record().accel;
-  const bool angles = std::all_of(accel.begin(), accel.end(), [](const SignalInfo& s) { return s.angle_rad; });
-  if (angles) out += ", angle_deg";
-  for (const SignalInfo& signal : accel) {
-    if (angles) out += fmt::format(" {:.10g}", *signal.angle_rad * kRadian_deg);
-  }
-  if (analysis.window_decay_per_s() > 0) out += fmt::format(", decay_per_s {}", analysis.window_decay_per_s());
-  return out;
+template <class Value>
+std::vector<Value> lines_within(const std::vector<Value>& all, std::size_t first, std::size_t count) {
+  if (all.empty()) return {};
+  const auto begin = all.begin() + static_cast<std::ptrdiff_t>(first);
+  return {begin, begin + static_cast<std::ptrdiff_t>(count)};
 }
 
 }  // namespace
 
-std::string frf_csv(const Analysis& analysis, FrfKind kind) {
-  const auto& frfs = analysis.frfs();
+FrfRecord frf_record_of(const Analysis& analysis) {
   const LineRange& lines = analysis.lines();
-  std::vector<Frf> shown;
-  shown.reserve(frfs.size());
-  for (const PointFrf& frf : frfs) shown.push_back(converted(frf.frf, lines, kind, analysis.window_decay_per_s()));
-  std::string out = fmt::format("# {} {}, {}, exp(+jwt){}\nfrequency_hz", name_of(kind), unit_of(kind),
-                                name_of(analysis.options().estimator), statements(analysis));
-  for (const PointFrf& frf : frfs) {
-    for (const char* part : {"re", "im", "std", "coherence"})
-      out += fmt::format(",p{}_c{}_{}", frf.point, frf.channel, part);
-  }
-  out += '\n';
   const auto [low, high] = analysis.band_Hz();
-  const double edge_Hz = 1e-6 * lines.df_Hz();
-  auto end = std::back_inserter(out);
-  for (std::size_t k = 0; k < lines.count; ++k) {
-    const double freq_Hz = lines.freq_Hz(k);
-    if (freq_Hz < low - edge_Hz || freq_Hz > high + edge_Hz) continue;
-    fmt::format_to(end, "{}", freq_Hz);
-    for (const Frf& frf : shown) {
-      fmt::format_to(end, ",{},{}", frf.value[k].real(), frf.value[k].imag());
-      if (frf.std.empty()) {
-        out += ",,";
-      } else {
-        fmt::format_to(end, ",{},{}", frf.std[k], frf.coherence[k]);
-      }
-    }
-    out += '\n';
+  const LineRange band = lines_in_band(lines.fs_Hz, lines.samples, low, high);
+  FrfRecord out;
+  out.files = analysis.record().files;
+  out.format = analysis.record().format;
+  out.lines = band;
+  out.accel = analysis.record().accel;
+  out.geometry = analysis.record().geometry;
+  out.decay_per_s = analysis.window_decay_per_s();
+  out.estimator = name_of(analysis.options().estimator);
+  const std::size_t first = band.first - lines.first;
+  for (const PointFrf& frf : analysis.frfs()) {
+    out.frfs.push_back({.point = frf.point, .channel = frf.channel, .frf = {}});
+    out.frfs.back().frf = {.value = lines_within(frf.frf.value, first, band.count),
+                           .std = lines_within(frf.frf.std, first, band.count),
+                           .coherence = lines_within(frf.frf.coherence, first, band.count),
+                           .averages = frf.frf.averages};
   }
   return out;
 }
 
+void write_frfs(const std::string& path, const FrfRecord& record, FrfKind kind, bool force) {
+  if (path.ends_with(".csv")) {
+    write_file(path, frf_record_csv(record, kind), force);
+  } else if (path.ends_with(".mat")) {
+    write_frf_record_mat(path, record, kind, force);
+  } else if (path.ends_with(".uff") || path.ends_with(".unv")) {
+    write_frf_record_uff(path, record, kind, force);
+  } else {
+    write_frf_record_hdf5(path, record, kind, force);
+  }
+}
+
+std::string frf_csv(const Analysis& analysis, FrfKind kind) { return frf_record_csv(frf_record_of(analysis), kind); }
+
 void write_frf_csv(const std::string& path, const Analysis& analysis, FrfKind kind, bool force) {
   write_file(path, frf_csv(analysis, kind), force);
+}
+
+void write_frf_hdf5(const std::string& path, const Analysis& analysis, FrfKind kind, bool force) {
+  write_frf_record_hdf5(path, frf_record_of(analysis), kind, force);
 }
 
 }  // namespace percuss

@@ -1,7 +1,6 @@
 #include "support/synthetic_files.hpp"
 
-#include "acquire/write_csv.hpp"
-#include "acquire/write_hdf5.hpp"
+#include "acquire/write_record.hpp"
 #include "synth/read_spec.hpp"
 #include "synth/record.hpp"
 
@@ -19,8 +18,7 @@ std::string small_spec(const std::string& more) {
 
 void write_small_test(const std::string& path, const std::string& more) {
   const auto made = synthesise(parse_synth_spec(small_spec(more), "the small test"));
-  const bool csv = path.size() > 4 && path.substr(path.size() - 4) == ".csv";
-  csv ? write_record_csv(path, made.record, true) : write_hdf5(path, made.record, true);
+  write_record(path, made.record, true);
 }
 
 }  // namespace percuss::test

@@ -8,7 +8,7 @@ namespace percuss::test {
 /// "runs": 2)".
 std::string small_spec(const std::string& more = R"("hits": 3)");
 
-/// That test written as a record, HDF5 or CSV by the extension.
+/// That test written as a record, by the extension (write_record).
 void write_small_test(const std::string& path, const std::string& more = R"("hits": 3)");
 
 }  // namespace percuss::test

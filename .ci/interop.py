@@ -1,0 +1,106 @@
+"""What .ci/interop runs: see there."""
+import json
+import os
+import subprocess
+import sys
+import tempfile
+
+import h5py
+import numpy as np
+import scipy.io
+
+PERCUSS = os.environ["PERCUSS"]
+results = []
+
+
+def check(name, passed):
+    results.append(bool(passed))
+    print("%-6s %s" % ("ok" if passed else "FAILED", name))
+
+
+def percuss(*words):
+    done = subprocess.run([PERCUSS, *words], capture_output=True, text=True)
+    if done.returncode != 0:
+        print(done.stderr, end="")
+    return done
+
+
+def described(path, *words):
+    done = percuss("info", "--json", path, *words)
+    return json.loads(done.stdout)["files"][0] if done.returncode == 0 else {}
+
+
+def same_samples(path, force, accel, scratch, *words):
+    """Whether percuss reads these samples, exactly: converted to HDF5, which h5py then opens."""
+    out = os.path.join(scratch, "seen.h5")
+    if percuss("convert", path, out, "--force", *words).returncode != 0:
+        return False
+    with h5py.File(out) as seen:
+        return np.array_equal(np.squeeze(seen["force"][()]), np.squeeze(force)) and np.array_equal(
+            np.squeeze(seen["accel"][()]), np.squeeze(accel)) and seen.attrs["fs"] == 1000.0
+
+
+def octave(code):
+    done = subprocess.run(["octave-cli", "--quiet", "--no-init-file", "--eval", code], capture_output=True, text=True)
+    if done.returncode != 0:
+        print(done.stderr, end="")
+    return done
+
+
+def main():
+    random = np.random.default_rng(1)
+    force = random.normal(size=(3, 200))
+    accel = random.normal(size=(3, 2, 200))
+    frf = random.normal(size=(4, 2, 50)) + 1j * random.normal(size=(4, 2, 50))
+    with tempfile.TemporaryDirectory() as scratch:
+        at = lambda name: os.path.join(scratch, name)
+
+        # Theirs to ours.
+        with h5py.File(at("h5py.h5"), "w") as file:
+            file.attrs["fs"] = 1000.0
+            file["force"] = force
+            file["accel"] = accel
+        check("h5py writes a record, percuss reads it", same_samples(at("h5py.h5"), force, accel, scratch))
+        for level, packed in (("5", False), ("5", True)):
+            scipy.io.savemat(at("scipy.mat"), {"fs": 1000.0, "force": force, "accel": accel}, do_compression=packed)
+            check("SciPy writes level 5%s, percuss reads it" % (" compressed" if packed else ""),
+                  same_samples(at("scipy.mat"), force, accel, scratch))
+        scipy.io.savemat(at("v4.mat"), {"fs": 1000.0, "force": force[0], "accel": accel[0].T}, format="4")
+        check("SciPy writes level 4, percuss reads it", same_samples(at("v4.mat"), force[0], accel[0], scratch))
+        scipy.io.savemat(at("struct.mat"), {"test": {"fs": 1000.0, "force": force, "accel": accel}})
+        check("SciPy writes a structure, percuss reads it", same_samples(at("struct.mat"), force, accel, scratch))
+        scipy.io.savemat(at("frf.mat"), {"frf": frf, "frequency_hz": 2.0 * np.arange(1, 51)})
+        seen = described(at("frf.mat"))
+        check("SciPy writes FRFs, percuss reads them",
+              (seen.get("points"), seen.get("lines"), seen.get("df_hz")) == (4, 50, 2.0))
+
+        # Ours to theirs, from the record that h5py wrote.
+        percuss("convert", at("h5py.h5"), at("ours.mat"))
+        ours = scipy.io.loadmat(at("ours.mat"))
+        check("percuss writes MAT, SciPy reads it", np.array_equal(ours["force"], force) and np.array_equal(
+            ours["accel"], accel) and ours["fs"].item() == 1000.0 and ours["accel_unit"].item() == "m/s^2")
+        percuss("convert", at("ours.mat"), at("ours.h5"))
+        with h5py.File(at("ours.h5")) as file:
+            check("percuss writes HDF5, h5py reads it",
+                  np.array_equal(file["force"][()], force) and np.array_equal(file["accel"][()], accel))
+        percuss("convert", at("ours.mat"), at("ours.uff"))
+        check("a universal file between keeps every sample", same_samples(at("ours.uff"), force, accel, scratch))
+        percuss("convert", at("frf.mat"), at("frf.h5"), "--quiet")
+        percuss("convert", at("frf.mat"), at("again.mat"), "--quiet")
+        with h5py.File(at("frf.h5")) as file:
+            check("percuss writes FRFs as HDF5, h5py reads them", np.array_equal(file["frf"][()], frf))
+        check("percuss writes FRFs as MAT, SciPy reads them",
+              np.array_equal(scipy.io.loadmat(at("again.mat"))["frf"], frf))
+
+        # Octave, both ways.
+        for level in ("-v7", "-v6", "-v4"):
+            octave("load('%s'); force = force(1, :); accel = squeeze(accel(1, :, :)); save('%s', '%s', 'fs', 'force', 'accel');"
+                   % (at("ours.mat"), level, at("octave.mat")))
+            check("Octave reads percuss's MAT and writes %s, percuss reads that" % level,
+                  same_samples(at("octave.mat"), force[0], accel[0], scratch))
+    print("%d passed, %d failed" % (sum(results), len(results) - sum(results)))
+    return 0 if all(results) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,248 @@
+#include "acquire/confined_process.hpp"
+
+#include <fmt/format.h>
+#include <sys/mman.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <new>
+
+#include "acquire/confinement.hpp"
+#include "acquire/csv_columns.hpp"
+#include "acquire/packed.hpp"
+#include "core/error.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr std::size_t kShared = std::size_t{1} << 17U;  // numbers that go over at once: 1 MiB
+
+enum class Outcome : std::uint64_t { good, input_error, unclear, no_memory, other };
+
+struct Request {
+  std::uint64_t row = 0, signal = 0, first = 0, count = 0;
+};
+
+bool send_bytes(int descriptor, const void* from, std::size_t bytes) {
+  const auto* at = static_cast<const char*>(from);
+  while (bytes > 0) {
+    const auto sent = ::write(descriptor, at, bytes);
+    if (sent < 0 && errno == EINTR) continue;
+    if (sent <= 0) return false;
+    at += sent;
+    bytes -= static_cast<std::size_t>(sent);
+  }
+  return true;
+}
+
+bool receive_bytes(int descriptor, void* to, std::size_t bytes) {
+  auto* at = static_cast<char*>(to);
+  while (bytes > 0) {
+    const auto got = ::read(descriptor, at, bytes);
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) return false;
+    at += got;
+    bytes -= static_cast<std::size_t>(got);
+  }
+  return true;
+}
+
+bool send_outcome(int descriptor, Outcome outcome, const std::string& payload) {
+  const std::array<std::uint64_t, 2> head{static_cast<std::uint64_t>(outcome), payload.size()};
+  return send_bytes(descriptor, head.data(), sizeof head) && send_bytes(descriptor, payload.data(), payload.size());
+}
+
+std::string packed_unclear(const UnclearColumns& error) {
+  Packer out;
+  out.put(std::string_view(error.what()));
+  out.put(error.format);
+  out.put(static_cast<std::uint64_t>(error.fs_Hz.has_value()));
+  out.put(error.fs_Hz.value_or(0));
+  out.put(static_cast<std::uint64_t>(error.columns.size()));
+  for (const CsvColumn& column : error.columns) {
+    out.put(static_cast<std::uint64_t>(column.index));
+    out.put(column.name);
+    out.put(column.base);
+    out.put(column.unit);
+    out.put(static_cast<std::uint64_t>(column.has_numbers));
+  }
+  return out.bytes();
+}
+
+[[noreturn]] void throw_unclear(const std::string& payload) {
+  Unpacker in(payload);
+  CsvHeader header{.named = true, .text = false};
+  const std::string message = in.text(), format = in.text();
+  const bool has_rate = in.get<std::uint64_t>() != 0;
+  const auto fs_Hz = in.get<double>();
+  if (has_rate) header.fs_Hz = fs_Hz;
+  const std::size_t columns = in.count(5 * sizeof(std::uint64_t));
+  for (std::size_t i = 0; i < columns; ++i) {
+    CsvColumn column{.index = in.get<std::uint64_t>()};
+    column.name = in.text();
+    column.base = in.text();
+    column.unit = in.text();
+    column.has_numbers = in.get<std::uint64_t>() != 0;
+    header.columns.push_back(std::move(column));
+  }
+  UnclearColumns error(InputError::with_message(message), header);
+  error.format = format;
+  throw error;
+}
+
+// Runs `work` and tells the parent how it ended; false when the parent is gone.
+template <class Work>
+bool tell_outcome(int descriptor, Work&& work) {
+  try {
+    return send_outcome(descriptor, Outcome::good, work());
+  } catch (const UnclearColumns& error) {
+    return send_outcome(descriptor, Outcome::unclear, packed_unclear(error));
+  } catch (const InputError& error) {
+    return send_outcome(descriptor, Outcome::input_error, error.what());
+  } catch (const std::bad_alloc&) {
+    return send_outcome(descriptor, Outcome::no_memory, "");
+  } catch (const std::exception& error) {
+    return send_outcome(descriptor, Outcome::other, error.what());
+  }
+}
+
+}  // namespace
+
+ConfinedProcess::ConfinedProcess(std::string path, const std::function<ConfinedService()>& open)
+    : path_(std::move(path)) {
+  struct stat status {};
+  if (::stat(path_.c_str(), &status) == 0) file_bytes_ = static_cast<std::uint64_t>(status.st_size);
+  std::array<int, 2> ends{};
+  void* const shared =
+      ::mmap(nullptr, kShared * sizeof(double), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (shared == MAP_FAILED || ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
+    throw InputError("no process can be started to read it in", path_, "close other programs, or give --trust-input");
+  shared_ = static_cast<double*>(shared);
+  child_ = ::fork();
+  if (child_ == 0) {
+    ::close(ends[0]);
+    serve(ends[1], open);
+    ::_exit(0);
+  }
+  ::close(ends[1]);
+  descriptor_ = ends[0];
+  if (child_ < 0) {
+    ::close(descriptor_);
+    ::munmap(shared_, kShared * sizeof(double));
+    throw InputError("no process can be started to read it in", path_, "close other programs, or give --trust-input");
+  }
+  try {
+    receive_outcome(description_);
+  } catch (...) {
+    ::close(descriptor_);
+    if (child_ > 0) ::waitpid(child_, nullptr, 0);
+    ::munmap(shared_, kShared * sizeof(double));
+    throw;
+  }
+}
+
+ConfinedProcess::~ConfinedProcess() {
+  ::close(descriptor_);  // the child sees the end and goes
+  if (child_ > 0) {
+    ::kill(child_, SIGKILL);
+    ::waitpid(child_, nullptr, 0);
+  }
+  ::munmap(shared_, kShared * sizeof(double));
+}
+
+void ConfinedProcess::serve(int descriptor, const std::function<ConfinedService()>& open) const {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
+  std::signal(SIGPIPE, SIG_IGN);
+  confine_this_process(descriptor, file_bytes_);
+  ConfinedService service;
+  const bool heard = tell_outcome(descriptor, [&] {
+    service = open();
+    return service.description;
+  });
+  Request request;
+  while (heard && service.read && receive_bytes(descriptor, &request, sizeof request)) {
+    const auto out = std::span(shared_, std::min<std::size_t>(request.count, kShared));
+    const bool told = tell_outcome(descriptor, [&] {
+      service.read(request.row, request.signal, request.first, out);
+      return std::string();
+    });
+    if (!told) return;
+  }
+}
+
+void ConfinedProcess::receive(void* to, std::size_t bytes) {
+  if (!receive_bytes(descriptor_, to, bytes)) report_death();
+}
+
+void ConfinedProcess::receive_outcome(std::string& payload) {
+  std::array<std::uint64_t, 2> head{};
+  receive(head.data(), sizeof head);
+  const std::uint64_t limit = (std::uint64_t{64} << 20U) + 64 * file_bytes_;
+  if (head[1] > limit) distrust();
+  std::string bytes;
+  constexpr std::size_t kStep = std::size_t{1} << 24U;  // memory follows what comes, not what is claimed
+  while (bytes.size() < head[1]) {
+    const std::size_t had = bytes.size(), more = std::min<std::size_t>(kStep, head[1] - had);
+    bytes.resize(had + more);
+    receive(bytes.data() + had, more);
+  }
+  switch (static_cast<Outcome>(head[0])) {
+    case Outcome::good:
+      payload = std::move(bytes);
+      return;
+    case Outcome::input_error:
+      throw InputError::with_message(one_line(bytes, 2000));
+    case Outcome::unclear:
+      try {
+        throw_unclear(bytes);
+      } catch (const std::out_of_range&) {
+        distrust();
+      }
+    case Outcome::no_memory:
+      throw InputError("reading it needs more memory than four times its size", path_,
+                       "is it damaged? Else give --trust-input");
+    case Outcome::other:
+      break;
+  }
+  throw InputError("it cannot be read: " + one_line(bytes, 200), path_, "is it damaged? Save it again");
+}
+
+void ConfinedProcess::report_death() {
+  int status = 0;
+  const bool known = ::waitpid(child_, &status, 0) == child_;
+  child_ = -1;
+  const int signal = known && WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+  if (signal == SIGXCPU || signal == SIGKILL) {
+    throw InputError("reading it takes longer than any file of its size should", path_,
+                     "is it damaged? Else give --trust-input");
+  }
+  throw InputError(fmt::format("it makes the library that reads it crash (signal {})", signal), path_,
+                   "it is damaged: save it again, or export another format");
+}
+
+void ConfinedProcess::distrust() const {
+  throw InputError("what its reader says of it contradicts itself", path_, "is it damaged? Save it again");
+}
+
+void ConfinedProcess::read(std::size_t row, std::size_t signal, std::size_t first, std::span<double> out) {
+  const std::lock_guard lock(mutex_);
+  for (std::size_t done = 0; done < out.size();) {
+    const std::size_t count = std::min(kShared, out.size() - done);
+    if (child_ < 0) throw InputError("its reader has ended", path_, "is it damaged? Save it again");
+    const Request request{row, signal, first + done, count};
+    if (::send(descriptor_, &request, sizeof request, MSG_NOSIGNAL) != static_cast<ssize_t>(sizeof request))
+      report_death();
+    std::string nothing;
+    receive_outcome(nothing);
+    std::copy_n(shared_, count, out.begin() + static_cast<std::ptrdiff_t>(done));
+    done += count;
+  }
+}
+
+}  // namespace percuss

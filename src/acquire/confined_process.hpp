@@ -1,0 +1,50 @@
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace percuss {
+
+/// What a confined reader offers: a description as bytes, and numbers on request.
+struct ConfinedService {
+  std::string description;
+  /// Numbers first … first + out.size() − 1 of a row's signal; the meaning of `signal` is the opener's affair.
+  std::function<void(std::size_t row, std::size_t signal, std::size_t first, std::span<double> out)> read;
+};
+
+/// A child process that has opened a foreign file with `open` and serves it until this object goes. It runs confined
+/// (confine_this_process): whatever the file does to the library that reads it, this process only sees an InputError.
+class ConfinedProcess {
+ public:
+  /// errors  InputError: what `open` threw (also UnclearColumns); the child crashed or ran into a limit, in one line.
+  ConfinedProcess(std::string path, const std::function<ConfinedService()>& open);
+  ~ConfinedProcess();
+  ConfinedProcess(const ConfinedProcess&) = delete;
+  ConfinedProcess& operator=(const ConfinedProcess&) = delete;
+
+  const std::string& description() const { return description_; }
+  /// Several threads may call at once. errors  as above.
+  void read(std::size_t row, std::size_t signal, std::size_t first, std::span<double> out);
+  /// "this file says nonsense": for what the child says that cannot be.
+  [[noreturn]] void distrust() const;
+
+ private:
+  void serve(int descriptor, const std::function<ConfinedService()>& open) const;
+  void receive_outcome(std::string& payload);
+  [[noreturn]] void report_death();
+  void receive(void* to, std::size_t bytes);
+
+  std::string path_, description_;
+  std::uint64_t file_bytes_ = 0;
+  std::mutex mutex_;
+  double* shared_ = nullptr;  // what the child writes numbers into
+  int descriptor_ = -1;
+  int child_ = -1;
+};
+
+}  // namespace percuss

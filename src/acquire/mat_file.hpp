@@ -1,0 +1,45 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace percuss {
+
+/// A variable of a MAT file, or a field of a structure in it ("test.force").
+struct MatVariable {
+  std::string name;
+  std::vector<std::size_t> shape;  // MATLAB's order: the first index runs fastest
+  std::vector<double> real;        // of numbers
+  std::vector<double> imaginary;   // of complex numbers; else empty
+  std::string text;                // of a char array
+  bool is_text = false;
+
+  bool is_complex() const { return !imaginary.empty(); }
+  std::size_t size() const { return real.size(); }
+};
+
+struct MatFile {
+  std::string path;
+  std::uint64_t bytes = 0;
+  std::vector<MatVariable> variables;
+  std::vector<std::string> notes;  // what could not be read, one line each
+};
+
+/// Whether a file that begins so is a MAT file of version 4, 5 or 7.3.
+bool is_mat(std::string_view head);
+
+/// All variables of numbers and texts, fields of structures and cells as variables of their own. Of a structure array
+/// (or cell array) fields that are vectors of one length become a matrix [elements, length]. Sparse arrays, functions
+/// and objects are named in the notes.
+/// errors  InputError: damaged, or more numbers than such a file can hold (64 times its size and 64 MiB).
+MatFile read_mat_file(const std::string& path);
+
+/// The variable of this name (letter case aside), else nullptr.
+const MatVariable* find_variable(const MatFile& file, std::string_view name);
+
+/// "4096x1"
+std::string shape_name(const std::vector<std::size_t>& shape);
+
+}  // namespace percuss

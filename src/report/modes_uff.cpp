@@ -1,0 +1,186 @@
+#include "report/modes_uff.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <map>
+
+#include "acquire/write_uff.hpp"
+#include "core/error.hpp"
+#include "core/units.hpp"
+#include "report/survey_files.hpp"
+
+namespace percuss {
+namespace {
+
+using Vector = std::array<Complex, 3>;
+using Nodes = std::map<int, Vector>;  // by label
+
+constexpr int kComplexSingle = 5, kNodeColour = 11, kTranslations = 2, kComplexModes = 3, kDisplacement = 8;
+
+// Which way a point moves when it moves outwards.
+std::array<double, 3> normal_at(const Survey* survey, const Analysis& analysis, std::size_t point, std::size_t channel,
+                                bool sensors) {
+  const auto outwards = [](double angle_rad) { return std::array{0.0, std::cos(angle_rad), std::sin(angle_rad)}; };
+  if (survey != nullptr && survey->geometry() && survey->geometry()->tube) {
+    for (const GeometryPoint& p : survey->geometry()->points) {
+      if (p.point == static_cast<int>(point)) return outwards(p.angle_rad);
+    }
+  }
+  const auto& accel = analysis.record().accel;
+  if (sensors && channel < accel.size() && accel[channel].angle_rad) return outwards(*accel[channel].angle_rad);
+  return {0, 0, 1};
+}
+
+Nodes nodes_of(const ModeShape& shape, const Survey* survey, const Analysis& analysis, bool sensors, int offset) {
+  Nodes out;
+  for (const ShapePlace& place : shape.places) {
+    const auto normal = normal_at(survey, analysis, place.point, place.channel, sensors);
+    Vector& value = out[static_cast<int>(place.point) + offset];
+    for (std::size_t i = 0; i < 3; ++i) value[i] += place.value * normal[i];
+  }
+  return out;
+}
+
+std::string values_text(const Nodes& nodes) {
+  std::string out;
+  for (const auto& [node, value] : nodes) {
+    out += fmt::format("{:10}\n", node);
+    for (const Complex& component : value) out += uff_e13(component.real()) + uff_e13(component.imag());
+    out += '\n';
+  }
+  return out;
+}
+
+struct ShownMode {
+  std::size_t number;  // from 1
+  Pole pole;
+  double modal_mass_kg;
+};
+
+// λ = −ζω + jω√(1 − ζ²)                                                                              (1)
+Complex eigenvalue(const Pole& pole) {
+  const double omega = kTwoPi * pole.freq_Hz, zeta = pole.damping_ratio;
+  return {-zeta * omega, omega * std::sqrt(std::max(0.0, 1 - zeta * zeta))};
+}
+
+// Modal A of a shape of that modal mass: 2jω√(1 − ζ²)·m                                               (2)
+Complex modal_a(const ShownMode& mode) { return Complex(0, 2 * eigenvalue(mode.pole).imag()) * mode.modal_mass_kg; }
+
+std::string numbers_text(std::initializer_list<double> values) {
+  std::string out;
+  for (const double value : values) out += uff_e13(value);
+  return out + '\n';
+}
+
+std::string mode_name(const ShownMode& mode) {
+  return fmt::format("Mode {}: {:.6g} Hz, {:.4g} %", mode.number, mode.pole.freq_Hz, 100 * mode.pole.damping_ratio);
+}
+
+std::string set55(const ShownMode& mode, const Nodes& nodes) {
+  const Complex lambda = eigenvalue(mode.pole), a = modal_a(mode);
+  std::string out = mode_name(mode) + "\nNONE\nNONE\nNONE\nNONE\n";
+  out += fmt::format("{:10}{:10}{:10}{:10}{:10}{:10}\n", 1, kComplexModes, kTranslations, kDisplacement, kComplexSingle,
+                     3);
+  out += fmt::format("{:10}{:10}{:10}{:10}\n", 2, 6, 1, mode.number);
+  out += numbers_text({lambda.real(), lambda.imag(), a.real(), a.imag(), 0, 0});
+  return out + values_text(nodes);
+}
+
+std::string set2414(const ShownMode& mode, const Nodes& nodes) {
+  const Complex lambda = eigenvalue(mode.pole), a = modal_a(mode);
+  std::string out = fmt::format("{:10}\n{}\n{:10}\n", mode.number, mode_name(mode), 1);
+  out += mode_name(mode) + "\nNONE\nNONE\nNONE\nNONE\n";
+  out += fmt::format("{:10}{:10}{:10}{:10}{:10}{:10}\n", 1, kComplexModes, kTranslations, kDisplacement, kComplexSingle,
+                     3);
+  out += fmt::format("{:10}{:10}{:10}{:10}{:10}{:10}{:10}{:10}\n", 0, 0, 0, 0, 1, mode.number, 0, 0);
+  out += fmt::format("{:10}{:10}\n", 0, 0);
+  const double omega = kTwoPi * mode.pole.freq_Hz;
+  out += numbers_text({0, mode.pole.freq_Hz, omega * omega, mode.modal_mass_kg, mode.pole.damping_ratio, 0});
+  out += numbers_text({lambda.real(), lambda.imag(), a.real(), a.imag(), 0, 0});
+  return out + values_text(nodes);
+}
+
+void write_places(UffOutput& out, const Survey& survey, const Nodes& nodes, int offset) {
+  std::string old, lines;
+  for (const auto& [node, value] : nodes) {
+    const auto at = drawn_at(survey, static_cast<std::size_t>(node - offset));
+    if (!at) return;
+    old += fmt::format("{:10}{:10}{:10}{:10}{}{}{}\n", node, 0, 0, kNodeColour, uff_e13((*at)[0]), uff_e13((*at)[1]),
+                       uff_e13((*at)[2]));
+    lines += fmt::format("{:10}{:10}{:10}{:10}\n{}{}{}\n", node, 0, 0, kNodeColour, uff_d25((*at)[0]),
+                         uff_d25((*at)[1]), uff_d25((*at)[2]));
+  }
+  out.set(15, old);
+  out.set(2411, lines);
+}
+
+// A trace line through these nodes.
+std::string set82(std::size_t number, const std::vector<int>& nodes) {
+  std::string out = fmt::format("{:10}{:10}{:10}\nNONE", number, nodes.size(), kNodeColour);
+  constexpr std::size_t kPerLine = 8;
+  for (std::size_t i = 0; i < nodes.size(); ++i) out += fmt::format("{}{:10}", i % kPerLine == 0 ? "\n" : "", nodes[i]);
+  return out + '\n';
+}
+
+// Rings around a tube and lines along it.
+void write_trace_lines(UffOutput& out, const Survey& survey, const Nodes& nodes, int offset) {
+  if (!survey.geometry() || !survey.geometry()->tube) return;
+  std::map<long, std::map<long, int>> rings, lines;  // by position and angle, to a micrometre and a thousandth of 1°
+  for (const GeometryPoint& p : survey.geometry()->points) {
+    const int node = p.point + offset;
+    if (!nodes.contains(node)) continue;
+    const long along = std::lround(p.position_m * 1e6), around = std::lround(p.angle_rad * kRadian_deg * 1e3);
+    rings[along][around] = node;
+    lines[around][along] = node;
+  }
+  std::size_t number = 0;
+  for (const auto* group : {&rings, &lines}) {
+    for (const auto& [place, members] : *group) {
+      if (members.size() < 2) continue;
+      std::vector<int> path;
+      for (const auto& [at, node] : members) path.push_back(node);
+      if (group == &rings && path.size() > 2) path.push_back(path.front());
+      out.set(82, set82(++number, path));
+    }
+  }
+}
+
+void write_shapes(const std::string& path, const Survey* survey, const Analysis& analysis,
+                  const std::vector<ModeShape>& shapes, bool sensors, bool force) {
+  const auto& modes = analysis.modes();
+  if (modes.empty()) throw InputError("no modes to write", path, "widen --band, or write .json");
+  const int offset = uff_node_offset(analysis.frf_points().front());
+  UffOutput out(path, force);
+  out.header();
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    const Nodes nodes = nodes_of(shapes[m], survey, analysis, sensors, offset);
+    if (m == 0 && survey != nullptr) {
+      write_places(out, *survey, nodes, offset);
+      write_trace_lines(out, *survey, nodes, offset);
+    }
+    const ShownMode mode{m + 1, modes[m].pole, shapes[m].normalisation == Normalisation::unit_modal_mass ? 1.0 : 0.0};
+    out.set(55, set55(mode, nodes));
+    out.set(2414, set2414(mode, nodes));
+  }
+  out.commit();
+}
+
+}  // namespace
+
+void write_modes_uff(const std::string& path, const Survey& survey, bool force) {
+  const bool sensors = survey.options().roving == Roving::sensor;
+  write_shapes(path, &survey, survey.analysis(), survey.shapes(), sensors, force);
+}
+
+void write_modes_uff(const std::string& path, const Analysis& analysis, bool force) {
+  const bool one_point = analysis.frf_points().size() == 1;
+  std::vector<ModeShape> shapes;
+  for (const Mode& mode : analysis.modes())
+    shapes.push_back(shape_of(mode, {.roving = one_point ? Roving::sensor : Roving::hammer}));
+  write_shapes(path, nullptr, analysis, shapes, one_point, force);
+}
+
+}  // namespace percuss

@@ -1,0 +1,93 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "support/json.hpp"
+#include "support/percuss_process.hpp"
+#include "support/scratch_folder.hpp"
+#include "support/synthetic_files.hpp"
+
+namespace percuss::convert_command_test {
+
+using nlohmann::json;
+using test::run_percuss;
+using testing::HasSubstr;
+
+class ConvertCommand : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = std::make_unique<test::ScratchFolder>();
+    test::write_small_test(file("bat.h5"));
+    run_percuss({"frf", file("bat.h5"), "--band", "60:1000", "-o", file("frf.h5")});
+  }
+  static void TearDownTestSuite() { folder_.reset(); }
+  static std::string file(const std::string& name) { return folder_->file(name); }
+  static test::ProcessOutcome convert(const std::string& from, const std::string& to,
+                                      std::vector<std::string> more = {}) {
+    more.insert(more.begin(), {"convert", file(from), file(to), "--force"});
+    return run_percuss(more);
+  }
+  static json modes_of(const std::string& name) {
+    const auto outcome = run_percuss({"analyze", file(name), "--band", "60:1000", "--angle", "0,90", "--json"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return outcome.code == 0 ? test::parse_json(outcome.out)["modes"] : json();
+  }
+  inline static std::unique_ptr<test::ScratchFolder> folder_;
+};
+
+constexpr std::array kKinds{"h5", "mat", "uff", "unv", "csv"};
+
+TEST_F(ConvertCommand, KeepsEverySampleThroughEveryFormat) {
+  const json modes = modes_of("bat.h5");
+  ASSERT_EQ(modes.size(), 2U);
+  for (const std::string kind : kKinds) {
+    ASSERT_EQ(convert("bat.h5", "a." + kind).code, 0) << kind;
+    EXPECT_EQ(modes_of("a." + kind), modes) << kind;
+  }
+}
+
+TEST_F(ConvertCommand, GivesEqualBytesForWhatWasReadAndWrittenAgain) {
+  for (const std::string from : kKinds) {
+    ASSERT_EQ(convert("bat.h5", "a." + from).code, 0);
+    ASSERT_EQ(convert("frf.h5", "f." + from).code, 0);
+    ASSERT_EQ(convert("a." + from, "b." + from).code, 0);
+    ASSERT_EQ(convert("f." + from, "g." + from).code, 0);
+    EXPECT_EQ(test::bytes_of(file("a." + from)), test::bytes_of(file("b." + from))) << from;
+    EXPECT_EQ(test::bytes_of(file("f." + from)), test::bytes_of(file("g." + from))) << "FRFs, " << from;
+  }
+}
+
+TEST_F(ConvertCommand, KeepsFrfsTheirScatterAndTheirSensors) {
+  const json modes = modes_of("frf.h5");
+  ASSERT_EQ(modes.size(), 2U);
+  for (const std::string kind : kKinds) {
+    ASSERT_EQ(convert("frf.h5", "x." + kind).code, 0);
+    const json other = modes_of("x." + kind);
+    ASSERT_EQ(other.size(), 2U) << kind;
+    for (std::size_t m = 0; m < 2; ++m) {
+      EXPECT_EQ(other[m]["family"], modes[m]["family"]) << kind;
+      for (const char* key : {"frequency_hz", "damping_ratio", "frequency_std_hz"}) {
+        const double is = other[m][key], was = modes[m][key];
+        EXPECT_NEAR(is / was, 1, 1e-6) << kind << ' ' << key;
+      }
+    }
+  }
+}
+
+TEST_F(ConvertCommand, SaysWhatCannotBeKept) {
+  EXPECT_EQ(convert("bat.h5", "k.uff").err, "");
+  EXPECT_THAT(convert("bat.h5", "k.csv").err, HasSubstr("not kept: the sensors' angles"));
+  EXPECT_EQ(convert("bat.h5", "k.csv", {"--quiet"}).err, "");
+}
+
+TEST_F(ConvertCommand, RefusesInOneLine) {
+  EXPECT_EQ(run_percuss({"convert", file("bat.h5")}).code, 2);
+  EXPECT_EQ(run_percuss({"convert", file("bat.h5"), file("a.xls")}).code, 2);
+  EXPECT_EQ(run_percuss({"convert", file("none.h5"), file("new.mat")}).code, 3);
+  convert("bat.h5", "there.mat");
+  EXPECT_EQ(run_percuss({"convert", file("bat.h5"), file("there.mat")}).code, 3);
+}
+
+}  // namespace percuss::convert_command_test

@@ -1,0 +1,90 @@
+#include "support/mat_builder.hpp"
+
+#include <gtest/gtest.h>
+#include <matio.h>
+
+namespace percuss::test {
+namespace {
+
+mat_t* file_of(void* file) { return static_cast<mat_t*>(file); }
+
+matvar_t* array_of(const std::string& name, std::vector<std::size_t> shape, const std::vector<double>& values) {
+  return Mat_VarCreate(name.c_str(), MAT_C_DOUBLE, MAT_T_DOUBLE, static_cast<int>(shape.size()), shape.data(),
+                       const_cast<double*>(values.data()), 0);
+}
+
+}  // namespace
+
+MatBuilder::MatBuilder(const std::string& path, MatLevel level)
+    : file_(Mat_CreateVer(path.c_str(), "MATLAB 5.0 MAT-file, for a test",
+                          level == MatLevel::v4    ? MAT_FT_MAT4
+                          : level == MatLevel::v73 ? MAT_FT_MAT73
+                                                   : MAT_FT_MAT5)),
+      packed_(level == MatLevel::v5_packed) {
+  EXPECT_NE(file_, nullptr);
+}
+
+MatBuilder::~MatBuilder() { Mat_Close(file_of(file_)); }
+
+MatBuilder& MatBuilder::numbers(const std::string& name, const std::vector<std::size_t>& shape,
+                                const std::vector<double>& values) {
+  matvar_t* const variable = array_of(name, shape, values);
+  EXPECT_EQ(Mat_VarWrite(file_of(file_), variable, packed_ ? MAT_COMPRESSION_ZLIB : MAT_COMPRESSION_NONE), 0);
+  Mat_VarFree(variable);
+  return *this;
+}
+
+MatBuilder& MatBuilder::singles(const std::string& name, const std::vector<std::size_t>& shape,
+                                const std::vector<float>& values) {
+  std::vector<std::size_t> dims = shape;
+  matvar_t* const variable = Mat_VarCreate(name.c_str(), MAT_C_SINGLE, MAT_T_SINGLE, static_cast<int>(dims.size()),
+                                           dims.data(), const_cast<float*>(values.data()), 0);
+  EXPECT_EQ(Mat_VarWrite(file_of(file_), variable, MAT_COMPRESSION_NONE), 0);
+  Mat_VarFree(variable);
+  return *this;
+}
+
+MatBuilder& MatBuilder::complex(const std::string& name, const std::vector<std::size_t>& shape,
+                                const std::vector<std::complex<double>>& values) {
+  std::vector<std::size_t> dims = shape;
+  std::vector<double> real, imaginary;
+  for (const auto& value : values) {
+    real.push_back(value.real());
+    imaginary.push_back(value.imag());
+  }
+  mat_complex_split_t parts{real.data(), imaginary.data()};
+  matvar_t* const variable = Mat_VarCreate(name.c_str(), MAT_C_DOUBLE, MAT_T_DOUBLE, static_cast<int>(dims.size()),
+                                           dims.data(), &parts, MAT_F_COMPLEX);
+  EXPECT_EQ(Mat_VarWrite(file_of(file_), variable, packed_ ? MAT_COMPRESSION_ZLIB : MAT_COMPRESSION_NONE), 0);
+  Mat_VarFree(variable);
+  return *this;
+}
+
+MatBuilder& MatBuilder::text(const std::string& name, const std::string& text) {
+  std::size_t dims[2] = {1, text.size()};
+  matvar_t* const variable =
+      Mat_VarCreate(name.c_str(), MAT_C_CHAR, MAT_T_UTF8, 2, dims, const_cast<char*>(text.data()), 0);
+  EXPECT_EQ(Mat_VarWrite(file_of(file_), variable, MAT_COMPRESSION_NONE), 0);
+  Mat_VarFree(variable);
+  return *this;
+}
+
+MatBuilder& MatBuilder::structure(const std::string& name, const std::vector<std::string>& fields,
+                                  const std::vector<std::vector<std::vector<double>>>& elements) {
+  std::vector<const char*> names;
+  for (const auto& field : fields) names.push_back(field.c_str());
+  std::size_t dims[2] = {1, elements.size()};
+  matvar_t* const variable =
+      Mat_VarCreateStruct(name.c_str(), 2, dims, names.data(), static_cast<unsigned>(names.size()));
+  for (std::size_t e = 0; e < elements.size(); ++e) {
+    for (std::size_t f = 0; f < fields.size(); ++f) {
+      const auto& values = elements[e][f];
+      Mat_VarSetStructFieldByIndex(variable, f, e, array_of(fields[f], {1, values.size()}, values));
+    }
+  }
+  EXPECT_EQ(Mat_VarWrite(file_of(file_), variable, packed_ ? MAT_COMPRESSION_ZLIB : MAT_COMPRESSION_NONE), 0);
+  Mat_VarFree(variable);
+  return *this;
+}
+
+}  // namespace percuss::test

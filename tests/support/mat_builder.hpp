@@ -1,0 +1,34 @@
+#pragma once
+#include <complex>
+#include <string>
+#include <vector>
+
+namespace percuss::test {
+
+enum class MatLevel { v4, v5, v5_packed, v73 };
+
+/// Writes MAT files through libmatio, which is not what percuss writes them with.
+class MatBuilder {
+ public:
+  MatBuilder(const std::string& path, MatLevel level);
+  ~MatBuilder();
+  MatBuilder(const MatBuilder&) = delete;
+  MatBuilder& operator=(const MatBuilder&) = delete;
+
+  /// `values` in MATLAB's order, the first index fastest.
+  MatBuilder& numbers(const std::string& name, const std::vector<std::size_t>& shape,
+                      const std::vector<double>& values);
+  MatBuilder& singles(const std::string& name, const std::vector<std::size_t>& shape, const std::vector<float>& values);
+  MatBuilder& complex(const std::string& name, const std::vector<std::size_t>& shape,
+                      const std::vector<std::complex<double>>& values);
+  MatBuilder& text(const std::string& name, const std::string& text);
+  /// A structure array: elements[e][f] is a row vector in field f.
+  MatBuilder& structure(const std::string& name, const std::vector<std::string>& fields,
+                        const std::vector<std::vector<std::vector<double>>>& elements);
+
+ private:
+  void* file_;
+  bool packed_;
+};
+
+}  // namespace percuss::test
