@@ -24,5 +24,6 @@ void add_calibrate(CommandLine& line);
 void add_survey(CommandLine& line);
 void add_synth(CommandLine& line);
 void add_model_rigid(CommandLine& line);
+void add_metrics(CommandLine& line);
 
 }  // namespace percuss::tools

@@ -29,6 +29,7 @@ int parse_and_run(int argc, char** argv) {
   add_synth(line);
   line.group("model", "Predictions: beams, bats, barrels and what a ball does to them");
   add_model_rigid(line);
+  add_metrics(line);
   const int code = line.run(argc, argv);
   std::cout.flush();
   return std::cout ? code
