@@ -25,5 +25,8 @@ void add_survey(CommandLine& line);
 void add_synth(CommandLine& line);
 void add_model_rigid(CommandLine& line);
 void add_metrics(CommandLine& line);
+void add_certify(CommandLine& line);
+void add_abi(CommandLine& line);
+void add_study(CommandLine& line);
 
 }  // namespace percuss::tools

@@ -30,6 +30,9 @@ int parse_and_run(int argc, char** argv) {
   line.group("model", "Predictions: beams, bats, barrels and what a ball does to them");
   add_model_rigid(line);
   add_metrics(line);
+  add_certify(line);
+  add_abi(line);
+  add_study(line);
   const int code = line.run(argc, argv);
   std::cout.flush();
   return std::cout ? code

@@ -75,4 +75,9 @@ void read_strict_sheet(const StrictText& text, const std::string& rows, const St
 /// Whether a text is meant as JSON: its first character that is no blank or comment opens an object.
 bool looks_like_json(std::string_view text);
 
+/// Whether lists and objects of a JSON text stand in one another more than `depth` times: reading them would take
+/// memory without bound. For texts without comments.
+bool nests_deeper_than(std::string_view text, int depth);
+inline constexpr int kDeepestDocument = 16;  // percuss's own stay far below
+
 }  // namespace percuss

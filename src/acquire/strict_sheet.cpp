@@ -109,4 +109,22 @@ bool looks_like_json(std::string_view text) {
   return false;
 }
 
+bool nests_deeper_than(std::string_view text, int depth) {
+  int open = 0;
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (quoted && c == '\\') {
+      ++i;
+    } else if (c == '"') {
+      quoted = !quoted;
+    } else if (!quoted && (c == '{' || c == '[')) {
+      if (++open > depth) return true;
+    } else if (!quoted && (c == '}' || c == ']')) {
+      --open;
+    }
+  }
+  return false;
+}
+
 }  // namespace percuss

@@ -2,11 +2,12 @@
 
 #include <fmt/format.h>
 
+#include "metrics/resolution.hpp"
+
 namespace percuss {
 namespace {
 
 constexpr double kLeastBelow = 2.1, kMostBelow = 3.0;  // ounces of class −3
-constexpr double kReadingSlack = 1e-9;                 // of readings turned into SI and back
 constexpr double kLeastExponent = 0.08, kMostExponent = 0.37;
 
 // f(the numbers), or nothing when one of them is absent.

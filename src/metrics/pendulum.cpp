@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/statistics.hpp"
+#include "metrics/averages.hpp"
 #include "metrics/resolution.hpp"
 
 namespace percuss {
@@ -29,11 +30,8 @@ std::string uneven_crossing(const std::vector<double>& times_s, std::size_t p) {
 PeriodEstimate mean_period(const std::vector<double>& periods_s, double resolution_s) {
   if (periods_s.empty()) return {.problem = "no period"};
   const auto n = static_cast<double>(periods_s.size());
-  double sum = 0, squares = 0;
-  for (const double period : periods_s) sum += period;
-  for (const double period : periods_s) squares += (period - sum / n) * (period - sum / n);
-  const double scatter = periods_s.size() > 1 ? std::sqrt(squares / (n - 1) / n) : 0;
-  return {.period_s = sum / n, .std_s = std::hypot(scatter, reading_std(resolution_s) / std::sqrt(n))};
+  return {.period_s = mean_of(periods_s),
+          .std_s = std::hypot(standard_error_of(periods_s), reading_std(resolution_s) / std::sqrt(n))};
 }
 
 PeriodEstimate period_of_crossings(const std::vector<double>& times_s, std::size_t p, double resolution_s) {

@@ -9,6 +9,9 @@ double reading_std(double step);
 /// `value` as it is recorded: to the nearest whole number of steps, halves away from zero. A step of 0 changes nothing.
 double recorded(double value, double step);
 
+/// What limits on readings leave to the binary form of decimal numbers: 146.4 − 145.4 is a little more than 1.
+inline constexpr double kReadingSlack = 1e-9;
+
 /// The steps to which a bat and a ball are read, [8] in docs/sources.md, sections 3.2 and 3.4. In the units of the
 /// instruments, as the protocol says them.
 struct ProtocolSteps {
