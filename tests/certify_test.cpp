@@ -105,6 +105,17 @@ TEST(Certify, GivesNoVerdictOnAPlateauOrAtTheEnd) {
   EXPECT_THAT(certify(rising).next.message, HasSubstr("3 in, lies at the end"));
 }
 
+TEST(Certify, AcceptsAPlateauWhereAsked) {
+  Session flat = fresh_session();
+  run_session(flat, [](double z) { return z < 5.4 || z > 6.1 ? 0.70 : 0.72; });
+  const Certification c = certify(flat, {.accept_plateau = true});
+  EXPECT_EQ(c.verdict, CertifyVerdict::pass);
+  EXPECT_EQ(c.sweet_spot_in, 6);
+  EXPECT_THAT(codes_of(c.remarks), Contains("plateau"));
+  flat.limit = 0.719;
+  EXPECT_EQ(certify(flat, {.accept_plateau = true}).verdict, CertifyVerdict::fail);
+}
+
 TEST(Certify, WaitsForConditioningAndClimate) {
   const std::vector<std::pair<const char*, std::function<void(Session&)>>> faults{
       {"condition_bat", [](Session& s) { s.bat.days_in_lab = 1.9; }},

@@ -14,8 +14,10 @@ constexpr double kPeriod_s = 1.4321, kRounding = 1e-12;
 // Crossings of a gate that stands beside the pendulum's rest: there and back are unequally far apart.
 std::vector<double> crossings(std::size_t count, double aside) {
   std::vector<double> times;
-  for (std::size_t n = 0; n < count; ++n)
-    times.push_back(0.3 + kPeriod_s * (static_cast<double>(n / 2) + (n % 2 == 1 ? 0.5 + aside : 0)));
+  for (std::size_t n = 0; n < count; ++n) {
+    const std::size_t whole = n / 2;
+    times.push_back(0.3 + kPeriod_s * (static_cast<double>(whole) + (n % 2 == 1 ? 0.5 + aside : 0)));
+  }
   return times;
 }
 

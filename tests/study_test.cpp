@@ -186,6 +186,9 @@ TEST(StudyTable, RefusesWhatItCannotUse) {
   EXPECT_THAT(refusal("{\"schema\": \"percuss/info/1\"}"), HasSubstr("no table of bats"));
   EXPECT_THAT(refusal("{\"bats\": " + std::string(100000, '[')), HasSubstr("nested deeper"));
   EXPECT_THAT(refusal(""), HasSubstr("t.csv"));
+  EXPECT_THAT(refusal("id,length_in,material\n"), HasSubstr("no bats"));
+  EXPECT_THAT(refusal("//\"\n{\"schema\": \"percuss/analysis/1\", \"a\": " + std::string(100000, '[')),
+              HasSubstr("nested deeper"));
 }
 
 TEST(Blinding, TakesOutNamesAndKeepsTheKeyApart) {

@@ -13,7 +13,7 @@ namespace {
 struct CertifyFlags {
   std::string session, metric;
   std::optional<double> limit;
-  bool example = false, example_table = false;
+  bool example = false, example_table = false, accept_plateau = false;
   OutputFlags output;
 };
 
@@ -27,7 +27,7 @@ int certify_session(const CertifyFlags& flags) {
   Session session = read_session(flags.session);
   if (!flags.metric.empty()) session.metric = *performance_metric_named(flags.metric);
   if (flags.limit) session.limit = flags.limit;
-  const Certification certification = certify(session);
+  const Certification certification = certify(session, {.accept_plateau = flags.accept_plateau});
   const std::string document = certify_json(session, certification);
   for (const std::string& path : flags.output.paths) {
     const std::string kind = extension_of(path);
@@ -56,6 +56,8 @@ void add_certify(CommandLine& line) {
   command.value("--metric", flags->metric, "Judge by this in place of the session's")
       .one_of({"besr", "ncaa_besr", "bbcor"});
   command.value("--limit", flags->limit, "What it must not exceed, in place of the session's").above_zero();
+  command.flag("--accept-plateau", flags->accept_plateau,
+               "Where no location stands out, take the best of those within the margin for the sweet spot");
   command.flag("--example", flags->example, "Print a session, explained");
   command.flag("--example-table", flags->example_table, "Print a session as a table");
   add_output_flags(command, flags->output);

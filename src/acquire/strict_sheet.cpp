@@ -77,9 +77,10 @@ std::string sheet_as_json(const StrictText& input, StrictSource& source) {
   for (const auto& cell : split_cells(lines.front().text, dialect)) names.push_back(to_utf8(cell));
   for (std::size_t c = 0; c < names.size(); ++c) {
     const auto twin = std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(c), names[c]);
-    if (!names[c].empty() && twin != names.begin() + static_cast<std::ptrdiff_t>(c))
+    if (!names[c].empty() && twin != names.begin() + static_cast<std::ptrdiff_t>(c)) {
       throw InputError(fmt::format("two columns are called \"{}\"", one_line(names[c], 60)),
                        fmt::format("{}: line {}", input.where, lines.front().number), "keep one");
+    }
   }
   json& list = document[source.rows] = json::array();
   for (std::size_t i = 1; i < lines.size(); ++i) {
@@ -87,9 +88,10 @@ std::string sheet_as_json(const StrictText& input, StrictSource& source) {
     const auto cells = split_cells(lines[i].text, dialect);
     for (std::size_t c = 0; c < cells.size(); ++c) {
       if (cells[c].empty()) continue;
-      if (c >= names.size() || names[c].empty())
+      if (c >= names.size() || names[c].empty()) {
         throw InputError(fmt::format("cell {} has no column name above it", c + 1),
                          fmt::format("{}: line {}", input.where, lines[i].number), "name every column");
+      }
       row[names[c]] = to_utf8(cells[c]);
     }
     list.push_back(std::move(row));

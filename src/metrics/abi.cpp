@@ -43,9 +43,10 @@ class Procedure {
  private:
   void take(const AbiEntry& entry) {
     entry_ = &entry;
-    if (run_.next == AbiStep::done)
+    if (run_.next == AbiStep::done) {
       throw InputError(fmt::format("{} after the procedure's end ({})", kind_of(entry), run_.why), entry.place,
                        "continued_after_failure: true lets a test go on at the sponsor's request");
+    }
     switch (run_.next) {
       case AbiStep::roll:
         return rolled(expected<AbiRoll>());
@@ -92,9 +93,10 @@ class Procedure {
   void enough_rolling(double reduction) {
     const bool enough = reduction >= rules_.least_reduction - kReadingSlack;
     run_.next = enough ? AbiStep::performance : AbiStep::roll;
-    if (reduction > 2 * rules_.least_reduction)
+    if (reduction > 2 * rules_.least_reduction) {
       remark("overshoot", fmt::format("cycle {}: {:.1f} % of reduction; as close to {:g} % as possible is asked for",
                                       run_.cycle, 100 * reduction, 100 * rules_.least_reduction));
+    }
   }
 
   void give_up_beyond_depth() {
@@ -104,13 +106,15 @@ class Procedure {
   }
 
   void rolled(const AbiRoll& roll) {
-    if (run_.depth_in && !(roll.depth_in > *run_.depth_in))
+    if (run_.depth_in && !(roll.depth_in > *run_.depth_in)) {
       throw InputError(fmt::format("step 4: rolled {:g} in deep after {:g} in", roll.depth_in, *run_.depth_in),
                        entry_->place, "each rolling goes about 0.0125 in deeper than the one before");
+    }
     const double asked_in = next_depth_in(run_, rules_);
-    if (std::abs(roll.depth_in - asked_in) > rules_.depth_tolerance_in)
+    if (std::abs(roll.depth_in - asked_in) > rules_.depth_tolerance_in) {
       remark("roll_depth",
              fmt::format("rolled {:g} in deep where about {:g} in was asked for", roll.depth_in, asked_in));
+    }
     run_.depth_in = roll.depth_in;
     ++run_.roll;
     run_.next = AbiStep::compression_after_roll;
@@ -180,9 +184,10 @@ double next_depth_in(const AbiRun& run, const AbiRules& rules) {
 
 AbiRun follow_abi(const AbiLog& log, const AbiRules& rules) {
   AbiRun run = Procedure(log, rules).run();
-  if (!log.material.empty() && log.material != "composite")
+  if (!log.material.empty() && log.material != "composite") {
     run.remarks.push_back(
         {"material", "the procedure is for barrels of composite, not of " + one_line(log.material, 40)});
+  }
   if (!log.limit) run.remarks.push_back({"no_limit", "no limit is given: the bat cannot pass, nor fail by it"});
   return run;
 }

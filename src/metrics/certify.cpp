@@ -47,9 +47,10 @@ void check_location(const Session& s, const SessionShot& shot, JudgedShot& judge
   const double halves = 2 * shot.z_in;
   if (std::abs(halves - std::round(halves)) > kOnGrid)
     judged.reasons.push_back({"location", fmt::format("{:g} in is no half inch", shot.z_in)});
-  if (shot.z_in < s.low_in || shot.z_in > s.high_in)
+  if (shot.z_in < s.low_in || shot.z_in > s.high_in) {
     judged.reasons.push_back(
         {"location", fmt::format("{:g} in is outside {:g} to {:g} in", shot.z_in, s.low_in, s.high_in)});
+  }
 }
 
 void judge_shots(const Session& s, const ProtocolLimits& limits, Certification& out) {
@@ -100,7 +101,11 @@ void search(const Session& s, const ProtocolLimits& limits, Certification& out) 
     if (out.search.state != SearchState::shoot && !location.complete && location.mean > out.best)
       out.search = {.at = static_cast<HalfInches>(std::lround(2 * location.z_in))};
   }
-  if (out.search.state == SearchState::found) out.sweet_spot_in = 0.5 * out.search.at;
+  const bool plateau = limits.accept_plateau && out.search.state == SearchState::plateau;
+  if (plateau || out.search.state == SearchState::found) out.sweet_spot_in = 0.5 * out.search.at;
+  if (!plateau) return;
+  out.remarks.push_back({"plateau", fmt::format("{:g} to {:g} in are within the margin: the best of them was accepted",
+                                                0.5 * out.search.plateau.front(), 0.5 * out.search.plateau.back())});
 }
 
 bool damaged(const Certification& c) {
@@ -112,7 +117,7 @@ CertifyVerdict verdict_of(const Session& s, const Certification& c) {
   if (!c.correction || !c.conditions.empty()) return CertifyVerdict::in_progress;
   if (s.limit && c.best && *c.best > *s.limit + kReadingSlack) return CertifyVerdict::fail;
   if (c.search.state == SearchState::shoot) return CertifyVerdict::in_progress;
-  if (c.search.state != SearchState::found) return CertifyVerdict::undecided;
+  if (!c.sweet_spot_in) return CertifyVerdict::undecided;
   return s.limit ? CertifyVerdict::pass : CertifyVerdict::no_limit;
 }
 
@@ -188,15 +193,17 @@ NextAction next_action(const Session& s, const Certification& c, const ProtocolL
 }
 
 void remark(const Session& s, Certification& c) {
-  if (s.limit && c.best && std::abs(*c.best - *s.limit) < 2 * *c.best_std)
+  if (s.limit && c.best && std::abs(*c.best - *s.limit) < 2 * *c.best_std) {
     c.remarks.push_back({"near_limit", fmt::format("{:.4f} ± {:.4f} is within two standard errors of the limit",
                                                    *c.best, *c.best_std)});
+  }
   const auto no_pairs =
       std::count_if(s.shots.begin(), s.shots.end(), [](const SessionShot& shot) { return shot.pairs_in_mph.empty(); });
-  if (no_pairs > 0)
+  if (no_pairs > 0) {
     c.remarks.push_back(
         {"pairs_not_given",
          fmt::format("{} shots come with one speed: whether the gates agree was not checked", no_pairs)});
+  }
 }
 
 }  // namespace

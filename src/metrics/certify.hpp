@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -20,6 +21,7 @@ struct ProtocolLimits {
   std::size_t shots = 6, lot_hits = 30;
   double lot_ratio = 0.231;  // v_out/v_in of the standard bat
   double margin_besr = 0.003;
+  bool accept_plateau = false;  // the best of a plateau is the sweet spot, in place of no verdict
 };
 
 /// Something that does not hold, as a word for programs and a sentence for people.
@@ -36,9 +38,9 @@ struct JudgedShot {
 
 struct BallUse {
   int impacts = 0;
-  int ears[5] = {0, 0, 0, 0, 0};  // by ear; [0]: not stated
-  double ball_g = 0;              // as last weighed
-  std::string spent;              // why it may not be used again; empty: it may
+  std::array<int, 5> ears{};  // by ear; [0]: not stated
+  double ball_g = 0;          // as last weighed
+  std::string spent;          // why it may not be used again; empty: it may
 };
 
 struct TestedLocation {

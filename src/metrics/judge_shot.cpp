@@ -27,7 +27,7 @@ void check_pairs(const std::vector<double>& pairs_mph, const char* code, const c
 void check_ball(const SessionShot& shot, BallUse& ball, const ProtocolLimits& limits,
                 std::vector<ProtocolFinding>& reasons) {
   ++ball.impacts;
-  ++ball.ears[shot.ear];
+  ++ball.ears.at(static_cast<std::size_t>(shot.ear));
   ball.ball_g = shot.ball_g;
   if (!within(shot.ball_g, limits.ball_g, limits.ball_tolerance_g)) {
     reasons.push_back({"ball_mass", fmt::format("a ball of {:g} g, not {:g} ± {:g} g", shot.ball_g, limits.ball_g,
@@ -36,9 +36,10 @@ void check_ball(const SessionShot& shot, BallUse& ball, const ProtocolLimits& li
   }
   if (ball.impacts > limits.impacts)
     reasons.push_back({"ball_impacts", fmt::format("impact {} of this ball, of {}", ball.impacts, limits.impacts)});
-  if (shot.ear > 0 && ball.ears[shot.ear] > limits.ear_impacts) {
-    reasons.push_back({"ear_impacts", fmt::format("impact {} on ear {} of this ball, of {}", ball.ears[shot.ear],
-                                                  shot.ear, limits.ear_impacts)});
+  if (shot.ear > 0 && ball.ears.at(static_cast<std::size_t>(shot.ear)) > limits.ear_impacts) {
+    reasons.push_back(
+        {"ear_impacts", fmt::format("impact {} on ear {} of this ball, of {}",
+                                    ball.ears.at(static_cast<std::size_t>(shot.ear)), shot.ear, limits.ear_impacts)});
   }
   if (ball.impacts >= limits.impacts) ball.spent = "its impacts";
 }
@@ -47,21 +48,25 @@ void check_climate(const Session& session, const SessionShot& shot, const Protoc
                    std::vector<ProtocolFinding>& reasons) {
   const double temperature_F = shot.temperature_F.value_or(session.temperature_F);
   const double humidity = shot.humidity_percent.value_or(session.humidity_percent);
-  if (!within(temperature_F, limits.temperature_F, limits.temperature_tolerance_F))
+  if (!within(temperature_F, limits.temperature_F, limits.temperature_tolerance_F)) {
     reasons.push_back({"temperature", fmt::format("{:g} °F, not {:g} ± {:g}", temperature_F, limits.temperature_F,
                                                   limits.temperature_tolerance_F)});
-  if (!within(humidity, limits.humidity_percent, limits.humidity_tolerance_percent))
+  }
+  if (!within(humidity, limits.humidity_percent, limits.humidity_tolerance_percent)) {
     reasons.push_back({"humidity", fmt::format("{:g} % of humidity, not {:g} ± {:g}", humidity, limits.humidity_percent,
                                                limits.humidity_tolerance_percent)});
+  }
 }
 
 void check_conditioning(const Session& session, const ProtocolLimits& limits, std::vector<ProtocolFinding>& reasons) {
-  if (session.bat.days_in_lab < limits.bat_days)
+  if (session.bat.days_in_lab < limits.bat_days) {
     reasons.push_back({"bat_conditioning", fmt::format("the bat was {:g} days in the laboratory, not {:g}",
                                                        session.bat.days_in_lab, limits.bat_days)});
-  if (session.lot.days_in_lab < limits.ball_days)
+  }
+  if (session.lot.days_in_lab < limits.ball_days) {
     reasons.push_back({"ball_conditioning", fmt::format("the balls were {:g} days in the laboratory, not {:g}",
                                                         session.lot.days_in_lab, limits.ball_days)});
+  }
 }
 
 double value_of(const Session& session, const SessionShot& shot, double target_mph) {
@@ -91,9 +96,10 @@ JudgedShot judge_shot(const Session& session, const SessionShot& shot, double ta
     out.reasons.push_back({"inbound_speed", fmt::format("{:.2f} mph inbound, not {:.2f} ± {:g}", shot.in_mph,
                                                         target_mph, limits.inbound_tolerance_mph)});
   }
-  if (!within(shot.angle_deg, 0, limits.angle_deg))
+  if (!within(shot.angle_deg, 0, limits.angle_deg)) {
     out.reasons.push_back({"rebound_angle", fmt::format("rebound at {:g}°, more than {:g}° off the horizontal",
                                                         shot.angle_deg, limits.angle_deg)});
+  }
   check_pairs(shot.pairs_in_mph, "gate_pairs_in", "inbound", limits.pair_tolerance_mph, out.reasons);
   check_pairs(shot.pairs_out_mph, "gate_pairs_out", "rebound", limits.pair_tolerance_mph, out.reasons);
   return out;

@@ -18,9 +18,10 @@ std::string uneven_crossing(const std::vector<double>& times_s, std::size_t p) {
   for (std::size_t n = 0; n + p < times_s.size(); ++n) spans.push_back(times_s[n + p] - times_s[n]);
   const double usual = median(spans);
   for (std::size_t n = 0; n < spans.size(); ++n) {
-    if (std::abs(spans[n] - usual) > kMostUneven * usual)
+    if (std::abs(spans[n] - usual) > kMostUneven * usual) {
       return fmt::format("time {} comes {:.4g} s after time {}, others {:.4g} s: one is missing or counted twice",
                          n + p + 1, spans[n], n + 1, usual);
+    }
   }
   return {};
 }
@@ -43,13 +44,15 @@ PeriodEstimate period_of_crossings(const std::vector<double>& times_s, std::size
   }
   if (std::string problem = uneven_crossing(times_s, p); !problem.empty()) return {.problem = std::move(problem)};
   // (P2): every direction's own mean taken off leaves one slope.
-  std::vector<double> turn_mean(p, 0), time_mean(p, 0), members(p, 0);
+  std::vector<double> turns(count), turn_mean(p, 0), time_mean(p, 0), members(p, 0);
   for (std::size_t n = 0; n < count; ++n) {
-    turn_mean[n % p] += static_cast<double>(n / p);
+    const std::size_t whole = n / p;
+    turns[n] = static_cast<double>(whole);
+    turn_mean[n % p] += turns[n];
     time_mean[n % p] += times_s[n];
     members[n % p] += 1;
   }
-  const auto turn = [&](std::size_t n) { return static_cast<double>(n / p) - turn_mean[n % p] / members[n % p]; };
+  const auto turn = [&](std::size_t n) { return turns[n] - turn_mean[n % p] / members[n % p]; };
   const auto time = [&](std::size_t n) { return times_s[n] - time_mean[n % p] / members[n % p]; };
   double xx = 0, xy = 0, left = 0;
   for (std::size_t n = 0; n < count; ++n) {

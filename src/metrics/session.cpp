@@ -43,9 +43,10 @@ void read_speed(StrictObject& o, const std::string& side, double spacing_in, dou
                 std::vector<double>& pairs_mph) {
   const std::string times = "gates_" + side + "_s", pairs = "pairs_" + side + "_mph", whole = "v_" + side + "_mph";
   const int given = int{o.has(times)} + int{o.has(pairs)} + int{o.has(whole)};
-  if (given != 1)
+  if (given != 1) {
     o.fail(given == 0 ? "no speed" : "more than one speed", whole,
            fmt::format("give one of {}, {} and {}", whole, pairs, times));
+  }
   if (o.has(times)) {
     std::vector<double> times_s;
     o.read(times, times_s);

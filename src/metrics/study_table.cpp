@@ -163,10 +163,11 @@ void StudyRows::merge(const BatProperties& properties, const std::string& where)
   if (order_.size() > kMostBats) throw InputError("more than 2000 bats", where, "split the study");
   for (const auto& [column, value] : properties) {
     const auto [at, added] = known->second.emplace(column, value);
-    if (!added && at->second != value)
+    if (!added && at->second != value) {
       throw InputError(fmt::format("two values of {} for bat {}: {} and {}", column, one_line(id, 60),
                                    one_line(at->second, 40), one_line(value, 40)),
                        where, "keep one");
+    }
   }
 }
 
@@ -203,6 +204,7 @@ void StudyRows::add(std::string_view text, const std::string& where) {
 }
 
 std::vector<StudyBat> StudyRows::bats() const {
+  if (order_.empty()) throw InputError("no bats", "the tables", "add a row per bat; percuss study --example");
   std::vector<StudyBat> out;
   out.reserve(order_.size());
   for (const std::string& id : order_) out.push_back(bat_of(by_id_.at(id)));

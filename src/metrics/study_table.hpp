@@ -44,7 +44,7 @@ class StudyRows {
   /// errors  InputError: neither, an unknown column, a value that cannot be, two different values for one id.
   void add(std::string_view text, const std::string& where);
   /// All bats, with drop, BBS and BBCOR worked out where their parts are known ((P1), (P8), (P9), a ball of 145.4 g).
-  /// errors  InputError: no length or material of a bat, more than 2000 bats.
+  /// errors  InputError: no bats, no length or material of one; in add: more than 2000.
   std::vector<StudyBat> bats() const;
 
  private:

@@ -63,9 +63,10 @@ std::string abi_json(const AbiLog& log, const AbiRun& run) {
                                     {"force_lbf", c.mean_lbf},
                                     {"reduction", number_or_null(c.reduction)}});
   }
-  for (const AbiCycle& c : run.cycles)
+  for (const AbiCycle& c : run.cycles) {
     json["cycles"].push_back(
         {{"cycle", c.cycle}, {"value", c.value}, {"best", c.best}, {"hoop_hz", number_or_null(c.hoop_Hz)}});
+  }
   for (const ProtocolFinding& r : run.remarks) json["remarks"].push_back({{"code", r.code}, {"message", r.message}});
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -77,9 +78,10 @@ std::string abi_text(const AbiLog& log, const AbiRun& run, std::size_t width) {
   for (const ProtocolFinding& remark : run.remarks) out += wrapped("note: " + remark.message, width, 2) + "\n";
   if (!run.compressions.empty()) {
     TextTable table({{"compression"}, {"force", TextTable::Align::right}, {"reduction", TextTable::Align::right}});
-    for (const AbiReduction& c : run.compressions)
+    for (const AbiReduction& c : run.compressions) {
       table.add({compression_name(c), fmt::format("{:.1f} lbf", c.mean_lbf),
                  c.reduction ? fmt::format("{:.2f} %", 100 * *c.reduction) : ""});
+    }
     out += "\n" + table.text(width);
   }
   if (!run.cycles.empty()) {
@@ -87,9 +89,10 @@ std::string abi_text(const AbiLog& log, const AbiRun& run, std::size_t width) {
                      {metric_of(log), TextTable::Align::right},
                      {"below best", TextTable::Align::right},
                      {"hoop", TextTable::Align::right}});
-    for (const AbiCycle& c : run.cycles)
+    for (const AbiCycle& c : run.cycles) {
       table.add({fmt::format("{}", c.cycle), fmt::format("{:.4f}", c.value), fmt::format("{:.4f}", c.best - c.value),
                  c.hoop_Hz ? fmt::format("{:.0f} Hz", *c.hoop_Hz) : ""});
+    }
     out += "\n" + table.text(width);
   }
   return out;

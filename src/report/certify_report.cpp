@@ -145,9 +145,10 @@ std::string certify_text(const Session& s, const Certification& c, std::size_t w
     out += "\n" + table.text(width);
   }
   for (std::size_t i = 0; i < c.shots.size(); ++i) {
-    if (!c.shots[i].valid())
+    if (!c.shots[i].valid()) {
       out +=
           wrapped(fmt::format("shot {} does not count: {}", i, joined_messages(c.shots[i].reasons)), width, 2) + "\n";
+    }
   }
   for (const auto& [id, ball] : c.balls) {
     if (!ball.spent.empty()) out += fmt::format("ball {} is to be removed: {}\n", id, ball.spent);

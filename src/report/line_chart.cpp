@@ -17,7 +17,7 @@ namespace {
 constexpr double kWidth = 760, kHeight = 440;
 constexpr double kLeft = 72, kRight = 620, kTop = 44, kBottom = 384;  // of the plot; names stand right of it
 constexpr double kLineHeight = 15;
-constexpr double kLabelRoom = 60;  // right of a point, for its label
+constexpr double kLabelRoom = 20;  // right of a point, for its label
 constexpr std::size_t kMostDrawn = 1000;
 constexpr std::size_t kTicks = 6;
 
@@ -172,9 +172,10 @@ class Drawing {
       const double x = x_.pixel(curve.x[i]), y = y_.pixel(curve.y[i]);
       if (!std::isfinite(x) || !std::isfinite(y)) continue;
       out_ += chart_mark_svg(curve.mark, x, y, stroke.colour);
-      if (i < curve.labels.size() && !curve.labels[i].empty())
+      if (i < curve.labels.size() && !curve.labels[i].empty()) {
         add("<text x=\"{:.1f}\" y=\"{:.1f}\"{}>{}</text>", x > kRight - kLabelRoom ? x - 7 : x + 7, y - 5,
             x > kRight - kLabelRoom ? " text-anchor=\"end\"" : "", svg_text(curve.labels[i]));
+      }
     }
     out_ += '\n';
   }
@@ -185,9 +186,10 @@ class Drawing {
       const ChartCurve& curve = chart_.curves[i];
       if (curve.name.empty()) continue;
       const Stroke& stroke = stroke_of(i);
-      if (curve.line)
+      if (curve.line) {
         add("<path d=\"M{} {:.1f}h20\" stroke=\"{}\" stroke-width=\"1.8\" stroke-dasharray=\"{}\"/>", kRight + 6, y,
             stroke.colour, stroke.dashes);
+      }
       if (curve.marks || !curve.line) out_ += chart_mark_svg(curve.mark, kRight + 16, y, stroke.colour);
       add("<text x=\"{}\" y=\"{:.1f}\">{}</text>\n", kRight + 30, y + 4, svg_text(curve.name));
       y += kLineHeight + 2;
@@ -211,9 +213,10 @@ class Drawing {
       end->first = std::min(end->first, limit);
       limit = end->first - kLineHeight;
     }
-    for (const auto& [y, i] : ends)
+    for (const auto& [y, i] : ends) {
       add("<text x=\"{}\" y=\"{:.1f}\" fill=\"{}\">{}</text>\n", kRight + 8, y + 4, stroke_of(i).colour,
           svg_text(chart_.curves[i].name));
+    }
   }
 
   const LineChart& chart_;

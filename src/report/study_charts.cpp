@@ -162,7 +162,7 @@ std::string file_word(const std::string& text) {
 
 void add_trail(const Study& study, const StudyTrail& trail, std::size_t number, StudyQuantity y,
                const std::optional<StudyCurve>& model, std::vector<StudyFile>& files) {
-  ChartCurve states{.marks = true, .mark = ChartMark::diamond};
+  ChartCurve states{.marks = true, .mark = ChartMark::diamond, .style = 2};
   std::vector<std::size_t> shown;
   for (const std::size_t b : trail.states) {
     if (!study.bats[b].value(y)) continue;

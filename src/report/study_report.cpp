@@ -98,12 +98,13 @@ std::string study_json(const Study& study) {
             {"statements", Json::array()}, {"figures", Json::array()}, {"trails", Json::array()}};
   for (const StudyStatement& s : study.statements) json["statements"].push_back(statement_json(s));
   for (const StudyFigure& f : study.figures) json["figures"].push_back(figure_json(study, f));
-  for (const StudyTrail& t : study.trails)
+  for (const StudyTrail& t : study.trails) {
     json["trails"].push_back({{"bat", t.bat},
                               {"states", ids_json(study, t.states)},
                               {"besr", association_json(t.besr)},
                               {"bbs_mph", association_json(t.bbs)},
                               {"bbcor", association_json(t.bbcor)}});
+  }
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -122,9 +123,10 @@ std::string study_text(const Study& study, std::size_t width) {
   }
   out += table.text(width);
   for (const StudyTrail& t : study.trails) {
-    if (t.besr)
+    if (t.besr) {
       out += fmt::format("\n{}, {} states: BESR over the hoop frequency ρ = {}", t.bat, t.states.size(),
                          interval(t.besr->spearman));
+    }
   }
   const std::string outliers = outlier_lines(study, width);
   return out + (study.trails.empty() ? "" : "\n") + (outliers.empty() ? "" : "\n" + outliers);

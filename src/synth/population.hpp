@@ -17,9 +17,9 @@ struct PopulationSpec {
   bool trail = true;        // also one composite bat over its break-in: 1970 → 1354 Hz, then failing
 };
 
-/// A population whose relations are known: BBCOR = 0.480 (+ gain (2800 Hz − hoop) for hollow bats) + noise; BESR and
-/// batted-ball speed follow from it by (P9) and (P8), so that BESR rises with MOI and the speed of hollow bats falls
-/// with it. The same numbers with every compiler.
+/// A population whose relations are known: BBCOR = 0.480 (+ gain (2800 Hz − hoop) for hollow bats) + noise, with regard
+/// to nothing else; BESR and batted-ball speed at 6 in follow from it by (P9) and (P8), so that BESR rises with MOI.
+/// The same numbers with every compiler.
 std::vector<StudyBat> synthetic_population(const PopulationSpec& spec = {});
 
 }  // namespace percuss
