@@ -85,12 +85,13 @@ void append_numbers(const json& value, std::vector<double>& to, const StrictObje
 }
 
 json parsed(const StrictText& input) {
-  const auto& [text, where, example, max_depth] = input;
+  const std::string_view text = input.text;
+  const std::string &where = input.where, &example = input.example;
   std::vector<std::set<std::string>> keys;  // by depth, of the objects being read
   const auto watch = [&](int depth, json::parse_event_t event, json& value) {
     using Event = json::parse_event_t;
-    if ((event == Event::object_start || event == Event::array_start) && depth >= max_depth) {
-      throw InputError(fmt::format("lists or objects nested deeper than {}", max_depth), where, "see " + example);
+    if ((event == Event::object_start || event == Event::array_start) && depth >= input.max_depth) {
+      throw InputError(fmt::format("lists or objects nested deeper than {}", input.max_depth), where, "see " + example);
     }
     const auto level = static_cast<std::size_t>(depth);
     if (event == Event::object_start) {
