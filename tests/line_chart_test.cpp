@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <set>
 
 namespace percuss::line_chart_test {
 
@@ -30,6 +31,26 @@ TEST(LineChart, DrawsEachLineInsideThePlotAndBreaksItWhereThereIsNoValue) {
   const std::string svg = line_chart_svg(chart());
   EXPECT_THAT(svg, HasSubstr("M72.0 371.4L254.7 266.5M620.0 56.6\""));  // margins of 4 % of the plot's 340 px
   EXPECT_THAT(svg, HasSubstr("<circle cx=\"620.0\""));
+}
+
+TEST(LineChart, DrawsPointsAloneWithALegend) {
+  const std::string svg = line_chart_svg(
+      {.curves = {{.name = "wood", .x = {3, 1, 2}, .y = {1, 2, 3}, .line = false, .labels = {"A", "", "<B"}},
+                  {.name = "composite", .x = {1}, .y = {1}, .line = false, .mark = ChartMark::diamond},
+                  {.name = "trend", .x = {1, 3}, .y = {1, 3}, .style = 0}}});
+  EXPECT_THAT(svg, HasSubstr(">wood</text>"));
+  EXPECT_THAT(svg, HasSubstr(">A</text>"));
+  EXPECT_THAT(svg, HasSubstr(">&lt;B</text>"));
+  EXPECT_THAT(svg, HasSubstr("<circle cx=\"599.7\" cy=\"371.4\" r=\"3\" fill=\"#0072B2\"/>"));  // 4 % in from the edges
+  EXPECT_THAT(svg, HasSubstr("stroke=\"#0072B2\" stroke-width=\"1.8\""));                       // the style asked for
+}
+
+TEST(LineChart, MarksStayApartWithoutColour) {
+  std::set<std::string> shapes;
+  for (const ChartMark mark : {ChartMark::circle, ChartMark::plus, ChartMark::open_diamond, ChartMark::diamond,
+                               ChartMark::triangle, ChartMark::square, ChartMark::cross})
+    shapes.insert(line_chart_svg({.curves = {{.name = "a", .x = {1}, .y = {1}, .line = false, .mark = mark}}}));
+  EXPECT_EQ(shapes.size(), 7U);
 }
 
 TEST(LineChart, EscapesWhatSvgWouldRead) {

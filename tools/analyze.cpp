@@ -27,6 +27,8 @@ struct AnalyzeFlags {
   bool trace = false;
   bool per_hit = false;
   bool stabilisation = false;
+  std::string bat_id;
+  std::vector<std::string> bat;  // key=value
 };
 
 // One test of the command line: all of the files together, or each on its own, or each run of one file.
@@ -103,6 +105,20 @@ void write_outputs(const AnalyzeFlags& flags, const std::vector<Test>& tests, co
   }
 }
 
+std::optional<BatLabel> bat_label(const AnalyzeFlags& flags) {
+  if (flags.bat_id.empty() && !flags.bat.empty()) throw UsageError("--bat without --bat-id", "say which bat it is");
+  if (flags.bat_id.empty()) return std::nullopt;
+  BatLabel label{.id = flags.bat_id};
+  for (const std::string& text : flags.bat) {
+    const std::size_t equals = text.find('=');
+    if (equals == 0 || equals == std::string::npos || equals + 1 == text.size())
+      throw UsageError("--bat " + one_line(text, 60) + ": not KEY=VALUE", "as --bat length_in=33");
+    if (!label.properties.emplace(text.substr(0, equals), text.substr(equals + 1)).second)
+      throw UsageError("--bat " + one_line(text, 60) + ": the key stands twice", "keep one");
+  }
+  return label;
+}
+
 bool is_json(const std::string& path) { return extension_of(path) == ".json"; }
 
 // Before anything is computed.
@@ -118,6 +134,7 @@ int analyze(const AnalyzeFlags& flags) {
       flags.output.json || std::any_of(flags.output.paths.begin(), flags.output.paths.end(), is_json);
   if (flags.stabilisation && !wants_json)
     throw UsageError("--stabilisation goes into the JSON document", "add --json or -o FILE.json");
+  const std::optional<BatLabel> bat = bat_label(flags);
   const Progress progress("analysing", flags.output.quiet);
   const auto tests = tests_of(flags);
   require_one_test_for_frfs(flags.output, tests.size());
@@ -126,9 +143,11 @@ int analyze(const AnalyzeFlags& flags) {
     std::vector<NumberedAnalysis> numbered;
     numbered.reserve(tests.size());
     for (const Test& test : tests) numbered.push_back({.run = test.run, .analysis = test.analysis.get()});
-    document = analysis_json(
-        numbered,
-        {.sections = sections, .trace = flags.trace, .per_hit = flags.per_hit, .stabilisation = flags.stabilisation});
+    document = analysis_json(numbered, {.sections = sections,
+                                        .trace = flags.trace,
+                                        .per_hit = flags.per_hit,
+                                        .stabilisation = flags.stabilisation,
+                                        .bat = bat});
   }
   std::string text;
   for (const Test& test : tests) {
@@ -162,6 +181,10 @@ void add_analyze(CommandLine& line) {
       .type("SECTION,...");
   command.flag("--per-hit", flags->per_hit, "Also every mode as each hit alone shows it");
   command.flag("--stabilisation", flags->stabilisation, "Also the poles of all model orders, in the JSON document");
+  command.value("--bat-id", flags->bat_id, "Which bat it is: into the document, where percuss study joins by it")
+      .type("ID");
+  command.repeatable("--bat", flags->bat, "What else is known of the bat, as length_in=33 (repeatable)")
+      .type("KEY=VALUE");
   command.flag("--trace", flags->trace, "What ran: stages, calls, seconds");
 }
 

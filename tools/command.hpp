@@ -32,5 +32,9 @@ void add_model_rigid(CommandLine& line);
 void add_model_trampoline(CommandLine& line);
 void add_model_bat(CommandLine& line);
 void add_model_shell(CommandLine& line);
+void add_metrics(CommandLine& line);
+void add_certify(CommandLine& line);
+void add_abi(CommandLine& line);
+void add_study(CommandLine& line);
 
 }  // namespace percuss::tools

@@ -37,6 +37,10 @@ int parse_and_run(int argc, char** argv) {
   add_model_trampoline(line);
   add_model_bat(line);
   add_model_shell(line);
+  add_metrics(line);
+  add_certify(line);
+  add_abi(line);
+  add_study(line);
   const int code = line.run(argc, argv);
   std::cout.flush();
   return std::cout ? code

@@ -16,7 +16,6 @@ struct Name {
 };
 
 constexpr double kFoot_m = 12 * kInch_m;
-constexpr double kPound_kg = 0.45359237;  // exact by definition, [1] in docs/sources.md
 constexpr double kDegree_rad = std::numbers::pi / 180;
 
 // Names after normalised() below: no spaces or outer brackets, squares as "2", micro as "u", every acceleration as
@@ -70,7 +69,7 @@ constexpr std::array kNames = {
     Name{"ft", {Quantity::length, kFoot_m}},
     Name{"kg", {Quantity::mass, 1}},
     Name{"lb", {Quantity::mass, kPound_kg}},
-    Name{"oz", {Quantity::mass, kPound_kg / 16}},
+    Name{"oz", {Quantity::mass, kOunce_kg}},
 };
 
 void replace_all(std::string& text, std::string_view from, std::string_view to) {

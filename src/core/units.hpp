@@ -9,6 +9,9 @@ namespace percuss {
 inline constexpr double kStandardGravity_mps2 = 9.80665;  // exact by definition, [1] in docs/sources.md
 inline constexpr double kPoundForce_N = 4.4482216152605;  // exact by definition, [1]
 inline constexpr double kInch_m = 0.0254;                 // exact by definition, [1]
+inline constexpr double kPound_kg = 0.45359237;           // exact by definition, [1]
+inline constexpr double kOunce_kg = kPound_kg / 16;
+inline constexpr double kMilePerHour_mps = 5280 * 12 * kInch_m / 3600;
 inline constexpr double kTwoPi = 2 * std::numbers::pi;
 inline constexpr double kRadian_deg = 180 / std::numbers::pi;
 inline constexpr double kDegree_rad = std::numbers::pi / 180;

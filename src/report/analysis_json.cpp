@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "acquire/csv_number.hpp"
 #include "core/units.hpp"
 #include "identify/ring_split.hpp"
 #include "report/coherence_summary.hpp"
@@ -181,12 +182,22 @@ Json options_json(const Analysis& analysis) {
   return json;
 }
 
+Json bat_json(const BatLabel& bat) {
+  Json json{{"id", bat.id}, {"properties", Json::object()}};
+  for (const auto& [key, text] : bat.properties) {
+    const ParsedNumber number = parse_number(text, false);
+    json["properties"][key] = number.problem == NumberProblem::none ? Json(number.value) : Json(text);
+  }
+  return json;
+}
+
 Json document_of(const Analysis& analysis, const JsonOptions& options) {
   const auto wants = [&](Section section) { return options.sections.contains(section); };
   const bool force_only = options.sections == std::set{Section::hits};
   Json json{{"schema", "percuss/analysis/1"}, {"version", version()}, {"inputs", Json::array()}};
   for (const InputFile& file : analysis.record().files)
     json["inputs"].push_back({{"path", file.path}, {"bytes", file.bytes}});
+  if (options.bat) json["bat"] = bat_json(*options.bat);
   json["fs_hz"] = analysis.given_frfs() != nullptr ? Json() : Json(analysis.record().fs_Hz);  // FRFs do not tell it
   const auto& hits = force_only ? analysis.force_hits() : analysis.hits();
   if (analysis.possible()) {

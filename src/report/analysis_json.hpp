@@ -1,4 +1,6 @@
 #pragma once
+#include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -8,6 +10,12 @@
 
 namespace percuss {
 
+/// The bat that a test is of: its id and what else is known of it, by key; values that are numbers stand as such.
+struct BatLabel {
+  std::string id;
+  std::map<std::string, std::string> properties;
+};
+
 struct JsonOptions {
   std::set<Section> sections = all_sections();
   bool trace = false;
@@ -15,6 +23,7 @@ struct JsonOptions {
   bool stabilisation = false;                      // the diagram: the demand that computes it
   const std::vector<Verdict>* verdicts = nullptr;  // of the modes, in place of the analysis' own
   const std::vector<Warning>* warnings = nullptr;
+  std::optional<BatLabel> bat;
 };
 
 /// One of several tests: its run number (or place on the command line) and its analysis.

@@ -7,6 +7,9 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <numeric>
+
+#include "report/chart_mark.hpp"
 
 namespace percuss {
 namespace {
@@ -14,6 +17,7 @@ namespace {
 constexpr double kWidth = 760, kHeight = 440;
 constexpr double kLeft = 72, kRight = 620, kTop = 44, kBottom = 384;  // of the plot; names stand right of it
 constexpr double kLineHeight = 15;
+constexpr double kLabelRoom = 20;  // right of a point, for its label
 constexpr std::size_t kMostDrawn = 1000;
 constexpr std::size_t kTicks = 6;
 
@@ -29,20 +33,6 @@ constexpr std::array<Stroke, 7> kStrokes{{{"#0072B2", "none"},
                                           {"#000000", "12 4"},
                                           {"#56B4E9", "4 2"},
                                           {"#E69F00", "1 2"}}};
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '<') {
-      out += "&lt;";
-    } else if (c == '&') {
-      out += "&amp;";
-    } else {
-      out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-    }
-  }
-  return out;
-}
 
 // Values to pixels along one axis.
 struct Scale {
@@ -106,7 +96,10 @@ class Drawing {
         y_.cover(curve.y[i]);
       }
     }
-    x_.settle(0);
+    scattered_ = std::any_of(chart.curves.begin(), chart.curves.end(), [](const auto& curve) { return !curve.line; });
+    const bool room = std::any_of(chart.curves.begin(), chart.curves.end(),
+                                  [](const auto& curve) { return !curve.line || !curve.labels.empty(); });
+    x_.settle(room ? 0.04 : 0);
     y_.settle(0.04);
   }
 
@@ -114,11 +107,15 @@ class Drawing {
     add("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" width=\"{}\" height=\"{}\" "
         "font-family=\"system-ui, sans-serif\" font-size=\"12\" role=\"img\">\n",
         kWidth, kHeight, kWidth, kHeight);
-    add("<title>{}</title>\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n", escaped(chart_.title));
-    add("<text x=\"{}\" y=\"24\" font-size=\"15\">{}</text>\n", kLeft, escaped(chart_.title));
+    add("<title>{}</title>\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n", svg_text(chart_.title));
+    add("<text x=\"{}\" y=\"24\" font-size=\"15\">{}</text>\n", kLeft, svg_text(chart_.title));
     axes();
-    for (std::size_t i = 0; i < chart_.curves.size(); ++i) line(chart_.curves[i], kStrokes.at(i % kStrokes.size()));
-    names();
+    for (std::size_t i = 0; i < chart_.curves.size(); ++i) {
+      const ChartCurve& curve = chart_.curves[i];
+      if (curve.line) line(curve, stroke_of(i));
+      if (curve.marks || !curve.line) points(curve, stroke_of(i));
+    }
+    scattered_ ? legend() : names();
     return out_ + "</svg>\n";
   }
 
@@ -142,13 +139,17 @@ class Drawing {
     }
     add("<path d=\"M{} {}V{}H{}\" fill=\"none\" stroke=\"black\"/>\n", kLeft, kTop, kBottom, kRight);
     add("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>\n", (kLeft + kRight) / 2, kBottom + 40,
-        escaped(chart_.x.label));
+        svg_text(chart_.x.label));
     add("<text transform=\"translate(18 {}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n", (kTop + kBottom) / 2,
-        escaped(chart_.y.label));
+        svg_text(chart_.y.label));
+  }
+
+  const Stroke& stroke_of(std::size_t i) const {
+    return kStrokes.at(chart_.curves[i].style.value_or(i) % kStrokes.size());
   }
 
   void line(const ChartCurve& curve, const Stroke& stroke) {
-    std::string path, marks;
+    std::string path;
     bool pen = false;
     for (const std::size_t i : worth_drawing(curve)) {
       const double x = x_.pixel(curve.x[i]), y = y_.pixel(curve.y[i]);
@@ -157,12 +158,42 @@ class Drawing {
         continue;
       }
       fmt::format_to(std::back_inserter(path), "{}{:.1f} {:.1f}", pen ? "L" : "M", x, y);
-      if (curve.marks) fmt::format_to(std::back_inserter(marks), "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3\"/>", x, y);
       pen = true;
     }
     add("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.8\" stroke-dasharray=\"{}\"/>\n", path,
         stroke.colour, stroke.dashes);
-    if (!marks.empty()) add("<g fill=\"{}\">{}</g>\n", stroke.colour, marks);
+  }
+
+  void points(const ChartCurve& curve, const Stroke& stroke) {
+    std::vector<std::size_t> drawn(curve.x.size());
+    std::iota(drawn.begin(), drawn.end(), std::size_t{0});
+    if (curve.line) drawn = worth_drawing(curve);
+    for (const std::size_t i : drawn) {
+      const double x = x_.pixel(curve.x[i]), y = y_.pixel(curve.y[i]);
+      if (!std::isfinite(x) || !std::isfinite(y)) continue;
+      out_ += chart_mark_svg(curve.mark, x, y, stroke.colour);
+      if (i < curve.labels.size() && !curve.labels[i].empty()) {
+        add("<text x=\"{:.1f}\" y=\"{:.1f}\"{}>{}</text>", x > kRight - kLabelRoom ? x - 7 : x + 7, y - 5,
+            x > kRight - kLabelRoom ? " text-anchor=\"end\"" : "", svg_text(curve.labels[i]));
+      }
+    }
+    out_ += '\n';
+  }
+
+  void legend() {
+    double y = kTop + 6;
+    for (std::size_t i = 0; i < chart_.curves.size(); ++i) {
+      const ChartCurve& curve = chart_.curves[i];
+      if (curve.name.empty()) continue;
+      const Stroke& stroke = stroke_of(i);
+      if (curve.line) {
+        add("<path d=\"M{} {:.1f}h20\" stroke=\"{}\" stroke-width=\"1.8\" stroke-dasharray=\"{}\"/>", kRight + 6, y,
+            stroke.colour, stroke.dashes);
+      }
+      if (curve.marks || !curve.line) out_ += chart_mark_svg(curve.mark, kRight + 16, y, stroke.colour);
+      add("<text x=\"{}\" y=\"{:.1f}\">{}</text>\n", kRight + 30, y + 4, svg_text(curve.name));
+      y += kLineHeight + 2;
+    }
   }
 
   // At the ends of the lines, moved apart where they would overlap.
@@ -182,13 +213,15 @@ class Drawing {
       end->first = std::min(end->first, limit);
       limit = end->first - kLineHeight;
     }
-    for (const auto& [y, i] : ends)
-      add("<text x=\"{}\" y=\"{:.1f}\" fill=\"{}\">{}</text>\n", kRight + 8, y + 4,
-          kStrokes.at(i % kStrokes.size()).colour, escaped(chart_.curves[i].name));
+    for (const auto& [y, i] : ends) {
+      add("<text x=\"{}\" y=\"{:.1f}\" fill=\"{}\">{}</text>\n", kRight + 8, y + 4, stroke_of(i).colour,
+          svg_text(chart_.curves[i].name));
+    }
   }
 
   const LineChart& chart_;
   Scale x_, y_;
+  bool scattered_ = false;
   std::string out_;
 };
 

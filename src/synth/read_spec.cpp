@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "acquire/strict_json.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
-#include "synth/strict_json.hpp"
 
 namespace percuss {
 namespace {
@@ -193,7 +193,8 @@ SynthSpec parse_synth_spec(std::string_view text, std::string_view where) {
   const std::string place(where);
   if (text.size() > kLongestText) throw InputError("longer than 4 MiB", place, "is this a synth spec?");
   SynthSpec spec;
-  read_strict_json(text, place, kDeepest, [&](StrictObject& o) { read_document(o, spec); });
+  read_strict_json({.text = text, .where = place, .max_depth = kDeepest},
+                   [&](StrictObject& o) { read_document(o, spec); });
   check(spec, where);
   return spec;
 }

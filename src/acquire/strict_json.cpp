@@ -1,25 +1,57 @@
-#include "synth/strict_json.hpp"
+#include "acquire/strict_json.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "acquire/csv_dialect.hpp"
+#include "acquire/csv_number.hpp"
+#include "acquire/strict_sheet.hpp"
 #include "core/error.hpp"
 
 namespace percuss {
 
 using nlohmann::json;
 
+namespace {
+
+std::string item_place(const StrictSource& source, const std::string& list, std::size_t i) {
+  return source.sheet && list == source.rows ? fmt::format("line {}", source.lines.at(i))
+                                             : fmt::format("{}[{}]", list, i);
+}
+
+ParsedNumber cell_number(std::string_view cell, bool decimal_comma) {
+  const ParsedNumber number = parse_number(cell, false);
+  return decimal_comma && number.problem != NumberProblem::none ? parse_number(cell, true) : number;
+}
+
+// What a cell says where no text is asked for: a number, a list of them, a truth value; else its text.
+json cell_value(const std::string& cell, bool decimal_comma) {
+  if (cell == "yes" || cell == "true") return true;
+  if (cell == "no" || cell == "false") return false;
+  json list = json::array();
+  for (const std::string_view part : split_cells(cell, {.delimiter = ' '})) {
+    const ParsedNumber number = cell_number(part, decimal_comma);
+    if (number.problem != NumberProblem::none) return cell;
+    list.push_back(number.value);
+  }
+  return list.size() == 1 ? list.front() : list;
+}
+
+}  // namespace
+
 struct StrictObject::Impl {
   const json& object;
+  const StrictSource& source;
   std::string where, path;  // of the text; of the object in it ("modes[2]", "" for the document)
   std::set<std::string> asked{};
 
-  Impl(const json& value, std::string text, std::string name)
-      : object(value), where(std::move(text)), path(std::move(name)) {
+  Impl(const json& value, const StrictSource& text, std::string name)
+      : object(value), source(text), where(text.where), path(std::move(name)) {
     if (object.is_object()) return;
     throw InputError("not an object", path.empty() ? where : where + ", " + path, "give { \"key\": value, … }");
   }
@@ -27,6 +59,13 @@ struct StrictObject::Impl {
     asked.insert(key);
     const auto it = object.find(key);
     return it == object.end() ? nullptr : &*it;
+  }
+  // As find, for what is no text: a table's cells are taken for what they say.
+  const json* find_value(const std::string& key, json& scratch) {
+    const json* value = find(key);
+    if (value == nullptr || !source.sheet || !value->is_string()) return value;
+    scratch = cell_value(value->get<std::string>(), source.decimal_comma);
+    return &scratch;
   }
   std::string path_of(const std::string& key) const { return path.empty() ? key : path + "." + key; }
 };
@@ -45,13 +84,14 @@ void append_numbers(const json& value, std::vector<double>& to, const StrictObje
   }
 }
 
-json parsed(std::string_view text, const std::string& where, int max_depth) {
+json parsed(const StrictText& input) {
+  const std::string_view text = input.text;
+  const std::string &where = input.where, &example = input.example;
   std::vector<std::set<std::string>> keys;  // by depth, of the objects being read
   const auto watch = [&](int depth, json::parse_event_t event, json& value) {
     using Event = json::parse_event_t;
-    if ((event == Event::object_start || event == Event::array_start) && depth >= max_depth) {
-      throw InputError(fmt::format("lists or objects nested deeper than {}", max_depth), where,
-                       "see percuss synth --example");
+    if ((event == Event::object_start || event == Event::array_start) && depth >= input.max_depth) {
+      throw InputError(fmt::format("lists or objects nested deeper than {}", input.max_depth), where, "see " + example);
     }
     const auto level = static_cast<std::size_t>(depth);
     if (event == Event::object_start) {
@@ -68,7 +108,7 @@ json parsed(std::string_view text, const std::string& where, int max_depth) {
     return json::parse(text.begin(), text.end(), watch, true, true);
   } catch (const json::parse_error& e) {
     throw InputError("not JSON", fmt::format("{}, byte {}", where, e.byte),
-                     "correct it; percuss synth --example prints a valid spec");
+                     "correct it; " + example + " prints a valid one");
   } catch (const json::exception& e) {
     throw InputError("a number too large to hold", where, "give a finite number");
   }
@@ -82,18 +122,42 @@ StrictObject::~StrictObject() = default;
 bool StrictObject::has(const std::string& key) { return impl_->find(key) != nullptr; }
 
 void StrictObject::need(const std::string& key) {
-  if (!has(key)) fail("missing", key, "add it; percuss synth --example shows how");
+  if (!has(key)) fail("missing", key, "add it; " + impl_->source.example + " shows how");
 }
 
 void StrictObject::read(const std::string& key, double& to) {
-  const json* value = impl_->find(key);
+  json scratch;
+  const json* value = impl_->find_value(key, scratch);
   if (value == nullptr) return;
   if (!value->is_number()) fail("not a number", key, "give a number");
   to = value->get<double>();
 }
 
+void StrictObject::read(const std::string& key, std::optional<double>& to) {
+  if (has(key)) read(key, to.emplace());
+}
+
+void StrictObject::read(const std::string& key, bool& to) {
+  json scratch;
+  const json* value = impl_->find_value(key, scratch);
+  if (value == nullptr) return;
+  if (!value->is_boolean()) fail("neither true nor false", key, "give true or false");
+  to = value->get<bool>();
+}
+
+void StrictObject::read_within(const std::string& key, double low, double high, double& to) {
+  read(key, to);
+  if (!has(key) || (to >= low && to <= high)) return;
+  fail(fmt::format("{:g} is out of range", to), key, fmt::format("give {:g} to {:g}", low, high));
+}
+
+void StrictObject::read_within(const std::string& key, double low, double high, std::optional<double>& to) {
+  if (has(key)) read_within(key, low, high, to.emplace());
+}
+
 void StrictObject::read(const std::string& key, std::size_t& to) {
-  const json* value = impl_->find(key);
+  json scratch;
+  const json* value = impl_->find_value(key, scratch);
   if (value == nullptr) return;
   if (value->is_number_unsigned()) {
     to = value->get<std::size_t>();
@@ -121,9 +185,10 @@ void StrictObject::read(const std::string& key, std::string& to) {
 }
 
 void StrictObject::read(const std::string& key, std::vector<double>& to) {
-  const json* value = impl_->find(key);
+  json scratch;
+  const json* value = impl_->find_value(key, scratch);
   if (value == nullptr) return;
-  if (!value->is_array()) fail("not a list", key, "give a list of numbers");
+  if (!value->is_array() && !impl_->source.sheet) fail("not a list", key, "give a list of numbers");
   to.clear();
   append_numbers(*value, to, *this, key);
 }
@@ -131,7 +196,7 @@ void StrictObject::read(const std::string& key, std::vector<double>& to) {
 void StrictObject::read_part(const std::string& key, const Reader& read) {
   const json* part = impl_->find(key);
   if (part == nullptr) return;
-  StrictObject object(std::make_unique<Impl>(*part, impl_->where, impl_->path_of(key)));
+  StrictObject object(std::make_unique<Impl>(*part, impl_->source, impl_->path_of(key)));
   read(object);
   object.finish();
 }
@@ -143,7 +208,7 @@ void StrictObject::read_list(const std::string& key, const Reader& read) {
   if (!list->is_array()) fail("not a list", key, "give [ { … }, … ]");
   for (std::size_t i = 0; i < list->size(); ++i) {
     StrictObject object(
-        std::make_unique<Impl>((*list)[i], impl_->where, fmt::format("{}[{}]", impl_->path_of(key), i)));
+        std::make_unique<Impl>((*list)[i], impl_->source, item_place(impl_->source, impl_->path_of(key), i)));
     read(object);
     object.finish();
   }
@@ -161,10 +226,23 @@ void StrictObject::fail(const std::string& problem, const std::string& key, cons
   throw InputError(problem, fmt::format("{}, {}", impl_->where, impl_->path_of(key)), remedy);
 }
 
-void read_strict_json(std::string_view text, const std::string& where, int max_depth,
-                      const StrictObject::Reader& read) {
-  const json document = parsed(text, where, max_depth);
-  StrictObject object(std::make_unique<StrictObject::Impl>(document, where, ""));
+std::string StrictObject::place() const {
+  return impl_->path.empty() ? impl_->where : fmt::format("{}, {}", impl_->where, impl_->path);
+}
+
+void read_strict_json(const StrictText& text, const StrictObject::Reader& read) {
+  const json document = parsed(text);
+  const StrictSource source{.where = text.where, .example = text.example};
+  StrictObject object(std::make_unique<StrictObject::Impl>(document, source, ""));
+  read(object);
+  object.finish();
+}
+
+void read_strict_sheet(const StrictText& text, const std::string& rows, const StrictObject::Reader& read) {
+  StrictSource source{.where = text.where, .example = text.example, .rows = rows};
+  const std::string as_json = sheet_as_json(text, source);
+  const json document = parsed({.text = as_json, .where = text.where});
+  StrictObject object(std::make_unique<StrictObject::Impl>(document, source, ""));
   read(object);
   object.finish();
 }

@@ -1,0 +1,52 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace percuss {
+
+/// The barrel's compression: the mean force at the set displacement over the orientations 0°, 90°, 45° and −45°.
+///   BC = (F_0 + F_90 + F_45 + F_−45)/4                                                         (P13)
+struct AbiCompression {
+  std::vector<double> force_lbf;  // four
+  double mean_lbf() const;
+};
+
+/// The rollers brought this far in, over all four orientations.
+struct AbiRoll {
+  double depth_in = 0;
+};
+
+/// One performance test: BESR or BBCOR at the highest performing location.
+struct AbiPerformance {
+  double value = 0;
+  bool damage = false;  // visible damage, or failed the ring test
+  bool broken = false;  // further testing cannot reasonably be done
+  std::optional<double> hoop_Hz;
+};
+
+struct AbiEntry {
+  std::string place;  // in the log, for messages
+  std::variant<AbiCompression, AbiRoll, AbiPerformance> what;
+};
+
+/// What was done to a bat, in its order.
+struct AbiLog {
+  std::string bat, material;
+  bool bbcor = false;  // judged by BBCOR, else by BESR
+  std::optional<double> limit;
+  bool continued = false;  // at the sponsor's request, after failing by the limit
+  std::vector<AbiEntry> entries;
+};
+
+/// Reads percuss/abi-log/1 (docs/schema/abi-log.schema.json). InputError with file and key: not such a document, a
+/// force beyond the load frame, a number that cannot be.
+AbiLog parse_abi_log(std::string_view text, const std::string& where);
+AbiLog read_abi_log(const std::string& path);
+
+/// A log as an operator may start from.
+std::string abi_log_example();
+
+}  // namespace percuss

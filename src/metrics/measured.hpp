@@ -1,0 +1,77 @@
+#pragma once
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace percuss {
+
+/// The readings that results are made of; each has an error of its own.
+enum class Reading : std::size_t {
+  length,
+  weight,
+  cg,
+  period,
+  moi,
+  ball,
+  location,
+  inbound,
+  rebound,
+  swing,
+  given_besr,
+  given_bbcor
+};
+inline constexpr std::size_t kReadings = 12;
+
+/// A number and what each reading's error does to it, to first order, errors of different readings independent:
+///   f(x + δ) = f(x) + Σ_i ∂f/∂x_i δ_i,   σ_f² = Σ_i (∂f/∂x_i σ_i)²                            (P0)
+/// What two numbers have from the same reading is added before it is squared, so that it may cancel.
+class Measured {
+ public:
+  Measured() = default;
+  Measured(double exact) : value_(exact) {}  // NOLINT(google-explicit-constructor): constants of the equations
+  /// A standard deviation of 0 is one that is not known.
+  Measured(double value, double std, Reading reading) : value_(value) {
+    parts_.at(static_cast<std::size_t>(reading)) = std;
+    if (std == 0) unknown_ = 1U << static_cast<unsigned>(reading);
+  }
+
+  double value() const { return value_; }
+  double std() const {
+    double sum = 0;
+    for (const double part : parts_) sum += part * part;
+    return std::sqrt(sum);
+  }
+  double part(Reading reading) const { return parts_.at(static_cast<std::size_t>(reading)); }
+
+  /// Whether the number rests on a reading whose error is not known and so not in std().
+  bool unknown(Reading reading) const { return ((unknown_ >> static_cast<unsigned>(reading)) & 1U) != 0; }
+
+  friend Measured operator+(const Measured& a, const Measured& b) { return combined(a.value_ + b.value_, 1, a, 1, b); }
+  friend Measured operator-(const Measured& a, const Measured& b) { return combined(a.value_ - b.value_, 1, a, -1, b); }
+  friend Measured operator*(const Measured& a, const Measured& b) {
+    return combined(a.value_ * b.value_, b.value_, a, a.value_, b);
+  }
+  friend Measured operator/(const Measured& a, const Measured& b) {
+    const double quotient = a.value_ / b.value_;
+    return combined(quotient, 1 / b.value_, a, -quotient / b.value_, b);
+  }
+  friend Measured pow(const Measured& a, double exponent) {
+    const double power = std::pow(a.value_, exponent);
+    return combined(power, exponent * power / a.value_, a, 0, a);
+  }
+
+ private:
+  using Parts = std::array<double, kReadings>;
+  static Measured combined(double value, double by_a, const Measured& a, double by_b, const Measured& b) {
+    Measured out(value);
+    for (std::size_t i = 0; i < kReadings; ++i) out.parts_[i] = by_a * a.parts_[i] + by_b * b.parts_[i];
+    out.unknown_ = a.unknown_ | b.unknown_;
+    return out;
+  }
+
+  double value_ = 0;
+  Parts parts_{};  // ∂f/∂x_i σ_i
+  unsigned unknown_ = 0;
+};
+
+}  // namespace percuss

@@ -1,0 +1,126 @@
+#include "report/abi_report.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "report/line_chart.hpp"
+#include "report/text_table.hpp"
+#include "report/version.hpp"
+
+namespace percuss {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* metric_of(const AbiLog& log) { return log.bbcor ? "bbcor" : "besr"; }
+
+Json number_or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+
+const char* action_of(const AbiRun& run) {
+  switch (run.next) {
+    case AbiStep::done:
+      return "stop";
+    case AbiStep::roll:
+      return "roll";
+    case AbiStep::first_performance:
+    case AbiStep::performance:
+      return "performance";
+    default:
+      return "compression";
+  }
+}
+
+std::string compression_name(const AbiReduction& c) {
+  return c.cycle == 0 ? "BC 0" : fmt::format("BC {},{}", c.cycle, c.roll);
+}
+
+}  // namespace
+
+std::string abi_json(const AbiLog& log, const AbiRun& run) {
+  const bool roll = run.next == AbiStep::roll;
+  Json json{{"schema", "percuss/abi/1"},
+            {"version", version()},
+            {"bat", log.bat},
+            {"metric", metric_of(log)},
+            {"limit", number_or_null(log.limit)},
+            {"verdict", name_of(run.verdict)},
+            {"why", run.why},
+            {"next",
+             {{"step", run.next == AbiStep::done ? Json() : Json(static_cast<int>(run.next))},
+              {"action", action_of(run)},
+              {"depth_in", roll ? Json(next_depth_in(run)) : Json()},
+              {"message", next_words(run)}}},
+            {"cycle", run.cycle},
+            {"roll", run.roll},
+            {"compressions", Json::array()},
+            {"cycles", Json::array()},
+            {"remarks", Json::array()}};
+  for (const AbiReduction& c : run.compressions) {
+    json["compressions"].push_back({{"step", static_cast<int>(c.step)},
+                                    {"cycle", c.cycle},
+                                    {"roll", c.roll},
+                                    {"force_lbf", c.mean_lbf},
+                                    {"reduction", number_or_null(c.reduction)}});
+  }
+  for (const AbiCycle& c : run.cycles) {
+    json["cycles"].push_back(
+        {{"cycle", c.cycle}, {"value", c.value}, {"best", c.best}, {"hoop_hz", number_or_null(c.hoop_Hz)}});
+  }
+  for (const ProtocolFinding& r : run.remarks) json["remarks"].push_back({{"code", r.code}, {"message", r.message}});
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string abi_text(const AbiLog& log, const AbiRun& run, std::size_t width) {
+  std::string out = wrapped(fmt::format("{}: {}", log.bat, next_words(run)), width, 2) + "\n";
+  if (run.verdict == AbiVerdict::fail && run.next != AbiStep::done)
+    out += "  has failed (" + run.why + "); goes on at the sponsor's request\n";
+  for (const ProtocolFinding& remark : run.remarks) out += wrapped("note: " + remark.message, width, 2) + "\n";
+  if (!run.compressions.empty()) {
+    TextTable table({{"compression"}, {"force", TextTable::Align::right}, {"reduction", TextTable::Align::right}});
+    for (const AbiReduction& c : run.compressions) {
+      table.add({compression_name(c), fmt::format("{:.1f} lbf", c.mean_lbf),
+                 c.reduction ? fmt::format("{:.2f} %", 100 * *c.reduction) : ""});
+    }
+    out += "\n" + table.text(width);
+  }
+  if (!run.cycles.empty()) {
+    TextTable table({{"test"},
+                     {metric_of(log), TextTable::Align::right},
+                     {"below best", TextTable::Align::right},
+                     {"hoop", TextTable::Align::right}});
+    for (const AbiCycle& c : run.cycles) {
+      table.add({fmt::format("{}", c.cycle), fmt::format("{:.4f}", c.value), fmt::format("{:.4f}", c.best - c.value),
+                 c.hoop_Hz ? fmt::format("{:.0f} Hz", *c.hoop_Hz) : ""});
+    }
+    out += "\n" + table.text(width);
+  }
+  return out;
+}
+
+std::string abi_csv(const AbiRun& run) {
+  std::string out = "kind,cycle,roll,force_lbf,reduction,value,hoop_hz\n";
+  const auto cell = [](const std::optional<double>& value) { return value ? fmt::format("{}", *value) : ""; };
+  for (const AbiReduction& c : run.compressions)
+    out += fmt::format("compression,{},{},{},{},,\n", c.cycle, c.roll, c.mean_lbf, cell(c.reduction));
+  for (const AbiCycle& c : run.cycles)
+    out += fmt::format("performance,{},,,,{},{}\n", c.cycle, c.value, cell(c.hoop_Hz));
+  return out;
+}
+
+std::string abi_svg(const AbiLog& log, const AbiRun& run) {
+  ChartCurve tests{.name = "test", .marks = true};
+  for (const AbiCycle& c : run.cycles) {
+    tests.x.push_back(c.cycle);
+    tests.y.push_back(c.value);
+  }
+  LineChart chart{.title = fmt::format("{}: {} over the break-in", log.bat, metric_of(log)),
+                  .x = {.label = "performance test"},
+                  .y = {.label = metric_of(log)},
+                  .curves = {tests}};
+  if (log.limit && !tests.x.empty())
+    chart.curves.push_back({.name = "limit", .x = {tests.x.front(), tests.x.back()}, .y = {*log.limit, *log.limit}});
+  return line_chart_svg(chart);
+}
+
+}  // namespace percuss

@@ -1,0 +1,186 @@
+#include "report/certify_report.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "report/line_chart.hpp"
+#include "report/number.hpp"
+#include "report/text_table.hpp"
+#include "report/version.hpp"
+
+namespace percuss {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+
+const char* state_name(SearchState state) {
+  switch (state) {
+    case SearchState::found:
+      return "found";
+    case SearchState::plateau:
+      return "plateau";
+    case SearchState::edge:
+      return "edge";
+    case SearchState::shoot:
+      break;
+  }
+  return "shoot";
+}
+
+Json findings_json(const std::vector<ProtocolFinding>& findings) {
+  Json out = Json::array();
+  for (const ProtocolFinding& finding : findings) out.push_back({{"code", finding.code}, {"message", finding.message}});
+  return out;
+}
+
+Json shots_json(const std::vector<SessionShot>& shots, const std::vector<JudgedShot>& judged) {
+  Json out = Json::array();
+  for (std::size_t i = 0; i < shots.size(); ++i) {
+    out.push_back({{"index", i},
+                   {"z_in", shots[i].z_in},
+                   {"ball", shots[i].ball},
+                   {"v_in_mph", judged[i].in_mph},
+                   {"v_out_mph", judged[i].out_mph},
+                   {"v_target_mph", judged[i].target_mph},
+                   {"valid", judged[i].valid()},
+                   {"counted", judged[i].counted},
+                   {"reasons", findings_json(judged[i].reasons)}});
+  }
+  return out;
+}
+
+Json balls_json(const Certification& c) {
+  Json out = Json::array();
+  for (const auto& [id, ball] : c.balls) {
+    out.push_back({{"ball", id},
+                   {"mass_g", ball.ball_g},
+                   {"impacts", ball.impacts},
+                   {"ears", {ball.ears[1], ball.ears[2], ball.ears[3], ball.ears[4]}},
+                   {"usable", ball.spent.empty()},
+                   {"spent", ball.spent.empty() ? Json() : Json(ball.spent)}});
+  }
+  return out;
+}
+
+Json locations_json(const Certification& c) {
+  Json out = Json::array();
+  for (const TestedLocation& l : c.locations) {
+    out.push_back({{"z_in", l.z_in},
+                   {"valid_shots", l.valid},
+                   {"complete", l.complete},
+                   {"mean", l.mean},
+                   {"std_error", l.std_error}});
+  }
+  return out;
+}
+
+Json search_json(const SearchStep& search) {
+  Json level = Json::array();
+  for (const HalfInches at : search.plateau) level.push_back(0.5 * at);
+  return {{"state", state_name(search.state)}, {"z_in", 0.5 * search.at}, {"within_margin_in", std::move(level)}};
+}
+
+Json next_json(const NextAction& next) {
+  return {{"action", next.code},
+          {"z_in", or_null(next.z_in)},
+          {"v_target_mph", or_null(next.target_mph)},
+          {"left", next.left},
+          {"ball", next.ball.empty() ? Json() : Json(next.ball)},
+          {"message", next.message}};
+}
+
+std::string joined_messages(const std::vector<ProtocolFinding>& findings) {
+  std::string out;
+  for (const ProtocolFinding& finding : findings) out += (out.empty() ? "" : "; ") + finding.message;
+  return out;
+}
+
+}  // namespace
+
+std::string certify_json(const Session& s, const Certification& c) {
+  const Json json{{"schema", "percuss/certify/1"},
+                  {"version", version()},
+                  {"bat", {{"id", s.bat.id}, {"length_in", s.bat.length_in}, {"moi_oz_in2", or_null(s.bat.moi_ozin2)}}},
+                  {"metric", name_of(s.metric)},
+                  {"limit", or_null(s.limit)},
+                  {"verdict", name_of(c.verdict)},
+                  {"sweet_spot_in", or_null(c.sweet_spot_in)},
+                  {"best", or_null(c.best)},
+                  {"best_std", or_null(c.best_std)},
+                  {"next", next_json(c.next)},
+                  {"conditions", findings_json(c.conditions)},
+                  {"remarks", findings_json(c.remarks)},
+                  {"search", search_json(c.search)},
+                  {"locations", locations_json(c)},
+                  {"ball_lot",
+                   {{"correction", or_null(c.correction)},
+                    {"correction_std", or_null(c.correction_std)},
+                    {"valid_hits", c.valid_lot_hits},
+                    {"hits", shots_json(s.lot.hits, c.lot_hits)}}},
+                  {"shots", shots_json(s.shots, c.shots)},
+                  {"balls", balls_json(c)}};
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string certify_text(const Session& s, const Certification& c, std::size_t width) {
+  std::string out = wrapped(fmt::format("{}: {}", s.bat.id, c.next.message), width, 2) + "\n";
+  if (!c.next.ball.empty()) out += fmt::format("  ball: {}, or a new one\n", c.next.ball);
+  for (const ProtocolFinding& f : c.conditions) out += wrapped("condition: " + f.message, width, 2) + "\n";
+  for (const ProtocolFinding& f : c.remarks) out += wrapped("note: " + f.message, width, 2) + "\n";
+  if (c.correction) out += fmt::format("ball lot: correction {:+.4f}\n", *c.correction);
+  if (!c.locations.empty()) {
+    TextTable table({{"location", TextTable::Align::right},
+                     {"shots", TextTable::Align::right},
+                     {name_of(s.metric), TextTable::Align::right},
+                     {""}});
+    for (const TestedLocation& l : c.locations) {
+      table.add({fmt::format("{:.1f} in", l.z_in), fmt::format("{}", l.valid), with_deviation(l.mean, l.std_error),
+                 c.sweet_spot_in == l.z_in ? "sweet spot"
+                 : l.complete              ? ""
+                                           : "not complete"});
+    }
+    out += "\n" + table.text(width);
+  }
+  for (std::size_t i = 0; i < c.shots.size(); ++i) {
+    if (!c.shots[i].valid()) {
+      out +=
+          wrapped(fmt::format("shot {} does not count: {}", i, joined_messages(c.shots[i].reasons)), width, 2) + "\n";
+    }
+  }
+  for (const auto& [id, ball] : c.balls) {
+    if (!ball.spent.empty()) out += fmt::format("ball {} is to be removed: {}\n", id, ball.spent);
+  }
+  return out;
+}
+
+std::string certify_csv(const Session& s, const Certification& c) {
+  std::string out = "index,z_in,v_in_mph,v_out_mph,v_target_mph,valid,counted,reasons\n";
+  for (std::size_t i = 0; i < c.shots.size(); ++i) {
+    const JudgedShot& shot = c.shots[i];
+    std::string codes;
+    for (const ProtocolFinding& reason : shot.reasons) codes += (codes.empty() ? "" : " ") + reason.code;
+    out += fmt::format("{},{},{},{},{},{},{},{}\n", i, s.shots[i].z_in, shot.in_mph, shot.out_mph, shot.target_mph,
+                       shot.valid() ? "yes" : "no", shot.counted ? "yes" : "no", codes);
+  }
+  return out;
+}
+
+std::string certify_svg(const Session& s, const Certification& c) {
+  ChartCurve means{.name = "mean of six", .marks = true};
+  for (const TestedLocation& location : c.locations) {
+    if (!location.complete) continue;
+    means.x.push_back(location.z_in);
+    means.y.push_back(location.mean);
+  }
+  LineChart chart{.title = fmt::format("{}: {} over the location", s.bat.id, name_of(s.metric)),
+                  .x = {.label = "location from the barrel's tip, in"},
+                  .y = {.label = name_of(s.metric)},
+                  .curves = {means}};
+  if (s.limit) chart.curves.push_back({.name = "limit", .x = {s.low_in, s.high_in}, .y = {*s.limit, *s.limit}});
+  return line_chart_svg(chart);
+}
+
+}  // namespace percuss

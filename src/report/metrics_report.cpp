@@ -1,0 +1,136 @@
+#include "report/metrics_report.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "report/columns.hpp"
+#include "report/number.hpp"
+#include "report/text_table.hpp"
+#include "report/version.hpp"
+
+namespace percuss {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::array<const char*, kReadings> kReadingNames{"length_in",  "weight_oz",   "cg_in", "period_s",
+                                                           "moi_oz_in2", "ball_g",      "z_in",  "v_in_mph",
+                                                           "v_out_mph",  "v_swing_mph", "besr",  "bbcor"};
+
+struct Line {
+  const char* key;
+  const char* unit;
+  const char* title;
+  std::optional<Measured> value;  // in the unit
+  std::string equation;
+};
+
+std::optional<Measured> in_unit(const std::optional<Measured>& value, double unit) {
+  return value ? std::optional(*value / unit) : std::nullopt;
+}
+
+std::vector<Line> lines_of_metrics(const BatReadings& r, const BatMetrics& m) {
+  const bool speeds = r.in_mps && r.out_mps;
+  const char* const reading = "as given";
+  const auto by = [&](bool given_so, const char* equation) { return std::string(given_so ? reading : equation); };
+  const double mph = kMilePerHour_mps;
+  return {{"drop", "", "drop", m.drop, "(P1)"},
+          {"moi_oz_in2", "oz in²", "moment of inertia", in_unit(m.moi_kgm2, kOunceInch2_kgm2),
+           by(r.moi_kgm2.has_value(), "(P3)")},
+          {"besr", "", "BESR", m.besr, speeds ? "(P6)" : by(r.besr.has_value(), "(P9)")},
+          {"ncaa_besr", "", "NCAA BESR", m.ncaa_besr, "(P7)"},
+          {"bbs_mph", "mph", "batted-ball speed", in_unit(m.bbs_mps, mph), "(P8)"},
+          {"bbcor", "", "BBCOR", m.bbcor, by(!m.besr, "(P9)")},
+          {"v_contact_mph", "mph", "contact speed", in_unit(m.contact_mps, mph), "(P5)"},
+          {"v_swing_mph", "mph", "swing speed", in_unit(m.swing_mps, mph), by(r.swing_mps.has_value(), "(P4)")},
+          {"k", "", "k", m.k, "(P10)"}};
+}
+
+Json uncertainty_of(const Measured& value) {
+  Json from = Json::object(), without = Json::array();
+  for (std::size_t i = 0; i < kReadings; ++i) {
+    const double part = value.part(static_cast<Reading>(i));
+    if (part != 0) from[kReadingNames.at(i)] = std::abs(part);
+    if (value.unknown(static_cast<Reading>(i))) without.push_back(kReadingNames.at(i));
+  }
+  return {{"std", value.std()}, {"from", std::move(from)}, {"without", std::move(without)}};
+}
+
+Json recorded_or_null(const std::optional<double>& value, double step) {
+  return value ? Json(recorded(*value, step)) : Json();
+}
+
+Json profile_json(const BatProfileReadings& p, const BatMetrics& m) {
+  Json json{{"length_in", recorded_or_null(p.length_in, p.steps.length_in)},
+            {"weight_oz", recorded_or_null(p.weight_oz, p.steps.weight_oz)},
+            {"cg_in", recorded_or_null(p.cg_in, p.steps.cg_in)},
+            {"handle_diameter_in", recorded_or_null(p.handle_in, p.steps.diameter_in)},
+            {"ball_g", recorded_or_null(p.ball_g, p.steps.ball_g)},
+            {"rings", Json::array()},
+            {"drop_class", m.drop_class ? Json(*m.drop_class) : Json()}};
+  for (std::size_t i = 0; i < p.rings_in.size(); ++i)
+    json["rings"].push_back({{"z_in", 3 + i}, {"diameter_in", recorded(p.rings_in[i], p.steps.diameter_in)}});
+  return json;
+}
+
+// Which readings' errors are not in the ±.
+std::string without_words(const Measured& value) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < kReadings; ++i) {
+    if (value.unknown(static_cast<Reading>(i))) names.emplace_back(kReadingNames.at(i));
+  }
+  return names.empty() ? "" : fmt::format("; error of {} not known", fmt::join(names, ", "));
+}
+
+std::string text_of_metrics(const std::vector<Line>& lines, const BatMetrics& m,
+                            const std::vector<MetricsWarning>& warnings) {
+  TextTable table({{"number"}, {"value", TextTable::Align::right}, {"unit"}, {"from"}});
+  std::size_t absent = 0;
+  for (const Line& line : lines) {
+    if (!line.value) {
+      ++absent;
+      continue;
+    }
+    table.add({line.title, with_deviation(line.value->value(), line.value->std()), line.unit,
+               line.equation + without_words(*line.value)});
+  }
+  std::string out =
+      absent == lines.size() ? "the readings allow no number; percuss metrics --help lists them\n" : table.text(100);
+  if (m.drop_class) out += fmt::format("class {}\n", *m.drop_class);
+  if (absent > 0 && absent < lines.size()) out += fmt::format("{} more need readings that were not given\n", absent);
+  for (const MetricsWarning& warning : warnings) out += wrapped("note: " + warning.message, 100, 2) + "\n";
+  return out;
+}
+
+}  // namespace
+
+MetricsReport metrics_report(const BatReadings& readings, const BatProfileReadings& profile) {
+  const BatMetrics metrics = bat_metrics(readings);
+  const auto lines = lines_of_metrics(readings, metrics);
+  const auto warnings = metrics_warnings(readings, metrics);
+  Json json{{"schema", "percuss/metrics/1"}, {"version", version()}};
+  Json uncertainty = Json::object(), equation = Json::object();
+  MetricsReport report;
+  report.csv = "number,value,std,equation\n";
+  for (const Line& line : lines) {
+    json[line.key] = line.value ? Json(line.value->value()) : Json();
+    if (!line.value) continue;
+    uncertainty[line.key] = uncertainty_of(*line.value);
+    equation[line.key] = line.equation;
+    report.csv += fmt::format("{},{},{},{}\n", line.key, line.value->value(), line.value->std(), line.equation);
+  }
+  json["uncertainty"] = std::move(uncertainty);
+  json["equation"] = std::move(equation);
+  json["profile"] = profile_json(profile, metrics);
+  json["warnings"] = Json::array();
+  for (const MetricsWarning& warning : warnings)
+    json["warnings"].push_back({{"code", warning.code}, {"message", warning.message}});
+  report.json = json.dump(2) + "\n";
+  report.text = text_of_metrics(lines, metrics, warnings);
+  return report;
+}
+
+}  // namespace percuss

@@ -1,0 +1,25 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "metrics/bat_metrics.hpp"
+#include "metrics/resolution.hpp"
+
+namespace percuss {
+
+/// The bat's profile as the laboratory reads it, in its units; what was not read is absent.
+struct BatProfileReadings {
+  std::optional<double> length_in, weight_oz, cg_in, handle_in, ball_g;
+  std::vector<double> rings_in;  // barrel diameters from the ring 3 in from the tip on, an inch apart
+  ProtocolSteps steps;
+};
+
+struct MetricsReport {
+  std::string json, text, csv;
+};
+
+/// percuss/metrics/1: every metric with its uncertainty, the equation that gave it and what it came from; the profile
+/// as the protocol records it.
+MetricsReport metrics_report(const BatReadings& readings, const BatProfileReadings& profile);
+
+}  // namespace percuss

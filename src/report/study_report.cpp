@@ -1,0 +1,160 @@
+#include "report/study_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "metrics/csv_cell.hpp"
+#include "report/text_table.hpp"
+#include "report/version.hpp"
+
+namespace percuss {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* family_name(StudyFamily family) { return family == StudyFamily::wood ? "wood" : "nonwood"; }
+
+Json correlation_json(const Correlation& c) { return {{"value", c.value}, {"low", c.low}, {"high", c.high}}; }
+
+Json association_json(const std::optional<Association>& a) {
+  if (!a) return {};
+  return {{"bats", a->points},
+          {"lengths", a->classes},
+          {"pearson", correlation_json(a->pearson)},
+          {"spearman", correlation_json(a->spearman)},
+          {"p", a->p}};
+}
+
+Json trend_json(const std::optional<TrendLine>& t) {
+  if (!t) return {};
+  return {{"slope", t->slope}, {"at_zero", t->at}, {"slope_low", t->slope_low}, {"slope_high", t->slope_high}};
+}
+
+Json ids_json(const Study& study, const std::vector<std::size_t>& bats) {
+  Json out = Json::array();
+  for (const std::size_t b : bats) out.push_back(study.bats[b].id);
+  return out;
+}
+
+Json class_json(const Study& study, const StudyClass& one) {
+  return {{"length_in", one.length_class == 0 ? Json() : Json(one.length_class)},
+          {"bats", one.bats.size()},
+          {"association", association_json(one.association)},
+          {"trend", trend_json(one.trend)},
+          {"outliers", ids_json(study, one.outliers)}};
+}
+
+Json figure_json(const Study& study, const StudyFigure& figure) {
+  Json json{{"name", figure.name},
+            {"title", figure.title},
+            {"source", figure.source.empty() ? Json() : Json(figure.source)},
+            {"x", column_of(figure.x)},
+            {"y", column_of(figure.y)},
+            {"family", family_name(figure.family)},
+            {"length_in", figure.length_class == 0 ? Json() : Json(figure.length_class)},
+            {"classes", Json::array()}};
+  for (const StudyClass& one : figure.classes) json["classes"].push_back(class_json(study, one));
+  return json;
+}
+
+Json statement_json(const StudyStatement& s) {
+  return {{"text", s.text},
+          {"x", column_of(s.x)},
+          {"y", column_of(s.y)},
+          {"family", family_name(s.family)},
+          {"sign", s.sign},
+          {"verdict", name_of(s.verdict)},
+          {"adjusted_p", s.association ? Json(s.adjusted_p) : Json()},
+          {"association", association_json(s.association)}};
+}
+
+std::string interval(const Correlation& c) { return fmt::format("{:+.2f} [{:+.2f}, {:+.2f}]", c.value, c.low, c.high); }
+
+std::string verdict_words(const StudyStatement& s) {
+  if (!s.association) return "too few bats";
+  if (s.sign == 0 && s.verdict == StatementVerdict::not_supported) return "no relation found";
+  return name_of(s.verdict);
+}
+
+std::string outlier_lines(const Study& study, std::size_t width) {
+  std::string out;
+  for (const StudyFigure& figure : study.figures) {
+    if (figure.length_class != 0) continue;
+    std::string names;
+    for (const StudyClass& one : figure.classes) {
+      for (const std::size_t b : one.outliers) names += (names.empty() ? "" : ", ") + study.bats[b].id;
+    }
+    if (!names.empty()) out += wrapped(fmt::format("outliers, {}: {}", figure.title, names), width, 2) + "\n";
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string study_json(const Study& study) {
+  Json json{{"schema", "percuss/study/1"}, {"version", version()},     {"bats", study.bats.size()},
+            {"statements", Json::array()}, {"figures", Json::array()}, {"trails", Json::array()}};
+  for (const StudyStatement& s : study.statements) json["statements"].push_back(statement_json(s));
+  for (const StudyFigure& f : study.figures) json["figures"].push_back(figure_json(study, f));
+  for (const StudyTrail& t : study.trails) {
+    json["trails"].push_back({{"bat", t.bat},
+                              {"states", ids_json(study, t.states)},
+                              {"besr", association_json(t.besr)},
+                              {"bbs_mph", association_json(t.bbs)},
+                              {"bbcor", association_json(t.bbcor)}});
+  }
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string study_text(const Study& study, std::size_t width) {
+  std::string out = fmt::format(
+      "{} bats, {} figures; ρ within lengths with its 95 % interval, p adjusted for all "
+      "statements\n\n",
+      study.bats.size(), study.figures.size());
+  TextTable table(
+      {{"statement"}, {"verdict"}, {"bats", TextTable::Align::right}, {"p"}, {"ρ (Spearman)"}, {"r (Pearson)"}});
+  for (const StudyStatement& s : study.statements) {
+    const auto& a = s.association;
+    table.add({s.text, verdict_words(s), a ? fmt::format("{}", a->points) : "",
+               a ? fmt::format("{:.2g}", s.adjusted_p) : "", a ? interval(a->spearman) : "",
+               a ? interval(a->pearson) : ""});
+  }
+  out += table.text(width);
+  for (const StudyTrail& t : study.trails) {
+    if (t.besr) {
+      out += fmt::format("\n{}, {} states: BESR over the hoop frequency ρ = {}", t.bat, t.states.size(),
+                         interval(t.besr->spearman));
+    }
+  }
+  const std::string outliers = outlier_lines(study, width);
+  return out + (study.trails.empty() ? "" : "\n") + (outliers.empty() ? "" : "\n" + outliers);
+}
+
+std::string study_csv(const Study& study) {
+  std::string out =
+      "figure,source,length_in,bats,counted,pearson,pearson_low,pearson_high,spearman,spearman_low,spearman_high,p,"
+      "slope,"
+      "slope_low,slope_high,outliers\n";
+  for (const StudyFigure& figure : study.figures) {
+    for (const StudyClass& one : figure.classes) {
+      out += fmt::format("{},{},{},{}", figure.name, figure.source,
+                         one.length_class == 0 ? "all" : std::to_string(one.length_class), one.bats.size());
+      if (const auto& a = one.association) {
+        out += fmt::format(",{},{},{},{},{},{},{},{}", a->points, a->pearson.value, a->pearson.low, a->pearson.high,
+                           a->spearman.value, a->spearman.low, a->spearman.high, a->p);
+      } else {
+        out += ",,,,,,,,";
+      }
+      out +=
+          one.trend ? fmt::format(",{},{},{},", one.trend->slope, one.trend->slope_low, one.trend->slope_high) : ",,,,";
+      std::string names;
+      for (const std::size_t b : one.outliers) names += (names.empty() ? "" : " ") + study.bats[b].id;
+      out += csv_cell(names) + "\n";
+    }
+  }
+  return out;
+}
+
+}  // namespace percuss

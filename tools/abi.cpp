@@ -1,0 +1,60 @@
+#include <iostream>
+#include <memory>
+
+#include "acquire/atomic_file.hpp"
+#include "command.hpp"
+#include "core/error.hpp"
+#include "output.hpp"
+#include "report/abi_report.hpp"
+
+namespace percuss::tools {
+namespace {
+
+struct AbiFlags {
+  std::string log;
+  std::optional<double> limit;
+  bool example = false;
+  OutputFlags output;
+};
+
+int follow_log(const AbiFlags& flags) {
+  if (flags.example) {
+    std::cout << abi_log_example();
+    return kOk;
+  }
+  if (flags.log.empty()) throw UsageError("no log", "name its file, or - for standard input");
+  check_outputs(flags.output, {".json", ".csv", ".svg"});
+  AbiLog log = read_abi_log(flags.log);
+  if (flags.limit) log.limit = flags.limit;
+  const AbiRun run = follow_abi(log);
+  const std::string document = abi_json(log, run);
+  for (const std::string& path : flags.output.paths) {
+    const std::string kind = extension_of(path);
+    write_file(path,
+               kind == ".json"  ? document
+               : kind == ".csv" ? abi_csv(run)
+                                : abi_svg(log, run),
+               flags.output.force);
+  }
+  if (flags.output.json) {
+    std::cout << document;
+  } else if (!flags.output.quiet) {
+    std::cout << abi_text(log, run, terminal_width());
+  }
+  return run.verdict == AbiVerdict::fail ? kQualityGate : kOk;
+}
+
+}  // namespace
+
+void add_abi(CommandLine& line) {
+  auto flags = std::make_shared<AbiFlags>();
+  Command command = line.command("abi", "The break-in of a composite bat, from its log: what comes next, the verdict",
+                                 [flags] { return follow_log(*flags); });
+  command.example("percuss abi --example > log.json; percuss abi log.json");
+  command.word("LOG", flags->log, "What was done so far; - for standard input");
+  command.value("--limit", flags->limit, "What the bat must not exceed, in place of the log's").above_zero();
+  command.flag("--example", flags->example, "Print a log, explained");
+  add_output_flags(command, flags->output);
+}
+
+}  // namespace percuss::tools

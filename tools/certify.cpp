@@ -1,0 +1,66 @@
+#include <iostream>
+#include <memory>
+
+#include "acquire/atomic_file.hpp"
+#include "command.hpp"
+#include "core/error.hpp"
+#include "output.hpp"
+#include "report/certify_report.hpp"
+
+namespace percuss::tools {
+namespace {
+
+struct CertifyFlags {
+  std::string session, metric;
+  std::optional<double> limit;
+  bool example = false, example_table = false, accept_plateau = false;
+  OutputFlags output;
+};
+
+int certify_session(const CertifyFlags& flags) {
+  if (flags.example || flags.example_table) {
+    std::cout << (flags.example_table ? session_table_example() : session_example());
+    return kOk;
+  }
+  if (flags.session.empty()) throw UsageError("no session", "name its file, or - for standard input");
+  check_outputs(flags.output, {".json", ".csv", ".svg"});
+  Session session = read_session(flags.session);
+  if (!flags.metric.empty()) session.metric = *performance_metric_named(flags.metric);
+  if (flags.limit) session.limit = flags.limit;
+  const Certification certification = certify(session, {.accept_plateau = flags.accept_plateau});
+  const std::string document = certify_json(session, certification);
+  for (const std::string& path : flags.output.paths) {
+    const std::string kind = extension_of(path);
+    write_file(path,
+               kind == ".json"  ? document
+               : kind == ".csv" ? certify_csv(session, certification)
+                                : certify_svg(session, certification),
+               flags.output.force);
+  }
+  if (flags.output.json) {
+    std::cout << document;
+  } else if (!flags.output.quiet) {
+    std::cout << certify_text(session, certification, terminal_width());
+  }
+  return certification.verdict == CertifyVerdict::fail ? kQualityGate : kOk;
+}
+
+}  // namespace
+
+void add_certify(CommandLine& line) {
+  auto flags = std::make_shared<CertifyFlags>();
+  Command command = line.command("certify", "A bat's test session: which shots count, where to shoot next, the verdict",
+                                 [flags] { return certify_session(*flags); });
+  command.example("percuss certify --example > session.json; percuss certify session.json");
+  command.word("SESSION", flags->session, "The session so far: JSON or a table of shots; - for standard input");
+  command.value("--metric", flags->metric, "Judge by this in place of the session's")
+      .one_of({"besr", "ncaa_besr", "bbcor"});
+  command.value("--limit", flags->limit, "What it must not exceed, in place of the session's").above_zero();
+  command.flag("--accept-plateau", flags->accept_plateau,
+               "Where no location stands out, take the best of those within the margin for the sweet spot");
+  command.flag("--example", flags->example, "Print a session, explained");
+  command.flag("--example-table", flags->example_table, "Print a session as a table");
+  add_output_flags(command, flags->output);
+}
+
+}  // namespace percuss::tools

@@ -1,0 +1,91 @@
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "acquire/atomic_file.hpp"
+#include "acquire/input_file.hpp"
+#include "command.hpp"
+#include "core/error.hpp"
+#include "output.hpp"
+#include "report/study_report.hpp"
+#include "synth/population.hpp"
+
+namespace percuss::tools {
+namespace {
+
+constexpr std::uint64_t kLargestTable_bytes = std::uint64_t{16} << 20U;
+
+struct StudyFlags {
+  std::vector<std::string> inputs;
+  std::string figures, key, table, curve;
+  bool example = false;
+  OutputFlags output;
+};
+
+std::string text_at(const std::string& path) { return std::string(read_input(path, kLargestTable_bytes).view()); }
+
+void refuse_existing(const StudyFlags& flags) {
+  for (const std::string& path : {flags.key, flags.table}) {
+    std::error_code ignored;
+    if (!path.empty() && !flags.output.force && std::filesystem::exists(path, ignored))
+      throw InputError("file exists", path, "give another name or --force");
+  }
+}
+
+void write_figures(const StudyFlags& flags, const Study& study) {
+  std::optional<StudyCurve> curve;
+  if (!flags.curve.empty()) curve = parse_study_curve(text_at(flags.curve), input_name(flags.curve));
+  if (flags.figures.empty()) return;
+  std::error_code problem;
+  std::filesystem::create_directories(flags.figures, problem);
+  if (problem) throw InputError("cannot make the folder", flags.figures, "name one that can be written");
+  for (const StudyFile& file : study_files(study, curve))
+    write_file((std::filesystem::path(flags.figures) / file.name).string(), file.text, flags.output.force);
+}
+
+int run_study(const StudyFlags& flags) {
+  if (flags.example) {
+    std::cout << study_table_csv(synthetic_population());
+    return kOk;
+  }
+  if (flags.inputs.empty()) throw UsageError("no table", "name a table of bats, or analyses with --bat-id");
+  if (!flags.curve.empty() && flags.figures.empty())
+    throw UsageError("--hoop-curve goes into the figures", "add --figures FOLDER");
+  check_outputs(flags.output, {".json", ".csv"});
+  refuse_existing(flags);
+  StudyRows rows;
+  for (const std::string& path : flags.inputs) rows.add(text_at(path), input_name(path));
+  std::vector<StudyBat> bats = rows.bats();
+  if (!flags.key.empty()) write_file(flags.key, blind_bats(bats), flags.output.force);
+  if (!flags.table.empty()) write_file(flags.table, study_table_csv(bats), flags.output.force);
+  const Study study = study_of(std::move(bats));
+  write_figures(flags, study);
+  for (const std::string& path : flags.output.paths)
+    write_file(path, extension_of(path) == ".json" ? study_json(study) : study_csv(study), flags.output.force);
+  if (flags.output.json) {
+    std::cout << study_json(study);
+  } else if (!flags.output.quiet) {
+    std::cout << study_text(study, terminal_width());
+  }
+  return kOk;
+}
+
+}  // namespace
+
+void add_study(CommandLine& line) {
+  auto flags = std::make_shared<StudyFlags>();
+  Command command = line.command("study", "A population of bats: what goes with performance, in figures and numbers",
+                                 [flags] { return run_study(*flags); });
+  command.example("percuss study --example > bats.csv; percuss study bats.csv --figures figures");
+  command.words("TABLE", flags->inputs, "Tables of bats, and analyses (--bat-id), joined by id");
+  command.value("--figures", flags->figures, "Write every figure as picture and table into this folder").type("FOLDER");
+  command.value("--hoop-curve", flags->curve, "Draw this model over the hoop figures: percuss model trampoline --json")
+      .type("FILE");
+  command.value("--blind", flags->key, "Give the bats neutral ids; the key to them goes into this file")
+      .type("KEY.csv");
+  command.value("--table", flags->table, "Write the joined table").type("FILE");
+  command.flag("--example", flags->example, "Print a table of bats (a made-up population)");
+  add_output_flags(command, flags->output);
+}
+
+}  // namespace percuss::tools
