@@ -18,11 +18,11 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::uint64_t kLargest_bytes = std::uint64_t{1} << 20U;
+constexpr std::uint64_t kLargestSetup_bytes = std::uint64_t{1} << 20U;
 constexpr int kDeepest = 16;
 constexpr std::size_t kMostChannels = 4096;
 
-constexpr std::array<std::string_view, 9> kKeys = {
+constexpr std::array<std::string_view, 9> kSetupKeys = {
     "name", "role", "sign", "direction", "angle_deg", "position_m", "sensitivity", "sensitivity_unit", "unit"};
 
 // nlohmann keeps the last of two equal keys: a set-up that says two things must not be read as one of them.
@@ -47,7 +47,8 @@ class KeyWatch {
 };
 
 Json parse_json(std::string_view text, const std::string& where) {
-  if (text.size() > kLargest_bytes) throw InputError("longer than 1 MiB", where, "keep only the channels' entries");
+  if (text.size() > kLargestSetup_bytes)
+    throw InputError("longer than 1 MiB", where, "keep only the channels' entries");
   try {
     return Json::parse(text.begin(), text.end(), KeyWatch(where));
   } catch (const Json::parse_error& error) {
@@ -91,9 +92,9 @@ class Entry {
 void require_known_keys(const Json& json, const Entry& entry) {
   if (!json.is_object()) throw InputError("not an object", entry.where(), "write {\"name\": ..., ...} per channel");
   for (const auto& item : json.items()) {
-    if (std::find(kKeys.begin(), kKeys.end(), item.key()) != kKeys.end()) continue;
+    if (std::find(kSetupKeys.begin(), kSetupKeys.end(), item.key()) != kSetupKeys.end()) continue;
     throw InputError("unknown key", entry.where(one_line(item.key(), 40)),
-                     fmt::format("known are {}", fmt::join(kKeys, ", ")));
+                     fmt::format("known are {}", fmt::join(kSetupKeys, ", ")));
   }
 }
 
@@ -192,7 +193,7 @@ std::vector<ChannelSetup> parse_channel_setup(std::string_view json, const std::
 }
 
 std::vector<ChannelSetup> read_channel_setup(const std::string& path) {
-  return parse_channel_setup(read_input(path, kLargest_bytes).view(), input_name(path));
+  return parse_channel_setup(read_input(path, kLargestSetup_bytes).view(), input_name(path));
 }
 
 std::string channel_setup_example() {

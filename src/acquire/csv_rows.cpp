@@ -8,13 +8,12 @@
 
 #include "acquire/csv_number.hpp"
 #include "acquire/csv_rate.hpp"
+#include "acquire/sampling_rate.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
 
 namespace percuss {
 namespace {
-
-constexpr double kLowestRate_Hz = 1e-3, kHighestRate_Hz = 1e9;  // nothing that is hit rings outside
 
 using Labels = std::array<int, 3>;  // hit, point, run
 
@@ -91,11 +90,6 @@ std::optional<StampedRate> stamped_rate(const CsvTable& table, const CsvColumn& 
   return rate;
 }
 
-double checked_rate(double fs_Hz, const std::string& where) {
-  if (fs_Hz >= kLowestRate_Hz && fs_Hz <= kHighestRate_Hz) return fs_Hz;
-  throw InputError(fmt::format("a sampling rate of {:g} Hz is not usable", fs_Hz), where, "give --fs in Hz");
-}
-
 // Header and time column together; the header's number is exact where it lies within what rounded stamps leave open.
 double agreed_rate_Hz(const CsvHeader& header, const StampedRate& stamped, const CsvColumn& time,
                       const std::string& file, std::vector<std::string>& notes) {
@@ -149,10 +143,10 @@ double find_csv_rate_Hz(const CsvTable& table, const CsvColumns& columns, const 
                         const ReadOptions& options, std::vector<std::string>& notes) {
   const CsvHeader& header = table.header();
   const std::string file = input_name(table.path());
-  if (options.fs_Hz) return checked_rate(*options.fs_Hz, "--fs");
+  if (options.fs_Hz) return checked_rate_Hz(*options.fs_Hz, "--fs");
   const bool guessed = !columns.time && may_be_time(header.columns.front(), columns);
   if (!columns.time && !guessed) {
-    if (header.fs_Hz) return checked_rate(*header.fs_Hz, file + ": " + header.fs_line);
+    if (header.fs_Hz) return checked_rate_Hz(*header.fs_Hz, file + ": " + header.fs_line);
     throw InputError("no sampling rate: no time column and no line that states it", file, "give --fs in Hz");
   }
   const CsvColumn& time = guessed ? header.columns.front() : *columns.time;
@@ -161,12 +155,12 @@ double find_csv_rate_Hz(const CsvTable& table, const CsvColumns& columns, const 
   const auto stamped = stamped_rate(table, time, rows, problem, counts);
   if (guessed && (!stamped || counts)) {
     // A first column that is no time after all: a count of samples or a signal.
-    if (header.fs_Hz) return checked_rate(*header.fs_Hz, file + ": " + header.fs_line);
+    if (header.fs_Hz) return checked_rate_Hz(*header.fs_Hz, file + ": " + header.fs_line);
     throw InputError("no sampling rate: no time column and no line that states it", file, "give --fs in Hz");
   }
   if (!stamped) refuse_stamps(table, time.index, rows, problem);
   if (guessed) notes.push_back(fmt::format("the first column ({}) rises evenly and is taken as time in s", time.name));
-  return checked_rate(agreed_rate_Hz(header, *stamped, time, file, notes), file + ": time column");
+  return checked_rate_Hz(agreed_rate_Hz(header, *stamped, time, file, notes), file + ": time column");
 }
 
 }  // namespace percuss

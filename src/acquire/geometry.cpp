@@ -16,10 +16,10 @@
 namespace percuss {
 namespace {
 
-constexpr std::uint64_t kLargest_bytes = std::uint64_t{16} << 20U;
-constexpr std::size_t kMostPoints = 100'000;
+constexpr std::uint64_t kLargestGeometry_bytes = std::uint64_t{16} << 20U;
+constexpr std::size_t kMostGeometryPoints = 100'000;
 constexpr double kFarthest = 1e4;  // m or rad: no structure is larger
-constexpr const char* kRemedy = "see percuss survey --example";
+constexpr const char* kGeometryRemedy = "see percuss survey --example";
 
 enum Field : std::size_t { kPoint, kX, kY, kZ, kPosition, kAngle, kRadius, kFields };
 
@@ -82,7 +82,7 @@ Columns columns_of(const std::vector<std::string_view>& names, const std::string
     }
   }
   const auto has = [&](Field field) { return columns[field].index.has_value(); };
-  if (!has(kPoint)) throw InputError("no column of points", where, kRemedy);
+  if (!has(kPoint)) throw InputError("no column of points", where, kGeometryRemedy);
   if (has(kX) != has(kY) || has(kX) != has(kZ) || has(kPosition) != has(kAngle) || has(kX) == has(kPosition)) {
     throw InputError("neither x, y and z nor position and angle", where,
                      "name the columns point,x_m,y_m,z_m or point,position_m,angle_deg");
@@ -169,12 +169,12 @@ CsvDialect dialect_of(const std::vector<Line>& lines, char line_end) {
 }  // namespace
 
 Geometry parse_geometry(std::string_view text, const std::string& where) {
-  if (text.size() > kLargest_bytes) throw InputError("longer than 16 MiB", where, "keep one line per point");
+  if (text.size() > kLargestGeometry_bytes) throw InputError("longer than 16 MiB", where, "keep one line per point");
   if (text.substr(0, 3) == "\xEF\xBB\xBF") text.remove_prefix(3);
-  if (text.find('\0') != std::string_view::npos) throw InputError("this is no text", where, kRemedy);
+  if (text.find('\0') != std::string_view::npos) throw InputError("this is no text", where, kGeometryRemedy);
   const char line_end = find_line_end(text);
   const std::vector<Line> lines = lines_of(text, line_end);
-  if (lines.size() < 2) throw InputError("no points", where, kRemedy);
+  if (lines.size() < 2) throw InputError("no points", where, kGeometryRemedy);
   const CsvDialect dialect = dialect_of(lines, line_end);
   Columns columns = columns_of(split_cells(lines.front().text, dialect), place(where, lines.front().number));
   Geometry geometry;
@@ -185,19 +185,19 @@ Geometry parse_geometry(std::string_view text, const std::string& where) {
     if (i == 1 && take_units(columns, cells, dialect, at)) continue;
     if (geometry.points.empty()) require_units(columns, place(where, lines.front().number));
     geometry.points.push_back(point_of(Row(std::move(cells), dialect.decimal_comma, at), columns));
-    if (geometry.points.size() > kMostPoints)
+    if (geometry.points.size() > kMostGeometryPoints)
       throw InputError("more than 100000 points", at, "keep those that were hit");
     if (!seen.insert(geometry.points.back().point).second)
       throw InputError(fmt::format("point {} stands twice", geometry.points.back().point), at, "keep one");
   }
-  if (geometry.points.empty()) throw InputError("no points", where, kRemedy);
+  if (geometry.points.empty()) throw InputError("no points", where, kGeometryRemedy);
   geometry.tube = columns[kPosition].index.has_value();
   if (!geometry.tube) tube_from_coordinates(geometry);
   return geometry;
 }
 
 Geometry read_geometry(const std::string& path) {
-  return parse_geometry(read_input(path, kLargest_bytes).view(), input_name(path));
+  return parse_geometry(read_input(path, kLargestGeometry_bytes).view(), input_name(path));
 }
 
 std::optional<Geometry> geometry_of_record(const std::vector<std::vector<double>>& rows) {

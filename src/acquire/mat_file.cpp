@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::uint64_t kUnpackedTimes = 64, kUnpackedMore_bytes = std::uint64_t{64} << 20U;
 constexpr std::size_t kMostVariables = 10'000, kDeepest = 8, kMostElements = 4096;
-constexpr std::size_t kMostDimensions = 8, kNameShown = 63;
+constexpr std::size_t kMostMatDimensions = 8, kNameShown = 63;
 
 void ignore_log(int, char*) {}
 
@@ -133,7 +133,7 @@ class Flattener {
   }
 
   void add_numbers(const std::string& name, const matvar_t* variable) {
-    if (variable->rank < 1 || static_cast<std::size_t>(variable->rank) > kMostDimensions) return;
+    if (variable->rank < 1 || static_cast<std::size_t>(variable->rank) > kMostMatDimensions) return;
     MatVariable out = described(name, variable);
     const std::uint64_t count = elements(variable);
     const std::uint64_t stored =

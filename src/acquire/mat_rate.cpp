@@ -8,6 +8,7 @@
 
 #include "acquire/csv_header.hpp"
 #include "acquire/csv_rate.hpp"
+#include "acquire/sampling_rate.hpp"
 #include "acquire/signal_table.hpp"
 #include "core/error.hpp"
 
@@ -73,27 +74,27 @@ std::string mat_text(const MatFile& file, std::string_view name) {
 }
 
 std::optional<double> mat_rate_Hz(const MatFile& file, const ReadOptions& options) {
-  if (options.fs_Hz) return usable_rate_Hz(*options.fs_Hz, "--fs");
+  if (options.fs_Hz) return checked_rate_Hz(*options.fs_Hz, "--fs");
   if (!options.fs_variable.empty()) {
     const MatVariable* const named = find_variable(file, options.fs_variable);
     const std::string where = file.path + ": " + options.fs_variable;
     if (named == nullptr) throw InputError("no such variable", where, "name another, or give --fs in Hz");
     if (named->is_text || named->is_complex() || named->size() == 0)
       throw InputError("not a number", where, "give --fs in Hz");
-    return usable_rate_Hz(named->size() > 1 ? rate_of_times_Hz(file, *named) : named->real.front(), where);
+    return checked_rate_Hz(named->size() > 1 ? rate_of_times_Hz(file, *named) : named->real.front(), where);
   }
   std::optional<double> found_Hz = mat_number(file, {"fs", "fshz", "samplerate", "samplingrate", "samplefrequency",
                                                      "samplingfrequency", "samplefreq", "samplingfreq", "srate"});
   const auto dt_s = mat_number(file, {"dt", "dts", "deltat", "sampletime", "samplinginterval", "sampleinterval"});
   if (!found_Hz && dt_s && *dt_s > 0) found_Hz = 1 / *dt_s;
-  if (found_Hz) usable_rate_Hz(*found_Hz, file.path);
+  if (found_Hz) checked_rate_Hz(*found_Hz, file.path);
   if (found_Hz && dt_s && !(std::abs(*found_Hz * *dt_s - 1) <= kSameRates)) {
     throw InputError(fmt::format("a rate of {} Hz, and {} s between samples", *found_Hz, *dt_s), file.path,
                      "give --fs in Hz");
   }
   if (found_Hz) return found_Hz;
   for (const MatVariable& variable : file.variables) {
-    if (is_time_vector(variable)) return usable_rate_Hz(rate_of_times_Hz(file, variable), file.path);
+    if (is_time_vector(variable)) return checked_rate_Hz(rate_of_times_Hz(file, variable), file.path);
   }
   return std::nullopt;
 }

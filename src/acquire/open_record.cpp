@@ -20,7 +20,7 @@ namespace {
 constexpr std::string_view kHdf5 = "\x89HDF\r\n\x1a\n";
 constexpr std::uint64_t kLargestText_bytes = std::uint64_t{16} << 30U;
 constexpr std::uint64_t kLargestPipe_bytes = std::uint64_t{4} << 30U;  // a pipe says nothing about its length
-constexpr std::size_t kHead_bytes = std::size_t{1} << 16U;
+constexpr std::size_t kOpenHead_bytes = std::size_t{1} << 16U;
 
 struct Magic {
   std::string_view start, kind;
@@ -63,7 +63,7 @@ FileBytes read_text(const std::string& path) {
     };
     return read_input("-", kLargestPipe_bytes, look);
   }
-  const std::string head = first_bytes(path, kHead_bytes);
+  const std::string head = first_bytes(path, kOpenHead_bytes);
   refuse_foreign(head, path);
   if (!is_universal_file(head)) require_text(head, path);
   return read_input(path, kLargestText_bytes);
@@ -77,7 +77,7 @@ Record open_text(const FileBytes& bytes, const ReadOptions& options) {
 
 Record open_record(const std::string& path, const ReadOptions& options) {
   if (path != "-") {
-    const std::string head = first_bytes(path, kHead_bytes);
+    const std::string head = first_bytes(path, kOpenHead_bytes);
     if (options.confined && (is_mat(head) || is_hdf5(path))) {
       ReadOptions within = options;
       within.confined = false;

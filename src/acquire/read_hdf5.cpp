@@ -12,6 +12,7 @@
 
 #include "acquire/hdf5_layout.hpp"
 #include "acquire/largest_sample.hpp"
+#include "acquire/sampling_rate.hpp"
 #include "acquire/signal_choice.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
@@ -22,7 +23,6 @@ namespace {
 using hdf5::InputDataSet;
 using hdf5::InputHdf5;
 
-constexpr double kLowestRate_Hz = 1e-3, kHighestRate_Hz = 1e9;  // nothing that is hit rings outside
 constexpr std::size_t kMostPoints = 1'000'000, kMostChannels = 100'000;
 constexpr std::size_t kNamesShown = 12, kNameBytesShown = 40;
 constexpr std::array kKnownNames{"force", "accel", "point", "run", "geometry"};
@@ -49,13 +49,8 @@ InputDataSet open_required(const InputHdf5& file, const std::string& name) {
                    "store force [hits, samples] and accel [hits, channels, samples]");
 }
 
-double checked_rate(double fs_Hz, const std::string& where) {
-  if (fs_Hz >= kLowestRate_Hz && fs_Hz <= kHighestRate_Hz) return fs_Hz;
-  throw InputError(fmt::format("sampling rate {} Hz is not usable", fs_Hz), where, "give --fs in Hz");
-}
-
 double read_rate_Hz(const OpenRecord& open, const ReadOptions& options) {
-  if (options.fs_Hz) return checked_rate(*options.fs_Hz, "--fs");
+  if (options.fs_Hz) return checked_rate_Hz(*options.fs_Hz, "--fs");
   const InputHdf5& file = open.file;
   const std::array<std::pair<hdf5::Id, std::string>, 3> places{{{file.id(), file.path() + ": attribute fs"},
                                                                 {open.force.id(), file.where("force attribute fs")},
@@ -64,7 +59,7 @@ double read_rate_Hz(const OpenRecord& open, const ReadOptions& options) {
   for (const auto& [object, where] : places) {
     const auto values = hdf5::number_attribute(object, "fs", where, 1);
     if (!values) continue;
-    const double fs_Hz = checked_rate(values->front(), where);
+    const double fs_Hz = checked_rate_Hz(values->front(), where);
     if (found_Hz && *found_Hz != fs_Hz) {
       throw InputError(fmt::format("two sampling rates: {} and {} Hz", *found_Hz, fs_Hz), where, "give --fs in Hz");
     }

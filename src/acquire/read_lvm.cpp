@@ -23,7 +23,7 @@ constexpr std::string_view kTitle = "LabVIEW Measurement", kEnd = "***End_of_Hea
 constexpr std::size_t kMostLvmChannels = 4096;
 constexpr double kSameLvmStep = 1e-6;  // relative
 
-using Cells = std::vector<std::string_view>;
+using LvmCells = std::vector<std::string_view>;
 using Tags = std::map<std::string, std::vector<std::string>>;
 
 // A segment: samples [channel][sample] under names and units.
@@ -59,8 +59,8 @@ class LvmParser {
     return line;
   }
 
-  Cells cells(std::string_view line) const {
-    Cells out;
+  LvmCells cells(std::string_view line) const {
+    LvmCells out;
     while (out.size() < 2 * kMostLvmChannels + 2) {
       const auto end = std::min(line.find(separator_), line.size());
       out.push_back(line.substr(0, end));
@@ -82,7 +82,7 @@ class LvmParser {
   Tags tags() {
     Tags out;
     while (!rest_.empty()) {
-      const Cells line = cells(next_line());
+      const LvmCells line = cells(next_line());
       if (line.front().starts_with(kEnd)) return out;
       std::vector<std::string> values;
       for (std::size_t i = 1; i < line.size(); ++i) values.push_back(to_utf8(trimmed(line[i])));
@@ -137,7 +137,7 @@ class LvmParser {
         if (!out.samples.front().empty()) break;
         continue;
       }
-      const Cells row = cells(line);
+      const LvmCells row = cells(line);
       if (row.front().starts_with("Channels")) {
         rest_ = std::string_view(line.data(), static_cast<std::size_t>(rest_.data() + rest_.size() - line.data()));
         --line_;

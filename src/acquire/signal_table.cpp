@@ -9,13 +9,12 @@
 #include "acquire/csv_columns.hpp"
 #include "acquire/input_file.hpp"
 #include "acquire/largest_sample.hpp"
+#include "acquire/sampling_rate.hpp"
 #include "acquire/signal_choice.hpp"
 #include "core/error.hpp"
 
 namespace percuss {
 namespace {
-
-constexpr double kSlowest_Hz = 1e-3, kFastest_Hz = 1e9;  // nothing that is hit rings outside
 
 std::string table_name(const SignalTable& table) {
   return table.files.empty() ? table.format : input_name(table.files.front().path);
@@ -95,11 +94,6 @@ void describe_table(Scaled& open, const ReadOptions& options, Record& record) {
 
 }  // namespace
 
-double usable_rate_Hz(double fs_Hz, const std::string& where) {
-  if (fs_Hz >= kSlowest_Hz && fs_Hz <= kFastest_Hz) return fs_Hz;
-  throw InputError(fmt::format("sampling rate {} Hz is not usable", fs_Hz), where, "give --fs in Hz");
-}
-
 SignalRoles find_roles(const SignalTable& table, const ReadOptions& options) {
   CsvHeader header{.named = true, .text = false};
   if (table.fs_Hz > 0) header.fs_Hz = table.fs_Hz;
@@ -130,7 +124,7 @@ Record record_of_table(SignalTable table, const SignalRoles& roles, const ReadOp
   open->table = std::move(table);
   open->roles = roles;
   const std::string where = table_name(open->table);
-  record.fs_Hz = usable_rate_Hz(options.fs_Hz.value_or(open->table.fs_Hz), where);
+  record.fs_Hz = checked_rate_Hz(options.fs_Hz.value_or(open->table.fs_Hz), where);
   describe_table(*open, options, record);
   if (record.rows.empty()) throw InputError("no samples", where, "record at least one hit");
   for (const RowInfo& row : record.rows) {

@@ -53,7 +53,4 @@ SignalRoles find_roles(const SignalTable& table, const ReadOptions& options);
 Record record_of_table(SignalTable table, const SignalRoles& roles, const ReadOptions& options);
 Record record_of_table(SignalTable table, const ReadOptions& options);
 
-/// A rate in Hz that a test may have; InputError at `where` otherwise.
-double usable_rate_Hz(double fs_Hz, const std::string& where);
-
 }  // namespace percuss

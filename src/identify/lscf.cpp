@@ -80,7 +80,7 @@ class PowerSums {
   std::vector<Complex> transform_;
 };
 
-double largest_of(std::span<const Complex> lines) {
+double largest_line_of(std::span<const Complex> lines) {
   double largest = 0;
   for (const Complex& line : lines) largest = std::max(largest, std::abs(line));
   return largest;
@@ -95,7 +95,7 @@ MatrixXcd normal_matrix(const FrfSet& set, const LscfOptions& options, const Cir
   MatrixXcd matrix = MatrixXcd::Zero(size, size);
   for (std::size_t o = 0; o < set.outputs.size(); ++o) {
     const auto h = std::span(set.outputs[o].frf).subspan(options.first, options.count);
-    const double largest = largest_of(h);
+    const double largest = largest_line_of(h);
     if (!(largest > 0)) continue;
     const double root = 1 / std::max(noise(static_cast<Index>(o)), kNoiseFloor * largest);  // of w_o
     const VectorXcd real = sums.of([&](std::size_t k) { return root * h[k].real(); });

@@ -18,9 +18,9 @@ constexpr double kMovesTest = 25;        // F statistic of poles of their own
 // Energy left over that of common poles: what moves from hit to hit also bends while it decays, which a further mode
 // follows better than a single one. Of a true pair a single mode leaves tens to thousands of times as much.
 constexpr double kAsGood = 15;
-constexpr double kMovesBy = 3;  // bandwidths: further apart they are modes of their own
-constexpr double kBroader = 6;  // times: poles of so different damping do not stand for one
-constexpr double kFarOff = 1;   // bandwidths: a pole that a weak point puts elsewhere is another one
+constexpr double kMovesBy = 3;       // bandwidths: further apart they are modes of their own
+constexpr double kMovesBroader = 6;  // times: poles of so different damping do not stand for one
+constexpr double kFarOff = 1;        // bandwidths: a pole that a weak point puts elsewhere is another one
 
 // The outputs of one point as a set of its own; their lines stay with the caller.
 struct PointSet {
@@ -173,7 +173,8 @@ std::optional<Pole> merged(const GroupedFit& all, const FitGroup& group) {
   for (const Pole& pole : several.fit.poles) {
     const double apart = std::abs(pole.freq_Hz - several.fit.poles[main].freq_Hz);
     const double broader = all.width_Hz(pole) / all.width_Hz(several.fit.poles[main]);
-    if (apart > kMovesBy * all.width_Hz(several.fit.poles[main]) || broader > kBroader || broader < 1 / kBroader)
+    if (apart > kMovesBy * all.width_Hz(several.fit.poles[main]) || broader > kMovesBroader ||
+        broader < 1 / kMovesBroader)
       return std::nullopt;
   }
   FitGroup one = group;

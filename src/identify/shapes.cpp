@@ -9,7 +9,7 @@
 namespace percuss {
 namespace {
 
-constexpr int kSweeps = 20;  // of the rank-one fit; a few suffice, as the start is the singular vector
+constexpr int kShapeSweeps = 20;  // of the rank-one fit; a few suffice, as the start is the singular vector
 
 // Residues as a matrix with weights 1/σ², 0 where nothing was measured.
 struct Grid {
@@ -71,7 +71,7 @@ Eigen::VectorXcd solve_side(const Eigen::MatrixXcd& value, const Eigen::MatrixXd
 RankOne rank_one(const Grid& grid) {
   RankOne fit;
   fit.b = leading_right_vector(grid.value).conjugate();
-  for (int sweep = 0; sweep < (grid.channels.size() > 1 ? kSweeps : 1); ++sweep) {
+  for (int sweep = 0; sweep < (grid.channels.size() > 1 ? kShapeSweeps : 1); ++sweep) {
     fit.a = solve_side(grid.value, grid.weight, fit.b, fit.a_std);
     if (grid.channels.size() == 1) break;
     fit.b = solve_side(grid.value.transpose(), grid.weight.transpose(), fit.a, fit.b_std);

@@ -40,7 +40,8 @@ struct Deflection {
   std::size_t peak = 0;       // sample of the largest deflection that the deviation allows to tell
   double peak_m = 0;          // signed
   double peak_std_m = 0;
-  double drift_m = 0;  // deviation that bias and drift have at the last sample
+  double forward_m = 0, forward_std_m = 0;  // the same of deflections the way the structure first went; signed
+  double drift_m = 0;                       // deviation that bias and drift have at the last sample
 };
 
 /// Deflection of the struck structure from its acceleration (and force). drift_free: bias of the samples before the

@@ -12,7 +12,8 @@ struct BatModesOptions {
   double longest_per_length = 1.0 / 84;  // of an element, of the bat's length
 };
 
-/// A free bat's elastic modes: solutions of (1) in timoshenko_elements.hpp with ω > 0, orthonormal in the full mass matrix,
+/// A free bat's elastic modes: solutions of (1) in timoshenko_elements.hpp with ω > 0, orthonormal in the full mass
+/// matrix,
 ///   shape_r · M · shape_s = 1 for r = s, else 0,                                                        (1)
 /// and orthogonal in it to the bat's two motions as a rigid body.
 struct BatModes {

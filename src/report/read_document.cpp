@@ -12,15 +12,13 @@
 namespace percuss {
 namespace {
 
-using nlohmann::json;
-
 constexpr std::uint64_t kLargest_bytes = std::uint64_t{256} << 20U;
 constexpr int kDeepest = 16;
 
 // A value of a document, and where it stands, for messages.
 class Part {
  public:
-  Part(const json& value, std::string where) : value_(value), where_(std::move(where)) {}
+  Part(const nlohmann::json& value, std::string where) : value_(value), where_(std::move(where)) {}
 
   bool has(const char* key) const { return value_.is_object() && value_.contains(key) && !value_[key].is_null(); }
   Part at(const char* key) const {
@@ -31,7 +29,7 @@ class Part {
     if (!value_.is_array()) throw InputError("not a list", where_, "give a document that percuss wrote");
     std::vector<Part> parts;
     parts.reserve(value_.size());
-    for (const json& item : value_) parts.emplace_back(item, fmt::format("{}[{}]", where_, parts.size()));
+    for (const nlohmann::json& item : value_) parts.emplace_back(item, fmt::format("{}[{}]", where_, parts.size()));
     return parts;
   }
   double number() const {
@@ -46,21 +44,21 @@ class Part {
   }
 
  private:
-  const json& value_;
+  const nlohmann::json& value_;
   std::string where_;
 };
 
 int whole(double number) { return static_cast<int>(std::clamp(number, -1e9, 1e9)); }
 
-json parsed_document(std::string_view text, const std::string& name) {
-  const auto watch = [&](int depth, json::parse_event_t, json&) {
+nlohmann::json parsed_document(std::string_view text, const std::string& name) {
+  const auto watch = [&](int depth, nlohmann::json::parse_event_t, nlohmann::json&) {
     if (depth > kDeepest)
       throw InputError("lists or objects nested too deep", name, "give a document that percuss wrote");
     return true;
   };
   try {
-    return json::parse(text.begin(), text.end(), watch);
-  } catch (const json::exception& e) {
+    return nlohmann::json::parse(text.begin(), text.end(), watch);
+  } catch (const nlohmann::json::exception& e) {
     throw InputError("this is not JSON: " + one_line(e.what()), name, "give a document that percuss wrote with --json");
   }
 }
@@ -120,7 +118,7 @@ std::vector<ComparedDocument> read_documents(const std::string& path) {
   const FileBytes bytes = read_input(path, kLargest_bytes);
   const std::string name = input_name(path);
   if (bytes.size == 0) throw InputError("the file is empty", name, "write it again");
-  const json value = parsed_document(bytes.view(), name);
+  const nlohmann::json value = parsed_document(bytes.view(), name);
   const Part top(value, name);
   const std::string schema = top.at("schema").text();
   if (schema == "percuss/analysis/1") {
