@@ -15,7 +15,7 @@
 namespace percuss {
 namespace {
 
-constexpr double kSingleEpsilon = double{std::numeric_limits<float>::epsilon()};
+constexpr double kSingleEpsilon = static_cast<double>(std::numeric_limits<float>::epsilon());
 constexpr double kSameRates = 1e-6;  // relative: single precision
 
 // Lower case without underscores, so that Sample_Rate and SampleRate are one.

@@ -102,7 +102,7 @@ double rate_of_function_Hz(const UffFunction& function, const std::string& where
   StampProblem problem;
   // Five digits in a text, single precision in binary.
   const double resolution_s =
-      largest * (function.bytes.empty() ? 1e-5 : 2 * double{std::numeric_limits<float>::epsilon()});
+      largest * (function.bytes.empty() ? 1e-5 : 2 * static_cast<double>(std::numeric_limits<float>::epsilon()));
   const std::vector<Stamps> rows{{.time_s = times, .resolution_s = resolution_s}};
   const auto rate = rate_of_stamps(rows, problem);
   if (!rate) throw InputError(fmt::format("{}, value {}", problem.text, problem.at + 1), where, "give --fs in Hz");
