@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "core/error.hpp"
@@ -64,7 +65,8 @@ TEST(Beam, RootsInterlaceForEverySpring) {
 
 TEST(Beam, ReachesItsLimitsAtNoAndBoundlessStiffness) {
   EXPECT_EQ(beam_modes(sprung(0), 4)[3].lambda, beam_modes(held(BeamSupport::pinned), 4)[3].lambda);
-  EXPECT_EQ(beam_modes({.torsion_Nmprad = INFINITY}, 4)[3].lambda, beam_modes(held(BeamSupport::clamped), 4)[3].lambda);
+  EXPECT_EQ(beam_modes({.torsion_Nmprad = std::numeric_limits<double>::infinity()}, 4)[3].lambda,
+            beam_modes(held(BeamSupport::clamped), 4)[3].lambda);
   // A soft spring turns the rigid beam: ω² = T/(ρA L³/3), to first order in T*.
   const BeamMode soft = beam_modes(sprung(1e-6), 1)[0];
   const double rigid = std::sqrt(1e-6 * 4000 / 0.57 / (2.24 * 0.57 * 0.57 * 0.57 / 3));

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/error.hpp"
 
@@ -78,7 +79,7 @@ double gain(const Impact& impact, ImpactMethod method, double step_s) {
   const auto error = [&](double s) {
     return std::abs(simulate_impact(impact, {.method = method, .step_s = s}).cor - truth);
   };
-  double least = INFINITY;
+  double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 3; ++i, step_s /= 2) least = std::min(least, error(step_s) / error(step_s / 2));
   return least;
 }
