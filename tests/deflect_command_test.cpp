@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -103,6 +104,27 @@ TEST_F(DeflectCommand, LeadsToTheRatioOfModelAndTest) {
   }
   const auto text = run_percuss({"compare", "test.json", "model.json"}, {.folder = out.path()});
   EXPECT_THAT(text.out, HasSubstr("largest deflection"));
+}
+
+TEST_F(DeflectCommand, NeedsNoForce) {
+  const test::ScratchFolder out;
+  const Record record = open_record(file("bat.h5"));
+  std::vector<double> accel(record.rows[0].samples);
+  record.read_accel_mps2(6, 0, 0, accel);
+  std::string text = "t_s,acc_m_s2\n";
+  for (std::size_t i = 0; i < accel.size(); ++i)
+    text += fmt::format("{},{}\n", static_cast<double>(i) / kFs_Hz, accel[i]);
+  test::write_bytes(out.file("accel.csv"), text);
+  const auto with = run_percuss({"deflect", file("bat.h5"), "--json"});
+  const auto without = run_percuss({"deflect", out.file("accel.csv"), "--json"});
+  ASSERT_EQ(without.code, 0) << without.err;
+  const json expected = test::parse_json(with.out)["hits"][6], found = test::parse_json(without.out)["hits"][0];
+  EXPECT_EQ(found["method"], "drift-free");
+  EXPECT_NEAR(found["peak_m"].get<double>(), expected["peak_m"].get<double>(),
+              3 * expected["peak_std_m"].get<double>());
+  EXPECT_THAT(test::refusal_of({"deflect", out.file("accel.csv"), "--method", "modal"}, {".json"}, "accel.csv"),
+              HasSubstr("no force"));
+  EXPECT_EQ(run_percuss({"analyze", out.file("accel.csv")}).code, 3);
 }
 
 TEST_F(DeflectCommand, WritesEverySample) {

@@ -34,7 +34,9 @@ DeflectionMethod method_named(const std::string& name) {
 Analysis analysis_of(const DeflectFlags& flags) {
   if (flags.read.files == FilesMean::tests)
     throw UsageError("several tests do not make one", "give --files hits or --files points, or one test at a time");
-  return {join_records(open_records(flags.read), flags.read.files), analysis_options(flags.analysis)};
+  ReadFlags read = flags.read;
+  read.options.force_optional = true;
+  return {join_records(open_records(read), read.files), analysis_options(flags.analysis)};
 }
 
 int deflect_files(const DeflectFlags& flags) {

@@ -67,7 +67,7 @@ int model_shell(const ShellFlags& flags) {
 
 void add_model_shell(CommandLine& line) {
   auto flags = std::make_shared<ShellFlags>();
-  Command command = line.command("model shell", "Hoop frequencies of a barrel as a tube: ring, Rayleigh, Love, Fluegge",
+  Command command = line.command("model shell", "Hoop frequencies of a barrel as a tube: ring, Rayleigh, Love, Flügge",
                                  [flags] { return model_shell(*flags); });
   command.example("percuss model shell --wall 0.0025 --measured 2:1:1700:5 --fit young");
   TubeShell& s = flags->shell;

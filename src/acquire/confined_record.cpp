@@ -26,6 +26,7 @@ void pack_description(Packer& out, const Record& record) {
   for (const SignalInfo& signal : record.accel) pack_signal(out, signal);
   out.put_all(record.rows);
   out.put(static_cast<std::uint64_t>(record.continuous));
+  out.put(static_cast<std::uint64_t>(record.has_force));
   pack_geometry(out, record.geometry);
   pack_texts(out, record.notes);
 }
@@ -44,6 +45,7 @@ Record unpack_description(Unpacker& in) {
   for (std::size_t c = 0; c < channels; ++c) record.accel.push_back(unpack_signal(in));
   record.rows = in.all<RowInfo>();
   record.continuous = in.get<std::uint64_t>() != 0;
+  record.has_force = in.get<std::uint64_t>() != 0;
   record.geometry = unpack_geometry(in);
   record.notes = unpack_texts(in);
   return record;

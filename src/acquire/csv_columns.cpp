@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "core/error.hpp"
 #include "core/units.hpp"
@@ -146,10 +147,14 @@ class Finder {
     return by_role.empty() ? by_header : by_role;
   }
 
-  CsvColumn find_force() const {
+  CsvColumn find_force() {
     if (!options_.force_channel.empty()) return named_by_user(options_.force_channel, "--force-channel");
     const auto found = candidates(Quantity::force, kForceWords, "force");
     if (found.size() == 1) return found.front();
+    if (found.empty() && options_.force_optional) {
+      columns_.has_force = false;
+      return {.index = std::numeric_limits<std::size_t>::max()};
+    }
     if (found.empty()) {
       throw UnclearColumns("no force column found among " + list_of(header_.columns), where_,
                            "name it with --force-channel", header_);

@@ -13,6 +13,7 @@ namespace percuss {
 /// What each column of a text file is; indices as in CsvColumn::index.
 struct CsvColumns {
   CsvColumn force;
+  bool has_force = true;  // false: `force` is no column
   std::vector<CsvColumn> accel;
   std::optional<CsvColumn> time, hit, point, run;
 };
@@ -31,8 +32,8 @@ class UnclearColumns : public InputError {
 
 /// Finds the columns: as the options name them (name, name without unit, or 1-based number; letter case aside), then as
 /// the set-up gives their role, else by unit and by words in the name. `file` is for messages. errors  UnclearColumns:
-/// none or several could be the force, none the acceleration; InputError: an option names a column that is not there,
-/// has no numbers, or is named twice. Both name the columns seen.
+/// none (unless it is optional) or several could be the force, none the acceleration; InputError: an option names a
+/// column that is not there, has no numbers, or is named twice. Both name the columns seen.
 CsvColumns find_csv_columns(const CsvHeader& header, const ReadOptions& options, const std::string& file);
 
 /// The set-up's entry for a column, or nullptr.

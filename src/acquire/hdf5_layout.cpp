@@ -70,13 +70,28 @@ std::string shape_text(std::span<const std::size_t> shape) {
   return text.empty() ? "of one number" : text + "]";
 }
 
+void check_accel_shape(const InputDataSet& accel, const InputHdf5& file) {
+  const auto& a = accel.shape();
+  if (a.empty()) throw InputError("one number", file.where("accel"), "store [hits, channels, samples]");
+  if (accel.elements() == 0)
+    throw InputError("empty: shape " + shape_text(a), file.where("accel"), "store [hits, channels, samples]");
+}
+
+Layout layout_of(const InputDataSet& accel, const InputHdf5& file) {
+  check_accel_shape(accel, file);
+  const auto& a = accel.shape();
+  if (a.size() > 3) throw InputError("shape " + shape_text(a), file.where("accel"), "store [hits, channels, samples]");
+  return {.rows = a.size() == 3 ? a[0] : 1,
+          .channels = a.size() == 1 ? 1 : a[a.size() - 2],
+          .samples = a.back(),
+          .accel_has_rows = a.size() == 3,
+          .accel_has_channels = a.size() > 1};
+}
+
 Layout layout_of(const InputDataSet& force, const InputDataSet& accel, const InputHdf5& file) {
   const auto &f = force.shape(), &a = accel.shape();
   check_force_shape(f, file.where("force"));
-  if (a.empty()) throw InputError("one number", file.where("accel"), "store [hits, channels, samples]");
-  if (accel.elements() == 0) {
-    throw InputError("empty: shape " + shape_text(a), file.where("accel"), "store [hits, channels, samples]");
-  }
+  check_accel_shape(accel, file);
   Layout layout{.rows = f.size() == 2 ? f[0] : 1, .samples = f.back(), .force_has_rows = f.size() == 2};
   // Two dimensions are [hits, samples] where the force has hits, else [channels, samples].
   layout.accel_has_rows = a.size() == 3 || (a.size() == 2 && layout.force_has_rows && a[0] == layout.rows);

@@ -18,6 +18,8 @@ struct Layout {
 
 /// errors  InputError when the shapes are empty, of other rank or contradict each other.
 Layout layout_of(const InputDataSet& force, const InputDataSet& accel, const InputHdf5& file);
+/// … without a force: two dimensions are [channels, samples].
+Layout layout_of(const InputDataSet& accel, const InputHdf5& file);
 
 /// Acceleration channels to be read, counted from 0, in the order wanted; without choice all that no set-up entry
 /// ignores. errors  InputError for names of channels that are not there, here or in the set-up, and for roles that the

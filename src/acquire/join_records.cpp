@@ -20,6 +20,11 @@ void require_alike(const Record& first, const Record& other) {
         fmt::format("sampling rate {:.10g} Hz where {} has {:.10g} Hz", other.fs_Hz, first.source(), first.fs_Hz),
         other.source(), "analyse it by itself, or give --files tests");
   }
+  if (other.has_force != first.has_force) {
+    throw InputError(fmt::format("{} force where {} has {}", other.has_force ? "a" : "no", first.source(),
+                                 first.has_force ? "one" : "none"),
+                     other.source(), "give files of one kind");
+  }
   if (other.accel.size() != first.accel.size()) {
     throw InputError(
         fmt::format("{} acceleration channels where {} has {}", other.accel.size(), first.source(), first.accel.size()),

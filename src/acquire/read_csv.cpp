@@ -57,9 +57,12 @@ SignalInfo describe_accel(const CsvColumn& column, const ReadOptions& options, s
 
 void describe_signals(const CsvColumns& columns, const ReadOptions& options, OpenCsv& open, Record& record) {
   const std::string file = input_name(open.table.path());
-  record.force = describe_force(columns.force, options, file, record.notes);
-  open.force_column = columns.force.index;
-  open.force_to_N = record.force.to_SI;
+  record.has_force = columns.has_force;
+  if (record.has_force) {
+    record.force = describe_force(columns.force, options, file, record.notes);
+    open.force_column = columns.force.index;
+    open.force_to_N = record.force.to_SI;
+  }
   for (std::size_t c = 0; c < columns.accel.size(); ++c) {
     record.accel.push_back(describe_accel(columns.accel[c], options, c, columns.accel.size(), file, record.notes));
     open.accel_columns.push_back(columns.accel[c].index);
@@ -118,6 +121,7 @@ Record open_csv(const FileBytes& bytes, const ReadOptions& options) {
   record.read_force_N = [open](std::size_t row, std::size_t first, std::span<double> out) {
     read_scaled(*open, row, open->force_column, open->force_to_N, first, out);
   };
+  if (!record.has_force) record.read_force_N = no_force();
   record.read_accel_mps2 = [open](std::size_t row, std::size_t channel, std::size_t first, std::span<double> out) {
     read_scaled(*open, row, open->accel_columns.at(channel), open->accel_to_mps2.at(channel), first, out);
   };

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "acquire/hdf5_layout.hpp"
@@ -30,7 +31,8 @@ constexpr std::array kKnownNames{"force", "accel", "point", "run", "geometry"};
 /// What the read functions of a record share.
 struct OpenRecord {
   InputHdf5 file;
-  InputDataSet force, accel;
+  std::optional<InputDataSet> force;
+  InputDataSet accel;
   hdf5::Layout layout;
   double force_to_N = 1;
   std::vector<std::size_t> channels;  // of /accel, as chosen
@@ -52,9 +54,9 @@ InputDataSet open_required(const InputHdf5& file, const std::string& name) {
 double read_rate_Hz(const OpenRecord& open, const ReadOptions& options) {
   if (options.fs_Hz) return checked_rate_Hz(*options.fs_Hz, "--fs");
   const InputHdf5& file = open.file;
-  const std::array<std::pair<hdf5::Id, std::string>, 3> places{{{file.id(), file.path() + ": attribute fs"},
-                                                                {open.force.id(), file.where("force attribute fs")},
-                                                                {open.accel.id(), file.where("accel attribute fs")}}};
+  std::vector<std::pair<hdf5::Id, std::string>> places{{file.id(), file.path() + ": attribute fs"},
+                                                       {open.accel.id(), file.where("accel attribute fs")}};
+  if (open.force) places.insert(places.begin() + 1, {open.force->id(), file.where("force attribute fs")});
   std::optional<double> found_Hz;
   for (const auto& [object, where] : places) {
     const auto values = hdf5::number_attribute(object, "fs", where, 1);
@@ -90,11 +92,14 @@ std::vector<std::optional<double>> per_channel(const OpenRecord& open, const std
 
 void describe_signals(OpenRecord& open, const ReadOptions& options, Record& record) {
   const InputHdf5& file = open.file;
-  record.force.name = "force";
-  record.force.unit = hdf5::text_attribute(open.force.id(), "unit_str", file.where("force")).value_or("");
-  apply_force_choice(record.force, force_choice(options, hdf5::force_setup(options)), file.where("force"),
-                     record.notes);
-  open.force_to_N = record.force.to_SI;
+  record.has_force = open.force.has_value();
+  if (open.force) {
+    record.force.name = "force";
+    record.force.unit = hdf5::text_attribute(open.force->id(), "unit_str", file.where("force")).value_or("");
+    apply_force_choice(record.force, force_choice(options, hdf5::force_setup(options)), file.where("force"),
+                       record.notes);
+    open.force_to_N = record.force.to_SI;
+  }
 
   const std::string unit = hdf5::text_attribute(open.accel.id(), "unit_str", file.where("accel")).value_or("");
   const auto angle_deg = per_channel(open, "angle_deg"), position_m = per_channel(open, "position_m");
@@ -157,7 +162,8 @@ void describe_rows(const OpenRecord& open, Record& record) {
     record.rows.push_back({.samples = open.layout.samples, .point = point[row], .run = run[row]});
   }
   const auto continuous = hdf5::number_attribute(file.id(), "continuous", file.path(), 1);
-  record.continuous = continuous ? continuous->front() != 0 : !open.layout.force_has_rows;
+  record.continuous =
+      continuous ? continuous->front() != 0 : !(open.force ? open.layout.force_has_rows : open.layout.accel_has_rows);
 }
 
 void note_unused(const InputHdf5& file, Record& record) {
@@ -187,7 +193,7 @@ void read_force(const OpenRecord& open, std::size_t row, std::size_t first, std:
   const auto index = std::span(at).first(open.layout.force_has_rows ? 1 : 0);
   {
     const hdf5::Lock lock;
-    open.force.read(index, first, out_N);
+    open.force->read(index, first, out_N);
   }
   to_SI(out_N, open.force_to_N, open.file.where("force"), index, first);
 }
@@ -206,11 +212,12 @@ void read_accel(const OpenRecord& open, std::size_t row, std::size_t channel, st
   to_SI(out_mps2, open.to_mps2[channel], open.file.where("accel"), index, first);
 }
 
-std::unique_ptr<OpenRecord> open_sets(const std::string& path) {
+std::unique_ptr<OpenRecord> open_sets(const std::string& path, bool force_optional) {
   InputHdf5 file(path);
-  InputDataSet force = open_required(file, "force");
+  std::optional<InputDataSet> force;
+  if (!force_optional || file.has("force")) force = open_required(file, "force");
   InputDataSet accel = open_required(file, "accel");
-  const hdf5::Layout layout = hdf5::layout_of(force, accel, file);
+  const hdf5::Layout layout = force ? hdf5::layout_of(*force, accel, file) : hdf5::layout_of(accel, file);
   return std::make_unique<OpenRecord>(
       OpenRecord{.file = std::move(file), .force = std::move(force), .accel = std::move(accel), .layout = layout});
 }
@@ -219,7 +226,7 @@ std::unique_ptr<OpenRecord> open_sets(const std::string& path) {
 
 Record open_hdf5(const std::string& path, const ReadOptions& options) {
   const hdf5::Lock lock;
-  auto opened = open_sets(path);
+  auto opened = open_sets(path, options.force_optional);
   Record record;
   record.files.push_back({.path = path, .bytes = opened->file.bytes()});
   record.format = "HDF5";
@@ -236,6 +243,7 @@ Record open_hdf5(const std::string& path, const ReadOptions& options) {
   record.read_force_N = [open](std::size_t row, std::size_t first, std::span<double> out) {
     read_force(*open, row, first, out);
   };
+  if (!record.has_force) record.read_force_N = no_force();
   record.read_accel_mps2 = [open](std::size_t row, std::size_t channel, std::size_t first, std::span<double> out) {
     read_accel(*open, row, channel, first, out);
   };

@@ -74,6 +74,7 @@ void add_named_columns(MatFile& file, const ReadOptions& options) {
 // Of what the options name, the variables; the rest are channels within them.
 ReadOptions naming_variables(const MatFile& file, const ReadOptions& options) {
   ReadOptions out = options;
+  out.force_optional = false;  // the force's array says what the dimensions of the others mean
   std::erase_if(out.accel_channels, [&](const auto& name) { return find_variable(file, name) == nullptr; });
   return out;
 }

@@ -56,4 +56,8 @@ Record record_in_memory(double fs_Hz, std::vector<std::vector<double>> force_N,
   return record;
 }
 
+std::function<void(std::size_t row, std::size_t first, std::span<double> out)> no_force() {
+  return [](std::size_t, std::size_t, std::span<double> out) { std::fill(out.begin(), out.end(), 0.0); };
+}
+
 }  // namespace percuss

@@ -39,6 +39,7 @@ struct Record {
   std::string format;  // for people: "HDF5", "CSV"
   double fs_Hz = 0;
   SignalInfo force;
+  bool has_force = true;  // false: none was recorded, and read_force_N gives zeros
   std::vector<SignalInfo> accel;
   std::vector<RowInfo> rows;
   bool continuous = false;                    // every row may hold several hits
@@ -79,7 +80,8 @@ struct ReadOptions {
   std::string force_unit, accel_unit;                // of the stored numbers
   std::vector<double> angle_rad, position_m;         // per acceleration channel
   std::vector<ChannelSetup> setup;
-  bool confined = false;  // read binary files of others' libraries in a process of its own (confined_process.hpp)
+  bool force_optional = false;  // a file without a force is no error (MAT files excepted)
+  bool confined = false;        // read binary files of others' libraries in a process of its own (confined_process.hpp)
 };
 
 enum class FilesMean { automatic, hits, points, tests };
@@ -94,6 +96,9 @@ Record join_records(std::vector<Record> records, FilesMean mean);
 
 /// The rows of `record` for which keep(row) holds, as a record of its own.
 Record select_rows(const Record& record, const std::function<bool(const RowInfo&)>& keep);
+
+/// What read_force_N is of a record without a force: zeros.
+std::function<void(std::size_t row, std::size_t first, std::span<double> out)> no_force();
 
 /// A record whose samples are in memory: force [row][sample] in N, accel [row][channel][sample] in m/s².
 Record record_in_memory(double fs_Hz, std::vector<std::vector<double>> force_N,

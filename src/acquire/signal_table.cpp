@@ -74,12 +74,15 @@ void complete_unit(const SignalInfo& signal, const TableSignal& stored, SignalCh
 void describe_table(Scaled& open, const ReadOptions& options, Record& record) {
   const SignalTable& table = open.table;
   const auto place = [&](const SignalInfo& signal) { return table_name(table) + ": " + signal.name; };
-  const CsvColumn force = column_of(table, open.roles.force);
-  record.force = described_signal(table, open.roles.force);
-  SignalChoice choice = force_choice(options, setup_of(force, options));
-  complete_unit(record.force, table.signals[open.roles.force], choice, "N", record.notes);
-  apply_force_choice(record.force, choice, place(record.force), record.notes);
-  open.force_to_N = record.force.to_SI;
+  record.has_force = open.roles.has_force;
+  if (record.has_force) {
+    const CsvColumn force = column_of(table, open.roles.force);
+    record.force = described_signal(table, open.roles.force);
+    SignalChoice choice = force_choice(options, setup_of(force, options));
+    complete_unit(record.force, table.signals[open.roles.force], choice, "N", record.notes);
+    apply_force_choice(record.force, choice, place(record.force), record.notes);
+    open.force_to_N = record.force.to_SI;
+  }
   const std::size_t count = open.roles.accel.size();
   for (std::size_t c = 0; c < count; ++c) {
     const std::size_t index = open.roles.accel[c];
@@ -103,7 +106,7 @@ SignalRoles find_roles(const SignalTable& table, const ReadOptions& options) {
   }
   try {
     const CsvColumns found = find_csv_columns(header, options, table_name(table));
-    SignalRoles roles{.force = found.force.index, .accel = {}};
+    SignalRoles roles{.force = found.force.index, .has_force = found.has_force, .accel = {}};
     for (const CsvColumn& column : found.accel) roles.accel.push_back(column.index);
     return roles;
   } catch (UnclearColumns& unclear) {
@@ -133,6 +136,7 @@ Record record_of_table(SignalTable table, const SignalRoles& roles, const ReadOp
   record.read_force_N = [open](std::size_t row, std::size_t first, std::span<double> out) {
     read_table(*open, row, open->roles.force, open->force_to_N, first, out);
   };
+  if (!record.has_force) record.read_force_N = no_force();
   record.read_accel_mps2 = [open](std::size_t row, std::size_t channel, std::size_t first, std::span<double> out) {
     read_table(*open, row, open->roles.accel.at(channel), open->accel_to_mps2.at(channel), first, out);
   };

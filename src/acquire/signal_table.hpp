@@ -40,6 +40,7 @@ struct SignalTable {
 /// Indices of the signals that are the force and the accelerations.
 struct SignalRoles {
   std::size_t force = 0;
+  bool has_force = true;  // false: `force` is no signal
   std::vector<std::size_t> accel;
 };
 

@@ -33,6 +33,26 @@ double onset_in_stretch_s(const Hit& hit, double fs_Hz) {
   return std::max(0.0, hit.onset_s - static_cast<double>(hit.first) / fs_Hz);
 }
 
+// Each row is an impact where no force tells of any: it begins where the first accelerometer begins to move.
+std::vector<AnalysedHit> impacts_without_force(const Record& record) {
+  std::vector<AnalysedHit> impacts;
+  impacts.reserve(record.rows.size());
+  for (std::size_t row = 0; row < record.rows.size(); ++row) {
+    std::vector<double> accel(record.rows[row].samples);
+    double onset_s = static_cast<double>(accel.size()) / record.fs_Hz;
+    for (std::size_t c = 0; c < record.accel.size(); ++c) {
+      record.read_accel_mps2(row, c, 0, accel);
+      onset_s = std::min(onset_s, motion_onset_s(accel, record.fs_Hz));
+    }
+    AnalysedHit impact{.point = record.rows[row].point, .accepted = true, .responses = {}};
+    impact.hit.row = row;
+    impact.hit.samples = accel.size();
+    impact.hit.onset_s = onset_s;
+    impacts.push_back(std::move(impact));
+  }
+  return impacts;
+}
+
 std::vector<ModeShare> shares_of(const Analysis& analysis, int point, std::size_t channel, double corner_Hz) {
   std::vector<ModeShare> shares;
   for (const Mode& mode : analysis.modes()) {
@@ -49,10 +69,8 @@ std::vector<ModeShare> shares_of(const Analysis& analysis, int point, std::size_
   return shares;
 }
 
-DeflectedHit deflected(const Analysis& analysis, const ImpactTestOptions& options, std::size_t h, std::size_t channel,
-                       const std::vector<ModeShare>& modes) {
-  const Record& record = analysis.record();
-  const AnalysedHit& hit = analysis.force_hits()[h];
+DeflectedHit deflected(const Record& record, const AnalysedHit& hit, const ImpactTestOptions& options, std::size_t h,
+                       std::size_t channel, const std::vector<ModeShare>& modes) {
   std::vector<double> accel(hit.hit.samples), force(hit.hit.samples);
   record.read_accel_mps2(hit.hit.row, channel, hit.hit.first, accel);
   if (!modes.empty() || options.effective_mass_kg) {
@@ -119,13 +137,13 @@ std::vector<PointDeflection> averaged(const std::vector<DeflectedHit>& hits, con
   return points;
 }
 
-std::vector<ImpactSpeed> speeds(const Analysis& analysis, const std::vector<std::size_t>& hits,
-                                const ImpactTestOptions& options) {
+std::vector<ImpactSpeed> speeds(const Analysis& analysis, const std::vector<AnalysedHit>& impacts,
+                                const std::vector<std::size_t>& hits, const ImpactTestOptions& options) {
   std::vector<ImpactSpeed> out;
   if (!options.beam_distance_m) return out;
   const double sample_s = 1 / analysis.record().fs_Hz;
   for (const std::size_t h : hits) {
-    const double time_s = analysis.force_hits()[h].hit.onset_s - options.beam_time_s;
+    const double time_s = impacts[h].hit.onset_s - options.beam_time_s;
     if (!(time_s > sample_s)) {
       throw InputError(fmt::format("hit {} comes {:.6g} s after the light beam", h, time_s), analysis.record().source(),
                        "correct --beam-time, or leave --beam-distance out");
@@ -136,20 +154,17 @@ std::vector<ImpactSpeed> speeds(const Analysis& analysis, const std::vector<std:
   return out;
 }
 
-bool shows_rest(const Analysis& analysis, const std::vector<std::size_t>& hits) {
+bool shows_rest(double fs_Hz, const std::vector<AnalysedHit>& impacts, const std::vector<std::size_t>& hits) {
   return std::all_of(hits.begin(), hits.end(), [&](std::size_t h) {
-    return onset_in_stretch_s(analysis.force_hits()[h].hit, analysis.record().fs_Hz) * analysis.record().fs_Hz >=
-           static_cast<double>(kEnoughRest);
+    return onset_in_stretch_s(impacts[h].hit, fs_Hz) * fs_Hz >= static_cast<double>(kEnoughRest);
   });
 }
 
-void warn(const Analysis& analysis, const ImpactTestOptions& options, const std::vector<std::size_t>& hits,
-          ImpactTest& test) {
-  if (hits.size() < analysis.force_hits().size())
+void warn(const ImpactTestOptions& options, std::size_t impacts, std::size_t used, bool rest, ImpactTest& test) {
+  if (used < impacts)
     test.warnings.push_back(
-        {"no_pulse", fmt::format("{} of {} hits show no impact and are left out",
-                                 analysis.force_hits().size() - hits.size(), analysis.force_hits().size())});
-  if (!shows_rest(analysis, hits))
+        {"no_pulse", fmt::format("{} of {} hits show no impact and are left out", impacts - used, impacts)});
+  if (!rest)
     test.warnings.push_back({"no_rest",
                              "a record begins too late to show the rest before the impact, from which a bias is read; "
                              "record with more pre-trigger"});
@@ -167,37 +182,44 @@ void warn(const Analysis& analysis, const ImpactTestOptions& options, const std:
 
 ImpactTest deflect(const Analysis& analysis, const ImpactTestOptions& options) {
   const PositionOf position_of = positions(analysis, options);
-  std::vector<std::size_t> hits;
-  for (std::size_t h = 0; h < analysis.force_hits().size(); ++h) {
-    if (usable(analysis.force_hits()[h], analysis.options(), h)) hits.push_back(h);
-  }
+  const Record& record = analysis.record();
   const DeflectionMethod method = options.deflection.method;
+  if (!record.has_force && (method == DeflectionMethod::modal || options.effective_mass_kg)) {
+    throw InputError("no force was recorded", record.source(),
+                     "choose another --method, and leave --effective-mass out, or name the force with --force-channel");
+  }
+  const std::vector<AnalysedHit> impacts = record.has_force ? analysis.force_hits() : impacts_without_force(record);
+  std::vector<std::size_t> hits;
+  for (std::size_t h = 0; h < impacts.size(); ++h) {
+    if (usable(impacts[h], analysis.options(), h)) hits.push_back(h);
+  }
+  const bool rest = shows_rest(record.fs_Hz, impacts, hits);
   const bool modal = method == DeflectionMethod::modal ||
-                     (method == DeflectionMethod::automatic && !shows_rest(analysis, hits) && analysis.possible());
-  const std::size_t channels = analysis.record().accel.size();
+                     (method == DeflectionMethod::automatic && !rest && record.has_force && analysis.possible());
+  const std::size_t channels = record.accel.size();
   std::map<std::pair<int, std::size_t>, std::vector<ModeShare>> shares;
   for (const std::size_t h : hits) {
-    const int point = analysis.force_hits()[h].point;
     for (std::size_t c = 0; c < channels; ++c) {
-      auto& share = shares[{point, c}];
-      if (modal && share.empty()) share = shares_of(analysis, point, c, options.deflection.highpass_corner_Hz);
+      auto& share = shares[{impacts[h].point, c}];
+      if (modal && share.empty())
+        share = shares_of(analysis, impacts[h].point, c, options.deflection.highpass_corner_Hz);
       if (method == DeflectionMethod::modal && share.empty())
         throw InputError("no mode is known at a struck point", fmt::format("hit {}", h),
                          "choose another --method, or see what percuss analyze says of the hits");
     }
   }
-  ImpactTest test{.speeds = speeds(analysis, hits, options)};
+  ImpactTest test{.speeds = speeds(analysis, impacts, hits, options)};
   test.hits.resize(hits.size() * channels);
   analysis.trace().run("deflection", [&] {
     parallel_for(test.hits.size(), analysis.options().threads, [&](std::size_t i) {
       const std::size_t h = hits[i / channels], c = i % channels;
-      test.hits[i] = deflected(analysis, options, h, c, shares.at({analysis.force_hits()[h].point, c}));
+      test.hits[i] = deflected(record, impacts[h], options, h, c, shares.at({impacts[h].point, c}));
     });
     return 0;
   });
   for (DeflectedHit& hit : test.hits) hit.position_m = position_of(hit.point);
   test.points = averaged(test.hits, position_of);
-  warn(analysis, options, hits, test);
+  warn(options, impacts.size(), hits.size(), rest, test);
   return test;
 }
 

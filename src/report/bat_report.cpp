@@ -85,7 +85,7 @@ Json curve_json(const BatCurve& curve) {
 
 std::string modes_text(const BatModes& bat) {
   std::string text =
-      fmt::format("bat: {:.4f} kg, {:.3f} m long, centre of mass {:.1f} mm from the knob, {:.5f} kg m2 about it\n",
+      fmt::format("bat: {:.4f} kg, {:.3f} m long, centre of mass {:.1f} mm from the knob, {:.5f} kg·m² about it\n",
                   bat.inertia.mass_kg, bat.length_m, 1000 * bat.inertia.cm_m, bat.inertia.inertia_kgm2);
   for (std::size_t mode = 0; mode < std::min(kModesInText, static_cast<std::size_t>(bat.freq_Hz.size())); ++mode) {
     fmt::format_to(std::back_inserter(text), "bending {}: {:.1f} Hz, nodes", mode + 1,

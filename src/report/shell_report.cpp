@@ -59,8 +59,7 @@ ModelReport shell_report(const TubeShell& shell, std::size_t n, std::size_t mode
   report.text = fmt::format("hoop modes with {} waves around: ring {:.1f} Hz, Rayleigh {:.1f} Hz, Love {:.1f} Hz\n", n,
                             ring_Hz(shell, n), rayleigh_Hz(shell, n), love_Hz(shell, n));
   for (std::size_t m = 1; m <= modes; ++m)
-    report.text +=
-        fmt::format("Fluegge, {} half-wave{} along: {:.1f} Hz\n", m, m == 1 ? "" : "s", flugge.values[m - 1]);
+    report.text += fmt::format("Flügge, {} half-wave{} along: {:.1f} Hz\n", m, m == 1 ? "" : "s", flugge.values[m - 1]);
   report.text += fmt::format(
       "the tube weighs {:.4f} kg, an estimate of a barrel's effective mass (percuss model "
       "trampoline --m2)\n",
@@ -69,7 +68,7 @@ ModelReport shell_report(const TubeShell& shell, std::size_t n, std::size_t mode
   report.chart = {.title = fmt::format("Hoop modes of a tube, {} waves around", n),
                   .x = {.label = "half-waves along"},
                   .y = {.label = "frequency, Hz"},
-                  .curves = {{"Fluegge", half_waves.values, flugge.values, true}}};
+                  .curves = {{"Flügge", half_waves.values, flugge.values, true}}};
   report.columns = {half_waves, flugge};
   return report;
 }
