@@ -41,9 +41,10 @@ Test struck_beam(double fs_Hz) {
       .force_N = std::vector<double>(samples), .accel_mps2 = std::vector<double>(samples), .truth_m = {}, .modes = {}};
   for (std::size_t m = 0; m < poles.size(); ++m) {
     test.modes.push_back({.pole = {poles[m].freq_Hz, poles[m].damping_ratio}, .residue_per_kg = residues.at(m)});
-    for (std::size_t i = 0; i < basis.regular_N[m].size(); ++i)
-      test.accel_mps2[basis.first + i] +=
-          residues.at(m) * (basis.regular_N[m][i] + (i < basis.force_N.size() ? basis.force_N[i] : 0));
+    for (std::size_t i = 0; i < basis.regular_N[m].size(); ++i) {
+      const double force_N = i < basis.force_N.size() ? basis.force_N[i] : 0;
+      test.accel_mps2[basis.first + i] += residues.at(m) * (basis.regular_N[m][i] + force_N);
+    }
   }
   for (std::size_t i = 0; i < basis.force_N.size(); ++i) test.force_N[basis.first + i] = basis.force_N[i];
   test.truth_m = modal_deflection(test.force_N, fs_Hz, test.modes, 0).deflection_m;
