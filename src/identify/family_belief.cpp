@@ -32,7 +32,7 @@ Belief normalised(Belief b) {
   return b;
 }
 
-Belief times(Belief a, const Belief& b) {
+Belief product_of(Belief a, const Belief& b) {
   for (std::size_t f = 0; f < a.size(); ++f) a[f] *= b[f];
   return a;
 }
@@ -116,7 +116,7 @@ class Judge {
 
   Belief alone(std::size_t s, std::size_t m) const {
     const ModeTable& table = tables_[m];
-    return times({table.bending[s % kPlanes], table.hoop[placement_of(s)], table.other}, table.prior);
+    return product_of({table.bending[s % kPlanes], table.hoop[placement_of(s)], table.other}, table.prior);
   }
 
   // Readings of mode m, its partner's summed over: the sum is the same for both partners.
@@ -128,7 +128,7 @@ class Judge {
     const std::size_t sharper = modes_[m].ratio->std_rad < modes_[partner].ratio->std_rad ? m : partner;
     const double bending = tables_[sharper].bending[s % kPlanes] * tables_[std::min(m, partner)].prior[0];
     const Belief together =
-        times({bending * pairs_[m]->right_angle, own[1] * other[1], own[2] * other[2]}, pairs_[m]->size);
+        product_of({bending * pairs_[m]->right_angle, own[1] * other[1], own[2] * other[2]}, pairs_[m]->size);
     Belief out{};
     for (std::size_t f = 0; f < out.size(); ++f)
       out[f] = kPairKnown * together[f] + (1 - kPairKnown) * pairs_[m]->strangers * own[f] * sum_of(other) / 3;
