@@ -127,6 +127,17 @@ TEST(Abi, GoesOnAtTheSponsorsRequestButStaysFailed) {
   const AbiRun run = follow_abi(log);
   EXPECT_EQ(run.verdict, AbiVerdict::fail);
   EXPECT_EQ(run.next, AbiStep::done);
+  log.entries.back() = performance(0.76);
+  EXPECT_THAT(follow_abi(log).why, HasSubstr("cycle 2"));  // the first reason is the one
+}
+
+TEST(Abi, GivesUpAfterManyCycles) {
+  const auto entries = with(start(500), {performance(0.72)});
+  AbiRules rules;
+  rules.most_cycles = 2;
+  const AbiRun run = follow_abi(log_of(entries), rules);
+  EXPECT_EQ(run.verdict, AbiVerdict::undecided);
+  EXPECT_THAT(run.why, HasSubstr("does not fall"));
 }
 
 TEST(Abi, RefusesWhatDoesNotFollowAndNamesTheStep) {
@@ -152,6 +163,24 @@ TEST(Abi, RemarksOnDepthsOvershootAndMaterial) {
   AbiLog aluminium = log_of({});
   aluminium.material = "aluminum";
   EXPECT_EQ(follow_abi(aluminium).remarks.at(0).code, "material");
+  aluminium.material.clear();
+  EXPECT_TRUE(follow_abi(aluminium).remarks.empty());
+}
+
+TEST(Abi, SaysWhatIsNext) {
+  EXPECT_EQ(next_words(run_of({})), "step 1: measure the barrel's compression");
+  EXPECT_THAT(next_words(run_of(start(600))), HasSubstr("roll the barrel, rollers about 0.1 in in"));
+  EXPECT_THAT(next_words(run_of(start(509))), HasSubstr("test the performance"));
+  EXPECT_EQ(next_words(run_of({compression(600), performance(0.8)})).substr(0, 6), "fail: ");
+  AbiRun broken{.next = AbiStep::done, .verdict = AbiVerdict::undecided, .why = "broken"};
+  EXPECT_EQ(next_words(broken), "no verdict: broken");
+}
+
+TEST(Abi, NamesItsVerdicts) {
+  EXPECT_STREQ(name_of(AbiVerdict::pass), "pass");
+  EXPECT_STREQ(name_of(AbiVerdict::fail), "fail");
+  EXPECT_STREQ(name_of(AbiVerdict::undecided), "undecided");
+  EXPECT_STREQ(name_of(AbiVerdict::in_progress), "in_progress");
 }
 
 TEST(Abi, GivesUpOnABarrelThatDoesNotSoften) {

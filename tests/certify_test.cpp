@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "metrics/performance.hpp"
+#include "support/input_error.hpp"
 #include "synth/random.hpp"
 
 namespace percuss::certify_test {
@@ -114,6 +115,11 @@ TEST(Certify, AcceptsAPlateauWhereAsked) {
   EXPECT_THAT(codes_of(c.remarks), Contains("plateau"));
   flat.limit = 0.719;
   EXPECT_EQ(certify(flat, {.accept_plateau = true}).verdict, CertifyVerdict::fail);
+  Session pointed = fresh_session();
+  run_session(pointed, peak);
+  const Certification unasked = certify(pointed, {.accept_plateau = true});
+  EXPECT_EQ(unasked.verdict, CertifyVerdict::pass);
+  EXPECT_THAT(codes_of(unasked.remarks), testing::Not(Contains("plateau")));
 }
 
 TEST(Certify, WaitsForConditioningAndClimate) {
@@ -203,6 +209,8 @@ TEST(Certify, KeepsTheBallsBooks) {
   EXPECT_TRUE(c.shots[10].valid());
   EXPECT_THAT(codes_of(c.shots[11].reasons), ElementsAre("ear_impacts"));
   EXPECT_EQ(c.next.ball, "ball 1");
+  s.shots.push_back(shot_with(s, 6, 0.7, 16));
+  EXPECT_EQ(certify(s).next.ball, "ball 2");  // used less
 }
 
 TEST(Certify, CountsTheFirstSixAndNoMore) {
@@ -236,6 +244,10 @@ TEST(Certify, CorrectsByTheLotAfterThirtyHits) {
   EXPECT_EQ(c.next.code, "lot_hit");
   EXPECT_EQ(c.next.left, 1U);
   EXPECT_FALSE(c.correction);
+  s.lot.hits.push_back({.ball = "heavy", .ball_g = 160, .in_mph = 136, .out_mph = 31});
+  c = certify(s);
+  EXPECT_FALSE(c.lot_hits.back().valid());
+  EXPECT_EQ(c.next.left, 1U);
   s.lot.hits.push_back({.ball = "last", .ball_g = 145.4, .in_mph = 134.5, .out_mph = 30});
   c = certify(s);
   constexpr double kRounding = 1e-12;
@@ -256,6 +268,21 @@ TEST(Certify, JudgesByBbcorWhereAsked) {
 
 // Random barrels, operators who miss, balls of all kinds: it always ends, never asks for what cannot be hit, and what
 // passes keeps the limit everywhere, with a sweet spot that stands out.
+TEST(Certify, NeedsTheMomentOfInertiaForBbcor) {
+  Session s = fresh_session();
+  s.metric = PerformanceMetric::bbcor;
+  s.bat.moi_ozin2.reset();
+  EXPECT_THAT(test::input_error_of([&] { certify(s); }), HasSubstr("bat.moi_oz_in2"));
+}
+
+TEST(Certify, NamesItsVerdicts) {
+  EXPECT_STREQ(name_of(CertifyVerdict::pass), "pass");
+  EXPECT_STREQ(name_of(CertifyVerdict::fail), "fail");
+  EXPECT_STREQ(name_of(CertifyVerdict::undecided), "undecided");
+  EXPECT_STREQ(name_of(CertifyVerdict::no_limit), "no_limit");
+  EXPECT_STREQ(name_of(CertifyVerdict::in_progress), "in_progress");
+}
+
 TEST(Certify, NeverPassesABatThatFails) {
   int verdicts[5] = {0, 0, 0, 0, 0};
   for (std::uint64_t seed = 0; seed < 300; ++seed) {

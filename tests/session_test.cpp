@@ -65,6 +65,17 @@ TEST(Session, FourGatesInARowMakeThreePairs) {
   EXPECT_EQ(s.shots[2].pairs_in_mph.size(), 3U);
 }
 
+TEST(Session, TheLotsHitsAreShotsWithoutALocation) {
+  const Session s = parse_session(
+      replaced(
+          session_example(), "\"correction\": ",
+          R"("hits": [{"ball": "7", "ball_g": 145, "angle_deg": 1, "v_in_mph": 100, "v_out_mph": 40}], "correction": )"),
+      "s.json");
+  ASSERT_EQ(s.lot.hits.size(), 1U);
+  EXPECT_EQ(s.lot.hits[0].ball, "7");
+  EXPECT_EQ(s.lot.hits[0].out_mph, 40);
+}
+
 TEST(Session, NamesTheKeyThatIsWrong) {
   const std::string ok = session_example();
   EXPECT_THAT(refusal(replaced(ok, "\"length_in\": 33", "\"length_in\": -3")), HasSubstr("bat.length_in"));
@@ -72,11 +83,24 @@ TEST(Session, NamesTheKeyThatIsWrong) {
   EXPECT_THAT(refusal(replaced(ok, "\"metric\": \"ncaa_besr\"", "\"metric\": \"speed\"")), HasSubstr("metric"));
   EXPECT_THAT(refusal(replaced(ok, "\"range_in\": [3, 9]", "\"range_in\": [6, 9]")), HasSubstr("range_in"));
   EXPECT_THAT(refusal(replaced(ok, "\"range_in\": [3, 9]", "\"range_in\": [3, 22]")), HasSubstr("range_in"));
+  for (const char* range : {"[6]", "[0, 9]", "[3, 6.5]"})
+    EXPECT_THAT(refusal(replaced(ok, "\"range_in\": [3, 9]", std::string("\"range_in\": ") + range)),
+                HasSubstr("range_in"));
   EXPECT_THAT(refusal(replaced(ok, "\"ear\": 1", "\"ear\": 5")), HasSubstr("shots[0].ear"));
+  EXPECT_THAT(refusal(replaced(ok, "\"ear\": 1", "\"ear\": 0")), HasSubstr("shots[0].ear"));
+  EXPECT_THAT(refusal(replaced(ok, "\"v_in_mph\": 136.2", "\"v_in_mph\": 1362")), HasSubstr("1362 mph"));
+  EXPECT_THAT(refusal(replaced(ok, "\"v_in_mph\": 136.2", "\"v_in_mph\": 136.2, \"pairs_in_mph\": [136, 136, 136]")),
+              HasSubstr("more than one speed"));
+  EXPECT_THAT(refusal(replaced(ok, "[136.4, 136.1, 135.8]", "[136.4, -136.1, 135.8]")), HasSubstr("-136.1 mph"));
+  EXPECT_THAT(refusal(replaced(ok, "L12-001", std::string(81, 'x'))), HasSubstr("no number of the ball"));
   EXPECT_THAT(refusal(replaced(ok, "\"v_in_mph\": 136.2", "\"v_in_mph\": -136")), HasSubstr("shots[0].v_in_mph"));
   EXPECT_THAT(refusal(replaced(ok, "\"v_in_mph\": 136.2, ", "")), HasSubstr("no speed"));
   EXPECT_THAT(refusal(replaced(ok, "0.0, 0.002506", "0.1, 0.002506")), HasSubstr("shots[2].gates_in_s"));
+  EXPECT_THAT(refusal(replaced(ok, "0.0, 0.002506, 0.004, ", "")), HasSubstr("neither six times nor four"));
   EXPECT_THAT(refusal(replaced(ok, "[136.4, 136.1, 135.8]", "[136.4, 136.1]")), HasSubstr("shots[1].pairs_in_mph"));
+  EXPECT_THAT(refusal(replaced(ok, "[136.4, 136.1, 135.8]", "[136.4, 13610, 135.8]")), HasSubstr("13610 mph"));
+  EXPECT_THAT(refusal(replaced(ok, "\"ball\": \"" + parse_session(ok, "s").shots[0].ball + "\"", "\"ball\": \"\"")),
+              HasSubstr("no number of the ball"));
   EXPECT_THAT(refusal(replaced(ok, "\"ball_g\": 145.3", "\"ball_g\": \"heavy\"")), HasSubstr("shots[0].ball_g"));
   EXPECT_THAT(refusal(replaced(ok, "percuss/session/1", "percuss/session/2")), HasSubstr("no session"));
 }
@@ -96,6 +120,22 @@ TEST(Session, RefusesWhatIsNone) {
   EXPECT_THAT(refusal(std::string("z_in\n\0", 6)), HasSubstr("no text"));
   EXPECT_THAT(refusal(std::string(100000, '[')), HasSubstr("s.json"));
   EXPECT_THAT(refusal("{\"a\":" + std::string(100000, '[')), HasSubstr("nested deeper"));
+  EXPECT_THAT(refusal(std::string((std::size_t{16} << 20) + 1, ' ')), HasSubstr("longer than 16 MiB"));
+}
+
+TEST(Session, HoldsNoMoreThanAHundredThousandShots) {
+  const std::string table = session_table_example(), head = table.substr(0, table.find('\n', table.find("z_in,")) + 1);
+  const std::string row = table.substr(head.size(), table.find('\n', head.size()) + 1 - head.size());
+  std::string text = head;
+  for (int i = 0; i < 100001; ++i) text += row;
+  EXPECT_THAT(refusal(text), HasSubstr("more than 100000 rows"));
+  const std::string shot = R"({"z_in":6,"ball":"1","ball_g":145,"angle_deg":0,"v_in_mph":136,"v_out_mph":30})";
+  std::string shots = shot;
+  for (int i = 0; i < 100000; ++i) shots += "," + shot;
+  EXPECT_THAT(refusal(R"({"bat":{"id":"b","length_in":33,"days_in_lab":3},"ball_lot":{"days_in_lab":20},)"
+                      R"("lab":{"temperature_f":72,"humidity_percent":50},"shots":[)" +
+                      shots + "]}"),
+              HasSubstr("more than 100000 shots"));
 }
 
 TEST(AbiLog, ExampleReadsBackAndFollowsItsSchema) {
@@ -116,7 +156,14 @@ TEST(AbiLog, NamesTheKeyThatIsWrong) {
   EXPECT_THAT(abi_refusal(replaced(ok, "\"do\": \"roll\"", "\"do\": \"bend\"")), HasSubstr("entries[3].do"));
   EXPECT_THAT(abi_refusal(replaced(ok, "\"value\": 0.7138", "\"value\": 7")), HasSubstr("entries[1].value"));
   EXPECT_THAT(abi_refusal(replaced(ok, "\"depth_in\": 0.1}", "\"depht_in\": 0.1}")), HasSubstr("entries[3].depth_in"));
+  EXPECT_THAT(abi_refusal(replaced(ok, "[612, 604, 598, 606]", "[612, 604, -5, 606]")), HasSubstr("load frame"));
+  EXPECT_TRUE(parse_abi_log(R"({"bat": {"id": "b"}, "metric": "bbcor", "entries": []})", "l.json").bbcor);
   EXPECT_THAT(abi_refusal("{}"), HasSubstr("bat"));
+  EXPECT_THAT(abi_refusal(replaced(ok, "percuss/abi-log/1", "percuss/session/1")), HasSubstr("no log of a break-in"));
+  EXPECT_THAT(abi_refusal(R"({"bat": {"id": "b"}, "metric": "speed", "entries": []})"), HasSubstr("no such metric"));
+  std::string long_log = R"({"bat": {"id": "b"}, "entries": [)";
+  for (int i = 0; i < 10001; ++i) long_log += std::string(i > 0 ? "," : "") + R"({"do": "roll", "depth_in": 0.1})";
+  EXPECT_THAT(abi_refusal(long_log + "]}"), HasSubstr("more than 10000 entries"));
 }
 
 }  // namespace percuss::session_test

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "acquire/geometry.hpp"
@@ -13,8 +14,8 @@ constexpr std::size_t kFewestAlone = 5;  // … and alone: a plate has four corn
 
 struct Tube {
   std::size_t axis = 0;
-  double off = 0;      // of the rings' radii, largest deviation over the mean
-  double middle[2]{};  // of the circle, across the axis
+  double off = 0;                  // of the rings' radii, largest deviation over the mean
+  std::array<double, 2> middle{};  // of the circle, across the axis
 };
 
 // Coordinates across the axis, in the order that turns right-handed about it.

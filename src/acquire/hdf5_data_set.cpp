@@ -54,7 +54,7 @@ bool is_plain_number(hid_t type) {
 /// The library's own text, freed.
 std::string member_name(hid_t type, unsigned member) {
   char* const name = H5Tget_member_name(type, member);
-  const std::string copy = name == nullptr ? "" : name;
+  std::string copy = name == nullptr ? "" : name;
   H5free_memory(name);
   return copy;
 }

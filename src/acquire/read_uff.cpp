@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -136,8 +137,8 @@ std::string uff_place_name(const UffPlace& place) {
   const int direction = std::abs(place.direction);
   const std::string sign = place.direction < 0 ? "-" : "+";
   if (direction < 1 || direction > 6) return fmt::format("node {}", place.node);
-  const char* const axes[] = {"X", "Y", "Z", "RX", "RY", "RZ"};
-  return fmt::format("{}{}{}", place.node, sign, axes[direction - 1]);
+  constexpr std::array axes{"X", "Y", "Z", "RX", "RY", "RZ"};
+  return fmt::format("{}{}{}", place.node, sign, axes.at(static_cast<std::size_t>(direction - 1)));
 }
 
 Record open_uff(const FileBytes& file, UffContents contents, const ReadOptions& options) {

@@ -10,6 +10,7 @@
 
 #include "acquire/csv_dialect.hpp"
 #include "acquire/csv_number.hpp"
+#include "acquire/json_text.hpp"
 #include "acquire/strict_sheet.hpp"
 #include "core/error.hpp"
 
@@ -84,34 +85,12 @@ void append_numbers(const json& value, std::vector<double>& to, const StrictObje
   }
 }
 
-json parsed(const StrictText& input) {
-  const std::string_view text = input.text;
-  const std::string &where = input.where, &example = input.example;
-  std::vector<std::set<std::string>> keys;  // by depth, of the objects being read
-  const auto watch = [&](int depth, json::parse_event_t event, json& value) {
-    using Event = json::parse_event_t;
-    if ((event == Event::object_start || event == Event::array_start) && depth >= input.max_depth) {
-      throw InputError(fmt::format("lists or objects nested deeper than {}", input.max_depth), where, "see " + example);
-    }
-    const auto level = static_cast<std::size_t>(depth);
-    if (event == Event::object_start) {
-      keys.resize(level + 2);
-      keys[level + 1].clear();
-    }
-    if (event == Event::key && !keys[level].insert(value.get<std::string>()).second) {
-      throw InputError(fmt::format("key \"{}\" is given twice", one_line(value.get<std::string>(), 60)), where,
-                       "leave one of them");
-    }
-    return true;
-  };
-  try {
-    return json::parse(text.begin(), text.end(), watch, true, true);
-  } catch (const json::parse_error& e) {
-    throw InputError("not JSON", fmt::format("{}, byte {}", where, e.byte),
-                     "correct it; " + example + " prints a valid one");
-  } catch (const json::exception& e) {
-    throw InputError("a number too large to hold", where, "give a finite number");
-  }
+json json_of(const StrictText& input) {
+  return parse_json({.text = input.text,
+                     .where = input.where,
+                     .remedy = input.example + " prints a valid one",
+                     .max_depth = input.max_depth,
+                     .comments = true});
 }
 
 }  // namespace
@@ -231,7 +210,7 @@ std::string StrictObject::place() const {
 }
 
 void read_strict_json(const StrictText& text, const StrictObject::Reader& read) {
-  const json document = parsed(text);
+  const json document = json_of(text);
   const StrictSource source{.where = text.where, .example = text.example};
   StrictObject object(std::make_unique<StrictObject::Impl>(document, source, ""));
   read(object);
@@ -241,7 +220,7 @@ void read_strict_json(const StrictText& text, const StrictObject::Reader& read) 
 void read_strict_sheet(const StrictText& text, const std::string& rows, const StrictObject::Reader& read) {
   StrictSource source{.where = text.where, .example = text.example, .rows = rows};
   const std::string as_json = sheet_as_json(text, source);
-  const json document = parsed({.text = as_json, .where = text.where});
+  const json document = json_of({.text = as_json, .where = text.where});
   StrictObject object(std::make_unique<StrictObject::Impl>(document, source, ""));
   read(object);
   object.finish();

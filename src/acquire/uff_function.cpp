@@ -104,8 +104,8 @@ class FunctionParser {
 
   // Columns of a line of numbers, one line after the other the same.
   std::vector<std::size_t> columns() const {
-    if (out_.single) return std::vector<std::size_t>(6, kSingle);
-    if (out_.even) return std::vector<std::size_t>(4, kDouble);
+    if (out_.single) return {kSingle, kSingle, kSingle, kSingle, kSingle, kSingle};
+    if (out_.even) return {kDouble, kDouble, kDouble, kDouble};
     if (out_.complex) return {kSingle, kDouble, kDouble};
     return {kSingle, kDouble, kSingle, kDouble};
   }

@@ -29,7 +29,7 @@ struct UffPlace {
   int node = 0;
   int direction = 0;  // ±1 … ±3 along, ±4 … ±6 around x, y, z; 0 none
   friend bool operator==(const UffPlace&, const UffPlace&) = default;
-  friend auto operator<=>(const UffPlace&, const UffPlace&) = default;
+  friend auto operator<=>(const UffPlace&, const UffPlace&) = default;  // NOLINT(modernize-use-nullptr): not one
 };
 
 struct UffAxis {

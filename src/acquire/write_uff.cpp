@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 
@@ -48,8 +49,8 @@ int uff_direction(const SignalInfo& sensor) {
   if (!sensor.angle_rad) return 1;
   const double quarter = *sensor.angle_rad / (90 * kDegree_rad);
   if (std::abs(quarter - std::round(quarter)) > 1e-6 || std::abs(quarter) > 8) return 1;
-  const int directions[] = {2, 3, -2, -3};
-  return directions[(static_cast<int>(std::round(quarter)) + 8) % 4];
+  constexpr std::array directions{2, 3, -2, -3};
+  return directions.at((static_cast<std::size_t>(std::lround(quarter) + 8)) % 4);
 }
 
 std::string uff_statement_text(int node_offset, double dx) {

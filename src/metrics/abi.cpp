@@ -18,8 +18,6 @@ const char* what_is_done(AbiStep step) {
     case AbiStep::first_performance:
     case AbiStep::performance:
       return "test the performance";
-    case AbiStep::done:
-      return "nothing";
     default:
       return "measure the barrel's compression";
   }

@@ -31,8 +31,8 @@ constexpr std::array<Stroke, 7> kStrokes{{{"#0072B2", "none"},
                                           {"#009E73", "2 3"},
                                           {"#CC79A7", "9 3 2 3"},
                                           {"#000000", "12 4"},
-                                          {"#56B4E9", "4 2"},
-                                          {"#E69F00", "1 2"}}};
+                                          {"#5B3A8C", "4 2"},
+                                          {"#7A5C00", "6 2 1 2 1 2"}}};
 
 // Values to pixels along one axis.
 struct Scale {

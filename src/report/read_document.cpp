@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "acquire/input_file.hpp"
+#include "acquire/json_text.hpp"
 #include "core/error.hpp"
 
 namespace percuss {
@@ -49,19 +50,6 @@ class Part {
 };
 
 int whole(double number) { return static_cast<int>(std::clamp(number, -1e9, 1e9)); }
-
-nlohmann::json parsed_document(std::string_view text, const std::string& name) {
-  const auto watch = [&](int depth, nlohmann::json::parse_event_t, nlohmann::json&) {
-    if (depth > kDeepest)
-      throw InputError("lists or objects nested too deep", name, "give a document that percuss wrote");
-    return true;
-  };
-  try {
-    return nlohmann::json::parse(text.begin(), text.end(), watch);
-  } catch (const nlohmann::json::exception& e) {
-    throw InputError("this is not JSON: " + one_line(e.what()), name, "give a document that percuss wrote with --json");
-  }
-}
 
 ComparedMode mode_in(const Part& part) {
   ComparedMode mode{.freq_Hz = part.at("frequency_hz").number(),
@@ -118,7 +106,10 @@ std::vector<ComparedDocument> read_documents(const std::string& path) {
   const FileBytes bytes = read_input(path, kLargest_bytes);
   const std::string name = input_name(path);
   if (bytes.size == 0) throw InputError("the file is empty", name, "write it again");
-  const nlohmann::json value = parsed_document(bytes.view(), name);
+  const nlohmann::json value = parse_json({.text = bytes.view(),
+                                           .where = name,
+                                           .remedy = "give a document that percuss wrote with --json",
+                                           .max_depth = kDeepest});
   const Part top(value, name);
   const std::string schema = top.at("schema").text();
   if (schema == "percuss/analysis/1") {
