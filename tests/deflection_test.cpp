@@ -130,6 +130,38 @@ TEST(Deflection, TakesBiasAndDriftAwayWithinItsDeviation) {
   EXPECT_GE(std::sqrt(sum / static_cast<double>(count)), 0.2);
 }
 
+// A short rest tells little of the bias: its parabola leaves the swing far behind before the record ends.
+TEST(Deflection, TakesNoWalkForThePeak) {
+  const Impact clean = impact(20000, 0.005);
+  std::mt19937 random(7);
+  std::normal_distribution<double> gauss;
+  for (int trial = 0; trial < 60; ++trial) {
+    Impact test = clean;
+    for (double& a : test.accel_mps2) a += 3 * gauss(random);
+    const Deflection found = deflection_of(signal_of(test), {.free_body = true});
+    EXPECT_LE(std::abs(found.peak_m), 2 * largest(test.deflection_m)) << trial;
+    EXPECT_NEAR(found.peak_m, test.deflection_m[found.peak], 4.5 * found.peak_std_m) << trial;
+    EXPECT_LE(found.peak_std_m, std::abs(found.peak_m) / 4) << trial;
+    EXPECT_GT(found.std_m.back(), largest(test.deflection_m)) << trial;
+  }
+}
+
+TEST(Deflection, TellsNoPeakOfNoiseAlone) {
+  std::mt19937 random(8);
+  std::normal_distribution<double> gauss;
+  int told = 0;
+  for (int trial = 0; trial < 100; ++trial) {
+    std::vector<double> noise(4000);
+    for (double& a : noise) a = gauss(random);
+    const ImpactSignal signal{.fs_Hz = 20000, .accel_mps2 = noise, .onset_s = 0.1, .force_N = {}, .modes = {}};
+    const Deflection found = deflection_of(signal);
+    told += std::isnan(found.peak_m) ? 0 : 1;
+    EXPECT_EQ(std::isnan(found.peak_m), std::isnan(found.peak_std_m));
+  }
+  EXPECT_LE(told, 3);  // beyond three deviations a walk comes at some time in one of five records, beyond four in one
+                       // of two hundred
+}
+
 TEST(Deflection, KeepsAFreeBodysOwnMotion) {
   Impact test = impact();
   const double mass_kg = 0.9;

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
-#include <nlohmann/json.hpp>
 
 #include "support/input_error.hpp"
 
@@ -13,18 +12,17 @@ namespace percuss::json_text_test {
 using test::input_error_of;
 using testing::HasSubstr;
 
-nlohmann::json parse(const std::string& text, bool comments = false) {
-  return parse_json(
-      {.text = text, .where = "x.json", .remedy = "write it again", .max_depth = 3, .comments = comments});
+void check(const std::string& text, bool comments = false) {
+  check_json({.text = text, .where = "x.json", .remedy = "write it again", .max_depth = 3, .comments = comments});
 }
 std::string refusal(const std::string& text) {
-  return input_error_of([&] { parse(text); });
+  return input_error_of([&] { check(text); });
 }
 
-TEST(JsonText, BecomesItsValue) {
-  EXPECT_EQ(parse(R"({"a": [1, {"b": null}], "c": {"b": "x", "d": 2.5}})")["c"]["d"], 2.5);
-  EXPECT_EQ(parse("3"), 3);
-  EXPECT_EQ(parse("{\"a\": 1} // one", true)["a"], 1);
+TEST(JsonText, MayBeAnyValue) {
+  for (const char* text : {R"({"a": [1, {"b": null}], "c": {"b": "x"}})", "3", "[true, -1, 1e3, []]", "[[[1]]]"})
+    EXPECT_NO_THROW(check(text)) << text;
+  EXPECT_NO_THROW(check("{\"a\": 1} // one", true));
 }
 
 TEST(JsonText, IsRefusedWithThePlaceAndTheRemedy) {
@@ -34,7 +32,6 @@ TEST(JsonText, IsRefusedWithThePlaceAndTheRemedy) {
   EXPECT_THAT(refusal("[1e999]"), HasSubstr("too large"));
   EXPECT_THAT(refusal(R"({"a": 1, "a": 2})"), HasSubstr("key \"a\" is given twice"));
   EXPECT_THAT(refusal("[[[[1]]]]"), HasSubstr("nested deeper than 3"));
-  EXPECT_EQ(parse("[[[1]]]").size(), 1U);
   EXPECT_THAT(refusal(std::string(1000000, '[')), HasSubstr("nested deeper"));
 }
 
@@ -44,7 +41,7 @@ TEST(JsonText, TakesTimeAsItsLength) {
     std::string text = "[{}";
     for (std::size_t i = 1; i < objects; ++i) text += ",{}";
     const auto began = std::chrono::steady_clock::now();
-    EXPECT_EQ(parse(text + "]").size(), objects);
+    check(text + "]");
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   };
   seconds(20000);  // what the first call alone takes

@@ -1,5 +1,4 @@
 #pragma once
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 
@@ -14,8 +13,8 @@ struct JsonText {
   bool comments = false;
 };
 
-/// The text's value, in time that grows as the text does. Throws InputError when it is not JSON, nests deeper, gives a
-/// key twice, or holds a number beyond double's range.
-nlohmann::json parse_json(const JsonText& input);
+/// Looks a text through before it becomes a value, in time that grows as the text does. errors  InputError: it is not
+/// JSON, nests deeper, gives a key twice, or holds a number beyond double's range.
+void check_json(const JsonText& input);
 
 }  // namespace percuss

@@ -86,11 +86,12 @@ void append_numbers(const json& value, std::vector<double>& to, const StrictObje
 }
 
 json json_of(const StrictText& input) {
-  return parse_json({.text = input.text,
-                     .where = input.where,
-                     .remedy = input.example + " prints a valid one",
-                     .max_depth = input.max_depth,
-                     .comments = true});
+  check_json({.text = input.text,
+              .where = input.where,
+              .remedy = input.example + " prints a valid one",
+              .max_depth = input.max_depth,
+              .comments = true});
+  return json::parse(input.text.begin(), input.text.end(), nullptr, true, true);
 }
 
 }  // namespace

@@ -98,7 +98,8 @@ std::vector<double> frequencies_in(const MatFile& file) {
   return {};
 }
 
-LineRange lines_in(const MatFile& file, const FrfReadOptions& options, std::size_t lines, std::vector<double> freq_Hz) {
+LineRange lines_in(const MatFile& file, const FrfReadOptions& options, std::size_t lines,
+                   const std::vector<double>& freq_Hz) {
   if (!options.read.df_Hz && freq_Hz.size() == lines) return lines_of(freq_Hz, file.path);
   auto df_Hz = options.read.df_Hz;
   if (!df_Hz) df_Hz = mat_number(file, {"df", "dfhz", "deltaf", "freqspacing", "frequencyresolution"});

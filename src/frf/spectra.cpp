@@ -23,7 +23,8 @@ LineRange lines_in_band(double fs_Hz, std::size_t samples, double low_Hz, double
   LineRange lines{.fs_Hz = fs_Hz, .samples = samples};
   // A line within a millionth of a bin of the edge belongs to the band: edges are typed as round numbers.
   const double edge = 1e-6;
-  const auto top = static_cast<double>(samples / 2);
+  const std::size_t last = samples / 2;
+  const auto top = static_cast<double>(last);
   const double low = std::clamp(std::ceil(low_Hz / lines.df_Hz() - edge), 0.0, top + 1);
   const double high = std::clamp(std::floor(high_Hz / lines.df_Hz() + edge), 0.0, top);
   lines.first = static_cast<std::size_t>(low);

@@ -64,12 +64,13 @@ std::vector<Ring> rings_of(const std::vector<Point>& points) {
 }
 
 Eigen::MatrixXd patterns(const Ring& ring, int highest) {
-  Eigen::MatrixXd out(static_cast<Eigen::Index>(ring.size()), 2 * highest + 1);
+  Eigen::MatrixXd out(static_cast<Eigen::Index>(ring.size()), Eigen::Index{2} * highest + 1);
   for (Eigen::Index i = 0; i < out.rows(); ++i) {
+    const double angle_rad = ring[static_cast<std::size_t>(i)].angle_rad;
     out(i, 0) = 1;
-    for (int n = 1; n <= highest; ++n) {
-      out(i, 2 * n - 1) = std::cos(n * ring[static_cast<std::size_t>(i)].angle_rad);
-      out(i, 2 * n) = std::sin(n * ring[static_cast<std::size_t>(i)].angle_rad);
+    for (Eigen::Index n = 1; n <= highest; ++n) {
+      out(i, 2 * n - 1) = std::cos(static_cast<double>(n) * angle_rad);
+      out(i, 2 * n) = std::sin(static_cast<double>(n) * angle_rad);
     }
   }
   return out;
@@ -89,7 +90,7 @@ bool resolves(const Ring& ring, int highest, bool half, RingFit& fit) {
   Eigen::MatrixXd columns = fit.pattern;
   const Eigen::Vector2d turn = half ? largest_turn(ring, highest) : Eigen::Vector2d(1, 0);
   if (half) {
-    columns.conservativeResize(Eigen::NoChange, 2 * highest);
+    columns.conservativeResize(Eigen::NoChange, Eigen::Index{2} * highest);
     columns.rightCols<1>() = fit.pattern.rightCols<2>() * turn;
   }
   const auto inverse = left_inverse(columns, kResolved);

@@ -39,9 +39,10 @@ std::optional<Mac> mac_of(const ComparedMode& a, const ComparedMode& b) {
 ModePair pair_of(const ComparedDocument& a, const ComparedDocument& b, std::size_t i, std::size_t k) {
   const ComparedMode &x = a.modes[i], &y = b.modes[k];
   ModePair pair{.a = i, .b = k, .difference_percent = 100 * (y.freq_Hz / x.freq_Hz - 1)};
-  if (x.freq_std_Hz > 0 || y.freq_std_Hz > 0)
+  if (x.freq_std_Hz > 0 || y.freq_std_Hz > 0) {
     pair.difference_std_percent =
         100 * y.freq_Hz / x.freq_Hz * std::hypot(x.freq_std_Hz / x.freq_Hz, y.freq_std_Hz / y.freq_Hz);
+  }
   pair.mac = mac_of(x, y);
   return pair;
 }
@@ -53,7 +54,7 @@ std::vector<ModePair> by_shape(const ComparedDocument& a, const ComparedDocument
     for (std::size_t k = 0; k < b.modes.size(); ++k) {
       if (!near_enough(a.modes[i], b.modes[k], options.furthest)) continue;
       ModePair pair = pair_of(a, b, i, k);
-      if (pair.mac && pair.mac->value >= options.least_mac) all.push_back(std::move(pair));
+      if (pair.mac && pair.mac->value >= options.least_mac) all.push_back(pair);
     }
   }
   std::stable_sort(all.begin(), all.end(),
@@ -61,7 +62,7 @@ std::vector<ModePair> by_shape(const ComparedDocument& a, const ComparedDocument
   for (ModePair& pair : all) {
     const bool taken = std::any_of(chosen.begin(), chosen.end(),
                                    [&](const ModePair& other) { return other.a == pair.a || other.b == pair.b; });
-    if (!taken) chosen.push_back(std::move(pair));
+    if (!taken) chosen.push_back(pair);
   }
   return chosen;
 }

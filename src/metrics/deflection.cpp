@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 #include "core/fft.hpp"
 #include "core/statistics.hpp"
@@ -15,6 +16,7 @@ constexpr std::size_t kLeastBefore = 8;  // samples at rest that a bias can be r
 constexpr std::size_t kRinging = 32;     // samples before the onset that an anti-alias filter rings for, at the most
 constexpr double kMethodError = 1e-6;  // of the largest deflection: what rounding and the filter's first ringing leave
 constexpr double kOnsetNoise = 8, kOnsetLevel = 1e-3;
+constexpr double kSureDeviations = 4;
 constexpr double kClearlyMoved = 0.1;  // of the largest deflection
 constexpr double kHalf = 0.5;          // of the frequency of the strongest line, below which nothing is kept
 
@@ -52,7 +54,8 @@ Deflection drift_free(const ImpactSignal& signal, const DeflectionOptions& optio
     const auto by_bias = drifted_deflection_m(t_s, options.highpass_corner_Hz);
     motion.deflection_m[i] -= late.bias.dot(by_bias);
     motion.velocity_mps[i] -= late.bias.dot(drifted_velocity_mps(t_s, options.highpass_corner_Hz));
-    const double noise = rest.noise_mps2 * rest.noise_mps2 * t_s * t_s * t_s / (3 * signal.fs_Hz);
+    // The first sample carries noise as well: it stands for the time until the next.
+    const double noise = rest.noise_mps2 * rest.noise_mps2 * std::pow(t_s + 1 / signal.fs_Hz, 3) / (3 * signal.fs_Hz);
     const double bias = by_bias.dot(late.covariance * by_bias);
     out.std_m[i] = std::sqrt(std::max(0.0, noise + bias) + std::pow(kMethodError * largest, 2));
     out.drift_m = std::sqrt(std::max(0.0, bias));
@@ -125,14 +128,14 @@ Deflection by_modes(const ImpactSignal& signal) {
           .std_m = std::move(modal.std_m)};
 }
 
-// Where direction times deflection is largest beyond its deviation: late in a record that drifts, large values mean
-// nothing. Direction 0: either way.
-std::size_t surest(const Deflection& d, double direction) {
-  std::size_t best = 0;
-  double most = -1e300;
+// Where direction times deflection is largest beyond four of its deviations: late in a record that drifts, large values
+// mean nothing, and one of six walks ends beyond one deviation. Direction 0: either way. None: nothing stands out.
+std::optional<std::size_t> surest(const Deflection& d, double direction) {
+  std::optional<std::size_t> best;
+  double most = 0;
   for (std::size_t i = 0; i < d.deflection_m.size(); ++i) {
     const double way = direction == 0 ? std::abs(d.deflection_m[i]) : direction * d.deflection_m[i];
-    const double sure = way - (d.std_m.empty() ? 0 : d.std_m[i]);
+    const double sure = way - (d.std_m.empty() ? 0 : kSureDeviations * d.std_m[i]);
     if (sure > most) best = i;
     most = std::max(most, sure);
   }
@@ -141,15 +144,19 @@ std::size_t surest(const Deflection& d, double direction) {
 
 void find_peaks_of(Deflection& d) {
   const auto deviation = [&](std::size_t i) { return d.std_m.empty() ? 0 : d.std_m[i]; };
-  d.peak = surest(d, 0);
+  d.peak_m = d.peak_std_m = d.forward_m = d.forward_std_m = std::numeric_limits<double>::quiet_NaN();
+  const auto peak = surest(d, 0);
+  if (!peak) return;
+  d.peak = *peak;
   d.peak_m = d.deflection_m[d.peak];
   d.peak_std_m = deviation(d.peak);
   const double clear = kClearlyMoved * std::abs(d.peak_m);
   const auto first =
       std::find_if(d.deflection_m.begin(), d.deflection_m.end(), [&](double w) { return std::abs(w) >= clear; });
-  const std::size_t forward = surest(d, std::copysign(1.0, first == d.deflection_m.end() ? d.peak_m : *first));
-  d.forward_m = d.deflection_m[forward];
-  d.forward_std_m = deviation(forward);
+  const auto forward = surest(d, std::copysign(1.0, first == d.deflection_m.end() ? d.peak_m : *first));
+  if (!forward) return;
+  d.forward_m = d.deflection_m[*forward];
+  d.forward_std_m = deviation(*forward);
 }
 
 }  // namespace

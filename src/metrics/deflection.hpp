@@ -38,7 +38,7 @@ struct Deflection {
   double bias_mps2 = 0;       // that was taken away
   bool held = false;          // the mean late deflection was used to take drift away
   std::size_t peak = 0;       // sample of the largest deflection that the deviation allows to tell
-  double peak_m = 0;          // signed
+  double peak_m = 0;          // signed; NaN, as its deviation and forward_m, where nothing stands out of the noise
   double peak_std_m = 0;
   double forward_m = 0, forward_std_m = 0;  // the same of deflections the way the structure first went; signed
   double drift_m = 0;                       // deviation that bias and drift have at the last sample

@@ -108,17 +108,21 @@ PositionOf positions(const Analysis& analysis, const ImpactTestOptions& options)
   return [by_point](int point) { return std::optional<double>(by_point.at(point)); };
 }
 
-// Mean magnitude over repeats, and its deviation.
+// Mean magnitude over repeats that tell one, and its deviation; NaN when none does.
 std::pair<double, double> mean_of(const std::vector<const Deflection*>& members, double Deflection::*value,
                                   double Deflection::*deviation) {
-  const auto n = static_cast<double>(members.size());
-  double mean = 0, own = 0, scatter = 0;
+  double sum = 0, own = 0, scatter = 0, n = 0;
   for (const Deflection* d : members) {
-    mean += std::abs(d->*value) / n;
+    if (std::isnan(d->*value)) continue;
+    sum += std::abs(d->*value);
     own += d->*deviation * (d->*deviation);
+    ++n;
   }
-  for (const Deflection* d : members) scatter += std::pow(std::abs(d->*value) - mean, 2);
-  const double from_scatter = members.size() > 1 ? std::sqrt(scatter / (n * (n - 1))) : 0;
+  const double mean = sum / n;
+  for (const Deflection* d : members) {
+    if (!std::isnan(d->*value)) scatter += std::pow(std::abs(d->*value) - mean, 2);
+  }
+  const double from_scatter = n > 1 ? std::sqrt(scatter / (n * (n - 1))) : 0;
   return {mean, std::max(std::sqrt(own) / n, from_scatter)};
 }
 
@@ -168,6 +172,14 @@ void warn(const ImpactTestOptions& options, std::size_t impacts, std::size_t use
     test.warnings.push_back({"no_rest",
                              "a record begins too late to show the rest before the impact, from which a bias is read; "
                              "record with more pre-trigger"});
+  const auto untold = std::count_if(test.hits.begin(), test.hits.end(),
+                                    [](const DeflectedHit& hit) { return std::isnan(hit.deflection.peak_m); });
+  if (untold > 0) {
+    test.warnings.push_back(
+        {"not_told", fmt::format("{} of {} deflections nowhere stand out of four of their deviations; record "
+                                 "with more pre-trigger, or see --method modal",
+                                 untold, test.hits.size())});
+  }
   const bool drifting = std::any_of(test.hits.begin(), test.hits.end(), [](const DeflectedHit& hit) {
     return hit.deflection.method == DeflectionMethod::drift_free && !hit.deflection.held;
   });

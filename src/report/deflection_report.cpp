@@ -29,14 +29,15 @@ double time_s(const Analysis& analysis, const DeflectedHit& hit, std::size_t sam
 
 Json hit_json(const Analysis& analysis, const DeflectedHit& hit) {
   const Deflection& d = hit.deflection;
+  const bool told = !std::isnan(d.peak_m);
   return {{"index", hit.hit},
           {"channel", hit.channel},
           {"point", hit.point},
           {"position_m", hit.position_m ? Json(*hit.position_m) : Json()},
           {"peak_m", std::abs(d.peak_m)},
-          {"peak_time_s", time_s(analysis, hit, d.peak)},
+          {"peak_time_s", told ? Json(time_s(analysis, hit, d.peak)) : Json()},
           {"peak_std_m", d.std_m.empty() ? Json() : Json(d.peak_std_m)},
-          {"direction", d.peak_m < 0 ? -1 : 1},
+          {"direction", told ? Json(d.peak_m < 0 ? -1 : 1) : Json()},
           {"forward_m", std::abs(d.forward_m)},
           {"forward_std_m", d.std_m.empty() ? Json() : Json(d.forward_std_m)},
           {"method", name_of(d.method)},
@@ -45,7 +46,13 @@ Json hit_json(const Analysis& analysis, const DeflectedHit& hit) {
           {"held", d.held}};
 }
 
-std::string millimetres(double value_m, double std_m) { return with_deviation(1000 * value_m, 1000 * std_m) + " mm"; }
+std::string millimetres(double value_m, double std_m) {
+  return std::isnan(value_m) ? "not told" : with_deviation(1000 * value_m, 1000 * std_m) + " mm";
+}
+
+double told_m(const DeflectedHit& hit) {
+  return std::isnan(hit.deflection.peak_m) ? 0 : std::abs(hit.deflection.peak_m);
+}
 
 std::string channel_name(const Analysis& analysis, std::size_t channel) {
   const std::string& name = analysis.record().accel[channel].name;
@@ -94,7 +101,8 @@ std::string deflection_text(const Analysis& analysis, const ImpactTest& test, st
   for (const DeflectedHit& hit : test.hits) {
     const Deflection& d = hit.deflection;
     hits.add({fmt::format("{}", hit.hit), fmt::format("{}", hit.point), channel_name(analysis, hit.channel),
-              millimetres(d.peak_m, d.peak_std_m), fmt::format("{:.4f} s", time_s(analysis, hit, d.peak)),
+              millimetres(d.peak_m, d.peak_std_m),
+              std::isnan(d.peak_m) ? "" : fmt::format("{:.4f} s", time_s(analysis, hit, d.peak)),
               fmt::format("{:.2g} mm", 1000 * d.drift_m), name_of(d.method)});
   }
   TextTable points(
@@ -168,7 +176,7 @@ LineChart deflection_chart(const Analysis& analysis, const ImpactTest& test) {
   largest.reserve(test.hits.size());
   for (const DeflectedHit& hit : test.hits) largest.push_back(&hit);
   std::stable_sort(largest.begin(), largest.end(), [](const DeflectedHit* a, const DeflectedHit* b) {
-    return std::abs(a->deflection.peak_m) > std::abs(b->deflection.peak_m);
+    return told_m(*a) > told_m(*b);
   });
   largest.resize(std::min(largest.size(), kMostHitsDrawn));
   LineChart chart{

@@ -80,6 +80,7 @@ ComparedDocument analysis_in(const Part& part, std::string name, std::string sch
 
 void add_deflections(const Part& part, ComparedDocument& document) {
   for (const Part& point : part.at("points").list()) {
+    if (!point.has("peak_m")) continue;  // nothing stood out of the noise there
     ComparedDeflection d{.point = whole(point.at("point").number()),
                          .peak_m = point.at("peak_m").number(),
                          .std_m = point.number_or("peak_std_m", 0),
@@ -106,10 +107,10 @@ std::vector<ComparedDocument> read_documents(const std::string& path) {
   const FileBytes bytes = read_input(path, kLargest_bytes);
   const std::string name = input_name(path);
   if (bytes.size == 0) throw InputError("the file is empty", name, "write it again");
-  const nlohmann::json value = parse_json({.text = bytes.view(),
-                                           .where = name,
-                                           .remedy = "give a document that percuss wrote with --json",
-                                           .max_depth = kDeepest});
+  const std::string_view text = bytes.view();
+  check_json(
+      {.text = text, .where = name, .remedy = "give a document that percuss wrote with --json", .max_depth = kDeepest});
+  const nlohmann::json value = nlohmann::json::parse(text.begin(), text.end());
   const Part top(value, name);
   const std::string schema = top.at("schema").text();
   if (schema == "percuss/analysis/1") {
