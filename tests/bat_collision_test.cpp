@@ -131,9 +131,10 @@ TEST(BatWave, MovesTheBatsCentreByTheBallsImpulse) {
   Eigen::Vector2d centre_m = Eigen::Vector2d::Zero();
   for (std::size_t i = 0; i + 1 < at_m.size(); ++i) {
     const BeamElement& e = bat.beam.elements[i];
-    for (Eigen::Index t = 0; t < 2; ++t)
+    for (Eigen::Index t = 0; t < 2; ++t) {
       centre_m[t] += e.mass_kgpm * e.long_m / bat.inertia.mass_kg *
                      (wave(static_cast<Eigen::Index>(i), t) + wave(static_cast<Eigen::Index>(i) + 1, t)) / 2;
+    }
   }
   const double impulse_Ns = c.ball.mass_kg * (c.ball_speed_mps + bat_rebound(bat, 20, c, 0.65).exit_speed_mps);
   EXPECT_NEAR((centre_m[1] - centre_m[0]) / 1e-3, impulse_Ns / bat.inertia.mass_kg, 0.01);

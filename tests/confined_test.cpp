@@ -147,9 +147,10 @@ TEST_F(Confined, SurvivesMatFilesDamagedAnywhere) {
     const std::string good = test::bytes_of(path_);
     for (int i = 0; i < 150; ++i) {
       std::string damaged = good;
-      for (int n = 0; n < 1 + i % 3; ++n)
+      for (int n = 0; n < 1 + i % 3; ++n) {
         damaged[random() % (i % 2 == 0 ? std::min<std::size_t>(600, good.size()) : good.size())] =
             static_cast<char>(random() & 0xFFU);
+      }
       test::write_bytes(path_, damaged);
       try {
         const auto opened = open_measurement(path_, {.read = {.confined = true}});

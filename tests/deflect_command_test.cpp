@@ -154,11 +154,12 @@ TEST_F(DeflectCommand, NamesTheOptionThatIsWrong) {
 
 TEST(CompareCommand, PairsFrequenciesOfModels) {
   const test::ScratchFolder folder;
-  for (const char* support : {"torsion", "pinned", "clamped"})
+  for (const char* support : {"torsion", "pinned", "clamped"}) {
     ASSERT_EQ(run_percuss(
                   {"model", "beam", "--support", support, "-o", folder.file(std::string(support) + ".json"), "--quiet"})
                   .code,
               0);
+  }
   const auto outcome =
       run_percuss({"compare", "torsion.json", "clamped.json", "pinned.json", "--furthest", "40", "--json"},
                   {.folder = folder.path()});

@@ -83,9 +83,10 @@ TEST(Session, NamesTheKeyThatIsWrong) {
   EXPECT_THAT(refusal(replaced(ok, "\"metric\": \"ncaa_besr\"", "\"metric\": \"speed\"")), HasSubstr("metric"));
   EXPECT_THAT(refusal(replaced(ok, "\"range_in\": [3, 9]", "\"range_in\": [6, 9]")), HasSubstr("range_in"));
   EXPECT_THAT(refusal(replaced(ok, "\"range_in\": [3, 9]", "\"range_in\": [3, 22]")), HasSubstr("range_in"));
-  for (const char* range : {"[6]", "[0, 9]", "[3, 6.5]"})
+  for (const char* range : {"[6]", "[0, 9]", "[3, 6.5]"}) {
     EXPECT_THAT(refusal(replaced(ok, "\"range_in\": [3, 9]", std::string("\"range_in\": ") + range)),
                 HasSubstr("range_in"));
+  }
   EXPECT_THAT(refusal(replaced(ok, "\"ear\": 1", "\"ear\": 5")), HasSubstr("shots[0].ear"));
   EXPECT_THAT(refusal(replaced(ok, "\"ear\": 1", "\"ear\": 0")), HasSubstr("shots[0].ear"));
   EXPECT_THAT(refusal(replaced(ok, "\"v_in_mph\": 136.2", "\"v_in_mph\": 1362")), HasSubstr("1362 mph"));

@@ -17,9 +17,10 @@ constexpr const char* kProfileForm =
 
 double metres_of(const std::string& unit, const std::string& units) {
   const auto known = parse_unit(unit);
-  if (!known || known->quantity != Quantity::length)
+  if (!known || known->quantity != Quantity::length) {
     throw UsageError("--profile-unit " + one_line(units, 40) + ": not two units of length",
                      "give END:DIAMETER, as cm:mm");
+  }
   return known->to_SI;
 }
 

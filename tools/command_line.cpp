@@ -150,9 +150,10 @@ void CommandLine::check_commands(int argc, char** argv) const {
     const auto all = app->get_subcommands(nullptr);
     if (all.empty()) return;
     const auto found = std::find_if(all.begin(), all.end(), [&](const auto* one) { return one->check_name(argv[i]); });
-    if (found == all.end())
+    if (found == all.end()) {
       throw UsageError("there is no command '" + before + one_line(argv[i], 40) + "'",
                        "percuss " + before + "--help lists them");
+    }
     app = *found;
     before += app->get_name() + " ";
   }

@@ -12,7 +12,7 @@ namespace {
 
 // n²(n² − 1)²/(n² + 1)
 double pattern_factor(std::size_t n) {
-  const double square = static_cast<double>(n * n);
+  const auto square = static_cast<double>(n * n);
   return square * (square - 1) * (square - 1) / (square + 1);
 }
 

@@ -83,9 +83,10 @@ TimoshenkoBeam timoshenko_beam(const BatProfile& profile, const BatMaterial& mat
   for (std::size_t i = 0; i < profile.end_m.size(); ++i) {
     const double slice_m = profile.end_m[i] - start_m;
     const int parts = std::max(1, static_cast<int>(std::ceil(slice_m / longest_m * (1 - 1e-9))));
-    for (int part = 0; part < parts; ++part)
+    for (int part = 0; part < parts; ++part) {
       beam.elements.push_back(
           element_of(profile.diameter_m[i], start_m + part * slice_m / parts, slice_m / parts, material));
+    }
     start_m = profile.end_m[i];
   }
   Triplets stiffness, mass;

@@ -165,13 +165,15 @@ bool shows_rest(double fs_Hz, const std::vector<AnalysedHit>& impacts, const std
 }
 
 void warn(const ImpactTestOptions& options, std::size_t impacts, std::size_t used, bool rest, ImpactTest& test) {
-  if (used < impacts)
+  if (used < impacts) {
     test.warnings.push_back(
         {"no_pulse", fmt::format("{} of {} hits show no impact and are left out", impacts - used, impacts)});
-  if (!rest)
+  }
+  if (!rest) {
     test.warnings.push_back({"no_rest",
                              "a record begins too late to show the rest before the impact, from which a bias is read; "
                              "record with more pre-trigger"});
+  }
   const auto untold = std::count_if(test.hits.begin(), test.hits.end(),
                                     [](const DeflectedHit& hit) { return std::isnan(hit.deflection.peak_m); });
   if (untold > 0) {
@@ -183,11 +185,12 @@ void warn(const ImpactTestOptions& options, std::size_t impacts, std::size_t use
   const bool drifting = std::any_of(test.hits.begin(), test.hits.end(), [](const DeflectedHit& hit) {
     return hit.deflection.method == DeflectionMethod::drift_free && !hit.deflection.held;
   });
-  if (drifting && !options.deflection.free_body)
+  if (drifting && !options.deflection.free_body) {
     test.warnings.push_back(
         {"drift",
          "the structure does not swing about where it rested, or the record is too short to tell: late "
          "deflections drift as their deviation says (--free-body says that it may move away)"});
+  }
 }
 
 }  // namespace
@@ -215,9 +218,10 @@ ImpactTest deflect(const Analysis& analysis, const ImpactTestOptions& options) {
       auto& share = shares[{impacts[h].point, c}];
       if (modal && share.empty())
         share = shares_of(analysis, impacts[h].point, c, options.deflection.highpass_corner_Hz);
-      if (method == DeflectionMethod::modal && share.empty())
+      if (method == DeflectionMethod::modal && share.empty()) {
         throw InputError("no mode is known at a struck point", fmt::format("hit {}", h),
                          "choose another --method, or see what percuss analyze says of the hits");
+      }
     }
   }
   ImpactTest test{.speeds = speeds(analysis, impacts, hits, options)};

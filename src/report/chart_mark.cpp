@@ -12,7 +12,7 @@ constexpr double kMarkSize = 3.6;  // from a mark's middle to its ends
 std::string chart_mark_svg(ChartMark mark, double x, double y, const char* colour) {
   const double r = kMarkSize;
   const std::string filled = fmt::format("fill=\"{}\"", colour);
-  const std::string drawn = fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"1.5\"", colour);
+  const std::string drawn = fmt::format(R"(fill="none" stroke="{}" stroke-width="1.5")", colour);
   const auto path = [&](const std::string& way, const std::string& ink) {
     return fmt::format("<path d=\"M{:.1f} {:.1f}{}\" {}/>", x, y, way, ink);
   };
@@ -32,7 +32,7 @@ std::string chart_mark_svg(ChartMark mark, double x, double y, const char* colou
     case ChartMark::circle:
       break;
   }
-  return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3\" {}/>", x, y, filled);
+  return fmt::format(R"(<circle cx="{:.1f}" cy="{:.1f}" r="3" {}/>)", x, y, filled);
 }
 
 std::string svg_text(const std::string& text) {

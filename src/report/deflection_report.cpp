@@ -80,9 +80,10 @@ std::string deflection_json(const Analysis& analysis, const ImpactTest& test) {
                               {"forward_std_m", point.forward_std_m}});
   }
   json["impact_speeds"] = Json::array();
-  for (const ImpactSpeed& speed : test.speeds)
+  for (const ImpactSpeed& speed : test.speeds) {
     json["impact_speeds"].push_back(
         {{"index", speed.hit}, {"speed_mps", speed.speed_mps}, {"speed_std_mps", speed.std_mps}});
+  }
   json["warnings"] = Json::array();
   for (const Warning& warning : test.warnings)
     json["warnings"].push_back({{"code", warning.code}, {"message", warning.message}});
@@ -115,9 +116,10 @@ std::string deflection_text(const Analysis& analysis, const ImpactTest& test, st
   }
   std::string text = one_line(input_name(analysis.record().source()), 400) + "\n\n" + hits.text(width);
   if (repeats) text += "\n" + points.text(width);
-  for (const ImpactSpeed& speed : test.speeds)
+  for (const ImpactSpeed& speed : test.speeds) {
     text +=
         fmt::format("hit {}: the ball came with {} m/s\n", speed.hit, with_deviation(speed.speed_mps, speed.std_mps));
+  }
   for (const Warning& warning : test.warnings) text += "\n" + wrapped("! " + one_line(warning.message, 4000), width, 2);
   return text.ends_with('\n') ? text : text + "\n";
 }
@@ -175,9 +177,8 @@ LineChart deflection_chart(const Analysis& analysis, const ImpactTest& test) {
   std::vector<const DeflectedHit*> largest;
   largest.reserve(test.hits.size());
   for (const DeflectedHit& hit : test.hits) largest.push_back(&hit);
-  std::stable_sort(largest.begin(), largest.end(), [](const DeflectedHit* a, const DeflectedHit* b) {
-    return told_m(*a) > told_m(*b);
-  });
+  std::stable_sort(largest.begin(), largest.end(),
+                   [](const DeflectedHit* a, const DeflectedHit* b) { return told_m(*a) > told_m(*b); });
   largest.resize(std::min(largest.size(), kMostHitsDrawn));
   LineChart chart{
       .title = "Deflection at the accelerometer", .x = {.label = "time, s"}, .y = {.label = "deflection, mm"}};

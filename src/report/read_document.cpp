@@ -95,9 +95,10 @@ void add_impacts(const Part& part, ComparedDocument& document) {
   document.modes = frequencies_in(part.at("frequency_hz"), "bending");
   if (!part.has("sweep")) return;
   for (const Part& impact : part.at("sweep").list()) {
-    if (impact.has("at") && impact.has("peak_deflection_m"))
+    if (impact.has("at") && impact.has("peak_deflection_m")) {
       document.deflections.push_back(
           {.position_m = impact.at("at").number(), .peak_m = impact.at("peak_deflection_m").number()});
+    }
   }
 }
 
