@@ -57,7 +57,7 @@ struct Scale {
   std::vector<double> ticks() const {
     if (!logarithmic) return round_ticks(low, high, kTicks);
     std::vector<double> all;
-    for (double decade = std::ceil(low - 1); decade <= high; decade += 1) {
+    for (auto decade = static_cast<int>(std::ceil(low - 1)); decade <= high; ++decade) {
       for (const double factor : {1.0, 2.0, 5.0}) {
         const double value = factor * std::pow(10, decade);
         if ((factor == 1 || high - low < 2) && drawn(value) >= low && drawn(value) <= high) all.push_back(value);
@@ -173,7 +173,7 @@ class Drawing {
       if (!std::isfinite(x) || !std::isfinite(y)) continue;
       out_ += chart_mark_svg(curve.mark, x, y, stroke.colour);
       if (i < curve.labels.size() && !curve.labels[i].empty()) {
-        add("<text x=\"{:.1f}\" y=\"{:.1f}\"{}>{}</text>", x > kRight - kLabelRoom ? x - 7 : x + 7, y - 5,
+        add(R"(<text x="{:.1f}" y="{:.1f}"{}>{}</text>)", x > kRight - kLabelRoom ? x - 7 : x + 7, y - 5,
             x > kRight - kLabelRoom ? " text-anchor=\"end\"" : "", svg_text(curve.labels[i]));
       }
     }
@@ -187,7 +187,7 @@ class Drawing {
       if (curve.name.empty()) continue;
       const Stroke& stroke = stroke_of(i);
       if (curve.line) {
-        add("<path d=\"M{} {:.1f}h20\" stroke=\"{}\" stroke-width=\"1.8\" stroke-dasharray=\"{}\"/>", kRight + 6, y,
+        add(R"(<path d="M{} {:.1f}h20" stroke="{}" stroke-width="1.8" stroke-dasharray="{}"/>)", kRight + 6, y,
             stroke.colour, stroke.dashes);
       }
       if (curve.marks || !curve.line) out_ += chart_mark_svg(curve.mark, kRight + 16, y, stroke.colour);
@@ -209,9 +209,9 @@ class Drawing {
     for (std::size_t i = 1; i < ends.size(); ++i)
       ends[i].first = std::max(ends[i].first, ends[i - 1].first + kLineHeight);
     double limit = kBottom;
-    for (auto end = ends.rbegin(); end != ends.rend(); ++end) {
-      end->first = std::min(end->first, limit);
-      limit = end->first - kLineHeight;
+    for (std::size_t i = ends.size(); i-- > 0;) {
+      ends[i].first = std::min(ends[i].first, limit);
+      limit = ends[i].first - kLineHeight;
     }
     for (const auto& [y, i] : ends) {
       add("<text x=\"{}\" y=\"{:.1f}\" fill=\"{}\">{}</text>\n", kRight + 8, y + 4, stroke_of(i).colour,
