@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "support/input_error.hpp"
@@ -199,7 +200,7 @@ TEST(Abi, GivesUpOnABarrelThatDoesNotSoften) {
 // Bats that soften, gain and break down at random, tested as the procedure says: it always ends, never asks for a
 // depth beyond the rollers, never passes what exceeded the limit.
 TEST(Abi, EndsOnEveryBatAndNeverPassesOneThatFails) {
-  int verdicts[4] = {0, 0, 0, 0};
+  std::array<int, 4> verdicts{};
   for (std::uint64_t seed = 0; seed < 500; ++seed) {
     RandomStream random{3, seed};
     AbiLog log = log_of({});
@@ -224,7 +225,7 @@ TEST(Abi, EndsOnEveryBatAndNeverPassesOneThatFails) {
       }
       run = follow_abi(log);
     }
-    ++verdicts[static_cast<std::size_t>(run.verdict)];
+    ++verdicts.at(static_cast<std::size_t>(run.verdict));
     if (run.verdict == AbiVerdict::pass) {
       EXPECT_LE(highest, *log.limit);
     }
@@ -232,9 +233,9 @@ TEST(Abi, EndsOnEveryBatAndNeverPassesOneThatFails) {
       EXPECT_EQ(run.verdict, AbiVerdict::fail);
     }
   }
-  EXPECT_GT(verdicts[static_cast<std::size_t>(AbiVerdict::pass)], 20);
-  EXPECT_GT(verdicts[static_cast<std::size_t>(AbiVerdict::fail)], 20);
-  EXPECT_GT(verdicts[static_cast<std::size_t>(AbiVerdict::undecided)], 5);
+  EXPECT_GT(verdicts.at(static_cast<std::size_t>(AbiVerdict::pass)), 20);
+  EXPECT_GT(verdicts.at(static_cast<std::size_t>(AbiVerdict::fail)), 20);
+  EXPECT_GT(verdicts.at(static_cast<std::size_t>(AbiVerdict::undecided)), 5);
 }
 
 }  // namespace percuss::abi_test

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
 
@@ -284,7 +285,7 @@ TEST(Certify, NamesItsVerdicts) {
 }
 
 TEST(Certify, NeverPassesABatThatFails) {
-  int verdicts[5] = {0, 0, 0, 0, 0};
+  std::array<int, 5> verdicts{};
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     RandomStream random{5, seed};
     Session s = fresh_session();
@@ -303,14 +304,14 @@ TEST(Certify, NeverPassesABatThatFails) {
       c = certify(s);
     }
     EXPECT_EQ(c.next.code, "stop");
-    ++verdicts[static_cast<std::size_t>(c.verdict)];
+    ++verdicts.at(static_cast<std::size_t>(c.verdict));
     if (c.verdict != CertifyVerdict::pass) continue;
     EXPECT_TRUE(c.sweet_spot_in);
     for (const TestedLocation& location : c.locations) EXPECT_LE(location.mean, *s.limit + 1e-9);
   }
-  EXPECT_GT(verdicts[static_cast<std::size_t>(CertifyVerdict::pass)], 20);
-  EXPECT_GT(verdicts[static_cast<std::size_t>(CertifyVerdict::fail)], 20);
-  EXPECT_GT(verdicts[static_cast<std::size_t>(CertifyVerdict::undecided)], 20);
+  EXPECT_GT(verdicts.at(static_cast<std::size_t>(CertifyVerdict::pass)), 20);
+  EXPECT_GT(verdicts.at(static_cast<std::size_t>(CertifyVerdict::fail)), 20);
+  EXPECT_GT(verdicts.at(static_cast<std::size_t>(CertifyVerdict::undecided)), 20);
 }
 
 }  // namespace percuss::certify_test

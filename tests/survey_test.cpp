@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -113,12 +114,12 @@ TEST_F(BarrelSurvey, ScalesThemToUnitModalMassByTheDrivingPoint) {
 }
 
 TEST_F(BarrelSurvey, NamesModesFromTheirShapes) {
-  const int circumferential[] = {1, 1, 2, 2, 2}, order[] = {1, 2, 1, 1, 2};
+  constexpr std::array circumferential{1, 1, 2, 2, 2}, order{1, 2, 1, 1, 2};
   for (std::size_t m = 0; m < 5; ++m) {
     ASSERT_TRUE(survey_->tubes()[m]);
-    EXPECT_EQ(survey_->tubes()[m]->order, circumferential[m]);
-    EXPECT_EQ(survey_->verdicts()[m].family, circumferential[m] == 1 ? Family::bending : Family::hoop);
-    EXPECT_EQ(survey_->verdicts()[m].order, order[m]);
+    EXPECT_EQ(survey_->tubes()[m]->order, circumferential.at(m));
+    EXPECT_EQ(survey_->verdicts()[m].family, circumferential.at(m) == 1 ? Family::bending : Family::hoop);
+    EXPECT_EQ(survey_->verdicts()[m].order, order.at(m));
     EXPECT_GE(survey_->verdicts()[m].confidence, 0.95);
   }
   EXPECT_EQ(survey_->tubes()[2]->sign_changes, 0);

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <matio.h>
 
+#include <array>
+
 namespace percuss::test {
 namespace {
 
@@ -61,9 +63,9 @@ MatBuilder& MatBuilder::complex(const std::string& name, const std::vector<std::
 }
 
 MatBuilder& MatBuilder::text(const std::string& name, const std::string& text) {
-  std::size_t dims[2] = {1, text.size()};
+  std::array<std::size_t, 2> dims{1, text.size()};
   matvar_t* const variable =
-      Mat_VarCreate(name.c_str(), MAT_C_CHAR, MAT_T_UTF8, 2, dims, const_cast<char*>(text.data()), 0);
+      Mat_VarCreate(name.c_str(), MAT_C_CHAR, MAT_T_UTF8, 2, dims.data(), const_cast<char*>(text.data()), 0);
   EXPECT_EQ(Mat_VarWrite(file_of(file_), variable, MAT_COMPRESSION_NONE), 0);
   Mat_VarFree(variable);
   return *this;
@@ -73,9 +75,9 @@ MatBuilder& MatBuilder::structure(const std::string& name, const std::vector<std
                                   const std::vector<std::vector<std::vector<double>>>& elements) {
   std::vector<const char*> names;
   for (const auto& field : fields) names.push_back(field.c_str());
-  std::size_t dims[2] = {1, elements.size()};
+  std::array<std::size_t, 2> dims{1, elements.size()};
   matvar_t* const variable =
-      Mat_VarCreateStruct(name.c_str(), 2, dims, names.data(), static_cast<unsigned>(names.size()));
+      Mat_VarCreateStruct(name.c_str(), 2, dims.data(), names.data(), static_cast<unsigned>(names.size()));
   for (std::size_t e = 0; e < elements.size(); ++e) {
     for (std::size_t f = 0; f < fields.size(); ++f) {
       const auto& values = elements[e][f];
