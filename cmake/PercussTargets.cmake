@@ -30,28 +30,24 @@ function(percuss_options target)
   endif()
 endfunction()
 
-# percuss_code(TARGET OPTIMISED|UNHURRIED): a floor or the tool. What most files include anyway is parsed once for all of a kind,
-# which are compiled alike, as a precompiled header asks; the preset tidy does without it, so that no include goes missing.
-# What the tests' time does not depend on is not optimised for them: half of its compile time.
-function(percuss_code target kind)
+# percuss_code(TARGET): a floor or the tool. What most files include anyway is parsed once for all of them, which are compiled
+# alike, as a precompiled header asks; the preset tidy does without it, so that no include goes missing.
+add_library(percuss_headers OBJECT ${PROJECT_SOURCE_DIR}/cmake/precompiled.cpp)
+target_precompile_headers(percuss_headers PRIVATE
+  <Eigen/Core> <nlohmann/json.hpp> <fmt/format.h> <algorithm> <filesystem> <string> <vector>)
+function(percuss_code target)
   percuss_options(${target})
-  target_compile_options(${target} PRIVATE -fPIC $<$<AND:$<CONFIG:Debug>,$<STREQUAL:${kind},UNHURRIED>>:-O0>)
+  target_compile_options(${target} PRIVATE -fPIC)
   target_link_libraries(${target} PRIVATE Eigen3::Eigen nlohmann_json::nlohmann_json fmt::fmt)
-  if(NOT target STREQUAL "percuss_headers_${kind}")
-    target_precompile_headers(${target} REUSE_FROM percuss_headers_${kind})
+  if(NOT target STREQUAL "percuss_headers")
+    target_precompile_headers(${target} REUSE_FROM percuss_headers)
   endif()
 endfunction()
+percuss_code(percuss_headers)
 
-foreach(kind OPTIMISED UNHURRIED)
-  add_library(percuss_headers_${kind} OBJECT ${PROJECT_SOURCE_DIR}/cmake/precompiled.cpp)
-  target_precompile_headers(percuss_headers_${kind} PRIVATE
-    <Eigen/Core> <nlohmann/json.hpp> <fmt/format.h> <algorithm> <filesystem> <string> <vector>)
-  percuss_code(percuss_headers_${kind} ${kind})
-endforeach()
-
-# percuss_floor(NAME [UNHURRIED] PUBLIC libs PRIVATE libs): one static library per folder of src/, percuss_NAME.
+# percuss_floor(NAME PUBLIC libs PRIVATE libs): one static library per folder of src/, percuss_NAME.
 function(percuss_floor name)
-  cmake_parse_arguments(ARG "UNHURRIED" "" "PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "PUBLIC;PRIVATE" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/src/${name}/*.cpp)
   add_library(percuss_${name} STATIC ${sources})
   add_library(percuss::${name} ALIAS percuss_${name})
@@ -59,10 +55,6 @@ function(percuss_floor name)
   target_include_directories(percuss_${name} PUBLIC
     $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/src> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/percuss>)
   target_link_libraries(percuss_${name} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
-  if(ARG_UNHURRIED)
-    percuss_code(percuss_${name} UNHURRIED)
-  else()
-    percuss_code(percuss_${name} OPTIMISED)
-  endif()
+  percuss_code(percuss_${name})
   set_property(GLOBAL APPEND PROPERTY PERCUSS_FLOORS percuss_${name})
 endfunction()
