@@ -1,8 +1,7 @@
 // percuss_deflection_chart [FILE.svg]: run time against error of every method of deflection_of, over the sampling rate:
 // a held beam of three modes struck for 2.5 ms, recorded through an anti-alias filter with noise of a thousandth of the
-// acceleration's rms, a bias and a drift; the worst of a dozen noises; the
-// method modal is given residues a thousandth off. Truth is the band-limited deflection, from the
-// filtered force. Prints a table, and draws it.
+// acceleration's rms, a bias and a drift; the worst of a dozen noises; the method modal is given residues a thousandth
+// off. Truth is the band-limited deflection, from the filtered force. Prints a table, and draws it.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -42,6 +43,8 @@ struct Deflection {
   double peak_std_m = 0;
   double forward_m = 0, forward_std_m = 0;  // the same of deflections the way the structure first went; signed
   double drift_m = 0;                       // deviation that bias and drift have at the last sample
+
+  bool peak_is_told() const { return !std::isnan(peak_m); }
 };
 
 /// Deflection of the struck structure from its acceleration (and force). drift_free: bias of the samples before the

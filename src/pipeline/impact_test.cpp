@@ -175,7 +175,7 @@ void warn(const ImpactTestOptions& options, std::size_t impacts, std::size_t use
                              "record with more pre-trigger"});
   }
   const auto untold = std::count_if(test.hits.begin(), test.hits.end(),
-                                    [](const DeflectedHit& hit) { return std::isnan(hit.deflection.peak_m); });
+                                    [](const DeflectedHit& hit) { return !hit.deflection.peak_is_told(); });
   if (untold > 0) {
     test.warnings.push_back(
         {"not_told", fmt::format("{} of {} deflections nowhere stand out of four of their deviations; record "

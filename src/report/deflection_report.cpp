@@ -29,7 +29,7 @@ double time_s(const Analysis& analysis, const DeflectedHit& hit, std::size_t sam
 
 Json hit_json(const Analysis& analysis, const DeflectedHit& hit) {
   const Deflection& d = hit.deflection;
-  const bool told = !std::isnan(d.peak_m);
+  const bool told = d.peak_is_told();
   return {{"index", hit.hit},
           {"channel", hit.channel},
           {"point", hit.point},
@@ -50,9 +50,7 @@ std::string millimetres(double value_m, double std_m) {
   return std::isnan(value_m) ? "not told" : with_deviation(1000 * value_m, 1000 * std_m) + " mm";
 }
 
-double told_m(const DeflectedHit& hit) {
-  return std::isnan(hit.deflection.peak_m) ? 0 : std::abs(hit.deflection.peak_m);
-}
+double told_m(const DeflectedHit& hit) { return hit.deflection.peak_is_told() ? std::abs(hit.deflection.peak_m) : 0; }
 
 std::string channel_name(const Analysis& analysis, std::size_t channel) {
   const std::string& name = analysis.record().accel[channel].name;
@@ -103,7 +101,7 @@ std::string deflection_text(const Analysis& analysis, const ImpactTest& test, st
     const Deflection& d = hit.deflection;
     hits.add({fmt::format("{}", hit.hit), fmt::format("{}", hit.point), channel_name(analysis, hit.channel),
               millimetres(d.peak_m, d.peak_std_m),
-              std::isnan(d.peak_m) ? "" : fmt::format("{:.4f} s", time_s(analysis, hit, d.peak)),
+              d.peak_is_told() ? fmt::format("{:.4f} s", time_s(analysis, hit, d.peak)) : "",
               fmt::format("{:.2g} mm", 1000 * d.drift_m), name_of(d.method)});
   }
   TextTable points(
