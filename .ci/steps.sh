@@ -64,13 +64,18 @@ changed_sources() {
     done | sort -u
 }
 
-# tidy FILES: clang-tidy on the .cpp files among them that are compiled. The preset tidy lists each file's own command.
+# tidy FILES: clang-tidy on the .cpp files among them that are compiled. Files that the build joins to a unit are looked at
+# together, in a unit of only them: the headers of libraries, read once for all, cost more than our own lines.
 tidy() {
-  cmake --preset tidy >/dev/null
-  commands=build/tidy
-  printf '%s\n' "$1" | while read -r file; do
-    grep -qF "\"$PWD/$file\"" "$commands/compile_commands.json" && echo "$file"
-  done | xargs -r -P "$jobs" -n 1 clang-tidy -p "$commands" --quiet
+  cmake --preset tidy -B build/tidy-units -DPERCUSS_TOGETHER=ON >/dev/null
+  printf '%s\n' "$1" >build/tidy-units/files
+  find build/tidy-units -name 'unity_*.cxx' | while read -r unit; do
+    sed -n "s|^#include \"$PWD/\(.*\)\"\$|\1|p" "$unit" | { grep -xF -f build/tidy-units/files || true; } |
+      sed "s|.*|#include \"$PWD/&\"|" >"$unit.wanted"
+    mv "$unit.wanted" "$unit"
+    [ ! -s "$unit" ] || echo "$unit"
+  done | xargs -r -P "$jobs" -n 1 clang-tidy -p build/tidy-units --quiet --checks=-bugprone-suspicious-include \
+    --header-filter='.*/(src|tools|tests|bench)/.*\.[ch]pp$'
 }
 
 check_layout() { all_sources | xargs clang-format --dry-run -Werror; }

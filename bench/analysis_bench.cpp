@@ -44,7 +44,7 @@ void stage(benchmark::State& state, Demand demand) {
   static const double bare_s = bare_transforms_s();
   const Record& record = bat();
   const auto start = std::chrono::steady_clock::now();
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     const Analysis analysis(record, {.threads = 1});
     benchmark::DoNotOptimize(demand(analysis));
   }

@@ -17,7 +17,7 @@ std::vector<double> evenly(double low, double step, std::size_t count) {
 
 void hoop_sweep_397(benchmark::State& state) {
   const auto hoop_Hz = evenly(100, 25, 397);
-  for (auto _ : state) benchmark::DoNotOptimize(hoop_sweep(baseball_on_barrel(), hoop_Hz, 1));
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(hoop_sweep(baseball_on_barrel(), hoop_Hz, 1));
 }
 
 BatProfile slices_84() {
@@ -26,12 +26,12 @@ BatProfile slices_84() {
 }
 
 void bat_modes_84_slices(benchmark::State& state) {
-  for (auto _ : state) benchmark::DoNotOptimize(bat_modes(slices_84(), {}));
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(bat_modes(slices_84(), {}));
 }
 
 void bat_84_slices_60_places(benchmark::State& state) {
   const auto z_m = evenly(0, 0.014, 60);
-  for (auto _ : state) benchmark::DoNotOptimize(bat_sweep(bat_modes(slices_84(), {}), 40, {}, z_m, 1));
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(bat_sweep(bat_modes(slices_84(), {}), 40, {}, z_m, 1));
 }
 
 BENCHMARK(hoop_sweep_397)->Unit(benchmark::kMillisecond);

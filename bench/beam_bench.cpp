@@ -8,20 +8,21 @@ namespace percuss {
 namespace {
 
 void beam_fifty_modes(benchmark::State& state) {
-  for (auto _ : state) benchmark::DoNotOptimize(beam_modes({}, 50));
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(beam_modes({}, 50));
 }
 
 void impact_one(benchmark::State& state) {
-  for (auto _ : state) benchmark::DoNotOptimize(simulate_impact({}));
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(simulate_impact({}));
 }
 
 void impact_small_increment_10us(benchmark::State& state) {
-  for (auto _ : state) benchmark::DoNotOptimize(simulate_impact({}, {.method = ImpactMethod::small_increment}));
+  for ([[maybe_unused]] auto _ : state)
+    benchmark::DoNotOptimize(simulate_impact({}, {.method = ImpactMethod::small_increment}));
 }
 
 // EI 1000:1000:6000, T 500:500:3000, ρA 0.6:0.2:3.0.
 void impact_three_sweeps(benchmark::State& state) {
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     const auto run = [](double UniformBeam::*value, double low, double step, int count) {
       for (int i = 0; i < count; ++i) {
         Impact impact;

@@ -25,7 +25,7 @@ std::vector<double> decay(std::size_t samples) {
 void bare_fftw(benchmark::State& state) {
   BareFftw fftw(static_cast<std::size_t>(state.range(0)));
   fftw.fill(decay(static_cast<std::size_t>(state.range(0))));
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     fftw.transform();
     benchmark::ClobberMemory();
   }
@@ -34,7 +34,7 @@ void bare_fftw(benchmark::State& state) {
 void our_real_dft(benchmark::State& state) {
   const std::vector<double> x = decay(static_cast<std::size_t>(state.range(0)));
   std::vector<Complex> lines(x.size() / 2 + 1);
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     real_dft(x, lines);
     benchmark::ClobberMemory();
   }
@@ -42,7 +42,7 @@ void our_real_dft(benchmark::State& state) {
 
 void our_real_dft_allocating(benchmark::State& state) {
   const std::vector<double> x = decay(static_cast<std::size_t>(state.range(0)));
-  for (auto _ : state) benchmark::DoNotOptimize(real_dft(x));
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(real_dft(x));
 }
 
 BENCHMARK(bare_fftw)->Arg(4096)->Arg(65536)->Arg(65537);

@@ -45,6 +45,7 @@ SessionShot shot_with(const Session& s, double z_in, double value, int number = 
 
 std::vector<std::string> codes_of(const std::vector<ProtocolFinding>& findings) {
   std::vector<std::string> codes;
+  codes.reserve(findings.size());
   for (const auto& finding : findings) codes.push_back(finding.code);
   return codes;
 }

@@ -22,6 +22,7 @@ std::vector<Verdict> verdicts(const std::vector<Mode>& modes, const ClassifyOpti
 
 std::vector<int> orders_of(const std::vector<Verdict>& found) {
   std::vector<int> orders;
+  orders.reserve(found.size());
   for (const Verdict& verdict : found) orders.push_back(verdict.order);
   return orders;
 }

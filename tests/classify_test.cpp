@@ -144,6 +144,7 @@ TEST(Classify, IsBlindToTheResiduesUnitAndSign) {
   };
   const std::vector<Mode> modes{bending(169, 33), hoop(1900, 10), bending(2200, -50)};
   std::vector<Mode> other;
+  other.reserve(modes.size());
   for (const Mode& mode : modes) other.push_back(scaled(mode, {0, -1e6}));
   const auto a = verdicts(modes), b = verdicts(other);
   for (std::size_t m = 0; m < modes.size(); ++m) {

@@ -27,7 +27,8 @@ TEST(CoherenceSummary, CountsTheBandsLinesOnly) {
   ASSERT_GT(analysis.lines().count, inside);  // the margins
   const auto summary = summary_of_coherence(analysis, frf);
   ASSERT_TRUE(summary);
-  const double below = static_cast<double>(inside / 4) / static_cast<double>(inside);
+  const std::size_t quarter = inside / 4;
+  const double below = static_cast<double>(quarter) / static_cast<double>(inside);
   EXPECT_NEAR(summary->below, below, 1e-12);
   EXPECT_NEAR(summary->mean, 1 - below / 2, 1e-12);
 }

@@ -62,7 +62,7 @@ TEST(CsvDialect, SplitsCellsAsTheDelimiterSays) {
 }
 
 TEST(CsvDialect, SkipsBlankLinesAndComments) {
-  for (const char* line : {"", "  ", ",,,", " , ,", "\"\",\"\"", "# 1,2", "  % 1"})
+  for (const char* line : {"", "  ", ",,,", " , ,", R"("","")", "# 1,2", "  % 1"})
     EXPECT_TRUE(is_skipped(line, {})) << line;
   for (const char* line : {"1", ",1", "a,#", "-"}) EXPECT_FALSE(is_skipped(line, {})) << line;
 }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -71,9 +72,11 @@ TEST(TubeShape, FindsThePlaneAtAnyAngle) {
 
 TEST(TubeShape, NamesBendingAndHoopOnly) {
   const TubeGeometry geometry = geometry_of({.angles = 8});
-  const Family families[] = {Family::unknown, Family::bending, Family::hoop, Family::unknown};
-  for (int n = 0; n <= 3; ++n)
-    EXPECT_EQ(family_of(*tube_shape(pattern(geometry, n, 0.3, flat), geometry)), families[n]) << n;
+  const std::array families{Family::unknown, Family::bending, Family::hoop, Family::unknown};
+  for (int n = 0; n <= 3; ++n) {
+    EXPECT_EQ(family_of(*tube_shape(pattern(geometry, n, 0.3, flat), geometry)), families[static_cast<std::size_t>(n)])
+        << n;
+  }
 }
 
 TEST(TubeShape, SeesTheCosineOfHalfTheAnglesAlone) {

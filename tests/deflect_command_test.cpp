@@ -186,7 +186,7 @@ TEST(CompareCommand, RefusesWhatItCannotCompare) {
   EXPECT_THAT(refused("{\"schema\": \"percuss/analysis/1\", \"modes\": [{\"frequency_hz\": 1e999}]}"),
               HasSubstr("x.json"));
   EXPECT_THAT(refused(std::string(100000, '[')), HasSubstr("nested"));
-  test::write_bytes(folder.file("one.json"), "{\"schema\": \"percuss/model-beam/1\", \"frequency_hz\": [1]}");
+  test::write_bytes(folder.file("one.json"), R"({"schema": "percuss/model-beam/1", "frequency_hz": [1]})");
   EXPECT_EQ(run_percuss({"compare", folder.file("one.json")}).code, 2);
 }
 

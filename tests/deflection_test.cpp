@@ -218,8 +218,9 @@ TEST(MotionOnset, IsWhereTheNoiseEnds) {
 }
 
 TEST(RestState, ReadsBiasDriftAndNoise) {
-  std::vector<double> before;
-  for (int i = 0; i < 400; ++i) before.push_back(2 + 0.5 * (i - 400) / 1000.0 + (i % 2 == 0 ? 0.1 : -0.1));
+  std::vector<double> before(400);
+  for (int i = 0; i < 400; ++i)
+    before[static_cast<std::size_t>(i)] = 2 + 0.5 * (i - 400) / 1000.0 + (i % 2 == 0 ? 0.1 : -0.1);
   const RestState rest = rest_state(before, 1000, 1);
   EXPECT_NEAR(rest.bias(0), 2, 0.02);
   EXPECT_NEAR(rest.bias(1), 0.5, 0.1);

@@ -17,7 +17,7 @@ constexpr double kNoise_N = 0.02;
 FrfSet gated_hit() {
   FrfSet set = test::empty_set(8192, 16384, 40, 2400, 1);
   ForceBlock block{.offset = 100, .force_N = std::vector<double>(90), .whole_N = {}};
-  for (int n = 0; n < 9; ++n) block.force_N[static_cast<std::size_t>(40 + n)] = std::sin(kTwoPi * (n + 0.5) / 18);
+  for (std::size_t n = 0; n < 9; ++n) block.force_N[40 + n] = std::sin(kTwoPi * (static_cast<double>(n) + 0.5) / 18);
   const auto spectrum = force_spectrum(block, set.lines);
   set.points[0] = point_force({block}, {&spectrum}, kNoise_N);
   return set;

@@ -62,12 +62,12 @@ TEST_F(FrfHdf5, HoldsLinesPointsAndFrfsToTheLastDigit) {
   EXPECT_THAT(numbers("point"), ElementsAre(0, 1));
   const std::size_t lines = freq_Hz.size();
   const auto std = numbers("frf_std"), coherence = numbers("coherence");
-  ASSERT_EQ(std.size(), 2 * 2 * lines);
-  const auto value = complex_numbers(path_, 2 * 2 * lines);
+  const std::size_t frfs = 4;  // two points, two channels
+  ASSERT_EQ(std.size(), frfs * lines);
+  const auto value = complex_numbers(path_, frfs * lines);
   std::size_t first = 0;
   while (analysis.lines().freq_Hz(first) < freq_Hz.front()) ++first;
-  for (std::size_t i = 0; i < analysis.frfs().size(); ++i) {
-    const PointFrf& frf = analysis.frfs()[i];
+  for (const PointFrf& frf : analysis.frfs()) {
     const std::size_t at = (static_cast<std::size_t>(frf.point) * 2 + frf.channel) * lines;
     for (std::size_t k = 0; k < lines; ++k) {
       ASSERT_EQ(value[at + k], frf.frf.value[first + k]);

@@ -58,9 +58,10 @@ TEST(Geometry, FindsTheTubeInCoordinatesAboutAnyAxis) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     Geometry geometry;
     for (int i = 0; i < 24; ++i) {
-      const double angle = pi / 3 * (i % 6) + 0.1, radius = 0.03 + 0.002 * (i / 6);  // tapered
+      const int ring = i / 6;
+      const double angle = pi / 3 * (i % 6) + 0.1, radius = 0.03 + 0.002 * ring;  // tapered
       std::array<double, 3> xyz{};
-      xyz[axis] = 0.05 * (i / 6);
+      xyz[axis] = 0.05 * ring;
       xyz[(axis + 1) % 3] = 1 + radius * std::cos(angle);
       xyz[(axis + 2) % 3] = -2 + radius * std::sin(angle);
       geometry.points.push_back({.point = i, .xyz_m = xyz});
@@ -68,10 +69,11 @@ TEST(Geometry, FindsTheTubeInCoordinatesAboutAnyAxis) {
     tube_from_coordinates(geometry);
     ASSERT_TRUE(geometry.tube) << axis;
     for (int i = 0; i < 24; ++i) {
+      const int ring = i / 6;
       const GeometryPoint& p = geometry.points[static_cast<std::size_t>(i)];
-      EXPECT_NEAR(p.position_m, 0.05 * (i / 6), kRounding);
+      EXPECT_NEAR(p.position_m, 0.05 * ring, kRounding);
       EXPECT_NEAR(std::remainder(p.angle_rad - pi / 3 * (i % 6) - 0.1, 2 * pi), 0, kRounding);
-      EXPECT_NEAR(p.radius_m, 0.03 + 0.002 * (i / 6), kRounding);
+      EXPECT_NEAR(p.radius_m, 0.03 + 0.002 * ring, kRounding);
     }
   }
 }

@@ -16,7 +16,7 @@ const std::vector<Pole> kStart{{300.6, 0.011}, {304.7, 0.011}, {420.4, 0.0065}};
 FrfSet three_modes(std::size_t channels, Complex turn = 1) {
   FrfSet set = test::empty_set(4096, 32768, 250, 500, channels);
   for (std::size_t o = 0; o < channels; ++o) {
-    const double x = static_cast<double>(o);
+    const auto x = static_cast<double>(o);
     test::add_mode(set, o, kTruth[0], turn * (0.5 - 0.3 * x));
     test::add_mode(set, o, kTruth[1], turn * (0.2 + 0.4 * x));
     test::add_mode(set, o, kTruth[2], 0.6 - 0.9 * x);

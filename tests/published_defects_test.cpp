@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <variant>
 
@@ -125,7 +126,7 @@ TEST(PublishedDefects, TheFrfIsNotConjugated) {
 
 TEST(PublishedDefects, StoredDataAreNotChangedByAConversion) {
   const Analysis analysis = analysis_of(second_of({{.freq_Hz = 200, .damping_ratio = 0.02}}, 1e-3));
-  const std::vector<PointFrf> before = analysis.frfs();
+  const std::vector<PointFrf> before(analysis.frfs().begin(), analysis.frfs().end());
   for (const FrfKind kind : {FrfKind::receptance, FrfKind::mobility, FrfKind::receptance})
     converted(analysis.frfs()[0].frf, analysis.lines(), kind);
   for (std::size_t i = 0; i < before.size(); ++i) {
@@ -162,8 +163,9 @@ TEST(PublishedDefects, ACoherenceAbove1IsNotClipped) {
   // Our own cannot exceed 1 but by rounding, so that there is nothing to clip: both sides of the fraction are the same
   // sums. Another tool's can, and is shown as its file has it.
   constexpr double kRounding = 1e-15;
-  const std::vector<Complex> f[2] = {{{0.3, 0.7}, {1, -2}}, {{0.9, 0.1}, {1e-3, 4}}};
-  const std::vector<Complex> a[2] = {{{3, 1}, {-5, 2}}, {{0.2, 0.7}, {-4e-3, -17}}};
+  using Spectra = std::array<std::vector<Complex>, 2>;
+  const Spectra f{{{{0.3, 0.7}, {1, -2}}, {{0.9, 0.1}, {1e-3, 4}}}};
+  const Spectra a{{{{3, 1}, {-5, 2}}, {{0.2, 0.7}, {-4e-3, -17}}}};
   const std::vector<const std::vector<Complex>*> force{&f[0], &f[1]}, accel{&a[0], &a[1]}, same{&f[0], &f[1]};
   for (const auto& response : {accel, same}) {
     const CrossSpectra sums = cross_spectra(force, response);

@@ -26,7 +26,7 @@ struct FrfFile {
 };
 
 std::string written(const test::ScratchFolder& folder, const FrfFile& made) {
-  const std::string path = folder.file("frf.h5");
+  std::string path = folder.file("frf.h5");
   hdf5::OutputHdf5 out(path, true);
   out.create_set("frequency_hz", std::array{made.freq_Hz.size()});
   out.write("frequency_hz", {}, 0, std::span<const double>(made.freq_Hz));

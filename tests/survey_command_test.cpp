@@ -32,7 +32,8 @@ class SurveyCommand : public testing::Test {
     spec.sensors = {{.position_m = 0.05, .angle_rad = 0}};
     spec.points.clear();
     for (std::size_t p = 0; p < 18; ++p) {
-      spec.points.push_back({.position_m = 0.05 + 0.08 * static_cast<double>(p / 6),
+      const std::size_t ring = p / 6;
+      spec.points.push_back({.position_m = 0.05 + 0.08 * static_cast<double>(ring),
                              .angle_rad = static_cast<double>(p % 6) * std::numbers::pi / 3});
     }
     spec.hits = 2;

@@ -111,7 +111,7 @@ TEST(Warnings, ShowHowFarApartClosePairsAreHoweverClose) {
   spec.modes[1].angle_rad = 0.8;
   spec.fs_Hz = 2560;
   spec.band_high_Hz = 1000;
-  spec.samples = 2560 * 40;
+  spec.samples = 102400;  // 40 s
   const auto warnings = warnings_of(synthesise(spec).record, band(400, 600));
   EXPECT_THAT(warnings, Contains(AllOf(HasSubstr("double_peak: "), HasSubstr("(0.0400 Hz apart)"))));
 }

@@ -74,6 +74,7 @@ MatBuilder& MatBuilder::text(const std::string& name, const std::string& text) {
 MatBuilder& MatBuilder::structure(const std::string& name, const std::vector<std::string>& fields,
                                   const std::vector<std::vector<std::vector<double>>>& elements) {
   std::vector<const char*> names;
+  names.reserve(fields.size());
   for (const auto& field : fields) names.push_back(field.c_str());
   std::array<std::size_t, 2> dims{1, elements.size()};
   matvar_t* const variable =

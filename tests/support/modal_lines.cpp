@@ -29,6 +29,7 @@ FrfSet frf_set_of(const Record& record, double low_Hz, double high_Hz, double de
       force.push_back(force_spectrum(blocks.back(), set.lines));
     }
     std::vector<const std::vector<Complex>*> to_force;
+    to_force.reserve(force.size());
     for (const auto& spectrum : force) to_force.push_back(&spectrum);
     for (std::size_t c = 0; c < record.accel.size(); ++c) {
       std::vector<Complex> h(set.lines.count);
