@@ -4,17 +4,15 @@
 #include <cmath>
 #include <span>
 
-#include "core/statistics.hpp"
 #include "core/tall_products.hpp"
+#include "identify/line_noise.hpp"
 #include "identify/peaks.hpp"
 
 namespace percuss {
 namespace {
 
-constexpr std::size_t kNoiseLines = 129;     // over which the noise is taken as even
-constexpr double kMedianOfNoise = 0.693147;  // median of an exponential distribution: |complex Gaussian|²
-constexpr double kRoughnessGain = 1.5;       // variance of x(k) − (x(k−1) + x(k+1))/2 over that of x
-constexpr double kNoiseProminence = 6;       // deviations of the level's own fluctuation
+constexpr std::size_t kNoiseLines = 129;  // over which the noise is taken as even
+constexpr double kNoiseProminence = 6;    // deviations of the level's own fluctuation
 constexpr double kDecibelsPerNeper = 8.6859;
 constexpr double kPointing = 0.005;
 constexpr double kReach = 6;  // half-widths on either side that a hidden resonance is looked for over
@@ -24,20 +22,19 @@ constexpr double kModelFloor = 1e-6;    // of the largest line: what a fit leave
 constexpr double kNarrowest = 1.5;      // lines
 constexpr double kWidestHidden = 0.03;  // half-width over frequency of the broadest hidden mode
 
-// Power of the noise on each line, from roughness: where an FRF is smooth the second difference is noise alone, and the
-// median over a stretch of lines skips the resonances.
-std::vector<double> noise_power(std::span<const Complex> h) {
+// Power of the noise on each line, as the roughness of the lines around it tells.
+std::vector<double> local_noise(std::span<const Complex> h) {
   const std::size_t n = h.size();
-  std::vector<double> rough(n), noise(n);
-  for (std::size_t k = 1; k + 1 < n; ++k) rough[k] = std::norm(h[k] - 0.5 * (h[k - 1] + h[k + 1])) / kRoughnessGain;
+  const std::vector<double> rough = roughness(h);
+  std::vector<double> noise(n);
   const std::size_t half = kNoiseLines / 2;
   for (std::size_t block = 0; block < n; block += half) {
     const std::size_t begin = std::max<std::size_t>(1, block > half ? block - half : 1);
     const std::size_t end = std::min(n - 1, block + 2 * half);
-    const double middle = begin < end ? median({rough.begin() + static_cast<std::ptrdiff_t>(begin),
-                                                rough.begin() + static_cast<std::ptrdiff_t>(end)})
-                                      : 0;
-    for (std::size_t k = block; k < std::min(n, block + half); ++k) noise[k] = middle / kMedianOfNoise;
+    const double power = begin < end ? noise_power({rough.begin() + static_cast<std::ptrdiff_t>(begin),
+                                                    rough.begin() + static_cast<std::ptrdiff_t>(end)})
+                                     : 0;
+    for (std::size_t k = block; k < std::min(n, block + half); ++k) noise[k] = power;
   }
   return noise;
 }
@@ -56,7 +53,7 @@ Level level_of(const FrfSet& set) {
   const std::size_t n = set.lines.count;
   Level level{std::vector<double>(n), std::vector<double>(n)};
   for (const Output& output : set.outputs) {
-    const auto noise = noise_power(output.frf);
+    const auto noise = local_noise(output.frf);
     for (std::size_t k = 0; k < n; ++k) {
       level.power[k] += std::norm(output.frf[k]);
       level.noise[k] += noise[k];
@@ -163,7 +160,7 @@ std::vector<Pole> hidden_poles(const FrfSet& set, const std::vector<Eigen::Vecto
   std::vector<ResidualLines> outputs;
   std::vector<double> floors;
   for (std::size_t o = 0; o < residual.size(); ++o) {
-    outputs.push_back({residual[o], noise_power({residual[o].data(), static_cast<std::size_t>(residual[o].size())})});
+    outputs.push_back({residual[o], local_noise({residual[o].data(), static_cast<std::size_t>(residual[o].size())})});
     floors.push_back(std::pow(kModelFloor * largest_of(set.outputs[o].frf), 2));
     for (double& power : outputs.back().noise) power = std::max(power, floors.back());
   }

@@ -26,8 +26,8 @@ constexpr double kNoiseAlone = 1.5;        // times the lines' roughness, which 
 constexpr double kCoincide = 0.05;         // … below which a fit has pushed two into one
 constexpr double kCertain = 1e9;           // a quotient over no noise at all
 
-double most_misfit(const GroupedFit& all, const LocalFit& fit) {
-  return fit.noise.cwiseQuotient(all.noise()).maxCoeff();
+double most_misfit(const GroupedFit& all, const FitGroup& group) {
+  return group.fit.noise.cwiseQuotient(all.noise(group)).maxCoeff();
 }
 
 double significance(const LocalFit& fit, std::size_t mode) {
@@ -69,7 +69,7 @@ double least_standing(const GroupedFit& all, const FitGroup& group, std::size_t 
   const bool shown = std::any_of(context.shown.begin(), context.shown.end(), [&](const Pole& peak) {
     return std::abs(peak.freq_Hz - pole.freq_Hz) < all.width_Hz(pole);
   });
-  const double misfit = std::max(1.0, most_misfit(all, group.fit));
+  const double misfit = std::max(1.0, most_misfit(all, group));
   const bool reached = all.set().reach_Hz <= 0 || pole.freq_Hz <= all.set().reach_Hz;
   // Before the set of modes has settled a misfit may be another mode's, still to be found.
   return kStandsOut * (context.settled && !shown ? std::min(misfit, kMostMisfit) : 1) * (reached ? 1 : kBeyondReach);
@@ -111,7 +111,7 @@ bool coincide(const GroupedFit& all, const Pole& a, const Pole& b) {
 
 bool all_credible(const GroupedFit& all, const FitGroup& group, const CredibilityContext& context) {
   const auto& poles = group.fit.poles;
-  const double apart = most_misfit(all, group.fit) < kNoiseAlone ? kLeastProvenSplit : kLeastSplit;
+  const double apart = most_misfit(all, group) < kNoiseAlone ? kLeastProvenSplit : kLeastSplit;
   for (std::size_t m = 0; m < poles.size(); ++m) {
     if (!credible(all, group, m, context)) return false;
     for (std::size_t i = 0; i < m; ++i) {

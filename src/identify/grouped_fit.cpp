@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/statistics.hpp"
-
 namespace percuss {
 namespace {
 
@@ -16,8 +14,9 @@ constexpr double kWindow = 10;  // half-power bandwidths on either side: beyond 
 constexpr double kLeastLines = 8;   // … and never fewer lines
 constexpr double kMostLines = 400;  // … nor more: the polynomial follows other modes' tails over a short stretch only
 constexpr double kLeastForce =
-    1e-6;                        // of the strongest line's power: a pulse's spectrum has zeros, where FRFs mean nothing
-constexpr double kTogether = 4;  // bandwidths apart at which two modes are fitted together
+    1e-6;  // of the strongest line's power: a pulse's spectrum has zeros, where FRFs mean nothing
+constexpr double kLeastWeight = 1e-3;  // of the noise elsewhere: where a fit leaves nothing, its weight stays finite
+constexpr double kTogether = 4;        // bandwidths apart at which two modes are fitted together
 
 void carry_over(const std::vector<FitGroup>& before, FitGroup& group, std::size_t m) {
   for (const FitGroup& old : before) {
@@ -31,7 +30,8 @@ void carry_over(const std::vector<FitGroup>& before, FitGroup& group, std::size_
 
 }  // namespace
 
-GroupedFit::GroupedFit(const FrfSet& set) : set_(set), noise_(roughness(set)), largest_(VectorXd::Zero(noise_.size())) {
+GroupedFit::GroupedFit(const FrfSet& set)
+    : set_(set), noise_(set), largest_(VectorXd::Zero(static_cast<Index>(set.outputs.size()))) {
   for (std::size_t o = 0; o < set.outputs.size(); ++o) {
     double& largest = largest_(static_cast<Index>(o));
     const std::vector<Complex>& frf = set.outputs[o].frf;
@@ -98,8 +98,8 @@ void GroupedFit::sweep(int times) {
     for (FitGroup& group : groups_) {
       const auto data = remainder(group);
       // A first residual tells each output's noise here, which is not the noise elsewhere.
-      if (group.fit.noise.size() == 0) group.fit = fit(group, data, group.fit.poles, noise_, kRoughly);
-      group.fit = fit(group, data, group.fit.poles, weights_from(group.fit));
+      if (group.fit.noise.size() == 0) group.fit = fit(group, data, group.fit.poles, noise(group), kRoughly);
+      group.fit = fit(group, data, group.fit.poles, weights_from(group));
     }
   }
 }
@@ -144,27 +144,8 @@ LocalFit GroupedFit::fit(const FitGroup& group, const std::vector<VectorXcd>& da
                      {.first = group.first, .count = group.count, .tolerance = tolerance});
 }
 
-VectorXd GroupedFit::weights_from(const LocalFit& fit) const {
-  VectorXd weight = fit.noise;
-  for (Index o = 0; o < weight.size(); ++o) weight(o) = std::max(weight(o), 1e-3 * noise_(o));
-  return weight;
-}
-
-VectorXd roughness(const FrfSet& set) {
-  VectorXd noise(static_cast<Index>(set.outputs.size()));
-  for (std::size_t o = 0; o < set.outputs.size(); ++o) {
-    const auto& h = set.outputs[o].frf;
-    std::vector<double> rough;
-    rough.reserve(h.size());
-    double largest = 0;
-    for (std::size_t k = 1; k + 1 < h.size(); ++k) {
-      rough.push_back(std::norm(h[k] - 0.5 * (h[k - 1] + h[k + 1])) / 1.5);
-      largest = std::max(largest, std::norm(h[k]));
-    }
-    // A noise-free FRF still has rounding; a weight of zero would be none.
-    noise(static_cast<Index>(o)) = std::max({std::sqrt(median(rough) / 0.693147), 1e-12 * std::sqrt(largest), 1e-300});
-  }
-  return noise;
+VectorXd GroupedFit::weights_from(const FitGroup& group) const {
+  return group.fit.noise.cwiseMax(kLeastWeight * noise(group));
 }
 
 }  // namespace percuss

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "identify/line_noise.hpp"
 #include "identify/local_fit.hpp"
 
 namespace percuss {
@@ -24,9 +25,9 @@ class GroupedFit {
   const std::vector<FitGroup>& groups() const { return groups_; }
   std::vector<Pole> poles() const;
   const FrfSet& set() const { return set_; }
-  /// Per output: deviation of a line's noise as the FRF's roughness tells it; the largest line that the force
-  /// reached.
-  const Eigen::VectorXd& noise() const { return noise_; }
+  /// Per output: deviation of the noise in the group's window as all lines tell it (LineNoise).
+  Eigen::VectorXd noise(const FitGroup& group) const { return noise_.over(group.first, group.count); }
+  /// Per output: the largest line that the force reached.
   const Eigen::VectorXd& largest() const { return largest_; }
   /// Half-power bandwidth, at least half a line.
   double width_Hz(const Pole& pole) const;
@@ -43,7 +44,7 @@ class GroupedFit {
   LocalFit fit(const FitGroup& group, const std::vector<Eigen::VectorXcd>& data, std::vector<Pole> start,
                const Eigen::VectorXd& weight, double tolerance = LocalFitOptions{}.tolerance) const;
   /// The noise of each output in the window as the fit's residual tells it.
-  Eigen::VectorXd weights_from(const LocalFit& fit) const;
+  Eigen::VectorXd weights_from(const FitGroup& group) const;
 
   /// Tolerance that is near enough to see the noise.
   static constexpr double kRoughly = 1e-3;
@@ -56,12 +57,9 @@ class GroupedFit {
                 std::vector<Eigen::VectorXcd>& data) const;
 
   const FrfSet& set_;
-  Eigen::VectorXd noise_, largest_;
+  LineNoise noise_;
+  Eigen::VectorXd largest_;
   std::vector<FitGroup> groups_;
 };
-
-/// Deviation of the noise on each output's lines, from how rough the FRF is between neighbouring lines: |H(k) − (H(k−1)
-/// + H(k+1))/2|, median over all lines. (m/s²)/N, [outputs].
-Eigen::VectorXd roughness(const FrfSet& set);
 
 }  // namespace percuss

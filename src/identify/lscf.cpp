@@ -7,7 +7,7 @@
 #include "core/fft.hpp"
 #include "core/roots.hpp"
 #include "core/units.hpp"
-#include "identify/grouped_fit.hpp"
+#include "identify/line_noise.hpp"
 
 namespace percuss {
 namespace {
@@ -90,7 +90,7 @@ double largest_line_of(std::span<const Complex> lines) {
 MatrixXcd normal_matrix(const FrfSet& set, const LscfOptions& options, const Circle& circle) {
   PowerSums sums(circle, options.max_order);
   const Eigen::LLT<MatrixXcd> powers(sums.toeplitz(sums.of([](std::size_t) { return 1.0; })));
-  const Eigen::VectorXd noise = roughness(set);
+  const Eigen::VectorXd noise = LineNoise(set).over(options.first, options.count);
   const auto size = static_cast<Index>(options.max_order + 1);
   MatrixXcd matrix = MatrixXcd::Zero(size, size);
   for (std::size_t o = 0; o < set.outputs.size(); ++o) {

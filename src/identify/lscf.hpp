@@ -28,7 +28,7 @@ struct LscfOrder {
 /// circle that is left over keeps the band's two ends apart. B_o (of degree max_order at every order) is eliminated;
 /// the normal equations of A are Toeplitz sums made by FFT, and one factorisation serves all orders, whose equations
 /// are nested. Fixing the constant coefficient sends the poles of the noise out of the unit circle, where they are
-/// unstable and left out. w_o is one over the variance of the output's noise as roughness() tells it.
+/// unstable and left out. w_o is one over the variance of the output's noise as LineNoise tells it.
 /// An exponential window of the force is taken off the poles. shapes: orders 2 … max_order, ascending; empty with fewer
 /// than 8 lines or no output.
 /// source  [6] in docs/sources.md.

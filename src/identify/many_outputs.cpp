@@ -5,6 +5,7 @@
 #include "identify/force_noise.hpp"
 #include "identify/grouped_fit.hpp"
 #include "identify/joint_fit.hpp"
+#include "identify/line_noise.hpp"
 #include "identify/moving.hpp"
 #include "identify/peak_fit.hpp"
 #include "identify/principal.hpp"
@@ -101,7 +102,7 @@ Eigen::VectorXd gain_variance(const FrfSet& set, std::size_t point, Index from, 
 
 // Common poles leave the noise alone around every mode: the responses', and what the force's makes of a large FRF.
 bool explains(const FrfSet& set, const JointFit& fit) {
-  const Eigen::VectorXd noise = roughness(set);
+  const LineNoise noise(set);
   for (const Pole& pole : fit.poles) {
     const double at = set.lines.position(pole.freq_Hz);
     const double half = std::max(kAround * pole.half_power_Hz() / set.lines.df_Hz(), kLeastAround);
@@ -113,10 +114,12 @@ bool explains(const FrfSet& set, const JointFit& fit) {
       const Output& output = set.outputs[o];
       if (o == 0 || output.point != set.outputs[o - 1].point)
         gain = gain_variance(set, output.point, from, to, set.lines.at(at));
-      const double n = noise(static_cast<Index>(o));
-      energy += fit.residual[o].segment(from, to - from + 1).squaredNorm() / (n * n);
-      for (Index k = from; k <= to; ++k)
-        expected += 1 + gain(k - from) * std::norm(output.frf[static_cast<std::size_t>(k)]) / (n * n);
+      for (Index k = from; k <= to; ++k) {
+        const auto line = static_cast<std::size_t>(k);
+        const double n = noise.at(o, line);
+        energy += std::norm(fit.residual[o](k)) / (n * n);
+        expected += 1 + gain(k - from) * std::norm(output.frf[line]) / (n * n);
+      }
     }
     if (energy > kExplained * expected) return false;
   }

@@ -166,7 +166,7 @@ bool moves_instead(const FrfSet& set, const WindowData& window, const FitGroup& 
 std::optional<Pole> merged(const GroupedFit& all, const FitGroup& group) {
   const auto& poles = group.fit.poles;
   if (poles.size() < 2 || all.set().points.size() < kLeastPoints) return std::nullopt;
-  const WindowData window{.data = all.remainder(group), .weight = all.weights_from(group.fit)};
+  const WindowData window{.data = all.remainder(group), .weight = all.weights_from(group)};
   FitGroup several = group;
   several.fit = all.fit(group, window.data, poles, window.weight);
   const std::size_t main = highest_peak(several.fit);
@@ -186,8 +186,8 @@ std::optional<Pole> merged(const GroupedFit& all, const FitGroup& group) {
 std::vector<MovingMode> moving_modes(const GroupedFit& all, const FitGroup& group) {
   const std::size_t count = all.set().points.size();
   if (count < kLeastPoints) return {};
-  if ((group.fit.noise.array() / all.noise().array()).square().mean() < kPointsDisagree) return {};
-  const WindowData window{.data = all.remainder(group), .weight = all.weights_from(group.fit)};
+  if ((group.fit.noise.array() / all.noise(group).array()).square().mean() < kPointsDisagree) return {};
+  const WindowData window{.data = all.remainder(group), .weight = all.weights_from(group)};
   const LocalFit common = all.fit(group, window.data, group.fit.poles, window.weight);
   const PointFits points = fit_each_point(all.set(), window, group, common.cost);
   if (points.degrees == 0 || common.degrees <= points.degrees) return {};

@@ -132,10 +132,11 @@ class PeakFit {
   }
 
   // More than noise is left in these outputs: a second mode could leave a quarter of that energy.
-  std::vector<Index> misfits(const LocalFit& fit) const {
+  std::vector<Index> misfits(const FitGroup& group) const {
     std::vector<Index> outputs;
-    for (Index o = 0; o < fit.noise.size(); ++o) {
-      if (std::pow(fit.noise(o) / all_.noise()(o), 2) > kMisfit) outputs.push_back(o);
+    const VectorXd expected = all_.noise(group);
+    for (Index o = 0; o < expected.size(); ++o) {
+      if (std::pow(group.fit.noise(o) / expected(o), 2) > kMisfit) outputs.push_back(o);
     }
     return outputs;
   }
@@ -152,10 +153,10 @@ class PeakFit {
     const std::size_t unknowns = 2 + 2 * set_.outputs.size();
     const bool fitted = group.fit.degrees > 2 * unknowns;
     if (!fitted || now.size() >= GroupedFit::kMostTogether) return now;
-    const std::vector<Index> amiss = misfits(group.fit);
+    const std::vector<Index> amiss = misfits(group);
     if (amiss.empty()) return now;
     const auto data = all_.remainder(group);
-    const VectorXd weight = all_.weights_from(group.fit);
+    const VectorXd weight = all_.weights_from(group);
     FitGroup best = group;
     best.fit = all_.fit(group, data, now, weight);
     const LocalFit one = best.fit;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/principal_directions.hpp"
-#include "identify/grouped_fit.hpp"
+#include "identify/line_noise.hpp"
 
 namespace percuss {
 namespace {
@@ -48,7 +48,7 @@ MatrixXd standing_out(const FrfSet& set, const VectorXd& noise) {
 }  // namespace
 
 FrfSet principal_outputs(const FrfSet& set, std::size_t most) {
-  const VectorXd noise = roughness(set);
+  const VectorXd noise = LineNoise(set).over(0, set.lines.count);
   const MatrixXd rows = standing_out(set, noise);
   const MatrixXd directions = eigenvectors(rows.transpose() * rows);
   const auto outputs = static_cast<Index>(set.outputs.size());
