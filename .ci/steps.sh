@@ -23,7 +23,8 @@ tested() {
   shift
   mkdir -p build
   step "$preset: tests" logged "build/$preset-tests.log" "$@"
-  summary="$summary$preset: $(grep 'tests passed' "build/$preset-tests.log")
+  tests=$("build/$preset/tests/percuss_tests" --gtest_list_tests | grep -c '^  ')
+  summary="$summary$preset: $(grep 'tests passed' "build/$preset-tests.log"), which hold $tests
 "
 }
 
