@@ -19,7 +19,6 @@ constexpr double kContactTolerance = 1e-10;            // of the ball's speed, i
 constexpr double kFirstStep = 0.05, kShortest = 1e-9;  // of s
 constexpr double kUnderWay = 0.1;                      // of s: a touch that begins without force has some by then
 constexpr double kMostContactSteps = 1e6;
-constexpr int kMostHalvings = 100;
 using ContactState = std::array<double, kContactStates>;  // ball, its speed, barrel, its speed
 
 // Equations (1) and (2) of trampoline.hpp with s of (1) for the time.
