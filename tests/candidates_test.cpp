@@ -100,21 +100,32 @@ TEST(HiddenPoles, AreNotFoundInNothing) {
   EXPECT_TRUE(hidden_poles(three_modes(), lines_of(left)).empty());
 }
 
-TEST(PoleNear, TakesThePeakThatTheUserPointsAt) {
+TEST(PolesNear, AreThePeaksThatTheUserPointsAt) {
   const FrfSet set = three_modes();
-  EXPECT_LE(std::abs(pole_near(set, 574).freq_Hz - 575.4), 0.5);
-  EXPECT_LE(std::abs(pole_near(set, 170).freq_Hz - 169.03), 0.5);
+  const auto poles = poles_near(set, {574, 170});
+  ASSERT_EQ(poles.size(), 2U);
+  EXPECT_LE(std::abs(poles[0].freq_Hz - 575.4), 0.5);
+  EXPECT_LE(std::abs(poles[1].freq_Hz - 169.03), 0.5);
 }
 
-TEST(PoleNear, StaysWhereThereIsNone) {
+TEST(PolesNear, StayWhereThereIsNone) {
   FrfSet set = three_modes();
   test::add_line_noise(set, 0.3, 8);
-  const Pole pole = pole_near(set, 900);
+  const Pole pole = poles_near(set, {900}).front();
   EXPECT_LE(std::abs(pole.freq_Hz - 900),
             2 * std::max(0.005 * 900, 4 * set.lines.df_Hz()));  // its reach, and a pole beside its line
   EXPECT_GT(pole.damping_ratio, 0);
-  EXPECT_GT(pole_near(set, 0).freq_Hz, 0);    // below the lines
-  EXPECT_GT(pole_near(set, 1e6).freq_Hz, 0);  // beyond them
+  EXPECT_GT(poles_near(set, {0}).front().freq_Hz, 0);    // below the lines
+  EXPECT_GT(poles_near(set, {1e6}).front().freq_Hz, 0);  // beyond them
+}
+
+TEST(PolesNear, DoNotShareAPeak) {
+  const FrfSet set = three_modes();
+  for (const bool weaker_first : {true, false}) {
+    const auto poles = poles_near(set, weaker_first ? std::vector{573.5, 575.5} : std::vector{575.5, 577.0});
+    EXPECT_LE(std::abs(poles[weaker_first ? 1 : 0].freq_Hz - 575.4), 0.5);
+    EXPECT_EQ(poles[weaker_first ? 0 : 1].freq_Hz, weaker_first ? 573.5 : 577.0);
+  }
 }
 
 }  // namespace percuss::candidates_test

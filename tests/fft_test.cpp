@@ -165,4 +165,14 @@ TEST(FastLength, CostsFewSamplesOfALongRecord) {
   EXPECT_LE(static_cast<double>(prime - fast_length_at_most(prime)), 0.01 * static_cast<double>(prime));
 }
 
+TEST(RealDft, IsTheSameInScratch) {
+  std::vector<double> x(77);
+  for (std::size_t n = 0; n < x.size(); ++n) x[n] = std::sin(0.3 * static_cast<double>(n * n));
+  for (const std::size_t size : {77U, 12U, 40U}) {  // longer and shorter than the one before
+    const std::span<const double> part(x.data(), size);
+    const auto lines = real_dft_in_scratch(part);
+    EXPECT_EQ(std::vector<Complex>(lines.begin(), lines.end()), real_dft(part)) << size;
+  }
+}
+
 }  // namespace percuss::fft_test

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "support/modal_lines.hpp"
 
@@ -78,9 +80,21 @@ TEST(Roughness, TellsNothingOfTheEndsNorOfAStraightLine) {
 }
 
 TEST(NoisePower, SkipsResonances) {
-  std::vector<double> rough(101, 0.693147);
-  for (std::size_t i = 0; i < 40; ++i) rough[2 * i] = 1e6;
+  std::vector<double> rough(1001, 0.693147);
+  for (std::size_t i = 0; i < 333; ++i) rough[3 * i] = 1e6;  // narrow ones everywhere
+  std::fill(rough.begin(), rough.begin() + 300, 1e6);        // a broad one
   EXPECT_NEAR(noise_power(rough), 1, 1e-6);
+  EXPECT_EQ(noise_power({}), 0);
+}
+
+TEST(BlockNoise, TellsItBlockByBlock) {
+  std::vector<double> rough(3 * kNoiseBlock - 1, 0.693147);
+  std::fill(rough.begin() + kNoiseBlock, rough.end(), 4 * 0.693147);
+  const auto noise = block_noise(rough);
+  ASSERT_EQ(noise.size(), 2U);  // the second one has the rest
+  EXPECT_NEAR(noise[0], 1, 1e-6);
+  EXPECT_NEAR(noise[1], 4, 1e-6);
+  EXPECT_EQ(block_noise(std::vector<double>(3, 1.0)).size(), 1U);
 }
 
 }  // namespace percuss::line_noise_test

@@ -95,4 +95,13 @@ TEST(FindPeaks, IsLinearOnAStaircase) {
   EXPECT_LE(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), kSeconds);
 }
 
+TEST(MaximaAbove, AreThePeaksThatAreHigher) {
+  const std::vector<double> level{1, 5, 5, 2, 3, 2, 4, 4};
+  EXPECT_EQ(maxima_above(level, 0), (std::vector<std::size_t>{1, 4, 6}));
+  EXPECT_EQ(maxima_above(level, 3), (std::vector<std::size_t>{1, 6}));
+  EXPECT_TRUE(maxima_above(level, 5).empty());
+  EXPECT_TRUE(maxima_above(std::vector<double>(9, 7.0), 0).empty());  // flat
+  EXPECT_TRUE(maxima_above({}, 0).empty());
+}
+
 }  // namespace percuss::peaks_test

@@ -72,4 +72,16 @@ TEST(Rms, IsTheRootOfTheMeanSquare) {
   EXPECT_EQ(rms({}), 0);
 }
 
+TEST(ExtremesOf, AreFoundWhereverTheyAre) {
+  for (std::size_t size = 1; size < 30; ++size) {
+    for (std::size_t at = 0; at < size; ++at) {
+      std::vector<double> values(size, 2.0);
+      values[at] = -3;
+      EXPECT_EQ(extremes_of(values).low, -3) << size << ' ' << at;
+      values[at] = 7;
+      EXPECT_EQ(extremes_of(values).high, 7) << size << ' ' << at;
+    }
+  }
+}
+
 }  // namespace percuss::statistics_test

@@ -79,6 +79,13 @@ std::vector<Complex> real_dft(std::span<const double> x) {
   return out;
 }
 
+std::span<const Complex> real_dft_in_scratch(std::span<const double> x) {
+  thread_local std::vector<Complex> scratch;
+  scratch.resize(x.size() / 2 + 1);
+  real_dft(x, scratch);
+  return scratch;
+}
+
 std::vector<double> inverse_real_dft(std::span<const Complex> lines, std::size_t samples) {
   assert(samples >= 1 && lines.size() == samples / 2 + 1);
   std::vector<Complex> scratch(lines.begin(), lines.end());  // the c2r transform destroys its input

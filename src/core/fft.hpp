@@ -17,6 +17,9 @@ std::vector<Complex> real_dft(std::span<const double> x);
 /// As above into caller's storage; x.size() >= 1, out.size() == x.size()/2 + 1.
 void real_dft(std::span<const double> x, std::span<Complex> out);
 
+/// As above into memory of the calling thread, which its next call overwrites: for those who keep a part of the lines.
+std::span<const Complex> real_dft_in_scratch(std::span<const double> x);
+
 /// The inverse of (1) with its 1/N: sequence of `samples` values whose one-sided transform is `lines`.
 std::vector<double> inverse_real_dft(std::span<const Complex> lines, std::size_t samples);
 

@@ -9,10 +9,9 @@
 namespace percuss {
 namespace {
 
-std::vector<Complex> kept(const std::vector<double>& x, const LineRange& lines) {
-  const auto all = real_dft(x);
-  const auto begin = all.begin() + static_cast<std::ptrdiff_t>(lines.first);
-  return {begin, begin + static_cast<std::ptrdiff_t>(lines.count)};
+std::vector<Complex> kept(std::span<const double> x, const LineRange& lines) {
+  const auto wanted = real_dft_in_scratch(x).subspan(lines.first, lines.count);
+  return {wanted.begin(), wanted.end()};
 }
 
 double origin_of(const Hit& hit) { return static_cast<double>(hit.peak - hit.first); }
@@ -54,7 +53,9 @@ std::vector<Complex> force_spectrum(const ForceBlock& block, const LineRange& li
 std::vector<Complex> accel_spectrum(const Hit& hit, std::span<const double> accel_mps2, const LineRange& lines,
                                     double decay_per_s) {
   assert(accel_mps2.size() >= lines.samples);
-  std::vector<double> x(accel_mps2.begin(), accel_mps2.begin() + static_cast<std::ptrdiff_t>(lines.samples));
+  const auto block = accel_mps2.first(lines.samples);
+  if (decay_per_s == 0) return kept(block, lines);
+  std::vector<double> x(block.begin(), block.end());
   apply_exponential(x, decay_per_s, lines.fs_Hz, origin_of(hit));
   return kept(x, lines);
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 
+#include "core/statistics.hpp"
 #include "core/tall_products.hpp"
 #include "identify/line_noise.hpp"
 #include "identify/peaks.hpp"
@@ -22,19 +23,17 @@ constexpr double kModelFloor = 1e-6;    // of the largest line: what a fit leave
 constexpr double kNarrowest = 1.5;      // lines
 constexpr double kWidestHidden = 0.03;  // half-width over frequency of the broadest hidden mode
 
-// Power of the noise on each line, as the roughness of the lines around it tells.
+// Power of the noise on each line, as the roughness of three blocks of lines around it tells.
 std::vector<double> local_noise(std::span<const Complex> h) {
-  const std::size_t n = h.size();
-  const std::vector<double> rough = roughness(h);
-  std::vector<double> noise(n);
-  const std::size_t half = kNoiseLines / 2;
-  for (std::size_t block = 0; block < n; block += half) {
-    const std::size_t begin = std::max<std::size_t>(1, block > half ? block - half : 1);
-    const std::size_t end = std::min(n - 1, block + 2 * half);
-    const double power = begin < end ? noise_power({rough.begin() + static_cast<std::ptrdiff_t>(begin),
-                                                    rough.begin() + static_cast<std::ptrdiff_t>(end)})
-                                     : 0;
-    for (std::size_t k = block; k < std::min(n, block + half); ++k) noise[k] = power;
+  const std::vector<double> block = block_noise(roughness(h));
+  std::vector<double> noise(h.size());
+  for (std::size_t b = 0; b < block.size(); ++b) {
+    const std::size_t first = b > 0 ? b - 1 : 0, last = std::min(b + 1, block.size() - 1);
+    const double power = median(
+        {block.begin() + static_cast<std::ptrdiff_t>(first), block.begin() + static_cast<std::ptrdiff_t>(last + 1)});
+    const std::size_t end = b + 1 < block.size() ? (b + 1) * kNoiseBlock : h.size();
+    std::fill(noise.begin() + static_cast<std::ptrdiff_t>(b * kNoiseBlock),
+              noise.begin() + static_cast<std::ptrdiff_t>(end), power);
   }
   return noise;
 }
@@ -115,6 +114,12 @@ std::vector<Eigen::VectorXcd> cut(const FrfSet& set, std::size_t first, std::siz
   return out;
 }
 
+// As narrow as lines can tell.
+Pole narrowest_pole(const FrfSet& set, double asked_Hz) {
+  const double freq_Hz = std::max(asked_Hz, set.lines.df_Hz());
+  return {.freq_Hz = freq_Hz, .damping_ratio = std::min(0.1, set.lines.df_Hz() / freq_Hz)};
+}
+
 Pole pole_at_line(const FrfSet& set, std::size_t line) {
   // First a narrow window, then one as wide as the pole it found: the linear fit is best over a few bandwidths.
   Pole pole;
@@ -129,9 +134,22 @@ Pole pole_at_line(const FrfSet& set, std::size_t line) {
     pole = found;
     half = static_cast<std::size_t>(std::clamp(2 * pole.half_power_Hz() / set.lines.df_Hz(), 4.0, 400.0));
   }
-  if (pole.freq_Hz > 0) return pole;
-  const double freq_Hz = std::max(set.lines.freq_Hz(line), set.lines.df_Hz());
-  return {.freq_Hz = freq_Hz, .damping_ratio = std::min(0.1, set.lines.df_Hz() / freq_Hz)};
+  return pole.freq_Hz > 0 ? pole : narrowest_pole(set, set.lines.freq_Hz(line));
+}
+
+// What a person points at is the highest line within half a per cent, or four lines.
+Pole peak_near(const FrfSet& set, double freq_Hz) {
+  const double at = set.lines.position(freq_Hz);
+  const double reach = std::max(4.0, kPointing * freq_Hz / set.lines.df_Hz());
+  std::size_t best = set.lines.at(at);
+  double highest = 0;
+  for (std::size_t line = set.lines.at(at - reach); line <= set.lines.at(at + reach); ++line) {
+    double power = 0;
+    for (const Output& output : set.outputs) power += std::norm(output.frf[line]);
+    if (power > highest) best = line;
+    highest = std::max(highest, power);
+  }
+  return pole_at_line(set, best);
 }
 
 }  // namespace
@@ -171,10 +189,9 @@ std::vector<Pole> hidden_poles(const FrfSet& set, const std::vector<Eigen::Vecto
   // Each resonance is looked for on lines so wide that it is as narrow as can be: the work halves at every doubling.
   for (double width = 1; kNarrowest * width < widest; width *= 2) {
     const auto gain = gain_of(outputs, shape);
-    for (const Peak& peak : find_peaks(gain)) {
-      if (gain[peak.line] <= threshold) continue;
-      const double line = (static_cast<double>(peak.line) + 0.5) * width - 0.5;
-      found.push_back({line, kNarrowest * width, gain[peak.line]});
+    for (const std::size_t peak : maxima_above(gain, threshold)) {
+      const double line = (static_cast<double>(peak) + 0.5) * width - 0.5;
+      found.push_back({line, kNarrowest * width, gain[peak]});
     }
     for (std::size_t o = 0; o < outputs.size(); ++o) outputs[o] = halved(outputs[o], floors[o]);
   }
@@ -196,19 +213,16 @@ std::vector<Pole> hidden_poles(const FrfSet& set, const std::vector<Eigen::Vecto
   return poles;
 }
 
-Pole pole_near(const FrfSet& set, double freq_Hz) {
-  // What a person points at is the nearest peak: the highest line within half a per cent, or four lines.
-  const double at = set.lines.position(freq_Hz);
-  const double reach = std::max(4.0, kPointing * freq_Hz / set.lines.df_Hz());
-  std::size_t best = set.lines.at(at);
-  double highest = 0;
-  for (std::size_t line = set.lines.at(at - reach); line <= set.lines.at(at + reach); ++line) {
-    double power = 0;
-    for (const Output& output : set.outputs) power += std::norm(output.frf[line]);
-    if (power > highest) best = line;
-    highest = std::max(highest, power);
+std::vector<Pole> poles_near(const FrfSet& set, const std::vector<double>& freq_Hz) {
+  std::vector<Pole> poles;
+  for (const double asked_Hz : freq_Hz) {
+    const Pole peak = peak_near(set, asked_Hz);
+    const bool anothers = std::any_of(freq_Hz.begin(), freq_Hz.end(), [&](double other_Hz) {
+      return std::abs(other_Hz - peak.freq_Hz) < std::abs(asked_Hz - peak.freq_Hz);
+    });
+    poles.push_back(anothers ? narrowest_pole(set, asked_Hz) : peak);
   }
-  return pole_at_line(set, best);
+  return poles;
 }
 
 }  // namespace percuss

@@ -20,7 +20,8 @@ std::vector<Pole> candidate_poles(const FrfSet& set, const CandidateOptions& opt
 /// frequency.
 std::vector<Pole> hidden_poles(const FrfSet& set, const std::vector<Eigen::VectorXcd>& residual);
 
-/// A first pole from the lines around a frequency.
-Pole pole_near(const FrfSet& set, double freq_Hz);
+/// A first pole for each frequency a person points at: that of the nearest peak, unless another frequency is nearer to
+/// it; then one of the frequency itself. In the order of the frequencies.
+std::vector<Pole> poles_near(const FrfSet& set, const std::vector<double>& freq_Hz);
 
 }  // namespace percuss

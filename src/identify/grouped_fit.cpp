@@ -16,7 +16,7 @@ constexpr double kMostLines = 400;  // … nor more: the polynomial follows othe
 constexpr double kLeastForce =
     1e-6;  // of the strongest line's power: a pulse's spectrum has zeros, where FRFs mean nothing
 constexpr double kLeastWeight = 1e-3;  // of the noise elsewhere: where a fit leaves nothing, its weight stays finite
-constexpr double kTogether = 4;        // bandwidths apart at which two modes are fitted together
+constexpr double kTogether = 4;        // bandwidths (or lines) apart at which two modes are fitted together
 
 void carry_over(const std::vector<FitGroup>& before, FitGroup& group, std::size_t m) {
   for (const FitGroup& old : before) {
@@ -76,7 +76,7 @@ void GroupedFit::replace(std::vector<Pole> poles) {
   groups_.clear();
   std::sort(poles.begin(), poles.end(), [](const Pole& a, const Pole& b) { return a.freq_Hz < b.freq_Hz; });
   const auto near = [&](const Pole& last, const Pole& next) {
-    return next.freq_Hz - last.freq_Hz < kTogether * std::max(width_Hz(last), width_Hz(next));
+    return next.freq_Hz - last.freq_Hz < kTogether * std::max({width_Hz(last), width_Hz(next), set_.lines.df_Hz()});
   };
   for (const Pole& pole : poles) {
     const bool join = !groups_.empty() && groups_.back().fit.poles.size() < kMostTogether &&

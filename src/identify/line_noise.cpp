@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "core/statistics.hpp"
 
@@ -24,7 +23,7 @@ double response_noise(const std::vector<Complex>& frf, const std::vector<double>
     rough[k] *= force_power;
     largest = std::max(largest, std::norm(frf[k]) * force_power);
   }
-  return std::sqrt(std::max({noise_power(std::move(rough)), kRounding * kRounding * largest, kLeastPower}));
+  return std::sqrt(std::max({noise_power(rough), kRounding * kRounding * largest, kLeastPower}));
 }
 
 }  // namespace
@@ -64,6 +63,16 @@ std::vector<double> roughness(std::span<const Complex> lines) {
   return rough;
 }
 
-double noise_power(std::vector<double> rough) { return median(std::move(rough)) / kMedianOfNoise; }
+std::vector<double> block_noise(std::span<const double> rough) {
+  std::vector<double> noise(std::max<std::size_t>(rough.size() / kNoiseBlock, rough.empty() ? 0 : 1));
+  for (std::size_t b = 0; b < noise.size(); ++b) {
+    const auto from = rough.subspan(b * kNoiseBlock);
+    const auto block = b + 1 < noise.size() ? from.first(kNoiseBlock) : from;
+    noise[b] = median({block.begin(), block.end()}) / kMedianOfNoise;
+  }
+  return noise;
+}
+
+double noise_power(std::span<const double> rough) { return median(block_noise(rough)); }
 
 }  // namespace percuss

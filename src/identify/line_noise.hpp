@@ -29,7 +29,10 @@ class LineNoise {
 /// scatters as a single line does. The first and last line tell nothing: 0. shape  [lines]
 std::vector<double> roughness(std::span<const Complex> lines);
 
-/// Power of the noise that many lines' roughness tells: by their median, which skips resonances.
-double noise_power(std::vector<double> rough);
+/// Power of the noise that the roughness of many lines tells, block by block of kNoiseBlock lines (the last one has the
+/// rest as well): by their median, which skips resonances. The median over the blocks is that of all lines.
+std::vector<double> block_noise(std::span<const double> rough);
+double noise_power(std::span<const double> rough);
+inline constexpr std::size_t kNoiseBlock = 64;
 
 }  // namespace percuss

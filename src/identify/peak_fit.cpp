@@ -30,7 +30,7 @@ class PeakFit {
   PeakFit(const FrfSet& set, const PeakFitOptions& options) : set_(set), options_(options), all_(set) {}
 
   std::vector<PeakMode> run() {
-    for (const double freq_Hz : options_.start_Hz) context_.shown.push_back(pole_near(set_, freq_Hz));
+    context_.shown = poles_near(set_, options_.start_Hz);
     context_.shown.insert(context_.shown.end(), options_.start.begin(), options_.start.end());
     const bool given = !context_.shown.empty();
     if (!given) context_.shown = candidate_poles(set_);

@@ -15,4 +15,7 @@ struct Peak {
 /// end counts when it stands above its only neighbour. The ends are saddles of their own height.
 std::vector<Peak> find_peaks(std::span<const double> level);
 
+/// Those of the same maxima that are higher than `least`, whatever their prominence.
+std::vector<std::size_t> maxima_above(std::span<const double> level, double least);
+
 }  // namespace percuss

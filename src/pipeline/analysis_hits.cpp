@@ -46,7 +46,8 @@ std::vector<std::vector<Analysis::Response>> Analysis::read_responses() const {
   parallel_for(tasks.size(), options_.threads, [&](std::size_t t) {
     const auto [h, c] = tasks[t];
     const Hit& hit = hits[h].hit;
-    std::vector<double> accel(range.samples);
+    thread_local std::vector<double> accel;  // fetched from the system once, not for every response
+    accel.resize(range.samples);
     trace_.run("read acceleration", [&, c = c] { record_.read_accel_mps2(hit.row, c, hit.first, accel); });
     Response& response = out[h][c];
     response.grade = grade_response(hit, accel, record_.fs_Hz);
