@@ -12,8 +12,7 @@
 namespace percuss {
 namespace {
 
-constexpr std::size_t kNoiseLines = 129;  // over which the noise is taken as even
-constexpr double kNoiseProminence = 6;    // deviations of the level's own fluctuation
+constexpr double kNoiseProminence = 6;  // deviations of the level's own fluctuation
 constexpr double kDecibelsPerNeper = 8.6859;
 constexpr double kPointing = 0.005;
 constexpr double kReach = 6;  // half-widths on either side that a hidden resonance is looked for over
