@@ -176,4 +176,21 @@ JointFit fit_residues(const FrfSet& set, const std::vector<Pole>& poles, const M
   return Joint(set, poles, {}).at_start(covariance);
 }
 
+Eigen::MatrixXcd residues_at(const FrfSet& set, const std::vector<Pole>& poles) {
+  const auto modes = static_cast<Index>(poles.size());
+  const JointState state =
+      JointProjection(set, poles).evaluate({.poles = poles, .real = std::vector<char>(poles.size(), 0)});
+  Eigen::MatrixXcd residues(static_cast<Index>(set.outputs.size()), modes);
+  for (const JointPart& part : state.parts) {
+    for (std::size_t i = 0; i < part.outputs.size(); ++i) {
+      for (Index m = 0; m < modes; ++m) {
+        const auto first = static_cast<Index>(part.first[static_cast<std::size_t>(m)]);
+        const auto amplitude = part.amplitude.col(static_cast<Index>(i));
+        residues(static_cast<Index>(part.outputs[i]), m) = {amplitude(first), amplitude(first + 1)};
+      }
+    }
+  }
+  return residues;
+}
+
 }  // namespace percuss

@@ -58,36 +58,44 @@ std::vector<Pole> poles_of(const std::vector<PeakMode>& modes) {
 }
 
 // The set as records would have given it that hold the whole decay.
-FrfSet completed(const FrfSet& set, const JointFit& fit) {
-  FrfSet out = set;
-  for (std::size_t m = 0; m < fit.poles.size(); ++m) {
-    const ModeColumn whole = whole_column(fit.poles[m], 0, set.lines, 0, set.lines.count, Need::value);
-    std::size_t point = set.points.size();
-    Eigen::VectorXcd missing;
-    for (std::size_t o = 0; o < set.outputs.size(); ++o) {
-      const PointForce& force = set.points[set.outputs[o].point];
-      if (decays_within(fit.poles[m], force, set.lines)) continue;
-      if (set.outputs[o].point != point)
-        missing = whole.value - without_missing(whole, fit.poles[m], force, set.lines, 0).value;
-      point = set.outputs[o].point;
-      const Complex residue = fit.residues(static_cast<Index>(o), static_cast<Index>(m));
-      for (std::size_t k = 0; k < set.lines.count; ++k)
-        out.outputs[o].frf[k] += residue * missing(static_cast<Index>(k));
+class Completed {
+ public:
+  explicit Completed(const FrfSet& cut) : cut_(cut), whole_{.lines = cut.lines, .reach_Hz = cut.reach_Hz} {
+    for (const PointForce& point : cut.points) {
+      whole_.points.push_back({.blocks = point.blocks, .weights = {}, .ff = point.ff, .noise_N = point.noise_N});
+      whole_.points.back().complete = true;
+    }
+    whole_.outputs = cut.outputs;
+  }
+  const FrfSet& set() const { return whole_; }
+
+  // Residues fitted to a set less complete are off by as much as that lacks; what is added, by as much again.
+  void take(const std::vector<Pole>& poles, const Eigen::MatrixXcd& residues) {
+    for (std::size_t o = 0; o < cut_.outputs.size(); ++o) whole_.outputs[o].frf = cut_.outputs[o].frf;
+    for (std::size_t m = 0; m < poles.size(); ++m) {
+      if (left_at_end(poles[m], cut_.lines) < kCompleted) continue;
+      const MissingDecay missing(poles[m], 0, cut_.lines, 0, cut_.lines.count);
+      for (std::size_t o = 0; o < cut_.outputs.size(); ++o)
+        missing.add_to(whole_.outputs[o].frf, residues(static_cast<Index>(o), static_cast<Index>(m)),
+                       cut_.points[cut_.outputs[o].point]);
     }
   }
-  return out;
-}
+
+ private:
+  const FrfSet& cut_;
+  FrfSet whole_;
+};
 
 // Turns `few` into the outputs of complete records, and fits `found` to them. Each time what is missing is known
 // better, by as much as is missing.
-void complete(const FrfSet& set, FrfSet& few, std::vector<PeakMode>& found) {
-  double left = most_left(set, found);
+void complete(Completed& completed, FrfSet& few, std::vector<PeakMode>& found) {
+  double left = most_left(few, found);
   while (left > kCompleted) {
-    const JointFit fit = fit_residues(set, poles_of(found), covariance_of(found));
-    few = principal_outputs(completed(set, fit), kFewOutputs);
-    few.points.front().blocks.clear();
-    found = fit_peaks(few, {.start = poles_of(found)});
-    left *= most_left(set, found);
+    const std::vector<Pole> poles = poles_of(found);
+    completed.take(poles, residues_at(completed.set(), poles));
+    few = principal_outputs(completed.set(), kFewOutputs);
+    found = fit_peaks(few, {.start = poles});
+    left *= most_left(few, found);
   }
 }
 
@@ -149,18 +157,20 @@ std::optional<std::vector<Mode>> identify_many(const FrfSet& set, const Identify
   // An exponential window belongs to the pulse, which mixed outputs do not have.
   if (set.window_decay_per_s() != 0) return std::nullopt;
   FrfSet few = principal_outputs(set, kFewOutputs);
+  Completed completed(set);
   std::vector<PeakMode> found;
   // The clear modes first: what is missing of them after the records' ends would pass for hidden ones.
   for (const int rounds : {0, options.effort == Effort::quick ? kFewRounds : kThorough}) {
+    const std::size_t before = found.size();
     found = fit_peaks(few, {.rounds = rounds, .modes = options.modes});
     if (found.empty() || most_left(set, found) > kMostLeft) return std::nullopt;
-    complete(set, few, found);
+    if (found.size() != before) complete(completed, few, found);
   }
-  if (pairs_move(set, poles_of(found))) return std::nullopt;
+  if (pairs_move(completed.set(), poles_of(found))) return std::nullopt;
   if (options.effort == Effort::best) refine(few, found);
-  const JointFit fit = fit_residues(set, poles_of(found), covariance_of(found));
-  if (!explains(set, fit)) return std::nullopt;
-  return modes_of(set, found, fit);
+  const JointFit fit = fit_residues(completed.set(), poles_of(found), covariance_of(found));
+  if (!explains(completed.set(), fit)) return std::nullopt;
+  return modes_of(completed.set(), found, fit);
 }
 
 }  // namespace percuss

@@ -122,6 +122,7 @@ double left_at_end(const Pole& pole, const LineRange& lines, double window_decay
 }
 
 bool decays_within(const Pole& pole, const PointForce& force, const LineRange& lines) {
+  if (force.complete) return true;
   const bool known = std::any_of(force.blocks.begin(), force.blocks.end(),
                                  [](const ForceBlock& block) { return !block.force_N.empty(); });
   if (!known) return true;  // what follows the record's end is not known without the force
@@ -154,6 +155,39 @@ ModeColumn without_missing(ModeColumn whole, const Pole& pole, const PointForce&
   const PoleTerms terms = terms_of(pole);
   for (const bool conjugate : {false, true}) subtract_missing(whole, terms, conjugate, force, lines, first);
   return whole;
+}
+
+MissingDecay::MissingDecay(const Pole& pole, double window_decay_per_s, const LineRange& lines, std::size_t first,
+                           std::size_t count)
+    : lines_(lines), first_(first), windowed_(terms_of(pole).s - window_decay_per_s), kernel_(count), mirror_(count) {
+  const double dt_s = 1 / lines.fs_Hz;
+  const Complex s = terms_of(pole).s;
+  const Complex c = s * s / Complex(0, 2 * s.imag());
+  const Complex decay = std::exp(windowed_ * dt_s);
+  const Complex step = std::polar(1.0, -kTwoPi * lines.df_Hz() * dt_s);
+  Complex turn = std::polar(1.0, -kTwoPi * lines.freq_Hz(first) * dt_s);
+  for (std::size_t i = 0; i < count; ++i, turn = times(turn, step)) {
+    kernel_[i] = times(c, inverse(1.0 - times(decay, turn)));
+    mirror_[i] = conj_times(c, inverse(1.0 - conj_times(decay, turn)));
+  }
+}
+
+void MissingDecay::add_to(std::span<Complex> sum, Complex residue, const PointForce& force) const {
+  std::vector<Complex> q;
+  for (const ForceBlock& block : force.blocks)
+    q.push_back(state_at_end(block, windowed_, 1 / lines_.fs_Hz, lines_.samples).first);
+  for (std::size_t i = 0; i < sum.size(); ++i) {
+    // w·q and w·conj(q) share their products.
+    double rr = 0, ii = 0, ri = 0, ir = 0;
+    for (std::size_t h = 0; h < q.size(); ++h) {
+      const Complex w = force.weights[h][first_ + i];
+      rr += w.real() * q[h].real();
+      ii += w.imag() * q[h].imag();
+      ri += w.real() * q[h].imag();
+      ir += w.imag() * q[h].real();
+    }
+    sum[i] += times(residue, times(kernel_[i], {rr - ii, ir + ri}) + times(mirror_[i], {rr + ii, ir - ri}));
+  }
 }
 
 ModeColumn mode_column(const Pole& pole, const PointForce& force, const LineRange& lines, std::size_t first,

@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "frf/estimators.hpp"
@@ -25,6 +26,7 @@ struct PointForce {
   std::vector<std::vector<Complex>> weights;  // conj(F_h)/Σ|F|² [hits][lines]: each hit's part in H1 = Σ weight·A
   std::vector<double> ff;                     // Σ |F|² [lines]
   double noise_N = 0;                         // deviation of the force channel's noise
+  bool complete = false;  // the FRFs are as records would have given them that hold the whole decay
   double window_decay_per_s() const { return blocks.empty() ? 0 : blocks.front().decay_per_s; }  // 0: none is known of
 };
 /// spectra [hits] point to force_spectrum of each block.
@@ -41,8 +43,8 @@ struct ModeColumn {
 /// exponential window of that decay.
 double left_at_end(const Pole& pole, const LineRange& lines, double window_decay_per_s = 0);
 
-/// True when the mode has decayed by the record's end, or nothing is known of the force: then its column is H(jω)
-/// itself, the same for every point.
+/// True when nothing is missing of the mode: it has decayed by the record's end, the FRFs were completed, or nothing is
+/// known of the force. Then its column is H(jω) itself, the same for every point.
 bool decays_within(const Pole& pole, const PointForce& force, const LineRange& lines);
 
 /// The accelerance of one mode as H1 sees it when the structure was at rest before each hit and the record ends before
@@ -65,5 +67,21 @@ ModeColumn whole_column(const Pole& pole, double window_decay_per_s, const LineR
 /// φ of (1) from H.
 ModeColumn without_missing(ModeColumn whole, const Pole& pole, const PointForce& force, const LineRange& lines,
                            std::size_t first);
+
+/// H − φ of (1) at lines first … first + count − 1: what a mode's decay lacks of what comes after the records' end. What
+/// all points have in common of it is worked out once.
+class MissingDecay {
+ public:
+  MissingDecay(const Pole& pole, double window_decay_per_s, const LineRange& lines, std::size_t first,
+               std::size_t count);
+  /// Adds residue·(H − φ) of hits at that point. shape  sum [count]
+  void add_to(std::span<Complex> sum, Complex residue, const PointForce& force) const;
+
+ private:
+  LineRange lines_;
+  std::size_t first_;
+  Complex windowed_;                    // s − σ
+  std::vector<Complex> kernel_, mirror_;  // [count] c·D and conj(c)·D̃
+};
 
 }  // namespace percuss
