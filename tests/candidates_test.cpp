@@ -29,7 +29,7 @@ FrfSet three_modes() {
 
 TEST(CandidatePoles, AreNearTheModesThatShow) {
   const FrfSet set = three_modes();
-  const auto poles = candidate_poles(set);
+  const auto poles = candidate_poles(set, LineNoise(set));
   ASSERT_EQ(poles.size(), 3U);
   const std::vector<Pole> truth{{169.03, 0.01}, {575.4, 0.006}, {1190.06, 0.004}};
   for (std::size_t m = 0; m < 3; ++m) {
@@ -40,7 +40,7 @@ TEST(CandidatePoles, AreNearTheModesThatShow) {
 
 TEST(CandidatePoles, AreNotQuantisedToALine) {
   const FrfSet set = three_modes();
-  for (const Pole& pole : candidate_poles(set)) {
+  for (const Pole& pole : candidate_poles(set, LineNoise(set))) {
     const double lines = pole.freq_Hz / set.lines.df_Hz();
     EXPECT_GE(std::abs(lines - std::round(lines)), 1e-6);
   }
@@ -50,7 +50,7 @@ TEST(CandidatePoles, AreFoundInNoneOf40SetsOfPureNoise) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     FrfSet set = test::empty_set(4096, 32768, 60, 1500, 2);
     test::add_line_noise(set, 1, seed);
-    EXPECT_TRUE(candidate_poles(set).empty()) << seed;
+    EXPECT_TRUE(candidate_poles(set, LineNoise(set)).empty()) << seed;
   }
 }
 
@@ -58,12 +58,12 @@ TEST(CandidatePoles, DoNotDependOnTheUnit) {
   constexpr double kTolerance = 1e-9;  // relative; rounding
   FrfSet set = three_modes();
   test::add_line_noise(set, 0.05, 3);
-  const auto a = candidate_poles(set);
+  const auto a = candidate_poles(set, LineNoise(set));
   for (Output& output : set.outputs) {
     for (Complex& line : output.frf) line *= -9.80665e-3;
   }
   std::swap(set.outputs[0], set.outputs[1]);
-  const auto b = candidate_poles(set);
+  const auto b = candidate_poles(set, LineNoise(set));
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t m = 0; m < a.size(); ++m) EXPECT_LE(std::abs(a[m].freq_Hz / b[m].freq_Hz - 1), kTolerance);
 }
@@ -71,7 +71,7 @@ TEST(CandidatePoles, DoNotDependOnTheUnit) {
 TEST(CandidatePoles, NeedAFewLines) {
   FrfSet set = test::empty_set(4096, 32768, 60, 60.4, 1);
   EXPECT_LT(set.lines.count, 5U);
-  EXPECT_TRUE(candidate_poles(set).empty());
+  EXPECT_TRUE(candidate_poles(set, LineNoise(set)).empty());
 }
 
 TEST(HiddenPoles, AreFoundInWhatIsLeft) {

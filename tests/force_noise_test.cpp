@@ -19,7 +19,7 @@ FrfSet gated_hit() {
   ForceBlock block{.offset = 100, .force_N = std::vector<double>(90), .whole_N = {}};
   for (std::size_t n = 0; n < 9; ++n) block.force_N[40 + n] = std::sin(kTwoPi * (static_cast<double>(n) + 0.5) / 18);
   const auto spectrum = force_spectrum(block, set.lines);
-  set.points[0] = point_force({block}, {&spectrum}, kNoise_N);
+  set.points[0] = point_force({block}, {&spectrum}, set.lines, kNoise_N);
   return set;
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "support/modal_lines.hpp"
@@ -42,6 +43,14 @@ struct Scatter {
   int complex_modes = 0;
 };
 
+// A step may exchange close poles.
+std::size_t nearest(const std::vector<Pole>& poles, const Pole& truth) {
+  const auto closer = [&](const Pole& a, const Pole& b) {
+    return std::abs(a.freq_Hz - truth.freq_Hz) < std::abs(b.freq_Hz - truth.freq_Hz);
+  };
+  return static_cast<std::size_t>(std::min_element(poles.begin(), poles.end(), closer) - poles.begin());
+}
+
 Scatter scatter(Complex turn, double noise, int seeds) {
   Scatter out;
   const FrfSet clean = three_modes(2, turn);
@@ -49,11 +58,11 @@ Scatter scatter(Complex turn, double noise, int seeds) {
     FrfSet set = clean;
     test::add_line_noise(set, noise, static_cast<std::uint64_t>(seed));
     const JointFit fit = fit_jointly(set, kStart);
-    for (std::size_t m = 0; m < 3; ++m) {
+    for (const Pole& truth : kTruth) {
+      const std::size_t m = nearest(fit.poles, truth);
       const auto i = static_cast<Eigen::Index>(m);
-      out.freq += std::pow((fit.poles[m].freq_Hz - kTruth[m].freq_Hz) / fit.freq_std_Hz(i), 2) / (3 * seeds);
-      out.damping +=
-          std::pow((fit.poles[m].damping_ratio - kTruth[m].damping_ratio) / fit.damping_std(i), 2) / (3 * seeds);
+      out.freq += std::pow((fit.poles[m].freq_Hz - truth.freq_Hz) / fit.freq_std_Hz(i), 2) / (3 * seeds);
+      out.damping += std::pow((fit.poles[m].damping_ratio - truth.damping_ratio) / fit.damping_std(i), 2) / (3 * seeds);
       out.complex_modes += fit.real[m] ? 0 : 1;
     }
     out.residue += std::pow((fit.residues(0, 2).real() - 0.6) / fit.residue_std(0, 2), 2) / seeds;

@@ -1,7 +1,9 @@
 #include "identify/modal_model.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/error.hpp"
 #include "support/modal_lines.hpp"
 #include "synth/record.hpp"
 
@@ -115,7 +117,7 @@ TEST(ModeColumn, DoesNotDependOnTheForcesUnitNorOnTheHitsOrder) {
     for (double& f : block.force_N) f *= -1e3;
     spectra.push_back(force_spectrum(block, set.lines));
   }
-  const PointForce other = point_force(blocks, {&spectra[0], &spectra[1], &spectra[2]}, 0);
+  const PointForce other = point_force(blocks, {&spectra[0], &spectra[1], &spectra[2]}, set.lines, 0);
   const Pole pole{.freq_Hz = 120, .damping_ratio = 0.004};
   const auto a = mode_column(pole, set.points[0], set.lines, 0, set.lines.count).value;
   const auto b = mode_column(pole, other, set.lines, 0, set.lines.count).value;
@@ -131,14 +133,48 @@ TEST(ModeColumn, OfAWindowIsAPartOfTheWhole) {
   EXPECT_LE(largest(all.value.segment(150, 80) - part.value), kTolerance * largest(all.value));
 }
 
+constexpr LineRange kTwoLines{.fs_Hz = 8, .samples = 8, .first = 1, .count = 2};
+
 TEST(PointForce, WeighsEachHitByItsPartOfTheEnergy) {
   const std::vector<Complex> a{{3, 4}, {0, 1}}, b{{0, 5}, {2, 0}};
-  const PointForce force = point_force({{}, {}}, {&a, &b}, 0.5);
+  const PointForce force = point_force({{}, {}}, {&a, &b}, kTwoLines, 0.5);
   EXPECT_DOUBLE_EQ(force.ff[0], 50);
   EXPECT_DOUBLE_EQ(force.ff[1], 5);
   EXPECT_EQ(force.noise_N, 0.5);
   for (std::size_t k = 0; k < 2; ++k)  // Σ weight·F = 1: a response equal to the force has H1 = 1
     EXPECT_NEAR(std::abs(force.weights[0][k] * a[k] + force.weights[1][k] * b[k] - 1.0), 0, 1e-15);
+  for (const Complex& line : h1_at(force, {&a, &b})) EXPECT_NEAR(std::abs(line - 1.0), 0, 1e-15);
+}
+
+TEST(PointForce, NamesALineThatTheForceNeverExcited) {
+  const std::vector<Complex> force{{3, 4}, {0, 0}};
+  try {
+    point_force({{}}, {&force}, kTwoLines, 0);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("no energy at 2 Hz"));
+  }
+}
+
+TEST(MissingDecay, IsWhatAColumnLacksOfTheWholeOne) {
+  constexpr double kTolerance = 1e-12;  // rounding, of the largest line
+  const SyntheticTest made = synthesise(truncated());
+  for (const double decay_per_s : {0.0, 3.0}) {
+    const FrfSet set = test::frf_set_of(made.record, 40, 2000, decay_per_s);
+    const Pole pole{.freq_Hz = 120, .damping_ratio = 0.004};
+    const PointForce& force = set.points[0];
+    const Eigen::VectorXcd whole = whole_column(pole, decay_per_s, set.lines, 5, 200, Need::value).value;
+    const Eigen::VectorXcd cut = mode_column(pole, force, set.lines, 5, 200, Need::value).value;
+    ASSERT_GT((whole - cut).norm(), 1e-6 * whole.norm());
+    std::vector<Complex> sum(200, Complex(1, 2));
+    const Complex residue(0.3, -0.1);
+    MissingDecay(pole, decay_per_s, set.lines, 5, 200).add_to(sum, residue, force);
+    for (std::size_t k = 0; k < sum.size(); ++k) {
+      const auto i = static_cast<Eigen::Index>(k);
+      EXPECT_LE(std::abs(sum[k] - Complex(1, 2) - residue * (whole(i) - cut(i))),
+                kTolerance * whole.cwiseAbs().maxCoeff());
+    }
+  }
 }
 
 }  // namespace percuss::modal_model_test

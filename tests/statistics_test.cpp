@@ -84,4 +84,16 @@ TEST(ExtremesOf, AreFoundWhereverTheyAre) {
   }
 }
 
+TEST(BlockExtremes, AreThoseOfEachBlockAndTogetherThoseOfAll) {
+  const std::vector<double> values{1, 5, -2, 0, 3};
+  const auto blocks = block_extremes(values, 2);
+  ASSERT_EQ(blocks.size(), 3U);
+  EXPECT_EQ(blocks[0].high, 5);
+  EXPECT_EQ(blocks[1].low, -2);
+  EXPECT_EQ(blocks[2].low, 3);
+  EXPECT_EQ(extremes_of(blocks).low, -2);
+  EXPECT_EQ(extremes_of(blocks).high, 5);
+  EXPECT_TRUE(block_extremes({}, 2).empty());
+}
+
 }  // namespace percuss::statistics_test

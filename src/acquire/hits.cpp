@@ -23,6 +23,8 @@ constexpr double kDoubleRejects = 0.01;   // of the main pulse
 constexpr double kWeak = 0.2;             // of the median hit's peak
 constexpr double kLateTrigger = 0.05;     // of the peak already there at the first sample
 
+std::size_t scan_samples(double fs_Hz) { return static_cast<std::size_t>(kDoubleScan_s * fs_Hz) + 1; }
+
 std::vector<double> force_between(const Record& record, std::size_t row, std::size_t first, std::size_t last,
                                   double baseline) {
   std::vector<double> x(last - first);
@@ -57,7 +59,7 @@ void grade_pulse(Hit& hit, std::span<const double> x, const PulseShape& pulse) {
   const auto rise = static_cast<std::size_t>(std::max(0.0, pulse.rise));
   const std::size_t fall = std::min(x.size(), static_cast<std::size_t>(pulse.fall) + 2);
   const auto within = x.subspan(rise, fall - rise);
-  const std::size_t rail = samples_at_rail(within, extremes_of(within), x, 0);
+  const std::size_t rail = samples_at_rail(within, block_extremes(within, kRailBlock), x, 0);
   if (rail > 0) {
     hit.findings.push_back(
         {.code = FindingCode::overload,
@@ -93,7 +95,7 @@ void describe_pulse(Hit& hit, std::span<const double> x, std::size_t peak, doubl
 
 // `x` reaches as far as a second pulse is looked for, which may be before the stretch.
 void look_for_second(Hit& hit, std::span<const double> x, std::size_t peak, double fs_Hz) {
-  const auto end = std::min(x.size(), peak + static_cast<std::size_t>(kDoubleScan_s * fs_Hz) + 1);
+  const auto end = std::min(x.size(), peak + scan_samples(fs_Hz));
   grade_double(hit, second_pulse(x.first(end), shape_of_pulse(x, peak), hit.noise_N), fs_Hz);
 }
 
@@ -131,13 +133,15 @@ Hit hit_of_row(const Record& record, std::size_t row, const HitOptions& options)
           .samples = part.last - part.first,
           .noise_N = survey.noise_N,
           .baseline_N = survey.baseline_N};
-  const auto x = force_between(record, row, part.first, part.last, survey.baseline_N);
-  const Extremes extremes = extremes_of(x);
-  const auto is_largest = [most = extremes.furthest_from(0)](double v) { return std::abs(v) == most; };
-  const auto largest = static_cast<std::size_t>(std::find_if(x.begin(), x.end(), is_largest) - x.begin());
-  const bool triggered = !options.trigger_N || std::abs(x[largest]) >= *options.trigger_N;
-  if (!triggered || !is_pulse(x, largest, survey.noise_N, record.fs_Hz))
-    return without_pulse(row, part, survey, options);
+  if (options.trigger_N && survey.largest_N < *options.trigger_N) return without_pulse(row, part, survey, options);
+  const std::size_t end =
+      options.gate_force ? std::min(part.last, survey.largest_end + scan_samples(record.fs_Hz)) : part.last;
+  const auto x = force_between(record, row, part.first, end, survey.baseline_N);
+  const auto at = [&](std::size_t sample) { return x.begin() + static_cast<std::ptrdiff_t>(sample - part.first); };
+  const auto smaller = [](double a, double b) { return std::abs(a) < std::abs(b); };
+  const auto largest =
+      static_cast<std::size_t>(std::max_element(at(survey.largest_first), at(survey.largest_end), smaller) - x.begin());
+  if (!is_pulse(x, largest, survey.noise_N, record.fs_Hz)) return without_pulse(row, part, survey, options);
   describe_pulse(hit, x, largest, record.fs_Hz, options);
   look_for_second(hit, x, largest, record.fs_Hz);
   const auto length = asked_length(record, options);
@@ -172,7 +176,7 @@ std::vector<Hit> hits_in_row(const Record& record, std::size_t row, const HitOpt
   std::vector<Hit> hits;
   for (std::size_t e = 0; e < survey.events.size(); ++e) {
     const Part stretch = stretch_of(survey, e, part, pretrigger_samples(record, options), length);
-    const auto scan = static_cast<std::size_t>(kDoubleScan_s * record.fs_Hz) + 1;
+    const std::size_t scan = scan_samples(record.fs_Hz);
     const std::size_t begin = std::min(stretch.first, scan_begin(survey, e, part, scan));
     const std::size_t end = options.gate_force ? std::min(stretch.last, survey.events[e] + scan) : stretch.last;
     const auto all = force_between(record, row, begin, end, survey.baseline_N);

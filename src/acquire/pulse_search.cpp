@@ -11,12 +11,12 @@ namespace {
 
 constexpr std::size_t kChunk = std::size_t{1} << 18;  // about the samples read at a time: 2 MiB stays in the cache
 constexpr std::size_t kBlock = 64;                    // resolution of the envelope kept of the whole row
-constexpr std::size_t kNoiseSamples = 2048;           // per chunk: enough for a deviation good to 3 %
+constexpr std::size_t kNoiseSamples = 1024;           // per chunk: enough for a deviation good to 4 %
 constexpr double kTriggerNoise = 12;                  // deviations: one false alarm in 10^30 samples of Gaussian noise
 constexpr double kTriggerFraction = 0.01;             // of the largest: below it a hit is useless beside the others
 
 struct Envelope {
-  std::vector<double> low, high;  // per block
+  std::vector<Extremes> blocks;
   std::vector<double> chunk_median, chunk_noise;
 };
 
@@ -35,25 +35,21 @@ Envelope envelope_of(const Record& record, std::size_t row, std::size_t first, s
   // Chunks of one size, whole blocks each: the median over chunks would give a remainder of a few samples a full vote.
   const std::size_t chunks = (last - first + kChunk - 1) / kChunk;
   const std::size_t size = ((last - first) / chunks / kBlock + 1) * kBlock;
-  for (std::size_t at = first; at < last; at += buffer.size()) {
-    buffer.resize(std::min(size, last - at));
-    record.read_force_N(row, at, buffer);
-    const Spread subset = spread_of(thinned(buffer));
+  for (std::size_t at = first; at < last; at += size) {
+    const auto chunk = record.read_force_N.look(row, at, std::min(size, last - at), buffer);
+    const Spread subset = spread_of(thinned(chunk));
     envelope.chunk_median.push_back(subset.median);
     envelope.chunk_noise.push_back(subset.robust_std);
-    for (std::size_t b = 0; b < buffer.size(); b += kBlock) {
-      const Extremes block = extremes_of(std::span(buffer).subspan(b, std::min(kBlock, buffer.size() - b)));
-      envelope.low.push_back(block.low);
-      envelope.high.push_back(block.high);
-    }
+    const std::vector<Extremes> blocks = block_extremes(chunk, kBlock);
+    envelope.blocks.insert(envelope.blocks.end(), blocks.begin(), blocks.end());
   }
   return envelope;
 }
 
-// The envelope knows the block; the sample within it (and its neighbours, when blocks join) is read again.
+// The envelope knows the block; the sample within it is read again.
 std::size_t largest_sample(const Record& record, std::size_t row, std::size_t begin, std::size_t end, double baseline) {
-  std::vector<double> x(end - begin);
-  record.read_force_N(row, begin, x);
+  std::vector<double> buffer;
+  const auto x = record.read_force_N.look(row, begin, end - begin, buffer);
   const auto further = [&](double a, double b) { return std::abs(a - baseline) < std::abs(b - baseline); };
   return begin + static_cast<std::size_t>(std::max_element(x.begin(), x.end(), further) - x.begin());
 }
@@ -67,11 +63,13 @@ ForceSurvey survey_force(const Record& record, std::size_t row, const TriggerOpt
   const Envelope envelope = envelope_of(record, row, options.first, last);
   survey.baseline_N = median(envelope.chunk_median);
   survey.noise_N = median(envelope.chunk_noise);
-  std::vector<double> reach(envelope.low.size());
-  for (std::size_t b = 0; b < reach.size(); ++b) {
-    reach[b] = std::max(envelope.high[b] - survey.baseline_N, survey.baseline_N - envelope.low[b]);
-  }
-  survey.largest_N = *std::max_element(reach.begin(), reach.end());
+  std::vector<double> reach(envelope.blocks.size());
+  for (std::size_t b = 0; b < reach.size(); ++b) reach[b] = envelope.blocks[b].furthest_from(survey.baseline_N);
+  const auto largest = std::max_element(reach.begin(), reach.end());
+  survey.largest_N = *largest;
+  const std::size_t begin = options.first + static_cast<std::size_t>(largest - reach.begin()) * kBlock;
+  survey.largest_first = begin;
+  survey.largest_end = std::min(begin + kBlock, last);
   survey.trigger_N =
       options.trigger_N.value_or(std::max(kTriggerNoise * survey.noise_N, kTriggerFraction * survey.largest_N));
   if (!(survey.largest_N > 0)) return survey;

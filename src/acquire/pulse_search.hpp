@@ -9,10 +9,11 @@ namespace percuss {
 
 /// Where a row's force rises out of its noise.
 struct ForceSurvey {
-  double baseline_N = 0;            // median over the row
-  double noise_N = 0;               // robust standard deviation about it
-  double largest_N = 0;             // largest |force − baseline|
-  double trigger_N = 0;             // the threshold used
+  double baseline_N = 0;                           // median over the row
+  double noise_N = 0;                              // robust standard deviation about it
+  double largest_N = 0;                            // largest |force − baseline| …
+  std::size_t largest_first = 0, largest_end = 0;  // … and the samples it is among
+  double trigger_N = 0;                            // the threshold used
   std::vector<std::size_t> events;  // sample of the largest |force − baseline| of each stretch above it, ascending
 };
 

@@ -33,15 +33,48 @@ std::size_t max_of_signed(std::span<const double> x, double sign, std::size_t be
 // main one.
 std::vector<double> smoothed(std::span<const double> x, double sign, std::size_t h) {
   std::vector<double> out(x.size());
+  const double share = 1 / static_cast<double>(2 * h + 1);
   double sum = 0;
   for (std::size_t i = 0; i < std::min(h, x.size()); ++i) sum += sign * x[i];
   for (std::size_t i = 0; i < x.size(); ++i) {
     if (i + h < x.size()) sum += sign * x[i + h];
     if (i > h) sum -= sign * x[i - h - 1];
+    const bool inside = i >= h && i + h < x.size();
     const std::size_t count = std::min(i + h, x.size() - 1) - (i > h ? i - h : 0) + 1;
-    out[i] = sum / static_cast<double>(count);
+    out[i] = inside ? sum * share : sum / static_cast<double>(count);
   }
   return out;
+}
+
+// Whether three samples in a row have that value, an extreme: only blocks that have it as well are looked at.
+bool runs_at(std::span<const double> x, std::span<const Extremes> blocks, double value) {
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    if (blocks[b].low != value && blocks[b].high != value) continue;
+    const std::size_t end = std::min(x.size(), (b + 1) * kRailBlock + 2);
+    for (std::size_t i = b * kRailBlock; i + 2 < end; ++i) {
+      if (x[i] == value && x[i + 1] == value && x[i + 2] == value) return true;
+    }
+  }
+  return false;
+}
+
+// The largest mean over 2h + 1 samples within the pulse.
+double smoothed_peak(std::span<const double> x, double sign, const PulseShape& pulse, std::size_t h) {
+  const auto rise = static_cast<std::size_t>(std::max(0.0, pulse.rise));
+  const std::size_t end = std::min(x.size(), static_cast<std::size_t>(pulse.fall) + 1);
+  const auto means = smoothed(x.subspan(rise, end - rise), sign, h);
+  return *std::max_element(means.begin(), means.end());
+}
+
+// The highest sample at least `guard` samples off the pulse's feet; 0 where there is none above that.
+double highest_outside(std::span<const double> x, double sign, const PulseShape& pulse, double guard) {
+  const auto highest = [&](std::span<const double> part) {
+    const Extremes extremes = extremes_of(part);
+    return sign > 0 ? extremes.high : -extremes.low;
+  };
+  const auto before = static_cast<std::size_t>(std::max(0.0, pulse.rise - guard));
+  const auto after = std::min(x.size(), static_cast<std::size_t>(pulse.fall + guard));
+  return std::max(highest(x.first(before)), highest(x.subspan(after)));
 }
 
 // A filter rings by turns to either side; a pulse stands alone.
@@ -94,11 +127,14 @@ std::optional<SecondPulse> second_pulse(std::span<const double> force_N, const P
   const double sign = force_N[pulse.peak] < 0 ? -1 : 1;
   const double width = std::max(1.0, pulse.fall - pulse.rise);
   const auto half = static_cast<std::size_t>(width / 4);
+  const double noise = noise_N / std::sqrt(static_cast<double>(2 * half + 1));
+  const double guard = std::max(width, 8.0);
+  const auto least_beside = [&](double main) { return std::max(kSecondNoise * noise, kSecondFraction * main); };
+  if (highest_outside(force_N, sign, pulse, guard) < least_beside(smoothed_peak(force_N, sign, pulse, half)))
+    return std::nullopt;  // a mean of the samples is no higher, and the highest one no lower than the main pulse's
   const auto x = smoothed(force_N, sign, half);
   const double main = *std::max_element(x.begin(), x.end());
-  const double noise = noise_N / std::sqrt(static_cast<double>(2 * half + 1));
-  const double least = std::max(kSecondNoise * noise, kSecondFraction * main);
-  const double guard = std::max(width, 8.0);
+  const double least = least_beside(main);
 
   // A second pulse rises from a valley: its height above the lowest point between the two is what counts.
   SecondPulse best;
@@ -135,15 +171,16 @@ double resolution_of(std::span<const double> x) {
   return std::isfinite(step) ? step : 0;
 }
 
-std::size_t samples_at_rail(std::span<const double> x, const Extremes& extremes, std::span<const double> around,
+std::size_t samples_at_rail(std::span<const double> x, std::span<const Extremes> blocks, std::span<const double> around,
                             double rest) {
   if (x.size() < 4) return 0;
   // A quantised parabola with three equal samples falls by at most 4 steps beside them.
   constexpr double kSmoothPeak = 5;
   std::optional<double> resolution;  // found when asked for, which is seldom
   std::size_t found = 0;
+  const Extremes extremes = extremes_of(blocks);
   for (const double rail : {extremes.low, extremes.high}) {
-    if (rail == rest || std::count(x.begin(), x.end(), rail) < 3) continue;
+    if (rail == rest || !runs_at(x, blocks, rail)) continue;
     if (!resolution) resolution = resolution_of(around);
     if (!(*resolution > 0)) return 0;
     for (std::size_t i = 0; i < x.size();) {
@@ -161,17 +198,23 @@ std::size_t samples_at_rail(std::span<const double> x, const Extremes& extremes,
 }
 
 double bandwidth_Hz(std::span<const double> pulse, double fs_Hz) {
-  constexpr std::size_t kLines = 4096;  // a resolution of fs/8192
-  std::vector<double> padded(std::max(2 * kLines, pulse.size()));
+  constexpr std::size_t kLeastSamples = 2048;
+  constexpr std::size_t kPadding = 8;  // times the pulse: between lines its spectrum is nearly straight
+  std::vector<double> padded(fast_length_at_least(std::max(kLeastSamples, kPadding * pulse.size())));
   std::copy(pulse.begin(), pulse.end(), padded.begin());
-  const auto spectrum = real_dft(padded);
+  const auto spectrum = real_dft_in_scratch(padded);
   double largest = 0;  // as power
   for (const Complex& line : spectrum) largest = std::max(largest, std::norm(line));
   // The first crossing, not the last: beyond the first deep zero of the spectrum the side lobes excite nothing evenly.
+  const double level = kBandwidthDrop * std::sqrt(largest);
   std::size_t top = 0;
   while (top + 1 < spectrum.size() && std::norm(spectrum[top]) < largest) ++top;
-  while (top + 1 < spectrum.size() && std::norm(spectrum[top]) > kBandwidthDrop * kBandwidthDrop * largest) ++top;
-  return static_cast<double>(top) * fs_Hz / static_cast<double>(padded.size());
+  while (top + 1 < spectrum.size() && std::abs(spectrum[top]) > level) ++top;
+  const bool reached = top > 0 && std::abs(spectrum[top]) <= level;
+  const double line =
+      reached ? crossing(std::abs(spectrum[top - 1]), std::abs(spectrum[top]), level, static_cast<double>(top - 1))
+              : static_cast<double>(top);
+  return line * fs_Hz / static_cast<double>(padded.size());
 }
 
 }  // namespace percuss

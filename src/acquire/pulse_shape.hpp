@@ -38,9 +38,10 @@ double resolution_of(std::span<const double> x);
 
 /// Number of samples at the stretch's extreme values where they look like the recorder's rail, else 0: three or more
 /// equal ones in a row, with a neighbour further away than a smooth peak's would be at this resolution. An extreme at
-/// which the signal rests is no rail: a signal to one side only stands there before and after. `extremes` are
-/// those of x; `around`, longer than x, tells the resolution.
-std::size_t samples_at_rail(std::span<const double> x, const Extremes& extremes, std::span<const double> around,
+/// which the signal rests is no rail: a signal to one side only stands there before and after. `blocks` are
+/// block_extremes of x by kRailBlock; `around`, longer than x, tells the resolution.
+inline constexpr std::size_t kRailBlock = 512;
+std::size_t samples_at_rail(std::span<const double> x, std::span<const Extremes> blocks, std::span<const double> around,
                             double rest);
 
 /// Frequency at which the amplitude spectrum of a pulse first falls 20 dB below its largest line.

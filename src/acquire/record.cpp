@@ -48,15 +48,18 @@ Record record_in_memory(double fs_Hz, std::vector<std::vector<double>> force_N,
   };
   auto force = std::make_shared<const std::vector<std::vector<double>>>(std::move(force_N));
   auto accel = std::make_shared<const std::vector<std::vector<std::vector<double>>>>(std::move(accel_mps2));
-  record.read_force_N = [force, copy](std::size_t row, std::size_t first, std::span<double> out) {
-    copy(force->at(row), first, out);
-  };
-  record.read_accel_mps2 = [accel, copy](std::size_t row, std::size_t channel, std::size_t first,
-                                         std::span<double> out) { copy(accel->at(row).at(channel), first, out); };
+  record.read_force_N = {
+      [force, copy](std::size_t row, std::size_t first, std::span<double> out) { copy(force->at(row), first, out); },
+      [force](std::size_t row) { return std::span<const double>(force->at(row)); }};
+  record.read_accel_mps2 = {
+      [accel, copy](std::size_t row, std::size_t channel, std::size_t first, std::span<double> out) {
+        copy(accel->at(row).at(channel), first, out);
+      },
+      [accel](std::size_t row, std::size_t channel) { return std::span<const double>(accel->at(row).at(channel)); }};
   return record;
 }
 
-std::function<void(std::size_t row, std::size_t first, std::span<double> out)> no_force() {
+SampleReader<std::size_t> no_force() {
   return [](std::size_t, std::size_t, std::span<double> out) { std::fill(out.begin(), out.end(), 0.0); };
 }
 

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "acquire/sample_reader.hpp"
+
 namespace percuss {
 
 struct InputFile {
@@ -50,9 +52,9 @@ struct Record {
   std::set<int> points() const;
 
   /// Samples first … first + out.size() − 1 of a row's force, in N. Several threads may call at once.
-  std::function<void(std::size_t row, std::size_t first, std::span<double> out)> read_force_N;
+  SampleReader<std::size_t> read_force_N;  // (row, first, out)
   /// As above for an acceleration channel, in m/s².
-  std::function<void(std::size_t row, std::size_t channel, std::size_t first, std::span<double> out)> read_accel_mps2;
+  SampleReader<std::size_t, std::size_t> read_accel_mps2;  // (row, channel, first, out)
 };
 
 /// How one channel is connected, from a set-up file; empty members leave what the file says.
@@ -98,7 +100,7 @@ Record join_records(std::vector<Record> records, FilesMean mean);
 Record select_rows(const Record& record, const std::function<bool(const RowInfo&)>& keep);
 
 /// What read_force_N is of a record without a force: zeros.
-std::function<void(std::size_t row, std::size_t first, std::span<double> out)> no_force();
+SampleReader<std::size_t> no_force();
 
 /// A record whose samples are in memory: force [row][sample] in N, accel [row][channel][sample] in m/s².
 Record record_in_memory(double fs_Hz, std::vector<std::vector<double>> force_N,

@@ -117,10 +117,11 @@ void grade_onset(ResponseGrade& grade, const Hit& hit, std::span<const double> a
 ResponseGrade grade_response(const Hit& hit, std::span<const double> accel_mps2, double fs_Hz) {
   ResponseGrade grade;
   if (hit.gated_N.empty() || accel_mps2.size() <= hit.peak - hit.first) return grade;
-  const Extremes extremes = extremes_of(accel_mps2);
+  const std::vector<Extremes> blocks = block_extremes(accel_mps2, kRailBlock);
+  const Extremes extremes = extremes_of(blocks);
   grade.dead = extremes.low == extremes.high;
   if (grade.dead) return grade;
-  grade.rail_samples = samples_at_rail(accel_mps2, extremes, accel_mps2, resting_level(hit, accel_mps2));
+  grade.rail_samples = samples_at_rail(accel_mps2, blocks, accel_mps2, resting_level(hit, accel_mps2));
   grade.rings_before = rings_before(hit, accel_mps2);
   grade_end(grade, hit, accel_mps2);
   grade_onset(grade, hit, accel_mps2, extremes, fs_Hz);

@@ -14,6 +14,6 @@ inline std::complex<double> conj_times(std::complex<double> a, std::complex<doub
   return {a.real() * b.real() + a.imag() * b.imag(), a.real() * b.imag() - a.imag() * b.real()};
 }
 
-inline std::complex<double> inverse(std::complex<double> a) { return std::conj(a) / std::norm(a); }
+inline std::complex<double> inverse(std::complex<double> a) { return std::conj(a) * (1 / std::norm(a)); }
 
 }  // namespace percuss

@@ -48,6 +48,21 @@ Extremes extremes_of(std::span<const double> values) {
   return extremes;
 }
 
+std::vector<Extremes> block_extremes(std::span<const double> values, std::size_t block) {
+  std::vector<Extremes> blocks;
+  blocks.reserve(values.size() / block + 1);
+  for (std::size_t i = 0; i < values.size(); i += block)
+    blocks.push_back(extremes_of(values.subspan(i, std::min(block, values.size() - i))));
+  return blocks;
+}
+
+Extremes extremes_of(std::span<const Extremes> blocks) {
+  if (blocks.empty()) return {};
+  Extremes all = blocks.front();
+  for (const Extremes& block : blocks) all = {std::min(all.low, block.low), std::max(all.high, block.high)};
+  return all;
+}
+
 double rms(std::span<const double> values) {
   double sum = 0;
   for (const double value : values) sum += value * value;

@@ -24,6 +24,9 @@ struct Extremes {
   double furthest_from(double centre) const { return std::max(high - centre, centre - low); }
 };
 Extremes extremes_of(std::span<const double> values);
+/// Those of each `block` values; the last block may be shorter.
+std::vector<Extremes> block_extremes(std::span<const double> values, std::size_t block);
+Extremes extremes_of(std::span<const Extremes> blocks);
 
 /// √(Σx²/n); 0 for none.
 double rms(std::span<const double> values);

@@ -73,14 +73,12 @@ Frf estimate_frf(const CrossSpectra& spectra, const LineRange& lines, Estimator 
     frf.std.resize(count);
     frf.coherence.resize(count);
   }
+  require_force(spectra.ff, lines);
   const double scale = estimator == Estimator::hv ? mean_ratio(spectra) : 1;
   for (std::size_t k = 0; k < count; ++k) {
     const double ff = spectra.ff[k];
     const double aa = spectra.aa[k];
     const Complex fa = spectra.fa[k];
-    if (!(ff > 0)) {
-      throw InputError(fmt::format("the force has no energy at {:.6g} Hz", lines.freq_Hz(k)), "FRF", "narrow --band");
-    }
     const Complex h1 = fa / ff;  // (1)
     switch (estimator) {
       case Estimator::h1:
@@ -100,6 +98,13 @@ Frf estimate_frf(const CrossSpectra& spectra, const LineRange& lines, Estimator 
     frf.std[k] = std::sqrt(unexplained / (ff * static_cast<double>(spectra.averages - 1)));
   }
   return frf;
+}
+
+void require_force(std::span<const double> ff, const LineRange& lines) {
+  const auto none = std::find_if(ff.begin(), ff.end(), [](double power) { return !(power > 0); });
+  if (none == ff.end()) return;
+  const auto line = static_cast<std::size_t>(none - ff.begin());
+  throw InputError(fmt::format("the force has no energy at {:.6g} Hz", lines.freq_Hz(line)), "FRF", "narrow --band");
 }
 
 }  // namespace percuss

@@ -44,4 +44,7 @@ struct Frf {
 /// source  [3], [4] in docs/sources.md.
 Frf estimate_frf(const CrossSpectra& spectra, const LineRange& lines, Estimator estimator = Estimator::h1);
 
+/// InputError when the force never excited one of the lines. shape  ff [lines.count]
+void require_force(std::span<const double> ff, const LineRange& lines);
+
 }  // namespace percuss

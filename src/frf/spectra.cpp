@@ -40,14 +40,15 @@ ForceBlock force_block(const Hit& hit, double fs_Hz, double decay_per_s) {
 }
 
 std::vector<Complex> force_spectrum(const ForceBlock& block, const LineRange& lines) {
-  std::vector<double> x(lines.samples);
-  if (!block.whole_N.empty()) {
-    std::copy_n(block.whole_N.begin(), std::min(block.whole_N.size(), x.size()), x.begin());
-  } else if (block.offset < x.size()) {
-    std::copy_n(block.force_N.begin(), std::min(block.force_N.size(), x.size() - block.offset),
-                x.begin() + static_cast<std::ptrdiff_t>(block.offset));
-  }
-  return kept(x, lines);
+  thread_local std::vector<double> x;  // zeros between calls: most of a gated force's block is
+  if (x.size() != lines.samples) x.assign(lines.samples, 0);
+  const std::vector<double>& force = block.whole_N.empty() ? block.force_N : block.whole_N;
+  const std::size_t offset = block.whole_N.empty() ? std::min(block.offset, x.size()) : 0;
+  const auto pulse = std::span(x).subspan(offset, std::min(force.size(), x.size() - offset));
+  std::copy_n(force.begin(), pulse.size(), pulse.begin());
+  auto spectrum = kept(x, lines);
+  std::fill(pulse.begin(), pulse.end(), 0.0);
+  return spectrum;
 }
 
 std::vector<Complex> accel_spectrum(const Hit& hit, std::span<const double> accel_mps2, const LineRange& lines,

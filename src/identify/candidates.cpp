@@ -22,38 +22,23 @@ constexpr double kModelFloor = 1e-6;    // of the largest line: what a fit leave
 constexpr double kNarrowest = 1.5;      // lines
 constexpr double kWidestHidden = 0.03;  // half-width over frequency of the broadest hidden mode
 
-// Power of the noise on each line, as the roughness of three blocks of lines around it tells.
-std::vector<double> local_noise(std::span<const Complex> h) {
-  const std::vector<double> block = block_noise(roughness(h));
-  std::vector<double> noise(h.size());
-  for (std::size_t b = 0; b < block.size(); ++b) {
-    const std::size_t first = b > 0 ? b - 1 : 0, last = std::min(b + 1, block.size() - 1);
-    const double power = median(
-        {block.begin() + static_cast<std::ptrdiff_t>(first), block.begin() + static_cast<std::ptrdiff_t>(last + 1)});
-    const std::size_t end = b + 1 < block.size() ? (b + 1) * kNoiseBlock : h.size();
-    std::fill(noise.begin() + static_cast<std::ptrdiff_t>(b * kNoiseBlock),
-              noise.begin() + static_cast<std::ptrdiff_t>(end), power);
-  }
-  return noise;
-}
-
 double largest_of(std::span<const Complex> h) {
-  double largest = 0;
-  for (const Complex& value : h) largest = std::max(largest, std::abs(value));
-  return largest;
+  double largest = 0;  // as power
+  for (const Complex& value : h) largest = std::max(largest, std::norm(value));
+  return std::sqrt(largest);
 }
 
 struct Level {
   std::vector<double> power, noise;  // Σ over outputs of |H|² and of the noise's share
 };
 
-Level level_of(const FrfSet& set) {
+Level level_of(const FrfSet& set, const LineNoise& line_noise) {
   const std::size_t n = set.lines.count;
   Level level{std::vector<double>(n), std::vector<double>(n)};
-  for (const Output& output : set.outputs) {
-    const auto noise = local_noise(output.frf);
+  for (std::size_t o = 0; o < set.outputs.size(); ++o) {
+    const std::vector<double> noise = line_noise.local(o);
     for (std::size_t k = 0; k < n; ++k) {
-      level.power[k] += std::norm(output.frf[k]);
+      level.power[k] += std::norm(set.outputs[o].frf[k]);
       level.noise[k] += noise[k];
     }
   }
@@ -153,17 +138,18 @@ Pole peak_near(const FrfSet& set, double freq_Hz) {
 
 }  // namespace
 
-std::vector<Pole> candidate_poles(const FrfSet& set, const CandidateOptions& options) {
+std::vector<Pole> candidate_poles(const FrfSet& set, const LineNoise& noise, const CandidateOptions& options) {
   if (set.lines.count < 5) return {};
-  const Level level = level_of(set);
-  std::vector<double> level_dB(set.lines.count);
-  for (std::size_t k = 0; k < level_dB.size(); ++k) level_dB[k] = 10 * std::log10(std::max(level.power[k], 1e-300));
+  const Level level = level_of(set, noise);
   std::vector<Pole> poles;
-  for (const Peak& peak : find_peaks(level_dB)) {
-    if (peak.line == 0 || peak.line + 1 == level_dB.size()) continue;
-    const double snr = level.noise[peak.line] > 0 ? std::sqrt(level.power[peak.line] / level.noise[peak.line]) : 1e9;
+  for (const Peak& peak : find_peaks(level.power)) {
+    if (peak.line == 0 || peak.line + 1 == level.power.size()) continue;
+    const double power = level.power[peak.line];
+    const double snr = level.noise[peak.line] > 0 ? std::sqrt(power / level.noise[peak.line]) : 1e9;
+    if (snr < options.snr) continue;
     const double wobble_dB = kNoiseProminence * kDecibelsPerNeper / (snr * std::sqrt(2.0));
-    if (snr < options.snr || peak.prominence < options.prominence_dB + wobble_dB) continue;
+    const double saddle = std::max(power - peak.prominence, 1e-300);
+    if (10 * std::log10(power / saddle) < options.prominence_dB + wobble_dB) continue;
     poles.push_back(pole_at_line(set, peak.line));
   }
   return poles;
@@ -177,7 +163,8 @@ std::vector<Pole> hidden_poles(const FrfSet& set, const std::vector<Eigen::Vecto
   std::vector<ResidualLines> outputs;
   std::vector<double> floors;
   for (std::size_t o = 0; o < residual.size(); ++o) {
-    outputs.push_back({residual[o], local_noise({residual[o].data(), static_cast<std::size_t>(residual[o].size())})});
+    const std::span lines(residual[o].data(), static_cast<std::size_t>(residual[o].size()));
+    outputs.push_back({residual[o], local_noise(block_noise(lines), lines.size())});
     floors.push_back(std::pow(kModelFloor * largest_of(set.outputs[o].frf), 2));
     for (double& power : outputs.back().noise) power = std::max(power, floors.back());
   }

@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "identify/line_noise.hpp"
 #include "identify/local_fit.hpp"
 
 namespace percuss {
@@ -12,7 +13,7 @@ struct CandidateOptions {
 };
 
 /// First poles from the prominent maxima of Σ|H|² over the outputs, in ascending frequency.
-std::vector<Pole> candidate_poles(const FrfSet& set, const CandidateOptions& options = {});
+std::vector<Pole> candidate_poles(const FrfSet& set, const LineNoise& noise, const CandidateOptions& options = {});
 
 /// First poles of modes too weak or too close to a stronger one to show as a peak of their own: what is left of the
 /// FRFs (residual [outputs][lines], the known modes subtracted) is correlated with resonances of several bandwidths on

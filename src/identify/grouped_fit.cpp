@@ -10,12 +10,13 @@ using Eigen::Index;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-constexpr double kWindow = 10;  // half-power bandwidths on either side: beyond lies under 0.1 % of a mode's information
 constexpr double kLeastLines = 8;   // … and never fewer lines
 constexpr double kMostLines = 400;  // … nor more: the polynomial follows other modes' tails over a short stretch only
 constexpr double kLeastForce =
     1e-6;  // of the strongest line's power: a pulse's spectrum has zeros, where FRFs mean nothing
 constexpr double kLeastWeight = 1e-3;  // of the noise elsewhere: where a fit leaves nothing, its weight stays finite
+constexpr double kAlike = 1.2;         // weights that far off cost nothing
+constexpr double kNoChange = 1e-4;     // of data, as energy over the noise's per line
 constexpr double kTogether = 4;        // bandwidths (or lines) apart at which two modes are fitted together
 
 void carry_over(const std::vector<FitGroup>& before, FitGroup& group, std::size_t m) {
@@ -28,18 +29,28 @@ void carry_over(const std::vector<FitGroup>& before, FitGroup& group, std::size_
   }
 }
 
+// To each other's noise: weights that are all off by one factor are none the worse.
+bool alike(const VectorXd& noise, const VectorXd& expected) {
+  const VectorXd ratio = noise.cwiseQuotient(expected);
+  return ratio.maxCoeff() < kAlike * ratio.minCoeff();
+}
+
 }  // namespace
 
-GroupedFit::GroupedFit(const FrfSet& set)
-    : set_(set), noise_(set), largest_(VectorXd::Zero(static_cast<Index>(set.outputs.size()))) {
+GroupedFit::GroupedFit(const FrfSet& set, double window_widths)
+    : set_(set),
+      window_widths_(window_widths),
+      noise_(set),
+      largest_(VectorXd::Zero(static_cast<Index>(set.outputs.size()))) {
   for (std::size_t o = 0; o < set.outputs.size(); ++o) {
     double& largest = largest_(static_cast<Index>(o));
     const std::vector<Complex>& frf = set.outputs[o].frf;
     const std::vector<double>& ff = set.points[set.outputs[o].point].ff;
     const double least = ff.empty() ? 0 : kLeastForce * *std::max_element(ff.begin(), ff.end());
     for (std::size_t k = 0; k < frf.size(); ++k) {
-      if (ff.empty() || ff[k] > least) largest = std::max(largest, std::abs(frf[k]));
+      if (ff.empty() || ff[k] > least) largest = std::max(largest, std::norm(frf[k]));
     }
+    largest = std::sqrt(largest);
   }
 }
 
@@ -56,7 +67,7 @@ void GroupedFit::place_window(FitGroup& group) const {
   double high = 0;
   for (const Pole& pole : group.fit.poles) {
     const double half =
-        std::clamp(kWindow * width_Hz(pole), kLeastLines * set_.lines.df_Hz(), kMostLines * set_.lines.df_Hz());
+        std::clamp(window_widths_ * width_Hz(pole), kLeastLines * set_.lines.df_Hz(), kMostLines * set_.lines.df_Hz());
     low = std::min(low, pole.freq_Hz - half);
     high = std::max(high, pole.freq_Hz + half);
   }
@@ -71,8 +82,34 @@ void GroupedFit::place_window(FitGroup& group) const {
   group.count = last - group.first + 1;
 }
 
+// The same poles, and a window that has moved by no more than a tenth of itself.
+bool GroupedFit::same_window(const FitGroup& before, const FitGroup& group) const {
+  const auto same = [](const Pole& a, const Pole& b) {
+    return a.freq_Hz == b.freq_Hz && a.damping_ratio == b.damping_ratio;
+  };
+  const auto apart = [](std::size_t a, std::size_t b) { return a > b ? a - b : b - a; };
+  const std::size_t most = before.count / 10;
+  return std::equal(before.fit.poles.begin(), before.fit.poles.end(), group.fit.poles.begin(), group.fit.poles.end(),
+                    same) &&
+         apart(before.first, group.first) <= most &&
+         apart(before.first + before.count, group.first + group.count) <= most;
+}
+
+// By less than would move anything by a hundredth of its deviation.
+bool GroupedFit::unchanged(std::size_t group, const std::vector<VectorXcd>& data) const {
+  const std::vector<VectorXcd>& before = fitted_to_[group];
+  if (before.empty()) return false;
+  double change = 0;
+  for (std::size_t o = 0; o < data.size(); ++o) {
+    const double noise = groups_[group].fit.noise(static_cast<Index>(o));
+    change += (data[o] - before[o]).squaredNorm() / (noise * noise);
+  }
+  return change < kNoChange;
+}
+
 void GroupedFit::replace(std::vector<Pole> poles) {
   const std::vector<FitGroup> before = std::move(groups_);
+  std::vector<std::vector<VectorXcd>> fitted_to = std::move(fitted_to_);
   groups_.clear();
   std::sort(poles.begin(), poles.end(), [](const Pole& a, const Pole& b) { return a.freq_Hz < b.freq_Hz; });
   const auto near = [&](const Pole& last, const Pole& next) {
@@ -90,16 +127,30 @@ void GroupedFit::replace(std::vector<Pole> poles) {
     for (std::size_t m = 0; m < group.fit.poles.size(); ++m) carry_over(before, group, m);
     place_window(group);
   }
+  fitted_to_.assign(groups_.size(), {});
+  for (std::size_t b = 0; b < before.size(); ++b) {
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+      if (!same_window(before[b], groups_[g])) continue;
+      groups_[g] = before[b];
+      fitted_to_[g] = std::move(fitted_to[b]);
+    }
+  }
 }
 
 void GroupedFit::sweep(int times) {
   for (int i = 0; i < times; ++i) {
     if (i > 0) replace(poles());  // poles that moved may belong together now
-    for (FitGroup& group : groups_) {
-      const auto data = remainder(group);
-      // A first residual tells each output's noise here, which is not the noise elsewhere.
-      if (group.fit.noise.size() == 0) group.fit = fit(group, data, group.fit.poles, noise(group), kRoughly);
-      group.fit = fit(group, data, group.fit.poles, weights_from(group));
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+      FitGroup& group = groups_[g];
+      auto data = remainder(group);
+      if (unchanged(g, data)) continue;
+      // A first residual tells each output's noise here, which may not be the noise elsewhere.
+      const bool first = group.fit.noise.size() == 0;
+      const VectorXd expected = noise(group);
+      if (first) group.fit = fit(group, data, group.fit.poles, expected);
+      if (!first || !alike(group.fit.noise, expected))
+        group.fit = fit(group, data, group.fit.poles, weights_from(group));
+      fitted_to_[g] = std::move(data);
     }
   }
 }

@@ -20,13 +20,14 @@ struct FitGroup {
 class GroupedFit {
  public:
   /// `set` must outlive this object.
-  explicit GroupedFit(const FrfSet& set);
+  explicit GroupedFit(const FrfSet& set, double window_widths = kWindow);
 
   const std::vector<FitGroup>& groups() const { return groups_; }
   std::vector<Pole> poles() const;
   const FrfSet& set() const { return set_; }
   /// Per output: deviation of the noise in the group's window as all lines tell it (LineNoise).
   Eigen::VectorXd noise(const FitGroup& group) const { return noise_.over(group.first, group.count); }
+  const LineNoise& line_noise() const { return noise_; }
   /// Per output: the largest line that the force reached.
   const Eigen::VectorXd& largest() const { return largest_; }
   /// Half-power bandwidth, at least half a line.
@@ -34,7 +35,7 @@ class GroupedFit {
 
   /// Other poles: residues of those already known stay; new ones count as 0 until the next sweep.
   void replace(std::vector<Pole> poles);
-  /// Fits every group in turn, `times` over.
+  /// Fits every group in turn, `times` over; one whose data have not changed since is left alone.
   void sweep(int times);
   /// What is left in the group's window when all other groups' shares are subtracted, [outputs][group.count].
   std::vector<Eigen::VectorXcd> remainder(const FitGroup& group) const;
@@ -46,6 +47,9 @@ class GroupedFit {
   /// The noise of each output in the window as the fit's residual tells it.
   Eigen::VectorXd weights_from(const FitGroup& group) const;
 
+  /// Half-power bandwidths on either side of a pole that its window holds: beyond lies under 0.1 % of what the lines
+  /// tell of it.
+  static constexpr double kWindow = 10;
   /// Tolerance that is near enough to see the noise.
   static constexpr double kRoughly = 1e-3;
   /// No more than this many are fitted together.
@@ -53,13 +57,17 @@ class GroupedFit {
 
  private:
   void place_window(FitGroup& group) const;
+  bool same_window(const FitGroup& before, const FitGroup& group) const;
+  bool unchanged(std::size_t group, const std::vector<Eigen::VectorXcd>& data) const;
   void subtract(const LocalFit& fit, std::size_t mode, const FitGroup& window,
                 std::vector<Eigen::VectorXcd>& data) const;
 
   const FrfSet& set_;
+  double window_widths_;
   LineNoise noise_;
   Eigen::VectorXd largest_;
   std::vector<FitGroup> groups_;
+  std::vector<std::vector<Eigen::VectorXcd>> fitted_to_;  // [groups] the data of the last fit; none before it
 };
 
 }  // namespace percuss

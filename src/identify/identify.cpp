@@ -6,24 +6,14 @@
 
 namespace percuss {
 
-const char* name_of(Effort effort) {
-  switch (effort) {
-    case Effort::quick:
-      return "quick";
-    case Effort::standard:
-      return "standard";
-    case Effort::best:
-      return "best";
-  }
-  return "";
-}
-
 std::vector<Mode> identify_modes(const FrfSet& set, const IdentifyOptions& options) {
   if (options.start_Hz.empty() && set.outputs.size() > kFewOutputs) {
     if (auto modes = identify_many(set, options)) return *std::move(modes);
   }
-  const int rounds = options.effort == Effort::quick ? kFewRounds : kThorough;
-  auto found = fit_peaks(set, {.rounds = rounds, .modes = options.modes, .start_Hz = options.start_Hz});
+  PeakFitOptions peaks = peak_fit_of(options.effort);
+  peaks.modes = options.modes;
+  peaks.start_Hz = options.start_Hz;
+  auto found = fit_peaks(set, peaks);
   if (options.effort == Effort::best && !found.empty()) refine(set, found);
   std::vector<Mode> modes;
   modes.reserve(found.size());

@@ -10,7 +10,7 @@ namespace percuss {
 
 /// All modes fitted together to all lines of all outputs.
 struct JointFit {
-  std::vector<Pole> poles;
+  std::vector<Pole> poles;                   // in the order of the start; close ones may have changed places
   std::vector<char> real;                    // [modes] the residues are real
   Eigen::MatrixXcd residues;                 // [outputs, modes], 1/kg
   Eigen::MatrixXd residue_std;               // of real and imaginary part; force gain left out

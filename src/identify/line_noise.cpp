@@ -15,22 +15,34 @@ constexpr double kRoughnessGain = 1.5;       // variance of x(k) − (x(k−1) +
 constexpr double kRounding = 1e-12;  // of the largest line: a noise-free FRF still has it; a weight of zero is none
 constexpr double kLeastPower = 1e-300;
 
-double response_noise(const std::vector<Complex>& frf, const std::vector<double>& ff) {
-  std::vector<double> rough = roughness(frf);
+// The middle of a block that `blocks` of them make of the lines.
+std::size_t middle_of(std::size_t block, std::size_t blocks, std::size_t lines) {
+  const std::size_t end = block + 1 < blocks ? (block + 1) * kNoiseBlock : lines;
+  return (block * kNoiseBlock + end) / 2;
+}
+
+double response_noise(const std::vector<Complex>& frf, const std::vector<double>& ff, std::vector<double> blocks) {
   double largest = 0;
-  for (std::size_t k = 0; k < frf.size(); ++k) {
-    const double force_power = ff.empty() ? 1.0 : ff[k];
-    rough[k] *= force_power;
-    largest = std::max(largest, std::norm(frf[k]) * force_power);
-  }
-  return std::sqrt(std::max({noise_power(rough), kRounding * kRounding * largest, kLeastPower}));
+  for (std::size_t k = 0; k < frf.size(); ++k)
+    largest = std::max(largest, std::norm(frf[k]) * (ff.empty() ? 1 : ff[k]));
+  // The force is smooth: over a block it is even.
+  for (std::size_t b = 0; b < blocks.size() && !ff.empty(); ++b)
+    blocks[b] *= ff[middle_of(b, blocks.size(), ff.size())];
+  return std::sqrt(std::max({median(std::move(blocks)), kRounding * kRounding * largest, kLeastPower}));
 }
 
 }  // namespace
 
 LineNoise::LineNoise(const FrfSet& set) : set_(set), response_(static_cast<Index>(set.outputs.size())) {
-  for (std::size_t o = 0; o < set.outputs.size(); ++o)
-    response_(static_cast<Index>(o)) = response_noise(set.outputs[o].frf, set.points[set.outputs[o].point].ff);
+  for (std::size_t o = 0; o < set.outputs.size(); ++o) {
+    const std::vector<Complex>& frf = set.outputs[o].frf;
+    blocks_.push_back(block_noise(frf));
+    response_(static_cast<Index>(o)) = response_noise(frf, set.points[set.outputs[o].point].ff, blocks_.back());
+  }
+}
+
+std::vector<double> LineNoise::local(std::size_t output) const {
+  return local_noise(blocks_[output], set_.outputs[output].frf.size());
 }
 
 double LineNoise::at(std::size_t output, std::size_t line) const {
@@ -56,23 +68,30 @@ Eigen::VectorXd LineNoise::over(std::size_t first, std::size_t count) const {
   return noise;
 }
 
-std::vector<double> roughness(std::span<const Complex> lines) {
-  std::vector<double> rough(lines.size());
-  for (std::size_t k = 1; k + 1 < lines.size(); ++k)
-    rough[k] = std::norm(lines[k] - 0.5 * (lines[k - 1] + lines[k + 1])) / kRoughnessGain;
-  return rough;
-}
-
-std::vector<double> block_noise(std::span<const double> rough) {
-  std::vector<double> noise(std::max<std::size_t>(rough.size() / kNoiseBlock, rough.empty() ? 0 : 1));
+std::vector<double> block_noise(std::span<const Complex> lines) {
+  if (lines.size() < 3) return {};
+  std::vector<double> noise(std::max<std::size_t>(lines.size() / kNoiseBlock, 1));
+  std::vector<double> rough;
   for (std::size_t b = 0; b < noise.size(); ++b) {
-    const auto from = rough.subspan(b * kNoiseBlock);
-    const auto block = b + 1 < noise.size() ? from.first(kNoiseBlock) : from;
-    noise[b] = median({block.begin(), block.end()}) / kMedianOfNoise;
+    const std::size_t end = b + 1 < noise.size() ? (b + 1) * kNoiseBlock : lines.size();
+    rough.clear();
+    for (std::size_t k = b * kNoiseBlock + 1; k < end && k + 1 < lines.size(); k += 2)
+      rough.push_back(std::norm(lines[k] - 0.5 * (lines[k - 1] + lines[k + 1])) / kRoughnessGain);
+    noise[b] = median(rough) / kMedianOfNoise;
   }
   return noise;
 }
 
-double noise_power(std::span<const double> rough) { return median(block_noise(rough)); }
+std::vector<double> local_noise(std::span<const double> blocks, std::size_t lines) {
+  std::vector<double> noise(lines);
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    const std::size_t first = b > 0 ? b - 1 : 0, last = std::min(b + 1, blocks.size() - 1);
+    const auto around = blocks.subspan(first, last - first + 1);
+    const std::size_t end = b + 1 < blocks.size() ? (b + 1) * kNoiseBlock : lines;
+    std::fill(noise.begin() + static_cast<std::ptrdiff_t>(b * kNoiseBlock),
+              noise.begin() + static_cast<std::ptrdiff_t>(end), median({around.begin(), around.end()}));
+  }
+  return noise;
+}
 
 }  // namespace percuss

@@ -19,20 +19,22 @@ class LineNoise {
   double at(std::size_t output, std::size_t line) const;
   /// As if even over the lines first … first + count − 1, [outputs].
   Eigen::VectorXd over(std::size_t first, std::size_t count) const;
+  /// Power of an FRF's own noise around each line, whatever the force, as local_noise has it.
+  std::vector<double> local(std::size_t output) const;
 
  private:
   const FrfSet& set_;
-  Eigen::VectorXd response_;  // [outputs]: m/s² summed over the samples, or (m/s²)/N without a force
+  std::vector<std::vector<double>> blocks_;  // [outputs] block_noise
+  Eigen::VectorXd response_;                 // [outputs]: m/s² summed over the samples, or (m/s²)/N without a force
 };
 
-/// Where an FRF is smooth its second difference is noise alone: power of the noise that each line's tells, which
-/// scatters as a single line does. The first and last line tell nothing: 0. shape  [lines]
-std::vector<double> roughness(std::span<const Complex> lines);
-
-/// Power of the noise that the roughness of many lines tells, block by block of kNoiseBlock lines (the last one has the
-/// rest as well): by their median, which skips resonances. The median over the blocks is that of all lines.
-std::vector<double> block_noise(std::span<const double> rough);
-double noise_power(std::span<const double> rough);
+/// Power of the noise of each kNoiseBlock lines (the last block has the rest as well; none of fewer than three lines).
+/// Where an FRF is smooth its second difference is noise alone, which scatters as a single line does; the median skips
+/// resonances. Every second line tells nearly as much as all, neighbours having theirs in common.
+std::vector<double> block_noise(std::span<const Complex> lines);
 inline constexpr std::size_t kNoiseBlock = 64;
+
+/// Power of the noise on each line: of three blocks around it, the one in the middle. shape  [lines]
+std::vector<double> local_noise(std::span<const double> blocks, std::size_t lines);
 
 }  // namespace percuss

@@ -160,9 +160,11 @@ std::optional<std::vector<Mode>> identify_many(const FrfSet& set, const Identify
   Completed completed(set);
   std::vector<PeakMode> found;
   // The clear modes first: what is missing of them after the records' ends would pass for hidden ones.
-  for (const int rounds : {0, options.effort == Effort::quick ? kFewRounds : kThorough}) {
+  PeakFitOptions thorough = peak_fit_of(options.effort);
+  thorough.modes = options.modes;
+  for (const PeakFitOptions& peaks : {PeakFitOptions{.rounds = 0, .modes = options.modes}, thorough}) {
     const std::size_t before = found.size();
-    found = fit_peaks(few, {.rounds = rounds, .modes = options.modes});
+    found = fit_peaks(few, peaks);
     if (found.empty() || most_left(set, found) > kMostLeft) return std::nullopt;
     if (found.size() != before) complete(completed, few, found);
   }

@@ -26,12 +26,15 @@ struct PointForce {
   std::vector<std::vector<Complex>> weights;  // conj(F_h)/Σ|F|² [hits][lines]: each hit's part in H1 = Σ weight·A
   std::vector<double> ff;                     // Σ |F|² [lines]
   double noise_N = 0;                         // deviation of the force channel's noise
-  bool complete = false;  // the FRFs are as records would have given them that hold the whole decay
+  bool complete = false;                      // the FRFs are as records would have given them that hold the whole decay
   double window_decay_per_s() const { return blocks.empty() ? 0 : blocks.front().decay_per_s; }  // 0: none is known of
 };
 /// spectra [hits] point to force_spectrum of each block.
+/// errors  InputError when the force never excited one of the lines.
 PointForce point_force(std::vector<ForceBlock> blocks, const std::vector<const std::vector<Complex>*>& spectra,
-                       double noise_N);
+                       const LineRange& lines, double noise_N);
+/// H1 of a response to that point's hits. shapes  accel [hits] point to [lines]; result [lines], (m/s²)/N
+std::vector<Complex> h1_at(const PointForce& force, const std::vector<const std::vector<Complex>*>& accel);
 
 /// A mode's share of an H1 estimate, for residue 1, and its derivatives, at lines first … first + count − 1 of `lines`.
 struct ModeColumn {
@@ -68,8 +71,8 @@ ModeColumn whole_column(const Pole& pole, double window_decay_per_s, const LineR
 ModeColumn without_missing(ModeColumn whole, const Pole& pole, const PointForce& force, const LineRange& lines,
                            std::size_t first);
 
-/// H − φ of (1) at lines first … first + count − 1: what a mode's decay lacks of what comes after the records' end. What
-/// all points have in common of it is worked out once.
+/// H − φ of (1) at lines first … first + count − 1: what a mode's decay lacks of what comes after the records' end.
+/// What all points have in common of it is worked out once.
 class MissingDecay {
  public:
   MissingDecay(const Pole& pole, double window_decay_per_s, const LineRange& lines, std::size_t first,
@@ -80,7 +83,7 @@ class MissingDecay {
  private:
   LineRange lines_;
   std::size_t first_;
-  Complex windowed_;                    // s − σ
+  Complex windowed_;                      // s − σ
   std::vector<Complex> kernel_, mirror_;  // [count] c·D and conj(c)·D̃
 };
 

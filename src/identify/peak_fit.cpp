@@ -15,7 +15,6 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr int kSweeps = 2;  // after a change each window sees its neighbours' final shares in the second
 constexpr double kSplitGain =
     0.25;  // a second mode must leave at most this part of the residual's energy where one misfits
 constexpr double kSplitTest = 25;    // F statistic
@@ -27,15 +26,16 @@ constexpr std::size_t kLeastForFit = 16;  // lines
 
 class PeakFit {
  public:
-  PeakFit(const FrfSet& set, const PeakFitOptions& options) : set_(set), options_(options), all_(set) {}
+  PeakFit(const FrfSet& set, const PeakFitOptions& options)
+      : set_(set), options_(options), all_(set, options.window_widths) {}
 
   std::vector<PeakMode> run() {
     context_.shown = poles_near(set_, options_.start_Hz);
     context_.shown.insert(context_.shown.end(), options_.start.begin(), options_.start.end());
     const bool given = !context_.shown.empty();
-    if (!given) context_.shown = candidate_poles(set_);
+    if (!given) context_.shown = candidate_poles(set_, all_.line_noise());
     all_.replace(context_.shown);
-    all_.sweep(kSweeps);
+    all_.sweep(options_.sweeps);
     if (!given) settle();
     if (!options_.start.empty()) keep_credible();
     return modes();
@@ -44,20 +44,20 @@ class PeakFit {
  private:
   void settle() {
     for (int round = 0; round < options_.rounds; ++round) {
-      while (merge_moving()) all_.sweep(kSweeps);
+      while (merge_moving()) all_.sweep(options_.sweeps);
       const bool dropped = drop_insignificant();
       // A residual is searched for hidden modes only when no pair is left in it to be split.
-      const bool changed = split_groups() || dropped || add_hidden();
+      const bool changed = split_groups() || dropped || (options_.hidden && add_hidden());
       if (!changed) break;
-      all_.sweep(kSweeps);
+      all_.sweep(options_.sweeps);
     }
-    while (merge_moving()) all_.sweep(kSweeps);
+    while (merge_moving()) all_.sweep(options_.sweeps);
     keep_credible();
   }
 
   void keep_credible() {
     context_.settled = true;
-    while (drop_insignificant()) all_.sweep(kSweeps);
+    while (drop_insignificant()) all_.sweep(options_.sweeps);
   }
 
   bool drop_insignificant() {
@@ -242,6 +242,11 @@ class PeakFit {
 };
 
 }  // namespace
+
+PeakFitOptions peak_fit_of(Effort effort) {
+  if (effort == Effort::quick) return {.rounds = 3, .hidden = false, .window_widths = 5, .sweeps = 1};
+  return {};
+}
 
 std::vector<PeakMode> fit_peaks(const FrfSet& set, const PeakFitOptions& options) {
   if (set.lines.count < kLeastForFit || set.outputs.empty()) return {};

@@ -4,20 +4,22 @@
 #include <optional>
 #include <vector>
 
-#include "identify/local_fit.hpp"
+#include "identify/effort.hpp"
+#include "identify/grouped_fit.hpp"
 #include "identify/mode.hpp"
 
 namespace percuss {
 
-/// Rounds that are enough for most structures, and that find all there is.
-inline constexpr int kFewRounds = 3, kThorough = 6;
-
 struct PeakFitOptions {
-  int rounds = kThorough;            // of looking for second modes in each window, then for modes that show no peak
+  int rounds = 6;      // of looking for second modes in each window, then for modes that show no peak
+  bool hidden = true;  // look for the latter
+  double window_widths = GroupedFit::kWindow;
+  int sweeps = 2;                    // over the windows after every change: neighbours' final shares in the second
   std::optional<std::size_t> modes;  // keep this many, the most significant ones
   std::vector<double> start_Hz;      // these and no others
   std::vector<Pole> start;           // those of these, from an earlier fit, that are credible
 };
+PeakFitOptions peak_fit_of(Effort effort);
 
 /// A mode as the fit of its own window of lines gives it.
 struct PeakMode {

@@ -2,26 +2,28 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 namespace percuss {
 namespace {
 
-// For each sample: the lowest value between it and the nearest higher sample before it (or the beginning). A stack of
-// falling maxima, each with the lowest value met since it was put there, gives all of them in one pass.
-std::vector<double> saddles_before(std::span<const double> x) {
+// For each maximum (top), ascending: the lowest value between it and the nearest higher one before it (or the
+// beginning). dips[i] is the lowest value between the top before and top i. A stack of falling tops, each with the
+// lowest value met since it was put there, gives all of them in one pass.
+std::vector<double> saddles_before(std::span<const double> tops, std::span<const double> dips) {
   struct Entry {
     double value, lowest;
   };
   std::vector<Entry> stack;
-  std::vector<double> saddle(x.size());
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    double lowest = x[i];
-    while (!stack.empty() && stack.back().value <= x[i]) {
+  std::vector<double> saddle(tops.size());
+  for (std::size_t i = 0; i < tops.size(); ++i) {
+    double lowest = dips[i];
+    while (!stack.empty() && stack.back().value <= tops[i]) {
       lowest = std::min(lowest, stack.back().lowest);
       stack.pop_back();
     }
     saddle[i] = lowest;
-    stack.push_back({x[i], lowest});
+    stack.push_back({tops[i], lowest});
   }
   return saddle;
 }
@@ -50,13 +52,29 @@ std::vector<Plateau> plateaus_above(std::span<const double> x, double least) {
 }  // namespace
 
 std::vector<Peak> find_peaks(std::span<const double> level) {
-  const auto before = saddles_before(level);
-  const std::vector<double> reversed(level.rbegin(), level.rend());
-  auto after = saddles_before(reversed);
-  std::reverse(after.begin(), after.end());
+  const auto plateaus = plateaus_above(level, -std::numeric_limits<double>::infinity());
+  // Between maxima only the lowest value counts.
+  std::vector<double> tops, dips;  // dips[i] before top i, one more after the last
+  std::size_t from = 0;
+  for (const Plateau& p : plateaus) {
+    tops.push_back(level[p.begin]);
+    dips.push_back(*std::min_element(level.begin() + static_cast<std::ptrdiff_t>(from),
+                                     level.begin() + static_cast<std::ptrdiff_t>(p.end)));
+    from = p.end;
+  }
+  if (plateaus.empty()) return {};
+  const double last = tops.back();
+  dips.push_back(std::accumulate(level.begin() + static_cast<std::ptrdiff_t>(from), level.end(), last,
+                                 [](double a, double b) { return std::min(a, b); }));
+  const auto before = saddles_before(tops, dips);
+  std::reverse(tops.begin(), tops.end());
+  std::reverse(dips.begin(), dips.end());
+  const auto after = saddles_before(tops, dips);
   std::vector<Peak> peaks;
-  for (const Plateau& p : plateaus_above(level, -std::numeric_limits<double>::infinity()))
-    peaks.push_back({.line = p.middle(), .prominence = level[p.begin] - std::max(before[p.begin], after[p.end - 1])});
+  for (std::size_t i = 0; i < plateaus.size(); ++i) {
+    const double saddle = std::max(before[i], after[plateaus.size() - 1 - i]);
+    peaks.push_back({.line = plateaus[i].middle(), .prominence = level[plateaus[i].begin] - saddle});
+  }
   return peaks;
 }
 

@@ -51,6 +51,9 @@ void refine(const FrfSet& set, std::vector<PeakMode>& modes) {
       mode.residues[o].std = joint.residue_std(static_cast<Index>(o), i);
     }
   }
+  // A step may have exchanged close poles.
+  std::stable_sort(modes.begin(), modes.end(),
+                   [](const PeakMode& a, const PeakMode& b) { return a.mode.pole.freq_Hz < b.mode.pole.freq_Hz; });
 }
 
 }  // namespace percuss

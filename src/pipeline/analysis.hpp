@@ -88,7 +88,7 @@ class Analysis {
   /// Averaged FRFs over lines(), [points × channels], point by point, with the estimator asked for.
   const std::vector<PointFrf>& frfs() const;
   /// H1 of the accepted hits, as the modes were fitted to it; points ascending by number.
-  FrfSet fitted_frfs() const { return frf_set(accepted_hits()); }
+  const FrfSet& fitted_frfs() const;
   /// Modes within the band, ascending.
   const std::vector<Mode>& modes() const;
   const std::vector<Verdict>& verdicts() const;
@@ -136,6 +136,7 @@ class Analysis {
   Lazy<std::vector<std::vector<Response>>> responses_;
   Lazy<std::vector<std::vector<Complex>>> force_spectra_;
   Lazy<std::vector<PointFrf>> frfs_;
+  Lazy<FrfSet> fitted_frfs_;
   Lazy<std::vector<Mode>> modes_;
   Lazy<std::vector<Verdict>> verdicts_;
   Lazy<std::vector<HitMode>> modes_per_hit_;

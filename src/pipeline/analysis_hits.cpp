@@ -19,8 +19,10 @@ std::size_t Analysis::longest_decay() const {
     std::vector<std::size_t> length(used.size() * channels);
     parallel_for(length.size(), options_.threads, [&](std::size_t t) {
       const Hit& hit = *used[t / channels];
-      std::vector<double> accel(hit.samples);
-      trace_.run("read acceleration", [&] { record_.read_accel_mps2(hit.row, t % channels, hit.first, accel); });
+      std::vector<double> buffer;
+      const auto accel = trace_.run("read acceleration", [&] {
+        return record_.read_accel_mps2.look(hit.row, t % channels, hit.first, hit.samples, buffer);
+      });
       length[t] = decayed_length(hit, accel);
     });
     return *std::max_element(length.begin(), length.end());
@@ -46,9 +48,10 @@ std::vector<std::vector<Analysis::Response>> Analysis::read_responses() const {
   parallel_for(tasks.size(), options_.threads, [&](std::size_t t) {
     const auto [h, c] = tasks[t];
     const Hit& hit = hits[h].hit;
-    thread_local std::vector<double> accel;  // fetched from the system once, not for every response
-    accel.resize(range.samples);
-    trace_.run("read acceleration", [&, c = c] { record_.read_accel_mps2(hit.row, c, hit.first, accel); });
+    thread_local std::vector<double> buffer;  // fetched from the system once, not for every response
+    const auto accel = trace_.run("read acceleration", [&, c = c] {
+      return record_.read_accel_mps2.look(hit.row, c, hit.first, range.samples, buffer);
+    });
     Response& response = out[h][c];
     response.grade = grade_response(hit, accel, record_.fs_Hz);
     response.spectrum = trace_.run("fft", [&] { return accel_spectrum(hit, accel, range, decay); });

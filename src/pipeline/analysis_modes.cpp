@@ -45,6 +45,10 @@ std::vector<PointFrf> Analysis::average() const {
   return out;
 }
 
+const FrfSet& Analysis::fitted_frfs() const {
+  return fitted_frfs_.get([&] { return frf_set(accepted_hits()); });
+}
+
 FrfSet Analysis::frf_set(const std::vector<std::size_t>& which) const {
   if (given_) return given_set();
   FrfSet set{.lines = lines()};
@@ -62,14 +66,12 @@ FrfSet Analysis::frf_set(const std::vector<std::size_t>& which) const {
       noise.push_back(hits()[h].hit.noise_N);
       spectra.push_back(&force_spectra()[h]);
     }
+    set.points.push_back(point_force(std::move(blocks), spectra, lines(), median(noise)));
     for (std::size_t c = 0; c < record_.accel.size(); ++c) {
       std::vector<const std::vector<Complex>*> accel;
       for (const std::size_t h : members) accel.push_back(&responses()[h][c].spectrum);
-      set.outputs.push_back({.point = set.points.size(),
-                             .channel = c,
-                             .frf = estimate_frf(cross_spectra(spectra, accel), lines()).value});
+      set.outputs.push_back({.point = set.points.size() - 1, .channel = c, .frf = h1_at(set.points.back(), accel)});
     }
-    set.points.push_back(point_force(std::move(blocks), spectra, median(noise)));
   }
   return set;
 }
@@ -83,7 +85,7 @@ std::vector<int> Analysis::frf_points() const {
 
 const std::vector<Mode>& Analysis::modes() const {
   return modes_.get([&] {
-    const FrfSet set = frf_set(accepted_hits());
+    const FrfSet& set = fitted_frfs();
     auto modes = trace_.run("modes", [&] { return identify_modes(set, options_.modes); });
     const std::vector<int> points = frf_points();
     const auto [low, high] = band_Hz();
@@ -113,10 +115,10 @@ std::vector<Verdict> Analysis::name_modes() const {
     for (std::size_t m = 0; m < modes().size(); ++m) {
       const std::size_t peak = lines().nearest(modes()[m].pole.freq_Hz);
       double first = 0, second = 0;
-      for (const PointFrf& frf : frfs()) {
-        const double power = std::norm(frf.frf.value[peak]);
-        (frf.channel == sensors->first ? first : second) +=
-            frf.channel == sensors->first || frf.channel == sensors->second ? power : 0;
+      for (const Output& output : fitted_frfs().outputs) {
+        const double power = std::norm(output.frf[peak]);
+        if (output.channel == sensors->first) first += power;
+        if (output.channel == sensors->second) second += power;
       }
       if (first > 0 && second > 0) overlay_dB[m] = 10 * std::log10(second / first);
     }
@@ -133,7 +135,7 @@ const std::vector<HitMode>& Analysis::modes_per_hit() const {
 
 const Stabilisation& Analysis::stabilisation() const {
   return stabilisation_.get([&] {
-    const FrfSet set = fitted_frfs();
+    const FrfSet& set = fitted_frfs();
     Stabilisation diagram = trace_.run("stabilisation", [&] { return stabilise(set); });
     std::tie(diagram.low_Hz, diagram.high_Hz) = band_Hz();
     std::erase_if(diagram.poles, [&](const StabilisationPole& pole) {

@@ -98,10 +98,6 @@ void Survey::find_driving_points() {
   }
 }
 
-const FrfSet& Survey::frf_set() const {
-  return frf_set_.get([&] { return analysis_.fitted_frfs(); });
-}
-
 const std::vector<ModeShape>& Survey::shapes() const {
   return shapes_.get([&] {
     const auto& modes = analysis_.modes();
@@ -167,7 +163,7 @@ LineRange Survey::band() const {
 
 const std::vector<SynthesisedFrf>& Survey::synthesis() const {
   return synthesis_.get([&] {
-    const FrfSet& set = frf_set();
+    const FrfSet& set = analysis_.fitted_frfs();
     const auto& modes = analysis_.modes();
     return analysis_.trace().run("synthesis", [&] { return synthesised_frfs(set, modes, band()); });
   });
@@ -175,7 +171,7 @@ const std::vector<SynthesisedFrf>& Survey::synthesis() const {
 
 const Eigen::MatrixXd& Survey::indicator() const {
   return indicator_.get([&] {
-    const FrfSet& set = frf_set();
+    const FrfSet& set = analysis_.fitted_frfs();
     return analysis_.trace().run("mode indicator", [&] { return cmif(set, band()); });
   });
 }

@@ -53,14 +53,12 @@ class Survey {
   void place_points();
   void find_driving_points();
   std::vector<Verdict> name_by_shapes() const;
-  const FrfSet& frf_set() const;
 
   const Analysis& analysis_;
   SurveyOptions options_;
   std::optional<Geometry> geometry_;
   TubeGeometry places_;
   std::vector<DrivingPoint> driving_;
-  Lazy<FrfSet> frf_set_;
   Lazy<std::vector<ModeShape>> shapes_;
   Lazy<std::vector<std::optional<TubeShape>>> tubes_;
   Lazy<std::vector<Verdict>> verdicts_;

@@ -46,7 +46,7 @@ FrfSet frf_set_of(const Record& record, double low_Hz, double high_Hz, double de
       for (std::size_t k = 0; k < h.size(); ++k) h[k] /= power[k];
       set.outputs.push_back({.point = set.points.size(), .channel = c, .frf = h});
     }
-    set.points.push_back(point_force(blocks, to_force, 0));
+    set.points.push_back(point_force(blocks, to_force, set.lines, 0));
   }
   return set;
 }
@@ -54,7 +54,7 @@ FrfSet frf_set_of(const Record& record, double low_Hz, double high_Hz, double de
 FrfSet empty_set(double fs_Hz, std::size_t samples, double low_Hz, double high_Hz, std::size_t channels) {
   FrfSet set{.lines = lines_in_band(fs_Hz, samples, low_Hz, high_Hz)};
   const std::vector<Complex> flat(set.lines.count, Complex(1, 0));
-  set.points.push_back(point_force({{.force_N = {1}}}, {&flat}, 0));
+  set.points.push_back(point_force({{.force_N = {1}}}, {&flat}, set.lines, 0));
   for (std::size_t c = 0; c < channels; ++c)
     set.outputs.push_back({.point = 0, .channel = c, .frf = std::vector<Complex>(set.lines.count)});
   return set;

@@ -1,0 +1,43 @@
+#pragma once
+#include <concepts>
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace percuss {
+
+/// Reads stretches of one signal. Where the samples lie in memory they can be looked at without a copy. `Place` names
+/// the row, or the row and the channel.
+template <class... Place>
+class SampleReader {
+ public:
+  using Read = std::function<void(Place... place, std::size_t first, std::span<double> out)>;
+  using View = std::function<std::span<const double>(Place... place)>;
+
+  SampleReader() = default;
+  template <class Callable>
+  requires(!std::same_as<std::remove_cvref_t<Callable>, SampleReader>) SampleReader(Callable&& read)
+      : read_(std::forward<Callable>(read)) {}
+  /// `view` gives the whole row, which lives as long as the reader.
+  SampleReader(Read read, View view) : read_(std::move(read)), view_(std::move(view)) {}
+
+  /// Fills `out` with the samples first … first + out.size() − 1.
+  void operator()(Place... place, std::size_t first, std::span<double> out) const { read_(place..., first, out); }
+  /// Samples first … first + count − 1 where they lie, or read into `buffer`.
+  std::span<const double> look(Place... place, std::size_t first, std::size_t count,
+                               std::vector<double>& buffer) const {
+    if (view_) return view_(place...).subspan(first, count);
+    buffer.resize(count);
+    read_(place..., first, buffer);
+    return buffer;
+  }
+
+ private:
+  Read read_;
+  View view_;
+};
+
+}  // namespace percuss
