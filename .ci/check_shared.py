@@ -195,7 +195,7 @@ def separated(truth, i):
 
 def check_modes(name, truth, path, score):
     low, high = truth["band_hz"]
-    code, document = percuss("analyze", path, "--band", "%g:%g" % (low, high), "--effort", "quick")
+    code, document = percuss("analyze", path, "--band", "%g:%g" % (low, high))
     scored = score.score_one(truth, document)
     rows = {row["true_hz"]: row for row in scored["modes"]}
     wanted = [rows[f] for i, f in enumerate(truth["f_hz"]) if truth["in_band"][i] and separated(truth, i) and rows[f]["asked"]]
@@ -212,7 +212,7 @@ def check_modes(name, truth, path, score):
 
 def check_truncated(name, truth, path, score):
     low, high = truth["band_hz"]
-    _, document = percuss("analyze", path, "--band", "%g:%g" % (low, high), "--effort", "quick")
+    _, document = percuss("analyze", path, "--band", "%g:%g" % (low, high))
     cut = [h for h in document["hits"] if "truncated_decay" in codes(h)]
     check(name + ": truncated_decay on every hit", document["hits"] and len(cut) == len(document["hits"]), "%d of %d" % (len(cut), len(document["hits"])))
     _, got, _ = score.pair(truth, document["modes"])

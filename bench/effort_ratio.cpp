@@ -1,7 +1,7 @@
 // percuss_effort_ratio [LO:HI FILE]...: what each effort costs as a multiple of bare FFTW transforms of the same
 // records (one per channel and hit, planned with FFTW_MEASURE, one thread, same run), and where the time goes. Without
-// files: the bundled bat with a hoop doublet. Every time is the best of several, so that a disturbed run does not
-// flatter.
+// files: the bundled bat with a hoop doublet. Every time is the best of several, taken by
+// turns, so that a disturbed moment neither flatters nor blames.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,20 +20,13 @@
 namespace percuss {
 namespace {
 
-constexpr double kLeast_s = 0.5;  // each figure is the best of as many repeats as fit in here, three at the least
+constexpr double kLeast_s = 3;  // everything is measured by turns for so long, three times at the least
 
 template <class Work>
-double best_s(Work work) {
-  double best = 1e9;
-  double all = 0;
-  for (int n = 0; n < 3 || all < kLeast_s; ++n) {
-    const auto start = std::chrono::steady_clock::now();
-    work();
-    const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    best = std::min(best, took);
-    all += took;
-  }
-  return best;
+double seconds_of(Work work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 Record in_memory(const Record& record) {
@@ -54,37 +47,62 @@ Record in_memory(const Record& record) {
   return copy;
 }
 
-double bare_s(const Record& record) {
-  const std::size_t samples = record.rows.front().samples;
-  BareFftw fftw(samples, FFTW_MEASURE);
-  std::vector<double> x(samples);
-  record.read_force_N(0, 0, x);
-  fftw.fill(x);
-  const std::size_t transforms = record.rows.size() * (1 + record.accel.size());
-  return best_s([&] {
-    for (std::size_t n = 0; n < transforms; ++n) fftw.transform();
-  });
-}
+// Transforms of the record's length, one per channel and hit.
+class Bare {
+ public:
+  explicit Bare(const Record& record)
+      : fftw_(record.rows.front().samples, FFTW_MEASURE), count_(record.rows.size() * (1 + record.accel.size())) {
+    std::vector<double> x(record.rows.front().samples);
+    record.read_force_N(0, 0, x);
+    fftw_.fill(x);
+  }
+  void run() {
+    for (std::size_t n = 0; n < count_; ++n) fftw_.transform();
+  }
+
+ private:
+  BareFftw fftw_;
+  std::size_t count_;
+};
+
+struct Measured {
+  Effort effort;
+  double best_s = 1e9;
+  std::size_t modes = 0;
+  std::string stages;
+
+  void run(const Record& record, AnalysisOptions options) {
+    options.modes.effort = effort;
+    std::string its_stages;
+    const double took = seconds_of([&] {
+      const Analysis analysis(record, options);
+      modes = analysis.verdicts().size();
+      for (const auto& stage : analysis.trace().stages())
+        its_stages += fmt::format(" {} {:.2f}", stage.name, stage.seconds * 1e3);
+    });
+    if (took >= best_s) return;
+    best_s = took;
+    stages = its_stages;
+  }
+};
 
 void compare(const std::string& name, const Record& record, AnalysisOptions options) {
   options.threads = 1;
-  const double bare = bare_s(record);
-  fmt::print("{}: {} rows of {} samples, {} channels; bare transforms {:.2f} ms\n", name, record.rows.size(),
-             record.rows.front().samples, 1 + record.accel.size(), bare * 1e3);
-  for (const Effort effort : {Effort::quick, Effort::standard, Effort::best}) {
-    options.modes.effort = effort;
-    std::size_t modes = 0;
-    std::string stages;
-    const double took = best_s([&] {
-      const Analysis analysis(record, options);
-      modes = analysis.verdicts().size();
-      stages.clear();
-      for (const auto& stage : analysis.trace().stages())
-        stages += fmt::format(" {} {:.2f}", stage.name, stage.seconds * 1e3);
+  Bare bare(record);
+  double bare_s = 1e9;
+  std::vector<Measured> efforts{{Effort::quick}, {Effort::standard}, {Effort::best}};
+  double all_s = 0;
+  for (int n = 0; n < 3 || all_s < kLeast_s; ++n) {
+    bare_s = std::min(bare_s, seconds_of([&] { bare.run(); }));
+    all_s += seconds_of([&] {
+      for (Measured& effort : efforts) effort.run(record, options);
     });
-    fmt::print("  {:8} {:9.2f} ms  {:6.2f} x  {} modes; ms in{}\n", name_of(effort), took * 1e3, took / bare, modes,
-               stages);
   }
+  fmt::print("{}: {} rows of {} samples, {} channels; bare transforms {:.2f} ms\n", name, record.rows.size(),
+             record.rows.front().samples, 1 + record.accel.size(), bare_s * 1e3);
+  for (const Measured& effort : efforts)
+    fmt::print("  {:8} {:9.2f} ms  {:6.2f} x  {} modes; ms in{}\n", name_of(effort.effort), effort.best_s * 1e3,
+               effort.best_s / bare_s, effort.modes, effort.stages);
 }
 
 std::pair<double, double> band_of(const std::string& text) {

@@ -37,7 +37,7 @@ void add_analysis_flags(Command& command, AnalysisFlags& flags) {
   command.value("--band", flags.band, "Frequency band LO:HI in Hz (default: what the hammer excited)").type("LO:HI");
   command
       .value("--effort", flags.effort,
-             "quick: each mode over its own lines; standard: also looks longer for close and weak ones; best: all "
+             "quick: modes that show a peak, each over its own lines; standard: also those that show none; best: all "
              "modes together, at the statistical limit")
       .one_of({"quick", "standard", "best"})
       .show_default();

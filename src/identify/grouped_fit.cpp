@@ -15,7 +15,6 @@ constexpr double kMostLines = 400;  // … nor more: the polynomial follows othe
 constexpr double kLeastForce =
     1e-6;  // of the strongest line's power: a pulse's spectrum has zeros, where FRFs mean nothing
 constexpr double kLeastWeight = 1e-3;  // of the noise elsewhere: where a fit leaves nothing, its weight stays finite
-constexpr double kAlike = 1.2;         // weights that far off cost nothing
 constexpr double kNoChange = 1e-4;     // of data, as energy over the noise's per line
 constexpr double kTogether = 4;        // bandwidths (or lines) apart at which two modes are fitted together
 
@@ -27,12 +26,6 @@ void carry_over(const std::vector<FitGroup>& before, FitGroup& group, std::size_
       if (old.fit.poles.size() == group.fit.poles.size()) group.fit.noise = old.fit.noise;
     }
   }
-}
-
-// To each other's noise: weights that are all off by one factor are none the worse.
-bool alike(const VectorXd& noise, const VectorXd& expected) {
-  const VectorXd ratio = noise.cwiseQuotient(expected);
-  return ratio.maxCoeff() < kAlike * ratio.minCoeff();
 }
 
 }  // namespace
@@ -144,12 +137,9 @@ void GroupedFit::sweep(int times) {
       FitGroup& group = groups_[g];
       auto data = remainder(group);
       if (unchanged(g, data)) continue;
-      // A first residual tells each output's noise here, which may not be the noise elsewhere.
-      const bool first = group.fit.noise.size() == 0;
-      const VectorXd expected = noise(group);
-      if (first) group.fit = fit(group, data, group.fit.poles, expected);
-      if (!first || !alike(group.fit.noise, expected))
-        group.fit = fit(group, data, group.fit.poles, weights_from(group));
+      // A first residual tells each output's noise here, which is not the noise elsewhere.
+      if (group.fit.noise.size() == 0) group.fit = fit(group, data, group.fit.poles, noise(group), kRoughly);
+      group.fit = fit(group, data, group.fit.poles, weights_from(group));
       fitted_to_[g] = std::move(data);
     }
   }

@@ -125,27 +125,28 @@ PointForce point_force(std::vector<ForceBlock> blocks, const std::vector<const s
                        const LineRange& lines, double noise_N) {
   PointForce force{
       .blocks = std::move(blocks), .weights = {}, .ff = std::vector<double>(lines.count), .noise_N = noise_N};
-  for (const auto* spectrum : spectra) {
-    for (std::size_t k = 0; k < lines.count; ++k) force.ff[k] += std::norm((*spectrum)[k]);
-  }
+  const auto count = static_cast<Eigen::Index>(lines.count);
+  const auto of = [&](const std::vector<Complex>* spectrum) {
+    return Eigen::Map<const Eigen::ArrayXcd>(spectrum->data(), count);
+  };
+  Eigen::Map<Eigen::ArrayXd> ff(force.ff.data(), count);
+  for (const auto* spectrum : spectra) ff += of(spectrum).abs2();
   require_force(force.ff, lines);
-  std::vector<double> share(lines.count);
-  for (std::size_t k = 0; k < lines.count; ++k) share[k] = 1 / force.ff[k];
+  const Eigen::ArrayXd share = ff.inverse();
   for (const auto* spectrum : spectra) {
-    std::vector<Complex> weight(lines.count);
-    for (std::size_t k = 0; k < lines.count; ++k) weight[k] = share[k] * std::conj((*spectrum)[k]);
-    force.weights.push_back(std::move(weight));
+    std::vector<Complex>& weight = force.weights.emplace_back(lines.count);
+    Eigen::Map<Eigen::ArrayXcd>(weight.data(), count) = of(spectrum).conjugate() * share;
   }
   return force;
 }
 
 std::vector<Complex> h1_at(const PointForce& force, const std::vector<const std::vector<Complex>*>& accel) {
   std::vector<Complex> frf(force.ff.size());
-  for (std::size_t h = 0; h < accel.size(); ++h) {
-    const std::vector<Complex>& weight = force.weights[h];
-    const std::vector<Complex>& response = *accel[h];
-    for (std::size_t k = 0; k < frf.size(); ++k) frf[k] += times(weight[k], response[k]);
-  }
+  const auto count = static_cast<Eigen::Index>(frf.size());
+  Eigen::Map<Eigen::ArrayXcd> sum(frf.data(), count);
+  for (std::size_t h = 0; h < accel.size(); ++h)
+    sum += Eigen::Map<const Eigen::ArrayXcd>(force.weights[h].data(), count) *
+           Eigen::Map<const Eigen::ArrayXcd>(accel[h]->data(), count);
   return frf;
 }
 

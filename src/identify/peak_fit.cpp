@@ -46,8 +46,8 @@ class PeakFit {
     for (int round = 0; round < options_.rounds; ++round) {
       while (merge_moving()) all_.sweep(options_.sweeps);
       const bool dropped = drop_insignificant();
-      // A residual is searched for hidden modes only when no pair is left in it to be split.
-      const bool changed = split_groups() || dropped || (options_.hidden && add_hidden());
+      // Windows are split when what was dropped is out of them, and hidden modes looked for when no pair is left to be.
+      const bool changed = dropped || split_groups() || (options_.hidden && add_hidden());
       if (!changed) break;
       all_.sweep(options_.sweeps);
     }
@@ -161,12 +161,10 @@ class PeakFit {
     best.fit = all_.fit(group, data, now, weight);
     const LocalFit one = best.fit;
     for (std::size_t m = 0; m < now.size(); ++m) {
-      for (const double side : {-kSplitStart, kSplitStart}) {
-        FitGroup trial = group;
-        trial.fit = all_.fit(group, data, split(now, m, side), weight, GroupedFit::kRoughly);
-        if (trial.fit.cost < best.fit.cost && trial.fit.degrees > 0 && all_credible(all_, trial, context_))
-          best = std::move(trial);
-      }
+      FitGroup trial = group;
+      trial.fit = all_.fit(group, data, split(now, m), weight, GroupedFit::kRoughly);
+      if (trial.fit.cost < best.fit.cost && trial.fit.degrees > 0 && all_credible(all_, trial, context_))
+        best = std::move(trial);
     }
     const double gained = (one.cost - best.fit.cost) / static_cast<double>(unknowns);
     const double left = best.fit.cost / static_cast<double>(best.fit.degrees);
@@ -174,9 +172,9 @@ class PeakFit {
     return moves_instead(set_, {.data = data, .weight = weight}, group, best) ? now : best.fit.poles;
   }
 
-  // Pole m as two, `side` bandwidths off its place on either side.
-  static std::vector<Pole> split(std::vector<Pole> poles, std::size_t m, double side) {
-    const double apart_Hz = side * poles[m].half_power_Hz();
+  // Pole m as two, one on either side of its place.
+  static std::vector<Pole> split(std::vector<Pole> poles, std::size_t m) {
+    const double apart_Hz = kSplitStart * poles[m].half_power_Hz();
     poles.push_back({.freq_Hz = poles[m].freq_Hz + apart_Hz, .damping_ratio = poles[m].damping_ratio});
     poles[m].freq_Hz -= apart_Hz;
     return poles;
