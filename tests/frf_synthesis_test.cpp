@@ -56,6 +56,25 @@ TEST(SynthesisedFrf, MissesAModeThatIsLeftOut) {
   for (const SynthesisedFrf& made : synthesised_frfs(c.set, c.modes, c.set.lines)) EXPECT_LE(made.frac, 0.9);
 }
 
+TEST(SynthesisedFrf, TakesAPointsOwnPoleWhereItHasOne) {
+  Case c;
+  Mode& mode = c.modes.front();
+  const Pole own = mode.pole;
+  mode.pole.freq_Hz += own.half_power_Hz();
+  EXPECT_LE(synthesised_frfs(c.set, c.modes, c.set.lines)[0].frac, 0.99);
+  for (Residue& residue : mode.residues) residue.own_pole = own;
+  EXPECT_NEAR(synthesised_frfs(c.set, c.modes, c.set.lines)[0].frac, 1, kRounding);
+}
+
+TEST(SynthesisedFrf, TellsNoiseFromModes) {
+  Case c;
+  test::add_line_noise(c.set, 1, 3);
+  EXPECT_NEAR(synthesised_frfs(c.set, c.modes, c.set.lines)[0].noise_share, 1, 0.05);  // some hundred lines
+  Case missing;
+  missing.modes.pop_back();
+  EXPECT_LE(synthesised_frfs(missing.set, missing.modes, missing.set.lines)[0].noise_share, 0.05);  // a smooth curve
+}
+
 TEST(SynthesisedFrf, TellsLevelsUnderTheStrongest) {
   Case c;
   for (std::size_t k = 0; k < c.set.lines.count; ++k) c.set.outputs[1].frf[k] = 0.1 * c.set.outputs[0].frf[k];

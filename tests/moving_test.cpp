@@ -75,6 +75,24 @@ TEST(MovingModes, KeepTheShape) {
     EXPECT_NEAR(modes[0].residues.at(static_cast<std::size_t>(p)).real(), shape(p), 0.01) << p;
 }
 
+TEST(MovingModes, HaveAPoleForEachPointThatLeavesNothing) {
+  const FrfSet set = moving_set(2);
+  const GroupedFit all = fitted(set, {{100, 1e-3}});
+  const FitGroup& group = all.groups().front();
+  const auto modes = moving_modes(all, group);
+  ASSERT_EQ(modes.size(), 1U);
+  for (std::size_t p = 0; p < 9; ++p) {
+    if (std::abs(shape(static_cast<int>(p))) < 0.2) continue;  // hardly sees it
+    ASSERT_TRUE(modes[0].own_poles[p].has_value()) << p;
+    EXPECT_NEAR(modes[0].own_poles[p]->freq_Hz, 100 + 0.02 * (static_cast<double>(p) - 4), 1e-3) << p;
+  }
+  auto residual = all.residual();
+  EXPECT_GT(residual[0].norm(), 20 * kNoise * std::sqrt(2.0 * static_cast<double>(set.lines.count)));
+  subtract_moves(set, group, 0, modes[0], residual);
+  // White noise, good to 1 % over this many lines, and less what a fit takes up.
+  EXPECT_NEAR(residual[0].norm() / (kNoise * std::sqrt(2.0 * static_cast<double>(set.lines.count))), 1, 0.1);
+}
+
 TEST(MovingModes, AreNotSeenWhereOnlyNoiseDiffers) {
   const FrfSet set = set_of(Points(9, {{Pole{100, 1e-3}, 1.0}}), 5);
   const GroupedFit all = fitted(set, {{100, 1e-3}});

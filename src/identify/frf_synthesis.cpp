@@ -24,6 +24,13 @@ Eigen::MatrixXcd residual_columns(const LineRange& band, double decay_per_s) {
   return out;
 }
 
+double noise_share(const Eigen::VectorXcd& left) {
+  const Eigen::Index n = left.size() - 2;
+  const double energy = left.size() > 2 ? left.segment(1, n).squaredNorm() : 0;
+  if (!(energy > 0)) return 0;
+  return std::min(1.0, (left.segment(1, n) - 0.5 * (left.head(n) + left.tail(n))).squaredNorm() / (1.5 * energy));
+}
+
 }  // namespace
 
 double frac(const std::vector<Complex>& measured, const std::vector<Complex>& made) {
@@ -58,7 +65,11 @@ std::vector<SynthesisedFrf> synthesised_frfs(const FrfSet& set, const std::vecto
     Eigen::VectorXcd sum = Eigen::VectorXcd::Zero(lines);
     for (std::size_t m = 0; m < modes.size(); ++m) {
       const PointForce& force = set.points[output.point];
-      sum += modes[m].residues[o].value * without_missing(whole[m], modes[m].pole, force, set.lines, first).value;
+      const Residue& residue = modes[m].residues[o];
+      const ModeColumn column = residue.own_pole
+                                    ? mode_column(*residue.own_pole, force, set.lines, first, band.count, Need::value)
+                                    : without_missing(whole[m], modes[m].pole, force, set.lines, first);
+      sum += residue.value * column.value;
     }
     const Eigen::VectorXcd rest = Eigen::Map<const Eigen::VectorXcd>(measured.data(), lines) - sum;
     const Eigen::VectorXcd fitted = fit * rest;
@@ -68,6 +79,7 @@ std::vector<SynthesisedFrf> synthesised_frfs(const FrfSet& set, const std::vecto
                         .value = {sum.data(), sum.data() + lines},
                         .terms = {fitted.data(), fitted.data() + kTerms}};
     made.frac = frac(measured, made.value);
+    made.noise_share = noise_share(rest - terms * fitted);
     out.push_back(std::move(made));
     double power = 0;
     for (const Complex& h : measured) power += std::norm(h);

@@ -1,5 +1,6 @@
 #pragma once
 #include <complex>
+#include <optional>
 #include <vector>
 
 #include "identify/modal_model.hpp"
@@ -20,6 +21,7 @@ struct Residue {
   Complex value;
   double std = 0;           // of the real and of the imaginary part
   double relative_std = 0;  // of what all outputs of the point share (the force's own noise), as a fraction of |value|
+  std::optional<Pole> own_pole;  // the point's, where points disagree beyond doubt and this one sees the mode
 };
 
 /// An identified mode with one standard deviation on everything.

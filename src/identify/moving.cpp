@@ -118,6 +118,7 @@ MovingMode moving_mode(const GroupedFit& all, const FitGroup& group, const Point
                  .damping_std = zeta.std,
                  .spread_Hz = frequency.spread,
                  .residues = std::vector<Complex>(outputs),
+                 .own_poles = std::vector<std::optional<Pole>>(outputs),
                  .residue_std = std::vector<double>(outputs),
                  .noise = group.fit.noise};
   for (std::size_t p = 0; p < points.fits.size(); ++p) {
@@ -127,6 +128,7 @@ MovingMode moving_mode(const GroupedFit& all, const FitGroup& group, const Point
       const auto o = static_cast<Index>(members[i]);
       const auto at = static_cast<Index>(i);
       out.residues[members[i]] = own ? points.fits[p].residues(at, m) : group.fit.residues(o, m);
+      if (own) out.own_poles[members[i]] = points.fits[p].poles[mode];
       out.residue_std[members[i]] = own ? points.fits[p].residue_std(at, m) : group.fit.residue_std(o, m);
       out.noise(o) = points.fits[p].noise(at);
     }
@@ -181,6 +183,19 @@ std::optional<Pole> merged(const GroupedFit& all, const FitGroup& group) {
   one.fit.poles = {several.fit.poles[main]};
   if (!moves_instead(all.set(), window, one, several)) return std::nullopt;
   return one.fit.poles.front();
+}
+
+void subtract_moves(const FrfSet& set, const FitGroup& group, std::size_t mode, const MovingMode& moving,
+                    std::vector<VectorXcd>& residual) {
+  for (std::size_t o = 0; o < residual.size(); ++o) {
+    if (!moving.own_poles[o]) continue;
+    const PointForce& force = set.points[set.outputs[o].point];
+    const auto share = [&](const Pole& pole, Complex residue) {
+      return VectorXcd(residue * mode_column(pole, force, set.lines, 0, set.lines.count, Need::value).value);
+    };
+    residual[o] += share(group.fit.poles[mode], group.fit.residues(static_cast<Index>(o), static_cast<Index>(mode))) -
+                   share(*moving.own_poles[o], moving.residues[o]);
+  }
 }
 
 std::vector<MovingMode> moving_modes(const GroupedFit& all, const FitGroup& group) {

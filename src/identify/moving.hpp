@@ -40,13 +40,19 @@ std::optional<Pole> merged(const GroupedFit& all, const FitGroup& group);
 struct MovingMode {
   Pole pole;
   double freq_std_Hz = 0, damping_std = 0;
-  double spread_Hz = 0;             // standard deviation between the points
-  std::vector<Complex> residues;    // [outputs]
-  std::vector<double> residue_std;  // [outputs]
-  Eigen::VectorXd noise;            // [outputs] rms per line of what is left
+  double spread_Hz = 0;                        // standard deviation between the points
+  std::vector<Complex> residues;               // [outputs]
+  std::vector<std::optional<Pole>> own_poles;  // [outputs] of points that see the mode
+  std::vector<double> residue_std;             // [outputs]
+  Eigen::VectorXd noise;                       // [outputs] rms per line of what is left
 };
 
 /// The group's modes, if its points disagree about their poles beyond doubt; otherwise nothing.
 std::vector<MovingMode> moving_modes(const GroupedFit& all, const FitGroup& group);
+
+/// Takes what a mode's common pole leaves off a residual over all lines, [outputs][lines]: there each point has its
+/// own.
+void subtract_moves(const FrfSet& set, const FitGroup& group, std::size_t mode, const MovingMode& moving,
+                    std::vector<Eigen::VectorXcd>& residual);
 
 }  // namespace percuss

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "identify/candidates.hpp"
 #include "identify/credibility.hpp"
@@ -43,11 +44,42 @@ class PeakFit {
 
  private:
   void settle() {
+    settle_rounds(options_.hidden);
+    // A crowd of hidden ones may drive a mode that shows from its place: then they were none.
+    const std::vector<Pole> lost = clear_not_in(all_.poles());
+    if (tried_.empty() || lost.empty()) return;
+    const std::vector<Pole> found = all_.poles();
+    start_from(clear_);
+    settle_rounds(false);
+    if (clear_not_in(all_.poles()).size() < lost.size()) return;
+    start_from(found);
+    keep_credible();
+  }
+
+  void start_from(std::vector<Pole> poles) {
+    context_.settled = false;
+    all_.replace(std::move(poles));
+    all_.sweep(options_.sweeps);
+  }
+
+  // The modes that were credible before hidden ones were looked for, and have nothing in their place now.
+  std::vector<Pole> clear_not_in(const std::vector<Pole>& now) const {
+    std::vector<Pole> lost;
+    std::copy_if(clear_.begin(), clear_.end(), std::back_inserter(lost), [&](const Pole& clear) {
+      return std::none_of(now.begin(), now.end(), [&](const Pole& pole) {
+        return std::abs(pole.freq_Hz - clear.freq_Hz) < all_.width_Hz(clear);
+      });
+    });
+    return lost;
+  }
+
+  void settle_rounds(bool hidden) {
     for (int round = 0; round < options_.rounds; ++round) {
       while (merge_moving()) all_.sweep(options_.sweeps);
       const bool dropped = drop_insignificant();
+      if (tried_.empty()) clear_ = all_.poles();
       // Windows are split when what was dropped is out of them, and hidden modes looked for when no pair is left to be.
-      const bool changed = dropped || split_groups() || (options_.hidden && add_hidden());
+      const bool changed = dropped || split_groups() || (hidden && add_hidden());
       if (!changed) break;
       all_.sweep(options_.sweeps);
     }
@@ -73,12 +105,17 @@ class PeakFit {
     return use(std::move(kept));
   }
 
-  // Modes that no common pole fits: what is left around them is no mode.
-  std::vector<Pole> moving_poles() const {
+  // Modes that no common pole fits: what is left around them is no mode, and what they leave elsewhere is taken off the
+  // residual.
+  std::vector<Pole> moving_poles(std::vector<Eigen::VectorXcd>& residual) const {
     std::vector<Pole> poles;
     for (const FitGroup& group : all_.groups()) {
-      if (group.fit.degrees > 0 && !moving_modes(all_, group).empty())
-        poles.insert(poles.end(), group.fit.poles.begin(), group.fit.poles.end());
+      if (group.fit.degrees == 0) continue;
+      const auto moving = moving_modes(all_, group);
+      for (std::size_t m = 0; m < moving.size(); ++m) {
+        subtract_moves(set_, group, m, moving[m], residual);
+        poles.push_back(group.fit.poles[m]);
+      }
     }
     return poles;
   }
@@ -107,8 +144,9 @@ class PeakFit {
   bool add_hidden() {
     const std::vector<Pole> known = all_.poles();
     std::vector<Pole> poles = known;
-    const std::vector<Pole> moving = moving_poles();
-    for (const Pole& hidden : hidden_poles(set_, all_.residual())) {
+    std::vector<Eigen::VectorXcd> residual = all_.residual();
+    const std::vector<Pole> moving = moving_poles(residual);
+    for (const Pole& hidden : hidden_poles(set_, residual)) {
       const auto near = [&](const std::vector<Pole>& list, double widths) {
         return std::any_of(list.begin(), list.end(), [&](const Pole& pole) {
           return std::abs(pole.freq_Hz - hidden.freq_Hz) <= widths * all_.width_Hz(pole);
@@ -206,6 +244,7 @@ class PeakFit {
     for (std::size_t o = 0; o < mode.residues.size(); ++o) {
       mode.residues[o].value = moving.residues[o];
       mode.residues[o].std = moving.residue_std[o];
+      mode.residues[o].own_pole = moving.own_poles[o];
     }
   }
 
@@ -237,6 +276,7 @@ class PeakFit {
   GroupedFit all_;
   CredibilityContext context_;
   std::vector<Pole> tried_;  // hidden modes that were given a chance
+  std::vector<Pole> clear_;  // modes found before
 };
 
 }  // namespace

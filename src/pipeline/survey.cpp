@@ -201,4 +201,6 @@ std::vector<Warning> Survey::warnings() const {
 
 bool poorly_explained(const SynthesisedFrf& frf) { return frf.level_dB >= kStrong_dB && !(frf.frac >= kPoorFrac); }
 
+bool noise_alone(const SynthesisedFrf& frf) { return (1 - frf.frac) * (1 - frf.noise_share) <= 1 - kPoorFrac; }
+
 }  // namespace percuss

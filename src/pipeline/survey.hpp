@@ -69,6 +69,8 @@ class Survey {
 
 /// An FRF that the modes do not explain although it is strong: FRAC below 0.99 within 20 dB of the strongest.
 bool poorly_explained(const SynthesisedFrf& frf);
+/// … and what no mode could explain is all that is missing: less than 1 % is left but what changes from line to line.
+bool noise_alone(const SynthesisedFrf& frf);
 
 /// Warnings of a survey: sensors that sit on nodes, wrong signs, broken reciprocity, FRFs that the modes do not
 /// explain.

@@ -140,12 +140,15 @@ void warn_of_frac(const Survey& survey, std::vector<Warning>& out) {
   const auto points = survey.analysis().frf_points();
   for (const SynthesisedFrf& frf : survey.synthesis()) {
     if (!poorly_explained(frf) || ++count > kMostNamed) continue;
-    add_name(poor, fmt::format("point {} channel {} ({:.4f})", points[frf.point], frf.channel, frf.frac));
+    add_name(poor, fmt::format("point {} channel {} ({:.4f}{})", points[frf.point], frf.channel, frf.frac,
+                               noise_alone(frf) ? ", the rest noise" : ""));
   }
   if (count == 0) return;
   if (count > kMostNamed) poor += fmt::format(" and {} more", count - kMostNamed);
-  out.push_back({"frac", "the modes explain less than 99 % (FRAC) of the FRF of " + poor +
-                             ": modes may be missing, resonances may have moved between points, or hits were poor"});
+  out.push_back(
+      {"frac", "the modes explain less than 99 % (FRAC) of the FRF of " + poor +
+                   ": modes may be missing, or hits were poor; what is noise changes from line to line, and more "
+                   "averages help"});
 }
 
 void warn_of_pairs(const Survey& survey, std::vector<Warning>& out) {

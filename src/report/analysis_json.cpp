@@ -105,13 +105,19 @@ Json modes_json(const Analysis& analysis, const JsonOptions& options) {
               {"frequency_std_hz", mode.freq_std_Hz},
               {"damping_ratio", mode.pole.damping_ratio},
               {"damping_ratio_std", mode.damping_std}};
+    if (mode.moves_Hz > 0) json["moves_hz"] = mode.moves_Hz;
     if (decay > 0) json["damping_ratio_raw"] = raw_damping(mode.pole, decay);
     if (classes) add_verdict(json, (options.verdicts != nullptr ? *options.verdicts : analysis.verdicts())[m]);
     json["residues"] = Json::array();
     for (const Residue& r : mode.residues) {
       const double std = std::hypot(r.std, r.relative_std * std::abs(r.value));
-      json["residues"].push_back(
-          {{"point", r.point}, {"channel", r.channel}, {"re", r.value.real()}, {"im", r.value.imag()}, {"std", std}});
+      Json residue{
+          {"point", r.point}, {"channel", r.channel}, {"re", r.value.real()}, {"im", r.value.imag()}, {"std", std}};
+      if (r.own_pole) {
+        residue["frequency_hz"] = r.own_pole->freq_Hz;
+        residue["damping_ratio"] = r.own_pole->damping_ratio;
+      }
+      json["residues"].push_back(std::move(residue));
     }
     out.push_back(std::move(json));
   }

@@ -83,6 +83,7 @@ Json frac_json(const Survey& survey) {
     out.push_back({{"point", points[frf.point]},
                    {"channel", frf.channel},
                    {"frac", frf.frac},
+                   {"noise_share", frf.noise_share},
                    {"level_db", frf.level_dB},
                    {"poor", poorly_explained(frf)}});
   }
