@@ -48,17 +48,27 @@ bool tall(const GroupedFit& all, const LocalFit& fit, std::size_t mode) {
   return false;
 }
 
+// Of an FRF, within so many lines of a frequency.
+double largest_within(const std::vector<Complex>& frf, const LineRange& lines, double freq_Hz, double reach) {
+  const double at = lines.position(freq_Hz);
+  double largest = 0;  // as power
+  for (std::size_t k = lines.at(at - reach); k <= lines.at(at + reach); ++k)
+    largest = std::max(largest, std::norm(frf[k]));
+  return std::sqrt(largest);
+}
+
 // Above what the force channel's own noise makes of the response there: a gain that wavers with frequency.
 bool above_force_noise(const GroupedFit& all, const FitGroup& group, std::size_t mode) {
   const FrfSet& set = all.set();
   const Pole& pole = group.fit.poles[mode];
-  const std::size_t line = set.lines.nearest(pole.freq_Hz);
   for (Index o = 0; o < group.fit.residues.rows(); ++o) {
     const Output& output = set.outputs[static_cast<std::size_t>(o)];
     const double peak = std::abs(group.fit.residues(o, static_cast<Index>(mode))) / (2 * pole.damping_ratio);
     const bool known = !set.points[output.point].ff.empty();
     const double gain = known ? gain_deviation(set, output.point, pole.freq_Hz) : kUnknownGain;
-    if (peak > kForceNoise * gain * std::abs(output.frf[line])) return true;
+    // A gain of which nothing is known may waver so as to make a broad mode of the flank of a large one.
+    const double reach = known ? 0 : pole.half_power_Hz() / set.lines.df_Hz();
+    if (peak > kForceNoise * gain * largest_within(output.frf, set.lines, pole.freq_Hz, reach)) return true;
   }
   return false;
 }
