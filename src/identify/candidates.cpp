@@ -138,10 +138,10 @@ Pole peak_near(const FrfSet& set, double freq_Hz) {
 
 }  // namespace
 
-std::vector<Pole> candidate_poles(const FrfSet& set, const LineNoise& noise, const CandidateOptions& options) {
+std::vector<std::size_t> prominent_lines(const FrfSet& set, const LineNoise& noise, const CandidateOptions& options) {
   if (set.lines.count < 5) return {};
   const Level level = level_of(set, noise);
-  std::vector<Pole> poles;
+  std::vector<std::size_t> lines;
   for (const Peak& peak : find_peaks(level.power)) {
     if (peak.line == 0 || peak.line + 1 == level.power.size()) continue;
     const double power = level.power[peak.line];
@@ -149,9 +149,14 @@ std::vector<Pole> candidate_poles(const FrfSet& set, const LineNoise& noise, con
     if (snr < options.snr) continue;
     const double wobble_dB = kNoiseProminence * kDecibelsPerNeper / (snr * std::sqrt(2.0));
     const double saddle = std::max(power - peak.prominence, 1e-300);
-    if (10 * std::log10(power / saddle) < options.prominence_dB + wobble_dB) continue;
-    poles.push_back(pole_at_line(set, peak.line));
+    if (10 * std::log10(power / saddle) >= options.prominence_dB + wobble_dB) lines.push_back(peak.line);
   }
+  return lines;
+}
+
+std::vector<Pole> candidate_poles(const FrfSet& set, const LineNoise& noise, const CandidateOptions& options) {
+  std::vector<Pole> poles;
+  for (const std::size_t line : prominent_lines(set, noise, options)) poles.push_back(pole_at_line(set, line));
   return poles;
 }
 

@@ -12,7 +12,11 @@ struct CandidateOptions {
   double snr = 5;            // amplitude over noise at the peak
 };
 
-/// First poles from the prominent maxima of Σ|H|² over the outputs, in ascending frequency.
+/// The prominent maxima of Σ|H|² over the outputs, ascending.
+std::vector<std::size_t> prominent_lines(const FrfSet& set, const LineNoise& noise,
+                                         const CandidateOptions& options = {});
+
+/// First poles from them, in ascending frequency.
 std::vector<Pole> candidate_poles(const FrfSet& set, const LineNoise& noise, const CandidateOptions& options = {});
 
 /// First poles of modes too weak or too close to a stronger one to show as a peak of their own: what is left of the

@@ -124,6 +124,7 @@ class Analysis {
   std::vector<PointFrf> given_within_lines() const;
   FrfSet given_set() const;
   void warn_of_truncation(std::vector<Warning>& out) const;
+  void warn_of_unclaimed_peaks(std::vector<Warning>& out) const;
   void warn_of_moving(std::vector<Warning>& out) const;
 
   Record record_;

@@ -4,12 +4,15 @@
 
 #include "core/error.hpp"
 #include "core/significant.hpp"
+#include "identify/unclaimed_peaks.hpp"
 #include "pipeline/analysis.hpp"
 
 namespace percuss {
 namespace {
 
-constexpr double kDecayed = 0.0025;  // six time constants, as for the hits' own finding
+constexpr double kPeaks_dB = 65;       // under the largest line: lower peaks are not missed
+constexpr std::size_t kMostPeaks = 8;  // named
+constexpr double kDecayed = 0.0025;    // six time constants, as for the hits' own finding
 
 bool any_finding(const std::vector<AnalysedHit>& hits, FindingCode code, bool accepted_only) {
   return std::any_of(hits.begin(), hits.end(), [&](const AnalysedHit& hit) {
@@ -55,6 +58,25 @@ void Analysis::warn_of_truncation(std::vector<Warning>& out) const {
                     "; the damping is fitted with the missing decay allowed for, not read from a peak's width"});
 }
 
+void Analysis::warn_of_unclaimed_peaks(std::vector<Warning>& out) const {
+  if (!modes_.ready()) return;
+  const auto [low, high] = band_Hz();
+  auto peaks = unclaimed_peaks(fitted_frfs(), modes(), kPeaks_dB);
+  std::erase_if(
+      peaks, [low = low, high = high](const UnclaimedPeak& peak) { return peak.freq_Hz < low || peak.freq_Hz > high; });
+  if (peaks.empty()) return;
+  std::stable_sort(peaks.begin(), peaks.end(),
+                   [](const UnclaimedPeak& a, const UnclaimedPeak& b) { return a.level_dB > b.level_dB; });
+  std::string named;
+  for (std::size_t p = 0; p < std::min(peaks.size(), kMostPeaks); ++p)
+    named += fmt::format("{}{:.6g} Hz ({:.0f} dB)", p == 0 ? "" : ", ", peaks[p].freq_Hz, peaks[p].level_dB);
+  if (peaks.size() > kMostPeaks) named += fmt::format(" and {} lower ones", peaks.size() - kMostPeaks);
+  out.push_back({"unclaimed_peaks", "peaks that no mode stands for: " + named +
+                                        ". A single decaying oscillation does not fit them beyond doubt; two that are "
+                                        "a line or two apart may: point at "
+                                        "each with --start"});
+}
+
 std::vector<Warning> Analysis::warnings() const {
   std::vector<Warning> out;
   const auto& all = hits_.ready() ? hits() : force_hits();
@@ -91,6 +113,7 @@ std::vector<Warning> Analysis::warnings() const {
   }
   warn_of_moving(out);
   warn_of_truncation(out);
+  warn_of_unclaimed_peaks(out);
   if (verdicts_.ready()) {
     std::string pairs;
     for (std::size_t m = 0; m < verdicts().size(); ++m) {
