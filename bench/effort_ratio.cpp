@@ -100,9 +100,10 @@ void compare(const std::string& name, const Record& record, AnalysisOptions opti
   }
   fmt::print("{}: {} rows of {} samples, {} channels; bare transforms {:.2f} ms\n", name, record.rows.size(),
              record.rows.front().samples, 1 + record.accel.size(), bare_s * 1e3);
-  for (const Measured& effort : efforts)
+  for (const Measured& effort : efforts) {
     fmt::print("  {:8} {:9.2f} ms  {:6.2f} x  {} modes; ms in{}\n", name_of(effort.effort), effort.best_s * 1e3,
                effort.best_s / bare_s, effort.modes, effort.stages);
+  }
 }
 
 std::pair<double, double> band_of(const std::string& text) {

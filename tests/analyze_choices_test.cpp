@@ -86,6 +86,10 @@ TEST_F(AnalyzeChoices, FitsAtTheGivenFrequencies) {
   EXPECT_NEAR(document["modes"][1]["frequency_hz"], 700, 0.05);
 }
 
+TEST_F(AnalyzeChoices, FitsAFrequencyGivenTwiceOnce) {
+  EXPECT_EQ(document_of({"--start", "702,199,702"})["modes"].size(), 2U);
+}
+
 TEST_F(AnalyzeChoices, CutsWhereItIsTold) {
   const json document =
       document_of({"--from", "0.02", "--to", "0.9", "--trigger", "50", "--pretrigger", "0.01", "--length", "0.7"});

@@ -23,6 +23,7 @@ FrfSet three_peaks() {
 
 std::vector<Mode> modes_of(const std::vector<Pole>& poles) {
   std::vector<Mode> modes;
+  modes.reserve(poles.size());
   for (const Pole& pole : poles) modes.push_back({.pole = pole});
   return modes;
 }

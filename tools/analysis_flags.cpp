@@ -1,5 +1,6 @@
 #include "analysis_flags.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -13,6 +14,12 @@ std::optional<double> number(std::string_view text) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
   return value;
+}
+
+std::vector<double> each_once(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  return values;
 }
 
 }  // namespace
@@ -89,7 +96,7 @@ AnalysisOptions analysis_options(const AnalysisFlags& flags) {
     }
   }
   options.exponential_end = flags.exponential_end;
-  options.modes = {.effort = effort_of(flags.effort), .modes = flags.modes, .start_Hz = flags.start_Hz};
+  options.modes = {.effort = effort_of(flags.effort), .modes = flags.modes, .start_Hz = each_once(flags.start_Hz)};
   options.classes.overlay_dB = flags.overlay_dB;
   options.threads = flags.threads;
   return options;

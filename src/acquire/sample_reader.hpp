@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <functional>
 #include <span>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -19,8 +18,7 @@ class SampleReader {
 
   SampleReader() = default;
   template <class Callable>
-  requires(!std::same_as<std::remove_cvref_t<Callable>, SampleReader>) SampleReader(Callable&& read)
-      : read_(std::forward<Callable>(read)) {}
+  requires(!std::same_as<Callable, SampleReader>) SampleReader(Callable read) : read_(std::move(read)) {}
   /// `view` gives the whole row, which lives as long as the reader.
   SampleReader(Read read, View view) : read_(std::move(read)), view_(std::move(view)) {}
 

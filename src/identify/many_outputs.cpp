@@ -75,9 +75,10 @@ class Completed {
     for (std::size_t m = 0; m < poles.size(); ++m) {
       if (left_at_end(poles[m], cut_.lines) < kCompleted) continue;
       const MissingDecay missing(poles[m], 0, cut_.lines, 0, cut_.lines.count);
-      for (std::size_t o = 0; o < cut_.outputs.size(); ++o)
+      for (std::size_t o = 0; o < cut_.outputs.size(); ++o) {
         missing.add_to(whole_.outputs[o].frf, residues(static_cast<Index>(o), static_cast<Index>(m)),
                        cut_.points[cut_.outputs[o].point]);
+      }
     }
   }
 

@@ -144,9 +144,10 @@ std::vector<Complex> h1_at(const PointForce& force, const std::vector<const std:
   std::vector<Complex> frf(force.ff.size());
   const auto count = static_cast<Eigen::Index>(frf.size());
   Eigen::Map<Eigen::ArrayXcd> sum(frf.data(), count);
-  for (std::size_t h = 0; h < accel.size(); ++h)
+  for (std::size_t h = 0; h < accel.size(); ++h) {
     sum += Eigen::Map<const Eigen::ArrayXcd>(force.weights[h].data(), count) *
            Eigen::Map<const Eigen::ArrayXcd>(accel[h]->data(), count);
+  }
   return frf;
 }
 
