@@ -1,7 +1,7 @@
 // percuss_effort_ratio [LO:HI FILE]...: what each effort costs as a multiple of bare FFTW transforms of the same
 // records (one per channel and hit, planned with FFTW_MEASURE, one thread, same run), and where the time goes. Without
-// files: the bundled bat with a hoop doublet. Every time is the best of several, taken by
-// turns, so that a disturbed moment neither flatters nor blames.
+// files: the bundled bat with a hoop doublet. Every time is the best of several, taken by turns, so that a disturbed
+// moment neither flatters nor blames.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -102,6 +102,14 @@ TEST(Warnings, TellModesThatRingWhenTheRecordEnds) {
               Contains(AllOf(HasSubstr("truncated_decay: "), HasSubstr("200.0 Hz"), Not(HasSubstr("1900")))));
 }
 
+TEST(Warnings, NameNoPeaksWhereTheUserChoseTheModes) {
+  AnalysisOptions by_frequency = band(), by_number = band();
+  by_frequency.modes.start_Hz = {200};
+  by_number.modes.modes = 1;
+  EXPECT_THAT(warnings_of(synthesise(bat()).record, by_frequency), IsEmpty());
+  EXPECT_THAT(warnings_of(synthesise(bat()).record, by_number), IsEmpty());
+}
+
 TEST(Warnings, ShowHowFarApartClosePairsAreHoweverClose) {
   SynthSpec spec = bat(40);
   spec.modes = {spec.modes[1], spec.modes[1]};

@@ -39,9 +39,12 @@ std::vector<double> smoothed(std::span<const double> x, double sign, std::size_t
   for (std::size_t i = 0; i < x.size(); ++i) {
     if (i + h < x.size()) sum += sign * x[i + h];
     if (i > h) sum -= sign * x[i - h - 1];
-    const bool inside = i >= h && i + h < x.size();
-    const std::size_t count = std::min(i + h, x.size() - 1) - (i > h ? i - h : 0) + 1;
-    out[i] = inside ? sum * share : sum / static_cast<double>(count);
+    if (i >= h && i + h < x.size()) {
+      out[i] = sum * share;
+    } else {
+      const std::size_t count = std::min(i + h, x.size() - 1) - (i > h ? i - h : 0) + 1;
+      out[i] = sum / static_cast<double>(count);
+    }
   }
   return out;
 }

@@ -128,8 +128,7 @@ Pole peak_near(const FrfSet& set, double freq_Hz) {
   std::size_t best = set.lines.at(at);
   double highest = 0;
   for (std::size_t line = set.lines.at(at - reach); line <= set.lines.at(at + reach); ++line) {
-    double power = 0;
-    for (const Output& output : set.outputs) power += std::norm(output.frf[line]);
+    const double power = power_at(set, line);
     if (power > highest) best = line;
     highest = std::max(highest, power);
   }

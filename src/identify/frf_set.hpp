@@ -23,4 +23,11 @@ struct FrfSet {
   double window_decay_per_s() const { return points.empty() ? 0 : points.front().window_decay_per_s(); }
 };
 
+/// Σ|H|² over all outputs at one line, (m/s²)²/N²
+inline double power_at(const FrfSet& set, std::size_t line) {
+  double power = 0;
+  for (const Output& output : set.outputs) power += std::norm(output.frf[line]);
+  return power;
+}
+
 }  // namespace percuss

@@ -69,7 +69,6 @@ Missing missing_of(Complex s, const PointForce& force, const LineRange& lines) {
 
 void subtract_missing(ModeColumn& column, const PoleTerms& p, bool conjugate, const PointForce& force,
                       const LineRange& lines, std::size_t first) {
-  const bool slopes = column.by_freq.size() > 0;
   const double dt_s = 1 / lines.fs_Hz;
   const auto side = [&](Complex z) { return conjugate ? std::conj(z) : z; };
   const Missing m = missing_of(side(p.s), force, lines);
@@ -86,13 +85,12 @@ void subtract_missing(ModeColumn& column, const PoleTerms& p, bool conjugate, co
     Complex q, q_by_s;
     for (std::size_t h = 0; h < m.q.size(); ++h) {
       q += times(force.weights[h][line], m.q[h]);
-      if (slopes) q_by_s += times(force.weights[h][line], m.q_by_s[h]);
+      q_by_s += times(force.weights[h][line], m.q_by_s[h]);
     }
     const Complex around = times(decay, turn);
     const Complex d = inverse(1.0 - around);
     const Complex value = times(m.c, times(q, d));
     column.value(i) -= value;
-    if (!slopes) continue;
     const Complex d_by_s = dt_s * times(around, times(d, d));
     const Complex by_s = times(m.c_by_s, times(q, d)) + times(m.c, times(q_by_s, d) + times(q, d_by_s));
     column.by_freq(i) -= times(by_s, by_freq) - value * wd_by_freq;
@@ -190,6 +188,11 @@ ModeColumn whole_column(const Pole& pole, double window_decay_per_s, const LineR
 ModeColumn without_missing(ModeColumn whole, const Pole& pole, const PointForce& force, const LineRange& lines,
                            std::size_t first) {
   if (decays_within(pole, force, lines)) return whole;
+  const auto count = static_cast<std::size_t>(whole.value.size());
+  if (whole.by_freq.size() == 0) {
+    MissingDecay(pole, force.window_decay_per_s(), lines, first, count).add_to({whole.value.data(), count}, -1, force);
+    return whole;
+  }
   const PoleTerms terms = terms_of(pole);
   for (const bool conjugate : {false, true}) subtract_missing(whole, terms, conjugate, force, lines, first);
   return whole;

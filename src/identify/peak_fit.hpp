@@ -19,6 +19,7 @@ struct PeakFitOptions {
   std::vector<double> start_Hz;      // these and no others
   std::vector<Pole> start;           // those of these, from an earlier fit, that are credible
 };
+/// What each effort spends on a peak; see effort.hpp for what that costs and gives.
 PeakFitOptions peak_fit_of(Effort effort);
 
 /// A mode as the fit of its own window of lines gives it.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 
 namespace percuss {
 namespace {
@@ -55,17 +54,15 @@ std::vector<Peak> find_peaks(std::span<const double> level) {
   const auto plateaus = plateaus_above(level, -std::numeric_limits<double>::infinity());
   // Between maxima only the lowest value counts.
   std::vector<double> tops, dips;  // dips[i] before top i, one more after the last
+  const auto at = [&](std::size_t line) { return level.begin() + static_cast<std::ptrdiff_t>(line); };
   std::size_t from = 0;
   for (const Plateau& p : plateaus) {
     tops.push_back(level[p.begin]);
-    dips.push_back(*std::min_element(level.begin() + static_cast<std::ptrdiff_t>(from),
-                                     level.begin() + static_cast<std::ptrdiff_t>(p.end)));
+    dips.push_back(*std::min_element(at(from), at(p.end)));
     from = p.end;
   }
   if (plateaus.empty()) return {};
-  const double last = tops.back();
-  dips.push_back(std::accumulate(level.begin() + static_cast<std::ptrdiff_t>(from), level.end(), last,
-                                 [](double a, double b) { return std::min(a, b); }));
+  dips.push_back(*std::min_element(at(from - 1), level.end()));
   const auto before = saddles_before(tops, dips);
   std::reverse(tops.begin(), tops.end());
   std::reverse(dips.begin(), dips.end());

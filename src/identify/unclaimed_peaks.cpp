@@ -11,12 +11,6 @@ namespace {
 
 constexpr double kNear = 3;  // half-power bandwidths, and lines
 
-double power_at(const FrfSet& set, std::size_t line) {
-  double power = 0;
-  for (const Output& output : set.outputs) power += std::norm(output.frf[line]);
-  return power;
-}
-
 }  // namespace
 
 std::vector<UnclaimedPeak> unclaimed_peaks(const FrfSet& set, const std::vector<Mode>& modes, double range_dB) {

@@ -59,7 +59,7 @@ void Analysis::warn_of_truncation(std::vector<Warning>& out) const {
 }
 
 void Analysis::warn_of_unclaimed_peaks(std::vector<Warning>& out) const {
-  if (!modes_.ready()) return;
+  if (!modes_.ready() || options_.modes.modes || !options_.modes.start_Hz.empty()) return;  // the user chose
   const auto [low, high] = band_Hz();
   auto peaks = unclaimed_peaks(fitted_frfs(), modes(), kPeaks_dB);
   std::erase_if(
@@ -73,8 +73,7 @@ void Analysis::warn_of_unclaimed_peaks(std::vector<Warning>& out) const {
   if (peaks.size() > kMostPeaks) named += fmt::format(" and {} lower ones", peaks.size() - kMostPeaks);
   out.push_back({"unclaimed_peaks", "peaks that no mode stands for: " + named +
                                         ". A single decaying oscillation does not fit them beyond doubt; two that are "
-                                        "a line or two apart may: point at "
-                                        "each with --start"});
+                                        "a line or two apart may: point at each with --start"});
 }
 
 std::vector<Warning> Analysis::warnings() const {
