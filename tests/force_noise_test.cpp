@@ -18,8 +18,8 @@ FrfSet gated_hit() {
   FrfSet set = test::empty_set(8192, 16384, 40, 2400, 1);
   ForceBlock block{.offset = 100, .force_N = std::vector<double>(90), .whole_N = {}};
   for (std::size_t n = 0; n < 9; ++n) block.force_N[40 + n] = std::sin(kTwoPi * (static_cast<double>(n) + 0.5) / 18);
-  const auto spectrum = force_spectrum(block, set.lines);
-  set.points[0] = point_force({block}, {&spectrum}, set.lines, kNoise_N);
+  const Spectrum spectrum = shared(force_spectrum(block, set.lines));
+  set.points[0] = point_force({block}, {spectrum}, set.lines, kNoise_N);
   return set;
 }
 

@@ -46,7 +46,7 @@ FrfSet pair_set() {
 GroupedFit fitted(const FrfSet& set, const std::vector<Pole>& start) {
   GroupedFit all(set);
   all.replace(start);
-  all.sweep(2);
+  all.sweep();
   EXPECT_EQ(all.groups().size(), 1U);
   return all;
 }

@@ -20,15 +20,6 @@ struct Envelope {
   std::vector<double> chunk_median, chunk_noise;
 };
 
-// Medians over an even subset are as unmoved by pulses as over all samples, and cost nothing.
-std::vector<double> thinned(std::span<const double> x) {
-  const std::size_t stride = std::max<std::size_t>(1, x.size() / kNoiseSamples);
-  std::vector<double> out;
-  out.reserve(x.size() / stride + 1);
-  for (std::size_t i = 0; i < x.size(); i += stride) out.push_back(x[i]);
-  return out;
-}
-
 Envelope envelope_of(const Record& record, std::size_t row, std::size_t first, std::size_t last) {
   Envelope envelope;
   std::vector<double> buffer;
@@ -37,11 +28,11 @@ Envelope envelope_of(const Record& record, std::size_t row, std::size_t first, s
   const std::size_t size = ((last - first) / chunks / kBlock + 1) * kBlock;
   for (std::size_t at = first; at < last; at += size) {
     const auto chunk = record.read_force_N.look(row, at, std::min(size, last - at), buffer);
-    const Spread subset = spread_of(thinned(chunk));
+    const std::vector<Extremes> blocks = block_extremes(chunk, kBlock);  // from end to end, which memory likes best
+    envelope.blocks.insert(envelope.blocks.end(), blocks.begin(), blocks.end());
+    const Spread subset = spread_of(thinned(chunk, kNoiseSamples));
     envelope.chunk_median.push_back(subset.median);
     envelope.chunk_noise.push_back(subset.robust_std);
-    const std::vector<Extremes> blocks = block_extremes(chunk, kBlock);
-    envelope.blocks.insert(envelope.blocks.end(), blocks.begin(), blocks.end());
   }
   return envelope;
 }

@@ -212,8 +212,8 @@ double bandwidth_Hz(std::span<const double> pulse, double fs_Hz) {
   const double level = kBandwidthDrop * std::sqrt(largest);
   std::size_t top = 0;
   while (top + 1 < spectrum.size() && std::norm(spectrum[top]) < largest) ++top;
-  while (top + 1 < spectrum.size() && std::abs(spectrum[top]) > level) ++top;
-  const bool reached = top > 0 && std::abs(spectrum[top]) <= level;
+  while (top + 1 < spectrum.size() && std::norm(spectrum[top]) > level * level) ++top;
+  const bool reached = top > 0 && std::norm(spectrum[top]) <= level * level;
   const double line =
       reached ? crossing(std::abs(spectrum[top - 1]), std::abs(spectrum[top]), level, static_cast<double>(top - 1))
               : static_cast<double>(top);

@@ -12,16 +12,17 @@
 namespace percuss {
 namespace {
 
-constexpr double kDecayed_dB = -52;      // six time constants: truncation changes an FRF by less than 0.5 %, [12]
-constexpr double kAboveNoise = 2;        // times the pre-trigger's rms: what is left is ringing
-constexpr std::size_t kLeastQuiet = 12;  // samples before the pulse's ringing that can tell noise
-constexpr double kOnsetNoise = 6;        // deviations
-constexpr double kOnsetFraction = 0.02;  // of the largest response
-constexpr std::size_t kLeastPush = 4;    // samples
-constexpr double kSetOut = 0.25;         // of the largest velocity during two pulses
-constexpr double kOtherWay = 0.05;       // … before that the other way: the modes cancel at first, and noise decides
-constexpr double kRingingBefore = 4;     // times the level at the stretch's end
-constexpr double kNegligible = 0.0025;   // of the response: the same −52 dB
+constexpr double kDecayed_dB = -52;         // six time constants: truncation changes an FRF by less than 0.5 %, [12]
+constexpr double kAboveNoise = 2;           // times the pre-trigger's rms: what is left is ringing
+constexpr std::size_t kLeastQuiet = 12;     // samples before the pulse's ringing that can tell noise
+constexpr std::size_t kQuietSamples = 256;  // a deviation good to 7 %: thresholds ask for no more
+constexpr double kOnsetNoise = 6;           // deviations
+constexpr double kOnsetFraction = 0.02;     // of the largest response
+constexpr std::size_t kLeastPush = 4;       // samples
+constexpr double kSetOut = 0.25;            // of the largest velocity during two pulses
+constexpr double kOtherWay = 0.05;      // … before that the other way: the modes cancel at first, and noise decides
+constexpr double kRingingBefore = 4;    // times the level at the stretch's end
+constexpr double kNegligible = 0.0025;  // of the response: the same −52 dB
 constexpr std::size_t kEnvelopeWindows = 64;
 constexpr double kSteady = 1.5;        // the level one quarter earlier over the last quarter's; backgrounds wander
 constexpr double kSunk = 2;            // times the final level
@@ -41,11 +42,9 @@ std::span<const double> quiet_part(const Hit& hit, std::span<const double> accel
   return accel.first(end);
 }
 
-// Before the hit; without a pre-trigger, where the record ends.
-double resting_level(const Hit& hit, std::span<const double> accel) {
-  auto quiet = quiet_part(hit, accel);
-  if (quiet.empty()) quiet = accel.last(std::max<std::size_t>(1, accel.size() / 20));
-  return median({quiet.begin(), quiet.end()});
+double level_at_end(std::span<const double> accel) {
+  const auto end = accel.last(std::max<std::size_t>(1, accel.size() / 20));
+  return median({end.begin(), end.end()});
 }
 
 void grade_end(ResponseGrade& grade, const Hit& hit, std::span<const double> accel) {
@@ -95,9 +94,8 @@ int first_direction(std::span<const double> accel, double rest, double noise) {
 }
 
 void grade_onset(ResponseGrade& grade, const Hit& hit, std::span<const double> accel, const Extremes& extremes,
-                 double fs_Hz) {
-  const auto quiet = quiet_part(hit, accel);
-  const auto [rest, noise] = spread_of({quiet.begin(), quiet.end()});
+                 const Spread& before, double fs_Hz) {
+  const auto [rest, noise] = before;
   const double largest = extremes.furthest_from(rest);
   const double level = std::max(kOnsetNoise * noise, kOnsetFraction * largest);
   if (!(level > 0)) return;
@@ -121,10 +119,13 @@ ResponseGrade grade_response(const Hit& hit, std::span<const double> accel_mps2,
   const Extremes extremes = extremes_of(blocks);
   grade.dead = extremes.low == extremes.high;
   if (grade.dead) return grade;
-  grade.rail_samples = samples_at_rail(accel_mps2, blocks, accel_mps2, resting_level(hit, accel_mps2));
+  const auto quiet = quiet_part(hit, accel_mps2);
+  const Spread before = spread_of(thinned(quiet, kQuietSamples));
+  const double resting = quiet.empty() ? level_at_end(accel_mps2) : before.median;
+  grade.rail_samples = samples_at_rail(accel_mps2, blocks, accel_mps2, resting);
   grade.rings_before = rings_before(hit, accel_mps2);
   grade_end(grade, hit, accel_mps2);
-  grade_onset(grade, hit, accel_mps2, extremes, fs_Hz);
+  grade_onset(grade, hit, accel_mps2, extremes, before, fs_Hz);
   return grade;
 }
 

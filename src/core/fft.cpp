@@ -4,6 +4,7 @@
 
 #include <cassert>
 #include <map>
+#include <memory>
 #include <mutex>
 
 namespace percuss {
@@ -80,10 +81,16 @@ std::vector<Complex> real_dft(std::span<const double> x) {
 }
 
 std::span<const Complex> real_dft_in_scratch(std::span<const double> x) {
-  thread_local std::vector<Complex> scratch;
-  scratch.resize(x.size() / 2 + 1);
-  real_dft(x, scratch);
-  return scratch;
+  thread_local std::unique_ptr<Complex, decltype(&fftw_free)> scratch(nullptr, fftw_free);  // aligned as FFTW likes it
+  thread_local std::size_t room = 0;
+  const std::size_t lines = x.size() / 2 + 1;
+  if (room < lines) {
+    scratch.reset(reinterpret_cast<Complex*>(fftw_alloc_complex(lines)));
+    room = lines;
+  }
+  const std::span out(scratch.get(), lines);
+  real_dft(x, out);
+  return out;
 }
 
 std::vector<double> inverse_real_dft(std::span<const Complex> lines, std::size_t samples) {

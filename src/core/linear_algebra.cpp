@@ -20,6 +20,7 @@ VectorXd to_ones(const Matrix& gram) {
 
 template <class Matrix>
 Matrix inverse_of(const Matrix& gram) {
+  if (gram.size() == 1) return gram.cwiseInverse();  // the most frequent, in each step of each fit of one mode
   const VectorXd scale = to_ones(gram);
   const Matrix even = scale.asDiagonal() * gram * scale.asDiagonal();
   const Matrix solved = even.ldlt().solve(Matrix::Identity(gram.rows(), gram.cols()));
@@ -40,10 +41,14 @@ VectorXd solve_gram(const MatrixXd& gram, const VectorXd& right, double damping)
 
 MatrixXd orthonormal_polynomials(Index points, Index terms) {
   const VectorXd x = VectorXd::LinSpaced(points, -1, 1);
-  MatrixXd powers(points, terms);
-  VectorXd power = VectorXd::Ones(points);
-  for (Index term = 0; term < terms; ++term, power = power.cwiseProduct(x)) powers.col(term) = power;
-  return Eigen::HouseholderQR<MatrixXd>(powers).householderQ() * MatrixXd::Identity(points, terms);
+  MatrixXd q(points, terms);
+  for (Index term = 0; term < terms; ++term) {
+    // x times the one before is nearly square to all of them already: nothing cancels.
+    const VectorXd next = term == 0 ? VectorXd::Ones(points) : VectorXd(x.cwiseProduct(q.col(term - 1)));
+    const auto before = q.leftCols(term);
+    q.col(term) = (next - before * (before.transpose() * next)).normalized();
+  }
+  return q;
 }
 
 VectorXd least_squares(const MatrixXd& columns, const VectorXd& right) {

@@ -28,6 +28,14 @@ Spread spread_of(std::vector<double> values) {
   return {.median = middle, .robust_std = kGaussian * median_within(values)};
 }
 
+std::vector<double> thinned(std::span<const double> values, std::size_t enough) {
+  const std::size_t stride = std::max<std::size_t>(1, values.size() / enough);
+  std::vector<double> some;
+  some.reserve(values.size() / stride + 1);
+  for (std::size_t i = 0; i < values.size(); i += stride) some.push_back(values[i]);
+  return some;
+}
+
 Extremes extremes_of(std::span<const double> values) {
   if (values.empty()) return {};
   // Eight beside each other, so that no comparison waits for the one before it.

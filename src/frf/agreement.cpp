@@ -10,7 +10,7 @@ namespace {
 using Eigen::Index;
 
 constexpr Index kBlock = 256;    // lines
-constexpr Index kEnough = 4096;  // lines: the hits agree or do not on any of them
+constexpr Index kEnough = 1024;  // lines: the hits agree or do not on any of them
 using Block = Eigen::Array<double, Eigen::Dynamic, 1, 0, kBlock, 1>;
 
 // Real and imaginary parts apart, so that several lines are worked on at once.

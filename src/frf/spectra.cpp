@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "frf/pulse_spectrum.hpp"
 #include "frf/windows.hpp"
 
 namespace percuss {
@@ -40,6 +41,9 @@ ForceBlock force_block(const Hit& hit, double fs_Hz, double decay_per_s) {
 }
 
 std::vector<Complex> force_spectrum(const ForceBlock& block, const LineRange& lines) {
+  if (block.whole_N.empty() && block.offset + block.force_N.size() <= lines.samples) {
+    if (auto spectrum = pulse_spectrum(block.force_N, block.offset, lines)) return std::move(*spectrum);
+  }
   thread_local std::vector<double> x;  // zeros between calls: most of a gated force's block is
   if (x.size() != lines.samples) x.assign(lines.samples, 0);
   const std::vector<double>& force = block.whole_N.empty() ? block.force_N : block.whole_N;

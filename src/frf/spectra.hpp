@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "acquire/hits.hpp"
@@ -39,6 +41,12 @@ struct ForceBlock {
   double decay_per_s = 0;
 };
 ForceBlock force_block(const Hit& hit, double fs_Hz, double decay_per_s);
+
+/// A transform that several hold at once. shape  [lines]
+using Spectrum = std::shared_ptr<const std::vector<Complex>>;
+inline Spectrum shared(std::vector<Complex> lines) {
+  return std::make_shared<const std::vector<Complex>>(std::move(lines));
+}
 
 /// Transform of a force block at the lines wanted. One real FFT. shapes: result [lines.count]; units N (unscaled sums).
 std::vector<Complex> force_spectrum(const ForceBlock& block, const LineRange& lines);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/linear_algebra.hpp"
+
 namespace percuss {
 namespace {
 
@@ -15,7 +17,6 @@ constexpr double kMostLines = 400;  // … nor more: the polynomial follows othe
 constexpr double kLeastForce =
     1e-6;  // of the strongest line's power: a pulse's spectrum has zeros, where FRFs mean nothing
 constexpr double kLeastWeight = 1e-3;  // of the noise elsewhere: where a fit leaves nothing, its weight stays finite
-constexpr double kNoChange = 1e-4;     // of data, as energy over the noise's per line
 constexpr double kTogether = 4;        // bandwidths (or lines) apart at which two modes are fitted together
 
 void carry_over(const std::vector<FitGroup>& before, FitGroup& group, std::size_t m) {
@@ -30,11 +31,8 @@ void carry_over(const std::vector<FitGroup>& before, FitGroup& group, std::size_
 
 }  // namespace
 
-GroupedFit::GroupedFit(const FrfSet& set, double window_widths)
-    : set_(set),
-      window_widths_(window_widths),
-      noise_(set),
-      largest_(VectorXd::Zero(static_cast<Index>(set.outputs.size()))) {
+GroupedFit::GroupedFit(const FrfSet& set, const GroupedFitOptions& options)
+    : set_(set), options_(options), noise_(set), largest_(VectorXd::Zero(static_cast<Index>(set.outputs.size()))) {
   for (std::size_t o = 0; o < set.outputs.size(); ++o) {
     double& largest = largest_(static_cast<Index>(o));
     const std::vector<Complex>& frf = set.outputs[o].frf;
@@ -59,8 +57,8 @@ void GroupedFit::place_window(FitGroup& group) const {
   double low = 1e300;
   double high = 0;
   for (const Pole& pole : group.fit.poles) {
-    const double half =
-        std::clamp(window_widths_ * width_Hz(pole), kLeastLines * set_.lines.df_Hz(), kMostLines * set_.lines.df_Hz());
+    const double half = std::clamp(options_.window_widths * width_Hz(pole), kLeastLines * set_.lines.df_Hz(),
+                                   kMostLines * set_.lines.df_Hz());
     low = std::min(low, pole.freq_Hz - half);
     high = std::max(high, pole.freq_Hz + half);
   }
@@ -88,16 +86,17 @@ bool GroupedFit::same_window(const FitGroup& before, const FitGroup& group) cons
          apart(before.first + before.count, group.first + group.count) <= most;
 }
 
-// By less than would move anything by a hundredth of its deviation.
 bool GroupedFit::unchanged(std::size_t group, const std::vector<VectorXcd>& data) const {
   const std::vector<VectorXcd>& before = fitted_to_[group];
   if (before.empty()) return false;
+  const Eigen::MatrixXd smooth = orthonormal_polynomials(before.front().size(), LocalFitOptions{}.residual_terms);
   double change = 0;
   for (std::size_t o = 0; o < data.size(); ++o) {
     const double noise = groups_[group].fit.noise(static_cast<Index>(o));
-    change += (data[o] - before[o]).squaredNorm() / (noise * noise);
+    const VectorXcd moved = data[o] - before[o];
+    change += (moved - smooth * (smooth.transpose() * moved)).squaredNorm() / (noise * noise);
   }
-  return change < kNoChange;
+  return change < options_.change * options_.change;
 }
 
 void GroupedFit::replace(std::vector<Pole> poles) {
@@ -130,15 +129,17 @@ void GroupedFit::replace(std::vector<Pole> poles) {
   }
 }
 
-void GroupedFit::sweep(int times) {
-  for (int i = 0; i < times; ++i) {
-    if (i > 0) replace(poles());  // poles that moved may belong together now
+void GroupedFit::sweep() {
+  for (const bool last : {false, true}) {
+    if (last) replace(poles());  // poles that moved may belong together now
     for (std::size_t g = 0; g < groups_.size(); ++g) {
       FitGroup& group = groups_[g];
       auto data = remainder(group);
       if (unchanged(g, data)) continue;
+      const bool first_fit = group.fit.noise.size() == 0;
       // A first residual tells each output's noise here, which is not the noise elsewhere.
-      if (group.fit.noise.size() == 0) group.fit = fit(group, data, group.fit.poles, noise(group), kRoughly);
+      if (first_fit) group.fit = fit(group, data, group.fit.poles, noise(group), kRoughly);
+      if (first_fit && !last) continue;
       group.fit = fit(group, data, group.fit.poles, weights_from(group));
       fitted_to_[g] = std::move(data);
     }
@@ -182,7 +183,7 @@ std::vector<VectorXcd> GroupedFit::residual() const {
 LocalFit GroupedFit::fit(const FitGroup& group, const std::vector<VectorXcd>& data, std::vector<Pole> start,
                          const VectorXd& weight, double tolerance) const {
   return fit_locally(set_, data, weight, std::move(start),
-                     {.first = group.first, .count = group.count, .tolerance = tolerance});
+                     {.first = group.first, .count = group.count, .tolerance = tolerance, .change = options_.change});
 }
 
 VectorXd GroupedFit::weights_from(const FitGroup& group) const {

@@ -14,13 +14,22 @@ struct FitGroup {
   std::size_t first = 0, count = 0;  // the window
 };
 
+struct GroupedFitOptions {
+  /// Half-power bandwidths on either side of a pole that its window holds: beyond 10 lies under 0.1 % of what the lines
+  /// tell of it.
+  double window_widths = 10;
+  /// Data that change by less, beside the smooth background that is fitted with them, leave a fit as it is: in
+  /// deviations of what is fitted.
+  double change = LocalFitOptions{}.change;
+};
+
 /// A set of modes fitted piece by piece: close ones together, each piece over a window of its own lines with the shares
 /// of all others subtracted. A few sweeps over the pieces come to the same least-squares solution as one fit over the
 /// whole band, at a fraction of the work.
 class GroupedFit {
  public:
   /// `set` must outlive this object.
-  explicit GroupedFit(const FrfSet& set, double window_widths = kWindow);
+  explicit GroupedFit(const FrfSet& set, const GroupedFitOptions& options = {});
 
   const std::vector<FitGroup>& groups() const { return groups_; }
   std::vector<Pole> poles() const;
@@ -35,8 +44,9 @@ class GroupedFit {
 
   /// Other poles: residues of those already known stay; new ones count as 0 until the next sweep.
   void replace(std::vector<Pole> poles);
-  /// Fits every group in turn, `times` over; one whose data have not changed since is left alone.
-  void sweep(int times);
+  /// Fits every group in turn, twice over, the second time with the final shares of its neighbours; one whose data have
+  /// not changed since is left alone.
+  void sweep();
   /// What is left in the group's window when all other groups' shares are subtracted, [outputs][group.count].
   std::vector<Eigen::VectorXcd> remainder(const FitGroup& group) const;
   /// … and over all lines when every group's share is.
@@ -47,9 +57,6 @@ class GroupedFit {
   /// The noise of each output in the window as the fit's residual tells it.
   Eigen::VectorXd weights_from(const FitGroup& group) const;
 
-  /// Half-power bandwidths on either side of a pole that its window holds: beyond lies under 0.1 % of what the lines
-  /// tell of it.
-  static constexpr double kWindow = 10;
   /// Tolerance that is near enough to see the noise.
   static constexpr double kRoughly = 1e-3;
   /// No more than this many are fitted together.
@@ -63,7 +70,7 @@ class GroupedFit {
                 std::vector<Eigen::VectorXcd>& data) const;
 
   const FrfSet& set_;
-  double window_widths_;
+  GroupedFitOptions options_;
   LineNoise noise_;
   Eigen::VectorXd largest_;
   std::vector<FitGroup> groups_;

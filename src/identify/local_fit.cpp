@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "core/linear_algebra.hpp"
@@ -18,19 +19,26 @@ using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-// What an undamped step can still gain, of the residual's share per degree of freedom: a hundredth of a deviation.
-constexpr double kNothingGained = 1e-4;
 constexpr double kUndamped = 1e-4;
 
-// Levenberg–Marquardt; returns the state reached.
-ProjectedState descend(const VariableProjection& projection, LocalFit& fit, const LocalFitOptions& options) {
+struct Reached {
+  ProjectedState state;
+  MatrixXd curvature;  // matrix of its normal equations
+};
+
+// Levenberg–Marquardt.
+Reached descend(const VariableProjection& projection, LocalFit& fit, const LocalFitOptions& options) {
+  const std::size_t modes = fit.poles.size();
   ProjectedState state = projection.evaluate(fit.poles);
+  auto [a, b] = projection.normal_equations(state, modes);
   double lambda = kUndamped;
   for (int step = 0; step < options.max_steps && !fit.converged; ++step) {
-    const auto [a, b] = projection.normal_equations(state, fit.poles.size());
     bool better = false;
     for (int attempt = 0; attempt < 12 && !better; ++attempt) {
       const VectorXd move = solve_gram(a, b, lambda);
+      const double share = state.cost / static_cast<double>(std::max<std::size_t>(fit.degrees, 1));
+      fit.converged = lambda <= kUndamped && move.dot(b) < options.change * options.change * share;
+      if (fit.converged) break;
       const double size = step_size(move, fit.poles);
       const auto poles = moved_by(fit.poles, move);
       if (!std::isfinite(size) || size > 1e3 || !poles_allowed(poles)) {
@@ -39,27 +47,26 @@ ProjectedState descend(const VariableProjection& projection, LocalFit& fit, cons
       }
       ProjectedState next = projection.evaluate(poles);
       better = next.cost <= state.cost;
-      if (!better && size < options.tolerance) return state;  // as far as rounding lets it go
-      const bool undamped = lambda <= kUndamped;
+      if (!better && size < options.tolerance) break;  // as far as rounding lets it go
       lambda = better ? lambda * 0.2 : lambda * 10;
       if (!better) continue;
-      const double gain = move.dot(b), share = next.cost / static_cast<double>(std::max<std::size_t>(fit.degrees, 1));
-      fit.converged = size < options.tolerance || (undamped && gain < kNothingGained * share);
+      fit.converged = size < options.tolerance;
       fit.poles = poles;
       state = std::move(next);
+      std::tie(a, b) = projection.normal_equations(state, modes);
     }
-    if (!better) return state;
+    if (!better) break;
   }
-  return state;
+  return {.state = std::move(state), .curvature = std::move(a)};
 }
 
-void add_uncertainty(LocalFit& fit, const VariableProjection& projection, const ProjectedState& state,
+void add_uncertainty(LocalFit& fit, const VariableProjection& projection, const Reached& reached,
                      const VectorXd& weight) {
+  const auto& [state, curvature] = reached;
   const std::size_t modes = fit.poles.size();
-  const auto [a, b] = projection.normal_equations(state, modes);
   // Complex data: |residual|² per line is twice the variance of each real part, and so are the weights' squares.
   const double scale = fit.degrees > 0 ? state.cost / static_cast<double>(fit.degrees) : 1;
-  const MatrixXd covariance = inverse_gram(a) * scale;
+  const MatrixXd covariance = inverse_gram(curvature) * scale;
   for (Index m = 0; m < static_cast<Index>(modes); ++m) {
     fit.freq_std_Hz(m) = std::sqrt(std::max(0.0, covariance(2 * m, 2 * m)));
     fit.damping_std(m) = std::sqrt(std::max(0.0, covariance(2 * m + 1, 2 * m + 1)));
@@ -99,9 +106,9 @@ LocalFit fit_locally(const FrfSet& set, const std::vector<VectorXcd>& data, cons
   const auto unknowns = 2 * fit.poles.size() + 2 * set.outputs.size() * (fit.poles.size() + options.residual_terms);
   const std::size_t values = 2 * set.outputs.size() * options.count;
   fit.degrees = values > unknowns ? values - unknowns : 0;
-  const ProjectedState state = descend(projection, fit, options);
-  fit.cost = state.cost;
-  add_uncertainty(fit, projection, state, weight);
+  const Reached reached = descend(projection, fit, options);
+  fit.cost = reached.state.cost;
+  add_uncertainty(fit, projection, reached, weight);
   return fit;
 }
 

@@ -24,6 +24,7 @@ struct LocalFitOptions {
   std::size_t residual_terms = 3;    // complex polynomial coefficients for what other modes leave
   int max_steps = 30;
   double tolerance = 1e-7;  // step, in units of half the bandwidth
+  double change = 0.01;     // … or what it can still gain, in deviations
 };
 
 /// Least squares of the outputs' lines in a window by modes with complex residues and a polynomial: poles by

@@ -34,7 +34,7 @@ bool pairs_move(const FrfSet& set, const std::vector<Pole>& poles) {
   all.replace(poles);
   const auto pair = [](const FitGroup& group) { return group.fit.poles.size() > 1; };
   if (std::none_of(all.groups().begin(), all.groups().end(), pair)) return false;
-  all.sweep(1);
+  all.sweep();
   return std::any_of(all.groups().begin(), all.groups().end(),
                      [&](const FitGroup& group) { return pair(group) && merged(all, group); });
 }
@@ -62,7 +62,7 @@ class Completed {
  public:
   explicit Completed(const FrfSet& cut) : cut_(cut), whole_{.lines = cut.lines, .reach_Hz = cut.reach_Hz} {
     for (const PointForce& point : cut.points) {
-      whole_.points.push_back({.blocks = point.blocks, .weights = {}, .ff = point.ff, .noise_N = point.noise_N});
+      whole_.points.push_back({.blocks = point.blocks, .spectra = {}, .ff = point.ff, .noise_N = point.noise_N});
       whole_.points.back().complete = true;
     }
     whole_.outputs = cut.outputs;

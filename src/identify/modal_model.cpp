@@ -13,6 +13,10 @@ namespace {
 constexpr double kGone =
     1e-10;  // what is missing moves a pole by this part of its bandwidth at the most: below any record's noise
 
+Eigen::Map<const Eigen::ArrayXcd> array_of(const std::vector<Complex>& lines) {
+  return {lines.data(), static_cast<Eigen::Index>(lines.size())};
+}
+
 struct PoleTerms {
   double omega, zeta;
   Complex s, by_omega, by_zeta;  // s and its derivatives
@@ -84,8 +88,9 @@ void subtract_missing(ModeColumn& column, const PoleTerms& p, bool conjugate, co
     const std::size_t line = first + static_cast<std::size_t>(i);
     Complex q, q_by_s;
     for (std::size_t h = 0; h < m.q.size(); ++h) {
-      q += times(force.weights[h][line], m.q[h]);
-      q_by_s += times(force.weights[h][line], m.q_by_s[h]);
+      const Complex weight = std::conj((*force.spectra[h])[line]) / force.ff[line];
+      q += times(weight, m.q[h]);
+      q_by_s += times(weight, m.q_by_s[h]);
     }
     const Complex around = times(decay, turn);
     const Complex d = inverse(1.0 - around);
@@ -119,32 +124,29 @@ void fill_whole(ModeColumn& column, const PoleTerms& p, const LineRange& lines, 
 
 }  // namespace
 
-PointForce point_force(std::vector<ForceBlock> blocks, const std::vector<const std::vector<Complex>*>& spectra,
-                       const LineRange& lines, double noise_N) {
-  PointForce force{
-      .blocks = std::move(blocks), .weights = {}, .ff = std::vector<double>(lines.count), .noise_N = noise_N};
-  const auto count = static_cast<Eigen::Index>(lines.count);
-  const auto of = [&](const std::vector<Complex>* spectrum) {
-    return Eigen::Map<const Eigen::ArrayXcd>(spectrum->data(), count);
-  };
-  Eigen::Map<Eigen::ArrayXd> ff(force.ff.data(), count);
-  for (const auto* spectrum : spectra) ff += of(spectrum).abs2();
+PointForce point_force(std::vector<ForceBlock> blocks, std::vector<Spectrum> spectra, const LineRange& lines,
+                       double noise_N) {
+  PointForce force{.blocks = std::move(blocks),
+                   .spectra = std::move(spectra),
+                   .ff = std::vector<double>(lines.count),
+                   .noise_N = noise_N};
+  Eigen::Map<Eigen::ArrayXd> ff(force.ff.data(), static_cast<Eigen::Index>(lines.count));
+  for (const Spectrum& spectrum : force.spectra) ff += array_of(*spectrum).abs2();
   require_force(force.ff, lines);
-  const Eigen::ArrayXd share = ff.inverse();
-  for (const auto* spectrum : spectra) {
-    std::vector<Complex>& weight = force.weights.emplace_back(lines.count);
-    Eigen::Map<Eigen::ArrayXcd>(weight.data(), count) = of(spectrum).conjugate() * share;
-  }
   return force;
 }
 
 std::vector<Complex> h1_at(const PointForce& force, const std::vector<const std::vector<Complex>*>& accel) {
   std::vector<Complex> frf(force.ff.size());
-  const auto count = static_cast<Eigen::Index>(frf.size());
-  Eigen::Map<Eigen::ArrayXcd> sum(frf.data(), count);
-  for (std::size_t h = 0; h < accel.size(); ++h) {
-    sum += Eigen::Map<const Eigen::ArrayXcd>(force.weights[h].data(), count) *
-           Eigen::Map<const Eigen::ArrayXcd>(accel[h]->data(), count);
+  constexpr std::size_t kBlock = 256;  // lines whose sum stays in the fastest memory
+  for (std::size_t first = 0; first < frf.size(); first += kBlock) {
+    const std::size_t end = std::min(first + kBlock, frf.size());
+    for (std::size_t h = 0; h < accel.size(); ++h) {
+      const Complex* f = force.spectra[h]->data();
+      const Complex* a = accel[h]->data();
+      for (std::size_t k = first; k < end; ++k) frf[k] += conj_times(f[k], a[k]);
+    }
+    for (std::size_t k = first; k < end; ++k) frf[k] /= force.ff[k];
   }
   return frf;
 }
@@ -218,16 +220,17 @@ void MissingDecay::add_to(std::span<Complex> sum, Complex residue, const PointFo
   for (const ForceBlock& block : force.blocks)
     q.push_back(state_at_end(block, windowed_, 1 / lines_.fs_Hz, lines_.samples).first);
   for (std::size_t i = 0; i < sum.size(); ++i) {
-    // w·q and w·conj(q) share their products.
+    // conj(F)·q and conj(F)·conj(q) share their products.
     double rr = 0, ii = 0, ri = 0, ir = 0;
     for (std::size_t h = 0; h < q.size(); ++h) {
-      const Complex w = force.weights[h][first_ + i];
-      rr += w.real() * q[h].real();
-      ii += w.imag() * q[h].imag();
-      ri += w.real() * q[h].imag();
-      ir += w.imag() * q[h].real();
+      const Complex f = (*force.spectra[h])[first_ + i];
+      rr += f.real() * q[h].real();
+      ii += f.imag() * q[h].imag();
+      ri += f.real() * q[h].imag();
+      ir += f.imag() * q[h].real();
     }
-    sum[i] += times(residue, times(kernel_[i], {rr - ii, ir + ri}) + times(mirror_[i], {rr + ii, ir - ri}));
+    const Complex all = times(kernel_[i], {rr + ii, ri - ir}) + times(mirror_[i], {rr - ii, -ri - ir});
+    sum[i] += times(residue, all) / force.ff[first_ + i];
   }
 }
 

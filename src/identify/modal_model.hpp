@@ -22,17 +22,17 @@ inline constexpr double kMostDamping = 0.3;  // a ratio beyond it is the backgro
 /// blocks without force, nothing is known of the force: the FRF is taken as it is, `ff` is empty. A block's decay is
 /// that of the exponential window in any case.
 struct PointForce {
-  std::vector<ForceBlock> blocks;             // [hits]
-  std::vector<std::vector<Complex>> weights;  // conj(F_h)/Σ|F|² [hits][lines]: each hit's part in H1 = Σ weight·A
-  std::vector<double> ff;                     // Σ |F|² [lines]
-  double noise_N = 0;                         // deviation of the force channel's noise
-  bool complete = false;                      // the FRFs are as records would have given them that hold the whole decay
+  std::vector<ForceBlock> blocks;  // [hits]
+  std::vector<Spectrum> spectra;   // F_h [hits]
+  std::vector<double> ff;          // Σ |F|² [lines]
+  double noise_N = 0;              // deviation of the force channel's noise
+  bool complete = false;           // the FRFs are as records would have given them that hold the whole decay
   double window_decay_per_s() const { return blocks.empty() ? 0 : blocks.front().decay_per_s; }  // 0: none is known of
 };
-/// spectra [hits] point to force_spectrum of each block.
+/// spectra [hits]: force_spectrum of each block.
 /// errors  InputError when the force never excited one of the lines.
-PointForce point_force(std::vector<ForceBlock> blocks, const std::vector<const std::vector<Complex>*>& spectra,
-                       const LineRange& lines, double noise_N);
+PointForce point_force(std::vector<ForceBlock> blocks, std::vector<Spectrum> spectra, const LineRange& lines,
+                       double noise_N);
 /// H1 of a response to that point's hits. shapes  accel [hits] point to [lines]; result [lines], (m/s²)/N
 std::vector<Complex> h1_at(const PointForce& force, const std::vector<const std::vector<Complex>*>& accel);
 

@@ -28,7 +28,7 @@ constexpr std::size_t kLeastForFit = 16;  // lines
 class PeakFit {
  public:
   PeakFit(const FrfSet& set, const PeakFitOptions& options)
-      : set_(set), options_(options), all_(set, options.window_widths) {}
+      : set_(set), options_(options), all_(set, options.windows) {}
 
   std::vector<PeakMode> run() {
     context_.shown = poles_near(set_, options_.start_Hz);
@@ -36,7 +36,7 @@ class PeakFit {
     const bool given = !context_.shown.empty();
     if (!given) context_.shown = candidate_poles(set_, all_.line_noise());
     all_.replace(context_.shown);
-    all_.sweep(options_.sweeps);
+    all_.sweep();
     if (!given) settle();
     if (!options_.start.empty()) keep_credible();
     return modes();
@@ -59,7 +59,7 @@ class PeakFit {
   void start_from(std::vector<Pole> poles) {
     context_.settled = false;
     all_.replace(std::move(poles));
-    all_.sweep(options_.sweeps);
+    all_.sweep();
   }
 
   // The modes that were credible before hidden ones were looked for, and have nothing in their place now.
@@ -75,21 +75,21 @@ class PeakFit {
 
   void settle_rounds(bool hidden) {
     for (int round = 0; round < options_.rounds; ++round) {
-      while (merge_moving()) all_.sweep(options_.sweeps);
+      while (merge_moving()) all_.sweep();
       const bool dropped = drop_insignificant();
       if (tried_.empty()) clear_ = all_.poles();
       // Windows are split when what was dropped is out of them, and hidden modes looked for when no pair is left to be.
       const bool changed = dropped || split_groups() || (hidden && add_hidden());
       if (!changed) break;
-      all_.sweep(options_.sweeps);
+      all_.sweep();
     }
-    while (merge_moving()) all_.sweep(options_.sweeps);
+    while (merge_moving()) all_.sweep();
     keep_credible();
   }
 
   void keep_credible() {
     context_.settled = true;
-    while (drop_insignificant()) all_.sweep(options_.sweeps);
+    while (drop_insignificant()) all_.sweep();
   }
 
   bool drop_insignificant() {
@@ -282,7 +282,7 @@ class PeakFit {
 }  // namespace
 
 PeakFitOptions peak_fit_of(Effort effort) {
-  if (effort == Effort::quick) return {.rounds = 3, .hidden = false, .window_widths = 5, .sweeps = 1};
+  if (effort == Effort::quick) return {.rounds = 3, .hidden = false, .windows = {.window_widths = 5, .change = 0.1}};
   return {};
 }
 

@@ -13,8 +13,7 @@ namespace percuss {
 struct PeakFitOptions {
   int rounds = 6;      // of looking for second modes in each window, then for modes that show no peak
   bool hidden = true;  // look for the latter
-  double window_widths = GroupedFit::kWindow;
-  int sweeps = 2;                    // over the windows after every change: neighbours' final shares in the second
+  GroupedFitOptions windows;
   std::optional<std::size_t> modes;  // keep this many, the most significant ones
   std::vector<double> start_Hz;      // these and no others
   std::vector<Pole> start;           // those of these, from an earlier fit, that are credible

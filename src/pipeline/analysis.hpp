@@ -111,7 +111,7 @@ class Analysis {
   const std::vector<std::vector<Response>>& responses()
       const;  // [hits][channels]; empty for hits rejected by their force
   std::vector<std::vector<Response>> read_responses() const;
-  const std::vector<std::vector<Complex>>& force_spectra() const;  // [hits]
+  const std::vector<Spectrum>& force_spectra() const;  // [hits]; nullptr for those not used
   std::vector<PointFrf> average() const;
   FrfSet frf_set(const std::vector<std::size_t>& hits) const;  // H1 of these hits, by point
   std::vector<std::size_t> accepted_hits() const;
@@ -135,7 +135,7 @@ class Analysis {
   Lazy<LineRange> lines_;
   Lazy<std::size_t> longest_decay_;
   Lazy<std::vector<std::vector<Response>>> responses_;
-  Lazy<std::vector<std::vector<Complex>>> force_spectra_;
+  Lazy<std::vector<Spectrum>> force_spectra_;
   Lazy<std::vector<PointFrf>> frfs_;
   Lazy<FrfSet> fitted_frfs_;
   Lazy<std::vector<Mode>> modes_;

@@ -59,16 +59,16 @@ std::vector<std::vector<Analysis::Response>> Analysis::read_responses() const {
   return out;
 }
 
-const std::vector<std::vector<Complex>>& Analysis::force_spectra() const {
+const std::vector<Spectrum>& Analysis::force_spectra() const {
   return force_spectra_.get([&] {
     const auto& hits = force_hits();
-    std::vector<std::vector<Complex>> spectra(hits.size());
+    std::vector<Spectrum> spectra(hits.size());
     const LineRange& range = lines();
     const double decay = window_decay_per_s();
     parallel_for(hits.size(), options_.threads, [&](std::size_t h) {
       if (!hits[h].accepted) return;
-      spectra[h] =
-          trace_.run("fft", [&] { return force_spectrum(force_block(hits[h].hit, record_.fs_Hz, decay), range); });
+      spectra[h] = trace_.run(
+          "fft", [&] { return shared(force_spectrum(force_block(hits[h].hit, record_.fs_Hz, decay), range)); });
     });
     return spectra;
   });
@@ -90,7 +90,7 @@ std::vector<AnalysedHit> Analysis::graded() const {
   std::vector<HitSpectra> spectra(out.size());
   for (std::size_t h = 0; h < out.size(); ++h) {
     if (!out[h].accepted) continue;
-    spectra[h].force = &force_spectra()[h];
+    spectra[h].force = force_spectra()[h].get();
     for (const Response& response : all[h]) spectra[h].accel.push_back(&response.spectrum);
   }
   trace_.run("agreement", [&] {

@@ -33,7 +33,7 @@ std::vector<PointFrf> Analysis::average() const {
   std::vector<PointFrf> out;
   for (const auto& [point, members] : by_point(hits(), accepted_hits())) {
     std::vector<const std::vector<Complex>*> force;
-    for (const std::size_t h : members) force.push_back(&force_spectra()[h]);
+    for (const std::size_t h : members) force.push_back(force_spectra()[h].get());
     for (std::size_t c = 0; c < record_.accel.size(); ++c) {
       std::vector<const std::vector<Complex>*> accel;
       for (const std::size_t h : members) accel.push_back(&responses()[h][c].spectrum);
@@ -60,13 +60,13 @@ FrfSet Analysis::frf_set(const std::vector<std::size_t>& which) const {
   for (const auto& [point, members] : by_point(hits(), which)) {
     std::vector<ForceBlock> blocks;
     std::vector<double> noise;
-    std::vector<const std::vector<Complex>*> spectra;
+    std::vector<Spectrum> spectra;
     for (const std::size_t h : members) {
       blocks.push_back(force_block(hits()[h].hit, record_.fs_Hz, decay));
       noise.push_back(hits()[h].hit.noise_N);
-      spectra.push_back(&force_spectra()[h]);
+      spectra.push_back(force_spectra()[h]);
     }
-    set.points.push_back(point_force(std::move(blocks), spectra, lines(), median(noise)));
+    set.points.push_back(point_force(std::move(blocks), std::move(spectra), lines(), median(noise)));
     for (std::size_t c = 0; c < record_.accel.size(); ++c) {
       std::vector<const std::vector<Complex>*> accel;
       for (const std::size_t h : members) accel.push_back(&responses()[h][c].spectrum);

@@ -23,14 +23,11 @@ FrfSet frf_set_of(const Record& record, double low_Hz, double high_Hz, double de
   for (std::size_t row = 0; row < record.rows.size(); ++row) points[record.rows[row].point].push_back(row);
   for (const auto& [point, rows] : points) {
     std::vector<ForceBlock> blocks;
-    std::vector<std::vector<Complex>> force;
+    std::vector<Spectrum> force;
     for (const std::size_t row : rows) {
       blocks.push_back(force_block(whole_row(record, row), record.fs_Hz, decay_per_s));
-      force.push_back(force_spectrum(blocks.back(), set.lines));
+      force.push_back(shared(force_spectrum(blocks.back(), set.lines)));
     }
-    std::vector<const std::vector<Complex>*> to_force;
-    to_force.reserve(force.size());
-    for (const auto& spectrum : force) to_force.push_back(&spectrum);
     for (std::size_t c = 0; c < record.accel.size(); ++c) {
       std::vector<Complex> h(set.lines.count);
       std::vector<double> power(set.lines.count);
@@ -39,22 +36,22 @@ FrfSet frf_set_of(const Record& record, double low_Hz, double high_Hz, double de
         record.read_accel_mps2(rows[i], c, 0, x);
         const auto a = accel_spectrum(whole_row(record, rows[i]), x, set.lines, decay_per_s);
         for (std::size_t k = 0; k < h.size(); ++k) {
-          h[k] += std::conj(force[i][k]) * a[k];
-          power[k] += std::norm(force[i][k]);
+          h[k] += std::conj((*force[i])[k]) * a[k];
+          power[k] += std::norm((*force[i])[k]);
         }
       }
       for (std::size_t k = 0; k < h.size(); ++k) h[k] /= power[k];
       set.outputs.push_back({.point = set.points.size(), .channel = c, .frf = h});
     }
-    set.points.push_back(point_force(blocks, to_force, set.lines, 0));
+    set.points.push_back(point_force(blocks, force, set.lines, 0));
   }
   return set;
 }
 
 FrfSet empty_set(double fs_Hz, std::size_t samples, double low_Hz, double high_Hz, std::size_t channels) {
   FrfSet set{.lines = lines_in_band(fs_Hz, samples, low_Hz, high_Hz)};
-  const std::vector<Complex> flat(set.lines.count, Complex(1, 0));
-  set.points.push_back(point_force({{.force_N = {1}}}, {&flat}, set.lines, 0));
+  const Spectrum flat = shared(std::vector<Complex>(set.lines.count, Complex(1, 0)));
+  set.points.push_back(point_force({{.force_N = {1}}}, {flat}, set.lines, 0));
   for (std::size_t c = 0; c < channels; ++c)
     set.outputs.push_back({.point = 0, .channel = c, .frf = std::vector<Complex>(set.lines.count)});
   return set;
