@@ -8,6 +8,7 @@ import tempfile
 import h5py
 import numpy as np
 import scipy.io
+import scipy.io.wavfile
 
 PERCUSS = os.environ["PERCUSS"]
 results = []
@@ -91,6 +92,29 @@ def main():
             check("percuss writes FRFs as HDF5, h5py reads them", np.array_equal(file["frf"][()], frf))
         check("percuss writes FRFs as MAT, SciPy reads them",
               np.array_equal(scipy.io.loadmat(at("again.mat"))["frf"], frf))
+
+        # Sound files: SciPy and SoX, both ways. Numbers of 16 and 32 bits, exactly; the hammer is on the first channel.
+        steps = random.integers(-2**15, 2**15, size=(200, 3))
+        roles = ("--force-channel", "1", "--accel-channel", "2,3")
+        parts = steps / 2.0**15
+        scipy.io.wavfile.write(at("scipy.wav"), 1000, steps.astype(np.int16))
+        check("SciPy writes a WAV file, percuss reads it",
+              same_samples(at("scipy.wav"), parts[:, 0], parts[:, 1:].T, scratch, *roles))
+        for kind, more in (("wav", ["-b", "24"]), ("wav", ["-e", "float"]), ("w64", [])):
+            subprocess.run(["sox", at("scipy.wav"), *more, at("sox." + kind)], check=True)
+            check("SoX writes %s %s, percuss reads it" % (kind.upper(), " ".join(more)),
+                  same_samples(at("sox." + kind), parts[:, 0], parts[:, 1:].T, scratch, *roles))
+        percuss("convert", at("scipy.wav"), at("parts.h5"), *roles)
+        percuss("convert", at("parts.h5"), at("ours.wav"))
+        rate, seen = scipy.io.wavfile.read(at("ours.wav"))
+        check("percuss writes a WAV file, SciPy reads it", rate == 1000 and np.array_equal(seen, parts))
+        subprocess.run(["sox", "-D", at("ours.wav"), "-b", "16", at("back.wav")], check=True)
+        check("percuss writes a WAV file, SoX reads it",
+              np.array_equal(scipy.io.wavfile.read(at("back.wav"))[1], steps))
+        # SoX takes the numbers of a W64 file for integers.
+        percuss("convert", at("scipy.wav"), at("ours.w64"), "--quiet", *roles, "--force-scale", str(2**31), "--accel-scale", str(2**31))
+        subprocess.run(["sox", "-D", at("ours.w64"), "-b", "16", at("back.wav")], check=True)
+        check("percuss writes a W64 file, SoX reads it", np.array_equal(scipy.io.wavfile.read(at("back.wav"))[1], steps))
 
         # Octave, both ways.
         for level in ("-v7", "-v6", "-v4"):

@@ -23,6 +23,8 @@ class BareFftw {
   }
   void fill(const std::vector<double>& x) { std::copy(x.begin(), x.end(), in_); }
   void transform() { fftw_execute(plan_); }
+  /// Of values elsewhere, aligned as fftw_alloc_real does.
+  void transform(double* values) { fftw_execute_dft_r2c(plan_, values, out_); }
 
  private:
   double* in_;

@@ -12,6 +12,8 @@ pkg_check_modules(FFTW3 REQUIRED IMPORTED_TARGET fftw3)
 add_library(FFTW3::fftw3 ALIAS PkgConfig::FFTW3)
 pkg_check_modules(MATIO REQUIRED IMPORTED_TARGET matio>=1.5.23)
 add_library(MATIO::matio ALIAS PkgConfig::MATIO)
+pkg_check_modules(SNDFILE REQUIRED IMPORTED_TARGET sndfile>=1.2)
+add_library(SNDFILE::sndfile ALIAS PkgConfig::SNDFILE)
 
 if(NOT TARGET HDF5::HDF5)
   add_library(percuss_hdf5 INTERFACE)

@@ -82,7 +82,7 @@ TEST_F(HostileInput, RefusesForeignFilesByTheirKind) {
   test::write_bytes(file("lab.mat"), "MATLAB 5.0 MAT-file, Platform: GLNXA64" + std::string(200, ' '));
   expect_every_command_refuses(file("lab.mat"), "MAT file");
   test::write_bytes(file("lab.wav"), "RIFF    WAVEfmt " + std::string(200, '\0'));
-  expect_every_command_refuses(file("lab.wav"), "WAV file");
+  expect_every_command_refuses(file("lab.wav"), "damaged");
 }
 
 TEST_F(HostileInput, RefusesTextThatIsNoTable) {

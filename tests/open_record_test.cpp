@@ -85,7 +85,7 @@ TEST_F(OpenRecord, RefusesWhatCannotComeFromStandardInput) {
 }
 
 TEST_F(OpenRecord, NamesFormatsThatItCannotRead) {
-  EXPECT_THAT(refusal_of("RIFF\x10\x01\x01\x01WAVEfmt "), HasSubstr("a WAV file"));
+  EXPECT_THAT(refusal_of("TDSm\x0E"), HasSubstr("a TDMS file"));
   EXPECT_THAT(refusal_of("PK\x03\x04 rest"), HasSubstr("zip"));
 }
 
@@ -93,6 +93,7 @@ TEST_F(OpenRecord, KnowsFilesByTheirFirstBytesWhateverTheirName) {
   EXPECT_THAT(refusal_of("MATLAB 5.0 MAT-file, Platform"), HasSubstr("the MAT file cannot be read"));
   EXPECT_THAT(refusal_of(std::string("\0\0\0\0\2\0\0\0\2\0\0\0\0\0\0\0\2\0\0\0a\0", 22)),
               HasSubstr("a cannot be read"));
+  EXPECT_THAT(refusal_of("RIFF\x10\x01\x01\x01WAVEfmt "), HasSubstr("damaged: Error in WAV file"));
   EXPECT_THAT(refusal_of("    -1\n    58\n"), HasSubstr("data set 58 is not closed"));
 }
 

@@ -125,7 +125,7 @@ void add_synth(CommandLine& line) {
   command.word("SPEC", flags->spec, "JSON file, name of a preset, or - for standard input");
   command
       .repeatable("-o,--output", flags->outputs,
-                  "record to write (.h5, .csv, .mat, .uff; repeatable); the truth goes to its stem + .truth.json")
+                  "record to write (.h5, .csv, .mat, .uff, .wav; repeatable); the truth goes to its stem + .truth.json")
       .type("FILE");
   command.value("--seed", flags->seed, "use this seed instead of the spec's").type("N");
   command.value("--threads", flags->threads, "threads to use (0: all); the samples do not depend on it").type("N");

@@ -10,8 +10,10 @@
 #include "acquire/read_hdf5.hpp"
 #include "acquire/read_lvm.hpp"
 #include "acquire/read_mat.hpp"
+#include "acquire/read_sound.hpp"
 #include "acquire/read_uff.hpp"
 #include "acquire/record.hpp"
+#include "acquire/sound_file.hpp"
 #include "core/error.hpp"
 
 namespace percuss {
@@ -28,9 +30,6 @@ struct Magic {
 
 // What instruments also write, by its first bytes.
 constexpr std::array kNotReadable = {
-    Magic{"RIFF", "a WAV file"},
-    Magic{"RF64", "an RF64 sound file"},
-    Magic{"riff\x2E\x91\xCF\x11", "a W64 sound file"},
     Magic{"TDSm", "a TDMS file"},
     Magic{"PK\x03\x04", "a zip archive (xlsx and npz are such)"},
     Magic{"\xD0\xCF\x11\xE0", "an old Excel file"},
@@ -58,6 +57,7 @@ FileBytes read_text(const std::string& path) {
                          "give the file's name");
       }
       if (is_mat(head)) throw InputError("a MAT file cannot be read from a pipe", input_name("-"), "give its name");
+      if (is_sound(head)) throw InputError("a sound file cannot be read from a pipe", input_name("-"), "give its name");
       refuse_foreign(head, input_name("-"));
       if (!is_universal_file(head)) require_text(head, input_name("-"));
     };
@@ -78,12 +78,13 @@ Record open_text(const FileBytes& bytes, const ReadOptions& options) {
 Record open_record(const std::string& path, const ReadOptions& options) {
   if (path != "-") {
     const std::string head = first_bytes(path, kOpenHead_bytes);
-    if (options.confined && (is_mat(head) || is_hdf5(path))) {
+    if (options.confined && (is_mat(head) || is_sound(head) || is_hdf5(path))) {
       ReadOptions within = options;
       within.confined = false;
       return open_confined(path, [&] { return open_record(path, within); });
     }
     if (is_mat(head)) return open_mat(read_mat_file(path), options);
+    if (is_sound(head)) return open_sound(path, options);
     if (is_hdf5(path)) return open_hdf5(path, options);
   }
   return open_text(read_text(path), options);

@@ -14,6 +14,7 @@
 #include "acquire/read_mat.hpp"
 #include "acquire/read_uff.hpp"
 #include "acquire/signal_choice.hpp"
+#include "acquire/sound_file.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
 #include "frf/confined_measurement.hpp"
@@ -164,13 +165,15 @@ LineRange lines_of(const std::vector<double>& freq_Hz, const std::string& where)
 
 std::variant<Record, FrfRecord> open_measurement(const std::string& path, const FrfReadOptions& options) {
   constexpr std::size_t kHead_bytes = 4096;
-  const bool mat = path != "-" && is_mat(first_bytes(path, kHead_bytes));
+  const std::string head = path != "-" ? first_bytes(path, kHead_bytes) : "";
+  const bool mat = is_mat(head);
   if (options.read.confined && path != "-" && (mat || is_hdf5(path))) {
     FrfReadOptions within = options;
     within.read.confined = false;
     return open_measurement_confined(path, [&] { return open_measurement(path, within); });
   }
   if (!mat) refuse_variable_names(options.read, path);
+  if (is_sound(head)) return open_record(path, options.read);
   if (mat) {
     MatFile file = read_mat_file(path);
     if (auto frfs = read_frf_mat(file, options)) return finished_frfs(std::move(*frfs), without_places(options));

@@ -1,0 +1,99 @@
+#include "acquire/sound_calibration.hpp"
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "acquire/strict_json.hpp"
+#include "core/error.hpp"
+
+namespace percuss {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kLargestScale = 1e15;
+
+void read_calibrated(StrictObject& o, SoundCalibration::Signal& signal) {
+  std::string measures = "acceleration";
+  o.read("name", signal.name);
+  o.read("measures", measures);
+  if (measures == "force") {
+    signal.measures = Quantity::force;
+  } else if (measures != "acceleration") {
+    o.fail("neither \"force\" nor \"acceleration\"", "measures", "write one of them");
+  }
+  o.need("si_at_full_scale");
+  o.read_within("si_at_full_scale", -kLargestScale, kLargestScale, signal.to_SI);
+  o.read("angle_rad", signal.angle_rad);
+  o.read("position_m", signal.position_m);
+}
+
+// Counts may be negative in other formats.
+void read_whole(StrictObject& o, const char* key, int& to) {
+  double value = to;
+  o.read_within(key, std::numeric_limits<int>::min(), std::numeric_limits<int>::max(), value);
+  if (value != std::round(value)) o.fail("no whole number", key, "number points and runs");
+  to = static_cast<int>(value);
+}
+
+void read_geometry(StrictObject& o, std::vector<std::vector<double>>& geometry) {
+  std::vector<double> values;
+  std::size_t coordinates = 3;
+  o.read("geometry_m", values);
+  o.read("coordinates", coordinates);
+  if (coordinates < 2 || coordinates > 3 || values.size() % coordinates != 0)
+    o.fail("not 2 or 3 coordinates for every point", "geometry_m", "write them point by point");
+  for (std::size_t i = 0; i < values.size(); i += coordinates)
+    geometry.emplace_back(&values[i], &values[i] + coordinates);
+}
+
+}  // namespace
+
+std::string calibration_text(const SoundCalibration& calibration) {
+  Json signals = Json::array(), rows = Json::array();
+  for (const SoundCalibration::Signal& signal : calibration.signals) {
+    Json one{{"name", signal.name},
+             {"measures", signal.measures == Quantity::force ? "force" : "acceleration"},
+             {"si_at_full_scale", signal.to_SI}};
+    if (signal.angle_rad) one["angle_rad"] = *signal.angle_rad;
+    if (signal.position_m) one["position_m"] = *signal.position_m;
+    signals.push_back(std::move(one));
+  }
+  for (const RowInfo& row : calibration.rows)
+    rows.push_back({{"samples", row.samples}, {"point", row.point}, {"run", row.run}});
+  Json out{{"fs_hz", calibration.fs_Hz},
+           {"continuous", calibration.continuous},
+           {"signals", std::move(signals)},
+           {"rows", std::move(rows)}};
+  if (!calibration.geometry.empty()) {
+    out["coordinates"] = calibration.geometry.front().size();
+    out["geometry_m"] = Json::array();
+    for (const auto& point : calibration.geometry) {
+      for (const double coordinate : point) out["geometry_m"].push_back(coordinate);
+    }
+  }
+  return out.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+SoundCalibration parse_calibration(std::string_view text, const std::string& where) {
+  SoundCalibration out;
+  const StrictText strict{.text = text, .where = where, .example = "percuss convert RECORD x.wav"};
+  read_strict_json(strict, [&](StrictObject& o) {
+    o.read("fs_hz", out.fs_Hz);
+    o.read("continuous", out.continuous);
+    o.need("signals");
+    o.read_list("signals", [&](StrictObject& item) { read_calibrated(item, out.signals.emplace_back()); });
+    o.read_list("rows", [&](StrictObject& item) {
+      RowInfo& row = out.rows.emplace_back();
+      item.need("samples");
+      item.read("samples", row.samples);
+      read_whole(item, "point", row.point);
+      read_whole(item, "run", row.run);
+    });
+    read_geometry(o, out.geometry);
+  });
+  return out;
+}
+
+}  // namespace percuss
