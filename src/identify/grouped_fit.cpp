@@ -136,10 +136,8 @@ void GroupedFit::sweep() {
       FitGroup& group = groups_[g];
       auto data = remainder(group);
       if (unchanged(g, data)) continue;
-      const bool first_fit = group.fit.noise.size() == 0;
       // A first residual tells each output's noise here, which is not the noise elsewhere.
-      if (first_fit) group.fit = fit(group, data, group.fit.poles, noise(group), kRoughly);
-      if (first_fit && !last) continue;
+      if (group.fit.noise.size() == 0) group.fit = fit(group, data, group.fit.poles, noise(group), kRoughly);
       group.fit = fit(group, data, group.fit.poles, weights_from(group));
       fitted_to_[g] = std::move(data);
     }

@@ -262,10 +262,12 @@ class PeakFit {
         if (!moving.empty()) move(found.back(), moving[m]);
       }
     }
-    if (!options_.modes || *options_.modes >= found.size()) return found;
-    std::stable_sort(found.begin(), found.end(),
-                     [](const PeakMode& a, const PeakMode& b) { return a.stands_out > b.stands_out; });
-    found.resize(*options_.modes);
+    if (options_.modes && *options_.modes < found.size()) {
+      std::stable_sort(found.begin(), found.end(),
+                       [](const PeakMode& a, const PeakMode& b) { return a.stands_out > b.stands_out; });
+      found.resize(*options_.modes);
+    }
+    // Poles fitted together may have passed each other.
     std::sort(found.begin(), found.end(),
               [](const PeakMode& a, const PeakMode& b) { return a.mode.pole.freq_Hz < b.mode.pole.freq_Hz; });
     return found;
