@@ -78,6 +78,7 @@ TEST_F(SoundRecord, IsReadFromEveryWidthAndByteOrder) {
     for (const bool big : {false, true}) {
       SCOPED_TRACE(testing::Message() << bits << (big ? " big" : " little"));
       std::vector<int> shifted;
+      shifted.reserve(values.size());
       for (const int value : values) shifted.push_back(value * (1 << (bits - 8)));
       const Record record = opened(wav({.bits = bits, .big = big}, integers(shifted, bits / 8, big)), kHammerOnOne);
       EXPECT_EQ(record.format, "WAV");

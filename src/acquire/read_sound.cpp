@@ -26,9 +26,10 @@ void describe_uncalibrated(const SoundInput& sound, const ReadOptions& options, 
   table.continuous = true;
   for (std::size_t c = 0; c < sound.channels(); ++c)
     table.signals.push_back({.name = fmt::format("channel {}", c + 1)});
-  if (!scale_told(options))
+  if (!scale_told(options)) {
     table.notes.emplace_back(
         "stored numbers are parts of full scale: give N and m/s^2 at full scale with --force-scale and --accel-scale");
+  }
 }
 
 // Rows end to end; a file that ends early keeps what is there.
