@@ -21,7 +21,7 @@ void read_calibrated(StrictObject& o, SoundCalibration::Signal& signal) {
   if (measures == "force") {
     signal.measures = Quantity::force;
   } else if (measures != "acceleration") {
-    o.fail(R"(neither "force" nor "acceleration"), "measures", "write one of them");
+    o.fail(R"(neither "force" nor "acceleration")", "measures", "write one of them");
   }
   o.need("si_at_full_scale");
   o.read_within("si_at_full_scale", -kLargestScale, kLargestScale, signal.to_SI);
