@@ -126,6 +126,15 @@ TEST_F(SoundRecord, IsCalibratedByItsChunk) {
   EXPECT_THAT(accel_mps2(record, 0, 1), ElementsAre(-25, 0));
 }
 
+TEST_F(SoundRecord, TakesTheOtherChannelsForSensorsOnceTheHammerIsNamed) {
+  const std::string bytes = wav({.channels = 3}, integers({1 << 14, 0, 1 << 13, 0, 1 << 14, 0}, 2));
+  const Record record = opened(bytes, {.force_channel = "2"});
+  EXPECT_EQ(record.force.name, "channel 2");
+  ASSERT_EQ(record.accel.size(), 2U);
+  EXPECT_THAT(force_N(record), ElementsAre(0, 0.5));
+  EXPECT_THAT(accel_mps2(record, 1), ElementsAre(0.25, 0));
+}
+
 TEST_F(SoundRecord, AsksWhichChannelIsTheHammer) {
   EXPECT_THROW(opened(wav({}, integers({1, 2, 3, 4}, 2))), UnclearColumns);
 }

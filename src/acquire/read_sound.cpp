@@ -24,8 +24,11 @@ void describe_uncalibrated(const SoundInput& sound, const ReadOptions& options, 
   table.fs_Hz = sound.rate_Hz();
   table.rows.push_back({.samples = sound.frames()});
   table.continuous = true;
-  for (std::size_t c = 0; c < sound.channels(); ++c)
+  for (std::size_t c = 0; c < sound.channels(); ++c) {
     table.signals.push_back({.name = fmt::format("channel {}", c + 1)});
+    // Once the hammer is named, what else was recorded are its sensors.
+    if (!options.force_channel.empty()) table.signals.back().measures = Quantity::acceleration;
+  }
   if (!scale_told(options)) {
     table.notes.emplace_back(
         "stored numbers are parts of full scale: give N and m/s^2 at full scale with --force-scale and --accel-scale");
