@@ -97,7 +97,7 @@ TEST(ChannelSetup, NamesTheKeyThatIsWrong) {
   EXPECT_THAT(refusal_of(R"([{"name": "a"}, {"name": "A"}])"), HasSubstr("two entries"));
   EXPECT_THAT(refusal_of(R"([{"name": "a", "role": "force"}, {"name": "b", "role": "force"}])"),
               HasSubstr("second force"));
-  EXPECT_THAT(refusal_of(R"([{"name": "a", "sign": 1, "sign": -1}])"), HasSubstr("\"sign\" stands twice"));
+  EXPECT_THAT(refusal_of(R"([{"name": "a", "sign": 1, "sign": -1}])"), HasSubstr("\"sign\" is given twice"));
 }
 
 TEST(ChannelSetup, RefusesWhatIsNoSetUp) {

@@ -10,6 +10,7 @@
 
 #include "acquire/csv_header.hpp"
 #include "acquire/input_file.hpp"
+#include "acquire/json_text.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
 
@@ -25,35 +26,11 @@ constexpr std::size_t kMostChannels = 4096;
 constexpr std::array<std::string_view, 9> kSetupKeys = {
     "name", "role", "sign", "direction", "angle_deg", "position_m", "sensitivity", "sensitivity_unit", "unit"};
 
-// nlohmann keeps the last of two equal keys: a set-up that says two things must not be read as one of them.
-class KeyWatch {
- public:
-  explicit KeyWatch(std::string where) : where_(std::move(where)) {}
-
-  bool operator()(int depth, Json::parse_event_t event, Json& parsed) {
-    if (depth > kDeepest) throw InputError("nested deeper than 16", where_, "write an array of objects");
-    if (event == Json::parse_event_t::object_start) keys_.emplace_back();
-    if (event == Json::parse_event_t::object_end) keys_.pop_back();
-    if (event == Json::parse_event_t::key && !keys_.back().insert(parsed.get<std::string>()).second) {
-      throw InputError("key \"" + one_line(parsed.get<std::string>(), 40) + "\" stands twice in one object", where_,
-                       "keep one");
-    }
-    return true;
-  }
-
- private:
-  std::string where_;
-  std::vector<std::set<std::string>> keys_;
-};
-
 Json parse_json(std::string_view text, const std::string& where) {
   if (text.size() > kLargestSetup_bytes)
     throw InputError("longer than 1 MiB", where, "keep only the channels' entries");
-  try {
-    return Json::parse(text.begin(), text.end(), KeyWatch(where));
-  } catch (const Json::parse_error& error) {
-    throw InputError(fmt::format("not valid JSON at byte {}", error.byte), where, "see percuss info --example");
-  }
+  check_json({.text = text, .where = where, .remedy = "see percuss info --example", .max_depth = kDeepest});
+  return Json::parse(text.begin(), text.end());
 }
 
 // One entry, with its place for messages: "[2].sign".

@@ -10,6 +10,7 @@
 #include "acquire/csv_header.hpp"
 #include "acquire/hdf5_handle.hpp"
 #include "acquire/input_file.hpp"
+#include "acquire/mat_extent.hpp"
 #include "core/error.hpp"
 
 namespace percuss {
@@ -222,6 +223,8 @@ MatFile read_mat_file(const std::string& path) {
   Mat_LogInitFunc("percuss", ignore_log);
   const std::unique_ptr<mat_t, CloseMat> file(Mat_Open(path.c_str(), MAT_ACC_RDONLY));
   if (!file) throw InputError("the MAT file cannot be read", path, "is it damaged? Save it again");
+  if (Mat_GetVersion(file.get()) == MAT_FT_MAT5) require_whole_mat(path, MatLevel::v5);
+  if (Mat_GetVersion(file.get()) == MAT_FT_MAT4) require_whole_mat(path, MatLevel::v4);
   Flattener flatten(out, kUnpackedTimes * out.bytes + kUnpackedMore_bytes);
   while (true) {
     const std::unique_ptr<matvar_t, FreeMat> variable(Mat_VarReadNextInfo(file.get()));

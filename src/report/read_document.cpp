@@ -105,23 +105,26 @@ void add_impacts(const Part& part, ComparedDocument& document) {
 }  // namespace
 
 std::vector<ComparedDocument> read_documents(const std::string& path) {
-  const FileBytes bytes = read_input(path, kLargest_bytes);
-  const std::string name = input_name(path);
-  if (bytes.size == 0) throw InputError("the file is empty", name, "write it again");
-  const std::string_view text = bytes.view();
-  check_json(
-      {.text = text, .where = name, .remedy = "give a document that percuss wrote with --json", .max_depth = kDeepest});
+  return parse_documents(read_input(path, kLargest_bytes).view(), input_name(path));
+}
+
+std::vector<ComparedDocument> parse_documents(std::string_view text, const std::string& where) {
+  if (text.empty()) throw InputError("the file is empty", where, "write it again");
+  check_json({.text = text,
+              .where = where,
+              .remedy = "give a document that percuss wrote with --json",
+              .max_depth = kDeepest});
   const nlohmann::json value = nlohmann::json::parse(text.begin(), text.end());
-  const Part top(value, name);
+  const Part top(value, where);
   const std::string schema = top.at("schema").text();
   if (schema == "percuss/analysis/1") {
-    if (!top.has("runs")) return {analysis_in(top, name, schema)};
+    if (!top.has("runs")) return {analysis_in(top, where, schema)};
     std::vector<ComparedDocument> documents;
     for (const Part& run : top.at("runs").list())
-      documents.push_back(analysis_in(run, fmt::format("{} run {}", name, documents.size()), schema));
+      documents.push_back(analysis_in(run, fmt::format("{} run {}", where, documents.size()), schema));
     return documents;
   }
-  ComparedDocument document{.name = name, .schema = schema, .model = true, .modes = {}, .deflections = {}};
+  ComparedDocument document{.name = where, .schema = schema, .model = true, .modes = {}, .deflections = {}};
   if (schema == "percuss/deflection/1") {
     document.model = false;
     add_deflections(top, document);
@@ -132,7 +135,7 @@ std::vector<ComparedDocument> read_documents(const std::string& path) {
   } else if (schema == "percuss/model-shell/1") {
     document.modes = frequencies_in(top.at("flugge_hz"), "hoop");
   } else {
-    throw InputError("a " + one_line(schema, 60) + " has neither modes nor deflections", name,
+    throw InputError("a " + one_line(schema, 60) + " has neither modes nor deflections", where,
                      "give what analyze, survey, deflect, or model beam, impact, bat or shell wrote with --json");
   }
   return {document};

@@ -1,0 +1,51 @@
+#include <algorithm>
+
+#include "acquire/mat_file.hpp"
+#include "acquire/read_mat.hpp"
+#include "frf/read_frf_mat.hpp"
+#include "recipe.hpp"
+#include "targets.hpp"
+
+namespace percuss::fuzz {
+namespace {
+
+//   real NAME SHAPE [nan] | complex NAME SHAPE [nan] | number NAME VALUES | text NAME TEXT
+MatVariable variable_of(const RecipeLine& line) {
+  MatVariable out{.name = line.word(1), .shape = {}, .real = {}, .imaginary = {}, .text = {}};
+  const std::string kind = line.word(0);
+  if (kind == "text") {
+    out.is_text = true;
+    out.text = line.word(2);
+    out.shape = {1, out.text.size()};
+  } else if (kind == "number") {
+    out.real = line.numbers(2);
+    out.shape = {out.real.size(), 1};
+  } else {
+    std::size_t count = 1;
+    for (const std::size_t size : line.sizes(2, kMostElements)) {
+      out.shape.push_back(count * size <= kMostElements ? size : 1);
+      count *= out.shape.back();
+    }
+    while (out.shape.size() < 2) out.shape.push_back(1);
+    out.real = recipe_values(count, line.has("nan"));
+    if (kind == "complex") out.imaginary = recipe_values(count, false);
+  }
+  return out;
+}
+
+}  // namespace
+
+// What a MAT file's variables mean, whatever they are.
+void run_mat(std::string_view bytes) {
+  MatFile file{.path = "fuzzed", .bytes = bytes.size(), .variables = {}, .notes = {}};
+  for (const RecipeLine& line : recipe_lines(bytes)) file.variables.push_back(variable_of(line));
+  const ReadOptions insisting = insisting_options();
+  for (const ReadOptions& options : {ReadOptions{}, insisting}) {
+    accepted([&] {
+      if (auto frfs = read_frf_mat(file, {.read = options, .kind = {}})) finished_frfs(std::move(*frfs), {});
+    });
+    accepted([&] { read_all(open_mat(file, options)); });
+  }
+}
+
+}  // namespace percuss::fuzz

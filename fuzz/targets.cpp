@@ -1,0 +1,84 @@
+#include "targets.hpp"
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <vector>
+
+namespace percuss::fuzz {
+
+std::span<const Target> targets() {
+  static constexpr std::array kTargets{
+      Target{"csv", run_csv},
+      Target{"lvm", run_lvm},
+      Target{"uff", run_uff},
+      Target{"frf_text", run_frf_text},
+      Target{"mat", run_mat},
+      Target{"hdf5", run_hdf5},
+      Target{"sound_calibration", run_sound_calibration},
+      Target{"foreign", run_foreign},
+      Target{"channel_setup", run_channel_setup},
+      Target{"synth_spec", run_synth_spec},
+      Target{"bats", run_bats},
+      Target{"tables", run_tables},
+      Target{"document", run_document},
+  };
+  return kTargets;
+}
+
+FileBytes as_file(std::string_view bytes) {
+  const std::shared_ptr<char[]> copy(new char[bytes.size()]);
+  std::copy(bytes.begin(), bytes.end(), copy.get());
+  return {.path = "fuzzed", .data = {copy, copy.get()}, .size = bytes.size()};
+}
+
+NamelessFile::NamelessFile(std::string_view bytes) : descriptor_(::memfd_create("fuzzed", MFD_CLOEXEC)) {
+  if (descriptor_ < 0 || ::write(descriptor_, bytes.data(), bytes.size()) != static_cast<ssize_t>(bytes.size())) {
+    std::perror("memfd");
+    std::abort();
+  }
+}
+
+NamelessFile::~NamelessFile() { ::close(descriptor_); }
+
+std::string NamelessFile::path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
+
+ReadOptions insisting_options() {
+  return {.fs_Hz = 1000, .force_channel = "1", .accel_channels = {"2"}, .force_scale = {2}, .accel_scale = {3}};
+}
+
+void read_all(const Record& record) {
+  constexpr std::size_t kBlock = 1000;  // no multiple of the readers' own
+  std::vector<double> block;
+  for (std::size_t row = 0; row < record.rows.size(); ++row) {
+    for (std::size_t first = 0; first < record.rows[row].samples; first += kBlock) {
+      block.resize(std::min(kBlock, record.rows[row].samples - first));
+      record.read_force_N(row, first, block);
+      for (std::size_t channel = 0; channel < record.accel.size(); ++channel)
+        record.read_accel_mps2(row, channel, first, block);
+    }
+  }
+}
+
+void read_all(const std::variant<Record, FrfRecord>& measurement) {
+  if (const auto* record = std::get_if<Record>(&measurement)) read_all(*record);
+}
+
+void require_clean(const std::exception& refusal) {
+  constexpr std::size_t kLongest = 2000;
+  const std::string_view message = refusal.what();
+  const bool printable = std::none_of(message.begin(), message.end(), [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return byte < 0x20 || byte == 0x7F;
+  });
+  if (printable && !message.empty() && message.size() <= kLongest) return;
+  std::fprintf(stderr, "not one clean line: %s\n", refusal.what());
+  std::abort();
+}
+
+}  // namespace percuss::fuzz

@@ -1,0 +1,46 @@
+#include "acquire/read_csv.hpp"
+#include "acquire/read_lvm.hpp"
+#include "acquire/read_uff.hpp"
+#include "acquire/uff_context.hpp"
+#include "frf/read_frf_text.hpp"
+#include "frf/read_frf_uff.hpp"
+#include "targets.hpp"
+
+namespace percuss::fuzz {
+namespace {
+
+using Open = Record (*)(const FileBytes&, const ReadOptions&);
+
+void run_record(std::string_view bytes, Open open) {
+  const FileBytes file = as_file(bytes);
+  if (accepted([&] { read_all(open(file, {})); })) return;
+  accepted([&] { read_all(open(file, insisting_options())); });
+}
+
+void finish(std::optional<StoredFrfs> found) {
+  if (found) finished_frfs(std::move(*found), {});
+}
+
+}  // namespace
+
+void run_csv(std::string_view bytes) { run_record(bytes, open_csv); }
+
+void run_lvm(std::string_view bytes) { run_record(bytes, open_lvm); }
+
+void run_uff(std::string_view bytes) {
+  const FileBytes file = as_file(bytes);
+  accepted([&] {
+    const UffContents contents = read_uff_contents(file);
+    accepted([&] { finish(read_frf_uff(file, contents, true)); });
+    if (accepted([&] { read_all(open_uff(file, contents, {})); })) return;
+    read_all(open_uff(file, contents, insisting_options()));
+  });
+}
+
+void run_frf_text(std::string_view bytes) {
+  const FileBytes file = as_file(bytes);
+  accepted([&] { finish(read_frf_text(file, false)); });
+  accepted([&] { finish(read_frf_text(file, true)); });
+}
+
+}  // namespace percuss::fuzz
