@@ -21,6 +21,7 @@
 namespace percuss {
 namespace {
 
+constexpr int kNoMemoryExit = 11, kFailedExit = 12;
 constexpr std::size_t kShared = std::size_t{1} << 17U;  // numbers that go over at once: 1 MiB
 
 enum class Outcome : std::uint64_t { good, input_error, unclear, no_memory, other };
@@ -127,8 +128,7 @@ ConfinedProcess::ConfinedProcess(std::string path, const std::function<ConfinedS
   child_ = ::fork();
   if (child_ == 0) {
     ::close(ends[0]);
-    serve(ends[1], open);
-    ::_exit(0);
+    ::_exit(served(ends[1], open));
   }
   ::close(ends[1]);
   descriptor_ = ends[0];
@@ -154,6 +154,18 @@ ConfinedProcess::~ConfinedProcess() {
     ::waitpid(child_, nullptr, 0);
   }
   ::munmap(shared_, kShared * sizeof(double));
+}
+
+// Nothing may leave the child upwards: above it is what the parent does.
+int ConfinedProcess::served(int descriptor, const std::function<ConfinedService()>& open) const {
+  try {
+    serve(descriptor, open);
+    return 0;
+  } catch (const std::bad_alloc&) {
+    return kNoMemoryExit;
+  } catch (...) {
+    return kFailedExit;
+  }
 }
 
 void ConfinedProcess::serve(int descriptor, const std::function<ConfinedService()>& open) const {
@@ -205,12 +217,16 @@ void ConfinedProcess::receive_outcome(std::string& payload) {
         distrust();
       }
     case Outcome::no_memory:
-      throw InputError("reading it needs more memory than four times its size", path_,
-                       "is it damaged? Else give --trust-input");
+      report_no_memory();
     case Outcome::other:
       break;
   }
   throw InputError("it cannot be read: " + one_line(bytes, 200), path_, "is it damaged? Save it again");
+}
+
+void ConfinedProcess::report_no_memory() const {
+  throw InputError("reading it needs more memory than four times its size", path_,
+                   "is it damaged? Else give --trust-input");
 }
 
 void ConfinedProcess::report_death() {
@@ -222,7 +238,10 @@ void ConfinedProcess::report_death() {
     throw InputError("reading it takes longer than any file of its size should", path_,
                      "is it damaged? Else give --trust-input");
   }
-  throw InputError(fmt::format("it makes the library that reads it crash (signal {})", signal), path_,
+  if (known && WIFEXITED(status) && WEXITSTATUS(status) == kNoMemoryExit) report_no_memory();
+  const std::string how =
+      signal != 0 ? fmt::format("signal {}", signal) : fmt::format("exit code {}", known ? WEXITSTATUS(status) : -1);
+  throw InputError("it makes the library that reads it crash (" + how + ")", path_,
                    "it is damaged: save it again, or export another format");
 }
 

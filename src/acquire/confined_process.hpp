@@ -34,9 +34,11 @@ class ConfinedProcess {
   [[noreturn]] void distrust() const;
 
  private:
+  int served(int descriptor, const std::function<ConfinedService()>& open) const;
   void serve(int descriptor, const std::function<ConfinedService()>& open) const;
   void receive_outcome(std::string& payload);
   [[noreturn]] void report_death();
+  [[noreturn]] void report_no_memory() const;
   void receive(void* to, std::size_t bytes);
 
   std::string path_, description_;

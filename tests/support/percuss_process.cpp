@@ -39,16 +39,25 @@ bool give_up_root_rights() {
   return ::prctl(PR_CAPBSET_DROP, CAP_DAC_OVERRIDE) == 0 && ::prctl(PR_CAPBSET_DROP, CAP_DAC_READ_SEARCH) == 0;
 }
 
+// A list as exec takes it.
+std::vector<char*> c_strings(std::vector<std::string>& texts) {
+  std::vector<char*> pointers;
+  pointers.reserve(texts.size() + 1);
+  for (std::string& text : texts) pointers.push_back(text.data());
+  pointers.push_back(nullptr);
+  return pointers;
+}
+
 // Between fork and exec: system calls only.
-[[noreturn]] void become_percuss(char* const* arguments, const ProcessOptions& options, const Pipe& out,
-                                 const Pipe& err) {
+[[noreturn]] void become_percuss(char* const* arguments, char* const* environment, const ProcessOptions& options,
+                                 const Pipe& out, const Pipe& err) {
   const int program = ::open(PERCUSS_EXECUTABLE, O_RDONLY | O_CLOEXEC);
   const int input = ::open(options.input.empty() ? "/dev/null" : options.input.c_str(), O_RDONLY | O_CLOEXEC);
   const int output = options.output.empty() ? out.ends[1] : ::open(options.output.c_str(), O_WRONLY | O_CLOEXEC);
   bool ready = program >= 0 && ::dup2(input, 0) == 0 && ::dup2(output, 1) == 1 && ::dup2(err.ends[1], 2) == 2;
   ready = ready && (options.folder.empty() || ::chdir(options.folder.c_str()) == 0);
   if (options.ordinary_user && ::geteuid() == 0) ready = ready && give_up_root_rights();
-  if (ready) ::fexecve(program, arguments, environ);
+  if (ready) ::fexecve(program, arguments, environment);
   ::_exit(127);
 }
 
@@ -78,14 +87,13 @@ bool read_both(const Pipe& out, const Pipe& err, ProcessOutcome& outcome, Clock:
 ProcessOutcome run_percuss(const std::vector<std::string>& arguments, const ProcessOptions& options) {
   std::vector<std::string> words{"percuss"};
   words.insert(words.end(), arguments.begin(), arguments.end());
-  std::vector<char*> pointers;
-  pointers.reserve(words.size() + 1);
-  for (auto& word : words) pointers.push_back(word.data());
-  pointers.push_back(nullptr);
+  std::vector<std::string> environment = options.environment;
+  for (char** entry = environ; *entry != nullptr; ++entry) environment.emplace_back(*entry);
+  const std::vector<char*> argument_list = c_strings(words), environment_list = c_strings(environment);
   Pipe out, err;
   const pid_t child = ::fork();
   if (child < 0) throw std::runtime_error("no process");
-  if (child == 0) become_percuss(pointers.data(), options, out, err);
+  if (child == 0) become_percuss(argument_list.data(), environment_list.data(), options, out, err);
   out.close_end(1);
   err.close_end(1);
   ProcessOutcome outcome;

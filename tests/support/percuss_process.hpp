@@ -8,11 +8,12 @@ namespace percuss::test {
 
 /// How the percuss program is to be run.
 struct ProcessOptions {
-  std::string input;                // the file that is its standard input; empty: none (/dev/null)
-  std::string output;               // the file that is its standard output; empty: kept in the outcome
-  std::string folder;               // its working folder; empty: this one
-  bool ordinary_user = false;       // give up root's rights first, where the tests have them
-  std::chrono::seconds limit{110};  // sanitized programs are twenty times slower
+  std::string input;                       // the file that is its standard input; empty: none (/dev/null)
+  std::string output;                      // the file that is its standard output; empty: kept in the outcome
+  std::string folder;                      // its working folder; empty: this one
+  std::vector<std::string> environment{};  // NAME=VALUE, beside this process's own
+  bool ordinary_user = false;              // give up root's rights first, where the tests have them
+  std::chrono::seconds limit{110};         // sanitized programs are twenty times slower
 };
 
 /// What it did.

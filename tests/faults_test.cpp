@@ -1,0 +1,124 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "support/percuss_process.hpp"
+#include "support/scratch_folder.hpp"
+#include "support/synthetic_files.hpp"
+
+// What the system does for percuss fails: no memory, a full disk, writes that take less than was asked.
+namespace percuss::faults_test {
+
+namespace fs = std::filesystem;
+using test::bytes_of;
+using test::ProcessOutcome;
+using testing::AnyOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+const std::string kCorpus = PERCUSS_SOURCE_DIR "/fuzz/corpus/";
+
+class Faults : public testing::Test {
+ protected:
+  ProcessOutcome run(const std::vector<std::string>& arguments, const std::string& fault, long number) const {
+    return test::run_percuss(arguments, {.environment = {"LD_PRELOAD=" PERCUSS_FAULTS,
+                                                         "PERCUSS_FAULT_" + fault + "=" + std::to_string(number)}});
+  }
+  std::vector<std::string> files() const {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder_.path())) names.push_back(entry.path().filename());
+    return names;
+  }
+  void clear() const {
+    for (const std::string& name : files()) fs::remove(folder_.file(name));
+  }
+  /// The command with every `step`-th allocation failing, up to where it makes no more.
+  void expect_all_or_nothing(std::vector<std::string> arguments, const std::string& output, long step) const {
+    const std::string path = folder_.file(output);
+    if (!output.empty()) arguments.push_back(path);
+    const ProcessOutcome good = run(arguments, "ALLOCATION", 0);
+    ASSERT_EQ(good.code, 0) << good.err;
+    const std::string whole = output.empty() ? "" : bytes_of(path);
+    int failures = 0, without = 0;
+    for (long n = 1; without < 10; n += step) {
+      SCOPED_TRACE(testing::PrintToString(arguments) + " allocation " + std::to_string(n));
+      clear();
+      const ProcessOutcome outcome = run(arguments, "ALLOCATION", n);
+      ASSERT_EQ(outcome.signal, 0) << outcome.err;
+      if (outcome.code == 0) {  // it did without
+        ++without;
+        ASSERT_EQ(outcome.out, good.out);
+        if (!output.empty()) {
+          ASSERT_EQ(bytes_of(path), whole);
+        }
+        continue;
+      }
+      ++failures;
+      without = 0;
+      ASSERT_THAT(outcome.code, AnyOf(1, 3)) << outcome.err;
+      ASSERT_THAT(outcome.err, HasSubstr("memory"));
+      ASSERT_THAT(files(), IsEmpty());
+    }
+    EXPECT_GT(failures, 10);
+  }
+
+  test::ScratchFolder folder_;
+};
+
+TEST_F(Faults, OfMemoryEndInOneLineAndNoFile) {
+  constexpr long kStep =
+      1009;  // most allocations make the command line; a prime, so that the rest are not always the same
+  expect_all_or_nothing({"info", kCorpus + "csv/record.csv"}, "", kStep);
+  expect_all_or_nothing({"info", kCorpus + "foreign/record.mat"}, "", kStep);
+  expect_all_or_nothing({"convert", kCorpus + "uff/record.uff"}, "out.csv", kStep);
+  expect_all_or_nothing({"convert", kCorpus + "csv/record.csv"}, "out.uff", kStep);
+  expect_all_or_nothing({"convert", kCorpus + "uff/record.uff"}, "out.mat", kStep);
+}
+
+TEST_F(Faults, OfTheDiskLeaveNoFile) {
+  const test::ScratchFolder inputs;
+  test::write_small_test(inputs.file("record.h5"));
+  for (const char* kind : {".csv", ".h5", ".uff", ".mat", ".wav", ".rf64", ".w64"}) {
+    const std::string path = folder_.file(std::string("out") + kind);
+    int failures = 0;
+    for (long n = 1; n < 100; n += 1 + n / 4) {
+      SCOPED_TRACE(kind + std::string(" write ") + std::to_string(n));
+      const ProcessOutcome outcome = run({"convert", inputs.file("record.h5"), path}, "WRITE", n);
+      ASSERT_EQ(outcome.signal, 0);
+      if (outcome.code == 0) break;
+      ++failures;
+      ASSERT_EQ(outcome.code, 3) << outcome.err;
+      ASSERT_THAT(outcome.err, HasSubstr(path));
+      ASSERT_THAT(files(), IsEmpty());
+    }
+    EXPECT_GE(failures, 1) << kind;
+    clear();
+  }
+}
+
+TEST_F(Faults, OfTheDiskLeaveTheOldFile) {
+  const test::ScratchFolder inputs;
+  test::write_small_test(inputs.file("record.h5"));
+  for (const char* kind : {".csv", ".h5", ".uff", ".mat", ".wav"}) {
+    const std::string path = folder_.file(std::string("out") + kind);
+    test::write_bytes(path, "old");
+    EXPECT_EQ(run({"convert", inputs.file("record.h5"), path, "--force"}, "WRITE", 2).code, 3);
+    EXPECT_EQ(bytes_of(path), "old");
+  }
+}
+
+TEST_F(Faults, WritesThatTakeLessAreContinued) {
+  const test::ScratchFolder inputs;
+  test::write_small_test(inputs.file("record.h5"));
+  for (const char* kind : {".csv", ".h5", ".uff", ".mat", ".wav", ".rf64", ".w64"}) {
+    const std::string whole = folder_.file(std::string("whole") + kind),
+                      bits = folder_.file(std::string("bits") + kind);
+    ASSERT_EQ(test::run_percuss({"convert", inputs.file("record.h5"), whole}).code, 0);
+    const ProcessOutcome outcome = run({"convert", inputs.file("record.h5"), bits}, "SHORT", 97);
+    ASSERT_EQ(outcome.code, 0) << kind << outcome.err;
+    EXPECT_TRUE(bytes_of(whole) == bytes_of(bits)) << kind;
+  }
+}
+
+}  // namespace percuss::faults_test
