@@ -12,6 +12,7 @@
 #include <system_error>
 #include <utility>
 
+#include "acquire/sparse_file.hpp"
 #include "core/error.hpp"
 
 namespace percuss {
@@ -123,12 +124,27 @@ FileBytes read_all(const Descriptor& file, std::size_t first_guess, std::uint64_
                        "split it, or save it as HDF5");
     }
   }
-  return {path, buffer.share(), size};
+  return {.path = path, .data = buffer.share(), .size = size};
 }
 
 }  // namespace
 
 std::string input_name(const std::string& path) { return path == "-" ? "standard input" : path; }
+
+int open_regular_file(const std::string& path, std::uint64_t limit_bytes, std::uint64_t& size_bytes) {
+  const int number = open_regular(path, size_bytes);
+  const Descriptor guard{size_bytes > limit_bytes ? number : -1, true};
+  if (size_bytes > limit_bytes) {
+    throw InputError(fmt::format("longer than {} MiB", limit_bytes >> 20U), path, "split it, or save it as HDF5");
+  }
+  return number;
+}
+
+FileBytes sparse_input(const std::string& path, std::uint64_t limit_bytes) {
+  const auto file = std::make_shared<SparseFile>(path, limit_bytes);
+  file->load(0, kHead_bytes);
+  return {.path = path, .data = {file, file->data()}, .size = file->size(), .sparse = file};
+}
 
 std::string first_bytes(const std::string& path, std::size_t count) {
   std::uint64_t size = 0;
@@ -141,10 +157,7 @@ std::string first_bytes(const std::string& path, std::size_t count) {
 FileBytes read_input(const std::string& path, std::uint64_t limit_bytes, const LookAtHead& look) {
   if (path == "-") return read_all(Descriptor{STDIN_FILENO, false}, 0, limit_bytes, look, path);
   std::uint64_t size = 0;
-  const Descriptor file{open_regular(path, size), true};
-  if (size > limit_bytes) {
-    throw InputError(fmt::format("longer than {} MiB", limit_bytes >> 20U), path, "split it, or save it as HDF5");
-  }
+  const Descriptor file{open_regular_file(path, limit_bytes, size), true};
   // One byte more than the file has, so that its end is seen without growing.
   const auto guess = static_cast<std::size_t>(std::min<std::uint64_t>(size + 1, kLargestFirstGuess_bytes));
   return read_all(file, guess, limit_bytes, look, path);

@@ -65,7 +65,8 @@ FileBytes read_text(const std::string& path) {
   }
   const std::string head = first_bytes(path, kOpenHead_bytes);
   refuse_foreign(head, path);
-  if (!is_universal_file(head)) require_text(head, path);
+  if (is_universal_file(head)) return sparse_input(path, kLargestText_bytes);
+  require_text(head, path);
   return read_input(path, kLargestText_bytes);
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "acquire/sparse_file.hpp"
 #include "core/error.hpp"
 
 namespace percuss {
@@ -11,6 +12,8 @@ namespace {
 
 constexpr std::size_t kPadding_bytes = 64;  // after binary data: zeros to an even number of values, line ends
 constexpr std::size_t kBinaryHeaderLines = 11, kRecord7 = 6;
+constexpr std::size_t kManyBytes = std::size_t{1} << 16U, kLook_bytes = 4096;
+constexpr std::size_t kSpacingColumn = 20;  // of record 7
 constexpr std::size_t kMostSets = 4'000'000;
 
 bool is_delimiter(std::string_view line) {
@@ -23,9 +26,34 @@ bool delimiter_follows(std::string_view rest) {
   return is_delimiter(take_uff_line(rest));
 }
 
+// Loads a file ahead of whoever looks at it.
+class Ahead {
+ public:
+  explicit Ahead(const FileBytes& file) : file_(file), end_(file.sparse ? 0 : file.size) {}
+
+  bool needed() const { return end_ < file_.size; }
+  void load_to(std::size_t end) {
+    if (end <= end_) return;
+    file_.sparse->load(end_, end);
+    end_ = std::min(end, file_.size);
+  }
+  // At least the whole line that begins at `first`.
+  void load_line(std::size_t first) {
+    constexpr std::size_t kStep_bytes = std::size_t{1} << 16U;
+    while (needed() && file_.view().substr(first, end_ - std::min(end_, first)).find('\n') == std::string_view::npos)
+      load_to(end_ + kStep_bytes);
+  }
+  // What lies before `first` stays where it is.
+  void skip_to(std::size_t first) { end_ = std::max(end_, first); }
+
+ private:
+  const FileBytes& file_;
+  std::size_t end_;  // what comes after is still to be loaded
+};
+
 class Splitter {
  public:
-  explicit Splitter(const FileBytes& file) : file_(file), rest_(file.view()) {}
+  explicit Splitter(const FileBytes& file) : file_(file), ahead_(file), rest_(file.view()) {}
 
   std::vector<UffSet> split() {
     std::vector<UffSet> sets;
@@ -42,17 +70,24 @@ class Splitter {
     throw InputError(problem, uff_place(file_, at), "export the file again");
   }
 
+  std::size_t offset() const { return static_cast<std::size_t>(rest_.data() - file_.view().data()); }
+
+  std::string_view take_line() {
+    if (ahead_.needed()) ahead_.load_line(offset());
+    return take_uff_line(rest_);
+  }
+
   // Skips what stands between data sets; false at the end of the file.
   bool next_delimiter() {
     while (!rest_.empty()) {
-      if (is_delimiter(take_uff_line(rest_))) return true;
+      if (is_delimiter(take_line())) return true;
     }
     return false;
   }
 
   UffSet take_set() {
     const std::string_view start = rest_;
-    const std::string_view line = take_uff_line(rest_);
+    const std::string_view line = take_line();
     UffFields fields(line);
     const auto number = fields.integer(6);
     if (!number || *number < 0 || *number > 1'000'000) fail("a data set's number cannot be read", start);
@@ -71,7 +106,7 @@ class Splitter {
     const std::string_view body = rest_;
     while (!rest_.empty()) {
       const std::string_view before = rest_;
-      if (!is_delimiter(take_uff_line(rest_))) continue;
+      if (!is_delimiter(take_line())) continue;
       set.text = body.substr(0, body.size() - before.size());
       return;
     }
@@ -90,16 +125,31 @@ class Splitter {
     std::string_view record7;
     const std::size_t count = set.number == 58 ? kBinaryHeaderLines : static_cast<std::size_t>(*lines);
     for (std::size_t i = 0; i < count; ++i) {
-      const std::string_view line = take_uff_line(rest_);
+      const std::string_view line = take_line();
       if (i == kRecord7) record7 = line;
     }
     set.text = body.substr(0, body.size() - rest_.size());
     const std::optional<std::uint64_t> claimed = set.number == 58 ? uff_data_bytes(record7) : std::nullopt;
-    const std::size_t bytes = length_of(claimed, static_cast<std::uint64_t>(*stated), start);
+    set.unread = claimed && ahead_.needed() && stays_in_file(*claimed, record7);
+    if (!set.unread && ahead_.needed())
+      ahead_.load_to(offset() + std::max<std::uint64_t>(claimed.value_or(0), static_cast<std::uint64_t>(*stated)) +
+                     kLook_bytes);
+    const std::size_t bytes = set.unread ? *claimed : length_of(claimed, static_cast<std::uint64_t>(*stated), start);
     set.data = rest_.substr(0, bytes);
     rest_.remove_prefix(bytes);
     while (!rest_.empty() && (rest_.front() == '\r' || rest_.front() == '\n')) rest_.remove_prefix(1);
-    take_uff_line(rest_);  // the delimiter
+    take_line();  // the delimiter
+  }
+
+  // Whether so many bytes are many, evenly spaced, and followed by a delimiter, without reading them.
+  bool stays_in_file(std::uint64_t bytes, std::string_view record7) {
+    const auto even = UffFields(record7.substr(std::min<std::size_t>(kSpacingColumn, record7.size()))).integer(10);
+    if (bytes < kManyBytes || bytes > rest_.size() || even != 1) return false;
+    const std::size_t end = offset() + bytes;
+    file_.sparse->load(end, end + kLook_bytes);
+    if (!delimiter_follows(rest_.substr(bytes).substr(0, kLook_bytes))) return false;
+    ahead_.skip_to(end);
+    return true;
   }
 
   // Up to where a delimiter follows: by the values, with padding, or as the first line says.
@@ -116,6 +166,7 @@ class Splitter {
   }
 
   const FileBytes& file_;
+  Ahead ahead_;
   std::string_view rest_;
 };
 

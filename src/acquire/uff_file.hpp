@@ -13,7 +13,8 @@ namespace percuss {
 struct UffSet {
   int number = 0;
   std::string_view text;  // its lines after the one with its number; of a binary set those before the bytes
-  std::string_view data;  // the bytes of a binary set
+  std::string_view data;  // the bytes of a binary set …
+  bool unread = false;    // … which are still in the file (FileBytes::sparse)
   bool binary = false;
   bool big_endian = false;
 };
@@ -24,6 +25,7 @@ bool is_universal_file(std::string_view head);
 
 /// The data sets of a universal file, in order. A delimiter is a whole line, never a text within one. The length of a
 /// binary set 58 is what its record 7 says, as long as a delimiter follows there; only then what its first line says.
+/// Of a sparse file everything is loaded but the bytes of long, evenly spaced sets 58.
 /// errors  InputError with file and line: a set that is not closed, or whose number or length cannot be read.
 std::vector<UffSet> split_uff(const FileBytes& file);
 

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <limits>
 
+#include "acquire/sparse_file.hpp"
 #include "core/error.hpp"
 
 namespace percuss {
@@ -34,6 +35,10 @@ class FunctionParser {
     if (set_.binary) {
       if (set_.data.size() < *uff_data_bytes(record7_)) fail("fewer bytes than record 7 says");
       out_.bytes = set_.data;
+      if (set_.unread) {
+        out_.file = file_.sparse;
+        out_.file_offset = static_cast<std::size_t>(set_.data.data() - file_.view().data());
+      }
     } else {
       read_values();
     }
@@ -160,8 +165,21 @@ void UffFunction::read(std::size_t part, std::size_t first, std::span<double> ou
     return;
   }
   const std::size_t width = single ? 4 : 8, before = even ? 0 : 4, stride = before + parts * width;
+  const std::size_t offset = first * stride;
+  if (!file) return decode(bytes.data() + offset + before + part * width, stride, out);
+  constexpr std::size_t kBlock_bytes = std::size_t{1} << 15U;
+  std::array<char, kBlock_bytes> block;  // NOLINT(cppcoreguidelines-pro-type-member-init): filled at once
+  const std::size_t most = kBlock_bytes / stride;
+  for (std::size_t done = 0; done < out.size(); done += most) {
+    const std::span<double> now = out.subspan(done, std::min(most, out.size() - done));
+    file->copy(file_offset + offset + done * stride, now.size() * stride, block.data());
+    decode(block.data() + before + part * width, stride, now);
+  }
+}
+
+// Every `stride` bytes a number.
+void UffFunction::decode(const char* from, std::size_t stride, std::span<double> out) const {
   const bool swap = big_endian != (std::endian::native == std::endian::big);
-  const char* from = bytes.data() + first * stride + before + part * width;
   for (double& value : out) {
     value = single ? decoded<std::uint32_t, float>(from, swap) : decoded<std::uint64_t, double>(from, swap);
     from += stride;

@@ -1,7 +1,9 @@
 #pragma once
 #include <array>
 #include <complex>
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -50,13 +52,19 @@ struct UffFunction {
 
   std::string_view at;         // the set's place in the file
   std::vector<double> values;  // of a text: abscissa (if uneven), real, imaginary part (if complex), value by value
-  std::string_view bytes;      // of a binary set, in the same order
+  std::string_view bytes;      // of a binary set, in the same order …
+  std::shared_ptr<const SparseFile> file{};  // … and where they still are in the file, if anywhere
+  std::size_t file_offset = 0;
   bool big_endian = false;
 
-  /// Real parts (part 0) or imaginary parts (part 1) of values first … first + out.size() − 1.
+  /// Real parts (part 0) or imaginary parts (part 1) of values first … first + out.size() − 1. errors  InputError: the
+  /// file has changed meanwhile.
   void read(std::size_t part, std::size_t first, std::span<double> out) const;
   /// Value i's abscissa.
   double x(std::size_t i) const;
+
+ private:
+  void decode(const char* from, std::size_t stride, std::span<double> out) const;
 };
 
 /// errors  InputError with file and line: a record that cannot be read, fewer numbers than record 7 says, another type

@@ -11,7 +11,7 @@ namespace percuss::test {
 /// A text as if it had been read from the file x.csv.
 inline FileBytes csv_bytes(const std::string& text) {
   const auto kept = std::make_shared<const std::string>(text);
-  return {"x.csv", std::shared_ptr<const char>(kept, kept->data()), kept->size()};
+  return {.path = "x.csv", .data = {kept, kept->data()}, .size = kept->size()};
 }
 
 inline Record csv_record(const std::string& text, const ReadOptions& options = {}) {
