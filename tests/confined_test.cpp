@@ -4,12 +4,17 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <csignal>
 #include <fstream>
+#include <future>
 #include <random>
+#include <thread>
 
+#include "acquire/confined_process.hpp"
 #include "acquire/confined_record.hpp"
 #include "acquire/csv_columns.hpp"
+#include "acquire/hdf5_handle.hpp"
 #include "acquire/write_hdf5.hpp"
 #include "acquire/write_mat.hpp"
 #include "core/error.hpp"
@@ -122,6 +127,39 @@ TEST_F(Confined, LetsTheReaderWriteNothingAndTalkToNobody) {
               }),
               HasSubstr("-5"));
   EXPECT_EQ(test::bytes_of(other), "kept");
+}
+
+TEST_F(Confined, EndsWhatWaitsForEver) {
+  const auto wait = [] {
+    std::promise<ConfinedService> never;
+    return never.get_future().get();
+  };
+  EXPECT_THAT(input_error_of([&] { ConfinedProcess(path_, wait, 1); }), HasSubstr("takes longer"));
+  const auto serve = [&] {
+    return ConfinedService{.description = "d",
+                           .read = [&](std::size_t, std::size_t, std::size_t, std::span<double>) { wait(); }};
+  };
+  ConfinedProcess served(path_, serve, 1);
+  ::usleep(1'500'000);  // between requests it may wait as long as it likes
+  std::vector<double> out(3);
+  EXPECT_THAT(input_error_of([&] { served.read(0, 0, 0, out); }), HasSubstr("takes longer"));
+}
+
+// Another thread within the library while this one forks.
+TEST_F(Confined, BeginsWithLibrariesAtRest) {
+  std::atomic<bool> stop = false;
+  std::thread other([&] {
+    while (!stop) const hdf5::Lock lock;
+  });
+  for (int i = 0; i < 20; ++i) {
+    EXPECT_THAT(message_when([] {
+                  const hdf5::Lock lock;
+                  throw InputError("got it", "here", "now");
+                }),
+                HasSubstr("got it"));
+  }
+  stop = true;
+  other.join();
 }
 
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && !defined(__clang__)  // they need terabytes

@@ -130,7 +130,7 @@ TEST_F(Hdf5Hostile, RefusesNumbersThatDoNotFitTheHits) {
   EXPECT_THAT(refusal("point", {2}, {0, std::nan("")}), HasSubstr("entry 1"));
   EXPECT_THAT(refusal("geometry", {2, 4}, std::vector<double>(8)), HasSubstr("/geometry"));
   EXPECT_THAT(refusal("geometry", {3}, {0, 0, 0}), HasSubstr("[points, 2 or 3]"));
-  EXPECT_THAT(refusal("geometry", {1, 2}, {0, std::nan("")}), HasSubstr("finite"));
+  EXPECT_THAT(refusal("geometry", {1, 2}, {0, -HUGE_VAL}), HasSubstr("infinite"));
   for (const char* name : {"angle_deg", "position_m"}) {
     EXPECT_THAT(refusal_of([&](Hdf5Builder& file) {
                   file.numbers("accel", name, {0, 1, 2});

@@ -39,6 +39,7 @@ void convert_frfs(const ConvertFlags& flags, const std::string& to, std::vector<
   const std::string kind = extension_of(to);
   const bool keeps_geometry = kind == ".uff" || kind == ".unv";
   if (!record.geometry.empty() && !keeps_geometry) tell(flags, "not kept: the geometry");
+  if (!record.trace_lines.empty() && !keeps_geometry) tell(flags, "not kept: the lines between points");
   write_frfs(to, record, flags.read.frf_kind.value_or(record.kind), flags.output.force);
 }
 

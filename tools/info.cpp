@@ -78,6 +78,7 @@ Json record_json(const Record& record) {
           {"continuous", record.continuous || record.rows.size() == 1},
           {"channels", channels},
           {"geometry_points", record.geometry.size()},
+          {"trace_lines", record.trace_lines.size()},
           {"notes", record.notes}};
 }
 

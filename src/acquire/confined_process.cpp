@@ -4,6 +4,7 @@
 #include <sys/mman.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -15,6 +16,7 @@
 
 #include "acquire/confinement.hpp"
 #include "acquire/csv_columns.hpp"
+#include "acquire/hdf5_handle.hpp"
 #include "acquire/packed.hpp"
 #include "core/error.hpp"
 
@@ -97,6 +99,22 @@ std::string packed_unclear(const UnclearColumns& error) {
   throw error;
 }
 
+// Ends this process when what it does takes longer, be it that it waits for something that never comes: a library whose
+// memory is in disorder may.
+class Alarm {
+ public:
+  explicit Alarm(unsigned seconds) { set(seconds); }
+  ~Alarm() { set(0); }
+  Alarm(const Alarm&) = delete;
+  Alarm& operator=(const Alarm&) = delete;
+
+ private:
+  static void set(unsigned seconds) {
+    const itimerval timer{.it_interval = {}, .it_value = {.tv_sec = static_cast<time_t>(seconds), .tv_usec = 0}};
+    ::setitimer(ITIMER_REAL, &timer, nullptr);
+  }
+};
+
 // Runs `work` and tells the parent how it ended; false when the parent is gone.
 template <class Work>
 bool tell_outcome(int descriptor, Work&& work) {
@@ -113,19 +131,28 @@ bool tell_outcome(int descriptor, Work&& work) {
   }
 }
 
+// Held by this thread across the fork: half-done work of another thread would stay so in the child for ever.
+int fork_with_libraries_at_rest() {
+  const hdf5::Lock lock;
+  return ::fork();
+}
+
 }  // namespace
 
-ConfinedProcess::ConfinedProcess(std::string path, const std::function<ConfinedService()>& open)
+ConfinedProcess::ConfinedProcess(std::string path, const std::function<ConfinedService()>& open,
+                                 std::optional<unsigned> patience_s)
     : path_(std::move(path)) {
+  constexpr unsigned kClockPerProcessor = 3;  // disks and other programs take their time as well
   struct stat status {};
   if (::stat(path_.c_str(), &status) == 0) file_bytes_ = static_cast<std::uint64_t>(status.st_size);
+  patience_s_ = patience_s.value_or(kClockPerProcessor * processor_limit_s(file_bytes_));
   std::array<int, 2> ends{};
   void* const shared =
       ::mmap(nullptr, kShared * sizeof(double), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   if (shared == MAP_FAILED || ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
     throw InputError("no process can be started to read it in", path_, "close other programs, or give --trust-input");
   shared_ = static_cast<double*>(shared);
-  child_ = ::fork();
+  child_ = fork_with_libraries_at_rest();
   if (child_ == 0) {
     ::close(ends[0]);
     ::_exit(served(ends[1], open));
@@ -169,11 +196,12 @@ int ConfinedProcess::served(int descriptor, const std::function<ConfinedService(
 }
 
 void ConfinedProcess::serve(int descriptor, const std::function<ConfinedService()>& open) const {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGALRM}) std::signal(signal, SIG_DFL);
   std::signal(SIGPIPE, SIG_IGN);
   confine_this_process(descriptor, file_bytes_);
   ConfinedService service;
   const bool heard = tell_outcome(descriptor, [&] {
+    const Alarm alarm(patience_s_);
     service = open();
     return service.description;
   });
@@ -181,6 +209,7 @@ void ConfinedProcess::serve(int descriptor, const std::function<ConfinedService(
   while (heard && service.read && receive_bytes(descriptor, &request, sizeof request)) {
     const auto out = std::span(shared_, std::min<std::size_t>(request.count, kShared));
     const bool told = tell_outcome(descriptor, [&] {
+      const Alarm alarm(patience_s_);
       service.read(request.row, request.signal, request.first, out);
       return std::string();
     });
@@ -234,7 +263,7 @@ void ConfinedProcess::report_death() {
   const bool known = ::waitpid(child_, &status, 0) == child_;
   child_ = -1;
   const int signal = known && WIFSIGNALED(status) ? WTERMSIG(status) : 0;
-  if (signal == SIGXCPU || signal == SIGKILL) {
+  if (signal == SIGXCPU || signal == SIGKILL || signal == SIGALRM) {
     throw InputError("reading it takes longer than any file of its size should", path_,
                      "is it damaged? Else give --trust-input");
   }

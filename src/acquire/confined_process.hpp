@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -21,8 +22,10 @@ struct ConfinedService {
 /// (confine_this_process): whatever the file does to the library that reads it, this process only sees an InputError.
 class ConfinedProcess {
  public:
+  /// `patience_s`: how long an answer of the child may take by the clock; by itself as the file's size allows.
   /// errors  InputError: what `open` threw (also UnclearColumns); the child crashed or ran into a limit, in one line.
-  ConfinedProcess(std::string path, const std::function<ConfinedService()>& open);
+  ConfinedProcess(std::string path, const std::function<ConfinedService()>& open,
+                  std::optional<unsigned> patience_s = std::nullopt);
   ~ConfinedProcess();
   ConfinedProcess(const ConfinedProcess&) = delete;
   ConfinedProcess& operator=(const ConfinedProcess&) = delete;
@@ -43,6 +46,7 @@ class ConfinedProcess {
 
   std::string path_, description_;
   std::uint64_t file_bytes_ = 0;
+  unsigned patience_s_ = 0;
   std::mutex mutex_;
   double* shared_ = nullptr;  // what the child writes numbers into
   int descriptor_ = -1;

@@ -28,6 +28,7 @@ void pack_description(Packer& out, const Record& record) {
   out.put(static_cast<std::uint64_t>(record.continuous));
   out.put(static_cast<std::uint64_t>(record.has_force));
   pack_geometry(out, record.geometry);
+  out.put_all(record.trace_lines);
   pack_texts(out, record.notes);
 }
 
@@ -47,6 +48,7 @@ Record unpack_description(Unpacker& in) {
   record.continuous = in.get<std::uint64_t>() != 0;
   record.has_force = in.get<std::uint64_t>() != 0;
   record.geometry = unpack_geometry(in);
+  record.trace_lines = in.all<TraceLine>();
   record.notes = unpack_texts(in);
   return record;
 }

@@ -72,7 +72,8 @@ void allow_always(Program& program) {
         SYS_munmap, SYS_mremap, SYS_mprotect, SYS_brk, SYS_madvise, SYS_futex, SYS_exit, SYS_exit_group,
         SYS_rt_sigaction, SYS_rt_sigprocmask, SYS_rt_sigreturn, SYS_sigaltstack, SYS_getpid, SYS_gettid, SYS_tgkill,
         SYS_clock_gettime, SYS_gettimeofday, SYS_getrandom, SYS_sched_yield, SYS_fcntl, SYS_flock, SYS_faccessat,
-        SYS_getcwd, SYS_readlinkat, SYS_uname, SYS_sysinfo, SYS_fadvise64, SYS_getuid, SYS_geteuid, SYS_restart_syscall,
+        SYS_getcwd, SYS_readlinkat, SYS_uname, SYS_sysinfo, SYS_setitimer, SYS_fadvise64, SYS_getuid, SYS_geteuid,
+        SYS_restart_syscall,
 #if defined(__x86_64__)
         SYS_stat, SYS_lstat, SYS_access, SYS_readlink,
 #endif
@@ -125,11 +126,16 @@ void filter_calls(int) {}
 
 }  // namespace
 
+unsigned processor_limit_s(std::uint64_t file_bytes) {
+  constexpr std::uint64_t kMost_s = 1'000'000;
+  return static_cast<unsigned>(std::min(kMost_s, kLeastTime_s + file_bytes / kBytesPerSecond));
+}
+
 void confine_this_process(int descriptor, std::uint64_t file_bytes) {
 #if !defined(PERCUSS_SANITIZED)
   limit(RLIMIT_AS, memory_now_bytes() + std::max(kLeastMemory_bytes, 4 * file_bytes));
 #endif
-  limit(RLIMIT_CPU, kLeastTime_s + file_bytes / kBytesPerSecond);
+  limit(RLIMIT_CPU, processor_limit_s(file_bytes));
   limit(RLIMIT_NOFILE, kOpenFiles);
   limit(RLIMIT_CORE, 0);
   prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);  // NOLINT: C

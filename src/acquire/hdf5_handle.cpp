@@ -2,6 +2,7 @@
 
 #include <hdf5.h>
 
+#include <mutex>
 #include <type_traits>
 #include <utility>
 
@@ -11,20 +12,29 @@ static_assert(std::is_same_v<Id, hid_t>);
 
 namespace {
 
-std::recursive_mutex& library_mutex() {
-  static std::recursive_mutex mutex;
+std::mutex& library_mutex() {
+  static std::mutex mutex;
   return mutex;
 }
 
+// Locks of this thread within one another. A recursive mutex would know its owner by a number that a fork changes.
+thread_local int depth = 0;
+
 }  // namespace
 
-Lock::Lock() : hold_(library_mutex()) {
+Lock::Lock() {
+  if (depth == 0) library_mutex().lock();
+  ++depth;
   // Once, before the library starts. Its own clean-up at exit crashes after a disk was full; ours leaves nothing to do.
   static const bool ready = H5dont_atexit() >= 0 && H5PLset_loading_state(0) >= 0;
   static_cast<void>(ready);
   // The library keeps one error stack, and with it the handler that prints, per thread.
   thread_local const bool silent = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0;
   static_cast<void>(silent);
+}
+
+Lock::~Lock() {
+  if (--depth == 0) library_mutex().unlock();
 }
 
 Handle& Handle::operator=(Handle&& other) noexcept {

@@ -1,6 +1,5 @@
 #pragma once
 #include <cstdint>
-#include <mutex>
 
 namespace percuss::hdf5 {
 
@@ -8,13 +7,14 @@ namespace percuss::hdf5 {
 using Id = std::int64_t;
 
 /// Held around all use of the library, closing included: it may not be used from several threads at once. One thread
-/// may hold several. Also sees to it that the library prints nothing and loads no plug-ins.
+/// may hold several, and a process that is forked under one holds it too. Also sees to it that the library prints
+/// nothing and loads no plug-ins.
 class Lock {
  public:
   Lock();
-
- private:
-  std::unique_lock<std::recursive_mutex> hold_;
+  ~Lock();
+  Lock(const Lock&) = delete;
+  Lock& operator=(const Lock&) = delete;
 };
 
 /// Owns an identifier of any kind (file, data set, type, property list …); false when there is none.

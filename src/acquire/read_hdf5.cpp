@@ -24,9 +24,9 @@ namespace {
 using hdf5::InputDataSet;
 using hdf5::InputHdf5;
 
-constexpr std::size_t kMostPoints = 1'000'000, kMostChannels = 100'000;
+constexpr std::size_t kMostPoints = 1'000'000, kMostLines = 10'000'000, kMostChannels = 100'000;
 constexpr std::size_t kNamesShown = 12, kNameBytesShown = 40;
-constexpr std::array kKnownNames{"force", "accel", "point", "run", "geometry"};
+constexpr std::array kKnownNames{"force", "accel", "point", "run", "geometry", "trace_lines"};
 
 /// What the read functions of a record share.
 struct OpenRecord {
@@ -144,14 +144,23 @@ std::vector<std::vector<double>> read_geometry(const InputHdf5& file) {
     throw InputError("shape " + hdf5::shape_text(shape), file.where("geometry"), "store [points, 2 or 3]");
   }
   const std::vector<double> values = set.read_all();
-  if (!std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); })) {
-    throw InputError("not a finite number", file.where("geometry"), "store every coordinate");
+  if (std::any_of(values.begin(), values.end(), [](double value) { return std::isinf(value); })) {
+    throw InputError("an infinite coordinate", file.where("geometry"), "store every coordinate, or NaN");
   }
   std::vector<std::vector<double>> points;
   for (auto at = values.begin(); at != values.end(); at += static_cast<std::ptrdiff_t>(shape[1])) {
     points.emplace_back(at, at + static_cast<std::ptrdiff_t>(shape[1]));
   }
   return points;
+}
+
+std::vector<TraceLine> read_trace_lines(const InputHdf5& file, std::size_t points) {
+  if (!file.has("trace_lines")) return {};
+  const InputDataSet set(file, "trace_lines");
+  if (set.shape().size() != 2 || set.shape()[1] != 2 || set.shape()[0] > kMostLines) {
+    throw InputError("shape " + hdf5::shape_text(set.shape()), file.where("trace_lines"), "store [lines, 2]");
+  }
+  return trace_lines_of(set.read_all(), points, file.where("trace_lines"));
 }
 
 void describe_rows(const OpenRecord& open, Record& record) {
@@ -234,6 +243,7 @@ Record open_hdf5(const std::string& path, const ReadOptions& options) {
   describe_signals(*opened, options, record);
   describe_rows(*opened, record);
   record.geometry = read_geometry(opened->file);
+  record.trace_lines = read_trace_lines(opened->file, record.geometry.size());
   note_unused(opened->file, record);
   // Closing is a use of the library as well.
   const std::shared_ptr<const OpenRecord> open(opened.release(), [](const OpenRecord* last) {

@@ -20,8 +20,8 @@ namespace {
 
 // Names of percuss's own layout that are no signals.
 bool is_description(const std::string& name) {
-  static const std::vector<std::string> kNames{"point",      "run",        "geometry", "angle_deg",
-                                               "position_m", "continuous", "fs"};
+  static const std::vector<std::string> kNames{"point",     "run",        "geometry",   "trace_lines",
+                                               "angle_deg", "position_m", "continuous", "fs"};
   return std::find(kNames.begin(), kNames.end(), name) != kNames.end();
 }
 
@@ -117,6 +117,15 @@ std::vector<std::vector<double>> geometry_in(const MatFile& file) {
   return out;
 }
 
+std::vector<TraceLine> trace_lines_in(const MatFile& file, std::size_t points) {
+  const MatVariable* const given = find_variable(file, "trace_lines");
+  if (given == nullptr || given->is_text || given->shape.size() != 2 || given->shape[1] != 2) return {};
+  std::vector<double> numbers;
+  const std::size_t lines = given->shape[0];
+  for (std::size_t i = 0; i < lines; ++i) numbers.insert(numbers.end(), {given->real[i], given->real[lines + i]});
+  return trace_lines_of(numbers, points, file.path + ": trace_lines");
+}
+
 // The force is signal 0, then every channel of every acceleration.
 void lay_out(OpenMat& open, const SignalRoles& roles, const std::vector<std::size_t>& index, SignalTable& table) {
   const MatVariable& force = open.file.variables[index[roles.force]];
@@ -198,6 +207,7 @@ Record open_mat(MatFile file, const ReadOptions& options) {
     throw InputError("no sampling rate among the variables", open->file.path, "give --fs in Hz, or its variable");
   lay_out(*open, variables, index, table);
   table.geometry = geometry_in(open->file);
+  table.trace_lines = trace_lines_in(open->file, table.geometry.size());
   const SignalRoles roles = chosen_roles(table, open->file, options);
   std::vector<bool> used(open->file.variables.size(), false);
   for (const auto& source : open->sources) used[source.variable] = true;

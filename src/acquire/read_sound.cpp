@@ -61,6 +61,7 @@ void describe_calibrated(const SoundInput& sound, const SoundCalibration& calibr
   table.fs_Hz = calibration.fs_Hz > 0 ? calibration.fs_Hz : sound.rate_Hz();
   table.continuous = calibration.continuous || calibration.rows.empty();
   table.geometry = calibration.geometry;
+  table.trace_lines = calibration.trace_lines;
   for (const SoundCalibration::Signal& signal : calibration.signals) {
     table.signals.push_back({.name = signal.name,
                              .unit = {},

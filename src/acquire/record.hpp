@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -34,6 +35,9 @@ struct RowInfo {
   int run = 0;           // repeated test in one file
 };
 
+/// Two points that a drawing of the structure connects.
+using TraceLine = std::array<int, 2>;
+
 /// What was recorded, described without its samples: those are read when asked for, so that what nobody asks for is
 /// never read. A row is one hit, unless there is just one row or `continuous` is set: then hits are searched within it.
 struct Record {
@@ -45,7 +49,8 @@ struct Record {
   std::vector<SignalInfo> accel;
   std::vector<RowInfo> rows;
   bool continuous = false;                    // every row may hold several hits
-  std::vector<std::vector<double>> geometry;  // [points][2 or 3], as stored; may be empty
+  std::vector<std::vector<double>> geometry;  // [points][2 or 3], as stored, NaN for points without; may be empty
+  std::vector<TraceLine> trace_lines;         // may be empty
   std::vector<std::string> notes;             // what was assumed or could not be read, one line each
   /// The (first) file's path, or what it is where there is no file: names the record in messages.
   std::string source() const { return files.empty() ? format : files.front().path; }
@@ -98,6 +103,10 @@ Record join_records(std::vector<Record> records, FilesMean mean);
 
 /// The rows of `record` for which keep(row) holds, as a record of its own.
 Record select_rows(const Record& record, const std::function<bool(const RowInfo&)>& keep);
+
+/// Lines from numbers two by two: points from 0 up to `points` − 1.
+/// errors  InputError at `where`: another count, or numbers that are no such points.
+std::vector<TraceLine> trace_lines_of(const std::vector<double>& numbers, std::size_t points, const std::string& where);
 
 /// What read_force_N is of a record without a force: zeros.
 SampleReader<std::size_t> no_force();

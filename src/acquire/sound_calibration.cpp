@@ -1,5 +1,6 @@
 #include "acquire/sound_calibration.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -37,15 +38,54 @@ void read_whole(StrictObject& o, const char* key, int& to) {
   to = static_cast<int>(value);
 }
 
-void read_geometry(StrictObject& o, std::vector<std::vector<double>>& geometry) {
-  std::vector<double> values;
+void read_geometry(StrictObject& o, SoundCalibration& out) {
+  std::vector<double> values, numbers, lines;
   std::size_t coordinates = 3;
   o.read("geometry_m", values);
   o.read("coordinates", coordinates);
+  o.read("geometry_points", numbers);
+  o.read("trace_lines", lines);
   if (coordinates < 2 || coordinates > 3 || values.size() % coordinates != 0)
     o.fail("not 2 or 3 coordinates for every point", "geometry_m", "write them point by point");
-  for (std::size_t i = 0; i < values.size(); i += coordinates)
-    geometry.emplace_back(&values[i], &values[i] + coordinates);
+  const std::size_t points = values.size() / coordinates;
+  if (!o.has("geometry_points")) {
+    for (std::size_t i = 0; i < points; ++i) numbers.push_back(static_cast<double>(i));
+  }
+  if (numbers.size() != points) o.fail("not one number for every point", "geometry_points", "write one each");
+  const double farthest = 4.0 * static_cast<double>(points) + 1000;  // memory follows what is there
+  const std::vector<double> none(coordinates, std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t i = 0; i < points; ++i) {
+    const double number = numbers[i];
+    if (!(number >= static_cast<double>(out.geometry.size()) && number < farthest) || number != std::floor(number))
+      o.fail("point numbers that do not rise, or with large gaps", "geometry_points", "number points from 0");
+    out.geometry.resize(static_cast<std::size_t>(number), none);
+    const auto at = values.begin() + static_cast<std::ptrdiff_t>(i * coordinates);
+    out.geometry.emplace_back(at, at + static_cast<std::ptrdiff_t>(coordinates));
+  }
+  out.trace_lines = trace_lines_of(lines, out.geometry.size(), o.place() + ", trace_lines");
+}
+
+bool is_known(const std::vector<double>& point) {
+  return std::all_of(point.begin(), point.end(), [](double x) { return std::isfinite(x); });
+}
+
+void add_geometry(const SoundCalibration& calibration, Json& out) {
+  const auto& geometry = calibration.geometry;
+  if (geometry.empty()) return;
+  Json values = Json::array(), numbers = Json::array(), lines = Json::array();
+  for (std::size_t i = 0; i < geometry.size(); ++i) {
+    if (!is_known(geometry[i])) continue;
+    numbers.push_back(i);
+    for (const double coordinate : geometry[i]) values.push_back(coordinate);
+  }
+  for (const auto& [from, to] : calibration.trace_lines) {
+    lines.push_back(from);
+    lines.push_back(to);
+  }
+  out["coordinates"] = geometry.front().size();
+  out["geometry_m"] = std::move(values);
+  if (numbers.size() != geometry.size()) out["geometry_points"] = std::move(numbers);
+  if (!lines.empty()) out["trace_lines"] = std::move(lines);
 }
 
 }  // namespace
@@ -66,13 +106,7 @@ std::string calibration_text(const SoundCalibration& calibration) {
            {"continuous", calibration.continuous},
            {"signals", std::move(signals)},
            {"rows", std::move(rows)}};
-  if (!calibration.geometry.empty()) {
-    out["coordinates"] = calibration.geometry.front().size();
-    out["geometry_m"] = Json::array();
-    for (const auto& point : calibration.geometry) {
-      for (const double coordinate : point) out["geometry_m"].push_back(coordinate);
-    }
-  }
+  add_geometry(calibration, out);
   return out.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -91,7 +125,7 @@ SoundCalibration parse_calibration(std::string_view text, const std::string& whe
       read_whole(item, "point", row.point);
       read_whole(item, "run", row.run);
     });
-    read_geometry(o, out.geometry);
+    read_geometry(o, out);
   });
   return out;
 }

@@ -23,7 +23,8 @@ struct SoundCalibration {
   std::vector<Signal> signals;  // [channels]
   std::vector<RowInfo> rows;    // end to end
   bool continuous = false;
-  std::vector<std::vector<double>> geometry;
+  std::vector<std::vector<double>> geometry;  // rows of NaN for points without
+  std::vector<TraceLine> trace_lines;
 };
 
 /// JSON text. Equal calibrations give equal texts, every number is kept exactly.

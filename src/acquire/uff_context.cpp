@@ -30,27 +30,6 @@ UffUnits parse_units(const UffSet& set, const FileBytes& file) {
   return {.length = *length, .force = *force};
 }
 
-// Elements have two lines or three: those of beams and rods name their orientation in between.
-std::size_t count_elements(const UffSet& set) {
-  constexpr std::size_t kNodesPerLine = 8;
-  static const std::set<std::int64_t> kBeams{11, 21, 22, 23, 24};
-  std::string_view rest = set.text;
-  std::size_t count = 0;
-  while (!rest.empty()) {
-    UffFields fields(take_uff_line(rest));
-    fields.take(10);
-    const auto descriptor = fields.integer(10);
-    fields.take(30);
-    const auto nodes = fields.integer(10);
-    if (!descriptor || !nodes || *nodes < 0) return count;
-    const std::size_t lines = (static_cast<std::size_t>(*nodes) + kNodesPerLine - 1) / kNodesPerLine;
-    const std::size_t more = lines + (kBeams.contains(*descriptor) ? 1 : 0);
-    for (std::size_t i = 0; i < more && !rest.empty(); ++i) take_uff_line(rest);
-    ++count;
-  }
-  return count;
-}
-
 }  // namespace
 
 UffContents read_uff_contents(const FileBytes& file) {
@@ -60,10 +39,9 @@ UffContents read_uff_contents(const FileBytes& file) {
     ++out.sets[set.number];
     if (set.number == 58) out.functions.push_back(parse_uff_function(set, file));
     if (set.number == 164) out.units = parse_units(set, file);
-    if (set.number == 82) ++out.trace_lines;
-    if (set.number == 2412) out.elements += count_elements(set);
     if (set.number == 55 || set.number == 2414) ++out.shapes;
   }
+  out.connections = read_uff_lines(sets, file);
   out.nodes_m = read_uff_nodes(sets, file, out.units.value_or(UffUnits{}).length);
   return out;
 }
@@ -75,7 +53,10 @@ std::vector<std::string> uff_notes(const UffContents& contents) {
   for (const auto& [number, count] : contents.sets) {
     if (!kRead.contains(number)) unused += fmt::format("{}{} ({})", unused.empty() ? "" : ", ", number, count);
   }
-  if (contents.elements > 0 && contents.nodes_m.empty()) notes.emplace_back("elements without nodes are not used");
+  const UffLines& connections = contents.connections;
+  if (!connections.lines.empty() && contents.nodes_m.empty()) notes.emplace_back("lines without nodes are not used");
+  if (connections.other_elements > 0)
+    notes.push_back(fmt::format("elements of other kinds: {}, not used", connections.other_elements));
   if (contents.shapes > 0) notes.push_back(fmt::format("mode shapes: {}, not used", contents.shapes));
   if (!unused.empty()) notes.push_back("data sets not used: " + unused);
   return notes;
@@ -94,6 +75,14 @@ std::vector<std::vector<double>> uff_geometry(const UffContents& contents, int o
                                        std::vector<double>(3, std::numeric_limits<double>::quiet_NaN()));
   for (const auto& [node, place] : contents.nodes_m)
     out[static_cast<std::size_t>(node - offset)].assign(place.begin(), place.end());
+  return out;
+}
+
+std::vector<TraceLine> uff_trace_lines(const UffContents& contents, int offset) {
+  std::vector<TraceLine> out;
+  for (const auto& [from, to] : contents.connections.lines) {
+    if (contents.nodes_m.contains(from) && contents.nodes_m.contains(to)) out.push_back({from - offset, to - offset});
+  }
   return out;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "acquire/uff_function.hpp"
+#include "acquire/uff_lines.hpp"
 
 namespace percuss {
 
@@ -18,9 +19,10 @@ struct UffUnits {
 struct UffContents {
   std::vector<UffFunction> functions;  // data sets 58
   std::optional<UffUnits> units;
-  std::map<int, std::array<double, 3>> nodes_m;           // data sets 15 and 2411, in global coordinates
-  std::map<int, std::size_t> sets;                        // how many there are of each number
-  std::size_t trace_lines = 0, elements = 0, shapes = 0;  // of sets 82, 2412, and 55 and 2414
+  std::map<int, std::array<double, 3>> nodes_m;  // data sets 15 and 2411, in global coordinates
+  UffLines connections;                          // data sets 82 and 2412, by node
+  std::map<int, std::size_t> sets;               // how many there are of each number
+  std::size_t shapes = 0;                        // of sets 55 and 2414
 };
 
 /// errors  InputError with file and line: a set of a number above that does not follow its layout.
@@ -32,6 +34,8 @@ std::vector<std::string> uff_notes(const UffContents& contents);
 /// Coordinates by point: row i is point i = node − `offset`, three NaN where there is no such point. Nothing, and a
 /// note, when the numbers are too far apart for that.
 std::vector<std::vector<double>> uff_geometry(const UffContents& contents, int offset, std::vector<std::string>& notes);
+/// The lines between points that the file has nodes of.
+std::vector<TraceLine> uff_trace_lines(const UffContents& contents, int offset);
 
 /// What percuss writes into the fifth line of a function: "percuss; node = point + 1; dx = 3.90625e-05".
 struct UffStatement {

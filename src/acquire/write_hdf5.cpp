@@ -86,6 +86,14 @@ void write_geometry(hdf5::OutputHdf5& out, const Record& record) {
   }
 }
 
+void write_trace_lines(hdf5::OutputHdf5& out, const Record& record) {
+  if (record.trace_lines.empty()) return;
+  out.create_set("trace_lines", std::array{record.trace_lines.size(), std::size_t{2}}, hdf5::Stored::int32);
+  std::size_t line = 0;
+  for (const auto& [from, to] : record.trace_lines)
+    out.write("trace_lines", std::array{line++}, 0, std::array{static_cast<double>(from), static_cast<double>(to)});
+}
+
 }  // namespace
 
 void write_hdf5(const std::string& path, const Record& record, bool force) {
@@ -102,6 +110,7 @@ void write_hdf5(const std::string& path, const Record& record, bool force) {
   write_row_numbers(out, record, "point", &RowInfo::point);
   write_row_numbers(out, record, "run", &RowInfo::run);
   write_geometry(out, record);
+  write_trace_lines(out, record);
   out.commit();
 }
 

@@ -61,6 +61,14 @@ void write_geometry_rows(MatOutput& out, const Record& record) {
   }
 }
 
+void write_trace_lines(MatOutput& out, const Record& record) {
+  if (record.trace_lines.empty()) return;
+  out.begin("trace_lines", std::array{record.trace_lines.size(), std::size_t{2}});
+  for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
+    for (const TraceLine& line : record.trace_lines) out.append(std::array{static_cast<double>(line.at(end))});
+  }
+}
+
 }  // namespace
 
 void write_mat(const std::string& path, const Record& record, bool force) {
@@ -85,6 +93,7 @@ void write_mat(const std::string& path, const Record& record, bool force) {
   write_row_number(out, record, "run", &RowInfo::run);
   if (record.continuous != (rows == 1)) out.number("continuous", record.continuous ? 1 : 0);
   write_geometry_rows(out, record);
+  write_trace_lines(out, record);
   out.commit();
 }
 

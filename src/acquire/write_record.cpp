@@ -55,6 +55,7 @@ std::vector<std::string> losses_of(const std::string& path, const Record& record
   const bool geometry_kept = !numbers_only && (!is_uff_name(kind) || coordinates);
   if (!record.geometry.empty() && !geometry_kept)
     out.emplace_back(numbers_only ? "the geometry" : "the geometry (positions and angles instead of coordinates)");
+  if (numbers_only && !record.trace_lines.empty()) out.emplace_back("the lines between points");
   if (numbers_only && any(&SignalInfo::angle_rad)) out.emplace_back("the sensors' angles");
   if (numbers_only && any(&SignalInfo::position_m)) out.emplace_back("the sensors' positions");
   if (kind == ".csv" && record.continuous && record.rows.size() > 1)

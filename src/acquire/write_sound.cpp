@@ -52,7 +52,8 @@ SoundCalibration calibration_of(const Record& record, const std::vector<double>&
                        .signals = {},
                        .rows = record.rows,
                        .continuous = record.continuous || record.rows.size() == 1,
-                       .geometry = record.geometry};
+                       .geometry = record.geometry,
+                       .trace_lines = record.trace_lines};
   for (std::size_t s = 0; s < scales.size(); ++s) {
     const bool force = record.has_force && s == 0;
     const SignalInfo& info = force ? record.force : record.accel[s - (record.has_force ? 1 : 0)];

@@ -1,5 +1,7 @@
 #include "acquire/write_uff.hpp"
 
+#include "acquire/uff_lines.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -86,6 +88,7 @@ void write_uff(const std::string& path, const Record& record, bool force, UffDat
     const std::string lines = uff_node_lines(record.geometry, offset);
     if (!lines.empty()) out.set(2411, lines);
   }
+  for (const std::string& line : uff_trace_line_sets(record.trace_lines, offset)) out.set(82, line);
   for (std::size_t row = 0; row < record.rows.size(); ++row) write_row_functions(out, record, row, offset);
   out.commit();
 }

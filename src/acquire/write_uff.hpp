@@ -6,10 +6,10 @@
 
 namespace percuss {
 
-/// A record as a universal file: sets 151, 164, the geometry as 2411 where it is coordinates, and one function 58 (58b
-/// for UffData::binary) per hit and channel in N and m/s^2, the force first. Angles, positions and the exact time step
-/// stand in the functions' fourth and fifth lines. Hits may differ in length.
-/// errors  InputError: the file exists (without `force`) or cannot be written.
+/// A record as a universal file: sets 151, 164, the geometry as 2411 where it is coordinates, its lines as 82, and one
+/// function 58 (58b for UffData::binary) per hit and channel in N and m/s^2, the force first. Angles, positions and the
+/// exact time step stand in the functions' fourth and fifth lines. Hits may differ in length. errors  InputError: the
+/// file exists (without `force`) or cannot be written.
 void write_uff(const std::string& path, const Record& record, bool force, UffData data = UffData::binary);
 
 /// The lines of set 2411 for coordinates [points][3]; rows that are not finite are left out.

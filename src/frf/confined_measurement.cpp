@@ -20,6 +20,7 @@ void pack_frf_record(Packer& out, const FrfRecord& record) {
   for (const SignalInfo& signal : record.accel) pack_signal(out, signal);
   out.put(record.estimator);
   pack_geometry(out, record.geometry);
+  out.put_all(record.trace_lines);
   out.put(record.decay_per_s);
   pack_texts(out, record.notes);
   out.put(static_cast<std::uint64_t>(record.frfs.size()));
@@ -44,6 +45,7 @@ FrfRecord unpack_frf_record(Unpacker& in) {
   for (std::size_t c = 0; c < channels; ++c) record.accel.push_back(unpack_signal(in));
   record.estimator = in.text();
   record.geometry = unpack_geometry(in);
+  record.trace_lines = in.all<TraceLine>();
   record.decay_per_s = in.get<double>();
   record.notes = unpack_texts(in);
   const std::size_t frfs = in.count(5 * sizeof(std::uint64_t));

@@ -29,6 +29,7 @@ struct FrfRecord {
   std::vector<PointFrf> frfs;     // [points × channels], point by point, ascending
   std::string estimator = "H1";
   std::vector<std::vector<double>> geometry;  // [points][3], as in Record; may be empty
+  std::vector<TraceLine> trace_lines;         // likewise
   double decay_per_s = 0;                     // of the exponential window the file says was on force and response
   std::vector<std::string> notes;             // what was assumed, one line each
 };

@@ -185,6 +185,7 @@ std::optional<StoredFrfs> read_frf_uff(const FileBytes& file, const UffContents&
   const UffStatement stated = uff_statement(first);
   out.record.decay_per_s = std::max(0.0, stated.decay_per_s.value_or(0));
   out.record.geometry = uff_geometry(contents, stated.node_offset, out.record.notes);
+  if (!out.record.geometry.empty()) out.record.trace_lines = uff_trace_lines(contents, stated.node_offset);
   const Grid grid = grid_of(frfs);
   out.record.accel.resize(grid.channels.size());
   const auto coherences = coherences_of(contents);

@@ -18,6 +18,7 @@ Record described(const FrfRecord& frfs) {
   record.accel = frfs.accel;
   record.notes = frfs.notes;
   record.geometry = frfs.geometry;
+  record.trace_lines = frfs.trace_lines;
   return record;
 }
 

@@ -28,6 +28,7 @@ FrfRecord frf_record_of(const Analysis& analysis) {
   out.lines = band;
   out.accel = analysis.record().accel;
   out.geometry = analysis.record().geometry;
+  out.trace_lines = analysis.record().trace_lines;
   out.decay_per_s = analysis.window_decay_per_s();
   out.estimator = name_of(analysis.options().estimator);
   const std::size_t first = band.first - lines.first;

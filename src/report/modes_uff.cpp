@@ -7,6 +7,7 @@
 #include <iterator>
 #include <map>
 
+#include "acquire/uff_lines.hpp"
 #include "acquire/write_uff.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
@@ -117,35 +118,26 @@ void write_places(UffOutput& out, const Survey& survey, const Nodes& nodes, int 
   out.set(2411, lines);
 }
 
-// A trace line through these nodes.
-std::string set82(std::size_t number, const std::vector<int>& nodes) {
-  std::string out = fmt::format("{:10}{:10}{:10}\nNONE", number, nodes.size(), kNodeColour);
-  constexpr std::size_t kPerLine = 8;
-  for (std::size_t i = 0; i < nodes.size(); ++i) out += fmt::format("{}{:10}", i % kPerLine == 0 ? "\n" : "", nodes[i]);
-  return out + '\n';
-}
-
-// Rings around a tube and lines along it.
-void write_trace_lines(UffOutput& out, const Survey& survey, const Nodes& nodes, int offset) {
-  if (!survey.geometry() || !survey.geometry()->tube) return;
+// The record's own lines; else rings around a tube and lines along it.
+std::vector<TraceLine> drawn_lines(const Survey& survey, const Nodes& nodes, int offset) {
+  const auto& own = survey.analysis().record().trace_lines;
+  if (!own.empty() || !survey.geometry() || !survey.geometry()->tube) return own;
   std::map<long, std::map<long, int>> rings, lines;  // by position and angle, to a micrometre and a thousandth of 1°
   for (const GeometryPoint& p : survey.geometry()->points) {
-    const int node = p.point + offset;
-    if (!nodes.contains(node)) continue;
+    if (!nodes.contains(p.point + offset)) continue;
     const long along = std::lround(p.position_m * 1e6), around = std::lround(p.angle_rad * kRadian_deg * 1e3);
-    rings[along][around] = node;
-    lines[around][along] = node;
+    rings[along][around] = p.point;
+    lines[around][along] = p.point;
   }
-  std::size_t number = 0;
-  for (const auto* group : {&rings, &lines}) {
-    for (const auto& [place, members] : *group) {
-      if (members.size() < 2) continue;
-      std::vector<int> path;
-      for (const auto& [at, node] : members) path.push_back(node);
-      if (group == &rings && path.size() > 2) path.push_back(path.front());
-      out.set(82, set82(++number, path));
-    }
-  }
+  std::vector<TraceLine> out;
+  const auto connect = [&](const std::map<long, int>& members, bool ring) {
+    for (auto at = members.begin(); std::next(at) != members.end(); ++at)
+      out.push_back({at->second, std::next(at)->second});
+    if (ring && members.size() > 2) out.push_back({members.rbegin()->second, members.begin()->second});
+  };
+  for (const auto& [place, members] : rings) connect(members, true);
+  for (const auto& [place, members] : lines) connect(members, false);
+  return out;
 }
 
 void write_shapes(const std::string& path, const Survey* survey, const Analysis& analysis,
@@ -159,7 +151,8 @@ void write_shapes(const std::string& path, const Survey* survey, const Analysis&
     const Nodes nodes = nodes_of(shapes[m], survey, analysis, sensors, offset);
     if (m == 0 && survey != nullptr) {
       write_places(out, *survey, nodes, offset);
-      write_trace_lines(out, *survey, nodes, offset);
+      for (const std::string& line : uff_trace_line_sets(drawn_lines(*survey, nodes, offset), offset))
+        out.set(82, line);
     }
     const ShownMode mode{m + 1, modes[m].pole, shapes[m].normalisation == Normalisation::unit_modal_mass ? 1.0 : 0.0};
     out.set(55, set55(mode, nodes));
