@@ -22,19 +22,22 @@ thread_local int depth = 0;
 
 }  // namespace
 
-Lock::Lock() {
+Rest::Rest() {
   if (depth == 0) library_mutex().lock();
   ++depth;
+}
+
+Rest::~Rest() {
+  if (--depth == 0) library_mutex().unlock();
+}
+
+Lock::Lock() {
   // Once, before the library starts. Its own clean-up at exit crashes after a disk was full; ours leaves nothing to do.
   static const bool ready = H5dont_atexit() >= 0 && H5PLset_loading_state(0) >= 0;
   static_cast<void>(ready);
   // The library keeps one error stack, and with it the handler that prints, per thread.
   thread_local const bool silent = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0;
   static_cast<void>(silent);
-}
-
-Lock::~Lock() {
-  if (--depth == 0) library_mutex().unlock();
 }
 
 Handle& Handle::operator=(Handle&& other) noexcept {

@@ -6,15 +6,24 @@ namespace percuss::hdf5 {
 /// The library's hid_t, so that hdf5.h stays in .cpp files; negative for none.
 using Id = std::int64_t;
 
-/// Held around all use of the library, closing included: it may not be used from several threads at once. One thread
-/// may hold several, and a process that is forked under one holds it too. Also sees to it that the library prints
-/// nothing and loads no plug-ins.
+/// While it is held no other thread is within the library. One thread may hold several, and a process that is forked
+/// under one holds it too.
+class Rest {
+ public:
+  Rest();
+  ~Rest();
+  Rest(const Rest&) = delete;
+  Rest& operator=(const Rest&) = delete;
+};
+
+/// Held around all use of the library, closing included: it may not be used from several threads at once. Also sees to
+/// it that the library prints nothing and loads no plug-ins.
 class Lock {
  public:
   Lock();
-  ~Lock();
-  Lock(const Lock&) = delete;
-  Lock& operator=(const Lock&) = delete;
+
+ private:
+  Rest rest_;
 };
 
 /// Owns an identifier of any kind (file, data set, type, property list …); false when there is none.
