@@ -1,4 +1,5 @@
 #include <csignal>
+#include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -12,6 +13,8 @@ namespace {
 
 using namespace percuss;
 using namespace percuss::tools;
+
+constexpr const char* kNoMemory = "not enough memory (the whole run); analyse fewer rows or channels at a time";
 
 int report(const char* what, int code) {
   std::cerr << "percuss: " << what << '\n';
@@ -49,6 +52,19 @@ int parse_and_run(int argc, char** argv) {
 
 }  // namespace
 
+// Memory may run out where nothing may be thrown: within the JSON library, or while another error is on its way up.
+[[noreturn]] static void end_at_once() {
+  percuss::remove_unfinished_files();
+  try {
+    if (const auto error = std::current_exception()) std::rethrow_exception(error);
+  } catch (const std::bad_alloc&) {
+    std::cerr << "percuss: " << kNoMemory << '\n';
+    std::_Exit(kInternalError);
+  } catch (...) {
+  }
+  std::abort();
+}
+
 extern "C" void clean_up_and_die(int signal) {
   percuss::remove_unfinished_files();  // safe within a signal handler
   std::signal(signal, SIG_DFL);
@@ -56,6 +72,7 @@ extern "C" void clean_up_and_die(int signal) {
 }
 
 int main(int argc, char** argv) {
+  std::set_terminate(end_at_once);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, clean_up_and_die);
   try {
     return parse_and_run(argc, argv);
@@ -66,7 +83,7 @@ int main(int argc, char** argv) {
   } catch (const InputError& e) {
     return report(e.what(), kBadInput);
   } catch (const std::bad_alloc&) {
-    return report("not enough memory (the whole run); analyse fewer rows or channels at a time", kInternalError);
+    return report(kNoMemory, kInternalError);
   } catch (const std::exception& e) {
     return report(e.what(), kInternalError);
   }
