@@ -154,8 +154,10 @@ Record open_uff(const FileBytes& file, UffContents contents, const ReadOptions& 
     is_force.push_back(is_force_function(function, options));
   }
   if (functions.empty()) {
+    const bool shapes = open->contents.shapes > 0;
     throw InputError("no records of time and no FRFs among " + list_of_sets(open->contents), name,
-                     "export functions as data set 58");
+                     shapes ? "it holds mode shapes, to be looked at in other programs; give the record they came from"
+                            : "export functions as data set 58");
   }
   open->rows = uff_rows(functions, is_force, name);
   SignalTable table;
