@@ -14,6 +14,8 @@ pkg_check_modules(MATIO REQUIRED IMPORTED_TARGET matio>=1.5.23)
 add_library(MATIO::matio ALIAS PkgConfig::MATIO)
 pkg_check_modules(SNDFILE REQUIRED IMPORTED_TARGET sndfile>=1.2)
 add_library(SNDFILE::sndfile ALIAS PkgConfig::SNDFILE)
+pkg_check_modules(CRYPTO REQUIRED IMPORTED_TARGET libcrypto>=3.0)
+add_library(CRYPTO::crypto ALIAS PkgConfig::CRYPTO)
 
 if(NOT TARGET HDF5::HDF5)
   add_library(percuss_hdf5 INTERFACE)

@@ -32,5 +32,5 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS
-    "libeigen3-dev, libfftw3-dev, libgsl-dev, libtbb-dev, libfmt-dev, nlohmann-json3-dev, libhdf5-dev, libmatio-dev, libsndfile1-dev, pkg-config")
+    "libeigen3-dev, libfftw3-dev, libgsl-dev, libtbb-dev, libfmt-dev, nlohmann-json3-dev, libhdf5-dev, libmatio-dev, libsndfile1-dev, libssl-dev, pkg-config")
 include(CPack)

@@ -31,7 +31,7 @@ class SparseUff : public testing::Test {
     std::vector<std::vector<std::vector<double>>> accel(3, std::vector<std::vector<double>>(2));
     for (std::size_t row = 0; row < 3; ++row) {
       for (std::size_t i = 0; i < kSamples; ++i) {
-        const double x = static_cast<double>(i * (row + 1));
+        const auto x = static_cast<double>(i * (row + 1));
         force[row].push_back(std::sin(x));
         accel[row][0].push_back(std::cos(x));
         accel[row][1].push_back(1 / (x + 1));
@@ -66,9 +66,10 @@ TEST_F(SparseUff, ReadsNumbersOfAnyKind) {
     for (const int type : {2, 4}) {
       test::UffText set{.ordinate_type = type, .values = kSamples, .ordinate = 13};
       std::string bytes;
-      for (std::size_t i = 0; i < kSamples; ++i)
+      for (std::size_t i = 0; i < kSamples; ++i) {
         bytes += type == 2 ? test::number_bytes(static_cast<float>(i), big)
                            : test::number_bytes(static_cast<double>(i), big);
+      }
       std::string text = set.binary(bytes, big ? 2 : 1, bytes.size());
       set.ordinate = 12;
       test::write_bytes(path_, text + set.binary(bytes, big ? 2 : 1, 7));  // a wrong length in its first line

@@ -10,8 +10,10 @@
 #include "core/error.hpp"
 #include "output.hpp"
 #include "progress.hpp"
+#include "provenance.hpp"
 #include "read_flags.hpp"
 #include "report/analysis_json.hpp"
+#include "report/analysis_page.hpp"
 #include "report/analysis_text.hpp"
 #include "report/frf_files.hpp"
 #include "report/modes_uff.hpp"
@@ -94,6 +96,8 @@ void write_outputs(const AnalyzeFlags& flags, const std::vector<Test>& tests, co
   for (const std::string& path : flags.output.paths) {
     if (extension_of(path) == ".json") {
       write_file(path, document, flags.output.force);
+    } else if (is_html(path)) {
+      write_file(path, analysis_page(*tests.front().analysis, provenance_now()), flags.output.force);
     } else if (!tests.front().analysis->possible()) {
       std::cerr << "percuss: no hit can be used, so there are no FRFs to write (" + one_line(path) +
                        "); see the hits' findings\n";
@@ -128,7 +132,7 @@ void require_one_test_for_frfs(const OutputFlags& output, std::size_t tests) {
 }
 
 int analyze(const AnalyzeFlags& flags) {
-  check_outputs(flags.output, {".json", ".csv", ".h5", ".mat", ".uff", ".unv"});
+  check_outputs(flags.output, {".json", ".html", ".csv", ".h5", ".mat", ".uff", ".unv"});
   const auto sections = flags.only.empty() ? all_sections() : parse_sections(flags.only);
   const bool wants_json =
       flags.output.json || std::any_of(flags.output.paths.begin(), flags.output.paths.end(), is_json);

@@ -30,6 +30,8 @@ std::string extension_of(const std::string& path) {
 
 bool is_uff(const std::string& path) { return extension_of(path) == ".uff" || extension_of(path) == ".unv"; }
 
+bool is_html(const std::string& path) { return extension_of(path) == ".html"; }
+
 void check_outputs(const OutputFlags& flags, const std::vector<std::string>& known) {
   std::set<std::string> seen;
   for (const std::string& path : flags.paths) {

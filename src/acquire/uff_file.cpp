@@ -131,9 +131,10 @@ class Splitter {
     set.text = body.substr(0, body.size() - rest_.size());
     const std::optional<std::uint64_t> claimed = set.number == 58 ? uff_data_bytes(record7) : std::nullopt;
     set.unread = claimed && ahead_.needed() && stays_in_file(*claimed, record7);
-    if (!set.unread && ahead_.needed())
+    if (!set.unread && ahead_.needed()) {
       ahead_.load_to(offset() + std::max<std::uint64_t>(claimed.value_or(0), static_cast<std::uint64_t>(*stated)) +
                      kLook_bytes);
+    }
     const std::size_t bytes = set.unread ? *claimed : length_of(claimed, static_cast<std::uint64_t>(*stated), start);
     set.data = rest_.substr(0, bytes);
     rest_.remove_prefix(bytes);

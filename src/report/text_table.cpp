@@ -1,7 +1,11 @@
 #include "report/text_table.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <sstream>
+
+#include "report/html_text.hpp"
 
 namespace percuss {
 namespace {
@@ -67,6 +71,22 @@ std::string TextTable::text(std::size_t width) const {
   std::string out = line(heads);
   for (const auto& row : rows_) out += line(row);
   return out;
+}
+
+std::string TextTable::html() const {
+  const auto line = [&](const char* tag, const std::vector<std::string>& cells) {
+    std::string out = "<tr>";
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      const char* const side = columns_[c].align == Align::right ? " class=\"right\"" : "";
+      out += fmt::format("<{0}{1}>{2}</{0}>", tag, side, html_text(cells[c]));
+    }
+    return out + "</tr>\n";
+  };
+  std::vector<std::string> heads;
+  for (const Column& column : columns_) heads.push_back(column.head);
+  std::string out = "<table>\n<thead>" + line("th", heads) + "</thead>\n<tbody>\n";
+  for (const auto& row : rows_) out += line("td", row);
+  return out + "</tbody>\n</table>\n";
 }
 
 }  // namespace percuss

@@ -16,6 +16,8 @@ class TextTable {
   explicit TextTable(std::vector<Column> columns) : columns_(std::move(columns)) {}
   void add(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
   std::string text(std::size_t width) const;
+  /// The same as an element of HTML, its cells escaped.
+  std::string html() const;
 
  private:
   std::vector<Column> columns_;

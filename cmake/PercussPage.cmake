@@ -1,0 +1,12 @@
+# Builds the parts of the HTML report into percuss_report.
+foreach(part STYLE:src/report/page/page.css PROGRAM:src/report/page/page.js)
+  string(REPLACE ":" ";" part ${part})
+  list(GET part 0 name)
+  list(GET part 1 path)
+  file(READ ${PROJECT_SOURCE_DIR}/${path} PERCUSS_PAGE_${name})
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${path})
+endforeach()
+file(READ ${PROJECT_SOURCE_DIR}/third_party/uplot/uPlot.min.css PERCUSS_PLOT_STYLE)
+file(READ ${PROJECT_SOURCE_DIR}/third_party/uplot/uPlot.iife.min.js PERCUSS_PLOT_PROGRAM)
+configure_file(${PROJECT_SOURCE_DIR}/src/report/page_texts.cpp.in ${CMAKE_CURRENT_BINARY_DIR}/generated/page_texts.cpp @ONLY)
+target_sources(percuss_report PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/generated/page_texts.cpp)

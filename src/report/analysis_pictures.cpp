@@ -1,0 +1,174 @@
+#include "report/analysis_pictures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+#include "core/units.hpp"
+#include "identify/frf_synthesis.hpp"
+#include "report/analysis_tables.hpp"
+#include "report/curve_data.hpp"
+
+namespace percuss {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kMostFrfs = 8, kMostHitsShown = 12, kDecayPoints = 400;
+constexpr double kSeen_dB = 0.01, kSeen_deg = 0.1, kSeen_coherence = 1e-4;
+constexpr double kNotSeen = std::numeric_limits<double>::quiet_NaN();
+
+double level_dB_of(double amplitude) { return amplitude > 0 ? 20 * std::log10(amplitude) : kNotSeen; }
+
+double level_of(const PointFrf& frf) {
+  double sum = 0;
+  for (const Complex& value : frf.frf.value) sum += std::norm(value);
+  return sum;
+}
+
+// The strongest, in the order of the file.
+std::vector<std::size_t> shown_frfs(const std::vector<PointFrf>& frfs) {
+  std::vector<std::size_t> order(frfs.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return level_of(frfs[a]) > level_of(frfs[b]); });
+  order.resize(std::min(order.size(), kMostFrfs));
+  std::sort(order.begin(), order.end());
+  return order;
+}
+
+std::string name_of_frf(const Analysis& analysis, const PointFrf& frf) {
+  const SignalInfo& signal = analysis.record().accel[frf.channel];
+  std::string name = signal.name;
+  if (signal.angle_rad) name += fmt::format(" ({:.4g}°)", *signal.angle_rad * kRadian_deg);
+  return analysis.frf_points().size() > 1 ? fmt::format("point {}, {}", frf.point, name) : name;
+}
+
+Json curve_picture(const Analysis& analysis, const PointFrf& frf, const std::vector<Complex>* fit) {
+  const auto picture = [](std::size_t count, double seen, auto value_of) {
+    std::vector<double> values(count);
+    for (std::size_t k = 0; k < count; ++k) values[k] = value_of(k);
+    return picture_numbers(values, seen);
+  };
+  const auto& value = frf.frf.value;
+  Json json{
+      {"name", name_of_frf(analysis, frf)},
+      {"db", picture(value.size(), kSeen_dB, [&](std::size_t k) { return level_dB_of(std::abs(value[k])); })},
+      {"phase_deg", picture(value.size(), kSeen_deg, [&](std::size_t k) { return std::arg(value[k]) * kRadian_deg; })}};
+  if (!frf.frf.coherence.empty())
+    json["coherence"] = picture(value.size(), kSeen_coherence, [&](std::size_t k) { return frf.frf.coherence[k]; });
+  if (!frf.frf.std.empty()) {
+    json["sigma_db"] = picture(value.size(), kSeen_dB, [&](std::size_t k) {
+      return std::min(40.0, level_dB_of(1 + frf.frf.std[k] / std::max(std::abs(value[k]), 1e-300)));
+    });
+  }
+  if (fit != nullptr && fit->size() == value.size())
+    json["fit_db"] = picture(value.size(), kSeen_dB, [&](std::size_t k) { return level_dB_of(std::abs((*fit)[k])); });
+  return json;
+}
+
+Json frf_picture(const Analysis& analysis) {
+  const auto& frfs = analysis.frfs();
+  const FrfSet& set = analysis.fitted_frfs();
+  std::vector<SynthesisedFrf> made;
+  if (!analysis.modes().empty() && set.outputs.size() == frfs.size())
+    made = synthesised_frfs(set, analysis.modes(), set.lines);
+  Json json{{"first_hz", analysis.lines().freq_Hz(0)},
+            {"df_hz", analysis.lines().df_Hz()},
+            {"of", frfs.size()},
+            {"curves", Json::array()}};
+  for (const std::size_t i : shown_frfs(frfs))
+    json["curves"].push_back(curve_picture(analysis, frfs[i], i < made.size() ? &made[i].value : nullptr));
+  return json;
+}
+
+Json modes_picture(const Analysis& analysis) {
+  Json out = Json::array();
+  for (std::size_t m = 0; m < analysis.modes().size(); ++m) {
+    const Mode& mode = analysis.modes()[m];
+    const Verdict& verdict = analysis.verdicts()[m];
+    Json json{{"hz", mode.pole.freq_Hz},
+              {"zeta", mode.pole.damping_ratio},
+              {"name", verdict.order > 0 ? family_of(verdict) : fmt::format("mode {}", m)},
+              {"family", name_of(verdict.family)},
+              {"sensors", Json::array()}};
+    for (const Residue& residue : mode.residues) {
+      const auto& angle_rad = analysis.record().accel[residue.channel].angle_rad;
+      if (residue.point == mode.residues.front().point && angle_rad)
+        json["sensors"].push_back(
+            {{"angle_rad", *angle_rad}, {"re", residue.value.real()}, {"im", residue.value.imag()}});
+    }
+    out.push_back(std::move(json));
+  }
+  return out;
+}
+
+// The response's level from block to block after the onset, in dB under its largest.
+Json decay_picture(const Analysis& analysis, const Hit& hit, std::size_t channel) {
+  const Record& record = analysis.record();
+  const std::size_t first = std::min(hit.peak, hit.first + hit.samples - 1), count = hit.first + hit.samples - first;
+  std::vector<double> samples(count);
+  record.read_accel_mps2(hit.row, channel, first, samples);
+  double mean = 0;
+  for (const double x : samples) mean += x / static_cast<double>(count);
+  const std::size_t block = std::max<std::size_t>(1, count / kDecayPoints);
+  std::vector<double> level_dB;
+  for (std::size_t at = 0; at + block <= count; at += block) {
+    double sum = 0;
+    for (std::size_t i = at; i < at + block; ++i) sum += (samples[i] - mean) * (samples[i] - mean);
+    level_dB.push_back(level_dB_of(std::sqrt(sum / static_cast<double>(block))));
+  }
+  const double highest = level_dB.empty() ? 0 : *std::max_element(level_dB.begin(), level_dB.end());
+  for (double& level : level_dB) level -= highest;
+  return {{"step_s", static_cast<double>(block) / record.fs_Hz}, {"db", picture_numbers(level_dB, kSeen_dB)}};
+}
+
+Json hits_picture(const Analysis& analysis) {
+  Json out = Json::array();
+  const auto& hits = analysis.hits();
+  for (std::size_t i = 0; i < hits.size() && out.size() < kMostHitsShown; ++i) {
+    const Hit& hit = hits[i].hit;
+    if (hit.gated_N.empty()) continue;
+    const double start_s = static_cast<double>(hit.gate_first) / analysis.record().fs_Hz - hit.onset_s;
+    Json json{{"name", fmt::format("hit {}", i)},
+              {"accepted", hits[i].accepted},
+              {"start_ms", start_s * 1e3},
+              {"step_ms", 1e3 / analysis.record().fs_Hz},
+              {"force_n", picture_numbers(hit.gated_N, 0)},
+              {"decay", Json::array()}};
+    for (std::size_t channel = 0; channel < std::min<std::size_t>(2, hits[i].responses.size()); ++channel)
+      json["decay"].push_back(decay_picture(analysis, hit, channel));
+    out.push_back(std::move(json));
+  }
+  return out;
+}
+
+Json stabilisation_picture(const Stabilisation& diagram) {
+  std::vector<double> freq_Hz;
+  std::string stability;
+  Json orders = Json::array();
+  for (const StabilisationPole& pole : diagram.poles) {
+    freq_Hz.push_back(pole.pole.freq_Hz);
+    orders.push_back(pole.order);
+    stability += name_of(pole.stability)[0];
+  }
+  return {{"hz", picture_numbers(freq_Hz, 0)}, {"order", std::move(orders)}, {"stability", stability}};
+}
+
+}  // namespace
+
+Json analysis_pictures(const Analysis& analysis) {
+  Json json = Json::object();
+  if (analysis.given_frfs() == nullptr) json["hits"] = hits_picture(analysis);
+  if (!analysis.possible()) return json;
+  json["frf"] = frf_picture(analysis);
+  json["modes"] = modes_picture(analysis);
+  json["stabilisation"] = stabilisation_picture(analysis.stabilisation());
+  return json;
+}
+
+}  // namespace percuss

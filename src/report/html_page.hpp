@@ -1,0 +1,19 @@
+#pragma once
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace percuss {
+
+/// A page that is one file: its style, its programs and its data within it, nothing from anywhere else. A
+/// content-security policy names the programs and styles by their SHA-256: nothing else on the page can run, whatever
+/// the data hold.
+struct HtmlPage {
+  std::string title;            // plain text
+  std::string body;             // HTML; texts in it have gone through html_text
+  nlohmann::ordered_json data;  // what page/page.js draws
+
+  /// The whole document.
+  std::string text() const;
+};
+
+}  // namespace percuss

@@ -1,0 +1,12 @@
+#pragma once
+#include <string_view>
+
+namespace percuss {
+
+/// The parts of every page: page/page.css and page/page.js, and uPlot's (third_party/uplot).
+struct PageTexts {
+  std::string_view style, program, plot_style, plot_program;
+};
+const PageTexts& page_texts();
+
+}  // namespace percuss
