@@ -30,6 +30,13 @@ double level_of(const PointFrf& frf) {
   return sum;
 }
 
+std::string ascii_text(const Json& json) { return json.dump(-1, ' ', true, Json::error_handler_t::replace); }
+
+Json numbers_json(std::span<const double> values, double coarsest) {
+  PictureNumbers numbers = picture_numbers(values, coarsest);
+  return {{"from", numbers.from}, {"step", numbers.step}, {"u16", std::move(numbers.u16)}};
+}
+
 // The strongest, in the order of the file.
 std::vector<std::size_t> shown_frfs(const std::vector<PointFrf>& frfs) {
   std::vector<std::size_t> order(frfs.size());
@@ -52,7 +59,7 @@ Json curve_picture(const Analysis& analysis, const PointFrf& frf, const std::vec
   const auto picture = [](std::size_t count, double seen, auto value_of) {
     std::vector<double> values(count);
     for (std::size_t k = 0; k < count; ++k) values[k] = value_of(k);
-    return picture_numbers(values, seen);
+    return numbers_json(values, seen);
   };
   const auto& value = frf.frf.value;
   Json json{
@@ -81,8 +88,9 @@ Json frf_picture(const Analysis& analysis) {
             {"df_hz", analysis.lines().df_Hz()},
             {"of", frfs.size()},
             {"curves", Json::array()}};
-  for (const std::size_t i : shown_frfs(frfs))
+  for (const std::size_t i : shown_frfs(frfs)) {
     json["curves"].push_back(curve_picture(analysis, frfs[i], i < made.size() ? &made[i].value : nullptr));
+  }
   return json;
 }
 
@@ -124,7 +132,7 @@ Json decay_picture(const Analysis& analysis, const Hit& hit, std::size_t channel
   }
   const double highest = level_dB.empty() ? 0 : *std::max_element(level_dB.begin(), level_dB.end());
   for (double& level : level_dB) level -= highest;
-  return {{"step_s", static_cast<double>(block) / record.fs_Hz}, {"db", picture_numbers(level_dB, kSeen_dB)}};
+  return {{"step_s", static_cast<double>(block) / record.fs_Hz}, {"db", numbers_json(level_dB, kSeen_dB)}};
 }
 
 Json hits_picture(const Analysis& analysis) {
@@ -138,7 +146,7 @@ Json hits_picture(const Analysis& analysis) {
               {"accepted", hits[i].accepted},
               {"start_ms", start_s * 1e3},
               {"step_ms", 1e3 / analysis.record().fs_Hz},
-              {"force_n", picture_numbers(hit.gated_N, 0)},
+              {"force_n", numbers_json(hit.gated_N, 0)},
               {"decay", Json::array()}};
     for (std::size_t channel = 0; channel < std::min<std::size_t>(2, hits[i].responses.size()); ++channel)
       json["decay"].push_back(decay_picture(analysis, hit, channel));
@@ -156,19 +164,19 @@ Json stabilisation_picture(const Stabilisation& diagram) {
     orders.push_back(pole.order);
     stability += name_of(pole.stability)[0];
   }
-  return {{"hz", picture_numbers(freq_Hz, 0)}, {"order", std::move(orders)}, {"stability", stability}};
+  return {{"hz", numbers_json(freq_Hz, 0)}, {"order", std::move(orders)}, {"stability", stability}};
 }
 
 }  // namespace
 
-Json analysis_pictures(const Analysis& analysis) {
+std::string analysis_pictures(const Analysis& analysis) {
   Json json = Json::object();
   if (analysis.given_frfs() == nullptr) json["hits"] = hits_picture(analysis);
-  if (!analysis.possible()) return json;
+  if (!analysis.possible()) return ascii_text(json);
   json["frf"] = frf_picture(analysis);
   json["modes"] = modes_picture(analysis);
   json["stabilisation"] = stabilisation_picture(analysis.stabilisation());
-  return json;
+  return ascii_text(json);
 }
 
 }  // namespace percuss

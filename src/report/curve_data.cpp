@@ -4,14 +4,13 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "report/digest.hpp"
 
 namespace percuss {
 
-nlohmann::ordered_json picture_numbers(std::span<const double> values, double coarsest) {
+PictureNumbers picture_numbers(std::span<const double> values, double coarsest) {
   constexpr double kLargest = 65534;
   constexpr std::uint16_t kNone = 65535;
   double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -30,7 +29,7 @@ nlohmann::ordered_json picture_numbers(std::span<const double> values, double co
     bytes.push_back(static_cast<std::uint8_t>(k & 0xFFU));
     bytes.push_back(static_cast<std::uint8_t>(k >> 8U));
   }
-  return {{"from", low}, {"step", step}, {"u16", base64(bytes)}};
+  return {.from = low, .step = step, .u16 = base64(bytes)};
 }
 
 }  // namespace percuss

@@ -1,5 +1,7 @@
 #include "report/html_page.hpp"
 
+#include <fmt/format.h>
+
 #include "report/digest.hpp"
 #include "report/html_text.hpp"
 #include "report/page_texts.hpp"
@@ -10,9 +12,9 @@ namespace {
 std::string source_of(const std::string& text) { return "'sha256-" + base64(sha256(text)) + "'"; }
 
 // JSON within a script element: no "<" may end it.
-std::string data_text(const nlohmann::ordered_json& data) {
+std::string data_text(const std::string& json) {
   std::string out;
-  for (const char c : data.dump(-1, ' ', true, nlohmann::ordered_json::error_handler_t::replace)) {
+  for (const char c : json) {
     if (c == '<' || c == '>' || c == '&') {
       out += c == '<' ? "\\u003c" : c == '>' ? "\\u003e" : "\\u0026";
     } else {
@@ -27,16 +29,23 @@ std::string data_text(const nlohmann::ordered_json& data) {
 std::string HtmlPage::text() const {
   const std::string style = std::string(page_texts().plot_style) + std::string(page_texts().style);
   const std::string program = std::string(page_texts().plot_program) + std::string(page_texts().program);
-  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; base-uri 'none'; form-action "
-         "'none'; "
-         "script-src " +
-         source_of(program) + "; style-src " + source_of(style) +
-         "\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-         "<meta name=\"color-scheme\" content=\"light dark\">\n<title>" +
-         html_text(title) + "</title>\n<style>" + style + "</style>\n</head>\n<body>\n" + body +
-         "<script type=\"application/json\" id=\"data\">" + data_text(data) + "</script>\n<script>" + program +
-         "</script>\n</body>\n</html>\n";
+  return fmt::format(R"(<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta http-equiv="Content-Security-Policy" content="default-src 'none'; base-uri 'none'; form-action 'none'; script-src {}; style-src {}">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="color-scheme" content="light dark">
+<title>{}</title>
+<style>{}</style>
+</head>
+<body>
+{}<script type="application/json" id="data">{}</script>
+<script>{}</script>
+</body>
+</html>
+)",
+                     source_of(program), source_of(style), html_text(title), style, body, data_text(data), program);
 }
 
 }  // namespace percuss

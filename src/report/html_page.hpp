@@ -1,5 +1,4 @@
 #pragma once
-#include <nlohmann/json.hpp>
 #include <string>
 
 namespace percuss {
@@ -8,9 +7,9 @@ namespace percuss {
 /// content-security policy names the programs and styles by their SHA-256: nothing else on the page can run, whatever
 /// the data hold.
 struct HtmlPage {
-  std::string title;            // plain text
-  std::string body;             // HTML; texts in it have gone through html_text
-  nlohmann::ordered_json data;  // what page/page.js draws
+  std::string title;  // plain text
+  std::string body;   // HTML; texts in it have gone through html_text
+  std::string data;   // JSON in ASCII: what page/page.js draws
 
   /// The whole document.
   std::string text() const;

@@ -63,12 +63,8 @@
     return made_plot;
   };
 
-  // Where a phase leaps from one end of its circle to the other there is no line; one that trembles about 180° is shown there.
-  const unjumped = (values) => {
-    const near = values.filter((v) => v !== null && Math.abs(v) > 178).length > values.length / 20;
-    const out = values.map((v) => (near && v !== null && v < -178 ? v + 360 : v));
-    return out.map((v, k) => (k > 0 && v !== null && out[k - 1] !== null && Math.abs(v - out[k - 1]) > 300 ? null : v));
-  };
+  // Where a phase leaps from one end of its circle to the other there is no line.
+  const unjumped = (values) => values.map((v, k) => (k > 0 && v !== null && values[k - 1] !== null && Math.abs(v - values[k - 1]) > 300 ? null : v));
 
   const frequencyPictures = () => {
     const frf = data.frf;
