@@ -106,9 +106,10 @@ Json modes_picture(const Analysis& analysis) {
               {"sensors", Json::array()}};
     for (const Residue& residue : mode.residues) {
       const auto& angle_rad = analysis.record().accel[residue.channel].angle_rad;
-      if (residue.point == mode.residues.front().point && angle_rad)
+      if (residue.point == mode.residues.front().point && angle_rad) {
         json["sensors"].push_back(
             {{"angle_rad", *angle_rad}, {"re", residue.value.real()}, {"im", residue.value.imag()}});
+      }
     }
     out.push_back(std::move(json));
   }
