@@ -25,7 +25,7 @@ std::string between(const std::string& text, const std::string& from, const std:
 }
 
 nlohmann::json data_of(const std::string& page) {
-  return nlohmann::json::parse(between(page, "<script type=\"application/json\" id=\"data\">", "</script>"));
+  return nlohmann::json::parse(between(page, R"(<script type="application/json" id="data">)", "</script>"));
 }
 
 // FIPS 180-2, appendix B, and RFC 4648, section 10.
@@ -70,7 +70,7 @@ class AnalysisPage : public testing::Test {
 TEST_F(AnalysisPage, HoldsVerdictTableAndPictures) {
   test::write_small_test(folder_.file("bat.h5"));
   const std::string page = page_of(folder_.file("bat.h5"));
-  EXPECT_THAT(page, HasSubstr("<p class=\"verdict\">2 modes between"));
+  EXPECT_THAT(page, HasSubstr(R"(<p class="verdict">2 modes between)"));
   EXPECT_THAT(page, HasSubstr("bending at 200.0 Hz; hoop at 700.0 Hz."));
   EXPECT_THAT(page, HasSubstr("<td>hoop 1</td>"));
   EXPECT_THAT(page, HasSubstr("1970-01-01 00:00 UTC"));
@@ -120,7 +120,7 @@ TEST_F(AnalysisPage, TellsOfARecordThatCannotBeUsed) {
   const auto made = run_percuss({"synth", "no-pulse", "-o", folder_.file("none.h5")});
   ASSERT_EQ(made.code, 0) << made.err;
   const std::string page = page_of(folder_.file("none.h5"));
-  EXPECT_THAT(page, HasSubstr("id=\"hits\""));
+  EXPECT_THAT(page, HasSubstr(R"(id="hits")"));
 }
 
 TEST_F(AnalysisPage, IsOfOneTest) {
