@@ -25,7 +25,10 @@ std::string between(const std::string& text, const std::string& from, const std:
 }
 
 nlohmann::json data_of(const std::string& page) {
-  return nlohmann::json::parse(between(page, R"(<script type="application/json" id="data">)", "</script>"));
+  auto parts = nlohmann::json::parse(between(page, R"(<script type="application/json" id="data">)", "</script>"));
+  nlohmann::json all = nlohmann::json::object();
+  for (const auto& part : parts) all.update(part);
+  return all;
 }
 
 // FIPS 180-2, appendix B, and RFC 4648, section 10.
@@ -126,6 +129,21 @@ TEST_F(AnalysisPage, TellsOfARecordThatCannotBeUsed) {
 TEST_F(AnalysisPage, IsOfOneTest) {
   test::write_small_test(folder_.file("bat.h5"), R"("hits": 2, "runs": 2)");
   EXPECT_EQ(run_percuss({"analyze", folder_.file("bat.h5"), "-o", folder_.file("x.html")}).code, 2);
+}
+
+TEST_F(AnalysisPage, OfASurveyHoldsShapesAndMac) {
+  const std::string record = folder_.file("barrel.h5"), path = folder_.file("survey.html");
+  ASSERT_EQ(run_percuss({"synth", "roving-barrel", "-o", record}).code, 0);
+  const auto outcome = run_percuss({"survey", record, "-o", path});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const std::string page = test::bytes_of(path);
+  const auto shapes = data_of(page)["shapes"];
+  EXPECT_EQ(shapes["points"].size(), 24U);
+  EXPECT_EQ(shapes["lines"].size(), 3U * 8 + 2 * 8) << "three rings of eight, and eight lines along them";
+  ASSERT_EQ(shapes["modes"].size(), 5U);
+  EXPECT_EQ(shapes["modes"][3]["moves"].size(), 24U * 6);
+  EXPECT_THAT(page, HasSubstr(R"(<td class="right shade4">1.00</td>)"));
+  EXPECT_LT(page.size(), 2'000'000U);
 }
 
 }  // namespace percuss::analysis_page_test

@@ -1,5 +1,5 @@
 #pragma once
-#include "report/analysis_page.hpp"
+#include "report/page_parts.hpp"
 
 namespace percuss::tools {
 

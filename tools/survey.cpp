@@ -10,10 +10,12 @@
 #include "core/error.hpp"
 #include "output.hpp"
 #include "progress.hpp"
+#include "provenance.hpp"
 #include "read_flags.hpp"
 #include "report/modes_uff.hpp"
 #include "report/survey_files.hpp"
 #include "report/survey_json.hpp"
+#include "report/survey_page.hpp"
 #include "report/survey_text.hpp"
 
 namespace percuss::tools {
@@ -78,6 +80,8 @@ void write_outputs(const SurveyFlags& flags, const Survey& survey, const std::st
     const std::string kind = extension_of(path);
     if (kind == ".json") {
       write_file(path, document, flags.output.force);
+    } else if (is_html(path)) {
+      write_file(path, survey_page(survey, provenance_now()), flags.output.force);
     } else if (!survey.analysis().possible()) {
       std::cerr << "percuss: no hit can be used, so there are no shapes to write (" + one_line(path) +
                        "); see the hits' findings\n";
@@ -96,7 +100,7 @@ int run_survey(const SurveyFlags& flags) {
     std::cout << geometry_example();
     return kOk;
   }
-  check_outputs(flags.output, {".json", ".csv", ".h5", ".uff", ".unv"});
+  check_outputs(flags.output, {".json", ".html", ".csv", ".h5", ".uff", ".unv"});
   const SurveyOptions options = survey_options(flags);
   const Progress progress("analysing", flags.output.quiet);
   const auto made = analysis_of(flags);

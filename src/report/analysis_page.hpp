@@ -2,17 +2,16 @@
 #include <string>
 
 #include "pipeline/analysis.hpp"
+#include "report/page_parts.hpp"
 
 namespace percuss {
-
-/// What a page says of how it came about; nothing else on it depends on when and where.
-struct Provenance {
-  std::string command;  // the command line
-  std::string made_at;  // UTC, "2026-11-22 21:45"
-};
 
 /// The analysis as a page of one file: what was found in a sentence, the modes with their deviations, warnings, then
 /// FRFs, hits, the stabilisation diagram and the barrel's movement as pictures, and how it came about.
 std::string analysis_page(const Analysis& analysis, const Provenance& provenance);
+
+/// The section of the FRFs, and that of the hits, which other pages show as well.
+std::string frf_section(const std::string& verdict);
+std::string hits_section(const Analysis& analysis);
 
 }  // namespace percuss

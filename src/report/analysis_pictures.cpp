@@ -94,11 +94,11 @@ Json frf_picture(const Analysis& analysis) {
   return json;
 }
 
-Json modes_picture(const Analysis& analysis) {
+Json modes_picture(const Analysis& analysis, const std::vector<Verdict>& verdicts) {
   Json out = Json::array();
   for (std::size_t m = 0; m < analysis.modes().size(); ++m) {
     const Mode& mode = analysis.modes()[m];
-    const Verdict& verdict = analysis.verdicts()[m];
+    const Verdict& verdict = verdicts[m];
     Json json{{"hz", mode.pole.freq_Hz},
               {"zeta", mode.pole.damping_ratio},
               {"name", verdict.order > 0 ? family_of(verdict) : fmt::format("mode {}", m)},
@@ -170,13 +170,13 @@ Json stabilisation_picture(const Stabilisation& diagram) {
 
 }  // namespace
 
-std::string analysis_pictures(const Analysis& analysis) {
+std::string analysis_pictures(const Analysis& analysis, const std::vector<Verdict>& verdicts, bool stabilisation) {
   Json json = Json::object();
   if (analysis.given_frfs() == nullptr) json["hits"] = hits_picture(analysis);
   if (!analysis.possible()) return ascii_text(json);
   json["frf"] = frf_picture(analysis);
-  json["modes"] = modes_picture(analysis);
-  json["stabilisation"] = stabilisation_picture(analysis.stabilisation());
+  json["modes"] = modes_picture(analysis, verdicts);
+  if (stabilisation) json["stabilisation"] = stabilisation_picture(analysis.stabilisation());
   return ascii_text(json);
 }
 

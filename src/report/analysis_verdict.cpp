@@ -18,17 +18,17 @@ std::string list_of(const std::vector<std::string>& items) {
   return out;
 }
 
-std::vector<std::string> frequencies_of(const Analysis& analysis, Family family) {
+std::vector<std::string> frequencies_of(const Analysis& analysis, const std::vector<Verdict>& verdicts, Family family) {
   std::vector<std::string> out;
   for (std::size_t m = 0; m < analysis.modes().size(); ++m) {
-    if (analysis.verdicts()[m].family == family) out.push_back(significant(analysis.modes()[m].pole.freq_Hz, 4));
+    if (verdicts[m].family == family) out.push_back(significant(analysis.modes()[m].pole.freq_Hz, 4));
   }
   return out;
 }
 
 }  // namespace
 
-std::string verdict_sentence(const Analysis& analysis) {
+std::string verdict_sentence(const Analysis& analysis, const std::vector<Verdict>& verdicts) {
   if (!analysis.possible()) return "No hit can be used: there are no FRFs and no modes.";
   const auto [low_Hz, high_Hz] = analysis.band_Hz();
   const std::string band = fmt::format("between {:.4g} and {:.4g} Hz", low_Hz, high_Hz);
@@ -36,7 +36,7 @@ std::string verdict_sentence(const Analysis& analysis) {
   if (count == 0) return fmt::format("No mode stands out of the noise {}.", band);
   std::vector<std::string> parts;
   for (const Family family : {Family::bending, Family::hoop, Family::unknown}) {
-    const auto found = frequencies_of(analysis, family);
+    const auto found = frequencies_of(analysis, verdicts, family);
     if (found.empty()) continue;
     const bool named = family != Family::unknown || !parts.empty();
     parts.push_back(fmt::format(

@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <vector>
 
 #include "pipeline/analysis.hpp"
 
@@ -7,6 +8,6 @@ namespace percuss {
 
 /// What was found, in a sentence or two: "5 modes between 60 and 3200 Hz: bending at 169.0, 402.1 and 1204 Hz, hoop at
 /// 1900 Hz."
-std::string verdict_sentence(const Analysis& analysis);
+std::string verdict_sentence(const Analysis& analysis, const std::vector<Verdict>& verdicts);
 
 }  // namespace percuss

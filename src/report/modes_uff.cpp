@@ -4,14 +4,14 @@
 
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <map>
+#include <set>
 
 #include "acquire/uff_lines.hpp"
 #include "acquire/write_uff.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
-#include "report/survey_files.hpp"
+#include "report/survey_drawing.hpp"
 
 namespace percuss {
 namespace {
@@ -21,27 +21,19 @@ using Nodes = std::map<int, Vector>;  // by label
 
 constexpr int kComplexSingle = 5, kNodeColour = 11, kTranslations = 2, kComplexModes = 3, kDisplacement = 8;
 
-// Which way a point moves when it moves outwards.
-std::array<double, 3> normal_at(const Survey* survey, const Analysis& analysis, std::size_t point, std::size_t channel,
-                                bool sensors) {
-  const auto outwards = [](double angle_rad) { return std::array{0.0, std::cos(angle_rad), std::sin(angle_rad)}; };
-  if (survey != nullptr && survey->geometry() && survey->geometry()->tube) {
-    for (const GeometryPoint& p : survey->geometry()->points) {
-      if (p.point == static_cast<int>(point)) return outwards(p.angle_rad);
-    }
-  }
-  const auto& accel = analysis.record().accel;
-  if (sensors && channel < accel.size() && accel[channel].angle_rad) return outwards(*accel[channel].angle_rad);
-  return {0, 0, 1};
-}
-
 Nodes nodes_of(const ModeShape& shape, const Survey* survey, const Analysis& analysis, bool sensors, int offset) {
   Nodes out;
   for (const ShapePlace& place : shape.places) {
-    const auto normal = normal_at(survey, analysis, place.point, place.channel, sensors);
+    const auto normal = drawn_normal(survey, analysis, place.point, place.channel, sensors);
     Vector& value = out[static_cast<int>(place.point) + offset];
     for (std::size_t i = 0; i < 3; ++i) value[i] += place.value * normal[i];
   }
+  return out;
+}
+
+std::set<int> points_of(const Nodes& nodes, int offset) {
+  std::set<int> out;
+  for (const auto& [node, value] : nodes) out.insert(node - offset);
   return out;
 }
 
@@ -118,28 +110,6 @@ void write_places(UffOutput& out, const Survey& survey, const Nodes& nodes, int 
   out.set(2411, lines);
 }
 
-// The record's own lines; else rings around a tube and lines along it.
-std::vector<TraceLine> drawn_lines(const Survey& survey, const Nodes& nodes, int offset) {
-  const auto& own = survey.analysis().record().trace_lines;
-  if (!own.empty() || !survey.geometry() || !survey.geometry()->tube) return own;
-  std::map<long, std::map<long, int>> rings, lines;  // by position and angle, to a micrometre and a thousandth of 1°
-  for (const GeometryPoint& p : survey.geometry()->points) {
-    if (!nodes.contains(p.point + offset)) continue;
-    const long along = std::lround(p.position_m * 1e6), around = std::lround(p.angle_rad * kRadian_deg * 1e3);
-    rings[along][around] = p.point;
-    lines[around][along] = p.point;
-  }
-  std::vector<TraceLine> out;
-  const auto connect = [&](const std::map<long, int>& members, bool ring) {
-    for (auto at = members.begin(); std::next(at) != members.end(); ++at)
-      out.push_back({at->second, std::next(at)->second});
-    if (ring && members.size() > 2) out.push_back({members.rbegin()->second, members.begin()->second});
-  };
-  for (const auto& [place, members] : rings) connect(members, true);
-  for (const auto& [place, members] : lines) connect(members, false);
-  return out;
-}
-
 void write_shapes(const std::string& path, const Survey* survey, const Analysis& analysis,
                   const std::vector<ModeShape>& shapes, bool sensors, bool force) {
   const auto& modes = analysis.modes();
@@ -151,7 +121,7 @@ void write_shapes(const std::string& path, const Survey* survey, const Analysis&
     const Nodes nodes = nodes_of(shapes[m], survey, analysis, sensors, offset);
     if (m == 0 && survey != nullptr) {
       write_places(out, *survey, nodes, offset);
-      for (const std::string& line : uff_trace_line_sets(drawn_lines(*survey, nodes, offset), offset))
+      for (const std::string& line : uff_trace_line_sets(drawn_lines(*survey, points_of(nodes, offset)), offset))
         out.set(82, line);
     }
     const ShownMode mode{m + 1, modes[m].pole, shapes[m].normalisation == Normalisation::unit_modal_mass ? 1.0 : 0.0};

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <iterator>
@@ -10,17 +9,10 @@
 
 #include "acquire/hdf5_output.hpp"
 #include "core/units.hpp"
+#include "report/survey_drawing.hpp"
 
 namespace percuss {
 namespace {
-
-const GeometryPoint* place_of(const Survey& survey, std::size_t point) {
-  if (!survey.geometry()) return nullptr;
-  const auto& points = survey.geometry()->points;
-  const auto found = std::find_if(points.begin(), points.end(),
-                                  [&](const GeometryPoint& p) { return p.point == static_cast<int>(point); });
-  return found == points.end() ? nullptr : &*found;
-}
 
 void write_numbers(hdf5::OutputHdf5& out, const std::string& name, const std::vector<double>& values,
                    hdf5::Stored type = hdf5::Stored::float64) {
@@ -86,14 +78,6 @@ void write_cmif(hdf5::OutputHdf5& out, const Survey& survey) {
 }
 
 }  // namespace
-
-std::optional<std::array<double, 3>> drawn_at(const Survey& survey, std::size_t point) {
-  const GeometryPoint* place = place_of(survey, point);
-  if (place == nullptr) return std::nullopt;
-  if (place->xyz_m) return place->xyz_m;
-  return std::array{place->position_m, place->radius_m * std::cos(place->angle_rad),
-                    place->radius_m * std::sin(place->angle_rad)};
-}
 
 std::string shapes_csv(const Survey& survey) {
   std::string out =

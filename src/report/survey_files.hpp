@@ -1,6 +1,4 @@
 #pragma once
-#include <array>
-#include <optional>
 #include <string>
 
 #include "pipeline/survey.hpp"
@@ -19,8 +17,5 @@ std::string cmif_csv(const Survey& survey);
 /// /cmif_frequency_hz [lines], /cmif [lines, values]; attribute `normalisation` of the root. Throws InputError when the
 /// file exists (without force) or cannot be written.
 void write_survey_hdf5(const std::string& path, const Survey& survey, bool force);
-
-/// A point's coordinates for drawing: its own, or from its place on the tube (axis along x); nothing when not known.
-std::optional<std::array<double, 3>> drawn_at(const Survey& survey, std::size_t point);
 
 }  // namespace percuss

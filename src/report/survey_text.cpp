@@ -35,9 +35,10 @@ std::string note_cell(const Verdict& verdict) {
   return note;
 }
 
-std::string modes_table(const Survey& survey, std::size_t width) {
+}  // namespace
+
+TextTable survey_modes_table(const Survey& survey) {
   const auto& modes = survey.analysis().modes();
-  if (modes.empty()) return "no mode stands out of the noise in the band\n";
   const bool tube =
       std::any_of(survey.tubes().begin(), survey.tubes().end(), [](const auto& t) { return t.has_value(); });
   const bool mass = std::any_of(survey.shapes().begin(), survey.shapes().end(),
@@ -70,7 +71,14 @@ std::string modes_table(const Survey& survey, std::size_t width) {
     cells.push_back(note_cell(survey.verdicts()[m]));
     table.add(std::move(cells));
   }
-  return table.text(width);
+  return table;
+}
+
+namespace {
+
+std::string modes_text(const Survey& survey, std::size_t width) {
+  if (survey.analysis().modes().empty()) return "no mode stands out of the noise in the band\n";
+  return survey_modes_table(survey).text(width);
 }
 
 std::string scale_text(const Survey& survey) {
@@ -120,7 +128,7 @@ std::string survey_text(const Survey& survey, bool hits, std::size_t width) {
   if (hits || !survey.analysis().possible()) sections.insert(Section::hits);
   std::string text = analysis_text(survey.analysis(), {.sections = sections, .width = width, .warnings = false});
   if (survey.analysis().possible()) {
-    text += "\n" + modes_table(survey, width) + "\n";
+    text += "\n" + modes_text(survey, width) + "\n";
     if (!survey.shapes().empty()) text += scale_text(survey);
     text += mac_text(survey) + frac_text(survey);
   }

@@ -2,6 +2,7 @@
 #include <string>
 
 #include "pipeline/survey.hpp"
+#include "report/text_table.hpp"
 
 namespace percuss {
 
@@ -9,5 +10,8 @@ namespace percuss {
 /// and how well the modes explain the FRFs, then warnings in words. `hits` adds the table of hits. `width` of the
 /// terminal.
 std::string survey_text(const Survey& survey, bool hits, std::size_t width);
+
+/// Every mode with its order, shape and modal mass as far as they are known.
+TextTable survey_modes_table(const Survey& survey);
 
 }  // namespace percuss

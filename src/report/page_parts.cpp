@@ -1,0 +1,48 @@
+#include "report/page_parts.hpp"
+
+#include <fmt/format.h>
+
+#include "acquire/input_file.hpp"
+#include "core/error.hpp"
+#include "report/analysis_tables.hpp"
+#include "report/digest.hpp"
+#include "report/html_text.hpp"
+#include "report/text_table.hpp"
+#include "report/version.hpp"
+
+namespace percuss {
+
+std::string page_section(const char* id, const char* heading, const std::string& content) {
+  return fmt::format("<section id=\"{0}\" aria-labelledby=\"{0}-h\">\n<h2 id=\"{0}-h\">{1}</h2>\n{2}</section>\n", id,
+                     heading, content);
+}
+
+std::string page_paragraph(const std::string& text) { return "<p>" + html_text(text) + "</p>\n"; }
+
+std::string page_picture(const char* kind, const std::string& description) {
+  return fmt::format("<figure class=\"picture\" data-picture=\"{}\" role=\"img\" aria-label=\"{}\"></figure>\n", kind,
+                     html_text(description));
+}
+
+std::string page_header(const Analysis& analysis, std::size_t hits) {
+  const std::string name = one_line(input_name(analysis.record().source()), 400);
+  return "<header>\n<h1>" + html_text(name) + "</h1>\n<p class=\"conditions\">" +
+         html_text(conditions_of(analysis, hits)) + "</p>\n</header>\n";
+}
+
+std::string page_warnings(const std::vector<Warning>& warnings) {
+  std::string items;
+  for (const Warning& warning : warnings) items += "<li>" + html_text(one_line(warning.message, 4000)) + "</li>\n";
+  return items.empty() ? "" : "<ul class=\"warnings\" aria-label=\"Warnings\">\n" + items + "</ul>\n";
+}
+
+std::string page_provenance(const Analysis& analysis, const Provenance& provenance) {
+  TextTable files({{"input"}, {"bytes", TextTable::Align::right}, {"SHA-256"}});
+  for (const InputFile& file : analysis.record().files)
+    files.add({one_line(input_name(file.path), 400), fmt::format("{}", file.bytes), sha256_of_file(file.path)});
+  return "<details>\n<summary>Method and provenance</summary>\n" +
+         page_paragraph(fmt::format("percuss {}, {} UTC", version(), provenance.made_at)) + "<pre>" +
+         html_text(one_line(provenance.command, 4000)) + "</pre>\n" + files.html() + "</details>\n";
+}
+
+}  // namespace percuss
