@@ -12,7 +12,7 @@ namespace percuss {
 
 PictureNumbers picture_numbers(std::span<const double> values, double coarsest) {
   constexpr double kLargest = 65534;
-  constexpr std::uint16_t kNone = 65535;
+  constexpr std::uint16_t kAbsent = 65535;
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const double value : values) {
     if (!std::isfinite(value)) continue;
@@ -25,7 +25,7 @@ PictureNumbers picture_numbers(std::span<const double> values, double coarsest) 
   bytes.reserve(2 * values.size());
   for (const double value : values) {
     const auto k =
-        std::isfinite(value) ? static_cast<std::uint16_t>(std::lround(step > 0 ? (value - low) / step : 0)) : kNone;
+        std::isfinite(value) ? static_cast<std::uint16_t>(std::lround(step > 0 ? (value - low) / step : 0)) : kAbsent;
     bytes.push_back(static_cast<std::uint8_t>(k & 0xFFU));
     bytes.push_back(static_cast<std::uint8_t>(k >> 8U));
   }
