@@ -1,3 +1,6 @@
+#include <cstdio>
+#include <cstdlib>
+
 #include "acquire/read_csv.hpp"
 #include "acquire/read_lvm.hpp"
 #include "acquire/read_uff.hpp"
@@ -27,14 +30,26 @@ void run_csv(std::string_view bytes) { run_record(bytes, open_csv); }
 
 void run_lvm(std::string_view bytes) { run_record(bytes, open_lvm); }
 
-void run_uff(std::string_view bytes) {
-  const FileBytes file = as_file(bytes);
-  accepted([&] {
+namespace {
+
+bool read_uff(const FileBytes& file) {
+  return accepted([&] {
     const UffContents contents = read_uff_contents(file);
     accepted([&] { finish(read_frf_uff(file, contents, true)); });
     if (accepted([&] { read_all(open_uff(file, contents, {})); })) return;
     read_all(open_uff(file, contents, insisting_options()));
   });
+}
+
+}  // namespace
+
+// In memory, and as a file of which long numbers stay on the disk: to the same effect.
+void run_uff(std::string_view bytes) {
+  const NamelessFile file(bytes);
+  if (read_uff(as_file(bytes)) != read_uff(sparse_input(file.path(), bytes.size()))) {
+    std::fputs("read otherwise from the disk than from memory\n", stderr);
+    std::abort();
+  }
 }
 
 void run_frf_text(std::string_view bytes) {

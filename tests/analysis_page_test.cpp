@@ -1,5 +1,6 @@
 #include "report/analysis_page.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -120,10 +121,12 @@ TEST_F(AnalysisPage, LetsNoNameBecomeMarkup) {
 }
 
 TEST_F(AnalysisPage, TellsOfARecordThatCannotBeUsed) {
-  const auto made = run_percuss({"synth", "no-pulse", "-o", folder_.file("none.h5")});
-  ASSERT_EQ(made.code, 0) << made.err;
-  const std::string page = page_of(folder_.file("none.h5"));
+  test::write_small_test(folder_.file("bat.h5"), R"("hits": 1)");
+  const std::string page = page_of(folder_.file("bat.h5"), {"--reject-hit", "0"});
+  EXPECT_THAT(page, HasSubstr("No hit can be used"));
   EXPECT_THAT(page, HasSubstr(R"(id="hits")"));
+  for (const char* id : {"frf", "stabilisation", "movement"})
+    EXPECT_THAT(page, Not(HasSubstr(fmt::format(R"(<section id="{}")", id))));
 }
 
 TEST_F(AnalysisPage, IsOfOneTest) {

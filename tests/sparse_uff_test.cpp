@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 
@@ -105,6 +106,17 @@ TEST_F(SparseUff, SaysWhenTheFileWasCutMeanwhile) {
   const Record record = open_record(path_);
   fs::resize_file(path_, 100000);
   EXPECT_THAT(input_error_of([&] { force_N(record, 2); }), HasSubstr("became shorter while it was read"));
+}
+
+// A file without the end of a line: every byte is looked at once.
+TEST(SparseFile, TakesTimeAsItsLength) {
+  const test::ScratchFolder folder;
+  const std::string path = folder.file("long.unv");
+  test::write_bytes(path, "    -1\n    58\n");
+  fs::resize_file(path, 200'000'000);
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_THAT(input_error_of([&] { open_record(path); }), HasSubstr("not closed"));
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10)) << "it was 30 s when it was quadratic";
 }
 
 TEST(SparseFile, ReadsWhatIsAskedFor) {

@@ -65,9 +65,11 @@ TEST(UffLines, AreTheEdgesOfElements) {
   EXPECT_EQ(other.lines.size(), 3U);
 }
 
-TEST(UffLines, AreRefusedWhereTheyCannotBeRead) {
-  EXPECT_THAT(input_error_of([] { lines_in(set_of(2412, head(91, 3) + "         1      a  2\n")); }),
-              HasSubstr("x.csv: line 4"));
+TEST(UffLines, AreReadAsFarAsTheyCanBe) {
+  const UffLines found =
+      lines_in(set_of(2412, head(91, 3) + cells({1, 2, 3}) + head(91, 3) + "         1      a  2\n"));
+  EXPECT_EQ(found.lines.size(), 3U);
+  EXPECT_THAT(found.unreadable, HasSubstr("x.csv: line 6"));
   EXPECT_THAT(lines_in(set_of(2412, head(91, 1'000'000'000))).lines, IsEmpty()) << "what is claimed takes no memory";
 }
 
@@ -103,6 +105,33 @@ TEST_F(Drawn, IsKeptByEveryFormatWithRoomForIt) {
     EXPECT_THAT(losses_of(path, record_), testing::Each(testing::Not(HasSubstr("lines")))) << kind;
   }
   EXPECT_THAT(losses_of("r.csv", record_), testing::Contains(HasSubstr("lines")));
+}
+
+TEST_F(Drawn, IsKeptWhereTheLastPointsHaveNoPlace) {
+  record_.geometry.push_back({kNan, kNan, kNan});
+  record_.trace_lines.push_back({3, 4});
+  for (const char* kind : {".h5", ".mat", ".wav"}) {
+    const std::string path = folder_.file(std::string("r") + kind);
+    write_record(path, record_, false);
+    EXPECT_EQ(open_record(path).trace_lines, record_.trace_lines) << kind;
+  }
+  const std::string path = folder_.file("r.uff");
+  write_record(path, record_, false);
+  EXPECT_EQ(open_record(path).trace_lines.size(), 3U) << "a universal file has no node 4 to draw to";
+  EXPECT_THAT(losses_of(path, record_), testing::Contains("lines to points without coordinates"));
+}
+
+TEST_F(Drawn, IsLeftOutWhereItCannotBeKeptAndSaysSo) {
+  record_.geometry.assign(5000, {kNan, kNan, kNan});
+  record_.geometry.back() = {1, 2, 3};
+  record_.trace_lines = {{0, 4999}};
+  const std::string path = folder_.file("r.wav");
+  write_record(path, record_, false);
+  EXPECT_THAT(open_record(path).geometry, IsEmpty());
+  EXPECT_EQ(losses_of(path, record_).size(), 2U);
+  record_.geometry = {{0.1, 90}, {0.2, 90}};
+  record_.trace_lines = {{0, 1}};
+  EXPECT_THAT(losses_of("r.uff", record_), testing::Contains("the lines between points"));
 }
 
 TEST_F(Drawn, LeadsToPointsThatAreThere) {

@@ -3,11 +3,17 @@
 #include <fmt/chrono.h>
 
 #include <algorithm>
+#include <cctype>
+#include <charconv>
 #include <cstdlib>
 #include <ctime>
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <string_view>
+#include <system_error>
+
+#include "core/error.hpp"
 
 namespace percuss::tools {
 namespace {
@@ -38,7 +44,14 @@ std::string command_line() {
 
 std::time_t now() {
   const char* const fixed = std::getenv("SOURCE_DATE_EPOCH");
-  return fixed != nullptr ? static_cast<std::time_t>(std::strtoll(fixed, nullptr, 10)) : std::time(nullptr);
+  if (fixed == nullptr) return std::time(nullptr);
+  constexpr std::time_t kLast = 253402300799;  // 9999-12-31
+  const std::string_view text = fixed;
+  std::time_t value = -1;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool whole = error == std::errc{} && end == text.data() + text.size();
+  if (whole && value >= 0 && value <= kLast) return value;
+  throw UsageError("SOURCE_DATE_EPOCH is no time", "give seconds since 1970, or unset it");
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
 #include "acquire/confined_process.hpp"
 
 #include <fmt/format.h>
+#include <poll.h>
 #include <sys/mman.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
-#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -99,22 +99,6 @@ std::string packed_unclear(const UnclearColumns& error) {
   throw error;
 }
 
-// Ends this process when what it does takes longer, be it that it waits for something that never comes: a library whose
-// memory is in disorder may.
-class Alarm {
- public:
-  explicit Alarm(unsigned seconds) { set(seconds); }
-  ~Alarm() { set(0); }
-  Alarm(const Alarm&) = delete;
-  Alarm& operator=(const Alarm&) = delete;
-
- private:
-  static void set(unsigned seconds) {
-    const itimerval timer{.it_interval = {}, .it_value = {.tv_sec = static_cast<time_t>(seconds), .tv_usec = 0}};
-    ::setitimer(ITIMER_REAL, &timer, nullptr);
-  }
-};
-
 // Runs `work` and tells the parent how it ended; false when the parent is gone.
 template <class Work>
 bool tell_outcome(int descriptor, Work&& work) {
@@ -168,18 +152,15 @@ ConfinedProcess::ConfinedProcess(std::string path, const std::function<ConfinedS
     receive_outcome(description_);
   } catch (...) {
     ::close(descriptor_);
-    if (child_ > 0) ::waitpid(child_, nullptr, 0);
+    end_child();
     ::munmap(shared_, kShared * sizeof(double));
     throw;
   }
 }
 
 ConfinedProcess::~ConfinedProcess() {
-  ::close(descriptor_);  // the child sees the end and goes
-  if (child_ > 0) {
-    ::kill(child_, SIGKILL);
-    ::waitpid(child_, nullptr, 0);
-  }
+  ::close(descriptor_);
+  end_child();
   ::munmap(shared_, kShared * sizeof(double));
 }
 
@@ -196,12 +177,11 @@ int ConfinedProcess::served(int descriptor, const std::function<ConfinedService(
 }
 
 void ConfinedProcess::serve(int descriptor, const std::function<ConfinedService()>& open) const {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGALRM}) std::signal(signal, SIG_DFL);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
   std::signal(SIGPIPE, SIG_IGN);
   confine_this_process(descriptor, file_bytes_);
   ConfinedService service;
   const bool heard = tell_outcome(descriptor, [&] {
-    const Alarm alarm(patience_s_);
     service = open();
     return service.description;
   });
@@ -209,7 +189,6 @@ void ConfinedProcess::serve(int descriptor, const std::function<ConfinedService(
   while (heard && service.read && receive_bytes(descriptor, &request, sizeof request)) {
     const auto out = std::span(shared_, std::min<std::size_t>(request.count, kShared));
     const bool told = tell_outcome(descriptor, [&] {
-      const Alarm alarm(patience_s_);
       service.read(request.row, request.signal, request.first, out);
       return std::string();
     });
@@ -217,8 +196,26 @@ void ConfinedProcess::serve(int descriptor, const std::function<ConfinedService(
   }
 }
 
+// Bytes of an answer. The child may wait for something that never comes, a library whose memory is in disorder does.
 void ConfinedProcess::receive(void* to, std::size_t bytes) {
+  pollfd heard{descriptor_, POLLIN, 0};
+  // In seconds that this process was awake for: one that was stopped does not blame the child.
+  for (unsigned s = 0; ::poll(&heard, 1, 1000) <= 0; ++s) {
+    if (s + 1 < patience_s_) continue;
+    end_child();
+    throw InputError("reading it takes longer than any file of its size should", path_,
+                     "is it damaged? Else give --trust-input");
+  }
   if (!receive_bytes(descriptor_, to, bytes)) report_death();
+}
+
+int ConfinedProcess::end_child() {
+  int status = 0;
+  if (child_ <= 0) return status;
+  ::kill(child_, SIGKILL);
+  ::waitpid(child_, &status, 0);
+  child_ = -1;
+  return status;
 }
 
 void ConfinedProcess::receive_outcome(std::string& payload) {
@@ -260,10 +257,18 @@ void ConfinedProcess::report_no_memory() const {
 
 void ConfinedProcess::report_death() {
   int status = 0;
-  const bool known = ::waitpid(child_, &status, 0) == child_;
+  bool known = false;
+  for (int i = 0; i < 100 && !known; ++i) {  // it ends as it stops to answer, or is ended
+    known = ::waitpid(child_, &status, WNOHANG) == child_;
+    if (!known) ::usleep(10'000);
+  }
+  if (!known) {
+    status = end_child();
+    known = true;
+  }
   child_ = -1;
   const int signal = known && WIFSIGNALED(status) ? WTERMSIG(status) : 0;
-  if (signal == SIGXCPU || signal == SIGKILL || signal == SIGALRM) {
+  if (signal == SIGXCPU || signal == SIGKILL) {
     throw InputError("reading it takes longer than any file of its size should", path_,
                      "is it damaged? Else give --trust-input");
   }

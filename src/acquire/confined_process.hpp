@@ -40,6 +40,7 @@ class ConfinedProcess {
   int served(int descriptor, const std::function<ConfinedService()>& open) const;
   void serve(int descriptor, const std::function<ConfinedService()>& open) const;
   void receive_outcome(std::string& payload);
+  int end_child();  // how it ended, as waitpid tells it
   [[noreturn]] void report_death();
   [[noreturn]] void report_no_memory() const;
   void receive(void* to, std::size_t bytes);

@@ -72,8 +72,7 @@ void allow_always(Program& program) {
         SYS_munmap, SYS_mremap, SYS_mprotect, SYS_brk, SYS_madvise, SYS_futex, SYS_exit, SYS_exit_group,
         SYS_rt_sigaction, SYS_rt_sigprocmask, SYS_rt_sigreturn, SYS_sigaltstack, SYS_getpid, SYS_gettid, SYS_tgkill,
         SYS_clock_gettime, SYS_gettimeofday, SYS_getrandom, SYS_sched_yield, SYS_fcntl, SYS_flock, SYS_faccessat,
-        SYS_getcwd, SYS_readlinkat, SYS_uname, SYS_sysinfo, SYS_setitimer, SYS_fadvise64, SYS_getuid, SYS_geteuid,
-        SYS_restart_syscall,
+        SYS_getcwd, SYS_readlinkat, SYS_uname, SYS_sysinfo, SYS_fadvise64, SYS_getuid, SYS_geteuid, SYS_restart_syscall,
 #if defined(__x86_64__)
         SYS_stat, SYS_lstat, SYS_access, SYS_readlink,
 #endif

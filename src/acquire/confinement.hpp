@@ -4,7 +4,7 @@
 namespace percuss {
 
 /// Takes from this process, for good, what the reader of a foreign file has no use for. It may still read files, take
-/// memory, set alarms and write to `descriptor`; nothing else: no other writing, no network, no new processes.
+/// memory and write to `descriptor`; nothing else: no other writing, no network, no new processes.
 ///   memory     2 GiB, or 4 times the file, beyond what it has now (not under a sanitizer, which needs terabytes)
 ///   processor  20 s, and one more per 50 MB of the file
 ///   files      64 open ones

@@ -17,6 +17,7 @@ constexpr std::uint64_t kHeader5_bytes = 128, kVersion5_at = 124;
 constexpr std::uint32_t kMatrix5 = 14, kCompressed5 = 15;
 constexpr std::uint32_t kOtherOrder = 0x494DU;  // the letters IM, read the other way round
 constexpr std::size_t kTag5 = 2, kTag4 = 5;
+constexpr std::size_t kMostVariables4 = 100'000;  // more are refused elsewhere
 // By the tens of a level 4 type: double, single, int32, int16, uint16, uint8.
 constexpr std::array<std::uint64_t, 6> kBytes4{8, 4, 4, 2, 2, 1};
 
@@ -33,7 +34,7 @@ class Walk {
   // A tag of two numbers before every variable: its type and its bytes.
   void level5() const {
     const bool swapped = words<1>(kVersion5_at, false)[0] >> 16U == kOtherOrder;
-    for (std::uint64_t at = kHeader5_bytes; at < size_;) {
+    for (std::uint64_t at = kHeader5_bytes; holds_tag(at, kTag5);) {
       const auto [type, bytes] = words<kTag5>(at, swapped);
       if (type != kMatrix5 && type != kCompressed5) return;  // the library's affair
       at = next(at, sizeof(std::uint32_t) * kTag5 + std::uint64_t{bytes});
@@ -42,18 +43,22 @@ class Walk {
 
   // Five numbers before every variable: type, rows, columns, whether complex, bytes of its name.
   void level4() const {
-    for (std::uint64_t at = 0; at < size_;) {
+    std::size_t variables = 0;
+    for (std::uint64_t at = 0; holds_tag(at, kTag4) && variables < kMostVariables4; ++variables) {
       std::array<std::uint32_t, kTag4> tag = words<kTag4>(at, false);
       if (tag[0] >= 0x1000000U || tag[4] >= 0x1000000U) tag = words<kTag4>(at, true);
       const std::uint64_t kind = tag[0] % 100 / 10, parts = tag[3] == 1 ? 2 : 1;
       const std::uint64_t count = std::uint64_t{tag[1]} * tag[2];
-      if (kind >= kBytes4.size() || count > size_) cut();
+      if (kind >= kBytes4.size()) return;  // the library's affair
+      if (count > size_) cut();
       at = next(at, sizeof(std::uint32_t) * kTag4 + tag[4] + count * parts * kBytes4.at(kind));
     }
   }
 
  private:
   [[noreturn]] void cut() const { throw InputError("the file ends within a variable", path_, "copy or save it again"); }
+  // A few bytes behind the last variable are none.
+  bool holds_tag(std::uint64_t at, std::size_t words) const { return at + words * sizeof(std::uint32_t) <= size_; }
   std::uint64_t next(std::uint64_t at, std::uint64_t bytes) const {
     if (bytes > size_ - at) cut();
     return at + bytes;
@@ -62,7 +67,9 @@ class Walk {
   std::array<std::uint32_t, kCount> words(std::uint64_t at, bool swapped) const {
     std::array<std::uint32_t, kCount> out{};
     const auto got = ::pread(descriptor_, out.data(), sizeof out, static_cast<off_t>(at));
-    if (got != static_cast<ssize_t>(sizeof out)) cut();
+    if (got != static_cast<ssize_t>(sizeof out)) {
+      throw InputError("reading failed", path_, "check the disk and the file's permissions");
+    }
     for (std::uint32_t& word : out) word = swapped ? __builtin_bswap32(word) : word;
     return out;
   }

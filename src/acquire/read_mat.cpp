@@ -126,6 +126,15 @@ std::vector<TraceLine> trace_lines_in(const MatFile& file, std::size_t points) {
   return trace_lines_of(numbers, points, file.path + ": trace_lines");
 }
 
+// Drawings are no reason to refuse what was measured: the name may mean something else in another's file.
+void take_trace_lines(const MatFile& file, SignalTable& table) {
+  try {
+    table.trace_lines = trace_lines_in(file, table.geometry.size());
+  } catch (const InputError&) {
+    table.notes.emplace_back("trace_lines is not used: it leads to points that geometry has not");
+  }
+}
+
 // The force is signal 0, then every channel of every acceleration.
 void lay_out(OpenMat& open, const SignalRoles& roles, const std::vector<std::size_t>& index, SignalTable& table) {
   const MatVariable& force = open.file.variables[index[roles.force]];
@@ -207,7 +216,7 @@ Record open_mat(MatFile file, const ReadOptions& options) {
     throw InputError("no sampling rate among the variables", open->file.path, "give --fs in Hz, or its variable");
   lay_out(*open, variables, index, table);
   table.geometry = geometry_in(open->file);
-  table.trace_lines = trace_lines_in(open->file, table.geometry.size());
+  take_trace_lines(open->file, table);
   const SignalRoles roles = chosen_roles(table, open->file, options);
   std::vector<bool> used(open->file.variables.size(), false);
   for (const auto& source : open->sources) used[source.variable] = true;

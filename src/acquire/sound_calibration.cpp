@@ -38,6 +38,9 @@ void read_whole(StrictObject& o, const char* key, int& to) {
   to = static_cast<int>(value);
 }
 
+// Points without a place are rows of their own: memory follows what is there.
+std::size_t most_rows(std::size_t known) { return 4 * known + 1000; }
+
 void read_geometry(StrictObject& o, SoundCalibration& out) {
   std::vector<double> values, numbers, lines;
   std::size_t coordinates = 3;
@@ -52,16 +55,20 @@ void read_geometry(StrictObject& o, SoundCalibration& out) {
     for (std::size_t i = 0; i < points; ++i) numbers.push_back(static_cast<double>(i));
   }
   if (numbers.size() != points) o.fail("not one number for every point", "geometry_points", "write one each");
-  const double farthest = 4.0 * static_cast<double>(points) + 1000;  // memory follows what is there
+  std::size_t rows = points;
+  o.read("points", rows);
+  if (rows > most_rows(points)) o.fail("points numbered too far apart", "points", "number them from 0");
   const std::vector<double> none(coordinates, std::numeric_limits<double>::quiet_NaN());
   for (std::size_t i = 0; i < points; ++i) {
     const double number = numbers[i];
-    if (!(number >= static_cast<double>(out.geometry.size()) && number < farthest) || number != std::floor(number))
-      o.fail("point numbers that do not rise, or with large gaps", "geometry_points", "number points from 0");
+    if (!(number >= static_cast<double>(out.geometry.size()) && number < static_cast<double>(rows)) ||
+        number != std::floor(number))
+      o.fail("point numbers that do not rise, or are not below \"points\"", "geometry_points", "number points from 0");
     out.geometry.resize(static_cast<std::size_t>(number), none);
     const auto at = values.begin() + static_cast<std::ptrdiff_t>(i * coordinates);
     out.geometry.emplace_back(at, at + static_cast<std::ptrdiff_t>(coordinates));
   }
+  out.geometry.resize(rows, none);
   out.trace_lines = trace_lines_of(lines, out.geometry.size(), o.place() + ", trace_lines");
 }
 
@@ -69,9 +76,18 @@ bool is_known(const std::vector<double>& point) {
   return std::all_of(point.begin(), point.end(), [](double x) { return std::isfinite(x); });
 }
 
+}  // namespace
+
+bool calibration_holds_geometry(const std::vector<std::vector<double>>& geometry) {
+  return geometry.size() <=
+         most_rows(static_cast<std::size_t>(std::count_if(geometry.begin(), geometry.end(), is_known)));
+}
+
+namespace {
+
 void add_geometry(const SoundCalibration& calibration, Json& out) {
   const auto& geometry = calibration.geometry;
-  if (geometry.empty()) return;
+  if (geometry.empty() || !calibration_holds_geometry(geometry)) return;
   Json values = Json::array(), numbers = Json::array(), lines = Json::array();
   for (std::size_t i = 0; i < geometry.size(); ++i) {
     if (!is_known(geometry[i])) continue;
@@ -84,7 +100,10 @@ void add_geometry(const SoundCalibration& calibration, Json& out) {
   }
   out["coordinates"] = geometry.front().size();
   out["geometry_m"] = std::move(values);
-  if (numbers.size() != geometry.size()) out["geometry_points"] = std::move(numbers);
+  if (numbers.size() != geometry.size()) {
+    out["points"] = geometry.size();
+    out["geometry_points"] = std::move(numbers);
+  }
   if (!lines.empty()) out["trace_lines"] = std::move(lines);
 }
 

@@ -27,6 +27,9 @@ struct SoundCalibration {
   std::vector<TraceLine> trace_lines;
 };
 
+/// Whether the points are numbered densely enough for it; else geometry and lines are left out.
+bool calibration_holds_geometry(const std::vector<std::vector<double>>& geometry);
+
 /// JSON text. Equal calibrations give equal texts, every number is kept exactly.
 std::string calibration_text(const SoundCalibration& calibration);
 /// errors  InputError at `where`: not such a text.

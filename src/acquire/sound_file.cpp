@@ -3,8 +3,10 @@
 #include <sndfile.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 
 #include "acquire/input_file.hpp"
 #include "core/error.hpp"
@@ -148,7 +150,7 @@ SoundOutput::SoundOutput(const std::string& path, bool force, SoundKind kind, st
   }
   i.file = sf_open(i.target.unfinished_path().c_str(), SFM_WRITE, &info);
   if (i.file == nullptr) i.fail();
-  sf_command(i.file, SFC_SET_ADD_PEAK_CHUNK, nullptr, SF_FALSE);  // it holds the time of day
+  sf_command(i.file, SFC_SET_ADD_PEAK_CHUNK, nullptr, SF_FALSE);  // it holds the time of day; see forget_time
   if (kind == SoundKind::w64) return;
   if (!cues.empty()) {
     // As SF_CUES, for any number: a count and the cues.
@@ -180,10 +182,37 @@ void SoundOutput::append(std::span<const double> values) {
   if (sf_writef_double(impl_->file, values.data(), frames) != frames) impl_->fail();
 }
 
+namespace {
+
+// The library writes the time of day into the chunk PEAK, which it cannot be told to leave out of RF64.
+void forget_time(const std::string& path) {
+  constexpr std::size_t kFirstChunk = 12, kChunkHead = 8, kTime = 4, kLooked = std::size_t{1} << 16U;
+  std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+  std::string head(kLooked, '\0');
+  file.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(file.gcount()));
+  file.clear();
+  for (std::size_t at = kFirstChunk; at + kChunkHead + kTime + 4 <= head.size();) {
+    const std::string id = head.substr(at, 4);
+    std::uint32_t bytes = 0;
+    std::memcpy(&bytes, &head[at + 4], sizeof bytes);
+    if (id == "data") return;
+    if (id == "PEAK") {
+      file.seekp(static_cast<std::streamoff>(at + kChunkHead + kTime));
+      file.write("\0\0\0\0", 4);
+      return;
+    }
+    at += kChunkHead + bytes + bytes % 2;
+  }
+}
+
+}  // namespace
+
 void SoundOutput::commit() {
   const int closed = sf_close(impl_->file);  // writes the lengths
   impl_->file = nullptr;
   if (closed != 0) impl_->fail();
+  forget_time(impl_->target.unfinished_path());
   impl_->target.commit();
 }
 

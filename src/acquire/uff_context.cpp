@@ -55,6 +55,7 @@ std::vector<std::string> uff_notes(const UffContents& contents) {
   }
   const UffLines& connections = contents.connections;
   if (!connections.lines.empty() && contents.nodes_m.empty()) notes.emplace_back("lines without nodes are not used");
+  if (!connections.unreadable.empty()) notes.push_back("not used: " + connections.unreadable);
   if (connections.other_elements > 0)
     notes.push_back(fmt::format("elements of other kinds: {}, not used", connections.other_elements));
   if (contents.shapes > 0) notes.push_back(fmt::format("mode shapes: {}, not used", contents.shapes));

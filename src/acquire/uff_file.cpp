@@ -37,11 +37,15 @@ class Ahead {
     file_.sparse->load(end_, end);
     end_ = std::min(end, file_.size);
   }
-  // At least the whole line that begins at `first`.
+  // At least the whole line that begins at `first`, each byte looked at once.
   void load_line(std::size_t first) {
     constexpr std::size_t kStep_bytes = std::size_t{1} << 16U;
-    while (needed() && file_.view().substr(first, end_ - std::min(end_, first)).find('\n') == std::string_view::npos)
+    std::size_t looked = first;
+    while (needed() &&
+           file_.view().substr(looked, end_ - std::min(end_, looked)).find('\n') == std::string_view::npos) {
+      looked = std::max(looked, end_);
       load_to(end_ + kStep_bytes);
+    }
   }
   // What lies before `first` stays where it is.
   void skip_to(std::size_t first) { end_ = std::max(end_, first); }

@@ -72,6 +72,9 @@ class LineReader {
     }
   }
 
+  void give_up(const char* where) {
+    if (out_.unreadable.empty()) out_.unreadable = where;
+  }
   UffLines result() { return std::move(out_); }
 
  private:
@@ -120,8 +123,13 @@ class LineReader {
 UffLines read_uff_lines(const std::vector<UffSet>& sets, const FileBytes& file) {
   LineReader reader(file);
   for (const UffSet& set : sets) {
-    if (set.number == 82 && !set.binary) reader.trace_line(set);
-    if (set.number == 2412 && !set.binary) reader.elements(set);
+    if (set.binary) continue;
+    try {
+      if (set.number == 82) reader.trace_line(set);
+      if (set.number == 2412) reader.elements(set);
+    } catch (const InputError& problem) {
+      reader.give_up(problem.what());
+    }
   }
   return reader.result();
 }

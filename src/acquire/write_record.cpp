@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "acquire/sound_calibration.hpp"
 #include "acquire/write_csv.hpp"
 #include "acquire/write_hdf5.hpp"
 #include "acquire/write_mat.hpp"
@@ -52,10 +53,19 @@ std::vector<std::string> losses_of(const std::string& path, const Record& record
   const bool coordinates = !record.geometry.empty() && record.geometry.front().size() == 3;
   const bool numbers_only = kind == ".csv" || kind == ".w64";
   std::vector<std::string> out;
-  const bool geometry_kept = !numbers_only && (!is_uff_name(kind) || coordinates);
-  if (!record.geometry.empty() && !geometry_kept)
-    out.emplace_back(numbers_only ? "the geometry" : "the geometry (positions and angles instead of coordinates)");
-  if (numbers_only && !record.trace_lines.empty()) out.emplace_back("the lines between points");
+  const bool too_far_apart = is_sound_name(kind) && !numbers_only && !calibration_holds_geometry(record.geometry);
+  const bool geometry_kept = !numbers_only && !too_far_apart && (!is_uff_name(kind) || coordinates);
+  if (!record.geometry.empty() && !geometry_kept) {
+    out.emplace_back(numbers_only    ? "the geometry"
+                     : too_far_apart ? "the geometry (its points are numbered too far apart)"
+                                     : "the geometry (positions and angles instead of coordinates)");
+  }
+  const std::size_t lines_kept = !geometry_kept      ? 0
+                                 : is_uff_name(kind) ? uff_kept_lines(record.geometry, record.trace_lines).size()
+                                                     : record.trace_lines.size();
+  if (lines_kept < record.trace_lines.size()) {
+    out.emplace_back(lines_kept == 0 ? "the lines between points" : "lines to points without coordinates");
+  }
   if (numbers_only && any(&SignalInfo::angle_rad)) out.emplace_back("the sensors' angles");
   if (numbers_only && any(&SignalInfo::position_m)) out.emplace_back("the sensors' positions");
   if (kind == ".csv" && record.continuous && record.rows.size() > 1)

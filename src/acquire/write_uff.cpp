@@ -15,6 +15,10 @@
 namespace percuss {
 namespace {
 
+bool has_place(const std::vector<double>& at) {
+  return at.size() == 3 && std::all_of(at.begin(), at.end(), [](double x) { return std::isfinite(x); });
+}
+
 bool has_coordinates(const Record& record) { return !record.geometry.empty() && record.geometry.front().size() == 3; }
 
 UffFunction described(const Record& record, const RowInfo& row, int offset) {
@@ -66,11 +70,24 @@ std::string uff_sensor_text(const SignalInfo& sensor) {
   return out;
 }
 
+std::vector<TraceLine> uff_kept_lines(const std::vector<std::vector<double>>& geometry,
+                                      const std::vector<TraceLine>& lines) {
+  const auto is_node = [&](int point) {
+    const auto row = static_cast<std::size_t>(point);
+    return point >= 0 && row < geometry.size() && has_place(geometry[row]);
+  };
+  std::vector<TraceLine> out;
+  for (const TraceLine& line : lines) {
+    if (is_node(line[0]) && is_node(line[1])) out.push_back(line);
+  }
+  return out;
+}
+
 std::string uff_node_lines(const std::vector<std::vector<double>>& geometry, int node_offset) {
   std::string out;
   for (std::size_t i = 0; i < geometry.size(); ++i) {
     const auto& at = geometry[i];
-    if (at.size() != 3 || !std::all_of(at.begin(), at.end(), [](double x) { return std::isfinite(x); })) continue;
+    if (!has_place(at)) continue;
     out += fmt::format("{:10}{:10}{:10}{:10}\n{}{}{}\n", i + static_cast<std::size_t>(node_offset), 0, 0, 11,
                        uff_d25(at[0]), uff_d25(at[1]), uff_d25(at[2]));
   }
@@ -88,7 +105,8 @@ void write_uff(const std::string& path, const Record& record, bool force, UffDat
     const std::string lines = uff_node_lines(record.geometry, offset);
     if (!lines.empty()) out.set(2411, lines);
   }
-  for (const std::string& line : uff_trace_line_sets(record.trace_lines, offset)) out.set(82, line);
+  for (const std::string& line : uff_trace_line_sets(uff_kept_lines(record.geometry, record.trace_lines), offset))
+    out.set(82, line);
   for (std::size_t row = 0; row < record.rows.size(); ++row) write_row_functions(out, record, row, offset);
   out.commit();
 }

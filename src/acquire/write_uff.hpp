@@ -12,6 +12,10 @@ namespace percuss {
 /// file exists (without `force`) or cannot be written.
 void write_uff(const std::string& path, const Record& record, bool force, UffData data = UffData::binary);
 
+/// The lines both of whose points have coordinates: those of nodes that are written.
+std::vector<TraceLine> uff_kept_lines(const std::vector<std::vector<double>>& geometry,
+                                      const std::vector<TraceLine>& lines);
+
 /// The lines of set 2411 for coordinates [points][3]; rows that are not finite are left out.
 std::string uff_node_lines(const std::vector<std::vector<double>>& geometry, int node_offset);
 

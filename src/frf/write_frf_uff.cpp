@@ -39,7 +39,8 @@ void write_frf_record_uff(const std::string& path, const FrfRecord& record, FrfK
   out.header();
   const std::string nodes = uff_node_lines(record.geometry, offset);
   if (!nodes.empty()) out.set(2411, nodes);
-  for (const std::string& line : uff_trace_line_sets(record.trace_lines, offset)) out.set(82, line);
+  for (const std::string& line : uff_trace_line_sets(uff_kept_lines(record.geometry, record.trace_lines), offset))
+    out.set(82, line);
   for (const PointFrf& frf : record.frfs) {
     const Frf shown = converted(frf.frf, record.lines, kind, record.decay_per_s);
     UffFunction function = described_frf(record, frf, kind, offset);

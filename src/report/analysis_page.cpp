@@ -1,5 +1,7 @@
 #include "report/analysis_page.hpp"
 
+#include <fmt/format.h>
+
 #include "acquire/input_file.hpp"
 #include "core/error.hpp"
 #include "report/analysis_pictures.hpp"
@@ -20,9 +22,11 @@ std::string frf_section(const std::string& verdict) {
 }
 
 std::string hits_section(const Analysis& analysis) {
+  const HitsTable table = hits_table(analysis, analysis.hits());
+  const std::string more =
+      table.left_out > 0 ? page_paragraph(fmt::format("… and {} more hits in order.", table.left_out)) : "";
   return page_section("hits", "Hits",
-                      hits_table(analysis, analysis.hits()).shown.html() +
-                          page_picture("force", "Force of every hit over time.") +
+                      table.shown.html() + more + page_picture("force", "Force of the first hits over time.") +
                           page_picture("decay", "Decay of the responses in decibels over time."));
 }
 

@@ -94,11 +94,19 @@ Json frf_picture(const Analysis& analysis) {
   return json;
 }
 
+// Where the mode is seen best.
+std::size_t strongest_point(const Mode& mode) {
+  const auto stronger = [](const Residue& a, const Residue& b) { return std::norm(a.value) < std::norm(b.value); };
+  const auto best = std::max_element(mode.residues.begin(), mode.residues.end(), stronger);
+  return best == mode.residues.end() ? 0 : best->point;
+}
+
 Json modes_picture(const Analysis& analysis, const std::vector<Verdict>& verdicts) {
   Json out = Json::array();
   for (std::size_t m = 0; m < analysis.modes().size(); ++m) {
     const Mode& mode = analysis.modes()[m];
     const Verdict& verdict = verdicts[m];
+    const std::size_t point = strongest_point(mode);
     Json json{{"hz", mode.pole.freq_Hz},
               {"zeta", mode.pole.damping_ratio},
               {"name", verdict.order > 0 ? family_of(verdict) : fmt::format("mode {}", m)},
@@ -106,7 +114,7 @@ Json modes_picture(const Analysis& analysis, const std::vector<Verdict>& verdict
               {"sensors", Json::array()}};
     for (const Residue& residue : mode.residues) {
       const auto& angle_rad = analysis.record().accel[residue.channel].angle_rad;
-      if (residue.point == mode.residues.front().point && angle_rad) {
+      if (residue.point == point && angle_rad) {
         json["sensors"].push_back(
             {{"angle_rad", *angle_rad}, {"re", residue.value.real()}, {"im", residue.value.imag()}});
       }
@@ -148,9 +156,8 @@ Json hits_picture(const Analysis& analysis) {
               {"start_ms", start_s * 1e3},
               {"step_ms", 1e3 / analysis.record().fs_Hz},
               {"force_n", numbers_json(hit.gated_N, 0)},
-              {"decay", Json::array()}};
-    for (std::size_t channel = 0; channel < std::min<std::size_t>(2, hits[i].responses.size()); ++channel)
-      json["decay"].push_back(decay_picture(analysis, hit, channel));
+              {"decay", Json::object()}};
+    if (!hits[i].responses.empty()) json["decay"] = decay_picture(analysis, hit, 0);
     out.push_back(std::move(json));
   }
   return out;
@@ -172,7 +179,10 @@ Json stabilisation_picture(const Stabilisation& diagram) {
 
 std::string analysis_pictures(const Analysis& analysis, const std::vector<Verdict>& verdicts, bool stabilisation) {
   Json json = Json::object();
-  if (analysis.given_frfs() == nullptr) json["hits"] = hits_picture(analysis);
+  if (analysis.given_frfs() == nullptr) {
+    json["hits"] = hits_picture(analysis);
+    json["of_hits"] = analysis.hits().size();
+  }
   if (!analysis.possible()) return ascii_text(json);
   json["frf"] = frf_picture(analysis);
   json["modes"] = modes_picture(analysis, verdicts);

@@ -31,12 +31,6 @@ Nodes nodes_of(const ModeShape& shape, const Survey* survey, const Analysis& ana
   return out;
 }
 
-std::set<int> points_of(const Nodes& nodes, int offset) {
-  std::set<int> out;
-  for (const auto& [node, value] : nodes) out.insert(node - offset);
-  return out;
-}
-
 std::string values_text(const Nodes& nodes) {
   std::string out;
   for (const auto& [node, value] : nodes) {
@@ -96,11 +90,14 @@ std::string set2414(const ShownMode& mode, const Nodes& nodes) {
   return out + values_text(nodes);
 }
 
-void write_places(UffOutput& out, const Survey& survey, const Nodes& nodes, int offset) {
+// Which points were written: all, or none where the place of one is not known.
+std::set<int> write_places(UffOutput& out, const Survey& survey, const Nodes& nodes, int offset) {
   std::string old, lines;
+  std::set<int> written;
   for (const auto& [node, value] : nodes) {
     const auto at = drawn_at(survey, static_cast<std::size_t>(node - offset));
-    if (!at) return;
+    if (!at) return {};
+    written.insert(node - offset);
     old += fmt::format("{:10}{:10}{:10}{:10}{}{}{}\n", node, 0, 0, kNodeColour, uff_e13((*at)[0]), uff_e13((*at)[1]),
                        uff_e13((*at)[2]));
     lines += fmt::format("{:10}{:10}{:10}{:10}\n{}{}{}\n", node, 0, 0, kNodeColour, uff_d25((*at)[0]),
@@ -108,6 +105,7 @@ void write_places(UffOutput& out, const Survey& survey, const Nodes& nodes, int 
   }
   out.set(15, old);
   out.set(2411, lines);
+  return written;
 }
 
 void write_shapes(const std::string& path, const Survey* survey, const Analysis& analysis,
@@ -120,9 +118,8 @@ void write_shapes(const std::string& path, const Survey* survey, const Analysis&
   for (std::size_t m = 0; m < modes.size(); ++m) {
     const Nodes nodes = nodes_of(shapes[m], survey, analysis, sensors, offset);
     if (m == 0 && survey != nullptr) {
-      write_places(out, *survey, nodes, offset);
-      for (const std::string& line : uff_trace_line_sets(drawn_lines(*survey, points_of(nodes, offset)), offset))
-        out.set(82, line);
+      const std::set<int> points = write_places(out, *survey, nodes, offset);
+      for (const std::string& line : uff_trace_line_sets(drawn_lines(*survey, points), offset)) out.set(82, line);
     }
     const ShownMode mode{m + 1, modes[m].pole, shapes[m].normalisation == Normalisation::unit_modal_mass ? 1.0 : 0.0};
     out.set(55, set55(mode, nodes));

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+#include <system_error>
+
 #include "acquire/input_file.hpp"
 #include "core/error.hpp"
 #include "report/analysis_tables.hpp"
@@ -11,6 +14,17 @@
 #include "report/version.hpp"
 
 namespace percuss {
+namespace {
+
+// Of what was read; nothing of standard input, and of a file that has another length by now.
+std::string digest_of(const InputFile& file) {
+  std::error_code error;
+  const bool same = file.path != "-" && std::filesystem::file_size(file.path, error) == file.bytes && !error;
+  const std::string digest = same ? sha256_of_file(file.path) : "";
+  return digest.empty() ? "–" : digest;
+}
+
+}  // namespace
 
 std::string page_section(const char* id, const char* heading, const std::string& content) {
   return fmt::format("<section id=\"{0}\" aria-labelledby=\"{0}-h\">\n<h2 id=\"{0}-h\">{1}</h2>\n{2}</section>\n", id,
@@ -39,7 +53,7 @@ std::string page_warnings(const std::vector<Warning>& warnings) {
 std::string page_provenance(const Analysis& analysis, const Provenance& provenance) {
   TextTable files({{"input"}, {"bytes", TextTable::Align::right}, {"SHA-256"}});
   for (const InputFile& file : analysis.record().files)
-    files.add({one_line(input_name(file.path), 400), fmt::format("{}", file.bytes), sha256_of_file(file.path)});
+    files.add({one_line(input_name(file.path), 400), fmt::format("{}", file.bytes), digest_of(file)});
   return "<details>\n<summary>Method and provenance</summary>\n" +
          page_paragraph(fmt::format("percuss {}, {} UTC", version(), provenance.made_at)) + "<pre>" +
          html_text(one_line(provenance.command, 4000)) + "</pre>\n" + files.html() + "</details>\n";

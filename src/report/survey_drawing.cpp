@@ -38,8 +38,11 @@ std::array<double, 3> drawn_normal(const Survey* survey, const Analysis& analysi
 }
 
 std::vector<TraceLine> drawn_lines(const Survey& survey, const std::set<int>& points) {
-  const auto& own = survey.analysis().record().trace_lines;
-  if (!own.empty() || !survey.geometry() || !survey.geometry()->tube) return own;
+  std::vector<TraceLine> out;
+  for (const TraceLine& line : survey.analysis().record().trace_lines) {
+    if (points.contains(line[0]) && points.contains(line[1])) out.push_back(line);
+  }
+  if (!out.empty() || !survey.geometry() || !survey.geometry()->tube) return out;
   std::map<long, std::map<long, int>> rings, lines;  // by position and angle, to a micrometre and a thousandth of 1°
   for (const GeometryPoint& p : survey.geometry()->points) {
     if (!points.contains(p.point)) continue;
@@ -47,7 +50,6 @@ std::vector<TraceLine> drawn_lines(const Survey& survey, const std::set<int>& po
     rings[along][around] = p.point;
     lines[around][along] = p.point;
   }
-  std::vector<TraceLine> out;
   const auto connect = [&](const std::map<long, int>& members, bool ring) {
     for (auto at = members.begin(); std::next(at) != members.end(); ++at)
       out.push_back({at->second, std::next(at)->second});

@@ -110,17 +110,20 @@
       const series = [], bands = [];
       frf.curves.forEach((curve, i) => {
         const db = numbers(curve.db);
+        // The band is as far below as above, not in decibels but in amplitude.
+        const below = (above) => 20 * Math.log10(Math.max(0.01, 2 - 10 ** (above / 20)));
         series.push({ values: db, ...colours(i) });
         if (curve.sigma_db) {
           const sigma = numbers(curve.sigma_db);
           series.push({ values: db.map((v, k) => (v === null || sigma[k] === null ? null : v + sigma[k])), stroke: "transparent", width: 0 });
-          series.push({ values: db.map((v, k) => (v === null || sigma[k] === null ? null : v - sigma[k])), stroke: "transparent", width: 0 });
+          series.push({ values: db.map((v, k) => (v === null || sigma[k] === null ? null : v + below(sigma[k]))), stroke: "transparent", width: 0 });
           bands.push({ series: [series.length - 1, series.length], fill: colour(`--c${i % 8}`) + "33" });
         }
         if (curve.fit_db) series.push({ values: numbers(curve.fit_db), stroke: colour("--fit"), width: 0.75 });
       });
       together.push(plot(figure, 360, "frequency, Hz", "dB re 1 (m/s²)/N", xs, series, { shared: true, top: 40, bands, hooks: { draw: [nameModes], setScale: [follow] } }));
-      made("figcaption", figure, (frf.curves.length < frf.of ? `The ${frf.curves.length} strongest of ${frf.of} FRFs. ` : "") + "Thin on top: the modes found. Shaded: one standard deviation." );
+      const notes = [frf.curves.length < frf.of ? `The ${frf.curves.length} strongest of ${frf.of} FRFs.` : "", frf.curves.some((c) => c.fit_db) ? "Thin on top: the modes found." : "", frf.curves.some((c) => c.sigma_db) ? "Shaded: one standard deviation." : ""];
+      made("figcaption", figure, notes.filter((note) => note).join(" "));
     }
     for (const figure of places("phase"))
       together.push(plot(figure, 180, "frequency, Hz", "phase, degrees", xs, frf.curves.map((c, i) => ({ values: unjumped(numbers(c.phase_deg)), ...colours(i) })), { shared: true, range: [-190, 190], splits: [-180, -90, 0, 90, 180], hooks: { setScale: [follow] } }));
@@ -149,16 +152,17 @@
         const k = (x - hit.start_ms) / hit.step_ms, i = Math.floor(k);
         return i < 0 || i + 1 >= values.length ? 0 : values[i] + (k - i) * (values[i + 1] - values[i]);
       };
+      if (hits.length < data.of_hits) made("figcaption", figure, `The first ${hits.length} of ${data.of_hits} hits.`);
       plot(figure, 220, "time after the onset, ms", "force, N", xs, curves.map((c, i) => ({ values: xs.map((x) => at(c, x)), stroke: colour(`--c${i % 8}`), dash: dashes[i % 8] })));
     }
     for (const figure of places("decay")) {
-      const withDecay = hits.filter((h) => h.decay.length);
-      if (!withDecay.length) { figure.remove(); continue; }
-      const step = Math.min(...withDecay.map((h) => h.decay[0].step_s));
-      const all = withDecay.map((h) => numbers(h.decay[0].db));
-      const longest = Math.max(...all.map((v, i) => v.length * withDecay[i].decay[0].step_s));
+      const curves = hits.map((h, i) => ({ ...h.decay, i })).filter((c) => c.db).map((c) => ({ ...c, values: numbers(c.db) }));
+      if (!curves.length) { figure.remove(); continue; }
+      const step = Math.min(...curves.map((c) => c.step_s));
+      const longest = Math.max(...curves.map((c) => c.values.length * c.step_s));
       const xs = Array.from({ length: Math.ceil(longest / step) }, (_, k) => k * step);
-      plot(figure, 220, "time after the peak, s", "response, dB", xs, all.map((v, i) => ({ values: xs.map((x) => { const k = Math.round(x / withDecay[i].decay[0].step_s); return k < v.length ? v[k] : null; }), stroke: colour(`--c${i % 8}`), dash: dashes[i % 8] })));
+      plot(figure, 220, "time after the peak, s", "response, dB", xs, curves.map((c) => ({ values: xs.map((x) => { const k = Math.round(x / c.step_s); return k < c.values.length ? c.values[k] : null; }), stroke: colour(`--c${c.i % 8}`), dash: dashes[c.i % 8] })));
+      made("figcaption", figure, "Of the first accelerometer; colours as above.");
     }
   };
 
