@@ -166,6 +166,11 @@ void UffFunction::read(std::size_t part, std::size_t first, std::span<double> ou
   }
   const std::size_t width = single ? 4 : 8, before = even ? 0 : 4, stride = before + parts * width;
   const std::size_t offset = first * stride;
+  const bool as_in_memory =
+      !single && stride == sizeof(double) && big_endian == (std::endian::native == std::endian::big);
+  if (as_in_memory && file) {
+    return file->copy(file_offset + offset, out.size_bytes(), reinterpret_cast<char*>(out.data()));
+  }
   if (!file) return decode(bytes.data() + offset + before + part * width, stride, out);
   constexpr std::size_t kBlock_bytes = std::size_t{1} << 15U;
   std::array<char, kBlock_bytes> block;  // NOLINT(cppcoreguidelines-pro-type-member-init): filled at once
