@@ -203,8 +203,7 @@ void ConfinedProcess::receive(void* to, std::size_t bytes) {
   for (unsigned s = 0; ::poll(&heard, 1, 1000) <= 0; ++s) {
     if (s + 1 < patience_s_) continue;
     end_child();
-    throw InputError("reading it takes longer than any file of its size should", path_,
-                     "is it damaged? Else give --trust-input");
+    report_slowness();
   }
   if (!receive_bytes(descriptor_, to, bytes)) report_death();
 }
@@ -250,6 +249,11 @@ void ConfinedProcess::receive_outcome(std::string& payload) {
   throw InputError("it cannot be read: " + one_line(bytes, 200), path_, "is it damaged? Save it again");
 }
 
+void ConfinedProcess::report_slowness() const {
+  throw InputError("reading it takes longer than any file of its size should", path_,
+                   "is it damaged? Else give --trust-input");
+}
+
 void ConfinedProcess::report_no_memory() const {
   throw InputError("reading it needs more memory than four times its size", path_,
                    "is it damaged? Else give --trust-input");
@@ -257,24 +261,18 @@ void ConfinedProcess::report_no_memory() const {
 
 void ConfinedProcess::report_death() {
   int status = 0;
-  bool known = false;
-  for (int i = 0; i < 100 && !known; ++i) {  // it ends as it stops to answer, or is ended
-    known = ::waitpid(child_, &status, WNOHANG) == child_;
-    if (!known) ::usleep(10'000);
+  bool ended = false;
+  for (int i = 0; i < 100 && !ended; ++i) {  // who stops to answer is about to end, or is ended
+    ended = ::waitpid(child_, &status, WNOHANG) == child_;
+    if (!ended) ::usleep(10'000);
   }
-  if (!known) {
-    status = end_child();
-    known = true;
-  }
+  if (!ended) status = end_child();
   child_ = -1;
-  const int signal = known && WIFSIGNALED(status) ? WTERMSIG(status) : 0;
-  if (signal == SIGXCPU || signal == SIGKILL) {
-    throw InputError("reading it takes longer than any file of its size should", path_,
-                     "is it damaged? Else give --trust-input");
-  }
-  if (known && WIFEXITED(status) && WEXITSTATUS(status) == kNoMemoryExit) report_no_memory();
+  const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+  if (signal == SIGXCPU || signal == SIGKILL) report_slowness();
+  if (signal == 0 && WEXITSTATUS(status) == kNoMemoryExit) report_no_memory();
   const std::string how =
-      signal != 0 ? fmt::format("signal {}", signal) : fmt::format("exit code {}", known ? WEXITSTATUS(status) : -1);
+      signal != 0 ? fmt::format("signal {}", signal) : fmt::format("exit code {}", WEXITSTATUS(status));
   throw InputError("it makes the library that reads it crash (" + how + ")", path_,
                    "it is damaged: save it again, or export another format");
 }

@@ -42,6 +42,7 @@ class ConfinedProcess {
   void receive_outcome(std::string& payload);
   int end_child();  // how it ended, as waitpid tells it
   [[noreturn]] void report_death();
+  [[noreturn]] void report_slowness() const;
   [[noreturn]] void report_no_memory() const;
   void receive(void* to, std::size_t bytes);
 

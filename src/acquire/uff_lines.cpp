@@ -39,37 +39,27 @@ class LineReader {
   explicit LineReader(const FileBytes& file) : file_(file) {}
 
   // A line with number, how many nodes, and colour; a name; nodes, eight a line.
-  void trace_line(const UffSet& set) {
-    std::string_view rest = set.text;
-    while (!rest.empty()) {
-      const std::string_view head = take_uff_line(rest);
-      UffFields fields(head);
-      if (fields.blank()) return;
-      whole(fields, head);
-      const auto count = static_cast<std::size_t>(std::max(0, whole(fields, head)));
+  void trace_lines(const UffSet& set) {
+    each_part(set, [this](UffFields& fields, std::string_view head, std::string_view& rest) {
+      const std::size_t count = how_many(fields, head);
       take_uff_line(rest);
       int last = 0;
       for (const int node : nodes(rest, count)) {
         if (last != 0 && node != 0) add(last, node);
         last = node;
       }
-    }
+    });
   }
 
   // A line with number, kind, three that do not matter, and how many nodes; for beams their orientation; nodes.
   void elements(const UffSet& set) {
-    std::string_view rest = set.text;
-    while (!rest.empty()) {
-      const std::string_view head = take_uff_line(rest);
-      UffFields fields(head);
-      if (fields.blank()) return;
-      whole(fields, head);
+    each_part(set, [this](UffFields& fields, std::string_view head, std::string_view& rest) {
       const int kind = whole(fields, head);
       fields.take(3 * kNodeWidth);
-      const auto count = static_cast<std::size_t>(std::max(0, whole(fields, head)));
+      const std::size_t count = how_many(fields, head);
       if (is_beam(kind)) take_uff_line(rest);
       element(kind, nodes(rest, count));
-    }
+    });
   }
 
   void give_up(const char* where) {
@@ -78,6 +68,23 @@ class LineReader {
   UffLines result() { return std::move(out_); }
 
  private:
+  // take(fields after the number, head line, what comes after it), part by part.
+  template <class Take>
+  void each_part(const UffSet& set, Take&& take) {
+    std::string_view rest = set.text;
+    while (!rest.empty()) {
+      const std::string_view head = take_uff_line(rest);
+      UffFields fields(head);
+      if (fields.blank()) return;
+      whole(fields, head);
+      take(fields, head, rest);
+    }
+  }
+
+  std::size_t how_many(UffFields& fields, std::string_view line) const {
+    return static_cast<std::size_t>(std::max(0, whole(fields, line)));
+  }
+
   int whole(UffFields& fields, std::string_view line) const {
     const auto value = fields.integer(kNodeWidth);
     if (value && *value >= std::numeric_limits<int>::min() / 2 && *value <= std::numeric_limits<int>::max() / 2)
@@ -125,7 +132,7 @@ UffLines read_uff_lines(const std::vector<UffSet>& sets, const FileBytes& file) 
   for (const UffSet& set : sets) {
     if (set.binary) continue;
     try {
-      if (set.number == 82) reader.trace_line(set);
+      if (set.number == 82) reader.trace_lines(set);
       if (set.number == 2412) reader.elements(set);
     } catch (const InputError& problem) {
       reader.give_up(problem.what());

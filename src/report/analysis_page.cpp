@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "acquire/input_file.hpp"
-#include "core/error.hpp"
 #include "report/analysis_pictures.hpp"
 #include "report/analysis_tables.hpp"
 #include "report/analysis_verdict.hpp"
@@ -47,7 +45,7 @@ std::string analysis_page(const Analysis& analysis, const Provenance& provenance
                          page_picture("stabilisation", "Poles of every model order over frequency."));
   }
   body += page_section("provenance", "How this came about", page_provenance(analysis, provenance)) + "</main>\n";
-  return HtmlPage{.title = one_line(input_name(analysis.record().source()), 400) + " – percuss",
+  return HtmlPage{.title = source_name(analysis) + " – percuss",
                   .body = body,
                   .data = "[" + analysis_pictures(analysis, verdicts, true) + "]"}
       .text();

@@ -109,7 +109,7 @@ Json modes_picture(const Analysis& analysis, const std::vector<Verdict>& verdict
     const std::size_t point = strongest_point(mode);
     Json json{{"hz", mode.pole.freq_Hz},
               {"zeta", mode.pole.damping_ratio},
-              {"name", verdict.order > 0 ? family_of(verdict) : fmt::format("mode {}", m)},
+              {"name", mode_name(verdict, m)},
               {"family", name_of(verdict.family)},
               {"sensors", Json::array()}};
     for (const Residue& residue : mode.residues) {

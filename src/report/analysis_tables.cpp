@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "acquire/input_file.hpp"
 #include "core/error.hpp"
 #include "core/significant.hpp"
 #include "core/units.hpp"
@@ -156,6 +157,16 @@ std::string conditions_of(const Analysis& analysis, std::size_t hits) {
     text += fmt::format(" · band {:.4g}–{:.4g} Hz", low, high);
   }
   return text;
+}
+
+std::string mode_name(const Verdict& verdict, std::size_t number) {
+  return verdict.order > 0 ? family_of(verdict) : fmt::format("mode {}", number);
+}
+
+std::string source_name(const Analysis& analysis) {
+  const Record& record = analysis.record();
+  const std::string name = one_line(input_name(record.source()), 400);
+  return record.files.size() > 1 ? fmt::format("{} and {} more", name, record.files.size() - 1) : name;
 }
 
 }  // namespace percuss

@@ -2,12 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
-#include "acquire/input_file.hpp"
 #include "core/error.hpp"
-#include "core/significant.hpp"
-#include "core/units.hpp"
 #include "report/analysis_tables.hpp"
 #include "report/coherence_summary.hpp"
 #include "report/number.hpp"
@@ -18,9 +13,7 @@ namespace percuss {
 namespace {
 
 std::string heading(const Analysis& analysis, std::size_t hits, std::size_t width) {
-  const Record& record = analysis.record();
-  std::string name = one_line(input_name(record.source()), 400);
-  if (record.files.size() > 1) name += fmt::format(" and {} more", record.files.size() - 1);
+  const std::string name = source_name(analysis);
   const std::string text = conditions_of(analysis, hits);
   if (text_width(name) + 3 + text_width(text) <= width) return name + "   " + text + '\n';
   return name + "\n  " + wrapped(text, width, 2) + '\n';

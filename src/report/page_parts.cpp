@@ -39,8 +39,7 @@ std::string page_picture(const char* kind, const std::string& description) {
 }
 
 std::string page_header(const Analysis& analysis, std::size_t hits) {
-  const std::string name = one_line(input_name(analysis.record().source()), 400);
-  return "<header>\n<h1>" + html_text(name) + "</h1>\n<p class=\"conditions\">" +
+  return "<header>\n<h1>" + html_text(source_name(analysis)) + "</h1>\n<p class=\"conditions\">" +
          html_text(conditions_of(analysis, hits)) + "</p>\n</header>\n";
 }
 

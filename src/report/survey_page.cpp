@@ -6,8 +6,6 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "acquire/input_file.hpp"
-#include "core/error.hpp"
 #include "report/analysis_page.hpp"
 #include "report/analysis_pictures.hpp"
 #include "report/analysis_tables.hpp"
@@ -66,8 +64,7 @@ Json shapes_picture(const Survey& survey) {
     if (points.contains(from) && points.contains(to)) lines.push_back({points.at(from), points.at(to)});
   }
   for (std::size_t m = 0; m < survey.shapes().size(); ++m) {
-    const Verdict& verdict = survey.verdicts()[m];
-    modes.push_back({{"name", verdict.order > 0 ? family_of(verdict) : fmt::format("mode {}", m)},
+    modes.push_back({{"name", mode_name(survey.verdicts()[m], m)},
                      {"hz", survey.analysis().modes()[m].pole.freq_Hz},
                      {"moves", movement(survey, survey.shapes()[m], points)}});
   }
@@ -112,9 +109,7 @@ std::string survey_page(const Survey& survey, const Provenance& provenance) {
   if (possible) body += frf_section(verdict);
   if (with_hits) body += hits_section(analysis);
   body += page_section("provenance", "How this came about", page_provenance(analysis, provenance)) + "</main>\n";
-  return HtmlPage{
-      .title = one_line(input_name(analysis.record().source()), 400) + " – percuss", .body = body, .data = data + "]"}
-      .text();
+  return HtmlPage{.title = source_name(analysis) + " – percuss", .body = body, .data = data + "]"}.text();
 }
 
 }  // namespace percuss

@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "report/analysis_tables.hpp"
 #include "report/analysis_text.hpp"
 #include "report/number.hpp"
 #include "report/text_table.hpp"
@@ -14,10 +15,6 @@ namespace percuss {
 namespace {
 
 constexpr double kAlike = 0.2;  // a MAC between two modes that is worth a word
-
-std::string family_cell(const Verdict& verdict) {
-  return verdict.order > 0 ? fmt::format("{} {}", name_of(verdict.family), verdict.order) : name_of(verdict.family);
-}
 
 std::string plane_cell(const std::optional<TubeShape>& tube) {
   if (!tube || !tube->plane_rad) return "–";
@@ -53,7 +50,7 @@ TextTable survey_modes_table(const Survey& survey) {
   for (std::size_t m = 0; m < modes.size(); ++m) {
     const Mode& mode = modes[m];
     const ModeShape& shape = survey.shapes()[m];
-    std::vector<std::string> cells{fmt::format("{}", m), family_cell(survey.verdicts()[m]),
+    std::vector<std::string> cells{fmt::format("{}", m), family_of(survey.verdicts()[m]),
                                    with_deviation(mode.pole.freq_Hz, mode.freq_std_Hz) + " Hz",
                                    with_deviation(mode.pole.damping_ratio * 100, mode.damping_std * 100) + " %"};
     if (tube) {

@@ -108,6 +108,9 @@
     for (const figure of places("magnitude")) {
       legend(figure, frf.curves.map((c) => c.name));
       const series = [], bands = [];
+      // The curves set the scale: a deviation that is as large as its value reaches to nothing.
+      const all = frf.curves.flatMap((c) => numbers(c.db)).filter((v) => v !== null);
+      const span = [all.reduce((a, b) => Math.min(a, b), Infinity) - 5, all.reduce((a, b) => Math.max(a, b), -Infinity) + 5];
       frf.curves.forEach((curve, i) => {
         const db = numbers(curve.db);
         // The band is as far below as above, not in decibels but in amplitude.
@@ -121,7 +124,7 @@
         }
         if (curve.fit_db) series.push({ values: numbers(curve.fit_db), stroke: colour("--fit"), width: 0.75 });
       });
-      together.push(plot(figure, 360, "frequency, Hz", "dB re 1 (m/s²)/N", xs, series, { shared: true, top: 40, bands, hooks: { draw: [nameModes], setScale: [follow] } }));
+      together.push(plot(figure, 360, "frequency, Hz", "dB re 1 (m/s²)/N", xs, series, { shared: true, top: 40, range: span, bands, hooks: { draw: [nameModes], setScale: [follow] } }));
       const notes = [frf.curves.length < frf.of ? `The ${frf.curves.length} strongest of ${frf.of} FRFs.` : "", frf.curves.some((c) => c.fit_db) ? "Thin on top: the modes found." : "", frf.curves.some((c) => c.sigma_db) ? "Shaded: one standard deviation." : ""];
       made("figcaption", figure, notes.filter((note) => note).join(" "));
     }
@@ -226,16 +229,43 @@
     return { n, c: c / size, s: s / size };
   };
 
+  // A row of pictures that move together, a button that stops them, and sliders. `play` takes what draws them at a phase, 0 … 1.
+  const stage = (figure, kind) => {
+    const controls = made("div", figure), row = made("div", figure), button = made("button", controls), sliders = [];
+    controls.className = "controls";
+    row.className = kind;
+    const slider = (text, value) => {
+      const input = made("input", made("label", controls, `${text} `));
+      Object.assign(input, { type: "range", min: 0, max: 100, value });
+      sliders.push(input);
+      return input;
+    };
+    const play = (draw) => {
+      let running = !still.matches, phase = 0.25;
+      const step = (time) => {
+        if (!running) return;
+        phase = (time / 2000) % 1;
+        draw(phase);
+        requestAnimationFrame(step);
+      };
+      const start = () => {
+        button.textContent = running ? "Pause" : "Play";
+        if (running) requestAnimationFrame(step);
+      };
+      button.addEventListener("click", () => { running = !running; start(); });
+      for (const input of sliders) input.addEventListener("input", () => draw(phase));
+      draw(phase);
+      start();
+    };
+    return { row, slider, play };
+  };
+
   const movementPictures = () => {
     const modes = (data.modes || []).filter((m) => m.sensors.length === 2 && m.family !== "unknown");
     for (const figure of places("movement")) {
       if (!modes.length) { figure.closest("section").remove(); continue; }
-      const controls = made("div", figure), row = made("div", figure);
-      controls.className = "controls";
-      row.className = "barrels";
-      const button = made("button", controls), label = made("label", controls, "amplitude ");
-      const slider = made("input", label);
-      Object.assign(slider, { type: "range", min: 0, max: 100, value: 60 });
+      const { row, slider, play } = stage(figure, "barrels");
+      const amplitude = slider("amplitude", 60);
       const rings = modes.map((mode) => {
         const box = made("div", row), canvas = made("canvas", box);
         canvas.width = canvas.height = 150 * devicePixelRatio;
@@ -243,11 +273,10 @@
         made("p", box, `${mode.hz.toPrecision(4)} Hz`);
         return { canvas, ring: ringOf(mode) };
       });
-      let running = !still.matches, phase = 0.25;
-      const show = () => {
+      play((phase) => {
         for (const { canvas, ring } of rings) {
           const context = canvas.getContext("2d"), middle = canvas.width / 2, r = 0.62 * middle;
-          const size = (0.35 * slider.value * r) / 100, now = Math.sin(2 * Math.PI * phase);
+          const size = (0.35 * amplitude.value * r) / 100, now = Math.sin(2 * Math.PI * phase);
           context.clearRect(0, 0, canvas.width, canvas.height);
           const outline = (amount, style, width) => {
             context.beginPath();
@@ -264,19 +293,7 @@
           outline(0, colour("--rule"), 1);
           outline(now, colour("--c0"), 3);
         }
-      };
-      const step = (time) => {
-        if (!running) return;
-        phase = (time / 2000) % 1;
-        show();
-        requestAnimationFrame(step);
-      };
-      const say = () => { button.textContent = running ? "Pause" : "Play"; };
-      button.addEventListener("click", () => { running = !running; say(); if (running) requestAnimationFrame(step); });
-      slider.addEventListener("input", show);
-      say();
-      show();
-      if (running) requestAnimationFrame(step);
+      });
       made("figcaption", figure, "Looked at along the axis from the barrel's end; 0° points right, 90° up. Exaggerated.");
     }
   };
@@ -286,33 +303,24 @@
     const shapes = data.shapes;
     for (const figure of places("shapes")) {
       if (!shapes || shapes.points.length < 2) { figure.remove(); continue; }
-      const controls = made("div", figure), row = made("div", figure);
-      controls.className = "controls";
-      row.className = "shapes";
-      const button = made("button", controls);
-      const slider = (text, value) => {
-        const input = made("input", made("label", controls, `${text} `));
-        Object.assign(input, { type: "range", min: 0, max: 100, value });
-        return input;
-      };
+      const { row, slider, play } = stage(figure, "shapes");
       const amplitude = slider("amplitude", 50), turn = slider("turn", 35), tilt = slider("tilt", 30);
       const middle = [0, 1, 2].map((i) => shapes.points.reduce((sum, p) => sum + p[i], 0) / shapes.points.length);
       const radius = Math.max(...shapes.points.map((p) => Math.hypot(p[0] - middle[0], p[1] - middle[1], p[2] - middle[2]))) || 1;
       const pictures = shapes.modes.map((mode) => {
         const box = made("div", row), canvas = made("canvas", box);
         canvas.width = 300 * devicePixelRatio;
-        canvas.height = 200 * devicePixelRatio;
+        canvas.height = 240 * devicePixelRatio;
         made("p", box, `${mode.name}, ${mode.hz.toPrecision(4)} Hz`);
         const largest = mode.moves.reduce((most, x) => Math.max(most, Math.abs(x)), 0) || 1;
         return { canvas, moves: mode.moves.map((x) => x / largest) };
       });
-      let running = !still.matches, phase = 0.25;
-      const show = () => {
+      play((phase) => {
         const a = (turn.value / 100) * Math.PI, b = (tilt.value / 100) * (Math.PI / 2), size = (0.3 * radius * amplitude.value) / 100;
         const [ca, sa, cb, sb] = [Math.cos(a), Math.sin(a), Math.cos(b), Math.sin(b)];
         const c = Math.cos(2 * Math.PI * phase), s = Math.sin(2 * Math.PI * phase);
         for (const { canvas, moves } of pictures) {
-          const context = canvas.getContext("2d"), scale = (0.42 * canvas.width) / radius;
+          const context = canvas.getContext("2d"), scale = (0.37 * canvas.height) / radius;
           const at = (p, i, amount) => {
             const q = [0, 1, 2].map((k) => p[k] - middle[k] + amount * size * (moves[6 * i + 2 * k] * s + moves[6 * i + 2 * k + 1] * c));
             const across = q[0] * ca - q[1] * sa, away = q[0] * sa + q[1] * ca;
@@ -332,19 +340,7 @@
             for (const [x, y] of spots) context.fillRect(x - width * devicePixelRatio, y - width * devicePixelRatio, 2 * width * devicePixelRatio, 2 * width * devicePixelRatio);
           }
         }
-      };
-      const step = (time) => {
-        if (!running) return;
-        phase = (time / 2000) % 1;
-        show();
-        requestAnimationFrame(step);
-      };
-      const say = () => { button.textContent = running ? "Pause" : "Play"; };
-      button.addEventListener("click", () => { running = !running; say(); if (running) requestAnimationFrame(step); });
-      for (const input of [amplitude, turn, tilt]) input.addEventListener("input", show);
-      say();
-      show();
-      if (running) requestAnimationFrame(step);
+      });
       made("figcaption", figure, "Exaggerated; grey: at rest.");
     }
   };
