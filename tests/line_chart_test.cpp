@@ -1,4 +1,5 @@
 #include "report/line_chart.hpp"
+#include "report/chart_scale.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

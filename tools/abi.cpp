@@ -1,11 +1,11 @@
 #include <iostream>
 #include <memory>
 
-#include "acquire/atomic_file.hpp"
 #include "command.hpp"
 #include "core/error.hpp"
 #include "output.hpp"
 #include "report/abi_report.hpp"
+#include "report_output.hpp"
 
 namespace percuss::tools {
 namespace {
@@ -23,24 +23,11 @@ int follow_log(const AbiFlags& flags) {
     return kOk;
   }
   if (flags.log.empty()) throw UsageError("no log", "name its file, or - for standard input");
-  check_outputs(flags.output, {".json", ".csv", ".svg"});
+  check_report_outputs(flags.output);
   AbiLog log = read_abi_log(flags.log);
   if (flags.limit) log.limit = flags.limit;
   const AbiRun run = follow_abi(log);
-  const std::string document = abi_json(log, run);
-  for (const std::string& path : flags.output.paths) {
-    const std::string kind = extension_of(path);
-    write_file(path,
-               kind == ".json"  ? document
-               : kind == ".csv" ? abi_csv(run)
-                                : abi_svg(log, run),
-               flags.output.force);
-  }
-  if (flags.output.json) {
-    std::cout << document;
-  } else if (!flags.output.quiet) {
-    std::cout << abi_text(log, run, terminal_width());
-  }
+  show_report(abi_report(log, run), flags.output, {flags.log});
   return run.verdict == AbiVerdict::fail ? kQualityGate : kOk;
 }
 

@@ -1,11 +1,11 @@
 #include <iostream>
 #include <memory>
 
-#include "acquire/atomic_file.hpp"
 #include "command.hpp"
 #include "core/error.hpp"
 #include "output.hpp"
 #include "report/certify_report.hpp"
+#include "report_output.hpp"
 
 namespace percuss::tools {
 namespace {
@@ -23,25 +23,12 @@ int certify_session(const CertifyFlags& flags) {
     return kOk;
   }
   if (flags.session.empty()) throw UsageError("no session", "name its file, or - for standard input");
-  check_outputs(flags.output, {".json", ".csv", ".svg"});
+  check_report_outputs(flags.output);
   Session session = read_session(flags.session);
   if (!flags.metric.empty()) session.metric = *performance_metric_named(flags.metric);
   if (flags.limit) session.limit = flags.limit;
   const Certification certification = certify(session, {.accept_plateau = flags.accept_plateau});
-  const std::string document = certify_json(session, certification);
-  for (const std::string& path : flags.output.paths) {
-    const std::string kind = extension_of(path);
-    write_file(path,
-               kind == ".json"  ? document
-               : kind == ".csv" ? certify_csv(session, certification)
-                                : certify_svg(session, certification),
-               flags.output.force);
-  }
-  if (flags.output.json) {
-    std::cout << document;
-  } else if (!flags.output.quiet) {
-    std::cout << certify_text(session, certification, terminal_width());
-  }
+  show_report(certify_report(session, certification), flags.output, {flags.session});
   return certification.verdict == CertifyVerdict::fail ? kQualityGate : kOk;
 }
 

@@ -2,9 +2,9 @@
 
 #include "command.hpp"
 #include "core/error.hpp"
-#include "model_output.hpp"
 #include "report/compare_report.hpp"
 #include "report/read_document.hpp"
+#include "report_output.hpp"
 
 namespace percuss::tools {
 namespace {
@@ -19,15 +19,15 @@ struct CompareFlags {
 };
 
 int compare(const CompareFlags& flags) {
-  check_model_outputs(flags.output);
+  check_report_outputs(flags.output);
   std::vector<ComparedDocument> documents;
   for (const std::string& path : flags.paths) {
     for (ComparedDocument& document : read_documents(path)) documents.push_back(std::move(document));
   }
   if (documents.size() < 2) throw UsageError("one document cannot be compared", "name two or more");
-  return show_model(
+  return show_report(
       compare_report(documents, {.furthest = flags.furthest_percent / kPercent, .least_mac = flags.least_mac}),
-      flags.output);
+      flags.output, flags.paths);
 }
 
 }  // namespace

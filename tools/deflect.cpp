@@ -1,4 +1,3 @@
-#include <iostream>
 #include <memory>
 
 #include "acquire/atomic_file.hpp"
@@ -11,6 +10,7 @@
 #include "ranges.hpp"
 #include "read_flags.hpp"
 #include "report/deflection_report.hpp"
+#include "report_output.hpp"
 
 namespace percuss::tools {
 namespace {
@@ -40,7 +40,7 @@ Analysis analysis_of(const DeflectFlags& flags) {
 }
 
 int deflect_files(const DeflectFlags& flags) {
-  check_outputs(flags.output, {".json", ".csv", ".h5", ".svg"});
+  check_outputs(flags.output, {".json", ".csv", ".h5", ".svg", ".html"});
   ImpactTestOptions options = flags.options;
   options.deflection.method = method_named(flags.method);
   if (!flags.positions.empty()) options.position_m = parse_range("--positions", flags.positions).values();
@@ -48,24 +48,21 @@ int deflect_files(const DeflectFlags& flags) {
   const Analysis analysis = analysis_of(flags);
   const ImpactTest test = deflect(analysis, options);
   progress.stop();
-  const std::string document = deflection_json(analysis, test);
+  CommandReport report;
+  report.json = deflection_json(analysis, test);
+  report.text = deflection_text(analysis, test);
+  if (draws(flags.output)) report.charts = {deflection_chart(analysis, test)};
   for (const std::string& path : flags.output.paths) {
     const std::string kind = extension_of(path);
     if (kind == ".h5" && !test.hits.empty()) {
       write_deflection_hdf5(path, analysis, test, flags.output.force);
-    } else if (kind == ".json") {
-      write_file(path, document, flags.output.force);
     } else if (kind == ".csv") {
       write_file(path, deflection_csv(analysis, test), flags.output.force);
-    } else if (kind == ".svg") {
-      write_file(path, line_chart_svg(deflection_chart(analysis, test)), flags.output.force);
+    } else if (kind != ".h5") {
+      write_report(path, report, inputs_of(analysis), flags.output.force);
     }
   }
-  if (flags.output.json) {
-    std::cout << document;
-  } else if (!flags.output.quiet) {
-    std::cout << deflection_text(analysis, test, terminal_width());
-  }
+  print_report(report, flags.output);
   return test.hits.empty() ? kImpossible : kOk;
 }
 

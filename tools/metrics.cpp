@@ -1,13 +1,12 @@
 #include <cmath>
-#include <iostream>
 #include <memory>
 
-#include "acquire/atomic_file.hpp"
 #include "command.hpp"
 #include "core/error.hpp"
 #include "metrics/pendulum.hpp"
 #include "output.hpp"
 #include "report/metrics_report.hpp"
+#include "report_output.hpp"
 
 namespace percuss::tools {
 namespace {
@@ -101,7 +100,7 @@ void require_room(const MetricsFlags& f) {
 }
 
 int metrics(const MetricsFlags& flags) {
-  check_outputs(flags.output, {".json", ".csv"});
+  check_outputs(flags.output, {".json", ".csv", ".html"});
   require_one_source(flags);
   require_room(flags);
   const BatProfileReadings profile{.length_in = flags.length_in,
@@ -111,11 +110,7 @@ int metrics(const MetricsFlags& flags) {
                                    .ball_g = flags.ball_g,
                                    .rings_in = flags.rings_in,
                                    .steps = flags.steps};
-  const MetricsReport report = metrics_report(readings_of(flags), profile);
-  for (const std::string& path : flags.output.paths)
-    write_file(path, extension_of(path) == ".json" ? report.json : report.csv, flags.output.force);
-  std::cout << (flags.output.json ? report.json : flags.output.quiet ? "" : report.text);
-  return kOk;
+  return show_report(metrics_report(readings_of(flags), profile), flags.output);
 }
 
 void add_readings(Command& command, MetricsFlags& f) {

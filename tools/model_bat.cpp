@@ -3,9 +3,9 @@
 #include "bat_profile_file.hpp"
 #include "command.hpp"
 #include "core/error.hpp"
-#include "model_output.hpp"
 #include "ranges.hpp"
 #include "report/bat_report.hpp"
+#include "report_output.hpp"
 
 namespace percuss::tools {
 namespace {
@@ -43,14 +43,14 @@ std::optional<BatWaveWanted> wave_of(const BatFlags& flags, double length_m) {
 }
 
 int model_bat(const BatFlags& flags) {
-  check_model_outputs(flags.output);
+  check_report_outputs(flags.output);
   if (flags.modes == 0 || flags.modes > kMostBatModes)
     throw UsageError("--modes is not between 1 and 200", "40 are enough for most");
   const BatProfile profile = read_bat_profile(flags.profile, flags.unit);
   const std::vector<double> z_m = places(flags, profile.length_m());
   const auto wave = wave_of(flags, profile.length_m());
   const BatModes bat = bat_modes(profile, flags.material, {.modes = flags.modes});
-  return show_model(bat_report(bat, flags.collision, z_m, wave), flags.output);
+  return show_report(bat_report(bat, flags.collision, z_m, wave), flags.output, {flags.profile});
 }
 
 void add_ball(Command& command, BatCollision& c) {

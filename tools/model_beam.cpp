@@ -5,8 +5,8 @@
 #include "beam_flags.hpp"
 #include "command.hpp"
 #include "core/error.hpp"
-#include "model_output.hpp"
 #include "report/beam_report.hpp"
+#include "report_output.hpp"
 
 namespace percuss::tools {
 namespace {
@@ -105,7 +105,7 @@ TorsionFit static_torsion(const ModelBeamFlags& flags, const UniformBeam& beam) 
 }
 
 int model_beam(const ModelBeamFlags& flags) {
-  check_model_outputs(flags.output);
+  check_report_outputs(flags.output);
   if (flags.modes < 1 || flags.modes > kMostBeamModes)
     throw UsageError("--modes: not from 1 to 200", "the default is 10");
   UniformBeam beam = beam_of(flags.beam);
@@ -125,7 +125,7 @@ int model_beam(const ModelBeamFlags& flags) {
     origin.fit = fit_beam(beam, asked, origin.measured);
     beam = origin.fit->beam;
   }
-  return show_model(beam_report(beam, beam_modes(beam, flags.modes), origin), flags.output);
+  return show_report(beam_report(beam, beam_modes(beam, flags.modes), origin), flags.output);
 }
 
 }  // namespace

@@ -5,9 +5,9 @@
 #include "command.hpp"
 #include "core/error.hpp"
 #include "core/parallel.hpp"
-#include "model_output.hpp"
 #include "ranges.hpp"
 #include "report/impact_report.hpp"
+#include "report_output.hpp"
 
 namespace percuss::tools {
 namespace {
@@ -79,7 +79,7 @@ ImpactOptions impact_options(const ModelImpactFlags& flags, const Impact& impact
 }
 
 int model_impact(const ModelImpactFlags& flags) {
-  check_model_outputs(flags.output);
+  check_report_outputs(flags.output);
   Impact impact = flags.impact;
   if (impact.modes < 1 || impact.modes > kMostImpactModes)
     throw UsageError("--modes: not from 1 to 100", "the default is 10");
@@ -97,7 +97,7 @@ int model_impact(const ModelImpactFlags& flags) {
   const ImpactOptions options = impact_options(flags, impact);
   const ImpactResult result = simulate_impact(impact, options);
   for (ImpactSweep& sweep : sweeps) run_sweep(impact, options, flags.threads, sweep);
-  return show_model(impact_report(impact, result, sweeps), flags.output);
+  return show_report(impact_report(impact, result, sweeps), flags.output);
 }
 
 }  // namespace

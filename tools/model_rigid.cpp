@@ -2,9 +2,9 @@
 
 #include "command.hpp"
 #include "core/error.hpp"
-#include "model_output.hpp"
 #include "ranges.hpp"
 #include "report/rigid_report.hpp"
+#include "report_output.hpp"
 
 namespace percuss::tools {
 namespace {
@@ -25,10 +25,10 @@ std::vector<double> positions(const RigidFlags& flags) {
 }
 
 int model_rigid(const RigidFlags& flags) {
-  check_model_outputs(flags.output);
+  check_report_outputs(flags.output);
   RigidCollision collision = flags.collision;
   if (flags.pivot_m) collision.bat_speed_mps += collision.swing_rate_radps * *flags.pivot_m;
-  return show_model(rigid_report(collision, positions(flags)), flags.output);
+  return show_report(rigid_report(collision, positions(flags)), flags.output);
 }
 
 }  // namespace

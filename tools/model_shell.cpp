@@ -4,8 +4,8 @@
 #include "acquire/csv_number.hpp"
 #include "command.hpp"
 #include "core/error.hpp"
-#include "model_output.hpp"
 #include "report/shell_report.hpp"
+#include "report_output.hpp"
 
 namespace percuss::tools {
 namespace {
@@ -41,7 +41,7 @@ MeasuredHoop measured_hoop(const std::string& text) {
 }
 
 int model_shell(const ShellFlags& flags) {
-  check_model_outputs(flags.output);
+  check_report_outputs(flags.output);
   if (!(flags.shell.wall_m < flags.shell.outer_diameter_m / 2))
     throw UsageError("--wall is half of --outer-diameter or more", "give the wall's thickness in m");
   if (flags.n < 2 || flags.n > kMostPattern)
@@ -60,7 +60,7 @@ int model_shell(const ShellFlags& flags) {
                                                        : ShellUnknowns::young);
     shell = fitted->fit.shell;
   }
-  return show_model(shell_report(shell, flags.n, flags.modes, fitted), flags.output);
+  return show_report(shell_report(shell, flags.n, flags.modes, fitted), flags.output);
 }
 
 }  // namespace

@@ -6,9 +6,9 @@
 #include "acquire/number_rows.hpp"
 #include "command.hpp"
 #include "core/error.hpp"
-#include "model_output.hpp"
 #include "ranges.hpp"
 #include "report/trampoline_report.hpp"
+#include "report_output.hpp"
 
 namespace percuss::tools {
 namespace {
@@ -91,7 +91,7 @@ std::optional<double> mass_from_shift(const TrampolineFlags& flags) {
 }
 
 int model_trampoline(const TrampolineFlags& flags) {
-  check_model_outputs(flags.output);
+  check_report_outputs(flags.output);
   Trampoline model = model_of(flags);
   const Range hoop = parse_range("--hoop", flags.hoop);
   if (!(hoop.low >= 1)) throw UsageError("--hoop starts below 1 Hz", "give LO:STEP:HI, as 100:25:10000");
@@ -103,7 +103,7 @@ int model_trampoline(const TrampolineFlags& flags) {
     model.damping_exponent = fitted.fit.damping_exponent;
     extras.fitted = std::move(fitted);
   }
-  return show_model(trampoline_report(model, hoop.values(), extras), flags.output);
+  return show_report(trampoline_report(model, hoop.values(), extras), flags.output);
 }
 
 void add_constants(Command& command, TrampolineFlags& flags) {

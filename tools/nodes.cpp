@@ -15,6 +15,7 @@
 #include "read_flags.hpp"
 #include "report/analysis_json.hpp"
 #include "report/nodes_report.hpp"
+#include "report_output.hpp"
 
 namespace percuss::tools {
 namespace {
@@ -56,7 +57,7 @@ std::unique_ptr<Analysis> analysis_of(const NodesFlags& flags, const ScanPositio
 
 int nodes(const NodesFlags& flags) {
   const ScanPositions positions = parse_positions(flags.positions);
-  check_outputs(flags.output, {".json"});
+  check_outputs(flags.output, {".json", ".svg", ".html"});
   const Progress progress("analysing", flags.output.quiet);
   const auto opened = analysis_of(flags, positions);
   const Analysis& analysis = *opened;
@@ -68,10 +69,7 @@ int nodes(const NodesFlags& flags) {
   }
   const NodeScan scan = scan_nodes(analysis, positions, kResolution_m);
   progress.stop();
-  const std::string document = nodes_json(analysis, scan);
-  for (const std::string& path : flags.output.paths) write_file(path, document, flags.output.force);
-  std::cout << (flags.output.json ? document : nodes_text(analysis, scan, terminal_width()));
-  return kOk;
+  return show_report(nodes_report(analysis, scan), flags.output, inputs_of(analysis));
 }
 
 }  // namespace

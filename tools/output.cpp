@@ -32,6 +32,11 @@ bool is_uff(const std::string& path) { return extension_of(path) == ".uff" || ex
 
 bool is_html(const std::string& path) { return extension_of(path) == ".html"; }
 
+bool draws(const OutputFlags& flags) {
+  return std::any_of(flags.paths.begin(), flags.paths.end(),
+                     [](const std::string& path) { return is_html(path) || extension_of(path) == ".svg"; });
+}
+
 void check_outputs(const OutputFlags& flags, const std::vector<std::string>& known) {
   std::set<std::string> seen;
   for (const std::string& path : flags.paths) {

@@ -24,6 +24,9 @@ bool is_uff(const std::string& path);
 
 bool is_html(const std::string& path);
 
+/// Whether a file is asked for that holds pictures: .svg or .html.
+bool draws(const OutputFlags& flags);
+
 /// Nothing is read or computed for a file that cannot be written: UsageError when a path's extension is not among
 /// `known` or a path is named twice, InputError when the file exists and --force is not given.
 void check_outputs(const OutputFlags& flags, const std::vector<std::string>& known);

@@ -7,7 +7,9 @@
 #include "command.hpp"
 #include "core/error.hpp"
 #include "output.hpp"
+#include "report/study_charts.hpp"
 #include "report/study_report.hpp"
+#include "report_output.hpp"
 #include "synth/population.hpp"
 
 namespace percuss::tools {
@@ -32,15 +34,15 @@ void refuse_existing(const StudyFlags& flags) {
   }
 }
 
-void write_figures(const StudyFlags& flags, const Study& study) {
-  std::optional<StudyCurve> curve;
-  if (!flags.curve.empty()) curve = parse_study_curve(text_at(flags.curve), input_name(flags.curve));
+void write_figures(const StudyFlags& flags, const Study& study, const CommandReport& report,
+                   const std::optional<StudyCurve>& curve) {
   if (flags.figures.empty()) return;
   std::error_code problem;
   std::filesystem::create_directories(flags.figures, problem);
   if (problem) throw InputError("cannot make the folder", flags.figures, "name one that can be written");
   for (const StudyFile& file : study_files(study, curve))
     write_file((std::filesystem::path(flags.figures) / file.name).string(), file.text, flags.output.force);
+  write_file((std::filesystem::path(flags.figures) / "statistics.csv").string(), report.csv(), flags.output.force);
 }
 
 int run_study(const StudyFlags& flags) {
@@ -49,9 +51,9 @@ int run_study(const StudyFlags& flags) {
     return kOk;
   }
   if (flags.inputs.empty()) throw UsageError("no table", "name a table of bats, or analyses with --bat-id");
-  if (!flags.curve.empty() && flags.figures.empty())
-    throw UsageError("--hoop-curve goes into the figures", "add --figures FOLDER");
-  check_outputs(flags.output, {".json", ".csv"});
+  if (!flags.curve.empty() && flags.figures.empty() && !draws(flags.output))
+    throw UsageError("--hoop-curve goes into the figures", "add --figures FOLDER, -o FILE.svg or -o FILE.html");
+  check_report_outputs(flags.output);
   refuse_existing(flags);
   StudyRows rows;
   for (const std::string& path : flags.inputs) rows.add(text_at(path), input_name(path));
@@ -59,15 +61,11 @@ int run_study(const StudyFlags& flags) {
   if (!flags.key.empty()) write_file(flags.key, blind_bats(bats), flags.output.force);
   if (!flags.table.empty()) write_file(flags.table, study_table_csv(bats), flags.output.force);
   const Study study = study_of(std::move(bats));
-  write_figures(flags, study);
-  for (const std::string& path : flags.output.paths)
-    write_file(path, extension_of(path) == ".json" ? study_json(study) : study_csv(study), flags.output.force);
-  if (flags.output.json) {
-    std::cout << study_json(study);
-  } else if (!flags.output.quiet) {
-    std::cout << study_text(study, terminal_width());
-  }
-  return kOk;
+  std::optional<StudyCurve> curve;
+  if (!flags.curve.empty()) curve = parse_study_curve(text_at(flags.curve), input_name(flags.curve));
+  const CommandReport report = study_report(study, curve);
+  write_figures(flags, study, report, curve);
+  return show_report(report, flags.output, flags.inputs);
 }
 
 }  // namespace

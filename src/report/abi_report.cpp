@@ -35,8 +35,6 @@ std::string compression_name(const AbiReduction& c) {
   return c.cycle == 0 ? "BC 0" : fmt::format("BC {},{}", c.cycle, c.roll);
 }
 
-}  // namespace
-
 std::string abi_json(const AbiLog& log, const AbiRun& run) {
   const bool roll = run.next == AbiStep::roll;
   Json json{{"schema", "percuss/abi/1"},
@@ -71,18 +69,20 @@ std::string abi_json(const AbiLog& log, const AbiRun& run) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::string abi_text(const AbiLog& log, const AbiRun& run, std::size_t width) {
-  std::string out = wrapped(fmt::format("{}: {}", log.bat, next_words(run)), width, 2) + "\n";
+ReportText abi_text(const AbiLog& log, const AbiRun& run) {
+  ReportText out;
+  out.say(fmt::format("{}: {}", log.bat, next_words(run)));
   if (run.verdict == AbiVerdict::fail && run.next != AbiStep::done)
     out += "  has failed (" + run.why + "); goes on at the sponsor's request\n";
-  for (const ProtocolFinding& remark : run.remarks) out += wrapped("note: " + remark.message, width, 2) + "\n";
+  for (const ProtocolFinding& remark : run.remarks) out.say("note: " + remark.message);
   if (!run.compressions.empty()) {
     TextTable table({{"compression"}, {"force", TextTable::Align::right}, {"reduction", TextTable::Align::right}});
     for (const AbiReduction& c : run.compressions) {
       table.add({compression_name(c), fmt::format("{:.1f} lbf", c.mean_lbf),
                  c.reduction ? fmt::format("{:.2f} %", 100 * *c.reduction) : ""});
     }
-    out += "\n" + table.text(width);
+    out += "\n";
+    out += table;
   }
   if (!run.cycles.empty()) {
     TextTable table({{"test"},
@@ -93,7 +93,8 @@ std::string abi_text(const AbiLog& log, const AbiRun& run, std::size_t width) {
       table.add({fmt::format("{}", c.cycle), fmt::format("{:.4f}", c.value), fmt::format("{:.4f}", c.best - c.value),
                  c.hoop_Hz ? fmt::format("{:.0f} Hz", *c.hoop_Hz) : ""});
     }
-    out += "\n" + table.text(width);
+    out += "\n";
+    out += table;
   }
   return out;
 }
@@ -108,7 +109,7 @@ std::string abi_csv(const AbiRun& run) {
   return out;
 }
 
-std::string abi_svg(const AbiLog& log, const AbiRun& run) {
+LineChart abi_chart(const AbiLog& log, const AbiRun& run) {
   ChartCurve tests{.name = "test", .marks = true};
   for (const AbiCycle& c : run.cycles) {
     tests.x.push_back(c.cycle);
@@ -120,7 +121,18 @@ std::string abi_svg(const AbiLog& log, const AbiRun& run) {
                   .curves = {tests}};
   if (log.limit && !tests.x.empty())
     chart.curves.push_back({.name = "limit", .x = {tests.x.front(), tests.x.back()}, .y = {*log.limit, *log.limit}});
-  return line_chart_svg(chart);
+  return chart;
+}
+
+}  // namespace
+
+CommandReport abi_report(const AbiLog& log, const AbiRun& run) {
+  CommandReport report;
+  report.json = abi_json(log, run);
+  report.text = abi_text(log, run);
+  report.table = abi_csv(run);
+  report.charts = {abi_chart(log, run)};
+  return report;
 }
 
 }  // namespace percuss

@@ -34,8 +34,9 @@ std::string analysis_page(const Analysis& analysis, const Provenance& provenance
   const std::string verdict = verdict_sentence(analysis, verdicts);
   std::string found = "<p class=\"verdict\">" + html_text(verdict) + "</p>\n";
   if (!verdicts.empty()) found += modes_table(analysis, true).html();
-  std::string body = page_header(analysis, with_hits ? analysis.hits().size() : 0) + "<main>\n" +
-                     page_section("modes", "Modes", found + page_warnings(analysis.warnings()));
+  std::string body =
+      page_header(title_of(analysis.record().files), conditions_of(analysis, with_hits ? analysis.hits().size() : 0)) +
+      "<main>\n" + page_section("modes", "Modes", found + page_warnings(analysis.warnings()));
   if (possible) body += frf_section(verdict);
   if (with_hits) body += hits_section(analysis);
   if (possible) {
@@ -44,8 +45,9 @@ std::string analysis_page(const Analysis& analysis, const Provenance& provenance
     body += page_section("stabilisation", "Stabilisation",
                          page_picture("stabilisation", "Poles of every model order over frequency."));
   }
-  body += page_section("provenance", "How this came about", page_provenance(analysis, provenance)) + "</main>\n";
-  return HtmlPage{.title = source_name(analysis) + " – percuss",
+  body += page_section("provenance", "How this came about", page_provenance(analysis.record().files, provenance)) +
+          "</main>\n";
+  return HtmlPage{.title = title_of(analysis.record().files) + " – percuss",
                   .body = body,
                   .data = "[" + analysis_pictures(analysis, verdicts, true) + "]"}
       .text();

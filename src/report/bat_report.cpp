@@ -112,14 +112,14 @@ std::string curve_text(const BatModes& bat, const BatCurve& curve) {
       1000 * curve.best_rigid.x, bat.freq_Hz.size(), most, 1000 * most_at);
 }
 
-// The deflections take the places of table and chart.
-Json show_wave(const BatModes& bat, const BatCollision& collision, const BatWaveWanted& wanted, ModelReport& report) {
+// The deflections take the place of the table and stand before the chart.
+Json show_wave(const BatModes& bat, const BatCollision& collision, const BatWaveWanted& wanted, CommandReport& report) {
   const Eigen::MatrixXd wave =
       bat_wave(bat, static_cast<std::size_t>(bat.freq_Hz.size()), collision, wanted.z_m, wanted.time_s);
   const std::vector<double> at_m = positions_of(bat.beam);
   Json json{{"z_m", wanted.z_m}, {"time_s", wanted.time_s}, {"largest_m", Json::array()}, {"at_m", Json::array()}};
   report.columns = {{"z_m", at_m}};
-  report.chart = {.title = fmt::format("Bat struck {:.0f} mm from the knob", 1000 * wanted.z_m),
+  LineChart chart{.title = fmt::format("Bat struck {:.0f} mm from the knob", 1000 * wanted.z_m),
                   .x = {.label = "from the knob, m"},
                   .y = {.label = "deflection, mm"},
                   .curves = {}};
@@ -133,25 +133,26 @@ Json show_wave(const BatModes& bat, const BatCollision& collision, const BatWave
     std::vector<double> w_mm = w_m;
     for (double& w : w_mm) w *= 1000;
     report.columns.push_back({fmt::format("deflection_m_{:g}_s", time_s), w_m});
-    report.chart.curves.push_back({fmt::format("{:g} ms", 1000 * time_s), at_m, w_mm});
+    chart.curves.push_back({fmt::format("{:g} ms", 1000 * time_s), at_m, w_mm});
   }
+  report.charts.insert(report.charts.begin(), std::move(chart));
   return json;
 }
 
 }  // namespace
 
-ModelReport bat_report(const BatModes& bat, const BatCollision& collision, const std::vector<double>& z_m,
-                       const std::optional<BatWaveWanted>& wave) {
+CommandReport bat_report(const BatModes& bat, const BatCollision& collision, const std::vector<double>& z_m,
+                         const std::optional<BatWaveWanted>& wave) {
   const BatCurve curve = curve_of(bat, collision, z_m);
   Json json{{"schema", "percuss/model-bat/1"}, {"version", version()}};
   json.update(modes_json(bat));
   json["best"] = {{"z_m", curve.best.x}, {curve.exit.name, curve.best.y}};
   json["curve"] = curve_json(curve);
-  ModelReport report;
-  report.chart = {.title = "Bat that bends",
-                  .x = {.label = "impact from the knob, m"},
-                  .y = {.label = "exit speed, m/s"},
-                  .curves = {{"bending", z_m, curve.exit.values}, {"rigid", z_m, curve.rigid.values}}};
+  CommandReport report;
+  report.charts = {{.title = "Bat that bends",
+                    .x = {.label = "impact from the knob, m"},
+                    .y = {.label = "exit speed, m/s"},
+                    .curves = {{"bending", z_m, curve.exit.values}, {"rigid", z_m, curve.rigid.values}}}};
   report.columns = {{"z_m", z_m},  curve.exit,     curve.rigid, curve.half,
                     curve.contact, curve.contacts, curve.ball,  curve.vibration};
   if (wave) json["wave"] = show_wave(bat, collision, *wave, report);

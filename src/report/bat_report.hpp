@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "model/bat_collision.hpp"
-#include "report/model_report.hpp"
+#include "report/command_report.hpp"
 
 namespace percuss {
 
@@ -16,7 +16,7 @@ struct BatWaveWanted {
 /// percuss/model-bat/1: modes, nodes and inertia of a bat, and the exit speed of a ball over the place of impact z_m
 /// (from the knob, ascending), for the bat that bends and for the rigid one. All of bat's modes take part. With `wave`
 /// the table and the chart show the deflection along the bat instead.
-ModelReport bat_report(const BatModes& bat, const BatCollision& collision, const std::vector<double>& z_m,
-                       const std::optional<BatWaveWanted>& wave = {});
+CommandReport bat_report(const BatModes& bat, const BatCollision& collision, const std::vector<double>& z_m,
+                         const std::optional<BatWaveWanted>& wave = {});
 
 }  // namespace percuss

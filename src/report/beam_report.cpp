@@ -16,7 +16,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kShapePoints = 201;
 constexpr std::size_t kMostCurves = 7;
-constexpr std::size_t kBeamTableWidth = 100;
 constexpr std::array<const char*, 4> kSupports{"torsion", "pinned", "clamped", "free"};
 
 struct ParameterName {
@@ -78,8 +77,8 @@ std::string parameter_text(BeamParameter which, double value, const std::optiona
   return fmt::format("{} = {:.6g} {} (no deviation: no more readings than unknowns)\n", name.name, value, name.unit);
 }
 
-std::string fit_text(const BeamOrigin& origin) {
-  std::string text;
+ReportText fit_text(const BeamOrigin& origin) {
+  ReportText text;
   if (origin.torsion) {
     text += "from static readings: " +
             parameter_text(BeamParameter::torsion, origin.torsion->torsion_Nmprad, origin.torsion->std_Nmprad);
@@ -99,10 +98,12 @@ std::string fit_text(const BeamOrigin& origin) {
                fmt::format("{:.6g} Hz", origin.fit->model_Hz[i]),
                fmt::format("{:+.2f} %", 100 * (origin.fit->model_Hz[i] / one.freq_Hz - 1))});
   }
-  return text + table.text(kBeamTableWidth) + "\n";
+  text += table;
+  text += "\n";
+  return text;
 }
 
-std::string mode_table(const std::vector<BeamMode>& modes) {
+TextTable mode_table(const std::vector<BeamMode>& modes) {
   TextTable table({{"mode", TextTable::Align::right},
                    {"frequency", TextTable::Align::right},
                    {"λ", TextTable::Align::right},
@@ -115,7 +116,7 @@ std::string mode_table(const std::vector<BeamMode>& modes) {
                rigid ? "rigid body" : fmt::format("{:.6f}", modes[i].lambda),
                fmt::format("{}", fmt::join(nodes, " "))});
   }
-  return table.text(kBeamTableWidth);
+  return table;
 }
 
 std::string heading(const UniformBeam& beam) {
@@ -141,7 +142,7 @@ std::optional<BeamSupport> support_named(const std::string& name) {
   return {};
 }
 
-ModelReport beam_report(const UniformBeam& beam, const std::vector<BeamMode>& modes, const BeamOrigin& origin) {
+CommandReport beam_report(const UniformBeam& beam, const std::vector<BeamMode>& modes, const BeamOrigin& origin) {
   Json json{{"schema", "percuss/model-beam/1"}, {"version", version()}, {"beam", beam_json(beam)}};
   for (const char* list : {"frequency_hz", "lambda", "node_m"}) json[list] = Json::array();
   for (const BeamMode& mode : modes) {
@@ -150,23 +151,26 @@ ModelReport beam_report(const UniformBeam& beam, const std::vector<BeamMode>& mo
     json["node_m"].push_back(beam_nodes_m(mode));
   }
   json["fit"] = fit_json(origin);
-  ModelReport report;
+  CommandReport report;
   report.json = json.dump(2) + "\n";
-  report.text = heading(beam) + fit_text(origin) + mode_table(modes);
+  report.text = heading(beam) + fit_text(origin);
+  report.text += mode_table(modes);
   NumberColumn x{.name = "x_m"};
   x.values.reserve(kShapePoints);
   for (std::size_t i = 0; i < kShapePoints; ++i)
     x.values.push_back(beam.length_m * static_cast<double>(i) / static_cast<double>(kShapePoints - 1));
   report.columns = {x};
-  report.chart = {.title = "Mode shapes", .x = {.label = "along the beam from x = 0, m"}, .y = {.label = "deflection"}};
+  LineChart chart{
+      .title = "Mode shapes of a beam", .x = {.label = "along the beam from x = 0, m"}, .y = {.label = "deflection"}};
   for (std::size_t i = 0; i < modes.size(); ++i) {
     NumberColumn shape{.name = fmt::format("mode_{}", i)};
     shape.values.reserve(kShapePoints);
     for (const double x_m : x.values) shape.values.push_back(modes[i].shape(x_m));
     if (i < kMostCurves)
-      report.chart.curves.push_back({fmt::format("{}: {:.5g} Hz", i, modes[i].freq_Hz()), x.values, shape.values});
+      chart.curves.push_back({fmt::format("{}: {:.5g} Hz", i, modes[i].freq_Hz()), x.values, shape.values});
     report.columns.push_back(std::move(shape));
   }
+  report.charts.push_back(std::move(chart));
   return report;
 }
 

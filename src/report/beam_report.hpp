@@ -4,7 +4,7 @@
 
 #include "model/beam.hpp"
 #include "model/beam_fit.hpp"
-#include "report/model_report.hpp"
+#include "report/command_report.hpp"
 
 namespace percuss {
 
@@ -16,7 +16,7 @@ struct BeamOrigin {
 };
 
 /// percuss/model-beam/1: frequencies, nodes, shapes (as columns and chart), and what was fitted.
-ModelReport beam_report(const UniformBeam& beam, const std::vector<BeamMode>& modes, const BeamOrigin& origin = {});
+CommandReport beam_report(const UniformBeam& beam, const std::vector<BeamMode>& modes, const BeamOrigin& origin = {});
 
 /// "torsion", "pinned", …: as on the command line.
 const char* support_name(BeamSupport support);

@@ -4,7 +4,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "report/line_chart.hpp"
 #include "report/number.hpp"
 #include "report/text_table.hpp"
 #include "report/version.hpp"
@@ -98,8 +97,6 @@ std::string joined_messages(const std::vector<ProtocolFinding>& findings) {
   return out;
 }
 
-}  // namespace
-
 std::string certify_json(const Session& s, const Certification& c) {
   const Json json{{"schema", "percuss/certify/1"},
                   {"version", version()},
@@ -125,11 +122,12 @@ std::string certify_json(const Session& s, const Certification& c) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::string certify_text(const Session& s, const Certification& c, std::size_t width) {
-  std::string out = wrapped(fmt::format("{}: {}", s.bat.id, c.next.message), width, 2) + "\n";
+ReportText certify_text(const Session& s, const Certification& c) {
+  ReportText out;
+  out.say(fmt::format("{}: {}", s.bat.id, c.next.message));
   if (!c.next.ball.empty()) out += fmt::format("  ball: {}, or a new one\n", c.next.ball);
-  for (const ProtocolFinding& f : c.conditions) out += wrapped("condition: " + f.message, width, 2) + "\n";
-  for (const ProtocolFinding& f : c.remarks) out += wrapped("note: " + f.message, width, 2) + "\n";
+  for (const ProtocolFinding& f : c.conditions) out.say("condition: " + f.message);
+  for (const ProtocolFinding& f : c.remarks) out.say("note: " + f.message);
   if (c.correction) out += fmt::format("ball lot: correction {:+.4f}\n", *c.correction);
   if (!c.locations.empty()) {
     TextTable table({{"location", TextTable::Align::right},
@@ -142,12 +140,12 @@ std::string certify_text(const Session& s, const Certification& c, std::size_t w
                  : l.complete              ? ""
                                            : "not complete"});
     }
-    out += "\n" + table.text(width);
+    out += "\n";
+    out += table;
   }
   for (std::size_t i = 0; i < c.shots.size(); ++i) {
     if (!c.shots[i].valid()) {
-      out +=
-          wrapped(fmt::format("shot {} does not count: {}", i, joined_messages(c.shots[i].reasons)), width, 2) + "\n";
+      out.say(fmt::format("shot {} does not count: {}", i, joined_messages(c.shots[i].reasons)));
     }
   }
   for (const auto& [id, ball] : c.balls) {
@@ -168,7 +166,7 @@ std::string certify_csv(const Session& s, const Certification& c) {
   return out;
 }
 
-std::string certify_svg(const Session& s, const Certification& c) {
+LineChart certify_chart(const Session& s, const Certification& c) {
   ChartCurve means{.name = "mean of six", .marks = true};
   for (const TestedLocation& location : c.locations) {
     if (!location.complete) continue;
@@ -180,7 +178,18 @@ std::string certify_svg(const Session& s, const Certification& c) {
                   .y = {.label = name_of(s.metric)},
                   .curves = {means}};
   if (s.limit) chart.curves.push_back({.name = "limit", .x = {s.low_in, s.high_in}, .y = {*s.limit, *s.limit}});
-  return line_chart_svg(chart);
+  return chart;
+}
+
+}  // namespace
+
+CommandReport certify_report(const Session& session, const Certification& certification) {
+  CommandReport report;
+  report.json = certify_json(session, certification);
+  report.text = certify_text(session, certification);
+  report.table = certify_csv(session, certification);
+  report.charts = {certify_chart(session, certification)};
+  return report;
 }
 
 }  // namespace percuss

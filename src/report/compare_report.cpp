@@ -17,7 +17,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kTableWidth = 160;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 // One document against the first.
@@ -95,7 +94,7 @@ const ModePair* pair_at(const Comparison& c, std::size_t mode) {
 
 std::string frequency_text(const ComparedMode& mode) { return with_deviation(mode.freq_Hz, mode.freq_std_Hz) + " Hz"; }
 
-std::string modes_text(const std::vector<ComparedDocument>& documents, const std::vector<Comparison>& comparisons) {
+ReportText modes_text(const std::vector<ComparedDocument>& documents, const std::vector<Comparison>& comparisons) {
   std::vector<TextTable::Column> heads{{"mode", TextTable::Align::right}, {"family"}};
   for (const ComparedDocument& document : documents)
     heads.push_back({one_line(document.name, 40), TextTable::Align::right});
@@ -115,17 +114,18 @@ std::string modes_text(const std::vector<ComparedDocument>& documents, const std
     cells.emplace_back("");
     table.add(std::move(cells));
   }
-  std::string text = table.text(kTableWidth);
+  ReportText text;
+  text += table;
   for (const Comparison& c : comparisons) {
     if (c.modes.unpaired_b.empty()) continue;
-    text += fmt::format("only in {}:", one_line(c.b.name, 200));
-    for (const std::size_t m : c.modes.unpaired_b) text += fmt::format(" {:.6g} Hz", c.b.modes[m].freq_Hz);
-    text += '\n';
+    std::string only = fmt::format("only in {}:", one_line(c.b.name, 200));
+    for (const std::size_t m : c.modes.unpaired_b) only += fmt::format(" {:.6g} Hz", c.b.modes[m].freq_Hz);
+    text += only + '\n';
   }
   return text;
 }
 
-std::string deflections_text(const Comparison& c) {
+ReportText deflections_text(const Comparison& c) {
   const bool inverted = c.a.model && !c.b.model;
   TextTable table({{"place", TextTable::Align::right},
                    {one_line(c.a.name, 40), TextTable::Align::right},
@@ -139,7 +139,9 @@ std::string deflections_text(const Comparison& c) {
     table.add({place, fmt::format("{:.4g} mm", 1000 * pair.a_m), fmt::format("{:.4g} mm", 1000 * pair.b_m),
                with_deviation(pair.ratio, pair.ratio_std), ""});
   }
-  return "\nlargest deflection\n" + table.text(kTableWidth);
+  ReportText text(std::string("\nlargest deflection\n"));
+  text += table;
+  return text;
 }
 
 std::vector<NumberColumn> columns_of(const std::vector<ComparedDocument>& documents,
@@ -208,7 +210,7 @@ LineChart chart_of(const std::vector<Comparison>& comparisons) {
 
 }  // namespace
 
-ModelReport compare_report(const std::vector<ComparedDocument>& documents, const PairOptions& options) {
+CommandReport compare_report(const std::vector<ComparedDocument>& documents, const PairOptions& options) {
   assert(documents.size() >= 2);
   std::vector<Comparison> comparisons;
   comparisons.reserve(documents.size());
@@ -219,14 +221,14 @@ ModelReport compare_report(const std::vector<ComparedDocument>& documents, const
     deflections = deflections || !comparisons.back().deflections.empty();
     modes = modes || !comparisons.back().modes.pairs.empty();
   }
-  ModelReport report;
+  CommandReport report;
   report.json = json_of(documents, comparisons);
   if (modes || !deflections) report.text = modes_text(documents, comparisons);
   for (const Comparison& c : comparisons) {
     if (!c.deflections.empty()) report.text += deflections_text(c);
   }
   report.columns = columns_of(documents, comparisons);
-  report.chart = chart_of(comparisons);
+  report.charts = {chart_of(comparisons)};
   return report;
 }
 

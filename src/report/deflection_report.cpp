@@ -88,7 +88,7 @@ std::string deflection_json(const Analysis& analysis, const ImpactTest& test) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::string deflection_text(const Analysis& analysis, const ImpactTest& test, std::size_t width) {
+ReportText deflection_text(const Analysis& analysis, const ImpactTest& test) {
   using Align = TextTable::Align;
   TextTable hits({{"hit", Align::right},
                   {"point", Align::right},
@@ -112,14 +112,19 @@ std::string deflection_text(const Analysis& analysis, const ImpactTest& test, st
                 millimetres(point.peak_m, point.std_m)});
     repeats = repeats || point.hits > 1;
   }
-  std::string text = one_line(input_name(analysis.record().source()), 400) + "\n\n" + hits.text(width);
-  if (repeats) text += "\n" + points.text(width);
+  ReportText text = one_line(input_name(analysis.record().source()), 400) + "\n\n";
+  text += hits;
+  if (repeats) {
+    text += "\n";
+    text += points;
+  }
   for (const ImpactSpeed& speed : test.speeds) {
     text +=
         fmt::format("hit {}: the ball came with {} m/s\n", speed.hit, with_deviation(speed.speed_mps, speed.std_mps));
   }
-  for (const Warning& warning : test.warnings) text += "\n" + wrapped("! " + one_line(warning.message, 4000), width, 2);
-  return text.ends_with('\n') ? text : text + "\n";
+  if (!test.warnings.empty()) text += "\n";
+  for (const Warning& warning : test.warnings) text.warn(warning.message);
+  return text;
 }
 
 std::string deflection_csv(const Analysis& analysis, const ImpactTest& test) {

@@ -3,14 +3,15 @@
 
 #include "pipeline/impact_test.hpp"
 #include "report/line_chart.hpp"
+#include "report/report_text.hpp"
 
 namespace percuss {
 
 /// percuss/deflection/1: peaks per hit and channel, means per point, impact speeds, warnings.
 std::string deflection_json(const Analysis& analysis, const ImpactTest& test);
 
-/// The same for people, `width` columns wide.
-std::string deflection_text(const Analysis& analysis, const ImpactTest& test, std::size_t width);
+/// The same for people.
+ReportText deflection_text(const Analysis& analysis, const ImpactTest& test);
 
 /// Every sample: hit, channel, time from the row's beginning, velocity, deflection and its deviation (empty where the
 /// method knows none).

@@ -16,8 +16,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kImpactTableWidth = 100;
-
 struct SweptName {
   const char *key, *label;
 };
@@ -77,7 +75,7 @@ std::string result_text(const Impact& impact, const ImpactResult& r) {
   return text + "\n";
 }
 
-std::string sweep_text(const ImpactSweep& sweep) {
+TextTable sweep_table(const ImpactSweep& sweep) {
   TextTable table({{sweep.parameter, TextTable::Align::right},
                    {"restitution", TextTable::Align::right},
                    {"contact", TextTable::Align::right},
@@ -90,7 +88,7 @@ std::string sweep_text(const ImpactSweep& sweep) {
                fmt::format("{:.3f} ms", 1000 * r.contact_s), fmt::format("{:.4g} N", r.peak_force_N),
                fmt::format("{:.3f} mm", 1000 * r.peak_deflection_m), recontact_text(r)});
   }
-  return "\n" + table.text(kImpactTableWidth);
+  return table;
 }
 
 std::vector<NumberColumn> series_columns(const std::vector<ImpactMoment>& series) {
@@ -173,13 +171,16 @@ double* swept_value(Impact& impact, const std::string& parameter) {
   return parameter == "speed" ? &impact.speed_mps : nullptr;
 }
 
-ModelReport impact_report(const Impact& impact, const ImpactResult& result, const std::vector<ImpactSweep>& sweeps) {
-  ModelReport report;
+CommandReport impact_report(const Impact& impact, const ImpactResult& result, const std::vector<ImpactSweep>& sweeps) {
+  CommandReport report;
   report.json = document(result, sweeps);
   report.text = result_text(impact, result);
-  for (const ImpactSweep& sweep : sweeps) report.text += sweep_text(sweep);
+  for (const ImpactSweep& sweep : sweeps) {
+    report.text += "\n";
+    report.text += sweep_table(sweep);
+  }
   report.columns = sweeps.empty() ? series_columns(result.series) : sweep_columns(impact, sweeps);
-  report.chart = sweeps.empty() ? series_chart(report.columns) : sweep_chart(impact, sweeps);
+  report.charts = {sweeps.empty() ? series_chart(report.columns) : sweep_chart(impact, sweeps)};
   return report;
 }
 

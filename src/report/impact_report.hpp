@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "model/impact.hpp"
-#include "report/model_report.hpp"
+#include "report/command_report.hpp"
 
 namespace percuss {
 
@@ -15,8 +15,8 @@ struct ImpactSweep {
 };
 
 /// percuss/model-impact/1. Columns and chart show the series, or the sweeps where there are any.
-ModelReport impact_report(const Impact& impact, const ImpactResult& result,
-                          const std::vector<ImpactSweep>& sweeps = {});
+CommandReport impact_report(const Impact& impact, const ImpactResult& result,
+                            const std::vector<ImpactSweep>& sweeps = {});
 
 /// What a sweep varies: nullptr for a name that is none.
 double* swept_value(Impact& impact, const std::string& parameter);

@@ -6,118 +6,107 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <numeric>
 
 #include "report/chart_mark.hpp"
+#include "report/chart_scale.hpp"
+#include "report/text_table.hpp"
 
 namespace percuss {
 namespace {
 
 constexpr double kWidth = 760, kHeight = 440;
 constexpr double kLeft = 72, kRight = 620, kTop = 44, kBottom = 384;  // of the plot; names stand right of it
-constexpr double kLineHeight = 15;
+constexpr double kLineHeight = 15, kCharacterWidth = 7;
 constexpr double kLabelRoom = 20;  // right of a point, for its label
-constexpr std::size_t kMostDrawn = 1000;
+constexpr std::size_t kMostDrawn = 1000, kLongestName = 48;
 constexpr std::size_t kTicks = 6;
 
 // Okabe and Ito's colours without yellow, which is too pale for a line; a dash pattern with each.
-struct Stroke {
-  const char* colour;
-  const char* dashes;
-};
-constexpr std::array<Stroke, 7> kStrokes{{{"#0072B2", "none"},
-                                          {"#D55E00", "7 3"},
-                                          {"#009E73", "2 3"},
-                                          {"#CC79A7", "9 3 2 3"},
-                                          {"#000000", "12 4"},
-                                          {"#5B3A8C", "4 2"},
-                                          {"#7A5C00", "6 2 1 2 1 2"}}};
+constexpr std::array<const char*, 7> kColours{"#0072B2", "#D55E00", "#009E73", "#CC79A7",
+                                              "#000000", "#5B3A8C", "#7A5C00"};
+constexpr std::array<const char*, 7> kPageColours{"var(--c0)", "var(--c1)", "var(--c2)", "var(--c3)",
+                                                  "var(--c7)", "var(--c5)", "var(--c4)"};
+constexpr std::array<const char*, 7> kDashes{"none", "7 3", "2 3", "9 3 2 3", "12 4", "4 2", "6 2 1 2 1 2"};
 
-// Values to pixels along one axis.
-struct Scale {
-  double low = std::numeric_limits<double>::infinity(), high = -low;  // of the values, logarithms where so drawn
-  double from = 0, to = 1;                                            // pixels
-  bool logarithmic = false;
-
-  double drawn(double value) const { return logarithmic ? std::log10(value) : value; }
-  void cover(double value) {
-    if (!std::isfinite(drawn(value))) return;
-    low = std::min(low, drawn(value));
-    high = std::max(high, drawn(value));
-  }
-  void settle(double margin) {
-    if (!(high >= low)) low = 0, high = 1;
-    const double width = high > low ? high - low : std::max(1e-3, 0.02 * std::abs(high));
-    low -= margin * width;
-    high += margin * width;
-    if (!(high > low)) high = low + width;
-  }
-  double pixel(double value) const { return from + (drawn(value) - low) / (high - low) * (to - from); }
-  std::vector<double> ticks() const {
-    if (!logarithmic) return round_ticks(low, high, kTicks);
-    std::vector<double> all;
-    for (auto decade = static_cast<int>(std::ceil(low - 1)); decade <= high; ++decade) {
-      for (const double factor : {1.0, 2.0, 5.0}) {
-        const double value = factor * std::pow(10, decade);
-        if ((factor == 1 || high - low < 2) && drawn(value) >= low && drawn(value) <= high) all.push_back(value);
-      }
-    }
-    return all;
-  }
-};
-
-// Of each run of neighbours the lowest and the highest, in their order.
-std::vector<std::size_t> worth_drawing(const ChartCurve& curve) {
+// Of each run of neighbours the lowest and the highest, in their order, and a gap where there is one.
+std::vector<std::size_t> worth_drawing(const std::vector<double>& y) {
   std::vector<std::size_t> kept;
-  const std::size_t run = std::max<std::size_t>(1, 2 * curve.x.size() / kMostDrawn);
-  for (std::size_t begin = 0; begin < curve.x.size(); begin += run) {
-    const std::size_t end = std::min(begin + run, curve.x.size());
-    std::size_t low = begin, high = begin;
+  const std::size_t run = std::max<std::size_t>(1, 2 * y.size() / kMostDrawn);
+  for (std::size_t begin = 0; begin < y.size(); begin += run) {
+    const std::size_t end = std::min(begin + run, y.size());
+    std::array<std::size_t, 3> chosen{end, end, end};  // lowest, highest, a gap
     for (std::size_t i = begin; i < end; ++i) {
-      if (curve.y[i] < curve.y[low]) low = i;
-      if (curve.y[i] > curve.y[high]) high = i;
+      if (std::isnan(y[i])) {
+        chosen[2] = i;
+        continue;
+      }
+      if (chosen[0] == end || y[i] < y[chosen[0]]) chosen[0] = i;
+      if (chosen[1] == end || y[i] > y[chosen[1]]) chosen[1] = i;
     }
-    kept.push_back(std::min(low, high));
-    if (low != high) kept.push_back(std::max(low, high));
+    std::sort(chosen.begin(), chosen.end());
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+      if (chosen.at(i) < end && (i == 0 || chosen.at(i) != chosen.at(i - 1))) kept.push_back(chosen.at(i));
+    }
   }
   return kept;
 }
 
+// Not longer than there is room for.
+std::string shown_name(const std::string& name) {
+  if (text_width(name) <= kLongestName) return name;
+  std::string out;
+  std::size_t characters = 0;
+  for (const char c : name) {
+    if ((static_cast<unsigned char>(c) & 0xC0U) != 0x80U && ++characters == kLongestName) break;
+    out += c;
+  }
+  return out + "…";
+}
+
 class Drawing {
  public:
-  explicit Drawing(const LineChart& chart) : chart_(chart) {
+  Drawing(const LineChart& chart, ChartGround ground)
+      : chart_(chart), on_page_(ground == ChartGround::page), grid_(on_page_ ? "var(--rule)" : "#ddd") {
     x_ = {.from = kLeft, .to = kRight, .logarithmic = chart.x.logarithmic};
     y_ = {.from = kBottom, .to = kTop, .logarithmic = chart.y.logarithmic};
+    std::size_t longest = 0;
     for (const ChartCurve& curve : chart.curves) {
       for (std::size_t i = 0; i < curve.x.size(); ++i) {
         if (!std::isfinite(y_.drawn(curve.y[i]))) continue;
         x_.cover(curve.x[i]);
         y_.cover(curve.y[i]);
       }
+      longest = std::max(longest, text_width(shown_name(curve.name)));
     }
     scattered_ = std::any_of(chart.curves.begin(), chart.curves.end(), [](const auto& curve) { return !curve.line; });
     const bool room = std::any_of(chart.curves.begin(), chart.curves.end(),
                                   [](const auto& curve) { return !curve.line || !curve.labels.empty(); });
-    x_.settle(room ? 0.04 : 0);
-    y_.settle(0.04);
+    fit(x_, chart.x, room ? 0.04 : 0);
+    fit(y_, chart.y, 0.04);
+    width_ = std::max(kWidth, kRight + (scattered_ ? 34 : 12) + kCharacterWidth * static_cast<double>(longest));
   }
 
-  std::string text() {
-    add("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" width=\"{}\" height=\"{}\" "
-        "font-family=\"system-ui, sans-serif\" font-size=\"12\" role=\"img\">\n",
-        kWidth, kHeight, kWidth, kHeight);
-    add("<title>{}</title>\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n", svg_text(chart_.title));
-    add("<text x=\"{}\" y=\"24\" font-size=\"15\">{}</text>\n", kLeft, svg_text(chart_.title));
+  std::string text(double top) {
+    add("<svg xmlns=\"http://www.w3.org/2000/svg\" y=\"{}\" viewBox=\"0 0 {} {}\" width=\"{}\" height=\"{}\" "
+        "font-family=\"system-ui, sans-serif\" font-size=\"12\" fill=\"{}\" role=\"img\">\n",
+        top, width_, kHeight, width_, kHeight, ink());
+    add("<title>{}</title>\n", svg_text(chart_.title));
+    if (!on_page_) add("<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n");
+    add("<text x=\"{}\" y=\"18\" font-size=\"15\">{}</text>\n", kLeft, svg_text(chart_.title));
     axes();
+    for (const ChartBand& one : chart_.bands) band(one);
     for (std::size_t i = 0; i < chart_.curves.size(); ++i) {
       const ChartCurve& curve = chart_.curves[i];
-      if (curve.line) line(curve, stroke_of(i));
-      if (curve.marks || !curve.line) points(curve, stroke_of(i));
+      if (curve.line) line(curve, style_of(i));
+      if (curve.marks || !curve.line) points(curve, style_of(i));
     }
+    flags();
     scattered_ ? legend() : names();
     return out_ + "</svg>\n";
   }
+
+  double width() const { return width_; }
 
  private:
   template <class... Args>
@@ -125,57 +114,91 @@ class Drawing {
     fmt::format_to(std::back_inserter(out_), format, std::forward<Args>(args)...);
   }
 
+  static void fit(ChartScale& scale, const ChartAxis& axis, double margin) {
+    if (!axis.range) return scale.settle(margin);
+    scale.low = scale.drawn(axis.range->first);
+    scale.high = scale.drawn(axis.range->second);
+  }
+
+  const char* ink() const { return on_page_ ? "var(--ink)" : "black"; }
+  const char* colour(std::size_t style) const { return on_page_ ? kPageColours.at(style) : kColours.at(style); }
+  std::size_t style_of(std::size_t i) const { return chart_.curves[i].style.value_or(i) % kColours.size(); }
+
   void axes() {
-    for (const double tick : x_.ticks()) {
+    for (const double tick : chart_.x.ticks.empty() ? x_.ticks(kTicks) : chart_.x.ticks) {
       const double at = x_.pixel(tick);
-      add("<path d=\"M{:.1f} {}V{}\" stroke=\"#ddd\"/><text x=\"{:.1f}\" y=\"{}\" "
+      add("<path d=\"M{:.1f} {}V{}\" stroke=\"{}\"/><text x=\"{:.1f}\" y=\"{}\" "
           "text-anchor=\"middle\">{:.6g}</text>\n",
-          at, kTop, kBottom, at, kBottom + 18, tick);
+          at, kTop, kBottom, grid_, at, kBottom + 18, tick);
     }
-    for (const double tick : y_.ticks()) {
+    for (const double tick : chart_.y.ticks.empty() ? y_.ticks(kTicks) : chart_.y.ticks) {
       const double at = y_.pixel(tick);
-      add("<path d=\"M{} {:.1f}H{}\" stroke=\"#ddd\"/><text x=\"{}\" y=\"{:.1f}\" text-anchor=\"end\">{:.6g}</text>\n",
-          kLeft, at, kRight, kLeft - 6, at + 4, tick);
+      add("<path d=\"M{} {:.1f}H{}\" stroke=\"{}\"/><text x=\"{}\" y=\"{:.1f}\" text-anchor=\"end\">{:.6g}</text>\n",
+          kLeft, at, kRight, grid_, kLeft - 6, at + 4, tick);
     }
-    add("<path d=\"M{} {}V{}H{}\" fill=\"none\" stroke=\"black\"/>\n", kLeft, kTop, kBottom, kRight);
+    add("<path d=\"M{} {}V{}H{}\" fill=\"none\" stroke=\"{}\"/>\n", kLeft, kTop, kBottom, kRight, ink());
     add("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>\n", (kLeft + kRight) / 2, kBottom + 40,
         svg_text(chart_.x.label));
     add("<text transform=\"translate(18 {}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n", (kTop + kBottom) / 2,
         svg_text(chart_.y.label));
   }
 
-  const Stroke& stroke_of(std::size_t i) const {
-    return kStrokes.at(chart_.curves[i].style.value_or(i) % kStrokes.size());
-  }
-
-  void line(const ChartCurve& curve, const Stroke& stroke) {
+  // The way of a pen over x and y; it is lifted where there is a gap.
+  std::string way(const std::vector<double>& x, const std::vector<double>& y, bool backwards = false) const {
     std::string path;
-    bool pen = false;
-    for (const std::size_t i : worth_drawing(curve)) {
-      const double x = x_.pixel(curve.x[i]), y = y_.pixel(curve.y[i]);
-      if (!std::isfinite(x) || !std::isfinite(y)) {
-        pen = false;
+    bool pen = backwards;
+    std::vector<std::size_t> drawn = worth_drawing(y);
+    if (backwards) std::reverse(drawn.begin(), drawn.end());
+    for (const std::size_t i : drawn) {
+      const double px = x_.pixel(x[i]), py = std::clamp(y_.pixel(y[i]), kTop, kBottom);
+      if (!std::isfinite(px) || std::isnan(y_.pixel(y[i]))) {
+        pen = backwards;
         continue;
       }
-      fmt::format_to(std::back_inserter(path), "{}{:.1f} {:.1f}", pen ? "L" : "M", x, y);
+      fmt::format_to(std::back_inserter(path), "{}{:.1f} {:.1f}", pen ? "L" : "M", px, py);
       pen = true;
     }
-    add("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.8\" stroke-dasharray=\"{}\"/>\n", path,
-        stroke.colour, stroke.dashes);
+    return path;
   }
 
-  void points(const ChartCurve& curve, const Stroke& stroke) {
+  void line(const ChartCurve& curve, std::size_t style) {
+    add("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-dasharray=\"{}\"/>\n",
+        way(curve.x, curve.y), curve.thin ? ink() : colour(style), curve.thin ? 0.8 : 1.8,
+        curve.thin ? "none" : kDashes.at(style));
+  }
+
+  void band(const ChartBand& one) {
+    add("<path d=\"{}{}Z\" fill=\"{}\" fill-opacity=\"0.2\"/>\n", way(one.x, one.high), way(one.x, one.low, true),
+        colour(one.style % kColours.size()));
+  }
+
+  void points(const ChartCurve& curve, std::size_t style) {
     std::vector<std::size_t> drawn(curve.x.size());
     std::iota(drawn.begin(), drawn.end(), std::size_t{0});
-    if (curve.line) drawn = worth_drawing(curve);
+    if (curve.line) drawn = worth_drawing(curve.y);
     for (const std::size_t i : drawn) {
       const double x = x_.pixel(curve.x[i]), y = y_.pixel(curve.y[i]);
       if (!std::isfinite(x) || !std::isfinite(y)) continue;
-      out_ += chart_mark_svg(curve.mark, x, y, stroke.colour);
+      out_ += chart_mark_svg(curve.mark, x, y, colour(style));
       if (i < curve.labels.size() && !curve.labels[i].empty()) {
         add(R"(<text x="{:.1f}" y="{:.1f}"{}>{}</text>)", x > kRight - kLabelRoom ? x - 7 : x + 7, y - 5,
             x > kRight - kLabelRoom ? " text-anchor=\"end\"" : "", svg_text(curve.labels[i]));
       }
+    }
+    out_ += '\n';
+  }
+
+  // Names above the plot where they do not run into the one before.
+  void flags() {
+    double free = kLeft - kLabelRoom;
+    for (const ChartFlag& flag : chart_.flags) {
+      const double at = x_.pixel(flag.x);
+      if (!(at >= kLeft && at <= kRight)) continue;
+      add("<path d=\"M{:.1f} {}V{}\" stroke=\"{}\" stroke-dasharray=\"2 3\"/>", at, kTop, kBottom, ink());
+      const double half = 0.5 * kCharacterWidth * static_cast<double>(text_width(flag.name));
+      if (at - half < free) continue;
+      add(R"(<text x="{:.1f}" y="{}" text-anchor="middle">{}</text>)", at, kTop - 6, svg_text(flag.name));
+      free = at + half + kCharacterWidth;
     }
     out_ += '\n';
   }
@@ -185,13 +208,13 @@ class Drawing {
     for (std::size_t i = 0; i < chart_.curves.size(); ++i) {
       const ChartCurve& curve = chart_.curves[i];
       if (curve.name.empty()) continue;
-      const Stroke& stroke = stroke_of(i);
+      const std::size_t style = style_of(i);
       if (curve.line) {
         add(R"(<path d="M{} {:.1f}h20" stroke="{}" stroke-width="1.8" stroke-dasharray="{}"/>)", kRight + 6, y,
-            stroke.colour, stroke.dashes);
+            colour(style), kDashes.at(style));
       }
-      if (curve.marks || !curve.line) out_ += chart_mark_svg(curve.mark, kRight + 16, y, stroke.colour);
-      add("<text x=\"{}\" y=\"{:.1f}\">{}</text>\n", kRight + 30, y + 4, svg_text(curve.name));
+      if (curve.marks || !curve.line) out_ += chart_mark_svg(curve.mark, kRight + 16, y, colour(style));
+      add("<text x=\"{}\" y=\"{:.1f}\">{}</text>\n", kRight + 30, y + 4, svg_text(shown_name(curve.name)));
       y += kLineHeight + 2;
     }
   }
@@ -214,32 +237,37 @@ class Drawing {
       limit = ends[i].first - kLineHeight;
     }
     for (const auto& [y, i] : ends) {
-      add("<text x=\"{}\" y=\"{:.1f}\" fill=\"{}\">{}</text>\n", kRight + 8, y + 4, stroke_of(i).colour,
-          svg_text(chart_.curves[i].name));
+      add("<text x=\"{}\" y=\"{:.1f}\" fill=\"{}\">{}</text>\n", kRight + 8, y + 4,
+          chart_.curves[i].thin ? ink() : colour(style_of(i)), svg_text(shown_name(chart_.curves[i].name)));
     }
   }
 
   const LineChart& chart_;
-  Scale x_, y_;
+  bool on_page_;
+  const char* grid_;
+  ChartScale x_, y_;
+  double width_ = kWidth;
   bool scattered_ = false;
   std::string out_;
 };
 
 }  // namespace
 
-std::vector<double> round_ticks(double low, double high, std::size_t wanted) {
-  if (!(high > low) || wanted == 0 || !std::isfinite(high - low)) return {};
-  const double raw = (high - low) / static_cast<double>(wanted);
-  const double power = std::pow(10, std::floor(std::log10(raw)));
-  const double lead = raw / power;
-  const double step = power * (lead < 1.5 ? 1 : lead < 3.5 ? 2 : lead < 7.5 ? 5 : 10);
-  std::vector<double> ticks;
-  const double first = std::ceil(low / step - 1e-9), last = std::floor(high / step + 1e-9);
-  for (std::size_t i = 0; first + static_cast<double>(i) <= last; ++i)
-    ticks.push_back((first + static_cast<double>(i)) * step);
-  return ticks;
-}
+std::string line_chart_svg(const LineChart& chart, ChartGround ground) { return Drawing(chart, ground).text(0); }
 
-std::string line_chart_svg(const LineChart& chart) { return Drawing(chart).text(); }
+std::string line_charts_svg(const std::vector<LineChart>& charts) {
+  if (charts.size() == 1) return line_chart_svg(charts.front());
+  std::string inner;
+  double width = 0, top = 0;
+  for (const LineChart& chart : charts) {
+    Drawing drawing(chart, ChartGround::paper);
+    inner += drawing.text(top);
+    width = std::max(width, drawing.width());
+    top += kHeight;
+  }
+  return fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\">\n{2}</svg>\n",
+      width, top, inner);
+}
 
 }  // namespace percuss

@@ -85,8 +85,8 @@ std::string without_words(const Measured& value) {
   return names.empty() ? "" : fmt::format("; error of {} not known", fmt::join(names, ", "));
 }
 
-std::string text_of_metrics(const std::vector<Line>& lines, const BatMetrics& m,
-                            const std::vector<MetricsWarning>& warnings) {
+ReportText text_of_metrics(const std::vector<Line>& lines, const BatMetrics& m,
+                           const std::vector<MetricsWarning>& warnings) {
   TextTable table({{"number"}, {"value", TextTable::Align::right}, {"unit"}, {"from"}});
   std::size_t absent = 0;
   for (const Line& line : lines) {
@@ -97,30 +97,34 @@ std::string text_of_metrics(const std::vector<Line>& lines, const BatMetrics& m,
     table.add({line.title, with_deviation(line.value->value(), line.value->std()), line.unit,
                line.equation + without_words(*line.value)});
   }
-  std::string out =
-      absent == lines.size() ? "the readings allow no number; percuss metrics --help lists them\n" : table.text(100);
+  ReportText out;
+  if (absent == lines.size()) {
+    out += "the readings allow no number; percuss metrics --help lists them\n";
+  } else {
+    out += table;
+  }
   if (m.drop_class) out += fmt::format("class {}\n", *m.drop_class);
   if (absent > 0 && absent < lines.size()) out += fmt::format("{} more need readings that were not given\n", absent);
-  for (const MetricsWarning& warning : warnings) out += wrapped("note: " + warning.message, 100, 2) + "\n";
+  for (const MetricsWarning& warning : warnings) out.say("note: " + warning.message);
   return out;
 }
 
 }  // namespace
 
-MetricsReport metrics_report(const BatReadings& readings, const BatProfileReadings& profile) {
+CommandReport metrics_report(const BatReadings& readings, const BatProfileReadings& profile) {
   const BatMetrics metrics = bat_metrics(readings);
   const auto lines = lines_of_metrics(readings, metrics);
   const auto warnings = metrics_warnings(readings, metrics);
   Json json{{"schema", "percuss/metrics/1"}, {"version", version()}};
   Json uncertainty = Json::object(), equation = Json::object();
-  MetricsReport report;
-  report.csv = "number,value,std,equation\n";
+  CommandReport report;
+  report.table = "number,value,std,equation\n";
   for (const Line& line : lines) {
     json[line.key] = line.value ? Json(line.value->value()) : Json();
     if (!line.value) continue;
     uncertainty[line.key] = uncertainty_of(*line.value);
     equation[line.key] = line.equation;
-    report.csv += fmt::format("{},{},{},{}\n", line.key, line.value->value(), line.value->std(), line.equation);
+    report.table += fmt::format("{},{},{},{}\n", line.key, line.value->value(), line.value->std(), line.equation);
   }
   json["uncertainty"] = std::move(uncertainty);
   json["equation"] = std::move(equation);

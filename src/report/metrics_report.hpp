@@ -1,9 +1,10 @@
 #pragma once
-#include <string>
+#include <optional>
 #include <vector>
 
 #include "metrics/bat_metrics.hpp"
 #include "metrics/resolution.hpp"
+#include "report/command_report.hpp"
 
 namespace percuss {
 
@@ -14,12 +15,8 @@ struct BatProfileReadings {
   ProtocolSteps steps;
 };
 
-struct MetricsReport {
-  std::string json, text, csv;
-};
-
 /// percuss/metrics/1: every metric with its uncertainty, the equation that gave it and what it came from; the profile
 /// as the protocol records it.
-MetricsReport metrics_report(const BatReadings& readings, const BatProfileReadings& profile);
+CommandReport metrics_report(const BatReadings& readings, const BatProfileReadings& profile);
 
 }  // namespace percuss

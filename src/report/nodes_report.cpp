@@ -68,8 +68,6 @@ std::vector<Warning> all_warnings(const Analysis& analysis, const NodeScan& scan
   return warnings;
 }
 
-}  // namespace
-
 std::string nodes_json(const Analysis& analysis, const NodeScan& scan) {
   Json json{{"schema", "percuss/nodes/1"}, {"version", version()}, {"inputs", Json::array()}};
   for (const InputFile& file : analysis.record().files)
@@ -86,7 +84,7 @@ std::string nodes_json(const Analysis& analysis, const NodeScan& scan) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::string nodes_text(const Analysis& analysis, const NodeScan& scan, std::size_t width) {
+ReportText nodes_text(const Analysis& analysis, const NodeScan& scan) {
   TextTable table({{"mode", TextTable::Align::right},
                    {"family"},
                    {"frequency", TextTable::Align::right},
@@ -105,11 +103,55 @@ std::string nodes_text(const Analysis& analysis, const NodeScan& scan, std::size
                with_deviation(mode.pole.freq_Hz, mode.freq_std_Hz) + " Hz", joined(nodes),
                along.rule_m ? fmt::format("{:.3f} in", *along.rule_m / kInch_m) : "–", ""});
   }
-  std::string text = heading(analysis, scan) + "\n";
-  text += scan.modes.empty() ? "no bending mode stands out of the noise in the band\n" : table.text(width);
-  for (const Warning& warning : all_warnings(analysis, scan))
-    text += "\n" + wrapped("! " + one_line(warning.message, 4000), width, 2);
-  return text.ends_with('\n') ? text : text + "\n";
+  ReportText text = heading(analysis, scan) + "\n";
+  if (scan.modes.empty()) {
+    text += "no bending mode stands out of the noise in the band\n";
+  } else {
+    text += table;
+  }
+  const std::vector<Warning> warnings = all_warnings(analysis, scan);
+  if (!warnings.empty()) text += "\n";
+  for (const Warning& warning : warnings) text.warn(warning.message);
+  return text;
+}
+
+// What each mode's residues are along the scan, 1 at their largest, and where they are nothing.
+LineChart shapes_chart(const Analysis& analysis, const NodeScan& scan) {
+  LineChart chart{.title = "Bending along the scan; diamonds: nodes",
+                  .x = {.label = "from the barrel's end, in"},
+                  .y = {.label = "movement, 1 at the largest"}};
+  for (std::size_t m = 0; m < scan.modes.size(); ++m) {
+    const ModeAlongScan& along = scan.modes[m];
+    double largest = 1e-300;
+    for (const double value : along.shape.amplitude) largest = std::max(largest, std::abs(value));
+    const Mode& mode = analysis.modes()[along.mode];
+    ChartCurve curve{.name = fmt::format("{}: {:.5g} Hz", along.mode, mode.pole.freq_Hz), .marks = true, .style = m};
+    for (std::size_t i = 0; i < along.shape.position_m.size(); ++i) {
+      curve.x.push_back(along.shape.position_m[i] / kInch_m);
+      curve.y.push_back(along.shape.amplitude[i] / largest);
+    }
+    ChartCurve nodes{.line = false, .mark = ChartMark::open_diamond, .style = m};
+    for (const Node& node : along.nodes) {
+      nodes.x.push_back(node.position_m / kInch_m);
+      nodes.y.push_back(0);
+      nodes.labels.push_back(fmt::format("{} in, {} mm",
+                                         with_deviation(node.position_m / kInch_m, node.std_m / kInch_m),
+                                         with_deviation(1000 * node.position_m, 1000 * node.std_m)));
+    }
+    chart.curves.push_back(std::move(curve));
+    if (!nodes.x.empty()) chart.curves.push_back(std::move(nodes));
+  }
+  return chart;
+}
+
+}  // namespace
+
+CommandReport nodes_report(const Analysis& analysis, const NodeScan& scan) {
+  CommandReport report;
+  report.json = nodes_json(analysis, scan);
+  report.text = nodes_text(analysis, scan);
+  report.charts = {shapes_chart(analysis, scan)};
+  return report;
 }
 
 }  // namespace percuss

@@ -31,6 +31,20 @@ std::string page_section(const char* id, const char* heading, const std::string&
                      heading, content);
 }
 
+std::string names_of(const std::vector<std::string>& paths) {
+  if (paths.empty()) return "";
+  const std::string first =
+      paths.front() == "-" ? input_name("-") : std::filesystem::path(paths.front()).filename().string();
+  const std::string name = one_line(first, 400);
+  return paths.size() > 1 ? fmt::format("{} and {} more", name, paths.size() - 1) : name;
+}
+
+std::string title_of(const std::vector<InputFile>& files) {
+  std::vector<std::string> paths;
+  for (const InputFile& file : files) paths.push_back(file.path);
+  return names_of(paths);
+}
+
 std::string page_paragraph(const std::string& text) { return "<p>" + html_text(text) + "</p>\n"; }
 
 std::string page_picture(const char* kind, const std::string& description) {
@@ -38,9 +52,13 @@ std::string page_picture(const char* kind, const std::string& description) {
                      html_text(description));
 }
 
-std::string page_header(const Analysis& analysis, std::size_t hits) {
-  return "<header>\n<h1>" + html_text(source_name(analysis)) + "</h1>\n<p class=\"conditions\">" +
-         html_text(conditions_of(analysis, hits)) + "</p>\n</header>\n";
+std::string page_chart(const LineChart& chart) {
+  return "<figure class=\"picture chart\">\n" + line_chart_svg(chart, ChartGround::page) + "</figure>\n";
+}
+
+std::string page_header(const std::string& title, const std::string& conditions) {
+  return "<header>\n<h1>" + html_text(title) + "</h1>\n<p class=\"conditions\">" + html_text(conditions) +
+         "</p>\n</header>\n";
 }
 
 std::string page_warnings(const std::vector<Warning>& warnings) {
@@ -49,13 +67,14 @@ std::string page_warnings(const std::vector<Warning>& warnings) {
   return items.empty() ? "" : "<ul class=\"warnings\" aria-label=\"Warnings\">\n" + items + "</ul>\n";
 }
 
-std::string page_provenance(const Analysis& analysis, const Provenance& provenance) {
+std::string page_provenance(const std::vector<InputFile>& inputs, const Provenance& provenance) {
   TextTable files({{"input"}, {"bytes", TextTable::Align::right}, {"SHA-256"}});
-  for (const InputFile& file : analysis.record().files)
+  for (const InputFile& file : inputs)
     files.add({one_line(input_name(file.path), 400), fmt::format("{}", file.bytes), digest_of(file)});
   return "<details>\n<summary>Method and provenance</summary>\n" +
          page_paragraph(fmt::format("percuss {}, {} UTC", version(), provenance.made_at)) + "<pre>" +
-         html_text(one_line(provenance.command, 4000)) + "</pre>\n" + files.html() + "</details>\n";
+         html_text(one_line(provenance.command, 4000)) + "</pre>\n" + (inputs.empty() ? "" : files.html()) +
+         "</details>\n";
 }
 
 }  // namespace percuss

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "pipeline/analysis.hpp"
+#include "report/line_chart.hpp"
 
 namespace percuss {
 
@@ -19,9 +20,15 @@ std::string page_section(const char* id, const char* heading, const std::string&
 std::string page_paragraph(const std::string& text);
 /// A place for page/page.js to draw in, and what it shows in words for those who do not see it.
 std::string page_picture(const char* kind, const std::string& description);
-/// The file's name and what was measured how.
-std::string page_header(const Analysis& analysis, std::size_t hits);
+/// A chart that is drawn already.
+std::string page_chart(const LineChart& chart);
+/// What the page is of, and under which conditions.
+std::string page_header(const std::string& title, const std::string& conditions);
 std::string page_warnings(const std::vector<Warning>& warnings);
-std::string page_provenance(const Analysis& analysis, const Provenance& provenance);
+std::string page_provenance(const std::vector<InputFile>& files, const Provenance& provenance);
+/// Files for a heading: the name of the first without its folder, "and 3 more" with it.
+std::string names_of(const std::vector<std::string>& paths);
+/// The same of what was read.
+std::string title_of(const std::vector<InputFile>& files);
 
 }  // namespace percuss

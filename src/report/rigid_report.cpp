@@ -8,7 +8,7 @@
 
 namespace percuss {
 
-ModelReport rigid_report(const RigidCollision& collision, const std::vector<double>& z_m) {
+CommandReport rigid_report(const RigidCollision& collision, const std::vector<double>& z_m) {
   const BestImpact best = best_impact(collision, z_m.front(), z_m.back());
   NumberColumn exit{.name = "exit_speed_mps"}, swing{.name = "swing_speed_mps"}, mass{.name = "effective_mass_kg"};
   nlohmann::ordered_json json{{"schema", "percuss/model-rigid/1"},
@@ -26,16 +26,16 @@ ModelReport rigid_report(const RigidCollision& collision, const std::vector<doub
   }
   const double near_m = 0.05;
   const auto loss = [&](double z) { return best.exit_speed_mps - exit_speed_mps(collision, z); };
-  ModelReport report;
+  CommandReport report;
   report.json = json.dump(2) + "\n";
   report.text = fmt::format(
       "rigid bat: the ball leaves fastest, with {:.2f} m/s, {:.1f} mm from the centre of mass (positive towards the "
       "barrel)\n5 cm farther in it is {:.2f} m/s slower, 5 cm farther out {:.2f} m/s\n",
       best.exit_speed_mps, 1000 * best.z_m, loss(best.z_m - near_m), loss(best.z_m + near_m));
-  report.chart = {.title = "Rigid bat",
-                  .x = {.label = "impact from the centre of mass, m"},
-                  .y = {.label = "speed, m/s"},
-                  .curves = {{"ball after impact", z_m, exit.values}, {"bat before impact", z_m, swing.values}}};
+  report.charts = {{.title = "Rigid bat",
+                    .x = {.label = "impact from the centre of mass, m"},
+                    .y = {.label = "speed, m/s"},
+                    .curves = {{"ball after impact", z_m, exit.values}, {"bat before impact", z_m, swing.values}}}};
   report.columns = {{"z_m", z_m}, exit, swing, mass};
   return report;
 }

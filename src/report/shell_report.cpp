@@ -38,8 +38,8 @@ std::string fitted_text(const FittedShell& fitted) {
 
 }  // namespace
 
-ModelReport shell_report(const TubeShell& shell, std::size_t n, std::size_t modes,
-                         const std::optional<FittedShell>& fitted) {
+CommandReport shell_report(const TubeShell& shell, std::size_t n, std::size_t modes,
+                           const std::optional<FittedShell>& fitted) {
   NumberColumn half_waves{.name = "m", .values = {}}, flugge{.name = "flugge_hz", .values = {}};
   for (std::size_t m = 1; m <= modes; ++m) {
     half_waves.values.push_back(static_cast<double>(m));
@@ -54,7 +54,7 @@ ModelReport shell_report(const TubeShell& shell, std::size_t n, std::size_t mode
             {"flugge_hz", flugge.values},
             {"mass_kg", tube_mass_kg(shell)}};
   if (fitted) json["fit"] = fitted_json(*fitted);
-  ModelReport report;
+  CommandReport report;
   report.json = json.dump(2) + "\n";
   report.text = fmt::format("hoop modes with {} waves around: ring {:.1f} Hz, Rayleigh {:.1f} Hz, Love {:.1f} Hz\n", n,
                             ring_Hz(shell, n), rayleigh_Hz(shell, n), love_Hz(shell, n));
@@ -65,10 +65,10 @@ ModelReport shell_report(const TubeShell& shell, std::size_t n, std::size_t mode
       "trampoline --m2)\n",
       tube_mass_kg(shell));
   if (fitted) report.text += fitted_text(*fitted);
-  report.chart = {.title = fmt::format("Hoop modes of a tube, {} waves around", n),
-                  .x = {.label = "half-waves along"},
-                  .y = {.label = "frequency, Hz"},
-                  .curves = {{"Flügge", half_waves.values, flugge.values, true}}};
+  report.charts = {{.title = fmt::format("Hoop modes of a tube, {} waves around", n),
+                    .x = {.label = "half-waves along"},
+                    .y = {.label = "frequency, Hz"},
+                    .curves = {{"Flügge", half_waves.values, flugge.values, true}}}};
   report.columns = {half_waves, flugge};
   return report;
 }

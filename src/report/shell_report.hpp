@@ -5,7 +5,7 @@
 
 #include "model/shell.hpp"
 #include "model/shell_fit.hpp"
-#include "report/model_report.hpp"
+#include "report/command_report.hpp"
 
 namespace percuss {
 
@@ -16,7 +16,7 @@ struct FittedShell {
 };
 
 /// percuss/model-shell/1: hoop frequencies of a tube with n waves around it, Flügge's for 1 … modes half-waves along.
-ModelReport shell_report(const TubeShell& shell, std::size_t n, std::size_t modes,
-                         const std::optional<FittedShell>& fitted = {});
+CommandReport shell_report(const TubeShell& shell, std::size_t n, std::size_t modes,
+                           const std::optional<FittedShell>& fitted = {});
 
 }  // namespace percuss

@@ -8,7 +8,7 @@
 #include "core/statistics.hpp"
 #include "metrics/csv_cell.hpp"
 #include "report/line_chart.hpp"
-#include "report/study_report.hpp"
+#include "report/study_charts.hpp"
 
 namespace percuss {
 namespace {
@@ -160,8 +160,16 @@ std::string file_word(const std::string& text) {
   return out;
 }
 
+// A figure or a trail: its picture and the bats in it.
+struct Drawn {
+  std::string name;
+  StudyQuantity x, y;
+  LineChart chart;
+  std::vector<std::size_t> bats;
+};
+
 void add_trail(const Study& study, const StudyTrail& trail, std::size_t number, StudyQuantity y,
-               const std::optional<StudyCurve>& model, std::vector<StudyFile>& files) {
+               const std::optional<StudyCurve>& model, std::vector<Drawn>& drawn) {
   ChartCurve states{.marks = true, .mark = ChartMark::diamond, .style = 2};
   std::vector<std::size_t> shown;
   for (const std::size_t b : trail.states) {
@@ -178,26 +186,37 @@ void add_trail(const Study& study, const StudyTrail& trail, std::size_t number, 
                   .curves = {states}};
   if (model) add_model(*model, chart.curves);
   const std::string column = column_of(y);
-  const std::string name =
+  std::string name =
       fmt::format("{}-hoop1-trail-{}-{}", column.substr(0, column.find('_')), number, file_word(trail.bat));
-  files.push_back({name + ".svg", line_chart_svg(chart)});
-  files.push_back({name + ".csv", points_csv(study, StudyQuantity::hoop1, y, shown)});
+  drawn.push_back({std::move(name), StudyQuantity::hoop1, y, std::move(chart), std::move(shown)});
+}
+
+std::vector<Drawn> all_drawn(const Study& study, const std::optional<StudyCurve>& model) {
+  std::vector<Drawn> drawn;
+  for (const StudyFigure& figure : study.figures)
+    drawn.push_back({figure.name, figure.x, figure.y, chart_of(study, figure, model), everyone_in(figure).bats});
+  for (std::size_t t = 0; t < study.trails.size(); ++t) {
+    for (const StudyQuantity y : {StudyQuantity::besr, StudyQuantity::bbs, StudyQuantity::bbcor})
+      add_trail(study, study.trails[t], t, y, model, drawn);
+  }
+  return drawn;
 }
 
 }  // namespace
 
-std::vector<StudyFile> study_files(const Study& study, const std::optional<StudyCurve>& model) {
+std::vector<StudyFile> study_files(const Study& study, const std::optional<StudyCurve>& curve) {
   std::vector<StudyFile> files;
-  for (const StudyFigure& figure : study.figures) {
-    files.push_back({figure.name + ".svg", line_chart_svg(chart_of(study, figure, model))});
-    files.push_back({figure.name + ".csv", points_csv(study, figure.x, figure.y, everyone_in(figure).bats)});
+  for (const Drawn& one : all_drawn(study, curve)) {
+    files.push_back({one.name + ".svg", line_chart_svg(one.chart)});
+    files.push_back({one.name + ".csv", points_csv(study, one.x, one.y, one.bats)});
   }
-  for (std::size_t t = 0; t < study.trails.size(); ++t) {
-    for (const StudyQuantity y : {StudyQuantity::besr, StudyQuantity::bbs, StudyQuantity::bbcor})
-      add_trail(study, study.trails[t], t, y, model, files);
-  }
-  files.push_back({"statistics.csv", study_csv(study)});
   return files;
+}
+
+std::vector<LineChart> study_charts(const Study& study, const std::optional<StudyCurve>& curve) {
+  std::vector<LineChart> charts;
+  for (Drawn& one : all_drawn(study, curve)) charts.push_back(std::move(one.chart));
+  return charts;
 }
 
 }  // namespace percuss

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "metrics/csv_cell.hpp"
+#include "report/study_charts.hpp"
 #include "report/text_table.hpp"
 #include "report/version.hpp"
 
@@ -78,20 +79,20 @@ std::string verdict_words(const StudyStatement& s) {
   return name_of(s.verdict);
 }
 
-std::string outlier_lines(const Study& study, std::size_t width) {
-  std::string out;
+void add_outliers(const Study& study, ReportText& out) {
+  bool first = true;
   for (const StudyFigure& figure : study.figures) {
     if (figure.length_class != 0) continue;
     std::string names;
     for (const StudyClass& one : figure.classes) {
       for (const std::size_t b : one.outliers) names += (names.empty() ? "" : ", ") + study.bats[b].id;
     }
-    if (!names.empty()) out += wrapped(fmt::format("outliers, {}: {}", figure.title, names), width, 2) + "\n";
+    if (names.empty()) continue;
+    if (first) out += "\n";
+    first = false;
+    out.say(fmt::format("outliers, {}: {}", figure.title, names));
   }
-  return out;
 }
-
-}  // namespace
 
 std::string study_json(const Study& study) {
   Json json{{"schema", "percuss/study/1"}, {"version", version()},     {"bats", study.bats.size()},
@@ -108,8 +109,8 @@ std::string study_json(const Study& study) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::string study_text(const Study& study, std::size_t width) {
-  std::string out = fmt::format(
+ReportText study_text(const Study& study) {
+  ReportText out = fmt::format(
       "{} bats, {} figures; ρ within lengths with its 95 % interval, p adjusted for all "
       "statements\n\n",
       study.bats.size(), study.figures.size());
@@ -121,15 +122,16 @@ std::string study_text(const Study& study, std::size_t width) {
                a ? fmt::format("{:.2g}", s.adjusted_p) : "", a ? interval(a->spearman) : "",
                a ? interval(a->pearson) : ""});
   }
-  out += table.text(width);
+  out += table;
   for (const StudyTrail& t : study.trails) {
     if (t.besr) {
       out += fmt::format("\n{}, {} states: BESR over the hoop frequency ρ = {}", t.bat, t.states.size(),
                          interval(t.besr->spearman));
     }
   }
-  const std::string outliers = outlier_lines(study, width);
-  return out + (study.trails.empty() ? "" : "\n") + (outliers.empty() ? "" : "\n" + outliers);
+  if (!study.trails.empty()) out += "\n";
+  add_outliers(study, out);
+  return out;
 }
 
 std::string study_csv(const Study& study) {
@@ -155,6 +157,17 @@ std::string study_csv(const Study& study) {
     }
   }
   return out;
+}
+
+}  // namespace
+
+CommandReport study_report(const Study& study, const std::optional<StudyCurve>& curve) {
+  CommandReport report;
+  report.json = study_json(study);
+  report.text = study_text(study);
+  report.table = study_csv(study);
+  report.charts = study_charts(study, curve);
+  return report;
 }
 
 }  // namespace percuss

@@ -104,12 +104,14 @@ std::string survey_page(const Survey& survey, const Provenance& provenance) {
     shapes = page_section("shapes", "Mode shapes",
                           page_picture("shapes", "The structure's points moving in each mode.") + mac_html(survey));
   }
-  std::string body = page_header(analysis, with_hits ? analysis.hits().size() : 0) + "<main>\n" +
-                     page_section("modes", "Modes", found + page_warnings(survey.warnings())) + shapes;
+  std::string body =
+      page_header(title_of(analysis.record().files), conditions_of(analysis, with_hits ? analysis.hits().size() : 0)) +
+      "<main>\n" + page_section("modes", "Modes", found + page_warnings(survey.warnings())) + shapes;
   if (possible) body += frf_section(verdict);
   if (with_hits) body += hits_section(analysis);
-  body += page_section("provenance", "How this came about", page_provenance(analysis, provenance)) + "</main>\n";
-  return HtmlPage{.title = source_name(analysis) + " – percuss", .body = body, .data = data + "]"}.text();
+  body += page_section("provenance", "How this came about", page_provenance(analysis.record().files, provenance)) +
+          "</main>\n";
+  return HtmlPage{.title = title_of(analysis.record().files) + " – percuss", .body = body, .data = data + "]"}.text();
 }
 
 }  // namespace percuss

@@ -69,8 +69,8 @@ std::string extras_text(const Trampoline& model, const HoopPeak& peak, const Tra
 
 }  // namespace
 
-ModelReport trampoline_report(const Trampoline& model, const std::vector<double>& hoop_Hz,
-                              const TrampolineExtras& extras) {
+CommandReport trampoline_report(const Trampoline& model, const std::vector<double>& hoop_Hz,
+                                const TrampolineExtras& extras) {
   const std::vector<Rebound> sweep = hoop_sweep(model, hoop_Hz);
   const HoopPeak peak = best_hoop(model, hoop_Hz, sweep);
   const double wall = wall_rebound(model).cor, reference = rebound(model, kReference_Hz).cor;
@@ -96,18 +96,18 @@ ModelReport trampoline_report(const Trampoline& model, const std::vector<double>
   }
   if (extras.modal_mass_kg) json["modal_mass_kg"] = *extras.modal_mass_kg;
   if (extras.fitted) json["fit"] = fit_json(*extras.fitted);
-  ModelReport report;
+  CommandReport report;
   report.json = json.dump(2) + "\n";
   report.text = fmt::format(
                     "trampoline: the COR is largest, {:.4f}, at a hoop frequency of {:.1f} Hz: {:.3f} of the rigid "
                     "wall's {:.5f}, {:.3f} of the {:.4f} at 10 kHz\n",
                     peak.cor, peak.hoop_Hz, peak.cor / wall, wall, peak.cor / reference, reference) +
                 extras_text(model, peak, extras);
-  report.chart = {
-      .title = "Ball and hollow barrel",
-      .x = {.label = "hoop frequency, Hz"},
-      .y = {.label = "coefficient of restitution"},
-      .curves = {{"barrel", hoop_Hz, cor.values}, {"rigid wall", {hoop_Hz.front(), hoop_Hz.back()}, {wall, wall}}}};
+  report.charts = {
+      {.title = "Ball and hollow barrel",
+       .x = {.label = "hoop frequency, Hz"},
+       .y = {.label = "coefficient of restitution"},
+       .curves = {{"barrel", hoop_Hz, cor.values}, {"rigid wall", {hoop_Hz.front(), hoop_Hz.back()}, {wall, wall}}}}};
   report.columns = {{"hoop_hz", hoop_Hz}, cor, loaded, contact, contacts};
   return report;
 }

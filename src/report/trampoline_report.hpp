@@ -5,7 +5,7 @@
 
 #include "model/trampoline.hpp"
 #include "model/trampoline_fit.hpp"
-#include "report/model_report.hpp"
+#include "report/command_report.hpp"
 
 namespace percuss {
 
@@ -23,7 +23,7 @@ struct TrampolineExtras {
 
 /// percuss/model-trampoline/1: COR over the hoop frequency, the best, the wall's, and the one at 10 kHz, which the
 /// source divides by. errors  as rebound.
-ModelReport trampoline_report(const Trampoline& model, const std::vector<double>& hoop_Hz,
-                              const TrampolineExtras& extras = {});
+CommandReport trampoline_report(const Trampoline& model, const std::vector<double>& hoop_Hz,
+                                const TrampolineExtras& extras = {});
 
 }  // namespace percuss

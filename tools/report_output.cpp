@@ -1,0 +1,48 @@
+#include "report_output.hpp"
+
+#include <iostream>
+
+#include "acquire/atomic_file.hpp"
+#include "command.hpp"
+#include "provenance.hpp"
+#include "report/command_page.hpp"
+
+namespace percuss::tools {
+namespace {
+
+std::string text_for(const std::string& path, const CommandReport& report, const std::vector<std::string>& inputs) {
+  if (is_html(path)) return command_page(report, inputs, provenance_now());
+  const std::string kind = extension_of(path);
+  return kind == ".json" ? report.json : kind == ".csv" ? report.csv() : line_charts_svg(report.charts);
+}
+
+}  // namespace
+
+void check_report_outputs(const OutputFlags& flags) { check_outputs(flags, {".json", ".csv", ".svg", ".html"}); }
+
+void write_report(const std::string& path, const CommandReport& report, const std::vector<std::string>& inputs,
+                  bool force) {
+  write_file(path, text_for(path, report, inputs), force);
+}
+
+void print_report(const CommandReport& report, const OutputFlags& flags) {
+  if (flags.json) {
+    std::cout << report.json;
+  } else if (!flags.quiet) {
+    std::cout << report.text.text(terminal_width());
+  }
+}
+
+int show_report(const CommandReport& report, const OutputFlags& flags, const std::vector<std::string>& inputs) {
+  for (const std::string& path : flags.paths) write_report(path, report, inputs, flags.force);
+  print_report(report, flags);
+  return kOk;
+}
+
+std::vector<std::string> inputs_of(const Analysis& analysis) {
+  std::vector<std::string> paths;
+  for (const InputFile& file : analysis.record().files) paths.push_back(file.path);
+  return paths;
+}
+
+}  // namespace percuss::tools
