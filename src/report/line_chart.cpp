@@ -87,10 +87,7 @@ class Drawing {
     width_ = std::max(kWidth, kRight + (scattered_ ? 34 : 12) + kCharacterWidth * static_cast<double>(longest));
   }
 
-  std::string text(double top) {
-    add("<svg xmlns=\"http://www.w3.org/2000/svg\" y=\"{}\" viewBox=\"0 0 {} {}\" width=\"{}\" height=\"{}\" "
-        "font-family=\"system-ui, sans-serif\" font-size=\"12\" fill=\"{}\" role=\"img\">\n",
-        top, width_, kHeight, width_, kHeight, ink());
+  SvgPiece piece() {
     add("<title>{}</title>\n", svg_text(chart_.title));
     if (!on_page_) add("<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n");
     add("<text x=\"{}\" y=\"18\" font-size=\"15\">{}</text>\n", kLeft, svg_text(chart_.title));
@@ -103,10 +100,8 @@ class Drawing {
     }
     flags();
     scattered_ ? legend() : names();
-    return out_ + "</svg>\n";
+    return {.body = out_, .width = width_, .height = kHeight, .ink = ink()};
   }
-
-  double width() const { return width_; }
 
  private:
   template <class... Args>
@@ -253,21 +248,16 @@ class Drawing {
 
 }  // namespace
 
-std::string line_chart_svg(const LineChart& chart, ChartGround ground) { return Drawing(chart, ground).text(0); }
+SvgPiece line_chart_piece(const LineChart& chart, ChartGround ground) { return Drawing(chart, ground).piece(); }
+
+std::string line_chart_svg(const LineChart& chart, ChartGround ground) {
+  return svg_document({line_chart_piece(chart, ground)});
+}
 
 std::string line_charts_svg(const std::vector<LineChart>& charts) {
-  if (charts.size() == 1) return line_chart_svg(charts.front());
-  std::string inner;
-  double width = 0, top = 0;
-  for (const LineChart& chart : charts) {
-    Drawing drawing(chart, ChartGround::paper);
-    inner += drawing.text(top);
-    width = std::max(width, drawing.width());
-    top += kHeight;
-  }
-  return fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\">\n{2}</svg>\n",
-      width, top, inner);
+  std::vector<SvgPiece> pieces;
+  for (const LineChart& chart : charts) pieces.push_back(line_chart_piece(chart));
+  return svg_document(pieces);
 }
 
 }  // namespace percuss
