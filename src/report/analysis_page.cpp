@@ -21,12 +21,17 @@ std::string frf_section(const std::string& verdict) {
 }
 
 std::string hits_section(const Analysis& analysis) {
+  constexpr std::size_t kMostListed = 20;  // beyond that the table is folded
   using enum FindingCode;
   const HitsTable table = hits_table(analysis, analysis.hits());
   const std::string more =
       table.left_out > 0 ? page_paragraph(fmt::format("… and {} more hits in order.", table.left_out)) : "";
+  std::string shown = table.shown.html() + more;
+  if (analysis.hits().size() > kMostListed)
+    shown =
+        fmt::format("<details>\n<summary>Table of {} hits</summary>\n{}</details>\n", analysis.hits().size(), shown);
   return page_section("hits", "Hits",
-                      table.shown.html() + more + page_picture("force", "Force of the first hits over time.") +
+                      shown + page_picture("force", "Force of the first hits over time.") +
                           page_findings(analysis, {double_hit, overload, late_trigger, no_pulse, weak, polarity}) +
                           page_picture("spectrum", "Spectrum of the force in decibels over frequency.") +
                           page_findings(analysis, {low_bandwidth}) +

@@ -25,6 +25,9 @@ constexpr std::size_t kTicks = 6;
 // Okabe and Ito's colours without yellow, which is too pale for a line; a dash pattern with each.
 constexpr std::array<const char*, 7> kColours{"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                               "#000000", "#5B3A8C", "#7A5C00"};
+// … as dark as letters must be.
+constexpr std::array<const char*, 7> kLetterColours{"#0072B2", "#B34700", "#00704F", "#8A3A73",
+                                                    "#000000", "#5B3A8C", "#7A5C00"};
 constexpr std::array<const char*, 7> kPageColours{"var(--c0)", "var(--c1)", "var(--c2)", "var(--c3)",
                                                   "var(--c7)", "var(--c5)", "var(--c4)"};
 constexpr std::array<const char*, 7> kDashes{"none", "7 3", "2 3", "9 3 2 3", "12 4", "4 2", "6 2 1 2 1 2"};
@@ -117,6 +120,7 @@ class Drawing {
 
   const char* ink() const { return on_page_ ? "var(--ink)" : "black"; }
   const char* colour(std::size_t style) const { return on_page_ ? kPageColours.at(style) : kColours.at(style); }
+  const char* letters(std::size_t style) const { return on_page_ ? colour(style) : kLetterColours.at(style); }
   std::size_t style_of(std::size_t i) const { return chart_.curves[i].style.value_or(i) % kColours.size(); }
 
   void axes() {
@@ -233,7 +237,7 @@ class Drawing {
     }
     for (const auto& [y, i] : ends) {
       add("<text x=\"{}\" y=\"{:.1f}\" fill=\"{}\">{}</text>\n", kRight + 8, y + 4,
-          chart_.curves[i].thin ? ink() : colour(style_of(i)), svg_text(shown_name(chart_.curves[i].name)));
+          chart_.curves[i].thin ? ink() : letters(style_of(i)), svg_text(shown_name(chart_.curves[i].name)));
     }
   }
 

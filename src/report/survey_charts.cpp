@@ -69,9 +69,9 @@ LineChart indicator_chart(const Survey& survey) {
                   .x = {.label = "frequency, Hz"},
                   .y = {.label = "dB re 1 (m/s²)/N"}};
   const LineRange band = survey.band();
-  constexpr Eigen::Index kMostValues = 3;
-  for (Eigen::Index i = 0; i < std::min(kMostValues, survey.indicator().cols()); ++i) {
-    ChartCurve curve{.name = fmt::format("{}.", i + 1)};
+  constexpr std::array<const char*, 3> kNames{"largest", "second", "third"};
+  for (Eigen::Index i = 0; i < std::min<Eigen::Index>(kNames.size(), survey.indicator().cols()); ++i) {
+    ChartCurve curve{.name = kNames.at(static_cast<std::size_t>(i))};
     for (std::size_t k = 0; k < band.count; ++k) {
       curve.x.push_back(band.freq_Hz(k));
       curve.y.push_back(20 * std::log10(std::max(survey.indicator()(static_cast<Eigen::Index>(k), i), kLevelFloor)));

@@ -5,7 +5,7 @@ const indicatorPicture = () => {
     if (!indicator || !indicator.values.length) { figure.remove(); continue; }
     const values = indicator.values.map(numbers);
     const xs = values[0].map((_, k) => indicator.first_hz + k * indicator.df_hz);
-    legend(figure, values.map((_, i) => ["first", "second", "third"][i] + " singular value"));
+    legend(figure, values.map((_, i) => ["largest", "second", "third"][i] + " singular value"));
     plot(figure, 260, "frequency, Hz", "dB re 1 (m/s²)/N", xs, values.map((v, i) => ({ values: v, ...strokes(i) })), { top: 40, hooks: { draw: [nameModes] } });
   }
 };
