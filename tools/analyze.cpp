@@ -202,7 +202,9 @@ int analyze(const AnalyzeFlags& flags) {
   for (const Test& test : tests) {
     if (flags.output.json) break;
     if (tests.size() > 1) text += fmt::format("{}test {}\n", text.empty() ? "" : "\n", test.run);
-    text += analysis_text(*test.analysis, {.sections = sections, .width = terminal_width(), .per_hit = flags.per_hit});
+    text += analysis_text(
+        *test.analysis,
+        {.sections = sections, .width = terminal_width(), .per_hit = flags.per_hit, .sketch = can_sketch()});
     if (test.deflection) text += "\n" + deflection_tables(*test.analysis, *test.deflection).text(terminal_width());
     if (comparison) text += "\n" + comparison->text.text(terminal_width());
   }

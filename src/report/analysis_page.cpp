@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "report/analysis_pictures.hpp"
 #include "report/analysis_tables.hpp"
 #include "report/analysis_verdict.hpp"
@@ -41,6 +43,17 @@ std::string hits_section(const Analysis& analysis) {
 
 namespace {
 
+std::string frf_sentence(const Analysis& analysis) {
+  return fmt::format("{} frequency responses of {} lines, {:.4g} Hz apart.", analysis.frfs().size(),
+                     analysis.lines().count, analysis.lines().df_Hz());
+}
+
+std::string hits_sentence(const Analysis& analysis) {
+  const auto& hits = analysis.hits();
+  const auto used = std::count_if(hits.begin(), hits.end(), [](const AnalysedHit& hit) { return hit.accepted; });
+  return fmt::format("{} of {} hits can be used.", used, hits.size());
+}
+
 std::string deflection_section(const Analysis& analysis, const ImpactTest& test) {
   return page_section("deflection", "Deflection",
                       deflection_tables(analysis, test).html() + page_chart(deflection_chart(analysis, test)));
@@ -60,16 +73,15 @@ std::string analysis_page(const Analysis& analysis, const PageOptions& options, 
   const bool with_hits = wants(Section::hits) && analysis.given_frfs() == nullptr;
   const bool frfs = possible && (wants(Section::frf) || wants(Section::coherence));
   const std::vector<Verdict> verdicts = possible && modes ? analysis.verdicts() : std::vector<Verdict>();
-  std::string found, verdict;
-  if (modes || !possible) {
-    verdict = verdict_sentence(analysis, verdicts);
-    found = "<p class=\"verdict\">" + html_text(verdict) + "</p>\n";
-  }
+  const std::string verdict = modes || !possible ? verdict_sentence(analysis, verdicts)
+                              : frfs             ? frf_sentence(analysis)
+                                                 : hits_sentence(analysis);
+  std::string found = "<p class=\"verdict\">" + html_text(verdict) + "</p>\n";
   if (!verdicts.empty()) found += modes_table(analysis, wants(Section::classes)).html();
   found += page_warnings(analysis.warnings());
   const std::string title = title_of(analysis.record().files);
   std::string body = page_header(title, conditions_of(analysis, with_hits ? analysis.hits().size() : 0)) + "<main>\n";
-  if (!found.empty()) body += page_section("modes", modes ? "Modes" : "Result", found);
+  body += page_section(modes ? "modes" : "result", modes ? "Modes" : "Result", found);
   if (options.comparison != nullptr) body += comparison_section(*options.comparison);
   if (frfs) body += frf_section(verdict);
   if (with_hits) body += hits_section(analysis);
