@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -44,7 +45,7 @@ std::vector<std::string> code_in(const std::string& line, bool code) {
 }
 
 NamedCommand command_in(const std::string& code) {
-  static const std::regex words("percuss((?: [a-z][a-z_]*)*)"), option("(?:^|\\s)(--[a-z][a-z0-9-]*)");
+  static const std::regex words("percuss((?: [a-z][a-z_]*)*)"), option(R"((?:^|\s)(--[a-z][a-z0-9-]*))");
   NamedCommand command;
   std::smatch found;
   // A pipe, a redirection, a comment or the next command ends it.
@@ -79,7 +80,7 @@ const std::string& help_of(const std::vector<std::string>& words) {
   if (!words.empty()) name.push_back(words[0]);
   if (words.size() > 1 && words[0] == "model") name.push_back(words[1]);
   std::string key;
-  for (const std::string& word : name) key += word + " ";
+  for (const std::string& word : name) key.append(word).append(" ");
   const auto found = known.find(key);
   if (found != known.end()) return found->second;
   name.emplace_back("--help");
@@ -88,7 +89,7 @@ const std::string& help_of(const std::vector<std::string>& words) {
 }
 
 bool offers(const std::string& help, const std::string& option) {
-  return std::regex_search(help, std::regex("(^|[\\s,])" + option + "(?![a-z0-9-])"));
+  return std::regex_search(help, std::regex(R"((^|[\s,]))" + option + "(?![a-z0-9-])"));
 }
 
 std::vector<std::string> wrong_in(const std::string& page) {
@@ -98,7 +99,7 @@ std::vector<std::string> wrong_in(const std::string& page) {
     const std::string name = command.words.empty() ? "percuss" : command.words.front();
     if (help.empty()) wrong.push_back("no command " + name);
     for (const std::string& option : command.options) {
-      if (!help.empty() && !offers(help, option)) wrong.push_back("no option " + option + " of " + name);
+      if (!help.empty() && !offers(help, option)) wrong.push_back(fmt::format("no option {} of {}", option, name));
     }
   }
   return wrong;
@@ -125,7 +126,7 @@ TEST(Pages, AreHeldAgainstTheHelpOfEachCommand) {
 
 // Links to other pages, without those to the network.
 TEST(Pages, LinkToFilesThatExist) {
-  static const std::regex link("\\]\\(([^)#]+)(#[^)]*)?\\)");
+  static const std::regex link(R"(\]\(([^)#]+)(#[^)]*)?\))");
   for (const std::string& page : pages()) {
     const std::string text = test::bytes_of(page);
     for (std::sregex_iterator it(text.begin(), text.end(), link), end; it != end; ++it) {

@@ -21,7 +21,7 @@ using Numbers = std::multiset<std::string>;  // "4.7"
 
 /// Numbers at the end of the page's lines of formulas, which are indented by four blanks.
 Numbers defined_in(const std::string& page) {
-  static const std::regex at_end("^    .*\\((\\d+\\.\\d+)\\)$");
+  static const std::regex at_end(R"(^    .*\((\d+\.\d+)\)$)");
   Numbers numbers;
   std::smatch found;
   for (const std::string& line : test::lines_of(page)) {
@@ -32,7 +32,7 @@ Numbers defined_in(const std::string& page) {
 
 /// Numbers in parentheses anywhere: "by (4.1)", "(5.1) to (5.5)".
 Numbers mentioned_in(const std::string& text) {
-  static const std::regex number("\\((\\d+\\.\\d+)\\)");
+  static const std::regex number(R"(\((\d+\.\d+)\))");
   Numbers numbers;
   for (std::sregex_iterator it(text.begin(), text.end(), number), end; it != end; ++it) numbers.insert((*it)[1].str());
   return numbers;
@@ -40,7 +40,7 @@ Numbers mentioned_in(const std::string& text) {
 
 /// What follows the word: "theory (4.7), (4.8)", a line's end and the comment's slashes not minded.
 Numbers cited_in(const std::string& source) {
-  static const std::regex citation("theory((?:[,\\s/]*\\(\\d+\\.\\d+\\))+)");
+  static const std::regex citation(R"(theory((?:[,\s/]*\(\d+\.\d+\))+))");
   Numbers numbers;
   for (std::sregex_iterator it(source.begin(), source.end(), citation), end; it != end; ++it)
     numbers.merge(mentioned_in((*it)[1].str()));
@@ -96,7 +96,7 @@ TEST(Theory, CitationsAreRead) {
 
 // The equations of bat performance have a page of their own, in whose tables each begins a line.
 TEST(Theory, AndTheCodeNameTheSameEquationsOfPerformance) {
-  static const std::regex row("^\\| (\\(P\\d+\\)) .*"), name("\\(P\\d+\\)");
+  static const std::regex row(R"(^\| (\(P\d+\)) .*)"), name(R"(\(P\d+\))");
   Numbers defined, cited;
   std::smatch found;
   for (const std::string& line : test::lines_of(test::bytes_of(PERCUSS_SOURCE_DIR "/docs/performance.md"))) {
@@ -125,7 +125,7 @@ std::string prose_of(const std::string& page) {
 
 // A source that a page cites stands in the list.
 TEST(Theory, CitesSourcesThatAreListed) {
-  static const std::regex reference("\\[(\\d+)\\]"), entry("^\\[(\\d+)\\] ");
+  static const std::regex reference(R"(\[(\d+)\])"), entry(R"(^\[(\d+)\] )");
   std::set<std::string> listed;
   std::smatch found;
   for (const std::string& line : test::lines_of(test::bytes_of(PERCUSS_SOURCE_DIR "/docs/sources.md"))) {
