@@ -85,7 +85,7 @@ void add_calibrate(CommandLine& line) {
   Command command = line.command("calibrate", "What one unit of the force channel is in N, from hits on a free mass",
                                  [flags] { return calibrate_file(*flags); });
   command.example("percuss calibrate hits.csv --mass 1.25 --force-channel CH8");
-  add_read_flags(command, flags->read);
+  add_read_flags(command, flags->read, Reads::records);
   add_output_flags(command, flags->output);
   command.value("--mass", flags->mass_kg, "The free mass in kg, its accelerometer included").required().above_zero();
   command
