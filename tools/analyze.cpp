@@ -182,7 +182,8 @@ void add_analyze(CommandLine& line) {
   add_analysis_flags(command, flags->analysis);
   add_output_flags(command, flags->output);
   command.list("--only", flags->only, "Compute and report these sections only: hits, frf, coherence, modes, classes")
-      .type("SECTION,...");
+      .type("SECTION,...")
+      .one_of({"hits", "frf", "coherence", "modes", "classes"});
   command.flag("--per-hit", flags->per_hit, "Also every mode as each hit alone shows it");
   command.flag("--stabilisation", flags->stabilisation, "Also the poles of all model orders, in the JSON document");
   command.value("--bat-id", flags->bat_id, "Which bat it is: into the document, where percuss study joins by it")

@@ -87,7 +87,10 @@ void add_calibrate(CommandLine& line) {
   command.example("percuss calibrate hits.csv --mass 1.25 --force-channel CH8");
   add_read_flags(command, flags->read);
   add_output_flags(command, flags->output);
-  command.value("--mass", flags->mass_kg, "The free mass in kg, its accelerometer included").required().above_zero();
+  command.value("--mass", flags->mass_kg, "The free mass, its accelerometer included")
+      .type("KG")
+      .required()
+      .above_zero();
   command
       .value("--trigger", flags->trigger, "Reading of the force channel that counts as a hit (default: from the noise)")
       .above_zero();

@@ -191,12 +191,12 @@ int run_info(const InfoFlags& flags) {
 
 void add_info(CommandLine& line) {
   auto flags = std::make_shared<InfoFlags>();
-  Command command = line.command("info", "what is in a file: kind, channels, units, rate, hits, what could not be read",
+  Command command = line.command("info", "What is in a file: kind, channels, units, rate, hits, what could not be read",
                                  [flags] { return run_info(*flags); });
   command.example("percuss info bat.h5");
   add_read_flags(command, flags->read);
   add_output_flags(command, flags->output);
-  command.flag("--example", flags->example, "print a channel set-up for --setup, to start from");
+  command.flag("--example", flags->example, "Print a channel set-up for --setup, to start from");
 }
 
 }  // namespace percuss::tools

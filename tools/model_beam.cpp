@@ -39,8 +39,6 @@ std::vector<BeamParameter> asked_parameters(const ModelBeamFlags& flags) {
   std::vector<BeamParameter> asked;
   for (const std::string& word : flags.fit) {
     const auto found = std::find_if(names.begin(), names.end(), [&](const FitName& one) { return word == one.name; });
-    if (found == names.end())
-      throw UsageError("--fit: there is no '" + one_line(word, 40) + "'", "name any of ei, torsion, rho-a");
     if (found->given) throw UsageError("--fit " + word + ": its value is given as well", "leave one out");
     if (std::find(asked.begin(), asked.end(), found->which) != asked.end())
       throw UsageError("--fit " + word + ": named twice", "name each once");
@@ -144,7 +142,9 @@ void add_model_beam(CommandLine& line) {
       .above_zero()
       .type("N");
   const std::string before = command.heading("The beam from measurements");
-  command.list("--fit", flags->fit, "Find these from --measured: of ei, torsion, rho-a").type("NAME,...");
+  command.list("--fit", flags->fit, "Find these from --measured: of ei, torsion, rho-a")
+      .type("NAME,...")
+      .one_of({"ei", "torsion", "rho-a"});
   command.list("--measured", flags->measured_Hz, "Measured frequencies, lowest first").above_zero().type("HZ,...");
   command.list("--measured-std", flags->measured_std_Hz, "Their standard deviations, or one for all")
       .above_zero()

@@ -39,14 +39,7 @@ void require_unit_or_volts(const std::string& name, Quantity wanted, const char*
 
 FilesMean files_mean(const std::string& text) {
   if (text == "hits") return FilesMean::hits;
-  if (text == "points") return FilesMean::points;
-  if (text == "tests") return FilesMean::tests;
-  throw UsageError("--files cannot mean \"" + one_line(text, 40) + "\"", "use hits, points or tests");
-}
-
-FrfKind frf_kind(const std::string& text) {
-  if (const auto kind = parse_frf_kind(text)) return *kind;
-  throw UsageError("--frf-kind cannot be \"" + one_line(text, 40) + "\"", "use accelerance, mobility or receptance");
+  return text == "points" ? FilesMean::points : FilesMean::tests;
 }
 
 // A number, or else a name.
@@ -108,12 +101,12 @@ void add_read_flags(Command& command, ReadFlags& flags) {
       .value(
           "--files", [&flags](const std::string& text) { flags.files = files_mean(text); },
           "what several files are: hits of one test, one point each, or tests of their own")
-      .type("hits|points|tests");
+      .one_of({"hits", "points", "tests"});
   command
       .value(
-          "--frf-kind", [&flags](const std::string& text) { flags.frf_kind = frf_kind(text); },
+          "--frf-kind", [&flags](const std::string& text) { flags.frf_kind = parse_frf_kind(text); },
           "what files of FRFs hold, whatever they say")
-      .type("accelerance|mobility|receptance");
+      .one_of({"accelerance", "mobility", "receptance"});
   command.flag("--trust-input", flags.trust_input,
                "read MAT and HDF5 files in this process, not in a confined one of their own");
   command.heading(others);

@@ -79,8 +79,7 @@ void add_study(CommandLine& line) {
   command.value("--figures", flags->figures, "Write every figure as picture and table into this folder").type("FOLDER");
   command.value("--hoop-curve", flags->curve, "Draw this model over the hoop figures: percuss model trampoline --json")
       .type("FILE");
-  command.value("--blind", flags->key, "Give the bats neutral ids; the key to them goes into this file")
-      .type("KEY.csv");
+  command.value("--blind", flags->key, "Give the bats neutral ids; the key to them goes into this file").type("FILE");
   command.value("--table", flags->table, "Write the joined table").type("FILE");
   command.flag("--example", flags->example, "Print a table of bats (a made-up population)");
   add_output_flags(command, flags->output);

@@ -120,7 +120,7 @@ int run_synth(const SynthFlags& flags) {
 void add_synth(CommandLine& line) {
   auto flags = std::make_shared<SynthFlags>();
   Command command =
-      line.command("synth", "synthetic test records with exactly known truth", [flags] { return run_synth(*flags); });
+      line.command("synth", "Synthetic test records with exactly known truth", [flags] { return run_synth(*flags); });
   command.example("percuss synth composite-bat -o composite.h5");
   command.word("SPEC", flags->spec, "JSON file, name of a preset, or - for standard input");
   command
