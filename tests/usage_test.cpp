@@ -138,23 +138,23 @@ TEST(Usage, LetsAFileBeCalledLikeAnOption) {
   EXPECT_THAT(outcome.err, HasSubstr("no such file (--bnad)"));
 }
 
-// Two letters swapped, of every option of every command.
+// Two letters swapped, of every option there is.
 TEST(Usage, FindsEveryOptionThatIsMistyped) {
-  std::size_t tried = 0;
+  std::set<std::string> tried;
   for (const auto& command : test::commands()) {
     const auto names = test::option_names(command);
     const std::set<std::string> known(names.begin(), names.end());
     for (const std::string& name : names) {
       std::string typed = name;
-      if (name.size() < 6) continue;
+      if (name.size() < 6 || tried.contains(name)) continue;
       std::swap(typed[3], typed[4]);
       if (known.contains(typed)) continue;
       EXPECT_THAT(complaint_about(plus(command, {typed})),
                   HasSubstr("no option " + typed + "; did you mean " + name + "?"));
-      ++tried;
+      tried.insert(name);
     }
   }
-  EXPECT_GT(tried, 300U);
+  EXPECT_GT(tried.size(), 100U);
 }
 
 TEST(Usage, FindsEveryCommandThatIsMistyped) {

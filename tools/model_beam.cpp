@@ -132,7 +132,15 @@ void add_model_beam(CommandLine& line) {
   auto flags = std::make_shared<ModelBeamFlags>();
   Command command = line.command("model beam", "Natural frequencies, nodes and shapes of a uniform beam",
                                  [flags] { return model_beam(*flags); });
-  command.example("percuss model beam --fit ei,torsion --measured 14.5,322,1038 --measured-std 0.1,1,4");
+  command.about(
+      "A uniform beam held at one end, at first by a torsion spring as a bat in its clamp: frequencies in Hz, nodes in "
+      "m from the held end, shapes. With --fit the stiffness, the spring or the mass follow from measured frequencies, "
+      "with standard deviations.");
+  command.example("percuss model beam --support free --length 0.84 --modes 6", "A free beam of 0.84 m");
+  command.example("percuss model beam --fit ei,torsion --measured 14.5,322,1038 --measured-std 0.1,1,4",
+                  "Stiffness and spring from three measured frequencies");
+  command.example("percuss model beam --layer 70e9:0.03:0.002:2700 --layer 10e9:0.03:0.02:700 -o beam.html",
+                  "A section of two layers, drawn on a page");
   add_beam_flags(command, flags->beam);
   command.value("--modes", flags->modes, "Modes to list, rigid-body modes (0 Hz) included").type("N").show_default();
   command.value("--gyration", flags->gyration_m, "Radius of gyration √(I/A): with rotary inertia (Timoshenko)")
@@ -155,11 +163,11 @@ void add_model_beam(CommandLine& line) {
       .type("N,...");
   command
       .repeatable("--static", flags->readings,
-                  "The spring's stiffness from a load across the beam, its distance from the spring, and the "
-                  "deflection there (repeatable)")
+                  "The spring's stiffness from a load across the beam in N, its distance from the spring in m, and the "
+                  "deflection there in m (repeatable)")
       .type("LOAD:LEVER:DEFLECTION");
   command.heading(before);
-  add_output_flags(command, flags->output);
+  add_output_flags(command, flags->output, kReportKinds);
 }
 
 }  // namespace percuss::tools

@@ -37,7 +37,7 @@ int parse_and_run(int argc, char** argv) {
       "percuss turns hammer tests into natural frequencies, damping and mode shapes, each with its standard deviation, "
       "and predicts what beams, bats and barrels do. Data goes to standard output, progress and warnings to standard "
       "error. Options follow the command.");
-  program.example("percuss synth composite-bat -o bat.h5; percuss analyze bat.h5 --band 60:3200",
+  program.example("percuss synth composite-bat -o first.h5; percuss analyze first.h5 --band 60:3200",
                   "A made-up hammer test whose modes are known, and its analysis");
   add_analyze(line);
   add_frf(line);
