@@ -59,6 +59,7 @@ std::string read(const std::string& page) {
                                                                                             {R"(\[u00FC])", "ü"},
                                                                                             {R"(\[u03BA])", "κ"},
                                                                                             {R"(\&)", ""},
+                                                                                            {R"(\%)", ""},
                                                                                             {R"(\fB)", ""},
                                                                                             {R"(\fI)", ""},
                                                                                             {R"(\fR)", ""}}) {

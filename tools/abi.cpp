@@ -38,8 +38,9 @@ void add_abi(CommandLine& line) {
   Command command = line.command("abi", "The break-in of a composite bat, from its log: what comes next, the verdict",
                                  [flags] { return follow_log(*flags); });
   command.about(
-      "Follows the accelerated break-in of a composite bat: after each rolling and test it says what comes next, until "
-      "the bat has passed its best, is damaged, or exceeds the limit (exit status 5).");
+      "Follows the accelerated break-in of a composite bat by rolling. The log holds compressions, rollings and tests "
+      "in their order; after each, it says what comes next. The bat passes once a test falls clearly below the best "
+      "one, and fails when one exceeds the limit (exit status 5).");
   command.example("percuss abi --example > log.json; percuss abi log.json",
                   "A log to start from, explained, and what it says");
   command.example("percuss abi --example > log.json; percuss abi log.json -o break-in.svg",

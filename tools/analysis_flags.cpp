@@ -63,7 +63,7 @@ void add_analysis_flags(Command& command, AnalysisFlags& flags) {
   command.list("--start", flags.start_Hz, "Fit modes near these frequencies and no others").above_zero().type("HZ,...");
   command.value("--trigger", flags.trigger_N, "Force that counts as a hit (default: from the noise)")
       .above_zero()
-      .type("N");
+      .type("NEWTON");
   command.value("--pretrigger", flags.pretrigger_s, "Time kept before each hit of a long record")
       .not_negative()
       .type("S");

@@ -74,8 +74,7 @@ void add_deflect(CommandLine& line) {
                                  [flags] { return deflect_files(*flags); });
   command.about(
       "Integrates the acceleration of the struck point twice, without the drift that plain sums have, and gives the "
-      "largest deflection of each hit in m with its standard deviation. Where the accelerometer sits, the deflection "
-      "is told; with positions, along the structure.");
+      "largest deflection of each hit in m with its standard deviation; -o writes the curves over time.");
   command.example("percuss deflect bat.h5 --highpass-corner 1", "An amplifier with a high-pass at 1 Hz, undone");
   command.example("percuss deflect bat.h5 --method drift-free -o deflection.csv", "Curves over time as a table");
   DeflectionOptions& deflection = flags->options.deflection;

@@ -49,7 +49,7 @@ std::string help_text(const Declaration& all, const DeclaredCommand& command, st
   const auto below = commands_of(all, command);
   if (!below.empty()) out += "\nCommands:\n";
   for (const DeclaredCommand* one : below) out += entry(last_word(*one), one->summary, width);
-  if (!command.words.empty()) out += "\nWords:\n";
+  if (!command.words.empty()) out += "\nArguments:\n";
   for (const DeclaredOption& word : command.words)
     out += entry(word.name() + (word.repeatable ? "..." : ""), explained(word), width);
   for (const OptionGroup& group : groups_of(command)) {

@@ -144,7 +144,8 @@ std::string see_also(const Declaration& all, const DeclaredCommand& command) {
     const std::size_t blank = command.name.rfind(' ');
     const bool beside = blank != std::string::npos && one.name.starts_with(command.name.substr(0, blank + 1));
     const bool top = !command.name.empty() && blank == std::string::npos && one.name.find(' ') == std::string::npos;
-    if (&one != &command && (above || group || beside || top)) pages.push_back(bold(page_name(all, one)) + "(1)");
+    if (&one != &command && (above || group || beside || top))
+      pages.push_back(R"(\%)" + bold(page_name(all, one)) + "(1)");
   }
   return section("SEE ALSO") + fmt::format("{}\n", fmt::join(pages, ",\n"));
 }

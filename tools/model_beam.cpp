@@ -148,7 +148,7 @@ void add_model_beam(CommandLine& line) {
       .type("M");
   command.value("--shear-stiffness", flags->shear_stiffness_N, "Shear stiffness κGA: with shear (Timoshenko)")
       .above_zero()
-      .type("N");
+      .type("NEWTON");
   const std::string before = command.heading("The beam from measurements");
   command.list("--fit", flags->fit, "Find these from --measured: of ei, torsion, rho-a")
       .type("NAME,...")

@@ -70,8 +70,9 @@ void add_model_shell(CommandLine& line) {
   Command command = line.command("model shell", "Hoop frequencies of a barrel as a tube: ring, Rayleigh, Love, Flügge",
                                  [flags] { return model_shell(*flags); });
   command.about(
-      "The barrel as a tube open at both ends: hoop frequencies in Hz for n waves around and half-waves along, after "
-      "four theories. With --measured, Young's modulus or the wall follow from measured frequencies.");
+      "The barrel as a tube: hoop frequencies in Hz with n waves around, after four theories: ring, Rayleigh and Love "
+      "are alike all along, Flügge counts half-waves along. With --measured, Young's modulus or the wall follow from "
+      "measured frequencies.");
   command.example("percuss model shell --outer-diameter 0.0667 --wall 0.0025", "A barrel of aluminium");
   command.example("percuss model shell --wall 0.0025 --measured 2:1:1700:5 --fit young",
                   "The modulus that explains 1700 ± 5 Hz");

@@ -75,9 +75,9 @@ void add_study(CommandLine& line) {
   Command command = line.command("study", "A population of bats: what goes with performance, in figures and numbers",
                                  [flags] { return run_study(*flags); });
   command.about(
-      "Joins tables of bats, and analyses made with --bat-id, and tells what goes with performance: correlations and "
-      "trends with their significance, in figures and numbers. --example prints a table with all columns that are "
-      "understood.");
+      "Joins tables of bats, and analyses made with --bat-id, and judges what goes with performance: for each "
+      "statement a verdict, its p and correlations with their 95 % intervals. --example prints a table with all "
+      "columns that are understood.");
   command.example("percuss study --example > bats.csv; percuss study bats.csv --figures figures",
                   "A made-up population, with every figure as picture and table");
   command.example(
