@@ -1,11 +1,17 @@
 #include "report/analysis_text.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
+#include "report/frf_sketch.hpp"
 #include "report/text_table.hpp"
 #include "support/modal_lines.hpp"
 #include "support/percuss_process.hpp"
+#include "support/scratch_folder.hpp"
+#include "support/synthetic_files.hpp"
 #include "synth/record.hpp"
 
 namespace percuss::analysis_text_test {
@@ -86,6 +92,43 @@ TEST(AnalysisText, KeepsToTheWidth) {
       EXPECT_LE(text_width(line), width) << line;
     }
   }
+}
+
+// Under each mode's number the sketch must stand higher than beside it, and the highest dot is the highest mode's.
+TEST(FrfSketch, ShowsThePeaksAboveTheirNumbers) {
+  const Analysis analysis(synthesise(bat()).record, {.band_Hz = std::pair{60.0, 3200.0}, .threads = 1});
+  const auto rows = test::lines_of(frf_sketch(analysis, 108));
+  ASSERT_EQ(rows.size(), 10U);
+  EXPECT_THAT(rows[9], AllOf(HasSubstr("60 Hz"), HasSubstr("3.2 kHz")));
+  EXPECT_THAT(rows[0], HasSubstr(" dB "));
+  EXPECT_EQ(rows[8].find('0') - 8, 100 * (200 - 60) / (3200 - 60));
+  const std::size_t hoop = rows[8].find('1') - 8;
+  EXPECT_EQ(hoop, 100 * (1900 - 60) / (3200 - 60));
+  const auto cell = [&](std::size_t row, std::size_t column) {
+    return rows[row].substr(rows[row].size() - 300 + 3 * column, 3);  // three bytes a character
+  };
+  EXPECT_NE(cell(0, hoop), "\u2800");
+  for (const std::size_t beside : {hoop - 20, hoop + 20}) EXPECT_EQ(cell(0, beside), "\u2800");
+}
+
+TEST(FrfSketch, NeedsRoom) {
+  const Analysis analysis(synthesise(bat()).record, {.band_Hz = std::pair{60.0, 3200.0}, .threads = 1});
+  EXPECT_EQ(frf_sketch(analysis, 40), "");
+}
+
+TEST(FrfSketch, IsForTerminalsAlone) {
+  const test::ScratchFolder folder;
+  test::write_small_test(folder.file("bat.h5"));
+  const auto on_terminal = [&](int columns) {
+    const std::string transcript = folder.file("transcript");
+    const std::string command = fmt::format("script -qec 'stty cols {}; {} analyze {}' {} >/dev/null </dev/null",
+                                            columns, PERCUSS_EXECUTABLE, folder.file("bat.h5"), transcript);
+    EXPECT_EQ(std::system(command.c_str()), 0);
+    return test::bytes_of(transcript);
+  };
+  EXPECT_THAT(on_terminal(120), HasSubstr("\xE2\xA0"));
+  EXPECT_THAT(on_terminal(60), Not(HasSubstr("\xE2\xA0")));
+  EXPECT_THAT(test::run_percuss({"analyze", folder.file("bat.h5")}).out, Not(HasSubstr("\xE2\xA0")));
 }
 
 }  // namespace percuss::analysis_text_test

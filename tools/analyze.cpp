@@ -12,11 +12,16 @@
 #include "progress.hpp"
 #include "provenance.hpp"
 #include "read_flags.hpp"
+#include "report/analysis_charts.hpp"
 #include "report/analysis_json.hpp"
 #include "report/analysis_page.hpp"
 #include "report/analysis_text.hpp"
+#include "report/compare_report.hpp"
+#include "report/deflection_report.hpp"
 #include "report/frf_files.hpp"
 #include "report/modes_uff.hpp"
+#include "report/read_document.hpp"
+#include "report_output.hpp"
 
 namespace percuss::tools {
 namespace {
@@ -29,6 +34,8 @@ struct AnalyzeFlags {
   bool trace = false;
   bool per_hit = false;
   bool stabilisation = false;
+  std::vector<std::string> pictures{"magnitude", "phase", "coherence"};
+  std::vector<std::string> compared;
   std::string bat_id;
   std::vector<std::string> bat;  // key=value
 };
@@ -37,6 +44,7 @@ struct AnalyzeFlags {
 struct Test {
   int run = 0;
   std::unique_ptr<Analysis> analysis;
+  std::optional<ImpactTest> deflection{};
 };
 
 // Two channels without angles are taken as 0° and 90°, as the two-accelerometer test places them.
@@ -92,12 +100,35 @@ void print_trace(const Analysis& analysis) {
     std::cerr << fmt::format("{:<20} {:>6} calls  {:.6f} s\n", stage.name, stage.calls, stage.seconds);
 }
 
-void write_outputs(const AnalyzeFlags& flags, const std::vector<Test>& tests, const std::string& document) {
+CommandReport comparison_of(const AnalyzeFlags& flags, const std::string& document, const std::string& name) {
+  std::vector<ComparedDocument> documents = parse_documents(document, name);
+  for (const std::string& path : flags.compared) {
+    for (ComparedDocument& one : read_documents(path)) documents.push_back(std::move(one));
+  }
+  return compare_report(documents);
+}
+
+std::string page_of(const Test& test, const std::set<Section>& sections, const CommandReport* comparison) {
+  return analysis_page(
+      *test.analysis,
+      {.sections = sections, .deflection = test.deflection ? &*test.deflection : nullptr, .comparison = comparison},
+      provenance_now());
+}
+
+std::string drawing_of(const AnalyzeFlags& flags, const Analysis& analysis) {
+  const auto verdicts = analysis.possible() ? analysis.verdicts() : std::vector<Verdict>();
+  return svg_document(analysis_charts(analysis, verdicts, flags.pictures));
+}
+
+void write_outputs(const AnalyzeFlags& flags, const std::vector<Test>& tests, const std::set<Section>& sections,
+                   const std::string& document, const CommandReport* comparison) {
   for (const std::string& path : flags.output.paths) {
     if (extension_of(path) == ".json") {
       write_file(path, document, flags.output.force);
     } else if (is_html(path)) {
-      write_file(path, analysis_page(*tests.front().analysis, provenance_now()), flags.output.force);
+      write_file(path, page_of(tests.front(), sections, comparison), flags.output.force);
+    } else if (extension_of(path) == ".svg") {
+      write_file(path, drawing_of(flags, *tests.front().analysis), flags.output.force);
     } else if (!tests.front().analysis->possible()) {
       std::cerr << "percuss: no hit can be used, so there are no FRFs to write (" + one_line(path) +
                        "); see the hits' findings\n";
@@ -126,22 +157,33 @@ std::optional<BatLabel> bat_label(const AnalyzeFlags& flags) {
 bool is_json(const std::string& path) { return extension_of(path) == ".json"; }
 
 // Before anything is computed.
-void require_one_test_for_frfs(const OutputFlags& output, std::size_t tests) {
-  if (tests > 1 && !std::all_of(output.paths.begin(), output.paths.end(), is_json))
-    throw UsageError("several tests do not fit one file of FRFs", "analyse one file or run at a time");
+void require_one_test(const AnalyzeFlags& flags, const std::set<Section>& sections, std::size_t tests) {
+  if (tests < 2) return;
+  const char* const remedy = "analyse one file or run at a time";
+  if (!std::all_of(flags.output.paths.begin(), flags.output.paths.end(), is_json))
+    throw UsageError("several tests do not fit one file of FRFs or one page", remedy);
+  if (sections.contains(Section::deflection) || !flags.compared.empty())
+    throw UsageError("deflections and comparisons are of one test", remedy);
+}
+
+ImpactTest deflection_of(const Analysis& analysis) {
+  if (analysis.given_frfs() != nullptr)
+    throw UsageError("FRFs tell no deflection", "give the record of force and acceleration");
+  return deflect(analysis);
 }
 
 int analyze(const AnalyzeFlags& flags) {
-  check_outputs(flags.output, {".json", ".html", ".csv", ".h5", ".mat", ".uff", ".unv"});
+  check_outputs(flags.output, {".json", ".html", ".svg", ".csv", ".h5", ".mat", ".uff", ".unv"});
   const auto sections = flags.only.empty() ? all_sections() : parse_sections(flags.only);
-  const bool wants_json =
-      flags.output.json || std::any_of(flags.output.paths.begin(), flags.output.paths.end(), is_json);
+  const bool wants_json = flags.output.json || !flags.compared.empty() ||
+                          std::any_of(flags.output.paths.begin(), flags.output.paths.end(), is_json);
   if (flags.stabilisation && !wants_json)
     throw UsageError("--stabilisation goes into the JSON document", "add --json or -o FILE.json");
   const std::optional<BatLabel> bat = bat_label(flags);
   const Progress progress("analysing", flags.output.quiet);
-  const auto tests = tests_of(flags);
-  require_one_test_for_frfs(flags.output, tests.size());
+  auto tests = tests_of(flags);
+  require_one_test(flags, sections, tests.size());
+  if (sections.contains(Section::deflection)) tests.front().deflection = deflection_of(*tests.front().analysis);
   std::string document;
   if (wants_json) {
     std::vector<NumberedAnalysis> numbered;
@@ -151,16 +193,23 @@ int analyze(const AnalyzeFlags& flags) {
                                         .trace = flags.trace,
                                         .per_hit = flags.per_hit,
                                         .stabilisation = flags.stabilisation,
-                                        .bat = bat});
+                                        .bat = bat,
+                                        .deflection = tests.front().deflection ? &*tests.front().deflection : nullptr});
   }
+  std::optional<CommandReport> comparison;
+  if (!flags.compared.empty()) comparison = comparison_of(flags, document, inputs_of(*tests.front().analysis).front());
   std::string text;
   for (const Test& test : tests) {
     if (flags.output.json) break;
     if (tests.size() > 1) text += fmt::format("{}test {}\n", text.empty() ? "" : "\n", test.run);
-    text += analysis_text(*test.analysis, {.sections = sections, .width = terminal_width(), .per_hit = flags.per_hit});
+    text += analysis_text(
+        *test.analysis,
+        {.sections = sections, .width = terminal_width(), .per_hit = flags.per_hit, .sketch = can_sketch()});
+    if (test.deflection) text += "\n" + deflection_tables(*test.analysis, *test.deflection).text(terminal_width());
+    if (comparison) text += "\n" + comparison->text.text(terminal_width());
   }
   progress.stop();
-  write_outputs(flags, tests, document);
+  write_outputs(flags, tests, sections, document, comparison ? &*comparison : nullptr);
   std::cout << (flags.output.json ? document : text) << std::flush;
   if (flags.trace && !flags.output.json) {
     for (const Test& test : tests) print_trace(*test.analysis);
@@ -192,10 +241,17 @@ void add_analyze(CommandLine& line) {
   command.example("percuss analyze frfs.h5", "Modes of frequency responses that were measured or computed elsewhere");
   add_read_flags(command, flags->read);
   add_analysis_flags(command, flags->analysis);
-  add_output_flags(command, flags->output, ".json, .html, .csv, .h5, .mat, .uff, .unv");
-  command.list("--only", flags->only, "Compute and report these sections only: hits, frf, coherence, modes, classes")
+  add_output_flags(command, flags->output, ".json, .html, .svg, .csv, .h5, .mat, .uff, .unv");
+  command.list("--only", flags->only, "Compute and report these sections only")
       .type("SECTION,...")
-      .one_of({"hits", "frf", "coherence", "modes", "classes"});
+      .one_of({"hits", "frf", "coherence", "modes", "classes", "deflection"});
+  command.list("--picture", flags->pictures, "What -o FILE.svg shows")
+      .type("PICTURE,...")
+      .one_of(analysis_chart_names());
+  command
+      .repeatable("--compare", flags->compared,
+                  "Also beside this document, which analyze, survey or model wrote with --json (repeatable)")
+      .type("FILE");
   command.flag("--per-hit", flags->per_hit, "Also every mode as each hit alone shows it, for how far the hits agree");
   command.flag("--stabilisation", flags->stabilisation, "Also the poles of all model orders, in the JSON document");
   command.value("--bat-id", flags->bat_id, "Which bat it is: into the document, where percuss study joins by it")

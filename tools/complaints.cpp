@@ -7,11 +7,11 @@
 namespace percuss::tools {
 namespace {
 
-constexpr std::size_t kShown = 40;  // bytes of what was typed
+constexpr std::size_t kTypedBytes = 40;  // bytes of what was typed
 
-std::string with_dashes(const std::string& typed) { return one_line(typed.substr(0, typed.find('=')), kShown); }
+std::string with_dashes(const std::string& typed) { return one_line(typed.substr(0, typed.find('=')), kTypedBytes); }
 
-std::string typed_word(const std::string& typed) { return "'" + one_line(typed, kShown) + "'"; }
+std::string typed_word(const std::string& typed) { return "'" + one_line(typed, kTypedBytes) + "'"; }
 
 // "quick, standard or best".
 std::string one_of_these(const std::vector<std::string>& names) {
@@ -41,7 +41,7 @@ UsageError unknown_command(const Declaration& all, const DeclaredCommand& group,
   for (const DeclaredOption& option : group.options) known.push_back(option.name());  // "help" without its dashes
   const std::string place = group.name.empty() ? "" : group.name + " ";
   const auto meant = nearest(typed, known);
-  return {"there is no command '" + place + one_line(typed, kShown) + "'",
+  return {"there is no command '" + place + one_line(typed, kTypedBytes) + "'",
           meant ? "did you mean " + (meant->front() == '-' ? *meant : place + *meant) + "?"
                 : help_of(all, group) + " lists them"};
 }

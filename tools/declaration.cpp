@@ -64,7 +64,12 @@ std::vector<OptionGroup> groups_of(const DeclaredCommand& command) {
 }
 
 std::string explained(const DeclaredOption& option) {
-  return option.initial.empty() ? option.help : option.help + " (default: " + option.initial + ")";
+  std::string text = option.help;
+  if (option.list) {  // the value shown is not all that it may be
+    for (const std::string& choice : option.choices)
+      text += (&choice == &option.choices.front() ? ": " : ", ") + choice;
+  }
+  return option.initial.empty() ? text : text + " (default: " + option.initial + ")";
 }
 
 }  // namespace percuss::tools

@@ -7,12 +7,17 @@
 #include "core/error.hpp"
 #include "output.hpp"
 #include "progress.hpp"
+#include "provenance.hpp"
 #include "read_flags.hpp"
+#include "report/analysis_charts.hpp"
 #include "report/analysis_json.hpp"
+#include "report/analysis_page.hpp"
 #include "report/frf_files.hpp"
 
 namespace percuss::tools {
 namespace {
+
+const std::set<Section> kShown{Section::hits, Section::frf, Section::coherence};
 
 struct FrfFlags {
   ReadFlags read;
@@ -30,7 +35,7 @@ std::unique_ptr<Analysis> analysis_of(const FrfFlags& flags) {
 }
 
 int frf(const FrfFlags& flags) {
-  check_outputs(flags.output, {".csv", ".h5", ".json", ".mat", ".uff", ".unv"});
+  check_outputs(flags.output, {".csv", ".h5", ".json", ".mat", ".uff", ".unv", ".svg", ".html"});
   const FrfKind kind = flags.kind == "mobility"     ? FrfKind::mobility
                        : flags.kind == "receptance" ? FrfKind::receptance
                                                     : FrfKind::accelerance;
@@ -43,11 +48,16 @@ int frf(const FrfFlags& flags) {
     std::cout << analysis_json(analysis, {.sections = {Section::hits}});
     return kImpossible;
   }
-  const auto summary = analysis_json(analysis, {.sections = {Section::hits, Section::frf, Section::coherence}});
+  const auto summary = analysis_json(analysis, {.sections = kShown});
   progress.stop();
   for (const std::string& path : flags.output.paths) {
     if (extension_of(path) == ".json") {
       write_file(path, summary, flags.output.force);
+    } else if (extension_of(path) == ".svg") {
+      write_file(path, svg_document(analysis_charts(analysis, {}, {"magnitude", "phase", "coherence"})),
+                 flags.output.force);
+    } else if (is_html(path)) {
+      write_file(path, analysis_page(analysis, {.sections = kShown}, provenance_now()), flags.output.force);
     } else {
       write_frfs(path, frf_record_of(analysis), kind, flags.output.force);
     }
@@ -77,7 +87,7 @@ void add_frf(CommandLine& line) {
                   "For other software, with noise in force and acceleration allowed for");
   add_read_flags(command, flags->read);
   add_analysis_flags(command, flags->analysis);
-  add_output_flags(command, flags->output, ".csv, .h5, .json, .mat, .uff, .unv");
+  add_output_flags(command, flags->output, ".csv, .h5, .json, .mat, .uff, .unv, .svg, .html");
   command.value("--kind", flags->kind, "What the responses are: of acceleration, velocity or deflection")
       .one_of({"accelerance", "mobility", "receptance"})
       .show_default();

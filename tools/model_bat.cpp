@@ -50,7 +50,7 @@ int model_bat(const BatFlags& flags) {
   const std::vector<double> z_m = places(flags, profile.length_m());
   const auto wave = wave_of(flags, profile.length_m());
   const BatModes bat = bat_modes(profile, flags.material, {.modes = flags.modes});
-  return show_report(bat_report(bat, flags.collision, z_m, wave), flags.output, {flags.profile});
+  return show_report(bat_report(bat, profile, flags.collision, z_m, wave), flags.output, {flags.profile});
 }
 
 void add_ball(Command& command, BatCollision& c) {

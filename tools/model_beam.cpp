@@ -150,9 +150,7 @@ void add_model_beam(CommandLine& line) {
       .above_zero()
       .type("NEWTON");
   const std::string before = command.heading("The beam from measurements");
-  command.list("--fit", flags->fit, "Find these from --measured: of ei, torsion, rho-a")
-      .type("NAME,...")
-      .one_of({"ei", "torsion", "rho-a"});
+  command.list("--fit", flags->fit, "Find these from --measured").type("NAME,...").one_of({"ei", "torsion", "rho-a"});
   command.list("--measured", flags->measured_Hz, "Measured frequencies, lowest first").above_zero().type("HZ,...");
   command.list("--measured-std", flags->measured_std_Hz, "Their standard deviations, or one for all")
       .above_zero()

@@ -53,6 +53,11 @@ void check_outputs(const OutputFlags& flags, const std::vector<std::string>& kno
   }
 }
 
+bool can_sketch() {
+  constexpr std::size_t kRoom = 80;
+  return isatty(STDOUT_FILENO) == 1 && terminal_width() >= kRoom;
+}
+
 std::size_t terminal_width() {
   winsize size{};
   if (isatty(STDOUT_FILENO) == 1 && ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col >= 40)

@@ -32,6 +32,9 @@ bool draws(const OutputFlags& flags);
 /// `known` or a path is named twice, InputError when the file exists and --force is not given.
 void check_outputs(const OutputFlags& flags, const std::vector<std::string>& known);
 
+/// Whether standard output is a terminal with room for a drawing of characters.
+bool can_sketch();
+
 /// Columns of the terminal on standard output; 100 when it is none.
 std::size_t terminal_width();
 

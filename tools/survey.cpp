@@ -13,6 +13,7 @@
 #include "provenance.hpp"
 #include "read_flags.hpp"
 #include "report/modes_uff.hpp"
+#include "report/survey_charts.hpp"
 #include "report/survey_files.hpp"
 #include "report/survey_json.hpp"
 #include "report/survey_page.hpp"
@@ -26,6 +27,7 @@ struct SurveyFlags {
   AnalysisFlags analysis;
   OutputFlags output;
   std::string geometry_path;
+  std::vector<std::string> pictures{"shapes"};
   std::string roving = "hammer";
   std::vector<std::string> driving;
   bool hits = false;
@@ -82,6 +84,8 @@ void write_outputs(const SurveyFlags& flags, const Survey& survey, const std::st
       write_file(path, document, flags.output.force);
     } else if (is_html(path)) {
       write_file(path, survey_page(survey, provenance_now()), flags.output.force);
+    } else if (extension_of(path) == ".svg") {
+      write_file(path, svg_document(survey_charts(survey, flags.pictures)), flags.output.force);
     } else if (!survey.analysis().possible()) {
       std::cerr << "percuss: no hit can be used, so there are no shapes to write (" + one_line(path) +
                        "); see the hits' findings\n";
@@ -100,7 +104,7 @@ int run_survey(const SurveyFlags& flags) {
     std::cout << geometry_example();
     return kOk;
   }
-  check_outputs(flags.output, {".json", ".html", ".csv", ".h5", ".uff", ".unv"});
+  check_outputs(flags.output, {".json", ".html", ".svg", ".csv", ".h5", ".uff", ".unv"});
   const SurveyOptions options = survey_options(flags);
   const Progress progress("analysing", flags.output.quiet);
   const auto made = analysis_of(flags);
@@ -140,7 +144,7 @@ void add_survey(CommandLine& line) {
   command.example("percuss survey barrel.h5 --band 60:3200 -o survey.html", "A page on which the shapes move");
   add_read_flags(command, flags->read);
   add_analysis_flags(command, flags->analysis);
-  add_output_flags(command, flags->output, ".json, .html, .csv, .h5, .uff, .unv");
+  add_output_flags(command, flags->output, ".json, .html, .svg, .csv, .h5, .uff, .unv");
   command
       .value("--geometry", flags->geometry_path,
              "Where the points lie, a CSV as --example prints it (default: what the record says)")
@@ -152,6 +156,7 @@ void add_survey(CommandLine& line) {
       .list("--driving-point", flags->driving,
             "A point struck right beside the sensor of a channel (default: points that lie where a sensor sits)")
       .type("POINT:CHANNEL,...");
+  command.list("--picture", flags->pictures, "What -o FILE.svg shows").one_of(survey_chart_names()).type("PICTURE,...");
   command.flag("--hits", flags->hits, "Also the table of hits");
   command.flag("--trace", flags->trace, "What ran: stages, calls, seconds");
   command.flag("--example", flags->example, "Print an example of a geometry file and stop");

@@ -35,6 +35,7 @@ struct Calibration {
 /// samples above half of the force's peak, both signals counted from their mean just before the hit; over hits,
 /// weighted by the square of the force (hits below a fifth of the largest take no part). The sign is chosen such that
 /// the push is positive. errors  InputError when the record has not exactly one acceleration channel; NoHitError.
+/// theory (1.6)
 Calibration calibrate(const Record& record, double mass_kg, const HitOptions& options = {});
 
 }  // namespace percuss

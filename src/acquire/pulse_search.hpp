@@ -27,6 +27,7 @@ struct TriggerOptions {
 /// Searches one row of the record for pulses of either sign, reading it once, in chunks: memory is 1/64 of the row.
 /// The threshold is max(12 noise deviations, 1 % of the largest) unless given. An event is the largest sample within
 /// `separation_s` of the first one above the threshold.
+/// theory (1.2)
 ForceSurvey survey_force(const Record& record, std::size_t row, const TriggerOptions& options = {});
 
 }  // namespace percuss

@@ -16,10 +16,12 @@ struct PulseShape {
 };
 
 /// Crossings of 5 % of the value at `peak` on either side of it.
+/// theory (1.3)
 PulseShape shape_of_pulse(std::span<const double> force_N, std::size_t peak);
 
 /// The gate [first, end) that holds the pulse and the ringing of the recorder's anti-alias filter: out to the last
 /// sample within 72 of the pulse's feet that stands 4 noise deviations, or 1e-9 of the peak, above zero.
+/// theory (1.4)
 struct Gate {
   std::size_t first = 0, end = 0;
 };
@@ -45,6 +47,7 @@ std::size_t samples_at_rail(std::span<const double> x, std::span<const Extremes>
                             double rest);
 
 /// Frequency at which the amplitude spectrum of a pulse first falls 20 dB below its largest line.
+/// theory (1.5)
 double bandwidth_Hz(std::span<const double> pulse, double fs_Hz);
 
 }  // namespace percuss

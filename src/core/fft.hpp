@@ -12,6 +12,7 @@ using Complex = std::complex<double>;
 ///   X[k] = Σ_n x[n] exp(−2πj k n / N),  k = 0 … N/2                            (1)
 /// shapes  x [N]; result [N/2 + 1].
 /// Plans are FFTW_ESTIMATE and kept per length: equal input gives equal bytes. Threads may call at once.
+/// theory (2.1)
 std::vector<Complex> real_dft(std::span<const double> x);
 
 /// As above into caller's storage; x.size() >= 1, out.size() == x.size()/2 + 1.

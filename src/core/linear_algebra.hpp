@@ -11,6 +11,7 @@ Eigen::MatrixXcd inverse_gram(const Eigen::MatrixXcd& gram);
 
 /// Solution x of gram·x = right with the diagonal raised by the factor 1 + damping (Marquardt), scaled likewise.
 /// shapes: gram [n, n], right and result [n].
+/// theory (4.10)
 Eigen::VectorXd solve_gram(const Eigen::MatrixXd& gram, const Eigen::VectorXd& right, double damping = 0);
 
 /// Polynomials of degree 0 … terms − 1 over `points` equal steps, orthonormal. shape [points, terms].

@@ -10,6 +10,7 @@ double median(std::vector<double> values);
 
 /// Standard deviation of Gaussian noise as the median absolute deviation from the median tells it (× 1.4826, [2] in
 /// docs/sources.md): unmoved by pulses that fill less than half of the samples. 0 for none.
+/// theory (1.1)
 double robust_std(std::vector<double> values);
 
 /// Both at once, for the price of the second.

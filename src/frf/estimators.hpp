@@ -13,6 +13,7 @@ const char* name_of(Estimator estimator);
 
 /// Sums over hits of products of spectra, line by line (one-sided, unscaled: only ratios are used).
 ///   G_ff = Σ |F|²,  G_aa = Σ |A|²,  G_fa = Σ conj(F) A
+/// theory (2.3)
 struct CrossSpectra {
   std::vector<double> ff, aa;
   std::vector<Complex> fa;
@@ -42,6 +43,7 @@ struct Frf {
 /// units   (m/s²)/N.
 /// errors  InputError when the force never excited a line (G_ff = 0).
 /// source  [3], [4] in docs/sources.md.
+/// theory (2.4), (2.5), (2.6), (2.7), (2.8) in the order of (1) to (5) here
 Frf estimate_frf(const CrossSpectra& spectra, const LineRange& lines, Estimator estimator = Estimator::h1);
 
 /// InputError when the force never excited one of the lines. shape  ff [lines.count]

@@ -8,6 +8,7 @@ namespace percuss {
 void apply_exponential(std::span<double> x, double decay_per_s, double fs_Hz, double origin);
 
 /// The decay that brings the window from 1 to `fraction` in `duration_s`.
+/// theory (2.2)
 double decay_for_end(double fraction, double duration_s);
 
 }  // namespace percuss

@@ -8,6 +8,7 @@ namespace percuss {
 /// What lies beyond the lines, as real accelerances: the mass line, undamped guard modes at fixed places above the
 /// lines and one below them. Combinations of these follow the tails of any modes out there. shape  [lines.count,
 /// terms].
+/// theory (3.6)
 Eigen::MatrixXd background_shapes(const LineRange& lines);
 
 }  // namespace percuss

@@ -47,6 +47,7 @@ std::optional<SensorPair> pair_of_sensors(const std::vector<std::optional<double
 /// judged together (family_belief.hpp). A verdict of 90 % confidence or more stands alone; below it the rival is named.
 /// overlay_dB[m] is the measured magnitude difference at mode m's peak.
 /// source  [8] section 3.6 for the overlay rule and the 25 Hz rule.
+/// theory (6.1), (6.2), (6.3)
 std::vector<Verdict> classify(const std::vector<Mode>& modes, const std::optional<SensorPair>& sensors,
                               const std::vector<std::optional<double>>& overlay_dB,
                               const ClassifyOptions& options = {});

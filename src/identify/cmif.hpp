@@ -10,6 +10,7 @@ namespace percuss {
 /// measured counts as zero. With one channel there is one value: √Σ|H|².
 /// shapes  result [band.count, min(points, channels)]; `band` within set.lines.
 /// units   (m/s²)/N.
+/// theory (5.6)
 Eigen::MatrixXd cmif(const FrfSet& set, const LineRange& band);
 
 }  // namespace percuss

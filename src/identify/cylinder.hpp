@@ -43,6 +43,7 @@ struct TubeShape {
 /// Six angles 60° apart show n = 0, 1, 2 and of n = 3 its cosine alone; n = 4 looks like n = 2 there (`alias`). A place
 /// of several channels counts by the first. Nothing when no ring has four angles or nothing of the shape is known
 /// there.
+/// theory (5.7)
 std::optional<TubeShape> tube_shape(const ModeShape& shape, const TubeGeometry& geometry);
 
 /// Bending for n = 1, hoop for n = 2; for all others, or when unsure, unknown.

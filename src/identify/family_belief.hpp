@@ -26,6 +26,7 @@ struct FamilyEvidence {
 /// So modes that all look like hoop modes may as well all bend at −45° to the sensors, the more so as the lowest mode
 /// of a bat bends. Two planes of one bending mode are at right angles; both halves of a hoop pair have the
 /// hoop ratio; and a hammer at an unknown angle λ to such a pair excites its halves as cos λ : sin λ.
+/// theory (6.6)
 std::vector<Belief> family_beliefs(const std::vector<FamilyEvidence>& modes, const RatioLikelihood& likelihood);
 
 }  // namespace percuss

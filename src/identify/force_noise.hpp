@@ -11,6 +11,7 @@ namespace percuss {
 /// responses, smooth over frequency because the gate is short. Column i is ε at the lines given for the i-th of
 /// independent standard normal variables; Σ over columns of |ε|² is its variance. Empty where the noise is not known.
 /// shape  [lines.size(), variables].
+/// theory (4.11)
 Eigen::MatrixXcd gain_errors(const FrfSet& set, std::size_t point, const std::vector<std::size_t>& lines);
 
 /// Deviation of that gain near a frequency, of real and imaginary part each.

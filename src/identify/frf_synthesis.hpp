@@ -26,6 +26,7 @@ struct SynthesisedFrf {
 /// φ_r as H1 sees it, a truncated decay included (mode_column), with the point's own pole where it has one. r_0 is the
 /// rigid body's line, r_2 and r_4 begin the series of what modes above the band add. shapes  modes' residues in the
 /// order of set.outputs; `band` within set.lines. source  [4] in docs/sources.md.
+/// theory (5.5)
 std::vector<SynthesisedFrf> synthesised_frfs(const FrfSet& set, const std::vector<Mode>& modes, const LineRange& band);
 
 /// FRAC (2) of two FRFs; 0 when either is zero everywhere.

@@ -31,6 +31,7 @@ struct JointFitOptions {
 /// leaves the smaller deviation (a complex one absorbs the phase error that the force's noise causes) and the lines do
 /// not contradict it. Deviations come from the Fisher information, scaled by the residual; what the force's noise does
 /// to the poles is added (errors in variables). source  [5], [7] in docs/sources.md.
+/// theory (4.8), (4.12), (4.13)
 JointFit fit_jointly(const FrfSet& set, std::vector<Pole> start, const JointFitOptions& options = {});
 
 /// The residues of all outputs at given poles, complex, with their deviations; `covariance` is the poles', unknowns in

@@ -48,6 +48,7 @@ class JointProjection {
   JointProjection(const FrfSet& set, const std::vector<Pole>& poles);
 
   JointState evaluate(JointModel model) const;
+  /// theory (4.9)
   JointNormal normal_equations(const JointState& state) const;
   /// … with `force` filled in.
   JointNormal with_force_noise(const JointState& state) const;

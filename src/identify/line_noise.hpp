@@ -31,6 +31,7 @@ class LineNoise {
 /// Power of the noise of each kNoiseBlock lines (the last block has the rest as well; none of fewer than three lines).
 /// Where an FRF is smooth its second difference is noise alone, which scatters as a single line does; the median skips
 /// resonances. Every second line tells nearly as much as all, neighbours having theirs in common.
+/// theory (4.1)
 std::vector<double> block_noise(std::span<const Complex> lines);
 inline constexpr std::size_t kNoiseBlock = 64;
 

@@ -32,6 +32,7 @@ struct LscfOrder {
 /// An exponential window of the force is taken off the poles. shapes: orders 2 … max_order, ascending; empty with fewer
 /// than 8 lines or no output.
 /// source  [6] in docs/sources.md.
+/// theory (4.3), (4.4), (4.5), (4.6)
 std::vector<LscfOrder> lscf_poles(const FrfSet& set, const LscfOptions& options = {});
 
 }  // namespace percuss

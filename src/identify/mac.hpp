@@ -24,6 +24,7 @@ struct ShapeValues {
 /// the second order where it has none, at MAC 1 and 0.
 /// shapes  a, b the same places in the same order. 0 ± 0 when either shape is zero everywhere.
 /// source  [4] in docs/sources.md.
+/// theory (5.4)
 Mac mac(const ShapeValues& a, const ShapeValues& b);
 
 /// MAC between the modes of one test over the places that both have: [modes][modes], symmetric. The diagonal is 1 ± 0.

@@ -10,6 +10,7 @@
 namespace percuss {
 
 /// A mode's pole: s = −ζω + jω√(1 − ζ²), ω = 2π·freq_Hz the undamped natural frequency.
+/// theory (3.1)
 struct Pole {
   double freq_Hz = 0;
   double damping_ratio = 0;
@@ -44,6 +45,7 @@ struct ModeColumn {
 
 /// What is left of a mode's amplitude when a record of lines.samples ends, as a fraction of its start; with an
 /// exponential window of that decay.
+/// theory (3.4)
 double left_at_end(const Pole& pole, const LineRange& lines, double window_decay_per_s = 0);
 
 /// True when nothing is missing of the mode: it has decayed by the record's end, the FRFs were completed, or nothing is
@@ -58,6 +60,7 @@ bool decays_within(const Pole& pole, const PointForce& force, const LineRange& l
 /// With an exponential window of decay σ, jω + σ stands for jω in H, s − σ for s in q and D.
 /// What is missing after the record's end is thereby part of the model: no leakage, no bias of the damping.
 /// source  [5], [6] in docs/sources.md.
+/// theory (3.3), (3.5)
 /// Need::value leaves the derivatives empty, at half the work.
 enum class Need { value, derivatives };
 ModeColumn mode_column(const Pole& pole, const PointForce& force, const LineRange& lines, std::size_t first,

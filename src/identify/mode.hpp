@@ -15,6 +15,7 @@ inline constexpr double kRoundingDamping = 1e-9;
 inline constexpr double kSignificant = 3;
 
 /// A mode's residue at one output: accelerance H(ω) = … + A·(jω)²/((jω)² + 2ζω_r jω + ω_r²), 1/kg.
+/// theory (3.2)
 struct Residue {
   std::size_t point = 0;
   std::size_t channel = 0;

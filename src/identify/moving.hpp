@@ -37,6 +37,7 @@ std::optional<Pole> merged(const GroupedFit& all, const FitGroup& group);
 
 /// A mode as points that disagree about it give it: the mean over the points, each weighted with its own deviation and
 /// the spread between them; deviations of that mean; residues as each point by itself has them.
+/// theory (4.15)
 struct MovingMode {
   Pole pole;
   double freq_std_Hz = 0, damping_std = 0;

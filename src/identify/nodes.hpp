@@ -24,6 +24,7 @@ struct NodeOptions {
 /// the root of a polynomial in the position fitted to the points around by weighted least squares. Its degree is the
 /// one with the least χ² + k ln n. The deviation is that of the next higher degree's root, scaled by its χ² where that
 /// is larger than it should be, and, squares added, the distance to that root, which stands for the model's error.
+/// theory (5.8)
 std::vector<Node> find_nodes(const ScanShape& shape, const NodeOptions& options = {});
 
 /// The rule of thumb [8], section 3.6: where the mode's peak passes through its minimum, to the nearest multiple of

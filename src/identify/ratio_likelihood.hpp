@@ -27,6 +27,7 @@ struct SetUpError {
 /// where |α| < |β|). With a Gaussian of deviation s for noise and gains:
 ///   p(χ) = (1 + 2 Re Σ_k z^k exp(−2 k² s²))/π,  z = e^2jχ conj(μ),  μ = β/conj(α) or α/conj(β), |μ| ≤ 1           (1)
 /// Sensors at 90° give |μ| = 0 for bending (any χ) and 1 for n = 2 (χ = −45°); misplaced ones blur the latter.
+/// theory (6.4), (6.5)
 class RatioLikelihood {
  public:
   /// By how much the sensors' distance is off, as a few values with a Gaussian's weights. All modes of a test share it.

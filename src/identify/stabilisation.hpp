@@ -11,6 +11,7 @@ enum class Stability { fresh, frequency, damping, stable };
 /// new, frequency, damping, stable
 const char* name_of(Stability stability);
 
+/// theory (4.7)
 struct StabilisationOptions {
   LscfOptions lscf;
   double frequency_bandwidths = 0.1;  // a frequency is stable when it moves by no more than this part of the bandwidth

@@ -36,6 +36,7 @@ class VariableProjection {
 
   /// Normal equations (matrix, right-hand side) for a step of the poles, 2 unknowns per mode (Hz, damping ratio), with
   /// Kaufman's Jacobian: what the linear part cannot follow of each derivative.
+  /// theory (4.9)
   std::pair<Eigen::MatrixXd, Eigen::VectorXd> normal_equations(const ProjectedState& state, std::size_t modes) const;
 
   /// How the residues of an output follow the poles: −(columns⁺)·slopes·residue, [modes, 2 modes].

@@ -53,6 +53,7 @@ struct Deflection {
 /// source's sums, from the impact, nothing taken away. frequency: line by line. modal: the modes and the force.
 /// Automatic: drift_free where the record shows the rest before the impact, else modal where force and modes are known.
 /// Needs force and modes for modal (a precondition). shapes [samples].
+/// theory (7.4)
 Deflection deflection_of(const ImpactSignal& signal, const DeflectionOptions& options = {});
 
 /// Where the structure starts to move, from the first sample: the first that leaves the noise of the first fiftieth of

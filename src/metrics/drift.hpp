@@ -21,6 +21,7 @@ RestState rest_state(std::span<const double> before_mps2, double fs_Hz, double u
 /// What a bias of 1 m/s² and a drift of 1 m/s³ become by integration with the high-pass undone:
 ///   w = b (t²/2 + ω_c t³/6) + d (t³/6 + ω_c t⁴/24)                                  (1)
 /// and the same once differentiated for the velocity.
+/// theory (7.3)
 Eigen::Vector2d drifted_deflection_m(double t_s, double highpass_corner_Hz);
 Eigen::Vector2d drifted_velocity_mps(double t_s, double highpass_corner_Hz);
 
@@ -33,6 +34,7 @@ struct LateConstraint {
   bool held = false;           // false: the deflection contradicts it, or is too short to tell; nothing is taken away
 };
 /// deflection_m from integrate_twice of the samples after the rest, with its bias taken away; `rest` is that of bias.
+/// theory (7.5)
 LateConstraint late_constraint(std::span<const double> deflection_m, double fs_Hz, double highpass_corner_Hz,
                                const RestState& rest);
 

@@ -11,6 +11,7 @@ namespace percuss {
 /// without wrapping around, and poles on the imaginary axis (integrators) do no harm. The sequence is taken as
 /// band-limited and as zero before its first sample; 1e-9 of the largest value is what rounding leaves at the last.
 ///   y = L⁻¹[H(s)·X(s)],  X(s) = Δt Σ x(n) exp(−s n Δt)                              (1)
+/// theory (7.2)
 class LaplaceLine {
  public:
   LaplaceLine(std::span<const double> x, double fs_Hz);

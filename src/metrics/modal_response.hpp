@@ -18,6 +18,7 @@ struct ModeShare {
 /// are those of the accelerance A·s²/(s² + 2ζω_r s + ω_r²):
 ///   W(s) = F(s) [Σ_r (a/(s − s_r) + conj(a)/(s − conj(s_r))) + 1/(m s²)],  a = A/(2jω_d)      (1)
 /// force_N and results [samples]; std_m from the residues' deviations alone.
+/// theory (7.8)
 struct ModalDeflection {
   std::vector<double> accel_mps2, velocity_mps, deflection_m, std_m;
 };

@@ -12,6 +12,7 @@ namespace percuss {
 ///   β = (1 + α)/e₀² − 1, k₂ such that F is continuous at the largest u                                 (2)
 /// whatever the speed, e₀² of the energy comes back. After leaving the bat the ball is as before.
 /// source  [10] in docs/sources.md, after Cross and Nathan
+/// theory (12.3), (12.4)
 struct LossyBall {
   double mass_kg = 0.145;
   double stiffness = 6.53e7;  // k₁, N/m^α

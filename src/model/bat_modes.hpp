@@ -16,6 +16,7 @@ struct BatModesOptions {
 /// matrix,
 ///   shape_r · M · shape_s = 1 for r = s, else 0,                                                        (1)
 /// and orthogonal in it to the bat's two motions as a rigid body.
+/// theory (12.2)
 struct BatModes {
   TimoshenkoBeam beam;
   BatInertia inertia;

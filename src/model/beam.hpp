@@ -32,6 +32,7 @@ struct UniformBeam {
 /// where o and t are those of a rigid-body mode (λ = 0) and the others those of an elastic one. Growing exponentials do
 /// not occur, so that nothing cancels in high modes. δ = λ for Euler and Bernoulli. Scaled so that X = 1 at the free
 /// end x = L.
+/// theory (8.5)
 struct BeamMode {
   double lambda = 0;       // βL
   double decay = 0;        // δ
@@ -54,6 +55,7 @@ struct BeamMode {
 /// The equations are solved times e^(−λ), (2) between the roots of (4) and (3). Timoshenko beams: timoshenko.hpp.
 /// errors  InputError when a frequency is beyond what a double holds, or above where timoshenko.hpp goes.
 /// source  [9], its equations repaired.
+/// theory (8.1), (8.2), (8.3), (8.4), (8.6)
 std::vector<BeamMode> beam_modes(const UniformBeam& beam, std::size_t count);
 
 /// How many of the lowest modes are rigid-body modes.

@@ -54,6 +54,7 @@ struct TorsionFit {
 /// The spring's stiffness from static readings, the beam's own bending accounted for:
 ///   d = P a²/T + P a³/(3 EI)                                                   (1)
 /// by least squares on 1/T. errors  InputError when the bending alone, or more, is what was read.
+/// theory (8.10)
 TorsionFit fit_torsion(const std::vector<StaticReading>& readings, double stiffness_Nm2);
 
 }  // namespace percuss

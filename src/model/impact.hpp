@@ -62,13 +62,16 @@ inline constexpr double kFollowed_s = 0.08;
 /// the energy closes as well; that is 1e-10 of the truth and better.
 /// errors  InputError when the two do not separate within as many steps as are reasonable.
 /// source  [9]; (2)'s loss [13]; the five steps [14].
+/// theory (9.1), (9.2)
 ImpactResult simulate_impact(const Impact& impact, const ImpactOptions& options = {});
 
 /// The duration of the same ball's contact with a rigid wall: 2.943 α_m/v, α_m = (5 m v²/(4 k₂))^(2/5).
+/// theory (9.4)
 double hertz_contact_s(const Impact& impact);
 
 /// The χ with which the ball leaves a rigid wall at `restitution` times the speed (above 0, at most 1):
 ///   ln((1 + d)/(1 − e d)) = d (1 + e),  d = χ v                                  (3)
+/// theory (9.3)
 double hysteresis_for_spm(double restitution, double speed_mps);
 
 }  // namespace percuss

@@ -19,6 +19,7 @@ struct LaminateSection {
 /// Layers glued on each other from the first up, bending about their common neutral axis, at the height z̄:
 ///   EI = Σ (EI)ᵢ,  (EI)ᵢ = Eᵢ bᵢ (hᵢ³/12 + hᵢ (zᵢ − z̄)²),  z̄ = Σ Eᵢ bᵢ hᵢ zᵢ / Σ Eᵢ bᵢ hᵢ      (1)
 ///   ρA = Σ ρᵢ bᵢ hᵢ                                                                             (2)
+/// theory (8.11)
 LaminateSection laminate_section(const std::vector<LaminateLayer>& layers);
 
 }  // namespace percuss

@@ -6,6 +6,7 @@ namespace percuss {
 /// Undamped modes of unit mass under one force, a step of fixed length at a time.
 ///   q̈ = −ω² q + φ F, F linear in the step: solved exactly                                              (1)
 /// shapes: all [modes].
+/// theory (12.5)
 struct ModalStepper {
   ModalStepper(const Eigen::ArrayXd& omega_radps, const Eigen::ArrayXd& phi, double step_s);
 

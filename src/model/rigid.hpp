@@ -15,14 +15,17 @@ struct RigidCollision {
 
 /// The mass that the ball feels, z_m from the bat's centre of mass:
 ///   M_e = M / (1 + M z²/I)                                   (1)
+/// theory (11.1)
 double effective_mass_kg(const RigidCollision& collision, double z_m);
 
 /// Speed of the bat's surface there, towards the ball: u = V + |ω| z.                                    (2)
+/// theory (11.2)
 double swing_speed_mps(const RigidCollision& collision, double z_m);
 
 /// Speed of the ball after the impact, back where it came from:
 ///   v' = [v (e M_e − m) + u M_e (1 + e)] / (m + M_e)         (3)
 /// source  [10] in docs/sources.md
+/// theory (11.3)
 double exit_speed_mps(const RigidCollision& collision, double z_m);
 
 struct BestImpact {

@@ -20,14 +20,17 @@ struct TubeShell {
 
 /// A ring of the tube's section, bent in its plane:
 ///   ω² = E h²/(12 ρ R⁴) · n²(n² − 1)²/(n² + 1)                                                  (1)
+/// theory (13.1)
 double ring_Hz(const TubeShell& shell, std::size_t n);
 
 /// Rayleigh: a tube with free ends that bends without stretching, alike all along:
 ///   Ω² = k n²(n² − 1)²/(n² + 1)                                                                 (2)
+/// theory (13.2)
 double rayleigh_Hz(const TubeShell& shell, std::size_t n);
 
 /// Love: … whose deflection grows from its middle to opposite sides:
 ///   Ω² = (2) · [1 + 24(1 − ν) R²/(n² L²)] / [1 + 12 R²/(n²(n² + 1) L²)]                         (3)
+/// theory (13.3)
 double love_Hz(const TubeShell& shell, std::size_t n);
 
 /// Flügge: the thin shell between ends that keep it round and free to slide (shear diaphragms), m half-waves along it:
@@ -38,6 +41,7 @@ double love_Hz(const TubeShell& shell, std::size_t n);
 /// For a long tube it becomes (2). Against three-dimensional elasticity it is high by 0.5 % (n = 2) and 1 % (n = 3) for
 /// a wall of a thirteenth of R, by a quarter of that for half the wall.
 /// source  [15] in docs/sources.md
+/// theory (13.4)
 double flugge_Hz(const TubeShell& shell, std::size_t n, std::size_t m);
 
 /// What the tube weighs, which the source takes for a barrel's effective mass m₂: ρ π (D − h) h L.

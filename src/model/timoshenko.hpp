@@ -15,6 +15,7 @@ namespace percuss {
 /// roots of the pinned beam, as one spring moves no frequency past the next. `support` as it is there: a spring's
 /// stiffness is above zero and finite.
 /// errors  InputError above the frequency √(κGA/ρI), from where two kinds of wave run along the beam.
+/// theory (8.7), (8.8), (8.9)
 BeamMode timoshenko_mode(const UniformBeam& beam, std::size_t elastic);
 
 }  // namespace percuss

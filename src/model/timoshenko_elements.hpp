@@ -30,6 +30,7 @@ struct BeamElement {
 /// static one loaded there (w cubic, θ quadratic, w′ − θ constant), so that thin elements do not lock; a parabola
 /// within for w and one for θ make the error of a frequency fall with the fourth power of the element's length.
 ///   K q = ω² M q                                                                                        (1)
+/// theory (12.1)
 struct TimoshenkoBeam {
   std::vector<BeamElement> elements;
   Eigen::SparseMatrix<double> stiffness, mass;  // [unknowns, unknowns]

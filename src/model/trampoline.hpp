@@ -11,6 +11,7 @@ namespace percuss {
 ///   k₂ = (2π f_hoop)² m₂                                         (3)
 /// A contact cannot pull: it ends when the force has fallen to zero, which is before the overlap does.
 /// source  [8] in docs/sources.md, 4.4 and appendix D
+/// theory (10.1), (10.2), (10.3)
 struct Trampoline {
   double ball_mass_kg = 0.145;         // m₁
   double stiffness = 60e6;             // k₁, N/m^(1 + a)
@@ -53,6 +54,7 @@ std::vector<Rebound> hoop_sweep(const Trampoline& model, const std::vector<doubl
 HoopPeak best_hoop(const Trampoline& model, const std::vector<double>& hoop_Hz, const std::vector<Rebound>& sweep);
 
 /// Hoop frequency with the extra mass on the barrel: f √(m₂/(m₂ + Δm)).                               (4)
+/// theory (10.4)
 double loaded_hoop_Hz(const Trampoline& model, double hoop_Hz);
 
 /// (4) solved for m₂: the modal mass whose frequency an added mass brings from free_Hz down to loaded_Hz.

@@ -7,6 +7,7 @@
 #include "core/units.hpp"
 #include "identify/ring_split.hpp"
 #include "report/coherence_summary.hpp"
+#include "report/deflection_report.hpp"
 #include "report/version.hpp"
 
 namespace percuss {
@@ -197,6 +198,13 @@ Json bat_json(const BatLabel& bat) {
   return json;
 }
 
+// What the document of its own says but for the file.
+Json deflection_in(const Analysis& analysis, const ImpactTest& test) {
+  Json json = Json::parse(deflection_json(analysis, test));
+  for (const char* key : {"schema", "version", "inputs", "fs_hz"}) json.erase(key);
+  return json;
+}
+
 Json document_of(const Analysis& analysis, const JsonOptions& options) {
   const auto wants = [&](Section section) { return options.sections.contains(section); };
   const bool force_only = options.sections == std::set{Section::hits};
@@ -222,6 +230,7 @@ Json document_of(const Analysis& analysis, const JsonOptions& options) {
   } else if (wants(Section::modes)) {
     json["modes"] = Json::array();
   }
+  if (options.deflection != nullptr) json["deflection"] = deflection_in(analysis, *options.deflection);
   json["warnings"] = Json::array();
   for (const Warning& warning : options.warnings != nullptr ? *options.warnings : analysis.warnings())
     json["warnings"].push_back({{"code", warning.code}, {"message", warning.message}});

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "pipeline/analysis.hpp"
+#include "pipeline/impact_test.hpp"
 #include "report/sections.hpp"
 
 namespace percuss {
@@ -24,6 +25,7 @@ struct JsonOptions {
   const std::vector<Verdict>* verdicts = nullptr;  // of the modes, in place of the analysis' own
   const std::vector<Warning>* warnings = nullptr;
   std::optional<BatLabel> bat;
+  const ImpactTest* deflection = nullptr;  // of the one test that there is
 };
 
 /// One of several tests: its run number (or place on the command line) and its analysis.

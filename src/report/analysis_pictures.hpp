@@ -6,9 +6,15 @@
 
 namespace percuss {
 
-/// What page/page.js draws of an analysis, as JSON in ASCII: {"frf": {first_hz, df_hz, curves: [{name, db, phase_deg,
-/// coherence, sigma_db, fit_db}]}, "modes": [{hz, name, family, re, im}], "hits": [{name, accepted, ms, force_n,
-/// decay_s, decay_db}], "stabilisation"}. Numbers as picture_numbers. FRFs of the strongest outputs, at most eight.
-std::string analysis_pictures(const Analysis& analysis, const std::vector<Verdict>& verdicts, bool stabilisation);
+struct PicturesWanted {
+  bool hits = true, frfs = true, stabilisation = true;
+};
+
+/// What src/report/page draws of an analysis, as JSON in ASCII: {"frf": {first_hz, df_hz, of, curves: [{name, db,
+/// phase_deg, coherence, sigma_db, fit_db}]}, "modes": [{hz, zeta, name, family, sensors}], "hits": [{name, accepted,
+/// bandwidth_hz, force_n, spectrum_db, decay_db}], "band_hz", "stabilisation"}. Numbers as picture_numbers. Modes as
+/// many as verdicts.
+std::string analysis_pictures(const Analysis& analysis, const std::vector<Verdict>& verdicts,
+                              const PicturesWanted& wanted = {});
 
 }  // namespace percuss

@@ -5,6 +5,7 @@
 #include "core/error.hpp"
 #include "report/analysis_tables.hpp"
 #include "report/coherence_summary.hpp"
+#include "report/frf_sketch.hpp"
 #include "report/number.hpp"
 #include "report/response_summary.hpp"
 #include "report/text_table.hpp"
@@ -92,6 +93,8 @@ std::string analysis_text(const Analysis& analysis, const TextOptions& options) 
     if (wants(Section::frf)) text += frf_text(analysis);
     if (wants(Section::coherence)) text += coherence_text(analysis);
     if (wants(Section::frf) || wants(Section::coherence)) text += '\n';
+    if (options.sketch && (wants(Section::frf) || wants(Section::modes)))
+      text += spaced(frf_sketch(analysis, options.width));
     if (wants(Section::modes) || wants(Section::classes))
       text += modes_text(analysis, wants(Section::classes), options.width) + "\n";
     if (options.per_hit) text += per_hit_text(analysis, options.width) + "\n";

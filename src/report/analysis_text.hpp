@@ -12,6 +12,7 @@ struct TextOptions {
   std::size_t width = 100;  // of the terminal
   bool per_hit = false;
   bool warnings = true;
+  bool sketch = false;  // a drawing of the FRFs in characters
 };
 
 /// The analysis as a person reads it: one line of what was measured, the hits, the modes with ±, then warnings in

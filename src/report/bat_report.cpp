@@ -139,10 +139,31 @@ Json show_wave(const BatModes& bat, const BatCollision& collision, const BatWave
   return json;
 }
 
+BendingPicture bending_of(const BatModes& bat, const BatProfile& profile) {
+  BendingPicture picture{.ends = "Left: the knob."};
+  double begin_m = 0;
+  for (std::size_t i = 0; i < profile.end_m.size(); ++i) {
+    for (const double z_m : {begin_m, profile.end_m[i]}) picture.outline_m.emplace_back(z_m, profile.diameter_m[i] / 2);
+    begin_m = profile.end_m[i];
+  }
+  for (std::size_t m = 0; m < std::min(kModesInText, static_cast<std::size_t>(bat.freq_Hz.size())); ++m) {
+    const auto column = static_cast<Eigen::Index>(m);
+    BendingLine line{
+        .name = fmt::format("bending {}", m + 1), .freq_Hz = bat.freq_Hz[column], .z_m = positions_of(bat.beam)};
+    for (const double z_m : line.z_m) line.y.push_back(bat.deflection(z_m)[column]);
+    double largest = 1e-300;
+    for (const double y : line.y) largest = std::max(largest, std::abs(y));
+    for (double& y : line.y) y /= largest;
+    for (const double z_m : nodes_of(bat, m)) line.nodes.push_back({z_m, 0, inches_and_mm(z_m, 0)});
+    picture.modes.push_back(std::move(line));
+  }
+  return picture;
+}
+
 }  // namespace
 
-CommandReport bat_report(const BatModes& bat, const BatCollision& collision, const std::vector<double>& z_m,
-                         const std::optional<BatWaveWanted>& wave) {
+CommandReport bat_report(const BatModes& bat, const BatProfile& profile, const BatCollision& collision,
+                         const std::vector<double>& z_m, const std::optional<BatWaveWanted>& wave) {
   const BatCurve curve = curve_of(bat, collision, z_m);
   Json json{{"schema", "percuss/model-bat/1"}, {"version", version()}};
   json.update(modes_json(bat));
@@ -156,6 +177,7 @@ CommandReport bat_report(const BatModes& bat, const BatCollision& collision, con
   report.columns = {{"z_m", z_m},  curve.exit,     curve.rigid, curve.half,
                     curve.contact, curve.contacts, curve.ball,  curve.vibration};
   if (wave) json["wave"] = show_wave(bat, collision, *wave, report);
+  report.bending = bending_of(bat, profile);
   report.text = modes_text(bat) + curve_text(bat, curve);
   report.json = json.dump(2) + "\n";
   return report;

@@ -14,9 +14,9 @@ struct BatWaveWanted {
 };
 
 /// percuss/model-bat/1: modes, nodes and inertia of a bat, and the exit speed of a ball over the place of impact z_m
-/// (from the knob, ascending), for the bat that bends and for the rigid one. All of bat's modes take part. With `wave`
-/// the table and the chart show the deflection along the bat instead.
-CommandReport bat_report(const BatModes& bat, const BatCollision& collision, const std::vector<double>& z_m,
-                         const std::optional<BatWaveWanted>& wave = {});
+/// (from the knob, ascending), for the bat that bends and for the rigid one. All of bat's modes take part. `profile` is
+/// the bat's. With `wave` the table shows the deflection along the bat instead, and a chart as well.
+CommandReport bat_report(const BatModes& bat, const BatProfile& profile, const BatCollision& collision,
+                         const std::vector<double>& z_m, const std::optional<BatWaveWanted>& wave = {});
 
 }  // namespace percuss

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "report/bending_picture.hpp"
 #include "report/columns.hpp"
 #include "report/line_chart.hpp"
 #include "report/report_text.hpp"
@@ -15,6 +16,7 @@ struct CommandReport {
   std::vector<NumberColumn> columns;  // for .csv
   std::string table;                  // … in place of them where it holds words
   std::vector<LineChart> charts;      // for .svg, and for the page
+  BendingPicture bending;             // for the page
 
   std::string csv() const { return columns.empty() ? table : columns_csv(columns); }
 };

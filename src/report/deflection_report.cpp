@@ -88,7 +88,7 @@ std::string deflection_json(const Analysis& analysis, const ImpactTest& test) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-ReportText deflection_text(const Analysis& analysis, const ImpactTest& test) {
+ReportText deflection_tables(const Analysis& analysis, const ImpactTest& test) {
   using Align = TextTable::Align;
   TextTable hits({{"hit", Align::right},
                   {"point", Align::right},
@@ -112,7 +112,7 @@ ReportText deflection_text(const Analysis& analysis, const ImpactTest& test) {
                 millimetres(point.peak_m, point.std_m)});
     repeats = repeats || point.hits > 1;
   }
-  ReportText text = one_line(input_name(analysis.record().source()), 400) + "\n\n";
+  ReportText text;
   text += hits;
   if (repeats) {
     text += "\n";
@@ -125,6 +125,10 @@ ReportText deflection_text(const Analysis& analysis, const ImpactTest& test) {
   if (!test.warnings.empty()) text += "\n";
   for (const Warning& warning : test.warnings) text.warn(warning.message);
   return text;
+}
+
+ReportText deflection_text(const Analysis& analysis, const ImpactTest& test) {
+  return one_line(input_name(analysis.record().source()), 400) + "\n\n" + deflection_tables(analysis, test);
 }
 
 std::string deflection_csv(const Analysis& analysis, const ImpactTest& test) {

@@ -10,8 +10,9 @@ namespace percuss {
 /// percuss/deflection/1: peaks per hit and channel, means per point, impact speeds, warnings.
 std::string deflection_json(const Analysis& analysis, const ImpactTest& test);
 
-/// The same for people.
+/// The same for people, and without the name of the file.
 ReportText deflection_text(const Analysis& analysis, const ImpactTest& test);
+ReportText deflection_tables(const Analysis& analysis, const ImpactTest& test);
 
 /// Every sample: hit, channel, time from the row's beginning, velocity, deflection and its deviation (empty where the
 /// method knows none).

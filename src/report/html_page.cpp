@@ -27,8 +27,14 @@ std::string data_text(const std::string& json) {
 }  // namespace
 
 std::string HtmlPage::text() const {
-  const std::string style = std::string(page_texts().plot_style) + std::string(page_texts().style);
+  const bool draws = !data.empty();
+  const std::string style = (draws ? std::string(page_texts().plot_style) : "") + std::string(page_texts().style);
   const std::string program = std::string(page_texts().plot_program) + std::string(page_texts().program);
+  const std::string scripts = draws ? fmt::format(R"(<script type="application/json" id="data">{}</script>
+<script>{}</script>
+)",
+                                                  data_text(data), program)
+                                    : "";
   return fmt::format(R"(<!DOCTYPE html>
 <html lang="en">
 <head>
@@ -40,12 +46,10 @@ std::string HtmlPage::text() const {
 <style>{}</style>
 </head>
 <body>
-{}<script type="application/json" id="data">{}</script>
-<script>{}</script>
-</body>
+{}{}</body>
 </html>
 )",
-                     source_of(program), source_of(style), html_text(title), style, body, data_text(data), program);
+                     draws ? source_of(program) : "'none'", source_of(style), html_text(title), style, body, scripts);
 }
 
 }  // namespace percuss

@@ -9,7 +9,7 @@ namespace percuss {
 struct HtmlPage {
   std::string title;  // plain text
   std::string body;   // HTML; texts in it have gone through html_text
-  std::string data;   // JSON in ASCII: what page/page.js draws
+  std::string data;   // JSON in ASCII: what src/report/page draws; none: no program on the page
 
   /// The whole document.
   std::string text() const;

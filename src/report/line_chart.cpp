@@ -25,6 +25,9 @@ constexpr std::size_t kTicks = 6;
 // Okabe and Ito's colours without yellow, which is too pale for a line; a dash pattern with each.
 constexpr std::array<const char*, 7> kColours{"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                               "#000000", "#5B3A8C", "#7A5C00"};
+// … as dark as letters must be.
+constexpr std::array<const char*, 7> kLetterColours{"#0072B2", "#B34700", "#00704F", "#8A3A73",
+                                                    "#000000", "#5B3A8C", "#7A5C00"};
 constexpr std::array<const char*, 7> kPageColours{"var(--c0)", "var(--c1)", "var(--c2)", "var(--c3)",
                                                   "var(--c7)", "var(--c5)", "var(--c4)"};
 constexpr std::array<const char*, 7> kDashes{"none", "7 3", "2 3", "9 3 2 3", "12 4", "4 2", "6 2 1 2 1 2"};
@@ -87,10 +90,7 @@ class Drawing {
     width_ = std::max(kWidth, kRight + (scattered_ ? 34 : 12) + kCharacterWidth * static_cast<double>(longest));
   }
 
-  std::string text(double top) {
-    add("<svg xmlns=\"http://www.w3.org/2000/svg\" y=\"{}\" viewBox=\"0 0 {} {}\" width=\"{}\" height=\"{}\" "
-        "font-family=\"system-ui, sans-serif\" font-size=\"12\" fill=\"{}\" role=\"img\">\n",
-        top, width_, kHeight, width_, kHeight, ink());
+  SvgPiece piece() {
     add("<title>{}</title>\n", svg_text(chart_.title));
     if (!on_page_) add("<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n");
     add("<text x=\"{}\" y=\"18\" font-size=\"15\">{}</text>\n", kLeft, svg_text(chart_.title));
@@ -103,10 +103,8 @@ class Drawing {
     }
     flags();
     scattered_ ? legend() : names();
-    return out_ + "</svg>\n";
+    return {.body = out_, .width = width_, .height = kHeight, .ink = ink()};
   }
-
-  double width() const { return width_; }
 
  private:
   template <class... Args>
@@ -122,6 +120,7 @@ class Drawing {
 
   const char* ink() const { return on_page_ ? "var(--ink)" : "black"; }
   const char* colour(std::size_t style) const { return on_page_ ? kPageColours.at(style) : kColours.at(style); }
+  const char* letters(std::size_t style) const { return on_page_ ? colour(style) : kLetterColours.at(style); }
   std::size_t style_of(std::size_t i) const { return chart_.curves[i].style.value_or(i) % kColours.size(); }
 
   void axes() {
@@ -238,7 +237,7 @@ class Drawing {
     }
     for (const auto& [y, i] : ends) {
       add("<text x=\"{}\" y=\"{:.1f}\" fill=\"{}\">{}</text>\n", kRight + 8, y + 4,
-          chart_.curves[i].thin ? ink() : colour(style_of(i)), svg_text(shown_name(chart_.curves[i].name)));
+          chart_.curves[i].thin ? ink() : letters(style_of(i)), svg_text(shown_name(chart_.curves[i].name)));
     }
   }
 
@@ -253,21 +252,16 @@ class Drawing {
 
 }  // namespace
 
-std::string line_chart_svg(const LineChart& chart, ChartGround ground) { return Drawing(chart, ground).text(0); }
+SvgPiece line_chart_piece(const LineChart& chart, ChartGround ground) { return Drawing(chart, ground).piece(); }
+
+std::string line_chart_svg(const LineChart& chart, ChartGround ground) {
+  return svg_document({line_chart_piece(chart, ground)});
+}
 
 std::string line_charts_svg(const std::vector<LineChart>& charts) {
-  if (charts.size() == 1) return line_chart_svg(charts.front());
-  std::string inner;
-  double width = 0, top = 0;
-  for (const LineChart& chart : charts) {
-    Drawing drawing(chart, ChartGround::paper);
-    inner += drawing.text(top);
-    width = std::max(width, drawing.width());
-    top += kHeight;
-  }
-  return fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\">\n{2}</svg>\n",
-      width, top, inner);
+  std::vector<SvgPiece> pieces;
+  for (const LineChart& chart : charts) pieces.push_back(line_chart_piece(chart));
+  return svg_document(pieces);
 }
 
 }  // namespace percuss

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "report/chart_mark.hpp"
+#include "report/svg_piece.hpp"
 
 namespace percuss {
 
@@ -56,6 +57,9 @@ enum class ChartGround : std::uint8_t { paper, page };
 /// and dashes that stay apart in print, text of 12 px and more. At most a thousand points of a line are drawn: the
 /// extremes of its neighbours stand for the others. Where a curve is points alone, the names stand in a legend.
 std::string line_chart_svg(const LineChart& chart, ChartGround ground = ChartGround::paper);
+
+/// The same as a part of a larger one.
+SvgPiece line_chart_piece(const LineChart& chart, ChartGround ground = ChartGround::paper);
 
 /// Several charts, one under the other, as one document.
 std::string line_charts_svg(const std::vector<LineChart>& charts);

@@ -7,6 +7,7 @@
 #include "acquire/input_file.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "report/analysis_tables.hpp"
 #include "report/number.hpp"
 #include "report/text_table.hpp"
 #include "report/version.hpp"
@@ -115,28 +116,37 @@ ReportText nodes_text(const Analysis& analysis, const NodeScan& scan) {
   return text;
 }
 
-// What each mode's residues are along the scan, 1 at their largest, and where they are nothing.
-LineChart shapes_chart(const Analysis& analysis, const NodeScan& scan) {
+BendingPicture bending_of(const Analysis& analysis, const NodeScan& scan) {
+  BendingPicture picture{.ends = "Right: towards the barrel's end.", .from_right = true};
+  for (const ModeAlongScan& along : scan.modes) {
+    double largest = 1e-300;
+    for (const double value : along.shape.amplitude) largest = std::max(largest, std::abs(value));
+    BendingLine line{.name = mode_name(analysis.verdicts()[along.mode], along.mode),
+                     .freq_Hz = analysis.modes()[along.mode].pole.freq_Hz,
+                     .z_m = along.shape.position_m};
+    for (const double value : along.shape.amplitude) line.y.push_back(value / largest);
+    for (const Node& node : along.nodes)
+      line.nodes.push_back({node.position_m, node.std_m, inches_and_mm(node.position_m, node.std_m)});
+    picture.modes.push_back(std::move(line));
+  }
+  return picture;
+}
+
+// Each mode's residues along the scan, 1 at their largest, and where they are nothing.
+LineChart shapes_chart(const BendingPicture& bending) {
   LineChart chart{.title = "Bending along the scan; diamonds: nodes",
                   .x = {.label = "from the barrel's end, in"},
                   .y = {.label = "movement, 1 at the largest"}};
-  for (std::size_t m = 0; m < scan.modes.size(); ++m) {
-    const ModeAlongScan& along = scan.modes[m];
-    double largest = 1e-300;
-    for (const double value : along.shape.amplitude) largest = std::max(largest, std::abs(value));
-    const Mode& mode = analysis.modes()[along.mode];
-    ChartCurve curve{.name = fmt::format("{}: {:.5g} Hz", along.mode, mode.pole.freq_Hz), .marks = true, .style = m};
-    for (std::size_t i = 0; i < along.shape.position_m.size(); ++i) {
-      curve.x.push_back(along.shape.position_m[i] / kInch_m);
-      curve.y.push_back(along.shape.amplitude[i] / largest);
-    }
+  for (std::size_t m = 0; m < bending.modes.size(); ++m) {
+    const BendingLine& line = bending.modes[m];
+    ChartCurve curve{
+        .name = fmt::format("{}, {:.5g} Hz", line.name, line.freq_Hz), .y = line.y, .marks = true, .style = m};
+    for (const double z_m : line.z_m) curve.x.push_back(z_m / kInch_m);
     ChartCurve nodes{.line = false, .mark = ChartMark::open_diamond, .style = m};
-    for (const Node& node : along.nodes) {
-      nodes.x.push_back(node.position_m / kInch_m);
+    for (const BendingNode& node : line.nodes) {
+      nodes.x.push_back(node.z_m / kInch_m);
       nodes.y.push_back(0);
-      nodes.labels.push_back(fmt::format("{} in, {} mm",
-                                         with_deviation(node.position_m / kInch_m, node.std_m / kInch_m),
-                                         with_deviation(1000 * node.position_m, 1000 * node.std_m)));
+      nodes.labels.push_back(node.text);
     }
     chart.curves.push_back(std::move(curve));
     if (!nodes.x.empty()) chart.curves.push_back(std::move(nodes));
@@ -150,7 +160,8 @@ CommandReport nodes_report(const Analysis& analysis, const NodeScan& scan) {
   CommandReport report;
   report.json = nodes_json(analysis, scan);
   report.text = nodes_text(analysis, scan);
-  report.charts = {shapes_chart(analysis, scan)};
+  report.bending = bending_of(analysis, scan);
+  report.charts = {shapes_chart(report.bending)};
   return report;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <system_error>
 
@@ -65,6 +66,19 @@ std::string page_warnings(const std::vector<Warning>& warnings) {
   std::string items;
   for (const Warning& warning : warnings) items += "<li>" + html_text(one_line(warning.message, 4000)) + "</li>\n";
   return items.empty() ? "" : "<ul class=\"warnings\" aria-label=\"Warnings\">\n" + items + "</ul>\n";
+}
+
+std::string page_findings(const Analysis& analysis, const std::vector<FindingCode>& codes) {
+  constexpr std::size_t kMostListed = 12;
+  std::vector<Warning> found;
+  const auto& hits = analysis.hits();
+  for (std::size_t i = 0; i < hits.size() && found.size() < kMostListed; ++i) {
+    for (const Finding& finding : hits[i].hit.findings) {
+      if (std::find(codes.begin(), codes.end(), finding.code) != codes.end())
+        found.push_back({.code = "", .message = fmt::format("hit {}: {}", i, finding.message)});
+    }
+  }
+  return page_warnings(found);
 }
 
 std::string page_provenance(const std::vector<InputFile>& inputs, const Provenance& provenance) {

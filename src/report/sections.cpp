@@ -12,13 +12,14 @@ std::set<Section> all_sections() {
 
 std::set<Section> parse_sections(const std::vector<std::string>& names) {
   using enum Section;
-  static const std::map<std::string, Section> known{
-      {"hits", hits}, {"frf", frf}, {"coherence", coherence}, {"modes", modes}, {"classes", classes}};
+  static const std::map<std::string, Section> known{{"hits", hits},   {"frf", frf},         {"coherence", coherence},
+                                                    {"modes", modes}, {"classes", classes}, {"deflection", deflection}};
   std::set<Section> out;
   for (const std::string& name : names) {
     const auto it = known.find(name);
     if (it == known.end())
-      throw UsageError("--only does not know the section '" + name + "'", "use hits, frf, coherence, modes or classes");
+      throw UsageError("--only does not know the section '" + name + "'",
+                       "use hits, frf, coherence, modes, classes or deflection");
     out.insert(it->second);
   }
   return out;

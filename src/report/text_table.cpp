@@ -74,11 +74,16 @@ std::string TextTable::text(std::size_t width) const {
 }
 
 std::string TextTable::html() const {
+  const auto wraps = [&](std::size_t c) {  // words; what is shorter stays on one line
+    return std::any_of(rows_.begin(), rows_.end(), [&](const auto& row) { return text_width(row[c]) > kLeastWrap; });
+  };
+  std::vector<std::string> kinds;
+  for (std::size_t c = 0; c < columns_.size(); ++c)
+    kinds.emplace_back(columns_[c].align == Align::right ? " class=\"right\"" : wraps(c) ? " class=\"words\"" : "");
   const auto line = [&](const char* tag, const std::vector<std::string>& cells) {
     std::string out = "<tr>";
     for (std::size_t c = 0; c < cells.size(); ++c) {
-      const char* const side = columns_[c].align == Align::right ? " class=\"right\"" : "";
-      out += fmt::format("<{0}{1}>{2}</{0}>", tag, side, html_text(cells[c]));
+      out += fmt::format("<{0}{1}>{2}</{0}>", tag, kinds[c], html_text(cells[c]));
     }
     return out + "</tr>\n";
   };

@@ -1,0 +1,42 @@
+#pragma once
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "pipeline/analysis.hpp"
+
+namespace percuss {
+
+/// An FRF as pictures show it, over Analysis::lines(); NaN where there is nothing to show, empty what is not known.
+struct FrfCurve {
+  std::string name;              // "accel 1 (0°)"
+  std::vector<double> level_dB;  // re 1 (m/s²)/N
+  std::vector<double> phase_deg;
+  std::vector<double> coherence;
+  std::vector<double> above_dB;  // one standard deviation above, in dB over level_dB
+  std::vector<double> fit_dB;    // of the modes found
+};
+
+/// Of the strongest outputs, eight at most, in the order of the file.
+std::vector<FrfCurve> frf_curves(const Analysis& analysis);
+
+/// Equally spaced values of a hit.
+struct HitSamples {
+  double first = 0, step = 1;
+  std::vector<double> value;
+};
+
+/// A hit as pictures show it.
+struct HitCurves {
+  std::size_t number = 0;
+  bool accepted = false;
+  double bandwidth_Hz = 0;
+  HitSamples force_N;      // over seconds from the onset; zero outside
+  HitSamples spectrum_dB;  // of the force over Hz, under its largest line, to 1.5 times the bandwidth
+  HitSamples decay_dB;  // of the first accelerometer over seconds from the peak, under its largest block; may be empty
+};
+
+/// Of the first hits that show a pulse, twelve at most.
+std::vector<HitCurves> hit_curves(const Analysis& analysis);
+
+}  // namespace percuss

@@ -1,0 +1,37 @@
+#pragma once
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace percuss {
+
+/// A place where a bent bat does not move.
+struct BendingNode {
+  double z_m = 0, std_m = 0;
+  std::string text;  // "6.31 ± 0.02 in, 160.3 ± 0.5 mm"
+};
+
+/// One bending mode along a bat: y at z_m, 1 at its largest.
+struct BendingLine {
+  std::string name;
+  double freq_Hz = 0;
+  std::vector<double> z_m, y;
+  std::vector<BendingNode> nodes;
+};
+
+/// Bending modes that a page shows in motion.
+struct BendingPicture {
+  std::vector<std::pair<double, double>> outline_m;  // place and radius; empty: not known
+  std::vector<BendingLine> modes;
+  std::string ends;         // which end is where: "Left: the knob."
+  bool from_right = false;  // z counts from the right end
+};
+
+/// What src/report/page/bending.js draws, as JSON in ASCII: {"bending": {outline, modes: [{name, hz, z_m, y, nodes}],
+/// ends}}.
+std::string bending_data(const BendingPicture& picture);
+
+/// `value_m ± std_m` in inches and in millimetres; without the deviation where it is 0.
+std::string inches_and_mm(double value_m, double std_m);
+
+}  // namespace percuss

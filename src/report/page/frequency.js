@@ -1,0 +1,88 @@
+// Names of the modes above the lines at their frequencies, in two rows, as far as there is room.
+const nameModes = (u) => inCanvas(u, (context) => {
+  context.fillStyle = colour("--ink");
+  context.strokeStyle = colour("--soft");
+  context.font = `${12 * devicePixelRatio}px system-ui`;
+  context.textAlign = "center";
+  context.setLineDash([2 * devicePixelRatio, 3 * devicePixelRatio]);
+  const free = [-Infinity, -Infinity];
+  for (const mode of data.modes) {
+    if (mode.hz < u.scales.x.min || mode.hz > u.scales.x.max) continue;
+    upright(u, mode.hz);
+    const at = u.valToPos(mode.hz, "x", true), half = context.measureText(mode.name).width / 2;
+    const row = free.findIndex((end) => at - half >= end);
+    if (row < 0) continue;
+    context.fillText(mode.name, at, u.bbox.top - (6 + 15 * row) * devicePixelRatio);
+    free[row] = at + half + 8 * devicePixelRatio;
+  }
+});
+
+// Buttons that do what the mouse does: every picture of `together` shows the same stretch.
+const zoomButtons = (figure, together, lowest, highest) => {
+  const controls = made("div");
+  controls.className = "controls";
+  figure.prepend(controls);
+  const change = (move) => {
+    const { min, max } = together[0].scales.x, [low, high] = move(min, max, max - min);
+    together[0].setScale("x", { min: Math.max(lowest, low), max: Math.min(highest, high) });
+  };
+  const moves = [
+    ["Zoom in", (min, max, width) => [min + width / 4, max - width / 4]],
+    ["Zoom out", (min, max, width) => [min - width / 2, max + width / 2]],
+    ["Lower", (min, max, width) => (min - width / 4 < lowest ? [lowest, lowest + width] : [min - width / 4, max - width / 4])],
+    ["Higher", (min, max, width) => (max + width / 4 > highest ? [highest - width, highest] : [min + width / 4, max + width / 4])],
+    ["All", () => [lowest, highest]],
+  ];
+  for (const [name, move] of moves) made("button", controls, name).addEventListener("click", () => change(move));
+};
+
+const frequencyPictures = () => {
+  const frf = data.frf;
+  if (!frf || !frf.curves.length) return;
+  const count = atob(frf.curves[0].db.u16).length / 2;
+  const xs = Array.from({ length: count }, (_, k) => frf.first_hz + k * frf.df_hz);
+  const together = [];
+  let following = false;
+  const follow = (u, key) => {
+    if (key !== "x" || following) return;
+    following = true;
+    const { min, max } = u.scales.x;
+    for (const other of together) if (other !== u) other.setScale("x", { min, max });
+    following = false;
+  };
+  const add = (figure, height, y, series, options) =>
+    together.push(plot(figure, height, "frequency, Hz", y, xs, series, { shared: true, ...options, hooks: { setScale: [follow], ...options.hooks } }));
+  for (const figure of places("magnitude")) {
+    legend(figure, frf.curves.map((c) => c.name));
+    const series = [], bands = [];
+    // The curves set the scale: a deviation that is as large as its value reaches to nothing.
+    const all = frf.curves.flatMap((c) => numbers(c.db)).filter((v) => v !== null);
+    const span = [all.reduce((a, b) => Math.min(a, b), Infinity) - 5, all.reduce((a, b) => Math.max(a, b), -Infinity) + 5];
+    frf.curves.forEach((curve, i) => {
+      const db = numbers(curve.db);
+      // The band is as far below as above, not in decibels but in amplitude.
+      const below = (above) => 20 * Math.log10(Math.max(0.01, 2 - 10 ** (above / 20)));
+      series.push({ values: db, ...strokes(i) });
+      if (curve.sigma_db) {
+        const sigma = numbers(curve.sigma_db);
+        series.push({ values: db.map((v, k) => (v === null || sigma[k] === null ? null : v + sigma[k])), stroke: "transparent", width: 0 });
+        series.push({ values: db.map((v, k) => (v === null || sigma[k] === null ? null : v + below(sigma[k]))), stroke: "transparent", width: 0 });
+        bands.push({ series: [series.length - 1, series.length], fill: () => colour(`--c${i % 8}`) + "33" });
+      }
+      if (curve.fit_db) series.push({ values: numbers(curve.fit_db), stroke: () => colour("--fit"), width: 0.75 });
+    });
+    add(figure, 360, "dB re 1 (m/s²)/N", series, { top: 40, range: span, bands, hooks: { draw: [nameModes] } });
+    zoomButtons(figure, together, xs[0], xs[count - 1]);
+    const notes = [frf.curves.length < frf.of ? `The ${frf.curves.length} strongest of ${frf.of} FRFs.` : "", frf.curves.some((c) => c.fit_db) ? "Thin on top: the modes found." : "", frf.curves.some((c) => c.sigma_db) ? "Shaded: one standard deviation." : ""];
+    made("figcaption", figure, notes.filter((note) => note).join(" "));
+  }
+  // Where a phase leaps from one end of its circle to the other there is no line.
+  const unjumped = (values) => values.map((v, k) => (k > 0 && v !== null && values[k - 1] !== null && Math.abs(v - values[k - 1]) > 300 ? null : v));
+  for (const figure of places("phase"))
+    add(figure, 180, "phase, degrees", frf.curves.map((c, i) => ({ values: unjumped(numbers(c.phase_deg)), ...strokes(i) })), { range: [-190, 190], splits: [-180, -90, 0, 90, 180] });
+  const coherent = frf.curves.filter((c) => c.coherence);
+  for (const figure of places("coherence")) {
+    if (!coherent.length) figure.remove();
+    else add(figure, 150, "coherence", coherent.map((c, i) => ({ values: numbers(c.coherence), ...strokes(i) })), { range: [0, 1.02] });
+  }
+};

@@ -1,0 +1,82 @@
+"use strict";
+const data = Object.assign({}, ...JSON.parse(document.getElementById("data").textContent));
+const still = matchMedia("(prefers-reduced-motion: reduce)");
+const dark = matchMedia("(prefers-color-scheme: dark)");
+// Looked up when a picture is drawn, as the colours of paper are not those of a dark screen.
+const colour = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+const dashes = [[], [8, 4], [2, 3], [10, 3, 2, 3], [5, 5], [1, 4], [12, 4], [6, 2]];
+const strokes = (i) => ({ stroke: () => colour(`--c${i % 8}`), dash: dashes[i % 8] });
+
+const made = (tag, parent, text) => {
+  const element = document.createElement(tag);
+  if (text !== undefined) element.textContent = text;
+  if (parent) parent.append(element);
+  return element;
+};
+const places = (kind) => document.querySelectorAll(`[data-picture="${kind}"]`);
+
+// Numbers as the page carries them: from + step · k, 65535 for none.
+const numbers = (packed) => {
+  const bytes = atob(packed.u16);
+  const out = new Array(bytes.length / 2);
+  for (let i = 0; i < out.length; ++i) {
+    const k = bytes.charCodeAt(2 * i) | (bytes.charCodeAt(2 * i + 1) << 8);
+    out[i] = k === 65535 ? null : packed.from + packed.step * k;
+  }
+  return out;
+};
+
+const legend = (figure, names) => {
+  const list = made("ul", figure);
+  list.className = "legend";
+  names.forEach((name, i) => {
+    const item = made("li", list);
+    const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg");
+    svg.setAttribute("width", "28");
+    svg.setAttribute("height", "8");
+    svg.setAttribute("aria-hidden", "true");
+    const line = document.createElementNS("http://www.w3.org/2000/svg", "line");
+    for (const [key, value] of [["x1", 0], ["x2", 28], ["y1", 4], ["y2", 4], ["stroke", `var(--c${i % 8})`], ["stroke-width", 2], ["stroke-dasharray", dashes[i % 8].join(" ")]])
+      line.setAttribute(key, value);
+    svg.append(line);
+    item.append(svg, name);
+  });
+};
+
+const axis = (label, more) => ({ label, stroke: () => colour("--ink"), grid: { stroke: () => colour("--rule"), width: 1 }, ticks: { stroke: () => colour("--rule") }, font: "13px system-ui", labelFont: "13px system-ui", ...more });
+const drawn = [];
+
+// A picture of curves over one x; `shared` ones move together.
+const plot = (figure, height, x, y, xs, series, options = {}) => {
+  const target = made("div", figure);
+  const opts = {
+    width: Math.max(320, figure.clientWidth), height,
+    legend: { show: false },
+    cursor: { drag: { x: true, y: false }, ...(options.shared ? { sync: { key: "frequency", setSeries: false } } : {}) },
+    scales: { x: { time: false }, y: options.range ? { range: options.range } : {} },
+    axes: [axis(x), axis(y, { size: 64, ...(options.splits ? { splits: () => options.splits } : {}) })],
+    series: [{}, ...series.map((s) => ({ stroke: s.stroke, width: s.width || 1.5, dash: s.dash, points: { show: false }, spanGaps: false, paths: s.paths }))],
+    hooks: options.hooks || {},
+    bands: options.bands,
+    padding: [options.top || 12, 16, null, null],
+  };
+  const made_plot = new uPlot(opts, [xs, ...series.map((s) => s.values)], target);
+  drawn.push({ plot: made_plot, figure, height });
+  return made_plot;
+};
+
+const inCanvas = (u, draw) => {
+  u.ctx.save();
+  draw(u.ctx);
+  u.ctx.restore();
+};
+
+// An upright line over the whole height of a picture.
+const upright = (u, x) => {
+  if (x < u.scales.x.min || x > u.scales.x.max) return;
+  const at = u.valToPos(x, "x", true);
+  u.ctx.beginPath();
+  u.ctx.moveTo(at, u.bbox.top);
+  u.ctx.lineTo(at, u.bbox.top + u.bbox.height);
+  u.ctx.stroke();
+};

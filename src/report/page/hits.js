@@ -1,0 +1,59 @@
+const kFallen_dB = -20; // where a force's band ends
+
+// Curves of the hits over one x; between a hit's own samples by straight lines, `outside` beyond them.
+const hitPicture = (figure, curves, steps, low, high, outside, x, y, options) => {
+  const xs = Array.from({ length: steps }, (_, k) => low + ((high - low) * k) / (steps - 1));
+  const at = ({ first, step, values }, place) => {
+    const k = (place - first) / step, i = Math.floor(k);
+    if (i < 0 || i + 1 >= values.length) return outside;
+    return values[i] === null || values[i + 1] === null ? null : values[i] + (k - i) * (values[i + 1] - values[i]);
+  };
+  return plot(figure, 220, x, y, xs, curves.map((c) => ({ values: xs.map((place) => at(c, place)), ...strokes(c.i) })), options);
+};
+
+const samplesOf = (hits, kind, unit) =>
+  hits.map((hit, i) => ({ hit, i, samples: hit[kind] })).filter((c) => c.samples)
+    .map((c) => ({ hit: c.hit, i: c.i, first: c.samples.first * unit, step: c.samples.step * unit, values: numbers(c.samples.values) }));
+
+const endOf = (c) => c.first + c.step * (c.values.length - 1);
+
+const hitPictures = () => {
+  const hits = data.hits || [];
+  const pictures = (kind, name, unit, draw) => {
+    for (const figure of places(kind)) {
+      const curves = samplesOf(hits, name, unit);
+      if (curves.length) draw(figure, curves);
+      else figure.remove();
+    }
+  };
+  pictures("force", "force_n", 1e3, (figure, curves) => {
+    legend(figure, hits.map((h) => h.name + (h.accepted ? "" : " (rejected)")));
+    const ends = curves.map((c) => {
+      const largest = c.values.reduce((a, b) => Math.max(a, Math.abs(b || 0)), 0);
+      let last = c.values.length - 1;
+      while (last > 0 && Math.abs(c.values[last] || 0) < 0.02 * largest) --last;
+      return c.first + c.step * last;
+    });
+    if (hits.length < data.of_hits) made("figcaption", figure, `The first ${hits.length} of ${data.of_hits} hits.`);
+    hitPicture(figure, curves, 800, Math.min(...curves.map((c) => Math.max(c.first, -0.5))), Math.max(...ends) + 0.2, 0, "time after the onset, ms", "force, N");
+  });
+  pictures("spectrum", "spectrum_db", 1, (figure, curves) => {
+    const reach = (u) => inCanvas(u, (context) => {
+      context.strokeStyle = colour("--soft");
+      context.setLineDash([6 * devicePixelRatio, 4 * devicePixelRatio]);
+      const at = u.valToPos(kFallen_dB, "y", true);
+      context.beginPath();
+      context.moveTo(u.bbox.left, at);
+      context.lineTo(u.bbox.left + u.bbox.width, at);
+      context.stroke();
+      context.setLineDash([2 * devicePixelRatio, 3 * devicePixelRatio]);
+      for (const edge of data.band_hz || []) upright(u, edge);
+    });
+    hitPicture(figure, curves, 600, 0, Math.max(...curves.map(endOf)), null, "frequency, Hz", "force, dB", { range: [-45, 3], hooks: { draw: [reach] } });
+    made("figcaption", figure, `Spectrum of the force. Dashed: 20 dB down, where it reaches no further${data.band_hz ? "; dotted: the band analysed" : ""}. Colours as above.`);
+  });
+  pictures("decay", "decay_db", 1, (figure, curves) => {
+    hitPicture(figure, curves, 800, 0, Math.max(...curves.map(endOf)), null, "time after the peak, s", "response, dB");
+    made("figcaption", figure, "Decay of the first accelerometer; it ends in the noise. Colours as above.");
+  });
+};

@@ -1,0 +1,140 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include "support/percuss_process.hpp"
+#include "support/scratch_folder.hpp"
+
+// What the pages say of the command line, held against the command line.
+namespace percuss::pages_test {
+
+namespace fs = std::filesystem;
+using testing::IsEmpty;
+
+std::vector<std::string> pages() {
+  std::vector<std::string> out{PERCUSS_SOURCE_DIR "/README.md"};
+  for (const auto& entry : fs::directory_iterator(PERCUSS_SOURCE_DIR "/docs")) {
+    if (entry.path().extension() == ".md") out.push_back(entry.path().string());
+  }
+  return out;
+}
+
+/// A command that a page names: its words up to the first option, and its options.
+struct NamedCommand {
+  std::vector<std::string> words;
+  std::vector<std::string> options;
+};
+
+/// The parts of a line of text between `backticks`; of a line of code all of it.
+std::vector<std::string> code_in(const std::string& line, bool code) {
+  if (code) return {line};
+  std::vector<std::string> out;
+  for (std::size_t open = line.find('`'); open != std::string::npos;) {
+    const std::size_t close = line.find('`', open + 1);
+    if (close == std::string::npos) break;
+    out.push_back(line.substr(open + 1, close - open - 1));
+    open = line.find('`', close + 1);
+  }
+  return out;
+}
+
+NamedCommand command_in(const std::string& code) {
+  static const std::regex words("percuss((?: [a-z][a-z_]*)*)"), option(R"((?:^|\s)(--[a-z][a-z0-9-]*))");
+  NamedCommand command;
+  std::smatch found;
+  // A pipe, a redirection, a comment or the next command ends it.
+  const std::string text = code.substr(0, code.find_first_of("|;>#&"));
+  if (!std::regex_search(text, found, words, std::regex_constants::match_continuous)) return command;
+  std::istringstream stream(found[1].str());
+  for (std::string word; stream >> word;) command.words.push_back(word);
+  for (std::sregex_iterator it(text.begin(), text.end(), option), end; it != end; ++it)
+    command.options.push_back((*it)[1].str());
+  return command;
+}
+
+/// The commands that the page names: lines of code that begin with percuss (after "$ " or blanks), and such code within
+/// the text.
+std::vector<NamedCommand> commands_of(const std::string& page) {
+  std::vector<NamedCommand> out;
+  bool fenced = false;
+  for (const std::string& line : test::lines_of(test::bytes_of(page))) {
+    if (line.starts_with("```")) fenced = !fenced;
+    for (std::string code : code_in(line, fenced || line.starts_with("    "))) {
+      code.erase(0, code.find_first_not_of(" $"));
+      if (code.starts_with("percuss ")) out.push_back(command_in(code));
+    }
+  }
+  return out;
+}
+
+// The help of the command that these words name; of `model beam` both words are the name, of `synth wood-bat` one.
+const std::string& help_of(const std::vector<std::string>& words) {
+  static std::map<std::string, std::string> known;
+  std::vector<std::string> name;
+  if (!words.empty()) name.push_back(words[0]);
+  if (words.size() > 1 && words[0] == "model") name.push_back(words[1]);
+  std::string key;
+  for (const std::string& word : name) key.append(word).append(" ");
+  const auto found = known.find(key);
+  if (found != known.end()) return found->second;
+  name.emplace_back("--help");
+  const auto outcome = test::run_percuss(name);
+  return known[key] = outcome.code == 0 ? outcome.out : "";
+}
+
+bool offers(const std::string& help, const std::string& option) {
+  return std::regex_search(help, std::regex(R"((^|[\s,]))" + option + "(?![a-z0-9-])"));
+}
+
+std::vector<std::string> wrong_in(const std::string& page) {
+  std::vector<std::string> wrong;
+  for (const NamedCommand& command : commands_of(page)) {
+    const std::string& help = help_of(command.words);
+    const std::string name = command.words.empty() ? "percuss" : command.words.front();
+    if (help.empty()) wrong.push_back("no command " + name);
+    for (const std::string& option : command.options) {
+      if (!help.empty() && !offers(help, option)) wrong.push_back(fmt::format("no option {} of {}", option, name));
+    }
+  }
+  return wrong;
+}
+
+TEST(Pages, NameCommandsAndOptionsThatExist) {
+  std::size_t commands = 0;
+  for (const std::string& page : pages()) {
+    commands += commands_of(page).size();
+    EXPECT_THAT(wrong_in(page), IsEmpty()) << page;
+  }
+  EXPECT_GT(commands, 100U);  // else they are not found any more
+}
+
+TEST(Pages, AreHeldAgainstTheHelpOfEachCommand) {
+  const test::ScratchFolder folder;
+  test::write_bytes(
+      folder.file("a.md"),
+      "`percuss analyze x --band 1:2 --bands 3` and `percuss analyse`\n```\n$ percuss model beam --ei 3 --at 2 | "
+      "sort --wrong\n```\n");
+  EXPECT_THAT(wrong_in(folder.file("a.md")),
+              testing::ElementsAre("no option --bands of analyze", "no command analyse", "no option --at of model"));
+}
+
+// Links to other pages, without those to the network.
+TEST(Pages, LinkToFilesThatExist) {
+  static const std::regex link(R"(\]\(([^)#]+)(#[^)]*)?\))");
+  for (const std::string& page : pages()) {
+    const std::string text = test::bytes_of(page);
+    for (std::sregex_iterator it(text.begin(), text.end(), link), end; it != end; ++it) {
+      const std::string target = (*it)[1].str();
+      if (target.find("://") != std::string::npos) continue;
+      EXPECT_TRUE(fs::exists(fs::path(page).parent_path() / target)) << page << ": " << target;
+    }
+  }
+}
+
+}  // namespace percuss::pages_test
