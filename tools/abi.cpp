@@ -37,11 +37,18 @@ void add_abi(CommandLine& line) {
   auto flags = std::make_shared<AbiFlags>();
   Command command = line.command("abi", "The break-in of a composite bat, from its log: what comes next, the verdict",
                                  [flags] { return follow_log(*flags); });
-  command.example("percuss abi --example > log.json; percuss abi log.json");
+  command.about(
+      "Follows the accelerated break-in of a composite bat by rolling. The log holds compressions, rollings and tests "
+      "in their order; after each, it says what comes next. The bat passes once a test falls clearly below the best "
+      "one, and fails when one exceeds the limit (exit status 5).");
+  command.example("percuss abi --example > log.json; percuss abi log.json",
+                  "A log to start from, explained, and what it says");
+  command.example("percuss abi --example > log.json; percuss abi log.json -o break-in.svg",
+                  "Performance and hoop frequency over the steps");
   command.word("LOG", flags->log, "What was done so far; - for standard input");
   command.value("--limit", flags->limit, "What the bat must not exceed, in place of the log's").above_zero();
   command.flag("--example", flags->example, "Print a log, explained");
-  add_output_flags(command, flags->output);
+  add_output_flags(command, flags->output, kReportKinds);
 }
 
 }  // namespace percuss::tools

@@ -41,7 +41,9 @@ Effort effort_of(const std::string& name) {
 }
 
 void add_analysis_flags(Command& command, AnalysisFlags& flags) {
-  command.value("--band", flags.band, "Frequency band LO:HI in Hz (default: what the hammer excited)").type("LO:HI");
+  const std::string others = command.heading("Analysis");
+  command.value("--band", flags.band, "Frequency band in Hz, as 60:3200 (default: what the hammer excited)")
+      .type("LO:HI");
   command
       .value("--effort", flags.effort,
              "quick: modes that show a peak, each over its own lines; standard: also those that show none; best: all "
@@ -51,28 +53,39 @@ void add_analysis_flags(Command& command, AnalysisFlags& flags) {
   command.value("--estimator", flags.estimator, "FRF estimator: h1, h2 or hv")
       .one_of({"h1", "h2", "hv"})
       .show_default();
-  command.list("--accept-hit", flags.accept_hits, "Use these hits whatever was found").type("I,...");
-  command.list("--reject-hit", flags.reject_hits, "Leave these hits out").type("I,...");
+  command
+      .list("--accept-hit", flags.accept_hits,
+            "Use these hits, whatever was found against them; numbers as in the table of hits")
+      .type("I,...");
+  command.list("--reject-hit", flags.reject_hits, "Leave these hits out; numbers as in the table of hits")
+      .type("I,...");
   command.value("--modes", flags.modes, "Report this many modes, the clearest ones").within(1, 1000);
-  command.list("--start", flags.start_Hz, "Fit modes at these frequencies and no others").above_zero().type("HZ,...");
-  command.value("--trigger", flags.trigger_N, "Force in N that counts as a hit (default: from the noise)").above_zero();
-  command.value("--pretrigger", flags.pretrigger_s, "Seconds kept before each hit of a long record").not_negative();
-  command.value("--length", flags.length_s, "Seconds kept of each hit").above_zero();
-  command.value("--from", flags.from_s, "Use each row from this second on").not_negative();
-  command.value("--to", flags.to_s, "... and up to this one").above_zero();
+  command.list("--start", flags.start_Hz, "Fit modes near these frequencies and no others").above_zero().type("HZ,...");
+  command.value("--trigger", flags.trigger_N, "Force that counts as a hit (default: from the noise)")
+      .above_zero()
+      .type("NEWTON");
+  command.value("--pretrigger", flags.pretrigger_s, "Time kept before each hit of a long record")
+      .not_negative()
+      .type("S");
+  command.value("--length", flags.length_s, "Time kept of each hit").above_zero().type("S");
+  command.value("--from", flags.from_s, "Use each row from this time on").not_negative().type("S");
+  command.value("--to", flags.to_s, "Use each row up to this time").above_zero().type("S");
   command
       .value("--force-window", flags.force_window, "auto: the pulse alone enters the FRF; off: the whole force record")
       .one_of({"auto", "off"})
       .show_default();
   command
       .value("--exponential", flags.exponential_end,
-             "Exponential window falling to this fraction at the end; the damping is corrected exactly")
-      .finite()
-      .within(1e-12, 0.999999);
-  command.value("--overlay-db", flags.overlay_dB, "Two FRFs this close at a peak count as overlaid")
+             "Exponential window that falls to this fraction at the end, as 0.01; the damping is corrected exactly")
+      .within(1e-12, 0.999999)
+      .type("FRACTION");
+  command
+      .value("--overlay-db", flags.overlay_dB, "Two FRFs that differ by no more than this at a peak count as overlaid")
       .above_zero()
+      .type("DB")
       .show_default();
   command.value("--threads", flags.threads, "Threads to use (default: all; the result is the same)").within(0, 1024);
+  command.heading(others);
 }
 
 AnalysisOptions analysis_options(const AnalysisFlags& flags) {

@@ -226,28 +226,40 @@ void add_analyze(CommandLine& line) {
   Command command =
       line.command("analyze", "Modes of a structure from hammer tests: hits, FRFs, modes, bending or hoop",
                    [flags] { return analyze(*flags); });
-  command.example("percuss analyze bat.h5 --band 60:3200 --json");
+  command.about(
+      "Reads records of force and acceleration, cuts them into hits and grades these, averages the good ones to "
+      "frequency responses (FRFs) and fits the modes: frequency in Hz, damping ratio, bending or hoop, each with its "
+      "standard deviation. Give FRFs in place of records to fit those. Two accelerometers are taken to sit at 0° and "
+      "90° around the barrel unless --angle says otherwise.");
+  command.example("percuss analyze bat.h5 --band 60:3200", "Hits and modes between 60 and 3200 Hz as tables");
+  command.example("percuss analyze bat.h5 --band 60:3200 -o report.html -o modes.json",
+                  "The same as a page to look at and as a document to compute with");
+  command.example("percuss analyze bat.h5 --only hits",
+                  "The hits alone and what was found against them: fast, before a long session goes on");
+  command.example("percuss analyze bat.h5 --reject-hit 2 --effort quick --json",
+                  "Without the third hit, roughly, as a JSON document");
+  command.example("percuss analyze frfs.h5", "Modes of frequency responses that were measured or computed elsewhere");
   add_read_flags(command, flags->read);
   add_analysis_flags(command, flags->analysis);
-  add_output_flags(command, flags->output);
-  command
-      .list("--only", flags->only,
-            "Compute and report these sections only: hits, frf, coherence, modes, classes, deflection")
-      .type("SECTION,...");
+  add_output_flags(command, flags->output, ".json, .html, .svg, .csv, .h5, .mat, .uff, .unv");
+  command.list("--only", flags->only, "Compute and report these sections only")
+      .type("SECTION,...")
+      .one_of({"hits", "frf", "coherence", "modes", "classes", "deflection"});
   command.list("--picture", flags->pictures, "What -o FILE.svg shows")
-      .one_of(analysis_chart_names())
-      .type("PICTURE,...");
+      .type("PICTURE,...")
+      .one_of(analysis_chart_names());
   command
       .repeatable("--compare", flags->compared,
                   "Also beside this document, which analyze, survey or model wrote with --json (repeatable)")
       .type("FILE");
-  command.flag("--per-hit", flags->per_hit, "Also every mode as each hit alone shows it");
+  command.flag("--per-hit", flags->per_hit, "Also every mode as each hit alone shows it, for how far the hits agree");
   command.flag("--stabilisation", flags->stabilisation, "Also the poles of all model orders, in the JSON document");
   command.value("--bat-id", flags->bat_id, "Which bat it is: into the document, where percuss study joins by it")
       .type("ID");
   command.repeatable("--bat", flags->bat, "What else is known of the bat, as length_in=33 (repeatable)")
       .type("KEY=VALUE");
-  command.flag("--trace", flags->trace, "What ran: stages, calls, seconds");
+  command.flag("--trace", flags->trace,
+               "What ran: stages, calls, seconds (on standard error, or in the JSON document)");
 }
 
 }  // namespace percuss::tools

@@ -63,16 +63,17 @@ void add_beam_flags(Command& command, BeamFlags& flags) {
   command.value("--support", flags.support, "How the beam is held at x = 0; its other end is free")
       .one_of({"torsion", "pinned", "clamped", "free"})
       .show_default();
-  command.value("--ei", flags.stiffness_Nm2, "Bending stiffness EI (default 4000)").above_zero().type("NM2");
-  command.value("--rho-a", flags.mass_per_length_kgpm, "Mass per length (default 2.24)").above_zero().type("KG/M");
-  command.value("--torsion", flags.torsion_Nmprad, "Stiffness of the torsion spring at x = 0 (default 1200)")
+  command.value("--ei", flags.stiffness_Nm2, "Bending stiffness EI (default: 4000)").above_zero().type("N*M2");
+  command.value("--rho-a", flags.mass_per_length_kgpm, "Mass per length (default: 2.24)").above_zero().type("KG/M");
+  command.value("--torsion", flags.torsion_Nmprad, "Stiffness of the torsion spring at x = 0 (default: 1200)")
       .not_negative()
-      .type("NM/RAD");
+      .type("N*M/RAD");
   command.value("--length", flags.length_m, "Length of the beam").above_zero().type("M").show_default();
   command
-      .repeatable("--layer", flags.layers,
-                  "In place of --ei, a layer of the section from the underside up (repeatable); with densities also in "
-                  "place of --rho-a")
+      .repeatable(
+          "--layer", flags.layers,
+          "In place of --ei, a layer of the section from the underside up, in Pa, m, m and kg/m³ (repeatable); with "
+          "densities also in place of --rho-a")
       .type("YOUNG:WIDTH:HEIGHT[:DENSITY]");
 }
 

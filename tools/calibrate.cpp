@@ -84,13 +84,25 @@ void add_calibrate(CommandLine& line) {
   auto flags = std::make_shared<CalibrateFlags>();
   Command command = line.command("calibrate", "What one unit of the force channel is in N, from hits on a free mass",
                                  [flags] { return calibrate_file(*flags); });
-  command.example("percuss calibrate hits.csv --mass 1.25 --force-channel CH8");
+  command.about(
+      "A hammer that hits a mass which hangs freely gives it the acceleration force / mass. From that follows what one "
+      "unit of the force channel is in N, with its standard deviation; the last line says which --force-scale to use "
+      "from then on. The force may be stored in any unit, the acceleration as under Reading.");
+  command.example("percuss calibrate hits.csv --mass 1.25 --force-channel CH8",
+                  "Hits on a mass of 1.25 kg, the hammer in column CH8");
+  command.example("percuss calibrate hits.csv --mass 1.25 --force-channel CH8 -o hammer.json",
+                  "The result kept as a document");
   add_read_flags(command, flags->read, Reads::records);
-  add_output_flags(command, flags->output);
-  command.value("--mass", flags->mass_kg, "The free mass in kg, its accelerometer included").required().above_zero();
-  command
-      .value("--trigger", flags->trigger, "Reading of the force channel that counts as a hit (default: from the noise)")
+  add_output_flags(command, flags->output, ".json");
+  command.value("--mass", flags->mass_kg, "The free mass, its accelerometer included")
+      .type("KG")
+      .required()
       .above_zero();
+  command
+      .value("--trigger", flags->trigger,
+             "Reading that counts as a hit, in the force channel's own unit (default: from the noise)")
+      .above_zero()
+      .type("READING");
 }
 
 }  // namespace percuss::tools

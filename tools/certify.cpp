@@ -38,7 +38,14 @@ void add_certify(CommandLine& line) {
   auto flags = std::make_shared<CertifyFlags>();
   Command command = line.command("certify", "A bat's test session: which shots count, where to shoot next, the verdict",
                                  [flags] { return certify_session(*flags); });
-  command.example("percuss certify --example > session.json; percuss certify session.json");
+  command.about(
+      "Follows a test session against its protocol: checks each shot, says where to shoot next, finds the sweet spot "
+      "and gives the verdict: BESR or BBCOR against the limit. Exit status 5: the bat exceeds it.");
+  command.example("percuss certify --example > session.json; percuss certify session.json",
+                  "A session to start from, explained, and what it says");
+  command.example(
+      "percuss certify --example-table > session.csv; percuss certify session.csv --metric bbcor --limit 0.5",
+      "The same as a table, judged by BBCOR");
   command.word("SESSION", flags->session, "The session so far: JSON or a table of shots; - for standard input");
   command.value("--metric", flags->metric, "Judge by this in place of the session's")
       .one_of({"besr", "ncaa_besr", "bbcor"});
@@ -47,7 +54,7 @@ void add_certify(CommandLine& line) {
                "Where no location stands out, take the best of those within the margin for the sweet spot");
   command.flag("--example", flags->example, "Print a session, explained");
   command.flag("--example-table", flags->example_table, "Print a session as a table");
-  add_output_flags(command, flags->output);
+  add_output_flags(command, flags->output, kReportKinds);
 }
 
 }  // namespace percuss::tools

@@ -36,5 +36,7 @@ void add_metrics(CommandLine& line);
 void add_certify(CommandLine& line);
 void add_abi(CommandLine& line);
 void add_study(CommandLine& line);
+void add_completion(CommandLine& line);
+void add_man(CommandLine& line);  // last: it offers the pages of all
 
 }  // namespace percuss::tools

@@ -1,135 +1,109 @@
 #include "command_line.hpp"
 
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <limits>
+#include <iostream>
 #include <string_view>
+#include <vector>
 
-#include "core/error.hpp"
+#include "complaints.hpp"
+#include "help_text.hpp"
+#include "output.hpp"
 
 namespace percuss::tools {
 namespace {
 
-double number_in(std::string_view text) {
-  if (!text.empty() && text.front() == '+') text.remove_prefix(1);  // from_chars takes none
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool whole = error == std::errc{} && end == text.data() + text.size();
-  return whole ? value : std::numeric_limits<double>::quiet_NaN();
+// What the words chose, the program first.
+std::vector<const CLI::App*> chosen_path(const CLI::App& program) {
+  std::vector<const CLI::App*> path{&program};
+  while (!path.back()->get_subcommands().empty()) path.push_back(path.back()->get_subcommands().front());
+  return path;
 }
 
-CLI::Validator number(const std::string& wanted, const std::function<bool(double)>& holds) {
-  return {[wanted, holds](std::string& text) {
-            const double value = number_in(text);
-            return std::isfinite(value) && holds(value) ? std::string()
-                                                        : "'" + one_line(text, 40) + "' is not " + wanted;
-          },
-          ""};
+const DeclaredCommand& declared_of(const Declaration& all, const std::vector<const CLI::App*>& path,
+                                   std::size_t length) {
+  std::string name;
+  for (std::size_t i = 1; i < length; ++i) name += (i > 1 ? " " : "") + path[i]->get_name();
+  return *find_command(all, name);
+}
+
+// Words that look like options come first: what else is wrong often follows from them.
+void refuse_unknown_options(const Declaration& all, const CLI::App& program) {
+  const auto path = chosen_path(program);
+  const DeclaredCommand& command = declared_of(all, path, path.size());
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    for (const std::string& word : path[i]->remaining()) {
+      if (word.size() < 2 || word.front() != '-') continue;
+      const DeclaredOption* const later = find_option(command, word.substr(0, word.find('=')));
+      if (i + 1 < path.size() && later != nullptr) throw early_option(all, command, *later);
+      throw unknown_option(all, declared_of(all, path, i + 1), word);
+    }
+  }
+}
+
+void refuse_missing(const Declaration& all, const DeclaredCommand& command, const CLI::App& app) {
+  for (const auto* declared : {&command.options, &command.words}) {
+    for (const DeclaredOption& one : *declared) {
+      if (one.required && app.get_option(one.name())->count() == 0) throw missing_option(all, command, one);
+    }
+  }
+}
+
+void refuse_mismatch(const DeclaredCommand& command, const CLI::App& app, const std::vector<std::string>& typed) {
+  for (const std::string& word : typed) {
+    const DeclaredOption* const flag = find_option(command, word.substr(0, word.find('=')));
+    if (flag != nullptr && flag->is_flag() && word.find('=') != std::string::npos) throw flag_with_value(*flag);
+  }
+  const DeclaredOption* const last = find_option(command, typed.back().substr(0, typed.back().find('=')));
+  if (last != nullptr && !last->is_flag()) throw missing_value(*last);
+  for (const DeclaredOption& option : command.options) {
+    const bool one_value = !option.is_flag() && !option.repeatable;
+    if (one_value && app.get_option(option.name())->count() > 1) throw given_twice(option);
+  }
+}
+
+// CLI11 says what is wrong in its own words and not where; the declaration and what was typed tell.
+[[noreturn]] void refuse(const Declaration& all, const CLI::App& program, const CLI::ParseError& error,
+                         const std::vector<std::string>& typed) {
+  refuse_unknown_options(all, program);
+  const auto path = chosen_path(program);
+  const DeclaredCommand& command = declared_of(all, path, path.size());
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) refuse_mismatch(command, *path.back(), typed);
+  if (const auto extra = path.back()->remaining(); !extra.empty()) throw surplus_word(all, command, extra.front());
+  if (!commands_of(all, command).empty()) throw no_command(all, command);
+  refuse_missing(all, command, *path.back());
+  throw UsageError(one_line(error.what()), "see " + called(all, command) + " --help");
 }
 
 }  // namespace
 
-Option Option::type(const char* shown) {
-  option_->type_name(shown);
-  return *this;
-}
-Option Option::one_of(const std::vector<std::string>& names) {
-  option_->check(CLI::IsMember(names));
-  return *this;
-}
-Option Option::within(double low, double high) {
-  const std::string wanted = fmt::format("a number from {} to {}", low, high);
-  option_->check(number(wanted, [low, high](double value) { return value >= low && value <= high; }));
-  return *this;
-}
-Option Option::above_zero() {
-  option_->check(number("a number above 0", [](double value) { return value > 0; }));
-  return *this;
-}
-Option Option::not_negative() {
-  option_->check(number("a number from 0 up", [](double value) { return value >= 0; }));
-  return *this;
-}
-Option Option::finite() {
-  option_->check(number("a number", [](double) { return true; }));
-  return *this;
-}
-Option Option::counted() {
-  option_->check({[](std::string& text) {
-                    const bool digits = !text.empty() && std::all_of(text.begin(), text.end(),
-                                                                     [](char c) { return c >= '0' && c <= '9'; });
-                    return digits ? std::string() : "'" + one_line(text, 40) + "' is not a whole number from 0 up";
-                  },
-                  ""});
-  return *this;
-}
-Option Option::required() {
-  option_->required();
-  return *this;
-}
-Option Option::show_default() {
-  option_->capture_default_str();
-  return *this;
-}
-
-Option Command::word(const char* name, std::string& value, const char* help) {
-  return Option(app_->add_option(name, value, help)->type_name(""));
-}
-Option Command::words(const char* name, std::vector<std::string>& values, const char* help) {
-  return Option(app_->add_option(name, values, help)->type_name(""));
-}
-Option Command::value(const char* names, std::string& value, const char* help) {
-  return Option(app_->add_option(names, value, help));
-}
-Option Command::value(const char* names, double& value, const char* help) {
-  return Option(app_->add_option(names, value, help));
-}
-Option Command::value(const char* names, std::size_t& value, const char* help) {
-  return Option(app_->add_option(names, value, help)).counted();
-}
-Option Command::value(const char* names, std::optional<double>& value, const char* help) {
-  return Option(app_->add_option(names, value, help));
-}
-Option Command::value(const char* names, std::optional<std::size_t>& value, const char* help) {
-  return Option(app_->add_option(names, value, help)).counted();
-}
-Option Command::value(const char* names, const std::function<void(const std::string&)>& set, const char* help) {
-  return Option(app_->add_option_function<std::string>(names, set, help));
-}
-Option Command::repeatable(const char* names, std::vector<std::string>& values, const char* help) {
-  return Option(app_->add_option(names, values, help)->allow_extra_args(false));
-}
-Option Command::list(const char* names, std::vector<std::string>& values, const char* help) {
-  return Option(app_->add_option(names, values, help)->delimiter(',')->allow_extra_args(false));
-}
-Option Command::list(const char* names, std::vector<double>& values, const char* help) {
-  return Option(app_->add_option(names, values, help)->delimiter(',')->allow_extra_args(false));
-}
-Option Command::list(const char* names, std::vector<std::size_t>& values, const char* help) {
-  return Option(app_->add_option(names, values, help)->delimiter(',')->allow_extra_args(false)).counted();
-}
-void Command::flag(const char* names, bool& value, const char* help) { app_->add_flag(names, value, help); }
-std::string Command::heading(const std::string& name) {
-  std::string before = app_->option_defaults()->get_group();
-  app_->option_defaults()->group(name);
-  return before;
-}
-void Command::example(const char* command_line) { app_->footer(std::string("Example: ") + command_line); }
-
 CommandLine::CommandLine(const char* name, const char* description, const char* version)
     : app_(std::make_unique<CLI::App>(description, name)) {
+  declaration_.program = name;
+  declaration_.version = version;
+  DeclaredCommand* const program = declare("", description);
+  program->is_group = true;
+  program->options.push_back({.names = {"--version"}, .help = "Show the version and stop"});
   app_->set_version_flag("--version", std::string(name) + " " + version);
   app_->require_subcommand(1);
 }
 
 CommandLine::~CommandLine() = default;
 
-void CommandLine::group(const char* name, const char* description) {
-  app_->add_subcommand(name, description)->require_subcommand(1);
+DeclaredCommand* CommandLine::declare(const char* name, const char* description) {
+  declaration_.commands.push_back({.name = name, .summary = description});
+  DeclaredCommand* const made = &declaration_.commands.back();
+  made->options.push_back({.names = {"-h", "--help"}, .help = "Show this help and stop"});
+  return made;
+}
+
+Command CommandLine::program() { return {app_.get(), &declaration_.commands.front()}; }
+
+Command CommandLine::group(const char* name, const char* description) {
+  CLI::App* const group = app_->add_subcommand(name);
+  group->require_subcommand(1);
+  DeclaredCommand* const declared = declare(name, description);
+  declared->is_group = true;
+  return {group, declared};
 }
 
 Command CommandLine::command(const char* name, const char* description, std::function<int()> run) {
@@ -137,36 +111,43 @@ Command CommandLine::command(const char* name, const char* description, std::fun
   const std::size_t blank = words.find(' ');
   CLI::App* parent =
       blank == std::string_view::npos ? app_.get() : app_->get_subcommand(std::string(words.substr(0, blank)));
-  CLI::App* command = parent->add_subcommand(std::string(words.substr(blank + 1)), description);
+  CLI::App* command = parent->add_subcommand(std::string(words.substr(blank + 1)));
   command->callback([this, run = std::move(run)] { chosen_ = run; });
-  return Command(command);
+  return {command, declare(name, description)};
+}
+
+void CommandLine::exit_code(int code, const char* meaning) {
+  declaration_.exits.push_back({.code = code, .meaning = meaning});
 }
 
 // A word that is no command would be called a missing command.
-void CommandLine::check_commands(int argc, char** argv) const {
-  const CLI::App* app = app_.get();
-  std::string before;  // the words so far
-  for (int i = 1; i < argc && argv[i][0] != '-'; ++i) {
-    const auto all = app->get_subcommands(nullptr);
-    if (all.empty()) return;
-    const auto found = std::find_if(all.begin(), all.end(), [&](const auto* one) { return one->check_name(argv[i]); });
-    if (found == all.end()) {
-      throw UsageError("there is no command '" + before + one_line(argv[i], 40) + "'",
-                       "percuss " + before + "--help lists them");
-    }
-    app = *found;
-    before += app->get_name() + " ";
+void CommandLine::check_commands(const std::vector<std::string>& words) const {
+  const DeclaredCommand* at = &declaration_.commands.front();
+  for (const std::string& word : words) {
+    if (!at->is_group || word.starts_with('-')) return;
+    const DeclaredCommand* const next = find_command(declaration_, at->name.empty() ? word : at->name + " " + word);
+    if (word.empty() || next == nullptr) throw unknown_command(declaration_, *at, word);
+    at = next;
   }
 }
 
 int CommandLine::run(int argc, char** argv) {
-  check_commands(argc, argv);
+  const std::vector<std::string> typed(argv + 1, argv + argc);
+  check_commands(typed);
   try {
     app_->parse(argc, argv);
-  } catch (const CLI::Success& e) {
-    return app_->exit(e);  // --help and --version
-  } catch (const CLI::ParseError& e) {
-    throw UsageError(one_line(e.what()), "see percuss --help or percuss COMMAND --help");
+  } catch (const CLI::CallForHelp&) {
+    const auto path = chosen_path(*app_);
+    std::cout << help_text(declaration_, declared_of(declaration_, path, path.size()), terminal_width());
+    return 0;
+  } catch (const CLI::CallForVersion& version) {
+    std::cout << version.what() << '\n';
+    return 0;
+  } catch (const UsageError&) {
+    refuse_unknown_options(declaration_, *app_);
+    throw;
+  } catch (const CLI::ParseError& error) {
+    refuse(declaration_, *app_, error, typed);
   }
   return chosen_();
 }

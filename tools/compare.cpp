@@ -36,7 +36,13 @@ void add_compare(CommandLine& line) {
   auto flags = std::make_shared<CompareFlags>();
   Command command = line.command("compare", "Modes or deflections of tests and models, side by side",
                                  [flags] { return compare(*flags); });
-  command.example("percuss compare test.json model.json");
+  command.about(
+      "Pairs the modes of documents by frequency and shape, the first against each other, and shows the differences; "
+      "or the deflections of two. The documents are what analyze, survey, deflect and model write with --json or -o "
+      "FILE.json.");
+  command.example("percuss compare test.json model.json", "A test beside a model");
+  command.example("percuss compare test.json model.json --furthest 40 -o compared.csv",
+                  "Pairs up to 40 % apart, as a table");
   command.words("FILE", flags->paths, "Documents that analyze, survey, deflect and model wrote with --json").required();
   command.value("--furthest", flags->furthest_percent, "Frequencies further apart than this are not of the same mode")
       .above_zero()
@@ -46,7 +52,7 @@ void add_compare(CommandLine& line) {
       .within(0, 1)
       .type("MAC")
       .show_default();
-  add_output_flags(command, flags->output);
+  add_output_flags(command, flags->output, kReportKinds);
 }
 
 }  // namespace percuss::tools

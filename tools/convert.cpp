@@ -62,11 +62,17 @@ int convert(ConvertFlags flags) {
 void add_convert(CommandLine& line) {
   auto flags = std::make_shared<ConvertFlags>();
   Command command =
-      line.command("convert", "Records or FRFs from one format into another: percuss convert IN… OUT, by extension",
-                   [flags] { return convert(*flags); });
-  command.example("percuss convert bat.mat bat.uff");
+      line.command("convert", "Records or FRFs from one format into another", [flags] { return convert(*flags); });
+  command.about(
+      "The last FILE is the one to write, as with cp, unless -o names it; its extension says the format. What a format "
+      "cannot keep is told on standard error.");
+  command.example("percuss convert bat.mat bat.uff", "A record from MATLAB as a universal file");
+  command.example("percuss convert frfs.h5 -o frfs.csv", "Frequency responses as a table");
+  command.example(
+      "percuss convert hits.csv hits.h5 --force-channel CH8 --force-unit lbf --quiet",
+      "A table whose force is in pounds, as HDF5 in SI units; the columns' own names are lost without a word");
   add_read_flags(command, flags->read);
-  add_output_flags(command, flags->output);
+  add_output_flags(command, flags->output, ".h5, .hdf5, .csv, .mat, .uff, .unv, .wav, .rf64, .w64");
 }
 
 }  // namespace percuss::tools

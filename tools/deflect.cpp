@@ -73,7 +73,11 @@ void add_deflect(CommandLine& line) {
   auto flags = std::make_shared<DeflectFlags>();
   Command command = line.command("deflect", "Deflection under an impact, from the acceleration at the struck point",
                                  [flags] { return deflect_files(*flags); });
-  command.example("percuss deflect bat.h5 --highpass-corner 1");
+  command.about(
+      "Integrates the acceleration of the struck point twice, without the drift that plain sums have, and gives the "
+      "largest deflection of each hit in m with its standard deviation; -o writes the curves over time.");
+  command.example("percuss deflect bat.h5 --highpass-corner 1", "An amplifier with a high-pass at 1 Hz, undone");
+  command.example("percuss deflect bat.h5 --method drift-free -o deflection.csv", "Curves over time as a table");
   DeflectionOptions& deflection = flags->options.deflection;
   command
       .value(
@@ -84,10 +88,10 @@ void add_deflect(CommandLine& line) {
       .show_default();
   command
       .value("--highpass-corner", deflection.highpass_corner_Hz,
-             "First-order high-pass of the charge amplifier, which is undone; 0: none")
+             "Corner of the charge amplifier's first-order high-pass, which is undone; 0: none")
       .not_negative()
       .type("HZ");
-  command.value("--lowest", deflection.lowest_Hz, "Method frequency: leave out what is slower than this")
+  command.value("--lowest", deflection.lowest_Hz, "With --method frequency: leave out what is slower than this")
       .above_zero()
       .type("HZ");
   command.flag("--free-body", deflection.free_body,
@@ -101,15 +105,17 @@ void add_deflect(CommandLine& line) {
       .type("LO:STEP:HI");
   command
       .value("--beam-distance", flags->options.beam_distance_m,
-             "From the light beam to the structure: tells the ball's speed")
+             "Distance from the light beam to the structure: tells the ball's speed")
       .above_zero()
       .type("M");
-  command.value("--beam-time", flags->options.beam_time_s, "When the ball broke the beam, from the record's beginning")
+  command
+      .value("--beam-time", flags->options.beam_time_s,
+             "Time at which the ball broke the beam, from the record's beginning")
       .finite()
       .type("S");
   add_read_flags(command, flags->read, Reads::records);
   add_analysis_flags(command, flags->analysis);
-  add_output_flags(command, flags->output);
+  add_output_flags(command, flags->output, ".json, .csv, .h5, .svg, .html");
 }
 
 }  // namespace percuss::tools

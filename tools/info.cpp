@@ -191,12 +191,18 @@ int run_info(const InfoFlags& flags) {
 
 void add_info(CommandLine& line) {
   auto flags = std::make_shared<InfoFlags>();
-  Command command = line.command("info", "what is in a file: kind, channels, units, rate, hits, what could not be read",
+  Command command = line.command("info", "What is in a file: kind, channels, units, rate, hits, what could not be read",
                                  [flags] { return run_info(*flags); });
-  command.example("percuss info bat.h5");
+  command.about(
+      "Reads no more of a file than tells what it holds, and says what could not be understood. Start here with a new "
+      "file: what is guessed here is what analyze uses, and the options under Reading change it.");
+  command.example("percuss info bat.h5", "Channels, units, rate and hits");
+  command.example("percuss info hits.csv --force-channel CH8 --json",
+                  "The same as a document, with the force in a column of that name");
+  command.example("percuss info --example > channels.json", "A channel set-up to change and to give as --setup");
   add_read_flags(command, flags->read);
-  add_output_flags(command, flags->output);
-  command.flag("--example", flags->example, "print a channel set-up for --setup, to start from");
+  add_output_flags(command, flags->output, ".json");
+  command.flag("--example", flags->example, "Print a channel set-up for --setup, to start from");
 }
 
 }  // namespace percuss::tools

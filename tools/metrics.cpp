@@ -213,12 +213,20 @@ void add_metrics(CommandLine& line) {
   auto flags = std::make_shared<MetricsFlags>();
   Command command = line.command("metrics", "A bat's performance in numbers: drop, MOI, BESR, BBS, BBCOR and the rest",
                                  [flags] { return metrics(*flags); });
+  command.about(
+      "Computes what the readings given allow and leaves out the rest: drop, moment of inertia, swing and contact "
+      "speed, BESR, BBS and BBCOR, each with the uncertainty that follows from the resolution of the readings. Units "
+      "are those of the test laboratory and stand in the options' names; cg and z count from the barrel's tip, the "
+      "pivot is 6 in from the knob.");
   command.example(
-      "percuss metrics --length-in 34 --moi-oz-in2 10450 --ball-g 145.4 --z-in 6 --v-in-mph 136 --v-out-mph 31");
+      "percuss metrics --length-in 34 --moi-oz-in2 10450 --ball-g 145.4 --z-in 6 --v-in-mph 136 --v-out-mph 31",
+      "A bat whose inertia is known, and one shot at it");
+  command.example("percuss metrics --length-in 33 --weight-oz 30 --cg-in 20 --period-s 1.25,1.26",
+                  "Drop and inertia from scale, balance and pendulum");
   add_readings(command, *flags);
   add_resolutions(command, *flags);
   add_constants(command, *flags);
-  add_output_flags(command, flags->output);
+  add_output_flags(command, flags->output, ".json, .csv, .html");
 }
 
 }  // namespace percuss::tools

@@ -74,7 +74,7 @@ void add_ball(Command& command, BatCollision& c) {
       .above_zero()
       .type("K")
       .show_default();
-  command.value("--ball-exponent", c.ball.exponent, "… and its alpha").within(1, 5).show_default();
+  command.value("--ball-exponent", c.ball.exponent, "alpha of F = k u^alpha").within(1, 5).show_default();
 }
 
 }  // namespace
@@ -84,12 +84,21 @@ void add_model_bat(CommandLine& line) {
   Command command =
       line.command("model bat", "Modes of a bat from its profile, and exit speed of a ball over the impact's position",
                    [flags] { return model_bat(*flags); });
-  command.example("percuss model bat --profile bat.txt --profile-unit cm:mm -o bat.svg");
-  command.value("--profile", flags->profile, "Lines of far end of a slice from the knob, and its diameter")
+  command.about(
+      "A bat as a beam of slices, each with bending and shear, free at both ends: its modes, mass, balance and "
+      "inertia, and the exit speed of a ball over the place of the impact, beside that of a rigid bat. The profile is "
+      "a file of two columns: where each slice ends, from the knob, and its diameter.");
+  command.example("percuss model bat --profile profile.txt --profile-unit cm:mm", "Ends in cm, diameters in mm");
+  command.example("percuss model bat --profile profile.txt --profile-unit cm:mm --wave 0.7 -o bat.svg",
+                  "Also how the wave runs along the bat after an impact 0.7 m from the knob");
+  command.value("--profile", flags->profile, "File of two columns: far end of a slice from the knob, and its diameter")
       .required()
       .type("FILE");
   command.value("--profile-unit", flags->unit, "Units of its two columns").type("END:DIAMETER").show_default();
-  command.value("--density", flags->material.density_kgpm3, "Density").above_zero().type("KG/M3").show_default();
+  command.value("--density", flags->material.density_kgpm3, "Density of the bat")
+      .above_zero()
+      .type("KG/M3")
+      .show_default();
   command.value("--young", flags->material.young_Pa, "Young's modulus along the bat")
       .above_zero()
       .type("PA")
@@ -99,15 +108,16 @@ void add_model_bat(CommandLine& line) {
       .type("PA")
       .show_default();
   add_ball(command, flags->collision);
-  command.value("--modes", flags->modes, "Elastic modes that take part").type("N").show_default();
-  command.value("--at", flags->at, "Positions from the knob in m (default: 61 over the length)").type("LO:STEP:HI");
+  command.value("--modes", flags->modes, "Bending modes that take part").type("N").show_default();
+  command.value("--at", flags->at, "Positions of the impact from the knob, in m (default: 61 over the length)")
+      .type("LO:STEP:HI");
   command.value("--wave", flags->wave_m, "Show the deflection along the bat after an impact this far from the knob")
       .not_negative()
       .type("M");
-  command.value("--wave-times", flags->wave_times, "… at these times in s from the touch on")
+  command.value("--wave-times", flags->wave_times, "With --wave: at these times in s, from the touch on")
       .type("LO:STEP:HI")
       .show_default();
-  add_output_flags(command, flags->output);
+  add_output_flags(command, flags->output, kReportKinds);
 }
 
 }  // namespace percuss::tools

@@ -106,7 +106,13 @@ void add_model_impact(CommandLine& line) {
   auto flags = std::make_shared<ModelImpactFlags>();
   Command command = line.command("model impact", "A ball against a beam: restitution, force and deflection",
                                  [flags] { return model_impact(*flags); });
-  command.example("percuss model impact --sweep ei=1000:1000:6000 --sweep rho-a=0.6:0.2:3 -o curves.svg");
+  command.about(
+      "A ball flies against the beam of percuss model beam and leaves it: what fraction of its speed returns (COR), "
+      "the force and its duration, the deflection of the beam. With --sweep over ranges of the beam's constants, the "
+      "place and the speed.");
+  command.example("percuss model impact --at 0.5 --speed 6", "One impact, 0.5 m from the spring at 6 m/s");
+  command.example("percuss model impact --sweep ei=1000:1000:6000 --sweep rho-a=0.6:0.2:3 -o curves.svg",
+                  "COR over stiffness and mass, drawn");
   add_beam_flags(command, flags->beam);
   Impact& impact = flags->impact;
   command.value("--at", impact.at_m, "Where the ball strikes, from x = 0").not_negative().type("M").show_default();
@@ -123,22 +129,24 @@ void add_model_impact(CommandLine& line) {
       .within(0.01, 1)
       .show_default();
   command.value("--modes", impact.modes, "Modes of the beam, rigid-body modes included").type("N").show_default();
-  command.value("--method", flags->method, "modal (exact between pushes) or the source's small-increment")
+  command.value("--method", flags->method, "modal: exact between pushes; small-increment: as the source computes")
       .one_of({"modal", "small-increment"})
       .show_default();
   command
       .value("--step", flags->step_s,
-             "Time step (default: modal: controlled, so that restitution and energy are right to 1e-9; "
-             "small-increment: 1e-5)")
+             "Time step (default: for modal controlled, so that restitution and energy are right to 1e-9; for "
+             "small-increment 1e-5)")
       .above_zero()
       .type("S");
   command
-      .repeatable("--sweep", flags->sweeps, "Vary ei, torsion, rho-a, at or speed, the others as they are (repeatable)")
+      .repeatable(
+          "--sweep", flags->sweeps,
+          "Vary ei, torsion, rho-a, at or speed in the unit of that option, the others as they are (repeatable)")
       .type("NAME=LO:STEP:HI");
-  command.value("--threads", flags->threads, "Threads to use (0: all; the result is the same)")
+  command.value("--threads", flags->threads, "Threads to use (default: all; the result is the same)")
       .within(0, 1024)
       .type("N");
-  add_output_flags(command, flags->output);
+  add_output_flags(command, flags->output, kReportKinds);
 }
 
 }  // namespace percuss::tools

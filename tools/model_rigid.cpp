@@ -37,19 +37,23 @@ void add_model_rigid(CommandLine& line) {
   auto flags = std::make_shared<RigidFlags>();
   Command command = line.command("model rigid", "Exit speed of a ball against a rigid bat, over the impact's position",
                                  [flags] { return model_rigid(*flags); });
-  command.example("percuss model rigid --swing-rate 50");
+  command.about(
+      "A ball against a bat that does not bend: conservation of momentum alone. Positions count from the centre of "
+      "mass, in m, positive towards the barrel.");
+  command.example("percuss model rigid --swing-rate 50", "Exit speed along the bat at 50 rad/s");
+  command.example("percuss model rigid --at 0:0.02:0.3 --cor 0.5 -o exit.csv", "At chosen places, as a table");
   RigidCollision& c = flags->collision;
   command.value("--ball-mass", c.ball_mass_kg, "Mass of the ball").above_zero().type("KG").show_default();
   command.value("--bat-mass", c.bat_mass_kg, "Mass of the bat").above_zero().type("KG").show_default();
   command.value("--inertia", c.inertia_kgm2, "Moment of inertia of the bat about its centre of mass")
       .above_zero()
-      .type("KGM2")
+      .type("KG*M2")
       .show_default();
   command.value("--length", flags->length_m, "Length of the bat: positions go to half of it from the centre of mass")
       .above_zero()
       .type("M")
       .show_default();
-  command.value("--at", flags->at, "Positions instead, from the centre of mass, positive towards the barrel")
+  command.value("--at", flags->at, "Positions of the impact in m from the centre of mass, positive towards the barrel")
       .type("LO:STEP:HI");
   command.value("--ball-speed", c.ball_speed_mps, "Speed of the ball towards the bat")
       .not_negative()
@@ -68,7 +72,7 @@ void add_model_rigid(CommandLine& line) {
       .finite()
       .type("M");
   command.value("--cor", c.restitution, "Coefficient of restitution").within(0, 1).show_default();
-  add_output_flags(command, flags->output);
+  add_output_flags(command, flags->output, kReportKinds);
 }
 
 }  // namespace percuss::tools

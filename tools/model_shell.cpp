@@ -69,20 +69,34 @@ void add_model_shell(CommandLine& line) {
   auto flags = std::make_shared<ShellFlags>();
   Command command = line.command("model shell", "Hoop frequencies of a barrel as a tube: ring, Rayleigh, Love, Flügge",
                                  [flags] { return model_shell(*flags); });
-  command.example("percuss model shell --wall 0.0025 --measured 2:1:1700:5 --fit young");
+  command.about(
+      "The barrel as a tube: hoop frequencies in Hz with n waves around, after four theories: ring, Rayleigh and Love "
+      "are alike all along, Flügge counts half-waves along. With --measured, Young's modulus or the wall follow from "
+      "measured frequencies.");
+  command.example("percuss model shell --outer-diameter 0.0667 --wall 0.0025", "A barrel of aluminium");
+  command.example("percuss model shell --wall 0.0025 --measured 2:1:1700:5 --fit young",
+                  "The modulus that explains 1700 ± 5 Hz");
   TubeShell& s = flags->shell;
-  command.value("--outer-diameter", s.outer_diameter_m, "Outer diameter").above_zero().type("M").show_default();
-  command.value("--wall", s.wall_m, "Thickness of the wall").above_zero().type("M").show_default();
-  command.value("--length", s.length_m, "Length").above_zero().type("M").show_default();
-  command.value("--young", s.young_Pa, "Young's modulus").above_zero().type("PA").show_default();
-  command.value("--density", s.density_kgpm3, "Density").above_zero().type("KG/M3").show_default();
+  command.value("--outer-diameter", s.outer_diameter_m, "Outer diameter of the tube")
+      .above_zero()
+      .type("M")
+      .show_default();
+  command.value("--wall", s.wall_m, "Thickness of its wall").above_zero().type("M").show_default();
+  command.value("--length", s.length_m, "Length of the tube").above_zero().type("M").show_default();
+  command.value("--young", s.young_Pa, "Young's modulus of the wall").above_zero().type("PA").show_default();
+  command.value("--density", s.density_kgpm3, "Density of the wall").above_zero().type("KG/M3").show_default();
   command.value("--poisson", s.poisson, "Poisson's ratio").within(0, 0.499).show_default();
-  command.value("--n", flags->n, "Waves around").type("N").show_default();
-  command.value("--modes", flags->modes, "Half-waves along, from 1 to this").type("M").show_default();
-  command.list("--measured", flags->measured, "Measured hoop frequencies N:M:HZ:STD,… to fit the shell to")
-      .type("HOOP");
-  command.value("--fit", flags->unknowns, "… by changing what").one_of({"young", "wall", "both"}).show_default();
-  add_output_flags(command, flags->output);
+  command.value("--n", flags->n, "Waves around the tube, n").type("N").show_default();
+  command.value("--modes", flags->modes, "Half-waves along the tube, m: from 1 to this").type("N").show_default();
+  command
+      .list("--measured", flags->measured,
+            "Measured hoop frequencies to fit the shell to: waves around, half-waves along, frequency and its "
+            "standard deviation")
+      .type("N:M:HZ:STD,...");
+  command.value("--fit", flags->unknowns, "What the fit to --measured changes")
+      .one_of({"young", "wall", "both"})
+      .show_default();
+  add_output_flags(command, flags->output, kReportKinds);
 }
 
 }  // namespace percuss::tools

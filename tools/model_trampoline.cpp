@@ -118,7 +118,7 @@ void add_constants(Command& command, TrampolineFlags& flags) {
       .value("--c2", flags.barrel_damping,
              "Damping of the barrel: 90.5 for a baseball as in the source's script, its table says 100")
       .not_negative()
-      .type("NS/M");
+      .type("N*S/M");
   command.heading(before);
 }
 
@@ -129,13 +129,17 @@ void add_model_trampoline(CommandLine& line) {
   Command command =
       line.command("model trampoline", "COR of a ball on a hollow barrel, over the barrel's hoop frequency",
                    [flags] { return model_trampoline(*flags); });
-  command.example("percuss model trampoline --c2 100 -o cor.svg");
-  command.value("--ball", flags->ball, "Constants of which ball").one_of({"baseball", "softball"}).show_default();
+  command.about(
+      "The ball and the wall of a hollow barrel as two masses, springs and dampers: the COR over the barrel's hoop "
+      "frequency, and at which frequency it is best.");
+  command.example("percuss model trampoline --c2 100 -o cor.svg", "COR over the hoop frequency, drawn");
+  command.example("percuss model trampoline --ball softball --speed 49 --hoop 500:50:3000", "A softball at 49 m/s");
+  command.value("--ball", flags->ball, "Which ball's constants").one_of({"baseball", "softball"}).show_default();
   command.value("--speed", flags->speed_mps, "Speed of the ball towards the barrel")
       .above_zero()
       .type("M/S")
       .show_default();
-  command.value("--hoop", flags->hoop, "Hoop frequencies in Hz").type("LO:STEP:HI").show_default();
+  command.value("--hoop", flags->hoop, "Hoop frequencies, in Hz").type("LO:STEP:HI").show_default();
   command.value("--extra-mass", flags->extra_mass_kg, "Mass that moves with the barrel and does not stiffen it")
       .not_negative()
       .type("KG")
@@ -143,14 +147,17 @@ void add_model_trampoline(CommandLine& line) {
   command.value("--free-hoop", flags->loaded_from_Hz, "With --loaded-hoop: the hoop frequency without the extra mass")
       .above_zero()
       .type("HZ");
-  command.value("--loaded-hoop", flags->loaded_to_Hz, "… and with it: which modal mass explains the shift")
+  command
+      .value("--loaded-hoop", flags->loaded_to_Hz,
+             "With --free-hoop: the hoop frequency with the extra mass; tells which modal mass explains the shift")
       .above_zero()
       .type("HZ");
   command
-      .list("--fit-ccor", flags->ccor, "Fit a and b to measured CCOR first: SPEED:COR:STD,…, or a file of such lines")
-      .type("CCOR");
+      .list("--fit-ccor", flags->ccor,
+            "Fit a and b to measured CCOR first: speed in m/s, COR and its standard deviation; or a file of such lines")
+      .type("SPEED:COR:STD,...");
   add_constants(command, *flags);
-  add_output_flags(command, flags->output);
+  add_output_flags(command, flags->output, kReportKinds);
 }
 
 }  // namespace percuss::tools

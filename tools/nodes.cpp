@@ -78,7 +78,14 @@ void add_nodes(CommandLine& line) {
   auto flags = std::make_shared<NodesFlags>();
   Command command = line.command("nodes", "Where bending modes have their nodes, from a scan of impacts",
                                  [flags] { return nodes(*flags); });
-  command.example("percuss nodes scan.h5 --positions 3:0.25:9in");
+  command.about(
+      "Finds where along the barrel each bending mode does not move, with its standard deviation: from hits at a row "
+      "of places, one place per point or per file of the record. A node lies where the response of the mode changes "
+      "its sign.");
+  command.example("percuss nodes scan.h5 --positions 3:0.25:9in --band 60:1500",
+                  "Hits every quarter of an inch from 3 to 9 in from the end of the barrel");
+  command.example("percuss nodes scan.h5 --positions 76.2:6.35:228.6mm --band 60:1500 -o nodes.svg",
+                  "The same in millimetres, with the curves drawn");
   command
       .value("--positions", flags->positions,
              "Where the hits of the scan were, from the barrel's end, in the order of points or files; inches "
@@ -87,7 +94,7 @@ void add_nodes(CommandLine& line) {
       .type("START:STEP:END[UNIT]");
   add_read_flags(command, flags->read);
   add_analysis_flags(command, flags->analysis);
-  add_output_flags(command, flags->output);
+  add_output_flags(command, flags->output, ".json, .svg, .html");
 }
 
 }  // namespace percuss::tools

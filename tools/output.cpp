@@ -13,12 +13,14 @@
 
 namespace percuss::tools {
 
-void add_output_flags(Command& command, OutputFlags& flags) {
-  command.repeatable("-o,--output", flags.paths, "Write to this file; its extension says what (repeatable)")
-      .type("FILE");
+void add_output_flags(Command& command, OutputFlags& flags, const char* kinds) {
+  const std::string others = command.heading("Output");
+  const std::string help = std::string("Write to this file; its extension says what: ") + kinds + " (repeatable)";
+  command.repeatable("-o,--output", flags.paths, help.c_str()).type("FILE");
   command.flag("--json", flags.json, "One JSON document on standard output");
   command.flag("--force", flags.force, "Overwrite files that exist");
   command.flag("--quiet", flags.quiet, "No progress and no warnings on standard error");
+  command.heading(others);
 }
 
 std::string extension_of(const std::string& path) {

@@ -14,7 +14,8 @@ struct OutputFlags {
   bool quiet = false;
 };
 
-void add_output_flags(Command& command, OutputFlags& flags);
+/// `kinds` are those that check_outputs will be asked for, in words: ".json, .csv".
+void add_output_flags(Command& command, OutputFlags& flags, const char* kinds);
 
 /// The extension of a path in lower case, with its dot; "" for none.
 std::string extension_of(const std::string& path);

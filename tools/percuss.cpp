@@ -21,8 +21,24 @@ int report(const char* what, int code) {
   return code;
 }
 
+void add_exit_codes(CommandLine& line) {
+  line.exit_code(kOk, "done");
+  line.exit_code(kInternalError, "internal error");
+  line.exit_code(kUsage, "the command line was not understood");
+  line.exit_code(kBadInput, "unusable input");
+  line.exit_code(kImpossible, "the analysis is impossible (no usable hit, no mode)");
+  line.exit_code(kQualityGate, "a quality gate failed (the bat exceeds its limit)");
+}
+
 int parse_and_run(int argc, char** argv) {
-  CommandLine line("percuss", "percuss: modes of a structure from hammer tests, with error bars", PERCUSS_VERSION);
+  CommandLine line("percuss", "Modes of a structure from hammer tests, with error bars", PERCUSS_VERSION);
+  Command program = line.program();
+  program.about(
+      "percuss turns hammer tests into natural frequencies, damping and mode shapes, each with its standard deviation, "
+      "and predicts what beams, bats and barrels do. Data goes to standard output, progress and warnings to standard "
+      "error. Options follow the command.");
+  program.example("percuss synth composite-bat -o first.h5; percuss analyze first.h5 --band 60:3200",
+                  "A made-up hammer test whose modes are known, and its analysis");
   add_analyze(line);
   add_frf(line);
   add_nodes(line);
@@ -44,6 +60,9 @@ int parse_and_run(int argc, char** argv) {
   add_certify(line);
   add_abi(line);
   add_study(line);
+  add_completion(line);
+  add_man(line);
+  add_exit_codes(line);
   const int code = line.run(argc, argv);
   std::cout.flush();
   return std::cout ? code

@@ -39,14 +39,7 @@ void require_unit_or_volts(const std::string& name, Quantity wanted, const char*
 
 FilesMean files_mean(const std::string& text) {
   if (text == "hits") return FilesMean::hits;
-  if (text == "points") return FilesMean::points;
-  if (text == "tests") return FilesMean::tests;
-  throw UsageError("--files cannot mean \"" + one_line(text, 40) + "\"", "use hits, points or tests");
-}
-
-FrfKind frf_kind(const std::string& text) {
-  if (const auto kind = parse_frf_kind(text)) return *kind;
-  throw UsageError("--frf-kind cannot be \"" + one_line(text, 40) + "\"", "use accelerance, mobility or receptance");
+  return text == "points" ? FilesMean::points : FilesMean::tests;
 }
 
 // A number, or else a name.
@@ -78,46 +71,55 @@ void add_read_flags(Command& command, ReadFlags& flags, Reads reads) {
   ReadOptions& options = flags.options;
   command.words("FILE", flags.paths,
                 reads == Reads::records
-                    ? "records to read: HDF5, MAT, UFF, LabVIEW, WAV, CSV or text; - is standard input"
-                    : "records to read, or FRFs: HDF5, MAT, UFF, LabVIEW, WAV, CSV or text; - is standard input");
+                    ? "Records to read: HDF5, MAT, UFF, LabVIEW, sound, CSV or text; - is standard input"
+                    : "Records to read, or FRFs: HDF5, MAT, UFF, LabVIEW, sound, CSV or text; - is standard input");
   const std::string others = command.heading(kGroup);
   command
       .value(
           "--fs", [&options](const std::string& text) { take_rate(text, options); },
-          "sampling rate, whatever the file says; or the variable of a MAT file that holds it")
+          "Sampling rate, whatever the file says; or the variable of a MAT file that holds it")
       .type("HZ");
-  command.value("--df", options.df_Hz, "spacing of FRFs, for files that do not state their frequencies (MAT)")
+  command.value("--df", options.df_Hz, "Spacing of FRFs, for files that do not state their frequencies (MAT)")
       .above_zero()
       .type("HZ");
-  command.value("--force-channel", options.force_channel, "the force: name or 1-based number of its column")
+  command.value("--force-channel", options.force_channel, "The force: name of its column, or number, counted from 1")
       .type("NAME");
-  command.list("--accel-channel", options.accel_channels, "the accelerations, in this order (repeatable, or a list)")
+  command
+      .list("--accel-channel", options.accel_channels,
+            "The accelerations, in this order: names or numbers (repeatable, or a list)")
       .type("NAME,...");
-  command.value("--unit", options.accel_unit, "unit of the stored accelerations: m/s^2, g, cm/s^2, ...").type("UNIT");
-  command.value("--force-unit", options.force_unit, "unit of the stored forces: N, lbf, ...").type("UNIT");
+  command.value("--unit", options.accel_unit, "Unit of the stored accelerations: m/s^2, g, cm/s^2, V, ...")
+      .type("UNIT");
+  command.value("--force-unit", options.force_unit, "Unit of the stored forces: N, lbf, V, ...").type("UNIT");
   command.list("--force-scale", options.force_scale, "N per stored unit; one, or one per file").type("N,...");
   command.list("--accel-scale", options.accel_scale, "m/s^2 per stored unit; one, or one per channel").type("X,...");
-  command.value("--force-sensitivity", flags.force_sensitivity_mV_per_N, "of the hammer, for forces stored in volts")
+  command
+      .value("--force-sensitivity", flags.force_sensitivity_mV_per_N,
+             "Sensitivity of the hammer, for forces stored in volts")
       .type("mV/N");
   command
       .list("--accel-sensitivity", flags.accel_sensitivity_mV_per_g,
-            "for accelerations stored in volts; one, or one per channel")
+            "Sensitivity of the accelerometers, for accelerations stored in volts; one, or one per channel")
       .type("mV/g,...");
-  command.list("--angle", flags.angle_deg, "of each accelerometer around the barrel").type("DEG,...").finite();
-  command.list("--position", flags.position_m, "of each accelerometer from the barrel's end").type("M,...").finite();
-  command.value("--setup", flags.setup_path, "channel set-up (JSON; percuss info --example prints one)").type("FILE");
+  command.list("--angle", flags.angle_deg, "Angle of each accelerometer around the barrel").type("DEG,...").finite();
+  command.list("--position", flags.position_m, "Distance of each accelerometer from the barrel's end")
+      .type("M,...")
+      .finite();
+  command.value("--setup", flags.setup_path, "Channel set-up (JSON; percuss info --example prints one)").type("FILE");
   command
       .value(
           "--files", [&flags](const std::string& text) { flags.files = files_mean(text); },
-          "what several files are: hits of one test, one point each, or tests of their own")
-      .type("hits|points|tests");
+          "What several files are: hits of one test, one point each, or tests of their own (default: hits where rates "
+          "and channels "
+          "agree)")
+      .one_of({"hits", "points", "tests"});
   command
       .value(
-          "--frf-kind", [&flags](const std::string& text) { flags.frf_kind = frf_kind(text); },
-          "what files of FRFs hold, whatever they say")
-      .type("accelerance|mobility|receptance");
+          "--frf-kind", [&flags](const std::string& text) { flags.frf_kind = parse_frf_kind(text); },
+          "What files of FRFs hold, whatever they say")
+      .one_of({"accelerance", "mobility", "receptance"});
   command.flag("--trust-input", flags.trust_input,
-               "read MAT and HDF5 files in this process, not in a confined one of their own");
+               "Read MAT and HDF5 files in this process, not in a confined one of their own");
   command.heading(others);
 }
 

@@ -8,6 +8,8 @@
 
 namespace percuss::tools {
 
+constexpr const char* kReportKinds = ".json, .csv, .svg, .html";
+
 /// The kinds of file that reports are written to: .json, .csv, .svg and .html. UsageError or InputError as
 /// check_outputs.
 void check_report_outputs(const OutputFlags& flags);

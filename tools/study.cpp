@@ -74,16 +74,24 @@ void add_study(CommandLine& line) {
   auto flags = std::make_shared<StudyFlags>();
   Command command = line.command("study", "A population of bats: what goes with performance, in figures and numbers",
                                  [flags] { return run_study(*flags); });
-  command.example("percuss study --example > bats.csv; percuss study bats.csv --figures figures");
+  command.about(
+      "Joins tables of bats, and analyses made with --bat-id, and judges what goes with performance: for each "
+      "statement a verdict, its p and correlations with their 95 % intervals. --example prints a table with all "
+      "columns that are understood.");
+  command.example("percuss study --example > bats.csv; percuss study bats.csv --figures figures",
+                  "A made-up population, with every figure as picture and table");
+  command.example(
+      "percuss study --example > bats.csv; percuss model trampoline --json > model.json; percuss study bats.csv "
+      "--hoop-curve model.json -o study.html",
+      "A page, a model drawn over the measured points");
   command.words("TABLE", flags->inputs, "Tables of bats, and analyses (--bat-id), joined by id");
   command.value("--figures", flags->figures, "Write every figure as picture and table into this folder").type("FOLDER");
   command.value("--hoop-curve", flags->curve, "Draw this model over the hoop figures: percuss model trampoline --json")
       .type("FILE");
-  command.value("--blind", flags->key, "Give the bats neutral ids; the key to them goes into this file")
-      .type("KEY.csv");
+  command.value("--blind", flags->key, "Give the bats neutral ids; the key to them goes into this file").type("FILE");
   command.value("--table", flags->table, "Write the joined table").type("FILE");
   command.flag("--example", flags->example, "Print a table of bats (a made-up population)");
-  add_output_flags(command, flags->output);
+  add_output_flags(command, flags->output, kReportKinds);
 }
 
 }  // namespace percuss::tools

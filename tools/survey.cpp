@@ -131,10 +131,20 @@ void add_survey(CommandLine& line) {
   auto flags = std::make_shared<SurveyFlags>();
   Command command = line.command("survey", "Mode shapes from a test of many points: MAC, modal mass, orders",
                                  [flags] { return run_survey(*flags); });
-  command.example("percuss survey barrel.h5 --geometry points.csv --band 60:3200 -o shapes.csv -o modes.cmif.csv");
+  command.about(
+      "Analyses a test of many points together: mode shapes, their agreement (MAC), modal masses where a driving point "
+      "is known, bending or hoop with the number of waves from the shapes. A file may hold all points, or be one of "
+      "them. A geometry file says where they lie; --example prints one.");
+  command.example("percuss survey barrel.h5 --band 60:3200",
+                  "Shapes of a barrel whose record says where the points lie");
+  command.example(
+      "percuss survey --example > points.csv; percuss survey barrel.h5 --geometry points.csv -o shapes.csv -o "
+      "modes.cmif.csv",
+      "Points from a file; the shapes and the mode indicator as tables");
+  command.example("percuss survey barrel.h5 --band 60:3200 -o survey.html", "A page on which the shapes move");
   add_read_flags(command, flags->read);
   add_analysis_flags(command, flags->analysis);
-  add_output_flags(command, flags->output);
+  add_output_flags(command, flags->output, ".json, .html, .svg, .csv, .h5, .uff, .unv");
   command
       .value("--geometry", flags->geometry_path,
              "Where the points lie, a CSV as --example prints it (default: what the record says)")

@@ -120,20 +120,32 @@ int run_synth(const SynthFlags& flags) {
 void add_synth(CommandLine& line) {
   auto flags = std::make_shared<SynthFlags>();
   Command command =
-      line.command("synth", "synthetic test records with exactly known truth", [flags] { return run_synth(*flags); });
-  command.example("percuss synth composite-bat -o composite.h5");
-  command.word("SPEC", flags->spec, "JSON file, name of a preset, or - for standard input");
+      line.command("synth", "Synthetic test records with exactly known truth", [flags] { return run_synth(*flags); });
+  command.about(
+      "Makes hammer tests of structures whose modes are exactly known, with noise and with the faults that real tests "
+      "have: for learning, and for testing software. Beside each record goes the truth, as JSON. docs/synth.md "
+      "describes the spec.");
+  command.example("percuss synth --list", "The presets");
+  command.example("percuss synth composite-bat -o composite.h5",
+                  "A preset as a record, the truth in composite.truth.json");
+  command.example("percuss synth --example > spec.json; percuss synth spec.json --seed 7 -o bat.csv",
+                  "A spec to change, and a record of it");
+  std::vector<std::string> presets;
+  for (const SynthPreset& preset : synth_presets()) presets.emplace_back(preset.name);
+  command.word("SPEC", flags->spec, "JSON file, name of a preset, or - for standard input").suggest(presets);
   command
       .repeatable("-o,--output", flags->outputs,
-                  "record to write (.h5, .csv, .mat, .uff, .wav; repeatable); the truth goes to its stem + .truth.json")
+                  "Record to write: .h5, .hdf5, .csv, .mat, .uff, .unv, .wav, .rf64, .w64 (repeatable); the truth goes "
+                  "to its stem + "
+                  ".truth.json")
       .type("FILE");
-  command.value("--seed", flags->seed, "use this seed instead of the spec's").type("N");
-  command.value("--threads", flags->threads, "threads to use (0: all); the samples do not depend on it").type("N");
-  command.flag("--force", flags->force, "overwrite files that exist");
-  command.flag("--list", flags->list, "list the presets");
-  command.flag("--example", flags->example, "print a spec with every key, explained");
-  command.flag("--json", flags->json, "print the truth (with --list: the presets) as one JSON document");
-  command.flag("--quiet", flags->quiet, "print nothing but errors");
+  command.value("--seed", flags->seed, "Use this seed of the noise in place of the spec's").type("N");
+  command.value("--threads", flags->threads, "Threads to use (0: all); the samples do not depend on it").type("N");
+  command.flag("--force", flags->force, "Overwrite files that exist");
+  command.flag("--list", flags->list, "List the presets");
+  command.flag("--example", flags->example, "Print a spec with every key, explained");
+  command.flag("--json", flags->json, "Print the truth (with --list: the presets) as one JSON document");
+  command.flag("--quiet", flags->quiet, "Print nothing but errors");
 }
 
 }  // namespace percuss::tools

@@ -14,3 +14,10 @@ run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${WORK}/build -G ${GENERATO
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 run(${WORK}/build/consumer)
 run(${WORK}/prefix/bin/percuss --version)
+foreach(made man/man1/percuss.1 man/man1/percuss-model-beam.1 bash-completion/completions/percuss zsh/site-functions/_percuss
+        fish/vendor_completions.d/percuss.fish)
+  file(SIZE ${WORK}/prefix/share/${made} bytes)  # an error when there is none
+  if(bytes LESS 500)
+    message(FATAL_ERROR "${made} holds ${bytes} bytes")
+  endif()
+endforeach()
