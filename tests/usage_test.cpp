@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -110,6 +111,8 @@ TEST(Usage, SaysWhatAValueMustBe) {
        {{"calibrate", "x.csv", "--mass", "nan"}, "--mass cannot be 'nan'; give a number above 0"},
        {{"model", "beam", "--length", ""}, "--length cannot be ''; give a number above 0"},
        {{"model", "beam", "--length", "1\n2"}, "--length cannot be '1?2'; give a number above 0"},
+       {{"model", "beam", "--modes", "201"}, "--modes cannot be '201'; give a whole number from 1 to 200"},
+       {{"metrics", "--period-s", "1.2,0"}, "--period-s cannot be '0'; give a number above 0"},
        {{"synth", "x", "--seed", "-4"}, "--seed cannot be '-4'; give a whole number from 0 up"}});
 }
 
@@ -150,7 +153,7 @@ TEST(Usage, FindsEveryOptionThatIsMistyped) {
       std::swap(typed[3], typed[4]);
       if (known.contains(typed)) continue;
       EXPECT_THAT(complaint_about(plus(command, {typed})),
-                  HasSubstr("no option " + typed + "; did you mean " + name + "?"));
+                  HasSubstr(fmt::format("no option {}; did you mean {}?", typed, name)));
       tried.insert(name);
     }
   }

@@ -66,9 +66,9 @@ std::string word_line(const DeclaredOption& word) {
 std::string fish_completion(const Declaration& all) {
   std::string known;
   for (const DeclaredCommand& one : all.commands) {
-    if (!one.name.empty())
-      known += (known.empty() ? "'" : " '") + std::string(one.name.find(' ') == std::string::npos ? " " : "") +
-               one.name + "'";
+    if (one.name.empty()) continue;
+    known +=
+        (known.empty() ? "'" : " '") + std::string(one.name.find(' ') == std::string::npos ? " " : "") + one.name + "'";
   }
   std::string out =
       fmt::format("# {} {}, completion for fish, made by: {} completion fish\n", all.program, all.version, all.program);

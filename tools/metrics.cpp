@@ -77,16 +77,8 @@ void require_one_source(const MetricsFlags& f) {
   both(f.moi_ozin2.has_value(), !f.periods_s.empty() || !f.crossings_s.empty(), "--moi-oz-in2 and a period");
   both(f.besr.has_value(), f.bbcor.has_value(), "--besr and --bbcor");
   both(f.besr || f.bbcor, f.in_mph && f.out_mph, "speeds and --besr or --bbcor");
-  for (const double period : f.periods_s) {
-    if (!(period > 0) || !std::isfinite(period)) throw UsageError("--period-s: not above 0", "give seconds");
-  }
-  for (const double ring : f.rings_in) {
-    if (!(ring > 0) || !std::isfinite(ring)) throw UsageError("--diameter-in: not above 0", "give inches");
-  }
   if (f.rings_in.size() > kRings)
     throw UsageError("--diameter-in: more than 7 rings", "give those 3 to 9 in from the tip");
-  if (f.crossings_per_period != 1 && f.crossings_per_period != 2)
-    throw UsageError("--crossings-per-period is neither 1 nor 2", "a bat crosses a gate there and back");
 }
 
 void require_room(const MetricsFlags& f) {
@@ -119,9 +111,13 @@ void add_readings(Command& command, MetricsFlags& f) {
   command.value("--weight-oz", f.weight_oz, "Weight of the bat").above_zero().type("OZ");
   command.value("--cg-in", f.cg_in, "Balance point, from the barrel's tip").not_negative().type("IN");
   command.list("--period-s", f.periods_s, "Period of the bat swinging about the pivot, or several readings of it")
+      .above_zero()
       .type("S,...");
   command.list("--gate-times-s", f.crossings_s, "Times at which the swinging bat crossed the light gate").type("S,...");
-  command.value("--crossings-per-period", f.crossings_per_period, "Of the times above: there and back, or one way")
+  command
+      .value("--crossings-per-period", f.crossings_per_period,
+             "How often the bat crosses the gate in a period: 2 there and back, 1 one way")
+      .within(1, 2)
       .type("1|2")
       .show_default();
   command.value("--moi-oz-in2", f.moi_ozin2, "Moment of inertia about the pivot, where it is known")
@@ -136,7 +132,7 @@ void add_readings(Command& command, MetricsFlags& f) {
   command.value("--v-swing-mph", f.swing_mph, "Speed of the swing at the impact, in place of the swing model's")
       .above_zero()
       .type("MPH");
-  command.list("--diameter-in", f.rings_in, "Barrel diameters 3, 4, ... 9 in from the tip").type("IN,...");
+  command.list("--diameter-in", f.rings_in, "Barrel diameters 3, 4, ... 9 in from the tip").above_zero().type("IN,...");
   command.value("--handle-diameter-in", f.handle_in, "Diameter of the handle 6 in from the knob")
       .above_zero()
       .type("IN");

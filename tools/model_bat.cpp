@@ -44,8 +44,6 @@ std::optional<BatWaveWanted> wave_of(const BatFlags& flags, double length_m) {
 
 int model_bat(const BatFlags& flags) {
   check_report_outputs(flags.output);
-  if (flags.modes == 0 || flags.modes > kMostBatModes)
-    throw UsageError("--modes is not between 1 and 200", "40 are enough for most");
   const BatProfile profile = read_bat_profile(flags.profile, flags.unit);
   const std::vector<double> z_m = places(flags, profile.length_m());
   const auto wave = wave_of(flags, profile.length_m());
@@ -108,7 +106,10 @@ void add_model_bat(CommandLine& line) {
       .type("PA")
       .show_default();
   add_ball(command, flags->collision);
-  command.value("--modes", flags->modes, "Bending modes that take part").type("N").show_default();
+  command.value("--modes", flags->modes, "Bending modes that take part")
+      .within(1, kMostBatModes)
+      .type("N")
+      .show_default();
   command.value("--at", flags->at, "Positions of the impact from the knob, in m (default: 61 over the length)")
       .type("LO:STEP:HI");
   command.value("--wave", flags->wave_m, "Show the deflection along the bat after an impact this far from the knob")

@@ -104,8 +104,6 @@ TorsionFit static_torsion(const ModelBeamFlags& flags, const UniformBeam& beam) 
 
 int model_beam(const ModelBeamFlags& flags) {
   check_report_outputs(flags.output);
-  if (flags.modes < 1 || flags.modes > kMostBeamModes)
-    throw UsageError("--modes: not from 1 to 200", "the default is 10");
   UniformBeam beam = beam_of(flags.beam);
   beam.gyration_m = flags.gyration_m.value_or(0);
   beam.shear_stiffness_N = flags.shear_stiffness_N.value_or(0);
@@ -142,7 +140,10 @@ void add_model_beam(CommandLine& line) {
   command.example("percuss model beam --layer 70e9:0.03:0.002:2700 --layer 10e9:0.03:0.02:700 -o beam.html",
                   "A section of two layers, drawn on a page");
   add_beam_flags(command, flags->beam);
-  command.value("--modes", flags->modes, "Modes to list, rigid-body modes (0 Hz) included").type("N").show_default();
+  command.value("--modes", flags->modes, "Modes to list, rigid-body modes (0 Hz) included")
+      .within(1, kMostBeamModes)
+      .type("N")
+      .show_default();
   command.value("--gyration", flags->gyration_m, "Radius of gyration √(I/A): with rotary inertia (Timoshenko)")
       .above_zero()
       .type("M");

@@ -81,8 +81,6 @@ ImpactOptions impact_options(const ModelImpactFlags& flags, const Impact& impact
 int model_impact(const ModelImpactFlags& flags) {
   check_report_outputs(flags.output);
   Impact impact = flags.impact;
-  if (impact.modes < 1 || impact.modes > kMostImpactModes)
-    throw UsageError("--modes: not from 1 to 100", "the default is 10");
   impact.beam = beam_of(flags.beam);
   check_place("--at", impact.at_m, impact.beam);
   impact.hysteresis_spm = hysteresis_for_spm(flags.contact_cor, impact.speed_mps);
@@ -128,7 +126,10 @@ void add_model_impact(CommandLine& line) {
              "(hysteresis)")
       .within(0.01, 1)
       .show_default();
-  command.value("--modes", impact.modes, "Modes of the beam, rigid-body modes included").type("N").show_default();
+  command.value("--modes", impact.modes, "Modes of the beam, rigid-body modes included")
+      .within(1, kMostImpactModes)
+      .type("N")
+      .show_default();
   command.value("--method", flags->method, "modal: exact between pushes; small-increment: as the source computes")
       .one_of({"modal", "small-increment"})
       .show_default();

@@ -44,10 +44,6 @@ int model_shell(const ShellFlags& flags) {
   check_report_outputs(flags.output);
   if (!(flags.shell.wall_m < flags.shell.outer_diameter_m / 2))
     throw UsageError("--wall is half of --outer-diameter or more", "give the wall's thickness in m");
-  if (flags.n < 2 || flags.n > kMostPattern)
-    throw UsageError("--n is not between 2 and 100", "the first hoop mode has 2");
-  if (flags.modes < 1 || flags.modes > kMostPattern)
-    throw UsageError("--modes is not between 1 and 100", "give how many half-waves along to show");
   TubeShell shell = flags.shell;
   std::optional<FittedShell> fitted;
   if (!flags.measured.empty()) {
@@ -86,8 +82,11 @@ void add_model_shell(CommandLine& line) {
   command.value("--young", s.young_Pa, "Young's modulus of the wall").above_zero().type("PA").show_default();
   command.value("--density", s.density_kgpm3, "Density of the wall").above_zero().type("KG/M3").show_default();
   command.value("--poisson", s.poisson, "Poisson's ratio").within(0, 0.499).show_default();
-  command.value("--n", flags->n, "Waves around the tube, n").type("N").show_default();
-  command.value("--modes", flags->modes, "Half-waves along the tube, m: from 1 to this").type("N").show_default();
+  command.value("--n", flags->n, "Waves around the tube, n").within(2, kMostPattern).type("N").show_default();
+  command.value("--modes", flags->modes, "Half-waves along the tube, m: from 1 to this")
+      .within(1, kMostPattern)
+      .type("N")
+      .show_default();
   command
       .list("--measured", flags->measured,
             "Measured hoop frequencies to fit the shell to: waves around, half-waves along, frequency and its "

@@ -29,7 +29,7 @@ std::string action_of(const DeclaredOption& option) {
   if (option.list && !option.choices.empty())
     return fmt::format("_values -s , value {}", fmt::join(option.choices, " "));
   if (!option.choices.empty()) return fmt::format("({})", fmt::join(option.choices, " "));
-  const std::string files = option.kind == WordKind::folder ? "_files -/" : "_files";
+  std::string files = option.kind == WordKind::folder ? "_files -/" : "_files";
   if (option.kind == WordKind::text) return " ";
   if (option.suggestions.empty()) return files;
   return fmt::format("{{compadd -- {}; {}}}", fmt::join(option.suggestions, " "), files);
