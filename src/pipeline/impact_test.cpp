@@ -178,9 +178,10 @@ void warn(const ImpactTestOptions& options, std::size_t impacts, std::size_t use
                                     [](const DeflectedHit& hit) { return !hit.deflection.peak_is_told(); });
   if (untold > 0) {
     test.warnings.push_back(
-        {"not_told", fmt::format("{} of {} deflections nowhere stand out of four of their deviations; record "
-                                 "with more pre-trigger, or see --method modal",
-                                 untold, test.hits.size())});
+        {"not_told",
+         fmt::format("{} of {} deflections are nowhere larger than four times their own uncertainty, so that "
+                     "no largest value can be told; record with more pre-trigger, or see --method modal",
+                     untold, test.hits.size())});
   }
   const bool drifting = std::any_of(test.hits.begin(), test.hits.end(), [](const DeflectedHit& hit) {
     return hit.deflection.method == DeflectionMethod::drift_free && !hit.deflection.held;
