@@ -92,7 +92,7 @@ void add_calibrate(CommandLine& line) {
                   "Hits on a mass of 1.25 kg, the hammer in column CH8");
   command.example("percuss calibrate hits.csv --mass 1.25 --force-channel CH8 -o hammer.json",
                   "The result kept as a document");
-  add_read_flags(command, flags->read);
+  add_read_flags(command, flags->read, Reads::records);
   add_output_flags(command, flags->output, ".json");
   command.value("--mass", flags->mass_kg, "The free mass, its accelerometer included")
       .type("KG")

@@ -43,7 +43,8 @@ int deflect_files(const DeflectFlags& flags) {
   check_outputs(flags.output, {".json", ".csv", ".h5", ".svg", ".html"});
   ImpactTestOptions options = flags.options;
   options.deflection.method = method_named(flags.method);
-  if (!flags.positions.empty()) options.position_m = parse_range("--positions", flags.positions).values();
+  if (!flags.positions.empty())
+    options.position_m = parse_range("--positions", flags.positions, RangeMay::be_one_value).values();
   const Progress progress("integrating", flags.output.quiet);
   const Analysis analysis = analysis_of(flags);
   const ImpactTest test = deflect(analysis, options);
@@ -112,7 +113,7 @@ void add_deflect(CommandLine& line) {
              "Time at which the ball broke the beam, from the record's beginning")
       .finite()
       .type("S");
-  add_read_flags(command, flags->read);
+  add_read_flags(command, flags->read, Reads::records);
   add_analysis_flags(command, flags->analysis);
   add_output_flags(command, flags->output, ".json, .csv, .h5, .svg, .html");
 }

@@ -21,7 +21,7 @@ std::vector<double> Range::values() const {
   return all;
 }
 
-RangeText parse_range_with_unit(const std::string& option, const std::string& text, const char* remedy) {
+RangeText parse_range_with_unit(const std::string& option, const std::string& text, const char* remedy, RangeMay may) {
   const auto refuse = [&](const char* problem) {
     return UsageError(option + " " + one_line(text, 80) + ": " + problem, remedy);
   };
@@ -35,7 +35,8 @@ RangeText parse_range_with_unit(const std::string& option, const std::string& te
     at = after;
   }
   const auto [low, step, high] = number;
-  if (!(step > 0) || !(high > low)) throw refuse("the step must be above zero and the end above the start");
+  const bool spans = high > low || (may == RangeMay::be_one_value && high == low);
+  if (!(step > 0) || !spans) throw refuse("the step must be above zero and the end above the start");
   const double steps = (high - low) / step;
   if (!(steps < kMostValues)) throw refuse("more than 10000 values");
   if (std::abs(steps - std::round(steps)) > kWholeSteps) throw refuse("the end is not a whole number of steps away");
@@ -43,8 +44,8 @@ RangeText parse_range_with_unit(const std::string& option, const std::string& te
           .unit = {at, static_cast<std::size_t>(end - at)}};
 }
 
-Range parse_range(const std::string& option, const std::string& text) {
-  const auto [range, unit] = parse_range_with_unit(option, text, kForm);
+Range parse_range(const std::string& option, const std::string& text, RangeMay may) {
+  const auto [range, unit] = parse_range_with_unit(option, text, kForm, may);
   if (!unit.empty()) throw UsageError(option + " " + one_line(text, 80) + ": something follows the numbers", kForm);
   return range;
 }

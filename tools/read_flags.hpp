@@ -25,7 +25,8 @@ struct ReadFlags {
   std::vector<double> accel_sensitivity_mV_per_g;
 };
 
-void add_read_flags(Command& command, ReadFlags& flags);
+enum class Reads { records, records_or_frfs };
+void add_read_flags(Command& command, ReadFlags& flags, Reads reads = Reads::records_or_frfs);
 
 /// The set-up file and typed units worked into flags.options. Throws InputError.
 ReadOptions finished_options(const ReadFlags& flags);

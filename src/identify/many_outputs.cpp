@@ -68,6 +68,10 @@ class Completed {
     whole_.outputs = cut.outputs;
   }
   const FrfSet& set() const { return whole_; }
+  // FRFs that came without records do not tell what is missing of them.
+  bool from_records() const {
+    return std::all_of(cut_.points.begin(), cut_.points.end(), [](const PointForce& p) { return !p.blocks.empty(); });
+  }
 
   // Residues fitted to a set less complete are off by as much as that lacks; what is added, by as much again.
   void take(const std::vector<Pole>& poles, const Eigen::MatrixXcd& residues) {
@@ -167,7 +171,7 @@ std::optional<std::vector<Mode>> identify_many(const FrfSet& set, const Identify
     const std::size_t before = found.size();
     found = fit_peaks(few, peaks);
     if (found.empty() || most_left(set, found) > kMostLeft) return std::nullopt;
-    if (found.size() != before) complete(completed, few, found);
+    if (found.size() != before && completed.from_records()) complete(completed, few, found);
   }
   if (pairs_move(completed.set(), poles_of(found))) return std::nullopt;
   if (options.effort == Effort::best) refine(few, found);

@@ -201,8 +201,8 @@ void remark(const Session& s, Certification& c) {
       std::count_if(s.shots.begin(), s.shots.end(), [](const SessionShot& shot) { return shot.pairs_in_mph.empty(); });
   if (no_pairs > 0) {
     c.remarks.push_back(
-        {"pairs_not_given",
-         fmt::format("{} shots come with one speed: whether the gates agree was not checked", no_pairs)});
+        {"pairs_not_given", fmt::format("{} with one speed: whether the gates agree was not checked",
+                                        no_pairs == 1 ? "1 shot comes" : fmt::format("{} shots come", no_pairs))});
   }
 }
 

@@ -17,6 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr std::size_t kMostNamed = 8;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 // One document against the first.
@@ -92,6 +93,12 @@ const ModePair* pair_at(const Comparison& c, std::size_t mode) {
   return nullptr;
 }
 
+// Without a sign where nothing is shown of it.
+std::string signed_percent(double percent) {
+  std::string text = fmt::format("{:+.2f}", percent);
+  return text == "-0.00" || text == "+0.00" ? "0.00" : text;
+}
+
 std::string frequency_text(const ComparedMode& mode) { return with_deviation(mode.freq_Hz, mode.freq_std_Hz) + " Hz"; }
 
 ReportText modes_text(const std::vector<ComparedDocument>& documents, const std::vector<Comparison>& comparisons) {
@@ -107,7 +114,8 @@ ReportText modes_text(const std::vector<ComparedDocument>& documents, const std:
     for (const Comparison& c : comparisons) {
       const ModePair* pair = pair_at(c, m);
       std::string cell =
-          pair ? fmt::format("{} ({:+.2f} %", frequency_text(c.b.modes[pair->b]), pair->difference_percent) : "–";
+          pair ? fmt::format("{} ({} %", frequency_text(c.b.modes[pair->b]), signed_percent(pair->difference_percent))
+               : "–";
       if (pair) cell += pair->mac ? fmt::format(", MAC {:.3f})", pair->mac->value) : ")";
       cells.push_back(std::move(cell));
     }
@@ -119,8 +127,11 @@ ReportText modes_text(const std::vector<ComparedDocument>& documents, const std:
   for (const Comparison& c : comparisons) {
     if (c.modes.unpaired_b.empty()) continue;
     std::string only = fmt::format("only in {}:", one_line(c.b.name, 200));
-    for (const std::size_t m : c.modes.unpaired_b) only += fmt::format(" {:.6g} Hz", c.b.modes[m].freq_Hz);
-    text += only + '\n';
+    const auto& unpaired = c.modes.unpaired_b;
+    const std::size_t shown = std::min(unpaired.size(), kMostNamed);
+    for (std::size_t i = 0; i < shown; ++i) only += fmt::format(" {:.6g} Hz", c.b.modes[unpaired[i]].freq_Hz);
+    if (shown < unpaired.size()) only += fmt::format(" and {} more", unpaired.size() - shown);
+    text.say(only);
   }
   return text;
 }
@@ -139,7 +150,7 @@ ReportText deflections_text(const Comparison& c) {
     table.add({place, fmt::format("{:.4g} mm", 1000 * pair.a_m), fmt::format("{:.4g} mm", 1000 * pair.b_m),
                with_deviation(pair.ratio, pair.ratio_std), ""});
   }
-  ReportText text(std::string("\nlargest deflection\n"));
+  ReportText text(std::string("largest deflection\n"));
   text += table;
   return text;
 }
@@ -223,9 +234,16 @@ CommandReport compare_report(const std::vector<ComparedDocument>& documents, con
   }
   CommandReport report;
   report.json = json_of(documents, comparisons);
-  if (modes || !deflections) report.text = modes_text(documents, comparisons);
+  bool first = true;
+  if (modes || !deflections) {
+    report.text = modes_text(documents, comparisons);
+    first = false;
+  }
   for (const Comparison& c : comparisons) {
-    if (!c.deflections.empty()) report.text += deflections_text(c);
+    if (c.deflections.empty()) continue;
+    if (!first) report.text += "\n";
+    first = false;
+    report.text += deflections_text(c);
   }
   report.columns = columns_of(documents, comparisons);
   report.charts = {chart_of(comparisons)};

@@ -68,7 +68,9 @@ class PopulationMaker {
 
   StudyBat wood() {
     const double length_in = 30 + std::floor(random_.uniform(0, 5));
-    StudyBat bat = body(BarrelMaterial::wood, length_in, random_.uniform(-3, 0.5), 10600, 155 + normal(14));
+    // In an order of their own: arguments are evaluated in any.
+    const double bending_Hz = 155 + normal(14), drop = random_.uniform(-3, 0.5);
+    StudyBat bat = body(BarrelMaterial::wood, length_in, drop, 10600, bending_Hz);
     perform(bat, 0.480 + normal(spec_.noise));
     return bat;
   }
@@ -80,7 +82,8 @@ class PopulationMaker {
   StudyBat hollow(BarrelMaterial material, double low_Hz, double high_Hz) {
     const double length_in = 31 + std::floor(random_.uniform(0, 4));
     const double hoop_Hz = recorded(random_.uniform(low_Hz, high_Hz), 1);
-    StudyBat bat = body(material, length_in, random_.uniform(-3, -2.1), 9600, 175 + normal(30));
+    const double bending_Hz = 175 + normal(30), drop = random_.uniform(-3, -2.1);
+    StudyBat bat = body(material, length_in, drop, 9600, bending_Hz);
     at(bat, StudyQuantity::hoop1) = hoop_Hz;
     at(bat, StudyQuantity::hoop2) = recorded(1.25 * hoop_Hz + normal(30), 1);
     bat.broken_in = material == BarrelMaterial::composite && hoop_Hz < 1700;
