@@ -152,6 +152,15 @@ def zoom(driver, path):
     time.sleep(0.3)
     check(scales(driver) == before, "zoom: a double click shows all again")
     buttons = {b.text: b for b in driver.find_elements(By.CSS_SELECTOR, '[data-picture="magnitude"] button')}
+    ActionChains(driver).move_to_element(over).perform()
+    said = driver.find_element(By.CSS_SELECTOR, '[data-picture="magnitude"] .readout').text
+    check(" Hz: " in said and " dB" in said, f"cursor: {said}")
+    buttons["Logarithmic"].click()
+    time.sleep(0.2)
+    kinds = driver.execute_script("return drawn.filter((d) => d.plot.scales.x.distr === 3).length")
+    check(kinds == 3 and scales(driver)[0] == scales(driver)[2] and min(driver.execute_script(DRAWN)) > 30, "zoom: over the logarithm of the frequency")
+    buttons["Logarithmic"].click()
+    time.sleep(0.2)
     buttons["Zoom in"].send_keys("\ue007")  # as the keyboard does it
     time.sleep(0.2)
     narrow = scales(driver)

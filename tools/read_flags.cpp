@@ -71,8 +71,8 @@ void add_read_flags(Command& command, ReadFlags& flags, Reads reads) {
   ReadOptions& options = flags.options;
   command.words("FILE", flags.paths,
                 reads == Reads::records
-                    ? "Records to read: HDF5, MAT, UFF, LabVIEW, WAV, CSV or text; - is standard input"
-                    : "Records to read, or FRFs: HDF5, MAT, UFF, LabVIEW, WAV, CSV or text; - is standard input");
+                    ? "Records to read: HDF5, MAT, UFF, LabVIEW, sound, CSV or text; - is standard input"
+                    : "Records to read, or FRFs: HDF5, MAT, UFF, LabVIEW, sound, CSV or text; - is standard input");
   const std::string others = command.heading(kGroup);
   command
       .value(

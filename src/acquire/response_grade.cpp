@@ -170,7 +170,7 @@ void add_response_findings(Hit& hit, const std::vector<ResponseGrade>& channels)
          .value = worst->left_dB,
          .message = fmt::format("still ringing at the end, {:.0f} dB below the start: record longer, or rely on the "
                                 "fitted damping, which allows for it",
-                                worst->left_dB)});
+                                -worst->left_dB)});
   }
 }
 

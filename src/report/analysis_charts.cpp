@@ -132,7 +132,7 @@ LineChart stabilisation_chart(const Analysis& analysis, const std::vector<Verdic
 }  // namespace
 
 const std::vector<std::string>& analysis_chart_names() {
-  static const std::vector<std::string> names{"magnitude", "phase", "coherence",     "force",
+  static const std::vector<std::string> names{"magnitude", "phase", "coherence",     "force",   "response",
                                               "spectrum",  "decay", "stabilisation", "movement"};
   return names;
 }
@@ -147,7 +147,7 @@ std::vector<SvgPiece> analysis_charts(const Analysis& analysis, const std::vecto
   const auto frfs =
       possible && wants({"magnitude", "phase", "coherence"}) ? frf_curves(analysis) : std::vector<FrfCurve>();
   const auto hits =
-      with_hits && wants({"force", "spectrum", "decay"}) ? hit_curves(analysis) : std::vector<HitCurves>();
+      with_hits && wants({"force", "response", "spectrum", "decay"}) ? hit_curves(analysis) : std::vector<HitCurves>();
   std::vector<LineChart> charts;
   if (!frfs.empty() && wants({"magnitude"})) charts.push_back(magnitude_chart(analysis, frfs, verdicts));
   if (!frfs.empty() && wants({"phase"})) charts.push_back(phase_chart(analysis, frfs));
@@ -156,6 +156,12 @@ std::vector<SvgPiece> analysis_charts(const Analysis& analysis, const std::vecto
     charts.push_back(
         hits_chart(hits, &HitCurves::force_N, 1e3,
                    {.title = "Force", .x = {.label = "time after the onset, ms"}, .y = {.label = "force, N"}}));
+  }
+  if (wants({"response"})) {
+    charts.push_back(hits_chart(hits, &HitCurves::response_mps2, 1e3,
+                                {.title = "Response to the pulse",
+                                 .x = {.label = "time after the onset, ms"},
+                                 .y = {.label = "first accelerometer, m/s²"}}));
   }
   if (wants({"spectrum"})) {
     charts.push_back(

@@ -7,7 +7,8 @@
 
 namespace percuss {
 
-/// Names of the pictures of an analysis: magnitude, phase, coherence, force, spectrum, decay, stabilisation, movement.
+/// Names of the pictures of an analysis: magnitude, phase, coherence, force, response, spectrum, decay, stabilisation,
+/// movement.
 const std::vector<std::string>& analysis_chart_names();
 
 /// The pictures asked for, in that order; those there is nothing for are left out.

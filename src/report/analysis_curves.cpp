@@ -83,8 +83,27 @@ HitSamples spectrum_of(const Hit& hit, double fs_Hz) {
   return out;
 }
 
-// The response's level from block to block after the peak.
-HitSamples decay_of(const Analysis& analysis, const Hit& hit, std::size_t channel) {
+// The response before, while and shortly after the pulse acts.
+HitSamples response_of(const Analysis& analysis, const Hit& hit, std::size_t channel) {
+  constexpr std::size_t kMostSamples = 1000;
+  constexpr double kPulsesShown = 20;
+  const double fs_Hz = analysis.record().fs_Hz;
+  const auto wanted = static_cast<std::size_t>(kPulsesShown * hit.pulse_s * fs_Hz) + 2;
+  const std::size_t end = hit.first + hit.samples, count = std::min({wanted, kMostSamples, end - hit.gate_first});
+  HitSamples out{.first = static_cast<double>(hit.gate_first) / fs_Hz - hit.onset_s, .step = 1 / fs_Hz, .value = {}};
+  out.value.resize(count);
+  analysis.record().read_accel_mps2(hit.row, channel, hit.gate_first, out.value);
+  return out;
+}
+
+struct Decay {
+  HitSamples level_dB;
+  double noise_dB = kNotSeen;
+};
+
+// The response's level from block to block after the peak, and before the pulse.
+Decay decay_of(const Analysis& analysis, const Hit& hit, std::size_t channel) {
+  constexpr std::size_t kLeastRest = 16;  // samples that tell a level
   const Record& record = analysis.record();
   const std::size_t first = std::min(hit.peak, hit.first + hit.samples - 1), count = hit.first + hit.samples - first;
   std::vector<double> samples(count);
@@ -100,7 +119,15 @@ HitSamples decay_of(const Analysis& analysis, const Hit& hit, std::size_t channe
   }
   const double highest = out.value.empty() ? 0 : *std::max_element(out.value.begin(), out.value.end());
   for (double& level : out.value) level -= highest;
-  return out;
+  Decay decay{.level_dB = std::move(out)};
+  if (hit.gate_first >= hit.first + kLeastRest) {
+    samples.resize(hit.gate_first - hit.first);
+    record.read_accel_mps2(hit.row, channel, hit.first, samples);
+    double sum = 0;
+    for (const double x : samples) sum += (x - mean) * (x - mean);
+    decay.noise_dB = level_dB_of(std::sqrt(sum / static_cast<double>(samples.size()))) - highest;
+  }
+  return decay;
 }
 
 }  // namespace
@@ -124,14 +151,18 @@ std::vector<HitCurves> hit_curves(const Analysis& analysis) {
   for (std::size_t i = 0; i < hits.size() && out.size() < kMostHitsShown; ++i) {
     const Hit& hit = hits[i].hit;
     if (hit.gated_N.empty()) continue;
+    const bool seen = !hits[i].responses.empty();
+    Decay decay = seen ? decay_of(analysis, hit, 0) : Decay{};
     out.push_back({.number = i,
                    .accepted = hits[i].accepted,
                    .bandwidth_Hz = hit.bandwidth_Hz,
                    .force_N = {.first = static_cast<double>(hit.gate_first) / fs_Hz - hit.onset_s,
                                .step = 1 / fs_Hz,
                                .value = hit.gated_N},
+                   .response_mps2 = seen ? response_of(analysis, hit, 0) : HitSamples{},
                    .spectrum_dB = spectrum_of(hit, fs_Hz),
-                   .decay_dB = hits[i].responses.empty() ? HitSamples{} : decay_of(analysis, hit, 0)});
+                   .noise_dB = decay.noise_dB,
+                   .decay_dB = std::move(decay.level_dB)});
   }
   return out;
 }

@@ -31,8 +31,10 @@ struct HitCurves {
   std::size_t number = 0;
   bool accepted = false;
   double bandwidth_Hz = 0;
-  HitSamples force_N;      // over seconds from the onset; zero outside
-  HitSamples spectrum_dB;  // of the force over Hz, under its largest line, to 1.5 times the bandwidth
+  HitSamples force_N;        // over seconds from the onset; zero outside
+  HitSamples response_mps2;  // of the first accelerometer over seconds from the onset; may be empty
+  HitSamples spectrum_dB;    // of the force over Hz, under its largest line, to 1.5 times the bandwidth
+  double noise_dB = 0;       // of the first accelerometer before the hit, as decay_dB; NaN: it was not seen at rest
   HitSamples decay_dB;  // of the first accelerometer over seconds from the peak, under its largest block; may be empty
 };
 

@@ -34,7 +34,9 @@ std::string hits_section(const Analysis& analysis) {
         fmt::format("<details>\n<summary>Table of {} hits</summary>\n{}</details>\n", analysis.hits().size(), shown);
   return page_section("hits", "Hits",
                       shown + page_picture("force", "Force of the first hits over time.") +
-                          page_findings(analysis, {double_hit, overload, late_trigger, no_pulse, weak, polarity}) +
+                          page_findings(analysis, {double_hit, overload, late_trigger, no_pulse, weak}) +
+                          page_picture("response", "Response of the first accelerometer to the pulses over time.") +
+                          page_findings(analysis, {polarity}) +
                           page_picture("spectrum", "Spectrum of the force in decibels over frequency.") +
                           page_findings(analysis, {low_bandwidth}) +
                           page_picture("decay", "Decay of the responses in decibels over time.") +

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "report/analysis_curves.hpp"
@@ -73,6 +74,8 @@ Json hits_picture(const Analysis& analysis) {
                    {"accepted", hit.accepted},
                    {"bandwidth_hz", hit.bandwidth_Hz},
                    {"force_n", samples_json(hit.force_N, 0)},
+                   {"response_mps2", hit.response_mps2.value.empty() ? Json() : samples_json(hit.response_mps2, 0)},
+                   {"noise_db", std::isfinite(hit.noise_dB) ? Json(hit.noise_dB) : Json()},
                    {"spectrum_db", samples_json(hit.spectrum_dB, kSeen_dB)},
                    {"decay_db", hit.decay_dB.value.empty() ? Json() : samples_json(hit.decay_dB, kSeen_dB)}});
   }

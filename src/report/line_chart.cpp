@@ -17,8 +17,9 @@ namespace {
 
 constexpr double kWidth = 760, kHeight = 440;
 constexpr double kLeft = 72, kRight = 620, kTop = 44, kBottom = 384;  // of the plot; names stand right of it
-constexpr double kLineHeight = 15, kCharacterWidth = 7;
-constexpr double kLabelRoom = 20;  // right of a point, for its label
+constexpr double kLineHeight = 15, kCharacterWidth = 7;               // at most
+constexpr double kFlagCharacterWidth = 6.4;                           // on average
+constexpr double kLabelRoom = 20;                                     // right of a point, for its label
 constexpr std::size_t kMostDrawn = 1000, kLongestName = 48;
 constexpr std::size_t kTicks = 6;
 
@@ -194,10 +195,10 @@ class Drawing {
       const double at = x_.pixel(flag.x);
       if (!(at >= kLeft && at <= kRight)) continue;
       add("<path d=\"M{:.1f} {}V{}\" stroke=\"{}\" stroke-dasharray=\"2 3\"/>", at, kTop, kBottom, ink());
-      const double half = 0.5 * kCharacterWidth * static_cast<double>(text_width(flag.name));
+      const double half = 0.5 * kFlagCharacterWidth * static_cast<double>(text_width(flag.name));
       if (at - half < free) continue;
       add(R"(<text x="{:.1f}" y="{}" text-anchor="middle">{}</text>)", at, kTop - 6, svg_text(flag.name));
-      free = at + half + kCharacterWidth;
+      free = at + half + kFlagCharacterWidth;
     }
     out_ += '\n';
   }

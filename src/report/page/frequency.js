@@ -18,7 +18,7 @@ const nameModes = (u) => inCanvas(u, (context) => {
 });
 
 // Buttons that do what the mouse does: every picture of `together` shows the same stretch.
-const zoomButtons = (figure, together, lowest, highest) => {
+const zoomButtons = (figure, together, lowest, highest, changeAxis) => {
   const controls = made("div");
   controls.className = "controls";
   figure.prepend(controls);
@@ -34,15 +34,46 @@ const zoomButtons = (figure, together, lowest, highest) => {
     ["All", () => [lowest, highest]],
   ];
   for (const [name, move] of moves) made("button", controls, name).addEventListener("click", () => change(move));
+  const kind = made("button", controls, "Logarithmic");
+  kind.addEventListener("click", () => { kind.textContent = changeAxis() ? "Linear" : "Logarithmic"; });
+};
+
+// The levels under the cursor, in words below the picture.
+const readout = (figure, curves, levels) => {
+  const line = made("p", figure, "Point at the picture to read it.");
+  line.className = "readout";
+  return (u) => {
+    const k = u.cursor.idx;
+    if (k === null || k === undefined) return;
+    line.textContent = `${u.data[0][k].toFixed(2)} Hz: ` + curves.map((c, i) => `${c.name} ${levels[i][k] === null ? "–" : levels[i][k].toFixed(2)} dB`).join(", ");
+  };
+};
+
+const magnitudeSeries = (frf, levels) => {
+  const series = [], bands = [];
+  frf.curves.forEach((curve, i) => {
+    const db = levels[i];
+    // The band is as far below as above, not in decibels but in amplitude.
+    const below = (above) => 20 * Math.log10(Math.max(0.01, 2 - 10 ** (above / 20)));
+    series.push({ values: db, ...strokes(i) });
+    if (curve.sigma_db) {
+      const sigma = numbers(curve.sigma_db);
+      series.push({ values: db.map((v, k) => (v === null || sigma[k] === null ? null : v + sigma[k])), stroke: "transparent", width: 0 });
+      series.push({ values: db.map((v, k) => (v === null || sigma[k] === null ? null : v + below(sigma[k]))), stroke: "transparent", width: 0 });
+      bands.push({ series: [series.length - 1, series.length], fill: () => colour(`--c${i % 8}`) + "33" });
+    }
+    if (curve.fit_db) series.push({ values: numbers(curve.fit_db), stroke: () => colour("--fit"), width: 0.75 });
+  });
+  return { series, bands };
 };
 
 const frequencyPictures = () => {
   const frf = data.frf;
   if (!frf || !frf.curves.length) return;
-  const count = atob(frf.curves[0].db.u16).length / 2;
+  const levels = frf.curves.map((c) => numbers(c.db)), count = levels[0].length;
   const xs = Array.from({ length: count }, (_, k) => frf.first_hz + k * frf.df_hz);
-  const together = [];
-  let following = false;
+  const together = [], again = [];
+  let following = false, logarithmic = false;
   const follow = (u, key) => {
     if (key !== "x" || following) return;
     following = true;
@@ -50,29 +81,34 @@ const frequencyPictures = () => {
     for (const other of together) if (other !== u) other.setScale("x", { min, max });
     following = false;
   };
-  const add = (figure, height, y, series, options) =>
-    together.push(plot(figure, height, "frequency, Hz", y, xs, series, { shared: true, ...options, hooks: { setScale: [follow], ...options.hooks } }));
+  // Pictures are made anew where the axis becomes another, each in its own place.
+  const add = (figure, height, y, series, options) => {
+    const target = made("div", figure);
+    target.className = "plot";
+    const draw = () => together.push(plot(figure, height, "frequency, Hz", y, xs, series, { shared: true, target, logarithmic, ...options, hooks: { setScale: [follow], ...options.hooks } }));
+    again.push(draw);
+    draw();
+  };
+  const changeAxis = () => {
+    logarithmic = !logarithmic;
+    for (const u of together) {
+      drawn.splice(drawn.findIndex((d) => d.plot === u), 1);
+      u.destroy();
+    }
+    together.length = 0;
+    for (const draw of again) draw();
+    return logarithmic;
+  };
   for (const figure of places("magnitude")) {
     legend(figure, frf.curves.map((c) => c.name));
-    const series = [], bands = [];
     // The curves set the scale: a deviation that is as large as its value reaches to nothing.
-    const all = frf.curves.flatMap((c) => numbers(c.db)).filter((v) => v !== null);
+    const all = levels.flat().filter((v) => v !== null);
     const span = [all.reduce((a, b) => Math.min(a, b), Infinity) - 5, all.reduce((a, b) => Math.max(a, b), -Infinity) + 5];
-    frf.curves.forEach((curve, i) => {
-      const db = numbers(curve.db);
-      // The band is as far below as above, not in decibels but in amplitude.
-      const below = (above) => 20 * Math.log10(Math.max(0.01, 2 - 10 ** (above / 20)));
-      series.push({ values: db, ...strokes(i) });
-      if (curve.sigma_db) {
-        const sigma = numbers(curve.sigma_db);
-        series.push({ values: db.map((v, k) => (v === null || sigma[k] === null ? null : v + sigma[k])), stroke: "transparent", width: 0 });
-        series.push({ values: db.map((v, k) => (v === null || sigma[k] === null ? null : v + below(sigma[k]))), stroke: "transparent", width: 0 });
-        bands.push({ series: [series.length - 1, series.length], fill: () => colour(`--c${i % 8}`) + "33" });
-      }
-      if (curve.fit_db) series.push({ values: numbers(curve.fit_db), stroke: () => colour("--fit"), width: 0.75 });
-    });
-    add(figure, 360, "dB re 1 (m/s²)/N", series, { top: 40, range: span, bands, hooks: { draw: [nameModes] } });
-    zoomButtons(figure, together, xs[0], xs[count - 1]);
+    const { series, bands } = magnitudeSeries(frf, levels);
+    let read = () => {};
+    add(figure, 360, "dB re 1 (m/s²)/N", series, { top: 40, range: span, bands, hooks: { draw: [nameModes], setCursor: [(u) => read(u)] } });
+    read = readout(figure, frf.curves, levels);
+    zoomButtons(figure, together, xs[0], xs[count - 1], changeAxis);
     const notes = [frf.curves.length < frf.of ? `The ${frf.curves.length} strongest of ${frf.of} FRFs.` : "", frf.curves.some((c) => c.fit_db) ? "Thin on top: the modes found." : "", frf.curves.some((c) => c.sigma_db) ? "Shaded: one standard deviation." : ""];
     made("figcaption", figure, notes.filter((note) => note).join(" "));
   }

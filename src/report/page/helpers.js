@@ -48,12 +48,12 @@ const drawn = [];
 
 // A picture of curves over one x; `shared` ones move together.
 const plot = (figure, height, x, y, xs, series, options = {}) => {
-  const target = made("div", figure);
+  const target = options.target || made("div", figure);
   const opts = {
     width: Math.max(320, figure.clientWidth), height,
     legend: { show: false },
     cursor: { drag: { x: true, y: false }, ...(options.shared ? { sync: { key: "frequency", setSeries: false } } : {}) },
-    scales: { x: { time: false }, y: options.range ? { range: options.range } : {} },
+    scales: { x: { time: false, distr: options.logarithmic ? 3 : 1 }, y: options.range ? { range: options.range } : {} },
     axes: [axis(x), axis(y, { size: 64, ...(options.splits ? { splits: () => options.splits } : {}) })],
     series: [{}, ...series.map((s) => ({ stroke: s.stroke, width: s.width || 1.5, dash: s.dash, points: { show: false }, spanGaps: false, paths: s.paths }))],
     hooks: options.hooks || {},

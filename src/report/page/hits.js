@@ -37,6 +37,10 @@ const hitPictures = () => {
     if (hits.length < data.of_hits) made("figcaption", figure, `The first ${hits.length} of ${data.of_hits} hits.`);
     hitPicture(figure, curves, 800, Math.min(...curves.map((c) => Math.max(c.first, -0.5))), Math.max(...ends) + 0.2, 0, "time after the onset, ms", "force, N");
   });
+  pictures("response", "response_mps2", 1e3, (figure, curves) => {
+    hitPicture(figure, curves, 800, Math.min(...curves.map((c) => Math.max(c.first, -0.5))), Math.max(...curves.map(endOf)), null, "time after the onset, ms", "response, m/s²");
+    made("figcaption", figure, "First accelerometer. Colours as above.");
+  });
   pictures("spectrum", "spectrum_db", 1, (figure, curves) => {
     const reach = (u) => inCanvas(u, (context) => {
       context.strokeStyle = colour("--soft");
@@ -53,7 +57,20 @@ const hitPictures = () => {
     made("figcaption", figure, `Spectrum of the force. Dashed: 20 dB down, where it reaches no further${data.band_hz ? "; dotted: the band analysed" : ""}. Colours as above.`);
   });
   pictures("decay", "decay_db", 1, (figure, curves) => {
-    hitPicture(figure, curves, 800, 0, Math.max(...curves.map(endOf)), null, "time after the peak, s", "response, dB");
-    made("figcaption", figure, "Decay of the first accelerometer; it ends in the noise. Colours as above.");
+    const floors = curves.filter((c) => c.hit.noise_db !== null);
+    const floor = (u) => inCanvas(u, (context) => {
+      context.setLineDash([2 * devicePixelRatio, 4 * devicePixelRatio]);
+      for (const c of floors) {
+        const at = u.valToPos(c.hit.noise_db, "y", true);
+        if (at > u.bbox.top + u.bbox.height) continue;
+        context.strokeStyle = colour(`--c${c.i % 8}`);
+        context.beginPath();
+        context.moveTo(u.bbox.left, at);
+        context.lineTo(u.bbox.left + u.bbox.width, at);
+        context.stroke();
+      }
+    });
+    hitPicture(figure, curves, 800, 0, Math.max(...curves.map(endOf)), null, "time after the peak, s", "response, dB", { hooks: { draw: [floor] } });
+    made("figcaption", figure, `Decay of the first accelerometer.${floors.length ? " Dotted: its noise before the hit." : ""} Colours as above.`);
   });
 };
