@@ -21,6 +21,7 @@
 #include "report/frf_files.hpp"
 #include "report/modes_uff.hpp"
 #include "report/read_document.hpp"
+#include "report/skipped_text.hpp"
 #include "report_output.hpp"
 
 namespace percuss::tools {
@@ -32,6 +33,7 @@ struct AnalyzeFlags {
   OutputFlags output;
   std::vector<std::string> only;
   bool trace = false;
+  bool explain = false;
   bool per_hit = false;
   bool stabilisation = false;
   std::vector<std::string> pictures{"magnitude", "phase", "coherence"};
@@ -191,6 +193,7 @@ int analyze(const AnalyzeFlags& flags) {
     for (const Test& test : tests) numbered.push_back({.run = test.run, .analysis = test.analysis.get()});
     document = analysis_json(numbered, {.sections = sections,
                                         .trace = flags.trace,
+                                        .explain = flags.explain,
                                         .per_hit = flags.per_hit,
                                         .stabilisation = flags.stabilisation,
                                         .bat = bat,
@@ -213,6 +216,9 @@ int analyze(const AnalyzeFlags& flags) {
   std::cout << (flags.output.json ? document : text) << std::flush;
   if (flags.trace && !flags.output.json) {
     for (const Test& test : tests) print_trace(*test.analysis);
+  }
+  if (flags.explain && !flags.output.json) {
+    for (const Test& test : tests) std::cerr << skipped_text(*test.analysis).text(terminal_width());
   }
   const bool possible =
       std::all_of(tests.begin(), tests.end(), [](const Test& test) { return test.analysis->possible(); });
@@ -260,6 +266,8 @@ void add_analyze(CommandLine& line) {
       .type("KEY=VALUE");
   command.flag("--trace", flags->trace,
                "What ran: stages, calls, seconds (on standard error, or in the JSON document)");
+  command.flag("--explain", flags->explain,
+               "What did not have to be done, how much of it, and why (on standard error, or in the JSON document)");
 }
 
 }  // namespace percuss::tools

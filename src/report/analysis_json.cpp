@@ -6,6 +6,7 @@
 #include "acquire/csv_number.hpp"
 #include "core/units.hpp"
 #include "identify/ring_split.hpp"
+#include "pipeline/skipped.hpp"
 #include "report/coherence_summary.hpp"
 #include "report/deflection_report.hpp"
 #include "report/version.hpp"
@@ -234,6 +235,13 @@ Json document_of(const Analysis& analysis, const JsonOptions& options) {
   json["warnings"] = Json::array();
   for (const Warning& warning : options.warnings != nullptr ? *options.warnings : analysis.warnings())
     json["warnings"].push_back({{"code", warning.code}, {"message", warning.message}});
+  if (options.explain) {
+    json["skipped"] = Json::array();
+    for (const Skipped& one : skipped_by(analysis)) {
+      json["skipped"].push_back(
+          {{"code", one.code}, {"what", one.what}, {"why", one.why}, {"share", one.share ? Json(*one.share) : Json()}});
+    }
+  }
   if (options.trace) {
     json["trace"] = Json::array();
     for (const auto& stage : analysis.trace().stages())

@@ -20,6 +20,7 @@ struct BatLabel {
 struct JsonOptions {
   std::set<Section> sections = all_sections();
   bool trace = false;
+  bool explain = false;  // what was skipped
   bool per_hit = false;
   bool stabilisation = false;                      // the diagram: the demand that computes it
   const std::vector<Verdict>* verdicts = nullptr;  // of the modes, in place of the analysis' own

@@ -1,0 +1,22 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pipeline/analysis.hpp"
+
+namespace percuss {
+
+/// Work that an analysis has not done.
+struct Skipped {
+  std::string code;             // "silence"
+  std::string what;             // "accelerations between the hits"
+  std::string why;              // in words
+  std::optional<double> share;  // of the samples or lines of its kind, 0 … 1; absent: all of that stage
+};
+
+/// What the analysis has skipped up to now; asking computes nothing. Shares under 0.1 % are left out. Codes: channels
+/// (only the force was read), rejected, silence, tail, force_zeros, lines, modes, classes, stabilisation, per_hit.
+std::vector<Skipped> skipped_by(const Analysis& analysis);
+
+}  // namespace percuss
