@@ -169,9 +169,10 @@ TEST_F(FrfInput, OfManyPointsGivesTheModesOfTheRecord) {
   const json modes = json::parse(outcome.out)["modes"];
   const std::vector<double> truth{205, 690, 1390, 2100, 2880};
   ASSERT_EQ(modes.size(), truth.size());
-  for (std::size_t m = 0; m < truth.size(); ++m)
+  for (std::size_t m = 0; m < truth.size(); ++m) {
     EXPECT_NEAR(modes.at(m).at("frequency_hz").get<double>(), truth[m], 1e-3)
         << "0.6 % of the first is cut off, unknown here";
+  }
 }
 
 }  // namespace percuss::frf_input_command_test

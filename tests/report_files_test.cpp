@@ -77,10 +77,11 @@ TEST_P(ReportFiles, HoldsAPageThatIsOneFile) {
                           HasSubstr(GetParam().held), HasSubstr("1970-01-01 00:00 UTC")));
   EXPECT_THAT(page,
               AllOf(Not(HasSubstr("src=")), Not(HasSubstr("href=")), Not(HasSubstr(">nan")), Not(HasSubstr(" nan"))));
-  for (const char* tag : {"table", "section", "figure", "ul", "p", "svg", "details"})
+  for (const char* tag : {"table", "section", "figure", "ul", "p", "svg", "details"}) {
     EXPECT_EQ(count_of(page, fmt::format("<{}>", tag)) + count_of(page, fmt::format("<{} ", tag)),
               count_of(page, fmt::format("</{}>", tag)))
         << tag;
+  }
 }
 
 TEST_P(ReportFiles, AreTheSameForTheSameInput) {

@@ -82,7 +82,7 @@ TEST(Skipped, AreLinesOutsideTheBandAndTheForceOutsideItsPulse) {
 TEST(Skipped, AreSilenceAndDecayedTailsOfALongRecord) {
   SynthSpec spec = bat();
   spec.layout = SynthLayout::continuous;
-  spec.samples = 30 * 8192;
+  spec.samples = std::size_t{30} * 8192;
   spec.hits = 2;
   spec.hit_times_s = {10, 20};
   const Analysis analysis(synthesise(spec).record, {});

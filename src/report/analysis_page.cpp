@@ -29,9 +29,10 @@ std::string hits_section(const Analysis& analysis) {
   const std::string more =
       table.left_out > 0 ? page_paragraph(fmt::format("… and {} more hits in order.", table.left_out)) : "";
   std::string shown = table.shown.html() + more;
-  if (analysis.hits().size() > kMostListed)
+  if (analysis.hits().size() > kMostListed) {
     shown =
         fmt::format("<details>\n<summary>Table of {} hits</summary>\n{}</details>\n", analysis.hits().size(), shown);
+  }
   return page_section("hits", "Hits",
                       shown + page_picture("force", "Force of the first hits over time.") +
                           page_findings(analysis, {double_hit, overload, late_trigger, no_pulse, weak}) +

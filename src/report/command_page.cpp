@@ -31,9 +31,10 @@ std::string command_page(const CommandReport& report, const std::vector<std::str
   const std::string title = title_of(report, inputs);
   std::string body = page_header(title, "") + "<main>\n" + page_section("found", "Result", report.text.html());
   const bool bends = !report.bending.modes.empty();
-  if (bends)
+  if (bends) {
     body +=
         page_section("bending", "How the bat bends", page_picture("bending", "The bat in each of its bending modes."));
+  }
   std::string charts;
   for (const LineChart& chart : report.charts) charts += page_chart(chart);
   if (!charts.empty()) body += page_section("charts", "Pictures", charts);

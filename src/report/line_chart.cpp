@@ -194,7 +194,7 @@ class Drawing {
     for (const ChartFlag& flag : chart_.flags) {
       const double at = x_.pixel(flag.x);
       if (!(at >= kLeft && at <= kRight)) continue;
-      add("<path d=\"M{:.1f} {}V{}\" stroke=\"{}\" stroke-dasharray=\"2 3\"/>", at, kTop, kBottom, ink());
+      add(R"(<path d="M{:.1f} {}V{}" stroke="{}" stroke-dasharray="2 3"/>)", at, kTop, kBottom, ink());
       const double half = 0.5 * kFlagCharacterWidth * static_cast<double>(text_width(flag.name));
       if (at - half < free) continue;
       add(R"(<text x="{:.1f}" y="{}" text-anchor="middle">{}</text>)", at, kTop - 6, svg_text(flag.name));
@@ -261,6 +261,7 @@ std::string line_chart_svg(const LineChart& chart, ChartGround ground) {
 
 std::string line_charts_svg(const std::vector<LineChart>& charts) {
   std::vector<SvgPiece> pieces;
+  pieces.reserve(charts.size());
   for (const LineChart& chart : charts) pieces.push_back(line_chart_piece(chart));
   return svg_document(pieces);
 }

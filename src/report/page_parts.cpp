@@ -42,6 +42,7 @@ std::string names_of(const std::vector<std::string>& paths) {
 
 std::string title_of(const std::vector<InputFile>& files) {
   std::vector<std::string> paths;
+  paths.reserve(files.size());
   for (const InputFile& file : files) paths.push_back(file.path);
   return names_of(paths);
 }

@@ -17,9 +17,10 @@ std::set<Section> parse_sections(const std::vector<std::string>& names) {
   std::set<Section> out;
   for (const std::string& name : names) {
     const auto it = known.find(name);
-    if (it == known.end())
+    if (it == known.end()) {
       throw UsageError("--only does not know the section '" + name + "'",
                        "use hits, frf, coherence, modes, classes or deflection");
+    }
     out.insert(it->second);
   }
   return out;

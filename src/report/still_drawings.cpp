@@ -67,8 +67,9 @@ SvgPiece still_drawings(const std::string& title, const std::vector<StillDrawing
                  .width = kCell * static_cast<double>(beside),
                  .height = kTitle + (kCell + kName) * static_cast<double>(rows)};
   for (std::size_t i = 0; i < drawings.size(); ++i) {
-    const double left = kCell * static_cast<double>(i % beside);
-    const double top = kTitle + (kCell + kName) * static_cast<double>(i / beside);
+    const std::size_t row = i / beside, column = i % beside;
+    const double left = kCell * static_cast<double>(column);
+    const double top = kTitle + (kCell + kName) * static_cast<double>(row);
     draw(drawings[i].rest, box, left, top, R"(stroke="#999" stroke-dasharray="3 3")", piece.body);
     draw(drawings[i].moved, box, left, top, R"(stroke="#0072B2" stroke-width="2")", piece.body);
     fmt::format_to(std::back_inserter(piece.body),
