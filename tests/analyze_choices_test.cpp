@@ -164,4 +164,19 @@ TEST_F(AnalyzeChoices, TakesAChannelSetUp) {
   EXPECT_EQ(document["modes"][0]["residues"].size(), 1U);
 }
 
+TEST_F(AnalyzeChoices, StartsLieWithinTheBand) {
+  EXPECT_THAT(refusal_of({"--band", "60:1000", "--start", "1500"}, 2),
+              HasSubstr("--start 1500 lies outside --band 60:1000"));
+}
+
+// Hits on three bats, taken for one test.
+TEST_F(AnalyzeChoices, FilesOfOtherStructuresAreNotTakenForHitsWithoutAWord) {
+  std::vector<std::string> words{"analyze", "--band", "60:3200", "--only", "classes"};
+  for (const std::string preset : {"wood-bat", "aluminium-bat", "composite-bat"}) {
+    words.push_back(folder_->file(preset + ".h5"));
+    ASSERT_EQ(run_percuss({"synth", preset, "-o", words.back()}).code, 0);
+  }
+  EXPECT_THAT(run_percuss(words).out, HasSubstr("--files tests takes each file for itself"));
+}
+
 }  // namespace percuss::analyze_choices_test

@@ -70,7 +70,8 @@ TEST_F(FrfInput, GivesADocumentWithoutHitsThatTheSchemaDescribes) {
     EXPECT_THAT(test::schema_violations(document, test::schema_named("analysis")), IsEmpty());
     EXPECT_EQ(document["hits"], json::array());
     EXPECT_TRUE(document["fs_hz"].is_null());
-    EXPECT_EQ(document["warnings"], json::array()) << "nothing was assumed";
+    ASSERT_EQ(document["warnings"].size(), 1U) << "nothing was assumed but that the force had no noise";
+    EXPECT_EQ(document["warnings"][0]["code"], "force_noise_unknown");
     EXPECT_GT(document["coherence"][0]["mean"], 0.9);
   }
 }
@@ -104,7 +105,8 @@ TEST_F(FrfInput, WarnsOfWhatItAssumed) {
   const json document = analysed({file("bare.csv")});
   EXPECT_THAT(document["warnings"].dump(), AllOf(HasSubstr("taken as accelerance"), HasSubstr("taken as 0°")));
   const json told = analysed({file("bare.csv"), "--frf-kind", "accelerance", "--angle", "0,90"});
-  EXPECT_EQ(told["warnings"], json::array());
+  ASSERT_EQ(told["warnings"].size(), 1U);
+  EXPECT_EQ(told["warnings"][0]["code"], "force_noise_unknown");
   EXPECT_EQ(told["modes"], document["modes"]);
 }
 
@@ -173,6 +175,16 @@ TEST_F(FrfInput, OfManyPointsGivesTheModesOfTheRecord) {
     EXPECT_NEAR(modes.at(m).at("frequency_hz").get<double>(), truth[m], 1e-3)
         << "0.6 % of the first is cut off, unknown here";
   }
+}
+
+TEST_F(FrfInput, IsRefusedWhereARecordIsNeededOrASoundIsWanted) {
+  ASSERT_EQ(run_percuss({"convert", file("accelerance.csv"), file("frfs.uff")}).code, 0);
+  const auto record = run_percuss({"deflect", file("frfs.uff")});
+  EXPECT_EQ(record.code, 3);
+  EXPECT_THAT(record.err, HasSubstr("it holds FRFs, and records of time are needed here"));
+  const auto sound = run_percuss({"convert", file("accelerance.csv"), file("frfs.wav")});
+  EXPECT_EQ(sound.code, 2);
+  EXPECT_THAT(sound.err, HasSubstr("FRFs are no sound"));
 }
 
 }  // namespace percuss::frf_input_command_test

@@ -103,4 +103,12 @@ TEST_F(InfoCommand, SaysWhatItWasGivenWrong) {
   EXPECT_EQ(run({"--angle", "0,90", file("a.csv")}).code, 3);
 }
 
+TEST_F(InfoCommand, RefusesASetUpWhoseNamesAreSpeltOtherwise) {
+  test::write_bytes(file("typo.json"),
+                    R"([{"name": "CH1", "role": "force"}, {"name": "CH9", "role": "acceleration"}])");
+  const auto outcome = run({"--setup", file("typo.json"), file("b.csv")});
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("no column \"CH9\" among t_s, CH1, CH2"));
+}
+
 }  // namespace percuss::info_command_test

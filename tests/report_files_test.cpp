@@ -168,6 +168,22 @@ TEST_F(AnalyzeFiles, StandBesideOtherDocuments) {
   EXPECT_THAT(test::bytes_of(folder_.file("beside.html")), HasSubstr("id=\"comparison\""));
 }
 
+// Points that nobody connected: their crosses.
+TEST(SurveyDrawing, ShowsPointsWithoutLines) {
+  const test::ScratchFolder folder;
+  std::ofstream(folder.file("plate.json"))
+      << R"({"fs_hz": 8192, "duration_s": 0.5, "hits": 1, "modes": [{"frequency_hz": 300, "damping_ratio": 0.01, "residue_per_kg": [1, 2, 3]}],
+             "sensors": [{"position_m": 0.05, "angle_deg": 0}], "impact": [{"position_m": 0.1}, {"position_m": 0.2}, {"position_m": 0.3}]})";
+  std::ofstream(folder.file("points.csv")) << "point,x_m,y_m,z_m\n0,0,0,0\n1,1,0,0\n2,0.5,1,0\n";
+  ASSERT_EQ(run_percuss({"synth", folder.file("plate.json"), "-o", folder.file("plate.h5")}).code, 0);
+  const auto outcome = run_percuss(
+      {"survey", folder.file("plate.h5"), "--geometry", folder.file("points.csv"), "-o", folder.file("plate.svg")});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const std::string svg = test::bytes_of(folder.file("plate.svg"));
+  EXPECT_THAT(svg, HasSubstr("Mode shapes"));
+  EXPECT_EQ(count_of(svg, "M"), 2 * 2 * 3U + 2) << "two strokes a point, at rest and moved, and the title twice";
+}
+
 TEST(SessionPage, LetsNoNameBecomeMarkup) {
   const test::ScratchFolder folder;
   std::string session = run_percuss({"certify", "--example"}).out;

@@ -1,8 +1,13 @@
 #include "analysis_flags.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include "core/error.hpp"
 
@@ -88,6 +93,21 @@ void add_analysis_flags(Command& command, AnalysisFlags& flags) {
   command.heading(others);
 }
 
+namespace {
+
+// A start outside the band would be fitted and then not reported.
+void require_within_band(const std::optional<std::pair<double, double>>& band_Hz, const std::vector<double>& start_Hz) {
+  for (const double start : start_Hz) {
+    if (band_Hz && (start < band_Hz->first || start > band_Hz->second)) {
+      throw UsageError(
+          fmt::format("--start {:g} lies outside --band {:g}:{:g}", start, band_Hz->first, band_Hz->second),
+          "widen the band or leave it out");
+    }
+  }
+}
+
+}  // namespace
+
 AnalysisOptions analysis_options(const AnalysisFlags& flags) {
   AnalysisOptions options;
   if (!flags.band.empty()) options.band_Hz = parse_band(flags.band, "--band");
@@ -109,6 +129,7 @@ AnalysisOptions analysis_options(const AnalysisFlags& flags) {
     }
   }
   options.exponential_end = flags.exponential_end;
+  require_within_band(options.band_Hz, flags.start_Hz);
   options.modes = {.effort = effort_of(flags.effort), .modes = flags.modes, .start_Hz = each_once(flags.start_Hz)};
   options.classes.overlay_dB = flags.overlay_dB;
   options.threads = flags.threads;

@@ -37,6 +37,8 @@ void convert_frfs(const ConvertFlags& flags, const std::string& to, std::vector<
   const FrfRecord record = join_frfs_of(flags.read, std::move(frfs));
   for (const std::string& note : record.notes) tell(flags, note);
   const std::string kind = extension_of(to);
+  if (kind == ".wav" || kind == ".rf64" || kind == ".w64")
+    throw UsageError("FRFs are no sound: '" + one_line(to, 80) + "' cannot hold them", "use .h5, .csv, .mat or .uff");
   const bool keeps_geometry = kind == ".uff" || kind == ".unv";
   if (!record.geometry.empty() && !keeps_geometry) tell(flags, "not kept: the geometry");
   if (!record.trace_lines.empty() && !keeps_geometry) tell(flags, "not kept: the lines between points");

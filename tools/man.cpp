@@ -1,3 +1,5 @@
+#include <unistd.h>
+
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -39,6 +41,7 @@ int print_page(const Declaration& all, const ManFlags& flags) {
     throw UsageError("--folder is for all pages", "leave out the command or --folder");
   if (flags.folder.empty()) {
     std::cout << man_page(all, command_named(all, flags.words));
+    if (isatty(STDOUT_FILENO) == 1) std::cerr << "percuss: this is for the program man: percuss man ... | man -l -\n";
   } else {
     write_pages(all, flags);
   }

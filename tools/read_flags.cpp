@@ -52,6 +52,21 @@ void take_rate(const std::string& text, ReadOptions& options) {
   }
 }
 
+// Commas stand between names, and within a column of a MAT variable: "data(:,2)".
+std::vector<std::string> whole_names(const std::vector<std::string>& pieces) {
+  std::vector<std::string> names;
+  bool open = false;
+  for (const std::string& piece : pieces) {
+    if (open) {
+      names.back() += "," + piece;
+    } else {
+      names.push_back(piece);
+    }
+    open = names.back().find('(') != std::string::npos && names.back().find(')') == std::string::npos;
+  }
+  return names;
+}
+
 /// The options for file `index`: of a scale per file, that file's.
 ReadOptions options_of_file(const ReadOptions& all, std::size_t index, std::size_t files) {
   ReadOptions options = all;
@@ -140,6 +155,7 @@ ReadOptions finished_options(const ReadFlags& flags) {
   }
   require_unit_or_volts(options.accel_unit, Quantity::acceleration, "--unit");
   require_unit_or_volts(options.force_unit, Quantity::force, "--force-unit");
+  options.accel_channels = whole_names(options.accel_channels);
   if (!flags.setup_path.empty()) options.setup = read_channel_setup(flags.setup_path);
   return options;
 }

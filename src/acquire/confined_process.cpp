@@ -274,7 +274,7 @@ void ConfinedProcess::report_death() {
   const std::string how =
       signal != 0 ? fmt::format("signal {}", signal) : fmt::format("exit code {}", WEXITSTATUS(status));
   throw InputError("it makes the library that reads it crash (" + how + ")", path_,
-                   "it is damaged: save it again, or export another format");
+                   "it is damaged, or memory ran out: save it again, or export another format");
 }
 
 void ConfinedProcess::distrust() const {

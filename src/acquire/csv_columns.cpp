@@ -62,6 +62,7 @@ class Finder {
         where_(header.text ? file + (header.named ? ": header" : ": no header with names") : file) {}
 
   CsvColumns find() {
+    check_setup();
     columns_.hit = take_exact("hit");
     columns_.point = take_exact("point");
     columns_.run = take_exact("run");
@@ -77,6 +78,21 @@ class Finder {
       if (column.has_numbers && header_.named && lower_case(column.name) == name) return column;
     }
     return std::nullopt;
+  }
+
+  // A name that is spelt otherwise would lose its sensor without a word.
+  void check_setup() const {
+    if (!options_.accel_channels.empty()) return;  // the user knows which there are
+    for (const auto& entry : options_.setup) {
+      if (entry.role == "ignore") continue;
+      const bool known = std::any_of(header_.columns.begin(), header_.columns.end(), [&](const CsvColumn& column) {
+        return is_named(column, entry.name) || is_number_of(column, entry.name);
+      });
+      if (!known) {
+        throw InputError("no column \"" + one_line(entry.name, 40) + "\" among " + list_of(header_.columns),
+                         where_ + ": channel set-up", "correct the set-up's name, or leave the entry out");
+      }
+    }
   }
 
   std::optional<CsvColumn> find_time() const {

@@ -177,9 +177,11 @@ std::optional<StampedRate> rate_of_stamps(std::span<const Stamps> rows, StampPro
   rate.lowest_Hz *= 1 - 1e-12;
   rate.highest_Hz *= 1 + 1e-12;
   const double round_Hz = roundest_between(rate.lowest_Hz, rate.highest_Hz);
-  if (std::abs(round_Hz / rate.fs_Hz - 1) > 1e-9) {
-    rate.note = fmt::format("sampling rate {:.10g} Hz: the roundest that the rounded time stamps ({:.10g} Hz) allow",
-                            round_Hz, rate.fs_Hz);
+  constexpr double kWorthANote = 1e-6;  // no clock of a recorder is better
+  if (std::abs(round_Hz / rate.fs_Hz - 1) > kWorthANote) {
+    rate.note = fmt::format(
+        "the time stamps are rounded: the sampling rate is taken as {:.10g} Hz, not {:.10g} (--fs says otherwise)",
+        round_Hz, rate.fs_Hz);
   }
   rate.fs_Hz = round_Hz;
   return rate;

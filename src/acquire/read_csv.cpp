@@ -37,7 +37,7 @@ SignalInfo describe_force(const CsvColumn& column, const ReadOptions& options, c
   apply_force_choice(signal, choice, file + ": column " + column.name, notes);
   if (assumed) {
     signal.unit = "N";
-    notes.push_back(fmt::format("the unit of {} is not stated; taken as N", column.name));
+    notes.push_back(fmt::format("the unit of {} is not stated; taken as N (--force-unit says otherwise)", column.name));
   }
   return signal;
 }
@@ -50,7 +50,7 @@ SignalInfo describe_accel(const CsvColumn& column, const ReadOptions& options, s
   apply_choice(signal, choice, Quantity::acceleration, file + ": column " + column.name);
   if (assumed) {
     signal.unit = "m/s^2";
-    notes.push_back(fmt::format("the unit of {} is not stated; taken as m/s^2", column.name));
+    notes.push_back(fmt::format("the unit of {} is not stated; taken as m/s^2 (--unit says otherwise)", column.name));
   }
   return signal;
 }

@@ -154,6 +154,11 @@ Record open_uff(const FileBytes& file, UffContents contents, const ReadOptions& 
     is_force.push_back(is_force_function(function, options));
   }
   if (functions.empty()) {
+    const auto& all = open->contents.functions;
+    if (std::any_of(all.begin(), all.end(), [](const UffFunction& function) { return is_uff_frf(function); })) {
+      throw InputError("it holds FRFs, and records of time are needed here", name,
+                       "give the record that they were made from");
+    }
     const bool shapes = open->contents.shapes > 0;
     throw InputError("no records of time and no FRFs among " + list_of_sets(open->contents), name,
                      shapes ? "it holds mode shapes, to be looked at in other programs; give the record they came from"

@@ -58,7 +58,9 @@ double unit_to_SI(const std::string& unit, Quantity measures, const std::string&
   if (unit.empty()) return 1;
   const auto stored = parse_unit(unit);
   if (stored && stored->quantity == Quantity::voltage) {
-    throw InputError("the numbers are in " + unit, where, "give the sensor's sensitivity or scale");
+    throw InputError("the numbers are in " + unit, where,
+                     measures == Quantity::force ? "give --force-sensitivity or --force-scale"
+                                                 : "give --accel-sensitivity or --accel-scale");
   }
   return require_unit(unit, measures, where).to_SI;
 }

@@ -68,7 +68,9 @@ void complete_unit(const SignalInfo& signal, const TableSignal& stored, SignalCh
   if (told) return;
   choice.scale = stored.to_SI;
   if (stored.to_SI) return;
-  notes.push_back(fmt::format("the unit of {} is not stated; taken as {}", one_line(signal.name, 40), si_unit));
+  notes.push_back(fmt::format("the unit of {} is not stated; taken as {} ({} says otherwise)",
+                              one_line(signal.name, 40), si_unit,
+                              si_unit == std::string("N") ? "--force-unit" : "--unit"));
 }
 
 void describe_table(Scaled& open, const ReadOptions& options, Record& record) {

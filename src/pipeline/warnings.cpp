@@ -76,14 +76,43 @@ void Analysis::warn_of_unclaimed_peaks(std::vector<Warning>& out) const {
                                         "a line or two apart may: point at each with --start"});
 }
 
+namespace {
+
+// Accepted hits that agree with the others by less than half.
+std::string strangers_among(const std::vector<AnalysedHit>& hits) {
+  constexpr double kHalf = 0.5;
+  std::string out;
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    const auto& findings = hits[i].hit.findings;
+    const bool strange = std::any_of(findings.begin(), findings.end(), [](const Finding& finding) {
+      return finding.code == FindingCode::low_coherence && finding.value < kHalf;
+    });
+    if (hits[i].accepted && strange) out += fmt::format("{}{}", out.empty() ? "hits " : ", ", i);
+  }
+  return out;
+}
+
+}  // namespace
+
 std::vector<Warning> Analysis::warnings() const {
   std::vector<Warning> out;
   const auto& all = hits_.ready() ? hits() : force_hits();
   for (const std::string& note : record_.notes) out.push_back({"input", note});
+  if (given_ && modes_.ready() && !modes().empty()) {
+    out.push_back(
+        {"force_noise_unknown",
+         "FRFs do not tell how noisy the force was: each ± counts the response's noise alone, and is too small "
+         "where the force's is larger; analyse the records where you have them"});
+  }
   const auto rejected = std::count_if(all.begin(), all.end(), [](const AnalysedHit& hit) { return !hit.accepted; });
   if (rejected > 0) {
     out.push_back(
         {"rejected_hits", fmt::format("{} of {} hits not used; the reasons stand beside them", rejected, all.size())});
+  }
+  if (const std::string strangers = strangers_among(all); !strangers.empty()) {
+    out.push_back({"hits_disagree",
+                   strangers + " explain less than half of what the others show: another structure, place or sensor?" +
+                       (record_.files.size() > 1 ? " --files tests takes each file for itself" : "")});
   }
   if (any_finding(all, FindingCode::polarity, true)) {
     out.push_back(

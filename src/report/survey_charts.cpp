@@ -17,6 +17,7 @@ namespace {
 
 constexpr double kTurn_rad = 0.35 * std::numbers::pi, kTilt_rad = 0.15 * std::numbers::pi;  // as the page begins
 constexpr double kExaggeration = 0.15;                                                      // of the frame's radius
+constexpr double kCross = 0.02;                                                             // … of its arms
 constexpr double kLevelFloor = 1e-300;
 
 std::array<double, 2> seen(const std::array<double, 3>& at) {
@@ -36,7 +37,7 @@ double radius_of(const WireFrame& frame) {
   return radius;
 }
 
-std::vector<DrawnLine> lines_of(const WireFrame& frame, const WireMode& mode, double amount) {
+std::vector<DrawnLine> lines_of(const WireFrame& frame, const WireMode& mode, double amount, double arm) {
   const auto place = [&](std::size_t i) {
     std::array<double, 3> at = frame.points[i];
     for (std::size_t k = 0; k < 3; ++k) at.at(k) += amount * mode.moves[i].at(k).real();
@@ -44,6 +45,12 @@ std::vector<DrawnLine> lines_of(const WireFrame& frame, const WireMode& mode, do
   };
   std::vector<DrawnLine> lines;
   for (const auto& [from, to] : frame.lines) lines.push_back({place(from), place(to)});
+  if (!lines.empty()) return lines;
+  for (std::size_t i = 0; i < frame.points.size(); ++i) {  // points alone: crosses
+    const auto [x, y] = place(i);
+    lines.push_back({{x - arm, y}, {x + arm, y}});
+    lines.push_back({{x, y - arm}, {x, y + arm}});
+  }
   return lines;
 }
 
@@ -56,10 +63,10 @@ std::vector<StillDrawing> shape_drawings(const Survey& survey) {
     for (const auto& move : mode.moves) {
       for (const Complex& component : move) largest = std::max(largest, std::abs(component));
     }
-    if (frame.lines.empty() || !(largest > 0)) continue;
+    if (frame.points.size() < 2 || !(largest > 0)) continue;
     drawings.push_back({.name = fmt::format("{}, {:.4g} Hz", mode.name, mode.freq_Hz),
-                        .rest = lines_of(frame, mode, 0),
-                        .moved = lines_of(frame, mode, kExaggeration * radius / largest)});
+                        .rest = lines_of(frame, mode, 0, kCross * radius),
+                        .moved = lines_of(frame, mode, kExaggeration * radius / largest, kCross * radius)});
   }
   return drawings;
 }
