@@ -40,4 +40,12 @@ TEST(ShortFrequency, TakesKilohertzFromAThousand) {
   EXPECT_EQ(short_frequency(0.12345), "0.1235 Hz");
 }
 
+TEST(ForceText, HasThreeDigitsAndNoExponent) {
+  EXPECT_EQ(force_text(232.4), "232 N");
+  EXPECT_EQ(force_text(-1750.4), "-1750 N");
+  EXPECT_EQ(force_text(999.6), "1000 N");
+  EXPECT_EQ(force_text(12345), "12300 N");
+  EXPECT_EQ(force_text(0.01234), "0.0123 N");
+}
+
 }  // namespace percuss::number_test

@@ -74,7 +74,7 @@ HitsTable hits_table(const Analysis& analysis, const std::vector<AnalysedHit>& h
       cells.push_back(one_line(path.substr(path.rfind('/') + 1), 40));
     }
     cells.push_back(pulse ? fmt::format("{:.3f} s", hit.onset_s) : "–");
-    cells.push_back(pulse ? fmt::format("{:.3g} N", hit.peak_N) : "–");
+    cells.push_back(pulse ? force_text(hit.peak_N) : "–");
     cells.push_back(pulse ? fmt::format("{:.2f} ms", hit.pulse_s * 1e3) : "–");
     cells.push_back(pulse ? short_frequency(std::round(hit.bandwidth_Hz)) : "–");
     cells.push_back(hit_verdict(hits[i]));

@@ -68,8 +68,7 @@ std::string per_hit_text(const Analysis& analysis, std::size_t width) {
   for (std::size_t m = 0; m < analysis.modes().size(); ++m) {
     for (const HitMode& found : analysis.modes_per_hit()) {
       if (found.mode != m) continue;
-      table.add({fmt::format("{}", m), fmt::format("{}", found.hit),
-                 fmt::format("{:.3g} N", analysis.hits()[found.hit].hit.peak_N),
+      table.add({fmt::format("{}", m), fmt::format("{}", found.hit), force_text(analysis.hits()[found.hit].hit.peak_N),
                  with_deviation(found.pole.freq_Hz, found.freq_std_Hz) + " Hz",
                  with_deviation(found.pole.damping_ratio * 100, found.damping_std * 100) + " %", ""});
     }

@@ -19,4 +19,12 @@ std::string short_frequency(double freq_Hz) {
   return freq_Hz >= 1000 ? fmt::format("{:.4g} kHz", freq_Hz / 1000) : fmt::format("{:.4g} Hz", freq_Hz);
 }
 
+std::string force_text(double force_N) {
+  constexpr double kThreeDigits = 999.5, kMostDigits = 1e9;
+  const double size = std::abs(force_N);
+  if (!(size >= kThreeDigits && size < kMostDigits)) return fmt::format("{:.3g} N", force_N);
+  const double unit = std::pow(10, std::floor(std::log10(size)) - 2);
+  return fmt::format("{:.0f} N", std::round(force_N / unit) * unit);
+}
+
 }  // namespace percuss

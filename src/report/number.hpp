@@ -10,4 +10,7 @@ std::string with_deviation(double value, double deviation);
 /// Frequencies and lengths for people: four significant digits, k for thousands ("3.9 kHz").
 std::string short_frequency(double freq_Hz);
 
+/// "232 N", "1750 N": three significant digits, never an exponent.
+std::string force_text(double force_N);
+
 }  // namespace percuss

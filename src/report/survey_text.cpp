@@ -86,7 +86,7 @@ std::string scale_text(const Survey& survey) {
   std::string points;
   for (const DrivingPoint& at : survey.driving_points())
     points += fmt::format("{}point {} (channel {})", points.empty() ? "" : ", ", at.point, at.channel);
-  return fmt::format("shapes: unit modal mass, from the driving point {}{}\n", points,
+  return fmt::format("shapes: unit modal mass, from the driving {}{}\n", points,
                      static_cast<std::size_t>(unit) < shapes.size() ? "; the others 1 at their largest" : "");
 }
 
