@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -11,7 +12,7 @@
 namespace percuss::accuracy {
 namespace {
 
-constexpr ChartMark kMarks[] = {ChartMark::circle, ChartMark::square, ChartMark::triangle, ChartMark::diamond};
+constexpr std::array kMarks{ChartMark::circle, ChartMark::square, ChartMark::triangle, ChartMark::diamond};
 constexpr std::size_t kBlack = 4;  // among the styles of a chart
 constexpr double kMega = 1e6;
 constexpr double kMuchTheSame = 2.5;  // factor
@@ -88,13 +89,15 @@ LineChart sweep_chart(const Family& family, const Sweep& sweep) {
       .y = {.label = family.error, .logarithmic = true},
       .curves = {}};
   const std::vector<std::string> methods = methods_of(sweep);
-  for (std::size_t m = 0; m < methods.size(); ++m)  // for the legend
-    chart.curves.push_back({.name = methods[m], .x = {}, .y = {}, .line = false, .mark = kMarks[m], .style = kBlack});
+  for (std::size_t m = 0; m < methods.size(); ++m) {  // for the legend
+    chart.curves.push_back(
+        {.name = methods[m], .x = {}, .y = {}, .line = false, .mark = kMarks.at(m), .style = kBlack});
+  }
   for (std::size_t c = 0; c < sweep.cases.size(); ++c) {
     const std::size_t style = c < kBlack ? c : c + 1;
     chart.curves.push_back(front_of(sweep.cases[c], style));
     for (std::size_t m = 0; m < methods.size(); ++m)
-      chart.curves.push_back(points_of(sweep.cases[c], style, methods[m], kMarks[m]));
+      chart.curves.push_back(points_of(sweep.cases[c], style, methods[m], kMarks.at(m)));
   }
   settle_axis(chart.x, chart.curves, &ChartCurve::x);
   settle_axis(chart.y, chart.curves, &ChartCurve::y);
@@ -126,7 +129,7 @@ LineChart growth_chart(const std::vector<Scaling>& scalings, std::string title, 
                   .curves = {}};
   for (const Scaling& scaling : scalings) {
     ChartCurve curve{.name = scaling.of, .x = {}, .y = {}, .marks = true};
-    curve.mark = kMarks[chart.curves.size() % std::size(kMarks)];
+    curve.mark = kMarks.at(chart.curves.size() % kMarks.size());
     for (const ScalePoint& point : scaling.points) {
       if (!(value(point) > 0)) continue;
       curve.x.push_back(point.n);

@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <exception>
 #include <functional>
 #include <optional>
@@ -24,8 +25,8 @@ inline double peak_memory_bytes() {
 template <class Result>
 std::optional<Result> in_child(const std::function<Result()>& work) {
   static_assert(std::is_trivially_copyable_v<Result>);
-  int ends[2];
-  if (::pipe(ends) != 0) return std::nullopt;
+  std::array<int, 2> ends{};
+  if (::pipe(ends.data()) != 0) return std::nullopt;
   ::malloc_trim(0);  // what is free here would be used there, and not counted
   const pid_t child = ::fork();
   if (child == 0) {

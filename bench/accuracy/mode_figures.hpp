@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -9,7 +10,7 @@
 
 namespace percuss::accuracy {
 
-inline constexpr Effort kEfforts[] = {Effort::quick, Effort::standard, Effort::best};
+inline constexpr std::array kEfforts{Effort::quick, Effort::standard, Effort::best};
 
 /// Errors of the modes that each effort finds, over all modes and runs; times are left out. A true mode is found when a
 /// mode lies within its half-power bandwidth, nearest pairs first, each mode once.

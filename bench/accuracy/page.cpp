@@ -86,12 +86,13 @@ avoided: reading the file's bytes, and one bare FFTW transform per channel and h
 ## How it was measured
 
 - **Truth.** The records are made (`percuss synth`), from closed forms, so that frequencies, damping ratios, residues, FRFs and deflections are known exactly. Force and response
-  pass one and the same anti-alias filter; then noise is added. Nothing that is measured here is used to make the truth.
+  pass one and the same anti-alias filter; then noise is added. The methods that are measured have no part in it.
 - **Error.** The RMS over all noisy runs, modes and channels: 64 runs in the main case, 16 in the others. Over six modes an RMS from so many runs is itself known to
   4 and to 7 %.
 - **Bound.** From the Fisher information of the exact signals, for somebody who knows the force: [theory.md](theory.md), (4.16).
 - **Time.** From an HDF5 file in the page cache to the result, on one thread, as processor time, so that other work on the machine matters little. All methods and the bare limit
-  take turns in the same run, in a changing order, and the best time of each counts. The limit's transforms are planned by measuring and stay in the cache: it is a hard limit.
+  take turns in the same run, in a changing order, and the best time of each counts. The limit's transforms are planned by measuring and stay in the cache: it is a hard limit. ([decisions.md](decisions.md), 30,
+  compares with transforms of records in memory, a softer one.)
 - **Beaten by none.** Nothing else in the same case is as near to the truth and as fast, and better in one of the two. Times within a tenth and errors within a hundredth count as
   the same. In the charts a line joins what nothing beats (Pareto's front).
 )",
@@ -175,7 +176,7 @@ std::string impact_part(const Family& family) {
 ## Ball on a beam
 
 `percuss model impact` by both methods, over the step (0.25 to 64 µs) and over the number of modes; the ball and the cricket bat are the defaults. There is no noise, and so no bound. Truth is
-another program: Runge and Kutta's eighth-order method (GSL's `rk8pd`) on the equations of ball and modes, held to 1e-14. Times are multiples of one bare transform of 65 536 values.
+another way to the same end: Runge and Kutta's eighth-order method (GSL's `rk8pd`) on the equations of the ball and the same modes, held to 1e-14. Times are multiples of one bare transform of 65 536 values.
 
 {}
 {}
@@ -193,13 +194,13 @@ std::string growth_part(const std::vector<Scaling>& scalings) {
     std::string& list = scaling.time_exponent <= kEven ? even : steep;
     list += (list.empty() ? "" : ", ") + scaling.of;
     const ScalePoint& last = scaling.points.back();
-    if (last.n < static_cast<double>(scaling.asked))
+    if (last.n < static_cast<double>(scaling.asked)) {
       stopped +=
           fmt::format("\n- {}: up to {:.0f} of {} in the time that was allowed", scaling.of, last.n, scaling.asked);
+    }
     for (const ScalePoint& point : scaling.points) {
-      if (point.modes != point.modes_sought)
-        lost +=
-            fmt::format("\n- {} = {:.0f}: {} modes found of {}", scaling.of, point.n, point.modes, point.modes_sought);
+      if (point.modes == point.modes_sought) continue;
+      lost += fmt::format("\n- {} = {:.0f}: {} found of {}", scaling.of, point.n, point.modes, point.modes_sought);
     }
   }
   return fmt::format(R"(

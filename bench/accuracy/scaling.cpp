@@ -80,6 +80,7 @@ std::vector<Question> questions() {
 
 Record opened(const std::vector<std::string>& paths) {
   std::vector<Record> records;
+  records.reserve(paths.size());
   for (const std::string& path : paths) records.push_back(open_record(path));
   return join_records(std::move(records), FilesMean::hits);
 }
@@ -180,8 +181,9 @@ double growth_exponent(const std::vector<double>& x, const std::vector<double>& 
 }
 
 std::vector<Scaling> study_scaling(Extent extent, const Turns& turns, double budget_s) {
-  std::vector<Scaling> scalings;
   const auto all = questions();
+  std::vector<Scaling> scalings;
+  scalings.reserve(all.size());
   for (const Question& question : all)
     scalings.push_back(measured_growth(question, extent, turns, budget_s / static_cast<double>(all.size())));
   return scalings;
