@@ -1,0 +1,57 @@
+// percuss_accuracy [--quick] FOLDER: how near percuss's results come to exact truth and what that costs, measured anew
+// and written to FOLDER: accuracy.md and its charts, accuracy-*.svg. Five minutes; --quick tries as little as shows
+// that everything runs, in seconds. Files that exist are written anew. The table for README.md goes to standard output.
+#include <fftw3.h>
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <exception>
+#include <string>
+#include <string_view>
+
+#include "acquire/atomic_file.hpp"
+#include "charts.hpp"
+#include "deflection_study.hpp"
+#include "impact_study.hpp"
+#include "page.hpp"
+#include "stamp.hpp"
+
+namespace percuss::accuracy {
+namespace {
+
+constexpr Turns kTurns, kQuickTurns{.least = 1, .least_s = 0, .each_s = 0};
+constexpr double kScalingBudget_s = 125;
+
+void measure_all(Extent extent, const std::string& folder) {
+  if (extent == Extent::quick) fftw_set_timelimit(0);  // of planning by measuring
+  const Turns turns = extent == Extent::quick ? kQuickTurns : kTurns;
+  Measured all;
+  all.scalings = study_scaling(extent, turns, kScalingBudget_s);
+  all.impact = study_impact(extent, turns);
+  all.deflection = study_deflection(extent, turns);
+  all.records = study_records(extent, turns);
+  for (const Family* family : {&all.impact, &all.deflection, &all.records.frfs, &all.records.modes})
+    write_file(fmt::format("{}/accuracy-{}.svg", folder, family->name), family_svg(*family), true);
+  write_file(folder + "/accuracy-scaling.svg", scaling_svg(all.scalings), true);
+  write_file(folder + "/accuracy.md", page_of(all, stamp()), true);
+  fmt::print("{}", short_table(all));
+}
+
+}  // namespace
+}  // namespace percuss::accuracy
+
+int main(int argc, char** argv) {
+  using percuss::accuracy::Extent;
+  const bool quick = argc == 3 && std::string_view(argv[1]) == "--quick";
+  if (argc != 2 && !quick) {
+    fmt::print(stderr, "usage: percuss_accuracy [--quick] FOLDER\n");
+    return EXIT_FAILURE;
+  }
+  try {
+    percuss::accuracy::measure_all(quick ? Extent::quick : Extent::full, argv[argc - 1]);
+    return EXIT_SUCCESS;
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "percuss_accuracy: {}\n", e.what());
+    return EXIT_FAILURE;
+  }
+}

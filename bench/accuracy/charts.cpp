@@ -1,0 +1,160 @@
+#include "charts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "report/line_chart.hpp"
+
+namespace percuss::accuracy {
+namespace {
+
+constexpr std::array kMarks{ChartMark::circle, ChartMark::square, ChartMark::triangle, ChartMark::diamond};
+constexpr std::size_t kBlack = 4;  // among the styles of a chart
+constexpr double kMega = 1e6;
+constexpr double kMuchTheSame = 2.5;  // factor
+
+bool can_be_drawn(const Figure& figure) {
+  return std::isfinite(figure.error) && figure.error > 0 && figure.time_ratio > 0;
+}
+
+// Methods are told by their marks, in the order in which they come.
+std::vector<std::string> methods_of(const Sweep& sweep) {
+  std::vector<std::string> names;
+  for (const Case& one : sweep.cases) {
+    for (const Figure& figure : one.figures) {
+      if (std::find(names.begin(), names.end(), figure.method) == names.end()) names.push_back(figure.method);
+    }
+  }
+  return names;
+}
+
+// Cases are told by colour. A case in which a method comes several times has labels at its points.
+ChartCurve points_of(const Case& one, std::size_t style, const std::string& method, ChartMark mark) {
+  ChartCurve curve{.name = {}, .x = {}, .y = {}, .line = false, .mark = mark, .style = style};
+  for (const Figure& figure : one.figures) {
+    if (figure.method != method || !can_be_drawn(figure)) continue;
+    curve.x.push_back(figure.time_ratio);
+    curve.y.push_back(figure.error);
+    curve.labels.push_back(figure.label);
+  }
+  if (curve.x.size() < 2) curve.labels.clear();
+  return curve;
+}
+
+// What nothing else of the case beats, from the fastest on.
+ChartCurve front_of(const Case& one, std::size_t style) {
+  std::vector<const Figure*> front;
+  for (const Figure& figure : one.figures) {
+    if (figure.on_front && can_be_drawn(figure)) front.push_back(&figure);
+  }
+  std::sort(front.begin(), front.end(), [](const Figure* a, const Figure* b) { return a->time_ratio < b->time_ratio; });
+  ChartCurve curve{.name = one.value, .x = {}, .y = {}, .style = style};
+  for (const Figure* figure : front) {
+    curve.x.push_back(figure->time_ratio);
+    curve.y.push_back(figure->error);
+  }
+  return curve;
+}
+
+// A decade at least, so that small differences look small, and round numbers enough to read it by.
+void settle_axis(ChartAxis& axis, const std::vector<ChartCurve>& curves, std::vector<double> ChartCurve::*values) {
+  double low = std::numeric_limits<double>::infinity(), high = 0;
+  for (const ChartCurve& curve : curves) {
+    for (const double value : curve.*values) {
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
+  }
+  if (!(high > 0)) return;
+  const double margin = std::max({1.15, std::pow(high / low, 0.05), std::sqrt(10 * low / high)});
+  low /= margin;
+  high *= margin;
+  axis.range = {low, high};
+  if (high / low > 1000) return;
+  for (double decade = std::pow(10, std::floor(std::log10(low))); decade < high; decade *= 10) {
+    for (const double digit : {1, 2, 5}) {
+      if (digit * decade >= low && digit * decade <= high) axis.ticks.push_back(digit * decade);
+    }
+  }
+}
+
+LineChart sweep_chart(const Family& family, const Sweep& sweep) {
+  LineChart chart{
+      .title = fmt::format("{}: error against time, by {}; lines: what nothing beats", family.title, sweep.over),
+      .x = {.label = fmt::format("time, multiples of {}", family.time), .logarithmic = true},
+      .y = {.label = family.error, .logarithmic = true},
+      .curves = {}};
+  const std::vector<std::string> methods = methods_of(sweep);
+  for (std::size_t m = 0; m < methods.size(); ++m) {  // for the legend
+    chart.curves.push_back(
+        {.name = methods[m], .x = {}, .y = {}, .line = false, .mark = kMarks.at(m), .style = kBlack});
+  }
+  for (std::size_t c = 0; c < sweep.cases.size(); ++c) {
+    const std::size_t style = c < kBlack ? c : c + 1;
+    chart.curves.push_back(front_of(sweep.cases[c], style));
+    for (std::size_t m = 0; m < methods.size(); ++m)
+      chart.curves.push_back(points_of(sweep.cases[c], style, methods[m], kMarks.at(m)));
+  }
+  settle_axis(chart.x, chart.curves, &ChartCurve::x);
+  settle_axis(chart.y, chart.curves, &ChartCurve::y);
+  return chart;
+}
+
+// Where all figures are much the same there is nothing to see.
+bool worth_a_chart(const Sweep& sweep) {
+  std::vector<double> errors, times;
+  for (const Case& one : sweep.cases) {
+    for (const Figure& figure : one.figures) {
+      if (!can_be_drawn(figure)) continue;
+      errors.push_back(figure.error);
+      times.push_back(figure.time_ratio);
+    }
+  }
+  const auto differ = [](const std::vector<double>& values) {
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    return *high > kMuchTheSame * *low;
+  };
+  return !errors.empty() && (differ(errors) || differ(times));
+}
+
+LineChart growth_chart(const std::vector<Scaling>& scalings, std::string title, std::string label,
+                       double (*value)(const ScalePoint&)) {
+  LineChart chart{.title = std::move(title),
+                  .x = {.label = "number of samples, channels, hits, modes or files", .logarithmic = true},
+                  .y = {.label = std::move(label), .logarithmic = true},
+                  .curves = {}};
+  for (const Scaling& scaling : scalings) {
+    ChartCurve curve{.name = scaling.of, .x = {}, .y = {}, .marks = true};
+    curve.mark = kMarks.at(chart.curves.size() % kMarks.size());
+    for (const ScalePoint& point : scaling.points) {
+      if (!(value(point) > 0)) continue;
+      curve.x.push_back(point.n);
+      curve.y.push_back(value(point));
+    }
+    chart.curves.push_back(std::move(curve));
+  }
+  return chart;
+}
+
+}  // namespace
+
+std::string family_svg(const Family& family) {
+  std::vector<LineChart> charts;
+  for (const Sweep& sweep : family.sweeps) {
+    if (worth_a_chart(sweep)) charts.push_back(sweep_chart(family, sweep));
+  }
+  return line_charts_svg(charts);
+}
+
+std::string scaling_svg(const std::vector<Scaling>& scalings) {
+  return line_charts_svg({growth_chart(scalings, "Time of an analysis over its size", "time, s",
+                                       [](const ScalePoint& point) { return point.seconds; }),
+                          growth_chart(scalings, "Memory of an analysis over its size", "peak memory, MB",
+                                       [](const ScalePoint& point) { return point.peak_bytes / kMega; })});
+}
+
+}  // namespace percuss::accuracy

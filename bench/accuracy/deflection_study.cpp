@@ -1,0 +1,177 @@
+#include "deflection_study.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "acquire/write_hdf5.hpp"
+#include "bare_limit.hpp"
+#include "core/parallel.hpp"
+#include "deflection_bound.hpp"
+#include "deflection_truth.hpp"
+#include "pipeline/impact_test.hpp"
+#include "scratch_folder.hpp"
+#include "synth/schedule.hpp"
+
+namespace percuss::accuracy {
+namespace {
+
+constexpr std::size_t kBeamMainRuns = 64, kBeamRuns = 16, kBeamQuickRuns = 2;
+constexpr double kBeamLength_s = 1.2, kBeamNoise = 1e-3;
+constexpr std::array kMethods{DeflectionMethod::small_interval, DeflectionMethod::frequency,
+                              DeflectionMethod::drift_free, DeflectionMethod::modal};
+
+struct BeamCase {
+  std::string value;
+  double length_s = kBeamLength_s, noise = kBeamNoise;
+  std::size_t modes = 3, channels = 1, runs = kBeamRuns;
+};
+
+SynthSpec held_beam(const BeamCase& one) {
+  constexpr std::array<SynthPole, 3> poles{{{14.5, 0.012}, {90, 0.01}, {322, 0.008}}};
+  constexpr std::array residues{3.2, 1.1, -0.8};
+  SynthSpec spec{.name = "held-beam", .fs_Hz = 10000, .seed = 7, .band_low_Hz = 5, .band_high_Hz = 1000};
+  // Noise is stated in parts of the RMS over the record, which falls as the record gets longer.
+  spec.noise = {.force = 0, .accel = one.noise * std::sqrt(one.length_s / kBeamLength_s)};
+  spec.samples = static_cast<std::size_t>(std::lround(one.length_s * spec.fs_Hz));
+  spec.hits = 3;
+  spec.runs = one.runs;
+  spec.pretrigger_s = 0.1;
+  spec.pulse = {.width_s = 0.0025, .peak_N = 800};
+  spec.recorder.accel_bias_mps2 = 0.3;
+  spec.recorder.accel_drift_mps2_per_s = 0.1;
+  spec.structure.rigid_line_per_kg.assign(one.channels, 0.0);
+  spec.sensors.assign(one.channels, {});
+  for (std::size_t m = 0; m < one.modes; ++m) {
+    SynthMode mode{.freq_Hz = poles.at(m).freq_Hz, .damping_ratio = poles.at(m).damping_ratio};
+    for (std::size_t c = 0; c < one.channels; ++c) {  // along the beam, nearer and nearer to where it is held
+      mode.residue_per_kg.push_back(residues.at(m) *
+                                    (1 - 0.6 * static_cast<double>(c) / static_cast<double>(one.channels)));
+    }
+    spec.modes.push_back(std::move(mode));
+  }
+  return spec;
+}
+
+// The largest deflection of each hit, [hits][channels].
+std::vector<std::vector<double>> true_peaks_m(const Truth& truth) {
+  std::vector<SynthPole> poles;
+  for (const SynthMode& mode : truth.spec.modes) poles.push_back({mode.freq_Hz, mode.damping_ratio});
+  std::vector<std::vector<double>> peaks;
+  for (const TrueHit& hit : truth.hits) {
+    const TrueDeflection exact(pulses_of(truth.spec, hit).front(), poles);
+    peaks.emplace_back();
+    for (const auto& residues : truth.residue_per_kg.front()) peaks.back().push_back(exact.peak(residues).value_m);
+  }
+  return peaks;
+}
+
+ImpactTest deflections_of(Record record, const SynthSpec& spec, DeflectionMethod method) {
+  const Analysis analysis(std::move(record), {.band_Hz = {{spec.band_low_Hz, spec.band_high_Hz}}, .threads = 1});
+  return deflect(analysis, {.deflection = {.method = method}});
+}
+
+struct DeflectionTally {
+  double error = 0, over_bound = 0, told = 0, covered = 0, all = 0;
+};
+
+DeflectionTally tally_of(const ImpactTest& test, const std::vector<std::vector<double>>& truth_m,
+                         const std::vector<double>& bound) {
+  DeflectionTally tally;
+  for (const DeflectedHit& hit : test.hits) {
+    ++tally.all;
+    if (!hit.deflection.peak_is_told()) continue;
+    const double exact = std::abs(truth_m[hit.hit][hit.channel]);
+    const double error = std::abs(hit.deflection.peak_m) - exact;
+    tally.error += std::pow(error / exact, 2);
+    tally.over_bound += std::pow(error / exact / bound[hit.channel], 2);
+    tally.covered += std::abs(error) <= 1.959964 * hit.deflection.peak_std_m ? 1 : 0;
+    ++tally.told;
+  }
+  return tally;
+}
+
+std::vector<Figure> errors(const SyntheticTest& test, const std::vector<std::pair<int, Record>>& runs) {
+  const auto truth_m = true_peaks_m(test.truth);
+  const std::vector<double> bound = deflection_bound(test.truth);
+  std::vector<Figure> figures;
+  for (const DeflectionMethod method : kMethods) {
+    std::vector<DeflectionTally> each(runs.size());
+    parallel_for(runs.size(), 0, [&](std::size_t i) {
+      each[i] = tally_of(deflections_of(runs[i].second, test.truth.spec, method), truth_m, bound);
+    });
+    DeflectionTally all;
+    for (const DeflectionTally& one : each) {
+      all.error += one.error;
+      all.over_bound += one.over_bound;
+      all.told += one.told;
+      all.covered += one.covered;
+      all.all += one.all;
+    }
+    const bool has_deviation = method == DeflectionMethod::drift_free || method == DeflectionMethod::modal;
+    figures.push_back({.method = name_of(method),
+                       .label = {},
+                       .error = 100 * std::sqrt(all.error / all.told),
+                       .over_bound = std::sqrt(all.over_bound / all.told),
+                       .more = {has_deviation ? fmt::format("{:.1f}", 100 * all.covered / all.told) : "–",
+                                fmt::format("{:.0f}", 100 * all.told / all.all)}});
+  }
+  return figures;
+}
+
+void measure_deflection_times(const Record& run, const SynthSpec& spec, const Turns& turns,
+                              std::vector<Figure>& figures) {
+  const BenchFolder folder;
+  const std::string path = folder.file("run.h5");
+  write_hdf5(path, run, true);
+  const BareLimit limit({path}, run);
+  std::vector<std::function<void()>> works{[&] { limit.run(); }};
+  for (const DeflectionMethod method : kMethods)
+    works.emplace_back([&, method] { deflections_of(open_record(path), spec, method); });
+  const std::vector<double> best_s = best_by_turns(works, turns);
+  for (std::size_t i = 0; i < figures.size(); ++i) figures[i].time_ratio = best_s[1 + i] / best_s[0];
+}
+
+Case measured(BeamCase one, Extent extent, const Turns& turns) {
+  if (extent == Extent::quick) one.runs = kBeamQuickRuns;
+  const SyntheticTest test = synthesise(held_beam(one));
+  const auto runs = split_runs(test.record);
+  std::vector<Figure> figures = errors(test, runs);
+  measure_deflection_times(runs.front().second, test.truth.spec, turns, figures);
+  mark_front(figures);
+  return {one.value, std::move(figures)};
+}
+
+std::vector<std::pair<std::string, std::vector<BeamCase>>> beam_cases() {
+  return {
+      {"noise",
+       {{.value = "0.01 %", .noise = 1e-4},
+        {.value = "0.1 %", .runs = kBeamMainRuns},
+        {.value = "1 %", .noise = 1e-2}}},
+      {"record length",
+       {{.value = "0.3 s", .length_s = 0.3}, {.value = "0.6 s", .length_s = 0.6}, {.value = "2.4 s", .length_s = 2.4}}},
+      {"modes", {{.value = "1 mode", .modes = 1}, {.value = "2 modes", .modes = 2}}},
+      {"channels", {{.value = "4 channels", .channels = 4}, {.value = "16 channels", .channels = 16}}}};
+}
+
+}  // namespace
+
+Family study_deflection(Extent extent, const Turns& turns) {
+  Family family{.name = "deflection",
+                .title = "Largest deflection",
+                .error = "error of the largest deflection, %",
+                .time = "bare FFTW + reading",
+                .more = {"95 % intervals right, %", "told, %"},
+                .sweeps = {}};
+  for (const auto& [over, cases] : beam_cases()) {
+    family.sweeps.push_back({over, {}});
+    for (const BeamCase& one : cases) {
+      if (extent == Extent::quick && one.runs != kBeamMainRuns && !family.sweeps.back().cases.empty()) continue;
+      family.sweeps.back().cases.push_back(measured(one, extent, turns));
+    }
+  }
+  return family;
+}
+
+}  // namespace percuss::accuracy

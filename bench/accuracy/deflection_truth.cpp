@@ -1,0 +1,75 @@
+#include "deflection_truth.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+#include "core/units.hpp"
+#include "synth/filter.hpp"
+
+namespace percuss::accuracy {
+namespace {
+
+constexpr int kPanels = 64;
+constexpr double kGrid = 100;   // points to the highest mode's period
+constexpr double kPeriods = 2;  // of the lowest mode: the largest deflection comes within the first
+
+}  // namespace
+
+TrueDeflection::TrueDeflection(const Pulse& pulse, const std::vector<SynthPole>& poles)
+    : end_s_(pulse.onset_s + pulse.width_s) {
+  const GaussLegendre& rule = gauss_legendre();
+  const double panel_s = pulse.width_s / kPanels;
+  for (const SynthPole& pole : poles) {
+    const double omega = kTwoPi * pole.freq_Hz;
+    Swing swing{.decay_per_s = pole.damping_ratio * omega,
+                .omega_radps = omega * std::sqrt(1 - pole.damping_ratio * pole.damping_ratio)};
+    const std::complex<double> s(-swing.decay_per_s, swing.omega_radps);
+    std::complex<double> z = 0;
+    for (int p = 0; p < kPanels; ++p) {
+      for (std::size_t i = 0; i < kGaussNodes; ++i) {
+        const double t_s = (p + rule.x.at(i)) * panel_s;  // after the onset
+        z += rule.weight.at(i) * panel_s * pulse_force_N(pulse, t_s) * std::exp(s * (pulse.width_s - t_s));
+      }
+    }
+    swing.re = z.real();
+    swing.im = z.imag();
+    swings_.push_back(swing);
+  }
+}
+
+double TrueDeflection::at_m(double t_s, const std::vector<double>& residue_per_kg) const {
+  double sum = 0;
+  const double after_s = t_s - end_s_;
+  for (std::size_t r = 0; r < swings_.size(); ++r) {
+    const Swing& z = swings_[r];
+    const double angle = z.omega_radps * after_s;
+    sum += residue_per_kg[r] / z.omega_radps * std::exp(-z.decay_per_s * after_s) *
+           (z.re * std::sin(angle) + z.im * std::cos(angle));  // (1)
+  }
+  return sum;
+}
+
+TrueDeflection::Peak TrueDeflection::peak(const std::vector<double>& residue_per_kg) const {
+  const auto [slow, fast] = std::minmax_element(
+      swings_.begin(), swings_.end(), [](const Swing& a, const Swing& b) { return a.omega_radps < b.omega_radps; });
+  const double step_s = kTwoPi / fast->omega_radps / kGrid;
+  const double last_s = end_s_ + kPeriods * kTwoPi / slow->omega_radps;
+  Peak top;
+  for (double t = end_s_; t < last_s; t += step_s) {
+    const double value = at_m(t, residue_per_kg);
+    if (std::abs(value) > std::abs(top.value_m)) top = {value, t};
+  }
+  // The parabola through three points, again and again on a finer grid.
+  for (double width_s = step_s; width_s > 1e-9; width_s /= 10) {
+    const double a = at_m(top.time_s - width_s, residue_per_kg), b = top.value_m,
+                 c = at_m(top.time_s + width_s, residue_per_kg);
+    if (a - 2 * b + c == 0) break;
+    const double t = top.time_s + width_s * std::clamp(0.5 * (a - c) / (a - 2 * b + c), -1.0, 1.0);
+    const double value = at_m(t, residue_per_kg);
+    if (std::abs(value) > std::abs(top.value_m)) top = {value, t};
+  }
+  return top;
+}
+
+}  // namespace percuss::accuracy

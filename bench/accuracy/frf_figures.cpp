@@ -1,0 +1,82 @@
+#include "frf_figures.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/parallel.hpp"
+#include "pipeline/analysis.hpp"
+
+namespace percuss::accuracy {
+namespace {
+
+struct Sums {
+  double error = 0, signal = 0, over_bound = 0, terms = 0, worst_dB = 0;
+
+  void add(const Sums& other) {
+    error += other.error;
+    signal += other.signal;
+    over_bound += other.over_bound;
+    terms += other.terms;
+    worst_dB = std::max(worst_dB, other.worst_dB);
+  }
+};
+
+std::vector<double> frequencies(const LineRange& lines) {
+  std::vector<double> freq_Hz(lines.count);
+  for (std::size_t k = 0; k < lines.count; ++k) freq_Hz[k] = lines.freq_Hz(k);
+  return freq_Hz;
+}
+
+// What one FRF misses; at a resonance in dB as well, where it is read off.
+Sums missed(const PointFrf& found, const std::vector<Complex>& exact, const std::vector<double>& ff,
+            const LineRange& lines, const Truth& truth) {
+  Sums sums;
+  const double noise = std::pow(truth.accel_noise_mps2[found.channel], 2) * static_cast<double>(lines.samples);
+  for (std::size_t k = 0; k < lines.count; ++k) {
+    const double freq_Hz = lines.freq_Hz(k);
+    if (freq_Hz < truth.spec.band_low_Hz || freq_Hz > truth.spec.band_high_Hz) continue;
+    const double square = std::norm(found.frf.value[k] - exact[k]);
+    sums.error += square;
+    sums.signal += std::norm(exact[k]);
+    sums.over_bound += square * ff[k] / noise;  // (1)
+    ++sums.terms;
+  }
+  for (const SynthMode& mode : truth.spec.modes) {
+    const std::size_t k = lines.nearest(mode.freq_Hz);
+    sums.worst_dB = std::max(sums.worst_dB, std::abs(20 * std::log10(std::abs(found.frf.value[k] / exact[k]))));
+  }
+  return sums;
+}
+
+Sums one_run(const Record& record, const Truth& truth, Estimator estimator) {
+  const Analysis analysis(
+      record, {.band_Hz = {{truth.spec.band_low_Hz, truth.spec.band_high_Hz}}, .estimator = estimator, .threads = 1});
+  Sums sums;
+  const std::vector<double> freq_Hz = frequencies(analysis.lines());
+  for (const PointFrf& frf : analysis.frfs()) {
+    sums.add(missed(frf, exact_accelerance(truth, 0, frf.channel, freq_Hz), analysis.fitted_frfs().points.front().ff,
+                    analysis.lines(), truth));
+  }
+  return sums;
+}
+
+}  // namespace
+
+std::vector<Figure> frf_errors(const std::vector<std::pair<int, Record>>& runs, const Truth& truth) {
+  std::vector<Figure> figures;
+  for (const Estimator estimator : {Estimator::h1, Estimator::h2, Estimator::hv}) {
+    std::vector<Sums> each(runs.size());
+    parallel_for(runs.size(), 0, [&](std::size_t i) { each[i] = one_run(runs[i].second, truth, estimator); });
+    Sums all;
+    for (const Sums& one : each) all.add(one);
+    figures.push_back({.method = name_of(estimator),
+                       .label = {},
+                       .error = 100 * std::sqrt(all.error / all.signal),
+                       .over_bound = std::sqrt(all.over_bound / all.terms),
+                       .more = {shown_figure(all.worst_dB)}});
+  }
+  return figures;
+}
+
+}  // namespace percuss::accuracy

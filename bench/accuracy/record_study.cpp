@@ -1,0 +1,81 @@
+#include "record_study.hpp"
+
+#include <fmt/format.h>
+
+#include "acquire/write_hdf5.hpp"
+#include "bare_limit.hpp"
+#include "frf_figures.hpp"
+#include "mode_figures.hpp"
+#include "pipeline/analysis.hpp"
+#include "scratch_folder.hpp"
+
+namespace percuss::accuracy {
+namespace {
+
+constexpr const char* kTime = "bare FFTW + reading";
+
+AnalysisOptions options_for(const SynthSpec& spec) {
+  return {.band_Hz = {{spec.band_low_Hz, spec.band_high_Hz}}, .threads = 1};
+}
+
+// Fills in the times of both sets of figures, all by turns with the limit.
+void measure_times(const Record& run, const SynthSpec& spec, const Turns& turns, std::vector<Figure>& frfs,
+                   std::vector<Figure>& modes) {
+  const BenchFolder folder;
+  const std::string path = folder.file("run.h5");
+  write_hdf5(path, run, true);
+  const BareLimit limit({path}, run);
+  std::vector<std::function<void()>> works{[&] { limit.run(); }};
+  for (const Estimator estimator : {Estimator::h1, Estimator::h2, Estimator::hv}) {
+    works.emplace_back([&, estimator] {
+      AnalysisOptions options = options_for(spec);
+      options.estimator = estimator;
+      Analysis(open_record(path), options).frfs();
+    });
+  }
+  for (const Effort effort : kEfforts) {
+    works.emplace_back([&, effort] {
+      AnalysisOptions options = options_for(spec);
+      options.modes.effort = effort;
+      Analysis(open_record(path), options).verdicts();
+    });
+  }
+  const std::vector<double> best_s = best_by_turns(works, turns);
+  for (std::size_t i = 0; i < frfs.size(); ++i) frfs[i].time_ratio = best_s[1 + i] / best_s[0];
+  for (std::size_t i = 0; i < modes.size(); ++i) modes[i].time_ratio = best_s[1 + frfs.size() + i] / best_s[0];
+}
+
+}  // namespace
+
+RecordStudy study_records(Extent extent, const Turns& turns) {
+  RecordStudy study{
+      .frfs = {.name = "frf",
+               .title = "Frequency responses",
+               .error = "error of the FRF, %",
+               .time = kTime,
+               .more = {"worst at a resonance, dB"},
+               .sweeps = {}},
+      .modes = {.name = "modes",
+                .title = "Modes",
+                .error = "error of the frequency, ppm",
+                .time = kTime,
+                .more = {"damping, %", "over its bound", "95 % intervals right, %", "found, %", "besides, per run"},
+                .sweeps = {}}};
+  for (const RecordSweep& sweep : record_sweeps(extent)) {
+    study.frfs.sweeps.push_back({sweep.over, {}});
+    study.modes.sweeps.push_back({sweep.over, {}});
+    for (const RecordCase& one : sweep.cases) {
+      const SyntheticTest test = synthesise(one.spec);
+      const auto runs = split_runs(test.record);
+      std::vector<Figure> frfs = frf_errors(runs, test.truth), modes = mode_errors(runs, test.truth);
+      measure_times(runs.front().second, one.spec, turns, frfs, modes);
+      mark_front(frfs);
+      mark_front(modes);
+      study.frfs.sweeps.back().cases.push_back({one.value, std::move(frfs)});
+      study.modes.sweeps.back().cases.push_back({one.value, std::move(modes)});
+    }
+  }
+  return study;
+}
+
+}  // namespace percuss::accuracy

@@ -1,0 +1,192 @@
+#include "scaling.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <functional>
+
+#include "bare_limit.hpp"
+#include "in_child.hpp"
+#include "pipeline/analysis.hpp"
+#include "scaling_files.hpp"
+#include "scratch_folder.hpp"
+
+namespace percuss::accuracy {
+namespace {
+
+constexpr double kSteeper = 1.2;  // the growth that is reckoned with beforehand
+
+struct Question {
+  std::string of, with;
+  std::vector<std::size_t> sizes;
+  std::function<SynthSpec(std::size_t)> spec;
+  bool files = false;
+};
+
+SynthSpec three_modes(std::size_t samples, double fs_Hz) {
+  SynthSpec spec{.name = "three-modes", .fs_Hz = fs_Hz, .samples = samples, .seed = 1};
+  spec.modes = {{.freq_Hz = 182, .damping_ratio = 0.009, .residue_per_kg = {1}},
+                {.freq_Hz = 622, .damping_ratio = 0.006, .residue_per_kg = {-1}},
+                {.freq_Hz = 1265, .damping_ratio = 0.005, .residue_per_kg = {0.7}}};
+  spec.sensors.assign(1, {});
+  spec.hits = 2;
+  spec.noise = {.force = 0, .accel = 0.01};
+  return spec;
+}
+
+SynthSpec small_file() {
+  SynthSpec spec = three_modes(256, 2048);
+  spec.modes.resize(1);
+  spec.pulse.width_s = 2e-3;
+  spec.band_high_Hz = 600;
+  return spec;
+}
+
+SynthSpec many_modes(std::size_t modes) {
+  SynthSpec spec = spread_structure(modes, 2);
+  for (SynthMode& mode : spec.modes) mode.damping_ratio /= 2;  // so that sixty of them stay apart
+  return spec;
+}
+
+// A test of more than 250 is made of 250, several times with new noise.
+SynthSpec many_channels(std::size_t channels) {
+  SynthSpec spec = spread_structure(6, std::min<std::size_t>(channels, 250));
+  spec.runs = channels / spec.sensors.size();
+  return spec;
+}
+
+SynthSpec many_hits(std::size_t hits) {
+  SynthSpec spec = spread_structure(6, 2);
+  spec.hits = hits;
+  return spec;
+}
+
+std::vector<Question> questions() {
+  std::vector<std::size_t> samples;
+  for (std::size_t power = 10; power <= 24; power += 2) samples.push_back(std::size_t{1} << power);
+  return {{"samples per hit", "2 hits, 1 channel, 3 modes, 25 600 Hz", samples,
+           [](std::size_t n) { return three_modes(n, 25600); }},
+          {"channels", "3 hits of 8192 samples, 6 modes", {1, 3, 10, 30, 100, 250, 500, 1000}, many_channels},
+          {"hits", "2 channels of 8192 samples, 6 modes", {1, 3, 10, 30, 100}, many_hits},
+          {"modes", "3 hits of 8192 samples, 2 channels", {1, 3, 10, 30, 60}, many_modes},
+          {"files",
+           "CSV, 1 hit of 256 samples each, 1 channel, 1 mode",
+           {1, 10, 100, 1000, 10000},
+           [](std::size_t) { return small_file(); },
+           true}};
+}
+
+Record opened(const std::vector<std::string>& paths) {
+  std::vector<Record> records;
+  records.reserve(paths.size());
+  for (const std::string& path : paths) records.push_back(open_record(path));
+  return join_records(std::move(records), FilesMean::hits);
+}
+
+struct Cost {
+  double seconds, bare_s, bytes;
+  std::size_t modes;
+};
+
+// In a process of its own: first once for the memory, then by turns with the limit.
+Cost cost_of(const std::vector<std::string>& paths, const SynthSpec& spec, const Turns& turns) {
+  Cost cost{};
+  const auto analyse = [&] {
+    const Analysis analysis(opened(paths), {.band_Hz = {{spec.band_low_Hz, spec.band_high_Hz}}, .threads = 1});
+    cost.modes = analysis.verdicts().size();
+  };
+  const double before_bytes = peak_memory_bytes();
+  const double first_s = processor_s_of(analyse);
+  cost.bytes = peak_memory_bytes() - before_bytes;
+  const BareLimit limit(paths, opened(paths));
+  const bool again = first_s < turns.least_s;
+  const auto best_s = best_by_turns({[&] { limit.run(); },
+                                     [&] {
+                                       if (again) analyse();
+                                     }},
+                                    turns);
+  cost.bare_s = best_s[0];
+  cost.seconds = again ? std::min(first_s, best_s[1]) : first_s;
+  return cost;
+}
+
+double wall_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+// Makes the files, measures, and says how long the making took. False when the analysis failed.
+bool measure_at(std::size_t n, const Question& question, const Turns& turns, Scaling& scaling, double& making_s) {
+  const double start_s = wall_s();
+  const BenchFolder folder;
+  const SynthSpec spec = question.spec(n);
+  const auto paths = question.files ? many_files(spec, n, folder.path()) : one_file(spec, folder.path());
+  making_s = wall_s() - start_s;
+  const auto cost = in_child<Cost>([&] { return cost_of(paths, spec, turns); });
+  if (!cost) return false;
+  scaling.points.push_back({.n = static_cast<double>(n),
+                            .seconds = cost->seconds,
+                            .time_ratio = cost->seconds / cost->bare_s,
+                            .peak_bytes = cost->bytes,
+                            .modes = cost->modes,
+                            .modes_sought = spec.modes.size()});
+  return true;
+}
+
+void fit_exponents(Scaling& scaling) {
+  std::vector<double> x, time_s, bytes;
+  for (const ScalePoint& point : scaling.points) {
+    x.push_back(point.n);
+    time_s.push_back(point.seconds);
+    bytes.push_back(point.peak_bytes);
+  }
+  scaling.time_exponent = growth_exponent(x, time_s);
+  scaling.memory_exponent = growth_exponent(x, bytes);
+}
+
+Scaling measured_growth(const Question& question, Extent extent, const Turns& turns, double budget_s) {
+  Scaling scaling{.of = question.of, .with = question.with, .asked = question.sizes.back(), .points = {}};
+  const double end_s = wall_s() + budget_s;
+  double making_s = 0;
+  for (const std::size_t n : question.sizes) {
+    if (!scaling.points.empty()) {
+      const ScalePoint& last = scaling.points.back();
+      const double larger = static_cast<double>(n) / last.n;
+      const double next_s = making_s * (question.files ? 1 : larger) + last.seconds * std::pow(larger, kSteeper);
+      if (wall_s() + next_s > end_s) break;
+    }
+    if (extent == Extent::quick && scaling.points.size() > 1) break;
+    if (!measure_at(n, question, turns, scaling, making_s)) break;
+  }
+  fit_exponents(scaling);
+  return scaling;
+}
+
+}  // namespace
+
+double growth_exponent(const std::vector<double>& x, const std::vector<double>& y) {
+  if (x.empty()) return 0;
+  const double middle = std::sqrt(x.front() * x.back());
+  double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (x[i] < middle || !(y[i] > 0)) continue;
+    const double u = std::log(x[i]), v = std::log(y[i]);
+    ++n;
+    sx += u;
+    sy += v;
+    sxx += u * u;
+    sxy += u * v;
+  }
+  const double spread = n * sxx - sx * sx;
+  return spread > 0 ? (n * sxy - sx * sy) / spread : 0;
+}
+
+std::vector<Scaling> study_scaling(Extent extent, const Turns& turns, double budget_s) {
+  const auto all = questions();
+  std::vector<Scaling> scalings;
+  scalings.reserve(all.size());
+  for (const Question& question : all)
+    scalings.push_back(measured_growth(question, extent, turns, budget_s / static_cast<double>(all.size())));
+  return scalings;
+}
+
+}  // namespace percuss::accuracy

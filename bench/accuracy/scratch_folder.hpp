@@ -1,0 +1,28 @@
+#pragma once
+#include <cstdlib>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+
+namespace percuss::accuracy {
+
+/// A folder for records that are made to be read again; gone with all that is in it at the end.
+class BenchFolder {
+ public:
+  BenchFolder() : path_((std::filesystem::temp_directory_path() / "percuss-accuracy-XXXXXX").string()) {
+    if (::mkdtemp(path_.data()) == nullptr) throw std::runtime_error("no folder can be made for temporary files");
+  }
+  BenchFolder(const BenchFolder&) = delete;
+  BenchFolder& operator=(const BenchFolder&) = delete;
+  ~BenchFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  const std::string& path() const { return path_; }
+  std::string file(const std::string& name) const { return path_ + "/" + name; }
+
+ private:
+  std::string path_;
+};
+
+}  // namespace percuss::accuracy

@@ -1,0 +1,9 @@
+#pragma once
+#include <string>
+
+namespace percuss::accuracy {
+
+/// What the figures were measured with: "percuss 0.1.0, g++ 12.2.0, release, on Intel(R) …".
+std::string stamp();
+
+}  // namespace percuss::accuracy

@@ -1,0 +1,107 @@
+#include "tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace percuss::accuracy {
+namespace {
+
+using Row = std::vector<std::string>;
+
+std::string line_of(const Row& cells) { return fmt::format("| {} |\n", fmt::join(cells, " | ")); }
+
+bool has_bound(const Family& family) {
+  for (const Sweep& sweep : family.sweeps) {
+    for (const Case& one : sweep.cases) {
+      if (std::any_of(one.figures.begin(), one.figures.end(), [](const Figure& f) { return f.over_bound > 0; }))
+        return true;
+    }
+  }
+  return false;
+}
+
+Row heads_of(const Family& family) {
+  Row heads{"method", family.error};
+  if (has_bound(family)) heads.emplace_back("over its bound");
+  heads.insert(heads.end(), family.more.begin(), family.more.end());
+  heads.emplace_back("time, ×");
+  heads.emplace_back("beaten by none");
+  return heads;
+}
+
+Row cells_of(const Figure& figure, bool bound) {
+  Row cells{figure.label.empty() ? figure.method : figure.method + ", " + figure.label, shown_figure(figure.error)};
+  if (bound) cells.push_back(shown_figure(figure.over_bound));
+  cells.insert(cells.end(), figure.more.begin(), figure.more.end());
+  cells.push_back(shown_figure(figure.time_ratio));
+  cells.emplace_back(figure.on_front ? "yes" : "");
+  return cells;
+}
+
+std::string folded(const std::string& summary, const std::string& table) {
+  return fmt::format("<details>\n<summary>{}</summary>\n\n{}\n</details>\n", summary, table);
+}
+
+std::string megabytes(double bytes) { return bytes > 0 ? shown_figure(bytes / 1e6) : "–"; }
+
+}  // namespace
+
+std::string markdown_table(const Row& heads, const std::vector<Row>& rows) {
+  std::string text = line_of(heads) + "|---|";
+  for (std::size_t i = 1; i < heads.size(); ++i) text += "---:|";
+  text += '\n';
+  for (const Row& row : rows) text += line_of(row);
+  return text;
+}
+
+std::string case_table(const Family& family, const Case& one) {
+  std::vector<Row> rows;
+  for (const Figure& figure : one.figures) rows.push_back(cells_of(figure, has_bound(family)));
+  return markdown_table(heads_of(family), rows);
+}
+
+std::string all_figures(const Family& family) {
+  Row heads = heads_of(family);
+  heads.insert(heads.begin(), "case");
+  std::vector<Row> rows;
+  for (const Sweep& sweep : family.sweeps) {
+    for (const Case& one : sweep.cases) {
+      for (const Figure& figure : one.figures) {
+        rows.push_back(cells_of(figure, has_bound(family)));
+        rows.back().insert(rows.back().begin(), sweep.over + ": " + one.value);
+      }
+    }
+  }
+  return folded("All figures of " + family.title, markdown_table(heads, rows));
+}
+
+std::string scaling_table(const std::vector<Scaling>& scalings) {
+  std::vector<Row> rows;
+  for (const Scaling& scaling : scalings) {
+    if (scaling.points.empty()) continue;
+    const ScalePoint& last = scaling.points.back();
+    const std::string range = fmt::format("{:.0f} to {:.0f}", scaling.points.front().n, last.n);
+    rows.push_back({scaling.of, scaling.with, range, shown_figure(last.seconds), shown_figure(last.time_ratio),
+                    fmt::format("{:.2f}", scaling.time_exponent), megabytes(last.peak_bytes),
+                    fmt::format("{:.2f}", scaling.memory_exponent)});
+  }
+  return markdown_table({"growing", "fixed", "from … to", "time at the end, s", "× bare", "exponent of time",
+                         "memory at the end, MB", "exponent of memory"},
+                        rows);
+}
+
+std::string all_scaling(const std::vector<Scaling>& scalings) {
+  std::vector<Row> rows;
+  for (const Scaling& scaling : scalings) {
+    for (const ScalePoint& point : scaling.points) {
+      rows.push_back({scaling.of, fmt::format("{:.0f}", point.n), shown_figure(1e3 * point.seconds),
+                      shown_figure(point.time_ratio), megabytes(point.peak_bytes),
+                      fmt::format("{} of {}", point.modes, point.modes_sought)});
+    }
+  }
+  return folded("All figures of growth",
+                markdown_table({"growing", "n", "time, ms", "× bare", "memory, MB", "modes found"}, rows));
+}
+
+}  // namespace percuss::accuracy
