@@ -41,6 +41,15 @@ TEST(PairModes, LeavesAloneWhatIsTooFarOrOfAnotherFamily) {
   EXPECT_THAT(indices(pair_modes(of({1900}, "hoop"), of({1905}, "unknown"))), ElementsAre(testing::Pair(0, 0)));
 }
 
+// Of a double peak the first is quoted: that one is compared, even where the second would be near enough to pair.
+TEST(PairModes, TakesTheQuotedOneOfADoublePeak) {
+  ComparedDocument doublet = of({1900, 1912}, "hoop");
+  doublet.modes[1].second = true;
+  EXPECT_THAT(indices(pair_modes(doublet, of({2100}, "hoop"))), IsEmpty()) << "the quoted one is too far";
+  EXPECT_THAT(indices(pair_modes(doublet, of({1911}, "hoop"))), ElementsAre(testing::Pair(0, 0)));
+  EXPECT_THAT(indices(pair_modes(doublet, doublet)), ElementsAre(testing::Pair(0, 0), testing::Pair(1, 1)));
+}
+
 TEST(PairModes, LeavesRigidBodiesOut) {
   const PairedModes paired = pair_modes(of({0, 0, 100}), of({101}));
   EXPECT_THAT(indices(paired), ElementsAre(testing::Pair(2, 0)));

@@ -18,7 +18,7 @@ bool families_agree(const ComparedMode& a, const ComparedMode& b) {
 }
 
 bool near_enough(const ComparedMode& a, const ComparedMode& b, double furthest) {
-  return families_agree(a, b) && a.freq_Hz > 0 && b.freq_Hz > 0 &&
+  return families_agree(a, b) && a.second == b.second && a.freq_Hz > 0 && b.freq_Hz > 0 &&
          std::abs(b.freq_Hz - a.freq_Hz) <= furthest * std::max(a.freq_Hz, b.freq_Hz);
 }
 

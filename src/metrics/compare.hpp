@@ -16,6 +16,7 @@ struct ComparedMode {
   double freq_Hz = 0;
   double freq_std_Hz = 0;  // 0: not stated
   std::string family;      // "bending", "hoop"; "" or "unknown": any
+  bool second = false;     // of a double peak, of which the first is quoted: pairs with another such alone
   struct Component {
     std::complex<double> value;
     double std = 0;

@@ -38,6 +38,7 @@ class Part {
     if (!std::isfinite(number)) throw InputError("not a number", where_, "give a document that percuss wrote");
     return number;
   }
+  bool is_false(const char* key) const { return has(key) && value_[key] == false; }
   double number_or(const char* key, double otherwise) const { return has(key) ? at(key).number() : otherwise; }
   std::string text() const {
     if (!value_.is_string()) throw InputError("not a text", where_, "give a document that percuss wrote");
@@ -56,6 +57,7 @@ ComparedMode mode_in(const Part& part) {
                     .freq_std_Hz = part.number_or("frequency_std_hz", 0),
                     .family = part.has("family") ? part.at("family").text() : "",
                     .shape = {}};
+  mode.second = part.has("double_peak") && part.at("double_peak").is_false("first");
   if (!part.has("residues")) return mode;
   for (const Part& residue : part.at("residues").list()) {
     const std::pair place{whole(residue.at("point").number()), whole(residue.at("channel").number())};
@@ -71,13 +73,6 @@ std::vector<ComparedMode> frequencies_in(const Part& list, const char* family) {
   return modes;
 }
 
-ComparedDocument analysis_in(const Part& part, std::string name, std::string schema) {
-  ComparedDocument document{.name = std::move(name), .schema = std::move(schema), .modes = {}, .deflections = {}};
-  if (!part.has("modes")) return document;
-  for (const Part& mode : part.at("modes").list()) document.modes.push_back(mode_in(mode));
-  return document;
-}
-
 void add_deflections(const Part& part, ComparedDocument& document) {
   for (const Part& point : part.at("points").list()) {
     if (!point.has("peak_m")) continue;  // nothing stood out of the noise there
@@ -89,6 +84,14 @@ void add_deflections(const Part& part, ComparedDocument& document) {
     if (point.has("position_m")) d.position_m = point.at("position_m").number();
     document.deflections.push_back(d);
   }
+}
+
+ComparedDocument analysis_in(const Part& part, std::string name, std::string schema) {
+  ComparedDocument document{.name = std::move(name), .schema = std::move(schema), .modes = {}, .deflections = {}};
+  if (part.has("deflection")) add_deflections(part.at("deflection"), document);
+  if (!part.has("modes")) return document;
+  for (const Part& mode : part.at("modes").list()) document.modes.push_back(mode_in(mode));
+  return document;
 }
 
 void add_impacts(const Part& part, ComparedDocument& document) {
