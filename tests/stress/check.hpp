@@ -18,14 +18,14 @@ struct Miss {
 
 /// What one run of a check found out.
 struct Result {
-  std::vector<std::string> failures;     // none: as expected
-  std::set<std::string> said;            // codes of findings and warnings, "exit 3", "exit 4"
-  std::size_t wanted = 0, found = 0;     // modes that must be found, and those of the truth that were
-  double freq_relative = 0;              // the largest error over the modes found, relative
-  double damping_absolute = 0;           // … of the damping ratio
-  double freq_bound = 0;                 // the largest bound on a frequency over half its mode's bandwidth; 0: none
-  std::vector<Miss> misses;              // of the modes found
-  bool calibrated = false;               // the noise is as the deviations assume, so that intervals must cover
+  std::vector<std::string> failures;  // none: as expected
+  std::set<std::string> said;         // codes of findings and warnings, "exit 3", "exit 4"
+  std::size_t wanted = 0, found = 0;  // modes that must be found, and those of the truth that were
+  double freq_relative = 0;           // the largest error over the modes found, relative
+  double damping_absolute = 0;        // … of the damping ratio
+  double freq_bound = 0;              // the largest bound on a frequency over half its mode's bandwidth; 0: none
+  std::vector<Miss> misses;           // of the modes found
+  bool calibrated = false;            // the noise is as the deviations assume, so that intervals must cover
 };
 
 /// One cell of the grid.

@@ -25,11 +25,12 @@ enum class Demand {
 struct Expectation {
   std::string text;  // for the table; empty: made from the rest
   Demand demand = Demand::as_the_bound_allows;
-  std::vector<std::string> says;  // codes that must be among findings and warnings
-  std::string excuse;             // a code that makes up for a mode that was missed
+  std::vector<std::string> says;           // codes that must be among findings and warnings
+  std::string excuse = "unclaimed_peaks";  // a code that makes up for a mode that was missed
+  std::string warns;                       // a code that makes up for any error: it says that deviations do not hold
   int exit_code = 0;
-  std::string reason;      // of another exit code: a finding's code, or part of the message
-  std::string or_refused;  // such a reason (exit code 3 or 4) is as good as modes
+  std::string reason;                   // of another exit code: a finding's code, or part of the message
+  std::vector<std::string> or_refused;  // one of these reasons (exit code 3 or 4) is as good as modes
   std::optional<double> freq_relative, damping_absolute;  // accuracy that every mode must have
 };
 std::string text_of(const Expectation& expected);
@@ -44,7 +45,8 @@ struct TrueMode {
 std::vector<TrueMode> true_modes(const Truth& truth);
 
 /// Holds an outcome against the truth.
-///   resolvable  a mode can be told when its bound on the damping is a tenth of the damping; two modes can be told apart
+///   resolvable  a mode can be told when its bound on the damping is a tenth of the damping; two modes can be told
+///   apart
 ///               when ten times the bound on their distance lies between them. Where not, one mode within their range
 ///               is right as well, and for a mode that cannot be told none.
 ///   wrong       more than kMostSigmas off, a mode that is none, one that must be found and is not.

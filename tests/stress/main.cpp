@@ -57,9 +57,11 @@ Options parse(const std::vector<std::string>& words) {
 
 std::vector<Check> all_checks() {
   std::vector<Check> checks;
-  for (auto* const cells : {spacing_cells, damping_cells, noise_cells, recorder_cells, scale_cells, length_cells, structure_cells}) {
+  for (auto* const cells :
+       {spacing_cells, damping_cells, noise_cells, recorder_cells, scale_cells, length_cells, structure_cells}) {
     for (Cell& cell : cells()) checks.push_back(check_of(std::move(cell)));
   }
+  for (Check& check : invariance_checks()) checks.push_back(std::move(check));
   return checks;
 }
 
@@ -109,7 +111,8 @@ int run(const Options& options) {
                           words(coverage);
   std::cout << end << '\n';
   if (!options.table.empty()) write_table(options.table, "\n" + end + ".\n" + tables_of(summaries));
-  const bool covered = coverage.modes < kLeastModes || (in_range(coverage.of_freq()) && in_range(coverage.of_damping()));
+  const bool covered =
+      coverage.modes < kLeastModes || (in_range(coverage.of_freq()) && in_range(coverage.of_damping()));
   return failed == 0 && covered ? 0 : 1;
 }
 

@@ -13,8 +13,8 @@ std::string words(double snr_dB) { return snr_dB < kNone ? fmt::format("{:g} dB"
 // be right. Under 20 dB there is no pulse to be seen.
 Expectation expected_at(double force_dB) {
   if (force_dB < 20) return {.exit_code = 4, .reason = "no_pulse"};
-  if (force_dB < 40) return {.demand = Demand::none, .or_refused = "no_pulse"};
-  return {.excuse = "unclaimed_peaks"};
+  if (force_dB < 40) return {.demand = Demand::none, .or_refused = {"no_pulse"}};
+  return {};
 }
 
 }  // namespace

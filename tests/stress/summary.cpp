@@ -9,7 +9,7 @@
 namespace percuss::stress {
 namespace {
 
-constexpr double kInterval = 1.96;       // deviations of 95 %
+constexpr double kInterval = 1.96;        // deviations of 95 %
 constexpr std::size_t kMostFailures = 3;  // shown of a check
 
 void add_run(Summary& all, std::size_t run, const Result& result) {
@@ -33,13 +33,14 @@ void add_run(Summary& all, std::size_t run, const Result& result) {
 
 std::string verdict_of(const Summary& summary) {
   if (!summary.failed()) return "ok";
-  return fmt::format("{} in {} of {}", summary.known() ? "known defect" : "**fails**", summary.failed_runs, summary.runs);
+  return fmt::format("{} in {} of {}", summary.known() ? "known defect" : "**fails**", summary.failed_runs,
+                     summary.runs);
 }
 
 std::string measured(const Summary& s) {
   if (s.found == 0) return "";
-  return fmt::format("{:.1f}, {:.1f} | {:.0e}, {:.0e}", s.largest.freq_sigmas, s.largest.damping_sigmas, s.freq_relative,
-                     s.damping_absolute);
+  return fmt::format("{:.1f}, {:.1f} | {:.0e}, {:.0e}", s.largest.freq_sigmas, s.largest.damping_sigmas,
+                     s.freq_relative, s.damping_absolute);
 }
 
 }  // namespace
@@ -82,13 +83,14 @@ std::string tables_of(const std::vector<Summary>& summaries) {
   for (const Summary& s : summaries) {
     if (s.check.group != group) {
       group = s.check.group;
-      text += fmt::format("\n### {}\n| cell | expected | bound | modes | σ off | error | says | |\n|---|---|---|---|---|---|---|---|\n",
-                          group);
+      text += fmt::format(
+          "\n### {}\n| cell | expected | bound | modes | σ off | error | says | |\n|---|---|---|---|---|---|---|---|\n",
+          group);
     }
     const std::string bound = s.freq_bound > 0 ? fmt::format("{:.0e}", s.freq_bound) : "";
     const std::string numbers = s.found > 0 ? measured(s) : " | ";
-    text += fmt::format("| {} | {} | {} | {} of {} | {} | {} | {} |\n", s.check.name, s.check.expectation, bound, s.found,
-                        s.wanted, numbers, fmt::join(s.said, ", "), verdict_of(s));
+    text += fmt::format("| {} | {} | {} | {} of {} | {} | {} | {} |\n", s.check.name, s.check.expectation, bound,
+                        s.found, s.wanted, numbers, fmt::join(s.said, ", "), verdict_of(s));
   }
   return text;
 }
