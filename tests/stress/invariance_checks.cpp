@@ -60,7 +60,7 @@ SynthSpec spec_of(std::uint64_t run) {
 
 using Altered = std::function<Record(const Record&)>;
 
-Check invariant(const std::string& name, const Change& change, Altered altered, double freq = 1) {
+Check invariant(const std::string& name, const Change& change, const Altered& altered, double freq = 1) {
   Check check{.group = "invariance", .name = name, .runs = 2, .full_runs = 16};
   check.expectation = change.tolerance > 0 ? fmt::format("the same modes to {:g} deviations", change.tolerance)
                                            : "the same modes, every bit";

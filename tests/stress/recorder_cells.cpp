@@ -79,6 +79,7 @@ std::vector<Cell> wiring() {
                           {.text = "no mode, says dead_channel", .demand = Demand::none, .says = {"dead_channel"}});
   no_accel.alter = [](Samples& samples) { scale(samples, 1, 0); };
   Cell one_dead = cell_of("second response dead", {.demand = Demand::all, .says = {"dead_channel"}});
+  one_dead.defect = kCutRinging;
   one_dead.alter = [](Samples& samples) {
     for (auto& row : samples.accel_mps2) row[1].assign(row[1].size(), 0);
   };

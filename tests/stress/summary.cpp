@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "core/parallel.hpp"
 
@@ -78,14 +79,29 @@ std::string lines_of(const Summary& s) {
   return text;
 }
 
+std::string defects_of(const std::vector<Summary>& summaries) {
+  std::vector<std::string> defects;  // in the order of the cells
+  std::map<std::string, std::string> cells;
+  for (const Summary& s : summaries) {
+    if (!s.known()) continue;
+    if (!cells.contains(s.check.defect)) defects.push_back(s.check.defect);
+    std::string& text = cells[s.check.defect];
+    text += fmt::format("    - `{}: {}`, {} of {} runs", s.check.group, s.check.name, s.failed_runs, s.runs);
+    if (s.failed()) text += fmt::format("; run {}: {}", s.failures.front().first, s.failures.front().second);
+    text += "\n";
+  }
+  std::string text;
+  for (const std::string& defect : defects) text += "- " + defect + "\n" + cells[defect];
+  return text;
+}
+
 std::string tables_of(const std::vector<Summary>& summaries) {
   std::string text, group;
   for (const Summary& s : summaries) {
     if (s.check.group != group) {
       group = s.check.group;
-      text += fmt::format(
-          "\n### {}\n| cell | expected | bound | modes | σ off | error | says | |\n|---|---|---|---|---|---|---|---|\n",
-          group);
+      text += "\n### " + group +
+              "\n| cell | expected | bound | modes | σ off | error | says | |\n|---|---|---|---|---|---|---|---|\n";
     }
     const std::string bound = s.freq_bound > 0 ? fmt::format("{:.0e}", s.freq_bound) : "";
     const std::string numbers = s.found > 0 ? measured(s) : " | ";

@@ -37,7 +37,9 @@ std::vector<Summary> run_all(const std::vector<Check>& checks, bool full);
 
 /// "ok", "FAILS" or "known", the cell, what was measured, and what went wrong.
 std::string lines_of(const Summary& summary);
-/// The same as tables in Markdown, group by group.
+/// The known defects with the cells that show them, as a list in Markdown.
+std::string defects_of(const std::vector<Summary>& summaries);
+/// All cells as tables in Markdown, group by group.
 std::string tables_of(const std::vector<Summary>& summaries);
 
 }  // namespace percuss::stress
