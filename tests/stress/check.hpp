@@ -20,7 +20,7 @@ struct Miss {
 struct Result {
   std::vector<std::string> failures;  // none: as expected
   std::set<std::string> said;         // codes of findings and warnings, "exit 3", "exit 4"
-  std::size_t wanted = 0, found = 0;  // modes that must be found, and those of the truth that were
+  std::size_t wanted = 0, found = 0;  // modes that must be found one by one, and those of the truth that were
   double freq_relative = 0;           // the largest error over the modes found, relative
   double damping_absolute = 0;        // … of the damping ratio
   double freq_bound = 0;              // the largest bound on a frequency over half its mode's bandwidth; 0: none

@@ -22,7 +22,7 @@ std::vector<Cell> damping_cells() {
       cell.runs = snr_dB > 0 ? 4 : 1;
       cell.full_runs = snr_dB > 0 ? 32 : 1;
       cell.calibrated = true;
-      if (damping_ratio >= 0.2 && snr_dB > 0) cell.defect = kBroad;
+      if (damping_ratio > 0.2 ? snr_dB > 0 : damping_ratio == 0.2 && snr_dB > 20) cell.defect = kBroad;
       cells.push_back(std::move(cell));
     }
   }

@@ -50,8 +50,10 @@ class Judge {
   Result run() {
     result_.said = outcome_.said;
     if (outcome_.exit_code != 0) result_.said.insert(fmt::format("exit {}", outcome_.exit_code));
-    for (const TrueMode& mode : truth_) {
-      if (must_be_found(mode)) ++result_.wanted;
+    for (std::size_t t = 0; t < truth_.size(); ++t) {
+      const TrueMode& mode = truth_[t];
+      const auto [first, last] = cluster(t);
+      if (must_be_found(mode) && first == last) ++result_.wanted;
       result_.freq_bound = std::max(result_.freq_bound, 2 * mode.freq_bound_Hz / width_Hz(mode.pole));
     }
     if (refused()) return result_;
