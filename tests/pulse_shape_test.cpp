@@ -89,6 +89,19 @@ TEST(GateAround, LeavesTheNoiseOutside) {
   EXPECT_EQ(gate_around(x, clean, 0.01).end, gate.end);
 }
 
+// It would let in the noise of all samples between.
+TEST(GateAround, IsNotOpenedByOneSampleFarBehindTheRinging) {
+  std::vector<double> x(4000);
+  test::add_haversine(x, 2000, 40, 100);
+  const PulseShape clean = shape_of(x);
+  const Gate gate = gate_around(x, clean, 0.01);
+  x[1950] = x[2100] = 0.05;  // five deviations
+  EXPECT_EQ(gate_around(x, clean, 0.01).first, gate.first);
+  EXPECT_EQ(gate_around(x, clean, 0.01).end, gate.end);
+  x[gate.end + 6] = 0.05;
+  EXPECT_EQ(gate_around(x, clean, 0.01).end, gate.end + 7);
+}
+
 TEST(GateAround, StaysInsideTheStretch) {
   for (const std::vector<double>& x : {std::vector<double>{5}, {5, 4}, {0, 5}, {0, 0, 5}, {5, 0, 0}, {1, 5, 1}}) {
     const Gate gate = gate_around(x, shape_of(x), 0);

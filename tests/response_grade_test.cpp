@@ -52,6 +52,24 @@ TEST(GradeResponse, IsTruncatedWhenItStillRingsAtSixTimeConstants) {
   EXPECT_FALSE(grade(ringing(1500)).truncated);  // −63 dB
 }
 
+// Rounded without noise a decay ends in a constant, and what was rounded off is no noise.
+TEST(GradeResponse, TellsStepsThatNoNoiseBlurs) {
+  const auto rounded = [](std::vector<double> x, double step) {
+    for (double& value : x) value = step * std::round(value / step);
+    return x;
+  };
+  const auto whole = ringing(600);
+  const double largest = *std::max_element(whole.begin(), whole.end());
+  for (const double step : {1e-3, 0.5}) {
+    EXPECT_NEAR(grade(rounded(ringing(600), step)).coarse_step * largest, step, 0.02 * step) << step;
+    auto blurred = ringing(600);
+    test::add_noise(blurred, step, 1);
+    EXPECT_EQ(grade(rounded(blurred, step)).coarse_step, 0) << step;
+  }
+  EXPECT_EQ(grade(ringing(600)).coarse_step, 0);
+  EXPECT_EQ(grade(ringing(20)).coarse_step, 0);  // sunk to nothing
+}
+
 TEST(GradeResponse, IsNotTruncatedWhenOnlyNoiseIsLeft) {
   for (const double noise : {0.01, 0.3, 3.0}) {
     for (std::uint64_t seed = 0; seed < 20; ++seed) {

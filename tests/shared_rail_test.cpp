@@ -74,6 +74,22 @@ TEST(SharedRail, IsNotSeenInEqualHitsThatAreNotClipped) {
   for (const Hit& hit : find_hits(test::force_record(25600, {row, row, row}))) EXPECT_EQ(overloads(hit), 0U);
 }
 
+// Of a pulse of three samples one or two touch the rail: no hit shows it alone.
+TEST(SharedRail, ShowsInThePeaksOfSeveralShortPulses) {
+  const auto row = [](double peak_N, double onset) {
+    std::vector<double> x(4000);
+    test::add_haversine(x, onset, 3, peak_N);
+    for (double& value : x) value = std::min(value, 150.0);
+    return x;
+  };
+  const auto clipped = find_hits(test::force_record(25600, {row(300, 500.3), row(260, 500.4), row(340, 500.6)}));
+  for (const Hit& hit : clipped) EXPECT_EQ(overloads(hit), 1U);
+  const auto some =
+      find_hits(test::force_record(25600, {row(300, 500.3), row(260, 500.4), row(340, 500.6), row(100, 500.5)}));
+  EXPECT_EQ(overloads(some[0]), 1U);
+  EXPECT_EQ(overloads(some[3]), 0U);
+}
+
 TEST(SharedRail, AgreesWithTheTruthOfEveryPreset) {
   for (const SynthPreset& preset : synth_presets()) {
     const SyntheticTest test = synthesise(synth_preset(preset.name));

@@ -72,6 +72,15 @@ TEST(Warnings, NameADeadChannel) {
   }
 }
 
+TEST(Warnings, NameStepsThatNoNoiseBlurs) {
+  SynthSpec spec = bat();
+  spec.noise = {};
+  spec.recorder.bits = 10;
+  EXPECT_THAT(warnings_of(synthesise(spec).record), Contains(HasSubstr("coarse_steps: the numbers of accel 1 ")));
+  spec.noise.accel = 0.05;
+  EXPECT_THAT(warnings_of(synthesise(spec).record), Not(Contains(HasSubstr("coarse_steps"))));
+}
+
 TEST(Warnings, NameTheHitsInWhichAChannelIsDead) {
   const Record record = with_dead(synthesise(bat()).record, 0, 0, [](std::size_t row) { return row != 1; });
   EXPECT_THAT(warnings_of(record), Contains(AllOf(HasSubstr("dead_channel: accel 1 "), HasSubstr("hits 0, 2"))));

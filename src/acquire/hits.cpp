@@ -19,11 +19,15 @@ constexpr double kPulseToNoise = 10;      // a pulse stands at least this far ou
 constexpr double kLongestPulse_s = 0.05;  // softer than any hammer tip; longer is drift
 constexpr std::size_t kLongestPulse = 8;  // samples, for records too slow to show a pulse at all
 constexpr double kDoubleScan_s = 0.25;    // bounces come within a few tens of milliseconds
+constexpr std::size_t kLeastRead = 256;   // samples: more than any pulse's gate
 constexpr double kDoubleRejects = 0.01;   // of the main pulse
 constexpr double kWeak = 0.2;             // of the median hit's peak
 constexpr double kLateTrigger = 0.05;     // of the peak already there at the first sample
 
 std::size_t scan_samples(double fs_Hz) { return static_cast<std::size_t>(kDoubleScan_s * fs_Hz) + 1; }
+
+// What is read behind a pulse: in slow records its ringing lasts longer than bounces are looked for.
+std::size_t read_samples(double fs_Hz) { return std::max(scan_samples(fs_Hz), kLeastRead); }
 
 std::vector<double> force_between(const Record& record, std::size_t row, std::size_t first, std::size_t last,
                                   double baseline) {
@@ -135,7 +139,7 @@ Hit hit_of_row(const Record& record, std::size_t row, const HitOptions& options)
           .baseline_N = survey.baseline_N};
   if (options.trigger_N && survey.largest_N < *options.trigger_N) return without_pulse(row, part, survey, options);
   const std::size_t end =
-      options.gate_force ? std::min(part.last, survey.largest_end + scan_samples(record.fs_Hz)) : part.last;
+      options.gate_force ? std::min(part.last, survey.largest_end + read_samples(record.fs_Hz)) : part.last;
   const auto x = force_between(record, row, part.first, end, survey.baseline_N);
   const auto at = [&](std::size_t sample) { return x.begin() + static_cast<std::ptrdiff_t>(sample - part.first); };
   const auto smaller = [](double a, double b) { return std::abs(a) < std::abs(b); };
@@ -178,7 +182,8 @@ std::vector<Hit> hits_in_row(const Record& record, std::size_t row, const HitOpt
     const Part stretch = stretch_of(survey, e, part, pretrigger_samples(record, options), length);
     const std::size_t scan = scan_samples(record.fs_Hz);
     const std::size_t begin = std::min(stretch.first, scan_begin(survey, e, part, scan));
-    const std::size_t end = options.gate_force ? std::min(stretch.last, survey.events[e] + scan) : stretch.last;
+    const std::size_t end =
+        options.gate_force ? std::min(stretch.last, survey.events[e] + read_samples(record.fs_Hz)) : stretch.last;
     const auto all = force_between(record, row, begin, end, survey.baseline_N);
     const auto x = std::span(all).subspan(stretch.first - begin);
     const std::size_t peak = survey.events[e] - stretch.first;

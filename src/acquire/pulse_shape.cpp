@@ -13,6 +13,7 @@ namespace {
 constexpr double kFoot = 0.05;  // of the peak: above the ringing of a brick-wall filter, below any real pulse's flank
 constexpr std::size_t kRinging = 72;       // samples: twice the reach of delta-sigma converters' filters down to 1e-8
 constexpr double kGateNoise = 4;           // deviations
+constexpr std::size_t kGateGap = 8;        // samples without ringing after which it is over
 constexpr double kGateFloor = 1e-9;        // of the peak
 constexpr double kSecondNoise = 6;         // deviations of the smoothed force
 constexpr double kSecondFraction = 0.005;  // of the peak; smaller ones change no FRF by more than 0.04 dB
@@ -111,17 +112,14 @@ Gate gate_around(std::span<const double> force_N, const PulseShape& pulse, doubl
   const auto rise = static_cast<std::size_t>(std::max(0.0, std::floor(pulse.rise)));
   const auto fall = std::min(static_cast<std::size_t>(std::ceil(pulse.fall)), force_N.size() - 1);
   Gate gate{.first = rise, .end = fall + 1};
-  for (std::size_t i = rise > kRinging ? rise - kRinging : 0; i < rise; ++i) {
-    if (std::abs(force_N[i]) > level) {
-      gate.first = i;
-      break;
-    }
+  // Outwards, sample after sample: one that stands out far behind the last is noise, and would let in all in between.
+  const std::size_t first = rise > kRinging ? rise - kRinging : 0;
+  for (std::size_t i = rise; i > first && gate.first - i < kGateGap; --i) {
+    if (std::abs(force_N[i - 1]) > level) gate.first = i - 1;
   }
-  for (std::size_t i = std::min(fall + kRinging, force_N.size() - 1); i > fall; --i) {
-    if (std::abs(force_N[i]) > level) {
-      gate.end = i + 1;
-      break;
-    }
+  const std::size_t end = std::min(fall + kRinging + 1, force_N.size());
+  for (std::size_t i = fall + 1; i < end && i - gate.end < kGateGap; ++i) {
+    if (std::abs(force_N[i]) > level) gate.end = i + 1;
   }
   return gate;
 }

@@ -20,7 +20,8 @@ struct PulseShape {
 PulseShape shape_of_pulse(std::span<const double> force_N, std::size_t peak);
 
 /// The gate [first, end) that holds the pulse and the ringing of the recorder's anti-alias filter: out to the last
-/// sample within 72 of the pulse's feet that stands 4 noise deviations, or 1e-9 of the peak, above zero.
+/// sample within 72 of the pulse's feet that stands 4 noise deviations, or 1e-9 of the peak, above zero; eight samples
+/// without one end it.
 /// theory (1.4)
 struct Gate {
   std::size_t first = 0, end = 0;

@@ -24,9 +24,12 @@ constexpr double kOtherWay = 0.05;      // … before that the other way: the mo
 constexpr double kRingingBefore = 4;    // times the level at the stretch's end
 constexpr double kNegligible = 0.0025;  // of the response: the same −52 dB
 constexpr std::size_t kEnvelopeWindows = 64;
-constexpr double kSteady = 1.5;        // the level one quarter earlier over the last quarter's; backgrounds wander
-constexpr double kSunk = 2;            // times the final level
-constexpr double kStillFalling = 0.9;  // of the rms one window earlier
+constexpr double kSteady = 1.5;            // the level one quarter earlier over the last quarter's; backgrounds wander
+constexpr double kSunk = 2;                // times the final level
+constexpr double kStillFalling = 0.9;      // of the rms one window earlier
+constexpr double kCoarseStep = 1e-5;       // of the largest response: at 5e-5 (16 bits) they begin to make modes
+constexpr std::size_t kStepSamples = 512;  // before the end of the changes: there they go by single steps
+constexpr std::size_t kUnblurredEnd = 64;  // samples without change, which noise of a third of a step would break
 // An exponential that falls by less than this over the record looks as steady as a background by its last quarters.
 constexpr double kFallen = kSteady * kSteady * kSteady * kSteady;
 
@@ -110,6 +113,16 @@ void grade_onset(ResponseGrade& grade, const Hit& hit, std::span<const double> a
   grade.delay_s = std::max(0.0, (static_cast<double>(i) - onset) / fs_Hz);
 }
 
+// The recorder's step over the largest response, where no noise blurs it: the decay ends in a constant.
+double coarse_step(std::span<const double> accel, double largest) {
+  std::size_t changes = accel.size();
+  while (changes > 1 && accel[changes - 1] == accel[changes - 2]) --changes;
+  if (accel.size() - changes < kUnblurredEnd) return 0;
+  const std::size_t first = changes > kStepSamples ? changes - kStepSamples : 0;
+  const double step = resolution_of(accel.subspan(first, changes - first));
+  return step > kCoarseStep * largest ? step / largest : 0;
+}
+
 }  // namespace
 
 ResponseGrade grade_response(const Hit& hit, std::span<const double> accel_mps2, double fs_Hz) {
@@ -126,6 +139,7 @@ ResponseGrade grade_response(const Hit& hit, std::span<const double> accel_mps2,
   grade.rings_before = rings_before(hit, accel_mps2);
   grade_end(grade, hit, accel_mps2);
   grade_onset(grade, hit, accel_mps2, extremes, before, fs_Hz);
+  grade.coarse_step = coarse_step(accel_mps2, extremes.furthest_from(resting));
   return grade;
 }
 

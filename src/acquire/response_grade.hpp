@@ -15,6 +15,7 @@ struct ResponseGrade {
   std::size_t rail_samples = 0;   // at the recorder's rail
   bool rings_before = false;      // the pre-trigger is not at rest
   bool dead = false;              // every sample is the same
+  double coarse_step = 0;         // the recorder's, over the largest response; 0: fine, or blurred by noise
   std::optional<double> delay_s;  // from the force's onset to the response's, not negative; resolution one sample
   int polarity = 0;               // sign of the first motion; 0: not seen, or too uneven to tell
 };

@@ -20,11 +20,13 @@ constexpr double kUnknownGain =
     1e-3;  // its deviation where the force is not known: a good hammer's, near its bandwidth
 constexpr double kDynamicRange =
     1e-5;  // of the largest line: smaller peaks cannot be told from what the polynomial leaves
-constexpr double kLeastSplit = 0.5;        // bandwidths between two modes when one is split …
-constexpr double kLeastProvenSplit = 0.1;  // … and when the two leave nothing but noise
-constexpr double kNoiseAlone = 1.5;        // times the lines' roughness, which a resonance that moves never comes near
-constexpr double kCoincide = 0.05;         // … below which a fit has pushed two into one
-constexpr double kCertain = 1e9;           // a quotient over no noise at all
+constexpr double kLeastSplit = 0.5;         // bandwidths between two modes when one is split …
+constexpr double kLeastProvenSplit = 0.05;  // … and when the two leave nothing but noise
+constexpr double kNoiseAlone = 1.5;         // times the lines' roughness, which a resonance that moves never comes near
+constexpr double kCoincide = 0.05;          // … below which a fit has pushed two into one
+constexpr double kStillThere = 0.5;         // of the amplitude, at the record's end: hum is there with all of it
+constexpr double kDecays = 3;               // deviations of the damping of what is still there: that of hum is none
+constexpr double kCertain = 1e9;            // a quotient over no noise at all
 
 double most_misfit(const GroupedFit& all, const FitGroup& group) {
   return group.fit.noise.cwiseQuotient(all.noise(group)).maxCoeff();
@@ -66,8 +68,8 @@ bool above_force_noise(const GroupedFit& all, const FitGroup& group, std::size_t
     const double peak = std::abs(group.fit.residues(o, static_cast<Index>(mode))) / (2 * pole.damping_ratio);
     const bool known = !set.points[output.point].ff.empty();
     const double gain = known ? gain_deviation(set, output.point, pole.freq_Hz) : kUnknownGain;
-    // A gain of which nothing is known may waver so as to make a broad mode of the flank of a large one.
-    const double reach = known ? 0 : pole.half_power_Hz() / set.lines.df_Hz();
+    // A gain may waver so as to make a broad mode of the flank of a large one.
+    const double reach = pole.half_power_Hz() / set.lines.df_Hz();
     if (peak > kForceNoise * gain * largest_within(output.frf, set.lines, pole.freq_Hz, reach)) return true;
   }
   return false;
@@ -83,6 +85,13 @@ double least_standing(const GroupedFit& all, const FitGroup& group, std::size_t 
   const bool reached = all.set().reach_Hz <= 0 || pole.freq_Hz <= all.set().reach_Hz;
   // Before the set of modes has settled a misfit may be another mode's, still to be found.
   return kStandsOut * (context.settled && !shown ? std::min(misfit, kMostMisfit) : 1) * (reached ? 1 : kBeyondReach);
+}
+
+// What rings on as it began may be hum, which leaves a line but no decay.
+bool decays(const GroupedFit& all, const FitGroup& group, std::size_t mode) {
+  const Pole& pole = group.fit.poles[mode];
+  const double left = left_at_end(pole, all.set().lines, all.set().window_decay_per_s());
+  return (left > kStillThere ? kDecays : 1) * group.fit.damping_std(static_cast<Index>(mode)) < pole.damping_ratio;
 }
 
 }  // namespace
@@ -109,7 +118,7 @@ bool credible(const GroupedFit& all, const FitGroup& group, std::size_t mode, co
          pole.freq_Hz < high && pole.damping_ratio < kMostDamping && pole.half_power_Hz() < widest_Hz &&
          significance(group.fit, mode) > kSeen &&
          stands_out(all, group, mode) > least_standing(all, group, mode, context) &&
-         group.fit.freq_std_Hz(m) < all.width_Hz(pole) && group.fit.damping_std(m) < pole.damping_ratio;
+         group.fit.freq_std_Hz(m) < all.width_Hz(pole) && decays(all, group, mode);
 }
 
 bool coincide(const GroupedFit& all, const Pole& a, const Pole& b) {

@@ -15,9 +15,10 @@ struct CredibilityContext {
 /// How far the mode's own peak stands out of what the window's fit leaves, at the output where it does most.
 double stands_out(const GroupedFit& all, const FitGroup& group, std::size_t mode);
 
-/// A mode is credible when it lies within its window, is determined (deviations below its own width and damping), has a
-/// residue that is significant somewhere, and stands out: further when it showed no peak of its own and the residual is
-/// more than noise, and further where the hammer did not reach.
+/// A mode is credible when it lies within its window, is determined (deviations below its own width and damping; below
+/// a third of the damping where it hardly decays within the record), has a residue that is significant somewhere, and
+/// stands out: further when it showed no peak of its own and the residual is more than noise, and further where the
+/// hammer did not reach.
 bool credible(const GroupedFit& all, const FitGroup& group, std::size_t mode, const CredibilityContext& context);
 
 /// Two poles that a fit has pushed into one: nothing tells their residues apart any more. Where nothing is known of the

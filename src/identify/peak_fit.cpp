@@ -20,7 +20,9 @@ constexpr double kSplitGain =
     0.25;  // a second mode must leave at most this part of the residual's energy where one misfits
 constexpr double kSplitTest = 25;    // F statistic
 constexpr double kSplitStart = 0.4;  // bandwidths to either side
-constexpr double kMisfit = 2;  // residual's energy over the noise's from which it is asked whether there are two modes
+constexpr double kMisfit =
+    2;  // residual's energy over the noise's from which it is asked whether there are two modes …
+constexpr double kMisfitChance = 6;       // … or so many deviations of that energy beyond it, where lines are many
 constexpr double kMovingApart = 10;       // … from one that moves: as far as its window reaches
 constexpr double kHiddenApart = 2;        // bandwidths from a known mode: closer ones are found by splitting
 constexpr std::size_t kLeastForFit = 16;  // lines
@@ -169,20 +171,26 @@ class PeakFit {
     return use(std::move(poles));
   }
 
-  // More than noise is left in these outputs: a second mode could leave a quarter of that energy.
+  // More than noise is left in these outputs: a second mode could leave a quarter of what is more.
   std::vector<Index> misfits(const FitGroup& group) const {
     std::vector<Index> outputs;
     const VectorXd expected = all_.noise(group);
+    const double chance = kMisfitChance / std::sqrt(static_cast<double>(group.count));
     for (Index o = 0; o < expected.size(); ++o) {
-      if (std::pow(group.fit.noise(o) / expected(o), 2) > kMisfit) outputs.push_back(o);
+      if (std::pow(group.fit.noise(o) / expected(o), 2) > std::min(kMisfit, 1 + chance)) outputs.push_back(o);
     }
     return outputs;
   }
 
-  // The part of the residual's energy that is left there, on the average over the outputs: many see nothing of a mode.
-  static double left_in(const std::vector<Index>& outputs, const LocalFit& before, const LocalFit& after) {
+  // The part of the residual's energy beyond the noise's that is left there, on the average over the outputs: many see
+  // nothing of a mode.
+  static double left_in(const std::vector<Index>& outputs, const VectorXd& expected, const LocalFit& before,
+                        const LocalFit& after) {
     double sum = 0;
-    for (const Index o : outputs) sum += std::pow(after.noise(o) / before.noise(o), 2);
+    for (const Index o : outputs) {
+      const auto beyond = [&](double noise) { return std::max(0.0, noise * noise - expected(o) * expected(o)); };
+      sum += beyond(after.noise(o)) / beyond(before.noise(o));
+    }
     return sum / static_cast<double>(outputs.size());
   }
 
@@ -206,7 +214,7 @@ class PeakFit {
     }
     const double gained = (one.cost - best.fit.cost) / static_cast<double>(unknowns);
     const double left = best.fit.cost / static_cast<double>(best.fit.degrees);
-    if (left_in(amiss, one, best.fit) >= kSplitGain || gained <= kSplitTest * left) return now;
+    if (left_in(amiss, all_.noise(group), one, best.fit) >= kSplitGain || gained <= kSplitTest * left) return now;
     return moves_instead(set_, {.data = data, .weight = weight}, group, best) ? now : best.fit.poles;
   }
 

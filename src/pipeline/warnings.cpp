@@ -36,6 +36,27 @@ std::string dead_hits(const std::vector<AnalysedHit>& hits, std::size_t channel)
   return numbers.empty() || alive ? numbers : "every hit used";
 }
 
+// Over the accepted hits, of the channel's largest response.
+double coarsest_step(const std::vector<AnalysedHit>& hits, std::size_t channel) {
+  double step = 0;
+  for (const AnalysedHit& hit : hits) {
+    if (hit.accepted && hit.responses.size() > channel) step = std::max(step, hit.responses[channel].coarse_step);
+  }
+  return step;
+}
+
+void warn_of_steps(const Record& record, const std::vector<AnalysedHit>& hits, std::vector<Warning>& out) {
+  for (std::size_t c = 0; c < record.accel.size(); ++c) {
+    const double step = coarsest_step(hits, c);
+    if (!(step > 0)) continue;
+    out.push_back(
+        {"coarse_steps",
+         fmt::format("the numbers of {} come in steps of {:.2g} % of its largest response, which no noise blurs: modes "
+                     "may be off by more than their ±, and weak ones none; use the recorder's range and digits",
+                     one_line(record.accel[c].name, 40), 100 * step)});
+  }
+}
+
 }  // namespace
 
 void Analysis::warn_of_truncation(std::vector<Warning>& out) const {
@@ -130,6 +151,7 @@ std::vector<Warning> Analysis::warnings() const {
                                                "the others with --accel-channel",
                                                one_line(record_.accel[c].name, 40), dead)});
   }
+  warn_of_steps(record_, all, out);
   const bool rings = std::any_of(all.begin(), all.end(), [](const AnalysedHit& hit) {
     return hit.accepted && std::any_of(hit.responses.begin(), hit.responses.end(),
                                        [](const ResponseGrade& g) { return g.rings_before; });

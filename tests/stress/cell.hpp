@@ -1,0 +1,50 @@
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "check.hpp"
+#include "expectation.hpp"
+#include "samples.hpp"
+#include "synth/spec.hpp"
+
+namespace percuss::stress {
+
+/// A synthetic test, what else happens to it, and what must come out.
+struct Cell {
+  std::string group, name;
+  SynthSpec spec;
+  std::function<void(Samples&)> alter{};
+  Expectation expected{};
+  std::string defect{};
+  std::size_t runs = 1, full_runs = 1;
+  bool calibrated = false;  // as Result
+};
+Check check_of(Cell cell);
+
+/// The test of a cell, altered, with its truth; noise and hits of its own for every cell and run.
+SyntheticTest test_of(const Cell& cell, std::uint64_t run);
+AnalysisOptions options_of(const SynthSpec& spec);
+
+/// The cells' common structure: two accelerometers, five hits, one second at 8192 Hz, band 60 to 3000 Hz.
+SynthSpec structure(std::vector<SynthMode> modes);
+/// … with a mode at 400 Hz (1 %) and one at 1100 Hz (0.5 %).
+SynthSpec two_modes();
+
+/// A defect that cells of several kinds show.
+inline constexpr const char* kCutRinging =
+    "What the force's gate cuts off of the ringing makes a weak broad mode, in one test of a hundred.";
+
+/// A noise of so many dB below the signal, as spec.noise has it.
+double ratio_of_dB(double snr_dB);
+
+std::vector<Cell> spacing_cells();
+std::vector<Cell> damping_cells();
+std::vector<Cell> noise_cells();
+std::vector<Cell> recorder_cells();
+std::vector<Cell> scale_cells();
+std::vector<Cell> length_cells();
+std::vector<Cell> structure_cells();
+std::vector<Check> invariance_checks();
+
+}  // namespace percuss::stress

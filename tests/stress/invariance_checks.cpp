@@ -1,0 +1,176 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "acquire/write_record.hpp"
+#include "cell.hpp"
+#include "support/scratch_folder.hpp"
+
+namespace percuss::stress {
+namespace {
+
+/// A fit ends where its next step would gain no more than a hundredth of a deviation: two that come from other
+/// rounding may differ by that much on either side.
+constexpr double kSame = 0.02;
+
+/// What a change does to the modes: factors of frequency and residues, and where each channel is now.
+struct Change {
+  double freq = 1, residue = 1;
+  std::map<std::size_t, std::size_t> channel{};
+  double tolerance = kSame;  // deviations; 0: every bit
+};
+
+void compare(const Outcome& before, const Outcome& after, const Change& change, Result& result) {
+  const auto expect = [&](double a, double b, double std, const char* what, std::size_t m) {
+    const double off = std::abs(a - b);
+    if (!(off <= change.tolerance * std)) {
+      result.failures.push_back(
+          fmt::format("{} of mode {} is {:.12g}, was {:.12g}: {:.2g} deviations", what, m, b, a, off / std));
+    }
+  };
+  if (before.exit_code != 0 || after.exit_code != 0)
+    result.failures.push_back("refused: " + before.message + after.message);
+  if (before.modes.size() != after.modes.size() || before.modes.empty())
+    result.failures.push_back(fmt::format("{} modes, were {}", after.modes.size(), before.modes.size()));
+  if (!result.failures.empty()) return;
+  for (std::size_t m = 0; m < before.modes.size(); ++m) {
+    const Mode& a = before.modes[m];
+    const Mode& b = after.modes[m];
+    expect(change.freq * a.pole.freq_Hz, b.pole.freq_Hz, change.freq * a.freq_std_Hz, "frequency", m);
+    expect(a.pole.damping_ratio, b.pole.damping_ratio, a.damping_std, "damping ratio", m);
+    for (std::size_t o = 0; o < a.residues.size(); ++o) {
+      const Residue& was = a.residues[o];
+      const auto moved = change.channel.find(was.channel);
+      const Residue& is = b.residues[moved == change.channel.end() ? o : moved->second];
+      const double std = std::abs(change.residue) * std::hypot(was.std, was.relative_std * std::abs(was.value));
+      expect(0, std::abs(is.value - change.residue * was.value), std, "residue", m);
+    }
+  }
+}
+
+SynthSpec spec_of(std::uint64_t run) {
+  SynthSpec spec = two_modes();
+  spec.seed = 7000 + run;
+  spec.noise = {.force = 1e-4, .accel = 1e-3};
+  return spec;
+}
+
+using Altered = std::function<Record(const Record&)>;
+
+Check invariant(const std::string& name, const Change& change, const Altered& altered, double freq = 1) {
+  Check check{.group = "invariance", .name = name, .runs = 2, .full_runs = 16};
+  check.expectation = change.tolerance > 0 ? fmt::format("the same modes to {:g} deviations", change.tolerance)
+                                           : "the same modes, every bit";
+  check.run = [=](std::uint64_t run) {
+    const SynthSpec spec = spec_of(run);
+    const SyntheticTest test = synthesise(spec, 1);
+    AnalysisOptions options = options_of(spec);
+    const Outcome before = analyse(test.record, options);
+    options.band_Hz = std::pair{freq * spec.band_low_Hz, freq * spec.band_high_Hz};
+    Result result;
+    compare(before, analyse(altered(test.record), options), change, result);
+    result.wanted = result.found = before.modes.size();
+    return result;
+  };
+  return check;
+}
+
+Altered by(const std::function<void(Samples&)>& change) {
+  return [change](const Record& record) {
+    Samples samples = samples_of(record);
+    change(samples);
+    return record_of(std::move(samples), record);
+  };
+}
+
+std::vector<Check> of_samples() {
+  std::vector<Check> checks;
+  for (const double force : {1e-3, -1.0, 4.4482216152605, 1e6}) {
+    for (const double accel : {1.0, -1.0, 9.80665, 1e-6}) {
+      checks.push_back(invariant(fmt::format("force × {:g}, response × {:g}", force, accel), {.residue = accel / force},
+                                 by([=](Samples& samples) { scale(samples, force, accel); })));
+    }
+  }
+  checks.push_back(invariant("hits in reverse order", {}, by([](Samples& samples) {
+                               std::reverse(samples.force_N.begin(), samples.force_N.end());
+                               std::reverse(samples.accel_mps2.begin(), samples.accel_mps2.end());
+                             })));
+  checks.push_back(invariant("channels in reverse order", {.channel = {{0, 1}, {1, 0}}}, by([](Samples& samples) {
+                               for (auto& row : samples.accel_mps2) std::reverse(row.begin(), row.end());
+                             })));
+  for (const double times : {1e-3, 1e3}) {
+    checks.push_back(invariant(fmt::format("sampling rate × {:g}", times), {.freq = times},
+                               by([=](Samples& samples) { samples.fs_Hz *= times; }), times));
+  }
+  return checks;
+}
+
+/// The same blows at another time of their rows, without noise: what is recorded differs in every sample.
+Check shifted(double samples) {
+  Check check{.group = "invariance",
+              .name = fmt::format("blows {:g} samples later", samples),
+              .expectation = "the same modes to 1e-9 of the pole",
+              .runs = 1,
+              .full_runs = 4};
+  check.run = [=](std::uint64_t run) {
+    SynthSpec spec = spec_of(run);
+    spec.noise = {};
+    const AnalysisOptions options = options_of(spec);
+    Outcome before = analyse(synthesise(spec, 1).record, options);
+    spec.pretrigger_s += samples / spec.fs_Hz;
+    const Outcome after = analyse(synthesise(spec, 1).record, options);
+    for (Mode& mode : before.modes) {
+      mode.freq_std_Hz = kRoundingOfPole * mode.pole.freq_Hz;
+      mode.damping_std = kRoundingOfPole;
+      for (Residue& residue : mode.residues) residue.std = 1e-7 * std::abs(residue.value);
+    }
+    Result result;
+    compare(before, after, {.tolerance = 1}, result);
+    result.wanted = result.found = before.modes.size();
+    return result;
+  };
+  return check;
+}
+
+/// One file, or one for every hit, in every format.
+std::vector<Check> of_files() {
+  std::vector<Check> checks;
+  for (const char* extension : {".h5", ".mat", ".uff", ".csv"}) {
+    checks.push_back(
+        invariant(fmt::format("written to one {} file", extension), {.tolerance = 0}, [=](const Record& record) {
+          const test::ScratchFolder folder;
+          const std::string path = folder.file(std::string("all") + extension);
+          write_record(path, record, false);
+          return record_of(samples_of(open_record(path)), record);
+        }));
+    checks.push_back(invariant(fmt::format("written to one {} file per hit", extension), {.tolerance = 0},
+                               [=](const Record& record) {
+                                 const test::ScratchFolder folder;
+                                 std::vector<Record> parts;
+                                 for (std::size_t row = 0; row < record.rows.size(); ++row) {
+                                   Samples samples = samples_of(record);
+                                   samples.force_N = {samples.force_N[row]};
+                                   samples.accel_mps2 = {samples.accel_mps2[row]};
+                                   const std::string path = folder.file(fmt::format("{}{}", row, extension));
+                                   write_record(path, record_of(std::move(samples), record), false);
+                                   parts.push_back(open_record(path));
+                                 }
+                                 return record_of(samples_of(join_records(std::move(parts), FilesMean::hits)), record);
+                               }));
+  }
+  return checks;
+}
+
+}  // namespace
+
+std::vector<Check> invariance_checks() {
+  std::vector<Check> checks = of_samples();
+  for (const double samples : {1.0, 37.0, 0.37}) checks.push_back(shifted(samples));
+  for (Check& check : of_files()) checks.push_back(std::move(check));
+  return checks;
+}
+
+}  // namespace percuss::stress

@@ -1,0 +1,47 @@
+#include <fmt/format.h>
+
+#include "cell.hpp"
+
+namespace percuss::stress {
+namespace {
+
+constexpr double kNone = 1000;  // dB
+
+constexpr const char* kWavering =
+    "Where the response has no noise of its own, the gain's wavering is all that a window's fit leaves; its deviations "
+    "take that for noise from line to line. Errors stay below 1e-7.";
+
+std::string words(double snr_dB) { return snr_dB < kNone ? fmt::format("{:g} dB", snr_dB) : "no noise"; }
+
+// Where the pulse barely leaves its noise the FRF's gain is not known to better than 10 %: what is reported must still
+// be right. Under 20 dB there is no pulse to be seen.
+Expectation expected_at(double force_dB) {
+  if (force_dB < 20) return {.exit_code = 4, .reason = "no_pulse"};
+  if (force_dB < 40) return {.demand = Demand::none, .or_refused = {"no_pulse"}};
+  return {};
+}
+
+}  // namespace
+
+std::vector<Cell> noise_cells() {
+  std::vector<Cell> cells;
+  for (const double force_dB : {0.0, 20.0, 40.0, 60.0, 80.0, kNone}) {
+    for (const double accel_dB : {0.0, 20.0, 40.0, 60.0, 80.0, kNone}) {
+      Cell cell{.group = "noise",
+                .name = fmt::format("force {}, response {}", words(force_dB), words(accel_dB)),
+                .spec = two_modes(),
+                .expected = expected_at(force_dB),
+                .runs = 4,
+                .full_runs = 32,
+                .calibrated = force_dB >= 40};
+      if (force_dB >= 20 && force_dB < kNone && accel_dB == kNone) cell.defect = kWavering;
+      if (force_dB == 60 && accel_dB == 60) cell.defect = kCutRinging;
+      cell.spec.noise = {.force = force_dB < kNone ? ratio_of_dB(force_dB) : 0,
+                         .accel = accel_dB < kNone ? ratio_of_dB(accel_dB) : 0};
+      cells.push_back(std::move(cell));
+    }
+  }
+  return cells;
+}
+
+}  // namespace percuss::stress

@@ -1,0 +1,68 @@
+#include "outcome.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "core/error.hpp"
+
+namespace percuss::stress {
+namespace {
+
+// As docs/conventions and the manual promise them.
+constexpr int kInternal = 1, kBadInput = 3, kImpossible = 4;
+
+bool deviation(double x) { return std::isfinite(x) && x > 0; }
+
+bool usable(const Residue& residue) {
+  return std::isfinite(residue.value.real()) && std::isfinite(residue.value.imag()) && std::isfinite(residue.std) &&
+         residue.std >= 0 && std::isfinite(residue.relative_std);
+}
+
+void note_findings(const Analysis& analysis, std::set<std::string>& said) {
+  for (const AnalysedHit& hit : analysis.hits()) {
+    for (const Finding& finding : hit.hit.findings) said.insert(name_of(finding.code));
+  }
+}
+
+}  // namespace
+
+Outcome analyse(Record record, const AnalysisOptions& options) {
+  Outcome outcome;
+  try {
+    const Analysis analysis(std::move(record), options);
+    note_findings(analysis, outcome.said);
+    if (analysis.possible()) {
+      outcome.modes = analysis.modes();
+      analysis.verdicts();
+    } else {
+      outcome.exit_code = kImpossible;
+    }
+    for (const Warning& warning : analysis.warnings()) outcome.said.insert(warning.code);
+  } catch (const InputError& e) {
+    outcome.exit_code = kBadInput;
+    outcome.message = e.what();
+  } catch (const std::exception& e) {
+    outcome.exit_code = kInternal;
+    outcome.message = e.what();
+  }
+  return outcome;
+}
+
+std::string unusable_number(const std::vector<Mode>& modes) {
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    const Mode& mode = modes[m];
+    const auto named = [m](const char* what) { return fmt::format("{} of mode {} is no number", what, m); };
+    if (!(std::isfinite(mode.pole.freq_Hz) && mode.pole.freq_Hz > 0)) return named("frequency");
+    if (!(std::isfinite(mode.pole.damping_ratio) && mode.pole.damping_ratio > 0)) return named("damping ratio");
+    if (!deviation(mode.freq_std_Hz)) return named("deviation of the frequency");
+    if (!deviation(mode.damping_std)) return named("deviation of the damping ratio");
+    for (const Residue& residue : mode.residues) {
+      if (!usable(residue)) return named("a residue");
+    }
+  }
+  return {};
+}
+
+}  // namespace percuss::stress

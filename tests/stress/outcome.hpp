@@ -1,0 +1,25 @@
+#pragma once
+#include <set>
+#include <string>
+#include <vector>
+
+#include "acquire/record.hpp"
+#include "identify/mode.hpp"
+#include "pipeline/analysis.hpp"
+
+namespace percuss::stress {
+
+/// What an analysis says of a record, as the tool would end: with modes, or with an exit code and a reason.
+struct Outcome {
+  int exit_code = 0;
+  std::string message;         // of an error
+  std::set<std::string> said;  // codes of warnings and of the hits' findings
+  std::vector<Mode> modes;
+};
+
+Outcome analyse(Record record, const AnalysisOptions& options);
+
+/// "frequency of mode 2" where a number of a mode is no number or its deviation none; empty when all are.
+std::string unusable_number(const std::vector<Mode>& modes);
+
+}  // namespace percuss::stress

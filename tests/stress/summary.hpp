@@ -1,0 +1,45 @@
+#pragma once
+#include <cstddef>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "check.hpp"
+
+namespace percuss::stress {
+
+/// Intervals of 1.96 reported deviations that hold the truth, out of all.
+struct Coverage {
+  std::size_t modes = 0, freq = 0, damping = 0;
+  double of_freq() const { return static_cast<double>(freq) / static_cast<double>(modes); }
+  double of_damping() const { return static_cast<double>(damping) / static_cast<double>(modes); }
+};
+void add(Coverage& to, const Coverage& more);
+
+/// All runs of a check together.
+struct Summary {
+  Check check;
+  std::size_t runs = 0, failed_runs = 0;
+  std::vector<std::pair<std::size_t, std::string>> failures;  // run and what went wrong
+  std::set<std::string> said;
+  std::size_t wanted = 0, found = 0;
+  double freq_relative = 0, damping_absolute = 0, freq_bound = 0;  // the largest, as Result
+  Miss largest;
+  Coverage coverage;
+
+  bool failed() const { return failed_runs > 0; }
+  bool known() const { return !check.defect.empty(); }
+};
+
+/// Runs all checks, several runs at once.
+std::vector<Summary> run_all(const std::vector<Check>& checks, bool full);
+
+/// "ok", "FAILS" or "known", the cell, what was measured, and what went wrong.
+std::string lines_of(const Summary& summary);
+/// The known defects with the cells that show them, as a list in Markdown.
+std::string defects_of(const std::vector<Summary>& summaries);
+/// All cells as tables in Markdown, group by group.
+std::string tables_of(const std::vector<Summary>& summaries);
+
+}  // namespace percuss::stress
