@@ -3,6 +3,7 @@
 #include <exception>
 #include <iostream>
 #include <new>
+#include <string_view>
 
 #include "acquire/calibrate.hpp"
 #include "acquire/unfinished_files.hpp"
@@ -30,6 +31,40 @@ void add_exit_codes(CommandLine& line) {
   line.exit_code(kQualityGate, "a quality gate failed (the bat exceeds its limit)");
 }
 
+void add_models(CommandLine& line) {
+  line.group("model", "Predictions: beams, bats, barrels and what a ball does to them");
+  add_model_beam(line);
+  add_model_impact(line);
+  add_model_rigid(line);
+  add_model_trampoline(line);
+  add_model_bat(line);
+  add_model_shell(line);
+}
+
+struct NamedCommand {
+  std::string_view name;
+  void (*add)(CommandLine&);
+};
+
+constexpr NamedCommand kCommands[] = {
+    {"analyze", add_analyze}, {"frf", add_frf},         {"nodes", add_nodes},         {"survey", add_survey},
+    {"info", add_info},       {"convert", add_convert}, {"calibrate", add_calibrate}, {"deflect", add_deflect},
+    {"compare", add_compare}, {"synth", add_synth},     {"model", add_models},        {"metrics", add_metrics},
+    {"certify", add_certify}, {"abi", add_abi},         {"study", add_study},
+};
+
+// Declaring every option of every command takes longer than many a command does, so that only the one named first is,
+// unless all are needed: for help, for what tells of all commands, and for a word that is no command.
+void add_commands(CommandLine& line, std::string_view first_word) {
+  if (first_word == "--version") return;
+  for (const NamedCommand& command : kCommands) {
+    if (command.name == first_word) return command.add(line);
+  }
+  for (const NamedCommand& command : kCommands) command.add(line);
+  add_completion(line);
+  add_man(line);
+}
+
 int parse_and_run(int argc, char** argv) {
   CommandLine line("percuss", "Modes of a structure from hammer tests, with error bars", PERCUSS_VERSION);
   Command program = line.program();
@@ -39,29 +74,7 @@ int parse_and_run(int argc, char** argv) {
       "error. Options follow the command.");
   program.example("percuss synth composite-bat -o first.h5; percuss analyze first.h5 --band 60:3200",
                   "A made-up hammer test whose modes are known, and its analysis");
-  add_analyze(line);
-  add_frf(line);
-  add_nodes(line);
-  add_survey(line);
-  add_info(line);
-  add_convert(line);
-  add_calibrate(line);
-  add_deflect(line);
-  add_compare(line);
-  add_synth(line);
-  line.group("model", "Predictions: beams, bats, barrels and what a ball does to them");
-  add_model_beam(line);
-  add_model_impact(line);
-  add_model_rigid(line);
-  add_model_trampoline(line);
-  add_model_bat(line);
-  add_model_shell(line);
-  add_metrics(line);
-  add_certify(line);
-  add_abi(line);
-  add_study(line);
-  add_completion(line);
-  add_man(line);
+  add_commands(line, argc > 1 ? argv[1] : "");
   add_exit_codes(line);
   const int code = line.run(argc, argv);
   std::cout.flush();
