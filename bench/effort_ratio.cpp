@@ -1,5 +1,5 @@
-// percuss_effort_ratio [LO:HI FILE]...: what each effort costs as a multiple of bare FFTW transforms of the same
-// records in memory (one per channel and hit, planned with FFTW_MEASURE, one thread, same run), and where the time
+// percuss_effort_ratio [LO:HI FILE]...: what FRFs and each effort cost as a multiple of bare FFTW transforms of the
+// same records in memory (one per channel and hit, planned with FFTW_MEASURE, one thread, same run), and where the time
 // goes; in brackets, as a multiple of transforms of a record that stays in the cache. Without files: the bundled bat
 // with a hoop doublet. Every time is the best of several, taken by turns, so that a disturbed moment neither flatters
 // nor blames.
@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <exception>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -79,17 +80,21 @@ class Bare {
 };
 
 struct Measured {
-  Effort effort;
+  std::optional<Effort> effort;  // none: FRFs alone
   double best_s = 1e9;
   std::size_t modes = 0;
   std::string stages;
 
   void run(const Record& record, AnalysisOptions options) {
-    options.modes.effort = effort;
+    if (effort) options.modes.effort = *effort;
     std::string its_stages;
     const double took = seconds_of([&] {
       const Analysis analysis(record, options);
-      modes = analysis.verdicts().size();
+      if (effort) {
+        modes = analysis.verdicts().size();
+      } else {
+        (void)analysis.frfs();
+      }
       for (const auto& stage : analysis.trace().stages())
         its_stages += fmt::format(" {} {:.2f}", stage.name, stage.seconds * 1e3);
     });
@@ -103,20 +108,21 @@ void compare(const std::string& name, const Record& record, AnalysisOptions opti
   options.threads = 1;
   Bare bare(record);
   double bare_s = 1e9, cached_s = 1e9;
-  std::vector<Measured> efforts{{Effort::quick}, {Effort::standard}, {Effort::best}};
+  std::vector<Measured> measured{{}, {Effort::quick}, {Effort::standard}, {Effort::best}};
   double all_s = 0;
   for (int n = 0; n < 3 || all_s < kLeast_s; ++n) {
     bare_s = std::min(bare_s, seconds_of([&] { bare.run(); }));
     cached_s = std::min(cached_s, seconds_of([&] { bare.run_cached(); }));
     all_s += seconds_of([&] {
-      for (Measured& effort : efforts) effort.run(record, options);
+      for (Measured& one : measured) one.run(record, options);
     });
   }
   fmt::print("{}: {} rows of {} samples, {} channels; bare transforms {:.2f} ms, {:.2f} ms within the cache\n", name,
              record.rows.size(), record.rows.front().samples, 1 + record.accel.size(), bare_s * 1e3, cached_s * 1e3);
-  for (const Measured& effort : efforts) {
-    fmt::print("  {:8} {:9.2f} ms  {:6.2f} x ({:.2f} x)  {} modes; ms in{}\n", name_of(effort.effort),
-               effort.best_s * 1e3, effort.best_s / bare_s, effort.best_s / cached_s, effort.modes, effort.stages);
+  for (const Measured& one : measured) {
+    fmt::print("  {:8} {:9.2f} ms  {:6.2f} x ({:.2f} x)  {} modes; ms in{}\n",
+               one.effort ? name_of(*one.effort) : "FRFs", one.best_s * 1e3, one.best_s / bare_s, one.best_s / cached_s,
+               one.modes, one.stages);
   }
 }
 

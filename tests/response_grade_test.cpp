@@ -34,6 +34,11 @@ std::vector<double> ringing(double tau, double peak = 50, std::size_t onset = kO
   return x;
 }
 
+std::size_t decayed(const Hit& hit, std::span<const double> accel) {
+  return decayed_length(hit, accel.size(),
+                        [&](std::size_t first, std::size_t count) { return accel.subspan(first, count); });
+}
+
 ResponseGrade grade(const std::vector<double>& accel) { return grade_response(hit(), accel, kFs_Hz); }
 
 TEST(GradeResponse, MeasuresWhatIsLeftOfTheDecay) {
@@ -206,7 +211,7 @@ TEST(GradeResponse, SurvivesPulsesAtTheVeryEndAndShortStretches) {
       accel.back() = 4;
       const Hit late = find_hits(test::force_record(kFs_Hz, {force, force})).at(0);
       EXPECT_FALSE(grade_response(late, accel, kFs_Hz).rings_before);
-      EXPECT_EQ(decayed_length(late, accel), samples);
+      EXPECT_EQ(decayed(late, accel), samples);
     }
   }
   const ResponseGrade none = grade(std::vector<double>(kOnset / 2, 1.0));  // ends before the pulse
@@ -222,22 +227,22 @@ TEST(DecayedLength, IsTwiceTheTimeToTheBackground) {
   const auto after = static_cast<double>(hit().gate_first + hit().gated_N.size());
   const double window = (kSamples - after) / 64;
   const double exact = after + 2 * (static_cast<double>(kOnset) + sunk - after);
-  EXPECT_LE(std::abs(static_cast<double>(decayed_length(hit(), x)) - exact), 2.5 * window);  // whole windows, twice
+  EXPECT_LE(std::abs(static_cast<double>(decayed(hit(), x)) - exact), 2.5 * window);  // whole windows, twice
 }
 
 TEST(DecayedLength, IsEverythingWhileItStillFallsOrIsShort) {
   for (const double tau : {1e6, 20000.0, 9000.0, 7500.0, 7000.0, 5000.0}) {
-    EXPECT_EQ(decayed_length(hit(), ringing(tau)), kSamples) << tau;
+    EXPECT_EQ(decayed(hit(), ringing(tau)), kSamples) << tau;
   }
-  EXPECT_EQ(decayed_length(hit(), ringing(1000)), kSamples);  // no background at all
-  EXPECT_EQ(decayed_length(hit(), std::vector<double>(kSamples)), kSamples);
-  EXPECT_EQ(decayed_length(hit_at(20, 300), ringing(10, 50, 20, 300)), 300U);
+  EXPECT_EQ(decayed(hit(), ringing(1000)), kSamples);  // no background at all
+  EXPECT_EQ(decayed(hit(), std::vector<double>(kSamples)), kSamples);
+  EXPECT_EQ(decayed(hit_at(20, 300), ringing(10, 50, 20, 300)), 300U);
 }
 
 TEST(DecayedLength, IsShortForAChannelThatShowsNothingButItsNoise) {
   std::vector<double> x(kSamples);
   test::add_noise(x, 0.3, 6);
-  EXPECT_LE(decayed_length(hit(), x), kSamples / 10);
+  EXPECT_LE(decayed(hit(), x), kSamples / 10);
 }
 
 TEST(AddResponseFindings, NamesTheWorstChannel) {

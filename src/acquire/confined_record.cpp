@@ -4,6 +4,7 @@
 #include <limits>
 #include <memory>
 
+#include "acquire/plain_samples.hpp"
 #include "core/error.hpp"
 
 namespace percuss {
@@ -29,6 +30,7 @@ void pack_description(Packer& out, const Record& record) {
   out.put(static_cast<std::uint64_t>(record.has_force));
   pack_geometry(out, record.geometry);
   out.put_all(record.trace_lines);
+  out.put_all(record.plain);
   pack_texts(out, record.notes);
 }
 
@@ -49,6 +51,7 @@ Record unpack_description(Unpacker& in) {
   record.has_force = in.get<std::uint64_t>() != 0;
   record.geometry = unpack_geometry(in);
   record.trace_lines = in.all<TraceLine>();
+  record.plain = in.all<PlainSignal>();
   record.notes = unpack_texts(in);
   return record;
 }
@@ -133,7 +136,7 @@ Record served_record(Unpacker& in, const std::shared_ptr<ConfinedProcess>& proce
   record.read_accel_mps2 = [process](std::size_t row, std::size_t channel, std::size_t first, std::span<double> out) {
     process->read(row, channel + 1, first, out);
   };
-  return record;
+  return read_plainly(std::move(record));
 }
 
 Record open_confined(const std::string& path, const std::function<Record()>& open) {

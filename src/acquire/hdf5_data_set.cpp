@@ -189,6 +189,14 @@ void InputDataSet::check_chunks(const InputHdf5& file, const std::string& name, 
   if (!set_) damaged();
 }
 
+std::optional<InputDataSet::Plain> InputDataSet::plain() const {
+  const Handle creation(H5Dget_create_plist(set_.get())), type(H5Dget_type(set_.get()));
+  if (!creation || !type || H5Pget_layout(creation.get()) != H5D_CONTIGUOUS) return std::nullopt;
+  const bool known = H5Tequal(type.get(), H5T_IEEE_F64LE) > 0 || H5Tequal(type.get(), H5T_IEEE_F32LE) > 0;
+  const haddr_t offset = H5Dget_offset(set_.get());
+  return known && offset != HADDR_UNDEF ? std::optional(Plain{offset, element_bytes_}) : std::nullopt;
+}
+
 void InputDataSet::read(std::span<const std::size_t> at, std::size_t first, std::span<double> out) const {
   read_as(H5T_NATIVE_DOUBLE, at, first, out.size(), out.data());
 }

@@ -53,6 +53,13 @@ class InputDataSet {
   std::size_t elements() const { return elements_; }
   Id id() const { return set_.get(); }
 
+  /// Where the numbers lie, one after the other in C order, when they do and are IEEE floats with the lowest byte
+  /// first.
+  struct Plain {
+    std::uint64_t offset_bytes, number_bytes;
+  };
+  std::optional<Plain> plain() const;
+
   /// Elements first … first + out.size() − 1 along the last dimension, at index `at` of the others. InputError when
   /// they cannot be decoded.
   void read(std::span<const std::size_t> at, std::size_t first, std::span<double> out) const;

@@ -10,6 +10,7 @@
 #include "acquire/pulse_shape.hpp"
 #include "acquire/shared_rail.hpp"
 #include "core/error.hpp"
+#include "core/parallel.hpp"
 #include "core/statistics.hpp"
 
 namespace percuss {
@@ -221,15 +222,14 @@ void grade_weak(std::vector<Hit>& hits) {
 }  // namespace
 
 std::vector<Hit> find_hits(const Record& record, const HitOptions& options) {
-  std::vector<Hit> hits;
   const bool search = record.continuous || record.rows.size() == 1;
-  for (std::size_t row = 0; row < record.rows.size(); ++row) {
-    if (search) {
-      for (Hit& hit : hits_in_row(record, row, options)) hits.push_back(std::move(hit));
-    } else {
-      hits.push_back(hit_of_row(record, row, options));
-    }
-  }
+  std::vector<std::vector<Hit>> of_row(record.rows.size());
+  share_out(of_row.size(), record.rows.empty() ? 0 : record.rows.front().samples, [&](std::size_t row) {
+    of_row[row] = search ? hits_in_row(record, row, options) : std::vector{hit_of_row(record, row, options)};
+  });
+  std::vector<Hit> hits;
+  for (std::vector<Hit>& row : of_row)
+    hits.insert(hits.end(), std::move_iterator(row.begin()), std::move_iterator(row.end()));
   grade_weak(hits);
   grade_shared_rail(hits, record);
   return hits;

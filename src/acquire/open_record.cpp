@@ -6,6 +6,7 @@
 #include "acquire/confined_record.hpp"
 #include "acquire/input_file.hpp"
 #include "acquire/mat_file.hpp"
+#include "acquire/plain_samples.hpp"
 #include "acquire/read_csv.hpp"
 #include "acquire/read_hdf5.hpp"
 #include "acquire/read_lvm.hpp"
@@ -86,7 +87,7 @@ Record open_record(const std::string& path, const ReadOptions& options) {
     }
     if (is_mat(head)) return open_mat(read_mat_file(path), options);
     if (is_sound(head)) return open_sound(path, options);
-    if (is_hdf5(path)) return open_hdf5(path, options);
+    if (is_hdf5(path)) return read_plainly(open_hdf5(path, options));
   }
   return open_text(read_text(path), options);
 }

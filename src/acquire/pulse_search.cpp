@@ -4,12 +4,14 @@
 #include <cmath>
 #include <limits>
 
+#include "core/parallel.hpp"
 #include "core/statistics.hpp"
 
 namespace percuss {
 namespace {
 
-constexpr std::size_t kChunk = std::size_t{1} << 18;  // about the samples read at a time: 2 MiB stays in the cache
+constexpr std::size_t kChunk = std::size_t{1} << 18;  // samples: what a thread takes at a time
+constexpr std::size_t kPart = std::size_t{1} << 15;   // … and reads at a time: 256 KiB stay in its cache
 constexpr std::size_t kBlock = 64;                    // resolution of the envelope kept of the whole row
 constexpr std::size_t kNoiseSamples = 1024;           // per chunk: enough for a deviation good to 4 %
 constexpr double kTriggerNoise = 12;                  // deviations: one false alarm in 10^30 samples of Gaussian noise
@@ -21,19 +23,27 @@ struct Envelope {
 };
 
 Envelope envelope_of(const Record& record, std::size_t row, std::size_t first, std::size_t last) {
-  Envelope envelope;
-  std::vector<double> buffer;
   // Chunks of one size, whole blocks each: the median over chunks would give a remainder of a few samples a full vote.
   const std::size_t chunks = (last - first + kChunk - 1) / kChunk;
   const std::size_t size = ((last - first) / chunks / kBlock + 1) * kBlock;
-  for (std::size_t at = first; at < last; at += size) {
-    const auto chunk = record.read_force_N.look(row, at, std::min(size, last - at), buffer);
-    const std::vector<Extremes> blocks = block_extremes(chunk, kBlock);  // from end to end, which memory likes best
-    envelope.blocks.insert(envelope.blocks.end(), blocks.begin(), blocks.end());
-    const Spread subset = spread_of(thinned(chunk, kNoiseSamples));
-    envelope.chunk_median.push_back(subset.median);
-    envelope.chunk_noise.push_back(subset.robust_std);
-  }
+  const std::size_t used = (last - first + size - 1) / size;
+  std::vector<std::vector<Extremes>> blocks(used);
+  Envelope envelope{.blocks = {}, .chunk_median = std::vector<double>(used), .chunk_noise = std::vector<double>(used)};
+  share_out(used, size, [&](std::size_t c) {
+    thread_local std::vector<double> buffer;  // one per thread, not one per chunk
+    std::vector<double> some;
+    const std::size_t begin = first + c * size, end = std::min(begin + size, last);
+    for (std::size_t at = begin; at < end; at += kPart) {
+      const auto part = record.read_force_N.look(row, at, std::min(kPart, end - at), buffer);
+      const std::vector<Extremes> its_blocks = block_extremes(part, kBlock);
+      blocks[c].insert(blocks[c].end(), its_blocks.begin(), its_blocks.end());
+      for (const double value : thinned(part, kNoiseSamples * part.size() / (end - begin) + 1)) some.push_back(value);
+    }
+    const Spread subset = spread_of(std::move(some));
+    envelope.chunk_median[c] = subset.median;
+    envelope.chunk_noise[c] = subset.robust_std;
+  });
+  for (const auto& part : blocks) envelope.blocks.insert(envelope.blocks.end(), part.begin(), part.end());
   return envelope;
 }
 

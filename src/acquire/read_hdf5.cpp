@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "acquire/hdf5_layout.hpp"
+#include "acquire/hdf5_points.hpp"
 #include "acquire/largest_sample.hpp"
 #include "acquire/sampling_rate.hpp"
 #include "acquire/signal_choice.hpp"
@@ -24,7 +25,7 @@ namespace {
 using hdf5::InputDataSet;
 using hdf5::InputHdf5;
 
-constexpr std::size_t kMostPoints = 1'000'000, kMostLines = 10'000'000, kMostChannels = 100'000;
+constexpr std::size_t kMostChannels = 100'000;
 constexpr std::size_t kNamesShown = 12, kNameBytesShown = 40;
 constexpr std::array kKnownNames{"force", "accel", "point", "run", "geometry", "trace_lines"};
 
@@ -116,57 +117,10 @@ void describe_signals(OpenRecord& open, const ReadOptions& options, Record& reco
   }
 }
 
-/// A data set of one whole number per row; zeros when it is absent.
-std::vector<int> numbers_per_row(const InputHdf5& file, const std::string& name, std::size_t rows) {
-  std::vector<int> out(rows, 0);
-  if (!file.has(name)) return out;
-  const InputDataSet set(file, name);
-  if (set.shape().size() > 1 || set.elements() != rows) {
-    throw InputError("shape " + hdf5::shape_text(set.shape()) + " for " + std::to_string(rows) + " hits",
-                     file.where(name), "store one whole number per hit");
-  }
-  const std::vector<double> values = set.read_all();
-  for (std::size_t row = 0; row < rows; ++row) {
-    if (std::rint(values[row]) != values[row] || std::abs(values[row]) > std::numeric_limits<int>::max()) {
-      throw InputError("entry " + std::to_string(row) + " is not a whole number", file.where(name),
-                       "store one whole number per hit");
-    }
-    out[row] = static_cast<int>(values[row]);
-  }
-  return out;
-}
-
-std::vector<std::vector<double>> read_geometry(const InputHdf5& file) {
-  if (!file.has("geometry")) return {};
-  const InputDataSet set(file, "geometry");
-  const auto& shape = set.shape();
-  if (shape.size() != 2 || (shape[1] != 2 && shape[1] != 3) || shape[0] > kMostPoints) {
-    throw InputError("shape " + hdf5::shape_text(shape), file.where("geometry"), "store [points, 2 or 3]");
-  }
-  const std::vector<double> values = set.read_all();
-  if (std::any_of(values.begin(), values.end(), [](double value) { return std::isinf(value); })) {
-    throw InputError("an infinite coordinate", file.where("geometry"), "store every coordinate, or NaN");
-  }
-  std::vector<std::vector<double>> points;
-  for (auto at = values.begin(); at != values.end(); at += static_cast<std::ptrdiff_t>(shape[1])) {
-    points.emplace_back(at, at + static_cast<std::ptrdiff_t>(shape[1]));
-  }
-  return points;
-}
-
-std::vector<TraceLine> read_trace_lines(const InputHdf5& file, std::size_t points) {
-  if (!file.has("trace_lines")) return {};
-  const InputDataSet set(file, "trace_lines");
-  if (set.shape().size() != 2 || set.shape()[1] != 2 || set.shape()[0] > kMostLines) {
-    throw InputError("shape " + hdf5::shape_text(set.shape()), file.where("trace_lines"), "store [lines, 2]");
-  }
-  return trace_lines_of(set.read_all(), points, file.where("trace_lines"));
-}
-
 void describe_rows(const OpenRecord& open, Record& record) {
   const InputHdf5& file = open.file;
-  const std::vector<int> point = numbers_per_row(file, "point", open.layout.rows);
-  const std::vector<int> run = numbers_per_row(file, "run", open.layout.rows);
+  const std::vector<int> point = hdf5::numbers_per_row(file, "point", open.layout.rows);
+  const std::vector<int> run = hdf5::numbers_per_row(file, "run", open.layout.rows);
   for (std::size_t row = 0; row < open.layout.rows; ++row) {
     record.rows.push_back({.samples = open.layout.samples, .point = point[row], .run = run[row]});
   }
@@ -221,6 +175,26 @@ void read_accel(const OpenRecord& open, std::size_t row, std::size_t channel, st
   to_SI(out_mps2, open.to_mps2[channel], open.file.where("accel"), index, first);
 }
 
+// Nothing where any signal does not lie plainly in the file.
+std::vector<PlainSignal> plain_signals(const OpenRecord& open) {
+  const auto accel = open.accel.plain();
+  const auto force = open.force ? open.force->plain() : accel;
+  if (!accel || !force) return {};
+  const std::uint64_t samples = open.layout.samples;
+  const std::uint64_t channel_bytes = samples * accel->number_bytes;
+  std::vector<PlainSignal> out{{.offset_bytes = force->offset_bytes,
+                                .row_step_bytes = samples * force->number_bytes,
+                                .number_bytes = force->number_bytes,
+                                .to_SI = open.force_to_N}};
+  for (std::size_t i = 0; i < open.channels.size(); ++i) {
+    out.push_back({.offset_bytes = accel->offset_bytes + open.channels[i] * channel_bytes,
+                   .row_step_bytes = open.layout.channels * channel_bytes,
+                   .number_bytes = accel->number_bytes,
+                   .to_SI = open.to_mps2[i]});
+  }
+  return out;
+}
+
 std::unique_ptr<OpenRecord> open_sets(const std::string& path, bool force_optional) {
   InputHdf5 file(path);
   std::optional<InputDataSet> force;
@@ -242,9 +216,10 @@ Record open_hdf5(const std::string& path, const ReadOptions& options) {
   record.fs_Hz = read_rate_Hz(*opened, options);
   describe_signals(*opened, options, record);
   describe_rows(*opened, record);
-  record.geometry = read_geometry(opened->file);
-  record.trace_lines = read_trace_lines(opened->file, record.geometry.size());
+  record.geometry = hdf5::read_geometry(opened->file);
+  record.trace_lines = hdf5::read_trace_lines(opened->file, record.geometry.size());
   note_unused(opened->file, record);
+  record.plain = plain_signals(*opened);
   // Closing is a use of the library as well.
   const std::shared_ptr<const OpenRecord> open(opened.release(), [](const OpenRecord* last) {
     const hdf5::Lock closing;

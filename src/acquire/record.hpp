@@ -35,6 +35,14 @@ struct RowInfo {
   int run = 0;           // repeated test in one file
 };
 
+/// Where a signal's numbers lie in its file, one after the other: IEEE floats of 4 or 8 bytes, the lowest byte first.
+struct PlainSignal {
+  std::uint64_t offset_bytes = 0;    // of the first row's first number
+  std::uint64_t row_step_bytes = 0;  // from row to row
+  std::uint64_t number_bytes = 8;
+  double to_SI = 1;
+};
+
 /// Two points that a drawing of the structure connects.
 using TraceLine = std::array<int, 2>;
 
@@ -51,6 +59,7 @@ struct Record {
   bool continuous = false;                    // every row may hold several hits
   std::vector<std::vector<double>> geometry;  // [points][2 or 3], as stored, NaN for points without; may be empty
   std::vector<TraceLine> trace_lines;         // may be empty
+  std::vector<PlainSignal> plain;             // the force and each channel, where all lie plainly in one file
   std::vector<std::string> notes;             // what was assumed or could not be read, one line each
   /// The (first) file's path, or what it is where there is no file: names the record in messages.
   std::string source() const { return files.empty() ? format : files.front().path; }

@@ -40,9 +40,12 @@ double rms_about_mean(std::span<const double> x) {
 }
 
 // The pre-trigger up to where the anti-alias filter's ringing begins.
+std::size_t quiet_samples(const Hit& hit, std::size_t samples) {
+  return std::min(hit.gate_first > hit.first ? hit.gate_first - hit.first : 0, samples);
+}
+
 std::span<const double> quiet_part(const Hit& hit, std::span<const double> accel) {
-  const std::size_t end = std::min(hit.gate_first > hit.first ? hit.gate_first - hit.first : 0, accel.size());
-  return accel.first(end);
+  return accel.first(quiet_samples(hit, accel.size()));
 }
 
 double level_at_end(std::span<const double> accel) {
@@ -123,6 +126,26 @@ double coarse_step(std::span<const double> accel, double largest) {
   return step > kCoarseStep * largest ? step / largest : 0;
 }
 
+std::size_t decayed_within(const Hit& hit, std::size_t samples, const LookAtSamples& accel_mps2) {
+  const std::size_t after = std::min(samples, hit.gate_first - hit.first + hit.gated_N.size());
+  const std::size_t window = (samples - after) / kEnvelopeWindows;
+  if (window < 8) return samples;
+  std::vector<double> level;
+  for (std::size_t w = 0; w < kEnvelopeWindows; ++w)
+    level.push_back(rms_about_mean(accel_mps2(after + w * window, window)));
+  const std::size_t quarter = kEnvelopeWindows / 4;
+  const double final_level = median({level.end() - static_cast<std::ptrdiff_t>(quarter), level.end()});
+  const double earlier = median(
+      {level.end() - static_cast<std::ptrdiff_t>(2 * quarter), level.end() - static_cast<std::ptrdiff_t>(quarter)});
+  if (!(final_level > 0) || earlier > kSteady * final_level) return samples;
+  const std::size_t quiet = quiet_samples(hit, samples);
+  const bool seen_before = quiet >= kLeastQuiet && kSunk * rms_about_mean(accel_mps2(0, quiet)) > final_level;
+  if (!seen_before && *std::max_element(level.begin(), level.end()) < kFallen * final_level) return samples;
+  std::size_t sunk = kEnvelopeWindows;
+  while (sunk > 0 && level[sunk - 1] < kSunk * final_level) --sunk;
+  return std::min(samples, after + 2 * std::max<std::size_t>(sunk, 1) * window);
+}
+
 }  // namespace
 
 ResponseGrade grade_response(const Hit& hit, std::span<const double> accel_mps2, double fs_Hz) {
@@ -143,24 +166,12 @@ ResponseGrade grade_response(const Hit& hit, std::span<const double> accel_mps2,
   return grade;
 }
 
-std::size_t decayed_length(const Hit& hit, std::span<const double> accel_mps2) {
-  const std::size_t after = std::min(accel_mps2.size(), hit.gate_first - hit.first + hit.gated_N.size());
-  const std::size_t window = (accel_mps2.size() - after) / kEnvelopeWindows;
-  if (window < 8) return accel_mps2.size();
-  std::vector<double> level;
-  for (std::size_t w = 0; w < kEnvelopeWindows; ++w)
-    level.push_back(rms_about_mean(accel_mps2.subspan(after + w * window, window)));
-  const std::size_t quarter = kEnvelopeWindows / 4;
-  const double final_level = median({level.end() - static_cast<std::ptrdiff_t>(quarter), level.end()});
-  const double earlier = median(
-      {level.end() - static_cast<std::ptrdiff_t>(2 * quarter), level.end() - static_cast<std::ptrdiff_t>(quarter)});
-  if (!(final_level > 0) || earlier > kSteady * final_level) return accel_mps2.size();
-  const auto quiet = quiet_part(hit, accel_mps2);
-  const bool seen_before = quiet.size() >= kLeastQuiet && kSunk * rms_about_mean(quiet) > final_level;
-  if (!seen_before && *std::max_element(level.begin(), level.end()) < kFallen * final_level) return accel_mps2.size();
-  std::size_t sunk = kEnvelopeWindows;
-  while (sunk > 0 && level[sunk - 1] < kSunk * final_level) --sunk;
-  return std::min(accel_mps2.size(), after + 2 * std::max<std::size_t>(sunk, 1) * window);
+std::size_t decayed_length(const Hit& hit, std::size_t samples, const LookAtSamples& accel_mps2) {
+  for (;;) {
+    const std::size_t shorter = decayed_within(hit, samples, accel_mps2);
+    if (2 * shorter > samples) return std::min(shorter, samples);
+    samples = shorter;  // windows of a length that suits what is left
+  }
 }
 
 void add_response_findings(Hit& hit, const std::vector<ResponseGrade>& channels) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -23,11 +24,14 @@ struct ResponseGrade {
 /// Grades one channel's samples, which begin at the hit's first one.
 ResponseGrade grade_response(const Hit& hit, std::span<const double> accel_mps2, double fs_Hz);
 
-/// Where a response has sunk into a steady background: the number of samples from the stretch's beginning to twice the
-/// time after the hit after which it stays within twice its final level. The whole length when it is still falling at
-/// the end, or has fallen too little to tell ringing from a background that the pre-trigger does not show. What lies
-/// beyond holds background alone.
-std::size_t decayed_length(const Hit& hit, std::span<const double> accel_mps2);
+/// Samples first … first + count − 1 of a hit's response.
+using LookAtSamples = std::function<std::span<const double>(std::size_t first, std::size_t count)>;
+
+/// Where a response of so many samples has sunk into a steady background: the number of samples from the stretch's
+/// beginning to twice the time after the hit after which it stays within twice its final level. The whole length when
+/// it is still falling at the end, or has fallen too little to tell ringing from a background that the pre-trigger does
+/// not show. What lies beyond holds background alone. Looks at a 64th of the stretch at a time.
+std::size_t decayed_length(const Hit& hit, std::size_t samples, const LookAtSamples& accel_mps2);
 
 /// Adds `truncated_decay` and `overload` for the worst channel to the hit's findings.
 void add_response_findings(Hit& hit, const std::vector<ResponseGrade>& channels);

@@ -1,6 +1,7 @@
 #include "core/parallel.hpp"
 
 #include <atomic>
+#include <utility>
 
 #include "core/task_arena.hpp"
 
@@ -8,6 +9,10 @@ namespace percuss {
 namespace {
 
 using Task = std::function<void(std::size_t)>;
+
+constexpr std::size_t kWorthWaking = 400'000;  // operations, about 0.1 ms: waking another thread takes a third of that
+
+thread_local std::size_t allowed_threads = 0;
 
 // oneTBB orders a task after what came before parallel_for, and what follows after the task. These say so once more, to
 // a thread sanitizer, which does not see into the library.
@@ -34,6 +39,17 @@ void parallel_for(std::size_t count, std::size_t threads, const Task& task) {
   begun.fetch_add(1, std::memory_order_release);
   const AtEnd end{[] { ended.load(std::memory_order_acquire); }};
   run_in_arena(count, threads, call_in_order, &task);
+}
+
+ThreadLimit::ThreadLimit(std::size_t threads) : before_(std::exchange(allowed_threads, threads)) {}
+ThreadLimit::~ThreadLimit() { allowed_threads = before_; }
+
+void share_out(std::size_t count, std::size_t operations, const Task& task) {
+  const bool worth_it = count > 1 && operations > kWorthWaking / count;
+  parallel_for(count, worth_it ? allowed_threads : 1, [limit = allowed_threads, &task](std::size_t i) {
+    const ThreadLimit same(limit);  // for what the task shares out in its turn
+    task(i);
+  });
 }
 
 }  // namespace percuss

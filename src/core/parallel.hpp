@@ -9,4 +9,23 @@ namespace percuss {
 /// first exception thrown by a task is passed on.
 void parallel_for(std::size_t count, std::size_t threads, const std::function<void(std::size_t)>& task);
 
+/// While it lives, share_out on this thread uses at most so many (0: as many as the machine has, as without one).
+class ThreadLimit {
+ public:
+  explicit ThreadLimit(std::size_t threads);
+  ~ThreadLimit();
+  ThreadLimit(const ThreadLimit&) = delete;
+  ThreadLimit& operator=(const ThreadLimit&) = delete;
+
+ private:
+  std::size_t before_;
+};
+
+/// Operations of a complex number times a real one and its place in a sum, for share_out.
+inline constexpr std::size_t kPerProduct = 4;
+
+/// parallel_for on the threads that a ThreadLimit allows, or here where the whole is too
+/// little to be worth waking others. `operations`: about how many floating-point operations a task takes.
+void share_out(std::size_t count, std::size_t operations, const std::function<void(std::size_t)>& task);
+
 }  // namespace percuss

@@ -1,5 +1,7 @@
 #include "core/tall_products.hpp"
 
+#include "core/parallel.hpp"
+
 namespace percuss {
 namespace {
 
@@ -45,13 +47,21 @@ Complex dot_real(const double* a, const Complex* b, Index n) {
   return {sum[0], sum[1]};
 }
 
+// task(j) for every column of `matrix`, each against `others` columns.
+template <class Task>
+void over_columns(const MatrixXcd& matrix, Index others, const Task& task) {
+  constexpr Index kPerElement = 8;  // operations of a product of complex numbers and a sum
+  share_out(static_cast<std::size_t>(matrix.cols()), static_cast<std::size_t>(kPerElement * matrix.rows() * others),
+            [&](std::size_t j) { task(static_cast<Index>(j)); });
+}
+
 }  // namespace
 
 MatrixXcd adjoint_product(const MatrixXcd& left, const MatrixXcd& right) {
   MatrixXcd out(left.cols(), right.cols());
-  for (Index j = 0; j < right.cols(); ++j) {
+  over_columns(right, left.cols(), [&](Index j) {
     for (Index i = 0; i < left.cols(); ++i) out(i, j) = dot_conj(left.col(i).data(), right.col(j).data(), left.rows());
-  }
+  });
   return out;
 }
 
@@ -73,27 +83,27 @@ MatrixXcd adjoint_gram(const MatrixXcd& columns) {
 
 MatrixXcd transposed_product(const MatrixXd& left, const MatrixXcd& right) {
   MatrixXcd out(left.cols(), right.cols());
-  for (Index j = 0; j < right.cols(); ++j) {
+  over_columns(right, left.cols(), [&](Index j) {
     for (Index i = 0; i < left.cols(); ++i) out(i, j) = dot_real(left.col(i).data(), right.col(j).data(), left.rows());
-  }
+  });
   return out;
 }
 
 void subtract_product(MatrixXcd& from, const MatrixXcd& columns, const MatrixXcd& factors) {
-  for (Index j = 0; j < from.cols(); ++j) {
+  over_columns(from, columns.cols(), [&](Index j) {
     for (Index i = 0; i < columns.cols(); ++i) from.col(j) -= columns.col(i) * factors(i, j);
-  }
+  });
 }
 
 void subtract_product(MatrixXcd& from, const MatrixXd& columns, const MatrixXcd& factors) {
-  for (Index j = 0; j < from.cols(); ++j) {
+  over_columns(from, columns.cols(), [&](Index j) {
     for (Index i = 0; i < columns.cols(); ++i) {
       const Array2d factor(factors(i, j).real(), factors(i, j).imag());
       const double* c = columns.col(i).data();
       auto* to = reinterpret_cast<double*>(from.col(j).data());
       for (Index k = 0; k < from.rows(); ++k) Map<Array2d>(to + 2 * k) -= c[k] * factor;
     }
-  }
+  });
 }
 
 }  // namespace percuss

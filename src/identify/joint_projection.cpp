@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/linear_algebra.hpp"
+#include "core/parallel.hpp"
 #include "identify/background.hpp"
 
 namespace percuss {
@@ -15,7 +16,9 @@ using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-constexpr Index kSmoothLines = 100;   // on either side: a variance from 200 lines costs under 1 % of the bound
+constexpr Index kSmoothLines = 100;         // on either side: a variance from 200 lines costs under 1 % of the bound
+constexpr std::size_t kPerColumnLine = 40;  // operations of a mode's value and slopes at a line
+constexpr Index kStrip = 16;                // outputs that are worked on together
 constexpr double kLeastNoise = 1e-3;  // of the noise elsewhere: where a fit leaves nothing, its weight stays finite
 
 // A stacked column times j.
@@ -58,10 +61,10 @@ JointProjection::JointProjection(const FrfSet& set, const std::vector<Pole>& pol
 void JointProjection::fill(Plan& plan) const {
   const auto lines = static_cast<Index>(set_.lines.count);
   plan.data.resize(2 * blocks_.count(), static_cast<Index>(plan.outputs.size()));
-  for (std::size_t i = 0; i < plan.outputs.size(); ++i) {
+  share_out(plan.outputs.size(), kPerProduct * set_.lines.count, [&](std::size_t i) {
     const Eigen::Map<const VectorXcd> frf(set_.outputs[plan.outputs[i]].frf.data(), lines);
     blocks_.sum(frf, plan.weight, plan.data.col(static_cast<Index>(i)));
-  }
+  });
   plan.background.resize(2 * blocks_.count(), background_.cols());
   for (Index term = 0; term < background_.cols(); ++term)
     blocks_.sum(background_.col(term).cast<Complex>(), plan.weight, plan.background.col(term));
@@ -82,10 +85,10 @@ JointState JointProjection::evaluate(JointModel model) const {
 }
 
 std::vector<ModeColumn> JointProjection::whole_columns(const JointModel& model, Need need) const {
-  std::vector<ModeColumn> columns;
-  columns.reserve(model.poles.size());
-  for (const Pole& pole : model.poles)
-    columns.push_back(whole_column(pole, set_.window_decay_per_s(), set_.lines, 0, set_.lines.count, need));
+  std::vector<ModeColumn> columns(model.poles.size());
+  share_out(columns.size(), kPerColumnLine * set_.lines.count, [&](std::size_t m) {
+    columns[m] = whole_column(model.poles[m], set_.window_decay_per_s(), set_.lines, 0, set_.lines.count, need);
+  });
   return columns;
 }
 
@@ -105,32 +108,45 @@ JointPart JointProjection::solve(const Plan& plan, const JointModel& model,
   part.columns.resize(rows, unknowns + turns * background_.cols());
   part.slopes.resize(rows, 2 * unknowns);
   part.quadrature.resize(rows, modes);
-  for (Index m = 0; m < modes; ++m) {
-    const auto at = static_cast<std::size_t>(m);
+  share_out(model.poles.size(), kPerColumnLine * set_.lines.count, [&](std::size_t at) {
+    const auto m = static_cast<Index>(at);
     const ModeColumn mode = without_missing(whole[at], model.poles[at], force, set_.lines, 0);
     const auto first = static_cast<Index>(part.first[at]);
     blocks_.sum(mode.value, plan.weight, part.columns.col(first));
     blocks_.sum(mode.by_freq, plan.weight, part.slopes.col(2 * first));
     blocks_.sum(mode.by_damping, plan.weight, part.slopes.col(2 * first + 1));
     turn(part.columns.col(first), part.quadrature.col(m));
-    if (model.real[at]) continue;
+    if (model.real[at]) return;
     part.columns.col(first + 1) = part.quadrature.col(m);
     turn(part.slopes.col(2 * first), part.slopes.col(2 * first + 2));
     turn(part.slopes.col(2 * first + 1), part.slopes.col(2 * first + 3));
-  }
+  });
   for (Index term = 0; term < background_.cols(); ++term) {
     const Index at = unknowns + turns * term;
     part.columns.col(at) = plan.background.col(term);
     if (turns == 2) turn(part.columns.col(at), part.columns.col(at + 1));
   }
   part.inverse = inverse_gram(MatrixXd(part.columns.transpose() * part.columns));
-  part.amplitude = part.inverse * (part.columns.transpose() * plan.data);
-  part.residual = plan.data - part.columns * part.amplitude;
-  // Once more with what is left: the normal equations alone lose half of the digits.
-  const MatrixXd correction = part.inverse * (part.columns.transpose() * part.residual);
-  part.amplitude += correction;
-  part.residual -= part.columns * correction;
+  part.amplitude.resize(part.columns.cols(), plan.data.cols());
+  part.residual.resize(rows, plan.data.cols());
+  const Index strips = (plan.data.cols() + kStrip - 1) / kStrip;
+  share_out(static_cast<std::size_t>(strips), static_cast<std::size_t>(8 * part.columns.size() * kStrip),
+            [&](std::size_t strip) {
+              const Index first = static_cast<Index>(strip) * kStrip;
+              solve_outputs(plan, first, std::min(kStrip, plan.data.cols() - first), part);
+            });
   return part;
+}
+
+void JointProjection::solve_outputs(const Plan& plan, Index first, Index count, JointPart& part) {
+  auto amplitude = part.amplitude.middleCols(first, count);
+  auto residual = part.residual.middleCols(first, count);
+  amplitude = part.inverse * (part.columns.transpose() * plan.data.middleCols(first, count));
+  residual = plan.data.middleCols(first, count) - part.columns * amplitude;
+  // Once more with what is left: the normal equations alone lose half of the digits.
+  const MatrixXd correction = part.inverse * (part.columns.transpose() * residual);
+  amplitude += correction;
+  residual -= part.columns * correction;
 }
 
 JointNormal JointProjection::normal_equations(const JointState& state) const {
@@ -197,10 +213,11 @@ std::vector<VectorXcd> JointProjection::left_over(const JointState& state) const
       columns.col(at) = background_.col(term).cast<Complex>();
       if (turns == 2) columns.col(at + 1) = Complex(0, 1) * columns.col(at);
     }
-    for (std::size_t i = 0; i < part.outputs.size(); ++i) {
+    share_out(part.outputs.size(), kPerProduct * static_cast<std::size_t>(columns.size()), [&](std::size_t i) {
       const Eigen::Map<const VectorXcd> frf(set_.outputs[part.outputs[i]].frf.data(), lines);
-      left[part.outputs[i]] = frf - columns * part.amplitude.col(static_cast<Index>(i)).cast<Complex>();
-    }
+      VectorXcd& rest = left[part.outputs[i]] = frf;
+      for (Index c = 0; c < columns.cols(); ++c) rest -= part.amplitude(c, static_cast<Index>(i)) * columns.col(c);
+    });
   }
   return left;
 }

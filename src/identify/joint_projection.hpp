@@ -78,6 +78,7 @@ class JointProjection {
   void fill(Plan& plan) const;
   std::vector<ModeColumn> whole_columns(const JointModel& model, Need need) const;
   JointPart solve(const Plan& plan, const JointModel& model, const std::vector<ModeColumn>& whole) const;
+  static void solve_outputs(const Plan& plan, Eigen::Index first, Eigen::Index count, JointPart& part);
   void add_force_noise(const JointState& state, const JointPart& part, JointNormal& normal) const;
   void add_residue_variance(const JointState& state, const JointPart& part, Eigen::MatrixXd& variance) const;
 

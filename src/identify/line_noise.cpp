@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/parallel.hpp"
 #include "core/statistics.hpp"
 
 namespace percuss {
@@ -15,6 +16,7 @@ constexpr double kRoughnessGain = 1.5;       // variance of x(k) − (x(k−1) +
 constexpr double kRounding = 1e-12;  // of the largest line: a noise-free FRF still has it; a weight of zero is none
 constexpr double kLeastPower = 1e-300;
 constexpr std::size_t kSome = 8;  // lines
+constexpr std::size_t kOperationsPerLine = 20;
 
 // The middle of a block that `blocks` of them make of the lines.
 std::size_t middle_of(std::size_t block, std::size_t blocks, std::size_t lines) {
@@ -35,11 +37,12 @@ double response_noise(const std::vector<Complex>& frf, const std::vector<double>
 }  // namespace
 
 LineNoise::LineNoise(const FrfSet& set) : set_(set), response_(static_cast<Index>(set.outputs.size())) {
-  for (std::size_t o = 0; o < set.outputs.size(); ++o) {
+  blocks_.resize(set.outputs.size());
+  share_out(set.outputs.size(), kOperationsPerLine * set.lines.count, [&](std::size_t o) {
     const std::vector<Complex>& frf = set.outputs[o].frf;
-    blocks_.push_back(block_noise(frf));
-    response_(static_cast<Index>(o)) = response_noise(frf, set.points[set.outputs[o].point].ff, blocks_.back());
-  }
+    blocks_[o] = block_noise(frf);
+    response_(static_cast<Index>(o)) = response_noise(frf, set.points[set.outputs[o].point].ff, blocks_[o]);
+  });
 }
 
 std::vector<double> LineNoise::local(std::size_t output) const {

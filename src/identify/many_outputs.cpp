@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/parallel.hpp"
 #include "identify/force_noise.hpp"
 #include "identify/grouped_fit.hpp"
 #include "identify/joint_fit.hpp"
@@ -16,11 +17,13 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kMostLeft = 0.05;   // of a mode's amplitude at a record's end
-constexpr double kCompleted = 1e-9;  // what is missing counts no more
-constexpr double kExplained = 1.5;   // energy around a mode over what noise explains
-constexpr double kAround = 5;        // half-power bandwidths
-constexpr double kLeastAround = 10;  // lines
+constexpr double kMostLeft = 0.05;          // of a mode's amplitude at a record's end
+constexpr double kCompleted = 1e-9;         // what is missing counts no more
+constexpr double kExplained = 1.5;          // energy around a mode over what noise explains
+constexpr double kAround = 5;               // half-power bandwidths
+constexpr double kLeastAround = 10;         // lines
+constexpr std::size_t kAlways = 1'000'000;  // operations, at the least
+constexpr std::size_t kPerLine = 60;  // operations of what costs most: what is missing of a decay, a gain's errors
 
 double most_left(const FrfSet& set, const std::vector<PeakMode>& modes) {
   double most = 0;
@@ -79,10 +82,10 @@ class Completed {
     for (std::size_t m = 0; m < poles.size(); ++m) {
       if (left_at_end(poles[m], cut_.lines) < kCompleted) continue;
       const MissingDecay missing(poles[m], 0, cut_.lines, 0, cut_.lines.count);
-      for (std::size_t o = 0; o < cut_.outputs.size(); ++o) {
+      share_out(cut_.outputs.size(), kPerLine * cut_.lines.count, [&](std::size_t o) {
         missing.add_to(whole_.outputs[o].frf, residues(static_cast<Index>(o), static_cast<Index>(m)),
                        cut_.points[cut_.outputs[o].point]);
-      }
+      });
     }
   }
 
@@ -113,6 +116,35 @@ Eigen::VectorXd gain_variance(const FrfSet& set, std::size_t point, Index from, 
   return (errors.bottomRows(to - from + 1).rowwise() - errors.row(0)).rowwise().squaredNorm();
 }
 
+struct Window {
+  Index from = 0, to = 0;  // lines, both included
+  std::size_t pole = 0;    // line
+};
+
+// What a fit leaves of an output about a pole, in parts of its noise, and what noise would leave.
+struct Around {
+  double energy = 0, expected = 0;
+};
+
+std::vector<Around> around(const FrfSet& set, const std::vector<Eigen::VectorXcd>& residual, const LineNoise& noise,
+                           const Window& window) {
+  std::vector<Eigen::VectorXd> gain(set.points.size());
+  const auto lines = static_cast<std::size_t>(window.to - window.from + 1);
+  share_out(gain.size(), kPerLine * lines,
+            [&](std::size_t p) { gain[p] = gain_variance(set, p, window.from, window.to, window.pole); });
+  std::vector<Around> out(set.outputs.size());
+  share_out(out.size(), kPerLine * lines, [&](std::size_t o) {
+    const Output& output = set.outputs[o];
+    for (Index k = window.from; k <= window.to; ++k) {
+      const auto line = static_cast<std::size_t>(k);
+      const double n = noise.at(o, line);
+      out[o].energy += std::norm(residual[o](k)) / (n * n);
+      out[o].expected += 1 + gain[output.point](k - window.from) * std::norm(output.frf[line]) / (n * n);
+    }
+  });
+  return out;
+}
+
 // Common poles leave the noise alone around every mode: the responses', and what the force's makes of a large FRF.
 bool explains(const FrfSet& set, const JointFit& fit) {
   const LineNoise noise(set);
@@ -121,18 +153,12 @@ bool explains(const FrfSet& set, const JointFit& fit) {
     const double half = std::max(kAround * pole.half_power_Hz() / set.lines.df_Hz(), kLeastAround);
     const auto from = static_cast<Index>(set.lines.at(at - half));
     const auto to = static_cast<Index>(set.lines.at(at + half));
+    const std::vector<Around> of_output =
+        around(set, fit.residual, noise, {.from = from, .to = to, .pole = set.lines.at(at)});
     double energy = 0, expected = 0;
-    Eigen::VectorXd gain;
-    for (std::size_t o = 0; o < set.outputs.size(); ++o) {
-      const Output& output = set.outputs[o];
-      if (o == 0 || output.point != set.outputs[o - 1].point)
-        gain = gain_variance(set, output.point, from, to, set.lines.at(at));
-      for (Index k = from; k <= to; ++k) {
-        const auto line = static_cast<std::size_t>(k);
-        const double n = noise.at(o, line);
-        energy += std::norm(fit.residual[o](k)) / (n * n);
-        expected += 1 + gain(k - from) * std::norm(output.frf[line]) / (n * n);
-      }
+    for (const Around& one : of_output) {
+      energy += one.energy;
+      expected += one.expected;
     }
     if (energy > kExplained * expected) return false;
   }
@@ -173,8 +199,13 @@ std::optional<std::vector<Mode>> identify_many(const FrfSet& set, const Identify
     if (found.empty() || most_left(set, found) > kMostLeft) return std::nullopt;
     if (found.size() != before && completed.from_records()) complete(completed, few, found);
   }
-  if (pairs_move(completed.set(), poles_of(found))) return std::nullopt;
-  if (options.effort == Effort::best) refine(few, found);
+  const std::vector<Pole> poles = poles_of(found);
+  bool move = false;  // seen while the rest goes on, which is seldom in vain
+  share_out(2, kAlways, [&](std::size_t task) {
+    if (task == 0) move = pairs_move(completed.set(), poles);
+    if (task == 1 && options.effort == Effort::best) refine(few, found);
+  });
+  if (move) return std::nullopt;
   const JointFit fit = fit_residues(completed.set(), poles_of(found), covariance_of(found));
   if (!explains(completed.set(), fit)) return std::nullopt;
   return modes_of(completed.set(), found, fit);

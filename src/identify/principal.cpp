@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/parallel.hpp"
 #include "core/principal_directions.hpp"
 #include "identify/line_noise.hpp"
 
@@ -15,34 +16,49 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kAboveNoise = 20;  // energy of a line, over the noise of all outputs, from which it tells directions
+constexpr double kAboveNoise = 20;   // energy of a line, over the noise of all outputs, from which it tells directions
+constexpr Index kColumns = 16;       // columns
+constexpr std::size_t kCopied = 10;  // operations of a copied line
 constexpr std::size_t kMostChosen = 1500;  // … the strongest ones
 
 // The outputs over their noise, real parts above imaginary parts of the lines that stand out: [2 lines, outputs].
 MatrixXd standing_out(const FrfSet& set, const VectorXd& noise) {
   const std::size_t lines = set.lines.count;
   std::vector<std::pair<double, std::size_t>> level(lines);
-  for (std::size_t k = 0; k < lines; ++k) {
-    level[k].second = k;
-    for (std::size_t o = 0; o < set.outputs.size(); ++o) {
-      const double n = noise(static_cast<Index>(o));
-      level[k].first += std::norm(set.outputs[o].frf[k]) / (n * n);
-    }
+  for (std::size_t k = 0; k < lines; ++k) level[k].second = k;
+  for (std::size_t o = 0; o < set.outputs.size(); ++o) {
+    const double n = noise(static_cast<Index>(o)), factor = 1 / (n * n);
+    const std::vector<Complex>& frf = set.outputs[o].frf;
+    for (std::size_t k = 0; k < lines; ++k) level[k].first += factor * std::norm(frf[k]);
   }
   std::sort(level.begin(), level.end(), std::greater<>());
   const double least = kAboveNoise * static_cast<double>(set.outputs.size());
   std::size_t kept = 0;
   while (kept < std::min(lines, kMostChosen) && (kept < 2 * set.outputs.size() || level[kept].first > least)) ++kept;
   MatrixXd rows(static_cast<Index>(2 * kept), static_cast<Index>(set.outputs.size()));
-  for (std::size_t o = 0; o < set.outputs.size(); ++o) {
+  share_out(set.outputs.size(), kCopied * kept, [&](std::size_t o) {
     const auto column = static_cast<Index>(o);
     for (std::size_t i = 0; i < kept; ++i) {
       const Complex line = set.outputs[o].frf[level[i].second] / noise(column);
       rows(static_cast<Index>(i), column) = line.real();
       rows(static_cast<Index>(kept + i), column) = line.imag();
     }
-  }
+  });
   return rows;
+}
+
+// Columns times columns, a strip of the result's lower half at a time: who takes eigenvectors looks at nothing else.
+MatrixXd gram_of(const MatrixXd& rows) {
+  MatrixXd gram = MatrixXd::Zero(rows.cols(), rows.cols());
+  const Index strips = (rows.cols() + kColumns - 1) / kColumns;
+  share_out(static_cast<std::size_t>(strips), static_cast<std::size_t>(2 * rows.size() * kColumns),
+            [&](std::size_t strip) {
+              const Index first = static_cast<Index>(strip) * kColumns, count = std::min(kColumns, rows.cols() - first);
+              const Index below = rows.cols() - first;
+              gram.block(first, first, below, count).noalias() =
+                  rows.rightCols(below).transpose() * rows.middleCols(first, count);
+            });
+  return gram;
 }
 
 }  // namespace
@@ -50,7 +66,7 @@ MatrixXd standing_out(const FrfSet& set, const VectorXd& noise) {
 FrfSet principal_outputs(const FrfSet& set, std::size_t most) {
   const VectorXd noise = LineNoise(set).over(0, set.lines.count);
   const MatrixXd rows = standing_out(set, noise);
-  const MatrixXd directions = eigenvectors(rows.transpose() * rows);
+  const MatrixXd directions = eigenvectors(gram_of(rows));
   const auto outputs = static_cast<Index>(set.outputs.size());
   const Index kept = std::min<Index>(outputs, static_cast<Index>(most));
   FrfSet mixed{.lines = set.lines, .reach_Hz = set.reach_Hz};
@@ -60,16 +76,16 @@ FrfSet principal_outputs(const FrfSet& set, std::size_t most) {
     for (std::size_t k = 0; k < force.ff.size(); ++k) force.ff[k] += set.points[p].ff[k];
   }
   mixed.points.push_back(std::move(force));
-  for (Index i = 0; i < kept; ++i) {
-    const VectorXd mix = directions.col(i).cwiseQuotient(noise);
-    Output output{.point = 0, .channel = static_cast<std::size_t>(i), .frf = std::vector<Complex>(set.lines.count)};
-    Eigen::Map<Eigen::VectorXcd> sum(output.frf.data(), static_cast<Index>(set.lines.count));
+  mixed.outputs.resize(static_cast<std::size_t>(kept));
+  share_out(mixed.outputs.size(), kPerProduct * set.outputs.size() * set.lines.count, [&](std::size_t i) {
+    const VectorXd mix = directions.col(static_cast<Index>(i)).cwiseQuotient(noise);
+    mixed.outputs[i] = {.point = 0, .channel = i, .frf = std::vector<Complex>(set.lines.count)};
+    Eigen::Map<Eigen::VectorXcd> sum(mixed.outputs[i].frf.data(), static_cast<Index>(set.lines.count));
     for (Index o = 0; o < outputs; ++o) {
       const auto& frf = set.outputs[static_cast<std::size_t>(o)].frf;
       sum += mix(o) * Eigen::Map<const Eigen::VectorXcd>(frf.data(), sum.size());
     }
-    mixed.outputs.push_back(std::move(output));
-  }
+  });
   return mixed;
 }
 

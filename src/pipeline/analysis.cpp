@@ -7,6 +7,7 @@
 #include <map>
 
 #include "core/error.hpp"
+#include "core/parallel.hpp"
 #include "core/statistics.hpp"
 #include "frf/windows.hpp"
 #include "pipeline/band_lines.hpp"
@@ -15,6 +16,9 @@ namespace percuss {
 namespace {
 
 constexpr double kAntiAlias = 0.44;  // of fs: above it a recorder's filter shapes the FRF
+// Samples: a row so long is looked through for the end of its decay first, which costs less than the lines that are
+// saved.
+constexpr std::size_t kLongRow = std::size_t{1} << 17U;
 constexpr double kForceReach = 1.2;  // of the −20 dB bandwidth: as far as a margin may go
 
 bool listed(const std::vector<std::size_t>& list, std::size_t i) {
@@ -41,6 +45,7 @@ const std::vector<AnalysedHit>& Analysis::force_hits() const {
 }
 
 std::vector<AnalysedHit> Analysis::find() const {
+  const ThreadLimit limit(options_.threads);
   auto found = given_ ? std::vector<Hit>{} : find_hits(record_, options_.hits);
   check_numbers(options_.accept_hits, found.size(), "--accept-hit");
   check_numbers(options_.reject_hits, found.size(), "--reject-hit");
@@ -96,7 +101,7 @@ std::size_t Analysis::block_samples() const {
   if (samples == 0)
     throw InputError("no hit can be used", record_.source(), "see the hits' findings; --accept-hit overrules them");
   const bool searched = record_.continuous || record_.rows.size() == 1;
-  if (!searched) return samples;
+  if (!searched && samples < kLongRow) return samples;
   if (!options_.hits.length_s) samples = std::min(samples, longest_decay());
   return fast_length_at_most(samples);
 }

@@ -20,10 +20,10 @@ std::size_t Analysis::longest_decay() const {
     parallel_for(length.size(), options_.threads, [&](std::size_t t) {
       const Hit& hit = *used[t / channels];
       std::vector<double> buffer;
-      const auto accel = trace_.run("read acceleration", [&] {
-        return record_.read_accel_mps2.look(hit.row, t % channels, hit.first, hit.samples, buffer);
-      });
-      length[t] = decayed_length(hit, accel);
+      const LookAtSamples look = [&](std::size_t first, std::size_t count) {
+        return record_.read_accel_mps2.look(hit.row, t % channels, hit.first + first, count, buffer);
+      };
+      length[t] = trace_.run("decay", [&] { return decayed_length(hit, hit.samples, look); });
     });
     return *std::max_element(length.begin(), length.end());
   });
@@ -93,6 +93,7 @@ std::vector<AnalysedHit> Analysis::graded() const {
     spectra[h].force = force_spectra()[h].get();
     for (const Response& response : all[h]) spectra[h].accel.push_back(&response.spectrum);
   }
+  const ThreadLimit limit(options_.threads);
   trace_.run("agreement", [&] {
     grade_agreement(out, spectra);
     settle_first_motion(out);

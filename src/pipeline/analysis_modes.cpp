@@ -4,11 +4,14 @@
 #include <map>
 #include <tuple>
 
+#include "core/parallel.hpp"
 #include "core/statistics.hpp"
 #include "pipeline/analysis.hpp"
 
 namespace percuss {
 namespace {
+
+constexpr std::size_t kOperationsPerLine = 20;  // and hit: a few products of complex numbers
 
 // Hits by the point they struck, ascending.
 std::map<int, std::vector<std::size_t>> by_point(const std::vector<AnalysedHit>& hits,
@@ -25,28 +28,41 @@ const std::vector<PointFrf>& Analysis::frfs() const {
     if (given_) return given_within_lines();
     const auto hits = accepted_hits();
     force_spectra();
+    const ThreadLimit limit(options_.threads);
     return trace_.run("frf", [&] { return average(); });
   });
 }
 
 std::vector<PointFrf> Analysis::average() const {
+  const auto points = by_point(hits(), accepted_hits());
+  const std::size_t channels = record_.accel.size();
   std::vector<PointFrf> out;
-  for (const auto& [point, members] : by_point(hits(), accepted_hits())) {
-    std::vector<const std::vector<Complex>*> force;
-    for (const std::size_t h : members) force.push_back(force_spectra()[h].get());
-    for (std::size_t c = 0; c < record_.accel.size(); ++c) {
-      std::vector<const std::vector<Complex>*> accel;
-      for (const std::size_t h : members) accel.push_back(&responses()[h][c].spectrum);
-      out.push_back({.point = point,
-                     .channel = c,
-                     .frf = estimate_frf(cross_spectra(force, accel), lines(), options_.estimator)});
+  std::vector<const std::vector<std::size_t>*> members;
+  for (const auto& [point, hits_there] : points) {
+    for (std::size_t c = 0; c < channels; ++c) {
+      out.push_back({.point = point, .channel = c, .frf = {}});
+      members.push_back(&hits_there);
     }
   }
+  const auto& force_spectrum = force_spectra();
+  const auto& response = responses();
+  const LineRange& range = lines();
+  share_out(out.size(), kOperationsPerLine * range.count * members.front()->size(), [&](std::size_t i) {
+    std::vector<const std::vector<Complex>*> force, accel;
+    for (const std::size_t h : *members[i]) {
+      force.push_back(force_spectrum[h].get());
+      accel.push_back(&response[h][out[i].channel].spectrum);
+    }
+    out[i].frf = estimate_frf(cross_spectra(force, accel), range, options_.estimator);
+  });
   return out;
 }
 
 const FrfSet& Analysis::fitted_frfs() const {
-  return fitted_frfs_.get([&] { return frf_set(accepted_hits()); });
+  return fitted_frfs_.get([&] {
+    const ThreadLimit limit(options_.threads);
+    return frf_set(accepted_hits());
+  });
 }
 
 FrfSet Analysis::frf_set(const std::vector<std::size_t>& which) const {
@@ -57,22 +73,29 @@ FrfSet Analysis::frf_set(const std::vector<std::size_t>& which) const {
   for (const std::size_t h : which) reach.push_back(hits()[h].hit.bandwidth_Hz);
   set.reach_Hz = median(reach);
   const double decay = window_decay_per_s();
-  for (const auto& [point, members] : by_point(hits(), which)) {
+  const std::size_t channels = record_.accel.size();
+  std::vector<std::vector<std::size_t>> members;
+  for (auto& [point, hits_there] : by_point(hits(), which)) members.push_back(std::move(hits_there));
+  const auto& force_spectrum = force_spectra();
+  const auto& response = responses();
+  set.points.resize(members.size());
+  set.outputs.resize(members.size() * channels);
+  share_out(members.size(), kOperationsPerLine * lines().count * which.size() / members.size(), [&](std::size_t p) {
     std::vector<ForceBlock> blocks;
     std::vector<double> noise;
     std::vector<Spectrum> spectra;
-    for (const std::size_t h : members) {
+    for (const std::size_t h : members[p]) {
       blocks.push_back(force_block(hits()[h].hit, record_.fs_Hz, decay));
       noise.push_back(hits()[h].hit.noise_N);
-      spectra.push_back(force_spectra()[h]);
+      spectra.push_back(force_spectrum[h]);
     }
-    set.points.push_back(point_force(std::move(blocks), std::move(spectra), lines(), median(noise)));
-    for (std::size_t c = 0; c < record_.accel.size(); ++c) {
+    set.points[p] = point_force(std::move(blocks), std::move(spectra), lines(), median(noise));
+    for (std::size_t c = 0; c < channels; ++c) {
       std::vector<const std::vector<Complex>*> accel;
-      for (const std::size_t h : members) accel.push_back(&responses()[h][c].spectrum);
-      set.outputs.push_back({.point = set.points.size() - 1, .channel = c, .frf = h1_at(set.points.back(), accel)});
+      for (const std::size_t h : members[p]) accel.push_back(&response[h][c].spectrum);
+      set.outputs[p * channels + c] = {.point = p, .channel = c, .frf = h1_at(set.points[p], accel)};
     }
-  }
+  });
   return set;
 }
 
@@ -86,6 +109,7 @@ std::vector<int> Analysis::frf_points() const {
 const std::vector<Mode>& Analysis::modes() const {
   return modes_.get([&] {
     const FrfSet& set = fitted_frfs();
+    const ThreadLimit limit(options_.threads);
     auto modes = trace_.run("modes", [&] { return identify_modes(set, options_.modes); });
     const std::vector<int> points = frf_points();
     const auto [low, high] = band_Hz();

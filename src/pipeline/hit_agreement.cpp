@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "core/parallel.hpp"
 #include "core/statistics.hpp"
 #include "frf/agreement.hpp"
 
@@ -14,6 +15,7 @@ namespace {
 constexpr std::size_t kLeastHits = 4;    // fewer cannot outvote one
 constexpr double kOutlierRatio = 25;     // times the others' disagreement (five times in amplitude)
 constexpr double kOutlierEnergy = 0.05;  // of its own energy: smaller misfits do no harm, however unlike the others
+constexpr std::size_t kOperationsPerHit = 50'000;
 constexpr double kLowCoherence = 0.9;
 constexpr double kDissent = 0.2;  // of the hits: more leave open which way a channel moves
 
@@ -51,6 +53,31 @@ std::string disagreement(double explained) {
   return "the other hits " + how_far + ": did the point or the direction change (--files points)?";
 }
 
+// One point's hits.
+void grade_point(std::vector<AnalysedHit>& hits, const std::vector<HitSpectra>& spectra,
+                 std::vector<std::size_t> members) {
+  std::vector<double> left = unexplained(spectra, members);
+  while (members.size() >= kLeastHits) {
+    // The worst hit has spoiled the FRFs that judge the others: how they agree is seen without it.
+    const auto worst = static_cast<std::size_t>(std::max_element(left.begin(), left.end()) - left.begin());
+    if (left[worst] <= kOutlierEnergy) break;
+    const auto others = without(members, worst);
+    auto among_others = unexplained(spectra, others);
+    const double typical = median(among_others);
+    if (left[worst] <= std::max(kOutlierRatio * typical, kOutlierEnergy)) break;
+    take_out(hits[members[worst]], left[worst], typical);
+    members = others;
+    left = std::move(among_others);
+  }
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    if (1 - left[i] >= kLowCoherence) continue;
+    hits[members[i]].hit.findings.push_back({.code = FindingCode::low_coherence,
+                                             .severity = Severity::warn,
+                                             .value = 1 - left[i],
+                                             .message = disagreement(1 - left[i])});
+  }
+}
+
 }  // namespace
 
 void grade_agreement(std::vector<AnalysedHit>& hits, const std::vector<HitSpectra>& spectra) {
@@ -58,28 +85,10 @@ void grade_agreement(std::vector<AnalysedHit>& hits, const std::vector<HitSpectr
   for (std::size_t h = 0; h < hits.size(); ++h) {
     if (hits[h].accepted && spectra[h].force != nullptr) points[hits[h].point].push_back(h);
   }
-  for (auto& [point, members] : points) {
-    std::vector<double> left = unexplained(spectra, members);
-    while (members.size() >= kLeastHits) {
-      // The worst hit has spoiled the FRFs that judge the others: how they agree is seen without it.
-      const auto worst = static_cast<std::size_t>(std::max_element(left.begin(), left.end()) - left.begin());
-      if (left[worst] <= kOutlierEnergy) break;
-      const auto others = without(members, worst);
-      auto among_others = unexplained(spectra, others);
-      const double typical = median(among_others);
-      if (left[worst] <= std::max(kOutlierRatio * typical, kOutlierEnergy)) break;
-      take_out(hits[members[worst]], left[worst], typical);
-      members = others;
-      left = std::move(among_others);
-    }
-    for (std::size_t i = 0; i < members.size(); ++i) {
-      if (1 - left[i] >= kLowCoherence) continue;
-      hits[members[i]].hit.findings.push_back({.code = FindingCode::low_coherence,
-                                               .severity = Severity::warn,
-                                               .value = 1 - left[i],
-                                               .message = disagreement(1 - left[i])});
-    }
-  }
+  std::vector<std::vector<std::size_t>> groups;
+  for (auto& [point, members] : points) groups.push_back(std::move(members));
+  share_out(groups.size(), kOperationsPerHit * (hits.size() / std::max<std::size_t>(groups.size(), 1)),
+            [&](std::size_t g) { grade_point(hits, spectra, std::move(groups[g])); });
 }
 
 void settle_first_motion(std::vector<AnalysedHit>& hits) {

@@ -1,0 +1,11 @@
+#pragma once
+#include "acquire/record.hpp"
+
+namespace percuss {
+
+/// The record of one file with readers that take its plain signals (Record::plain) straight from the file, which is
+/// several times faster than through a library in a process of its own. What they cannot read or must refuse (numbers
+/// that are not finite) they leave to the readers the record had, and so to their messages.
+Record read_plainly(Record record);
+
+}  // namespace percuss
