@@ -59,4 +59,33 @@ TEST(ParallelFor, MayBeNested) {
   for (const auto& number : calls) EXPECT_EQ(number, 1);
 }
 
+TEST(ShareOut, StaysHereWhereItWouldNotPayOrIsNotAllowed) {
+  const auto here = std::this_thread::get_id();
+  const auto stays = [&](std::size_t operations) {
+    share_out(100, operations, [&](std::size_t) { EXPECT_EQ(std::this_thread::get_id(), here); });
+  };
+  stays(10);
+  const ThreadLimit limit(1);
+  stays(1'000'000'000);
+}
+
+TEST(ShareOut, KeepsItsLimitWithinTasksAndGivesItBack) {
+  std::vector<std::atomic<int>> calls(64);
+  {
+    const ThreadLimit limit(2);
+    share_out(8, 1'000'000, [&](std::size_t i) {
+      const auto here = std::this_thread::get_id();
+      const ThreadLimit one(1);
+      share_out(8, 1'000'000, [&](std::size_t j) {
+        EXPECT_EQ(std::this_thread::get_id(), here);
+        ++calls.at(8 * i + j);
+      });
+    });
+  }
+  for (const auto& number : calls) EXPECT_EQ(number, 1);
+  std::atomic<int> after{0};
+  share_out(8, 1'000'000, [&](std::size_t) { ++after; });
+  EXPECT_EQ(after, 8);
+}
+
 }  // namespace percuss::parallel_test

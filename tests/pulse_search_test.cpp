@@ -102,7 +102,7 @@ TEST(SurveyForce, TakesTheTriggerGiven) {
 }
 
 // Where the survey's reads of a silent row of this length begin.
-std::vector<std::size_t> chunk_borders(std::size_t samples) {
+std::vector<std::size_t> part_borders(std::size_t samples) {
   Record record = test::force_record(kFs_Hz, {std::vector<double>(samples)});
   std::vector<std::size_t> starts;
   record.read_force_N = [&](std::size_t, std::size_t first, std::span<double> out) {
@@ -115,9 +115,9 @@ std::vector<std::size_t> chunk_borders(std::size_t samples) {
 
 TEST(SurveyForce, FindsPulsesOnTheBordersOfChunksAndBlocks) {
   constexpr std::size_t kSamples = 2 * kChunk + 1000;
-  std::vector<std::size_t> borders = chunk_borders(kSamples);
-  ASSERT_EQ(borders.size(), 3U);
-  borders[0] = 32000;  // the first has none before it: a border of blocks instead
+  const std::vector<std::size_t> parts = part_borders(kSamples);
+  ASSERT_EQ(parts.size() % 3, 0U);  // three chunks of so many parts; the first border is one of blocks instead
+  std::vector<std::size_t> borders{32000, parts[parts.size() / 3], parts[2 * parts.size() / 3], parts.back()};
   std::vector<double> all(kSamples);
   for (const std::size_t border : borders) {
     for (const std::size_t at : {border - 1, border}) {

@@ -65,6 +65,17 @@ TEST(Skipped, AreHitsThatAreRejected) {
   EXPECT_EQ(calls_of(fewer, "fft") * 3, calls_of(all, "fft") * 2);
 }
 
+// Rows too long to be taken whole: their decay is over after a hundredth.
+TEST(Skipped, AreTheDecayedTailsOfLongRows) {
+  SynthSpec spec = bat();
+  spec.samples = std::size_t{1} << 18U;
+  const Analysis analysis(synthesise(spec).record, {.band_Hz = std::pair{100.0, 400.0}});
+  EXPECT_EQ(analysis.modes().size(), 1U);
+  EXPECT_GT(share_of(analysis, "tail"), 0.9);
+  EXPECT_EQ(calls_of(analysis, "decay"), calls_of(analysis, "read acceleration"));
+  EXPECT_LT(analysis.lines().samples, spec.samples / 10);
+}
+
 TEST(Skipped, AreLinesOutsideTheBandAndTheForceOutsideItsPulse) {
   const Analysis analysis(synthesise(bat()).record, {.band_Hz = std::pair{100.0, 400.0}});
   analysis.frfs();

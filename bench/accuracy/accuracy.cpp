@@ -14,6 +14,7 @@
 #include "deflection_study.hpp"
 #include "impact_study.hpp"
 #include "page.hpp"
+#include "skip_study.hpp"
 #include "stamp.hpp"
 
 namespace percuss::accuracy {
@@ -27,6 +28,7 @@ void measure_all(Extent extent, const std::string& folder) {
   const Turns turns = extent == Extent::quick ? kQuickTurns : kTurns;
   Measured all;
   all.scalings = study_scaling(extent, turns, kScalingBudget_s);
+  all.savings = study_skips(extent, turns);
   all.impact = study_impact(extent, turns);
   all.deflection = study_deflection(extent, turns);
   all.records = study_records(extent, turns);

@@ -5,12 +5,11 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "page_parts.hpp"
 #include "tables.hpp"
 
 namespace percuss::accuracy {
 namespace {
-
-constexpr double kEven = 1.2;  // exponent of what grows in proportion, or nearly
 
 const Case& main_case(const Family& family, const char* value) { return case_of(family, "noise", value); }
 
@@ -187,42 +186,6 @@ ones are beaten by `modal` with long ones ({} in all). It stays because the sour
                      case_table(family, main), picture(family), beaten(family, "small-increment"));
 }
 
-std::string growth_part(const std::vector<Scaling>& scalings) {
-  std::string stopped, lost, even, steep;
-  for (const Scaling& scaling : scalings) {
-    if (scaling.points.empty()) continue;
-    std::string& list = scaling.time_exponent <= kEven ? even : steep;
-    list += (list.empty() ? "" : ", ") + scaling.of;
-    const ScalePoint& last = scaling.points.back();
-    if (last.n < static_cast<double>(scaling.asked)) {
-      stopped +=
-          fmt::format("\n- {}: up to {:.0f} of {} in the time that was allowed", scaling.of, last.n, scaling.asked);
-    }
-    for (const ScalePoint& point : scaling.points) {
-      if (point.modes == point.modes_sought) continue;
-      lost += fmt::format("\n- {} = {:.0f}: {} found of {}", scaling.of, point.n, point.modes, point.modes_sought);
-    }
-  }
-  return fmt::format(R"(
-## Growth
-
-A whole analysis (files to named modes, `best`, one thread) while one thing grows. Memory is what the process grows by, in a process of its own. Exponents are the slopes of the upper half of
-each line in the chart: 1 is in proportion.
-
-{}
-![time and memory over size](accuracy-scaling.svg)
-
-- In proportion, or nearly (exponent of time up to 1.2): {}.
-- Faster than that: {}. Where many modes are fitted together (`best`), every mode is fitted with all others. Many channels and long rows have many lines to fit. A row is taken whole,
-  however long it is; a continuous record is cut where the decay has ended, which is the remedy for long ones.
-- Memory grows in proportion to what is held at a time, or slower.
-{}{}
-)",
-                     scaling_table(scalings), even.empty() ? "nothing" : even, steep.empty() ? "nothing" : steep,
-                     stopped.empty() ? "" : "\nNot measured to the end:\n" + stopped + "\n",
-                     lost.empty() ? "" : "\nNot all modes were found at\n" + lost + "\n");
-}
-
 }  // namespace
 
 std::string short_table(const Measured& measured) {
@@ -244,7 +207,7 @@ std::string short_table(const Measured& measured) {
 std::string page_of(const Measured& measured, const std::string& stamp) {
   std::string page = opening(measured, stamp) + frf_part(measured.records.frfs) + modes_part(measured.records.modes) +
                      deflection_part(measured.deflection) + impact_part(measured.impact) +
-                     growth_part(measured.scalings) + "\n## All figures\n\n";
+                     growth_part(measured.scalings) + skipping_part(measured.savings) + "\n## All figures\n\n";
   for (const Family* family : {&measured.records.frfs, &measured.records.modes, &measured.deflection, &measured.impact})
     page += all_figures(*family) + "\n";
   return page + all_scaling(measured.scalings);

@@ -5,6 +5,7 @@
 #include "figures.hpp"
 #include "record_study.hpp"
 #include "scaling.hpp"
+#include "skip_study.hpp"
 
 namespace percuss::accuracy {
 
@@ -13,6 +14,7 @@ struct Measured {
   RecordStudy records;
   Family deflection, impact;
   std::vector<Scaling> scalings;
+  std::vector<Saving> savings;
 };
 
 /// docs/accuracy.md: what was measured, how, the figures and what they mean. Its sentences take their numbers from the

@@ -11,6 +11,7 @@
 #include <memory>
 
 #include "acquire/largest_sample.hpp"
+#include "core/error.hpp"
 
 namespace percuss {
 namespace {
@@ -20,27 +21,29 @@ constexpr std::size_t kPiece = std::size_t{1}
 
 class OpenFile {
  public:
-  explicit OpenFile(const std::string& path) : descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {}
+  explicit OpenFile(std::string path)
+      : path_(std::move(path)), descriptor_(::open(path_.c_str(), O_RDONLY | O_CLOEXEC)) {}
   OpenFile(const OpenFile&) = delete;
   OpenFile& operator=(const OpenFile&) = delete;
   ~OpenFile() {
     if (good()) ::close(descriptor_);
   }
   bool good() const { return descriptor_ >= 0; }
-  bool read(void* to, std::size_t bytes, std::uint64_t offset) const {
+  // The samples were seen to lie within the file: when they no longer do, a library may take what is missing for zeros.
+  void read(void* to, std::size_t bytes, std::uint64_t offset) const {
     auto* at = static_cast<char*>(to);
     while (bytes > 0) {
       const auto got = ::pread(descriptor_, at, bytes, static_cast<off_t>(offset));
       if (got < 0 && errno == EINTR) continue;
-      if (got <= 0) return false;
+      if (got <= 0) throw InputError("it has changed while it was read", path_, "copy it anew, and read it again");
       at += got;
       offset += static_cast<std::uint64_t>(got);
       bytes -= static_cast<std::size_t>(got);
     }
-    return true;
   }
 
  private:
+  std::string path_;
   int descriptor_;
 };
 
@@ -53,27 +56,30 @@ bool scale(std::span<double> values, double factor) {
 }
 
 template <class Stored>
-bool read_piece(const OpenFile& file, std::uint64_t offset, std::span<double> out) {
+void read_piece(const OpenFile& file, std::uint64_t offset, std::span<double> out) {
   if constexpr (std::is_same_v<Stored, double>) {
-    return file.read(out.data(), out.size_bytes(), offset);
+    file.read(out.data(), out.size_bytes(), offset);
   } else {
     thread_local std::vector<Stored> stored;
     stored.resize(out.size());
-    if (!file.read(stored.data(), stored.size() * sizeof(Stored), offset)) return false;
+    file.read(stored.data(), stored.size() * sizeof(Stored), offset);
     std::copy(stored.begin(), stored.end(), out.begin());
-    return true;
   }
 }
 
+// False when a number is none that a measurement could give.
 bool read_samples(const OpenFile& file, const PlainSignal& signal, std::size_t row, std::size_t first,
                   std::span<double> out) {
   const std::uint64_t start = signal.offset_bytes + row * signal.row_step_bytes + first * signal.number_bytes;
   for (std::size_t done = 0; done < out.size(); done += kPiece) {
     const auto piece = out.subspan(done, std::min(kPiece, out.size() - done));
     const std::uint64_t offset = start + done * signal.number_bytes;
-    const bool read = signal.number_bytes == sizeof(float) ? read_piece<float>(file, offset, piece)
-                                                           : read_piece<double>(file, offset, piece);
-    if (!read || !scale(piece, signal.to_SI)) return false;
+    if (signal.number_bytes == sizeof(float)) {
+      read_piece<float>(file, offset, piece);
+    } else {
+      read_piece<double>(file, offset, piece);
+    }
+    if (!scale(piece, signal.to_SI)) return false;
   }
   return true;
 }

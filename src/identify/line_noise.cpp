@@ -16,7 +16,7 @@ constexpr double kRoughnessGain = 1.5;       // variance of x(k) − (x(k−1) +
 constexpr double kRounding = 1e-12;  // of the largest line: a noise-free FRF still has it; a weight of zero is none
 constexpr double kLeastPower = 1e-300;
 constexpr std::size_t kSome = 8;  // lines
-constexpr std::size_t kOperationsPerLine = 20;
+constexpr std::size_t kPerNoiseLine = 20;
 
 // The middle of a block that `blocks` of them make of the lines.
 std::size_t middle_of(std::size_t block, std::size_t blocks, std::size_t lines) {
@@ -38,7 +38,7 @@ double response_noise(const std::vector<Complex>& frf, const std::vector<double>
 
 LineNoise::LineNoise(const FrfSet& set) : set_(set), response_(static_cast<Index>(set.outputs.size())) {
   blocks_.resize(set.outputs.size());
-  share_out(set.outputs.size(), kOperationsPerLine * set.lines.count, [&](std::size_t o) {
+  share_out(set.outputs.size(), kPerNoiseLine * set.lines.count, [&](std::size_t o) {
     const std::vector<Complex>& frf = set.outputs[o].frf;
     blocks_[o] = block_noise(frf);
     response_(static_cast<Index>(o)) = response_noise(frf, set.points[set.outputs[o].point].ff, blocks_[o]);

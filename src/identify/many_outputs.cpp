@@ -68,7 +68,9 @@ class Completed {
       whole_.points.push_back({.blocks = point.blocks, .spectra = {}, .ff = point.ff, .noise_N = point.noise_N});
       whole_.points.back().complete = true;
     }
-    whole_.outputs = cut.outputs;
+    whole_.outputs.resize(cut.outputs.size());
+    share_out(cut.outputs.size(), kPerProduct * cut.lines.count,
+              [&](std::size_t o) { whole_.outputs[o] = cut.outputs[o]; });
   }
   const FrfSet& set() const { return whole_; }
   // FRFs that came without records do not tell what is missing of them.
@@ -78,7 +80,8 @@ class Completed {
 
   // Residues fitted to a set less complete are off by as much as that lacks; what is added, by as much again.
   void take(const std::vector<Pole>& poles, const Eigen::MatrixXcd& residues) {
-    for (std::size_t o = 0; o < cut_.outputs.size(); ++o) whole_.outputs[o].frf = cut_.outputs[o].frf;
+    share_out(cut_.outputs.size(), kPerProduct * cut_.lines.count,
+              [&](std::size_t o) { whole_.outputs[o].frf = cut_.outputs[o].frf; });
     for (std::size_t m = 0; m < poles.size(); ++m) {
       if (left_at_end(poles[m], cut_.lines) < kCompleted) continue;
       const MissingDecay missing(poles[m], 0, cut_.lines, 0, cut_.lines.count);

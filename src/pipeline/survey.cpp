@@ -8,6 +8,7 @@
 #include <set>
 
 #include "core/error.hpp"
+#include "core/parallel.hpp"
 #include "core/units.hpp"
 #include "identify/cmif.hpp"
 #include "identify/ring_split.hpp"
@@ -165,6 +166,7 @@ const std::vector<SynthesisedFrf>& Survey::synthesis() const {
   return synthesis_.get([&] {
     const FrfSet& set = analysis_.fitted_frfs();
     const auto& modes = analysis_.modes();
+    const ThreadLimit limit(analysis_.options().threads);
     return analysis_.trace().run("synthesis", [&] { return synthesised_frfs(set, modes, band()); });
   });
 }

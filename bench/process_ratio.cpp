@@ -1,0 +1,130 @@
+// percuss_process_ratio TOOL LO:HI FILE: what whole processes of the tool take, by the clock, on a record that is in
+// the page cache: its start, hits, FRFs and modes, with one thread and with all, as multiples of bare FFTW transforms
+// of the record in memory (one thread, FFTW_MEASURE) and of reading the same bytes. All take turns in one run, and the
+// best time of each counts.
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <exception>
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "acquire/record.hpp"
+#include "bare_fftw.hpp"
+
+extern char** environ;
+
+namespace percuss {
+namespace {
+
+constexpr int kTurns = 12;
+constexpr std::size_t kBlock_bytes = std::size_t{1} << 18U;
+
+double seconds_of(const std::function<void()>& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+// Runs a command without its output; it must end well.
+void run(std::vector<std::string> words) {
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  ::posix_spawn_file_actions_init(&actions);
+  ::posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  pid_t child = 0;
+  int status = -1;
+  const int error = ::posix_spawn(&child, arguments.front(), &actions, nullptr, arguments.data(), environ);
+  ::posix_spawn_file_actions_destroy(&actions);
+  if (error != 0 || ::waitpid(child, &status, 0) != child || status != 0) throw std::runtime_error("the tool failed");
+}
+
+// As many bytes of the file as the part of the record takes that is asked for.
+void read_bytes(const std::string& path, std::size_t bytes) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  std::vector<char> block(kBlock_bytes);
+  while (bytes > 0) {
+    const auto got = ::read(descriptor, block.data(), std::min(bytes, block.size()));
+    if (got <= 0) break;
+    bytes -= static_cast<std::size_t>(got);
+  }
+  ::close(descriptor);
+}
+
+using Samples = std::unique_ptr<double, decltype(&fftw_free)>;
+
+// Aligned as FFTW likes it.
+std::vector<Samples> force_of(const Record& record) {
+  std::vector<Samples> rows;
+  for (std::size_t row = 0; row < record.rows.size(); ++row) {
+    const std::size_t samples = record.rows[row].samples;
+    record.read_force_N(row, 0, {rows.emplace_back(fftw_alloc_real(samples), fftw_free).get(), samples});
+  }
+  return rows;
+}
+
+struct Work {
+  std::string name;
+  std::function<void()> run;
+  double best_s = 1e9;
+};
+
+void measure(const std::string& tool, const std::string& band, const std::string& path) {
+  const Record record = open_record(path);
+  const std::size_t samples = record.rows.front().samples, signals = 1 + record.accel.size();
+  const std::size_t force_bytes = record.rows.size() * samples * sizeof(double);
+  const auto force = force_of(record);
+  BareFftw fftw(samples, samples < (std::size_t{1} << 22U) ? FFTW_MEASURE : FFTW_ESTIMATE);
+  std::vector<Work> works{{"bare transforms",
+                           [&] {
+                             for (std::size_t n = 0; n < force.size() * signals; ++n)
+                               fftw.transform(force[n % force.size()].get());
+                           }},
+                          {"reading the force's bytes", [&] { read_bytes(path, force_bytes); }},
+                          {"reading all bytes", [&] { read_bytes(path, force_bytes * signals); }},
+                          {"--version", [&] {
+                             run({tool, "--version"});
+                           }}};
+  for (const char* only : {"hits", "frf", "modes"}) {
+    for (const char* threads : {"1", "0"}) {
+      works.push_back({fmt::format("--only {}{}", only, *threads == '1' ? " --threads 1" : ""), [=, &tool] {
+                         run({tool, "analyze", path, "--band", band, "--json", "--only", only, "--threads", threads});
+                       }});
+    }
+  }
+  for (int turn = 0; turn < kTurns; ++turn) {
+    for (Work& work : works) work.best_s = std::min(work.best_s, seconds_of(work.run));
+  }
+  fmt::print("{}: {} rows of {} samples, {} signals, {:.1f} MB, of which the force {:.1f} MB\n", path,
+             record.rows.size(), samples, signals, 1e-6 * static_cast<double>(force_bytes * signals),
+             1e-6 * static_cast<double>(force_bytes));
+  for (const Work& work : works) {
+    fmt::print("  {:28} {:8.2f} ms  {:6.2f} x bare transforms  {:6.2f} x reading the force\n", work.name,
+               work.best_s * 1e3, work.best_s / works[0].best_s, work.best_s / works[1].best_s);
+  }
+}
+
+}  // namespace
+}  // namespace percuss
+
+int main(int count, char** arguments) {
+  try {
+    if (count != 4) throw std::runtime_error("usage: percuss_process_ratio TOOL LO:HI FILE");
+    percuss::measure(arguments[1], arguments[2], arguments[3]);
+  } catch (const std::exception& problem) {
+    fmt::print(stderr, "percuss_process_ratio: {}\n", problem.what());
+    return EXIT_FAILURE;
+  }
+  return EXIT_SUCCESS;
+}
