@@ -159,11 +159,8 @@ std::vector<Pole> candidate_poles(const FrfSet& set, const LineNoise& noise, con
   return poles;
 }
 
-std::vector<Pole> hidden_poles(const FrfSet& set, const std::vector<Eigen::VectorXcd>& residual) {
-  struct Found {
-    double line, half_width, gain;
-  };
-  std::vector<Found> found;
+std::vector<Resonance> hidden_resonances(const FrfSet& set, const std::vector<Eigen::VectorXcd>& residual) {
+  std::vector<Resonance> found;
   std::vector<ResidualLines> outputs;
   std::vector<double> floors;
   for (std::size_t o = 0; o < residual.size(); ++o) {
@@ -185,17 +182,22 @@ std::vector<Pole> hidden_poles(const FrfSet& set, const std::vector<Eigen::Vecto
     }
     for (std::size_t o = 0; o < outputs.size(); ++o) outputs[o] = halved(outputs[o], floors[o]);
   }
+  return found;
+}
+
+std::vector<Pole> hidden_poles(const FrfSet& set, const std::vector<Eigen::VectorXcd>& residual) {
   // The best width at each place; what lies within its resonance is the same one seen at another width.
-  std::sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.gain > b.gain; });
-  std::vector<Found> kept;
-  for (const Found& f : found) {
-    const bool same = std::any_of(kept.begin(), kept.end(), [&](const Found& k) {
+  std::vector<Resonance> found = hidden_resonances(set, residual);
+  std::sort(found.begin(), found.end(), [](const Resonance& a, const Resonance& b) { return a.gain > b.gain; });
+  std::vector<Resonance> kept;
+  for (const Resonance& f : found) {
+    const bool same = std::any_of(kept.begin(), kept.end(), [&](const Resonance& k) {
       return std::abs(f.line - k.line) < 3 * std::max(k.half_width, f.half_width);
     });
     if (!same) kept.push_back(f);
   }
   std::vector<Pole> poles;
-  for (const Found& f : kept) {
+  for (const Resonance& f : kept) {
     const double freq_Hz = (static_cast<double>(set.lines.first) + f.line) * set.lines.df_Hz();
     poles.push_back({.freq_Hz = freq_Hz, .damping_ratio = std::min(0.1, f.half_width * set.lines.df_Hz() / freq_Hz)});
   }
