@@ -201,7 +201,6 @@ std::vector<Pole> hidden_poles(const FrfSet& set, const std::vector<Eigen::Vecto
     const double freq_Hz = (static_cast<double>(set.lines.first) + f.line) * set.lines.df_Hz();
     poles.push_back({.freq_Hz = freq_Hz, .damping_ratio = std::min(0.1, f.half_width * set.lines.df_Hz() / freq_Hz)});
   }
-  std::sort(poles.begin(), poles.end(), [](const Pole& a, const Pole& b) { return a.freq_Hz < b.freq_Hz; });
   return poles;
 }
 

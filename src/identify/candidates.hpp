@@ -30,7 +30,7 @@ struct Resonance {
 std::vector<Resonance> hidden_resonances(const FrfSet& set, const std::vector<Eigen::VectorXcd>& residual);
 
 /// First poles of modes too weak or too close to a stronger one to show as a peak of their own: the best width of each
-/// hidden resonance. Ascending frequency.
+/// hidden resonance. The clearest first.
 std::vector<Pole> hidden_poles(const FrfSet& set, const std::vector<Eigen::VectorXcd>& residual);
 
 /// A first pole for each frequency a person points at: that of the nearest peak, unless another frequency is nearer to

@@ -26,6 +26,8 @@ constexpr double kNoiseAlone = 1.5;         // times the lines' roughness, which
 constexpr double kCoincide = 0.05;          // … below which a fit has pushed two into one
 constexpr double kStillThere = 0.5;         // of the amplitude, at the record's end: hum is there with all of it
 constexpr double kDecays = 3;               // deviations of the damping of what is still there: that of hum is none
+constexpr double kKnown = 0.05;             // deviation of a damping ratio over it …
+constexpr double kDoubt = 2;                // … and how many of them a broad mode's may read too high
 constexpr double kCertain = 1e9;            // a quotient over no noise at all
 
 double most_misfit(const GroupedFit& all, const FitGroup& group) {
@@ -94,6 +96,14 @@ bool decays(const GroupedFit& all, const FitGroup& group, std::size_t mode) {
   return (left > kStillThere ? kDecays : 1) * group.fit.damping_std(static_cast<Index>(mode)) < pole.damping_ratio;
 }
 
+// Not too broad for a mode, or not beyond doubt.
+bool damped_like_a_mode(const FitGroup& group, std::size_t mode) {
+  const double damping_ratio = group.fit.poles[mode].damping_ratio;
+  const double std = group.fit.damping_std(static_cast<Index>(mode));
+  const double doubt = std < kKnown * damping_ratio ? kDoubt * std : 0;
+  return damping_ratio < kMostDamping + doubt;
+}
+
 }  // namespace
 
 double stands_out(const GroupedFit& all, const FitGroup& group, std::size_t mode) {
@@ -115,7 +125,7 @@ bool credible(const GroupedFit& all, const FitGroup& group, std::size_t mode, co
   const auto m = static_cast<Index>(mode);
   const double widest_Hz = kWidest * static_cast<double>(all.set().lines.count) * all.set().lines.df_Hz();
   return tall(all, group.fit, mode) && above_force_noise(all, group, mode) && pole.freq_Hz > low &&
-         pole.freq_Hz < high && pole.damping_ratio < kMostDamping && pole.half_power_Hz() < widest_Hz &&
+         pole.freq_Hz < high && damped_like_a_mode(group, mode) && pole.half_power_Hz() < widest_Hz &&
          significance(group.fit, mode) > kSeen &&
          stands_out(all, group, mode) > least_standing(all, group, mode, context) &&
          group.fit.freq_std_Hz(m) < all.width_Hz(pole) && decays(all, group, mode);
