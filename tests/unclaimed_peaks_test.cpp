@@ -71,7 +71,7 @@ TEST(UnclaimedPeaks, AreNotTheNoiseOfAFlank) {
 // Of two that ring on at the end, what is cut off of one makes a row of nulls in the other's flank.
 TEST(UnclaimedPeaks, AreNotTheRipplesOfADecayCutOff) {
   SynthSpec spec = test::bat_spec({{.freq_Hz = 400.3, .damping_ratio = 1e-5, .residue_per_kg = {1, 0.5}}}, 1);
-  spec.points = {};
+  spec.points = {{}};
   const FrfSet set = test::frf_set_of(synthesise(spec, 1).record, 60, 2400);
   const Mode mode{.pole = {400.3, 1e-5}, .residues = {{.value = 1}, {.channel = 1, .value = 0.5}}};
   EXPECT_TRUE(unclaimed_peaks(set, {mode}, kRange_dB).empty());

@@ -7,9 +7,10 @@
 
 namespace percuss {
 
-/// What the force channel's noise within the gate does to the FRFs of a point: a gain 1 + ε(ω), common to all
-/// responses, smooth over frequency because the gate is short. Column i is ε at the lines given for the i-th of
-/// independent standard normal variables; Σ over columns of |ε|² is its variance. Empty where the noise is not known.
+/// What the force channel's noise within the gate does to the FRFs of a point, and the ringing that drowned in it and
+/// was cut off: a gain 1 + ε(ω), common to all responses, smooth over frequency because the gate is short. Column i is
+/// ε at the lines given for the i-th of independent standard normal variables; Σ over columns of |ε|² is its variance.
+/// Empty where the noise is not known.
 /// shape  [lines.size(), variables].
 /// theory (4.11)
 Eigen::MatrixXcd gain_errors(const FrfSet& set, std::size_t point, const std::vector<std::size_t>& lines);
