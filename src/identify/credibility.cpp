@@ -10,7 +10,8 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kSeen = 6;          // deviations of a residue
+constexpr double kSeen = 6;          // deviations of a residue …
+constexpr double kSeenInPair = 3;    // … and of one of two so close that they share it
 constexpr double kStandsOut = 3;     // a mode's peak over the rms residual of its window
 constexpr double kMostMisfit = 8;    // times: a mode 24 times the residual is one however poor the fit
 constexpr double kBeyondReach = 12;  // times: in the side lobes of the force's spectrum small peaks are not modes
@@ -41,6 +42,17 @@ double significance(const LocalFit& fit, std::size_t mode) {
     best = std::max(best, std > 0 ? std::abs(fit.residues(o, static_cast<Index>(mode))) / std : kCertain);
   }
   return best;
+}
+
+// One of a close pair that leaves nothing but noise: each residue is known badly, because the other can stand for most
+// of it; that there are two is known better.
+bool proven_pair(const GroupedFit& all, const FitGroup& group, std::size_t mode) {
+  const Pole& pole = group.fit.poles[mode];
+  const auto beside = [&](const Pole& other) {
+    return &other != &pole &&
+           std::abs(other.freq_Hz - pole.freq_Hz) < std::min(all.width_Hz(other), all.width_Hz(pole));
+  };
+  return most_misfit(all, group) < kNoiseAlone && std::any_of(group.fit.poles.begin(), group.fit.poles.end(), beside);
 }
 
 // Above the fit's own imperfection at some output.
@@ -126,7 +138,7 @@ bool credible(const GroupedFit& all, const FitGroup& group, std::size_t mode, co
   const double widest_Hz = kWidest * static_cast<double>(all.set().lines.count) * all.set().lines.df_Hz();
   return tall(all, group.fit, mode) && above_force_noise(all, group, mode) && pole.freq_Hz > low &&
          pole.freq_Hz < high && damped_like_a_mode(group, mode) && pole.half_power_Hz() < widest_Hz &&
-         significance(group.fit, mode) > kSeen &&
+         significance(group.fit, mode) > (proven_pair(all, group, mode) ? kSeenInPair : kSeen) &&
          stands_out(all, group, mode) > least_standing(all, group, mode, context) &&
          group.fit.freq_std_Hz(m) < all.width_Hz(pole) && decays(all, group, mode);
 }

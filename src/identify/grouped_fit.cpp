@@ -99,19 +99,35 @@ bool GroupedFit::unchanged(std::size_t group, const std::vector<VectorXcd>& data
   return change < options_.change * options_.change;
 }
 
+double GroupedFit::gap(const Pole& below, const Pole& above) const {
+  return (above.freq_Hz - below.freq_Hz) / std::max({width_Hz(below), width_Hz(above), set_.lines.df_Hz()});
+}
+
+// Too many for one group are parted where they are furthest apart: what lies side by side tells itself apart in one fit
+// only.
+void GroupedFit::add_groups(std::span<const Pole> poles) {
+  if (poles.size() <= kMostTogether) {
+    groups_.emplace_back().fit.poles.assign(poles.begin(), poles.end());
+    return;
+  }
+  std::size_t widest = 1;
+  for (std::size_t m = 2; m < poles.size(); ++m) {
+    if (gap(poles[m - 1], poles[m]) > gap(poles[widest - 1], poles[widest])) widest = m;
+  }
+  add_groups(poles.first(widest));
+  add_groups(poles.subspan(widest));
+}
+
 void GroupedFit::replace(std::vector<Pole> poles) {
   const std::vector<FitGroup> before = std::move(groups_);
   std::vector<std::vector<VectorXcd>> fitted_to = std::move(fitted_to_);
   groups_.clear();
   std::sort(poles.begin(), poles.end(), [](const Pole& a, const Pole& b) { return a.freq_Hz < b.freq_Hz; });
-  const auto near = [&](const Pole& last, const Pole& next) {
-    return next.freq_Hz - last.freq_Hz < kTogether * std::max({width_Hz(last), width_Hz(next), set_.lines.df_Hz()});
-  };
-  for (const Pole& pole : poles) {
-    const bool join = !groups_.empty() && groups_.back().fit.poles.size() < kMostTogether &&
-                      near(groups_.back().fit.poles.back(), pole);
-    if (!join) groups_.emplace_back();
-    groups_.back().fit.poles.push_back(pole);
+  for (std::size_t first = 0; first < poles.size();) {
+    std::size_t end = first + 1;
+    while (end < poles.size() && gap(poles[end - 1], poles[end]) < kTogether) ++end;
+    add_groups({poles.data() + first, end - first});
+    first = end;
   }
   const auto outputs = static_cast<Index>(set_.outputs.size());
   for (FitGroup& group : groups_) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "identify/line_noise.hpp"
@@ -63,6 +64,8 @@ class GroupedFit {
   static constexpr std::size_t kMostTogether = 4;
 
  private:
+  double gap(const Pole& below, const Pole& above) const;  // bandwidths, or lines
+  void add_groups(std::span<const Pole> poles);
   void place_window(FitGroup& group) const;
   bool same_window(const FitGroup& before, const FitGroup& group) const;
   bool unchanged(std::size_t group, const std::vector<Eigen::VectorXcd>& data) const;
