@@ -19,6 +19,8 @@ constexpr double kReach = 6;  // half-widths on either side that a hidden resona
 constexpr double kHiddenGain =
     30;  // noise powers, beyond what the outputs' own noise gives: one false alarm in 10^10 lines
 constexpr double kModelFloor = 1e-6;    // of the largest line: what a fit leaves of noise-free data is no mode
+constexpr double kFlank = 20;           // half-widths that a resonance's flanks reach on either side …
+constexpr double kFlankGain = 0.1;      // … and the part of its gain that may be theirs
 constexpr double kNarrowest = 1.5;      // lines
 constexpr double kWidestHidden = 0.03;  // half-width over frequency of the broadest hidden mode
 
@@ -186,15 +188,18 @@ std::vector<Resonance> hidden_resonances(const FrfSet& set, const std::vector<Ei
 }
 
 std::vector<Pole> hidden_poles(const FrfSet& set, const std::vector<Eigen::VectorXcd>& residual) {
-  // The best width at each place; what lies within its resonance is the same one seen at another width.
+  // The best width at each place; what lies within its resonance is the same one seen at another width, and the weak
+  // ones around it may be its flanks, which bend as well.
   std::vector<Resonance> found = hidden_resonances(set, residual);
   std::sort(found.begin(), found.end(), [](const Resonance& a, const Resonance& b) { return a.gain > b.gain; });
   std::vector<Resonance> kept;
   for (const Resonance& f : found) {
-    const bool same = std::any_of(kept.begin(), kept.end(), [&](const Resonance& k) {
-      return std::abs(f.line - k.line) < 3 * std::max(k.half_width, f.half_width);
+    const bool belongs = std::any_of(kept.begin(), kept.end(), [&](const Resonance& k) {
+      const double apart = std::abs(f.line - k.line);
+      const bool same = apart < 3 * std::max(k.half_width, f.half_width);
+      return same || (apart < kFlank * k.half_width && f.gain < kFlankGain * k.gain);
     });
-    if (!same) kept.push_back(f);
+    if (!belongs) kept.push_back(f);
   }
   std::vector<Pole> poles;
   for (const Resonance& f : kept) {

@@ -17,6 +17,8 @@ constexpr double kMostLines = 400;  // … nor more: the polynomial follows othe
 constexpr double kLeastForce =
     1e-6;  // of the strongest line's power: a pulse's spectrum has zeros, where FRFs mean nothing
 constexpr double kLeastWeight = 1e-3;  // of the noise elsewhere: where a fit leaves nothing, its weight stays finite
+constexpr std::size_t kOutgrown = 2;   // times: a window that is too short
+constexpr int kMostPasses = 5;         // of a sweep
 constexpr double kTogether = 4;        // bandwidths (or lines) apart at which two modes are fitted together
 
 void carry_over(const std::vector<FitGroup>& before, FitGroup& group, std::size_t m) {
@@ -146,18 +148,33 @@ void GroupedFit::replace(std::vector<Pole> poles) {
 }
 
 void GroupedFit::sweep() {
-  for (const bool last : {false, true}) {
-    if (last) replace(poles());  // poles that moved may belong together now
-    for (std::size_t g = 0; g < groups_.size(); ++g) {
-      FitGroup& group = groups_[g];
-      auto data = remainder(group);
-      if (unchanged(g, data)) continue;
-      // A first residual tells each output's noise here, which is not the noise elsewhere.
-      if (group.fit.noise.size() == 0) group.fit = fit(group, data, group.fit.poles, noise(group), kRoughly);
-      group.fit = fit(group, data, group.fit.poles, weights_from(group));
-      fitted_to_[g] = std::move(data);
-    }
+  fit_all();
+  // Poles that moved may belong together now, or need longer windows.
+  for (int pass = 1; pass < kMostPasses && (pass == 1 || outgrown()); ++pass) {
+    replace(poles());
+    fit_all();
   }
+}
+
+void GroupedFit::fit_all() {
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    FitGroup& group = groups_[g];
+    auto data = remainder(group);
+    if (unchanged(g, data)) continue;
+    // A first residual tells each output's noise here, which is not the noise elsewhere.
+    if (group.fit.noise.size() == 0) group.fit = fit(group, data, group.fit.poles, noise(group), kRoughly);
+    group.fit = fit(group, data, group.fit.poles, weights_from(group));
+    fitted_to_[g] = std::move(data);
+  }
+}
+
+// A pole that began as a narrow one may have found that its resonance is broader than its window.
+bool GroupedFit::outgrown() const {
+  return std::any_of(groups_.begin(), groups_.end(), [&](const FitGroup& group) {
+    FitGroup anew{.fit = {.poles = group.fit.poles}};
+    place_window(anew);
+    return anew.count > kOutgrown * group.count;
+  });
 }
 
 void GroupedFit::subtract(const LocalFit& fit, std::size_t mode, const FitGroup& window,

@@ -45,8 +45,8 @@ class GroupedFit {
 
   /// Other poles: residues of those already known stay; new ones count as 0 until the next sweep.
   void replace(std::vector<Pole> poles);
-  /// Fits every group in turn, twice over, the second time with the final shares of its neighbours; one whose data have
-  /// not changed since is left alone.
+  /// Fits every group in turn, twice over, the second time with the final shares of its neighbours, and again where a
+  /// pole has outgrown its window; one whose data have not changed since is left alone.
   void sweep();
   /// What is left in the group's window when all other groups' shares are subtracted, [outputs][group.count].
   std::vector<Eigen::VectorXcd> remainder(const FitGroup& group) const;
@@ -68,6 +68,8 @@ class GroupedFit {
   void add_groups(std::span<const Pole> poles);
   void place_window(FitGroup& group) const;
   bool same_window(const FitGroup& before, const FitGroup& group) const;
+  void fit_all();
+  bool outgrown() const;
   bool unchanged(std::size_t group, const std::vector<Eigen::VectorXcd>& data) const;
   void subtract(const LocalFit& fit, std::size_t mode, const FitGroup& window,
                 std::vector<Eigen::VectorXcd>& data) const;

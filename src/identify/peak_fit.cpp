@@ -10,6 +10,7 @@
 #include "identify/grouped_fit.hpp"
 #include "identify/hidden_search.hpp"
 #include "identify/moving.hpp"
+#include "identify/ripples.hpp"
 
 namespace percuss {
 namespace {
@@ -36,9 +37,12 @@ class PeakFit {
     context_.shown.insert(context_.shown.end(), options_.start.begin(), options_.start.end());
     const bool given = !context_.shown.empty();
     if (!given) context_.shown = candidate_poles(set_, all_.line_noise());
-    all_.replace(context_.shown);
-    all_.sweep();
-    if (!given) settle();
+    if (given) {
+      start_from(context_.shown);
+    } else {
+      start_with_tallest();
+      settle();
+    }
     if (!options_.start.empty()) keep_credible();
     return modes();
   }
@@ -58,6 +62,23 @@ class PeakFit {
     }
     start_from(found);
     keep_credible();
+  }
+
+  // Where a decay is cut off it leaves ripples on its resonance's flanks that look like peaks: those begin with the
+  // others only if they are still there once it has been fitted.
+  void start_with_tallest() {
+    const std::vector<char> doubtful = ripples_among(set_, context_.shown);
+    std::vector<Pole> first, later;
+    for (std::size_t p = 0; p < doubtful.size(); ++p) (doubtful[p] ? later : first).push_back(context_.shown[p]);
+    start_from(first);
+    if (later.empty()) return;
+    const auto residual = all_.residual();
+    std::erase_if(later, [&](const Pole& pole) { return !remains(set_, pole, residual); });
+    context_.shown = std::move(first);
+    context_.shown.insert(context_.shown.end(), later.begin(), later.end());
+    std::vector<Pole> poles = all_.poles();
+    poles.insert(poles.end(), later.begin(), later.end());
+    if (use(std::move(poles))) all_.sweep();
   }
 
   void start_from(std::vector<Pole> poles) {
