@@ -10,8 +10,9 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kSeen = 6;          // deviations of a residue …
-constexpr double kSeenInPair = 3;    // … and of one of two so close that they share it
+constexpr double kSeen = 6;          // deviations of a residue
+constexpr double kPair = 0.3;        // bandwidths between two so close that they share it …
+constexpr double kSeenInPair = 3;    // … and then this many
 constexpr double kStandsOut = 3;     // a mode's peak over the rms residual of its window
 constexpr double kMostMisfit = 8;    // times: a mode 24 times the residual is one however poor the fit
 constexpr double kBeyondReach = 12;  // times: in the side lobes of the force's spectrum small peaks are not modes

@@ -18,8 +18,9 @@ constexpr double kNarrow = 0.2;  // half of a band over its highest line
 constexpr double kLeastStretches = 16;
 
 // Deviations of the noise: ringing of up to four is cut off where the gate ends. It changes its sign from sample to
-// sample, so that in the band all of it acts as half its first one.
+// sample, about, so that at low frequencies all of it acts as half its first one, and as more towards half the rate.
 constexpr double kCutRinging = 1;
+constexpr double kMostCutRinging = 5;
 
 // Samples of the gate that carry noise into the force, averaged over the hits.
 double gated_samples(const PointForce& force) {
@@ -45,42 +46,48 @@ struct Delay {
   double samples, variance;
 };
 
-// Variance of the ringing that the gate cuts off on one side, the same in all hits; in units of a sample's.
-double cut_ringing(const PointForce& force) {
-  const bool gated = force.blocks.front().whole_N.empty();
-  return gated ? kCutRinging * kCutRinging * static_cast<double>(force.blocks.size()) : 0;
-}
-
-// The gate in so many stretches, and what it cuts off on either side.
+// The gate in so many stretches.
 std::vector<Delay> delays_of(const PointForce& force, double stretches) {
-  const double gated = gated_samples(force);
+  const double step = gated_samples(force) / stretches;
   const double centre = centre_of(force.blocks.front());
-  const double step = gated / stretches;
   std::vector<Delay> delays;
-  delays.reserve(static_cast<std::size_t>(stretches) + 2);
+  delays.reserve(static_cast<std::size_t>(stretches));
   for (double i = 0; i < stretches; ++i) delays.push_back({(i + 0.5) * step - 0.5 - centre, step});
-  delays.push_back({-1 - centre, cut_ringing(force)});
-  delays.push_back({gated - centre, cut_ringing(force)});
   return delays;
 }
 
-// [lines, delays] what the noise around each delay makes of the force, over the force.
+// Deviation of the ringing that the gate cuts off on one side, the same in all hits, in units of a sample's.
+double cut_ringing(const PointForce& force, double turns) {
+  if (!force.blocks.front().whole_N.empty()) return 0;
+  const double rise = 1 / std::max(std::cos(0.5 * kTwoPi * turns), 1 / kMostCutRinging);
+  return kCutRinging * rise * std::sqrt(static_cast<double>(force.blocks.size()));
+}
+
+double noise_over_force(const PointForce& force, std::size_t line) {
+  return force.noise_N / std::sqrt(std::max(force.ff[line], 1e-300));
+}
+
+// [lines, delays and 2] what the noise around each delay, and the ringing cut off on either side, make of the force,
+// over the force.
 Eigen::MatrixXcd over_force(const FrfSet& set, const PointForce& force, const std::vector<std::size_t>& lines,
                             const std::vector<Delay>& delays) {
-  Eigen::MatrixXcd errors(static_cast<Index>(lines.size()), static_cast<Index>(delays.size()));
+  const auto count = static_cast<Index>(delays.size());
+  Eigen::MatrixXcd errors(static_cast<Index>(lines.size()), count + 2);
   const double apart = delays[1].samples - delays[0].samples;
+  const double begin = -1 - centre_of(force.blocks.front());
   for (Index k = 0; k < errors.rows(); ++k) {
     const std::size_t line = lines[static_cast<std::size_t>(k)];
-    const double turn = -kTwoPi * set.lines.freq_Hz(line) / set.lines.fs_Hz;
-    const double size = force.noise_N / std::sqrt(std::max(force.ff[line], 1e-300));
-    const Complex from_one_to_next = std::polar(1.0, turn * apart);
-    Complex phase = std::polar(size, turn * delays.front().samples);
-    for (std::size_t i = 0; i < delays.size(); ++i) {
-      const bool evenly = i == 0 || std::abs(delays[i].samples - delays[i - 1].samples - apart) < 1e-6;
-      if (!evenly) phase = std::polar(size, turn * delays[i].samples);
-      errors(k, static_cast<Index>(i)) = phase * std::sqrt(delays[i].variance);
-      phase *= from_one_to_next;
+    const double turns = set.lines.freq_Hz(line) / set.lines.fs_Hz;
+    const double size = noise_over_force(force, line);
+    const Complex from_one_to_next = std::polar(1.0, -kTwoPi * turns * apart);
+    Complex error = std::polar(size * std::sqrt(delays.front().variance), -kTwoPi * turns * delays.front().samples);
+    for (Index i = 0; i < count; ++i) {
+      errors(k, i) = error;
+      error *= from_one_to_next;
     }
+    const double cut = size * cut_ringing(force, turns);
+    errors(k, count) = std::polar(cut, -kTwoPi * turns * begin);
+    errors(k, count + 1) = std::polar(cut, -kTwoPi * turns * (begin + 1 + gated_samples(force)));
   }
   return errors;
 }
@@ -108,8 +115,9 @@ Eigen::MatrixXcd gain_errors(const FrfSet& set, std::size_t point, const std::ve
 double gain_deviation(const FrfSet& set, std::size_t point, double freq_Hz) {
   const PointForce& force = set.points[point];
   if (force.blocks.empty() || force.ff.empty()) return 0;  // nothing is known of the force
-  const double variance = 0.5 * gated_samples(force) + cut_ringing(force);
-  return force.noise_N * std::sqrt(variance / force.ff[set.lines.nearest(freq_Hz)]);
+  const std::size_t line = set.lines.nearest(freq_Hz);
+  const double cut = cut_ringing(force, set.lines.freq_Hz(line) / set.lines.fs_Hz);
+  return noise_over_force(force, line) * std::sqrt(0.5 * gated_samples(force) + cut * cut);
 }
 
 }  // namespace percuss
