@@ -10,12 +10,13 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kSeen = 6;          // deviations of a residue
-constexpr double kPair = 0.3;        // bandwidths between two so close that they share it …
-constexpr double kSeenInPair = 3;    // … and then this many
-constexpr double kStandsOut = 3;     // a mode's peak over the rms residual of its window
-constexpr double kMostMisfit = 8;    // times: a mode 24 times the residual is one however poor the fit
-constexpr double kBeyondReach = 12;  // times: in the side lobes of the force's spectrum small peaks are not modes
+constexpr double kSeen = 6;             // deviations of a residue
+constexpr double kPair = 0.3;           // bandwidths between two so close that they share it …
+constexpr double kSeenInPair = 3;       // … and then this many
+constexpr double kStandsOut = 3;        // a mode's peak over the rms residual of its window
+constexpr double kMostMisfit = 8;       // times: a mode 24 times the residual is one however poor the fit
+constexpr double kBroadDamping = 0.05;  // … unless it is broader than this
+constexpr double kBeyondReach = 12;     // times: in the side lobes of the force's spectrum small peaks are not modes
 constexpr double kWidest = 0.25;  // of all lines: a wider half-power bandwidth is not told from what lies between modes
 constexpr double kForceNoise = 8;  // deviations of the gain that the force's noise causes
 constexpr double kUnknownGain =
@@ -90,16 +91,28 @@ bool above_force_noise(const GroupedFit& all, const FitGroup& group, std::size_t
   return false;
 }
 
+bool broad(const Pole& pole) { return pole.damping_ratio > kBroadDamping; }
+
+// It began as a peak of its own. One broader than the distance between peaks has those of others within its width.
+bool shown(const GroupedFit& all, const Pole& pole, const CredibilityContext& context) {
+  const std::vector<Pole> poles = broad(pole) ? all.poles() : std::vector<Pole>{};
+  return std::any_of(context.shown.begin(), context.shown.end(), [&](const Pole& peak) {
+    const auto apart_Hz = [&](const Pole& from) { return std::abs(peak.freq_Hz - from.freq_Hz); };
+    const bool anothers =
+        std::any_of(poles.begin(), poles.end(), [&](const Pole& other) { return apart_Hz(other) < apart_Hz(pole); });
+    return apart_Hz(pole) < all.width_Hz(pole) && !anothers;
+  });
+}
+
 double least_standing(const GroupedFit& all, const FitGroup& group, std::size_t mode,
                       const CredibilityContext& context) {
   const Pole& pole = group.fit.poles[mode];
-  const bool shown = std::any_of(context.shown.begin(), context.shown.end(), [&](const Pole& peak) {
-    return std::abs(peak.freq_Hz - pole.freq_Hz) < all.width_Hz(pole);
-  });
   const double misfit = std::max(1.0, most_misfit(all, group));
   const bool reached = all.set().reach_Hz <= 0 || pole.freq_Hz <= all.set().reach_Hz;
+  // A broad one bends to whatever strong modes leave for a hundred lines around them.
+  const double counted = broad(pole) ? misfit : std::min(misfit, kMostMisfit);
   // Before the set of modes has settled a misfit may be another mode's, still to be found.
-  return kStandsOut * (context.settled && !shown ? std::min(misfit, kMostMisfit) : 1) * (reached ? 1 : kBeyondReach);
+  return kStandsOut * (context.settled && !shown(all, pole, context) ? counted : 1) * (reached ? 1 : kBeyondReach);
 }
 
 // What rings on as it began may be hum, which leaves a line but no decay.

@@ -22,6 +22,10 @@ constexpr double kLeastStretches = 16;
 constexpr double kCutRinging = 1;
 constexpr double kMostCutRinging = 5;
 
+// Ringing that was there before a row's beginning is as large as what follows: half its first sample again.
+constexpr double kHalf = 0.7;        // … of ringing of that rms
+constexpr std::size_t kAtStart = 4;  // samples
+
 // Samples of the gate that carry noise into the force, averaged over the hits.
 double gated_samples(const PointForce& force) {
   double gated = 0;
@@ -56,15 +60,33 @@ std::vector<Delay> delays_of(const PointForce& force, double stretches) {
   return delays;
 }
 
-// Deviation of the ringing that the gate cuts off on one side, the same in all hits, in units of a sample's.
-double cut_ringing(const PointForce& force, double turns) {
-  if (!force.blocks.front().whole_N.empty()) return 0;
-  const double rise = 1 / std::max(std::cos(0.5 * kTwoPi * turns), 1 / kMostCutRinging);
-  return kCutRinging * rise * std::sqrt(static_cast<double>(force.blocks.size()));
+// What the force reads where a row begins amid the ringing, as rms; 0 where the gate begins later.
+double force_at_start_N(const PointForce& force) {
+  double sum = 0;
+  for (const ForceBlock& block : force.blocks) {
+    const std::size_t count = std::min(kAtStart, block.force_N.size());
+    for (std::size_t n = 0; n < count && block.offset == 0; ++n)
+      sum += block.force_N[n] * block.force_N[n] / static_cast<double>(count);
+  }
+  return std::sqrt(sum / static_cast<double>(force.blocks.size()));
 }
 
-double noise_over_force(const PointForce& force, std::size_t line) {
-  return force.noise_N / std::sqrt(std::max(force.ff[line], 1e-300));
+// Deviation of the ringing that is cut off before and after the gate, the same in all hits, N.
+struct CutRinging {
+  double before_N, after_N;
+};
+
+CutRinging cut_ringing(const PointForce& force, double turns) {
+  if (!force.blocks.front().whole_N.empty()) return {};
+  const double rise = 1 / std::max(std::cos(0.5 * kTwoPi * turns), 1 / kMostCutRinging);
+  const double coherent = rise * std::sqrt(static_cast<double>(force.blocks.size()));
+  const double drowned_N = kCutRinging * force.noise_N;
+  return {.before_N = coherent * std::hypot(drowned_N, kHalf * force_at_start_N(force)),
+          .after_N = coherent * drowned_N};
+}
+
+double one_over_force(const PointForce& force, std::size_t line) {
+  return 1 / std::sqrt(std::max(force.ff[line], 1e-300));
 }
 
 // [lines, delays and 2] what the noise around each delay, and the ringing cut off on either side, make of the force,
@@ -78,16 +100,17 @@ Eigen::MatrixXcd over_force(const FrfSet& set, const PointForce& force, const st
   for (Index k = 0; k < errors.rows(); ++k) {
     const std::size_t line = lines[static_cast<std::size_t>(k)];
     const double turns = set.lines.freq_Hz(line) / set.lines.fs_Hz;
-    const double size = noise_over_force(force, line);
+    const double per_N = one_over_force(force, line);
     const Complex from_one_to_next = std::polar(1.0, -kTwoPi * turns * apart);
-    Complex error = std::polar(size * std::sqrt(delays.front().variance), -kTwoPi * turns * delays.front().samples);
+    Complex error = std::polar(per_N * force.noise_N * std::sqrt(delays.front().variance),
+                               -kTwoPi * turns * delays.front().samples);
     for (Index i = 0; i < count; ++i) {
       errors(k, i) = error;
       error *= from_one_to_next;
     }
-    const double cut = size * cut_ringing(force, turns);
-    errors(k, count) = std::polar(cut, -kTwoPi * turns * begin);
-    errors(k, count + 1) = std::polar(cut, -kTwoPi * turns * (begin + 1 + gated_samples(force)));
+    const CutRinging cut = cut_ringing(force, turns);
+    errors(k, count) = std::polar(per_N * cut.before_N, -kTwoPi * turns * begin);
+    errors(k, count + 1) = std::polar(per_N * cut.after_N, -kTwoPi * turns * (begin + 1 + gated_samples(force)));
   }
   return errors;
 }
@@ -96,7 +119,8 @@ Eigen::MatrixXcd over_force(const FrfSet& set, const PointForce& force, const st
 
 Eigen::MatrixXcd gain_errors(const FrfSet& set, std::size_t point, const std::vector<std::size_t>& lines) {
   const PointForce& force = set.points[point];
-  if (force.blocks.empty() || !(force.noise_N > 0) || lines.empty()) return {};
+  if (force.blocks.empty() || force.ff.empty() || lines.empty()) return {};
+  if (!(force.noise_N > 0) && !(force_at_start_N(force) > 0)) return {};
   const double gated = gated_samples(force);
   const double highest = set.lines.freq_Hz(lines.back()) / set.lines.fs_Hz;
   const double half = 0.5 * (highest - set.lines.freq_Hz(lines.front()) / set.lines.fs_Hz);
@@ -116,8 +140,9 @@ double gain_deviation(const FrfSet& set, std::size_t point, double freq_Hz) {
   const PointForce& force = set.points[point];
   if (force.blocks.empty() || force.ff.empty()) return 0;  // nothing is known of the force
   const std::size_t line = set.lines.nearest(freq_Hz);
-  const double cut = cut_ringing(force, set.lines.freq_Hz(line) / set.lines.fs_Hz);
-  return noise_over_force(force, line) * std::sqrt(0.5 * gated_samples(force) + cut * cut);
+  const CutRinging cut = cut_ringing(force, set.lines.freq_Hz(line) / set.lines.fs_Hz);
+  const double of_gate_N = force.noise_N * std::sqrt(gated_samples(force));
+  return one_over_force(force, line) * std::sqrt(0.5) * std::hypot(of_gate_N, cut.before_N, cut.after_N);
 }
 
 }  // namespace percuss

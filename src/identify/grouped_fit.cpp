@@ -149,8 +149,12 @@ void GroupedFit::replace(std::vector<Pole> poles) {
 
 void GroupedFit::sweep() {
   fit_all();
-  // Poles that moved may belong together now, or need longer windows.
-  for (int pass = 1; pass < kMostPasses && (pass == 1 || outgrown()); ++pass) {
+  replace(poles());  // poles that moved may belong together now
+  fit_all();
+}
+
+void GroupedFit::widen() {
+  for (int pass = 0; pass < kMostPasses && outgrown(); ++pass) {
     replace(poles());
     fit_all();
   }

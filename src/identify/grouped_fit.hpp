@@ -45,9 +45,11 @@ class GroupedFit {
 
   /// Other poles: residues of those already known stay; new ones count as 0 until the next sweep.
   void replace(std::vector<Pole> poles);
-  /// Fits every group in turn, twice over, the second time with the final shares of its neighbours, and again where a
-  /// pole has outgrown its window; one whose data have not changed since is left alone.
+  /// Fits every group in turn, twice over, the second time with the final shares of its neighbours; one whose data have
+  /// not changed since is left alone.
   void sweep();
+  /// Fits once more, over a longer window, what began as a narrow resonance and has become a broad one.
+  void widen();
   /// What is left in the group's window when all other groups' shares are subtracted, [outputs][group.count].
   std::vector<Eigen::VectorXcd> remainder(const FitGroup& group) const;
   /// … and over all lines when every group's share is.

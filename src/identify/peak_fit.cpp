@@ -41,6 +41,7 @@ class PeakFit {
       start_from(context_.shown);
     } else {
       start_with_tallest();
+      all_.widen();
       settle();
     }
     if (!options_.start.empty()) keep_credible();
