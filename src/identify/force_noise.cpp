@@ -117,7 +117,8 @@ Eigen::MatrixXcd over_force(const FrfSet& set, const PointForce& force, const st
 
 }  // namespace
 
-Eigen::MatrixXcd gain_errors(const FrfSet& set, std::size_t point, const std::vector<std::size_t>& lines) {
+Eigen::MatrixXcd gain_errors(const FrfSet& set, std::size_t point, const std::vector<std::size_t>& lines,
+                             ForceErrors of) {
   const PointForce& force = set.points[point];
   if (force.blocks.empty() || force.ff.empty() || lines.empty()) return {};
   if (!(force.noise_N > 0) && !(force_at_start_N(force) > 0)) return {};
@@ -126,11 +127,14 @@ Eigen::MatrixXcd gain_errors(const FrfSet& set, std::size_t point, const std::ve
   const double half = 0.5 * (highest - set.lines.freq_Hz(lines.front()) / set.lines.fs_Hz);
   if (half >= kNarrow * highest) {
     const double apart = std::max(1.0, kDelay / highest);
-    return over_force(set, force, lines, delays_of(force, std::max(2.0, std::ceil(gated / apart))));
+    const auto delays = delays_of(force, std::max(2.0, std::ceil(gated / apart)));
+    const Eigen::MatrixXcd errors = over_force(set, force, lines, delays);
+    return of == ForceErrors::all ? errors : errors.leftCols(static_cast<Index>(delays.size()));
   }
   // Over few lines stretches of many periods do, each with a variable in phase and one in quadrature.
   const double stretches = std::max(kLeastStretches, std::ceil(gated * half / kDelay));
-  const Eigen::MatrixXcd in_phase = over_force(set, force, lines, delays_of(force, stretches));
+  Eigen::MatrixXcd in_phase = over_force(set, force, lines, delays_of(force, stretches));
+  if (of == ForceErrors::noise) in_phase = in_phase.leftCols(in_phase.cols() - 2).eval();
   Eigen::MatrixXcd errors(in_phase.rows(), 2 * in_phase.cols());
   errors << std::sqrt(0.5) * in_phase, Complex(0, std::sqrt(0.5)) * in_phase;
   return errors;

@@ -27,7 +27,8 @@ MatrixXd moved_by(const MatrixXcd& errors, const VectorXd& response) {
 
 }  // namespace
 
-void JointProjection::add_force_noise(const JointState& state, const JointPart& part, JointNormal& normal) const {
+void JointProjection::add_force_noise(const JointState& state, const JointPart& part, ForceErrors of,
+                                      JointNormal& normal) const {
   const MatrixXd follow = part.inverse * (part.columns.transpose() * part.slopes);
   const MatrixXd synthesised = part.columns * part.amplitude;
   for (std::size_t p = 0; p < set_.points.size(); ++p) {
@@ -35,7 +36,7 @@ void JointProjection::add_force_noise(const JointState& state, const JointPart& 
     MatrixXcd errors;
     for (std::size_t i = 0; i < part.outputs.size(); ++i) {
       if (set_.outputs[part.outputs[i]].point != p) continue;
-      if (errors.size() == 0) errors = gain_errors(set_, p, blocks_.middles());
+      if (errors.size() == 0) errors = gain_errors(set_, p, blocks_.middles(), of);
       if (errors.size() == 0) break;
       const auto o = static_cast<Index>(i);
       const MatrixXd moved = moved_by(errors, synthesised.col(o));
