@@ -22,10 +22,6 @@ constexpr double kLeastStretches = 16;
 constexpr double kCutRinging = 1;
 constexpr double kMostCutRinging = 5;
 
-// Ringing that was there before a row's beginning is as large as what follows: half its first sample again.
-constexpr double kHalf = 0.7;        // … of ringing of that rms
-constexpr std::size_t kAtStart = 4;  // samples
-
 // Samples of the gate that carry noise into the force, averaged over the hits.
 double gated_samples(const PointForce& force) {
   double gated = 0;
@@ -60,29 +56,11 @@ std::vector<Delay> delays_of(const PointForce& force, double stretches) {
   return delays;
 }
 
-// What the force reads where a row begins amid the ringing, as rms; 0 where the gate begins later.
-double force_at_start_N(const PointForce& force) {
-  double sum = 0;
-  for (const ForceBlock& block : force.blocks) {
-    const std::size_t count = std::min(kAtStart, block.force_N.size());
-    for (std::size_t n = 0; n < count && block.offset == 0; ++n)
-      sum += block.force_N[n] * block.force_N[n] / static_cast<double>(count);
-  }
-  return std::sqrt(sum / static_cast<double>(force.blocks.size()));
-}
-
-// Deviation of the ringing that is cut off before and after the gate, the same in all hits, N.
-struct CutRinging {
-  double before_N, after_N;
-};
-
-CutRinging cut_ringing(const PointForce& force, double turns) {
-  if (!force.blocks.front().whole_N.empty()) return {};
+// Deviation of the ringing that is cut off on one side of the gate, the same in all hits, N.
+double cut_ringing_N(const PointForce& force, double turns) {
+  if (!force.blocks.front().whole_N.empty()) return 0;
   const double rise = 1 / std::max(std::cos(0.5 * kTwoPi * turns), 1 / kMostCutRinging);
-  const double coherent = rise * std::sqrt(static_cast<double>(force.blocks.size()));
-  const double drowned_N = kCutRinging * force.noise_N;
-  return {.before_N = coherent * std::hypot(drowned_N, kHalf * force_at_start_N(force)),
-          .after_N = coherent * drowned_N};
+  return kCutRinging * force.noise_N * rise * std::sqrt(static_cast<double>(force.blocks.size()));
 }
 
 double one_over_force(const PointForce& force, std::size_t line) {
@@ -108,9 +86,9 @@ Eigen::MatrixXcd over_force(const FrfSet& set, const PointForce& force, const st
       errors(k, i) = error;
       error *= from_one_to_next;
     }
-    const CutRinging cut = cut_ringing(force, turns);
-    errors(k, count) = std::polar(per_N * cut.before_N, -kTwoPi * turns * begin);
-    errors(k, count + 1) = std::polar(per_N * cut.after_N, -kTwoPi * turns * (begin + 1 + gated_samples(force)));
+    const double cut = per_N * cut_ringing_N(force, turns);
+    errors(k, count) = std::polar(cut, -kTwoPi * turns * begin);
+    errors(k, count + 1) = std::polar(cut, -kTwoPi * turns * (begin + 1 + gated_samples(force)));
   }
   return errors;
 }
@@ -120,8 +98,7 @@ Eigen::MatrixXcd over_force(const FrfSet& set, const PointForce& force, const st
 Eigen::MatrixXcd gain_errors(const FrfSet& set, std::size_t point, const std::vector<std::size_t>& lines,
                              ForceErrors of) {
   const PointForce& force = set.points[point];
-  if (force.blocks.empty() || force.ff.empty() || lines.empty()) return {};
-  if (!(force.noise_N > 0) && !(force_at_start_N(force) > 0)) return {};
+  if (force.blocks.empty() || !(force.noise_N > 0) || lines.empty()) return {};
   const double gated = gated_samples(force);
   const double highest = set.lines.freq_Hz(lines.back()) / set.lines.fs_Hz;
   const double half = 0.5 * (highest - set.lines.freq_Hz(lines.front()) / set.lines.fs_Hz);
@@ -144,9 +121,9 @@ double gain_deviation(const FrfSet& set, std::size_t point, double freq_Hz) {
   const PointForce& force = set.points[point];
   if (force.blocks.empty() || force.ff.empty()) return 0;  // nothing is known of the force
   const std::size_t line = set.lines.nearest(freq_Hz);
-  const CutRinging cut = cut_ringing(force, set.lines.freq_Hz(line) / set.lines.fs_Hz);
+  const double cut_N = cut_ringing_N(force, set.lines.freq_Hz(line) / set.lines.fs_Hz);
   const double of_gate_N = force.noise_N * std::sqrt(gated_samples(force));
-  return one_over_force(force, line) * std::sqrt(0.5) * std::hypot(of_gate_N, cut.before_N, cut.after_N);
+  return one_over_force(force, line) * std::sqrt(0.5) * std::hypot(of_gate_N, cut_N, cut_N);
 }
 
 }  // namespace percuss

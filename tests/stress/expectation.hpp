@@ -26,11 +26,11 @@ struct Expectation {
   std::string text;  // for the table; empty: made from the rest
   Demand demand = Demand::as_the_bound_allows;
   std::vector<std::string> says;  // codes that must be among findings and warnings
-  std::string warns;              // a code that makes up for any error: it says that deviations do not hold
+  std::string warns;              // a code that makes up for errors beyond the deviations: they do not hold
   int exit_code = 0;
   std::string reason;                   // of another exit code: a finding's code, or part of the message
   std::vector<std::string> or_refused;  // one of these reasons (exit code 3 or 4) is as good as modes
-  std::optional<double> freq_relative, damping_absolute;  // accuracy that every mode must have
+  std::optional<double> freq_relative, damping_absolute;  // accuracy that every mode must have, warned or not
 };
 std::string text_of(const Expectation& expected);
 
