@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "support/modal_lines.hpp"
+#include "synth/record.hpp"
 
 namespace percuss::unclaimed_peaks_test {
 
@@ -24,7 +25,8 @@ FrfSet three_peaks() {
 std::vector<Mode> modes_of(const std::vector<Pole>& poles) {
   std::vector<Mode> modes;
   modes.reserve(poles.size());
-  for (const Pole& pole : poles) modes.push_back({.pole = pole});
+  for (const Pole& pole : poles)
+    modes.push_back({.pole = pole, .residues = {{.value = 0.5}, {.channel = 1, .value = 0.2}}});
   return modes;
 }
 
@@ -50,6 +52,30 @@ TEST(UnclaimedPeaks, AreNotLookedForBeyondTheForcesReachOrTheRange) {
   set.reach_Hz = 0;
   EXPECT_EQ(unclaimed_peaks(set, {}, kRange_dB).size(), 3U);
   EXPECT_EQ(unclaimed_peaks(set, {}, 1).size(), 1U);
+}
+
+// Six deviations of the noise tall: on a flank, a line that noise lifted and one beside it that it lowered look like
+// that.
+TEST(UnclaimedPeaks, AreNotTheNoiseOfAFlank) {
+  constexpr double kNoise = 0.5;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    FrfSet set = test::empty_set(8192, 8192, 60, 3000, 2);
+    const Pole pole{1000, 0.05};
+    test::add_mode(set, 0, pole, 0.5);
+    test::add_mode(set, 1, pole, 0.2);
+    test::add_line_noise(set, kNoise, seed);
+    EXPECT_TRUE(unclaimed_peaks(set, modes_of({pole}), kRange_dB).empty()) << seed;
+  }
+}
+
+// Of two that ring on at the end, what is cut off of one makes a row of nulls in the other's flank.
+TEST(UnclaimedPeaks, AreNotTheRipplesOfADecayCutOff) {
+  SynthSpec spec = test::bat_spec({{.freq_Hz = 400.3, .damping_ratio = 1e-5, .residue_per_kg = {1, 0.5}}}, 1);
+  spec.points = {{}};
+  const FrfSet set = test::frf_set_of(synthesise(spec, 1).record, 60, 2400);
+  const Mode mode{.pole = {400.3, 1e-5}, .residues = {{.value = 1}, {.channel = 1, .value = 0.5}}};
+  EXPECT_TRUE(unclaimed_peaks(set, {mode}, kRange_dB).empty());
+  EXPECT_FALSE(unclaimed_peaks(set, {}, kRange_dB).empty());
 }
 
 }  // namespace percuss::unclaimed_peaks_test

@@ -19,6 +19,8 @@ constexpr double kReach = 6;  // half-widths on either side that a hidden resona
 constexpr double kHiddenGain =
     30;  // noise powers, beyond what the outputs' own noise gives: one false alarm in 10^10 lines
 constexpr double kModelFloor = 1e-6;    // of the largest line: what a fit leaves of noise-free data is no mode
+constexpr double kFlank = 20;           // half-widths that a resonance's flanks reach on either side …
+constexpr double kFlankGain = 0.1;      // … and the part of its gain that may be theirs
 constexpr double kNarrowest = 1.5;      // lines
 constexpr double kWidestHidden = 0.03;  // half-width over frequency of the broadest hidden mode
 
@@ -159,11 +161,8 @@ std::vector<Pole> candidate_poles(const FrfSet& set, const LineNoise& noise, con
   return poles;
 }
 
-std::vector<Pole> hidden_poles(const FrfSet& set, const std::vector<Eigen::VectorXcd>& residual) {
-  struct Found {
-    double line, half_width, gain;
-  };
-  std::vector<Found> found;
+std::vector<Resonance> hidden_resonances(const FrfSet& set, const std::vector<Eigen::VectorXcd>& residual) {
+  std::vector<Resonance> found;
   std::vector<ResidualLines> outputs;
   std::vector<double> floors;
   for (std::size_t o = 0; o < residual.size(); ++o) {
@@ -185,21 +184,28 @@ std::vector<Pole> hidden_poles(const FrfSet& set, const std::vector<Eigen::Vecto
     }
     for (std::size_t o = 0; o < outputs.size(); ++o) outputs[o] = halved(outputs[o], floors[o]);
   }
-  // The best width at each place; what lies within its resonance is the same one seen at another width.
-  std::sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.gain > b.gain; });
-  std::vector<Found> kept;
-  for (const Found& f : found) {
-    const bool same = std::any_of(kept.begin(), kept.end(), [&](const Found& k) {
-      return std::abs(f.line - k.line) < 3 * std::max(k.half_width, f.half_width);
+  return found;
+}
+
+std::vector<Pole> hidden_poles(const FrfSet& set, const std::vector<Eigen::VectorXcd>& residual) {
+  // The best width at each place; what lies within its resonance is the same one seen at another width, and the weak
+  // ones around it may be its flanks, which bend as well.
+  std::vector<Resonance> found = hidden_resonances(set, residual);
+  std::sort(found.begin(), found.end(), [](const Resonance& a, const Resonance& b) { return a.gain > b.gain; });
+  std::vector<Resonance> kept;
+  for (const Resonance& f : found) {
+    const bool belongs = std::any_of(kept.begin(), kept.end(), [&](const Resonance& k) {
+      const double apart = std::abs(f.line - k.line);
+      const bool same = apart < 3 * std::max(k.half_width, f.half_width);
+      return same || (apart < kFlank * k.half_width && f.gain < kFlankGain * k.gain);
     });
-    if (!same) kept.push_back(f);
+    if (!belongs) kept.push_back(f);
   }
   std::vector<Pole> poles;
-  for (const Found& f : kept) {
+  for (const Resonance& f : kept) {
     const double freq_Hz = (static_cast<double>(set.lines.first) + f.line) * set.lines.df_Hz();
     poles.push_back({.freq_Hz = freq_Hz, .damping_ratio = std::min(0.1, f.half_width * set.lines.df_Hz() / freq_Hz)});
   }
-  std::sort(poles.begin(), poles.end(), [](const Pole& a, const Pole& b) { return a.freq_Hz < b.freq_Hz; });
   return poles;
 }
 

@@ -19,10 +19,18 @@ std::vector<std::size_t> prominent_lines(const FrfSet& set, const LineNoise& noi
 /// First poles from them, in ascending frequency.
 std::vector<Pole> candidate_poles(const FrfSet& set, const LineNoise& noise, const CandidateOptions& options = {});
 
-/// First poles of modes too weak or too close to a stronger one to show as a peak of their own: what is left of the
-/// FRFs (residual [outputs][lines], the known modes subtracted) is correlated with resonances of several bandwidths on
-/// a straight background; where the gain stands out of the residual's own noise, there is a candidate. Ascending
-/// frequency.
+/// A resonance on a straight background that stands out of the lines' own noise.
+struct Resonance {
+  double line = 0, half_width = 0;  // lines from the set's first
+  double gain = 0;                  // energy that it explains over the noise's, over the outputs
+};
+
+/// Where what is left of the FRFs (residual [outputs][lines], the known modes subtracted) rises so, at every width: one
+/// resonance shows at several of them.
+std::vector<Resonance> hidden_resonances(const FrfSet& set, const std::vector<Eigen::VectorXcd>& residual);
+
+/// First poles of modes too weak or too close to a stronger one to show as a peak of their own: the best width of each
+/// hidden resonance. The clearest first.
 std::vector<Pole> hidden_poles(const FrfSet& set, const std::vector<Eigen::VectorXcd>& residual);
 
 /// A first pole for each frequency a person points at: that of the nearest peak, unless another frequency is nearer to

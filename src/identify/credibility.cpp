@@ -10,10 +10,13 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kSeen = 6;          // deviations of a residue
-constexpr double kStandsOut = 3;     // a mode's peak over the rms residual of its window
-constexpr double kMostMisfit = 8;    // times: a mode 24 times the residual is one however poor the fit
-constexpr double kBeyondReach = 12;  // times: in the side lobes of the force's spectrum small peaks are not modes
+constexpr double kSeen = 6;             // deviations of a residue
+constexpr double kPair = 0.3;           // bandwidths between two so close that they share it …
+constexpr double kSeenInPair = 3;       // … and then this many
+constexpr double kStandsOut = 3;        // a mode's peak over the rms residual of its window
+constexpr double kMostMisfit = 8;       // times: a mode 24 times the residual is one however poor the fit
+constexpr double kBroadDamping = 0.05;  // … unless it is broader than this
+constexpr double kBeyondReach = 12;     // times: in the side lobes of the force's spectrum small peaks are not modes
 constexpr double kWidest = 0.25;  // of all lines: a wider half-power bandwidth is not told from what lies between modes
 constexpr double kForceNoise = 8;  // deviations of the gain that the force's noise causes
 constexpr double kUnknownGain =
@@ -26,6 +29,8 @@ constexpr double kNoiseAlone = 1.5;         // times the lines' roughness, which
 constexpr double kCoincide = 0.05;          // … below which a fit has pushed two into one
 constexpr double kStillThere = 0.5;         // of the amplitude, at the record's end: hum is there with all of it
 constexpr double kDecays = 3;               // deviations of the damping of what is still there: that of hum is none
+constexpr double kKnown = 0.05;             // deviation of a damping ratio over it …
+constexpr double kDoubt = 2;                // … and how many of them a broad mode's may read too high
 constexpr double kCertain = 1e9;            // a quotient over no noise at all
 
 double most_misfit(const GroupedFit& all, const FitGroup& group) {
@@ -39,6 +44,17 @@ double significance(const LocalFit& fit, std::size_t mode) {
     best = std::max(best, std > 0 ? std::abs(fit.residues(o, static_cast<Index>(mode))) / std : kCertain);
   }
   return best;
+}
+
+// One of a close pair that leaves nothing but noise: each residue is known badly, because the other can stand for most
+// of it; that there are two is known better.
+bool proven_pair(const GroupedFit& all, const FitGroup& group, std::size_t mode) {
+  const Pole& pole = group.fit.poles[mode];
+  const auto beside = [&](const Pole& other) {
+    return &other != &pole &&
+           std::abs(other.freq_Hz - pole.freq_Hz) < std::min(all.width_Hz(other), all.width_Hz(pole));
+  };
+  return most_misfit(all, group) < kNoiseAlone && std::any_of(group.fit.poles.begin(), group.fit.poles.end(), beside);
 }
 
 // Above the fit's own imperfection at some output.
@@ -75,16 +91,28 @@ bool above_force_noise(const GroupedFit& all, const FitGroup& group, std::size_t
   return false;
 }
 
+bool broad(const Pole& pole) { return pole.damping_ratio > kBroadDamping; }
+
+// It began as a peak of its own. One broader than the distance between peaks has those of others within its width.
+bool shown(const GroupedFit& all, const Pole& pole, const CredibilityContext& context) {
+  const std::vector<Pole> poles = broad(pole) ? all.poles() : std::vector<Pole>{};
+  return std::any_of(context.shown.begin(), context.shown.end(), [&](const Pole& peak) {
+    const auto apart_Hz = [&](const Pole& from) { return std::abs(peak.freq_Hz - from.freq_Hz); };
+    const bool anothers =
+        std::any_of(poles.begin(), poles.end(), [&](const Pole& other) { return apart_Hz(other) < apart_Hz(pole); });
+    return apart_Hz(pole) < all.width_Hz(pole) && !anothers;
+  });
+}
+
 double least_standing(const GroupedFit& all, const FitGroup& group, std::size_t mode,
                       const CredibilityContext& context) {
   const Pole& pole = group.fit.poles[mode];
-  const bool shown = std::any_of(context.shown.begin(), context.shown.end(), [&](const Pole& peak) {
-    return std::abs(peak.freq_Hz - pole.freq_Hz) < all.width_Hz(pole);
-  });
   const double misfit = std::max(1.0, most_misfit(all, group));
   const bool reached = all.set().reach_Hz <= 0 || pole.freq_Hz <= all.set().reach_Hz;
+  // A broad one bends to whatever strong modes leave for a hundred lines around them.
+  const double counted = broad(pole) ? misfit : std::min(misfit, kMostMisfit);
   // Before the set of modes has settled a misfit may be another mode's, still to be found.
-  return kStandsOut * (context.settled && !shown ? std::min(misfit, kMostMisfit) : 1) * (reached ? 1 : kBeyondReach);
+  return kStandsOut * (context.settled && !shown(all, pole, context) ? counted : 1) * (reached ? 1 : kBeyondReach);
 }
 
 // What rings on as it began may be hum, which leaves a line but no decay.
@@ -92,6 +120,14 @@ bool decays(const GroupedFit& all, const FitGroup& group, std::size_t mode) {
   const Pole& pole = group.fit.poles[mode];
   const double left = left_at_end(pole, all.set().lines, all.set().window_decay_per_s());
   return (left > kStillThere ? kDecays : 1) * group.fit.damping_std(static_cast<Index>(mode)) < pole.damping_ratio;
+}
+
+// Not too broad for a mode, or not beyond doubt.
+bool damped_like_a_mode(const FitGroup& group, std::size_t mode) {
+  const double damping_ratio = group.fit.poles[mode].damping_ratio;
+  const double std = group.fit.damping_std(static_cast<Index>(mode));
+  const double doubt = std < kKnown * damping_ratio ? kDoubt * std : 0;
+  return damping_ratio < kMostDamping + doubt;
 }
 
 }  // namespace
@@ -115,8 +151,8 @@ bool credible(const GroupedFit& all, const FitGroup& group, std::size_t mode, co
   const auto m = static_cast<Index>(mode);
   const double widest_Hz = kWidest * static_cast<double>(all.set().lines.count) * all.set().lines.df_Hz();
   return tall(all, group.fit, mode) && above_force_noise(all, group, mode) && pole.freq_Hz > low &&
-         pole.freq_Hz < high && pole.damping_ratio < kMostDamping && pole.half_power_Hz() < widest_Hz &&
-         significance(group.fit, mode) > kSeen &&
+         pole.freq_Hz < high && damped_like_a_mode(group, mode) && pole.half_power_Hz() < widest_Hz &&
+         significance(group.fit, mode) > (proven_pair(all, group, mode) ? kSeenInPair : kSeen) &&
          stands_out(all, group, mode) > least_standing(all, group, mode, context) &&
          group.fit.freq_std_Hz(m) < all.width_Hz(pole) && decays(all, group, mode);
 }

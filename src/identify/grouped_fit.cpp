@@ -17,6 +17,8 @@ constexpr double kMostLines = 400;  // … nor more: the polynomial follows othe
 constexpr double kLeastForce =
     1e-6;  // of the strongest line's power: a pulse's spectrum has zeros, where FRFs mean nothing
 constexpr double kLeastWeight = 1e-3;  // of the noise elsewhere: where a fit leaves nothing, its weight stays finite
+constexpr std::size_t kOutgrown = 2;   // times: a window that is too short
+constexpr int kMostPasses = 5;         // of a sweep
 constexpr double kTogether = 4;        // bandwidths (or lines) apart at which two modes are fitted together
 
 void carry_over(const std::vector<FitGroup>& before, FitGroup& group, std::size_t m) {
@@ -99,19 +101,35 @@ bool GroupedFit::unchanged(std::size_t group, const std::vector<VectorXcd>& data
   return change < options_.change * options_.change;
 }
 
+double GroupedFit::gap(const Pole& below, const Pole& above) const {
+  return (above.freq_Hz - below.freq_Hz) / std::max({width_Hz(below), width_Hz(above), set_.lines.df_Hz()});
+}
+
+// Too many for one group are parted where they are furthest apart: what lies side by side tells itself apart in one fit
+// only.
+void GroupedFit::add_groups(std::span<const Pole> poles) {
+  if (poles.size() <= kMostTogether) {
+    groups_.emplace_back().fit.poles.assign(poles.begin(), poles.end());
+    return;
+  }
+  std::size_t widest = 1;
+  for (std::size_t m = 2; m < poles.size(); ++m) {
+    if (gap(poles[m - 1], poles[m]) > gap(poles[widest - 1], poles[widest])) widest = m;
+  }
+  add_groups(poles.first(widest));
+  add_groups(poles.subspan(widest));
+}
+
 void GroupedFit::replace(std::vector<Pole> poles) {
   const std::vector<FitGroup> before = std::move(groups_);
   std::vector<std::vector<VectorXcd>> fitted_to = std::move(fitted_to_);
   groups_.clear();
   std::sort(poles.begin(), poles.end(), [](const Pole& a, const Pole& b) { return a.freq_Hz < b.freq_Hz; });
-  const auto near = [&](const Pole& last, const Pole& next) {
-    return next.freq_Hz - last.freq_Hz < kTogether * std::max({width_Hz(last), width_Hz(next), set_.lines.df_Hz()});
-  };
-  for (const Pole& pole : poles) {
-    const bool join = !groups_.empty() && groups_.back().fit.poles.size() < kMostTogether &&
-                      near(groups_.back().fit.poles.back(), pole);
-    if (!join) groups_.emplace_back();
-    groups_.back().fit.poles.push_back(pole);
+  for (std::size_t first = 0; first < poles.size();) {
+    std::size_t end = first + 1;
+    while (end < poles.size() && gap(poles[end - 1], poles[end]) < kTogether) ++end;
+    add_groups({poles.data() + first, end - first});
+    first = end;
   }
   const auto outputs = static_cast<Index>(set_.outputs.size());
   for (FitGroup& group : groups_) {
@@ -130,18 +148,37 @@ void GroupedFit::replace(std::vector<Pole> poles) {
 }
 
 void GroupedFit::sweep() {
-  for (const bool last : {false, true}) {
-    if (last) replace(poles());  // poles that moved may belong together now
-    for (std::size_t g = 0; g < groups_.size(); ++g) {
-      FitGroup& group = groups_[g];
-      auto data = remainder(group);
-      if (unchanged(g, data)) continue;
-      // A first residual tells each output's noise here, which is not the noise elsewhere.
-      if (group.fit.noise.size() == 0) group.fit = fit(group, data, group.fit.poles, noise(group), kRoughly);
-      group.fit = fit(group, data, group.fit.poles, weights_from(group));
-      fitted_to_[g] = std::move(data);
-    }
+  fit_all();
+  replace(poles());  // poles that moved may belong together now
+  fit_all();
+}
+
+void GroupedFit::widen() {
+  for (int pass = 0; pass < kMostPasses && outgrown(); ++pass) {
+    replace(poles());
+    fit_all();
   }
+}
+
+void GroupedFit::fit_all() {
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    FitGroup& group = groups_[g];
+    auto data = remainder(group);
+    if (unchanged(g, data)) continue;
+    // A first residual tells each output's noise here, which is not the noise elsewhere.
+    if (group.fit.noise.size() == 0) group.fit = fit(group, data, group.fit.poles, noise(group), kRoughly);
+    group.fit = fit(group, data, group.fit.poles, weights_from(group));
+    fitted_to_[g] = std::move(data);
+  }
+}
+
+// A pole that began as a narrow one may have found that its resonance is broader than its window.
+bool GroupedFit::outgrown() const {
+  return std::any_of(groups_.begin(), groups_.end(), [&](const FitGroup& group) {
+    FitGroup anew{.fit = {.poles = group.fit.poles}};
+    place_window(anew);
+    return anew.count > kOutgrown * group.count;
+  });
 }
 
 void GroupedFit::subtract(const LocalFit& fit, std::size_t mode, const FitGroup& window,

@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "identify/line_noise.hpp"
@@ -47,6 +48,8 @@ class GroupedFit {
   /// Fits every group in turn, twice over, the second time with the final shares of its neighbours; one whose data have
   /// not changed since is left alone.
   void sweep();
+  /// Fits once more, over a longer window, what began as a narrow resonance and has become a broad one.
+  void widen();
   /// What is left in the group's window when all other groups' shares are subtracted, [outputs][group.count].
   std::vector<Eigen::VectorXcd> remainder(const FitGroup& group) const;
   /// … and over all lines when every group's share is.
@@ -63,8 +66,12 @@ class GroupedFit {
   static constexpr std::size_t kMostTogether = 4;
 
  private:
+  double gap(const Pole& below, const Pole& above) const;  // bandwidths, or lines
+  void add_groups(std::span<const Pole> poles);
   void place_window(FitGroup& group) const;
   bool same_window(const FitGroup& before, const FitGroup& group) const;
+  void fit_all();
+  bool outgrown() const;
   bool unchanged(std::size_t group, const std::vector<Eigen::VectorXcd>& data) const;
   void subtract(const LocalFit& fit, std::size_t mode, const FitGroup& window,
                 std::vector<Eigen::VectorXcd>& data) const;

@@ -1,5 +1,6 @@
 #include "identify/identify.hpp"
 
+#include "identify/local_force_noise.hpp"
 #include "identify/many_outputs.hpp"
 #include "identify/peak_fit.hpp"
 #include "identify/refine.hpp"
@@ -15,6 +16,7 @@ std::vector<Mode> identify_modes(const FrfSet& set, const IdentifyOptions& optio
   peaks.start_Hz = options.start_Hz;
   auto found = fit_peaks(set, peaks);
   if (options.effort == Effort::best && !found.empty()) refine(set, found);
+  add_force_noise(set, found);
   std::vector<Mode> modes;
   modes.reserve(found.size());
   for (PeakMode& mode : found) modes.push_back(std::move(mode.mode));

@@ -89,12 +89,14 @@ class Joint {
     state_ = projection_.evaluate(state_.model);
   }
 
-  MatrixXd covariance_of(const JointState& state) const {
-    const JointNormal normal = projection_.with_force_noise(state);
+  MatrixXd covariance_of(const JointState& state, ForceErrors of = ForceErrors::all) const {
+    const JointNormal normal = projection_.with_force_noise(state, of);
     const MatrixXd inverse = inverse_gram(normal.matrix);
     return inverse + inverse * normal.force * inverse;
   }
-  VectorXd variances(const JointState& state) const { return covariance_of(state).diagonal(); }
+  // Without the ringing that is cut off, of which no more than a likely size is known: counted, it would give up more
+  // real residues than it spoils.
+  VectorXd variances(const JointState& state) const { return covariance_of(state, ForceErrors::noise).diagonal(); }
 
   // Real residues that the lines contradict become complex; true when any did. The most contradicted ones first: what
   // they cannot follow spills over to the others.

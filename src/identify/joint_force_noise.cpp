@@ -38,27 +38,28 @@ std::vector<std::vector<std::size_t>> by_point(const FrfSet& set, const JointPar
 
 }  // namespace
 
-void JointProjection::add_force_noise(const JointState& state, const JointPart& part, JointNormal& normal) const {
+void JointProjection::add_force_noise(const JointState& state, const JointPart& part, ForceErrors of,
+                                      JointNormal& normal) const {
   const MatrixXd follow = part.inverse * (part.columns.transpose() * part.slopes);
   const MatrixXd synthesised = part.columns * part.amplitude;
   const std::vector<std::size_t> lines = blocks_.middles();
   const auto points = by_point(set_, part);
   std::vector<MatrixXd> pushes(points.size());
-  share_out(points.size(), kPerProduct * lines.size() * static_cast<std::size_t>(part.slopes.cols()),
-            [&](std::size_t p) {
-              const MatrixXcd errors = gain_errors(set_, set_.outputs[part.outputs[points[p].front()]].point, lines);
-              for (const std::size_t i : points[p]) {
-                if (errors.size() == 0) break;
-                const auto o = static_cast<Index>(i);
-                const MatrixXd moved = moved_by(errors, synthesised.col(o));
-                const MatrixXd score =
-                    part.slopes.transpose() * moved - follow.transpose() * (part.columns.transpose() * moved);
-                const MatrixXd mine =
-                    spread_of(state, part, o).transpose() * score / noise_(static_cast<Index>(part.outputs[i]));
-                if (pushes[p].size() == 0) pushes[p] = MatrixXd::Zero(mine.rows(), mine.cols());
-                pushes[p] += mine;
-              }
-            });
+  share_out(
+      points.size(), kPerProduct * lines.size() * static_cast<std::size_t>(part.slopes.cols()), [&](std::size_t p) {
+        const MatrixXcd errors = gain_errors(set_, set_.outputs[part.outputs[points[p].front()]].point, lines, of);
+        for (const std::size_t i : points[p]) {
+          if (errors.size() == 0) break;
+          const auto o = static_cast<Index>(i);
+          const MatrixXd moved = moved_by(errors, synthesised.col(o));
+          const MatrixXd score =
+              part.slopes.transpose() * moved - follow.transpose() * (part.columns.transpose() * moved);
+          const MatrixXd mine =
+              spread_of(state, part, o).transpose() * score / noise_(static_cast<Index>(part.outputs[i]));
+          if (pushes[p].size() == 0) pushes[p] = MatrixXd::Zero(mine.rows(), mine.cols());
+          pushes[p] += mine;
+        }
+      });
   for (const MatrixXd& push : pushes) {
     if (push.size() > 0) normal.force += push * push.transpose();
   }

@@ -181,10 +181,10 @@ MatrixXd JointProjection::spread_of(const JointState& state, const JointPart& pa
   return spread;
 }
 
-JointNormal JointProjection::with_force_noise(const JointState& state) const {
+JointNormal JointProjection::with_force_noise(const JointState& state, ForceErrors of) const {
   JointNormal out = normal_equations(state);
   out.force = MatrixXd::Zero(out.matrix.rows(), out.matrix.cols());
-  for (const JointPart& part : state.parts) add_force_noise(state, part, out);
+  for (const JointPart& part : state.parts) add_force_noise(state, part, of, out);
   return out;
 }
 

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "identify/force_noise.hpp"
 #include "identify/frf_set.hpp"
 #include "identify/line_blocks.hpp"
 
@@ -51,7 +52,7 @@ class JointProjection {
   /// theory (4.9)
   JointNormal normal_equations(const JointState& state) const;
   /// … with `force` filled in.
-  JointNormal with_force_noise(const JointState& state) const;
+  JointNormal with_force_noise(const JointState& state, ForceErrors of) const;
   /// Variance of each residue (of its real and imaginary part) that the force channel's noise causes beyond the gain
   /// common to the point's responses (gain_deviation): what it makes of the other modes. [outputs, modes]
   Eigen::MatrixXd residue_force_variance(const JointState& state) const;
@@ -79,7 +80,7 @@ class JointProjection {
   std::vector<ModeColumn> whole_columns(const JointModel& model, Need need) const;
   JointPart solve(const Plan& plan, const JointModel& model, const std::vector<ModeColumn>& whole) const;
   static void solve_outputs(const Plan& plan, Eigen::Index first, Eigen::Index count, JointPart& part);
-  void add_force_noise(const JointState& state, const JointPart& part, JointNormal& normal) const;
+  void add_force_noise(const JointState& state, const JointPart& part, ForceErrors of, JointNormal& normal) const;
   void add_residue_variance(const JointState& state, const JointPart& part, Eigen::MatrixXd& variance) const;
 
   const FrfSet& set_;

@@ -8,7 +8,9 @@
 #include "identify/credibility.hpp"
 #include "identify/force_noise.hpp"
 #include "identify/grouped_fit.hpp"
+#include "identify/hidden_search.hpp"
 #include "identify/moving.hpp"
+#include "identify/ripples.hpp"
 
 namespace percuss {
 namespace {
@@ -23,8 +25,6 @@ constexpr double kSplitStart = 0.4;  // bandwidths to either side
 constexpr double kMisfit =
     2;  // residual's energy over the noise's from which it is asked whether there are two modes …
 constexpr double kMisfitChance = 6;       // … or so many deviations of that energy beyond it, where lines are many
-constexpr double kMovingApart = 10;       // … from one that moves: as far as its window reaches
-constexpr double kHiddenApart = 2;        // bandwidths from a known mode: closer ones are found by splitting
 constexpr std::size_t kLeastForFit = 16;  // lines
 
 class PeakFit {
@@ -37,25 +37,49 @@ class PeakFit {
     context_.shown.insert(context_.shown.end(), options_.start.begin(), options_.start.end());
     const bool given = !context_.shown.empty();
     if (!given) context_.shown = candidate_poles(set_, all_.line_noise());
-    all_.replace(context_.shown);
-    all_.sweep();
-    if (!given) settle();
+    if (given) {
+      start_from(context_.shown);
+    } else {
+      start_with_tallest();
+      all_.widen();
+      settle();
+    }
     if (!options_.start.empty()) keep_credible();
     return modes();
   }
 
  private:
   void settle() {
-    settle_rounds(options_.hidden);
-    // A crowd of hidden ones may drive a mode that shows from its place: then they were none.
+    settle_rounds(options_.hidden ? std::optional(HiddenSearch::Way::all) : std::nullopt);
+    // A crowd of hidden ones may drive a mode that shows from its place: then they were none, but perhaps one broad
+    // one.
     const std::vector<Pole> lost = clear_not_in(all_.poles());
-    if (tried_.empty() || lost.empty()) return;
+    if (!hidden_.tried_any() || lost.empty()) return;
     const std::vector<Pole> found = all_.poles();
-    start_from(clear_);
-    settle_rounds(false);
-    if (clear_not_in(all_.poles()).size() < lost.size()) return;
+    for (const auto hidden : {std::optional(HiddenSearch::Way::alone), std::optional<HiddenSearch::Way>()}) {
+      start_from(clear_);
+      settle_rounds(hidden);
+      if (clear_not_in(all_.poles()).size() < lost.size()) return;
+    }
     start_from(found);
     keep_credible();
+  }
+
+  // Where a decay is cut off it leaves ripples on its resonance's flanks that look like peaks: those begin with the
+  // others only if they are still there once it has been fitted.
+  void start_with_tallest() {
+    const std::vector<char> doubtful = ripples_among(set_, context_.shown);
+    std::vector<Pole> first, later;
+    for (std::size_t p = 0; p < doubtful.size(); ++p) (doubtful[p] ? later : first).push_back(context_.shown[p]);
+    start_from(first);
+    if (later.empty()) return;
+    const auto residual = all_.residual();
+    std::erase_if(later, [&](const Pole& pole) { return !remains(set_, pole, residual); });
+    context_.shown = std::move(first);
+    context_.shown.insert(context_.shown.end(), later.begin(), later.end());
+    std::vector<Pole> poles = all_.poles();
+    poles.insert(poles.end(), later.begin(), later.end());
+    if (use(std::move(poles))) all_.sweep();
   }
 
   void start_from(std::vector<Pole> poles) {
@@ -75,13 +99,13 @@ class PeakFit {
     return lost;
   }
 
-  void settle_rounds(bool hidden) {
+  void settle_rounds(std::optional<HiddenSearch::Way> hidden) {
     for (int round = 0; round < options_.rounds; ++round) {
       while (merge_moving()) all_.sweep();
       const bool dropped = drop_insignificant();
-      if (tried_.empty()) clear_ = all_.poles();
+      if (!hidden_.tried_any()) clear_ = all_.poles();
       // Windows are split when what was dropped is out of them, and hidden modes looked for when no pair is left to be.
-      const bool changed = dropped || split_groups() || (hidden && add_hidden());
+      const bool changed = dropped || split_groups() || (hidden && add_hidden(*hidden));
       if (!changed) break;
       all_.sweep();
     }
@@ -107,21 +131,6 @@ class PeakFit {
     return use(std::move(kept));
   }
 
-  // Modes that no common pole fits: what is left around them is no mode, and what they leave elsewhere is taken off the
-  // residual.
-  std::vector<Pole> moving_poles(std::vector<Eigen::VectorXcd>& residual) const {
-    std::vector<Pole> poles;
-    for (const FitGroup& group : all_.groups()) {
-      if (group.fit.degrees == 0) continue;
-      const auto moving = moving_modes(all_, group);
-      for (std::size_t m = 0; m < moving.size(); ++m) {
-        subtract_moves(set_, group, m, moving[m], residual);
-        poles.push_back(group.fit.poles[m]);
-      }
-    }
-    return poles;
-  }
-
   // Poles of one mode that moves from point to point.
   bool merge_moving() {
     std::vector<Pole> kept;
@@ -143,21 +152,10 @@ class PeakFit {
   }
 
   // Modes that the residual over the whole band shows, away from those known.
-  bool add_hidden() {
-    const std::vector<Pole> known = all_.poles();
-    std::vector<Pole> poles = known;
-    std::vector<Eigen::VectorXcd> residual = all_.residual();
-    const std::vector<Pole> moving = moving_poles(residual);
-    for (const Pole& hidden : hidden_poles(set_, residual)) {
-      const auto near = [&](const std::vector<Pole>& list, double widths) {
-        return std::any_of(list.begin(), list.end(), [&](const Pole& pole) {
-          return std::abs(pole.freq_Hz - hidden.freq_Hz) <= widths * all_.width_Hz(pole);
-        });
-      };
-      if (near(known, kHiddenApart) || near(moving, kMovingApart) || near(tried_, 1)) continue;
-      poles.push_back(hidden);
-      tried_.push_back(hidden);
-    }
+  bool add_hidden(HiddenSearch::Way way) {
+    std::vector<Pole> poles = all_.poles();
+    const std::vector<Pole> more = hidden_.next(all_, way);
+    poles.insert(poles.end(), more.begin(), more.end());
     return use(std::move(poles));
   }
 
@@ -285,8 +283,8 @@ class PeakFit {
   const PeakFitOptions& options_;
   GroupedFit all_;
   CredibilityContext context_;
-  std::vector<Pole> tried_;  // hidden modes that were given a chance
-  std::vector<Pole> clear_;  // modes found before
+  HiddenSearch hidden_;
+  std::vector<Pole> clear_;  // modes found before hidden ones were tried
 };
 
 }  // namespace

@@ -28,6 +28,7 @@ struct PeakMode {
   std::size_t first = 0, count = 0;     // the window, common to modes that were fitted together
   Eigen::VectorXd noise;                // [outputs] rms per line of what the window's fit leaves, (m/s²)/N
   std::size_t unknowns_per_output = 0;  // real unknowns of the window's fit, its poles aside
+  bool joint = false;                   // taken over from a fit of all modes together
 };
 
 /// Modes from peaks: prominent maxima of the summed FRFs, each fitted over a window of its own lines with what the

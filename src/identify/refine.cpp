@@ -43,6 +43,7 @@ void refine(const FrfSet& set, std::vector<PeakMode>& modes) {
     if (!agrees(modes[m], joint.residual)) continue;
     const auto i = static_cast<Index>(m);
     Mode& mode = modes[m].mode;
+    modes[m].joint = true;
     mode.pole = joint.poles[m];
     mode.freq_std_Hz = std::hypot(joint.freq_std_Hz(i), kRounding * mode.pole.freq_Hz);
     mode.damping_std = std::hypot(joint.damping_std(i), kRoundingDamping * mode.pole.damping_ratio);

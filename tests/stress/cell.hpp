@@ -31,10 +31,6 @@ SynthSpec structure(std::vector<SynthMode> modes);
 /// … with a mode at 400 Hz (1 %) and one at 1100 Hz (0.5 %).
 SynthSpec two_modes();
 
-/// A defect that cells of several kinds show.
-inline constexpr const char* kCutRinging =
-    "What the force's gate cuts off of the ringing makes a weak broad mode, in one test of a hundred.";
-
 /// A noise of so many dB below the signal, as spec.noise has it.
 double ratio_of_dB(double snr_dB);
 

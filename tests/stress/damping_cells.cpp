@@ -3,13 +3,6 @@
 #include "cell.hpp"
 
 namespace percuss::stress {
-namespace {
-
-constexpr const char* kBroad =
-    "A mode too broad for a peak of its own is looked for as many narrow ones, and in one test of ten given up with "
-    "them.";
-
-}  // namespace
 
 std::vector<Cell> damping_cells() {
   std::vector<Cell> cells;
@@ -22,7 +15,6 @@ std::vector<Cell> damping_cells() {
       cell.runs = snr_dB > 0 ? 4 : 1;
       cell.full_runs = snr_dB > 0 ? 32 : 1;
       cell.calibrated = true;
-      if (damping_ratio > 0.2 ? snr_dB > 0 : damping_ratio == 0.2 && snr_dB > 20) cell.defect = kBroad;
       cells.push_back(std::move(cell));
     }
   }

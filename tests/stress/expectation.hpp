@@ -25,13 +25,12 @@ enum class Demand {
 struct Expectation {
   std::string text;  // for the table; empty: made from the rest
   Demand demand = Demand::as_the_bound_allows;
-  std::vector<std::string> says;           // codes that must be among findings and warnings
-  std::string excuse = "unclaimed_peaks";  // a code that makes up for a mode that was missed
-  std::string warns;                       // a code that makes up for any error: it says that deviations do not hold
+  std::vector<std::string> says;  // codes that must be among findings and warnings
+  std::string warns;              // a code that makes up for errors beyond the deviations: they do not hold
   int exit_code = 0;
   std::string reason;                   // of another exit code: a finding's code, or part of the message
   std::vector<std::string> or_refused;  // one of these reasons (exit code 3 or 4) is as good as modes
-  std::optional<double> freq_relative, damping_absolute;  // accuracy that every mode must have
+  std::optional<double> freq_relative, damping_absolute;  // accuracy that every mode must have, warned or not
 };
 std::string text_of(const Expectation& expected);
 
@@ -49,7 +48,8 @@ std::vector<TrueMode> true_modes(const Truth& truth);
 ///   apart
 ///               when ten times the bound on their distance lies between them. Where not, one mode within their range
 ///               is right as well, and for a mode that cannot be told none.
-///   wrong       more than kMostSigmas off, a mode that is none, one that must be found and is not.
+///   wrong       more than kMostSigmas off, a mode that is none, one that must be found and is not, unless a warning
+///               of unclaimed peaks names its place.
 Result judge(const Outcome& outcome, const std::vector<TrueMode>& truth, const Expectation& expected);
 
 }  // namespace percuss::stress

@@ -7,10 +7,6 @@ namespace {
 
 constexpr double kNone = 1000;  // dB
 
-constexpr const char* kWavering =
-    "Where the response has no noise of its own, the gain's wavering is all that a window's fit leaves; its deviations "
-    "take that for noise from line to line. Errors stay below 1e-7.";
-
 std::string words(double snr_dB) { return snr_dB < kNone ? fmt::format("{:g} dB", snr_dB) : "no noise"; }
 
 // Where the pulse barely leaves its noise the FRF's gain is not known to better than 10 %: what is reported must still
@@ -34,8 +30,6 @@ std::vector<Cell> noise_cells() {
                 .runs = 4,
                 .full_runs = 32,
                 .calibrated = force_dB >= 40};
-      if (force_dB >= 20 && force_dB < kNone && accel_dB == kNone) cell.defect = kWavering;
-      if (force_dB == 60 && accel_dB == 60) cell.defect = kCutRinging;
       cell.spec.noise = {.force = force_dB < kNone ? ratio_of_dB(force_dB) : 0,
                          .accel = accel_dB < kNone ? ratio_of_dB(accel_dB) : 0};
       cells.push_back(std::move(cell));

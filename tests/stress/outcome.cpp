@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <regex>
 #include <utility>
 
 #include "core/error.hpp"
@@ -26,6 +27,22 @@ void note_findings(const Analysis& analysis, std::set<std::string>& said) {
   }
 }
 
+// "… mode stands for: 1518 Hz (-23 dB), 1521.2 Hz (-25 dB). …"
+std::vector<double> frequencies_of(const std::string& message) {
+  std::vector<double> freq_Hz;
+  static const std::regex kPlace("([0-9.e+]+) Hz \\(");
+  for (std::sregex_iterator it(message.begin(), message.end(), kPlace), end; it != end; ++it)
+    freq_Hz.push_back(std::stod((*it)[1]));
+  return freq_Hz;
+}
+
+void note_warnings(const Analysis& analysis, Outcome& outcome) {
+  for (const Warning& warning : analysis.warnings()) {
+    outcome.said.insert(warning.code);
+    if (warning.code == "unclaimed_peaks") outcome.unclaimed_Hz = frequencies_of(warning.message);
+  }
+}
+
 }  // namespace
 
 Outcome analyse(Record record, const AnalysisOptions& options) {
@@ -36,10 +53,11 @@ Outcome analyse(Record record, const AnalysisOptions& options) {
     if (analysis.possible()) {
       outcome.modes = analysis.modes();
       analysis.verdicts();
+      outcome.df_Hz = analysis.lines().df_Hz();
     } else {
       outcome.exit_code = kImpossible;
     }
-    for (const Warning& warning : analysis.warnings()) outcome.said.insert(warning.code);
+    note_warnings(analysis, outcome);
   } catch (const InputError& e) {
     outcome.exit_code = kBadInput;
     outcome.message = e.what();

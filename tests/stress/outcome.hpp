@@ -15,6 +15,8 @@ struct Outcome {
   std::string message;         // of an error
   std::set<std::string> said;  // codes of warnings and of the hits' findings
   std::vector<Mode> modes;
+  std::vector<double> unclaimed_Hz;  // the peaks that the warning of that name names
+  double df_Hz = 0;                  // between lines
 };
 
 Outcome analyse(Record record, const AnalysisOptions& options);

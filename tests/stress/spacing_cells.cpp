@@ -5,9 +5,6 @@
 namespace percuss::stress {
 namespace {
 
-constexpr const char* kOutsideThePair =
-    "A single mode fits a pair of opposite residues too well to be taken apart, and comes out beside both.";
-
 struct Pair {
   double freq_Hz, damping_ratio, bandwidths;
   bool alike = false;  // in the ratio of their residues, as two hoop modes seen at one place: poles alone tell them
@@ -39,7 +36,6 @@ std::vector<Cell> spacing_cells() {
           cell.runs = 2;
           cell.full_runs = 16;
           cell.calibrated = true;
-          if (bandwidths == 0.1 && damping_ratio == 0.05 && snr_dB == 20 && !alike) cell.defect = kOutsideThePair;
           cells.push_back(std::move(cell));
         }
       }
