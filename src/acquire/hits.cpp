@@ -8,6 +8,7 @@
 #include "acquire/asked_part.hpp"
 #include "acquire/pulse_search.hpp"
 #include "acquire/pulse_shape.hpp"
+#include "acquire/rail.hpp"
 #include "acquire/shared_rail.hpp"
 #include "core/error.hpp"
 #include "core/parallel.hpp"

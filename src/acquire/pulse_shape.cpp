@@ -50,18 +50,6 @@ std::vector<double> smoothed(std::span<const double> x, double sign, std::size_t
   return out;
 }
 
-// Whether three samples in a row have that value, an extreme: only blocks that have it as well are looked at.
-bool runs_at(std::span<const double> x, std::span<const Extremes> blocks, double value) {
-  for (std::size_t b = 0; b < blocks.size(); ++b) {
-    if (blocks[b].low != value && blocks[b].high != value) continue;
-    const std::size_t end = std::min(x.size(), (b + 1) * kRailBlock + 2);
-    for (std::size_t i = b * kRailBlock; i + 2 < end; ++i) {
-      if (x[i] == value && x[i + 1] == value && x[i + 2] == value) return true;
-    }
-  }
-  return false;
-}
-
 // The largest mean over 2h + 1 samples within the pulse.
 double smoothed_peak(std::span<const double> x, double sign, const PulseShape& pulse, std::size_t h) {
   const auto rise = static_cast<std::size_t>(std::max(0.0, pulse.rise));
@@ -161,41 +149,6 @@ std::optional<SecondPulse> second_pulse(std::span<const double> force_N, const P
       max_of_signed(force_N, sign, near > reach ? near - reach : 0, std::min(near + reach + 1, x.size()));
   best.delay_samples = static_cast<double>(peak) - static_cast<double>(pulse.peak);
   return best;
-}
-
-double resolution_of(std::span<const double> x) {
-  double step = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 1; i < x.size(); ++i) {
-    const double change = std::abs(x[i] - x[i - 1]);
-    if (change > 0) step = std::min(step, change);
-  }
-  return std::isfinite(step) ? step : 0;
-}
-
-std::size_t samples_at_rail(std::span<const double> x, std::span<const Extremes> blocks, std::span<const double> around,
-                            double rest) {
-  if (x.size() < 4) return 0;
-  // A quantised parabola with three equal samples falls by at most 4 steps beside them.
-  constexpr double kSmoothPeak = 5;
-  std::optional<double> resolution;  // found when asked for, which is seldom
-  std::size_t found = 0;
-  const Extremes extremes = extremes_of(blocks);
-  for (const double rail : {extremes.low, extremes.high}) {
-    if (rail == rest || !runs_at(x, blocks, rail)) continue;
-    if (!resolution) resolution = resolution_of(around);
-    if (!(*resolution > 0)) return 0;
-    for (std::size_t i = 0; i < x.size();) {
-      std::size_t n = i;
-      while (n < x.size() && x[n] == rail) ++n;
-      if (n - i >= 3) {
-        const double before = i > 0 ? std::abs(x[i - 1] - rail) : 0;
-        const double after = n < x.size() ? std::abs(x[n] - rail) : 0;
-        if (std::max(before, after) > kSmoothPeak * *resolution) found += n - i;
-      }
-      i = std::max(n, i + 1);
-    }
-  }
-  return found;
 }
 
 double bandwidth_Hz(std::span<const double> pulse, double fs_Hz) {

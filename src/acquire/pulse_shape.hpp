@@ -35,18 +35,6 @@ struct SecondPulse {
 };
 std::optional<SecondPulse> second_pulse(std::span<const double> force_N, const PulseShape& pulse, double noise_N);
 
-/// The smallest change from one sample to the next: the recorder's resolution, as far as these samples tell it. 0 for
-/// a constant.
-double resolution_of(std::span<const double> x);
-
-/// Number of samples at the stretch's extreme values where they look like the recorder's rail, else 0: three or more
-/// equal ones in a row, with a neighbour further away than a smooth peak's would be at this resolution. An extreme at
-/// which the signal rests is no rail: a signal to one side only stands there before and after. `blocks` are
-/// block_extremes of x by kRailBlock; `around`, longer than x, tells the resolution.
-inline constexpr std::size_t kRailBlock = 512;
-std::size_t samples_at_rail(std::span<const double> x, std::span<const Extremes> blocks, std::span<const double> around,
-                            double rest);
-
 /// Frequency at which the amplitude spectrum of a pulse first falls 20 dB below its largest line.
 /// theory (1.5)
 double bandwidth_Hz(std::span<const double> pulse, double fs_Hz);

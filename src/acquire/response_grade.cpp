@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "acquire/pulse_shape.hpp"
+#include "acquire/rail.hpp"
 #include "core/statistics.hpp"
 
 namespace percuss {
@@ -28,7 +29,7 @@ constexpr double kSteady = 1.5;            // the level one quarter earlier over
 constexpr double kSunk = 2;                // times the final level
 constexpr double kStillFalling = 0.9;      // of the rms one window earlier
 constexpr double kCoarseStep = 1e-5;       // of the largest response: at 5e-5 (16 bits) they begin to make modes
-constexpr std::size_t kStepSamples = 512;  // before the end of the changes: there they go by single steps
+constexpr std::size_t kStepSamples = 512;  // some of them change by a single step
 constexpr std::size_t kUnblurredEnd = 64;  // samples without change, which noise of a third of a step would break
 // An exponential that falls by less than this over the record looks as steady as a background by its last quarters.
 constexpr double kFallen = kSteady * kSteady * kSteady * kSteady;
@@ -146,6 +147,12 @@ std::size_t decayed_within(const Hit& hit, std::size_t samples, const LookAtSamp
   return std::min(samples, after + 2 * std::max<std::size_t>(sunk, 1) * window);
 }
 
+// Towards the end, where single steps are left of the changes, or of all of them where nothing changes there.
+double finest_change(std::span<const double> accel) {
+  const double at_end = resolution_of(accel.last(std::min(kStepSamples, accel.size())));
+  return at_end > 0 ? at_end : resolution_of(accel);
+}
+
 }  // namespace
 
 ResponseGrade grade_response(const Hit& hit, std::span<const double> accel_mps2, double fs_Hz) {
@@ -153,6 +160,8 @@ ResponseGrade grade_response(const Hit& hit, std::span<const double> accel_mps2,
   if (hit.gated_N.empty() || accel_mps2.size() <= hit.peak - hit.first) return grade;
   const std::vector<Extremes> blocks = block_extremes(accel_mps2, kRailBlock);
   const Extremes extremes = extremes_of(blocks);
+  grade.extremes = extremes;
+  grade.resolution = finest_change(accel_mps2);
   grade.dead = extremes.low == extremes.high;
   if (grade.dead) return grade;
   const auto quiet = quiet_part(hit, accel_mps2);
@@ -186,7 +195,8 @@ void add_response_findings(Hit& hit, const std::vector<ResponseGrade>& channels)
         {.code = FindingCode::overload,
          .severity = Severity::reject,
          .value = static_cast<double>(rail),
-         .message = fmt::format("acceleration clipped: {} samples at the rail; raise the input range", rail)});
+         .message = fmt::format("acceleration clipped: {} sample{} at the rail; raise the input range", rail,
+                                rail == 1 ? "" : "s")});
   }
   if (worst != nullptr) {
     hit.findings.push_back(

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "acquire/hits.hpp"
+#include "core/statistics.hpp"
 
 namespace percuss {
 
@@ -14,6 +15,8 @@ struct ResponseGrade {
   double left_dB = 0;             // level at the stretch's end, below that just after the hit
   bool truncated = false;         // … and it is ringing, not noise
   std::size_t rail_samples = 0;   // at the recorder's rail
+  Extremes extremes;              // of the samples, m/s²
+  double resolution = 0;          // smallest change from sample to sample, m/s²
   bool rings_before = false;      // the pre-trigger is not at rest
   bool dead = false;              // every sample is the same
   double coarse_step = 0;         // the recorder's, over the largest response; 0: fine, or blurred by noise

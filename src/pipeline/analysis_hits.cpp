@@ -5,6 +5,7 @@
 #include "frf/windows.hpp"
 #include "pipeline/analysis.hpp"
 #include "pipeline/hit_agreement.hpp"
+#include "pipeline/response_rail.hpp"
 
 namespace percuss {
 
@@ -84,6 +85,9 @@ std::vector<AnalysedHit> Analysis::graded() const {
   const auto& all = responses();
   for (std::size_t h = 0; h < out.size(); ++h) {
     for (const Response& response : all[h]) out[h].responses.push_back(response.grade);
+  }
+  grade_shared_response_rail(out);
+  for (std::size_t h = 0; h < out.size(); ++h) {
     add_response_findings(out[h].hit, out[h].responses);
     if (!out[h].by_user) out[h].accepted = out[h].accepted && !rejects(out[h].hit.findings);
   }

@@ -59,9 +59,6 @@ std::vector<Cell> limits() {
   accel.spec.pulse.peak_spread = 0;
   accel.spec.recorder.accel_clip_mps2 = 100;
   Cell tops = cell_of("tops of the response clipped", {.demand = Demand::all, .or_refused = {"overload"}});
-  tops.defect =
-      "A rail is looked for as three samples in a row: of what is cut off the tops of a mode with eight samples to a "
-      "period, one or two are there.";
   tops.spec.pulse.peak_spread = 0;
   tops.spec.recorder.accel_clip_mps2 = 250;
   std::vector<Cell> cells{std::move(force), std::move(some), std::move(accel), std::move(tops)};
