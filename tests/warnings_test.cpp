@@ -81,6 +81,16 @@ TEST(Warnings, NameStepsThatNoNoiseBlurs) {
   EXPECT_THAT(warnings_of(synthesise(spec).record), Not(Contains(HasSubstr("coarse_steps"))));
 }
 
+TEST(Warnings, TellAPretriggerShorterThanTheFiltersRinging) {
+  SynthSpec spec = bat();
+  spec.onset_spread_s = 0;
+  spec.pretrigger_s = 20 / spec.fs_Hz;
+  EXPECT_THAT(warnings_of(synthesise(spec).record),
+              Contains(HasSubstr("short_pretrigger: a record begins 20 samples")));
+  spec.pretrigger_s = 60 / spec.fs_Hz;
+  EXPECT_THAT(warnings_of(synthesise(spec).record), Not(Contains(HasSubstr("short_pretrigger"))));
+}
+
 TEST(Warnings, NameTheHitsInWhichAChannelIsDead) {
   const Record record = with_dead(synthesise(bat()).record, 0, 0, [](std::size_t row) { return row != 1; });
   EXPECT_THAT(warnings_of(record), Contains(AllOf(HasSubstr("dead_channel: accel 1 "), HasSubstr("hits 0, 2"))));

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kPeaks_dB = 65;       // under the largest line: lower peaks are not missed
 constexpr std::size_t kMostPeaks = 8;  // named
+constexpr double kEnoughBefore = 32;   // samples from a record's beginning to the pulse
 constexpr double kDecayed = 0.0025;    // six time constants, as for the hits' own finding
 
 bool any_finding(const std::vector<AnalysedHit>& hits, FindingCode code, bool accepted_only) {
@@ -55,6 +56,20 @@ void warn_of_steps(const Record& record, const std::vector<AnalysedHit>& hits, s
                      "may be off by more than their ±, and weak ones none; use the recorder's range and digits",
                      one_line(record.accel[c].name, 40), 100 * step)});
   }
+}
+
+// What rang of the anti-alias filter before a row began is not in it.
+void warn_of_pretrigger(const Record& record, const std::vector<AnalysedHit>& hits, std::vector<Warning>& out) {
+  double least = kEnoughBefore;
+  for (const AnalysedHit& hit : hits) {
+    if (hit.accepted) least = std::min(least, hit.hit.onset_s * record.fs_Hz - static_cast<double>(hit.hit.first));
+  }
+  if (least >= kEnoughBefore) return;
+  out.push_back({"short_pretrigger",
+                 fmt::format("a record begins {:.0f} samples before its pulse, within the recorder's own ringing: "
+                             "where noise is below 0.01 % a mode's ± may be half of what it should be; record {:.0f} "
+                             "samples before the pulse",
+                             std::max(0.0, least), 2 * kEnoughBefore)});
 }
 
 }  // namespace
@@ -152,6 +167,7 @@ std::vector<Warning> Analysis::warnings() const {
                                                one_line(record_.accel[c].name, 40), dead)});
   }
   warn_of_steps(record_, all, out);
+  if (modes_.ready()) warn_of_pretrigger(record_, all, out);
   const bool rings = std::any_of(all.begin(), all.end(), [](const AnalysedHit& hit) {
     return hit.accepted && std::any_of(hit.responses.begin(), hit.responses.end(),
                                        [](const ResponseGrade& g) { return g.rings_before; });
