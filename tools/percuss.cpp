@@ -14,8 +14,6 @@ namespace {
 using namespace percuss;
 using namespace percuss::tools;
 
-constexpr const char* kNoMemory = "not enough memory (the whole run); analyse fewer rows or channels at a time";
-
 int report(const char* what, int code) {
   std::cerr << "percuss: " << what << '\n';
   return code;
@@ -28,6 +26,7 @@ void add_exit_codes(CommandLine& line) {
   line.exit_code(kBadInput, "unusable input");
   line.exit_code(kImpossible, "the analysis is impossible (no hit can be used)");
   line.exit_code(kQualityGate, "a quality gate failed (the bat exceeds its limit)");
+  line.exit_code(kPartial, "some records of a batch failed");
 }
 
 int parse_and_run(int argc, char** argv) {
@@ -60,6 +59,7 @@ int parse_and_run(int argc, char** argv) {
   add_certify(line);
   add_abi(line);
   add_study(line);
+  add_batch(line);
   add_completion(line);
   add_man(line);
   add_exit_codes(line);
@@ -77,7 +77,7 @@ int parse_and_run(int argc, char** argv) {
   try {
     if (const auto error = std::current_exception()) std::rethrow_exception(error);
   } catch (const std::bad_alloc&) {
-    std::cerr << "percuss: " << kNoMemory << '\n';
+    std::cerr << "percuss: " << percuss::kNoMemory << '\n';
     std::_Exit(kInternalError);
   } catch (...) {
   }
