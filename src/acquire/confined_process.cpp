@@ -118,6 +118,7 @@ bool tell_outcome(int descriptor, Work&& work) {
 // Held by this thread across the fork: half-done work of another thread would stay so in the child for ever.
 int fork_with_libraries_at_rest() {
   const hdf5::Rest rest;
+  hdf5::start_library();
   return ::fork();
 }
 
