@@ -105,12 +105,15 @@ bool is_utf8(const std::string& text) {
   return more == 0;
 }
 
-// From the folder, through the folder that the file really lies in; the file's own name stays, were it a link.
+// As it was named, seen from the folder; through the folders that it really lies in where a link makes that another
+// file.
 std::string path_from(const std::string& path, const fs::path& folder) {
   const fs::path given(path);
   if (given.is_absolute()) return given.lexically_normal().string();
-  const fs::path parent = fs::canonical(given.has_parent_path() ? given.parent_path() : fs::path("."));
-  return (parent / given.filename()).lexically_relative(folder).string();
+  const fs::path named = fs::absolute(given).lexically_normal().lexically_relative(folder);
+  std::error_code ignored;
+  if (fs::equivalent(folder / named, given, ignored)) return named.string();
+  return fs::relative(given, folder).string();
 }
 
 }  // namespace
@@ -135,7 +138,7 @@ std::vector<std::string> listed_names(std::string_view text) {
 
 std::vector<BatchRecord> planned_records(const std::vector<std::string>& paths, const std::string& manifest_folder,
                                          bool hashed) {
-  const fs::path folder = fs::canonical(manifest_folder);
+  const fs::path folder = (fs::absolute(manifest_folder) / "").lexically_normal();
   std::map<std::string, BatchRecord> by_path;
   std::map<std::string, std::size_t> times;  // each name without extension
   for (const std::string& path : paths) {
