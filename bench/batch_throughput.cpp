@@ -1,0 +1,165 @@
+// percuss_batch_throughput [RECORDS]: what a batch costs over the bare library. In one run, by turns, the best of
+// three: records/s of a loop that opens and analyses one record after the other and keeps nothing; of run_shard on one
+// thread, which also writes rows and journal; and of run_shard on two. Then the largest memory of processes that run
+// 100 records and RECORDS (default 10 000). The records are fifty different ones of 512 samples under many names.
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "acquire/write_record.hpp"
+#include "batch/plan.hpp"
+#include "batch/run_shard.hpp"
+#include "pipeline/tests_of_record.hpp"
+#include "report/version.hpp"
+#include "synth/record.hpp"
+
+namespace percuss {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kTurns = 3;
+constexpr std::size_t kDifferent = 50;
+constexpr std::size_t kPerTurn = 2000;  // records
+
+SynthSpec small_test(std::size_t seed) {
+  SynthSpec spec;
+  spec.fs_Hz = 4096;
+  spec.samples = 512;
+  spec.band_high_Hz = 1500;
+  spec.hits = 2;
+  spec.seed = seed;
+  spec.pulse.width_s = 0.0008;
+  spec.noise = {.force = 1e-4, .accel = 1e-3};
+  spec.modes = {{.freq_Hz = 200, .damping_ratio = 0.03},
+                {.freq_Hz = 700, .damping_ratio = 0.02, .family = SynthFamily::hoop}};
+  return spec;
+}
+
+class Folder {
+ public:
+  Folder() : path_((fs::temp_directory_path() / fmt::format("percuss-batch-{}", ::getpid())).string()) {
+    fs::create_directories(path_);
+  }
+  ~Folder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  std::string file(const std::string& name) const { return path_ + "/" + name; }
+  std::string made(const std::string& name) const {
+    fs::create_directories(file(name));
+    return file(name);
+  }
+
+ private:
+  std::string path_;
+};
+
+// A manifest of so many records of one kind.
+std::string planned(const Folder& folder, const std::string& kind, std::size_t records) {
+  const std::string seeds = folder.made("seeds"), place = folder.made(fmt::format("{}-{}", kind, records));
+  std::vector<std::string> paths;
+  for (std::size_t i = 0; i < records; ++i) {
+    const std::string seed = fmt::format("{}/{}.{}", seeds, i % kDifferent, kind);
+    if (!fs::exists(seed)) write_record(seed, synthesise(small_test(i % kDifferent)).record, false);
+    paths.push_back(fmt::format("{}/{}.{}", place, i, kind));
+    fs::create_hard_link(seed, paths.back());
+  }
+  const std::string manifest = place + ".jsonl";
+  write_manifest(manifest, {.version = version(), .options = {}, .setup = {}}, planned_records(paths, ".", false),
+                 true);
+  return manifest;
+}
+
+RowOptions options() {
+  RowOptions out;
+  out.read.read.confined = true;
+  out.analysis.threads = 1;
+  return out;
+}
+
+void loop(const Manifest& manifest) {
+  const RowOptions how = options();
+  for (std::size_t i = 0; i < manifest.size(); ++i) {
+    for (const RunAnalysis& test : tests_of_record(open_measurement(manifest.record(i).path, how.read), how.analysis)) {
+      test.analysis->hits();
+      test.analysis->verdicts();
+      test.analysis->warnings();
+    }
+  }
+}
+
+void batch(const Manifest& manifest, std::size_t threads, const std::string& results) {
+  fs::remove_all(results);
+  fs::create_directories(results);
+  run_shard({.manifest = &manifest, .folder = results, .options = options(), .threads = threads});
+}
+
+template <class Work>
+double seconds_of(Work work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+void compare(const Folder& folder, const std::string& kind) {
+  const Manifest manifest(planned(folder, kind, kPerTurn));
+  const std::string results = folder.file("results");
+  double loop_s = 1e9, one_s = 1e9, two_s = 1e9;
+  for (int turn = 0; turn < kTurns; ++turn) {
+    loop_s = std::min(loop_s, seconds_of([&] { loop(manifest); }));
+    one_s = std::min(one_s, seconds_of([&] { batch(manifest, 1, results); }));
+    two_s = std::min(two_s, seconds_of([&] { batch(manifest, 2, results); }));
+  }
+  const auto rate = [&](double seconds) { return static_cast<double>(manifest.size()) / seconds; };
+  fmt::print("{:4} bare loop {:6.0f}/s; batch {:6.0f}/s, {:.2f} x the loop; on two threads {:6.0f}/s, {:.2f} x one\n",
+             kind, rate(loop_s), rate(one_s), loop_s / one_s, rate(two_s), one_s / two_s);
+}
+
+// Of a process of its own.
+double largest_memory_MB(const Folder& folder, const std::string& manifest) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    batch(Manifest(manifest), 2, folder.file("results"));
+    ::_exit(0);
+  }
+  int status = 0;
+  rusage used{};
+  ::wait4(child, &status, 0, &used);
+  return static_cast<double>(used.ru_maxrss) / 1024;
+}
+
+void compare_memory(const Folder& folder, std::size_t records) {
+  const std::string few = planned(folder, "csv", 100), many = planned(folder, "csv", records);
+  const double few_MB = largest_memory_MB(folder, few), many_MB = largest_memory_MB(folder, many);
+  fmt::print("largest memory on two threads: {:.1f} MB for 100 records, {:.1f} MB for {}, {:.2f} x\n", few_MB, many_MB,
+             records, many_MB / few_MB);
+}
+
+}  // namespace
+}  // namespace percuss
+
+int main(int count, char** arguments) {
+  using namespace percuss;
+  try {
+    const Folder folder;
+    // First: a process that has started threads is not to be forked.
+    compare_memory(folder, count > 1 ? std::strtoul(arguments[1], nullptr, 10) : 10000);
+    for (const char* kind : {"csv", "uff", "h5"}) compare(folder, kind);
+    return EXIT_SUCCESS;
+  } catch (const std::exception& problem) {
+    fmt::print(stderr, "percuss_batch_throughput: {}\n", problem.what());
+    return EXIT_FAILURE;
+  }
+}
