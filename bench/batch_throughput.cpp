@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdlib>
 #include <exception>
@@ -18,6 +19,7 @@
 #include "acquire/write_record.hpp"
 #include "batch/plan.hpp"
 #include "batch/run_shard.hpp"
+#include "core/parallel.hpp"
 #include "pipeline/tests_of_record.hpp"
 #include "report/version.hpp"
 #include "synth/record.hpp"
@@ -113,18 +115,32 @@ double seconds_of(Work work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+// Two equal pieces of work without memory, one after the other or side by side.
+void arithmetic(std::size_t threads) {
+  static std::array<double, 2> sums{};
+  parallel_for(2, threads, [](std::size_t i) {
+    double x = 0.5;
+    for (int n = 0; n < 100'000'000; ++n) x = 3.9 * x * (1 - x);
+    sums.at(i) = x;
+  });
+}
+
 void compare(const Folder& folder, const std::string& kind) {
   const Manifest manifest(planned(folder, kind, kPerTurn));
   const std::string results = folder.file("results");
-  double loop_s = 1e9, one_s = 1e9, two_s = 1e9;
+  double loop_s = 1e9, one_s = 1e9, two_s = 1e9, alone_s = 1e9, beside_s = 1e9;
   for (int turn = 0; turn < kTurns; ++turn) {
     loop_s = std::min(loop_s, seconds_of([&] { loop(manifest); }));
     one_s = std::min(one_s, seconds_of([&] { batch(manifest, 1, results); }));
     two_s = std::min(two_s, seconds_of([&] { batch(manifest, 2, results); }));
+    alone_s = std::min(alone_s, seconds_of([] { arithmetic(1); }));
+    beside_s = std::min(beside_s, seconds_of([] { arithmetic(2); }));
   }
   const auto rate = [&](double seconds) { return static_cast<double>(manifest.size()) / seconds; };
-  fmt::print("{:4} bare loop {:6.0f}/s; batch {:6.0f}/s, {:.2f} x the loop; on two threads {:6.0f}/s, {:.2f} x one\n",
-             kind, rate(loop_s), rate(one_s), loop_s / one_s, rate(two_s), one_s / two_s);
+  fmt::print(
+      "{:4} bare loop {:6.0f}/s; batch {:6.0f}/s, {:.2f} x the loop; on two threads {:6.0f}/s, {:.2f} x one "
+      "(arithmetic {:.2f} x)\n",
+      kind, rate(loop_s), rate(one_s), loop_s / one_s, rate(two_s), one_s / two_s, alone_s / beside_s);
 }
 
 // Of a process of its own.

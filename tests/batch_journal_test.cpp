@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <string>
 
@@ -96,6 +98,29 @@ TEST_F(BatchJournal, TakesLinesOfSeveralThreads) {
   });
   EXPECT_EQ(journal.failed(), 5U);
   for (std::size_t i = 0; i < 10; ++i) EXPECT_EQ(journal.rows(10 + i), std::string(100 * i + 1, 'x') + "\n");
+}
+
+// Held against another process: a lock does not keep out the one that has it.
+TEST_F(BatchJournal, IsOneProcesssAtATime) {
+  const auto refused_elsewhere = [&] {
+    const pid_t child = ::fork();
+    if (child == 0) {
+      try {
+        const Journal journal = open();
+        ::_exit(0);
+      } catch (const InputError&) {
+        ::_exit(1);
+      }
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    return WIFEXITED(status) && WEXITSTATUS(status) == 1;
+  };
+  {
+    const Journal journal = open();
+    EXPECT_TRUE(refused_elsewhere());
+  }
+  EXPECT_FALSE(refused_elsewhere());
 }
 
 TEST_F(BatchJournal, TellsWhichRecordsWereBegunAndNeverFinished) {

@@ -14,6 +14,8 @@
 namespace percuss {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 constexpr std::size_t kMostNamed = 10;
 
 void add_unfinished(BatchStatus& status, const Manifest& manifest, const std::string& path) {
@@ -49,7 +51,6 @@ BatchStatus batch_status(const Manifest& manifest, const std::string& folder) {
 std::string array_list(const std::vector<std::size_t>& shards) { return fmt::format("{}", fmt::join(shards, ",")); }
 
 std::string status_json(const BatchStatus& status) {
-  using Json = nlohmann::ordered_json;
   const Json json{{"schema", "percuss/batch-status/1"}, {"version", version()},      {"shards", status.shards},
                   {"missing", status.missing},          {"records", status.records}, {"bytes", status.bytes},
                   {"finished", status.finished},        {"failed", status.failed},   {"stuck", status.stuck}};

@@ -61,6 +61,7 @@ void write_frf_group(hdf5::OutputHdf5& out, const std::string& group, const FrfR
   if (has_std) out.create_set(stds, shape);
   if (has_coherence) out.create_set(coherence, shape);
   std::vector<double> numbers;
+  numbers.reserve(points.size());
   for (const auto& [point, index] : points) numbers.push_back(point);
   out.create_set(point_set, std::array{numbers.size()}, hdf5::Stored::int32);
   out.write(point_set, {}, 0, std::span<const double>(numbers));
