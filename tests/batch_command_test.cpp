@@ -38,12 +38,12 @@ class BatchCommand : public testing::Test {
   }
   void SetUp() override { fs::create_symlink(records().file("recs"), folder_.file("recs")); }
 
-  test::ProcessOutcome percuss(std::vector<std::string> words, std::vector<std::string> environment = {}) {
+  test::ProcessOutcome percuss(const std::vector<std::string>& words, std::vector<std::string> environment = {}) {
     return run_percuss(words, {.folder = folder_.path(), .environment = std::move(environment)});
   }
   test::ProcessOutcome batch(std::vector<std::string> words, std::vector<std::string> environment = {}) {
     words.insert(words.begin(), "batch");
-    return percuss(std::move(words), std::move(environment));
+    return percuss(words, std::move(environment));
   }
   void plan(std::vector<std::string> more = {}) {
     std::vector<std::string> words{"plan", "recs/a.h5", "recs/b.csv", "recs/c.csv", "recs/d.mat",

@@ -48,7 +48,7 @@ TEST_F(BatchJournal, LosesTheLastLineAtMostWhereverItIsCutOff) {
     Journal journal = open();
     for (std::size_t i = 10; i < 14; ++i) {
       ends.push_back(test::bytes_of(path_).size());
-      journal.finish(i, false, {"{\"row\":\"record\"}"});
+      journal.finish(i, false, {R"({"row":"record"})"});
     }
   }
   const std::string whole = test::bytes_of(path_);
@@ -59,16 +59,17 @@ TEST_F(BatchJournal, LosesTheLastLineAtMostWhereverItIsCutOff) {
     while (complete < 4 && ends[complete + 1] <= cut) ++complete;
     Journal journal = open();
     ASSERT_EQ(journal.finished(), complete) << cut;
-    journal.finish(19, false, {"{\"row\":\"record\"}"});
-    EXPECT_EQ(journal.rows(19), "{\"row\":\"record\"}\n");
+    journal.finish(19, false, {R"({"row":"record"})"});
+    EXPECT_EQ(journal.rows(19), R"({"row":"record"})"
+                                "\n");
   }
 }
 
 TEST_F(BatchJournal, DoesNotBelieveDamagedLines) {
   {
     Journal journal = open();
-    journal.finish(10, false, {"{\"x\":1111}"});
-    journal.finish(11, false, {"{\"x\":2222}"});
+    journal.finish(10, false, {R"({"x":1111})"});
+    journal.finish(11, false, {R"({"x":2222})"});
   }
   std::string bytes = test::bytes_of(path_);
   bytes[bytes.find("1111")] = '3';

@@ -16,7 +16,7 @@ using testing::ElementsAre;
 class BatchPlan : public testing::Test {
  protected:
   std::string make(const std::string& name) {
-    const std::string path = folder_.file(name);
+    std::string path = folder_.file(name);
     fs::create_directories(fs::path(path).parent_path());
     test::write_bytes(path, name);
     return path;

@@ -58,9 +58,10 @@ bool LineReader::next() {
   }
   ended_ = found != std::string::npos;
   length_ = (ended_ ? found : buffer_.size()) - start_;
-  if (length_ > longest_bytes_)
+  if (length_ > longest_bytes_) {
     throw InputError(fmt::format("line {} is longer than {} bytes", number_ + 1, longest_bytes_), path_,
                      "give the file as percuss wrote it");
+  }
   if (!ended_ && length_ == 0) return false;
   ++number_;
   return true;

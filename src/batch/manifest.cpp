@@ -126,9 +126,10 @@ Manifest::Manifest(std::string path) : path_(std::move(path)) {
     bytes_.push_back(bytes() + record.bytes);
     ends_.push_back(lines.end());
   }
-  if (ends_.size() != records)
+  if (ends_.size() != records) {
     throw InputError(fmt::format("{} records where the first line says {}", ends_.size(), records), path_,
                      "the file is not whole; copy it again, or plan anew");
+  }
   sha256_ = hexadecimal(digest.result());
   std::uint64_t size_bytes = 0;
   descriptor_ = open_regular_file(path_, std::numeric_limits<std::uint64_t>::max(), size_bytes);
@@ -137,9 +138,10 @@ Manifest::Manifest(std::string path) : path_(std::move(path)) {
 // That its id follows the one before it, and that sizes can be added up.
 void Manifest::require_next(const BatchRecord& record, const std::string& id_before) const {
   const std::string where = fmt::format("{}, line {}", path_, ends_.size() + 2);
-  if (!id_before.empty() && record.id <= id_before)
+  if (!id_before.empty() && record.id <= id_before) {
     throw InputError(fmt::format("record \"{}\" is out of order, or there twice", one_line(record.id, 80)), where,
                      std::string("plan anew with ") + kPlanner);
+  }
   if (record.bytes > std::numeric_limits<std::uint64_t>::max() / kMostRecords)
     throw InputError("a record of absurd size", where, "plan anew");
 }

@@ -79,6 +79,7 @@ MergedBatch merge_batch(const Manifest& manifest, const std::string& folder, con
                            .records = merged.records,
                            .failed = merged.failed};
   std::vector<std::unique_ptr<RowWriter>> writers;
+  writers.reserve(paths.size());
   for (const std::string& path : paths) writers.push_back(row_writer(path, totals, force));
   for (const FinishedPart& part : parts) copy_rows(folder, part, writers);
   for (const auto& writer : writers) writer->commit();

@@ -63,9 +63,10 @@ class Gathered {
   void add_pattern(const std::string& pattern) {
     glob_t matches{};
     const std::unique_ptr<glob_t, decltype(&::globfree)> owner(&matches, &::globfree);
-    if (::glob(pattern.c_str(), GLOB_ERR, nullptr, &matches) != 0)
+    if (::glob(pattern.c_str(), GLOB_ERR, nullptr, &matches) != 0) {
       throw InputError("no file fits the pattern", pattern,
                        "check the path; a folder is walked when it is named itself");
+    }
     for (std::size_t i = 0; i < matches.gl_pathc; ++i) add_named(matches.gl_pathv[i]);
   }
   void add_named(const std::string& name) {

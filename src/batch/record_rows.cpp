@@ -29,12 +29,14 @@ void require_unchanged(const BatchRecord& record) {
   std::error_code absent;
   const std::uint64_t bytes = std::filesystem::file_size(record.path, absent);
   if (absent) return;  // whoever opens it says so
-  if (bytes != record.bytes)
+  if (bytes != record.bytes) {
     throw InputError(fmt::format("the file has {} bytes, and had {} when the batch was planned", bytes, record.bytes),
                      record.path, "put it back, or plan anew");
-  if (!record.sha256.empty() && sha256_of_file(record.path) != record.sha256)
+  }
+  if (!record.sha256.empty() && sha256_of_file(record.path) != record.sha256) {
     throw InputError("the file is not the one that the batch was planned with: its SHA-256 is another", record.path,
                      "put it back, or plan anew");
+  }
 }
 
 /// What is told of a record, gathered over its runs.
