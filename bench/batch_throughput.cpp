@@ -20,6 +20,7 @@
 #include "batch/plan.hpp"
 #include "batch/run_shard.hpp"
 #include "core/parallel.hpp"
+#include "frf/confined_measurement.hpp"
 #include "pipeline/tests_of_record.hpp"
 #include "report/version.hpp"
 #include "synth/record.hpp"
@@ -105,7 +106,9 @@ void loop(const Manifest& manifest) {
 void batch(const Manifest& manifest, std::size_t threads, const std::string& results) {
   fs::remove_all(results);
   fs::create_directories(results);
-  run_shard({.manifest = &manifest, .folder = results, .options = options(), .threads = threads});
+  RowOptions how = options();
+  how.nursery = measurement_nursery(how.read);
+  run_shard({.manifest = &manifest, .folder = results, .options = how, .threads = threads});
 }
 
 // How long something took at its best: by the clock, and the processors' time, that of child processes included.

@@ -14,6 +14,7 @@
 #include "batch_options.hpp"
 #include "command.hpp"
 #include "core/error.hpp"
+#include "frf/confined_measurement.hpp"
 #include "output.hpp"
 #include "progress.hpp"
 #include "report/version.hpp"
@@ -131,12 +132,14 @@ std::size_t division(const RunFlags& flags, const Share& share, const Manifest& 
 int run(const RunFlags& flags) {
   const Share share = flags.shard.empty() ? share_of_engine() : typed_share(flags.shard);
   const Manifest manifest(flags.manifest);
-  const RowOptions options = row_options(manifest, flags.trust_input);
+  RowOptions options = row_options(manifest, flags.trust_input);
   const std::string folder = results_folder(flags.folder);
   const std::size_t shards = division(flags, share, manifest, folder);
   const auto wanted = shards_to_run(share, shards);
   // Records are named, in messages too, as they are from the manifest's folder.
   if (const fs::path parent = fs::path(flags.manifest).parent_path(); !parent.empty()) fs::current_path(parent);
+  // Before there are threads, and from the folder that the records are read from.
+  if (options.read.read.confined) options.nursery = measurement_nursery(options.read);
   std::atomic<std::size_t> done{0};
   std::size_t total = 0;
   for (const std::size_t i : wanted) total += manifest.shard(i, shards).size();

@@ -10,6 +10,7 @@
 
 #include "batch/packed_frf.hpp"
 #include "core/error.hpp"
+#include "frf/confined_measurement.hpp"
 #include "pipeline/tests_of_record.hpp"
 #include "report/analysis_text.hpp"
 #include "report/digest.hpp"
@@ -122,7 +123,9 @@ Told told_of(const BatchRecord& record, const RowOptions& options) {
   const auto refused = [](int code, const std::string& reason) { return Told{.code = code, .reason = reason}; };
   try {
     require_unchanged(record);
-    for (const RunAnalysis& test : tests_of_record(open_measurement(record.path, options.read), options.analysis))
+    auto opened = options.nursery != nullptr ? open_measurement_in(*options.nursery, record.path, options.read)
+                                             : open_measurement(record.path, options.read);
+    for (const RunAnalysis& test : tests_of_record(std::move(opened), options.analysis))
       add_run(told, record, test, options);
     return told;
   } catch (const UsageError& e) {

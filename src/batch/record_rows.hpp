@@ -1,4 +1,5 @@
 #pragma once
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -8,11 +9,14 @@
 
 namespace percuss {
 
+class ReaderNursery;
+
 /// How every record of a batch is read and analysed.
 struct RowOptions {
   FrfReadOptions read;
   AnalysisOptions analysis;
-  bool frf = false;  // a row per run with its FRFs as well
+  bool frf = false;                          // a row per run with its FRFs as well
+  std::shared_ptr<ReaderNursery> nursery{};  // forks the confined readers, where there is one
 };
 
 /// What a record came to, as lines of JSON without their ends: a "record", its "mode"s in ascending order, its "frf"s.
