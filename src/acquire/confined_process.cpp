@@ -13,6 +13,7 @@
 #include <cerrno>
 #include <csignal>
 #include <new>
+#include <utility>
 
 #include "acquire/confinement.hpp"
 #include "acquire/csv_columns.hpp"
@@ -208,6 +209,7 @@ int ConfinedProcess::wait(int& status, int flags) const {
 
 ConfinedProcess::~ConfinedProcess() {
   ::close(descriptor_);
+  if (nursery_ != nullptr && child_ > 0) nursery_->forget(std::exchange(child_, -1));
   end_child();
   ::munmap(shared_, kSharedNumbers * sizeof(double));
 }

@@ -11,6 +11,7 @@
 #include <climits>
 #include <csignal>
 #include <cstring>
+#include <set>
 
 #include "acquire/hdf5_handle.hpp"
 #include "core/error.hpp"
@@ -18,7 +19,7 @@
 namespace percuss {
 namespace {
 
-enum NurseryKind : int { kStart, kWait };
+enum NurseryKind : int { kStart, kWait, kForget };
 
 struct NurseryQuestion {
   int kind = 0;
@@ -74,25 +75,47 @@ int read_for(const ReaderNursery::Open& open, const std::string& path, int descr
   return serve_confined(descriptor, static_cast<double*>(shared), bytes, [&] { return open(path); });
 }
 
-NurseryAnswer answer_to(const NurseryQuestion& question, const std::string& path,
-                        std::array<int, kDescriptors> descriptors, int own, const ReaderNursery::Open& open) {
-  NurseryAnswer answer;
-  if (question.kind == kWait) {
-    answer.number = ::waitpid(question.number, &answer.status, question.flags);
+// The nursery's side. Readers that nobody asks about any more are buried when there is time: to wait for the end of one
+// would keep everybody else waiting.
+class Readers {
+ public:
+  Readers(int own, const ReaderNursery::Open& open) : own_(own), open_(open) {}
+
+  NurseryAnswer answer(const NurseryQuestion& question, const std::string& path,
+                       const std::array<int, kDescriptors>& descriptors) {
+    bury();
+    if (question.kind == kWait) return wait(question.number, question.flags);
+    if (question.kind == kForget) {
+      ::kill(question.number, SIGKILL);  // it is not buried yet, so that the number is its own
+      forgotten_.insert(question.number);
+      return {.number = question.number};
+    }
+    const int process = ::fork();
+    if (process != 0) return {.number = process};
+    ::close(own_);
+    ::_exit(read_for(open_, path, descriptors[0], descriptors[1]));
+  }
+
+ private:
+  static NurseryAnswer wait(int process, int flags) {
+    NurseryAnswer answer;
+    answer.number = ::waitpid(process, &answer.status, flags);
     return answer;
   }
-  answer.number = ::fork();
-  if (answer.number == 0) {
-    ::close(own);
-    ::_exit(read_for(open, path, descriptors[0], descriptors[1]));
+  void bury() {
+    std::erase_if(forgotten_, [](int process) { return wait(process, WNOHANG).number != 0; });
   }
-  return answer;
-}
+
+  int own_;
+  const ReaderNursery::Open& open_;
+  std::set<int> forgotten_;
+};
 
 // Until nobody asks any more.
 void answer_all(int own, const ReaderNursery::Open& open) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_IGN);  // its parent's affair
   hdf5::start_library();                                                            // once for all readers
+  Readers readers(own, open);
   std::array<char, kLongestPath> path{};
   while (true) {
     NurseryQuestion question;
@@ -104,7 +127,7 @@ void answer_all(int own, const ReaderNursery::Open& open) {
     std::array<int, kDescriptors> descriptors{-1, -1};
     const bool enclosed = envelope.enclosed(descriptors);
     const std::string name(path.data(), static_cast<std::size_t>(got) - sizeof question);
-    const NurseryAnswer answer = answer_to(question, name, descriptors, own, open);
+    const NurseryAnswer answer = readers.answer(question, name, descriptors);
     for (const int one : descriptors) {
       if (enclosed) ::close(one);
     }
@@ -155,6 +178,13 @@ int ReaderNursery::wait(int process, int& status, int flags) {
   NurseryQuestion question{.kind = kWait, .number = process, .flags = flags};
   NurseryLetter envelope(question, nullptr, 0);
   return ask(envelope.header, status);
+}
+
+void ReaderNursery::forget(int process) {
+  NurseryQuestion question{.kind = kForget, .number = process};
+  NurseryLetter envelope(question, nullptr, 0);
+  int status = 0;
+  ask(envelope.header, status);
 }
 
 int ReaderNursery::ask(const msghdr& question, int& status) {

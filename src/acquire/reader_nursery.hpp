@@ -27,6 +27,8 @@ class ReaderNursery {
   int start(const std::string& path, int descriptor, int memory);
   /// As waitpid for a process of start().
   int wait(int process, int& status, int flags);
+  /// Ends a process of start() without waiting until it has; last.
+  void forget(int process);
 
   /// Whether it has ended before its time: nobody answers any more.
   bool lost() const { return lost_; }
