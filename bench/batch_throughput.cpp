@@ -79,7 +79,7 @@ std::string planned(const Folder& folder, const std::string& kind, std::size_t r
     paths.push_back(fmt::format("{}/{}.{}", place, i, kind));
     fs::create_hard_link(seed, paths.back());
   }
-  const std::string manifest = place + ".jsonl";
+  std::string manifest = place + ".jsonl";
   write_manifest(manifest, {.version = version(), .options = {}, .setup = {}}, planned_records(paths, ".", false),
                  true);
   return manifest;

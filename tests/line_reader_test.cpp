@@ -43,7 +43,7 @@ TEST_F(LineReading, PutsTogetherWhatItReadsInPieces) {
   std::vector<std::string> texts;
   std::string bytes;
   for (std::size_t i = 0; i < 60; ++i) {
-    texts.push_back(std::string(i % 5 == 0 ? 5000 * i : i, static_cast<char>('a' + i % 26)));
+    texts.emplace_back(i % 5 == 0 ? 5000 * i : i, static_cast<char>('a' + i % 26));
     bytes += texts.back() + "\n";
   }
   LineReader lines(written(bytes), 1'000'000);

@@ -48,9 +48,10 @@ Share typed_share(const std::string& text) {
   const std::size_t slash = std::min(text.find('/'), text.size());
   const auto shard = whole_number(std::string_view(text).substr(0, slash));
   const auto shards = slash < text.size() ? whole_number(std::string_view(text).substr(slash + 1)) : std::nullopt;
-  if (!shard || (slash < text.size() && (!shards || *shards < 1 || *shards > kMostShards)))
+  if (!shard || (slash < text.size() && (!shards || *shards < 1 || *shards > kMostShards))) {
     throw UsageError("--shard cannot be '" + one_line(text, 40) + "'",
                      "give I/N, as 0/7 to 6/7; or I alone, of as many as were planned; or all");
+  }
   return {.shard = shard, .shards = shards};
 }
 
@@ -69,9 +70,10 @@ Share share_of_engine() {
 }
 
 std::vector<std::size_t> shards_to_run(const Share& share, std::size_t shards) {
-  if (share.shard && *share.shard >= shards)
+  if (share.shard && *share.shard >= shards) {
     throw UsageError(fmt::format("there is no shard {} of {}", *share.shard, shards),
                      "they count from 0; percuss batch plan --shards N says how many there are");
+  }
   if (share.shard) return {*share.shard};
   std::vector<std::size_t> all(shards);
   for (std::size_t i = 0; i < shards; ++i) all[i] = i;
