@@ -13,8 +13,8 @@ using testing::Pair;
 constexpr const char* kHead = "{\"schema\":\"percuss/batch/1\",\"records\":2}\n";
 
 std::string mode(const std::string& id, const std::string& family, const std::string& order, double freq_Hz) {
-  return "{\"row\":\"mode\",\"id\":\"" + id + "\",\"frequency_hz\":" + std::to_string(freq_Hz) + ",\"family\":\"" +
-         family + "\",\"order\":" + order + "}\n";
+  return R"({"row":"mode","id":")" + id + R"(","frequency_hz":)" + std::to_string(freq_Hz) + R"(,"family":")" + family +
+         R"(","order":)" + order + "}\n";
 }
 
 TEST(StudyBatch, TakesTheFirstFrequencyOfEachKind) {

@@ -20,9 +20,10 @@ void require_known(const CommandLine& line, const Manifest& manifest) {
   const DeclaredCommand& command = *find_command(line.declaration(), "analyze");
   for (const std::string& word : manifest.head().options) {
     const DeclaredOption* const option = find_option(command, word.substr(0, word.find('=')));
-    if (option == nullptr || option->group.empty())
+    if (option == nullptr || option->group.empty()) {
       throw InputError("there is no option " + one_line(word, 60), head_place(manifest),
                        "plan the batch with this version of percuss");
+    }
   }
 }
 

@@ -39,9 +39,10 @@ RecordFiles files_of(const PlanFlags& flags) {
     names.insert(names.end(), listed.begin(), listed.end());
   }
   RecordFiles files = record_files(names);
-  if (files.paths.empty())
+  if (files.paths.empty()) {
     throw InputError("no record found", names.empty() ? "standard input" : names.front(),
                      "name the files, or a folder that holds some");
+  }
   return files;
 }
 
