@@ -27,6 +27,7 @@ std::span<const Target> targets() {
       Target{"bats", run_bats},
       Target{"tables", run_tables},
       Target{"document", run_document},
+      Target{"batch", run_batch},
   };
   return kTargets;
 }

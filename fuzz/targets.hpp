@@ -36,6 +36,8 @@ void run_synth_spec(std::string_view bytes);
 void run_bats(std::string_view bytes);
 void run_tables(std::string_view bytes);
 void run_document(std::string_view bytes);
+// What workers of a batch leave for each other.
+void run_batch(std::string_view bytes);
 
 /// The bytes as a file that was read, in memory of exactly their length.
 FileBytes as_file(std::string_view bytes);

@@ -81,7 +81,7 @@ TEST_F(CompletionCommand, CompletesCommands) {
   EXPECT_THAT(in_bash({""}), IsSupersetOf({"analyze", "model", "synth", "completion", "man"}));
   EXPECT_THAT(in_bash({"model", ""}), ElementsAre("beam", "impact", "rigid", "trampoline", "bat", "shell"));
   EXPECT_THAT(in_bash({"model", "b"}), ElementsAre("beam", "bat"));
-  EXPECT_THAT(in_bash({"fly", "b"}), IsEmpty());
+  EXPECT_THAT(in_bash({"fly", "t"}), IsEmpty());
 }
 
 TEST_F(CompletionCommand, CompletesOptionsOfTheCommand) {

@@ -19,8 +19,8 @@ namespace fs = std::filesystem;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-constexpr std::array<std::string_view, 10> kFloors{"core",    "acquire", "frf",      "identify", "model",
-                                                   "metrics", "synth",   "pipeline", "report",   "tools"};
+constexpr std::array<std::string_view, 11> kFloors{"core",  "acquire",  "frf",    "identify", "model", "metrics",
+                                                   "synth", "pipeline", "report", "batch",    "tools"};
 
 struct Include {
   std::string name;    // what stands between the quotes or brackets

@@ -40,7 +40,7 @@ std::vector<std::string> kinds_in(const std::string& text) {
 
 // Options without which a command does not come as far as its outputs.
 const std::vector<std::pair<std::string, std::string>> kNeeded{
-    {"--mass", "1"}, {"--positions", "3:1:9"}, {"--profile", "x"}};
+    {"--mass", "1"}, {"--positions", "3:1:9"}, {"--profile", "x"}, {"--manifest", "x"}};
 
 TEST(Help, TellsTheKindsOfFileThatACommandWrites) {
   std::size_t told = 0;
@@ -52,6 +52,7 @@ TEST(Help, TellsTheKindsOfFileThatACommandWrites) {
     arguments.insert(arguments.end(), {"-o", "x.none"});
     if ((usage.ends_with("]") || usage.ends_with("FILE...")) && !usage.ends_with("[OPTION]..."))
       arguments.emplace_back("x");
+    if (usage.ends_with(" FOLDER")) arguments.emplace_back("x");
     for (const auto& [option, value] : kNeeded) {
       if (usage.find(option) != std::string::npos) arguments.insert(arguments.end(), {option, value});
     }

@@ -73,12 +73,13 @@ std::vector<NamedCommand> commands_of(const std::string& page) {
   return out;
 }
 
-// The help of the command that these words name; of `model beam` both words are the name, of `synth wood-bat` one.
+// The help of the command that these words name; of `model beam` and `batch run` both words are the name, of `synth
+// wood-bat` one.
 const std::string& help_of(const std::vector<std::string>& words) {
   static std::map<std::string, std::string> known;
   std::vector<std::string> name;
   if (!words.empty()) name.push_back(words[0]);
-  if (words.size() > 1 && words[0] == "model") name.push_back(words[1]);
+  if (words.size() > 1 && (words[0] == "model" || words[0] == "batch")) name.push_back(words[1]);
   std::string key;
   for (const std::string& word : name) key.append(word).append(" ");
   const auto found = known.find(key);

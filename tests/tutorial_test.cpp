@@ -118,6 +118,7 @@ TEST(Tutorial, OfABatPrintsWhatItShows) { expect_page_to_print_as_shown("docs/tu
 TEST(Tutorial, OfASurveyPrintsWhatItShows) { expect_page_to_print_as_shown("docs/tutorial-survey.md", 6); }
 TEST(Tutorial, OfADeflectionPrintsWhatItShows) { expect_page_to_print_as_shown("docs/tutorial-deflection.md", 8); }
 TEST(Tutorial, OfACertificationPrintsWhatItShows) { expect_page_to_print_as_shown("docs/tutorial-certify.md", 8); }
+TEST(Tutorial, OfABatchPrintsWhatItShows) { expect_page_to_print_as_shown("docs/tutorial-batch.md", 20); }
 TEST(Tutorial, ReadmePrintsWhatItShows) { expect_page_to_print_as_shown("README.md", 2); }
 
 }  // namespace percuss::tutorial_test

@@ -45,8 +45,8 @@ Effort effort_of(const std::string& name) {
   return Effort::best;
 }
 
-void add_analysis_flags(Command& command, AnalysisFlags& flags) {
-  const std::string others = command.heading("Analysis");
+void add_analysis_options(Command& command, AnalysisFlags& flags) {
+  const std::string others = command.heading(kAnalysisHeading);
   command.value("--band", flags.band, "Frequency band in Hz, as 60:3200 (default: what the hammer excited)")
       .type("LO:HI");
   command
@@ -89,6 +89,12 @@ void add_analysis_flags(Command& command, AnalysisFlags& flags) {
       .above_zero()
       .type("DB")
       .show_default();
+  command.heading(others);
+}
+
+void add_analysis_flags(Command& command, AnalysisFlags& flags) {
+  add_analysis_options(command, flags);
+  const std::string others = command.heading(kAnalysisHeading);
   command.value("--threads", flags.threads, "Threads to use (default: all; the result is the same)").within(0, 1024);
   command.heading(others);
 }

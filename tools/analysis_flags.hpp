@@ -25,6 +25,9 @@ struct AnalysisFlags {
 };
 
 void add_analysis_flags(Command& command, AnalysisFlags& flags);
+/// Those on which the result depends: all but --threads.
+void add_analysis_options(Command& command, AnalysisFlags& flags);
+inline constexpr const char* kAnalysisHeading = "Analysis";
 
 /// Throws UsageError for values that contradict each other.
 AnalysisOptions analysis_options(const AnalysisFlags& flags);

@@ -2,13 +2,13 @@
 
 #include <iostream>
 #include <memory>
-#include <numbers>
 
 #include "acquire/atomic_file.hpp"
 #include "analysis_flags.hpp"
 #include "command.hpp"
 #include "core/error.hpp"
 #include "output.hpp"
+#include "pipeline/tests_of_record.hpp"
 #include "progress.hpp"
 #include "provenance.hpp"
 #include "read_flags.hpp"
@@ -48,18 +48,6 @@ struct Test {
   std::unique_ptr<Analysis> analysis;
   std::optional<ImpactTest> deflection{};
 };
-
-// Two channels without angles are taken as 0° and 90°, as the two-accelerometer test places them.
-template <class AnyRecord>
-void assume_angles(AnyRecord& record) {
-  const bool none = !record.accel.empty() && std::none_of(record.accel.begin(), record.accel.end(),
-                                                          [](const SignalInfo& s) { return s.angle_rad; });
-  if (!none || record.accel.size() != 2) return;
-  record.accel[0].angle_rad = 0;
-  record.accel[1].angle_rad = std::numbers::pi / 2;
-  record.notes.emplace_back(
-      "the accelerometers' angles are not stated: taken as 0° and 90° around the barrel (--angle 0,90 confirms it)");
-}
 
 std::vector<Test> tests_of_frfs(const AnalyzeFlags& flags, std::vector<FrfRecord> frfs) {
   if (flags.read.files != FilesMean::tests) {

@@ -36,6 +36,12 @@ void add_metrics(CommandLine& line);
 void add_certify(CommandLine& line);
 void add_abi(CommandLine& line);
 void add_study(CommandLine& line);
+void add_batch(CommandLine& line);  // a group: declares those that follow
+void add_batch_plan(CommandLine& line);
+void add_batch_run(CommandLine& line);
+void add_batch_status(CommandLine& line);
+void add_batch_merge(CommandLine& line);
+void add_batch_submit(CommandLine& line);
 void add_completion(CommandLine& line);
 void add_man(CommandLine& line);  // last: it offers the pages of all
 

@@ -160,6 +160,19 @@ Option Command::list(const char* names, std::vector<std::size_t>& values, const 
 void Command::flag(const char* names, bool& value, const char* help) {
   declared(names, "", help, app_->add_flag(names, value)->disable_flag_override());
 }
+std::vector<std::string> Command::given(const std::string& heading) const {
+  std::vector<std::string> words;
+  for (const DeclaredOption& option : declared_->options) {
+    const CLI::Option* const parsed = option.group == heading ? app_->get_option(option.name()) : nullptr;
+    if (parsed == nullptr || parsed->count() == 0) continue;
+    if (option.is_flag()) {
+      words.push_back(option.name());
+    } else {
+      for (const std::string& value : parsed->results()) words.push_back(option.name() + "=" + value);
+    }
+  }
+  return words;
+}
 std::string Command::heading(const std::string& name) { return std::exchange(group_, name); }
 void Command::about(const char* text) { declared_->about = text; }
 void Command::example(const char* command_line, const char* meaning) {

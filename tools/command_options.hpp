@@ -58,6 +58,8 @@ class Command {
   Option list(const char* names, std::vector<double>& values, const char* help);
   Option list(const char* names, std::vector<std::size_t>& values, const char* help);
   void flag(const char* names, bool& value, const char* help);
+  /// What was given of the options shown under `heading`, as words that say the same once more: "--band=60:3200".
+  std::vector<std::string> given(const std::string& heading) const;
   /// The options declared from here on are shown under `name`; returns what they were shown under before.
   std::string heading(const std::string& name);
   /// A paragraph for who does not know the command: what goes in, what comes out, in which units.

@@ -15,8 +15,6 @@ namespace {
 using namespace percuss;
 using namespace percuss::tools;
 
-constexpr const char* kNoMemory = "not enough memory (the whole run); analyse fewer rows or channels at a time";
-
 int report(const char* what, int code) {
   std::cerr << "percuss: " << what << '\n';
   return code;
@@ -29,6 +27,7 @@ void add_exit_codes(CommandLine& line) {
   line.exit_code(kBadInput, "unusable input");
   line.exit_code(kImpossible, "the analysis is impossible (no hit can be used)");
   line.exit_code(kQualityGate, "a quality gate failed (the bat exceeds its limit)");
+  line.exit_code(kPartial, "some records of a batch failed");
 }
 
 void add_models(CommandLine& line) {
@@ -50,7 +49,7 @@ constexpr NamedCommand kCommands[] = {
     {"analyze", add_analyze}, {"frf", add_frf},         {"nodes", add_nodes},         {"survey", add_survey},
     {"info", add_info},       {"convert", add_convert}, {"calibrate", add_calibrate}, {"deflect", add_deflect},
     {"compare", add_compare}, {"synth", add_synth},     {"model", add_models},        {"metrics", add_metrics},
-    {"certify", add_certify}, {"abi", add_abi},         {"study", add_study},
+    {"certify", add_certify}, {"abi", add_abi},         {"study", add_study},         {"batch", add_batch},
 };
 
 // Declaring every option of every command takes longer than many a command does, so that only the one named first is,
@@ -90,7 +89,7 @@ int parse_and_run(int argc, char** argv) {
   try {
     if (const auto error = std::current_exception()) std::rethrow_exception(error);
   } catch (const std::bad_alloc&) {
-    std::cerr << "percuss: " << kNoMemory << '\n';
+    std::cerr << "percuss: " << percuss::kNoMemory << '\n';
     std::_Exit(kInternalError);
   } catch (...) {
   }

@@ -9,7 +9,11 @@
 
 namespace percuss::tools {
 
-Progress::Progress(std::string what, bool quiet) : what_(std::move(what)) {
+Progress::Progress(std::string what, bool quiet)
+    : Progress([what = std::move(what)](double seconds) { return fmt::format("{} … {:.0f} s", what, seconds); },
+               quiet) {}
+
+Progress::Progress(std::function<std::string(double seconds)> text, bool quiet) : text_(std::move(text)) {
   if (!quiet && isatty(STDERR_FILENO) == 1) thread_ = std::thread([this] { show(); });
 }
 
@@ -30,9 +34,8 @@ void Progress::show() {
   bool shown = false;
   std::unique_lock lock(mutex_);
   while (!wake_.wait_for(lock, std::chrono::seconds(1), [&] { return done_; })) {
-    const auto seconds =
-        std::chrono::duration_cast<std::chrono::seconds>(std::chrono::steady_clock::now() - start).count();
-    std::cerr << fmt::format("\r{} … {} s", what_, seconds) << std::flush;
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    std::cerr << "\r" << text_(seconds) << "\033[K" << std::flush;
     shown = true;
   }
   if (shown) std::cerr << "\r\033[K" << std::flush;

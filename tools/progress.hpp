@@ -1,6 +1,7 @@
 #pragma once
 #include <atomic>
 #include <condition_variable>
+#include <functional>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -12,6 +13,8 @@ namespace percuss::tools {
 class Progress {
  public:
   Progress(std::string what, bool quiet);
+  /// With more to say than how long it has taken: `text` is called with the seconds that have passed.
+  Progress(std::function<std::string(double seconds)> text, bool quiet);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
@@ -21,7 +24,7 @@ class Progress {
  private:
   void show();
 
-  std::string what_;
+  std::function<std::string(double seconds)> text_;
   mutable std::mutex mutex_;
   mutable std::condition_variable wake_;
   mutable bool done_ = false;

@@ -16,8 +16,6 @@ namespace {
 
 constexpr double kMilli = 1e-3;
 
-constexpr const char* kGroup = "Reading";
-
 void require_distinct(const std::vector<std::string>& paths) {
   std::set<std::string> seen;
   for (const auto& path : paths) {
@@ -82,13 +80,9 @@ ReadOptions options_of_file(const ReadOptions& all, std::size_t index, std::size
 
 }  // namespace
 
-void add_read_flags(Command& command, ReadFlags& flags, Reads reads) {
+void add_reading_options(Command& command, ReadFlags& flags) {
   ReadOptions& options = flags.options;
-  command.words("FILE", flags.paths,
-                reads == Reads::records
-                    ? "Records to read: HDF5, MAT, UFF, LabVIEW, sound, CSV or text; - is standard input"
-                    : "Records to read, or FRFs: HDF5, MAT, UFF, LabVIEW, sound, CSV or text; - is standard input");
-  const std::string others = command.heading(kGroup);
+  const std::string others = command.heading(kReadingHeading);
   command
       .value(
           "--fs", [&options](const std::string& text) { take_rate(text, options); },
@@ -120,7 +114,35 @@ void add_read_flags(Command& command, ReadFlags& flags, Reads reads) {
   command.list("--position", flags.position_m, "Distance of each accelerometer from the barrel's end")
       .type("M,...")
       .finite();
+  command
+      .value(
+          "--frf-kind", [&flags](const std::string& text) { flags.frf_kind = parse_frf_kind(text); },
+          "What files of FRFs hold, whatever they say")
+      .one_of({"accelerance", "mobility", "receptance"});
+  command.heading(others);
+}
+
+void add_setup_option(Command& command, ReadFlags& flags) {
+  const std::string others = command.heading(kReadingHeading);
   command.value("--setup", flags.setup_path, "Channel set-up (JSON; percuss info --example prints one)").type("FILE");
+  command.heading(others);
+}
+
+void add_trust_option(Command& command, ReadFlags& flags) {
+  const std::string others = command.heading(kReadingHeading);
+  command.flag("--trust-input", flags.trust_input,
+               "Read MAT and HDF5 files in this process, not in a confined one of their own");
+  command.heading(others);
+}
+
+void add_read_flags(Command& command, ReadFlags& flags, Reads reads) {
+  command.words("FILE", flags.paths,
+                reads == Reads::records
+                    ? "Records to read: HDF5, MAT, UFF, LabVIEW, sound, CSV or text; - is standard input"
+                    : "Records to read, or FRFs: HDF5, MAT, UFF, LabVIEW, sound, CSV or text; - is standard input");
+  add_reading_options(command, flags);
+  add_setup_option(command, flags);
+  const std::string others = command.heading(kReadingHeading);
   command
       .value(
           "--files", [&flags](const std::string& text) { flags.files = files_mean(text); },
@@ -128,24 +150,23 @@ void add_read_flags(Command& command, ReadFlags& flags, Reads reads) {
           "and channels "
           "agree)")
       .one_of({"hits", "points", "tests"});
-  command
-      .value(
-          "--frf-kind", [&flags](const std::string& text) { flags.frf_kind = parse_frf_kind(text); },
-          "What files of FRFs hold, whatever they say")
-      .one_of({"accelerance", "mobility", "receptance"});
-  command.flag("--trust-input", flags.trust_input,
-               "Read MAT and HDF5 files in this process, not in a confined one of their own");
   command.heading(others);
+  add_trust_option(command, flags);
 }
 
-ReadOptions finished_options(const ReadFlags& flags) {
-  ReadOptions options = flags.options;
+namespace {
+
+// A rate that is a name is a variable's, which only MAT files have.
+void require_rate(const ReadFlags& flags) {
   const bool has_variables = std::any_of(flags.paths.begin(), flags.paths.end(),
                                          [](const auto& path) { return extension_of(path) == ".mat"; });
-  if (!options.fs_variable.empty() && !has_variables) {
-    throw UsageError(fmt::format("--fs cannot be \"{}\"", one_line(options.fs_variable, 40)),
-                     "give a number in Hz (with a MAT file also the name of a variable)");
-  }
+  if (flags.options.fs_variable.empty() || has_variables) return;
+  throw UsageError(fmt::format("--fs cannot be \"{}\"", one_line(flags.options.fs_variable, 40)),
+                   "give a number in Hz (with a MAT file also the name of a variable)");
+}
+
+ReadOptions worked_out(const ReadFlags& flags) {
+  ReadOptions options = flags.options;
   options.confined = !flags.trust_input;
   for (const double angle_deg : flags.angle_deg) options.angle_rad.push_back(angle_deg * kDegree_rad);
   options.position_m = flags.position_m;
@@ -158,6 +179,17 @@ ReadOptions finished_options(const ReadFlags& flags) {
   options.accel_channels = whole_names(options.accel_channels);
   if (!flags.setup_path.empty()) options.setup = read_channel_setup(flags.setup_path);
   return options;
+}
+
+}  // namespace
+
+ReadOptions finished_options(const ReadFlags& flags) {
+  require_rate(flags);
+  return worked_out(flags);
+}
+
+FrfReadOptions options_of_each(const ReadFlags& flags) {
+  return {.read = options_of_file(worked_out(flags), 0, 1), .kind = flags.frf_kind};
 }
 
 Record open_record_at(const ReadFlags& flags, const ReadOptions& options, std::size_t index) {

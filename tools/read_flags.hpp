@@ -27,9 +27,17 @@ struct ReadFlags {
 
 enum class Reads { records, records_or_frfs };
 void add_read_flags(Command& command, ReadFlags& flags, Reads reads = Reads::records_or_frfs);
+// The parts of them: options on which a record's numbers depend, --setup, and --trust-input.
+void add_reading_options(Command& command, ReadFlags& flags);
+void add_setup_option(Command& command, ReadFlags& flags);
+void add_trust_option(Command& command, ReadFlags& flags);
+inline constexpr const char* kReadingHeading = "Reading";
 
 /// The set-up file and typed units worked into flags.options. Throws InputError.
 ReadOptions finished_options(const ReadFlags& flags);
+
+/// The same for files of which each is opened by itself, whatever the flags name; UsageError for values per file.
+FrfReadOptions options_of_each(const ReadFlags& flags);
 
 /// One path opened with finished options.
 Record open_record_at(const ReadFlags& flags, const ReadOptions& options, std::size_t index);

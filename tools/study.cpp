@@ -75,7 +75,8 @@ void add_study(CommandLine& line) {
   Command command = line.command("study", "A population of bats: what goes with performance, in figures and numbers",
                                  [flags] { return run_study(*flags); });
   command.about(
-      "Joins tables of bats, and analyses made with --bat-id, and judges what goes with performance: for each "
+      "Joins tables of bats, analyses made with --bat-id and results of percuss batch merge, and judges what goes with "
+      "performance: for each "
       "statement a verdict, its p and correlations with their 95 % intervals. --example prints a table with all "
       "columns that are understood.");
   command.example("percuss study --example > bats.csv; percuss study bats.csv --figures figures",
@@ -84,7 +85,8 @@ void add_study(CommandLine& line) {
       "percuss study --example > bats.csv; percuss model trampoline --json > model.json; percuss study bats.csv "
       "--hoop-curve model.json -o study.html",
       "A page, a model drawn over the measured points");
-  command.words("TABLE", flags->inputs, "Tables of bats, and analyses (--bat-id), joined by id");
+  command.words("TABLE", flags->inputs,
+                "Tables of bats, analyses (--bat-id), and results of percuss batch merge, joined by id");
   command.value("--figures", flags->figures, "Write every figure as picture and table into this folder").type("FOLDER");
   command.value("--hoop-curve", flags->curve, "Draw this model over the hoop figures: percuss model trampoline --json")
       .type("FILE");

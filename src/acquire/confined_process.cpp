@@ -13,18 +13,19 @@
 #include <cerrno>
 #include <csignal>
 #include <new>
+#include <utility>
 
 #include "acquire/confinement.hpp"
 #include "acquire/csv_columns.hpp"
 #include "acquire/hdf5_handle.hpp"
 #include "acquire/packed.hpp"
+#include "acquire/reader_nursery.hpp"
 #include "core/error.hpp"
 
 namespace percuss {
 namespace {
 
 constexpr int kNoMemoryExit = 11, kFailedExit = 12;
-constexpr std::size_t kShared = std::size_t{1} << 17U;  // numbers that go over at once: 1 MiB
 
 enum class Outcome : std::uint64_t { good, input_error, unclear, no_memory, other };
 
@@ -118,56 +119,37 @@ bool tell_outcome(int descriptor, Work&& work) {
 // Held by this thread across the fork: half-done work of another thread would stay so in the child for ever.
 int fork_with_libraries_at_rest() {
   const hdf5::Rest rest;
+  hdf5::start_library();
   return ::fork();
+}
+
+void serve(int descriptor, double* shared, std::uint64_t file_bytes, const std::function<ConfinedService()>& open) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
+  std::signal(SIGPIPE, SIG_IGN);
+  confine_this_process(descriptor, file_bytes);
+  ConfinedService service;
+  const bool heard = tell_outcome(descriptor, [&] {
+    service = open();
+    return service.description;
+  });
+  Request request;
+  while (heard && service.read && receive_bytes(descriptor, &request, sizeof request)) {
+    const auto out = std::span(shared, std::min<std::size_t>(request.count, kSharedNumbers));
+    const bool told = tell_outcome(descriptor, [&] {
+      service.read(request.row, request.signal, request.first, out);
+      return std::string();
+    });
+    if (!told) return;
+  }
 }
 
 }  // namespace
 
-ConfinedProcess::ConfinedProcess(std::string path, const std::function<ConfinedService()>& open,
-                                 std::optional<unsigned> patience_s)
-    : path_(std::move(path)) {
-  constexpr unsigned kClockPerProcessor = 3;  // disks and other programs take their time as well
-  struct stat status {};
-  if (::stat(path_.c_str(), &status) == 0) file_bytes_ = static_cast<std::uint64_t>(status.st_size);
-  patience_s_ = patience_s.value_or(kClockPerProcessor * processor_limit_s(file_bytes_));
-  std::array<int, 2> ends{};
-  void* const shared =
-      ::mmap(nullptr, kShared * sizeof(double), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-  if (shared == MAP_FAILED || ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
-    throw InputError("no process can be started to read it in", path_, "close other programs, or give --trust-input");
-  shared_ = static_cast<double*>(shared);
-  child_ = fork_with_libraries_at_rest();
-  if (child_ == 0) {
-    ::close(ends[0]);
-    ::_exit(served(ends[1], open));
-  }
-  ::close(ends[1]);
-  descriptor_ = ends[0];
-  if (child_ < 0) {
-    ::close(descriptor_);
-    ::munmap(shared_, kShared * sizeof(double));
-    throw InputError("no process can be started to read it in", path_, "close other programs, or give --trust-input");
-  }
-  try {
-    receive_outcome(description_);
-  } catch (...) {
-    ::close(descriptor_);
-    end_child();
-    ::munmap(shared_, kShared * sizeof(double));
-    throw;
-  }
-}
-
-ConfinedProcess::~ConfinedProcess() {
-  ::close(descriptor_);
-  end_child();
-  ::munmap(shared_, kShared * sizeof(double));
-}
-
 // Nothing may leave the child upwards: above it is what the parent does.
-int ConfinedProcess::served(int descriptor, const std::function<ConfinedService()>& open) const {
+int serve_confined(int descriptor, double* shared, std::uint64_t file_bytes,
+                   const std::function<ConfinedService()>& open) {
   try {
-    serve(descriptor, open);
+    serve(descriptor, shared, file_bytes, open);
     return 0;
   } catch (const std::bad_alloc&) {
     return kNoMemoryExit;
@@ -176,24 +158,60 @@ int ConfinedProcess::served(int descriptor, const std::function<ConfinedService(
   }
 }
 
-void ConfinedProcess::serve(int descriptor, const std::function<ConfinedService()>& open) const {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
-  std::signal(SIGPIPE, SIG_IGN);
-  confine_this_process(descriptor, file_bytes_);
-  ConfinedService service;
-  const bool heard = tell_outcome(descriptor, [&] {
-    service = open();
-    return service.description;
+ConfinedProcess::ConfinedProcess(std::string path, const std::function<ConfinedService()>& open,
+                                 std::optional<unsigned> patience_s)
+    : path_(std::move(path)), patience_s_(patience_s.value_or(0)) {
+  begin([&](int descriptor, int /*memory*/) {
+    const int process = fork_with_libraries_at_rest();
+    if (process != 0) return process;
+    ::close(descriptor_);
+    ::_exit(serve_confined(descriptor, shared_, file_bytes_, open));
   });
-  Request request;
-  while (heard && service.read && receive_bytes(descriptor, &request, sizeof request)) {
-    const auto out = std::span(shared_, std::min<std::size_t>(request.count, kShared));
-    const bool told = tell_outcome(descriptor, [&] {
-      service.read(request.row, request.signal, request.first, out);
-      return std::string();
-    });
-    if (!told) return;
+}
+
+ConfinedProcess::ConfinedProcess(std::string path, ReaderNursery& nursery)
+    : path_(std::move(path)), nursery_(&nursery) {
+  begin([&](int descriptor, int memory) { return nursery.start(path_, descriptor, memory); });
+}
+
+void ConfinedProcess::begin(const std::function<int(int descriptor, int memory)>& start) {
+  constexpr unsigned kClockPerProcessor = 3;  // disks and other programs take their time as well
+  constexpr std::size_t kShared_bytes = kSharedNumbers * sizeof(double);
+  struct stat status {};
+  if (::stat(path_.c_str(), &status) == 0) file_bytes_ = static_cast<std::uint64_t>(status.st_size);
+  if (patience_s_ == 0) patience_s_ = kClockPerProcessor * processor_limit_s(file_bytes_);
+  std::array<int, 2> ends{-1, -1};
+  const int memory = ::memfd_create("percuss", MFD_CLOEXEC);
+  const bool sized = memory >= 0 && ::ftruncate(memory, kShared_bytes) == 0;
+  void* const shared =
+      sized ? ::mmap(nullptr, kShared_bytes, PROT_READ | PROT_WRITE, MAP_SHARED, memory, 0) : MAP_FAILED;
+  const bool paired = shared != MAP_FAILED && ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) == 0;
+  shared_ = static_cast<double*>(shared);
+  descriptor_ = ends[0];
+  if (paired) child_ = start(ends[1], memory);
+  if (memory >= 0) ::close(memory);
+  if (paired) ::close(ends[1]);
+  try {
+    if (child_ < 0)
+      throw InputError("no process can be started to read it in", path_, "close other programs, or give --trust-input");
+    receive_outcome(description_);
+  } catch (...) {
+    if (paired) ::close(descriptor_);
+    end_child();
+    if (shared != MAP_FAILED) ::munmap(shared_, kShared_bytes);
+    throw;
   }
+}
+
+int ConfinedProcess::wait(int& status, int flags) const {
+  return nursery_ != nullptr ? nursery_->wait(child_, status, flags) : ::waitpid(child_, &status, flags);
+}
+
+ConfinedProcess::~ConfinedProcess() {
+  ::close(descriptor_);
+  if (nursery_ != nullptr && child_ > 0) nursery_->forget(std::exchange(child_, -1));
+  end_child();
+  ::munmap(shared_, kSharedNumbers * sizeof(double));
 }
 
 // Bytes of an answer. The child may wait for something that never comes, a library whose memory is in disorder does.
@@ -212,7 +230,7 @@ int ConfinedProcess::end_child() {
   int status = 0;
   if (child_ <= 0) return status;
   ::kill(child_, SIGKILL);
-  ::waitpid(child_, &status, 0);
+  wait(status, 0);
   child_ = -1;
   return status;
 }
@@ -263,7 +281,7 @@ void ConfinedProcess::report_death() {
   int status = 0;
   bool ended = false;
   for (int i = 0; i < 100 && !ended; ++i) {  // who stops to answer is about to end, or is ended
-    ended = ::waitpid(child_, &status, WNOHANG) == child_;
+    ended = wait(status, WNOHANG) == child_;
     if (!ended) ::usleep(10'000);
   }
   if (!ended) status = end_child();
@@ -284,7 +302,7 @@ void ConfinedProcess::distrust() const {
 void ConfinedProcess::read(std::size_t row, std::size_t signal, std::size_t first, std::span<double> out) {
   const std::lock_guard lock(mutex_);
   for (std::size_t done = 0; done < out.size();) {
-    const std::size_t count = std::min(kShared, out.size() - done);
+    const std::size_t count = std::min(kSharedNumbers, out.size() - done);
     if (child_ < 0) throw InputError("its reader has ended", path_, "is it damaged? Save it again");
     const Request request{row, signal, first + done, count};
     if (::send(descriptor_, &request, sizeof request, MSG_NOSIGNAL) != static_cast<ssize_t>(sizeof request))

@@ -18,6 +18,8 @@ struct ConfinedService {
   std::function<void(std::size_t row, std::size_t signal, std::size_t first, std::span<double> out)> read;
 };
 
+class ReaderNursery;
+
 /// A child process that has opened a foreign file with `open` and serves it until this object goes. It runs confined
 /// (confine_this_process): whatever the file does to the library that reads it, this process only sees an InputError.
 class ConfinedProcess {
@@ -26,6 +28,8 @@ class ConfinedProcess {
   /// errors  InputError: what `open` threw (also UnclearColumns); the child crashed or ran into a limit, in one line.
   ConfinedProcess(std::string path, const std::function<ConfinedService()>& open,
                   std::optional<unsigned> patience_s = std::nullopt);
+  /// The same, forked by the nursery, with what it opens files with.
+  ConfinedProcess(std::string path, ReaderNursery& nursery);
   ~ConfinedProcess();
   ConfinedProcess(const ConfinedProcess&) = delete;
   ConfinedProcess& operator=(const ConfinedProcess&) = delete;
@@ -37,8 +41,9 @@ class ConfinedProcess {
   [[noreturn]] void distrust() const;
 
  private:
-  int served(int descriptor, const std::function<ConfinedService()>& open) const;
-  void serve(int descriptor, const std::function<ConfinedService()>& open) const;
+  /// Sets everything up around start(the reader's end, memory), which gives a process number.
+  void begin(const std::function<int(int descriptor, int memory)>& start);
+  int wait(int& status, int flags) const;
   void receive_outcome(std::string& payload);
   int end_child();  // how it ended, as waitpid tells it
   [[noreturn]] void report_death();
@@ -53,6 +58,13 @@ class ConfinedProcess {
   double* shared_ = nullptr;  // what the child writes numbers into
   int descriptor_ = -1;
   int child_ = -1;
+  ReaderNursery* nursery_ = nullptr;  // whose child it is; nullptr: this process's
 };
+
+/// What a reader's process does until its parent has heard enough; returns its exit code. `shared` holds
+/// kSharedNumbers.
+int serve_confined(int descriptor, double* shared, std::uint64_t file_bytes,
+                   const std::function<ConfinedService()>& open);
+inline constexpr std::size_t kSharedNumbers = std::size_t{1} << 17U;  // that go over at once: 1 MiB
 
 }  // namespace percuss

@@ -40,6 +40,11 @@ Lock::Lock() {
   static_cast<void>(silent);
 }
 
+void start_library() {
+  const Lock lock;
+  static_cast<void>(H5open());
+}
+
 Handle& Handle::operator=(Handle&& other) noexcept {
   if (this != &other) {
     close();

@@ -26,6 +26,9 @@ class Lock {
   Rest rest_;
 };
 
+/// Readies the library now, which takes it a millisecond: before processes are forked, each of which would need it.
+void start_library();
+
 /// Owns an identifier of any kind (file, data set, type, property list …); false when there is none.
 class Handle {
  public:

@@ -38,6 +38,16 @@ OutputHdf5::~OutputHdf5() {
   file_.close();
 }
 
+void OutputHdf5::create_group(const std::string& name) {
+  const Lock lock;
+  const Handle links(H5Pcreate(H5P_LINK_CREATE)), creation(H5Pcreate(H5P_GROUP_CREATE));
+  H5Pset_create_intermediate_group(links.get(), 1);
+  H5Pset_obj_track_times(creation.get(), false);
+  Handle group(H5Gcreate2(file_.get(), name.c_str(), links.get(), creation.get(), H5P_DEFAULT));
+  check(static_cast<bool>(group));
+  sets_[name] = std::move(group);
+}
+
 void OutputHdf5::create_set(const std::string& name, std::span<const std::size_t> shape, Stored type) {
   const Lock lock;
   const std::vector<hsize_t> extent(shape.begin(), shape.end());
@@ -100,13 +110,20 @@ void OutputHdf5::set_text(const std::string& set, const std::string& name, const
   check(attribute && H5Awrite(attribute.get(), type.get(), static_cast<const void*>(&bytes)) >= 0);
 }
 
+void OutputHdf5::close_sets() {
+  const Lock lock;
+  bool done = true;
+  for (auto& [name, set] : sets_) done = set.close() && done;
+  sets_.clear();
+  check(done);
+}
+
 void OutputHdf5::commit() {
   {
     const Lock lock;
-    bool done = H5Fflush(file_.get(), H5F_SCOPE_LOCAL) >= 0;
-    for (auto& [name, set] : sets_) done = set.close() && done;
-    done = file_.close() && done;
-    check(done);
+    const bool flushed = H5Fflush(file_.get(), H5F_SCOPE_LOCAL) >= 0;
+    close_sets();
+    check(file_.close() && flushed);
   }
   aside_.commit();
 }

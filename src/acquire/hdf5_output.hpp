@@ -23,15 +23,20 @@ class OutputHdf5 {
   OutputHdf5(const OutputHdf5&) = delete;
   OutputHdf5& operator=(const OutputHdf5&) = delete;
 
+  /// Where the names of sets and attributes may begin: "bat-1/run-0", with the groups it lies in.
+  void create_group(const std::string& name);
   void create_set(const std::string& name, std::span<const std::size_t> shape, Stored type = Stored::float64);
   /// Elements first … first + values.size() − 1 along the last dimension, at index `at` of the others.
   void write(const std::string& set, std::span<const std::size_t> at, std::size_t first,
              std::span<const double> values);
   void write(const std::string& set, std::span<const std::size_t> at, std::size_t first,
              std::span<const std::complex<double>> values);
-  /// Attributes of a set, or of the root for an empty name. One number is stored as a scalar unless `array` is set.
+  /// Attributes of a set or group, or of the root for an empty name. One number is stored as a scalar unless `array` is
+  /// set.
   void set_numbers(const std::string& set, const std::string& name, std::span<const double> values, bool array);
   void set_text(const std::string& set, const std::string& name, const std::string& text);
+  /// Ends with the sets and groups made so far: what is open costs memory.
+  void close_sets();
   /// Puts the file in its place. Once, last.
   void commit();
 

@@ -173,6 +173,15 @@ void StrictObject::read(const std::string& key, std::vector<double>& to) {
   append_numbers(*value, to, *this, key);
 }
 
+void StrictObject::read(const std::string& key, std::vector<std::string>& to) {
+  const json* value = impl_->find(key);
+  if (value == nullptr) return;
+  const auto is_text = [](const json& item) { return item.is_string(); };
+  if (!value->is_array() || !std::all_of(value->begin(), value->end(), is_text))
+    fail("not a list of texts", key, R"(give [ "…", … ])");
+  to = value->get<std::vector<std::string>>();
+}
+
 void StrictObject::read_part(const std::string& key, const Reader& read) {
   const json* part = impl_->find(key);
   if (part == nullptr) return;

@@ -40,6 +40,7 @@ class StrictObject {
   void read(const std::string& key, std::size_t& to);
   void read(const std::string& key, std::string& to);
   void read(const std::string& key, std::vector<double>& to);  // nested lists count as one
+  void read(const std::string& key, std::vector<std::string>& to);
   /// An object, and every object of a list; an object counts as a list of one.
   void read_part(const std::string& key, const Reader& read);
   void read_list(const std::string& key, const Reader& read);

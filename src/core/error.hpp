@@ -18,6 +18,9 @@ class InputError : public std::runtime_error {
   explicit InputError(const std::string& message) : std::runtime_error(message) {}
 };
 
+/// What is said where memory ran out.
+inline constexpr const char* kNoMemory = "not enough memory (the whole run); analyse fewer rows or channels at a time";
+
 /// The command line asks for something that percuss does not offer. Same form of message.
 class UsageError : public std::runtime_error {
  public:

@@ -3,6 +3,10 @@
 #include <memory>
 
 #include "acquire/confined_record.hpp"
+#include "acquire/mat_file.hpp"
+#include "acquire/read_hdf5.hpp"
+#include "acquire/reader_nursery.hpp"
+#include "acquire/sound_file.hpp"
 #include "core/error.hpp"
 
 namespace percuss {
@@ -74,23 +78,20 @@ bool plausible_frfs(const FrfRecord& record) {
   return good && record.frfs.size() % record.accel.size() == 0;
 }
 
-}  // namespace
+ConfinedService measurement_service(std::variant<Record, FrfRecord> opened) {
+  Packer out;
+  if (const auto* frfs = std::get_if<FrfRecord>(&opened)) {
+    out.put(Kind::frfs);
+    pack_frf_record(out, *frfs);
+    return {.description = out.bytes(), .read = {}};
+  }
+  out.put(Kind::record);
+  ConfinedService service = record_service(std::move(std::get<Record>(opened)));
+  service.description = out.bytes() + service.description;
+  return service;
+}
 
-std::variant<Record, FrfRecord> open_measurement_confined(
-    const std::string& path, const std::function<std::variant<Record, FrfRecord>()>& open) {
-  auto process = std::make_shared<ConfinedProcess>(path, [&] {
-    auto opened = open();
-    Packer out;
-    if (const auto* frfs = std::get_if<FrfRecord>(&opened)) {
-      out.put(Kind::frfs);
-      pack_frf_record(out, *frfs);
-      return ConfinedService{.description = out.bytes(), .read = {}};
-    }
-    out.put(Kind::record);
-    ConfinedService service = record_service(std::move(std::get<Record>(opened)));
-    service.description = out.bytes() + service.description;
-    return service;
-  });
+std::variant<Record, FrfRecord> served_measurement(const std::shared_ptr<ConfinedProcess>& process) {
   Unpacker in(process->description());
   try {
     if (in.get<Kind>() == Kind::record) return served_record(in, process);
@@ -99,6 +100,37 @@ std::variant<Record, FrfRecord> open_measurement_confined(
   } catch (const std::out_of_range&) {
   }
   process->distrust();
+}
+
+bool is_foreign(const std::string& path) {
+  constexpr std::size_t kHead_bytes = 4096;
+  const std::string head = first_bytes(path, kHead_bytes);
+  return is_mat(head) || is_sound(head) || is_hdf5(path);
+}
+
+}  // namespace
+
+std::variant<Record, FrfRecord> open_measurement_confined(
+    const std::string& path, const std::function<std::variant<Record, FrfRecord>()>& open) {
+  return served_measurement(std::make_shared<ConfinedProcess>(path, [&] { return measurement_service(open()); }));
+}
+
+std::shared_ptr<ReaderNursery> measurement_nursery(const FrfReadOptions& options) {
+  FrfReadOptions within = options;
+  within.read.confined = false;
+  return std::make_shared<ReaderNursery>(
+      [within](const std::string& path) { return measurement_service(open_measurement(path, within)); });
+}
+
+std::variant<Record, FrfRecord> open_measurement_in(ReaderNursery& nursery, const std::string& path,
+                                                    const FrfReadOptions& options) {
+  if (nursery.lost() || !is_foreign(path)) return open_measurement(path, options);
+  try {
+    return served_measurement(std::make_shared<ConfinedProcess>(path, nursery));
+  } catch (const InputError&) {
+    if (!nursery.lost()) throw;
+  }
+  return open_measurement(path, options);
 }
 
 }  // namespace percuss

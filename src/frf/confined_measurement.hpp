@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <memory>
 #include <string>
 #include <variant>
 
@@ -11,5 +12,14 @@ namespace percuss {
 /// come over whole.
 std::variant<Record, FrfRecord> open_measurement_confined(const std::string& path,
                                                           const std::function<std::variant<Record, FrfRecord>()>& open);
+
+class ReaderNursery;
+
+/// Readers of measurements with these options, for open_measurement_in.
+std::shared_ptr<ReaderNursery> measurement_nursery(const FrfReadOptions& options);
+
+/// As open_measurement with the options of the nursery, which forks the processes in which foreign files are read.
+std::variant<Record, FrfRecord> open_measurement_in(ReaderNursery& nursery, const std::string& path,
+                                                    const FrfReadOptions& options);
 
 }  // namespace percuss

@@ -11,8 +11,10 @@
 namespace percuss {
 namespace {
 
+std::string within(const std::string& group, const char* name) { return group.empty() ? name : group + "/" + name; }
+
 // Where the sensors sit, as far as it is known.
-void write_sensors(hdf5::OutputHdf5& out, const FrfRecord& record) {
+void write_sensors(hdf5::OutputHdf5& out, const std::string& set, const FrfRecord& record) {
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> angle_deg, position_m;
   for (const SignalInfo& signal : record.accel) {
@@ -20,13 +22,25 @@ void write_sensors(hdf5::OutputHdf5& out, const FrfRecord& record) {
     position_m.push_back(signal.position_m.value_or(kUnknown));
   }
   const auto known = [](double x) { return std::isfinite(x); };
-  if (std::any_of(angle_deg.begin(), angle_deg.end(), known)) out.set_numbers("frf", "angle_deg", angle_deg, true);
-  if (std::any_of(position_m.begin(), position_m.end(), known)) out.set_numbers("frf", "position_m", position_m, true);
+  if (std::any_of(angle_deg.begin(), angle_deg.end(), known)) out.set_numbers(set, "angle_deg", angle_deg, true);
+  if (std::any_of(position_m.begin(), position_m.end(), known)) out.set_numbers(set, "position_m", position_m, true);
+}
+
+void write_attributes(hdf5::OutputHdf5& out, const std::string& group, const FrfRecord& record, FrfKind kind) {
+  out.set_text(group, "kind", name_of(kind));
+  write_sensors(out, within(group, "frf"), record);
+  if (record.decay_per_s > 0) out.set_numbers(group, "decay_per_s", std::array{record.decay_per_s}, false);
+  out.set_text(group, "unit", unit_of(kind));
+  out.set_text(group, "estimator", record.estimator);
+  const auto least = std::min_element(record.frfs.begin(), record.frfs.end(), [](const PointFrf& a, const PointFrf& b) {
+    return a.frf.averages < b.frf.averages;
+  });
+  out.set_numbers(group, "averages", std::array{static_cast<double>(least->frf.averages)}, false);
 }
 
 }  // namespace
 
-void write_frf_record_hdf5(const std::string& path, const FrfRecord& record, FrfKind kind, bool force) {
+void write_frf_group(hdf5::OutputHdf5& out, const std::string& group, const FrfRecord& record, FrfKind kind) {
   const std::size_t count = record.lines.count;
   std::map<int, std::size_t> points;
   for (const PointFrf& frf : record.frfs) points.emplace(frf.point, points.size());
@@ -35,32 +49,35 @@ void write_frf_record_hdf5(const std::string& path, const FrfRecord& record, Frf
   const bool has_std = all([](const PointFrf& f) { return !f.frf.std.empty(); });
   const bool has_coherence = all([](const PointFrf& f) { return !f.frf.coherence.empty(); });
 
-  hdf5::OutputHdf5 out(path, force);
-  out.create_set("frequency_hz", std::array{count});
+  const std::string frequency = within(group, "frequency_hz"), frfs = within(group, "frf"),
+                    stds = within(group, "frf_std"), coherence = within(group, "coherence"),
+                    point_set = within(group, "point");
+  if (!group.empty()) out.create_group(group);
+  out.create_set(frequency, std::array{count});
   std::vector<double> freq_Hz(count);
   for (std::size_t k = 0; k < count; ++k) freq_Hz[k] = record.lines.freq_Hz(k);
-  out.write("frequency_hz", {}, 0, std::span<const double>(freq_Hz));
-  out.create_set("frf", shape, hdf5::Stored::complex128);
-  if (has_std) out.create_set("frf_std", shape);
-  if (has_coherence) out.create_set("coherence", shape);
-  std::vector<double> numbers, averages;
+  out.write(frequency, {}, 0, std::span<const double>(freq_Hz));
+  out.create_set(frfs, shape, hdf5::Stored::complex128);
+  if (has_std) out.create_set(stds, shape);
+  if (has_coherence) out.create_set(coherence, shape);
+  std::vector<double> numbers;
+  numbers.reserve(points.size());
   for (const auto& [point, index] : points) numbers.push_back(point);
-  out.create_set("point", std::array{numbers.size()}, hdf5::Stored::int32);
-  out.write("point", {}, 0, std::span<const double>(numbers));
+  out.create_set(point_set, std::array{numbers.size()}, hdf5::Stored::int32);
+  out.write(point_set, {}, 0, std::span<const double>(numbers));
   for (const PointFrf& frf : record.frfs) {
     const Frf shown = converted(frf.frf, record.lines, kind, record.decay_per_s);
     const std::array at{points.at(frf.point), frf.channel};
-    out.write("frf", at, 0, std::span<const Complex>(shown.value));
-    averages.push_back(static_cast<double>(frf.frf.averages));
-    if (has_std) out.write("frf_std", at, 0, std::span<const double>(shown.std));
-    if (has_coherence) out.write("coherence", at, 0, std::span<const double>(shown.coherence));
+    out.write(frfs, at, 0, std::span<const Complex>(shown.value));
+    if (has_std) out.write(stds, at, 0, std::span<const double>(shown.std));
+    if (has_coherence) out.write(coherence, at, 0, std::span<const double>(shown.coherence));
   }
-  out.set_text("", "kind", name_of(kind));
-  write_sensors(out, record);
-  if (record.decay_per_s > 0) out.set_numbers("", "decay_per_s", std::array{record.decay_per_s}, false);
-  out.set_text("", "unit", unit_of(kind));
-  out.set_text("", "estimator", record.estimator);
-  out.set_numbers("", "averages", std::array{*std::min_element(averages.begin(), averages.end())}, false);
+  write_attributes(out, group, record, kind);
+}
+
+void write_frf_record_hdf5(const std::string& path, const FrfRecord& record, FrfKind kind, bool force) {
+  hdf5::OutputHdf5 out(path, force);
+  write_frf_group(out, "", record, kind);
   out.commit();
 }
 

@@ -10,6 +10,7 @@
 #include "acquire/strict_json.hpp"
 #include "core/error.hpp"
 #include "metrics/performance.hpp"
+#include "metrics/study_batch.hpp"
 
 namespace percuss {
 namespace {
@@ -116,9 +117,7 @@ void take_frequencies(const Json& analysis, BatProperties& p) {
     const auto family = mode.find("family"), order = mode.find("order"), freq = mode.find("frequency_hz");
     if (family == mode.end() || order == mode.end() || freq == mode.end()) continue;
     if (!family->is_string() || !order->is_number_integer() || !freq->is_number()) continue;
-    const std::string column = fmt::format("{}{}_hz", family->get<std::string>(), order->get<std::int64_t>());
-    const auto& known = study_columns();
-    if (std::find(known.begin(), known.end(), column) != known.end()) p.emplace(column, shortest(*freq));
+    add_frequency(p, family->get<std::string>(), order->get<std::int64_t>(), freq->get<double>());
   }
 }
 
@@ -172,6 +171,10 @@ void StudyRows::merge(const BatProperties& properties, const std::string& where)
 }
 
 void StudyRows::add(std::string_view text, const std::string& where) {
+  if (holds_batch(text)) {
+    for (const BatProperties& bat : batch_bats(text, where)) merge(bat, where);
+    return;
+  }
   if (looks_like_json(text) && !nests_deeper_than(text, kDeepestDocument)) {
     const Json document = Json::parse(text.begin(), text.end(), nullptr, false);
     const auto schema = document.is_object() ? document.find("schema") : document.end();

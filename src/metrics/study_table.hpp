@@ -40,7 +40,8 @@ using BatProperties = std::map<std::string, std::string>;
 /// Rows gathered from tables and analyses, joined by id: what two of them say of one bat must agree.
 class StudyRows {
  public:
-  /// A table (docs/schema/study-table.schema.json, or the same as CSV) or a document percuss/analysis/1 with "bat".
+  /// A table (docs/schema/study-table.schema.json, or the same as CSV), a document percuss/analysis/1 with "bat", or
+  /// the rows of a batch, of which ids and frequencies count.
   /// errors  InputError: neither, an unknown column, a value that cannot be, two different values for one id.
   void add(std::string_view text, const std::string& where);
   /// All bats, with drop, BBS and BBCOR worked out where their parts are known ((P1), (P8), (P9), a ball of 145.4 g).

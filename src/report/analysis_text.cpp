@@ -98,7 +98,7 @@ std::string analysis_text(const Analysis& analysis, const TextOptions& options) 
       text += modes_text(analysis, wants(Section::classes), options.width) + "\n";
     if (options.per_hit) text += per_hit_text(analysis, options.width) + "\n";
   } else {
-    text += "no hit can be used: no FRF, no modes (--accept-hit overrules a rejection)\n\n";
+    text += std::string(kNoUsableHit) + "\n\n";
   }
   for (const Warning& warning : options.warnings ? analysis.warnings() : std::vector<Warning>{})
     text += wrapped("! " + one_line(warning.message, 4000), options.width, 2) + "\n";

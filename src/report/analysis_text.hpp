@@ -15,6 +15,9 @@ struct TextOptions {
   bool sketch = false;  // a drawing of the FRFs in characters
 };
 
+/// What is said of a test without FRFs and modes.
+inline constexpr const char* kNoUsableHit = "no hit can be used: no FRF, no modes (--accept-hit overrules a rejection)";
+
 /// The analysis as a person reads it: one line of what was measured, the hits, the modes with ±, then warnings in
 /// words.
 std::string analysis_text(const Analysis& analysis, const TextOptions& options = {});

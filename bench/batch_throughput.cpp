@@ -1,0 +1,206 @@
+// percuss_batch_throughput [RECORDS]: what a batch costs over the bare library. In one run, by turns, the best of
+// three: records/s of a loop that opens and analyses one record after the other and keeps nothing; of run_shard on one
+// thread, which also writes rows and journal; and of run_shard on two. Then the largest memory of processes that run
+// 100 records and RECORDS (default 10 000). The records are fifty different ones of 512 samples under many names.
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "acquire/write_record.hpp"
+#include "batch/plan.hpp"
+#include "batch/run_shard.hpp"
+#include "core/parallel.hpp"
+#include "frf/confined_measurement.hpp"
+#include "pipeline/tests_of_record.hpp"
+#include "report/version.hpp"
+#include "synth/record.hpp"
+
+namespace percuss {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kTurns = 5;
+constexpr std::size_t kDifferent = 50;
+constexpr std::size_t kPerTurn = 500;  // records
+
+SynthSpec small_test(std::size_t seed) {
+  SynthSpec spec;
+  spec.fs_Hz = 4096;
+  spec.samples = 512;
+  spec.band_high_Hz = 1500;
+  spec.hits = 2;
+  spec.seed = seed;
+  spec.pulse.width_s = 0.0008;
+  spec.noise = {.force = 1e-4, .accel = 1e-3};
+  spec.modes = {{.freq_Hz = 200, .damping_ratio = 0.03},
+                {.freq_Hz = 700, .damping_ratio = 0.02, .family = SynthFamily::hoop}};
+  return spec;
+}
+
+class Folder {
+ public:
+  Folder() : path_((fs::temp_directory_path() / fmt::format("percuss-batch-{}", ::getpid())).string()) {
+    fs::create_directories(path_);
+  }
+  ~Folder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  std::string file(const std::string& name) const { return path_ + "/" + name; }
+  std::string made(const std::string& name) const {
+    fs::create_directories(file(name));
+    return file(name);
+  }
+
+ private:
+  std::string path_;
+};
+
+// A manifest of so many records of one kind.
+std::string planned(const Folder& folder, const std::string& kind, std::size_t records) {
+  const std::string seeds = folder.made("seeds"), place = folder.made(fmt::format("{}-{}", kind, records));
+  std::vector<std::string> paths;
+  for (std::size_t i = 0; i < records; ++i) {
+    const std::string seed = fmt::format("{}/{}.{}", seeds, i % kDifferent, kind);
+    if (!fs::exists(seed)) write_record(seed, synthesise(small_test(i % kDifferent)).record, false);
+    paths.push_back(fmt::format("{}/{}.{}", place, i, kind));
+    fs::create_hard_link(seed, paths.back());
+  }
+  std::string manifest = place + ".jsonl";
+  write_manifest(manifest, {.version = version(), .options = {}, .setup = {}}, planned_records(paths, ".", false),
+                 true);
+  return manifest;
+}
+
+RowOptions options() {
+  RowOptions out;
+  out.read.read.confined = true;
+  out.analysis.threads = 1;
+  return out;
+}
+
+void loop(const Manifest& manifest) {
+  const RowOptions how = options();
+  for (std::size_t i = 0; i < manifest.size(); ++i) {
+    for (const RunAnalysis& test : tests_of_record(open_measurement(manifest.record(i).path, how.read), how.analysis)) {
+      test.analysis->hits();
+      test.analysis->verdicts();
+      test.analysis->warnings();
+    }
+  }
+}
+
+void batch(const Manifest& manifest, std::size_t threads, const std::string& results) {
+  fs::remove_all(results);
+  fs::create_directories(results);
+  RowOptions how = options();
+  how.nursery = measurement_nursery(how.read);
+  run_shard({.manifest = &manifest, .folder = results, .options = how, .threads = threads});
+}
+
+// How long something took at its best: by the clock, and the processors' time, that of child processes included.
+struct Spent {
+  double clock_s = 1e9, processor_s = 1e9;
+
+  template <class Work>
+  void on(Work work) {
+    const auto start = std::chrono::steady_clock::now();
+    const double before_s = processor_now_s();
+    work();
+    clock_s = std::min(clock_s, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    processor_s = std::min(processor_s, processor_now_s() - before_s);
+  }
+
+ private:
+  static double processor_now_s() {
+    double sum_s = 0;
+    for (const auto who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
+      rusage used{};
+      ::getrusage(who, &used);
+      for (const timeval& part : {used.ru_utime, used.ru_stime})
+        sum_s += static_cast<double>(part.tv_sec) + 1e-6 * static_cast<double>(part.tv_usec);
+    }
+    return sum_s;
+  }
+};
+
+// Two equal pieces of work without memory, one after the other or side by side.
+void arithmetic(std::size_t threads) {
+  static std::array<volatile double, 2> sums{};  // so that the work is done
+  parallel_for(2, threads, [](std::size_t i) {
+    double x = 0.5;
+    for (int n = 0; n < 50'000'000; ++n) x = 3.9 * x * (1 - x);
+    sums.at(i) = x;
+  });
+}
+
+void compare(const Folder& folder, const std::string& kind) {
+  const Manifest manifest(planned(folder, kind, kPerTurn));
+  const std::string results = folder.file("results");
+  Spent in_loop, on_one, on_two, alone, beside;
+  for (int turn = 0; turn < kTurns; ++turn) {
+    in_loop.on([&] { loop(manifest); });
+    on_one.on([&] { batch(manifest, 1, results); });
+    on_two.on([&] { batch(manifest, 2, results); });
+    alone.on([] { arithmetic(1); });
+    beside.on([] { arithmetic(2); });
+  }
+  const auto rate = [&](double seconds) { return static_cast<double>(manifest.size()) / seconds; };
+  fmt::print(
+      "{:4} bare loop {:5.0f}/s; batch {:5.0f}/s, {:.2f} x; on two threads {:5.0f}/s, {:.2f} x (arithmetic {:.2f} x)",
+      kind, rate(in_loop.clock_s), rate(on_one.clock_s), in_loop.clock_s / on_one.clock_s, rate(on_two.clock_s),
+      on_one.clock_s / on_two.clock_s, alone.clock_s / beside.clock_s);
+  fmt::print("; records per processor second {:.0f}, {:.0f} ({:.2f} x), {:.0f} ({:.2f} x)\n", rate(in_loop.processor_s),
+             rate(on_one.processor_s), in_loop.processor_s / on_one.processor_s, rate(on_two.processor_s),
+             on_one.processor_s / on_two.processor_s);
+}
+
+// Of a process of its own.
+double largest_memory_MB(const Folder& folder, const std::string& manifest) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    batch(Manifest(manifest), 2, folder.file("results"));
+    ::_exit(0);
+  }
+  int status = 0;
+  rusage used{};
+  ::wait4(child, &status, 0, &used);
+  return static_cast<double>(used.ru_maxrss) / 1024;
+}
+
+void compare_memory(const Folder& folder, std::size_t records) {
+  const std::string few = planned(folder, "csv", 100), many = planned(folder, "csv", records);
+  const double few_MB = largest_memory_MB(folder, few), many_MB = largest_memory_MB(folder, many);
+  fmt::print("largest memory on two threads: {:.1f} MB for 100 records, {:.1f} MB for {}, {:.2f} x\n", few_MB, many_MB,
+             records, many_MB / few_MB);
+}
+
+}  // namespace
+}  // namespace percuss
+
+int main(int count, char** arguments) {
+  using namespace percuss;
+  try {
+    const Folder folder;
+    // First: a process that has started threads is not to be forked.
+    compare_memory(folder, count > 1 ? std::strtoul(arguments[1], nullptr, 10) : 10000);
+    for (const char* kind : {"csv", "uff", "h5"}) compare(folder, kind);
+    return EXIT_SUCCESS;
+  } catch (const std::exception& problem) {
+    fmt::print(stderr, "percuss_batch_throughput: {}\n", problem.what());
+    return EXIT_FAILURE;
+  }
+}

@@ -1,0 +1,39 @@
+#include <cstdlib>
+
+#include "batch/journal.hpp"
+#include "batch/manifest.hpp"
+#include "batch/packed_frf.hpp"
+#include "batch/part.hpp"
+#include "metrics/study_batch.hpp"
+#include "targets.hpp"
+
+namespace percuss::fuzz {
+namespace {
+
+// All shards of any division together are all records, which can be read.
+void read_manifest(const std::string& path) {
+  const Manifest manifest(path);
+  for (const std::size_t shards : {std::size_t{1}, std::size_t{3}, manifest.head().shards}) {
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < shards; ++i) {
+      const ShardRange range = manifest.shard(i, shards);
+      if (range.first != next || range.last < range.first) std::abort();
+      next = range.last;
+    }
+    if (next != manifest.size()) std::abort();
+  }
+  for (std::size_t i = 0; i < manifest.size(); ++i) manifest.record(i);
+}
+
+}  // namespace
+
+void run_batch(std::string_view bytes) {
+  const NamelessFile file(bytes);
+  accepted([&] { read_manifest(file.path()); });
+  accepted([&] { parse_finished(bytes, "fuzzed"); });
+  accepted([&] { journal_state(file.path()); });
+  accepted([&] { unpacked_frfs(bytes.substr(0, bytes.find('\n')), "fuzzed"); });
+  if (holds_batch(bytes)) accepted([&] { batch_bats(bytes, "fuzzed"); });
+}
+
+}  // namespace percuss::fuzz

@@ -1,0 +1,89 @@
+#include "batch/merge.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "batch/line_reader.hpp"
+#include "batch/part.hpp"
+#include "batch/row_writer.hpp"
+#include "batch/status.hpp"
+#include "core/error.hpp"
+#include "report/digest.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr std::size_t kLongestRow_bytes = std::size_t{1} << 30U;
+
+[[noreturn]] void refuse_changed(const std::string& path) {
+  throw InputError("the part is not as it was finished", path, "run its shard again with --force");
+}
+
+// Every shard's own word, held against the plan and against the others'.
+std::vector<FinishedPart> finished_parts(const Manifest& manifest, const std::string& folder) {
+  const std::size_t shards = division_in(folder).value_or(manifest.head().shards);
+  std::vector<FinishedPart> parts;
+  std::vector<std::size_t> missing;
+  for (std::size_t i = 0; i < shards; ++i) {
+    const auto part = finished_part(folder, i);
+    if (!part) {
+      missing.push_back(i);
+      continue;
+    }
+    PartLabel wanted = label_of(manifest, i, shards);
+    wanted.version = (parts.empty() ? *part : parts.front()).label.version;
+    require_same(part->label, wanted, part_path(folder, i, "ok"));
+    parts.push_back(*part);
+  }
+  if (missing.empty()) return parts;
+  throw InputError(
+      fmt::format("{} of {} shards are not finished: {}", missing.size(), shards, one_line(array_list(missing), 80)),
+      folder, "run them with percuss batch run");
+}
+
+void copy_rows(const std::string& folder, const FinishedPart& part,
+               const std::vector<std::unique_ptr<RowWriter>>& writers) {
+  const std::string path = part_path(folder, part.label.shard, "jsonl");
+  LineReader lines(path, kLongestRow_bytes);
+  Digest digest;
+  std::size_t records = 0;
+  while (lines.next()) {
+    digest.add(lines.line());
+    digest.add("\n");
+    if (lines.number() == 1) {
+      if (lines.line() != label_line(part.label)) refuse_changed(path);
+      continue;
+    }
+    records += lines.line().starts_with(kRecordRow) ? 1U : 0U;
+    for (const auto& writer : writers) writer->add(lines.line(), fmt::format("{}, line {}", path, lines.number()));
+  }
+  if (records != part.records || hexadecimal(digest.result()) != part.sha256) refuse_changed(path);
+}
+
+}  // namespace
+
+MergedBatch merge_batch(const Manifest& manifest, const std::string& folder, const std::vector<std::string>& paths,
+                        bool force) {
+  const auto parts = finished_parts(manifest, folder);
+  MergedBatch merged;
+  for (const FinishedPart& part : parts) {
+    merged.records += part.records;
+    merged.failed += part.failed;
+  }
+  const BatchTotals totals{.version = parts.front().label.version,
+                           .head = manifest.head(),
+                           .records = merged.records,
+                           .failed = merged.failed};
+  std::vector<std::unique_ptr<RowWriter>> writers;
+  writers.reserve(paths.size());
+  for (const std::string& path : paths) writers.push_back(row_writer(path, totals, force));
+  for (const FinishedPart& part : parts) copy_rows(folder, part, writers);
+  for (const auto& writer : writers) writer->commit();
+  return merged;
+}
+
+}  // namespace percuss

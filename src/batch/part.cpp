@@ -1,0 +1,140 @@
+#include "batch/part.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "acquire/input_file.hpp"
+#include "acquire/strict_json.hpp"
+#include "batch/line_reader.hpp"
+#include "core/error.hpp"
+#include "report/version.hpp"
+
+namespace percuss {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kPartSchema = "percuss/batch-part/1";
+constexpr std::size_t kLongestLabel_bytes = 4096;
+
+Json label_json(const PartLabel& label) {
+  return {{"schema", kPartSchema},
+          {"version", label.version},
+          {"manifest_sha256", label.manifest_sha256},
+          {"options_sha256", label.options_sha256},
+          {"shard", label.shard},
+          {"shards", label.shards}};
+}
+
+StrictText own_text(std::string_view text, const std::string& where) {
+  return {.text = text, .where = where, .example = "percuss batch run"};
+}
+
+PartLabel read_label(StrictObject& o) {
+  PartLabel label;
+  for (const char* key : {"schema", "version", "manifest_sha256", "options_sha256", "shard", "shards"}) o.need(key);
+  std::string schema;
+  o.read("schema", schema);
+  if (schema != kPartSchema) o.fail("not a part of a batch", "schema", "name another folder for the results");
+  o.read("version", label.version);
+  o.read("manifest_sha256", label.manifest_sha256);
+  o.read("options_sha256", label.options_sha256);
+  o.read("shard", label.shard);
+  o.read("shards", label.shards);
+  if (label.shards < 1 || label.shards > kMostShards || label.shard >= label.shards)
+    o.fail("out of range", "shards", "run the shard again with --force");
+  return label;
+}
+
+// The division that a file of a shard tells of; nothing for one that was cut off before it could.
+std::optional<std::size_t> division_told(const fs::path& path) {
+  const std::string name = path.filename().string(), kind = path.extension().string();
+  if (!name.starts_with("part-")) return std::nullopt;
+  if (kind == ".ok") {
+    const FileBytes bytes = read_input(path.string(), kLongestLabel_bytes);
+    return parse_finished(bytes.view(), path.string()).label.shards;
+  }
+  if (kind != ".partial") return std::nullopt;
+  const std::string head = first_bytes(path.string(), kLongestLabel_bytes);
+  const std::size_t end = head.find('\n');
+  if (end == std::string::npos) return std::nullopt;
+  return parse_label(std::string_view(head).substr(0, end), path.string()).shards;
+}
+
+}  // namespace
+
+std::string part_path(const std::string& folder, std::size_t shard, const char* extension) {
+  return fmt::format("{}/part-{}.{}", folder, shard, extension);
+}
+
+PartLabel label_of(const Manifest& manifest, std::size_t shard, std::size_t shards) {
+  return {.version = version(),
+          .manifest_sha256 = manifest.sha256(),
+          .options_sha256 = options_sha256(manifest.head()),
+          .shard = shard,
+          .shards = shards};
+}
+
+std::string label_line(const PartLabel& label) { return label_json(label).dump(); }
+
+std::string finished_line(const FinishedPart& part) {
+  Json json = label_json(part.label);
+  json["records"] = part.records;
+  json["failed"] = part.failed;
+  json["bytes"] = part.bytes;
+  json["sha256"] = part.sha256;
+  return json.dump();
+}
+
+PartLabel parse_label(std::string_view line, const std::string& where) {
+  PartLabel label;
+  read_strict_json(own_text(line, where), [&](StrictObject& o) { label = read_label(o); });
+  return label;
+}
+
+FinishedPart parse_finished(std::string_view text, const std::string& where) {
+  FinishedPart part;
+  read_strict_json(own_text(text, where), [&](StrictObject& o) {
+    part.label = read_label(o);
+    for (const char* key : {"records", "failed", "bytes", "sha256"}) o.need(key);
+    o.read("records", part.records);
+    o.read("failed", part.failed);
+    std::size_t bytes = 0;
+    o.read("bytes", bytes);
+    part.bytes = bytes;
+    o.read("sha256", part.sha256);
+  });
+  return part;
+}
+
+std::optional<FinishedPart> finished_part(const std::string& folder, std::size_t shard) {
+  const std::string path = part_path(folder, shard, "ok");
+  std::error_code ignored;
+  if (!fs::exists(path, ignored)) return std::nullopt;
+  return parse_finished(read_input(path, kLongestLabel_bytes).view(), path);
+}
+
+std::optional<std::size_t> division_in(const std::string& folder) {
+  std::error_code absent;
+  for (const auto& entry : fs::directory_iterator(folder, absent)) {
+    if (const auto shards = division_told(entry.path())) return shards;
+  }
+  return std::nullopt;
+}
+
+void require_same(const PartLabel& found, const PartLabel& wanted, const std::string& path) {
+  const auto refuse = [&](const std::string& problem) {
+    throw InputError(problem, path, "name another folder for the results, or run with --force");
+  };
+  if (found.shards != wanted.shards || found.shard != wanted.shard)
+    refuse(fmt::format("shard {} of {}, not {} of {}", found.shard, found.shards, wanted.shard, wanted.shards));
+  if (found.options_sha256 != wanted.options_sha256) refuse("made with other options than the manifest's");
+  if (found.manifest_sha256 != wanted.manifest_sha256) refuse("made after another manifest");
+  if (found.version != wanted.version)
+    refuse(fmt::format("made by percuss {}, not {}", one_line(found.version, 40), wanted.version));
+}
+
+}  // namespace percuss

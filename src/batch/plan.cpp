@@ -1,0 +1,162 @@
+#include "batch/plan.hpp"
+
+#include <fmt/format.h>
+#include <glob.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <set>
+#include <string_view>
+#include <system_error>
+
+#include "acquire/input_file.hpp"
+#include "core/error.hpp"
+#include "report/digest.hpp"
+
+namespace percuss {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Of files that a folder is walked for; a file that is named may have any.
+constexpr std::array<std::string_view, 17> kRecordKinds{".h5",  ".hdf5", ".hdf", ".mat", ".uff", ".unv",
+                                                        ".csv", ".tsv",  ".txt", ".dat", ".asc", ".lvm",
+                                                        ".wav", ".rf64", ".w64", ".uf",  ".bunv"};
+
+bool is_record_kind(const fs::path& path) {
+  std::string kind = path.extension().string();
+  std::transform(kind.begin(), kind.end(), kind.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return std::find(kRecordKinds.begin(), kRecordKinds.end(), kind) != kRecordKinds.end();
+}
+
+bool is_pattern(const std::string& name) { return name.find_first_of("*?[") != std::string::npos; }
+
+class Gathered {
+ public:
+  void add(const std::string& path) {
+    if (seen_.insert(path).second) files_.paths.push_back(path);
+  }
+  void add_folder(const std::string& folder) {
+    std::vector<std::string> found;
+    std::error_code problem;
+    auto at = fs::recursive_directory_iterator(folder, problem);
+    for (; !problem && at != fs::recursive_directory_iterator(); at.increment(problem)) {
+      const bool hidden = at->path().filename().string().starts_with('.');
+      std::error_code ignored;
+      if (hidden && at->is_directory(ignored)) at.disable_recursion_pending();
+      if (hidden || !at->is_regular_file(ignored)) continue;
+      if (is_record_kind(at->path())) {
+        found.push_back(at->path().string());
+      } else {
+        ++files_.left_out;
+      }
+    }
+    if (problem) throw InputError("cannot read the folder: " + problem.message(), folder, "check its permissions");
+    std::sort(found.begin(), found.end());
+    for (const std::string& path : found) add(path);
+  }
+  void add_pattern(const std::string& pattern) {
+    glob_t matches{};
+    const std::unique_ptr<glob_t, decltype(&::globfree)> owner(&matches, &::globfree);
+    if (::glob(pattern.c_str(), GLOB_ERR, nullptr, &matches) != 0) {
+      throw InputError("no file fits the pattern", pattern,
+                       "check the path; a folder is walked when it is named itself");
+    }
+    for (std::size_t i = 0; i < matches.gl_pathc; ++i) add_named(matches.gl_pathv[i]);
+  }
+  void add_named(const std::string& name) {
+    std::error_code ignored;
+    if (fs::is_directory(name, ignored)) {
+      add_folder(name);
+    } else if (!fs::exists(name, ignored) && is_pattern(name)) {
+      add_pattern(name);
+    } else {
+      first_bytes(name, 0);  // it is there, and can be read
+      add(name);
+    }
+  }
+  RecordFiles result() { return std::move(files_); }
+
+ private:
+  RecordFiles files_;
+  std::set<std::string> seen_;
+};
+
+bool is_utf8(const std::string& text) {
+  std::size_t more = 0;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (more > 0) {
+      if ((byte & 0xC0U) != 0x80U) return false;
+      --more;
+    } else {
+      more = byte < 0x80               ? 0
+             : (byte & 0xE0U) == 0xC0U ? 1
+             : (byte & 0xF0U) == 0xE0U ? 2
+             : (byte & 0xF8U) == 0xF0U ? 3
+                                       : 4;
+      if (more > 3) return false;
+    }
+  }
+  return more == 0;
+}
+
+// As it was named, seen from the folder; through the folders that it really lies in where a link makes that another
+// file.
+std::string path_from(const std::string& path, const fs::path& folder) {
+  const fs::path given(path);
+  if (given.is_absolute()) return given.lexically_normal().string();
+  const fs::path named = fs::absolute(given).lexically_normal().lexically_relative(folder);
+  std::error_code ignored;
+  if (fs::equivalent(folder / named, given, ignored)) return named.string();
+  return fs::relative(given, folder).string();
+}
+
+}  // namespace
+
+RecordFiles record_files(const std::vector<std::string>& named) {
+  Gathered gathered;
+  for (const std::string& name : named) gathered.add_named(name);
+  return gathered.result();
+}
+
+std::vector<std::string> listed_names(std::string_view text) {
+  std::vector<std::string> names;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    if (!line.empty()) names.emplace_back(line);
+  }
+  return names;
+}
+
+std::vector<BatchRecord> planned_records(const std::vector<std::string>& paths, const std::string& manifest_folder,
+                                         bool hashed) {
+  const fs::path folder = (fs::absolute(manifest_folder) / "").lexically_normal();
+  std::map<std::string, BatchRecord> by_path;
+  std::map<std::string, std::size_t> times;  // each name without extension
+  for (const std::string& path : paths) {
+    if (!is_utf8(path)) throw InputError("the file's name is not UTF-8", path, "rename it");
+    BatchRecord record{.id = fs::path(path).stem().string(), .path = path_from(path, folder)};
+    record.bytes = fs::file_size(path);
+    if (hashed) record.sha256 = sha256_of_file(path);
+    if (by_path.emplace(record.path, record).second) ++times[record.id];
+  }
+  std::vector<BatchRecord> records;
+  records.reserve(by_path.size());
+  for (const auto& [path, record] : by_path) {
+    records.push_back(record);
+    if (times.at(record.id) > 1 || by_path.contains(record.id)) records.back().id = path;
+  }
+  std::sort(records.begin(), records.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
+  return records;
+}
+
+}  // namespace percuss

@@ -1,0 +1,170 @@
+#include "batch/record_rows.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <new>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "batch/packed_frf.hpp"
+#include "core/error.hpp"
+#include "frf/confined_measurement.hpp"
+#include "pipeline/tests_of_record.hpp"
+#include "report/analysis_text.hpp"
+#include "report/digest.hpp"
+#include "report/frf_files.hpp"
+
+namespace percuss {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// The exit codes of percuss analyze.
+constexpr int kWentWrong = 1, kNotOffered = 2, kUnusable = 3, kNoHit = 4;
+
+std::string line_of(const Json& row) { return row.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+void require_unchanged(const BatchRecord& record) {
+  std::error_code absent;
+  const std::uint64_t bytes = std::filesystem::file_size(record.path, absent);
+  if (absent) return;  // whoever opens it says so
+  if (bytes != record.bytes) {
+    throw InputError(fmt::format("the file has {} bytes, and had {} when the batch was planned", bytes, record.bytes),
+                     record.path, "put it back, or plan anew");
+  }
+  if (!record.sha256.empty() && sha256_of_file(record.path) != record.sha256) {
+    throw InputError("the file is not the one that the batch was planned with: its SHA-256 is another", record.path,
+                     "put it back, or plan anew");
+  }
+}
+
+/// What is told of a record, gathered over its runs.
+struct Told {
+  int code = 0;
+  std::string reason;
+  Json fs_Hz, band_Hz{Json(), Json()};
+  std::size_t accepted = 0, rejected = 0;
+  std::set<FindingCode> findings;
+  std::vector<std::string> warnings;  // in the order in which they came
+  std::vector<Json> modes;
+  std::vector<Json> frfs;
+};
+
+void add_hits(Told& told, const Analysis& analysis) {
+  for (const AnalysedHit& hit : analysis.hits()) {
+    ++(hit.accepted ? told.accepted : told.rejected);
+    for (const Finding& finding : hit.hit.findings) told.findings.insert(finding.code);
+  }
+}
+
+void add_verdict(Json& row, const Verdict& verdict) {
+  row["family"] = name_of(verdict.family);
+  row["order"] = verdict.order > 0 ? Json(verdict.order) : Json();
+  row["confidence"] = verdict.confidence;
+  row["alternative"] = verdict.alternative ? Json(name_of(*verdict.alternative)) : Json();
+  row["overlay_difference_db"] = verdict.overlay_dB ? Json(*verdict.overlay_dB) : Json();
+  row["overlaid"] = verdict.overlay_dB ? Json(verdict.overlaid) : Json();
+  row["ratio_re"] = verdict.ratio ? Json(verdict.ratio->real()) : Json();
+  row["ratio_im"] = verdict.ratio ? Json(verdict.ratio->imag()) : Json();
+  row["ratio_std"] = verdict.ratio ? Json(verdict.ratio_std) : Json();
+  const auto& peak = verdict.double_peak;
+  row["double_peak_partner"] = peak ? Json(peak->partner) : Json();
+  row["double_peak_separation_hz"] = peak ? Json(peak->separation_Hz) : Json();
+  row["double_peak_first"] = peak ? Json(peak->first) : Json();
+}
+
+Json row_start(const char* kind, const BatchRecord& record) {
+  return {{"row", kind}, {"id", record.id}, {"path", record.path}};
+}
+
+void add_modes(Told& told, const BatchRecord& record, int run, const Analysis& analysis) {
+  for (std::size_t m = 0; m < analysis.modes().size(); ++m) {
+    const Mode& mode = analysis.modes()[m];
+    Json row = row_start("mode", record);
+    row["run"] = run;
+    row["index"] = m;
+    row["frequency_hz"] = mode.pole.freq_Hz;
+    row["frequency_std_hz"] = mode.freq_std_Hz;
+    row["damping_ratio"] = mode.pole.damping_ratio;
+    row["damping_ratio_std"] = mode.damping_std;
+    add_verdict(row, analysis.verdicts()[m]);
+    told.modes.push_back(std::move(row));
+  }
+}
+
+void add_run(Told& told, const BatchRecord& record, const RunAnalysis& test, const RowOptions& options) {
+  const Analysis& analysis = *test.analysis;
+  const bool given = analysis.given_frfs() != nullptr;  // FRFs do not tell the rate
+  told.fs_Hz = given ? Json() : Json(analysis.record().fs_Hz);
+  add_hits(told, analysis);
+  if (analysis.possible()) {
+    told.band_Hz = {analysis.band_Hz().first, analysis.band_Hz().second};
+    add_modes(told, record, test.run, analysis);
+  } else {
+    told.code = kNoHit;
+    told.reason = kNoUsableHit;
+  }
+  for (const Warning& warning : analysis.warnings()) {
+    auto& known = told.warnings;
+    if (std::find(known.begin(), known.end(), warning.code) == known.end()) known.push_back(warning.code);
+  }
+  if (!options.frf || !analysis.possible()) return;
+  Json row = row_start("frf", record);
+  row["run"] = test.run;
+  row["packed"] = packed_frfs(frf_record_of(analysis));
+  told.frfs.push_back(std::move(row));
+}
+
+// The codes and words with which the program would end.
+Told told_of(const BatchRecord& record, const RowOptions& options) {
+  Told told;
+  const auto refused = [](int code, const std::string& reason) { return Told{.code = code, .reason = reason}; };
+  try {
+    require_unchanged(record);
+    auto opened = options.nursery != nullptr ? open_measurement_in(*options.nursery, record.path, options.read)
+                                             : open_measurement(record.path, options.read);
+    for (const RunAnalysis& test : tests_of_record(std::move(opened), options.analysis))
+      add_run(told, record, test, options);
+    return told;
+  } catch (const UsageError& e) {
+    return refused(kNotOffered, e.what());
+  } catch (const InputError& e) {
+    return refused(kUnusable, e.what());
+  } catch (const std::bad_alloc&) {
+    return refused(kWentWrong, kNoMemory);
+  } catch (const std::exception& e) {
+    return refused(kWentWrong, e.what());
+  }
+}
+
+Json record_row(const BatchRecord& record, const Told& told) {
+  Json row = row_start("record", record);
+  row["bytes"] = record.bytes;
+  row["code"] = told.code;
+  row["reason"] = told.code == 0 ? Json() : Json(told.reason);
+  row["fs_hz"] = told.fs_Hz;
+  row["band_low_hz"] = told.band_Hz[0];
+  row["band_high_hz"] = told.band_Hz[1];
+  row["hits_accepted"] = told.accepted;
+  row["hits_rejected"] = told.rejected;
+  row["modes"] = told.modes.size();
+  row["findings"] = Json::array();
+  for (const FindingCode code : told.findings) row["findings"].push_back(name_of(code));
+  row["warnings"] = told.warnings;
+  return row;
+}
+
+}  // namespace
+
+RecordRows rows_of(const BatchRecord& record, const RowOptions& options) {
+  const Told told = told_of(record, options);
+  RecordRows out{.lines = {line_of(record_row(record, told))}, .failed = told.code != 0};
+  for (const auto* rows : {&told.modes, &told.frfs}) {
+    for (const Json& row : *rows) out.lines.push_back(line_of(row));
+  }
+  return out;
+}
+
+}  // namespace percuss

@@ -1,0 +1,67 @@
+#include "batch/run_shard.hpp"
+
+#include <filesystem>
+#include <vector>
+
+#include "acquire/atomic_file.hpp"
+#include "batch/digested_file.hpp"
+#include "batch/journal.hpp"
+#include "core/parallel.hpp"
+
+namespace percuss {
+namespace {
+
+FinishedPart put_in_place(const ShardJob& job, const PartLabel& label, ShardRange range, const Journal& journal) {
+  FinishedPart part{.label = label, .records = journal.finished(), .failed = journal.failed()};
+  DigestedFile file(part_path(job.folder, job.shard, "jsonl"), true);
+  file.add(label_line(label) + "\n");
+  for (std::size_t i = range.first; i < range.last; ++i) file.add(journal.rows(i));
+  file.commit();
+  part.bytes = file.bytes();
+  part.sha256 = file.sha256();
+  write_file(part_path(job.folder, job.shard, "ok"), finished_line(part) + "\n", true);
+  return part;
+}
+
+std::optional<FinishedPart> done_before(const ShardJob& job, const PartLabel& label) {
+  if (job.force) return std::nullopt;
+  auto part = finished_part(job.folder, job.shard);
+  if (!part) return std::nullopt;
+  require_same(part->label, label, part_path(job.folder, job.shard, "ok"));
+  std::error_code absent;
+  const auto bytes = std::filesystem::file_size(part_path(job.folder, job.shard, "jsonl"), absent);
+  return absent || bytes != part->bytes ? std::nullopt : part;
+}
+
+void analyse(const ShardJob& job, Journal& journal, const std::vector<std::size_t>& left) {
+  parallel_for(left.size(), job.threads, [&](std::size_t i) {
+    journal.begin(left[i]);
+    const RecordRows rows = rows_of(job.manifest->record(left[i]), job.options);
+    journal.finish(left[i], rows.failed, rows.lines);
+    if (job.advance) job.advance();
+  });
+}
+
+}  // namespace
+
+ShardOutcome run_shard(const ShardJob& job) {
+  const PartLabel label = label_of(*job.manifest, job.shard, job.shards);
+  const ShardRange range = job.manifest->shard(job.shard, job.shards);
+  if (auto part = done_before(job, label)) return {.part = *part};
+  Journal journal(part_path(job.folder, job.shard, "partial"), label, range, job.force);
+  // Whoever held the journal until now may have come to the end.
+  if (auto part = done_before(job, label)) {
+    journal.remove();
+    return {.part = *part};
+  }
+  std::vector<std::size_t> left;
+  for (std::size_t i = range.first; i < range.last; ++i) {
+    if (!journal.has(i)) left.push_back(i);
+  }
+  analyse(job, journal, left);
+  ShardOutcome outcome{.part = put_in_place(job, label, range, journal), .analysed = left.size()};
+  journal.remove();
+  return outcome;
+}
+
+}  // namespace percuss

@@ -1,0 +1,72 @@
+#include "batch/status.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "batch/journal.hpp"
+#include "batch/part.hpp"
+#include "core/error.hpp"
+#include "report/version.hpp"
+
+namespace percuss {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kMostNamed = 10;
+
+void add_unfinished(BatchStatus& status, const Manifest& manifest, const std::string& path) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored)) return;
+  const JournalState state = journal_state(path);
+  status.finished += state.finished;
+  for (const std::size_t index : state.stuck) {
+    if (index < manifest.size()) status.stuck.push_back(manifest.record(index).id);
+  }
+}
+
+}  // namespace
+
+BatchStatus batch_status(const Manifest& manifest, const std::string& folder) {
+  BatchStatus status{.records = manifest.size(), .bytes = manifest.bytes()};
+  status.shards = division_in(folder).value_or(manifest.head().shards);
+  for (std::size_t i = 0; i < status.shards; ++i) {
+    if (const auto part = finished_part(folder, i)) {
+      PartLabel wanted = label_of(manifest, i, status.shards);
+      wanted.version = part->label.version;  // whether all are of one is for who merges them
+      require_same(part->label, wanted, part_path(folder, i, "ok"));
+      status.finished += part->records;
+      status.failed += part->failed;
+    } else {
+      status.missing.push_back(i);
+      add_unfinished(status, manifest, part_path(folder, i, "partial"));
+    }
+  }
+  return status;
+}
+
+std::string array_list(const std::vector<std::size_t>& shards) { return fmt::format("{}", fmt::join(shards, ",")); }
+
+std::string status_json(const BatchStatus& status) {
+  const Json json{{"schema", "percuss/batch-status/1"}, {"version", version()},      {"shards", status.shards},
+                  {"missing", status.missing},          {"records", status.records}, {"bytes", status.bytes},
+                  {"finished", status.finished},        {"failed", status.failed},   {"stuck", status.stuck}};
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string status_text(const BatchStatus& status) {
+  const std::size_t done = status.shards - status.missing.size();
+  std::string text = fmt::format("{} of {} records finished, in {} of {} {}", status.finished, status.records, done,
+                                 status.shards, status.shards == 1 ? "shard" : "shards");
+  text += status.failed > 0 ? fmt::format("; {} failed\n", status.failed) : "\n";
+  if (!status.missing.empty()) text += "missing: " + array_list(status.missing) + "\n";
+  for (std::size_t i = 0; i < std::min(status.stuck.size(), kMostNamed); ++i)
+    text += fmt::format("begun more than once and never finished: {}\n", one_line(status.stuck[i]));
+  if (status.stuck.size() > kMostNamed) text += fmt::format("... and {} more\n", status.stuck.size() - kMostNamed);
+  return text;
+}
+
+}  // namespace percuss

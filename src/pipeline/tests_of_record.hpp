@@ -1,0 +1,24 @@
+#pragma once
+#include <memory>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "pipeline/analysis.hpp"
+
+namespace percuss {
+
+/// Two channels without angles are taken as 0° and 90°, as the two-accelerometer test places them, with a note.
+void assume_angles(Record& record);
+void assume_angles(FrfRecord& frfs);
+
+/// A test and the number of its run.
+struct RunAnalysis {
+  int run = 0;
+  std::unique_ptr<Analysis> analysis;
+};
+
+/// The tests in one file that was opened: its runs, each with its angles assumed where they are not stated.
+std::vector<RunAnalysis> tests_of_record(std::variant<Record, FrfRecord> opened, const AnalysisOptions& options);
+
+}  // namespace percuss

@@ -1,0 +1,83 @@
+#include "batch/plan.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "core/error.hpp"
+#include "support/scratch_folder.hpp"
+
+namespace percuss::batch_plan_test {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+
+class BatchPlan : public testing::Test {
+ protected:
+  std::string make(const std::string& name) {
+    std::string path = folder_.file(name);
+    fs::create_directories(fs::path(path).parent_path());
+    test::write_bytes(path, name);
+    return path;
+  }
+  /// Ids of the records planned from these files.
+  std::vector<std::string> ids(const std::vector<std::string>& paths) {
+    std::vector<std::string> out;
+    for (const BatchRecord& record : planned_records(paths, folder_.path(), false)) out.push_back(record.id);
+    return out;
+  }
+  test::ScratchFolder folder_;
+};
+
+TEST_F(BatchPlan, WalksFoldersInOrder) {
+  const std::string b = make("b/z.csv"), a = make("a.h5"), c = make("c/d/x.MAT");
+  make("notes.md");
+  make(".hidden.csv");
+  make(".git/x.csv");
+  const RecordFiles files = record_files({folder_.path()});
+  EXPECT_THAT(files.paths, ElementsAre(a, b, c));
+  EXPECT_EQ(files.left_out, 1U);
+}
+
+TEST_F(BatchPlan, TakesPatternsAndEachFileOnce) {
+  const std::string a = make("a1.csv"), b = make("a2.csv"), c = make("b.csv"), odd = make("[1].csv");
+  EXPECT_THAT(record_files({folder_.file("a*.csv"), b, c}).paths, ElementsAre(a, b, c));
+  EXPECT_THAT(record_files({odd}).paths, ElementsAre(odd));  // a file's name wins over a pattern
+  EXPECT_THAT(record_files({make("any.name")}).paths, ElementsAre(folder_.file("any.name")));
+  EXPECT_THROW(record_files({folder_.file("z*.csv")}), InputError);
+  EXPECT_THROW(record_files({folder_.file("none.csv")}), InputError);
+}
+
+TEST_F(BatchPlan, ReadsAListALine) {
+  EXPECT_THAT(listed_names("a b.h5\r\n\nc.h5\nd.h5"), ElementsAre("a b.h5", "c.h5", "d.h5"));
+  EXPECT_TRUE(listed_names("").empty());
+}
+
+TEST_F(BatchPlan, NamesRecordsByTheirFilesWhereThatIsUnique) {
+  EXPECT_THAT(ids({make("b.h5"), make("a.csv"), make("x/c.csv")}), ElementsAre("a", "b", "c"));
+  EXPECT_THAT(ids({make("one/t.h5"), make("two/t.h5"), make("u.h5")}),
+              ElementsAre(folder_.file("one/t.h5"), folder_.file("two/t.h5"), "u"));
+}
+
+TEST_F(BatchPlan, SeesPathsFromTheManifest) {
+  make("recs/a.csv");
+  fs::create_directory(folder_.file("plans"));
+  const fs::path before = fs::current_path();
+  fs::current_path(folder_.path());
+  const auto beside = planned_records({"recs/a.csv"}, ".", true),
+             below = planned_records({"recs/a.csv"}, "plans", false);
+  fs::current_path(before);
+  EXPECT_EQ(beside.at(0).path, "recs/a.csv");
+  EXPECT_EQ(below.at(0).path, "../recs/a.csv");
+  EXPECT_EQ(beside.at(0).bytes, 10U);
+  EXPECT_EQ(beside.at(0).sha256.size(), 64U);
+  EXPECT_EQ(planned_records({folder_.file("recs/a.csv")}, ".", false).at(0).path, folder_.file("recs/a.csv"));
+}
+
+TEST_F(BatchPlan, RefusesNamesThatAreNoText) {
+  EXPECT_THROW(planned_records({make("a\xff.csv")}, folder_.path(), false), InputError);
+  EXPECT_EQ(ids({make("\xc3\xa4.csv")}).at(0), "\xc3\xa4");
+}
+
+}  // namespace percuss::batch_plan_test
