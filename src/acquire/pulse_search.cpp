@@ -37,7 +37,8 @@ Envelope envelope_of(const Record& record, std::size_t row, std::size_t first, s
       const auto part = record.read_force_N.look(row, at, std::min(kPart, end - at), buffer);
       const std::vector<Extremes> its_blocks = block_extremes(part, kBlock);
       blocks[c].insert(blocks[c].end(), its_blocks.begin(), its_blocks.end());
-      for (const double value : thinned(part, kNoiseSamples * part.size() / (end - begin) + 1)) some.push_back(value);
+      const std::size_t its_share = std::max<std::size_t>(1, kNoiseSamples * part.size() / (end - begin));
+      for (const double value : thinned(part, its_share)) some.push_back(value);
     }
     const Spread subset = spread_of(std::move(some));
     envelope.chunk_median[c] = subset.median;
