@@ -7,6 +7,7 @@
 #include "analysis_flags.hpp"
 #include "command.hpp"
 #include "core/error.hpp"
+#include "core/parallel.hpp"
 #include "output.hpp"
 #include "pipeline/tests_of_record.hpp"
 #include "progress.hpp"
@@ -162,7 +163,24 @@ ImpactTest deflection_of(const Analysis& analysis) {
   return deflect(analysis);
 }
 
+// Of several tests what the sections need, at once; what fails will fail again where the report asks for it, in turn.
+void compute(const std::vector<Test>& tests, const std::set<Section>& sections) {
+  if (tests.size() < 2) return;
+  constexpr std::size_t kPerTest = 1'000'000;  // operations, at the least
+  share_out(tests.size(), kPerTest, [&](std::size_t t) {
+    const Analysis& analysis = *tests[t].analysis;
+    try {
+      analysis.force_hits();
+      if (sections.contains(Section::frf) || sections.contains(Section::coherence)) analysis.frfs();
+      if (sections.contains(Section::modes)) analysis.modes();
+      if (sections.contains(Section::classes)) analysis.verdicts();
+    } catch (const std::exception&) {
+    }
+  });
+}
+
 int analyze(const AnalyzeFlags& flags) {
+  const ThreadLimit limit(flags.analysis.threads);
   check_outputs(flags.output, {".json", ".html", ".svg", ".csv", ".h5", ".mat", ".uff", ".unv"});
   const auto sections = flags.only.empty() ? all_sections() : parse_sections(flags.only);
   const bool wants_json = flags.output.json || !flags.compared.empty() ||
@@ -173,6 +191,7 @@ int analyze(const AnalyzeFlags& flags) {
   const Progress progress("analysing", flags.output.quiet);
   auto tests = tests_of(flags);
   require_one_test(flags, sections, tests.size());
+  compute(tests, sections);
   if (sections.contains(Section::deflection)) tests.front().deflection = deflection_of(*tests.front().analysis);
   std::string document;
   if (wants_json) {

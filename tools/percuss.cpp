@@ -1,3 +1,5 @@
+#include <sys/resource.h>
+
 #include <csignal>
 #include <cstdlib>
 #include <exception>
@@ -96,6 +98,14 @@ int parse_and_run(int argc, char** argv) {
   std::abort();
 }
 
+// Every file of a test stays open while it is analysed, and so does the talk with its reader.
+static void allow_many_files() {
+  rlimit files{};
+  if (::getrlimit(RLIMIT_NOFILE, &files) != 0) return;
+  files.rlim_cur = files.rlim_max;
+  ::setrlimit(RLIMIT_NOFILE, &files);
+}
+
 extern "C" void clean_up_and_die(int signal) {
   percuss::remove_unfinished_files();  // safe within a signal handler
   std::signal(signal, SIG_DFL);
@@ -104,6 +114,7 @@ extern "C" void clean_up_and_die(int signal) {
 
 int main(int argc, char** argv) {
   std::set_terminate(end_at_once);
+  allow_many_files();
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, clean_up_and_die);
   try {
     return parse_and_run(argc, argv);

@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <exception>
+#include <optional>
 #include <set>
 
 #include "acquire/channel_setup.hpp"
 #include "acquire/csv_number.hpp"
 #include "core/error.hpp"
+#include "core/parallel.hpp"
 #include "core/units.hpp"
 #include "output.hpp"
 
@@ -15,6 +18,7 @@ namespace percuss::tools {
 namespace {
 
 constexpr double kMilli = 1e-3;
+constexpr std::size_t kPerFile = 1'000'000;  // operations, or their worth in time
 
 void require_distinct(const std::vector<std::string>& paths) {
   std::set<std::string> seen;
@@ -76,6 +80,24 @@ ReadOptions options_of_file(const ReadOptions& all, std::size_t index, std::size
     options.force_scale = {all.force_scale[index]};
   }
   return options;
+}
+
+/// Opens all files at once; of several that cannot be opened the first is complained of.
+template <class Opened, class Open>
+std::vector<std::optional<Opened>> for_each_file(const ReadFlags& flags, const Open& open) {
+  std::vector<std::optional<Opened>> opened(flags.paths.size());
+  std::vector<std::exception_ptr> failed(opened.size());
+  share_out(opened.size(), kPerFile, [&](std::size_t i) {
+    try {
+      opened[i].emplace(open(i));
+    } catch (...) {
+      failed[i] = std::current_exception();
+    }
+  });
+  for (const std::exception_ptr& error : failed) {
+    if (error) std::rethrow_exception(error);
+  }
+  return opened;
 }
 
 }  // namespace
@@ -205,11 +227,12 @@ std::variant<Record, FrfRecord> open_measurement_at(const ReadFlags& flags, cons
 Measurements open_measurements(const ReadFlags& flags) {
   require_files(flags);
   const ReadOptions options = finished_options(flags);
+  auto all = for_each_file<std::variant<Record, FrfRecord>>(
+      flags, [&](std::size_t i) { return open_measurement_at(flags, options, i); });
   Measurements out;
-  for (std::size_t i = 0; i < flags.paths.size(); ++i) {
-    auto opened = open_measurement_at(flags, options, i);
-    if (auto* record = std::get_if<Record>(&opened)) out.records.push_back(std::move(*record));
-    if (auto* frfs = std::get_if<FrfRecord>(&opened)) out.frfs.push_back(std::move(*frfs));
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (auto* record = std::get_if<Record>(&*all[i])) out.records.push_back(std::move(*record));
+    if (auto* frfs = std::get_if<FrfRecord>(&*all[i])) out.frfs.push_back(std::move(*frfs));
     if (out.records.empty() || out.frfs.empty()) continue;
     throw InputError("records of time and FRFs cannot be joined", flags.paths[i], "analyse the two kinds apart");
   }
@@ -225,8 +248,10 @@ FrfRecord join_frfs_of(const ReadFlags& flags, std::vector<FrfRecord> frfs) {
 std::vector<Record> open_records(const ReadFlags& flags) {
   require_files(flags);
   const ReadOptions options = finished_options(flags);
+  auto all = for_each_file<Record>(flags, [&](std::size_t i) { return open_record_at(flags, options, i); });
   std::vector<Record> records;
-  for (std::size_t i = 0; i < flags.paths.size(); ++i) records.push_back(open_record_at(flags, options, i));
+  records.reserve(all.size());
+  for (auto& record : all) records.push_back(std::move(*record));
   return records;
 }
 
