@@ -163,17 +163,22 @@ ImpactTest deflection_of(const Analysis& analysis) {
   return deflect(analysis);
 }
 
-// Of several tests what the sections need, at once; what fails will fail again where the report asks for it, in turn.
+// What the sections need, as much at once as can be; what fails will fail again where the report asks for it, in turn.
 void compute(const std::vector<Test>& tests, const std::set<Section>& sections) {
-  if (tests.size() < 2) return;
-  constexpr std::size_t kPerTest = 1'000'000;  // operations, at the least
-  share_out(tests.size(), kPerTest, [&](std::size_t t) {
+  constexpr std::size_t kPerTask = 1'000'000;  // operations, at the least
+  const bool frfs = sections.contains(Section::frf) || sections.contains(Section::coherence);
+  const bool modes = sections.contains(Section::modes), classes = sections.contains(Section::classes);
+  if (!frfs && !modes && !classes) return;
+  share_out(tests.size(), kPerTask, [&](std::size_t t) {
     const Analysis& analysis = *tests[t].analysis;
     try {
-      analysis.force_hits();
-      if (sections.contains(Section::frf) || sections.contains(Section::coherence)) analysis.frfs();
-      if (sections.contains(Section::modes)) analysis.modes();
-      if (sections.contains(Section::classes)) analysis.verdicts();
+      if (!analysis.possible()) return;
+      analysis.hits();  // shared by what follows
+      share_out(2, kPerTask, [&](std::size_t task) {
+        if (task == 0 && modes) analysis.modes();
+        if (task == 1 && frfs) analysis.frfs();
+      });
+      if (classes) analysis.verdicts();
     } catch (const std::exception&) {
     }
   });

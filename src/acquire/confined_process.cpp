@@ -5,7 +5,6 @@
 #include <sys/mman.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
-#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -120,22 +119,12 @@ bool tell_outcome(int descriptor, Work&& work) {
 // Held by this thread across the fork: half-done work of another thread would stay so in the child for ever.
 int fork_with_libraries_at_rest() {
   const hdf5::Rest rest;
-  hdf5::start_library();
   return ::fork();
-}
-
-// Those of other files, and of the talk with other readers, count against this process's few.
-void close_all_but(int descriptor) {
-  const auto kept = static_cast<unsigned>(descriptor);
-  constexpr unsigned kStandard = 3, kAll = ~0U;
-  if (kept > kStandard) ::syscall(SYS_close_range, kStandard, kept - 1, 0);
-  ::syscall(SYS_close_range, kept + 1, kAll, 0);
 }
 
 void serve(int descriptor, double* shared, std::uint64_t file_bytes, const std::function<ConfinedService()>& open) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
   std::signal(SIGPIPE, SIG_IGN);
-  close_all_but(descriptor);
   confine_this_process(descriptor, file_bytes);
   ConfinedService service;
   const bool heard = tell_outcome(descriptor, [&] {

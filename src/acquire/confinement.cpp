@@ -135,7 +135,7 @@ void confine_this_process(int descriptor, std::uint64_t file_bytes) {
   limit(RLIMIT_AS, memory_now_bytes() + std::max(kLeastMemory_bytes, 4 * file_bytes));
 #endif
   limit(RLIMIT_CPU, processor_limit_s(file_bytes));
-  limit(RLIMIT_NOFILE, kOpenFiles);
+  limit(RLIMIT_NOFILE, static_cast<rlim_t>(descriptor) + kOpenFiles);  // its parent's, opened before, are still there
   limit(RLIMIT_CORE, 0);
   prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);  // NOLINT: C
   filter_calls(descriptor);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/linear_algebra.hpp"
+#include "core/parallel.hpp"
 #include "identify/joint_projection.hpp"
 #include "identify/phase_evidence.hpp"
 #include "identify/pole_step.hpp"
@@ -138,7 +139,8 @@ class Joint {
   void add_residues(JointFit& fit, std::size_t p, const MatrixXd& covariance) const {
     const JointPart& part = state_.parts[p];
     const MatrixXd follow = part.inverse * (part.columns.transpose() * part.slopes);  // what moved columns do
-    for (std::size_t i = 0; i < part.outputs.size(); ++i) {
+    const auto unknowns = static_cast<std::size_t>(part.inverse.rows());
+    share_out(part.outputs.size(), 2 * unknowns * unknowns * unknowns, [&](std::size_t i) {
       const auto o = static_cast<Index>(part.outputs[i]);
       const auto column = static_cast<Index>(i);
       const double noise = projection_.noise()(o);
@@ -159,7 +161,7 @@ class Joint {
         const double variance = fit.real[m] ? spread(at, at) : 0.5 * (spread(at, at) + spread(at + 1, at + 1));
         fit.residue_std(o, mode) = std::sqrt(std::max(0.0, variance));
       }
-    }
+    });
   }
 
   const FrfSet& set_;

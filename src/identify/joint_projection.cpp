@@ -229,13 +229,15 @@ void JointProjection::weigh_by(const JointState& state, const std::vector<Vector
     const double freedom =
         std::max(1.0, static_cast<double>(2 * lines - part.columns.cols()) -
                           2 * static_cast<double>(state.model.poles.size()) / static_cast<double>(set_.outputs.size()));
+    std::vector<VectorXd> weighted(part.outputs.size());
+    share_out(weighted.size(), kPerProduct * set_.lines.count, [&](std::size_t i) {
+      weighted[i] = left[part.outputs[i]].cwiseAbs2().cwiseProduct(parts_[p].weight.cwiseAbs2());
+      const double variance = std::max(weighted[i].sum() / freedom, 1e-300);
+      noise_(static_cast<Index>(part.outputs[i])) = std::sqrt(variance);
+      weighted[i] /= variance;
+    });
     VectorXd power = VectorXd::Zero(lines);
-    for (const std::size_t o : part.outputs) {
-      const VectorXd weighted = left[o].cwiseAbs2().cwiseProduct(parts_[p].weight.cwiseAbs2());
-      const double variance = std::max(weighted.sum() / freedom, 1e-300);
-      noise_(static_cast<Index>(o)) = std::sqrt(variance);
-      power += weighted / variance;
-    }
+    for (const VectorXd& one : weighted) power += one;
     power /= 2 * static_cast<double>(part.outputs.size());  // about 1 everywhere when the noise is even
     VectorXd sum(lines + 1);
     sum(0) = 0;

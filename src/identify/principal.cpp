@@ -19,6 +19,7 @@ using Eigen::VectorXd;
 constexpr double kAboveNoise = 20;   // energy of a line, over the noise of all outputs, from which it tells directions
 constexpr Index kColumns = 16;       // columns
 constexpr std::size_t kCopied = 10;  // operations of a copied line
+constexpr std::size_t kLinesTogether = 512;
 constexpr std::size_t kMostChosen = 1500;  // … the strongest ones
 
 // The outputs over their noise, real parts above imaginary parts of the lines that stand out: [2 lines, outputs].
@@ -26,11 +27,15 @@ MatrixXd standing_out(const FrfSet& set, const VectorXd& noise) {
   const std::size_t lines = set.lines.count;
   std::vector<std::pair<double, std::size_t>> level(lines);
   for (std::size_t k = 0; k < lines; ++k) level[k].second = k;
-  for (std::size_t o = 0; o < set.outputs.size(); ++o) {
-    const double n = noise(static_cast<Index>(o)), factor = 1 / (n * n);
-    const std::vector<Complex>& frf = set.outputs[o].frf;
-    for (std::size_t k = 0; k < lines; ++k) level[k].first += factor * std::norm(frf[k]);
-  }
+  share_out((lines + kLinesTogether - 1) / kLinesTogether, kCopied * kLinesTogether * set.outputs.size(),
+            [&](std::size_t part) {
+              const std::size_t end = std::min(lines, (part + 1) * kLinesTogether);
+              for (std::size_t o = 0; o < set.outputs.size(); ++o) {
+                const double n = noise(static_cast<Index>(o)), factor = 1 / (n * n);
+                const std::vector<Complex>& frf = set.outputs[o].frf;
+                for (std::size_t k = part * kLinesTogether; k < end; ++k) level[k].first += factor * std::norm(frf[k]);
+              }
+            });
   std::sort(level.begin(), level.end(), std::greater<>());
   const double least = kAboveNoise * static_cast<double>(set.outputs.size());
   std::size_t kept = 0;
