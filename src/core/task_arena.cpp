@@ -4,6 +4,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <memory>
 
 namespace percuss {
 
@@ -11,8 +12,11 @@ void run_in_arena(std::size_t count, std::size_t threads, void (*call)(const voi
                   const void* task) {
   // No more than the machine has: oneTBB would complain on standard error and use no more anyway.
   const int most = tbb::this_task_arena::max_concurrency();
-  tbb::task_arena arena(threads == 0 ? most : std::min(most, static_cast<int>(threads)));
-  arena.execute([&] { tbb::parallel_for(std::size_t{0}, count, [call, task](std::size_t i) { call(task, i); }); });
+  const int wanted = threads == 0 ? most : std::min(most, static_cast<int>(threads));
+  // Kept: threads that wait in an arena take up new work there at once, and take long to find another one.
+  thread_local std::unique_ptr<tbb::task_arena> arena;
+  if (!arena || arena->max_concurrency() != wanted) arena = std::make_unique<tbb::task_arena>(wanted);
+  arena->execute([&] { tbb::parallel_for(std::size_t{0}, count, [call, task](std::size_t i) { call(task, i); }); });
 }
 
 }  // namespace percuss
