@@ -10,15 +10,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <csignal>
 #include <new>
 #include <utility>
 
+#include "acquire/confined_talk.hpp"
 #include "acquire/confinement.hpp"
-#include "acquire/csv_columns.hpp"
 #include "acquire/hdf5_handle.hpp"
-#include "acquire/packed.hpp"
 #include "acquire/reader_nursery.hpp"
 #include "core/error.hpp"
 
@@ -26,95 +24,6 @@ namespace percuss {
 namespace {
 
 constexpr int kNoMemoryExit = 11, kFailedExit = 12;
-
-enum class Outcome : std::uint64_t { good, input_error, unclear, no_memory, other };
-
-struct Request {
-  std::uint64_t row = 0, signal = 0, first = 0, count = 0;
-};
-
-bool send_bytes(int descriptor, const void* from, std::size_t bytes) {
-  const auto* at = static_cast<const char*>(from);
-  while (bytes > 0) {
-    const auto sent = ::write(descriptor, at, bytes);
-    if (sent < 0 && errno == EINTR) continue;
-    if (sent <= 0) return false;
-    at += sent;
-    bytes -= static_cast<std::size_t>(sent);
-  }
-  return true;
-}
-
-bool receive_bytes(int descriptor, void* to, std::size_t bytes) {
-  auto* at = static_cast<char*>(to);
-  while (bytes > 0) {
-    const auto got = ::read(descriptor, at, bytes);
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) return false;
-    at += got;
-    bytes -= static_cast<std::size_t>(got);
-  }
-  return true;
-}
-
-bool send_outcome(int descriptor, Outcome outcome, const std::string& payload) {
-  const std::array<std::uint64_t, 2> head{static_cast<std::uint64_t>(outcome), payload.size()};
-  return send_bytes(descriptor, head.data(), sizeof head) && send_bytes(descriptor, payload.data(), payload.size());
-}
-
-std::string packed_unclear(const UnclearColumns& error) {
-  Packer out;
-  out.put(std::string_view(error.what()));
-  out.put(error.format);
-  out.put(static_cast<std::uint64_t>(error.fs_Hz.has_value()));
-  out.put(error.fs_Hz.value_or(0));
-  out.put(static_cast<std::uint64_t>(error.columns.size()));
-  for (const CsvColumn& column : error.columns) {
-    out.put(static_cast<std::uint64_t>(column.index));
-    out.put(column.name);
-    out.put(column.base);
-    out.put(column.unit);
-    out.put(static_cast<std::uint64_t>(column.has_numbers));
-  }
-  return out.bytes();
-}
-
-[[noreturn]] void throw_unclear(const std::string& payload) {
-  Unpacker in(payload);
-  CsvHeader header{.named = true, .text = false};
-  const std::string message = in.text(), format = in.text();
-  const bool has_rate = in.get<std::uint64_t>() != 0;
-  const auto fs_Hz = in.get<double>();
-  if (has_rate) header.fs_Hz = fs_Hz;
-  const std::size_t columns = in.count(5 * sizeof(std::uint64_t));
-  for (std::size_t i = 0; i < columns; ++i) {
-    CsvColumn column{.index = in.get<std::uint64_t>()};
-    column.name = in.text();
-    column.base = in.text();
-    column.unit = in.text();
-    column.has_numbers = in.get<std::uint64_t>() != 0;
-    header.columns.push_back(std::move(column));
-  }
-  UnclearColumns error(InputError::with_message(message), header);
-  error.format = format;
-  throw error;
-}
-
-// Runs `work` and tells the parent how it ended; false when the parent is gone.
-template <class Work>
-bool tell_outcome(int descriptor, Work&& work) {
-  try {
-    return send_outcome(descriptor, Outcome::good, work());
-  } catch (const UnclearColumns& error) {
-    return send_outcome(descriptor, Outcome::unclear, packed_unclear(error));
-  } catch (const InputError& error) {
-    return send_outcome(descriptor, Outcome::input_error, error.what());
-  } catch (const std::bad_alloc&) {
-    return send_outcome(descriptor, Outcome::no_memory, "");
-  } catch (const std::exception& error) {
-    return send_outcome(descriptor, Outcome::other, error.what());
-  }
-}
 
 // Held by this thread across the fork: half-done work of another thread would stay so in the child for ever.
 int fork_with_libraries_at_rest() {
@@ -131,7 +40,7 @@ void serve(int descriptor, double* shared, std::uint64_t file_bytes, const std::
     service = open();
     return service.description;
   });
-  Request request;
+  ConfinedRequest request;
   while (heard && service.read && receive_bytes(descriptor, &request, sizeof request)) {
     const auto out = std::span(shared, std::min<std::size_t>(request.count, kSharedNumbers));
     const bool told = tell_outcome(descriptor, [&] {
@@ -246,21 +155,21 @@ void ConfinedProcess::receive_outcome(std::string& payload) {
     bytes.resize(had + more);
     receive(bytes.data() + had, more);
   }
-  switch (static_cast<Outcome>(head[0])) {
-    case Outcome::good:
+  switch (static_cast<ConfinedOutcome>(head[0])) {
+    case ConfinedOutcome::good:
       payload = std::move(bytes);
       return;
-    case Outcome::input_error:
+    case ConfinedOutcome::input_error:
       throw InputError::with_message(one_line(bytes, 2000));
-    case Outcome::unclear:
+    case ConfinedOutcome::unclear:
       try {
         throw_unclear(bytes);
       } catch (const std::out_of_range&) {
         distrust();
       }
-    case Outcome::no_memory:
+    case ConfinedOutcome::no_memory:
       report_no_memory();
-    case Outcome::other:
+    case ConfinedOutcome::other:
       break;
   }
   throw InputError("it cannot be read: " + one_line(bytes, 200), path_, "is it damaged? Save it again");
@@ -303,7 +212,7 @@ void ConfinedProcess::read(std::size_t row, std::size_t signal, std::size_t firs
   for (std::size_t done = 0; done < out.size();) {
     const std::size_t count = std::min(kSharedNumbers, out.size() - done);
     if (child_ < 0) throw InputError("its reader has ended", path_, "is it damaged? Save it again");
-    const Request request{row, signal, first + done, count};
+    const ConfinedRequest request{row, signal, first + done, count};
     if (::send(descriptor_, &request, sizeof request, MSG_NOSIGNAL) != static_cast<ssize_t>(sizeof request))
       report_death();
     std::string nothing;
