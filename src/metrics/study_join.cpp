@@ -13,6 +13,8 @@
 namespace percuss {
 namespace {
 
+using Json = nlohmann::json;
+
 const char* material_word(BarrelMaterial material) {
   if (material == BarrelMaterial::wood) return "wood";
   return material == BarrelMaterial::aluminum ? "aluminum" : "composite";
@@ -21,7 +23,6 @@ const char* material_word(BarrelMaterial material) {
 }  // namespace
 
 StudyCurve parse_study_curve(std::string_view text, const std::string& where) {
-  using Json = nlohmann::json;
   const Json document =
       nests_deeper_than(text, kDeepestDocument) ? Json() : Json::parse(text.begin(), text.end(), nullptr, false);
   const bool object = document.is_object() && document.contains("curve") && document["curve"].is_array();
