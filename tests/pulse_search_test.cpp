@@ -6,6 +6,7 @@
 #include <cmath>
 #include <memory>
 
+#include "core/parallel.hpp"
 #include "support/force_row.hpp"
 
 namespace percuss::pulse_search_test {
@@ -109,6 +110,7 @@ std::vector<std::size_t> part_borders(std::size_t samples) {
     starts.push_back(first);
     std::fill(out.begin(), out.end(), 0.0);
   };
+  const ThreadLimit one(1);  // so that they come in order
   survey_force(record, 0);
   return starts;
 }

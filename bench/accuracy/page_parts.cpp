@@ -37,7 +37,7 @@ each line in the chart: 1 is in proportion.
 ![time and memory over size](accuracy-scaling.svg)
 
 - In proportion, or nearly (exponent of time up to 1.2): {}.
-- Faster than that: {}. Where many modes are fitted together (`best`), every mode is fitted with all others. Many channels and long rows have many lines to fit. Rows of 2^17 samples and more
+- Faster than that: {}. Where many modes are fitted together (`best`), every mode is fitted with all others. Many channels have many lines to fit. Rows of 2^17 samples and more
   are cut where their decay has ended, as continuous records are.
 - Memory grows in proportion to what is held at a time, or slower.
 {}{}
