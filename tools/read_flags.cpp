@@ -12,6 +12,7 @@
 #include "core/error.hpp"
 #include "core/parallel.hpp"
 #include "core/units.hpp"
+#include "frf/confined_measurement.hpp"
 #include "output.hpp"
 
 namespace percuss::tools {
@@ -82,12 +83,15 @@ ReadOptions options_of_file(const ReadOptions& all, std::size_t index, std::size
   return options;
 }
 
-/// Opens all files at once; of several that cannot be opened the first is complained of.
+/// Opens all files, texts at once; of several that cannot be opened the first is complained of. Readers of foreign
+/// files are forked, which is safe as long as no other thread is at work.
 template <class Opened, class Open>
 std::vector<std::optional<Opened>> for_each_file(const ReadFlags& flags, const Open& open) {
   std::vector<std::optional<Opened>> opened(flags.paths.size());
   std::vector<std::exception_ptr> failed(opened.size());
-  share_out(opened.size(), kPerFile, [&](std::size_t i) {
+  const bool forks = std::any_of(flags.paths.begin(), flags.paths.end(),
+                                 [](const std::string& path) { return path != "-" && is_foreign(path); });
+  share_out(opened.size(), forks ? 0 : kPerFile, [&](std::size_t i) {
     try {
       opened[i].emplace(open(i));
     } catch (...) {

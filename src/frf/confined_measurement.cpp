@@ -102,13 +102,13 @@ std::variant<Record, FrfRecord> served_measurement(const std::shared_ptr<Confine
   process->distrust();
 }
 
+}  // namespace
+
 bool is_foreign(const std::string& path) {
   constexpr std::size_t kHead_bytes = 4096;
   const std::string head = first_bytes(path, kHead_bytes);
   return is_mat(head) || is_sound(head) || is_hdf5(path);
 }
-
-}  // namespace
 
 std::variant<Record, FrfRecord> open_measurement_confined(
     const std::string& path, const std::function<std::variant<Record, FrfRecord>()>& open) {

@@ -8,6 +8,9 @@
 
 namespace percuss {
 
+/// Whether a library of others decodes the file (MAT, HDF5, sound), and so a process of its own reads it.
+bool is_foreign(const std::string& path);
+
 /// What `open` gives, opened in a confined process (acquire/confined_process.hpp): a record is served from there, FRFs
 /// come over whole.
 std::variant<Record, FrfRecord> open_measurement_confined(const std::string& path,
