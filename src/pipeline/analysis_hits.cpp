@@ -87,9 +87,9 @@ std::vector<AnalysedHit> Analysis::graded() const {
     for (const Response& response : all[h]) out[h].responses.push_back(response.grade);
   }
   grade_shared_response_rail(out);
-  for (std::size_t h = 0; h < out.size(); ++h) {
-    add_response_findings(out[h].hit, out[h].responses);
-    if (!out[h].by_user) out[h].accepted = out[h].accepted && !rejects(out[h].hit.findings);
+  for (AnalysedHit& hit : out) {
+    add_response_findings(hit.hit, hit.responses);
+    if (!hit.by_user) hit.accepted = hit.accepted && !rejects(hit.hit.findings);
   }
   std::vector<HitSpectra> spectra(out.size());
   for (std::size_t h = 0; h < out.size(); ++h) {

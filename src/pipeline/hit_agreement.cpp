@@ -86,6 +86,7 @@ void grade_agreement(std::vector<AnalysedHit>& hits, const std::vector<HitSpectr
     if (hits[h].accepted && spectra[h].force != nullptr) points[hits[h].point].push_back(h);
   }
   std::vector<std::vector<std::size_t>> groups;
+  groups.reserve(points.size());
   for (auto& [point, members] : points) groups.push_back(std::move(members));
   share_out(groups.size(), kOperationsPerHit * (hits.size() / std::max<std::size_t>(groups.size(), 1)),
             [&](std::size_t g) { grade_point(hits, spectra, std::move(groups[g])); });
