@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace percuss::agreement_test {
 
@@ -11,14 +12,11 @@ using Lines = std::vector<Complex>;
 
 /// force [hits][lines], accel [hits][channels][lines].
 std::vector<double> unexplained(const std::vector<Lines>& force, const std::vector<std::vector<Lines>>& accel) {
-  const auto addresses = [](const std::vector<Lines>& lines) {
-    std::vector<const Lines*> out(lines.size());
-    std::transform(lines.begin(), lines.end(), out.begin(), [](const Lines& one) { return &one; });
-    return out;
-  };
-  std::vector<std::vector<const Lines*>> a(accel.size());
-  std::transform(accel.begin(), accel.end(), a.begin(), addresses);
-  return unexplained_by_others(addresses(force), a);
+  using Spans = std::vector<std::span<const Complex>>;
+  std::vector<Spans> a;
+  a.reserve(accel.size());
+  for (const auto& channels : accel) a.emplace_back(channels.begin(), channels.end());
+  return unexplained_by_others(Spans(force.begin(), force.end()), a);
 }
 
 const std::vector<Lines> kForce = {{1.0, Complex(0, 2)}, {-3.0, 1.0}, {Complex(1, 1), 5.0}};

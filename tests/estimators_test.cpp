@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <random>
+#include <span>
 
 #include "support/input_error.hpp"
 
@@ -19,9 +20,7 @@ constexpr std::array kEstimators = {Estimator::h1, Estimator::h2, Estimator::hv}
 struct Hits {
   std::vector<Lines> force, accel;
   CrossSpectra sums() const {
-    std::vector<const Lines*> f, a;
-    for (const Lines& lines : force) f.push_back(&lines);
-    for (const Lines& lines : accel) a.push_back(&lines);
+    const std::vector<std::span<const Complex>> f(force.begin(), force.end()), a(accel.begin(), accel.end());
     return cross_spectra(f, a);
   }
   Frf frf(Estimator estimator) const { return estimate_frf(sums(), kLines, estimator); }

@@ -27,7 +27,7 @@ class HitAgreement : public testing::Test {
   static Complex frf(std::size_t k) { return std::polar(2.0, 0.1 * static_cast<double>(k)); }
   void grade() {
     std::vector<HitSpectra> spectra;
-    for (std::size_t h = 0; h < hits_.size(); ++h) spectra.push_back({.force = &force_[h], .accel = {&accel_[h]}});
+    for (std::size_t h = 0; h < hits_.size(); ++h) spectra.push_back({.force = force_[h], .accel = {accel_[h]}});
     grade_agreement(hits_, spectra);
   }
   const Finding* found(std::size_t hit, FindingCode code) const {

@@ -142,7 +142,8 @@ TEST(PointForce, WeighsEachHitByItsPartOfTheEnergy) {
   EXPECT_DOUBLE_EQ(force.ff[1], 5);
   EXPECT_EQ(force.noise_N, 0.5);
   // A response equal to the force has H1 = 1.
-  for (const Complex& line : h1_at(force, {&a, &b})) EXPECT_NEAR(std::abs(line - 1.0), 0, 1e-15);
+  for (const Complex& line : h1_at(force, std::array<std::span<const Complex>, 2>{a, b}))
+    EXPECT_NEAR(std::abs(line - 1.0), 0, 1e-15);
 }
 
 TEST(PointForce, NamesALineThatTheForceNeverExcited) {

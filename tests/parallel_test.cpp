@@ -4,6 +4,7 @@
 
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <limits>
 #include <numeric>
 #include <stdexcept>
@@ -57,6 +58,39 @@ TEST(ParallelFor, MayBeNested) {
   std::vector<std::atomic<int>> calls(100);
   parallel_for(10, 0, [&](std::size_t i) { parallel_for(10, 0, [&](std::size_t j) { ++calls.at(10 * i + j); }); });
   for (const auto& number : calls) EXPECT_EQ(number, 1);
+}
+
+// Else it would return with its work undone, as if all were well.
+TEST(ParallelFor, FinishesALoopWithinOneThatFailsMeanwhile) {
+  std::atomic<bool> begun{false}, failed{false};
+  std::size_t calls = 0;
+  const auto work = [&] {
+    parallel_for(2, 2, [&](std::size_t outer) {
+      if (outer == 0) {
+        for (int ms = 0; ms < 1000 && !begun; ++ms) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        failed = true;
+        throw std::runtime_error("outer");
+      }
+      begun = true;
+      while (!failed) std::this_thread::yield();
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));  // until the library has heard of it
+      std::atomic<std::size_t> inner{0};
+      parallel_for(1000, 2, [&](std::size_t) { ++inner; });
+      calls = inner;
+    });
+  };
+  EXPECT_THROW(work(), std::runtime_error);
+  EXPECT_EQ(calls, begun ? 1000U : 0U);
+}
+
+TEST(ShareOutStrips, CoverEachValueOnce) {
+  for (const std::size_t size : {0U, 1U, 511U, 512U, 513U, 5000U}) {
+    std::vector<int> calls(size);
+    share_out_strips(size, 1'000'000, [&](std::size_t first, std::size_t count) {
+      for (std::size_t i = first; i < first + count; ++i) ++calls.at(i);
+    });
+    EXPECT_EQ(calls, std::vector<int>(size, 1)) << size;
+  }
 }
 
 TEST(ShareOut, StaysHereWhereItWouldNotPayOrIsNotAllowed) {

@@ -23,9 +23,11 @@ FrfSet survey() {
   return set;
 }
 
+FrfSet few_of(const FrfSet& set) { return mixed_outputs(set, principal_sums(set, 8)); }
+
 TEST(PrincipalOutputs, HoldAllOfThreeModesInThree) {
   constexpr double kRounding = 1e-9;  // of the energy
-  const FrfSet few = principal_outputs(survey(), 8);
+  const FrfSet few = few_of(survey());
   ASSERT_EQ(few.outputs.size(), 8U);
   std::vector<double> energy;
   for (const Output& output : few.outputs) {
@@ -40,7 +42,7 @@ TEST(PrincipalOutputs, KnowAsMuchOfThePolesAsAllOutputs) {
   FrfSet set = survey();
   test::add_line_noise(set, 0.5, 11);
   const JointFit all = fit_jointly(set, kTruth);
-  const JointFit few = fit_jointly(principal_outputs(set, 8), kTruth);
+  const JointFit few = fit_jointly(few_of(set), kTruth);
   ASSERT_TRUE(all.converged && few.converged);
   for (std::size_t m = 0; m < kTruth.size(); ++m) {
     const auto i = static_cast<Eigen::Index>(m);

@@ -166,7 +166,7 @@ TEST(PublishedDefects, ACoherenceAbove1IsNotClipped) {
   using Spectra = std::array<std::vector<Complex>, 2>;
   const Spectra f{{{{0.3, 0.7}, {1, -2}}, {{0.9, 0.1}, {1e-3, 4}}}};
   const Spectra a{{{{3, 1}, {-5, 2}}, {{0.2, 0.7}, {-4e-3, -17}}}};
-  const std::vector<const std::vector<Complex>*> force{&f[0], &f[1]}, accel{&a[0], &a[1]}, same{&f[0], &f[1]};
+  const std::vector<std::span<const Complex>> force(f.begin(), f.end()), accel(a.begin(), a.end()), same = force;
   for (const auto& response : {accel, same}) {
     const CrossSpectra sums = cross_spectra(force, response);
     for (std::size_t k = 0; k < 2; ++k)

@@ -1,5 +1,6 @@
 #include "core/parallel.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <utility>
 
@@ -11,6 +12,7 @@ namespace {
 using Task = std::function<void(std::size_t)>;
 
 constexpr std::size_t kWorthWaking = 400'000;  // operations, about 0.1 ms: waking another thread takes a third of that
+constexpr std::size_t kStrip = 512;
 
 thread_local std::size_t allowed_threads = 0;
 
@@ -49,6 +51,14 @@ void share_out(std::size_t count, std::size_t operations, const Task& task) {
   parallel_for(count, worth_it ? allowed_threads : 1, [limit = allowed_threads, &task](std::size_t i) {
     const ThreadLimit same(limit);  // for what the task shares out in its turn
     task(i);
+  });
+}
+
+void share_out_strips(std::size_t size, std::size_t operations,
+                      const std::function<void(std::size_t, std::size_t)>& task) {
+  share_out((size + kStrip - 1) / kStrip, operations * kStrip, [&](std::size_t strip) {
+    const std::size_t first = strip * kStrip;
+    task(first, std::min(kStrip, size - first));
   });
 }
 

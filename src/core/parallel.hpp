@@ -28,4 +28,8 @@ inline constexpr std::size_t kPerProduct = 4;
 /// little to be worth waking others. `operations`: about how many floating-point operations a task takes.
 void share_out(std::size_t count, std::size_t operations, const std::function<void(std::size_t)>& task);
 
+/// share_out of 0 … size − 1 in strips that follow each other: task(first, count). `operations`: of each single one.
+void share_out_strips(std::size_t size, std::size_t operations,
+                      const std::function<void(std::size_t first, std::size_t count)>& task);
+
 }  // namespace percuss

@@ -19,7 +19,7 @@ struct Parts {
   Block power() const { return re.square() + im.square(); }
 };
 
-Parts parts_of(const std::vector<Complex>& lines, Index first, Index count, Index step) {
+Parts parts_of(std::span<const Complex> lines, Index first, Index count, Index step) {
   const Eigen::Map<const Eigen::ArrayXcd, 0, Eigen::InnerStride<>> block(lines.data() + first * step, count,
                                                                          Eigen::InnerStride<>(step));
   return {block.real(), block.imag()};
@@ -41,12 +41,12 @@ double unexplained(const Parts& h1, const Block& share, const Parts& f, const Pa
 
 }  // namespace
 
-std::vector<double> unexplained_by_others(std::span<const std::vector<Complex>* const> force,
-                                          std::span<const std::vector<const std::vector<Complex>*>> accel) {
+std::vector<double> unexplained_by_others(std::span<const std::span<const Complex>> force,
+                                          std::span<const std::vector<std::span<const Complex>>> accel) {
   const std::size_t hits = force.size();
   std::vector<double> left(hits), all(hits);
   if (hits < 2) return left;
-  const auto all_lines = static_cast<Index>(force.front()->size());
+  const auto all_lines = static_cast<Index>(force.front().size());
   const Index step = (all_lines + kEnough - 1) / kEnough;
   const Index lines = step > 0 ? (all_lines + step - 1) / step : 0;
   std::vector<Parts> f(hits), a(hits);
@@ -56,7 +56,7 @@ std::vector<double> unexplained_by_others(std::span<const std::vector<Complex>* 
     const Index count = std::min(kBlock, lines - first);
     Block ff = Block::Zero(count);
     for (std::size_t h = 0; h < hits; ++h) {
-      f[h] = parts_of(*force[h], first, count, step);
+      f[h] = parts_of(force[h], first, count, step);
       ff += f[h].power();
     }
     for (std::size_t h = 0; h < hits; ++h) share[h] = share_of_others(ff, f[h]);
@@ -64,7 +64,7 @@ std::vector<double> unexplained_by_others(std::span<const std::vector<Complex>* 
     for (std::size_t c = 0; c < accel.front().size(); ++c) {
       Parts fa{Block::Zero(count), Block::Zero(count)};  // Σ conj(F) A
       for (std::size_t h = 0; h < hits; ++h) {
-        a[h] = parts_of(*accel[h][c], first, count, step);
+        a[h] = parts_of(accel[h][c], first, count, step);
         fa.re += f[h].re * a[h].re + f[h].im * a[h].im;
         fa.im += f[h].re * a[h].im - f[h].im * a[h].re;
       }

@@ -21,8 +21,8 @@ struct CrossSpectra {
 };
 
 /// force and accel: [hits][lines], of the same hits in the same order.
-CrossSpectra cross_spectra(std::span<const std::vector<Complex>* const> force,
-                           std::span<const std::vector<Complex>* const> accel);
+CrossSpectra cross_spectra(std::span<const std::span<const Complex>> force,
+                           std::span<const std::span<const Complex>> accel);
 
 /// Accelerance of one response to one point, averaged over hits.
 struct Frf {

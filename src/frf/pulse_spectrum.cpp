@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "core/complex.hpp"
 #include "core/units.hpp"
@@ -88,10 +89,9 @@ Complex interpolated(const Complex* around, const double* weights) {
 
 }  // namespace
 
-std::optional<std::vector<Complex>> pulse_spectrum(std::span<const double> pulse, std::size_t offset,
-                                                   const LineRange& lines) {
+bool pulse_spectrum(std::span<const double> pulse, std::size_t offset, const LineRange& lines, std::span<Complex> out) {
   const std::size_t steps = pulse.empty() ? 0 : steps_between(pulse.size(), lines.samples);
-  if (steps == 0) return std::nullopt;
+  if (steps == 0) return false;
   const std::size_t grid = lines.samples / steps;
   const std::vector<Complex> own = own_transform(pulse, grid);
   const std::vector<double>& weights = cached_kernel(steps);
@@ -102,18 +102,17 @@ std::optional<std::vector<Complex>> pulse_spectrum(std::span<const double> pulse
   };
   const Complex turn_by_line = turn(1);
   constexpr std::size_t kAfresh = 64;  // lines after which the phase is worked out again: rounding adds up
-  std::vector<Complex> spectrum(lines.count);
   Complex phase;
   const Complex* around = own.data() + lines.first / steps + kWidth + 1 - kWidth / 2;
   std::size_t step = lines.first % steps;
   for (std::size_t i = 0; i < lines.count; ++i) {
     phase = i % kAfresh == 0 ? turn(lines.first + i) : times(phase, turn_by_line);
-    spectrum[i] = times(phase, interpolated(around, weights.data() + 2 * kWidth * step));
+    out[i] = times(phase, interpolated(around, weights.data() + 2 * kWidth * step));
     if (++step < steps) continue;
     step = 0;
     ++around;
   }
-  return spectrum;
+  return true;
 }
 
 }  // namespace percuss

@@ -1,8 +1,6 @@
 #pragma once
 #include <cstddef>
-#include <optional>
 #include <span>
-#include <vector>
 
 #include "frf/spectra.hpp"
 
@@ -12,9 +10,9 @@ namespace percuss {
 /// the zeros as well. The pulse's own transform, eight times as fine as it need be, is interpolated between its lines
 /// by a Kaiser–Bessel kernel of twelve of them, whose shape is divided out of the pulse beforehand. source  [19] in
 /// docs/sources.md.
-/// shapes  pulse [n], from sample `offset` of lines.samples on; result [lines.count], within 1e-13 of the largest line.
-/// None where that would not save anything: the pulse is long, or lines.samples has no factor to divide by.
-std::optional<std::vector<Complex>> pulse_spectrum(std::span<const double> pulse, std::size_t offset,
-                                                   const LineRange& lines);
+/// shapes  pulse [n], from sample `offset` of lines.samples on; out [lines.count], within 1e-13 of the largest line.
+/// False, and nothing done, where that would not save anything: the pulse is long, or lines.samples has no factor to
+/// divide by.
+bool pulse_spectrum(std::span<const double> pulse, std::size_t offset, const LineRange& lines, std::span<Complex> out);
 
 }  // namespace percuss

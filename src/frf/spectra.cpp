@@ -10,9 +10,9 @@
 namespace percuss {
 namespace {
 
-std::vector<Complex> kept(std::span<const double> x, const LineRange& lines) {
+void transform(std::span<const double> x, const LineRange& lines, std::span<Complex> out) {
   const auto wanted = real_dft_in_scratch(x).subspan(lines.first, lines.count);
-  return {wanted.begin(), wanted.end()};
+  std::copy(wanted.begin(), wanted.end(), out.begin());
 }
 
 double origin_of(const Hit& hit) { return static_cast<double>(hit.peak - hit.first); }
@@ -40,29 +40,43 @@ ForceBlock force_block(const Hit& hit, double fs_Hz, double decay_per_s) {
   return block;
 }
 
-std::vector<Complex> force_spectrum(const ForceBlock& block, const LineRange& lines) {
-  if (block.whole_N.empty() && block.offset + block.force_N.size() <= lines.samples) {
-    if (auto spectrum = pulse_spectrum(block.force_N, block.offset, lines)) return std::move(*spectrum);
-  }
+void force_spectrum(const ForceBlock& block, const LineRange& lines, std::span<Complex> out) {
+  const bool short_pulse = block.whole_N.empty() && block.offset + block.force_N.size() <= lines.samples;
+  if (short_pulse && pulse_spectrum(block.force_N, block.offset, lines, out)) return;
   thread_local std::vector<double> x;  // zeros between calls: most of a gated force's block is
   if (x.size() != lines.samples) x.assign(lines.samples, 0);
   const std::vector<double>& force = block.whole_N.empty() ? block.force_N : block.whole_N;
   const std::size_t offset = block.whole_N.empty() ? std::min(block.offset, x.size()) : 0;
   const auto pulse = std::span(x).subspan(offset, std::min(force.size(), x.size() - offset));
   std::copy_n(force.begin(), pulse.size(), pulse.begin());
-  auto spectrum = kept(x, lines);
+  transform(x, lines, out);
   std::fill(pulse.begin(), pulse.end(), 0.0);
+}
+
+std::vector<Complex> force_spectrum(const ForceBlock& block, const LineRange& lines) {
+  std::vector<Complex> spectrum(lines.count);
+  force_spectrum(block, lines, spectrum);
   return spectrum;
+}
+
+void accel_spectrum(const Hit& hit, std::span<const double> accel_mps2, const LineRange& lines, double decay_per_s,
+                    std::span<Complex> out) {
+  assert(accel_mps2.size() >= lines.samples);
+  const auto block = accel_mps2.first(lines.samples);
+  if (decay_per_s == 0) {
+    transform(block, lines, out);
+    return;
+  }
+  std::vector<double> x(block.begin(), block.end());
+  apply_exponential(x, decay_per_s, lines.fs_Hz, origin_of(hit));
+  transform(x, lines, out);
 }
 
 std::vector<Complex> accel_spectrum(const Hit& hit, std::span<const double> accel_mps2, const LineRange& lines,
                                     double decay_per_s) {
-  assert(accel_mps2.size() >= lines.samples);
-  const auto block = accel_mps2.first(lines.samples);
-  if (decay_per_s == 0) return kept(block, lines);
-  std::vector<double> x(block.begin(), block.end());
-  apply_exponential(x, decay_per_s, lines.fs_Hz, origin_of(hit));
-  return kept(x, lines);
+  std::vector<Complex> spectrum(lines.count);
+  accel_spectrum(hit, accel_mps2, lines, decay_per_s, spectrum);
+  return spectrum;
 }
 
 }  // namespace percuss

@@ -43,16 +43,20 @@ struct ForceBlock {
 ForceBlock force_block(const Hit& hit, double fs_Hz, double decay_per_s);
 
 /// A transform that several hold at once. shape  [lines]
-using Spectrum = std::shared_ptr<const std::vector<Complex>>;
+using Spectrum = std::shared_ptr<const Complex[]>;
 inline Spectrum shared(std::vector<Complex> lines) {
-  return std::make_shared<const std::vector<Complex>>(std::move(lines));
+  const auto owner = std::make_shared<const std::vector<Complex>>(std::move(lines));
+  return {owner, owner->data()};
 }
 
-/// Transform of a force block at the lines wanted. One real FFT. shapes: result [lines.count]; units N (unscaled sums).
+/// Transform of a force block at the lines wanted. One real FFT. shapes: out [lines.count]; units N (unscaled sums).
+void force_spectrum(const ForceBlock& block, const LineRange& lines, std::span<Complex> out);
 std::vector<Complex> force_spectrum(const ForceBlock& block, const LineRange& lines);
 
 /// Transform of one acceleration channel over the hit's stretch (cut to lines.samples); the window has its origin at
-/// the pulse's peak as for the force. `accel_mps2` holds at least lines.samples values.
+/// the pulse's peak as for the force. `accel_mps2` holds at least lines.samples values, `out` lines.count.
+void accel_spectrum(const Hit& hit, std::span<const double> accel_mps2, const LineRange& lines, double decay_per_s,
+                    std::span<Complex> out);
 std::vector<Complex> accel_spectrum(const Hit& hit, std::span<const double> accel_mps2, const LineRange& lines,
                                     double decay_per_s);
 

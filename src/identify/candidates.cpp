@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 
+#include "core/parallel.hpp"
 #include "core/statistics.hpp"
 #include "core/tall_products.hpp"
 #include "identify/line_noise.hpp"
@@ -18,11 +19,14 @@ constexpr double kPointing = 0.005;
 constexpr double kReach = 6;  // half-widths on either side that a hidden resonance is looked for over
 constexpr double kHiddenGain =
     30;  // noise powers, beyond what the outputs' own noise gives: one false alarm in 10^10 lines
-constexpr double kModelFloor = 1e-6;    // of the largest line: what a fit leaves of noise-free data is no mode
-constexpr double kFlank = 20;           // half-widths that a resonance's flanks reach on either side …
-constexpr double kFlankGain = 0.1;      // … and the part of its gain that may be theirs
-constexpr double kNarrowest = 1.5;      // lines
-constexpr double kWidestHidden = 0.03;  // half-width over frequency of the broadest hidden mode
+constexpr double kBeyondReachGain =
+    1000;  // … where the force does not reach: weaker ones are not credible there, so that none needs to be tried
+constexpr double kModelFloor = 1e-6;       // of the largest line: what a fit leaves of noise-free data is no mode
+constexpr double kFlank = 20;              // half-widths that a resonance's flanks reach on either side …
+constexpr double kFlankGain = 0.1;         // … and the part of its gain that may be theirs
+constexpr double kNarrowest = 1.5;         // lines
+constexpr double kWidestHidden = 0.03;     // half-width over frequency of the broadest hidden mode
+constexpr std::size_t kPerLevelLine = 20;  // operations of a line's noise, or of its weight
 
 double largest_of(std::span<const Complex> h) {
   double largest = 0;  // as power
@@ -37,13 +41,16 @@ struct Level {
 Level level_of(const FrfSet& set, const LineNoise& line_noise) {
   const std::size_t n = set.lines.count;
   Level level{std::vector<double>(n), std::vector<double>(n)};
-  for (std::size_t o = 0; o < set.outputs.size(); ++o) {
-    const std::vector<double> noise = line_noise.local(o);
-    for (std::size_t k = 0; k < n; ++k) {
-      level.power[k] += std::norm(set.outputs[o].frf[k]);
-      level.noise[k] += noise[k];
+  std::vector<std::vector<double>> noise(set.outputs.size());
+  share_out(noise.size(), kPerLevelLine * n, [&](std::size_t o) { noise[o] = line_noise.local(o); });
+  share_out_strips(n, kPerLevelLine * noise.size(), [&](std::size_t first, std::size_t count) {
+    for (std::size_t o = 0; o < noise.size(); ++o) {
+      for (std::size_t k = first; k < first + count; ++k) {
+        level.power[k] += std::norm(set.outputs[o].frf[k]);
+        level.noise[k] += noise[o][k];
+      }
     }
-  }
+  });
   return level;
 }
 
@@ -80,15 +87,18 @@ ResidualLines halved(const ResidualLines& lines, double floor) {
 
 // Energy that the resonance explains at each line, over the noise there, summed over the outputs.
 std::vector<double> gain_of(const std::vector<ResidualLines>& outputs, const Eigen::VectorXcd& shape) {
-  const Eigen::Index reach = shape.size() / 2;
-  const Eigen::Index lines = outputs.front().residual.size();
-  std::vector<double> gain(static_cast<std::size_t>(lines));
-  for (Eigen::Index k = reach; k + reach < lines; ++k) {
-    const auto i = static_cast<std::size_t>(k);
-    for (const ResidualLines& output : outputs) {
-      if (output.noise[i] > 0) gain[i] += std::norm(adjoint_dot(shape, output.residual, k - reach)) / output.noise[i];
+  const auto reach = static_cast<std::size_t>(shape.size() / 2);
+  const auto lines = static_cast<std::size_t>(outputs.front().residual.size());
+  std::vector<double> gain(lines);
+  share_out_strips(lines, 2 * kPerProduct * reach * outputs.size(), [&](std::size_t first, std::size_t count) {
+    const std::size_t end = std::min(first + count, lines > reach ? lines - reach : 0);
+    for (std::size_t k = std::max(first, reach); k < end; ++k) {
+      const auto from = static_cast<Eigen::Index>(k - reach);
+      for (const ResidualLines& output : outputs) {
+        if (output.noise[k] > 0) gain[k] += std::norm(adjoint_dot(shape, output.residual, from)) / output.noise[k];
+      }
     }
-  }
+  });
   return gain;
 }
 
@@ -163,14 +173,14 @@ std::vector<Pole> candidate_poles(const FrfSet& set, const LineNoise& noise, con
 
 std::vector<Resonance> hidden_resonances(const FrfSet& set, const std::vector<Eigen::VectorXcd>& residual) {
   std::vector<Resonance> found;
-  std::vector<ResidualLines> outputs;
-  std::vector<double> floors;
-  for (std::size_t o = 0; o < residual.size(); ++o) {
+  std::vector<ResidualLines> outputs(residual.size());
+  std::vector<double> floors(residual.size());
+  share_out(outputs.size(), kPerLevelLine * set.lines.count, [&](std::size_t o) {
     const std::span lines(residual[o].data(), static_cast<std::size_t>(residual[o].size()));
-    outputs.push_back({residual[o], local_noise(block_noise(lines), lines.size())});
-    floors.push_back(std::pow(kModelFloor * largest_of(set.outputs[o].frf), 2));
-    for (double& power : outputs.back().noise) power = std::max(power, floors.back());
-  }
+    outputs[o] = {residual[o], local_noise(block_noise(lines), lines.size())};
+    floors[o] = std::pow(kModelFloor * largest_of(set.outputs[o].frf), 2);
+    for (double& power : outputs[o].noise) power = std::max(power, floors[o]);
+  });
   const double threshold = kHiddenGain + 3 * static_cast<double>(residual.size());
   const double top_Hz = set.lines.freq_Hz(set.lines.count - 1);
   const double widest = kWidestHidden * top_Hz / set.lines.df_Hz();
@@ -182,7 +192,9 @@ std::vector<Resonance> hidden_resonances(const FrfSet& set, const std::vector<Ei
       const double line = (static_cast<double>(peak) + 0.5) * width - 0.5;
       found.push_back({line, kNarrowest * width, gain[peak]});
     }
-    for (std::size_t o = 0; o < outputs.size(); ++o) outputs[o] = halved(outputs[o], floors[o]);
+    const auto lines = static_cast<std::size_t>(outputs.front().residual.size());
+    share_out(outputs.size(), kPerLevelLine * lines,
+              [&](std::size_t o) { outputs[o] = halved(outputs[o], floors[o]); });
   }
   return found;
 }
@@ -201,6 +213,10 @@ std::vector<Pole> hidden_poles(const FrfSet& set, const std::vector<Eigen::Vecto
     });
     if (!belongs) kept.push_back(f);
   }
+  std::erase_if(kept, [&](const Resonance& f) {
+    const double freq_Hz = (static_cast<double>(set.lines.first) + f.line) * set.lines.df_Hz();
+    return set.reach_Hz > 0 && freq_Hz > set.reach_Hz && f.gain < kBeyondReachGain;
+  });
   std::vector<Pole> poles;
   for (const Resonance& f : kept) {
     const double freq_Hz = (static_cast<double>(set.lines.first) + f.line) * set.lines.df_Hz();

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/linear_algebra.hpp"
+#include "core/parallel.hpp"
 
 namespace percuss {
 namespace {
@@ -160,6 +161,7 @@ void GroupedFit::widen() {
   }
 }
 
+// One after the other: fitted side by side without each other's latest shares, crowded resonances lose half of them.
 void GroupedFit::fit_all() {
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     FitGroup& group = groups_[g];
@@ -210,9 +212,14 @@ std::vector<VectorXcd> GroupedFit::remainder(const FitGroup& group) const {
 }
 
 std::vector<VectorXcd> GroupedFit::residual() const {
-  FitGroup none;  // belongs to no group: all of them are subtracted
-  none.count = set_.lines.count;
-  return remainder(none);
+  std::vector<VectorXcd> all(set_.outputs.size(), VectorXcd(static_cast<Index>(set_.lines.count)));
+  share_out_strips(set_.lines.count, kPerColumnLine * poles().size(), [&](std::size_t first, std::size_t count) {
+    // The strip belongs to no group: all of them are subtracted.
+    const auto part = remainder(FitGroup{.fit = {}, .first = first, .count = count});
+    for (std::size_t o = 0; o < all.size(); ++o)
+      all[o].segment(static_cast<Index>(first), static_cast<Index>(count)) = part[o];
+  });
+  return all;
 }
 
 LocalFit GroupedFit::fit(const FitGroup& group, const std::vector<VectorXcd>& data, std::vector<Pole> start,

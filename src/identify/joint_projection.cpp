@@ -16,10 +16,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-constexpr Index kSmoothLines = 100;         // on either side: a variance from 200 lines costs under 1 % of the bound
-constexpr std::size_t kPerColumnLine = 40;  // operations of a mode's value and slopes at a line
-constexpr Index kStrip = 16;                // outputs that are worked on together
-constexpr double kLeastNoise = 1e-3;  // of the noise elsewhere: where a fit leaves nothing, its weight stays finite
+constexpr Index kStrip = 16;  // outputs that are worked on together
 
 // A stacked column times j.
 void turn(const Eigen::Ref<const VectorXd>& column, Eigen::Ref<VectorXd> turned) {
@@ -193,63 +190,6 @@ MatrixXd JointProjection::residue_force_variance(const JointState& state) const 
       MatrixXd::Zero(static_cast<Index>(set_.outputs.size()), static_cast<Index>(state.model.poles.size()));
   for (const JointPart& part : state.parts) add_residue_variance(state, part, variance);
   return variance;
-}
-
-std::vector<VectorXcd> JointProjection::left_over(const JointState& state) const {
-  std::vector<VectorXcd> left(set_.outputs.size());
-  const auto lines = static_cast<Index>(set_.lines.count);
-  const std::vector<ModeColumn> whole = whole_columns(state.model, Need::value);
-  for (const JointPart& part : state.parts) {
-    const PointForce& force = set_.points[set_.outputs[part.outputs.front()].point];
-    MatrixXcd columns(lines, part.columns.cols());
-    for (std::size_t m = 0; m < state.model.poles.size(); ++m) {
-      const auto first = static_cast<Index>(part.first[m]);
-      columns.col(first) = without_missing(whole[m], state.model.poles[m], force, set_.lines, 0).value;
-      if (!state.model.real[m]) columns.col(first + 1) = Complex(0, 1) * columns.col(first);
-    }
-    const Index turns = state.model.all_real() ? 1 : 2;
-    for (Index term = 0; term < background_.cols(); ++term) {
-      const Index at = columns.cols() - turns * (background_.cols() - term);
-      columns.col(at) = background_.col(term).cast<Complex>();
-      if (turns == 2) columns.col(at + 1) = Complex(0, 1) * columns.col(at);
-    }
-    share_out(part.outputs.size(), kPerProduct * static_cast<std::size_t>(columns.size()), [&](std::size_t i) {
-      const Eigen::Map<const VectorXcd> frf(set_.outputs[part.outputs[i]].frf.data(), lines);
-      VectorXcd& rest = left[part.outputs[i]] = frf;
-      for (Index c = 0; c < columns.cols(); ++c) rest -= part.amplitude(c, static_cast<Index>(i)) * columns.col(c);
-    });
-  }
-  return left;
-}
-
-void JointProjection::weigh_by(const JointState& state, const std::vector<VectorXcd>& left) {
-  const auto lines = static_cast<Index>(set_.lines.count);
-  for (std::size_t p = 0; p < parts_.size(); ++p) {
-    const JointPart& part = state.parts[p];
-    const double freedom =
-        std::max(1.0, static_cast<double>(2 * lines - part.columns.cols()) -
-                          2 * static_cast<double>(state.model.poles.size()) / static_cast<double>(set_.outputs.size()));
-    std::vector<VectorXd> weighted(part.outputs.size());
-    share_out(weighted.size(), kPerProduct * set_.lines.count, [&](std::size_t i) {
-      weighted[i] = left[part.outputs[i]].cwiseAbs2().cwiseProduct(parts_[p].weight.cwiseAbs2());
-      const double variance = std::max(weighted[i].sum() / freedom, 1e-300);
-      noise_(static_cast<Index>(part.outputs[i])) = std::sqrt(variance);
-      weighted[i] /= variance;
-    });
-    VectorXd power = VectorXd::Zero(lines);
-    for (const VectorXd& one : weighted) power += one;
-    power /= 2 * static_cast<double>(part.outputs.size());  // about 1 everywhere when the noise is even
-    VectorXd sum(lines + 1);
-    sum(0) = 0;
-    for (Index k = 0; k < lines; ++k) sum(k + 1) = sum(k) + power(k);
-    for (Index k = 0; k < lines; ++k) {
-      const Index from = std::max<Index>(0, std::min(k - kSmoothLines, lines - 1 - 2 * kSmoothLines));
-      const Index to = std::min(lines, from + 2 * kSmoothLines + 1);
-      const double local = (sum(to) - sum(from)) / static_cast<double>(to - from);
-      parts_[p].weight(k) /= std::sqrt(std::max(local, kLeastNoise));
-    }
-    fill(parts_[p]);
-  }
 }
 
 }  // namespace percuss

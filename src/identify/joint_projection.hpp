@@ -80,6 +80,8 @@ class JointProjection {
   std::vector<ModeColumn> whole_columns(const JointModel& model, Need need) const;
   JointPart solve(const Plan& plan, const JointModel& model, const std::vector<ModeColumn>& whole) const;
   static void solve_outputs(const Plan& plan, Eigen::Index first, Eigen::Index count, JointPart& part);
+  void subtract_shares(const Eigen::MatrixXcd& columns, const JointPart& part,
+                       std::vector<Eigen::VectorXcd>& left) const;
   void add_force_noise(const JointState& state, const JointPart& part, ForceErrors of, JointNormal& normal) const;
   void add_residue_variance(const JointState& state, const JointPart& part, Eigen::MatrixXd& variance) const;
 

@@ -55,20 +55,16 @@ double LineNoise::at(std::size_t output, std::size_t line) const {
 }
 
 Eigen::VectorXd LineNoise::over(std::size_t first, std::size_t count) const {
-  Eigen::VectorXd noise(response_.size());
-  for (std::size_t o = 0; o < set_.outputs.size(); ++o) {
-    const std::size_t point = set_.outputs[o].point;
-    const std::vector<double>& ff = set_.points[point].ff;
-    const auto i = static_cast<Index>(o);
-    if (o > 0 && set_.outputs[o - 1].point == point) {
-      noise(i) = noise(i - 1) * response_(i) / response_(i - 1);
-    } else if (ff.empty()) {
-      noise(i) = response_(i);
-    } else {
-      const Eigen::Map<const Eigen::ArrayXd> power(ff.data() + first, static_cast<Index>(count));
-      noise(i) = response_(i) / std::sqrt(std::max(power.mean(), kLeastPower));
-    }
-  }
+  Eigen::VectorXd force = Eigen::VectorXd::Ones(static_cast<Index>(set_.points.size()));
+  share_out(set_.points.size(), count, [&](std::size_t p) {
+    const std::vector<double>& ff = set_.points[p].ff;
+    if (ff.empty()) return;
+    const Eigen::Map<const Eigen::ArrayXd> power(ff.data() + first, static_cast<Index>(count));
+    force(static_cast<Index>(p)) = std::sqrt(std::max(power.mean(), kLeastPower));
+  });
+  Eigen::VectorXd noise = response_;
+  for (std::size_t o = 0; o < set_.outputs.size(); ++o)
+    noise(static_cast<Index>(o)) /= force(static_cast<Index>(set_.outputs[o].point));
   return noise;
 }
 

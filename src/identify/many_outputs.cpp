@@ -64,10 +64,12 @@ std::vector<Pole> poles_of(const std::vector<PeakMode>& modes) {
 class Completed {
  public:
   explicit Completed(const FrfSet& cut) : cut_(cut), whole_{.lines = cut.lines, .reach_Hz = cut.reach_Hz} {
-    for (const PointForce& point : cut.points) {
-      whole_.points.push_back({.blocks = point.blocks, .spectra = {}, .ff = point.ff, .noise_N = point.noise_N});
-      whole_.points.back().complete = true;
-    }
+    whole_.points.resize(cut.points.size());
+    share_out(cut.points.size(), kPerProduct * cut.lines.count, [&](std::size_t p) {
+      const PointForce& point = cut.points[p];
+      whole_.points[p] = {.blocks = point.blocks, .spectra = {}, .ff = point.ff, .noise_N = point.noise_N};
+      whole_.points[p].complete = true;
+    });
     whole_.outputs.resize(cut.outputs.size());
     share_out(cut.outputs.size(), kPerProduct * cut.lines.count,
               [&](std::size_t o) { whole_.outputs[o] = cut.outputs[o]; });
@@ -99,12 +101,12 @@ class Completed {
 
 // Turns `few` into the outputs of complete records, and fits `found` to them. Each time what is missing is known
 // better, by as much as is missing.
-void complete(Completed& completed, FrfSet& few, std::vector<PeakMode>& found) {
+void complete(Completed& completed, const Eigen::MatrixXd& sums, FrfSet& few, std::vector<PeakMode>& found) {
   double left = most_left(few, found);
   while (left > kCompleted) {
     const std::vector<Pole> poles = poles_of(found);
     completed.take(poles, residues_at(completed.set(), poles));
-    few = principal_outputs(completed.set(), kFewOutputs);
+    few = mixed_outputs(completed.set(), sums);
     found = fit_peaks(few, {.start = poles});
     left *= most_left(few, found);
   }
@@ -119,7 +121,7 @@ Eigen::VectorXd gain_variance(const FrfSet& set, std::size_t point, Index from, 
   return (errors.bottomRows(to - from + 1).rowwise() - errors.row(0)).rowwise().squaredNorm();
 }
 
-struct Window {
+struct PoleWindow {
   Index from = 0, to = 0;  // lines, both included
   std::size_t pole = 0;    // line
 };
@@ -130,7 +132,7 @@ struct Around {
 };
 
 std::vector<Around> around(const FrfSet& set, const std::vector<Eigen::VectorXcd>& residual, const LineNoise& noise,
-                           const Window& window) {
+                           const PoleWindow& window) {
   std::vector<Eigen::VectorXd> gain(set.points.size());
   const auto lines = static_cast<std::size_t>(window.to - window.from + 1);
   share_out(gain.size(), kPerLine * lines,
@@ -190,7 +192,8 @@ std::vector<Mode> modes_of(const FrfSet& set, const std::vector<PeakMode>& found
 std::optional<std::vector<Mode>> identify_many(const FrfSet& set, const IdentifyOptions& options) {
   // An exponential window belongs to the pulse, which mixed outputs do not have.
   if (set.window_decay_per_s() != 0) return std::nullopt;
-  FrfSet few = principal_outputs(set, kFewOutputs);
+  const Eigen::MatrixXd sums = principal_sums(set, kFewOutputs);
+  FrfSet few = mixed_outputs(set, sums);
   Completed completed(set);
   std::vector<PeakMode> found;
   // The clear modes first: what is missing of them after the records' ends would pass for hidden ones.
@@ -200,7 +203,7 @@ std::optional<std::vector<Mode>> identify_many(const FrfSet& set, const Identify
     const std::size_t before = found.size();
     found = fit_peaks(few, peaks);
     if (found.empty() || most_left(set, found) > kMostLeft) return std::nullopt;
-    if (found.size() != before && completed.from_records()) complete(completed, few, found);
+    if (found.size() != before && completed.from_records()) complete(completed, sums, few, found);
   }
   const std::vector<Pole> poles = poles_of(found);
   bool move = false;  // seen while the rest goes on, which is seldom in vain

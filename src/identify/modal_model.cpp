@@ -13,7 +13,7 @@ namespace {
 constexpr double kGone =
     1e-10;  // what is missing moves a pole by this part of its bandwidth at the most: below any record's noise
 
-Eigen::Map<const Eigen::ArrayXcd> array_of(const std::vector<Complex>& lines) {
+Eigen::Map<const Eigen::ArrayXcd> array_of(std::span<const Complex> lines) {
   return {lines.data(), static_cast<Eigen::Index>(lines.size())};
 }
 
@@ -88,7 +88,7 @@ void subtract_missing(ModeColumn& column, const PoleTerms& p, bool conjugate, co
     const std::size_t line = first + static_cast<std::size_t>(i);
     Complex q, q_by_s;
     for (std::size_t h = 0; h < m.q.size(); ++h) {
-      const Complex weight = std::conj((*force.spectra[h])[line]) / force.ff[line];
+      const Complex weight = std::conj(force.spectra[h].get()[line]) / force.ff[line];
       q += times(weight, m.q[h]);
       q_by_s += times(weight, m.q_by_s[h]);
     }
@@ -131,19 +131,19 @@ PointForce point_force(std::vector<ForceBlock> blocks, std::vector<Spectrum> spe
                    .ff = std::vector<double>(lines.count),
                    .noise_N = noise_N};
   Eigen::Map<Eigen::ArrayXd> ff(force.ff.data(), static_cast<Eigen::Index>(lines.count));
-  for (const Spectrum& spectrum : force.spectra) ff += array_of(*spectrum).abs2();
+  for (const Spectrum& spectrum : force.spectra) ff += array_of({spectrum.get(), lines.count}).abs2();
   require_force(force.ff, lines);
   return force;
 }
 
-std::vector<Complex> h1_at(const PointForce& force, const std::vector<const std::vector<Complex>*>& accel) {
+std::vector<Complex> h1_at(const PointForce& force, std::span<const std::span<const Complex>> accel) {
   std::vector<Complex> frf(force.ff.size());
   constexpr std::size_t kBlock = 256;  // lines whose sum stays in the fastest memory
   for (std::size_t first = 0; first < frf.size(); first += kBlock) {
     const std::size_t end = std::min(first + kBlock, frf.size());
     for (std::size_t h = 0; h < accel.size(); ++h) {
-      const Complex* f = force.spectra[h]->data();
-      const Complex* a = accel[h]->data();
+      const Complex* f = force.spectra[h].get();
+      const Complex* a = accel[h].data();
       for (std::size_t k = first; k < end; ++k) frf[k] += conj_times(f[k], a[k]);
     }
     for (std::size_t k = first; k < end; ++k) frf[k] /= force.ff[k];
@@ -223,7 +223,7 @@ void MissingDecay::add_to(std::span<Complex> sum, Complex residue, const PointFo
     // conj(F)·q and conj(F)·conj(q) share their products.
     double rr = 0, ii = 0, ri = 0, ir = 0;
     for (std::size_t h = 0; h < q.size(); ++h) {
-      const Complex f = (*force.spectra[h])[first_ + i];
+      const Complex f = force.spectra[h].get()[first_ + i];
       rr += f.real() * q[h].real();
       ii += f.imag() * q[h].imag();
       ri += f.real() * q[h].imag();

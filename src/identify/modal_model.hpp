@@ -35,7 +35,7 @@ struct PointForce {
 PointForce point_force(std::vector<ForceBlock> blocks, std::vector<Spectrum> spectra, const LineRange& lines,
                        double noise_N);
 /// H1 of a response to that point's hits. shapes  accel [hits] point to [lines]; result [lines], (m/s²)/N
-std::vector<Complex> h1_at(const PointForce& force, const std::vector<const std::vector<Complex>*>& accel);
+std::vector<Complex> h1_at(const PointForce& force, std::span<const std::span<const Complex>> accel);
 
 /// A mode's share of an H1 estimate, for residue 1, and its derivatives, at lines first … first + count − 1 of `lines`.
 struct ModeColumn {
@@ -51,6 +51,9 @@ double left_at_end(const Pole& pole, const LineRange& lines, double window_decay
 /// True when nothing is missing of the mode: it has decayed by the record's end, the FRFs were completed, or nothing is
 /// known of the force. Then its column is H(jω) itself, the same for every point.
 bool decays_within(const Pole& pole, const PointForce& force, const LineRange& lines);
+
+/// Operations of one line of such a column, about, for share_out.
+inline constexpr std::size_t kPerColumnLine = 40;
 
 /// The accelerance of one mode as H1 sees it when the structure was at rest before each hit and the record ends before
 /// the decay:

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "core/parallel.hpp"
 #include "identify/candidates.hpp"
 #include "identify/credibility.hpp"
 #include "identify/force_noise.hpp"
@@ -24,8 +25,9 @@ constexpr double kSplitTest = 25;    // F statistic
 constexpr double kSplitStart = 0.4;  // bandwidths to either side
 constexpr double kMisfit =
     2;  // residual's energy over the noise's from which it is asked whether there are two modes …
-constexpr double kMisfitChance = 6;       // … or so many deviations of that energy beyond it, where lines are many
-constexpr std::size_t kLeastForFit = 16;  // lines
+constexpr double kMisfitChance = 6;          // … or so many deviations of that energy beyond it, where lines are many
+constexpr std::size_t kLeastForFit = 16;     // lines
+constexpr std::size_t kPerTrialLine = 1000;  // operations of asking for each line of an output whether there are two
 
 class PeakFit {
  public:
@@ -161,11 +163,12 @@ class PeakFit {
 
   // One more mode in each group whose residual a mode explains.
   bool split_groups() {
+    const std::vector<FitGroup>& groups = all_.groups();
+    std::vector<std::vector<Pole>> split(groups.size());
+    share_out(groups.size(), kPerTrialLine * set_.outputs.size() * (groups.empty() ? 0 : groups.front().count),
+              [&](std::size_t g) { split[g] = with_one_more(groups[g]); });
     std::vector<Pole> poles;
-    for (const FitGroup& group : all_.groups()) {
-      const auto split = with_one_more(group);
-      poles.insert(poles.end(), split.begin(), split.end());
-    }
+    for (const auto& of_group : split) poles.insert(poles.end(), of_group.begin(), of_group.end());
     return use(std::move(poles));
   }
 
@@ -201,12 +204,17 @@ class PeakFit {
     if (amiss.empty()) return now;
     const auto data = all_.remainder(group);
     const VectorXd weight = all_.weights_from(group);
+    std::vector<LocalFit> fits(now.size() + 1);  // as it is, and with each mode as two
+    share_out(fits.size(), kPerTrialLine * set_.outputs.size() * group.count, [&](std::size_t i) {
+      fits[i] = i == 0 ? all_.fit(group, data, now, weight)
+                       : all_.fit(group, data, split(now, i - 1), weight, GroupedFit::kRoughly);
+    });
+    const LocalFit one = fits.front();
     FitGroup best = group;
-    best.fit = all_.fit(group, data, now, weight);
-    const LocalFit one = best.fit;
-    for (std::size_t m = 0; m < now.size(); ++m) {
+    best.fit = one;
+    for (std::size_t i = 1; i < fits.size(); ++i) {
       FitGroup trial = group;
-      trial.fit = all_.fit(group, data, split(now, m), weight, GroupedFit::kRoughly);
+      trial.fit = std::move(fits[i]);
       if (trial.fit.cost < best.fit.cost && trial.fit.degrees > 0 && all_credible(all_, trial, context_))
         best = std::move(trial);
     }

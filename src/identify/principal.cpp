@@ -19,7 +19,6 @@ using Eigen::VectorXd;
 constexpr double kAboveNoise = 20;   // energy of a line, over the noise of all outputs, from which it tells directions
 constexpr Index kColumns = 16;       // columns
 constexpr std::size_t kCopied = 10;  // operations of a copied line
-constexpr std::size_t kLinesTogether = 512;
 constexpr std::size_t kMostChosen = 1500;  // … the strongest ones
 
 // The outputs over their noise, real parts above imaginary parts of the lines that stand out: [2 lines, outputs].
@@ -27,16 +26,15 @@ MatrixXd standing_out(const FrfSet& set, const VectorXd& noise) {
   const std::size_t lines = set.lines.count;
   std::vector<std::pair<double, std::size_t>> level(lines);
   for (std::size_t k = 0; k < lines; ++k) level[k].second = k;
-  share_out((lines + kLinesTogether - 1) / kLinesTogether, kCopied * kLinesTogether * set.outputs.size(),
-            [&](std::size_t part) {
-              const std::size_t end = std::min(lines, (part + 1) * kLinesTogether);
-              for (std::size_t o = 0; o < set.outputs.size(); ++o) {
-                const double n = noise(static_cast<Index>(o)), factor = 1 / (n * n);
-                const std::vector<Complex>& frf = set.outputs[o].frf;
-                for (std::size_t k = part * kLinesTogether; k < end; ++k) level[k].first += factor * std::norm(frf[k]);
-              }
-            });
-  std::sort(level.begin(), level.end(), std::greater<>());
+  share_out_strips(lines, kCopied * set.outputs.size(), [&](std::size_t first, std::size_t count) {
+    for (std::size_t o = 0; o < set.outputs.size(); ++o) {
+      const double n = noise(static_cast<Index>(o)), factor = 1 / (n * n);
+      const std::vector<Complex>& frf = set.outputs[o].frf;
+      for (std::size_t k = first; k < first + count; ++k) level[k].first += factor * std::norm(frf[k]);
+    }
+  });
+  const auto strong = level.begin() + static_cast<std::ptrdiff_t>(std::min(lines, kMostChosen));
+  std::partial_sort(level.begin(), strong, level.end(), std::greater<>());
   const double least = kAboveNoise * static_cast<double>(set.outputs.size());
   std::size_t kept = 0;
   while (kept < std::min(lines, kMostChosen) && (kept < 2 * set.outputs.size() || level[kept].first > least)) ++kept;
@@ -68,29 +66,38 @@ MatrixXd gram_of(const MatrixXd& rows) {
 
 }  // namespace
 
-FrfSet principal_outputs(const FrfSet& set, std::size_t most) {
+MatrixXd principal_sums(const FrfSet& set, std::size_t most) {
   const VectorXd noise = LineNoise(set).over(0, set.lines.count);
-  const MatrixXd rows = standing_out(set, noise);
-  const MatrixXd directions = eigenvectors(gram_of(rows));
-  const auto outputs = static_cast<Index>(set.outputs.size());
-  const Index kept = std::min<Index>(outputs, static_cast<Index>(most));
+  const MatrixXd directions = eigenvectors(gram_of(standing_out(set, noise)));
+  const auto kept = static_cast<Index>(std::min(set.outputs.size(), most));
+  return directions.leftCols(kept).array().colwise() / noise.array();
+}
+
+FrfSet mixed_outputs(const FrfSet& set, const MatrixXd& sums) {
   FrfSet mixed{.lines = set.lines, .reach_Hz = set.reach_Hz};
   PointForce force = set.points.front();
   force.noise_N = 0;
-  for (std::size_t p = 1; p < set.points.size(); ++p) {
-    for (std::size_t k = 0; k < force.ff.size(); ++k) force.ff[k] += set.points[p].ff[k];
+  for (Index i = 0; i < sums.cols(); ++i) {
+    Output& output = mixed.outputs.emplace_back();
+    output.channel = static_cast<std::size_t>(i);
+    output.frf.resize(set.lines.count);
   }
-  mixed.points.push_back(std::move(force));
-  mixed.outputs.resize(static_cast<std::size_t>(kept));
-  share_out(mixed.outputs.size(), kPerProduct * set.outputs.size() * set.lines.count, [&](std::size_t i) {
-    const VectorXd mix = directions.col(static_cast<Index>(i)).cwiseQuotient(noise);
-    mixed.outputs[i] = {.point = 0, .channel = i, .frf = std::vector<Complex>(set.lines.count)};
-    Eigen::Map<Eigen::VectorXcd> sum(mixed.outputs[i].frf.data(), static_cast<Index>(set.lines.count));
-    for (Index o = 0; o < outputs; ++o) {
-      const auto& frf = set.outputs[static_cast<std::size_t>(o)].frf;
-      sum += mix(o) * Eigen::Map<const Eigen::VectorXcd>(frf.data(), sum.size());
+  // A strip of all outputs stays near the processor while every sum is made of it.
+  const std::size_t operations = kPerProduct * set.outputs.size() * mixed.outputs.size();
+  share_out_strips(set.lines.count, operations, [&](std::size_t first, std::size_t count) {
+    for (std::size_t p = 1; p < set.points.size() && !force.ff.empty(); ++p) {
+      for (std::size_t k = first; k < first + count; ++k) force.ff[k] += set.points[p].ff[k];
+    }
+    for (Index i = 0; i < sums.cols(); ++i) {
+      Eigen::Map<Eigen::VectorXcd> sum(mixed.outputs[static_cast<std::size_t>(i)].frf.data() + first,
+                                       static_cast<Index>(count));
+      for (Index o = 0; o < sums.rows(); ++o) {
+        const auto& frf = set.outputs[static_cast<std::size_t>(o)].frf;
+        sum += sums(o, i) * Eigen::Map<const Eigen::VectorXcd>(frf.data() + first, sum.size());
+      }
     }
   });
+  mixed.points.push_back(std::move(force));
   return mixed;
 }
 

@@ -56,8 +56,6 @@ bool unexplained(const FrfSet& set, const std::vector<Eigen::VectorXcd>& left, c
 }  // namespace
 
 std::vector<UnclaimedPeak> unclaimed_peaks(const FrfSet& set, const std::vector<Mode>& modes, double range_dB) {
-  double largest = 0;
-  for (std::size_t k = 0; k < set.lines.count; ++k) largest = std::max(largest, power_at(set, k));
   std::vector<std::size_t> lines = prominent_lines(set, LineNoise(set));
   std::erase_if(lines, [&](std::size_t line) {
     const double freq_Hz = set.lines.freq_Hz(line);
@@ -68,6 +66,8 @@ std::vector<UnclaimedPeak> unclaimed_peaks(const FrfSet& set, const std::vector<
     });
   });
   if (lines.empty()) return {};
+  double largest = 0;
+  for (std::size_t k = 0; k < set.lines.count; ++k) largest = std::max(largest, power_at(set, k));
   const auto left = left_by(set, modes);
   const auto resonances = hidden_resonances(set, left);
   std::vector<UnclaimedPeak> peaks;

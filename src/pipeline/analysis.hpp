@@ -9,6 +9,7 @@
 #include "acquire/hits.hpp"
 #include "acquire/record.hpp"
 #include "acquire/response_grade.hpp"
+#include "core/large_array.hpp"
 #include "core/lazy.hpp"
 #include "core/trace.hpp"
 #include "frf/estimators.hpp"
@@ -101,16 +102,19 @@ class Analysis {
  private:
   struct Response {
     ResponseGrade grade;
-    std::vector<Complex> spectrum;
+    std::span<const Complex> spectrum;
+  };
+  struct Responses {
+    std::vector<std::vector<Response>> of;  // [hits][channels]; empty for hits rejected by their force
+    LargeArray<Complex> lines;              // where the spectra are
   };
   std::vector<AnalysedHit> find() const;
   std::vector<AnalysedHit> graded() const;
   LineRange choose_lines() const;
   std::size_t block_samples() const;  // the common length of the hits' transforms
   std::size_t longest_decay() const;  // of the accepted hits of a continuous record, over all channels
-  const std::vector<std::vector<Response>>& responses()
-      const;  // [hits][channels]; empty for hits rejected by their force
-  std::vector<std::vector<Response>> read_responses() const;
+  const std::vector<std::vector<Response>>& responses() const;
+  Responses read_responses() const;
   const std::vector<Spectrum>& force_spectra() const;  // [hits]; nullptr for those not used
   std::vector<PointFrf> average() const;
   FrfSet frf_set(const std::vector<std::size_t>& hits) const;  // H1 of these hits, by point
@@ -134,7 +138,7 @@ class Analysis {
   Lazy<std::vector<AnalysedHit>> force_hits_, hits_;
   Lazy<LineRange> lines_;
   Lazy<std::size_t> longest_decay_;
-  Lazy<std::vector<std::vector<Response>>> responses_;
+  Lazy<Responses> responses_;
   Lazy<std::vector<Spectrum>> force_spectra_;
   Lazy<std::vector<PointFrf>> frfs_;
   Lazy<FrfSet> fitted_frfs_;

@@ -31,31 +31,32 @@ std::size_t Analysis::longest_decay() const {
 }
 
 const std::vector<std::vector<Analysis::Response>>& Analysis::responses() const {
-  return responses_.get([&] { return read_responses(); });
+  return responses_.get([&] { return read_responses(); }).of;
 }
 
-std::vector<std::vector<Analysis::Response>> Analysis::read_responses() const {
+Analysis::Responses Analysis::read_responses() const {
   const auto& hits = force_hits();
   const LineRange& range = lines();
   const double decay = window_decay_per_s();
   const std::size_t channels = record_.accel.size();
-  std::vector<std::vector<Response>> out(hits.size());
+  std::vector<std::vector<Response>> of(hits.size());
   std::vector<std::pair<std::size_t, std::size_t>> tasks;
   for (std::size_t h = 0; h < hits.size(); ++h) {
     if (!hits[h].accepted) continue;
-    out[h].resize(channels);
+    of[h].resize(channels);
     for (std::size_t c = 0; c < channels; ++c) tasks.emplace_back(h, c);
   }
+  Responses out{.of = std::move(of), .lines = LargeArray<Complex>(tasks.size() * range.count)};
   parallel_for(tasks.size(), options_.threads, [&](std::size_t t) {
     const auto [h, c] = tasks[t];
+    const auto spectrum = out.lines.part(t * range.count, range.count);
     const Hit& hit = hits[h].hit;
     thread_local std::vector<double> buffer;  // fetched from the system once, not for every response
     const auto accel = trace_.run("read acceleration", [&, c = c] {
       return record_.read_accel_mps2.look(hit.row, c, hit.first, range.samples, buffer);
     });
-    Response& response = out[h][c];
-    response.grade = grade_response(hit, accel, record_.fs_Hz);
-    response.spectrum = trace_.run("fft", [&] { return accel_spectrum(hit, accel, range, decay); });
+    out.of[h][c] = {.grade = grade_response(hit, accel, record_.fs_Hz), .spectrum = spectrum};
+    trace_.run("fft", [&] { accel_spectrum(hit, accel, range, decay, spectrum); });
   });
   return out;
 }
@@ -66,10 +67,15 @@ const std::vector<Spectrum>& Analysis::force_spectra() const {
     std::vector<Spectrum> spectra(hits.size());
     const LineRange& range = lines();
     const double decay = window_decay_per_s();
-    parallel_for(hits.size(), options_.threads, [&](std::size_t h) {
-      if (!hits[h].accepted) return;
-      spectra[h] = trace_.run(
-          "fft", [&] { return shared(force_spectrum(force_block(hits[h].hit, record_.fs_Hz, decay), range)); });
+    std::vector<std::size_t> used;
+    for (std::size_t h = 0; h < hits.size(); ++h) {
+      if (hits[h].accepted) used.push_back(h);
+    }
+    const auto all = std::make_shared<const LargeArray<Complex>>(used.size() * range.count);
+    parallel_for(used.size(), options_.threads, [&](std::size_t u) {
+      const auto lines = all->part(u * range.count, range.count);
+      trace_.run("fft", [&] { force_spectrum(force_block(hits[used[u]].hit, record_.fs_Hz, decay), range, lines); });
+      spectra[used[u]] = Spectrum(all, lines.data());
     });
     return spectra;
   });
@@ -94,8 +100,8 @@ std::vector<AnalysedHit> Analysis::graded() const {
   std::vector<HitSpectra> spectra(out.size());
   for (std::size_t h = 0; h < out.size(); ++h) {
     if (!out[h].accepted) continue;
-    spectra[h].force = force_spectra()[h].get();
-    for (const Response& response : all[h]) spectra[h].accel.push_back(&response.spectrum);
+    spectra[h].force = {force_spectra()[h].get(), lines().count};
+    for (const Response& response : all[h]) spectra[h].accel.push_back(response.spectrum);
   }
   const ThreadLimit limit(options_.threads);
   trace_.run("agreement", [&] {

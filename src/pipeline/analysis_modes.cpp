@@ -48,10 +48,10 @@ std::vector<PointFrf> Analysis::average() const {
   const auto& response = responses();
   const LineRange& range = lines();
   share_out(out.size(), kOperationsPerLine * range.count * members.front()->size(), [&](std::size_t i) {
-    std::vector<const std::vector<Complex>*> force, accel;
+    std::vector<std::span<const Complex>> force, accel;
     for (const std::size_t h : *members[i]) {
-      force.push_back(force_spectrum[h].get());
-      accel.push_back(&response[h][out[i].channel].spectrum);
+      force.emplace_back(force_spectrum[h].get(), range.count);
+      accel.push_back(response[h][out[i].channel].spectrum);
     }
     out[i].frf = estimate_frf(cross_spectra(force, accel), range, options_.estimator);
   });
@@ -78,6 +78,8 @@ FrfSet Analysis::frf_set(const std::vector<std::size_t>& which) const {
   for (auto& [point, hits_there] : by_point(hits(), which)) members.push_back(std::move(hits_there));
   const auto& force_spectrum = force_spectra();
   const auto& response = responses();
+  // FRFs that somebody has asked for are the same, to the last bit.
+  const bool made = frfs_.ready() && options_.estimator == Estimator::h1 && which == accepted_hits();
   set.points.resize(members.size());
   set.outputs.resize(members.size() * channels);
   share_out(members.size(), kOperationsPerLine * lines().count * which.size() / members.size(), [&](std::size_t p) {
@@ -91,9 +93,10 @@ FrfSet Analysis::frf_set(const std::vector<std::size_t>& which) const {
     }
     set.points[p] = point_force(std::move(blocks), std::move(spectra), lines(), median(noise));
     for (std::size_t c = 0; c < channels; ++c) {
-      std::vector<const std::vector<Complex>*> accel;
-      for (const std::size_t h : members[p]) accel.push_back(&response[h][c].spectrum);
-      set.outputs[p * channels + c] = {.point = p, .channel = c, .frf = h1_at(set.points[p], accel)};
+      std::vector<std::span<const Complex>> accel;
+      for (const std::size_t h : members[p]) accel.push_back(response[h][c].spectrum);
+      const std::size_t o = p * channels + c;
+      set.outputs[o] = {.point = p, .channel = c, .frf = made ? frfs()[o].frf.value : h1_at(set.points[p], accel)};
     }
   });
   return set;

@@ -26,8 +26,8 @@ std::vector<std::size_t> without(std::vector<std::size_t> members, std::size_t i
 
 // The part of each member's response that the others do not explain; nothing of a single hit.
 std::vector<double> unexplained(const std::vector<HitSpectra>& spectra, const std::vector<std::size_t>& members) {
-  std::vector<const std::vector<Complex>*> force;
-  std::vector<std::vector<const std::vector<Complex>*>> accel;
+  std::vector<std::span<const Complex>> force;
+  std::vector<std::vector<std::span<const Complex>>> accel;
   for (const std::size_t h : members) {
     force.push_back(spectra[h].force);
     accel.push_back(spectra[h].accel);
@@ -83,7 +83,7 @@ void grade_point(std::vector<AnalysedHit>& hits, const std::vector<HitSpectra>& 
 void grade_agreement(std::vector<AnalysedHit>& hits, const std::vector<HitSpectra>& spectra) {
   std::map<int, std::vector<std::size_t>> points;
   for (std::size_t h = 0; h < hits.size(); ++h) {
-    if (hits[h].accepted && spectra[h].force != nullptr) points[hits[h].point].push_back(h);
+    if (hits[h].accepted && !spectra[h].force.empty()) points[hits[h].point].push_back(h);
   }
   std::vector<std::vector<std::size_t>> groups;
   groups.reserve(points.size());

@@ -1,4 +1,5 @@
 #pragma once
+#include <span>
 #include <vector>
 
 #include "core/fft.hpp"
@@ -8,8 +9,8 @@ namespace percuss {
 
 /// A hit's transforms; empty for hits that take no part.
 struct HitSpectra {
-  const std::vector<Complex>* force = nullptr;
-  std::vector<const std::vector<Complex>*> accel;  // [channels]
+  std::span<const Complex> force;
+  std::vector<std::span<const Complex>> accel;  // [channels]
 };
 
 /// Compares the accepted hits of each point with one another: adds `outlier` (and takes the hit out) where one

@@ -136,10 +136,11 @@ Json frf_json(const Analysis& analysis) {
 
 Json coherence_json(const Analysis& analysis) {
   Json out = Json::array();
-  for (const PointFrf& frf : analysis.frfs()) {
-    const auto summary = summary_of_coherence(analysis, frf);
-    out.push_back({{"point", frf.point},
-                   {"channel", frf.channel},
+  const auto summaries = coherence_summaries(analysis);
+  for (std::size_t i = 0; i < summaries.size(); ++i) {
+    const auto& summary = summaries[i];
+    out.push_back({{"point", analysis.frfs()[i].point},
+                   {"channel", analysis.frfs()[i].channel},
                    {"mean", summary ? Json(summary->mean) : Json()},
                    {"fraction_below_0_9", summary ? Json(summary->below) : Json()}});
   }

@@ -48,8 +48,7 @@ std::string frf_text(const Analysis& analysis) {
 // Of several FRFs the one that agrees least.
 std::string coherence_text(const Analysis& analysis) {
   std::optional<CoherenceSummary> worst;
-  for (const PointFrf& frf : analysis.frfs()) {
-    const auto summary = summary_of_coherence(analysis, frf);
+  for (const auto& summary : coherence_summaries(analysis)) {
     if (summary && (!worst || summary->mean < worst->mean)) worst = summary;
   }
   if (!worst && analysis.given_frfs() != nullptr) return "coherence: none in the file\n";

@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <vector>
 
 #include "pipeline/analysis.hpp"
 
@@ -13,5 +14,8 @@ struct CoherenceSummary {
 
 /// Nothing for a single hit, which has no coherence.
 std::optional<CoherenceSummary> summary_of_coherence(const Analysis& analysis, const PointFrf& frf);
+
+/// Of every FRF of the analysis.
+std::vector<std::optional<CoherenceSummary>> coherence_summaries(const Analysis& analysis);
 
 }  // namespace percuss

@@ -36,8 +36,8 @@ FrfSet frf_set_of(const Record& record, double low_Hz, double high_Hz, double de
         record.read_accel_mps2(rows[i], c, 0, x);
         const auto a = accel_spectrum(whole_row(record, rows[i]), x, set.lines, decay_per_s);
         for (std::size_t k = 0; k < h.size(); ++k) {
-          h[k] += std::conj((*force[i])[k]) * a[k];
-          power[k] += std::norm((*force[i])[k]);
+          h[k] += std::conj(force[i].get()[k]) * a[k];
+          power[k] += std::norm(force[i].get()[k]);
         }
       }
       for (std::size_t k = 0; k < h.size(); ++k) h[k] /= power[k];
