@@ -19,7 +19,7 @@ struct AbiFlags {
 
 int follow_log(const AbiFlags& flags) {
   if (flags.example) {
-    std::cout << abi_log_example();
+    print(flags.output, abi_log_example());
     return kOk;
   }
   if (flags.log.empty()) throw UsageError("no log", "name its file, or - for standard input");

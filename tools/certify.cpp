@@ -19,7 +19,7 @@ struct CertifyFlags {
 
 int certify_session(const CertifyFlags& flags) {
   if (flags.example || flags.example_table) {
-    std::cout << (flags.example_table ? session_table_example() : session_example());
+    print(flags.output, flags.example_table ? session_table_example() : session_example());
     return kOk;
   }
   if (flags.session.empty()) throw UsageError("no session", "name its file, or - for standard input");

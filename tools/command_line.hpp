@@ -11,7 +11,8 @@ namespace percuss::tools {
 /// The tool's command line. CLI11 parses it, behind this: it takes seconds to compile wherever it is seen.
 class CommandLine {
  public:
-  CommandLine(const char* name, const char* description, const char* version);
+  /// `host` is who runs its commands, where that is not a shell.
+  CommandLine(const char* name, const char* description, const char* version, Host* host = nullptr);
   ~CommandLine();
   CommandLine(const CommandLine&) = delete;
   CommandLine& operator=(const CommandLine&) = delete;
@@ -31,12 +32,13 @@ class CommandLine {
   const Declaration& declaration() const { return declaration_; }
 
   /// Runs what the words ask for; 0 after --help and --version. Throws UsageError for words it does not understand.
-  int run(int argc, char** argv);
+  int run(int argc, const char* const* argv);
 
  private:
   DeclaredCommand* declare(const char* name, const char* description);
   void check_commands(const std::vector<std::string>& words) const;
 
+  Host* host_;
   Declaration declaration_;
   std::unique_ptr<CLI::App> app_;
   std::function<int()> chosen_;

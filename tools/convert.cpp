@@ -19,7 +19,7 @@ struct ConvertFlags {
 };
 
 void tell(const ConvertFlags& flags, const std::string& what) {
-  if (!flags.output.quiet) std::cerr << "percuss: " << one_line(what, 2000) << '\n';
+  remark(flags.output, one_line(what, 2000));
 }
 
 // The last word is the file to write, as cp has it, unless -o names it.

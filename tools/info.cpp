@@ -151,7 +151,7 @@ void write_outputs(const OutputFlags& output, const std::string& document) {
 
 int run_info(const InfoFlags& flags) {
   if (flags.example) {
-    fmt::print("{}", channel_setup_example());
+    print(flags.output, channel_setup_example());
     return kOk;
   }
   if (flags.read.paths.empty()) throw UsageError("no file", "name at least one, or - for standard input");
@@ -182,7 +182,7 @@ int run_info(const InfoFlags& flags) {
   }
   const std::string document =
       Json{{"schema", "percuss/info/1"}, {"files", files}}.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
-  if (flags.output.json) fmt::print("{}", document);
+  if (flags.output.json) print(flags.output, document);
   if (any) write_outputs(flags.output, document);
   return code;
 }

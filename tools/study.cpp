@@ -47,7 +47,7 @@ void write_figures(const StudyFlags& flags, const Study& study, const CommandRep
 
 int run_study(const StudyFlags& flags) {
   if (flags.example) {
-    std::cout << study_table_csv(synthetic_population());
+    print(flags.output, study_table_csv(synthetic_population()));
     return kOk;
   }
   if (flags.inputs.empty()) throw UsageError("no table", "name a table of bats, or analyses with --bat-id");
