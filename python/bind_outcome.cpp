@@ -1,0 +1,233 @@
+#include <pybind11/complex.h>
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <optional>
+
+#include "bindings.hpp"
+#include "numpy_views.hpp"
+#include "pipeline/survey.hpp"
+
+namespace percuss::python {
+namespace {
+
+namespace py = pybind11;
+using Shared = std::shared_ptr<HeldOutcome>;
+
+// Computes without Python's lock, one thread at a time.
+template <class Function>
+auto unlocked(const Shared& held, const Function& function) {
+  const py::gil_scoped_release release;
+  const std::scoped_lock lock(held->mutex);
+  return function();
+}
+
+const std::shared_ptr<const Analysis>& analysis_of(const Shared& held, std::size_t test) {
+  const auto& all = held->outcome.analyses;
+  if (test >= all.size()) throw py::index_error("test " + std::to_string(test) + " of " + std::to_string(all.size()));
+  return all[test];
+}
+
+py::object optional_view(const std::vector<double>& values, const std::shared_ptr<const void>& owner) {
+  return values.empty() ? py::object(py::none()) : py::object(view_of(std::span<const double>(values), owner));
+}
+
+py::array freq_Hz_of(const Shared& held, std::size_t test) {
+  const Analysis& analysis = *analysis_of(held, test);
+  const LineRange lines = unlocked(held, [&] { return analysis.lines(); });
+  std::vector<double> freq_Hz(lines.count);
+  for (std::size_t i = 0; i < lines.count; ++i) freq_Hz[i] = lines.freq_Hz(i);
+  return copy_of(std::span<const double>(freq_Hz));
+}
+
+// As they lie in the analysis, or of another kind.
+py::list frfs_of(const Shared& held, std::size_t test, const std::string& kind) {
+  const auto analysis = analysis_of(held, test);
+  const auto& frfs = unlocked(held, [&]() -> const auto& { return analysis->frfs(); });
+  if (kind == name_of(FrfKind::accelerance)) return responses_of(frfs, analysis);
+  const FrfKind wanted = kind == name_of(FrfKind::mobility) ? FrfKind::mobility : FrfKind::receptance;
+  auto made = std::make_shared<std::vector<PointFrf>>(frfs);
+  for (PointFrf& one : *made)
+    one.frf = converted(one.frf, analysis->lines(), wanted, analysis->window_decay_per_s());
+  return responses_of(*made, made);
+}
+
+// Parts of a mode as columns: [modes], and of its residues [modes][outputs].
+py::dict modes_of(const Shared& held, std::size_t test) {
+  const Analysis& analysis = *analysis_of(held, test);
+  const auto modes = unlocked(held, [&] { return analysis.modes(); });
+  const std::size_t outputs = modes.empty() ? 0 : modes.front().residues.size();
+  const auto column = [&](const auto& number) {
+    std::vector<double> values;
+    for (const Mode& mode : modes) values.push_back(number(mode));
+    return copy_of(std::span<const double>(values));
+  };
+  py::array_t<Complex> residues({modes.size(), outputs});
+  py::array_t<double> deviations({modes.size(), outputs});
+  py::list places;
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    for (std::size_t o = 0; o < outputs; ++o) {
+      const Residue& residue = modes[m].residues.at(o);
+      residues.mutable_at(m, o) = residue.value;
+      deviations.mutable_at(m, o) = residue.std;
+      if (m == 0) places.append(py::make_tuple(residue.point, residue.channel));
+    }
+  }
+  py::dict out;
+  out["frequency_hz"] = column([](const Mode& m) { return m.pole.freq_Hz; });
+  out["frequency_std_hz"] = column([](const Mode& m) { return m.freq_std_Hz; });
+  out["damping_ratio"] = column([](const Mode& m) { return m.pole.damping_ratio; });
+  out["damping_ratio_std"] = column([](const Mode& m) { return m.damping_std; });
+  out["residues"] = residues;
+  out["residues_std"] = deviations;
+  out["places"] = places;
+  return out;
+}
+
+py::dict stabilisation_of(const Shared& held, std::size_t test) {
+  const Analysis& analysis = *analysis_of(held, test);
+  const Stabilisation& diagram = unlocked(held, [&]() -> const Stabilisation& { return analysis.stabilisation(); });
+  std::vector<double> freq_Hz, damping;
+  std::vector<std::int64_t> order;
+  py::list stability;
+  for (const StabilisationPole& one : diagram.poles) {
+    freq_Hz.push_back(one.pole.freq_Hz);
+    damping.push_back(one.pole.damping_ratio);
+    order.push_back(static_cast<std::int64_t>(one.order));
+    stability.append(name_of(one.stability));
+  }
+  py::dict out;
+  out["order"] = copy_of(std::span<const std::int64_t>(order));
+  out["frequency_hz"] = copy_of(std::span<const double>(freq_Hz));
+  out["damping_ratio"] = copy_of(std::span<const double>(damping));
+  out["stability"] = stability;
+  return out;
+}
+
+py::dict shapes_of(const Shared& held) {
+  const Survey* const survey = held->outcome.survey.get();
+  if (survey == nullptr) throw py::type_error("only a survey has shapes");
+  const auto& shapes = unlocked(held, [&]() -> const auto& { return survey->shapes(); });
+  const auto& macs = unlocked(held, [&]() -> const auto& { return survey->macs(); });
+  const std::size_t places = shapes.empty() ? 0 : shapes.front().places.size();
+  py::array_t<Complex> values({shapes.size(), places});
+  py::array_t<double> deviations({shapes.size(), places});
+  py::list points, channels;
+  for (std::size_t m = 0; m < shapes.size(); ++m) {
+    for (std::size_t p = 0; p < places; ++p) {
+      const ShapePlace& place = shapes[m].places.at(p);
+      values.mutable_at(m, p) = place.value;
+      deviations.mutable_at(m, p) = place.std;
+      if (m == 0) points.append(place.point);
+      if (m == 0) channels.append(place.channel);
+    }
+  }
+  py::array_t<double> mac({macs.size(), macs.size()});
+  for (std::size_t a = 0; a < macs.size(); ++a) {
+    for (std::size_t b = 0; b < macs.size(); ++b) mac.mutable_at(a, b) = macs[a][b].value;
+  }
+  const Eigen::MatrixXd& indicator = unlocked(held, [&]() -> const auto& { return survey->indicator(); });
+  const LineRange band = unlocked(held, [&] { return survey->band(); });
+  py::array_t<double> cmif({indicator.rows(), indicator.cols()});
+  for (Eigen::Index i = 0; i < indicator.rows(); ++i) {
+    for (Eigen::Index j = 0; j < indicator.cols(); ++j) cmif.mutable_at(i, j) = indicator(i, j);
+  }
+  std::vector<double> freq_Hz(band.count);
+  for (std::size_t i = 0; i < band.count; ++i) freq_Hz[i] = band.freq_Hz(i);
+  py::dict out;
+  out["shapes"] = values;
+  out["shapes_std"] = deviations;
+  out["points"] = points;
+  out["channels"] = channels;
+  out["mac"] = mac;
+  out["cmif"] = cmif;
+  out["cmif_frequency_hz"] = copy_of(std::span<const double>(freq_Hz));
+  return out;
+}
+
+// [(hit, channel, point, first_s, velocity, deflection, std or None)]
+py::list deflections_of(const Shared& held) {
+  const auto& test = held->outcome.deflection;
+  if (!test) throw py::type_error("no deflection was asked for");
+  py::list out;
+  for (const DeflectedHit& hit : test->hits) {
+    const auto view = [&](const std::vector<double>& values) { return view_of(std::span<const double>(values), test); };
+    out.append(py::make_tuple(hit.hit, hit.channel, hit.point, hit.first_s, view(hit.deflection.velocity_mps),
+                              view(hit.deflection.deflection_m), optional_view(hit.deflection.std_m, test)));
+  }
+  return out;
+}
+
+py::dict columns_of(const Shared& held) {
+  py::dict out;
+  for (const NumberColumn& column : held->outcome.columns)
+    out[py::str(column.name)] = view_of(std::span<const double>(column.values), held);
+  return out;
+}
+
+py::object record_of(const Shared& held) {
+  const auto& test = held->outcome.synthetic;
+  if (!test) return py::none();
+  return py::cast(std::make_shared<HeldRecord>(HeldRecord{.record = test->record}));
+}
+
+py::list opened_of(const Shared& held) {
+  py::list out;
+  for (const auto& one : held->outcome.opened) {
+    if (const auto* record = std::get_if<Record>(&one)) {
+      out.append(std::make_shared<HeldRecord>(HeldRecord{.record = *record}));
+    } else {
+      out.append(std::make_shared<FrfRecord>(std::get<FrfRecord>(one)));
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+py::list responses_of(const std::vector<PointFrf>& frfs, const std::shared_ptr<const void>& owner) {
+  py::list out;
+  for (const PointFrf& one : frfs) {
+    out.append(py::make_tuple(one.point, one.channel, one.frf.averages,
+                              view_of(std::span<const Complex>(one.frf.value), owner),
+                              optional_view(one.frf.std, owner), optional_view(one.frf.coherence, owner)));
+  }
+  return out;
+}
+
+void bind_outcome(py::module_& module) {
+  py::class_<HeldOutcome, Shared>(module, "Outcome")
+      .def_property_readonly("code", [](const HeldOutcome& held) { return held.code; })
+      .def_property_readonly("document", [](const HeldOutcome& held) { return py::str(held.outcome.document); })
+      .def_property_readonly("notes", [](const HeldOutcome& held) { return held.outcome.notes; })
+      .def_property_readonly("tests", [](const HeldOutcome& held) { return held.outcome.analyses.size(); })
+      .def("text",
+           [](const Shared& held, std::size_t width) {
+             return held->outcome.text ? unlocked(held, [&] { return held->outcome.text(width); }) : std::string();
+           })
+      .def("html",
+           [](const Shared& held) {
+             return held->outcome.html ? unlocked(held, [&] { return held->outcome.html(); }) : std::string();
+           })
+      .def("save",
+           [](const Shared& held, const std::string& path, bool force) {
+             if (!held->outcome.save) throw py::type_error("this result has no file of its own");
+             unlocked(held, [&] { held->outcome.save(path, force); });
+           })
+      .def("possible",
+           [](const Shared& held, std::size_t test) {
+             const auto analysis = analysis_of(held, test);
+             return unlocked(held, [&] { return analysis->possible(); });
+           })
+      .def("frequency_hz", &freq_Hz_of)
+      .def("frfs", &frfs_of)
+      .def("modes", &modes_of)
+      .def("stabilisation", &stabilisation_of)
+      .def("shapes", &shapes_of)
+      .def("deflections", &deflections_of)
+      .def("columns", &columns_of)
+      .def("record", &record_of)
+      .def("opened", &opened_of);
+}
+
+}  // namespace percuss::python

@@ -1,0 +1,330 @@
+"""What the functions return."""
+
+from __future__ import annotations
+
+import json
+import os
+from typing import Any
+
+import numpy as np
+
+from . import _percuss
+from ._records import Record, Responses
+
+_WIDTH = 100
+_STYLE = (
+    "<style>.percuss table{border-collapse:collapse;font-variant-numeric:tabular-nums}"
+    ".percuss th,.percuss td{padding:.2rem .9rem .2rem 0;text-align:left;vertical-align:top;white-space:nowrap}"
+    ".percuss td:last-child{white-space:normal;min-width:12rem}"
+    ".percuss .right{text-align:right}.percuss th{font-weight:600;border-bottom:1px solid #c9d1d9}"
+    ".percuss .warnings{list-style:none;margin:1rem 0;padding:0}"
+    ".percuss .warnings li{background:#fff4e5;color:#7a3e00;border-left:4px solid;padding:.4rem .8rem;margin:.4rem 0}</style>"
+)
+
+
+class Result:
+    """What a function found: the document that the command line's --json prints, and more.
+
+    to_dict() is that document, json its text; result["key"] and result.key are its entries, lists of numbers as arrays.
+    save(path) writes what the command's -o writes, by the path's extension; report(path) is its page. In Jupyter the
+    main table is shown, elsewhere what a terminal would show. exit_code is what the command would have ended with.
+    """
+
+    def __init__(self, outcome: Any) -> None:
+        self._outcome = outcome
+        self._document: dict[str, Any] | None = None
+
+    @property
+    def json(self) -> str:
+        """The document as the command line prints it with --json, to the byte."""
+        return self._outcome.document
+
+    def to_dict(self) -> dict[str, Any]:
+        """The document as a dictionary of its own."""
+        return json.loads(self.json)
+
+    def _parsed(self) -> dict[str, Any]:
+        if self._document is None:
+            self._document = self.to_dict()
+        return self._document
+
+    def keys(self) -> list[str]:
+        """The document's keys."""
+        return list(self._parsed())
+
+    def __getitem__(self, key: str) -> Any:
+        return _array_or_same(self._parsed()[key])
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("_"):
+            raise AttributeError(name)
+        if name in self._parsed():
+            return self[name]
+        near = _percuss.nearest(name, [*self._parsed(), *(one for one in dir(type(self)) if not one.startswith("_"))])
+        hint = f"; did you mean {near!r}?" if near else ""
+        raise AttributeError(f"{type(self).__name__} has no attribute {name!r}{hint}")
+
+    def __dir__(self) -> list[str]:
+        return sorted({*super().__dir__(), *self._parsed()})
+
+    @property
+    def exit_code(self) -> int:
+        """0; 4 where no hit can be used; 5 where a bat exceeds its limit."""
+        return self._outcome.code
+
+    @property
+    def table(self) -> dict[str, np.ndarray]:
+        """The columns of the command's .csv by name, (rows,) each; empty where it has none. pandas.DataFrame takes it."""
+        return self._outcome.columns()
+
+    def save(self, path: str | os.PathLike[str], force: bool = False) -> None:
+        """Writes the result as the path's extension says, as -o of the command does.
+
+        Raises InputError where the file exists, unless force; UsageError for extensions that the command does not know.
+        """
+        self._outcome.save(os.fspath(path), force)
+
+    def report(self, path: str | os.PathLike[str], force: bool = False) -> None:
+        """Writes the page: one .html file, the one that the command line writes. Raises as save()."""
+        if os.path.splitext(os.fspath(path))[1].lower() != ".html":
+            raise _percuss.UsageError(f"a page is not written to '{os.fspath(path)}'; use a name that ends in .html")
+        self.save(path, force)
+
+    def __str__(self) -> str:
+        return self._outcome.text(_WIDTH) or self.json
+
+    def __repr__(self) -> str:
+        return str(self).rstrip("\n")
+
+    def _repr_html_(self) -> str | None:
+        html = self._outcome.html()
+        return f'{_STYLE}<div class="percuss">{html}</div>' if html else None
+
+
+class Synthetic(Result):
+    """A made-up test and its truth: to_dict() is the truth, record what was measured."""
+
+    @property
+    def record(self) -> Record:
+        """The samples as a Record."""
+        return Record._of(self._outcome.record())
+
+    def __str__(self) -> str:
+        modes = ", ".join(f"{mode['frequency_hz']:g}" for mode in self._parsed().get("modes", []))
+        return f"{self.record!r}, modes at {modes} Hz"
+
+
+class Frf(Result):
+    """Averaged frequency responses.
+
+    frequency_hz (lines,) in Hz; frf (points, channels, lines), complex: accelerance in (m/s²)/N unless kind says
+    mobility, (m/s)/N, or receptance, m/N; std and coherence likewise, None where a point has one hit only; frf_at() shows one response without a copy. save() writes .csv, .h5, .mat, .uff; of
+    the kind that was asked for.
+    """
+
+    def __init__(self, outcome: Any, test: int = 0, kind: str = "accelerance") -> None:
+        super().__init__(outcome)
+        self._test = test
+        self._kind = kind
+        self._kept: dict[str, Any] = {}
+
+    def _computed(self, name: str) -> Any:
+        if name not in self._kept:
+            self._kept[name] = getattr(self._outcome, name)(self._test)
+        return self._kept[name]
+
+    @property
+    def possible(self) -> bool:
+        """False where no hit can be used: there are no FRFs and no modes then, and reading them raises NoHitError."""
+        return self._outcome.possible(self._test)
+
+    def _require_hits(self) -> None:
+        if not self.possible:
+            raise _percuss.NoHitError("no hit can be used, so there are no FRFs (hits); see the hits' findings")
+
+    @property
+    def _responses(self) -> Responses:
+        self._require_hits()
+        if "responses" not in self._kept:
+            self._kept["responses"] = Responses(self._outcome.frfs(self._test, self._kind))
+        return self._kept["responses"]
+
+    @property
+    def frequency_hz(self) -> np.ndarray:
+        """(lines,) frequencies of the FRFs, Hz."""
+        self._require_hits()
+        return self._computed("frequency_hz")
+
+    @property
+    def points(self) -> np.ndarray:
+        """(points,) numbers of the points that have FRFs."""
+        return self._responses.points
+
+    @property
+    def frf(self) -> np.ndarray:
+        """(points, channels, lines) complex; accelerance in (m/s²)/N unless another kind was asked for."""
+        return self._responses.frf
+
+    @property
+    def std(self) -> np.ndarray | None:
+        """(points, channels, lines) standard deviation of the FRFs, (m/s²)/N; None where a point has one hit."""
+        return self._responses.std
+
+    @property
+    def coherence(self) -> np.ndarray | None:
+        """(points, channels, lines) ordinary coherence, 0 … 1; None where a point has one hit."""
+        return self._responses.coherence
+
+    def frf_at(self, point: int = 0, channel: int = 0) -> np.ndarray:
+        """(lines,) complex, (m/s²)/N: one response where it lies, without a copy; `point` is its number."""
+        return self._responses.at(point, channel)
+
+    def save(self, path: str | os.PathLike[str], force: bool = False) -> None:
+        shows_hits = os.path.splitext(os.fspath(path))[1].lower() in (".json", ".html", ".svg")
+        if not shows_hits:
+            self._require_hits()
+        super().save(path, force)
+
+    save.__doc__ = Result.save.__doc__
+
+
+class Analysis(Frf):
+    """Hits, FRFs and modes of a test.
+
+    frequency_hz, frequency_std_hz, damping_ratio, damping_ratio_std (modes,): every mode with one standard deviation.
+    residues, residues_std (modes, points, channels): complex, 1/kg. family, order: "bending" or "hoop" and its number.
+    frf, frf_std, coherence (points, channels, lines) over frf_frequency_hz (lines,). hits: what was found about each.
+    runs: the tests, where the files were several (files="tests").
+    """
+
+    @property
+    def runs(self) -> list[Analysis]:
+        """Each test as a result of its own; of one test it alone."""
+        return [self] if self._outcome.tests == 1 else [type(self)(self._outcome, test) for test in range(self._outcome.tests)]
+
+    def _own(self) -> dict[str, Any]:
+        document = self._parsed()
+        return document["runs"][self._test] if "runs" in document else document
+
+    @property
+    def hits(self) -> list[dict[str, Any]]:
+        """What was found out about each hit, as in the document."""
+        return self._own().get("hits", [])
+
+    @property
+    def modes(self) -> list[dict[str, Any]]:
+        """Each mode as in the document: frequency, damping, family, double peaks, residues."""
+        return self._own().get("modes", [])
+
+    @property
+    def warnings(self) -> list[dict[str, str]]:
+        """What to be aware of: code and message."""
+        return self._own().get("warnings", [])
+
+    def _column(self, name: str) -> np.ndarray:
+        self._require_hits()
+        return self._computed("modes")[name]
+
+    frequency_hz = property(lambda self: self._column("frequency_hz"), doc="(modes,) natural frequencies, Hz.")
+    frequency_std_hz = property(lambda self: self._column("frequency_std_hz"), doc="(modes,) standard deviation, Hz.")
+    damping_ratio = property(lambda self: self._column("damping_ratio"), doc="(modes,) of critical damping, 0 … 1.")
+    damping_ratio_std = property(lambda self: self._column("damping_ratio_std"), doc="(modes,) standard deviation.")
+    residues = property(lambda self: self._by_place("residues"), doc="(modes, points, channels) complex, 1/kg.")
+    residues_std = property(
+        lambda self: self._by_place("residues_std"), doc="(modes, points, channels) of real and imaginary part, 1/kg."
+    )
+    frf_std = property(lambda self: self._responses.std, doc="(points, channels, lines) (m/s²)/N, or None.")
+
+    def _by_place(self, name: str) -> np.ndarray:
+        values = self._column(name)
+        channels = len({channel for _, channel in self._computed("modes")["places"]}) or 1
+        return values.reshape(len(values), -1, channels) if values.size else values.reshape(0, 0, 0)
+
+    @property
+    def frf_frequency_hz(self) -> np.ndarray:
+        """(lines,) frequencies of the FRFs, Hz."""
+        self._require_hits()
+        return self._computed("frequency_hz")
+
+    @property
+    def family(self) -> list[str]:
+        """(modes,) "bending", "hoop" or "unknown"."""
+        return [mode["family"] for mode in self.modes]
+
+    @property
+    def order(self) -> np.ndarray:
+        """(modes,) counts from 1 within the family; 0 where the family is unknown."""
+        return np.array([mode["order"] or 0 for mode in self.modes], dtype=int)
+
+    @property
+    def confidence(self) -> np.ndarray:
+        """(modes,) probability of the family."""
+        return np.array([mode["confidence"] for mode in self.modes], dtype=float)
+
+    def stabilisation(self) -> dict[str, Any]:
+        """The stabilisation diagram: order, frequency_hz and damping_ratio (poles,) and stability, a word for each."""
+        self._require_hits()
+        return self._computed("stabilisation")
+
+    def deflections(self) -> list[dict[str, Any]]:
+        """With deflection among the sections: as Deflection.curves()."""
+        return _curves(self._outcome)
+
+
+class Survey(Analysis):
+    """A test of many points: as Analysis, and the modes' shapes.
+
+    shapes, shapes_std (modes, places), complex: 1/√kg where a driving point is known, else 1 at the largest; the places
+    are shape_points and shape_channels (places,). mac (modes, modes). cmif (lines, values) over cmif_frequency_hz.
+    """
+
+    def _shape(self, name: str) -> Any:
+        self._require_hits()
+        if "shapes" not in self._kept:
+            self._kept["shapes"] = self._outcome.shapes()
+        return self._kept["shapes"][name]
+
+    shapes = property(lambda self: self._shape("shapes"), doc="(modes, places) complex.")
+    shapes_std = property(lambda self: self._shape("shapes_std"), doc="(modes, places) of real and imaginary part.")
+    shape_points = property(lambda self: np.array(self._shape("points")), doc="(places,) index of the point, from 0.")
+    shape_channels = property(lambda self: np.array(self._shape("channels")), doc="(places,) the channel, from 0.")
+    mac = property(lambda self: self._shape("mac"), doc="(modes, modes) how alike the shapes are, 0 … 1.")
+    cmif = property(lambda self: self._shape("cmif"), doc="(lines, values) singular values of the FRFs, (m/s²)/N.")
+    cmif_frequency_hz = property(lambda self: self._shape("cmif_frequency_hz"), doc="(lines,) Hz.")
+
+
+class Deflection(Result):
+    """Deflection under each impact: hits as in the document, curves() over time."""
+
+    def curves(self) -> list[dict[str, Any]]:
+        """For each hit and channel: hit, channel, point, first_s, velocity_mps, deflection_m (samples,), std_m or None.
+
+        The arrays are views of what was computed. Times: first_s + i / fs.
+        """
+        return _curves(self._outcome)
+
+
+class Nodes(Result):
+    """Where bending modes have their nodes, along a scan of impacts."""
+
+
+def _curves(outcome: Any) -> list[dict[str, Any]]:
+    names = ("hit", "channel", "point", "first_s", "velocity_mps", "deflection_m", "std_m")
+    return [dict(zip(names, one)) for one in outcome.deflections()]
+
+
+def _array_or_same(value: Any) -> Any:
+    def numeric(one: Any) -> bool:
+        return isinstance(one, (int, float)) and not isinstance(one, bool)
+
+    if not isinstance(value, list) or not value:
+        return value
+    if all(numeric(one) for one in value):
+        return np.array(value)
+    if all(isinstance(one, dict) for one in value) and all(one.keys() == value[0].keys() for one in value):
+        if all(numeric(number) for one in value for number in one.values()):  # a curve: its columns
+            return {key: np.array([one[key] for one in value]) for key in value[0]}
+    if all(isinstance(one, list) for one in value) and len({len(one) for one in value}) == 1:
+        if all(numeric(number) for one in value for number in one):
+            return np.array(value)
+    return value
