@@ -34,5 +34,6 @@ pybind11::list responses_of(const std::vector<PointFrf>& frfs, const std::shared
 void bind_records(pybind11::module_& module);
 void bind_outcome(pybind11::module_& module);
 void bind_numbers(pybind11::module_& module);
+void bind_overhead(pybind11::module_& module);
 
 }  // namespace percuss::python

@@ -62,6 +62,7 @@ PYBIND11_MODULE(_percuss, module) {
   bind_records(module);
   bind_outcome(module);
   bind_numbers(module);
+  bind_overhead(module);
   module.attr("version") = version();
   module.def("run", &run);
   module.def("declared_commands", &declared_commands);

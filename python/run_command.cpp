@@ -1,6 +1,8 @@
 #include "run_command.hpp"
 
+#include <map>
 #include <memory>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
@@ -20,7 +22,7 @@ constexpr std::string_view kRead = "read";
 
 // Files are opened and handed over, described but not read.
 void add_read(CommandLine& line, Host& host) {
-  auto flags = std::make_shared<ReadFlags>();
+  auto flags = line.values<ReadFlags>();
   Command command = line.command("read", "Opens records or FRFs: what is in them, and their samples when asked for",
                                  [flags, &host] {
                                    Measurements opened = open_measurements(*flags);
@@ -41,7 +43,7 @@ std::string as_typed(const std::vector<std::string>& words) {
 
 Json json_of(const DeclaredOption& option) {
   return {{"name", option.name()},     {"value", option.value},       {"help", option.help},
-          {"group", option.group},     {"initial", option.initial},   {"choices", option.choices},
+          {"group", option.group},     {"initial", option.initial},   {"choices", option.choices}, {"wanted", option.wanted},
           {"required", option.required}, {"repeatable", option.repeatable}, {"list", option.list}};
 }
 
@@ -56,20 +58,68 @@ Json json_of(const DeclaredCommand& command) {
 
 }  // namespace
 
-Ran run_command(const std::vector<std::string>& words, std::vector<GivenInput> inputs) {
-  Host host{.called_as = as_typed(words), .inputs = std::move(inputs), .outcome = {}};
-  CommandLine line("percuss", "", version(), &host);
-  const std::string_view first = words.empty() ? std::string_view() : words.front();
-  if (first == kRead) {
-    add_read(line, host);
-  } else {
-    add_commands(line, first);
+namespace {
+
+// A declared command line, which takes longer to declare than many a command does to run.
+struct Session {
+  Host host;
+  CommandLine line{"percuss", "", version(), &host};
+
+  explicit Session(const std::string& first_word) {
+    if (first_word == kRead) {
+      add_read(line, host);
+    } else {
+      add_commands(line, first_word);
+    }
   }
+};
+
+// Those that are not in use, by the first word.
+class Sessions {
+ public:
+  std::unique_ptr<Session> take(const std::string& first_word) {
+    {
+      const std::scoped_lock lock(mutex_);
+      auto& idle = idle_[first_word];
+      if (!idle.empty()) {
+        auto session = std::move(idle.back());
+        idle.pop_back();
+        return session;
+      }
+    }
+    return std::make_unique<Session>(first_word);
+  }
+  void give_back(const std::string& first_word, std::unique_ptr<Session> session) {
+    constexpr std::size_t kMostIdle = 8;  // of a command; more threads than that declare anew
+    session->host = {};
+    const std::scoped_lock lock(mutex_);
+    auto& idle = idle_[first_word];
+    if (idle.size() < kMostIdle) idle.push_back(std::move(session));
+  }
+
+ private:
+  std::mutex mutex_;
+  std::map<std::string, std::vector<std::unique_ptr<Session>>> idle_;
+};
+
+Sessions& sessions() {
+  static Sessions all;
+  return all;
+}
+
+}  // namespace
+
+Ran run_command(const std::vector<std::string>& words, std::vector<GivenInput> inputs) {
+  const std::string first = words.empty() ? std::string() : words.front();
+  auto session = sessions().take(first);  // not given back when an error leaves it half way
+  session->host.called_as = as_typed(words);
+  session->host.inputs = std::move(inputs);
   std::vector<const char*> typed{"percuss"};
   for (const std::string& word : words) typed.push_back(word.c_str());
   Ran ran;
-  ran.code = line.run(static_cast<int>(typed.size()), typed.data());
-  ran.outcome = std::move(host.outcome);
+  ran.code = session->line.run(static_cast<int>(typed.size()), typed.data());
+  ran.outcome = std::move(session->host.outcome);
+  sessions().give_back(first, std::move(session));
   return ran;
 }
 

@@ -34,7 +34,7 @@ int follow_log(const AbiFlags& flags) {
 }  // namespace
 
 void add_abi(CommandLine& line) {
-  auto flags = std::make_shared<AbiFlags>();
+  auto flags = line.values<AbiFlags>();
   Command command = line.command("abi", "The break-in of a composite bat, from its log: what comes next, the verdict",
                                  [flags] { return follow_log(*flags); });
   command.about(

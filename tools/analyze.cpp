@@ -230,14 +230,15 @@ std::string html_of(const KeptTests& kept) {
   return html;
 }
 
-void hand_over(Outcome& outcome, const std::shared_ptr<const KeptTests>& kept) {
+void hand_over(const OutputFlags& output, const std::shared_ptr<const KeptTests>& kept) {
+  Outcome& outcome = output.host->outcome;
   for (const Test& test : kept->tests) outcome.analyses.emplace_back(kept, test.analysis.get());
   if (const auto& deflection = kept->tests.front().deflection) outcome.deflection = {kept, &*deflection};
   outcome.text = [kept](std::size_t width) { return text_of(*kept, width, false); };
   outcome.html = [kept] { return html_of(*kept); };
-  outcome.save = [kept](const std::string& path, bool force) {
+  outcome.save = [kept, its = kept_output(output)](const std::string& path, bool force) {
     AnalyzeFlags flags = kept->flags;
-    flags.output = one_output(flags.output, path, force);
+    flags.output = one_output(its, path, force);
     check_analyze_outputs(flags.output);
     require_one_test(flags, kept->sections, kept->tests.size());
     write_outputs(flags, kept->tests, kept->sections, kept->document, kept->compared());
@@ -282,7 +283,7 @@ int analyze(const AnalyzeFlags& flags) {
   progress.stop();
   write_outputs(flags, kept->tests, sections, kept->document, kept->compared());
   print(flags.output, flags.output.json ? kept->document : text);
-  if (flags.output.host != nullptr) hand_over(flags.output.host->outcome, kept);
+  if (flags.output.host != nullptr) hand_over(flags.output, kept);
   if (flags.trace && !flags.output.json) {
     for (const Test& test : kept->tests) print_trace(*test.analysis);
   }
@@ -297,7 +298,7 @@ int analyze(const AnalyzeFlags& flags) {
 }  // namespace
 
 void add_analyze(CommandLine& line) {
-  auto flags = std::make_shared<AnalyzeFlags>();
+  auto flags = line.values<AnalyzeFlags>();
   Command command =
       line.command("analyze", "Modes of a structure from hammer tests: hits, FRFs, modes, bending or hoop",
                    [flags] { return analyze(*flags); });

@@ -81,7 +81,7 @@ int calibrate_file(const CalibrateFlags& flags) {
 }  // namespace
 
 void add_calibrate(CommandLine& line) {
-  auto flags = std::make_shared<CalibrateFlags>();
+  auto flags = line.values<CalibrateFlags>();
   Command command = line.command("calibrate", "What one unit of the force channel is in N, from hits on a free mass",
                                  [flags] { return calibrate_file(*flags); });
   command.about(

@@ -35,7 +35,7 @@ int certify_session(const CertifyFlags& flags) {
 }  // namespace
 
 void add_certify(CommandLine& line) {
-  auto flags = std::make_shared<CertifyFlags>();
+  auto flags = line.values<CertifyFlags>();
   Command command = line.command("certify", "A bat's test session: which shots count, where to shoot next, the verdict",
                                  [flags] { return certify_session(*flags); });
   command.about(

@@ -134,6 +134,7 @@ void CommandLine::check_commands(const std::vector<std::string>& words) const {
 int CommandLine::run(int argc, const char* const* argv) {
   const std::vector<std::string> typed(argv + 1, argv + argc);
   check_commands(typed);
+  for (const auto& make_fresh : fresh_) make_fresh();
   try {
     app_->parse(argc, argv);
   } catch (const CLI::CallForHelp&) {

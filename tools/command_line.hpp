@@ -1,6 +1,7 @@
 #pragma once
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,18 @@ class CommandLine {
   /// `run` is called when the command was chosen and its options understood; it returns an exit code.
   Command command(const char* name, const char* description, std::function<int()> run);
 
+  /// The variables that a command's options are bound to. Each run finds them as they were declared, so that one
+  /// declaration serves many runs, one after the other.
+  template <class Values>
+  std::shared_ptr<Values> values() {
+    auto made = std::make_shared<Values>();
+    fresh_.emplace_back([made, initial = std::optional<Values>()]() mutable {
+      if (!initial) initial = *made;
+      *made = *initial;
+    });
+    return made;
+  }
+
   /// What an exit code means, for the manual pages.
   void exit_code(int code, const char* meaning);
 
@@ -42,6 +55,7 @@ class CommandLine {
   Declaration declaration_;
   std::unique_ptr<CLI::App> app_;
   std::function<int()> chosen_;
+  std::vector<std::function<void()>> fresh_;
 };
 
 }  // namespace percuss::tools

@@ -62,7 +62,7 @@ int convert(ConvertFlags flags) {
 }  // namespace
 
 void add_convert(CommandLine& line) {
-  auto flags = std::make_shared<ConvertFlags>();
+  auto flags = line.values<ConvertFlags>();
   Command command =
       line.command("convert", "Records or FRFs from one format into another", [flags] { return convert(*flags); });
   command.about(

@@ -79,7 +79,7 @@ int deflect_files(const DeflectFlags& flags) {
     Outcome& outcome = flags.output.host->outcome;
     outcome.analyses = {made};
     outcome.deflection = deflected;
-    outcome.save = [output = flags.output, report, made, deflected](const std::string& path, bool force) {
+    outcome.save = [output = kept_output(flags.output), report, made, deflected](const std::string& path, bool force) {
       const OutputFlags its = one_output(output, path, force);
       check_deflection_outputs(its);
       write_deflection(its, report, *made, *deflected);
@@ -91,7 +91,7 @@ int deflect_files(const DeflectFlags& flags) {
 }  // namespace
 
 void add_deflect(CommandLine& line) {
-  auto flags = std::make_shared<DeflectFlags>();
+  auto flags = line.values<DeflectFlags>();
   Command command = line.command("deflect", "Deflection under an impact, from the acceleration at the struck point",
                                  [flags] { return deflect_files(*flags); });
   command.about(

@@ -59,7 +59,7 @@ void hand_over(const OutputFlags& output, const std::shared_ptr<const Analysis>&
     return analysis_text(*analysis, {.sections = kShown, .width = width});
   };
   if (!analysis->possible()) return;
-  outcome.save = [output, analysis, kind, summary = outcome.document](const std::string& path, bool force) {
+  outcome.save = [output = kept_output(output), analysis, kind, summary = outcome.document](const std::string& path, bool force) {
     const OutputFlags its = one_output(output, path, force);
     check_frf_outputs(its);
     write_frf_outputs(its, *analysis, kind, summary);
@@ -96,7 +96,7 @@ int frf(const FrfFlags& flags) {
 }  // namespace
 
 void add_frf(CommandLine& line) {
-  auto flags = std::make_shared<FrfFlags>();
+  auto flags = line.values<FrfFlags>();
   Command command = line.command("frf", "Averaged FRFs and coherence only, as CSV on standard output or into files",
                                  [flags] { return frf(*flags); });
   command.about(

@@ -190,7 +190,7 @@ int run_info(const InfoFlags& flags) {
 }  // namespace
 
 void add_info(CommandLine& line) {
-  auto flags = std::make_shared<InfoFlags>();
+  auto flags = line.values<InfoFlags>();
   Command command = line.command("info", "What is in a file: kind, channels, units, rate, hits, what could not be read",
                                  [flags] { return run_info(*flags); });
   command.about(

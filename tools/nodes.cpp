@@ -75,7 +75,7 @@ int nodes(const NodesFlags& flags) {
 }  // namespace
 
 void add_nodes(CommandLine& line) {
-  auto flags = std::make_shared<NodesFlags>();
+  auto flags = line.values<NodesFlags>();
   Command command = line.command("nodes", "Where bending modes have their nodes, from a scan of impacts",
                                  [flags] { return nodes(*flags); });
   command.about(

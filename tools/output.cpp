@@ -16,7 +16,6 @@ namespace percuss::tools {
 
 void add_output_flags(Command& command, OutputFlags& flags, const char* kinds) {
   flags.host = command.host();
-  if (flags.host != nullptr) flags.called_as = flags.host->called_as;
   const std::string others = command.heading("Output");
   const std::string help = std::string("Write to this file; its extension says what: ") + kinds + " (repeatable)";
   command.repeatable("-o,--output", flags.paths, help.c_str()).type("FILE");
@@ -26,11 +25,17 @@ void add_output_flags(Command& command, OutputFlags& flags, const char* kinds) {
   command.heading(others);
 }
 
-OutputFlags one_output(const OutputFlags& flags, const std::string& path, bool force) {
-  OutputFlags one = flags;
+OutputFlags kept_output(const OutputFlags& flags) {
+  OutputFlags kept = flags;
+  kept.called_as = flags.host->called_as;
+  kept.host = nullptr;
+  return kept;
+}
+
+OutputFlags one_output(const OutputFlags& kept, const std::string& path, bool force) {
+  OutputFlags one = kept;
   one.paths = {path};
   one.force = force;
-  one.host = nullptr;
   return one;
 }
 

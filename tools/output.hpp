@@ -13,15 +13,17 @@ struct OutputFlags {
   bool json = false;
   bool force = false;
   bool quiet = false;
-  Host* host = nullptr;   // gets the results, in place of standard output; only while the command runs
-  std::string called_as;  // the host's word for the command line
+  Host* host = nullptr;   // gets the results, in place of standard output
+  std::string called_as;  // once the command has run: the host's word for the command line
 };
 
 /// `kinds` are those that check_outputs will be asked for, in words: ".json, .csv".
 void add_output_flags(Command& command, OutputFlags& flags, const char* kinds);
 
-/// The same for one more file, after the command has run.
-OutputFlags one_output(const OutputFlags& flags, const std::string& path, bool force);
+/// The flags for what a host may ask for once the command has run.
+OutputFlags kept_output(const OutputFlags& flags);
+/// … for one more file.
+OutputFlags one_output(const OutputFlags& kept, const std::string& path, bool force);
 
 /// What a command has to say in the end, on standard output or to the host.
 void print(const OutputFlags& flags, const std::string& text);

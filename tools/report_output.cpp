@@ -42,8 +42,8 @@ int show_report(const CommandReport& report, const OutputFlags& flags, const std
   for (const std::string& path : flags.paths) write_report(path, report, inputs, flags);
   print_report(report, flags);
   if (flags.host != nullptr) {
-    flags.host->outcome.save = [report, inputs, flags](const std::string& path, bool force) {
-      const OutputFlags its = one_output(flags, path, force);
+    flags.host->outcome.save = [report, inputs, output = kept_output(flags)](const std::string& path, bool force) {
+      const OutputFlags its = one_output(output, path, force);
       check_report_outputs(its);
       write_report(path, report, inputs, its);
     };

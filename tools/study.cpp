@@ -71,7 +71,7 @@ int run_study(const StudyFlags& flags) {
 }  // namespace
 
 void add_study(CommandLine& line) {
-  auto flags = std::make_shared<StudyFlags>();
+  auto flags = line.values<StudyFlags>();
   Command command = line.command("study", "A population of bats: what goes with performance, in figures and numbers",
                                  [flags] { return run_study(*flags); });
   command.about(

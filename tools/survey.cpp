@@ -119,9 +119,11 @@ void hand_over(const SurveyFlags& flags, const std::shared_ptr<const KeptSurvey>
   outcome.html = [kept] {
     return kept->analysis->possible() ? survey_modes_table(kept->survey).html() : page_paragraph(kNoUsableHit);
   };
-  outcome.save = [kept, document, flags](const std::string& path, bool force) {
-    SurveyFlags its = flags;
-    its.output = one_output(flags.output, path, force);
+  SurveyFlags asked = flags;
+  asked.output = kept_output(flags.output);
+  outcome.save = [kept, document, asked](const std::string& path, bool force) {
+    SurveyFlags its = asked;
+    its.output = one_output(asked.output, path, force);
     check_survey_outputs(its.output);
     write_outputs(its, kept->survey, document);
   };
@@ -158,7 +160,7 @@ int run_survey(const SurveyFlags& flags) {
 }  // namespace
 
 void add_survey(CommandLine& line) {
-  auto flags = std::make_shared<SurveyFlags>();
+  auto flags = line.values<SurveyFlags>();
   Command command = line.command("survey", "Mode shapes from a test of many points: MAC, modal mass, orders",
                                  [flags] { return run_survey(*flags); });
   command.about(

@@ -104,6 +104,7 @@ void hand_over(const SynthFlags& flags, const std::shared_ptr<const SyntheticTes
     SynthFlags its = flags;
     its.outputs = {path};
     its.force = force;
+    its.host = nullptr;
     check_outputs(its);
     write_outputs(its, *test, truth);
   };
@@ -137,7 +138,7 @@ int run_synth(const SynthFlags& flags) {
 }  // namespace
 
 void add_synth(CommandLine& line) {
-  auto flags = std::make_shared<SynthFlags>();
+  auto flags = line.values<SynthFlags>();
   Command command =
       line.command("synth", "Synthetic test records with exactly known truth", [flags] { return run_synth(*flags); });
   flags->host = command.host();

@@ -159,17 +159,61 @@ class MeasuredFrf:
         self._told = handle.describe()
         self._responses = Responses(handle.responses())
 
-    frequency_hz = property(lambda self: self._told["frequency_hz"], doc="(lines,) Hz")
-    format = property(lambda self: self._told["format"], doc='What was read: "FRF HDF5" ...')
-    source = property(lambda self: self._told["source"], doc="The file.")
-    kind = property(lambda self: self._told["kind"], doc="As the file has it: accelerance, mobility or receptance.")
-    estimator = property(lambda self: self._told["estimator"], doc='"H1" ...')
-    notes = property(lambda self: self._told["notes"], doc="What was assumed, one line each.")
-    signals = property(lambda self: self._told["accel"], doc="The accelerations: name, unit, to_si, angle_rad, position_m.")
-    points = property(lambda self: self._responses.points, doc="(points,) numbers of the points.")
-    frf = property(lambda self: self._responses.frf, doc="(points, channels, lines) complex, (m/s²)/N.")
-    std = property(lambda self: self._responses.std, doc="(points, channels, lines) (m/s²)/N, or None.")
-    coherence = property(lambda self: self._responses.coherence, doc="(points, channels, lines) 0 … 1, or None.")
+    @property
+    def frequency_hz(self) -> np.ndarray:
+        """(lines,) Hz."""
+        return self._told["frequency_hz"]
+
+    @property
+    def format(self) -> str:
+        """What was read: "FRF HDF5" ..."""
+        return self._told["format"]
+
+    @property
+    def source(self) -> str:
+        """The file."""
+        return self._told["source"]
+
+    @property
+    def kind(self) -> str:
+        """As the file has it: accelerance, mobility or receptance."""
+        return self._told["kind"]
+
+    @property
+    def estimator(self) -> str:
+        """"H1" ..."""
+        return self._told["estimator"]
+
+    @property
+    def notes(self) -> list[str]:
+        """What was assumed, one line each."""
+        return self._told["notes"]
+
+    @property
+    def signals(self) -> list[dict[str, Any]]:
+        """The accelerations: name, unit, to_si, angle_rad, position_m."""
+        return self._told["accel"]
+
+    @property
+    def points(self) -> np.ndarray:
+        """(points,) numbers of the points."""
+        return self._responses.points
+
+    @property
+    def frf(self) -> np.ndarray:
+        """(points, channels, lines) complex, (m/s²)/N."""
+        return self._responses.frf
+
+    @property
+    def std(self) -> np.ndarray | None:
+        """(points, channels, lines) (m/s²)/N, or None."""
+        return self._responses.std
+
+    @property
+    def coherence(self) -> np.ndarray | None:
+        """(points, channels, lines) 0 … 1, or None."""
+        return self._responses.coherence
+
 
     def frf_at(self, point: int = 0, channel: int = 0) -> np.ndarray:
         """(lines,) complex, (m/s²)/N: one response where it lies, without a copy; `point` is its number."""

@@ -225,15 +225,41 @@ class Analysis(Frf):
         self._require_hits()
         return self._computed("modes")[name]
 
-    frequency_hz = property(lambda self: self._column("frequency_hz"), doc="(modes,) natural frequencies, Hz.")
-    frequency_std_hz = property(lambda self: self._column("frequency_std_hz"), doc="(modes,) standard deviation, Hz.")
-    damping_ratio = property(lambda self: self._column("damping_ratio"), doc="(modes,) of critical damping, 0 … 1.")
-    damping_ratio_std = property(lambda self: self._column("damping_ratio_std"), doc="(modes,) standard deviation.")
-    residues = property(lambda self: self._by_place("residues"), doc="(modes, points, channels) complex, 1/kg.")
-    residues_std = property(
-        lambda self: self._by_place("residues_std"), doc="(modes, points, channels) of real and imaginary part, 1/kg."
-    )
-    frf_std = property(lambda self: self._responses.std, doc="(points, channels, lines) (m/s²)/N, or None.")
+    @property
+    def frequency_hz(self) -> np.ndarray:
+        """(modes,) natural frequencies, Hz."""
+        return self._column("frequency_hz")
+
+    @property
+    def frequency_std_hz(self) -> np.ndarray:
+        """(modes,) standard deviation, Hz."""
+        return self._column("frequency_std_hz")
+
+    @property
+    def damping_ratio(self) -> np.ndarray:
+        """(modes,) of critical damping, 0 … 1."""
+        return self._column("damping_ratio")
+
+    @property
+    def damping_ratio_std(self) -> np.ndarray:
+        """(modes,) standard deviation."""
+        return self._column("damping_ratio_std")
+
+    @property
+    def residues(self) -> np.ndarray:
+        """(modes, points, channels) complex, 1/kg."""
+        return self._by_place("residues")
+
+    @property
+    def residues_std(self) -> np.ndarray:
+        """(modes, points, channels) of real and imaginary part, 1/kg."""
+        return self._by_place("residues_std")
+
+    @property
+    def frf_std(self) -> np.ndarray | None:
+        """(points, channels, lines) (m/s²)/N, or None."""
+        return self._responses.std
+
 
     def _by_place(self, name: str) -> np.ndarray:
         values = self._column(name)
@@ -284,13 +310,41 @@ class Survey(Analysis):
             self._kept["shapes"] = self._outcome.shapes()
         return self._kept["shapes"][name]
 
-    shapes = property(lambda self: self._shape("shapes"), doc="(modes, places) complex.")
-    shapes_std = property(lambda self: self._shape("shapes_std"), doc="(modes, places) of real and imaginary part.")
-    shape_points = property(lambda self: np.array(self._shape("points")), doc="(places,) index of the point, from 0.")
-    shape_channels = property(lambda self: np.array(self._shape("channels")), doc="(places,) the channel, from 0.")
-    mac = property(lambda self: self._shape("mac"), doc="(modes, modes) how alike the shapes are, 0 … 1.")
-    cmif = property(lambda self: self._shape("cmif"), doc="(lines, values) singular values of the FRFs, (m/s²)/N.")
-    cmif_frequency_hz = property(lambda self: self._shape("cmif_frequency_hz"), doc="(lines,) Hz.")
+    @property
+    def shapes(self) -> np.ndarray:
+        """(modes, places) complex."""
+        return self._shape("shapes")
+
+    @property
+    def shapes_std(self) -> np.ndarray:
+        """(modes, places) of real and imaginary part."""
+        return self._shape("shapes_std")
+
+    @property
+    def shape_points(self) -> np.ndarray:
+        """(places,) index of the point, from 0."""
+        return np.array(self._shape("points"))
+
+    @property
+    def shape_channels(self) -> np.ndarray:
+        """(places,) the channel, from 0."""
+        return np.array(self._shape("channels"))
+
+    @property
+    def mac(self) -> np.ndarray:
+        """(modes, modes) how alike the shapes are, 0 … 1."""
+        return self._shape("mac")
+
+    @property
+    def cmif(self) -> np.ndarray:
+        """(lines, values) singular values of the FRFs, (m/s²)/N."""
+        return self._shape("cmif")
+
+    @property
+    def cmif_frequency_hz(self) -> np.ndarray:
+        """(lines,) Hz."""
+        return self._shape("cmif_frequency_hz")
+
 
 
 class Deflection(Result):

@@ -25,6 +25,7 @@ class Option:
         self.group = declared["group"]
         self.initial = declared["initial"]
         self.choices = declared["choices"]
+        self.wanted = declared["wanted"]
         self.required = declared["required"]
         self.list = declared["list"]
         self.repeatable = declared["repeatable"]
