@@ -18,16 +18,26 @@ namespace {
 template <class Function>
 void with_type(NumberType type, const Function& function) {
   switch (type) {
-    case NumberType::float64: return function(static_cast<const double*>(nullptr));
-    case NumberType::float32: return function(static_cast<const float*>(nullptr));
-    case NumberType::int8: return function(static_cast<const std::int8_t*>(nullptr));
-    case NumberType::int16: return function(static_cast<const std::int16_t*>(nullptr));
-    case NumberType::int32: return function(static_cast<const std::int32_t*>(nullptr));
-    case NumberType::int64: return function(static_cast<const std::int64_t*>(nullptr));
-    case NumberType::uint8: return function(static_cast<const std::uint8_t*>(nullptr));
-    case NumberType::uint16: return function(static_cast<const std::uint16_t*>(nullptr));
-    case NumberType::uint32: return function(static_cast<const std::uint32_t*>(nullptr));
-    case NumberType::uint64: return function(static_cast<const std::uint64_t*>(nullptr));
+    case NumberType::float64:
+      return function(static_cast<const double*>(nullptr));
+    case NumberType::float32:
+      return function(static_cast<const float*>(nullptr));
+    case NumberType::int8:
+      return function(static_cast<const std::int8_t*>(nullptr));
+    case NumberType::int16:
+      return function(static_cast<const std::int16_t*>(nullptr));
+    case NumberType::int32:
+      return function(static_cast<const std::int32_t*>(nullptr));
+    case NumberType::int64:
+      return function(static_cast<const std::int64_t*>(nullptr));
+    case NumberType::uint8:
+      return function(static_cast<const std::uint8_t*>(nullptr));
+    case NumberType::uint16:
+      return function(static_cast<const std::uint16_t*>(nullptr));
+    case NumberType::uint32:
+      return function(static_cast<const std::uint32_t*>(nullptr));
+    case NumberType::uint64:
+      return function(static_cast<const std::uint64_t*>(nullptr));
   }
 }
 
@@ -59,7 +69,8 @@ bool can_be_looked_at(const Strip& strip) {
 }
 
 SignalTable table_of(const std::shared_ptr<const ArrayTest>& test) {
-  SignalTable table{.format = "arrays", .fs_Hz = test->fs_Hz, .continuous = test->continuous, .geometry = test->geometry};
+  SignalTable table{
+      .format = "arrays", .fs_Hz = test->fs_Hz, .continuous = test->continuous, .geometry = test->geometry};
   const std::size_t channels = test->rows.empty() ? 0 : test->rows.front().accel.size();
   const std::size_t forces = test->has_force ? 1 : 0;
   for (std::size_t i = 0; i < forces + channels; ++i) {
@@ -68,7 +79,8 @@ SignalTable table_of(const std::shared_ptr<const ArrayTest>& test) {
     table.signals.push_back({.name = i < test->names.size() ? test->names[i] : name, .unit = is_force ? "N" : "m/s^2"});
   }
   for (const ArrayRow& row : test->rows)
-    table.rows.push_back({.samples = row.accel.empty() ? row.force.samples : row.accel.front().samples, .point = row.point});
+    table.rows.push_back(
+        {.samples = row.accel.empty() ? row.force.samples : row.accel.front().samples, .point = row.point});
   table.read = [test](std::size_t row, std::size_t signal, std::size_t first, std::span<double> out) {
     read_strip(strip_of(*test, row, signal), first, out);
   };
@@ -108,11 +120,11 @@ void look_at_responses(Record& record, const std::shared_ptr<const ArrayTest>& t
   const std::size_t channels = record.accel.size();
   const auto checked = std::make_shared<Checked>(test->rows.size() * channels);
   const auto read = record.read_accel_mps2;
-  record.read_accel_mps2 = {
-      read, [test, read, checked, channels](std::size_t row, std::size_t channel) {
-        return checked_view(test->rows[row].accel[channel], checked->rows[row * channels + channel],
-                            [&](std::size_t at, std::span<double> out) { read(row, channel, at, out); });
-      }};
+  record.read_accel_mps2 = {read, [test, read, checked, channels](std::size_t row, std::size_t channel) {
+                              return checked_view(
+                                  test->rows[row].accel[channel], checked->rows[row * channels + channel],
+                                  [&](std::size_t at, std::span<double> out) { read(row, channel, at, out); });
+                            }};
 }
 
 }  // namespace
@@ -132,7 +144,8 @@ Record record_of_arrays(const std::shared_ptr<const ArrayTest>& test, const Read
     plain = plain && (!test->has_force || can_be_looked_at(row.force)) &&
             std::all_of(row.accel.begin(), row.accel.end(), can_be_looked_at);
   }
-  plain = plain && std::all_of(record.accel.begin(), record.accel.end(), [](const auto& one) { return one.to_SI == 1; });
+  plain =
+      plain && std::all_of(record.accel.begin(), record.accel.end(), [](const auto& one) { return one.to_SI == 1; });
   if (!plain) return record;
   if (test->has_force && record.force.to_SI == 1) look_at_forces(record, test);
   look_at_responses(record, test);

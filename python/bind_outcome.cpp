@@ -14,9 +14,9 @@ namespace {
 namespace py = pybind11;
 using Shared = std::shared_ptr<HeldOutcome>;
 
-// Computes without Python's lock, one thread at a time.
+// Computes without Python's lock, one thread at a time. What the function returns by reference stays where it is.
 template <class Function>
-auto unlocked(const Shared& held, const Function& function) {
+decltype(auto) unlocked(const Shared& held, const Function& function) {
   const py::gil_scoped_release release;
   const std::scoped_lock lock(held->mutex);
   return function();
@@ -28,28 +28,40 @@ const std::shared_ptr<const Analysis>& analysis_of(const Shared& held, std::size
   return all[test];
 }
 
-py::object optional_view(const std::vector<double>& values, const std::shared_ptr<const void>& owner) {
-  return values.empty() ? py::object(py::none()) : py::object(view_of(std::span<const double>(values), owner));
+py::object optional_view(std::span<const double> values, const std::shared_ptr<const void>& owner) {
+  return values.empty() ? py::object(py::none()) : py::object(view_of(values, owner));
 }
 
-py::array freq_Hz_of(const Shared& held, std::size_t test) {
-  const Analysis& analysis = *analysis_of(held, test);
-  const LineRange lines = unlocked(held, [&] { return analysis.lines(); });
+// The band asked for; the lines beyond it are for the fits.
+LineRange band_of(const Analysis& analysis) {
+  const auto [low_Hz, high_Hz] = analysis.band_Hz();
+  return lines_in_band(analysis.lines().fs_Hz, analysis.lines().samples, low_Hz, high_Hz);
+}
+
+std::vector<double> freq_Hz_of(const LineRange& lines) {
   std::vector<double> freq_Hz(lines.count);
   for (std::size_t i = 0; i < lines.count; ++i) freq_Hz[i] = lines.freq_Hz(i);
+  return freq_Hz;
+}
+
+py::array frequencies_of(const Shared& held, std::size_t test) {
+  const Analysis& analysis = *analysis_of(held, test);
+  const std::vector<double> freq_Hz = freq_Hz_of(unlocked(held, [&] { return band_of(analysis); }));
   return copy_of(std::span<const double>(freq_Hz));
 }
 
 // As they lie in the analysis, or of another kind.
 py::list frfs_of(const Shared& held, std::size_t test, const std::string& kind) {
   const auto analysis = analysis_of(held, test);
-  const auto& frfs = unlocked(held, [&]() -> const auto& { return analysis->frfs(); });
-  if (kind == name_of(FrfKind::accelerance)) return responses_of(frfs, analysis);
+  const auto& frfs = unlocked(
+      held, [&]() -> const auto& { return analysis->frfs(); });
+  const LineRange band = unlocked(held, [&] { return band_of(*analysis); });
+  const std::size_t first = band.first - analysis->lines().first;
+  if (kind == name_of(FrfKind::accelerance)) return responses_of(frfs, first, band.count, analysis);
   const FrfKind wanted = kind == name_of(FrfKind::mobility) ? FrfKind::mobility : FrfKind::receptance;
   auto made = std::make_shared<std::vector<PointFrf>>(frfs);
-  for (PointFrf& one : *made)
-    one.frf = converted(one.frf, analysis->lines(), wanted, analysis->window_decay_per_s());
-  return responses_of(*made, made);
+  for (PointFrf& one : *made) one.frf = converted(one.frf, analysis->lines(), wanted, analysis->window_decay_per_s());
+  return responses_of(*made, first, band.count, made);
 }
 
 // Parts of a mode as columns: [modes], and of its residues [modes][outputs].
@@ -107,8 +119,10 @@ py::dict stabilisation_of(const Shared& held, std::size_t test) {
 py::dict shapes_of(const Shared& held) {
   const Survey* const survey = held->outcome.survey.get();
   if (survey == nullptr) throw py::type_error("only a survey has shapes");
-  const auto& shapes = unlocked(held, [&]() -> const auto& { return survey->shapes(); });
-  const auto& macs = unlocked(held, [&]() -> const auto& { return survey->macs(); });
+  const auto& shapes = unlocked(
+      held, [&]() -> const auto& { return survey->shapes(); });
+  const auto& macs = unlocked(
+      held, [&]() -> const auto& { return survey->macs(); });
   const std::size_t places = shapes.empty() ? 0 : shapes.front().places.size();
   py::array_t<Complex> values({shapes.size(), places});
   py::array_t<double> deviations({shapes.size(), places});
@@ -126,14 +140,14 @@ py::dict shapes_of(const Shared& held) {
   for (std::size_t a = 0; a < macs.size(); ++a) {
     for (std::size_t b = 0; b < macs.size(); ++b) mac.mutable_at(a, b) = macs[a][b].value;
   }
-  const Eigen::MatrixXd& indicator = unlocked(held, [&]() -> const auto& { return survey->indicator(); });
+  const Eigen::MatrixXd& indicator = unlocked(
+      held, [&]() -> const auto& { return survey->indicator(); });
   const LineRange band = unlocked(held, [&] { return survey->band(); });
   py::array_t<double> cmif({indicator.rows(), indicator.cols()});
   for (Eigen::Index i = 0; i < indicator.rows(); ++i) {
     for (Eigen::Index j = 0; j < indicator.cols(); ++j) cmif.mutable_at(i, j) = indicator(i, j);
   }
-  std::vector<double> freq_Hz(band.count);
-  for (std::size_t i = 0; i < band.count; ++i) freq_Hz[i] = band.freq_Hz(i);
+  const std::vector<double> freq_Hz = freq_Hz_of(band);
   py::dict out;
   out["shapes"] = values;
   out["shapes_std"] = deviations;
@@ -185,12 +199,16 @@ py::list opened_of(const Shared& held) {
 
 }  // namespace
 
-py::list responses_of(const std::vector<PointFrf>& frfs, const std::shared_ptr<const void>& owner) {
+py::list responses_of(const std::vector<PointFrf>& frfs, std::size_t first, std::size_t count,
+                      const std::shared_ptr<const void>& owner) {
+  const auto within = [&](const auto& values) {
+    return std::span(values).subspan(values.empty() ? 0 : first, values.empty() ? 0 : count);
+  };
   py::list out;
   for (const PointFrf& one : frfs) {
-    out.append(py::make_tuple(one.point, one.channel, one.frf.averages,
-                              view_of(std::span<const Complex>(one.frf.value), owner),
-                              optional_view(one.frf.std, owner), optional_view(one.frf.coherence, owner)));
+    out.append(py::make_tuple(one.point, one.channel, one.frf.averages, view_of(within(one.frf.value), owner),
+                              optional_view(within(one.frf.std), owner),
+                              optional_view(within(one.frf.coherence), owner)));
   }
   return out;
 }
@@ -219,7 +237,7 @@ void bind_outcome(py::module_& module) {
              const auto analysis = analysis_of(held, test);
              return unlocked(held, [&] { return analysis->possible(); });
            })
-      .def("frequency_hz", &freq_Hz_of)
+      .def("frequency_hz", &frequencies_of)
       .def("frfs", &frfs_of)
       .def("modes", &modes_of)
       .def("stabilisation", &stabilisation_of)

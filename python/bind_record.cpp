@@ -14,16 +14,16 @@ namespace py = pybind11;
 
 NumberType type_of(const py::array& array, const std::string& name) {
   static const std::map<std::string, NumberType> known{
-      {"f8", NumberType::float64}, {"f4", NumberType::float32}, {"i1", NumberType::int8},   {"i2", NumberType::int16},
-      {"i4", NumberType::int32},   {"i8", NumberType::int64},   {"u1", NumberType::uint8},  {"u2", NumberType::uint16},
+      {"f8", NumberType::float64}, {"f4", NumberType::float32}, {"i1", NumberType::int8},  {"i2", NumberType::int16},
+      {"i4", NumberType::int32},   {"i8", NumberType::int64},   {"u1", NumberType::uint8}, {"u2", NumberType::uint16},
       {"u4", NumberType::uint32},  {"u8", NumberType::uint64}};
   const py::dtype type = array.dtype();
   const std::string text = type.kind() + std::to_string(type.itemsize());
   const auto found = known.find(text);
   const bool native = py::cast<bool>(type.attr("isnative"));
   if (found != known.end() && native) return found->second;
-  throw InputError("numbers of type " + one_line(py::cast<std::string>(type.attr("__str__")()), 60) + " are no samples", name,
-                   "give real numbers, as array.astype(float) makes them");
+  throw InputError("numbers of type " + one_line(py::cast<std::string>(type.attr("__str__")()), 60) + " are no samples",
+                   name, "give real numbers, as array.astype(float) makes them");
 }
 
 Strip strip_of(const py::array& array, const std::string& name) {
@@ -68,8 +68,8 @@ std::shared_ptr<const ArrayTest> test_of(const py::list& rows, const std::vector
     for (const Strip& strip : made.accel) {
       const std::size_t wanted = has_force ? made.force.samples : made.accel.front().samples;
       if (strip.samples == wanted) continue;
-      throw InputError("row " + std::to_string(r) + ": " + std::to_string(strip.samples) + " samples of acceleration for " +
-                           std::to_string(wanted) + " of force",
+      throw InputError("row " + std::to_string(r) + ": " + std::to_string(strip.samples) +
+                           " samples of acceleration for " + std::to_string(wanted) + " of force",
                        "arrays", "give as many of each: force (hits, samples), accel (hits, channels, samples)");
     }
     if (has_force != test->has_force || (r > 0 && made.accel.size() != test->rows.front().accel.size()))
@@ -96,7 +96,8 @@ py::array samples_of(const std::shared_ptr<const HeldRecord>& held, std::size_t 
 }
 
 std::size_t checked_row(const Record& record, std::size_t row) {
-  if (row >= record.rows.size()) throw py::index_error("row " + std::to_string(row) + " of " + std::to_string(record.rows.size()));
+  if (row >= record.rows.size())
+    throw py::index_error("row " + std::to_string(row) + " of " + std::to_string(record.rows.size()));
   return row;
 }
 
@@ -191,7 +192,9 @@ void bind_records(py::module_& module) {
       .def("describe", [](const HeldRecord& held) { return description_of(held); });
   py::class_<FrfRecord, std::shared_ptr<FrfRecord>>(module, "FrfHandle")
       .def("describe", [](const FrfRecord& record) { return description_of(record); })
-      .def("responses", [](const std::shared_ptr<const FrfRecord>& record) { return responses_of(record->frfs, record); });
+      .def("responses", [](const std::shared_ptr<const FrfRecord>& record) {
+        return responses_of(record->frfs, 0, record->lines.count, record);
+      });
 }
 
 }  // namespace percuss::python

@@ -28,8 +28,10 @@ struct HeldOutcome {
   std::mutex mutex{};
 };
 
-/// Responses as [(point, channel, averages, value, std or None, coherence or None)], views of `frfs` that keep `owner`.
-pybind11::list responses_of(const std::vector<PointFrf>& frfs, const std::shared_ptr<const void>& owner);
+/// Responses as [(point, channel, averages, value, std or None, coherence or None)], views of `count` lines of `frfs`
+/// from `first` on that keep `owner`.
+pybind11::list responses_of(const std::vector<PointFrf>& frfs, std::size_t first, std::size_t count,
+                            const std::shared_ptr<const void>& owner);
 
 void bind_records(pybind11::module_& module);
 void bind_outcome(pybind11::module_& module);

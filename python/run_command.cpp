@@ -23,15 +23,15 @@ constexpr std::string_view kRead = "read";
 // Files are opened and handed over, described but not read.
 void add_read(CommandLine& line, Host& host) {
   auto flags = line.values<ReadFlags>();
-  Command command = line.command("read", "Opens records or FRFs: what is in them, and their samples when asked for",
-                                 [flags, &host] {
-                                   Measurements opened = open_measurements(*flags);
-                                   for (Record& record : opened.records) {
-                                     host.outcome.opened.emplace_back(std::move(record));
-                                   }
-                                   for (FrfRecord& frfs : opened.frfs) host.outcome.opened.emplace_back(std::move(frfs));
-                                   return static_cast<int>(kOk);
-                                 });
+  Command command =
+      line.command("read", "Opens records or FRFs: what is in them, and their samples when asked for", [flags, &host] {
+        Measurements opened = open_measurements(*flags);
+        for (Record& record : opened.records) {
+          host.outcome.opened.emplace_back(std::move(record));
+        }
+        for (FrfRecord& frfs : opened.frfs) host.outcome.opened.emplace_back(std::move(frfs));
+        return static_cast<int>(kOk);
+      });
   add_read_flags(command, *flags);
 }
 
@@ -42,16 +42,18 @@ std::string as_typed(const std::vector<std::string>& words) {
 }
 
 Json json_of(const DeclaredOption& option) {
-  return {{"name", option.name()},     {"value", option.value},       {"help", option.help},
-          {"group", option.group},     {"initial", option.initial},   {"choices", option.choices}, {"wanted", option.wanted},
-          {"required", option.required}, {"repeatable", option.repeatable}, {"list", option.list}};
+  return {{"name", option.name()},   {"value", option.value},       {"help", option.help},
+          {"group", option.group},   {"initial", option.initial},   {"choices", option.choices},
+          {"wanted", option.wanted}, {"required", option.required}, {"repeatable", option.repeatable},
+          {"list", option.list}};
 }
 
 Json json_of(const DeclaredCommand& command) {
   Json words = Json::array(), options = Json::array(), examples = Json::array();
   for (const DeclaredOption& word : command.words) words.push_back(json_of(word));
   for (const DeclaredOption& option : command.options) options.push_back(json_of(option));
-  for (const DeclaredExample& one : command.examples) examples.push_back({{"line", one.line}, {"meaning", one.meaning}});
+  for (const DeclaredExample& one : command.examples)
+    examples.push_back({{"line", one.line}, {"meaning", one.meaning}});
   return {{"name", command.name}, {"summary", command.summary}, {"about", command.about},
           {"words", words},       {"options", options},         {"examples", examples}};
 }

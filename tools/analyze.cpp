@@ -100,7 +100,8 @@ CommandReport comparison_of(const AnalyzeFlags& flags, const std::string& docume
   return compare_report(documents);
 }
 
-std::string page_of(const AnalyzeFlags& flags, const Test& test, const std::set<Section>& sections, const CommandReport* comparison) {
+std::string page_of(const AnalyzeFlags& flags, const Test& test, const std::set<Section>& sections,
+                    const CommandReport* comparison) {
   return analysis_page(
       *test.analysis,
       {.sections = sections, .deflection = test.deflection ? &*test.deflection : nullptr, .comparison = comparison},
@@ -122,8 +123,8 @@ void write_outputs(const AnalyzeFlags& flags, const std::vector<Test>& tests, co
     } else if (extension_of(path) == ".svg") {
       write_file(path, drawing_of(flags, *tests.front().analysis), flags.output.force);
     } else if (!tests.front().analysis->possible()) {
-      remark(flags.output, "no hit can be used, so there are no FRFs to write (" + one_line(path) +
-                               "); see the hits' findings");
+      remark(flags.output,
+             "no hit can be used, so there are no FRFs to write (" + one_line(path) + "); see the hits' findings");
     } else if (is_uff(path)) {
       write_modes_uff(path, *tests.front().analysis, flags.output.force);
     } else {
@@ -204,9 +205,8 @@ std::string text_of(const KeptTests& kept, std::size_t width, bool sketch) {
   std::string text;
   for (const Test& test : kept.tests) {
     if (kept.tests.size() > 1) text += fmt::format("{}test {}\n", text.empty() ? "" : "\n", test.run);
-    text += analysis_text(
-        *test.analysis,
-        {.sections = kept.sections, .width = width, .per_hit = kept.flags.per_hit, .sketch = sketch});
+    text += analysis_text(*test.analysis,
+                          {.sections = kept.sections, .width = width, .per_hit = kept.flags.per_hit, .sketch = sketch});
     if (test.deflection) text += "\n" + deflection_tables(*test.analysis, *test.deflection).text(width);
     if (kept.comparison) text += "\n" + kept.comparison->text.text(width);
   }

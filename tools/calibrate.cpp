@@ -60,8 +60,7 @@ std::string text_of(const CalibrateFlags& flags, const Record& record, const Cal
                fmt::format("{:.4g} m/s²", hit.peak_accel_mps2), fmt::format("{:.6g}", hit.scale),
                hit.used ? "" : "not used: too weak"});
   }
-  return fmt::format("{}   {} kg free mass\n\n", record.source(), flags.mass_kg) +
-         table.text(terminal_width()) +
+  return fmt::format("{}   {} kg free mass\n\n", record.source(), flags.mass_kg) + table.text(terminal_width()) +
          fmt::format("\n1 unit of the force channel is {} N{}: use --force-scale {:.8g}\n",
                      with_deviation(std::abs(calibration.scale), calibration.scale_std),
                      calibration.scale < 0 ? ", and it reads pushes as negative" : "", calibration.scale);

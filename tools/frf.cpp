@@ -59,7 +59,8 @@ void hand_over(const OutputFlags& output, const std::shared_ptr<const Analysis>&
     return analysis_text(*analysis, {.sections = kShown, .width = width});
   };
   if (!analysis->possible()) return;
-  outcome.save = [output = kept_output(output), analysis, kind, summary = outcome.document](const std::string& path, bool force) {
+  outcome.save = [output = kept_output(output), analysis, kind, summary = outcome.document](const std::string& path,
+                                                                                            bool force) {
     const OutputFlags its = one_output(output, path, force);
     check_frf_outputs(its);
     write_frf_outputs(its, *analysis, kind, summary);

@@ -56,7 +56,8 @@ std::string quoted_word(const std::string& word) {
 }
 
 Provenance provenance_now(const OutputFlags& flags) {
-  return {.command = flags.called_as.empty() ? command_line() : flags.called_as, .made_at = fmt::format("{:%Y-%m-%d %H:%M}", fmt::gmtime(now()))};
+  return {.command = flags.called_as.empty() ? command_line() : flags.called_as,
+          .made_at = fmt::format("{:%Y-%m-%d %H:%M}", fmt::gmtime(now()))};
 }
 
 }  // namespace percuss::tools

@@ -250,8 +250,8 @@ Measurements open_measurements(const ReadFlags& flags) {
     if (auto* record = std::get_if<Record>(&*all[i])) out.records.push_back(std::move(*record));
     if (auto* frfs = std::get_if<FrfRecord>(&*all[i])) out.frfs.push_back(std::move(*frfs));
     if (out.records.empty() || out.frfs.empty()) continue;
-    throw InputError("records of time and FRFs cannot be joined",
-                     gives_data(flags) ? "data in memory" : flags.paths[i], "analyse the two kinds apart");
+    throw InputError("records of time and FRFs cannot be joined", gives_data(flags) ? "data in memory" : flags.paths[i],
+                     "analyse the two kinds apart");
   }
   return out;
 }

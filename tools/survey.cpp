@@ -93,8 +93,8 @@ void write_outputs(const SurveyFlags& flags, const Survey& survey, const std::st
     } else if (extension_of(path) == ".svg") {
       write_file(path, svg_document(survey_charts(survey, flags.pictures)), flags.output.force);
     } else if (!survey.analysis().possible()) {
-      remark(flags.output, "no hit can be used, so there are no shapes to write (" + one_line(path) +
-                               "); see the hits' findings");
+      remark(flags.output,
+             "no hit can be used, so there are no shapes to write (" + one_line(path) + "); see the hits' findings");
     } else if (kind == ".csv") {
       write_file(path, is_indicator(path) ? cmif_csv(survey) : shapes_csv(survey), flags.output.force);
     } else if (is_uff(path)) {

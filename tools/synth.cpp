@@ -112,7 +112,8 @@ void hand_over(const SynthFlags& flags, const std::shared_ptr<const SyntheticTes
 
 int run_synth(const SynthFlags& flags) {
   if (flags.list || flags.example) {
-    const std::string text = (flags.list ? presets_text(flags.json) : "") + std::string(flags.example ? synth_example() : "");
+    const std::string text =
+        (flags.list ? presets_text(flags.json) : "") + std::string(flags.example ? synth_example() : "");
     print({.host = flags.host}, text);
     return kOk;
   }

@@ -7,7 +7,9 @@ Start with a test whose modes are known, and find them:
     >>> found = percuss.analyze(test.record, band=(60, 3200))
     >>> for f, s, z in zip(found.frequency_hz, found.frequency_std_hz, found.damping_ratio):
     ...     print(f"{f:8.2f} Hz, known to {s:.0e} Hz, damping {100 * z:.2f} %")
-      165.00 Hz, known to 4e-04 Hz, damping 1.00 %
+      165.00 Hz, known to 4e-05 Hz, damping 1.00 %
+      568.00 Hz, known to 4e-05 Hz, damping 0.70 %
+     1177.00 Hz, known to 4e-05 Hz, damping 0.60 %
 
 Your own data come from a file, or from arrays in memory, which are not copied:
 

@@ -110,7 +110,7 @@ class Synthetic(Result):
         return Record._of(self._outcome.record())
 
     def __str__(self) -> str:
-        modes = ", ".join(f"{mode['frequency_hz']:g}" for mode in self._parsed().get("modes", []))
+        modes = ", ".join(f"{freq_hz:g}" for freq_hz in self._parsed()["f_hz"])
         return f"{self.record!r}, modes at {modes} Hz"
 
 

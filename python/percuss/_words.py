@@ -62,7 +62,7 @@ class Option:
             return [_text(self.keyword, value)]
         if ":" in self.shown:  # (60, 3200) is 60:3200, and a list holds several such
             parts = list(value)
-            if parts and all(isinstance(part, (list, tuple, str)) for part in parts):
+            if self.repeatable and parts and all(isinstance(part, (list, tuple, str)) for part in parts):
                 whole = [part if isinstance(part, str) else _joined(self.keyword, part, ":") for part in parts]
                 return [",".join(whole)] if self.list else whole
             return [_joined(self.keyword, parts, ":")]
