@@ -175,7 +175,7 @@ int run_info(const InfoFlags& flags) {
       if (!flags.output.json) fmt::print("{}", columns_text(flags.read.paths[i], seen, terminal_width()));
     } catch (const InputError& error) {
       // One bad file must not hide what the others hold.
-      std::cerr << "percuss: " << error.what() << '\n';
+      if (flags.output.host == nullptr) std::cerr << "percuss: " << error.what() << '\n';
       files.push_back({{"path", flags.read.paths[i]}, {"error", error.what()}});
       code = kBadInput;
     }

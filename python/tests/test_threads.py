@@ -112,7 +112,8 @@ def test_interruption_is_an_interruption(tool, bat, delay_s):
 def test_nothing_is_printed(tool, bat, capfd):
     bat.save("bat.h5")
     percuss.analyze("bat.h5", band=BAND, trace=True, explain=True)
-    percuss.info("bat.h5")
+    open("none.csv", "w").close()
+    percuss.info("bat.h5", "none.csv")
     percuss.write("bat.wav", bat)
     percuss.models.beam(support="free")
     percuss.example("synth")
