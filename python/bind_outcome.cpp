@@ -6,28 +6,11 @@
 
 #include "bindings.hpp"
 #include "numpy_views.hpp"
-#include "pipeline/survey.hpp"
 
 namespace percuss::python {
 namespace {
 
 namespace py = pybind11;
-using Shared = std::shared_ptr<HeldOutcome>;
-
-// Computes without Python's lock, one thread at a time. What the function returns by reference stays where it is.
-template <class Function>
-decltype(auto) unlocked(const Shared& held, const Function& function) {
-  const py::gil_scoped_release release;
-  const std::scoped_lock lock(held->mutex);
-  return function();
-}
-
-const std::shared_ptr<const Analysis>& analysis_of(const Shared& held, std::size_t test) {
-  const auto& all = held->outcome.analyses;
-  if (test >= all.size()) throw py::index_error("test " + std::to_string(test) + " of " + std::to_string(all.size()));
-  return all[test];
-}
-
 py::object optional_view(std::span<const double> values, const std::shared_ptr<const void>& owner) {
   return values.empty() ? py::object(py::none()) : py::object(view_of(values, owner));
 }
@@ -36,12 +19,6 @@ py::object optional_view(std::span<const double> values, const std::shared_ptr<c
 LineRange band_of(const Analysis& analysis) {
   const auto [low_Hz, high_Hz] = analysis.band_Hz();
   return lines_in_band(analysis.lines().fs_Hz, analysis.lines().samples, low_Hz, high_Hz);
-}
-
-std::vector<double> freq_Hz_of(const LineRange& lines) {
-  std::vector<double> freq_Hz(lines.count);
-  for (std::size_t i = 0; i < lines.count; ++i) freq_Hz[i] = lines.freq_Hz(i);
-  return freq_Hz;
 }
 
 py::array frequencies_of(const Shared& held, std::size_t test) {
@@ -96,69 +73,6 @@ py::dict modes_of(const Shared& held, std::size_t test) {
   return out;
 }
 
-py::dict stabilisation_of(const Shared& held, std::size_t test) {
-  const Analysis& analysis = *analysis_of(held, test);
-  const Stabilisation& diagram = unlocked(held, [&]() -> const Stabilisation& { return analysis.stabilisation(); });
-  std::vector<double> freq_Hz, damping;
-  std::vector<std::int64_t> order;
-  py::list stability;
-  for (const StabilisationPole& one : diagram.poles) {
-    freq_Hz.push_back(one.pole.freq_Hz);
-    damping.push_back(one.pole.damping_ratio);
-    order.push_back(static_cast<std::int64_t>(one.order));
-    stability.append(name_of(one.stability));
-  }
-  py::dict out;
-  out["order"] = copy_of(std::span<const std::int64_t>(order));
-  out["frequency_hz"] = copy_of(std::span<const double>(freq_Hz));
-  out["damping_ratio"] = copy_of(std::span<const double>(damping));
-  out["stability"] = stability;
-  return out;
-}
-
-py::dict shapes_of(const Shared& held) {
-  const Survey* const survey = held->outcome.survey.get();
-  if (survey == nullptr) throw py::type_error("only a survey has shapes");
-  const auto& shapes = unlocked(
-      held, [&]() -> const auto& { return survey->shapes(); });
-  const auto& macs = unlocked(
-      held, [&]() -> const auto& { return survey->macs(); });
-  const std::size_t places = shapes.empty() ? 0 : shapes.front().places.size();
-  py::array_t<Complex> values({shapes.size(), places});
-  py::array_t<double> deviations({shapes.size(), places});
-  py::list points, channels;
-  for (std::size_t m = 0; m < shapes.size(); ++m) {
-    for (std::size_t p = 0; p < places; ++p) {
-      const ShapePlace& place = shapes[m].places.at(p);
-      values.mutable_at(m, p) = place.value;
-      deviations.mutable_at(m, p) = place.std;
-      if (m == 0) points.append(place.point);
-      if (m == 0) channels.append(place.channel);
-    }
-  }
-  py::array_t<double> mac({macs.size(), macs.size()});
-  for (std::size_t a = 0; a < macs.size(); ++a) {
-    for (std::size_t b = 0; b < macs.size(); ++b) mac.mutable_at(a, b) = macs[a][b].value;
-  }
-  const Eigen::MatrixXd& indicator = unlocked(
-      held, [&]() -> const auto& { return survey->indicator(); });
-  const LineRange band = unlocked(held, [&] { return survey->band(); });
-  py::array_t<double> cmif({indicator.rows(), indicator.cols()});
-  for (Eigen::Index i = 0; i < indicator.rows(); ++i) {
-    for (Eigen::Index j = 0; j < indicator.cols(); ++j) cmif.mutable_at(i, j) = indicator(i, j);
-  }
-  const std::vector<double> freq_Hz = freq_Hz_of(band);
-  py::dict out;
-  out["shapes"] = values;
-  out["shapes_std"] = deviations;
-  out["points"] = points;
-  out["channels"] = channels;
-  out["mac"] = mac;
-  out["cmif"] = cmif;
-  out["cmif_frequency_hz"] = copy_of(std::span<const double>(freq_Hz));
-  return out;
-}
-
 // [(hit, channel, point, first_s, velocity, deflection, std or None)]
 py::list deflections_of(const Shared& held) {
   const auto& test = held->outcome.deflection;
@@ -198,6 +112,18 @@ py::list opened_of(const Shared& held) {
 }
 
 }  // namespace
+
+const std::shared_ptr<const Analysis>& analysis_of(const Shared& held, std::size_t test) {
+  const auto& all = held->outcome.analyses;
+  if (test >= all.size()) throw py::index_error("test " + std::to_string(test) + " of " + std::to_string(all.size()));
+  return all[test];
+}
+
+std::vector<double> freq_Hz_of(const LineRange& lines) {
+  std::vector<double> freq_Hz(lines.count);
+  for (std::size_t i = 0; i < lines.count; ++i) freq_Hz[i] = lines.freq_Hz(i);
+  return freq_Hz;
+}
 
 py::list responses_of(const std::vector<PointFrf>& frfs, std::size_t first, std::size_t count,
                       const std::shared_ptr<const void>& owner) {

@@ -27,6 +27,24 @@ struct HeldOutcome {
   tools::Outcome outcome;
   std::mutex mutex{};
 };
+using Shared = std::shared_ptr<HeldOutcome>;
+
+/// The analysis of one of its tests. errors  IndexError.
+const std::shared_ptr<const Analysis>& analysis_of(const Shared& held, std::size_t test);
+
+/// Computes without Python's lock, one thread at a time. What the function returns by reference stays where it is.
+template <class Function>
+decltype(auto) unlocked(const Shared& held, const Function& function) {
+  const pybind11::gil_scoped_release release;
+  const std::scoped_lock lock(held->mutex);
+  return function();
+}
+
+std::vector<double> freq_Hz_of(const LineRange& lines);
+
+/// The stabilisation diagram as columns, and a survey's shapes, their MAC and the mode indicator.
+pybind11::dict stabilisation_of(const Shared& held, std::size_t test);
+pybind11::dict shapes_of(const Shared& held);
 
 /// Responses as [(point, channel, averages, value, std or None, coherence or None)], views of `count` lines of `frfs`
 /// from `first` on that keep `owner`.

@@ -51,9 +51,10 @@ from ._percuss import InputError, NoHitError, UsageError
 from ._percuss import version as __version__
 
 from . import _commands
+from ._analyses import Analysis, Frf, Survey
 from ._commands import compare, example, info, presets, write
 from ._records import MeasuredFrf, Record
-from ._results import Analysis, Deflection, Frf, Nodes, Result, Survey, Synthetic
+from ._results import Deflection, Nodes, Result, Synthetic
 from . import metrics, models
 
 analyze = _commands.FUNCTIONS["analyze"]

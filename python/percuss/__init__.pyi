@@ -7,7 +7,8 @@ import numpy as np
 from ._commands import compare as compare, example as example, info as info, presets as presets, write as write
 from ._percuss import InputError as InputError, NoHitError as NoHitError, UsageError as UsageError
 from ._records import MeasuredFrf as MeasuredFrf, Record as Record
-from ._results import Analysis as Analysis, Deflection as Deflection, Frf as Frf, Nodes as Nodes, Result as Result, Survey as Survey, Synthetic as Synthetic
+from ._analyses import Analysis as Analysis, Frf as Frf, Survey as Survey
+from ._results import Deflection as Deflection, Nodes as Nodes, Result as Result, Synthetic as Synthetic
 
 from . import metrics as metrics
 from . import models as models

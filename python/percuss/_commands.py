@@ -7,8 +7,9 @@ import os
 from typing import Any, Callable
 
 from . import _percuss
+from ._analyses import Analysis, Frf, Survey
 from ._records import MeasuredFrf, Record, handles_of
-from ._results import Analysis, Deflection, Frf, Nodes, Result, Survey, Synthetic
+from ._results import Deflection, Nodes, Result, Synthetic
 from ._words import Command, Option, declared
 
 COMMANDS = declared()

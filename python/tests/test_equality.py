@@ -59,6 +59,22 @@ def test_several_files_are_runs_or_hits(tool, bat):
     runs = percuss.analyze(["a.h5", "b.h5"], band=BAND, files="tests").runs
     assert [len(run.frequency_hz) for run in runs] == [3, 3]
     assert runs[0].modes == runs[1].modes
+    together = percuss.analyze(["a.h5", "b.h5"], band=BAND, files="tests")
+    for name in ("frequency_hz", "modes", "frf", "possible"):
+        with pytest.raises(percuss.UsageError, match="2 tests"):
+            getattr(together, name)
+    assert len(together["runs"]) == 2 and "test 1" in together._repr_html_() and "test 1" in str(together)
+
+
+def test_records_in_memory_are_joined_as_files_are(tool, bat):
+    """But for their names."""
+    bat.save("a.h5")
+    bat.save("b.h5")
+    joined = percuss.analyze(percuss.read("a.h5"), bat.record, percuss.Record(bat.record.force_n, bat.record.accel_mps2, 25600.0), band=BAND)
+    printed = json.loads(tool.document("analyze", "a.h5", "b.h5", "--band", "60:3200"))
+    assert len(joined.hits) == 15 and [one["path"] for one in joined["inputs"]] == ["a.h5", "synthetic", "arrays"]
+    assert {hit["file"] for hit in joined.hits} == {"a.h5", "synthetic", "arrays"}
+    assert np.allclose(joined.frequency_hz, [mode["frequency_hz"] for mode in printed["modes"]], rtol=1e-9)
 
 
 def test_arrays_of_a_document_have_its_bits(tool, bat):
