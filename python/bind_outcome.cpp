@@ -142,16 +142,22 @@ py::list responses_of(const std::vector<PointFrf>& frfs, std::size_t first, std:
 void bind_outcome(py::module_& module) {
   py::class_<HeldOutcome, Shared>(module, "Outcome")
       .def_property_readonly("code", [](const HeldOutcome& held) { return held.code; })
-      .def_property_readonly("document", [](const HeldOutcome& held) { return py::str(held.outcome.document); })
-      .def_property_readonly("notes", [](const HeldOutcome& held) { return held.outcome.notes; })
+      .def_property_readonly("document", [](const HeldOutcome& held) { return decoded(held.outcome.document); })
+      .def_property_readonly("notes",
+                             [](const HeldOutcome& held) {
+                               py::list notes;
+                               for (const std::string& note : held.outcome.notes) notes.append(decoded(note));
+                               return notes;
+                             })
       .def_property_readonly("tests", [](const HeldOutcome& held) { return held.outcome.analyses.size(); })
       .def("text",
            [](const Shared& held, std::size_t width) {
-             return held->outcome.text ? unlocked(held, [&] { return held->outcome.text(width); }) : std::string();
+             return decoded(held->outcome.text ? unlocked(held, [&] { return held->outcome.text(width); })
+                                               : std::string());
            })
       .def("html",
            [](const Shared& held) {
-             return held->outcome.html ? unlocked(held, [&] { return held->outcome.html(); }) : std::string();
+             return decoded(held->outcome.html ? unlocked(held, [&] { return held->outcome.html(); }) : std::string());
            })
       .def("save",
            [](const Shared& held, const std::string& path, bool force) {

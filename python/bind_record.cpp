@@ -119,10 +119,16 @@ py::array accel_of(const std::shared_ptr<const HeldRecord>& held, std::size_t ro
   });
 }
 
+py::list notes_of(const std::vector<std::string>& notes) {
+  py::list out;
+  for (const std::string& note : notes) out.append(decoded(note));
+  return out;
+}
+
 py::dict signal_of(const SignalInfo& signal) {
   py::dict out;
-  out["name"] = signal.name;
-  out["unit"] = signal.unit;
+  out["name"] = decoded(signal.name);
+  out["unit"] = decoded(signal.unit);
   out["to_si"] = signal.to_SI;
   out["angle_rad"] = signal.angle_rad;
   out["position_m"] = signal.position_m;
@@ -136,14 +142,14 @@ py::dict description_of(const HeldRecord& held) {
   for (const RowInfo& row : record.rows) rows.append(py::make_tuple(row.samples, row.point, row.run));
   for (const SignalInfo& signal : record.accel) accel.append(signal_of(signal));
   out["format"] = record.format;
-  out["source"] = record.source();
+  out["source"] = decoded(record.source());
   out["fs_hz"] = record.fs_Hz;
   out["continuous"] = record.continuous;
   out["force"] = record.has_force ? py::object(signal_of(record.force)) : py::none();
   out["accel"] = accel;
   out["rows"] = rows;
   out["geometry"] = record.geometry;
-  out["notes"] = record.notes;
+  out["notes"] = notes_of(record.notes);
   return out;
 }
 
@@ -152,11 +158,11 @@ py::dict description_of(const FrfRecord& record) {
   py::list accel;
   for (const SignalInfo& signal : record.accel) accel.append(signal_of(signal));
   out["format"] = record.format;
-  out["source"] = record.source();
+  out["source"] = decoded(record.source());
   out["kind"] = name_of(record.kind);
   out["estimator"] = record.estimator;
   out["accel"] = accel;
-  out["notes"] = record.notes;
+  out["notes"] = notes_of(record.notes);
   std::vector<double> freq_Hz(record.lines.count);
   for (std::size_t i = 0; i < freq_Hz.size(); ++i) freq_Hz[i] = record.lines.freq_Hz(i);
   out["frequency_hz"] = copy_of(std::span<const double>(freq_Hz));

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <mutex>
+#include <string_view>
 #include <vector>
 
 #include "array_record.hpp"
@@ -50,6 +51,9 @@ pybind11::dict shapes_of(const Shared& held);
 /// from `first` on that keep `owner`.
 pybind11::list responses_of(const std::vector<PointFrf>& frfs, std::size_t first, std::size_t count,
                             const std::shared_ptr<const void>& owner);
+
+/// Text of files' names and the like, which need not be UTF-8.
+pybind11::str decoded(std::string_view text);
 
 void bind_records(pybind11::module_& module);
 void bind_outcome(pybind11::module_& module);

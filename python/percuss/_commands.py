@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+import json
 import os
 from typing import Any, Callable
 
@@ -232,8 +233,8 @@ def write(path: str | os.PathLike[str], data: Any, *, force: bool = False) -> li
     one = data.record if isinstance(data, Synthetic) else data
     if not isinstance(one, (Record, MeasuredFrf)):
         raise TypeError(f"data cannot be {type(data).__name__}: give a Record, a MeasuredFrf or a Synthetic")
-    words = ["convert", "--quiet", f"--output={os.fspath(path)}"] + (["--force"] if force else [])
-    return _percuss.run(words, [one._handle]).notes
+    words = ["convert", "--quiet", f"--output={os.fsdecode(path)}"] + (["--force"] if force else [])
+    return _percuss.run([os.fsencode(word) for word in words], [one._handle]).notes
 
 
 def info(*paths: Any, **options: Any) -> Result:
@@ -287,7 +288,7 @@ def example(name: str) -> str:
     if name not in known:
         near = _percuss.nearest(name, known)
         raise _percuss.UsageError(f"no example of '{name}'; " + (f"did you mean {near}?" if near else "give one of " + ", ".join(known)))
-    return _percuss.run([name, "--example"], []).document
+    return _percuss.run([name.encode(), b"--example"], []).document
 
 
 def presets() -> dict[str, str]:
@@ -300,7 +301,5 @@ def presets() -> dict[str, str]:
     >>> "wood-bat" in percuss.presets()
     True
     """
-    import json
-
-    listed = json.loads(_percuss.run(["synth", "--list", "--json"], []).document)
+    listed = json.loads(_percuss.run([b"synth", b"--list", b"--json"], []).document)
     return {one["name"]: one["description"] for one in listed["presets"]}

@@ -313,11 +313,11 @@ def _checked(rows: list[tuple[Any, list[np.ndarray]]]) -> list[tuple[Any, list[n
 def handles_of(data: tuple[Any, ...], fs: Any) -> tuple[list[str], list[Any]]:
     """What a command is given: paths, or handles of what is in memory."""
     flat = list(data[0]) if len(data) == 1 and _is_several(data[0]) else list(data)
-    if all(isinstance(one, (str, os.PathLike)) for one in flat):
+    if all(isinstance(one, (str, bytes, os.PathLike)) for one in flat):
         return [os.fsdecode(one) for one in flat], []
     if all(isinstance(one, (Record, MeasuredFrf)) for one in flat):
         return [], [one._handle for one in flat]
-    if any(isinstance(one, (str, os.PathLike, Record, MeasuredFrf)) for one in flat):
+    if any(isinstance(one, (str, bytes, os.PathLike, Record, MeasuredFrf)) for one in flat):
         raise TypeError("give files, records or arrays, not some of each")
     if len(data) != 2:
         raise TypeError("give two arrays, force and accel, with fs=; or paths; or records")
@@ -327,4 +327,4 @@ def handles_of(data: tuple[Any, ...], fs: Any) -> tuple[list[str], list[Any]]:
 
 
 def _is_several(value: Any) -> bool:
-    return isinstance(value, (list, tuple)) and all(isinstance(one, (str, os.PathLike, Record, MeasuredFrf)) for one in value)
+    return isinstance(value, (list, tuple)) and all(isinstance(one, (str, bytes, os.PathLike, Record, MeasuredFrf)) for one in value)

@@ -83,7 +83,7 @@ class Result:
 
         Raises InputError where the file exists, unless force; UsageError for extensions that the command does not know.
         """
-        self._outcome.save(os.fspath(path), force)
+        self._outcome.save(os.fsencode(path), force)
 
     def report(self, path: str | os.PathLike[str], force: bool = False) -> None:
         """Writes the page: one .html file, the one that the command line writes. Raises as save()."""

@@ -93,7 +93,7 @@ class MemoryFiles:
         self._open: dict[str, tuple[int, str]] = {}
 
     def path(self, value: Any, name: str) -> str:
-        if isinstance(value, (str, os.PathLike)):
+        if isinstance(value, (str, bytes, os.PathLike)):
             return os.fsdecode(value)
         return self._kept(_file_text(value, name), name)
 
@@ -164,7 +164,7 @@ class Command:
             words += [word for key, value in options.items() for word in self._option(function, key).words(value, files)]
             words += [flag for flag in ("--json", "--quiet") if flag[2:] in self._shell]
             words += [_word(files.path(one, self.words[0].lower())) for one in data]
-            return _percuss.run(words, inputs)
+            return _percuss.run([os.fsencode(word) for word in words], inputs)
         except _percuss.InputError as error:
             if not files:
                 raise

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import percuss
+from conftest import SOURCE
 
 BAND = (60, 3200)
 
@@ -119,6 +120,35 @@ def test_measured_frfs_are_analysed_alike(tool, bat):
     printed = json.loads(tool.document("analyze", "frfs.h5", "--band", "60:3200"))
     assert percuss.analyze("frfs.h5", band=BAND).to_dict() == printed
     assert percuss.analyze(percuss.read("frfs.h5"), band=BAND).to_dict() == printed
+
+
+def test_one_call_leaves_nothing_to_the_next(bat):
+    """Declared command lines are used again; the order of calls and refusals between them change nothing."""
+    calls = [dict(options_of(words), effort="quick") for words in ANALYSES if ("--fs", "12800") not in words]
+    first = [percuss.analyze(bat.record.force_n, bat.record.accel_mps2, **{"fs": 25600.0, **options}).json for options in calls]
+    for options, wanted in reversed(list(zip(calls, first))):
+        with pytest.raises(percuss.InputError):
+            percuss.analyze(bat.record, band=(7, 3), only="hits", modes=3, reject_hit=[0, 1])
+        assert percuss.analyze(bat.record.force_n, bat.record.accel_mps2, **{"fs": 25600.0, **options}).json == wanted
+    plain = percuss.models.beam(support="free").json
+    percuss.models.beam(support="pinned", modes=3, length=2.0)
+    assert percuss.models.beam(support="free").json == plain
+
+
+def test_dictionaries_stand_for_files(tool, bat):
+    bat.save("bat.csv")
+    setup = [
+        {"name": "2", "role": "acceleration", "sign": -1, "angle_deg": 0},
+        {"name": "3", "role": "acceleration", "angle_deg": 45},
+    ]
+    open("setup.json", "w").write(json.dumps(setup))
+    spec = json.loads((SOURCE / "fixtures" / "wood-bat.json").read_text())
+    open("spec.json", "w").write(json.dumps(spec))
+    assert percuss.synth(spec).json == percuss.synth("spec.json").json == tool.document("synth", "spec.json")
+    by_file = percuss.analyze("bat.csv", band=BAND, setup="setup.json").json
+    assert percuss.analyze("bat.csv", band=BAND, setup=setup).json == by_file
+    assert by_file == tool.document("analyze", "bat.csv", "--band", "60:3200", "--setup", "setup.json")
+    assert by_file != percuss.analyze("bat.csv", band=BAND).json
 
 
 def test_survey_prints_the_same_document(tool):

@@ -123,6 +123,22 @@ def test_files_are_not_overwritten(tool, bat):
         percuss.write("bat.csv", bat)
 
 
+def test_names_of_files_may_be_any_bytes(tool, bat):
+    name = b"b\xff\xc3\xa4t -x.csv"
+    bat.save(name)
+    again = percuss.analyze(name, band=(60, 3200))
+    assert again["inputs"][0]["path"] == "b\ufffd\u00e4t -x.csv" and "b\ufffd" in str(again) + percuss.read(name).source
+    with pytest.raises(percuss.InputError, match="b\ufffd.*exists|exists.*b\ufffd"):
+        percuss.write(name, bat)
+    bat.save("-b.csv")
+    assert len(percuss.analyze("-b.csv", band=(60, 3200)).frequency_hz) == 3
+    for path in ("a\0b.csv", b"\0"):
+        with pytest.raises(percuss.UsageError, match="zero byte"):
+            percuss.analyze(path)
+    with pytest.raises(percuss.UsageError, match="zero byte"):
+        percuss.analyze("-b.csv", unit="g\0")
+
+
 def test_errors_are_ordinary_exceptions():
     error = pytest.raises(percuss.UsageError, percuss.analyze).value
     assert isinstance(error, percuss.InputError) and isinstance(error, ValueError)
