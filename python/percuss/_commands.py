@@ -5,6 +5,7 @@ from __future__ import annotations
 import inspect
 import json
 import os
+import textwrap
 from typing import Any, Callable
 
 from . import _percuss
@@ -20,6 +21,16 @@ that percuss.Record tells; or Records. Arrays are read where they lie, without a
 function returns, and with the result as long as it is asked for more. Python's lock is released meanwhile.
 """
 _READS_DATA = {"analyze", "frf", "survey", "nodes", "deflect", "calibrate"}
+
+
+_VALUES = """Keywords are numbers or texts, in the unit that stands in brackets; LO:HI is a tuple, as band=(60, 3200), a list any
+sequence, FILE a path or, where it holds numbers or JSON, an array, a dictionary or a result. None is as not given.
+"""
+_WIDTH = 100
+
+
+def _wrapped(text: str) -> str:
+    return textwrap.fill(" ".join(text.split()), _WIDTH)
 
 
 def _default(option: Option) -> Any:
@@ -39,21 +50,27 @@ def _told(option: Option) -> str:
     choices = ": " + ", ".join(option.choices) if option.choices and option.list else ""
     initial = f" (default: {option.initial})" if option.initial else ""
     shown = f" [{option.shown}]" if option.shown else ""
-    return f"    {option.keyword}{shown}  {option.help}{choices}{initial}"
+    return textwrap.fill(
+        f"{option.keyword}{shown}  {option.help}{choices}{initial}", _WIDTH, initial_indent="    ", subsequent_indent=" " * 8
+    )
 
 
 def _docstring(command: Command, intro: str, example: str) -> str:
-    parts = [command.summary + ".", command.about, intro]
+    parts = [command.summary + ".", textwrap.fill(command.about, _WIDTH), _wrapped(intro)]
     if command.name in _READS_DATA:
-        parts.append(_DATA.strip())
+        parts.append(_wrapped(_DATA))
     groups: dict[str, list[str]] = {}
     for option in command.options.values():
         groups.setdefault(option.group or "Keywords", []).append(_told(option))
+    parts.append(_wrapped(_VALUES))
     parts += [f"{group}:\n" + "\n".join(lines) for group, lines in groups.items()]
     parts.append(
-        "Raises InputError for unusable data, UsageError for values that cannot be, in the words of the command "
-        f"line; TypeError for keywords that do not exist.\nSource: percuss {command.name}; docs/theory.md has the equations."
+        _wrapped(
+            "Raises InputError for unusable data, UsageError for values that cannot be, in the words of the command line; "
+            "TypeError for keywords that do not exist."
+        )
     )
+    parts.append(f"Source: percuss {command.name}; docs/theory.md has the equations.")
     if example:
         parts.append(example.strip())
     return "\n\n".join(part for part in parts if part)

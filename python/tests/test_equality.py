@@ -138,8 +138,8 @@ def test_one_call_leaves_nothing_to_the_next(bat):
 def test_dictionaries_stand_for_files(tool, bat):
     bat.save("bat.csv")
     setup = [
-        {"name": "2", "role": "acceleration", "sign": -1, "angle_deg": 0},
-        {"name": "3", "role": "acceleration", "angle_deg": 45},
+        {"name": "acc0_m_s2", "role": "acceleration", "sign": -1, "angle_deg": 0},
+        {"name": "acc1_m_s2", "role": "acceleration", "angle_deg": 45},
     ]
     open("setup.json", "w").write(json.dumps(setup))
     spec = json.loads((SOURCE / "fixtures" / "wood-bat.json").read_text())
