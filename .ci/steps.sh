@@ -76,7 +76,7 @@ tidy() {
     mv "$unit.wanted" "$unit"
     [ ! -s "$unit" ] || echo "$unit"
   done | xargs -r -P "$jobs" -n 1 clang-tidy -p build/tidy-units --quiet --checks=-bugprone-suspicious-include \
-    --header-filter='.*/(src|tools|tests|bench)/.*\.[ch]pp$'
+    --header-filter='.*/(src|tools|tests|bench|python)/.*\.[ch]pp$'
 }
 
 check_layout() { all_sources | xargs clang-format --dry-run -Werror; }

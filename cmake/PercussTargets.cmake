@@ -22,7 +22,7 @@ function(percuss_options target)
     target_compile_options(${target} PUBLIC -fsanitize=${PERCUSS_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
     target_link_options(${target} PUBLIC -fsanitize=${PERCUSS_SANITIZE})
     # The check of an object's dynamic type opens a pipe to see whether memory can be read, which a confined reader may not.
-    target_compile_options(${target} PUBLIC $<$<CXX_COMPILER_ID:Clang>:-fno-sanitize=vptr>)
+    target_compile_options(${target} PUBLIC -fno-sanitize=vptr)
     # Of undefined behaviour in headers that are not ours, Eigen's above all, there is nothing to learn that its own
     # assertions do not tell, and looking for it takes two thirds of the tests' time.
     target_compile_options(${target} PUBLIC

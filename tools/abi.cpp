@@ -19,7 +19,7 @@ struct AbiFlags {
 
 int follow_log(const AbiFlags& flags) {
   if (flags.example) {
-    std::cout << abi_log_example();
+    print(flags.output, abi_log_example());
     return kOk;
   }
   if (flags.log.empty()) throw UsageError("no log", "name its file, or - for standard input");
@@ -34,7 +34,7 @@ int follow_log(const AbiFlags& flags) {
 }  // namespace
 
 void add_abi(CommandLine& line) {
-  auto flags = std::make_shared<AbiFlags>();
+  auto flags = line.values<AbiFlags>();
   Command command = line.command("abi", "The break-in of a composite bat, from its log: what comes next, the verdict",
                                  [flags] { return follow_log(*flags); });
   command.about(

@@ -16,6 +16,7 @@
 #include "report/analysis_charts.hpp"
 #include "report/analysis_json.hpp"
 #include "report/analysis_page.hpp"
+#include "report/analysis_tables.hpp"
 #include "report/analysis_text.hpp"
 #include "report/compare_report.hpp"
 #include "report/deflection_report.hpp"
@@ -99,11 +100,12 @@ CommandReport comparison_of(const AnalyzeFlags& flags, const std::string& docume
   return compare_report(documents);
 }
 
-std::string page_of(const Test& test, const std::set<Section>& sections, const CommandReport* comparison) {
+std::string page_of(const AnalyzeFlags& flags, const Test& test, const std::set<Section>& sections,
+                    const CommandReport* comparison) {
   return analysis_page(
       *test.analysis,
       {.sections = sections, .deflection = test.deflection ? &*test.deflection : nullptr, .comparison = comparison},
-      provenance_now());
+      provenance_now(flags.output));
 }
 
 std::string drawing_of(const AnalyzeFlags& flags, const Analysis& analysis) {
@@ -117,12 +119,12 @@ void write_outputs(const AnalyzeFlags& flags, const std::vector<Test>& tests, co
     if (extension_of(path) == ".json") {
       write_file(path, document, flags.output.force);
     } else if (is_html(path)) {
-      write_file(path, page_of(tests.front(), sections, comparison), flags.output.force);
+      write_file(path, page_of(flags, tests.front(), sections, comparison), flags.output.force);
     } else if (extension_of(path) == ".svg") {
       write_file(path, drawing_of(flags, *tests.front().analysis), flags.output.force);
     } else if (!tests.front().analysis->possible()) {
-      std::cerr << "percuss: no hit can be used, so there are no FRFs to write (" + one_line(path) +
-                       "); see the hits' findings\n";
+      remark(flags.output,
+             "no hit can be used, so there are no FRFs to write (" + one_line(path) + "); see the hits' findings");
     } else if (is_uff(path)) {
       write_modes_uff(path, *tests.front().analysis, flags.output.force);
     } else {
@@ -184,9 +186,68 @@ void compute(const std::vector<Test>& tests, const std::set<Section>& sections) 
   });
 }
 
+void check_analyze_outputs(const OutputFlags& output) {
+  check_outputs(output, {".json", ".html", ".svg", ".csv", ".h5", ".mat", ".uff", ".unv"});
+}
+
+// What was found, for who runs the command in his own process and asks for the rest later.
+struct KeptTests {
+  AnalyzeFlags flags;
+  std::vector<Test> tests;
+  std::set<Section> sections;
+  std::string document;
+  std::optional<CommandReport> comparison;
+
+  const CommandReport* compared() const { return comparison ? &*comparison : nullptr; }
+};
+
+std::string text_of(const KeptTests& kept, std::size_t width, bool sketch) {
+  std::string text;
+  for (const Test& test : kept.tests) {
+    if (kept.tests.size() > 1) text += fmt::format("{}test {}\n", text.empty() ? "" : "\n", test.run);
+    text += analysis_text(*test.analysis,
+                          {.sections = kept.sections, .width = width, .per_hit = kept.flags.per_hit, .sketch = sketch});
+    if (test.deflection) text += "\n" + deflection_tables(*test.analysis, *test.deflection).text(width);
+    if (kept.comparison) text += "\n" + kept.comparison->text.text(width);
+  }
+  return text;
+}
+
+std::string html_of(const KeptTests& kept) {
+  const bool classes = kept.sections.contains(Section::classes);
+  std::string html;
+  for (const Test& test : kept.tests) {
+    if (kept.tests.size() > 1) html += page_paragraph(fmt::format("test {}", test.run));
+    if (!test.analysis->possible()) {
+      html += page_paragraph(kNoUsableHit);
+    } else if (classes || kept.sections.contains(Section::modes)) {
+      html += modes_table(*test.analysis, classes).html();
+    } else {
+      html += hits_table(*test.analysis, test.analysis->force_hits()).shown.html();
+    }
+    html += page_warnings(test.analysis->warnings());
+  }
+  return html;
+}
+
+void hand_over(const OutputFlags& output, const std::shared_ptr<const KeptTests>& kept) {
+  Outcome& outcome = output.host->outcome;
+  for (const Test& test : kept->tests) outcome.analyses.emplace_back(kept, test.analysis.get());
+  if (const auto& deflection = kept->tests.front().deflection) outcome.deflection = {kept, &*deflection};
+  outcome.text = [kept](std::size_t width) { return text_of(*kept, width, false); };
+  outcome.html = [kept] { return html_of(*kept); };
+  outcome.save = [kept, its = kept_output(output)](const std::string& path, bool force) {
+    AnalyzeFlags flags = kept->flags;
+    flags.output = one_output(its, path, force);
+    check_analyze_outputs(flags.output);
+    require_one_test(flags, kept->sections, kept->tests.size());
+    write_outputs(flags, kept->tests, kept->sections, kept->document, kept->compared());
+  };
+}
+
 int analyze(const AnalyzeFlags& flags) {
   const ThreadLimit limit(flags.analysis.threads);
-  check_outputs(flags.output, {".json", ".html", ".svg", ".csv", ".h5", ".mat", ".uff", ".unv"});
+  check_analyze_outputs(flags.output);
   const auto sections = flags.only.empty() ? all_sections() : parse_sections(flags.only);
   const bool wants_json = flags.output.json || !flags.compared.empty() ||
                           std::any_of(flags.output.paths.begin(), flags.output.paths.end(), is_json);
@@ -213,34 +274,31 @@ int analyze(const AnalyzeFlags& flags) {
   }
   std::optional<CommandReport> comparison;
   if (!flags.compared.empty()) comparison = comparison_of(flags, document, inputs_of(*tests.front().analysis).front());
-  std::string text;
-  for (const Test& test : tests) {
-    if (flags.output.json) break;
-    if (tests.size() > 1) text += fmt::format("{}test {}\n", text.empty() ? "" : "\n", test.run);
-    text += analysis_text(
-        *test.analysis,
-        {.sections = sections, .width = terminal_width(), .per_hit = flags.per_hit, .sketch = can_sketch()});
-    if (test.deflection) text += "\n" + deflection_tables(*test.analysis, *test.deflection).text(terminal_width());
-    if (comparison) text += "\n" + comparison->text.text(terminal_width());
-  }
+  const auto kept = std::make_shared<const KeptTests>(KeptTests{.flags = flags,
+                                                                .tests = std::move(tests),
+                                                                .sections = sections,
+                                                                .document = std::move(document),
+                                                                .comparison = std::move(comparison)});
+  const std::string text = flags.output.json ? "" : text_of(*kept, terminal_width(), can_sketch());
   progress.stop();
-  write_outputs(flags, tests, sections, document, comparison ? &*comparison : nullptr);
-  std::cout << (flags.output.json ? document : text) << std::flush;
+  write_outputs(flags, kept->tests, sections, kept->document, kept->compared());
+  print(flags.output, flags.output.json ? kept->document : text);
+  if (flags.output.host != nullptr) hand_over(flags.output, kept);
   if (flags.trace && !flags.output.json) {
-    for (const Test& test : tests) print_trace(*test.analysis);
+    for (const Test& test : kept->tests) print_trace(*test.analysis);
   }
   if (flags.explain && !flags.output.json) {
-    for (const Test& test : tests) std::cerr << skipped_text(*test.analysis).text(terminal_width());
+    for (const Test& test : kept->tests) std::cerr << skipped_text(*test.analysis).text(terminal_width());
   }
   const bool possible =
-      std::all_of(tests.begin(), tests.end(), [](const Test& test) { return test.analysis->possible(); });
+      std::all_of(kept->tests.begin(), kept->tests.end(), [](const Test& test) { return test.analysis->possible(); });
   return possible ? kOk : kImpossible;
 }
 
 }  // namespace
 
 void add_analyze(CommandLine& line) {
-  auto flags = std::make_shared<AnalyzeFlags>();
+  auto flags = line.values<AnalyzeFlags>();
   Command command =
       line.command("analyze", "Modes of a structure from hammer tests: hits, FRFs, modes, bending or hoop",
                    [flags] { return analyze(*flags); });

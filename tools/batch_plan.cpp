@@ -95,7 +95,7 @@ int plan(PlanFlags& flags) {
 }  // namespace
 
 void add_batch_plan(CommandLine& line) {
-  auto flags = std::make_shared<PlanFlags>();
+  auto flags = line.values<PlanFlags>();
   Command command = line.command("batch plan", "Lists many records and how they are to be analysed, in a manifest",
                                  [flags] { return plan(*flags); });
   flags->command = command;

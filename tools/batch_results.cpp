@@ -60,7 +60,7 @@ int merge(const ResultFlags& flags) {
 }  // namespace
 
 void add_batch_status(CommandLine& line) {
-  auto flags = std::make_shared<ResultFlags>();
+  auto flags = line.values<ResultFlags>();
   Command command = line.command("batch status", "How far a batch has come, and which shards are missing",
                                  [flags] { return status(*flags); });
   command.about(
@@ -78,7 +78,7 @@ void add_batch_status(CommandLine& line) {
 }
 
 void add_batch_merge(CommandLine& line) {
-  auto flags = std::make_shared<ResultFlags>();
+  auto flags = line.values<ResultFlags>();
   Command command =
       line.command("batch merge", "One file of all shards' rows, ordered by id", [flags] { return merge(*flags); });
   command.about(

@@ -167,7 +167,7 @@ int run(const RunFlags& flags) {
 }  // namespace
 
 void add_batch_run(CommandLine& line) {
-  auto flags = std::make_shared<RunFlags>();
+  auto flags = line.values<RunFlags>();
   Command command =
       line.command("batch run", "Analyses a manifest's records, or one shard of them", [flags] { return run(*flags); });
   command.about(

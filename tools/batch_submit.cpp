@@ -81,7 +81,7 @@ int submit(const SubmitFlags& flags) {
 }  // namespace
 
 void add_batch_submit(CommandLine& line) {
-  auto flags = std::make_shared<SubmitFlags>();
+  auto flags = line.values<SubmitFlags>();
   Command command =
       line.command("batch submit", "The missing shards as a job array of Slurm", [flags] { return submit(*flags); });
   command.about(

@@ -60,8 +60,7 @@ std::string text_of(const CalibrateFlags& flags, const Record& record, const Cal
                fmt::format("{:.4g} m/s²", hit.peak_accel_mps2), fmt::format("{:.6g}", hit.scale),
                hit.used ? "" : "not used: too weak"});
   }
-  return fmt::format("{}   {} kg free mass\n\n", record.files.front().path, flags.mass_kg) +
-         table.text(terminal_width()) +
+  return fmt::format("{}   {} kg free mass\n\n", record.source(), flags.mass_kg) + table.text(terminal_width()) +
          fmt::format("\n1 unit of the force channel is {} N{}: use --force-scale {:.8g}\n",
                      with_deviation(std::abs(calibration.scale), calibration.scale_std),
                      calibration.scale < 0 ? ", and it reads pushes as negative" : "", calibration.scale);
@@ -74,14 +73,14 @@ int calibrate_file(const CalibrateFlags& flags) {
   const std::string document =
       json_of(flags, record, calibration).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
   for (const std::string& path : flags.output.paths) write_file(path, document, flags.output.force);
-  std::cout << (flags.output.json ? document : text_of(flags, record, calibration));
+  print(flags.output, flags.output.json ? document : text_of(flags, record, calibration));
   return kOk;
 }
 
 }  // namespace
 
 void add_calibrate(CommandLine& line) {
-  auto flags = std::make_shared<CalibrateFlags>();
+  auto flags = line.values<CalibrateFlags>();
   Command command = line.command("calibrate", "What one unit of the force channel is in N, from hits on a free mass",
                                  [flags] { return calibrate_file(*flags); });
   command.about(

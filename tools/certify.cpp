@@ -19,7 +19,7 @@ struct CertifyFlags {
 
 int certify_session(const CertifyFlags& flags) {
   if (flags.example || flags.example_table) {
-    std::cout << (flags.example_table ? session_table_example() : session_example());
+    print(flags.output, flags.example_table ? session_table_example() : session_example());
     return kOk;
   }
   if (flags.session.empty()) throw UsageError("no session", "name its file, or - for standard input");
@@ -35,7 +35,7 @@ int certify_session(const CertifyFlags& flags) {
 }  // namespace
 
 void add_certify(CommandLine& line) {
-  auto flags = std::make_shared<CertifyFlags>();
+  auto flags = line.values<CertifyFlags>();
   Command command = line.command("certify", "A bat's test session: which shots count, where to shoot next, the verdict",
                                  [flags] { return certify_session(*flags); });
   command.about(

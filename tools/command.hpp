@@ -1,4 +1,6 @@
 #pragma once
+#include <string_view>
+
 #include "command_line.hpp"
 
 namespace percuss::tools {
@@ -44,5 +46,11 @@ void add_batch_merge(CommandLine& line);
 void add_batch_submit(CommandLine& line);
 void add_completion(CommandLine& line);
 void add_man(CommandLine& line);  // last: it offers the pages of all
+
+/// What the program itself is, and its exit codes.
+void add_program(CommandLine& line);
+
+/// Those of the above that `first_word` may be about.
+void add_commands(CommandLine& line, std::string_view first_word);
 
 }  // namespace percuss::tools

@@ -76,8 +76,8 @@ void refuse_mismatch(const DeclaredCommand& command, const CLI::App& app, const 
 
 }  // namespace
 
-CommandLine::CommandLine(const char* name, const char* description, const char* version)
-    : app_(std::make_unique<CLI::App>(description, name)) {
+CommandLine::CommandLine(const char* name, const char* description, const char* version, Host* host)
+    : host_(host), app_(std::make_unique<CLI::App>(description, name)) {
   declaration_.program = name;
   declaration_.version = version;
   DeclaredCommand* const program = declare("", description);
@@ -113,7 +113,7 @@ Command CommandLine::command(const char* name, const char* description, std::fun
       blank == std::string_view::npos ? app_.get() : app_->get_subcommand(std::string(words.substr(0, blank)));
   CLI::App* command = parent->add_subcommand(std::string(words.substr(blank + 1)));
   command->callback([this, run = std::move(run)] { chosen_ = run; });
-  return {command, declare(name, description)};
+  return {command, declare(name, description), host_};
 }
 
 void CommandLine::exit_code(int code, const char* meaning) {
@@ -131,9 +131,10 @@ void CommandLine::check_commands(const std::vector<std::string>& words) const {
   }
 }
 
-int CommandLine::run(int argc, char** argv) {
+int CommandLine::run(int argc, const char* const* argv) {
   const std::vector<std::string> typed(argv + 1, argv + argc);
   check_commands(typed);
+  for (const auto& make_fresh : fresh_) make_fresh();
   try {
     app_->parse(argc, argv);
   } catch (const CLI::CallForHelp&) {

@@ -14,6 +14,8 @@ class Option;
 
 namespace percuss::tools {
 
+struct Host;
+
 /// An option just declared; what follows says what its value must be and how it is shown.
 class Option {
  public:
@@ -42,7 +44,10 @@ class Option {
 /// One subcommand's options, bound to the variables that receive them, which must outlive the parse.
 class Command {
  public:
-  Command(CLI::App* app, DeclaredCommand* declared) : app_(app), declared_(declared) {}
+  Command(CLI::App* app, DeclaredCommand* declared, Host* host = nullptr)
+      : app_(app), declared_(declared), host_(host) {}
+  /// Who runs the command in its own process; nullptr: a shell.
+  Host* host() const { return host_; }
   Option word(const char* name, std::string& value, const char* help);                 // without dashes
   Option words(const char* name, std::vector<std::string>& values, const char* help);  // … as many as are given
   Option value(const char* names, std::string& value, const char* help);
@@ -74,6 +79,7 @@ class Command {
 
   CLI::App* app_;
   DeclaredCommand* declared_;
+  Host* host_;
   std::string group_;
 };
 

@@ -33,7 +33,7 @@ int compare(const CompareFlags& flags) {
 }  // namespace
 
 void add_compare(CommandLine& line) {
-  auto flags = std::make_shared<CompareFlags>();
+  auto flags = line.values<CompareFlags>();
   Command command = line.command("compare", "Modes or deflections of tests and models, side by side",
                                  [flags] { return compare(*flags); });
   command.about(

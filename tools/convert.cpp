@@ -18,9 +18,7 @@ struct ConvertFlags {
   OutputFlags output;
 };
 
-void tell(const ConvertFlags& flags, const std::string& what) {
-  if (!flags.output.quiet) std::cerr << "percuss: " << one_line(what, 2000) << '\n';
-}
+void tell(const ConvertFlags& flags, const std::string& what) { remark(flags.output, one_line(what, 2000)); }
 
 // The last word is the file to write, as cp has it, unless -o names it.
 std::string take_output(ConvertFlags& flags) {
@@ -62,7 +60,7 @@ int convert(ConvertFlags flags) {
 }  // namespace
 
 void add_convert(CommandLine& line) {
-  auto flags = std::make_shared<ConvertFlags>();
+  auto flags = line.values<ConvertFlags>();
   Command command =
       line.command("convert", "Records or FRFs from one format into another", [flags] { return convert(*flags); });
   command.about(

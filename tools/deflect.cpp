@@ -31,46 +31,67 @@ DeflectionMethod method_named(const std::string& name) {
   return DeflectionMethod::automatic;
 }
 
-Analysis analysis_of(const DeflectFlags& flags) {
+std::unique_ptr<Analysis> analysis_of(const DeflectFlags& flags) {
   if (flags.read.files == FilesMean::tests)
     throw UsageError("several tests do not make one", "give --files hits or --files points, or one test at a time");
   ReadFlags read = flags.read;
   read.options.force_optional = true;
-  return {join_records(open_records(read), read.files), analysis_options(flags.analysis)};
+  return std::make_unique<Analysis>(join_records(open_records(read), read.files), analysis_options(flags.analysis));
+}
+
+void check_deflection_outputs(const OutputFlags& output) {
+  check_outputs(output, {".json", ".csv", ".h5", ".svg", ".html"});
+}
+
+void write_deflection(const OutputFlags& output, CommandReport report, const Analysis& analysis,
+                      const ImpactTest& test) {
+  if (draws(output)) report.charts = {deflection_chart(analysis, test)};
+  for (const std::string& path : output.paths) {
+    const std::string kind = extension_of(path);
+    if (kind == ".h5" && !test.hits.empty()) {
+      write_deflection_hdf5(path, analysis, test, output.force);
+    } else if (kind == ".csv") {
+      write_file(path, deflection_csv(analysis, test), output.force);
+    } else if (kind != ".h5") {
+      write_report(path, report, inputs_of(analysis), output);
+    }
+  }
 }
 
 int deflect_files(const DeflectFlags& flags) {
-  check_outputs(flags.output, {".json", ".csv", ".h5", ".svg", ".html"});
+  check_deflection_outputs(flags.output);
   ImpactTestOptions options = flags.options;
   options.deflection.method = method_named(flags.method);
   if (!flags.positions.empty())
     options.position_m = parse_range("--positions", flags.positions, RangeMay::be_one_value).values();
   const Progress progress("integrating", flags.output.quiet);
-  const Analysis analysis = analysis_of(flags);
-  const ImpactTest test = deflect(analysis, options);
+  const std::shared_ptr<const Analysis> made = analysis_of(flags);
+  const auto deflected = std::make_shared<const ImpactTest>(deflect(*made, options));
+  const Analysis& analysis = *made;
+  const ImpactTest& test = *deflected;
   progress.stop();
   CommandReport report;
   report.json = deflection_json(analysis, test);
   report.text = deflection_text(analysis, test);
-  if (draws(flags.output)) report.charts = {deflection_chart(analysis, test)};
-  for (const std::string& path : flags.output.paths) {
-    const std::string kind = extension_of(path);
-    if (kind == ".h5" && !test.hits.empty()) {
-      write_deflection_hdf5(path, analysis, test, flags.output.force);
-    } else if (kind == ".csv") {
-      write_file(path, deflection_csv(analysis, test), flags.output.force);
-    } else if (kind != ".h5") {
-      write_report(path, report, inputs_of(analysis), flags.output.force);
-    }
-  }
+  write_deflection(flags.output, report, analysis, test);
   print_report(report, flags.output);
+  if (flags.output.host != nullptr) {
+    Outcome& outcome = flags.output.host->outcome;
+    outcome.analyses = {made};
+    outcome.deflection = deflected;
+    outcome.save = [output = kept_output(flags.output), report, made, deflected](const std::string& path, bool force) {
+      const OutputFlags its = one_output(output, path, force);
+      check_deflection_outputs(its);
+      write_deflection(its, report, *made, *deflected);
+    };
+  }
   return test.hits.empty() ? kImpossible : kOk;
 }
 
 }  // namespace
 
 void add_deflect(CommandLine& line) {
-  auto flags = std::make_shared<DeflectFlags>();
+  auto flags = line.values<DeflectFlags>();
   Command command = line.command("deflect", "Deflection under an impact, from the acceleration at the struck point",
                                  [flags] { return deflect_files(*flags); });
   command.about(

@@ -1,4 +1,3 @@
-#include <iostream>
 #include <memory>
 
 #include "acquire/atomic_file.hpp"
@@ -12,6 +11,7 @@
 #include "report/analysis_charts.hpp"
 #include "report/analysis_json.hpp"
 #include "report/analysis_page.hpp"
+#include "report/analysis_text.hpp"
 #include "report/frf_files.hpp"
 
 namespace percuss::tools {
@@ -34,46 +34,70 @@ std::unique_ptr<Analysis> analysis_of(const FrfFlags& flags) {
   return std::make_unique<Analysis>(join_records(std::move(opened.records), flags.read.files), options);
 }
 
+void check_frf_outputs(const OutputFlags& output) {
+  check_outputs(output, {".csv", ".h5", ".json", ".mat", ".uff", ".unv", ".svg", ".html"});
+}
+
+void write_frf_outputs(const OutputFlags& output, const Analysis& analysis, FrfKind kind, const std::string& summary) {
+  for (const std::string& path : output.paths) {
+    if (extension_of(path) == ".json") {
+      write_file(path, summary, output.force);
+    } else if (extension_of(path) == ".svg") {
+      write_file(path, svg_document(analysis_charts(analysis, {}, {"magnitude", "phase", "coherence"})), output.force);
+    } else if (is_html(path)) {
+      write_file(path, analysis_page(analysis, {.sections = kShown}, provenance_now(output)), output.force);
+    } else {
+      write_frfs(path, frf_record_of(analysis), kind, output.force);
+    }
+  }
+}
+
+void hand_over(const OutputFlags& output, const std::shared_ptr<const Analysis>& analysis, FrfKind kind) {
+  Outcome& outcome = output.host->outcome;
+  outcome.analyses = {analysis};
+  outcome.text = [analysis](std::size_t width) {
+    return analysis_text(*analysis, {.sections = kShown, .width = width});
+  };
+  if (!analysis->possible()) return;
+  outcome.save = [output = kept_output(output), analysis, kind, summary = outcome.document](const std::string& path,
+                                                                                            bool force) {
+    const OutputFlags its = one_output(output, path, force);
+    check_frf_outputs(its);
+    write_frf_outputs(its, *analysis, kind, summary);
+  };
+}
+
 int frf(const FrfFlags& flags) {
-  check_outputs(flags.output, {".csv", ".h5", ".json", ".mat", ".uff", ".unv", ".svg", ".html"});
+  check_frf_outputs(flags.output);
   const FrfKind kind = flags.kind == "mobility"     ? FrfKind::mobility
                        : flags.kind == "receptance" ? FrfKind::receptance
                                                     : FrfKind::accelerance;
   const Progress progress("averaging", flags.output.quiet);
-  const auto opened = analysis_of(flags);
+  const std::shared_ptr<const Analysis> opened = analysis_of(flags);
   const Analysis& analysis = *opened;
   analysis.hits();
   if (!analysis.possible()) {
     progress.stop();
-    std::cout << analysis_json(analysis, {.sections = {Section::hits}});
+    print(flags.output, analysis_json(analysis, {.sections = {Section::hits}}));
+    if (flags.output.host != nullptr) hand_over(flags.output, opened, kind);
     return kImpossible;
   }
   const auto summary = analysis_json(analysis, {.sections = kShown});
   progress.stop();
-  for (const std::string& path : flags.output.paths) {
-    if (extension_of(path) == ".json") {
-      write_file(path, summary, flags.output.force);
-    } else if (extension_of(path) == ".svg") {
-      write_file(path, svg_document(analysis_charts(analysis, {}, {"magnitude", "phase", "coherence"})),
-                 flags.output.force);
-    } else if (is_html(path)) {
-      write_file(path, analysis_page(analysis, {.sections = kShown}, provenance_now()), flags.output.force);
-    } else {
-      write_frfs(path, frf_record_of(analysis), kind, flags.output.force);
-    }
-  }
+  write_frf_outputs(flags.output, analysis, kind, summary);
   if (flags.output.json) {
-    std::cout << summary;
+    print(flags.output, summary);
   } else if (flags.output.paths.empty()) {
-    std::cout << frf_csv(analysis, kind);
+    print(flags.output, frf_csv(analysis, kind));
   }
+  if (flags.output.host != nullptr) hand_over(flags.output, opened, kind);
   return kOk;
 }
 
 }  // namespace
 
 void add_frf(CommandLine& line) {
-  auto flags = std::make_shared<FrfFlags>();
+  auto flags = line.values<FrfFlags>();
   Command command = line.command("frf", "Averaged FRFs and coherence only, as CSV on standard output or into files",
                                  [flags] { return frf(*flags); });
   command.about(

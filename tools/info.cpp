@@ -151,7 +151,7 @@ void write_outputs(const OutputFlags& output, const std::string& document) {
 
 int run_info(const InfoFlags& flags) {
   if (flags.example) {
-    fmt::print("{}", channel_setup_example());
+    print(flags.output, channel_setup_example());
     return kOk;
   }
   if (flags.read.paths.empty()) throw UsageError("no file", "name at least one, or - for standard input");
@@ -175,14 +175,14 @@ int run_info(const InfoFlags& flags) {
       if (!flags.output.json) fmt::print("{}", columns_text(flags.read.paths[i], seen, terminal_width()));
     } catch (const InputError& error) {
       // One bad file must not hide what the others hold.
-      std::cerr << "percuss: " << error.what() << '\n';
+      if (flags.output.host == nullptr) std::cerr << "percuss: " << error.what() << '\n';
       files.push_back({{"path", flags.read.paths[i]}, {"error", error.what()}});
       code = kBadInput;
     }
   }
   const std::string document =
       Json{{"schema", "percuss/info/1"}, {"files", files}}.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
-  if (flags.output.json) fmt::print("{}", document);
+  if (flags.output.json) print(flags.output, document);
   if (any) write_outputs(flags.output, document);
   return code;
 }
@@ -190,7 +190,7 @@ int run_info(const InfoFlags& flags) {
 }  // namespace
 
 void add_info(CommandLine& line) {
-  auto flags = std::make_shared<InfoFlags>();
+  auto flags = line.values<InfoFlags>();
   Command command = line.command("info", "What is in a file: kind, channels, units, rate, hits, what could not be read",
                                  [flags] { return run_info(*flags); });
   command.about(

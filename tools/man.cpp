@@ -51,7 +51,7 @@ int print_page(const Declaration& all, const ManFlags& flags) {
 }  // namespace
 
 void add_man(CommandLine& line) {
-  auto flags = std::make_shared<ManFlags>();
+  auto flags = line.values<ManFlags>();
   Command command = line.command("man", "The manual page of percuss or of one of its commands, or all of them",
                                  [&line, flags] { return print_page(line.declaration(), *flags); });
   command.about(

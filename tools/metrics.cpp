@@ -206,7 +206,7 @@ void add_constants(Command& command, MetricsFlags& f) {
 }  // namespace
 
 void add_metrics(CommandLine& line) {
-  auto flags = std::make_shared<MetricsFlags>();
+  auto flags = line.values<MetricsFlags>();
   Command command = line.command("metrics", "A bat's performance in numbers: drop, MOI, BESR, BBS, BBCOR and the rest",
                                  [flags] { return metrics(*flags); });
   command.about(

@@ -78,7 +78,7 @@ void add_ball(Command& command, BatCollision& c) {
 }  // namespace
 
 void add_model_bat(CommandLine& line) {
-  auto flags = std::make_shared<BatFlags>();
+  auto flags = line.values<BatFlags>();
   Command command =
       line.command("model bat", "Modes of a bat from its profile, and exit speed of a ball over the impact's position",
                    [flags] { return model_bat(*flags); });

@@ -127,7 +127,7 @@ int model_beam(const ModelBeamFlags& flags) {
 }  // namespace
 
 void add_model_beam(CommandLine& line) {
-  auto flags = std::make_shared<ModelBeamFlags>();
+  auto flags = line.values<ModelBeamFlags>();
   Command command = line.command("model beam", "Natural frequencies, nodes and shapes of a uniform beam",
                                  [flags] { return model_beam(*flags); });
   command.about(

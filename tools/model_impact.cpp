@@ -101,7 +101,7 @@ int model_impact(const ModelImpactFlags& flags) {
 }  // namespace
 
 void add_model_impact(CommandLine& line) {
-  auto flags = std::make_shared<ModelImpactFlags>();
+  auto flags = line.values<ModelImpactFlags>();
   Command command = line.command("model impact", "A ball against a beam: restitution, force and deflection",
                                  [flags] { return model_impact(*flags); });
   command.about(

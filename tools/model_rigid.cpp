@@ -34,7 +34,7 @@ int model_rigid(const RigidFlags& flags) {
 }  // namespace
 
 void add_model_rigid(CommandLine& line) {
-  auto flags = std::make_shared<RigidFlags>();
+  auto flags = line.values<RigidFlags>();
   Command command = line.command("model rigid", "Exit speed of a ball against a rigid bat, over the impact's position",
                                  [flags] { return model_rigid(*flags); });
   command.about(

@@ -62,7 +62,7 @@ int model_shell(const ShellFlags& flags) {
 }  // namespace
 
 void add_model_shell(CommandLine& line) {
-  auto flags = std::make_shared<ShellFlags>();
+  auto flags = line.values<ShellFlags>();
   Command command = line.command("model shell", "Hoop frequencies of a barrel as a tube: ring, Rayleigh, Love, Flügge",
                                  [flags] { return model_shell(*flags); });
   command.about(

@@ -125,7 +125,7 @@ void add_constants(Command& command, TrampolineFlags& flags) {
 }  // namespace
 
 void add_model_trampoline(CommandLine& line) {
-  auto flags = std::make_shared<TrampolineFlags>();
+  auto flags = line.values<TrampolineFlags>();
   Command command =
       line.command("model trampoline", "COR of a ball on a hollow barrel, over the barrel's hoop frequency",
                    [flags] { return model_trampoline(*flags); });

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <iostream>
 #include <memory>
 
 #include "acquire/atomic_file.hpp"
@@ -59,12 +58,13 @@ int nodes(const NodesFlags& flags) {
   const ScanPositions positions = parse_positions(flags.positions);
   check_outputs(flags.output, {".json", ".svg", ".html"});
   const Progress progress("analysing", flags.output.quiet);
-  const auto opened = analysis_of(flags, positions);
+  const std::shared_ptr<const Analysis> opened = analysis_of(flags, positions);
+  if (flags.output.host != nullptr) flags.output.host->outcome.analyses = {opened};
   const Analysis& analysis = *opened;
   analysis.hits();
   if (!analysis.possible()) {
     progress.stop();
-    std::cout << analysis_json(analysis, {.sections = {Section::hits}});
+    print(flags.output, analysis_json(analysis, {.sections = {Section::hits}}));
     return kImpossible;
   }
   const NodeScan scan = scan_nodes(analysis, positions, kResolution_m);
@@ -75,7 +75,7 @@ int nodes(const NodesFlags& flags) {
 }  // namespace
 
 void add_nodes(CommandLine& line) {
-  auto flags = std::make_shared<NodesFlags>();
+  auto flags = line.values<NodesFlags>();
   Command command = line.command("nodes", "Where bending modes have their nodes, from a scan of impacts",
                                  [flags] { return nodes(*flags); });
   command.about(

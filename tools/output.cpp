@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <iostream>
 #include <set>
 
 #include "core/error.hpp"
@@ -14,6 +15,7 @@
 namespace percuss::tools {
 
 void add_output_flags(Command& command, OutputFlags& flags, const char* kinds) {
+  flags.host = command.host();
   const std::string others = command.heading("Output");
   const std::string help = std::string("Write to this file; its extension says what: ") + kinds + " (repeatable)";
   command.repeatable("-o,--output", flags.paths, help.c_str()).type("FILE");
@@ -21,6 +23,36 @@ void add_output_flags(Command& command, OutputFlags& flags, const char* kinds) {
   command.flag("--force", flags.force, "Overwrite files that exist");
   command.flag("--quiet", flags.quiet, "No progress and no warnings on standard error");
   command.heading(others);
+}
+
+OutputFlags kept_output(const OutputFlags& flags) {
+  OutputFlags kept = flags;
+  kept.called_as = flags.host->called_as;
+  kept.host = nullptr;
+  return kept;
+}
+
+OutputFlags one_output(const OutputFlags& kept, const std::string& path, bool force) {
+  OutputFlags one = kept;
+  one.paths = {path};
+  one.force = force;
+  return one;
+}
+
+void print(const OutputFlags& flags, const std::string& text) {
+  if (flags.host != nullptr) {
+    flags.host->outcome.document = text;
+  } else {
+    std::cout << text << std::flush;
+  }
+}
+
+void remark(const OutputFlags& flags, const std::string& text) {
+  if (flags.host != nullptr) {
+    flags.host->outcome.notes.push_back(text);
+  } else if (!flags.quiet) {
+    std::cerr << "percuss: " << text << '\n';
+  }
 }
 
 std::string extension_of(const std::string& path) {

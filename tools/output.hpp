@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "command_line.hpp"
+#include "host.hpp"
 
 namespace percuss::tools {
 
@@ -12,10 +13,22 @@ struct OutputFlags {
   bool json = false;
   bool force = false;
   bool quiet = false;
+  Host* host = nullptr;   // gets the results, in place of standard output
+  std::string called_as;  // once the command has run: the host's word for the command line
 };
 
 /// `kinds` are those that check_outputs will be asked for, in words: ".json, .csv".
 void add_output_flags(Command& command, OutputFlags& flags, const char* kinds);
+
+/// The flags for what a host may ask for once the command has run.
+OutputFlags kept_output(const OutputFlags& flags);
+/// … for one more file.
+OutputFlags one_output(const OutputFlags& kept, const std::string& path, bool force);
+
+/// What a command has to say in the end, on standard output or to the host.
+void print(const OutputFlags& flags, const std::string& text);
+/// A remark beside it, on standard error unless --quiet is given.
+void remark(const OutputFlags& flags, const std::string& text);
 
 /// The extension of a path in lower case, with its dot; "" for none.
 std::string extension_of(const std::string& path);

@@ -18,17 +18,6 @@
 namespace percuss::tools {
 namespace {
 
-// As a shell would take it again.
-std::string quoted(const std::string& word) {
-  const bool plain = !word.empty() && std::all_of(word.begin(), word.end(), [](unsigned char c) {
-    return std::isalnum(c) != 0 || std::string_view("-_./:,=+%@").find(static_cast<char>(c)) != std::string_view::npos;
-  });
-  if (plain) return word;
-  std::string out = "'";
-  for (const char c : word) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return out + "'";
-}
-
 std::string command_line() {
   std::ifstream file("/proc/self/cmdline", std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
@@ -36,7 +25,7 @@ std::string command_line() {
   std::size_t at = bytes.find('\0');  // how the program was called is no part of what it did
   while (at != std::string::npos && at + 1 < bytes.size()) {
     const std::size_t end = bytes.find('\0', at + 1);
-    out += ' ' + quoted(bytes.substr(at + 1, end - at - 1));
+    out += ' ' + quoted_word(bytes.substr(at + 1, end - at - 1));
     at = end;
   }
   return out;
@@ -56,8 +45,19 @@ std::time_t now() {
 
 }  // namespace
 
-Provenance provenance_now() {
-  return {.command = command_line(), .made_at = fmt::format("{:%Y-%m-%d %H:%M}", fmt::gmtime(now()))};
+std::string quoted_word(const std::string& word) {
+  const bool plain = !word.empty() && std::all_of(word.begin(), word.end(), [](unsigned char c) {
+    return std::isalnum(c) != 0 || std::string_view("-_./:,=+%@").find(static_cast<char>(c)) != std::string_view::npos;
+  });
+  if (plain) return word;
+  std::string out = "'";
+  for (const char c : word) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return out + "'";
+}
+
+Provenance provenance_now(const OutputFlags& flags) {
+  return {.command = flags.called_as.empty() ? command_line() : flags.called_as,
+          .made_at = fmt::format("{:%Y-%m-%d %H:%M}", fmt::gmtime(now()))};
 }
 
 }  // namespace percuss::tools

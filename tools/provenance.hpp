@@ -1,9 +1,14 @@
 #pragma once
+#include "output.hpp"
 #include "report/page_parts.hpp"
 
 namespace percuss::tools {
 
-/// This process's command line and the time in UTC (that of SOURCE_DATE_EPOCH where it is set).
-Provenance provenance_now();
+/// The command line, this process's unless another program runs the command, and the time in UTC (that of
+/// SOURCE_DATE_EPOCH where it is set).
+Provenance provenance_now(const OutputFlags& flags);
+
+/// As a shell would take the word again.
+std::string quoted_word(const std::string& word);
 
 }  // namespace percuss::tools

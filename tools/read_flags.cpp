@@ -29,7 +29,14 @@ void require_distinct(const std::vector<std::string>& paths) {
   }
 }
 
+bool gives_data(const ReadFlags& flags) { return flags.host != nullptr && !flags.host->inputs.empty(); }
+
+std::size_t input_count(const ReadFlags& flags) {
+  return gives_data(flags) ? flags.host->inputs.size() : flags.paths.size();
+}
+
 void require_files(const ReadFlags& flags) {
+  if (gives_data(flags)) return;
   if (flags.paths.empty()) throw UsageError("no file", "name at least one, or - for standard input");
   require_distinct(flags.paths);
 }
@@ -87,7 +94,7 @@ ReadOptions options_of_file(const ReadOptions& all, std::size_t index, std::size
 /// files are forked, which is safe as long as no other thread is at work.
 template <class Opened, class Open>
 std::vector<std::optional<Opened>> for_each_file(const ReadFlags& flags, const Open& open) {
-  std::vector<std::optional<Opened>> opened(flags.paths.size());
+  std::vector<std::optional<Opened>> opened(input_count(flags));
   std::vector<std::exception_ptr> failed(opened.size());
   const bool forks = std::any_of(flags.paths.begin(), flags.paths.end(),
                                  [](const std::string& path) { return path != "-" && is_foreign(path); });
@@ -162,6 +169,7 @@ void add_trust_option(Command& command, ReadFlags& flags) {
 }
 
 void add_read_flags(Command& command, ReadFlags& flags, Reads reads) {
+  flags.host = command.host();
   command.words("FILE", flags.paths,
                 reads == Reads::records
                     ? "Records to read: HDF5, MAT, UFF, LabVIEW, sound, CSV or text; - is standard input"
@@ -219,13 +227,17 @@ FrfReadOptions options_of_each(const ReadFlags& flags) {
 }
 
 Record open_record_at(const ReadFlags& flags, const ReadOptions& options, std::size_t index) {
-  return open_record(flags.paths[index], options_of_file(options, index, flags.paths.size()));
+  const ReadOptions its = options_of_file(options, index, input_count(flags));
+  if (!gives_data(flags)) return open_record(flags.paths[index], its);
+  auto given = flags.host->inputs[index]({.read = its, .kind = flags.frf_kind});
+  if (auto* record = std::get_if<Record>(&given)) return std::move(*record);
+  throw InputError("FRFs are no record of time", std::get<FrfRecord>(given).source(), "give force and acceleration");
 }
 
 std::variant<Record, FrfRecord> open_measurement_at(const ReadFlags& flags, const ReadOptions& options,
                                                     std::size_t index) {
-  return open_measurement(flags.paths[index],
-                          {.read = options_of_file(options, index, flags.paths.size()), .kind = flags.frf_kind});
+  const FrfReadOptions its{.read = options_of_file(options, index, input_count(flags)), .kind = flags.frf_kind};
+  return gives_data(flags) ? flags.host->inputs[index](its) : open_measurement(flags.paths[index], its);
 }
 
 Measurements open_measurements(const ReadFlags& flags) {
@@ -238,7 +250,8 @@ Measurements open_measurements(const ReadFlags& flags) {
     if (auto* record = std::get_if<Record>(&*all[i])) out.records.push_back(std::move(*record));
     if (auto* frfs = std::get_if<FrfRecord>(&*all[i])) out.frfs.push_back(std::move(*frfs));
     if (out.records.empty() || out.frfs.empty()) continue;
-    throw InputError("records of time and FRFs cannot be joined", flags.paths[i], "analyse the two kinds apart");
+    throw InputError("records of time and FRFs cannot be joined", gives_data(flags) ? "data in memory" : flags.paths[i],
+                     "analyse the two kinds apart");
   }
   return out;
 }

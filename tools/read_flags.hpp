@@ -7,6 +7,7 @@
 #include "acquire/record.hpp"
 #include "command_line.hpp"
 #include "frf/frf_record.hpp"
+#include "host.hpp"
 
 namespace percuss::tools {
 
@@ -23,6 +24,7 @@ struct ReadFlags {
   std::vector<double> position_m;
   std::optional<double> force_sensitivity_mV_per_N;
   std::vector<double> accel_sensitivity_mV_per_g;
+  Host* host = nullptr;  // may give data in place of paths
 };
 
 enum class Reads { records, records_or_frfs };

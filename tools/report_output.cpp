@@ -1,7 +1,5 @@
 #include "report_output.hpp"
 
-#include <iostream>
-
 #include "acquire/atomic_file.hpp"
 #include "command.hpp"
 #include "provenance.hpp"
@@ -10,8 +8,9 @@
 namespace percuss::tools {
 namespace {
 
-std::string text_for(const std::string& path, const CommandReport& report, const std::vector<std::string>& inputs) {
-  if (is_html(path)) return command_page(report, inputs, provenance_now());
+std::string text_for(const std::string& path, const CommandReport& report, const std::vector<std::string>& inputs,
+                     const OutputFlags& flags) {
+  if (is_html(path)) return command_page(report, inputs, provenance_now(flags));
   const std::string kind = extension_of(path);
   return kind == ".json" ? report.json : kind == ".csv" ? report.csv() : line_charts_svg(report.charts);
 }
@@ -21,21 +20,34 @@ std::string text_for(const std::string& path, const CommandReport& report, const
 void check_report_outputs(const OutputFlags& flags) { check_outputs(flags, {".json", ".csv", ".svg", ".html"}); }
 
 void write_report(const std::string& path, const CommandReport& report, const std::vector<std::string>& inputs,
-                  bool force) {
-  write_file(path, text_for(path, report, inputs), force);
+                  const OutputFlags& flags) {
+  write_file(path, text_for(path, report, inputs, flags), flags.force);
 }
 
 void print_report(const CommandReport& report, const OutputFlags& flags) {
+  if (flags.host != nullptr) {
+    Outcome& outcome = flags.host->outcome;
+    outcome.columns = report.columns;
+    outcome.text = [text = report.text](std::size_t width) { return text.text(width); };
+    outcome.html = [text = report.text] { return text.html(); };
+  }
   if (flags.json) {
-    std::cout << report.json;
+    print(flags, report.json);
   } else if (!flags.quiet) {
-    std::cout << report.text.text(terminal_width());
+    print(flags, report.text.text(terminal_width()));
   }
 }
 
 int show_report(const CommandReport& report, const OutputFlags& flags, const std::vector<std::string>& inputs) {
-  for (const std::string& path : flags.paths) write_report(path, report, inputs, flags.force);
+  for (const std::string& path : flags.paths) write_report(path, report, inputs, flags);
   print_report(report, flags);
+  if (flags.host != nullptr) {
+    flags.host->outcome.save = [report, inputs, output = kept_output(flags)](const std::string& path, bool force) {
+      const OutputFlags its = one_output(output, path, force);
+      check_report_outputs(its);
+      write_report(path, report, inputs, its);
+    };
+  }
   return kOk;
 }
 

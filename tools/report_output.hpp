@@ -20,7 +20,7 @@ int show_report(const CommandReport& report, const OutputFlags& flags, const std
 
 /// The same in two steps, for commands that have kinds of file of their own.
 void write_report(const std::string& path, const CommandReport& report, const std::vector<std::string>& inputs,
-                  bool force);
+                  const OutputFlags& flags);
 void print_report(const CommandReport& report, const OutputFlags& flags);
 
 /// The files that an analysis read.

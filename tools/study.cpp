@@ -47,7 +47,7 @@ void write_figures(const StudyFlags& flags, const Study& study, const CommandRep
 
 int run_study(const StudyFlags& flags) {
   if (flags.example) {
-    std::cout << study_table_csv(synthetic_population());
+    print(flags.output, study_table_csv(synthetic_population()));
     return kOk;
   }
   if (flags.inputs.empty()) throw UsageError("no table", "name a table of bats, or analyses with --bat-id");
@@ -71,7 +71,7 @@ int run_study(const StudyFlags& flags) {
 }  // namespace
 
 void add_study(CommandLine& line) {
-  auto flags = std::make_shared<StudyFlags>();
+  auto flags = line.values<StudyFlags>();
   Command command = line.command("study", "A population of bats: what goes with performance, in figures and numbers",
                                  [flags] { return run_study(*flags); });
   command.about(

@@ -12,6 +12,7 @@
 #include "progress.hpp"
 #include "provenance.hpp"
 #include "read_flags.hpp"
+#include "report/analysis_text.hpp"
 #include "report/modes_uff.hpp"
 #include "report/survey_charts.hpp"
 #include "report/survey_files.hpp"
@@ -70,12 +71,17 @@ std::unique_ptr<Analysis> analysis_of(const SurveyFlags& flags) {
   Record record = join_records(std::move(opened.records), mean);
   for (const RowInfo& row : record.rows) {
     if (row.run == record.rows.front().run) continue;
-    throw InputError("several runs", record.files[row.file].path, "a survey is one test; put each run in its own file");
+    throw InputError("several runs", record.files.empty() ? record.source() : record.files[row.file].path,
+                     "a survey is one test; put each run in its own file");
   }
   return std::make_unique<Analysis>(std::move(record), analysis_options(flags.analysis));
 }
 
 bool is_indicator(const std::string& path) { return path.ends_with(".cmif.csv"); }
+
+void check_survey_outputs(const OutputFlags& output) {
+  check_outputs(output, {".json", ".html", ".svg", ".csv", ".h5", ".uff", ".unv"});
+}
 
 void write_outputs(const SurveyFlags& flags, const Survey& survey, const std::string& document) {
   for (const std::string& path : flags.output.paths) {
@@ -83,12 +89,12 @@ void write_outputs(const SurveyFlags& flags, const Survey& survey, const std::st
     if (kind == ".json") {
       write_file(path, document, flags.output.force);
     } else if (is_html(path)) {
-      write_file(path, survey_page(survey, provenance_now()), flags.output.force);
+      write_file(path, survey_page(survey, provenance_now(flags.output)), flags.output.force);
     } else if (extension_of(path) == ".svg") {
       write_file(path, svg_document(survey_charts(survey, flags.pictures)), flags.output.force);
     } else if (!survey.analysis().possible()) {
-      std::cerr << "percuss: no hit can be used, so there are no shapes to write (" + one_line(path) +
-                       "); see the hits' findings\n";
+      remark(flags.output,
+             "no hit can be used, so there are no shapes to write (" + one_line(path) + "); see the hits' findings");
     } else if (kind == ".csv") {
       write_file(path, is_indicator(path) ? cmif_csv(survey) : shapes_csv(survey), flags.output.force);
     } else if (is_uff(path)) {
@@ -99,17 +105,42 @@ void write_outputs(const SurveyFlags& flags, const Survey& survey, const std::st
   }
 }
 
+// What a survey is made of; each refers to the one before.
+struct KeptSurvey {
+  std::shared_ptr<const Analysis> analysis;
+  Survey survey;
+};
+
+void hand_over(const SurveyFlags& flags, const std::shared_ptr<const KeptSurvey>& kept, const std::string& document) {
+  Outcome& outcome = flags.output.host->outcome;
+  outcome.analyses = {kept->analysis};
+  outcome.survey = {kept, &kept->survey};
+  outcome.text = [kept, hits = flags.hits](std::size_t width) { return survey_text(kept->survey, hits, width); };
+  outcome.html = [kept] {
+    return kept->analysis->possible() ? survey_modes_table(kept->survey).html() : page_paragraph(kNoUsableHit);
+  };
+  SurveyFlags asked = flags;
+  asked.output = kept_output(flags.output);
+  outcome.save = [kept, document, asked](const std::string& path, bool force) {
+    SurveyFlags its = asked;
+    its.output = one_output(asked.output, path, force);
+    check_survey_outputs(its.output);
+    write_outputs(its, kept->survey, document);
+  };
+}
+
 int run_survey(const SurveyFlags& flags) {
   if (flags.example) {
-    std::cout << geometry_example();
+    print(flags.output, geometry_example());
     return kOk;
   }
-  check_outputs(flags.output, {".json", ".html", ".svg", ".csv", ".h5", ".uff", ".unv"});
+  check_survey_outputs(flags.output);
   const SurveyOptions options = survey_options(flags);
   const Progress progress("analysing", flags.output.quiet);
-  const auto made = analysis_of(flags);
+  const std::shared_ptr<const Analysis> made = analysis_of(flags);
   const Analysis& analysis = *made;
-  const Survey survey(analysis, options);
+  const auto kept = std::make_shared<const KeptSurvey>(KeptSurvey{.analysis = made, .survey = {analysis, options}});
+  const Survey& survey = kept->survey;
   analysis.hits();
   const bool wants_json = flags.output.json || std::any_of(flags.output.paths.begin(), flags.output.paths.end(),
                                                            [](const auto& p) { return extension_of(p) == ".json"; });
@@ -117,7 +148,8 @@ int run_survey(const SurveyFlags& flags) {
   const std::string text = flags.output.json ? "" : survey_text(survey, flags.hits, terminal_width());
   progress.stop();
   write_outputs(flags, survey, document);
-  std::cout << (flags.output.json ? document : text) << std::flush;
+  print(flags.output, flags.output.json ? document : text);
+  if (flags.output.host != nullptr) hand_over(flags, kept, document);
   if (flags.trace && !flags.output.json) {
     for (const auto& stage : analysis.trace().stages())
       std::cerr << fmt::format("{:<20} {:>6} calls  {:.6f} s\n", stage.name, stage.calls, stage.seconds);
@@ -128,7 +160,7 @@ int run_survey(const SurveyFlags& flags) {
 }  // namespace
 
 void add_survey(CommandLine& line) {
-  auto flags = std::make_shared<SurveyFlags>();
+  auto flags = line.values<SurveyFlags>();
   Command command = line.command("survey", "Mode shapes from a test of many points: MAC, modal mass, orders",
                                  [flags] { return run_survey(*flags); });
   command.about(

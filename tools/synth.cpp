@@ -10,6 +10,7 @@
 #include "acquire/write_record.hpp"
 #include "command.hpp"
 #include "core/error.hpp"
+#include "output.hpp"
 #include "synth/read_spec.hpp"
 #include "synth/record.hpp"
 #include "synth/truth_json.hpp"
@@ -27,6 +28,7 @@ struct SynthFlags {
   std::optional<std::uint64_t> seed;
   std::size_t threads = 0;
   bool force = false, list = false, example = false, json = false, quiet = false;
+  Host* host = nullptr;  // gets the test, in place of files
 };
 
 SynthSpec spec_named(const std::string& name) {
@@ -82,21 +84,37 @@ void print_summary(const SynthFlags& flags, const Truth& truth, const Record& re
     fmt::print("{}, truth in {}\n", one_line(output, 400), one_line(truth_path(output), 400));
 }
 
-void print_presets(bool json) {
+std::string presets_text(bool json) {
+  std::string text;
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const SynthPreset& preset : synth_presets()) {
     const SynthSpec spec = synth_preset(preset.name);
     all.push_back({{"name", preset.name}, {"description", spec.description}});
-    if (!json) fmt::print("{:<16} {}\n", preset.name, spec.description);
+    text += fmt::format("{:<16} {}\n", preset.name, spec.description);
   }
-  if (json)
-    fmt::print("{}\n", nlohmann::ordered_json{{"schema", "percuss/synth-presets/1"}, {"presets", all}}.dump(1, ' '));
+  if (!json) return text;
+  return nlohmann::ordered_json{{"schema", "percuss/synth-presets/1"}, {"presets", all}}.dump(1, ' ') + "\n";
+}
+
+void hand_over(const SynthFlags& flags, const std::shared_ptr<const SyntheticTest>& test, const std::string& truth) {
+  Outcome& outcome = flags.host->outcome;
+  outcome.document = truth;
+  outcome.synthetic = test;
+  outcome.save = [flags, test, truth](const std::string& path, bool force) {
+    SynthFlags its = flags;
+    its.outputs = {path};
+    its.force = force;
+    its.host = nullptr;
+    check_outputs(its);
+    write_outputs(its, *test, truth);
+  };
 }
 
 int run_synth(const SynthFlags& flags) {
   if (flags.list || flags.example) {
-    if (flags.list) print_presets(flags.json);
-    if (flags.example) fmt::print("{}", synth_example());
+    const std::string text =
+        (flags.list ? presets_text(flags.json) : "") + std::string(flags.example ? synth_example() : "");
+    print({.host = flags.host}, text);
     return kOk;
   }
   if (flags.spec.empty()) throw UsageError("no spec", "name a JSON file, a preset (percuss synth --list) or -");
@@ -104,10 +122,13 @@ int run_synth(const SynthFlags& flags) {
   check_outputs(flags);
   SynthSpec spec = spec_named(flags.spec);
   spec.seed = flags.seed.value_or(spec.seed);
-  const SyntheticTest test = synthesise(spec, flags.threads);
+  const auto made = std::make_shared<const SyntheticTest>(synthesise(spec, flags.threads));
+  const SyntheticTest& test = *made;
   const std::string truth = truth_json(test.truth);
   write_outputs(flags, test, truth);
-  if (flags.json) {
+  if (flags.host != nullptr) {
+    hand_over(flags, made, truth);
+  } else if (flags.json) {
     fmt::print("{}", truth);
   } else if (!flags.quiet) {
     print_summary(flags, test.truth, test.record);
@@ -118,9 +139,10 @@ int run_synth(const SynthFlags& flags) {
 }  // namespace
 
 void add_synth(CommandLine& line) {
-  auto flags = std::make_shared<SynthFlags>();
+  auto flags = line.values<SynthFlags>();
   Command command =
       line.command("synth", "Synthetic test records with exactly known truth", [flags] { return run_synth(*flags); });
+  flags->host = command.host();
   command.about(
       "Makes hammer tests of structures whose modes are exactly known, with noise and with the faults that real tests "
       "have: for learning, and for testing software. Beside each record goes the truth, as JSON. docs/synth.md "

@@ -83,6 +83,7 @@ Record join_records(std::vector<Record> records, FilesMean mean) {
     }
     points += number_of_points(record);
     out.files.insert(out.files.end(), record.files.begin(), record.files.end());
+    if (record.files.empty()) out.files.push_back({.path = record.source()});
     for (const auto& note : record.notes) out.notes.push_back(record.source() + ": " + note);
     out.continuous = out.continuous && (record.rows.size() == 1 || record.continuous);
     if (record.format != out.format) out.format = "several";

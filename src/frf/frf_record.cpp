@@ -30,7 +30,7 @@ constexpr double kUneven = 0.05;                           // of the spacing: fr
 constexpr double kSameSpacing = 1e-6;                      // relative, between files
 constexpr std::size_t kMostLines = std::size_t{1} << 28U;  // from 0 Hz on, present or not
 
-std::string name_of(const FrfRecord& record) { return input_name(record.files.front().path); }
+std::string name_of(const FrfRecord& record) { return input_name(record.source()); }
 
 void refuse_useless(const ReadOptions& options, const std::string& where) {
   const auto refuse = [&](const char* option, const char* why) {

@@ -32,6 +32,8 @@ struct FrfRecord {
   std::vector<TraceLine> trace_lines;         // likewise
   double decay_per_s = 0;                     // of the exponential window the file says was on force and response
   std::vector<std::string> notes;             // what was assumed, one line each
+  /// As Record::source().
+  std::string source() const { return files.empty() ? format : files.front().path; }
 };
 
 /// What the user says about FRF files beyond ReadOptions; wins over what the file says.

@@ -1,0 +1,155 @@
+#include "array_record.hpp"
+
+#include <fmt/format.h>
+
+#include <atomic>
+#include <cmath>
+#include <cstring>
+#include <span>
+
+#include "acquire/largest_sample.hpp"
+#include "acquire/signal_table.hpp"
+#include "core/error.hpp"
+
+namespace percuss::python {
+namespace {
+
+// The function gets a pointer to nothing of the strip's type.
+template <class Function>
+void with_type(NumberType type, const Function& function) {
+  switch (type) {
+    case NumberType::float64:
+      return function(static_cast<const double*>(nullptr));
+    case NumberType::float32:
+      return function(static_cast<const float*>(nullptr));
+    case NumberType::int8:
+      return function(static_cast<const std::int8_t*>(nullptr));
+    case NumberType::int16:
+      return function(static_cast<const std::int16_t*>(nullptr));
+    case NumberType::int32:
+      return function(static_cast<const std::int32_t*>(nullptr));
+    case NumberType::int64:
+      return function(static_cast<const std::int64_t*>(nullptr));
+    case NumberType::uint8:
+      return function(static_cast<const std::uint8_t*>(nullptr));
+    case NumberType::uint16:
+      return function(static_cast<const std::uint16_t*>(nullptr));
+    case NumberType::uint32:
+      return function(static_cast<const std::uint32_t*>(nullptr));
+    case NumberType::uint64:
+      return function(static_cast<const std::uint64_t*>(nullptr));
+  }
+}
+
+const std::byte* sample_at(const Strip& strip, std::size_t index) {
+  return strip.first + static_cast<std::ptrdiff_t>(index) * strip.step_bytes;
+}
+
+void read_strip(const Strip& strip, std::size_t first, std::span<double> out) {
+  with_type(strip.type, [&]<class Number>(const Number*) {
+    const std::byte* at = sample_at(strip, first);
+    for (double& value : out) {
+      Number number;
+      std::memcpy(&number, at, sizeof number);  // it need not be aligned
+      value = static_cast<double>(number);
+      at += strip.step_bytes;
+    }
+  });
+}
+
+const Strip& strip_of(const ArrayTest& test, std::size_t row, std::size_t signal) {
+  const ArrayRow& its = test.rows.at(row);
+  if (!test.has_force) return its.accel.at(signal);
+  return signal == 0 ? its.force : its.accel.at(signal - 1);
+}
+
+bool can_be_looked_at(const Strip& strip) {
+  return strip.type == NumberType::float64 && strip.step_bytes == sizeof(double) &&
+         reinterpret_cast<std::uintptr_t>(strip.first) % alignof(double) == 0;
+}
+
+SignalTable table_of(const std::shared_ptr<const ArrayTest>& test) {
+  SignalTable table{
+      .format = "arrays", .fs_Hz = test->fs_Hz, .continuous = test->continuous, .geometry = test->geometry};
+  const std::size_t channels = test->rows.empty() ? 0 : test->rows.front().accel.size();
+  const std::size_t forces = test->has_force ? 1 : 0;
+  for (std::size_t i = 0; i < forces + channels; ++i) {
+    const bool is_force = i < forces;
+    const std::string name = is_force ? "force" : fmt::format("accel {}", i - forces + 1);
+    table.signals.push_back({.name = i < test->names.size() ? test->names[i] : name, .unit = is_force ? "N" : "m/s^2"});
+  }
+  for (const ArrayRow& row : test->rows)
+    table.rows.push_back(
+        {.samples = row.accel.empty() ? row.force.samples : row.accel.front().samples, .point = row.point});
+  table.read = [test](std::size_t row, std::size_t signal, std::size_t first, std::span<double> out) {
+    read_strip(strip_of(*test, row, signal), first, out);
+  };
+  return table;
+}
+
+// Rows that were looked at before need not be checked again.
+struct Checked {
+  std::vector<std::atomic<bool>> rows;
+  explicit Checked(std::size_t count) : rows(count) {}
+};
+
+// `read` says what is wrong with a number, in its own words.
+template <class Read>
+std::span<const double> checked_view(const Strip& strip, std::atomic<bool>& checked, const Read& read) {
+  const std::span<const double> all(reinterpret_cast<const double*>(strip.first), strip.samples);
+  if (checked.load(std::memory_order_relaxed)) return all;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (std::abs(all[i]) <= kLargestSample) continue;
+    double sample = 0;
+    read(i, std::span(&sample, 1));
+  }
+  checked.store(true, std::memory_order_relaxed);
+  return all;
+}
+
+void look_at_forces(Record& record, const std::shared_ptr<const ArrayTest>& test) {
+  const auto checked = std::make_shared<Checked>(test->rows.size());
+  const auto read = record.read_force_N;
+  record.read_force_N = {read, [test, read, checked](std::size_t row) {
+                           return checked_view(test->rows[row].force, checked->rows[row],
+                                               [&](std::size_t at, std::span<double> out) { read(row, at, out); });
+                         }};
+}
+
+void look_at_responses(Record& record, const std::shared_ptr<const ArrayTest>& test) {
+  const std::size_t channels = record.accel.size();
+  const auto checked = std::make_shared<Checked>(test->rows.size() * channels);
+  const auto read = record.read_accel_mps2;
+  record.read_accel_mps2 = {read, [test, read, checked, channels](std::size_t row, std::size_t channel) {
+                              return checked_view(
+                                  test->rows[row].accel[channel], checked->rows[row * channels + channel],
+                                  [&](std::size_t at, std::span<double> out) { read(row, channel, at, out); });
+                            }};
+}
+
+}  // namespace
+
+Record record_of_arrays(const std::shared_ptr<const ArrayTest>& test, const ReadOptions& options) {
+  const SignalTable table = table_of(test);
+  // Unless the options choose otherwise the arrays are what they were given as.
+  const bool chosen = !options.force_channel.empty() || !options.accel_channels.empty() || !options.setup.empty();
+  SignalRoles roles{.force = 0, .has_force = test->has_force, .accel = {}};
+  for (std::size_t i = test->has_force ? 1 : 0; i < table.signals.size(); ++i) roles.accel.push_back(i);
+  if (!test->has_force && !options.force_optional)
+    throw InputError("no force", "arrays", "give force and acceleration: percuss.Record(force, accel, fs=...)");
+  if (chosen) roles = find_roles(table, options);
+  Record record = record_of_table(table, roles, options);
+  bool plain = !chosen;
+  for (const ArrayRow& row : test->rows) {
+    plain = plain && (!test->has_force || can_be_looked_at(row.force)) &&
+            std::all_of(row.accel.begin(), row.accel.end(), can_be_looked_at);
+  }
+  plain =
+      plain && std::all_of(record.accel.begin(), record.accel.end(), [](const auto& one) { return one.to_SI == 1; });
+  if (!plain) return record;
+  if (test->has_force && record.force.to_SI == 1) look_at_forces(record, test);
+  look_at_responses(record, test);
+  return record;
+}
+
+}  // namespace percuss::python

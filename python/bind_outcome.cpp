@@ -1,0 +1,183 @@
+#include <pybind11/complex.h>
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <optional>
+
+#include "bindings.hpp"
+#include "numpy_views.hpp"
+
+namespace percuss::python {
+namespace {
+
+namespace py = pybind11;
+py::object optional_view(std::span<const double> values, const std::shared_ptr<const void>& owner) {
+  return values.empty() ? py::object(py::none()) : py::object(view_of(values, owner));
+}
+
+// The band asked for; the lines beyond it are for the fits.
+LineRange band_of(const Analysis& analysis) {
+  const auto [low_Hz, high_Hz] = analysis.band_Hz();
+  return lines_in_band(analysis.lines().fs_Hz, analysis.lines().samples, low_Hz, high_Hz);
+}
+
+py::array frequencies_of(const Shared& held, std::size_t test) {
+  const Analysis& analysis = *analysis_of(held, test);
+  const std::vector<double> freq_Hz = freq_Hz_of(unlocked(held, [&] { return band_of(analysis); }));
+  return copy_of(std::span<const double>(freq_Hz));
+}
+
+// As they lie in the analysis, or of another kind.
+py::list frfs_of(const Shared& held, std::size_t test, const std::string& kind) {
+  const auto analysis = analysis_of(held, test);
+  const auto& frfs = unlocked(
+      held, [&]() -> const auto& { return analysis->frfs(); });
+  const LineRange band = unlocked(held, [&] { return band_of(*analysis); });
+  const std::size_t first = band.first - analysis->lines().first;
+  if (kind == name_of(FrfKind::accelerance)) return responses_of(frfs, first, band.count, analysis);
+  const FrfKind wanted = kind == name_of(FrfKind::mobility) ? FrfKind::mobility : FrfKind::receptance;
+  auto made = std::make_shared<std::vector<PointFrf>>(frfs);
+  for (PointFrf& one : *made) one.frf = converted(one.frf, analysis->lines(), wanted, analysis->window_decay_per_s());
+  return responses_of(*made, first, band.count, made);
+}
+
+// Parts of a mode as columns: [modes], and of its residues [modes][outputs].
+py::dict modes_of(const Shared& held, std::size_t test) {
+  const Analysis& analysis = *analysis_of(held, test);
+  const auto modes = unlocked(held, [&] { return analysis.modes(); });
+  const std::size_t outputs = modes.empty() ? 0 : modes.front().residues.size();
+  const auto column = [&](const auto& number) {
+    std::vector<double> values;
+    for (const Mode& mode : modes) values.push_back(number(mode));
+    return copy_of(std::span<const double>(values));
+  };
+  py::array_t<Complex> residues({modes.size(), outputs});
+  py::array_t<double> deviations({modes.size(), outputs});
+  py::list places;
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    for (std::size_t o = 0; o < outputs; ++o) {
+      const Residue& residue = modes[m].residues.at(o);
+      residues.mutable_at(m, o) = residue.value;
+      deviations.mutable_at(m, o) = residue.std;
+      if (m == 0) places.append(py::make_tuple(residue.point, residue.channel));
+    }
+  }
+  py::dict out;
+  out["frequency_hz"] = column([](const Mode& m) { return m.pole.freq_Hz; });
+  out["frequency_std_hz"] = column([](const Mode& m) { return m.freq_std_Hz; });
+  out["damping_ratio"] = column([](const Mode& m) { return m.pole.damping_ratio; });
+  out["damping_ratio_std"] = column([](const Mode& m) { return m.damping_std; });
+  out["residues"] = residues;
+  out["residues_std"] = deviations;
+  out["places"] = places;
+  return out;
+}
+
+// [(hit, channel, point, first_s, velocity, deflection, std or None)]
+py::list deflections_of(const Shared& held) {
+  const auto& test = held->outcome.deflection;
+  if (!test) throw py::type_error("no deflection was asked for");
+  py::list out;
+  for (const DeflectedHit& hit : test->hits) {
+    const auto view = [&](const std::vector<double>& values) { return view_of(std::span<const double>(values), test); };
+    out.append(py::make_tuple(hit.hit, hit.channel, hit.point, hit.first_s, view(hit.deflection.velocity_mps),
+                              view(hit.deflection.deflection_m), optional_view(hit.deflection.std_m, test)));
+  }
+  return out;
+}
+
+py::dict columns_of(const Shared& held) {
+  py::dict out;
+  for (const NumberColumn& column : held->outcome.columns)
+    out[py::str(column.name)] = view_of(std::span<const double>(column.values), held);
+  return out;
+}
+
+py::object record_of(const Shared& held) {
+  const auto& test = held->outcome.synthetic;
+  if (!test) return py::none();
+  return py::cast(std::make_shared<HeldRecord>(HeldRecord{.record = test->record}));
+}
+
+py::list opened_of(const Shared& held) {
+  py::list out;
+  for (const auto& one : held->outcome.opened) {
+    if (const auto* record = std::get_if<Record>(&one)) {
+      out.append(std::make_shared<HeldRecord>(HeldRecord{.record = *record}));
+    } else {
+      out.append(std::make_shared<FrfRecord>(std::get<FrfRecord>(one)));
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+const std::shared_ptr<const Analysis>& analysis_of(const Shared& held, std::size_t test) {
+  const auto& all = held->outcome.analyses;
+  if (test >= all.size()) throw py::index_error("test " + std::to_string(test) + " of " + std::to_string(all.size()));
+  return all[test];
+}
+
+std::vector<double> freq_Hz_of(const LineRange& lines) {
+  std::vector<double> freq_Hz(lines.count);
+  for (std::size_t i = 0; i < lines.count; ++i) freq_Hz[i] = lines.freq_Hz(i);
+  return freq_Hz;
+}
+
+py::list responses_of(const std::vector<PointFrf>& frfs, std::size_t first, std::size_t count,
+                      const std::shared_ptr<const void>& owner) {
+  const auto within = [&](const auto& values) {
+    return std::span(values).subspan(values.empty() ? 0 : first, values.empty() ? 0 : count);
+  };
+  py::list out;
+  for (const PointFrf& one : frfs) {
+    out.append(py::make_tuple(one.point, one.channel, one.frf.averages, view_of(within(one.frf.value), owner),
+                              optional_view(within(one.frf.std), owner),
+                              optional_view(within(one.frf.coherence), owner)));
+  }
+  return out;
+}
+
+void bind_outcome(py::module_& module) {
+  py::class_<HeldOutcome, Shared>(module, "Outcome")
+      .def_property_readonly("code", [](const HeldOutcome& held) { return held.code; })
+      .def_property_readonly("document", [](const HeldOutcome& held) { return decoded(held.outcome.document); })
+      .def_property_readonly("notes",
+                             [](const HeldOutcome& held) {
+                               py::list notes;
+                               for (const std::string& note : held.outcome.notes) notes.append(decoded(note));
+                               return notes;
+                             })
+      .def_property_readonly("tests", [](const HeldOutcome& held) { return held.outcome.analyses.size(); })
+      .def("text",
+           [](const Shared& held, std::size_t width) {
+             return decoded(held->outcome.text ? unlocked(held, [&] { return held->outcome.text(width); })
+                                               : std::string());
+           })
+      .def("html",
+           [](const Shared& held) {
+             return decoded(held->outcome.html ? unlocked(held, [&] { return held->outcome.html(); }) : std::string());
+           })
+      .def("save",
+           [](const Shared& held, const std::string& path, bool force) {
+             if (!held->outcome.save) throw py::type_error("this result has no file of its own");
+             unlocked(held, [&] { held->outcome.save(path, force); });
+           })
+      .def("possible",
+           [](const Shared& held, std::size_t test) {
+             const auto analysis = analysis_of(held, test);
+             return unlocked(held, [&] { return analysis->possible(); });
+           })
+      .def("frequency_hz", &frequencies_of)
+      .def("frfs", &frfs_of)
+      .def("modes", &modes_of)
+      .def("stabilisation", &stabilisation_of)
+      .def("shapes", &shapes_of)
+      .def("deflections", &deflections_of)
+      .def("columns", &columns_of)
+      .def("record", &record_of)
+      .def("opened", &opened_of);
+}
+
+}  // namespace percuss::python

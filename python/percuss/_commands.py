@@ -1,0 +1,322 @@
+"""The functions of the package, made from what the commands of the tool declare."""
+
+from __future__ import annotations
+
+import inspect
+import json
+import os
+import textwrap
+from typing import Any, Callable
+
+from . import _percuss
+from ._analyses import Analysis, Frf, Survey
+from ._records import MeasuredFrf, Record, handles_of
+from ._results import Deflection, Nodes, Result, Synthetic
+from ._words import Command, Option, declared
+
+COMMANDS = declared()
+
+_DATA = """Data: paths (HDF5, MAT, UFF, LabVIEW, sound, CSV or text); or arrays, force and accel, with fs=, of the shapes
+that percuss.Record tells; or Records. Arrays are read where they lie, without a copy: leave them alone until the
+function returns, and with the result as long as it is asked for more. Python's lock is released meanwhile.
+"""
+_READS_DATA = {"analyze", "frf", "survey", "nodes", "deflect", "calibrate"}
+
+
+_VALUES = """Keywords are numbers or texts, in the unit that stands in brackets; LO:HI is a tuple, as band=(60, 3200), a list any
+sequence, FILE a path or, where it holds numbers or JSON, an array, a dictionary or a result. None is as not given.
+"""
+_WIDTH = 100
+
+
+def _wrapped(text: str) -> str:
+    return textwrap.fill(" ".join(text.split()), _WIDTH)
+
+
+def _default(option: Option) -> Any:
+    return False if option.is_flag else None
+
+
+def _signature(command: Command, leading: list[inspect.Parameter]) -> inspect.Signature:
+    keyword = inspect.Parameter.KEYWORD_ONLY
+    options = sorted(command.options.values(), key=lambda one: not one.required)
+    empty = inspect.Parameter.empty
+    return inspect.Signature(
+        leading + [inspect.Parameter(one.keyword, keyword, default=empty if one.required else _default(one)) for one in options]
+    )
+
+
+def _told(option: Option) -> str:
+    choices = ": " + ", ".join(option.choices) if option.choices and option.list else ""
+    initial = f" (default: {option.initial})" if option.initial else ""
+    shown = f" [{option.shown}]" if option.shown else ""
+    return textwrap.fill(
+        f"{option.keyword}{shown}  {option.help}{choices}{initial}", _WIDTH, initial_indent="    ", subsequent_indent=" " * 8
+    )
+
+
+def _docstring(command: Command, intro: str, example: str) -> str:
+    parts = [command.summary + ".", textwrap.fill(command.about, _WIDTH), _wrapped(intro)]
+    if command.name in _READS_DATA:
+        parts.append(_wrapped(_DATA))
+    groups: dict[str, list[str]] = {}
+    for option in command.options.values():
+        groups.setdefault(option.group or "Keywords", []).append(_told(option))
+    parts.append(_wrapped(_VALUES))
+    parts += [f"{group}:\n" + "\n".join(lines) for group, lines in groups.items()]
+    parts.append(
+        _wrapped(
+            "Raises InputError for unusable data, UsageError for values that cannot be, in the words of the command line; "
+            "TypeError for keywords that do not exist."
+        )
+    )
+    parts.append(f"Source: percuss {command.name}; docs/theory.md has the equations.")
+    if example:
+        parts.append(example.strip())
+    return "\n\n".join(part for part in parts if part)
+
+
+def _given(options: dict[str, Any]) -> dict[str, Any]:
+    return {key: value for key, value in options.items() if value is not None and value is not False}
+
+
+def make(
+    name: str, command: str, result: Callable[..., Any], intro: str, example: str, leading: list[inspect.Parameter]
+) -> Callable[..., Any]:
+    """A function that runs a command. The words before its options are `leading`."""
+    made = COMMANDS[command]
+    reads_data = command in _READS_DATA
+
+    def function(*data: Any, **options: Any) -> Any:
+        given = _given(options)
+        if reads_data:
+            paths, handles = handles_of(data, options.get("fs"))
+            _refuse_reading_twice(name, made, handles, given)
+        else:
+            paths, handles = list(data), []
+        return result(made.run(name, paths, handles, given), **({"kind": given["kind"]} if name == "frf" and "kind" in given else {}))
+
+    function.__name__ = function.__qualname__ = name.rpartition(".")[2]
+    function.__module__ = "percuss." + name.rpartition(".")[0] if "." in name else "percuss"
+    function.__signature__ = _signature(made, leading)  # type: ignore[attr-defined]
+    function.__doc__ = _docstring(made, intro, example)
+    return function
+
+
+def _refuse_reading_twice(name: str, command: Command, handles: list[Any], options: dict[str, Any]) -> None:
+    """How a file is read was settled when it was read."""
+    if all(getattr(one, "from_arrays", False) for one in handles):
+        return
+    settled = [key for key in options if key in command.options and command.options[key].group == "Reading" and key != "files"]
+    if settled:
+        raise TypeError(f"{name}() cannot read a record again with {settled[0]!r}; give it to percuss.read()")
+
+
+def _positional(name: str, several: bool) -> inspect.Parameter:
+    kind = inspect.Parameter.VAR_POSITIONAL if several else inspect.Parameter.POSITIONAL_ONLY
+    return inspect.Parameter(name, kind)
+
+
+_SETTINGS: dict[str, tuple[str, Callable[..., Any], list[inspect.Parameter], str, str]] = {
+    "analyze": (
+        "analyze",
+        Analysis,
+        [_positional("data", True)],
+        "Returns an Analysis: frequency_hz, damping_ratio ... (modes,), frf (points, channels, lines), hits, warnings.",
+        """
+Example:
+
+    >>> test = percuss.synth("wood-bat")
+    >>> found = percuss.analyze(test.record, band=(60, 3200))
+    >>> found.frequency_hz.round(1).tolist()
+    [165.0, 568.0, 1177.0]
+    >>> found.family[0], int(found.order[0])
+    ('bending', 1)
+""",
+    ),
+    "frf": (
+        "frf",
+        Frf,
+        [_positional("data", True)],
+        "Returns a Frf: frequency_hz (lines,), frf, std, coherence (points, channels, lines).",
+        """
+Example:
+
+    >>> responses = percuss.frf(percuss.synth("wood-bat").record, band=(60, 3200))
+    >>> responses.frf.shape == (1, 2, len(responses.frequency_hz))
+    True
+""",
+    ),
+    "survey": (
+        "survey",
+        Survey,
+        [_positional("data", True)],
+        "Returns a Survey: an Analysis with shapes (modes, places), mac (modes, modes) and cmif (lines, values). geometry may be\n"
+        "an array (points, 3) in m.",
+        """
+Example:
+
+    >>> found = percuss.survey(percuss.synth("roving-barrel").record, band=(60, 3200), effort="quick")
+    >>> found.mac.shape == (len(found.frequency_hz),) * 2
+    True
+""",
+    ),
+    "nodes": (
+        "nodes",
+        Nodes,
+        [_positional("data", True)],
+        "Returns a Result with the keys of percuss nodes --json.",
+        "",
+    ),
+    "deflect": (
+        "deflect",
+        Deflection,
+        [_positional("data", True)],
+        "Returns a Deflection: hits with peak_m and its deviation; curves() over time. Without a force give None for it.",
+        """
+Example:
+
+    >>> seen = percuss.deflect(percuss.synth("wood-bat").record)
+    >>> seen.hits[0]["peak_m"] > 0
+    True
+""",
+    ),
+    "calibrate": (
+        "calibrate",
+        Result,
+        [_positional("data", True)],
+        "Returns a Result: force_scale, force_scale_std, n_per_unit, hits.",
+        "",
+    ),
+    "synth": (
+        "synth",
+        Synthetic,
+        [_positional("spec", False)],
+        "spec is the name of a preset, a path, or a dictionary as docs/synth.md describes it.\n"
+        "Returns a Synthetic: record, a Record; to_dict() is the truth.",
+        """
+Example:
+
+    >>> test = percuss.synth("wood-bat", seed=7)
+    >>> test.record.channels, test.record.fs_hz
+    (2, 25600.0)
+    >>> test["f_hz"][:3].tolist()
+    [165.0, 568.0, 1177.0]
+""",
+    ),
+}
+
+FUNCTIONS = {
+    name: make(name, command, result, intro, example, leading)
+    for name, (command, result, leading, intro, example) in _SETTINGS.items()
+}
+
+
+def _read(*paths: Any, **options: Any) -> Any:
+    command = COMMANDS["read"]
+    flat = paths[0] if len(paths) == 1 and isinstance(paths[0], (list, tuple)) else paths
+    outcome = command.run("read", list(flat), [], _given(options))
+    opened = [Record._of(one) if isinstance(one, _percuss.RecordHandle) else MeasuredFrf(one) for one in outcome.opened()]
+    return opened[0] if len(opened) == 1 else opened
+
+
+_read.__name__ = _read.__qualname__ = "read"
+_read.__module__ = "percuss"
+_read.__signature__ = _signature(COMMANDS["read"], [_positional("paths", True)])  # type: ignore[attr-defined]
+_read.__doc__ = _docstring(
+    COMMANDS["read"],
+    "paths: HDF5, MAT, UFF, LabVIEW, sound, CSV or text. Returns a Record or a MeasuredFrf, as the file has it; of several files a list. Samples are read when asked for.",
+    "",
+)
+FUNCTIONS["read"] = _read
+
+
+def write(path: str | os.PathLike[str], data: Any, *, force: bool = False) -> list[str]:
+    """Writes a record or FRFs as the path's extension says.
+
+    path   .h5, .hdf5, .csv, .mat, .uff, .unv; records also .wav, .rf64, .w64.
+    data   a Record, a MeasuredFrf, or a Synthetic (its record).
+    force  overwrite a file that exists.
+
+    Returns what the format cannot keep, a line each. Raises InputError where the file exists or cannot be written,
+    UsageError for unknown extensions. The file is whole or absent.
+
+    >>> import os, tempfile, percuss
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     _ = percuss.write(os.path.join(folder, "bat.h5"), percuss.synth("wood-bat"))
+    ...     percuss.read(os.path.join(folder, "bat.h5")).rows
+    5
+    """
+    one = data.record if isinstance(data, Synthetic) else data
+    if not isinstance(one, (Record, MeasuredFrf)):
+        raise TypeError(f"data cannot be {type(data).__name__}: give a Record, a MeasuredFrf or a Synthetic")
+    words = ["convert", "--quiet", f"--output={os.fsdecode(path)}"] + (["--force"] if force else [])
+    return _percuss.run([os.fsencode(word) for word in words], [one._handle]).notes
+
+
+def info(*paths: Any, **options: Any) -> Result:
+    """What is in a file: kind, channels, units, rate, hits, what could not be read.
+
+    paths    files of any kind that read() knows.
+    options  those of read().
+
+    Returns a Result; files lists what each file holds. Reads no more than tells that. Raises UsageError for no file. A file that cannot be read stands there with its error; nothing is raised for it.
+
+    >>> import os, tempfile, percuss
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     percuss.synth("wood-bat").save(os.path.join(folder, "bat.csv"))
+    ...     percuss.info(os.path.join(folder, "bat.csv")).files[0]["kind"]
+    'CSV'
+    """
+    return Result(COMMANDS["info"].run("info", list(paths), [], _given(options)))
+
+
+def compare(*documents: Any, **options: Any) -> Result:
+    """Modes or deflections of tests and models, side by side.
+
+    documents  two or more: results of analyze, survey, deflect or models, their dictionaries, or paths of such documents.
+    options    furthest: frequencies further apart than this, in %, are not of the same mode; least_mac: shapes that agree
+               less are not of the same mode.
+
+    Returns a Result: pairs, unpaired_a, unpaired_b.
+
+    >>> import percuss
+    >>> a = percuss.models.beam(support="free", length=0.84, modes=4)
+    >>> b = percuss.models.beam(support="free", length=0.85, modes=4)
+    >>> len(percuss.compare(a, b).to_dict()["pairs"]) > 0
+    True
+    """
+    return Result(COMMANDS["compare"].run("compare", list(documents), [], _given(options)))
+
+
+def example(name: str) -> str:
+    """A text to start from.
+
+    name  "synth" a spec, "survey" a geometry, "info" a channel set-up, "certify" a session,
+          "abi" a log, "study" a table.
+
+    Returns what the command prints with --example. Raises UsageError for other names.
+
+    >>> import percuss
+    >>> percuss.example("survey").splitlines()[0].startswith("#")
+    True
+    """
+    known = ["synth", "survey", "info", "certify", "abi", "study"]
+    if name not in known:
+        near = _percuss.nearest(name, known)
+        raise _percuss.UsageError(f"no example of '{name}'; " + (f"did you mean {near}?" if near else "give one of " + ", ".join(known)))
+    return _percuss.run([name.encode(), b"--example"], []).document
+
+
+def presets() -> dict[str, str]:
+    """The names that synth() knows.
+
+    Returns a dictionary: each name, and what is made by it in a sentence. percuss.example("synth") is a spec with every
+    key, explained, to make others from. Raises nothing.
+
+    >>> import percuss
+    >>> "wood-bat" in percuss.presets()
+    True
+    """
+    listed = json.loads(_percuss.run([b"synth", b"--list", b"--json"], []).document)
+    return {one["name"]: one["description"] for one in listed["presets"]}

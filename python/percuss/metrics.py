@@ -1,0 +1,70 @@
+"""A bat's performance in numbers, its certification, and comparison of shapes.
+
+performance() computes what the readings allow; certify(), abi() and study() follow the protocols; mac() compares shapes.
+
+>>> import percuss
+>>> bat = percuss.metrics.performance(length_in=34, weight_oz=31)
+>>> round(bat.drop, 9)
+-3.0
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from . import _percuss
+from ._commands import _positional, make as _make
+from ._results import Result as _Result
+
+__all__ = ["performance", "certify", "abi", "study", "mac"]
+
+performance = _make(
+    "metrics.performance",
+    "metrics",
+    _Result,
+    "Returns a Result: drop, moi_oz_in2, besr, bbs_mph, bbcor ...; what the readings do not allow is None.",
+    "",
+    [],
+)
+certify = _make(
+    "metrics.certify",
+    "certify",
+    _Result,
+    "session is a path or a dictionary as percuss.example('certify') shows it. Returns a Result: verdict, sweet spot, shots, next;\n"
+    "exit_code is 5 where the bat exceeds its limit.",
+    "",
+    [_positional("session", False)],
+)
+abi = _make(
+    "metrics.abi",
+    "abi",
+    _Result,
+    "log is a path or a dictionary as percuss.example('abi') shows it. Returns a Result; exit_code is 5 where the bat fails.",
+    "",
+    [_positional("log", False)],
+)
+study = _make(
+    "metrics.study",
+    "study",
+    _Result,
+    "tables are paths of tables, or analyses made with bat_id=. Returns a Result with every statement and its statistics.",
+    "",
+    [_positional("tables", True)],
+)
+
+
+def mac(a: Any, b: Any = None) -> np.ndarray:
+    """Modal assurance criterion |aᴴb|² / (aᴴa · bᴴb): 1 for the same shape, 0 for orthogonal ones.
+
+    a, b  (modes, places), real or complex, of the same places in the same order; b is a unless given. Blind to scale.
+    Returns (modes of a, modes of b). 0 where a shape is zero everywhere. Raises InputError for other shapes of arrays.
+    Source: theory (5.4).
+
+    >>> from percuss import metrics
+    >>> metrics.mac([[1, 2, 3]], [[2, 4, 6], [3, 0, -1]]).round(3).tolist()
+    [[1.0, 0.0]]
+    """
+    first = np.atleast_2d(np.asarray(a))
+    return _percuss.mac(first, first if b is None else np.atleast_2d(np.asarray(b)))

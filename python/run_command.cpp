@@ -1,0 +1,140 @@
+#include "run_command.hpp"
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "command.hpp"
+#include "provenance.hpp"
+#include "read_flags.hpp"
+#include "report/version.hpp"
+
+namespace percuss::python {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using namespace tools;
+
+// Not among the tool's: its results are no text.
+constexpr std::string_view kRead = "read";
+
+// Files are opened and handed over, described but not read.
+void add_read(CommandLine& line, Host& host) {
+  auto flags = line.values<ReadFlags>();
+  Command command =
+      line.command("read", "Opens records or FRFs: what is in them, and their samples when asked for", [flags, &host] {
+        Measurements opened = open_measurements(*flags);
+        for (Record& record : opened.records) {
+          host.outcome.opened.emplace_back(std::move(record));
+        }
+        for (FrfRecord& frfs : opened.frfs) host.outcome.opened.emplace_back(std::move(frfs));
+        return static_cast<int>(kOk);
+      });
+  add_read_flags(command, *flags);
+}
+
+std::string as_typed(const std::vector<std::string>& words) {
+  std::string line = "percuss";
+  for (const std::string& word : words) line += ' ' + quoted_word(word);
+  return line;
+}
+
+Json json_of(const DeclaredOption& option) {
+  return {{"name", option.name()},   {"value", option.value},       {"help", option.help},
+          {"group", option.group},   {"initial", option.initial},   {"choices", option.choices},
+          {"wanted", option.wanted}, {"required", option.required}, {"repeatable", option.repeatable},
+          {"list", option.list}};
+}
+
+Json json_of(const DeclaredCommand& command) {
+  Json words = Json::array(), options = Json::array(), examples = Json::array();
+  for (const DeclaredOption& word : command.words) words.push_back(json_of(word));
+  for (const DeclaredOption& option : command.options) options.push_back(json_of(option));
+  for (const DeclaredExample& one : command.examples)
+    examples.push_back({{"line", one.line}, {"meaning", one.meaning}});
+  return {{"name", command.name}, {"summary", command.summary}, {"about", command.about},
+          {"words", words},       {"options", options},         {"examples", examples}};
+}
+
+}  // namespace
+
+namespace {
+
+// A declared command line, which takes longer to declare than many a command does to run.
+struct Session {
+  Host host;
+  CommandLine line{"percuss", "", version(), &host};
+
+  explicit Session(const std::string& first_word) {
+    if (first_word == kRead) {
+      add_read(line, host);
+    } else {
+      add_commands(line, first_word);
+    }
+  }
+};
+
+// Those that are not in use, by the first word.
+class Sessions {
+ public:
+  std::unique_ptr<Session> take(const std::string& first_word) {
+    {
+      const std::scoped_lock lock(mutex_);
+      auto& idle = idle_[first_word];
+      if (!idle.empty()) {
+        auto session = std::move(idle.back());
+        idle.pop_back();
+        return session;
+      }
+    }
+    return std::make_unique<Session>(first_word);
+  }
+  void give_back(const std::string& first_word, std::unique_ptr<Session> session) {
+    constexpr std::size_t kMostIdle = 8;  // of a command; more threads than that declare anew
+    session->host = {};
+    const std::scoped_lock lock(mutex_);
+    auto& idle = idle_[first_word];
+    if (idle.size() < kMostIdle) idle.push_back(std::move(session));
+  }
+
+ private:
+  std::mutex mutex_;
+  std::map<std::string, std::vector<std::unique_ptr<Session>>> idle_;
+};
+
+Sessions& sessions() {
+  static Sessions all;
+  return all;
+}
+
+}  // namespace
+
+Ran run_command(const std::vector<std::string>& words, std::vector<GivenInput> inputs) {
+  const std::string first = words.empty() ? std::string() : words.front();
+  auto session = sessions().take(first);  // not given back when an error leaves it half way
+  session->host.called_as = as_typed(words);
+  session->host.inputs = std::move(inputs);
+  std::vector<const char*> typed{"percuss"};
+  for (const std::string& word : words) typed.push_back(word.c_str());
+  Ran ran;
+  ran.code = session->line.run(static_cast<int>(typed.size()), typed.data());
+  ran.outcome = std::move(session->host.outcome);
+  sessions().give_back(first, std::move(session));
+  return ran;
+}
+
+std::string declared_commands() {
+  Host host;
+  CommandLine line("percuss", "", version(), &host);
+  add_commands(line, "");
+  add_read(line, host);
+  Json commands = Json::array();
+  for (const DeclaredCommand& command : line.declaration().commands) {
+    if (!command.is_group) commands.push_back(json_of(command));
+  }
+  return Json{{"commands", commands}}.dump();
+}
+
+}  // namespace percuss::python

@@ -1,0 +1,23 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "host.hpp"
+
+namespace percuss::python {
+
+/// What a command ended with and what it found.
+struct Ran {
+  int code = 0;
+  tools::Outcome outcome;
+};
+
+/// Runs a command as the command line would: the same words, declarations, checks and messages. `inputs` stand in place
+/// of files. Beside the tool's commands there is "read", which opens and hands over. Several threads may call at once.
+/// errors  UsageError, InputError, NoHitError: as the tool.
+Ran run_command(const std::vector<std::string>& words, std::vector<tools::GivenInput> inputs);
+
+/// Every command with its options as JSON: {"commands": [{name, summary, about, words, options, examples}]}.
+std::string declared_commands();
+
+}  // namespace percuss::python

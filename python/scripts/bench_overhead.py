@@ -1,0 +1,45 @@
+#!/usr/bin/env python3
+"""What the Python module adds to a call of the library, in microseconds: the same small record, the same result.
+
+Prints the quickest of many calls each; the tests hold the difference against 100 µs.
+"""
+
+import time
+
+import numpy as np
+
+import percuss
+from percuss import _percuss
+
+REPEATS = 2000
+
+
+def small_record():
+    """One hit of 256 samples."""
+    force, accel = np.zeros(256), np.random.default_rng(1).normal(size=(1, 256))
+    force[20:30] = 100 * np.hanning(10)
+    return percuss.Record(force, accel, fs=25600.0)
+
+
+def quickest(call, repeats=REPEATS):
+    """Seconds."""
+    least = float("inf")
+    for _ in range(repeats):
+        start = time.perf_counter()
+        call()
+        least = min(least, time.perf_counter() - start)
+    return least
+
+
+def measured(repeats=REPEATS):
+    """Seconds: of the library alone, and of the module's call."""
+    record = small_record()
+    library = _percuss.library_seconds(record._handle, repeats)
+    return library, quickest(lambda: percuss.analyze(record, only="hits", threads=1), repeats)
+
+
+if __name__ == "__main__":
+    library_s, module_s = measured()
+    print(f"library {1e6 * library_s:.1f} µs, percuss.analyze {1e6 * module_s:.1f} µs, overhead {1e6 * (module_s - library_s):.1f} µs")
+    print(f"percuss.metrics.performance {1e6 * quickest(lambda: percuss.metrics.performance(length_in=34, weight_oz=31)):.1f} µs in all")
+    print(f"percuss.models.shell {1e6 * quickest(percuss.models.shell):.1f} µs in all")

@@ -1,0 +1,86 @@
+"""A large survey passes through without a second copy of its samples."""
+
+import subprocess
+import sys
+
+import percuss
+
+ROWS, CHANNELS, SAMPLES = 120, 1, 81920  # 157 MB with the force
+
+MAKE = f"""
+import numpy as np, percuss
+def peak_mb():  # of this program alone: what getrusage tells begins with the size of who started it
+    return next(int(line.split()[1]) for line in open("/proc/self/status") if line.startswith("VmHWM")) / 1024
+rows, channels, samples = {ROWS}, {CHANNELS}, {SAMPLES}
+fs = 25600.0
+def fill(force, accel):
+    t = np.arange(samples) / fs
+    for row in range(rows):
+        force[row] = 0
+        force[row, 100:112] = 200 * np.hanning(12)
+        for channel in range(channels):
+            accel[row, channel] = 0
+            for f in (165.0, 568.0):
+                accel[row, channel, 106:] += np.cos(0.1 * row * f) * np.exp(-40 * t[:-106]) * np.sin(2 * np.pi * f * t[:-106])
+"""
+
+OF_ARRAYS = MAKE + """
+force, accel = np.empty((rows, samples)), np.empty((rows, channels, samples))
+fill(force, accel)
+record = percuss.Record(force, accel, fs=fs, points=range(rows))
+before = peak_mb()
+found = percuss.survey(record, band=(60, 1500), effort="quick")
+found.frf, found.shapes, found.frequency_hz
+print((force.nbytes + accel.nbytes) / 2**20, before, peak_mb(), len(found.frequency_hz))
+"""
+
+OF_A_FILE = MAKE + """
+before = peak_mb()
+found = percuss.survey("survey.h5", band=(60, 1500), effort="quick")
+print(before, peak_mb(), len(found.frequency_hz))
+"""
+
+OF_THE_TOOL = """
+import resource, subprocess, sys
+subprocess.run([sys.argv[1], "survey", "survey.h5", "--band", "60:1500", "--effort", "quick", "--json"], check=True, stdout=subprocess.DEVNULL)
+print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024)
+"""
+
+
+def numbers(script, *words):
+    ran = subprocess.run([sys.executable, "-c", script, *words], capture_output=True, text=True, check=False)
+    assert ran.returncode == 0, ran.stderr
+    return [float(one) for one in ran.stdout.split()]
+
+
+def test_a_survey_of_157_mb_is_not_copied(tool, record_property):
+    from conftest import TOOL
+
+    scripts = MAKE + "force, accel = np.empty((rows, samples)), np.empty((rows, channels, samples))\nfill(force, accel)\n"
+    scripts += "percuss.write('survey.h5', percuss.Record(force, accel, fs=fs, points=range(rows)))\n"
+    assert numbers(scripts) == []
+    [tool_mb] = numbers(OF_THE_TOOL, str(TOOL))
+    file_before_mb, file_mb, file_modes = numbers(OF_A_FILE)
+    data_mb, before_mb, peak_mb, modes = numbers(OF_ARRAYS)
+    assert data_mb > 149 and modes == file_modes == 2
+    text = (
+        f"{data_mb:.0f} MB: the tool {tool_mb:.0f} MB; the module {file_mb:.0f} MB, of which Python {file_before_mb:.0f} MB; "
+        f"of arrays {peak_mb:.0f} MB, of which {before_mb:.0f} MB before the call"
+    )
+    print(text)
+    record_property("peak", text)
+    slack_mb = 40  # of the allocator, and what Python makes of the results
+    assert file_mb - file_before_mb <= tool_mb + slack_mb
+    assert peak_mb - before_mb <= tool_mb + slack_mb
+    assert peak_mb - before_mb < 0.9 * data_mb + slack_mb
+
+
+def test_memory_is_given_back(bat):
+    """A thousand analyses take no more than the first hundred."""
+    script = MAKE + (
+        "test = percuss.synth('wood-bat').record\n"
+        "def work(n):\n"
+        "    for _ in range(n): percuss.analyze(test, only='hits').frf_at(0, 0)\n"
+        "work(100); first = peak_mb(); work(400); print(peak_mb() - first)\n"
+    )
+    assert bat is not None and numbers(script)[0] < 16

@@ -1,0 +1,122 @@
+"""Several threads of Python may use the module at once: nothing hangs, leaks or mixes."""
+
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+import pytest
+
+import percuss
+
+BAND = (60, 3200)
+ROUNDS = 150  # for each thread
+
+
+def open_files():
+    return len(os.listdir("/proc/self/fd"))
+
+
+def children():
+    with open(f"/proc/self/task/{os.getpid()}/children", encoding="ascii") as file:
+        return file.read().split()
+
+
+def test_four_threads_read_foreign_files(tool, bat):
+    """Foreign files are read in forked processes; a lock that another thread held at the fork would never open there."""
+    kinds = ["h5", "csv", "uff", "mat"]
+    short = percuss.Record(bat.record.force_n[:2, :4096], bat.record.accel_mps2[:2, :, :4096], bat.record.fs_hz)
+    for kind in kinds:
+        percuss.write(f"bat.{kind}", short)
+    wanted = {kind: percuss.analyze(f"bat.{kind}", band=BAND, effort="quick").json for kind in kinds}
+    before, readers = open_files(), children()
+
+    def work(first):
+        for i in range(ROUNDS):
+            kind = kinds[(first + i) % len(kinds)]
+            assert percuss.analyze(f"bat.{kind}", band=BAND, effort="quick").json == wanted[kind]
+            np.linalg.norm(np.random.default_rng(i).normal(size=1000))  # its own memory and locks
+        return first
+
+    with ThreadPoolExecutor(4) as pool:
+        assert list(pool.map(work, range(4), timeout=300)) == [0, 1, 2, 3]
+    assert open_files() == before
+    assert children() == readers
+
+
+def test_one_result_is_asked_by_several_threads(bat):
+    found = percuss.analyze(bat.record, band=BAND, only="hits")
+    with ThreadPoolExecutor(4) as pool:
+        many = list(pool.map(lambda _: (found.frf_at(0, 0).sum(), found.frequency_hz.tolist(), found.confidence.tolist() == []), range(40)))
+    assert all(one == many[0] for one in many)
+
+
+def test_the_lock_is_released(bat):
+    """Another thread goes on counting while one computes."""
+    counted, done = [0], threading.Event()
+
+    def count():
+        while not done.is_set():
+            counted[0] += 1
+            time.sleep(0.0005)
+
+    thread = threading.Thread(target=count)
+    thread.start()
+    record = percuss.Record(np.tile(bat.record.force_n, (4, 1)), np.tile(bat.record.accel_mps2, (4, 1, 1)), bat.record.fs_hz)
+    start, at_start = time.perf_counter(), counted[0]
+    for _ in range(4):
+        percuss.analyze(record, band=BAND, effort="best", per_hit=True)
+    seconds, steps = time.perf_counter() - start, counted[0] - at_start
+    done.set()
+    thread.join()
+    assert steps >= 20 * seconds, f"{steps} steps in {seconds:.2f} s"
+
+
+def test_processes_forked_by_python_compute_as_well(tool, bat):
+    bat.save("bat.h5")
+    wanted = percuss.analyze("bat.h5", band=BAND, threads=1, effort="quick").json
+    script = (
+        "import multiprocessing, sys, percuss\n"
+        "def work(_): return percuss.analyze('bat.h5', band=(60, 3200), threads=1, effort='quick').json\n"
+        "work(0)\n"
+        "with multiprocessing.get_context('spawn' if len(sys.argv) > 1 else 'fork').Pool(2) as pool:\n"
+        "    print(len(set(pool.map(work, range(8)))))\n"
+    )
+    assert wanted
+    ran = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=120, check=False)
+    assert ran.stdout == "1\n", ran.stderr
+
+
+@pytest.mark.parametrize("delay_s", [0.02, 0.1, 0.3])
+def test_interruption_is_an_interruption(tool, bat, delay_s):
+    bat.save("bat.h5")
+    script = (
+        "import percuss\nprint('begun', flush=True)\n"
+        "try:\n"
+        "    found = None\n"  # Python 3.11 places what comes at a loop's jump before the loop: that must lie within
+        "    while True: found = percuss.analyze('bat.h5', band=(60, 3200))\n"
+        "except KeyboardInterrupt: pass\n"
+        "print(len(percuss.analyze('bat.h5', band=(60, 3200)).frequency_hz))\n"
+    )
+    with subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+        assert process.stdout.readline() == "begun\n"
+        time.sleep(delay_s)
+        process.send_signal(signal.SIGINT)
+        out, err = process.communicate(timeout=60)
+    assert out == "3\n", err
+
+
+def test_nothing_is_printed(tool, bat, capfd):
+    bat.save("bat.h5")
+    percuss.analyze("bat.h5", band=BAND, trace=True, explain=True)
+    open("none.csv", "w").close()
+    percuss.info("bat.h5", "none.csv")
+    percuss.write("bat.wav", bat)
+    percuss.models.beam(support="free")
+    percuss.example("synth")
+    percuss.presets()
+    assert capfd.readouterr() == ("", "")
