@@ -27,7 +27,7 @@ ConfinedService counting(const std::string& path) {
           }};
 }
 
-std::string refusal(ReaderNursery& nursery, const std::string& path) {
+std::string refusal(const std::shared_ptr<ReaderNursery>& nursery, const std::string& path) {
   try {
     const ConfinedProcess process(path, nursery);
     return "";
@@ -37,7 +37,7 @@ std::string refusal(ReaderNursery& nursery, const std::string& path) {
 }
 
 TEST(ReaderNursery, ForksReadersThatServe) {
-  ReaderNursery nursery(counting);
+  const auto nursery = std::make_shared<ReaderNursery>(counting);
   ConfinedProcess process("four", nursery);
   EXPECT_EQ(process.description(), "four");
   std::vector<double> numbers(300'000);  // more than go over at once
@@ -46,7 +46,7 @@ TEST(ReaderNursery, ForksReadersThatServe) {
 }
 
 TEST(ReaderNursery, ServesSeveralThreads) {
-  ReaderNursery nursery(counting);
+  const auto nursery = std::make_shared<ReaderNursery>(counting);
   parallel_for(40, 2, [&](std::size_t i) {
     const std::string path(i + 1, 'x');
     ConfinedProcess process(path, nursery);
@@ -57,11 +57,11 @@ TEST(ReaderNursery, ServesSeveralThreads) {
 }
 
 TEST(ReaderNursery, TellsWhatBecomesOfAReader) {
-  ReaderNursery nursery(counting);
+  const auto nursery = std::make_shared<ReaderNursery>(counting);
   EXPECT_THAT(refusal(nursery, "refuse"), HasSubstr("refused (refuse)"));
   EXPECT_THAT(refusal(nursery, "crash"), HasSubstr("crash"));
   EXPECT_EQ(refusal(nursery, "fine"), "");  // and is there for the next
-  EXPECT_FALSE(nursery.lost());
+  EXPECT_FALSE(nursery->lost());
 }
 
 TEST(ReaderNursery, OpensWhatIsOpenedWithoutIt) {
@@ -72,7 +72,7 @@ TEST(ReaderNursery, OpensWhatIsOpenedWithoutIt) {
   for (const char* kind : {".h5", ".mat", ".wav", ".csv"}) {
     const std::string path = folder.file(std::string("t") + kind);
     test::write_small_test(path);
-    const auto opened = open_measurement_in(*nursery, path, options), alone = open_measurement(path, options);
+    const auto opened = open_measurement_in(nursery, path, options), alone = open_measurement(path, options);
     const auto &one = std::get<Record>(opened), &other = std::get<Record>(alone);
     EXPECT_EQ(one.fs_Hz, other.fs_Hz);
     ASSERT_EQ(one.rows.size(), other.rows.size());

@@ -1,27 +1,18 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iostream>
 #include <memory>
 
-#include "acquire/atomic_file.hpp"
-#include "analysis_flags.hpp"
+#include "analyze_outputs.hpp"
 #include "command.hpp"
 #include "core/error.hpp"
 #include "core/parallel.hpp"
-#include "output.hpp"
-#include "pipeline/tests_of_record.hpp"
 #include "progress.hpp"
-#include "provenance.hpp"
-#include "read_flags.hpp"
 #include "report/analysis_charts.hpp"
 #include "report/analysis_json.hpp"
-#include "report/analysis_page.hpp"
-#include "report/analysis_tables.hpp"
 #include "report/analysis_text.hpp"
 #include "report/compare_report.hpp"
-#include "report/deflection_report.hpp"
-#include "report/frf_files.hpp"
-#include "report/modes_uff.hpp"
 #include "report/read_document.hpp"
 #include "report/skipped_text.hpp"
 #include "report_output.hpp"
@@ -29,63 +20,7 @@
 namespace percuss::tools {
 namespace {
 
-struct AnalyzeFlags {
-  ReadFlags read;
-  AnalysisFlags analysis;
-  OutputFlags output;
-  std::vector<std::string> only;
-  bool trace = false;
-  bool explain = false;
-  bool per_hit = false;
-  bool stabilisation = false;
-  std::vector<std::string> pictures{"magnitude", "phase", "coherence"};
-  std::vector<std::string> compared;
-  std::string bat_id;
-  std::vector<std::string> bat;  // key=value
-};
-
-// One test of the command line: all of the files together, or each on its own, or each run of one file.
-struct Test {
-  int run = 0;
-  std::unique_ptr<Analysis> analysis;
-  std::optional<ImpactTest> deflection{};
-};
-
-std::vector<Test> tests_of_frfs(const AnalyzeFlags& flags, std::vector<FrfRecord> frfs) {
-  if (flags.read.files != FilesMean::tests) {
-    FrfRecord joined = join_frfs_of(flags.read, std::move(frfs));
-    frfs.clear();
-    frfs.push_back(std::move(joined));
-  }
-  std::vector<Test> tests;
-  for (FrfRecord& record : frfs) {
-    assume_angles(record);
-    tests.push_back({.run = static_cast<int>(tests.size()),
-                     .analysis = std::make_unique<Analysis>(std::move(record), analysis_options(flags.analysis))});
-  }
-  return tests;
-}
-
-std::vector<Test> tests_of(const AnalyzeFlags& flags) {
-  Measurements opened = open_measurements(flags.read);
-  if (!opened.frfs.empty()) return tests_of_frfs(flags, std::move(opened.frfs));
-  std::vector<Record> records = std::move(opened.records);
-  if (flags.read.files != FilesMean::tests) {
-    Record joined = join_records(std::move(records), flags.read.files);
-    records.clear();
-    records.push_back(std::move(joined));
-  }
-  std::vector<Test> tests;
-  for (Record& record : records) {
-    assume_angles(record);
-    for (auto& [run, part] : split_runs(record)) {
-      const int number = records.size() > 1 ? static_cast<int>(tests.size()) : run;
-      tests.push_back(
-          {.run = number, .analysis = std::make_unique<Analysis>(std::move(part), analysis_options(flags.analysis))});
-    }
-  }
-  return tests;
-}
+bool is_json(const std::string& path) { return extension_of(path) == ".json"; }
 
 void print_trace(const Analysis& analysis) {
   for (const auto& stage : analysis.trace().stages())
@@ -98,39 +33,6 @@ CommandReport comparison_of(const AnalyzeFlags& flags, const std::string& docume
     for (ComparedDocument& one : read_documents(path)) documents.push_back(std::move(one));
   }
   return compare_report(documents);
-}
-
-std::string page_of(const AnalyzeFlags& flags, const Test& test, const std::set<Section>& sections,
-                    const CommandReport* comparison) {
-  return analysis_page(
-      *test.analysis,
-      {.sections = sections, .deflection = test.deflection ? &*test.deflection : nullptr, .comparison = comparison},
-      provenance_now(flags.output));
-}
-
-std::string drawing_of(const AnalyzeFlags& flags, const Analysis& analysis) {
-  const auto verdicts = analysis.possible() ? analysis.verdicts() : std::vector<Verdict>();
-  return svg_document(analysis_charts(analysis, verdicts, flags.pictures));
-}
-
-void write_outputs(const AnalyzeFlags& flags, const std::vector<Test>& tests, const std::set<Section>& sections,
-                   const std::string& document, const CommandReport* comparison) {
-  for (const std::string& path : flags.output.paths) {
-    if (extension_of(path) == ".json") {
-      write_file(path, document, flags.output.force);
-    } else if (is_html(path)) {
-      write_file(path, page_of(flags, tests.front(), sections, comparison), flags.output.force);
-    } else if (extension_of(path) == ".svg") {
-      write_file(path, drawing_of(flags, *tests.front().analysis), flags.output.force);
-    } else if (!tests.front().analysis->possible()) {
-      remark(flags.output,
-             "no hit can be used, so there are no FRFs to write (" + one_line(path) + "); see the hits' findings");
-    } else if (is_uff(path)) {
-      write_modes_uff(path, *tests.front().analysis, flags.output.force);
-    } else {
-      write_frfs(path, frf_record_of(*tests.front().analysis), FrfKind::accelerance, flags.output.force);
-    }
-  }
 }
 
 std::optional<BatLabel> bat_label(const AnalyzeFlags& flags) {
@@ -147,102 +49,10 @@ std::optional<BatLabel> bat_label(const AnalyzeFlags& flags) {
   return label;
 }
 
-bool is_json(const std::string& path) { return extension_of(path) == ".json"; }
-
-// Before anything is computed.
-void require_one_test(const AnalyzeFlags& flags, const std::set<Section>& sections, std::size_t tests) {
-  if (tests < 2) return;
-  const char* const remedy = "analyse one file or run at a time";
-  if (!std::all_of(flags.output.paths.begin(), flags.output.paths.end(), is_json))
-    throw UsageError("several tests do not fit one file of FRFs or one page", remedy);
-  if (sections.contains(Section::deflection) || !flags.compared.empty())
-    throw UsageError("deflections and comparisons are of one test", remedy);
-}
-
 ImpactTest deflection_of(const Analysis& analysis) {
   if (analysis.given_frfs() != nullptr)
     throw UsageError("FRFs tell no deflection", "give the record of force and acceleration");
   return deflect(analysis);
-}
-
-// What the sections need, as much at once as can be; what fails will fail again where the report asks for it, in turn.
-void compute(const std::vector<Test>& tests, const std::set<Section>& sections) {
-  constexpr std::size_t kPerTask = 1'000'000;  // operations, at the least
-  const bool frfs = sections.contains(Section::frf) || sections.contains(Section::coherence);
-  const bool modes = sections.contains(Section::modes), classes = sections.contains(Section::classes);
-  if (!frfs && !modes && !classes) return;
-  share_out(tests.size(), kPerTask, [&](std::size_t t) {
-    const Analysis& analysis = *tests[t].analysis;
-    try {
-      if (!analysis.possible()) return;
-      analysis.hits();  // shared by what follows
-      share_out(2, kPerTask, [&](std::size_t task) {
-        if (task == 0 && modes) analysis.modes();
-        if (task == 1 && frfs) analysis.frfs();
-      });
-      if (classes) analysis.verdicts();
-    } catch (const std::exception&) {
-    }
-  });
-}
-
-void check_analyze_outputs(const OutputFlags& output) {
-  check_outputs(output, {".json", ".html", ".svg", ".csv", ".h5", ".mat", ".uff", ".unv"});
-}
-
-// What was found, for who runs the command in his own process and asks for the rest later.
-struct KeptTests {
-  AnalyzeFlags flags;
-  std::vector<Test> tests;
-  std::set<Section> sections;
-  std::string document;
-  std::optional<CommandReport> comparison;
-
-  const CommandReport* compared() const { return comparison ? &*comparison : nullptr; }
-};
-
-std::string text_of(const KeptTests& kept, std::size_t width, bool sketch) {
-  std::string text;
-  for (const Test& test : kept.tests) {
-    if (kept.tests.size() > 1) text += fmt::format("{}test {}\n", text.empty() ? "" : "\n", test.run);
-    text += analysis_text(*test.analysis,
-                          {.sections = kept.sections, .width = width, .per_hit = kept.flags.per_hit, .sketch = sketch});
-    if (test.deflection) text += "\n" + deflection_tables(*test.analysis, *test.deflection).text(width);
-    if (kept.comparison) text += "\n" + kept.comparison->text.text(width);
-  }
-  return text;
-}
-
-std::string html_of(const KeptTests& kept) {
-  const bool classes = kept.sections.contains(Section::classes);
-  std::string html;
-  for (const Test& test : kept.tests) {
-    if (kept.tests.size() > 1) html += page_paragraph(fmt::format("test {}", test.run));
-    if (!test.analysis->possible()) {
-      html += page_paragraph(kNoUsableHit);
-    } else if (classes || kept.sections.contains(Section::modes)) {
-      html += modes_table(*test.analysis, classes).html();
-    } else {
-      html += hits_table(*test.analysis, test.analysis->force_hits()).shown.html();
-    }
-    html += page_warnings(test.analysis->warnings());
-  }
-  return html;
-}
-
-void hand_over(const OutputFlags& output, const std::shared_ptr<const KeptTests>& kept) {
-  Outcome& outcome = output.host->outcome;
-  for (const Test& test : kept->tests) outcome.analyses.emplace_back(kept, test.analysis.get());
-  if (const auto& deflection = kept->tests.front().deflection) outcome.deflection = {kept, &*deflection};
-  outcome.text = [kept](std::size_t width) { return text_of(*kept, width, false); };
-  outcome.html = [kept] { return html_of(*kept); };
-  outcome.save = [kept, its = kept_output(output)](const std::string& path, bool force) {
-    AnalyzeFlags flags = kept->flags;
-    flags.output = one_output(its, path, force);
-    check_analyze_outputs(flags.output);
-    require_one_test(flags, kept->sections, kept->tests.size());
-    write_outputs(flags, kept->tests, kept->sections, kept->document, kept->compared());
-  };
 }
 
 int analyze(const AnalyzeFlags& flags) {
@@ -281,7 +91,7 @@ int analyze(const AnalyzeFlags& flags) {
                                                                 .comparison = std::move(comparison)});
   const std::string text = flags.output.json ? "" : text_of(*kept, terminal_width(), can_sketch());
   progress.stop();
-  write_outputs(flags, kept->tests, sections, kept->document, kept->compared());
+  write_outputs(flags, *kept);
   print(flags.output, flags.output.json ? kept->document : text);
   if (flags.output.host != nullptr) hand_over(flags.output, kept);
   if (flags.trace && !flags.output.json) {

@@ -6,8 +6,8 @@
 #include "acquire/write_record.hpp"
 #include "command.hpp"
 #include "core/error.hpp"
+#include "open_files.hpp"
 #include "output.hpp"
-#include "read_flags.hpp"
 #include "report/frf_files.hpp"
 
 namespace percuss::tools {

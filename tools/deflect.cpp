@@ -4,11 +4,11 @@
 #include "analysis_flags.hpp"
 #include "command.hpp"
 #include "core/error.hpp"
+#include "open_files.hpp"
 #include "output.hpp"
 #include "pipeline/impact_test.hpp"
 #include "progress.hpp"
 #include "ranges.hpp"
-#include "read_flags.hpp"
 #include "report/deflection_report.hpp"
 #include "report_output.hpp"
 

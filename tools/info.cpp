@@ -14,8 +14,8 @@
 #include "core/error.hpp"
 #include "core/units.hpp"
 #include "info_frfs.hpp"
+#include "open_files.hpp"
 #include "output.hpp"
-#include "read_flags.hpp"
 #include "report/number.hpp"
 #include "report/text_table.hpp"
 

@@ -3,43 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <exception>
 #include <optional>
-#include <set>
 
 #include "acquire/channel_setup.hpp"
 #include "acquire/csv_number.hpp"
 #include "core/error.hpp"
-#include "core/parallel.hpp"
 #include "core/units.hpp"
-#include "frf/confined_measurement.hpp"
 #include "output.hpp"
 
 namespace percuss::tools {
 namespace {
 
 constexpr double kMilli = 1e-3;
-constexpr std::size_t kPerFile = 1'000'000;  // operations, or their worth in time
-
-void require_distinct(const std::vector<std::string>& paths) {
-  std::set<std::string> seen;
-  for (const auto& path : paths) {
-    if (!seen.insert(path).second)
-      throw UsageError(fmt::format("\"{}\" is given twice", one_line(path)), "name each file once");
-  }
-}
-
-bool gives_data(const ReadFlags& flags) { return flags.host != nullptr && !flags.host->inputs.empty(); }
-
-std::size_t input_count(const ReadFlags& flags) {
-  return gives_data(flags) ? flags.host->inputs.size() : flags.paths.size();
-}
-
-void require_files(const ReadFlags& flags) {
-  if (gives_data(flags)) return;
-  if (flags.paths.empty()) throw UsageError("no file", "name at least one, or - for standard input");
-  require_distinct(flags.paths);
-}
 
 void require_unit_or_volts(const std::string& name, Quantity wanted, const char* option) {
   const auto unit = parse_unit(name);
@@ -75,40 +50,6 @@ std::vector<std::string> whole_names(const std::vector<std::string>& pieces) {
     open = names.back().find('(') != std::string::npos && names.back().find(')') == std::string::npos;
   }
   return names;
-}
-
-/// The options for file `index`: of a scale per file, that file's.
-ReadOptions options_of_file(const ReadOptions& all, std::size_t index, std::size_t files) {
-  ReadOptions options = all;
-  if (options.force_scale.size() > 1) {
-    if (options.force_scale.size() != files) {
-      throw UsageError(fmt::format("{} values of --force-scale for {} files", options.force_scale.size(), files),
-                       "give one for all or one per file");
-    }
-    options.force_scale = {all.force_scale[index]};
-  }
-  return options;
-}
-
-/// Opens all files, texts at once; of several that cannot be opened the first is complained of. Readers of foreign
-/// files are forked, which is safe as long as no other thread is at work.
-template <class Opened, class Open>
-std::vector<std::optional<Opened>> for_each_file(const ReadFlags& flags, const Open& open) {
-  std::vector<std::optional<Opened>> opened(input_count(flags));
-  std::vector<std::exception_ptr> failed(opened.size());
-  const bool forks = std::any_of(flags.paths.begin(), flags.paths.end(),
-                                 [](const std::string& path) { return path != "-" && is_foreign(path); });
-  share_out(opened.size(), forks ? 0 : kPerFile, [&](std::size_t i) {
-    try {
-      opened[i].emplace(open(i));
-    } catch (...) {
-      failed[i] = std::current_exception();
-    }
-  });
-  for (const std::exception_ptr& error : failed) {
-    if (error) std::rethrow_exception(error);
-  }
-  return opened;
 }
 
 }  // namespace
@@ -222,54 +163,20 @@ ReadOptions finished_options(const ReadFlags& flags) {
   return worked_out(flags);
 }
 
+ReadOptions options_of_file(const ReadOptions& all, std::size_t index, std::size_t files) {
+  ReadOptions options = all;
+  if (options.force_scale.size() > 1) {
+    if (options.force_scale.size() != files) {
+      throw UsageError(fmt::format("{} values of --force-scale for {} files", options.force_scale.size(), files),
+                       "give one for all or one per file");
+    }
+    options.force_scale = {all.force_scale[index]};
+  }
+  return options;
+}
+
 FrfReadOptions options_of_each(const ReadFlags& flags) {
   return {.read = options_of_file(worked_out(flags), 0, 1), .kind = flags.frf_kind};
-}
-
-Record open_record_at(const ReadFlags& flags, const ReadOptions& options, std::size_t index) {
-  const ReadOptions its = options_of_file(options, index, input_count(flags));
-  if (!gives_data(flags)) return open_record(flags.paths[index], its);
-  auto given = flags.host->inputs[index]({.read = its, .kind = flags.frf_kind});
-  if (auto* record = std::get_if<Record>(&given)) return std::move(*record);
-  throw InputError("FRFs are no record of time", std::get<FrfRecord>(given).source(), "give force and acceleration");
-}
-
-std::variant<Record, FrfRecord> open_measurement_at(const ReadFlags& flags, const ReadOptions& options,
-                                                    std::size_t index) {
-  const FrfReadOptions its{.read = options_of_file(options, index, input_count(flags)), .kind = flags.frf_kind};
-  return gives_data(flags) ? flags.host->inputs[index](its) : open_measurement(flags.paths[index], its);
-}
-
-Measurements open_measurements(const ReadFlags& flags) {
-  require_files(flags);
-  const ReadOptions options = finished_options(flags);
-  auto all = for_each_file<std::variant<Record, FrfRecord>>(
-      flags, [&](std::size_t i) { return open_measurement_at(flags, options, i); });
-  Measurements out;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (auto* record = std::get_if<Record>(&*all[i])) out.records.push_back(std::move(*record));
-    if (auto* frfs = std::get_if<FrfRecord>(&*all[i])) out.frfs.push_back(std::move(*frfs));
-    if (out.records.empty() || out.frfs.empty()) continue;
-    throw InputError("records of time and FRFs cannot be joined", gives_data(flags) ? "data in memory" : flags.paths[i],
-                     "analyse the two kinds apart");
-  }
-  return out;
-}
-
-FrfRecord join_frfs_of(const ReadFlags& flags, std::vector<FrfRecord> frfs) {
-  if (frfs.size() > 1 && flags.files == FilesMean::hits)
-    throw UsageError("several files of FRFs are no hits of one test", "give --files points or tests");
-  return join_frfs(std::move(frfs));
-}
-
-std::vector<Record> open_records(const ReadFlags& flags) {
-  require_files(flags);
-  const ReadOptions options = finished_options(flags);
-  auto all = for_each_file<Record>(flags, [&](std::size_t i) { return open_record_at(flags, options, i); });
-  std::vector<Record> records;
-  records.reserve(all.size());
-  for (auto& record : all) records.push_back(std::move(*record));
-  return records;
 }
 
 }  // namespace percuss::tools

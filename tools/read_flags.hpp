@@ -38,30 +38,11 @@ inline constexpr const char* kReadingHeading = "Reading";
 /// The set-up file and typed units worked into flags.options. Throws InputError.
 ReadOptions finished_options(const ReadFlags& flags);
 
-/// The same for files of which each is opened by itself, whatever the flags name; UsageError for values per file.
+/// The options for one of several files: of a scale per file, that file's. UsageError for another number of scales.
+ReadOptions options_of_file(const ReadOptions& all, std::size_t index, std::size_t files);
+
+/// Finished options of files of which each is opened by itself, whatever the flags name; UsageError for values per
+/// file.
 FrfReadOptions options_of_each(const ReadFlags& flags);
-
-/// One path opened with finished options.
-Record open_record_at(const ReadFlags& flags, const ReadOptions& options, std::size_t index);
-
-/// What the files hold: records of time or FRFs, never both.
-struct Measurements {
-  std::vector<Record> records;
-  std::vector<FrfRecord> frfs;
-};
-
-/// Every path opened as what it is. InputError for records of time beside FRFs; UsageError as open_records.
-Measurements open_measurements(const ReadFlags& flags);
-
-/// One path opened as what it is, with finished options.
-std::variant<Record, FrfRecord> open_measurement_at(const ReadFlags& flags, const ReadOptions& options,
-                                                    std::size_t index);
-
-/// Files of FRFs as one test: several are points. UsageError when --files says hits.
-FrfRecord join_frfs_of(const ReadFlags& flags, std::vector<FrfRecord> frfs);
-
-/// Every path opened; UsageError for none, or for one that is named twice; what several of them mean is the caller's
-/// affair (join_records).
-std::vector<Record> open_records(const ReadFlags& flags);
 
 }  // namespace percuss::tools

@@ -77,9 +77,9 @@ ConfinedProcess::ConfinedProcess(std::string path, const std::function<ConfinedS
   });
 }
 
-ConfinedProcess::ConfinedProcess(std::string path, ReaderNursery& nursery)
-    : path_(std::move(path)), nursery_(&nursery) {
-  begin([&](int descriptor, int memory) { return nursery.start(path_, descriptor, memory); });
+ConfinedProcess::ConfinedProcess(std::string path, std::shared_ptr<ReaderNursery> nursery)
+    : path_(std::move(path)), nursery_(std::move(nursery)) {
+  begin([&](int descriptor, int memory) { return nursery_->start(path_, descriptor, memory); });
 }
 
 void ConfinedProcess::begin(const std::function<int(int descriptor, int memory)>& start) {

@@ -29,7 +29,7 @@ class ConfinedProcess {
   ConfinedProcess(std::string path, const std::function<ConfinedService()>& open,
                   std::optional<unsigned> patience_s = std::nullopt);
   /// The same, forked by the nursery, with what it opens files with.
-  ConfinedProcess(std::string path, ReaderNursery& nursery);
+  ConfinedProcess(std::string path, std::shared_ptr<ReaderNursery> nursery);
   ~ConfinedProcess();
   ConfinedProcess(const ConfinedProcess&) = delete;
   ConfinedProcess& operator=(const ConfinedProcess&) = delete;
@@ -58,7 +58,7 @@ class ConfinedProcess {
   double* shared_ = nullptr;  // what the child writes numbers into
   int descriptor_ = -1;
   int child_ = -1;
-  ReaderNursery* nursery_ = nullptr;  // whose child it is; nullptr: this process's
+  std::shared_ptr<ReaderNursery> nursery_;  // whose child it is; nullptr: this process's
 };
 
 /// What a reader's process does until its parent has heard enough; returns its exit code. `shared` holds

@@ -123,7 +123,7 @@ Told told_of(const BatchRecord& record, const RowOptions& options) {
   const auto refused = [](int code, const std::string& reason) { return Told{.code = code, .reason = reason}; };
   try {
     require_unchanged(record);
-    auto opened = options.nursery != nullptr ? open_measurement_in(*options.nursery, record.path, options.read)
+    auto opened = options.nursery != nullptr ? open_measurement_in(options.nursery, record.path, options.read)
                                              : open_measurement(record.path, options.read);
     for (const RunAnalysis& test : tests_of_record(std::move(opened), options.analysis))
       add_run(told, record, test, options);
