@@ -3,9 +3,14 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace percuss {
+
+/// Memory for samples, aligned as FFTW likes it.
+using FftwSamples = std::unique_ptr<double, decltype(&fftw_free)>;
+inline FftwSamples fftw_samples(std::size_t samples) { return {fftw_alloc_real(samples), fftw_free}; }
 
 /// FFTW called by hand on memory of its own, planned once: what every other time is compared with.
 class BareFftw {
@@ -23,7 +28,7 @@ class BareFftw {
   }
   void fill(const std::vector<double>& x) { std::copy(x.begin(), x.end(), in_); }
   void transform() { fftw_execute(plan_); }
-  /// Of values elsewhere, aligned as fftw_alloc_real does.
+  /// Of values elsewhere, which are FftwSamples.
   void transform(double* values) { fftw_execute_dft_r2c(plan_, values, out_); }
 
  private:

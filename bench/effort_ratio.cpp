@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
 #include <exception>
 #include <memory>
@@ -18,6 +17,7 @@
 
 #include "bare_fftw.hpp"
 #include "pipeline/analysis.hpp"
+#include "seconds.hpp"
 #include "synth/read_spec.hpp"
 #include "synth/record.hpp"
 
@@ -25,13 +25,6 @@ namespace percuss {
 namespace {
 
 constexpr double kLeast_s = 3;  // everything is measured by turns for so long, three times at the least
-
-template <class Work>
-double seconds_of(Work work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 Record in_memory(const Record& record) {
   std::vector<std::vector<double>> force;
@@ -71,12 +64,12 @@ class Bare {
 
  private:
   std::span<double> place_for(std::size_t samples) {
-    values_.emplace_back(fftw_alloc_real(samples), fftw_free);
+    values_.push_back(fftw_samples(samples));
     return {values_.back().get(), samples};
   }
 
   BareFftw fftw_;
-  std::vector<std::unique_ptr<double, decltype(&fftw_free)>> values_;
+  std::vector<FftwSamples> values_;
 };
 
 struct Measured {

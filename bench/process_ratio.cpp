@@ -9,7 +9,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
 #include <exception>
 #include <functional>
@@ -20,6 +19,7 @@
 
 #include "acquire/record.hpp"
 #include "bare_fftw.hpp"
+#include "seconds.hpp"
 
 extern char** environ;
 
@@ -28,12 +28,6 @@ namespace {
 
 constexpr int kTurns = 12;
 constexpr std::size_t kBlock_bytes = std::size_t{1} << 18U;
-
-double seconds_of(const std::function<void()>& work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 // Runs a command without its output; it must end well.
 void run(std::vector<std::string> words) {
@@ -62,14 +56,11 @@ void read_bytes(const std::string& path, std::size_t bytes) {
   ::close(descriptor);
 }
 
-using Samples = std::unique_ptr<double, decltype(&fftw_free)>;
-
-// Aligned as FFTW likes it.
-std::vector<Samples> force_of(const Record& record) {
-  std::vector<Samples> rows;
+std::vector<FftwSamples> force_of(const Record& record) {
+  std::vector<FftwSamples> rows;
   for (std::size_t row = 0; row < record.rows.size(); ++row) {
     const std::size_t samples = record.rows[row].samples;
-    record.read_force_N(row, 0, {rows.emplace_back(fftw_alloc_real(samples), fftw_free).get(), samples});
+    record.read_force_N(row, 0, {rows.emplace_back(fftw_samples(samples)).get(), samples});
   }
   return rows;
 }

@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
@@ -14,6 +13,7 @@
 #include <vector>
 
 #include "acquire/record.hpp"
+#include "seconds.hpp"
 
 namespace percuss {
 namespace {
@@ -21,13 +21,6 @@ namespace {
 constexpr double kLeast_s = 3;  // for each file, by turns
 constexpr std::size_t kBlock_bytes = std::size_t{1} << 17U;
 constexpr std::size_t kBlock_samples = std::size_t{1} << 15U;
-
-template <class Work>
-double seconds_of(Work work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 void cat(const std::string& path) {
   static std::vector<char> block(kBlock_bytes);

@@ -12,7 +12,7 @@
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
 
-// The completion scripts. That for bash is asked as bash would; those for zsh and fish where these shells are at hand.
+// The completion scripts. That for bash is asked as bash would; .ci/shells asks those for zsh and fish.
 namespace percuss::completion_command_test {
 
 namespace fs = std::filesystem;
@@ -30,8 +30,6 @@ std::string script_for(const std::string& shell) {
 }
 
 std::string quoted(const std::string& word) { return "'" + word + "'"; }
-
-bool at_hand(const std::string& shell) { return std::system(("command -v " + shell + " >/dev/null").c_str()) == 0; }
 
 /// The lines that a shell prints for a program of a few lines, run in `folder`.
 std::vector<std::string> lines_from(const std::string& shell, const std::string& program, const std::string& folder) {
@@ -64,13 +62,6 @@ class CompletionCommand : public testing::Test {
                           ")\nCOMP_CWORD=" + std::to_string(words.size()) +
                           "\n_percuss\n((${#COMPREPLY[@]})) && printf '%s\\n' \"${COMPREPLY[@]}\"\ntrue\n",
                       folder_.path());
-  }
-
-  std::vector<std::string> in_fish(const std::string& line) {
-    test::write_bytes(folder_.file(".script"), script_for("fish"));
-    auto offered = lines_from("fish", "source ./.script; complete -C " + quoted(line) + "\n", folder_.path());
-    for (std::string& one : offered) one.resize(std::min(one.find('\t'), one.size()));
-    return offered;
   }
 
   test::ScratchFolder folder_;
@@ -121,31 +112,13 @@ TEST_F(CompletionCommand, KnowsEveryOptionOfEveryCommand) {
   }
 }
 
-TEST_F(CompletionCommand, CompletesInFish) {
-  if (!at_hand("fish")) GTEST_SKIP() << "fish is not installed";
-  EXPECT_THAT(in_fish("percuss anal"), ElementsAre("analyze"));
-  EXPECT_THAT(in_fish("percuss model b"), UnorderedElementsAre("bat", "beam"));
-  EXPECT_THAT(in_fish("percuss analyze --ba"), UnorderedElementsAre("--band", "--bat", "--bat-id"));
-  EXPECT_THAT(in_fish("percuss analyze --effort "), UnorderedElementsAre("quick", "standard", "best"));
-  EXPECT_THAT(in_fish("percuss analyze --only hits,m"), ElementsAre("hits,modes"));
-  EXPECT_THAT(in_fish("percuss analyze ba"), ElementsAre("bat.h5"));
-  EXPECT_THAT(in_fish("percuss model beam ba"), IsEmpty());
-  EXPECT_THAT(in_fish("percuss model beam --gy"), ElementsAre("--gyration"));
-  for (const auto& command : test::commands()) {
-    const auto names = test::option_names(command);
-    EXPECT_THAT(in_fish(test::joined({"percuss", test::joined(command)}) + (command.empty() ? "--" : " --")),
-                testing::UnorderedElementsAreArray(names));
-  }
-}
-
-TEST_F(CompletionCommand, IsUnderstoodByItsShell) {
+TEST_F(CompletionCommand, IsTheSameEachTime) {
   for (const std::string shell : {"bash", "zsh", "fish"}) {
     const std::string script = script_for(shell);
     EXPECT_THAT(test::lines_of(script), Not(IsEmpty()));
     EXPECT_EQ(script, script_for(shell));
-    if (!at_hand(shell)) continue;
-    EXPECT_THAT(lines_from(shell + " -n", script, folder_.path()), IsEmpty());
   }
+  EXPECT_THAT(lines_from("bash -n", script_for("bash"), folder_.path()), IsEmpty());
 }
 
 }  // namespace percuss::completion_command_test

@@ -15,32 +15,26 @@ constexpr std::size_t kLeastTops = 4;
 constexpr double kBelow = 4.5;      // steps; a quantised swing is there twice as often as at its largest value …
 constexpr double kMostBelow = 0.5;  // … and a clipped one less than half as often
 
-// Whether three samples in a row have that value, an extreme: only blocks that have it as well are looked at.
-bool runs_at(std::span<const double> x, std::span<const Extremes> blocks, double value) {
-  for (std::size_t b = 0; b < blocks.size(); ++b) {
-    if (blocks[b].low != value && blocks[b].high != value) continue;
-    const std::size_t end = std::min(x.size(), (b + 1) * kRailBlock + 2);
-    for (std::size_t i = b * kRailBlock; i + 2 < end; ++i) {
-      if (x[i] == value && x[i + 1] == value && x[i + 2] == value) return true;
-    }
-  }
-  return false;
-}
-
-// How often an extreme is reached: samples, and separate tops.
+// How often an extreme is reached: samples, separate tops, and the longest row of them.
 struct Reached {
-  std::size_t samples = 0, tops = 0;
+  std::size_t samples = 0, tops = 0, row = 0;
 };
 
+// Only blocks that reach it as well are looked at.
 Reached reached(std::span<const double> x, std::span<const Extremes> blocks, double value) {
   Reached out;
+  std::size_t row = 0, last = 0;  // samples so far of a row, and the last one of it
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     if (blocks[b].low != value && blocks[b].high != value) continue;
     const std::size_t end = std::min(x.size(), (b + 1) * kRailBlock);
     for (std::size_t i = b * kRailBlock; i < end; ++i) {
       if (x[i] != value) continue;
+      const bool goes_on = row > 0 && last + 1 == i;
+      row = goes_on ? row + 1 : 1;
+      last = i;
       ++out.samples;
-      if (i == 0 || x[i - 1] != value) ++out.tops;
+      out.tops += goes_on ? 0 : 1;
+      out.row = std::max(out.row, row);
     }
   }
   return out;
@@ -58,8 +52,8 @@ std::size_t just_below(std::span<const double> x, std::span<const Extremes> bloc
   return count;
 }
 
-bool tops_cut_off(std::span<const double> x, std::span<const Extremes> blocks, double value, double step) {
-  const Reached there = reached(x, blocks, value);
+bool tops_cut_off(std::span<const double> x, std::span<const Extremes> blocks, double value, double step,
+                  const Reached& there) {
   if (there.tops < kLeastTops) return false;
   const auto below = static_cast<double>(just_below(x, blocks, value, kBelow * step));
   return below < kMostBelow * static_cast<double>(there.samples);
@@ -100,12 +94,11 @@ std::size_t samples_at_rail(std::span<const double> x, std::span<const Extremes>
   const Extremes extremes = extremes_of(blocks);
   for (const double rail : {extremes.low, extremes.high}) {
     if (rail == rest) continue;
-    const bool row = runs_at(x, blocks, rail);
     const Reached there = reached(x, blocks, rail);
-    if (!row && there.tops < kLeastTops) continue;
+    if (there.row < kInARow && there.tops < kLeastTops) continue;
     if (!resolution) resolution = resolution_of(around);
     if (!(*resolution > 0)) return 0;
-    found += tops_cut_off(x, blocks, rail, *resolution) ? there.samples : samples_in_rows(x, rail, *resolution);
+    found += tops_cut_off(x, blocks, rail, *resolution, there) ? there.samples : samples_in_rows(x, rail, *resolution);
   }
   return found;
 }

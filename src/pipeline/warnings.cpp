@@ -1,19 +1,23 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/error.hpp"
 #include "core/significant.hpp"
+#include "identify/line_noise.hpp"
 #include "identify/unclaimed_peaks.hpp"
 #include "pipeline/analysis.hpp"
 
 namespace percuss {
 namespace {
 
-constexpr double kPeaks_dB = 65;       // under the largest line: lower peaks are not missed
-constexpr std::size_t kMostPeaks = 8;  // named
-constexpr double kEnoughBefore = 32;   // samples from a record's beginning to the pulse
-constexpr double kDecayed = 0.0025;    // six time constants, as for the hits' own finding
+constexpr double kPeaks_dB = 65;         // under the largest line: lower peaks are not missed
+constexpr std::size_t kMostPeaks = 8;    // named
+constexpr double kEnoughBefore = 32;     // samples from a record's beginning to the pulse
+constexpr double kRingingShows = 2e-4;   // noise of a sample over the largest response …
+constexpr std::size_t kTellNoise = 512;  // … when there are so many lines
+constexpr double kDecayed = 0.0025;      // six time constants, as for the hits' own finding
 
 bool any_finding(const std::vector<AnalysedHit>& hits, FindingCode code, bool accepted_only) {
   return std::any_of(hits.begin(), hits.end(), [&](const AnalysedHit& hit) {
@@ -58,18 +62,45 @@ void warn_of_steps(const Record& record, const std::vector<AnalysedHit>& hits, s
   }
 }
 
+// Of a channel, over the accepted hits, m/s².
+double largest_response(const std::vector<AnalysedHit>& hits, std::size_t channel) {
+  double largest = 0;
+  for (const AnalysedHit& hit : hits) {
+    if (!hit.accepted || hit.responses.size() <= channel) continue;
+    const Extremes& seen = hit.responses[channel].extremes;
+    largest = std::max({largest, std::abs(seen.low), std::abs(seen.high)});
+  }
+  return largest;
+}
+
+// Whether the samples of some response are so quiet that what is missing of the filter's ringing stands out of them.
+bool ringing_stands_out(const FrfSet& set, const std::vector<AnalysedHit>& hits) {
+  if (set.lines.count < kTellNoise) return true;
+  const LineNoise noise(set);
+  const std::size_t line = set.lines.count / 2;
+  for (std::size_t o = 0; o < set.outputs.size(); ++o) {
+    const std::vector<double>& ff = set.points[set.outputs[o].point].ff;
+    if (ff.empty()) continue;
+    const double of_sample_mps2 = noise.at(o, line) * std::sqrt(ff[line] / static_cast<double>(set.lines.samples));
+    if (of_sample_mps2 < kRingingShows * largest_response(hits, set.outputs[o].channel)) return true;
+  }
+  return false;
+}
+
 // What rang of the anti-alias filter before a row began is not in it.
-void warn_of_pretrigger(const Record& record, const std::vector<AnalysedHit>& hits, std::vector<Warning>& out) {
+void warn_of_pretrigger(const Record& record, const std::vector<AnalysedHit>& hits, const FrfSet& set,
+                        std::vector<Warning>& out) {
   double least = kEnoughBefore;
   for (const AnalysedHit& hit : hits) {
     if (hit.accepted) least = std::min(least, hit.hit.onset_s * record.fs_Hz - static_cast<double>(hit.hit.first));
   }
-  if (least >= kEnoughBefore) return;
-  out.push_back({"short_pretrigger",
-                 fmt::format("a record begins {:.0f} samples before its pulse, within the recorder's own ringing: "
-                             "where noise is below 0.01 % a mode's ± may be half of what it should be; record {:.0f} "
-                             "samples before the pulse",
-                             std::max(0.0, least), 2 * kEnoughBefore)});
+  if (least >= kEnoughBefore || !ringing_stands_out(set, hits)) return;
+  out.push_back(
+      {"short_pretrigger",
+       fmt::format("a record begins {:.0f} samples before its pulse, within the recorder's own ringing: "
+                   "the noise is so low that a mode's ± may be half of what it should be; record {:.0f} samples "
+                   "before the pulse",
+                   std::max(0.0, least), 2 * kEnoughBefore)});
 }
 
 }  // namespace
@@ -167,7 +198,7 @@ std::vector<Warning> Analysis::warnings() const {
                                                one_line(record_.accel[c].name, 40), dead)});
   }
   warn_of_steps(record_, all, out);
-  if (modes_.ready()) warn_of_pretrigger(record_, all, out);
+  if (modes_.ready() && !given_) warn_of_pretrigger(record_, all, fitted_frfs(), out);
   const bool rings = std::any_of(all.begin(), all.end(), [](const AnalysedHit& hit) {
     return hit.accepted && std::any_of(hit.responses.begin(), hit.responses.end(),
                                        [](const ResponseGrade& g) { return g.rings_before; });

@@ -1,0 +1,14 @@
+#pragma once
+#include <chrono>
+
+namespace percuss {
+
+/// By the clock.
+template <class Work>
+double seconds_of(const Work& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace percuss
