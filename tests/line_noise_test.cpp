@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/statistics.hpp"
+#include "identify/window_noise.hpp"
 #include "support/modal_lines.hpp"
 
 namespace percuss::line_noise_test {
@@ -83,14 +84,14 @@ TEST(BlockNoise, SkipsResonances) {
   const auto broad = noise_of(400, 4);
   for (std::size_t k = 0; k < 400; ++k) lines[k] += 1e3 * broad[k];
   // 2000 values of an exponential distribution: 3 %; what the narrow ones add to a median 10 %, the broad one 3 %.
-  EXPECT_NEAR(median(block_noise(lines)), 1, 0.25);
+  EXPECT_NEAR(median(block_noise(lines, kWhiteRoughness)), 1, 0.25);
 }
 
 TEST(BlockNoise, TellsItBlockByBlock) {
   auto lines = noise_of(100 * kNoiseBlock - 1, 5);
   for (std::size_t k = 50 * kNoiseBlock; k < lines.size(); ++k)
     lines[k] = 2.0 * lines[k] + Complex(0.1, 3) * static_cast<double>(k);
-  const auto noise = block_noise(lines);
+  const auto noise = block_noise(lines, kWhiteRoughness);
   ASSERT_EQ(noise.size(), 99U);  // the last one has the rest
   const auto mean = [&](std::size_t from, std::size_t to) {
     return std::accumulate(noise.begin() + static_cast<std::ptrdiff_t>(from),
@@ -100,8 +101,8 @@ TEST(BlockNoise, TellsItBlockByBlock) {
   // A median of 32 is high by 2 %; the mean of 50 of them is good to 4 %. Three of those.
   EXPECT_NEAR(mean(0, 49), 1, 0.14);
   EXPECT_NEAR(mean(51, 99), 4, 0.56);
-  EXPECT_TRUE(block_noise(std::vector<Complex>(2)).empty());
-  EXPECT_EQ(block_noise(std::vector<Complex>(3)).size(), 1U);
+  EXPECT_TRUE(block_noise(std::vector<Complex>(2), kWhiteRoughness).empty());
+  EXPECT_EQ(block_noise(std::vector<Complex>(3), kWhiteRoughness).size(), 1U);
 }
 
 TEST(LocalNoise, IsTheMiddleOneOfThreeBlocks) {

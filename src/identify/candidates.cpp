@@ -9,6 +9,7 @@
 #include "core/tall_products.hpp"
 #include "identify/line_noise.hpp"
 #include "identify/peaks.hpp"
+#include "identify/window_noise.hpp"
 
 namespace percuss {
 namespace {
@@ -172,14 +173,15 @@ std::vector<Pole> candidate_poles(const FrfSet& set, const LineNoise& noise, con
 }
 
 std::vector<Resonance> hidden_resonances(const FrfSet& set, const std::vector<Eigen::VectorXcd>& residual) {
+  const WindowNoise window(set);
   std::vector<Resonance> found;
   std::vector<ResidualLines> outputs(residual.size());
   std::vector<double> floors(residual.size());
   share_out(outputs.size(), kPerLevelLine * set.lines.count, [&](std::size_t o) {
     const std::span lines(residual[o].data(), static_cast<std::size_t>(residual[o].size()));
-    outputs[o] = {residual[o], local_noise(block_noise(lines), lines.size())};
+    outputs[o] = {residual[o], local_noise(block_noise(lines, window.roughness()), lines.size())};
     floors[o] = std::pow(kModelFloor * largest_of(set.outputs[o].frf), 2);
-    for (double& power : outputs[o].noise) power = std::max(power, floors[o]);
+    for (double& power : outputs[o].noise) power = std::max(window.most() * power, floors[o]);
   });
   const double threshold = kHiddenGain + 3 * static_cast<double>(residual.size());
   const double top_Hz = set.lines.freq_Hz(set.lines.count - 1);

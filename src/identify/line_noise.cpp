@@ -5,6 +5,7 @@
 
 #include "core/parallel.hpp"
 #include "core/statistics.hpp"
+#include "identify/window_noise.hpp"
 
 namespace percuss {
 namespace {
@@ -12,7 +13,6 @@ namespace {
 using Eigen::Index;
 
 constexpr double kMedianOfNoise = 0.693147;  // median of an exponential distribution: |complex Gaussian|²
-constexpr double kRoughnessGain = 1.5;       // variance of x(k) − (x(k−1) + x(k+1))/2 over that of x
 constexpr double kRounding = 1e-12;  // of the largest line: a noise-free FRF still has it; a weight of zero is none
 constexpr double kLeastPower = 1e-300;
 constexpr std::size_t kSome = 8;  // lines
@@ -38,9 +38,10 @@ double response_noise(const std::vector<Complex>& frf, const std::vector<double>
 
 LineNoise::LineNoise(const FrfSet& set) : set_(set), response_(static_cast<Index>(set.outputs.size())) {
   blocks_.resize(set.outputs.size());
+  const double roughness = WindowNoise(set).roughness();
   share_out(set.outputs.size(), kPerNoiseLine * set.lines.count, [&](std::size_t o) {
     const std::vector<Complex>& frf = set.outputs[o].frf;
-    blocks_[o] = block_noise(frf);
+    blocks_[o] = block_noise(frf, roughness);
     response_(static_cast<Index>(o)) = response_noise(frf, set.points[set.outputs[o].point].ff, blocks_[o]);
   });
 }
@@ -68,7 +69,7 @@ Eigen::VectorXd LineNoise::over(std::size_t first, std::size_t count) const {
   return noise;
 }
 
-std::vector<double> block_noise(std::span<const Complex> lines) {
+std::vector<double> block_noise(std::span<const Complex> lines, double roughness) {
   if (lines.size() < 3) return {};
   std::vector<double> noise(std::max<std::size_t>(lines.size() / kNoiseBlock, 1));
   std::vector<double> rough;
@@ -76,7 +77,7 @@ std::vector<double> block_noise(std::span<const Complex> lines) {
     const std::size_t end = b + 1 < noise.size() ? (b + 1) * kNoiseBlock : lines.size();
     rough.clear();
     for (std::size_t k = b * kNoiseBlock + 1; k < end && k + 1 < lines.size(); k += 2)
-      rough.push_back(std::norm(lines[k] - 0.5 * (lines[k - 1] + lines[k + 1])) / kRoughnessGain);
+      rough.push_back(std::norm(lines[k] - 0.5 * (lines[k - 1] + lines[k + 1])) / roughness);
     noise[b] = median(rough) / kMedianOfNoise;
   }
   return noise;

@@ -32,7 +32,8 @@ class LineNoise {
 /// Where an FRF is smooth its second difference is noise alone, which scatters as a single line does; the median skips
 /// resonances. Every second line tells nearly as much as all, neighbours having theirs in common.
 /// theory (4.1)
-std::vector<double> block_noise(std::span<const Complex> lines);
+/// `roughness` is that of a second difference over that of a line, as the lines have their noise in common.
+std::vector<double> block_noise(std::span<const Complex> lines, double roughness);
 inline constexpr std::size_t kNoiseBlock = 64;
 
 /// Power of the noise on each line: of three blocks around it, the one in the middle. shape  [lines]

@@ -9,6 +9,7 @@
 #include "core/units.hpp"
 #include "identify/pole_step.hpp"
 #include "identify/variable_projection.hpp"
+#include "identify/window_noise.hpp"
 
 namespace percuss {
 namespace {
@@ -61,15 +62,16 @@ Reached descend(const VariableProjection& projection, LocalFit& fit, const Local
 }
 
 void add_uncertainty(LocalFit& fit, const VariableProjection& projection, const Reached& reached,
-                     const VectorXd& weight) {
+                     const VectorXd& weight, const WindowNoise& window) {
   const auto& [state, curvature] = reached;
   const std::size_t modes = fit.poles.size();
   // Complex data: |residual|² per line is twice the variance of each real part, and so are the weights' squares.
   const double scale = fit.degrees > 0 ? state.cost / static_cast<double>(fit.degrees) : 1;
   const MatrixXd covariance = inverse_gram(curvature) * scale;
   for (Index m = 0; m < static_cast<Index>(modes); ++m) {
-    fit.freq_std_Hz(m) = std::sqrt(std::max(0.0, covariance(2 * m, 2 * m)));
-    fit.damping_std(m) = std::sqrt(std::max(0.0, covariance(2 * m + 1, 2 * m + 1)));
+    const double common = window.of_pole(fit.poles[static_cast<std::size_t>(m)]);
+    fit.freq_std_Hz(m) = std::sqrt(std::max(0.0, common * covariance(2 * m, 2 * m)));
+    fit.damping_std(m) = std::sqrt(std::max(0.0, common * covariance(2 * m + 1, 2 * m + 1)));
   }
   for (const ProjectedPart& part : state.parts) {
     for (std::size_t i = 0; i < part.outputs.size(); ++i) {
@@ -81,7 +83,9 @@ void add_uncertainty(LocalFit& fit, const VariableProjection& projection, const 
         fit.residues(o, m) = part.amplitude(m, column);
         const double linear = part.inverse_gram(m, m).real() * weight(o) * weight(o) * scale;  // of each real part
         const double from_poles = (moves.row(m) * covariance.cast<Complex>() * moves.row(m).adjoint())(0).real();
-        fit.residue_std(o, m) = std::sqrt(std::max(0.0, linear + 0.5 * from_poles));
+        const Pole& pole = fit.poles[static_cast<std::size_t>(m)];
+        fit.residue_std(o, m) =
+            std::sqrt(std::max(0.0, window.of_residue(pole) * linear + 0.5 * window.of_pole(pole) * from_poles));
       }
       const auto residual = part.residual.col(column);
       const double freedom = std::max(1.0, static_cast<double>(residual.size() - static_cast<Index>(modes) - 2));
@@ -108,7 +112,7 @@ LocalFit fit_locally(const FrfSet& set, const std::vector<VectorXcd>& data, cons
   fit.degrees = values > unknowns ? values - unknowns : 0;
   const Reached reached = descend(projection, fit, options);
   fit.cost = reached.state.cost;
-  add_uncertainty(fit, projection, reached, weight);
+  add_uncertainty(fit, projection, reached, weight, WindowNoise(set));
   return fit;
 }
 

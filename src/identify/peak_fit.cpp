@@ -12,6 +12,7 @@
 #include "identify/hidden_search.hpp"
 #include "identify/moving.hpp"
 #include "identify/ripples.hpp"
+#include "identify/window_noise.hpp"
 
 namespace percuss {
 namespace {
@@ -220,7 +221,9 @@ class PeakFit {
     }
     const double gained = (one.cost - best.fit.cost) / static_cast<double>(unknowns);
     const double left = best.fit.cost / static_cast<double>(best.fit.degrees);
-    if (left_in(amiss, all_.noise(group), one, best.fit) >= kSplitGain || gained <= kSplitTest * left) return now;
+    if (left_in(amiss, all_.noise(group), one, best.fit) >= kSplitGain ||
+        gained <= kSplitTest * WindowNoise(set_).most() * left)
+      return now;
     return moves_instead(set_, {.data = data, .weight = weight}, group, best) ? now : best.fit.poles;
   }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "identify/joint_fit.hpp"
+#include "identify/window_noise.hpp"
 
 namespace percuss {
 namespace {
@@ -39,17 +40,19 @@ void refine(const FrfSet& set, std::vector<PeakMode>& modes) {
   };
   const JointFit joint = fit_jointly(set, std::move(start), {.worth_it = follows_any});
   if (!joint.converged) return;
+  const WindowNoise window(set);
   for (std::size_t m = 0; m < modes.size(); ++m) {
     if (!agrees(modes[m], joint.residual)) continue;
     const auto i = static_cast<Index>(m);
     Mode& mode = modes[m].mode;
     modes[m].joint = true;
     mode.pole = joint.poles[m];
-    mode.freq_std_Hz = std::hypot(joint.freq_std_Hz(i), kRounding * mode.pole.freq_Hz);
-    mode.damping_std = std::hypot(joint.damping_std(i), kRoundingDamping * mode.pole.damping_ratio);
+    const double of_pole = std::sqrt(window.of_pole(mode.pole)), of_residue = std::sqrt(window.of_residue(mode.pole));
+    mode.freq_std_Hz = std::hypot(of_pole * joint.freq_std_Hz(i), kRounding * mode.pole.freq_Hz);
+    mode.damping_std = std::hypot(of_pole * joint.damping_std(i), kRoundingDamping * mode.pole.damping_ratio);
     for (std::size_t o = 0; o < set.outputs.size(); ++o) {
       mode.residues[o].value = joint.residues(static_cast<Index>(o), i);
-      mode.residues[o].std = joint.residue_std(static_cast<Index>(o), i);
+      mode.residues[o].std = of_residue * joint.residue_std(static_cast<Index>(o), i);
     }
   }
   // A step may have exchanged close poles.
