@@ -11,6 +11,7 @@
 #include "acquire/write_hdf5.hpp"
 #include "core/units.hpp"
 #include "support/help_pages.hpp"
+#include "support/modal_lines.hpp"
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
 #include "synth/record.hpp"
@@ -49,27 +50,6 @@ std::string calibration_hits() {
   return hits;
 }
 
-// A beam with a node at 7.5 in, struck every quarter of an inch from 3 to 9 in.
-Record scan() {
-  SynthSpec spec;
-  spec.fs_Hz = 4096;
-  spec.samples = 4096;
-  spec.band_high_Hz = 1000;
-  spec.sensors = {{}};
-  spec.hits = 1;
-  spec.pulse.width_s = 0.001;
-  spec.noise = {.force = 1e-4, .accel = 1e-3};
-  spec.points.clear();
-  spec.modes = {{.freq_Hz = 200, .damping_ratio = 0.01}};
-  for (int i = 0; i <= 24; ++i) {
-    const double position_in = 3 + 0.25 * i;
-    spec.points.push_back({.position_m = position_in * kInch_m});
-    spec.modes[0].residue_per_kg.push_back(7.5 - position_in);
-    spec.structure.rigid_line_per_kg.push_back(1.1);
-  }
-  return synthesise(spec).record;
-}
-
 /// The folder that the examples find: every file that they name and do not write themselves.
 class Examples : public testing::Test {
  protected:
@@ -87,7 +67,7 @@ class Examples : public testing::Test {
       const auto outcome = run_in_shell(line, prepared()->path());
       ASSERT_EQ(outcome.code, 0) << line << "\n" << outcome.err;
     }
-    write_hdf5(prepared()->file("scan.h5"), scan(), false);
+    write_hdf5(prepared()->file("scan.h5"), synthesise(test::scanned_beam(3, 0.25, 25)).record, false);
     test::write_bytes(prepared()->file("hits.csv"), calibration_hits());
     test::write_bytes(prepared()->file("profile.txt"), "2 50\n10 26\n45 28\n60 50\n84 66\n");
   }

@@ -6,6 +6,7 @@
 #include "acquire/write_hdf5.hpp"
 #include "support/json.hpp"
 #include "support/json_schema.hpp"
+#include "support/modal_lines.hpp"
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
 #include "synth/record.hpp"
@@ -18,26 +19,8 @@ using test::run_percuss;
 using testing::AllOf;
 using testing::HasSubstr;
 
-// A beam with one bending mode whose node lies at 7.5 in, struck every half inch from 6 to 9 in.
-SynthSpec beam() {
-  SynthSpec spec;
-  spec.fs_Hz = 4096;
-  spec.samples = 4096;
-  spec.band_high_Hz = 1000;
-  spec.sensors = {{}};
-  spec.hits = 1;
-  spec.pulse.width_s = 0.001;
-  spec.noise = {.force = 1e-4, .accel = 1e-3};
-  spec.points.clear();
-  spec.modes = {{.freq_Hz = 200, .damping_ratio = 0.01}};
-  for (int i = 0; i < 7; ++i) {
-    const double position_in = 6 + 0.5 * i;
-    spec.points.push_back({.position_m = position_in * kInch_m});
-    spec.modes[0].residue_per_kg.push_back(7.5 - position_in);
-    spec.structure.rigid_line_per_kg.push_back(1.1);
-  }
-  return spec;
-}
+// Struck every half inch from 6 to 9 in.
+SynthSpec beam() { return test::scanned_beam(6, 0.5, 7); }
 
 class NodesCommand : public testing::Test {
  protected:

@@ -190,7 +190,8 @@ void warn(const ImpactTestOptions& options, std::size_t impacts, std::size_t use
     test.warnings.push_back(
         {"drift",
          "the structure does not swing about where it rested, or the record is too short to tell: late "
-         "deflections drift as their deviation says (--free-body says that it may move away)"});
+         "deflections drift as their deviation says; --method modal does not drift, --free-body says that it may move "
+         "away"});
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "core/units.hpp"
 #include "synth/random.hpp"
 
 namespace percuss::test {
@@ -84,6 +85,26 @@ SynthSpec bat_spec(std::vector<SynthMode> modes, double duration_s) {
   spec.points = {{.angle_rad = 0.35}};
   spec.pretrigger_s = 0.02;
   spec.hits = 3;
+  return spec;
+}
+
+SynthSpec scanned_beam(double first_in, double step_in, int points) {
+  SynthSpec spec;
+  spec.fs_Hz = 4096;
+  spec.samples = 4096;
+  spec.band_high_Hz = 1000;
+  spec.sensors = {{}};
+  spec.hits = 1;
+  spec.pulse.width_s = 0.001;
+  spec.noise = {.force = 1e-4, .accel = 1e-3};
+  spec.points.clear();
+  spec.modes = {{.freq_Hz = 200, .damping_ratio = 0.01}};
+  for (int i = 0; i < points; ++i) {
+    const double position_in = first_in + step_in * i;
+    spec.points.push_back({.position_m = position_in * kInch_m});
+    spec.modes[0].residue_per_kg.push_back(7.5 - position_in);
+    spec.structure.rigid_line_per_kg.push_back(1.1);
+  }
   return spec;
 }
 

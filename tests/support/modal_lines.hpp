@@ -25,4 +25,7 @@ void add_line_noise(FrfSet& set, double deviation, std::uint64_t seed);
 /// A bat test of quiet channels: these modes, a row of so many seconds, no noise, accelerometers at 0° and 90°.
 SynthSpec bat_spec(std::vector<SynthMode> modes, double duration_s);
 
+/// A beam with one bending mode whose node lies at 7.5 in, struck once at each of `points` places from `first_in` on.
+SynthSpec scanned_beam(double first_in, double step_in, int points);
+
 }  // namespace percuss::test
