@@ -122,8 +122,8 @@ std::shared_ptr<ReaderNursery> measurement_nursery(const FrfReadOptions& options
       [within](const std::string& path) { return measurement_service(open_measurement(path, within)); });
 }
 
-std::variant<Record, FrfRecord> open_measurement_in(const std::shared_ptr<ReaderNursery>& nursery, const std::string& path,
-                                                    const FrfReadOptions& options) {
+std::variant<Record, FrfRecord> open_measurement_in(const std::shared_ptr<ReaderNursery>& nursery,
+                                                    const std::string& path, const FrfReadOptions& options) {
   if (nursery->lost() || !is_foreign(path)) return open_measurement(path, options);
   try {
     return served_measurement(std::make_shared<ConfinedProcess>(path, nursery));

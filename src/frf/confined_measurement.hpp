@@ -22,7 +22,7 @@ class ReaderNursery;
 std::shared_ptr<ReaderNursery> measurement_nursery(const FrfReadOptions& options);
 
 /// As open_measurement with the options of the nursery, which forks the processes in which foreign files are read.
-std::variant<Record, FrfRecord> open_measurement_in(const std::shared_ptr<ReaderNursery>& nursery, const std::string& path,
-                                                    const FrfReadOptions& options);
+std::variant<Record, FrfRecord> open_measurement_in(const std::shared_ptr<ReaderNursery>& nursery,
+                                                    const std::string& path, const FrfReadOptions& options);
 
 }  // namespace percuss
