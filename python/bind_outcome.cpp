@@ -2,6 +2,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <cmath>
 #include <optional>
 
 #include "bindings.hpp"
@@ -58,7 +59,7 @@ py::dict modes_of(const Shared& held, std::size_t test) {
     for (std::size_t o = 0; o < outputs; ++o) {
       const Residue& residue = modes[m].residues.at(o);
       residues.mutable_at(m, o) = residue.value;
-      deviations.mutable_at(m, o) = residue.std;
+      deviations.mutable_at(m, o) = std::hypot(residue.std, residue.relative_std * std::abs(residue.value));  // as the document
       if (m == 0) places.append(py::make_tuple(residue.point, residue.channel));
     }
   }
@@ -67,8 +68,8 @@ py::dict modes_of(const Shared& held, std::size_t test) {
   out["frequency_std_hz"] = column([](const Mode& m) { return m.freq_std_Hz; });
   out["damping_ratio"] = column([](const Mode& m) { return m.pole.damping_ratio; });
   out["damping_ratio_std"] = column([](const Mode& m) { return m.damping_std; });
-  out["residues"] = residues;
-  out["residues_std"] = deviations;
+  out["residues"] = sealed(residues);
+  out["residues_std"] = sealed(deviations);
   out["places"] = places;
   return out;
 }

@@ -71,7 +71,8 @@ tools::GivenInput input_of(const py::handle& one) {
   return [frfs](const FrfReadOptions&) { return *frfs; };
 }
 
-std::shared_ptr<HeldOutcome> run(const std::vector<std::string>& words, const py::list& inputs) {
+std::shared_ptr<HeldOutcome> run(const std::vector<std::string>& words, const py::list& inputs,
+                                 const std::map<std::string, std::string>& names) {
   for (const std::string& word : words) {
     if (word.find('\0') != std::string::npos)
       throw UsageError("a zero byte in '" + one_line(word, 60) + "'", "leave it out");
@@ -81,7 +82,7 @@ std::shared_ptr<HeldOutcome> run(const std::vector<std::string>& words, const py
   auto held = std::make_shared<HeldOutcome>();
   try {
     const py::gil_scoped_release release;
-    Ran ran = run_command(words, std::move(data));
+    Ran ran = run_command(words, std::move(data), names);
     held->code = ran.code;
     held->outcome = std::move(ran.outcome);
   } catch (const InputError&) {
@@ -106,7 +107,7 @@ PYBIND11_MODULE(_percuss, module) {
   bind_numbers(module);
   bind_overhead(module);
   module.attr("version") = version();
-  module.def("run", &run);
+  module.def("run", &run, py::arg("words"), py::arg("inputs"), py::arg("names") = py::dict());
   module.def("declared_commands", &declared_commands);
   module.def("nearest", &tools::nearest);
 }
