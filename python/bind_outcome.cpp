@@ -6,7 +6,9 @@
 #include <optional>
 
 #include "bindings.hpp"
+#include "core/error.hpp"
 #include "numpy_views.hpp"
+#include "output.hpp"
 
 namespace percuss::python {
 namespace {
@@ -59,7 +61,8 @@ py::dict modes_of(const Shared& held, std::size_t test) {
     for (std::size_t o = 0; o < outputs; ++o) {
       const Residue& residue = modes[m].residues.at(o);
       residues.mutable_at(m, o) = residue.value;
-      deviations.mutable_at(m, o) = std::hypot(residue.std, residue.relative_std * std::abs(residue.value));  // as the document
+      deviations.mutable_at(m, o) =
+          std::hypot(residue.std, residue.relative_std * std::abs(residue.value));  // as the document
       if (m == 0) places.append(py::make_tuple(residue.point, residue.channel));
     }
   }
@@ -110,6 +113,15 @@ py::list opened_of(const Shared& held) {
     }
   }
   return out;
+}
+
+// The document was made when the numbers were read, and needs them no more.
+void require_same_arrays(const HeldOutcome& held, const std::string& path) {
+  if (tools::extension_of(path) == ".json") return;
+  for (const auto& [test, sum] : held.arrays) {
+    if (sampled_sum(*test) != sum)
+      throw InputError("the arrays have changed since", "save", "save before they change, or analyze them again");
+  }
 }
 
 }  // namespace
@@ -163,7 +175,10 @@ void bind_outcome(py::module_& module) {
       .def("save",
            [](const Shared& held, const std::string& path, bool force) {
              if (!held->outcome.save) throw py::type_error("this result has no file of its own");
-             unlocked(held, [&] { held->outcome.save(path, force); });
+             unlocked(held, [&] {
+               require_same_arrays(*held, path);
+               held->outcome.save(path, force);
+             });
            })
       .def("possible",
            [](const Shared& held, std::size_t test) {

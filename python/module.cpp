@@ -78,10 +78,16 @@ std::shared_ptr<HeldOutcome> run(const std::vector<std::string>& words, const py
       throw UsageError("a zero byte in '" + one_line(word, 60) + "'", "leave it out");
   }
   std::vector<tools::GivenInput> data;
-  for (const auto& one : inputs) data.push_back(input_of(one));
   auto held = std::make_shared<HeldOutcome>();
+  for (const auto& one : inputs) {
+    data.push_back(input_of(one));
+    if (!py::isinstance<HeldRecord>(one)) continue;
+    const auto record = one.cast<std::shared_ptr<HeldRecord>>();
+    if (record->arrays) held->arrays.emplace_back(record->arrays, 0);
+  }
   try {
     const py::gil_scoped_release release;
+    for (auto& [test, sum] : held->arrays) sum = sampled_sum(*test);
     Ran ran = run_command(words, std::move(data), names);
     held->code = ran.code;
     held->outcome = std::move(ran.outcome);

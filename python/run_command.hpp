@@ -14,8 +14,8 @@ struct Ran {
 };
 
 /// Runs a command as the command line would: the same words, declarations, checks and messages. `inputs` stand in place
-/// of files, `names` in place of the paths of documents in memory. Beside the tool's commands there is "read", which opens and hands over. Several threads may call at once.
-/// errors  UsageError, InputError, NoHitError: as the tool.
+/// of files, `names` in place of the paths of documents in memory. Beside the tool's commands there is "read", which
+/// opens and hands over. Several threads may call at once. errors  UsageError, InputError, NoHitError: as the tool.
 Ran run_command(const std::vector<std::string>& words, std::vector<tools::GivenInput> inputs,
                 std::map<std::string, std::string> names);
 
