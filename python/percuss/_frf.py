@@ -16,8 +16,8 @@ class Frf(Result):
     """Averaged frequency responses.
 
     frequency_hz (lines,) in Hz; frf (points, channels, lines), complex: accelerance in (m/s²)/N unless kind says
-    mobility, (m/s)/N, or receptance, m/N; std and coherence likewise, None where a point has one hit only; frf_at() shows one response without a copy. save() writes .csv, .h5, .mat, .uff; of
-    the kind that was asked for.
+    mobility, (m/s)/N, or receptance, m/N; std and coherence likewise, None where a point has one hit
+    only; frf_at() shows one response without a copy. save() writes .csv, .h5, .mat, .uff, of the kind that was asked for.
     """
 
     def __init__(self, outcome: Any, test: int | None = None, kind: str = "accelerance") -> None:

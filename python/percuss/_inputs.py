@@ -30,7 +30,8 @@ def handles_of(data: tuple[Any, ...], fs: Any) -> tuple[list[str], list[Any]]:
 
 
 def _is_several(value: Any) -> bool:
-    return isinstance(value, (list, tuple)) and bool(value) and all(isinstance(one, (str, bytes, os.PathLike, Record, MeasuredFrf)) for one in value)
+    given = (str, bytes, os.PathLike, Record, MeasuredFrf)
+    return isinstance(value, (list, tuple)) and bool(value) and all(isinstance(one, given) for one in value)
 
 
 def refuse_reading_twice(name: str, command: Command, handles: list[Any], options: dict[str, Any], are_records: bool) -> None:

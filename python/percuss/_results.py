@@ -30,7 +30,8 @@ class Result(Mapping[str, Any]):
     """What a function found: the document that the command line's --json prints, and more.
 
     to_dict() is that document, json its text; a result is a mapping as well: result["key"], which is result.key too, "key"
-    in result, items() and so on are its entries, lists of numbers as read-only arrays, with NaN where the document has none. Curves are lists of dictionaries there, and columns in table.
+    in result, items() and so on are its entries, lists of numbers as read-only arrays, with NaN where the document has
+    none. Curves are lists of dictionaries there, and columns in table. A result is equal to itself alone.
     save(path) writes what the command's -o writes, by the path's extension; report(path) is its page. In Jupyter the
     main table is shown, elsewhere what a terminal would show. exit_code is what the command would have ended with.
     """

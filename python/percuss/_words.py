@@ -190,7 +190,9 @@ class Command:
             words = self.name.split()
             words += [word for key, value in options.items() for word in self._option(function, key).words(value, files)]
             words += [flag for flag in ("--json", "--quiet") if flag[2:] in self._shell]
-            words += [_word(files.path(one, self.words[0].lower())) for one in data]
+            for i, one in enumerate(data):
+                word = self.words[0].lower()
+                words.append(_word(files.path(one, word if len(data) == 1 else f"{word} {i + 1}")))
             return _percuss.run([os.fsencode(word) for word in words], inputs, files.names)
         except _percuss.InputError as error:
             if not files:

@@ -169,6 +169,8 @@ def test_comparisons_name_what_they_compare(bat, found, tmp_path):
     beside.save(tmp_path / "beside.html")
     for shown in (str(whole), whole._repr_html_(), whole.json):
         assert "/proc" not in shown
+    with pytest.raises(percuss.InputError, match="nope.*file 2"):
+        percuss.compare(found, {"schema": "nope"})
     for name in ("all.html", "beside.html"):
         assert "/proc/self" not in (tmp_path / name).read_text()
 
