@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <span>
@@ -128,6 +130,27 @@ void look_at_responses(Record& record, const std::shared_ptr<const ArrayTest>& t
 }
 
 }  // namespace
+
+std::uint64_t sampled_sum(const ArrayTest& test) {
+  constexpr std::size_t kMostStrips = 64, kNumbers = 512;
+  constexpr std::uint64_t kOffset = 14695981039346656037ULL, kPrime = 1099511628211ULL;  // FNV-1a, a number at a time
+  const std::size_t signals =
+      test.rows.empty() ? 0 : test.rows.front().accel.size() + static_cast<std::size_t>(test.has_force);
+  const std::size_t strips = test.rows.size() * signals, looked_at = std::min(strips, kMostStrips);
+  std::uint64_t sum = kOffset;
+  for (std::size_t i = 0; i < looked_at; ++i) {
+    const std::size_t at = i * strips / looked_at;
+    const Strip& strip = strip_of(test, at / signals, at % signals);
+    const std::size_t numbers = std::min(strip.samples, kNumbers / looked_at);
+    for (std::size_t n = 0; n < numbers; ++n) {
+      double value = 0;
+      read_strip(strip, n * strip.samples / numbers, std::span(&value, 1));
+      sum = (sum ^ std::bit_cast<std::uint64_t>(value)) * kPrime;
+      sum ^= sum >> 32U;
+    }
+  }
+  return sum;
+}
 
 Record record_of_arrays(const std::shared_ptr<const ArrayTest>& test, const ReadOptions& options) {
   const SignalTable table = table_of(test);

@@ -37,6 +37,10 @@ struct ArrayTest {
   std::shared_ptr<void> owner;
 };
 
+/// A sum over some hundred of the numbers, spread over all signals: another one where arrays were filled anew or
+/// scaled.
+std::uint64_t sampled_sum(const ArrayTest& test);
+
 /// As a file of the same content would be opened: units, scales, angles and rate as the options say.
 /// errors  InputError: as record_of_table; the readers throw it for samples that are not finite.
 Record record_of_arrays(const std::shared_ptr<const ArrayTest>& test, const ReadOptions& options);

@@ -2,10 +2,13 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <cmath>
 #include <optional>
 
 #include "bindings.hpp"
+#include "core/error.hpp"
 #include "numpy_views.hpp"
+#include "output.hpp"
 
 namespace percuss::python {
 namespace {
@@ -58,7 +61,8 @@ py::dict modes_of(const Shared& held, std::size_t test) {
     for (std::size_t o = 0; o < outputs; ++o) {
       const Residue& residue = modes[m].residues.at(o);
       residues.mutable_at(m, o) = residue.value;
-      deviations.mutable_at(m, o) = residue.std;
+      deviations.mutable_at(m, o) =
+          std::hypot(residue.std, residue.relative_std * std::abs(residue.value));  // as the document
       if (m == 0) places.append(py::make_tuple(residue.point, residue.channel));
     }
   }
@@ -67,8 +71,8 @@ py::dict modes_of(const Shared& held, std::size_t test) {
   out["frequency_std_hz"] = column([](const Mode& m) { return m.freq_std_Hz; });
   out["damping_ratio"] = column([](const Mode& m) { return m.pole.damping_ratio; });
   out["damping_ratio_std"] = column([](const Mode& m) { return m.damping_std; });
-  out["residues"] = residues;
-  out["residues_std"] = deviations;
+  out["residues"] = sealed(residues);
+  out["residues_std"] = sealed(deviations);
   out["places"] = places;
   return out;
 }
@@ -109,6 +113,15 @@ py::list opened_of(const Shared& held) {
     }
   }
   return out;
+}
+
+// The document was made when the numbers were read, and needs them no more.
+void require_same_arrays(const HeldOutcome& held, const std::string& path) {
+  if (tools::extension_of(path) == ".json") return;
+  for (const auto& [test, sum] : held.arrays) {
+    if (sampled_sum(*test) != sum)
+      throw InputError("the arrays have changed since", "save", "save before they change, or analyze them again");
+  }
 }
 
 }  // namespace
@@ -162,7 +175,10 @@ void bind_outcome(py::module_& module) {
       .def("save",
            [](const Shared& held, const std::string& path, bool force) {
              if (!held->outcome.save) throw py::type_error("this result has no file of its own");
-             unlocked(held, [&] { held->outcome.save(path, force); });
+             unlocked(held, [&] {
+               require_same_arrays(*held, path);
+               held->outcome.save(path, force);
+             });
            })
       .def("possible",
            [](const Shared& held, std::size_t test) {

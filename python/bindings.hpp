@@ -4,6 +4,7 @@
 #include <memory>
 #include <mutex>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "array_record.hpp"
@@ -26,6 +27,7 @@ tools::GivenInput given(const std::shared_ptr<const HeldRecord>& held);
 struct HeldOutcome {
   int code = 0;
   tools::Outcome outcome;
+  std::vector<std::pair<std::shared_ptr<const ArrayTest>, std::uint64_t>> arrays{};  // and their sums before it ran
   std::mutex mutex{};
 };
 using Shared = std::shared_ptr<HeldOutcome>;

@@ -71,17 +71,24 @@ tools::GivenInput input_of(const py::handle& one) {
   return [frfs](const FrfReadOptions&) { return *frfs; };
 }
 
-std::shared_ptr<HeldOutcome> run(const std::vector<std::string>& words, const py::list& inputs) {
+std::shared_ptr<HeldOutcome> run(const std::vector<std::string>& words, const py::list& inputs,
+                                 const std::map<std::string, std::string>& names) {
   for (const std::string& word : words) {
     if (word.find('\0') != std::string::npos)
       throw UsageError("a zero byte in '" + one_line(word, 60) + "'", "leave it out");
   }
   std::vector<tools::GivenInput> data;
-  for (const auto& one : inputs) data.push_back(input_of(one));
   auto held = std::make_shared<HeldOutcome>();
+  for (const auto& one : inputs) {
+    data.push_back(input_of(one));
+    if (!py::isinstance<HeldRecord>(one)) continue;
+    const auto record = one.cast<std::shared_ptr<HeldRecord>>();
+    if (record->arrays) held->arrays.emplace_back(record->arrays, 0);
+  }
   try {
     const py::gil_scoped_release release;
-    Ran ran = run_command(words, std::move(data));
+    for (auto& [test, sum] : held->arrays) sum = sampled_sum(*test);
+    Ran ran = run_command(words, std::move(data), names);
     held->code = ran.code;
     held->outcome = std::move(ran.outcome);
   } catch (const InputError&) {
@@ -106,7 +113,7 @@ PYBIND11_MODULE(_percuss, module) {
   bind_numbers(module);
   bind_overhead(module);
   module.attr("version") = version();
-  module.def("run", &run);
+  module.def("run", &run, py::arg("words"), py::arg("inputs"), py::arg("names") = py::dict());
   module.def("declared_commands", &declared_commands);
   module.def("nearest", &tools::nearest);
 }

@@ -9,21 +9,25 @@
 
 namespace percuss::python {
 
+/// The array, which nobody can write to any more.
+inline pybind11::array sealed(pybind11::array array) {
+  pybind11::detail::array_proxy(array.ptr())->flags &= ~pybind11::detail::npy_api::NPY_ARRAY_WRITEABLE_;
+  return array;
+}
+
 /// A read-only array that shows `values` where they lie and keeps `owner` alive for as long as it lives itself.
 template <class Value, class Owner>
 pybind11::array view_of(std::span<const Value> values, std::shared_ptr<Owner> owner) {
   auto kept = std::make_unique<std::shared_ptr<Owner>>(std::move(owner));
   const pybind11::capsule base(kept.get(), [](void* held) { delete static_cast<std::shared_ptr<Owner>*>(held); });
   kept.release();
-  pybind11::array_t<Value> array(static_cast<pybind11::ssize_t>(values.size()), values.data(), base);
-  pybind11::detail::array_proxy(array.ptr())->flags &= ~pybind11::detail::npy_api::NPY_ARRAY_WRITEABLE_;
-  return array;
+  return sealed(pybind11::array_t<Value>(static_cast<pybind11::ssize_t>(values.size()), values.data(), base));
 }
 
-/// A new array with these numbers.
+/// A new read-only array with these numbers.
 template <class Value>
 pybind11::array copy_of(std::span<const Value> values) {
-  return pybind11::array_t<Value>(static_cast<pybind11::ssize_t>(values.size()), values.data());
+  return sealed(pybind11::array_t<Value>(static_cast<pybind11::ssize_t>(values.size()), values.data()));
 }
 
 }  // namespace percuss::python

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "command.hpp"
+#include "open_files.hpp"
 #include "provenance.hpp"
 #include "read_flags.hpp"
 #include "report/version.hpp"
@@ -35,9 +36,9 @@ void add_read(CommandLine& line, Host& host) {
   add_read_flags(command, *flags);
 }
 
-std::string as_typed(const std::vector<std::string>& words) {
+std::string as_typed(const std::vector<std::string>& words, const Host& host) {
   std::string line = "percuss";
-  for (const std::string& word : words) line += ' ' + quoted_word(word);
+  for (const std::string& word : words) line += ' ' + quoted_word(with_names(&host, word));
   return line;
 }
 
@@ -111,10 +112,12 @@ Sessions& sessions() {
 
 }  // namespace
 
-Ran run_command(const std::vector<std::string>& words, std::vector<GivenInput> inputs) {
+Ran run_command(const std::vector<std::string>& words, std::vector<GivenInput> inputs,
+                std::map<std::string, std::string> names) {
   const std::string first = words.empty() ? std::string() : words.front();
   auto session = sessions().take(first);  // not given back when an error leaves it half way
-  session->host.called_as = as_typed(words);
+  session->host.names = std::move(names);
+  session->host.called_as = as_typed(words, session->host);
   session->host.inputs = std::move(inputs);
   std::vector<const char*> typed{"percuss"};
   for (const std::string& word : words) typed.push_back(word.c_str());

@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <string>
 #include <vector>
 
@@ -13,9 +14,10 @@ struct Ran {
 };
 
 /// Runs a command as the command line would: the same words, declarations, checks and messages. `inputs` stand in place
-/// of files. Beside the tool's commands there is "read", which opens and hands over. Several threads may call at once.
-/// errors  UsageError, InputError, NoHitError: as the tool.
-Ran run_command(const std::vector<std::string>& words, std::vector<tools::GivenInput> inputs);
+/// of files, `names` in place of the paths of documents in memory. Beside the tool's commands there is "read", which
+/// opens and hands over. Several threads may call at once. errors  UsageError, InputError, NoHitError: as the tool.
+Ran run_command(const std::vector<std::string>& words, std::vector<tools::GivenInput> inputs,
+                std::map<std::string, std::string> names);
 
 /// Every command with its options as JSON: {"commands": [{name, summary, about, words, options, examples}]}.
 std::string declared_commands();

@@ -63,12 +63,12 @@ py::dict shapes_of(const Shared& held) {
   }
   const std::vector<double> freq_Hz = freq_Hz_of(band);
   py::dict out;
-  out["shapes"] = values;
-  out["shapes_std"] = deviations;
+  out["shapes"] = sealed(values);
+  out["shapes_std"] = sealed(deviations);
   out["points"] = points;
   out["channels"] = channels;
-  out["mac"] = mac;
-  out["cmif"] = cmif;
+  out["mac"] = sealed(mac);
+  out["cmif"] = sealed(cmif);
   out["cmif_frequency_hz"] = copy_of(std::span<const double>(freq_Hz));
   return out;
 }

@@ -113,7 +113,9 @@ TEST(Usage, SaysWhatAValueMustBe) {
        {{"model", "beam", "--length", "1\n2"}, "--length cannot be '1?2'; give a number above 0"},
        {{"model", "beam", "--modes", "201"}, "--modes cannot be '201'; give a whole number from 1 to 200"},
        {{"metrics", "--period-s", "1.2,0"}, "--period-s cannot be '0'; give a number above 0"},
-       {{"synth", "x", "--seed", "-4"}, "--seed cannot be '-4'; give a whole number from 0 up"}});
+       {{"synth", "x", "--seed", "-4"}, "--seed cannot be '-4'; give a whole number from 0 up"},
+       {{"synth", "x", "--seed", "18446744073709551616"},
+        "--seed cannot be '18446744073709551616'; give a whole number below 2^64"}});
 }
 
 TEST(Usage, SaysWhatIsMissing) {

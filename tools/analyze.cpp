@@ -30,7 +30,10 @@ void print_trace(const Analysis& analysis) {
 CommandReport comparison_of(const AnalyzeFlags& flags, const std::string& document, const std::string& name) {
   std::vector<ComparedDocument> documents = parse_documents(document, name);
   for (const std::string& path : flags.compared) {
-    for (ComparedDocument& one : read_documents(path)) documents.push_back(std::move(one));
+    for (ComparedDocument& one : read_documents(path)) {
+      one.name = with_names(flags.output.host, one.name);
+      documents.push_back(std::move(one));
+    }
   }
   return compare_report(documents);
 }
@@ -83,7 +86,7 @@ int analyze(const AnalyzeFlags& flags) {
                                         .deflection = tests.front().deflection ? &*tests.front().deflection : nullptr});
   }
   std::optional<CommandReport> comparison;
-  if (!flags.compared.empty()) comparison = comparison_of(flags, document, inputs_of(*tests.front().analysis).front());
+  if (!flags.compared.empty()) comparison = comparison_of(flags, document, tests.front().analysis->record().source());
   const auto kept = std::make_shared<const KeptTests>(KeptTests{.flags = flags,
                                                                 .tests = std::move(tests),
                                                                 .sections = sections,

@@ -84,7 +84,14 @@ Option Option::finite() {
 }
 Option Option::counted() {
   declared_->whole = true;
-  return holds("a whole number from 0 up", only_digits);
+  return holds("a whole number from 0 up", [declared = declared_](const std::string& text) {
+    if (!only_digits(text)) return false;
+    std::size_t number = 0;
+    if (std::from_chars(text.data(), text.data() + text.size(), number).ec == std::errc{}) return true;
+    DeclaredOption narrower = *declared;
+    narrower.wanted = "a whole number below 2^64";
+    throw wrong_value(narrower, text);
+  });
 }
 Option Option::required() {
   option_->required();

@@ -22,7 +22,10 @@ int compare(const CompareFlags& flags) {
   check_report_outputs(flags.output);
   std::vector<ComparedDocument> documents;
   for (const std::string& path : flags.paths) {
-    for (ComparedDocument& document : read_documents(path)) documents.push_back(std::move(document));
+    for (ComparedDocument& document : read_documents(path)) {
+      document.name = with_names(flags.output.host, document.name);
+      documents.push_back(std::move(document));
+    }
   }
   if (documents.size() < 2) throw UsageError("one document cannot be compared", "name two or more");
   return show_report(

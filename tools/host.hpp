@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <utility>
@@ -37,6 +38,7 @@ struct Outcome {
 struct Host {
   std::string called_as;  // the command line that would do the same, for who asks later how a result came about
   std::vector<GivenInput> inputs;
+  std::map<std::string, std::string> names;  // of documents in memory, by the paths that stand for them
   Outcome outcome;
 };
 

@@ -55,6 +55,16 @@ void remark(const OutputFlags& flags, const std::string& text) {
   }
 }
 
+std::string with_names(const Host* host, std::string text) {
+  if (host == nullptr) return text;
+  for (auto one = host->names.rbegin(); one != host->names.rend(); ++one) {  // the longer of two that begin alike first
+    const auto& [path, name] = *one;
+    for (std::size_t at = text.find(path); at != std::string::npos; at = text.find(path, at + name.size()))
+      text.replace(at, path.size(), name);
+  }
+  return text;
+}
+
 std::string extension_of(const std::string& path) {
   std::string extension = std::filesystem::path(path).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),

@@ -30,6 +30,9 @@ void print(const OutputFlags& flags, const std::string& text);
 /// A remark beside it, on standard error unless --quiet is given.
 void remark(const OutputFlags& flags, const std::string& text);
 
+/// The text with the host's names in place of paths that stand for documents in memory, which nobody has seen.
+std::string with_names(const Host* host, std::string text);
+
 /// The extension of a path in lower case, with its dot; "" for none.
 std::string extension_of(const std::string& path);
 

@@ -19,9 +19,10 @@ Your own data come from a file, or from arrays in memory, which are not copied:
 What a result holds is arrays and a document:
 
     found.frequency_hz, found.damping_ratio     (modes,)
+    found.table                                 the same and more, a row per mode: pandas.DataFrame(found.table)
     found.residues                              (modes, points, channels) complex, 1/kg
     found.frf, found.frf_frequency_hz           (points, channels, lines) complex (m/s²)/N, and (lines,) Hz
-    found.hits, found.modes, found.warnings     lists of dictionaries; pandas.DataFrame(found.modes) is a table
+    found.hits, found.modes, found.warnings     lists of dictionaries
     found.to_dict()                             exactly what `percuss analyze … --json` prints
     found.report("bat.html")                    the page; found.save("modes.uff") and others by extension
 
@@ -51,10 +52,13 @@ from ._percuss import InputError, NoHitError, UsageError
 from ._percuss import version as __version__
 
 from . import _commands
-from ._analyses import Analysis, Frf, Survey
-from ._commands import compare, example, info, presets, write
-from ._records import MeasuredFrf, Record
+from ._analyses import Analysis, Survey
+from ._commands import compare, info, write
+from ._frf import Frf
+from ._measured import MeasuredFrf
+from ._records import Record
 from ._results import Deflection, Nodes, Result, Synthetic
+from ._texts import example, presets
 from . import metrics, models
 
 analyze = _commands.FUNCTIONS["analyze"]

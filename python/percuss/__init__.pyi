@@ -4,10 +4,13 @@ from typing import Any, Literal, Sequence
 
 import numpy as np
 
-from ._commands import compare as compare, example as example, info as info, presets as presets, write as write
+from ._commands import compare as compare, info as info, write as write
+from ._frf import Frf as Frf
+from ._texts import example as example, presets as presets
 from ._percuss import InputError as InputError, NoHitError as NoHitError, UsageError as UsageError
-from ._records import MeasuredFrf as MeasuredFrf, Record as Record
-from ._analyses import Analysis as Analysis, Frf as Frf, Survey as Survey
+from ._measured import MeasuredFrf as MeasuredFrf
+from ._records import Record as Record
+from ._analyses import Analysis as Analysis, Survey as Survey
 from ._results import Deflection as Deflection, Nodes as Nodes, Result as Result, Synthetic as Synthetic
 
 from . import metrics as metrics

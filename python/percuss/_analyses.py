@@ -1,102 +1,22 @@
-"""Results that are made of an analysis: FRFs, modes, shapes."""
+"""Results that are made of an analysis: modes, shapes."""
 
 from __future__ import annotations
 
-import os
 from typing import Any
 
 import numpy as np
 
-from . import _percuss
-from ._records import Responses
-from ._results import Result, curves_of
-
-
-class Frf(Result):
-    """Averaged frequency responses.
-
-    frequency_hz (lines,) in Hz; frf (points, channels, lines), complex: accelerance in (m/s²)/N unless kind says
-    mobility, (m/s)/N, or receptance, m/N; std and coherence likewise, None where a point has one hit only; frf_at() shows one response without a copy. save() writes .csv, .h5, .mat, .uff; of
-    the kind that was asked for.
-    """
-
-    def __init__(self, outcome: Any, test: int | None = None, kind: str = "accelerance") -> None:
-        super().__init__(outcome)
-        self._asked = test
-        self._kind = kind
-        self._kept: dict[str, Any] = {}
-
-    @property
-    def _test(self) -> int:
-        if self._asked is None and self._outcome.tests > 1:
-            raise _percuss.UsageError(f"this is {self._outcome.tests} tests; take one of them, as runs[0]")
-        return self._asked or 0
-
-    def _computed(self, name: str) -> Any:
-        if name not in self._kept:
-            self._kept[name] = getattr(self._outcome, name)(self._test)
-        return self._kept[name]
-
-    @property
-    def possible(self) -> bool:
-        """False where no hit can be used: there are no FRFs and no modes then, and reading them raises NoHitError."""
-        return self._outcome.possible(self._test)
-
-    def _require_hits(self) -> None:
-        if not self.possible:
-            raise _percuss.NoHitError("no hit can be used, so there are no FRFs (hits); see the hits' findings")
-
-    @property
-    def _responses(self) -> Responses:
-        self._require_hits()
-        if "responses" not in self._kept:
-            self._kept["responses"] = Responses(self._outcome.frfs(self._test, self._kind))
-        return self._kept["responses"]
-
-    @property
-    def frequency_hz(self) -> np.ndarray:
-        """(lines,) frequencies of the FRFs, Hz."""
-        self._require_hits()
-        return self._computed("frequency_hz")
-
-    @property
-    def points(self) -> np.ndarray:
-        """(points,) numbers of the points that have FRFs."""
-        return self._responses.points
-
-    @property
-    def frf(self) -> np.ndarray:
-        """(points, channels, lines) complex; accelerance in (m/s²)/N unless another kind was asked for."""
-        return self._responses.frf
-
-    @property
-    def std(self) -> np.ndarray | None:
-        """(points, channels, lines) standard deviation of the FRFs, (m/s²)/N; None where a point has one hit."""
-        return self._responses.std
-
-    @property
-    def coherence(self) -> np.ndarray | None:
-        """(points, channels, lines) ordinary coherence, 0 … 1; None where a point has one hit."""
-        return self._responses.coherence
-
-    def frf_at(self, point: int = 0, channel: int = 0) -> np.ndarray:
-        """(lines,) complex, (m/s²)/N: one response where it lies, without a copy; `point` is its number."""
-        return self._responses.at(point, channel)
-
-    def save(self, path: str | os.PathLike[str], force: bool = False) -> None:
-        shows_hits = os.path.splitext(os.fspath(path))[1].lower() in (".json", ".html", ".svg")
-        if not shows_hits:
-            self._require_hits()
-        super().save(path, force)
-
-    save.__doc__ = Result.save.__doc__
+from ._arrays import frozen
+from ._frf import Frf
+from ._results import curves_of
 
 
 class Analysis(Frf):
     """Hits, FRFs and modes of a test.
 
     frequency_hz, frequency_std_hz, damping_ratio, damping_ratio_std (modes,): every mode with one standard deviation.
-    residues, residues_std (modes, points, channels): complex, 1/kg. family, order: "bending" or "hoop" and its number.
+    residues, residues_std (modes, points, channels): complex, 1/kg. family, a list, and order (modes,): "bending" or "hoop"
+    and its number. table: all of these but the residues, a row per mode.
     frf, frf_std, coherence (points, channels, lines) over frf_frequency_hz (lines,). hits: what was found about each.
     runs: the tests, where the files were several (files="tests").
     """
@@ -105,6 +25,10 @@ class Analysis(Frf):
     def runs(self) -> list[Analysis]:
         """Each test as a result of its own; of one test it alone."""
         return [type(self)(self._outcome, test) for test in range(self._outcome.tests)]
+
+    def _of_test(self, test: int) -> list[tuple[Any, ...]]:
+        deflected = [("deflections",)] if "deflection" in self._parsed() else []
+        return [*super()._of_test(test), ("modes", test), ("stabilisation", test), *deflected]
 
     def _own(self) -> dict[str, Any]:
         document, test = self._parsed(), self._test
@@ -164,7 +88,6 @@ class Analysis(Frf):
         """(points, channels, lines) (m/s²)/N, or None."""
         return self._responses.std
 
-
     def _by_place(self, name: str) -> np.ndarray:
         values = self._column(name)
         channels = len({channel for _, channel in self._computed("modes")["places"]}) or 1
@@ -178,18 +101,28 @@ class Analysis(Frf):
 
     @property
     def family(self) -> list[str]:
-        """(modes,) "bending", "hoop" or "unknown"."""
+        """A list, for each mode "bending", "hoop" or "unknown"."""
         return [mode["family"] for mode in self.modes]
 
     @property
     def order(self) -> np.ndarray:
         """(modes,) counts from 1 within the family; 0 where the family is unknown."""
-        return np.array([mode["order"] or 0 for mode in self.modes], dtype=int)
+        return frozen(np.array([mode["order"] or 0 for mode in self.modes], dtype=int))
 
     @property
     def confidence(self) -> np.ndarray:
         """(modes,) probability of the family."""
-        return np.array([mode["confidence"] for mode in self.modes], dtype=float)
+        return frozen(np.array([mode["confidence"] for mode in self.modes], dtype=float))
+
+    @property
+    def table(self) -> dict[str, np.ndarray]:
+        """A row per mode: frequency_hz, damping_ratio, their std, and where the document has them family, order, confidence,
+        (modes,) each. pandas.DataFrame takes it."""
+        names = ("frequency_hz", "frequency_std_hz", "damping_ratio", "damping_ratio_std")
+        out = {name: self._column(name) for name in names}
+        if len(self.modes) == len(self.frequency_hz) and all("family" in mode for mode in self.modes):
+            out |= {"family": frozen(np.array(self.family, dtype=str)), "order": self.order, "confidence": self.confidence}
+        return out
 
     def stabilisation(self) -> dict[str, Any]:
         """The stabilisation diagram: order, frequency_hz and damping_ratio (poles,) and stability, a word for each."""
@@ -207,6 +140,9 @@ class Survey(Analysis):
     shapes, shapes_std (modes, places), complex: 1/√kg where a driving point is known, else 1 at the largest; the places
     are shape_points and shape_channels (places,). mac (modes, modes). cmif (lines, values) over cmif_frequency_hz.
     """
+
+    def _of_test(self, test: int) -> list[tuple[Any, ...]]:
+        return [*super()._of_test(test), ("shapes",)]
 
     def _shape(self, name: str) -> Any:
         self._require_hits()
@@ -227,12 +163,12 @@ class Survey(Analysis):
     @property
     def shape_points(self) -> np.ndarray:
         """(places,) index of the point, from 0."""
-        return np.array(self._shape("points"))
+        return frozen(np.array(self._shape("points")))
 
     @property
     def shape_channels(self) -> np.ndarray:
         """(places,) the channel, from 0."""
-        return np.array(self._shape("channels"))
+        return frozen(np.array(self._shape("channels")))
 
     @property
     def mac(self) -> np.ndarray:

@@ -3,77 +3,21 @@
 from __future__ import annotations
 
 import inspect
-import json
 import os
-import textwrap
 from typing import Any, Callable
 
 from . import _percuss
-from ._analyses import Analysis, Frf, Survey
-from ._records import MeasuredFrf, Record, handles_of
+from ._analyses import Analysis, Survey
+from ._arrays import rate_of
+from ._frf import Frf
+from ._inputs import handles_of, refuse_one_point, refuse_reading_twice
+from ._measured import MeasuredFrf
+from ._records import Record
 from ._results import Deflection, Nodes, Result, Synthetic
-from ._words import Command, Option, declared
+from ._told import READS_DATA, docstring, signature
+from ._words import Command, declared, in_python
 
 COMMANDS = declared()
-
-_DATA = """Data: paths (HDF5, MAT, UFF, LabVIEW, sound, CSV or text); or arrays, force and accel, with fs=, of the shapes
-that percuss.Record tells; or Records. Arrays are read where they lie, without a copy: leave them alone until the
-function returns, and with the result as long as it is asked for more. Python's lock is released meanwhile.
-"""
-_READS_DATA = {"analyze", "frf", "survey", "nodes", "deflect", "calibrate"}
-
-
-_VALUES = """Keywords are numbers or texts, in the unit that stands in brackets; LO:HI is a tuple, as band=(60, 3200), a list any
-sequence, FILE a path or, where it holds numbers or JSON, an array, a dictionary or a result. None is as not given.
-"""
-_WIDTH = 100
-
-
-def _wrapped(text: str) -> str:
-    return textwrap.fill(" ".join(text.split()), _WIDTH)
-
-
-def _default(option: Option) -> Any:
-    return False if option.is_flag else None
-
-
-def _signature(command: Command, leading: list[inspect.Parameter]) -> inspect.Signature:
-    keyword = inspect.Parameter.KEYWORD_ONLY
-    options = sorted(command.options.values(), key=lambda one: not one.required)
-    empty = inspect.Parameter.empty
-    return inspect.Signature(
-        leading + [inspect.Parameter(one.keyword, keyword, default=empty if one.required else _default(one)) for one in options]
-    )
-
-
-def _told(option: Option) -> str:
-    choices = ": " + ", ".join(option.choices) if option.choices and option.list else ""
-    initial = f" (default: {option.initial})" if option.initial else ""
-    shown = f" [{option.shown}]" if option.shown else ""
-    return textwrap.fill(
-        f"{option.keyword}{shown}  {option.help}{choices}{initial}", _WIDTH, initial_indent="    ", subsequent_indent=" " * 8
-    )
-
-
-def _docstring(command: Command, intro: str, example: str) -> str:
-    parts = [command.summary + ".", textwrap.fill(command.about, _WIDTH), _wrapped(intro)]
-    if command.name in _READS_DATA:
-        parts.append(_wrapped(_DATA))
-    groups: dict[str, list[str]] = {}
-    for option in command.options.values():
-        groups.setdefault(option.group or "Keywords", []).append(_told(option))
-    parts.append(_wrapped(_VALUES))
-    parts += [f"{group}:\n" + "\n".join(lines) for group, lines in groups.items()]
-    parts.append(
-        _wrapped(
-            "Raises InputError for unusable data, UsageError for values that cannot be, in the words of the command line; "
-            "TypeError for keywords that do not exist."
-        )
-    )
-    parts.append(f"Source: percuss {command.name}; docs/theory.md has the equations.")
-    if example:
-        parts.append(example.strip())
-    return "\n\n".join(part for part in parts if part)
 
 
 def _given(options: dict[str, Any]) -> dict[str, Any]:
@@ -85,31 +29,27 @@ def make(
 ) -> Callable[..., Any]:
     """A function that runs a command. The words before its options are `leading`."""
     made = COMMANDS[command]
-    reads_data = command in _READS_DATA
+    reads_data = command in READS_DATA
 
     def function(*data: Any, **options: Any) -> Any:
         given = _given(options)
         if reads_data:
             paths, handles = handles_of(data, options.get("fs"))
-            _refuse_reading_twice(name, made, handles, given)
+            are_records = bool(handles) and not (len(data) == 2 and not isinstance(data[0], (Record, MeasuredFrf)))
+            refuse_reading_twice(name, made, handles, given, are_records)
+            if handles and "fs" in given:
+                given["fs"] = rate_of(given["fs"])
+            if name == "survey" and handles and not are_records:
+                refuse_one_point(handles[0], given.get("geometry"))
         else:
             paths, handles = list(data), []
         return result(made.run(name, paths, handles, given), **({"kind": given["kind"]} if name == "frf" and "kind" in given else {}))
 
     function.__name__ = function.__qualname__ = name.rpartition(".")[2]
     function.__module__ = "percuss." + name.rpartition(".")[0] if "." in name else "percuss"
-    function.__signature__ = _signature(made, leading)  # type: ignore[attr-defined]
-    function.__doc__ = _docstring(made, intro, example)
+    function.__signature__ = signature(made, leading)  # type: ignore[attr-defined]
+    function.__doc__ = docstring(made, intro, example)
     return function
-
-
-def _refuse_reading_twice(name: str, command: Command, handles: list[Any], options: dict[str, Any]) -> None:
-    """How a file is read was settled when it was read."""
-    if all(getattr(one, "from_arrays", False) for one in handles):
-        return
-    settled = [key for key in options if key in command.options and command.options[key].group == "Reading" and key != "files"]
-    if settled:
-        raise TypeError(f"{name}() cannot read a record again with {settled[0]!r}; give it to percuss.read()")
 
 
 def _positional(name: str, several: bool) -> inspect.Parameter:
@@ -222,8 +162,8 @@ def _read(*paths: Any, **options: Any) -> Any:
 
 _read.__name__ = _read.__qualname__ = "read"
 _read.__module__ = "percuss"
-_read.__signature__ = _signature(COMMANDS["read"], [_positional("paths", True)])  # type: ignore[attr-defined]
-_read.__doc__ = _docstring(
+_read.__signature__ = signature(COMMANDS["read"], [_positional("paths", True)])  # type: ignore[attr-defined]
+_read.__doc__ = docstring(
     COMMANDS["read"],
     "paths: HDF5, MAT, UFF, LabVIEW, sound, CSV or text. Returns a Record or a MeasuredFrf, as the file has it; of several files a list. Samples are read when asked for.",
     "",
@@ -251,7 +191,10 @@ def write(path: str | os.PathLike[str], data: Any, *, force: bool = False) -> li
     if not isinstance(one, (Record, MeasuredFrf)):
         raise TypeError(f"data cannot be {type(data).__name__}: give a Record, a MeasuredFrf or a Synthetic")
     words = ["convert", "--quiet", f"--output={os.fsdecode(path)}"] + (["--force"] if force else [])
-    return _percuss.run([os.fsencode(word) for word in words], [one._handle]).notes
+    try:
+        return _percuss.run([os.fsencode(word) for word in words], [one._handle]).notes
+    except _percuss.InputError as error:
+        raise in_python(error) from None
 
 
 def info(*paths: Any, **options: Any) -> Result:
@@ -287,36 +230,3 @@ def compare(*documents: Any, **options: Any) -> Result:
     True
     """
     return Result(COMMANDS["compare"].run("compare", list(documents), [], _given(options)))
-
-
-def example(name: str) -> str:
-    """A text to start from.
-
-    name  "synth" a spec, "survey" a geometry, "info" a channel set-up, "certify" a session,
-          "abi" a log, "study" a table.
-
-    Returns what the command prints with --example. Raises UsageError for other names.
-
-    >>> import percuss
-    >>> percuss.example("survey").splitlines()[0].startswith("#")
-    True
-    """
-    known = ["synth", "survey", "info", "certify", "abi", "study"]
-    if name not in known:
-        near = _percuss.nearest(name, known)
-        raise _percuss.UsageError(f"no example of '{name}'; " + (f"did you mean {near}?" if near else "give one of " + ", ".join(known)))
-    return _percuss.run([name.encode(), b"--example"], []).document
-
-
-def presets() -> dict[str, str]:
-    """The names that synth() knows.
-
-    Returns a dictionary: each name, and what is made by it in a sentence. percuss.example("synth") is a spec with every
-    key, explained, to make others from. Raises nothing.
-
-    >>> import percuss
-    >>> "wood-bat" in percuss.presets()
-    True
-    """
-    listed = json.loads(_percuss.run([b"synth", b"--list", b"--json"], []).document)
-    return {one["name"]: one["description"] for one in listed["presets"]}

@@ -1,16 +1,14 @@
-"""Records of force and acceleration, and measured FRFs, as Python sees them."""
+"""Records of force and acceleration, as Python sees them."""
 
 from __future__ import annotations
 
-import numbers
-import os
+import copy
 from typing import Any, Sequence
 
 import numpy as np
 
 from . import _percuss
-
-_MOST_ROWS = 1_000_000
+from ._arrays import geometry_of, names_of, points_of, rate_of, rows_of
 
 
 class Record:
@@ -22,14 +20,16 @@ class Record:
             or a list of hits of different lengths; None where only accelerations were recorded. In N.
     accel   (samples,) or (channels, samples) beside one force; (hits, samples) or (hits, channels, samples) beside
             several; or a list like force's. In m/s². Other units: unit= and force_unit= of analyze and the others.
-    fs      Hz.
+    fs      Hz; also an array of one number.
     points  (hits,) which point was struck, from 0; all at point 0 unless given.
     names   of the force and of each acceleration; "force", "accel 1" ... unless given.
-    geometry  (points, 3) in m, or (points, 2): position along a tube in m and angle around it in degrees.
+    geometry  (points, 3) in m, or (points, 2): position along a tube in m and angle around it in degrees; a row for
+            each point from 0 up, or, where one point was struck, for each acceleration.
     continuous  every row may hold several hits.
 
     Numbers may be float64, float32 or integers, in any strides. The arrays are read when a result is computed, perhaps
     in other threads, so leave them alone until then: what is computed from numbers that change is anybody's guess.
+    Records of arrays are pickled with their samples; of those that were read, give the path to other processes.
     Raises InputError for arrays that fit no test; for NaN and infinity when they are read.
 
     >>> import numpy as np, percuss
@@ -49,22 +49,46 @@ class Record:
         geometry: Any = None,
         continuous: bool = False,
     ) -> None:
-        if isinstance(fs, bool) or not isinstance(fs, numbers.Real):
-            raise TypeError(f"fs is a number in Hz, not {fs!r}")
-        rows = _rows_of(force, accel)
-        struck = [] if points is None else [int(one) for one in points]
-        if struck and (len(struck) != len(rows) or min(struck) < 0):
-            raise _percuss.InputError(f"{len(struck)} points for {len(rows)} hits (points); give one from 0 up for each hit")
-        places = [] if geometry is None else np.asarray(geometry, dtype=float).tolist()
-        self._handle = _percuss.RecordHandle(rows, struck, float(fs), continuous, list(names), places)
+        rate = rate_of(fs)
+        rows = rows_of(force, accel)
+        has_force, channels = rows[0][0] is not None, len(rows[0][1])
+        struck = points_of(points, len(rows))
+        texts = names_of(names, channels + has_force, has_force)
+        places = geometry_of(geometry, struck, channels)
+        self._given: tuple[Any, ...] | None = (rows, struck, rate, bool(continuous), texts, places)
+        self._handle = _percuss.RecordHandle(*self._given)
         self._told = self._handle.describe()
 
     @classmethod
     def _of(cls, handle: Any) -> Record:
         made = cls.__new__(cls)
+        made._given = None
         made._handle = handle
         made._told = handle.describe()
         return made
+
+    @classmethod
+    def _again(cls, *given: Any) -> Record:
+        made = cls._of(_percuss.RecordHandle(*given))
+        made._given = given
+        return made
+
+    def __reduce__(self) -> Any:
+        if self._given is None:
+            raise TypeError(f"a record read from {self.source} is not copied to other processes; give them its path, or arrays")
+        return type(self)._again, self._given
+
+    def __copy__(self) -> Record:
+        return self  # nothing of it changes
+
+    def __deepcopy__(self, memo: Any) -> Record:
+        return self if self._given is None else type(self)._again(*copy.deepcopy(self._given, memo))
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("_"):
+            raise AttributeError(name)
+        near = {"fs": "fs_hz"}.get(name) or _percuss.nearest(name, [one for one in dir(type(self)) if not one.startswith("_")])
+        raise AttributeError(f"Record has no attribute {name!r}" + (f"; did you mean {near!r}?" if near else ""))
 
     @property
     def fs_hz(self) -> float:
@@ -147,184 +171,8 @@ class Record:
         return f"<percuss.Record {self.source}: {self.rows} × {long} samples at {self.fs_hz:g} Hz, {self.channels} channels>"
 
 
-class MeasuredFrf:
-    """FRFs that were measured elsewhere and read from a file; `analyze` takes them in place of a record.
-
-    frequency_hz (lines,) in Hz; frf (points, channels, lines), complex, in (m/s²)/N whatever the file has; std and
-    coherence (points, channels, lines), or None where the file has none. frf_at() shows one without a copy.
-    """
-
-    def __init__(self, handle: Any) -> None:
-        self._handle = handle
-        self._told = handle.describe()
-        self._responses = Responses(handle.responses())
-
-    @property
-    def frequency_hz(self) -> np.ndarray:
-        """(lines,) Hz."""
-        return self._told["frequency_hz"]
-
-    @property
-    def format(self) -> str:
-        """What was read: "FRF HDF5" ..."""
-        return self._told["format"]
-
-    @property
-    def source(self) -> str:
-        """The file."""
-        return self._told["source"]
-
-    @property
-    def kind(self) -> str:
-        """As the file has it: accelerance, mobility or receptance."""
-        return self._told["kind"]
-
-    @property
-    def estimator(self) -> str:
-        """"H1" ..."""
-        return self._told["estimator"]
-
-    @property
-    def notes(self) -> list[str]:
-        """What was assumed, one line each."""
-        return self._told["notes"]
-
-    @property
-    def signals(self) -> list[dict[str, Any]]:
-        """The accelerations: name, unit, to_si, angle_rad, position_m."""
-        return self._told["accel"]
-
-    @property
-    def points(self) -> np.ndarray:
-        """(points,) numbers of the points."""
-        return self._responses.points
-
-    @property
-    def frf(self) -> np.ndarray:
-        """(points, channels, lines) complex, (m/s²)/N."""
-        return self._responses.frf
-
-    @property
-    def std(self) -> np.ndarray | None:
-        """(points, channels, lines) (m/s²)/N, or None."""
-        return self._responses.std
-
-    @property
-    def coherence(self) -> np.ndarray | None:
-        """(points, channels, lines) 0 … 1, or None."""
-        return self._responses.coherence
-
-
-    def frf_at(self, point: int = 0, channel: int = 0) -> np.ndarray:
-        """(lines,) complex, (m/s²)/N: one response where it lies, without a copy; `point` is its number."""
-        return self._responses.at(point, channel)
-
-    def __repr__(self) -> str:
-        return f"<percuss.MeasuredFrf {self.source}: {len(self.points)} points, {len(self.frequency_hz)} lines>"
-
-
-class Responses:
-    """FRFs by point and channel; stacked only when asked for."""
-
-    def __init__(self, responses: list[tuple[Any, ...]]) -> None:
-        self._all = {(one[0], one[1]): one for one in responses}
-        self._stacked: dict[int, np.ndarray | None] = {}
-
-    @property
-    def points(self) -> np.ndarray:
-        return np.array(sorted({point for point, _ in self._all}))
-
-    def _stack(self, part: int) -> np.ndarray | None:
-        if part not in self._stacked:
-            channels = sorted({channel for _, channel in self._all})
-            parts = [[self._all[point, channel][part] for channel in channels] for point in self.points.tolist()]
-            whole = all(one is not None for row in parts for one in row)
-            self._stacked[part] = np.stack([np.stack(row) for row in parts]) if whole else None
-        return self._stacked[part]
-
-    frf = property(lambda self: self._stack(3))
-    std = property(lambda self: self._stack(4))
-    coherence = property(lambda self: self._stack(5))
-    averages = property(lambda self: np.array([one[2] for one in self._all.values()]))
-
-    def at(self, point: int, channel: int) -> np.ndarray:
-        if (point, channel) not in self._all:
-            raise KeyError(f"no FRF of point {point}, channel {channel}")
-        return self._all[point, channel][3]
-
-
 def _index(value: int, count: int, name: str) -> int:
     at = value + count if value < 0 else value
     if not 0 <= at < count:
         raise IndexError(f"{name} {value} of {count}")
     return at
-
-
-def _signals(values: Any, name: str) -> np.ndarray:
-    if isinstance(values, np.ma.MaskedArray) and np.ma.is_masked(values):
-        raise _percuss.InputError(f"masked samples ({name}); repair or leave out the hits that have them")
-    return np.asarray(values)
-
-
-def _is_ragged(values: Any) -> bool:
-    return isinstance(values, (list, tuple)) and bool(values) and all(np.ndim(one) > 0 for one in values)
-
-
-def _rows_of(force: Any, accel: Any) -> list[tuple[Any, list[np.ndarray]]]:
-    """[(force or None, [accelerations])] of views, hit by hit."""
-    several = _is_ragged(force)
-    forces = [_signals(one, "force") for one in force] if several else None if force is None else _signals(force, "force")
-    if forces is None:
-        each = _signals(accel, "accel")
-        return _checked([(None, _channels(one)) for one in (each if each.ndim == 3 else [each])])
-    several = several or forces.ndim == 2
-    if not several:
-        return _checked([(forces, _channels(_signals(accel, "accel")))])
-    hits = list(accel) if _is_ragged(accel) else _signals(accel, "accel")
-    if len(forces) > _MOST_ROWS:
-        raise _percuss.InputError(f"{len(forces)} hits (force); give at most a million at a time")
-    if len(hits) != len(forces):
-        raise _percuss.InputError(f"accelerations of {len(hits)} hits for forces of {len(forces)} (accel); give as many of each")
-    if isinstance(forces, np.ndarray) and len(forces) > 1 and forces.strides[0] == 0:
-        raise _percuss.InputError("one hit stands for all (force: a broadcast array); give each hit its own samples")
-    return _checked([(one, _channels(_signals(hit, "accel"))) for one, hit in zip(forces, hits)])
-
-
-def _channels(hit: np.ndarray) -> list[np.ndarray]:
-    if hit.ndim == 1:
-        return [hit]
-    if hit.ndim != 2:
-        raise _percuss.InputError(f"{hit.ndim} dimensions (accel); give (samples,), (channels, samples) or (hits, channels, samples)")
-    if len(hit) > _MOST_ROWS:
-        raise _percuss.InputError(f"{len(hit)} channels (accel); is it (channels, samples)?")
-    return list(hit)
-
-
-def _checked(rows: list[tuple[Any, list[np.ndarray]]]) -> list[tuple[Any, list[np.ndarray]]]:
-    if not rows or not rows[0][1]:
-        raise _percuss.InputError("no samples (arrays); record at least one hit with one acceleration")
-    for force, accel in rows:
-        for name, one in [("force", force)] * (force is not None) + [("accel", part) for part in accel]:
-            if one.ndim != 1:
-                raise _percuss.InputError(f"{one.ndim} dimensions ({name}); give (samples,) or (hits, samples)")
-    return rows
-
-
-def handles_of(data: tuple[Any, ...], fs: Any) -> tuple[list[str], list[Any]]:
-    """What a command is given: paths, or handles of what is in memory."""
-    flat = list(data[0]) if len(data) == 1 and _is_several(data[0]) else list(data)
-    if all(isinstance(one, (str, bytes, os.PathLike)) for one in flat):
-        return [os.fsdecode(one) for one in flat], []
-    if all(isinstance(one, (Record, MeasuredFrf)) for one in flat):
-        return [], [one._handle for one in flat]
-    if any(isinstance(one, (str, bytes, os.PathLike, Record, MeasuredFrf)) for one in flat):
-        raise TypeError("give files, records or arrays, not some of each")
-    if len(data) != 2:
-        raise TypeError("give two arrays, force and accel, with fs=; or paths; or records")
-    if fs is None:
-        raise TypeError("arrays need their sampling rate: fs= in Hz")
-    return [], [Record(data[0], data[1], fs)._handle]
-
-
-def _is_several(value: Any) -> bool:
-    return isinstance(value, (list, tuple)) and all(isinstance(one, (str, bytes, os.PathLike, Record, MeasuredFrf)) for one in value)

@@ -4,12 +4,16 @@ from __future__ import annotations
 
 import json
 import os
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 import numpy as np
 
 from . import _percuss
+from ._arrays import frozen
+from ._kept import Kept
 from ._records import Record
+from ._words import in_python
 
 _WIDTH = 100
 _STYLE = (
@@ -22,11 +26,12 @@ _STYLE = (
 )
 
 
-class Result:
+class Result(Mapping[str, Any]):
     """What a function found: the document that the command line's --json prints, and more.
 
-    to_dict() is that document, json its text; result["key"] and result.key are its entries, lists of numbers as arrays,
-    with NaN where the document has none. Curves are lists of dictionaries there, and columns in table.
+    to_dict() is that document, json its text; a result is a mapping as well: result["key"], which is result.key too, "key"
+    in result, items() and so on are its entries, lists of numbers as read-only arrays, with NaN where the document has
+    none. Curves are lists of dictionaries there, and columns in table. A result is equal to itself alone.
     save(path) writes what the command's -o writes, by the path's extension; report(path) is its page. In Jupyter the
     main table is shown, elsewhere what a terminal would show. exit_code is what the command would have ended with.
     """
@@ -49,9 +54,34 @@ class Result:
             self._document = self.to_dict()
         return self._document
 
-    def keys(self) -> list[str]:
-        """The document's keys."""
-        return list(self._parsed())
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._parsed())
+
+    def __len__(self) -> int:
+        return len(self._parsed())
+
+    __hash__ = object.__hash__  # a result is equal to itself: arrays know no better
+
+    def __eq__(self, other: object) -> bool:
+        return self is other
+
+    def __bool__(self) -> bool:
+        return True
+
+    def _calls(self) -> list[tuple[Any, ...]]:
+        """What to ask of the outcome before it stays behind."""
+        return [("text", _WIDTH), ("html",), ("columns",)]
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {**self.__dict__, "_outcome": Kept(self._outcome, self._calls())}
+
+    def __copy__(self) -> Any:
+        made = type(self).__new__(type(self))
+        made.__dict__.update(self.__dict__, _document=None)
+        return made
+
+    def __deepcopy__(self, memo: Any) -> Any:
+        return self.__copy__()
 
     def __getitem__(self, key: str) -> Any:
         return _array_or_same(self._parsed()[key])
@@ -82,11 +112,18 @@ class Result:
         """Writes the result as the path's extension says, as -o of the command does.
 
         Raises InputError where the file exists, unless force; UsageError for extensions that the command does not know.
+        What the file shows of the samples is read now: where they were given as arrays, these must be as they were.
+        InputError where a few hundred of their numbers, looked at again, have changed; it cannot see every change. .json
+        needs no samples, nor do results of files. A result that was pickled writes no files.
         """
-        self._outcome.save(os.fsencode(path), force)
+        try:
+            self._outcome.save(os.fsencode(path), force)
+        except _percuss.InputError as error:
+            raise in_python(error) from None
 
     def report(self, path: str | os.PathLike[str], force: bool = False) -> None:
-        """Writes the page: one .html file, the one that the command line writes. Raises as save()."""
+        """Writes the page: one .html file, the one that the command line writes. It shows the
+        samples, so that arrays must be as they were. Raises as save()."""
         if os.path.splitext(os.fspath(path))[1].lower() != ".html":
             raise _percuss.UsageError(f"a page is not written to '{os.fspath(path)}'; use a name that ends in .html")
         self.save(path, force)
@@ -110,6 +147,9 @@ class Synthetic(Result):
         """The samples as a Record."""
         return Record._of(self._outcome.record())
 
+    def __reduce__(self) -> Any:
+        raise TypeError("a made-up test is not pickled: make it again from its spec and seed, or give the arrays of its record")
+
     def __str__(self) -> str:
         modes = ", ".join(f"{freq_hz:g}" for freq_hz in self._parsed()["f_hz"])
         return f"{self.record!r}, modes at {modes} Hz"
@@ -117,6 +157,9 @@ class Synthetic(Result):
 
 class Deflection(Result):
     """Deflection under each impact: hits as in the document, curves() over time."""
+
+    def _calls(self) -> list[tuple[Any, ...]]:
+        return [*super()._calls(), ("deflections",)]
 
     def curves(self) -> list[dict[str, Any]]:
         """For each hit and channel: hit, channel, point, first_s, velocity_mps, deflection_m (samples,), std_m or None.
@@ -145,8 +188,8 @@ def _array_or_same(value: Any) -> Any:
         return value
     if all(_is_number(one) or one is None for one in value):
         whole = all(isinstance(one, int) for one in value)
-        return np.array(value) if whole else np.array([np.nan if one is None else one for one in value], dtype=float)
+        return frozen(np.array(value) if whole else np.array([np.nan if one is None else one for one in value], dtype=float))
     if all(isinstance(one, list) for one in value) and len({len(one) for one in value}) == 1:
         if all(_is_number(number) for one in value for number in one):
-            return np.array(value)
+            return frozen(np.array(value))
     return value

@@ -5,6 +5,8 @@ from __future__ import annotations
 import json
 import numbers
 import os
+import re
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -86,16 +88,30 @@ def _text(keyword: str, value: Any) -> str:
     return str(int(value)) if isinstance(value, numbers.Integral) else repr(float(value))
 
 
+def in_python(error: Exception) -> Exception:
+    """The error with the keyword where the remedy names the option that save() and write() have as one."""
+    problem, semicolon, remedy = str(error).rpartition("; ")
+    return type(error)(problem + semicolon + re.sub(r"--force(?![\w-])", "force=True", remedy))
+
+
 class MemoryFiles:
     """Dictionaries, tables and results where the command line has files; gone when the command has run."""
 
     def __init__(self) -> None:
         self._open: dict[str, tuple[int, str]] = {}
+        self.names: dict[str, str] = {}
 
     def path(self, value: Any, name: str) -> str:
         if isinstance(value, (str, bytes, os.PathLike)):
             return os.fsdecode(value)
-        return self._kept(_file_text(value, name), name)
+        path = self._kept(_file_text(value, name), name)
+        self.names[path] = self._named_as(_label(value, name))
+        return path
+
+    def _named_as(self, label: str) -> str:
+        """The label, numbered from the second of its kind on."""
+        taken = set(self.names.values())
+        return label if label not in taken else next(one for i in range(2, len(taken) + 2) if (one := f"{label} ({i})") not in taken)
 
     def _kept(self, text: str, name: str) -> str:
         descriptor = os.memfd_create(f"percuss-{name}", os.MFD_CLOEXEC)
@@ -118,6 +134,17 @@ class MemoryFiles:
 
     def __bool__(self) -> bool:
         return bool(self._open)
+
+
+def _label(value: Any, name: str) -> str:
+    """What a document in memory is of: the first file that was read for it, else the kind of result."""
+    if not isinstance(value, Mapping):
+        return name
+    inputs = value.get("inputs")
+    if isinstance(inputs, list) and inputs and isinstance(inputs[0], dict) and isinstance(inputs[0].get("path"), str):
+        return inputs[0]["path"]
+    schema = value.get("schema")
+    return schema.split("/")[1].replace("-", " ") if isinstance(schema, str) and schema.count("/") == 2 else name
 
 
 def _file_text(value: Any, name: str) -> str:
@@ -163,8 +190,10 @@ class Command:
             words = self.name.split()
             words += [word for key, value in options.items() for word in self._option(function, key).words(value, files)]
             words += [flag for flag in ("--json", "--quiet") if flag[2:] in self._shell]
-            words += [_word(files.path(one, self.words[0].lower())) for one in data]
-            return _percuss.run([os.fsencode(word) for word in words], inputs)
+            for i, one in enumerate(data):
+                word = self.words[0].lower()
+                words.append(_word(files.path(one, word if len(data) == 1 else f"{word} {i + 1}")))
+            return _percuss.run([os.fsencode(word) for word in words], inputs, files.names)
         except _percuss.InputError as error:
             if not files:
                 raise

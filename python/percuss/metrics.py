@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 
 from . import _percuss
+from ._arrays import frozen
 from ._commands import _positional, make as _make
 from ._results import Result as _Result
 
@@ -59,12 +60,32 @@ def mac(a: Any, b: Any = None) -> np.ndarray:
     """Modal assurance criterion |aᴴb|² / (aᴴa · bᴴb): 1 for the same shape, 0 for orthogonal ones.
 
     a, b  (modes, places), real or complex, of the same places in the same order; b is a unless given. Blind to scale.
-    Returns (modes of a, modes of b). 0 where a shape is zero everywhere. Raises InputError for other shapes of arrays.
+    Returns (modes of a, modes of b). 0 where a shape is zero everywhere. Raises InputError for other shapes of arrays, none
+    at all, NaN and infinity; TypeError for what is no number.
     Source: theory (5.4).
 
     >>> from percuss import metrics
     >>> metrics.mac([[1, 2, 3]], [[2, 4, 6], [3, 0, -1]]).round(3).tolist()
     [[1.0, 0.0]]
     """
-    first = np.atleast_2d(np.asarray(a))
-    return _percuss.mac(first, first if b is None else np.atleast_2d(np.asarray(b)))
+    first = _shapes(a, "a")
+    return frozen(_percuss.mac(first, first if b is None else _shapes(b, "b")))
+
+
+def _shapes(values: Any, name: str) -> np.ndarray:
+    """(modes, places), each mode with 1 as its largest part: what MAC is blind to, and squares would not hold."""
+    try:
+        array = np.atleast_2d(np.asarray(values))
+    except ValueError:
+        raise _percuss.InputError(f"rows of different lengths ({name}); give an array (modes, places)") from None
+    if array.dtype.kind not in "biufc":
+        raise TypeError(f"{name} holds no numbers: give an array (modes, places), real or complex")
+    if array.ndim != 2 or array.size == 0:
+        told = " × ".join(str(one) for one in array.shape)
+        raise _percuss.InputError(f"shapes of {told} ({name}); give an array (modes, places) of one or more")
+    bad = np.argwhere(~np.isfinite(array))
+    if len(bad):
+        raise _percuss.InputError(f"not a finite number ({name}, mode {bad[0][0]}, place {bad[0][1]}); leave the place out of every shape")
+    parts = np.ascontiguousarray(array, dtype=complex).view(float)
+    largest = abs(parts).max(axis=1, keepdims=True)
+    return (parts / np.where(largest > 0, largest, 1)).view(complex)

@@ -62,12 +62,15 @@ def stub(name: str, function: object, command: str, result: str) -> str:
 
 
 def package_stub() -> str:
-    analyses, classes = ["Analysis", "Frf", "Survey"], ["Deflection", "Nodes", "Result", "Synthetic"]
+    analyses, classes = ["Analysis", "Survey"], ["Deflection", "Nodes", "Result", "Synthetic"]
     text = _HEAD.replace("\n_Path", "\nfrom . import metrics as metrics\nfrom . import models as models\n\n_Path", 1)
-    text = text.replace("\nimport numpy as np\n", "\nimport numpy as np\n\nfrom ._commands import compare as compare, example as example, "
-                        "info as info, presets as presets, write as write\n"
+    text = text.replace("\nimport numpy as np\n", "\nimport numpy as np\n\nfrom ._commands import compare as compare, "
+                        "info as info, write as write\n"
+                        "from ._frf import Frf as Frf\n"
+                        "from ._texts import example as example, presets as presets\n"
                         "from ._percuss import InputError as InputError, NoHitError as NoHitError, UsageError as UsageError\n"
-                        "from ._records import MeasuredFrf as MeasuredFrf, Record as Record\n"
+                        "from ._measured import MeasuredFrf as MeasuredFrf\n"
+                        "from ._records import Record as Record\n"
                         f"from ._analyses import {', '.join(f'{one} as {one}' for one in analyses)}\n"
                         f"from ._results import {', '.join(f'{one} as {one}' for one in classes)}\n", 1)
     text += "\n__version__: str\n\n"

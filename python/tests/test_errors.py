@@ -48,7 +48,6 @@ def test_files_are_refused_in_the_same_words(tool, content):
 
 def test_missing_files_and_options_are_named(tool):
     for call, words in [
-        (lambda: percuss.analyze(), ["analyze"]),
         (lambda: percuss.analyze("none.h5"), ["analyze", "none.h5"]),
         (lambda: percuss.analyze("a b.h5", "a b.h5"), ["analyze", "a b.h5", "a b.h5"]),
         (lambda: percuss.nodes("none.h5"), ["nodes", "none.h5"]),

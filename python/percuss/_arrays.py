@@ -1,0 +1,171 @@
+"""Arrays as they are given, hit by hit, and as they are handed out."""
+
+from __future__ import annotations
+
+import numbers
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from . import _percuss
+
+_MOST_ROWS = 1_000_000
+_FEWEST = 8  # hits to a sample: no test has so many, unless its samples are these
+
+
+def frozen(array: np.ndarray) -> np.ndarray:
+    """The array, which nobody can write to any more: what a result holds is shared by all who look at it."""
+    array.flags.writeable = False
+    return array
+
+
+class Responses:
+    """FRFs by point and channel; stacked only when asked for."""
+
+    def __init__(self, responses: list[tuple[Any, ...]]) -> None:
+        self._all = {(one[0], one[1]): one for one in responses}
+        self._stacked: dict[int, np.ndarray | None] = {}
+
+    @property
+    def points(self) -> np.ndarray:
+        return frozen(np.array(sorted({point for point, _ in self._all})))
+
+    def _stack(self, part: int) -> np.ndarray | None:
+        if part not in self._stacked:
+            channels = sorted({channel for _, channel in self._all})
+            parts = [[self._all[point, channel][part] for channel in channels] for point in self.points.tolist()]
+            whole = all(one is not None for row in parts for one in row)
+            self._stacked[part] = frozen(np.stack([np.stack(row) for row in parts])) if whole else None
+        return self._stacked[part]
+
+    frf = property(lambda self: self._stack(3))
+    std = property(lambda self: self._stack(4))
+    coherence = property(lambda self: self._stack(5))
+    averages = property(lambda self: frozen(np.array([one[2] for one in self._all.values()])))
+
+    def at(self, point: int, channel: int) -> np.ndarray:
+        if (point, channel) not in self._all:
+            raise KeyError(f"no FRF of point {point}, channel {channel}")
+        return self._all[point, channel][3]
+
+
+def _signals(values: Any, name: str) -> np.ndarray:
+    if isinstance(values, np.ma.MaskedArray) and np.ma.is_masked(values):
+        raise _percuss.InputError(f"masked samples ({name}); repair or leave out the hits that have them")
+    if isinstance(values, Iterator):
+        raise TypeError(f"{name} cannot be a {type(values).__name__}: give an array or a list")
+    return np.asarray(values)
+
+
+def _is_ragged(values: Any) -> bool:
+    return isinstance(values, (list, tuple)) and bool(values) and all(np.ndim(one) > 0 for one in values)
+
+
+def rows_of(force: Any, accel: Any) -> list[tuple[Any, list[np.ndarray]]]:
+    """[(force or None, [accelerations])] of views, hit by hit."""
+    several = several_lists = _is_ragged(force)
+    forces = [_signals(one, "force") for one in force] if several else None if force is None else _signals(force, "force")
+    if forces is None:
+        each = _signals(accel, "accel")
+        return _checked([(None, _channels(one)) for one in (each if each.ndim == 3 else [each])])
+    several = several or forces.ndim == 2
+    if not several:
+        return _checked([(forces, _channels(_signals(accel, "accel")))])
+    if not several_lists and _lies_across(forces.shape):
+        raise _percuss.InputError(f"{forces.shape[0]} hits of {forces.shape[1]} samples (force); is it (hits, samples)? Give force.T")
+    hits = list(accel) if _is_ragged(accel) else _signals(accel, "accel")
+    if len(forces) > _MOST_ROWS:
+        raise _percuss.InputError(f"{len(forces)} hits (force); give at most a million at a time")
+    if len(hits) != len(forces):
+        raise _percuss.InputError(f"accelerations of {len(hits)} hits for forces of {len(forces)} (accel); give as many of each")
+    if isinstance(forces, np.ndarray) and forces.size > 0 and len(forces) > 1 and forces.strides[0] == 0:
+        raise _percuss.InputError("one hit stands for all (force: a broadcast array); give each hit its own samples")
+    return _checked([(one, _channels(_signals(hit, "accel"))) for one, hit in zip(forces, hits)])
+
+
+def _channels(hit: np.ndarray) -> list[np.ndarray]:
+    if hit.ndim == 1:
+        return [hit]
+    if hit.ndim != 2:
+        raise _percuss.InputError(f"{hit.ndim} dimensions (accel); give (samples,), (channels, samples) or (hits, channels, samples)")
+    if len(hit) > _MOST_ROWS:
+        raise _percuss.InputError(f"{len(hit)} channels (accel); is it (channels, samples)?")
+    if hit.size == 0:
+        raise _percuss.InputError("no samples (accel); record at least one hit with one acceleration")
+    if _lies_across(hit.shape):
+        raise _percuss.InputError(f"{hit.shape[0]} channels of {hit.shape[1]} samples (accel); is it (channels, samples)? Give accel.T")
+    return list(hit)
+
+
+def _lies_across(shape: tuple[int, ...]) -> bool:
+    """Whether there is more of what is few than of samples."""
+    return shape[1] > 0 and shape[0] > _FEWEST * shape[1]
+
+
+def _checked(rows: list[tuple[Any, list[np.ndarray]]]) -> list[tuple[Any, list[np.ndarray]]]:
+    if not rows or not rows[0][1]:
+        raise _percuss.InputError("no samples (arrays); record at least one hit with one acceleration")
+    for force, accel in rows:
+        for name, one in [("force", force)] * (force is not None) + [("accel", part) for part in accel]:
+            if one.ndim != 1:
+                raise _percuss.InputError(f"{one.ndim} dimensions ({name}); give (samples,) or (hits, samples)")
+            if one.size == 0:
+                raise _percuss.InputError(f"no samples ({name}); record at least one hit with one acceleration")
+    return rows
+
+
+def rate_of(fs: Any) -> float:
+    """A sampling rate in Hz, also out of the arrays of one number that files of HDF5 and MAT have."""
+    one = fs.item() if isinstance(fs, np.ndarray) and fs.size == 1 else fs
+    if isinstance(one, (bool, np.bool_)) or not isinstance(one, numbers.Real):
+        raise TypeError(f"fs is a number in Hz, not {fs!r}")
+    return float(one)
+
+
+def points_of(points: Any, hits: int) -> list[int]:
+    if points is None:
+        return []
+    array = np.asarray(points)
+    whole = array.ndim == 1 and array.dtype.kind in "iuf" and bool(np.all(array == np.floor(array)))
+    if not whole or len(array) != hits or array.min(initial=0) < 0 or array.max(initial=0) >= _MOST_ROWS:
+        told = f"{array.size} points" if whole else "points that are no list of whole numbers"
+        raise _percuss.InputError(f"{told} for {hits} hits (points); give one from 0 up for each hit")
+    return [int(one) for one in array]
+
+
+def names_of(names: Any, signals: int, has_force: bool) -> list[str]:
+    if isinstance(names, (str, bytes)) or not all(isinstance(one, str) for one in names):
+        raise _percuss.InputError(f"{one_line(names)} is no list of names (names); give a list of texts")
+    given = list(names)
+    if given and len(given) != signals:
+        wanted = "one for the force and one for each acceleration" if has_force else "one for each acceleration"
+        raise _percuss.InputError(f"{len(given)} names for {signals} signals (names); give {wanted}")
+    return given
+
+
+def one_line(value: Any) -> str:
+    text = repr(value)
+    return text if len(text) <= 60 else text[:57] + "..."
+
+
+def geometry_of(geometry: Any, points: list[int], channels: int) -> list[list[float]]:
+    """Where each point lies; where one point was struck the places may be those of the accelerometers."""
+    if geometry is None:
+        return []
+    try:
+        array = np.asarray(geometry, dtype=float)
+    except (TypeError, ValueError):
+        raise _percuss.InputError("rows that are not alike, or no numbers (geometry); give an array (points, 3) in m") from None
+    if array.ndim != 2 or array.shape[1] not in (2, 3):
+        told = " × ".join(str(one) for one in array.shape) or "one number"
+        raise _percuss.InputError(f"an array of {told} (geometry); give (points, 3) in m, or (points, 2): m along a tube and degrees")
+    if not np.isfinite(array).all():
+        where = np.flatnonzero(~np.isfinite(array).all(axis=1))[0]
+        raise _percuss.InputError(f"row {where} is not finite (geometry); give every point its place, points numbered from 0")
+    struck = max(points, default=0) + 1
+    if len(array) not in ({struck} if struck > 1 else {1, channels}):
+        told = f"{len(array)} places for {struck} point{'s' if struck > 1 else ''} struck (geometry)"
+        remedy = "give a row for each point from 0 up" if points else "say which point each hit struck: points="
+        raise _percuss.InputError(f"{told}; {remedy}")
+    return array.tolist()

@@ -1,0 +1,93 @@
+"""FRFs that other programs measured, as Python sees them."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from ._arrays import Responses
+
+
+class MeasuredFrf:
+    """FRFs that were measured elsewhere and read from a file; `analyze` takes them in place of a record.
+
+    frequency_hz (lines,) in Hz; frf (points, channels, lines), complex, in (m/s²)/N whatever the file has; std and
+    coherence (points, channels, lines), or None where the file has none. frf_at() shows one without a copy.
+    """
+
+    def __init__(self, handle: Any) -> None:
+        self._handle = handle
+        self._told = handle.describe()
+        self._responses = Responses(handle.responses())
+
+    @property
+    def frequency_hz(self) -> np.ndarray:
+        """(lines,) Hz."""
+        return self._told["frequency_hz"]
+
+    @property
+    def format(self) -> str:
+        """What was read: "FRF HDF5" ..."""
+        return self._told["format"]
+
+    @property
+    def source(self) -> str:
+        """The file."""
+        return self._told["source"]
+
+    @property
+    def kind(self) -> str:
+        """As the file has it: accelerance, mobility or receptance."""
+        return self._told["kind"]
+
+    @property
+    def estimator(self) -> str:
+        """"H1" ..."""
+        return self._told["estimator"]
+
+    @property
+    def notes(self) -> list[str]:
+        """What was assumed, one line each."""
+        return self._told["notes"]
+
+    @property
+    def signals(self) -> list[dict[str, Any]]:
+        """The accelerations: name, unit, to_si, angle_rad, position_m."""
+        return self._told["accel"]
+
+    @property
+    def points(self) -> np.ndarray:
+        """(points,) numbers of the points."""
+        return self._responses.points
+
+    @property
+    def frf(self) -> np.ndarray:
+        """(points, channels, lines) complex, (m/s²)/N."""
+        return self._responses.frf
+
+    @property
+    def std(self) -> np.ndarray | None:
+        """(points, channels, lines) (m/s²)/N, or None."""
+        return self._responses.std
+
+    @property
+    def coherence(self) -> np.ndarray | None:
+        """(points, channels, lines) 0 … 1, or None."""
+        return self._responses.coherence
+
+    def __reduce__(self) -> Any:
+        raise TypeError(f"FRFs read from {self.source} are not copied to other processes; give them its path")
+
+    def __copy__(self) -> MeasuredFrf:
+        return self
+
+    def __deepcopy__(self, memo: Any) -> MeasuredFrf:
+        return self
+
+    def frf_at(self, point: int = 0, channel: int = 0) -> np.ndarray:
+        """(lines,) complex, (m/s²)/N: one response where it lies, without a copy; `point` is its number."""
+        return self._responses.at(point, channel)
+
+    def __repr__(self) -> str:
+        return f"<percuss.MeasuredFrf {self.source}: {len(self.points)} points, {len(self.frequency_hz)} lines>"

@@ -1,0 +1,102 @@
+"""Arrays that fit no test are refused with what to give instead."""
+
+import numpy as np
+import pytest
+
+import percuss
+
+FS = 25600.0
+
+
+@pytest.fixture(scope="module")
+def signals(bat):
+    return bat.record.force_n, bat.record.accel_mps2
+
+
+def refused(kind, call):
+    with pytest.raises(kind) as error:
+        call()
+    assert "\n" not in str(error.value)
+    return str(error.value)
+
+
+@pytest.mark.parametrize(
+    "keywords, wanted",
+    [
+        ({"points": [0.5, 1, 1, 1, 1]}, "whole numbers"),
+        ({"points": ["0"] * 5}, "whole numbers"),
+        ({"points": [True] * 5}, "whole numbers"),
+        ({"points": [0, np.nan, 1, 1, 1]}, "whole numbers"),
+        ({"points": [0, 1e30, 1, 1, 1]}, "from 0 up"),
+        ({"names": "force"}, "give a list of texts"),
+        ({"names": ["force", "a"]}, "2 names for 3 signals.*one for the force"),
+        ({"names": ["force", 1, 2]}, "give a list of texts"),
+        ({"geometry": [1, 2, 3]}, "array of 3 .*points, 3"),
+        ({"geometry": [[1, 2, 3], [1, 2]]}, "rows that are not alike"),
+        ({"geometry": np.eye(4)}, "4 × 4"),
+        ({"geometry": np.zeros((9, 3))}, "9 places for 1 point struck.*points="),
+        ({"geometry": np.zeros((2, 3)), "points": [0, 1, 2, 0, 0]}, "2 places for 3 points"),
+        ({"geometry": np.zeros((4, 3)), "points": [0, 1, 2, 0, 0]}, "4 places for 3 points"),
+        ({"geometry": np.full((1, 3), np.nan)}, "row 0 is not finite"),
+    ],
+    ids=str,
+)
+def test_what_is_said_of_records_must_fit_them(signals, keywords, wanted):
+    with pytest.raises(percuss.InputError, match=wanted):
+        percuss.Record(*signals, FS, **keywords)
+
+
+def test_places_may_be_the_accelerometers(signals):
+    assert percuss.Record(*signals, FS, geometry=np.eye(3)[:2]).geometry.shape == (2, 3)
+
+
+def test_surveys_of_bare_arrays_say_how_to_tell_the_points(signals):
+    message = refused(percuss.InputError, lambda: percuss.survey(*signals, fs=FS, geometry=np.zeros((9, 3))))
+    assert "percuss.Record(force, accel, fs, points=" in message
+
+
+def test_records_have_their_rate(signals):
+    record = percuss.Record(*signals, FS)
+    assert "percuss.read() or percuss.Record()" in refused(TypeError, lambda: percuss.analyze(record, fs=1.0))
+    assert "did you mean 'fs_hz'?" in refused(AttributeError, lambda: record.fs)
+    assert "did you mean 'channels'?" in refused(AttributeError, lambda: record.chanels)
+
+
+@pytest.mark.parametrize("fs", [np.array(FS), np.array([[FS]]), np.float32(FS), np.array([25600])])
+def test_rates_come_as_files_have_them(signals, fs):
+    assert percuss.Record(*signals, fs).fs_hz == FS
+    assert percuss.frf(*signals, fs=fs, band=(60, 3200)).json == percuss.frf(*signals, fs=FS, band=(60, 3200)).json
+    for wrong in (np.array([FS, FS]), "25600", True, None, np.array([True])):
+        with pytest.raises(TypeError):
+            percuss.Record(*signals, wrong)
+
+
+def test_seeds_beyond_64_bits_are_refused(tool):
+    message = refused(percuss.UsageError, lambda: percuss.synth("wood-bat", seed=2**70))
+    assert "--seed" in message and message == tool.complaint("synth", "wood-bat", f"--seed={2**70}")
+    assert percuss.synth("wood-bat", seed=2**64 - 1).record.rows == 5
+
+
+def test_messages_say_what_to_give(signals):
+    force, accel = signals
+    for call, wanted in [
+        (lambda: percuss.analyze(force.T, accel.T, fs=FS), "is it (hits, samples)?"),
+        (lambda: percuss.Record(force[0], accel[0].T, FS), "is it (channels, samples)?"),
+        (lambda: percuss.Record(np.zeros((5, 0)), np.zeros((5, 1, 0)), FS), "no samples"),
+        (lambda: percuss.analyze(), "give paths, arrays or Records"),
+    ]:
+        assert wanted in refused(percuss.InputError, call)
+    generator = (one for one in force)
+    assert "give an array or a list" in refused(TypeError, lambda: percuss.analyze(generator, accel, fs=FS))
+
+
+def test_shapes_for_mac():
+    mac = percuss.metrics.mac
+    assert mac([[1e-200, 2e-200]], [[3e200, 6e200]]).tolist() == [[1.0]]
+    assert mac([[5e-324, 0]], [[1e308 * (1 + 1j), 0]])[0, 0] == pytest.approx(1, abs=1e-15)
+    assert mac([[0, 0]], [[1, 2]]).tolist() == [[0.0]]
+    for bad, wanted in [([[1, 2], [3, np.nan]], "a, mode 1, place 1"), ([[np.inf, 1]], "mode 0, place 0"), ([], "shapes of 1 × 0"),
+                        (np.zeros((0, 3)), "shapes of 0 × 3"), ([[1, 2], [3]], "different lengths")]:  # fmt: skip
+        assert wanted in refused(percuss.InputError, lambda: mac(bad))
+    for bad in (["a", "b"], [None, 1], [[object()]]):
+        assert "holds no numbers" in refused(TypeError, lambda: mac(bad))

@@ -1,0 +1,195 @@
+"""Results: arrays that are the document's numbers and nobody's to change, mappings, and what goes to other processes."""
+
+import copy
+import pickle
+from collections.abc import Mapping
+from concurrent.futures import ProcessPoolExecutor
+
+import numpy as np
+import pytest
+
+import percuss
+
+BAND = (60, 3200)
+FS = 25600.0
+
+
+@pytest.fixture(scope="module")
+def found(bat):
+    return percuss.analyze(bat.record, band=BAND, stabilisation=True)
+
+
+@pytest.fixture(scope="module")
+def barrel():
+    return percuss.survey(percuss.synth("roving-barrel").record, band=BAND, effort="quick")
+
+
+def residues_of(document, part):
+    return np.array([[part(one) for one in mode["residues"]] for mode in document["modes"]])
+
+
+@pytest.mark.parametrize("which", ["found", "barrel"])
+def test_arrays_are_the_numbers_of_the_document(which, request):
+    result = request.getfixturevalue(which)
+    document = result.to_dict()
+    for name in ("frequency_hz", "frequency_std_hz", "damping_ratio", "damping_ratio_std", "confidence"):
+        assert getattr(result, name).tolist() == [mode[name] for mode in document["modes"]], name
+    assert result.family == [mode["family"] for mode in document["modes"]]
+    assert result.order.tolist() == [mode["order"] or 0 for mode in document["modes"]]
+    count = len(document["modes"])
+    assert np.array_equal(result.residues.reshape(count, -1), residues_of(document, lambda one: complex(one["re"], one["im"])))
+    assert np.array_equal(result.residues_std.reshape(count, -1), residues_of(document, lambda one: one["std"]))
+    table = result.table
+    assert table["frequency_hz"] is result.frequency_hz and table["family"].tolist() == result.family
+    assert {len(column) for column in table.values()} == {count}
+
+
+def test_shapes_are_those_of_the_document(barrel):
+    shapes = [mode["shape"]["values"] for mode in barrel.to_dict()["modes"]]
+    assert np.array_equal(barrel.shapes, [[complex(one["re"], one["im"]) for one in places] for places in shapes])
+    assert np.array_equal(barrel.shapes_std, [[one["std"] for one in places] for places in shapes])
+    assert barrel.mac.tolist() == barrel.to_dict()["auto_mac"]["value"]
+
+
+def arrays_of(value):
+    if isinstance(value, np.ndarray):
+        yield value
+    elif isinstance(value, dict):
+        yield from arrays_of(list(value.values()))
+    elif isinstance(value, (list, tuple)):
+        for one in value:
+            yield from arrays_of(one)
+
+
+def everything(result):
+    names = [name for name in dir(type(result)) if not name.startswith("_")]
+    values = [getattr(result, name) for name in names if name != "runs"]
+    return [value for value in values if not callable(value)] + [result[key] for key in result]
+
+
+@pytest.mark.parametrize("which", ["found", "barrel"])
+def test_arrays_of_results_are_read_only(which, request):
+    result = request.getfixturevalue(which)
+    arrays = list(arrays_of([everything(result), result.stabilisation(), result.frf_at()]))
+    assert len(arrays) > 15 and not any(array.flags.writeable for array in arrays)
+    others = [percuss.frf(percuss.synth("wood-bat").record, band=BAND), percuss.models.beam(support="free")]
+    assert not any(array.flags.writeable for one in others for array in arrays_of(everything(one)))
+    with pytest.raises(ValueError, match="read-only"):
+        result.frequency_hz[0] = 1
+
+
+def test_results_are_mappings(found):
+    document = found.to_dict()
+    assert isinstance(found, Mapping) and "modes" in found and "nope" not in found
+    assert list(found) == list(found.keys()) == list(document) and len(found) == len(document)
+    assert found.get("nope", 3) == 3 and found.get("modes") == found["modes"] == document["modes"]
+    assert dict(found.items()).keys() == document.keys() and len(list(found.values())) == len(document)
+    assert found == found and found != percuss.models.beam(support="free") and hash(found) == hash(found)
+    with pytest.raises(KeyError):
+        found["nope"]
+
+
+@pytest.mark.parametrize("which", ["found", "barrel"])
+def test_results_go_through_pickle(which, request):
+    result = request.getfixturevalue(which)
+    again = pickle.loads(pickle.dumps(result))
+    assert type(again) is type(result) and again.json == result.json and str(again) == str(result)
+    assert again._repr_html_() == result._repr_html_() and again.exit_code == result.exit_code
+    for name in dir(type(result)):
+        mine = getattr(result, name)
+        if isinstance(mine, np.ndarray):
+            assert np.array_equal(getattr(again, name), mine) and not getattr(again, name).flags.writeable, name
+    assert np.array_equal(again.frf_at(), result.frf_at())
+    assert np.array_equal(again.stabilisation()["frequency_hz"], result.stabilisation()["frequency_hz"])
+    with pytest.raises(percuss.UsageError, match="was pickled.*save\\(\\) before"):
+        again.save("x.h5")
+    assert len(pickle.loads(pickle.dumps(again)).frequency_hz) == len(result.frequency_hz)
+
+
+def test_other_results_go_through_pickle(bat):
+    for one in (percuss.models.beam(support="free"), percuss.frf(bat.record, band=BAND, kind="mobility"), percuss.compare(*[percuss.models.beam(support="free")] * 2)):
+        again = pickle.loads(pickle.dumps(one))
+        assert again.json == one.json and type(again) is type(one)
+        assert all(a.tobytes() == b.tobytes() for a, b in zip(arrays_of(everything(one)), arrays_of(everything(again))))
+    seen = percuss.deflect(bat.record)
+    curves = pickle.loads(pickle.dumps(seen)).curves()
+    assert np.array_equal(curves[0]["deflection_m"], seen.curves()[0]["deflection_m"])
+    rest = percuss.analyze(percuss.Record(np.zeros((2, 512)), np.random.default_rng(0).normal(size=(2, 1, 512)), fs=4096.0))
+    again = pickle.loads(pickle.dumps(rest))
+    assert not again.possible and again.hits == rest.hits
+
+
+def test_copies_of_results_are_results(found, tmp_path):
+    for again in (copy.copy(found), copy.deepcopy(found)):
+        assert again is not found and again.json == found.json
+        again.save(tmp_path / f"{id(again)}.h5")
+    kept = copy.deepcopy({"a": found})["a"]
+    kept.modes.clear()
+    assert len(found.modes) == 3
+
+
+def test_records_of_arrays_go_through_pickle_and_others_say_what_to_do(bat, tmp_path):
+    record = percuss.Record(bat.record.force_n, bat.record.accel_mps2, FS, points=[0, 1, 1, 0, 2], geometry=np.eye(3), names=["f", "a", "b"])
+    for again in (pickle.loads(pickle.dumps(record)), copy.deepcopy(record), copy.copy(record)):
+        assert np.array_equal(again.accel_mps2, record.accel_mps2) and np.array_equal(again.geometry, np.eye(3))
+        assert again.points.tolist() == [0, 1, 1, 0, 2] and again.signals == record.signals
+    bat.save(tmp_path / "bat.h5")
+    for one, wanted in [(bat.record, "path, or arrays"), (percuss.read(tmp_path / "bat.h5"), "bat.h5.*path"), (bat, "spec and seed")]:
+        with pytest.raises(TypeError, match=wanted):
+            pickle.dumps(one)
+    percuss.frf(bat.record, band=BAND).save(tmp_path / "frfs.h5")
+    with pytest.raises(TypeError, match="frfs.h5.*path"):
+        pickle.dumps(percuss.read(tmp_path / "frfs.h5"))
+    for one in (bat.record, percuss.read(tmp_path / "bat.h5"), percuss.read(tmp_path / "frfs.h5"), bat):
+        assert repr(copy.copy(one)) == repr(copy.deepcopy(one)) == repr(one)
+
+
+def in_a_process(seed):
+    found = percuss.analyze(percuss.synth("wood-bat", seed=seed).record, band=BAND, threads=1)
+    return found.to_dict(), found.frequency_hz, found
+
+
+def test_results_come_back_from_other_processes():
+    with ProcessPoolExecutor(2) as pool:
+        for seed, (document, freq_hz, whole) in enumerate(pool.map(in_a_process, range(2))):
+            here = percuss.analyze(percuss.synth("wood-bat", seed=seed).record, band=BAND)
+            assert document == here.to_dict() == whole.to_dict() and freq_hz.tolist() == here.frequency_hz.tolist()
+            assert np.array_equal(whole.frf, here.frf)
+
+
+def test_comparisons_name_what_they_compare(bat, found, tmp_path):
+    beside = percuss.analyze(bat.record, band=BAND, compare=found)
+    assert str(beside).count("analysis") >= 1 and "/proc" not in str(beside) + beside._repr_html_()
+    bat.save(tmp_path / "bat.h5")
+    read = percuss.analyze(tmp_path / "bat.h5", band=BAND)
+    whole = percuss.compare(found, found, percuss.models.beam(support="free"), read, read.to_dict(), furthest=40)
+    path = str(tmp_path / "bat.h5")
+    assert [one["path"] for one in whole.documents] == ["analysis", "analysis (2)", "model beam", path, f"{path} (2)"]
+    whole.save(tmp_path / "all.html")
+    beside.save(tmp_path / "beside.html")
+    for shown in (str(whole), whole._repr_html_(), whole.json):
+        assert "/proc" not in shown
+    with pytest.raises(percuss.InputError, match="nope.*file 2"):
+        percuss.compare(found, {"schema": "nope"})
+    for name in ("all.html", "beside.html"):
+        assert "/proc/self" not in (tmp_path / name).read_text()
+
+
+@pytest.mark.parametrize("change", [lambda f, a: f.fill(np.nan), lambda f, a: np.multiply(a, 2, out=a), lambda f, a: a.fill(7)])
+def test_files_of_arrays_that_have_changed_are_refused(bat, tmp_path, change):
+    force, accel = bat.record.force_n, bat.record.accel_mps2
+    found = percuss.analyze(force, accel, fs=FS, band=BAND)
+    found.report(tmp_path / "before.html")
+    change(force, accel)
+    for call in (lambda: found.report(tmp_path / "x.html"), lambda: found.save(tmp_path / "x.h5")):
+        with pytest.raises(percuss.InputError, match="the arrays have changed since"):
+            call()
+    found.save(tmp_path / "x.json")
+    assert (tmp_path / "x.json").read_text() == found.json and not (tmp_path / "x.html").exists()
+
+
+def test_refusals_to_overwrite_name_the_keyword(bat, tmp_path):
+    bat.save(tmp_path / "bat.h5")
+    for call in (lambda: bat.save(tmp_path / "bat.h5"), lambda: percuss.write(tmp_path / "bat.h5", bat)):
+        with pytest.raises(percuss.InputError, match="file exists.*; (use|give another name or) force=True"):
+            call()
