@@ -21,8 +21,6 @@
 #include "bare_fftw.hpp"
 #include "seconds.hpp"
 
-extern char** environ;
-
 namespace percuss {
 namespace {
 
@@ -32,6 +30,7 @@ constexpr std::size_t kBlock_bytes = std::size_t{1} << 18U;
 // Runs a command without its output; it must end well.
 void run(std::vector<std::string> words) {
   std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   posix_spawn_file_actions_t actions;

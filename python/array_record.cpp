@@ -80,9 +80,10 @@ SignalTable table_of(const std::shared_ptr<const ArrayTest>& test) {
     const std::string name = is_force ? "force" : fmt::format("accel {}", i - forces + 1);
     table.signals.push_back({.name = i < test->names.size() ? test->names[i] : name, .unit = is_force ? "N" : "m/s^2"});
   }
-  for (const ArrayRow& row : test->rows)
+  for (const ArrayRow& row : test->rows) {
     table.rows.push_back(
         {.samples = row.accel.empty() ? row.force.samples : row.accel.front().samples, .point = row.point});
+  }
   table.read = [test](std::size_t row, std::size_t signal, std::size_t first, std::span<double> out) {
     read_strip(strip_of(*test, row, signal), first, out);
   };

@@ -20,7 +20,7 @@ template <class Value, class Owner>
 pybind11::array view_of(std::span<const Value> values, std::shared_ptr<Owner> owner) {
   auto kept = std::make_unique<std::shared_ptr<Owner>>(std::move(owner));
   const pybind11::capsule base(kept.get(), [](void* held) { delete static_cast<std::shared_ptr<Owner>*>(held); });
-  kept.release();
+  static_cast<void>(kept.release());  // the capsule has it
   return sealed(pybind11::array_t<Value>(static_cast<pybind11::ssize_t>(values.size()), values.data(), base));
 }
 

@@ -166,9 +166,9 @@ TEST(PublishedDefects, ACoherenceAbove1IsNotClipped) {
   using Spectra = std::array<std::vector<Complex>, 2>;
   const Spectra f{{{{0.3, 0.7}, {1, -2}}, {{0.9, 0.1}, {1e-3, 4}}}};
   const Spectra a{{{{3, 1}, {-5, 2}}, {{0.2, 0.7}, {-4e-3, -17}}}};
-  const std::vector<std::span<const Complex>> force(f.begin(), f.end()), accel(a.begin(), a.end()), same = force;
-  for (const auto& response : {accel, same}) {
-    const CrossSpectra sums = cross_spectra(force, response);
+  const std::vector<std::span<const Complex>> force(f.begin(), f.end()), accel(a.begin(), a.end());
+  for (const auto* response : {&accel, &force}) {
+    const CrossSpectra sums = cross_spectra(force, *response);
     for (std::size_t k = 0; k < 2; ++k)
       EXPECT_LE(std::norm(sums.fa[k]) / (sums.ff[k] * sums.aa[k]) - 1, kRounding) << k;
   }

@@ -1,3 +1,4 @@
+#include <array>
 #include <string_view>
 
 #include "command.hpp"
@@ -30,11 +31,15 @@ struct NamedCommand {
   void (*add)(CommandLine&);
 };
 
-constexpr NamedCommand kNamedCommands[] = {
-    {"analyze", add_analyze}, {"frf", add_frf},         {"nodes", add_nodes},         {"survey", add_survey},
-    {"info", add_info},       {"convert", add_convert}, {"calibrate", add_calibrate}, {"deflect", add_deflect},
-    {"compare", add_compare}, {"synth", add_synth},     {"model", add_models},        {"metrics", add_metrics},
-    {"certify", add_certify}, {"abi", add_abi},         {"study", add_study},         {"batch", add_batch},
+constexpr std::array kNamedCommands = {
+    NamedCommand{"analyze", add_analyze},     NamedCommand{"frf", add_frf},
+    NamedCommand{"nodes", add_nodes},         NamedCommand{"survey", add_survey},
+    NamedCommand{"info", add_info},           NamedCommand{"convert", add_convert},
+    NamedCommand{"calibrate", add_calibrate}, NamedCommand{"deflect", add_deflect},
+    NamedCommand{"compare", add_compare},     NamedCommand{"synth", add_synth},
+    NamedCommand{"model", add_models},        NamedCommand{"metrics", add_metrics},
+    NamedCommand{"certify", add_certify},     NamedCommand{"abi", add_abi},
+    NamedCommand{"study", add_study},         NamedCommand{"batch", add_batch},
 };
 
 }  // namespace

@@ -42,8 +42,8 @@ struct ForceBlock {
 };
 ForceBlock force_block(const Hit& hit, double fs_Hz, double decay_per_s);
 
-/// A transform that several hold at once. shape  [lines]
-using Spectrum = std::shared_ptr<const Complex[]>;
+/// The first line of a transform that several hold at once. shape  [lines]
+using Spectrum = std::shared_ptr<const Complex>;
 inline Spectrum shared(std::vector<Complex> lines) {
   const auto owner = std::make_shared<const std::vector<Complex>>(std::move(lines));
   return {owner, owner->data()};
