@@ -51,6 +51,7 @@ py::dict modes_of(const Shared& held, std::size_t test) {
   const std::size_t outputs = modes.empty() ? 0 : modes.front().residues.size();
   const auto column = [&](const auto& number) {
     std::vector<double> values;
+    values.reserve(modes.size());
     for (const Mode& mode : modes) values.push_back(number(mode));
     return copy_of(std::span<const double>(values));
   };

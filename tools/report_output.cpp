@@ -40,6 +40,7 @@ void print_report(const CommandReport& report, const OutputFlags& flags) {
 
 int show_report(const CommandReport& report, const OutputFlags& flags, const std::vector<std::string>& paths) {
   std::vector<std::string> inputs;
+  inputs.reserve(paths.size());
   for (const std::string& path : paths) inputs.push_back(with_names(flags.host, path));
   for (const std::string& path : flags.paths) write_report(path, report, inputs, flags);
   print_report(report, flags);
