@@ -113,10 +113,10 @@ Sessions& sessions() {
 }  // namespace
 
 Ran run_command(const std::vector<std::string>& words, std::vector<GivenInput> inputs,
-                std::map<std::string, std::string> names) {
+                const std::map<std::string, std::string>& names) {
   const std::string first = words.empty() ? std::string() : words.front();
   auto session = sessions().take(first);  // not given back when an error leaves it half way
-  session->host.names = std::move(names);
+  session->host.names = {names.begin(), names.end()};
   session->host.called_as = as_typed(words, session->host);
   session->host.inputs = std::move(inputs);
   std::vector<const char*> typed{"percuss"};

@@ -17,7 +17,7 @@ struct Ran {
 /// of files, `names` in place of the paths of documents in memory. Beside the tool's commands there is "read", which
 /// opens and hands over. Several threads may call at once. errors  UsageError, InputError, NoHitError: as the tool.
 Ran run_command(const std::vector<std::string>& words, std::vector<tools::GivenInput> inputs,
-                std::map<std::string, std::string> names);
+                const std::map<std::string, std::string>& names);
 
 /// Every command with its options as JSON: {"commands": [{name, summary, about, words, options, examples}]}.
 std::string declared_commands();

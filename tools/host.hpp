@@ -38,7 +38,8 @@ struct Outcome {
 struct Host {
   std::string called_as;  // the command line that would do the same, for who asks later how a result came about
   std::vector<GivenInput> inputs;
-  std::map<std::string, std::string> names;  // of documents in memory, by the paths that stand for them
+  // Of documents in memory, by the paths that stand for them; of two that begin alike the longer first.
+  std::map<std::string, std::string, std::greater<>> names;
   Outcome outcome;
 };
 

@@ -8,7 +8,6 @@
 #include <cctype>
 #include <filesystem>
 #include <iostream>
-#include <ranges>
 #include <set>
 
 #include "core/error.hpp"
@@ -58,7 +57,7 @@ void remark(const OutputFlags& flags, const std::string& text) {
 
 std::string with_names(const Host* host, std::string text) {
   if (host == nullptr) return text;
-  for (const auto& [path, name] : std::ranges::reverse_view(host->names)) {  // the longer of two that begin alike first
+  for (const auto& [path, name] : host->names) {
     for (std::size_t at = text.find(path); at != std::string::npos; at = text.find(path, at + name.size()))
       text.replace(at, path.size(), name);
   }
