@@ -95,7 +95,9 @@ def test_processes_forked_by_python_compute_as_well(tool, bat):
 def test_interruption_is_an_interruption(tool, bat, delay_s):
     bat.save("bat.h5")
     script = (
-        "import percuss\nprint('begun', flush=True)\n"
+        "import percuss, signal\n"
+        "signal.signal(signal.SIGINT, signal.default_int_handler)\n"  # jobs of shells without control start with it ignored
+        "print('begun', flush=True)\n"
         "try:\n"
         "    found = None\n"  # Python 3.11 places what comes at a loop's jump before the loop: that must lie within
         "    while True: found = percuss.analyze('bat.h5', band=(60, 3200))\n"
@@ -106,7 +108,11 @@ def test_interruption_is_an_interruption(tool, bat, delay_s):
         assert process.stdout.readline() == "begun\n"
         time.sleep(delay_s)
         process.send_signal(signal.SIGINT)
-        out, err = process.communicate(timeout=60)
+        try:
+            out, err = process.communicate(timeout=60)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            raise
     assert out == "3\n", err
 
 
