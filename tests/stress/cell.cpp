@@ -27,8 +27,8 @@ SyntheticTest test_of(const Cell& cell, std::uint64_t run) {
   return test;
 }
 
-AnalysisOptions options_of(const SynthSpec& spec) {
-  return {.band_Hz = std::pair{spec.band_low_Hz, spec.band_high_Hz}, .threads = 1};
+AnalysisOptions options_of(const SynthSpec& spec, double exponential_end) {
+  return {.band_Hz = std::pair{spec.band_low_Hz, spec.band_high_Hz}, .exponential_end = exponential_end, .threads = 1};
 }
 
 Check check_of(Cell cell) {
@@ -41,7 +41,7 @@ Check check_of(Cell cell) {
   check.record = [cell](std::uint64_t run) { return test_of(cell, run).record; };
   check.run = [cell = std::move(cell)](std::uint64_t run) {
     SyntheticTest test = test_of(cell, run);
-    const Outcome outcome = analyse(std::move(test.record), options_of(cell.spec));
+    const Outcome outcome = analyse(std::move(test.record), options_of(cell.spec, cell.exponential_end));
     Result result = judge(outcome, true_modes(test.truth), cell.expected);
     result.calibrated = cell.calibrated;
     return result;

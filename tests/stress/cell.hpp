@@ -18,13 +18,14 @@ struct Cell {
   Expectation expected{};
   std::string defect{};
   std::size_t runs = 1, full_runs = 1;
-  bool calibrated = false;  // as Result
+  double exponential_end = 0;  // as AnalysisOptions
+  bool calibrated = false;     // as Result
 };
 Check check_of(Cell cell);
 
 /// The test of a cell, altered, with its truth; noise and hits of its own for every cell and run.
 SyntheticTest test_of(const Cell& cell, std::uint64_t run);
-AnalysisOptions options_of(const SynthSpec& spec);
+AnalysisOptions options_of(const SynthSpec& spec, double exponential_end = 0);
 
 /// The cells' common structure: two accelerometers, five hits, one second at 8192 Hz, band 60 to 3000 Hz.
 SynthSpec structure(std::vector<SynthMode> modes);

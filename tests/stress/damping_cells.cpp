@@ -33,6 +33,20 @@ std::vector<Cell> damping_cells() {
     cell.spec.noise.accel = ratio_of_dB(snr_dB);
     cells.push_back(std::move(cell));
   }
+  // Lines under an exponential window have noise in common, the more so the faster it falls.
+  for (const double end : {0.1, 0.01, 1e-3}) {
+    for (const double snr_dB : {20.0, 40.0, 60.0}) {
+      Cell cell{.group = "damping",
+                .name = fmt::format("exponential window falling to {:g}, {:g} dB", end, snr_dB),
+                .spec = two_modes(),
+                .runs = 4,
+                .full_runs = 32,
+                .exponential_end = end,
+                .calibrated = true};
+      cell.spec.noise.accel = ratio_of_dB(snr_dB);
+      cells.push_back(std::move(cell));
+    }
+  }
   return cells;
 }
 
