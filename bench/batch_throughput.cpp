@@ -77,7 +77,7 @@ std::string planned(const Folder& folder, const std::string& kind, std::size_t r
     const std::string seed = fmt::format("{}/{}.{}", seeds, i % kDifferent, kind);
     if (!fs::exists(seed)) write_record(seed, synthesise(small_test(i % kDifferent)).record, false);
     paths.push_back(fmt::format("{}/{}.{}", place, i, kind));
-    fs::create_hard_link(seed, paths.back());
+    if (!fs::exists(paths.back())) fs::create_hard_link(seed, paths.back());
   }
   std::string manifest = place + ".jsonl";
   write_manifest(manifest, {.version = version(), .options = {}, .setup = {}}, planned_records(paths, ".", false),

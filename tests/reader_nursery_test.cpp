@@ -64,6 +64,16 @@ TEST(ReaderNursery, TellsWhatBecomesOfAReader) {
   EXPECT_FALSE(nursery->lost());
 }
 
+TEST(ReaderNursery, SaysOfReadersThatNeverWere) {
+  ReaderNursery nursery(counting);
+  int status = 0;
+  EXPECT_EQ(nursery.ended(1, status), -1);
+  nursery.end(1, status);
+  nursery.forget(1);
+  EXPECT_EQ(nursery.ended(1, status), -1);
+  EXPECT_FALSE(nursery.lost());
+}
+
 TEST(ReaderNursery, OpensWhatIsOpenedWithoutIt) {
   const test::ScratchFolder folder;
   FrfReadOptions options;

@@ -100,8 +100,7 @@ void ConfinedProcess::begin(const std::function<int(int descriptor, int memory)>
   if (memory >= 0) ::close(memory);
   if (paired) ::close(ends[1]);
   try {
-    if (child_ < 0)
-      throw InputError("no process can be started to read it in", path_, "close other programs, or give --trust-input");
+    if (child_ < 0) report_no_process();
     receive_outcome(description_);
   } catch (...) {
     if (paired) ::close(descriptor_);
@@ -111,8 +110,8 @@ void ConfinedProcess::begin(const std::function<int(int descriptor, int memory)>
   }
 }
 
-int ConfinedProcess::wait(int& status, int flags) const {
-  return nursery_ != nullptr ? nursery_->wait(child_, status, flags) : ::waitpid(child_, &status, flags);
+int ConfinedProcess::ended(int& status) const {
+  return nursery_ != nullptr ? nursery_->ended(child_, status) : ::waitpid(child_, &status, WNOHANG);
 }
 
 ConfinedProcess::~ConfinedProcess() {
@@ -137,8 +136,12 @@ void ConfinedProcess::receive(void* to, std::size_t bytes) {
 int ConfinedProcess::end_child() {
   int status = 0;
   if (child_ <= 0) return status;
-  ::kill(child_, SIGKILL);
-  wait(status, 0);
+  if (nursery_ != nullptr) {
+    nursery_->end(child_, status);
+  } else {
+    ::kill(child_, SIGKILL);
+    ::waitpid(child_, &status, 0);
+  }
   child_ = -1;
   return status;
 }
@@ -175,6 +178,10 @@ void ConfinedProcess::receive_outcome(std::string& payload) {
   throw InputError("it cannot be read: " + one_line(bytes, 200), path_, "is it damaged? Save it again");
 }
 
+void ConfinedProcess::report_no_process() const {
+  throw InputError("no process can be started to read it in", path_, "close other programs, or give --trust-input");
+}
+
 void ConfinedProcess::report_slowness() const {
   throw InputError("reading it takes longer than any file of its size should", path_,
                    "is it damaged? Else give --trust-input");
@@ -187,12 +194,16 @@ void ConfinedProcess::report_no_memory() const {
 
 void ConfinedProcess::report_death() {
   int status = 0;
-  bool ended = false;
-  for (int i = 0; i < 100 && !ended; ++i) {  // who stops to answer is about to end, or is ended
-    ended = wait(status, WNOHANG) == child_;
-    if (!ended) ::usleep(10'000);
+  int who = 0;
+  for (int i = 0; i < 100 && who != child_; ++i) {  // who stops to answer is about to end, or is ended
+    who = ended(status);
+    if (who < 0 && nursery_ != nullptr) {
+      child_ = -1;
+      report_no_process();
+    }
+    if (who != child_) ::usleep(10'000);
   }
-  if (!ended) status = end_child();
+  if (who != child_) status = end_child();
   child_ = -1;
   const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
   if (signal == SIGXCPU || signal == SIGKILL) report_slowness();

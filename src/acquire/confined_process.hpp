@@ -43,10 +43,11 @@ class ConfinedProcess {
  private:
   /// Sets everything up around start(the reader's end, memory), which gives a process number.
   void begin(const std::function<int(int descriptor, int memory)>& start);
-  int wait(int& status, int flags) const;
+  int ended(int& status) const;  // as ReaderNursery::ended
   void receive_outcome(std::string& payload);
   int end_child();  // how it ended, as waitpid tells it
   [[noreturn]] void report_death();
+  [[noreturn]] void report_no_process() const;
   [[noreturn]] void report_slowness() const;
   [[noreturn]] void report_no_memory() const;
   void receive(void* to, std::size_t bytes);
@@ -57,7 +58,7 @@ class ConfinedProcess {
   std::mutex mutex_;
   double* shared_ = nullptr;  // what the child writes numbers into
   int descriptor_ = -1;
-  int child_ = -1;
+  int child_ = -1;                          // its process; with a nursery its number there
   std::shared_ptr<ReaderNursery> nursery_;  // whose child it is; nullptr: this process's
 };
 

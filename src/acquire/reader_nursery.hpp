@@ -23,20 +23,25 @@ class ReaderNursery {
   ReaderNursery& operator=(const ReaderNursery&) = delete;
 
   // For ConfinedProcess; several threads may call at once.
-  /// A reader's process number; −1 when there is none. It gets copies of the descriptors: to talk, and of the memory.
+  /// Has a reader started, and does not wait until it is there; it gets copies of the descriptors: to talk, and of the
+  /// memory. The reader's number; −1 when nobody can be asked.
   int start(const std::string& path, int descriptor, int memory);
-  /// As waitpid for a process of start().
-  int wait(int process, int& status, int flags);
-  /// Ends a process of start() without waiting until it has; last.
-  void forget(int process);
+  /// The reader's number when it has ended, and how, as waitpid tells it; 0 when it has not; −1 when there is none.
+  int ended(int reader, int& status);
+  /// Ends a reader, and tells how it ended.
+  void end(int reader, int& status);
+  /// Ends a reader without waiting until it has; last.
+  void forget(int reader);
 
   /// Whether it has ended before its time: nobody answers any more.
   bool lost() const { return lost_; }
 
  private:
+  bool tell(const msghdr& message);
   int ask(const msghdr& question, int& status);
 
-  std::mutex mutex_;
+  std::mutex mutex_;  // from a question to its answer
+  std::atomic<int> readers_{0};
   std::atomic<bool> lost_{false};
   int descriptor_ = -1;
   int process_ = -1;
