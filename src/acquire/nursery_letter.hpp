@@ -1,10 +1,7 @@
 #pragma once
-#include <sys/socket.h>
-#include <sys/uio.h>
-
 #include <array>
-#include <climits>
-#include <cstring>
+#include <optional>
+#include <string>
 
 namespace percuss {
 
@@ -20,40 +17,17 @@ struct NurseryAnswer {
   int reader = -1, status = 0;
 };
 
-inline constexpr std::size_t kDescriptors = 2;
-inline constexpr std::size_t kLongestPath = PATH_MAX;
-
-/// A message with room for the descriptors that go with it.
+/// A question and what goes with kStart.
 struct NurseryLetter {
-  std::array<iovec, 2> parts{};
-  alignas(cmsghdr) std::array<char, CMSG_SPACE(kDescriptors * sizeof(int))> control{};
-  msghdr header{};
-
-  NurseryLetter(NurseryQuestion& question, char* path, std::size_t path_bytes) {
-    parts = {iovec{&question, sizeof question}, iovec{path, path_bytes}};
-    header.msg_iov = parts.data();
-    header.msg_iovlen = parts.size();
-  }
-  NurseryLetter(const NurseryLetter&) = delete;
-  NurseryLetter& operator=(const NurseryLetter&) = delete;
-  void make_room() {
-    header.msg_control = control.data();
-    header.msg_controllen = control.size();
-  }
-  void enclose(const int* descriptors) {
-    make_room();
-    cmsghdr* const first = CMSG_FIRSTHDR(&header);
-    first->cmsg_level = SOL_SOCKET;
-    first->cmsg_type = SCM_RIGHTS;
-    first->cmsg_len = CMSG_LEN(kDescriptors * sizeof(int));
-    std::memcpy(CMSG_DATA(first), descriptors, kDescriptors * sizeof(int));
-  }
-  bool enclosed(std::array<int, kDescriptors>& descriptors) {
-    const cmsghdr* const first = CMSG_FIRSTHDR(&header);
-    if (first == nullptr || first->cmsg_len != CMSG_LEN(kDescriptors * sizeof(int))) return false;
-    std::memcpy(descriptors.data(), CMSG_DATA(first), kDescriptors * sizeof(int));
-    return true;
-  }
+  NurseryQuestion question;
+  std::string path;
+  std::array<int, 2> descriptors{-1, -1};  // for the reader: to talk, and of the memory
 };
+
+/// Whether it went off; the descriptors go along as copies, where there are any.
+bool send_letter(int socket, const NurseryLetter& letter);
+
+/// Waits for the next, whose descriptors the caller closes; nothing when nobody holds the other end any more.
+std::optional<NurseryLetter> receive_letter(int socket);
 
 }  // namespace percuss

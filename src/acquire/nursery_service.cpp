@@ -2,11 +2,11 @@
 
 #include <sched.h>
 #include <sys/mman.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cerrno>
 #include <csignal>
 #include <map>
 #include <set>
@@ -53,14 +53,13 @@ class Readers {
  public:
   Readers(int own, const ReaderNursery::Open& open) : own_(own), open_(open) {}
 
-  void start(const NurseryQuestion& question, const std::string& path,
-             const std::array<int, kDescriptors>& descriptors) {
+  void start(const NurseryLetter& letter) {
     bury();
-    const int process = fork_at(question.processor);
-    if (process > 0) processes_[question.reader] = process;
+    const int process = fork_at(letter.question.processor);
+    if (process > 0) processes_[letter.question.reader] = process;
     if (process != 0) return;
     ::close(own_);
-    ::_exit(read_for(open_, path, descriptors[0], descriptors[1]));
+    ::_exit(read_for(open_, letter.path, letter.descriptors[0], letter.descriptors[1]));
   }
 
   NurseryAnswer ended(int reader, int flags) {
@@ -111,21 +110,11 @@ void serve_nursery(int own, const ReaderNursery::Open& open) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_IGN);  // its parent's affair
   hdf5::start_library();                                                            // once for all readers
   Readers readers(own, open);
-  std::array<char, kLongestPath> path{};
-  while (true) {
-    NurseryQuestion question;
-    NurseryLetter envelope(question, path.data(), path.size());
-    envelope.make_room();
-    const ssize_t got = ::recvmsg(own, &envelope.header, MSG_CMSG_CLOEXEC);
-    if (got < 0 && errno == EINTR) continue;
-    if (got < static_cast<ssize_t>(sizeof question)) return;
-    std::array<int, kDescriptors> descriptors{-1, -1};
-    const bool enclosed = envelope.enclosed(descriptors);
-    if (question.kind == kStart) {
-      const std::string name(path.data(), static_cast<std::size_t>(got) - sizeof question);
-      if (enclosed) readers.start(question, name, descriptors);
-    }
-    for (const int one : descriptors) {
+  while (const auto letter = receive_letter(own)) {
+    const NurseryQuestion& question = letter->question;
+    const bool enclosed = letter->descriptors.front() >= 0;
+    if (question.kind == kStart && enclosed) readers.start(*letter);
+    for (const int one : letter->descriptors) {
       if (enclosed) ::close(one);
     }
     if (question.kind == kForget) readers.forget(question.reader);

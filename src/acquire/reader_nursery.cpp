@@ -1,6 +1,7 @@
 #include "acquire/reader_nursery.hpp"
 
 #include <sched.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -40,42 +41,26 @@ ReaderNursery::~ReaderNursery() {
 }
 
 int ReaderNursery::start(const std::string& path, int descriptor, int memory) {
-  if (path.size() > kLongestPath) return -1;
-  std::string name = path;
-  NurseryQuestion question{.kind = kStart, .reader = ++readers_, .processor = ::sched_getcpu()};
-  NurseryLetter envelope(question, name.data(), name.size());
-  const std::array<int, kDescriptors> descriptors{descriptor, memory};
-  envelope.enclose(descriptors.data());
-  return tell(envelope.header) ? question.reader : -1;
+  const int reader = ++readers_;
+  const bool told = tell({.question = {.kind = kStart, .reader = reader, .processor = ::sched_getcpu()},
+                          .path = path,
+                          .descriptors = {descriptor, memory}});
+  return told ? reader : -1;
 }
 
-int ReaderNursery::ended(int reader, int& status) {
-  NurseryQuestion question{.kind = kEnded, .reader = reader};
-  NurseryLetter envelope(question, nullptr, 0);
-  return ask(envelope.header, status);
-}
+int ReaderNursery::ended(int reader, int& status) { return ask({.kind = kEnded, .reader = reader}, status); }
+void ReaderNursery::end(int reader, int& status) { ask({.kind = kEnd, .reader = reader}, status); }
+void ReaderNursery::forget(int reader) { tell({.question = {.kind = kForget, .reader = reader}}); }
 
-void ReaderNursery::end(int reader, int& status) {
-  NurseryQuestion question{.kind = kEnd, .reader = reader};
-  NurseryLetter envelope(question, nullptr, 0);
-  ask(envelope.header, status);
-}
-
-void ReaderNursery::forget(int reader) {
-  NurseryQuestion question{.kind = kForget, .reader = reader};
-  NurseryLetter envelope(question, nullptr, 0);
-  tell(envelope.header);
-}
-
-bool ReaderNursery::tell(const msghdr& message) {
-  if (::sendmsg(descriptor_, &message, MSG_NOSIGNAL) < 0) lost_ = true;
+bool ReaderNursery::tell(const NurseryLetter& letter) {
+  if (!send_letter(descriptor_, letter)) lost_ = true;
   return !lost_;
 }
 
-int ReaderNursery::ask(const msghdr& question, int& status) {
+int ReaderNursery::ask(const NurseryQuestion& question, int& status) {
   NurseryAnswer answer;
   const std::lock_guard lock(mutex_);
-  if (!tell(question)) return -1;
+  if (!tell({.question = question})) return -1;
   ssize_t got = -1;
   do {
     got = ::recv(descriptor_, &answer, sizeof answer, 0);

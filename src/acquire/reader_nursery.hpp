@@ -6,9 +6,10 @@
 
 #include "acquire/confined_process.hpp"
 
-struct msghdr;
-
 namespace percuss {
+
+struct NurseryLetter;
+struct NurseryQuestion;
 
 /// A small process that forks confined readers for this one. To fork a process that has threads and much memory slows
 /// down all of its threads; this one is forked once, before there are any, and stays small. It ends with the object, or
@@ -37,8 +38,8 @@ class ReaderNursery {
   bool lost() const { return lost_; }
 
  private:
-  bool tell(const msghdr& message);
-  int ask(const msghdr& question, int& status);
+  bool tell(const NurseryLetter& letter);
+  int ask(const NurseryQuestion& question, int& status);
 
   std::mutex mutex_;  // from a question to its answer
   std::atomic<int> readers_{0};
