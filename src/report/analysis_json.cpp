@@ -259,6 +259,10 @@ std::string analysis_json(const Analysis& analysis, const JsonOptions& options) 
   return text_of(document_of(analysis, options));
 }
 
+std::any analysis_document(const Analysis& analysis, const JsonOptions& options) {
+  return document_of(analysis, options);
+}
+
 std::string analysis_json(const std::vector<NumberedAnalysis>& tests, const JsonOptions& options) {
   if (tests.size() == 1) return analysis_json(*tests.front().analysis, options);
   Json json{{"schema", "percuss/analysis/1"}, {"version", version()}, {"runs", Json::array()}};

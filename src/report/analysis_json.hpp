@@ -1,4 +1,5 @@
 #pragma once
+#include <any>
 #include <map>
 #include <optional>
 #include <set>
@@ -39,5 +40,8 @@ struct NumberedAnalysis {
 /// array "runs". Text that is not UTF-8 (file names) is shown with replacement characters.
 std::string analysis_json(const std::vector<NumberedAnalysis>& tests, const JsonOptions& options = {});
 std::string analysis_json(const Analysis& analysis, const JsonOptions& options = {});
+
+/// What analysis_json writes out, for documents that add to it: an nlohmann::ordered_json, which headers do not name.
+std::any analysis_document(const Analysis& analysis, const JsonOptions& options);
 
 }  // namespace percuss

@@ -1,7 +1,9 @@
 #include "report/survey_json.hpp"
-#include "core/units.hpp"
 
+#include <any>
 #include <nlohmann/json.hpp>
+
+#include "core/units.hpp"
 
 namespace percuss {
 namespace {
@@ -126,7 +128,8 @@ std::string survey_json(const Survey& survey, JsonOptions options) {
   options.verdicts = &verdicts;
   const std::vector<Warning> warnings = survey.warnings();
   options.warnings = &warnings;
-  Json json = Json::parse(analysis_json(survey.analysis(), options));
+  std::any document = analysis_document(survey.analysis(), options);
+  Json& json = *std::any_cast<Json>(&document);
   json["roving"] = survey.options().roving == Roving::hammer ? "hammer" : "sensor";
   json["geometry"] = geometry_json(survey);
   if (possible) {
