@@ -8,12 +8,14 @@ from typing import Any
 from . import _percuss
 from ._measured import MeasuredFrf
 from ._records import Record
+from ._results import Synthetic
 from ._words import Command
 
 
 def handles_of(data: tuple[Any, ...], fs: Any) -> tuple[list[str], list[Any]]:
     """What a command is given: paths, or handles of what is in memory."""
-    flat: list[Any] = list(data[0]) if len(data) == 1 and _is_several(data[0]) else list(data)
+    given: list[Any] = list(data[0]) if len(data) == 1 and _is_several(data[0]) else list(data)
+    flat = [one.record if isinstance(one, Synthetic) else one for one in given]
     if flat and all(isinstance(one, (str, bytes, os.PathLike)) for one in flat):
         return [os.fsdecode(one) for one in flat], []
     if flat and all(isinstance(one, (Record, MeasuredFrf)) for one in flat):
@@ -30,8 +32,8 @@ def handles_of(data: tuple[Any, ...], fs: Any) -> tuple[list[str], list[Any]]:
 
 
 def _is_several(value: Any) -> bool:
-    given = (str, bytes, os.PathLike, Record, MeasuredFrf)
-    return isinstance(value, (list, tuple)) and bool(value) and all(isinstance(one, given) for one in value)
+    known = (str, bytes, os.PathLike, Record, MeasuredFrf, Synthetic)
+    return isinstance(value, (list, tuple)) and bool(value) and all(isinstance(one, known) for one in value)
 
 
 def refuse_reading_twice(name: str, command: Command, handles: list[Any], options: dict[str, Any], are_records: bool) -> None:

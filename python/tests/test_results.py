@@ -157,6 +157,12 @@ def test_results_come_back_from_other_processes():
             assert np.array_equal(whole.frf, here.frf)
 
 
+def test_made_up_tests_are_given_as_their_records(bat):
+    band = (60, 3200)
+    assert percuss.analyze(bat, band=band).json == percuss.analyze(bat.record, band=band).json
+    assert percuss.frf([bat], band=band).json == percuss.frf(bat.record, band=band).json
+
+
 def test_comparisons_name_what_they_compare(bat, found, tmp_path):
     beside = percuss.analyze(bat.record, band=BAND, compare=found)
     assert str(beside).count("analysis") >= 1 and "/proc" not in str(beside) + beside._repr_html_()
