@@ -9,6 +9,7 @@ import numpy as np
 
 from . import _percuss
 from ._arrays import geometry_of, names_of, points_of, rate_of, rows_of
+from ._words import in_python
 
 
 class Record:
@@ -56,7 +57,10 @@ class Record:
         texts = names_of(names, channels + has_force, has_force)
         places = geometry_of(geometry, struck, channels)
         self._given: tuple[Any, ...] | None = (rows, struck, rate, bool(continuous), texts, places)
-        self._handle = _percuss.RecordHandle(*self._given)
+        try:
+            self._handle = _percuss.RecordHandle(*self._given)
+        except _percuss.InputError as error:
+            raise in_python(error) from None
         self._told = self._handle.describe()
 
     @classmethod

@@ -89,9 +89,11 @@ def _text(keyword: str, value: Any) -> str:
 
 
 def in_python(error: Exception) -> Exception:
-    """The error with the keyword where the remedy names the option that save() and write() have as one."""
+    """The error with keywords where the remedy names options that save(), write() and Record() have as such."""
     problem, semicolon, remedy = str(error).rpartition("; ")
-    return type(error)(problem + semicolon + re.sub(r"--force(?![\w-])", "force=True", remedy))
+    for option, keyword in {"--force": "force=True", "--fs": "fs="}.items():
+        remedy = re.sub(option + r"(?![\w-])", keyword, remedy)
+    return type(error)(problem + semicolon + remedy)
 
 
 class MemoryFiles:

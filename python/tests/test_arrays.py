@@ -142,7 +142,7 @@ def test_hostile_arrays_are_refused(signals, name):
 def test_rates_that_cannot_be_are_refused(signals, fs):
     with pytest.raises(percuss.InputError):
         percuss.analyze(*signals, fs=fs)
-    with pytest.raises(percuss.InputError, match="sampling rate"):
+    with pytest.raises(percuss.InputError, match="sampling rate.*; give fs= in Hz"):
         percuss.Record(*signals, fs)
 
 
