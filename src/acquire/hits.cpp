@@ -225,6 +225,7 @@ void grade_weak(std::vector<Hit>& hits) {
 std::vector<Hit> find_hits(const Record& record, const HitOptions& options) {
   const bool search = record.continuous || record.rows.size() == 1;
   std::vector<std::vector<Hit>> of_row(record.rows.size());
+  plan_bandwidths();
   share_out(of_row.size(), record.rows.empty() ? 0 : record.rows.front().samples, [&](std::size_t row) {
     of_row[row] = search ? hits_in_row(record, row, options) : std::vector{hit_of_row(record, row, options)};
   });

@@ -1,6 +1,7 @@
 #include "acquire/pulse_shape.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -17,6 +18,8 @@ constexpr std::size_t kGateGap = 8;        // samples without ringing after whic
 constexpr double kGateFloor = 1e-9;        // of the peak
 constexpr double kSecondNoise = 6;         // deviations of the smoothed force
 constexpr double kSecondFraction = 0.005;  // of the peak; smaller ones change no FRF by more than 0.04 dB
+constexpr std::size_t kLeastPadded = 2048;  // samples
+constexpr std::size_t kPadding = 8;         // times the pulse: between lines its spectrum is nearly straight
 constexpr double kBandwidthDrop = 0.1;     // −20 dB
 
 // Where |x| crosses `level` between samples i and i + 1, as a fractional sample.
@@ -151,10 +154,11 @@ std::optional<SecondPulse> second_pulse(std::span<const double> force_N, const P
   return best;
 }
 
+void plan_bandwidths() { plan_real_dft(kLeastPadded); }
+
 double bandwidth_Hz(std::span<const double> pulse, double fs_Hz) {
-  constexpr std::size_t kLeastSamples = 2048;
-  constexpr std::size_t kPadding = 8;  // times the pulse: between lines its spectrum is nearly straight
-  std::vector<double> padded(fast_length_at_least(std::max(kLeastSamples, kPadding * pulse.size())));
+  // A power of two: each other length would want a plan of its own.
+  std::vector<double> padded(std::bit_ceil(std::max(kLeastPadded, kPadding * pulse.size())));
   std::copy(pulse.begin(), pulse.end(), padded.begin());
   const auto spectrum = real_dft_in_scratch(padded);
   double largest = 0;  // as power

@@ -38,5 +38,7 @@ std::optional<SecondPulse> second_pulse(std::span<const double> force_N, const P
 /// Frequency at which the amplitude spectrum of a pulse first falls 20 dB below its largest line.
 /// theory (1.5)
 double bandwidth_Hz(std::span<const double> pulse, double fs_Hz);
+/// Plans the transforms of most pulses: threads that are about to ask for bandwidths do not wait for each other then.
+void plan_bandwidths();
 
 }  // namespace percuss

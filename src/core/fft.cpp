@@ -6,12 +6,10 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <shared_mutex>
 
 namespace percuss {
 namespace {
-
-// FFTW's planner is not thread-safe, its execution is; plans live as long as the process.
-std::mutex planner;
 
 fftw_complex* as_fftw(Complex* p) { return reinterpret_cast<fftw_complex*>(p); }
 
@@ -27,28 +25,50 @@ struct Buffers {
   fftw_complex* complex;
 };
 
+// Plans of one kind, which live as long as the process. FFTW's planner is not thread-safe, its execution is; who asks
+// for a plan that is there does not wait for another one in the making.
+class Plans {
+ public:
+  explicit Plans(fftw_plan (*make)(std::size_t)) : make_(make) {}
+
+  fftw_plan get(std::size_t n) {
+    if (fftw_plan plan = made(n)) return plan;
+    static std::mutex planner;
+    const std::scoped_lock lock(planner);
+    if (fftw_plan plan = made(n)) return plan;
+    fftw_plan plan = make_(n);
+    const std::scoped_lock write(mutex_);
+    return plans_[n] = plan;
+  }
+
+ private:
+  fftw_plan made(std::size_t n) {
+    const std::shared_lock lock(mutex_);
+    const auto at = plans_.find(n);
+    return at == plans_.end() ? nullptr : at->second;
+  }
+
+  fftw_plan (*make_)(std::size_t);
+  std::shared_mutex mutex_;
+  std::map<std::size_t, fftw_plan> plans_;
+};
+
 // Only 16-byte alignment is promised by std::vector and only that is assumed: UNALIGNED would cost the vector units.
 fftw_plan forward_plan(std::size_t n) {
-  static auto& plans = *new std::map<std::size_t, fftw_plan>;  // lives as long as the process
-  const std::scoped_lock lock(planner);
-  auto& plan = plans[n];
-  if (plan == nullptr) {
-    const Buffers buffers(n);
-    plan =
-        fftw_plan_dft_r2c_1d(static_cast<int>(n), buffers.real, buffers.complex, FFTW_ESTIMATE | FFTW_PRESERVE_INPUT);
-  }
-  return plan;
+  static auto& plans = *new Plans([](std::size_t length) {
+    const Buffers buffers(length);
+    return fftw_plan_dft_r2c_1d(static_cast<int>(length), buffers.real, buffers.complex,
+                                FFTW_ESTIMATE | FFTW_PRESERVE_INPUT);
+  });
+  return plans.get(n);
 }
 
 fftw_plan inverse_plan(std::size_t n) {
-  static auto& plans = *new std::map<std::size_t, fftw_plan>;  // lives as long as the process
-  const std::scoped_lock lock(planner);
-  auto& plan = plans[n];
-  if (plan == nullptr) {
-    const Buffers buffers(n);
-    plan = fftw_plan_dft_c2r_1d(static_cast<int>(n), buffers.complex, buffers.real, FFTW_ESTIMATE);
-  }
-  return plan;
+  static auto& plans = *new Plans([](std::size_t length) {
+    const Buffers buffers(length);
+    return fftw_plan_dft_c2r_1d(static_cast<int>(length), buffers.complex, buffers.real, FFTW_ESTIMATE);
+  });
+  return plans.get(n);
 }
 
 bool fast_length(std::size_t length) {
@@ -59,6 +79,8 @@ bool fast_length(std::size_t length) {
 }
 
 }  // namespace
+
+void plan_real_dft(std::size_t n) { forward_plan(n); }
 
 void real_dft(std::span<const double> x, std::span<Complex> out) {
   assert(!x.empty() && out.size() == x.size() / 2 + 1);

@@ -15,6 +15,10 @@ using Complex = std::complex<double>;
 /// theory (2.1)
 std::vector<Complex> real_dft(std::span<const double> x);
 
+/// Plans transforms of n >= 1 values, which takes some ms: threads that are about to begin with one need not wait for
+/// each other then.
+void plan_real_dft(std::size_t n);
+
 /// As above into caller's storage; x.size() >= 1, out.size() == x.size()/2 + 1.
 void real_dft(std::span<const double> x, std::span<Complex> out);
 

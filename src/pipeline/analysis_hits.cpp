@@ -1,6 +1,7 @@
 // The hits' responses: read, graded, transformed.
 #include <algorithm>
 
+#include "core/fft.hpp"
 #include "core/parallel.hpp"
 #include "frf/windows.hpp"
 #include "pipeline/analysis.hpp"
@@ -47,6 +48,7 @@ Analysis::Responses Analysis::read_responses() const {
     for (std::size_t c = 0; c < channels; ++c) tasks.emplace_back(h, c);
   }
   Responses out{.of = std::move(of), .lines = LargeArray<Complex>(tasks.size() * range.count)};
+  plan_real_dft(range.samples);
   parallel_for(tasks.size(), options_.threads, [&](std::size_t t) {
     const auto [h, c] = tasks[t];
     const auto spectrum = out.lines.part(t * range.count, range.count);
