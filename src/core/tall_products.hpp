@@ -1,6 +1,8 @@
 #pragma once
 #include <Eigen/Core>
 #include <complex>
+#include <cstddef>
+#include <vector>
 
 namespace percuss {
 
@@ -22,5 +24,15 @@ Eigen::MatrixXcd transposed_product(const Eigen::MatrixXd& left, const Eigen::Ma
 /// from −= columns·factors. shapes: from [n, b], columns [n, a], factors [a, b].
 void subtract_product(Eigen::MatrixXcd& from, const Eigen::MatrixXcd& columns, const Eigen::MatrixXcd& factors);
 void subtract_product(Eigen::MatrixXcd& from, const Eigen::MatrixXd& columns, const Eigen::MatrixXcd& factors);
+
+struct ColumnFit {
+  Eigen::MatrixXcd amplitude;  // [a, outputs]
+  Eigen::MatrixXcd residual;   // [n, outputs]
+};
+
+/// Least squares by `columns` of those columns of `data` that `outputs` names, one after the other while it is near the
+/// processor. shapes: columns [n, a], inverse_gram (columnsᴴ·columns)⁻¹, data [n, …].
+ColumnFit fit_columns(const Eigen::MatrixXcd& columns, const Eigen::MatrixXcd& inverse_gram,
+                      const Eigen::MatrixXcd& data, const std::vector<std::size_t>& outputs);
 
 }  // namespace percuss

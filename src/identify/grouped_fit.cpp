@@ -18,9 +18,10 @@ constexpr double kMostLines = 400;  // … nor more: the polynomial follows othe
 constexpr double kLeastForce =
     1e-6;  // of the strongest line's power: a pulse's spectrum has zeros, where FRFs mean nothing
 constexpr double kLeastWeight = 1e-3;  // of the noise elsewhere: where a fit leaves nothing, its weight stays finite
-constexpr std::size_t kOutgrown = 2;   // times: a window that is too short
-constexpr int kMostPasses = 5;         // of a sweep
-constexpr double kTogether = 4;        // bandwidths (or lines) apart at which two modes are fitted together
+constexpr std::size_t kPerPowerLine = 10;  // operations
+constexpr std::size_t kOutgrown = 2;       // times: a window that is too short
+constexpr int kMostPasses = 5;             // of a sweep
+constexpr double kTogether = 4;            // bandwidths (or lines) apart at which two modes are fitted together
 
 void carry_over(const std::vector<FitGroup>& before, FitGroup& group, std::size_t m) {
   for (const FitGroup& old : before) {
@@ -32,20 +33,22 @@ void carry_over(const std::vector<FitGroup>& before, FitGroup& group, std::size_
   }
 }
 
+double largest_of(const FrfSet& set, const Output& output) {
+  const std::vector<double>& ff = set.points[output.point].ff;
+  const double least = ff.empty() ? 0 : kLeastForce * *std::max_element(ff.begin(), ff.end());
+  double largest = 0;
+  for (std::size_t k = 0; k < output.frf.size(); ++k) {
+    if (ff.empty() || ff[k] > least) largest = std::max(largest, std::norm(output.frf[k]));
+  }
+  return std::sqrt(largest);
+}
+
 }  // namespace
 
 GroupedFit::GroupedFit(const FrfSet& set, const GroupedFitOptions& options)
     : set_(set), options_(options), noise_(set), largest_(VectorXd::Zero(static_cast<Index>(set.outputs.size()))) {
-  for (std::size_t o = 0; o < set.outputs.size(); ++o) {
-    double& largest = largest_(static_cast<Index>(o));
-    const std::vector<Complex>& frf = set.outputs[o].frf;
-    const std::vector<double>& ff = set.points[set.outputs[o].point].ff;
-    const double least = ff.empty() ? 0 : kLeastForce * *std::max_element(ff.begin(), ff.end());
-    for (std::size_t k = 0; k < frf.size(); ++k) {
-      if (ff.empty() || ff[k] > least) largest = std::max(largest, std::norm(frf[k]));
-    }
-    largest = std::sqrt(largest);
-  }
+  share_out(set.outputs.size(), kPerPowerLine * set.lines.count,
+            [&](std::size_t o) { largest_(static_cast<Index>(o)) = largest_of(set, set.outputs[o]); });
 }
 
 std::vector<Pole> GroupedFit::poles() const {

@@ -1,6 +1,7 @@
 #include "identify/variable_projection.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/linear_algebra.hpp"
 #include "core/tall_products.hpp"
@@ -104,20 +105,9 @@ ProjectedPart VariableProjection::solve(const std::vector<std::size_t>& outputs,
   }
   project(part.columns);
   part.inverse_gram = inverse_gram(adjoint_gram(part.columns));
-  if (outputs.size() == set_.outputs.size()) {
-    part.residual = data_;
-  } else {
-    part.residual.resize(lines, static_cast<Index>(outputs.size()));
-    for (std::size_t i = 0; i < outputs.size(); ++i)
-      part.residual.col(static_cast<Index>(i)) = data_.col(static_cast<Index>(outputs[i]));
-  }
-  // Twice: the normal equations alone lose half of the digits.
-  part.amplitude = MatrixXcd::Zero(modes, part.residual.cols());
-  for (int pass = 0; pass < 2; ++pass) {
-    const MatrixXcd correction = part.inverse_gram.lazyProduct(adjoint_product(part.columns, part.residual));
-    part.amplitude += correction;
-    subtract_product(part.residual, part.columns, correction);
-  }
+  auto [amplitude, residual] = fit_columns(part.columns, part.inverse_gram, data_, outputs);
+  part.amplitude = std::move(amplitude);
+  part.residual = std::move(residual);
   return part;
 }
 
