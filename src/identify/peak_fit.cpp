@@ -4,7 +4,6 @@
 #include <cmath>
 #include <iterator>
 
-#include "core/parallel.hpp"
 #include "identify/candidates.hpp"
 #include "identify/credibility.hpp"
 #include "identify/force_noise.hpp"
@@ -12,7 +11,7 @@
 #include "identify/hidden_search.hpp"
 #include "identify/moving.hpp"
 #include "identify/ripples.hpp"
-#include "identify/window_noise.hpp"
+#include "identify/split_search.hpp"
 
 namespace percuss {
 namespace {
@@ -20,15 +19,7 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr double kSplitGain =
-    0.25;  // a second mode must leave at most this part of the residual's energy where one misfits
-constexpr double kSplitTest = 25;    // F statistic
-constexpr double kSplitStart = 0.4;  // bandwidths to either side
-constexpr double kMisfit =
-    2;  // residual's energy over the noise's from which it is asked whether there are two modes …
-constexpr double kMisfitChance = 6;          // … or so many deviations of that energy beyond it, where lines are many
-constexpr std::size_t kLeastForFit = 16;     // lines
-constexpr std::size_t kPerTrialLine = 1000;  // operations of asking for each line of an output whether there are two
+constexpr std::size_t kLeastForFit = 16;  // lines
 
 class PeakFit {
  public:
@@ -108,7 +99,7 @@ class PeakFit {
       const bool dropped = drop_insignificant();
       if (!hidden_.tried_any()) clear_ = all_.poles();
       // Windows are split when what was dropped is out of them, and hidden modes looked for when no pair is left to be.
-      const bool changed = dropped || split_groups() || (hidden && add_hidden(*hidden));
+      const bool changed = dropped || use(split_.next(all_, context_)) || (hidden && add_hidden(*hidden));
       if (!changed) break;
       all_.sweep();
     }
@@ -160,79 +151,6 @@ class PeakFit {
     const std::vector<Pole> more = hidden_.next(all_, way);
     poles.insert(poles.end(), more.begin(), more.end());
     return use(std::move(poles));
-  }
-
-  // One more mode in each group whose residual a mode explains.
-  bool split_groups() {
-    const std::vector<FitGroup>& groups = all_.groups();
-    std::vector<std::vector<Pole>> split(groups.size());
-    share_out(groups.size(), kPerTrialLine * set_.outputs.size() * (groups.empty() ? 0 : groups.front().count),
-              [&](std::size_t g) { split[g] = with_one_more(groups[g]); });
-    std::vector<Pole> poles;
-    for (const auto& of_group : split) poles.insert(poles.end(), of_group.begin(), of_group.end());
-    return use(std::move(poles));
-  }
-
-  // More than noise is left in these outputs: a second mode could leave a quarter of what is more.
-  std::vector<Index> misfits(const FitGroup& group) const {
-    std::vector<Index> outputs;
-    const VectorXd expected = all_.noise(group);
-    const double chance = kMisfitChance / std::sqrt(static_cast<double>(group.count));
-    for (Index o = 0; o < expected.size(); ++o) {
-      if (std::pow(group.fit.noise(o) / expected(o), 2) > std::min(kMisfit, 1 + chance)) outputs.push_back(o);
-    }
-    return outputs;
-  }
-
-  // The part of the residual's energy beyond the noise's that is left there, on the average over the outputs: many see
-  // nothing of a mode.
-  static double left_in(const std::vector<Index>& outputs, const VectorXd& expected, const LocalFit& before,
-                        const LocalFit& after) {
-    double sum = 0;
-    for (const Index o : outputs) {
-      const auto beyond = [&](double noise) { return std::max(0.0, noise * noise - expected(o) * expected(o)); };
-      sum += beyond(after.noise(o)) / beyond(before.noise(o));
-    }
-    return sum / static_cast<double>(outputs.size());
-  }
-
-  std::vector<Pole> with_one_more(const FitGroup& group) const {
-    std::vector<Pole> now = group.fit.poles;
-    const std::size_t unknowns = 2 + 2 * set_.outputs.size();
-    const bool fitted = group.fit.degrees > 2 * unknowns;
-    if (!fitted || now.size() >= GroupedFit::kMostTogether) return now;
-    const std::vector<Index> amiss = misfits(group);
-    if (amiss.empty()) return now;
-    const auto data = all_.remainder(group);
-    const VectorXd weight = all_.weights_from(group);
-    std::vector<LocalFit> fits(now.size() + 1);  // as it is, and with each mode as two
-    share_out(fits.size(), kPerTrialLine * set_.outputs.size() * group.count, [&](std::size_t i) {
-      fits[i] = i == 0 ? all_.fit(group, data, now, weight)
-                       : all_.fit(group, data, split(now, i - 1), weight, GroupedFit::kRoughly);
-    });
-    const LocalFit one = fits.front();
-    FitGroup best = group;
-    best.fit = one;
-    for (std::size_t i = 1; i < fits.size(); ++i) {
-      FitGroup trial = group;
-      trial.fit = std::move(fits[i]);
-      if (trial.fit.cost < best.fit.cost && trial.fit.degrees > 0 && all_credible(all_, trial, context_))
-        best = std::move(trial);
-    }
-    const double gained = (one.cost - best.fit.cost) / static_cast<double>(unknowns);
-    const double left = best.fit.cost / static_cast<double>(best.fit.degrees);
-    if (left_in(amiss, all_.noise(group), one, best.fit) >= kSplitGain ||
-        gained <= kSplitTest * WindowNoise(set_).most() * left)
-      return now;
-    return moves_instead(set_, {.data = data, .weight = weight}, group, best) ? now : best.fit.poles;
-  }
-
-  // Pole m as two, one on either side of its place.
-  static std::vector<Pole> split(std::vector<Pole> poles, std::size_t m) {
-    const double apart_Hz = kSplitStart * poles[m].half_power_Hz();
-    poles.push_back({.freq_Hz = poles[m].freq_Hz + apart_Hz, .damping_ratio = poles[m].damping_ratio});
-    poles[m].freq_Hz -= apart_Hz;
-    return poles;
   }
 
   Mode mode_of(const LocalFit& fit, std::size_t m) const {
@@ -294,6 +212,7 @@ class PeakFit {
   const PeakFitOptions& options_;
   GroupedFit all_;
   CredibilityContext context_;
+  SplitSearch split_;
   HiddenSearch hidden_;
   std::vector<Pole> clear_;  // modes found before hidden ones were tried
 };
