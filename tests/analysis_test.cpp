@@ -117,6 +117,28 @@ TEST(Analysis, GivesEqualBytesForAnyNumberOfThreads) {
   EXPECT_EQ(documents.size(), 1U);
 }
 
+TEST(Analysis, MakesTheSameFrfsBesideModesAsBeforeThem) {
+  const Record record = synthesise(bat(4)).record;
+  const Analysis before(record, {.band_Hz = std::pair{60.0, 3200.0}});
+  const std::vector<PointFrf>& expected = before.frfs();
+  for (const std::size_t threads : {1U, 2U, 8U}) {
+    const Analysis beside(record, {.band_Hz = std::pair{60.0, 3200.0}, .threads = threads});
+    beside.expect_frfs();
+    EXPECT_EQ(beside.modes().size(), before.modes().size());
+    const std::vector<PointFrf>& frfs = beside.frfs();
+    ASSERT_EQ(frfs.size(), expected.size());
+    for (std::size_t i = 0; i < frfs.size(); ++i) {
+      EXPECT_EQ(frfs[i].channel, expected[i].channel);
+      EXPECT_EQ(frfs[i].frf.value, expected[i].frf.value);
+      EXPECT_EQ(frfs[i].frf.coherence, expected[i].frf.coherence);
+    }
+    for (const auto& stage : beside.trace().stages()) {
+      if (stage.name != "frf") continue;
+      EXPECT_EQ(stage.calls, 1U);
+    }
+  }
+}
+
 TEST(Analysis, FindsTheModesAndTheirFamilies) {
   const Analysis analysis = analysis_of(synthesise(bat(1)).record);
   ASSERT_EQ(analysis.modes().size(), 2U);

@@ -16,6 +16,7 @@ class ThreadLimit {
   ~ThreadLimit();
   ThreadLimit(const ThreadLimit&) = delete;
   ThreadLimit& operator=(const ThreadLimit&) = delete;
+  static std::size_t here();
 
  private:
   std::size_t before_;
@@ -31,5 +32,21 @@ void share_out(std::size_t count, std::size_t operations, const std::function<vo
 /// share_out of 0 … size − 1 in strips that follow each other: task(first, count). `operations`: of each single one.
 void share_out_strips(std::size_t size, std::size_t operations,
                       const std::function<void(std::size_t first, std::size_t count)>& task);
+
+/// Other threads make this call once, before they first help with a loop: for what belongs to a thread, as its memory.
+void greet_threads(void (*call)());
+
+/// Is told when a loop of its thread begins to want other threads, and when it wants them no more.
+class LoopWatch {
+ public:
+  virtual void wanted() = 0;
+  virtual void free() = 0;
+
+ protected:
+  ~LoopWatch() = default;
+};
+
+/// From now on this thread's loops tell `watch` (nullptr: nobody); returns whom they told before.
+LoopWatch* watch_loops(LoopWatch* watch);
 
 }  // namespace percuss

@@ -8,4 +8,10 @@ namespace percuss {
 void run_in_arena(std::size_t count, std::size_t threads, void (*call)(const void* task, std::size_t i),
                   const void* task);
 
+/// How many threads that are.
+std::size_t threads_of_arena(std::size_t threads);
+
+/// Another of these threads calls call(with) once it has nothing else to do; never, where the process ends before.
+void call_from_arena(std::size_t threads, void (*call)(void* with), void* with);
+
 }  // namespace percuss

@@ -23,6 +23,12 @@ class Trace {
     const Timer timer{*this, stage};
     return std::forward<Work>(work)();
   }
+  /// The same of a part of a stage: no call is counted.
+  template <class Work>
+  auto run_part(const char* stage, Work&& work) {
+    const Timer timer{*this, stage, 0};
+    return std::forward<Work>(work)();
+  }
   void add(const char* stage, std::size_t calls, double seconds);
   std::vector<Stage> stages() const;
 
@@ -30,6 +36,7 @@ class Trace {
   struct Timer {
     Trace& trace;
     const char* stage;
+    std::size_t calls = 1;
     std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
     ~Timer();
   };

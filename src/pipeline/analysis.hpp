@@ -88,6 +88,8 @@ class Analysis {
   std::vector<int> frf_points() const;
   /// Averaged FRFs over lines(), [points × channels], point by point, with the estimator asked for.
   const std::vector<PointFrf>& frfs() const;
+  /// That frfs() will be asked for after modes(): threads that the fits of modes leave idle make them.
+  void expect_frfs() const { frfs_expected_ = true; }
   /// H1 of the accepted hits, as the modes were fitted to it; points ascending by number.
   const FrfSet& fitted_frfs() const;
   /// Modes within the band, ascending.
@@ -108,6 +110,11 @@ class Analysis {
     std::vector<std::vector<Response>> of;  // [hits][channels]; empty for hits rejected by their force
     LargeArray<Complex> lines;              // where the spectra are
   };
+  struct FrfHits {  // what one FRF is averaged over
+    int point = 0;
+    std::size_t channel = 0;
+    std::vector<std::size_t> hits;
+  };
   std::vector<AnalysedHit> find() const;
   std::vector<AnalysedHit> graded() const;
   LineRange choose_lines() const;
@@ -116,10 +123,12 @@ class Analysis {
   const std::vector<std::vector<Response>>& responses() const;
   Responses read_responses() const;
   const std::vector<Spectrum>& force_spectra() const;  // [hits]; nullptr for those not used
-  std::vector<PointFrf> average() const;
+  std::vector<FrfHits> frf_hits() const;
+  PointFrf average(const FrfHits& of) const;
   FrfSet frf_set(const std::vector<std::size_t>& hits) const;  // H1 of these hits, by point
   std::vector<std::size_t> accepted_hits() const;
-  std::vector<Mode> identify() const;
+  std::vector<Mode> modes_of(const FrfSet& set) const;
+  std::vector<Mode> modes_and_frfs(const FrfSet& set) const;
   std::vector<Verdict> name_modes() const;
   std::vector<HitMode> identify_per_hit() const;
   // The same from FRFs that were given (analysis_frfs.cpp).
@@ -135,6 +144,7 @@ class Analysis {
   std::optional<FrfRecord> given_;
   AnalysisOptions options_;
   mutable Trace trace_;
+  mutable bool frfs_expected_ = false;
   Lazy<std::vector<AnalysedHit>> force_hits_, hits_;
   Lazy<LineRange> lines_;
   Lazy<std::size_t> longest_decay_;

@@ -4,6 +4,7 @@
 #include <map>
 #include <tuple>
 
+#include "core/meanwhile.hpp"
 #include "core/parallel.hpp"
 #include "core/statistics.hpp"
 #include "pipeline/analysis.hpp"
@@ -26,36 +27,37 @@ std::map<int, std::vector<std::size_t>> by_point(const std::vector<AnalysedHit>&
 const std::vector<PointFrf>& Analysis::frfs() const {
   return frfs_.get([&] {
     if (given_) return given_within_lines();
-    const auto hits = accepted_hits();
+    const std::vector<FrfHits> of = frf_hits();
     force_spectra();
     const ThreadLimit limit(options_.threads);
-    return trace_.run("frf", [&] { return average(); });
+    return trace_.run("frf", [&] {
+      std::vector<PointFrf> out(of.size());
+      share_out(of.size(), kOperationsPerLine * lines().count * of.front().hits.size(),
+                [&](std::size_t i) { out[i] = average(of[i]); });
+      return out;
+    });
   });
 }
 
-std::vector<PointFrf> Analysis::average() const {
-  const auto points = by_point(hits(), accepted_hits());
-  const std::size_t channels = record_.accel.size();
-  std::vector<PointFrf> out;
-  std::vector<const std::vector<std::size_t>*> members;
-  for (const auto& [point, hits_there] : points) {
-    for (std::size_t c = 0; c < channels; ++c) {
-      out.push_back({.point = point, .channel = c, .frf = {}});
-      members.push_back(&hits_there);
-    }
+std::vector<Analysis::FrfHits> Analysis::frf_hits() const {
+  std::vector<FrfHits> out;
+  for (const auto& [point, hits_there] : by_point(hits(), accepted_hits())) {
+    for (std::size_t c = 0; c < record_.accel.size(); ++c)
+      out.push_back({.point = point, .channel = c, .hits = hits_there});
   }
-  const auto& force_spectrum = force_spectra();
-  const auto& response = responses();
-  const LineRange& range = lines();
-  share_out(out.size(), kOperationsPerLine * range.count * members.front()->size(), [&](std::size_t i) {
-    std::vector<std::span<const Complex>> force, accel;
-    for (const std::size_t h : *members[i]) {
-      force.emplace_back(force_spectrum[h].get(), range.count);
-      accel.push_back(response[h][out[i].channel].spectrum);
-    }
-    out[i].frf = estimate_frf(cross_spectra(force, accel), range, options_.estimator);
-  });
   return out;
+}
+
+PointFrf Analysis::average(const FrfHits& of) const {
+  const LineRange& range = lines();
+  std::vector<std::span<const Complex>> force, accel;
+  for (const std::size_t h : of.hits) {
+    force.emplace_back(force_spectra()[h].get(), range.count);
+    accel.push_back(responses()[h][of.channel].spectrum);
+  }
+  return {.point = of.point,
+          .channel = of.channel,
+          .frf = estimate_frf(cross_spectra(force, accel), range, options_.estimator)};
 }
 
 const FrfSet& Analysis::fitted_frfs() const {
@@ -113,7 +115,7 @@ const std::vector<Mode>& Analysis::modes() const {
   return modes_.get([&] {
     const FrfSet& set = fitted_frfs();
     const ThreadLimit limit(options_.threads);
-    auto modes = trace_.run("modes", [&] { return identify_modes(set, options_.modes); });
+    auto modes = frfs_expected_ && !frfs_.ready() && !given_ ? modes_and_frfs(set) : modes_of(set);
     const std::vector<int> points = frf_points();
     const auto [low, high] = band_Hz();
     std::erase_if(modes, [&, low = low, high = high](const Mode& mode) {
@@ -124,6 +126,21 @@ const std::vector<Mode>& Analysis::modes() const {
     }
     return modes;
   });
+}
+
+std::vector<Mode> Analysis::modes_of(const FrfSet& set) const {
+  return trace_.run("modes", [&] { return identify_modes(set, options_.modes); });
+}
+
+std::vector<Mode> Analysis::modes_and_frfs(const FrfSet& set) const {
+  const std::vector<FrfHits> of = frf_hits();
+  std::vector<PointFrf> frfs(of.size());
+  Meanwhile averages(of.size(), [&](std::size_t i) { trace_.run_part("frf", [&] { frfs[i] = average(of[i]); }); });
+  std::vector<Mode> modes = modes_of(set);
+  averages.finish();
+  trace_.add("frf", 1, 0);
+  frfs_.get([&] { return std::move(frfs); });
+  return modes;
 }
 
 const std::vector<Verdict>& Analysis::verdicts() const {
