@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "report/json_document.hpp"
 #include "report/line_chart.hpp"
 #include "report/text_table.hpp"
 #include "report/version.hpp"
@@ -66,7 +67,7 @@ std::string abi_json(const AbiLog& log, const AbiRun& run) {
         {{"cycle", c.cycle}, {"value", c.value}, {"best", c.best}, {"hoop_hz", number_or_null(c.hoop_Hz)}});
   }
   for (const ProtocolFinding& r : run.remarks) json["remarks"].push_back({{"code", r.code}, {"message", r.message}});
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return indented_text(json) + "\n";
 }
 
 ReportText abi_text(const AbiLog& log, const AbiRun& run) {

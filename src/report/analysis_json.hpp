@@ -1,5 +1,5 @@
 #pragma once
-#include <any>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -8,6 +8,7 @@
 
 #include "pipeline/analysis.hpp"
 #include "pipeline/impact_test.hpp"
+#include "report/json_document.hpp"
 #include "report/sections.hpp"
 
 namespace percuss {
@@ -26,6 +27,7 @@ struct JsonOptions {
   bool stabilisation = false;                      // the diagram: the demand that computes it
   const std::vector<Verdict>* verdicts = nullptr;  // of the modes, in place of the analysis' own
   const std::vector<Warning>* warnings = nullptr;
+  std::function<std::string(std::size_t mode)> shape;  // a member of each mode, as JSON text
   std::optional<BatLabel> bat;
   const ImpactTest* deflection = nullptr;  // of the one test that there is
 };
@@ -41,7 +43,8 @@ struct NumberedAnalysis {
 std::string analysis_json(const std::vector<NumberedAnalysis>& tests, const JsonOptions& options = {});
 std::string analysis_json(const Analysis& analysis, const JsonOptions& options = {});
 
-/// What analysis_json writes out, for documents that add to it: an nlohmann::ordered_json, which headers do not name.
-std::any analysis_document(const Analysis& analysis, const JsonOptions& options);
+/// What analysis_json writes out, for documents that add to it; `analysis` and what `options` refers to must outlive
+/// it.
+JsonDocument analysis_document(const Analysis& analysis, const JsonOptions& options);
 
 }  // namespace percuss

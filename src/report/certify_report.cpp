@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "report/json_document.hpp"
 #include "report/number.hpp"
 #include "report/text_table.hpp"
 #include "report/version.hpp"
@@ -119,7 +120,7 @@ std::string certify_json(const Session& s, const Certification& c) {
                     {"hits", shots_json(s.lot.hits, c.lot_hits)}}},
                   {"shots", shots_json(s.shots, c.shots)},
                   {"balls", balls_json(c)}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return indented_text(json) + "\n";
 }
 
 ReportText certify_text(const Session& s, const Certification& c) {

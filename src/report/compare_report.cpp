@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
+#include "report/json_document.hpp"
 #include "report/number.hpp"
 #include "report/text_table.hpp"
 #include "report/version.hpp"
@@ -83,7 +84,7 @@ std::string json_of(const std::vector<ComparedDocument>& documents, const std::v
     other.update(comparison_json(comparisons[i]));
     json["others"].push_back(std::move(other));
   }
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return indented_text(json) + "\n";
 }
 
 const ModePair* pair_at(const Comparison& c, std::size_t mode) {

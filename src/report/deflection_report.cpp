@@ -12,6 +12,7 @@
 #include "acquire/hdf5_output.hpp"
 #include "acquire/input_file.hpp"
 #include "core/error.hpp"
+#include "report/json_document.hpp"
 #include "report/number.hpp"
 #include "report/text_table.hpp"
 #include "report/version.hpp"
@@ -85,7 +86,7 @@ std::string deflection_json(const Analysis& analysis, const ImpactTest& test) {
   json["warnings"] = Json::array();
   for (const Warning& warning : test.warnings)
     json["warnings"].push_back({{"code", warning.code}, {"message", warning.message}});
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return indented_text(json) + "\n";
 }
 
 ReportText deflection_tables(const Analysis& analysis, const ImpactTest& test) {

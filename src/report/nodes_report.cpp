@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "core/units.hpp"
 #include "report/analysis_tables.hpp"
+#include "report/json_document.hpp"
 #include "report/number.hpp"
 #include "report/text_table.hpp"
 #include "report/version.hpp"
@@ -82,7 +83,7 @@ std::string nodes_json(const Analysis& analysis, const NodeScan& scan) {
   json["warnings"] = Json::array();
   for (const Warning& warning : all_warnings(analysis, scan))
     json["warnings"].push_back({{"code", warning.code}, {"message", warning.message}});
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return indented_text(json) + "\n";
 }
 
 ReportText nodes_text(const Analysis& analysis, const NodeScan& scan) {

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "metrics/csv_cell.hpp"
+#include "report/json_document.hpp"
 #include "report/study_charts.hpp"
 #include "report/text_table.hpp"
 #include "report/version.hpp"
@@ -106,7 +107,7 @@ std::string study_json(const Study& study) {
                               {"bbs_mph", association_json(t.bbs)},
                               {"bbcor", association_json(t.bbcor)}});
   }
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return indented_text(json) + "\n";
 }
 
 ReportText study_text(const Study& study) {

@@ -1,8 +1,8 @@
 #include "report/survey_json.hpp"
 
-#include <any>
 #include <nlohmann/json.hpp>
 
+#include "core/parallel.hpp"
 #include "core/units.hpp"
 
 namespace percuss {
@@ -123,24 +123,32 @@ Json reciprocity_json(const Survey& survey) {
 }  // namespace
 
 std::string survey_json(const Survey& survey, JsonOptions options) {
+  const ThreadLimit limit(survey.analysis().options().threads);
   const bool possible = survey.analysis().possible();
+  survey.analysis().expect_frfs();
   const std::vector<Verdict> verdicts = possible ? survey.verdicts() : std::vector<Verdict>{};
   options.verdicts = &verdicts;
   const std::vector<Warning> warnings = survey.warnings();
   options.warnings = &warnings;
-  std::any document = analysis_document(survey.analysis(), options);
-  Json& json = *std::any_cast<Json>(&document);
-  json["roving"] = survey.options().roving == Roving::hammer ? "hammer" : "sensor";
-  json["geometry"] = geometry_json(survey);
   if (possible) {
-    for (std::size_t m = 0; m < survey.shapes().size(); ++m)
-      json["modes"][m]["shape"] = shape_json(survey.shapes()[m], survey.tubes()[m], survey.options().roving);
-    json["auto_mac"] = mac_json(survey);
-    json["frac"] = frac_json(survey);
-    json["driving_point"] = driving_json(survey);
-    json["reciprocity"] = reciprocity_json(survey);
+    options.shape = [&, &shapes = survey.shapes(), &tubes = survey.tubes()](std::size_t m) {
+      return indented_text(shape_json(shapes[m], tubes[m], survey.options().roving));
+    };
   }
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  JsonDocument document = analysis_document(survey.analysis(), options);
+  const auto add = [&](const char* key, const Json& value) {
+    document.add(key, [text = indented_text(value)] { return text; });
+  };
+  add("roving", survey.options().roving == Roving::hammer ? "hammer" : "sensor");
+  add("geometry", geometry_json(survey));
+  if (possible) {
+    add("auto_mac", mac_json(survey));
+    survey.synthesis();
+    document.add("frac", [&] { return indented_text(frac_json(survey)); });
+    add("driving_point", driving_json(survey));
+    add("reciprocity", reciprocity_json(survey));
+  }
+  return document.text() + "\n";
 }
 
 }  // namespace percuss
