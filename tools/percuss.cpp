@@ -1,4 +1,3 @@
-#include <malloc.h>
 #include <sys/resource.h>
 
 #include <csignal>
@@ -11,6 +10,7 @@
 #include "acquire/unfinished_files.hpp"
 #include "command.hpp"
 #include "core/error.hpp"
+#include "heap.hpp"
 #include "report/version.hpp"
 
 namespace {
@@ -56,14 +56,6 @@ static void allow_many_files() {
   ::setrlimit(RLIMIT_NOFILE, &files);
 }
 
-// What one step gives back the next one asks for: to get its pages anew from the system would take longer than many a
-// step's work.
-static void keep_freed_memory() {
-  constexpr int kLargest = 1 << 25, kNever = 1 << 30;  // bytes; glibc takes no larger threshold
-  ::mallopt(M_MMAP_THRESHOLD, kLargest);
-  ::mallopt(M_TRIM_THRESHOLD, kNever);
-}
-
 extern "C" void clean_up_and_die(int signal) {
   percuss::remove_unfinished_files();  // safe within a signal handler
   std::signal(signal, SIG_DFL);
@@ -73,7 +65,7 @@ extern "C" void clean_up_and_die(int signal) {
 int main(int argc, char** argv) {
   std::set_terminate(end_at_once);
   allow_many_files();
-  keep_freed_memory();
+  percuss::tools::prepare_heap();
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, clean_up_and_die);
   try {
     return parse_and_run(argc, argv);
