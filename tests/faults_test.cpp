@@ -78,6 +78,20 @@ TEST_F(Faults, OfMemoryEndInOneLineAndNoFile) {
   expect_all_or_nothing({"convert", kCorpus + "uff/record.uff"}, "out.mat", kStep);
 }
 
+// The heap's large pages want half a GiB of them; without, it is as small as it was.
+TEST_F(Faults, OfAddressesAreNoMatterForASmallTest) {
+  const test::ScratchFolder inputs;
+  test::write_small_test(inputs.file("record.h5"));
+  const std::vector<std::string> arguments{"analyze", inputs.file("record.h5"), "--json", "--threads", "1"};
+  const ProcessOutcome free = test::run_percuss(arguments);
+  ASSERT_EQ(free.code, 0) << free.err;
+  for (const std::size_t most_MiB : {150U, 300U, 600U, 700U, 1000U}) {
+    const ProcessOutcome limited = test::run_percuss(arguments, {.most_address_bytes = most_MiB << 20U});
+    EXPECT_EQ(limited.code, 0) << most_MiB << " MiB: " << limited.err;
+    EXPECT_TRUE(limited.out == free.out) << most_MiB << " MiB";
+  }
+}
+
 TEST_F(Faults, OfTheDiskLeaveNoFile) {
   const test::ScratchFolder inputs;
   test::write_small_test(inputs.file("record.h5"));

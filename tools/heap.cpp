@@ -15,14 +15,13 @@ namespace {
 
 constexpr std::uintptr_t kPage = std::uintptr_t{1} << 21U;
 constexpr std::uintptr_t kThreadHeap = std::uintptr_t{1} << 26U;  // glibc's for other threads than the first, aligned
-constexpr int kLargest = 1 << 25, kNever = 1 << 30;               // bytes; glibc takes no larger threshold
-constexpr int kMainHeap = 1 << 28;                                // of addresses: memory is had page by page
+constexpr int kMainHeap = 1 << 29;                                // of addresses: memory is had page by page
 
 // What one step gives back the next one asks for: to get its pages anew from the system would take longer than many a
 // step's work.
 bool keep_freed_memory() {
-  return ::mallopt(M_MMAP_THRESHOLD, kLargest) != 0 && ::mallopt(M_TRIM_THRESHOLD, kNever) != 0 &&
-         ::mallopt(M_TOP_PAD, kMainHeap) != 0;
+  constexpr int kLargest = 1 << 25, kNever = 1 << 30;  // bytes; glibc takes no larger threshold
+  return ::mallopt(M_MMAP_THRESHOLD, kLargest) != 0 && ::mallopt(M_TRIM_THRESHOLD, kNever) != 0;
 }
 
 // A hint: memory stays what it is where the system follows it not.
@@ -41,11 +40,18 @@ std::uintptr_t place_of_some(std::size_t bytes) {
   return place;
 }
 
-void enlarge_pages_of_main_heap() {
+// Large pages are had where their addresses are the heap's already, so that it must not grow bit by bit. False where
+// the process may not have so many addresses: it gets by with few.
+bool enlarge_pages_of_main_heap() {
   constexpr std::size_t kMoreThanItHas = std::size_t{1} << 20U;
+  constexpr int kFew = 1 << 17;  // as by itself
   const std::uintptr_t before = heap_end();
+  ::mallopt(M_TOP_PAD, kMainHeap);
   place_of_some(kMoreThanItHas);
-  in_large_pages(before, heap_end());
+  const bool grown = heap_end() - before > std::uintptr_t{kMainHeap};
+  ::mallopt(M_TOP_PAD, grown ? static_cast<int>(kThreadHeap) : kFew);
+  if (grown) in_large_pages(before, heap_end());
+  return grown;
 }
 
 void enlarge_pages_of_thread() {
@@ -56,9 +62,7 @@ void enlarge_pages_of_thread() {
 }  // namespace
 
 void prepare_heap() {
-  if (!keep_freed_memory()) return;
-  enlarge_pages_of_main_heap();
-  greet_threads(enlarge_pages_of_thread);
+  if (keep_freed_memory() && enlarge_pages_of_main_heap()) greet_threads(enlarge_pages_of_thread);
 }
 
 }  // namespace percuss::tools

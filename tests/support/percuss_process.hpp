@@ -13,6 +13,7 @@ struct ProcessOptions {
   std::string folder;                      // its working folder; empty: this one
   std::vector<std::string> environment{};  // NAME=VALUE, beside this process's own
   bool ordinary_user = false;              // give up root's rights first, where the tests have them
+  std::size_t most_address_bytes = 0;      // that it may have; 0: as this process may
   std::chrono::seconds limit{110};         // sanitized programs are twenty times slower
 };
 
