@@ -142,6 +142,7 @@ int run_survey(const SurveyFlags& flags) {
   const auto kept = std::make_shared<const KeptSurvey>(KeptSurvey{.analysis = made, .survey = {analysis, options}});
   const Survey& survey = kept->survey;
   analysis.hits();
+  if (analysis.possible()) analysis.make_modes_and_frfs();  // for text and document
   const bool wants_json = flags.output.json || std::any_of(flags.output.paths.begin(), flags.output.paths.end(),
                                                            [](const auto& p) { return extension_of(p) == ".json"; });
   const std::string document = wants_json ? survey_json(survey, {.trace = flags.trace}) : "";

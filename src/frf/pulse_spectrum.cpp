@@ -3,6 +3,8 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <mutex>
 #include <numbers>
 #include <vector>
 
@@ -36,9 +38,13 @@ std::vector<double> kernel(std::size_t steps) {
   return weights;
 }
 
+// One thread at a time: the Bessel function goes through lgamma, which leaves a sign where all threads see it.
 const std::vector<double>& cached_kernel(std::size_t steps) {
-  thread_local std::vector<double> weights;
-  if (weights.size() != 2 * steps * kWidth) weights = kernel(steps);
+  static std::mutex mutex;
+  static auto& kernels = *new std::map<std::size_t, std::vector<double>>;  // live as long as the process
+  const std::scoped_lock lock(mutex);
+  std::vector<double>& weights = kernels[steps];
+  if (weights.empty()) weights = kernel(steps);
   return weights;
 }
 

@@ -88,12 +88,12 @@ class Analysis {
   std::vector<int> frf_points() const;
   /// Averaged FRFs over lines(), [points × channels], point by point, with the estimator asked for.
   const std::vector<PointFrf>& frfs() const;
-  /// That frfs() will be asked for after modes(): threads that the fits of modes leave idle make them.
-  void expect_frfs() const { frfs_expected_ = true; }
   /// H1 of the accepted hits, as the modes were fitted to it; points ascending by number.
   const FrfSet& fitted_frfs() const;
   /// Modes within the band, ascending.
   const std::vector<Mode>& modes() const;
+  /// Computes modes() and frfs(), these by threads that the fits of modes leave idle.
+  void make_modes_and_frfs() const;
   const std::vector<Verdict>& verdicts() const;
   /// Every mode as each accepted hit alone shows it: repeatability, drift, dependence on the force.
   const std::vector<HitMode>& modes_per_hit() const;
@@ -127,8 +127,6 @@ class Analysis {
   PointFrf average(const FrfHits& of) const;
   FrfSet frf_set(const std::vector<std::size_t>& hits) const;  // H1 of these hits, by point
   std::vector<std::size_t> accepted_hits() const;
-  std::vector<Mode> modes_of(const FrfSet& set) const;
-  std::vector<Mode> modes_and_frfs(const FrfSet& set) const;
   std::vector<Verdict> name_modes() const;
   std::vector<HitMode> identify_per_hit() const;
   // The same from FRFs that were given (analysis_frfs.cpp).
@@ -144,7 +142,6 @@ class Analysis {
   std::optional<FrfRecord> given_;
   AnalysisOptions options_;
   mutable Trace trace_;
-  mutable bool frfs_expected_ = false;
   Lazy<std::vector<AnalysedHit>> force_hits_, hits_;
   Lazy<LineRange> lines_;
   Lazy<std::size_t> longest_decay_;

@@ -115,7 +115,7 @@ const std::vector<Mode>& Analysis::modes() const {
   return modes_.get([&] {
     const FrfSet& set = fitted_frfs();
     const ThreadLimit limit(options_.threads);
-    auto modes = frfs_expected_ && !frfs_.ready() && !given_ ? modes_and_frfs(set) : modes_of(set);
+    auto modes = trace_.run("modes", [&] { return identify_modes(set, options_.modes); });
     const std::vector<int> points = frf_points();
     const auto [low, high] = band_Hz();
     std::erase_if(modes, [&, low = low, high = high](const Mode& mode) {
@@ -128,19 +128,21 @@ const std::vector<Mode>& Analysis::modes() const {
   });
 }
 
-std::vector<Mode> Analysis::modes_of(const FrfSet& set) const {
-  return trace_.run("modes", [&] { return identify_modes(set, options_.modes); });
-}
-
-std::vector<Mode> Analysis::modes_and_frfs(const FrfSet& set) const {
+void Analysis::make_modes_and_frfs() const {
+  if (given_ || frfs_.ready() || modes_.ready()) {
+    modes();
+    frfs();
+    return;
+  }
+  fitted_frfs();
   const std::vector<FrfHits> of = frf_hits();
   std::vector<PointFrf> frfs(of.size());
+  const ThreadLimit limit(options_.threads);
   Meanwhile averages(of.size(), [&](std::size_t i) { trace_.run_part("frf", [&] { frfs[i] = average(of[i]); }); });
-  std::vector<Mode> modes = modes_of(set);
+  modes();
   averages.finish();
   trace_.add("frf", 1, 0);
   frfs_.get([&] { return std::move(frfs); });
-  return modes;
 }
 
 const std::vector<Verdict>& Analysis::verdicts() const {

@@ -103,9 +103,8 @@ void add_frfs(JsonDocument& document, const Analysis& analysis, const JsonOption
 // Values are made when the document is written, by several threads: the stages that they ask for are done before.
 void add_found(JsonDocument& document, const Analysis& analysis, const JsonOptions& options) {
   const bool modes = options.sections.contains(Section::modes) || options.sections.contains(Section::classes);
-  if (modes && (options.sections.contains(Section::frf) || options.sections.contains(Section::coherence)))
-    analysis.expect_frfs();
-  if (modes) analysis.modes();
+  const bool frfs = options.sections.contains(Section::frf) || options.sections.contains(Section::coherence);
+  if (modes && frfs) analysis.make_modes_and_frfs();
   add_frfs(document, analysis, options);
   if (modes) add_modes(document, analysis, options);
   if (options.per_hit) {

@@ -88,13 +88,15 @@ std::string analysis_text(const Analysis& analysis, const TextOptions& options) 
   if (wants(Section::hits) && has_hits) text += hits_text(analysis, hits, options.width) + "\n";
   if (wants(Section::hits) && !force_only && has_hits) text += spaced(responses_text(analysis, options.width));
   if (analysis.possible()) {
+    const bool frfs = wants(Section::frf) || wants(Section::coherence);
+    const bool modes = wants(Section::modes) || wants(Section::classes);
+    if (frfs && modes) analysis.make_modes_and_frfs();
     if (wants(Section::frf)) text += frf_text(analysis);
     if (wants(Section::coherence)) text += coherence_text(analysis);
-    if (wants(Section::frf) || wants(Section::coherence)) text += '\n';
+    if (frfs) text += '\n';
     if (options.sketch && (wants(Section::frf) || wants(Section::modes)))
       text += spaced(frf_sketch(analysis, options.width));
-    if (wants(Section::modes) || wants(Section::classes))
-      text += modes_text(analysis, wants(Section::classes), options.width) + "\n";
+    if (modes) text += modes_text(analysis, wants(Section::classes), options.width) + "\n";
     if (options.per_hit) text += per_hit_text(analysis, options.width) + "\n";
   } else {
     text += std::string(kNoUsableHit) + "\n\n";

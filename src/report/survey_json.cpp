@@ -125,7 +125,7 @@ Json reciprocity_json(const Survey& survey) {
 std::string survey_json(const Survey& survey, JsonOptions options) {
   const ThreadLimit limit(survey.analysis().options().threads);
   const bool possible = survey.analysis().possible();
-  survey.analysis().expect_frfs();
+  if (possible) survey.analysis().make_modes_and_frfs();
   const std::vector<Verdict> verdicts = possible ? survey.verdicts() : std::vector<Verdict>{};
   options.verdicts = &verdicts;
   const std::vector<Warning> warnings = survey.warnings();
