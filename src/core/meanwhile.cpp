@@ -4,7 +4,6 @@
 #include <chrono>
 #include <exception>
 #include <mutex>
-#include <new>
 #include <thread>
 #include <utility>
 
@@ -64,13 +63,19 @@ class Meanwhile::Work final : public LoopWatch, public std::enable_shared_from_t
  private:
   using Held = std::shared_ptr<Work>;
 
-  bool ask() {
-    auto held = std::unique_ptr<Held>(new (std::nothrow) Held(shared_from_this()));
-    if (!held) return false;  // finish() does it all
+  // False where memory is short: finish() does it all then.
+  bool ask() noexcept {
     ++calls_;
-    ++asked;
-    call_from_arena(threads_, answer, held.release());
-    return true;
+    try {
+      auto held = std::make_unique<Held>(shared_from_this());
+      ++asked;
+      call_from_arena(threads_, answer, held.get());
+      static_cast<void>(held.release());  // answer() has it now
+      return true;
+    } catch (...) {
+      --calls_;
+      return false;
+    }
   }
   static void answer(void* with) {
     asked.load();
