@@ -12,15 +12,15 @@ namespace percuss {
 namespace {
 
 constexpr double kFoot = 0.05;  // of the peak: above the ringing of a brick-wall filter, below any real pulse's flank
-constexpr std::size_t kRinging = 72;       // samples: twice the reach of delta-sigma converters' filters down to 1e-8
-constexpr double kGateNoise = 4;           // deviations
-constexpr std::size_t kGateGap = 8;        // samples without ringing after which it is over
-constexpr double kGateFloor = 1e-9;        // of the peak
-constexpr double kSecondNoise = 6;         // deviations of the smoothed force
-constexpr double kSecondFraction = 0.005;  // of the peak; smaller ones change no FRF by more than 0.04 dB
+constexpr std::size_t kRinging = 72;        // samples: twice the reach of delta-sigma converters' filters down to 1e-8
+constexpr double kGateNoise = 4;            // deviations
+constexpr std::size_t kGateGap = 8;         // samples without ringing after which it is over
+constexpr double kGateFloor = 1e-9;         // of the peak
+constexpr double kSecondNoise = 6;          // deviations of the smoothed force
+constexpr double kSecondFraction = 0.005;   // of the peak; smaller ones change no FRF by more than 0.04 dB
 constexpr std::size_t kLeastPadded = 2048;  // samples
 constexpr std::size_t kPadding = 8;         // times the pulse: between lines its spectrum is nearly straight
-constexpr double kBandwidthDrop = 0.1;     // −20 dB
+constexpr double kBandwidthDrop = 0.1;      // −20 dB
 
 // Where |x| crosses `level` between samples i and i + 1, as a fractional sample.
 double crossing(double a, double b, double level, double i) { return b == a ? i : i + (level - a) / (b - a); }
