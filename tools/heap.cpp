@@ -24,39 +24,39 @@ bool keep_freed_memory() {
   return ::mallopt(M_MMAP_THRESHOLD, kLargest) != 0 && ::mallopt(M_TRIM_THRESHOLD, kNever) != 0;
 }
 
+std::uintptr_t address_of(const char* place) { return reinterpret_cast<std::uintptr_t>(place); }
+
 // A hint: memory stays what it is where the system follows it not.
-void in_large_pages(std::uintptr_t first, std::uintptr_t end) {
-  first = (first + kPage - 1) & ~(kPage - 1);
-  if (first < end) ::madvise(reinterpret_cast<void*>(first), end - first, MADV_HUGEPAGE);
+void in_large_pages(char* first, const char* end) {
+  char* const page = first + (kPage - address_of(first) % kPage) % kPage;
+  if (page < end) ::madvise(page, static_cast<std::size_t>(end - page), MADV_HUGEPAGE);
 }
 
-std::uintptr_t heap_end() { return reinterpret_cast<std::uintptr_t>(::sbrk(0)); }
-
-// Some memory of malloc's, so that there is a heap; nothing where it has none to give.
-std::uintptr_t place_of_some(std::size_t bytes) {
-  void* volatile const some = std::malloc(bytes);  // volatile: or the compiler leaves both out
-  const auto place = reinterpret_cast<std::uintptr_t>(some);
-  std::free(some);
-  return place;
-}
+char* heap_end() { return static_cast<char*>(::sbrk(0)); }
 
 // Large pages are had where their addresses are the heap's already, so that it must not grow bit by bit. False where
 // the process may not have so many addresses: it gets by with few.
 bool enlarge_pages_of_main_heap() {
   constexpr std::size_t kMoreThanItHas = std::size_t{1} << 20U;
   constexpr int kFew = 1 << 17;  // as by itself
-  const std::uintptr_t before = heap_end();
+  char* const before = heap_end();
   ::mallopt(M_TOP_PAD, kMainHeap);
-  place_of_some(kMoreThanItHas);
-  const bool grown = heap_end() - before > std::uintptr_t{kMainHeap};
+  void* volatile const some = std::malloc(kMoreThanItHas);  // volatile: or the compiler leaves it out
+  std::free(some);
+  const bool grown = heap_end() - before > kMainHeap;
   ::mallopt(M_TOP_PAD, grown ? static_cast<int>(kThreadHeap) : kFew);
   if (grown) in_large_pages(before, heap_end());
   return grown;
 }
 
 void enlarge_pages_of_thread() {
-  const std::uintptr_t heap = place_of_some(1) & ~(kThreadHeap - 1);
-  if (heap != 0) in_large_pages(heap, heap + kThreadHeap);
+  void* volatile const some = std::malloc(1);  // so that it has a heap
+  char* const place = static_cast<char*>(some);
+  if (place != nullptr) {
+    char* const heap = place - address_of(place) % kThreadHeap;
+    in_large_pages(heap, heap + kThreadHeap);
+  }
+  std::free(some);
 }
 
 }  // namespace

@@ -108,13 +108,13 @@ void subtract_product(MatrixXcd& from, const MatrixXd& columns, const MatrixXcd&
 
 ColumnFit fit_columns(const MatrixXcd& columns, const MatrixXcd& inverse_gram, const MatrixXcd& data,
                       const std::vector<std::size_t>& outputs) {
-  constexpr int kPasses = 2;  // the normal equations alone lose half of the digits
+  constexpr Index kPasses = 2;  // the normal equations alone lose half of the digits
   const auto count = static_cast<Index>(outputs.size());
   ColumnFit fit{.amplitude = MatrixXcd::Zero(columns.cols(), count), .residual = MatrixXcd(columns.rows(), count)};
   over_columns(fit.residual, 2 * kPasses * columns.cols(), [&](Index j) {
     auto left = fit.residual.col(j);
     left = data.col(static_cast<Index>(outputs[static_cast<std::size_t>(j)]));
-    for (int pass = 0; pass < kPasses; ++pass) {
+    for (Index pass = 0; pass < kPasses; ++pass) {
       Eigen::VectorXcd shares(columns.cols());
       for (Index i = 0; i < columns.cols(); ++i) shares(i) = dot_conj(columns.col(i).data(), left.data(), left.size());
       shares = inverse_gram.lazyProduct(shares).eval();
