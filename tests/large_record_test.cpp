@@ -15,7 +15,7 @@ namespace percuss::large_record_test {
 
 constexpr hsize_t kSamples = 89'500'000, kHits = 9, kHitEvery = 9'900'000;
 constexpr double kForce_bytes = kSamples * 8.0;
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef PERCUSS_SANITIZED
 constexpr std::size_t kMostMemory_bytes = 400'000'000;  // they remember who touched what, and what was given back
 #else
 constexpr std::size_t kMostMemory_bytes = 120'000'000;
