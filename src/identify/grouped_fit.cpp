@@ -81,14 +81,9 @@ void GroupedFit::place_window(FitGroup& group) const {
 
 // The same poles, and a window that has moved by no more than a tenth of itself.
 bool GroupedFit::same_window(const FitGroup& before, const FitGroup& group) const {
-  const auto same = [](const Pole& a, const Pole& b) {
-    return a.freq_Hz == b.freq_Hz && a.damping_ratio == b.damping_ratio;
-  };
   const auto apart = [](std::size_t a, std::size_t b) { return a > b ? a - b : b - a; };
   const std::size_t most = before.count / 10;
-  return std::equal(before.fit.poles.begin(), before.fit.poles.end(), group.fit.poles.begin(), group.fit.poles.end(),
-                    same) &&
-         apart(before.first, group.first) <= most &&
+  return before.fit.poles == group.fit.poles && apart(before.first, group.first) <= most &&
          apart(before.first + before.count, group.first + group.count) <= most;
 }
 

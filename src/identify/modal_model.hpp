@@ -15,6 +15,7 @@ struct Pole {
   double freq_Hz = 0;
   double damping_ratio = 0;
   double half_power_Hz() const { return 2 * damping_ratio * freq_Hz; }  // bandwidth, 3 dB down
+  bool operator==(const Pole&) const = default;
 };
 
 inline constexpr double kMostDamping = 0.3;  // a ratio beyond it is the background's

@@ -84,17 +84,11 @@ std::vector<Pole> with_one_more(const GroupedFit& all, const FitGroup& group, co
   return moves_instead(all.set(), {.data = data, .weight = weight}, group, best) ? now : best.fit.poles;
 }
 
-bool same(const std::vector<Pole>& a, const std::vector<Pole>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Pole& x, const Pole& y) {
-    return x.freq_Hz == y.freq_Hz && x.damping_ratio == y.damping_ratio;
-  });
-}
-
 }  // namespace
 
 bool SplitSearch::tried(const FitGroup& group) const {
   return std::any_of(tried_.begin(), tried_.end(), [&](const Tried& one) {
-    return one.first == group.first && one.count == group.count && same(one.poles, group.fit.poles);
+    return one.first == group.first && one.count == group.count && one.poles == group.fit.poles;
   });
 }
 

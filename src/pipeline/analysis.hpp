@@ -6,50 +6,20 @@
 #include <utility>
 #include <vector>
 
-#include "acquire/hits.hpp"
 #include "acquire/record.hpp"
-#include "acquire/response_grade.hpp"
 #include "core/large_array.hpp"
 #include "core/lazy.hpp"
 #include "core/trace.hpp"
 #include "frf/estimators.hpp"
 #include "frf/frf_record.hpp"
 #include "identify/classify.hpp"
-#include "identify/identify.hpp"
 #include "identify/local_fit.hpp"
 #include "identify/mode.hpp"
 #include "identify/stabilisation.hpp"
+#include "pipeline/analysed_hit.hpp"
+#include "pipeline/analysis_options.hpp"
 
 namespace percuss {
-
-struct AnalysisOptions {
-  std::optional<std::pair<double, double>> band_Hz;  // default: what the hammer excited
-  Estimator estimator = Estimator::h1;               // of the FRFs shown; modes are fitted to H1, whose noise is known
-  HitOptions hits;
-  std::vector<std::size_t> accept_hits, reject_hits;  // the user's word on single hits
-  double exponential_end = 0;                         // exponential window falling to this fraction; 0: none
-  IdentifyOptions modes;
-  ClassifyOptions classes;
-  std::size_t threads = 0;
-};
-
-/// A hit with everything the analysis found out about it.
-struct AnalysedHit {
-  Hit hit;
-  int point = 0;
-  bool accepted = false;
-  bool by_user = false;                  // accepted or rejected by the user's word
-  std::vector<ResponseGrade> responses;  // [channels]; empty when the accelerations were not read
-};
-
-/// A mode as one hit alone shows it.
-struct HitMode {
-  std::size_t hit = 0;
-  std::size_t mode = 0;
-  Pole pole;
-  double freq_std_Hz = 0;
-  double damping_std = 0;
-};
 
 struct Warning {
   std::string code;

@@ -134,7 +134,7 @@ void Analysis::make_modes_and_frfs() const {
     frfs();
     return;
   }
-  fitted_frfs();
+  fitted_frfs();  // and with it every stage that averages ask for, which is no matter for several threads at once
   const std::vector<FrfHits> of = frf_hits();
   std::vector<PointFrf> frfs(of.size());
   const ThreadLimit limit(options_.threads);

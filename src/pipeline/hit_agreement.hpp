@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/fft.hpp"
-#include "pipeline/analysis.hpp"
+#include "pipeline/analysed_hit.hpp"
 
 namespace percuss {
 

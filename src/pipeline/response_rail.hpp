@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "pipeline/analysis.hpp"
+#include "pipeline/analysed_hit.hpp"
 
 namespace percuss {
 

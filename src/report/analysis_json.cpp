@@ -14,10 +14,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-void add(JsonDocument& document, const std::string& key, const Json& value) {
-  document.add(key, [text = indented_text(value)] { return text; });
-}
-
 Json options_json(const Analysis& analysis) {
   const AnalysisOptions& o = analysis.options();
   Json json = Json::object();
@@ -121,31 +117,33 @@ JsonDocument analysis_document(const Analysis& analysis, const JsonOptions& opti
   const auto wants = [&](Section section) { return options.sections.contains(section); };
   const bool force_only = options.sections == std::set{Section::hits};
   JsonDocument document;
-  add(document, "schema", "percuss/analysis/1");
-  add(document, "version", version());
-  add(document, "inputs", inputs_json(analysis));
-  if (options.bat) add(document, "bat", bat_json(*options.bat));
+  document.add_written("schema", Json("percuss/analysis/1"));
+  document.add_written("version", Json(version()));
+  document.add_written("inputs", inputs_json(analysis));
+  if (options.bat) document.add_written("bat", bat_json(*options.bat));
   // FRFs do not tell it.
-  add(document, "fs_hz", analysis.given_frfs() != nullptr ? Json() : Json(analysis.record().fs_Hz));
+  document.add_written("fs_hz", analysis.given_frfs() != nullptr ? Json() : Json(analysis.record().fs_Hz));
   const auto& hits = force_only ? analysis.force_hits() : analysis.hits();
   if (analysis.possible()) {
     const auto [low, high] = analysis.band_Hz();
-    add(document, "band_hz", {low, high});
+    document.add_written("band_hz", Json{low, high});
   }
-  if (!force_only && wants(Section::modes)) add(document, "effort", name_of(analysis.options().modes.effort));
-  if (const Json chosen = options_json(analysis); !chosen.empty()) add(document, "options", chosen);
+  if (!force_only && wants(Section::modes))
+    document.add_written("effort", Json(name_of(analysis.options().modes.effort)));
+  if (const Json chosen = options_json(analysis); !chosen.empty()) document.add_written("options", chosen);
   if (wants(Section::hits)) {
     document.add("hits", hits.size(), [&](std::size_t i) { return hit_json(analysis.record(), i, hits[i]); });
   }
   if (analysis.possible()) {
     add_found(document, analysis, options);
   } else if (wants(Section::modes)) {
-    add(document, "modes", Json::array());
+    document.add_written("modes", Json::array());
   }
-  if (options.deflection != nullptr) add(document, "deflection", deflection_in(analysis, *options.deflection));
-  add(document, "warnings", warnings_json(options.warnings != nullptr ? *options.warnings : analysis.warnings()));
-  if (options.explain) add(document, "skipped", skipped_json(analysis));
-  if (options.trace) add(document, "trace", trace_json(analysis));
+  if (options.deflection != nullptr) document.add_written("deflection", deflection_in(analysis, *options.deflection));
+  document.add_written("warnings",
+                       warnings_json(options.warnings != nullptr ? *options.warnings : analysis.warnings()));
+  if (options.explain) document.add_written("skipped", skipped_json(analysis));
+  if (options.trace) document.add_written("trace", trace_json(analysis));
   return document;
 }
 
@@ -159,11 +157,11 @@ std::string analysis_json(const std::vector<NumberedAnalysis>& tests, const Json
   std::vector<JsonDocument> runs;
   for (const NumberedAnalysis& test : tests) {
     runs.push_back(analysis_document(*test.analysis, options));
-    add(runs.back(), "run", test.run);
+    runs.back().add_written("run", Json(test.run));
   }
   JsonDocument document;
-  add(document, "schema", "percuss/analysis/1");
-  add(document, "version", version());
+  document.add_written("schema", Json("percuss/analysis/1"));
+  document.add_written("version", Json(version()));
   document.add("runs", runs.size(), [&](std::size_t i) { return runs[i].text(); });
   const ThreadLimit limit(tests.empty() ? 0 : tests.front().analysis->options().threads);
   return document.text() + "\n";

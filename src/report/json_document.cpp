@@ -14,6 +14,11 @@ void append_line_begin(std::string& out, std::size_t indent) {
   out.append(indent, ' ');
 }
 
+void append_key(std::string& out, const std::string& key) {
+  append_line_begin(out, 2);
+  out += '"' + key + "\": ";
+}
+
 // Line ends within strings are escaped: those here are the layout's.
 void append_indented(std::string& out, std::string_view text, std::size_t indent) {
   for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {
@@ -60,8 +65,7 @@ std::string JsonDocument::text() const {
   const std::string* next = texts.data();
   for (const Member& member : members_) {
     if (out.size() > 1) out += ',';
-    append_line_begin(out, 2);
-    out += '"' + member.key + "\": ";
+    append_key(out, member.key);
     if (member.array) {
       append_array(out, next, member.count);
     } else {
@@ -77,8 +81,7 @@ std::string with_member(std::string object, const std::string& key, const std::s
   const bool first = object == "{}";
   object.resize(object.size() - (first ? 1 : 2));  // without its end
   if (!first) object += ',';
-  append_line_begin(object, 2);
-  object += '"' + key + "\": ";
+  append_key(object, key);
   append_indented(object, value, 2);
   return object + "\n}";
 }

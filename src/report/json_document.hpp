@@ -23,6 +23,11 @@ class JsonDocument {
 
   void add(std::string key, Value value);
   void add(std::string key, std::size_t count, Element element);  // an array
+  /// What is there already, a document of the JSON library's.
+  template <class Json>
+  void add_written(std::string key, const Json& json) {
+    add(std::move(key), [text = indented_text(json)] { return text; });
+  }
 
   /// On the threads that the ThreadLimit here allows; without a line end.
   std::string text() const;

@@ -125,7 +125,6 @@ Json reciprocity_json(const Survey& survey) {
 std::string survey_json(const Survey& survey, JsonOptions options) {
   const ThreadLimit limit(survey.analysis().options().threads);
   const bool possible = survey.analysis().possible();
-  if (possible) survey.analysis().make_modes_and_frfs();
   const std::vector<Verdict> verdicts = possible ? survey.verdicts() : std::vector<Verdict>{};
   options.verdicts = &verdicts;
   const std::vector<Warning> warnings = survey.warnings();
@@ -136,17 +135,14 @@ std::string survey_json(const Survey& survey, JsonOptions options) {
     };
   }
   JsonDocument document = analysis_document(survey.analysis(), options);
-  const auto add = [&](const char* key, const Json& value) {
-    document.add(key, [text = indented_text(value)] { return text; });
-  };
-  add("roving", survey.options().roving == Roving::hammer ? "hammer" : "sensor");
-  add("geometry", geometry_json(survey));
+  document.add_written("roving", Json(survey.options().roving == Roving::hammer ? "hammer" : "sensor"));
+  document.add_written("geometry", geometry_json(survey));
   if (possible) {
-    add("auto_mac", mac_json(survey));
+    document.add_written("auto_mac", mac_json(survey));
     survey.synthesis();
     document.add("frac", [&] { return indented_text(frac_json(survey)); });
-    add("driving_point", driving_json(survey));
-    add("reciprocity", reciprocity_json(survey));
+    document.add_written("driving_point", driving_json(survey));
+    document.add_written("reciprocity", reciprocity_json(survey));
   }
   return document.text() + "\n";
 }

@@ -1,0 +1,29 @@
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "acquire/hits.hpp"
+#include "acquire/response_grade.hpp"
+#include "identify/modal_model.hpp"
+
+namespace percuss {
+
+/// A hit with everything the analysis found out about it.
+struct AnalysedHit {
+  Hit hit;
+  int point = 0;
+  bool accepted = false;
+  bool by_user = false;                  // accepted or rejected by the user's word
+  std::vector<ResponseGrade> responses;  // [channels]; empty when the accelerations were not read
+};
+
+/// A mode as one hit alone shows it.
+struct HitMode {
+  std::size_t hit = 0;
+  std::size_t mode = 0;
+  Pole pole;
+  double freq_std_Hz = 0;
+  double damping_std = 0;
+};
+
+}  // namespace percuss
