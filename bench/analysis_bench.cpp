@@ -5,10 +5,10 @@
 #include <cstddef>
 #include <vector>
 
-#include "bare_fftw.hpp"
+#include "fftw_baseline.hpp"
 #include "pipeline/analysis.hpp"
 #include "synth/read_spec.hpp"
-#include "synth/record.hpp"
+#include "synth/synthesise.hpp"
 
 // What an analysis costs, stage by stage, on the bundled bat with its samples in memory and on one thread. The counter
 // x_fftw is the time as a multiple of what cannot be avoided: one bare FFTW transform per channel and hit.

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "model/bat_collision.hpp"
-#include "model/trampoline.hpp"
+#include "model/bat/bat_collision.hpp"
+#include "model/trampoline/trampoline.hpp"
 
 // What the models promise on one core: 397 hoop frequencies in 50 ms, a bat of 84 slices struck at 60 places in 1 s.
 namespace percuss {

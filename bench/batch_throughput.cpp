@@ -19,11 +19,11 @@
 #include "acquire/write_record.hpp"
 #include "batch/plan.hpp"
 #include "batch/run_shard.hpp"
-#include "core/parallel.hpp"
-#include "frf/confined_measurement.hpp"
-#include "pipeline/tests_of_record.hpp"
-#include "report/version.hpp"
-#include "synth/record.hpp"
+#include "core/parallel/parallel.hpp"
+#include "frf/formats/sandbox_measurement.hpp"
+#include "pipeline/runs_of_record.hpp"
+#include "report/text/version.hpp"
+#include "synth/synthesise.hpp"
 
 namespace percuss {
 namespace {

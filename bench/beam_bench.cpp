@@ -1,7 +1,7 @@
 #include <benchmark/benchmark.h>
 
-#include "model/beam.hpp"
-#include "model/impact.hpp"
+#include "model/beam/beam.hpp"
+#include "model/impact/impact.hpp"
 
 // The limit for the three sweeps of the composite bat together: 100 ms on one core.
 namespace percuss {

@@ -12,10 +12,10 @@
 #include <random>
 #include <vector>
 
-#include "acquire/atomic_file.hpp"
-#include "core/statistics.hpp"
-#include "metrics/deflection.hpp"
-#include "report/line_chart.hpp"
+#include "core/io/atomic_file.hpp"
+#include "core/math/statistics.hpp"
+#include "metrics/deflection/deflection.hpp"
+#include "report/svg/line_chart.hpp"
 #include "synth/pulse.hpp"
 
 namespace percuss {

@@ -15,11 +15,11 @@
 #include <utility>
 #include <vector>
 
-#include "bare_fftw.hpp"
+#include "fftw_baseline.hpp"
 #include "pipeline/analysis.hpp"
-#include "seconds.hpp"
 #include "synth/read_spec.hpp"
-#include "synth/record.hpp"
+#include "synth/synthesise.hpp"
+#include "wall_time.hpp"
 
 namespace percuss {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/fft.hpp"
+#include "core/math/fft.hpp"
 
 #include <benchmark/benchmark.h>
 
@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "bare_fftw.hpp"
+#include "fftw_baseline.hpp"
 
 // The limit and how near we are to it: real_dft against FFTW called by hand on its own memory. Lengths: a short hit,
 // the bundled bat's 2.56 s at 25.6 kHz, and one that is prime (the slowest case).

@@ -17,9 +17,9 @@
 #include <string>
 #include <vector>
 
-#include "acquire/record.hpp"
-#include "bare_fftw.hpp"
-#include "seconds.hpp"
+#include "acquire/record/record.hpp"
+#include "fftw_baseline.hpp"
+#include "wall_time.hpp"
 
 namespace percuss {
 namespace {

@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "acquire/record.hpp"
-#include "seconds.hpp"
+#include "acquire/record/record.hpp"
+#include "wall_time.hpp"
 
 namespace percuss {
 namespace {

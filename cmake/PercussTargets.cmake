@@ -16,7 +16,7 @@ function(percuss_options target)
   # The compiler's own memory is cheaper than its garbage collector: a tenth of its time.
   target_compile_options(${target} PRIVATE
     $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-expand=1000;--param=ggc-min-heapsize=1000000>)
-  # What several files of one unit instantiate is compiled once; two or three units keep as many processors busy.
+  # Unity builds compile shared template instantiations once.
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${PERCUSS_TOGETHER} UNITY_BUILD_BATCH_SIZE 24)
   if(PERCUSS_SANITIZE)
     target_compile_options(${target} PUBLIC -fsanitize=${PERCUSS_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
@@ -45,10 +45,22 @@ function(percuss_code target)
 endfunction()
 percuss_code(percuss_headers)
 
+# percuss_rooms(TARGET ROOT): one unity unit per folder, so that file-local names must be unique within their folder only.
+function(percuss_rooms target root)
+  get_target_property(sources ${target} SOURCES)
+  foreach(source IN LISTS sources)
+    cmake_path(GET source PARENT_PATH room)
+    file(RELATIVE_PATH room ${root} ${room})
+    string(MAKE_C_IDENTIFIER "room_${room}" room)
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${room})
+  endforeach()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
+endfunction()
+
 # percuss_floor(NAME PUBLIC libs PRIVATE libs): one static library per folder of src/, percuss_NAME.
 function(percuss_floor name)
   cmake_parse_arguments(ARG "" "" "PUBLIC;PRIVATE" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/src/${name}/*.cpp)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/src/${name}/*.cpp)
   add_library(percuss_${name} STATIC ${sources})
   add_library(percuss::${name} ALIAS percuss_${name})
   set_target_properties(percuss_${name} PROPERTIES EXPORT_NAME ${name})
@@ -56,5 +68,6 @@ function(percuss_floor name)
     $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/src> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/percuss>)
   target_link_libraries(percuss_${name} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
   percuss_code(percuss_${name})
+  percuss_rooms(percuss_${name} ${CMAKE_CURRENT_SOURCE_DIR}/src)
   set_property(GLOBAL APPEND PROPERTY PERCUSS_FLOORS percuss_${name})
 endfunction()

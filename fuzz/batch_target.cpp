@@ -2,9 +2,9 @@
 
 #include "batch/journal.hpp"
 #include "batch/manifest.hpp"
-#include "batch/packed_frf.hpp"
 #include "batch/part.hpp"
-#include "metrics/study_batch.hpp"
+#include "batch/serialized_frf.hpp"
+#include "metrics/study/study_batch.hpp"
 #include "targets.hpp"
 
 namespace percuss::fuzz {

@@ -3,9 +3,9 @@
 #include <map>
 #include <numeric>
 
-#include "acquire/hdf5_handle.hpp"
-#include "acquire/read_hdf5.hpp"
-#include "frf/read_frf_hdf5.hpp"
+#include "acquire/formats/hdf5/hdf5_handle.hpp"
+#include "acquire/formats/hdf5/read_hdf5.hpp"
+#include "frf/formats/read_frf_hdf5.hpp"
 #include "recipe.hpp"
 #include "targets.hpp"
 

@@ -1,8 +1,8 @@
 #include <algorithm>
 
-#include "acquire/mat_file.hpp"
-#include "acquire/read_mat.hpp"
-#include "frf/read_frf_mat.hpp"
+#include "acquire/formats/mat/mat_file.hpp"
+#include "acquire/formats/mat/read_mat.hpp"
+#include "frf/formats/read_frf_mat.hpp"
 #include "recipe.hpp"
 #include "targets.hpp"
 

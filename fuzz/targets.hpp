@@ -3,10 +3,10 @@
 #include <string>
 #include <string_view>
 
-#include "acquire/input_file.hpp"
-#include "acquire/record.hpp"
+#include "acquire/record/record.hpp"
 #include "core/error.hpp"
-#include "frf/frf_record.hpp"
+#include "core/io/input_file.hpp"
+#include "frf/formats/frf_record.hpp"
 
 namespace percuss::fuzz {
 

@@ -1,12 +1,12 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "acquire/read_csv.hpp"
-#include "acquire/read_lvm.hpp"
-#include "acquire/read_uff.hpp"
-#include "acquire/uff_context.hpp"
-#include "frf/read_frf_text.hpp"
-#include "frf/read_frf_uff.hpp"
+#include "acquire/formats/text/read_csv.hpp"
+#include "acquire/formats/text/read_lvm.hpp"
+#include "acquire/formats/uff/read_uff.hpp"
+#include "acquire/formats/uff/uff_contents.hpp"
+#include "frf/formats/read_frf_text.hpp"
+#include "frf/formats/read_frf_uff.hpp"
 #include "targets.hpp"
 
 namespace percuss::fuzz {

@@ -9,8 +9,8 @@
 #include <cstring>
 #include <span>
 
-#include "acquire/largest_sample.hpp"
-#include "acquire/signal_table.hpp"
+#include "acquire/channels/signal_table.hpp"
+#include "acquire/record/sample_limits.hpp"
 #include "core/error.hpp"
 
 namespace percuss::python {

@@ -4,7 +4,7 @@
 
 #include "bindings.hpp"
 #include "core/error.hpp"
-#include "identify/mac.hpp"
+#include "identify/shapes/mac.hpp"
 
 namespace percuss::python {
 namespace {

@@ -6,9 +6,9 @@
 #include <optional>
 
 #include "bindings.hpp"
+#include "cli/output.hpp"
 #include "core/error.hpp"
 #include "numpy_views.hpp"
-#include "output.hpp"
 
 namespace percuss::python {
 namespace {

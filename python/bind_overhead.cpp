@@ -2,7 +2,7 @@
 #include <chrono>
 
 #include "bindings.hpp"
-#include "report/analysis_json.hpp"
+#include "report/json/analysis_json.hpp"
 
 // The bare library, for the measurement of what the module adds to it (bench_overhead.py).
 namespace percuss::python {

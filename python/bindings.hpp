@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "array_record.hpp"
-#include "host.hpp"
+#include "cli/host.hpp"
 #include "run_command.hpp"
 
 namespace percuss::python {

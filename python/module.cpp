@@ -8,9 +8,9 @@
 
 #include "acquire/calibrate.hpp"
 #include "bindings.hpp"
+#include "cli/nearest.hpp"
 #include "core/error.hpp"
-#include "nearest.hpp"
-#include "report/version.hpp"
+#include "report/text/version.hpp"
 
 namespace percuss::python {
 namespace {

@@ -6,11 +6,11 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "command.hpp"
-#include "open_files.hpp"
-#include "provenance.hpp"
-#include "read_flags.hpp"
-#include "report/version.hpp"
+#include "cli/open_files.hpp"
+#include "cli/provenance.hpp"
+#include "cli/read_flags.hpp"
+#include "commands/commands.hpp"
+#include "report/text/version.hpp"
 
 namespace percuss::python {
 namespace {

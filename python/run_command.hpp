@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "host.hpp"
+#include "cli/host.hpp"
 
 namespace percuss::python {
 

@@ -7,11 +7,11 @@
 #include <new>
 
 #include "acquire/calibrate.hpp"
-#include "acquire/unfinished_files.hpp"
-#include "command.hpp"
+#include "commands/commands.hpp"
 #include "core/error.hpp"
-#include "heap.hpp"
-#include "report/version.hpp"
+#include "core/io/temporary_files.hpp"
+#include "malloc_options.hpp"
+#include "report/text/version.hpp"
 
 namespace {
 

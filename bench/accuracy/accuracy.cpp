@@ -9,13 +9,13 @@
 #include <string>
 #include <string_view>
 
-#include "acquire/atomic_file.hpp"
+#include "build_description.hpp"
 #include "charts.hpp"
+#include "core/io/atomic_file.hpp"
 #include "deflection_study.hpp"
 #include "impact_study.hpp"
 #include "page.hpp"
-#include "skip_study.hpp"
-#include "stamp.hpp"
+#include "skipped_work_study.hpp"
 
 namespace percuss::accuracy {
 namespace {

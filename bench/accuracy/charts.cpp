@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "report/line_chart.hpp"
+#include "report/svg/line_chart.hpp"
 
 namespace percuss::accuracy {
 namespace {

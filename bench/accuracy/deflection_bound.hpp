@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "synth/record.hpp"
+#include "synth/synthesise.hpp"
 
 namespace percuss::accuracy {
 

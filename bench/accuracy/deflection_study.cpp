@@ -5,11 +5,11 @@
 #include <array>
 #include <cmath>
 
-#include "acquire/write_hdf5.hpp"
-#include "bare_limit.hpp"
-#include "core/parallel.hpp"
+#include "acquire/formats/hdf5/write_hdf5.hpp"
+#include "core/parallel/parallel.hpp"
 #include "deflection_bound.hpp"
 #include "deflection_truth.hpp"
+#include "fft_read_baseline.hpp"
 #include "pipeline/impact_test.hpp"
 #include "scratch_folder.hpp"
 #include "synth/schedule.hpp"

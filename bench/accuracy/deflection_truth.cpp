@@ -5,7 +5,7 @@
 #include <complex>
 
 #include "core/units.hpp"
-#include "synth/filter.hpp"
+#include "synth/anti_alias_filter.hpp"
 
 namespace percuss::accuracy {
 namespace {

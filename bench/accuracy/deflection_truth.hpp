@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "synth/pulse.hpp"
-#include "synth/record.hpp"
+#include "synth/synthesise.hpp"
 
 namespace percuss::accuracy {
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/parallel.hpp"
+#include "core/parallel/parallel.hpp"
 #include "pipeline/analysis.hpp"
 
 namespace percuss::accuracy {

@@ -3,9 +3,9 @@
 #include <utility>
 #include <vector>
 
-#include "acquire/record.hpp"
+#include "acquire/record/record.hpp"
 #include "figures.hpp"
-#include "synth/record.hpp"
+#include "synth/synthesise.hpp"
 
 namespace percuss::accuracy {
 

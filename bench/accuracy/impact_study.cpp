@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "bare_limit.hpp"
+#include "fft_read_baseline.hpp"
 #include "impact_truth.hpp"
 
 namespace percuss::accuracy {

@@ -1,6 +1,6 @@
 #pragma once
-#include "by_turns.hpp"
 #include "figures.hpp"
+#include "interleaved_timing.hpp"
 #include "record_cases.hpp"
 
 namespace percuss::accuracy {

@@ -1,5 +1,5 @@
 #pragma once
-#include "model/impact.hpp"
+#include "model/impact/impact.hpp"
 
 namespace percuss::accuracy {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "core/parallel.hpp"
+#include "core/parallel/parallel.hpp"
 #include "pipeline/analysis.hpp"
 
 namespace percuss::accuracy {

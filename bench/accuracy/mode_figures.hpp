@@ -3,10 +3,10 @@
 #include <utility>
 #include <vector>
 
-#include "acquire/record.hpp"
+#include "acquire/record/record.hpp"
 #include "figures.hpp"
-#include "identify/effort.hpp"
-#include "synth/record.hpp"
+#include "identify/model/effort.hpp"
+#include "synth/synthesise.hpp"
 
 namespace percuss::accuracy {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "page_parts.hpp"
+#include "page_sections.hpp"
 #include "tables.hpp"
 
 namespace percuss::accuracy {

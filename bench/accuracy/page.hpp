@@ -5,7 +5,7 @@
 #include "figures.hpp"
 #include "record_study.hpp"
 #include "scaling.hpp"
-#include "skip_study.hpp"
+#include "skipped_work_study.hpp"
 
 namespace percuss::accuracy {
 

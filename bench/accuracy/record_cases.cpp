@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "synth/random.hpp"
+#include "synth/random_stream.hpp"
 #include "synth/read_spec.hpp"
 
 namespace percuss::accuracy {

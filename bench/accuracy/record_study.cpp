@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "acquire/write_hdf5.hpp"
-#include "bare_limit.hpp"
+#include "acquire/formats/hdf5/write_hdf5.hpp"
+#include "fft_read_baseline.hpp"
 #include "frf_figures.hpp"
 #include "mode_figures.hpp"
 #include "pipeline/analysis.hpp"

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <functional>
 
-#include "bare_limit.hpp"
-#include "in_child.hpp"
+#include "fft_read_baseline.hpp"
+#include "forked.hpp"
 #include "pipeline/analysis.hpp"
 #include "scaling_files.hpp"
 #include "scratch_folder.hpp"

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "by_turns.hpp"
+#include "interleaved_timing.hpp"
 #include "record_cases.hpp"
 
 namespace percuss::accuracy {

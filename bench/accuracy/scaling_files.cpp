@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "acquire/write_hdf5.hpp"
+#include "acquire/formats/hdf5/write_hdf5.hpp"
 #include "acquire/write_record.hpp"
-#include "synth/record.hpp"
+#include "synth/synthesise.hpp"
 
 namespace percuss::accuracy {
 namespace {

@@ -2,8 +2,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "acquire/hits.hpp"
-#include "acquire/record.hpp"
+#include "acquire/hits/hits.hpp"
+#include "acquire/record/record.hpp"
 #include "core/error.hpp"
 
 namespace percuss {

@@ -3,19 +3,19 @@
 #include <string>
 #include <string_view>
 
-#include "acquire/confined_record.hpp"
-#include "acquire/input_file.hpp"
-#include "acquire/mat_file.hpp"
-#include "acquire/plain_samples.hpp"
-#include "acquire/read_csv.hpp"
-#include "acquire/read_hdf5.hpp"
-#include "acquire/read_lvm.hpp"
-#include "acquire/read_mat.hpp"
-#include "acquire/read_sound.hpp"
-#include "acquire/read_uff.hpp"
-#include "acquire/record.hpp"
-#include "acquire/sound_file.hpp"
+#include "acquire/formats/hdf5/read_hdf5.hpp"
+#include "acquire/formats/mat/mat_file.hpp"
+#include "acquire/formats/mat/read_mat.hpp"
+#include "acquire/formats/sound/read_sound.hpp"
+#include "acquire/formats/sound/sound_file.hpp"
+#include "acquire/formats/text/read_csv.hpp"
+#include "acquire/formats/text/read_lvm.hpp"
+#include "acquire/formats/uff/read_uff.hpp"
+#include "acquire/record/contiguous_samples.hpp"
+#include "acquire/record/record.hpp"
+#include "acquire/sandbox/sandbox_record.hpp"
 #include "core/error.hpp"
+#include "core/io/input_file.hpp"
 
 namespace percuss {
 namespace {

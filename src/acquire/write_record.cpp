@@ -5,12 +5,12 @@
 #include <cmath>
 #include <filesystem>
 
-#include "acquire/sound_calibration.hpp"
-#include "acquire/write_csv.hpp"
-#include "acquire/write_hdf5.hpp"
-#include "acquire/write_mat.hpp"
-#include "acquire/write_sound.hpp"
-#include "acquire/write_uff.hpp"
+#include "acquire/formats/hdf5/write_hdf5.hpp"
+#include "acquire/formats/mat/write_mat.hpp"
+#include "acquire/formats/sound/sound_calibration.hpp"
+#include "acquire/formats/sound/write_sound.hpp"
+#include "acquire/formats/text/write_csv.hpp"
+#include "acquire/formats/uff/write_uff.hpp"
 #include "core/error.hpp"
 
 namespace percuss {

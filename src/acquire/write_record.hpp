@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "acquire/record.hpp"
+#include "acquire/record/record.hpp"
 
 namespace percuss {
 

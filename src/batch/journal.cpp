@@ -15,7 +15,7 @@
 
 #include "batch/line_reader.hpp"
 #include "core/error.hpp"
-#include "report/digest.hpp"
+#include "report/text/digest.hpp"
 
 namespace percuss {
 namespace {

@@ -8,8 +8,8 @@
 #include <system_error>
 #include <utility>
 
-#include "acquire/input_file.hpp"
 #include "core/error.hpp"
+#include "core/io/input_file.hpp"
 
 namespace percuss {
 namespace {

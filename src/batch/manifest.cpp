@@ -8,12 +8,12 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "acquire/input_file.hpp"
-#include "acquire/strict_json.hpp"
-#include "batch/digested_file.hpp"
 #include "batch/line_reader.hpp"
+#include "batch/sha256_file.hpp"
 #include "core/error.hpp"
-#include "report/digest.hpp"
+#include "core/io/input_file.hpp"
+#include "core/io/strict_json.hpp"
+#include "report/text/digest.hpp"
 
 namespace percuss {
 namespace {

@@ -12,7 +12,7 @@
 #include "batch/row_writer.hpp"
 #include "batch/status.hpp"
 #include "core/error.hpp"
-#include "report/digest.hpp"
+#include "report/text/digest.hpp"
 
 namespace percuss {
 namespace {

@@ -5,11 +5,11 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "acquire/input_file.hpp"
-#include "acquire/strict_json.hpp"
 #include "batch/line_reader.hpp"
 #include "core/error.hpp"
-#include "report/version.hpp"
+#include "core/io/input_file.hpp"
+#include "core/io/strict_json.hpp"
+#include "report/text/version.hpp"
 
 namespace percuss {
 namespace {

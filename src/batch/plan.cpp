@@ -13,9 +13,9 @@
 #include <string_view>
 #include <system_error>
 
-#include "acquire/input_file.hpp"
 #include "core/error.hpp"
-#include "report/digest.hpp"
+#include "core/io/input_file.hpp"
+#include "report/text/digest.hpp"
 
 namespace percuss {
 namespace {

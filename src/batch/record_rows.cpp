@@ -8,13 +8,13 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "batch/packed_frf.hpp"
+#include "batch/serialized_frf.hpp"
 #include "core/error.hpp"
-#include "frf/confined_measurement.hpp"
-#include "pipeline/tests_of_record.hpp"
-#include "report/analysis_text.hpp"
-#include "report/digest.hpp"
+#include "frf/formats/sandbox_measurement.hpp"
+#include "pipeline/runs_of_record.hpp"
 #include "report/frf_files.hpp"
+#include "report/text/analysis_text.hpp"
+#include "report/text/digest.hpp"
 
 namespace percuss {
 namespace {

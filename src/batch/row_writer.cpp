@@ -4,14 +4,14 @@
 
 #include <nlohmann/json.hpp>
 
-#include "acquire/hdf5_output.hpp"
-#include "acquire/strict_json.hpp"
-#include "batch/digested_file.hpp"
-#include "batch/packed_frf.hpp"
+#include "acquire/formats/hdf5/hdf5_output.hpp"
+#include "batch/serialized_frf.hpp"
+#include "batch/sha256_file.hpp"
 #include "core/error.hpp"
-#include "frf/write_frf.hpp"
-#include "metrics/batch_columns.hpp"
-#include "metrics/csv_cell.hpp"
+#include "core/io/strict_json.hpp"
+#include "frf/formats/write_frf.hpp"
+#include "metrics/study/batch_columns.hpp"
+#include "metrics/study/csv_cell.hpp"
 
 namespace percuss {
 namespace {

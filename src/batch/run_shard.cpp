@@ -3,10 +3,10 @@
 #include <filesystem>
 #include <vector>
 
-#include "acquire/atomic_file.hpp"
-#include "batch/digested_file.hpp"
 #include "batch/journal.hpp"
-#include "core/parallel.hpp"
+#include "batch/sha256_file.hpp"
+#include "core/io/atomic_file.hpp"
+#include "core/parallel/parallel.hpp"
 
 namespace percuss {
 namespace {

@@ -9,7 +9,7 @@
 #include "batch/journal.hpp"
 #include "batch/part.hpp"
 #include "core/error.hpp"
-#include "report/version.hpp"
+#include "report/text/version.hpp"
 
 namespace percuss {
 namespace {

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/complex.hpp"
 #include "core/error.hpp"
+#include "core/math/complex.hpp"
 
 namespace percuss {
 namespace {

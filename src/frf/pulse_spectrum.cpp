@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-#include "core/complex.hpp"
+#include "core/math/complex.hpp"
 #include "core/units.hpp"
 
 namespace percuss {

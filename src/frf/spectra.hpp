@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "acquire/hits.hpp"
-#include "acquire/record.hpp"
-#include "core/fft.hpp"
+#include "acquire/hits/hits.hpp"
+#include "acquire/record/record.hpp"
+#include "core/math/fft.hpp"
 
 namespace percuss {
 

@@ -1,9 +1,9 @@
 #include "identify/identify.hpp"
 
-#include "identify/local_force_noise.hpp"
-#include "identify/many_outputs.hpp"
-#include "identify/peak_fit.hpp"
-#include "identify/refine.hpp"
+#include "identify/multi_output.hpp"
+#include "identify/select/joint_refinement.hpp"
+#include "identify/select/local_force_noise.hpp"
+#include "identify/select/sequential_fit.hpp"
 
 namespace percuss {
 

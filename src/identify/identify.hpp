@@ -2,9 +2,9 @@
 #include <optional>
 #include <vector>
 
-#include "identify/effort.hpp"
-#include "identify/frf_set.hpp"
-#include "identify/mode.hpp"
+#include "identify/model/effort.hpp"
+#include "identify/model/frf_dataset.hpp"
+#include "identify/model/mode.hpp"
 
 namespace percuss {
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "identify/mac.hpp"
+#include "identify/shapes/mac.hpp"
 
 namespace percuss {
 

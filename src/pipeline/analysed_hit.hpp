@@ -2,9 +2,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "acquire/hits.hpp"
-#include "acquire/response_grade.hpp"
-#include "identify/modal_model.hpp"
+#include "acquire/hits/hits.hpp"
+#include "acquire/hits/response_grade.hpp"
+#include "identify/model/modal_model.hpp"
 
 namespace percuss {
 

@@ -7,10 +7,10 @@
 #include <map>
 
 #include "core/error.hpp"
-#include "core/parallel.hpp"
-#include "core/statistics.hpp"
+#include "core/math/statistics.hpp"
+#include "core/parallel/parallel.hpp"
 #include "frf/windows.hpp"
-#include "pipeline/band_lines.hpp"
+#include "pipeline/analysis_band.hpp"
 
 namespace percuss {
 namespace {

@@ -6,16 +6,16 @@
 #include <utility>
 #include <vector>
 
-#include "acquire/record.hpp"
-#include "core/large_array.hpp"
+#include "acquire/record/record.hpp"
 #include "core/lazy.hpp"
 #include "core/trace.hpp"
+#include "core/uninitialized_array.hpp"
 #include "frf/estimators.hpp"
-#include "frf/frf_record.hpp"
-#include "identify/classify.hpp"
-#include "identify/local_fit.hpp"
-#include "identify/mode.hpp"
-#include "identify/stabilisation.hpp"
+#include "frf/formats/frf_record.hpp"
+#include "identify/classify/classify.hpp"
+#include "identify/fit/local_fit.hpp"
+#include "identify/model/mode.hpp"
+#include "identify/start/stabilisation.hpp"
 #include "pipeline/analysed_hit.hpp"
 #include "pipeline/analysis_options.hpp"
 

@@ -5,7 +5,7 @@
 
 #include "core/error.hpp"
 #include "pipeline/analysis.hpp"
-#include "pipeline/band_lines.hpp"
+#include "pipeline/analysis_band.hpp"
 
 namespace percuss {
 namespace {

@@ -1,12 +1,12 @@
 // The hits' responses: read, graded, transformed.
 #include <algorithm>
 
-#include "core/fft.hpp"
-#include "core/parallel.hpp"
+#include "core/math/fft.hpp"
+#include "core/parallel/parallel.hpp"
 #include "frf/windows.hpp"
 #include "pipeline/analysis.hpp"
-#include "pipeline/hit_agreement.hpp"
-#include "pipeline/response_rail.hpp"
+#include "pipeline/hit_consistency.hpp"
+#include "pipeline/response_clipping.hpp"
 
 namespace percuss {
 

@@ -4,9 +4,9 @@
 #include <map>
 #include <tuple>
 
-#include "core/meanwhile.hpp"
-#include "core/parallel.hpp"
-#include "core/statistics.hpp"
+#include "core/math/statistics.hpp"
+#include "core/parallel/background_tasks.hpp"
+#include "core/parallel/parallel.hpp"
 #include "pipeline/analysis.hpp"
 
 namespace percuss {

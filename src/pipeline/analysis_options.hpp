@@ -4,9 +4,9 @@
 #include <utility>
 #include <vector>
 
-#include "acquire/hits.hpp"
+#include "acquire/hits/hits.hpp"
 #include "frf/estimators.hpp"
-#include "identify/classify.hpp"
+#include "identify/classify/classify.hpp"
 #include "identify/identify.hpp"
 
 namespace percuss {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "metrics/deflection.hpp"
+#include "metrics/deflection/deflection.hpp"
 #include "pipeline/analysis.hpp"
 
 namespace percuss {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "identify/nodes.hpp"
+#include "identify/shapes/nodes.hpp"
 #include "pipeline/analysis.hpp"
 
 namespace percuss {

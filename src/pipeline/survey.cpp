@@ -8,10 +8,10 @@
 #include <set>
 
 #include "core/error.hpp"
-#include "core/parallel.hpp"
+#include "core/parallel/parallel.hpp"
 #include "core/units.hpp"
-#include "identify/cmif.hpp"
-#include "identify/ring_split.hpp"
+#include "identify/classify/asymmetry_split.hpp"
+#include "identify/start/cmif.hpp"
 
 namespace percuss {
 namespace {

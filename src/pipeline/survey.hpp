@@ -4,13 +4,13 @@
 #include <utility>
 #include <vector>
 
-#include "acquire/geometry.hpp"
+#include "acquire/geometry/geometry.hpp"
 #include "core/lazy.hpp"
-#include "identify/cylinder.hpp"
-#include "identify/frf_synthesis.hpp"
-#include "identify/mac.hpp"
-#include "identify/shape_checks.hpp"
-#include "identify/shapes.hpp"
+#include "identify/model/frf_synthesis.hpp"
+#include "identify/shapes/circumferential_orders.hpp"
+#include "identify/shapes/mac.hpp"
+#include "identify/shapes/mode_shapes.hpp"
+#include "identify/shapes/shape_checks.hpp"
 #include "pipeline/analysis.hpp"
 
 namespace percuss {

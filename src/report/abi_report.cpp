@@ -4,10 +4,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "report/json_document.hpp"
-#include "report/line_chart.hpp"
-#include "report/text_table.hpp"
-#include "report/version.hpp"
+#include "report/json/json_document.hpp"
+#include "report/svg/line_chart.hpp"
+#include "report/text/text_table.hpp"
+#include "report/text/version.hpp"
 
 namespace percuss {
 namespace {

@@ -1,5 +1,5 @@
 #pragma once
-#include "metrics/abi.hpp"
+#include "metrics/protocol/abi.hpp"
 #include "report/command_report.hpp"
 
 namespace percuss {

@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/units.hpp"
-#include "model/peak_between.hpp"
-#include "report/version.hpp"
+#include "model/math/brent_maximum.hpp"
+#include "report/text/version.hpp"
 
 namespace percuss {
 namespace {

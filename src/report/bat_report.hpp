@@ -2,7 +2,7 @@
 #include <optional>
 #include <vector>
 
-#include "model/bat_collision.hpp"
+#include "model/bat/bat_collision.hpp"
 #include "report/command_report.hpp"
 
 namespace percuss {

@@ -5,9 +5,9 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "report/number.hpp"
-#include "report/text_table.hpp"
-#include "report/version.hpp"
+#include "report/text/number_format.hpp"
+#include "report/text/text_table.hpp"
+#include "report/text/version.hpp"
 
 namespace percuss {
 namespace {

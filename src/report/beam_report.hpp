@@ -2,8 +2,8 @@
 #include <optional>
 #include <vector>
 
-#include "model/beam.hpp"
-#include "model/beam_fit.hpp"
+#include "model/beam/beam.hpp"
+#include "model/beam/beam_fit.hpp"
 #include "report/command_report.hpp"
 
 namespace percuss {

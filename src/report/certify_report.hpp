@@ -1,5 +1,5 @@
 #pragma once
-#include "metrics/certify.hpp"
+#include "metrics/protocol/certify.hpp"
 #include "report/command_report.hpp"
 
 namespace percuss {

@@ -2,10 +2,10 @@
 #include <string>
 #include <vector>
 
-#include "report/bending_picture.hpp"
-#include "report/columns.hpp"
-#include "report/line_chart.hpp"
-#include "report/report_text.hpp"
+#include "report/json/bending_plot.hpp"
+#include "report/svg/line_chart.hpp"
+#include "report/text/numeric_csv.hpp"
+#include "report/text/report_text.hpp"
 
 namespace percuss {
 

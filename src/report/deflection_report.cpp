@@ -9,13 +9,13 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "acquire/hdf5_output.hpp"
-#include "acquire/input_file.hpp"
+#include "acquire/formats/hdf5/hdf5_output.hpp"
 #include "core/error.hpp"
-#include "report/json_document.hpp"
-#include "report/number.hpp"
-#include "report/text_table.hpp"
-#include "report/version.hpp"
+#include "core/io/input_file.hpp"
+#include "report/json/json_document.hpp"
+#include "report/text/number_format.hpp"
+#include "report/text/text_table.hpp"
+#include "report/text/version.hpp"
 
 namespace percuss {
 namespace {

@@ -2,8 +2,8 @@
 #include <string>
 
 #include "pipeline/impact_test.hpp"
-#include "report/line_chart.hpp"
-#include "report/report_text.hpp"
+#include "report/svg/line_chart.hpp"
+#include "report/text/report_text.hpp"
 
 namespace percuss {
 

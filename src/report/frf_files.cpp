@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "acquire/atomic_file.hpp"
 #include "core/error.hpp"
-#include "frf/write_frf.hpp"
+#include "core/io/atomic_file.hpp"
+#include "frf/formats/write_frf.hpp"
 
 namespace percuss {
 namespace {

@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/units.hpp"
-#include "report/text_table.hpp"
-#include "report/version.hpp"
+#include "report/text/text_table.hpp"
+#include "report/text/version.hpp"
 
 namespace percuss {
 namespace {

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "model/impact.hpp"
+#include "model/impact/impact.hpp"
 #include "report/command_report.hpp"
 
 namespace percuss {

@@ -6,10 +6,10 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "report/columns.hpp"
-#include "report/number.hpp"
-#include "report/text_table.hpp"
-#include "report/version.hpp"
+#include "report/text/number_format.hpp"
+#include "report/text/numeric_csv.hpp"
+#include "report/text/text_table.hpp"
+#include "report/text/version.hpp"
 
 namespace percuss {
 namespace {

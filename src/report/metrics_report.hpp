@@ -2,8 +2,8 @@
 #include <optional>
 #include <vector>
 
-#include "metrics/bat_metrics.hpp"
-#include "metrics/resolution.hpp"
+#include "metrics/protocol/bat_metrics.hpp"
+#include "metrics/protocol/resolution.hpp"
 #include "report/command_report.hpp"
 
 namespace percuss {

@@ -7,11 +7,11 @@
 #include <map>
 #include <set>
 
-#include "acquire/uff_lines.hpp"
-#include "acquire/write_uff.hpp"
+#include "acquire/formats/uff/uff_trace_lines.hpp"
+#include "acquire/formats/uff/write_uff.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
-#include "report/survey_drawing.hpp"
+#include "report/svg/plot_geometry.hpp"
 
 namespace percuss {
 namespace {

@@ -4,14 +4,14 @@
 
 #include <nlohmann/json.hpp>
 
-#include "acquire/input_file.hpp"
 #include "core/error.hpp"
+#include "core/io/input_file.hpp"
 #include "core/units.hpp"
-#include "report/analysis_tables.hpp"
-#include "report/json_document.hpp"
-#include "report/number.hpp"
-#include "report/text_table.hpp"
-#include "report/version.hpp"
+#include "report/json/json_document.hpp"
+#include "report/text/analysis_tables.hpp"
+#include "report/text/number_format.hpp"
+#include "report/text/text_table.hpp"
+#include "report/text/version.hpp"
 
 namespace percuss {
 namespace {

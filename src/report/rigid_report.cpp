@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "report/version.hpp"
+#include "report/text/version.hpp"
 
 namespace percuss {
 

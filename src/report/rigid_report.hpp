@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "model/rigid.hpp"
+#include "model/bat/rigid_collision.hpp"
 #include "report/command_report.hpp"
 
 namespace percuss {

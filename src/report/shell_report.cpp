@@ -4,8 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "report/number.hpp"
-#include "report/version.hpp"
+#include "report/text/number_format.hpp"
+#include "report/text/version.hpp"
 
 namespace percuss {
 namespace {

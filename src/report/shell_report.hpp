@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "model/shell.hpp"
-#include "model/shell_fit.hpp"
+#include "model/shell/shell.hpp"
+#include "model/shell/shell_fit.hpp"
 #include "report/command_report.hpp"
 
 namespace percuss {

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "metrics/csv_cell.hpp"
-#include "report/json_document.hpp"
-#include "report/study_charts.hpp"
-#include "report/text_table.hpp"
-#include "report/version.hpp"
+#include "metrics/study/csv_cell.hpp"
+#include "report/json/json_document.hpp"
+#include "report/svg/study_charts.hpp"
+#include "report/text/text_table.hpp"
+#include "report/text/version.hpp"
 
 namespace percuss {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 #include <optional>
 
-#include "metrics/study.hpp"
-#include "metrics/study_join.hpp"
+#include "metrics/study/study.hpp"
+#include "metrics/study/study_join.hpp"
 #include "report/command_report.hpp"
 
 namespace percuss {

@@ -7,9 +7,9 @@
 #include <iterator>
 #include <limits>
 
-#include "acquire/hdf5_output.hpp"
+#include "acquire/formats/hdf5/hdf5_output.hpp"
 #include "core/units.hpp"
-#include "report/survey_drawing.hpp"
+#include "report/svg/plot_geometry.hpp"
 
 namespace percuss {
 namespace {
@@ -41,8 +41,8 @@ void write_shapes(hdf5::OutputHdf5& out, const Survey& survey) {
   for (std::size_t i = 0; i < places.size(); ++i) {
     point.push_back(static_cast<double>(places[i].point));
     channel.push_back(static_cast<double>(places[i].channel));
-    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-    const auto xyz = drawn_at(survey, places[i].point).value_or(std::array{kNone, kNone, kNone});
+    constexpr double kNoPlace = std::numeric_limits<double>::quiet_NaN();
+    const auto xyz = drawn_at(survey, places[i].point).value_or(std::array{kNoPlace, kNoPlace, kNoPlace});
     out.write("xyz_m", std::array{i}, 0, std::span<const double>(xyz));
   }
   write_numbers(out, "point", point, hdf5::Stored::int32);

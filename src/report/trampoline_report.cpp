@@ -5,8 +5,8 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "report/number.hpp"
-#include "report/version.hpp"
+#include "report/text/number_format.hpp"
+#include "report/text/version.hpp"
 
 namespace percuss {
 namespace {

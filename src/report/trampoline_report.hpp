@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "model/trampoline.hpp"
-#include "model/trampoline_fit.hpp"
+#include "model/trampoline/trampoline.hpp"
+#include "model/trampoline/trampoline_fit.hpp"
 #include "report/command_report.hpp"
 
 namespace percuss {

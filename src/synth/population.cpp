@@ -6,9 +6,9 @@
 #include <array>
 #include <cmath>
 
-#include "metrics/performance.hpp"
-#include "metrics/resolution.hpp"
-#include "synth/random.hpp"
+#include "metrics/protocol/performance.hpp"
+#include "metrics/protocol/resolution.hpp"
+#include "synth/random_stream.hpp"
 
 namespace percuss {
 namespace {

@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "metrics/study_table.hpp"
+#include "metrics/study/study_table.hpp"
 
 namespace percuss {
 

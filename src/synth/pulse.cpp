@@ -7,7 +7,7 @@
 #include <complex>
 #include <numbers>
 
-#include "synth/filter.hpp"
+#include "synth/anti_alias_filter.hpp"
 
 namespace percuss {
 namespace {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "acquire/strict_json.hpp"
 #include "core/error.hpp"
+#include "core/io/strict_json.hpp"
 #include "core/units.hpp"
 
 namespace percuss {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "synth/random.hpp"
+#include "synth/random_stream.hpp"
 
 namespace percuss {
 namespace {

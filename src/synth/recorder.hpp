@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "synth/record.hpp"
+#include "synth/synthesise.hpp"
 
 namespace percuss {
 

@@ -1,6 +1,6 @@
 #include "synth/schedule.hpp"
 
-#include "synth/random.hpp"
+#include "synth/random_stream.hpp"
 
 namespace percuss {
 namespace {

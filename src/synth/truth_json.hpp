@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "synth/record.hpp"
+#include "synth/synthesise.hpp"
 
 namespace percuss {
 

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <vector>
 
-#include "acquire/record.hpp"
-#include "core/fft.hpp"
+#include "acquire/record/record.hpp"
+#include "core/math/fft.hpp"
 
 int main() {
   constexpr std::size_t kSamples = 64;

@@ -5,7 +5,7 @@
 
 #include "check.hpp"
 #include "outcome.hpp"
-#include "synth/record.hpp"
+#include "synth/synthesise.hpp"
 
 namespace percuss::stress {
 

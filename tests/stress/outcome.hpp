@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "acquire/record.hpp"
-#include "identify/mode.hpp"
+#include "acquire/record/record.hpp"
+#include "identify/model/mode.hpp"
 #include "pipeline/analysis.hpp"
 
 namespace percuss::stress {

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "acquire/record.hpp"
+#include "acquire/record/record.hpp"
 
 namespace percuss::stress {
 

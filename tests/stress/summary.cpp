@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-#include "core/parallel.hpp"
+#include "core/parallel/parallel.hpp"
 
 namespace percuss::stress {
 namespace {

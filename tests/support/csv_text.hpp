@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "acquire/input_file.hpp"
-#include "acquire/read_csv.hpp"
+#include "acquire/formats/text/read_csv.hpp"
+#include "core/io/input_file.hpp"
 
 namespace percuss::test {
 

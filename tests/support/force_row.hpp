@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "acquire/record.hpp"
+#include "acquire/record/record.hpp"
 
 namespace percuss::test {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "synth/random.hpp"
+#include "synth/random_stream.hpp"
 
 namespace percuss::test {
 namespace {

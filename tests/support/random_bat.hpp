@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "acquire/record.hpp"
+#include "acquire/record/record.hpp"
 #include "synth/spec.hpp"
 
 namespace percuss::test {

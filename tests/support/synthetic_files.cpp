@@ -2,7 +2,7 @@
 
 #include "acquire/write_record.hpp"
 #include "synth/read_spec.hpp"
-#include "synth/record.hpp"
+#include "synth/synthesise.hpp"
 
 namespace percuss::test {
 

@@ -1,0 +1,16 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "scaling.hpp"
+#include "skipped_work_study.hpp"
+
+namespace percuss::accuracy {
+
+/// The section on how time and memory grow.
+std::string growth_part(const std::vector<Scaling>& scalings);
+
+/// The section on what leaving out saves.
+std::string skipping_part(const std::vector<Saving>& savings);
+
+}  // namespace percuss::accuracy

@@ -1,0 +1,102 @@
+#include "skipped_work_study.hpp"
+
+#include <functional>
+
+#include "acquire/formats/hdf5/write_hdf5.hpp"
+#include "pipeline/analysis.hpp"
+#include "scratch_folder.hpp"
+#include "synth/synthesise.hpp"
+
+namespace percuss::accuracy {
+namespace {
+
+constexpr double kFs_Hz = 25600;
+constexpr std::pair<double, double> kBand_Hz{60, 3200}, kNarrow_Hz{60, 700};
+constexpr std::size_t kHits = 10, kChannels = 8;
+
+// Ten hits of one second; all of the decay is over after a quarter of it, but for 0.1 % of noise.
+SynthSpec plain_test(std::size_t channels) {
+  SynthSpec spec = spread_structure(3, channels);
+  spec.fs_Hz = kFs_Hz;
+  spec.samples = static_cast<std::size_t>(kFs_Hz);
+  spec.hits = kHits;
+  spec.noise = {.force = 0, .accel = 0.001};
+  return spec;
+}
+
+// The same hits in one record, with as much silence after each decay as it takes to walk round a table.
+SynthSpec long_record(double seconds) {
+  SynthSpec spec = plain_test(2);
+  spec.layout = SynthLayout::continuous;
+  spec.samples = static_cast<std::size_t>(seconds * kFs_Hz);
+  return spec;
+}
+
+class Files {
+ public:
+  std::string of(const SynthSpec& spec, const std::string& name) const {
+    std::string path = folder_.file(name + ".h5");
+    write_hdf5(path, synthesise(spec).record, true);
+    return path;
+  }
+
+ private:
+  BenchFolder folder_;
+};
+
+enum class Wanted { hits, frfs, modes };
+
+std::function<void()> analysis_of(const std::string& path, const AnalysisOptions& options, Wanted wanted,
+                                  const ReadOptions& reading = {}) {
+  return [=] {
+    AnalysisOptions one = options;
+    one.threads = 1;
+    const Analysis analysis(open_record(path, reading), one);
+    if (wanted == Wanted::hits) analysis.force_hits();
+    if (wanted == Wanted::frfs) analysis.frfs();
+    if (wanted == Wanted::modes) analysis.verdicts();
+  };
+}
+
+}  // namespace
+
+std::vector<Saving> study_skips(Extent extent, const Turns& turns) {
+  const Files files;
+  const std::string many = files.of(plain_test(kChannels), "many"), two = files.of(plain_test(2), "two");
+  const std::string row = files.of(long_record(extent == Extent::quick ? 10 : 60), "long");
+  const AnalysisOptions plain{.band_Hz = kBand_Hz}, narrow{.band_Hz = kNarrow_Hz};
+  AnalysisOptions ungated = plain, rejecting = plain, whole_rows = plain, quick = plain;
+  ungated.hits.gate_force = false;
+  for (std::size_t h = 2; h < kHits; ++h) rejecting.reject_hits.push_back(h);
+  whole_rows.hits.length_s = 1e9;  // up to the next hit
+  quick.modes.effort = Effort::quick;
+  ReadOptions one_channel;
+  one_channel.accel_channels = {"1"};
+
+  std::vector<Saving> savings;
+  const auto compare = [&](const char* what, const char* when, const std::function<void()>& with,
+                           const std::function<void()>& without) {
+    const std::vector<double> best_s = best_by_turns({with, without}, turns);
+    savings.push_back({.what = what, .when = when, .with_s = best_s[0], .without_s = best_s[1]});
+  };
+  using enum Wanted;
+  compare("seven of eight channels", "`--accel-channel 1`: their bytes are not read", analysis_of(many, plain, frfs),
+          analysis_of(many, plain, frfs, one_channel));
+  compare("accelerations", "`--only hits`: their bytes are not read", analysis_of(many, plain, frfs),
+          analysis_of(many, plain, hits));
+  compare("modes", "`--only frf`: the report has no section that asks for them", analysis_of(two, plain, modes),
+          analysis_of(two, plain, frfs));
+  compare("hidden modes and the fit of all together", "`--effort quick`", analysis_of(two, plain, modes),
+          analysis_of(two, quick, modes));
+  compare("lines outside a narrow band", "`--band 60:700`: not kept, not averaged, not fitted",
+          analysis_of(two, plain, modes), analysis_of(two, narrow, modes));
+  compare("eight of ten hits", "rejected: their accelerations are not read", analysis_of(two, plain, frfs),
+          analysis_of(two, rejecting, frfs));
+  compare("the force outside its pulse", "nothing but noise: a pulse of few samples is transformed by itself",
+          analysis_of(two, ungated, frfs), analysis_of(two, plain, frfs));
+  compare("silence and decayed tails of a long record", "by itself: what follows a decay is background",
+          analysis_of(row, whole_rows, modes), analysis_of(row, plain, modes));
+  return savings;
+}
+
+}  // namespace percuss::accuracy

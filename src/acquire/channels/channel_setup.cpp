@@ -1,0 +1,187 @@
+#include "acquire/channels/channel_setup.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "core/error.hpp"
+#include "core/io/csv_header.hpp"
+#include "core/io/input_file.hpp"
+#include "core/io/json_text.hpp"
+#include "core/units.hpp"
+
+namespace percuss {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::uint64_t kLargestSetup_bytes = std::uint64_t{1} << 20U;
+constexpr int kDeepest = 16;
+constexpr std::size_t kMostChannels = 4096;
+
+constexpr std::array<std::string_view, 9> kSetupKeys = {
+    "name", "role", "sign", "direction", "angle_deg", "position_m", "sensitivity", "sensitivity_unit", "unit"};
+
+Json parse_json(std::string_view text, const std::string& where) {
+  if (text.size() > kLargestSetup_bytes)
+    throw InputError("longer than 1 MiB", where, "keep only the channels' entries");
+  check_json({.text = text, .where = where, .remedy = "see percuss info --example", .max_depth = kDeepest});
+  return Json::parse(text.begin(), text.end());
+}
+
+// One entry, with its place for messages: "[2].sign".
+class Entry {
+ public:
+  Entry(const Json& json, std::size_t index, const std::string& file)
+      : json_(json), place_(fmt::format("{}: [{}]", file, index)) {}
+
+  std::string where(std::string_view key = {}) const { return key.empty() ? place_ : place_ + "." + std::string(key); }
+  bool has(const char* key) const { return json_.contains(key); }
+
+  std::optional<std::string> text(const char* key) const {
+    const auto found = json_.find(key);
+    if (found == json_.end()) return std::nullopt;
+    if (!found->is_string() || found->get_ref<const std::string&>().empty()) {
+      throw InputError("not a text", where(key), "put it in double quotes");
+    }
+    return found->get<std::string>();
+  }
+
+  std::optional<double> number(const char* key, double lowest, double highest) const {
+    const auto found = json_.find(key);
+    if (found == json_.end()) return std::nullopt;
+    if (!found->is_number()) throw InputError("not a number", where(key), "write it without quotes");
+    const double value = found->get<double>();
+    if (value >= lowest && value <= highest) return value;
+    throw InputError(fmt::format("{:g} is out of range", value), where(key),
+                     fmt::format("give {:g} to {:g}", lowest, highest));
+  }
+
+ private:
+  const Json& json_;
+  std::string place_;
+};
+
+void require_known_keys(const Json& json, const Entry& entry) {
+  if (!json.is_object()) throw InputError("not an object", entry.where(), "write {\"name\": ..., ...} per channel");
+  for (const auto& item : json.items()) {
+    if (std::find(kSetupKeys.begin(), kSetupKeys.end(), item.key()) != kSetupKeys.end()) continue;
+    throw InputError("unknown key", entry.where(one_line(item.key(), 40)),
+                     fmt::format("known are {}", fmt::join(kSetupKeys, ", ")));
+  }
+}
+
+std::string read_role(const Entry& entry) {
+  std::string role = entry.text("role").value_or("");
+  if (role.empty() || role == "force" || role == "acceleration" || role == "ignore") return role;
+  throw InputError("unknown role \"" + one_line(role, 40) + "\"", entry.where("role"),
+                   "use force, acceleration or ignore");
+}
+
+double read_sign(const Entry& entry) {
+  const auto direction = entry.text("direction");
+  if (direction && entry.has("sign")) throw InputError("sign and direction are both given", entry.where(), "keep one");
+  if (direction) {
+    const bool signed_axis = direction->size() == 2 && (direction->front() == '+' || direction->front() == '-');
+    if (signed_axis && direction->back() >= 'x' && direction->back() <= 'z') return direction->front() == '-' ? -1 : 1;
+    throw InputError("unknown direction \"" + one_line(*direction, 40) + "\"", entry.where("direction"),
+                     "use +x, -x, +y, -y, +z or -z");
+  }
+  const double sign = entry.number("sign", -1, 1).value_or(1);
+  if (sign == 1 || sign == -1) return sign;
+  throw InputError(fmt::format("{:g} is no sign", sign), entry.where("sign"), "give 1 or -1");
+}
+
+// "mV/N" → 1e-3 V/N; "V/(m/s^2)", "mV/g". Charge needs the amplifier's gain, which is not in the sensor's data sheet.
+double volts_per_SI(const std::string& unit, const std::string& role, const std::string& where) {
+  if (unit.substr(0, 2) == "pC") {
+    throw InputError("charge is not volts", where, "give the amplifier's output, such as mV/N");
+  }
+  const std::string shown = "\"" + one_line(unit, 40) + "\"";
+  const auto slash = std::min(unit.find('/'), unit.size());
+  const Unit none{Quantity::mass, 1};
+  const Unit volts = parse_unit(unit.substr(0, slash)).value_or(none);
+  const Unit per = parse_unit(unit.substr(std::min(slash + 1, unit.size()))).value_or(none);
+  const bool force = per.quantity == Quantity::force;
+  if (volts.quantity != Quantity::voltage || (!force && per.quantity != Quantity::acceleration)) {
+    throw InputError("unknown sensitivity unit " + shown, where, "use mV/N, mV/lbf, mV/g or V/(m/s^2)");
+  }
+  if ((role == "force" && !force) || (role == "acceleration" && force)) {
+    throw InputError(shown + " does not fit the role " + role, where, force ? "use mV/g" : "use mV/N");
+  }
+  return volts.to_SI / per.to_SI;
+}
+
+std::optional<double> read_sensitivity(const Entry& entry, const std::string& role) {
+  constexpr double kLargest = 1e9;
+  const auto value = entry.number("sensitivity", -kLargest, kLargest);
+  const auto unit = entry.text("sensitivity_unit");
+  if (!value && !unit) return std::nullopt;
+  if (!value || !unit) throw InputError("sensitivity without its unit, or the reverse", entry.where(), "give both");
+  if (std::abs(*value) < 1 / kLargest)
+    throw InputError("a sensitivity of zero", entry.where("sensitivity"), "see the sensor's data sheet");
+  return *value * volts_per_SI(*unit, role, entry.where("sensitivity_unit"));
+}
+
+ChannelSetup read_entry(const Json& json, std::size_t index, const std::string& file) {
+  const Entry entry(json, index, file);
+  require_known_keys(json, entry);
+  ChannelSetup setup;
+  const auto name = entry.text("name");
+  if (!name) throw InputError("no name", entry.where(), "give the column's name or number as \"name\"");
+  setup.name = *name;
+  setup.role = read_role(entry);
+  setup.sign = read_sign(entry);
+  if (const auto angle_deg = entry.number("angle_deg", -360, 360)) setup.angle_rad = *angle_deg * kDegree_rad;
+  setup.position_m = entry.number("position_m", -1000, 1000);
+  setup.sensitivity_V_per_SI = read_sensitivity(entry, setup.role);
+  setup.unit = entry.text("unit");
+  if (setup.unit && !parse_unit(*setup.unit)) {
+    throw InputError("unknown unit \"" + one_line(*setup.unit, 40) + "\"", entry.where("unit"),
+                     "use N, lbf, m/s^2, g, V or mV, for instance");
+  }
+  return setup;
+}
+
+}  // namespace
+
+std::vector<ChannelSetup> parse_channel_setup(std::string_view json, const std::string& where) {
+  const Json document = parse_json(json, where);
+  if (!document.is_array() || document.empty())
+    throw InputError("not an array of channels", where, "write [{\"name\": ...}, ...]");
+  if (document.size() > kMostChannels) throw InputError("more than 4096 channels", where, "keep those that are used");
+  std::vector<ChannelSetup> setup;
+  std::set<std::string> names;
+  std::size_t forces = 0;
+  for (std::size_t i = 0; i < document.size(); ++i) {
+    setup.push_back(read_entry(document[i], i, where));
+    const auto place = fmt::format("{}: [{}].", where, i);
+    if (!names.insert(lower_case(setup.back().name)).second) {
+      throw InputError("two entries for \"" + one_line(setup.back().name, 40) + "\"", place + "name", "keep one");
+    }
+    if (setup.back().role == "force" && ++forces > 1)
+      throw InputError("a second force", place + "role", "one channel is the hammer");
+  }
+  return setup;
+}
+
+std::vector<ChannelSetup> read_channel_setup(const std::string& path) {
+  return parse_channel_setup(read_input(path, kLargestSetup_bytes).view(), input_name(path));
+}
+
+std::string channel_setup_example() {
+  return R"([
+  {"name": "CH1", "role": "force", "sensitivity": 2.25, "sensitivity_unit": "mV/N", "unit": "V"},
+  {"name": "CH2", "role": "acceleration", "direction": "+x", "angle_deg": 0, "position_m": 0.15,
+   "sensitivity": 10.2, "sensitivity_unit": "mV/g", "unit": "V"},
+  {"name": "CH3", "role": "acceleration", "sign": -1, "angle_deg": 90, "position_m": 0.15,
+   "sensitivity": 9.8, "sensitivity_unit": "mV/g", "unit": "V"}
+]
+)";
+}
+
+}  // namespace percuss

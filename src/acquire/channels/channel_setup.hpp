@@ -1,0 +1,27 @@
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "acquire/record/record.hpp"
+
+namespace percuss {
+
+/// Reads a reusable channel set-up: a JSON array with one object per channel (docs/formats.md, "Channel set-up").
+///   name (required)          the column's name or 1-based number, or the data set's channel ("accel 1")
+///   role                     "force", "acceleration" or "ignore"
+///   sign                     1 or -1;  or  direction  "+x", "-x", … "-z": −1 for a minus
+///   angle_deg, position_m    of the sensor
+///   sensitivity, sensitivity_unit   both or none: 2.25 and "mV/N"
+///   unit                     of the stored numbers
+/// errors  InputError with file and key: not such a document, an unknown or doubled key, a value of the wrong type or
+/// out of range, two entries for one name, nested deeper than 16, longer than 1 MiB.
+std::vector<ChannelSetup> read_channel_setup(const std::string& path);
+
+/// As read_channel_setup, for a document in memory; `where` names it.
+std::vector<ChannelSetup> parse_channel_setup(std::string_view json, const std::string& where);
+
+/// A set-up of a hammer and two accelerometers, as a user may start from.
+std::string channel_setup_example();
+
+}  // namespace percuss

@@ -1,0 +1,233 @@
+#include "acquire/channels/csv_columns.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "core/error.hpp"
+#include "core/units.hpp"
+
+namespace percuss {
+namespace {
+
+using Words = std::vector<std::string_view>;
+
+const Words kTimeWords = {"time",         "t",       "times", "timestamp", "time stamp", "elapsed",
+                          "elapsed time", "x_value", "zeit",  "temps"};
+const Words kCountWords = {"index", "sample", "samples", "n",   "no",   "no.",     "nr",
+                           "nr.",   "#",      "i",       "row", "line", "point no"};
+const Words kForceWords = {"force", "hammer", "impact", "kraft"};
+const Words kAccelWords = {"acc", "beschl"};
+
+bool is_one_of(const std::string& name, const Words& words) {
+  return std::find(words.begin(), words.end(), name) != words.end();
+}
+
+bool has_one_of(const std::string& name, const Words& words) {
+  return std::any_of(words.begin(), words.end(), [&](auto word) { return name.find(word) != std::string::npos; });
+}
+
+std::optional<Quantity> quantity_of(const CsvColumn& column) {
+  const auto unit = parse_unit(column.unit);
+  return unit ? std::optional(unit->quantity) : std::nullopt;
+}
+
+bool is_named(const CsvColumn& column, const std::string& name) {
+  const std::string wanted = lower_case(name);
+  return lower_case(column.name) == wanted || lower_case(column.base) == wanted;
+}
+
+bool is_number_of(const CsvColumn& column, const std::string& name) { return name == std::to_string(column.index + 1); }
+
+std::string list_of(const std::vector<CsvColumn>& columns) {
+  constexpr std::size_t kShown = 12;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(columns.size(), kShown); ++i) {
+    const auto& column = columns[i];
+    const bool show_unit = !column.unit.empty() && column.base == column.name;
+    text +=
+        (i == 0 ? "" : ", ") + one_line(column.name, 40) + (show_unit ? " [" + one_line(column.unit, 20) + "]" : "");
+  }
+  if (columns.size() > kShown) text += fmt::format(", … ({} in all)", columns.size());
+  return text;
+}
+
+class Finder {
+ public:
+  Finder(const CsvHeader& header, const ReadOptions& options, const std::string& file)
+      : header_(header),
+        options_(options),
+        where_(header.text ? file + (header.named ? ": header" : ": no header with names") : file) {}
+
+  CsvColumns find() {
+    check_setup();
+    columns_.hit = take_exact("hit");
+    columns_.point = take_exact("point");
+    columns_.run = take_exact("run");
+    columns_.time = find_time();
+    columns_.force = find_force();
+    find_accel();
+    return std::move(columns_);
+  }
+
+ private:
+  std::optional<CsvColumn> take_exact(const std::string& name) const {
+    for (const auto& column : header_.columns) {
+      if (column.has_numbers && header_.named && lower_case(column.name) == name) return column;
+    }
+    return std::nullopt;
+  }
+
+  // A name that is spelt otherwise would lose its sensor without a word.
+  void check_setup() const {
+    if (!options_.accel_channels.empty()) return;  // the user knows which there are
+    for (const auto& entry : options_.setup) {
+      if (entry.role == "ignore") continue;
+      const bool known = std::any_of(header_.columns.begin(), header_.columns.end(), [&](const CsvColumn& column) {
+        return is_named(column, entry.name) || is_number_of(column, entry.name);
+      });
+      if (!known) {
+        throw InputError("no column \"" + one_line(entry.name, 40) + "\" among " + list_of(header_.columns),
+                         where_ + ": channel set-up", "correct the set-up's name, or leave the entry out");
+      }
+    }
+  }
+
+  std::optional<CsvColumn> find_time() const {
+    for (const auto& column : header_.columns) {
+      if (column.has_numbers && header_.named && is_one_of(lower_case(column.base), kTimeWords)) return column;
+    }
+    for (const auto& column : header_.columns) {
+      if (column.has_numbers && column.index == 0 && quantity_of(column) == Quantity::time) return column;
+    }
+    return std::nullopt;
+  }
+
+  bool is_helper(const CsvColumn& column) const {
+    const auto is = [&](const std::optional<CsvColumn>& other) { return other && other->index == column.index; };
+    return is(columns_.time) || is(columns_.hit) || is(columns_.point) || is(columns_.run);
+  }
+
+  // The column that the user named; `option` is for the message.
+  CsvColumn named_by_user(const std::string& name, const std::string& option) const {
+    std::vector<CsvColumn> found;
+    for (const auto matches :
+         {+[](const CsvColumn&c, const std::string&n) { return lower_case(c.name) == lower_case(n); }, &is_named,
+          &is_number_of}) {
+      for (const auto& column : header_.columns) {
+        if (found.empty() || found.front().index != column.index) {
+          if (matches(column, name)) found.push_back(column);
+        }
+      }
+      if (!found.empty()) break;
+    }
+    const std::string shown = "\"" + one_line(name, 40) + "\"";
+    if (found.empty())
+      throw InputError("no column " + shown + " among " + list_of(header_.columns), where_, "correct " + option);
+    if (found.size() > 1) {
+      throw InputError("several columns are called " + shown, where_,
+                       fmt::format("give its number: {} {}", option, found.front().index + 1));
+    }
+    if (!found.front().has_numbers)
+      throw InputError("column " + shown + " holds no numbers", where_, "name another with " + option);
+    return found.front();
+  }
+
+  // The role that the set-up gives a column; empty for none.
+  std::string role_of(const CsvColumn& column) const {
+    const auto* setup = setup_of(column, options_);
+    return setup == nullptr ? "" : setup->role;
+  }
+
+  bool could_be(const CsvColumn& column, Quantity quantity, const Words& words) const {
+    if (!column.has_numbers || is_helper(column)) return false;
+    if (const auto measured = quantity_of(column)) {
+      if (*measured == quantity) return true;
+      if (*measured != Quantity::voltage) return false;
+    }
+    // A word counts only where the file has names at all, and the other kind's word does not stand there as well.
+    const std::string name = lower_case(column.base);
+    const Words& other = quantity == Quantity::force ? kAccelWords : Words{};
+    return header_.named && has_one_of(name, words) && !has_one_of(name, other);
+  }
+
+  std::vector<CsvColumn> candidates(Quantity quantity, const Words& words, const std::string& role) const {
+    std::vector<CsvColumn> by_role, by_header;
+    for (const auto& column : header_.columns) {
+      const std::string given = role_of(column);
+      if (given == role) by_role.push_back(column);
+      if (given.empty() && could_be(column, quantity, words)) by_header.push_back(column);
+    }
+    return by_role.empty() ? by_header : by_role;
+  }
+
+  CsvColumn find_force() {
+    if (!options_.force_channel.empty()) return named_by_user(options_.force_channel, "--force-channel");
+    const auto found = candidates(Quantity::force, kForceWords, "force");
+    if (found.size() == 1) return found.front();
+    if (found.empty() && options_.force_optional) {
+      columns_.has_force = false;
+      return {.index = std::numeric_limits<std::size_t>::max()};
+    }
+    if (found.empty()) {
+      throw UnclearColumns("no force column found among " + list_of(header_.columns), where_,
+                           "name it with --force-channel", header_);
+    }
+    throw UnclearColumns(fmt::format("{} columns could be the force: {}", found.size(), list_of(found)), where_,
+                         "name it with --force-channel", header_);
+  }
+
+  void find_accel() {
+    for (const auto& name : options_.accel_channels) {
+      const auto column = named_by_user(name, "--accel-channel");
+      const bool twice =
+          std::any_of(columns_.accel.begin(), columns_.accel.end(), [&](auto& c) { return c.index == column.index; });
+      if (twice || column.index == columns_.force.index) {
+        throw InputError("column \"" + one_line(column.name, 40) + "\" is named twice", where_,
+                         "give each column one role");
+      }
+      columns_.accel.push_back(column);
+    }
+    if (!columns_.accel.empty()) return;
+    for (const auto& column : candidates(Quantity::acceleration, kAccelWords, "acceleration")) {
+      if (column.index != columns_.force.index) columns_.accel.push_back(column);
+    }
+    if (columns_.accel.empty()) {
+      throw UnclearColumns("no acceleration column found among " + list_of(header_.columns), where_,
+                           "name it with --accel-channel", header_);
+    }
+  }
+
+  const CsvHeader& header_;
+  const ReadOptions& options_;
+  std::string where_;
+  CsvColumns columns_;
+};
+
+}  // namespace
+
+CsvColumns find_csv_columns(const CsvHeader& header, const ReadOptions& options, const std::string& file) {
+  return Finder(header, options, file).find();
+}
+
+const ChannelSetup* setup_of(const CsvColumn& column, const ReadOptions& options) {
+  for (const auto& entry : options.setup) {
+    if (is_named(column, entry.name)) return &entry;
+  }
+  for (const auto& entry : options.setup) {
+    if (is_number_of(column, entry.name)) return &entry;
+  }
+  return nullptr;
+}
+
+bool may_be_time(const CsvColumn& column, const CsvColumns& columns) {
+  const auto is = [&](const CsvColumn& other) { return other.index == column.index; };
+  const auto is_helper = [&](const std::optional<CsvColumn>& other) { return other && is(*other); };
+  if (column.index != 0 || !column.has_numbers || quantity_of(column) || is(columns.force)) return false;
+  if (std::any_of(columns.accel.begin(), columns.accel.end(), is) || is_helper(columns.hit)) return false;
+  return !is_helper(columns.point) && !is_helper(columns.run) && !is_one_of(lower_case(column.base), kCountWords);
+}
+
+}  // namespace percuss

@@ -1,0 +1,117 @@
+#include "acquire/channels/signal_overrides.hpp"
+
+#include <cmath>
+
+#include "core/error.hpp"
+
+namespace percuss {
+namespace {
+
+/// The entry of a list that holds one for all or one for each.
+std::optional<double> entry(const std::vector<double>& list, std::size_t index, std::size_t count, const char* option) {
+  if (list.empty()) return std::nullopt;
+  if (list.size() == 1) return list.front();
+  if (list.size() == count) return list[index];
+  throw InputError(std::to_string(list.size()) + " values for " + std::to_string(count) + " acceleration channels",
+                   option, "give one for all or one per channel");
+}
+
+/// As entry, for what cannot be the same for all.
+std::optional<double> entry_of_each(const std::vector<double>& list, std::size_t index, std::size_t count,
+                                    const char* option) {
+  if (list.empty() || list.size() == count) return list.empty() ? std::nullopt : std::optional(list[index]);
+  throw InputError(std::to_string(list.size()) + " values for " + std::to_string(count) + " acceleration channels",
+                   option, "give one per channel");
+}
+
+SignalChoice from_setup(const ChannelSetup* setup) {
+  if (setup == nullptr) return {};
+  return {.scale = std::nullopt,
+          .sensitivity_V_per_SI = setup->sensitivity_V_per_SI,
+          .unit = setup->unit.value_or(""),
+          .sign = setup->sign,
+          .angle_rad = setup->angle_rad,
+          .position_m = setup->position_m};
+}
+
+void overrule(std::optional<double>& value, const std::optional<double>& by) {
+  if (by) value = by;
+}
+
+double usable_factor(double factor, const char* what, const std::string& where) {
+  if (std::isfinite(factor) && factor != 0) return factor;
+  throw InputError(std::string(what) + " is zero or not finite", where, "give a number other than zero");
+}
+
+double volts_to_SI(const std::string& unit, double sensitivity_V_per_SI, const std::string& where) {
+  const double sensitivity = usable_factor(sensitivity_V_per_SI, "sensitivity", where);
+  if (unit.empty()) return 1 / sensitivity;
+  const auto stored = parse_unit(unit);
+  if (!stored || stored->quantity != Quantity::voltage) {
+    throw InputError("a sensitivity is given, yet the numbers are in " + unit, where,
+                     "drop the sensitivity, or give the unit as V or mV");
+  }
+  return stored->to_SI / sensitivity;
+}
+
+double unit_to_SI(const std::string& unit, Quantity measures, const std::string& where) {
+  if (unit.empty()) return 1;
+  const auto stored = parse_unit(unit);
+  if (stored && stored->quantity == Quantity::voltage) {
+    throw InputError("the numbers are in " + unit, where,
+                     measures == Quantity::force ? "give --force-sensitivity or --force-scale"
+                                                 : "give --accel-sensitivity or --accel-scale");
+  }
+  return require_unit(unit, measures, where).to_SI;
+}
+
+}  // namespace
+
+SignalChoice force_choice(const ReadOptions& options, const ChannelSetup* setup) {
+  SignalChoice choice = from_setup(setup);
+  if (!options.force_scale.empty()) choice.scale = options.force_scale.front();
+  overrule(choice.sensitivity_V_per_SI, options.force_sensitivity_V_per_N);
+  if (!options.force_unit.empty()) choice.unit = options.force_unit;
+  return choice;
+}
+
+SignalChoice accel_choice(const ReadOptions& options, const ChannelSetup* setup, std::size_t index, std::size_t count) {
+  SignalChoice choice = from_setup(setup);
+  choice.scale = entry(options.accel_scale, index, count, "accel-scale");
+  overrule(choice.sensitivity_V_per_SI,
+           entry(options.accel_sensitivity_V_per_mps2, index, count, "acceleration sensitivity"));
+  if (!options.accel_unit.empty()) choice.unit = options.accel_unit;
+  overrule(choice.angle_rad, entry_of_each(options.angle_rad, index, count, "angle"));
+  overrule(choice.position_m, entry(options.position_m, index, count, "position"));
+  return choice;
+}
+
+void apply_choice(SignalInfo& signal, const SignalChoice& choice, Quantity measures, const std::string& where) {
+  if (!choice.unit.empty()) signal.unit = choice.unit;
+  if (choice.scale) {
+    signal.to_SI = usable_factor(*choice.scale, "scale", where);
+  } else if (choice.sensitivity_V_per_SI) {
+    signal.to_SI = volts_to_SI(signal.unit, *choice.sensitivity_V_per_SI, where);
+  } else {
+    signal.to_SI = unit_to_SI(signal.unit, measures, where);
+  }
+  signal.to_SI *= choice.sign;
+  if (choice.angle_rad) signal.angle_rad = choice.angle_rad;
+  if (choice.position_m) signal.position_m = choice.position_m;
+}
+
+void apply_force_choice(SignalInfo& signal, const SignalChoice& choice, const std::string& where,
+                        std::vector<std::string>& notes) {
+  const auto known = parse_unit(choice.unit.empty() ? signal.unit : choice.unit);
+  SignalChoice completed = choice;
+  if (known && known->quantity == Quantity::voltage && !choice.scale && !choice.sensitivity_V_per_SI) {
+    completed.scale = known->to_SI;
+    notes.push_back(
+        "the force " + one_line(signal.name, 40) +
+        " is in volts and not calibrated: 1 V counts as 1 N, so that FRFs are per volt; give --force-scale or "
+        "--force-sensitivity");
+  }
+  apply_choice(signal, completed, Quantity::force, where);
+}
+
+}  // namespace percuss

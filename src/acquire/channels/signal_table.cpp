@@ -1,0 +1,154 @@
+#include "acquire/channels/signal_table.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "acquire/channels/csv_columns.hpp"
+#include "acquire/channels/signal_overrides.hpp"
+#include "acquire/record/sample_limits.hpp"
+#include "acquire/record/sampling_rate.hpp"
+#include "core/error.hpp"
+#include "core/io/input_file.hpp"
+
+namespace percuss {
+namespace {
+
+std::string table_name(const SignalTable& table) {
+  return table.files.empty() ? table.format : input_name(table.files.front().path);
+}
+
+// "g" of "acc_g"; nothing for brackets that hold something else, as those of "data(:,2)" do.
+std::string unit_in_name(const std::string& name) {
+  std::string unit = split_name(name).unit;
+  return parse_unit(unit) ? unit : "";
+}
+
+CsvColumn column_of(const SignalTable& table, std::size_t index) {
+  const TableSignal& signal = table.signals[index];
+  const NameAndUnit parts = split_name(signal.name);
+  CsvColumn column{.index = index, .name = signal.name, .base = parts.base, .unit = signal.unit};
+  if (column.unit.empty()) column.unit = unit_in_name(signal.name);
+  if (column.unit.empty() && signal.measures) column.unit = si_name(*signal.measures);
+  return column;
+}
+
+struct Scaled {
+  SignalTable table;
+  SignalRoles roles;
+  double force_to_N = 1;
+  std::vector<double> accel_to_mps2;
+};
+
+void read_table(const Scaled& open, std::size_t row, std::size_t signal, double factor, std::size_t first,
+                std::span<double> out) {
+  open.table.read(row, signal, first, out);
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    out[i] *= factor;
+    if (std::abs(out[i]) <= kLargestSample) continue;
+    throw InputError(std::isfinite(out[i]) ? "sample is too large" : "sample is not a finite number",
+                     fmt::format("{}: {}, row {}, sample {}", table_name(open.table),
+                                 one_line(open.table.signals[signal].name, 40), row, first + i),
+                     "repair or leave out this hit");
+  }
+}
+
+SignalInfo described_signal(const SignalTable& table, std::size_t index) {
+  const TableSignal& signal = table.signals[index];
+  const std::string unit = signal.unit.empty() ? unit_in_name(signal.name) : signal.unit;
+  return {.name = signal.name, .unit = unit, .angle_rad = signal.angle_rad, .position_m = signal.position_m};
+}
+
+// What nobody says is as the file's own system of units has it, else SI.
+void complete_unit(const SignalInfo& signal, const TableSignal& stored, SignalChoice& choice, const char* si_unit,
+                   std::vector<std::string>& notes) {
+  const bool told = !signal.unit.empty() || !choice.unit.empty() || choice.scale || choice.sensitivity_V_per_SI;
+  if (told) return;
+  choice.scale = stored.to_SI;
+  if (stored.to_SI) return;
+  notes.push_back(fmt::format("the unit of {} is not stated; taken as {} ({} says otherwise)",
+                              one_line(signal.name, 40), si_unit,
+                              si_unit == std::string("N") ? "--force-unit" : "--unit"));
+}
+
+void describe_table(Scaled& open, const ReadOptions& options, Record& record) {
+  const SignalTable& table = open.table;
+  const auto place = [&](const SignalInfo& signal) { return table_name(table) + ": " + signal.name; };
+  record.has_force = open.roles.has_force;
+  if (record.has_force) {
+    const CsvColumn force = column_of(table, open.roles.force);
+    record.force = described_signal(table, open.roles.force);
+    SignalChoice choice = force_choice(options, setup_of(force, options));
+    complete_unit(record.force, table.signals[open.roles.force], choice, "N", record.notes);
+    apply_force_choice(record.force, choice, place(record.force), record.notes);
+    open.force_to_N = record.force.to_SI;
+  }
+  const std::size_t count = open.roles.accel.size();
+  for (std::size_t c = 0; c < count; ++c) {
+    const std::size_t index = open.roles.accel[c];
+    SignalInfo signal = described_signal(table, index);
+    SignalChoice its = accel_choice(options, setup_of(column_of(table, index), options), c, count);
+    complete_unit(signal, table.signals[index], its, "m/s^2", record.notes);
+    apply_choice(signal, its, Quantity::acceleration, place(signal));
+    open.accel_to_mps2.push_back(signal.to_SI);
+    record.accel.push_back(std::move(signal));
+  }
+}
+
+}  // namespace
+
+SignalRoles find_roles(const SignalTable& table, const ReadOptions& options) {
+  CsvHeader header{.named = true, .text = false};
+  if (table.fs_Hz > 0) header.fs_Hz = table.fs_Hz;
+  for (std::size_t i = 0; i < table.signals.size(); ++i) {
+    header.columns.push_back(column_of(table, i));
+    if (!table.signals[i].shape.empty()) header.columns.back().unit = table.signals[i].shape;
+  }
+  try {
+    const CsvColumns found = find_csv_columns(header, options, table_name(table));
+    SignalRoles roles{.force = found.force.index, .has_force = found.has_force, .accel = {}};
+    for (const CsvColumn& column : found.accel) roles.accel.push_back(column.index);
+    return roles;
+  } catch (UnclearColumns& unclear) {
+    unclear.format = table.format;
+    throw;
+  }
+}
+
+Record record_of_table(SignalTable table, const SignalRoles& roles, const ReadOptions& options) {
+  auto open = std::make_shared<Scaled>();
+  Record record;
+  record.notes = std::move(table.notes);
+  record.geometry = std::move(table.geometry);
+  record.trace_lines = std::move(table.trace_lines);
+  record.files = table.files;
+  record.format = table.format;
+  record.rows = table.rows;
+  record.continuous = table.continuous;
+  open->table = std::move(table);
+  open->roles = roles;
+  const std::string where = table_name(open->table);
+  record.fs_Hz = checked_rate_Hz(options.fs_Hz.value_or(open->table.fs_Hz), where);
+  describe_table(*open, options, record);
+  if (record.rows.empty()) throw InputError("no samples", where, "record at least one hit");
+  for (const RowInfo& row : record.rows) {
+    if (row.samples < 2) throw InputError("fewer than two samples in a row", where, "record for longer");
+  }
+  record.read_force_N = [open](std::size_t row, std::size_t first, std::span<double> out) {
+    read_table(*open, row, open->roles.force, open->force_to_N, first, out);
+  };
+  if (!record.has_force) record.read_force_N = no_force();
+  record.read_accel_mps2 = [open](std::size_t row, std::size_t channel, std::size_t first, std::span<double> out) {
+    read_table(*open, row, open->roles.accel.at(channel), open->accel_to_mps2.at(channel), first, out);
+  };
+  return record;
+}
+
+Record record_of_table(SignalTable table, const ReadOptions& options) {
+  const SignalRoles roles = find_roles(table, options);
+  return record_of_table(std::move(table), roles, options);
+}
+
+}  // namespace percuss

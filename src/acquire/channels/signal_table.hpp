@@ -1,0 +1,58 @@
+#pragma once
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "acquire/record/record.hpp"
+#include "core/io/csv_header.hpp"
+#include "core/units.hpp"
+
+namespace percuss {
+
+/// One signal as a file describes it, before anybody has said what it is.
+struct TableSignal {
+  std::string name;
+  std::string unit;  // empty: not stated
+  std::optional<double> angle_rad, position_m;
+  std::string shape;  // for people, where the file holds arrays: "4096x1"
+  // Where the file says so by other means than a unit.
+  std::optional<Quantity> measures{};
+  std::optional<double> to_SI{};
+};
+
+/// Signals sampled together, as the reader of a format other than text found them: which of them is the force and which
+/// are accelerations is found out here, in one way for all formats.
+struct SignalTable {
+  std::vector<InputFile> files;
+  std::string format;
+  double fs_Hz = 0;
+  std::vector<TableSignal> signals;
+  std::vector<RowInfo> rows;
+  bool continuous = false;
+  std::vector<std::vector<double>> geometry;
+  std::vector<TraceLine> trace_lines;
+  std::vector<std::string> notes;
+  /// Stored numbers first … first + out.size() − 1 of a row's signal. Several threads may call at once.
+  std::function<void(std::size_t row, std::size_t signal, std::size_t first, std::span<double> out)> read;
+};
+
+/// Indices of the signals that are the force and the accelerations.
+struct SignalRoles {
+  std::size_t force = 0;
+  bool has_force = true;  // false: `force` is no signal
+  std::vector<std::size_t> accel;
+};
+
+/// Finds them as find_csv_columns does: by the options' names or numbers, the set-up, the unit, words in the name.
+/// errors  UnclearColumns, InputError: as there.
+SignalRoles find_roles(const SignalTable& table, const ReadOptions& options);
+
+/// The record of these signals: units, signs, sensitivities and places as file, set-up and options say.
+/// errors  InputError: unusable units or rate, no rows, fewer than two samples in a row; the read functions throw it
+/// for samples that are not finite.
+Record record_of_table(SignalTable table, const SignalRoles& roles, const ReadOptions& options);
+Record record_of_table(SignalTable table, const ReadOptions& options);
+
+}  // namespace percuss

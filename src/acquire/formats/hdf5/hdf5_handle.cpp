@@ -1,0 +1,64 @@
+#include "acquire/formats/hdf5/hdf5_handle.hpp"
+
+#include <hdf5.h>
+
+#include <mutex>
+#include <type_traits>
+#include <utility>
+
+namespace percuss::hdf5 {
+
+static_assert(std::is_same_v<Id, hid_t>);
+
+namespace {
+
+std::mutex& library_mutex() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+// Locks of this thread within one another. A recursive mutex would know its owner by a number that a fork changes.
+thread_local int depth = 0;
+
+}  // namespace
+
+Rest::Rest() {
+  if (depth == 0) library_mutex().lock();
+  ++depth;
+}
+
+Rest::~Rest() {
+  if (--depth == 0) library_mutex().unlock();
+}
+
+Lock::Lock() {
+  // Once, before the library starts. Its own clean-up at exit crashes after a disk was full; ours leaves nothing to do.
+  static const bool ready = H5dont_atexit() >= 0 && H5PLset_loading_state(0) >= 0;
+  static_cast<void>(ready);
+  // The library keeps one error stack, and with it the handler that prints, per thread.
+  thread_local const bool silent = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0;
+  static_cast<void>(silent);
+}
+
+void start_library() {
+  const Lock lock;
+  static_cast<void>(H5open());
+}
+
+Handle& Handle::operator=(Handle&& other) noexcept {
+  if (this != &other) {
+    close();
+    id_ = other.release();
+  }
+  return *this;
+}
+
+bool Handle::close() {
+  if (id_ < 0) return true;
+  // Closes whatever the identifier stands for, as H5Fclose, H5Dclose, … do.
+  return H5Idec_ref(release()) >= 0;
+}
+
+Id Handle::release() { return std::exchange(id_, H5I_INVALID_HID); }
+
+}  // namespace percuss::hdf5

@@ -1,0 +1,91 @@
+#include "acquire/formats/hdf5/hdf5_input.hpp"
+
+#include <fcntl.h>
+#include <hdf5.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "acquire/formats/hdf5/read_hdf5.hpp"
+#include "core/error.hpp"
+
+namespace percuss::hdf5 {
+namespace {
+
+/// Size of the regular file. Asked of the system first, since the library does not say why it could not open one.
+std::uint64_t size_of(const std::string& path) {
+  // O_NONBLOCK: a pipe without writer must not hang us.
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  if (descriptor < 0) {
+    const int error = errno;
+    throw InputError(
+        "cannot open: " + std::generic_category().message(error), path,
+        error == EMFILE ? "raise the limit of open files (ulimit -n)" : "check the name and its permissions");
+  }
+  struct stat info {};
+  const int failed = ::fstat(descriptor, &info);
+  ::close(descriptor);
+  if (failed != 0 || !S_ISREG(info.st_mode)) throw InputError("is not a regular file", path, "name a file");
+  return static_cast<std::uint64_t>(info.st_size);
+}
+
+Handle open_file(const std::string& path) {
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS));
+  // Without locks, files on read-only media and on cluster file systems open as well.
+  H5Pset_file_locking(access.get(), false, true);
+  return Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()));
+}
+
+herr_t append_name(hid_t /*group*/, const char* name, const H5L_info_t* /*info*/, void* data) {
+  const auto& [names, limit] = *static_cast<std::pair<std::vector<std::string>*, std::size_t>*>(data);
+  if (names->size() >= limit) return 1;
+  names->emplace_back(name);
+  return 0;
+}
+
+}  // namespace
+
+InputHdf5::InputHdf5(std::string path) : path_(std::move(path)), bytes_(size_of(path_)) {
+  if (!is_hdf5(path_))
+    throw InputError("not an HDF5 file", path_, "give a file in one of the formats of docs/formats.md");
+  file_ = open_file(path_);
+  if (!file_) throw InputError("truncated or damaged HDF5 file", path_, "copy or record it again");
+}
+
+bool InputHdf5::has(const std::string& name) const { return H5Lexists(id(), name.c_str(), H5P_DEFAULT) > 0; }
+
+std::vector<std::string> InputHdf5::names(std::size_t limit) const {
+  std::vector<std::string> names;
+  std::pair<std::vector<std::string>*, std::size_t> found{&names, limit};
+  hsize_t next = 0;
+  H5Literate(id(), H5_INDEX_NAME, H5_ITER_INC, &next, append_name, &found);
+  return names;
+}
+
+}  // namespace percuss::hdf5
+
+namespace percuss {
+
+bool is_hdf5(const std::string& path) {
+  constexpr std::string_view kSignature = "\x89HDF\r\n\x1a\n";
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  if (descriptor < 0) return false;
+  bool found = false;
+  std::array<char, kSignature.size()> bytes{};
+  // A user block of 512 bytes times a power of two may come first; a device that gives bytes without end has no last
+  // one.
+  constexpr off_t kFarthestSignature = off_t{1} << 40;
+  for (off_t at = 0; !found && at <= kFarthestSignature; at = at == 0 ? 512 : 2 * at) {
+    if (::pread(descriptor, bytes.data(), bytes.size(), at) != static_cast<ssize_t>(bytes.size())) break;
+    found = std::string_view(bytes.data(), bytes.size()) == kSignature;
+  }
+  ::close(descriptor);
+  return found;
+}
+
+}  // namespace percuss

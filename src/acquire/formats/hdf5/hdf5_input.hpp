@@ -1,0 +1,93 @@
+#pragma once
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "acquire/formats/hdf5/hdf5_handle.hpp"
+
+namespace percuss::hdf5 {
+
+// The caller holds a Lock around all of this.
+
+/// A file that may come from anywhere, open for reading. Every message names its path.
+/// errors  InputError: it cannot be opened, is not HDF5, is truncated or damaged.
+class InputHdf5 {
+ public:
+  explicit InputHdf5(std::string path);
+
+  const std::string& path() const { return path_; }
+  std::uint64_t bytes() const { return bytes_; }
+  Id id() const { return file_.get(); }
+
+  /// Whether the root group has a link of this name.
+  bool has(const std::string& name) const;
+  /// Names in the root group, in order, at most `limit` of them.
+  std::vector<std::string> names(std::size_t limit) const;
+  /// "path: /name", the place in a message.
+  std::string where(const std::string& name) const { return path_ + ": /" + name; }
+
+ private:
+  std::string path_;
+  std::uint64_t bytes_ = 0;
+  Handle file_;
+};
+
+/// What the elements of a data set must be: integers and floats, or complex numbers as h5py writes them (a compound of
+/// two floats, r and i).
+enum class Elements { real, complex };
+
+/// A numeric data set of the root group, known to lie wholly in its file before any sample is read.
+/// errors  InputError: links to other files, groups, other types than integers and IEEE floats, sizes that the file
+/// cannot hold,
+///         compression other than gzip.
+class InputDataSet {
+ public:
+  InputDataSet(const InputHdf5& file, const std::string& name, Elements elements = Elements::real);
+
+  /// Number of elements along each dimension; empty for a scalar.
+  const std::vector<std::size_t>& shape() const { return shape_; }
+  std::size_t elements() const { return elements_; }
+  Id id() const { return set_.get(); }
+
+  /// Where the numbers lie, one after the other in C order, when they do and are IEEE floats with the lowest byte
+  /// first.
+  struct Plain {
+    std::uint64_t offset_bytes, number_bytes;
+  };
+  std::optional<Plain> plain() const;
+
+  /// Elements first … first + out.size() − 1 along the last dimension, at index `at` of the others. InputError when
+  /// they cannot be decoded.
+  void read(std::span<const std::size_t> at, std::size_t first, std::span<double> out) const;
+  /// The same for a set of complex numbers.
+  void read(std::span<const std::size_t> at, std::size_t first, std::span<std::complex<double>> out) const;
+  /// All of it, in C order; for small sets.
+  std::vector<double> read_all() const;
+
+ private:
+  void open(const InputHdf5& file, const std::string& name);
+  void check_type(Elements elements) const;
+  void read_shape();
+  void check_storage(const InputHdf5& file, const std::string& name);
+  void check_chunks(const InputHdf5& file, const std::string& name, Id creation, std::uint64_t claim_limit);
+  void read_as(Id memory_type, std::span<const std::size_t> at, std::size_t first, std::size_t count, void* out) const;
+  [[noreturn]] void damaged() const;
+
+  std::string where_;
+  Handle set_;
+  std::vector<std::size_t> shape_;
+  std::size_t elements_ = 1, element_bytes_ = 0;
+};
+
+/// The numbers of an attribute, nothing when it is absent. InputError when it does not hold 1 … `limit` numbers.
+std::optional<std::vector<double>> number_attribute(Id object, const std::string& name, const std::string& where,
+                                                    std::size_t limit);
+
+/// The text of an attribute, nothing when it is absent. InputError when it is not one text.
+std::optional<std::string> text_attribute(Id object, const std::string& name, const std::string& where);
+
+}  // namespace percuss::hdf5

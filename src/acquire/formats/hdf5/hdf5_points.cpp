@@ -1,0 +1,63 @@
+#include "acquire/formats/hdf5/hdf5_points.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "acquire/formats/hdf5/hdf5_layout.hpp"
+#include "core/error.hpp"
+
+namespace percuss::hdf5 {
+namespace {
+
+constexpr std::size_t kMostPoints = 1'000'000, kMostLines = 10'000'000;
+
+}  // namespace
+
+std::vector<int> numbers_per_row(const InputHdf5& file, const std::string& name, std::size_t rows) {
+  std::vector<int> out(rows, 0);
+  if (!file.has(name)) return out;
+  const InputDataSet set(file, name);
+  if (set.shape().size() > 1 || set.elements() != rows) {
+    throw InputError("shape " + shape_text(set.shape()) + " for " + std::to_string(rows) + " hits", file.where(name),
+                     "store one whole number per hit");
+  }
+  const std::vector<double> values = set.read_all();
+  for (std::size_t row = 0; row < rows; ++row) {
+    if (std::rint(values[row]) != values[row] || std::abs(values[row]) > std::numeric_limits<int>::max()) {
+      throw InputError("entry " + std::to_string(row) + " is not a whole number", file.where(name),
+                       "store one whole number per hit");
+    }
+    out[row] = static_cast<int>(values[row]);
+  }
+  return out;
+}
+
+std::vector<std::vector<double>> read_geometry(const InputHdf5& file) {
+  if (!file.has("geometry")) return {};
+  const InputDataSet set(file, "geometry");
+  const auto& shape = set.shape();
+  if (shape.size() != 2 || (shape[1] != 2 && shape[1] != 3) || shape[0] > kMostPoints) {
+    throw InputError("shape " + shape_text(shape), file.where("geometry"), "store [points, 2 or 3]");
+  }
+  const std::vector<double> values = set.read_all();
+  if (std::any_of(values.begin(), values.end(), [](double value) { return std::isinf(value); })) {
+    throw InputError("an infinite coordinate", file.where("geometry"), "store every coordinate, or NaN");
+  }
+  std::vector<std::vector<double>> points;
+  for (auto at = values.begin(); at != values.end(); at += static_cast<std::ptrdiff_t>(shape[1])) {
+    points.emplace_back(at, at + static_cast<std::ptrdiff_t>(shape[1]));
+  }
+  return points;
+}
+
+std::vector<TraceLine> read_trace_lines(const InputHdf5& file, std::size_t points) {
+  if (!file.has("trace_lines")) return {};
+  const InputDataSet set(file, "trace_lines");
+  if (set.shape().size() != 2 || set.shape()[1] != 2 || set.shape()[0] > kMostLines) {
+    throw InputError("shape " + shape_text(set.shape()), file.where("trace_lines"), "store [lines, 2]");
+  }
+  return trace_lines_of(set.read_all(), points, file.where("trace_lines"));
+}
+
+}  // namespace percuss::hdf5

@@ -1,0 +1,21 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "acquire/formats/hdf5/hdf5_input.hpp"
+#include "acquire/record/record.hpp"
+
+namespace percuss::hdf5 {
+
+// The caller holds a Lock around all of this. errors  InputError: shapes and values that cannot be.
+
+/// A data set of one whole number per row; zeros when it is absent.
+std::vector<int> numbers_per_row(const InputHdf5& file, const std::string& name, std::size_t rows);
+
+/// Coordinates of the points, [points][2 or 3], NaN for points without; nothing when absent.
+std::vector<std::vector<double>> read_geometry(const InputHdf5& file);
+
+/// Lines between `points` points; nothing when absent.
+std::vector<TraceLine> read_trace_lines(const InputHdf5& file, std::size_t points);
+
+}  // namespace percuss::hdf5

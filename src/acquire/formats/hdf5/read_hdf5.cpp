@@ -1,0 +1,238 @@
+#include "acquire/formats/hdf5/read_hdf5.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "acquire/channels/signal_overrides.hpp"
+#include "acquire/formats/hdf5/hdf5_layout.hpp"
+#include "acquire/formats/hdf5/hdf5_points.hpp"
+#include "acquire/record/sample_limits.hpp"
+#include "acquire/record/sampling_rate.hpp"
+#include "core/error.hpp"
+#include "core/units.hpp"
+
+namespace percuss {
+namespace {
+
+using hdf5::InputDataSet;
+using hdf5::InputHdf5;
+
+constexpr std::size_t kMostChannels = 100'000;
+constexpr std::size_t kNamesShown = 12, kNameBytesShown = 40;
+constexpr std::array kKnownNames{"force", "accel", "point", "run", "geometry", "trace_lines"};
+
+/// What the read functions of a record share.
+struct OpenRecord {
+  InputHdf5 file;
+  std::optional<InputDataSet> force;
+  InputDataSet accel;
+  hdf5::Layout layout;
+  double force_to_N = 1;
+  std::vector<std::size_t> channels;  // of /accel, as chosen
+  std::vector<double> to_mps2;        // likewise
+};
+
+std::string list(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + one_line(name, kNameBytesShown);
+  return text.empty() ? "nothing" : text;
+}
+
+InputDataSet open_required(const InputHdf5& file, const std::string& name) {
+  if (file.has(name)) return {file, name};
+  throw InputError("no data set /" + name + " among: " + list(file.names(kNamesShown)), file.path(),
+                   "store force [hits, samples] and accel [hits, channels, samples]");
+}
+
+double read_rate_Hz(const OpenRecord& open, const ReadOptions& options) {
+  if (options.fs_Hz) return checked_rate_Hz(*options.fs_Hz, "--fs");
+  const InputHdf5& file = open.file;
+  std::vector<std::pair<hdf5::Id, std::string>> places{{file.id(), file.path() + ": attribute fs"},
+                                                       {open.accel.id(), file.where("accel attribute fs")}};
+  if (open.force) places.insert(places.begin() + 1, {open.force->id(), file.where("force attribute fs")});
+  std::optional<double> found_Hz;
+  for (const auto& [object, where] : places) {
+    const auto values = hdf5::number_attribute(object, "fs", where, 1);
+    if (!values) continue;
+    const double fs_Hz = checked_rate_Hz(values->front(), where);
+    if (found_Hz && *found_Hz != fs_Hz) {
+      throw InputError(fmt::format("two sampling rates: {} and {} Hz", *found_Hz, fs_Hz), where, "give --fs in Hz");
+    }
+    found_Hz = fs_Hz;
+  }
+  if (found_Hz) return *found_Hz;
+  throw InputError("no sampling rate: attribute fs is missing", file.path(), "store it in Hz, or give --fs");
+}
+
+/// An attribute of /accel with one number per channel; NaN there means not known.
+std::vector<std::optional<double>> per_channel(const OpenRecord& open, const std::string& name) {
+  std::vector<std::optional<double>> out(open.layout.channels);
+  const std::string where = open.file.where("accel");
+  const auto values = hdf5::number_attribute(open.accel.id(), name, where, kMostChannels);
+  if (!values) return out;
+  if (values->size() != out.size()) {
+    throw InputError("attribute " + name + " holds " + std::to_string(values->size()) + " numbers for " +
+                         std::to_string(out.size()) + " channels",
+                     where, "store one per channel");
+  }
+  for (std::size_t c = 0; c < out.size(); ++c) {
+    const double value = (*values)[c];
+    if (std::isinf(value)) throw InputError("attribute " + name + " is infinite", where, "store a finite number");
+    if (!std::isnan(value)) out[c] = value;
+  }
+  return out;
+}
+
+void describe_signals(OpenRecord& open, const ReadOptions& options, Record& record) {
+  const InputHdf5& file = open.file;
+  record.has_force = open.force.has_value();
+  if (open.force) {
+    record.force.name = "force";
+    record.force.unit = hdf5::text_attribute(open.force->id(), "unit_str", file.where("force")).value_or("");
+    apply_force_choice(record.force, force_choice(options, hdf5::force_setup(options)), file.where("force"),
+                       record.notes);
+    open.force_to_N = record.force.to_SI;
+  }
+
+  const std::string unit = hdf5::text_attribute(open.accel.id(), "unit_str", file.where("accel")).value_or("");
+  const auto angle_deg = per_channel(open, "angle_deg"), position_m = per_channel(open, "position_m");
+  open.channels = hdf5::chosen_channels(options, open.layout.channels, file.path());
+  for (std::size_t i = 0; i < open.channels.size(); ++i) {
+    const std::size_t c = open.channels[i];
+    SignalInfo signal{.name = hdf5::channel_name(c), .unit = unit, .position_m = position_m[c]};
+    if (angle_deg[c]) signal.angle_rad = *angle_deg[c] * kDegree_rad;
+    const ChannelSetup* const setup = hdf5::accel_setup(options, c, open.layout.channels);
+    apply_choice(signal, accel_choice(options, setup, i, open.channels.size()), Quantity::acceleration,
+                 file.where("accel") + ", " + signal.name);
+    open.to_mps2.push_back(signal.to_SI);
+    record.accel.push_back(std::move(signal));
+  }
+}
+
+void describe_rows(const OpenRecord& open, Record& record) {
+  const InputHdf5& file = open.file;
+  const std::vector<int> point = hdf5::numbers_per_row(file, "point", open.layout.rows);
+  const std::vector<int> run = hdf5::numbers_per_row(file, "run", open.layout.rows);
+  for (std::size_t row = 0; row < open.layout.rows; ++row) {
+    record.rows.push_back({.samples = open.layout.samples, .point = point[row], .run = run[row]});
+  }
+  const auto continuous = hdf5::number_attribute(file.id(), "continuous", file.path(), 1);
+  record.continuous =
+      continuous ? continuous->front() != 0 : !(open.force ? open.layout.force_has_rows : open.layout.accel_has_rows);
+}
+
+void note_unused(const InputHdf5& file, Record& record) {
+  std::vector<std::string> unused;
+  for (const std::string& name : file.names(kNamesShown)) {
+    if (std::find(kKnownNames.begin(), kKnownNames.end(), name) == kKnownNames.end()) unused.push_back("/" + name);
+  }
+  if (!unused.empty()) record.notes.push_back("not used: " + list(unused));
+}
+
+/// Scales in place. InputError names the first sample that is not finite, as h5py would index it.
+void to_SI(std::span<double> samples, double factor, const std::string& where, std::span<const std::size_t> at,
+           std::size_t first) {
+  for (double& sample : samples) {
+    sample *= factor;
+    if (std::abs(sample) <= kLargestSample) continue;
+    std::vector<std::size_t> index(at.begin(), at.end());
+    index.push_back(first + static_cast<std::size_t>(&sample - samples.data()));
+    const char* is = std::isfinite(sample) ? "sample is too large" : "sample is not a finite number";
+    throw InputError(is, where + hdf5::shape_text(index), "repair or leave out this hit");
+  }
+}
+
+void read_force(const OpenRecord& open, std::size_t row, std::size_t first, std::span<double> out_N) {
+  assert(row < open.layout.rows && first + out_N.size() <= open.layout.samples);
+  const std::array at{row};
+  const auto index = std::span(at).first(open.layout.force_has_rows ? 1 : 0);
+  {
+    const hdf5::Lock lock;
+    open.force->read(index, first, out_N);
+  }
+  to_SI(out_N, open.force_to_N, open.file.where("force"), index, first);
+}
+
+void read_accel(const OpenRecord& open, std::size_t row, std::size_t channel, std::size_t first,
+                std::span<double> out_mps2) {
+  assert(row < open.layout.rows && channel < open.channels.size());
+  assert(first + out_mps2.size() <= open.layout.samples);
+  std::vector<std::size_t> index;
+  if (open.layout.accel_has_rows) index.push_back(row);
+  if (open.layout.accel_has_channels) index.push_back(open.channels[channel]);
+  {
+    const hdf5::Lock lock;
+    open.accel.read(index, first, out_mps2);
+  }
+  to_SI(out_mps2, open.to_mps2[channel], open.file.where("accel"), index, first);
+}
+
+// Nothing where any signal does not lie plainly in the file.
+std::vector<PlainSignal> plain_signals(const OpenRecord& open) {
+  const auto accel = open.accel.plain();
+  const auto force = open.force ? open.force->plain() : accel;
+  if (!accel || !force) return {};
+  const std::uint64_t samples = open.layout.samples;
+  const std::uint64_t channel_bytes = samples * accel->number_bytes;
+  std::vector<PlainSignal> out{{.offset_bytes = force->offset_bytes,
+                                .row_step_bytes = samples * force->number_bytes,
+                                .number_bytes = force->number_bytes,
+                                .to_SI = open.force_to_N}};
+  for (std::size_t i = 0; i < open.channels.size(); ++i) {
+    out.push_back({.offset_bytes = accel->offset_bytes + open.channels[i] * channel_bytes,
+                   .row_step_bytes = open.layout.channels * channel_bytes,
+                   .number_bytes = accel->number_bytes,
+                   .to_SI = open.to_mps2[i]});
+  }
+  return out;
+}
+
+std::unique_ptr<OpenRecord> open_sets(const std::string& path, bool force_optional) {
+  InputHdf5 file(path);
+  std::optional<InputDataSet> force;
+  if (!force_optional || file.has("force")) force = open_required(file, "force");
+  InputDataSet accel = open_required(file, "accel");
+  const hdf5::Layout layout = force ? hdf5::layout_of(*force, accel, file) : hdf5::layout_of(accel, file);
+  return std::make_unique<OpenRecord>(
+      OpenRecord{.file = std::move(file), .force = std::move(force), .accel = std::move(accel), .layout = layout});
+}
+
+}  // namespace
+
+Record open_hdf5(const std::string& path, const ReadOptions& options) {
+  const hdf5::Lock lock;
+  auto opened = open_sets(path, options.force_optional);
+  Record record;
+  record.files.push_back({.path = path, .bytes = opened->file.bytes()});
+  record.format = "HDF5";
+  record.fs_Hz = read_rate_Hz(*opened, options);
+  describe_signals(*opened, options, record);
+  describe_rows(*opened, record);
+  record.geometry = hdf5::read_geometry(opened->file);
+  record.trace_lines = hdf5::read_trace_lines(opened->file, record.geometry.size());
+  note_unused(opened->file, record);
+  record.plain = plain_signals(*opened);
+  // Closing is a use of the library as well.
+  const std::shared_ptr<const OpenRecord> open(opened.release(), [](const OpenRecord* last) {
+    const hdf5::Lock closing;
+    delete last;
+  });
+  record.read_force_N = [open](std::size_t row, std::size_t first, std::span<double> out) {
+    read_force(*open, row, first, out);
+  };
+  if (!record.has_force) record.read_force_N = no_force();
+  record.read_accel_mps2 = [open](std::size_t row, std::size_t channel, std::size_t first, std::span<double> out) {
+    read_accel(*open, row, channel, first, out);
+  };
+  return record;
+}
+
+}  // namespace percuss

@@ -1,0 +1,117 @@
+#include "acquire/formats/hdf5/write_hdf5.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <optional>
+
+#include "acquire/formats/hdf5/hdf5_output.hpp"
+#include "core/error.hpp"
+#include "core/units.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr std::size_t kBlockSamples = std::size_t{1} << 17;  // 1 MiB at a time, however long the record
+
+void check_writable(const std::string& path, const Record& record) {
+  if (record.rows.empty()) throw InputError("no hits to write", path, "keep at least one");
+  if (record.accel.empty()) throw InputError("no acceleration to write", path, "keep at least one channel");
+  for (std::size_t row = 1; row < record.rows.size(); ++row) {
+    if (record.rows[row].samples == record.rows[0].samples) continue;
+    throw InputError("hits differ in length: " + std::to_string(record.rows[0].samples) + " and " +
+                         std::to_string(record.rows[row].samples) + " samples",
+                     path, "write them as CSV, or each length to a file of its own");
+  }
+}
+
+/// read(first, out) → write(first, values), block by block.
+template <class Read, class Write>
+void copy_samples(std::size_t samples, Read&& read, Write&& write) {
+  std::vector<double> block(std::min(samples, kBlockSamples));
+  for (std::size_t first = 0; first < samples; first += block.size()) {
+    const auto part = std::span(block).first(std::min(block.size(), samples - first));
+    read(first, part);
+    write(first, std::span<const double>(part));
+  }
+}
+
+void write_samples(hdf5::OutputHdf5& out, const Record& record, bool one_row) {
+  const std::size_t rows = record.rows.size(), channels = record.accel.size(), samples = record.rows[0].samples;
+  const std::array shape{rows, channels, samples};
+  out.create_set("force", one_row ? std::vector{samples} : std::vector{rows, samples});
+  out.create_set("accel", std::span(shape).subspan(one_row ? 1 : 0));
+  for (std::size_t row = 0; row < rows; ++row) {
+    copy_samples(
+        samples, [&](std::size_t first, std::span<double> part) { record.read_force_N(row, first, part); },
+        [&](std::size_t first, std::span<const double> values) {
+          out.write("force", std::span(&row, one_row ? 0 : 1), first, values);
+        });
+    for (std::size_t channel = 0; channel < channels; ++channel) {
+      const std::array at{row, channel};
+      copy_samples(
+          samples,
+          [&](std::size_t first, std::span<double> part) { record.read_accel_mps2(row, channel, first, part); },
+          [&](std::size_t first, std::span<const double> values) {
+            out.write("accel", std::span(at).subspan(one_row ? 1 : 0), first, values);
+          });
+    }
+  }
+}
+
+void write_places(hdf5::OutputHdf5& out, const Record& record, const std::string& name,
+                  std::optional<double> SignalInfo::*place, double scale) {
+  const auto known = [place](const SignalInfo& signal) { return (signal.*place).has_value(); };
+  if (std::none_of(record.accel.begin(), record.accel.end(), known)) return;
+  std::vector<double> values;
+  for (const SignalInfo& signal : record.accel) {
+    values.push_back((signal.*place).value_or(std::numeric_limits<double>::quiet_NaN()) * scale);
+  }
+  out.set_numbers("accel", name, values, true);
+}
+
+void write_row_numbers(hdf5::OutputHdf5& out, const Record& record, const std::string& name, int RowInfo::*number) {
+  std::vector<double> values;
+  for (const RowInfo& row : record.rows) values.push_back(row.*number);
+  if (std::all_of(values.begin(), values.end(), [](double value) { return value == 0; })) return;
+  out.create_set(name, std::array{values.size()}, hdf5::Stored::int32);
+  out.write(name, {}, 0, values);
+}
+
+void write_geometry(hdf5::OutputHdf5& out, const Record& record) {
+  if (record.geometry.empty()) return;
+  out.create_set("geometry", std::array{record.geometry.size(), record.geometry.front().size()});
+  for (std::size_t point = 0; point < record.geometry.size(); ++point) {
+    out.write("geometry", std::array{point}, 0, record.geometry[point]);
+  }
+}
+
+void write_trace_lines(hdf5::OutputHdf5& out, const Record& record) {
+  if (record.trace_lines.empty()) return;
+  out.create_set("trace_lines", std::array{record.trace_lines.size(), std::size_t{2}}, hdf5::Stored::int32);
+  std::size_t line = 0;
+  for (const auto& [from, to] : record.trace_lines)
+    out.write("trace_lines", std::array{line++}, 0, std::array{static_cast<double>(from), static_cast<double>(to)});
+}
+
+}  // namespace
+
+void write_hdf5(const std::string& path, const Record& record, bool force) {
+  check_writable(path, record);
+  hdf5::OutputHdf5 out(path, force);
+  const bool one_row = record.continuous && record.rows.size() == 1;
+  write_samples(out, record, one_row);
+  out.set_numbers("", "fs", std::array{record.fs_Hz}, false);
+  if (record.continuous && !one_row) out.set_numbers("", "continuous", std::array{1.0}, false);
+  out.set_text("force", "unit_str", "N");
+  out.set_text("accel", "unit_str", "m/s^2");
+  write_places(out, record, "position_m", &SignalInfo::position_m, 1);
+  write_places(out, record, "angle_deg", &SignalInfo::angle_rad, kRadian_deg);
+  write_row_numbers(out, record, "point", &RowInfo::point);
+  write_row_numbers(out, record, "run", &RowInfo::run);
+  write_geometry(out, record);
+  write_trace_lines(out, record);
+  out.commit();
+}
+
+}  // namespace percuss

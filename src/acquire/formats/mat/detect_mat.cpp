@@ -1,0 +1,30 @@
+#include <array>
+#include <cctype>
+#include <cstdint>
+#include <cstring>
+
+#include "acquire/formats/mat/mat_file.hpp"
+
+namespace percuss {
+namespace {
+
+// A file of level 4 starts with numbers, in either byte order: type (M, O, P, T as decimal digits, of which only these
+// occur), rows, columns, 0 or 1 for complex, length of the first variable's name.
+bool is_mat4(std::string_view head) {
+  std::array<std::uint32_t, 5> words{};
+  if (head.size() < sizeof words) return false;
+  std::memcpy(words.data(), head.data(), sizeof words);
+  const bool swapped = words[0] >= 0x1000000U || words[4] >= 0x1000000U;
+  for (std::uint32_t& word : words) word = swapped ? __builtin_bswap32(word) : word;
+  const auto [type, rows, columns, complex, name] = words;
+  const bool known_type = (type < 100 || (type >= 1000 && type < 1100)) && type % 10 <= 2 && type % 100 / 10 <= 5;
+  const std::size_t name_end = sizeof words + name - 1;
+  return known_type && rows > 0 && columns > 0 && complex <= 1 && name >= 2 && name <= 64 && name_end < head.size() &&
+         head[name_end] == '\0' && std::isalpha(static_cast<unsigned char>(head[sizeof words])) != 0;
+}
+
+}  // namespace
+
+bool is_mat(std::string_view head) { return head.substr(0, 7) == "MATLAB " || is_mat4(head); }
+
+}  // namespace percuss

@@ -1,0 +1,26 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "acquire/formats/mat/mat_file.hpp"
+
+namespace percuss {
+
+/// Where a signal's samples lie in a variable's numbers: number offset + row · row_stride + i · sample_stride.
+struct MatSignal {
+  std::size_t offset = 0, row_stride = 0, sample_stride = 1;
+};
+
+struct MatLayout {
+  std::size_t rows = 1, samples = 0;
+  bool time_last = false;  // [hits, samples], else [samples, hits]
+  MatSignal signal;
+};
+
+/// A force: a vector, or a matrix whose longer side is time. InputError for other shapes, and for a square.
+MatLayout force_layout(const MatVariable& variable, const std::string& file);
+
+/// The channels of an acceleration that was sampled with a force of that layout. InputError when the sizes disagree.
+std::vector<MatSignal> accel_layout(const MatVariable& variable, const MatLayout& force, const std::string& file);
+
+}  // namespace percuss

@@ -1,0 +1,28 @@
+#pragma once
+#include <optional>
+#include <string_view>
+
+#include "acquire/formats/mat/mat_file.hpp"
+#include "acquire/record/record.hpp"
+
+namespace percuss {
+
+/// What follows the last dot of a variable's name: "force" of "test.force".
+std::string_view field_name(std::string_view name);
+
+/// Whether the variable is a vector: all but one dimension are 1, and it holds two numbers or more.
+bool is_mat_vector(const MatVariable& variable);
+
+/// The sampling rate in Hz as the options say it, a number of the file named fs, sample_rate, dt and the like, or a
+/// time vector; nothing when there is none. errors  InputError: the variable that --fs names is no number, rates that
+/// disagree, a time vector that is uneven.
+std::optional<double> mat_rate_Hz(const MatFile& file, const ReadOptions& options);
+
+/// The number in a variable of one number whose name is among `names` (letter case and underscores aside, also as the
+/// end of a longer name); nothing when there is none.
+std::optional<double> mat_number(const MatFile& file, std::initializer_list<std::string_view> names);
+
+/// The text of a char variable of this name; empty when there is none.
+std::string mat_text(const MatFile& file, std::string_view name);
+
+}  // namespace percuss

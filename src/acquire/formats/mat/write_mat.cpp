@@ -1,0 +1,100 @@
+#include "acquire/formats/mat/write_mat.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "acquire/formats/mat/mat_output.hpp"
+#include "core/error.hpp"
+#include "core/units.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr std::size_t kNumbersAtOnce = std::size_t{1} << 19U;  // 4 MiB of samples, turned so that hits run fastest
+
+void check_rows(const std::string& path, const Record& record) {
+  if (record.rows.empty() || record.accel.empty())
+    throw InputError("nothing to write", path, "keep a hit and a channel");
+  for (const RowInfo& row : record.rows) {
+    if (row.samples == record.rows.front().samples) continue;
+    throw InputError("hits differ in length", path, "write them as CSV or UFF, or each length to a file of its own");
+  }
+}
+
+// Columns of a matrix [lanes, samples]: lane l's samples first … are got by read(l, first, out).
+template <class Read>
+void write_lanes(MatOutput& out, std::size_t lanes, std::size_t samples, Read&& read) {
+  const std::size_t at_once = std::max<std::size_t>(1, std::min(samples, kNumbersAtOnce / lanes));
+  std::vector<double> lane(at_once), turned(at_once * lanes);
+  for (std::size_t first = 0; first < samples; first += at_once) {
+    const std::size_t count = std::min(at_once, samples - first);
+    for (std::size_t l = 0; l < lanes; ++l) {
+      read(l, first, std::span(lane).first(count));
+      for (std::size_t i = 0; i < count; ++i) turned[i * lanes + l] = lane[i];
+    }
+    out.append(std::span<const double>(turned).first(count * lanes));
+  }
+}
+
+void write_place(MatOutput& out, const Record& record, const char* name, std::optional<double> SignalInfo::*place,
+                 double factor) {
+  std::vector<double> values;
+  for (const SignalInfo& signal : record.accel)
+    values.push_back((signal.*place) ? *(signal.*place) * factor : std::numeric_limits<double>::quiet_NaN());
+  const bool any =
+      std::any_of(record.accel.begin(), record.accel.end(), [&](auto& s) { return (s.*place).has_value(); });
+  if (any) out.numbers(name, values);
+}
+
+void write_row_number(MatOutput& out, const Record& record, const char* name, int RowInfo::*number) {
+  std::vector<double> values;
+  for (const RowInfo& row : record.rows) values.push_back(row.*number);
+  if (std::any_of(values.begin(), values.end(), [](double value) { return value != 0; })) out.numbers(name, values);
+}
+
+void write_geometry_rows(MatOutput& out, const Record& record) {
+  if (record.geometry.empty()) return;
+  const std::size_t width = record.geometry.front().size();
+  out.begin("geometry", std::array{record.geometry.size(), width});
+  for (std::size_t i = 0; i < width; ++i) {
+    for (const auto& point : record.geometry) out.append(std::span(&point.at(i), 1));
+  }
+}
+
+void write_trace_lines(MatOutput& out, const Record& record) {
+  if (record.trace_lines.empty()) return;
+  out.begin("trace_lines", std::array{record.trace_lines.size(), std::size_t{2}});
+  for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
+    for (const TraceLine& line : record.trace_lines) out.append(std::array{static_cast<double>(line.at(end))});
+  }
+}
+
+}  // namespace
+
+void write_mat(const std::string& path, const Record& record, bool force) {
+  check_rows(path, record);
+  const std::size_t rows = record.rows.size(), channels = record.accel.size(), samples = record.rows[0].samples;
+  MatOutput out(path, force);
+  out.number("fs", record.fs_Hz);
+  out.begin("force", std::array{rows, samples});
+  write_lanes(out, rows, samples, [&](std::size_t row, std::size_t first, std::span<double> part) {
+    record.read_force_N(row, first, part);
+  });
+  out.text("force_unit", "N");
+  // A trailing dimension of 1 would be dropped: there is none, time is last.
+  out.begin("accel", std::array{rows, channels, samples});
+  write_lanes(out, rows * channels, samples, [&](std::size_t lane, std::size_t first, std::span<double> part) {
+    record.read_accel_mps2(lane % rows, lane / rows, first, part);
+  });
+  out.text("accel_unit", "m/s^2");
+  write_place(out, record, "angle_deg", &SignalInfo::angle_rad, kRadian_deg);
+  write_place(out, record, "position_m", &SignalInfo::position_m, 1);
+  write_row_number(out, record, "point", &RowInfo::point);
+  write_row_number(out, record, "run", &RowInfo::run);
+  if (record.continuous != (rows == 1)) out.number("continuous", record.continuous ? 1 : 0);
+  write_geometry_rows(out, record);
+  write_trace_lines(out, record);
+  out.commit();
+}
+
+}  // namespace percuss

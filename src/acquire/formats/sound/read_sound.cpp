@@ -1,0 +1,102 @@
+#include "acquire/formats/sound/read_sound.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include "acquire/channels/signal_table.hpp"
+#include "acquire/formats/sound/sound_calibration.hpp"
+#include "acquire/formats/sound/sound_file.hpp"
+#include "core/error.hpp"
+
+namespace percuss {
+namespace {
+
+bool scale_told(const ReadOptions& options) {
+  return !options.force_scale.empty() || !options.accel_scale.empty() || options.force_sensitivity_V_per_N ||
+         !options.accel_sensitivity_V_per_mps2.empty() || !options.force_unit.empty() || !options.accel_unit.empty() ||
+         !options.setup.empty();
+}
+
+void describe_uncalibrated(const SoundInput& sound, const ReadOptions& options, SignalTable& table) {
+  table.fs_Hz = sound.rate_Hz();
+  table.rows.push_back({.samples = sound.frames()});
+  table.continuous = true;
+  for (std::size_t c = 0; c < sound.channels(); ++c) {
+    table.signals.push_back({.name = fmt::format("channel {}", c + 1)});
+    // Once the hammer is named, what else was recorded are its sensors.
+    if (!options.force_channel.empty()) table.signals.back().measures = Quantity::acceleration;
+  }
+  if (!scale_told(options)) {
+    table.notes.emplace_back(
+        "stored numbers are parts of full scale: give N and m/s^2 at full scale with --force-scale and --accel-scale");
+  }
+}
+
+// Rows end to end; a file that ends early keeps what is there.
+void take_rows(const SoundCalibration& calibration, std::size_t frames, SignalTable& table) {
+  std::size_t left = frames;
+  for (RowInfo row : calibration.rows) {
+    row.samples = std::min(row.samples, left);
+    left -= row.samples;
+    if (row.samples >= 2) table.rows.push_back(row);
+  }
+  const bool cut = !calibration.rows.empty() && (table.rows.size() < calibration.rows.size() ||
+                                                 table.rows.back().samples < calibration.rows.back().samples);
+  if (cut) {
+    table.notes.push_back(fmt::format("the file ends early: {} of {} rows are there, the last perhaps in part",
+                                      table.rows.size(), calibration.rows.size()));
+  }
+  if (calibration.rows.empty()) table.rows.push_back({.samples = frames});
+}
+
+void describe_calibrated(const SoundInput& sound, const SoundCalibration& calibration, const std::string& where,
+                         SignalTable& table) {
+  if (calibration.signals.size() != sound.channels()) {
+    throw InputError(fmt::format("{} signals described, {} channels", calibration.signals.size(), sound.channels()),
+                     where, "export the file again");
+  }
+  table.fs_Hz = calibration.fs_Hz > 0 ? calibration.fs_Hz : sound.rate_Hz();
+  table.continuous = calibration.continuous || calibration.rows.empty();
+  table.geometry = calibration.geometry;
+  table.trace_lines = calibration.trace_lines;
+  for (const SoundCalibration::Signal& signal : calibration.signals) {
+    table.signals.push_back({.name = signal.name,
+                             .unit = {},
+                             .angle_rad = signal.angle_rad,
+                             .position_m = signal.position_m,
+                             .shape = {},
+                             .measures = signal.measures,
+                             .to_SI = signal.to_SI});
+  }
+  take_rows(calibration, sound.frames(), table);
+}
+
+}  // namespace
+
+Record open_sound(const std::string& path, const ReadOptions& options) {
+  const auto sound = std::make_shared<const SoundInput>(path);
+  SignalTable table;
+  table.files.push_back({.path = path, .bytes = std::filesystem::file_size(path)});
+  table.format = sound->format();
+  const std::string where = path + ": " + std::string(kCalibrationChunk);
+  if (const auto text = sound->chunk(kCalibrationChunk)) {
+    describe_calibrated(*sound, parse_calibration(*text, where), where, table);
+  } else {
+    describe_uncalibrated(*sound, options, table);
+  }
+  std::vector<std::size_t> starts;
+  std::size_t start = 0;
+  for (const RowInfo& row : table.rows) {
+    starts.push_back(start);
+    start += row.samples;
+  }
+  table.read = [sound, starts](std::size_t row, std::size_t signal, std::size_t first, std::span<double> out) {
+    sound->read(signal, starts[row] + first, out);
+  };
+  return record_of_table(std::move(table), options);
+}
+
+}  // namespace percuss

@@ -1,0 +1,219 @@
+#include "acquire/formats/sound/sound_file.hpp"
+
+#include <sndfile.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+#include "core/error.hpp"
+#include "core/io/input_file.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr std::string_view kW64 = "riff\x2E\x91\xCF\x11";
+constexpr std::size_t kLongestChunk_bytes = std::size_t{16} << 20U;
+constexpr std::size_t kFramesAtOnce = 16384;
+
+// Bytes of a sample, as stored; 0 for what is compressed.
+std::size_t sample_bytes(int format) {
+  switch (format & SF_FORMAT_SUBMASK) {
+    case SF_FORMAT_PCM_U8:
+    case SF_FORMAT_PCM_S8:
+      return 1;
+    case SF_FORMAT_PCM_16:
+      return 2;
+    case SF_FORMAT_PCM_24:
+      return 3;
+    case SF_FORMAT_PCM_32:
+    case SF_FORMAT_FLOAT:
+      return 4;
+    case SF_FORMAT_DOUBLE:
+      return 8;
+    default:
+      return 0;
+  }
+}
+
+SF_CHUNK_INFO chunk_named(std::string_view id) {
+  SF_CHUNK_INFO info{};
+  std::copy_n(id.begin(), std::min(id.size(), sizeof info.id), info.id);
+  info.id_size = static_cast<unsigned>(id.size());
+  return info;
+}
+
+}  // namespace
+
+bool is_sound(std::string_view head) {
+  const auto begins = [&](std::string_view start) { return head.substr(0, start.size()) == start; };
+  const bool wave = head.size() >= 12 && head.substr(8, 4) == "WAVE";
+  return begins(kW64) || ((begins("RIFF") || begins("RIFX") || begins("RF64")) && wave);
+}
+
+struct SoundInput::Impl {
+  std::string path;
+  SF_INFO info{};
+  SNDFILE* file = nullptr;
+  mutable std::mutex one_at_a_time;  // the library has one place in the file
+
+  [[noreturn]] void fail(const std::string& problem) const { throw InputError(problem, path, "export the file again"); }
+};
+
+SoundInput::SoundInput(const std::string& path) : impl_(std::make_unique<Impl>()) {
+  Impl& i = *impl_;
+  i.path = path;
+  // The library guesses formats from less than their names: only these may come as far.
+  if (!is_sound(first_bytes(path, 64))) i.fail("not a WAV, RF64 or W64 file");
+  i.file = sf_open(path.c_str(), SFM_READ, &i.info);
+  if (i.file == nullptr) i.fail(std::string("damaged: ") + sf_strerror(nullptr));
+  const std::size_t bytes = sample_bytes(i.info.format);
+  std::string problem;
+  if (bytes == 0) {
+    problem = "compressed sound, which is no measurement any more";
+  } else if (i.info.channels < 1 || i.info.frames < 0 || i.info.samplerate < 1 ||
+             static_cast<std::uintmax_t>(i.info.frames) >
+                 std::filesystem::file_size(path) / bytes / static_cast<std::uintmax_t>(i.info.channels)) {
+    problem = "more samples than the file has bytes for";
+  }
+  if (problem.empty()) return;
+  sf_close(i.file);
+  i.fail(problem);
+}
+
+SoundInput::~SoundInput() { sf_close(impl_->file); }
+
+std::size_t SoundInput::channels() const { return static_cast<std::size_t>(impl_->info.channels); }
+std::size_t SoundInput::frames() const { return static_cast<std::size_t>(impl_->info.frames); }
+int SoundInput::rate_Hz() const { return impl_->info.samplerate; }
+
+std::string SoundInput::format() const {
+  const int type = impl_->info.format & SF_FORMAT_TYPEMASK;
+  return type == SF_FORMAT_W64 ? "W64" : type == SF_FORMAT_RF64 ? "RF64" : "WAV";
+}
+
+std::optional<std::string> SoundInput::chunk(std::string_view id) const {
+  const std::scoped_lock lock(impl_->one_at_a_time);
+  SF_CHUNK_INFO info = chunk_named(id);
+  SF_CHUNK_ITERATOR* const at = sf_get_chunk_iterator(impl_->file, &info);
+  if (at == nullptr || sf_get_chunk_size(at, &info) != SF_ERR_NO_ERROR) return std::nullopt;
+  if (info.datalen > kLongestChunk_bytes || info.datalen > std::filesystem::file_size(impl_->path))
+    impl_->fail("a description that is too long");
+  std::string text(info.datalen, '\0');
+  info.data = text.data();
+  if (sf_get_chunk_data(at, &info) != SF_ERR_NO_ERROR) return std::nullopt;
+  return text;
+}
+
+void SoundInput::read(std::size_t channel, std::size_t first, std::span<double> out) const {
+  const std::size_t channels = this->channels();
+  std::vector<double> frames(std::min(out.size(), kFramesAtOnce) * channels);
+  const std::scoped_lock lock(impl_->one_at_a_time);
+  if (sf_seek(impl_->file, static_cast<sf_count_t>(first), SEEK_SET) < 0) impl_->fail("cut off");
+  for (std::size_t done = 0; done < out.size();) {
+    const std::size_t count = std::min(out.size() - done, kFramesAtOnce);
+    if (sf_readf_double(impl_->file, frames.data(), static_cast<sf_count_t>(count)) != static_cast<sf_count_t>(count))
+      impl_->fail("cut off");
+    for (std::size_t n = 0; n < count; ++n) out[done + n] = frames[n * channels + channel];
+    done += count;
+  }
+}
+
+struct SoundOutput::Impl {
+  Impl(const std::string& its_path, bool force) : path(its_path), target(its_path, force) {}
+  std::string path;
+  AtomicFile target;
+  SNDFILE* file = nullptr;
+  std::string chunk;  // the library reads it when the file is closed
+  std::size_t channels = 1;
+
+  [[noreturn]] void fail() const {
+    throw InputError(std::string("cannot write: ") + sf_strerror(file), path, "is there room on the disk?");
+  }
+};
+
+SoundOutput::SoundOutput(const std::string& path, bool force, SoundKind kind, std::size_t channels, int rate_Hz,
+                         const std::vector<std::uint32_t>& cues, const std::optional<Chunk>& chunk)
+    : impl_(std::make_unique<Impl>(path, force)) {
+  Impl& i = *impl_;
+  i.channels = channels;
+  const int type = kind == SoundKind::wav ? SF_FORMAT_WAV : kind == SoundKind::rf64 ? SF_FORMAT_RF64 : SF_FORMAT_W64;
+  SF_INFO info{};
+  info.samplerate = rate_Hz;
+  info.channels = static_cast<int>(channels);
+  info.format = type | SF_FORMAT_DOUBLE;
+  if (sf_format_check(&info) == 0) {
+    throw InputError(std::to_string(channels) + " channels, or their sampling rate, are more than such a file can hold",
+                     path, "write it as HDF5");
+  }
+  i.file = sf_open(i.target.unfinished_path().c_str(), SFM_WRITE, &info);
+  if (i.file == nullptr) i.fail();
+  sf_command(i.file, SFC_SET_ADD_PEAK_CHUNK, nullptr, SF_FALSE);  // it holds the time of day; see forget_time
+  if (kind == SoundKind::w64) return;
+  if (!cues.empty()) {
+    // As SF_CUES, for any number: a count and the cues.
+    std::vector<std::uint32_t> block(1 + cues.size() * sizeof(SF_CUE_POINT) / sizeof(std::uint32_t));
+    block[0] = static_cast<std::uint32_t>(cues.size());
+    for (std::size_t c = 0; c < cues.size(); ++c) {
+      SF_CUE_POINT point{};
+      point.indx = static_cast<std::int32_t>(c + 1);
+      point.position = cues[c];
+      point.sample_offset = cues[c];
+      std::memcpy(&point.fcc_chunk, "data", 4);
+      std::memcpy(block.data() + 1 + c * sizeof point / sizeof(std::uint32_t), &point, sizeof point);
+    }
+    sf_command(i.file, SFC_SET_CUE, block.data(), static_cast<int>(block.size() * sizeof(std::uint32_t)));
+  }
+  if (!chunk) return;
+  i.chunk = chunk->text;
+  i.chunk.resize((i.chunk.size() + 3) / 4 * 4, ' ');
+  SF_CHUNK_INFO its = chunk_named(chunk->id);
+  its.data = i.chunk.data();
+  its.datalen = static_cast<unsigned>(i.chunk.size());
+  if (sf_set_chunk(i.file, &its) != SF_ERR_NO_ERROR) i.fail();
+}
+
+SoundOutput::~SoundOutput() { sf_close(impl_->file); }
+
+void SoundOutput::append(std::span<const double> values) {
+  const auto frames = static_cast<sf_count_t>(values.size() / impl_->channels);
+  if (sf_writef_double(impl_->file, values.data(), frames) != frames) impl_->fail();
+}
+
+namespace {
+
+// The library writes the time of day into the chunk PEAK, which it cannot be told to leave out of RF64.
+void forget_time(const std::string& path) {
+  constexpr std::size_t kFirstChunk = 12, kChunkHead = 8, kTime = 4, kLooked = std::size_t{1} << 16U;
+  std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+  std::string head(kLooked, '\0');
+  file.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(file.gcount()));
+  file.clear();
+  for (std::size_t at = kFirstChunk; at + kChunkHead + kTime + 4 <= head.size();) {
+    const std::string id = head.substr(at, 4);
+    std::uint32_t bytes = 0;
+    std::memcpy(&bytes, &head[at + 4], sizeof bytes);
+    if (id == "data") return;
+    if (id == "PEAK") {
+      file.seekp(static_cast<std::streamoff>(at + kChunkHead + kTime));
+      file.write("\0\0\0\0", 4);
+      return;
+    }
+    at += kChunkHead + bytes + bytes % 2;
+  }
+}
+
+}  // namespace
+
+void SoundOutput::commit() {
+  const int closed = sf_close(impl_->file);  // writes the lengths
+  impl_->file = nullptr;
+  if (closed != 0) impl_->fail();
+  forget_time(impl_->target.unfinished_path());
+  impl_->target.commit();
+}
+
+}  // namespace percuss

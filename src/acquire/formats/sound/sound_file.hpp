@@ -1,0 +1,68 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/io/atomic_file.hpp"
+
+namespace percuss {
+
+/// Whether a file that begins so is a WAV, RF64 or W64 file.
+bool is_sound(std::string_view head);
+
+/// The samples of a WAV, RF64 or W64 file: uncompressed numbers, channels interleaved. Integers are parts of full
+/// scale, −1 … 1; floating-point numbers are as stored.
+/// errors  InputError: damaged, compressed, more samples than the file has bytes for; from read also.
+class SoundInput {
+ public:
+  explicit SoundInput(const std::string& path);
+  ~SoundInput();
+  SoundInput(const SoundInput&) = delete;
+  SoundInput& operator=(const SoundInput&) = delete;
+
+  std::size_t channels() const;
+  std::size_t frames() const;
+  int rate_Hz() const;
+  std::string format() const;  // for people: "WAV", "RF64", "W64"
+  /// A chunk of the file's own, by its four letters.
+  std::optional<std::string> chunk(std::string_view id) const;
+  /// Samples first … first + out.size() − 1 of a channel. Several threads may call at once.
+  void read(std::size_t channel, std::size_t first, std::span<double> out) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+enum class SoundKind { wav, rf64, w64 };
+
+/// A sound file of 64-bit floating-point numbers that appears whole under its name, or not at all; equal calls give
+/// equal bytes. errors  InputError: as AtomicFile; a rate or a length that such a file cannot hold.
+class SoundOutput {
+ public:
+  struct Chunk {
+    std::string id, text;
+  };
+  /// `cues` are frames that are marked, `chunk` goes before the samples; W64 has neither.
+  SoundOutput(const std::string& path, bool force, SoundKind kind, std::size_t channels, int rate_Hz,
+              const std::vector<std::uint32_t>& cues, const std::optional<Chunk>& chunk);
+  ~SoundOutput();
+  SoundOutput(const SoundOutput&) = delete;
+  SoundOutput& operator=(const SoundOutput&) = delete;
+
+  /// Frames, channels interleaved.
+  void append(std::span<const double> values);
+  void commit();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace percuss

@@ -1,0 +1,35 @@
+#include "acquire/formats/text/csv_layout.hpp"
+
+#include "acquire/formats/text/read_csv.hpp"
+#include "core/error.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+constexpr std::size_t kMostColumns = 4096;
+
+}  // namespace
+
+CsvLayout layout_of_text(const FileBytes& bytes, CsvContent content) {
+  const std::string file = input_name(bytes.path);
+  const std::size_t mark = bytes.view().starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
+  const std::string_view text = bytes.view().substr(mark);
+  require_text(text.substr(0, std::size_t{1} << 16U), file);
+  CsvLayout layout;
+  const char line_end = find_line_end(text);
+  const auto probes = probe_lines(text, line_end);
+  layout.dialect = find_dialect(probes, line_end);
+  if (has_two_kinds_of_comma(text, probes, layout.dialect)) {
+    throw InputError("commas stand between the cells and for the decimal point as well", file,
+                     "save it with semicolons or tabs between the cells, or with decimal points");
+  }
+  layout.number_columns = find_number_columns(probes, layout.dialect);
+  if (!layout.number_columns.empty() && layout.number_columns.back() >= kMostColumns - 1)
+    throw InputError("more than 4095 columns", file, "save one line per sample");
+  layout.header = read_csv_header(text, layout.dialect, layout.number_columns, file, content);
+  layout.header.data_start += mark;
+  return layout;
+}
+
+}  // namespace percuss

@@ -1,0 +1,21 @@
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "core/io/csv_dialect.hpp"
+#include "core/io/csv_header.hpp"
+#include "core/io/input_file.hpp"
+
+namespace percuss {
+
+/// How a text of columns is laid out: found from its header and its last lines, without reading what lies between.
+struct CsvLayout {
+  CsvDialect dialect;
+  std::vector<std::size_t> number_columns;
+  CsvHeader header;
+};
+
+/// errors  InputError: no text, no lines of numbers, too many columns; for a time record also the columns of an FRF.
+CsvLayout layout_of_text(const FileBytes& bytes, CsvContent content);
+
+}  // namespace percuss

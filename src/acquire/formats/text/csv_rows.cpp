@@ -1,0 +1,166 @@
+#include "acquire/formats/text/csv_rows.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "acquire/record/sampling_rate.hpp"
+#include "core/error.hpp"
+#include "core/io/parse_number.hpp"
+#include "core/io/time_stamps.hpp"
+#include "core/units.hpp"
+
+namespace percuss {
+namespace {
+
+using Labels = std::array<int, 3>;  // hit, point, run
+
+int whole_number(std::string_view cell, const CsvTable& table, std::size_t line, std::size_t index) {
+  constexpr double kLargest = 1e9;
+  const auto number = parse_number(cell, table.dialect().decimal_comma);
+  const bool usable = number.problem == NumberProblem::none && std::abs(number.value) <= kLargest &&
+                      std::rint(number.value) == number.value;
+  if (usable) return static_cast<int>(number.value);
+  throw InputError("\"" + one_line(to_utf8(trimmed(cell)), 40) + "\" is not a whole number", table.place(line, index),
+                   "number the hits, points and runs from 0");
+}
+
+// Lines where the column's value changes, and the value from there on.
+struct Change {
+  std::size_t line;
+  int value;
+};
+
+std::vector<Change> changes_of(const CsvTable& table, std::size_t index) {
+  constexpr std::size_t kMostRows = 1'000'000;
+  std::vector<Change> changes;
+  std::string_view last;
+  table.for_each_cell(index, [&](std::size_t line, std::string_view cell) {
+    if (line > 0 && cell == last) return;
+    last = cell;
+    const int value = whole_number(cell, table, line, index);
+    if (!changes.empty() && changes.back().value == value) return;
+    if (changes.size() == kMostRows) {
+      throw InputError("more than a million hits", table.place(line, index), "sort the lines by hit, in order of time");
+    }
+    changes.push_back({line, value});
+  });
+  return changes;
+}
+
+void end_row(std::vector<CsvRow>& rows, std::size_t line) {
+  if (!rows.empty()) rows.back().info.samples = line - rows.back().first_line;
+}
+
+[[noreturn]] void refuse_stamps(const CsvTable& table, std::size_t index, const std::vector<CsvRow>& rows,
+                                const StampProblem& problem) {
+  const std::size_t line = rows[problem.row].first_line + problem.at;
+  throw InputError(problem.text, table.place(line, index), "give --fs in Hz to go by the number of samples alone");
+}
+
+std::optional<StampedRate> stamped_rate(const CsvTable& table, const CsvColumn& time, const std::vector<CsvRow>& rows,
+                                        StampProblem& problem, bool& steps_of_one) {
+  // Trailing zeros may have been dropped, so that the most digits among the last stamps tell the rounding.
+  constexpr std::size_t kLast = 64;
+  const double to_s = parse_unit(time.unit) ? parse_unit(time.unit)->to_SI : 1;
+  std::vector<double> time_s(table.lines());
+  std::vector<int> decimals(rows.size(), -400);
+  std::size_t row = 0;
+  table.for_each_cell(time.index, [&](std::size_t line, std::string_view cell) {
+    const auto number = parse_number(cell, table.dialect().decimal_comma);
+    if (number.problem != NumberProblem::none) {
+      throw InputError("the time is " + std::string(describe(number.problem)), table.place(line, time.index),
+                       "fill the gap or give --fs");
+    }
+    time_s[line] = number.value * to_s;
+    while (line >= rows[row].first_line + rows[row].info.samples) ++row;
+    if (line + kLast >= rows[row].first_line + rows[row].info.samples) {
+      decimals[row] = std::max(decimals[row], decimals_of(cell, table.dialect().decimal_comma));
+    }
+  });
+  std::vector<Stamps> stamps;
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    stamps.push_back(
+        {std::span(time_s).subspan(rows[r].first_line, rows[r].info.samples), to_s * std::pow(10.0, -decimals[r])});
+  }
+  auto rate = rate_of_stamps(stamps, problem);
+  steps_of_one = rate && std::abs(rate->fs_Hz * to_s - 1) < 1e-9;
+  return rate;
+}
+
+// Header and time column together; the header's number is exact where it lies within what rounded stamps leave open.
+double agreed_rate_Hz(const CsvHeader& header, const StampedRate& stamped, const CsvColumn& time,
+                      const std::string& file, std::vector<std::string>& notes) {
+  constexpr double kSame = 1e-3;  // a nominal rate in the header and a measured clock may differ by so much
+  if (header.fs_Hz && *header.fs_Hz >= stamped.lowest_Hz && *header.fs_Hz <= stamped.highest_Hz) return *header.fs_Hz;
+  if (header.fs_Hz && !(std::abs(*header.fs_Hz / stamped.fs_Hz - 1) <= kSame)) {
+    throw InputError(fmt::format("two sampling rates: {:.6g} Hz by \"{}\" and {:.6g} Hz by the column {}",
+                                 *header.fs_Hz, header.fs_line, stamped.fs_Hz, time.name),
+                     file + ": header", "give the right one with --fs");
+  }
+  if (header.fs_Hz) {
+    notes.push_back(fmt::format("sampling rate {:.10g} Hz by the time column; the header says {:.10g} Hz",
+                                stamped.fs_Hz, *header.fs_Hz));
+  } else if (!stamped.note.empty()) {
+    notes.push_back(stamped.note);
+  }
+  return stamped.fs_Hz;
+}
+
+}  // namespace
+
+std::vector<CsvRow> find_csv_rows(const CsvTable& table, const CsvColumns& columns) {
+  const std::array<const std::optional<CsvColumn>*, 3> sources = {&columns.hit, &columns.point, &columns.run};
+  std::array<std::vector<Change>, 3> changes;
+  std::set<std::size_t> starts = {0};
+  for (std::size_t k = 0; k < sources.size(); ++k) {
+    if (*sources[k]) changes[k] = changes_of(table, (*sources[k])->index);
+    for (const auto& change : changes[k]) starts.insert(change.line);
+  }
+  std::vector<CsvRow> rows;
+  std::set<Labels> seen;
+  std::array<std::size_t, 3> at{};
+  for (const std::size_t line : starts) {
+    Labels labels{};
+    for (std::size_t k = 0; k < sources.size(); ++k) {
+      while (at[k] + 1 < changes[k].size() && changes[k][at[k] + 1].line <= line) ++at[k];
+      if (!changes[k].empty()) labels[k] = changes[k][at[k]].value;
+    }
+    if (!seen.insert(labels).second) {
+      throw InputError(fmt::format("hit {} comes back after another", labels[0]), table.place(line),
+                       "sort the lines by hit, in order of time");
+    }
+    end_row(rows, line);
+    rows.push_back({{.samples = 0, .point = labels[1], .run = labels[2]}, line});
+  }
+  end_row(rows, table.lines());
+  return rows;
+}
+
+double find_csv_rate_Hz(const CsvTable& table, const CsvColumns& columns, const std::vector<CsvRow>& rows,
+                        const ReadOptions& options, std::vector<std::string>& notes) {
+  const CsvHeader& header = table.header();
+  const std::string file = input_name(table.path());
+  if (options.fs_Hz) return checked_rate_Hz(*options.fs_Hz, "--fs");
+  const bool guessed = !columns.time && may_be_time(header.columns.front(), columns);
+  if (!columns.time && !guessed) {
+    if (header.fs_Hz) return checked_rate_Hz(*header.fs_Hz, file + ": " + header.fs_line);
+    throw InputError("no sampling rate: no time column and no line that states it", file, "give --fs in Hz");
+  }
+  const CsvColumn& time = guessed ? header.columns.front() : *columns.time;
+  StampProblem problem;
+  bool counts = false;
+  const auto stamped = stamped_rate(table, time, rows, problem, counts);
+  if (guessed && (!stamped || counts)) {
+    // A first column that is no time after all: a count of samples or a signal.
+    if (header.fs_Hz) return checked_rate_Hz(*header.fs_Hz, file + ": " + header.fs_line);
+    throw InputError("no sampling rate: no time column and no line that states it", file, "give --fs in Hz");
+  }
+  if (!stamped) refuse_stamps(table, time.index, rows, problem);
+  if (guessed) notes.push_back(fmt::format("the first column ({}) rises evenly and is taken as time in s", time.name));
+  return checked_rate_Hz(agreed_rate_Hz(header, *stamped, time, file, notes), file + ": time column");
+}
+
+}  // namespace percuss

@@ -1,0 +1,29 @@
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "acquire/channels/csv_columns.hpp"
+#include "acquire/formats/text/csv_table.hpp"
+#include "acquire/record/record.hpp"
+
+namespace percuss {
+
+/// One row of a record in a text file: lines first_line … first_line + info.samples − 1 of the data.
+struct CsvRow {
+  RowInfo info;
+  std::size_t first_line = 0;
+};
+
+/// Rows by the columns hit, point and run, where there are any: a row ends where one of them changes.
+/// errors  InputError: a cell that is no whole number, a combination that comes back after another, too many rows.
+std::vector<CsvRow> find_csv_rows(const CsvTable& table, const CsvColumns& columns);
+
+/// The sampling rate: as the user says, else by the time column and the header, which must agree. Adds to `notes` what
+/// was taken for granted. errors  InputError: none is stated, two disagree, uneven or coarse time stamps, a rate that
+/// nobody samples with.
+double find_csv_rate_Hz(const CsvTable& table, const CsvColumns& columns, const std::vector<CsvRow>& rows,
+                        const ReadOptions& options, std::vector<std::string>& notes);
+
+}  // namespace percuss

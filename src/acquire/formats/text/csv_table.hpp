@@ -1,0 +1,67 @@
+#pragma once
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "acquire/formats/text/csv_layout.hpp"
+#include "core/io/csv_dialect.hpp"
+#include "core/io/csv_header.hpp"
+#include "core/io/input_file.hpp"
+
+namespace percuss {
+
+/// The lines of numbers of a text file. Opening counts the lines and their cells; a number is parsed when its column is
+/// read for the first time, in blocks of lines, and kept: columns and stretches that nobody asks for cost nothing.
+class CsvTable {
+ public:
+  /// `header` says where the data starts; every line from there on is data, blank or a comment.
+  /// errors  InputError: a line with too few or too many cells, a line too long.
+  CsvTable(FileBytes bytes, CsvDialect dialect, CsvHeader header, const std::vector<std::size_t>& number_columns);
+  CsvTable(FileBytes bytes, CsvLayout layout)
+      : CsvTable(std::move(bytes), layout.dialect, std::move(layout.header), layout.number_columns) {}
+
+  std::size_t lines() const { return lines_; }
+  const CsvHeader& header() const { return header_; }
+  const CsvDialect& dialect() const { return dialect_; }
+  const std::string& path() const { return bytes_.path; }
+
+  /// Numbers of data lines first … first + out.size() − 1, as stored. `index` as in CsvColumn. Several threads may call
+  /// at once. errors  InputError naming line and column of a cell that is no finite number.
+  void read(std::size_t index, std::size_t first, std::span<double> out) const;
+
+  /// Calls see(n, cell) for every data line n, with the column's cell as written, quotes and blanks on.
+  void for_each_cell(std::size_t index, const std::function<void(std::size_t line, std::string_view cell)>& see) const;
+
+  /// "x.csv: line 12, column 3 (force_N)".
+  std::string place(std::size_t line, std::optional<std::size_t> index = {}) const;
+
+ private:
+  struct Block {
+    std::mutex mutex;  // not std::call_once: thread sanitizers hang when its function throws
+    std::vector<double> numbers;
+  };
+  using Column = std::vector<Block>;
+
+  std::string_view data() const { return bytes_.view().substr(header_.data_start); }
+  void count_lines(std::size_t fewest, std::size_t most);
+  Column& column(std::size_t index) const;
+  void parse_block(std::size_t index, std::size_t block, Block& into) const;
+
+  FileBytes bytes_;
+  CsvDialect dialect_;
+  CsvHeader header_;
+  std::size_t lines_ = 0;
+  std::vector<std::size_t> block_start_;  // byte of each block's first line, counted from the data's start
+  mutable std::mutex columns_mutex_;
+  mutable std::map<std::size_t, std::unique_ptr<Column>> columns_;
+};
+
+}  // namespace percuss

@@ -1,0 +1,131 @@
+#include "acquire/formats/text/read_csv.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "acquire/channels/csv_columns.hpp"
+#include "acquire/channels/signal_overrides.hpp"
+#include "acquire/formats/text/csv_rows.hpp"
+#include "acquire/formats/text/csv_table.hpp"
+#include "acquire/record/sample_limits.hpp"
+#include "core/error.hpp"
+
+namespace percuss {
+namespace {
+
+// What the read functions of a record share.
+struct OpenCsv {
+  explicit OpenCsv(const FileBytes& bytes) : table(bytes, layout_of_text(bytes, CsvContent::time_record)) {}
+  CsvTable table;
+  std::vector<CsvRow> rows;
+  std::size_t force_column = 0;
+  double force_to_N = 1;
+  std::vector<std::size_t> accel_columns;
+  std::vector<double> accel_to_mps2;
+};
+
+SignalInfo describe_force(const CsvColumn& column, const ReadOptions& options, const std::string& file,
+                          std::vector<std::string>& notes) {
+  SignalInfo signal{.name = column.name, .unit = column.unit};
+  const SignalChoice choice = force_choice(options, setup_of(column, options));
+  const bool assumed = column.unit.empty() && choice.unit.empty() && !choice.scale && !choice.sensitivity_V_per_SI;
+  apply_force_choice(signal, choice, file + ": column " + column.name, notes);
+  if (assumed) {
+    signal.unit = "N";
+    notes.push_back(fmt::format("the unit of {} is not stated; taken as N (--force-unit says otherwise)", column.name));
+  }
+  return signal;
+}
+
+SignalInfo describe_accel(const CsvColumn& column, const ReadOptions& options, std::size_t index, std::size_t count,
+                          const std::string& file, std::vector<std::string>& notes) {
+  SignalInfo signal{.name = column.name, .unit = column.unit};
+  const SignalChoice choice = accel_choice(options, setup_of(column, options), index, count);
+  const bool assumed = column.unit.empty() && choice.unit.empty() && !choice.scale && !choice.sensitivity_V_per_SI;
+  apply_choice(signal, choice, Quantity::acceleration, file + ": column " + column.name);
+  if (assumed) {
+    signal.unit = "m/s^2";
+    notes.push_back(fmt::format("the unit of {} is not stated; taken as m/s^2 (--unit says otherwise)", column.name));
+  }
+  return signal;
+}
+
+void describe_signals(const CsvColumns& columns, const ReadOptions& options, OpenCsv& open, Record& record) {
+  const std::string file = input_name(open.table.path());
+  record.has_force = columns.has_force;
+  if (record.has_force) {
+    record.force = describe_force(columns.force, options, file, record.notes);
+    open.force_column = columns.force.index;
+    open.force_to_N = record.force.to_SI;
+  }
+  for (std::size_t c = 0; c < columns.accel.size(); ++c) {
+    record.accel.push_back(describe_accel(columns.accel[c], options, c, columns.accel.size(), file, record.notes));
+    open.accel_columns.push_back(columns.accel[c].index);
+    open.accel_to_mps2.push_back(record.accel.back().to_SI);
+  }
+}
+
+void describe_rows(const OpenCsv& open, Record& record) {
+  for (const auto& row : open.rows) {
+    if (row.info.samples < 2) {
+      throw InputError("fewer than two samples", open.table.place(row.first_line),
+                       "record for longer, or delete the line");
+    }
+    record.rows.push_back(row.info);
+  }
+}
+
+void read_scaled(const OpenCsv& open, std::size_t row, std::size_t column, double to_SI, std::size_t first,
+                 std::span<double> out) {
+  assert(row < open.rows.size() && first + out.size() <= open.rows[row].info.samples);
+  const std::size_t line = open.rows[row].first_line + first;
+  open.table.read(column, line, out);
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    out[i] *= to_SI;
+    if (!(std::abs(out[i]) <= kLargestSample)) {
+      throw InputError("too large once scaled to SI", open.table.place(line + i, column),
+                       "correct the number or the scale");
+    }
+  }
+}
+
+}  // namespace
+
+void require_text(std::string_view head, const std::string& name) {
+  if (head.empty()) throw InputError("the file is empty", name, "record or export it again");
+  const auto starts = [&](std::string_view bytes) { return head.substr(0, bytes.size()) == bytes; };
+  if (starts("\xFF\xFE") || starts("\xFE\xFF")) throw InputError("this is UTF-16 text", name, "save it as UTF-8");
+  const auto control = std::count_if(head.begin(), head.end(), [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return byte < 0x20 && c != '\n' && c != '\r' && c != '\t' && c != '\f' && c != '\v' && c != 0x1A;
+  });
+  if (control > 0)
+    throw InputError("this is neither text nor a format that percuss knows", name, "save it as CSV or HDF5");
+}
+
+Record open_csv(const FileBytes& bytes, const ReadOptions& options) {
+  auto open = std::make_shared<OpenCsv>(bytes);
+  Record record;
+  record.files.push_back({.path = bytes.path, .bytes = bytes.size});
+  record.format = "CSV";
+  const CsvColumns columns = find_csv_columns(open->table.header(), options, input_name(bytes.path));
+  describe_signals(columns, options, *open, record);
+  open->rows = find_csv_rows(open->table, columns);
+  describe_rows(*open, record);
+  record.fs_Hz = find_csv_rate_Hz(open->table, columns, open->rows, options, record.notes);
+  record.read_force_N = [open](std::size_t row, std::size_t first, std::span<double> out) {
+    read_scaled(*open, row, open->force_column, open->force_to_N, first, out);
+  };
+  if (!record.has_force) record.read_force_N = no_force();
+  record.read_accel_mps2 = [open](std::size_t row, std::size_t channel, std::size_t first, std::span<double> out) {
+    read_scaled(*open, row, open->accel_columns.at(channel), open->accel_to_mps2.at(channel), first, out);
+  };
+  return record;
+}
+
+}  // namespace percuss

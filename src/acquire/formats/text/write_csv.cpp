@@ -1,0 +1,78 @@
+#include "acquire/formats/text/write_csv.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <vector>
+
+#include "core/io/atomic_file.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr std::size_t kRowsAtOnce = 8192;  // text of a block is written at once
+
+template <class Number>
+void append(std::string& text, Number number) {
+  std::array<char, 32> digits{};  // the longest double takes 24
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
+  text.append(digits.data(), end);
+}
+
+bool varies(const Record& record, int RowInfo::*number) {
+  return std::any_of(record.rows.begin(), record.rows.end(),
+                     [&](const RowInfo& row) { return row.*number != record.rows.front().*number; });
+}
+
+std::string header(const Record& record) {
+  std::string text = "hit,t_s,force_N";
+  for (std::size_t c = 0; c < record.accel.size(); ++c) text += ",acc" + std::to_string(c) + "_m_s2";
+  if (varies(record, &RowInfo::point)) text += ",point";
+  if (varies(record, &RowInfo::run)) text += ",run";
+  return text + "\n";
+}
+
+/// What ends every line of a row.
+std::string row_end(const Record& record, const RowInfo& row) {
+  std::string text;
+  if (varies(record, &RowInfo::point)) text += "," + std::to_string(row.point);
+  if (varies(record, &RowInfo::run)) text += "," + std::to_string(row.run);
+  return text + "\n";
+}
+
+void write_row(AtomicFile& file, const Record& record, std::size_t row) {
+  const std::size_t samples = record.rows[row].samples;
+  const std::string start = std::to_string(row) + ",", end = row_end(record, record.rows[row]);
+  std::vector<std::vector<double>> columns(1 + record.accel.size());
+  std::string text;
+  for (std::size_t first = 0; first < samples; first += kRowsAtOnce) {
+    const std::size_t count = std::min(kRowsAtOnce, samples - first);
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      columns[c].resize(count);
+      if (c == 0) {
+        record.read_force_N(row, first, columns[c]);
+      } else {
+        record.read_accel_mps2(row, c - 1, first, columns[c]);
+      }
+    }
+    text.clear();
+    for (std::size_t i = 0; i < count; ++i) {
+      text += start;
+      append(text, static_cast<double>(first + i) / record.fs_Hz);
+      for (const auto& column : columns) append(text += ',', column[i]);
+      text += end;
+    }
+    file.write(text);
+  }
+}
+
+}  // namespace
+
+void write_record_csv(const std::string& path, const Record& record, bool force) {
+  AtomicFile file(path, force);
+  file.write(header(record));
+  for (std::size_t row = 0; row < record.rows.size(); ++row) write_row(file, record, row);
+  file.commit();
+}
+
+}  // namespace percuss

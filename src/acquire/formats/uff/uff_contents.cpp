@@ -1,0 +1,90 @@
+#include "acquire/formats/uff/uff_contents.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "acquire/formats/uff/uff_nodes.hpp"
+#include "core/error.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr int kFactorColumns = 25;
+
+[[noreturn]] void refuse_set(const UffSet& set, const FileBytes& file, std::string_view at, const char* what) {
+  throw InputError(fmt::format("data set {}: {}", set.number, what), uff_place(file, at), "export the file again");
+}
+
+UffUnits parse_units(const UffSet& set, const FileBytes& file) {
+  std::string_view rest = set.text;
+  take_uff_line(rest);
+  const std::string_view line = take_uff_line(rest);
+  UffFields fields(line);
+  const auto length = fields.number(kFactorColumns), force = fields.number(kFactorColumns);
+  const auto usable = [](const std::optional<double>& x) { return x && std::isfinite(*x) && *x > 0; };
+  if (!usable(length) || !usable(force)) refuse_set(set, file, set.text, "cannot read the units' factors");
+  return {.length = *length, .force = *force};
+}
+
+}  // namespace
+
+UffContents read_uff_contents(const FileBytes& file) {
+  UffContents out;
+  const std::vector<UffSet> sets = split_uff(file);
+  for (const UffSet& set : sets) {
+    ++out.sets[set.number];
+    if (set.number == 58) out.functions.push_back(parse_uff_function(set, file));
+    if (set.number == 164) out.units = parse_units(set, file);
+    if (set.number == 55 || set.number == 2414) ++out.shapes;
+  }
+  out.connections = read_uff_lines(sets, file);
+  out.nodes_m = read_uff_nodes(sets, file, out.units.value_or(UffUnits{}).length);
+  return out;
+}
+
+std::vector<std::string> uff_notes(const UffContents& contents) {
+  static const std::set<int> kRead{15, 18, 55, 58, 82, 151, 164, 2411, 2412, 2414};
+  std::vector<std::string> notes;
+  std::string unused;
+  for (const auto& [number, count] : contents.sets) {
+    if (!kRead.contains(number)) unused += fmt::format("{}{} ({})", unused.empty() ? "" : ", ", number, count);
+  }
+  const UffLines& connections = contents.connections;
+  if (!connections.lines.empty() && contents.nodes_m.empty()) notes.emplace_back("lines without nodes are not used");
+  if (!connections.unreadable.empty()) notes.push_back("not used: " + connections.unreadable);
+  if (connections.other_elements > 0)
+    notes.push_back(fmt::format("elements of other kinds: {}, not used", connections.other_elements));
+  if (contents.shapes > 0) notes.push_back(fmt::format("mode shapes: {}, not used", contents.shapes));
+  if (!unused.empty()) notes.push_back("data sets not used: " + unused);
+  return notes;
+}
+
+std::vector<std::vector<double>> uff_geometry(const UffContents& contents, int offset,
+                                              std::vector<std::string>& notes) {
+  if (contents.nodes_m.empty()) return {};
+  const auto last = static_cast<std::int64_t>(contents.nodes_m.rbegin()->first) - offset;
+  const auto most = static_cast<std::int64_t>(4 * contents.nodes_m.size() + 1000);
+  if (contents.nodes_m.begin()->first < offset || last > most) {
+    notes.emplace_back("the geometry is not used: its nodes are numbered too far apart");
+    return {};
+  }
+  std::vector<std::vector<double>> out(static_cast<std::size_t>(last) + 1,
+                                       std::vector<double>(3, std::numeric_limits<double>::quiet_NaN()));
+  for (const auto& [node, place] : contents.nodes_m)
+    out[static_cast<std::size_t>(node - offset)].assign(place.begin(), place.end());
+  return out;
+}
+
+std::vector<TraceLine> uff_trace_lines(const UffContents& contents, int offset) {
+  std::vector<TraceLine> out;
+  for (const auto& [from, to] : contents.connections.lines) {
+    if (contents.nodes_m.contains(from) && contents.nodes_m.contains(to)) out.push_back({from - offset, to - offset});
+  }
+  return out;
+}
+
+}  // namespace percuss

@@ -1,0 +1,55 @@
+#pragma once
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "acquire/formats/uff/uff_function.hpp"
+#include "acquire/formats/uff/uff_trace_lines.hpp"
+
+namespace percuss {
+
+/// Data set 164: SI = stored / factor.
+struct UffUnits {
+  double length = 1, force = 1;
+};
+
+/// What a universal file holds, read as far as percuss reads it.
+struct UffContents {
+  std::vector<UffFunction> functions;  // data sets 58
+  std::optional<UffUnits> units;
+  std::map<int, std::array<double, 3>> nodes_m;  // data sets 15 and 2411, in global coordinates
+  UffLines connections;                          // data sets 82 and 2412, by node
+  std::map<int, std::size_t> sets;               // how many there are of each number
+  std::size_t shapes = 0;                        // of sets 55 and 2414
+};
+
+/// errors  InputError with file and line: a set of a number above that does not follow its layout.
+UffContents read_uff_contents(const FileBytes& file);
+
+/// What else is in the file and not used, for people: "data sets not used: 2467 (1), 773 (2)", mode shapes.
+std::vector<std::string> uff_notes(const UffContents& contents);
+
+/// Coordinates by point: row i is point i = node − `offset`, three NaN where there is no such point. Nothing, and a
+/// note, when the numbers are too far apart for that.
+std::vector<std::vector<double>> uff_geometry(const UffContents& contents, int offset, std::vector<std::string>& notes);
+/// The lines between points that the file has nodes of.
+std::vector<TraceLine> uff_trace_lines(const UffContents& contents, int offset);
+
+/// What percuss writes into the fifth line of a function: "percuss; node = point + 1; dx = 3.90625e-05".
+struct UffStatement {
+  bool ours = false;
+  bool continuous = false;
+  int node_offset = 0;
+  std::size_t averages = 0;
+  std::optional<double> dx, angle_deg, position_m, decay_per_s;
+};
+UffStatement uff_statement(const UffFunction& function);
+
+/// The step of an even abscissa, freed of the rounding of its 13 columns: percuss's own statement; else, of the steps
+/// that are written so, the one whose inverse (or which itself, for a frequency) is the roundest number.
+/// `note` says so where that changes it.
+double uff_step(const UffFunction& function, bool frequency, std::string& note);
+
+}  // namespace percuss

@@ -1,0 +1,55 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/io/input_file.hpp"
+
+namespace percuss {
+
+/// One data set of a universal file, still as text or bytes.
+struct UffSet {
+  int number = 0;
+  std::string_view text;  // its lines after the one with its number; of a binary set those before the bytes
+  std::string_view data;  // the bytes of a binary set …
+  bool unread = false;    // … which are still in the file (FileBytes::sparse)
+  bool binary = false;
+  bool big_endian = false;
+};
+
+/// Whether a file that begins so is a universal file: a line of "    -1" (columns 1 to 6) and blanks, after blank
+/// lines.
+bool is_universal_file(std::string_view head);
+
+/// The data sets of a universal file, in order. A delimiter is a whole line, never a text within one. The length of a
+/// binary set 58 is what its record 7 says, as long as a delimiter follows there; only then what its first line says.
+/// Of a sparse file everything is loaded but the bytes of long, evenly spaced sets 58.
+/// errors  InputError with file and line: a set that is not closed, or whose number or length cannot be read.
+std::vector<UffSet> split_uff(const FileBytes& file);
+
+/// "file: line 12", for a place within `file`.
+std::string uff_place(const FileBytes& file, std::string_view at);
+
+/// Cells of fixed width, taken off the front of a line; beyond its end they are blank.
+class UffFields {
+ public:
+  explicit UffFields(std::string_view line) : rest_(line) {}
+  std::string_view take(std::size_t width);
+  std::string text(std::size_t width);                     // without blanks around, "NONE" as nothing, UTF-8
+  std::optional<std::int64_t> integer(std::size_t width);  // blank is 0; nothing when it is no whole number
+  std::optional<double> number(std::size_t width);         // likewise; also 1.5D+3 and 1.5-101
+  bool blank() const { return rest_.find_first_not_of(" \t\r") == std::string_view::npos; }
+
+ private:
+  std::string_view rest_;
+};
+
+/// Takes the next line off, without its end in "\n" or "\r\n".
+std::string_view take_uff_line(std::string_view& rest);
+
+/// Bytes that record 7 of a set 58 claims for its binary data; nothing when it cannot be read.
+std::optional<std::uint64_t> uff_data_bytes(std::string_view record7);
+
+}  // namespace percuss

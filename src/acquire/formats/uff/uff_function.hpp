@@ -1,0 +1,74 @@
+#pragma once
+#include <array>
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "acquire/formats/uff/uff_file.hpp"
+
+namespace percuss {
+
+/// Numbers that data set 58 uses.
+struct Uff58 {
+  enum Function { time_response = 1, auto_spectrum = 2, cross_spectrum = 3, frequency_response = 4, coherence = 6 };
+  enum Quantity {
+    displacement = 8,
+    velocity = 11,
+    acceleration = 12,
+    excitation_force = 13,
+    time = 17,
+    frequency = 18
+  };
+};
+
+/// A point and direction of the structure, as record 6 names them.
+struct UffPlace {
+  std::string name;
+  int node = 0;
+  int direction = 0;  // ±1 … ±3 along, ±4 … ±6 around x, y, z; 0 none
+  friend bool operator==(const UffPlace&, const UffPlace&) = default;
+  friend auto operator<=>(const UffPlace&, const UffPlace&) = default;  // NOLINT(modernize-use-nullptr): not one
+};
+
+struct UffAxis {
+  int quantity = 0;
+  std::string label, unit;
+};
+
+/// One function of data set 58 or 58b: its description, and where its numbers are.
+struct UffFunction {
+  std::array<std::string, 5> id;
+  int type = 0, version = 0, load_case = 0;
+  UffPlace response, reference;
+  std::size_t count = 0;
+  bool even = true, complex = false, single = false;
+  double x0 = 0, dx = 0;
+  std::string dx_text;  // as written, for its rounding
+  UffAxis abscissa, ordinate, denominator;
+
+  std::string_view at;         // the set's place in the file
+  std::vector<double> values;  // of a text: abscissa (if uneven), real, imaginary part (if complex), value by value
+  std::string_view bytes;      // of a binary set, in the same order …
+  std::shared_ptr<const SparseFile> file{};  // … and where they still are in the file, if anywhere
+  std::size_t file_offset = 0;
+  bool big_endian = false;
+
+  /// Real parts (part 0) or imaginary parts (part 1) of values first … first + out.size() − 1. errors  InputError: the
+  /// file has changed meanwhile.
+  void read(std::size_t part, std::size_t first, std::span<double> out) const;
+  /// Value i's abscissa.
+  double x(std::size_t i) const;
+
+ private:
+  void decode(const char* from, std::size_t stride, std::span<double> out) const;
+};
+
+/// errors  InputError with file and line: a record that cannot be read, fewer numbers than record 7 says, another type
+/// of ordinate than 2, 4, 5, 6.
+UffFunction parse_uff_function(const UffSet& set, const FileBytes& file);
+
+}  // namespace percuss

@@ -1,0 +1,154 @@
+#include "acquire/formats/uff/uff_nodes.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cmath>
+#include <limits>
+
+#include "core/error.hpp"
+#include "core/units.hpp"
+
+namespace percuss {
+namespace {
+
+enum class System { cartesian = 0, cylindrical = 1, spherical = 2 };
+
+// A coordinate system: origin and axes (columns) in the one it refers to.
+struct Frame {
+  System kind = System::cartesian;
+  int refers_to = 0;
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+};
+
+class NodeReader {
+ public:
+  NodeReader(const FileBytes& file, double length_factor) : file_(file), length_factor_(length_factor) {}
+
+  // Set 18: number, kind, reference; name; origin and a point on +x; a point on the +xz plane.
+  void read_frames(const UffSet& set) {
+    std::string_view rest = set.text;
+    while (!rest.empty()) {
+      Fields head = next(rest);
+      const int number = whole(head, 10), kind = whole(head, 10), reference = whole(head, 10);
+      take_uff_line(rest);
+      Fields first = next(rest);
+      Frame frame{.kind = static_cast<System>(kind), .refers_to = reference};
+      frame.origin = vector(first, 13);
+      const Eigen::Vector3d x = vector(first, 13) - frame.origin;
+      Fields second = next(rest);
+      const Eigen::Vector3d xz = vector(second, 13) - frame.origin, y = xz.cross(x);
+      if (kind < 0 || kind > 2 || !(y.norm() > 0)) fail(18, head.line, "a coordinate system without directions");
+      frame.axes.col(0) = x.normalized();
+      frame.axes.col(1) = y.normalized();
+      frame.axes.col(2) = frame.axes.col(0).cross(frame.axes.col(1));
+      frames_[number] = frame;
+    }
+  }
+
+  // Set 15: a node per line. Set 2411: its coordinates on a second line.
+  void read_nodes(const UffSet& set, std::map<int, std::array<double, 3>>& out) {
+    std::string_view rest = set.text;
+    while (!rest.empty()) {
+      Fields fields = next(rest);
+      if (fields.cells.blank()) continue;
+      const int label = whole(fields, 10), system = whole(fields, 10);
+      whole(fields, 10);
+      whole(fields, 10);
+      Eigen::Vector3d at;
+      if (set.number == 15) {
+        at = vector(fields, 13);
+      } else {
+        if (rest.empty()) fail(set.number, fields.line, "a node without coordinates");
+        Fields second = next(rest);
+        at = vector(second, 25);
+      }
+      at = global(at, system, fields.line, set.number) / length_factor_;
+      if (!at.allFinite()) fail(set.number, fields.line, "coordinates that are not finite");
+      out[label] = {at.x(), at.y(), at.z()};
+    }
+  }
+
+ private:
+  struct Fields {
+    std::string_view line;
+    UffFields cells;
+  };
+
+  static Fields next(std::string_view& rest) {
+    const std::string_view line = take_uff_line(rest);
+    return {line, UffFields(line)};
+  }
+
+  [[noreturn]] void fail(int set, std::string_view at, const char* problem) const {
+    const std::string what = set == 0 ? "nodes or coordinate systems" : fmt::format("data set {}", set);
+    throw InputError(fmt::format("{}: {}", what, problem), uff_place(file_, at), "export the file again");
+  }
+
+  int whole(Fields& fields, std::size_t width) const {
+    const auto value = fields.cells.integer(width);
+    if (!value || std::abs(*value) > std::numeric_limits<int>::max() / 2)
+      fail(0, fields.line, "cannot read a whole number");
+    return static_cast<int>(*value);
+  }
+
+  Eigen::Vector3d vector(Fields& fields, std::size_t width) const {
+    Eigen::Vector3d out;
+    for (double& x : out) {
+      const auto value = fields.cells.number(width);
+      if (!value) fail(0, fields.line, "cannot read a coordinate");
+      x = *value;
+    }
+    return out;
+  }
+
+  static Eigen::Vector3d cartesian(System kind, const Eigen::Vector3d& at) {
+    const double first = at.y() * kDegree_rad, second = at.z() * kDegree_rad;
+    if (kind == System::cylindrical) return {at.x() * std::cos(first), at.x() * std::sin(first), at.z()};
+    if (kind == System::spherical) {
+      return {at.x() * std::sin(first) * std::cos(second), at.x() * std::sin(first) * std::sin(second),
+              at.x() * std::cos(first)};
+    }
+    return at;
+  }
+
+  // Systems may refer to one another, though not in circles.
+  Eigen::Vector3d global(Eigen::Vector3d at, int system, std::string_view line, int set) const {
+    constexpr int kMostNested = 16;
+    for (int depth = 0; depth < kMostNested; ++depth) {
+      const auto frame = frames_.find(system);
+      if (frame == frames_.end()) {
+        // 0 is the global system, and so is 1 where nobody defines it.
+        if (system <= 1) return at;
+        fail(set, line, "a node in a coordinate system that is not there");
+      }
+      at = frame->second.origin + frame->second.axes * cartesian(frame->second.kind, at);
+      if (frame->second.refers_to == system) return at;
+      system = frame->second.refers_to;
+    }
+    fail(set, line, "coordinate systems that refer to one another");
+  }
+
+  const FileBytes& file_;
+  double length_factor_;
+  std::map<int, Frame> frames_;
+};
+
+}  // namespace
+
+std::map<int, std::array<double, 3>> read_uff_nodes(const std::vector<UffSet>& sets, const FileBytes& file,
+                                                    double length_factor) {
+  NodeReader reader(file, length_factor);
+  for (const UffSet& set : sets) {
+    if (set.number == 18 && !set.binary) reader.read_frames(set);
+  }
+  std::map<int, std::array<double, 3>> out;
+  for (const UffSet& set : sets) {
+    if ((set.number == 15 || set.number == 2411) && !set.binary) reader.read_nodes(set, out);
+  }
+  return out;
+}
+
+}  // namespace percuss

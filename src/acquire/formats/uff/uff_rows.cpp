@@ -1,0 +1,91 @@
+#include "acquire/formats/uff/uff_rows.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "core/error.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr double kSameStep = 1e-4;  // relative: the columns round
+
+using Functions = std::vector<const UffFunction*>;
+
+// Rows that begin with a force, or with `forward` unset end with one; nothing when they differ in their channels.
+std::vector<UffRow> rows_in_order(Functions functions, std::vector<bool> is_force, bool forward) {
+  if (!forward) {
+    std::reverse(functions.begin(), functions.end());
+    std::reverse(is_force.begin(), is_force.end());
+  }
+  std::vector<UffRow> rows;
+  for (std::size_t i = 0; i < functions.size(); ++i) {
+    if (is_force[i]) rows.emplace_back();
+    if (rows.empty()) return {};
+    rows.back().push_back(functions[i]);
+  }
+  for (UffRow& row : rows) {
+    if (row.size() != rows.front().size() || row.size() < 2) return {};
+    if (!forward) std::reverse(row.begin() + 1, row.end());
+  }
+  if (!forward) std::reverse(rows.begin(), rows.end());
+  return rows;
+}
+
+std::vector<UffRow> rows_by_place(const Functions& functions, const std::vector<bool>& is_force) {
+  std::vector<UffRow> rows;
+  for (std::size_t i = 0; i < functions.size(); ++i) {
+    if (is_force[i]) rows.push_back({functions[i]});
+  }
+  std::map<std::tuple<UffPlace, int>, std::size_t> seen;
+  std::size_t responses = 0;
+  for (std::size_t i = 0; i < functions.size(); ++i) {
+    if (is_force[i]) continue;
+    const std::size_t row = rows.size() == 1 ? 0 : seen[{functions[i]->response, functions[i]->ordinate.quantity}]++;
+    if (row >= rows.size()) return {};
+    rows[row].push_back(functions[i]);
+    ++responses;
+  }
+  const bool even = responses > 0 && responses % rows.size() == 0;
+  const auto fits = [&](const UffRow& row) { return row.size() == rows.front().size(); };
+  return even && std::all_of(rows.begin(), rows.end(), fits) ? rows : std::vector<UffRow>{};
+}
+
+void require_one_sampling(const std::vector<UffRow>& rows, const std::string& file) {
+  const UffFunction& first = *rows.front().front();
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    for (const UffFunction* function : rows[r]) {
+      const bool length = function->count == rows[r].front()->count;
+      const bool step = first.even && function->even ? std::abs(function->dx / first.dx - 1) <= kSameStep
+                                                     : function->even == first.even;
+      if (length && step) continue;
+      throw InputError(fmt::format("functions of row {} differ in {}", r, length ? "their sampling rate" : "length"),
+                       file, "export records that were sampled together");
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<UffRow> uff_rows(const std::vector<const UffFunction*>& functions, const std::vector<bool>& is_force,
+                             const std::string& file) {
+  std::vector<UffRow> rows;
+  if (std::find(is_force.begin(), is_force.end(), true) == is_force.end()) rows.push_back(functions);
+  if (rows.empty()) rows = rows_in_order(functions, is_force, true);
+  if (rows.empty()) rows = rows_in_order(functions, is_force, false);
+  if (rows.empty()) rows = rows_by_place(functions, is_force);
+  if (rows.empty()) {
+    const auto forces = std::count(is_force.begin(), is_force.end(), true);
+    throw InputError(fmt::format("{} forces and {} responses do not make rows of one force and its responses", forces,
+                                 static_cast<std::ptrdiff_t>(functions.size()) - forces),
+                     file, "export each hit's force followed by its responses");
+  }
+  require_one_sampling(rows, file);
+  return rows;
+}
+
+}  // namespace percuss

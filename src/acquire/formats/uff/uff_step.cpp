@@ -1,0 +1,67 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "acquire/formats/uff/uff_contents.hpp"
+#include "core/io/parse_number.hpp"
+#include "core/io/time_stamps.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr double kUnchanged = 1e-9;  // relative
+
+std::size_t significant_digits(double value) {
+  std::string text = fmt::format("{:.14e}", std::abs(value));
+  text.resize(text.find('e'));
+  while (text.back() == '0') text.pop_back();
+  return text.size();
+}
+
+std::optional<double> number_after(std::string_view line, std::string_view key) {
+  const auto at = line.find(key);
+  if (at == std::string_view::npos) return std::nullopt;
+  const std::string_view rest = line.substr(at + key.size());
+  const ParsedNumber number = parse_number(rest.substr(0, rest.find(';')), false);
+  return number.problem == NumberProblem::none ? std::optional(number.value) : std::nullopt;
+}
+
+}  // namespace
+
+UffStatement uff_statement(const UffFunction& function) {
+  UffStatement out;
+  out.ours = function.id[4].starts_with("percuss");
+  if (!out.ours) return out;
+  const std::string &first = function.id[4], &second = function.id[3];
+  out.node_offset = first.find("node = point + 1") != std::string::npos ? 1 : 0;
+  out.continuous = first.find("; continuous") != std::string::npos;
+  out.dx = number_after(first, "dx =");
+  out.averages = static_cast<std::size_t>(std::min(std::max(number_after(second, "averages =").value_or(0), 0.0), 1e9));
+  out.angle_deg = number_after(second, "angle_deg =");
+  out.position_m = number_after(second, "position_m =");
+  out.decay_per_s = number_after(second, "decay_per_s =");
+  return out;
+}
+
+double uff_step(const UffFunction& function, bool frequency, std::string& note) {
+  const double dx = function.dx;
+  if (!(dx > 0) || !std::isfinite(dx)) return dx;
+  const double half_unit = 0.5 * std::pow(10.0, -decimals_of(function.dx_text, false));
+  const double low = dx - half_unit, high = dx + half_unit;
+  if (!(low > 0) || !(half_unit / dx < 1e-3)) return dx;  // too few digits to say anything
+  const auto stated = uff_statement(function).dx;
+  if (stated && *stated >= low * (1 - kUnchanged) && *stated <= high * (1 + kUnchanged)) return *stated;
+  const double inverse = roundest_between(1 / high, 1 / low), itself = roundest_between(low, high);
+  const bool take_itself = frequency && significant_digits(itself) <= significant_digits(inverse);
+  const double step = take_itself ? itself : 1 / inverse;
+  if (std::abs(step / dx - 1) > kUnchanged) {
+    note = frequency
+               ? fmt::format("spacing {:.10g} Hz: the roundest (or of the roundest duration) that is written as {}",
+                             step, trimmed(function.dx_text))
+               : fmt::format("sampling rate {:.10g} Hz: the roundest whose step is written as {} s", inverse,
+                             trimmed(function.dx_text));
+  }
+  return step;
+}
+
+}  // namespace percuss

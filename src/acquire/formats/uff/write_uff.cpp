@@ -1,0 +1,114 @@
+#include "acquire/formats/uff/write_uff.hpp"
+
+#include "acquire/formats/uff/uff_trace_lines.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "core/error.hpp"
+#include "core/units.hpp"
+
+namespace percuss {
+namespace {
+
+bool has_place(const std::vector<double>& at) {
+  return at.size() == 3 && std::all_of(at.begin(), at.end(), [](double x) { return std::isfinite(x); });
+}
+
+bool has_coordinates(const Record& record) { return !record.geometry.empty() && record.geometry.front().size() == 3; }
+
+UffFunction described(const Record& record, const RowInfo& row, int offset) {
+  UffFunction out{.type = Uff58::time_response, .load_case = row.run, .count = row.samples};
+  out.id[4] = uff_statement_text(offset, 1 / record.fs_Hz) + (record.continuous ? "; continuous" : "");
+  out.reference.node = row.point + offset;
+  out.dx = 1 / record.fs_Hz;
+  out.abscissa = {Uff58::time, "Time", "s"};
+  return out;
+}
+
+void write_row_functions(UffOutput& out, const Record& record, std::size_t row, int offset) {
+  const RowInfo& info = record.rows[row];
+  UffFunction function = described(record, info, offset);
+  function.id[0] = fmt::format("hit {}", row);
+  function.response = {"force", info.point + offset, 0};
+  function.ordinate = {Uff58::excitation_force, "Force", "N"};
+  out.function_of(function, info.samples,
+                  [&](std::size_t first, std::span<double> part) { record.read_force_N(row, first, part); });
+  for (std::size_t c = 0; c < record.accel.size(); ++c) {
+    function.response = {fmt::format("accel {}", c + 1), 0, uff_direction(record.accel[c])};
+    function.ordinate = {Uff58::acceleration, "Acceleration", "m/s^2"};
+    function.id[3] = uff_sensor_text(record.accel[c]);
+    out.function_of(function, info.samples,
+                    [&](std::size_t first, std::span<double> part) { record.read_accel_mps2(row, c, first, part); });
+  }
+}
+
+}  // namespace
+
+int uff_node_offset(int lowest_point) { return lowest_point < 1 ? 1 : 0; }
+
+int uff_direction(const SignalInfo& sensor) {
+  if (!sensor.angle_rad) return 1;
+  const double quarter = *sensor.angle_rad / (90 * kDegree_rad);
+  if (std::abs(quarter - std::round(quarter)) > 1e-6 || std::abs(quarter) > 8) return 1;
+  constexpr std::array directions{2, 3, -2, -3};
+  return directions.at((static_cast<std::size_t>(std::lround(quarter) + 8)) % 4);
+}
+
+std::string uff_statement_text(int node_offset, double dx) {
+  return fmt::format("percuss{}; dx = {}", node_offset == 1 ? "; node = point + 1" : "", dx);
+}
+
+std::string uff_sensor_text(const SignalInfo& sensor) {
+  std::string out;
+  if (sensor.angle_rad) out += fmt::format("angle_deg = {:.10g}; ", *sensor.angle_rad * kRadian_deg);
+  if (sensor.position_m) out += fmt::format("position_m = {:.10g}; ", *sensor.position_m);
+  return out;
+}
+
+std::vector<TraceLine> uff_kept_lines(const std::vector<std::vector<double>>& geometry,
+                                      const std::vector<TraceLine>& lines) {
+  const auto is_node = [&](int point) {
+    const auto row = static_cast<std::size_t>(point);
+    return point >= 0 && row < geometry.size() && has_place(geometry[row]);
+  };
+  std::vector<TraceLine> out;
+  for (const TraceLine& line : lines) {
+    if (is_node(line[0]) && is_node(line[1])) out.push_back(line);
+  }
+  return out;
+}
+
+std::string uff_node_lines(const std::vector<std::vector<double>>& geometry, int node_offset) {
+  std::string out;
+  for (std::size_t i = 0; i < geometry.size(); ++i) {
+    const auto& at = geometry[i];
+    if (!has_place(at)) continue;
+    out += fmt::format("{:10}{:10}{:10}{:10}\n{}{}{}\n", i + static_cast<std::size_t>(node_offset), 0, 0, 11,
+                       uff_d25(at[0]), uff_d25(at[1]), uff_d25(at[2]));
+  }
+  return out;
+}
+
+void write_uff(const std::string& path, const Record& record, bool force, UffData data) {
+  if (record.rows.empty() || record.accel.empty())
+    throw InputError("nothing to write", path, "keep a hit and a channel");
+  const std::set<int> points = record.points();
+  const int offset = uff_node_offset(*points.begin());
+  UffOutput out(path, force, data);
+  out.header();
+  if (has_coordinates(record)) {
+    const std::string lines = uff_node_lines(record.geometry, offset);
+    if (!lines.empty()) out.set(2411, lines);
+  }
+  for (const std::string& line : uff_trace_line_sets(uff_kept_lines(record.geometry, record.trace_lines), offset))
+    out.set(82, line);
+  for (std::size_t row = 0; row < record.rows.size(); ++row) write_row_functions(out, record, row, offset);
+  out.commit();
+}
+
+}  // namespace percuss

@@ -1,0 +1,238 @@
+#include "acquire/geometry/geometry.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "core/error.hpp"
+#include "core/io/csv_dialect.hpp"
+#include "core/io/csv_header.hpp"
+#include "core/io/input_file.hpp"
+#include "core/io/parse_number.hpp"
+#include "core/units.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr std::uint64_t kLargestGeometry_bytes = std::uint64_t{16} << 20U;
+constexpr std::size_t kMostGeometryPoints = 100'000;
+constexpr double kFarthest = 1e4;  // m or rad: no structure is larger
+constexpr const char* kGeometryRemedy = "see percuss survey --example";
+
+enum Field : std::size_t { kPoint, kX, kY, kZ, kPosition, kAngle, kRadius, kFields };
+
+struct Column {
+  std::optional<std::size_t> index;
+  double to_SI = 1;
+  bool unit = false;  // stated
+};
+using Columns = std::array<Column, kFields>;
+
+constexpr std::array<std::array<std::string_view, 3>, kFields> kNames = {{{"point", "node", "no"},
+                                                                          {"x"},
+                                                                          {"y"},
+                                                                          {"z"},
+                                                                          {"position", "pos", "axial"},
+                                                                          {"angle", "theta", "phi"},
+                                                                          {"radius", "r"}}};
+constexpr std::array<std::string_view, kFields> kTitles = {"point",      "x_m",       "y_m",     "z_m",
+                                                           "position_m", "angle_deg", "radius_m"};
+
+Quantity quantity_of(std::size_t field) { return field == kAngle ? Quantity::angle : Quantity::length; }
+
+// The file's lines that say something, with their numbers.
+struct Line {
+  std::size_t number = 0;  // from 1
+  std::string_view text;
+};
+
+std::vector<Line> lines_of(std::string_view text, char line_end) {
+  std::vector<Line> lines;
+  for (std::size_t number = 1; !text.empty(); ++number) {
+    const std::string_view line = take_line(text, line_end);
+    const CsvDialect any;
+    if (!is_skipped(line, any)) lines.push_back({number, line});
+  }
+  return lines;
+}
+
+std::string place(const std::string& where, std::size_t line) { return fmt::format("{}: line {}", where, line); }
+
+std::string shown(std::string_view cell) { return one_line(to_utf8(trimmed(cell)), 40); }
+
+void set_unit(Column& column, std::size_t field, std::string_view unit, const std::string& where) {
+  column.to_SI = require_unit(unit, quantity_of(field), where).to_SI;
+  column.unit = true;
+}
+
+Columns columns_of(const std::vector<std::string_view>& names, const std::string& where) {
+  Columns columns;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const NameAndUnit name = split_name(to_utf8(names[i]));
+    for (std::size_t field = 0; field < kFields; ++field) {
+      const auto& known = kNames[field];
+      const std::string base = lower_case(name.base);
+      if (base.empty() || std::find(known.begin(), known.end(), base) == known.end()) continue;
+      if (columns[field].index)
+        throw InputError(fmt::format("two columns are called {}", kNames[field].front()), where, "keep one");
+      columns[field].index = i;
+      if (field != kPoint && !name.unit.empty()) set_unit(columns[field], field, name.unit, where);
+    }
+  }
+  const auto has = [&](Field field) { return columns[field].index.has_value(); };
+  if (!has(kPoint)) throw InputError("no column of points", where, kGeometryRemedy);
+  if (has(kX) != has(kY) || has(kX) != has(kZ) || has(kPosition) != has(kAngle) || has(kX) == has(kPosition)) {
+    throw InputError("neither x, y and z nor position and angle", where,
+                     "name the columns point,x_m,y_m,z_m or point,position_m,angle_deg");
+  }
+  return columns;
+}
+
+// A line of units below the names: nothing in it is a number.
+bool take_units(Columns& columns, const std::vector<std::string_view>& cells, const CsvDialect& dialect,
+                const std::string& where) {
+  for (const std::string_view cell : cells) {
+    if (parse_number(cell, dialect.decimal_comma).problem != NumberProblem::not_a_number && !trimmed(cell).empty())
+      return false;
+  }
+  for (std::size_t field = kX; field < kFields; ++field) {
+    Column& column = columns[field];
+    if (column.index && *column.index < cells.size() && !trimmed(cells[*column.index]).empty())
+      set_unit(column, field, to_utf8(trimmed(cells[*column.index])), where);
+  }
+  return true;
+}
+
+void require_units(const Columns& columns, const std::string& where) {
+  for (std::size_t field = kX; field < kFields; ++field) {
+    if (!columns[field].index || columns[field].unit) continue;
+    throw InputError(fmt::format("no unit for {}", kNames[field].front()), where,
+                     fmt::format("call the column {}, for instance", kTitles[field]));
+  }
+}
+
+class Row {
+ public:
+  Row(std::vector<std::string_view> cells, bool decimal_comma, std::string where)
+      : cells_(std::move(cells)), decimal_comma_(decimal_comma), where_(std::move(where)) {}
+
+  double number(const Columns& columns, std::size_t field) const {
+    const std::size_t index = *columns[field].index;
+    const auto title = kNames[field].front();
+    if (index >= cells_.size()) throw InputError(fmt::format("no cell for {}", title), where_, "fill every column");
+    const ParsedNumber parsed = parse_number(cells_[index], decimal_comma_);
+    if (parsed.problem != NumberProblem::none) {
+      throw InputError(fmt::format("{} \"{}\" is {}", title, shown(cells_[index]), describe(parsed.problem)), where_,
+                       "write a number");
+    }
+    const double value = parsed.value * columns[field].to_SI;
+    if (std::abs(value) <= kFarthest || field == kPoint) return value;
+    throw InputError(fmt::format("{} {:g} is too large", title, parsed.value), where_, "check its unit");
+  }
+
+  int point(const Columns& columns) const {
+    const double value = number(columns, kPoint);
+    if (value >= 0 && value <= 1e9 && std::rint(value) == value) return static_cast<int>(value);
+    throw InputError(fmt::format("{:g} is no point's number", value), where_,
+                     "number points as the records do, from 0");
+  }
+
+ private:
+  std::vector<std::string_view> cells_;
+  bool decimal_comma_;
+  std::string where_;
+};
+
+GeometryPoint point_of(const Row& row, const Columns& columns) {
+  GeometryPoint out{.point = row.point(columns)};
+  if (columns[kX].index) {
+    out.xyz_m = {row.number(columns, kX), row.number(columns, kY), row.number(columns, kZ)};
+  } else {
+    out.position_m = row.number(columns, kPosition);
+    out.angle_rad = row.number(columns, kAngle);
+  }
+  if (columns[kRadius].index) out.radius_m = row.number(columns, kRadius);
+  return out;
+}
+
+CsvDialect dialect_of(const std::vector<Line>& lines, char line_end) {
+  std::vector<std::string_view> probes;
+  for (const Line& line : lines) {
+    if (probes.size() < 64) probes.push_back(line.text);
+  }
+  std::rotate(probes.begin(), probes.begin() + 1, probes.end());  // numbers first, names last
+  return find_dialect(probes, line_end);
+}
+
+}  // namespace
+
+Geometry parse_geometry(std::string_view text, const std::string& where) {
+  if (text.size() > kLargestGeometry_bytes) throw InputError("longer than 16 MiB", where, "keep one line per point");
+  if (text.substr(0, 3) == "\xEF\xBB\xBF") text.remove_prefix(3);
+  if (text.find('\0') != std::string_view::npos) throw InputError("this is no text", where, kGeometryRemedy);
+  const char line_end = find_line_end(text);
+  const std::vector<Line> lines = lines_of(text, line_end);
+  if (lines.size() < 2) throw InputError("no points", where, kGeometryRemedy);
+  const CsvDialect dialect = dialect_of(lines, line_end);
+  Columns columns = columns_of(split_cells(lines.front().text, dialect), place(where, lines.front().number));
+  Geometry geometry;
+  std::set<int> seen;
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    const std::string at = place(where, lines[i].number);
+    auto cells = split_cells(lines[i].text, dialect);
+    if (i == 1 && take_units(columns, cells, dialect, at)) continue;
+    if (geometry.points.empty()) require_units(columns, place(where, lines.front().number));
+    geometry.points.push_back(point_of(Row(std::move(cells), dialect.decimal_comma, at), columns));
+    if (geometry.points.size() > kMostGeometryPoints)
+      throw InputError("more than 100000 points", at, "keep those that were hit");
+    if (!seen.insert(geometry.points.back().point).second)
+      throw InputError(fmt::format("point {} stands twice", geometry.points.back().point), at, "keep one");
+  }
+  if (geometry.points.empty()) throw InputError("no points", where, kGeometryRemedy);
+  geometry.tube = columns[kPosition].index.has_value();
+  if (!geometry.tube) tube_from_coordinates(geometry);
+  return geometry;
+}
+
+Geometry read_geometry(const std::string& path) {
+  return parse_geometry(read_input(path, kLargestGeometry_bytes).view(), input_name(path));
+}
+
+std::optional<Geometry> geometry_of_record(const std::vector<std::vector<double>>& rows) {
+  if (rows.empty()) return std::nullopt;
+  Geometry geometry;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    GeometryPoint point{.point = static_cast<int>(i)};
+    // Numbers that no point has, in formats that name their points.
+    if (std::any_of(rows[i].begin(), rows[i].end(), [](double x) { return std::isnan(x); })) continue;
+    if (rows[i].size() == 3) {
+      point.xyz_m = {rows[i][0], rows[i][1], rows[i][2]};
+    } else if (rows[i].size() == 2) {
+      point.position_m = rows[i][0];
+      point.angle_rad = rows[i][1] * kDegree_rad;
+    } else {
+      return std::nullopt;
+    }
+    geometry.points.push_back(point);
+  }
+  if (geometry.points.empty()) return std::nullopt;
+  geometry.tube = rows.front().size() == 2;
+  if (!geometry.tube) tube_from_coordinates(geometry);
+  return geometry;
+}
+
+std::string geometry_example() {
+  std::string text =
+      "# where each point lies: along the barrel from its end, and around it; point as in the records\n"
+      "point,position_m,angle_deg,radius_m\n";
+  int point = 0;
+  for (const double position_m : {0.038, 0.102, 0.165}) {
+    for (int angle = 0; angle < 360; angle += 45)
+      text += fmt::format("{},{:.3f},{},0.0333\n", point++, position_m, angle);
+  }
+  return text;
+}
+
+}  // namespace percuss

@@ -1,0 +1,212 @@
+#include "acquire/hits/response_grade.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+
+#include "acquire/hits/clipping.hpp"
+#include "acquire/hits/pulse_shape.hpp"
+#include "core/math/statistics.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr double kDecayed_dB = -52;         // six time constants: truncation changes an FRF by less than 0.5 %, [12]
+constexpr double kAboveNoise = 2;           // times the pre-trigger's rms: what is left is ringing
+constexpr std::size_t kLeastQuiet = 12;     // samples before the pulse's ringing that can tell noise
+constexpr std::size_t kQuietSamples = 256;  // a deviation good to 7 %: thresholds ask for no more
+constexpr double kOnsetNoise = 6;           // deviations
+constexpr double kOnsetFraction = 0.02;     // of the largest response
+constexpr std::size_t kLeastPush = 4;       // samples
+constexpr double kSetOut = 0.25;            // of the largest velocity during two pulses
+constexpr double kOtherWay = 0.05;      // … before that the other way: the modes cancel at first, and noise decides
+constexpr double kRingingBefore = 4;    // times the level at the stretch's end
+constexpr double kNegligible = 0.0025;  // of the response: the same −52 dB
+constexpr std::size_t kEnvelopeWindows = 64;
+constexpr double kSteady = 1.5;            // the level one quarter earlier over the last quarter's; backgrounds wander
+constexpr double kSunk = 2;                // times the final level
+constexpr double kStillFalling = 0.9;      // of the rms one window earlier
+constexpr double kCoarseStep = 1e-5;       // of the largest response: at 5e-5 (16 bits) they begin to make modes
+constexpr std::size_t kStepSamples = 512;  // some of them change by a single step
+constexpr std::size_t kUnblurredEnd = 64;  // samples without change, which noise of a third of a step would break
+// An exponential that falls by less than this over the record looks as steady as a background by its last quarters.
+constexpr double kFallen = kSteady * kSteady * kSteady * kSteady;
+
+double rms_about_mean(std::span<const double> x) {
+  if (x.empty()) return 0;
+  const Eigen::Map<const Eigen::ArrayXd> values(x.data(), static_cast<Eigen::Index>(x.size()));
+  return std::sqrt((values - values.mean()).square().mean());
+}
+
+// The pre-trigger up to where the anti-alias filter's ringing begins.
+std::size_t quiet_samples(const Hit& hit, std::size_t samples) {
+  return std::min(hit.gate_first > hit.first ? hit.gate_first - hit.first : 0, samples);
+}
+
+std::span<const double> quiet_part(const Hit& hit, std::span<const double> accel) {
+  return accel.first(quiet_samples(hit, accel.size()));
+}
+
+double level_at_end(std::span<const double> accel) {
+  const auto end = accel.last(std::max<std::size_t>(1, accel.size() / 20));
+  return median({end.begin(), end.end()});
+}
+
+void grade_end(ResponseGrade& grade, const Hit& hit, std::span<const double> accel) {
+  const std::size_t after = std::min(accel.size(), hit.gate_first - hit.first + hit.gated_N.size());
+  const std::size_t window = std::max<std::size_t>(8, (accel.size() - after) / 20);
+  if (after + 3 * window > accel.size()) return;
+  const double start = rms_about_mean(accel.subspan(after, window));
+  const double end = rms_about_mean(accel.last(window));
+  const double before_end = rms_about_mean(accel.subspan(accel.size() - 2 * window, window));
+  if (!(start > 0)) return;
+  grade.left_dB = 20 * std::log10(std::max(end, 1e-300) / start);
+  const auto quiet = quiet_part(hit, accel);
+  const bool above_noise = quiet.size() >= kLeastQuiet && !grade.rings_before
+                               ? end > kAboveNoise * rms_about_mean(quiet)
+                               : end < kStillFalling * before_end;
+  grade.truncated = grade.left_dB > kDecayed_dB && above_noise;
+}
+
+// The pre-trigger rings when it stands well above the stretch's end (noise does not decay) and is no mere rounding
+// beside the response.
+bool rings_before(const Hit& hit, std::span<const double> accel) {
+  const auto quiet = quiet_part(hit, accel);
+  const std::size_t window = std::max<std::size_t>(8, accel.size() / 20);
+  if (quiet.size() < kLeastQuiet || accel.size() < std::max(quiet.size() + window, 4 * window)) return false;
+  const double before = rms_about_mean(quiet);
+  const double start = rms_about_mean(accel.subspan(quiet.size(), window));
+  return before > kRingingBefore * rms_about_mean(accel.last(window)) && before > kNegligible * start;
+}
+
+// Which way a response sets out: the sign of its velocity once that has become large beside what the push makes of it.
+// A sample of acceleration may be the anti-alias filter's ringing, which goes both ways and leaves no velocity.
+int first_direction(std::span<const double> accel, double rest, double noise) {
+  std::vector<double> velocity(accel.size());
+  double sum = 0, largest = 0;
+  for (std::size_t n = 0; n < accel.size(); ++n) {
+    velocity[n] = sum += accel[n] - rest;
+    largest = std::max(largest, std::abs(sum));
+  }
+  if (largest < kOnsetNoise * noise * std::sqrt(static_cast<double>(accel.size()))) return 0;
+  if (!(largest > 0)) return 0;
+  const auto first =
+      std::find_if(velocity.begin(), velocity.end(), [&](double v) { return std::abs(v) >= kSetOut * largest; });
+  const int sign = *first > 0 ? 1 : -1;
+  const bool other_way =
+      std::any_of(velocity.begin(), first, [&](double v) { return -sign * v > kOtherWay * largest; });
+  return other_way ? 0 : sign;
+}
+
+void grade_onset(ResponseGrade& grade, const Hit& hit, std::span<const double> accel, const Extremes& extremes,
+                 const Spread& before, double fs_Hz) {
+  const auto [rest, noise] = before;
+  const double largest = extremes.furthest_from(rest);
+  const double level = std::max(kOnsetNoise * noise, kOnsetFraction * largest);
+  if (!(level > 0)) return;
+  const double onset = hit.onset_s * fs_Hz - static_cast<double>(hit.first);
+  auto i = static_cast<std::size_t>(std::max(0.0, std::floor(onset) - 2));
+  while (i < accel.size() && std::abs(accel[i] - rest) < level) ++i;
+  const auto push = static_cast<std::size_t>(std::ceil(2 * hit.pulse_s * fs_Hz));
+  const std::size_t end = std::min(accel.size(), i + std::max(kLeastPush, push));
+  grade.polarity = first_direction(accel.subspan(i, end - i), rest, noise);
+  if (grade.polarity == 0) return;
+  while (i < end && grade.polarity * (accel[i] - rest) < level) ++i;  // past ringing to the other side
+  grade.delay_s = std::max(0.0, (static_cast<double>(i) - onset) / fs_Hz);
+}
+
+// The recorder's step over the largest response, where no noise blurs it: the decay ends in a constant.
+double coarse_step(std::span<const double> accel, double largest) {
+  std::size_t changes = accel.size();
+  while (changes > 1 && accel[changes - 1] == accel[changes - 2]) --changes;
+  if (accel.size() - changes < kUnblurredEnd) return 0;
+  const std::size_t first = changes > kStepSamples ? changes - kStepSamples : 0;
+  const double step = resolution_of(accel.subspan(first, changes - first));
+  return step > kCoarseStep * largest ? step / largest : 0;
+}
+
+std::size_t decayed_within(const Hit& hit, std::size_t samples, const LookAtSamples& accel_mps2) {
+  const std::size_t after = std::min(samples, hit.gate_first - hit.first + hit.gated_N.size());
+  const std::size_t window = (samples - after) / kEnvelopeWindows;
+  if (window < 8) return samples;
+  std::vector<double> level;
+  for (std::size_t w = 0; w < kEnvelopeWindows; ++w)
+    level.push_back(rms_about_mean(accel_mps2(after + w * window, window)));
+  const std::size_t quarter = kEnvelopeWindows / 4;
+  const double final_level = median({level.end() - static_cast<std::ptrdiff_t>(quarter), level.end()});
+  const double earlier = median(
+      {level.end() - static_cast<std::ptrdiff_t>(2 * quarter), level.end() - static_cast<std::ptrdiff_t>(quarter)});
+  if (!(final_level > 0) || earlier > kSteady * final_level) return samples;
+  const std::size_t quiet = quiet_samples(hit, samples);
+  const bool seen_before = quiet >= kLeastQuiet && kSunk * rms_about_mean(accel_mps2(0, quiet)) > final_level;
+  if (!seen_before && *std::max_element(level.begin(), level.end()) < kFallen * final_level) return samples;
+  std::size_t sunk = kEnvelopeWindows;
+  while (sunk > 0 && level[sunk - 1] < kSunk * final_level) --sunk;
+  return std::min(samples, after + 2 * std::max<std::size_t>(sunk, 1) * window);
+}
+
+// Towards the end, where single steps are left of the changes, or of all of them where nothing changes there.
+double finest_change(std::span<const double> accel) {
+  const double at_end = resolution_of(accel.last(std::min(kStepSamples, accel.size())));
+  return at_end > 0 ? at_end : resolution_of(accel);
+}
+
+}  // namespace
+
+ResponseGrade grade_response(const Hit& hit, std::span<const double> accel_mps2, double fs_Hz) {
+  ResponseGrade grade;
+  if (hit.gated_N.empty() || accel_mps2.size() <= hit.peak - hit.first) return grade;
+  const std::vector<Extremes> blocks = block_extremes(accel_mps2, kRailBlock);
+  const Extremes extremes = extremes_of(blocks);
+  grade.extremes = extremes;
+  grade.resolution = finest_change(accel_mps2);
+  grade.dead = extremes.low == extremes.high;
+  if (grade.dead) return grade;
+  const auto quiet = quiet_part(hit, accel_mps2);
+  const Spread before = spread_of(thinned(quiet, kQuietSamples));
+  const double resting = quiet.empty() ? level_at_end(accel_mps2) : before.median;
+  grade.rail_samples = samples_at_rail(accel_mps2, blocks, accel_mps2, resting);
+  grade.rings_before = rings_before(hit, accel_mps2);
+  grade_end(grade, hit, accel_mps2);
+  grade_onset(grade, hit, accel_mps2, extremes, before, fs_Hz);
+  grade.coarse_step = coarse_step(accel_mps2, extremes.furthest_from(resting));
+  return grade;
+}
+
+std::size_t decayed_length(const Hit& hit, std::size_t samples, const LookAtSamples& accel_mps2) {
+  for (;;) {
+    const std::size_t shorter = decayed_within(hit, samples, accel_mps2);
+    if (2 * shorter > samples) return std::min(shorter, samples);
+    samples = shorter;  // windows of a length that suits what is left
+  }
+}
+
+void add_response_findings(Hit& hit, const std::vector<ResponseGrade>& channels) {
+  const ResponseGrade* worst = nullptr;
+  std::size_t rail = 0;
+  for (const ResponseGrade& grade : channels) {
+    rail = std::max(rail, grade.rail_samples);
+    if (grade.truncated && (worst == nullptr || grade.left_dB > worst->left_dB)) worst = &grade;
+  }
+  if (rail > 0) {
+    hit.findings.push_back(
+        {.code = FindingCode::overload,
+         .severity = Severity::reject,
+         .value = static_cast<double>(rail),
+         .message = fmt::format("acceleration clipped: {} sample{} at the rail; raise the input range", rail,
+                                rail == 1 ? "" : "s")});
+  }
+  if (worst != nullptr) {
+    hit.findings.push_back(
+        {.code = FindingCode::truncated_decay,
+         .severity = Severity::warn,
+         .value = worst->left_dB,
+         .message = fmt::format("still ringing at the end, {:.0f} dB below the start: record longer, or rely on the "
+                                "fitted damping, which allows for it",
+                                -worst->left_dB)});
+  }
+}
+
+}  // namespace percuss

@@ -1,0 +1,49 @@
+#include "acquire/hits/time_selection.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/error.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr std::size_t kPretriggerSamples = 128;
+constexpr double kPretrigger_s = 0.005;
+constexpr double kMostSamples = 1e15;  // of any record
+
+std::size_t samples_in(double seconds, double fs_Hz) {
+  return static_cast<std::size_t>(std::clamp(seconds * fs_Hz, 0.0, kMostSamples));
+}
+
+}  // namespace
+
+Part asked_part(const Record& record, std::size_t row, const HitOptions& options) {
+  const std::size_t samples = record.rows[row].samples;
+  const auto index = [&](double t) {
+    return static_cast<std::size_t>(std::clamp(t * record.fs_Hz, 0.0, static_cast<double>(samples)));
+  };
+  const Part part{index(options.from_s), options.to_s ? index(*options.to_s) : samples};
+  if (part.first < part.last) return part;
+  throw InputError(fmt::format("nothing lies between --from {} and --to {}: the row is {:.6g} s long", options.from_s,
+                               options.to_s ? fmt::format("{}", *options.to_s) : "the end",
+                               static_cast<double>(samples) / record.fs_Hz),
+                   record.files.empty() ? "record" : record.files[record.rows[row].file].path,
+                   "give a later --to or an earlier --from");
+}
+
+std::size_t pretrigger_samples(const Record& record, const HitOptions& options) {
+  if (options.pretrigger_s) return samples_in(*options.pretrigger_s, record.fs_Hz);
+  return std::max(kPretriggerSamples, static_cast<std::size_t>(kPretrigger_s * record.fs_Hz));
+}
+
+std::optional<std::size_t> asked_length(const Record& record, const HitOptions& options) {
+  if (!options.length_s) return std::nullopt;
+  const std::size_t samples = samples_in(*options.length_s, record.fs_Hz);
+  if (samples > 1) return samples;
+  throw InputError(fmt::format("--length {} holds no two samples", *options.length_s),
+                   fmt::format("{:.6g} Hz", record.fs_Hz), "give more seconds");
+}
+
+}  // namespace percuss

@@ -1,0 +1,96 @@
+#include "acquire/hits/trigger_scan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/math/statistics.hpp"
+#include "core/parallel/parallel.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr std::size_t kChunk = std::size_t{1} << 18;  // samples: what a thread takes at a time
+constexpr std::size_t kPart = std::size_t{1} << 15;   // … and reads at a time: 256 KiB stay in its cache
+constexpr std::size_t kBlock = 64;                    // resolution of the envelope kept of the whole row
+constexpr std::size_t kNoiseSamples = 1024;           // per chunk: enough for a deviation good to 4 %
+constexpr double kTriggerNoise = 12;                  // deviations: one false alarm in 10^30 samples of Gaussian noise
+constexpr double kTriggerFraction = 0.01;             // of the largest: below it a hit is useless beside the others
+
+struct Envelope {
+  std::vector<Extremes> blocks;
+  std::vector<double> chunk_median, chunk_noise;
+};
+
+Envelope envelope_of(const Record& record, std::size_t row, std::size_t first, std::size_t last) {
+  // Chunks of one size, whole blocks each: the median over chunks would give a remainder of a few samples a full vote.
+  const std::size_t chunks = (last - first + kChunk - 1) / kChunk;
+  const std::size_t size = ((last - first) / chunks / kBlock + 1) * kBlock;
+  const std::size_t used = (last - first + size - 1) / size;
+  std::vector<std::vector<Extremes>> blocks(used);
+  Envelope envelope{.blocks = {}, .chunk_median = std::vector<double>(used), .chunk_noise = std::vector<double>(used)};
+  share_out(used, size, [&](std::size_t c) {
+    thread_local std::vector<double> buffer;  // one per thread, not one per chunk
+    std::vector<double> some;
+    const std::size_t begin = first + c * size, end = std::min(begin + size, last);
+    for (std::size_t at = begin; at < end; at += kPart) {
+      const auto part = record.read_force_N.look(row, at, std::min(kPart, end - at), buffer);
+      const std::vector<Extremes> its_blocks = block_extremes(part, kBlock);
+      blocks[c].insert(blocks[c].end(), its_blocks.begin(), its_blocks.end());
+      const std::size_t its_share = std::max<std::size_t>(1, kNoiseSamples * part.size() / (end - begin));
+      for (const double value : thinned(part, its_share)) some.push_back(value);
+    }
+    const Spread subset = spread_of(std::move(some));
+    envelope.chunk_median[c] = subset.median;
+    envelope.chunk_noise[c] = subset.robust_std;
+  });
+  for (const auto& part : blocks) envelope.blocks.insert(envelope.blocks.end(), part.begin(), part.end());
+  return envelope;
+}
+
+// The envelope knows the block; the sample within it is read again.
+std::size_t largest_sample(const Record& record, std::size_t row, std::size_t begin, std::size_t end, double baseline) {
+  std::vector<double> buffer;
+  const auto x = record.read_force_N.look(row, begin, end - begin, buffer);
+  const auto further = [&](double a, double b) { return std::abs(a - baseline) < std::abs(b - baseline); };
+  return begin + static_cast<std::size_t>(std::max_element(x.begin(), x.end(), further) - x.begin());
+}
+
+}  // namespace
+
+ForceSurvey survey_force(const Record& record, std::size_t row, const TriggerOptions& options) {
+  ForceSurvey survey;
+  const std::size_t last = std::min(options.last, record.rows.at(row).samples);
+  if (options.first >= last) return survey;
+  const Envelope envelope = envelope_of(record, row, options.first, last);
+  survey.baseline_N = median(envelope.chunk_median);
+  survey.noise_N = median(envelope.chunk_noise);
+  std::vector<double> reach(envelope.blocks.size());
+  for (std::size_t b = 0; b < reach.size(); ++b) reach[b] = envelope.blocks[b].furthest_from(survey.baseline_N);
+  const auto largest = std::max_element(reach.begin(), reach.end());
+  survey.largest_N = *largest;
+  const std::size_t begin = options.first + static_cast<std::size_t>(largest - reach.begin()) * kBlock;
+  survey.largest_first = begin;
+  survey.largest_end = std::min(begin + kBlock, last);
+  survey.trigger_N =
+      options.trigger_N.value_or(std::max(kTriggerNoise * survey.noise_N, kTriggerFraction * survey.largest_N));
+  if (!(survey.largest_N > 0)) return survey;
+
+  const auto separation = static_cast<std::size_t>(options.separation_s * record.fs_Hz) / kBlock + 1;
+  for (std::size_t b = 0; b < reach.size(); ++b) {
+    if (reach[b] < survey.trigger_N) continue;
+    const std::size_t end = std::min(b + separation, reach.size());
+    std::size_t best = b;
+    for (std::size_t i = b; i < end; ++i) {
+      if (reach[i] > reach[best]) best = i;
+    }
+    const std::size_t begin_sample = options.first + best * kBlock;
+    survey.events.push_back(
+        largest_sample(record, row, begin_sample, std::min(begin_sample + kBlock, last), survey.baseline_N));
+    // Go on after the event's own separation, counted from its largest block, so that its decay is not a second event.
+    b = std::max(best + separation, end) - 1;
+  }
+  return survey;
+}
+
+}  // namespace percuss

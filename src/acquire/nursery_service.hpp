@@ -1,9 +1,0 @@
-#pragma once
-#include "acquire/reader_nursery.hpp"
-
-namespace percuss {
-
-/// The nursery's side of a ReaderNursery: forks readers and buries them, until nobody holds the socket's other end.
-void serve_nursery(int own, const ReaderNursery::Open& open);
-
-}  // namespace percuss

@@ -1,0 +1,107 @@
+#include "acquire/record/contiguous_samples.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <bit>
+#include <cerrno>
+#include <cmath>
+#include <memory>
+
+#include "acquire/record/sample_limits.hpp"
+#include "core/error.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr std::size_t kPiece = std::size_t{1}
+                               << 14U;  // numbers at a time: 128 KiB are scaled while they are in the cache
+
+class OpenFile {
+ public:
+  explicit OpenFile(std::string path)
+      : path_(std::move(path)), descriptor_(::open(path_.c_str(), O_RDONLY | O_CLOEXEC)) {}
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+  ~OpenFile() {
+    if (good()) ::close(descriptor_);
+  }
+  bool good() const { return descriptor_ >= 0; }
+  // The samples were seen to lie within the file: when they no longer do, a library may take what is missing for zeros.
+  void read(void* to, std::size_t bytes, std::uint64_t offset) const {
+    auto* at = static_cast<char*>(to);
+    while (bytes > 0) {
+      const auto got = ::pread(descriptor_, at, bytes, static_cast<off_t>(offset));
+      if (got < 0 && errno == EINTR) continue;
+      if (got <= 0) throw InputError("it has changed while it was read", path_, "copy it anew, and read it again");
+      at += got;
+      offset += static_cast<std::uint64_t>(got);
+      bytes -= static_cast<std::size_t>(got);
+    }
+  }
+
+ private:
+  std::string path_;
+  int descriptor_;
+};
+
+// False when a number is none that a measurement could give.
+bool scale(std::span<double> values, double factor) {
+  Eigen::Map<Eigen::ArrayXd> all(values.data(), static_cast<Eigen::Index>(values.size()));
+  if (factor != 1) all *= factor;
+  if (all.abs().sum() <= kLargestSample) return true;  // no number can be larger than all together
+  return std::all_of(values.begin(), values.end(), [](double value) { return std::abs(value) <= kLargestSample; });
+}
+
+template <class Stored>
+void read_piece(const OpenFile& file, std::uint64_t offset, std::span<double> out) {
+  if constexpr (std::is_same_v<Stored, double>) {
+    file.read(out.data(), out.size_bytes(), offset);
+  } else {
+    thread_local std::vector<Stored> stored;
+    stored.resize(out.size());
+    file.read(stored.data(), stored.size() * sizeof(Stored), offset);
+    std::copy(stored.begin(), stored.end(), out.begin());
+  }
+}
+
+// False when a number is none that a measurement could give.
+bool read_samples(const OpenFile& file, const PlainSignal& signal, std::size_t row, std::size_t first,
+                  std::span<double> out) {
+  const std::uint64_t start = signal.offset_bytes + row * signal.row_step_bytes + first * signal.number_bytes;
+  for (std::size_t done = 0; done < out.size(); done += kPiece) {
+    const auto piece = out.subspan(done, std::min(kPiece, out.size() - done));
+    const std::uint64_t offset = start + done * signal.number_bytes;
+    if (signal.number_bytes == sizeof(float)) {
+      read_piece<float>(file, offset, piece);
+    } else {
+      read_piece<double>(file, offset, piece);
+    }
+    if (!scale(piece, signal.to_SI)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Record read_plainly(Record record) {
+  const bool known = record.plain.size() == record.accel.size() + 1 && record.files.size() == 1;
+  if (!known || std::endian::native != std::endian::little) return record;
+  const auto file = std::make_shared<const OpenFile>(record.files.front().path);
+  if (!file->good()) return record;
+  if (record.has_force) {
+    record.read_force_N = [file, signal = record.plain.front(), other = record.read_force_N](
+                              std::size_t row, std::size_t first, std::span<double> out) {
+      if (!read_samples(*file, signal, row, first, out)) other(row, first, out);
+    };
+  }
+  record.read_accel_mps2 = [file, signals = record.plain, other = record.read_accel_mps2](
+                               std::size_t row, std::size_t channel, std::size_t first, std::span<double> out) {
+    if (!read_samples(*file, signals[channel + 1], row, first, out)) other(row, channel, first, out);
+  };
+  return record;
+}
+
+}  // namespace percuss

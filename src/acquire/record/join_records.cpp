@@ -1,0 +1,103 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "acquire/record/record.hpp"
+#include "core/error.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr double kSameRate = 1e-6;  // relative
+
+void require_alike(const Record& first, const Record& other) {
+  if (!(std::abs(other.fs_Hz / first.fs_Hz - 1) <= kSameRate)) {
+    throw InputError(
+        fmt::format("sampling rate {:.10g} Hz where {} has {:.10g} Hz", other.fs_Hz, first.source(), first.fs_Hz),
+        other.source(), "analyse it by itself, or give --files tests");
+  }
+  if (other.has_force != first.has_force) {
+    throw InputError(fmt::format("{} force where {} has {}", other.has_force ? "a" : "no", first.source(),
+                                 first.has_force ? "one" : "none"),
+                     other.source(), "give files of one kind");
+  }
+  if (other.accel.size() != first.accel.size()) {
+    throw InputError(
+        fmt::format("{} acceleration channels where {} has {}", other.accel.size(), first.source(), first.accel.size()),
+        other.source(), "choose the same ones with --accel-channel");
+  }
+}
+
+void note_other_names(const Record& first, const Record& other, std::vector<std::string>& notes) {
+  const auto compare = [&](const SignalInfo& a, const SignalInfo& b) {
+    if (a.name == b.name) return;
+    notes.push_back(fmt::format("{} of {} is taken as the same channel as {} of {}", b.name, other.source(), a.name,
+                                first.source()));
+  };
+  compare(first.force, other.force);
+  for (std::size_t c = 0; c < first.accel.size(); ++c) compare(first.accel[c], other.accel[c]);
+}
+
+// A file without points of its own is one point; the next one starts behind those of the files before it.
+int number_of_points(const Record& record) {
+  int last = 0;
+  for (const auto& row : record.rows) last = std::max(last, row.point);
+  return last + 1;
+}
+
+struct Source {
+  std::size_t record, row;
+};
+
+struct Joined {
+  std::vector<Record> records;
+  std::vector<Source> rows;
+};
+
+}  // namespace
+
+Record join_records(std::vector<Record> records, FilesMean mean) {
+  if (records.empty()) throw InputError("nothing to join", "no files", "name at least one file");
+  if (records.size() == 1) return std::move(records.front());
+  Record out = records.front();
+  out.files.clear();
+  out.rows.clear();
+  out.notes.clear();
+  out.continuous = true;
+  auto joined = std::make_shared<Joined>();
+  int points = 0;
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    const Record& record = records[r];
+    require_alike(records.front(), record);
+    note_other_names(records.front(), record, out.notes);
+    for (std::size_t row = 0; row < record.rows.size(); ++row) {
+      RowInfo info = record.rows[row];
+      info.file += out.files.size();
+      if (mean == FilesMean::points) info.point += points;
+      out.rows.push_back(info);
+      joined->rows.push_back({r, row});
+    }
+    points += number_of_points(record);
+    out.files.insert(out.files.end(), record.files.begin(), record.files.end());
+    if (record.files.empty()) out.files.push_back({.path = record.source()});
+    for (const auto& note : record.notes) out.notes.push_back(record.source() + ": " + note);
+    out.continuous = out.continuous && (record.rows.size() == 1 || record.continuous);
+    if (record.format != out.format) out.format = "several";
+  }
+  joined->records = std::move(records);
+  out.read_force_N = [joined](std::size_t row, std::size_t first, std::span<double> samples) {
+    const auto [record, its_row] = joined->rows.at(row);
+    joined->records[record].read_force_N(its_row, first, samples);
+  };
+  out.read_accel_mps2 = [joined](std::size_t row, std::size_t channel, std::size_t first, std::span<double> samples) {
+    const auto [record, its_row] = joined->rows.at(row);
+    joined->records[record].read_accel_mps2(its_row, channel, first, samples);
+  };
+  return out;
+}
+
+}  // namespace percuss

@@ -1,0 +1,83 @@
+#include "acquire/record/record.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "core/error.hpp"
+
+namespace percuss {
+
+std::set<int> Record::points() const {
+  std::set<int> out;
+  for (const RowInfo& row : rows) out.insert(row.point);
+  return out;
+}
+
+std::vector<TraceLine> trace_lines_of(const std::vector<double>& numbers, std::size_t points,
+                                      const std::string& where) {
+  if (numbers.size() % 2 != 0) throw InputError("an odd count of ends", where, "give two points for every line");
+  std::vector<TraceLine> out;
+  out.reserve(numbers.size() / 2);
+  for (const double number : numbers) {
+    if (!(number >= 0 && number < static_cast<double>(points)) || number != std::floor(number))
+      throw InputError("a line to a point that is not there", where, "number points from 0, as the geometry's rows");
+  }
+  for (std::size_t i = 0; i < numbers.size(); i += 2)
+    out.push_back({static_cast<int>(numbers[i]), static_cast<int>(numbers[i + 1])});
+  return out;
+}
+
+Record select_rows(const Record& record, const std::function<bool(const RowInfo&)>& keep) {
+  Record out = record;
+  out.rows.clear();
+  std::vector<std::size_t> from;
+  for (std::size_t row = 0; row < record.rows.size(); ++row) {
+    if (!keep(record.rows[row])) continue;
+    out.rows.push_back(record.rows[row]);
+    from.push_back(row);
+  }
+  out.read_force_N = [from, read = record.read_force_N](std::size_t row, std::size_t first, std::span<double> samples) {
+    read(from.at(row), first, samples);
+  };
+  out.read_accel_mps2 = [from, read = record.read_accel_mps2](std::size_t row, std::size_t channel, std::size_t first,
+                                                              std::span<double> samples) {
+    read(from.at(row), channel, first, samples);
+  };
+  return out;
+}
+
+Record record_in_memory(double fs_Hz, std::vector<std::vector<double>> force_N,
+                        std::vector<std::vector<std::vector<double>>> accel_mps2) {
+  assert(force_N.size() == accel_mps2.size());
+  Record record;
+  record.format = "memory";
+  record.fs_Hz = fs_Hz;
+  record.force.name = "force";
+  for (const auto& row : force_N) record.rows.push_back({.samples = row.size()});
+  for (std::size_t c = 0; !accel_mps2.empty() && c < accel_mps2.front().size(); ++c) {
+    record.accel.push_back({.name = "accel " + std::to_string(c + 1), .unit = "m/s^2"});
+  }
+  const auto copy = [](const std::vector<double>& from, std::size_t first, std::span<double> out) {
+    std::copy_n(from.begin() + static_cast<std::ptrdiff_t>(first), out.size(), out.begin());
+  };
+  auto force = std::make_shared<const std::vector<std::vector<double>>>(std::move(force_N));
+  auto accel = std::make_shared<const std::vector<std::vector<std::vector<double>>>>(std::move(accel_mps2));
+  record.read_force_N = {
+      [force, copy](std::size_t row, std::size_t first, std::span<double> out) { copy(force->at(row), first, out); },
+      [force](std::size_t row) { return std::span<const double>(force->at(row)); }};
+  record.read_accel_mps2 = {
+      [accel, copy](std::size_t row, std::size_t channel, std::size_t first, std::span<double> out) {
+        copy(accel->at(row).at(channel), first, out);
+      },
+      [accel](std::size_t row, std::size_t channel) { return std::span<const double>(accel->at(row).at(channel)); }};
+  return record;
+}
+
+SampleReader<std::size_t> no_force() {
+  return [](std::size_t, std::size_t, std::span<double> out) { std::fill(out.begin(), out.end(), 0.0); };
+}
+
+}  // namespace percuss

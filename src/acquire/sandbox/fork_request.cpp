@@ -1,0 +1,68 @@
+#include "acquire/sandbox/fork_request.hpp"
+
+#include <sys/socket.h>
+#include <sys/uio.h>
+
+#include <cerrno>
+#include <climits>
+#include <cstring>
+
+namespace percuss {
+namespace {
+
+constexpr std::size_t kDescriptors = std::tuple_size_v<decltype(NurseryLetter::descriptors)>;
+constexpr std::size_t kLongestPath = PATH_MAX;
+
+// A message in the form the kernel wants it in, with room for the descriptors.
+struct Message {
+  std::array<iovec, 2> parts{};
+  alignas(cmsghdr) std::array<char, CMSG_SPACE(kDescriptors * sizeof(int))> control{};
+  msghdr header{};
+
+  Message(NurseryQuestion& question, char* path, std::size_t path_bytes) {
+    parts = {iovec{&question, sizeof question}, iovec{path, path_bytes}};
+    header.msg_iov = parts.data();
+    header.msg_iovlen = parts.size();
+  }
+  Message(const Message&) = delete;
+  Message& operator=(const Message&) = delete;
+  void make_room() {
+    header.msg_control = control.data();
+    header.msg_controllen = control.size();
+  }
+};
+
+}  // namespace
+
+bool send_letter(int socket, const NurseryLetter& letter) {
+  if (letter.path.size() > kLongestPath) return false;
+  NurseryLetter copy = letter;
+  Message message(copy.question, copy.path.data(), copy.path.size());
+  if (copy.descriptors.front() >= 0) {
+    message.make_room();
+    cmsghdr* const first = CMSG_FIRSTHDR(&message.header);
+    first->cmsg_level = SOL_SOCKET;
+    first->cmsg_type = SCM_RIGHTS;
+    first->cmsg_len = CMSG_LEN(kDescriptors * sizeof(int));
+    std::memcpy(CMSG_DATA(first), copy.descriptors.data(), kDescriptors * sizeof(int));
+  }
+  return ::sendmsg(socket, &message.header, MSG_NOSIGNAL) >= 0;
+}
+
+std::optional<NurseryLetter> receive_letter(int socket) {
+  NurseryLetter letter{.question = {}, .path = std::string(kLongestPath, '\0')};
+  Message message(letter.question, letter.path.data(), letter.path.size());
+  message.make_room();
+  ssize_t got = -1;
+  do {
+    got = ::recvmsg(socket, &message.header, MSG_CMSG_CLOEXEC);
+  } while (got < 0 && errno == EINTR);
+  if (got < static_cast<ssize_t>(sizeof letter.question)) return std::nullopt;
+  letter.path.resize(static_cast<std::size_t>(got) - sizeof letter.question);
+  const cmsghdr* const first = CMSG_FIRSTHDR(&message.header);
+  if (first != nullptr && first->cmsg_len == CMSG_LEN(kDescriptors * sizeof(int)))
+    std::memcpy(letter.descriptors.data(), CMSG_DATA(first), kDescriptors * sizeof(int));
+  return letter;
+}
+
+}  // namespace percuss

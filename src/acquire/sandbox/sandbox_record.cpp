@@ -1,0 +1,148 @@
+#include "acquire/sandbox/sandbox_record.hpp"
+
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "acquire/record/contiguous_samples.hpp"
+#include "core/error.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
+
+std::optional<double> known(double value) { return std::isnan(value) ? std::nullopt : std::optional(value); }
+
+void pack_description(Packer& out, const Record& record) {
+  out.put(static_cast<std::uint64_t>(record.files.size()));
+  for (const InputFile& file : record.files) {
+    out.put(file.path);
+    out.put(file.bytes);
+  }
+  out.put(record.format);
+  out.put(record.fs_Hz);
+  pack_signal(out, record.force);
+  out.put(static_cast<std::uint64_t>(record.accel.size()));
+  for (const SignalInfo& signal : record.accel) pack_signal(out, signal);
+  out.put_all(record.rows);
+  out.put(static_cast<std::uint64_t>(record.continuous));
+  out.put(static_cast<std::uint64_t>(record.has_force));
+  pack_geometry(out, record.geometry);
+  out.put_all(record.trace_lines);
+  out.put_all(record.plain);
+  pack_texts(out, record.notes);
+}
+
+Record unpack_description(Unpacker& in) {
+  Record record;
+  const std::size_t files = in.count(2 * sizeof(std::uint64_t));
+  for (std::size_t i = 0; i < files; ++i) {
+    std::string path = in.text();
+    record.files.push_back({.path = std::move(path), .bytes = in.get<std::uint64_t>()});
+  }
+  record.format = in.text();
+  record.fs_Hz = in.get<double>();
+  record.force = unpack_signal(in);
+  const std::size_t channels = in.count(5 * sizeof(double));
+  for (std::size_t c = 0; c < channels; ++c) record.accel.push_back(unpack_signal(in));
+  record.rows = in.all<RowInfo>();
+  record.continuous = in.get<std::uint64_t>() != 0;
+  record.has_force = in.get<std::uint64_t>() != 0;
+  record.geometry = unpack_geometry(in);
+  record.trace_lines = in.all<TraceLine>();
+  record.plain = in.all<PlainSignal>();
+  record.notes = unpack_texts(in);
+  return record;
+}
+
+// What the rest of percuss relies on.
+bool plausible(const Record& record) {
+  bool good = record.fs_Hz > 0 && std::isfinite(record.fs_Hz) && !record.rows.empty() && !record.accel.empty();
+  for (const RowInfo& row : record.rows)
+    good = good && row.samples >= 2 && (row.file == 0 || row.file < record.files.size());
+  return good;
+}
+
+}  // namespace
+
+void pack_signal(Packer& out, const SignalInfo& signal) {
+  out.put(signal.name);
+  out.put(signal.unit);
+  out.put(signal.to_SI);
+  out.put(signal.angle_rad.value_or(kNotKnown));
+  out.put(signal.position_m.value_or(kNotKnown));
+}
+
+SignalInfo unpack_signal(Unpacker& in) {
+  SignalInfo signal;
+  signal.name = in.text();
+  signal.unit = in.text();
+  signal.to_SI = in.get<double>();
+  signal.angle_rad = known(in.get<double>());
+  signal.position_m = known(in.get<double>());
+  return signal;
+}
+
+void pack_texts(Packer& out, const std::vector<std::string>& texts) {
+  out.put(static_cast<std::uint64_t>(texts.size()));
+  for (const std::string& text : texts) out.put(text);
+}
+
+std::vector<std::string> unpack_texts(Unpacker& in) {
+  std::vector<std::string> texts;
+  const std::size_t count = in.count(sizeof(std::uint64_t));
+  for (std::size_t i = 0; i < count; ++i) texts.push_back(in.text());
+  return texts;
+}
+
+void pack_geometry(Packer& out, const std::vector<std::vector<double>>& geometry) {
+  out.put(static_cast<std::uint64_t>(geometry.size()));
+  for (const auto& point : geometry) out.put_all(point);
+}
+
+std::vector<std::vector<double>> unpack_geometry(Unpacker& in) {
+  std::vector<std::vector<double>> geometry;
+  const std::size_t count = in.count(sizeof(std::uint64_t));
+  for (std::size_t i = 0; i < count; ++i) geometry.push_back(in.all<double>());
+  return geometry;
+}
+
+ConfinedService record_service(Record record) {
+  Packer out;
+  pack_description(out, record);
+  const auto kept = std::make_shared<const Record>(std::move(record));
+  return {.description = out.bytes(),
+          .read = [kept](std::size_t row, std::size_t signal, std::size_t first, std::span<double> samples) {
+            if (signal == 0) {
+              kept->read_force_N(row, first, samples);
+            } else {
+              kept->read_accel_mps2(row, signal - 1, first, samples);
+            }
+          }};
+}
+
+Record served_record(Unpacker& in, const std::shared_ptr<ConfinedProcess>& process) {
+  Record record;
+  try {
+    record = unpack_description(in);
+  } catch (const std::out_of_range&) {
+    process->distrust();
+  }
+  if (!plausible(record)) process->distrust();
+  record.read_force_N = [process](std::size_t row, std::size_t first, std::span<double> out) {
+    process->read(row, 0, first, out);
+  };
+  record.read_accel_mps2 = [process](std::size_t row, std::size_t channel, std::size_t first, std::span<double> out) {
+    process->read(row, channel + 1, first, out);
+  };
+  return read_plainly(std::move(record));
+}
+
+Record open_confined(const std::string& path, const std::function<Record()>& open) {
+  auto process = std::make_shared<ConfinedProcess>(path, [&] { return record_service(open()); });
+  Unpacker in(process->description());
+  return served_record(in, process);
+}
+
+}  // namespace percuss

@@ -1,0 +1,22 @@
+#pragma once
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "core/io/strict_json.hpp"
+
+namespace percuss {
+
+/// The text that StrictObjects stand in; for a table, also which line each row of the list `rows` is.
+struct StrictSource {
+  std::string where, example;
+  std::string rows{};
+  std::vector<std::size_t> lines{};
+  bool sheet = false, decimal_comma = false;  // values are texts, and numbers in them may be written so
+};
+
+/// A table as a JSON document in which every value is a text; adds to `source` what messages need. InputError as
+/// read_strict_sheet.
+std::string sheet_as_json(const StrictText& input, StrictSource& source);
+
+}  // namespace percuss

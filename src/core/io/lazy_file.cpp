@@ -1,0 +1,52 @@
+#include "core/io/lazy_file.hpp"
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <system_error>
+
+#include "core/error.hpp"
+#include "core/io/input_file.hpp"
+
+namespace percuss {
+
+SparseFile::SparseFile(const std::string& path, std::uint64_t limit_bytes) : path_(path) {
+  std::uint64_t size = 0;
+  descriptor_ = open_regular_file(path, limit_bytes, size);
+  size_ = static_cast<std::size_t>(size);
+  void* const place = ::mmap(nullptr, std::max<std::size_t>(1, size_), PROT_READ | PROT_WRITE,
+                             MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (place == MAP_FAILED) {
+    ::close(descriptor_);
+    throw InputError("no memory for a file of its size", path, "split it, or save it as HDF5");
+  }
+  data_ = static_cast<char*>(place);
+}
+
+SparseFile::~SparseFile() {
+  ::munmap(data_, std::max<std::size_t>(1, size_));
+  ::close(descriptor_);
+}
+
+void SparseFile::load(std::size_t first, std::size_t end) {
+  end = std::min(end, size_);
+  if (first < end) copy(first, end - first, data_ + first);
+}
+
+void SparseFile::copy(std::size_t first, std::size_t count, char* to) const {
+  while (count > 0) {
+    const auto got = ::pread(descriptor_, to, count, static_cast<off_t>(first));
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) {
+      throw InputError("reading failed: " + std::generic_category().message(errno), path_, "check the disk");
+    }
+    if (got == 0) throw InputError("the file became shorter while it was read", path_, "read it when it is complete");
+    to += got;
+    first += static_cast<std::size_t>(got);
+    count -= static_cast<std::size_t>(got);
+  }
+}
+
+}  // namespace percuss

@@ -1,0 +1,71 @@
+#include "core/io/number_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "core/io/csv_dialect.hpp"
+#include "core/io/csv_header.hpp"
+#include "core/io/input_file.hpp"
+#include "core/io/parse_number.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr std::uint64_t kLargestTable_bytes = std::uint64_t{16} << 20U;
+constexpr std::size_t kLongestCell = 40;  // shown in messages
+
+bool are_names(const std::vector<std::string_view>& cells) {
+  return std::none_of(cells.begin(), cells.end(), [](std::string_view cell) {
+    return parse_number(cell, false).problem == NumberProblem::none ||
+           parse_number(cell, false).problem == NumberProblem::not_finite;
+  });
+}
+
+NumberRow row_of(const std::vector<std::string_view>& cells, const std::string& place, const CsvDialect& dialect,
+                 const NumberRowsWanted& wanted) {
+  if (cells.size() != wanted.columns) {
+    throw InputError(fmt::format("{} numbers wanted, {} found", wanted.columns, cells.size()), place, wanted.remedy);
+  }
+  NumberRow row{.place = place, .values = {}};
+  row.values.reserve(cells.size());
+  for (const std::string_view cell : cells) {
+    const ParsedNumber number = parse_number(cell, dialect.decimal_comma);
+    if (number.problem != NumberProblem::none) {
+      throw InputError(
+          fmt::format("'{}' is {}", one_line(to_utf8(trimmed(cell)), kLongestCell), describe(number.problem)), place,
+          wanted.remedy);
+    }
+    row.values.push_back(number.value);
+  }
+  return row;
+}
+
+}  // namespace
+
+std::vector<NumberRow> parse_number_rows(std::string_view text, const std::string& where,
+                                         const NumberRowsWanted& wanted) {
+  const char line_end = find_line_end(text);
+  const CsvDialect dialect = find_dialect(probe_lines(text, line_end), line_end);
+  std::vector<NumberRow> rows;
+  for (std::size_t number = 1; !text.empty(); ++number) {
+    const std::string_view line = take_line(text, line_end);
+    if (is_skipped(line, dialect)) continue;
+    const auto cells = split_cells(line, dialect, wanted.columns + 1);
+    if (rows.empty() && are_names(cells)) continue;
+    const std::string place = fmt::format("{}: line {}", where, number);
+    if (rows.size() == wanted.most_rows)
+      throw InputError(fmt::format("more than {} lines", wanted.most_rows), place, wanted.remedy);
+    rows.push_back(row_of(cells, place, dialect, wanted));
+  }
+  if (rows.empty()) throw InputError("no numbers", where, wanted.remedy);
+  return rows;
+}
+
+std::vector<NumberRow> read_number_rows(const std::string& path, const NumberRowsWanted& wanted) {
+  const FileBytes bytes = read_input(path, kLargestTable_bytes);
+  return parse_number_rows(bytes.view(), input_name(path), wanted);
+}
+
+}  // namespace percuss

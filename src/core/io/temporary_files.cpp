@@ -1,0 +1,68 @@
+#include "core/io/temporary_files.hpp"
+
+#include <dirent.h>
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <memory>
+#include <string_view>
+#include <utility>
+
+namespace percuss {
+namespace {
+
+// A plain array of atomics: a signal handler may use nothing that allocates or locks. Beyond it files are written all
+// the same.
+constexpr std::size_t kFilesKnown = 64;
+std::array<std::atomic<const char*>, kFilesKnown>& known_files() {
+  static std::array<std::atomic<const char*>, kFilesKnown> files{};
+  return files;
+}
+
+}  // namespace
+
+UnfinishedFile::UnfinishedFile(std::string path, int descriptor) : path_(std::move(path)), descriptor_(descriptor) {
+  ::flock(descriptor, LOCK_EX);  // waits for whoever is just looking whether it is abandoned
+  for (auto& slot : known_files()) {
+    const char* empty = nullptr;
+    if (slot.compare_exchange_strong(empty, path_.c_str())) return;
+  }
+}
+
+UnfinishedFile::~UnfinishedFile() {
+  for (auto& slot : known_files()) {
+    const char* own = path_.c_str();
+    if (slot.compare_exchange_strong(own, nullptr)) return;
+  }
+}
+
+bool UnfinishedFile::still_there() const {
+  struct stat info {};
+  return ::fstat(descriptor_, &info) == 0 && info.st_nlink > 0;
+}
+
+void remove_unfinished_files() noexcept {
+  for (auto& slot : known_files()) {
+    const char* const path = slot.exchange(nullptr);
+    if (path != nullptr) ::unlink(path);
+  }
+}
+
+void remove_abandoned_files(const std::string& folder, const std::string& prefix) {
+  const std::unique_ptr<DIR, int (*)(DIR*)> listing(::opendir(folder.c_str()), ::closedir);
+  if (!listing) return;
+  while (const dirent* const entry = ::readdir(listing.get())) {  // NOLINT(concurrency-mt-unsafe): a listing of our own
+    if (!std::string_view(entry->d_name).starts_with(prefix)) continue;
+    const std::string path = folder + "/" + entry->d_name;
+    const int descriptor = ::open(path.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+    if (descriptor < 0) continue;
+    if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0) ::unlink(path.c_str());
+    ::close(descriptor);
+  }
+}
+
+}  // namespace percuss

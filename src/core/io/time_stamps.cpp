@@ -1,0 +1,202 @@
+#include "core/io/time_stamps.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/io/csv_header.hpp"
+#include "core/io/parse_number.hpp"
+
+namespace percuss {
+namespace {
+
+// Letters and digits only, lower case: "Sampling Rate(Hz)" → "samplingratehz".
+std::string key_of(std::string_view text) {
+  std::string key;
+  for (const char c : lower_case(text)) {
+    if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9')) key += c;
+  }
+  return key;
+}
+
+struct Key {
+  std::string_view start;  // of the key
+  bool interval;
+};
+
+constexpr std::array kKeys = {
+    Key{"samplingrate", false},   Key{"samplerate", false},       Key{"samplingfreq", false},
+    Key{"samplefreq", false},     Key{"samplespersecond", false}, Key{"abtastrate", false},
+    Key{"abtastfrequenz", false}, Key{"scanrate", false},         Key{"samplinginterval", true},
+    Key{"sampleinterval", true},  Key{"samplingperiod", true},    Key{"timestep", true},
+    Key{"timeinterval", true},    Key{"abtastintervall", true},   Key{"deltat", true},
+};
+
+std::optional<bool> is_interval_key(std::string_view text) {
+  const std::string key = key_of(text);
+  for (const auto& known : kKeys) {
+    if (key.substr(0, known.start.size()) == known.start) return known.interval;
+  }
+  // Short names count only alone or with their unit.
+  if (key == "fs" || key == "fshz" || key == "fskhz" || key == "ratehz") return false;
+  if (key == "dt" || key == "dts" || key == "dtms" || key == "dtus") return true;
+  return std::nullopt;
+}
+
+// Factor to Hz or s by the unit in `text`, which is a key or what follows the number.
+double unit_factor(std::string_view text, bool interval) {
+  const std::string key = key_of(text);
+  const auto ends = [&](std::string_view ending) { return key.size() >= ending.size() && key.ends_with(ending); };
+  if (!interval) return ends("mhz") ? 1e6 : ends("khz") || ends("kss") ? 1e3 : 1;
+  return ends("ms") || ends("msec") ? 1e-3 : ends("us") || ends("usec") ? 1e-6 : 1;
+}
+
+// "50", "50 Hz" and "25.6kHz": number and what follows it.
+std::optional<std::pair<double, std::string_view>> leading_number(std::string_view text, bool decimal_comma) {
+  text = trimmed(text);
+  std::size_t end = 0;
+  while (end < text.size() && std::string_view("0123456789+-.,eE").find(text[end]) != std::string_view::npos) ++end;
+  const auto number = parse_number(text.substr(0, end), decimal_comma);
+  if (number.problem != NumberProblem::none) return std::nullopt;
+  return std::pair{number.value, text.substr(end)};
+}
+
+std::string uneven_text(double gap_s, double step_s) {
+  if (gap_s <= 0) return fmt::format("the time does not rise but changes by {:.6g} s", gap_s);
+  return fmt::format("uneven time: a step of {:.6g} s where {:.6g} s is usual", gap_s, step_s);
+}
+
+double mean_step_s(std::span<const double> t) { return (t.back() - t.front()) / static_cast<double>(t.size() - 1); }
+
+struct Deviation {
+  double stamp_s = 0;  // of a stamp from even spacing between first and last, at most
+  double step_s = 0;   // of a step from the mean step, at most
+};
+
+Deviation largest_deviation(std::span<const double> t) {
+  const double mean_s = mean_step_s(t);
+  Deviation largest;
+  for (std::size_t i = 1; i < t.size(); ++i) {
+    largest.stamp_s = std::max(largest.stamp_s, std::abs(t[i] - (t.front() + static_cast<double>(i) * mean_s)));
+    largest.step_s = std::max(largest.step_s, std::abs(t[i] - t[i - 1] - mean_s));
+  }
+  return largest;
+}
+
+// Stamps that all lie on even spacing far within their rounding were not rounded at all: the step is a whole number of
+// the last digit's units, as in 0.001, 0.002.
+bool is_exact(const Stamps& row, const Deviation& deviation) { return deviation.stamp_s <= 0.01 * row.resolution_s; }
+
+// Whether rounding explains how uneven the stamps are.
+bool is_even(const Stamps& row, const Deviation& deviation) {
+  constexpr double kSinglePrecision = 0x1p-23;
+  const auto t = row.time_s;
+  const double step_s = mean_step_s(t);
+  if (!(step_s > 0)) return false;
+  if (is_exact(row, deviation)) return true;
+  // Steps of one unit with a few of two are lost samples more likely than a rate that is odd by so little.
+  if (std::abs(step_s / row.resolution_s - 1) < 0.25) return false;
+  // Stamps that went through single precision carry its rounding, but never as much as a sample that is lost.
+  const double largest_s = std::max(std::abs(t.front()), std::abs(t.back()));
+  const double tolerance_s = 1.001 * row.resolution_s + std::min(kSinglePrecision * largest_s, 0.4 * step_s);
+  return deviation.stamp_s <= tolerance_s && deviation.step_s <= tolerance_s;
+}
+
+// The largest departure from the usual step, near which the stamps went wrong: that names the place better than
+// first_uneven.
+std::size_t oddest_step(const Stamps& row, double& step_s) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < row.time_s.size(); ++i) steps.push_back(row.time_s[i] - row.time_s[i - 1]);
+  auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  auto sorted = steps;
+  std::nth_element(sorted.begin(), sorted.begin() + (middle - steps.begin()), sorted.end());
+  step_s = sorted[steps.size() / 2];
+  const auto odd = std::max_element(steps.begin(), steps.end(),
+                                    [&](double a, double b) { return std::abs(a - step_s) < std::abs(b - step_s); });
+  return static_cast<std::size_t>(odd - steps.begin()) + 1;
+}
+
+}  // namespace
+
+std::optional<double> stated_rate_Hz(std::string_view line, const CsvDialect& dialect) {
+  std::string_view key = line;
+  std::vector<std::string_view> values;
+  if (const auto mark = line.find_first_of("=:"); mark != std::string_view::npos) {
+    key = line.substr(0, mark);
+    values = split_cells(line.substr(mark + 1), dialect);
+  } else if (dialect.delimiter == ' ') {
+    key = line.substr(0, line.find_first_of("0123456789"));
+    values = split_cells(line.substr(key.size()), dialect);
+  } else if (values = split_cells(line, dialect); !values.empty()) {
+    key = values.front();
+    values.erase(values.begin());
+  }
+  const auto interval = is_interval_key(trimmed(key));
+  if (!interval) return std::nullopt;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const auto number = leading_number(values[i], dialect.decimal_comma);
+    if (!number || !(number->first > 0)) continue;
+    double factor = unit_factor(number->second, *interval);
+    if (factor == 1 && i + 1 < values.size()) factor = unit_factor(values[i + 1], *interval);
+    if (factor == 1) factor = unit_factor(key, *interval);
+    return *interval ? 1 / (number->first * factor) : number->first * factor;
+  }
+  return std::nullopt;
+}
+
+std::optional<StampedRate> rate_of_stamps(std::span<const Stamps> rows, StampProblem& problem) {
+  constexpr double kCoarsest = 5e-4;  // relative; a rate as wrong as that would shift every frequency by as much
+  double steps = 0, length_s = 0, off_s = 0;
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    if (rows[r].time_s.size() < 2) continue;
+    const Deviation deviation = largest_deviation(rows[r].time_s);
+    if (!is_even(rows[r], deviation)) {
+      double usual_s = 0;
+      const std::size_t at = oddest_step(rows[r], usual_s);
+      problem = {uneven_text(rows[r].time_s[at] - rows[r].time_s[at - 1], usual_s), r, at};
+      return std::nullopt;
+    }
+    steps += static_cast<double>(rows[r].time_s.size() - 1);
+    length_s += rows[r].time_s.back() - rows[r].time_s.front();
+    off_s += is_exact(rows[r], deviation) ? 0 : rows[r].resolution_s;
+  }
+  if (steps == 0) {
+    problem.text = "fewer than two time stamps";
+    return std::nullopt;
+  }
+  if (!(off_s <= kCoarsest * length_s)) {
+    problem.text = fmt::format("time stamps with {:.2g} s per digit are too coarse to tell the sampling rate",
+                               off_s / static_cast<double>(rows.size()));
+    return std::nullopt;
+  }
+  StampedRate rate{
+      .fs_Hz = steps / length_s, .lowest_Hz = steps / (length_s + off_s), .highest_Hz = steps / (length_s - off_s)};
+  // Sums of doubles are off by their own rounding even where the digits are exact.
+  rate.lowest_Hz *= 1 - 1e-12;
+  rate.highest_Hz *= 1 + 1e-12;
+  const double round_Hz = roundest_between(rate.lowest_Hz, rate.highest_Hz);
+  constexpr double kWorthANote = 1e-6;  // no clock of a recorder is better
+  if (std::abs(round_Hz / rate.fs_Hz - 1) > kWorthANote) {
+    rate.note = fmt::format(
+        "the time stamps are rounded: the sampling rate is taken as {:.10g} Hz, not {:.10g} (--fs says otherwise)",
+        round_Hz, rate.fs_Hz);
+  }
+  rate.fs_Hz = round_Hz;
+  return rate;
+}
+
+double roundest_between(double low, double high) {
+  const int leading = static_cast<int>(std::floor(std::log10(high)));
+  for (int digit = leading; digit > leading - 17; --digit) {
+    // Powers of ten as exact as can be: 10^k for k >= 0 is multiplied by, for k < 0 divided by.
+    const double unit = std::pow(10.0, std::abs(digit));
+    const double count = digit >= 0 ? std::floor(high / unit) : std::floor(high * unit);
+    const double value = digit >= 0 ? count * unit : count / unit;
+    if (value >= low && value <= high && value > 0) return value;
+  }
+  return low + (high - low) / 2;
+}
+
+}  // namespace percuss

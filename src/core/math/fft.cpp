@@ -1,0 +1,137 @@
+#include "core/math/fft.hpp"
+
+#include <fftw3.h>
+
+#include <cassert>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <shared_mutex>
+
+namespace percuss {
+namespace {
+
+fftw_complex* as_fftw(Complex* p) { return reinterpret_cast<fftw_complex*>(p); }
+
+struct Buffers {
+  explicit Buffers(std::size_t n) : real(fftw_alloc_real(n)), complex(fftw_alloc_complex(n / 2 + 1)) {}
+  Buffers(const Buffers&) = delete;
+  Buffers& operator=(const Buffers&) = delete;
+  ~Buffers() {
+    fftw_free(real);
+    fftw_free(complex);
+  }
+  double* real;
+  fftw_complex* complex;
+};
+
+// Plans of one kind, which live as long as the process. FFTW's planner is not thread-safe, its execution is; who asks
+// for a plan that is there does not wait for another one in the making.
+class Plans {
+ public:
+  explicit Plans(fftw_plan (*make)(std::size_t)) : make_(make) {}
+
+  fftw_plan get(std::size_t n) {
+    if (fftw_plan plan = made(n)) return plan;
+    static std::mutex planner;
+    const std::scoped_lock lock(planner);
+    if (fftw_plan plan = made(n)) return plan;
+    fftw_plan plan = make_(n);
+    const std::scoped_lock write(mutex_);
+    return plans_[n] = plan;
+  }
+
+ private:
+  fftw_plan made(std::size_t n) {
+    const std::shared_lock lock(mutex_);
+    const auto at = plans_.find(n);
+    return at == plans_.end() ? nullptr : at->second;
+  }
+
+  fftw_plan (*make_)(std::size_t);
+  std::shared_mutex mutex_;
+  std::map<std::size_t, fftw_plan> plans_;
+};
+
+// Only 16-byte alignment is promised by std::vector and only that is assumed: UNALIGNED would cost the vector units.
+fftw_plan forward_plan(std::size_t n) {
+  static auto& plans = *new Plans([](std::size_t length) {
+    const Buffers buffers(length);
+    return fftw_plan_dft_r2c_1d(static_cast<int>(length), buffers.real, buffers.complex,
+                                FFTW_ESTIMATE | FFTW_PRESERVE_INPUT);
+  });
+  return plans.get(n);
+}
+
+fftw_plan inverse_plan(std::size_t n) {
+  static auto& plans = *new Plans([](std::size_t length) {
+    const Buffers buffers(length);
+    return fftw_plan_dft_c2r_1d(static_cast<int>(length), buffers.complex, buffers.real, FFTW_ESTIMATE);
+  });
+  return plans.get(n);
+}
+
+bool fast_length(std::size_t length) {
+  for (const std::size_t prime : {2U, 3U, 5U, 7U}) {
+    while (length % prime == 0 && length > 0) length /= prime;
+  }
+  return length == 1;
+}
+
+}  // namespace
+
+void plan_real_dft(std::size_t n) { forward_plan(n); }
+
+void real_dft(std::span<const double> x, std::span<Complex> out) {
+  assert(!x.empty() && out.size() == x.size() / 2 + 1);
+  fftw_plan plan = forward_plan(x.size());
+  auto* in = const_cast<double*>(x.data());  // PRESERVE_INPUT: read only
+  if (fftw_alignment_of(in) == 0 && fftw_alignment_of(reinterpret_cast<double*>(out.data())) == 0) {
+    fftw_execute_dft_r2c(plan, in, as_fftw(out.data()));
+    return;
+  }
+  const std::vector<double> aligned(x.begin(), x.end());
+  std::vector<Complex> result(out.size());
+  fftw_execute_dft_r2c(plan, const_cast<double*>(aligned.data()), as_fftw(result.data()));
+  std::copy(result.begin(), result.end(), out.begin());
+}
+
+std::vector<Complex> real_dft(std::span<const double> x) {
+  std::vector<Complex> out(x.size() / 2 + 1);
+  real_dft(x, out);
+  return out;
+}
+
+std::span<const Complex> real_dft_in_scratch(std::span<const double> x) {
+  thread_local std::unique_ptr<Complex, decltype(&fftw_free)> scratch(nullptr, fftw_free);  // aligned as FFTW likes it
+  thread_local std::size_t room = 0;
+  const std::size_t lines = x.size() / 2 + 1;
+  if (room < lines) {
+    scratch.reset(reinterpret_cast<Complex*>(fftw_alloc_complex(lines)));
+    room = lines;
+  }
+  const std::span out(scratch.get(), lines);
+  real_dft(x, out);
+  return out;
+}
+
+std::vector<double> inverse_real_dft(std::span<const Complex> lines, std::size_t samples) {
+  assert(samples >= 1 && lines.size() == samples / 2 + 1);
+  std::vector<Complex> scratch(lines.begin(), lines.end());  // the c2r transform destroys its input
+  std::vector<double> out(samples);
+  fftw_execute_dft_c2r(inverse_plan(samples), as_fftw(scratch.data()), out.data());
+  for (double& value : out) value /= static_cast<double>(samples);
+  return out;
+}
+
+std::size_t fast_length_at_most(std::size_t n) {
+  while (n > 1 && !fast_length(n)) --n;
+  return n;
+}
+
+std::size_t fast_length_at_least(std::size_t n) {
+  while (!fast_length(n)) ++n;
+  return n;
+}
+
+}  // namespace percuss

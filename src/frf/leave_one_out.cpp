@@ -1,0 +1,82 @@
+#include "frf/leave_one_out.hpp"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cstddef>
+
+namespace percuss {
+namespace {
+
+using Eigen::Index;
+
+constexpr Index kBlock = 256;    // lines
+constexpr Index kEnough = 1024;  // lines: the hits agree or do not on any of them
+using Block = Eigen::Array<double, Eigen::Dynamic, 1, 0, kBlock, 1>;
+
+// Real and imaginary parts apart, so that several lines are worked on at once.
+struct Parts {
+  Block re, im;
+  Block power() const { return re.square() + im.square(); }
+};
+
+Parts parts_of(std::span<const Complex> lines, Index first, Index count, Index step) {
+  const Eigen::Map<const Eigen::ArrayXcd, 0, Eigen::InnerStride<>> block(lines.data() + first * step, count,
+                                                                         Eigen::InnerStride<>(step));
+  return {block.real(), block.imag()};
+}
+
+// What the others' H1 leaves of a response is (a − f·H1)/(1 − |f|²/Σff), with the H1 of all: the power by which that
+// divides. Where nothing but this hit excited a line the others explain none of it; 0 stands for that.
+Block share_of_others(const Block& ff, const Parts& f) {
+  const Block others = ff - f.power();
+  return (others > 0).select((ff / others).square(), 0);
+}
+
+double unexplained(const Parts& h1, const Block& share, const Parts& f, const Parts& a) {
+  const double left =
+      (((a.re - (h1.re * f.re - h1.im * f.im)).square() + (a.im - (h1.re * f.im + h1.im * f.re)).square()) * share)
+          .sum();
+  return share.minCoeff() > 0 ? left : left + (share > 0).select(0, a.power()).sum();
+}
+
+}  // namespace
+
+std::vector<double> unexplained_by_others(std::span<const std::span<const Complex>> force,
+                                          std::span<const std::vector<std::span<const Complex>>> accel) {
+  const std::size_t hits = force.size();
+  std::vector<double> left(hits), all(hits);
+  if (hits < 2) return left;
+  const auto all_lines = static_cast<Index>(force.front().size());
+  const Index step = (all_lines + kEnough - 1) / kEnough;
+  const Index lines = step > 0 ? (all_lines + step - 1) / step : 0;
+  std::vector<Parts> f(hits), a(hits);
+  std::vector<Block> share(hits);
+  // Block by block, so that what is summed over the hits stays in the cache.
+  for (Index first = 0; first < lines; first += kBlock) {
+    const Index count = std::min(kBlock, lines - first);
+    Block ff = Block::Zero(count);
+    for (std::size_t h = 0; h < hits; ++h) {
+      f[h] = parts_of(force[h], first, count, step);
+      ff += f[h].power();
+    }
+    for (std::size_t h = 0; h < hits; ++h) share[h] = share_of_others(ff, f[h]);
+    const Block inverse = (ff > 0).select(ff.inverse(), 0);
+    for (std::size_t c = 0; c < accel.front().size(); ++c) {
+      Parts fa{Block::Zero(count), Block::Zero(count)};  // Σ conj(F) A
+      for (std::size_t h = 0; h < hits; ++h) {
+        a[h] = parts_of(accel[h][c], first, count, step);
+        fa.re += f[h].re * a[h].re + f[h].im * a[h].im;
+        fa.im += f[h].re * a[h].im - f[h].im * a[h].re;
+      }
+      const Parts h1{fa.re * inverse, fa.im * inverse};
+      for (std::size_t h = 0; h < hits; ++h) {
+        left[h] += unexplained(h1, share[h], f[h], a[h]);
+        all[h] += a[h].power().sum();
+      }
+    }
+  }
+  for (std::size_t h = 0; h < hits; ++h) left[h] = all[h] > 0 ? left[h] / all[h] : 0;
+  return left;
+}
+
+}  // namespace percuss

@@ -1,0 +1,16 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "core/math/fft.hpp"
+
+namespace percuss {
+
+/// How well each hit's responses follow from its force by the FRFs of the other hits (leave one out): the part of its
+/// energy that they leave unexplained, 0 … 1 and above. shapes  force [hits][lines]; accel [hits][channels][lines];
+/// result [hits]. Fewer than two hits: zeros.
+/// theory (2.9)
+std::vector<double> unexplained_by_others(std::span<const std::span<const Complex>> force,
+                                          std::span<const std::vector<std::span<const Complex>>> accel);
+
+}  // namespace percuss

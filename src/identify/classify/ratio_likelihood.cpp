@@ -1,0 +1,105 @@
+#include "identify/classify/ratio_likelihood.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace percuss {
+namespace {
+
+using std::numbers::pi;
+using Complex = std::complex<double>;
+
+constexpr double kFloor_rad = 0.035;  // 2°: shapes mix, and barrels are not round
+constexpr double kPlane_rad = 0.14;   // 8°: how far the planes of different bending modes differ
+constexpr double kKnownPlane = 0.7;   // weight of "in the bat's plane", the rest "in any"
+constexpr double kRare = 0.05;        // of neither bending nor n = 2 among the modes of a bat below a few kHz
+constexpr double kNever = 1e-6;       // no density is ever zero
+// The distance's error in deviations, and a Gaussian's weight there.
+constexpr std::array<double, RatioLikelihood::kPlacements> kNodes{-2.4, -1.6, -0.8, 0, 0.8, 1.6, 2.4};
+constexpr std::array<double, RatioLikelihood::kPlacements> kWeights{0.018, 0.089, 0.232, 0.322, 0.232, 0.089, 0.018};
+
+// μ of (1) for a pattern of n waves: α = (e^−jp + j e^−jq)/2, β = (e^jp + j e^jq)/2 with p, q = n times the angles.
+Complex mean_of(int n, double first_rad, double second_rad) {
+  const Complex p = std::polar(1.0, n * first_rad), q = std::polar(1.0, n * second_rad), j(0, 1);
+  const Complex alpha = std::conj(p) + j * std::conj(q), beta = p + j * q;
+  return std::norm(beta) <= std::norm(alpha) ? beta / std::conj(alpha) : alpha / std::conj(beta);
+}
+
+}  // namespace
+
+double wrapped_density(double difference_rad, double std_rad) {
+  const double d = std::remainder(difference_rad, pi);
+  const double near = std::exp(-0.5 * d * d / (std_rad * std_rad)) / (std_rad * std::sqrt(2 * pi));
+  return std_rad > 1 ? 1 / pi : near + kNever / pi;  // so broad a Gaussian is the whole circle
+}
+
+double RatioLikelihood::weight_of(std::size_t placement) { return kWeights[placement]; }
+
+RatioLikelihood::RatioLikelihood(double first_rad, double second_rad, const SetUpError& error)
+    : first_rad_(first_rad),
+      second_rad_(second_rad),
+      apart_std_rad_(std::numbers::sqrt2 * error.angle_rad),
+      gain_std_(std::numbers::sqrt2 * error.gain),
+      bending_mean_(mean_of(1, first_rad, second_rad)) {
+  for (std::size_t e = 0; e < kPlacements; ++e)
+    hoop_mean_[e] = mean_of(2, first_rad, second_rad + kNodes[e] * apart_std_rad_);
+}
+
+// A gain turns χ by its relative error times sin χ cos χ.
+double RatioLikelihood::deviation(const RatioAngle& ratio) const {
+  return std::hypot(ratio.std_rad, kFloor_rad, 0.5 * std::sin(2 * ratio.chi_rad) * gain_std_);
+}
+
+double RatioLikelihood::density(const RatioAngle& ratio, Complex mean) const {  // (1)
+  const double s = deviation(ratio);
+  const Complex z = std::polar(1.0, 2 * ratio.chi_rad) * std::conj(mean);
+  const double shrink = std::exp(-4 * s * s);  // from one term's factor to the next
+  double factor = std::exp(-2 * s * s), step = factor * shrink, sum = 1;
+  Complex power = z;
+  while (factor * std::abs(power) > kNever) {
+    sum += 2 * factor * power.real();
+    power *= z;
+    factor *= step;
+    step *= shrink;
+  }
+  return std::max(sum, kNever) / pi;
+}
+
+double RatioLikelihood::bending(const RatioAngle& ratio) const { return density(ratio, bending_mean_); }
+
+double RatioLikelihood::bending(const RatioAngle& ratio, double plane_rad) const {
+  double in_plane = 0;
+  for (const double plane : {plane_rad, plane_rad + pi / 2}) {
+    const double a = std::cos(first_rad_ - plane), b = std::cos(second_rad_ - plane);
+    const double slope = std::abs(std::sin(second_rad_ - first_rad_)) / std::max(a * a + b * b, kNever);  // dχ/dψ
+    in_plane +=
+        0.5 * wrapped_density(ratio.chi_rad - std::atan2(b, a), std::hypot(deviation(ratio), slope * kPlane_rad));
+  }
+  return kKnownPlane * in_plane + (1 - kKnownPlane) * bending(ratio);
+}
+
+double RatioLikelihood::hoop(const RatioAngle& ratio, std::size_t placement) const {
+  return density(ratio, hoop_mean_[placement]);
+}
+
+double RatioLikelihood::hoop(const RatioAngle& ratio) const {
+  double sum = 0;
+  for (std::size_t e = 0; e < kPlacements; ++e) sum += kWeights[e] * hoop(ratio, e);
+  return sum;
+}
+
+double RatioLikelihood::other(const RatioAngle& ratio) const {
+  const double equal = wrapped_density(ratio.chi_rad - pi / 4, std::hypot(ratio.std_rad, 0.1));
+  return kRare * (0.5 * equal + 0.5 / pi);
+}
+
+// The pattern's turn follows from the ratio: |(a, b)|² = sin² nΔ/(1 − sin 2χ cos nΔ), Δ the angle between the sensors.
+double RatioLikelihood::seen(const RatioAngle& ratio, int n) const {
+  const double apart = n * (second_rad_ - first_rad_), blur = n * apart_std_rad_;
+  const double sine_2 = std::min(std::pow(std::sin(apart), 2) + blur * blur, 1.0);
+  const double cosine = std::copysign(std::sqrt(1 - sine_2), std::cos(apart));
+  return std::sqrt(sine_2 / std::max(1 - std::sin(2 * ratio.chi_rad) * cosine, sine_2 / 2));
+}
+
+}  // namespace percuss

@@ -1,0 +1,200 @@
+#include "identify/fit/joint_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/math/linear_algebra.hpp"
+#include "core/parallel/parallel.hpp"
+#include "identify/fit/joint_projection.hpp"
+#include "identify/fit/phase_test.hpp"
+#include "identify/fit/pole_update.hpp"
+
+namespace percuss {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kSpill = 0.1;  // of the strongest contradiction: a weaker one may be what that spilt
+constexpr int kRounds = 8;      // of real against complex
+
+// Levenberg–Marquardt from `state`; true when the last step was small enough.
+bool descend(const JointProjection& projection, JointState& state, const JointFitOptions& options) {
+  double lambda = 1e-6;
+  for (int step = 0; step < options.max_steps; ++step) {
+    const JointNormal normal = projection.normal_equations(state);
+    bool better = false;
+    for (int attempt = 0; attempt < 8 && !better; ++attempt) {
+      const VectorXd move = solve_gram(normal.matrix, normal.right, lambda);
+      const double size = step_size(move, state.model.poles);
+      JointModel model = state.model;
+      model.poles = moved_by(std::move(model.poles), move);
+      if (!std::isfinite(size) || size > 1e2 || !poles_allowed(model.poles)) {
+        lambda = std::max(lambda * 10, 1e-3);
+        continue;
+      }
+      JointState next = projection.evaluate(std::move(model));
+      better = next.cost <= state.cost;
+      if (size < options.tolerance) {  // as far as rounding lets it go
+        if (better) state = std::move(next);
+        return true;
+      }
+      lambda = better ? lambda * 0.1 : lambda * 10;
+      if (better) state = std::move(next);
+    }
+    if (!better) return false;
+  }
+  return false;
+}
+
+class Joint {
+ public:
+  Joint(const FrfSet& set, std::vector<Pole> start, const JointFitOptions& options)
+      : set_(set), options_(options), projection_(set, start) {
+    const std::size_t modes = start.size();
+    state_ = projection_.evaluate({.poles = std::move(start), .real = std::vector<char>(modes, 0)});
+  }
+
+  JointFit run() {
+    // Complex residues contradict nothing: what they leave tells the noise.
+    const bool settled = descend(projection_, state_, options_);
+    const auto left = projection_.left_over(state_);
+    if (!settled || (options_.worth_it && !options_.worth_it(left))) return {.poles = state_.model.poles};
+    projection_.weigh_by(state_, left);
+    state_ = projection_.evaluate(state_.model);
+    choose_real();
+    bool converged = descend(projection_, state_, options_);
+    for (int round = 0; round < kRounds && release(); ++round) converged = descend(projection_, state_, options_);
+    return result(converged, covariance_of(state_));
+  }
+
+  JointFit at_start(const MatrixXd& covariance) {
+    projection_.weigh_by(state_, projection_.left_over(state_));
+    state_ = projection_.evaluate(state_.model);
+    return result(true, covariance);
+  }
+
+ private:
+  // Real residues where they leave the smaller deviation of the frequency.
+  void choose_real() {
+    const std::size_t modes = state_.model.poles.size();
+    JointModel real_model = state_.model;
+    real_model.real.assign(modes, 1);
+    const VectorXd real = variances(projection_.evaluate(real_model));
+    const VectorXd complex = variances(state_);
+    for (std::size_t m = 0; m < modes; ++m) {
+      const auto i = static_cast<Index>(2 * m);
+      state_.model.real[m] = real(i) <= complex(i) ? 1 : 0;
+    }
+    state_ = projection_.evaluate(state_.model);
+  }
+
+  MatrixXd covariance_of(const JointState& state, ForceErrors of = ForceErrors::all) const {
+    const JointNormal normal = projection_.with_force_noise(state, of);
+    const MatrixXd inverse = inverse_gram(normal.matrix);
+    return inverse + inverse * normal.force * inverse;
+  }
+  // Without the ringing that is cut off, of which no more than a likely size is known: counted, it would give up more
+  // real residues than it spoils.
+  VectorXd variances(const JointState& state) const { return covariance_of(state, ForceErrors::noise).diagonal(); }
+
+  // Real residues that the lines contradict become complex; true when any did. The most contradicted ones first: what
+  // they cannot follow spills over to the others.
+  bool release() {
+    const MatrixXd covariance = inverse_gram(projection_.normal_equations(state_).matrix);
+    std::vector<double> against(state_.model.real.size());
+    for (std::size_t m = 0; m < against.size(); ++m) {
+      if (state_.model.real[m]) against[m] = phase_contradiction(projection_, state_, m, covariance);
+    }
+    const double most = against.empty() ? 0 : *std::max_element(against.begin(), against.end());
+    if (most <= 1) return false;
+    for (std::size_t m = 0; m < against.size(); ++m) {
+      if (against[m] > std::max(1.0, kSpill * most)) state_.model.real[m] = 0;
+    }
+    state_ = projection_.evaluate(state_.model);
+    return true;
+  }
+
+  JointFit result(bool converged, const MatrixXd& total) const {
+    const auto outputs = static_cast<Index>(set_.outputs.size());
+    const auto modes = static_cast<Index>(state_.model.poles.size());
+    JointFit fit{.poles = state_.model.poles,
+                 .real = state_.model.real,
+                 .residues = Eigen::MatrixXcd::Zero(outputs, modes),
+                 .residue_std = MatrixXd::Zero(outputs, modes),
+                 .freq_std_Hz = VectorXd::Zero(modes),
+                 .damping_std = VectorXd::Zero(modes),
+                 .residual = projection_.left_over(state_),
+                 .converged = converged};
+    for (Index m = 0; m < modes; ++m) {
+      fit.freq_std_Hz(m) = std::sqrt(std::max(0.0, total(2 * m, 2 * m)));
+      fit.damping_std(m) = std::sqrt(std::max(0.0, total(2 * m + 1, 2 * m + 1)));
+    }
+    for (std::size_t p = 0; p < state_.parts.size(); ++p) add_residues(fit, p, total);
+    fit.residue_std = (fit.residue_std.cwiseAbs2() + projection_.residue_force_variance(state_)).cwiseSqrt();
+    return fit;
+  }
+
+  void add_residues(JointFit& fit, std::size_t p, const MatrixXd& covariance) const {
+    const JointPart& part = state_.parts[p];
+    const MatrixXd follow = part.inverse * (part.columns.transpose() * part.slopes);  // what moved columns do
+    const auto unknowns = static_cast<std::size_t>(part.inverse.rows());
+    share_out(part.outputs.size(), 2 * unknowns * unknowns * unknowns, [&](std::size_t i) {
+      const auto o = static_cast<Index>(part.outputs[i]);
+      const auto column = static_cast<Index>(i);
+      const double noise = projection_.noise()(o);
+      MatrixXd moves = MatrixXd::Zero(part.inverse.rows(), covariance.rows());
+      for (std::size_t m = 0; m < fit.real.size(); ++m) {
+        for (Index k = 0; k < (fit.real[m] ? 1 : 2); ++k) {
+          const Index at = static_cast<Index>(part.first[m]) + k;
+          for (Index d = 0; d < 2; ++d)
+            moves.col(static_cast<Index>(2 * m) + d) -= follow.col(2 * at + d) * part.amplitude(at, column);
+        }
+      }
+      const MatrixXd spread = part.inverse * noise * noise + moves * covariance * moves.transpose();
+      for (std::size_t m = 0; m < fit.real.size(); ++m) {
+        const auto at = static_cast<Index>(part.first[m]);
+        const auto mode = static_cast<Index>(m);
+        const double imaginary = fit.real[m] ? 0 : part.amplitude(at + 1, column);
+        fit.residues(o, mode) = Complex(part.amplitude(at, column), imaginary);
+        const double variance = fit.real[m] ? spread(at, at) : 0.5 * (spread(at, at) + spread(at + 1, at + 1));
+        fit.residue_std(o, mode) = std::sqrt(std::max(0.0, variance));
+      }
+    });
+  }
+
+  const FrfSet& set_;
+  const JointFitOptions& options_;
+  JointProjection projection_;
+  JointState state_;
+};
+
+}  // namespace
+
+JointFit fit_jointly(const FrfSet& set, std::vector<Pole> start, const JointFitOptions& options) {
+  return Joint(set, std::move(start), options).run();
+}
+
+JointFit fit_residues(const FrfSet& set, const std::vector<Pole>& poles, const MatrixXd& covariance) {
+  return Joint(set, poles, {}).at_start(covariance);
+}
+
+Eigen::MatrixXcd residues_at(const FrfSet& set, const std::vector<Pole>& poles) {
+  const auto modes = static_cast<Index>(poles.size());
+  const JointState state =
+      JointProjection(set, poles).evaluate({.poles = poles, .real = std::vector<char>(poles.size(), 0)});
+  Eigen::MatrixXcd residues(static_cast<Index>(set.outputs.size()), modes);
+  for (const JointPart& part : state.parts) {
+    for (std::size_t i = 0; i < part.outputs.size(); ++i) {
+      for (Index m = 0; m < modes; ++m) {
+        const auto first = static_cast<Index>(part.first[static_cast<std::size_t>(m)]);
+        const auto amplitude = part.amplitude.col(static_cast<Index>(i));
+        residues(static_cast<Index>(part.outputs[i]), m) = {amplitude(first), amplitude(first + 1)};
+      }
+    }
+  }
+  return residues;
+}
+
+}  // namespace percuss

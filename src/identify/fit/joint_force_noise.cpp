@@ -1,0 +1,96 @@
+// What the force channel's noise does to a joint fit: a gain error ε(ω) adds ε·H to every response of its point.
+#include <algorithm>
+
+#include "core/parallel/parallel.hpp"
+#include "identify/fit/joint_projection.hpp"
+#include "identify/noise/force_noise.hpp"
+
+namespace percuss {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXcd;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// ε·H of one output for each of ε's variables. shapes  response [rows], errors [blocks, variables].
+MatrixXd moved_by(const MatrixXcd& errors, const VectorXd& response) {
+  const Index blocks = errors.rows();
+  const MatrixXd re = errors.real();
+  const MatrixXd im = errors.imag();
+  const auto h_re = response.head(blocks).asDiagonal();
+  const auto h_im = response.tail(blocks).asDiagonal();
+  MatrixXd moved(2 * blocks, errors.cols());
+  moved.topRows(blocks) = h_re * re - h_im * im;
+  moved.bottomRows(blocks) = h_re * im + h_im * re;
+  return moved;
+}
+
+std::vector<std::vector<std::size_t>> by_point(const FrfSet& set, const JointPart& part) {
+  std::vector<std::vector<std::size_t>> points;
+  for (std::size_t i = 0; i < part.outputs.size(); ++i) {
+    const auto point = [&](std::size_t at) { return set.outputs[part.outputs[at]].point; };
+    if (i == 0 || point(i) != point(i - 1)) points.emplace_back();
+    points.back().push_back(i);
+  }
+  return points;
+}
+
+}  // namespace
+
+void JointProjection::add_force_noise(const JointState& state, const JointPart& part, ForceErrors of,
+                                      JointNormal& normal) const {
+  const MatrixXd follow = part.inverse * (part.columns.transpose() * part.slopes);
+  const MatrixXd synthesised = part.columns * part.amplitude;
+  const std::vector<std::size_t> lines = blocks_.middles();
+  const auto points = by_point(set_, part);
+  std::vector<MatrixXd> pushes(points.size());
+  share_out(
+      points.size(), kPerProduct * lines.size() * static_cast<std::size_t>(part.slopes.cols()), [&](std::size_t p) {
+        const MatrixXcd errors = gain_errors(set_, set_.outputs[part.outputs[points[p].front()]].point, lines, of);
+        for (const std::size_t i : points[p]) {
+          if (errors.size() == 0) break;
+          const auto o = static_cast<Index>(i);
+          const MatrixXd moved = moved_by(errors, synthesised.col(o));
+          const MatrixXd score =
+              part.slopes.transpose() * moved - follow.transpose() * (part.columns.transpose() * moved);
+          const MatrixXd mine =
+              spread_of(state, part, o).transpose() * score / noise_(static_cast<Index>(part.outputs[i]));
+          if (pushes[p].size() == 0) pushes[p] = MatrixXd::Zero(mine.rows(), mine.cols());
+          pushes[p] += mine;
+        }
+      });
+  for (const MatrixXd& push : pushes) {
+    if (push.size() > 0) normal.force += push * push.transpose();
+  }
+}
+
+void JointProjection::add_residue_variance(const JointState& state, const JointPart& part, MatrixXd& variance) const {
+  const MatrixXd synthesised = part.columns * part.amplitude;
+  const std::vector<std::size_t> lines = blocks_.middles();
+  const auto points = by_point(set_, part);
+  share_out(
+      points.size(), kPerProduct * lines.size() * static_cast<std::size_t>(part.columns.cols()), [&](std::size_t p) {
+        const MatrixXcd errors = gain_errors(set_, set_.outputs[part.outputs[points[p].front()]].point, lines);
+        for (const std::size_t i : points[p]) {
+          if (errors.size() == 0) break;
+          const auto o = static_cast<Index>(i);
+          const MatrixXd moves = part.inverse * (part.columns.transpose() * moved_by(errors, synthesised.col(o)));
+          for (std::size_t m = 0; m < state.model.poles.size(); ++m) {
+            const auto first = static_cast<Index>(part.first[m]);
+            const double line = set_.lines.position(state.model.poles[m].freq_Hz);
+            const auto above = std::lower_bound(lines.begin(), lines.end(), line,
+                                                [](std::size_t a, double b) { return static_cast<double>(a) < b; });
+            const Index at = std::min<Index>(above - lines.begin(), errors.rows() - 1);
+            const bool real = state.model.real[m] != 0;
+            const Complex residue(part.amplitude(first, o), real ? 0 : part.amplitude(first + 1, o));
+            const Eigen::RowVectorXcd gain = residue * errors.row(at);
+            double sum = (moves.row(first) - gain.real()).squaredNorm();
+            if (!real) sum = 0.5 * (sum + (moves.row(first + 1) - gain.imag()).squaredNorm());
+            variance(static_cast<Index>(part.outputs[i]), static_cast<Index>(m)) = sum;
+          }
+        }
+      });
+}
+
+}  // namespace percuss

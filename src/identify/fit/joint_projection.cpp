@@ -1,0 +1,195 @@
+#include "identify/fit/joint_projection.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/math/linear_algebra.hpp"
+#include "core/parallel/parallel.hpp"
+#include "identify/model/residual_terms.hpp"
+
+namespace percuss {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXcd;
+using Eigen::MatrixXd;
+using Eigen::VectorXcd;
+using Eigen::VectorXd;
+
+constexpr Index kStrip = 16;  // outputs that are worked on together
+
+// A stacked column times j.
+void turn(const Eigen::Ref<const VectorXd>& column, Eigen::Ref<VectorXd> turned) {
+  const Index half = column.size() / 2;
+  turned.head(half) = -column.tail(half);
+  turned.tail(half) = column.head(half);
+}
+
+}  // namespace
+
+bool JointModel::all_real() const {
+  return std::all_of(real.begin(), real.end(), [](char r) { return r != 0; });
+}
+
+JointProjection::JointProjection(const FrfSet& set, const std::vector<Pole>& poles)
+    : set_(set),
+      blocks_(set.lines, poles),
+      background_(background_shapes(set.lines)),
+      noise_(VectorXd::Ones(static_cast<Index>(set.outputs.size()))) {
+  const bool together = std::all_of(set.points.begin(), set.points.end(), [&](const PointForce& force) {
+    return std::all_of(poles.begin(), poles.end(), [&](const Pole& p) { return decays_within(p, force, set.lines); });
+  });
+  parts_.resize(together ? 1 : set.points.size());
+  for (std::size_t o = 0; o < set.outputs.size(); ++o) parts_[together ? 0 : set.outputs[o].point].outputs.push_back(o);
+  std::erase_if(parts_, [](const Plan& plan) { return plan.outputs.empty(); });
+  for (Plan& plan : parts_) {
+    // An H1 line's noise goes down as the force's energy goes up.
+    plan.weight = VectorXd::Zero(static_cast<Index>(set.lines.count));
+    for (const std::size_t o : plan.outputs) {
+      const auto& ff = set.points[set.outputs[o].point].ff;
+      plan.weight += ff.empty() ? VectorXd::Ones(plan.weight.size())
+                                : VectorXd(Eigen::Map<const VectorXd>(ff.data(), plan.weight.size()));
+    }
+    plan.weight = (plan.weight / static_cast<double>(plan.outputs.size())).cwiseSqrt();
+    fill(plan);
+  }
+}
+
+void JointProjection::fill(Plan& plan) const {
+  const auto lines = static_cast<Index>(set_.lines.count);
+  plan.data.resize(2 * blocks_.count(), static_cast<Index>(plan.outputs.size()));
+  share_out(plan.outputs.size(), kPerProduct * set_.lines.count, [&](std::size_t i) {
+    const Eigen::Map<const VectorXcd> frf(set_.outputs[plan.outputs[i]].frf.data(), lines);
+    blocks_.sum(frf, plan.weight, plan.data.col(static_cast<Index>(i)));
+  });
+  plan.background.resize(2 * blocks_.count(), background_.cols());
+  for (Index term = 0; term < background_.cols(); ++term)
+    blocks_.sum(background_.col(term).cast<Complex>(), plan.weight, plan.background.col(term));
+}
+
+JointState JointProjection::evaluate(JointModel model) const {
+  JointState state{.model = std::move(model), .parts = {}};
+  const std::vector<ModeColumn> whole = whole_columns(state.model, Need::derivatives);
+  for (const Plan& plan : parts_) {
+    state.parts.push_back(solve(plan, state.model, whole));
+    const JointPart& part = state.parts.back();
+    for (std::size_t i = 0; i < part.outputs.size(); ++i) {
+      const double noise = noise_(static_cast<Index>(part.outputs[i]));
+      state.cost += part.residual.col(static_cast<Index>(i)).squaredNorm() / (noise * noise);
+    }
+  }
+  return state;
+}
+
+std::vector<ModeColumn> JointProjection::whole_columns(const JointModel& model, Need need) const {
+  std::vector<ModeColumn> columns(model.poles.size());
+  share_out(columns.size(), kPerColumnLine * set_.lines.count, [&](std::size_t m) {
+    columns[m] = whole_column(model.poles[m], set_.window_decay_per_s(), set_.lines, 0, set_.lines.count, need);
+  });
+  return columns;
+}
+
+JointPart JointProjection::solve(const Plan& plan, const JointModel& model,
+                                 const std::vector<ModeColumn>& whole) const {
+  const Index rows = 2 * blocks_.count();
+  const auto modes = static_cast<Index>(model.poles.size());
+  JointPart part;
+  part.outputs = plan.outputs;
+  Index unknowns = 0;
+  for (const char real : model.real) {
+    part.first.push_back(static_cast<std::size_t>(unknowns));
+    unknowns += real ? 1 : 2;
+  }
+  const PointForce& force = set_.points[set_.outputs[plan.outputs.front()].point];
+  const Index turns = model.all_real() ? 1 : 2;  // real coefficients of the background, or complex ones
+  part.columns.resize(rows, unknowns + turns * background_.cols());
+  part.slopes.resize(rows, 2 * unknowns);
+  part.quadrature.resize(rows, modes);
+  share_out(model.poles.size(), kPerColumnLine * set_.lines.count, [&](std::size_t at) {
+    const auto m = static_cast<Index>(at);
+    const ModeColumn mode = without_missing(whole[at], model.poles[at], force, set_.lines, 0);
+    const auto first = static_cast<Index>(part.first[at]);
+    blocks_.sum(mode.value, plan.weight, part.columns.col(first));
+    blocks_.sum(mode.by_freq, plan.weight, part.slopes.col(2 * first));
+    blocks_.sum(mode.by_damping, plan.weight, part.slopes.col(2 * first + 1));
+    turn(part.columns.col(first), part.quadrature.col(m));
+    if (model.real[at]) return;
+    part.columns.col(first + 1) = part.quadrature.col(m);
+    turn(part.slopes.col(2 * first), part.slopes.col(2 * first + 2));
+    turn(part.slopes.col(2 * first + 1), part.slopes.col(2 * first + 3));
+  });
+  for (Index term = 0; term < background_.cols(); ++term) {
+    const Index at = unknowns + turns * term;
+    part.columns.col(at) = plan.background.col(term);
+    if (turns == 2) turn(part.columns.col(at), part.columns.col(at + 1));
+  }
+  part.inverse = inverse_gram(MatrixXd(part.columns.transpose() * part.columns));
+  part.amplitude.resize(part.columns.cols(), plan.data.cols());
+  part.residual.resize(rows, plan.data.cols());
+  const Index strips = (plan.data.cols() + kStrip - 1) / kStrip;
+  share_out(static_cast<std::size_t>(strips), static_cast<std::size_t>(8 * part.columns.size() * kStrip),
+            [&](std::size_t strip) {
+              const Index first = static_cast<Index>(strip) * kStrip;
+              solve_outputs(plan, first, std::min(kStrip, plan.data.cols() - first), part);
+            });
+  return part;
+}
+
+void JointProjection::solve_outputs(const Plan& plan, Index first, Index count, JointPart& part) {
+  auto amplitude = part.amplitude.middleCols(first, count);
+  auto residual = part.residual.middleCols(first, count);
+  amplitude = part.inverse * (part.columns.transpose() * plan.data.middleCols(first, count));
+  residual = plan.data.middleCols(first, count) - part.columns * amplitude;
+  // Once more with what is left: the normal equations alone lose half of the digits.
+  const MatrixXd correction = part.inverse * (part.columns.transpose() * residual);
+  amplitude += correction;
+  residual -= part.columns * correction;
+}
+
+JointNormal JointProjection::normal_equations(const JointState& state) const {
+  const auto modes = static_cast<Index>(state.model.poles.size());
+  JointNormal out{.matrix = MatrixXd::Zero(2 * modes, 2 * modes), .right = VectorXd::Zero(2 * modes), .force = {}};
+  for (const JointPart& part : state.parts) {
+    // What the linear part cannot follow of the slopes (Kaufman's Jacobian).
+    const MatrixXd cross = part.columns.transpose() * part.slopes;
+    const MatrixXd gram = part.slopes.transpose() * part.slopes - cross.transpose() * part.inverse * cross;
+    const MatrixXd push = part.slopes.transpose() * part.residual;
+    for (std::size_t i = 0; i < part.outputs.size(); ++i) {
+      const auto o = static_cast<Index>(i);
+      const MatrixXd spread = spread_of(state, part, o);
+      out.matrix += spread.transpose() * gram * spread;
+      out.right += spread.transpose() * push.col(o) / noise_(static_cast<Index>(part.outputs[i]));
+    }
+  }
+  return out;
+}
+
+MatrixXd JointProjection::spread_of(const JointState& state, const JointPart& part, Index output) const {
+  const double noise = noise_(static_cast<Index>(part.outputs[static_cast<std::size_t>(output)]));
+  const auto modes = static_cast<Index>(state.model.poles.size());
+  MatrixXd spread = MatrixXd::Zero(part.slopes.cols(), 2 * modes);
+  for (Index m = 0; m < modes; ++m) {
+    const auto first = static_cast<Index>(part.first[static_cast<std::size_t>(m)]);
+    for (Index k = 0; k < (state.model.real[static_cast<std::size_t>(m)] ? 1 : 2); ++k) {
+      spread(2 * (first + k), 2 * m) = part.amplitude(first + k, output) / noise;
+      spread(2 * (first + k) + 1, 2 * m + 1) = part.amplitude(first + k, output) / noise;
+    }
+  }
+  return spread;
+}
+
+JointNormal JointProjection::with_force_noise(const JointState& state, ForceErrors of) const {
+  JointNormal out = normal_equations(state);
+  out.force = MatrixXd::Zero(out.matrix.rows(), out.matrix.cols());
+  for (const JointPart& part : state.parts) add_force_noise(state, part, of, out);
+  return out;
+}
+
+MatrixXd JointProjection::residue_force_variance(const JointState& state) const {
+  MatrixXd variance =
+      MatrixXd::Zero(static_cast<Index>(set_.outputs.size()), static_cast<Index>(state.model.poles.size()));
+  for (const JointPart& part : state.parts) add_residue_variance(state, part, variance);
+  return variance;
+}
+
+}  // namespace percuss

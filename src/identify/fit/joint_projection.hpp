@@ -1,0 +1,95 @@
+#pragma once
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+#include "identify/fit/frequency_bins.hpp"
+#include "identify/model/frf_dataset.hpp"
+#include "identify/noise/force_noise.hpp"
+
+namespace percuss {
+
+/// Which poles a joint fit works with, and whose residues are real.
+struct JointModel {
+  std::vector<Pole> poles;
+  std::vector<char> real;  // [modes] residue without imaginary part: a real mode shape, sensors without delay
+  bool all_real() const;   // then the background's coefficients are real as well
+};
+
+/// The linear part of a joint fit at given poles, for outputs that share their columns. Rows are weighted blocks of
+/// lines, real above imaginary parts.
+struct JointPart {
+  std::vector<std::size_t> outputs;     // indices into FrfSet::outputs
+  std::vector<std::size_t> first;       // [modes] column of the residue's real part; the imaginary part's follows
+  Eigen::MatrixXd columns;              // [rows, unknowns per output]
+  Eigen::MatrixXd slopes;               // of the columns along frequency and damping, two for each residue column
+  Eigen::MatrixXd quadrature;           // [rows, modes] a residue's imaginary part, whether fitted or not
+  Eigen::MatrixXd inverse;              // of columnsᵀ·columns
+  Eigen::MatrixXd amplitude, residual;  // [unknowns, outputs], [rows, outputs]
+};
+
+struct JointState {
+  JointModel model;
+  std::vector<JointPart> parts;
+  double cost = 0;  // Σ residual²/noise²
+};
+
+/// What a joint fit says of the poles: unknowns in the order frequency, damping ratio per mode.
+struct JointNormal {
+  Eigen::MatrixXd matrix;  // Fisher information
+  Eigen::VectorXd right;
+  Eigen::MatrixXd force;  // covariance of `right` that the force channel's noise causes
+};
+
+/// Least squares of all lines of all outputs at once by modes and a background: mass line, and guard modes at fixed
+/// places for what lies beyond the lines.
+class JointProjection {
+ public:
+  /// set must outlive this object.
+  JointProjection(const FrfSet& set, const std::vector<Pole>& poles);
+
+  JointState evaluate(JointModel model) const;
+  /// theory (4.9)
+  JointNormal normal_equations(const JointState& state) const;
+  /// … with `force` filled in.
+  JointNormal with_force_noise(const JointState& state, ForceErrors of) const;
+  /// Variance of each residue (of its real and imaginary part) that the force channel's noise causes beyond the gain
+  /// common to the point's responses (gain_deviation): what it makes of the other modes. [outputs, modes]
+  Eigen::MatrixXd residue_force_variance(const JointState& state) const;
+
+  /// From slope columns to the unknowns of the poles, with the residues of an output of the part, in units of its
+  /// noise.
+  Eigen::MatrixXd spread_of(const JointState& state, const JointPart& part, Eigen::Index output) const;
+
+  /// Takes each output's noise, and how the noise goes with frequency, from what a fit left (its left_over).
+  void weigh_by(const JointState& state, const std::vector<Eigen::VectorXcd>& left);
+  /// What the fit leaves of every line, not weighted: [outputs][lines], (m/s²)/N.
+  std::vector<Eigen::VectorXcd> left_over(const JointState& state) const;
+  /// [outputs] deviation of a row.
+  const Eigen::VectorXd& noise() const { return noise_; }
+  const FrfSet& set() const { return set_; }
+
+ private:
+  struct Plan {
+    std::vector<std::size_t> outputs;
+    Eigen::VectorXd weight;      // [lines]
+    Eigen::MatrixXd data;        // [rows, outputs]
+    Eigen::MatrixXd background;  // [rows, terms]
+  };
+  void fill(Plan& plan) const;
+  std::vector<ModeColumn> whole_columns(const JointModel& model, Need need) const;
+  JointPart solve(const Plan& plan, const JointModel& model, const std::vector<ModeColumn>& whole) const;
+  static void solve_outputs(const Plan& plan, Eigen::Index first, Eigen::Index count, JointPart& part);
+  void subtract_shares(const Eigen::MatrixXcd& columns, const JointPart& part,
+                       std::vector<Eigen::VectorXcd>& left) const;
+  void add_force_noise(const JointState& state, const JointPart& part, ForceErrors of, JointNormal& normal) const;
+  void add_residue_variance(const JointState& state, const JointPart& part, Eigen::MatrixXd& variance) const;
+
+  const FrfSet& set_;
+  LineBlocks blocks_;
+  Eigen::MatrixXd background_;  // [lines, terms]
+  std::vector<Plan> parts_;
+  Eigen::VectorXd noise_;
+};
+
+}  // namespace percuss

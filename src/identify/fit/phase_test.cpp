@@ -1,0 +1,71 @@
+#include "identify/fit/phase_test.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "identify/noise/force_noise.hpp"
+
+namespace percuss {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+constexpr double kPhaseTest = 4;   // deviations of a common phase: one real mode in 16 000 is called complex
+constexpr double kSpreadTest = 6;  // deviations of a χ² sum over the outputs
+
+// What a common phase error of the mode's residues would do.
+struct PhaseEffect {
+  double push = 0;         // score of the phase over all outputs
+  double information = 0;  // of it, the poles known
+  VectorXd on_poles;       // [2 modes] cross information with the poles
+  double spread = 0;       // Σ over outputs of score²/information
+  double outputs = 0;
+};
+
+PhaseEffect effect_of(const JointProjection& projection, const JointState& state, std::size_t mode) {
+  PhaseEffect effect{.on_poles = VectorXd::Zero(static_cast<Index>(2 * state.model.poles.size()))};
+  for (const JointPart& part : state.parts) {
+    const auto q = part.quadrature.col(static_cast<Index>(mode));
+    const VectorXd cross = part.columns.transpose() * q;
+    const VectorXd solved = part.inverse * cross;
+    const double gram = q.squaredNorm() - cross.dot(solved);
+    const VectorXd with_slopes = part.slopes.transpose() * (q - part.columns * solved);
+    for (std::size_t i = 0; i < part.outputs.size(); ++i) {
+      const auto o = static_cast<Index>(i);
+      const double noise = projection.noise()(static_cast<Index>(part.outputs[i]));
+      const double own = part.amplitude(static_cast<Index>(part.first[mode]), o) / noise;
+      const double push = own * q.dot(part.residual.col(o)) / noise;
+      const double information = own * own * gram;
+      effect.push += push;
+      effect.information += information;
+      if (information > 0) effect.spread += push * push / information;
+      ++effect.outputs;
+      effect.on_poles += own * (projection.spread_of(state, part, o).transpose() * with_slopes);
+    }
+  }
+  return effect;
+}
+
+// Of the phase of the force near a pole, the mean over the points.
+double phase_variance(const FrfSet& set, const Pole& pole) {
+  double sum = 0;
+  for (std::size_t p = 0; p < set.points.size(); ++p) sum += std::pow(gain_deviation(set, p, pole.freq_Hz), 2);
+  return sum / static_cast<double>(set.points.size() * set.points.size());
+}
+
+}  // namespace
+
+double phase_contradiction(const JointProjection& projection, const JointState& state, std::size_t mode,
+                           const Eigen::MatrixXd& covariance) {
+  const PhaseEffect effect = effect_of(projection, state, mode);
+  const double information = effect.information - effect.on_poles.dot(covariance * effect.on_poles);
+  if (!(information > 1e-12 * effect.information)) return 0;
+  const double prior = phase_variance(projection.set(), state.model.poles[mode]);
+  const double common = effect.push * effect.push / (information + prior * information * information);
+  const double expected = effect.outputs + prior * effect.information;
+  return std::max(common / (kPhaseTest * kPhaseTest),
+                  effect.spread / (expected * (1 + kSpreadTest * std::sqrt(2 / effect.outputs))));
+}
+
+}  // namespace percuss

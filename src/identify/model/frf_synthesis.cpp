@@ -1,0 +1,122 @@
+#include "identify/model/frf_synthesis.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "core/math/linear_algebra.hpp"
+#include "core/parallel/parallel.hpp"
+#include "core/units.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr Eigen::Index kTerms = 3;
+constexpr std::size_t kPerModeLine = 40;  // and mode
+
+Eigen::MatrixXcd residual_columns(const LineRange& band, double decay_per_s) {
+  Eigen::MatrixXcd out(static_cast<Eigen::Index>(band.count), kTerms);
+  const double end = kTwoPi * band.freq_Hz(band.count - 1);
+  for (Eigen::Index k = 0; k < out.rows(); ++k) {
+    const Complex s = Complex(decay_per_s, kTwoPi * band.freq_Hz(static_cast<std::size_t>(k))) / end;
+    out(k, 0) = 1;
+    out(k, 1) = s * s;
+    out(k, 2) = s * s * s * s;
+  }
+  return out;
+}
+
+double noise_share(const Eigen::VectorXcd& left) {
+  const Eigen::Index n = left.size() - 2;
+  const double energy = left.size() > 2 ? left.segment(1, n).squaredNorm() : 0;
+  if (!(energy > 0)) return 0;
+  return std::min(1.0, (left.segment(1, n) - 0.5 * (left.head(n) + left.tail(n))).squaredNorm() / (1.5 * energy));
+}
+
+// What the outputs share, and an output's FRF from it.
+class Synthesis {
+ public:
+  Synthesis(const FrfSet& set, const std::vector<Mode>& modes, const LineRange& band)
+      : set_(set),
+        modes_(modes),
+        first_(band.first - set.lines.first),
+        count_(band.count),
+        terms_(residual_columns(band, set.window_decay_per_s())),
+        fit_(inverse_gram(Eigen::MatrixXcd(terms_.adjoint() * terms_)) * terms_.adjoint()) {
+    whole_.reserve(modes.size());
+    for (const Mode& mode : modes)
+      whole_.push_back(whole_column(mode.pole, set.window_decay_per_s(), set.lines, first_, count_, Need::value));
+  }
+
+  // Returns the measured FRF's power.
+  double make(std::size_t o, SynthesisedFrf& made) const {
+    const Output& output = set_.outputs[o];
+    const auto begin = output.frf.begin() + static_cast<std::ptrdiff_t>(first_);
+    const std::vector<Complex> measured(begin, begin + static_cast<std::ptrdiff_t>(count_));
+    const auto lines = static_cast<Eigen::Index>(count_);
+    Eigen::VectorXcd sum = of_modes(o);
+    const Eigen::VectorXcd rest = Eigen::Map<const Eigen::VectorXcd>(measured.data(), lines) - sum;
+    const Eigen::VectorXcd fitted = fit_ * rest;
+    sum += terms_ * fitted;  // (1)
+    made = {.point = output.point,
+            .channel = output.channel,
+            .value = {sum.data(), sum.data() + lines},
+            .terms = {fitted.data(), fitted.data() + kTerms}};
+    made.frac = frac(measured, made.value);
+    made.noise_share = noise_share(rest - terms_ * fitted);
+    double power = 0;
+    for (const Complex& h : measured) power += std::norm(h);
+    return power;
+  }
+
+ private:
+  Eigen::VectorXcd of_modes(std::size_t o) const {
+    const PointForce& force = set_.points[set_.outputs[o].point];
+    Eigen::VectorXcd sum = Eigen::VectorXcd::Zero(static_cast<Eigen::Index>(count_));
+    for (std::size_t m = 0; m < modes_.size(); ++m) {
+      const Residue& residue = modes_[m].residues[o];
+      const ModeColumn column = residue.own_pole
+                                    ? mode_column(*residue.own_pole, force, set_.lines, first_, count_, Need::value)
+                                    : without_missing(whole_[m], modes_[m].pole, force, set_.lines, first_);
+      sum += residue.value * column.value;
+    }
+    return sum;
+  }
+
+  const FrfSet& set_;
+  const std::vector<Mode>& modes_;
+  std::size_t first_, count_;
+  Eigen::MatrixXcd terms_, fit_;
+  std::vector<ModeColumn> whole_;
+};
+
+}  // namespace
+
+double frac(const std::vector<Complex>& measured, const std::vector<Complex>& made) {
+  assert(measured.size() == made.size());
+  Complex cross;
+  double a = 0, b = 0;
+  for (std::size_t k = 0; k < measured.size(); ++k) {
+    cross += std::conj(measured[k]) * made[k];
+    a += std::norm(measured[k]);
+    b += std::norm(made[k]);
+  }
+  return a > 0 && b > 0 ? std::min(1.0, std::norm(cross) / a / b) : 0;  // (2)
+}
+
+std::vector<SynthesisedFrf> synthesised_frfs(const FrfSet& set, const std::vector<Mode>& modes, const LineRange& band) {
+  assert(band.first >= set.lines.first && band.first + band.count <= set.lines.first + set.lines.count);
+  if (band.count == 0) return {};
+  const Synthesis synthesis(set, modes, band);
+  std::vector<SynthesisedFrf> out(set.outputs.size());
+  std::vector<double> power(out.size());
+  share_out(out.size(), kPerModeLine * band.count * (modes.size() + 1),
+            [&](std::size_t o) { power[o] = synthesis.make(o, out[o]); });
+  const double most = power.empty() ? 0 : *std::max_element(power.begin(), power.end());
+  constexpr double kFloor = 1e-30;  // of the strongest's power: a dead channel reads −300 dB
+  for (std::size_t o = 0; o < out.size() && most > 0; ++o)
+    out[o].level_dB = 10 * std::log10(std::max(power[o] / most, kFloor));
+  return out;
+}
+
+}  // namespace percuss

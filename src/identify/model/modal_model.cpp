@@ -1,0 +1,243 @@
+#include "identify/model/modal_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/math/complex.hpp"
+#include "core/units.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr double kGone =
+    1e-10;  // what is missing moves a pole by this part of its bandwidth at the most: below any record's noise
+
+Eigen::Map<const Eigen::ArrayXcd> array_of(std::span<const Complex> lines) {
+  return {lines.data(), static_cast<Eigen::Index>(lines.size())};
+}
+
+struct PoleTerms {
+  double omega, zeta;
+  Complex s, by_omega, by_zeta;  // s and its derivatives
+};
+
+PoleTerms terms_of(const Pole& pole) {
+  const double omega = kTwoPi * pole.freq_Hz;
+  const double zeta = pole.damping_ratio;
+  const double root = std::sqrt(1 - zeta * zeta);
+  const Complex direction(-zeta, root);
+  return {.omega = omega,
+          .zeta = zeta,
+          .s = omega * direction,
+          .by_omega = direction,
+          .by_zeta = omega * Complex(-1, -zeta / root)};
+}
+
+// q_h and dq_h/ds of (1).
+std::pair<Complex, Complex> state_at_end(const ForceBlock& block, Complex s, double dt_s, std::size_t samples) {
+  Complex q, by_s;
+  const Complex step = std::exp(-s * dt_s);
+  Complex decay = std::exp(s * (static_cast<double>(samples - block.offset) * dt_s));
+  for (std::size_t n = 0; n < block.force_N.size() && block.offset + n < samples; ++n) {
+    const Complex term = dt_s * block.force_N[n] * decay;
+    q += term;
+    by_s += term * (static_cast<double>(samples - block.offset - n) * dt_s);
+    decay *= step;
+  }
+  return {q, by_s};
+}
+
+// What the part of the decay beyond the record's end takes away, for one sign of the imaginary part; added to `value`
+// and, by the chain rule along ds, to the derivatives.
+struct Missing {
+  Complex windowed;                // s − σ
+  Complex c, c_by_s;               // ω_d counts as constant here; see `chain`
+  std::vector<Complex> q, q_by_s;  // [hits]
+};
+
+Missing missing_of(Complex s, const PointForce& force, const LineRange& lines) {
+  const Complex two_j_wd(0, 2 * s.imag());  // s.imag() = ±ω_d: the conjugate pole gets the conjugate factor
+  Missing m{.windowed = s - force.window_decay_per_s(),
+            .c = s * s / two_j_wd,
+            .c_by_s = 2.0 * s / two_j_wd,
+            .q = {},
+            .q_by_s = {}};
+  for (const ForceBlock& block : force.blocks) {
+    const auto [q, by_s] = state_at_end(block, m.windowed, 1 / lines.fs_Hz, lines.samples);
+    m.q.push_back(q);
+    m.q_by_s.push_back(by_s);
+  }
+  return m;
+}
+
+void subtract_missing(ModeColumn& column, const PoleTerms& p, bool conjugate, const PointForce& force,
+                      const LineRange& lines, std::size_t first) {
+  const double dt_s = 1 / lines.fs_Hz;
+  const auto side = [&](Complex z) { return conjugate ? std::conj(z) : z; };
+  const Missing m = missing_of(side(p.s), force, lines);
+  // c holds ω_d itself: d(1/ω_d) = −dω_d/ω_d · (1/ω_d).
+  const Complex by_freq = side(p.by_omega) * kTwoPi;
+  const Complex by_damping = side(p.by_zeta);
+  const double wd_by_freq = p.by_omega.imag() * kTwoPi / p.s.imag();
+  const double wd_by_damping = p.by_zeta.imag() / p.s.imag();
+  const Complex decay = std::exp(m.windowed * dt_s);
+  const Complex step = std::polar(1.0, -kTwoPi * lines.df_Hz() * dt_s);
+  Complex turn = std::polar(1.0, -kTwoPi * lines.freq_Hz(first) * dt_s);
+  for (Eigen::Index i = 0; i < column.value.size(); ++i, turn = times(turn, step)) {
+    const std::size_t line = first + static_cast<std::size_t>(i);
+    Complex q, q_by_s;
+    for (std::size_t h = 0; h < m.q.size(); ++h) {
+      const Complex weight = std::conj(force.spectra[h].get()[line]) / force.ff[line];
+      q += times(weight, m.q[h]);
+      q_by_s += times(weight, m.q_by_s[h]);
+    }
+    const Complex around = times(decay, turn);
+    const Complex d = inverse(1.0 - around);
+    const Complex value = times(m.c, times(q, d));
+    column.value(i) -= value;
+    const Complex d_by_s = dt_s * times(around, times(d, d));
+    const Complex by_s = times(m.c_by_s, times(q, d)) + times(m.c, times(q_by_s, d) + times(q, d_by_s));
+    column.by_freq(i) -= times(by_s, by_freq) - value * wd_by_freq;
+    column.by_damping(i) -= times(by_s, by_damping) - value * wd_by_damping;
+  }
+}
+
+// H and its derivatives on the imaginary axis, where (jω)² is real: a third of the work.
+void fill_whole(ModeColumn& column, const PoleTerms& p, const LineRange& lines, std::size_t first) {
+  const bool slopes = column.by_freq.size() > 0;
+  const double step = kTwoPi * lines.df_Hz();
+  for (Eigen::Index i = 0; i < column.value.size(); ++i) {
+    const double omega = step * static_cast<double>(lines.first + first + static_cast<std::size_t>(i));
+    const double w2 = omega * omega;
+    const double re = p.omega * p.omega - w2;
+    const double im = 2 * p.zeta * p.omega * omega;
+    const double share = 1 / (re * re + im * im);
+    const Complex resonance(re * share, -im * share);
+    column.value(i) = -w2 * resonance;
+    if (!slopes) continue;
+    const Complex slope = w2 * times(resonance, resonance);
+    column.by_freq(i) = times(slope, {2 * kTwoPi * p.omega, 2 * kTwoPi * p.zeta * omega});
+    column.by_damping(i) = times(slope, {0, 2 * p.omega * omega});
+  }
+}
+
+}  // namespace
+
+PointForce point_force(std::vector<ForceBlock> blocks, std::vector<Spectrum> spectra, const LineRange& lines,
+                       double noise_N) {
+  PointForce force{.blocks = std::move(blocks),
+                   .spectra = std::move(spectra),
+                   .ff = std::vector<double>(lines.count),
+                   .noise_N = noise_N};
+  Eigen::Map<Eigen::ArrayXd> ff(force.ff.data(), static_cast<Eigen::Index>(lines.count));
+  for (const Spectrum& spectrum : force.spectra) ff += array_of({spectrum.get(), lines.count}).abs2();
+  require_force(force.ff, lines);
+  return force;
+}
+
+std::vector<Complex> h1_at(const PointForce& force, std::span<const std::span<const Complex>> accel) {
+  std::vector<Complex> frf(force.ff.size());
+  constexpr std::size_t kBlock = 256;  // lines whose sum stays in the fastest memory
+  for (std::size_t first = 0; first < frf.size(); first += kBlock) {
+    const std::size_t end = std::min(first + kBlock, frf.size());
+    for (std::size_t h = 0; h < accel.size(); ++h) {
+      const Complex* f = force.spectra[h].get();
+      const Complex* a = accel[h].data();
+      for (std::size_t k = first; k < end; ++k) frf[k] += conj_times(f[k], a[k]);
+    }
+    for (std::size_t k = first; k < end; ++k) frf[k] /= force.ff[k];
+  }
+  return frf;
+}
+
+double left_at_end(const Pole& pole, const LineRange& lines, double window_decay_per_s) {
+  return std::exp(-(pole.damping_ratio * kTwoPi * pole.freq_Hz + window_decay_per_s) / lines.df_Hz());
+}
+
+bool decays_within(const Pole& pole, const PointForce& force, const LineRange& lines) {
+  if (force.complete) return true;
+  const bool known = std::any_of(force.blocks.begin(), force.blocks.end(),
+                                 [](const ForceBlock& block) { return !block.force_N.empty(); });
+  if (!known) return true;  // what follows the record's end is not known without the force
+  return left_at_end(pole, lines, force.window_decay_per_s()) < kGone;
+}
+
+ModeColumn whole_column(const Pole& pole, double window_decay_per_s, const LineRange& lines, std::size_t first,
+                        std::size_t count, Need need) {
+  const PoleTerms p = terms_of(pole);
+  const auto size = static_cast<Eigen::Index>(count);
+  const bool slopes = need == Need::derivatives;
+  ModeColumn column{Eigen::VectorXcd(size), Eigen::VectorXcd(slopes ? size : 0), Eigen::VectorXcd(slopes ? size : 0)};
+  if (window_decay_per_s == 0) {
+    fill_whole(column, p, lines, first);
+    return column;
+  }
+  for (Eigen::Index i = 0; i < size; ++i) {
+    const Complex jw(window_decay_per_s, kTwoPi * lines.freq_Hz(first + static_cast<std::size_t>(i)));
+    const Complex jw2 = times(jw, jw);
+    const Complex resonance = inverse(jw2 + 2 * p.zeta * p.omega * jw + p.omega * p.omega);
+    const Complex h = times(jw2, resonance);
+    column.value(i) = h;
+    if (!slopes) continue;
+    const Complex slope = -times(h, resonance);
+    column.by_freq(i) = times(slope, 2 * p.zeta * jw + 2 * p.omega) * kTwoPi;
+    column.by_damping(i) = times(slope, 2 * p.omega * jw);
+  }
+  return column;
+}
+
+ModeColumn without_missing(ModeColumn whole, const Pole& pole, const PointForce& force, const LineRange& lines,
+                           std::size_t first) {
+  if (decays_within(pole, force, lines)) return whole;
+  const auto count = static_cast<std::size_t>(whole.value.size());
+  if (whole.by_freq.size() == 0) {
+    MissingDecay(pole, force.window_decay_per_s(), lines, first, count).add_to({whole.value.data(), count}, -1, force);
+    return whole;
+  }
+  const PoleTerms terms = terms_of(pole);
+  for (const bool conjugate : {false, true}) subtract_missing(whole, terms, conjugate, force, lines, first);
+  return whole;
+}
+
+MissingDecay::MissingDecay(const Pole& pole, double window_decay_per_s, const LineRange& lines, std::size_t first,
+                           std::size_t count)
+    : lines_(lines), first_(first), windowed_(terms_of(pole).s - window_decay_per_s), kernel_(count), mirror_(count) {
+  const double dt_s = 1 / lines.fs_Hz;
+  const Complex s = terms_of(pole).s;
+  const Complex c = s * s / Complex(0, 2 * s.imag());
+  const Complex decay = std::exp(windowed_ * dt_s);
+  const Complex step = std::polar(1.0, -kTwoPi * lines.df_Hz() * dt_s);
+  Complex turn = std::polar(1.0, -kTwoPi * lines.freq_Hz(first) * dt_s);
+  for (std::size_t i = 0; i < count; ++i, turn = times(turn, step)) {
+    kernel_[i] = times(c, inverse(1.0 - times(decay, turn)));
+    mirror_[i] = conj_times(c, inverse(1.0 - conj_times(decay, turn)));
+  }
+}
+
+void MissingDecay::add_to(std::span<Complex> sum, Complex residue, const PointForce& force) const {
+  std::vector<Complex> q;
+  for (const ForceBlock& block : force.blocks)
+    q.push_back(state_at_end(block, windowed_, 1 / lines_.fs_Hz, lines_.samples).first);
+  for (std::size_t i = 0; i < sum.size(); ++i) {
+    // conj(F)·q and conj(F)·conj(q) share their products.
+    double rr = 0, ii = 0, ri = 0, ir = 0;
+    for (std::size_t h = 0; h < q.size(); ++h) {
+      const Complex f = force.spectra[h].get()[first_ + i];
+      rr += f.real() * q[h].real();
+      ii += f.imag() * q[h].imag();
+      ri += f.real() * q[h].imag();
+      ir += f.imag() * q[h].real();
+    }
+    const Complex all = times(kernel_[i], {rr + ii, ri - ir}) + times(mirror_[i], {rr - ii, -ri - ir});
+    sum[i] += times(residue, all) / force.ff[first_ + i];
+  }
+}
+
+ModeColumn mode_column(const Pole& pole, const PointForce& force, const LineRange& lines, std::size_t first,
+                       std::size_t count, Need need) {
+  return without_missing(whole_column(pole, force.window_decay_per_s(), lines, first, count, need), pole, force, lines,
+                         first);
+}
+
+}  // namespace percuss

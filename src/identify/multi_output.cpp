@@ -1,0 +1,220 @@
+#include "identify/multi_output.hpp"
+
+#include <algorithm>
+
+#include "core/parallel/parallel.hpp"
+#include "identify/fit/joint_fit.hpp"
+#include "identify/fit/principal_frfs.hpp"
+#include "identify/fit/windowed_fit.hpp"
+#include "identify/noise/force_noise.hpp"
+#include "identify/noise/line_noise.hpp"
+#include "identify/select/frequency_scatter.hpp"
+#include "identify/select/joint_refinement.hpp"
+#include "identify/select/sequential_fit.hpp"
+
+namespace percuss {
+namespace {
+
+using Eigen::Index;
+
+constexpr double kMostLeft = 0.05;          // of a mode's amplitude at a record's end
+constexpr double kCompleted = 1e-9;         // what is missing counts no more
+constexpr double kExplained = 1.5;          // energy around a mode over what noise explains
+constexpr double kAround = 5;               // half-power bandwidths
+constexpr double kLeastAround = 10;         // lines
+constexpr std::size_t kAlways = 1'000'000;  // operations, at the least
+constexpr std::size_t kPerLine = 60;  // operations of what costs most: what is missing of a decay, a gain's errors
+
+double most_left(const FrfSet& set, const std::vector<PeakMode>& modes) {
+  double most = 0;
+  for (const PeakMode& mode : modes) most = std::max(most, left_at_end(mode.mode.pole, set.lines));
+  return most;
+}
+
+// Of a close pair it must be asked whether it only stands for one mode that moves from point to point.
+bool pairs_move(const FrfSet& set, const std::vector<Pole>& poles) {
+  GroupedFit all(set);
+  all.replace(poles);
+  const auto pair = [](const FitGroup& group) { return group.fit.poles.size() > 1; };
+  if (std::none_of(all.groups().begin(), all.groups().end(), pair)) return false;
+  all.sweep();
+  return std::any_of(all.groups().begin(), all.groups().end(),
+                     [&](const FitGroup& group) { return pair(group) && merged(all, group); });
+}
+
+Eigen::MatrixXd covariance_of(const std::vector<PeakMode>& modes) {
+  const auto unknowns = static_cast<Index>(2 * modes.size());
+  Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(unknowns, unknowns);
+  for (Index m = 0; m < unknowns / 2; ++m) {
+    const Mode& mode = modes[static_cast<std::size_t>(m)].mode;
+    covariance(2 * m, 2 * m) = mode.freq_std_Hz * mode.freq_std_Hz;
+    covariance(2 * m + 1, 2 * m + 1) = mode.damping_std * mode.damping_std;
+  }
+  return covariance;
+}
+
+std::vector<Pole> poles_of(const std::vector<PeakMode>& modes) {
+  std::vector<Pole> poles;
+  poles.reserve(modes.size());
+  for (const PeakMode& mode : modes) poles.push_back(mode.mode.pole);
+  return poles;
+}
+
+// The set as records would have given it that hold the whole decay.
+class Completed {
+ public:
+  explicit Completed(const FrfSet& cut) : cut_(cut), whole_{.lines = cut.lines, .reach_Hz = cut.reach_Hz} {
+    whole_.points.resize(cut.points.size());
+    share_out(cut.points.size(), kPerProduct * cut.lines.count, [&](std::size_t p) {
+      const PointForce& point = cut.points[p];
+      whole_.points[p] = {.blocks = point.blocks, .spectra = {}, .ff = point.ff, .noise_N = point.noise_N};
+      whole_.points[p].complete = true;
+    });
+    whole_.outputs.resize(cut.outputs.size());
+    share_out(cut.outputs.size(), kPerProduct * cut.lines.count,
+              [&](std::size_t o) { whole_.outputs[o] = cut.outputs[o]; });
+  }
+  const FrfSet& set() const { return whole_; }
+  // FRFs that came without records do not tell what is missing of them.
+  bool from_records() const {
+    return std::all_of(cut_.points.begin(), cut_.points.end(), [](const PointForce& p) { return !p.blocks.empty(); });
+  }
+
+  // Residues fitted to a set less complete are off by as much as that lacks; what is added, by as much again.
+  void take(const std::vector<Pole>& poles, const Eigen::MatrixXcd& residues) {
+    share_out(cut_.outputs.size(), kPerProduct * cut_.lines.count,
+              [&](std::size_t o) { whole_.outputs[o].frf = cut_.outputs[o].frf; });
+    for (std::size_t m = 0; m < poles.size(); ++m) {
+      if (left_at_end(poles[m], cut_.lines) < kCompleted) continue;
+      const MissingDecay missing(poles[m], 0, cut_.lines, 0, cut_.lines.count);
+      share_out(cut_.outputs.size(), kPerLine * cut_.lines.count, [&](std::size_t o) {
+        missing.add_to(whole_.outputs[o].frf, residues(static_cast<Index>(o), static_cast<Index>(m)),
+                       cut_.points[cut_.outputs[o].point]);
+      });
+    }
+  }
+
+ private:
+  const FrfSet& cut_;
+  FrfSet whole_;
+};
+
+// Turns `few` into the outputs of complete records, and fits `found` to them. Each time what is missing is known
+// better, by as much as is missing.
+void complete(Completed& completed, const Eigen::MatrixXd& sums, FrfSet& few, std::vector<PeakMode>& found) {
+  double left = most_left(few, found);
+  while (left > kCompleted) {
+    const std::vector<Pole> poles = poles_of(found);
+    completed.take(poles, residues_at(completed.set(), poles));
+    few = mixed_outputs(completed.set(), sums);
+    found = fit_peaks(few, {.start = poles});
+    left *= most_left(few, found);
+  }
+}
+
+// [lines] the variance of the force's gain error against that at the pole, which the residue takes up.
+Eigen::VectorXd gain_variance(const FrfSet& set, std::size_t point, Index from, Index to, std::size_t pole) {
+  std::vector<std::size_t> lines{pole};
+  for (Index k = from; k <= to; ++k) lines.push_back(static_cast<std::size_t>(k));
+  const Eigen::MatrixXcd errors = gain_errors(set, point, lines);
+  if (errors.size() == 0) return Eigen::VectorXd::Zero(to - from + 1);
+  return (errors.bottomRows(to - from + 1).rowwise() - errors.row(0)).rowwise().squaredNorm();
+}
+
+struct PoleWindow {
+  Index from = 0, to = 0;  // lines, both included
+  std::size_t pole = 0;    // line
+};
+
+// What a fit leaves of an output about a pole, in parts of its noise, and what noise would leave.
+struct Around {
+  double energy = 0, expected = 0;
+};
+
+std::vector<Around> around(const FrfSet& set, const std::vector<Eigen::VectorXcd>& residual, const LineNoise& noise,
+                           const PoleWindow& window) {
+  std::vector<Eigen::VectorXd> gain(set.points.size());
+  const auto lines = static_cast<std::size_t>(window.to - window.from + 1);
+  share_out(gain.size(), kPerLine * lines,
+            [&](std::size_t p) { gain[p] = gain_variance(set, p, window.from, window.to, window.pole); });
+  std::vector<Around> out(set.outputs.size());
+  share_out(out.size(), kPerLine * lines, [&](std::size_t o) {
+    const Output& output = set.outputs[o];
+    for (Index k = window.from; k <= window.to; ++k) {
+      const auto line = static_cast<std::size_t>(k);
+      const double n = noise.at(o, line);
+      out[o].energy += std::norm(residual[o](k)) / (n * n);
+      out[o].expected += 1 + gain[output.point](k - window.from) * std::norm(output.frf[line]) / (n * n);
+    }
+  });
+  return out;
+}
+
+// Common poles leave the noise alone around every mode: the responses', and what the force's makes of a large FRF.
+bool explains(const FrfSet& set, const JointFit& fit) {
+  const LineNoise noise(set);
+  for (const Pole& pole : fit.poles) {
+    const double at = set.lines.position(pole.freq_Hz);
+    const double half = std::max(kAround * pole.half_power_Hz() / set.lines.df_Hz(), kLeastAround);
+    const auto from = static_cast<Index>(set.lines.at(at - half));
+    const auto to = static_cast<Index>(set.lines.at(at + half));
+    const std::vector<Around> of_output =
+        around(set, fit.residual, noise, {.from = from, .to = to, .pole = set.lines.at(at)});
+    double energy = 0, expected = 0;
+    for (const Around& one : of_output) {
+      energy += one.energy;
+      expected += one.expected;
+    }
+    if (energy > kExplained * expected) return false;
+  }
+  return true;
+}
+
+std::vector<Mode> modes_of(const FrfSet& set, const std::vector<PeakMode>& found, const JointFit& fit) {
+  std::vector<Mode> modes;
+  for (std::size_t m = 0; m < found.size(); ++m) {
+    Mode mode = found[m].mode;
+    mode.residues.clear();
+    for (std::size_t o = 0; o < set.outputs.size(); ++o) {
+      mode.residues.push_back({.point = set.outputs[o].point,
+                               .channel = set.outputs[o].channel,
+                               .value = fit.residues(static_cast<Index>(o), static_cast<Index>(m)),
+                               .std = fit.residue_std(static_cast<Index>(o), static_cast<Index>(m)),
+                               .relative_std = gain_deviation(set, set.outputs[o].point, mode.pole.freq_Hz)});
+    }
+    modes.push_back(std::move(mode));
+  }
+  return modes;
+}
+
+}  // namespace
+
+std::optional<std::vector<Mode>> identify_many(const FrfSet& set, const IdentifyOptions& options) {
+  // An exponential window belongs to the pulse, which mixed outputs do not have.
+  if (set.window_decay_per_s() != 0) return std::nullopt;
+  const Eigen::MatrixXd sums = principal_sums(set, kFewOutputs);
+  FrfSet few = mixed_outputs(set, sums);
+  Completed completed(set);
+  std::vector<PeakMode> found;
+  // The clear modes first: what is missing of them after the records' ends would pass for hidden ones.
+  PeakFitOptions thorough = peak_fit_of(options.effort);
+  thorough.modes = options.modes;
+  for (const PeakFitOptions& peaks : {PeakFitOptions{.rounds = 0, .modes = options.modes}, thorough}) {
+    const std::size_t before = found.size();
+    found = fit_peaks(few, peaks);
+    if (found.empty() || most_left(set, found) > kMostLeft) return std::nullopt;
+    if (found.size() != before && completed.from_records()) complete(completed, sums, few, found);
+  }
+  const std::vector<Pole> poles = poles_of(found);
+  bool move = false;  // seen while the rest goes on, which is seldom in vain
+  share_out(2, kAlways, [&](std::size_t task) {
+    if (task == 0) move = pairs_move(completed.set(), poles);
+    if (task == 1 && options.effort == Effort::best) refine(few, found);
+  });
+  if (move) return std::nullopt;
+  const JointFit fit = fit_residues(completed.set(), poles_of(found), covariance_of(found));
+  if (!explains(completed.set(), fit)) return std::nullopt;
+  return modes_of(completed.set(), found, fit);
+}
+
+}  // namespace percuss

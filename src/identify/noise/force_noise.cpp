@@ -1,0 +1,129 @@
+#include "identify/noise/force_noise.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/units.hpp"
+
+namespace percuss {
+namespace {
+
+using Eigen::Index;
+
+// Between delays, in periods of the highest line: its square turns by four radians at the most, so that the variables'
+// noise is neither more nor less real than that of all samples.
+constexpr double kDelay = 0.32;
+
+constexpr double kNarrow = 0.2;  // half of a band over its highest line
+constexpr double kLeastStretches = 16;
+
+// Deviations of the noise: ringing of up to four is cut off where the gate ends. It changes its sign from sample to
+// sample, about, so that at low frequencies all of it acts as half its first one, and as more towards half the rate.
+constexpr double kCutRinging = 1;
+constexpr double kMostCutRinging = 5;
+
+// Samples of the gate that carry noise into the force, averaged over the hits.
+double gated_samples(const PointForce& force) {
+  double gated = 0;
+  for (const ForceBlock& block : force.blocks)
+    gated += static_cast<double>(std::max(block.force_N.size(), block.whole_N.size()));
+  return gated / static_cast<double>(force.blocks.size());
+}
+
+// Of the pulse within its gate, samples.
+double centre_of(const ForceBlock& block) {
+  const auto& f = block.force_N;
+  double moment = 0, sum = 0;
+  for (std::size_t n = 0; n < f.size(); ++n) {
+    moment += static_cast<double>(n) * f[n] * f[n];
+    sum += f[n] * f[n];
+  }
+  return sum > 0 ? moment / sum : 0;
+}
+
+// A stretch of samples as one: where it lies from the pulse's centre, and how often a sample's variance.
+struct Delay {
+  double samples, variance;
+};
+
+// The gate in so many stretches.
+std::vector<Delay> delays_of(const PointForce& force, double stretches) {
+  const double step = gated_samples(force) / stretches;
+  const double centre = centre_of(force.blocks.front());
+  std::vector<Delay> delays;
+  delays.reserve(static_cast<std::size_t>(stretches));
+  for (double i = 0; i < stretches; ++i) delays.push_back({(i + 0.5) * step - 0.5 - centre, step});
+  return delays;
+}
+
+// Deviation of the ringing that is cut off on one side of the gate, the same in all hits, N.
+double cut_ringing_N(const PointForce& force, double turns) {
+  if (!force.blocks.front().whole_N.empty()) return 0;
+  const double rise = 1 / std::max(std::cos(0.5 * kTwoPi * turns), 1 / kMostCutRinging);
+  return kCutRinging * force.noise_N * rise * std::sqrt(static_cast<double>(force.blocks.size()));
+}
+
+double one_over_force(const PointForce& force, std::size_t line) {
+  return 1 / std::sqrt(std::max(force.ff[line], 1e-300));
+}
+
+// [lines, delays and 2] what the noise around each delay, and the ringing cut off on either side, make of the force,
+// over the force.
+Eigen::MatrixXcd over_force(const FrfSet& set, const PointForce& force, const std::vector<std::size_t>& lines,
+                            const std::vector<Delay>& delays) {
+  const auto count = static_cast<Index>(delays.size());
+  Eigen::MatrixXcd errors(static_cast<Index>(lines.size()), count + 2);
+  const double apart = delays[1].samples - delays[0].samples;
+  const double begin = -1 - centre_of(force.blocks.front());
+  for (Index k = 0; k < errors.rows(); ++k) {
+    const std::size_t line = lines[static_cast<std::size_t>(k)];
+    const double turns = set.lines.freq_Hz(line) / set.lines.fs_Hz;
+    const double per_N = one_over_force(force, line);
+    const Complex from_one_to_next = std::polar(1.0, -kTwoPi * turns * apart);
+    Complex error = std::polar(per_N * force.noise_N * std::sqrt(delays.front().variance),
+                               -kTwoPi * turns * delays.front().samples);
+    for (Index i = 0; i < count; ++i) {
+      errors(k, i) = error;
+      error *= from_one_to_next;
+    }
+    const double cut = per_N * cut_ringing_N(force, turns);
+    errors(k, count) = std::polar(cut, -kTwoPi * turns * begin);
+    errors(k, count + 1) = std::polar(cut, -kTwoPi * turns * (begin + 1 + gated_samples(force)));
+  }
+  return errors;
+}
+
+}  // namespace
+
+Eigen::MatrixXcd gain_errors(const FrfSet& set, std::size_t point, const std::vector<std::size_t>& lines,
+                             ForceErrors of) {
+  const PointForce& force = set.points[point];
+  if (force.blocks.empty() || !(force.noise_N > 0) || lines.empty()) return {};
+  const double gated = gated_samples(force);
+  const double highest = set.lines.freq_Hz(lines.back()) / set.lines.fs_Hz;
+  const double half = 0.5 * (highest - set.lines.freq_Hz(lines.front()) / set.lines.fs_Hz);
+  if (half >= kNarrow * highest) {
+    const double apart = std::max(1.0, kDelay / highest);
+    const auto delays = delays_of(force, std::max(2.0, std::ceil(gated / apart)));
+    const Eigen::MatrixXcd errors = over_force(set, force, lines, delays);
+    return of == ForceErrors::all ? errors : errors.leftCols(static_cast<Index>(delays.size()));
+  }
+  // Over few lines stretches of many periods do, each with a variable in phase and one in quadrature.
+  const double stretches = std::max(kLeastStretches, std::ceil(gated * half / kDelay));
+  Eigen::MatrixXcd in_phase = over_force(set, force, lines, delays_of(force, stretches));
+  if (of == ForceErrors::noise) in_phase = in_phase.leftCols(in_phase.cols() - 2).eval();
+  Eigen::MatrixXcd errors(in_phase.rows(), 2 * in_phase.cols());
+  errors << std::sqrt(0.5) * in_phase, Complex(0, std::sqrt(0.5)) * in_phase;
+  return errors;
+}
+
+double gain_deviation(const FrfSet& set, std::size_t point, double freq_Hz) {
+  const PointForce& force = set.points[point];
+  if (force.blocks.empty() || force.ff.empty()) return 0;  // nothing is known of the force
+  const std::size_t line = set.lines.nearest(freq_Hz);
+  const double cut_N = cut_ringing_N(force, set.lines.freq_Hz(line) / set.lines.fs_Hz);
+  const double of_gate_N = force.noise_N * std::sqrt(gated_samples(force));
+  return one_over_force(force, line) * std::sqrt(0.5) * std::hypot(of_gate_N, cut_N, cut_N);
+}
+
+}  // namespace percuss

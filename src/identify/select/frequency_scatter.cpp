@@ -1,0 +1,220 @@
+#include "identify/select/frequency_scatter.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace percuss {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXcd;
+using Eigen::VectorXd;
+
+constexpr std::size_t kLeastPoints = 3;  // two may see one mode of an orthogonal pair each
+constexpr double kPointsDisagree = 2;    // energy left over the noise's: below it the points agree
+constexpr double kMovesTest = 25;        // F statistic of poles of their own
+// Energy left over that of common poles: what moves from hit to hit also bends while it decays, which a further mode
+// follows better than a single one. Of a true pair a single mode leaves tens to thousands of times as much.
+constexpr double kAsGood = 15;
+constexpr double kMovesBy = 3;       // bandwidths: further apart they are modes of their own
+constexpr double kMovesBroader = 6;  // times: poles of so different damping do not stand for one
+constexpr double kFarOff = 1;        // bandwidths: a pole that a weak point puts elsewhere is another one
+
+// The outputs of one point as a set of its own; their lines stay with the caller.
+struct PointSet {
+  FrfSet set;
+  std::vector<std::size_t> outputs;  // in the whole set
+};
+
+PointSet set_of_point(const FrfSet& all, std::size_t point) {
+  PointSet one{.set = {.lines = all.lines, .reach_Hz = all.reach_Hz, .points = {all.points[point]}, .outputs = {}},
+               .outputs = {}};
+  for (std::size_t o = 0; o < all.outputs.size(); ++o) {
+    if (all.outputs[o].point != point) continue;
+    one.outputs.push_back(o);
+    one.set.outputs.push_back({.point = 0, .channel = all.outputs[o].channel, .frf = {}});
+  }
+  return one;
+}
+
+// The mode whose resonance is the largest, over all outputs.
+std::size_t highest_peak(const LocalFit& fit) {
+  const auto height = [&](std::size_t m) {
+    return fit.residues.col(static_cast<Index>(m)).norm() / fit.poles[m].damping_ratio;
+  };
+  std::size_t highest = 0;
+  for (std::size_t m = 1; m < fit.poles.size(); ++m) highest = height(m) > height(highest) ? m : highest;
+  return highest;
+}
+
+std::vector<std::size_t> strongest_first(const FrfSet& set, const std::vector<VectorXcd>& data) {
+  std::vector<double> energy(set.points.size());
+  for (std::size_t o = 0; o < data.size(); ++o) energy[set.outputs[o].point] += data[o].squaredNorm();
+  std::vector<std::size_t> order(energy.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return energy[a] > energy[b]; });
+  return order;
+}
+
+// A mean of values that scatter more than their deviations say (random effects, by moments).
+struct Mean {
+  double value = 0, std = 0, spread = 0;
+};
+
+Mean mean_of(const std::vector<double>& value, const std::vector<double>& std) {
+  const auto weighted = [&](double spread2) {
+    double sum = 0, weights = 0, squares = 0;
+    for (std::size_t i = 0; i < value.size(); ++i) {
+      const double w = 1 / (std[i] * std[i] + spread2);
+      sum += w * value[i];
+      weights += w;
+      squares += w * w;
+    }
+    return std::array{sum / weights, weights, squares};
+  };
+  const auto [first, weights, squares] = weighted(0);
+  double chi2 = 0;
+  for (std::size_t i = 0; i < value.size(); ++i) chi2 += std::pow((value[i] - first) / std[i], 2);
+  const double excess = chi2 - static_cast<double>(value.size() - 1);
+  const double spread2 = std::max(0.0, excess / (weights - squares / weights));
+  const auto [mean, certainty, unused] = weighted(spread2);
+  static_cast<void>(unused);
+  return {.value = mean, .std = 1 / std::sqrt(certainty), .spread = std::sqrt(spread2)};
+}
+
+// The points whose own pole is that mode's.
+std::vector<std::size_t> points_that_see(const PointFits& points, const FitGroup& group, std::size_t mode,
+                                         double width_Hz) {
+  std::vector<std::size_t> seeing;
+  const auto m = static_cast<Index>(mode);
+  for (std::size_t p = 0; p < points.fits.size(); ++p) {
+    const LocalFit& fit = points.fits[p];
+    const Pole& pole = fit.poles[mode];
+    const bool near = std::abs(pole.freq_Hz - group.fit.poles[mode].freq_Hz) < kFarOff * width_Hz;
+    const bool sure = fit.freq_std_Hz(m) > 0 && fit.freq_std_Hz(m) < 0.5 * width_Hz && fit.damping_std(m) > 0 &&
+                      fit.damping_std(m) < pole.damping_ratio;
+    if (near && sure) seeing.push_back(p);
+  }
+  return seeing;
+}
+
+MovingMode moving_mode(const GroupedFit& all, const FitGroup& group, const PointFits& points,
+                       const std::vector<std::size_t>& seeing, std::size_t mode) {
+  const auto m = static_cast<Index>(mode);
+  std::vector<double> freq_Hz, freq_std_Hz, damping, damping_std;
+  for (const std::size_t p : seeing) {
+    freq_Hz.push_back(points.fits[p].poles[mode].freq_Hz);
+    freq_std_Hz.push_back(points.fits[p].freq_std_Hz(m));
+    damping.push_back(points.fits[p].poles[mode].damping_ratio);
+    damping_std.push_back(points.fits[p].damping_std(m));
+  }
+  const Mean frequency = mean_of(freq_Hz, freq_std_Hz);
+  const Mean zeta = mean_of(damping, damping_std);
+  const std::size_t outputs = all.set().outputs.size();
+  MovingMode out{.pole = {.freq_Hz = frequency.value, .damping_ratio = zeta.value},
+                 .freq_std_Hz = frequency.std,
+                 .damping_std = zeta.std,
+                 .spread_Hz = frequency.spread,
+                 .residues = std::vector<Complex>(outputs),
+                 .own_poles = std::vector<std::optional<Pole>>(outputs),
+                 .residue_std = std::vector<double>(outputs),
+                 .noise = group.fit.noise};
+  for (std::size_t p = 0; p < points.fits.size(); ++p) {
+    const bool own = std::find(seeing.begin(), seeing.end(), p) != seeing.end();
+    const auto members = set_of_point(all.set(), p).outputs;
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      const auto o = static_cast<Index>(members[i]);
+      const auto at = static_cast<Index>(i);
+      out.residues[members[i]] = own ? points.fits[p].residues(at, m) : group.fit.residues(o, m);
+      if (own) out.own_poles[members[i]] = points.fits[p].poles[mode];
+      out.residue_std[members[i]] = own ? points.fits[p].residue_std(at, m) : group.fit.residue_std(o, m);
+      out.noise(o) = points.fits[p].noise(at);
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+PointFits fit_each_point(const FrfSet& set, const WindowData& window, const FitGroup& group, double most) {
+  PointFits out;
+  out.fits.resize(set.points.size());
+  for (const std::size_t p : strongest_first(set, window.data)) {
+    const PointSet one = set_of_point(set, p);
+    std::vector<VectorXcd> its_data;
+    VectorXd its_weight(static_cast<Index>(one.outputs.size()));
+    for (std::size_t i = 0; i < one.outputs.size(); ++i) {
+      its_data.push_back(window.data[one.outputs[i]]);
+      its_weight(static_cast<Index>(i)) = window.weight(static_cast<Index>(one.outputs[i]));
+    }
+    out.fits[p] =
+        fit_locally(one.set, its_data, its_weight, group.fit.poles, {.first = group.first, .count = group.count});
+    out.cost += out.fits[p].cost;
+    out.degrees += out.fits[p].degrees;
+    if (out.cost > most) return {};
+  }
+  return out;
+}
+
+bool moves_instead(const FrfSet& set, const WindowData& window, const FitGroup& one, const FitGroup& more) {
+  if (set.points.size() < kLeastPoints || more.fit.degrees == 0) return false;
+  // Poles of their own have as many degrees as common ones of one mode more, or fewer.
+  const double most = kAsGood * more.fit.cost;
+  return !fit_each_point(set, window, one, most).fits.empty();
+}
+
+std::optional<Pole> merged(const GroupedFit& all, const FitGroup& group) {
+  const auto& poles = group.fit.poles;
+  if (poles.size() < 2 || all.set().points.size() < kLeastPoints) return std::nullopt;
+  const WindowData window{.data = all.remainder(group), .weight = all.weights_from(group)};
+  FitGroup several = group;
+  several.fit = all.fit(group, window.data, poles, window.weight);
+  const std::size_t main = highest_peak(several.fit);
+  for (const Pole& pole : several.fit.poles) {
+    const double apart = std::abs(pole.freq_Hz - several.fit.poles[main].freq_Hz);
+    const double broader = all.width_Hz(pole) / all.width_Hz(several.fit.poles[main]);
+    if (apart > kMovesBy * all.width_Hz(several.fit.poles[main]) || broader > kMovesBroader ||
+        broader < 1 / kMovesBroader)
+      return std::nullopt;
+  }
+  FitGroup one = group;
+  one.fit.poles = {several.fit.poles[main]};
+  if (!moves_instead(all.set(), window, one, several)) return std::nullopt;
+  return one.fit.poles.front();
+}
+
+void subtract_moves(const FrfSet& set, const FitGroup& group, std::size_t mode, const MovingMode& moving,
+                    std::vector<VectorXcd>& residual) {
+  for (std::size_t o = 0; o < residual.size(); ++o) {
+    if (!moving.own_poles[o]) continue;
+    const PointForce& force = set.points[set.outputs[o].point];
+    const auto share = [&](const Pole& pole, Complex residue) {
+      return VectorXcd(residue * mode_column(pole, force, set.lines, 0, set.lines.count, Need::value).value);
+    };
+    residual[o] += share(group.fit.poles[mode], group.fit.residues(static_cast<Index>(o), static_cast<Index>(mode))) -
+                   share(*moving.own_poles[o], moving.residues[o]);
+  }
+}
+
+std::vector<MovingMode> moving_modes(const GroupedFit& all, const FitGroup& group) {
+  const std::size_t count = all.set().points.size();
+  if (count < kLeastPoints) return {};
+  if ((group.fit.noise.array() / all.noise(group).array()).square().mean() < kPointsDisagree) return {};
+  const WindowData window{.data = all.remainder(group), .weight = all.weights_from(group)};
+  const LocalFit common = all.fit(group, window.data, group.fit.poles, window.weight);
+  const PointFits points = fit_each_point(all.set(), window, group, common.cost);
+  if (points.degrees == 0 || common.degrees <= points.degrees) return {};
+  const double gained = (common.cost - points.cost) / static_cast<double>(common.degrees - points.degrees);
+  if (gained < kMovesTest * points.cost / static_cast<double>(points.degrees)) return {};
+  std::vector<MovingMode> out;
+  for (std::size_t m = 0; m < group.fit.poles.size(); ++m) {
+    const auto seeing = points_that_see(points, group, m, all.width_Hz(group.fit.poles[m]));
+    if (seeing.size() < kLeastPoints) return {};
+    out.push_back(moving_mode(all, group, points, seeing, m));
+  }
+  return out;
+}
+
+}  // namespace percuss

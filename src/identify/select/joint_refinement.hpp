@@ -1,0 +1,13 @@
+#pragma once
+#include <vector>
+
+#include "identify/model/frf_dataset.hpp"
+#include "identify/select/sequential_fit.hpp"
+
+namespace percuss {
+
+/// Fits all modes together and takes that over for each mode whose window it explains as well as the local fit did:
+/// where the model of the whole band does not hold (a mode that moves, one too many or too few), the local fit stands.
+void refine(const FrfSet& set, std::vector<PeakMode>& modes);
+
+}  // namespace percuss

@@ -1,0 +1,120 @@
+#include "identify/select/local_force_noise.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/math/linear_algebra.hpp"
+#include "core/math/tall_products.hpp"
+#include "identify/noise/force_noise.hpp"
+
+namespace percuss {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXcd;
+using Eigen::MatrixXd;
+
+constexpr double kLightest = 1e-6;  // of the largest noise: an output without any weighs no more
+
+using Together = std::vector<PeakMode*>;  // modes of one window
+
+bool local(const PeakMode& mode) { return !mode.joint && !(mode.mode.moves_Hz > 0); }
+
+// How modes that were fitted together, and a polynomial, would follow their poles.
+struct Slopes {
+  MatrixXcd lines;  // [lines, 2 modes] by frequency and damping ratio, what the linear part cannot follow
+  MatrixXcd gram;
+};
+
+Slopes slopes_of(const FrfSet& set, std::size_t point, const Together& modes) {
+  const auto lines = static_cast<Index>(modes.front()->count);
+  const auto count = static_cast<Index>(modes.size());
+  MatrixXcd columns(lines, count);
+  Slopes slopes{.lines = MatrixXcd(lines, 2 * count), .gram = {}};
+  for (Index m = 0; m < count; ++m) {
+    const PeakMode& mode = *modes[static_cast<std::size_t>(m)];
+    const ModeColumn column = mode_column(mode.mode.pole, set.points[point], set.lines, mode.first, mode.count);
+    columns.col(m) = column.value;
+    slopes.lines.col(2 * m) = column.by_freq;
+    slopes.lines.col(2 * m + 1) = column.by_damping;
+  }
+  const MatrixXd polynomial = orthonormal_polynomials(lines, static_cast<Index>(LocalFitOptions{}.residual_terms));
+  for (MatrixXcd* const of : {&columns, &slopes.lines})
+    subtract_product(*of, polynomial, transposed_product(polynomial, *of));
+  const MatrixXcd follow = inverse_gram(adjoint_gram(columns)) * adjoint_product(columns, slopes.lines);
+  subtract_product(slopes.lines, columns, follow);
+  slopes.gram = adjoint_gram(slopes.lines);
+  return slopes;
+}
+
+// Fisher information of the poles, and the covariance of its right-hand side that the gain's errors cause.
+struct PoleInformation {
+  MatrixXd fisher, force;
+};
+
+void add_point(const FrfSet& set, std::size_t point, const Together& modes, const Slopes& slopes,
+               PoleInformation& sum) {
+  const std::size_t first = modes.front()->first;
+  const auto lines = static_cast<Index>(modes.front()->count);
+  const Index n = slopes.lines.cols();
+  const double least = kLightest * modes.front()->noise.maxCoeff();
+  MatrixXcd pull = MatrixXcd::Zero(lines, n);  // of an error of the gain at each line
+  for (std::size_t o = 0; o < set.outputs.size(); ++o) {
+    if (set.outputs[o].point != point) continue;
+    const double weight = 1 / std::pow(std::max(modes.front()->noise(static_cast<Index>(o)), least), 2);
+    const Eigen::Map<const Eigen::VectorXcd> frf(set.outputs[o].frf.data() + first, lines);
+    const auto residue = [&](Index r) { return modes[static_cast<std::size_t>(r / 2)]->mode.residues[o].value; };
+    for (Index r = 0; r < n; ++r) {
+      const Complex back = std::conj(residue(r)) * weight;
+      pull.col(r) += back * slopes.lines.col(r).conjugate().cwiseProduct(frf);
+      for (Index c = 0; c < n; ++c) sum.fisher(r, c) += (back * slopes.gram(r, c) * residue(c)).real();
+    }
+  }
+  std::vector<std::size_t> window(modes.front()->count);
+  std::iota(window.begin(), window.end(), first);
+  const MatrixXcd errors = gain_errors(set, point, window);
+  if (errors.size() == 0) return;
+  const MatrixXd push = (pull.transpose() * errors).real();
+  sum.force += push * push.transpose();
+}
+
+void add_to_window(const FrfSet& set, const Together& modes) {
+  const auto n = static_cast<Index>(2 * modes.size());
+  PoleInformation sum{.fisher = MatrixXd::Zero(n, n), .force = MatrixXd::Zero(n, n)};
+  const bool decayed = std::all_of(modes.begin(), modes.end(), [&](const PeakMode* mode) {
+    return decays_within(mode->mode.pole, set.points.front(), set.lines);
+  });
+  Slopes slopes;
+  for (std::size_t point = 0; point < set.points.size(); ++point) {
+    if (point == 0 || !decayed) slopes = slopes_of(set, point, modes);
+    add_point(set, point, modes, slopes, sum);
+  }
+  const MatrixXd inverse = inverse_gram(sum.fisher);
+  const MatrixXd more = inverse * sum.force * inverse;
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    if (!local(*modes[m])) continue;
+    const auto i = static_cast<Index>(2 * m);
+    Mode& mode = modes[m]->mode;
+    mode.freq_std_Hz = std::hypot(mode.freq_std_Hz, std::sqrt(std::max(0.0, more(i, i))));
+    mode.damping_std = std::hypot(mode.damping_std, std::sqrt(std::max(0.0, more(i + 1, i + 1))));
+  }
+}
+
+}  // namespace
+
+void add_force_noise(const FrfSet& set, std::vector<PeakMode>& modes) {
+  std::vector<char> done(modes.size(), 0);
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    if (done[m] || !local(modes[m])) continue;
+    Together together;
+    for (std::size_t i = 0; i < modes.size(); ++i) {
+      if (modes[i].first != modes[m].first || modes[i].count != modes[m].count) continue;
+      together.push_back(&modes[i]);
+      done[i] = 1;
+    }
+    add_to_window(set, together);
+  }
+}
+
+}  // namespace percuss

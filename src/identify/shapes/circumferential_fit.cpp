@@ -1,0 +1,145 @@
+#include "identify/shapes/circumferential_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "core/math/linear_algebra.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr double kSameRing = 2e-3;   // of the survey's length
+constexpr double kSameAngle = 0.01;  // rad
+constexpr std::size_t kFewest = 4;   // angles that tell n = 1 from n = 2
+constexpr int kHighest = 8;          // n
+constexpr double kResolved = 0.05;   // pivot over the largest, below which a ring does not see a pattern
+
+struct Point {
+  double position_m = 0, angle_rad = 0, value = 0, std = 0;
+};
+
+// The shape, turned to be real, where the geometry knows the point; ascending along the axis.
+std::vector<Point> placed(const ModeShape& shape, const TubeGeometry& geometry) {
+  Complex squares;
+  for (const ShapePlace& place : shape.places) squares += place.value * place.value;
+  const Complex turn = std::polar(1.0, -0.5 * std::arg(squares));
+  std::vector<Point> points;
+  const ShapePlace* last = nullptr;
+  for (const ShapePlace& place : shape.places) {
+    const auto at = geometry.find(place.point);
+    if (at == geometry.end() || (last != nullptr && last->point == place.point)) continue;
+    last = &place;
+    points.push_back({at->second.position_m, at->second.angle_rad, (place.value * turn).real(), place.std});
+  }
+  std::stable_sort(points.begin(), points.end(),
+                   [](const Point& a, const Point& b) { return a.position_m < b.position_m; });
+  return points;
+}
+
+using Ring = std::vector<Point>;
+
+std::size_t distinct_angles(const Ring& ring) {
+  std::vector<double> seen;
+  for (const Point& p : ring) {
+    const bool known = std::any_of(seen.begin(), seen.end(), [&](double a) {
+      return std::abs(std::remainder(a - p.angle_rad, 2 * std::numbers::pi)) < kSameAngle;
+    });
+    if (!known) seen.push_back(p.angle_rad);
+  }
+  return seen.size();
+}
+
+std::vector<Ring> rings_of(const std::vector<Point>& points) {
+  std::vector<Ring> rings;
+  if (points.empty()) return rings;
+  const double gap = kSameRing * (points.back().position_m - points.front().position_m);
+  for (const Point& p : points) {
+    if (rings.empty() || p.position_m - rings.back().back().position_m > gap) rings.emplace_back();
+    rings.back().push_back(p);
+  }
+  std::erase_if(rings, [](const Ring& ring) { return distinct_angles(ring) < kFewest; });
+  return rings;
+}
+
+Eigen::MatrixXd patterns(const Ring& ring, int highest) {
+  Eigen::MatrixXd out(static_cast<Eigen::Index>(ring.size()), Eigen::Index{2} * highest + 1);
+  for (Eigen::Index i = 0; i < out.rows(); ++i) {
+    const double angle_rad = ring[static_cast<std::size_t>(i)].angle_rad;
+    out(i, 0) = 1;
+    for (Eigen::Index n = 1; n <= highest; ++n) {
+      out(i, 2 * n - 1) = std::cos(static_cast<double>(n) * angle_rad);
+      out(i, 2 * n) = std::sin(static_cast<double>(n) * angle_rad);
+    }
+  }
+  return out;
+}
+
+// Twice as many angles as the highest order show one combination of its cosine and sine only: the one that is largest
+// at them.
+Eigen::Vector2d largest_turn(const Ring& ring, int n) {
+  std::complex<double> sum;
+  for (const Point& p : ring) sum += std::polar(1.0, 2 * n * p.angle_rad);
+  return {std::cos(0.5 * std::arg(sum)), std::sin(0.5 * std::arg(sum))};
+}
+
+bool resolves(const Ring& ring, int highest, bool half, RingFit& fit) {
+  fit.pattern = patterns(ring, highest);
+  fit.half = half;
+  Eigen::MatrixXd columns = fit.pattern;
+  const Eigen::Vector2d turn = half ? largest_turn(ring, highest) : Eigen::Vector2d(1, 0);
+  if (half) {
+    columns.conservativeResize(Eigen::NoChange, Eigen::Index{2} * highest);
+    columns.rightCols<1>() = fit.pattern.rightCols<2>() * turn;
+  }
+  const auto inverse = left_inverse(columns, kResolved);
+  if (!inverse) return false;
+  fit.inverse = *inverse;
+  if (!half) return true;
+  const Eigen::RowVectorXd last = fit.inverse.bottomRows<1>();
+  fit.inverse.conservativeResize(fit.pattern.cols(), Eigen::NoChange);
+  fit.inverse.bottomRows<2>() = turn * last;
+  return true;
+}
+
+// As many orders as every ring resolves; none when some ring's angles stand too close together.
+int fit_all(const std::vector<Ring>& rings, std::size_t angles, std::vector<RingFit>& fits) {
+  for (int highest = std::min(kHighest, static_cast<int>(angles) / 2); highest >= 1; --highest) {
+    const bool half = 2 * highest == static_cast<int>(angles);
+    fits.assign(rings.size(), {});
+    bool all = true;
+    for (std::size_t r = 0; r < rings.size() && all; ++r) all = resolves(rings[r], highest, half, fits[r]);
+    if (all) return highest;
+  }
+  return 0;
+}
+
+void fill(const Ring& ring, RingFit& fit) {
+  const auto size = static_cast<Eigen::Index>(ring.size());
+  fit.value.resize(size);
+  fit.variance.resize(size);
+  fit.position_m = 0;
+  for (Eigen::Index i = 0; i < size; ++i) {
+    const Point& p = ring[static_cast<std::size_t>(i)];
+    fit.value(i) = p.value;
+    fit.variance(i) = p.std * p.std;
+    fit.position_m += p.position_m / static_cast<double>(size);
+  }
+}
+
+}  // namespace
+
+RingFits fit_rings(const ModeShape& shape, const TubeGeometry& geometry) {
+  const auto rings = rings_of(placed(shape, geometry));
+  RingFits out;
+  if (rings.empty()) return out;
+  out.angles = distinct_angles(rings.front());
+  for (const Ring& ring : rings) out.angles = std::min(out.angles, distinct_angles(ring));
+  out.highest = fit_all(rings, out.angles, out.rings);
+  if (out.highest == 0) out.rings.clear();
+  for (std::size_t r = 0; r < out.rings.size(); ++r) fill(rings[r], out.rings[r]);
+  return out;
+}
+
+}  // namespace percuss

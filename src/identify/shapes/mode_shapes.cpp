@@ -1,0 +1,213 @@
+#include "identify/shapes/mode_shapes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "core/math/decompositions.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr int kShapeSweeps = 20;  // of the rank-one fit; a few suffice, as the start is the singular vector
+
+// Residues as a matrix with weights 1/σ², 0 where nothing was measured.
+struct Grid {
+  std::vector<std::size_t> points, channels;
+  Eigen::MatrixXcd value;
+  Eigen::MatrixXd weight;
+  Eigen::VectorXd relative_std;  // [points] of what a point's residues share
+};
+
+Grid grid_of(const Mode& mode) {
+  std::set<std::size_t> points, channels;
+  double largest = 0;
+  for (const Residue& r : mode.residues) {
+    points.insert(r.point);
+    channels.insert(r.channel);
+    largest = std::max(largest, std::abs(r.value));
+  }
+  Grid grid{.points = {points.begin(), points.end()}, .channels = {channels.begin(), channels.end()}};
+  const auto rows = static_cast<Eigen::Index>(points.size()), columns = static_cast<Eigen::Index>(channels.size());
+  grid.value = Eigen::MatrixXcd::Zero(rows, columns);
+  grid.weight = Eigen::MatrixXd::Zero(rows, columns);
+  grid.relative_std = Eigen::VectorXd::Zero(rows);
+  const double least = 1e-12 * largest;  // exact residues weigh alike
+  for (const Residue& r : mode.residues) {
+    const auto row = std::distance(points.begin(), points.find(r.point));
+    const auto column = std::distance(channels.begin(), channels.find(r.channel));
+    grid.value(row, column) = r.value;
+    const double std = std::max(r.std, least);
+    grid.weight(row, column) = std > 0 ? 1 / (std * std) : 1;
+    grid.relative_std(row) = r.relative_std;
+  }
+  return grid;
+}
+
+// A ≈ a bᵀ by alternating least squares, |b| = 1.
+struct RankOne {
+  Eigen::VectorXcd a, b;
+  Eigen::VectorXd a_std, b_std;
+};
+
+Eigen::VectorXcd solve_side(const Eigen::MatrixXcd& value, const Eigen::MatrixXd& weight, const Eigen::VectorXcd& other,
+                            Eigen::VectorXd& std) {
+  Eigen::VectorXcd out = Eigen::VectorXcd::Zero(value.rows());
+  std = Eigen::VectorXd::Zero(value.rows());
+  for (Eigen::Index i = 0; i < value.rows(); ++i) {
+    Complex sum;
+    double power = 0;
+    for (Eigen::Index k = 0; k < value.cols(); ++k) {
+      sum += weight(i, k) * std::conj(other(k)) * value(i, k);
+      power += weight(i, k) * std::norm(other(k));
+    }
+    if (!(power > 0)) continue;
+    out(i) = sum / power;
+    std(i) = 1 / std::sqrt(power);
+  }
+  return out;
+}
+
+RankOne rank_one(const Grid& grid) {
+  RankOne fit;
+  fit.b = leading_right_vector(grid.value).conjugate();
+  for (int sweep = 0; sweep < (grid.channels.size() > 1 ? kShapeSweeps : 1); ++sweep) {
+    fit.a = solve_side(grid.value, grid.weight, fit.b, fit.a_std);
+    if (grid.channels.size() == 1) break;
+    fit.b = solve_side(grid.value.transpose(), grid.weight.transpose(), fit.a, fit.b_std);
+    const double size = fit.b.norm();
+    if (!(size > 0)) break;
+    fit.b /= size;
+    fit.b_std /= size;
+    fit.a = solve_side(grid.value, grid.weight, fit.b, fit.a_std);
+  }
+  if (grid.channels.size() == 1) {  // the scale's own deviation is not the sensor's
+    fit.b_std = Eigen::VectorXd::Zero(1);
+  }
+  return fit;
+}
+
+void scale(std::vector<ShapePlace>& places, Complex by) {
+  for (ShapePlace& place : places) {
+    place.value *= by;
+    place.std *= std::abs(by);
+  }
+}
+
+double collinearity(const std::vector<ShapePlace>& places) {
+  double xx = 0, yy = 0, xy = 0;
+  for (const ShapePlace& place : places) {
+    xx += place.value.real() * place.value.real();
+    yy += place.value.imag() * place.value.imag();
+    xy += place.value.real() * place.value.imag();
+  }
+  const double sum = xx + yy;
+  return sum > 0 ? ((xx - yy) * (xx - yy) + 4 * xy * xy) / (sum * sum) : 0;
+}
+
+// The turn that makes Σφ² real and positive, and with it the shape as real as it can be.
+Complex turn_of(const std::vector<ShapePlace>& places) {
+  Complex squares;
+  for (const ShapePlace& place : places) squares += place.value * place.value;
+  return std::polar(1.0, -0.5 * std::arg(squares));
+}
+
+const ShapePlace* largest_of(const std::vector<ShapePlace>& places) {
+  const auto most = std::max_element(places.begin(), places.end(), [](const ShapePlace& a, const ShapePlace& b) {
+    return std::norm(a.value) < std::norm(b.value);
+  });
+  return most == places.end() ? nullptr : &*most;
+}
+
+void normalise_largest(ModeShape& shape) {
+  shape.normalisation = Normalisation::largest_one;
+  const Complex turn = turn_of(shape.places);
+  scale(shape.places, turn);
+  scale(shape.sensors, 1.0 / turn);  // A_pc = φ_p φ_c still
+  const ShapePlace* most = largest_of(shape.places);
+  if (most == nullptr || most->value.real() == 0) return;
+  const double by = 1 / most->value.real();
+  scale(shape.places, by);
+  scale(shape.sensors, 1 / by);
+}
+
+// Unit modal mass from the driving point whose residue is the most significant; false when none is positive.
+bool normalise_mass(ModeShape& shape, const Mode& mode, const ShapeOptions& options) {
+  const Residue* best = nullptr;
+  for (const DrivingPoint& at : options.driving) {
+    const Residue* r = find_residue(mode, at.point, at.channel);
+    if (r == nullptr || !(r->value.real() > kSignificant * whole_std(*r))) continue;
+    if (best == nullptr || r->value.real() * whole_std(*best) > best->value.real() * whole_std(*r)) best = r;
+  }
+  if (best == nullptr) return false;
+  const bool hammer = options.roving == Roving::hammer;
+  const auto at = std::find_if(shape.places.begin(), shape.places.end(), [&](const ShapePlace& p) {
+    return p.point == best->point && (hammer || p.channel == best->channel);
+  });
+  if (at == shape.places.end() || at->value == Complex()) return false;
+  const Complex by = std::sqrt(best->value) / at->value;  // the root with positive real part
+  scale(shape.places, by);
+  scale(shape.sensors, 1.0 / by);
+  shape.normalisation = Normalisation::unit_modal_mass;
+  shape.scale_std = 0.5 * whole_std(*best) / std::abs(best->value);
+  const ShapePlace* most = largest_of(shape.places);
+  shape.modal_mass_kg = 1 / std::norm(most->value);
+  shape.modal_mass_std_kg = 2 * *shape.modal_mass_kg * std::hypot(shape.scale_std, most->std / std::abs(most->value));
+  return true;
+}
+
+double significance(const Mode& mode) {
+  double sum = 0;
+  for (const Residue& r : mode.residues) {
+    const double std = whole_std(r);
+    sum += std > 0 ? std::norm(r.value) / (2 * std * std) : 1e12;  // 2: real and imaginary part
+  }
+  return mode.residues.empty() ? 0 : std::sqrt(sum / static_cast<double>(mode.residues.size()));
+}
+
+void place_by_hammer(ModeShape& shape, const Grid& grid) {
+  const RankOne fit = rank_one(grid);
+  for (std::size_t i = 0; i < grid.points.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    const double std = std::hypot(fit.a_std(row), grid.relative_std(row) * std::abs(fit.a(row)));
+    shape.places.push_back({.point = grid.points[i], .value = fit.a(row), .std = std});
+  }
+  for (std::size_t c = 0; c < grid.channels.size(); ++c) {
+    const auto row = static_cast<Eigen::Index>(c);
+    shape.sensors.push_back({.channel = grid.channels[c], .value = fit.b(row), .std = fit.b_std(row)});
+  }
+}
+
+}  // namespace
+
+const Residue* find_residue(const Mode& mode, std::size_t point, std::size_t channel) {
+  const auto found = std::find_if(mode.residues.begin(), mode.residues.end(),
+                                  [&](const Residue& r) { return r.point == point && r.channel == channel; });
+  return found == mode.residues.end() ? nullptr : &*found;
+}
+
+double whole_std(const Residue& r) { return std::hypot(r.std, r.relative_std * std::abs(r.value)); }
+
+const char* name_of(Normalisation normalisation) {
+  return normalisation == Normalisation::unit_modal_mass ? "unit_modal_mass" : "largest_one";
+}
+
+ModeShape shape_of(const Mode& mode, const ShapeOptions& options) {
+  ModeShape shape;
+  if (mode.residues.empty()) return shape;
+  if (options.roving == Roving::hammer) {
+    place_by_hammer(shape, grid_of(mode));
+  } else {
+    for (const Residue& r : mode.residues)
+      shape.places.push_back({.point = r.point, .channel = r.channel, .value = r.value, .std = whole_std(r)});
+    std::sort(shape.places.begin(), shape.places.end(), [](const ShapePlace& a, const ShapePlace& b) {
+      return std::pair(a.point, a.channel) < std::pair(b.point, b.channel);
+    });
+  }
+  if (!normalise_mass(shape, mode, options)) normalise_largest(shape);
+  shape.mpc = collinearity(shape.places);
+  shape.significance = significance(mode);
+  return shape;
+}
+
+}  // namespace percuss

@@ -1,0 +1,177 @@
+#include "identify/shapes/nodes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "core/math/linear_algebra.hpp"
+
+namespace percuss {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kNodeCertain = 3;         // deviations from zero that make a sign
+constexpr double kLeastNodeNoise = 1e-12;  // of the largest amplitude: no point is better than that
+constexpr int kBisections = 60;            // to the last digit of a position within its bracket
+
+// A polynomial of one degree fitted to the points near a crossing.
+struct PolynomialFit {
+  VectorXd coefficient;  // ascending powers of u = (x − middle)/scale
+  MatrixXd covariance;   // for deviations as stated
+  double chi2 = 0;
+  std::size_t degrees_of_freedom = 0;
+  std::optional<double> root_u;  // within the bracket
+
+  double at(double u) const {
+    double value = 0;
+    for (Index i = coefficient.size(); i-- > 0;) value = value * u + coefficient(i);
+    return value;
+  }
+  double slope(double u) const {
+    double value = 0;
+    for (Index i = coefficient.size(); i-- > 1;) value = value * u + static_cast<double>(i) * coefficient(i);
+    return value;
+  }
+  double scale2() const {
+    return degrees_of_freedom == 0 ? 1 : std::max(1.0, chi2 / static_cast<double>(degrees_of_freedom));
+  }
+  double root_std(double scale) const {
+    VectorXd power(coefficient.size());
+    for (Index i = 0; i < power.size(); ++i) power(i) = std::pow(*root_u, static_cast<double>(i));
+    return std::sqrt(power.dot(covariance * power) * scale) / std::abs(slope(*root_u));
+  }
+};
+
+std::optional<double> root_within(const PolynomialFit& fit, double low, double high) {
+  const double at_low = fit.at(low);
+  if (!(at_low * fit.at(high) < 0)) return std::nullopt;
+  for (int i = 0; i < kBisections; ++i) {
+    const double middle = 0.5 * (low + high);
+    (fit.at(middle) * at_low > 0 ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+PolynomialFit fit_polynomial(const VectorXd& u, const VectorXd& y, const VectorXd& std, int degree) {
+  MatrixXd columns(u.size(), degree + 1);
+  VectorXd power = std.cwiseInverse();
+  for (Index i = 0; i <= degree; ++i, power = power.cwiseProduct(u)) columns.col(i) = power;
+  const VectorXd scaled = y.cwiseQuotient(std);
+  PolynomialFit fit;
+  fit.covariance = inverse_gram(MatrixXd(columns.transpose() * columns));
+  fit.coefficient = least_squares(columns, scaled);
+  fit.chi2 = (scaled - columns * fit.coefficient).squaredNorm();
+  fit.degrees_of_freedom = static_cast<std::size_t>(std::max<Index>(0, u.size() - degree - 1));
+  return fit;
+}
+
+// What a crossing is fitted to, in units of half the window's width.
+struct Window {
+  VectorXd u, y, std;
+  double middle_m = 0, scale_m = 1;
+  double low_u = 0, high_u = 0;  // the bracket
+};
+
+Window window_around(const ScanShape& shape, std::size_t below, std::size_t above, std::size_t most) {
+  const double middle = 0.5 * (shape.position_m[below] + shape.position_m[above]);
+  std::vector<std::size_t> order(shape.position_m.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto far = [&](std::size_t i) { return std::abs(shape.position_m[i] - middle); };
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return far(a) < far(b); });
+  order.resize(std::min(order.size(), std::max(most, above - below + 1)));
+  Window w{.u = VectorXd(static_cast<Index>(order.size())),
+           .y = VectorXd(static_cast<Index>(order.size())),
+           .std = VectorXd(static_cast<Index>(order.size())),
+           .middle_m = middle,
+           .scale_m = far(order.back())};
+  double largest = 0;
+  for (const double a : shape.amplitude) largest = std::max(largest, std::abs(a));
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const auto at = static_cast<Index>(i);
+    w.u(at) = (shape.position_m[order[i]] - middle) / w.scale_m;
+    w.y(at) = shape.amplitude[order[i]];
+    w.std(at) = std::max(shape.std[order[i]], kLeastNodeNoise * largest);
+  }
+  w.low_u = (shape.position_m[below] - middle) / w.scale_m;
+  w.high_u = (shape.position_m[above] - middle) / w.scale_m;
+  return w;
+}
+
+Node node_between(const ScanShape& shape, std::size_t below, std::size_t above, const NodeOptions& options) {
+  const Window w = window_around(shape, below, above, options.points);
+  const auto points = static_cast<std::size_t>(w.u.size());
+  std::vector<PolynomialFit> fits;  // of degree 1, 2, …
+  for (int degree = 1; degree <= options.highest_degree && static_cast<std::size_t>(degree) < points; ++degree) {
+    fits.push_back(fit_polynomial(w.u, w.y, w.std, degree));
+    fits.back().root_u = root_within(fits.back(), w.low_u, w.high_u);
+  }
+  const double scale2 = fits.back().scale2();
+  std::size_t best = fits.size();
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < fits.size(); ++i) {
+    const double score = fits[i].chi2 / scale2 + static_cast<double>(i) * std::log(static_cast<double>(points));
+    if (fits[i].root_u && score < least) {
+      best = i;
+      least = score;
+    }
+  }
+  // Where no polynomial crosses between the two, all that is known is that the shape does.
+  const double width_m = (w.high_u - w.low_u) * w.scale_m;
+  if (best == fits.size()) return {.position_m = w.middle_m, .std_m = width_m / std::sqrt(12.0), .points = points};
+  const PolynomialFit& fit = fits[best];
+  const bool higher = best + 1 < fits.size() && fits[best + 1].root_u;
+  const bool lower = !higher && best > 0 && fits[best - 1].root_u;
+  const double model_m = higher || lower
+                             ? std::abs(*fits[higher ? best + 1 : best - 1].root_u - *fit.root_u) * w.scale_m
+                             : width_m / std::sqrt(12.0);
+  // What the next degree would add may be there without showing: its deviation is the honest one.
+  const PolynomialFit& wider = higher ? fits[best + 1] : fit;
+  const double fit_m = wider.root_std(std::max(scale2, wider.scale2())) * w.scale_m;
+  return {.position_m = w.middle_m + *fit.root_u * w.scale_m,
+          .std_m = std::hypot(fit_m, model_m),
+          .degree = static_cast<int>(best) + 1,
+          .points = points};
+}
+
+}  // namespace
+
+std::vector<Node> find_nodes(const ScanShape& shape, const NodeOptions& options) {
+  std::vector<Node> nodes;
+  std::optional<std::size_t> last;  // the last point of certain sign
+  for (std::size_t i = 0; i < shape.amplitude.size(); ++i) {
+    if (!(std::abs(shape.amplitude[i]) > kNodeCertain * shape.std[i])) continue;
+    if (last && shape.amplitude[*last] * shape.amplitude[i] < 0)
+      nodes.push_back(node_between(shape, *last, i, options));
+    last = i;
+  }
+  return nodes;
+}
+
+std::optional<double> minimum_of_peak(std::span<const double> position_m, std::span<const double> peak,
+                                      double resolution_m) {
+  const std::size_t n = peak.size();
+  if (n < 3) return std::nullopt;
+  const auto low = static_cast<std::size_t>(std::min_element(peak.begin(), peak.end()) - peak.begin());
+  std::size_t next = 0;
+  if (low == 0 || low + 1 == n) {
+    next = low == 0 ? 1 : n - 2;
+    const std::size_t after = low == 0 ? 2 : n - 3;
+    // One leg of the V rises from `next` to `after`. If the bottom lies between, the other leg is as steep; if it lies
+    // outside, all three are on one leg.
+    const double steep = (peak[after] - peak[next]) / std::abs(position_m[after] - position_m[next]) *
+                         std::abs(position_m[next] - position_m[low]);
+    if (std::abs(peak[low] + peak[next] - steep) >= std::abs(peak[next] - peak[low] - steep)) return std::nullopt;
+  } else {
+    next = peak[low - 1] < peak[low + 1] ? low - 1 : low + 1;
+  }
+  const double sum = peak[low] + peak[next];
+  const double part = sum > 0 ? peak[low] / sum : 0;
+  const double bottom_m = position_m[low] + part * (position_m[next] - position_m[low]);
+  return std::round(bottom_m / resolution_m) * resolution_m;
+}
+
+}  // namespace percuss

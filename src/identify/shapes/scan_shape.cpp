@@ -1,0 +1,94 @@
+#include "identify/shapes/scan_shape.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "core/math/decompositions.hpp"
+#include "core/math/statistics.hpp"
+
+namespace percuss {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXcd;
+using Eigen::MatrixXd;
+using Eigen::VectorXcd;
+using Eigen::VectorXd;
+
+constexpr double kLeastScanNoise = 1e-12;  // of the largest residue: none is better than that
+
+// A mode's residues over [points, channels] and their deviations: with force noise, which all channels of a point
+// share.
+struct ResidueTable {
+  std::vector<double> position_m;
+  MatrixXcd value;
+  MatrixXd std;
+  VectorXd relative_std;  // [points]
+};
+
+ResidueTable table_of(const Mode& mode, std::span<const int> point, std::span<const double> position_m) {
+  std::size_t channels = 0;
+  for (const Residue& r : mode.residues) channels = std::max(channels, r.channel + 1);
+  const auto rows = static_cast<Index>(point.size());
+  const auto columns = static_cast<Index>(channels);
+  ResidueTable all{.position_m = {},
+                   .value = MatrixXcd(rows, columns),
+                   .std = MatrixXd(rows, columns),
+                   .relative_std = VectorXd(rows)};
+  Index row = 0;
+  for (std::size_t i = 0; i < point.size(); ++i) {
+    std::size_t seen = 0;
+    for (const Residue& r : mode.residues) {
+      if (static_cast<int>(r.point) != point[i]) continue;
+      all.value(row, static_cast<Index>(r.channel)) = r.value;
+      all.std(row, static_cast<Index>(r.channel)) = r.std;
+      all.relative_std(row) = r.relative_std;
+      ++seen;
+    }
+    if (seen != channels) continue;
+    all.position_m.push_back(position_m[i]);
+    ++row;
+  }
+  all.value.conservativeResize(row, columns);
+  all.std.conservativeResize(row, columns);
+  all.relative_std.conservativeResize(row);
+  return all;
+}
+
+VectorXd channel_weights(const ResidueTable& table) {
+  VectorXd weight(table.value.cols());
+  for (Index c = 0; c < weight.size(); ++c) {
+    const VectorXd column = table.std.col(c);
+    const double typical = median({column.data(), column.data() + column.size()});
+    weight(c) = 1 / std::max(typical, std::max(kLeastScanNoise * table.value.cwiseAbs().maxCoeff(), 1e-300));
+  }
+  return weight;
+}
+
+}  // namespace
+
+ScanShape shape_along(const Mode& mode, std::span<const int> point, std::span<const double> position_m) {
+  assert(point.size() == position_m.size());
+  const ResidueTable table = table_of(mode, point, position_m);
+  ScanShape shape{.position_m = table.position_m, .amplitude = {}, .std = {}};
+  if (table.value.size() == 0) return shape;
+  const VectorXd weight = channel_weights(table);
+  const MatrixXcd scaled = table.value * weight.cast<Complex>().asDiagonal();
+  const VectorXcd sees = leading_right_vector(scaled);
+  const VectorXcd along = scaled * sees;
+  // Σ a² has twice the phase of a line through the a.
+  Complex turn = std::polar(1.0, -0.5 * std::arg((along.array() * along.array()).sum()));
+  if ((turn * along(0)).real() < 0) turn = -turn;
+  Index channel = 0;
+  const double back = sees.cwiseAbs().cwiseQuotient(weight).maxCoeff(&channel);
+  for (Index p = 0; p < along.size(); ++p) {
+    const double noise =
+        (table.std.row(p).transpose().array() * weight.array() * sees.cwiseAbs().array()).matrix().norm();
+    shape.amplitude.push_back((turn * along(p)).real() * back);
+    shape.std.push_back(std::hypot(noise * back, table.relative_std(p) * shape.amplitude.back()));
+  }
+  return shape;
+}
+
+}  // namespace percuss

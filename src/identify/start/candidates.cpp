@@ -1,0 +1,242 @@
+#include "identify/start/candidates.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "core/math/statistics.hpp"
+#include "core/math/tall_products.hpp"
+#include "core/parallel/parallel.hpp"
+#include "identify/noise/line_noise.hpp"
+#include "identify/noise/window_noise.hpp"
+#include "identify/start/peaks.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr double kNoiseProminence = 6;  // deviations of the level's own fluctuation
+constexpr double kDecibelsPerNeper = 8.6859;
+constexpr double kPointing = 0.005;
+constexpr double kReach = 6;  // half-widths on either side that a hidden resonance is looked for over
+constexpr double kHiddenGain =
+    30;  // noise powers, beyond what the outputs' own noise gives: one false alarm in 10^10 lines
+constexpr double kBeyondReachGain =
+    1000;  // … where the force does not reach: weaker ones are not credible there, so that none needs to be tried
+constexpr double kModelFloor = 1e-6;       // of the largest line: what a fit leaves of noise-free data is no mode
+constexpr double kFlank = 20;              // half-widths that a resonance's flanks reach on either side …
+constexpr double kFlankGain = 0.1;         // … and the part of its gain that may be theirs
+constexpr double kNarrowest = 1.5;         // lines
+constexpr double kWidestHidden = 0.03;     // half-width over frequency of the broadest hidden mode
+constexpr std::size_t kPerLevelLine = 20;  // operations of a line's noise, or of its weight
+
+double largest_of(std::span<const Complex> h) {
+  double largest = 0;  // as power
+  for (const Complex& value : h) largest = std::max(largest, std::norm(value));
+  return std::sqrt(largest);
+}
+
+struct Level {
+  std::vector<double> power, noise;  // Σ over outputs of |H|² and of the noise's share
+};
+
+Level level_of(const FrfSet& set, const LineNoise& line_noise) {
+  const std::size_t n = set.lines.count;
+  Level level{std::vector<double>(n), std::vector<double>(n)};
+  std::vector<std::vector<double>> noise(set.outputs.size());
+  share_out(noise.size(), kPerLevelLine * n, [&](std::size_t o) { noise[o] = line_noise.local(o); });
+  share_out_strips(n, kPerLevelLine * noise.size(), [&](std::size_t first, std::size_t count) {
+    for (std::size_t o = 0; o < noise.size(); ++o) {
+      for (std::size_t k = first; k < first + count; ++k) {
+        level.power[k] += std::norm(set.outputs[o].frf[k]);
+        level.noise[k] += noise[o][k];
+      }
+    }
+  });
+  return level;
+}
+
+// A resonance of half-width h (in lines) on a straight background: its shape with the background projected out, over
+// ±kReach·h.
+Eigen::VectorXcd resonance(double h) {
+  const auto reach = static_cast<Eigen::Index>(std::ceil(kReach * h));
+  const Eigen::VectorXd x =
+      Eigen::VectorXd::LinSpaced(2 * reach + 1, -static_cast<double>(reach), static_cast<double>(reach));
+  Eigen::VectorXcd g(x.size());
+  for (Eigen::Index i = 0; i < x.size(); ++i) g(i) = 1.0 / Complex(h, x(i));
+  g.array() -= g.mean();
+  g -= x.cast<Complex>() * (x.cast<Complex>().dot(g) / x.squaredNorm());
+  return g / g.norm();
+}
+
+// One output's residual at some width of its lines, and the noise's power there.
+struct ResidualLines {
+  Eigen::VectorXcd residual;
+  std::vector<double> noise;
+};
+
+// Lines twice as wide: the mean of two, whose noise has half the power; what a model leaves does not average out.
+ResidualLines halved(const ResidualLines& lines, double floor) {
+  const Eigen::Index n = lines.residual.size() / 2;
+  ResidualLines wide{Eigen::VectorXcd(n), std::vector<double>(static_cast<std::size_t>(n))};
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    wide.residual(i) = 0.5 * (lines.residual(2 * i) + lines.residual(2 * i + 1));
+    wide.noise[k] = std::max(floor, 0.25 * (lines.noise[2 * k] + lines.noise[2 * k + 1]));
+  }
+  return wide;
+}
+
+// Energy that the resonance explains at each line, over the noise there, summed over the outputs.
+std::vector<double> gain_of(const std::vector<ResidualLines>& outputs, const Eigen::VectorXcd& shape) {
+  const auto reach = static_cast<std::size_t>(shape.size() / 2);
+  const auto lines = static_cast<std::size_t>(outputs.front().residual.size());
+  std::vector<double> gain(lines);
+  share_out_strips(lines, 2 * kPerProduct * reach * outputs.size(), [&](std::size_t first, std::size_t count) {
+    const std::size_t end = std::min(first + count, lines > reach ? lines - reach : 0);
+    for (std::size_t k = std::max(first, reach); k < end; ++k) {
+      const auto from = static_cast<Eigen::Index>(k - reach);
+      for (const ResidualLines& output : outputs) {
+        if (output.noise[k] > 0) gain[k] += std::norm(adjoint_dot(shape, output.residual, from)) / output.noise[k];
+      }
+    }
+  });
+  return gain;
+}
+
+std::vector<Eigen::VectorXcd> cut(const FrfSet& set, std::size_t first, std::size_t count) {
+  std::vector<Eigen::VectorXcd> out;
+  for (const Output& output : set.outputs) {
+    out.emplace_back(Eigen::Map<const Eigen::VectorXcd>(output.frf.data() + first, static_cast<Eigen::Index>(count)));
+  }
+  return out;
+}
+
+// As narrow as lines can tell.
+Pole narrowest_pole(const FrfSet& set, double asked_Hz) {
+  const double freq_Hz = std::max(asked_Hz, set.lines.df_Hz());
+  return {.freq_Hz = freq_Hz, .damping_ratio = std::min(0.1, set.lines.df_Hz() / freq_Hz)};
+}
+
+Pole pole_at_line(const FrfSet& set, std::size_t line) {
+  // First a narrow window, then one as wide as the pole it found: the linear fit is best over a few bandwidths.
+  Pole pole;
+  std::size_t half = 4;
+  for (int pass = 0; pass < 3; ++pass) {
+    const std::size_t first = line > half ? line - half : 0;
+    const std::size_t end = std::min(set.lines.count, line + half + 1);
+    if (end - first < 4) break;
+    const Pole found = pole_of_window(set, cut(set, first, end - first), first);
+    const bool near = std::abs(found.freq_Hz - set.lines.freq_Hz(line)) < static_cast<double>(half) * set.lines.df_Hz();
+    if (!(found.freq_Hz > 0) || !near) break;
+    pole = found;
+    half = static_cast<std::size_t>(std::clamp(2 * pole.half_power_Hz() / set.lines.df_Hz(), 4.0, 400.0));
+  }
+  return pole.freq_Hz > 0 ? pole : narrowest_pole(set, set.lines.freq_Hz(line));
+}
+
+// What a person points at is the highest line within half a per cent, or four lines.
+Pole peak_near(const FrfSet& set, double freq_Hz) {
+  const double at = set.lines.position(freq_Hz);
+  const double reach = std::max(4.0, kPointing * freq_Hz / set.lines.df_Hz());
+  std::size_t best = set.lines.at(at);
+  double highest = 0;
+  for (std::size_t line = set.lines.at(at - reach); line <= set.lines.at(at + reach); ++line) {
+    const double power = power_at(set, line);
+    if (power > highest) best = line;
+    highest = std::max(highest, power);
+  }
+  return pole_at_line(set, best);
+}
+
+}  // namespace
+
+std::vector<std::size_t> prominent_lines(const FrfSet& set, const LineNoise& noise, const CandidateOptions& options) {
+  if (set.lines.count < 5) return {};
+  const Level level = level_of(set, noise);
+  std::vector<std::size_t> lines;
+  for (const Peak& peak : find_peaks(level.power)) {
+    if (peak.line == 0 || peak.line + 1 == level.power.size()) continue;
+    const double power = level.power[peak.line];
+    const double snr = level.noise[peak.line] > 0 ? std::sqrt(power / level.noise[peak.line]) : 1e9;
+    if (snr < options.snr) continue;
+    const double wobble_dB = kNoiseProminence * kDecibelsPerNeper / (snr * std::sqrt(2.0));
+    const double saddle = std::max(power - peak.prominence, 1e-300);
+    if (10 * std::log10(power / saddle) >= options.prominence_dB + wobble_dB) lines.push_back(peak.line);
+  }
+  return lines;
+}
+
+std::vector<Pole> candidate_poles(const FrfSet& set, const LineNoise& noise, const CandidateOptions& options) {
+  std::vector<Pole> poles;
+  for (const std::size_t line : prominent_lines(set, noise, options)) poles.push_back(pole_at_line(set, line));
+  return poles;
+}
+
+std::vector<Resonance> hidden_resonances(const FrfSet& set, const std::vector<Eigen::VectorXcd>& residual) {
+  const WindowNoise window(set);
+  std::vector<Resonance> found;
+  std::vector<ResidualLines> outputs(residual.size());
+  std::vector<double> floors(residual.size());
+  share_out(outputs.size(), kPerLevelLine * set.lines.count, [&](std::size_t o) {
+    const std::span lines(residual[o].data(), static_cast<std::size_t>(residual[o].size()));
+    outputs[o] = {residual[o], local_noise(block_noise(lines, window.roughness()), lines.size())};
+    floors[o] = std::pow(kModelFloor * largest_of(set.outputs[o].frf), 2);
+    for (double& power : outputs[o].noise) power = std::max(window.most() * power, floors[o]);
+  });
+  const double threshold = kHiddenGain + 3 * static_cast<double>(residual.size());
+  const double top_Hz = set.lines.freq_Hz(set.lines.count - 1);
+  const double widest = kWidestHidden * top_Hz / set.lines.df_Hz();
+  const Eigen::VectorXcd shape = resonance(kNarrowest);
+  // Each resonance is looked for on lines so wide that it is as narrow as can be: the work halves at every doubling.
+  for (double width = 1; kNarrowest * width < widest; width *= 2) {
+    const auto gain = gain_of(outputs, shape);
+    for (const std::size_t peak : maxima_above(gain, threshold)) {
+      const double line = (static_cast<double>(peak) + 0.5) * width - 0.5;
+      found.push_back({line, kNarrowest * width, gain[peak]});
+    }
+    const auto lines = static_cast<std::size_t>(outputs.front().residual.size());
+    share_out(outputs.size(), kPerLevelLine * lines,
+              [&](std::size_t o) { outputs[o] = halved(outputs[o], floors[o]); });
+  }
+  return found;
+}
+
+std::vector<Pole> hidden_poles(const FrfSet& set, const std::vector<Eigen::VectorXcd>& residual) {
+  // The best width at each place; what lies within its resonance is the same one seen at another width, and the weak
+  // ones around it may be its flanks, which bend as well.
+  std::vector<Resonance> found = hidden_resonances(set, residual);
+  std::sort(found.begin(), found.end(), [](const Resonance& a, const Resonance& b) { return a.gain > b.gain; });
+  std::vector<Resonance> kept;
+  for (const Resonance& f : found) {
+    const bool belongs = std::any_of(kept.begin(), kept.end(), [&](const Resonance& k) {
+      const double apart = std::abs(f.line - k.line);
+      const bool same = apart < 3 * std::max(k.half_width, f.half_width);
+      return same || (apart < kFlank * k.half_width && f.gain < kFlankGain * k.gain);
+    });
+    if (!belongs) kept.push_back(f);
+  }
+  std::erase_if(kept, [&](const Resonance& f) {
+    const double freq_Hz = (static_cast<double>(set.lines.first) + f.line) * set.lines.df_Hz();
+    return set.reach_Hz > 0 && freq_Hz > set.reach_Hz && f.gain < kBeyondReachGain;
+  });
+  std::vector<Pole> poles;
+  for (const Resonance& f : kept) {
+    const double freq_Hz = (static_cast<double>(set.lines.first) + f.line) * set.lines.df_Hz();
+    poles.push_back({.freq_Hz = freq_Hz, .damping_ratio = std::min(0.1, f.half_width * set.lines.df_Hz() / freq_Hz)});
+  }
+  return poles;
+}
+
+std::vector<Pole> poles_near(const FrfSet& set, const std::vector<double>& freq_Hz) {
+  std::vector<Pole> poles;
+  for (const double asked_Hz : freq_Hz) {
+    const Pole peak = peak_near(set, asked_Hz);
+    const bool anothers = std::any_of(freq_Hz.begin(), freq_Hz.end(), [&](double other_Hz) {
+      return std::abs(other_Hz - peak.freq_Hz) < std::abs(asked_Hz - peak.freq_Hz);
+    });
+    poles.push_back(anothers ? narrowest_pole(set, asked_Hz) : peak);
+  }
+  return poles;
+}
+
+}  // namespace percuss

@@ -1,0 +1,158 @@
+#include "metrics/deflection/baseline_drift.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/units.hpp"
+
+namespace percuss {
+namespace {
+
+using Eigen::Matrix2d;
+using Eigen::Vector2d;
+
+constexpr std::size_t kLeastRest = 8;  // samples that a line and its scatter take
+constexpr double kUnknownBias = 0.1;   // of the signal: a sensor worse than that is broken
+constexpr double kLeastCycles = 3;     // of the slowest oscillation within a window for its mean to be near zero
+constexpr double kContradiction = 30;  // χ² of two means: one in three million
+constexpr double kLeakageMargin = 2;   // the oscillation's amplitude and phase are only estimated
+
+// ∫K·w and what of it noise and bias cause, for one window.
+struct WindowMean {
+  double mean_m = 0, leaks_m = 0;
+  Vector2d by_bias;
+  std::vector<double> by_noise;  // weight of each acceleration sample in the mean, s²
+};
+
+double hann(double x) { return x <= 0 || x >= 1 ? 0 : 1 - std::cos(kTwoPi * x); }  // mean 1
+
+// The oscillation that a Hann window of so many cycles lets through, at the most: its transform's envelope.
+double hann_leakage(double cycles) { return 1 / (std::numbers::pi * cycles * (cycles * cycles - 1)); }
+
+WindowMean window_mean(std::span<const double> w, double fs_Hz, double corner_Hz, double from, double to) {
+  const std::size_t n = w.size();
+  const double dt_s = 1 / fs_Hz, length = static_cast<double>(n);
+  WindowMean out{.by_bias = Vector2d::Zero(), .by_noise = std::vector<double>(n)};
+  std::vector<double> kernel(n);
+  for (std::size_t i = 0; i < n; ++i)
+    kernel[i] = hann((static_cast<double>(i) / length - from) / (to - from)) / ((to - from) * length);
+  for (std::size_t i = 0; i < n; ++i) {
+    out.mean_m += kernel[i] * w[i];
+    out.by_bias += kernel[i] * drifted_deflection_m(static_cast<double>(i) * dt_s, corner_Hz);
+  }
+  // A sample at τ moves w(t) by (t − τ)Δt (and by ω_c (t − τ)²/2 with the high-pass undone): sums from the end.
+  double once = 0, twice = 0, thrice = 0;
+  for (std::size_t i = n; i-- > 0;) {
+    out.by_noise[i] = (twice + kTwoPi * corner_Hz * thrice) * dt_s;
+    once += kernel[i];
+    twice += once * dt_s;
+    thrice += twice * dt_s;
+  }
+  return out;
+}
+
+// Deviation from a parabola through the window, and how fast it swings: cycles within the window.
+struct Swing {
+  double amplitude_m = 0, cycles = 0;
+};
+
+Swing swing_of(std::span<const double> w, double from, double to) {
+  const auto begin = static_cast<std::size_t>(from * static_cast<double>(w.size()));
+  const auto end = static_cast<std::size_t>(to * static_cast<double>(w.size()));
+  const auto count = static_cast<Eigen::Index>(end - begin);
+  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  const auto powers = [&](Eigen::Index i) {
+    const double x = 2 * static_cast<double>(i) / static_cast<double>(count) - 1;
+    return Eigen::Vector3d(1, x, x * x);
+  };
+  for (Eigen::Index i = 0; i < count; ++i) {
+    normal += powers(i) * powers(i).transpose();
+    right += powers(i) * w[begin + static_cast<std::size_t>(i)];
+  }
+  const Eigen::Vector3d parabola = normal.inverse() * right;
+  double energy = 0, last = 0;
+  std::size_t crossings = 0;
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const double value = w[begin + static_cast<std::size_t>(i)] - parabola.dot(powers(i));
+    if (i > 0 && value * last < 0) ++crossings;
+    last = value;
+    energy += value * value;
+  }
+  return {.amplitude_m = std::sqrt(2 * energy / static_cast<double>(count)),
+          .cycles = static_cast<double>(crossings) / 2};
+}
+
+}  // namespace
+
+Vector2d drifted_deflection_m(double t_s, double highpass_corner_Hz) {
+  const double corner = kTwoPi * highpass_corner_Hz, t2 = t_s * t_s;
+  return {t2 / 2 + corner * t2 * t_s / 6, t2 * t_s / 6 + corner * t2 * t2 / 24};  // (1)
+}
+
+Vector2d drifted_velocity_mps(double t_s, double highpass_corner_Hz) {
+  const double corner = kTwoPi * highpass_corner_Hz, t2 = t_s * t_s;
+  return {t_s + corner * t2 / 2, t2 / 2 + corner * t2 * t_s / 6};
+}
+
+RestState rest_state(std::span<const double> before_mps2, double fs_Hz, double unknown_mps2) {
+  const auto n = static_cast<double>(before_mps2.size());
+  const double wide = kUnknownBias * unknown_mps2;
+  RestState rest{.bias = Vector2d::Zero(), .covariance = Vector2d(wide * wide, wide * wide).asDiagonal()};
+  if (before_mps2.size() < kLeastRest) return rest;
+  Matrix2d normal = Matrix2d::Zero();
+  Vector2d right = Vector2d::Zero();
+  const auto basis = [&](std::size_t i) { return Vector2d(1, (static_cast<double>(i) - n) / fs_Hz); };
+  for (std::size_t i = 0; i < before_mps2.size(); ++i) {
+    normal += basis(i) * basis(i).transpose();
+    right += basis(i) * before_mps2[i];
+  }
+  const Matrix2d inverse = normal.inverse();
+  rest.bias = inverse * right;
+  double energy = 0;
+  for (std::size_t i = 0; i < before_mps2.size(); ++i) energy += std::pow(before_mps2[i] - rest.bias.dot(basis(i)), 2);
+  rest.noise_mps2 = std::sqrt(energy / (n - 2));
+  rest.covariance = inverse * rest.noise_mps2 * rest.noise_mps2;
+  return rest;
+}
+
+LateConstraint late_constraint(std::span<const double> deflection_m, double fs_Hz, double highpass_corner_Hz,
+                               const RestState& rest) {
+  LateConstraint out{.bias = Vector2d::Zero(), .covariance = rest.covariance};
+  std::array<WindowMean, 2> windows;
+  Vector2d mean, leaks;
+  Matrix2d by_bias;
+  const std::array<std::pair<double, double>, 2> places{{{1.0 / 3, 2.0 / 3}, {2.0 / 3, 1.0}}};
+  for (std::size_t i = 0; i < windows.size(); ++i) {
+    const auto [from, to] = places.at(i);
+    const Swing swing = swing_of(deflection_m, from, to);
+    if (swing.cycles < kLeastCycles) return out;
+    windows.at(i) = window_mean(deflection_m, fs_Hz, highpass_corner_Hz, from, to);
+    const auto k = static_cast<Eigen::Index>(i);
+    mean(k) = windows.at(i).mean_m;
+    by_bias.row(k) = windows.at(i).by_bias.transpose();
+    leaks(k) = kLeakageMargin * swing.amplitude_m * hann_leakage(swing.cycles);
+  }
+  Matrix2d noise = leaks.cwiseAbs2().asDiagonal();
+  for (Eigen::Index a = 0; a < 2; ++a) {
+    for (Eigen::Index b = 0; b < 2; ++b) {
+      const auto& x = windows.at(static_cast<std::size_t>(a)).by_noise;
+      const auto& y = windows.at(static_cast<std::size_t>(b)).by_noise;
+      double sum = 0;
+      for (std::size_t i = 0; i < x.size(); ++i) sum += x[i] * y[i];
+      noise(a, b) += sum * rest.noise_mps2 * rest.noise_mps2;
+    }
+  }
+  const Matrix2d spread = by_bias * rest.covariance * by_bias.transpose() + noise;
+  const Matrix2d weight = spread.inverse();
+  out.held = weight.allFinite() && mean.dot(weight * mean) < kContradiction;
+  if (!out.held) return out;
+  const Matrix2d gain = rest.covariance * by_bias.transpose() * weight;
+  out.bias = gain * mean;
+  out.covariance = rest.covariance - gain * by_bias * rest.covariance;
+  return out;
+}
+
+}  // namespace percuss

@@ -1,0 +1,205 @@
+#include "metrics/deflection/deflection.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "core/math/fft.hpp"
+#include "core/math/statistics.hpp"
+#include "metrics/deflection/baseline_drift.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr std::size_t kLeastBefore = 8;  // samples at rest that a bias can be read from
+constexpr std::size_t kRinging = 32;     // samples before the onset that an anti-alias filter rings for, at the most
+constexpr double kMethodError = 1e-6;  // of the largest deflection: what rounding and the filter's first ringing leave
+constexpr double kOnsetNoise = 8, kOnsetLevel = 1e-3;
+constexpr double kSureDeviations = 4;
+constexpr double kClearlyMoved = 0.1;  // of the largest deflection
+constexpr double kHalf = 0.5;          // of the frequency of the strongest line, below which nothing is kept
+
+double largest_magnitude(std::span<const double> x) { return extremes_of(x).furthest_from(0); }
+
+// Samples before the filter's ringing begins: those at rest.
+std::size_t samples_at_rest(const ImpactSignal& signal) {
+  const auto onset = static_cast<std::size_t>(std::max(0.0, signal.onset_s * signal.fs_Hz));
+  return onset - std::min(kRinging, onset / 2);
+}
+
+void prepend_rest(std::vector<double>& values, std::size_t samples) { values.insert(values.begin(), samples, 0.0); }
+
+Deflection drift_free(const ImpactSignal& signal, const DeflectionOptions& options) {
+  const std::size_t first = std::min(samples_at_rest(signal), signal.accel_mps2.size() - 1);
+  const auto moving = signal.accel_mps2.subspan(first);
+  const RestState rest = rest_state(signal.accel_mps2.first(first), signal.fs_Hz, rms(moving));
+  std::vector<double> accel(moving.begin(), moving.end());
+  for (std::size_t i = 0; i < accel.size(); ++i)
+    accel[i] -= rest.bias(0) + rest.bias(1) * static_cast<double>(i) / signal.fs_Hz;
+  Motion motion = integrate_twice(accel, signal.fs_Hz, options.highpass_corner_Hz);
+  std::vector<double> swing = motion.deflection_m;
+  const bool known = signal.rigid_per_kg > 0 && !signal.force_N.empty();
+  if (known) {
+    const auto rigid = modal_deflection(signal.force_N.subspan(first), signal.fs_Hz, {}, signal.rigid_per_kg);
+    for (std::size_t i = 0; i < swing.size(); ++i) swing[i] -= rigid.deflection_m[i];
+  }
+  LateConstraint late{.bias = Eigen::Vector2d::Zero(), .covariance = rest.covariance};
+  if (known || !options.free_body) late = late_constraint(swing, signal.fs_Hz, options.highpass_corner_Hz, rest);
+  Deflection out{.method = DeflectionMethod::drift_free, .bias_mps2 = rest.bias(0) + late.bias(0), .held = late.held};
+  out.std_m.resize(accel.size());
+  const double largest = largest_magnitude(motion.deflection_m);
+  for (std::size_t i = 0; i < accel.size(); ++i) {
+    const double t_s = static_cast<double>(i) / signal.fs_Hz;
+    const auto by_bias = drifted_deflection_m(t_s, options.highpass_corner_Hz);
+    motion.deflection_m[i] -= late.bias.dot(by_bias);
+    motion.velocity_mps[i] -= late.bias.dot(drifted_velocity_mps(t_s, options.highpass_corner_Hz));
+    // The first sample carries noise as well: it stands for the time until the next.
+    const double noise = rest.noise_mps2 * rest.noise_mps2 * std::pow(t_s + 1 / signal.fs_Hz, 3) / (3 * signal.fs_Hz);
+    const double bias = by_bias.dot(late.covariance * by_bias);
+    out.std_m[i] = std::sqrt(std::max(0.0, noise + bias) + std::pow(kMethodError * largest, 2));
+    out.drift_m = std::sqrt(std::max(0.0, bias));
+  }
+  out.velocity_mps = std::move(motion.velocity_mps);
+  out.deflection_m = std::move(motion.deflection_m);
+  for (auto* values : {&out.velocity_mps, &out.deflection_m, &out.std_m}) prepend_rest(*values, first);
+  return out;
+}
+
+Deflection small_interval(const ImpactSignal& signal) {
+  const std::size_t first = std::min(samples_at_rest(signal), signal.accel_mps2.size() - 1);
+  Motion motion = small_interval_sums(signal.accel_mps2.subspan(first), signal.fs_Hz);
+  for (auto* values : {&motion.velocity_mps, &motion.deflection_m}) prepend_rest(*values, first);
+  const double time_s = static_cast<double>(signal.accel_mps2.size() - first) / signal.fs_Hz;
+  const RestState rest = rest_state(signal.accel_mps2.first(first), signal.fs_Hz, rms(signal.accel_mps2));
+  return {.method = DeflectionMethod::small_interval,
+          .velocity_mps = std::move(motion.velocity_mps),
+          .deflection_m = std::move(motion.deflection_m),
+          .drift_m = std::abs(rest.bias.dot(drifted_deflection_m(time_s, 0)))};
+}
+
+double strongest_line_Hz(std::span<const double> accel_mps2, double fs_Hz) {
+  const auto lines = real_dft(accel_mps2);
+  std::size_t best = 1;
+  double largest = 0;
+  // The first two lines hold what drifts.
+  for (std::size_t k = 3; k < lines.size(); ++k) {
+    const double deflection = std::abs(lines[k]) / std::pow(static_cast<double>(k), 2);
+    if (deflection > largest) best = k;
+    largest = std::max(largest, deflection);
+  }
+  return static_cast<double>(best) * fs_Hz / static_cast<double>(accel_mps2.size());
+}
+
+Deflection by_lines(const ImpactSignal& signal, const DeflectionOptions& options) {
+  const std::size_t first = std::min(samples_at_rest(signal), signal.accel_mps2.size() - 1);
+  const RestState rest = rest_state(signal.accel_mps2.first(first), signal.fs_Hz, rms(signal.accel_mps2));
+  std::vector<double> accel(signal.accel_mps2.begin(), signal.accel_mps2.end());
+  for (double& value : accel) value -= rest.bias(0);
+  const double lowest_Hz = options.lowest_Hz.value_or(kHalf * strongest_line_Hz(accel, signal.fs_Hz));
+  Motion motion = integrate_by_lines(accel, signal.fs_Hz, options.highpass_corner_Hz, lowest_Hz);
+  // At rest until the impact: the constants of integration.
+  const double w0 = motion.deflection_m[first], v0 = motion.velocity_mps[first];
+  for (std::size_t i = 0; i < accel.size(); ++i) {
+    motion.deflection_m[i] = i < first ? 0 : motion.deflection_m[i] - w0;
+    motion.velocity_mps[i] = i < first ? 0 : motion.velocity_mps[i] - v0;
+  }
+  return {.method = DeflectionMethod::frequency,
+          .velocity_mps = std::move(motion.velocity_mps),
+          .deflection_m = std::move(motion.deflection_m),
+          .bias_mps2 = rest.bias(0)};
+}
+
+Deflection by_modes(const ImpactSignal& signal) {
+  assert(!signal.force_N.empty());
+  ModalDeflection modal = modal_deflection(signal.force_N, signal.fs_Hz, signal.modes, signal.rigid_per_kg);
+  // What the modes leave of the acceleration, as a part of it, may be missing from the deflection as well.
+  double left = 0, all = 0;
+  for (std::size_t i = 0; i < signal.accel_mps2.size(); ++i) {
+    left += std::pow(signal.accel_mps2[i] - modal.accel_mps2[i], 2);
+    all += std::pow(signal.accel_mps2[i], 2);
+  }
+  const double missing = all > 0 ? std::sqrt(left / all) : 0;
+  for (std::size_t i = 0; i < modal.std_m.size(); ++i)
+    modal.std_m[i] = std::hypot(modal.std_m[i], missing * modal.deflection_m[i]);
+  return {.method = DeflectionMethod::modal,
+          .velocity_mps = std::move(modal.velocity_mps),
+          .deflection_m = std::move(modal.deflection_m),
+          .std_m = std::move(modal.std_m)};
+}
+
+// Where direction times deflection is largest beyond four of its deviations: late in a record that drifts, large values
+// mean nothing, and one of six walks ends beyond one deviation. Direction 0: either way. None: nothing stands out.
+std::optional<std::size_t> surest(const Deflection& d, double direction) {
+  std::optional<std::size_t> best;
+  double most = 0;
+  for (std::size_t i = 0; i < d.deflection_m.size(); ++i) {
+    const double way = direction == 0 ? std::abs(d.deflection_m[i]) : direction * d.deflection_m[i];
+    const double sure = way - (d.std_m.empty() ? 0 : kSureDeviations * d.std_m[i]);
+    if (sure > most) best = i;
+    most = std::max(most, sure);
+  }
+  return best;
+}
+
+void find_peaks_of(Deflection& d) {
+  const auto deviation = [&](std::size_t i) { return d.std_m.empty() ? 0 : d.std_m[i]; };
+  d.peak_m = d.peak_std_m = d.forward_m = d.forward_std_m = std::numeric_limits<double>::quiet_NaN();
+  const auto peak = surest(d, 0);
+  if (!peak) return;
+  d.peak = *peak;
+  d.peak_m = d.deflection_m[d.peak];
+  d.peak_std_m = deviation(d.peak);
+  const double clear = kClearlyMoved * std::abs(d.peak_m);
+  const auto first =
+      std::find_if(d.deflection_m.begin(), d.deflection_m.end(), [&](double w) { return std::abs(w) >= clear; });
+  const auto forward = surest(d, std::copysign(1.0, first == d.deflection_m.end() ? d.peak_m : *first));
+  if (!forward) return;
+  d.forward_m = d.deflection_m[*forward];
+  d.forward_std_m = deviation(*forward);
+}
+
+}  // namespace
+
+const char* name_of(DeflectionMethod method) {
+  switch (method) {
+    case DeflectionMethod::automatic:
+      return "auto";
+    case DeflectionMethod::small_interval:
+      return "small-interval";
+    case DeflectionMethod::drift_free:
+      return "drift-free";
+    case DeflectionMethod::frequency:
+      return "frequency";
+    case DeflectionMethod::modal:
+      return "modal";
+  }
+  return "";
+}
+
+Deflection deflection_of(const ImpactSignal& signal, const DeflectionOptions& options) {
+  assert(!signal.accel_mps2.empty());
+  DeflectionMethod method = options.method;
+  if (method == DeflectionMethod::automatic) {
+    const bool modal = samples_at_rest(signal) < kLeastBefore && !signal.force_N.empty() && !signal.modes.empty();
+    method = modal ? DeflectionMethod::modal : DeflectionMethod::drift_free;
+  }
+  Deflection out = method == DeflectionMethod::small_interval ? small_interval(signal)
+                   : method == DeflectionMethod::frequency    ? by_lines(signal, options)
+                   : method == DeflectionMethod::modal        ? by_modes(signal)
+                                                              : drift_free(signal, options);
+  find_peaks_of(out);
+  return out;
+}
+
+double motion_onset_s(std::span<const double> accel_mps2, double fs_Hz) {
+  const std::size_t quiet = std::min(accel_mps2.size(), std::max<std::size_t>(kLeastBefore, accel_mps2.size() / 50));
+  const Spread noise = spread_of({accel_mps2.begin(), accel_mps2.begin() + static_cast<std::ptrdiff_t>(quiet)});
+  const double largest = extremes_of(accel_mps2).furthest_from(noise.median);
+  const double level = std::max(kOnsetNoise * noise.robust_std, kOnsetLevel * largest);
+  const auto moves =
+      std::find_if(accel_mps2.begin(), accel_mps2.end(), [&](double a) { return std::abs(a - noise.median) > level; });
+  return static_cast<double>(moves - accel_mps2.begin()) / fs_Hz;
+}
+
+}  // namespace percuss

@@ -1,0 +1,41 @@
+#include "metrics/deflection/laplace_transform.hpp"
+
+#include <cmath>
+
+#include "core/units.hpp"
+
+namespace percuss {
+namespace {
+
+// Natural logarithm of what is left of the first sample where the transform wraps around: below rounding, while the
+// rounding that dividing by the window raises at the last sample stays below 1e-9.
+constexpr double kWindowEnd = 30;
+
+}  // namespace
+
+LaplaceLine::LaplaceLine(std::span<const double> x, double fs_Hz)
+    : fs_Hz_(fs_Hz),
+      samples_(x.size()),
+      padded_(fast_length_at_least(2 * x.size())),
+      decay_per_s_(kWindowEnd * fs_Hz / static_cast<double>(padded_)) {
+  std::vector<double> windowed(padded_);
+  for (std::size_t i = 0; i < samples_; ++i) windowed[i] = x[i] * window(i);
+  lines_ = real_dft(windowed);
+}
+
+double LaplaceLine::window(std::size_t sample) const {
+  return std::exp(-decay_per_s_ * static_cast<double>(sample) / fs_Hz_);
+}
+
+std::vector<double> LaplaceLine::response(const std::function<Complex(Complex s)>& transfer) const {
+  std::vector<Complex> scaled(lines_.size());
+  const double step = kTwoPi * fs_Hz_ / static_cast<double>(padded_);
+  for (std::size_t k = 0; k < lines_.size(); ++k)
+    scaled[k] = lines_[k] * transfer(Complex(decay_per_s_, static_cast<double>(k) * step));
+  std::vector<double> y = inverse_real_dft(scaled, padded_);
+  y.resize(samples_);
+  for (std::size_t i = 0; i < samples_; ++i) y[i] /= window(i);
+  return y;
+}
+
+}  // namespace percuss

@@ -1,0 +1,204 @@
+#include "metrics/protocol/abi.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "metrics/protocol/resolution.hpp"
+
+namespace percuss {
+namespace {
+
+const char* what_is_done(AbiStep step) {
+  switch (step) {
+    case AbiStep::roll:
+      return "roll the barrel";
+    case AbiStep::first_performance:
+    case AbiStep::performance:
+      return "test the performance";
+    default:
+      return "measure the barrel's compression";
+  }
+}
+
+const char* kind_of(const AbiEntry& entry) {
+  if (std::holds_alternative<AbiCompression>(entry.what)) return "a compression";
+  return std::holds_alternative<AbiRoll>(entry.what) ? "a rolling" : "a performance test";
+}
+
+// One log being followed.
+class Procedure {
+ public:
+  Procedure(const AbiLog& log, const AbiRules& rules) : log_(log), rules_(rules) {}
+
+  AbiRun run() {
+    for (const AbiEntry& entry : log_.entries) take(entry);
+    return std::move(run_);
+  }
+
+ private:
+  void take(const AbiEntry& entry) {
+    entry_ = &entry;
+    if (run_.next == AbiStep::done) {
+      throw InputError(fmt::format("{} after the procedure's end ({})", kind_of(entry), run_.why), entry.place,
+                       "continued_after_failure: true lets a test go on at the sponsor's request");
+    }
+    switch (run_.next) {
+      case AbiStep::roll:
+        return rolled(expected<AbiRoll>());
+      case AbiStep::first_performance:
+      case AbiStep::performance:
+        return tested(expected<AbiPerformance>());
+      default:
+        return compressed(expected<AbiCompression>().mean_lbf());  // (P13)
+    }
+  }
+
+  template <class What>
+  const What& expected() const {
+    if (const What* what = std::get_if<What>(&entry_->what)) return *what;
+    throw InputError(fmt::format("step {} comes next ({}), not {}", static_cast<int>(run_.next),
+                                 what_is_done(run_.next), kind_of(*entry_)),
+                     entry_->place, "enter what was done in the procedure's order");
+  }
+
+  void compressed(double mean_lbf) {
+    AbiReduction now{.step = run_.next, .cycle = run_.cycle, .roll = run_.roll, .mean_lbf = mean_lbf};
+    if (run_.next == AbiStep::initial_compression) {
+      run_.compressions.push_back(now);
+      run_.next = AbiStep::first_performance;
+      return;
+    }
+    // Rolling is held against the state before it, BC_i,0; a test against the last state before the test.
+    const bool after_roll = run_.next == AbiStep::compression_after_roll;
+    const double before_lbf = after_roll ? unrolled_lbf_ : run_.compressions.back().mean_lbf;
+    const double reduction = (before_lbf - mean_lbf) / before_lbf;  // (P14)
+    now.reduction = reduction;
+    run_.compressions.push_back(now);
+    if (after_roll) {
+      enough_rolling(reduction);
+    } else {
+      unrolled_lbf_ = mean_lbf;
+      run_.roll = 0;
+      run_.next = reduction > rules_.skip_reduction + kReadingSlack ? AbiStep::performance : AbiStep::roll;
+    }
+    if (run_.next == AbiStep::roll) give_up_beyond_depth();
+  }
+
+  // Step 6.
+  void enough_rolling(double reduction) {
+    const bool enough = reduction >= rules_.least_reduction - kReadingSlack;
+    run_.next = enough ? AbiStep::performance : AbiStep::roll;
+    if (reduction > 2 * rules_.least_reduction) {
+      remark("overshoot", fmt::format("cycle {}: {:.1f} % of reduction; as close to {:g} % as possible is asked for",
+                                      run_.cycle, 100 * reduction, 100 * rules_.least_reduction));
+    }
+  }
+
+  void give_up_beyond_depth() {
+    if (next_depth_in(run_, rules_) <= rules_.deepest_in) return;
+    end(AbiVerdict::undecided, fmt::format("the rollers are at their end and the barrel has not softened by {:g} %",
+                                           100 * rules_.least_reduction));
+  }
+
+  void rolled(const AbiRoll& roll) {
+    if (run_.depth_in && !(roll.depth_in > *run_.depth_in)) {
+      throw InputError(fmt::format("step 4: rolled {:g} in deep after {:g} in", roll.depth_in, *run_.depth_in),
+                       entry_->place, "each rolling goes about 0.0125 in deeper than the one before");
+    }
+    const double asked_in = next_depth_in(run_, rules_);
+    if (std::abs(roll.depth_in - asked_in) > rules_.depth_tolerance_in) {
+      remark("roll_depth",
+             fmt::format("rolled {:g} in deep where about {:g} in was asked for", roll.depth_in, asked_in));
+    }
+    run_.depth_in = roll.depth_in;
+    ++run_.roll;
+    run_.next = AbiStep::compression_after_roll;
+  }
+
+  // Steps 2 and 7, and the compliance check of step 8.
+  void tested(const AbiPerformance& test) {
+    ++run_.cycle;
+    const double best = run_.cycles.empty() ? test.value : std::max(run_.cycles.back().best, test.value);
+    run_.cycles.push_back({.cycle = run_.cycle, .value = test.value, .best = best, .hoop_Hz = test.hoop_Hz});
+    const bool first = run_.cycle == 1;
+    run_.next = first ? AbiStep::compression_after_first : AbiStep::compression_after_performance;
+    run_.roll = 0;
+    if (first && (test.damage || test.broken)) return end(AbiVerdict::fail, "damaged in the first performance test");
+    if (log_.limit && test.value > *log_.limit) {
+      const std::string why =
+          fmt::format("cycle {}: {:g} exceeds the limit of {:g}", run_.cycle, test.value, *log_.limit);
+      if (!log_.continued) return end(AbiVerdict::fail, why);
+      if (run_.verdict != AbiVerdict::fail) run_.why = why;
+      run_.verdict = AbiVerdict::fail;
+    }
+    const double drop = best - test.value, asked = log_.bbcor ? rules_.pass_drop_bbcor : rules_.pass_drop_besr;
+    if (!first && drop >= asked - kReadingSlack)
+      return end(AbiVerdict::pass, fmt::format("cycle {}: {:.4f} below the best of {:g}", run_.cycle, drop, best));
+    if (test.broken) return end(AbiVerdict::undecided, "broken before its performance fell");
+    if (run_.cycle >= rules_.most_cycles) end(AbiVerdict::undecided, "its performance does not fall");
+  }
+
+  // A failure stays one.
+  void end(AbiVerdict verdict, const std::string& why) {
+    if (verdict == AbiVerdict::pass && !log_.limit) verdict = AbiVerdict::undecided;
+    if (run_.verdict != AbiVerdict::fail) {
+      run_.verdict = verdict;
+      run_.why = why;
+    }
+    run_.next = AbiStep::done;
+  }
+
+  void remark(const char* code, std::string message) { run_.remarks.push_back({code, std::move(message)}); }
+
+  const AbiLog& log_;
+  const AbiRules& rules_;
+  const AbiEntry* entry_ = nullptr;
+  double unrolled_lbf_ = 0;  // BC_i,0
+  AbiRun run_;
+};
+
+}  // namespace
+
+const char* name_of(AbiVerdict verdict) {
+  switch (verdict) {
+    case AbiVerdict::pass:
+      return "pass";
+    case AbiVerdict::fail:
+      return "fail";
+    case AbiVerdict::undecided:
+      return "undecided";
+    case AbiVerdict::in_progress:
+      break;
+  }
+  return "in_progress";
+}
+
+double next_depth_in(const AbiRun& run, const AbiRules& rules) {
+  return run.depth_in ? *run.depth_in + rules.depth_step_in : rules.first_depth_in;
+}
+
+AbiRun follow_abi(const AbiLog& log, const AbiRules& rules) {
+  AbiRun run = Procedure(log, rules).run();
+  if (!log.material.empty() && log.material != "composite") {
+    run.remarks.push_back(
+        {"material", "the procedure is for barrels of composite, not of " + one_line(log.material, 40)});
+  }
+  if (!log.limit) run.remarks.push_back({"no_limit", "no limit is given: the bat cannot pass, nor fail by it"});
+  return run;
+}
+
+std::string next_words(const AbiRun& run, const AbiRules& rules) {
+  if (run.next == AbiStep::done)
+    return fmt::format("{}: {}", run.verdict == AbiVerdict::undecided ? "no verdict" : name_of(run.verdict), run.why);
+  std::string out = fmt::format("step {}: {}", static_cast<int>(run.next), what_is_done(run.next));
+  if (run.next == AbiStep::roll) {
+    out += fmt::format(", rollers about {:.4g} in in, 10 times each way at 0, 90, 45 and -45 degrees",
+                       next_depth_in(run, rules));
+  }
+  return out;
+}
+
+}  // namespace percuss

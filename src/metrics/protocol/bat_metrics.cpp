@@ -1,0 +1,86 @@
+#include "metrics/protocol/bat_metrics.hpp"
+
+#include <fmt/format.h>
+
+#include "metrics/protocol/resolution.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr double kLeastBelow = 2.1, kMostBelow = 3.0;  // ounces of class −3
+constexpr double kLeastExponent = 0.08, kMostExponent = 0.37;
+
+// f(the numbers), or nothing when one of them is absent.
+template <class F, class... T>
+std::optional<Measured> given(F&& f, const std::optional<T>&... numbers) {
+  if (!(numbers.has_value() && ...)) return std::nullopt;
+  return f(*numbers...);
+}
+
+std::optional<Measured> besr_from(const BatReadings& r, const std::optional<Measured>& k) {
+  if (r.out_mps && r.in_mps) return besr_of(*r.out_mps, *r.in_mps) + r.lot_correction;  // (P6), (P11)
+  if (r.besr) return r.besr;
+  return given([](const auto& bbcor, const auto& ratio) { return besr_from_bbcor(bbcor, ratio); }, r.bbcor, k);  // (P9)
+}
+
+}  // namespace
+
+std::optional<int> drop_class_of(double drop) {
+  if (-drop >= kLeastBelow - kReadingSlack && -drop <= kMostBelow + kReadingSlack) return -3;
+  return std::nullopt;
+}
+
+BatMetrics bat_metrics(const BatReadings& r) {
+  BatMetrics out;
+  out.drop = given([](const auto& m, const auto& l) { return drop_of(m, l); }, r.mass_kg, r.length_m);  // (P1)
+  if (out.drop) out.drop_class = drop_class_of(out.drop->value());
+  out.moi_kgm2 = r.moi_kgm2 ? r.moi_kgm2
+                            : given([&](const auto& t, const auto& m, const auto& l,
+                                        const auto& cg) { return pendulum_moi_kgm2(t, m, l, cg, r.gravity_mps2); },
+                                    r.period_s, r.mass_kg, r.length_m, r.cg_m);  // (P3)
+  out.k = given([](const auto& ball, const auto& l, const auto& z,
+                   const auto& moi) { return ball_to_bat_inertia(ball, l, z, moi); },
+                r.ball_kg, r.length_m, r.z_m, out.moi_kgm2);  // (P10)
+  out.contact_mps =
+      given([](const auto& l, const auto& z) { return contact_speed_mps(l, z); }, r.length_m, r.z_m);  // (P5)
+  out.swing_mps =
+      r.swing_mps
+          ? r.swing_mps
+          : given([&](const auto& l, const auto& z, const auto& moi) { return swing_speed_mps(l, z, moi, r.swing); },
+                  r.length_m, r.z_m, out.moi_kgm2);  // (P4)
+  out.besr = besr_from(r, out.k);
+  out.ncaa_besr = given(
+      [&](const auto& v_out, const auto& v_in, const auto& contact) -> Measured {
+        return ncaa_besr_of(v_out, v_in, contact, r.nominal_mps) + r.lot_correction;
+      },
+      r.out_mps, r.in_mps, out.contact_mps);  // (P7)
+  out.bbs_mps =
+      given([&](const auto& besr, const auto& swing) { return batted_ball_speed_mps(besr, swing, r.pitch_mps); },
+            out.besr, out.swing_mps);                                                                     // (P8)
+  out.bbcor = given([](const auto& besr, const auto& k) { return bbcor_of(besr, k); }, out.besr, out.k);  // (P9)
+  if (!out.bbcor) out.bbcor = r.bbcor;
+  return out;
+}
+
+std::vector<MetricsWarning> metrics_warnings(const BatReadings& r, const BatMetrics& m) {
+  std::vector<MetricsWarning> out;
+  const SwingModel standard;
+  if (m.swing_mps && !r.swing_mps && r.swing.v0_mps == standard.v0_mps) {
+    out.push_back({"swing_speed_constant",
+                   "the swing model's v0 is 60 mph: the 40 mph that the source prints would make 44 mph of the 66 mph "
+                   "that it states for the barrel (--v0-mph)"});
+  }
+  if (r.swing.exponent < kLeastExponent || r.swing.exponent > kMostExponent) {
+    out.push_back({"swing_exponent", fmt::format("players' exponents range from {} to {}, not {:g}", kLeastExponent,
+                                                 kMostExponent, r.swing.exponent)});
+  }
+  if (m.drop && !m.drop_class) {
+    out.push_back({"drop_class", fmt::format("a drop of {:.3f} is not in class -3 (2.1 to 3.0 oz below the length)",
+                                             m.drop->value())});
+  }
+  if (r.in_mps && r.out_mps && r.out_mps->value() > r.in_mps->value())
+    out.push_back({"rebound_speed", "the ball leaves faster than it came: are inbound and rebound exchanged?"});
+  return out;
+}
+
+}  // namespace percuss

@@ -1,0 +1,240 @@
+#include "metrics/protocol/certify.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "metrics/protocol/averages.hpp"
+#include "metrics/protocol/performance.hpp"
+#include "metrics/protocol/resolution.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr double kNominal_mph = 136;
+constexpr double kOnGrid = 1e-6;  // of half an inch
+
+double contact_mph(const Session& s, double z_in) {
+  return contact_speed_mps(s.bat.length_in * kInch_m, z_in * kInch_m) / kMilePerHour_mps;  // (P5)
+}
+
+double inertia_ratio(const Session& s, double z_in, double ball_g) {
+  return ball_to_bat_inertia(1e-3 * ball_g, s.bat.length_in * kInch_m, z_in * kInch_m,
+                             s.bat.moi_ozin2.value_or(0) * kOunceInch2_kgm2);  // (P10)
+}
+
+// (P11)
+void judge_lot(const Session& s, const ProtocolLimits& limits, Certification& out) {
+  std::vector<double> ratios;
+  for (const SessionShot& hit : s.lot.hits) {
+    JudgedShot judged = judge_shot(s, hit, kNominal_mph, out.balls[hit.ball], limits);
+    if (judged.valid()) ratios.push_back(limits.lot_ratio - hit.out_mph / hit.in_mph);
+    judged.counted = judged.valid();
+    out.lot_hits.push_back(std::move(judged));
+  }
+  out.valid_lot_hits = ratios.size();
+  if (s.lot.correction) {
+    out.correction = s.lot.correction;
+  } else if (ratios.size() >= limits.lot_hits) {
+    out.correction = mean_of(ratios);
+    out.correction_std = standard_error_of(ratios);
+  }
+}
+
+void check_location(const Session& s, const SessionShot& shot, JudgedShot& judged) {
+  const double halves = 2 * shot.z_in;
+  if (std::abs(halves - std::round(halves)) > kOnGrid)
+    judged.reasons.push_back({"location", fmt::format("{:g} in is no half inch", shot.z_in)});
+  if (shot.z_in < s.low_in || shot.z_in > s.high_in) {
+    judged.reasons.push_back(
+        {"location", fmt::format("{:g} in is outside {:g} to {:g} in", shot.z_in, s.low_in, s.high_in)});
+  }
+}
+
+void judge_shots(const Session& s, const ProtocolLimits& limits, Certification& out) {
+  std::map<HalfInches, std::vector<double>> values;
+  std::map<HalfInches, std::size_t> valid;
+  for (const SessionShot& shot : s.shots) {
+    JudgedShot judged = judge_shot(s, shot, contact_mph(s, shot.z_in), out.balls[shot.ball], limits);
+    check_location(s, shot, judged);
+    const auto at = static_cast<HalfInches>(std::lround(2 * shot.z_in));
+    const double correction = out.correction.value_or(0);
+    if (judged.valid()) {
+      ++valid[at];
+      judged.counted = values[at].size() < limits.shots;
+      double value = judged.value + correction;
+      if (s.metric == PerformanceMetric::bbcor) value = bbcor_of(value, inertia_ratio(s, shot.z_in, shot.ball_g));
+      if (judged.counted) values[at].push_back(value);
+    }
+    if (!shot.damage.empty())
+      out.remarks.push_back({"damage", fmt::format("damage seen ({}): {}", shot.place, one_line(shot.damage, 80))});
+    out.shots.push_back(std::move(judged));
+  }
+  for (const auto& [at, counted] : values) {
+    out.locations.push_back({.z_in = 0.5 * at,
+                             .valid = valid[at],
+                             .complete = counted.size() == limits.shots,
+                             .mean = mean_of(counted),
+                             .std_error = standard_error_of(counted)});
+  }
+}
+
+void search(const Session& s, const ProtocolLimits& limits, Certification& out) {
+  std::map<HalfInches, double> tested;
+  for (const TestedLocation& location : out.locations) {
+    if (!location.complete) continue;
+    tested[static_cast<HalfInches>(std::lround(2 * location.z_in))] = location.mean;
+    if (out.best && *out.best >= location.mean) continue;
+    out.best = location.mean;
+    out.best_std = location.std_error;
+  }
+  SearchRules rules{.margin = limits.margin_besr,
+                    .low = static_cast<HalfInches>(std::ceil(2 * s.low_in)),
+                    .high = static_cast<HalfInches>(std::floor(2 * s.high_in))};
+  // The margin is in BESR: (P9) stretches it.
+  if (s.metric == PerformanceMetric::bbcor) rules.margin *= 1 + inertia_ratio(s, 6, limits.ball_g);
+  out.search = next_location(tested, rules);
+  // A location begun that does better so far is finished before anything is concluded.
+  for (const TestedLocation& location : out.locations) {
+    if (out.search.state != SearchState::shoot && !location.complete && location.mean > out.best)
+      out.search = {.at = static_cast<HalfInches>(std::lround(2 * location.z_in))};
+  }
+  const bool plateau = limits.accept_plateau && out.search.state == SearchState::plateau;
+  if (plateau || out.search.state == SearchState::found) out.sweet_spot_in = 0.5 * out.search.at;
+  if (!plateau) return;
+  out.remarks.push_back({"plateau", fmt::format("{:g} to {:g} in are within the margin: the best of them was accepted",
+                                                0.5 * out.search.plateau.front(), 0.5 * out.search.plateau.back())});
+}
+
+bool damaged(const Certification& c) {
+  return std::any_of(c.remarks.begin(), c.remarks.end(), [](const auto& remark) { return remark.code == "damage"; });
+}
+
+CertifyVerdict verdict_of(const Session& s, const Certification& c) {
+  if (damaged(c)) return CertifyVerdict::fail;
+  if (!c.correction || !c.conditions.empty()) return CertifyVerdict::in_progress;
+  if (s.limit && c.best && *c.best > *s.limit + kReadingSlack) return CertifyVerdict::fail;
+  if (c.search.state == SearchState::shoot) return CertifyVerdict::in_progress;
+  if (!c.sweet_spot_in) return CertifyVerdict::undecided;
+  return s.limit ? CertifyVerdict::pass : CertifyVerdict::no_limit;
+}
+
+// A ball that may be fired again, the least used one first.
+std::string ball_to_use(const Certification& c) {
+  const BallUse* least = nullptr;
+  std::string name;
+  for (const auto& [id, ball] : c.balls) {
+    if (!ball.spent.empty() || (least != nullptr && least->impacts <= ball.impacts)) continue;
+    least = &ball;
+    name = id;
+  }
+  return name;
+}
+
+NextAction action_for_conditions(const Certification& c) {
+  const ProtocolFinding& first = c.conditions.front();
+  const bool bat = first.code == "bat_conditioning", balls = first.code == "ball_conditioning";
+  return {.code = bat     ? "condition_bat"
+                  : balls ? "condition_balls"
+                          : "restore_climate",
+          .message = (bat || balls ? "wait: " : "restore the laboratory's climate: ") + first.message};
+}
+
+std::string end_message(const Session& s, const Certification& c) {
+  switch (c.verdict) {
+    case CertifyVerdict::pass:
+      return fmt::format("done: the sweet spot is {:g} in from the tip, {} {:.4f} there, within the limit of {:g}",
+                         *c.sweet_spot_in, name_of(s.metric), *c.best, *s.limit);
+    case CertifyVerdict::fail:
+      return damaged(c)
+                 ? "stop: the bat is damaged"
+                 : fmt::format("stop: {} {:.4f} exceeds the limit of {:g}", name_of(s.metric), *c.best, *s.limit);
+    case CertifyVerdict::no_limit:
+      return fmt::format(
+          "done: the sweet spot is {:g} in from the tip, {} {:.4f} there; no limit was given to judge it",
+          *c.sweet_spot_in, name_of(s.metric), *c.best);
+    default:
+      return c.search.state == SearchState::edge
+                 ? fmt::format(
+                       "stop: the best location, {:g} in, lies at the end of those that can be hit: no sweet "
+                       "spot is isolated",
+                       0.5 * c.search.at)
+                 : fmt::format(
+                       "stop: {} locations next to one another, {:g} to {:g} in, are within the margin: no "
+                       "sweet spot is isolated",
+                       c.search.plateau.size(), 0.5 * c.search.plateau.front(), 0.5 * c.search.plateau.back());
+  }
+}
+
+NextAction next_action(const Session& s, const Certification& c, const ProtocolLimits& limits) {
+  if (c.verdict != CertifyVerdict::in_progress) return {.code = "stop", .message = end_message(s, c)};
+  if (!c.conditions.empty()) return action_for_conditions(c);
+  NextAction next{.code = "lot_hit", .ball = ball_to_use(c)};
+  if (!c.correction) {
+    next.left = limits.lot_hits - c.valid_lot_hits;
+    next.z_in = 6;
+    next.target_mph = kNominal_mph;
+    next.message = fmt::format("lot: {} more valid hits on the standard bat, 6 in from its tip, at {:g} ± {:g} mph",
+                               next.left, kNominal_mph, limits.inbound_tolerance_mph);
+    return next;
+  }
+  next.code = "shoot";
+  next.z_in = 0.5 * c.search.at;
+  next.target_mph = contact_mph(s, *next.z_in);
+  next.left = limits.shots;
+  for (const TestedLocation& location : c.locations) {
+    if (location.z_in == *next.z_in) next.left -= std::min(location.valid, limits.shots);
+  }
+  next.message = fmt::format("shoot: {} more valid shots {:g} in from the tip, at {:.2f} ± {:g} mph", next.left,
+                             *next.z_in, *next.target_mph, limits.inbound_tolerance_mph);
+  return next;
+}
+
+void remark(const Session& s, Certification& c) {
+  if (s.limit && c.best && std::abs(*c.best - *s.limit) < 2 * *c.best_std) {
+    c.remarks.push_back({"near_limit", fmt::format("{:.4f} ± {:.4f} is within two standard errors of the limit",
+                                                   *c.best, *c.best_std)});
+  }
+  const auto no_pairs =
+      std::count_if(s.shots.begin(), s.shots.end(), [](const SessionShot& shot) { return shot.pairs_in_mph.empty(); });
+  if (no_pairs > 0) {
+    c.remarks.push_back(
+        {"pairs_not_given", fmt::format("{} with one speed: whether the gates agree was not checked",
+                                        no_pairs == 1 ? "1 shot comes" : fmt::format("{} shots come", no_pairs))});
+  }
+}
+
+}  // namespace
+
+const char* name_of(CertifyVerdict verdict) {
+  switch (verdict) {
+    case CertifyVerdict::pass:
+      return "pass";
+    case CertifyVerdict::fail:
+      return "fail";
+    case CertifyVerdict::undecided:
+      return "undecided";
+    case CertifyVerdict::no_limit:
+      return "no_limit";
+    case CertifyVerdict::in_progress:
+      break;
+  }
+  return "in_progress";
+}
+
+Certification certify(const Session& session, const ProtocolLimits& limits) {
+  if (session.metric == PerformanceMetric::bbcor && !session.bat.moi_ozin2)
+    throw InputError("BBCOR needs the bat's moment of inertia", "bat.moi_oz_in2", "percuss metrics computes it");
+  Certification out{.conditions = condition_findings(session, limits)};
+  judge_lot(session, limits, out);
+  judge_shots(session, limits, out);
+  search(session, limits, out);
+  out.verdict = verdict_of(session, out);
+  remark(session, out);
+  out.next = next_action(session, out, limits);
+  return out;
+}
+
+}  // namespace percuss

@@ -1,0 +1,69 @@
+#include "metrics/protocol/pendulum.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/math/statistics.hpp"
+#include "metrics/protocol/averages.hpp"
+#include "metrics/protocol/resolution.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr double kMostUneven = 0.2;  // of a period: damping and noise are far below, a lost crossing is a half or more
+
+std::string uneven_crossing(const std::vector<double>& times_s, std::size_t p) {
+  std::vector<double> spans;
+  for (std::size_t n = 0; n + p < times_s.size(); ++n) spans.push_back(times_s[n + p] - times_s[n]);
+  const double usual = median(spans);
+  for (std::size_t n = 0; n < spans.size(); ++n) {
+    if (std::abs(spans[n] - usual) > kMostUneven * usual) {
+      return fmt::format("time {} comes {:.4g} s after time {}, others {:.4g} s: one is missing or counted twice",
+                         n + p + 1, spans[n], n + 1, usual);
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+PeriodEstimate mean_period(const std::vector<double>& periods_s, double resolution_s) {
+  if (periods_s.empty()) return {.problem = "no period"};
+  const auto n = static_cast<double>(periods_s.size());
+  return {.period_s = mean_of(periods_s),
+          .std_s = std::hypot(standard_error_of(periods_s), reading_std(resolution_s) / std::sqrt(n))};
+}
+
+PeriodEstimate period_of_crossings(const std::vector<double>& times_s, std::size_t p, double resolution_s) {
+  const std::size_t count = times_s.size();
+  if (count < p + 1) return {.problem = fmt::format("{} times are fewer than the {} of a period", count, p + 1)};
+  for (std::size_t n = 1; n < count; ++n) {
+    if (!(times_s[n] > times_s[n - 1]))
+      return {.problem = fmt::format("time {} does not come after time {}", n + 1, n)};
+  }
+  if (std::string problem = uneven_crossing(times_s, p); !problem.empty()) return {.problem = std::move(problem)};
+  // (P2): every direction's own mean taken off leaves one slope.
+  std::vector<double> turns(count), turn_mean(p, 0), time_mean(p, 0), members(p, 0);
+  for (std::size_t n = 0; n < count; ++n) {
+    const std::size_t whole = n / p;
+    turns[n] = static_cast<double>(whole);
+    turn_mean[n % p] += turns[n];
+    time_mean[n % p] += times_s[n];
+    members[n % p] += 1;
+  }
+  const auto turn = [&](std::size_t n) { return turns[n] - turn_mean[n % p] / members[n % p]; };
+  const auto time = [&](std::size_t n) { return times_s[n] - time_mean[n % p] / members[n % p]; };
+  double xx = 0, xy = 0, left = 0;
+  for (std::size_t n = 0; n < count; ++n) {
+    xx += turn(n) * turn(n);
+    xy += turn(n) * time(n);
+  }
+  const double period = xy / xx;
+  for (std::size_t n = 0; n < count; ++n) left += (time(n) - period * turn(n)) * (time(n) - period * turn(n));
+  const double variance = count > p + 1 ? left / static_cast<double>(count - p - 1) : 0;
+  const double read = reading_std(resolution_s);
+  return {.period_s = period, .std_s = std::sqrt(std::max(variance, read * read) / xx)};
+}
+
+}  // namespace percuss

@@ -1,0 +1,133 @@
+#include "metrics/study/study.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "metrics/study/study_figures.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr double kFalsePositives = 0.05;
+
+ClassPoints points_of(const Study& study, StudyQuantity x, StudyQuantity y, const std::vector<std::size_t>& members) {
+  ClassPoints points;
+  for (const std::size_t b : members) {
+    points.x.push_back(*study.bats[b].value(x));
+    points.y.push_back(*study.bats[b].value(y));
+  }
+  return points;
+}
+
+// States of one bat are no independent bats: the first one counts.
+std::vector<std::size_t> counted_of(const Study& study, const std::vector<std::size_t>& members) {
+  std::vector<std::size_t> out;
+  for (const std::size_t b : members) {
+    if (!study.repeated[b]) out.push_back(b);
+  }
+  return out;
+}
+
+void fit_figure(const Study& study, StudyFigure& figure) {
+  std::vector<ClassPoints> lengths;
+  for (StudyClass& one : figure.classes) {
+    if (one.length_class == 0) {
+      one.association = association_of(lengths);
+      continue;
+    }
+    const std::vector<std::size_t> counted = counted_of(study, one.bats);
+    lengths.push_back(points_of(study, figure.x, figure.y, counted));
+    one.association = association_of({lengths.back()});
+    one.trend = trend_line_of(lengths.back());
+    if (!one.trend) continue;
+    for (const std::size_t i : outliers_of(lengths.back(), *one.trend)) one.outliers.push_back(counted[i]);
+  }
+}
+
+std::vector<bool> repeats_of(const std::vector<StudyBat>& bats) {
+  std::set<std::string> seen;
+  std::vector<bool> out;
+  out.reserve(bats.size());
+  for (const StudyBat& bat : bats) out.push_back(!bat.bat.empty() && !seen.insert(bat.bat).second);
+  return out;
+}
+
+std::optional<Association> along_trail(const Study& study, const StudyTrail& trail, StudyQuantity y) {
+  std::vector<std::size_t> known;
+  for (const std::size_t b : trail.states) {
+    if (study.bats[b].value(y)) known.push_back(b);
+  }
+  return association_of({points_of(study, StudyQuantity::hoop1, y, known)});
+}
+
+std::vector<StudyTrail> trails_of(const std::vector<StudyBat>& bats) {
+  std::map<std::string, StudyTrail> by_bat;
+  for (std::size_t b = 0; b < bats.size(); ++b) {
+    if (bats[b].bat.empty() || !bats[b].value(StudyQuantity::hoop1)) continue;
+    StudyTrail& trail = by_bat[bats[b].bat];
+    trail.bat = bats[b].bat;
+    trail.states.push_back(b);
+  }
+  std::vector<StudyTrail> out;
+  for (auto& [name, trail] : by_bat) {
+    if (trail.states.size() > 1) out.push_back(std::move(trail));
+  }
+  return out;
+}
+
+void judge_statements(Study& study) {
+  std::vector<double> p;
+  std::vector<std::size_t> testable;
+  for (std::size_t s = 0; s < study.statements.size(); ++s) {
+    StudyStatement& statement = study.statements[s];
+    for (const StudyFigure& figure : study.figures) {
+      if (figure.x == statement.x && figure.y == statement.y && figure.family == statement.family &&
+          figure.length_class == 0)
+        statement.association = figure.classes.back().association;
+    }
+    if (!statement.association) continue;
+    testable.push_back(s);
+    p.push_back(statement.association->p);
+  }
+  const auto adjusted = adjusted_for_all(p);
+  for (std::size_t k = 0; k < testable.size(); ++k) {
+    StudyStatement& statement = study.statements[testable[k]];
+    statement.adjusted_p = adjusted[k];
+    if (!(adjusted[k] < kFalsePositives)) continue;
+    const bool as_said = statement.association->spearman.value * statement.sign > 0;
+    statement.verdict = as_said ? StatementVerdict::supported : StatementVerdict::contradicted;
+  }
+}
+
+}  // namespace
+
+const char* name_of(StatementVerdict verdict) {
+  switch (verdict) {
+    case StatementVerdict::supported:
+      return "supported";
+    case StatementVerdict::contradicted:
+      return "contradicted";
+    case StatementVerdict::not_supported:
+      break;
+  }
+  return "not supported";
+}
+
+Study study_of(std::vector<StudyBat> bats) {
+  Study study{.bats = std::move(bats)};
+  study.repeated = repeats_of(study.bats);
+  study.figures = figures_for(study.bats);
+  for (StudyFigure& figure : study.figures) fit_figure(study, figure);
+  study.trails = trails_of(study.bats);
+  for (StudyTrail& trail : study.trails) {
+    trail.besr = along_trail(study, trail, StudyQuantity::besr);
+    trail.bbs = along_trail(study, trail, StudyQuantity::bbs);
+    trail.bbcor = along_trail(study, trail, StudyQuantity::bbcor);
+  }
+  study.statements = statements_of_source();
+  judge_statements(study);
+  return study;
+}
+
+}  // namespace percuss

@@ -1,0 +1,92 @@
+#include "metrics/study/study_batch.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "core/error.hpp"
+#include "core/io/strict_json.hpp"
+#include "metrics/study/batch_columns.hpp"
+
+namespace percuss {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr const char* kMerging = "percuss batch merge";
+
+std::string_view first_line(std::string_view text) { return text.substr(0, text.find('\n')); }
+
+// The rows of a record follow one another.
+BatProperties& bat_named(std::vector<BatProperties>& bats, const std::string& id) {
+  if (bats.empty() || bats.back().at("id") != id) bats.push_back({{"id", id}});
+  return bats.back();
+}
+
+void take_row(StrictObject& row, std::vector<BatProperties>& bats) {
+  for (const std::string& column : batch_columns()) row.has(column);  // all of them are known
+  std::string kind, id, family;
+  std::size_t order = 0;
+  double freq_Hz = 0;
+  row.read("row", kind);
+  row.read("id", id);
+  row.read("family", family);
+  row.read("order", order);
+  row.read("frequency_hz", freq_Hz);
+  if (kind == "mode") add_frequency(bat_named(bats, id), family, static_cast<std::int64_t>(order), freq_Hz);
+}
+
+void take_line(const Json& row, std::vector<BatProperties>& bats) {
+  if (row.at("row") != "mode") return;
+  BatProperties& bat = bat_named(bats, row.at("id").get<std::string>());
+  const Json& order = row.at("order");
+  if (order.is_null()) return;
+  add_frequency(bat, row.at("family").get<std::string>(), order.get<std::int64_t>(),
+                row.at("frequency_hz").get<double>());
+}
+
+std::vector<BatProperties> bats_of_lines(std::string_view text, const std::string& where) {
+  constexpr int kRowDepth = 2;
+  std::vector<BatProperties> bats;
+  std::size_t number = 1;
+  for (text.remove_prefix(std::min(first_line(text).size() + 1, text.size())); !text.empty(); ++number) {
+    const std::string_view line = first_line(text);
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+    try {
+      if (nests_deeper_than(line, kRowDepth)) throw std::out_of_range("deep");
+      take_line(Json::parse(line), bats);
+    } catch (const std::exception&) {
+      throw InputError("this is no row of a batch", fmt::format("{}, line {}", where, number + 1),
+                       std::string("give the file as ") + kMerging + " wrote it");
+    }
+  }
+  return bats;
+}
+
+}  // namespace
+
+void add_frequency(BatProperties& bat, const std::string& family, std::int64_t order, double freq_Hz) {
+  const std::string column = fmt::format("{}{}_hz", family, order);
+  const auto& known = study_columns();
+  if (std::find(known.begin(), known.end(), column) != known.end()) bat.emplace(column, fmt::format("{}", freq_Hz));
+}
+
+bool holds_batch(std::string_view text) {
+  const std::string_view line = first_line(text);
+  if (line.starts_with("row,id,")) return true;
+  if (!line.starts_with('{') || nests_deeper_than(line, kDeepestDocument)) return false;
+  const Json head = Json::parse(line.begin(), line.end(), nullptr, false);
+  const auto schema = head.is_object() ? head.find("schema") : head.end();
+  return head.is_object() && schema != head.end() && *schema == kBatchSchema;
+}
+
+std::vector<BatProperties> batch_bats(std::string_view text, const std::string& where) {
+  if (text.starts_with('{')) return bats_of_lines(text, where);
+  std::vector<BatProperties> bats;
+  read_strict_sheet({.text = text, .where = where, .example = kMerging}, "rows",
+                    [&](StrictObject& o) { o.read_list("rows", [&](StrictObject& row) { take_row(row, bats); }); });
+  return bats;
+}
+
+}  // namespace percuss

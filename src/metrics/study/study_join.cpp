@@ -1,0 +1,77 @@
+#include "metrics/study/study_join.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "core/error.hpp"
+#include "core/io/strict_json.hpp"
+#include "metrics/study/csv_cell.hpp"
+
+namespace percuss {
+namespace {
+
+using Json = nlohmann::json;
+
+const char* material_word(BarrelMaterial material) {
+  if (material == BarrelMaterial::wood) return "wood";
+  return material == BarrelMaterial::aluminum ? "aluminum" : "composite";
+}
+
+}  // namespace
+
+StudyCurve parse_study_curve(std::string_view text, const std::string& where) {
+  const Json document =
+      nests_deeper_than(text, kDeepestDocument) ? Json() : Json::parse(text.begin(), text.end(), nullptr, false);
+  const bool object = document.is_object() && document.contains("curve") && document["curve"].is_array();
+  if (!object || document.value("schema", Json()) != "percuss/model-trampoline/1")
+    throw InputError("no curve over the hoop frequency", where, "percuss model trampoline --json prints one");
+  StudyCurve curve{.name = "model"};
+  for (const Json& point : document["curve"]) {
+    const bool pair = point.is_object() && point.contains("hoop_hz") && point["hoop_hz"].is_number() &&
+                      point.contains("cor") && point["cor"].is_number();
+    const double hoop_Hz = pair ? point["hoop_hz"].get<double>() : std::nan("");
+    if (!pair || !(hoop_Hz > (curve.hoop_Hz.empty() ? 0 : curve.hoop_Hz.back())))
+      throw InputError("hoop frequencies that do not rise", where, "percuss model trampoline --json prints a curve");
+    curve.hoop_Hz.push_back(hoop_Hz);
+    curve.value.push_back(point["cor"].get<double>());
+  }
+  if (curve.hoop_Hz.size() < 2)
+    throw InputError("a curve of fewer than two points", where, "percuss model trampoline --json prints one");
+  return curve;
+}
+
+std::string blind_bats(std::vector<StudyBat>& bats) {
+  std::string key = "neutral,id,bat,maker,model\n";
+  std::map<std::string, std::string> neutral_of_bat;
+  for (std::size_t b = 0; b < bats.size(); ++b) {
+    StudyBat& bat = bats[b];
+    const std::string neutral = fmt::format("AS{:03}", b + 1);
+    key += fmt::format("{},{},{},{},{}\n", neutral, csv_cell(bat.id), csv_cell(bat.bat), csv_cell(bat.maker),
+                       csv_cell(bat.model));
+    bat.id = neutral;
+    bat.maker.clear();
+    bat.model.clear();
+    if (!bat.bat.empty()) bat.bat = neutral_of_bat.try_emplace(bat.bat, neutral).first->second;
+  }
+  return key;
+}
+
+std::string study_table_csv(const std::vector<StudyBat>& bats) {
+  std::string out = "id,bat,maker,model,length_in,material,condition,program";
+  for (std::size_t q = 0; q < kStudyQuantities; ++q)
+    out += fmt::format(",{}", column_of(static_cast<StudyQuantity>(q)));
+  out += '\n';
+  for (const StudyBat& bat : bats) {
+    out += fmt::format("{},{},{},{},{},{},{},{}", csv_cell(bat.id), csv_cell(bat.bat), csv_cell(bat.maker),
+                       csv_cell(bat.model), bat.length_in, material_word(bat.material), bat.broken_in ? "abi" : "new",
+                       csv_cell(bat.program));
+    for (const auto& value : bat.values) out += value ? fmt::format(",{}", *value) : ",";
+    out += '\n';
+  }
+  return out;
+}
+
+}  // namespace percuss

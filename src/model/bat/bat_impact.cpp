@@ -1,0 +1,158 @@
+#include "model/bat/bat_impact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/units.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr Eigen::Index kRigidMotions = 2;
+constexpr double kFreeSteps = 4;  // steps of the contact in one step between contacts
+constexpr int kMostTries = 100;
+constexpr double kForceAccuracy = 1e-14;  // of the ball's deepest compression on a wall
+constexpr std::size_t kMostTouches = 1000;
+
+}  // namespace
+
+Eigen::ArrayXd with_rigid(const Eigen::Vector2d& rigid, const Eigen::VectorXd& elastic, Eigen::Index modes) {
+  Eigen::ArrayXd all(kRigidMotions + modes);
+  all << rigid.array(), elastic.head(modes).array();
+  return all;
+}
+
+BatImpact::BatImpact(const BatModes& bat, std::size_t modes, const BatCollision& collision, double z_m,
+                     const BatCollisionOptions& options)
+    : ball_(collision.ball),
+      swing_mps_(swing_speed_mps(rigid_collision(bat.inertia, collision), z_m - bat.inertia.cm_m)),
+      closing_mps_(collision.ball_speed_mps + swing_mps_),
+      wall_m_(std::pow((ball_.exponent + 1) * ball_.mass_kg * closing_mps_ * closing_mps_ / (2 * ball_.stiffness),
+                       1 / (ball_.exponent + 1))),
+      count_(std::min(static_cast<Eigen::Index>(modes), bat.freq_Hz.size())),
+      omega_(with_rigid(Eigen::Vector2d::Zero(), kTwoPi * bat.freq_Hz, count_)),
+      contact_(omega_, with_rigid(bat.rigid_deflection(z_m), bat.deflection(z_m), count_),
+               wall_m_ / closing_mps_ / static_cast<double>(options.steps)),
+      free_(omega_, contact_.phi, kFreeSteps * contact_.step_s),
+      give_(contact_.step_s * contact_.step_s / (6 * ball_.mass_kg) + (contact_.phi * contact_.q_to).sum()),
+      give_rate_(contact_.step_s / (2 * ball_.mass_kg) + (contact_.phi * contact_.rate_to).sum()),
+      look_s_(options.look_s),
+      bat_{.q = Eigen::ArrayXd::Zero(omega_.size()), .rate = Eigen::ArrayXd::Zero(omega_.size())},
+      earlier_(bat_),
+      ball_mps_(closing_mps_),
+      rate_mps_(closing_mps_) {}
+
+void BatImpact::step() {
+  const double h = contact_.step_s;
+  bat_.advance(contact_, force_N_);
+  ball_m_ += h * ball_mps_ - h * h / 3 * force_N_ / ball_.mass_kg;
+  const double free_u = ball_m_ - bat_.deflection(contact_);  // with no force at the step's end
+  const double free_rate = ball_mps_ - h / 2 * force_N_ / ball_.mass_kg - (contact_.phi * bat_.rate).sum();
+  const double before_N = force_N_;
+  force_N_ = end_force(free_u);
+  if (free_u > 0 && u_m_ >= largest_m_ && free_rate < give_rate_ * force_N_) {  // it turns within this step
+    largest_m_ = std::max(u_m_, turning_point(free_u, free_rate));
+    force_N_ = end_force(free_u);
+  }
+  bat_.add_end(contact_, force_N_);
+  ball_m_ -= h * h / 6 * force_N_ / ball_.mass_kg;
+  ball_mps_ -= h / 2 * (before_N + force_N_) / ball_.mass_kg;
+  u_m_ = free_u - give_ * force_N_;
+  rate_mps_ = free_rate - give_rate_ * force_N_;
+  largest_m_ = std::max(largest_m_, u_m_);
+  deepest_m_ = std::max(deepest_m_, u_m_);
+  time_s_ += h;
+}
+
+Eigen::VectorXd BatImpact::amplitudes_at(double time_s) {
+  while (time_s_ < time_s) {
+    earlier_ = bat_;
+    earlier_N_ = force_N_;
+    step();
+    if (!(u_m_ > 0)) largest_m_ = 0;
+  }
+  if (time_s_ == 0) return bat_.q;
+  // The last step again as far as the time wanted, under the same force.
+  const double part = 1 - (time_s_ - time_s) / contact_.step_s;
+  const ModalStepper shorter(omega_, contact_.phi, part * contact_.step_s);
+  ModalState then = earlier_;
+  then.advance(shorter, earlier_N_);
+  then.add_end(shorter, earlier_N_ + part * (force_N_ - earlier_N_));
+  return then.q;
+}
+
+BatRebound BatImpact::run() {
+  BatRebound result;
+  for (result.contacts = 0;; ++result.contacts) {
+    const double touch_by_s = time_s_ + 2 * free_.step_s;  // a touch that was rounding only is none
+    do {
+      step();
+    } while (u_m_ > 0 || (largest_m_ == 0 && time_s_ < touch_by_s));
+    result.contact_s = time_s_;
+    largest_m_ = 0;
+    if (result.contacts + 1 == kMostTouches || !comes_back()) break;
+  }
+  ++result.contacts;
+  result.largest_m = deepest_m_;
+  result.exit_speed_mps = swing_mps_ - ball_mps_;
+  const double ball_J = ball_.mass_kg / 2 * closing_mps_ * closing_mps_;
+  const double shared_mass = contact_.phi.head(kRigidMotions).square().sum();  // 1/M_e
+  const double to_spend_J = ball_J / (1 + ball_.mass_kg * shared_mass);
+  const Eigen::ArrayXd energy_J = (bat_.rate.square() + (omega_ * bat_.q).square()) / 2;
+  result.mode_share = (energy_J.tail(count_) / to_spend_J).matrix();
+  result.ball_share = (ball_J - ball_.mass_kg / 2 * ball_mps_ * ball_mps_ - energy_J.sum()) / to_spend_J;
+  return result;
+}
+
+double BatImpact::turning_point(double free_u, double free_rate) const {
+  const double h = contact_.step_s, a = u_m_, ra = h * rate_mps_, b = free_u - give_ * force_N_;
+  const double rb = h * (free_rate - give_rate_ * force_N_), c = 3 * (b - a) - 2 * ra - rb, d = 2 * (a - b) + ra + rb;
+  const double at = ra / (std::sqrt(std::max(0.0, c * c - 3 * d * ra)) - c);  // where its slope falls through zero
+  return at > 0 && at < 1 ? a + at * (ra + at * (c + at * d)) : std::max(a, b);
+}
+
+double BatImpact::end_force(double free_u) const {
+  if (!(free_u > 0)) return 0;
+  double low = 0, high = free_u, u = std::clamp(u_m_, 0.0, free_u);
+  for (int i = 0; i < kMostTries && high - low > kForceAccuracy * wall_m_; ++i) {
+    const double force_N = ball_.force_N(u, largest_m_), excess = u + give_ * force_N - free_u;
+    (excess > 0 ? high : low) = u;
+    const double slope = 1 + give_ * (u > 0 ? force_N / u * power_at(u) : 0);
+    const double newton = u - excess / slope;
+    if (std::abs(newton - u) <= kForceAccuracy * wall_m_) break;
+    u = newton > low && newton < high ? newton : (low + high) / 2;
+  }
+  return ball_.force_N(u, largest_m_);
+}
+
+double BatImpact::power_at(double u) const {
+  const double e = ball_.restitution;
+  return u >= largest_m_ ? ball_.exponent : (1 + ball_.exponent) / (e * e) - 1;
+}
+
+bool BatImpact::comes_back() {
+  const double end_s = time_s_ + look_s_;
+  while (time_s_ < end_s && !is_gone()) {
+    const ModalState before = bat_;
+    bat_.advance(free_, 0);
+    const double ball_m = ball_m_ + free_.step_s * ball_mps_;
+    if (ball_m > bat_.deflection(free_)) {
+      bat_ = before;
+      u_m_ = ball_m_ - bat_.deflection(contact_);
+      return true;
+    }
+    ball_m_ = ball_m;
+    time_s_ += free_.step_s;
+  }
+  return false;
+}
+
+bool BatImpact::is_gone() const {
+  const auto phi = contact_.phi.head(kRigidMotions);
+  const double gap_m = (phi * bat_.q.head(kRigidMotions)).sum() - ball_m_;
+  const double speed = (phi * bat_.rate.head(kRigidMotions)).sum() - ball_mps_;
+  const Eigen::ArrayXd q = bat_.q.tail(count_), rate = bat_.rate.tail(count_) / omega_.tail(count_);
+  return speed > 0 && gap_m > (contact_.phi.tail(count_).abs() * (q.square() + rate.square()).sqrt()).sum();
+}
+
+}  // namespace percuss

@@ -1,0 +1,47 @@
+#include "model/bat/rigid_collision.hpp"
+
+#include <cmath>
+
+namespace percuss {
+
+double effective_mass_kg(const RigidCollision& c, double z_m) {
+  return c.bat_mass_kg / (1 + c.bat_mass_kg * z_m * z_m / c.inertia_kgm2);  // (1)
+}
+
+double swing_speed_mps(const RigidCollision& c, double z_m) {
+  return c.bat_speed_mps + c.swing_rate_radps * z_m;
+}  // (2)
+
+double exit_speed_mps(const RigidCollision& c, double z_m) {
+  const double mass = effective_mass_kg(c, z_m);
+  return (c.ball_speed_mps * (c.restitution * mass - c.ball_mass_kg) +
+          swing_speed_mps(c, z_m) * mass * (1 + c.restitution)) /
+         (mass + c.ball_mass_kg);  // (3)
+}
+
+BestImpact best_impact(const RigidCollision& c, double low_m, double high_m) {
+  // With (1) in (3), both sides of the fraction times 1 + M z²/I: (n0 + n1 z + n2 z²) / (d0 + d2 z²). Its derivative's
+  // cubic terms cancel: a z² + 2 b z + f = 0.
+  const double mi = c.bat_mass_kg * c.inertia_kgm2, mm = c.ball_mass_kg * c.bat_mass_kg;
+  const double n0 = c.ball_speed_mps * (c.restitution * mi - c.ball_mass_kg * c.inertia_kgm2) +
+                    c.bat_speed_mps * mi * (1 + c.restitution);
+  const double n1 = c.swing_rate_radps * mi * (1 + c.restitution), n2 = -c.ball_speed_mps * mm;
+  const double d0 = mi + c.ball_mass_kg * c.inertia_kgm2, d2 = mm;
+  const double a = -n1 * d2, b = n2 * d0 - n0 * d2, f = n1 * d0;
+  BestImpact best{.z_m = low_m, .exit_speed_mps = exit_speed_mps(c, low_m)};
+  const auto offer = [&](double z_m) {
+    if (!(z_m >= low_m && z_m <= high_m)) return;  // also the roots of no quadratic, which are no numbers
+    const double speed = exit_speed_mps(c, z_m);
+    if (speed > best.exit_speed_mps) best = {.z_m = z_m, .exit_speed_mps = speed};
+  };
+  offer(high_m);
+  if (a == 0) offer(b == 0 ? low_m : -f / (2 * b));
+  const double root = std::sqrt(b * b - a * f);  // real: a and f differ in sign
+  // The sum that does not cancel, and the other root from the product of both.
+  const double sum = -(b + std::copysign(root, b));
+  offer(sum / a);
+  offer(f / sum);
+  return best;
+}
+
+}  // namespace percuss

@@ -1,0 +1,60 @@
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "model/impact/impact.hpp"
+
+namespace percuss {
+
+/// Where ball and beam are, in the variables of (1) of impact.hpp.
+struct BallOnBeamState {
+  std::vector<double> eta, rate;  // [modes]
+  double ball_m = 0, ball_mps = 0;
+  double lost_J = 0;  // in the contact, so far
+};
+
+/// What can be read from a state.
+struct BallOnBeamReading {
+  double beam_m = 0, beam_mps = 0;
+  double approach_m = 0;
+  double grip_m = 0;  // approach times 1 + χα̇ where they overlap: not above 0 when the contact has ended
+  double force_N = 0, force_rate_Nps = 0;
+  double energy_J = 0;  // kinetic, of the modes, of the contact, and lost
+};
+
+/// The moves that a motion by (1), (2) of impact.hpp is made of.
+class BallOnBeam {
+ public:
+  explicit BallOnBeam(const Impact& impact);
+
+  /// First touch, the beam at rest.
+  BallOnBeamState start(double speed_mps) const;
+  BallOnBeamReading read(const BallOnBeamState& state) const;
+
+  /// One symmetric fourth-order step.
+  void step(BallOnBeamState& state, double dt_s);
+  /// One step in which the force stays as it is at its start.
+  void small_increment(BallOnBeamState& state, double dt_s);
+
+  std::size_t modes() const { return omega_.size(); }
+  const std::vector<double>& omega_radps() const { return omega_; }
+  const std::vector<double>& weight() const { return y_; }  // yᵢ
+
+ private:
+  /// How the modes turn in free motion for one length of time.
+  struct Turn {
+    double dt_s = 0;
+    std::vector<double> c, s_over_omega, omega_s;
+  };
+  void set_turn(Turn& turn, double dt_s) const;
+  void set_twice(const Turn& half, Turn& turn) const;
+  static void drift(BallOnBeamState& state, const Turn& turn);
+  void push(BallOnBeamState& state, double dt_s) const;
+  double force_of(double approach_m, double rate_mps) const;
+
+  double ball_mass_kg_, hertz_, hysteresis_, mobility_;  // mobility: 1/m + Σ yᵢ²
+  std::vector<double> omega_, y_;
+  Turn first_, second_, third_;
+};
+
+}  // namespace percuss

@@ -1,0 +1,100 @@
+#include "model/impact/free_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/units.hpp"
+#include "model/math/ridders_root.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr double kPeakStepsPerPeriod = 20;  // steps of the search for the peak
+constexpr double kMostPeakSteps = 20000;    // … at most: what moves faster moves too little to matter
+constexpr double kTouched = 1e-7;           // of the first hop: the gap closes in less
+
+// How long x + x′t − bound t²/2 stays above zero.
+double surely_positive_s(double x, double rate, double bound) {
+  const double root = std::sqrt(rate * rate + 2 * bound * x);
+  return rate > 0 ? (rate + root) / bound : 2 * x / (root - rate);
+}
+
+}  // namespace
+
+FreeMotion::FreeMotion(const BallOnBeam& system, const BallOnBeamState& separated)
+    : ball_m_(separated.ball_m), ball_mps_(separated.ball_mps) {
+  const std::size_t modes = system.modes();
+  omega_ = system.omega_radps();
+  cosine_.resize(modes);
+  sine_.resize(modes);
+  for (std::size_t i = 0; i < modes; ++i) {
+    const double y = system.weight()[i], omega = omega_[i];
+    cosine_[i] = y * separated.eta[i];
+    if (omega > 0) {
+      sine_[i] = y * separated.rate[i] / omega;
+    } else {
+      steady_mps_ += y * separated.rate[i];
+    }
+    bound_mps2_ += omega * omega * std::hypot(cosine_[i], sine_[i]);
+    fastest_radps_ = std::max(fastest_radps_, omega);
+  }
+}
+
+FreeMotion::Point FreeMotion::beam_at(double time_s) const {
+  Point point{.value = steady_mps_ * time_s, .rate = steady_mps_};
+  for (std::size_t i = 0; i < omega_.size(); ++i) {
+    const double c = std::cos(omega_[i] * time_s), s = std::sin(omega_[i] * time_s);
+    point.value += cosine_[i] * c + sine_[i] * s;
+    point.rate += omega_[i] * (sine_[i] * c - cosine_[i] * s);
+  }
+  return point;
+}
+
+FreeMotion::Point FreeMotion::gap_at(double time_s) const {
+  const Point beam = beam_at(time_s);
+  return {.value = beam.value - ball_at(time_s), .rate = beam.rate - ball_mps_};
+}
+
+std::optional<double> FreeMotion::touch_s(double until_s) const {
+  const auto [closed_m, opening] = gap_at(0);
+  if (!(opening > 0) || !(bound_mps2_ > 0)) return {};
+  double time_s = opening / bound_mps2_;  // half of the first hop: past the touch that has just ended
+  const double least_s = std::max(kTouched * time_s, 1e-12 * until_s);
+  while (time_s < until_s) {
+    const Point gap = gap_at(time_s);
+    const double open_m = gap.value - closed_m;
+    const double hop_s = open_m > 0 ? surely_positive_s(open_m, gap.rate, bound_mps2_) : 0;
+    if (hop_s < least_s) return time_s;
+    time_s += hop_s;
+  }
+  return {};
+}
+
+std::optional<FreeMotion::Peak> FreeMotion::peak(double until_s, double floor_m) const {
+  std::optional<Peak> best;
+  const auto offer = [&](double time_s, double value_m) {
+    if (value_m > (best ? best->value_m : floor_m)) best = {.value_m = value_m, .time_s = time_s};
+  };
+  const double least_s =
+      std::max(until_s / kMostPeakSteps, kTwoPi / (kPeakStepsPerPeriod * std::max(fastest_radps_, 1e-300)));
+  Point here = beam_at(0);
+  for (double time_s = 0; time_s < until_s;) {
+    offer(time_s, here.value);
+    const double below = (best ? best->value_m : floor_m) - here.value;
+    double hop_s = until_s;
+    if (bound_mps2_ > 0)
+      hop_s = below > 0 || here.rate <= 0 ? surely_positive_s(below, -here.rate, bound_mps2_) : here.rate / bound_mps2_;
+    const double next_s = std::min(until_s, time_s + std::max(least_s, hop_s));
+    const Point next = beam_at(next_s);
+    if (here.rate > 0 && next.rate < 0) {
+      const double top_s = root_between(time_s, next_s, [&](double t) { return beam_at(t).rate; });
+      offer(top_s, beam_at(top_s).value);
+    }
+    time_s = next_s;
+    here = next;
+  }
+  offer(until_s, here.value);
+  return best;
+}
+
+}  // namespace percuss

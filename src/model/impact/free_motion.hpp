@@ -1,0 +1,40 @@
+#pragma once
+#include <optional>
+
+#include "model/impact/ball_on_beam.hpp"
+
+namespace percuss {
+
+/// Ball and beam after their separation, each by itself: closed forms, times from the separation.
+class FreeMotion {
+ public:
+  FreeMotion(const BallOnBeam& system, const BallOnBeamState& separated);
+
+  struct Point {
+    double value = 0, rate = 0;
+  };
+  Point beam_at(double time_s) const;
+  double ball_mps() const { return ball_mps_; }
+  double ball_at(double time_s) const { return ball_m_ + ball_mps_ * time_s; }
+
+  /// When the gap closes again, within `until_s`: time goes on by what the gap, its rate and the largest acceleration
+  /// that the modes' amplitudes allow leave certainly open, so that no touch is stepped over.
+  std::optional<double> touch_s(double until_s) const;
+
+  struct Peak {
+    double value_m = 0, time_s = 0;
+  };
+  /// The beam's largest deflection within `until_s`, if above `floor_m`.
+  std::optional<Peak> peak(double until_s, double floor_m) const;
+
+ private:
+  Point gap_at(double time_s) const;
+
+  std::vector<double> omega_, cosine_, sine_;  // of each mode's share of the deflection
+  double ball_m_, ball_mps_;
+  double steady_mps_ = 0;  // of modes of frequency 0
+  double bound_mps2_ = 0;  // of the deflection's acceleration
+  double fastest_radps_ = 0;
+};
+
+}  // namespace percuss

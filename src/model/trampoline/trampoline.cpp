@@ -1,0 +1,44 @@
+#include "model/trampoline/trampoline.hpp"
+
+#include <cmath>
+
+#include "core/parallel/parallel.hpp"
+#include "model/math/brent_maximum.hpp"
+
+namespace percuss {
+Trampoline baseball_on_barrel() { return {}; }
+
+Trampoline softball_on_barrel() {
+  return {.ball_mass_kg = 0.180,
+          .stiffness = 40.6e6,
+          .damping = 4700,
+          .stiffness_exponent = 0.65,
+          .damping_exponent = 0.5,
+          .barrel_mass_kg = 0.150,
+          .barrel_damping_Nspm = 100.5};
+}
+
+std::vector<Rebound> hoop_sweep(const Trampoline& model, const std::vector<double>& hoop_Hz, std::size_t threads) {
+  std::vector<Rebound> sweep(hoop_Hz.size());
+  parallel_for(hoop_Hz.size(), threads, [&](std::size_t i) { sweep[i] = rebound(model, hoop_Hz[i]); });
+  return sweep;
+}
+
+HoopPeak best_hoop(const Trampoline& model, const std::vector<double>& hoop_Hz, const std::vector<Rebound>& sweep) {
+  std::vector<double> cor;
+  cor.reserve(sweep.size());
+  for (const Rebound& r : sweep) cor.push_back(r.cor);
+  const PeakPlace peak = peak_between([&](double at_Hz) { return rebound(model, at_Hz).cor; }, hoop_Hz, cor);
+  return {.hoop_Hz = peak.x, .cor = peak.y};
+}
+
+double loaded_hoop_Hz(const Trampoline& model, double hoop_Hz) {
+  return hoop_Hz * std::sqrt(model.barrel_mass_kg / (model.barrel_mass_kg + model.extra_mass_kg));  // (4)
+}
+
+double modal_mass_kg(double added_kg, double free_Hz, double loaded_Hz) {
+  const double ratio = free_Hz / loaded_Hz;
+  return added_kg / ((ratio - 1) * (ratio + 1));
+}
+
+}  // namespace percuss

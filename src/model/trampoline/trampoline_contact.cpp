@@ -1,0 +1,161 @@
+#include "model/trampoline/trampoline_contact.hpp"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_odeiv2.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "model/math/illinois_root.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr std::size_t kContactStates = 4;
+constexpr double kScale_s = 1e-3;                      // τ of (1): a contact lasts about that
+constexpr double kContactTolerance = 1e-10;            // of the ball's speed, in a step
+constexpr double kFirstStep = 0.05, kShortest = 1e-9;  // of s
+constexpr double kUnderWay = 0.1;                      // of s: a touch that begins without force has some by then
+constexpr double kMostContactSteps = 1e6;
+using ContactState = std::array<double, kContactStates>;  // ball, its speed, barrel, its speed
+
+// Equations (1) and (2) of trampoline.hpp with s of (1) for the time.
+int contact_rates(double s, const double* y, double* dy, void* forces) {
+  const auto& f = *static_cast<const TrampolineForces*>(forces);
+  const double slowing = 4 * kScale_s * s * s * s;
+  const double force_N = f.contact_N(y[0] - y[2], y[1] - y[3]);
+  dy[0] = slowing * y[1];
+  dy[1] = -slowing * force_N / f.model.ball_mass_kg;
+  dy[2] = slowing * y[3];
+  dy[3] =
+      slowing * f.barrel_compliance * (force_N - f.barrel_stiffness_Npm * y[2] - f.model.barrel_damping_Nspm * y[3]);
+  return GSL_SUCCESS;
+}
+
+}  // namespace
+
+double TrampolineForces::contact_N(double overlap_m, double closing_mps) const {
+  if (overlap_m == 0) return 0;
+  const double log = std::log(std::abs(overlap_m));  // once for both powers: this is where the time goes
+  return model.stiffness * overlap_m * std::exp(model.stiffness_exponent * log) +
+         model.damping * closing_mps * std::exp(model.damping_exponent * log);
+}
+
+double TrampolineForces::grip(double overlap_m, double closing_mps) const {
+  const double power = 1 + model.stiffness_exponent - model.damping_exponent;
+  return model.stiffness * std::copysign(std::pow(std::abs(overlap_m), power), overlap_m) + model.damping * closing_mps;
+}
+
+double TrampolineForces::grip_rate(double overlap_m, double closing_mps, double acceleration_mps2) const {
+  const double power = 1 + model.stiffness_exponent - model.damping_exponent;
+  return model.stiffness * power * std::pow(std::abs(overlap_m), power - 1) * closing_mps +
+         model.damping * acceleration_mps2;
+}
+
+class ContactSolver::Stepper {
+ public:
+  explicit Stepper(TrampolineForces& forces)
+      : forces_(forces),
+        step_(gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, kContactStates), gsl_odeiv2_step_free),
+        system_{.function = contact_rates, .jacobian = nullptr, .dimension = kContactStates, .params = &forces} {}
+
+  struct Moment {
+    double s = 0;
+    ContactState y{}, dy{};  // dy per s
+  };
+
+  Moment at(double s, const ContactState& y) {
+    Moment moment{.s = s, .y = y};
+    contact_rates(s, moment.y.data(), moment.dy.data(), &forces_);
+    return moment;
+  }
+
+  // One step of length h; its error in units of the tolerance.
+  double take(const Moment& from, double h, Moment& to) {
+    ContactState error{};
+    to = from;
+    to.s = from.s + h;
+    gsl_odeiv2_step_apply(step_.get(), from.s, h, to.y.data(), error.data(), from.dy.data(), to.dy.data(), &system_);
+    const double speed = kContactTolerance * forces_.model.ball_speed_mps;
+    double worst = 0;
+    for (std::size_t i = 0; i < kContactStates; ++i) {
+      const double size = std::abs(error.at(i)) / (i % 2 == 0 ? speed * kScale_s : speed);
+      worst = size <= worst ? worst : size;  // no number is the worst of all
+    }
+    return worst;
+  }
+
+  double grip(const Moment& m) const { return forces_.grip(m.y[0] - m.y[2], m.y[1] - m.y[3]); }
+
+  // Whether the grip falls below zero and comes back between two moments at which it holds: by the cubic through both.
+  bool may_let_go(const Moment& a, const Moment& b) const {
+    const double h = b.s - a.s, ga = grip(a), gb = grip(b), ra = h * grip_rate(a), rb = h * grip_rate(b);
+    if (!(ra < 0 && rb > 0)) return false;
+    const double c = 3 * (gb - ga) - 2 * ra - rb, d = 2 * (ga - gb) + ra + rb;
+    const double root = std::sqrt(std::max(0.0, c * c - 3 * d * ra));
+    const double at = -ra / (c + root);  // where the cubic's derivative vanishes and rises
+    return at > 0 && at < 1 && ga + at * (ra + at * (c + at * d)) < 0;
+  }
+
+  // The last step again, shorter, so that the grip is zero at its end.
+  Moment let_go(const Moment& from, const Moment& past) {
+    Moment to = past;
+    const auto grip_after = [&](double h) {
+      if (h == 0) return grip(from);
+      take(from, h, to);
+      return grip(to);
+    };
+    take(from, bracketed_root(grip_after, 0, past.s - from.s, kContactTolerance * past.s), to);
+    return to;
+  }
+
+ private:
+  double grip_rate(const Moment& m) const {
+    const double slowing = 4 * kScale_s * m.s * m.s * m.s;
+    if (slowing == 0) return 0;
+    return slowing * forces_.grip_rate(m.y[0] - m.y[2], m.y[1] - m.y[3], (m.dy[1] - m.dy[3]) / slowing);
+  }
+
+  TrampolineForces& forces_;
+  std::unique_ptr<gsl_odeiv2_step, decltype(&gsl_odeiv2_step_free)> step_;
+  gsl_odeiv2_system system_;
+};
+
+ContactSolver::ContactSolver(const TrampolineForces& forces)
+    : forces_(forces), stepper_(std::make_unique<Stepper>(forces_)) {}
+
+ContactSolver::~ContactSolver() = default;
+
+BallAndBarrel ContactSolver::follow(const BallAndBarrel& start) {
+  auto now = stepper_->at(0, {start.ball_m, start.ball_mps, start.barrel_m, start.barrel_mps});
+  auto next = now;
+  double h = kFirstStep, steps = 0;
+  for (bool holds = true; holds;) {
+    if (++steps > kMostContactSteps)
+      throw InputError("the contact does not come to an end", "trampoline model", "use a higher hoop frequency");
+    const double error = stepper_->take(now, h, next);
+    if (!(error <= 1) && h > kShortest) {
+      h *= std::isfinite(error) ? std::clamp(0.9 * std::pow(error, -0.125), 0.1, 0.9) : 0.1;
+      continue;
+    }
+    // A touch with an overlap begins where the grip is zero to rounding: only what has held can let go.
+    const bool settling = stepper_->grip(now) <= 0 && now.s < kUnderWay;
+    holds = stepper_->grip(next) >= 0 || settling;
+    if (holds && !settling && stepper_->may_let_go(now, next) && h > kShortest) {
+      h /= 2;
+      continue;
+    }
+    if (!holds) next = stepper_->let_go(now, next);
+    now = next;
+    h *= std::clamp(0.9 * std::pow(std::max(error, 1e-10), -0.125), 0.5, 4.0);
+  }
+  return {.ball_m = now.y[0],
+          .ball_mps = now.y[1],
+          .barrel_m = now.y[2],
+          .barrel_mps = now.y[3],
+          .time_s = start.time_s + kScale_s * std::pow(now.s, 4)};
+}
+
+}  // namespace percuss

@@ -1,0 +1,99 @@
+#include <cmath>
+#include <optional>
+
+#include "core/error.hpp"
+#include "core/units.hpp"
+#include "model/math/illinois_root.hpp"
+#include "model/trampoline/damped_oscillator.hpp"
+#include "model/trampoline/trampoline_contact.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr double kLooksPerPeriod = 40;  // for the next touch
+constexpr double kSame = 1e-14;         // of the time between two looks
+constexpr int kMostLooks = 100'000;
+constexpr std::size_t kMostContacts = 1000;
+
+TrampolineForces forces_at(const Trampoline& model, double hoop_Hz) {
+  const double omega = kTwoPi * hoop_Hz;
+  return {.model = model,
+          .barrel_stiffness_Npm = omega * omega * model.barrel_mass_kg,  // (3)
+          .barrel_compliance = 1 / (model.barrel_mass_kg + model.extra_mass_kg)};
+}
+
+// Ball and barrel apart from each other: both known in closed form.
+class Flight {
+ public:
+  Flight(const TrampolineForces& forces, const BallAndBarrel& start)
+      : forces_(forces),
+        start_(start),
+        barrel_{.omega_radps = std::sqrt(forces.barrel_stiffness_Npm * forces.barrel_compliance),
+                .decay_radps = forces.model.barrel_damping_Nspm * forces.barrel_compliance / 2} {}
+
+  /// The next touch; none when the ball has gone for good.
+  std::optional<BallAndBarrel> next_touch() const {
+    const double look_s = kTwoPi / barrel_.omega_radps / kLooksPerPeriod;
+    const double reach_m = barrel_.reach_m({.x_m = start_.barrel_m, .v_mps = start_.barrel_mps});
+    for (int look = 1; look < kMostLooks; ++look) {
+      const double time_s = look * look_s;
+      if (nearness(time_s) > 0) {
+        const auto crossing = [&](double t) { return nearness(t); };
+        return after(bracketed_root(crossing, time_s - look_s, time_s, kSame * look_s));
+      }
+      if (start_.ball_mps < 0 && start_.ball_m + time_s * start_.ball_mps < -reach_m) break;
+    }
+    return {};
+  }
+
+ private:
+  BallAndBarrel after(double time_s) const {
+    const auto barrel = barrel_.after({.x_m = start_.barrel_m, .v_mps = start_.barrel_mps}, time_s);
+    return {.ball_m = start_.ball_m + time_s * start_.ball_mps,
+            .ball_mps = start_.ball_mps,
+            .barrel_m = barrel.x_m,
+            .barrel_mps = barrel.v_mps,
+            .time_s = start_.time_s + time_s};
+  }
+
+  // Above zero where they overlap and the force would push; continuous, so that it can be searched for zeros.
+  double nearness(double time_s) const {
+    const BallAndBarrel then = after(time_s);
+    const double overlap_m = then.overlap_m();
+    return std::min(forces_.model.stiffness * overlap_m, forces_.grip(overlap_m, then.closing_mps()));
+  }
+
+  const TrampolineForces& forces_;
+  BallAndBarrel start_;
+  DampedOscillator barrel_;
+};
+
+}  // namespace
+
+Rebound rebound(const Trampoline& model, double hoop_Hz) {
+  const TrampolineForces forces = forces_at(model, hoop_Hz);
+  ContactSolver solver(forces);
+  const double speed = model.ball_speed_mps;
+  BallAndBarrel now = solver.follow({.ball_mps = speed});
+  Rebound result{.first_cor = -now.ball_mps / speed};
+  while (result.contacts < kMostContacts) {
+    const auto touch = Flight(forces, now).next_touch();
+    if (!touch) break;
+    now = solver.follow(*touch);
+    ++result.contacts;
+  }
+  result.cor = -now.ball_mps / speed;
+  result.contact_s = now.time_s;
+  if (!std::isfinite(result.cor))
+    throw InputError("the contact has no solution in numbers", "trampoline model", "check its constants");
+  return result;
+}
+
+Rebound wall_rebound(const Trampoline& model) {
+  const BallAndBarrel end =
+      ContactSolver({.model = model, .barrel_compliance = 0}).follow({.ball_mps = model.ball_speed_mps});
+  const double cor = -end.ball_mps / model.ball_speed_mps;
+  return {.cor = cor, .first_cor = cor, .contact_s = end.time_s};
+}
+
+}  // namespace percuss

@@ -1,0 +1,116 @@
+#include "pipeline/hit_consistency.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "core/math/statistics.hpp"
+#include "core/parallel/parallel.hpp"
+#include "frf/leave_one_out.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr std::size_t kLeastHits = 4;    // fewer cannot outvote one
+constexpr double kOutlierRatio = 25;     // times the others' disagreement (five times in amplitude)
+constexpr double kOutlierEnergy = 0.05;  // of its own energy: smaller misfits do no harm, however unlike the others
+constexpr std::size_t kOperationsPerHit = 50'000;
+constexpr double kLowCoherence = 0.9;
+constexpr double kDissent = 0.2;  // of the hits: more leave open which way a channel moves
+
+std::vector<std::size_t> without(std::vector<std::size_t> members, std::size_t i) {
+  members.erase(members.begin() + static_cast<std::ptrdiff_t>(i));
+  return members;
+}
+
+// The part of each member's response that the others do not explain; nothing of a single hit.
+std::vector<double> unexplained(const std::vector<HitSpectra>& spectra, const std::vector<std::size_t>& members) {
+  std::vector<std::span<const Complex>> force;
+  std::vector<std::vector<std::span<const Complex>>> accel;
+  for (const std::size_t h : members) {
+    force.push_back(spectra[h].force);
+    accel.push_back(spectra[h].accel);
+  }
+  return unexplained_by_others(force, accel);
+}
+
+void take_out(AnalysedHit& hit, double left, double typical) {
+  hit.hit.findings.push_back(
+      {.code = FindingCode::outlier,
+       .severity = Severity::reject,
+       .value = left,
+       .message =
+           fmt::format("unlike the others: their FRFs leave {:.0f} % of its response unexplained, of each other's "
+                       "{:.1f} %",
+                       left * 100, typical * 100)});
+  if (!hit.by_user) hit.accepted = false;
+}
+
+std::string disagreement(double explained) {
+  const std::string how_far = explained > 0 ? fmt::format("explain only {:.0f} % of its response", explained * 100)
+                                            : "do not explain its response at all";
+  return "the other hits " + how_far + ": did the point or the direction change (--files points)?";
+}
+
+// One point's hits.
+void grade_point(std::vector<AnalysedHit>& hits, const std::vector<HitSpectra>& spectra,
+                 std::vector<std::size_t> members) {
+  std::vector<double> left = unexplained(spectra, members);
+  while (members.size() >= kLeastHits) {
+    // The worst hit has spoiled the FRFs that judge the others: how they agree is seen without it.
+    const auto worst = static_cast<std::size_t>(std::max_element(left.begin(), left.end()) - left.begin());
+    if (left[worst] <= kOutlierEnergy) break;
+    const auto others = without(members, worst);
+    auto among_others = unexplained(spectra, others);
+    const double typical = median(among_others);
+    if (left[worst] <= std::max(kOutlierRatio * typical, kOutlierEnergy)) break;
+    take_out(hits[members[worst]], left[worst], typical);
+    members = others;
+    left = std::move(among_others);
+  }
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    if (1 - left[i] >= kLowCoherence) continue;
+    hits[members[i]].hit.findings.push_back({.code = FindingCode::low_coherence,
+                                             .severity = Severity::warn,
+                                             .value = 1 - left[i],
+                                             .message = disagreement(1 - left[i])});
+  }
+}
+
+}  // namespace
+
+void grade_agreement(std::vector<AnalysedHit>& hits, const std::vector<HitSpectra>& spectra) {
+  std::map<int, std::vector<std::size_t>> points;
+  for (std::size_t h = 0; h < hits.size(); ++h) {
+    if (hits[h].accepted && !spectra[h].force.empty()) points[hits[h].point].push_back(h);
+  }
+  std::vector<std::vector<std::size_t>> groups;
+  groups.reserve(points.size());
+  for (auto& [point, members] : points) groups.push_back(std::move(members));
+  share_out(groups.size(), kOperationsPerHit * (hits.size() / std::max<std::size_t>(groups.size(), 1)),
+            [&](std::size_t g) { grade_point(hits, spectra, std::move(groups[g])); });
+}
+
+void settle_first_motion(std::vector<AnalysedHit>& hits) {
+  std::map<std::pair<int, std::size_t>, std::vector<std::size_t>> voters;  // by point and channel
+  for (std::size_t h = 0; h < hits.size(); ++h) {
+    for (std::size_t c = 0; hits[h].accepted && c < hits[h].responses.size(); ++c) {
+      if (hits[h].responses[c].polarity != 0) voters[{hits[h].point, c}].push_back(h);
+    }
+  }
+  for (const auto& [place, members] : voters) {
+    const std::size_t channel = place.second;
+    const auto with_push = [&](std::size_t h) { return hits[h].responses[channel].polarity * hits[h].hit.peak_N > 0; };
+    const auto with = static_cast<std::size_t>(std::count_if(members.begin(), members.end(), with_push));
+    const std::size_t against = members.size() - with;
+    const bool open = static_cast<double>(std::min(with, against)) > kDissent * static_cast<double>(members.size());
+    for (const std::size_t h : members) {
+      if (!open && with_push(h) == (with > against)) continue;
+      hits[h].responses[channel].polarity = 0;
+      hits[h].responses[channel].delay_s.reset();
+    }
+  }
+}
+
+}  // namespace percuss

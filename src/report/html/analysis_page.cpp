@@ -1,0 +1,106 @@
+#include "report/html/analysis_page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "report/deflection_report.hpp"
+#include "report/html/analysis_plot_data.hpp"
+#include "report/html/html_page.hpp"
+#include "report/text/analysis_summary.hpp"
+#include "report/text/analysis_tables.hpp"
+#include "report/text/html_escape.hpp"
+
+namespace percuss {
+
+std::string frf_section(const std::string& verdict) {
+  return page_section(
+      "frf", "Frequency responses",
+      page_paragraph("Drag to enlarge a stretch of frequencies in all three pictures, double-click to see all again.") +
+          page_picture("magnitude", "Magnitude of the frequency responses in decibels over frequency. " + verdict) +
+          page_picture("phase", "Phase of the frequency responses over frequency.") +
+          page_picture("coherence", "Coherence over frequency, 0 to 1."));
+}
+
+std::string hits_section(const Analysis& analysis) {
+  constexpr std::size_t kMostListed = 20;  // beyond that the table is folded
+  using enum FindingCode;
+  const HitsTable table = hits_table(analysis, analysis.hits());
+  const std::string more =
+      table.left_out > 0 ? page_paragraph(fmt::format("… and {} more hits in order.", table.left_out)) : "";
+  std::string shown = table.shown.html() + more;
+  if (analysis.hits().size() > kMostListed) {
+    shown =
+        fmt::format("<details>\n<summary>Table of {} hits</summary>\n{}</details>\n", analysis.hits().size(), shown);
+  }
+  return page_section("hits", "Hits",
+                      shown + page_picture("force", "Force of the first hits over time.") +
+                          page_findings(analysis, {double_hit, overload, late_trigger, no_pulse, weak}) +
+                          page_picture("response", "Response of the first accelerometer to the pulses over time.") +
+                          page_findings(analysis, {polarity}) +
+                          page_picture("spectrum", "Spectrum of the force in decibels over frequency.") +
+                          page_findings(analysis, {low_bandwidth}) +
+                          page_picture("decay", "Decay of the responses in decibels over time.") +
+                          page_findings(analysis, {truncated_decay, low_coherence, outlier}));
+}
+
+namespace {
+
+std::string frf_sentence(const Analysis& analysis) {
+  return fmt::format("{} frequency responses of {} lines, {:.4g} Hz apart.", analysis.frfs().size(),
+                     analysis.lines().count, analysis.lines().df_Hz());
+}
+
+std::string hits_sentence(const Analysis& analysis) {
+  const auto& hits = analysis.hits();
+  const auto used = std::count_if(hits.begin(), hits.end(), [](const AnalysedHit& hit) { return hit.accepted; });
+  return fmt::format("{} of {} hits can be used.", used, hits.size());
+}
+
+std::string deflection_section(const Analysis& analysis, const ImpactTest& test) {
+  return page_section("deflection", "Deflection",
+                      deflection_tables(analysis, test).html() + page_chart(deflection_chart(analysis, test)));
+}
+
+std::string comparison_section(const CommandReport& comparison) {
+  std::string charts;
+  for (const LineChart& chart : comparison.charts) charts += page_chart(chart);
+  return page_section("comparison", "Beside other documents", comparison.text.html() + charts);
+}
+
+}  // namespace
+
+std::string analysis_page(const Analysis& analysis, const PageOptions& options, const Provenance& provenance) {
+  const auto wants = [&](Section section) { return options.sections.contains(section); };
+  const bool possible = analysis.possible(), modes = wants(Section::modes) || wants(Section::classes);
+  const bool with_hits = wants(Section::hits) && analysis.given_frfs() == nullptr;
+  const bool frfs = possible && (wants(Section::frf) || wants(Section::coherence));
+  const std::vector<Verdict> verdicts = possible && modes ? analysis.verdicts() : std::vector<Verdict>();
+  const std::string verdict = modes || !possible ? verdict_sentence(analysis, verdicts)
+                              : frfs             ? frf_sentence(analysis)
+                                                 : hits_sentence(analysis);
+  std::string found = "<p class=\"verdict\">" + html_text(verdict) + "</p>\n";
+  if (!verdicts.empty()) found += modes_table(analysis, wants(Section::classes)).html();
+  found += page_warnings(analysis.warnings());
+  const std::string title = title_of(analysis.record().files);
+  std::string body = page_header(title, conditions_of(analysis, with_hits ? analysis.hits().size() : 0)) + "<main>\n";
+  body += page_section(modes ? "modes" : "result", modes ? "Modes" : "Result", found);
+  if (options.comparison != nullptr) body += comparison_section(*options.comparison);
+  if (frfs) body += frf_section(verdict);
+  if (with_hits) body += hits_section(analysis);
+  if (options.deflection != nullptr) body += deflection_section(analysis, *options.deflection);
+  if (possible && modes) {
+    body += page_section("movement", "How the barrel moves",
+                         page_picture("movement", "Cross-section of the barrel in each mode."));
+    body += page_section("stabilisation", "Stabilisation",
+                         page_picture("stabilisation", "Poles of every model order over frequency."));
+  }
+  body += page_section("provenance", "How this came about", page_provenance(analysis.record().files, provenance)) +
+          "</main>\n";
+  const PicturesWanted wanted{.hits = with_hits, .frfs = frfs, .stabilisation = modes};
+  return HtmlPage{
+      .title = title + " – percuss", .body = body, .data = "[" + analysis_pictures(analysis, verdicts, wanted) + "]"}
+      .text();
+}
+
+}  // namespace percuss

@@ -1,0 +1,114 @@
+#include "report/html/analysis_plot_data.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "report/json/json_document.hpp"
+#include "report/json/quantised_curve.hpp"
+#include "report/svg/analysis_curves.hpp"
+#include "report/svg/barrel_cross_section.hpp"
+#include "report/text/analysis_tables.hpp"
+
+namespace percuss {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kSeen_dB = 0.01, kSeen_deg = 0.1, kSeen_coherence = 1e-4;
+
+Json numbers_json(std::span<const double> values, double coarsest) {
+  PictureNumbers numbers = picture_numbers(values, coarsest);
+  return {{"from", numbers.from}, {"step", numbers.step}, {"u16", std::move(numbers.u16)}};
+}
+
+Json curve_picture(const FrfCurve& curve) {
+  Json json{{"name", curve.name},
+            {"db", numbers_json(curve.level_dB, kSeen_dB)},
+            {"phase_deg", numbers_json(curve.phase_deg, kSeen_deg)}};
+  if (!curve.coherence.empty()) json["coherence"] = numbers_json(curve.coherence, kSeen_coherence);
+  if (!curve.above_dB.empty()) json["sigma_db"] = numbers_json(curve.above_dB, kSeen_dB);
+  if (!curve.fit_dB.empty()) json["fit_db"] = numbers_json(curve.fit_dB, kSeen_dB);
+  return json;
+}
+
+Json frf_picture(const Analysis& analysis) {
+  Json json{{"first_hz", analysis.lines().freq_Hz(0)},
+            {"df_hz", analysis.lines().df_Hz()},
+            {"of", analysis.frfs().size()},
+            {"curves", Json::array()}};
+  for (const FrfCurve& curve : frf_curves(analysis)) json["curves"].push_back(curve_picture(curve));
+  return json;
+}
+
+Json modes_picture(const Analysis& analysis, const std::vector<Verdict>& verdicts) {
+  Json out = Json::array();
+  for (std::size_t m = 0; m < verdicts.size(); ++m) {
+    const Mode& mode = analysis.modes()[m];
+    const Verdict& verdict = verdicts[m];
+    Json json{{"hz", mode.pole.freq_Hz},
+              {"zeta", mode.pole.damping_ratio},
+              {"name", mode_name(verdict, m)},
+              {"family", name_of(verdict.family)},
+              {"sensors", Json::array()}};
+    for (const BarrelSensor& sensor : barrel_sensors(analysis, mode)) {
+      json["sensors"].push_back(
+          {{"angle_rad", sensor.angle_rad}, {"re", sensor.residue.real()}, {"im", sensor.residue.imag()}});
+    }
+    out.push_back(std::move(json));
+  }
+  return out;
+}
+
+Json samples_json(const HitSamples& samples, double coarsest) {
+  return {{"first", samples.first}, {"step", samples.step}, {"values", numbers_json(samples.value, coarsest)}};
+}
+
+Json hits_picture(const Analysis& analysis) {
+  Json out = Json::array();
+  for (const HitCurves& hit : hit_curves(analysis)) {
+    out.push_back({{"name", fmt::format("hit {}", hit.number)},
+                   {"accepted", hit.accepted},
+                   {"bandwidth_hz", hit.bandwidth_Hz},
+                   {"force_n", samples_json(hit.force_N, 0)},
+                   {"response_mps2", hit.response_mps2.value.empty() ? Json() : samples_json(hit.response_mps2, 0)},
+                   {"noise_db", std::isfinite(hit.noise_dB) ? Json(hit.noise_dB) : Json()},
+                   {"spectrum_db", samples_json(hit.spectrum_dB, kSeen_dB)},
+                   {"decay_db", hit.decay_dB.value.empty() ? Json() : samples_json(hit.decay_dB, kSeen_dB)}});
+  }
+  return out;
+}
+
+Json stabilisation_picture(const Stabilisation& diagram) {
+  std::vector<double> freq_Hz;
+  std::string stability;
+  Json orders = Json::array();
+  for (const StabilisationPole& pole : diagram.poles) {
+    freq_Hz.push_back(pole.pole.freq_Hz);
+    orders.push_back(pole.order);
+    stability += name_of(pole.stability)[0];
+  }
+  return {{"hz", numbers_json(freq_Hz, 0)}, {"order", std::move(orders)}, {"stability", stability}};
+}
+
+}  // namespace
+
+std::string analysis_pictures(const Analysis& analysis, const std::vector<Verdict>& verdicts,
+                              const PicturesWanted& wanted) {
+  Json json = Json::object();
+  if (wanted.hits && analysis.given_frfs() == nullptr) {
+    json["hits"] = hits_picture(analysis);
+    json["of_hits"] = analysis.hits().size();
+  }
+  if (!analysis.possible()) return ascii_text(json);
+  const auto [low_Hz, high_Hz] = analysis.band_Hz();
+  json["band_hz"] = {low_Hz, high_Hz};
+  if (wanted.frfs) json["frf"] = frf_picture(analysis);
+  json["modes"] = modes_picture(analysis, verdicts);
+  if (wanted.stabilisation) json["stabilisation"] = stabilisation_picture(analysis.stabilisation());
+  return ascii_text(json);
+}
+
+}  // namespace percuss

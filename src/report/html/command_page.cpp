@@ -1,0 +1,48 @@
+#include "report/html/command_page.hpp"
+
+#include <filesystem>
+#include <system_error>
+
+#include "report/html/html_page.hpp"
+#include "report/text/html_escape.hpp"
+
+namespace percuss {
+namespace {
+
+std::string title_of(const CommandReport& report, const std::vector<std::string>& inputs) {
+  if (!inputs.empty()) return names_of(inputs);
+  return report.charts.empty() ? "Numbers" : report.charts.front().title;
+}
+
+std::vector<InputFile> files_of(const std::vector<std::string>& inputs) {
+  std::vector<InputFile> files;
+  for (const std::string& path : inputs) {
+    std::error_code error;
+    const std::uint64_t bytes = path == "-" ? 0 : std::filesystem::file_size(path, error);
+    files.push_back({.path = path, .bytes = error ? 0 : bytes});
+  }
+  return files;
+}
+
+}  // namespace
+
+std::string command_page(const CommandReport& report, const std::vector<std::string>& inputs,
+                         const Provenance& provenance) {
+  const std::string title = title_of(report, inputs);
+  std::string body = page_header(title, "") + "<main>\n" + page_section("found", "Result", report.text.html());
+  const bool bends = !report.bending.modes.empty();
+  if (bends) {
+    body +=
+        page_section("bending", "How the bat bends", page_picture("bending", "The bat in each of its bending modes."));
+  }
+  std::string charts;
+  for (const LineChart& chart : report.charts) charts += page_chart(chart);
+  if (!charts.empty()) body += page_section("charts", "Pictures", charts);
+  body +=
+      page_section("provenance", "How this came about", page_provenance(files_of(inputs), provenance)) + "</main>\n";
+  return HtmlPage{
+      .title = title + " – percuss", .body = body, .data = bends ? "[" + bending_data(report.bending) + "]" : ""}
+      .text();
+}
+
+}  // namespace percuss

@@ -1,0 +1,14 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "report/command_report.hpp"
+#include "report/html/page_elements.hpp"
+
+namespace percuss {
+
+/// A command's report as a page of one file: what it says, its charts, and how it came about from the files `inputs`.
+std::string command_page(const CommandReport& report, const std::vector<std::string>& inputs,
+                         const Provenance& provenance);
+
+}  // namespace percuss

@@ -1,0 +1,55 @@
+#include "report/html/html_page.hpp"
+
+#include <fmt/format.h>
+
+#include "report/html/page_assets.hpp"
+#include "report/text/digest.hpp"
+#include "report/text/html_escape.hpp"
+
+namespace percuss {
+namespace {
+
+std::string source_of(const std::string& text) { return "'sha256-" + base64(sha256(text)) + "'"; }
+
+// JSON within a script element: no "<" may end it.
+std::string data_text(const std::string& json) {
+  std::string out;
+  for (const char c : json) {
+    if (c == '<' || c == '>' || c == '&') {
+      out += c == '<' ? "\\u003c" : c == '>' ? "\\u003e" : "\\u0026";
+    } else {
+      out += c;
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string HtmlPage::text() const {
+  const bool draws = !data.empty();
+  const std::string style = (draws ? std::string(page_texts().plot_style) : "") + std::string(page_texts().style);
+  const std::string program = std::string(page_texts().plot_program) + std::string(page_texts().program);
+  const std::string scripts = draws ? fmt::format(R"(<script type="application/json" id="data">{}</script>
+<script>{}</script>
+)",
+                                                  data_text(data), program)
+                                    : "";
+  return fmt::format(R"(<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta http-equiv="Content-Security-Policy" content="default-src 'none'; base-uri 'none'; form-action 'none'; script-src {}; style-src {}">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="color-scheme" content="light dark">
+<title>{}</title>
+<style>{}</style>
+</head>
+<body>
+{}{}</body>
+</html>
+)",
+                     draws ? source_of(program) : "'none'", source_of(style), html_text(title), style, body, scripts);
+}
+
+}  // namespace percuss

@@ -1,0 +1,95 @@
+#include "report/html/page_elements.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+
+#include "core/error.hpp"
+#include "core/io/input_file.hpp"
+#include "report/text/analysis_tables.hpp"
+#include "report/text/digest.hpp"
+#include "report/text/html_escape.hpp"
+#include "report/text/text_table.hpp"
+#include "report/text/version.hpp"
+
+namespace percuss {
+namespace {
+
+// Of what was read; nothing of standard input, and of a file that has another length by now.
+std::string digest_of(const InputFile& file) {
+  std::error_code error;
+  const bool same = file.path != "-" && std::filesystem::file_size(file.path, error) == file.bytes && !error;
+  const std::string digest = same ? sha256_of_file(file.path) : "";
+  return digest.empty() ? "–" : digest;
+}
+
+}  // namespace
+
+std::string page_section(const char* id, const char* heading, const std::string& content) {
+  return fmt::format("<section id=\"{0}\" aria-labelledby=\"{0}-h\">\n<h2 id=\"{0}-h\">{1}</h2>\n{2}</section>\n", id,
+                     heading, content);
+}
+
+std::string names_of(const std::vector<std::string>& paths) {
+  if (paths.empty()) return "";
+  const std::string first =
+      paths.front() == "-" ? input_name("-") : std::filesystem::path(paths.front()).filename().string();
+  const std::string name = one_line(first, 400);
+  return paths.size() > 1 ? fmt::format("{} and {} more", name, paths.size() - 1) : name;
+}
+
+std::string title_of(const std::vector<InputFile>& files) {
+  std::vector<std::string> paths;
+  paths.reserve(files.size());
+  for (const InputFile& file : files) paths.push_back(file.path);
+  return names_of(paths);
+}
+
+std::string page_paragraph(const std::string& text) { return "<p>" + html_text(text) + "</p>\n"; }
+
+std::string page_picture(const char* kind, const std::string& description) {
+  return fmt::format("<figure class=\"picture\" data-picture=\"{}\" role=\"img\" aria-label=\"{}\"></figure>\n", kind,
+                     html_text(description));
+}
+
+std::string page_chart(const LineChart& chart) {
+  return "<figure class=\"picture chart\">\n" + line_chart_svg(chart, ChartGround::page) + "</figure>\n";
+}
+
+std::string page_header(const std::string& title, const std::string& conditions) {
+  return "<header>\n<h1>" + html_text(title) + "</h1>\n<p class=\"conditions\">" + html_text(conditions) +
+         "</p>\n</header>\n";
+}
+
+std::string page_warnings(const std::vector<Warning>& warnings) {
+  std::string items;
+  for (const Warning& warning : warnings) items += "<li>" + html_text(one_line(warning.message, 4000)) + "</li>\n";
+  return items.empty() ? "" : "<ul class=\"warnings\" aria-label=\"Warnings\">\n" + items + "</ul>\n";
+}
+
+std::string page_findings(const Analysis& analysis, const std::vector<FindingCode>& codes) {
+  constexpr std::size_t kMostListed = 12;
+  std::vector<Warning> found;
+  const auto& hits = analysis.hits();
+  for (std::size_t i = 0; i < hits.size() && found.size() < kMostListed; ++i) {
+    for (const Finding& finding : hits[i].hit.findings) {
+      if (std::find(codes.begin(), codes.end(), finding.code) != codes.end())
+        found.push_back({.code = "", .message = fmt::format("hit {}: {}", i, finding.message)});
+    }
+  }
+  return page_warnings(found);
+}
+
+std::string page_provenance(const std::vector<InputFile>& inputs, const Provenance& provenance) {
+  TextTable files({{"input"}, {"bytes", TextTable::Align::right}, {"SHA-256"}});
+  for (const InputFile& file : inputs)
+    files.add({one_line(input_name(file.path), 400), fmt::format("{}", file.bytes), digest_of(file)});
+  return "<details>\n<summary>Method and provenance</summary>\n" +
+         page_paragraph(fmt::format("percuss {}, {} UTC", version(), provenance.made_at)) + "<pre>" +
+         html_text(one_line(provenance.command, 4000)) + "</pre>\n" + (inputs.empty() ? "" : files.html()) +
+         "</details>\n";
+}
+
+}  // namespace percuss

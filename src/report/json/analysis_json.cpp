@@ -1,0 +1,170 @@
+#include "report/json/analysis_json.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "core/io/parse_number.hpp"
+#include "core/parallel/parallel.hpp"
+#include "pipeline/skipped_work.hpp"
+#include "report/deflection_report.hpp"
+#include "report/json/result_json.hpp"
+#include "report/text/version.hpp"
+
+namespace percuss {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json options_json(const Analysis& analysis) {
+  const AnalysisOptions& o = analysis.options();
+  Json json = Json::object();
+  if (!o.accept_hits.empty()) json["accept_hits"] = o.accept_hits;
+  if (!o.reject_hits.empty()) json["reject_hits"] = o.reject_hits;
+  if (o.estimator != Estimator::h1) json["estimator"] = name_of(o.estimator);
+  if (o.modes.modes) json["modes"] = *o.modes.modes;
+  if (!o.modes.start_Hz.empty()) json["start_hz"] = o.modes.start_Hz;
+  if (o.hits.trigger_N) json["trigger_n"] = *o.hits.trigger_N;
+  if (o.hits.pretrigger_s) json["pretrigger_s"] = *o.hits.pretrigger_s;
+  if (o.hits.length_s) json["length_s"] = *o.hits.length_s;
+  if (o.hits.from_s > 0) json["from_s"] = o.hits.from_s;
+  if (o.hits.to_s) json["to_s"] = *o.hits.to_s;
+  if (!o.hits.gate_force) json["force_window"] = "off";
+  if (o.exponential_end > 0) json["exponential_end"] = o.exponential_end;
+  if (o.classes.overlay_dB != ClassifyOptions{}.overlay_dB) json["overlay_db"] = o.classes.overlay_dB;
+  return json;
+}
+
+Json bat_json(const BatLabel& bat) {
+  Json json{{"id", bat.id}, {"properties", Json::object()}};
+  for (const auto& [key, text] : bat.properties) {
+    const ParsedNumber number = parse_number(text, false);
+    json["properties"][key] = number.problem == NumberProblem::none ? Json(number.value) : Json(text);
+  }
+  return json;
+}
+
+// What the document of its own says but for the file.
+Json deflection_in(const Analysis& analysis, const ImpactTest& test) {
+  Json json = Json::parse(deflection_json(analysis, test));
+  for (const char* key : {"schema", "version", "inputs", "fs_hz"}) json.erase(key);
+  return json;
+}
+
+Json inputs_json(const Analysis& analysis) {
+  Json json = Json::array();
+  for (const InputFile& file : analysis.record().files) json.push_back({{"path", file.path}, {"bytes", file.bytes}});
+  return json;
+}
+
+Json warnings_json(const std::vector<Warning>& warnings) {
+  Json json = Json::array();
+  for (const Warning& warning : warnings) json.push_back({{"code", warning.code}, {"message", warning.message}});
+  return json;
+}
+
+Json skipped_json(const Analysis& analysis) {
+  Json json = Json::array();
+  for (const Skipped& one : skipped_by(analysis)) {
+    json.push_back(
+        {{"code", one.code}, {"what", one.what}, {"why", one.why}, {"share", one.share ? Json(*one.share) : Json()}});
+  }
+  return json;
+}
+
+Json trace_json(const Analysis& analysis) {
+  Json json = Json::array();
+  for (const auto& stage : analysis.trace().stages())
+    json.push_back({{"stage", stage.name}, {"calls", stage.calls}, {"seconds", stage.seconds}});
+  return json;
+}
+
+void add_modes(JsonDocument& document, const Analysis& analysis, const JsonOptions& options) {
+  const bool classes = options.sections.contains(Section::classes);
+  const std::vector<Mode>& modes = analysis.modes();
+  const double decay = analysis.window_decay_per_s();
+  const std::vector<Verdict>* verdicts = options.verdicts;
+  if (classes && verdicts == nullptr) verdicts = &analysis.verdicts();
+  document.add("modes", modes.size(), [&modes, decay, verdicts, classes, shape = options.shape](std::size_t m) {
+    std::string text = mode_json(modes[m], m, decay, classes ? &(*verdicts)[m] : nullptr);
+    return shape ? with_member(std::move(text), "shape", shape(m)) : text;
+  });
+}
+
+void add_frfs(JsonDocument& document, const Analysis& analysis, const JsonOptions& options) {
+  const bool frf = options.sections.contains(Section::frf), coherence = options.sections.contains(Section::coherence);
+  if (frf || coherence) analysis.frfs();
+  if (frf) document.add("frf", [&] { return frf_json(analysis); });
+  if (coherence) document.add("coherence", [&] { return coherence_json(analysis); });
+}
+
+// Values are made when the document is written, by several threads: the stages that they ask for are done before.
+void add_found(JsonDocument& document, const Analysis& analysis, const JsonOptions& options) {
+  const bool modes = options.sections.contains(Section::modes) || options.sections.contains(Section::classes);
+  const bool frfs = options.sections.contains(Section::frf) || options.sections.contains(Section::coherence);
+  if (modes && frfs) analysis.make_modes_and_frfs();
+  add_frfs(document, analysis, options);
+  if (modes) add_modes(document, analysis, options);
+  if (options.per_hit) {
+    analysis.modes_per_hit();
+    document.add("modes_per_hit", [&] { return modes_per_hit_json(analysis); });
+  }
+  if (options.stabilisation)
+    document.add("stabilisation", [&diagram = analysis.stabilisation()] { return stabilisation_json(diagram); });
+}
+
+}  // namespace
+
+JsonDocument analysis_document(const Analysis& analysis, const JsonOptions& options) {
+  const auto wants = [&](Section section) { return options.sections.contains(section); };
+  const bool force_only = options.sections == std::set{Section::hits};
+  JsonDocument document;
+  document.add_written("schema", Json("percuss/analysis/1"));
+  document.add_written("version", Json(version()));
+  document.add_written("inputs", inputs_json(analysis));
+  if (options.bat) document.add_written("bat", bat_json(*options.bat));
+  // FRFs do not tell it.
+  document.add_written("fs_hz", analysis.given_frfs() != nullptr ? Json() : Json(analysis.record().fs_Hz));
+  const auto& hits = force_only ? analysis.force_hits() : analysis.hits();
+  if (analysis.possible()) {
+    const auto [low, high] = analysis.band_Hz();
+    document.add_written("band_hz", Json{low, high});
+  }
+  if (!force_only && wants(Section::modes))
+    document.add_written("effort", Json(name_of(analysis.options().modes.effort)));
+  if (const Json chosen = options_json(analysis); !chosen.empty()) document.add_written("options", chosen);
+  if (wants(Section::hits)) {
+    document.add("hits", hits.size(), [&](std::size_t i) { return hit_json(analysis.record(), i, hits[i]); });
+  }
+  if (analysis.possible()) {
+    add_found(document, analysis, options);
+  } else if (wants(Section::modes)) {
+    document.add_written("modes", Json::array());
+  }
+  if (options.deflection != nullptr) document.add_written("deflection", deflection_in(analysis, *options.deflection));
+  document.add_written("warnings",
+                       warnings_json(options.warnings != nullptr ? *options.warnings : analysis.warnings()));
+  if (options.explain) document.add_written("skipped", skipped_json(analysis));
+  if (options.trace) document.add_written("trace", trace_json(analysis));
+  return document;
+}
+
+std::string analysis_json(const Analysis& analysis, const JsonOptions& options) {
+  const ThreadLimit limit(analysis.options().threads);
+  return analysis_document(analysis, options).text() + "\n";
+}
+
+std::string analysis_json(const std::vector<NumberedAnalysis>& tests, const JsonOptions& options) {
+  if (tests.size() == 1) return analysis_json(*tests.front().analysis, options);
+  std::vector<JsonDocument> runs;
+  for (const NumberedAnalysis& test : tests) {
+    runs.push_back(analysis_document(*test.analysis, options));
+    runs.back().add_written("run", Json(test.run));
+  }
+  JsonDocument document;
+  document.add_written("schema", Json("percuss/analysis/1"));
+  document.add_written("version", Json(version()));
+  document.add("runs", runs.size(), [&](std::size_t i) { return runs[i].text(); });
+  const ThreadLimit limit(tests.empty() ? 0 : tests.front().analysis->options().threads);
+  return document.text() + "\n";
+}
+
+}  // namespace percuss

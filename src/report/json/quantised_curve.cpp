@@ -1,0 +1,35 @@
+#include "report/json/quantised_curve.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "report/text/digest.hpp"
+
+namespace percuss {
+
+PictureNumbers picture_numbers(std::span<const double> values, double coarsest) {
+  constexpr double kLargest = 65534;
+  constexpr std::uint16_t kAbsent = 65535;
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const double value : values) {
+    if (!std::isfinite(value)) continue;
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  if (!(low <= high)) low = high = 0;
+  const double step = std::max(coarsest, (high - low) / kLargest);
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(2 * values.size());
+  for (const double value : values) {
+    const auto k =
+        std::isfinite(value) ? static_cast<std::uint16_t>(std::lround(step > 0 ? (value - low) / step : 0)) : kAbsent;
+    bytes.push_back(static_cast<std::uint8_t>(k & 0xFFU));
+    bytes.push_back(static_cast<std::uint8_t>(k >> 8U));
+  }
+  return {.from = low, .step = step, .u16 = base64(bytes)};
+}
+
+}  // namespace percuss

@@ -1,0 +1,147 @@
+#include "report/json/read_document.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/error.hpp"
+#include "core/io/input_file.hpp"
+#include "core/io/json_text.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr std::uint64_t kLargest_bytes = std::uint64_t{256} << 20U;
+constexpr int kDeepest = 16;
+
+// A value of a document, and where it stands, for messages.
+class Part {
+ public:
+  Part(const nlohmann::json& value, std::string where) : value_(value), where_(std::move(where)) {}
+
+  bool has(const char* key) const { return value_.is_object() && value_.contains(key) && !value_[key].is_null(); }
+  Part at(const char* key) const {
+    if (!has(key)) throw InputError(fmt::format("no \"{}\"", key), where_, "give a document that percuss wrote");
+    return {value_[key], where_ + ", " + key};
+  }
+  std::vector<Part> list() const {
+    if (!value_.is_array()) throw InputError("not a list", where_, "give a document that percuss wrote");
+    std::vector<Part> parts;
+    parts.reserve(value_.size());
+    for (const nlohmann::json& item : value_) parts.emplace_back(item, fmt::format("{}[{}]", where_, parts.size()));
+    return parts;
+  }
+  double number() const {
+    const double number = value_.is_number() ? value_.get<double>() : std::nan("");
+    if (!std::isfinite(number)) throw InputError("not a number", where_, "give a document that percuss wrote");
+    return number;
+  }
+  bool is_false(const char* key) const { return has(key) && value_[key] == false; }
+  double number_or(const char* key, double otherwise) const { return has(key) ? at(key).number() : otherwise; }
+  std::string text() const {
+    if (!value_.is_string()) throw InputError("not a text", where_, "give a document that percuss wrote");
+    return value_.get<std::string>();
+  }
+
+ private:
+  const nlohmann::json& value_;
+  std::string where_;
+};
+
+int whole(double number) { return static_cast<int>(std::clamp(number, -1e9, 1e9)); }
+
+ComparedMode mode_in(const Part& part) {
+  ComparedMode mode{.freq_Hz = part.at("frequency_hz").number(),
+                    .freq_std_Hz = part.number_or("frequency_std_hz", 0),
+                    .family = part.has("family") ? part.at("family").text() : "",
+                    .shape = {}};
+  mode.second = part.has("double_peak") && part.at("double_peak").is_false("first");
+  if (!part.has("residues")) return mode;
+  for (const Part& residue : part.at("residues").list()) {
+    const std::pair place{whole(residue.at("point").number()), whole(residue.at("channel").number())};
+    mode.shape[place] = {.value = {residue.at("re").number(), residue.number_or("im", 0)},
+                         .std = residue.number_or("std", 0)};
+  }
+  return mode;
+}
+
+std::vector<ComparedMode> frequencies_in(const Part& list, const char* family) {
+  std::vector<ComparedMode> modes;
+  for (const Part& value : list.list()) modes.push_back({.freq_Hz = value.number(), .family = family, .shape = {}});
+  return modes;
+}
+
+void add_deflections(const Part& part, ComparedDocument& document) {
+  for (const Part& point : part.at("points").list()) {
+    if (!point.has("peak_m")) continue;  // nothing stood out of the noise there
+    ComparedDeflection d{.point = whole(point.at("point").number()),
+                         .peak_m = point.at("peak_m").number(),
+                         .std_m = point.number_or("peak_std_m", 0),
+                         .forward_m = point.number_or("forward_m", 0),
+                         .forward_std_m = point.number_or("forward_std_m", 0)};
+    if (point.has("position_m")) d.position_m = point.at("position_m").number();
+    document.deflections.push_back(d);
+  }
+}
+
+ComparedDocument analysis_in(const Part& part, std::string name, std::string schema) {
+  ComparedDocument document{.name = std::move(name), .schema = std::move(schema), .modes = {}, .deflections = {}};
+  if (part.has("deflection")) add_deflections(part.at("deflection"), document);
+  if (!part.has("modes")) return document;
+  for (const Part& mode : part.at("modes").list()) document.modes.push_back(mode_in(mode));
+  return document;
+}
+
+void add_impacts(const Part& part, ComparedDocument& document) {
+  document.modes = frequencies_in(part.at("frequency_hz"), "bending");
+  if (!part.has("sweep")) return;
+  for (const Part& impact : part.at("sweep").list()) {
+    if (impact.has("at") && impact.has("peak_deflection_m")) {
+      document.deflections.push_back(
+          {.position_m = impact.at("at").number(), .peak_m = impact.at("peak_deflection_m").number()});
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<ComparedDocument> read_documents(const std::string& path) {
+  return parse_documents(read_input(path, kLargest_bytes).view(), input_name(path));
+}
+
+std::vector<ComparedDocument> parse_documents(std::string_view text, const std::string& where) {
+  if (text.empty()) throw InputError("the file is empty", where, "write it again");
+  check_json({.text = text,
+              .where = where,
+              .remedy = "give a document that percuss wrote with --json",
+              .max_depth = kDeepest});
+  const nlohmann::json value = nlohmann::json::parse(text.begin(), text.end());
+  const Part top(value, where);
+  const std::string schema = top.at("schema").text();
+  if (schema == "percuss/analysis/1") {
+    if (!top.has("runs")) return {analysis_in(top, where, schema)};
+    std::vector<ComparedDocument> documents;
+    for (const Part& run : top.at("runs").list())
+      documents.push_back(analysis_in(run, fmt::format("{} run {}", where, documents.size()), schema));
+    return documents;
+  }
+  ComparedDocument document{.name = where, .schema = schema, .model = true, .modes = {}, .deflections = {}};
+  if (schema == "percuss/deflection/1") {
+    document.model = false;
+    add_deflections(top, document);
+  } else if (schema == "percuss/model-beam/1" || schema == "percuss/model-bat/1") {
+    document.modes = frequencies_in(top.at("frequency_hz"), "bending");
+  } else if (schema == "percuss/model-impact/1") {
+    add_impacts(top, document);
+  } else if (schema == "percuss/model-shell/1") {
+    document.modes = frequencies_in(top.at("flugge_hz"), "hoop");
+  } else {
+    throw InputError("a " + one_line(schema, 60) + " has neither modes nor deflections", where,
+                     "give what analyze, survey, deflect, or model beam, impact, bat or shell wrote with --json");
+  }
+  return {document};
+}
+
+}  // namespace percuss

@@ -1,0 +1,162 @@
+#include "report/json/result_json.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/units.hpp"
+#include "identify/classify/asymmetry_split.hpp"
+#include "report/json/json_document.hpp"
+#include "report/text/coherence_summary.hpp"
+
+namespace percuss {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json finding_json(const Finding& finding) {
+  Json json{{"code", name_of(finding.code)}, {"severity", name_of(finding.severity)}, {"value", finding.value}};
+  if (finding.delay_s) json["delay_s"] = *finding.delay_s;
+  json["message"] = finding.message;
+  return json;
+}
+
+Json response_json(std::size_t channel, const ResponseGrade& grade) {
+  Json json{
+      {"channel", channel}, {"left_db", grade.left_dB}, {"truncated", grade.truncated}, {"polarity", grade.polarity}};
+  json["delay_s"] = grade.delay_s ? Json(*grade.delay_s) : Json();
+  return json;
+}
+
+void add_split(Json& json, const DoublePeak& peak) {
+  json["separation_std_hz"] = peak.separation_std_Hz;
+  json["first_over_second_db"] = peak.first_over_second_dB;
+  json["quoted"] = peak.quoted;
+  json["split"] = Json();
+  if (!peak.planes) return;
+  json["split"] = {{"cause", name_of(peak.planes->cause)},
+                   {"plane_deg", peak.planes->own.plane_rad * kRadian_deg},
+                   {"plane_std_deg", peak.planes->own.std_rad * kRadian_deg},
+                   {"between_deg", peak.planes->between_rad * kRadian_deg},
+                   {"between_std_deg", peak.planes->between_std_rad * kRadian_deg}};
+}
+
+void add_verdict(Json& json, const Verdict& verdict) {
+  json["family"] = name_of(verdict.family);
+  json["order"] = verdict.order > 0 ? Json(verdict.order) : Json();
+  json["confidence"] = verdict.confidence;
+  json["alternative"] = verdict.alternative ? Json(name_of(*verdict.alternative)) : Json();
+  json["overlay"] =
+      verdict.overlay_dB ? Json{{"difference_db", *verdict.overlay_dB}, {"overlaid", verdict.overlaid}} : Json();
+  json["ratio"] = verdict.ratio
+                      ? Json{{"re", verdict.ratio->real()}, {"im", verdict.ratio->imag()}, {"std", verdict.ratio_std}}
+                      : Json();
+  json["double_peak"] = Json();
+  if (verdict.double_peak) {
+    json["double_peak"] = {{"partner", verdict.double_peak->partner},
+                           {"separation_hz", verdict.double_peak->separation_Hz},
+                           {"first", verdict.double_peak->first}};
+    add_split(json["double_peak"], *verdict.double_peak);
+  }
+}
+
+// What the damping would read from the windowed FRF as it stands: the pole shifted by the window's decay.
+double raw_damping(const Pole& pole, double decay_per_s) {
+  const double omega = kTwoPi * pole.freq_Hz;
+  const double real = pole.damping_ratio * omega + decay_per_s;
+  const double imag = omega * std::sqrt(1 - pole.damping_ratio * pole.damping_ratio);
+  return real / std::hypot(real, imag);
+}
+
+Json residue_json(const Residue& r) {
+  const double std = std::hypot(r.std, r.relative_std * std::abs(r.value));
+  Json json{{"point", r.point}, {"channel", r.channel}, {"re", r.value.real()}, {"im", r.value.imag()}, {"std", std}};
+  if (!r.own_pole) return json;
+  json["frequency_hz"] = r.own_pole->freq_Hz;
+  json["damping_ratio"] = r.own_pole->damping_ratio;
+  return json;
+}
+
+}  // namespace
+
+std::string hit_json(const Record& record, std::size_t i, const AnalysedHit& analysed) {
+  const Hit& hit = analysed.hit;
+  Json json{{"index", i}, {"point", analysed.point}};
+  if (record.files.size() > 1) json["file"] = record.files[record.rows[hit.row].file].path;
+  if (record.rows.size() > 1) json["row"] = hit.row;
+  json["time_s"] = hit.onset_s;
+  json["peak_force_n"] = hit.peak_N;
+  json["pulse_s"] = hit.pulse_s;
+  json["bandwidth_hz"] = hit.bandwidth_Hz;
+  json["accepted"] = analysed.accepted;
+  if (analysed.by_user) json["by_user"] = true;
+  json["findings"] = Json::array();
+  for (const Finding& finding : hit.findings) json["findings"].push_back(finding_json(finding));
+  if (!analysed.responses.empty()) {
+    json["responses"] = Json::array();
+    for (std::size_t c = 0; c < analysed.responses.size(); ++c)
+      json["responses"].push_back(response_json(c, analysed.responses[c]));
+  }
+  return indented_text(json);
+}
+
+std::string mode_json(const Mode& mode, std::size_t m, double window_decay_per_s, const Verdict* verdict) {
+  Json json{{"index", m},
+            {"frequency_hz", mode.pole.freq_Hz},
+            {"frequency_std_hz", mode.freq_std_Hz},
+            {"damping_ratio", mode.pole.damping_ratio},
+            {"damping_ratio_std", mode.damping_std}};
+  if (mode.moves_Hz > 0) json["moves_hz"] = mode.moves_Hz;
+  if (window_decay_per_s > 0) json["damping_ratio_raw"] = raw_damping(mode.pole, window_decay_per_s);
+  if (verdict != nullptr) add_verdict(json, *verdict);
+  json["residues"] = Json::array();
+  for (const Residue& r : mode.residues) json["residues"].push_back(residue_json(r));
+  return indented_text(json);
+}
+
+std::string frf_json(const Analysis& analysis) {
+  const auto& frfs = analysis.frfs();
+  Json json{{"lines", analysis.lines().count}, {"df_hz", analysis.lines().df_Hz()}, {"averages", Json::array()}};
+  for (const PointFrf& frf : frfs)
+    json["averages"].push_back({{"point", frf.point}, {"channel", frf.channel}, {"averages", frf.frf.averages}});
+  return indented_text(json);
+}
+
+std::string coherence_json(const Analysis& analysis) {
+  Json out = Json::array();
+  const auto summaries = coherence_summaries(analysis);
+  for (std::size_t i = 0; i < summaries.size(); ++i) {
+    const auto& summary = summaries[i];
+    out.push_back({{"point", analysis.frfs()[i].point},
+                   {"channel", analysis.frfs()[i].channel},
+                   {"mean", summary ? Json(summary->mean) : Json()},
+                   {"fraction_below_0_9", summary ? Json(summary->below) : Json()}});
+  }
+  return indented_text(out);
+}
+
+std::string modes_per_hit_json(const Analysis& analysis) {
+  Json out = Json::array();
+  for (const HitMode& m : analysis.modes_per_hit()) {
+    out.push_back({{"hit", m.hit},
+                   {"mode", m.mode},
+                   {"peak_force_n", analysis.hits()[m.hit].hit.peak_N},
+                   {"frequency_hz", m.pole.freq_Hz},
+                   {"frequency_std_hz", m.freq_std_Hz},
+                   {"damping_ratio", m.pole.damping_ratio},
+                   {"damping_ratio_std", m.damping_std}});
+  }
+  return indented_text(out);
+}
+
+std::string stabilisation_json(const Stabilisation& diagram) {
+  Json json{{"band_hz", {diagram.low_Hz, diagram.high_Hz}}, {"poles", Json::array()}};
+  for (const StabilisationPole& pole : diagram.poles) {
+    json["poles"].push_back({{"order", pole.order},
+                             {"frequency_hz", pole.pole.freq_Hz},
+                             {"damping_ratio", pole.pole.damping_ratio},
+                             {"flag", name_of(pole.stability)}});
+  }
+  return indented_text(json);
+}
+
+}  // namespace percuss

@@ -1,0 +1,150 @@
+#include "report/json/survey_json.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "core/parallel/parallel.hpp"
+#include "core/units.hpp"
+
+namespace percuss {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class T>
+Json or_null(const std::optional<T>& value) {
+  return value ? Json(*value) : Json();
+}
+
+Json places_json(const std::vector<ShapePlace>& places, bool point, bool channel) {
+  Json out = Json::array();
+  for (const ShapePlace& place : places) {
+    Json json = Json::object();
+    if (point) json["point"] = place.point;
+    if (channel) json["channel"] = place.channel;
+    json["re"] = place.value.real();
+    json["im"] = place.value.imag();
+    json["std"] = place.std;
+    out.push_back(std::move(json));
+  }
+  return out;
+}
+
+void add_tube(Json& json, const std::optional<TubeShape>& tube) {
+  json["circumferential_order"] = tube ? Json(tube->order) : Json();
+  json["order_confidence"] = tube ? Json(tube->confidence) : Json();
+  json["alias_order"] = tube ? Json(tube->alias) : Json();
+  json["energy_fraction"] = tube ? Json(tube->energy[static_cast<std::size_t>(tube->order)]) : Json();
+  json["energy_by_order"] = tube ? Json(tube->energy) : Json();
+  json["axial_order"] = tube ? or_null(tube->sign_changes) : Json();
+  json["plane_deg"] = tube && tube->plane_rad ? Json(*tube->plane_rad * kRadian_deg) : Json();
+  json["plane_std_deg"] = tube && tube->plane_rad ? Json(tube->plane_std_rad * kRadian_deg) : Json();
+  if (!tube) return;
+  json["axial"] = Json::array();
+  for (const AxialValue& v : tube->axial)
+    json["axial"].push_back({{"position_m", v.position_m}, {"value", v.value}, {"std", v.std}});
+}
+
+Json shape_json(const ModeShape& shape, const std::optional<TubeShape>& tube, Roving roving) {
+  Json json{{"normalisation", name_of(shape.normalisation)},
+            {"scale_std", shape.scale_std},
+            {"modal_mass_kg", or_null(shape.modal_mass_kg)},
+            {"modal_mass_std_kg", shape.modal_mass_kg ? Json(shape.modal_mass_std_kg) : Json()},
+            {"mpc", shape.mpc},
+            {"significance", shape.significance}};
+  add_tube(json, tube);
+  json["values"] = places_json(shape.places, true, roving == Roving::sensor);
+  if (roving == Roving::hammer) json["sensors"] = places_json(shape.sensors, false, true);
+  return json;
+}
+
+Json geometry_json(const Survey& survey) {
+  if (!survey.geometry()) return {};
+  return {{"from", survey.options().geometry ? "file" : "record"},
+          {"points", survey.geometry()->points.size()},
+          {"tube", survey.geometry()->tube}};
+}
+
+Json mac_json(const Survey& survey) {
+  Json value = Json::array(), std = Json::array();
+  for (const auto& row : survey.macs()) {
+    Json values = Json::array(), stds = Json::array();
+    for (const Mac& mac : row) {
+      values.push_back(mac.value);
+      stds.push_back(mac.std);
+    }
+    value.push_back(std::move(values));
+    std.push_back(std::move(stds));
+  }
+  return {{"value", std::move(value)}, {"std", std::move(std)}};
+}
+
+Json frac_json(const Survey& survey) {
+  Json out = Json::array();
+  const auto points = survey.analysis().frf_points();
+  for (const SynthesisedFrf& frf : survey.synthesis()) {
+    out.push_back({{"point", points[frf.point]},
+                   {"channel", frf.channel},
+                   {"frac", frf.frac},
+                   {"noise_share", frf.noise_share},
+                   {"level_db", frf.level_dB},
+                   {"poor", poorly_explained(frf)}});
+  }
+  return out;
+}
+
+Json driving_json(const Survey& survey) {
+  Json out = Json::array();
+  for (const DrivingPointCheck& check : survey.driving_checks()) {
+    out.push_back({{"mode", check.mode},
+                   {"point", check.at.point},
+                   {"channel", check.at.channel},
+                   {"re", check.residue.real()},
+                   {"im", check.residue.imag()},
+                   {"std", check.std},
+                   {"wrong_sign", check.wrong_sign}});
+  }
+  return out;
+}
+
+Json pair_json(const DrivingPoint& at) { return {{"point", at.point}, {"channel", at.channel}}; }
+
+Json reciprocity_json(const Survey& survey) {
+  Json out = Json::array();
+  for (const ReciprocityCheck& check : survey.reciprocity()) {
+    out.push_back({{"mode", check.mode},
+                   {"one", pair_json(check.one)},
+                   {"other", pair_json(check.other)},
+                   {"difference", check.difference},
+                   {"deviations", check.deviations}});
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string survey_json(const Survey& survey, JsonOptions options) {
+  const ThreadLimit limit(survey.analysis().options().threads);
+  const bool possible = survey.analysis().possible();
+  const std::vector<Verdict> verdicts = possible ? survey.verdicts() : std::vector<Verdict>{};
+  options.verdicts = &verdicts;
+  const std::vector<Warning> warnings = survey.warnings();
+  options.warnings = &warnings;
+  if (possible) {
+    options.shape = [&, &shapes = survey.shapes(), &tubes = survey.tubes()](std::size_t m) {
+      return indented_text(shape_json(shapes[m], tubes[m], survey.options().roving));
+    };
+  }
+  JsonDocument document = analysis_document(survey.analysis(), options);
+  document.add_written("roving", Json(survey.options().roving == Roving::hammer ? "hammer" : "sensor"));
+  document.add_written("geometry", geometry_json(survey));
+  if (possible) {
+    document.add_written("auto_mac", mac_json(survey));
+    survey.synthesis();
+    document.add("frac", [&] { return indented_text(frac_json(survey)); });
+    document.add_written("driving_point", driving_json(survey));
+    document.add_written("reciprocity", reciprocity_json(survey));
+  }
+  return document.text() + "\n";
+}
+
+}  // namespace percuss

@@ -1,0 +1,193 @@
+#include "report/svg/analysis_charts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "report/svg/analysis_curves.hpp"
+#include "report/svg/barrel_cross_section.hpp"
+#include "report/svg/line_chart.hpp"
+#include "report/text/analysis_tables.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr double kTurn_deg = 360, kJump_deg = 300;
+constexpr double kLeastAmplitude = 0.01;  // of a curve, where its band's lower side would have none
+const ChartAxis kFrequency{.label = "frequency, Hz"};
+
+std::vector<double> line_frequencies(const Analysis& analysis) {
+  std::vector<double> out(analysis.lines().count);
+  for (std::size_t k = 0; k < out.size(); ++k) out[k] = analysis.lines().freq_Hz(k);
+  return out;
+}
+
+std::vector<ChartFlag> mode_flags(const Analysis& analysis, const std::vector<Verdict>& verdicts) {
+  std::vector<ChartFlag> flags;
+  for (std::size_t m = 0; m < verdicts.size(); ++m)
+    flags.push_back({.x = analysis.modes()[m].pole.freq_Hz, .name = mode_name(verdicts[m], m)});
+  return flags;
+}
+
+// One standard deviation: as far below as above in amplitude, not in decibels.
+ChartBand band_of(const FrfCurve& curve, const std::vector<double>& x, std::size_t style) {
+  ChartBand band{.x = x, .low = curve.level_dB, .high = curve.level_dB, .style = style};
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    band.high[k] += curve.above_dB[k];
+    band.low[k] += 20 * std::log10(std::max(kLeastAmplitude, 2 - std::pow(10, curve.above_dB[k] / 20)));
+  }
+  return band;
+}
+
+LineChart magnitude_chart(const Analysis& analysis, const std::vector<FrfCurve>& frfs,
+                          const std::vector<Verdict>& verdicts) {
+  LineChart chart{.title = "Frequency responses", .x = kFrequency, .y = {.label = "dB re 1 (m/s²)/N"}};
+  const std::vector<double> x = line_frequencies(analysis);
+  for (std::size_t i = 0; i < frfs.size(); ++i) {
+    chart.curves.push_back({.name = frfs[i].name, .x = x, .y = frfs[i].level_dB, .style = i});
+    if (!frfs[i].above_dB.empty()) chart.bands.push_back(band_of(frfs[i], x, i));
+  }
+  for (const FrfCurve& frf : frfs) {
+    if (!frf.fit_dB.empty()) chart.curves.push_back({.x = x, .y = frf.fit_dB, .thin = true});
+  }
+  chart.flags = mode_flags(analysis, verdicts);
+  return chart;
+}
+
+// Where a phase leaps from one end of its circle to the other there is no line.
+std::vector<double> without_leaps(std::vector<double> phase_deg) {
+  const std::vector<double> given = phase_deg;
+  for (std::size_t k = 1; k < given.size(); ++k) {
+    if (std::abs(given[k] - given[k - 1]) > kJump_deg) phase_deg[k] = std::numeric_limits<double>::quiet_NaN();
+  }
+  return phase_deg;
+}
+
+LineChart phase_chart(const Analysis& analysis, const std::vector<FrfCurve>& frfs) {
+  LineChart chart{.title = "Phase",
+                  .x = kFrequency,
+                  .y = {.label = "degrees",
+                        .range = std::pair(-0.53 * kTurn_deg, 0.53 * kTurn_deg),
+                        .ticks = {-180, -90, 0, 90, 180}}};
+  const std::vector<double> x = line_frequencies(analysis);
+  for (std::size_t i = 0; i < frfs.size(); ++i)
+    chart.curves.push_back({.name = frfs[i].name, .x = x, .y = without_leaps(frfs[i].phase_deg), .style = i});
+  return chart;
+}
+
+LineChart coherence_chart(const Analysis& analysis, const std::vector<FrfCurve>& frfs) {
+  LineChart chart{.title = "Coherence", .x = kFrequency, .y = {.label = "coherence", .range = std::pair(0.0, 1.02)}};
+  const std::vector<double> x = line_frequencies(analysis);
+  for (std::size_t i = 0; i < frfs.size(); ++i) {
+    if (!frfs[i].coherence.empty())
+      chart.curves.push_back({.name = frfs[i].name, .x = x, .y = frfs[i].coherence, .style = i});
+  }
+  return chart;
+}
+
+ChartCurve curve_of_hit(const HitCurves& hit, const HitSamples& samples, double unit, std::size_t style) {
+  ChartCurve curve{.name = fmt::format("hit {}{}", hit.number, hit.accepted ? "" : ", rejected"), .style = style};
+  for (std::size_t i = 0; i < samples.value.size(); ++i) {
+    curve.x.push_back((samples.first + static_cast<double>(i) * samples.step) * unit);
+    curve.y.push_back(samples.value[i]);
+  }
+  return curve;
+}
+
+LineChart hits_chart(const std::vector<HitCurves>& hits, HitSamples HitCurves::*what, double unit, LineChart chart) {
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    if (!(hits[i].*what).value.empty()) chart.curves.push_back(curve_of_hit(hits[i], hits[i].*what, unit, i));
+  }
+  return chart;
+}
+
+LineChart stabilisation_chart(const Analysis& analysis, const std::vector<Verdict>& verdicts) {
+  LineChart chart{.title = "Stabilisation", .x = kFrequency, .y = {.label = "model order"}};
+  struct Kind {
+    Stability stability;
+    const char* name;
+    ChartMark mark;
+    std::size_t style;
+  };
+  constexpr std::array<Kind, 4> kKinds{{{Stability::fresh, "new", ChartMark::circle, 3},
+                                        {Stability::frequency, "stable frequency", ChartMark::plus, 1},
+                                        {Stability::damping, "stable damping", ChartMark::cross, 2},
+                                        {Stability::stable, "stable", ChartMark::diamond, 0}}};
+  for (const Kind& kind : kKinds) {
+    ChartCurve curve{.name = kind.name, .line = false, .mark = kind.mark, .style = kind.style};
+    for (const StabilisationPole& pole : analysis.stabilisation().poles) {
+      if (pole.stability != kind.stability) continue;
+      curve.x.push_back(pole.pole.freq_Hz);
+      curve.y.push_back(static_cast<double>(pole.order));
+    }
+    if (!curve.x.empty()) chart.curves.push_back(std::move(curve));
+  }
+  chart.flags = mode_flags(analysis, verdicts);
+  return chart;
+}
+
+}  // namespace
+
+const std::vector<std::string>& analysis_chart_names() {
+  static const std::vector<std::string> names{"magnitude", "phase", "coherence",     "force",   "response",
+                                              "spectrum",  "decay", "stabilisation", "movement"};
+  return names;
+}
+
+std::vector<SvgPiece> analysis_charts(const Analysis& analysis, const std::vector<Verdict>& verdicts,
+                                      const std::vector<std::string>& names) {
+  const auto wants = [&](std::initializer_list<const char*> any) {
+    return std::any_of(any.begin(), any.end(),
+                       [&](const char* name) { return std::find(names.begin(), names.end(), name) != names.end(); });
+  };
+  const bool possible = analysis.possible(), with_hits = analysis.given_frfs() == nullptr;
+  const auto frfs =
+      possible && wants({"magnitude", "phase", "coherence"}) ? frf_curves(analysis) : std::vector<FrfCurve>();
+  const auto hits =
+      with_hits && wants({"force", "response", "spectrum", "decay"}) ? hit_curves(analysis) : std::vector<HitCurves>();
+  std::vector<LineChart> charts;
+  if (!frfs.empty() && wants({"magnitude"})) charts.push_back(magnitude_chart(analysis, frfs, verdicts));
+  if (!frfs.empty() && wants({"phase"})) charts.push_back(phase_chart(analysis, frfs));
+  if (!frfs.empty() && wants({"coherence"})) charts.push_back(coherence_chart(analysis, frfs));
+  if (wants({"force"})) {
+    charts.push_back(
+        hits_chart(hits, &HitCurves::force_N, 1e3,
+                   {.title = "Force", .x = {.label = "time after the onset, ms"}, .y = {.label = "force, N"}}));
+  }
+  if (wants({"response"})) {
+    charts.push_back(hits_chart(hits, &HitCurves::response_mps2, 1e3,
+                                {.title = "Response to the pulse",
+                                 .x = {.label = "time after the onset, ms"},
+                                 .y = {.label = "first accelerometer, m/s²"}}));
+  }
+  if (wants({"spectrum"})) {
+    charts.push_back(
+        hits_chart(hits, &HitCurves::spectrum_dB, 1,
+                   {.title = "Spectrum of the force", .x = kFrequency, .y = {.label = "dB under the largest line"}}));
+    if (possible) {
+      const auto [low_Hz, high_Hz] = analysis.band_Hz();
+      charts.back().flags = {{.x = low_Hz, .name = "band"}, {.x = high_Hz, .name = "band's end"}};
+    }
+  }
+  if (wants({"decay"})) {
+    charts.push_back(hits_chart(hits, &HitCurves::decay_dB, 1,
+                                {.title = "Decay of the response",
+                                 .x = {.label = "time after the peak, s"},
+                                 .y = {.label = "dB under the largest"}}));
+  }
+  if (wants({"stabilisation"}) && possible) charts.push_back(stabilisation_chart(analysis, verdicts));
+  std::vector<SvgPiece> pieces;
+  for (const LineChart& chart : charts) {
+    if (!chart.curves.empty()) pieces.push_back(line_chart_piece(chart));
+  }
+  if (wants({"movement"}) && possible) {
+    const auto barrels = barrel_drawings(analysis, verdicts);
+    if (!barrels.empty()) pieces.push_back(still_drawings("How the barrel moves", barrels));
+  }
+  return pieces;
+}
+
+}  // namespace percuss

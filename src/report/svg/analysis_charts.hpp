@@ -1,0 +1,18 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "pipeline/analysis.hpp"
+#include "report/svg/svg_fragment.hpp"
+
+namespace percuss {
+
+/// Names of the pictures of an analysis: magnitude, phase, coherence, force, response, spectrum, decay, stabilisation,
+/// movement.
+const std::vector<std::string>& analysis_chart_names();
+
+/// The pictures asked for, in that order; those there is nothing for are left out.
+std::vector<SvgPiece> analysis_charts(const Analysis& analysis, const std::vector<Verdict>& verdicts,
+                                      const std::vector<std::string>& names);
+
+}  // namespace percuss

@@ -1,0 +1,82 @@
+#include "report/svg/barrel_cross_section.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "report/text/analysis_tables.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr int kSides = 90;
+constexpr double kExaggeration = 0.25;  // of the radius
+
+// Where the mode is seen best.
+std::size_t strongest_point(const Mode& mode) {
+  const auto stronger = [](const Residue& a, const Residue& b) { return std::norm(a.value) < std::norm(b.value); };
+  const auto best = std::max_element(mode.residues.begin(), mode.residues.end(), stronger);
+  return best == mode.residues.end() ? 0 : best->point;
+}
+
+// The smallest movement c cos nθ + s sin nθ that the sensors agree to, 1 at its largest.
+Eigen::Vector2d pattern_of(const std::vector<BarrelSensor>& sensors, double n) {
+  constexpr double kBlind = 1e-9;  // two sensors may both sit where one of the patterns does not move
+  const auto strongest = std::max_element(sensors.begin(), sensors.end(), [](const auto& a, const auto& b) {
+    return std::norm(a.residue) < std::norm(b.residue);
+  });
+  const Complex turn = std::polar(1.0, -std::arg(strongest->residue));
+  Eigen::Matrix2d gram = kBlind * Eigen::Matrix2d::Identity();
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (const BarrelSensor& sensor : sensors) {
+    const Eigen::Vector2d seen(std::cos(n * sensor.angle_rad), std::sin(n * sensor.angle_rad));
+    gram += seen * seen.transpose();
+    sum += seen * (sensor.residue * turn).real();
+  }
+  const Eigen::Vector2d pattern = gram.ldlt().solve(sum);
+  return pattern / std::max(pattern.norm(), 1e-300);
+}
+
+// Outwards, and along the ring so that it keeps its length.
+DrawnLine ring(const Eigen::Vector2d& pattern, double n, double amount) {
+  DrawnLine line;
+  for (int k = 0; k <= kSides; ++k) {
+    const double t = 2 * std::numbers::pi * k / kSides, c = std::cos(n * t), s = std::sin(n * t);
+    const double out = 1 + amount * (pattern[0] * c + pattern[1] * s);
+    const double along = amount * (pattern[1] * c - pattern[0] * s) / n;
+    line.push_back({out * std::cos(t) - along * std::sin(t), out * std::sin(t) + along * std::cos(t)});
+  }
+  return line;
+}
+
+}  // namespace
+
+std::vector<BarrelSensor> barrel_sensors(const Analysis& analysis, const Mode& mode) {
+  const std::size_t point = strongest_point(mode);
+  std::vector<BarrelSensor> sensors;
+  for (const Residue& residue : mode.residues) {
+    const auto& angle_rad = analysis.record().accel[residue.channel].angle_rad;
+    if (residue.point == point && angle_rad) sensors.push_back({*angle_rad, residue.value});
+  }
+  return sensors;
+}
+
+std::vector<StillDrawing> barrel_drawings(const Analysis& analysis, const std::vector<Verdict>& verdicts) {
+  std::vector<StillDrawing> drawings;
+  for (std::size_t m = 0; m < verdicts.size(); ++m) {
+    const Mode& mode = analysis.modes()[m];
+    const auto sensors = barrel_sensors(analysis, mode);
+    if (sensors.size() != 2 || verdicts[m].family == Family::unknown) continue;
+    const double n = verdicts[m].family == Family::hoop ? 2 : 1;
+    const Eigen::Vector2d pattern = pattern_of(sensors, n);
+    drawings.push_back({.name = fmt::format("{}, {:.4g} Hz", mode_name(verdicts[m], m), mode.pole.freq_Hz),
+                        .rest = {ring(pattern, n, 0)},
+                        .moved = {ring(pattern, n, kExaggeration), ring(pattern, n, -kExaggeration)}});
+  }
+  return drawings;
+}
+
+}  // namespace percuss

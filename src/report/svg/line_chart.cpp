@@ -1,0 +1,269 @@
+#include "report/svg/line_chart.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <numeric>
+
+#include "report/svg/chart_mark.hpp"
+#include "report/svg/chart_scale.hpp"
+#include "report/text/text_table.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr double kWidth = 760, kHeight = 440;
+constexpr double kLeft = 72, kRight = 620, kTop = 44, kBottom = 384;  // of the plot; names stand right of it
+constexpr double kLineHeight = 15, kCharacterWidth = 7;               // at most
+constexpr double kFlagCharacterWidth = 6.4;                           // on average
+constexpr double kLabelRoom = 20;                                     // right of a point, for its label
+constexpr std::size_t kMostDrawn = 1000, kLongestName = 48;
+constexpr std::size_t kTicks = 6;
+
+// Okabe and Ito's colours without yellow, which is too pale for a line; a dash pattern with each.
+constexpr std::array<const char*, 7> kColours{"#0072B2", "#D55E00", "#009E73", "#CC79A7",
+                                              "#000000", "#5B3A8C", "#7A5C00"};
+// … as dark as letters must be.
+constexpr std::array<const char*, 7> kLetterColours{"#0072B2", "#B34700", "#00704F", "#8A3A73",
+                                                    "#000000", "#5B3A8C", "#7A5C00"};
+constexpr std::array<const char*, 7> kPageColours{"var(--c0)", "var(--c1)", "var(--c2)", "var(--c3)",
+                                                  "var(--c7)", "var(--c5)", "var(--c4)"};
+constexpr std::array<const char*, 7> kDashes{"none", "7 3", "2 3", "9 3 2 3", "12 4", "4 2", "6 2 1 2 1 2"};
+
+// Of each run of neighbours the lowest and the highest, in their order, and a gap where there is one.
+std::vector<std::size_t> worth_drawing(const std::vector<double>& y) {
+  std::vector<std::size_t> kept;
+  const std::size_t run = std::max<std::size_t>(1, 2 * y.size() / kMostDrawn);
+  for (std::size_t begin = 0; begin < y.size(); begin += run) {
+    const std::size_t end = std::min(begin + run, y.size());
+    std::array<std::size_t, 3> chosen{end, end, end};  // lowest, highest, a gap
+    for (std::size_t i = begin; i < end; ++i) {
+      if (std::isnan(y[i])) {
+        chosen[2] = i;
+        continue;
+      }
+      if (chosen[0] == end || y[i] < y[chosen[0]]) chosen[0] = i;
+      if (chosen[1] == end || y[i] > y[chosen[1]]) chosen[1] = i;
+    }
+    std::sort(chosen.begin(), chosen.end());
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+      if (chosen.at(i) < end && (i == 0 || chosen.at(i) != chosen.at(i - 1))) kept.push_back(chosen.at(i));
+    }
+  }
+  return kept;
+}
+
+// Not longer than there is room for.
+std::string shown_name(const std::string& name) {
+  if (text_width(name) <= kLongestName) return name;
+  std::string out;
+  std::size_t characters = 0;
+  for (const char c : name) {
+    if ((static_cast<unsigned char>(c) & 0xC0U) != 0x80U && ++characters == kLongestName) break;
+    out += c;
+  }
+  return out + "…";
+}
+
+class Drawing {
+ public:
+  Drawing(const LineChart& chart, ChartGround ground)
+      : chart_(chart), on_page_(ground == ChartGround::page), grid_(on_page_ ? "var(--rule)" : "#ddd") {
+    x_ = {.from = kLeft, .to = kRight, .logarithmic = chart.x.logarithmic};
+    y_ = {.from = kBottom, .to = kTop, .logarithmic = chart.y.logarithmic};
+    std::size_t longest = 0;
+    for (const ChartCurve& curve : chart.curves) {
+      for (std::size_t i = 0; i < curve.x.size(); ++i) {
+        if (!std::isfinite(y_.drawn(curve.y[i]))) continue;
+        x_.cover(curve.x[i]);
+        y_.cover(curve.y[i]);
+      }
+      longest = std::max(longest, text_width(shown_name(curve.name)));
+    }
+    scattered_ = std::any_of(chart.curves.begin(), chart.curves.end(), [](const auto& curve) { return !curve.line; });
+    const bool room = std::any_of(chart.curves.begin(), chart.curves.end(),
+                                  [](const auto& curve) { return !curve.line || !curve.labels.empty(); });
+    fit(x_, chart.x, room ? 0.04 : 0);
+    fit(y_, chart.y, 0.04);
+    width_ = std::max(kWidth, kRight + (scattered_ ? 34 : 12) + kCharacterWidth * static_cast<double>(longest));
+  }
+
+  SvgPiece piece() {
+    add("<title>{}</title>\n", svg_text(chart_.title));
+    if (!on_page_) add("<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n");
+    add("<text x=\"{}\" y=\"18\" font-size=\"15\">{}</text>\n", kLeft, svg_text(chart_.title));
+    axes();
+    for (const ChartBand& one : chart_.bands) band(one);
+    for (std::size_t i = 0; i < chart_.curves.size(); ++i) {
+      const ChartCurve& curve = chart_.curves[i];
+      if (curve.line) line(curve, style_of(i));
+      if (curve.marks || !curve.line) points(curve, style_of(i));
+    }
+    flags();
+    scattered_ ? legend() : names();
+    return {.body = out_, .width = width_, .height = kHeight, .ink = ink()};
+  }
+
+ private:
+  template <class... Args>
+  void add(fmt::format_string<Args...> format, Args&&... args) {
+    fmt::format_to(std::back_inserter(out_), format, std::forward<Args>(args)...);
+  }
+
+  static void fit(ChartScale& scale, const ChartAxis& axis, double margin) {
+    if (!axis.range) return scale.settle(margin);
+    scale.low = scale.drawn(axis.range->first);
+    scale.high = scale.drawn(axis.range->second);
+  }
+
+  const char* ink() const { return on_page_ ? "var(--ink)" : "black"; }
+  const char* colour(std::size_t style) const { return on_page_ ? kPageColours.at(style) : kColours.at(style); }
+  const char* letters(std::size_t style) const { return on_page_ ? colour(style) : kLetterColours.at(style); }
+  std::size_t style_of(std::size_t i) const { return chart_.curves[i].style.value_or(i) % kColours.size(); }
+
+  void axes() {
+    for (const double tick : chart_.x.ticks.empty() ? x_.ticks(kTicks) : chart_.x.ticks) {
+      const double at = x_.pixel(tick);
+      add("<path d=\"M{:.1f} {}V{}\" stroke=\"{}\"/><text x=\"{:.1f}\" y=\"{}\" "
+          "text-anchor=\"middle\">{:.6g}</text>\n",
+          at, kTop, kBottom, grid_, at, kBottom + 18, tick);
+    }
+    for (const double tick : chart_.y.ticks.empty() ? y_.ticks(kTicks) : chart_.y.ticks) {
+      const double at = y_.pixel(tick);
+      add("<path d=\"M{} {:.1f}H{}\" stroke=\"{}\"/><text x=\"{}\" y=\"{:.1f}\" text-anchor=\"end\">{:.6g}</text>\n",
+          kLeft, at, kRight, grid_, kLeft - 6, at + 4, tick);
+    }
+    add("<path d=\"M{} {}V{}H{}\" fill=\"none\" stroke=\"{}\"/>\n", kLeft, kTop, kBottom, kRight, ink());
+    add("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>\n", (kLeft + kRight) / 2, kBottom + 40,
+        svg_text(chart_.x.label));
+    add("<text transform=\"translate(18 {}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n", (kTop + kBottom) / 2,
+        svg_text(chart_.y.label));
+  }
+
+  // The way of a pen over x and y; it is lifted where there is a gap.
+  std::string way(const std::vector<double>& x, const std::vector<double>& y, bool backwards = false) const {
+    std::string path;
+    bool pen = backwards;
+    std::vector<std::size_t> drawn = worth_drawing(y);
+    if (backwards) std::reverse(drawn.begin(), drawn.end());
+    for (const std::size_t i : drawn) {
+      const double px = x_.pixel(x[i]), py = std::clamp(y_.pixel(y[i]), kTop, kBottom);
+      if (!std::isfinite(px) || std::isnan(y_.pixel(y[i]))) {
+        pen = backwards;
+        continue;
+      }
+      fmt::format_to(std::back_inserter(path), "{}{:.1f} {:.1f}", pen ? "L" : "M", px, py);
+      pen = true;
+    }
+    return path;
+  }
+
+  void line(const ChartCurve& curve, std::size_t style) {
+    add("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-dasharray=\"{}\"/>\n",
+        way(curve.x, curve.y), curve.thin ? ink() : colour(style), curve.thin ? 0.8 : 1.8,
+        curve.thin ? "none" : kDashes.at(style));
+  }
+
+  void band(const ChartBand& one) {
+    add("<path d=\"{}{}Z\" fill=\"{}\" fill-opacity=\"0.2\"/>\n", way(one.x, one.high), way(one.x, one.low, true),
+        colour(one.style % kColours.size()));
+  }
+
+  void points(const ChartCurve& curve, std::size_t style) {
+    std::vector<std::size_t> drawn(curve.x.size());
+    std::iota(drawn.begin(), drawn.end(), std::size_t{0});
+    if (curve.line) drawn = worth_drawing(curve.y);
+    for (const std::size_t i : drawn) {
+      const double x = x_.pixel(curve.x[i]), y = y_.pixel(curve.y[i]);
+      if (!std::isfinite(x) || !std::isfinite(y)) continue;
+      out_ += chart_mark_svg(curve.mark, x, y, colour(style));
+      if (i < curve.labels.size() && !curve.labels[i].empty()) {
+        add(R"(<text x="{:.1f}" y="{:.1f}"{}>{}</text>)", x > kRight - kLabelRoom ? x - 7 : x + 7, y - 5,
+            x > kRight - kLabelRoom ? " text-anchor=\"end\"" : "", svg_text(curve.labels[i]));
+      }
+    }
+    out_ += '\n';
+  }
+
+  // Names above the plot where they do not run into the one before.
+  void flags() {
+    double free = kLeft - kLabelRoom;
+    for (const ChartFlag& flag : chart_.flags) {
+      const double at = x_.pixel(flag.x);
+      if (!(at >= kLeft && at <= kRight)) continue;
+      add(R"(<path d="M{:.1f} {}V{}" stroke="{}" stroke-dasharray="2 3"/>)", at, kTop, kBottom, ink());
+      const double half = 0.5 * kFlagCharacterWidth * static_cast<double>(text_width(flag.name));
+      if (at - half < free) continue;
+      add(R"(<text x="{:.1f}" y="{}" text-anchor="middle">{}</text>)", at, kTop - 6, svg_text(flag.name));
+      free = at + half + kFlagCharacterWidth;
+    }
+    out_ += '\n';
+  }
+
+  void legend() {
+    double y = kTop + 6;
+    for (std::size_t i = 0; i < chart_.curves.size(); ++i) {
+      const ChartCurve& curve = chart_.curves[i];
+      if (curve.name.empty()) continue;
+      const std::size_t style = style_of(i);
+      if (curve.line) {
+        add(R"(<path d="M{} {:.1f}h20" stroke="{}" stroke-width="1.8" stroke-dasharray="{}"/>)", kRight + 6, y,
+            colour(style), kDashes.at(style));
+      }
+      if (curve.marks || !curve.line) out_ += chart_mark_svg(curve.mark, kRight + 16, y, colour(style));
+      add("<text x=\"{}\" y=\"{:.1f}\">{}</text>\n", kRight + 30, y + 4, svg_text(shown_name(curve.name)));
+      y += kLineHeight + 2;
+    }
+  }
+
+  // At the ends of the lines, moved apart where they would overlap.
+  void names() {
+    std::vector<std::pair<double, std::size_t>> ends;
+    for (std::size_t i = 0; i < chart_.curves.size(); ++i) {
+      const auto& y = chart_.curves[i].y;
+      const auto last =
+          std::find_if(y.rbegin(), y.rend(), [&](double value) { return std::isfinite(y_.drawn(value)); });
+      if (last != y.rend() && !chart_.curves[i].name.empty()) ends.emplace_back(y_.pixel(*last), i);
+    }
+    std::sort(ends.begin(), ends.end());
+    for (std::size_t i = 1; i < ends.size(); ++i)
+      ends[i].first = std::max(ends[i].first, ends[i - 1].first + kLineHeight);
+    double limit = kBottom;
+    for (std::size_t i = ends.size(); i-- > 0;) {
+      ends[i].first = std::min(ends[i].first, limit);
+      limit = ends[i].first - kLineHeight;
+    }
+    for (const auto& [y, i] : ends) {
+      add("<text x=\"{}\" y=\"{:.1f}\" fill=\"{}\">{}</text>\n", kRight + 8, y + 4,
+          chart_.curves[i].thin ? ink() : letters(style_of(i)), svg_text(shown_name(chart_.curves[i].name)));
+    }
+  }
+
+  const LineChart& chart_;
+  bool on_page_;
+  const char* grid_;
+  ChartScale x_, y_;
+  double width_ = kWidth;
+  bool scattered_ = false;
+  std::string out_;
+};
+
+}  // namespace
+
+SvgPiece line_chart_piece(const LineChart& chart, ChartGround ground) { return Drawing(chart, ground).piece(); }
+
+std::string line_chart_svg(const LineChart& chart, ChartGround ground) {
+  return svg_document({line_chart_piece(chart, ground)});
+}
+
+std::string line_charts_svg(const std::vector<LineChart>& charts) {
+  std::vector<SvgPiece> pieces;
+  pieces.reserve(charts.size());
+  for (const LineChart& chart : charts) pieces.push_back(line_chart_piece(chart));
+  return svg_document(pieces);
+}
+
+}  // namespace percuss

@@ -1,0 +1,222 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <map>
+
+#include "core/math/statistics.hpp"
+#include "metrics/study/csv_cell.hpp"
+#include "report/svg/line_chart.hpp"
+#include "report/svg/study_charts.hpp"
+
+namespace percuss {
+namespace {
+
+// Marks of the source for hollow bats: plus signs, open diamonds, and solid ones for those broken in.
+struct BatKind {
+  const char* name;
+  ChartMark mark;
+};
+constexpr std::array<BatKind, 5> kBatKinds{{{"aluminum", ChartMark::plus},
+                                            {"composite", ChartMark::open_diamond},
+                                            {"composite, ABI", ChartMark::diamond},
+                                            {"BBCOR program", ChartMark::square},
+                                            {"aluminum, used", ChartMark::triangle}}};
+constexpr std::array<ChartMark, 7> kLengthMarks{ChartMark::circle,  ChartMark::plus,     ChartMark::open_diamond,
+                                                ChartMark::diamond, ChartMark::triangle, ChartMark::square,
+                                                ChartMark::cross};
+constexpr std::size_t kModelStyle = 0;  // the only solid line
+constexpr std::array<std::size_t, 4> kTrendStyles{4, 5, 6, 3};
+
+std::size_t kind_of(const StudyBat& bat) {
+  if (bat.program == "bbcor") return 3;
+  if (bat.material == BarrelMaterial::composite) return bat.broken_in ? 2 : 1;
+  return bat.broken_in ? 4 : 0;
+}
+
+const StudyClass& everyone_in(const StudyFigure& figure) { return figure.classes.back(); }
+
+void add_point(ChartCurve& curve, const Study& study, const StudyFigure& figure, std::size_t b) {
+  curve.x.push_back(*study.bats[b].value(figure.x));
+  curve.y.push_back(*study.bats[b].value(figure.y));
+  const bool outlier = std::any_of(figure.classes.begin(), figure.classes.end(), [&](const StudyClass& one) {
+    return std::find(one.outliers.begin(), one.outliers.end(), b) != one.outliers.end();
+  });
+  curve.labels.push_back(outlier ? study.bats[b].id : "");
+}
+
+std::vector<ChartCurve> curves_by_length(const Study& study, const StudyFigure& figure) {
+  std::vector<ChartCurve> out;
+  for (const StudyClass& one : figure.classes) {
+    if (one.length_class == 0) continue;
+    ChartCurve curve{.name = fmt::format("{} in", one.length_class),
+                     .line = false,
+                     .mark = kLengthMarks.at(out.size() % kLengthMarks.size()),
+                     .style = out.size()};
+    for (const std::size_t b : one.bats) add_point(curve, study, figure, b);
+    out.push_back(std::move(curve));
+  }
+  return out;
+}
+
+std::vector<ChartCurve> curves_by_kind(const Study& study, const StudyFigure& figure) {
+  std::vector<ChartCurve> out;
+  for (std::size_t kind = 0; kind < kBatKinds.size(); ++kind) {
+    ChartCurve curve{.name = kBatKinds.at(kind).name,
+                     .line = false,
+                     .mark = kBatKinds.at(kind).mark,
+                     .style = kind < 3 ? kind : kind + 2};
+    for (const std::size_t b : everyone_in(figure).bats) {
+      if (kind_of(study.bats[b]) == kind) add_point(curve, study, figure, b);
+    }
+    if (!curve.x.empty()) out.push_back(std::move(curve));
+  }
+  return out;
+}
+
+// From the class's least x to its largest.
+void add_trends(const Study& study, const StudyFigure& figure, bool by_length, std::vector<ChartCurve>& curves) {
+  std::size_t place = 0;
+  for (const StudyClass& one : figure.classes) {
+    if (one.length_class == 0) continue;
+    const std::size_t style = by_length ? place : kTrendStyles.at(place % kTrendStyles.size());
+    ++place;
+    if (!one.trend) continue;
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const std::size_t b : one.bats) {
+      low = std::min(low, *study.bats[b].value(figure.x));
+      high = std::max(high, *study.bats[b].value(figure.x));
+    }
+    const auto at = [&](double x) { return one.trend->at + one.trend->slope * x; };
+    curves.push_back({.name = fmt::format("trend, {} in", one.length_class),
+                      .x = {low, high},
+                      .y = {at(low), at(high)},
+                      .style = style});
+  }
+}
+
+double value_at(const StudyCurve& curve, double hoop_Hz) {
+  const auto above = std::lower_bound(curve.hoop_Hz.begin(), curve.hoop_Hz.end(), hoop_Hz);
+  if (above == curve.hoop_Hz.end() || above == curve.hoop_Hz.begin()) return std::numeric_limits<double>::quiet_NaN();
+  const auto i = static_cast<std::size_t>(above - curve.hoop_Hz.begin());
+  const double part = (hoop_Hz - curve.hoop_Hz[i - 1]) / (curve.hoop_Hz[i] - curve.hoop_Hz[i - 1]);
+  return curve.value[i - 1] + part * (curve.value[i] - curve.value[i - 1]);
+}
+
+// Over the bats' own range, scaled by the median of what they have of it.
+void add_model(const StudyCurve& model, std::vector<ChartCurve>& curves) {
+  std::vector<double> factors;
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const ChartCurve& curve : curves) {
+    for (std::size_t i = 0; i < curve.x.size(); ++i) {
+      const double there = value_at(model, curve.x[i]);
+      if (there > 0) factors.push_back(curve.y[i] / there);
+      low = std::min(low, curve.x[i]);
+      high = std::max(high, curve.x[i]);
+    }
+  }
+  if (factors.empty()) return;
+  const double factor = median(factors);
+  ChartCurve drawn{.name = fmt::format("{} × {:.3g}", model.name, factor), .style = kModelStyle};
+  for (std::size_t i = 0; i < model.hoop_Hz.size(); ++i) {
+    if (model.hoop_Hz[i] < low || model.hoop_Hz[i] > high) continue;
+    drawn.x.push_back(model.hoop_Hz[i]);
+    drawn.y.push_back(factor * model.value[i]);
+  }
+  curves.push_back(std::move(drawn));
+}
+
+LineChart chart_of(const Study& study, const StudyFigure& figure, const std::optional<StudyCurve>& model) {
+  const bool by_length = figure.family == StudyFamily::wood;
+  LineChart chart{.title = figure.title, .x = {.label = axis_of(figure.x)}, .y = {.label = axis_of(figure.y)}};
+  chart.curves = by_length ? curves_by_length(study, figure) : curves_by_kind(study, figure);
+  const bool hoop = figure.x == StudyQuantity::hoop1 && model;
+  if (hoop) add_model(*model, chart.curves);
+  add_trends(study, figure, by_length, chart.curves);
+  return chart;
+}
+
+std::string points_csv(const Study& study, StudyQuantity x, StudyQuantity y, const std::vector<std::size_t>& bats) {
+  std::string out = fmt::format("id,length_in,material,condition,{},{}\n", column_of(x), column_of(y));
+  for (const std::size_t b : bats) {
+    const StudyBat& bat = study.bats[b];
+    const char* const material = bat.material == BarrelMaterial::wood       ? "wood"
+                                 : bat.material == BarrelMaterial::aluminum ? "aluminum"
+                                                                            : "composite";
+    out += fmt::format("{},{},{},{},{},{}\n", csv_cell(bat.id), bat.length_in, material, bat.broken_in ? "abi" : "new",
+                       *bat.value(x), *bat.value(y));
+  }
+  return out;
+}
+
+// Names of files hold nothing that a shell or a file system would take for something else.
+std::string file_word(const std::string& text) {
+  std::string out;
+  for (const char c : text.substr(0, 60)) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-';
+    out += plain ? c : '_';
+  }
+  return out;
+}
+
+// A figure or a trail: its picture and the bats in it.
+struct Drawn {
+  std::string name;
+  StudyQuantity x, y;
+  LineChart chart;
+  std::vector<std::size_t> bats;
+};
+
+void add_trail(const Study& study, const StudyTrail& trail, std::size_t number, StudyQuantity y,
+               const std::optional<StudyCurve>& model, std::vector<Drawn>& drawn) {
+  ChartCurve states{.marks = true, .mark = ChartMark::diamond, .style = 2};
+  std::vector<std::size_t> shown;
+  for (const std::size_t b : trail.states) {
+    if (!study.bats[b].value(y)) continue;
+    shown.push_back(b);
+    states.x.push_back(*study.bats[b].value(StudyQuantity::hoop1));
+    states.y.push_back(*study.bats[b].value(y));
+    states.labels.push_back(study.bats[b].id);
+  }
+  if (shown.size() < 2) return;
+  LineChart chart{.title = fmt::format("{}: {} over the break-in", trail.bat, words_of(y)),
+                  .x = {.label = axis_of(StudyQuantity::hoop1)},
+                  .y = {.label = axis_of(y)},
+                  .curves = {states}};
+  if (model) add_model(*model, chart.curves);
+  const std::string column = column_of(y);
+  std::string name =
+      fmt::format("{}-hoop1-trail-{}-{}", column.substr(0, column.find('_')), number, file_word(trail.bat));
+  drawn.push_back({std::move(name), StudyQuantity::hoop1, y, std::move(chart), std::move(shown)});
+}
+
+std::vector<Drawn> all_drawn(const Study& study, const std::optional<StudyCurve>& model) {
+  std::vector<Drawn> drawn;
+  for (const StudyFigure& figure : study.figures)
+    drawn.push_back({figure.name, figure.x, figure.y, chart_of(study, figure, model), everyone_in(figure).bats});
+  for (std::size_t t = 0; t < study.trails.size(); ++t) {
+    for (const StudyQuantity y : {StudyQuantity::besr, StudyQuantity::bbs, StudyQuantity::bbcor})
+      add_trail(study, study.trails[t], t, y, model, drawn);
+  }
+  return drawn;
+}
+
+}  // namespace
+
+std::vector<StudyFile> study_files(const Study& study, const std::optional<StudyCurve>& curve) {
+  std::vector<StudyFile> files;
+  for (const Drawn& one : all_drawn(study, curve)) {
+    files.push_back({one.name + ".svg", line_chart_svg(one.chart)});
+    files.push_back({one.name + ".csv", points_csv(study, one.x, one.y, one.bats)});
+  }
+  return files;
+}
+
+std::vector<LineChart> study_charts(const Study& study, const std::optional<StudyCurve>& curve) {
+  std::vector<LineChart> charts;
+  for (Drawn& one : all_drawn(study, curve)) charts.push_back(std::move(one.chart));
+  return charts;
+}
+
+}  // namespace percuss

@@ -1,0 +1,120 @@
+#include "report/svg/survey_charts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "report/svg/analysis_charts.hpp"
+#include "report/svg/line_chart.hpp"
+#include "report/svg/shape_svg.hpp"
+#include "report/svg/wireframe.hpp"
+#include "report/text/analysis_tables.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr double kTurn_rad = 0.35 * std::numbers::pi, kTilt_rad = 0.15 * std::numbers::pi;  // as the page begins
+constexpr double kShapeAmplitude = 0.15;                                                    // of the frame's radius
+constexpr double kCross = 0.02;                                                             // … of its arms
+constexpr double kLevelFloor = 1e-300;
+
+std::array<double, 2> seen(const std::array<double, 3>& at) {
+  const double across = at[0] * std::cos(kTurn_rad) - at[1] * std::sin(kTurn_rad);
+  const double away = at[0] * std::sin(kTurn_rad) + at[1] * std::cos(kTurn_rad);
+  return {across, at[2] * std::cos(kTilt_rad) + away * std::sin(kTilt_rad)};
+}
+
+double radius_of(const WireFrame& frame) {
+  std::array<double, 3> middle{};
+  for (const auto& at : frame.points) {
+    for (std::size_t i = 0; i < 3; ++i) middle.at(i) += at.at(i) / static_cast<double>(frame.points.size());
+  }
+  double radius = 0;
+  for (const auto& at : frame.points)
+    radius = std::max(radius, std::hypot(at[0] - middle[0], at[1] - middle[1], at[2] - middle[2]));
+  return radius;
+}
+
+std::vector<DrawnLine> lines_of(const WireFrame& frame, const WireMode& mode, double amount, double arm) {
+  const auto place = [&](std::size_t i) {
+    std::array<double, 3> at = frame.points[i];
+    for (std::size_t k = 0; k < 3; ++k) at.at(k) += amount * mode.moves[i].at(k).real();
+    return seen(at);
+  };
+  std::vector<DrawnLine> lines;
+  for (const auto& [from, to] : frame.lines) lines.push_back({place(from), place(to)});
+  if (!lines.empty()) return lines;
+  for (std::size_t i = 0; i < frame.points.size(); ++i) {  // points alone: crosses
+    const auto [x, y] = place(i);
+    lines.push_back({{x - arm, y}, {x + arm, y}});
+    lines.push_back({{x, y - arm}, {x, y + arm}});
+  }
+  return lines;
+}
+
+std::vector<StillDrawing> shape_drawings(const Survey& survey) {
+  const WireFrame frame = wire_frame(survey);
+  const double radius = radius_of(frame);
+  std::vector<StillDrawing> drawings;
+  for (const WireMode& mode : frame.modes) {
+    double largest = 0;
+    for (const auto& move : mode.moves) {
+      for (const Complex& component : move) largest = std::max(largest, std::abs(component));
+    }
+    if (frame.points.size() < 2 || !(largest > 0)) continue;
+    drawings.push_back({.name = fmt::format("{}, {:.4g} Hz", mode.name, mode.freq_Hz),
+                        .rest = lines_of(frame, mode, 0, kCross * radius),
+                        .moved = lines_of(frame, mode, kShapeAmplitude * radius / largest, kCross * radius)});
+  }
+  return drawings;
+}
+
+LineChart indicator_chart(const Survey& survey) {
+  LineChart chart{.title = "Mode indicator: singular values of the FRFs",
+                  .x = {.label = "frequency, Hz"},
+                  .y = {.label = "dB re 1 (m/s²)/N"}};
+  const LineRange band = survey.band();
+  constexpr std::array<const char*, 3> kNames{"largest", "second", "third"};
+  for (Eigen::Index i = 0; i < std::min<Eigen::Index>(kNames.size(), survey.indicator().cols()); ++i) {
+    ChartCurve curve{.name = kNames.at(static_cast<std::size_t>(i))};
+    for (std::size_t k = 0; k < band.count; ++k) {
+      curve.x.push_back(band.freq_Hz(k));
+      curve.y.push_back(20 * std::log10(std::max(survey.indicator()(static_cast<Eigen::Index>(k), i), kLevelFloor)));
+    }
+    chart.curves.push_back(std::move(curve));
+  }
+  for (std::size_t m = 0; m < survey.verdicts().size(); ++m) {
+    chart.flags.push_back({.x = survey.analysis().modes()[m].pole.freq_Hz, .name = mode_name(survey.verdicts()[m], m)});
+  }
+  return chart;
+}
+
+}  // namespace
+
+const std::vector<std::string>& survey_chart_names() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all{"shapes", "indicator"};
+    all.insert(all.end(), analysis_chart_names().begin(), analysis_chart_names().end());
+    return all;
+  }();
+  return names;
+}
+
+std::vector<SvgPiece> survey_charts(const Survey& survey, const std::vector<std::string>& names) {
+  const auto wants = [&](const char* name) { return std::find(names.begin(), names.end(), name) != names.end(); };
+  const bool possible = survey.analysis().possible();
+  std::vector<SvgPiece> pieces;
+  if (wants("shapes") && possible && !survey.shapes().empty()) {
+    if (const auto drawings = shape_drawings(survey); !drawings.empty())
+      pieces.push_back(still_drawings("Mode shapes", drawings));
+  }
+  if (wants("indicator") && possible) pieces.push_back(line_chart_piece(indicator_chart(survey)));
+  for (SvgPiece& piece :
+       analysis_charts(survey.analysis(), possible ? survey.verdicts() : std::vector<Verdict>(), names))
+    pieces.push_back(std::move(piece));
+  return pieces;
+}
+
+}  // namespace percuss

@@ -1,0 +1,50 @@
+#include "report/text/analysis_summary.hpp"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "core/io/significant_digits.hpp"
+
+namespace percuss {
+namespace {
+
+std::string list_of(const std::vector<std::string>& items) {
+  std::string out;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (i > 0) out += i + 1 == items.size() ? " and " : ", ";
+    out += items[i];
+  }
+  return out;
+}
+
+std::vector<std::string> frequencies_of(const Analysis& analysis, const std::vector<Verdict>& verdicts, Family family) {
+  std::vector<std::string> out;
+  for (std::size_t m = 0; m < analysis.modes().size(); ++m) {
+    if (verdicts[m].family == family) out.push_back(significant(analysis.modes()[m].pole.freq_Hz, 4));
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string verdict_sentence(const Analysis& analysis, const std::vector<Verdict>& verdicts) {
+  if (!analysis.possible()) return "No hit can be used: there are no FRFs and no modes.";
+  const auto [low_Hz, high_Hz] = analysis.band_Hz();
+  const std::string band = fmt::format("between {:.4g} and {:.4g} Hz", low_Hz, high_Hz);
+  const std::size_t count = analysis.modes().size();
+  if (count == 0) return fmt::format("No mode stands out of the noise {}.", band);
+  std::vector<std::string> parts;
+  for (const Family family : {Family::bending, Family::hoop, Family::unknown}) {
+    const auto found = frequencies_of(analysis, verdicts, family);
+    if (found.empty()) continue;
+    const bool named = family != Family::unknown || !parts.empty();
+    parts.push_back(fmt::format(
+        "{}{}",
+        named ? fmt::format("{} at ", family == Family::unknown ? "of unknown family" : name_of(family)) : "at ",
+        list_of(found)));
+  }
+  return fmt::format("{} mode{} {}: {} Hz.", count, count == 1 ? "" : "s", band, fmt::join(parts, " Hz; "));
+}
+
+}  // namespace percuss

@@ -1,0 +1,172 @@
+#include "report/text/analysis_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "core/io/input_file.hpp"
+#include "core/io/significant_digits.hpp"
+#include "core/units.hpp"
+#include "report/text/number_format.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr std::size_t kMostHits = 40;  // rows of hits shown when all is well; rejected ones always are
+
+// What does not reject is said in full once, among the warnings; beside the hit its name and number do.
+std::string brief(const Finding& finding) {
+  switch (finding.code) {
+    case FindingCode::weak:
+      return fmt::format("weak ({:.0f} %)", finding.value * 100);
+    case FindingCode::truncated_decay:
+      return fmt::format("rings on ({:.0f} dB)", finding.value);
+    case FindingCode::low_bandwidth:
+      return "soft";
+    case FindingCode::low_coherence:
+      return finding.value > 0 ? fmt::format("agrees {:.0f} % with the others", finding.value * 100)
+                               : "does not agree with the others";
+    case FindingCode::polarity:
+      return "negative";
+    default:
+      return finding.message;
+  }
+}
+
+std::string hit_verdict(const AnalysedHit& hit) {
+  std::string text = hit.accepted ? "ok" : "rejected";
+  if (hit.by_user) text += hit.accepted ? " (kept by --accept-hit)" : " (taken out by --reject-hit)";
+  std::string reasons;
+  for (const Finding& finding : hit.hit.findings) {
+    reasons +=
+        (reasons.empty() ? ": " : "; ") + (finding.severity == Severity::reject ? finding.message : brief(finding));
+  }
+  return text + reasons;
+}
+
+}  // namespace
+
+HitsTable hits_table(const Analysis& analysis, const std::vector<AnalysedHit>& hits) {
+  const bool points =
+      std::any_of(hits.begin(), hits.end(), [&](const AnalysedHit& h) { return h.point != hits.front().point; });
+  const bool files = analysis.record().files.size() > 1;
+  std::vector<TextTable::Column> columns{{"hit", TextTable::Align::right}};
+  if (points) columns.push_back({"point", TextTable::Align::right});
+  if (files) columns.push_back({"file"});
+  for (const char* name : {"time", "peak", "pulse", "reaches"}) columns.push_back({name, TextTable::Align::right});
+  columns.push_back({"verdict"});
+  TextTable table(columns);
+  std::size_t shown = 0, left_out = 0;
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    if (hits[i].accepted && shown >= kMostHits) {
+      ++left_out;
+      continue;
+    }
+    ++shown;
+    const Hit& hit = hits[i].hit;
+    const bool pulse = !hit.gated_N.empty();
+    std::vector<std::string> cells{fmt::format("{}", i)};
+    if (points) cells.push_back(fmt::format("{}", hits[i].point));
+    if (files) {
+      const std::string& path = analysis.record().files[analysis.record().rows[hit.row].file].path;
+      cells.push_back(one_line(path.substr(path.rfind('/') + 1), 40));
+    }
+    cells.push_back(pulse ? fmt::format("{:.3f} s", hit.onset_s) : "–");
+    cells.push_back(pulse ? force_text(hit.peak_N) : "–");
+    cells.push_back(pulse ? fmt::format("{:.2f} ms", hit.pulse_s * 1e3) : "–");
+    cells.push_back(pulse ? short_frequency(std::round(hit.bandwidth_Hz)) : "–");
+    cells.push_back(hit_verdict(hits[i]));
+    table.add(std::move(cells));
+  }
+  return {std::move(table), left_out};
+}
+
+namespace {
+
+std::string note_of(const Analysis& analysis, std::size_t m) {
+  const Verdict& verdict = analysis.verdicts()[m];
+  std::string note;
+  const auto add = [&](const std::string& text) { note += (note.empty() ? "" : "; ") + text; };
+  if (verdict.double_peak) {
+    add(verdict.double_peak->first ? fmt::format("double peak, {} Hz apart: this one is quoted",
+                                                 significant(verdict.double_peak->separation_Hz, 3))
+                                   : "second of the double peak");
+  }
+  if (verdict.family != Family::unknown && verdict.confidence < 0.95)
+    add(fmt::format("{:.0f} % sure", verdict.confidence * 100));
+  if (verdict.alternative) add(fmt::format("could be {}", name_of(*verdict.alternative)));
+  return note;
+}
+
+std::string decibels(double value_dB) {
+  const double rounded_dB = std::round(value_dB * 10) / 10;
+  return fmt::format("{:.1f} dB", rounded_dB == 0 ? 0.0 : rounded_dB);  // no -0.0
+}
+
+}  // namespace
+
+TextTable modes_table(const Analysis& analysis, bool classes) {
+  const bool named = classes && std::any_of(analysis.verdicts().begin(), analysis.verdicts().end(),
+                                            [](const Verdict& v) { return v.ratio.has_value(); });
+  std::vector<TextTable::Column> columns{{"mode", TextTable::Align::right}};
+  if (named) columns.push_back({"family"});
+  columns.push_back({"frequency", TextTable::Align::right});
+  columns.push_back({"damping", TextTable::Align::right});
+  if (named) columns.push_back({"overlay", TextTable::Align::right});
+  columns.push_back({"note"});
+  TextTable table(columns);
+  for (std::size_t m = 0; m < analysis.modes().size(); ++m) {
+    const Mode& mode = analysis.modes()[m];
+    std::vector<std::string> cells{fmt::format("{}", m)};
+    if (named) cells.push_back(family_of(analysis.verdicts()[m]));
+    cells.push_back(with_deviation(mode.pole.freq_Hz, mode.freq_std_Hz) + " Hz");
+    cells.push_back(with_deviation(mode.pole.damping_ratio * 100, mode.damping_std * 100) + " %");
+    if (named) {
+      const auto& overlay_dB = analysis.verdicts()[m].overlay_dB;
+      cells.push_back(overlay_dB ? decibels(*overlay_dB) : "–");
+    }
+    cells.push_back(classes ? note_of(analysis, m) : "");
+    table.add(std::move(cells));
+  }
+  return table;
+}
+
+std::string family_of(const Verdict& verdict) {
+  return verdict.order > 0 ? fmt::format("{} {}", name_of(verdict.family), verdict.order) : name_of(verdict.family);
+}
+
+std::string conditions_of(const Analysis& analysis, std::size_t hits) {
+  const Record& record = analysis.record();
+  std::string sensors = fmt::format("{} accelerometer{}", record.accel.size(), record.accel.size() == 1 ? "" : "s");
+  std::string angles;
+  for (const SignalInfo& signal : record.accel) {
+    if (signal.angle_rad)
+      angles += fmt::format("{}{:.4g}°", angles.empty() ? "" : ", ", *signal.angle_rad * kRadian_deg);
+  }
+  if (!angles.empty()) sensors += " (" + angles + ")";
+  std::string text =
+      fmt::format("{} · {} hit{} × {}", short_frequency(record.fs_Hz), hits, hits == 1 ? "" : "s", sensors);
+  if (const FrfRecord* given = analysis.given_frfs()) {
+    const std::size_t points = given->frfs.size() / record.accel.size();
+    text = fmt::format("FRFs ({}) · {} point{} × {}", name_of(given->kind), points, points == 1 ? "" : "s", sensors);
+  }
+  if (analysis.possible()) {
+    const auto [low, high] = analysis.band_Hz();
+    text += fmt::format(" · band {:.4g}–{:.4g} Hz", low, high);
+  }
+  return text;
+}
+
+std::string mode_name(const Verdict& verdict, std::size_t number) {
+  return verdict.order > 0 ? family_of(verdict) : fmt::format("mode {}", number);
+}
+
+std::string source_name(const Analysis& analysis) {
+  const Record& record = analysis.record();
+  const std::string name = one_line(input_name(record.source()), 400);
+  return record.files.size() > 1 ? fmt::format("{} and {} more", name, record.files.size() - 1) : name;
+}
+
+}  // namespace percuss

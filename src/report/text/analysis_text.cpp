@@ -1,0 +1,110 @@
+#include "report/text/analysis_text.hpp"
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "report/text/analysis_tables.hpp"
+#include "report/text/coherence_summary.hpp"
+#include "report/text/frf_terminal_plot.hpp"
+#include "report/text/number_format.hpp"
+#include "report/text/response_summary.hpp"
+#include "report/text/text_table.hpp"
+
+namespace percuss {
+namespace {
+
+std::string heading(const Analysis& analysis, std::size_t hits, std::size_t width) {
+  const std::string name = source_name(analysis);
+  const std::string text = conditions_of(analysis, hits);
+  if (text_width(name) + 3 + text_width(text) <= width) return name + "   " + text + '\n';
+  return name + "\n  " + wrapped(text, width, 2) + '\n';
+}
+
+std::string hits_text(const Analysis& analysis, const std::vector<AnalysedHit>& hits, std::size_t width) {
+  const HitsTable table = hits_table(analysis, hits);
+  std::string text = table.shown.text(width);
+  if (table.left_out > 0)
+    text += fmt::format("… and {} more hits in order (all of them with --json)\n", table.left_out);
+  return text;
+}
+
+std::string modes_text(const Analysis& analysis, bool classes, std::size_t width) {
+  if (!analysis.modes().empty()) return modes_table(analysis, classes).text(width);
+  return analysis.options().modes.start_Hz.empty() ? "no mode stands out of the noise in the band\n"
+                                                   : "no mode could be fitted at the frequencies of --start\n";
+}
+
+std::string frf_text(const Analysis& analysis) {
+  const auto [least, most] =
+      std::minmax_element(analysis.frfs().begin(), analysis.frfs().end(),
+                          [](const PointFrf& a, const PointFrf& b) { return a.frf.averages < b.frf.averages; });
+  std::string averages = fmt::format("{}", least->frf.averages);
+  if (most->frf.averages != least->frf.averages) averages += fmt::format(" to {}", most->frf.averages);
+  if (most->frf.averages == 0) averages = "not stated";
+  return fmt::format("FRFs: {} lines, {:.4g} Hz apart; averages: {}\n", analysis.lines().count,
+                     analysis.lines().df_Hz(), averages);
+}
+
+// Of several FRFs the one that agrees least.
+std::string coherence_text(const Analysis& analysis) {
+  std::optional<CoherenceSummary> worst;
+  for (const auto& summary : coherence_summaries(analysis)) {
+    if (summary && (!worst || summary->mean < worst->mean)) worst = summary;
+  }
+  if (!worst && analysis.given_frfs() != nullptr) return "coherence: none in the file\n";
+  if (!worst) return "coherence: none, as no point has several hits\n";
+  return fmt::format("coherence{}: {:.4f} on average, below 0.9 on {:.1f} % of the band's lines\n",
+                     analysis.frfs().size() > 1 ? " (of the worst FRF)" : "", worst->mean, worst->below * 100);
+}
+
+std::string per_hit_text(const Analysis& analysis, std::size_t width) {
+  TextTable table({{"mode", TextTable::Align::right},
+                   {"hit", TextTable::Align::right},
+                   {"peak", TextTable::Align::right},
+                   {"frequency", TextTable::Align::right},
+                   {"damping", TextTable::Align::right},
+                   {""}});
+  for (std::size_t m = 0; m < analysis.modes().size(); ++m) {
+    for (const HitMode& found : analysis.modes_per_hit()) {
+      if (found.mode != m) continue;
+      table.add({fmt::format("{}", m), fmt::format("{}", found.hit), force_text(analysis.hits()[found.hit].hit.peak_N),
+                 with_deviation(found.pole.freq_Hz, found.freq_std_Hz) + " Hz",
+                 with_deviation(found.pole.damping_ratio * 100, found.damping_std * 100) + " %", ""});
+    }
+  }
+  return table.text(width);
+}
+
+std::string spaced(const std::string& text) { return text.empty() ? text : text + '\n'; }
+
+}  // namespace
+
+std::string analysis_text(const Analysis& analysis, const TextOptions& options) {
+  const auto wants = [&](Section section) { return options.sections.contains(section); };
+  const bool force_only = options.sections == std::set{Section::hits};
+  const auto& hits = force_only ? analysis.force_hits() : analysis.hits();
+  std::string text = heading(analysis, hits.size(), options.width) + "\n";
+  const bool has_hits = analysis.given_frfs() == nullptr;
+  if (wants(Section::hits) && has_hits) text += hits_text(analysis, hits, options.width) + "\n";
+  if (wants(Section::hits) && !force_only && has_hits) text += spaced(responses_text(analysis, options.width));
+  if (analysis.possible()) {
+    const bool frfs = wants(Section::frf) || wants(Section::coherence);
+    const bool modes = wants(Section::modes) || wants(Section::classes);
+    if (frfs && modes) analysis.make_modes_and_frfs();
+    if (wants(Section::frf)) text += frf_text(analysis);
+    if (wants(Section::coherence)) text += coherence_text(analysis);
+    if (frfs) text += '\n';
+    if (options.sketch && (wants(Section::frf) || wants(Section::modes)))
+      text += spaced(frf_sketch(analysis, options.width));
+    if (modes) text += modes_text(analysis, wants(Section::classes), options.width) + "\n";
+    if (options.per_hit) text += per_hit_text(analysis, options.width) + "\n";
+  } else {
+    text += std::string(kNoUsableHit) + "\n\n";
+  }
+  for (const Warning& warning : options.warnings ? analysis.warnings() : std::vector<Warning>{})
+    text += wrapped("! " + one_line(warning.message, 4000), options.width, 2) + "\n";
+  while (text.ends_with("\n\n")) text.pop_back();
+  return text;
+}
+
+}  // namespace percuss

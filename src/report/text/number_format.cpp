@@ -1,0 +1,30 @@
+#include "report/text/number_format.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace percuss {
+
+std::string with_deviation(double value, double deviation) {
+  if (!(deviation > 0) || !std::isfinite(deviation)) return fmt::format("{:.6g}", value);
+  // 0.0996 rounds to 0.10: the decimals follow the rounded deviation.
+  const double rounded = std::stod(fmt::format("{:.1e}", deviation));
+  const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(rounded) + 1e-9)), 0, 12);
+  return fmt::format("{:.{}f} ± {:.{}f}", value, decimals, deviation, decimals);
+}
+
+std::string short_frequency(double freq_Hz) {
+  return freq_Hz >= 1000 ? fmt::format("{:.4g} kHz", freq_Hz / 1000) : fmt::format("{:.4g} Hz", freq_Hz);
+}
+
+std::string force_text(double force_N) {
+  constexpr double kThreeDigits = 999.5, kMostDigits = 1e9;
+  const double size = std::abs(force_N);
+  if (!(size >= kThreeDigits && size < kMostDigits)) return fmt::format("{:.3g} N", force_N);
+  const double unit = std::pow(10, std::floor(std::log10(size)) - 2);
+  return fmt::format("{:.0f} N", std::round(force_N / unit) * unit);
+}
+
+}  // namespace percuss

@@ -1,0 +1,56 @@
+#include "report/text/response_summary.hpp"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "core/error.hpp"
+#include "core/math/statistics.hpp"
+#include "report/text/text_table.hpp"
+
+namespace percuss {
+namespace {
+
+struct FirstMotion {
+  std::size_t with = 0, against = 0, open = 0;  // hits
+  std::vector<double> delay_s;
+};
+
+FirstMotion first_motion(const Analysis& analysis, std::size_t channel) {
+  FirstMotion out;
+  for (const AnalysedHit& hit : analysis.hits()) {
+    if (!hit.accepted || hit.responses.size() <= channel || hit.responses[channel].dead) continue;
+    const ResponseGrade& grade = hit.responses[channel];
+    if (grade.polarity == 0) ++out.open;
+    if (grade.polarity * hit.hit.peak_N > 0) ++out.with;
+    if (grade.polarity * hit.hit.peak_N < 0) ++out.against;
+    if (grade.delay_s) out.delay_s.push_back(*grade.delay_s);
+  }
+  return out;
+}
+
+// Points may differ in direction; the hits of one have been made to agree.
+std::string direction(const FirstMotion& motion) {
+  if (motion.with > 0 && motion.against > 0)
+    return fmt::format("with the push in {} hits, against it in {}", motion.with, motion.against);
+  return motion.with > 0 ? "with the push" : "against the push";
+}
+
+}  // namespace
+
+std::string responses_text(const Analysis& analysis, std::size_t width) {
+  std::string text;
+  for (std::size_t c = 0; c < analysis.record().accel.size(); ++c) {
+    const FirstMotion motion = first_motion(analysis, c);
+    const std::string name = (text.empty() ? "" : "; ") + one_line(analysis.record().accel[c].name, 40);
+    if (!motion.delay_s.empty()) {
+      text += fmt::format("{} first moves {}, {:.2f} ms after the force's onset", name, direction(motion),
+                          median(motion.delay_s) * 1e3);
+    } else if (motion.open > 0) {
+      text += fmt::format("{}: the hits do not tell which way it first moves", name);
+    }
+  }
+  return text.empty() ? text : wrapped(text, width, 0) + "\n";
+}
+
+}  // namespace percuss

@@ -1,0 +1,10 @@
+#pragma once
+#include "pipeline/analysis.hpp"
+#include "report/text/report_text.hpp"
+
+namespace percuss {
+
+/// What an analysis did not have to do, how much of it, and why.
+ReportText skipped_text(const Analysis& analysis);
+
+}  // namespace percuss

@@ -1,0 +1,139 @@
+#include "report/text/survey_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "core/units.hpp"
+#include "report/text/analysis_tables.hpp"
+#include "report/text/analysis_text.hpp"
+#include "report/text/number_format.hpp"
+#include "report/text/text_table.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr double kAlike = 0.2;  // a MAC between two modes that is worth a word
+
+std::string plane_cell(const std::optional<TubeShape>& tube) {
+  if (!tube || !tube->plane_rad) return "–";
+  return with_deviation(*tube->plane_rad * kRadian_deg, tube->plane_std_rad * kRadian_deg) + "°";
+}
+
+std::string note_cell(const Verdict& verdict) {
+  std::string note;
+  if (verdict.double_peak) {
+    note = fmt::format("double peak, {:.3g} Hz apart{}", verdict.double_peak->separation_Hz,
+                       verdict.double_peak->quoted ? ": this one is quoted" : "");
+  }
+  if (verdict.alternative)
+    note += fmt::format("{}could be {}", note.empty() ? "" : "; ", name_of(*verdict.alternative));
+  return note;
+}
+
+}  // namespace
+
+TextTable survey_modes_table(const Survey& survey) {
+  const auto& modes = survey.analysis().modes();
+  const bool tube =
+      std::any_of(survey.tubes().begin(), survey.tubes().end(), [](const auto& t) { return t.has_value(); });
+  const bool mass = std::any_of(survey.shapes().begin(), survey.shapes().end(),
+                                [](const ModeShape& s) { return s.modal_mass_kg.has_value(); });
+  constexpr auto kRight = TextTable::Align::right;
+  std::vector<TextTable::Column> columns{{"mode", kRight}, {"family"}, {"frequency", kRight}, {"damping", kRight}};
+  if (tube) columns.insert(columns.end(), {{"n", kRight}, {"share", kRight}, {"nodes", kRight}, {"plane", kRight}});
+  columns.push_back({"MPC", kRight});
+  if (mass) columns.push_back({"modal mass", kRight});
+  columns.push_back({"note"});
+  TextTable table(columns);
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    const Mode& mode = modes[m];
+    const ModeShape& shape = survey.shapes()[m];
+    std::vector<std::string> cells{fmt::format("{}", m), family_of(survey.verdicts()[m]),
+                                   with_deviation(mode.pole.freq_Hz, mode.freq_std_Hz) + " Hz",
+                                   with_deviation(mode.pole.damping_ratio * 100, mode.damping_std * 100) + " %"};
+    if (tube) {
+      const auto& t = survey.tubes()[m];
+      cells.push_back(t ? fmt::format("{}", t->order) : "–");
+      cells.push_back(t ? fmt::format("{:.1f} %", t->energy[static_cast<std::size_t>(t->order)] * 100) : "–");
+      cells.push_back(t && t->sign_changes ? fmt::format("{}", *t->sign_changes) : "–");
+      cells.push_back(plane_cell(t));
+    }
+    cells.push_back(fmt::format("{:.4f}", shape.mpc));
+    if (mass) {
+      cells.push_back(shape.modal_mass_kg ? with_deviation(*shape.modal_mass_kg, shape.modal_mass_std_kg) + " kg"
+                                          : "–");
+    }
+    cells.push_back(note_cell(survey.verdicts()[m]));
+    table.add(std::move(cells));
+  }
+  return table;
+}
+
+namespace {
+
+std::string modes_text(const Survey& survey, std::size_t width) {
+  if (survey.analysis().modes().empty()) return "no mode stands out of the noise in the band\n";
+  return survey_modes_table(survey).text(width);
+}
+
+std::string scale_text(const Survey& survey) {
+  const auto& shapes = survey.shapes();
+  const auto unit = std::count_if(shapes.begin(), shapes.end(),
+                                  [](const ModeShape& s) { return s.normalisation == Normalisation::unit_modal_mass; });
+  if (unit == 0) return "shapes: 1 at their largest, as no driving point was measured\n";
+  std::string points;
+  for (const DrivingPoint& at : survey.driving_points())
+    points += fmt::format("{}point {} (channel {})", points.empty() ? "" : ", ", at.point, at.channel);
+  return fmt::format("shapes: unit modal mass, from the driving {}{}\n", points,
+                     static_cast<std::size_t>(unit) < shapes.size() ? "; the others 1 at their largest" : "");
+}
+
+std::string mac_text(const Survey& survey) {
+  std::string text;
+  double most = 0;
+  for (std::size_t i = 0; i < survey.macs().size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const Mac& mac = survey.macs()[i][j];
+      most = std::max(most, mac.value);
+      if (mac.value > kAlike)
+        text += fmt::format("{}{} and {} ({})", text.empty() ? "" : ", ", j, i, with_deviation(mac.value, mac.std));
+    }
+  }
+  if (survey.macs().size() < 2) return "";
+  return text.empty() ? fmt::format("MAC between different modes: {:.4f} at most\n", most)
+                      : "shapes alike on these points (MAC): modes " + text + "\n";
+}
+
+std::string frac_text(const Survey& survey) {
+  if (survey.synthesis().empty()) return "";
+  const auto worst = std::min_element(survey.synthesis().begin(), survey.synthesis().end(),
+                                      [](const SynthesisedFrf& a, const SynthesisedFrf& b) {
+                                        const bool a_strong = a.level_dB >= -20, b_strong = b.level_dB >= -20;
+                                        return a_strong != b_strong ? a_strong : a.frac < b.frac;
+                                      });
+  const auto poor = std::count_if(survey.synthesis().begin(), survey.synthesis().end(), poorly_explained);
+  return fmt::format("modes against FRFs: FRAC {:.4f} at the worst of the strong ones{}\n", worst->frac,
+                     poor > 0 ? fmt::format("; {} below 0.99", poor) : "");
+}
+
+}  // namespace
+
+std::string survey_text(const Survey& survey, bool hits, std::size_t width) {
+  std::set<Section> sections{Section::frf, Section::coherence};
+  if (hits || !survey.analysis().possible()) sections.insert(Section::hits);
+  std::string text = analysis_text(survey.analysis(), {.sections = sections, .width = width, .warnings = false});
+  if (survey.analysis().possible()) {
+    text += "\n" + modes_text(survey, width) + "\n";
+    if (!survey.shapes().empty()) text += scale_text(survey);
+    text += mac_text(survey) + frac_text(survey);
+  }
+  text += "\n";
+  for (const Warning& warning : survey.warnings())
+    text += wrapped("! " + one_line(warning.message, 4000), width, 2) + "\n";
+  while (text.ends_with("\n\n")) text.pop_back();
+  return text;
+}
+
+}  // namespace percuss

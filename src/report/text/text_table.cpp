@@ -1,0 +1,97 @@
+#include "report/text/text_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "report/text/html_escape.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr std::size_t kLeastWrap = 24;  // narrower text is harder to read than a line that runs over
+
+std::string padded(const std::string& cell, std::size_t width, TextTable::Align align) {
+  const std::string space(width - std::min(width, text_width(cell)), ' ');
+  return align == TextTable::Align::left ? cell + space : space + cell;
+}
+
+void trim_right(std::string& line) {
+  while (!line.empty() && line.back() == ' ') line.pop_back();
+}
+
+}  // namespace
+
+std::size_t text_width(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
+std::string wrapped(const std::string& text, std::size_t width, std::size_t indent) {
+  std::istringstream words(text);
+  std::string out, word;
+  std::size_t at = indent;
+  while (words >> word) {
+    const std::size_t length = text_width(word);
+    if (at > indent && at + 1 + length > width) {
+      out += '\n' + std::string(indent, ' ');
+      at = indent;
+    } else if (at > indent) {
+      out += ' ';
+      ++at;
+    }
+    out += word;
+    at += length;
+  }
+  return out;
+}
+
+std::string TextTable::text(std::size_t width) const {
+  std::vector<std::size_t> widths;
+  for (std::size_t c = 0; c < columns_.size(); ++c) {
+    std::size_t most = text_width(columns_[c].head);
+    for (const auto& row : rows_) most = std::max(most, text_width(row[c]));
+    widths.push_back(most);
+  }
+  std::size_t before_last = 0;
+  for (std::size_t c = 0; c + 1 < widths.size(); ++c) before_last += widths[c] + 2;
+  const std::size_t limit = std::max(width, before_last + kLeastWrap);
+  const auto line = [&](const std::vector<std::string>& cells) {
+    std::string text;
+    for (std::size_t c = 0; c + 1 < cells.size(); ++c) text += padded(cells[c], widths[c], columns_[c].align) + "  ";
+    text += wrapped(cells.back(), limit, before_last);
+    trim_right(text);
+    return text + '\n';
+  };
+  std::vector<std::string> heads;
+  for (const Column& column : columns_) heads.push_back(column.head);
+  for (std::size_t c = 0; c < heads.size(); ++c)
+    heads[c] = c + 1 < heads.size() ? padded(heads[c], widths[c], columns_[c].align) : heads[c];
+  std::string out = line(heads);
+  for (const auto& row : rows_) out += line(row);
+  return out;
+}
+
+std::string TextTable::html() const {
+  const auto wraps = [&](std::size_t c) {  // words; what is shorter stays on one line
+    return std::any_of(rows_.begin(), rows_.end(), [&](const auto& row) { return text_width(row[c]) > kLeastWrap; });
+  };
+  std::vector<std::string> kinds;
+  for (std::size_t c = 0; c < columns_.size(); ++c)
+    kinds.emplace_back(columns_[c].align == Align::right ? " class=\"right\"" : wraps(c) ? " class=\"words\"" : "");
+  const auto line = [&](const char* tag, const std::vector<std::string>& cells) {
+    std::string out = "<tr>";
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      out += fmt::format("<{0}{1}>{2}</{0}>", tag, kinds[c], html_text(cells[c]));
+    }
+    return out + "</tr>\n";
+  };
+  std::vector<std::string> heads;
+  for (const Column& column : columns_) heads.push_back(column.head);
+  std::string out = "<table>\n<thead>" + line("th", heads) + "</thead>\n<tbody>\n";
+  for (const auto& row : rows_) out += line("td", row);
+  return out + "</tbody>\n</table>\n";
+}
+
+}  // namespace percuss

@@ -1,7 +1,0 @@
-#include "report/version.hpp"
-
-namespace percuss {
-
-const char* version() { return PERCUSS_VERSION; }
-
-}  // namespace percuss

@@ -1,0 +1,240 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <random>
+
+#include "acquire/channels/csv_columns.hpp"
+#include "acquire/formats/sound/sound_calibration.hpp"
+#include "acquire/formats/sound/sound_file.hpp"
+#include "acquire/record/record.hpp"
+#include "acquire/write_record.hpp"
+#include "support/csv_text.hpp"
+#include "support/input_error.hpp"
+#include "support/scratch_folder.hpp"
+#include "support/synthetic_files.hpp"
+
+namespace percuss::sound_record_test {
+
+using test::accel_mps2;
+using test::force_N;
+using test::input_error_of;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// Little-endian, or big-endian for RIFX.
+std::string number(std::uint64_t value, std::size_t bytes, bool big = false) {
+  std::string out;
+  for (std::size_t i = 0; i < bytes; ++i) out += static_cast<char>(value >> 8U * (big ? bytes - 1 - i : i) & 0xFFU);
+  return out;
+}
+
+struct Wav {
+  std::uint64_t kind = 1, channels = 2, rate_Hz = 1000, bits = 16;  // kind 1: integers, 3: floating point
+  bool big = false;
+  std::string before = {};                    // chunks before the samples
+  std::optional<std::uint64_t> claimed = {};  // length of the samples
+};
+
+/// A WAV file as its description lays it out.
+std::string wav(const Wav& w, const std::string& samples) {
+  const auto n = [&](std::uint64_t value, std::size_t bytes) { return number(value, bytes, w.big); };
+  const std::uint64_t frame = w.channels * w.bits / 8;
+  const std::string format =
+      n(w.kind, 2) + n(w.channels, 2) + n(w.rate_Hz, 4) + n(w.rate_Hz * frame, 4) + n(frame, 2) + n(w.bits, 2);
+  const std::string body = "WAVEfmt " + n(format.size(), 4) + format + w.before + "data" +
+                           n(w.claimed.value_or(samples.size()), 4) + samples;
+  return (w.big ? "RIFX" : "RIFF") + n(body.size(), 4) + body;
+}
+
+std::string integers(const std::vector<int>& values, std::size_t bytes, bool big = false) {
+  std::string out;
+  for (const int value : values) out += number(static_cast<std::uint32_t>(value), bytes, big);
+  return out;
+}
+
+std::string calibration_chunk(std::string text) {
+  text.resize((text.size() + 1) / 2 * 2, ' ');
+  return "CAL1" + number(text.size(), 4) + text;
+}
+
+class SoundRecord : public testing::Test {
+ protected:
+  Record opened(const std::string& bytes, const ReadOptions& options = {}) const {
+    test::write_bytes(path_, bytes);
+    return open_record(path_, options);
+  }
+  test::ScratchFolder folder_;
+  std::string path_ = folder_.file("r.wav");
+};
+
+const ReadOptions kHammerOnOne{.force_channel = "1", .accel_channels = {"2"}};
+
+TEST_F(SoundRecord, IsReadFromEveryWidthAndByteOrder) {
+  const std::vector<int> values{0, 1 << 6, 1 << 5, -(1 << 6), 1 << 4, 3};
+  for (const std::uint64_t bits : {16U, 24U, 32U}) {
+    for (const bool big : {false, true}) {
+      SCOPED_TRACE(testing::Message() << bits << (big ? " big" : " little"));
+      std::vector<int> shifted;
+      shifted.reserve(values.size());
+      for (const int value : values) shifted.push_back(value * (1 << (bits - 8)));
+      const Record record = opened(wav({.bits = bits, .big = big}, integers(shifted, bits / 8, big)), kHammerOnOne);
+      EXPECT_EQ(record.format, "WAV");
+      EXPECT_EQ(record.fs_Hz, 1000);
+      EXPECT_TRUE(record.continuous);
+      EXPECT_THAT(force_N(record), ElementsAre(0, 0.25, 0.125));
+      EXPECT_THAT(accel_mps2(record), ElementsAre(0.5, -0.5, 3.0 / 128));
+    }
+  }
+}
+
+TEST_F(SoundRecord, KeepsFloatingPointNumbersAsTheyAre) {
+  std::string samples;
+  for (const float value : {0.0F, 1e-3F, 250.5F, -2e4F}) samples.append(reinterpret_cast<const char*>(&value), 4);
+  const Record record = opened(wav({.kind = 3, .bits = 32}, samples), kHammerOnOne);
+  EXPECT_THAT(force_N(record), ElementsAre(0, 250.5));
+  EXPECT_THAT(accel_mps2(record), ElementsAre(static_cast<double>(1e-3F), -2e4));
+}
+
+TEST_F(SoundRecord, IsCalibratedByOptions) {
+  ReadOptions options = kHammerOnOne;
+  const std::string bytes = wav({}, integers({1 << 14, 1 << 14, 0, 0}, 2));
+  EXPECT_THAT(opened(bytes, options).notes, Contains(HasSubstr("--force-scale")));
+  options.force_scale = {1000};
+  options.accel_scale = {98.0665};
+  const Record record = opened(bytes, options);
+  EXPECT_THAT(force_N(record), ElementsAre(500, 0));
+  EXPECT_THAT(accel_mps2(record), ElementsAre(0.5 * 98.0665, 0));
+  EXPECT_TRUE(record.notes.empty());
+}
+
+TEST_F(SoundRecord, IsCalibratedByItsChunk) {
+  const std::string chunk = calibration_chunk(
+      R"({"fs_hz": 999.5, "signals": [{"name": "hammer", "measures": "force", "si_at_full_scale": 2048},)"
+      R"( {"name": "barrel", "measures": "acceleration", "si_at_full_scale": -100, "angle_rad": 0.5}],)"
+      R"( "rows": [{"samples": 2, "point": 3}, {"samples": 2, "point": 4}]})");
+  const Record record = opened(wav({.before = chunk}, integers({0, 0, 1 << 14, 1 << 14, 0, 1 << 13, 0, 0}, 2)));
+  EXPECT_EQ(record.fs_Hz, 999.5);
+  ASSERT_EQ(record.rows.size(), 2U);
+  EXPECT_EQ(record.rows[1].point, 4);
+  EXPECT_FALSE(record.continuous);
+  EXPECT_EQ(record.accel.at(0).name, "barrel");
+  EXPECT_EQ(record.accel[0].angle_rad, 0.5);
+  EXPECT_THAT(force_N(record, 0), ElementsAre(0, 1024));
+  EXPECT_THAT(accel_mps2(record, 0, 1), ElementsAre(-25, 0));
+}
+
+TEST_F(SoundRecord, TakesTheOtherChannelsForSensorsOnceTheHammerIsNamed) {
+  const std::string bytes = wav({.channels = 3}, integers({1 << 14, 0, 1 << 13, 0, 1 << 14, 0}, 2));
+  const Record record = opened(bytes, {.force_channel = "2"});
+  EXPECT_EQ(record.force.name, "channel 2");
+  ASSERT_EQ(record.accel.size(), 2U);
+  EXPECT_THAT(force_N(record), ElementsAre(0, 0.5));
+  EXPECT_THAT(accel_mps2(record, 1), ElementsAre(0.25, 0));
+}
+
+TEST_F(SoundRecord, AsksWhichChannelIsTheHammer) {
+  EXPECT_THROW(opened(wav({}, integers({1, 2, 3, 4}, 2))), UnclearColumns);
+}
+
+TEST_F(SoundRecord, ReadsWhatIsThereOfARecordingThatWasCutOff) {
+  const std::string samples = integers({0, 0, 1 << 14, 1 << 14}, 2);
+  EXPECT_THAT(force_N(opened(wav({.claimed = 4000}, samples), kHammerOnOne)), ElementsAre(0, 0.5));
+  const std::string chunk = calibration_chunk(
+      R"({"signals": [{"name": "f", "measures": "force", "si_at_full_scale": 1}, {"si_at_full_scale": 1}],)"
+      R"( "rows": [{"samples": 2}, {"samples": 2}]})");
+  const Record record = opened(wav({.before = chunk}, samples));
+  EXPECT_EQ(record.rows.size(), 1U);
+  EXPECT_THAT(record.notes, Contains(HasSubstr("ends early: 1 of 2 rows")));
+}
+
+TEST_F(SoundRecord, RefusesWhatIsNoMeasurement) {
+  const auto error = [&](const std::string& bytes) { return input_error_of([&] { opened(bytes, kHammerOnOne); }); };
+  EXPECT_THAT(error(wav({.kind = 6, .bits = 8}, std::string(400, 'x'))), HasSubstr("compressed"));
+  EXPECT_THAT(error(wav({.channels = 0}, "xxxx")), HasSubstr(path_));
+  EXPECT_THAT(error(wav({.rate_Hz = 0}, integers({1, 2, 3, 4}, 2))), HasSubstr(path_));
+  EXPECT_THAT(error(wav({.before = calibration_chunk("[")}, integers({1, 2, 3, 4}, 2))), HasSubstr("CAL1"));
+  EXPECT_THAT(error(wav({.before = calibration_chunk(R"({"signals": []})")}, integers({1, 2, 3, 4}, 2))),
+              HasSubstr("0 signals described, 2 channels"));
+  std::string samples;
+  for (const float value : {0.0F, NAN, 1.0F, 2.0F}) samples.append(reinterpret_cast<const char*>(&value), 4);
+  EXPECT_THAT(input_error_of([&] {
+                const Record record = opened(wav({.kind = 3, .bits = 32}, samples), kHammerOnOne);
+                accel_mps2(record);
+              }),
+              HasSubstr("not a finite number"));
+}
+
+TEST_F(SoundRecord, SurvivesBeingCutAnywhereAndChangedAnywhere) {
+  const std::string chunk = calibration_chunk(
+      R"({"signals": [{"name": "f", "measures": "force", "si_at_full_scale": 1}, {"si_at_full_scale": 1}]})");
+  const std::string whole = wav({.before = chunk}, integers({0, 0, 1 << 14, 1 << 14, 3, 4}, 2));
+  const auto read_all = [&](const std::string& bytes) {
+    try {
+      const Record record = opened(bytes);
+      for (std::size_t row = 0; row < record.rows.size(); ++row) accel_mps2(record, 0, row);
+    } catch (const std::runtime_error&) {  // refused: as good
+    }
+  };
+  for (std::size_t length = 0; length < whole.size(); ++length) read_all(whole.substr(0, length));
+  std::mt19937 random(3);
+  for (int trial = 0; trial < 2000; ++trial) {
+    std::string changed = whole;
+    for (int i = 0; i < 3; ++i) changed[random() % changed.size()] = static_cast<char>(random() & 0xFFU);
+    read_all(changed);
+  }
+}
+
+TEST(SoundCalibration, IsReadAsItWasWritten) {
+  const SoundCalibration made{.fs_Hz = 51200.0 / 3,
+                              .signals = {{.name = "f \"1\"", .measures = Quantity::force, .to_SI = 0.1},
+                                          {.name = "a", .to_SI = -3, .angle_rad = 0.1, .position_m = 1e-3}},
+                              .rows = {{.samples = 7, .point = -1, .run = 2}},
+                              .continuous = true,
+                              .geometry = {{0.1, 0.2}, {0.3, 0.4}}};
+  const std::string text = calibration_text(made);
+  const SoundCalibration read = parse_calibration(text, "x");
+  EXPECT_EQ(calibration_text(read), text);
+  EXPECT_EQ(read.fs_Hz, made.fs_Hz);
+  EXPECT_EQ(read.signals[1].to_SI, -3);
+  EXPECT_EQ(read.geometry, made.geometry);
+  EXPECT_EQ(read.rows[0].point, -1);
+}
+
+TEST_F(SoundRecord, WrittenKeepsEveryDigitInWavAndRf64) {
+  for (const char* name : {"w.wav", "w.rf64"}) {
+    Record record = record_in_memory(44100.25, {{0, 300.1, -5}, {1e-9, 2, 3}}, {{{0.1, 7e4, 3}}, {{1, 1.0 / 3, -1}}});
+    record.accel[0].angle_rad = 0.25;
+    record.rows[1].point = 5;
+    const std::string path = folder_.file(name);
+    write_record(path, record, false);
+    const Record read = open_record(path);
+    EXPECT_EQ(read.fs_Hz, record.fs_Hz);
+    EXPECT_EQ(read.accel[0].angle_rad, 0.25);
+    ASSERT_EQ(read.rows.size(), 2U);
+    EXPECT_EQ(read.rows[1].point, 5);
+    for (std::size_t row = 0; row < 2; ++row) {
+      EXPECT_EQ(force_N(read, row), force_N(record, row));
+      EXPECT_EQ(accel_mps2(read, 0, row), accel_mps2(record, 0, row));
+    }
+    const SoundInput sound(path);
+    std::vector<double> stored(sound.frames());
+    sound.read(0, 0, stored);
+    for (const double value : stored) EXPECT_LE(std::abs(value), 1) << "players cut what is beyond";
+  }
+}
+
+TEST_F(SoundRecord, WrittenAsW64HoldsPlainNumbers) {
+  const Record record = record_in_memory(1000, {{0, 300.1, -5}}, {{{0.1, 7e4, 3}}});
+  const std::string path = folder_.file("w.w64");
+  EXPECT_THAT(losses_of(path, record), ElementsAre("the channels' names"));
+  write_record(path, record, false);
+  const Record read = open_record(path, kHammerOnOne);
+  EXPECT_EQ(read.format, "W64");
+  EXPECT_EQ(force_N(read), force_N(record));
+  EXPECT_EQ(accel_mps2(read), accel_mps2(record));
+}
+
+}  // namespace percuss::sound_record_test

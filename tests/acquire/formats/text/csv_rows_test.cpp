@@ -1,0 +1,113 @@
+#include "acquire/formats/text/csv_rows.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support/csv_text.hpp"
+#include "support/input_error.hpp"
+
+namespace percuss::csv_rows_test {
+
+using test::csv_record;
+using test::input_error_of;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+std::string lines_at(const std::string& head, double step, int count, const std::string& tail) {
+  std::string text = head;
+  for (int i = 0; i < count; ++i) text += std::to_string(step * i) + tail;
+  return text;
+}
+
+TEST(CsvRows, AreHits) {
+  const Record record = csv_record("hit,t_s,force_N,acc_g\n0,0,1,2\n0,0.1,3,4\n0,0.2,5,6\n3,0,7,8\n3,0.1,9,10\n");
+  ASSERT_EQ(record.rows.size(), 2U);
+  EXPECT_EQ(record.rows[0].samples, 3U);
+  EXPECT_EQ(record.rows[1].samples, 2U);
+  EXPECT_THAT(test::force_N(record, 1), ElementsAre(7, 9));
+  EXPECT_EQ(record.fs_Hz, 10);
+}
+
+TEST(CsvRows, CarryPointAndRun) {
+  const Record record = csv_record(
+      "run,point,hit,t_s,force_N,acc_g\n0,5,0,0,1,2\n0,5,0,0.1,3,4\n0,6,0,0,5,6\n0,6,0,0.1,7,8\n1,6,0,0,9,8\n1,6,0,0.1,"
+      "7,8\n");
+  ASSERT_EQ(record.rows.size(), 3U);
+  EXPECT_EQ(record.rows[0].point, 5);
+  EXPECT_EQ(record.rows[1].point, 6);
+  EXPECT_EQ(record.rows[1].run, 0);
+  EXPECT_EQ(record.rows[2].run, 1);
+}
+
+TEST(CsvRows, RefuseHitsThatComeBack) {
+  EXPECT_THAT(input_error_of(
+                  [] { csv_record("hit,t_s,force_N,acc_g\n0,0,1,2\n0,1,1,2\n1,0,1,2\n1,1,1,2\n0,0,1,2\n0,1,1,2\n"); }),
+              HasSubstr("hit 0 comes back after another (x.csv: line 6)"));
+}
+
+TEST(CsvRows, RefuseNumbersOfHitsThatAreNotWhole) {
+  for (const char* hit : {"0.5", "", "nan", "1e12", "x"}) {
+    const std::string text =
+        std::string("hit,t_s,force_N,acc_g\n0,0,1,2\n0,0.1,1,2\n") + hit + ",0,1,2\n1,0,1,2\n1,0.1,1,2\n1,0.2,1,2\n";
+    EXPECT_THAT(input_error_of([&] { csv_record(text); }), HasSubstr("is not a whole number (x.csv: line 4, column 1"))
+        << hit;
+  }
+}
+
+TEST(CsvRows, RefuseARowOfOneSample) {
+  EXPECT_THAT(input_error_of([] { csv_record("hit,t_s,force_N,acc_g\n0,0,1,2\n0,0.1,1,2\n1,0,1,2\n"); }),
+              HasSubstr("fewer than two samples (x.csv: line 4)"));
+}
+
+TEST(CsvRate, IsTheUsersWhateverTheFileSays) {
+  EXPECT_EQ(csv_record("t_s,force_N,acc_g\n0,1,2\n0.1,1,2\n7,1,2\n", {.fs_Hz = 25600}).fs_Hz, 25600);
+  for (const double fs_Hz :
+       {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e12}) {
+    EXPECT_THAT(input_error_of([&] { csv_record("force_N,acc_g\n1,2\n1,2\n", {.fs_Hz = fs_Hz}); }), HasSubstr("--fs"))
+        << fs_Hz;
+  }
+}
+
+TEST(CsvRate, ComesFromTheTimeInItsUnit) {
+  EXPECT_EQ(csv_record("Time (ms),force_N,acc_g\n0,1,2\n0.5,1,2\n1.0,1,2\n").fs_Hz, 2000);
+  EXPECT_EQ(csv_record("time_us,force_N,acc_g\n100,1,2\n110,1,2\n120,1,2\n").fs_Hz, 100000);
+}
+
+TEST(CsvRate, ComesFromTheHeaderWithoutATimeColumn) {
+  const Record record = csv_record("Sampling Rate(Hz),50\nforce_N,acc_g\n1,2\n1,2\n");
+  EXPECT_EQ(record.fs_Hz, 50);
+  EXPECT_THAT(record.notes, IsEmpty());
+}
+
+TEST(CsvRate, NamesBothWhenTwoDisagree) {
+  const std::string text = lines_at("Sampling Rate(Hz),50\nt_s,force_N,acc_g\n", 0.01, 100, ",1,2\n");
+  const std::string message = input_error_of([&] { csv_record(text); });
+  EXPECT_THAT(message, HasSubstr("50 Hz by \"Sampling Rate(Hz),50\""));
+  EXPECT_THAT(message, HasSubstr("100 Hz by the column t_s"));
+  EXPECT_EQ(csv_record(text, {.fs_Hz = 50}).fs_Hz, 50);
+}
+
+TEST(CsvRate, IsMissedWithARemedy) {
+  EXPECT_THAT(input_error_of([] { csv_record("force_N,acc_g\n1,2\n1,2\n"); }), HasSubstr("no sampling rate"));
+  EXPECT_THAT(input_error_of([] { csv_record("sample,force_N,acc_g\n0,1,2\n1,1,2\n2,1,2\n"); }),
+              HasSubstr("give --fs"));
+  EXPECT_THAT(input_error_of([] { csv_record("CH No.,force_N,acc_g\n0,1,2\n1,1,2\n2,1,2\n"); }),
+              HasSubstr("give --fs"));
+}
+
+TEST(CsvRate, TakesAFirstColumnThatRisesEvenlyForTimeAndSaysSo) {
+  const Record record = csv_record("CH No.,force_N,acc_g\n0,1,2\n0.02,1,2\n0.04,1,2\n");
+  EXPECT_EQ(record.fs_Hz, 50);
+  EXPECT_THAT(record.notes, ElementsAre(HasSubstr("CH No.")));
+}
+
+TEST(CsvRate, NamesTheLineWhereTimeIsUneven) {
+  EXPECT_THAT(
+      input_error_of([] { csv_record("t_s,force_N,acc_g\n0,1,2\n0.1,1,2\n0.2,1,2\n0.4,1,2\n0.5,1,2\n0.6,1,2\n"); }),
+      HasSubstr("uneven time: a step of 0.2 s where 0.1 s is usual (x.csv: line 5, column 1 (t_s)); give --fs"));
+  EXPECT_THAT(input_error_of([] { csv_record("t_s,force_N,acc_g\n0,1,2\n,1,2\n0.2,1,2\n"); }),
+              HasSubstr("the time is empty (x.csv: line 3"));
+}
+
+}  // namespace percuss::csv_rows_test

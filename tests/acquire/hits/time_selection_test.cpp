@@ -1,0 +1,48 @@
+#include "acquire/hits/time_selection.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/force_row.hpp"
+#include "support/input_error.hpp"
+
+namespace percuss::asked_part_test {
+
+using test::input_error_of;
+using testing::HasSubstr;
+
+const Record& record() {
+  static const Record one = test::force_record(1000, {std::vector<double>(500), std::vector<double>(2000)});
+  return one;
+}
+
+TEST(AskedPart, IsTheWholeRowUnlessTheUserSaysSo) {
+  const Part part = asked_part(record(), 1, {});
+  EXPECT_EQ(part.first, 0U);
+  EXPECT_EQ(part.last, 2000U);
+}
+
+TEST(AskedPart, EndsWithTheRowWhateverIsAsked) {
+  const Part part = asked_part(record(), 0, {.from_s = 0.25, .to_s = 1e300});
+  EXPECT_EQ(part.first, 250U);
+  EXPECT_EQ(part.last, 500U);
+}
+
+TEST(AskedPart, RefusesWhatHoldsNothing) {
+  for (const HitOptions& options : {HitOptions{.from_s = 0.5}, HitOptions{.from_s = 0.3, .to_s = 0.3}}) {
+    EXPECT_THAT(input_error_of([&] { asked_part(record(), 0, options); }), HasSubstr("the row is 0.5 s long"));
+  }
+}
+
+TEST(PretriggerSamples, AreFiveMillisecondsBut128AtLeast) {
+  EXPECT_EQ(pretrigger_samples(record(), {}), 128U);
+  EXPECT_EQ(pretrigger_samples(test::force_record(100000, {{0.0}}), {}), 500U);
+  EXPECT_EQ(pretrigger_samples(record(), {.pretrigger_s = 0.02}), 20U);
+}
+
+TEST(AskedLength, HoldsTwoSamplesAtLeast) {
+  EXPECT_EQ(asked_length(record(), {}), std::nullopt);
+  EXPECT_EQ(asked_length(record(), {.length_s = 0.1}), 100U);
+  EXPECT_THAT(input_error_of([] { asked_length(record(), {.length_s = 0.001}); }), HasSubstr("two samples"));
+}
+
+}  // namespace percuss::asked_part_test

@@ -1,0 +1,212 @@
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <csignal>
+#include <fstream>
+#include <future>
+#include <random>
+#include <thread>
+
+#include "acquire/channels/csv_columns.hpp"
+#include "acquire/formats/hdf5/hdf5_handle.hpp"
+#include "acquire/formats/hdf5/write_hdf5.hpp"
+#include "acquire/formats/mat/write_mat.hpp"
+#include "acquire/sandbox/sandbox_process.hpp"
+#include "acquire/sandbox/sandbox_record.hpp"
+#include "core/error.hpp"
+#include "frf/formats/frf_record.hpp"
+#include "support/csv_text.hpp"
+#include "support/input_error.hpp"
+#include "support/mat_builder.hpp"
+#include "support/percuss_process.hpp"
+#include "support/rejection.hpp"
+#include "support/scratch_folder.hpp"
+#include "support/synthetic_files.hpp"
+
+namespace percuss::confined_test {
+
+using test::accel_mps2;
+using test::force_N;
+using test::input_error_of;
+using testing::AllOf;
+using testing::AnyOf;
+using testing::HasSubstr;
+
+Record small_record() { return record_in_memory(1000, {{1, 2, 3}, {4, 5, 6}}, {{{7, 8, 9}}, {{10, 11, 12}}}); }
+
+class Confined : public testing::Test {
+ protected:
+  /// The message when the reader of a file does that in its confined process.
+  std::string message_when(const std::function<void()>& happens) const {
+    return input_error_of([&] {
+      open_confined(path_, [&] {
+        happens();
+        return small_record();
+      });
+    });
+  }
+  test::ScratchFolder folder_;
+  std::string path_ = folder_.file("r.mat");
+};
+
+TEST_F(Confined, GivesTheRecordThatTheReaderGives) {
+  for (const char* name : {"r.mat", "r.h5"}) {
+    const std::string path = folder_.file(name);
+    if (path.ends_with("mat")) {
+      write_mat(path, small_record(), false);
+    } else {
+      write_hdf5(path, small_record(), false);
+    }
+    const Record here = open_record(path), there = open_record(path, {.confined = true});
+    EXPECT_EQ(there.fs_Hz, here.fs_Hz);
+    EXPECT_EQ(there.format, here.format);
+    EXPECT_EQ(there.accel[0].name, here.accel[0].name);
+    EXPECT_EQ(there.rows.size(), here.rows.size());
+    EXPECT_EQ(force_N(there, 1), force_N(here, 1));
+    EXPECT_EQ(accel_mps2(there, 0, 1), accel_mps2(here, 0, 1));
+  }
+}
+
+TEST_F(Confined, ServesMoreThanGoesOverAtOnce) {
+  std::vector<double> force(400'000), accel(400'000);
+  for (std::size_t i = 0; i < force.size(); ++i) {
+    force[i] = static_cast<double>(i);
+    accel[i] = -static_cast<double>(i);
+  }
+  const Record record = open_confined(path_, [&] { return record_in_memory(1000, {force}, {{accel}}); });
+  EXPECT_EQ(force_N(record), force);
+  EXPECT_EQ(accel_mps2(record), accel);
+}
+
+TEST_F(Confined, PassesOnWhatTheReaderRefuses) {
+  EXPECT_EQ(message_when([] { throw InputError("wrong", "here", "mend it"); }), "wrong (here); mend it");
+  test::MatBuilder(path_, test::MatLevel::v5).numbers("a", {3, 1}, {1, 2, 3}).numbers("fs", {1, 1}, {9});
+  try {
+    open_record(path_, {.confined = true});
+    ADD_FAILURE();
+  } catch (const UnclearColumns& unclear) {
+    EXPECT_EQ(unclear.columns.at(0).name, "a");
+    EXPECT_EQ(unclear.format, "MAT");
+    EXPECT_EQ(unclear.fs_Hz, 9);
+  }
+  const Record record = open_confined(path_, [] {
+    Record bad = small_record();
+    bad.read_force_N = [](std::size_t, std::size_t, std::span<double>) { throw InputError("bad sample", "x", "y"); };
+    return bad;
+  });
+  EXPECT_THAT(input_error_of([&] { force_N(record); }), HasSubstr("bad sample"));
+  EXPECT_EQ(accel_mps2(record)[0], 7) << "and goes on";
+}
+
+TEST_F(Confined, TurnsACrashIntoOneLine) {
+  EXPECT_THAT(message_when([] { std::raise(SIGSEGV); }), AllOf(HasSubstr("crash"), HasSubstr(path_)));
+  EXPECT_THAT(message_when([] { ::_exit(7); }), HasSubstr("crash"));
+  const Record record = open_confined(path_, [] {
+    Record bad = small_record();
+    bad.read_force_N = [](std::size_t, std::size_t, std::span<double>) { std::raise(SIGABRT); };
+    return bad;
+  });
+  EXPECT_THAT(input_error_of([&] { force_N(record); }), HasSubstr("crash"));
+  EXPECT_THAT(input_error_of([&] { force_N(record); }), HasSubstr("has ended"));
+}
+
+TEST_F(Confined, LetsTheReaderWriteNothingAndTalkToNobody) {
+  const std::string other = folder_.file("other");
+  test::write_bytes(other, "kept");
+  EXPECT_THAT(message_when([&] {
+                const int written = ::open(other.c_str(), O_WRONLY | O_TRUNC);
+                const int made = ::open(folder_.file("made").c_str(), O_RDWR | O_CREAT, 0600);
+                const int talk = ::socket(AF_INET, SOCK_STREAM, 0);
+                const int gone = ::unlink(other.c_str());
+                const int child = ::fork();
+                throw InputError(std::to_string(written + made + talk + gone + child), "sum", "of refusals");
+              }),
+              HasSubstr("-5"));
+  EXPECT_EQ(test::bytes_of(other), "kept");
+}
+
+TEST_F(Confined, EndsWhatWaitsForEver) {
+  const auto wait = [] {
+    std::promise<ConfinedService> never;
+    return never.get_future().get();
+  };
+  EXPECT_THAT(input_error_of([&] { ConfinedProcess(path_, wait, 1); }), HasSubstr("takes longer"));
+  const auto serve = [&] {
+    return ConfinedService{.description = "d",
+                           .read = [&](std::size_t, std::size_t, std::size_t, std::span<double>) { wait(); }};
+  };
+  ConfinedProcess served(path_, serve, 1);
+  ::usleep(1'500'000);  // between requests it may wait as long as it likes
+  std::vector<double> out(3);
+  EXPECT_THAT(input_error_of([&] { served.read(0, 0, 0, out); }), HasSubstr("takes longer"));
+}
+
+// Another thread within the library while this one forks.
+TEST_F(Confined, BeginsWithLibrariesAtRest) {
+  std::atomic<bool> stop = false;
+  std::thread other([&] {
+    while (!stop) const hdf5::Lock lock;
+  });
+  for (int i = 0; i < 20; ++i) {
+    EXPECT_THAT(message_when([] {
+                  const hdf5::Lock lock;
+                  throw InputError("got it", "here", "now");
+                }),
+                HasSubstr("got it"));
+  }
+  stop = true;
+  other.join();
+}
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && !defined(__clang__)  // they need terabytes
+TEST_F(Confined, LimitsMemory) {
+  EXPECT_THAT(message_when([] {
+                const std::vector<char> much(std::size_t{3} << 30U);
+                throw InputError(std::to_string(much.size()), "was", "there");
+              }),
+              HasSubstr("more memory"));
+}
+#endif
+
+// libmatio crashes on a few of these; percuss may not.
+TEST_F(Confined, SurvivesMatFilesDamagedAnywhere) {
+  std::mt19937 random(73);
+  for (const auto level : {test::MatLevel::v5, test::MatLevel::v5_packed, test::MatLevel::v73}) {
+    std::vector<double> samples(200, 1.5);
+    samples[50] = 100;
+    test::MatBuilder(path_, level)
+        .numbers("fs", {1, 1}, {1000})
+        .numbers("force", {200, 1}, samples)
+        .structure("s", {"accel", "x"}, {{samples, {1, 2}}});
+    const std::string good = test::bytes_of(path_);
+    for (int i = 0; i < 150; ++i) {
+      std::string damaged = good;
+      for (int n = 0; n < 1 + i % 3; ++n) {
+        damaged[random() % (i % 2 == 0 ? std::min<std::size_t>(600, good.size()) : good.size())] =
+            static_cast<char>(random() & 0xFFU);
+      }
+      test::write_bytes(path_, damaged);
+      try {
+        const auto opened = open_measurement(path_, {.read = {.confined = true}});
+        if (const auto* record = std::get_if<Record>(&opened)) force_N(*record);
+      } catch (const InputError&) {
+      }
+    }
+  }
+}
+
+TEST_F(Confined, IsHowTheCommandsReadUnlessTold) {
+  test::write_small_test(path_);
+  const auto confined = test::run_percuss({"analyze", path_, "--json"});
+  const auto trusting = test::run_percuss({"analyze", path_, "--json", "--trust-input"});
+  EXPECT_EQ(confined.code, 0) << confined.err;
+  EXPECT_EQ(confined.out, trusting.out);
+  test::write_bytes(path_, "MATLAB 5.0 MAT-file" + std::string(200, ' '));
+  test::expect_every_command_refuses(path_, path_);
+}
+
+}  // namespace percuss::confined_test

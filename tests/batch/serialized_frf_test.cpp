@@ -1,0 +1,69 @@
+#include "batch/serialized_frf.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/error.hpp"
+#include "report/text/digest.hpp"
+
+namespace percuss::packed_frf_test {
+
+FrfRecord small_record() {
+  FrfRecord record;
+  record.lines = {.fs_Hz = 1000, .samples = 100, .first = 7, .count = 2};
+  record.accel = {{.name = "a", .angle_rad = 0.5}, {.name = "b", .position_m = 0.05}};
+  record.estimator = "Hv";
+  record.decay_per_s = 3;
+  for (std::size_t c = 0; c < 2; ++c) {
+    record.frfs.push_back({.point = 4, .channel = c, .frf = {}});
+    record.frfs.back().frf.value = {Complex(1, 2), Complex(3, -4)};
+    record.frfs.back().frf.averages = 5;
+  }
+  record.frfs[0].frf.std = {0.1, 0.2};
+  record.frfs[0].frf.coherence = {1, 0.9};
+  return record;
+}
+
+TEST(PackedFrf, ComesBackAsItWas) {
+  const FrfRecord record = small_record(), back = unpacked_frfs(packed_frfs(record), "here");
+  EXPECT_EQ(back.lines.fs_Hz, 1000);
+  EXPECT_EQ(back.lines.samples, 100U);
+  EXPECT_EQ(back.lines.first, 7U);
+  EXPECT_EQ(back.estimator, "Hv");
+  EXPECT_EQ(back.decay_per_s, 3);
+  ASSERT_EQ(back.accel.size(), 2U);
+  EXPECT_EQ(back.accel[0].angle_rad, 0.5);
+  EXPECT_EQ(back.accel[1].position_m, 0.05);
+  ASSERT_EQ(back.frfs.size(), 2U);
+  EXPECT_EQ(back.frfs[1].channel, 1U);
+  EXPECT_EQ(back.frfs[1].point, 4);
+  EXPECT_EQ(back.frfs[1].frf.value, record.frfs[1].frf.value);
+  EXPECT_EQ(back.frfs[0].frf.std, record.frfs[0].frf.std);
+  EXPECT_EQ(back.frfs[0].frf.coherence, record.frfs[0].frf.coherence);
+  EXPECT_EQ(back.frfs[0].frf.averages, 5U);
+  EXPECT_EQ(packed_frfs(back), packed_frfs(record));
+}
+
+TEST(PackedFrf, IsRefusedWhenItIsCutOffOrChanged) {
+  const std::string text = packed_frfs(small_record());
+  for (std::size_t length = 0; length < text.size(); ++length)
+    EXPECT_THROW(unpacked_frfs(text.substr(0, length), "here"), InputError) << length;
+  FrfRecord record = small_record();
+  record.lines.count = 3;
+  EXPECT_THROW(unpacked_frfs(packed_frfs(record), "here"), InputError);
+  record = small_record();
+  record.frfs[0].channel = 2;
+  EXPECT_THROW(unpacked_frfs(packed_frfs(record), "here"), InputError);
+}
+
+TEST(Base64, ComesBackAsItWas) {
+  std::string bytes;
+  for (int i = 0; i < 300; ++i) {
+    EXPECT_EQ(from_base64(base64({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()})), bytes);
+    bytes += static_cast<char>(i * 37);
+  }
+  EXPECT_EQ(from_base64("Zm9vYmE="), "fooba");  // RFC 4648
+  for (const char* bad : {"Zm9", "Zm9*", "Z===", "Zm=v", "\xff\xff\xff\xff"})
+    EXPECT_THROW(from_base64(bad), std::out_of_range) << bad;
+}
+
+}  // namespace percuss::packed_frf_test

@@ -1,0 +1,303 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "support/json_schema.hpp"
+#include "support/percuss_process.hpp"
+#include "support/rejection.hpp"
+#include "support/scratch_folder.hpp"
+#include "support/synthetic_files.hpp"
+
+namespace percuss::batch_command_test {
+
+namespace fs = std::filesystem;
+using test::bytes_of;
+using test::lines_of;
+using test::run_percuss;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// Records a … d: a good one, one without a pulse, one that is none, another good one.
+class BatchCommand : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    fs::create_directory(records().file("recs"));
+    test::write_small_test(records().file("recs/a.h5"), R"("hits": 2, "seed": 1)");
+    test::write_small_test(records().file("recs/b.csv"), R"("hits": 1, "faults": [{"hit": 0, "kind": "missing"}])");
+    test::write_bytes(records().file("recs/c.csv"), "no,record\n");
+    test::write_small_test(records().file("recs/d.mat"), R"("hits": 2, "seed": 2)");
+  }
+  static test::ScratchFolder& records() {
+    static test::ScratchFolder folder;
+    return folder;
+  }
+  void SetUp() override { fs::create_symlink(records().file("recs"), folder_.file("recs")); }
+
+  test::ProcessOutcome percuss(const std::vector<std::string>& words, std::vector<std::string> environment = {}) {
+    return run_percuss(words, {.folder = folder_.path(), .environment = std::move(environment)});
+  }
+  test::ProcessOutcome batch(std::vector<std::string> words, std::vector<std::string> environment = {}) {
+    words.insert(words.begin(), "batch");
+    return percuss(words, std::move(environment));
+  }
+  void plan(std::vector<std::string> more = {}) {
+    std::vector<std::string> words{"plan", "recs/a.h5", "recs/b.csv", "recs/c.csv", "recs/d.mat",
+                                   "-o",   "m.jsonl",   "--effort",   "quick",      "--quiet"};
+    words.insert(words.end(), more.begin(), more.end());
+    const auto outcome = batch(words);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+  }
+  test::ProcessOutcome run(std::vector<std::string> more = {}, std::vector<std::string> environment = {}) {
+    std::vector<std::string> words{"run", "--manifest", "m.jsonl", "-o", "out"};
+    words.insert(words.end(), more.begin(), more.end());
+    return batch(words, std::move(environment));
+  }
+  /// All rows as JSON lines, in the file of that name.
+  std::string merged(const std::string& name, const std::string& folder = "out") {
+    const auto outcome = batch({"merge", "--manifest", "m.jsonl", folder, "-o", name});
+    EXPECT_EQ(outcome.code, 6) << outcome.err;
+    return bytes_of(folder_.file(name));
+  }
+  test::ScratchFolder folder_;
+};
+
+void expect_lines_of(const std::string& text, const std::string& schema) {
+  for (const std::string& line : lines_of(text))
+    EXPECT_THAT(test::schema_violations(test::parse_json(line), test::schema_named(schema)), IsEmpty()) << line;
+}
+
+TEST_F(BatchCommand, GoesFromRecordsToRowsThatTheirSchemasDescribe) {
+  plan();
+  expect_lines_of(bytes_of(folder_.file("m.jsonl")), "batch-manifest");
+  EXPECT_EQ(run().code, 6);
+  expect_lines_of(bytes_of(folder_.file("out/part-0.ok")), "batch-part");
+  const auto rows = lines_of(merged("r.jsonl"));
+  for (const std::string& row : rows) expect_lines_of(row, "batch");
+  ASSERT_EQ(rows.size(), 1U + 4U + 4U);  // head, records, two modes of each good one
+  const auto first = test::parse_json(rows[1]), mode = test::parse_json(rows[2]);
+  EXPECT_EQ(first["id"], "a");
+  EXPECT_EQ(first["hits_accepted"], 2);
+  EXPECT_EQ(first["modes"], 2);
+  EXPECT_NEAR(mode["frequency_hz"].get<double>(), 200, 0.1);
+  EXPECT_EQ(mode["family"], "bending");
+}
+
+TEST_F(BatchCommand, HasTheNumbersOfAnalyze) {
+  plan();
+  ASSERT_EQ(run().code, 6);
+  const auto mode = test::parse_json(lines_of(merged("r.jsonl")).at(3));
+  const auto analysis = test::parse_json(percuss({"analyze", "recs/a.h5", "--effort", "quick", "--json"}).out);
+  for (const char* key : {"index", "frequency_hz", "frequency_std_hz", "damping_ratio", "damping_ratio_std", "family",
+                          "order", "confidence", "alternative"})
+    EXPECT_EQ(mode[key], analysis["modes"][1][key]) << key;
+  EXPECT_EQ(mode["overlay_difference_db"], analysis["modes"][1]["overlay"]["difference_db"]);
+  EXPECT_EQ(mode["ratio_re"], analysis["modes"][1]["ratio"]["re"]);
+}
+
+TEST_F(BatchCommand, SaysOfABadRecordWhatAnalyzeSays) {
+  plan();
+  ASSERT_EQ(run().code, 6);
+  const auto rows = lines_of(merged("r.jsonl"));
+  const auto no_hit = test::parse_json(rows.at(4)), none = test::parse_json(rows.at(5));
+  EXPECT_EQ(no_hit["code"], 4);
+  const auto analysis = percuss({"analyze", "recs/b.csv"});
+  EXPECT_EQ(analysis.code, 4);
+  EXPECT_THAT(analysis.out, HasSubstr(no_hit["reason"].get<std::string>()));
+  EXPECT_THAT(no_hit["findings"], ElementsAre("no_pulse"));
+  EXPECT_EQ(none["code"], 3);
+  EXPECT_EQ("percuss: " + none["reason"].get<std::string>() + "\n", percuss({"analyze", "recs/c.csv"}).err);
+}
+
+TEST_F(BatchCommand, GivesTheSameBytesWhoeverDividesTheWork) {
+  plan({"--frf"});
+  ASSERT_EQ(run({"--threads", "1"}).code, 6);
+  ASSERT_EQ(batch({"merge", "--manifest", "m.jsonl", "out", "-o", "1.jsonl", "-o", "1.csv", "-o", "1.h5"}).code, 6);
+  ASSERT_EQ(run({"--threads", "2", "-o", "two"}).code, 2);  // twice a folder
+  for (const std::string shard : {"2/3", "0/3", "1/3"})
+    EXPECT_NE(batch({"run", "--manifest", "m.jsonl", "-o", "three", "--threads", "2", "--shard", shard}).code, 3);
+  ASSERT_EQ(batch({"merge", "--manifest", "m.jsonl", "three", "-o", "3.jsonl", "-o", "3.csv", "-o", "3.h5"}).code, 6);
+  for (const char* kind : {".jsonl", ".csv", ".h5"})
+    EXPECT_EQ(bytes_of(folder_.file("1" + std::string(kind))), bytes_of(folder_.file("3" + std::string(kind)))) << kind;
+}
+
+TEST_F(BatchCommand, KeepsTheFrfsThatFrfWrites) {
+  plan({"--frf"});
+  ASSERT_EQ(run().code, 6);
+  ASSERT_EQ(batch({"merge", "--manifest", "m.jsonl", "out", "-o", "r.h5"}).code, 6);
+  ASSERT_EQ(percuss({"frf", "recs/a.h5", "-o", "a.h5"}).code, 0);
+  // What the numbers are stands in both files, one after the other.
+  const std::string alone = bytes_of(folder_.file("a.h5")), all = bytes_of(folder_.file("r.h5"));
+  ASSERT_GT(alone.size(), 20000U);
+  EXPECT_THAT(all, HasSubstr(alone.substr(alone.size() / 2, 4096)));
+}
+
+TEST_F(BatchCommand, DoesNothingTwice) {
+  plan({"--shards", "2"});
+  const auto first = run({"--json"}), second = run({"--json"});
+  EXPECT_EQ(first.code, 6);
+  EXPECT_EQ(second.code, 6);
+  const auto document = test::parse_json(second.out);
+  EXPECT_THAT(test::schema_violations(document, test::schema_named("batch-run")), IsEmpty());
+  EXPECT_EQ(test::parse_json(first.out)["shards"][0]["analysed"], test::parse_json(first.out)["shards"][0]["records"]);
+  EXPECT_EQ(document["shards"][0]["analysed"], 0);
+  EXPECT_EQ(document["shards"][1]["analysed"], 0);
+}
+
+TEST_F(BatchCommand, TellsWhatIsMissing) {
+  plan({"--shards", "3"});
+  ASSERT_NE(run({"--shard", "1"}).code, 3);
+  EXPECT_EQ(batch({"status", "--manifest", "m.jsonl", "out", "--missing"}).out, "0,2\n");
+  const auto status = test::parse_json(batch({"status", "--manifest", "m.jsonl", "out", "--json"}).out);
+  EXPECT_THAT(test::schema_violations(status, test::schema_named("batch-status")), IsEmpty());
+  EXPECT_EQ(status["missing"], nlohmann::json({0, 2}));
+  test::refusal_of({"batch", "merge", "--manifest", folder_.file("m.jsonl"), folder_.file("out")}, {".jsonl"},
+                   "2 of 3 shards are not finished: 0,2");
+  ASSERT_NE(run({"--shard", "all"}).code, 3);
+  EXPECT_EQ(batch({"status", "--manifest", "m.jsonl", "out", "--missing"}).out, "");
+}
+
+TEST_F(BatchCommand, IsToldItsShardByTheEngine) {
+  plan({"--shards", "3"});
+  EXPECT_THAT(run({}, {"SLURM_ARRAY_TASK_ID=2"}).out, HasSubstr("in shard 2 of 3"));
+  EXPECT_THAT(run({}, {"JOB_COMPLETION_INDEX=0"}).out, HasSubstr("in shard 0 of 3"));
+  EXPECT_THAT(run({}, {"PARALLEL_SEQ=2"}).out, HasSubstr("in shard 1 of 3"));
+  EXPECT_EQ(run({}, {"SLURM_ARRAY_TASK_ID=3"}).code, 2);
+  EXPECT_EQ(run({}, {"PARALLEL_SEQ=0"}).code, 2);
+  EXPECT_THAT(run({"--shard", "0"}, {"SLURM_ARRAY_TASK_ID=3"}).out, HasSubstr("in shard 0 of 3"));
+}
+
+TEST_F(BatchCommand, NoticesThatARecordHasChanged) {
+  test::write_small_test(folder_.file("x.csv"), R"("hits": 1)");
+  ASSERT_EQ(batch({"plan", "x.csv", "--hash", "-o", "m.jsonl"}).code, 0);
+  std::string bytes = bytes_of(folder_.file("x.csv"));
+  bytes[bytes.size() - 2] = bytes[bytes.size() - 2] == '1' ? '2' : '1';
+  test::write_bytes(folder_.file("x.csv"), bytes);
+  ASSERT_EQ(run().code, 6);
+  EXPECT_THAT(merged("r.jsonl"), HasSubstr("not the one that the batch was planned with"));
+  test::write_bytes(folder_.file("x.csv"), bytes + "\n");
+  ASSERT_EQ(run({"--force"}).code, 6);
+  EXPECT_THAT(merged("s.jsonl"), HasSubstr("bytes, and had"));
+  fs::remove(folder_.file("x.csv"));
+  ASSERT_EQ(run({"--force"}).code, 6);
+  EXPECT_THAT(merged("t.jsonl"), HasSubstr("no such file (x.csv); check the path"));
+}
+
+TEST_F(BatchCommand, MovesWithItsManifest) {
+  fs::create_directories(folder_.file("here/recs"));
+  fs::copy(folder_.file("recs/a.h5"), folder_.file("here/recs/a.h5"));
+  ASSERT_EQ(batch({"plan", "here/recs", "-o", "here/m.jsonl"}).code, 0);
+  EXPECT_THAT(bytes_of(folder_.file("here/m.jsonl")), HasSubstr(R"("path":"recs/a.h5")"));
+  fs::rename(folder_.file("here"), folder_.file("there"));
+  EXPECT_EQ(batch({"run", "--manifest", "there/m.jsonl", "-o", "out"}).code, 0);
+}
+
+TEST_F(BatchCommand, RefusesOptionsAsAnalyzeDoes) {
+  for (const std::vector<std::string>& options : std::vector<std::vector<std::string>>{{"--band", "1"},
+                                                                                       {"--effort", "bst"},
+                                                                                       {"--trigger", "-1"},
+                                                                                       {"--from", "2", "--to", "1"},
+                                                                                       {"--unit", "furlong"},
+                                                                                       {"--fs", "x"},
+                                                                                       {"--force-scale", "1,2"},
+                                                                                       {"--setup", "none.json"}}) {
+    std::vector<std::string> analyze{"analyze", "recs/a.h5"}, plan{"batch", "plan", "recs/a.h5", "-o", "m.jsonl"};
+    analyze.insert(analyze.end(), options.begin(), options.end());
+    plan.insert(plan.end(), options.begin(), options.end());
+    const auto one = percuss(analyze), other = percuss(plan);
+    EXPECT_NE(one.code, 0);
+    EXPECT_EQ(other.code, one.code);
+    EXPECT_EQ(other.err, one.err);
+    EXPECT_FALSE(fs::exists(folder_.file("m.jsonl")));
+  }
+}
+
+TEST_F(BatchCommand, CarriesOptionsAndTheSetUp) {
+  test::write_bytes(folder_.file("setup.json"),
+                    R"([{"name": "accel 1", "angle_deg": 10}, {"name": "accel 2", "angle_deg": 100}])");
+  ASSERT_EQ(batch({"plan", "recs/a.h5", "--setup", "setup.json", "--start", "200,700", "--accel-scale", "-1,2", "-o",
+                   "m.jsonl"})
+                .code,
+            0);
+  EXPECT_THAT(bytes_of(folder_.file("m.jsonl")), AllOf(HasSubstr("angle_deg"), HasSubstr("--accel-scale=-1")));
+  fs::remove(folder_.file("setup.json"));
+  ASSERT_EQ(run().code, 0);
+  EXPECT_EQ(batch({"merge", "--manifest", "m.jsonl", "out", "-o", "r.jsonl"}).code, 0);
+  test::write_bytes(folder_.file("setup.json"),
+                    R"([{"name": "accel 1", "angle_deg": 10}, {"name": "accel 2", "angle_deg": 100}])");
+  const auto analysis = test::parse_json(percuss({"analyze", "recs/a.h5", "--setup", "setup.json", "--start", "200,700",
+                                                  "--accel-scale", "-1,2", "--json"})
+                                             .out);
+  const auto rows = lines_of(bytes_of(folder_.file("r.jsonl")));
+  EXPECT_EQ(test::parse_json(rows.at(2))["ratio_re"], analysis["modes"][0]["ratio"]["re"]);
+}
+
+TEST_F(BatchCommand, RefusesToMixPlans) {
+  plan();
+  ASSERT_EQ(run().code, 6);
+  plan({"--force", "--band", "100:900"});
+  EXPECT_THAT(run().err, HasSubstr("made with other options than the manifest's"));
+  EXPECT_THAT(batch({"merge", "--manifest", "m.jsonl", "out", "-o", "r.jsonl"}).err,
+              HasSubstr("made with other options"));
+  EXPECT_THAT(run({"--shard", "0/2"}).err, HasSubstr("shards of a division into 1, not into 2"));
+  EXPECT_EQ(run({"--force"}).code, 6);
+  std::string ok = bytes_of(folder_.file("out/part-0.ok"));
+  ok.replace(ok.find(R"("version":")"), 11, R"("version":"9.)");
+  test::write_bytes(folder_.file("out/part-0.ok"), ok);
+  EXPECT_THAT(run().err, HasSubstr("made by percuss 9."));
+}
+
+TEST_F(BatchCommand, NoticesThatAPartHasChanged) {
+  plan();
+  ASSERT_EQ(run().code, 6);
+  std::string part = bytes_of(folder_.file("out/part-0.jsonl"));
+  part[part.find("200.")] = '3';
+  test::write_bytes(folder_.file("out/part-0.jsonl"), part);
+  const auto outcome = batch({"merge", "--manifest", "m.jsonl", "out", "-o", "r.jsonl"});
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("the part is not as it was finished"));
+  EXPECT_FALSE(fs::exists(folder_.file("r.jsonl")));
+}
+
+TEST_F(BatchCommand, IsReadByStudy) {
+  plan();
+  ASSERT_EQ(run().code, 6);
+  ASSERT_EQ(batch({"merge", "--manifest", "m.jsonl", "out", "-o", "r.jsonl", "-o", "r.csv"}).code, 6);
+  test::write_bytes(folder_.file("bats.csv"), "id,length_in,material,besr\na,33,wood,0.7\nd,33,composite,0.71\n");
+  for (const char* rows : {"r.csv", "r.jsonl"}) {
+    const auto study = percuss({"study", "bats.csv", rows, "--table", "t.csv", "--force", "--json"});
+    ASSERT_EQ(study.code, 0) << study.err;
+    const auto table = lines_of(bytes_of(folder_.file("t.csv")));
+    ASSERT_EQ(table.size(), 3U);
+    EXPECT_THAT(table[0], HasSubstr("bending1_hz"));
+    EXPECT_THAT(table[1], AllOf(HasSubstr("a,"), HasSubstr(",199.99"), HasSubstr(",699.99")));
+  }
+}
+
+TEST_F(BatchCommand, PrintsAJobArrayOfWhatIsMissing) {
+  plan({"--shards", "3"});
+  ASSERT_NE(run({"--shard", "1"}).code, 3);
+  const auto script = batch({"submit", "slurm", "--manifest", "m.jsonl", "-o", "out", "--sbatch=--time=5"});
+  ASSERT_EQ(script.code, 0) << script.err;
+  EXPECT_THAT(script.out, AllOf(HasSubstr("#!/bin/sh\n"), HasSubstr("#SBATCH --array=0,2\n"),
+                                HasSubstr("#SBATCH --time=5\n"), HasSubstr("--shard \"$SLURM_ARRAY_TASK_ID/3\"")));
+  EXPECT_EQ(batch({"submit", "slurm", "--manifest", "m.jsonl", "-o", "out", "--sbatch=x"}).code, 2);
+  EXPECT_EQ(batch({"submit", "pbs", "--manifest", "m.jsonl", "-o", "out"}).code, 2);
+}
+
+TEST_F(BatchCommand, RefusesWhatIsNoManifest) {
+  const std::string good = R"({"schema":"percuss/batch-manifest/1","version":"1","records":0,"bytes":0,"shards":1,)"
+                           R"("frf":false,"options":[],"options_sha256":")";
+  for (const std::string& text : std::vector<std::string>{"", "x\n", "{}\n", "[]\n", std::string(1000, '[') + "\n",
+                                                          good + "00\"}\n", std::string("\0\0\n", 3)}) {
+    test::write_bytes(folder_.file("bad.jsonl"), text);
+    test::refusal_of({"batch", "run", "--manifest", folder_.file("bad.jsonl"), "--folder", folder_.file("o")}, {},
+                     "bad.jsonl");
+  }
+}
+
+}  // namespace percuss::batch_command_test

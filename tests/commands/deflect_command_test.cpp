@@ -1,0 +1,193 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <random>
+
+#include "acquire/formats/hdf5/write_hdf5.hpp"
+#include "model/impact/ball_on_beam.hpp"
+#include "support/json_schema.hpp"
+#include "support/percuss_process.hpp"
+#include "support/rejection.hpp"
+#include "support/scratch_folder.hpp"
+
+// From a struck bat to the model/test ratio, as a user goes.
+namespace percuss::deflect_command_test {
+
+using nlohmann::json;
+using test::run_percuss;
+using testing::HasSubstr;
+
+constexpr double kFs_Hz = 100000;
+constexpr double kRest_s = 0.1, kLength_s = 0.18;  // the model follows the motion for 80 ms
+constexpr double kSensor = 0.8;  // what the accelerometer's calibration makes of the truth: model/test is 1.25
+const std::vector<double> kPlaces_m{0.155, 0.285, 0.415, 0.545};
+
+/// The composite bat struck by a cricket ball: force and acceleration at the struck point, from the sum of its modes.
+void add_impact(double at_m, std::mt19937& random, std::vector<double>& force_N, std::vector<double>& accel_mps2) {
+  Impact impact;
+  impact.at_m = at_m;
+  BallOnBeam model(impact);
+  BallOnBeamState state = model.start(impact.speed_mps);
+  std::normal_distribution<double> gauss;
+  constexpr int kSubsteps = 8;
+  bool separated = false;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(kLength_s * kFs_Hz); ++i) {
+    double force = 0, accel = 0;
+    if (static_cast<double>(i) >= kRest_s * kFs_Hz) {
+      force = model.read(state).force_N;
+      for (std::size_t m = 0; m < model.modes(); ++m) {
+        const double y = model.weight()[m], omega = model.omega_radps()[m];
+        accel += y * (y * force - omega * omega * state.eta[m]);
+      }
+      for (int k = 0; k < kSubsteps; ++k) model.step(state, 1 / kFs_Hz / kSubsteps);
+      // Second contacts are left out of the model's figure: the ball is taken away once it has left.
+      separated = separated || (force > 0 && model.read(state).force_N == 0);
+      if (separated) state.ball_m = -1;
+    }
+    force_N.push_back(force);
+    accel_mps2.push_back(kSensor * accel + 0.7 + 0.05 * gauss(random));
+  }
+}
+
+class DeflectCommand : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = std::make_unique<test::ScratchFolder>();
+    std::mt19937 random(1);
+    std::vector<std::vector<double>> force;
+    std::vector<std::vector<std::vector<double>>> accel;
+    for (const double at_m : kPlaces_m) {
+      for (int repeat = 0; repeat < 2; ++repeat)
+        add_impact(at_m, random, force.emplace_back(), accel.emplace_back(1).front());
+    }
+    Record record = record_in_memory(kFs_Hz, std::move(force), std::move(accel));
+    for (std::size_t row = 0; row < record.rows.size(); ++row) record.rows[row].point = static_cast<int>(row / 2);
+    write_hdf5(file("bat.h5"), record, true);
+  }
+  static void TearDownTestSuite() { folder_.reset(); }
+  static std::string file(const std::string& name) { return folder_->file(name); }
+  inline static std::unique_ptr<test::ScratchFolder> folder_;
+};
+
+TEST_F(DeflectCommand, GivesADocumentThatItsSchemaDescribes) {
+  const auto outcome =
+      run_percuss({"deflect", file("bat.h5"), "--positions", "0.155:0.13:0.545", "--beam-distance", "0.1", "--json"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const json document = test::parse_json(outcome.out);
+  EXPECT_THAT(test::schema_violations(document, test::schema_named("deflection")), testing::IsEmpty());
+  ASSERT_EQ(document["hits"].size(), 8U);
+  EXPECT_EQ(document["hits"][0]["method"], "drift-free");
+  EXPECT_NEAR(document["points"][3]["position_m"].get<double>(), 0.545, 1e-9);
+  EXPECT_NEAR(document["impact_speeds"][0]["speed_mps"].get<double>(), 0.1 / kRest_s, 0.1);
+}
+
+TEST_F(DeflectCommand, LeadsToTheRatioOfModelAndTest) {
+  const test::ScratchFolder out;
+  const auto run = [&](std::vector<std::string> arguments, const std::string& name) {
+    arguments.insert(arguments.end(), {"-o", name, "--quiet"});
+    const auto outcome = run_percuss(arguments, {.folder = out.path()});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+  };
+  run({"deflect", file("bat.h5"), "--positions", "0.155:0.13:0.545"}, "test.json");
+  run({"model", "impact", "--sweep", "at=0.155:0.13:0.545"}, "model.json");
+  run({"compare", "test.json", "model.json"}, "both.json");
+  const json document = test::parse_json(test::bytes_of(out.file("both.json")));
+  EXPECT_THAT(test::schema_violations(document, test::schema_named("compare")), testing::IsEmpty());
+  ASSERT_EQ(document["deflections"].size(), kPlaces_m.size());
+  for (const json& pair : document["deflections"]) {
+    const double ratio = pair["ratio"], std = pair["ratio_std"];
+    EXPECT_LE(std::abs(ratio - 1 / kSensor), 3.5 * std) << pair;  // four ratios
+    EXPECT_LE(std, 0.01 * ratio) << pair;                         // and it is worth something
+  }
+  const auto text = run_percuss({"compare", "test.json", "model.json"}, {.folder = out.path()});
+  EXPECT_THAT(text.out, HasSubstr("largest deflection"));
+}
+
+TEST_F(DeflectCommand, NeedsNoForce) {
+  const test::ScratchFolder out;
+  const Record record = open_record(file("bat.h5"));
+  std::vector<double> accel(record.rows[0].samples);
+  record.read_accel_mps2(6, 0, 0, accel);
+  std::string text = "t_s,acc_m_s2\n";
+  for (std::size_t i = 0; i < accel.size(); ++i)
+    text += fmt::format("{},{}\n", static_cast<double>(i) / kFs_Hz, accel[i]);
+  test::write_bytes(out.file("accel.csv"), text);
+  const auto with = run_percuss({"deflect", file("bat.h5"), "--json"});
+  const auto without = run_percuss({"deflect", out.file("accel.csv"), "--json"});
+  ASSERT_EQ(without.code, 0) << without.err;
+  const json expected = test::parse_json(with.out)["hits"][6], found = test::parse_json(without.out)["hits"][0];
+  EXPECT_EQ(found["method"], "drift-free");
+  EXPECT_NEAR(found["peak_m"].get<double>(), expected["peak_m"].get<double>(),
+              3 * expected["peak_std_m"].get<double>());
+  EXPECT_THAT(test::refusal_of({"deflect", out.file("accel.csv"), "--method", "modal"}, {".json"}, "accel.csv"),
+              HasSubstr("no force"));
+  EXPECT_EQ(run_percuss({"analyze", out.file("accel.csv")}).code, 3);
+}
+
+TEST_F(DeflectCommand, WritesEverySample) {
+  const test::ScratchFolder out;
+  const auto outcome =
+      run_percuss({"deflect", file("bat.h5"), "--accept-hit", "0", "-o", "d.csv", "-o", "d.h5", "-o", "d.svg"},
+                  {.folder = out.path()});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(test::lines_of(test::bytes_of(out.file("d.csv"))).size(), 1 + 8 * kLength_s * kFs_Hz);
+  EXPECT_THAT(test::bytes_of(out.file("d.svg")), HasSubstr("deflection, mm"));
+}
+
+TEST_F(DeflectCommand, NamesTheOptionThatIsWrong) {
+  for (const auto& [option, value] : std::vector<std::pair<std::string, std::string>>{{"--highpass-corner", "-1"},
+                                                                                      {"--highpass-corner", "nan"},
+                                                                                      {"--method", "magic"},
+                                                                                      {"--effective-mass", "0"},
+                                                                                      {"--beam-distance", "-2"},
+                                                                                      {"--positions", "3:2:1"}}) {
+    const auto outcome = run_percuss({"deflect", file("bat.h5"), option, value});
+    EXPECT_EQ(outcome.code, 2) << option;
+    EXPECT_THAT(outcome.err, HasSubstr(option));
+  }
+  EXPECT_THAT(test::refusal_of({"deflect", file("bat.h5"), "--positions", "0:0.1:0.2"}, {".json"}, "bat.h5"),
+              HasSubstr("3 positions for 4 points"));
+}
+
+TEST(CompareCommand, PairsFrequenciesOfModels) {
+  const test::ScratchFolder folder;
+  for (const char* support : {"torsion", "pinned", "clamped"}) {
+    ASSERT_EQ(run_percuss(
+                  {"model", "beam", "--support", support, "-o", folder.file(std::string(support) + ".json"), "--quiet"})
+                  .code,
+              0);
+  }
+  const auto outcome =
+      run_percuss({"compare", "torsion.json", "clamped.json", "pinned.json", "--furthest", "40", "--json"},
+                  {.folder = folder.path()});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const json document = test::parse_json(outcome.out);
+  EXPECT_THAT(test::schema_violations(document, test::schema_named("compare")), testing::IsEmpty());
+  EXPECT_GE(document["pairs"].size(), 4U);
+  ASSERT_EQ(document["others"].size(), 1U);
+  EXPECT_EQ(document["others"][0]["document"], 2);
+}
+
+TEST(CompareCommand, RefusesWhatItCannotCompare) {
+  const test::ScratchFolder folder;
+  const auto refused = [&](const std::string& text) {
+    test::write_bytes(folder.file("x.json"), text);
+    return test::refusal_of({"compare", folder.file("x.json"), folder.file("x.json")}, {".json"}, "x.json");
+  };
+  EXPECT_THAT(refused(""), HasSubstr("empty"));
+  EXPECT_THAT(refused("{\"a\":"), HasSubstr("not JSON"));
+  EXPECT_THAT(refused("[1]"), HasSubstr("schema"));
+  EXPECT_THAT(refused("{\"schema\": \"percuss/other/1\"}"), HasSubstr("percuss/other/1"));
+  EXPECT_THAT(refused("{\"schema\": \"percuss/model-beam/1\", \"frequency_hz\": [1, \"x\"]}"),
+              HasSubstr("frequency_hz[1]"));
+  EXPECT_THAT(refused("{\"schema\": \"percuss/analysis/1\", \"modes\": [{\"frequency_hz\": 1e999}]}"),
+              HasSubstr("x.json"));
+  EXPECT_THAT(refused(std::string(100000, '[')), HasSubstr("nested"));
+  test::write_bytes(folder.file("one.json"), R"({"schema": "percuss/model-beam/1", "frequency_hz": [1]})");
+  EXPECT_EQ(run_percuss({"compare", folder.file("one.json")}).code, 2);
+}
+
+}  // namespace percuss::deflect_command_test

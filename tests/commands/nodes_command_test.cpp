@@ -1,0 +1,110 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "acquire/formats/hdf5/write_hdf5.hpp"
+#include "support/json.hpp"
+#include "support/json_schema.hpp"
+#include "support/modal_frfs.hpp"
+#include "support/percuss_process.hpp"
+#include "support/scratch_folder.hpp"
+#include "synth/synthesise.hpp"
+
+namespace percuss::nodes_command_test {
+
+using nlohmann::json;
+using test::lines_of;
+using test::run_percuss;
+using testing::AllOf;
+using testing::HasSubstr;
+
+// Struck every half inch from 6 to 9 in.
+SynthSpec beam() { return test::scanned_beam(6, 0.5, 7); }
+
+class NodesCommand : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = std::make_unique<test::ScratchFolder>();
+    const Record scan = synthesise(beam()).record;
+    write_hdf5(file("scan.h5"), scan, true);
+    for (int point = 0; point < 7; ++point) {
+      Record one = select_rows(scan, [&](const RowInfo& row) { return row.point == point; });
+      one.rows[0].point = 0;
+      write_hdf5(file("point" + std::to_string(point) + ".h5"), one, true);
+    }
+  }
+  static void TearDownTestSuite() { folder_.reset(); }
+  static std::string file(const std::string& name) { return folder_->file(name); }
+  static test::ProcessOutcome nodes(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "nodes");
+    return run_percuss(arguments);
+  }
+  static double first_node_in(const json& document) {
+    return document["modes"].at(0)["nodes"].at(0)["position_in"].get<double>();
+  }
+  inline static std::unique_ptr<test::ScratchFolder> folder_;
+};
+
+constexpr double kNode_in = 0.01;  // noise of a thousandth on a straight line
+
+TEST_F(NodesCommand, GivesADocumentThatItsSchemaDescribes) {
+  const auto outcome = nodes({file("scan.h5"), "--positions", "6:0.5:9in", "--json"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const json document = test::parse_json(outcome.out);
+  EXPECT_THAT(test::schema_violations(document, test::schema_named("nodes")), testing::IsEmpty());
+  EXPECT_NEAR(first_node_in(document), 7.5, kNode_in);
+  EXPECT_EQ(document["modes"][0]["minimum_in"], 7.5);
+  EXPECT_EQ(document["positions"]["count"], 7);
+  EXPECT_EQ(document["modes"][0]["shape"].size(), 7U);
+}
+
+TEST_F(NodesCommand, TakesInchesUnlessAUnitFollows) {
+  for (const char* positions : {"6:0.5:9", "6:0.5:9in", "0.1524:0.0127:0.2286m", "152.4:12.7:228.6mm"}) {
+    const auto outcome = nodes({file("scan.h5"), "--positions", positions, "--json"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NEAR(first_node_in(test::parse_json(outcome.out)), 7.5, kNode_in) << positions;
+  }
+}
+
+TEST_F(NodesCommand, TakesSeveralFilesAsPointsInTheirOrder) {
+  std::vector<std::string> arguments{"--positions", "6:0.5:9", "--json"};
+  for (int point = 0; point < 7; ++point) arguments.push_back(file("point" + std::to_string(point) + ".h5"));
+  const auto outcome = nodes(arguments);
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NEAR(first_node_in(test::parse_json(outcome.out)), 7.5, kNode_in);
+}
+
+TEST_F(NodesCommand, WorksFromFrfsAlone) {
+  ASSERT_EQ(run_percuss({"frf", file("scan.h5"), "--band", "60:1000", "-o", file("frf.csv")}).code, 0);
+  const auto outcome = nodes({file("frf.csv"), "--positions", "6:0.5:9", "--json"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NEAR(first_node_in(test::parse_json(outcome.out)), 7.5, kNode_in);
+}
+
+TEST_F(NodesCommand, PrintsATableForPeople) {
+  const auto outcome = nodes({file("scan.h5"), "--positions", "6:0.5:9", "-o", file("nodes.json")});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("7 positions, 6 to 9 in"), HasSubstr("7.500 in"), HasSubstr("±")));
+  EXPECT_EQ(test::parse_json(test::bytes_of(file("nodes.json")))["schema"], "percuss/nodes/1");
+}
+
+TEST_F(NodesCommand, RefusesPositionsItCannotRead) {
+  for (const char* positions : {"", "6", "6:9", "6:0.5:9furlongs", "6:0.5:9N", "6:0:9", "9:0.5:6", "6:0.4:9", "6;0.5;9",
+                                "nan:0.5:9", "6:1e-9:9"}) {
+    const auto outcome = nodes({file("scan.h5"), "--positions", positions});
+    EXPECT_EQ(outcome.code, 2) << positions;
+    EXPECT_EQ(lines_of(outcome.err).size(), 1U);
+    EXPECT_THAT(outcome.err, HasSubstr("positions")) << positions;
+  }
+  EXPECT_EQ(nodes({file("scan.h5")}).code, 2) << "no positions at all";
+}
+
+TEST_F(NodesCommand, RefusesAScanOfAnotherLength) {
+  const auto outcome = nodes({file("scan.h5"), "--positions", "3:0.25:9"});
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("7 points"), HasSubstr("25 positions"), HasSubstr("scan.h5")));
+}
+
+}  // namespace percuss::nodes_command_test

@@ -1,0 +1,108 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "support/json_schema.hpp"
+#include "support/percuss_process.hpp"
+#include "support/rejection.hpp"
+#include "support/scratch_folder.hpp"
+
+namespace percuss::study_command_test {
+
+using test::bytes_of;
+using test::run_percuss;
+using testing::HasSubstr;
+
+class StudyCommand : public testing::Test {
+ protected:
+  void SetUp() override { test::write_bytes(folder_.file("bats.csv"), run_percuss({"study", "--example"}).out); }
+  test::ProcessOutcome study(std::vector<std::string> words) {
+    words.insert(words.begin(), "study");
+    return run_percuss(words, {.folder = folder_.path()});
+  }
+  test::ScratchFolder folder_;
+};
+
+TEST_F(StudyCommand, GivesADocumentThatItsSchemaDescribes) {
+  const auto outcome = study({"bats.csv", "--json"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto document = test::parse_json(outcome.out);
+  EXPECT_THAT(test::schema_violations(document, test::schema_named("study")), testing::IsEmpty());
+  EXPECT_EQ(document["statements"].size(), 18U);
+}
+
+TEST_F(StudyCommand, SaysWhatIsSupported) {
+  const auto outcome = study({"bats.csv"});
+  EXPECT_THAT(outcome.out, HasSubstr("BBCOR of nonwood bats rises as the first hoop frequency falls"));
+  EXPECT_THAT(outcome.out, HasSubstr("supported"));
+}
+
+TEST_F(StudyCommand, WritesEveryFigureTwiceAlike) {
+  ASSERT_EQ(study({"bats.csv", "--figures", "a", "--quiet"}).code, 0);
+  ASSERT_EQ(study({"bats.csv", "--figures", "b", "--quiet"}).code, 0);
+  std::size_t pictures = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder_.file("a"))) {
+    const std::string name = entry.path().filename().string();
+    EXPECT_EQ(bytes_of(entry.path().string()), bytes_of(folder_.file("b/" + name)));
+    if (entry.path().extension() != ".svg") continue;
+    ++pictures;
+    EXPECT_THAT(bytes_of(entry.path().string()), testing::Not(HasSubstr("nan")));
+  }
+  EXPECT_GT(pictures, 55U);
+  const std::string picture = bytes_of(folder_.file("a/besr-hoop1-nonwood-33.svg"));
+  EXPECT_THAT(picture, HasSubstr("first hoop frequency, Hz"));
+  EXPECT_THAT(picture, HasSubstr(">composite, ABI<"));
+  EXPECT_THAT(picture, HasSubstr(">trend, 33 in<"));
+}
+
+TEST_F(StudyCommand, DrawsAModelOverTheHoopFigures) {
+  test::write_bytes(folder_.file("m.json"), R"({"schema": "percuss/model-trampoline/1", "curve": [
+      {"hoop_hz": 1000, "cor": 0.52}, {"hoop_hz": 2000, "cor": 0.50}, {"hoop_hz": 3000, "cor": 0.49}]})");
+  ASSERT_EQ(study({"bats.csv", "--figures", "a", "--hoop-curve", "m.json"}).code, 0);
+  EXPECT_THAT(bytes_of(folder_.file("a/besr-hoop1-nonwood-33.svg")), HasSubstr(">model × "));
+  EXPECT_THAT(bytes_of(folder_.file("a/besr-moi-nonwood-33.svg")), testing::Not(HasSubstr(">model × ")));
+  EXPECT_EQ(study({"bats.csv", "--hoop-curve", "m.json"}).code, 2);
+}
+
+TEST_F(StudyCommand, BlindsAndKeepsTheKeyApart) {
+  test::write_bytes(folder_.file("t.csv"),
+                    "id,maker,length_in,material,besr,moi_oz_in2\nSecret,Acme,33,wood,0.7,11000\n");
+  const auto outcome = study({"t.csv", "--blind", "key.csv", "--table", "blind.csv", "--json"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out + bytes_of(folder_.file("blind.csv")),
+              testing::Not(testing::AnyOf(HasSubstr("Secret"), HasSubstr("Acme"))));
+  EXPECT_THAT(bytes_of(folder_.file("key.csv")), HasSubstr("AS001,Secret,,Acme,"));
+  EXPECT_EQ(study({"t.csv", "--blind", "key.csv"}).code, 3);  // a key is not lost by accident
+}
+
+TEST_F(StudyCommand, RefusesWhatItCannotUse) {
+  test::write_bytes(folder_.file("bad.csv"), "id,length_in,material\na,33,paper\n");
+  test::refusal_of({"study", folder_.file("bad.csv")}, {".json", ".csv"}, "bat a");
+  EXPECT_EQ(study({}).code, 2);
+}
+
+TEST_F(StudyCommand, JoinsAnalysesThatSayOfWhichBatTheyAre) {
+  ASSERT_EQ(run_percuss({"synth", "wood-bat", "-o", "w.h5", "--quiet"}, {.folder = folder_.path()}).code, 0);
+  const auto analysis =
+      run_percuss({"analyze", "w.h5", "--bat-id", "W1", "--bat", "length_in=33", "--bat", "material=wood", "--bat",
+                   "besr=0.7", "--effort", "quick", "--json", "-o", "w.json"},
+                  {.folder = folder_.path()});
+  ASSERT_EQ(analysis.code, 0) << analysis.err;
+  const auto document = test::parse_json(analysis.out);
+  EXPECT_THAT(test::schema_violations(document, test::schema_named("analysis")), testing::IsEmpty());
+  EXPECT_EQ(document["bat"]["properties"]["length_in"], 33);
+  const auto joined = study({"w.json", "--table", "t.csv"});
+  ASSERT_EQ(joined.code, 0) << joined.err;
+  EXPECT_THAT(bytes_of(folder_.file("t.csv")), HasSubstr("W1,"));
+  const auto figures = study({"w.json", "--json"});
+  EXPECT_THAT(test::parse_json(figures.out)["figures"].dump(), HasSubstr("besr-bending1-wood-all"));
+  for (const std::vector<std::string>& bad : std::vector<std::vector<std::string>>{
+           {"--bat", "a=1"}, {"--bat-id", "x", "--bat", "a"}, {"--bat-id", "x", "--bat", "a=1", "--bat", "a=2"}}) {
+    std::vector<std::string> words{"analyze", "w.h5"};
+    words.insert(words.end(), bad.begin(), bad.end());
+    EXPECT_EQ(run_percuss(words, {.folder = folder_.path()}).code, 2);
+  }
+}
+
+}  // namespace percuss::study_command_test

@@ -1,0 +1,172 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <numbers>
+
+#include "acquire/formats/hdf5/hdf5_input.hpp"
+#include "acquire/formats/hdf5/write_hdf5.hpp"
+#include "support/json.hpp"
+#include "support/json_schema.hpp"
+#include "support/percuss_process.hpp"
+#include "support/rejection.hpp"
+#include "support/scratch_folder.hpp"
+#include "support/synthetic_files.hpp"
+#include "synth/synthesise.hpp"
+
+namespace percuss::survey_command_test {
+
+using nlohmann::json;
+using test::run_percuss;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+class SurveyCommand : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = std::make_unique<test::ScratchFolder>();
+    SynthSpec spec{.fs_Hz = 4096, .samples = 4096, .band_high_Hz = 1500};
+    spec.modes = {{.freq_Hz = 205, .damping_ratio = 0.02, .order = 1, .angle_rad = 0.3},
+                  {.freq_Hz = 1100, .damping_ratio = 0.006, .family = SynthFamily::hoop, .order = 1, .angle_rad = 0.1}};
+    spec.sensors = {{.position_m = 0.05, .angle_rad = 0}};
+    spec.points.clear();
+    for (std::size_t p = 0; p < 18; ++p) {
+      const std::size_t ring = p / 6;
+      spec.points.push_back({.position_m = 0.05 + 0.08 * static_cast<double>(ring),
+                             .angle_rad = static_cast<double>(p % 6) * std::numbers::pi / 3});
+    }
+    spec.hits = 2;
+    spec.noise = {.force = 1e-4, .accel = 1e-3};
+    Record record = synthesise(spec).record;
+    write_hdf5(file("barrel.h5"), record, true);
+    record.geometry.clear();
+    write_hdf5(file("bare.h5"), record, true);
+    std::string geometry = "point,position_mm,angle_deg\n";
+    for (std::size_t p = 0; p < 18; ++p) {
+      geometry +=
+          std::to_string(p) + "," + std::to_string(50 + 80 * (p / 6)) + "," + std::to_string(60 * (p % 6)) + "\n";
+    }
+    test::write_bytes(file("points.csv"), geometry);
+    test::write_small_test(file("runs.h5"), R"("hits": 1, "runs": 2)");
+    test::write_small_test(file("missing.h5"), R"("hits": 1, "faults": [{"hit": 0, "kind": "missing"}])");
+  }
+  static void TearDownTestSuite() { folder_.reset(); }
+  static std::string file(const std::string& name) { return folder_->file(name); }
+  static test::ProcessOutcome survey(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"survey", "--band", "60:1500"});
+    return run_percuss(arguments);
+  }
+  static json document_of(std::vector<std::string> arguments, int code = 0) {
+    arguments.emplace_back("--json");
+    const auto outcome = survey(std::move(arguments));
+    EXPECT_EQ(outcome.code, code) << outcome.err;
+    json document = test::parse_json(outcome.out);
+    EXPECT_THAT(test::schema_violations(document, test::schema_named("analysis")), IsEmpty());
+    return document;
+  }
+  inline static std::unique_ptr<test::ScratchFolder> folder_;
+};
+
+TEST_F(SurveyCommand, TellsPeopleShapesAndNames) {
+  const auto outcome = survey({file("bare.h5"), "--geometry", file("points.csv")});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("bending 1"), HasSubstr("hoop 1"), HasSubstr("MPC"), HasSubstr("nodes"),
+                                 HasSubstr("36 hits"), HasSubstr("FRAC")));
+}
+
+TEST_F(SurveyCommand, GivesTheDocumentWithShapes) {
+  const json document = document_of({file("bare.h5"), "--geometry", file("points.csv")});
+  EXPECT_EQ(document["roving"], "hammer");
+  EXPECT_EQ(document["geometry"]["from"], "file");
+  ASSERT_EQ(document["modes"].size(), 2U);
+  EXPECT_EQ(document["modes"][0]["family"], "bending");
+  EXPECT_EQ(document["modes"][0]["shape"]["circumferential_order"], 1);
+  EXPECT_EQ(document["modes"][1]["family"], "hoop");
+  EXPECT_EQ(document["modes"][1]["shape"]["circumferential_order"], 2);
+  EXPECT_EQ(document["modes"][1]["shape"]["axial_order"], 0);
+  EXPECT_EQ(document["modes"][1]["shape"]["values"].size(), 18U);
+  EXPECT_EQ(document["modes"][1]["shape"]["normalisation"], "unit_modal_mass") << "point 0 lies at the sensor";
+  EXPECT_EQ(document["auto_mac"]["value"][0][0], 1);
+  EXPECT_EQ(document["frac"].size(), 18U);
+}
+
+TEST_F(SurveyCommand, TakesTheGeometryOfTheRecordAndItsDrivingPoint) {
+  const json document = document_of({file("barrel.h5")});
+  EXPECT_EQ(document["geometry"]["from"], "record");
+  EXPECT_EQ(document["geometry"]["tube"], true);
+  EXPECT_EQ(document["modes"][1]["shape"]["normalisation"], "unit_modal_mass");
+  ASSERT_EQ(document["driving_point"].size(), 2U);
+  EXPECT_EQ(document["driving_point"][0]["wrong_sign"], false);
+  const json named = document_of({file("bare.h5"), "--driving-point", "3:0"});
+  EXPECT_EQ(named["driving_point"][0]["point"], 3);
+  EXPECT_TRUE(named["geometry"].is_null());
+}
+
+TEST_F(SurveyCommand, GivesEqualBytesOnAnyNumberOfThreads) {
+  EXPECT_TRUE(survey({file("barrel.h5"), "--json", "--threads", "1"}).out ==
+              survey({file("barrel.h5"), "--json", "--threads", "3"}).out);
+}
+
+TEST_F(SurveyCommand, WritesShapesAndTheIndicator) {
+  const auto outcome = survey({file("barrel.h5"), "--force", "-o", file("s.csv"), "-o", file("s.cmif.csv"), "-o",
+                               file("s.h5"), "-o", file("s.json")});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto shapes = test::lines_of(test::bytes_of(file("s.csv")));
+  ASSERT_EQ(shapes.size(), 1U + 2U * 18U);
+  EXPECT_THAT(shapes[0], HasSubstr("mode,frequency_hz,damping_ratio,family,order,point"));
+  EXPECT_THAT(shapes[1], HasSubstr(",bending,1,0,0,0.05,"));
+  const auto indicator = test::lines_of(test::bytes_of(file("s.cmif.csv")));
+  EXPECT_EQ(indicator[0], "frequency_hz,singular_value_1");
+  EXPECT_GT(indicator.size(), 500U);
+  const hdf5::InputHdf5 stored(file("s.h5"));
+  for (const char* set : {"shape", "shape_std", "xyz_m", "point", "auto_mac", "cmif", "cmif_frequency_hz"})
+    EXPECT_TRUE(stored.has(set)) << set;
+  EXPECT_EQ(test::parse_json(test::bytes_of(file("s.json")))["schema"], "percuss/analysis/1");
+}
+
+TEST_F(SurveyCommand, TakesARovingSensor) {
+  const json document = document_of({file("barrel.h5"), "--roving", "sensor"});
+  EXPECT_EQ(document["roving"], "sensor");
+  EXPECT_EQ(document["modes"][0]["shape"]["values"][3]["channel"], 0);
+  EXPECT_EQ(document["modes"][1]["family"], "hoop");
+}
+
+TEST_F(SurveyCommand, TakesFrequencyResponsesAsWell) {
+  ASSERT_EQ(run_percuss({"frf", file("bare.h5"), "--band", "60:1500", "-o", file("frf.h5"), "--force"}).code, 0);
+  const json document = document_of({file("frf.h5"), "--geometry", file("points.csv")});
+  ASSERT_EQ(document["modes"].size(), 2U);
+  EXPECT_EQ(document["modes"][1]["family"], "hoop");
+  EXPECT_EQ(document["frac"].size(), 18U);
+  EXPECT_EQ(document["frac"][17]["point"], 17);
+}
+
+TEST_F(SurveyCommand, PrintsAnExampleThatItReads) {
+  test::write_bytes(file("example.csv"), survey({"--example"}).out);
+  EXPECT_EQ(document_of({file("bare.h5"), "--geometry", file("example.csv")})["geometry"]["points"], 24);
+}
+
+TEST_F(SurveyCommand, RefusesWhatItCannotUse) {
+  const auto refusal = [](std::vector<std::string> arguments, const std::string& named) {
+    arguments.insert(arguments.begin(), "survey");
+    return test::refusal_of(arguments, {".json", ".csv", ".h5"}, named);
+  };
+  test::write_bytes(file("short.csv"), "point,position_m,angle_deg\n0,0.1,0\n");
+  refusal({file("bare.h5"), "--geometry", file("short.csv")}, "point 1 was measured");
+  test::write_bytes(file("bad.csv"), "point,position_m,angle_deg\n0,0.1,zero\n");
+  refusal({file("bare.h5"), "--geometry", file("bad.csv")}, "bad.csv: line 2");
+  refusal({file("bare.h5"), "--geometry", file("none.csv")}, "none.csv");
+  refusal({file("bare.h5"), "--driving-point", "99:0"}, "--driving-point");
+  refusal({file("runs.h5")}, "several runs");
+  EXPECT_EQ(survey({file("bare.h5"), "--driving-point", "3:x"}).code, 2);
+  EXPECT_EQ(survey({file("bare.h5"), "--files", "tests"}).code, 2);
+}
+
+TEST_F(SurveyCommand, StillReportsWhenNothingCanBeAnalysed) {
+  const json document = document_of({file("missing.h5")}, 4);
+  EXPECT_THAT(document["modes"], IsEmpty());
+  EXPECT_EQ(survey({file("missing.h5")}).code, 4);
+}
+
+}  // namespace percuss::survey_command_test

@@ -1,0 +1,187 @@
+#include "core/io/atomic_file.hpp"
+
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
+#include <functional>
+
+#include "support/input_error.hpp"
+#include "support/scratch_folder.hpp"
+
+namespace percuss::atomic_file_test {
+
+namespace fs = std::filesystem;
+using test::input_error_of;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using Aside = AtomicFile::Aside;
+
+/// Every test twice: without a name until the end, and with a temporary one.
+class AtomicFiles : public testing::TestWithParam<Aside> {
+ protected:
+  std::vector<std::string> files() const {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder_.path())) names.push_back(entry.path().filename());
+    return names;
+  }
+  void write(const std::string& bytes, bool force) const {
+    AtomicFile file(path_, force, GetParam());
+    file.write(bytes);
+    file.commit();
+  }
+  /// How a child that runs `work` ended, as waitpid tells it.
+  static int end_of_child(const std::function<void()>& work) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+      work();
+      ::_exit(0);
+    }
+    int status = -1;
+    EXPECT_EQ(::waitpid(child, &status, 0), child);
+    return status;
+  }
+
+  test::ScratchFolder folder_;
+  std::string path_ = folder_.file("x.csv");
+};
+
+INSTANTIATE_TEST_SUITE_P(, AtomicFiles, testing::Values(Aside::nameless_if_possible, Aside::named),
+                         [](const auto& one) { return one.param == Aside::named ? "Named" : "Nameless"; });
+
+TEST_P(AtomicFiles, AppearWholeAndOnlyAtTheEnd) {
+  {
+    AtomicFile file(path_, false, GetParam());
+    file.write("one ");
+    file.write("two");
+    EXPECT_FALSE(fs::exists(path_));
+    file.commit();
+  }
+  EXPECT_EQ(test::bytes_of(path_), "one two");
+  EXPECT_THAT(files(), ElementsAre("x.csv"));
+}
+
+TEST_P(AtomicFiles, HaveTheModeOfOrdinaryFiles) {
+  const mode_t before = ::umask(027);
+  write("x", false);
+  ::umask(before);
+  struct stat info {};
+  ASSERT_EQ(::stat(path_.c_str(), &info), 0);
+  EXPECT_EQ(info.st_mode & 07777, 0640u);
+}
+
+TEST_P(AtomicFiles, ReplaceOnlyWhenForced) {
+  test::write_bytes(path_, "old");
+  EXPECT_EQ(input_error_of([&] { write("new", false); }), "file exists (" + path_ + "); give another name or --force");
+  EXPECT_EQ(test::bytes_of(path_), "old");
+  write("new", true);
+  EXPECT_EQ(test::bytes_of(path_), "new");
+  EXPECT_THAT(files(), ElementsAre("x.csv"));
+}
+
+TEST_P(AtomicFiles, DoNotReplaceWhatAppearedMeanwhile) {
+  AtomicFile file(path_, false, GetParam());
+  file.write("new");
+  test::write_bytes(path_, "somebody else's");
+  EXPECT_THAT(input_error_of([&] { file.commit(); }), HasSubstr("file exists"));
+  EXPECT_EQ(test::bytes_of(path_), "somebody else's");
+}
+
+TEST_P(AtomicFiles, VanishWhenNotFinished) {
+  test::write_bytes(path_, "old");
+  { AtomicFile(path_, true, GetParam()).write("half"); }
+  EXPECT_EQ(test::bytes_of(path_), "old");
+  EXPECT_THAT(files(), ElementsAre("x.csv"));
+}
+
+TEST_P(AtomicFiles, LeaveTheOldFileWhenTheWriterIsKilled) {
+  test::write_bytes(path_, "old");
+  EXPECT_TRUE(WIFSIGNALED(end_of_child([&] {
+    AtomicFile file(path_, true, GetParam());
+    file.write("half");
+    ::raise(SIGKILL);
+  })));
+  EXPECT_EQ(test::bytes_of(path_), "old");
+  if (GetParam() == Aside::nameless_if_possible) {
+    EXPECT_THAT(files(), ElementsAre("x.csv"));
+  }
+  write("new", true);  // and with it, what the killed one left
+  EXPECT_THAT(files(), ElementsAre("x.csv"));
+}
+
+TEST_P(AtomicFiles, CanBeRemovedByASignalHandler) {
+  EXPECT_EQ(end_of_child([&] {
+              AtomicFile file(path_, false, GetParam());
+              file.write("half");
+              remove_unfinished_files();
+              ::_exit(7);
+            }),
+            W_EXITCODE(7, 0));
+  EXPECT_THAT(files(), IsEmpty());
+}
+
+TEST_P(AtomicFiles, LeaveOtherWritersAlone) {
+  AtomicFile first(path_, true, GetParam()), second(path_, true, GetParam());
+  first.write("first");
+  second.write("second");
+  first.commit();
+  EXPECT_EQ(test::bytes_of(path_), "first");
+  second.commit();
+  EXPECT_EQ(test::bytes_of(path_), "second");
+  EXPECT_THAT(files(), ElementsAre("x.csv"));
+}
+
+TEST_P(AtomicFiles, FollowSymbolicLinks) {
+  const std::string target = folder_.file("target");
+  test::write_bytes(target, "old");
+  fs::create_symlink("target", path_);
+  write("new", true);
+  EXPECT_TRUE(fs::is_symlink(path_));
+  EXPECT_EQ(test::bytes_of(target), "new");
+}
+
+TEST_P(AtomicFiles, TakeLongNames) {
+  path_ = folder_.file(std::string(255, 'n'));
+  write("x", false);
+  EXPECT_EQ(test::bytes_of(path_), "x");
+}
+
+TEST_P(AtomicFiles, SayWhyTheyCannotBeWritten) {
+  const auto refusal = [&](const std::string& path) {
+    return input_error_of([&] { AtomicFile(path, true, GetParam()); });
+  };
+  EXPECT_THAT(refusal(folder_.file("no/x.csv")), HasSubstr("create the folder"));
+  EXPECT_THAT(refusal(folder_.path()), HasSubstr("is a folder"));
+  EXPECT_THAT(refusal("/dev/null"), HasSubstr("not a regular file"));
+  EXPECT_THAT(refusal(""), HasSubstr("empty file name"));
+  EXPECT_THAT(refusal(folder_.file(std::string(300, 'n'))), HasSubstr("nnn"));
+}
+
+TEST_P(AtomicFiles, SayWhenTheDiskIsFull) {
+  EXPECT_EQ(end_of_child([&] {
+              const rlimit limit{.rlim_cur = 100, .rlim_max = 100};  // fails as a full disk does
+              ::setrlimit(RLIMIT_FSIZE, &limit);
+              ::signal(SIGXFSZ, SIG_IGN);
+              const std::string message = input_error_of([&] { write(std::string(200, 'x'), false); });
+              ::_exit(message.find(path_) == std::string::npos ? 1 : 7);
+            }),
+            W_EXITCODE(7, 0));
+  EXPECT_THAT(files(), IsEmpty());
+}
+
+TEST(WriteFile, WritesAllAtOnce) {
+  const test::ScratchFolder folder;
+  const std::string path = folder.file("x"), bytes("a\0b\n", 4);
+  write_file(path, bytes, false);
+  EXPECT_EQ(test::bytes_of(path), bytes);
+  EXPECT_THROW(write_file(path, "other", false), InputError);
+}
+
+}  // namespace percuss::atomic_file_test

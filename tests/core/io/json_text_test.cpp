@@ -1,0 +1,52 @@
+#include "core/io/json_text.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+#include "support/input_error.hpp"
+
+namespace percuss::json_text_test {
+
+using test::input_error_of;
+using testing::HasSubstr;
+
+void check(const std::string& text, bool comments = false) {
+  check_json({.text = text, .where = "x.json", .remedy = "write it again", .max_depth = 3, .comments = comments});
+}
+std::string refusal(const std::string& text) {
+  return input_error_of([&] { check(text); });
+}
+
+TEST(JsonText, MayBeAnyValue) {
+  for (const char* text : {R"({"a": [1, {"b": null}], "c": {"b": "x"}})", "3", "[true, -1, 1e3, []]", "[[[1]]]"})
+    EXPECT_NO_THROW(check(text)) << text;
+  EXPECT_NO_THROW(check("{\"a\": 1} // one", true));
+}
+
+TEST(JsonText, IsRefusedWithThePlaceAndTheRemedy) {
+  EXPECT_THAT(refusal("{\"a\": 1} // one"), HasSubstr("not JSON (x.json, byte 10); write it again"));
+  for (const char* text : {"", "{", "[1,]", "{\"a\":}", "nul", "\"\xFF\"", "1 2"})
+    EXPECT_THAT(refusal(text), HasSubstr("not JSON")) << text;
+  EXPECT_THAT(refusal("[1e999]"), HasSubstr("too large"));
+  EXPECT_THAT(refusal(R"({"a": 1, "a": 2})"), HasSubstr("key \"a\" is given twice"));
+  EXPECT_THAT(refusal("[[[[1]]]]"), HasSubstr("nested deeper than 3"));
+  EXPECT_THAT(refusal(std::string(1000000, '[')), HasSubstr("nested deeper"));
+}
+
+// With the library's callbacks this took minutes: the square of the length.
+TEST(JsonText, TakesTimeAsItsLength) {
+  const auto seconds = [](std::size_t objects) {
+    std::string text = "[{}";
+    for (std::size_t i = 1; i < objects; ++i) text += ",{}";
+    const auto began = std::chrono::steady_clock::now();
+    check(text + "]");
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  };
+  seconds(20000);  // what the first call alone takes
+  // A tenfold length takes some tenfold time; its square would be a hundredfold.
+  EXPECT_LT(seconds(400000), 40 * (seconds(40000) + 1e-3));
+}
+
+}  // namespace percuss::json_text_test

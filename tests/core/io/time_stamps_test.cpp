@@ -1,0 +1,119 @@
+#include "core/io/time_stamps.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace percuss::csv_rate_test {
+
+using testing::HasSubstr;
+
+std::vector<double> rounded_stamps(double fs_Hz, std::size_t count, double resolution_s) {
+  std::vector<double> t(count);
+  for (std::size_t i = 0; i < count; ++i)
+    t[i] = std::round(static_cast<double>(i) / fs_Hz / resolution_s) * resolution_s;
+  return t;
+}
+
+std::optional<StampedRate> rate_of(const std::vector<double>& time_s, double resolution_s,
+                                   std::string* problem = nullptr) {
+  const std::vector<Stamps> rows = {{time_s, resolution_s}};
+  StampProblem found;
+  auto rate = rate_of_stamps(rows, found);
+  if (problem != nullptr) *problem = found.text;
+  EXPECT_EQ(rate.has_value(), found.text.empty());
+  return rate;
+}
+
+TEST(StatedRate, IsReadFromTheLinesThatInstrumentsWrite) {
+  EXPECT_EQ(stated_rate_Hz("Sampling Rate(Hz),50", {}), 50);
+  EXPECT_EQ(stated_rate_Hz("\"Sampling Rate(Hz)\",50,,,", {}), 50);
+  EXPECT_EQ(stated_rate_Hz("fs = 25.6 kHz", {}), 25600);
+  EXPECT_EQ(stated_rate_Hz("Sample rate: 51200", {.delimiter = ' '}), 51200);
+  EXPECT_EQ(stated_rate_Hz("Sample rate 51.2 kHz", {.delimiter = ' '}), 51200);
+  EXPECT_EQ(stated_rate_Hz("Sampling frequency,12.8,kHz", {}), 12800);
+  EXPECT_EQ(stated_rate_Hz("dt [ms];0,5", {.delimiter = ';', .decimal_comma = true}), 2000);
+  EXPECT_EQ(stated_rate_Hz("Sample Interval,0.001", {}), 1000);
+}
+
+TEST(StatedRate, IsNotSeenInOtherLines) {
+  for (const char* line : {"", "Data Nos/CH,9120", "MEAS Time(sec),182.4", "fsync,7", "Sampling Rate(Hz),",
+                           "Sampling Rate(Hz),-1", "time,force,acc", "dtype,3"}) {
+    EXPECT_FALSE(stated_rate_Hz(line, {})) << line;
+  }
+}
+
+TEST(RateOfStamps, IsExactWhateverTheStampsAreRoundedTo) {
+  for (const double fs_Hz : {50.0, 1000.0, 25600.0, 44100.0, 51200.0, 102400.0}) {
+    for (const double resolution_s : {1e-9, 1e-6, 1e-4}) {
+      const auto rate = rate_of(rounded_stamps(fs_Hz, 200000, resolution_s), resolution_s);
+      ASSERT_TRUE(rate) << fs_Hz << ' ' << resolution_s;
+      EXPECT_EQ(rate->fs_Hz, fs_Hz) << resolution_s;
+    }
+  }
+}
+
+TEST(RateOfStamps, NeedsFewStampsWhereTheyAreExact) {
+  EXPECT_EQ(rate_of({0, 1e-3}, 1e-3)->fs_Hz, 1000);
+  EXPECT_EQ(rate_of({0.5, 0.75, 1}, 0.01)->fs_Hz, 4);
+}
+
+TEST(RateOfStamps, BearsSinglePrecision) {
+  std::vector<double> t(200000);
+  for (std::size_t i = 0; i < t.size(); ++i)
+    t[i] = static_cast<double>(static_cast<float>(static_cast<double>(i) / 25600.0));
+  const auto rate = rate_of(t, 1e-16);
+  ASSERT_TRUE(rate);
+  EXPECT_NEAR(rate->fs_Hz / 25600, 1, 0x1p-23);  // two roundings to 24 bits
+}
+
+TEST(RateOfStamps, MissesNoLostSample) {
+  for (const std::size_t lost : {std::size_t{1}, std::size_t{500}, std::size_t{998}}) {
+    for (const double resolution_s : {1e-6, 1e-5, 1e-3}) {
+      auto t = rounded_stamps(resolution_s == 1e-3 ? 1000 : 25600, 20000, resolution_s);
+      t.erase(t.begin() + static_cast<std::ptrdiff_t>(lost));
+      std::string problem;
+      EXPECT_FALSE(rate_of(t, resolution_s, &problem)) << lost << ' ' << resolution_s;
+      EXPECT_THAT(problem, HasSubstr("uneven time"));
+    }
+  }
+}
+
+TEST(RateOfStamps, RefusesTimeThatGoesBackOrStandsStill) {
+  std::string problem;
+  EXPECT_FALSE(rate_of({0, 1e-3, 2e-3, 0, 1e-3, 2e-3}, 1e-3, &problem));
+  EXPECT_THAT(problem, HasSubstr("does not rise"));
+  EXPECT_FALSE(rate_of({0.5, 0.5, 0.5}, 1e-3, &problem));
+  EXPECT_FALSE(rate_of({1, 0.9, 0.8}, 1e-3, &problem));
+  EXPECT_FALSE(rate_of({0}, 1e-3, &problem));
+}
+
+TEST(RateOfStamps, RefusesStampsTooCoarseToTell) {
+  std::string problem;
+  EXPECT_FALSE(rate_of(rounded_stamps(25600, 2560, 1e-3), 1e-3, &problem));
+  EXPECT_THAT(problem, HasSubstr("too coarse"));
+}
+
+TEST(RateOfStamps, PoolsRowsThatEachStartAnew) {
+  const auto t = rounded_stamps(12800, 1280, 1e-9);
+  const std::vector<Stamps> rows(5, {t, 1e-9});
+  StampProblem problem;
+  EXPECT_EQ(rate_of_stamps(rows, problem)->fs_Hz, 12800);
+}
+
+TEST(RoundestBetween, HasTheFewestDigits) {
+  EXPECT_EQ(roundest_between(25599.2, 25600.7), 25600);
+  EXPECT_EQ(roundest_between(99, 101), 100);
+  EXPECT_EQ(roundest_between(48828.1249, 48828.1251), 48828.125);
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> exponent(-3, 8), width(1e-12, 1e-3);
+  for (int i = 0; i < 1000; ++i) {
+    const double low = std::pow(10, exponent(random)), high = low * (1 + width(random));
+    const double round = roundest_between(low, high);
+    EXPECT_TRUE(low <= round && round <= high) << low << ' ' << high << ' ' << round;
+  }
+}
+
+}  // namespace percuss::csv_rate_test

@@ -1,0 +1,149 @@
+#include "core/parallel/background_tasks.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "core/parallel/parallel.hpp"
+#include "core/parallel/task_arena.hpp"
+
+namespace percuss::meanwhile_test {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t kMuch = 1'000'000'000;  // operations: worth other threads
+
+void loop(std::size_t count = 4) {
+  share_out(count, kMuch, [](std::size_t) { std::this_thread::sleep_for(std::chrono::milliseconds(1)); });
+}
+
+TEST(Meanwhile, DoesEachTaskOnceOnAnyNumberOfThreads) {
+  for (const std::size_t threads : {0U, 1U, 2U, 8U}) {
+    const ThreadLimit limit(threads);
+    for (const std::size_t count : {0U, 1U, 1000U}) {
+      std::vector<std::atomic<int>> calls(count);
+      Meanwhile work(count, [&](std::size_t i) { ++calls.at(i); });
+      loop();
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      loop();
+      work.finish();
+      for (const auto& number : calls) EXPECT_EQ(number, 1);
+    }
+  }
+}
+
+TEST(Meanwhile, BeginsNothingByItselfOnOneThread) {
+  const ThreadLimit limit(1);
+  int calls = 0;  // unguarded: a second thread would be a race
+  {
+    const Meanwhile work(10, [&](std::size_t) { ++calls; });
+    loop();
+  }
+  EXPECT_EQ(calls, 0);
+}
+
+TEST(Meanwhile, HasOtherThreadsWorkWhileThisOneIsBusy) {
+  if (threads_of_arena(2) < 2) return;  // this process has one processor
+  const ThreadLimit limit(2);
+  const auto here = std::this_thread::get_id();
+  std::atomic<int> calls{0};
+  Meanwhile work(10, [&](std::size_t) {
+    EXPECT_NE(std::this_thread::get_id(), here);
+    ++calls;
+  });
+  loop();
+  const auto patience = Clock::now() + std::chrono::seconds(60);
+  while (calls < 10 && Clock::now() < patience) std::this_thread::yield();
+  EXPECT_EQ(calls, 10);
+  work.finish();
+}
+
+// Without waiting for what is left: each task takes longer than the loops.
+TEST(Meanwhile, LeavesOffWhereALoopBegins) {
+  const ThreadLimit limit(2);
+  std::atomic<int> in_loop{0}, begun_in_loop{0};
+  Meanwhile work(1000, [&](std::size_t) {
+    if (in_loop > 0) ++begun_in_loop;
+    std::this_thread::sleep_for(std::chrono::microseconds(200));
+  });
+  for (int i = 0; i < 10; ++i) {
+    share_out(4, kMuch, [&](std::size_t) {
+      ++in_loop;
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+      --in_loop;
+    });
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  EXPECT_LE(begun_in_loop, 10);  // one that was just being begun
+}
+
+TEST(Meanwhile, EndsWithWhatHasBegun) {
+  const ThreadLimit limit(2);
+  std::atomic<int> begun{0}, ended{0};
+  {
+    const Meanwhile work(1000, [&](std::size_t) {
+      ++begun;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      ++ended;
+    });
+    loop();
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  const int at_end = begun;
+  EXPECT_EQ(ended, at_end);
+  std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  EXPECT_EQ(begun, at_end);
+  EXPECT_LT(at_end, 1000);
+}
+
+TEST(Meanwhile, PassesOnTheErrorOfTheLowestIndex) {
+  for (const std::size_t threads : {1U, 2U, 8U}) {
+    const ThreadLimit limit(threads);
+    Meanwhile work(100, [](std::size_t i) {
+      if (i % 10 == 3) throw std::runtime_error("task " + std::to_string(i));
+    });
+    loop();
+    try {
+      work.finish();
+      FAIL() << "no exception on " << threads << " threads";
+    } catch (const std::runtime_error& error) {
+      EXPECT_STREQ(error.what(), "task 3");
+    }
+  }
+}
+
+TEST(Meanwhile, StaysOnItsThreadWithWhatATaskSharesOut) {
+  const ThreadLimit limit(2);
+  std::atomic<int> elsewhere{0};
+  Meanwhile work(20, [&](std::size_t) {
+    const auto here = std::this_thread::get_id();
+    share_out(10, kMuch, [&](std::size_t) {
+      if (std::this_thread::get_id() != here) ++elsewhere;
+    });
+  });
+  loop();
+  std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  EXPECT_EQ(elsewhere, 0);
+}
+
+TEST(Meanwhile, MayStandWithinAnother) {
+  const ThreadLimit limit(2);
+  std::atomic<int> outer_calls{0}, inner_calls{0};
+  Meanwhile outer(100, [&](std::size_t) { ++outer_calls; });
+  {
+    Meanwhile inner(100, [&](std::size_t) { ++inner_calls; });
+    loop();
+    inner.finish();
+  }
+  loop();
+  outer.finish();
+  EXPECT_EQ(outer_calls, 100);
+  EXPECT_EQ(inner_calls, 100);
+}
+
+}  // namespace percuss::meanwhile_test

@@ -1,0 +1,125 @@
+#include "core/parallel/parallel.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace percuss::parallel_test {
+
+constexpr std::array<std::size_t, 6> kAnyThreads = {0, 1, 2, 7, 1000, std::numeric_limits<std::size_t>::max()};
+
+TEST(ParallelFor, CallsEachTaskOnceOnAnyNumberOfThreads) {
+  for (const std::size_t threads : kAnyThreads) {
+    for (const std::size_t count : {0U, 1U, 2U, 1000U}) {
+      std::vector<std::atomic<int>> calls(count);
+      parallel_for(count, threads, [&](std::size_t i) { ++calls.at(i); });
+      for (const auto& number : calls) EXPECT_EQ(number, 1);
+    }
+  }
+}
+
+TEST(ParallelFor, RunsHereAndInOrderOnOneThread) {
+  std::vector<std::size_t> order;  // unguarded: a second thread would be a race
+  const auto here = std::this_thread::get_id();
+  parallel_for(50, 1, [&](std::size_t i) {
+    EXPECT_EQ(std::this_thread::get_id(), here);
+    order.push_back(i);
+  });
+  std::vector<std::size_t> expected(50);
+  std::iota(expected.begin(), expected.end(), std::size_t{0});
+  EXPECT_EQ(order, expected);
+}
+
+TEST(ParallelFor, PassesATasksExceptionOn) {
+  for (const std::size_t threads : kAnyThreads) {
+    const auto work = [&] {
+      parallel_for(20, threads, [](std::size_t i) {
+        if (i == 13) throw std::runtime_error("task 13");
+      });
+    };
+    try {
+      work();
+      FAIL() << "no exception on " << threads << " threads";
+    } catch (const std::runtime_error& error) {
+      EXPECT_STREQ(error.what(), "task 13");
+    }
+  }
+}
+
+TEST(ParallelFor, MayBeNested) {
+  std::vector<std::atomic<int>> calls(100);
+  parallel_for(10, 0, [&](std::size_t i) { parallel_for(10, 0, [&](std::size_t j) { ++calls.at(10 * i + j); }); });
+  for (const auto& number : calls) EXPECT_EQ(number, 1);
+}
+
+// Else it would return with its work undone, as if all were well.
+TEST(ParallelFor, FinishesALoopWithinOneThatFailsMeanwhile) {
+  std::atomic<bool> begun{false}, failed{false};
+  std::size_t calls = 0;
+  const auto work = [&] {
+    parallel_for(2, 2, [&](std::size_t outer) {
+      if (outer == 0) {
+        for (int ms = 0; ms < 1000 && !begun; ++ms) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        failed = true;
+        throw std::runtime_error("outer");
+      }
+      begun = true;
+      while (!failed) std::this_thread::yield();
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));  // until the library has heard of it
+      std::atomic<std::size_t> inner{0};
+      parallel_for(1000, 2, [&](std::size_t) { ++inner; });
+      calls = inner;
+    });
+  };
+  EXPECT_THROW(work(), std::runtime_error);
+  EXPECT_EQ(calls, begun ? 1000U : 0U);
+}
+
+TEST(ShareOutStrips, CoverEachValueOnce) {
+  for (const std::size_t size : {0U, 1U, 511U, 512U, 513U, 5000U}) {
+    std::vector<int> calls(size);
+    share_out_strips(size, 1'000'000, [&](std::size_t first, std::size_t count) {
+      for (std::size_t i = first; i < first + count; ++i) ++calls.at(i);
+    });
+    EXPECT_EQ(calls, std::vector<int>(size, 1)) << size;
+  }
+}
+
+TEST(ShareOut, StaysHereWhereItWouldNotPayOrIsNotAllowed) {
+  const auto here = std::this_thread::get_id();
+  const auto stays = [&](std::size_t operations) {
+    share_out(100, operations, [&](std::size_t) { EXPECT_EQ(std::this_thread::get_id(), here); });
+  };
+  stays(10);
+  const ThreadLimit limit(1);
+  stays(1'000'000'000);
+}
+
+TEST(ShareOut, KeepsItsLimitWithinTasksAndGivesItBack) {
+  std::vector<std::atomic<int>> calls(64);
+  {
+    const ThreadLimit limit(2);
+    share_out(8, 1'000'000, [&](std::size_t i) {
+      const auto here = std::this_thread::get_id();
+      const ThreadLimit one(1);
+      share_out(8, 1'000'000, [&](std::size_t j) {
+        EXPECT_EQ(std::this_thread::get_id(), here);
+        ++calls.at(8 * i + j);
+      });
+    });
+  }
+  for (const auto& number : calls) EXPECT_EQ(number, 1);
+  std::atomic<int> after{0};
+  share_out(8, 1'000'000, [&](std::size_t) { ++after; });
+  EXPECT_EQ(after, 8);
+}
+
+}  // namespace percuss::parallel_test

@@ -1,0 +1,116 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "acquire/formats/hdf5/write_hdf5.hpp"
+#include "core/units.hpp"
+#include "support/help_pages.hpp"
+#include "support/modal_frfs.hpp"
+#include "support/percuss_process.hpp"
+#include "support/scratch_folder.hpp"
+#include "synth/synthesise.hpp"
+
+// The examples that --help shows are typed into a shell as they stand there, in a folder with the files that they name.
+namespace percuss::examples_test {
+
+namespace fs = std::filesystem;
+using test::run_percuss;
+
+std::string quoted(const std::string& text) { return "'" + text + "'"; }
+
+struct ShellOutcome {
+  int code = -1;
+  std::string err;
+};
+
+/// What /bin/sh makes of a line in `folder`, percuss on its path. It stops at the first command that fails.
+ShellOutcome run_in_shell(const std::string& line, const std::string& folder) {
+  const test::ScratchFolder aside;
+  test::write_bytes(aside.file("line"), line + "\n");
+  const std::string programs = fs::path(PERCUSS_EXECUTABLE).parent_path();
+  const std::string command = "cd " + quoted(folder) + " && PATH=" + quoted(programs) + ":$PATH /bin/sh -eu " +
+                              quoted(aside.file("line")) + " >/dev/null 2>" + quoted(aside.file("err")) + " </dev/null";
+  const int status = std::system(command.c_str());
+  return {.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1, .err = test::bytes_of(aside.file("err"))};
+}
+
+// A hammer that reads 1 for every N of a mass of 1.25 kg, in the column CH8.
+std::string calibration_hits() {
+  std::string hits = "t_s,CH8,acc_m_s2\n";
+  for (int i = 0; i < 1000; ++i) {
+    const bool hit = i >= 300 && i < 320;
+    hits += std::to_string(i / 1000.0) + (hit ? ",1000,8\n" : i % 2 == 0 ? ",1,0\n" : ",-1,0\n");
+  }
+  return hits;
+}
+
+/// The folder that the examples find: every file that they name and do not write themselves.
+class Examples : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    prepared() = std::make_unique<test::ScratchFolder>();
+    for (const std::string line : {
+             "percuss synth composite-bat -o bat.h5",
+             "percuss synth roving-barrel -o barrel.h5",
+             "percuss convert bat.h5 bat.mat",
+             "percuss frf bat.h5 --band 60:3200 -o frfs.h5",
+             "percuss analyze bat.h5 --band 60:3200 --json > test.json",
+             "percuss model beam --json > model.json",
+             "rm bat.truth.json barrel.truth.json",
+         }) {
+      const auto outcome = run_in_shell(line, prepared()->path());
+      ASSERT_EQ(outcome.code, 0) << line << "\n" << outcome.err;
+    }
+    write_hdf5(prepared()->file("scan.h5"), synthesise(test::scanned_beam(3, 0.25, 25)).record, false);
+    test::write_bytes(prepared()->file("hits.csv"), calibration_hits());
+    test::write_bytes(prepared()->file("profile.txt"), "2 50\n10 26\n45 28\n60 50\n84 66\n");
+  }
+  static void TearDownTestSuite() { prepared().reset(); }
+
+  static std::unique_ptr<test::ScratchFolder>& prepared() {
+    static std::unique_ptr<test::ScratchFolder> folder;
+    return folder;
+  }
+
+  // Of the files prepared, links: what an example writes does not meet the next one.
+  static void expect_works(const std::string& line) {
+    const test::ScratchFolder folder;
+    for (const auto& entry : fs::directory_iterator(prepared()->path()))
+      fs::create_symlink(entry.path(), folder.file(entry.path().filename()));
+    const auto outcome = run_in_shell(line, folder.path());
+    EXPECT_EQ(outcome.code, 0) << line << "\n" << outcome.err;
+    EXPECT_EQ(outcome.err, "") << line;
+  }
+};
+
+TEST_F(Examples, WorkAsTheyStandThere) {
+  for (const auto& command : test::commands()) {
+    for (const std::string& line : test::example_lines(command)) expect_works(line);
+  }
+}
+
+TEST_F(Examples, AreShownForEveryCommandAndUseIt) {
+  for (const auto& command : test::commands()) {
+    const bool is_group = test::help_of(command).find("\nCommands:\n") != std::string::npos;
+    const auto lines = test::example_lines(command);
+    EXPECT_TRUE(is_group || !lines.empty()) << test::joined(command);
+    for (const std::string& line : lines)
+      EXPECT_THAT(line, testing::HasSubstr(test::joined({"percuss", test::joined(command)})));
+  }
+}
+
+// The checks above would pass if the shell were not asked, or did not tell.
+TEST_F(Examples, AreSeenToFail) {
+  const test::ScratchFolder folder;
+  EXPECT_EQ(run_in_shell("percuss analyze none.h5", folder.path()).code, 3);
+  EXPECT_EQ(run_in_shell("percuss anaylze; true", folder.path()).code, 2);
+  EXPECT_NE(run_in_shell("percuss analyze none.h5", folder.path()).err, "");
+}
+
+}  // namespace percuss::examples_test

@@ -1,0 +1,124 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "support/console_transcript.hpp"
+#include "support/percuss_process.hpp"
+#include "support/scratch_folder.hpp"
+
+// The pages' commands, run in the order in which a reader types them, print what the pages show.
+namespace percuss::tutorial_test {
+
+using test::prints_as_shown;
+using test::same_line;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+struct Outcome {
+  int code = -1;
+  std::vector<std::string> lines;  // of both streams, as a terminal shows them
+};
+
+// In a shell of its own, which is told the exit code of the command before it, so that `echo $?` works.
+Outcome run_shell(const std::string& script, const std::string& folder, int code_before) {
+  const std::string bin = std::filesystem::path(PERCUSS_EXECUTABLE).parent_path().string();
+  const std::string prepared = "exec 2>&1 </dev/null\ncd '" + folder + "' || exit 99\nPATH='" + bin +
+                               "':$PATH\n(exit " + std::to_string(code_before) + ")\n" + script + "\n";
+  FILE* stream = ::popen(prepared.c_str(), "r");
+  if (stream == nullptr) throw std::runtime_error("no shell");
+  std::string text;
+  std::array<char, 4096> block{};
+  for (std::size_t got = 0; (got = std::fread(block.data(), 1, block.size(), stream)) > 0;)
+    text.append(block.data(), got);
+  const int status = ::pclose(stream);
+  return {.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1, .lines = test::lines_of(text)};
+}
+
+std::string joined(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += line + "\n";
+  return text;
+}
+
+/// Runs the commands of a page in an empty folder. What does not print as shown is printed whole, to be looked at and
+/// put into the page.
+void expect_page_to_print_as_shown(const std::string& page, std::size_t least_commands) {
+  const auto commands = test::shown_commands(test::bytes_of(PERCUSS_SOURCE_DIR "/" + page));
+  ASSERT_GE(commands.size(), least_commands) << page << " has lost commands, or their form";
+  const test::ScratchFolder folder;
+  int code = 0;
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    const auto& command = commands[i];
+    const Outcome outcome = run_shell(command.script, folder.path(), code);
+    code = outcome.code;
+    EXPECT_TRUE(prints_as_shown(command.expected, outcome.lines))
+        << page << ":" << command.line << " shows something else than what is printed now:\n$ " << command.script
+        << "\n"
+        << joined(outcome.lines);
+    const bool told = i + 1 < commands.size() && commands[i + 1].script == "echo $?";
+    EXPECT_TRUE(code == 0 || told) << page << ":" << command.line << ": exit code " << code << " of\n$ "
+                                   << command.script << "\n"
+                                   << joined(outcome.lines);
+  }
+}
+
+TEST(ConsolePage, HoldsCommandsAndWhatTheyPrint) {
+  const auto commands = test::shown_commands(
+      "text\n```console\n$ cat > a <<END\n> 1\n> END\n$ cat a\n1\n```\n```\n$ not this\n```\n```console\n$ "
+      "echo\n\n```\n");
+  ASSERT_EQ(commands.size(), 3U);
+  EXPECT_EQ(commands[0].script, "cat > a <<END\n1\nEND");
+  EXPECT_THAT(commands[0].expected, IsEmpty());
+  EXPECT_THAT(commands[1].expected, ElementsAre("1"));
+  EXPECT_THAT(commands[2].expected, ElementsAre(""));
+  EXPECT_EQ(commands[2].line, 13U);
+}
+
+TEST(ConsolePage, AllowsTheLastDigitToBeRoundedOtherwise) {
+  EXPECT_TRUE(same_line("bending 1  182.00009 ± 0.00025 Hz", "bending 1  182.00011 ± 0.00023 Hz"));
+  EXPECT_FALSE(same_line("bending 1  182.00009 ± 0.00025 Hz", "bending 1  182.00012 ± 0.00025 Hz"));
+  EXPECT_FALSE(same_line("bending 1  182.00009 ± 0.00025 Hz", "bending 1  182.00009 ± 0.00028 Hz"));
+  EXPECT_FALSE(same_line("182.00009 ± 0.00025", "182.0001 ± 0.0003"));
+  EXPECT_TRUE(same_line("at 0.0199 s", "at 0.0200 s"));
+  EXPECT_FALSE(same_line("at 0.0199 s", "at 0.0201 s"));
+  EXPECT_TRUE(same_line("1.1e-05", "1.2e-05"));
+  EXPECT_FALSE(same_line("1.1e-05", "1.1e-06"));
+}
+
+TEST(ConsolePage, AllowsNothingElse) {
+  EXPECT_FALSE(same_line("5 hits", "6 hits"));
+  EXPECT_FALSE(same_line("bending 1", "bending 2"));
+  EXPECT_FALSE(same_line("0.1 mm", "0.1 m"));
+  EXPECT_FALSE(same_line("0.1 m", "0.1 mm"));
+  EXPECT_FALSE(same_line("0.1", " 0.1"));
+  EXPECT_FALSE(same_line("-0.1", "+0.1"));
+  EXPECT_FALSE(same_line("10", "1"));
+  EXPECT_FALSE(same_line("", "1"));
+}
+
+TEST(ConsolePage, LeavesLinesOutWhereDotsStandForThem) {
+  EXPECT_TRUE(prints_as_shown({"a", "...", "d"}, {"a", "b", "c", "d"}));
+  EXPECT_TRUE(prints_as_shown({"a", "...", "d"}, {"a", "d", "d"}));
+  EXPECT_TRUE(prints_as_shown({"a", "..."}, {"a"}));
+  EXPECT_FALSE(prints_as_shown({"a", "...", "d"}, {"a", "b"}));
+  EXPECT_FALSE(prints_as_shown({"...", "b", "..."}, {"a", "c"}));
+  EXPECT_FALSE(prints_as_shown({"a"}, {"a", "b"}));
+  EXPECT_FALSE(prints_as_shown({"a", "b"}, {"a"}));
+  EXPECT_FALSE(prints_as_shown({}, {"a"}));
+}
+
+// How many commands each page has at the least: a page whose blocks lost their form would pass by running nothing.
+TEST(Tutorial, OfABatPrintsWhatItShows) { expect_page_to_print_as_shown("docs/tutorial-bat.md", 12); }
+TEST(Tutorial, OfASurveyPrintsWhatItShows) { expect_page_to_print_as_shown("docs/tutorial-survey.md", 6); }
+TEST(Tutorial, OfADeflectionPrintsWhatItShows) { expect_page_to_print_as_shown("docs/tutorial-deflection.md", 8); }
+TEST(Tutorial, OfACertificationPrintsWhatItShows) { expect_page_to_print_as_shown("docs/tutorial-certify.md", 8); }
+TEST(Tutorial, OfABatchPrintsWhatItShows) { expect_page_to_print_as_shown("docs/tutorial-batch.md", 20); }
+TEST(Tutorial, ReadmePrintsWhatItShows) { expect_page_to_print_as_shown("README.md", 2); }
+
+}  // namespace percuss::tutorial_test

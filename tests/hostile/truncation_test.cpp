@@ -1,0 +1,96 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/error.hpp"
+#include "frf/formats/frf_record.hpp"
+#include "support/scratch_folder.hpp"
+#include "targets.hpp"
+
+// One file of every format, cut off after every byte: refused, or what is left of it is what stood there.
+namespace percuss::truncation_test {
+
+using test::bytes_of;
+
+const std::string kCorpus = PERCUSS_SOURCE_DIR "/fuzz/corpus/";
+
+/// All samples: the rows' forces and accelerations.
+std::vector<std::vector<double>> samples_of(const Record& record) {
+  std::vector<std::vector<double>> out;
+  for (std::size_t row = 0; row < record.rows.size(); ++row) {
+    std::vector<double> signal(record.rows[row].samples);
+    record.read_force_N(row, 0, signal);
+    out.push_back(signal);
+    for (std::size_t channel = 0; channel < record.accel.size(); ++channel) {
+      record.read_accel_mps2(row, channel, 0, signal);
+      out.push_back(signal);
+    }
+  }
+  return out;
+}
+
+std::vector<std::vector<Complex>> frfs_of(const FrfRecord& record) {
+  std::vector<std::vector<Complex>> out;
+  for (const PointFrf& frf : record.frfs) out.push_back(frf.frf.value);
+  return out;
+}
+
+/// Whether `part` is how `whole` begins, but for the last `spoilt` numbers of it: a text may end within a number.
+template <class Number>
+bool begins(const std::vector<Number>& part, const std::vector<Number>& whole, std::size_t spoilt) {
+  const std::size_t sure = part.size() - std::min(part.size(), spoilt);
+  return part.size() <= whole.size() &&
+         std::equal(part.begin(), part.begin() + static_cast<std::ptrdiff_t>(sure), whole.begin());
+}
+
+struct Cut {
+  const char* file;
+  std::size_t spoilt;  // numbers at the end of a signal that a cut may change
+  ReadOptions options = {};
+};
+
+class Truncation : public testing::TestWithParam<Cut> {
+ protected:
+  test::ScratchFolder folder_;
+};
+
+INSTANTIATE_TEST_SUITE_P(, Truncation,
+                         testing::Values(Cut{"csv/record.csv", 1}, Cut{"csv/decimal-comma.csv", 1},
+                                         Cut{"lvm/one.lvm", 1}, Cut{"uff/record.uff", 0}, Cut{"uff/text.unv", 0},
+                                         Cut{"uff/frf.uff", 0}, Cut{"frf_text/frf.csv", 1}, Cut{"foreign/record.h5", 0},
+                                         Cut{"foreign/record.mat", 0}, Cut{"foreign/record.wav", 0},
+                                         Cut{"foreign/record.rf64", 0},
+                                         Cut{"foreign/record.w64", 0, {.force_channel = "1"}}),
+                         [](const auto& one) {
+                           std::string name = one.param.file;
+                           for (char& c : name) c = std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
+                           return name;
+                         });
+
+TEST_P(Truncation, LeavesWhatStoodThereOrIsRefused) {
+  const std::string bytes = bytes_of(kCorpus + GetParam().file), path = folder_.file("cut");
+  const FrfReadOptions options{.read = GetParam().options, .kind = {}};
+  test::write_bytes(path, bytes);
+  const auto whole = open_measurement(path, options);
+  for (std::size_t size = 0; size < bytes.size(); ++size) {
+    test::write_bytes(path, bytes.substr(0, size));
+    try {
+      const auto cut = open_measurement(path, options);
+      ASSERT_EQ(cut.index(), whole.index()) << size;
+      if (const auto* record = std::get_if<Record>(&cut)) {
+        const auto parts = samples_of(*record), all = samples_of(std::get<Record>(whole));
+        ASSERT_LE(parts.size(), all.size());
+        for (std::size_t i = 0; i < parts.size(); ++i)
+          ASSERT_TRUE(begins(parts[i], all[i], GetParam().spoilt)) << "signal " << i << " after " << size << " bytes";
+      } else {
+        const auto parts = frfs_of(std::get<FrfRecord>(cut)), all = frfs_of(std::get<FrfRecord>(whole));
+        ASSERT_LE(parts.size(), all.size());
+        for (std::size_t i = 0; i < parts.size(); ++i)
+          ASSERT_TRUE(begins(parts[i], all[i], GetParam().spoilt)) << "FRF " << i << " after " << size << " bytes";
+      }
+    } catch (const InputError& refusal) {
+      fuzz::require_clean(refusal);
+    }
+  }
+}
+
+}  // namespace percuss::truncation_test

@@ -1,0 +1,119 @@
+// The rules of a bat test that go beside the ratio: overlay, double peaks, order numbers.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "identify/classify/classify.hpp"
+
+namespace percuss::classify_rules_test {
+
+Mode mode_at(double freq_Hz, double first, double second) {
+  return {.pole = {freq_Hz, 0.003},
+          .residues = {{.channel = 0, .value = first, .std = 1e-3}, {.channel = 1, .value = second, .std = 1e-3}}};
+}
+Mode hoop(double freq_Hz) { return mode_at(freq_Hz, 1, -1); }
+Mode bending(double freq_Hz, double ratio = 0.4) { return mode_at(freq_Hz, 1, ratio); }
+
+std::vector<Verdict> verdicts(const std::vector<Mode>& modes, const ClassifyOptions& options = {}) {
+  const SensorPair sensors{.first = 0, .second = 1, .first_rad = 0, .second_rad = std::numbers::pi / 2};
+  return classify(modes, sensors, std::vector<std::optional<double>>(modes.size()), options);
+}
+
+std::vector<int> orders_of(const std::vector<Verdict>& found) {
+  std::vector<int> orders;
+  orders.reserve(found.size());
+  for (const Verdict& verdict : found) orders.push_back(verdict.order);
+  return orders;
+}
+
+TEST(Overlay, HoldsWhenTheMagnitudesDifferByNoMoreThanTheThreshold) {
+  const std::vector<std::optional<double>> differences{0.0, 1.0, -1.0, 1.01, -1.01, 1.7, std::nullopt};
+  const std::vector<Mode> modes(differences.size(), bending(500));
+  const auto found = classify(modes, std::nullopt, differences);
+  const std::vector<bool> overlaid{true, true, true, false, false, false, false};
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    EXPECT_EQ(found[m].overlaid, overlaid[m]) << m;
+    EXPECT_EQ(found[m].overlay_dB, differences[m]);
+  }
+}
+
+TEST(Overlay, ThresholdIsTheUsers) {
+  EXPECT_TRUE(classify({bending(500)}, std::nullopt, {1.7}, {.overlay_dB = 2})[0].overlaid);
+  EXPECT_FALSE(classify({bending(500)}, std::nullopt, {0.5}, {.overlay_dB = 0.4})[0].overlaid);
+}
+
+TEST(Overlay, StandsBesideTheVerdictAndDoesNotMakeIt) {
+  // Equal magnitudes, moving together: overlaid as a hoop mode would be, yet bending at 45°.
+  const SensorPair sensors{.first = 0, .second = 1, .first_rad = 0, .second_rad = std::numbers::pi / 2};
+  const Verdict verdict = classify({mode_at(169, 1, 1)}, sensors, {0.0})[0];
+  EXPECT_TRUE(verdict.overlaid);
+  EXPECT_EQ(verdict.family, Family::bending);
+}
+
+TEST(DoublePeak, IsTwoOfOneFamilyWithin25Hertz) {
+  const auto found = verdicts({hoop(1900), hoop(1925)});
+  ASSERT_TRUE(found[0].double_peak && found[1].double_peak);
+  EXPECT_EQ(found[0].double_peak->partner, 1U);
+  EXPECT_EQ(found[1].double_peak->partner, 0U);
+  EXPECT_DOUBLE_EQ(found[0].double_peak->separation_Hz, 25);
+  EXPECT_DOUBLE_EQ(found[1].double_peak->separation_Hz, 25);
+  EXPECT_TRUE(found[0].double_peak->first);  // the lower one is quoted
+  EXPECT_FALSE(found[1].double_peak->first);
+}
+
+TEST(DoublePeak, EndsAt25Hertz) {
+  for (const Verdict& verdict : verdicts({hoop(1900), hoop(1925.5)})) EXPECT_FALSE(verdict.double_peak);
+  for (const Verdict& verdict : verdicts({hoop(1900), hoop(1925.5)}, {.double_peak_Hz = 26}))
+    EXPECT_TRUE(verdict.double_peak);
+}
+
+TEST(DoublePeak, IsNotMadeOfABendingAndAHoopMode) {
+  const auto found = verdicts({bending(1895, 0.0), hoop(1912)});
+  if (found[0].family != found[1].family) {
+    EXPECT_FALSE(found[0].double_peak);
+    EXPECT_FALSE(found[1].double_peak);
+  }
+  EXPECT_EQ(found[1].family, Family::hoop);
+  EXPECT_EQ(found[0].family, Family::bending);
+}
+
+TEST(DoublePeak, OfThreeTakesTheFirstTwo) {
+  const auto found = verdicts({hoop(1900), hoop(1912), hoop(1924)});
+  EXPECT_EQ(found[0].double_peak->partner, 1U);
+  EXPECT_EQ(found[1].double_peak->partner, 0U);
+  EXPECT_FALSE(found[2].double_peak);
+}
+
+TEST(DoublePeak, IsSeenWithoutSensorsToo) {
+  const auto found = classify({hoop(1900), hoop(1912)}, std::nullopt, {std::nullopt, std::nullopt});
+  ASSERT_TRUE(found[0].double_peak);
+  EXPECT_TRUE(found[0].double_peak->first);
+}
+
+TEST(Order, CountsFromOneWithinEachFamily) {
+  EXPECT_EQ(orders_of(verdicts({bending(169), bending(575), hoop(1300), bending(1800), hoop(2650)})),
+            (std::vector<int>{1, 2, 1, 3, 2}));
+}
+
+TEST(Order, IsSharedByADoublePeak) {
+  EXPECT_EQ(orders_of(verdicts({hoop(1900), hoop(1912), hoop(2650)})), (std::vector<int>{1, 1, 2}));
+}
+
+TEST(Order, IsSharedByTheTwoPlanesOfABendingMode) {
+  // Planes across each other, 1.8 % apart.
+  EXPECT_EQ(orders_of(verdicts({bending(169, 0.4), bending(172, -2.5), bending(575), bending(581, -2.5)})),
+            (std::vector<int>{1, 1, 2, 2}));
+}
+
+TEST(Order, IsSharedByTwoAtMost) {
+  EXPECT_EQ(orders_of(verdicts({hoop(1900), hoop(1912), hoop(1924), hoop(1936)})), (std::vector<int>{1, 1, 2, 2}));
+}
+
+TEST(Family, HasNames) {
+  EXPECT_STREQ(name_of(Family::bending), "bending");
+  EXPECT_STREQ(name_of(Family::hoop), "hoop");
+  EXPECT_STREQ(name_of(Family::unknown), "unknown");
+}
+
+}  // namespace percuss::classify_rules_test

@@ -1,0 +1,195 @@
+#include "identify/classify/classify.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace percuss::classify_test {
+
+using std::numbers::pi;
+
+constexpr double kDegree = pi / 180;
+
+/// A mode whose residues at channels 0 and 1 are these.
+Mode mode_at(double freq_Hz, Complex first, Complex second, double std = 1e-3) {
+  return {.pole = {freq_Hz, 0.005},
+          .freq_std_Hz = 0.01,
+          .damping_std = 1e-5,
+          .residues = {{.channel = 0, .value = first, .std = std}, {.channel = 1, .value = second, .std = std}}};
+}
+
+/// Bending in the plane ψ and hoop turned by θ₀, as sensors at these angles see them.
+Mode bending(double freq_Hz, double plane_deg, double second_deg = 90) {
+  return mode_at(freq_Hz, std::cos(plane_deg * kDegree), std::cos((second_deg - plane_deg) * kDegree));
+}
+Mode hoop(double freq_Hz, double turn_deg, double second_deg = 90) {
+  return mode_at(freq_Hz, std::cos(2 * turn_deg * kDegree), std::cos(2 * (second_deg - turn_deg) * kDegree));
+}
+
+std::vector<Verdict> verdicts(const std::vector<Mode>& modes, double second_deg = 90,
+                              const ClassifyOptions& options = {}) {
+  const SensorPair sensors{.first = 0, .second = 1, .first_rad = 0, .second_rad = second_deg * kDegree};
+  return classify(modes, sensors, std::vector<std::optional<double>>(modes.size()), options);
+}
+
+TEST(Classify, RatioMinusOneIsHoop) {
+  for (const double turn : {0.0, 12.0, 30.0, 40.0, 70.0, 170.0}) {
+    const Verdict verdict = verdicts({hoop(1900, turn)})[0];
+    EXPECT_EQ(verdict.family, Family::hoop) << turn;
+    EXPECT_GE(verdict.confidence, 0.8) << turn;
+    EXPECT_NEAR(std::abs(*verdict.ratio + 1.0), 0, 1e-9) << turn;
+  }
+}
+
+TEST(Classify, TangentOfAPlaneIsBending) {
+  for (const double plane : {0.5, 20.0, -20.0, 70.0, 89.5, 110.0}) {
+    const Verdict verdict = verdicts({bending(169, plane)})[0];
+    EXPECT_EQ(verdict.family, Family::bending) << plane;
+    EXPECT_GE(verdict.confidence, 0.8) << plane;
+    EXPECT_FALSE(verdict.alternative && verdict.confidence > 0.95) << plane;
+    EXPECT_NEAR(verdict.ratio->real() / std::tan(plane * kDegree), 1, 1e-9) << plane;
+  }
+}
+
+TEST(Classify, EqualMotionIsBending) { EXPECT_EQ(verdicts({bending(169, 45)})[0].family, Family::bending); }
+
+TEST(Classify, DoesNotTakeOneBendingModeAtMinus45DegreesForSure) {
+  // Its ratio is hoop's own: only an unsure verdict is honest.
+  const Verdict verdict = verdicts({bending(169, -45)})[0];
+  EXPECT_FALSE(verdict.family == Family::hoop && verdict.confidence > 0.97);
+  ASSERT_TRUE(verdict.alternative);
+  EXPECT_EQ(*verdict.alternative, verdict.family == Family::bending ? Family::hoop : Family::bending);
+}
+
+TEST(Classify, KnowsBendingAt45DegreesByItsOtherPlane) {
+  const auto found = verdicts({bending(169, -45), bending(172, 45)});
+  for (const Verdict& verdict : found) EXPECT_EQ(verdict.family, Family::bending);
+}
+
+TEST(Classify, KnowsBendingAtMinus45DegreesByTheSurePlanesOfOthers) {
+  // Modes at 45° say where the bat bends; one across it is then as likely as not, and never sure to be hoop.
+  const auto found = verdicts({bending(169, 45), bending(575, 45), bending(1180, -45)});
+  EXPECT_EQ(found[0].family, Family::bending);
+  EXPECT_EQ(found[1].family, Family::bending);
+  EXPECT_TRUE(found[2].family != Family::hoop || found[2].alternative);
+}
+
+TEST(Classify, ReadsAHoopPairByItsEqualRatios) {
+  const auto found = verdicts({hoop(1900, 12), hoop(1912, 57)});
+  for (const Verdict& verdict : found) {
+    EXPECT_EQ(verdict.family, Family::hoop);
+    EXPECT_GE(verdict.confidence, 0.9);
+  }
+}
+
+TEST(Classify, AllowsForSensorsPlacedByHand) {
+  for (const double off : {-2.0, 2.0}) {
+    for (const double turn : {0.0, 20.0})
+      EXPECT_EQ(verdicts({hoop(1900, turn, 90 + off)})[0].family, Family::hoop) << off << " " << turn;
+    // Turned so that both sensors sit near its nodes, a misplaced one reads a ratio that bending explains as well.
+    EXPECT_NE(verdicts({hoop(1900, 35, 90 + off)})[0].family, Family::bending) << off;
+    for (const double plane : {5.0, 20.0, 65.0})
+      EXPECT_EQ(verdicts({bending(169, plane, 90 + off)})[0].family, Family::bending) << off << " " << plane;
+  }
+}
+
+TEST(Classify, HoldsWhenASensorSitsOnANode) {
+  for (const bool first : {true, false}) {
+    const Verdict verdict = verdicts({first ? mode_at(169, 1e-5, 1) : mode_at(169, 1, 1e-5)})[0];
+    EXPECT_EQ(verdict.family, Family::bending);
+    EXPECT_TRUE(std::isfinite(verdict.confidence));
+    EXPECT_TRUE(std::isfinite(verdict.ratio_std));
+  }
+}
+
+TEST(Classify, SaysUnknownWithoutTwoSensors) {
+  const auto found = classify({bending(169, 20), hoop(1900, 0)}, std::nullopt, {std::nullopt, std::nullopt});
+  for (const Verdict& verdict : found) {
+    EXPECT_EQ(verdict.family, Family::unknown);
+    EXPECT_EQ(verdict.order, 0);
+    EXPECT_FALSE(verdict.ratio);
+  }
+}
+
+TEST(Classify, SaysUnknownOfAModeSeenByNobodyOrOutOfPhase) {
+  EXPECT_EQ(verdicts({mode_at(169, 0, 0)})[0].family, Family::unknown);
+  EXPECT_EQ(verdicts({mode_at(169, 1, {0.05, 1})})[0].family, Family::unknown);
+}
+
+TEST(Classify, IsLessSureOfAnUncertainRatio) {
+  const auto sure = verdicts({mode_at(1900, 1, -1, 1e-3)})[0], unsure = verdicts({mode_at(1900, 1, -1, 0.6)})[0];
+  EXPECT_EQ(sure.family, Family::hoop);
+  EXPECT_TRUE(unsure.family == Family::unknown || unsure.confidence < sure.confidence);
+}
+
+TEST(Classify, ReadsSensorsAt60Degrees) {
+  // Bending that both sensors see alike lies between them; a hoop mode would be turned to fit by chance.
+  const auto found = verdicts({bending(169, 30, 60), bending(575, 30, 60)}, 60);
+  EXPECT_EQ(found[0].family, Family::bending);
+  for (const double turn : {0.0, 15.0, 30.0, 60.0, 75.0}) {
+    const Verdict verdict = verdicts({hoop(1900, turn, 60)}, 60)[0];
+    EXPECT_FALSE(verdict.family == Family::bending && verdict.confidence > 0.95) << turn;
+  }
+}
+
+TEST(Classify, IsBlindToTheResiduesUnitAndSign) {
+  constexpr double kTolerance = 1e-12;  // rounding
+  const auto scaled = [](Mode mode, Complex by) {
+    for (Residue& r : mode.residues) {
+      r.value *= by;
+      r.std *= std::abs(by);
+    }
+    return mode;
+  };
+  const std::vector<Mode> modes{bending(169, 33), hoop(1900, 10), bending(2200, -50)};
+  std::vector<Mode> other;
+  other.reserve(modes.size());
+  for (const Mode& mode : modes) other.push_back(scaled(mode, {0, -1e6}));
+  const auto a = verdicts(modes), b = verdicts(other);
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    EXPECT_EQ(a[m].family, b[m].family);
+    EXPECT_NEAR(a[m].confidence, b[m].confidence, kTolerance);
+    EXPECT_NEAR(std::abs(*a[m].ratio - *b[m].ratio), 0, kTolerance);
+  }
+}
+
+TEST(Classify, DoesNotCareWhichSensorComesFirst) {
+  constexpr double kTolerance = 0.05;  // the placement error is put on the second sensor
+  const SensorPair ab{.first = 0, .second = 1, .first_rad = 0, .second_rad = pi / 2};
+  const SensorPair ba{.first = 1, .second = 0, .first_rad = pi / 2, .second_rad = 0};
+  const std::vector<std::optional<double>> overlay(2);
+  const std::vector<Mode> modes{bending(169, 33), hoop(1900, 10)};
+  const auto a = classify(modes, ab, overlay), b = classify(modes, ba, overlay);
+  for (std::size_t m = 0; m < 2; ++m) {
+    EXPECT_EQ(a[m].family, b[m].family);
+    EXPECT_NEAR(a[m].confidence, b[m].confidence, kTolerance);
+    EXPECT_NEAR(std::abs(*a[m].ratio * *b[m].ratio - 1.0), 0, 1e-9);
+  }
+}
+
+TEST(Classify, TakesTheRatioOverAllPoints) {
+  constexpr double kTolerance = 1e-12;          // rounding
+  Mode mode = mode_at(1900, 0.01, 0.02, 0.01);  // a point at a node: noise
+  mode.residues.push_back({.point = 1, .channel = 0, .value = 2, .std = 0.01});
+  mode.residues.push_back({.point = 1, .channel = 1, .value = -2, .std = 0.01});
+  const Verdict verdict = verdicts({mode})[0];
+  EXPECT_EQ(verdict.family, Family::hoop);
+  EXPECT_NEAR(verdict.ratio->real(), (0.01 * 0.02 - 4) / (0.01 * 0.01 + 4), kTolerance);
+}
+
+TEST(PairOfSensors, TakesTheTwoNearestToARightAngle) {
+  const auto pair = pair_of_sensors({0.0, std::nullopt, 45 * kDegree, -89 * kDegree});
+  ASSERT_TRUE(pair);
+  EXPECT_EQ(pair->first, 0U);
+  EXPECT_EQ(pair->second, 3U);
+  EXPECT_DOUBLE_EQ(pair->second_rad, -89 * kDegree);
+  EXPECT_TRUE(pair_of_sensors({0.0, 270 * kDegree}));
+}
+
+TEST(PairOfSensors, NeedsTwoAngles) {
+  EXPECT_FALSE(pair_of_sensors({}));
+  EXPECT_FALSE(pair_of_sensors({0.0, std::nullopt}));
+}
+
+}  // namespace percuss::classify_test

@@ -1,0 +1,81 @@
+#include "identify/classify/type_posterior.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace percuss::family_belief_test {
+
+using std::numbers::pi;
+
+constexpr double kDegree = pi / 180;
+
+FamilyEvidence mode_at(double freq_Hz, double chi_deg, double size = 1) {
+  return {.freq_Hz = freq_Hz, .size = size, .ratio = RatioAngle{.chi_rad = chi_deg * kDegree, .std_rad = 0.001}};
+}
+
+std::vector<FamilyEvidence> paired(FamilyEvidence one, FamilyEvidence two) {
+  one.partner = 1;
+  two.partner = 0;
+  return {one, two};
+}
+
+std::vector<Belief> beliefs(const std::vector<FamilyEvidence>& modes) {
+  return family_beliefs(modes, RatioLikelihood(0, pi / 2, {}));
+}
+
+TEST(FamilyBelief, IsAProbability) {
+  for (const auto& modes : {std::vector<FamilyEvidence>{mode_at(169, 25), mode_at(1900, -45), {.freq_Hz = 2500}},
+                            paired(mode_at(169, 25), mode_at(171, 115))}) {
+    for (const Belief& b : beliefs(modes)) {
+      EXPECT_NEAR(b[0] + b[1] + b[2], 1, 1e-12);
+      EXPECT_GE(*std::min_element(b.begin(), b.end()), 0);
+    }
+  }
+  EXPECT_TRUE(beliefs({}).empty());
+}
+
+TEST(FamilyBelief, KnowsNothingOfAModeThatNoSensorSees) {
+  const auto found = beliefs({mode_at(169, 25), {.freq_Hz = 2500}});
+  for (const double p : found[1]) EXPECT_NEAR(p, 1.0 / 3, 1e-12);
+}
+
+TEST(FamilyBelief, KeepsTheRivalWhereTheLowestModeLooksLikeHoopToo) {
+  // A bat that bends at −45° shows the hoop ratio in every mode; one that bends at 25° leaves it to hoop modes.
+  const auto all = beliefs({mode_at(169, -45), mode_at(575, -45), mode_at(1150, -45), mode_at(1900, -45)});
+  const auto one = beliefs({mode_at(169, 25), mode_at(575, 25), mode_at(1150, 25), mode_at(1900, -45)});
+  EXPECT_GT(all[0][0], 0.5);
+  for (const Belief& b : all) EXPECT_GT(b[0], 0.05);
+  EXPECT_GT(one[3][1], 0.95);
+  EXPECT_LT(one[3][0], 0.5 * all[3][0]);
+}
+
+TEST(FamilyBelief, TakesTheLowestModeForBendingOnlyWhereBatsBend) {
+  EXPECT_GT(beliefs({mode_at(169, -45)})[0][0], 0.5);
+  EXPECT_GT(beliefs({mode_at(1900, -45)})[0][1], 0.9);
+}
+
+TEST(FamilyBelief, KnowsTheTwoPlanesOfAModeByTheirRightAngle) {
+  const auto across = beliefs(paired(mode_at(1900, -45), mode_at(1912, 45)));
+  EXPECT_GT(across[0][0], 0.8);
+  EXPECT_GT(across[1][0], 0.8);
+}
+
+TEST(FamilyBelief, AsksHowLargeAHoopModeIsThatBothSensorsSeeOnANode) {
+  // Misplaced sensors near nodes read any ratio, but see a tenth of what they see of the pair's other half.
+  const auto as_large = beliefs(paired(mode_at(1895, 0, 1), mode_at(1912, -45, 1)));
+  const auto smaller = beliefs(paired(mode_at(1895, 0, 0.07), mode_at(1912, -45, 1)));
+  EXPECT_GT(as_large[0][0], as_large[0][1]);
+  EXPECT_GT(smaller[0][1], smaller[0][0]);
+}
+
+TEST(FamilyBelief, HoldsForSoManyModesThatProductsLeaveTheRangeOfADouble) {
+  std::vector<FamilyEvidence> modes(600);
+  for (std::size_t i = 0; i < modes.size(); ++i) modes[i] = mode_at(169 + 20 * static_cast<double>(i), 25);
+  const auto found = beliefs(modes);
+  EXPECT_TRUE(std::all_of(found.begin(), found.end(), [](const Belief& b) { return b[0] > 0.95; }));
+}
+
+}  // namespace percuss::family_belief_test

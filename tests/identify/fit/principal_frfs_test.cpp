@@ -1,0 +1,55 @@
+#include "identify/fit/principal_frfs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "identify/fit/joint_fit.hpp"
+#include "support/modal_frfs.hpp"
+
+namespace percuss::principal_test {
+
+const std::vector<Pole> kTruth{{300.3, 0.01}, {305, 0.012}, {420, 0.006}};
+
+// Forty outputs of three modes: residues as along a beam.
+FrfSet survey() {
+  constexpr std::size_t kOutputs = 40;
+  FrfSet set = test::empty_set(4096, 32768, 250, 500, kOutputs);
+  for (std::size_t o = 0; o < kOutputs; ++o) {
+    const double x = static_cast<double>(o) / kOutputs;
+    for (std::size_t m = 0; m < kTruth.size(); ++m)
+      test::add_mode(set, o, kTruth[m], 0.5 * std::cos(3.1 * (static_cast<double>(m) + 1) * x + 0.4));
+  }
+  return set;
+}
+
+FrfSet few_of(const FrfSet& set) { return mixed_outputs(set, principal_sums(set, 8)); }
+
+TEST(PrincipalOutputs, HoldAllOfThreeModesInThree) {
+  constexpr double kRounding = 1e-9;  // of the energy
+  const FrfSet few = few_of(survey());
+  ASSERT_EQ(few.outputs.size(), 8U);
+  std::vector<double> energy;
+  for (const Output& output : few.outputs) {
+    energy.push_back(0);
+    for (const Complex& line : output.frf) energy.back() += std::norm(line);
+  }
+  for (std::size_t i = 3; i < energy.size(); ++i) EXPECT_LE(energy[i], kRounding * energy[0]) << i;
+}
+
+TEST(PrincipalOutputs, KnowAsMuchOfThePolesAsAllOutputs) {
+  constexpr double kTolerance = 0.05;  // the noise's own estimate from 4000 values
+  FrfSet set = survey();
+  test::add_line_noise(set, 0.5, 11);
+  const JointFit all = fit_jointly(set, kTruth);
+  const JointFit few = fit_jointly(few_of(set), kTruth);
+  ASSERT_TRUE(all.converged && few.converged);
+  for (std::size_t m = 0; m < kTruth.size(); ++m) {
+    const auto i = static_cast<Eigen::Index>(m);
+    EXPECT_LE(std::abs(few.freq_std_Hz(i) / all.freq_std_Hz(i) - 1), kTolerance) << m;
+    EXPECT_LE(std::abs(few.poles[m].freq_Hz - all.poles[m].freq_Hz), 0.3 * all.freq_std_Hz(i)) << m;
+    EXPECT_TRUE(few.real[m]) << m;
+  }
+}
+
+}  // namespace percuss::principal_test

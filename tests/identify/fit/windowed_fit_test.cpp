@@ -1,0 +1,34 @@
+#include "identify/fit/windowed_fit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/modal_frfs.hpp"
+
+namespace percuss::grouped_fit_test {
+
+TEST(GroupedFit, PartsAChainOfPolesWhereTheyAreFurthestApart) {
+  const FrfSet set = test::empty_set(8192, 8192, 60, 3000, 1);
+  GroupedFit all(set);
+  // Each within four bandwidths of the next, the last two side by side.
+  all.replace({{500, 0.01}, {530, 0.01}, {560, 0.01}, {595, 0.01}, {596, 0.01}});
+  ASSERT_EQ(all.groups().size(), 2U);
+  EXPECT_EQ(all.groups()[0].fit.poles.size(), 3U);
+  EXPECT_EQ(all.groups()[1].fit.poles.size(), 2U);
+}
+
+TEST(GroupedFit, WidensTheWindowOfAPoleThatBeganTooNarrow) {
+  FrfSet set = test::empty_set(8192, 8192, 60, 3000, 1);
+  test::add_mode(set, 0, {1000, 0.05}, 1);
+  test::add_line_noise(set, 0.3, 5);
+  GroupedFit all(set);
+  all.replace({{1003, 0.002}});
+  all.sweep();
+  all.widen();
+  const FitGroup& group = all.groups().front();
+  EXPECT_GE(group.count, 700U);
+  EXPECT_LE(std::abs(group.fit.poles[0].freq_Hz - 1000), 5 * group.fit.freq_std_Hz(0));
+}
+
+}  // namespace percuss::grouped_fit_test

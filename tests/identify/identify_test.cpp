@@ -1,0 +1,153 @@
+#include "identify/identify.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "pipeline/analysis.hpp"
+#include "support/modal_frfs.hpp"
+#include "synth/synthesise.hpp"
+
+namespace percuss::identify_test {
+
+// Deviations of a fit scaled by its residual scatter themselves; of some hundred values one beyond this is not chance.
+constexpr double kDeviations = 4.5;
+
+struct Pair {
+  double freq_Hz, damping_ratio;
+};
+
+SynthSpec structure(const std::vector<Pair>& modes, std::uint64_t seed, double noise, double duration_s = 1.28) {
+  SynthSpec spec;
+  spec.fs_Hz = 12800;
+  spec.samples = static_cast<std::size_t>(duration_s * spec.fs_Hz);
+  spec.seed = seed;
+  for (const Pair& mode : modes) {
+    spec.modes.push_back({.freq_Hz = mode.freq_Hz, .damping_ratio = mode.damping_ratio, .residue_per_kg = {0.9, 0.5}});
+  }
+  spec.noise = {.force = 0.1 * noise, .accel = noise};
+  return spec;
+}
+
+std::vector<Mode> modes_of(const SynthSpec& spec, double low_Hz = 60, double high_Hz = 3200) {
+  const Analysis analysis(synthesise(spec).record, {.band_Hz = std::pair{low_Hz, high_Hz}, .threads = 1});
+  return analysis.modes();
+}
+
+void expect_modes(const std::vector<Mode>& found, const std::vector<Pair>& truth) {
+  ASSERT_EQ(found.size(), truth.size());
+  for (std::size_t m = 0; m < truth.size(); ++m) {
+    EXPECT_LE(std::abs(found[m].pole.freq_Hz - truth[m].freq_Hz), kDeviations * found[m].freq_std_Hz) << m;
+    EXPECT_LE(std::abs(found[m].pole.damping_ratio - truth[m].damping_ratio), kDeviations * found[m].damping_std) << m;
+  }
+}
+
+TEST(IdentifyModes, FindsSeparateModesWithinTheirDeviations) {
+  const std::vector<Pair> truth{{180, 0.01}, {600, 0.006}, {1200, 0.004}, {2000, 0.003}};
+  for (std::uint64_t seed = 0; seed < 8; ++seed) expect_modes(modes_of(structure(truth, seed, 1e-3)), truth);
+}
+
+TEST(IdentifyModes, FindsBothModesOfADoublet) {
+  const std::vector<Pair> truth{{600, 0.006}, {1900, 0.003}, {1912, 0.0033}};
+  for (std::uint64_t seed = 0; seed < 4; ++seed) expect_modes(modes_of(structure(truth, seed, 1e-3)), truth);
+}
+
+TEST(IdentifyModes, SeparatesTwoModesTwoHertzApartAt170Hz) {
+  const std::vector<Pair> truth{{170, 0.002}, {172, 0.002}};
+  expect_modes(modes_of(structure(truth, 1, 1e-4, 2.56)), truth);
+}
+
+TEST(IdentifyModes, LeavesOneModeOne) {
+  for (std::uint64_t seed = 0; seed < 8; ++seed)
+    EXPECT_EQ(modes_of(structure({{900, 0.004}}, seed, 1e-2)).size(), 1U) << seed;
+}
+
+TEST(IdentifyModes, ReadsNoDampingTooHighFromATruncatedRecord) {
+  // A third of the amplitude is left at the end: a peak's width would read the damping far too high.
+  const std::vector<Pair> truth{{200, 0.002}, {800, 0.002}};
+  const auto found = modes_of(structure(truth, 2, 1e-3, 0.45));
+  expect_modes(found, truth);
+  for (std::size_t m = 0; m < found.size(); ++m)
+    EXPECT_LE(std::abs(found[m].pole.damping_ratio / 0.002 - 1), 0.01) << m;
+}
+
+TEST(IdentifyModes, IsExactOnNoiseFreeRecordsTruncatedOrNot) {
+  constexpr double kRounding = 1e-10;
+  for (const double duration_s : {0.45, 2.56}) {
+    const auto found = modes_of(structure({{200.3, 0.002}, {800.7, 0.002}}, 0, 0, duration_s));
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_LE(std::abs(found[0].pole.freq_Hz / 200.3 - 1), kRounding);  // between two lines, and read to rounding
+    EXPECT_LE(std::abs(found[1].pole.freq_Hz / 800.7 - 1), kRounding);
+  }
+}
+
+TEST(IdentifyModes, DoesNotCareWhereTheBandBegins) {
+  const SynthSpec spec = structure({{100, 0.01}}, 5, 1e-3);
+  const auto a = modes_of(spec, 60, 1000);
+  const auto b = modes_of(spec, 90, 1000);
+  ASSERT_EQ(a.size(), 1U);
+  ASSERT_EQ(b.size(), 1U);
+  EXPECT_LE(std::abs(a[0].pole.freq_Hz - b[0].pole.freq_Hz), a[0].freq_std_Hz);
+  EXPECT_LE(std::abs(a[0].pole.damping_ratio - b[0].pole.damping_ratio), a[0].damping_std);
+}
+
+TEST(IdentifyModes, KeepsTheNumberOfModesAskedFor) {
+  const Record record = synthesise(structure({{180, 0.01}, {600, 0.006}, {1200, 0.004}}, 0, 1e-3)).record;
+  const Analysis two(record, {.band_Hz = std::pair{60.0, 3200.0}, .modes = {.modes = 2}});
+  EXPECT_EQ(two.modes().size(), 2U);
+  const Analysis started(record, {.band_Hz = std::pair{60.0, 3200.0}, .modes = {.start_Hz = {601}}});
+  ASSERT_EQ(started.modes().size(), 1U);
+  EXPECT_LE(std::abs(started.modes()[0].pole.freq_Hz - 600), 0.01);
+}
+
+TEST(IdentifyModes, ReportsTheResidues) {
+  for (const Mode& mode : modes_of(structure({{180, 0.01}, {600, 0.006}}, 4, 1e-3))) {
+    ASSERT_EQ(mode.residues.size(), 2U);
+    const double std = std::hypot(mode.residues[0].std, 0.9 * mode.residues[0].relative_std);
+    EXPECT_LE(std::abs(mode.residues[0].value - 0.9), 2 * kDeviations * std);
+    EXPECT_LE(std::abs(mode.residues[1].value - 0.5), 2 * kDeviations * std);
+  }
+}
+
+std::vector<Mode> modes_by(Effort effort, const SynthSpec& spec) {
+  const Analysis analysis(synthesise(spec).record,
+                          {.band_Hz = std::pair{60.0, 3200.0}, .modes = {.effort = effort}, .threads = 1});
+  return analysis.modes();
+}
+
+TEST(IdentifyModes, EveryEffortTellsADoubletFromOnePeak) {
+  const SynthSpec spec = structure({{600, 0.006}, {1900, 0.003}, {1903, 0.003}}, 2, 1e-3);
+  EXPECT_EQ(modes_by(Effort::quick, spec).size(), 3U);
+  EXPECT_EQ(modes_by(Effort::standard, spec).size(), 3U);
+  EXPECT_EQ(modes_by(Effort::best, spec).size(), 3U);
+}
+
+TEST(IdentifyModes, BestMakesTheDeviationsOfTheFrequencySmaller) {
+  // A known force and real residues: a free phase costs the frequency the factor √2 to 2.
+  SynthSpec spec = structure({{180, 0.01}, {600, 0.006}}, 3, 1e-2);
+  spec.noise.force = 0;
+  const auto standard = modes_by(Effort::standard, spec);
+  const auto best = modes_by(Effort::best, spec);
+  ASSERT_EQ(standard.size(), best.size());
+  for (std::size_t m = 0; m < best.size(); ++m) {
+    EXPECT_LE(1.3 * best[m].freq_std_Hz, standard[m].freq_std_Hz);
+    for (const Residue& residue : best[m].residues) EXPECT_EQ(residue.value.imag(), 0);
+  }
+}
+
+TEST(IdentifyModes, BestLeavesToTheLocalFitWhatTheModelCannotFollow) {
+  // A mode whose frequency falls while it rings is none of the model's: the joint fit must not be believed there.
+  FrfSet set = test::empty_set(4096, 32768, 250, 650, 1);
+  for (int part = 0; part < 40; ++part)
+    test::add_mode(set, 0, {500 + 0.1 * part, 0.01}, Complex(0.02, part % 3 == 0 ? 0.01 : 0));
+  test::add_mode(set, 0, {320, 0.008}, Complex(0.5, 0.2));
+  test::add_line_noise(set, 1e-3, 4);
+  const auto standard = identify_modes(set, {.effort = Effort::standard, .start_Hz = {320, 502}});
+  const auto best = identify_modes(set, {.effort = Effort::best, .start_Hz = {320, 502}});
+  ASSERT_EQ(best.size(), 2U);
+  EXPECT_EQ(best[1].pole.freq_Hz, standard[1].pole.freq_Hz);
+  EXPECT_LE(std::abs(best[0].pole.freq_Hz - 320), kDeviations * best[0].freq_std_Hz);
+}
+
+}  // namespace percuss::identify_test

@@ -1,0 +1,111 @@
+#include "identify/model/frf_synthesis.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/modal_frfs.hpp"
+#include "synth/synthesise.hpp"
+
+namespace percuss::frf_synthesis_test {
+
+constexpr double kRounding = 1e-12;
+
+Mode mode_of(const Pole& pole, std::vector<Complex> residues) {
+  Mode mode{.pole = pole};
+  for (std::size_t o = 0; o < residues.size(); ++o)
+    mode.residues.push_back({.point = 0, .channel = o, .value = residues[o]});
+  return mode;
+}
+
+// Two outputs of two modes on a rigid-body line.
+struct Case {
+  FrfSet set = test::empty_set(8192, 16384, 50, 2000, 2);
+  std::vector<Mode> modes{mode_of({300, 0.01}, {1.0, -0.4}), mode_of({1100, 0.004}, {0.5, {0.2, 0.05}})};
+  Case() {
+    for (const Mode& mode : modes) {
+      for (std::size_t o = 0; o < 2; ++o) test::add_mode(set, o, mode.pole, mode.residues[o].value);
+    }
+    for (Complex& h : set.outputs[1].frf) h += 0.7;
+  }
+};
+
+TEST(SynthesisedFrf, IsTheMeasuredOneOfExactModes) {
+  const Case c;
+  const auto made = synthesised_frfs(c.set, c.modes, c.set.lines);
+  ASSERT_EQ(made.size(), 2U);
+  for (std::size_t o = 0; o < 2; ++o) {
+    EXPECT_NEAR(made[o].frac, 1, kRounding);
+    for (std::size_t k = 0; k < c.set.lines.count; ++k)
+      ASSERT_LE(std::abs(made[o].value[k] - c.set.outputs[o].frf[k]), 1e-10) << k;  // of a peak of 50
+  }
+  EXPECT_NEAR(std::abs(made[1].terms[0] - Complex(0.7)), 0, 1e-10);
+  EXPECT_NEAR(std::abs(made[1].terms[1]), 0, 1e-10);
+}
+
+TEST(SynthesisedFrf, AllowsForAModeAboveTheBand) {
+  constexpr double kClose = 1e-4;  // its series, cut after two terms
+  Case c;
+  test::add_mode(c.set, 0, {6000, 0.01}, 2.0);
+  EXPECT_LE(1 - synthesised_frfs(c.set, c.modes, c.set.lines)[0].frac, kClose);
+}
+
+TEST(SynthesisedFrf, MissesAModeThatIsLeftOut) {
+  Case c;
+  c.modes.pop_back();
+  for (const SynthesisedFrf& made : synthesised_frfs(c.set, c.modes, c.set.lines)) EXPECT_LE(made.frac, 0.9);
+}
+
+TEST(SynthesisedFrf, TakesAPointsOwnPoleWhereItHasOne) {
+  Case c;
+  Mode& mode = c.modes.front();
+  const Pole own = mode.pole;
+  mode.pole.freq_Hz += own.half_power_Hz();
+  EXPECT_LE(synthesised_frfs(c.set, c.modes, c.set.lines)[0].frac, 0.99);
+  for (Residue& residue : mode.residues) residue.own_pole = own;
+  EXPECT_NEAR(synthesised_frfs(c.set, c.modes, c.set.lines)[0].frac, 1, kRounding);
+}
+
+TEST(SynthesisedFrf, TellsNoiseFromModes) {
+  Case c;
+  test::add_line_noise(c.set, 1, 3);
+  EXPECT_NEAR(synthesised_frfs(c.set, c.modes, c.set.lines)[0].noise_share, 1, 0.05);  // some hundred lines
+  Case missing;
+  missing.modes.pop_back();
+  EXPECT_LE(synthesised_frfs(missing.set, missing.modes, missing.set.lines)[0].noise_share, 0.05);  // a smooth curve
+}
+
+TEST(SynthesisedFrf, TellsLevelsUnderTheStrongest) {
+  Case c;
+  for (std::size_t k = 0; k < c.set.lines.count; ++k) c.set.outputs[1].frf[k] = 0.1 * c.set.outputs[0].frf[k];
+  const auto made = synthesised_frfs(c.set, c.modes, c.set.lines);
+  EXPECT_EQ(made[0].level_dB, 0);
+  EXPECT_NEAR(made[1].level_dB, -20, kRounding * 100);
+}
+
+TEST(SynthesisedFrf, SurvivesADeadChannelAndNoModes) {
+  Case c;
+  c.set.outputs[1].frf.assign(c.set.lines.count, Complex());
+  const auto made = synthesised_frfs(c.set, {}, c.set.lines);
+  EXPECT_EQ(made[1].frac, 0);
+  EXPECT_TRUE(std::isfinite(made[1].level_dB));
+}
+
+TEST(SynthesisedFrf, KnowsDecaysThatAreCutOff) {
+  constexpr double kClose = 1e-6;  // the rigid body's line and the filter near the band's end
+  SynthSpec spec = test::bat_spec({{.freq_Hz = 300, .damping_ratio = 0.002}}, 0.3);
+  const auto made = synthesise(spec);
+  const FrfSet set = test::frf_set_of(made.record, 60, 2400);
+  Mode mode{.pole = {300, 0.002}};
+  for (std::size_t c = 0; c < 2; ++c)
+    mode.residues.push_back({.channel = c, .value = made.truth.residue_per_kg[0][c][0]});
+  for (const SynthesisedFrf& frf : synthesised_frfs(set, {mode}, set.lines)) EXPECT_LE(1 - frf.frac, kClose);
+}
+
+TEST(Frac, IsBlindToOneFactor) {
+  EXPECT_NEAR(frac({1, {0, 2}, 3}, {{0, 5}, -10, {0, 15}}), 1, kRounding);
+  EXPECT_NEAR(frac({1, 0}, {0, 1}), 0, kRounding);
+  EXPECT_EQ(frac({0, 0}, {0, 1}), 0);
+}
+
+}  // namespace percuss::frf_synthesis_test

@@ -1,0 +1,180 @@
+#include "identify/model/modal_model.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/error.hpp"
+#include "support/modal_frfs.hpp"
+#include "synth/synthesise.hpp"
+
+namespace percuss::modal_model_test {
+
+double largest(const Eigen::VectorXcd& x) { return x.cwiseAbs().maxCoeff(); }
+
+Eigen::VectorXcd vector_of(const std::vector<Complex>& x) {
+  return Eigen::Map<const Eigen::VectorXcd>(x.data(), static_cast<Eigen::Index>(x.size()));
+}
+
+/// Rows of 0.35 s: 1 % at 120 Hz still has 40 % of its amplitude at the end.
+SynthSpec truncated() {
+  return test::bat_spec({{.freq_Hz = 120, .damping_ratio = 0.004, .residue_per_kg = {1.1, -0.4}},
+                         {.freq_Hz = 640, .damping_ratio = 0.006, .residue_per_kg = {0.5, 0.9}},
+                         {.freq_Hz = 1500, .damping_ratio = 0.02, .residue_per_kg = {-0.7, 0.2}}},
+                        0.35);
+}
+
+TEST(ModeColumn, IsTheClosedFormOfAModeThatHasDecayed) {
+  constexpr double kTolerance = 1e-12;  // decay beyond e^−34 is left out; rounding of a resonance of height 50
+  const FrfSet set = test::empty_set(4096, 65536, 100, 600, 1);
+  const Pole pole{.freq_Hz = 300, .damping_ratio = 0.01};
+  ASSERT_TRUE(decays_within(pole, set.points[0], set.lines));
+  const ModeColumn column = mode_column(pole, set.points[0], set.lines, 0, set.lines.count);
+  double error = 0;
+  for (std::size_t k = 0; k < set.lines.count; ++k) {
+    const Complex h = test::mode_accelerance(pole, {0, kTwoPi * set.lines.freq_Hz(k)});
+    error = std::max(error, std::abs(column.value(static_cast<Eigen::Index>(k)) - h));
+  }
+  EXPECT_LE(error, kTolerance * largest(column.value));
+}
+
+// Drive: sum of the modes' columns and the rigid line against the H1 of the record itself.
+double error_of_the_sum(double decay_per_s) {
+  const SyntheticTest made = synthesise(truncated());
+  const FrfSet set = test::frf_set_of(made.record, 40, 2000, decay_per_s);
+  double worst = 0;
+  for (std::size_t c = 0; c < 2; ++c) {
+    Eigen::VectorXcd h = vector_of(set.outputs[c].frf);
+    const double size = largest(h);
+    h.array() -= made.truth.rigid_per_kg[0][c];
+    for (std::size_t m = 0; m < made.truth.spec.modes.size(); ++m) {
+      const SynthMode& mode = made.truth.spec.modes[m];
+      h -= made.truth.residue_per_kg[0][c][m] *
+           mode_column({mode.freq_Hz, mode.damping_ratio}, set.points[0], set.lines, 0, set.lines.count).value;
+    }
+    worst = std::max(worst, largest(h) / size);
+  }
+  return worst;
+}
+
+TEST(ModeColumn, TimesResidueAndRigidLineIsTheH1OfATruncatedRecord) {
+  constexpr double kTolerance = 1e-9;  // the force's own filter ringing at the row's ends, aliases and rounding
+  EXPECT_LE(error_of_the_sum(0), kTolerance);
+}
+
+TEST(ModeColumn, HoldsUnderAnExponentialWindow) {
+  constexpr double kTolerance = 1e-9;  // as without one
+  EXPECT_LE(error_of_the_sum(6), kTolerance);
+}
+
+TEST(ModeColumn, MissesTheTruncatedRecordWithoutItsSecondTerm) {
+  // The plain accelerance is off by percents here, which is what makes the test above mean something.
+  const SyntheticTest made = synthesise(truncated());
+  const FrfSet set = test::frf_set_of(made.record, 40, 2000);
+  const Pole pole{.freq_Hz = 120, .damping_ratio = 0.004};
+  const ModeColumn column = mode_column(pole, set.points[0], set.lines, 0, set.lines.count);
+  EXPECT_FALSE(decays_within(pole, set.points[0], set.lines));
+  const auto line = static_cast<Eigen::Index>(120 / set.lines.df_Hz()) - static_cast<Eigen::Index>(set.lines.first);
+  const Complex h = test::mode_accelerance(pole, {0, kTwoPi * set.lines.freq_Hz(static_cast<std::size_t>(line))});
+  EXPECT_GE(std::abs(column.value(line) - h), 0.05 * std::abs(h));
+}
+
+struct Setting {
+  double duration_s, decay_per_s;
+};
+class ModeColumnSlope : public testing::TestWithParam<Setting> {};
+
+TEST_P(ModeColumnSlope, IsWhatCentralDifferencesGive) {
+  constexpr double kStep = 1e-5;       // of the parameter's own scale: truncation 1e-10, rounding 1e-11
+  constexpr double kTolerance = 1e-7;  // of the largest: both, amplified by up to 100 near the resonance
+  SynthSpec spec = truncated();
+  spec.samples = static_cast<std::size_t>(GetParam().duration_s * spec.fs_Hz);
+  const FrfSet set = test::frf_set_of(synthesise(spec).record, 40, 2000, GetParam().decay_per_s);
+  for (const Pole& pole : {Pole{120.3, 0.004}, Pole{640.1, 0.03}}) {
+    const auto at = [&](double freq_Hz, double damping) {
+      return mode_column({freq_Hz, damping}, set.points[0], set.lines, 0, set.lines.count).value;
+    };
+    const ModeColumn column = mode_column(pole, set.points[0], set.lines, 0, set.lines.count);
+    const double df = kStep * pole.half_power_Hz(), dz = kStep * pole.damping_ratio;
+    const Eigen::VectorXcd by_freq =
+        (at(pole.freq_Hz + df, pole.damping_ratio) - at(pole.freq_Hz - df, pole.damping_ratio)) / (2 * df);
+    const Eigen::VectorXcd by_damping =
+        (at(pole.freq_Hz, pole.damping_ratio + dz) - at(pole.freq_Hz, pole.damping_ratio - dz)) / (2 * dz);
+    EXPECT_LE(largest(by_freq - column.by_freq), kTolerance * largest(by_freq)) << pole.freq_Hz;
+    EXPECT_LE(largest(by_damping - column.by_damping), kTolerance * largest(by_damping)) << pole.freq_Hz;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(WithAndWithoutTruncationAndWindow, ModeColumnSlope,
+                         testing::Values(Setting{0.35, 0}, Setting{0.35, 8}, Setting{8, 0}, Setting{2, 3}));
+
+TEST(ModeColumn, DoesNotDependOnTheForcesUnitNorOnTheHitsOrder) {
+  constexpr double kTolerance = 1e-13;  // order of summation
+  const SyntheticTest made = synthesise(truncated());
+  const FrfSet set = test::frf_set_of(made.record, 40, 2000);
+  std::vector<ForceBlock> blocks(set.points[0].blocks.rbegin(), set.points[0].blocks.rend());
+  std::vector<Spectrum> spectra;
+  for (ForceBlock& block : blocks) {
+    for (double& f : block.force_N) f *= -1e3;
+    spectra.push_back(shared(force_spectrum(block, set.lines)));
+  }
+  const PointForce other = point_force(blocks, spectra, set.lines, 0);
+  const Pole pole{.freq_Hz = 120, .damping_ratio = 0.004};
+  const auto a = mode_column(pole, set.points[0], set.lines, 0, set.lines.count).value;
+  const auto b = mode_column(pole, other, set.lines, 0, set.lines.count).value;
+  EXPECT_LE(largest(a - b), kTolerance * largest(a));
+}
+
+TEST(ModeColumn, OfAWindowIsAPartOfTheWhole) {
+  const FrfSet set = test::frf_set_of(synthesise(truncated()).record, 40, 2000);
+  const Pole pole{.freq_Hz = 640, .damping_ratio = 0.004};
+  constexpr double kTolerance = 1e-12;  // the phase is stepped from line to line
+  const auto all = mode_column(pole, set.points[0], set.lines, 0, set.lines.count);
+  const auto part = mode_column(pole, set.points[0], set.lines, 150, 80);
+  EXPECT_LE(largest(all.value.segment(150, 80) - part.value), kTolerance * largest(all.value));
+}
+
+constexpr LineRange kTwoLines{.fs_Hz = 8, .samples = 8, .first = 1, .count = 2};
+
+TEST(PointForce, WeighsEachHitByItsPartOfTheEnergy) {
+  const std::vector<Complex> a{{3, 4}, {0, 1}}, b{{0, 5}, {2, 0}};
+  const PointForce force = point_force({{}, {}}, {shared(a), shared(b)}, kTwoLines, 0.5);
+  EXPECT_DOUBLE_EQ(force.ff[0], 50);
+  EXPECT_DOUBLE_EQ(force.ff[1], 5);
+  EXPECT_EQ(force.noise_N, 0.5);
+  // A response equal to the force has H1 = 1.
+  for (const Complex& line : h1_at(force, std::array<std::span<const Complex>, 2>{a, b}))
+    EXPECT_NEAR(std::abs(line - 1.0), 0, 1e-15);
+}
+
+TEST(PointForce, NamesALineThatTheForceNeverExcited) {
+  const std::vector<Complex> force{{3, 4}, {0, 0}};
+  try {
+    point_force({{}}, {shared(force)}, kTwoLines, 0);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("no energy at 2 Hz"));
+  }
+}
+
+TEST(MissingDecay, IsWhatAColumnLacksOfTheWholeOne) {
+  constexpr double kTolerance = 1e-12;  // rounding, of the largest line
+  const SyntheticTest made = synthesise(truncated());
+  for (const double decay_per_s : {0.0, 3.0}) {
+    const FrfSet set = test::frf_set_of(made.record, 40, 2000, decay_per_s);
+    const Pole pole{.freq_Hz = 120, .damping_ratio = 0.004};
+    const PointForce& force = set.points[0];
+    const Eigen::VectorXcd whole = whole_column(pole, decay_per_s, set.lines, 5, 200, Need::value).value;
+    const Eigen::VectorXcd cut = mode_column(pole, force, set.lines, 5, 200, Need::derivatives).value;
+    ASSERT_GT((whole - cut).norm(), 1e-6 * whole.norm());
+    std::vector<Complex> sum(200, Complex(1, 2));
+    const Complex residue(0.3, -0.1);
+    MissingDecay(pole, decay_per_s, set.lines, 5, 200).add_to(sum, residue, force);
+    for (std::size_t k = 0; k < sum.size(); ++k) {
+      const auto i = static_cast<Eigen::Index>(k);
+      EXPECT_LE(std::abs(sum[k] - Complex(1, 2) - residue * (whole(i) - cut(i))),
+                kTolerance * whole.cwiseAbs().maxCoeff());
+    }
+  }
+}
+
+}  // namespace percuss::modal_model_test

@@ -1,0 +1,38 @@
+#include "identify/model/residual_terms.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/math/linear_algebra.hpp"
+
+namespace percuss::background_test {
+
+const LineRange kLines{.fs_Hz = 8192, .samples = 8192, .first = 60, .count = 3200};
+
+// Of the lines of an undamped mode's accelerance beyond the band, the part that the background cannot follow.
+double missed(double freq_Hz) {
+  const Eigen::MatrixXd shapes = background_shapes(kLines);
+  Eigen::VectorXd tail(shapes.rows());
+  for (Eigen::Index k = 0; k < tail.size(); ++k) {
+    const double f = kLines.freq_Hz(static_cast<std::size_t>(k));
+    tail(k) = f * f / (f * f - freq_Hz * freq_Hz);
+  }
+  return (tail - shapes * least_squares(shapes, tail)).norm() / tail.norm();
+}
+
+TEST(BackgroundShapes, FollowTheTailsOfModesBeyondTheLines) {
+  constexpr double kFollowed = 0.002;  // of the tail; below the noise of a good measurement
+  for (const double freq_Hz : {3600.0, 4200.0, 6000.0, 1e4, 1e5}) EXPECT_LE(missed(freq_Hz), kFollowed) << freq_Hz;
+  for (const double freq_Hz : {0.5, 5.0, 30.0}) EXPECT_LE(missed(freq_Hz), kFollowed) << freq_Hz;
+}
+
+TEST(BackgroundShapes, BeginWithTheMassLine) {
+  const Eigen::MatrixXd shapes = background_shapes(kLines);
+  EXPECT_EQ(shapes.col(0).minCoeff(), 1);
+  EXPECT_EQ(shapes.col(0).maxCoeff(), 1);
+}
+
+TEST(BackgroundShapes, AreFiniteFromZeroHertz) {
+  EXPECT_TRUE(background_shapes({.fs_Hz = 1000, .samples = 1000, .first = 0, .count = 400}).allFinite());
+}
+
+}  // namespace percuss::background_test

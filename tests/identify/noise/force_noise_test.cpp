@@ -1,0 +1,84 @@
+#include "identify/noise/force_noise.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "core/units.hpp"
+#include "support/modal_frfs.hpp"
+#include "synth/random_stream.hpp"
+
+namespace percuss::force_noise_test {
+
+constexpr double kNoise_N = 0.02;
+
+// One hit: a pulse of 9 samples in a gate of 90 whose samples outside it are zero.
+FrfSet gated_hit() {
+  FrfSet set = test::empty_set(8192, 16384, 40, 2400, 1);
+  ForceBlock block{.offset = 100, .force_N = std::vector<double>(90), .whole_N = {}};
+  for (std::size_t n = 0; n < 9; ++n) block.force_N[40 + n] = std::sin(kTwoPi * (static_cast<double>(n) + 0.5) / 18);
+  const Spectrum spectrum = shared(force_spectrum(block, set.lines));
+  set.points[0] = point_force({block}, {spectrum}, set.lines, kNoise_N);
+  return set;
+}
+
+std::vector<std::size_t> all_lines(const FrfSet& set) {
+  std::vector<std::size_t> lines(set.lines.count);
+  std::iota(lines.begin(), lines.end(), std::size_t{0});
+  return lines;
+}
+
+TEST(GainErrors, HaveTheCovarianceOfTheGatesNoise) {
+  const FrfSet set = gated_hit();
+  const Eigen::MatrixXcd errors = gain_errors(set, 0, all_lines(set));
+  // Independent truth: noise on every sample of the gate, transformed, over the force's spectrum.
+  const ForceBlock& block = set.points[0].blocks[0];
+  const auto force = force_spectrum(block, set.lines);
+  constexpr int kTrials = 2000;
+  const std::vector<Eigen::Index> lines{10, 400, 1500, 4000};
+  Eigen::Matrix4cd measured = Eigen::Matrix4cd::Zero();
+  Eigen::Matrix4cd turned = Eigen::Matrix4cd::Zero();  // E εεᵀ: real noise is not circular at low frequencies
+  for (int trial = 0; trial < kTrials; ++trial) {
+    ForceBlock noise{.offset = block.offset, .force_N = std::vector<double>(90), .whole_N = {}};
+    RandomStream({7, static_cast<std::uint64_t>(trial)}).add_normal(kNoise_N, noise.force_N);
+    const auto spectrum = force_spectrum(noise, set.lines);
+    Eigen::Vector4cd error;
+    for (Eigen::Index i = 0; i < 4; ++i) {
+      const auto k = static_cast<std::size_t>(lines[static_cast<std::size_t>(i)]);
+      error(i) = spectrum[k] / force[k];
+    }
+    measured += error * error.adjoint() / kTrials;
+    turned += error * error.transpose() / kTrials;
+  }
+  Eigen::MatrixXcd picked(4, errors.cols());
+  for (Eigen::Index i = 0; i < 4; ++i) picked.row(i) = errors.row(lines[static_cast<std::size_t>(i)]);
+  const Eigen::Matrix4cd expected = picked * picked.adjoint();
+  const Eigen::Matrix4cd expected_turned = picked * picked.transpose();
+  constexpr double kTolerance = 0.12;  // of a covariance from 2000 trials: 2.2 % each, and delays are 4 samples apart
+  for (Eigen::Index i = 0; i < 4; ++i) {
+    for (Eigen::Index j = 0; j < 4; ++j) {
+      const double size = std::sqrt(std::abs(expected(i, i) * expected(j, j)));
+      EXPECT_LE(std::abs(measured(i, j) - expected(i, j)), kTolerance * size) << i << ' ' << j;
+      EXPECT_LE(std::abs(turned(i, j) - expected_turned(i, j)), kTolerance * size) << i << ' ' << j;
+    }
+  }
+}
+
+TEST(GainErrors, AgreeWithTheDeviationOfOneLine) {
+  const FrfSet set = gated_hit();
+  const Eigen::MatrixXcd errors = gain_errors(set, 0, all_lines(set));
+  const double whole = errors.row(4000).squaredNorm();
+  const double one = gain_deviation(set, 0, set.lines.freq_Hz(4000));
+  EXPECT_LE(std::abs(whole / (2 * one * one) - 1), 1e-9);
+}
+
+TEST(GainErrors, AreNoneWithoutAForce) {
+  FrfSet set = gated_hit();
+  set.points[0].noise_N = 0;
+  EXPECT_EQ(gain_errors(set, 0, {1, 2}).size(), 0);
+  set.points[0].blocks.clear();
+  EXPECT_EQ(gain_deviation(set, 0, 500), 0);
+}
+
+}  // namespace percuss::force_noise_test

@@ -1,0 +1,119 @@
+#include "identify/noise/line_noise.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <vector>
+
+#include "core/math/statistics.hpp"
+#include "identify/noise/window_noise.hpp"
+#include "support/modal_frfs.hpp"
+
+namespace percuss::line_noise_test {
+
+// A median over some thousand lines of which three neighbours share their noise is good to 5 %; five of its deviations.
+constexpr double kTolerance = 0.1;
+constexpr double kPart = 0.01;  // deviation of a real part
+constexpr double kWhole = kPart * std::numbers::sqrt2;
+constexpr Pole kMode{.freq_Hz = 800, .damping_ratio = 0.004};
+
+FrfSet noisy_mode() {
+  FrfSet set = test::empty_set(8192, 16384, 40, 2400, 2);
+  test::add_mode(set, 0, kMode, 1);
+  test::add_mode(set, 1, kMode, 0.3);
+  test::add_line_noise(set, kPart, 1);
+  return set;
+}
+
+// As the same response's noise makes it where the force falls with frequency: 1/|F| above the first line.
+double amplitude(std::size_t line) { return 1 / (1 + 1e-3 * static_cast<double>(line)); }
+
+TEST(LineNoise, IsThatOfTheLinesWhateverResonatesAmongThem) {
+  const FrfSet set = noisy_mode();
+  const LineNoise noise(set);
+  for (std::size_t output = 0; output < 2; ++output) {
+    EXPECT_NEAR(noise.at(output, 100) / kWhole, 1, kTolerance);
+    EXPECT_NEAR(noise.at(output, 100), noise.at(output, 4000), 1e-12);  // the force of one sample is even
+    EXPECT_NEAR(noise.over(0, set.lines.count)(static_cast<Eigen::Index>(output)), noise.at(output, 0), 1e-12);
+  }
+}
+
+TEST(LineNoise, GoesAsOneOverTheForce) {
+  FrfSet set = noisy_mode();
+  for (std::size_t k = 0; k < set.lines.count; ++k) {
+    for (Output& output : set.outputs) output.frf[k] /= amplitude(k);
+    set.points[0].ff[k] = std::pow(amplitude(k), 2);
+  }
+  const LineNoise noise(set);
+  for (const std::size_t line : {0U, 1000U, 4000U})
+    EXPECT_NEAR(noise.at(1, line) * amplitude(line) / kWhole, 1, kTolerance) << line;
+  // Over some lines: as strong as where the force has their mean power.
+  const double power = (std::pow(amplitude(2000), 2) + std::pow(amplitude(2001), 2)) / 2;
+  EXPECT_NEAR(noise.over(2000, 2)(0) / (noise.at(0, 0) / std::sqrt(power)), 1, 1e-9);
+}
+
+TEST(LineNoise, IsEvenWhereTheForceIsNotKnown) {
+  FrfSet set = noisy_mode();
+  set.points[0].ff.clear();
+  const LineNoise noise(set);
+  EXPECT_NEAR(noise.at(0, 7) / kWhole, 1, kTolerance);
+  EXPECT_EQ(noise.over(10, 20)(0), noise.at(0, 7));
+}
+
+TEST(LineNoise, IsNeverZero) {
+  FrfSet set = test::empty_set(8192, 16384, 40, 2400, 2);
+  test::add_mode(set, 0, kMode, 1);
+  const LineNoise noise(set);
+  EXPECT_GT(noise.at(0, 100), 0);
+  EXPECT_GT(noise.at(1, 100), 0);  // a dead output
+}
+
+std::vector<Complex> noise_of(std::size_t lines, std::uint64_t seed) {
+  FrfSet set = test::empty_set(8192, 16384, 0, 4096, 1);
+  test::add_line_noise(set, std::sqrt(0.5), seed);
+  set.outputs[0].frf.resize(lines);
+  return set.outputs[0].frf;
+}
+
+TEST(BlockNoise, SkipsResonances) {
+  auto lines = noise_of(4000, 3);
+  for (std::size_t k = 0; k < 4000; k += 64) lines[k] += 1e3;  // narrow ones everywhere
+  const auto broad = noise_of(400, 4);
+  for (std::size_t k = 0; k < 400; ++k) lines[k] += 1e3 * broad[k];
+  // 2000 values of an exponential distribution: 3 %; what the narrow ones add to a median 10 %, the broad one 3 %.
+  EXPECT_NEAR(median(block_noise(lines, kWhiteRoughness)), 1, 0.25);
+}
+
+TEST(BlockNoise, TellsItBlockByBlock) {
+  auto lines = noise_of(100 * kNoiseBlock - 1, 5);
+  for (std::size_t k = 50 * kNoiseBlock; k < lines.size(); ++k)
+    lines[k] = 2.0 * lines[k] + Complex(0.1, 3) * static_cast<double>(k);
+  const auto noise = block_noise(lines, kWhiteRoughness);
+  ASSERT_EQ(noise.size(), 99U);  // the last one has the rest
+  const auto mean = [&](std::size_t from, std::size_t to) {
+    return std::accumulate(noise.begin() + static_cast<std::ptrdiff_t>(from),
+                           noise.begin() + static_cast<std::ptrdiff_t>(to), 0.0) /
+           static_cast<double>(to - from);
+  };
+  // A median of 32 is high by 2 %; the mean of 50 of them is good to 4 %. Three of those.
+  EXPECT_NEAR(mean(0, 49), 1, 0.14);
+  EXPECT_NEAR(mean(51, 99), 4, 0.56);
+  EXPECT_TRUE(block_noise(std::vector<Complex>(2), kWhiteRoughness).empty());
+  EXPECT_EQ(block_noise(std::vector<Complex>(3), kWhiteRoughness).size(), 1U);
+}
+
+TEST(LocalNoise, IsTheMiddleOneOfThreeBlocks) {
+  const std::vector<double> blocks{1, 9, 2, 4};
+  const auto noise = local_noise(blocks, 4 * kNoiseBlock + 5);
+  ASSERT_EQ(noise.size(), 4 * kNoiseBlock + 5);
+  EXPECT_EQ(noise[0], 5);  // of two at an end, their mean
+  EXPECT_EQ(noise[kNoiseBlock], 2);
+  EXPECT_EQ(noise[3 * kNoiseBlock - 1], 4);
+  EXPECT_EQ(noise.back(), 3);
+  EXPECT_TRUE(local_noise({}, 0).empty());
+}
+
+}  // namespace percuss::line_noise_test

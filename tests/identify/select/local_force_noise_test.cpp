@@ -1,0 +1,75 @@
+#include "identify/select/local_force_noise.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "identify/noise/force_noise.hpp"
+#include "support/modal_frfs.hpp"
+#include "synth/random_stream.hpp"
+
+namespace percuss::local_force_noise_test {
+
+constexpr double kNoise_N = 1e-3;  // of a pulse of 1 N
+const Pole kPole{500, 0.05};
+
+// A pulse of 9 samples in a gate of 90, and a mode seen by two outputs.
+FrfSet noisy_force() {
+  FrfSet set = test::empty_set(8192, 8192, 60, 2400, 2);
+  ForceBlock block{.offset = 100, .force_N = std::vector<double>(90), .whole_N = {}};
+  for (std::size_t n = 0; n < 9; ++n) block.force_N[40 + n] = std::sin(kTwoPi * (static_cast<double>(n) + 0.5) / 18);
+  const Spectrum spectrum = shared(force_spectrum(block, set.lines));
+  set.points[0] = point_force({block}, {spectrum}, set.lines, kNoise_N);
+  test::add_mode(set, 0, kPole, 1);
+  test::add_mode(set, 1, kPole, -0.4);
+  return set;
+}
+
+// The same with a gain drawn from what the force's errors are.
+FrfSet with_a_gain(FrfSet set, std::uint64_t seed) {
+  std::vector<std::size_t> lines(set.lines.count);
+  for (std::size_t k = 0; k < lines.size(); ++k) lines[k] = k;
+  const Eigen::MatrixXcd errors = gain_errors(set, 0, lines);
+  std::vector<double> draw(static_cast<std::size_t>(errors.cols()));
+  RandomStream({seed, 1}).add_normal(1, draw);
+  const Eigen::VectorXcd gain = errors * Eigen::Map<const Eigen::VectorXd>(draw.data(), errors.cols());
+  for (Output& output : set.outputs) {
+    for (std::size_t k = 0; k < lines.size(); ++k) output.frf[k] *= 1.0 + gain(static_cast<Eigen::Index>(k));
+  }
+  return set;
+}
+
+TEST(LocalForceNoise, GivesTheScatterOfAModeWhoseResponsesHaveNoNoise) {
+  constexpr int kTrials = 30;
+  const FrfSet set = noisy_force();
+  double freq = 0, damping = 0, largest_before = 0;  // squares of errors over deviations
+  for (int trial = 0; trial < kTrials; ++trial) {
+    const FrfSet measured = with_a_gain(set, static_cast<std::uint64_t>(trial));
+    auto modes = fit_peaks(measured);
+    ASSERT_EQ(modes.size(), 1U);
+    const double before_Hz = modes[0].mode.freq_std_Hz;
+    add_force_noise(measured, modes);
+    const Mode& mode = modes[0].mode;
+    largest_before = std::max(largest_before, before_Hz / mode.freq_std_Hz);
+    freq += std::pow((mode.pole.freq_Hz - kPole.freq_Hz) / mode.freq_std_Hz, 2) / kTrials;
+    damping += std::pow((mode.pole.damping_ratio - kPole.damping_ratio) / mode.damping_std, 2) / kTrials;
+  }
+  // A mean square of 30 is known to 26 %; the residual, which is no noise either, is counted beside it.
+  EXPECT_LE(freq, 1.6);
+  EXPECT_GE(freq, 0.4);
+  EXPECT_LE(damping, 1.6);
+  EXPECT_GE(damping, 0.4);
+  EXPECT_LE(largest_before, 0.9) << "the residual alone does not tell it";
+}
+
+TEST(LocalForceNoise, LeavesModesOfAJointFitAlone) {
+  const FrfSet measured = with_a_gain(noisy_force(), 3);
+  auto modes = fit_peaks(measured);
+  ASSERT_EQ(modes.size(), 1U);
+  modes[0].joint = true;
+  const double before_Hz = modes[0].mode.freq_std_Hz;
+  add_force_noise(measured, modes);
+  EXPECT_EQ(modes[0].mode.freq_std_Hz, before_Hz);
+}
+
+}  // namespace percuss::local_force_noise_test

@@ -1,0 +1,54 @@
+#include "identify/select/residual_mode_search.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "identify/select/sequential_fit.hpp"
+#include "support/modal_frfs.hpp"
+
+namespace percuss::hidden_search_test {
+
+const Pole kNarrow{400, 0.01}, kBroad{1100, 0.29};
+
+FrfSet narrow_and_broad(std::uint64_t seed) {
+  FrfSet set = test::empty_set(8192, 8192, 0, 3400, 2);
+  test::add_mode(set, 0, kNarrow, 1);
+  test::add_mode(set, 1, kNarrow, 0.5);
+  test::add_mode(set, 0, kBroad, 0.6);
+  test::add_mode(set, 1, kBroad, -0.8);
+  test::add_line_noise(set, 0.003, seed);
+  return set;
+}
+
+TEST(HiddenSearch, GivesTheClearestBroadOneASecondChanceAlone) {
+  const FrfSet set = narrow_and_broad(1);
+  GroupedFit all(set);
+  all.replace({kNarrow});
+  all.sweep();
+  HiddenSearch search;
+  EXPECT_FALSE(search.tried_any());
+  const auto crowd = search.next(all, HiddenSearch::Way::all);
+  EXPECT_FALSE(crowd.empty());
+  EXPECT_TRUE(search.tried_any());
+  EXPECT_EQ(search.next(all, HiddenSearch::Way::all).size(), 1U) << "what was given up, the clearest of it";
+}
+
+TEST(HiddenSearch, FindsNothingWhereNothingIsLeft) {
+  const FrfSet set = narrow_and_broad(2);
+  GroupedFit all(set);
+  all.replace({kNarrow, kBroad});
+  all.sweep();
+  EXPECT_TRUE(HiddenSearch().next(all, HiddenSearch::Way::all).empty());
+}
+
+TEST(FitPeaks, FindsAModeTooBroadForAPeak) {
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    const FrfSet set = narrow_and_broad(seed);
+    const auto modes = fit_peaks(set);
+    ASSERT_EQ(modes.size(), 2U) << seed;
+    EXPECT_LE(std::abs(modes[1].mode.pole.freq_Hz - kBroad.freq_Hz), 5 * modes[1].mode.freq_std_Hz) << seed;
+  }
+}
+
+}  // namespace percuss::hidden_search_test

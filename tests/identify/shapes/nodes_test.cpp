@@ -1,0 +1,140 @@
+#include "identify/shapes/nodes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/units.hpp"
+#include "synth/random_stream.hpp"
+#include "synth/structure.hpp"
+
+namespace percuss::nodes_test {
+
+constexpr double kRounding = 1e-9;  // of a least-squares fit in double precision, m
+
+ScanShape scan_of(double start_m, double step_m, int count, const auto& shape, double std) {
+  ScanShape scan;
+  for (int i = 0; i < count; ++i) {
+    scan.position_m.push_back(start_m + i * step_m);
+    scan.amplitude.push_back(shape(scan.position_m.back()));
+    scan.std.push_back(std);
+  }
+  return scan;
+}
+
+ScanShape with_noise(ScanShape scan, std::uint64_t seed) {
+  std::vector<double> noise(scan.amplitude.size());
+  RandomStream({seed}).add_normal(1, noise);
+  for (std::size_t i = 0; i < noise.size(); ++i) scan.amplitude[i] += noise[i] * scan.std[i];
+  return scan;
+}
+
+TEST(FindNodes, FindsTheRootOfAStraightLine) {
+  const auto nodes = find_nodes(scan_of(
+      0.1, 0.01, 9, [](double x) { return 3 * (0.1437 - x); }, 1e-3));
+  ASSERT_EQ(nodes.size(), 1U);
+  EXPECT_LE(std::abs(nodes[0].position_m - 0.1437), kRounding);
+  EXPECT_EQ(nodes[0].degree, 1);
+}
+
+TEST(FindNodes, FindsTheRootOfACubicThatALineMisses) {
+  const auto cubic = [](double x) { return (0.1437 - x) * (1 + 8 * x) * (0.9 - x); };
+  const auto nodes = find_nodes(scan_of(0.08, 0.01, 15, cubic, 1e-6));
+  ASSERT_EQ(nodes.size(), 1U);
+  EXPECT_LE(std::abs(nodes[0].position_m - 0.1437), kRounding);
+  EXPECT_EQ(nodes[0].degree, 3);
+}
+
+TEST(FindNodes, FindsEveryNodeOfAShape) {
+  const auto nodes = find_nodes(scan_of(
+      0, 0.01, 85, [](double x) { return free_beam_shape(3, x / 0.84); }, 1e-4));
+  ASSERT_EQ(nodes.size(), 4U);
+  for (const Node& node : nodes) {
+    EXPECT_LE(std::abs(free_beam_shape(3, node.position_m / 0.84)), 1e-3) << "of a tip's 1";
+  }
+  EXPECT_NEAR(nodes[0].position_m + nodes[3].position_m, 0.84, 1e-4) << "a free beam is symmetric";
+}
+
+TEST(FindNodes, SeesNoneWhereTheShapeKeepsItsSign) {
+  EXPECT_TRUE(find_nodes(scan_of(
+                             0, 0.01, 20, [](double x) { return 1 + x; }, 1e-3))
+                  .empty());
+  EXPECT_TRUE(find_nodes({}).empty());
+  EXPECT_TRUE(find_nodes(scan_of(
+                             0, 0.01, 1, [](double) { return 1.0; }, 1e-3))
+                  .empty());
+}
+
+TEST(FindNodes, TakesNoiseAroundZeroForOneNode) {
+  // Slope of one deviation per step: the points next to the node change sign at random.
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    const auto scan = scan_of(
+        0, 0.01, 25, [](double x) { return 0.117 - x; }, 0.01);
+    EXPECT_EQ(find_nodes(with_noise(scan, seed)).size(), 1U) << seed;
+  }
+}
+
+TEST(FindNodes, MissesByWhatItsDeviationSays) {
+  // The share within one, two and three deviations; the distance to the next degree only adds to them.
+  constexpr int kScans = 2000;
+  const auto shape = [](double x) { return free_beam_shape(1, x / 0.84); };
+  int one = 0, three = 0;
+  double squares = 0;
+  const double exact = find_nodes(scan_of(3 * kInch_m, 0.25 * kInch_m, 25, shape, 1e-9)).at(0).position_m;
+  for (int i = 0; i < kScans; ++i) {
+    const auto scan = with_noise(scan_of(3 * kInch_m, 0.25 * kInch_m, 25, shape, 0.01), static_cast<std::uint64_t>(i));
+    const auto nodes = find_nodes(scan);
+    ASSERT_EQ(nodes.size(), 1U);
+    const double off = std::abs(nodes[0].position_m - exact) / nodes[0].std_m;
+    squares += off * off;
+    one += off <= 1 ? 1 : 0;
+    three += off <= 3 ? 1 : 0;
+  }
+  EXPECT_GE(one, 0.68 * kScans - 4 * std::sqrt(0.22 * kScans)) << "binomial, four deviations";
+  EXPECT_GE(three, 0.99 * kScans);
+  EXPECT_GE(std::sqrt(squares / kScans), 0.4) << "not exaggerated either";
+}
+
+TEST(FindNodes, CountsTheSpreadThatDeviationsDoNotExplain) {
+  // Hits that land 1 mm off: ten times the stated deviation.
+  const auto line = [](double x) { return 0.117 - x; };
+  const auto exact = find_nodes(scan_of(0, 0.01, 25, line, 1e-4)).at(0);
+  auto scan = with_noise(scan_of(0, 0.01, 25, line, 1e-3), 7);
+  for (double& std : scan.std) std = 1e-4;
+  const auto node = find_nodes(scan).at(0);
+  EXPECT_GE(node.std_m, 5 * exact.std_m);
+  EXPECT_LE(std::abs(node.position_m - 0.117), 4 * node.std_m);
+}
+
+TEST(FindNodes, IsTheSameUpsideDownAndInOtherUnits) {
+  auto scan = with_noise(scan_of(
+                             0.08, 0.01, 15, [](double x) { return free_beam_shape(2, x / 0.84); }, 1e-3),
+                         1);
+  const Node node = find_nodes(scan).at(0);
+  for (double& a : scan.amplitude) a *= -7;
+  for (double& s : scan.std) s *= 7;
+  const Node other = find_nodes(scan).at(0);
+  EXPECT_LE(std::abs(other.position_m - node.position_m), kRounding);
+  EXPECT_LE(std::abs(other.std_m / node.std_m - 1), 1e-6) << "rounding of a deviation";
+}
+
+TEST(MinimumOfPeak, IsTheBottomOfTheV) {
+  const auto bottom = [](double node, double start) {
+    std::vector<double> x, peak;
+    for (int i = 0; i < 25; ++i) {
+      x.push_back(start + 0.25 * i);
+      peak.push_back(std::abs(x.back() - node));
+    }
+    return minimum_of_peak(x, peak, 0.125);
+  };
+  EXPECT_EQ(bottom(6.0, 3), 6.0);
+  EXPECT_EQ(bottom(6.1, 3), 6.125);
+  EXPECT_EQ(bottom(6.05, 3), 6.0);
+  EXPECT_EQ(bottom(3.12, 3), 3.125) << "between the first two";
+  EXPECT_EQ(bottom(8.9, 3), 8.875) << "between the last two";
+  EXPECT_EQ(bottom(2.5, 3), std::nullopt) << "before the scan";
+  EXPECT_EQ(bottom(9.4, 3), std::nullopt) << "behind it";
+  EXPECT_EQ(minimum_of_peak(std::vector{1.0, 2.0}, std::vector{1.0, 1.0}, 0.1), std::nullopt);
+}
+
+}  // namespace percuss::nodes_test

@@ -1,0 +1,45 @@
+#include "identify/start/truncation_ripples.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/modal_frfs.hpp"
+#include "synth/synthesise.hpp"
+
+namespace percuss::ripples_test {
+
+// One mode that does not decay within its second, and a weaker one that does.
+FrfSet cut_off() {
+  SynthSpec spec = test::bat_spec({{.freq_Hz = 400.3, .damping_ratio = 1e-5, .residue_per_kg = {1, 0.5}},
+                                   {.freq_Hz = 900, .damping_ratio = 0.005, .residue_per_kg = {1, 0.5}}},
+                                  1);
+  spec.points = {{}};
+  return test::frf_set_of(synthesise(spec, 1).record, 60, 2400);
+}
+
+TEST(Ripples, MayBeWhatIsNoHigherThanTheFlankOfADecayCutOff) {
+  const FrfSet set = cut_off();
+  const std::vector<Pole> poles{{400.3, 1e-5}, {430, 1e-4}, {900, 0.005}};
+  const auto doubtful = ripples_among(set, poles);
+  EXPECT_FALSE(doubtful[0]) << "the mode itself";
+  EXPECT_TRUE(doubtful[1]) << "on its flank";
+  EXPECT_FALSE(doubtful[2]) << "a peak above it";
+}
+
+TEST(Ripples, AreNoneWhereEverythingDecays) {
+  const auto doubtful = ripples_among(cut_off(), {{430, 0.01}, {900, 0.005}});
+  EXPECT_FALSE(doubtful[0]);
+  EXPECT_FALSE(doubtful[1]);
+}
+
+TEST(Ripples, RemainOnlyWhereTheResidualDoes) {
+  const FrfSet set = cut_off();
+  const auto lines = static_cast<Eigen::Index>(set.lines.count);
+  std::vector<Eigen::VectorXcd> residual;
+  for (const Output& output : set.outputs)
+    residual.emplace_back(Eigen::Map<const Eigen::VectorXcd>(output.frf.data(), lines));
+  EXPECT_TRUE(remains(set, {900, 0.005}, residual));
+  for (Eigen::VectorXcd& left : residual) left *= 0.1;
+  EXPECT_FALSE(remains(set, {900, 0.005}, residual));
+}
+
+}  // namespace percuss::ripples_test

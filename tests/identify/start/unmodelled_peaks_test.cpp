@@ -1,0 +1,81 @@
+#include "identify/start/unmodelled_peaks.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/modal_frfs.hpp"
+#include "synth/synthesise.hpp"
+
+namespace percuss::unclaimed_peaks_test {
+
+constexpr double kRange_dB = 65;
+const std::vector<Pole> kPoles{{200, 0.01}, {600, 0.005}, {1200, 0.004}};
+
+FrfSet three_peaks() {
+  FrfSet set = test::empty_set(4096, 16384, 60, 1500, 2);
+  for (const Pole& pole : kPoles) {
+    test::add_mode(set, 0, pole, 0.5);
+    test::add_mode(set, 1, pole, 0.2);
+  }
+  test::add_line_noise(set, 0.01, 3);
+  return set;
+}
+
+std::vector<Mode> modes_of(const std::vector<Pole>& poles) {
+  std::vector<Mode> modes;
+  modes.reserve(poles.size());
+  for (const Pole& pole : poles)
+    modes.push_back({.pole = pole, .residues = {{.value = 0.5}, {.channel = 1, .value = 0.2}}});
+  return modes;
+}
+
+TEST(UnclaimedPeaks, AreThoseWithoutAMode) {
+  const FrfSet set = three_peaks();
+  EXPECT_TRUE(unclaimed_peaks(set, modes_of(kPoles), kRange_dB).empty());
+  const auto peaks = unclaimed_peaks(set, modes_of({kPoles[0], kPoles[2]}), kRange_dB);
+  ASSERT_EQ(peaks.size(), 1U);
+  EXPECT_NEAR(peaks[0].freq_Hz, 600, set.lines.df_Hz());
+  EXPECT_NEAR(peaks[0].level_dB, 20 * std::log10(0.004 / 0.005), 0.5) << "the tallest has the least damping";
+}
+
+TEST(UnclaimedPeaks, CountAsClaimedWithinThreeBandwidths) {
+  const FrfSet set = three_peaks();
+  EXPECT_TRUE(unclaimed_peaks(set, modes_of({kPoles[0], {615, 0.005}, kPoles[2]}), kRange_dB).empty());
+  EXPECT_EQ(unclaimed_peaks(set, modes_of({kPoles[0], {625, 0.005}, kPoles[2]}), kRange_dB).size(), 1U);
+}
+
+TEST(UnclaimedPeaks, AreNotLookedForBeyondTheForcesReachOrTheRange) {
+  FrfSet set = three_peaks();
+  set.reach_Hz = 700;
+  EXPECT_EQ(unclaimed_peaks(set, {}, kRange_dB).size(), 2U);
+  set.reach_Hz = 0;
+  EXPECT_EQ(unclaimed_peaks(set, {}, kRange_dB).size(), 3U);
+  EXPECT_EQ(unclaimed_peaks(set, {}, 1).size(), 1U);
+}
+
+// Six deviations of the noise tall: on a flank, a line that noise lifted and one beside it that it lowered look like
+// that.
+TEST(UnclaimedPeaks, AreNotTheNoiseOfAFlank) {
+  constexpr double kNoise = 0.5;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    FrfSet set = test::empty_set(8192, 8192, 60, 3000, 2);
+    const Pole pole{1000, 0.05};
+    test::add_mode(set, 0, pole, 0.5);
+    test::add_mode(set, 1, pole, 0.2);
+    test::add_line_noise(set, kNoise, seed);
+    EXPECT_TRUE(unclaimed_peaks(set, modes_of({pole}), kRange_dB).empty()) << seed;
+  }
+}
+
+// Of two that ring on at the end, what is cut off of one makes a row of nulls in the other's flank.
+TEST(UnclaimedPeaks, AreNotTheRipplesOfADecayCutOff) {
+  SynthSpec spec = test::bat_spec({{.freq_Hz = 400.3, .damping_ratio = 1e-5, .residue_per_kg = {1, 0.5}}}, 1);
+  spec.points = {{}};
+  const FrfSet set = test::frf_set_of(synthesise(spec, 1).record, 60, 2400);
+  const Mode mode{.pole = {400.3, 1e-5}, .residues = {{.value = 1}, {.channel = 1, .value = 0.5}}};
+  EXPECT_TRUE(unclaimed_peaks(set, {mode}, kRange_dB).empty());
+  EXPECT_FALSE(unclaimed_peaks(set, {}, kRange_dB).empty());
+}
+
+}  // namespace percuss::unclaimed_peaks_test

@@ -1,0 +1,236 @@
+#include "metrics/deflection/deflection.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "core/units.hpp"
+#include "metrics/deflection/baseline_drift.hpp"
+#include "synth/pulse.hpp"
+
+namespace percuss::deflection_test {
+
+/// A mode of a held beam struck for 3 ms: closed form of the response to a half sine, sampled far above its frequency.
+struct Impact {
+  double fs_Hz = 20000;
+  std::vector<double> force_N, accel_mps2, deflection_m;
+  double onset_s = 0;
+};
+
+constexpr double kFreq_Hz = 14.5, kDamping = 0.012, kResidue_per_kg = 2, kForce_N = 600, kPulse_s = 0.003;
+
+Pole pole() { return {.freq_Hz = kFreq_Hz, .damping_ratio = kDamping}; }
+
+// Undamped response of x'' + 2ζωx' + ω²x = A·F sin(πt/T) by superposition of two half-infinite sines.
+struct State {
+  double x = 0, v = 0, a = 0;
+};
+
+State started_sine(double t_s) {
+  if (t_s <= 0) return {};
+  const double w = kTwoPi * kFreq_Hz, wd = w * std::sqrt(1 - kDamping * kDamping), d = kDamping * w;
+  const double p = std::numbers::pi / kPulse_s, re = w * w - p * p, im = 2 * d * p, norm = re * re + im * im;
+  const double f = kResidue_per_kg * kForce_N;
+  // steady part Im(f e^{jpt}/(re + j im)), and the free part that cancels it and its slope at t = 0
+  const double sa = f * re / norm, sb = -f * im / norm;  // sin and cos amplitudes
+  const double c1 = -sb, c2 = (-sa * p + d * c1) / wd;
+  const double e = std::exp(-d * t_s), s = std::sin(wd * t_s), c = std::cos(wd * t_s);
+  const double free = e * (c1 * c + c2 * s), free1 = e * ((-d * c1 + wd * c2) * c + (-d * c2 - wd * c1) * s);
+  State out{.x = sa * std::sin(p * t_s) + sb * std::cos(p * t_s) + free,
+            .v = p * (sa * std::cos(p * t_s) - sb * std::sin(p * t_s)) + free1};
+  out.a = f * std::sin(p * t_s) - 2 * d * out.v - w * w * out.x;
+  return out;
+}
+
+Impact impact(double fs_Hz = 20000, double rest_s = 0.1, double length_s = 1.2) {
+  Impact out{.fs_Hz = fs_Hz, .onset_s = rest_s + 0.37 / fs_Hz};
+  for (std::size_t i = 0; i < static_cast<std::size_t>(length_s * fs_Hz); ++i) {
+    const double t = static_cast<double>(i) / fs_Hz - out.onset_s;
+    const State on = started_sine(t), off = started_sine(t - kPulse_s);
+    out.force_N.push_back(t > 0 && t < kPulse_s ? kForce_N * std::sin(std::numbers::pi * t / kPulse_s) : 0);
+    out.accel_mps2.push_back(on.a + off.a);
+    out.deflection_m.push_back(on.x + off.x);
+  }
+  return out;
+}
+
+ImpactSignal signal_of(const Impact& test) {
+  return {.fs_Hz = test.fs_Hz, .accel_mps2 = test.accel_mps2, .onset_s = test.onset_s, .force_N = {}, .modes = {}};
+}
+
+double largest(const std::vector<double>& x) {
+  double most = 0;
+  for (const double value : x) most = std::max(most, std::abs(value));
+  return most;
+}
+
+// The force has corners, so its samples are not band-limited. What folds back changes its integral by (Δt/T)²·π²/12.
+constexpr double kFine_Hz = 200000;
+constexpr double kFolded = 2.5e-6;
+
+TEST(Deflection, OfACleanRecordIsExact) {
+  const Impact test = impact(kFine_Hz, 0.02, 0.3);
+  const Deflection found = deflection_of(signal_of(test));
+  EXPECT_EQ(found.method, DeflectionMethod::drift_free);
+  EXPECT_NEAR(std::abs(found.peak_m), largest(test.deflection_m), kFolded * largest(test.deflection_m));
+  for (std::size_t i = 0; i < test.deflection_m.size(); i += 500)
+    EXPECT_NEAR(found.deflection_m[i], test.deflection_m[i], 30 * kFolded * largest(test.deflection_m)) << i;
+}
+
+// Through an anti-alias filter: the deflection is that of the filtered motion, here from the filtered force, which
+// shares no sample with the acceleration.
+TEST(Deflection, IsBandLimitedAtEverySamplingRate) {
+  constexpr double kRounding = 1e-6;  // of the peak; what the window at the record's end and the late means leave
+  const std::vector<SynthPole> poles{{14.5, 0.012}, {90, 0.01}, {322, 0.008}};
+  for (const double fs_Hz : {2000.0, 5000.0, 12800.0, 25600.0, 50000.0}) {
+    const auto samples = static_cast<std::size_t>(1.2 * fs_Hz);
+    const PulseBasis basis = pulse_basis({.onset_s = 0.1, .width_s = 0.0025, .peak_N = 800}, fs_Hz, poles, 0, samples);
+    std::vector<double> force(samples), accel(samples);
+    std::copy(basis.force_N.begin(), basis.force_N.end(), force.begin() + static_cast<std::ptrdiff_t>(basis.first));
+    std::vector<ModeShare> modes;
+    for (std::size_t m = 0; m < poles.size(); ++m) {
+      modes.push_back(
+          {.pole = {poles[m].freq_Hz, poles[m].damping_ratio}, .residue_per_kg = 1.0 + static_cast<double>(m)});
+      for (std::size_t i = 0; i < samples - basis.first; ++i) {
+        const double regular = i < basis.regular_N[m].size() ? basis.regular_N[m][i] : 0;
+        accel[basis.first + i] += modes.back().residue_per_kg.real() * (regular + force[basis.first + i]);
+      }
+    }
+    const auto truth = modal_deflection(force, fs_Hz, modes, 0).deflection_m;
+    const Deflection found =
+        deflection_of({.fs_Hz = fs_Hz, .accel_mps2 = accel, .onset_s = 0.1, .force_N = {}, .modes = {}});
+    EXPECT_NEAR(std::abs(found.peak_m), largest(truth), kRounding * largest(truth)) << fs_Hz;
+  }
+}
+
+TEST(Deflection, TakesBiasAndDriftAwayWithinItsDeviation) {
+  const Impact clean = impact();
+  std::mt19937 random(5);
+  std::normal_distribution<double> gauss;
+  double sum = 0;
+  std::size_t count = 0;
+  for (int trial = 0; trial < 20; ++trial) {
+    Impact test = clean;
+    const double bias = gauss(random), drift = 0.2 * gauss(random);
+    for (std::size_t i = 0; i < test.accel_mps2.size(); ++i)
+      test.accel_mps2[i] += bias + drift * static_cast<double>(i) / test.fs_Hz + 0.3 * gauss(random);
+    const Deflection found = deflection_of(signal_of(test));
+    EXPECT_TRUE(found.held);
+    EXPECT_NEAR(std::abs(found.peak_m), largest(test.deflection_m), 0.002 * largest(test.deflection_m));
+    for (std::size_t i = 2100; i < test.deflection_m.size(); i += 1000, ++count) {
+      const double z = (found.deflection_m[i] - test.deflection_m[i]) / found.std_m[i];
+      EXPECT_LE(std::abs(z), 4.5);  // twenty records, looked at in twenty places each
+      sum += z * z;
+    }
+  }
+  // Neither too small nor uselessly large: late deviations count the noise as if nothing held it back.
+  EXPECT_LE(std::sqrt(sum / static_cast<double>(count)), 1.2);
+  EXPECT_GE(std::sqrt(sum / static_cast<double>(count)), 0.2);
+}
+
+// A short rest tells little of the bias: its parabola leaves the swing far behind before the record ends.
+TEST(Deflection, TakesNoWalkForThePeak) {
+  const Impact clean = impact(20000, 0.005);
+  std::mt19937 random(7);
+  std::normal_distribution<double> gauss;
+  for (int trial = 0; trial < 60; ++trial) {
+    Impact test = clean;
+    for (double& a : test.accel_mps2) a += 3 * gauss(random);
+    const Deflection found = deflection_of(signal_of(test), {.free_body = true});
+    EXPECT_LE(std::abs(found.peak_m), 2 * largest(test.deflection_m)) << trial;
+    EXPECT_NEAR(found.peak_m, test.deflection_m[found.peak], 4.5 * found.peak_std_m) << trial;
+    EXPECT_LE(found.peak_std_m, std::abs(found.peak_m) / 4) << trial;
+    EXPECT_GT(found.std_m.back(), largest(test.deflection_m)) << trial;
+  }
+}
+
+TEST(Deflection, TellsNoPeakOfNoiseAlone) {
+  std::mt19937 random(8);
+  std::normal_distribution<double> gauss;
+  int told = 0;
+  for (int trial = 0; trial < 100; ++trial) {
+    std::vector<double> noise(4000);
+    for (double& a : noise) a = gauss(random);
+    const ImpactSignal signal{.fs_Hz = 20000, .accel_mps2 = noise, .onset_s = 0.1, .force_N = {}, .modes = {}};
+    const Deflection found = deflection_of(signal);
+    told += std::isnan(found.peak_m) ? 0 : 1;
+    EXPECT_EQ(std::isnan(found.peak_m), std::isnan(found.peak_std_m));
+  }
+  EXPECT_LE(told, 3);  // beyond three deviations a walk comes at some time in one of five records, beyond four in one
+                       // of two hundred
+}
+
+TEST(Deflection, KeepsAFreeBodysOwnMotion) {
+  Impact test = impact();
+  const double mass_kg = 0.9;
+  double v = 0, w = 0;
+  for (std::size_t i = 0; i < test.accel_mps2.size(); ++i) {
+    test.accel_mps2[i] += test.force_N[i] / mass_kg;
+    test.deflection_m[i] += w;
+    v += test.force_N[i] / mass_kg / test.fs_Hz;
+    w += v / test.fs_Hz;
+  }
+  ImpactSignal signal = signal_of(test);
+  const Deflection unknown = deflection_of(signal, {.free_body = true});
+  EXPECT_NEAR(unknown.deflection_m.back(), test.deflection_m.back(), 1e-3 * std::abs(test.deflection_m.back()));
+  EXPECT_FALSE(deflection_of(signal).held);  // and it is seen that it does not come back
+  signal.force_N = test.force_N;
+  signal.rigid_per_kg = 1 / mass_kg;
+  const Deflection known = deflection_of(signal);
+  EXPECT_TRUE(known.held);
+  EXPECT_NEAR(known.deflection_m.back(), test.deflection_m.back(), 1e-3 * std::abs(test.deflection_m.back()));
+}
+
+TEST(Deflection, FromModesNeedsNoRestBeforeTheImpact) {
+  Impact test = impact(20000, 0.0001);
+  for (double& a : test.accel_mps2) a += 5;
+  ImpactSignal signal = signal_of(test);
+  signal.force_N = test.force_N;
+  signal.modes = {{.pole = pole(), .residue_per_kg = kResidue_per_kg}};
+  const Deflection found = deflection_of(signal);
+  EXPECT_EQ(found.method, DeflectionMethod::modal);
+  EXPECT_NEAR(std::abs(found.peak_m), largest(test.deflection_m), 1e-3 * largest(test.deflection_m));
+}
+
+TEST(Deflection, BySmallIntervalsIsTheSourcesAndOfFirstOrder) {
+  std::vector<double> errors;
+  for (const double fs_Hz : {5000.0, 10000.0, 20000.0}) {
+    const Impact test = impact(fs_Hz);
+    const Deflection found = deflection_of(signal_of(test), {.method = DeflectionMethod::small_interval});
+    errors.push_back(std::abs(found.deflection_m.back() - test.deflection_m.back()));
+  }
+  EXPECT_GT(errors[0], 1.6 * errors[1]);
+  EXPECT_GT(errors[1], 1.6 * errors[2]);
+}
+
+TEST(Deflection, ByLinesIsRightForARecordThatComesToRest) {
+  const Impact test = impact(4000, 2, 10);
+  const Deflection found = deflection_of(signal_of(test), {.method = DeflectionMethod::frequency, .lowest_Hz = 0.4});
+  // What is slower than the lowest line is lost: of a decay by ζω = 1.1/s, a few per cent.
+  EXPECT_NEAR(std::abs(found.peak_m), largest(test.deflection_m), 0.03 * largest(test.deflection_m));
+}
+
+TEST(MotionOnset, IsWhereTheNoiseEnds) {
+  const Impact test = impact();
+  EXPECT_NEAR(motion_onset_s(test.accel_mps2, test.fs_Hz), test.onset_s, 5 / test.fs_Hz);
+}
+
+TEST(RestState, ReadsBiasDriftAndNoise) {
+  std::vector<double> before(400);
+  for (int i = 0; i < 400; ++i)
+    before[static_cast<std::size_t>(i)] = 2 + 0.5 * (i - 400) / 1000.0 + (i % 2 == 0 ? 0.1 : -0.1);
+  const RestState rest = rest_state(before, 1000, 1);
+  EXPECT_NEAR(rest.bias(0), 2, 0.02);
+  EXPECT_NEAR(rest.bias(1), 0.5, 0.1);
+  EXPECT_NEAR(rest.noise_mps2, 0.1, 0.001);
+}
+
+TEST(RestState, KnowsNothingFromAFewSamples) {
+  const RestState rest = rest_state(std::vector<double>(5, 7.0), 1000, 20);
+  EXPECT_EQ(rest.bias(0), 0);
+  EXPECT_NEAR(std::sqrt(rest.covariance(0, 0)), 2, 1e-12);
+}
+
+}  // namespace percuss::deflection_test

@@ -1,0 +1,162 @@
+#include "metrics/study/association.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "synth/random_stream.hpp"
+
+namespace percuss::association_test {
+
+constexpr double kRounding = 1e-12;
+
+// Pairs with correlation rho, unless `monotone` bends y.
+ClassPoints normal_pairs(std::uint64_t seed, std::size_t n, double rho) {
+  RandomStream random{17, seed};
+  std::vector<double> draws(2 * n, 0);
+  random.add_normal(1, draws);
+  ClassPoints out;
+  for (std::size_t i = 0; i < n; ++i) {
+    out.x.push_back(draws[2 * i]);
+    out.y.push_back(rho * draws[2 * i] + std::sqrt(1 - rho * rho) * draws[2 * i + 1]);
+  }
+  return out;
+}
+
+TEST(Association, OfPointsOnALineIsOne) {
+  const auto a = association_of({{{1, 2, 3, 4, 5}, {3, 5, 7, 9, 11}}});
+  ASSERT_TRUE(a);
+  EXPECT_NEAR(a->pearson.value, 1, kRounding);
+  EXPECT_NEAR(a->spearman.value, 1, kRounding);
+  EXPECT_LT(a->p, 1e-10);
+}
+
+TEST(Association, SpearmanSeesOnlyTheOrder) {
+  const auto a = association_of({{{1, 2, 3, 4, 5, 6}, {1, 8, 27, 64, 125, 1e9}}});
+  EXPECT_NEAR(a->spearman.value, 1, kRounding);
+  EXPECT_LT(a->pearson.value, 0.8);
+}
+
+// By hand: x 1 2 3 4 5, y 2 1 4 3 5: Σd² = 4, ρ = 1 − 6·4/(5·24) = 0.8; on ranks r is the same.
+TEST(Association, ByHand) {
+  const auto a = association_of({{{1, 2, 3, 4, 5}, {2, 1, 4, 3, 5}}});
+  EXPECT_NEAR(a->spearman.value, 0.8, kRounding);
+  EXPECT_NEAR(a->pearson.value, 0.8, kRounding);
+  // t = 0.8 √(3/0.36) with 3 degrees of freedom: P(|T| > t) = 1 − (2/π)(θ + sin θ cos θ), tan θ = t/√3.
+  const double t = 0.8 * std::sqrt(3 / 0.36), angle = std::atan(t / std::sqrt(3.0));
+  EXPECT_NEAR(a->p, 1 - 2 / std::numbers::pi * (angle + std::sin(angle) * std::cos(angle)), 1e-10);
+  EXPECT_NEAR(a->pearson.high, std::tanh(std::atanh(0.8) + 1.959963984540054 / std::sqrt(2.0)), kRounding);
+}
+
+TEST(Association, TiesShareTheirRanks) {
+  // Ranks of y: 1.5 1.5 3 4; Σxy about means: 4.5 of Σx² = 5 and Σy² = 4.5.
+  const auto a = association_of({{{1, 2, 3, 4}, {7, 7, 8, 9}}});
+  EXPECT_NEAR(a->spearman.value, 4.5 / std::sqrt(5 * 4.5), kRounding);
+}
+
+TEST(Association, WithinClassesDoesNotSeeWhatClassesDifferBy) {
+  // Each class falls, the classes rise.
+  const ClassPoints low{{1, 2, 3, 4}, {4, 3, 2, 1}}, high{{11, 12, 13, 14}, {14, 13, 12, 11}};
+  const auto a = association_of({low, high});
+  EXPECT_NEAR(a->pearson.value, -1, kRounding);
+  EXPECT_NEAR(a->spearman.value, -1, kRounding);
+  EXPECT_EQ(a->classes, 2U);
+  EXPECT_EQ(association_of({low, high, {{1}, {1}}})->points, 8U);  // one point alone tells nothing
+}
+
+TEST(Association, NeedsPointsThatVary) {
+  EXPECT_FALSE(association_of({}));
+  EXPECT_FALSE(association_of({{{1, 2, 3}, {1, 2, 3}}}));
+  EXPECT_FALSE(association_of({{{1, 1, 1, 1, 1}, {1, 2, 3, 4, 5}}}));
+  EXPECT_FALSE(association_of({{{1, 2, 3, 4, 5}, {1, 1, 1, 1, 1}}}));
+}
+
+struct Coverage {
+  double pearson = 0, spearman = 0, false_positives = 0;
+};
+
+Coverage coverage_of(double rho, std::size_t n, std::size_t classes, int runs) {
+  const double rho_s = 6 / std::numbers::pi * std::asin(rho / 2);  // of a normal pair
+  Coverage out;
+  for (int run = 0; run < runs; ++run) {
+    std::vector<ClassPoints> all;
+    for (std::size_t c = 0; c < classes; ++c) {
+      all.push_back(normal_pairs(static_cast<std::uint64_t>(run) * 10 + c, n, rho));
+      for (double& y : all.back().y) y += 10 * static_cast<double>(c);
+    }
+    const auto a = association_of(all);
+    out.pearson += (a->pearson.low <= rho && rho <= a->pearson.high) / static_cast<double>(runs);
+    out.spearman += (a->spearman.low <= rho_s && rho_s <= a->spearman.high) / static_cast<double>(runs);
+    out.false_positives += (a->p < 0.05) / static_cast<double>(runs);
+  }
+  return out;
+}
+
+TEST(Association, IntervalsHoldTheTruthAsOftenAsTheySay) {
+  // 2000 runs: 0.95 ± 0.0049; four deviations, and 0.01 for Fisher's z being an approximation.
+  constexpr double kAllowed = 0.03;
+  for (const double rho : {0.0, 0.5, -0.8}) {
+    const Coverage c = coverage_of(rho, 30, 1, 2000);
+    EXPECT_NEAR(c.pearson, 0.95, kAllowed) << rho;
+    EXPECT_NEAR(c.spearman, 0.95, kAllowed) << rho;
+  }
+  const Coverage classes = coverage_of(0.5, 15, 4, 2000);
+  EXPECT_NEAR(classes.pearson, 0.95, kAllowed);
+}
+
+TEST(Association, FindsNothingWhereNothingIsAsOftenAsItSays) {
+  constexpr double kAllowed = 0.02;  // four deviations of 0.05 in 2000 runs
+  EXPECT_NEAR(coverage_of(0, 12, 1, 2000).false_positives, 0.05, kAllowed);
+  EXPECT_NEAR(coverage_of(0, 8, 4, 2000).false_positives, 0.05, kAllowed);
+}
+
+TEST(TrendLine, IsExactOnALineAndUnmovedByAFewBadPoints) {
+  ClassPoints points;
+  for (int i = 0; i < 20; ++i) {
+    points.x.push_back(i);
+    points.y.push_back(3 - 0.5 * i);
+  }
+  const auto exact = trend_line_of(points);
+  EXPECT_NEAR(exact->slope, -0.5, kRounding);
+  EXPECT_NEAR(exact->at, 3, kRounding);
+  for (const std::size_t i : {2U, 7U, 11U, 17U}) points.y[i] = 1000.0 * static_cast<double>(i);
+  const auto robust = trend_line_of(points);
+  EXPECT_NEAR(robust->slope, -0.5, kRounding);
+  EXPECT_NEAR(robust->at, 3, kRounding);
+}
+
+TEST(TrendLine, NeedsThreeValuesOfX) {
+  EXPECT_FALSE(trend_line_of({}));
+  EXPECT_FALSE(trend_line_of({{1, 2}, {1, 2}}));
+  EXPECT_FALSE(trend_line_of({{1, 1, 2, 2}, {1, 2, 3, 4}}));
+}
+
+TEST(TrendLine, IntervalHoldsTheSlopeAsOftenAsItSays) {
+  int held = 0;
+  const int runs = 1000;
+  for (int run = 0; run < runs; ++run) {
+    const auto line = trend_line_of(normal_pairs(static_cast<std::uint64_t>(run) + 90000, 20, 0.6));
+    held += line->slope_low <= 0.6 && 0.6 <= line->slope_high ? 1 : 0;
+  }
+  constexpr double kAllowed = 0.03;  // four deviations of 0.95 in 1000 runs
+  EXPECT_NEAR(held / static_cast<double>(runs), 0.95, kAllowed);
+}
+
+TEST(Outliers, AreThoseFarFromTheLine) {
+  ClassPoints points = normal_pairs(5, 40, 0.9);
+  points.y[13] += 8;
+  EXPECT_THAT(outliers_of(points, *trend_line_of(points)), testing::ElementsAre(13));
+  EXPECT_THAT(outliers_of({{1, 2, 3, 4, 5}, {1, 2, 3, 4, 50}}, {.slope = 1}), testing::IsEmpty());
+}
+
+TEST(AdjustedForAll, FollowsHolm) {
+  EXPECT_THAT(adjusted_for_all({0.01, 0.04, 0.03, 0.005}),
+              testing::ElementsAre(testing::DoubleNear(0.03, kRounding), testing::DoubleNear(0.06, kRounding),
+                                   testing::DoubleNear(0.06, kRounding), testing::DoubleNear(0.02, kRounding)));
+  EXPECT_THAT(adjusted_for_all({0.9, 0.8}), testing::ElementsAre(1, 1));
+  EXPECT_TRUE(adjusted_for_all({}).empty());
+}
+
+}  // namespace percuss::association_test

@@ -1,0 +1,220 @@
+#include "metrics/study/study.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "metrics/study/study_join.hpp"
+#include "support/input_error.hpp"
+#include "synth/population.hpp"
+
+namespace percuss::study_test {
+
+using test::input_error_of;
+using testing::HasSubstr;
+
+const StudyStatement& statement_of(const Study& study, StudyFamily family, StudyQuantity y, StudyQuantity x) {
+  return *std::find_if(study.statements.begin(), study.statements.end(),
+                       [&](const auto& s) { return s.family == family && s.y == y && s.x == x; });
+}
+
+TEST(Study, FindsTheRelationsThatWerePlanted) {
+  using enum StudyQuantity;
+  int found = 0, all = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const Study study = study_of(synthetic_population({.seed = seed}));
+    for (const StudyQuantity y : {besr, bbs, bbcor}) {
+      const auto& hoop = statement_of(study, StudyFamily::nonwood, y, hoop1);
+      EXPECT_EQ(hoop.verdict, StatementVerdict::supported) << seed;
+      EXPECT_LT(hoop.association->spearman.high, 0);
+    }
+    EXPECT_EQ(statement_of(study, StudyFamily::wood, besr, moi).verdict, StatementVerdict::supported);
+    const auto& rigid = statement_of(study, StudyFamily::wood, bbcor, moi);
+    found += rigid.association->spearman.low > 0 || rigid.association->spearman.high < 0 ? 1 : 0;
+    ++all;
+  }
+  EXPECT_LE(found, 4);  // 5 % of 20 by chance: more than 4 once in 400 times
+  EXPECT_EQ(all, 20);
+}
+
+// Wood's BBCOR is 0.48 plus noise; hollow bats' correlation with the hoop frequency follows from gain, range and noise:
+// r = −g σ_h/√(g² σ_h² + σ²), with σ_h the hoop frequencies' own deviation in this population.
+TEST(Study, IntervalsHoldThePlantedCorrelation) {
+  int held = 0;
+  const int populations = 200;
+  for (int seed = 0; seed < populations; ++seed) {
+    const PopulationSpec spec{.seed = static_cast<std::uint64_t>(seed),
+                              .wood = 0,
+                              .aluminum = 0,
+                              .composite = 80,
+                              .hoop_gain = 1e-5,
+                              .noise = 0.006,
+                              .trail = false};
+    const Study study = study_of(synthetic_population(spec));
+    // Uniform from 1300 to 2800 Hz.
+    const double hoop_std = 1500 / std::sqrt(12.0), part = spec.hoop_gain * hoop_std;
+    const double planted = -part / std::hypot(part, spec.noise);
+    const auto& a = statement_of(study, StudyFamily::nonwood, StudyQuantity::bbcor, StudyQuantity::hoop1).association;
+    held += a->pearson.low <= planted && planted <= a->pearson.high ? 1 : 0;
+  }
+  // 95 % of 200: 190 ± 3.1; four deviations below. A uniform x makes the interval a little too wide, if anything.
+  EXPECT_GE(held, 178);
+}
+
+TEST(Study, FindsNothingWhereNothingWasPlanted) {
+  int false_studies = 0;
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    const Study study = study_of(synthetic_population({.seed = seed, .related = false, .trail = false}));
+    false_studies += std::any_of(study.statements.begin(), study.statements.end(),
+                                 [](const StudyStatement& s) { return s.verdict != StatementVerdict::not_supported; });
+  }
+  // At most 5 % of 200 studies with any false statement: 10 ± 3.1, and three deviations.
+  EXPECT_LE(false_studies, 19);
+}
+
+TEST(Study, MakesEveryFigureOfTheSource) {
+  const Study study = study_of(synthetic_population());
+  std::vector<std::string> sources;
+  for (const StudyFigure& figure : study.figures) {
+    if (!figure.source.empty()) sources.push_back(figure.source);
+  }
+  std::vector<std::string> expected;
+  for (int n = 13; n <= 66; ++n) {
+    if (n < 52 || n > 54) expected.push_back(std::to_string(n));
+  }
+  for (int n = 1; n <= 5; ++n) expected.push_back("B" + std::to_string(n));
+  EXPECT_THAT(sources, testing::UnorderedElementsAreArray(expected));
+  ASSERT_EQ(study.trails.size(), 1U);
+  EXPECT_EQ(study.trails[0].states.size(), 9U);
+  EXPECT_TRUE(study.trails[0].besr);
+}
+
+TEST(Study, CountsABatOnceHoweverManyOfItsStatesAreShown) {
+  const auto bats = synthetic_population({.wood = 0, .aluminum = 0, .composite = 20});
+  const Study study = study_of(bats);
+  const auto& hoop = statement_of(study, StudyFamily::nonwood, StudyQuantity::besr, StudyQuantity::hoop1);
+  EXPECT_LE(hoop.association->points, 21U);
+  EXPECT_EQ(std::count(study.repeated.begin(), study.repeated.end(), true), 8);
+}
+
+TEST(Study, NamesOutliers) {
+  auto bats = synthetic_population({.wood = 60, .aluminum = 0, .composite = 0, .trail = false});
+  bats[7].values[static_cast<std::size_t>(StudyQuantity::bbcor)] = 0.60;
+  const Study study = study_of(bats);
+  const auto figure = std::find_if(study.figures.begin(), study.figures.end(),
+                                   [](const StudyFigure& f) { return f.name == "bbcor-moi-wood-all"; });
+  ASSERT_NE(figure, study.figures.end());
+  std::vector<std::string> named;
+  for (const StudyClass& one : figure->classes) {
+    for (const std::size_t b : one.outliers) named.push_back(study.bats[b].id);
+  }
+  EXPECT_THAT(named, testing::Contains(bats[7].id));
+}
+
+TEST(Population, IsAsTheSourceDescribesIt) {
+  double sum = 0, wood = 0;
+  for (const StudyBat& bat : synthetic_population({.wood = 400})) {
+    const auto hoop = bat.value(StudyQuantity::hoop1);
+    if (bat.material == BarrelMaterial::wood) {
+      EXPECT_FALSE(hoop);
+      sum += *bat.value(StudyQuantity::bbcor);
+      ++wood;
+    } else if (bat.material == BarrelMaterial::aluminum) {
+      EXPECT_GE(*hoop, 1800);
+      EXPECT_LE(*hoop, 2400);
+    } else {
+      EXPECT_GE(*hoop, 1300);
+      EXPECT_LE(*hoop, 2800);
+    }
+  }
+  EXPECT_NEAR(sum / wood, 0.480, 4 * 0.004 / std::sqrt(wood));
+}
+
+StudyRows rows_of(const std::string& text, const std::string& more = {}) {
+  StudyRows rows;
+  rows.add(text, "t.csv");
+  if (!more.empty()) rows.add(more, "m.json");
+  return rows;
+}
+
+TEST(StudyTable, ReadsBackWhatItWrites) {
+  const auto bats = synthetic_population({.wood = 5, .aluminum = 5, .composite = 5});
+  const std::string text = study_table_csv(bats);
+  EXPECT_EQ(study_table_csv(rows_of(text).bats()), text);
+}
+
+TEST(StudyTable, JoinsAnalysesById) {
+  const std::string table = "id,length_in,material,besr,moi_oz_in2\nA1,33,composite,0.72,9800\n";
+  const std::string analysis =
+      R"({"schema": "percuss/analysis/1", "bat": {"id": "A1", "properties": {"condition": "abi",
+    "maker": "M", "shelf": "left"}}, "modes": [{"family": "bending", "order": 1, "frequency_hz": 170.5},
+    {"family": "hoop", "order": 1, "frequency_hz": 1900}, {"family": "hoop", "order": 1, "frequency_hz": 1912},
+    {"family": "unknown", "order": null, "frequency_hz": 800}]})";
+  const auto bats = rows_of(table, analysis).bats();
+  ASSERT_EQ(bats.size(), 1U);
+  EXPECT_EQ(bats[0].value(StudyQuantity::hoop1), 1900);
+  EXPECT_EQ(bats[0].value(StudyQuantity::bending1), 170.5);
+  EXPECT_EQ(bats[0].value(StudyQuantity::besr), 0.72);
+  EXPECT_TRUE(bats[0].broken_in);
+  EXPECT_EQ(bats[0].maker, "M");
+}
+
+TEST(StudyTable, WorksOutWhatFollows) {
+  const auto bats =
+      rows_of("id,length_in,material,weight_oz,moi_oz_in2,besr,z_in\na,34,aluminum,31,10450,0.728,6\n").bats();
+  EXPECT_EQ(bats[0].value(StudyQuantity::drop), -3);
+  EXPECT_NEAR(*bats[0].value(StudyQuantity::bbcor), 0.519706, 5e-7);
+  EXPECT_TRUE(bats[0].value(StudyQuantity::bbs));
+}
+
+TEST(StudyTable, RefusesWhatItCannotUse) {
+  const auto refusal = [](const std::string& text, const std::string& more = {}) {
+    return input_error_of([&] { rows_of(text, more).bats(); });
+  };
+  EXPECT_THAT(refusal("id,length_in,material,speed\na,33,wood,3\n"), HasSubstr("unknown key"));
+  EXPECT_THAT(refusal("id,length_in,material\na,33,paper\n"), HasSubstr("no such material"));
+  EXPECT_THAT(refusal("id,material\na,wood\n"), HasSubstr("no length"));
+  EXPECT_THAT(refusal("id,length_in,material,besr\na,33,wood,x\n"), HasSubstr("besr"));
+  EXPECT_THAT(refusal("id,length_in,material,hoop1_hz\na,33,wood,-5\n"), HasSubstr("hoop1_hz is -5"));
+  EXPECT_THAT(refusal("id,length_in,material\n,33,wood\n"), HasSubstr("without an id"));
+  EXPECT_THAT(refusal("id,length_in,material\na,33,wood\na,34,wood\n"), HasSubstr("two values of length_in"));
+  EXPECT_THAT(refusal("id,length_in,material,condition\na,33,wood,old\n"), HasSubstr("condition"));
+  EXPECT_THAT(refusal("{\"schema\": \"percuss/analysis/1\"}"), HasSubstr("does not say of which bat"));
+  EXPECT_THAT(refusal("{\"schema\": \"percuss/analysis/1\", \"runs\": []}"), HasSubstr("several tests"));
+  EXPECT_THAT(refusal("{\"schema\": \"percuss/info/1\"}"), HasSubstr("no table of bats"));
+  EXPECT_THAT(refusal("{\"bats\": " + std::string(100000, '[')), HasSubstr("nested deeper"));
+  EXPECT_THAT(refusal(""), HasSubstr("t.csv"));
+  EXPECT_THAT(refusal("id,length_in,material\n"), HasSubstr("no bats"));
+  EXPECT_THAT(refusal("//\"\n{\"schema\": \"percuss/analysis/1\", \"a\": " + std::string(100000, '[')),
+              HasSubstr("nested deeper"));
+}
+
+TEST(Blinding, TakesOutNamesAndKeepsTheKeyApart) {
+  std::vector<StudyBat> bats{{.id = "Slug 5", .bat = "Slug", .maker = "Acme, Inc.", .model = "X\"5", .length_in = 33},
+                             {.id = "Slug 6", .bat = "Slug", .maker = "Acme, Inc.", .length_in = 33},
+                             {.id = "Twig", .length_in = 34}};
+  const std::string key = blind_bats(bats);
+  EXPECT_EQ(bats[0].id, "AS001");
+  EXPECT_EQ(bats[1].bat, "AS001");
+  EXPECT_EQ(bats[2].bat, "");
+  EXPECT_EQ(key,
+            "neutral,id,bat,maker,model\nAS001,Slug 5,Slug,\"Acme, Inc.\",\"X\"\"5\"\nAS002,Slug 6,Slug,\"Acme, "
+            "Inc.\",\nAS003,Twig,,,\n");
+  EXPECT_THAT(study_table_csv(bats), testing::Not(testing::AnyOf(HasSubstr("Slug"), HasSubstr("Acme"))));
+}
+
+TEST(StudyCurve, ReadsATrampolineModel) {
+  const auto curve = parse_study_curve(
+      R"({"schema": "percuss/model-trampoline/1", "wall_cor": 0.48, "curve": [{"hoop_hz": 1000, "cor": 0.5}, {"hoop_hz": 2000, "cor": 0.49}]})",
+      "m.json");
+  EXPECT_EQ(curve.hoop_Hz.size(), 2U);
+  for (const char* text :
+       {"", "[]", "{}", R"({"schema": "percuss/model-trampoline/1", "curve": [3]})",
+        R"({"schema": "percuss/model-trampoline/1", "curve": []})",
+        R"({"schema": "percuss/model-trampoline/1", "curve": [{"hoop_hz": 2, "cor": 1}, {"hoop_hz": 1, "cor": 1}]})"})
+    EXPECT_THAT(input_error_of([&] { parse_study_curve(text, "m.json"); }), HasSubstr("m.json"));
+}
+
+}  // namespace percuss::study_test

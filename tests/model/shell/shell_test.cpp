@@ -1,0 +1,133 @@
+#include "model/shell/shell.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "model/shell/shell_fit.hpp"
+#include "support/input_error.hpp"
+
+namespace percuss::shell_test {
+
+const TubeShell kAluminium;  // 70 GPa, 2700 kg/m³, 0.33; 2.625 in by 0.100 in, 13 in long
+
+// physics.md's own figures: computed elsewhere.
+TEST(Shell, ReproducesPublishedFigures) {
+  EXPECT_NEAR(ring_Hz(kAluminium, 2), 1550, 0.5);
+  EXPECT_NEAR(flugge_Hz(kAluminium, 2, 1), 1756, 0.5);
+}
+
+// The same formulas by numpy, every digit.
+TEST(Shell, ReproducesIndependentFigures) {
+  constexpr double kRounding = 1e-9;
+  EXPECT_NEAR(ring_Hz(kAluminium, 2), 1550.4808426018976, kRounding);
+  EXPECT_NEAR(rayleigh_Hz(kAluminium, 2), 1642.4916966269188, kRounding);
+  EXPECT_NEAR(love_Hz(kAluminium, 2), 1668.6243473459517, kRounding);
+  EXPECT_NEAR(flugge_Hz(kAluminium, 2, 1), 1755.9281588664942, kRounding);
+  EXPECT_NEAR(flugge_Hz(kAluminium, 2, 2), 2623.5987466791744, kRounding);
+  EXPECT_NEAR(flugge_Hz(kAluminium, 3, 1), 4697.463016394883, kRounding);
+}
+
+// Three-dimensional elasticity of the tube between diaphragms: Ritz's method with ten Legendre polynomials through the
+// wall, cos nθ and sin mπx/L exact (numpy and scipy's eigh). Flügge's equations leave out terms of the order h²/R².
+TEST(Shell, IsNearThreeDimensionalElasticity) {
+  struct Known {
+    std::size_t n, m;
+    double solid_Hz;
+  };
+  for (const auto& [n, m, solid_Hz] : std::vector<Known>{{2, 1, 1746.91506332},
+                                                         {2, 2, 2609.32715809},
+                                                         {2, 3, 4351.52912124},
+                                                         {3, 1, 4655.44442555},
+                                                         {3, 2, 4875.73652271}}) {
+    const double excess = flugge_Hz(kAluminium, n, m) / solid_Hz - 1;
+    EXPECT_GT(excess, 0) << n << m;
+    EXPECT_LT(excess, 0.0105) << n << m;
+  }
+  TubeShell thin = kAluminium;
+  thin.wall_m /= 10;
+  EXPECT_NEAR(flugge_Hz(thin, 2, 1), 552.1615915, 3e-4 * 552);  // a hundredth of the excess above, and rounding
+  EXPECT_NEAR(flugge_Hz(thin, 3, 1), 505.8012237, 5e-4 * 506);
+}
+
+TEST(Shell, IsRayleighsAndLovesWhenLong) {
+  TubeShell tube = kAluminium;
+  tube.length_m = 1000;
+  constexpr double kLong = 1e-6, kThin = 5.3e-4;  // h²/12R²: Rayleigh's tube does not stretch at all
+  for (const std::size_t n : {2U, 3U, 5U}) {
+    EXPECT_NEAR(flugge_Hz(tube, n, 1) / rayleigh_Hz(tube, n), 1, kThin);
+    EXPECT_NEAR(love_Hz(tube, n) / rayleigh_Hz(tube, n), 1, kLong);
+  }
+  tube.poisson = 0;
+  EXPECT_DOUBLE_EQ(ring_Hz(tube, 2), rayleigh_Hz(tube, 2));
+}
+
+// Donnell's shell is 30 % high for n = 2, as k n⁴ stands where k (n² − 1)² n²/(n² + 1) should: not this one.
+TEST(Shell, IsNotDonnells) {
+  TubeShell tube = kAluminium;
+  tube.length_m = 1000;
+  EXPECT_LT(flugge_Hz(tube, 2, 1), 1.01 * rayleigh_Hz(tube, 2));
+}
+
+TEST(Shell, GoesWithTheRootOfItsModulus) {
+  TubeShell stiff = kAluminium;
+  stiff.young_Pa *= 4;
+  EXPECT_NEAR(flugge_Hz(stiff, 3, 2), 2 * flugge_Hz(kAluminium, 3, 2), 1e-9);
+}
+
+// Outer less inner cylinder.
+TEST(Shell, WeighsWhatItsMaterialWeighs) {
+  const double outer = kAluminium.outer_diameter_m, inner = outer - 2 * kAluminium.wall_m;
+  EXPECT_NEAR(tube_mass_kg(kAluminium),
+              kAluminium.density_kgpm3 * M_PI / 4 * (outer * outer - inner * inner) * kAluminium.length_m, 1e-12);
+}
+
+std::vector<MeasuredHoop> measured_on(const TubeShell& shell, std::vector<MeasuredHoop> patterns) {
+  for (auto& hoop : patterns) {
+    hoop.freq_Hz = flugge_Hz(shell, hoop.n, hoop.m);
+    hoop.freq_std_Hz = 1e-3 * hoop.freq_Hz;
+  }
+  return patterns;
+}
+
+TEST(ShellFit, FindsTheModulus) {
+  TubeShell truth = kAluminium;
+  truth.young_Pa = 61e9;
+  const ShellFit fit = fit_shell(kAluminium, measured_on(truth, {{.n = 2, .m = 1}}), ShellUnknowns::young);
+  EXPECT_NEAR(fit.shell.young_Pa, 61e9, 1e3);
+  EXPECT_NEAR(fit.young_std_Pa, 2e-3 * 61e9, 1e3);  // f goes like √E
+  EXPECT_EQ(fit.wall_std_m, 0);
+}
+
+TEST(ShellFit, FindsTheWall) {
+  TubeShell truth = kAluminium;
+  truth.wall_m = 0.0021;
+  const ShellFit fit =
+      fit_shell(kAluminium, measured_on(truth, {{.n = 2, .m = 1}, {.n = 3, .m = 1}}), ShellUnknowns::wall);
+  EXPECT_NEAR(fit.shell.wall_m, 0.0021, 1e-10);
+  EXPECT_GT(fit.wall_std_m, 0);
+}
+
+TEST(ShellFit, FindsBothWherePatternsStretchTheWallDifferently) {
+  TubeShell truth = kAluminium;
+  truth.wall_m = 0.0021;
+  truth.young_Pa = 61e9;
+  const ShellFit fit = fit_shell(kAluminium, measured_on(truth, {{.n = 2, .m = 1}, {.n = 2, .m = 3}, {.n = 3, .m = 1}}),
+                                 ShellUnknowns::both);
+  EXPECT_NEAR(fit.shell.wall_m, 0.0021, 1e-9);
+  EXPECT_NEAR(fit.shell.young_Pa, 61e9, 1e5);
+  EXPECT_LT(fit.chi2, 1e-9);
+  EXPECT_LT(fit.correlation, -0.5);
+}
+
+// Of a long tube every frequency goes like h √E.
+TEST(ShellFit, SaysWhenBothCannotBeTold) {
+  TubeShell tube = kAluminium;
+  tube.length_m = 5;
+  const auto alike = measured_on(tube, {{.n = 2, .m = 1}, {.n = 3, .m = 1}});
+  EXPECT_THAT(test::input_error_of([&] { fit_shell(tube, alike, ShellUnknowns::both); }), testing::HasSubstr("told"));
+  EXPECT_THAT(test::input_error_of([&] { fit_shell(tube, {alike[0]}, ShellUnknowns::both); }),
+              testing::HasSubstr("two frequencies"));
+}
+
+}  // namespace percuss::shell_test

@@ -1,0 +1,81 @@
+#include "model/trampoline/trampoline_fit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "support/input_error.hpp"
+
+namespace percuss::trampoline_fit_test {
+
+constexpr double kMph_mps = 0.44704;
+constexpr double kDeviation = 0.004;
+
+// What the model says at the source's five speeds, from the same independent solver as in trampoline_test.cpp.
+std::vector<MeasuredCor> exact() {
+  return {{.speed_mps = 60 * kMph_mps, .cor = 0.5192180578841, .cor_std = kDeviation},
+          {.speed_mps = 80 * kMph_mps, .cor = 0.5067505983381, .cor_std = kDeviation},
+          {.speed_mps = 90 * kMph_mps, .cor = 0.5016257732107, .cor_std = kDeviation},
+          {.speed_mps = 100 * kMph_mps, .cor = 0.4970326135485, .cor_std = kDeviation},
+          {.speed_mps = 115 * kMph_mps, .cor = 0.4909280961852, .cor_std = kDeviation}};
+}
+
+Trampoline away() {
+  Trampoline start = baseball_on_barrel();
+  start.stiffness_exponent = 0.60;
+  start.damping_exponent = 0.55;
+  return start;
+}
+
+TEST(TrampolineFit, FindsTheExponentsThatMadeTheFigures) {
+  const ExponentFit fit = fit_exponents(away(), exact());
+  constexpr double kSettled = 1e-7;  // figures to 1e-13, an ill-conditioned pair
+  EXPECT_NEAR(fit.stiffness_exponent, 0.6495, kSettled);
+  EXPECT_NEAR(fit.damping_exponent, 0.5202, kSettled);
+  EXPECT_LT(fit.chi2, 1e-9);
+  EXPECT_EQ(fit.beyond_std, 0U);
+}
+
+// Over these speeds a and b move the COR almost alike: half a percent of it leaves a unknown, but b for each a known.
+TEST(TrampolineFit, SaysThatTheExponentsAreOnlyKnownTogether) {
+  const ExponentFit fit = fit_exponents(baseball_on_barrel(), exact());
+  EXPECT_GT(fit.stiffness_exponent_std, 1);
+  EXPECT_GT(fit.correlation, 0.99999);
+  EXPECT_LT(fit.damping_exponent_std_given_a, 0.002);
+  EXPECT_NEAR(fit.damping_exponent_std_given_a, fit.damping_exponent_std * std::sqrt(1 - std::pow(fit.correlation, 2)),
+              1e-3 * fit.damping_exponent_std_given_a);  // 1 − ρ² cancels
+}
+
+// 100 measurements with normal errors: the mean of the squared deviations over the stated variance is 1 ± √(2/100).
+TEST(TrampolineFit, StatesTheDeviationItHas) {
+  std::mt19937_64 random(7);
+  std::normal_distribution<double> normal;
+  constexpr int kRuns = 100;
+  double a = 0, b = 0, chi2 = 0;
+  for (int run = 0; run < kRuns; ++run) {
+    auto measured = exact();
+    for (auto& m : measured) m.cor_std = kDeviation / 10, m.cor += m.cor_std * normal(random);
+    const ExponentFit fit = fit_exponents(baseball_on_barrel(), measured);
+    a += std::pow((fit.stiffness_exponent - 0.6495) / fit.stiffness_exponent_std, 2) / kRuns;
+    b += std::pow((fit.damping_exponent - 0.5202) / fit.damping_exponent_std, 2) / kRuns;
+    chi2 += fit.chi2 / kRuns;
+  }
+  const double three_sigma = 3 * std::sqrt(2.0 / kRuns);
+  EXPECT_NEAR(a, 1, three_sigma);
+  EXPECT_NEAR(b, 1, three_sigma);
+  EXPECT_NEAR(chi2, 3, 3 * std::sqrt(6.0 / kRuns));  // five points, two unknowns
+}
+
+TEST(TrampolineFit, SaysWhenTheSpeedsCannotTell) {
+  auto same = exact();
+  for (auto& m : same) m.speed_mps = 40;
+  EXPECT_THAT(test::input_error_of([&] { fit_exponents(away(), same); }), testing::HasSubstr("two different speeds"));
+  auto alike = exact();
+  alike.resize(2);
+  alike[1].speed_mps = alike[0].speed_mps * 1.001;
+  EXPECT_THAT(test::input_error_of([&] { fit_exponents(baseball_on_barrel(), alike); }),
+              testing::HasSubstr("measured CCOR"));
+}
+
+}  // namespace percuss::trampoline_fit_test

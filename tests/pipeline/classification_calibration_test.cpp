@@ -1,0 +1,124 @@
+// Bending or hoop over many random bats: a verdict is right as often as it says, and says so when it cannot know.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/parallel/parallel.hpp"
+#include "pipeline/analysis.hpp"
+#include "support/random_bat.hpp"
+#include "synth/synthesise.hpp"
+
+namespace percuss::verdict_calibration_test {
+
+constexpr std::size_t kBats = 240;
+constexpr double kConfident = 0.9;
+
+struct Judged {
+  Verdict verdict;
+  bool matched = false;  // with a mode of the truth, within three half-power bandwidths
+  bool right = false;
+};
+
+bool is(Family family, SynthFamily truth) {
+  return family == (truth == SynthFamily::bending ? Family::bending : Family::hoop);
+}
+
+std::vector<Judged> judged_bat(std::uint64_t seed) {
+  const SynthSpec spec = test::random_bat(seed);
+  const Analysis analysis(test::with_stated_angles(synthesise(spec, 1).record),
+                          {.band_Hz = std::pair{60.0, spec.band_high_Hz}, .modes = {.effort = Effort::standard}});
+  std::vector<Judged> out;
+  for (std::size_t m = 0; m < analysis.modes().size(); ++m) {
+    const double freq_Hz = analysis.modes()[m].pole.freq_Hz;
+    const auto distance = [&](const SynthMode& t) { return std::abs(t.freq_Hz - freq_Hz); };
+    const auto& nearest = *std::min_element(spec.modes.begin(), spec.modes.end(),
+                                            [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
+    out.push_back({.verdict = analysis.verdicts()[m],
+                   .matched = distance(nearest) <= 3 * 2 * nearest.damping_ratio * nearest.freq_Hz,
+                   .right = is(analysis.verdicts()[m].family, nearest.family)});
+  }
+  return out;
+}
+
+std::vector<std::vector<Judged>> judged_bats() {
+  std::vector<std::vector<Judged>> bats(kBats);
+  parallel_for(kBats, 0, [&](std::size_t i) { bats[i] = judged_bat(i); });
+  for (auto& bat : bats) std::erase_if(bat, [](const Judged& j) { return !j.matched; });
+  return bats;
+}
+
+/// Verdicts on a family whose confidence lies in [low, high). Those of one bat go wrong together, because they share
+/// its plane and its sensors, so that the bats, not the verdicts, are what is drawn independently.
+struct Pool {
+  double verdicts = 0, right = 0, confidence = 0;
+  double expected_variance = 0;  // of the number that is right, if the confidences hold and verdicts are independent
+  double variance_by_bats = 0;   // of right minus confidence, summed over each bat first
+  double wrong_squared_by_bats = 0;  // of wrong ones, likewise
+};
+
+Pool pool_of(const std::vector<std::vector<Judged>>& bats, double low, double high) {
+  Pool pool;
+  for (const auto& bat : bats) {
+    double surplus = 0, wrong = 0;
+    for (const Judged& j : bat) {
+      const double p = j.verdict.confidence;
+      if (j.verdict.family == Family::unknown || p < low || p >= high) continue;
+      ++pool.verdicts;
+      pool.right += j.right;
+      pool.confidence += p;
+      pool.expected_variance += p * (1 - p);
+      surplus += j.right - p;
+      wrong += !j.right;
+    }
+    pool.variance_by_bats += surplus * surplus;
+    pool.wrong_squared_by_bats += wrong * wrong;
+  }
+  return pool;
+}
+
+/// Of the verdicts that call themselves 90 % sure or more, 95 in 100 are right, and that is no luck of the draw: the
+/// fraction stands above 95 % by 1.645 standard errors, so that a method that is right less often would pass once in
+/// twenty populations at most. Without the modes that this leaves a method could be right by saying nothing: 75 % must
+/// get such a verdict.
+void expect_confident_ones_right(const std::vector<std::vector<Judged>>& bats) {
+  const Pool sure = pool_of(bats, kConfident, 1.1);
+  double all = 0;
+  for (const auto& bat : bats) all += static_cast<double>(bat.size());
+  const double fraction = sure.right / sure.verdicts, error = std::sqrt(sure.wrong_squared_by_bats) / sure.verdicts;
+  EXPECT_GE(fraction - 1.645 * error, 0.95) << fraction << " of " << sure.verdicts << " ± " << error;
+  EXPECT_GE(all, 5 * kBats);
+  EXPECT_GE(sure.verdicts / all, 0.75) << sure.verdicts << " of " << all;
+}
+
+void expect_doubts_named(const std::vector<std::vector<Judged>>& bats) {
+  for (std::size_t i = 0; i < bats.size(); ++i) {
+    for (const auto& [verdict, matched, right] : bats[i]) {
+      if (verdict.confidence >= kConfident) continue;
+      EXPECT_TRUE(verdict.family == Family::unknown || verdict.alternative) << "bat " << i;
+      EXPECT_NE(verdict.alternative, verdict.family) << "bat " << i;
+    }
+  }
+}
+
+/// In every bin of confidence as many are right as the confidences add up to, within three deviations.
+void expect_calibrated(const std::vector<std::vector<Judged>>& bats) {
+  constexpr std::array<double, 5> kEdges{0.6, 0.8, 0.9, 0.97, 1.1};
+  for (std::size_t b = 0; b + 1 < kEdges.size(); ++b) {
+    const Pool bin = pool_of(bats, kEdges[b], kEdges[b + 1]);
+    const double deviation = std::sqrt(std::max(bin.expected_variance, bin.variance_by_bats));
+    EXPECT_GE(bin.verdicts, 20) << kEdges[b];
+    EXPECT_NEAR(bin.right, bin.confidence, 3 * deviation) << kEdges[b] << ": of " << bin.verdicts;
+  }
+}
+
+// One test, because each would make all bats anew.
+TEST(Verdicts, AreRightAsOftenAsTheySayOverRandomBats) {
+  const auto bats = judged_bats();
+  expect_confident_ones_right(bats);
+  expect_doubts_named(bats);
+  expect_calibrated(bats);
+}
+
+}  // namespace percuss::verdict_calibration_test

@@ -1,0 +1,177 @@
+#include "pipeline/hit_consistency.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace percuss::hit_agreement_test {
+
+constexpr std::size_t kLines = 200;
+
+/// Hits of one point whose spectra follow one FRF, but for noise and for what a test changes.
+class HitAgreement : public testing::Test {
+ protected:
+  void make(std::size_t count, double noise) {
+    std::mt19937_64 random(5);
+    std::normal_distribution<double> normal(0, noise);
+    for (std::size_t h = 0; h < count; ++h) {
+      force_.emplace_back(kLines, Complex(1 + 0.1 * static_cast<double>(h), 0));
+      accel_.emplace_back(kLines);
+      for (std::size_t k = 0; k < kLines; ++k)
+        accel_[h][k] = force_[h][k] * frf(k) + Complex(normal(random), normal(random));
+      hits_.push_back({.hit = {.peak_N = 100}, .point = 0, .accepted = true});
+    }
+  }
+  static Complex frf(std::size_t k) { return std::polar(2.0, 0.1 * static_cast<double>(k)); }
+  void grade() {
+    std::vector<HitSpectra> spectra;
+    for (std::size_t h = 0; h < hits_.size(); ++h) spectra.push_back({.force = force_[h], .accel = {accel_[h]}});
+    grade_agreement(hits_, spectra);
+  }
+  const Finding* found(std::size_t hit, FindingCode code) const {
+    const auto& findings = hits_[hit].hit.findings;
+    const auto at = std::find_if(findings.begin(), findings.end(), [&](const Finding& f) { return f.code == code; });
+    return at == findings.end() ? nullptr : &*at;
+  }
+  std::vector<AnalysedHit> hits_;
+  std::vector<std::vector<Complex>> force_, accel_;
+};
+
+TEST_F(HitAgreement, FindsNothingAmongHitsThatAgree) {
+  for (const std::size_t count : {1U, 2U, 3U, 6U}) {
+    hits_.clear(), force_.clear(), accel_.clear();
+    make(count, 0.01);
+    grade();
+    for (const AnalysedHit& hit : hits_) {
+      EXPECT_TRUE(hit.accepted);
+      EXPECT_TRUE(hit.hit.findings.empty());
+    }
+  }
+}
+
+TEST_F(HitAgreement, TakesOutTheOneUnlikeTheOthers) {
+  for (const std::size_t count : {4U, 5U, 12U}) {
+    hits_.clear(), force_.clear(), accel_.clear();
+    make(count, 0.01);
+    for (Complex& line : accel_[2]) line *= -1;
+    grade();
+    ASSERT_NE(found(2, FindingCode::outlier), nullptr) << count;
+    EXPECT_EQ(found(2, FindingCode::outlier)->severity, Severity::reject);
+    EXPECT_GE(found(2, FindingCode::outlier)->value, 0.9);
+    for (std::size_t h = 0; h < count; ++h) {
+      EXPECT_EQ(hits_[h].accepted, h != 2) << h;
+      EXPECT_EQ(hits_[h].hit.findings.size(), h == 2 ? 1U : 0U) << h;
+    }
+  }
+}
+
+TEST_F(HitAgreement, TakesOutMoreThanOne) {
+  make(7, 0.01);
+  for (const std::size_t h : {1U, 4U}) {
+    for (Complex& line : accel_[h]) line *= Complex(0, 1);
+  }
+  grade();
+  for (std::size_t h = 0; h < hits_.size(); ++h) EXPECT_EQ(hits_[h].accepted, h != 1 && h != 4) << h;
+}
+
+TEST_F(HitAgreement, KeepsHitsThatDifferAsMuchAsTheOthers) {
+  make(6, 0.8);
+  grade();
+  for (const AnalysedHit& hit : hits_) EXPECT_TRUE(hit.accepted);
+}
+
+TEST_F(HitAgreement, LeavesInWhatTheUserKeeps) {
+  make(5, 0.01);
+  for (Complex& line : accel_[2]) line *= -1;
+  hits_[2].by_user = true;
+  grade();
+  EXPECT_NE(found(2, FindingCode::outlier), nullptr);
+  EXPECT_TRUE(hits_[2].accepted);
+}
+
+TEST_F(HitAgreement, OnlyWarnsWhereThreeHitsCannotOutvoteOne) {
+  make(3, 0.01);
+  for (Complex& line : accel_[2]) line *= -1;
+  grade();
+  for (std::size_t h = 0; h < 3; ++h) {
+    EXPECT_EQ(found(h, FindingCode::outlier), nullptr);
+    EXPECT_TRUE(hits_[h].accepted);
+  }
+  ASSERT_NE(found(2, FindingCode::low_coherence), nullptr);
+  EXPECT_LE(found(2, FindingCode::low_coherence)->value, 0.9);
+}
+
+TEST_F(HitAgreement, ComparesHitsOfOnePointOnly) {
+  make(4, 0.01);
+  for (const std::size_t h : {2U, 3U}) {
+    hits_[h].point = 1;
+    for (Complex& line : accel_[h]) line *= -1;
+  }
+  grade();
+  for (const AnalysedHit& hit : hits_) EXPECT_TRUE(hit.hit.findings.empty());
+}
+
+TEST_F(HitAgreement, SurvivesResponsesThatAreZero) {
+  make(5, 0.01);
+  std::fill(accel_[1].begin(), accel_[1].end(), Complex());
+  grade();
+  for (auto& spectrum : accel_) std::fill(spectrum.begin(), spectrum.end(), Complex());
+  grade();
+  for (const AnalysedHit& hit : hits_) {
+    for (const Finding& finding : hit.hit.findings) EXPECT_TRUE(std::isfinite(finding.value)) << finding.message;
+  }
+}
+
+std::vector<AnalysedHit> moving(const std::vector<int>& polarities) {
+  std::vector<AnalysedHit> hits;
+  for (const int polarity : polarities) {
+    AnalysedHit hit{.hit = {.peak_N = 100}, .accepted = true};
+    hit.responses.push_back({.delay_s = 1e-3, .polarity = polarity});
+    if (polarity == 0) hit.responses[0].delay_s.reset();
+    hits.push_back(hit);
+  }
+  return hits;
+}
+
+std::vector<int> settled(std::vector<AnalysedHit> hits) {
+  settle_first_motion(hits);
+  std::vector<int> out;
+  for (const AnalysedHit& hit : hits) {
+    out.push_back(hit.responses[0].polarity);
+    EXPECT_EQ(hit.responses[0].delay_s.has_value(), hit.responses[0].polarity != 0);
+  }
+  return out;
+}
+
+using Polarities = std::vector<int>;
+
+TEST(SettleFirstMotion, KeepsWhatTheHitsAgreeOn) {
+  EXPECT_EQ(settled(moving({1, 1, 0, 1})), (Polarities{1, 1, 0, 1}));
+  EXPECT_EQ(settled(moving({-1})), (Polarities{-1}));
+}
+
+TEST(SettleFirstMotion, OverrulesOneAmongMany) {
+  EXPECT_EQ(settled(moving({1, 1, -1, 1, 1})), (Polarities{1, 1, 0, 1, 1}));
+}
+
+TEST(SettleFirstMotion, LeavesOpenWhatTheHitsDisagreeOn) {
+  EXPECT_EQ(settled(moving({1, -1})), (Polarities{0, 0}));
+  EXPECT_EQ(settled(moving({1, -1, -1, -1})), (Polarities{0, 0, 0, 0}));
+}
+
+TEST(SettleFirstMotion, GoesByTheForcesSign) {
+  auto hits = moving({1, -1, 1});
+  hits[1].hit.peak_N = -100;
+  EXPECT_EQ(settled(hits), (Polarities{1, -1, 1}));
+}
+
+TEST(SettleFirstMotion, AsksTheAcceptedHitsOfOnePoint) {
+  auto hits = moving({1, 1, -1, -1});
+  hits[2].accepted = false;
+  hits[3].point = 1;
+  EXPECT_EQ(settled(hits), (Polarities{1, 1, -1, -1}));
+}
+
+}  // namespace percuss::hit_agreement_test

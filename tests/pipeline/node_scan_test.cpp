@@ -1,0 +1,124 @@
+#include "pipeline/node_scan.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/units.hpp"
+#include "support/input_error.hpp"
+#include "synth/read_spec.hpp"
+#include "synth/structure.hpp"
+#include "synth/synthesise.hpp"
+
+namespace percuss::node_scan_test {
+
+// What a scan by hand is asked to give (the positions themselves are good to a few hundredths of an inch) …
+constexpr double kNode_in = 0.02;
+constexpr double kDeviations = 3;
+// … and the source's rule, whose step it is.
+constexpr double kRule_in = 0.125;
+
+constexpr ScanPositions kScan{.start_m = 3 * kInch_m, .step_m = 0.25 * kInch_m, .count = 25};
+
+SynthSpec scan_spec(const char* preset, std::uint64_t seed) {
+  SynthSpec spec = synth_preset(preset);
+  spec.points.clear();
+  for (std::size_t i = 0; i < kScan.count; ++i)
+    spec.points.push_back({.position_m = kScan.at_m(i), .angle_rad = 20 * kTwoPi / 360});
+  spec.hits = 1;
+  spec.seed = seed;
+  spec.noise = {.force = 0.01, .accel = 0.01};
+  return spec;
+}
+
+NodeScan scan_of(const SynthSpec& spec) {
+  const Analysis analysis(synthesise(spec).record, {.band_Hz = std::pair{60.0, 3200.0}});
+  return scan_nodes(analysis, kScan, 0.125 * kInch_m);
+}
+
+// Zeros of the mode's shape within the scan, by bisection of its sign changes.
+std::vector<double> exact_nodes_m(const SynthSpec& spec, const SynthMode& mode) {
+  const auto shape = [&](double x) { return mode_shape_per_sqrt_kg(spec.structure, mode, x, mode.angle_rad); };
+  std::vector<double> nodes;
+  for (std::size_t i = 0; i + 1 < kScan.count; ++i) {
+    double low = kScan.at_m(i);
+    double high = kScan.at_m(i + 1);
+    if (shape(low) * shape(high) >= 0) continue;
+    for (int step = 0; step < 60; ++step) (shape(low) * shape((low + high) / 2) > 0 ? low : high) = (low + high) / 2;
+    nodes.push_back(low);
+  }
+  return nodes;
+}
+
+void expect_nodes(const char* preset, std::uint64_t seed) {
+  const SynthSpec spec = scan_spec(preset, seed);
+  const NodeScan scan = scan_of(spec);
+  std::size_t bending = 0;
+  for (const SynthMode& mode : spec.modes) {
+    if (mode.family != SynthFamily::bending) continue;
+    SCOPED_TRACE(testing::Message() << preset << ", seed " << seed << ", " << mode.freq_Hz << " Hz");
+    const auto exact = exact_nodes_m(spec, mode);
+    ASSERT_EQ(exact.size(), 1U);
+    ASSERT_LT(bending, scan.modes.size());
+    const ModeAlongScan& along = scan.modes[bending++];
+    ASSERT_EQ(along.nodes.size(), 1U);
+    const double off_in = std::abs(along.nodes[0].position_m - exact[0]) / kInch_m;
+    EXPECT_LE(off_in, kNode_in) << "± " << along.nodes[0].std_m / kInch_m;
+    EXPECT_LE(off_in, kDeviations * along.nodes[0].std_m / kInch_m);
+    ASSERT_TRUE(along.rule_m);
+    EXPECT_LE(std::abs(*along.rule_m - exact[0]) / kInch_m, kRule_in);
+  }
+  EXPECT_EQ(bending, scan.modes.size());
+}
+
+TEST(NodeScan, FindsTheNodesOfAWoodBat) {
+  for (std::uint64_t seed = 0; seed < 5; ++seed) expect_nodes("wood-bat", seed);
+}
+
+TEST(NodeScan, FindsTheNodesOfAnAluminiumBat) {
+  for (std::uint64_t seed = 0; seed < 5; ++seed) expect_nodes("aluminium-bat", seed);
+}
+
+TEST(NodeScan, IsExactWithoutNoise) {
+  SynthSpec spec = scan_spec("wood-bat", 0);
+  spec.noise = {};
+  const NodeScan scan = scan_of(spec);
+  ASSERT_EQ(scan.modes.size(), 3U);
+  constexpr double kModel_in = 1e-4;  // what a polynomial of degree five leaves of a beam's shape over ±2 in
+  for (std::size_t m = 0; m < 3; ++m) {
+    const double off_m = scan.modes[m].nodes.at(0).position_m - exact_nodes_m(spec, spec.modes[m]).at(0);
+    EXPECT_LE(std::abs(off_m) / kInch_m, kModel_in) << m;
+  }
+}
+
+TEST(NodeScan, DoesWithoutAPositionThatHasNoUsableHit) {
+  SynthSpec spec = scan_spec("wood-bat", 3);
+  spec.faults = {{.hit = 17, .kind = SynthFaultKind::missing}};
+  const NodeScan scan = scan_of(spec);
+  ASSERT_EQ(scan.modes.size(), 3U);
+  EXPECT_EQ(scan.modes[0].shape.position_m.size(), kScan.count - 1);
+  const double off_m = scan.modes[0].nodes.at(0).position_m - exact_nodes_m(spec, spec.modes[0]).at(0);
+  EXPECT_LE(std::abs(off_m) / kInch_m, kNode_in);
+  ASSERT_EQ(scan.warnings.size(), 1U);
+  EXPECT_THAT(scan.warnings[0].message, testing::HasSubstr("7.25 in"));
+}
+
+TEST(AsScan, TakesRowsInTurnWherePointsAreNotStated) {
+  Record record = synthesise(scan_spec("wood-bat", 0)).record;
+  for (RowInfo& row : record.rows) row.point = 0;
+  const Record scan = as_scan(record, kScan);
+  for (std::size_t row = 0; row < scan.rows.size(); ++row) EXPECT_EQ(scan.rows[row].point, static_cast<int>(row));
+  EXPECT_EQ(scan.notes.size(), record.notes.size() + 1);
+}
+
+TEST(AsScan, RefusesAnotherNumberOfPoints) {
+  const Record record = synthesise(scan_spec("wood-bat", 0)).record;
+  ScanPositions positions = kScan;
+  --positions.count;
+  const std::string message = test::input_error_of([&] { as_scan(record, positions); });
+  EXPECT_THAT(message, testing::HasSubstr("25 points"));
+  EXPECT_THAT(message, testing::HasSubstr("24 positions"));
+}
+
+}  // namespace percuss::node_scan_test

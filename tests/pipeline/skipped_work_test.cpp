@@ -1,0 +1,118 @@
+#include "pipeline/skipped_work.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support/json_schema.hpp"
+#include "support/modal_frfs.hpp"
+#include "support/percuss_process.hpp"
+#include "support/scratch_folder.hpp"
+#include "synth/synthesise.hpp"
+
+namespace percuss::skipped_test {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsSupersetOf;
+
+SynthSpec bat() {
+  SynthSpec spec =
+      test::bat_spec({{.freq_Hz = 200, .damping_ratio = 0.02, .order = 1, .amplitude_per_sqrt_kg = 1.7}}, 1);
+  spec.noise = {.force = 1e-4, .accel = 1e-4};
+  return spec;
+}
+
+std::vector<std::string> codes_of(const Analysis& analysis) {
+  std::vector<std::string> codes;
+  for (const Skipped& one : skipped_by(analysis)) codes.push_back(one.code);
+  return codes;
+}
+
+double share_of(const Analysis& analysis, const std::string& code) {
+  for (const Skipped& one : skipped_by(analysis)) {
+    if (one.code == code) return one.share.value_or(1);
+  }
+  return 0;
+}
+
+std::size_t calls_of(const Analysis& analysis, const std::string& name) {
+  for (const auto& stage : analysis.trace().stages()) {
+    if (stage.name == name) return stage.calls;
+  }
+  return 0;
+}
+
+TEST(Skipped, IsAllAtFirstAndComputesNothing) {
+  const Analysis analysis(synthesise(bat()).record, {});
+  EXPECT_THAT(codes_of(analysis), ElementsAre("modes", "classes", "stabilisation", "per_hit"));
+  EXPECT_TRUE(analysis.trace().stages().empty());
+}
+
+TEST(Skipped, AreTheAccelerationsWhereOnlyTheForceIsAskedFor) {
+  const Analysis analysis(synthesise(bat()).record, {});
+  analysis.force_hits();
+  EXPECT_EQ(share_of(analysis, "channels"), 1);
+  EXPECT_EQ(calls_of(analysis, "read acceleration"), 0U);
+}
+
+// Three rows of one hit each: what the user rejects is neither read nor transformed.
+TEST(Skipped, AreHitsThatAreRejected) {
+  const Analysis all(synthesise(bat()).record, {}), fewer(synthesise(bat()).record, {.reject_hits = {1}});
+  all.frfs();
+  fewer.frfs();
+  EXPECT_NEAR(share_of(fewer, "rejected"), 1.0 / 3, 1e-12);
+  EXPECT_EQ(calls_of(fewer, "read acceleration") * 3, calls_of(all, "read acceleration") * 2);
+  EXPECT_EQ(calls_of(fewer, "fft") * 3, calls_of(all, "fft") * 2);
+}
+
+// Rows too long to be taken whole: their decay is over after a hundredth.
+TEST(Skipped, AreTheDecayedTailsOfLongRows) {
+  SynthSpec spec = bat();
+  spec.samples = std::size_t{1} << 18U;
+  const Analysis analysis(synthesise(spec).record, {.band_Hz = std::pair{100.0, 400.0}});
+  EXPECT_EQ(analysis.modes().size(), 1U);
+  EXPECT_GT(share_of(analysis, "tail"), 0.9);
+  EXPECT_EQ(calls_of(analysis, "decay"), calls_of(analysis, "read acceleration"));
+  EXPECT_LT(analysis.lines().samples, spec.samples / 10);
+}
+
+TEST(Skipped, AreLinesOutsideTheBandAndTheForceOutsideItsPulse) {
+  const Analysis analysis(synthesise(bat()).record, {.band_Hz = std::pair{100.0, 400.0}});
+  analysis.frfs();
+  const LineRange& lines = analysis.lines();
+  EXPECT_NEAR(share_of(analysis, "lines"),
+              1 - static_cast<double>(lines.count) / (static_cast<double>(lines.samples) / 2 + 1), 1e-12);
+  EXPECT_GT(share_of(analysis, "lines"), 0.5);
+  EXPECT_GT(share_of(analysis, "force_zeros"), 0.9);
+  EXPECT_THAT(codes_of(analysis), IsSupersetOf({"modes", "stabilisation"}));
+  analysis.modes();
+  EXPECT_EQ(share_of(analysis, "modes"), 0);
+}
+
+// A long record: what lies between the hits and behind their decay is never transformed.
+TEST(Skipped, AreSilenceAndDecayedTailsOfALongRecord) {
+  SynthSpec spec = bat();
+  spec.layout = SynthLayout::continuous;
+  spec.samples = std::size_t{30} * 8192;
+  spec.hits = 2;
+  spec.hit_times_s = {10, 20};
+  const Analysis analysis(synthesise(spec).record, {});
+  analysis.frfs();
+  EXPECT_GT(share_of(analysis, "silence") + share_of(analysis, "tail"), 0.8);
+  EXPECT_LT(analysis.lines().samples, 3U * 8192);
+}
+
+TEST(Skipped, IsToldByExplain) {
+  const test::ScratchFolder folder;
+  ASSERT_EQ(test::run_percuss({"synth", "double-hit", "-o", folder.file("bat.h5")}).code, 0);
+  const auto outcome = test::run_percuss({"analyze", folder.file("bat.h5"), "--explain", "--only", "modes"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("40.0 %  accelerations of hits that cannot be used"));
+  EXPECT_THAT(outcome.err, HasSubstr("all  the stabilisation diagram"));
+  const auto json = test::run_percuss({"analyze", folder.file("bat.h5"), "--explain", "--json"});
+  const auto document = nlohmann::json::parse(json.out);
+  EXPECT_THAT(test::schema_violations(document, test::schema_named("analysis")), testing::IsEmpty());
+  EXPECT_EQ(document["skipped"][0]["code"], "rejected");
+}
+
+}  // namespace percuss::skipped_test

@@ -1,0 +1,152 @@
+#include "report/html/analysis_page.hpp"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "acquire/write_record.hpp"
+#include "report/html/html_page.hpp"
+#include "report/json/quantised_curve.hpp"
+#include "report/text/digest.hpp"
+#include "report/text/html_escape.hpp"
+#include "support/json.hpp"
+#include "support/percuss_process.hpp"
+#include "support/scratch_folder.hpp"
+#include "support/synthetic_files.hpp"
+
+namespace percuss::analysis_page_test {
+
+using test::run_percuss;
+using testing::HasSubstr;
+using testing::Not;
+
+std::string between(const std::string& text, const std::string& from, const std::string& to) {
+  const std::size_t start = text.find(from) + from.size();
+  return text.substr(start, text.find(to, start) - start);
+}
+
+nlohmann::json data_of(const std::string& page) {
+  auto parts = nlohmann::json::parse(between(page, R"(<script type="application/json" id="data">)", "</script>"));
+  nlohmann::json all = nlohmann::json::object();
+  for (const auto& part : parts) all.update(part);
+  return all;
+}
+
+// FIPS 180-2, appendix B, and RFC 4648, section 10.
+TEST(Digest, IsWhatTheStandardsSay) {
+  EXPECT_EQ(hexadecimal(sha256("abc")), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  const auto coded = [](std::string_view text) {
+    return base64({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+  };
+  EXPECT_EQ(coded(""), "");
+  EXPECT_EQ(coded("f"), "Zg==");
+  EXPECT_EQ(coded("fo"), "Zm8=");
+  EXPECT_EQ(coded("foobar"), "Zm9vYmFy");
+}
+
+TEST(HtmlText, LeavesNothingThatIsMarkup) {
+  EXPECT_EQ(html_text("a<b>&\"'\n"), "a&lt;b&gt;&amp;&quot;&#39; ");
+  EXPECT_EQ(html_text("90° \xF0\x9F\x8F\x8F"), "90° \xF0\x9F\x8F\x8F");
+  EXPECT_EQ(html_text("\xFF\xC0\xAFx\xED\xA0\x80"), "\uFFFD\uFFFD\uFFFDx\uFFFD\uFFFD\uFFFD");
+}
+
+TEST(PictureNumbers, KeepWhatCanBeSeen) {
+  const PictureNumbers numbers = picture_numbers(std::vector<double>{-3, 1, std::nan("")}, 0.5);
+  EXPECT_EQ(numbers.from, -3);
+  EXPECT_EQ(numbers.step, 0.5);
+  const std::vector<std::uint8_t> bytes{0, 0, 8, 0, 255, 255};
+  EXPECT_EQ(numbers.u16, base64(bytes));
+}
+
+class AnalysisPage : public testing::Test {
+ protected:
+  std::string page_of(const std::string& record, const std::vector<std::string>& more = {}) {
+    const std::string path = folder_.file("page.html");
+    std::vector<std::string> words{"analyze", record, "-o", path, "--force"};
+    words.insert(words.end(), more.begin(), more.end());
+    const auto outcome = run_percuss(words, {.environment = {"SOURCE_DATE_EPOCH=0"}});
+    EXPECT_THAT(outcome.code, testing::AnyOf(0, 4)) << outcome.err;
+    return test::bytes_of(path);
+  }
+  test::ScratchFolder folder_;
+};
+
+TEST_F(AnalysisPage, HoldsVerdictTableAndPictures) {
+  test::write_small_test(folder_.file("bat.h5"));
+  const std::string page = page_of(folder_.file("bat.h5"));
+  EXPECT_THAT(page, HasSubstr(R"(<p class="verdict">2 modes between)"));
+  EXPECT_THAT(page, HasSubstr("bending at 200.0 Hz; hoop at 700.0 Hz."));
+  EXPECT_THAT(page, HasSubstr("<td>hoop 1</td>"));
+  EXPECT_THAT(page, HasSubstr("1970-01-01 00:00 UTC"));
+  EXPECT_THAT(page, HasSubstr(hexadecimal(sha256(test::bytes_of(folder_.file("bat.h5"))))));
+  const auto data = data_of(page);
+  EXPECT_EQ(data["frf"]["curves"].size(), 2U);
+  EXPECT_EQ(data["modes"].size(), 2U);
+  EXPECT_EQ(data["hits"].size(), 3U);
+  EXPECT_GT(data["stabilisation"]["order"].size(), 10U);
+  EXPECT_LT(page.size(), 500'000U);
+}
+
+TEST_F(AnalysisPage, AllowsItsOwnProgramsAndNothingElse) {
+  test::write_small_test(folder_.file("bat.h5"));
+  const std::string page = page_of(folder_.file("bat.h5"));
+  const std::string program = between(page, "</script>\n<script>", "</script>"),
+                    style = between(page, "<style>", "</style>");
+  EXPECT_THAT(page, HasSubstr("default-src 'none'"));
+  EXPECT_THAT(page, HasSubstr("script-src 'sha256-" + base64(sha256(program)) + "'"));
+  EXPECT_THAT(page, HasSubstr("style-src 'sha256-" + base64(sha256(style)) + "'"));
+  EXPECT_THAT(page, Not(HasSubstr("src=")));
+  EXPECT_THAT(page, Not(HasSubstr("href=")));
+}
+
+TEST_F(AnalysisPage, IsTheSameForTheSameInput) {
+  test::write_small_test(folder_.file("bat.h5"));
+  EXPECT_TRUE(page_of(folder_.file("bat.h5")) == page_of(folder_.file("bat.h5")));
+}
+
+TEST_F(AnalysisPage, LetsNoNameBecomeMarkup) {
+  const std::string attack = "<img src=x onerror=alert(1)>";
+  Record record = open_record([&] {
+    test::write_small_test(folder_.file("bat.h5"));
+    return folder_.file("bat.h5");
+  }());
+  record.accel[0].name = attack + "</script><script>alert(2)</script>";
+  const std::string file = folder_.file("a'\"><script>alert(3)<") + ".wav";
+  write_record(file, record, false);
+  const std::string page = page_of(file);
+  EXPECT_THAT(page, Not(HasSubstr("<img")));
+  EXPECT_THAT(page, Not(HasSubstr("<script>alert")));
+  EXPECT_THAT(page, HasSubstr("a&#39;&quot;&gt;&lt;script&gt;alert(3)&lt;.wav"));
+  EXPECT_THAT(data_of(page)["frf"]["curves"][0]["name"].get<std::string>(), HasSubstr(attack));
+}
+
+TEST_F(AnalysisPage, TellsOfARecordThatCannotBeUsed) {
+  test::write_small_test(folder_.file("bat.h5"), R"("hits": 1)");
+  const std::string page = page_of(folder_.file("bat.h5"), {"--reject-hit", "0"});
+  EXPECT_THAT(page, HasSubstr("No hit can be used"));
+  EXPECT_THAT(page, HasSubstr(R"(id="hits")"));
+  for (const char* id : {"frf", "stabilisation", "movement"})
+    EXPECT_THAT(page, Not(HasSubstr(fmt::format(R"(<section id="{}")", id))));
+}
+
+TEST_F(AnalysisPage, IsOfOneTest) {
+  test::write_small_test(folder_.file("bat.h5"), R"("hits": 2, "runs": 2)");
+  EXPECT_EQ(run_percuss({"analyze", folder_.file("bat.h5"), "-o", folder_.file("x.html")}).code, 2);
+}
+
+TEST_F(AnalysisPage, OfASurveyHoldsShapesAndMac) {
+  const std::string record = folder_.file("barrel.h5"), path = folder_.file("survey.html");
+  ASSERT_EQ(run_percuss({"synth", "roving-barrel", "-o", record}).code, 0);
+  const auto outcome = run_percuss({"survey", record, "-o", path});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const std::string page = test::bytes_of(path);
+  const auto shapes = data_of(page)["shapes"];
+  EXPECT_EQ(shapes["points"].size(), 24U);
+  EXPECT_EQ(shapes["lines"].size(), 3U * 8 + 2 * 8) << "three rings of eight, and eight lines along them";
+  ASSERT_EQ(shapes["modes"].size(), 5U);
+  EXPECT_EQ(shapes["modes"][3]["moves"].size(), 24U * 6);
+  EXPECT_THAT(page, HasSubstr(R"(<td class="right shade4">1.00</td>)"));
+  EXPECT_LT(page.size(), 2'000'000U);
+}
+
+}  // namespace percuss::analysis_page_test

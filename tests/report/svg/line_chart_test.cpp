@@ -1,0 +1,90 @@
+#include "report/svg/line_chart.hpp"
+#include "report/svg/chart_scale.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <set>
+
+namespace percuss::line_chart_test {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+TEST(RoundTicks, AreRoundAndInside) {
+  EXPECT_THAT(round_ticks(0.03, 5.2, 5), ElementsAre(1, 2, 3, 4, 5));
+  EXPECT_THAT(round_ticks(-100, 100, 4), ElementsAre(-100, -50, 0, 50, 100));
+  EXPECT_THAT(round_ticks(1, 1, 4), IsEmpty());
+}
+
+LineChart chart() {
+  return {.title = "COR < 1 & falling",
+          .x = {.label = "hoop frequency, Hz"},
+          .y = {.label = "COR"},
+          .curves = {{.name = "a", .x = {0, 1, 2, 3}, .y = {1, 2, std::numeric_limits<double>::quiet_NaN(), 4}},
+                     {.name = "b", .x = {0, 3}, .y = {4, 4}, .marks = true}}};
+}
+
+TEST(LineChart, DrawsEachLineInsideThePlotAndBreaksItWhereThereIsNoValue) {
+  const std::string svg = line_chart_svg(chart());
+  EXPECT_THAT(svg, HasSubstr("M72.0 371.4L254.7 266.5M620.0 56.6\""));  // margins of 4 % of the plot's 340 px
+  EXPECT_THAT(svg, HasSubstr("<circle cx=\"620.0\""));
+}
+
+TEST(LineChart, DrawsPointsAloneWithALegend) {
+  const std::string svg = line_chart_svg(
+      {.curves = {{.name = "wood", .x = {3, 1, 2}, .y = {1, 2, 3}, .line = false, .labels = {"A", "", "<B"}},
+                  {.name = "composite", .x = {1}, .y = {1}, .line = false, .mark = ChartMark::diamond},
+                  {.name = "trend", .x = {1, 3}, .y = {1, 3}, .style = 0}}});
+  EXPECT_THAT(svg, HasSubstr(">wood</text>"));
+  EXPECT_THAT(svg, HasSubstr(">A</text>"));
+  EXPECT_THAT(svg, HasSubstr(">&lt;B</text>"));
+  EXPECT_THAT(svg, HasSubstr("<circle cx=\"599.7\" cy=\"371.4\" r=\"3\" fill=\"#0072B2\"/>"));  // 4 % in from the edges
+  EXPECT_THAT(svg, HasSubstr("stroke=\"#0072B2\" stroke-width=\"1.8\""));                       // the style asked for
+}
+
+TEST(LineChart, MarksStayApartWithoutColour) {
+  std::set<std::string> shapes;
+  for (const ChartMark mark : {ChartMark::circle, ChartMark::plus, ChartMark::open_diamond, ChartMark::diamond,
+                               ChartMark::triangle, ChartMark::square, ChartMark::cross})
+    shapes.insert(line_chart_svg({.curves = {{.name = "a", .x = {1}, .y = {1}, .line = false, .mark = mark}}}));
+  EXPECT_EQ(shapes.size(), 7U);
+}
+
+TEST(LineChart, EscapesWhatSvgWouldRead) {
+  EXPECT_THAT(line_chart_svg(chart()), HasSubstr("COR &lt; 1 &amp; falling"));
+}
+
+TEST(LineChart, KeepsNamesApart) {
+  const std::string svg = line_chart_svg(chart());
+  EXPECT_THAT(svg, HasSubstr("y=\"60.6\" fill=\"#0072B2\">a<"));
+  EXPECT_THAT(svg, HasSubstr("y=\"75.6\" fill=\"#B34700\">b<"));  // darker than its line, as letters must be
+}
+
+TEST(LineChart, StandsWithoutAnyValue) {
+  EXPECT_THAT(line_chart_svg({.title = "nothing"}), Not(HasSubstr("nan")));
+  EXPECT_THAT(line_chart_svg({.curves = {{.name = "one", .x = {5}, .y = {7}}}}), Not(HasSubstr("nan")));
+}
+
+TEST(LineChart, DrawsNoMoreThanThePageCanShow) {
+  ChartCurve curve{.name = "noise"};
+  for (int i = 0; i < 100000; ++i) {
+    curve.x.push_back(i);
+    curve.y.push_back(i == 77777 ? 9 : i % 2);
+  }
+  const std::string svg = line_chart_svg({.curves = {curve}});
+  EXPECT_LT(svg.size(), 30000U);
+  EXPECT_THAT(svg, HasSubstr(" 56.6L"));  // the one that stands out is kept
+}
+
+TEST(LineChart, CountsDecadesOnALogarithmicAxis) {
+  const std::string svg =
+      line_chart_svg({.x = {.logarithmic = true}, .y = {.logarithmic = true}, .curves = {{"", {1, 1000}, {1, 1e-6}}}});
+  EXPECT_THAT(svg, HasSubstr("<text x=\"254.7\" y=\"402\" text-anchor=\"middle\">10</text>"));
+  EXPECT_THAT(svg, HasSubstr(">1e-06<"));
+}
+
+}  // namespace percuss::line_chart_test

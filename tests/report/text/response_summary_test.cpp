@@ -1,0 +1,57 @@
+#include "report/text/response_summary.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "support/modal_frfs.hpp"
+#include "synth/synthesise.hpp"
+
+namespace percuss::response_summary_test {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+/// Two sensors on either side, the second upside down.
+Record record() {
+  SynthSpec spec =
+      test::bat_spec({{.freq_Hz = 200, .damping_ratio = 0.02, .order = 1, .amplitude_per_sqrt_kg = 1.7}}, 0.5);
+  spec.sensors = {{.angle_rad = 0.35}, {.angle_rad = 0.35, .sign = -1}};
+  spec.noise = {.force = 1e-4, .accel = 1e-4};
+  return synthesise(spec).record;
+}
+
+std::string summary_of(Record one) {
+  const Analysis analysis(std::move(one), {.band_Hz = std::pair{100.0, 400.0}, .threads = 1});
+  return responses_text(analysis, 1000);
+}
+
+TEST(ResponsesText, TellsWhichWayEachChannelSetsOut) {
+  EXPECT_THAT(summary_of(record()), AllOf(HasSubstr("accel 1 first moves with the push"),
+                                          HasSubstr("accel 2 first moves against the push"), Not(HasSubstr("-0."))));
+}
+
+TEST(ResponsesText, SaysWhereTheHitsDoNotTell) {
+  Record uneven = record();
+  uneven.read_accel_mps2 = [inner = uneven.read_accel_mps2](std::size_t row, std::size_t channel, std::size_t first,
+                                                            std::span<double> out) {
+    inner(row, channel, first, out);
+    if (channel == 1 && row == 1) std::transform(out.begin(), out.end(), out.begin(), std::negate<>());
+  };
+  EXPECT_THAT(summary_of(uneven), AllOf(HasSubstr("accel 1 first moves with the push"),
+                                        HasSubstr("accel 2: the hits do not tell which way it first moves")));
+}
+
+TEST(ResponsesText, SaysNothingOfADeadChannel) {
+  Record dead = record();
+  dead.read_accel_mps2 = [inner = dead.read_accel_mps2](std::size_t row, std::size_t channel, std::size_t first,
+                                                        std::span<double> out) {
+    inner(row, channel, first, out);
+    if (channel == 1) std::fill(out.begin(), out.end(), 0.0);
+  };
+  EXPECT_THAT(summary_of(dead), Not(HasSubstr("accel 2")));
+}
+
+}  // namespace percuss::response_summary_test

@@ -1,0 +1,111 @@
+#include "support/modal_frfs.hpp"
+
+#include <map>
+
+#include "core/units.hpp"
+#include "synth/random_stream.hpp"
+
+namespace percuss::test {
+namespace {
+
+// The row as one stretch whose force is all of it.
+Hit whole_row(const Record& record, std::size_t row) {
+  const std::size_t samples = record.rows[row].samples;
+  Hit hit{.row = row, .samples = samples, .gated_N = std::vector<double>(samples)};
+  record.read_force_N(row, 0, hit.gated_N);
+  return hit;
+}
+
+}  // namespace
+
+FrfSet frf_set_of(const Record& record, double low_Hz, double high_Hz, double decay_per_s) {
+  FrfSet set{.lines = lines_in_band(record.fs_Hz, record.rows.front().samples, low_Hz, high_Hz)};
+  std::map<int, std::vector<std::size_t>> points;
+  for (std::size_t row = 0; row < record.rows.size(); ++row) points[record.rows[row].point].push_back(row);
+  for (const auto& [point, rows] : points) {
+    std::vector<ForceBlock> blocks;
+    std::vector<Spectrum> force;
+    for (const std::size_t row : rows) {
+      blocks.push_back(force_block(whole_row(record, row), record.fs_Hz, decay_per_s));
+      force.push_back(shared(force_spectrum(blocks.back(), set.lines)));
+    }
+    for (std::size_t c = 0; c < record.accel.size(); ++c) {
+      std::vector<Complex> h(set.lines.count);
+      std::vector<double> power(set.lines.count);
+      for (std::size_t i = 0; i < rows.size(); ++i) {
+        std::vector<double> x(set.lines.samples);
+        record.read_accel_mps2(rows[i], c, 0, x);
+        const auto a = accel_spectrum(whole_row(record, rows[i]), x, set.lines, decay_per_s);
+        for (std::size_t k = 0; k < h.size(); ++k) {
+          h[k] += std::conj(force[i].get()[k]) * a[k];
+          power[k] += std::norm(force[i].get()[k]);
+        }
+      }
+      for (std::size_t k = 0; k < h.size(); ++k) h[k] /= power[k];
+      set.outputs.push_back({.point = set.points.size(), .channel = c, .frf = h});
+    }
+    set.points.push_back(point_force(blocks, force, set.lines, 0));
+  }
+  return set;
+}
+
+FrfSet empty_set(double fs_Hz, std::size_t samples, double low_Hz, double high_Hz, std::size_t channels) {
+  FrfSet set{.lines = lines_in_band(fs_Hz, samples, low_Hz, high_Hz)};
+  const Spectrum flat = shared(std::vector<Complex>(set.lines.count, Complex(1, 0)));
+  set.points.push_back(point_force({{.force_N = {1}}}, {flat}, set.lines, 0));
+  for (std::size_t c = 0; c < channels; ++c)
+    set.outputs.push_back({.point = 0, .channel = c, .frf = std::vector<Complex>(set.lines.count)});
+  return set;
+}
+
+Complex mode_accelerance(const Pole& pole, Complex s) {
+  const double omega = kTwoPi * pole.freq_Hz;
+  return s * s / (s * s + 2 * pole.damping_ratio * omega * s + omega * omega);
+}
+
+void add_mode(FrfSet& set, std::size_t output, const Pole& pole, Complex residue) {
+  for (std::size_t k = 0; k < set.lines.count; ++k)
+    set.outputs[output].frf[k] += residue * mode_accelerance(pole, Complex(0, kTwoPi * set.lines.freq_Hz(k)));
+}
+
+void add_line_noise(FrfSet& set, double deviation, std::uint64_t seed) {
+  for (std::size_t o = 0; o < set.outputs.size(); ++o) {
+    std::vector<double> noise(2 * set.lines.count);
+    RandomStream({seed, o}).add_normal(deviation, noise);
+    for (std::size_t k = 0; k < set.lines.count; ++k) set.outputs[o].frf[k] += Complex(noise[2 * k], noise[2 * k + 1]);
+  }
+}
+
+SynthSpec bat_spec(std::vector<SynthMode> modes, double duration_s) {
+  SynthSpec spec;
+  spec.fs_Hz = 8192;
+  spec.samples = static_cast<std::size_t>(duration_s * spec.fs_Hz);
+  spec.band_high_Hz = 2400;
+  spec.modes = std::move(modes);
+  spec.points = {{.angle_rad = 0.35}};
+  spec.pretrigger_s = 0.02;
+  spec.hits = 3;
+  return spec;
+}
+
+SynthSpec scanned_beam(double first_in, double step_in, int points) {
+  SynthSpec spec;
+  spec.fs_Hz = 4096;
+  spec.samples = 4096;
+  spec.band_high_Hz = 1000;
+  spec.sensors = {{}};
+  spec.hits = 1;
+  spec.pulse.width_s = 0.001;
+  spec.noise = {.force = 1e-4, .accel = 1e-3};
+  spec.points.clear();
+  spec.modes = {{.freq_Hz = 200, .damping_ratio = 0.01}};
+  for (int i = 0; i < points; ++i) {
+    const double position_in = first_in + step_in * i;
+    spec.points.push_back({.position_m = position_in * kInch_m});
+    spec.modes[0].residue_per_kg.push_back(7.5 - position_in);
+    spec.structure.rigid_line_per_kg.push_back(1.1);
+  }
+  return spec;
+}
+
+}  // namespace percuss::test

@@ -1,0 +1,55 @@
+#include "support/rejection.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "support/scratch_folder.hpp"
+
+namespace percuss::test {
+namespace {
+
+constexpr std::size_t kMuch_bytes = std::size_t{1} << 30U;
+
+std::vector<std::string> files_in(const std::string& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) names.push_back(entry.path().filename());
+  return names;
+}
+
+}  // namespace
+
+std::string refusal_of(const std::vector<std::string>& arguments, const std::vector<std::string>& outputs,
+                       const std::string& named, const ProcessOptions& options) {
+  SCOPED_TRACE(testing::PrintToString(arguments));
+  const ScratchFolder folder;
+  std::filesystem::permissions(folder.path(), std::filesystem::perms::all);
+  auto words = arguments;
+  for (const auto& kind : outputs) words.insert(words.end(), {"-o", folder.file("out" + kind)});
+  const auto outcome = run_percuss(words, options);
+  EXPECT_FALSE(outcome.timed_out);
+  EXPECT_EQ(outcome.signal, 0);
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(lines_of(outcome.err).size(), 1U) << outcome.err;
+  EXPECT_THAT(outcome.err,
+              testing::AllOf(testing::StartsWith("percuss: "), testing::HasSubstr(named), testing::HasSubstr("; ")));
+  EXPECT_THAT(outcome.err, testing::Not(testing::AnyOf(testing::HasSubstr("\x1b"), testing::HasSubstr("std::"))));
+  EXPECT_LT(outcome.peak_bytes, kMuch_bytes);
+  EXPECT_THAT(files_in(folder.path()), testing::IsEmpty());
+  return outcome.err;
+}
+
+void expect_analyses_refuse(const std::string& path, const std::string& named, const ProcessOptions& options) {
+  refusal_of({"analyze", path}, {".json", ".csv", ".h5"}, named, options);
+  refusal_of({"frf", path}, {".csv", ".h5", ".json"}, named, options);
+}
+
+void expect_every_command_refuses(const std::string& path, const std::string& named, const ProcessOptions& options) {
+  expect_analyses_refuse(path, named, options);
+  refusal_of({"calibrate", path, "--mass", "1"}, {".json"}, named, options);
+  refusal_of({"info", path}, {".json"}, named, options);
+}
+
+}  // namespace percuss::test

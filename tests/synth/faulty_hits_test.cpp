@@ -1,0 +1,170 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "synth/pulse.hpp"
+#include "synth/random_stream.hpp"
+#include "synth/schedule.hpp"
+#include "synth/synthesise.hpp"
+
+namespace percuss::synth_fault_test {
+
+SynthSpec bat() {
+  SynthSpec spec;
+  spec.samples = 4096;
+  spec.seed = 9;
+  spec.modes = {{.freq_Hz = 169, .damping_ratio = 0.010, .amplitude_per_sqrt_kg = 1.7},
+                {.freq_Hz = 1900, .damping_ratio = 0.003, .family = SynthFamily::hoop, .amplitude_per_sqrt_kg = 2.7}};
+  spec.points = {{.angle_rad = 0.35}};
+  spec.hits = 3;
+  return spec;
+}
+
+std::vector<double> force(const SyntheticTest& test, std::size_t row) {
+  std::vector<double> out(test.record.rows[row].samples);
+  test.record.read_force_N(row, 0, out);
+  return out;
+}
+
+std::vector<double> accel(const SyntheticTest& test, std::size_t row) {
+  std::vector<double> out(test.record.rows[row].samples);
+  test.record.read_accel_mps2(row, 0, 0, out);
+  return out;
+}
+
+double largest(const std::vector<double>& x) {
+  double out = 0;
+  for (const double v : x) out = std::max(out, std::abs(v));
+  return out;
+}
+
+TEST(DoubleHit, AddsASecondPulseAtTheDelayAskedFor) {
+  SynthSpec spec = bat();
+  const SyntheticTest good = synthesise(spec);
+  spec.faults = {{.hit = 1, .kind = SynthFaultKind::double_hit, .ratio = 0.35, .delay_s = 0.0121}};
+  const SyntheticTest bad = synthesise(spec);
+  const TrueHit& hit = bad.truth.hits[1];
+  EXPECT_EQ(hit.flag, "double");
+  EXPECT_DOUBLE_EQ(hit.second_peak_N, 0.35 * hit.peak_N);
+  const Pulse second{spec.pulse.kind, hit.onset_s + 0.0121, hit.width_s, hit.second_peak_N};
+  const PulseBasis basis = pulse_basis(second, spec.fs_Hz, {}, 0, spec.samples);
+  const std::vector<double> with = force(bad, 1), without = force(good, 1);
+  constexpr double kTolerance = 1e-12;  // N, of some hundred: rounding
+  for (std::size_t i = 0; i < basis.force_N.size(); ++i) {
+    const std::size_t n = basis.first + i;
+    ASSERT_LE(std::abs(with[n] - without[n] - basis.force_N[i]), kTolerance);
+  }
+  EXPECT_EQ(force(bad, 0), force(good, 0));  // the other hits are what they were
+  EXPECT_EQ(accel(bad, 2), accel(good, 2));
+}
+
+TEST(WeakHit, ScalesForceAndResponse) {
+  SynthSpec spec = bat();
+  const std::vector<double> good = accel(synthesise(spec), 2);
+  spec.faults = {{.hit = 2, .kind = SynthFaultKind::weak, .ratio = 0.03}};
+  const SyntheticTest test = synthesise(spec);
+  const std::vector<double> weak = accel(test, 2);
+  constexpr double kTolerance = 1e-14;  // of the largest value
+  for (std::size_t i = 0; i < weak.size(); ++i)
+    ASSERT_LE(std::abs(weak[i] - 0.03 * good[i]), kTolerance * largest(good));
+  EXPECT_EQ(test.truth.hits[2].flag, "weak");
+}
+
+TEST(MissingHit, LeavesAnEmptyRow) {
+  SynthSpec spec = bat();
+  spec.faults = {{.hit = 0, .kind = SynthFaultKind::missing}};
+  const SyntheticTest test = synthesise(spec);
+  EXPECT_EQ(largest(force(test, 0)), 0);
+  EXPECT_EQ(largest(accel(test, 0)), 0);
+  EXPECT_EQ(test.truth.hits[0].peak_N, 0);
+}
+
+TEST(LateTrigger, StartsTheRowAfterTheOnset) {
+  SynthSpec spec = bat();
+  spec.faults = {{.hit = 1, .kind = SynthFaultKind::late, .delay_s = 0.003}};
+  const SyntheticTest test = synthesise(spec);
+  EXPECT_DOUBLE_EQ(test.truth.hits[1].onset_s, -0.003);
+  EXPECT_EQ(largest(force(test, 1)), 0);
+  EXPECT_GT(largest(accel(test, 1)), 10);
+}
+
+TEST(ReversedHit, TurnsTheForceButNotTheResponse) {
+  SynthSpec spec = bat();
+  const SyntheticTest good = synthesise(spec);
+  spec.faults = {{.hit = 1, .kind = SynthFaultKind::reversed}};
+  const SyntheticTest test = synthesise(spec);
+  EXPECT_EQ(accel(test, 1), accel(good, 1));
+  EXPECT_DOUBLE_EQ(force(test, 1)[140], -force(good, 1)[140]);
+}
+
+TEST(Recorder, ClipsAtItsLevelAndFlagsTheHit) {
+  SynthSpec spec = bat();
+  spec.pulse.peak_spread = 0;
+  spec.faults = {{.hit = 1, .kind = SynthFaultKind::weak, .ratio = 0.5}};
+  spec.recorder.force_clip_N = 200;
+  const SyntheticTest test = synthesise(spec);
+  EXPECT_EQ(largest(force(test, 0)), 200);
+  EXPECT_EQ(test.truth.hits[0].flag, "clipped");
+  EXPECT_EQ(test.truth.hits[1].flag, "weak");
+  EXPECT_LT(largest(force(test, 1)), 200);
+}
+
+TEST(Recorder, AddsBiasAndDrift) {
+  SynthSpec spec = bat();
+  const SyntheticTest plain = synthesise(spec);
+  spec.recorder = {.force_bias_N = 2, .accel_bias_mps2 = 0.5, .accel_drift_mps2_per_s = -3};
+  const SyntheticTest test = synthesise(spec);
+  EXPECT_DOUBLE_EQ(force(test, 0)[0], 2);
+  constexpr double kTolerance = 1e-12;  // m/s², of some hundred
+  const double t_s = 4000 / spec.fs_Hz;
+  EXPECT_LE(std::abs(accel(test, 0)[4000] - accel(plain, 0)[4000] - (0.5 - 3 * t_s)), kTolerance);
+}
+
+TEST(Recorder, RoundsToItsSteps) {
+  SynthSpec spec = bat();
+  const SyntheticTest plain = synthesise(spec);
+  spec.recorder = {.bits = 12, .force_range_N = 512.0, .accel_range_mps2 = 4096.0};
+  const SyntheticTest test = synthesise(spec);
+  const double step = 2 * 4096.0 / 4096;
+  const std::vector<double> rounded = accel(test, 0), exact = accel(plain, 0);
+  for (std::size_t i = 0; i < rounded.size(); ++i) {
+    ASSERT_EQ(std::remainder(rounded[i], step), 0);
+    ASSERT_LE(std::abs(rounded[i] - exact[i]), step / 2);
+  }
+}
+
+TEST(Schedule, JittersWithinItsBounds) {
+  SynthSpec spec = bat();
+  spec.hits = 200;
+  for (const TrueHit& hit : schedule_hits(spec)) {
+    EXPECT_GE(hit.onset_s, spec.pretrigger_s);
+    EXPECT_LE(hit.onset_s, spec.pretrigger_s + spec.onset_spread_s);
+    EXPECT_LE(std::abs(hit.width_s / spec.pulse.width_s - 1), 0.1);
+    EXPECT_LE(std::abs(hit.peak_N / spec.pulse.peak_N - 1), 0.25);
+  }
+}
+
+TEST(RandomStream, IsTheSameForTheSameNameOnly) {
+  RandomStream a{1, 2}, again{1, 2}, swapped{2, 1};
+  const double first = a.uniform();
+  EXPECT_EQ(first, again.uniform());
+  EXPECT_NE(first, swapped.uniform());
+}
+
+TEST(RandomStream, NormalsHaveTheirMoments) {
+  std::vector<double> x(200001, 0.0);
+  RandomStream{7, 3}.add_normal(2, x);
+  double mean = 0, second = 0, fourth = 0;
+  for (const double v : x) {
+    mean += v / 2;
+    second += v * v / 4;
+    fourth += std::pow(v / 2, 4);
+  }
+  const auto n = static_cast<double>(x.size());
+  EXPECT_LE(std::abs(mean / n), 5 / std::sqrt(n));             // five deviations each: 1,
+  EXPECT_LE(std::abs(second / n - 1), 5 * std::sqrt(2 / n));   // √2
+  EXPECT_LE(std::abs(fourth / n - 3), 5 * std::sqrt(96 / n));  // and √96 over √n
+}
+
+}  // namespace percuss::synth_fault_test

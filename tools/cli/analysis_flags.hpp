@@ -1,0 +1,38 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/command_line.hpp"
+#include "pipeline/analysis.hpp"
+
+namespace percuss::tools {
+
+/// The options of the analysis itself, shared by analyze and frf, as typed.
+struct AnalysisFlags {
+  std::string band;
+  std::string effort = "best";
+  std::string estimator = "h1";
+  std::vector<std::size_t> accept_hits, reject_hits;
+  std::optional<std::size_t> modes;
+  std::vector<double> start_Hz;
+  std::optional<double> trigger_N, pretrigger_s, length_s, to_s;
+  double from_s = 0;
+  std::string force_window = "auto";
+  double exponential_end = 0;
+  double overlay_dB = 1;
+  std::size_t threads = 0;
+};
+
+void add_analysis_flags(Command& command, AnalysisFlags& flags);
+/// Those on which the result depends: all but --threads.
+void add_analysis_options(Command& command, AnalysisFlags& flags);
+inline constexpr const char* kAnalysisHeading = "Analysis";
+
+/// Throws UsageError for values that contradict each other.
+AnalysisOptions analysis_options(const AnalysisFlags& flags);
+
+/// "LO:HI" in Hz; UsageError names `option`.
+std::pair<double, double> parse_band(const std::string& text, const char* option);
+
+}  // namespace percuss::tools

@@ -1,0 +1,156 @@
+#include "cli/command_line.hpp"
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <string_view>
+#include <vector>
+
+#include "cli/help_text.hpp"
+#include "cli/output.hpp"
+#include "cli/usage_errors.hpp"
+
+namespace percuss::tools {
+namespace {
+
+// What the words chose, the program first.
+std::vector<const CLI::App*> chosen_path(const CLI::App& program) {
+  std::vector<const CLI::App*> path{&program};
+  while (!path.back()->get_subcommands().empty()) path.push_back(path.back()->get_subcommands().front());
+  return path;
+}
+
+const DeclaredCommand& declared_of(const Declaration& all, const std::vector<const CLI::App*>& path,
+                                   std::size_t length) {
+  std::string name;
+  for (std::size_t i = 1; i < length; ++i) name += (i > 1 ? " " : "") + path[i]->get_name();
+  return *find_command(all, name);
+}
+
+// Words that look like options come first: what else is wrong often follows from them.
+void refuse_unknown_options(const Declaration& all, const CLI::App& program) {
+  const auto path = chosen_path(program);
+  const DeclaredCommand& command = declared_of(all, path, path.size());
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    for (const std::string& word : path[i]->remaining()) {
+      if (word.size() < 2 || word.front() != '-') continue;
+      const DeclaredOption* const later = find_option(command, word.substr(0, word.find('=')));
+      if (i + 1 < path.size() && later != nullptr) throw early_option(all, command, *later);
+      throw unknown_option(all, declared_of(all, path, i + 1), word);
+    }
+  }
+}
+
+void refuse_missing(const Declaration& all, const DeclaredCommand& command, const CLI::App& app) {
+  for (const auto* declared : {&command.options, &command.words}) {
+    for (const DeclaredOption& one : *declared) {
+      if (one.required && app.get_option(one.name())->count() == 0) throw missing_option(all, command, one);
+    }
+  }
+}
+
+void refuse_mismatch(const DeclaredCommand& command, const CLI::App& app, const std::vector<std::string>& typed) {
+  for (const std::string& word : typed) {
+    const DeclaredOption* const flag = find_option(command, word.substr(0, word.find('=')));
+    if (flag != nullptr && flag->is_flag() && word.find('=') != std::string::npos) throw flag_with_value(*flag);
+  }
+  const DeclaredOption* const last = find_option(command, typed.back().substr(0, typed.back().find('=')));
+  if (last != nullptr && !last->is_flag()) throw missing_value(*last);
+  for (const DeclaredOption& option : command.options) {
+    const bool one_value = !option.is_flag() && !option.repeatable;
+    if (one_value && app.get_option(option.name())->count() > 1) throw given_twice(option);
+  }
+}
+
+// CLI11 says what is wrong in its own words and not where; the declaration and what was typed tell.
+[[noreturn]] void refuse(const Declaration& all, const CLI::App& program, const CLI::ParseError& error,
+                         const std::vector<std::string>& typed) {
+  refuse_unknown_options(all, program);
+  const auto path = chosen_path(program);
+  const DeclaredCommand& command = declared_of(all, path, path.size());
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) refuse_mismatch(command, *path.back(), typed);
+  if (const auto extra = path.back()->remaining(); !extra.empty()) throw surplus_word(all, command, extra.front());
+  if (!commands_of(all, command).empty()) throw no_command(all, command);
+  refuse_missing(all, command, *path.back());
+  throw UsageError(one_line(error.what()), "see " + called(all, command) + " --help");
+}
+
+}  // namespace
+
+CommandLine::CommandLine(const char* name, const char* description, const char* version, Host* host)
+    : host_(host), app_(std::make_unique<CLI::App>(description, name)) {
+  declaration_.program = name;
+  declaration_.version = version;
+  DeclaredCommand* const program = declare("", description);
+  program->is_group = true;
+  program->options.push_back({.names = {"--version"}, .help = "Show the version and stop"});
+  app_->set_version_flag("--version", std::string(name) + " " + version);
+  app_->require_subcommand(1);
+}
+
+CommandLine::~CommandLine() = default;
+
+DeclaredCommand* CommandLine::declare(const char* name, const char* description) {
+  declaration_.commands.push_back({.name = name, .summary = description});
+  DeclaredCommand* const made = &declaration_.commands.back();
+  made->options.push_back({.names = {"-h", "--help"}, .help = "Show this help and stop"});
+  return made;
+}
+
+Command CommandLine::program() { return {app_.get(), &declaration_.commands.front()}; }
+
+Command CommandLine::group(const char* name, const char* description) {
+  CLI::App* const group = app_->add_subcommand(name);
+  group->require_subcommand(1);
+  DeclaredCommand* const declared = declare(name, description);
+  declared->is_group = true;
+  return {group, declared};
+}
+
+Command CommandLine::command(const char* name, const char* description, std::function<int()> run) {
+  const std::string_view words = name;
+  const std::size_t blank = words.find(' ');
+  CLI::App* parent =
+      blank == std::string_view::npos ? app_.get() : app_->get_subcommand(std::string(words.substr(0, blank)));
+  CLI::App* command = parent->add_subcommand(std::string(words.substr(blank + 1)));
+  command->callback([this, run = std::move(run)] { chosen_ = run; });
+  return {command, declare(name, description), host_};
+}
+
+void CommandLine::exit_code(int code, const char* meaning) {
+  declaration_.exits.push_back({.code = code, .meaning = meaning});
+}
+
+// A word that is no command would be called a missing command.
+void CommandLine::check_commands(const std::vector<std::string>& words) const {
+  const DeclaredCommand* at = &declaration_.commands.front();
+  for (const std::string& word : words) {
+    if (!at->is_group || word.starts_with('-')) return;
+    const DeclaredCommand* const next = find_command(declaration_, at->name.empty() ? word : at->name + " " + word);
+    if (word.empty() || next == nullptr) throw unknown_command(declaration_, *at, word);
+    at = next;
+  }
+}
+
+int CommandLine::run(int argc, const char* const* argv) {
+  const std::vector<std::string> typed(argv + 1, argv + argc);
+  check_commands(typed);
+  for (const auto& make_fresh : fresh_) make_fresh();
+  try {
+    app_->parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    const auto path = chosen_path(*app_);
+    std::cout << help_text(declaration_, declared_of(declaration_, path, path.size()), terminal_width());
+    return 0;
+  } catch (const CLI::CallForVersion& version) {
+    std::cout << version.what() << '\n';
+    return 0;
+  } catch (const UsageError&) {
+    refuse_unknown_options(declaration_, *app_);
+    throw;
+  } catch (const CLI::ParseError& error) {
+    refuse(declaration_, *app_, error, typed);
+  }
+  return chosen_();
+}
+
+}  // namespace percuss::tools

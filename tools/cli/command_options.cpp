@@ -1,0 +1,189 @@
+#include "cli/command_options.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <string_view>
+#include <utility>
+
+#include "cli/usage_errors.hpp"
+
+namespace percuss::tools {
+namespace {
+
+double number_in(std::string_view text) {
+  if (!text.empty() && text.front() == '+') text.remove_prefix(1);  // from_chars takes none
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool whole = error == std::errc{} && end == text.data() + text.size();
+  return whole ? value : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::function<bool(const std::string&)> number(const std::function<bool(double)>& holds) {
+  return [holds](const std::string& text) {
+    const double value = number_in(text);
+    return std::isfinite(value) && holds(value);
+  };
+}
+
+bool only_digits(const std::string& text) {
+  return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+std::vector<std::string> names_in(std::string_view names) {
+  const std::size_t comma = names.find(',');
+  if (comma == std::string_view::npos) return {std::string(names)};
+  return {std::string(names.substr(0, comma)), std::string(names.substr(comma + 1))};
+}
+
+}  // namespace
+
+Option Option::holds(std::string wanted, const std::function<bool(const std::string&)>& check) {
+  declared_->wanted = std::move(wanted);
+  const DeclaredOption* const declared = declared_;
+  option_->check([declared, check](const std::string& text) {
+    return check(text) ? std::string() : throw wrong_value(*declared, text);
+  });
+  return *this;
+}
+
+Option Option::type(const char* shown) {
+  declared_->value = shown;
+  const std::string_view name = shown;
+  declared_->kind = name == "FILE" ? WordKind::file : name == "FOLDER" ? WordKind::folder : WordKind::text;
+  return *this;
+}
+Option Option::one_of(const std::vector<std::string>& names) {
+  declared_->choices = names;
+  if (!declared_->list && !declared_->value.empty()) type(fmt::format("{}", fmt::join(names, "|")).c_str());
+  declared_->kind = WordKind::text;
+  return holds("", [names](const auto& text) { return std::find(names.begin(), names.end(), text) != names.end(); });
+}
+Option Option::suggest(const std::vector<std::string>& names) {
+  declared_->suggestions = names;
+  return *this;
+}
+Option Option::within(double low, double high) {
+  const char* const kind = declared_->whole ? "whole number" : "number";
+  return holds(fmt::format("a {} from {} to {}", kind, low, high),
+               number([low, high](double value) { return value >= low && value <= high; }));
+}
+Option Option::above_zero() {
+  return holds(declared_->whole ? "a whole number above 0" : "a number above 0",
+               number([](double value) { return value > 0; }));
+}
+Option Option::not_negative() {
+  return holds("a number from 0 up", number([](double value) { return value >= 0; }));
+}
+Option Option::finite() {
+  return holds("a number", number([](double) { return true; }));
+}
+Option Option::counted() {
+  declared_->whole = true;
+  return holds("a whole number from 0 up", [declared = declared_](const std::string& text) {
+    if (!only_digits(text)) return false;
+    std::size_t number = 0;
+    if (std::from_chars(text.data(), text.data() + text.size(), number).ec == std::errc{}) return true;
+    DeclaredOption narrower = *declared;
+    narrower.wanted = "a whole number below 2^64";
+    throw wrong_value(narrower, text);
+  });
+}
+Option Option::required() {
+  option_->required();
+  declared_->required = true;
+  return *this;
+}
+Option Option::show_default() {
+  option_->capture_default_str();
+  declared_->initial = option_->get_default_str();
+  return *this;
+}
+
+Option Command::declared(const char* names, const char* value, const char* help, CLI::Option* option) {
+  const bool is_word = names[0] != '-';
+  auto& place = is_word ? declared_->words : declared_->options;
+  place.push_back({.names = names_in(names), .value = value, .help = help, .group = group_});
+  DeclaredOption* const made = &place.back();
+  made->kind = is_word ? WordKind::file : WordKind::text;
+  if (!is_word && !made->is_flag()) {  // an option that was meant to be given is no value
+    option->check([made, all = declared_](const std::string& text) {
+      return find_option(*all, text) == nullptr ? std::string() : throw missing_value(*made);
+    });
+  }
+  return {option, made};
+}
+Option Command::repeated(const char* names, const char* value, const char* help, CLI::Option* option) {
+  const Option made = declared(names, value, help, option);
+  made.declared_->repeatable = true;
+  return made;
+}
+Option Command::listed(const char* names, const char* value, const char* help, CLI::Option* option) {
+  const Option made = repeated(names, value, help, option->delimiter(',')->allow_extra_args(false));
+  made.declared_->list = true;
+  return made;
+}
+
+Option Command::word(const char* name, std::string& value, const char* help) {
+  return declared(name, "", help, app_->add_option(name, value));
+}
+Option Command::words(const char* name, std::vector<std::string>& values, const char* help) {
+  return repeated(name, "", help, app_->add_option(name, values));
+}
+Option Command::value(const char* names, std::string& value, const char* help) {
+  return declared(names, "TEXT", help, app_->add_option(names, value));
+}
+Option Command::value(const char* names, double& value, const char* help) {
+  return declared(names, "NUMBER", help, app_->add_option(names, value)).finite();
+}
+Option Command::value(const char* names, std::size_t& value, const char* help) {
+  return declared(names, "N", help, app_->add_option(names, value)).counted();
+}
+Option Command::value(const char* names, std::optional<double>& value, const char* help) {
+  return declared(names, "NUMBER", help, app_->add_option(names, value)).finite();
+}
+Option Command::value(const char* names, std::optional<std::size_t>& value, const char* help) {
+  return declared(names, "N", help, app_->add_option(names, value)).counted();
+}
+Option Command::value(const char* names, const std::function<void(const std::string&)>& set, const char* help) {
+  return declared(names, "TEXT", help, app_->add_option_function<std::string>(names, set));
+}
+Option Command::repeatable(const char* names, std::vector<std::string>& values, const char* help) {
+  return repeated(names, "TEXT", help, app_->add_option(names, values)->allow_extra_args(false));
+}
+Option Command::list(const char* names, std::vector<std::string>& values, const char* help) {
+  return listed(names, "TEXT,...", help, app_->add_option(names, values));
+}
+Option Command::list(const char* names, std::vector<double>& values, const char* help) {
+  return listed(names, "NUMBER,...", help, app_->add_option(names, values)).finite();
+}
+Option Command::list(const char* names, std::vector<std::size_t>& values, const char* help) {
+  return listed(names, "N,...", help, app_->add_option(names, values)).counted();
+}
+void Command::flag(const char* names, bool& value, const char* help) {
+  declared(names, "", help, app_->add_flag(names, value)->disable_flag_override());
+}
+std::vector<std::string> Command::given(const std::string& heading) const {
+  std::vector<std::string> words;
+  for (const DeclaredOption& option : declared_->options) {
+    const CLI::Option* const parsed = option.group == heading ? app_->get_option(option.name()) : nullptr;
+    if (parsed == nullptr || parsed->count() == 0) continue;
+    if (option.is_flag()) {
+      words.push_back(option.name());
+    } else {
+      for (const std::string& value : parsed->results()) words.push_back(option.name() + "=" + value);
+    }
+  }
+  return words;
+}
+std::string Command::heading(const std::string& name) { return std::exchange(group_, name); }
+void Command::about(const char* text) { declared_->about = text; }
+void Command::example(const char* command_line, const char* meaning) {
+  declared_->examples.push_back({.line = command_line, .meaning = meaning});
+}
+
+}  // namespace percuss::tools

@@ -1,0 +1,87 @@
+#include <fmt/format.h>
+
+#include <string_view>
+
+#include "cli/completion_scripts.hpp"
+
+namespace percuss::tools {
+namespace {
+
+std::string fish_quoted(std::string_view text) {
+  std::string out = "'";
+  for (const char c : text) {
+    if (c == '\'' || c == '\\') out += '\\';
+    out += c;
+  }
+  return out + "'";
+}
+
+// Whether the words before the cursor choose the command named by the arguments; and values after a comma.
+constexpr const char* kFunctions = R"(function __percuss_command
+    set -l words (commandline -opc)
+    set -l command
+    for word in $words[2..-1]
+        switch "$command $word"
+            case {}
+                set -a command $word
+            case '*'
+                break
+        end
+    end
+    test "$command" = "$argv"
+end
+function __percuss_list
+    set -l before (commandline -ct | string replace -r '^--[^=]*=' '' | string match -r '.*,')
+    printf '%s\n' "$before"$argv
+end
+complete -c percuss -f
+)";
+
+// What completes a value, as options of fish's own command.
+std::string value_flags(const DeclaredOption& option) {
+  const auto& names = option.choices.empty() ? option.suggestions : option.choices;
+  const std::string all = fmt::format("{}", fmt::join(names, " "));
+  std::string out;
+  if (option.list && !names.empty()) return " -x -a " + fish_quoted("(__percuss_list " + all + ")");
+  if (!names.empty()) out = " -a " + fish_quoted(all);
+  if (option.kind == WordKind::folder) return out + " -x -a '(__fish_complete_directories)'";
+  return out + (option.kind == WordKind::file ? " -r -F" : " -x");
+}
+
+std::string option_line(const DeclaredOption& option) {
+  std::string out;
+  for (const std::string& name : option.names)
+    out += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
+  return out + (option.is_flag() ? "" : value_flags(option)) + " -d " + fish_quoted(explained(option));
+}
+
+std::string word_line(const DeclaredOption& word) {
+  const auto& names = word.choices.empty() ? word.suggestions : word.choices;
+  const std::string listed = names.empty() ? "" : " -a " + fish_quoted(fmt::format("{}", fmt::join(names, " ")));
+  return listed + (word.kind == WordKind::file ? " -F" : "") + " -d " + fish_quoted(word.help);
+}
+
+}  // namespace
+
+std::string fish_completion(const Declaration& all) {
+  std::string known;
+  for (const DeclaredCommand& one : all.commands) {
+    if (one.name.empty()) continue;
+    known +=
+        (known.empty() ? "'" : " '") + std::string(one.name.find(' ') == std::string::npos ? " " : "") + one.name + "'";
+  }
+  std::string out =
+      fmt::format("# {} {}, completion for fish, made by: {} completion fish\n", all.program, all.version, all.program);
+  out += fmt::format(fmt::runtime(kFunctions), known);
+  for (const DeclaredCommand& command : all.commands) {
+    const std::string here =
+        fmt::format("complete -c {} -n {}", all.program, fish_quoted("__percuss_command " + command.name));
+    for (const DeclaredCommand* one : commands_of(all, command))
+      out += here + " -a " + last_word(*one) + " -d " + fish_quoted(one->summary) + "\n";
+    for (const DeclaredOption& word : command.words) out += here + word_line(word) + "\n";
+    for (const DeclaredOption& option : command.options) out += here + option_line(option) + "\n";
+  }
+  return out;
+}
+
+}  // namespace percuss::tools

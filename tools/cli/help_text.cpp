@@ -1,0 +1,62 @@
+#include "cli/help_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "report/text/text_table.hpp"
+
+namespace percuss::tools {
+namespace {
+
+constexpr std::size_t kColumn = 28;  // where explanations begin
+constexpr std::size_t kWidest = 120;
+
+// "  --band LO:HI             Frequency band …", the explanation on its own lines where the left part is long.
+std::string entry(const std::string& left, const std::string& right, std::size_t width) {
+  std::string out = "  " + left;
+  const std::size_t used = text_width(out);
+  out += used + 2 > kColumn ? "\n" + std::string(kColumn, ' ') : std::string(kColumn - used, ' ');
+  return out + wrapped(right, width, kColumn) + "\n";
+}
+
+std::string option_entry(const DeclaredOption& option, std::size_t width) {
+  const std::string value = option.value.empty() ? "" : " " + option.value;
+  return entry(fmt::format("{}{}", fmt::join(option.names, ", "), value), explained(option), width);
+}
+
+std::string usage_lines(const Declaration& all, const DeclaredCommand& command, std::size_t width) {
+  constexpr std::size_t kIndent = 7;  // of "Usage: "
+  return "Usage: " + wrapped(fmt::format("{}", fmt::join(usage_of(all, command), " ")), width, kIndent) + "\n";
+}
+
+std::string examples_of(const DeclaredCommand& command, std::size_t width) {
+  std::string out = command.examples.empty() ? "" : "\nExamples:\n";
+  for (const DeclaredExample& example : command.examples) {
+    constexpr std::size_t kIndent = 6;
+    out += "  " + example.line + "\n";  // never wrapped: it is to be copied
+    if (!example.meaning.empty()) out += std::string(kIndent, ' ') + wrapped(example.meaning, width, kIndent) + "\n";
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string help_text(const Declaration& all, const DeclaredCommand& command, std::size_t width) {
+  width = std::min(width, kWidest);
+  std::string out = command.summary + "\n\n" + usage_lines(all, command, width);
+  if (!command.about.empty()) out += "\n" + wrapped(command.about, width, 0) + "\n";
+  const auto below = commands_of(all, command);
+  if (!below.empty()) out += "\nCommands:\n";
+  for (const DeclaredCommand* one : below) out += entry(last_word(*one), one->summary, width);
+  if (!command.words.empty()) out += "\nArguments:\n";
+  for (const DeclaredOption& word : command.words)
+    out += entry(word.name() + (word.repeatable ? "..." : ""), explained(word), width);
+  for (const OptionGroup& group : groups_of(command)) {
+    out += "\n" + (group.heading.empty() ? "Options" : group.heading) + ":\n";
+    for (const DeclaredOption* option : group.options) out += option_entry(*option, width);
+  }
+  return out + examples_of(command, width);
+}
+
+}  // namespace percuss::tools

@@ -1,0 +1,46 @@
+#pragma once
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "frf/formats/frf_record.hpp"
+#include "pipeline/impact_test.hpp"
+#include "pipeline/survey.hpp"
+#include "report/command_report.hpp"
+#include "synth/synthesise.hpp"
+
+namespace percuss::tools {
+
+/// Data in memory where a command would open a file; what the options say of files holds for them too.
+using GivenInput = std::function<std::variant<Record, FrfRecord>(const FrfReadOptions&)>;
+
+/// What a command came to; what it does not have stays empty. The functions may be called for as long as the outcome
+/// or a copy of it lives, by one thread at a time.
+struct Outcome {
+  std::string document;                                           // what --json prints
+  std::vector<std::string> notes;                                 // what it says on standard error
+  std::function<std::string(std::size_t width)> text;             // what a terminal of that width shows
+  std::function<std::string()> html;                              // the results alone, as elements of HTML
+  std::function<void(const std::string& path, bool force)> save;  // as -o PATH
+  std::vector<std::shared_ptr<const Analysis>> analyses;          // of each test
+  std::shared_ptr<const Survey> survey;
+  std::shared_ptr<const ImpactTest> deflection;
+  std::shared_ptr<const SyntheticTest> synthetic;
+  std::vector<std::variant<Record, FrfRecord>> opened;
+  std::vector<NumberColumn> columns;
+};
+
+/// Another program in whose process a command runs, in place of a terminal: what it gives, and what it gets.
+struct Host {
+  std::string called_as;  // the command line that would do the same, for who asks later how a result came about
+  std::vector<GivenInput> inputs;
+  // Of documents in memory, by the paths that stand for them; of two that begin alike the longer first.
+  std::map<std::string, std::string, std::greater<>> names;
+  Outcome outcome;
+};
+
+}  // namespace percuss::tools

@@ -1,0 +1,109 @@
+#include "cli/output.hpp"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <iostream>
+#include <set>
+
+#include "core/error.hpp"
+
+namespace percuss::tools {
+
+void add_output_flags(Command& command, OutputFlags& flags, const char* kinds) {
+  flags.host = command.host();
+  const std::string others = command.heading("Output");
+  const std::string help = std::string("Write to this file; its extension says what: ") + kinds + " (repeatable)";
+  command.repeatable("-o,--output", flags.paths, help.c_str()).type("FILE");
+  command.flag("--json", flags.json, "One JSON document on standard output");
+  command.flag("--force", flags.force, "Overwrite files that exist");
+  command.flag("--quiet", flags.quiet, "No progress and no warnings on standard error");
+  command.heading(others);
+}
+
+OutputFlags kept_output(const OutputFlags& flags) {
+  OutputFlags kept = flags;
+  kept.called_as = flags.host->called_as;
+  kept.host = nullptr;
+  return kept;
+}
+
+OutputFlags one_output(const OutputFlags& kept, const std::string& path, bool force) {
+  OutputFlags one = kept;
+  one.paths = {path};
+  one.force = force;
+  return one;
+}
+
+void print(const OutputFlags& flags, const std::string& text) {
+  if (flags.host != nullptr) {
+    flags.host->outcome.document = text;
+  } else {
+    std::cout << text << std::flush;
+  }
+}
+
+void remark(const OutputFlags& flags, const std::string& text) {
+  if (flags.host != nullptr) {
+    flags.host->outcome.notes.push_back(text);
+  } else if (!flags.quiet) {
+    std::cerr << "percuss: " << text << '\n';
+  }
+}
+
+std::string with_names(const Host* host, std::string text) {
+  if (host == nullptr) return text;
+  for (const auto& [path, name] : host->names) {
+    for (std::size_t at = text.find(path); at != std::string::npos; at = text.find(path, at + name.size()))
+      text.replace(at, path.size(), name);
+  }
+  return text;
+}
+
+std::string extension_of(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+bool is_uff(const std::string& path) { return extension_of(path) == ".uff" || extension_of(path) == ".unv"; }
+
+bool is_html(const std::string& path) { return extension_of(path) == ".html"; }
+
+bool draws(const OutputFlags& flags) {
+  return std::any_of(flags.paths.begin(), flags.paths.end(),
+                     [](const std::string& path) { return is_html(path) || extension_of(path) == ".svg"; });
+}
+
+void check_outputs(const OutputFlags& flags, const std::vector<std::string>& known) {
+  std::set<std::string> seen;
+  for (const std::string& path : flags.paths) {
+    if (std::find(known.begin(), known.end(), extension_of(path)) == known.end()) {
+      throw UsageError("cannot tell what to write to '" + path + "'",
+                       fmt::format("use a name that ends in {}", fmt::join(known, ", ")));
+    }
+    if (!seen.insert(path).second) throw UsageError("'" + path + "' is to be written twice", "name each file once");
+    std::error_code ignored;
+    if (!flags.force && std::filesystem::exists(path, ignored))
+      throw InputError("file exists", path, "give another name or --force");
+  }
+}
+
+bool can_sketch() {
+  constexpr std::size_t kRoom = 80;
+  return isatty(STDOUT_FILENO) == 1 && terminal_width() >= kRoom;
+}
+
+std::size_t terminal_width() {
+  winsize size{};
+  if (isatty(STDOUT_FILENO) == 1 && ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col >= 40)
+    return size.ws_col;
+  return 100;
+}
+
+}  // namespace percuss::tools

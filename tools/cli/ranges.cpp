@@ -1,0 +1,53 @@
+#include "cli/ranges.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "core/error.hpp"
+
+namespace percuss::tools {
+namespace {
+
+constexpr double kMostValues = 10000;
+constexpr double kWholeSteps = 1e-6;  // of a step: how exactly HI must be reached
+constexpr const char* kForm = "give LO:STEP:HI, as 100:25:10000";
+
+}  // namespace
+
+std::vector<double> Range::values() const {
+  std::vector<double> all(count);
+  for (std::size_t i = 0; i < count; ++i) all[i] = at(i);
+  return all;
+}
+
+RangeText parse_range_with_unit(const std::string& option, const std::string& text, const char* remedy, RangeMay may) {
+  const auto refuse = [&](const char* problem) {
+    return UsageError(option + " " + one_line(text, 80) + ": " + problem, remedy);
+  };
+  std::array<double, 3> number{};
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  for (std::size_t i = 0; i < number.size(); ++i) {
+    if (i > 0 && (at == end || *at++ != ':')) throw refuse("not three numbers with colons between");
+    const auto [after, error] = std::from_chars(at, end, number.at(i));
+    if (error != std::errc{} || !std::isfinite(number.at(i))) throw refuse("not three numbers with colons between");
+    at = after;
+  }
+  const auto [low, step, high] = number;
+  const bool spans = high > low || (may == RangeMay::be_one_value && high == low);
+  if (!(step > 0) || !spans) throw refuse("the step must be above zero and the end above the start");
+  const double steps = (high - low) / step;
+  if (!(steps < kMostValues)) throw refuse("more than 10000 values");
+  if (std::abs(steps - std::round(steps)) > kWholeSteps) throw refuse("the end is not a whole number of steps away");
+  return {.range = {.low = low, .step = step, .count = static_cast<std::size_t>(std::lround(steps)) + 1},
+          .unit = {at, static_cast<std::size_t>(end - at)}};
+}
+
+Range parse_range(const std::string& option, const std::string& text, RangeMay may) {
+  const auto [range, unit] = parse_range_with_unit(option, text, kForm, may);
+  if (!unit.empty()) throw UsageError(option + " " + one_line(text, 80) + ": something follows the numbers", kForm);
+  return range;
+}
+
+}  // namespace percuss::tools

@@ -1,0 +1,63 @@
+#include "cli/report_output.hpp"
+
+#include "cli/provenance.hpp"
+#include "commands/commands.hpp"
+#include "core/io/atomic_file.hpp"
+#include "report/html/command_page.hpp"
+
+namespace percuss::tools {
+namespace {
+
+std::string text_for(const std::string& path, const CommandReport& report, const std::vector<std::string>& inputs,
+                     const OutputFlags& flags) {
+  if (is_html(path)) return command_page(report, inputs, provenance_now(flags));
+  const std::string kind = extension_of(path);
+  return kind == ".json" ? report.json : kind == ".csv" ? report.csv() : line_charts_svg(report.charts);
+}
+
+}  // namespace
+
+void check_report_outputs(const OutputFlags& flags) { check_outputs(flags, {".json", ".csv", ".svg", ".html"}); }
+
+void write_report(const std::string& path, const CommandReport& report, const std::vector<std::string>& inputs,
+                  const OutputFlags& flags) {
+  write_file(path, text_for(path, report, inputs, flags), flags.force);
+}
+
+void print_report(const CommandReport& report, const OutputFlags& flags) {
+  if (flags.host != nullptr) {
+    Outcome& outcome = flags.host->outcome;
+    outcome.columns = report.columns;
+    outcome.text = [text = report.text](std::size_t width) { return text.text(width); };
+    outcome.html = [text = report.text] { return text.html(); };
+  }
+  if (flags.json) {
+    print(flags, report.json);
+  } else if (!flags.quiet) {
+    print(flags, report.text.text(terminal_width()));
+  }
+}
+
+int show_report(const CommandReport& report, const OutputFlags& flags, const std::vector<std::string>& paths) {
+  std::vector<std::string> inputs;
+  inputs.reserve(paths.size());
+  for (const std::string& path : paths) inputs.push_back(with_names(flags.host, path));
+  for (const std::string& path : flags.paths) write_report(path, report, inputs, flags);
+  print_report(report, flags);
+  if (flags.host != nullptr) {
+    flags.host->outcome.save = [report, inputs, output = kept_output(flags)](const std::string& path, bool force) {
+      const OutputFlags its = one_output(output, path, force);
+      check_report_outputs(its);
+      write_report(path, report, inputs, its);
+    };
+  }
+  return kOk;
+}
+
+std::vector<std::string> inputs_of(const Analysis& analysis) {
+  std::vector<std::string> paths;
+  for (const InputFile& file : analysis.record().files) paths.push_back(file.path);
+  return paths;
+}
+
+}  // namespace percuss::tools

@@ -1,0 +1,96 @@
+#include "cli/usage_errors.hpp"
+
+#include <fmt/format.h>
+
+#include "cli/nearest.hpp"
+
+namespace percuss::tools {
+namespace {
+
+constexpr std::size_t kTypedBytes = 40;  // bytes of what was typed
+
+std::string with_dashes(const std::string& typed) { return one_line(typed.substr(0, typed.find('=')), kTypedBytes); }
+
+std::string typed_word(const std::string& typed) { return "'" + one_line(typed, kTypedBytes) + "'"; }
+
+// "quick, standard or best".
+std::string one_of_these(const std::vector<std::string>& names) {
+  std::string out;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    out += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + names[i];
+  return out;
+}
+
+// "--band LO:HI".
+std::string form(const DeclaredOption& option) {
+  return option.value.empty() ? option.name() : option.name() + " " + option.value;
+}
+
+std::string help_of(const Declaration& all, const DeclaredCommand& command) { return called(all, command) + " --help"; }
+
+}  // namespace
+
+UsageError no_command(const Declaration& all, const DeclaredCommand& group) {
+  return {group.name.empty() ? "no command" : "no command after " + called(all, group),
+          help_of(all, group) + " lists them"};
+}
+
+UsageError unknown_command(const Declaration& all, const DeclaredCommand& group, const std::string& typed) {
+  std::vector<std::string> known;
+  for (const DeclaredCommand* one : commands_of(all, group)) known.push_back(last_word(*one));
+  for (const DeclaredOption& option : group.options) known.push_back(option.name());  // "help" without its dashes
+  const std::string place = group.name.empty() ? "" : group.name + " ";
+  const auto meant = nearest(typed, known);
+  return {"there is no command '" + place + one_line(typed, kTypedBytes) + "'",
+          meant ? "did you mean " + (meant->front() == '-' ? *meant : place + *meant) + "?"
+                : help_of(all, group) + " lists them"};
+}
+
+UsageError unknown_option(const Declaration& all, const DeclaredCommand& command, const std::string& typed) {
+  std::vector<std::string> known;
+  for (const DeclaredOption& option : command.options) known.push_back(option.name());
+  const std::string shown = with_dashes(typed);
+  const auto meant = nearest(shown, known);
+  const std::string place = command.name.empty() ? "there is no option " : command.name + " has no option ";
+  return {place + shown, meant ? "did you mean " + *meant + "?" : help_of(all, command) + " lists them"};
+}
+
+UsageError early_option(const Declaration& all, const DeclaredCommand& command, const DeclaredOption& option) {
+  return {option.name() + " stands before the command", "give it after: " + called(all, command) + " " + form(option)};
+}
+
+UsageError surplus_word(const Declaration& all, const DeclaredCommand& command, const std::string& typed) {
+  if (command.words.empty()) {
+    return {command.name + " takes options only, and " + typed_word(typed) + " is none",
+            help_of(all, command) + " lists them"};
+  }
+  return {command.name + " takes one " + command.words.front().name() + ", and " + typed_word(typed) + " is another",
+          "leave one out"};
+}
+
+UsageError missing_option(const Declaration& all, const DeclaredCommand& command, const DeclaredOption& option) {
+  const bool is_word = option.name().front() != '-';
+  const std::string what = option.choices.empty() || !is_word ? "" : ": " + one_of_these(option.choices);
+  return {(is_word ? "no " : command.name + " needs ") + option.name(),
+          "give " + called(all, command) + " " + form(option) + what};
+}
+
+UsageError missing_value(const DeclaredOption& option) {
+  return {option.name() + " has no value after it", "give " + form(option)};
+}
+
+UsageError flag_with_value(const DeclaredOption& option) {
+  return {option.name() + " takes no value", "give it alone, or leave it out"};
+}
+
+UsageError given_twice(const DeclaredOption& option) { return {option.name() + " is given twice", "keep one"}; }
+
+UsageError wrong_value(const DeclaredOption& option, const std::string& typed) {
+  const auto meant = nearest(typed, option.choices);
+  return {option.name() + " cannot be " + typed_word(typed), meant ? "did you mean " + *meant + "?"
+                                                             : option.choices.empty()
+                                                                 ? "give " + option.wanted
+                                                                 : "give " + one_of_these(option.choices)};
+}
+
+}  // namespace percuss::tools

@@ -1,0 +1,156 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iostream>
+#include <memory>
+
+#include "cli/progress.hpp"
+#include "cli/report_output.hpp"
+#include "commands/analyze_outputs.hpp"
+#include "commands/commands.hpp"
+#include "core/error.hpp"
+#include "core/parallel/parallel.hpp"
+#include "report/compare_report.hpp"
+#include "report/json/analysis_json.hpp"
+#include "report/json/read_document.hpp"
+#include "report/svg/analysis_charts.hpp"
+#include "report/text/analysis_text.hpp"
+#include "report/text/skipped_work_text.hpp"
+
+namespace percuss::tools {
+namespace {
+
+bool is_json(const std::string& path) { return extension_of(path) == ".json"; }
+
+void print_trace(const Analysis& analysis) {
+  for (const auto& stage : analysis.trace().stages())
+    std::cerr << fmt::format("{:<20} {:>6} calls  {:.6f} s\n", stage.name, stage.calls, stage.seconds);
+}
+
+CommandReport comparison_of(const AnalyzeFlags& flags, const std::string& document, const std::string& name) {
+  std::vector<ComparedDocument> documents = parse_documents(document, name);
+  for (const std::string& path : flags.compared) {
+    for (ComparedDocument& one : read_documents(path)) {
+      one.name = with_names(flags.output.host, one.name);
+      documents.push_back(std::move(one));
+    }
+  }
+  return compare_report(documents);
+}
+
+std::optional<BatLabel> bat_label(const AnalyzeFlags& flags) {
+  if (flags.bat_id.empty() && !flags.bat.empty()) throw UsageError("--bat without --bat-id", "say which bat it is");
+  if (flags.bat_id.empty()) return std::nullopt;
+  BatLabel label{.id = flags.bat_id};
+  for (const std::string& text : flags.bat) {
+    const std::size_t equals = text.find('=');
+    if (equals == 0 || equals == std::string::npos || equals + 1 == text.size())
+      throw UsageError("--bat " + one_line(text, 60) + ": not KEY=VALUE", "as --bat length_in=33");
+    if (!label.properties.emplace(text.substr(0, equals), text.substr(equals + 1)).second)
+      throw UsageError("--bat " + one_line(text, 60) + ": the key stands twice", "keep one");
+  }
+  return label;
+}
+
+ImpactTest deflection_of(const Analysis& analysis) {
+  if (analysis.given_frfs() != nullptr)
+    throw UsageError("FRFs tell no deflection", "give the record of force and acceleration");
+  return deflect(analysis);
+}
+
+int analyze(const AnalyzeFlags& flags) {
+  const ThreadLimit limit(flags.analysis.threads);
+  check_analyze_outputs(flags.output);
+  const auto sections = flags.only.empty() ? all_sections() : parse_sections(flags.only);
+  const bool wants_json = flags.output.json || !flags.compared.empty() ||
+                          std::any_of(flags.output.paths.begin(), flags.output.paths.end(), is_json);
+  if (flags.stabilisation && !wants_json)
+    throw UsageError("--stabilisation goes into the JSON document", "add --json or -o FILE.json");
+  const std::optional<BatLabel> bat = bat_label(flags);
+  const Progress progress("analysing", flags.output.quiet);
+  auto tests = tests_of(flags);
+  require_one_test(flags, sections, tests.size());
+  compute(tests, sections);
+  if (sections.contains(Section::deflection)) tests.front().deflection = deflection_of(*tests.front().analysis);
+  std::string document;
+  if (wants_json) {
+    std::vector<NumberedAnalysis> numbered;
+    numbered.reserve(tests.size());
+    for (const Test& test : tests) numbered.push_back({.run = test.run, .analysis = test.analysis.get()});
+    document = analysis_json(numbered, {.sections = sections,
+                                        .trace = flags.trace,
+                                        .explain = flags.explain,
+                                        .per_hit = flags.per_hit,
+                                        .stabilisation = flags.stabilisation,
+                                        .bat = bat,
+                                        .deflection = tests.front().deflection ? &*tests.front().deflection : nullptr});
+  }
+  std::optional<CommandReport> comparison;
+  if (!flags.compared.empty()) comparison = comparison_of(flags, document, tests.front().analysis->record().source());
+  const auto kept = std::make_shared<const KeptTests>(KeptTests{.flags = flags,
+                                                                .tests = std::move(tests),
+                                                                .sections = sections,
+                                                                .document = std::move(document),
+                                                                .comparison = std::move(comparison)});
+  const std::string text = flags.output.json ? "" : text_of(*kept, terminal_width(), can_sketch());
+  progress.stop();
+  write_outputs(flags, *kept);
+  print(flags.output, flags.output.json ? kept->document : text);
+  if (flags.output.host != nullptr) hand_over(flags.output, kept);
+  if (flags.trace && !flags.output.json) {
+    for (const Test& test : kept->tests) print_trace(*test.analysis);
+  }
+  if (flags.explain && !flags.output.json) {
+    for (const Test& test : kept->tests) std::cerr << skipped_text(*test.analysis).text(terminal_width());
+  }
+  const bool possible =
+      std::all_of(kept->tests.begin(), kept->tests.end(), [](const Test& test) { return test.analysis->possible(); });
+  return possible ? kOk : kImpossible;
+}
+
+}  // namespace
+
+void add_analyze(CommandLine& line) {
+  auto flags = line.values<AnalyzeFlags>();
+  Command command =
+      line.command("analyze", "Modes of a structure from hammer tests: hits, FRFs, modes, bending or hoop",
+                   [flags] { return analyze(*flags); });
+  command.about(
+      "Reads records of force and acceleration, cuts them into hits and grades these, averages the good ones to "
+      "frequency responses (FRFs) and fits the modes: frequency in Hz, damping ratio, bending or hoop, each with its "
+      "standard deviation. Give FRFs in place of records to fit those. Two accelerometers are taken to sit at 0° and "
+      "90° around the barrel unless --angle says otherwise.");
+  command.example("percuss analyze bat.h5 --band 60:3200", "Hits and modes between 60 and 3200 Hz as tables");
+  command.example("percuss analyze bat.h5 --band 60:3200 -o report.html -o modes.json",
+                  "The same as a page to look at and as a document to compute with");
+  command.example("percuss analyze bat.h5 --only hits",
+                  "The hits alone and what was found against them: fast, before a long session goes on");
+  command.example("percuss analyze bat.h5 --reject-hit 2 --effort quick --json",
+                  "Without the third hit, roughly, as a JSON document");
+  command.example("percuss analyze frfs.h5", "Modes of frequency responses that were measured or computed elsewhere");
+  add_read_flags(command, flags->read);
+  add_analysis_flags(command, flags->analysis);
+  add_output_flags(command, flags->output, ".json, .html, .svg, .csv, .h5, .mat, .uff, .unv");
+  command.list("--only", flags->only, "Compute and report these sections only")
+      .type("SECTION,...")
+      .one_of({"hits", "frf", "coherence", "modes", "classes", "deflection"});
+  command.list("--picture", flags->pictures, "What -o FILE.svg shows")
+      .type("PICTURE,...")
+      .one_of(analysis_chart_names());
+  command
+      .repeatable("--compare", flags->compared,
+                  "Also beside this document, which analyze, survey or model wrote with --json (repeatable)")
+      .type("FILE");
+  command.flag("--per-hit", flags->per_hit, "Also every mode as each hit alone shows it, for how far the hits agree");
+  command.flag("--stabilisation", flags->stabilisation, "Also the poles of all model orders, in the JSON document");
+  command.value("--bat-id", flags->bat_id, "Which bat it is: into the document, where percuss study joins by it")
+      .type("ID");
+  command.repeatable("--bat", flags->bat, "What else is known of the bat, as length_in=33 (repeatable)")
+      .type("KEY=VALUE");
+  command.flag("--trace", flags->trace,
+               "What ran: stages, calls, seconds (on standard error, or in the JSON document)");
+  command.flag("--explain", flags->explain,
+               "What did not have to be done, how much of it, and why (on standard error, or in the JSON document)");
+}
+
+}  // namespace percuss::tools

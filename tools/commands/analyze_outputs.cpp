@@ -1,0 +1,115 @@
+#include "commands/analyze_outputs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "cli/provenance.hpp"
+#include "cli/report_output.hpp"
+#include "core/error.hpp"
+#include "core/io/atomic_file.hpp"
+#include "report/deflection_report.hpp"
+#include "report/frf_files.hpp"
+#include "report/html/analysis_page.hpp"
+#include "report/modes_uff.hpp"
+#include "report/svg/analysis_charts.hpp"
+#include "report/text/analysis_tables.hpp"
+#include "report/text/analysis_text.hpp"
+
+namespace percuss::tools {
+namespace {
+
+std::string page_of(const AnalyzeFlags& flags, const KeptTests& kept) {
+  const Test& test = kept.tests.front();
+  return analysis_page(*test.analysis,
+                       {.sections = kept.sections,
+                        .deflection = test.deflection ? &*test.deflection : nullptr,
+                        .comparison = kept.comparison ? &*kept.comparison : nullptr},
+                       provenance_now(flags.output));
+}
+
+std::string drawing_of(const AnalyzeFlags& flags, const Analysis& analysis) {
+  const auto verdicts = analysis.possible() ? analysis.verdicts() : std::vector<Verdict>();
+  return svg_document(analysis_charts(analysis, verdicts, flags.pictures));
+}
+
+std::string html_of(const KeptTests& kept) {
+  const bool classes = kept.sections.contains(Section::classes);
+  std::string html;
+  for (const Test& test : kept.tests) {
+    if (kept.tests.size() > 1) html += page_paragraph(fmt::format("test {}", test.run));
+    if (!test.analysis->possible()) {
+      html += page_paragraph(kNoUsableHit);
+    } else if (classes || kept.sections.contains(Section::modes)) {
+      html += modes_table(*test.analysis, classes).html();
+    } else {
+      html += hits_table(*test.analysis, test.analysis->force_hits()).shown.html();
+    }
+    html += page_warnings(test.analysis->warnings());
+  }
+  return html;
+}
+
+}  // namespace
+
+void check_analyze_outputs(const OutputFlags& output) {
+  check_outputs(output, {".json", ".html", ".svg", ".csv", ".h5", ".mat", ".uff", ".unv"});
+}
+
+void require_one_test(const AnalyzeFlags& flags, const std::set<Section>& sections, std::size_t tests) {
+  if (tests < 2) return;
+  const char* const remedy = "analyse one file or run at a time";
+  if (!std::all_of(flags.output.paths.begin(), flags.output.paths.end(), is_json))
+    throw UsageError("several tests do not fit one file of FRFs or one page", remedy);
+  if (sections.contains(Section::deflection) || !flags.compared.empty())
+    throw UsageError("deflections and comparisons are of one test", remedy);
+}
+
+std::string text_of(const KeptTests& kept, std::size_t width, bool sketch) {
+  std::string text;
+  for (const Test& test : kept.tests) {
+    if (kept.tests.size() > 1) text += fmt::format("{}test {}\n", text.empty() ? "" : "\n", test.run);
+    text += analysis_text(*test.analysis,
+                          {.sections = kept.sections, .width = width, .per_hit = kept.flags.per_hit, .sketch = sketch});
+    if (test.deflection) text += "\n" + deflection_tables(*test.analysis, *test.deflection).text(width);
+    if (kept.comparison) text += "\n" + kept.comparison->text.text(width);
+  }
+  return text;
+}
+
+void write_outputs(const AnalyzeFlags& flags, const KeptTests& kept) {
+  const Analysis& analysis = *kept.tests.front().analysis;
+  for (const std::string& path : flags.output.paths) {
+    if (extension_of(path) == ".json") {
+      write_file(path, kept.document, flags.output.force);
+    } else if (is_html(path)) {
+      write_file(path, page_of(flags, kept), flags.output.force);
+    } else if (extension_of(path) == ".svg") {
+      write_file(path, drawing_of(flags, analysis), flags.output.force);
+    } else if (!analysis.possible()) {
+      remark(flags.output,
+             "no hit can be used, so there are no FRFs to write (" + one_line(path) + "); see the hits' findings");
+    } else if (is_uff(path)) {
+      write_modes_uff(path, analysis, flags.output.force);
+    } else {
+      write_frfs(path, frf_record_of(analysis), FrfKind::accelerance, flags.output.force);
+    }
+  }
+}
+
+void hand_over(const OutputFlags& output, const std::shared_ptr<const KeptTests>& kept) {
+  Outcome& outcome = output.host->outcome;
+  for (const Test& test : kept->tests) outcome.analyses.emplace_back(kept, test.analysis.get());
+  if (const auto& deflection = kept->tests.front().deflection) outcome.deflection = {kept, &*deflection};
+  outcome.text = [kept](std::size_t width) { return text_of(*kept, width, false); };
+  outcome.html = [kept] { return html_of(*kept); };
+  outcome.save = [kept, its = kept_output(output)](const std::string& path, bool force) {
+    AnalyzeFlags flags = kept->flags;
+    flags.output = one_output(its, path, force);
+    check_analyze_outputs(flags.output);
+    require_one_test(flags, kept->sections, kept->tests.size());
+    write_outputs(flags, *kept);
+  };
+}
+
+}  // namespace percuss::tools

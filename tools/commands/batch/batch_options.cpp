@@ -1,0 +1,80 @@
+#include "commands/batch/batch_options.hpp"
+
+#include <algorithm>
+
+#include "acquire/channels/channel_setup.hpp"
+#include "core/error.hpp"
+#include "core/io/input_file.hpp"
+#include "report/text/version.hpp"
+
+namespace percuss::tools {
+namespace {
+
+constexpr std::uint64_t kLargestSetup_bytes = std::uint64_t{1} << 20U;
+constexpr const char* kSetup = "--setup=";  // its text is kept, not its path
+
+std::string head_place(const Manifest& manifest) { return manifest.path() + ", line 1, options"; }
+
+// Only options that say how records are analysed: --help is none.
+void require_known(const CommandLine& line, const Manifest& manifest) {
+  const DeclaredCommand& command = *find_command(line.declaration(), "analyze");
+  for (const std::string& word : manifest.head().options) {
+    const DeclaredOption* const option = find_option(command, word.substr(0, word.find('=')));
+    if (option == nullptr || option->group.empty()) {
+      throw InputError("there is no option " + one_line(word, 60), head_place(manifest),
+                       "plan the batch with this version of percuss");
+    }
+  }
+}
+
+// Parsed as they were when somebody typed them, with the same checks.
+void parse_options(const Manifest& manifest, BatchOptions& options) {
+  CommandLine line("percuss", "", version());
+  Command command = line.command("analyze", "", [] { return 0; });
+  add_batch_options(command, options);
+  require_known(line, manifest);
+  std::vector<std::string> words{"percuss", "analyze"};
+  words.insert(words.end(), manifest.head().options.begin(), manifest.head().options.end());
+  std::vector<char*> pointers;
+  pointers.reserve(words.size());
+  for (std::string& word : words) pointers.push_back(word.data());
+  line.run(static_cast<int>(pointers.size()), pointers.data());
+}
+
+}  // namespace
+
+void add_batch_options(Command& command, BatchOptions& options) {
+  add_reading_options(command, options.read);
+  add_analysis_options(command, options.analysis);
+}
+
+void put_options(const Command& command, const BatchOptions& options, BatchHead& head) {
+  analysis_options(options.analysis);
+  finished_options(options.read);
+  options_of_each(options.read);
+  for (const char* heading : {kReadingHeading, kAnalysisHeading}) {
+    for (std::string& word : command.given(heading)) head.options.push_back(std::move(word));
+  }
+  std::erase_if(head.options, [](const std::string& word) { return word.starts_with(kSetup); });
+  if (!options.read.setup_path.empty())
+    head.setup = std::string(read_input(options.read.setup_path, kLargestSetup_bytes).view());
+}
+
+RowOptions row_options(const Manifest& manifest, bool trust_input) {
+  BatchOptions options;
+  RowOptions out{.frf = manifest.head().frf};
+  try {
+    parse_options(manifest, options);
+    options.read.trust_input = trust_input;
+    out.read = options_of_each(options.read);
+    out.analysis = analysis_options(options.analysis);
+  } catch (const UsageError& e) {
+    throw InputError(e.what(), head_place(manifest), "plan the batch anew");
+  }
+  out.analysis.threads = 1;  // the records are what threads divide
+  if (!manifest.head().setup.empty())
+    out.read.read.setup = parse_channel_setup(manifest.head().setup, manifest.path() + ", line 1, setup");
+  return out;
+}
+
+}  // namespace percuss::tools

@@ -1,0 +1,126 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "batch/plan.hpp"
+#include "cli/output.hpp"
+#include "cli/progress.hpp"
+#include "commands/batch/batch_options.hpp"
+#include "commands/commands.hpp"
+#include "core/error.hpp"
+#include "core/io/input_file.hpp"
+#include "report/text/version.hpp"
+
+namespace percuss::tools {
+namespace {
+
+constexpr std::uint64_t kLongestList_bytes = std::uint64_t{4} << 30U;
+
+struct PlanFlags {
+  std::vector<std::string> inputs;
+  BatchOptions options;
+  std::optional<Command> command;  // which tells what was given of them
+  OutputFlags output;
+  std::size_t shards = 1;
+  bool frf = false, hash = false;
+};
+
+RecordFiles files_of(const PlanFlags& flags) {
+  if (flags.inputs.empty())
+    throw UsageError("no record", "name files, folders or patterns in quotes, or - for a list on standard input");
+  std::vector<std::string> names;
+  for (const std::string& input : flags.inputs) {
+    const auto listed =
+        input == "-" ? listed_names(read_input("-", kLongestList_bytes).view()) : std::vector<std::string>{input};
+    names.insert(names.end(), listed.begin(), listed.end());
+  }
+  RecordFiles files = record_files(names);
+  if (files.paths.empty()) {
+    throw InputError("no record found", names.empty() ? "standard input" : names.front(),
+                     "name the files, or a folder that holds some");
+  }
+  return files;
+}
+
+std::string folder_of(const std::string& path) {
+  const auto parent = std::filesystem::path(path).parent_path();
+  return parent.empty() ? "." : parent.string();
+}
+
+std::string summary_json(const BatchHead& head, std::size_t records, std::uint64_t bytes, std::size_t left_out) {
+  const nlohmann::ordered_json json{{"schema", "percuss/batch-plan/1"},
+                                    {"version", head.version},
+                                    {"records", records},
+                                    {"bytes", bytes},
+                                    {"shards", head.shards},
+                                    {"left_out", left_out},
+                                    {"options", head.options},
+                                    {"options_sha256", options_sha256(head)}};
+  return json.dump(2) + "\n";
+}
+
+int plan(PlanFlags& flags) {
+  check_outputs(flags.output, {".jsonl"});
+  if (flags.output.paths.size() != 1) throw UsageError("batch plan writes one manifest", "give -o FILE.jsonl");
+  const std::string& path = flags.output.paths.front();
+  const Progress progress("planning", flags.output.quiet);
+  RecordFiles files = files_of(flags);
+  flags.options.read.paths = files.paths;
+  BatchHead head{.version = version(), .options = {}, .setup = {}, .frf = flags.frf, .shards = flags.shards};
+  put_options(*flags.command, flags.options, head);
+  std::error_code absent;
+  if (!std::filesystem::is_directory(folder_of(path), absent))
+    throw InputError("no such folder", folder_of(path), "create the folder first");
+  const auto records = planned_records(files.paths, folder_of(path), flags.hash);
+  write_manifest(path, head, records, flags.output.force);
+  progress.stop();
+  std::uint64_t bytes = 0;
+  for (const BatchRecord& record : records) bytes += record.bytes;
+  if (files.left_out > 0 && !flags.output.quiet)
+    std::cerr << fmt::format("percuss: {} files of other kinds were left out\n", files.left_out);
+  if (flags.output.json) {
+    std::cout << summary_json(head, records.size(), bytes, files.left_out);
+  } else if (!flags.output.quiet) {
+    std::cout << fmt::format("{}: {} {}, {:.4g} MB, in {} {}\n", one_line(path), records.size(),
+                             records.size() == 1 ? "record" : "records", static_cast<double>(bytes) / 1e6, flags.shards,
+                             flags.shards == 1 ? "shard" : "shards");
+  }
+  return kOk;
+}
+
+}  // namespace
+
+void add_batch_plan(CommandLine& line) {
+  auto flags = line.values<PlanFlags>();
+  Command command = line.command("batch plan", "Lists many records and how they are to be analysed, in a manifest",
+                                 [flags] { return plan(*flags); });
+  flags->command = command;
+  command.about(
+      "Writes a manifest: a line of JSON for the options, which are those of percuss analyze, and one per record with "
+      "its id, path and size. An id is the file's name without extension, or its path where several have that name. "
+      "Paths that are not absolute are those from the manifest's folder, so that manifest and records can be moved "
+      "together, as to a cluster. A record that has changed when its turn comes is reported, not analysed.");
+  command.example("percuss batch plan bat.h5 barrel.h5 --band 60:3200 -o manifest.jsonl", "Two records");
+  command.example("percuss batch plan '*.h5' --effort quick --shards 4 -o manifest.jsonl",
+                  "All files that fit the pattern, for four workers");
+  command.example("ls bat.h5 bat.mat | percuss batch plan - --frf --hash -o manifest.jsonl",
+                  "A list of files; FRFs are kept as well, and changed contents are noticed");
+  command.words("INPUT", flags->inputs,
+                "Records or FRFs: files; folders, of which all such files below are taken; patterns in quotes; - is a "
+                "list on standard input, a path per line");
+  command.value("--shards", flags->shards, "Into how many parts of about equal bytes the work may be divided")
+      .within(1, static_cast<double>(kMostShards))
+      .show_default();
+  command.flag("--frf", flags->frf, "Keep the FRFs as well, for percuss batch merge -o FILE.h5");
+  command.flag("--hash", flags->hash,
+               "Note every record's SHA-256, not only its size: reads them all, now and when they are analysed");
+  add_batch_options(command, flags->options);
+  add_setup_option(command, flags->options.read);
+  add_output_flags(command, flags->output, ".jsonl");
+}
+
+}  // namespace percuss::tools

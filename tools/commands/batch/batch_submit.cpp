@@ -1,0 +1,114 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+
+#include "batch/part.hpp"
+#include "batch/slurm.hpp"
+#include "batch/status.hpp"
+#include "commands/commands.hpp"
+#include "core/error.hpp"
+
+namespace percuss::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct SubmitFlags {
+  std::string engine, manifest, folder;
+  std::vector<std::string> directives;
+  std::size_t threads = 1;
+  bool go = false;
+};
+
+using Pipe = std::unique_ptr<FILE, int (*)(FILE*)>;
+
+// What a command prints; nothing where it cannot be run.
+std::string printed_by(const char* command) {
+  const Pipe pipe(::popen(command, "r"), ::pclose);
+  std::string text;
+  std::array<char, 4096> block{};
+  for (std::size_t got = 0; pipe && (got = std::fread(block.data(), 1, block.size(), pipe.get())) > 0;)
+    text.append(block.data(), got);
+  return text;
+}
+
+void require_size(const SlurmJob& job) {
+  const std::size_t largest = largest_array_index(printed_by("scontrol show config 2>/dev/null"));
+  if (job.tasks.back() <= largest) return;
+  throw InputError(fmt::format("shard {} is beyond Slurm's largest array index, {}", job.tasks.back(), largest),
+                   "MaxArraySize", fmt::format("plan at most {} shards", largest + 1));
+}
+
+int hand_over(const SlurmJob& job) {
+  require_size(job);
+  fs::create_directories(job.folder);  // Slurm makes the logs, not the folder
+  std::cout << std::flush;             // sbatch prints the job's number
+  Pipe pipe(::popen("sbatch", "w"), ::pclose);
+  const std::string script = slurm_script(job);
+  const bool taken = pipe && std::fwrite(script.data(), 1, script.size(), pipe.get()) == script.size();
+  const int status = pipe ? ::pclose(pipe.release()) : -1;
+  if (taken && status == 0) return kOk;
+  throw InputError("sbatch did not take the job", "Slurm", "see above; without --go the script is printed");
+}
+
+int submit(const SubmitFlags& flags) {
+  for (const std::string& directive : flags.directives) {
+    if (!directive.starts_with("--") || directive.find('\n') != std::string::npos)
+      throw UsageError("--sbatch cannot be '" + one_line(directive, 40) + "'", "give an option of sbatch: --time=60");
+  }
+  const BatchStatus found = batch_status(Manifest(flags.manifest), flags.folder);
+  if (found.missing.empty()) {
+    std::cerr << "percuss: all shards are finished, and nothing is left to submit\n";
+    return kOk;
+  }
+  const SlurmJob job{.program = fs::read_symlink("/proc/self/exe").string(),
+                     .manifest = fs::canonical(flags.manifest).string(),
+                     .folder = fs::weakly_canonical(fs::absolute(flags.folder)).string(),
+                     .shards = found.shards,
+                     .tasks = found.missing,
+                     .threads = flags.threads,
+                     .directives = flags.directives};
+  if (flags.go) return hand_over(job);
+  std::cout << slurm_script(job);
+  return kOk;
+}
+
+}  // namespace
+
+void add_batch_submit(CommandLine& line) {
+  auto flags = line.values<SubmitFlags>();
+  Command command =
+      line.command("batch submit", "The missing shards as a job array of Slurm", [flags] { return submit(*flags); });
+  command.about(
+      "Prints a script for sbatch that runs the shards that are not finished, one task each; with --go Slurm gets it. "
+      "After tasks that were killed the same command submits what is missing.");
+  command.example(
+      "percuss batch plan bat.h5 barrel.h5 --shards 2 -o manifest.jsonl; percuss batch submit slurm --manifest "
+      "manifest.jsonl -o results --sbatch=--time=60",
+      "The script, to be looked at");
+  command.word("ENGINE", flags->engine, "What runs the shards").one_of({"slurm"}).required();
+  command.value("--manifest", flags->manifest, "What percuss batch plan wrote, with --shards").type("FILE").required();
+  command.value("-o,--folder", flags->folder, "Folder of the results, which all nodes reach under this name")
+      .type("FOLDER")
+      .required();
+  command.value("--threads", flags->threads, "Threads, and so processors, of each task").within(1, 1024).show_default();
+  command.repeatable("--sbatch", flags->directives, "A further option for sbatch, as --partition=long (repeatable)")
+      .type("OPTION");
+  command.flag("--go", flags->go, "Hand it to sbatch");
+}
+
+void add_batch(CommandLine& line) {
+  line.group("batch", "Many records, on one machine or as shards on a cluster");
+  add_batch_plan(line);
+  add_batch_run(line);
+  add_batch_status(line);
+  add_batch_merge(line);
+  add_batch_submit(line);
+}
+
+}  // namespace percuss::tools

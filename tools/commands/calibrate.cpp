@@ -1,0 +1,107 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "acquire/calibrate.hpp"
+#include "cli/open_files.hpp"
+#include "cli/output.hpp"
+#include "commands/commands.hpp"
+#include "core/error.hpp"
+#include "core/io/atomic_file.hpp"
+#include "report/text/number_format.hpp"
+#include "report/text/text_table.hpp"
+#include "report/text/version.hpp"
+
+namespace percuss::tools {
+namespace {
+
+struct CalibrateFlags {
+  ReadFlags read;
+  OutputFlags output;
+  double mass_kg = 0;
+  std::optional<double> trigger;
+};
+
+nlohmann::ordered_json json_of(const CalibrateFlags& flags, const Record& record, const Calibration& calibration) {
+  nlohmann::ordered_json json{
+      {"schema", "percuss/calibration/1"}, {"version", version()}, {"inputs", nlohmann::ordered_json::array()}};
+  for (const InputFile& file : record.files) json["inputs"].push_back({{"path", file.path}, {"bytes", file.bytes}});
+  json["mass_kg"] = flags.mass_kg;
+  json["n_per_unit"] = std::abs(calibration.scale);
+  json["polarity"] = calibration.scale < 0 ? -1 : 1;
+  json["force_scale"] = calibration.scale;
+  json["force_scale_std"] = calibration.scale_std;
+  json["hits"] = nlohmann::ordered_json::array();
+  for (const CalibrationHit& hit : calibration.hits) {
+    nlohmann::ordered_json row{{"index", hit.index},
+                               {"time_s", hit.time_s},
+                               {"peak_force", hit.peak_force},
+                               {"peak_acceleration_mps2", hit.peak_accel_mps2},
+                               {"samples", hit.samples},
+                               {"scale", hit.scale},
+                               {"used", hit.used}};
+    json["hits"].push_back(std::move(row));
+  }
+  return json;
+}
+
+std::string text_of(const CalibrateFlags& flags, const Record& record, const Calibration& calibration) {
+  TextTable table({{"hit", TextTable::Align::right},
+                   {"time", TextTable::Align::right},
+                   {"force peak", TextTable::Align::right},
+                   {"acceleration", TextTable::Align::right},
+                   {"N per unit", TextTable::Align::right},
+                   {""}});
+  for (const CalibrationHit& hit : calibration.hits) {
+    table.add({fmt::format("{}", hit.index), fmt::format("{:.3f} s", hit.time_s), fmt::format("{:.5g}", hit.peak_force),
+               fmt::format("{:.4g} m/s²", hit.peak_accel_mps2), fmt::format("{:.6g}", hit.scale),
+               hit.used ? "" : "not used: too weak"});
+  }
+  return fmt::format("{}   {} kg free mass\n\n", record.source(), flags.mass_kg) + table.text(terminal_width()) +
+         fmt::format("\n1 unit of the force channel is {} N{}: use --force-scale {:.8g}\n",
+                     with_deviation(std::abs(calibration.scale), calibration.scale_std),
+                     calibration.scale < 0 ? ", and it reads pushes as negative" : "", calibration.scale);
+}
+
+int calibrate_file(const CalibrateFlags& flags) {
+  check_outputs(flags.output, {".json"});
+  const Record record = join_records(open_records(flags.read), flags.read.files);
+  const Calibration calibration = calibrate(record, flags.mass_kg, {.trigger_N = flags.trigger});
+  const std::string document =
+      json_of(flags, record, calibration).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  for (const std::string& path : flags.output.paths) write_file(path, document, flags.output.force);
+  print(flags.output, flags.output.json ? document : text_of(flags, record, calibration));
+  return kOk;
+}
+
+}  // namespace
+
+void add_calibrate(CommandLine& line) {
+  auto flags = line.values<CalibrateFlags>();
+  Command command = line.command("calibrate", "What one unit of the force channel is in N, from hits on a free mass",
+                                 [flags] { return calibrate_file(*flags); });
+  command.about(
+      "A hammer that hits a mass which hangs freely gives it the acceleration force / mass. From that follows what one "
+      "unit of the force channel is in N, with its standard deviation; the last line says which --force-scale to use "
+      "from then on. The force may be stored in any unit, the acceleration as under Reading.");
+  command.example("percuss calibrate hits.csv --mass 1.25 --force-channel CH8",
+                  "Hits on a mass of 1.25 kg, the hammer in column CH8");
+  command.example("percuss calibrate hits.csv --mass 1.25 --force-channel CH8 -o hammer.json",
+                  "The result kept as a document");
+  add_read_flags(command, flags->read, Reads::records);
+  add_output_flags(command, flags->output, ".json");
+  command.value("--mass", flags->mass_kg, "The free mass, its accelerometer included")
+      .type("KG")
+      .required()
+      .above_zero();
+  command
+      .value("--trigger", flags->trigger,
+             "Reading that counts as a hit, in the force channel's own unit (default: from the noise)")
+      .above_zero()
+      .type("READING");
+}
+
+}  // namespace percuss::tools

@@ -1,0 +1,70 @@
+#include <array>
+#include <string_view>
+
+#include "commands/commands.hpp"
+
+namespace percuss::tools {
+namespace {
+
+void add_exit_codes(CommandLine& line) {
+  line.exit_code(kOk, "done");
+  line.exit_code(kInternalError, "internal error");
+  line.exit_code(kUsage, "the command line was not understood");
+  line.exit_code(kBadInput, "unusable input");
+  line.exit_code(kImpossible, "the analysis is impossible (no hit can be used)");
+  line.exit_code(kQualityGate, "a quality gate failed (the bat exceeds its limit)");
+  line.exit_code(kPartial, "some records of a batch failed");
+}
+
+void add_models(CommandLine& line) {
+  line.group("model", "Predictions: beams, bats, barrels and what a ball does to them");
+  add_model_beam(line);
+  add_model_impact(line);
+  add_model_rigid(line);
+  add_model_trampoline(line);
+  add_model_bat(line);
+  add_model_shell(line);
+}
+
+struct NamedCommand {
+  std::string_view name;
+  void (*add)(CommandLine&);
+};
+
+constexpr std::array kNamedCommands = {
+    NamedCommand{"analyze", add_analyze},     NamedCommand{"frf", add_frf},
+    NamedCommand{"nodes", add_nodes},         NamedCommand{"survey", add_survey},
+    NamedCommand{"info", add_info},           NamedCommand{"convert", add_convert},
+    NamedCommand{"calibrate", add_calibrate}, NamedCommand{"deflect", add_deflect},
+    NamedCommand{"compare", add_compare},     NamedCommand{"synth", add_synth},
+    NamedCommand{"model", add_models},        NamedCommand{"metrics", add_metrics},
+    NamedCommand{"certify", add_certify},     NamedCommand{"abi", add_abi},
+    NamedCommand{"study", add_study},         NamedCommand{"batch", add_batch},
+};
+
+}  // namespace
+
+// Declaring every option of every command takes longer than many a command does, so that only the one named first is,
+// unless all are needed: for help, for what tells of all commands, and for a word that is no command.
+void add_commands(CommandLine& line, std::string_view first_word) {
+  if (first_word == "--version") return;
+  for (const NamedCommand& command : kNamedCommands) {
+    if (command.name == first_word) return command.add(line);
+  }
+  for (const NamedCommand& command : kNamedCommands) command.add(line);
+  add_completion(line);
+  add_man(line);
+}
+
+void add_program(CommandLine& line) {
+  Command program = line.program();
+  program.about(
+      "percuss turns hammer tests into natural frequencies, damping and mode shapes, each with its standard deviation, "
+      "and predicts what beams, bats and barrels do. Data goes to standard output, progress and warnings to standard "
+      "error. Options follow the command.");
+  program.example("percuss synth composite-bat -o first.h5; percuss analyze first.h5 --band 60:3200",
+                  "A made-up hammer test whose modes are known, and its analysis");
+  add_exit_codes(line);
+}
+
+}  // namespace percuss::tools

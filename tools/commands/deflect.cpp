@@ -1,0 +1,142 @@
+#include <memory>
+
+#include "cli/analysis_flags.hpp"
+#include "cli/open_files.hpp"
+#include "cli/output.hpp"
+#include "cli/progress.hpp"
+#include "cli/ranges.hpp"
+#include "cli/report_output.hpp"
+#include "commands/commands.hpp"
+#include "core/error.hpp"
+#include "core/io/atomic_file.hpp"
+#include "pipeline/impact_test.hpp"
+#include "report/deflection_report.hpp"
+
+namespace percuss::tools {
+namespace {
+
+struct DeflectFlags {
+  ReadFlags read;
+  AnalysisFlags analysis;
+  OutputFlags output;
+  ImpactTestOptions options;
+  std::string method = "auto", positions;
+};
+
+DeflectionMethod method_named(const std::string& name) {
+  for (const DeflectionMethod method : {DeflectionMethod::small_interval, DeflectionMethod::drift_free,
+                                        DeflectionMethod::frequency, DeflectionMethod::modal}) {
+    if (name == name_of(method)) return method;
+  }
+  return DeflectionMethod::automatic;
+}
+
+std::unique_ptr<Analysis> analysis_of(const DeflectFlags& flags) {
+  if (flags.read.files == FilesMean::tests)
+    throw UsageError("several tests do not make one", "give --files hits or --files points, or one test at a time");
+  ReadFlags read = flags.read;
+  read.options.force_optional = true;
+  return std::make_unique<Analysis>(join_records(open_records(read), read.files), analysis_options(flags.analysis));
+}
+
+void check_deflection_outputs(const OutputFlags& output) {
+  check_outputs(output, {".json", ".csv", ".h5", ".svg", ".html"});
+}
+
+void write_deflection(const OutputFlags& output, CommandReport report, const Analysis& analysis,
+                      const ImpactTest& test) {
+  if (draws(output)) report.charts = {deflection_chart(analysis, test)};
+  for (const std::string& path : output.paths) {
+    const std::string kind = extension_of(path);
+    if (kind == ".h5" && !test.hits.empty()) {
+      write_deflection_hdf5(path, analysis, test, output.force);
+    } else if (kind == ".csv") {
+      write_file(path, deflection_csv(analysis, test), output.force);
+    } else if (kind != ".h5") {
+      write_report(path, report, inputs_of(analysis), output);
+    }
+  }
+}
+
+int deflect_files(const DeflectFlags& flags) {
+  check_deflection_outputs(flags.output);
+  ImpactTestOptions options = flags.options;
+  options.deflection.method = method_named(flags.method);
+  if (!flags.positions.empty())
+    options.position_m = parse_range("--positions", flags.positions, RangeMay::be_one_value).values();
+  const Progress progress("integrating", flags.output.quiet);
+  const std::shared_ptr<const Analysis> made = analysis_of(flags);
+  const auto deflected = std::make_shared<const ImpactTest>(deflect(*made, options));
+  const Analysis& analysis = *made;
+  const ImpactTest& test = *deflected;
+  progress.stop();
+  CommandReport report;
+  report.json = deflection_json(analysis, test);
+  report.text = deflection_text(analysis, test);
+  write_deflection(flags.output, report, analysis, test);
+  print_report(report, flags.output);
+  if (flags.output.host != nullptr) {
+    Outcome& outcome = flags.output.host->outcome;
+    outcome.analyses = {made};
+    outcome.deflection = deflected;
+    outcome.save = [output = kept_output(flags.output), report, made, deflected](const std::string& path, bool force) {
+      const OutputFlags its = one_output(output, path, force);
+      check_deflection_outputs(its);
+      write_deflection(its, report, *made, *deflected);
+    };
+  }
+  return test.hits.empty() ? kImpossible : kOk;
+}
+
+}  // namespace
+
+void add_deflect(CommandLine& line) {
+  auto flags = line.values<DeflectFlags>();
+  Command command = line.command("deflect", "Deflection under an impact, from the acceleration at the struck point",
+                                 [flags] { return deflect_files(*flags); });
+  command.about(
+      "Integrates the acceleration of the struck point twice, without the drift that plain sums have, and gives the "
+      "largest deflection of each hit in m with its standard deviation; -o writes the curves over time.");
+  command.example("percuss deflect bat.h5 --highpass-corner 1", "An amplifier with a high-pass at 1 Hz, undone");
+  command.example("percuss deflect bat.h5 --method drift-free -o deflection.csv", "Curves over time as a table");
+  DeflectionOptions& deflection = flags->options.deflection;
+  command
+      .value(
+          "--method", flags->method,
+          "How acceleration becomes deflection; auto integrates without drift where the record shows the rest before "
+          "the impact, else it takes modes and force")
+      .one_of({"auto", "small-interval", "drift-free", "frequency", "modal"})
+      .show_default();
+  command
+      .value("--highpass-corner", deflection.highpass_corner_Hz,
+             "Corner of the charge amplifier's first-order high-pass, which is undone; 0: none")
+      .not_negative()
+      .type("HZ");
+  command.value("--lowest", deflection.lowest_Hz, "With --method frequency: leave out what is slower than this")
+      .above_zero()
+      .type("HZ");
+  command.flag("--free-body", deflection.free_body,
+               "The structure may move away: it need not swing about where it rested");
+  command
+      .value("--effective-mass", flags->options.effective_mass_kg,
+             "Mass of the free body at the struck point: its own motion under the force is known then")
+      .above_zero()
+      .type("KG");
+  command.value("--positions", flags->positions, "Where the points lie along the structure, in m, in their order")
+      .type("LO:STEP:HI");
+  command
+      .value("--beam-distance", flags->options.beam_distance_m,
+             "Distance from the light beam to the structure: tells the ball's speed")
+      .above_zero()
+      .type("M");
+  command
+      .value("--beam-time", flags->options.beam_time_s,
+             "Time at which the ball broke the beam, from the record's beginning")
+      .finite()
+      .type("S");
+  add_read_flags(command, flags->read, Reads::records);
+  add_analysis_flags(command, flags->analysis);
+  add_output_flags(command, flags->output, ".json, .csv, .h5, .svg, .html");
+}
+
+}  // namespace percuss::tools

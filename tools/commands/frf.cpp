@@ -1,0 +1,120 @@
+#include <memory>
+
+#include "cli/analysis_flags.hpp"
+#include "cli/open_files.hpp"
+#include "cli/output.hpp"
+#include "cli/progress.hpp"
+#include "cli/provenance.hpp"
+#include "commands/commands.hpp"
+#include "core/error.hpp"
+#include "core/io/atomic_file.hpp"
+#include "report/frf_files.hpp"
+#include "report/html/analysis_page.hpp"
+#include "report/json/analysis_json.hpp"
+#include "report/svg/analysis_charts.hpp"
+#include "report/text/analysis_text.hpp"
+
+namespace percuss::tools {
+namespace {
+
+const std::set<Section> kShown{Section::hits, Section::frf, Section::coherence};
+
+struct FrfFlags {
+  ReadFlags read;
+  AnalysisFlags analysis;
+  OutputFlags output;
+  std::string kind = "accelerance";
+};
+
+std::unique_ptr<Analysis> analysis_of(const FrfFlags& flags) {
+  Measurements opened = open_measurements(flags.read);
+  const AnalysisOptions options = analysis_options(flags.analysis);
+  if (!opened.frfs.empty())
+    return std::make_unique<Analysis>(join_frfs_of(flags.read, std::move(opened.frfs)), options);
+  return std::make_unique<Analysis>(join_records(std::move(opened.records), flags.read.files), options);
+}
+
+void check_frf_outputs(const OutputFlags& output) {
+  check_outputs(output, {".csv", ".h5", ".json", ".mat", ".uff", ".unv", ".svg", ".html"});
+}
+
+void write_frf_outputs(const OutputFlags& output, const Analysis& analysis, FrfKind kind, const std::string& summary) {
+  for (const std::string& path : output.paths) {
+    if (extension_of(path) == ".json") {
+      write_file(path, summary, output.force);
+    } else if (extension_of(path) == ".svg") {
+      write_file(path, svg_document(analysis_charts(analysis, {}, {"magnitude", "phase", "coherence"})), output.force);
+    } else if (is_html(path)) {
+      write_file(path, analysis_page(analysis, {.sections = kShown}, provenance_now(output)), output.force);
+    } else {
+      write_frfs(path, frf_record_of(analysis), kind, output.force);
+    }
+  }
+}
+
+void hand_over(const OutputFlags& output, const std::shared_ptr<const Analysis>& analysis, FrfKind kind) {
+  Outcome& outcome = output.host->outcome;
+  outcome.analyses = {analysis};
+  outcome.text = [analysis](std::size_t width) {
+    return analysis_text(*analysis, {.sections = kShown, .width = width});
+  };
+  if (!analysis->possible()) return;
+  outcome.save = [output = kept_output(output), analysis, kind, summary = outcome.document](const std::string& path,
+                                                                                            bool force) {
+    const OutputFlags its = one_output(output, path, force);
+    check_frf_outputs(its);
+    write_frf_outputs(its, *analysis, kind, summary);
+  };
+}
+
+int frf(const FrfFlags& flags) {
+  check_frf_outputs(flags.output);
+  const FrfKind kind = flags.kind == "mobility"     ? FrfKind::mobility
+                       : flags.kind == "receptance" ? FrfKind::receptance
+                                                    : FrfKind::accelerance;
+  const Progress progress("averaging", flags.output.quiet);
+  const std::shared_ptr<const Analysis> opened = analysis_of(flags);
+  const Analysis& analysis = *opened;
+  analysis.hits();
+  if (!analysis.possible()) {
+    progress.stop();
+    print(flags.output, analysis_json(analysis, {.sections = {Section::hits}}));
+    if (flags.output.host != nullptr) hand_over(flags.output, opened, kind);
+    return kImpossible;
+  }
+  const auto summary = analysis_json(analysis, {.sections = kShown});
+  progress.stop();
+  write_frf_outputs(flags.output, analysis, kind, summary);
+  if (flags.output.json) {
+    print(flags.output, summary);
+  } else if (flags.output.paths.empty()) {
+    print(flags.output, frf_csv(analysis, kind));
+  }
+  if (flags.output.host != nullptr) hand_over(flags.output, opened, kind);
+  return kOk;
+}
+
+}  // namespace
+
+void add_frf(CommandLine& line) {
+  auto flags = line.values<FrfFlags>();
+  Command command = line.command("frf", "Averaged FRFs and coherence only, as CSV on standard output or into files",
+                                 [flags] { return frf(*flags); });
+  command.about(
+      "Averages the good hits of records to frequency responses and coherence, and stops there. Accelerance is in "
+      "(m/s²)/N, mobility in (m/s)/N, receptance in m/N. The table has one line per frequency.");
+  command.example("percuss frf bat.h5 --band 60:3200 -o frf.csv",
+                  "Accelerance and coherence from 60 to 3200 Hz as a table");
+  command.example("percuss frf bat.h5 --band 60:3200 --kind mobility > mobility.csv",
+                  "Mobility, by way of standard output");
+  command.example("percuss frf bat.h5 --estimator hv -o frf.uff",
+                  "For other software, with noise in force and acceleration allowed for");
+  add_read_flags(command, flags->read);
+  add_analysis_flags(command, flags->analysis);
+  add_output_flags(command, flags->output, ".csv, .h5, .json, .mat, .uff, .unv, .svg, .html");
+  command.value("--kind", flags->kind, "What the responses are: of acceleration, velocity or deflection")
+      .one_of({"accelerance", "mobility", "receptance"})
+      .show_default();
+}
+
+}  // namespace percuss::tools

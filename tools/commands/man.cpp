@@ -1,0 +1,72 @@
+#include <unistd.h>
+
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "cli/man_page.hpp"
+#include "cli/usage_errors.hpp"
+#include "commands/commands.hpp"
+#include "core/io/atomic_file.hpp"
+
+namespace percuss::tools {
+namespace {
+
+struct ManFlags {
+  std::vector<std::string> words;
+  std::string folder;
+  bool force = false;
+};
+
+const DeclaredCommand& command_named(const Declaration& all, const std::vector<std::string>& words) {
+  const DeclaredCommand* at = &all.commands.front();
+  for (const std::string& word : words) {
+    const DeclaredCommand* const next = find_command(all, at->name.empty() ? word : at->name + " " + word);
+    if (word.empty() || next == nullptr) throw unknown_command(all, *at, word);
+    at = next;
+  }
+  return *at;
+}
+
+void write_pages(const Declaration& all, const ManFlags& flags) {
+  std::error_code failed;
+  std::filesystem::create_directories(flags.folder, failed);
+  if (failed) throw InputError("cannot make the folder: " + failed.message(), flags.folder, "name another");
+  for (const DeclaredCommand& command : all.commands)
+    write_file(flags.folder + "/" + page_name(all, command) + ".1", man_page(all, command), flags.force);
+}
+
+int print_page(const Declaration& all, const ManFlags& flags) {
+  if (!flags.folder.empty() && !flags.words.empty())
+    throw UsageError("--folder is for all pages", "leave out the command or --folder");
+  if (flags.folder.empty()) {
+    std::cout << man_page(all, command_named(all, flags.words));
+    if (isatty(STDOUT_FILENO) == 1) std::cerr << "percuss: this is for the program man: percuss man ... | man -l -\n";
+  } else {
+    write_pages(all, flags);
+  }
+  return kOk;
+}
+
+}  // namespace
+
+void add_man(CommandLine& line) {
+  auto flags = line.values<ManFlags>();
+  Command command = line.command("man", "The manual page of percuss or of one of its commands, or all of them",
+                                 [&line, flags] { return print_page(line.declaration(), *flags); });
+  command.about(
+      "Prints the page in roff, the language that the program man reads. The page is made from the same declaration as "
+      "--help. An installed percuss has its pages in place: man percuss-analyze shows one.");
+  command.example("percuss man model beam > percuss-model-beam.1", "The page of percuss model beam, as man reads it");
+  command.example("percuss man --folder man1", "All pages as files: percuss.1, percuss-analyze.1, ...");
+  std::vector<std::string> names;
+  for (const DeclaredCommand& one : line.declaration().commands) {
+    if (!one.name.empty()) names.push_back(last_word(one));
+  }
+  command.words("COMMAND", flags->words, "The command, as analyze or model beam (default: percuss itself)")
+      .one_of(names);
+  command.value("--folder", flags->folder, "Write all pages as files into this folder").type("FOLDER");
+  command.flag("--force", flags->force, "Overwrite files that exist");
+}
+
+}  // namespace percuss::tools

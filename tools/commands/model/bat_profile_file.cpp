@@ -1,0 +1,50 @@
+#include "commands/model/bat_profile_file.hpp"
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "core/io/number_table.hpp"
+#include "core/units.hpp"
+
+namespace percuss::tools {
+namespace {
+
+constexpr std::size_t kMostSlices = 1000;
+constexpr double kLongest_m = 10, kThickest_m = 1;
+constexpr double kThinnest_m = 1e-4;
+constexpr const char* kProfileForm =
+    "a line is the far end of a slice from the knob and its diameter; see --profile-unit";
+
+double metres_of(const std::string& unit, const std::string& units) {
+  const auto known = parse_unit(unit);
+  if (!known || known->quantity != Quantity::length) {
+    throw UsageError("--profile-unit " + one_line(units, 40) + ": not two units of length",
+                     "give END:DIAMETER, as cm:mm");
+  }
+  return known->to_SI;
+}
+
+}  // namespace
+
+BatProfile read_bat_profile(const std::string& path, const std::string& units) {
+  const std::size_t colon = units.find(':');
+  const double end_to_m = metres_of(units.substr(0, colon), units);
+  const double diameter_to_m = metres_of(colon == std::string::npos ? "" : units.substr(colon + 1), units);
+  BatProfile profile;
+  double last_m = 0;
+  for (const NumberRow& row :
+       read_number_rows(path, {.columns = 2, .most_rows = kMostSlices, .remedy = kProfileForm})) {
+    const double end_m = row.values[0] * end_to_m, diameter_m = row.values[1] * diameter_to_m;
+    const auto refuse = [&](const std::string& problem) { return InputError(problem, row.place, kProfileForm); };
+    if (!(end_m > last_m)) throw refuse("the slice ends where the one before does, or earlier");
+    if (!(end_m <= kLongest_m)) throw refuse(fmt::format("a slice ends {:g} m from the knob", end_m));
+    if (!(diameter_m >= kThinnest_m && diameter_m <= kThickest_m))
+      throw refuse(fmt::format("a diameter of {:g} m", diameter_m));
+    profile.end_m.push_back(end_m);
+    profile.diameter_m.push_back(diameter_m);
+    last_m = end_m;
+  }
+  return profile;
+}
+
+}  // namespace percuss::tools

@@ -1,0 +1,93 @@
+#include "commands/model/beam_flags.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "model/beam/laminate.hpp"
+#include "report/beam_report.hpp"
+
+namespace percuss::tools {
+namespace {
+
+constexpr const char* kLayerForm = "give YOUNG:WIDTH:HEIGHT or YOUNG:WIDTH:HEIGHT:DENSITY, in Pa, m, m and kg/m³";
+
+// Stiffness from the layers, and the mass where all of them have a density.
+void use_layers(const BeamFlags& flags, UniformBeam& beam) {
+  if (flags.stiffness_Nm2) throw UsageError("--ei and --layer both say how stiff the beam is", "leave one out");
+  std::vector<LaminateLayer> layers;
+  layers.reserve(flags.layers.size());
+  std::size_t weighed = 0;
+  for (const std::string& text : flags.layers) {
+    const std::vector<double> number = colon_numbers("--layer", text, 3, 4, kLayerForm);
+    layers.push_back({.young_Pa = number[0], .width_m = number[1], .height_m = number[2]});
+    if (number.size() == 4) layers.back().density_kgpm3 = number[3], ++weighed;
+  }
+  if (weighed > 0 && weighed < layers.size())
+    throw UsageError("--layer: some layers have a density and some have none", "give it for all, or --rho-a for none");
+  if (weighed > 0 && flags.mass_per_length_kgpm)
+    throw UsageError("--rho-a and the densities of --layer both say how heavy the beam is", "leave one out");
+  const LaminateSection section = laminate_section(layers);
+  beam.stiffness_Nm2 = section.stiffness_Nm2;
+  if (weighed > 0) beam.mass_per_length_kgpm = section.mass_per_length_kgpm;
+  if (!(section.stiffness_Nm2 > 0 && std::isfinite(section.stiffness_Nm2)))
+    throw UsageError("--layer: the stiffness of these layers is beyond what numbers hold", kLayerForm);
+}
+
+}  // namespace
+
+std::vector<double> colon_numbers(const std::string& option, const std::string& text, std::size_t least,
+                                  std::size_t most, const char* remedy) {
+  const auto refuse = [&](const char* problem) {
+    return UsageError(option + " " + one_line(text, 80) + ": " + problem, remedy);
+  };
+  std::vector<double> numbers;
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  for (bool more = true; more;) {
+    double number = 0;
+    const auto [after, error] = std::from_chars(at, end, number);
+    if (error != std::errc{} || (after != end && *after != ':')) throw refuse("not numbers with colons between");
+    if (!(number > 0 && std::isfinite(number))) throw refuse("every number must be above zero");
+    numbers.push_back(number);
+    more = after != end;
+    at = after + (more ? 1 : 0);
+    if (numbers.size() > most) throw refuse("too many numbers");
+  }
+  if (numbers.size() < least) throw refuse("too few numbers");
+  return numbers;
+}
+
+void add_beam_flags(Command& command, BeamFlags& flags) {
+  command.value("--support", flags.support, "How the beam is held at x = 0; its other end is free")
+      .one_of({"torsion", "pinned", "clamped", "free"})
+      .show_default();
+  command.value("--ei", flags.stiffness_Nm2, "Bending stiffness EI (default: 4000)").above_zero().type("N*M2");
+  command.value("--rho-a", flags.mass_per_length_kgpm, "Mass per length (default: 2.24)").above_zero().type("KG/M");
+  command.value("--torsion", flags.torsion_Nmprad, "Stiffness of the torsion spring at x = 0 (default: 1200)")
+      .not_negative()
+      .type("N*M/RAD");
+  command.value("--length", flags.length_m, "Length of the beam").above_zero().type("M").show_default();
+  command
+      .repeatable(
+          "--layer", flags.layers,
+          "In place of --ei, a layer of the section from the underside up, in Pa, m, m and kg/m³ (repeatable); with "
+          "densities also in place of --rho-a")
+      .type("YOUNG:WIDTH:HEIGHT[:DENSITY]");
+}
+
+UniformBeam beam_of(const BeamFlags& flags) {
+  UniformBeam beam;
+  beam.support = support_named(flags.support).value();
+  beam.stiffness_Nm2 = flags.stiffness_Nm2.value_or(beam.stiffness_Nm2);
+  beam.mass_per_length_kgpm = flags.mass_per_length_kgpm.value_or(beam.mass_per_length_kgpm);
+  beam.torsion_Nmprad = flags.torsion_Nmprad.value_or(beam.torsion_Nmprad);
+  beam.length_m = flags.length_m;
+  if (!flags.layers.empty()) use_layers(flags, beam);
+  if (flags.torsion_Nmprad && beam.support != BeamSupport::torsion)
+    throw UsageError("--torsion: a beam with --support " + flags.support + " has no spring", "leave one of them out");
+  return beam;
+}
+
+}  // namespace percuss::tools

@@ -1,0 +1,153 @@
+#include <algorithm>
+#include <memory>
+
+#include "cli/ranges.hpp"
+#include "cli/report_output.hpp"
+#include "commands/commands.hpp"
+#include "commands/model/beam_flags.hpp"
+#include "core/error.hpp"
+#include "core/parallel/parallel.hpp"
+#include "report/impact_report.hpp"
+
+namespace percuss::tools {
+namespace {
+
+constexpr std::size_t kMostImpactModes = 100;
+constexpr std::size_t kMostSwept = 10000;
+constexpr double kShortestStep = 1e-6, kLongestStep = 0.1;  // of the contact with a wall
+constexpr const char* kSweepForm = "give NAME=LO:STEP:HI with one of ei, torsion, rho-a, at, speed";
+
+struct ModelImpactFlags {
+  BeamFlags beam;
+  Impact impact;
+  double contact_cor = 1;
+  std::string method = "modal";
+  std::optional<double> step_s;
+  std::vector<std::string> sweeps;
+  std::size_t threads = 0;
+  OutputFlags output;
+};
+
+void check_place(const std::string& option, double at_m, const UniformBeam& beam) {
+  if (!(at_m >= 0 && at_m <= beam.length_m))
+    throw UsageError(option + ": the ball would miss the beam", "strike from 0 to --length");
+}
+
+ImpactSweep parse_sweep(const std::string& text, const Impact& impact) {
+  const std::size_t equals = text.find('=');
+  ImpactSweep sweep{.parameter = text.substr(0, equals)};
+  std::replace(sweep.parameter.begin(), sweep.parameter.end(), '-', '_');
+  Impact trial = impact;
+  if (equals == std::string::npos || swept_value(trial, sweep.parameter) == nullptr)
+    throw UsageError("--sweep " + one_line(text, 80) + ": not a known name and a range", kSweepForm);
+  if (sweep.parameter == "torsion" && impact.beam.support != BeamSupport::torsion)
+    throw UsageError("--sweep torsion: a beam without a spring", "leave --support as it is");
+  const Range range = parse_range("--sweep", text.substr(equals + 1));
+  const bool from_zero = sweep.parameter == "at" || sweep.parameter == "torsion";
+  if (range.low < 0 || (range.low == 0 && !from_zero))
+    throw UsageError("--sweep " + one_line(text, 80) + ": the values must be above zero", kSweepForm);
+  sweep.values = range.values();
+  if (sweep.parameter == "at") {
+    for (const double at_m : sweep.values) check_place("--sweep at", at_m, impact.beam);
+  }
+  return sweep;
+}
+
+void run_sweep(const Impact& impact, const ImpactOptions& options, std::size_t threads, ImpactSweep& sweep) {
+  sweep.results.resize(sweep.values.size());
+  parallel_for(sweep.values.size(), threads, [&](std::size_t i) {
+    Impact varied = impact;
+    *swept_value(varied, sweep.parameter) = sweep.values[i];
+    sweep.results[i] = simulate_impact(varied, options);
+  });
+}
+
+ImpactOptions impact_options(const ModelImpactFlags& flags, const Impact& impact) {
+  ImpactOptions options;
+  if (flags.method == "small-increment") options.method = ImpactMethod::small_increment;
+  if (flags.step_s) {
+    const double wall_s = hertz_contact_s(impact);
+    if (!(*flags.step_s >= kShortestStep * wall_s && *flags.step_s <= kLongestStep * wall_s)) {
+      throw UsageError("--step: not between a millionth and a tenth of the contact's duration",
+                       "the same ball's contact with a wall takes " + std::to_string(1e6 * wall_s) + " µs");
+    }
+    options.step_s = *flags.step_s;
+  }
+  for (const std::string& path : flags.output.paths)
+    options.series = options.series || (flags.sweeps.empty() && extension_of(path) != ".json");
+  return options;
+}
+
+int model_impact(const ModelImpactFlags& flags) {
+  check_report_outputs(flags.output);
+  Impact impact = flags.impact;
+  impact.beam = beam_of(flags.beam);
+  check_place("--at", impact.at_m, impact.beam);
+  impact.hysteresis_spm = hysteresis_for_spm(flags.contact_cor, impact.speed_mps);
+  std::vector<ImpactSweep> sweeps;
+  sweeps.reserve(flags.sweeps.size());
+  std::size_t swept = 0;
+  for (const std::string& text : flags.sweeps) {
+    sweeps.push_back(parse_sweep(text, impact));
+    swept += sweeps.back().values.size();
+  }
+  if (swept > kMostSwept) throw UsageError("--sweep: more than 10000 values in all", "take fewer");
+  const ImpactOptions options = impact_options(flags, impact);
+  const ImpactResult result = simulate_impact(impact, options);
+  for (ImpactSweep& sweep : sweeps) run_sweep(impact, options, flags.threads, sweep);
+  return show_report(impact_report(impact, result, sweeps), flags.output);
+}
+
+}  // namespace
+
+void add_model_impact(CommandLine& line) {
+  auto flags = line.values<ModelImpactFlags>();
+  Command command = line.command("model impact", "A ball against a beam: restitution, force and deflection",
+                                 [flags] { return model_impact(*flags); });
+  command.about(
+      "A ball flies against the beam of percuss model beam and leaves it: what fraction of its speed returns (COR), "
+      "the force and its duration, the deflection of the beam. With --sweep over ranges of the beam's constants, the "
+      "place and the speed.");
+  command.example("percuss model impact --at 0.5 --speed 6", "One impact, 0.5 m from the spring at 6 m/s");
+  command.example("percuss model impact --sweep ei=1000:1000:6000 --sweep rho-a=0.6:0.2:3 -o curves.svg",
+                  "COR over stiffness and mass, drawn");
+  add_beam_flags(command, flags->beam);
+  Impact& impact = flags->impact;
+  command.value("--at", impact.at_m, "Where the ball strikes, from x = 0").not_negative().type("M").show_default();
+  command.value("--ball-mass", impact.ball_mass_kg, "Mass of the ball").above_zero().type("KG").show_default();
+  command.value("--speed", impact.speed_mps, "Speed of the ball").above_zero().type("M/S").show_default();
+  command.value("--hertz", impact.hertz_Npm15, "Hertz constant: force over approach^(3/2)")
+      .above_zero()
+      .type("N/M^1.5")
+      .show_default();
+  command
+      .value("--contact-cor", flags->contact_cor,
+             "What a rigid wall would return of the ball's speed, at --speed: below 1 the contact loses energy "
+             "(hysteresis)")
+      .within(0.01, 1)
+      .show_default();
+  command.value("--modes", impact.modes, "Modes of the beam, rigid-body modes included")
+      .within(1, kMostImpactModes)
+      .type("N")
+      .show_default();
+  command.value("--method", flags->method, "modal: exact between pushes; small-increment: as the source computes")
+      .one_of({"modal", "small-increment"})
+      .show_default();
+  command
+      .value("--step", flags->step_s,
+             "Time step (default: for modal controlled, so that restitution and energy are right to 1e-9; for "
+             "small-increment 1e-5)")
+      .above_zero()
+      .type("S");
+  command
+      .repeatable(
+          "--sweep", flags->sweeps,
+          "Vary ei, torsion, rho-a, at or speed in the unit of that option, the others as they are (repeatable)")
+      .type("NAME=LO:STEP:HI");
+  command.value("--threads", flags->threads, "Threads to use (default: all; the result is the same)")
+      .within(0, 1024)
+      .type("N");
+  add_output_flags(command, flags->output, kReportKinds);
+}
+
+}  // namespace percuss::tools

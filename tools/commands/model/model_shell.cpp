@@ -1,0 +1,101 @@
+#include <cmath>
+#include <memory>
+
+#include "cli/report_output.hpp"
+#include "commands/commands.hpp"
+#include "core/error.hpp"
+#include "core/io/parse_number.hpp"
+#include "report/shell_report.hpp"
+
+namespace percuss::tools {
+namespace {
+
+constexpr std::size_t kMostPattern = 100;  // waves around, half-waves along
+constexpr const char* kHoopForm = "give N:M:HZ:STD, as 2:1:1756:2,2:2:2624:3 (n waves around, m half-waves along)";
+
+struct ShellFlags {
+  TubeShell shell;
+  std::size_t n = 2, modes = 3;
+  std::vector<std::string> measured;
+  std::string unknowns = "young";
+  OutputFlags output;
+};
+
+MeasuredHoop measured_hoop(const std::string& text) {
+  const auto refuse = [&] { return UsageError("--measured " + one_line(text, 80) + ": not understood", kHoopForm); };
+  std::vector<double> values;
+  for (std::size_t from = 0; from <= text.size();) {
+    const std::size_t to = std::min(text.find(':', from), text.size());
+    const ParsedNumber number = parse_number(text.substr(from, to - from), false);
+    if (number.problem != NumberProblem::none) throw refuse();
+    values.push_back(number.value);
+    from = to + 1;
+  }
+  const auto is_count = [](double x, double least) { return x >= least && x <= kMostPattern && x == std::floor(x); };
+  if (values.size() != 4 || !is_count(values[0], 2) || !is_count(values[1], 1)) throw refuse();
+  if (!(values[2] > 0 && values[3] > 0)) throw refuse();
+  return {.n = static_cast<std::size_t>(values[0]),
+          .m = static_cast<std::size_t>(values[1]),
+          .freq_Hz = values[2],
+          .freq_std_Hz = values[3]};
+}
+
+int model_shell(const ShellFlags& flags) {
+  check_report_outputs(flags.output);
+  if (!(flags.shell.wall_m < flags.shell.outer_diameter_m / 2))
+    throw UsageError("--wall is half of --outer-diameter or more", "give the wall's thickness in m");
+  TubeShell shell = flags.shell;
+  std::optional<FittedShell> fitted;
+  if (!flags.measured.empty()) {
+    fitted.emplace();
+    fitted->measured.reserve(flags.measured.size());
+    for (const std::string& word : flags.measured) fitted->measured.push_back(measured_hoop(word));
+    fitted->fit = fit_shell(shell, fitted->measured,
+                            flags.unknowns == "both"   ? ShellUnknowns::both
+                            : flags.unknowns == "wall" ? ShellUnknowns::wall
+                                                       : ShellUnknowns::young);
+    shell = fitted->fit.shell;
+  }
+  return show_report(shell_report(shell, flags.n, flags.modes, fitted), flags.output);
+}
+
+}  // namespace
+
+void add_model_shell(CommandLine& line) {
+  auto flags = line.values<ShellFlags>();
+  Command command = line.command("model shell", "Hoop frequencies of a barrel as a tube: ring, Rayleigh, Love, Flügge",
+                                 [flags] { return model_shell(*flags); });
+  command.about(
+      "The barrel as a tube: hoop frequencies in Hz with n waves around, after four theories: ring, Rayleigh and Love "
+      "are alike all along, Flügge counts half-waves along. With --measured, Young's modulus or the wall follow from "
+      "measured frequencies.");
+  command.example("percuss model shell --outer-diameter 0.0667 --wall 0.0025", "A barrel of aluminium");
+  command.example("percuss model shell --wall 0.0025 --measured 2:1:1700:5 --fit young",
+                  "The modulus that explains 1700 ± 5 Hz");
+  TubeShell& s = flags->shell;
+  command.value("--outer-diameter", s.outer_diameter_m, "Outer diameter of the tube")
+      .above_zero()
+      .type("M")
+      .show_default();
+  command.value("--wall", s.wall_m, "Thickness of its wall").above_zero().type("M").show_default();
+  command.value("--length", s.length_m, "Length of the tube").above_zero().type("M").show_default();
+  command.value("--young", s.young_Pa, "Young's modulus of the wall").above_zero().type("PA").show_default();
+  command.value("--density", s.density_kgpm3, "Density of the wall").above_zero().type("KG/M3").show_default();
+  command.value("--poisson", s.poisson, "Poisson's ratio").within(0, 0.499).show_default();
+  command.value("--n", flags->n, "Waves around the tube, n").within(2, kMostPattern).type("N").show_default();
+  command.value("--modes", flags->modes, "Half-waves along the tube, m: from 1 to this")
+      .within(1, kMostPattern)
+      .type("N")
+      .show_default();
+  command
+      .list("--measured", flags->measured,
+            "Measured hoop frequencies to fit the shell to: waves around, half-waves along, frequency and its "
+            "standard deviation")
+      .type("N:M:HZ:STD,...");
+  command.value("--fit", flags->unknowns, "What the fit to --measured changes")
+      .one_of({"young", "wall", "both"})
+      .show_default();
+  add_output_flags(command, flags->output, kReportKinds);
+}
+
+}  // namespace percuss::tools

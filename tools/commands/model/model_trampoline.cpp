@@ -1,0 +1,163 @@
+#include <array>
+#include <cmath>
+#include <memory>
+
+#include "cli/ranges.hpp"
+#include "cli/report_output.hpp"
+#include "commands/commands.hpp"
+#include "core/error.hpp"
+#include "core/io/number_table.hpp"
+#include "core/io/parse_number.hpp"
+#include "report/trampoline_report.hpp"
+
+namespace percuss::tools {
+namespace {
+
+constexpr const char* kCcorForm = "give SPEED:COR:STD in m/s, as 26.8:0.519:0.004,35.8:0.507:0.004, or a file";
+
+struct TrampolineFlags {
+  std::string ball = "baseball", hoop = "100:25:10000";
+  std::optional<double> ball_mass, stiffness, damping, stiffness_exponent, damping_exponent, barrel_mass,
+      barrel_damping;
+  double speed_mps = 60.80, extra_mass_kg = 0;
+  std::optional<double> loaded_from_Hz, loaded_to_Hz;
+  std::vector<std::string> ccor;
+  OutputFlags output;
+};
+
+Trampoline model_of(const TrampolineFlags& flags) {
+  Trampoline m = flags.ball == "softball" ? softball_on_barrel() : baseball_on_barrel();
+  m.ball_mass_kg = flags.ball_mass.value_or(m.ball_mass_kg);
+  m.stiffness = flags.stiffness.value_or(m.stiffness);
+  m.damping = flags.damping.value_or(m.damping);
+  m.stiffness_exponent = flags.stiffness_exponent.value_or(m.stiffness_exponent);
+  m.damping_exponent = flags.damping_exponent.value_or(m.damping_exponent);
+  m.barrel_mass_kg = flags.barrel_mass.value_or(m.barrel_mass_kg);
+  m.barrel_damping_Nspm = flags.barrel_damping.value_or(m.barrel_damping_Nspm);
+  m.ball_speed_mps = flags.speed_mps;
+  m.extra_mass_kg = flags.extra_mass_kg;
+  if (!(m.damping_exponent < 1 + m.stiffness_exponent))
+    throw UsageError("--b must be below 1 + a", "else the ball's damping would hold it for ever");
+  return m;
+}
+
+MeasuredCor measured_cor(const std::vector<double>& values, const std::string& place) {
+  const MeasuredCor m{.speed_mps = values[0], .cor = values[1], .cor_std = values[2]};
+  if (!(m.speed_mps > 0 && m.cor > 0 && m.cor <= 1 && m.cor_std > 0))
+    throw InputError("a speed, a COR up to 1 and a deviation above 0 are wanted", place, kCcorForm);
+  return m;
+}
+
+MeasuredCor measured_cor(const std::string& text) {
+  const auto refuse = [&] { return UsageError("--fit-ccor " + one_line(text, 80) + ": not understood", kCcorForm); };
+  std::vector<double> values;
+  std::size_t from = 0;
+  while (from <= text.size()) {
+    const std::size_t to = std::min(text.find(':', from), text.size());
+    const ParsedNumber number = parse_number(text.substr(from, to - from), false);
+    if (number.problem != NumberProblem::none) throw refuse();
+    values.push_back(number.value);
+    from = to + 1;
+  }
+  if (values.size() != 3) throw refuse();
+  try {
+    return measured_cor(values, text);
+  } catch (const InputError&) {
+    throw refuse();
+  }
+}
+
+std::vector<MeasuredCor> measured_of(const std::vector<std::string>& words) {
+  std::vector<MeasuredCor> all;
+  if (words.size() == 1 && words[0].find(':') == std::string::npos) {
+    const auto rows = read_number_rows(words[0], {.columns = 3, .remedy = "a line is speed in m/s, COR and deviation"});
+    all.reserve(rows.size());
+    for (const NumberRow& row : rows) all.push_back(measured_cor(row.values, row.place));
+    return all;
+  }
+  all.reserve(words.size());
+  for (const std::string& word : words) all.push_back(measured_cor(word));
+  return all;
+}
+
+std::optional<double> mass_from_shift(const TrampolineFlags& flags) {
+  if (!flags.loaded_from_Hz && !flags.loaded_to_Hz) return {};
+  const char* remedy = "give --free-hoop above --loaded-hoop, and the --extra-mass that made the difference";
+  if (!flags.loaded_from_Hz || !flags.loaded_to_Hz)
+    throw UsageError("--free-hoop and --loaded-hoop go together", remedy);
+  if (!(*flags.loaded_from_Hz > *flags.loaded_to_Hz && flags.extra_mass_kg > 0))
+    throw UsageError("--loaded-hoop: no mass brings the frequency up", remedy);
+  return modal_mass_kg(flags.extra_mass_kg, *flags.loaded_from_Hz, *flags.loaded_to_Hz);
+}
+
+int model_trampoline(const TrampolineFlags& flags) {
+  check_report_outputs(flags.output);
+  Trampoline model = model_of(flags);
+  const Range hoop = parse_range("--hoop", flags.hoop);
+  if (!(hoop.low >= 1)) throw UsageError("--hoop starts below 1 Hz", "give LO:STEP:HI, as 100:25:10000");
+  TrampolineExtras extras{.fitted = {}, .modal_mass_kg = mass_from_shift(flags)};
+  if (!flags.ccor.empty()) {
+    FittedExponents fitted{.measured = measured_of(flags.ccor), .fit = {}};
+    fitted.fit = fit_exponents(model, fitted.measured);
+    model.stiffness_exponent = fitted.fit.stiffness_exponent;
+    model.damping_exponent = fitted.fit.damping_exponent;
+    extras.fitted = std::move(fitted);
+  }
+  return show_report(trampoline_report(model, hoop.values(), extras), flags.output);
+}
+
+void add_constants(Command& command, TrampolineFlags& flags) {
+  const std::string before = command.heading("Constants, where they are not those of the ball named");
+  command.value("--m1", flags.ball_mass, "Mass of the ball").above_zero().type("KG");
+  command.value("--k1", flags.stiffness, "Stiffness of the ball, N/m^(1+a)").above_zero().type("K1");
+  command.value("--c1", flags.damping, "Damping of the ball, N s/m^(1+b)").not_negative().type("C1");
+  command.value("--a", flags.stiffness_exponent, "Exponent of the ball's stiffness").not_negative().type("A");
+  command.value("--b", flags.damping_exponent, "Exponent of the ball's damping, below 1 + a").not_negative().type("B");
+  command.value("--m2", flags.barrel_mass, "Effective mass of the barrel").above_zero().type("KG");
+  command
+      .value("--c2", flags.barrel_damping,
+             "Damping of the barrel: 90.5 for a baseball as in the source's script, its table says 100")
+      .not_negative()
+      .type("N*S/M");
+  command.heading(before);
+}
+
+}  // namespace
+
+void add_model_trampoline(CommandLine& line) {
+  auto flags = line.values<TrampolineFlags>();
+  Command command =
+      line.command("model trampoline", "COR of a ball on a hollow barrel, over the barrel's hoop frequency",
+                   [flags] { return model_trampoline(*flags); });
+  command.about(
+      "The ball and the wall of a hollow barrel as two masses, springs and dampers: the COR over the barrel's hoop "
+      "frequency, and at which frequency it is best.");
+  command.example("percuss model trampoline --c2 100 -o cor.svg", "COR over the hoop frequency, drawn");
+  command.example("percuss model trampoline --ball softball --speed 49 --hoop 500:50:3000", "A softball at 49 m/s");
+  command.value("--ball", flags->ball, "Which ball's constants").one_of({"baseball", "softball"}).show_default();
+  command.value("--speed", flags->speed_mps, "Speed of the ball towards the barrel")
+      .above_zero()
+      .type("M/S")
+      .show_default();
+  command.value("--hoop", flags->hoop, "Hoop frequencies, in Hz").type("LO:STEP:HI").show_default();
+  command.value("--extra-mass", flags->extra_mass_kg, "Mass that moves with the barrel and does not stiffen it")
+      .not_negative()
+      .type("KG")
+      .show_default();
+  command.value("--free-hoop", flags->loaded_from_Hz, "With --loaded-hoop: the hoop frequency without the extra mass")
+      .above_zero()
+      .type("HZ");
+  command
+      .value("--loaded-hoop", flags->loaded_to_Hz,
+             "With --free-hoop: the hoop frequency with the extra mass; tells which modal mass explains the shift")
+      .above_zero()
+      .type("HZ");
+  command
+      .list("--fit-ccor", flags->ccor,
+            "Fit a and b to measured CCOR first: speed in m/s, COR and its standard deviation; or a file of such lines")
+      .type("SPEED:COR:STD,...");
+  add_constants(command, *flags);
+  add_output_flags(command, flags->output, kReportKinds);
+}
+
+}  // namespace percuss::tools

@@ -1,0 +1,100 @@
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "cli/analysis_flags.hpp"
+#include "cli/open_files.hpp"
+#include "cli/output.hpp"
+#include "cli/progress.hpp"
+#include "cli/ranges.hpp"
+#include "cli/report_output.hpp"
+#include "commands/commands.hpp"
+#include "core/error.hpp"
+#include "core/io/atomic_file.hpp"
+#include "core/units.hpp"
+#include "pipeline/node_scan.hpp"
+#include "report/json/analysis_json.hpp"
+#include "report/nodes_report.hpp"
+
+namespace percuss::tools {
+namespace {
+
+constexpr double kResolution_m = 0.125 * kInch_m;  // to which the rule of thumb is read
+
+struct NodesFlags {
+  ReadFlags read;
+  AnalysisFlags analysis;
+  OutputFlags output;
+  std::string positions;
+};
+
+// "3:0.25:9", "3:0.25:9in", "80:5:250mm"
+ScanPositions parse_positions(const std::string& text) {
+  const char* const remedy =
+      "give START:STEP:END with a unit (in, m, mm, cm, ft), as 3:0.25:9in; inches where there is none";
+  const auto [range, name] = parse_range_with_unit("--positions", text, remedy);
+  double to_m = kInch_m;
+  if (!name.empty()) {
+    const auto unit = parse_unit(name);
+    if (!unit || unit->quantity != Quantity::length)
+      throw UsageError("--positions " + one_line(text, 80) + ": the unit is not one of length", remedy);
+    to_m = unit->to_SI;
+  }
+  return {.start_m = range.low * to_m, .step_m = range.step * to_m, .count = range.count};
+}
+
+std::unique_ptr<Analysis> analysis_of(const NodesFlags& flags, const ScanPositions& positions) {
+  const FilesMean mean = flags.read.files == FilesMean::automatic ? FilesMean::points : flags.read.files;
+  if (mean == FilesMean::tests)
+    throw UsageError("several tests do not make one scan", "give --files points, or the files of one scan");
+  const AnalysisOptions options = analysis_options(flags.analysis);
+  Measurements opened = open_measurements(flags.read);
+  if (!opened.frfs.empty())
+    return std::make_unique<Analysis>(join_frfs_of(flags.read, std::move(opened.frfs)), options);
+  return std::make_unique<Analysis>(as_scan(join_records(std::move(opened.records), mean), positions), options);
+}
+
+int nodes(const NodesFlags& flags) {
+  const ScanPositions positions = parse_positions(flags.positions);
+  check_outputs(flags.output, {".json", ".svg", ".html"});
+  const Progress progress("analysing", flags.output.quiet);
+  const std::shared_ptr<const Analysis> opened = analysis_of(flags, positions);
+  if (flags.output.host != nullptr) flags.output.host->outcome.analyses = {opened};
+  const Analysis& analysis = *opened;
+  analysis.hits();
+  if (!analysis.possible()) {
+    progress.stop();
+    print(flags.output, analysis_json(analysis, {.sections = {Section::hits}}));
+    return kImpossible;
+  }
+  const NodeScan scan = scan_nodes(analysis, positions, kResolution_m);
+  progress.stop();
+  return show_report(nodes_report(analysis, scan), flags.output, inputs_of(analysis));
+}
+
+}  // namespace
+
+void add_nodes(CommandLine& line) {
+  auto flags = line.values<NodesFlags>();
+  Command command = line.command("nodes", "Where bending modes have their nodes, from a scan of impacts",
+                                 [flags] { return nodes(*flags); });
+  command.about(
+      "Finds where along the barrel each bending mode does not move, with its standard deviation: from hits at a row "
+      "of places, one place per point or per file of the record. A node lies where the response of the mode changes "
+      "its sign.");
+  command.example("percuss nodes scan.h5 --positions 3:0.25:9in --band 60:1500",
+                  "Hits every quarter of an inch from 3 to 9 in from the end of the barrel");
+  command.example("percuss nodes scan.h5 --positions 76.2:6.35:228.6mm --band 60:1500 -o nodes.svg",
+                  "The same in millimetres, with the curves drawn");
+  command
+      .value("--positions", flags->positions,
+             "Where the hits of the scan were, from the barrel's end, in the order of points or files; inches "
+             "unless a unit (in, m, mm) follows")
+      .required()
+      .type("START:STEP:END[UNIT]");
+  add_read_flags(command, flags->read);
+  add_analysis_flags(command, flags->analysis);
+  add_output_flags(command, flags->output, ".json, .svg, .html");
+}
+
+}  // namespace percuss::tools

@@ -1,0 +1,198 @@
+#include <fmt/format.h>
+
+#include <charconv>
+#include <iostream>
+#include <memory>
+
+#include "cli/analysis_flags.hpp"
+#include "cli/open_files.hpp"
+#include "cli/output.hpp"
+#include "cli/progress.hpp"
+#include "cli/provenance.hpp"
+#include "commands/commands.hpp"
+#include "core/error.hpp"
+#include "core/io/atomic_file.hpp"
+#include "report/html/survey_page.hpp"
+#include "report/json/survey_json.hpp"
+#include "report/modes_uff.hpp"
+#include "report/survey_files.hpp"
+#include "report/svg/survey_charts.hpp"
+#include "report/text/analysis_text.hpp"
+#include "report/text/survey_text.hpp"
+
+namespace percuss::tools {
+namespace {
+
+struct SurveyFlags {
+  ReadFlags read;
+  AnalysisFlags analysis;
+  OutputFlags output;
+  std::string geometry_path;
+  std::vector<std::string> pictures{"shapes"};
+  std::string roving = "hammer";
+  std::vector<std::string> driving;
+  bool hits = false;
+  bool trace = false;
+  bool example = false;
+};
+
+// "POINT" or "POINT:CHANNEL".
+DrivingPoint parse_driving(const std::string& text) {
+  DrivingPoint at;
+  const char* const end = text.data() + text.size();
+  auto [rest, error] = std::from_chars(text.data(), end, at.point);
+  bool good = error == std::errc{};
+  if (good && rest != end) {
+    good = *rest == ':';
+    const auto channel = std::from_chars(rest + (good ? 1 : 0), end, at.channel);
+    good = good && channel.ec == std::errc{} && channel.ptr == end;
+  }
+  if (good) return at;
+  throw UsageError("--driving-point cannot be '" + text + "'", "give POINT:CHANNEL, both counted from 0, as 17:0");
+}
+
+SurveyOptions survey_options(const SurveyFlags& flags) {
+  SurveyOptions options{.roving = flags.roving == "sensor" ? Roving::sensor : Roving::hammer};
+  for (const std::string& text : flags.driving) options.driving.push_back(parse_driving(text));
+  if (!flags.geometry_path.empty()) options.geometry = read_geometry(flags.geometry_path);
+  return options;
+}
+
+// Several files are one point each unless the user says otherwise.
+std::unique_ptr<Analysis> analysis_of(const SurveyFlags& flags) {
+  if (flags.read.files == FilesMean::tests)
+    throw UsageError("a survey is one test", "use --files points or --files hits");
+  Measurements opened = open_measurements(flags.read);
+  if (!opened.frfs.empty()) {
+    return std::make_unique<Analysis>(join_frfs_of(flags.read, std::move(opened.frfs)),
+                                      analysis_options(flags.analysis));
+  }
+  const FilesMean mean = flags.read.files == FilesMean::automatic ? FilesMean::points : flags.read.files;
+  Record record = join_records(std::move(opened.records), mean);
+  for (const RowInfo& row : record.rows) {
+    if (row.run == record.rows.front().run) continue;
+    throw InputError("several runs", record.files.empty() ? record.source() : record.files[row.file].path,
+                     "a survey is one test; put each run in its own file");
+  }
+  return std::make_unique<Analysis>(std::move(record), analysis_options(flags.analysis));
+}
+
+bool is_indicator(const std::string& path) { return path.ends_with(".cmif.csv"); }
+
+void check_survey_outputs(const OutputFlags& output) {
+  check_outputs(output, {".json", ".html", ".svg", ".csv", ".h5", ".uff", ".unv"});
+}
+
+void write_outputs(const SurveyFlags& flags, const Survey& survey, const std::string& document) {
+  for (const std::string& path : flags.output.paths) {
+    const std::string kind = extension_of(path);
+    if (kind == ".json") {
+      write_file(path, document, flags.output.force);
+    } else if (is_html(path)) {
+      write_file(path, survey_page(survey, provenance_now(flags.output)), flags.output.force);
+    } else if (extension_of(path) == ".svg") {
+      write_file(path, svg_document(survey_charts(survey, flags.pictures)), flags.output.force);
+    } else if (!survey.analysis().possible()) {
+      remark(flags.output,
+             "no hit can be used, so there are no shapes to write (" + one_line(path) + "); see the hits' findings");
+    } else if (kind == ".csv") {
+      write_file(path, is_indicator(path) ? cmif_csv(survey) : shapes_csv(survey), flags.output.force);
+    } else if (is_uff(path)) {
+      write_modes_uff(path, survey, flags.output.force);
+    } else {
+      write_survey_hdf5(path, survey, flags.output.force);
+    }
+  }
+}
+
+// What a survey is made of; each refers to the one before.
+struct KeptSurvey {
+  std::shared_ptr<const Analysis> analysis;
+  Survey survey;
+};
+
+void hand_over(const SurveyFlags& flags, const std::shared_ptr<const KeptSurvey>& kept, const std::string& document) {
+  Outcome& outcome = flags.output.host->outcome;
+  outcome.analyses = {kept->analysis};
+  outcome.survey = {kept, &kept->survey};
+  outcome.text = [kept, hits = flags.hits](std::size_t width) { return survey_text(kept->survey, hits, width); };
+  outcome.html = [kept] {
+    return kept->analysis->possible() ? survey_modes_table(kept->survey).html() : page_paragraph(kNoUsableHit);
+  };
+  SurveyFlags asked = flags;
+  asked.output = kept_output(flags.output);
+  outcome.save = [kept, document, asked](const std::string& path, bool force) {
+    SurveyFlags its = asked;
+    its.output = one_output(asked.output, path, force);
+    check_survey_outputs(its.output);
+    write_outputs(its, kept->survey, document);
+  };
+}
+
+int run_survey(const SurveyFlags& flags) {
+  if (flags.example) {
+    print(flags.output, geometry_example());
+    return kOk;
+  }
+  check_survey_outputs(flags.output);
+  const SurveyOptions options = survey_options(flags);
+  const Progress progress("analysing", flags.output.quiet);
+  const std::shared_ptr<const Analysis> made = analysis_of(flags);
+  const Analysis& analysis = *made;
+  const auto kept = std::make_shared<const KeptSurvey>(KeptSurvey{.analysis = made, .survey = {analysis, options}});
+  const Survey& survey = kept->survey;
+  analysis.hits();
+  if (analysis.possible()) analysis.make_modes_and_frfs();  // for text and document
+  const bool wants_json = flags.output.json || std::any_of(flags.output.paths.begin(), flags.output.paths.end(),
+                                                           [](const auto& p) { return extension_of(p) == ".json"; });
+  const std::string document = wants_json ? survey_json(survey, {.trace = flags.trace}) : "";
+  const std::string text = flags.output.json ? "" : survey_text(survey, flags.hits, terminal_width());
+  progress.stop();
+  write_outputs(flags, survey, document);
+  print(flags.output, flags.output.json ? document : text);
+  if (flags.output.host != nullptr) hand_over(flags, kept, document);
+  if (flags.trace && !flags.output.json) {
+    for (const auto& stage : analysis.trace().stages())
+      std::cerr << fmt::format("{:<20} {:>6} calls  {:.6f} s\n", stage.name, stage.calls, stage.seconds);
+  }
+  return analysis.possible() ? kOk : kImpossible;
+}
+
+}  // namespace
+
+void add_survey(CommandLine& line) {
+  auto flags = line.values<SurveyFlags>();
+  Command command = line.command("survey", "Mode shapes from a test of many points: MAC, modal mass, orders",
+                                 [flags] { return run_survey(*flags); });
+  command.about(
+      "Analyses a test of many points together: mode shapes, their agreement (MAC), modal masses where a driving point "
+      "is known, bending or hoop with the number of waves from the shapes. A file may hold all points, or be one of "
+      "them. A geometry file says where they lie; --example prints one.");
+  command.example("percuss survey barrel.h5 --band 60:3200",
+                  "Shapes of a barrel whose record says where the points lie");
+  command.example(
+      "percuss survey --example > points.csv; percuss survey barrel.h5 --geometry points.csv -o shapes.csv -o "
+      "modes.cmif.csv",
+      "Points from a file; the shapes and the mode indicator as tables");
+  command.example("percuss survey barrel.h5 --band 60:3200 -o survey.html", "A page on which the shapes move");
+  add_read_flags(command, flags->read);
+  add_analysis_flags(command, flags->analysis);
+  add_output_flags(command, flags->output, ".json, .html, .svg, .csv, .h5, .uff, .unv");
+  command
+      .value("--geometry", flags->geometry_path,
+             "Where the points lie, a CSV as --example prints it (default: what the record says)")
+      .type("FILE");
+  command.value("--roving", flags->roving, "What was moved from point to point")
+      .one_of({"hammer", "sensor"})
+      .show_default();
+  command
+      .list("--driving-point", flags->driving,
+            "A point struck right beside the sensor of a channel (default: points that lie where a sensor sits)")
+      .type("POINT:CHANNEL,...");
+  command.list("--picture", flags->pictures, "What -o FILE.svg shows").one_of(survey_chart_names()).type("PICTURE,...");
+  command.flag("--hits", flags->hits, "Also the table of hits");
+  command.flag("--trace", flags->trace, "What ran: stages, calls, seconds");
+  command.flag("--example", flags->example, "Print an example of a geometry file and stop");
+}
+
+}  // namespace percuss::tools

@@ -1,0 +1,173 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "acquire/write_record.hpp"
+#include "cli/output.hpp"
+#include "commands/commands.hpp"
+#include "core/error.hpp"
+#include "core/io/atomic_file.hpp"
+#include "core/io/input_file.hpp"
+#include "synth/read_spec.hpp"
+#include "synth/synthesise.hpp"
+#include "synth/truth_json.hpp"
+
+namespace percuss::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t kLongestSpec_bytes = std::uint64_t{5} << 20U;  // parse_synth_spec is stricter
+
+struct SynthFlags {
+  std::string spec;
+  std::vector<std::string> outputs;
+  std::optional<std::uint64_t> seed;
+  std::size_t threads = 0;
+  bool force = false, list = false, example = false, json = false, quiet = false;
+  Host* host = nullptr;  // gets the test, in place of files
+};
+
+SynthSpec spec_named(const std::string& name) {
+  std::error_code ignored;
+  if (name != "-" && !fs::exists(name, ignored) && name.find('/') == std::string::npos) return synth_preset(name);
+  const auto bytes = read_input(name, kLongestSpec_bytes);
+  return parse_synth_spec(bytes.view(), input_name(name));
+}
+
+std::string truth_path(const std::string& output) { return fs::path(output).replace_extension(".truth.json").string(); }
+
+/// Outputs that cannot be written are refused before anything is computed.
+void check_outputs(const SynthFlags& flags) {
+  std::set<std::string> paths;
+  for (const std::string& output : flags.outputs) {
+    const std::string kind = fs::path(output).extension().string();
+    const auto& known = record_extensions();
+    if (std::find(known.begin(), known.end(), kind) == known.end()) {
+      throw UsageError(fmt::format("unknown kind of output \"{}\"", output),
+                       fmt::format("name a file that ends in {}", fmt::join(known, ", ")));
+    }
+    if (!paths.insert(output).second) throw UsageError(fmt::format("output \"{}\" twice", output), "leave one of them");
+    paths.insert(truth_path(output));
+  }
+  for (const std::string& path : paths) {
+    std::error_code ignored;
+    if (!flags.force && fs::exists(path, ignored))
+      throw InputError("the file exists", path, "use --force to overwrite it");
+  }
+}
+
+void write_outputs(const SynthFlags& flags, const SyntheticTest& test, const std::string& truth) {
+  std::set<std::string> truths;
+  for (const std::string& output : flags.outputs) {
+    write_record(output, test.record, flags.force);
+    truths.insert(truth_path(output));
+  }
+  for (const std::string& path : truths) write_file(path, truth, flags.force);
+}
+
+void print_summary(const SynthFlags& flags, const Truth& truth, const Record& record) {
+  const SynthSpec& spec = truth.spec;
+  fmt::print("{}: {} {} of {} samples at {:g} Hz, {} acceleration channels\n", one_line(spec.name), record.rows.size(),
+             record.rows.size() == 1 ? "row" : "rows", spec.samples, spec.fs_Hz, spec.sensors.size());
+  for (const SynthMode& m : spec.modes) {
+    fmt::print("{:>10.3f} Hz  {:>7.4f} %  {} {}\n", m.freq_Hz, 100 * m.damping_ratio,
+               m.family == SynthFamily::bending ? "bending" : "hoop", m.order);
+  }
+  for (std::size_t h = 0; h < truth.hits.size(); ++h) {
+    if (truth.hits[h].flag != "good") fmt::print("  hit {}: {}\n", h, truth.hits[h].flag);
+  }
+  for (const std::string& output : flags.outputs)
+    fmt::print("{}, truth in {}\n", one_line(output, 400), one_line(truth_path(output), 400));
+}
+
+std::string presets_text(bool json) {
+  std::string text;
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const SynthPreset& preset : synth_presets()) {
+    const SynthSpec spec = synth_preset(preset.name);
+    all.push_back({{"name", preset.name}, {"description", spec.description}});
+    text += fmt::format("{:<16} {}\n", preset.name, spec.description);
+  }
+  if (!json) return text;
+  return nlohmann::ordered_json{{"schema", "percuss/synth-presets/1"}, {"presets", all}}.dump(1, ' ') + "\n";
+}
+
+void hand_over(const SynthFlags& flags, const std::shared_ptr<const SyntheticTest>& test, const std::string& truth) {
+  Outcome& outcome = flags.host->outcome;
+  outcome.document = truth;
+  outcome.synthetic = test;
+  outcome.save = [flags, test, truth](const std::string& path, bool force) {
+    SynthFlags its = flags;
+    its.outputs = {path};
+    its.force = force;
+    its.host = nullptr;
+    check_outputs(its);
+    write_outputs(its, *test, truth);
+  };
+}
+
+int run_synth(const SynthFlags& flags) {
+  if (flags.list || flags.example) {
+    const std::string text =
+        (flags.list ? presets_text(flags.json) : "") + std::string(flags.example ? synth_example() : "");
+    print({.host = flags.host}, text);
+    return kOk;
+  }
+  if (flags.spec.empty()) throw UsageError("no spec", "name a JSON file, a preset (percuss synth --list) or -");
+  if (flags.outputs.empty() && !flags.json) throw UsageError("no output", "give -o FILE.h5 or -o FILE.csv");
+  check_outputs(flags);
+  SynthSpec spec = spec_named(flags.spec);
+  spec.seed = flags.seed.value_or(spec.seed);
+  const auto made = std::make_shared<const SyntheticTest>(synthesise(spec, flags.threads));
+  const SyntheticTest& test = *made;
+  const std::string truth = truth_json(test.truth);
+  write_outputs(flags, test, truth);
+  if (flags.host != nullptr) {
+    hand_over(flags, made, truth);
+  } else if (flags.json) {
+    fmt::print("{}", truth);
+  } else if (!flags.quiet) {
+    print_summary(flags, test.truth, test.record);
+  }
+  return kOk;
+}
+
+}  // namespace
+
+void add_synth(CommandLine& line) {
+  auto flags = line.values<SynthFlags>();
+  Command command =
+      line.command("synth", "Synthetic test records with exactly known truth", [flags] { return run_synth(*flags); });
+  flags->host = command.host();
+  command.about(
+      "Makes hammer tests of structures whose modes are exactly known, with noise and with the faults that real tests "
+      "have: for learning, and for testing software. Beside each record goes the truth, as JSON. docs/synth.md "
+      "describes the spec.");
+  command.example("percuss synth --list", "The presets");
+  command.example("percuss synth composite-bat -o composite.h5",
+                  "A preset as a record, the truth in composite.truth.json");
+  command.example("percuss synth --example > spec.json; percuss synth spec.json --seed 7 -o bat.csv",
+                  "A spec to change, and a record of it");
+  std::vector<std::string> presets;
+  for (const SynthPreset& preset : synth_presets()) presets.emplace_back(preset.name);
+  command.word("SPEC", flags->spec, "JSON file, name of a preset, or - for standard input").suggest(presets);
+  command
+      .repeatable("-o,--output", flags->outputs,
+                  "Record to write: .h5, .hdf5, .csv, .mat, .uff, .unv, .wav, .rf64, .w64 (repeatable); the truth goes "
+                  "to its stem + "
+                  ".truth.json")
+      .type("FILE");
+  command.value("--seed", flags->seed, "Use this seed of the noise in place of the spec's").type("N");
+  command.value("--threads", flags->threads, "Threads to use (0: all); the samples do not depend on it").type("N");
+  command.flag("--force", flags->force, "Overwrite files that exist");
+  command.flag("--list", flags->list, "List the presets");
+  command.flag("--example", flags->example, "Print a spec with every key, explained");
+  command.flag("--json", flags->json, "Print the truth (with --list: the presets) as one JSON document");
+  command.flag("--quiet", flags->quiet, "Print nothing but errors");
+}
+
+}  // namespace percuss::tools
