@@ -25,10 +25,10 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 }
 
 // The best of many, so that a disturbed run does not flatter us.
-double bare_transforms_s() {
+double fft_baseline_s() {
   const Record& record = bat();
   const std::size_t samples = record.rows.front().samples;
-  BareFftw fftw(samples);
+  FftwBaseline fftw(samples);
   fftw.fill(std::vector<double>(samples, 1.0));
   double best_s = 1e9;
   for (int attempt = 0; attempt < 50; ++attempt) {
@@ -41,7 +41,7 @@ double bare_transforms_s() {
 
 template <class Demand>
 void stage(benchmark::State& state, Demand demand) {
-  static const double bare_s = bare_transforms_s();
+  static const double bare_s = fft_baseline_s();
   const Record& record = bat();
   const auto start = std::chrono::steady_clock::now();
   for ([[maybe_unused]] auto _ : state) {
@@ -61,7 +61,7 @@ void frf_and_coherence(benchmark::State& state) {
   stage(state, [](const Analysis& analysis) { return analysis.frfs().size(); });
 }
 void modes_and_verdicts(benchmark::State& state) {
-  stage(state, [](const Analysis& analysis) { return analysis.verdicts().size(); });
+  stage(state, [](const Analysis& analysis) { return analysis.classifications().size(); });
 }
 
 BENCHMARK(hits_by_force)->Unit(benchmark::kMillisecond);

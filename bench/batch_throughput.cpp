@@ -80,14 +80,14 @@ std::string planned(const Folder& folder, const std::string& kind, std::size_t r
     if (!fs::exists(paths.back())) fs::create_hard_link(seed, paths.back());
   }
   std::string manifest = place + ".jsonl";
-  write_manifest(manifest, {.version = version(), .options = {}, .setup = {}}, planned_records(paths, ".", false),
+  write_manifest(manifest, {.version = version(), .options = {}, .setup = {}}, records_of_files(paths, ".", false),
                  true);
   return manifest;
 }
 
 RowOptions options() {
   RowOptions out;
-  out.read.read.confined = true;
+  out.read.read.sandboxed = true;
   out.analysis.threads = 1;
   return out;
 }
@@ -95,9 +95,10 @@ RowOptions options() {
 void loop(const Manifest& manifest) {
   const RowOptions how = options();
   for (std::size_t i = 0; i < manifest.size(); ++i) {
-    for (const RunAnalysis& test : tests_of_record(open_measurement(manifest.record(i).path, how.read), how.analysis)) {
+    for (const RunAnalysis& test :
+         analyses_of_runs(open_measurement(manifest.record(i).path, how.read), how.analysis)) {
       test.analysis->hits();
-      test.analysis->verdicts();
+      test.analysis->classifications();
       test.analysis->warnings();
     }
   }
@@ -107,12 +108,12 @@ void batch(const Manifest& manifest, std::size_t threads, const std::string& res
   fs::remove_all(results);
   fs::create_directories(results);
   RowOptions how = options();
-  how.nursery = measurement_nursery(how.read);
+  how.fork_server = measurement_fork_server(how.read);
   run_shard({.manifest = &manifest, .folder = results, .options = how, .threads = threads});
 }
 
 // How long something took at its best: by the clock, and the processors' time, that of child processes included.
-struct Spent {
+struct ElapsedTime {
   double clock_s = 1e9, processor_s = 1e9;
 
   template <class Work>
@@ -150,7 +151,7 @@ void arithmetic(std::size_t threads) {
 void compare(const Folder& folder, const std::string& kind) {
   const Manifest manifest(planned(folder, kind, kPerTurn));
   const std::string results = folder.file("results");
-  Spent in_loop, on_one, on_two, alone, beside;
+  ElapsedTime in_loop, on_one, on_two, alone, beside;
   for (int turn = 0; turn < kTurns; ++turn) {
     in_loop.on([&] { loop(manifest); });
     on_one.on([&] { batch(manifest, 1, results); });

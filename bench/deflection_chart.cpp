@@ -27,7 +27,7 @@ constexpr double kResidueError = 1e-3;  // of the modes that the method modal is
 
 struct Test {
   std::vector<double> force_N, accel_mps2, truth_m;
-  std::vector<ModeShare> modes;
+  std::vector<ModalContribution> modes;
 };
 
 Test struck_beam(double fs_Hz) {
@@ -50,7 +50,7 @@ Test struck_beam(double fs_Hz) {
   return test;
 }
 
-double largest(const std::vector<double>& x) { return extremes_of(x).furthest_from(0); }
+double largest(const std::vector<double>& x) { return extremes_of(x).max_distance_from(0); }
 
 struct Point {
   double error = 0, seconds = 0;
@@ -66,8 +66,8 @@ Point measured(const Test& clean, double fs_Hz, DeflectionMethod method) {
     const double bias = 0.3 * gauss(random), drift = 0.1 * gauss(random);
     for (std::size_t i = 0; i < accel.size(); ++i)
       accel[i] += bias + drift * static_cast<double>(i) / fs_Hz + noise * gauss(random);
-    std::vector<ModeShare> modes = clean.modes;
-    for (ModeShare& mode : modes) mode.residue_per_kg *= 1 + kResidueError * gauss(random);
+    std::vector<ModalContribution> modes = clean.modes;
+    for (ModalContribution& mode : modes) mode.residue_per_kg *= 1 + kResidueError * gauss(random);
     const ImpactSignal signal{
         .fs_Hz = fs_Hz, .accel_mps2 = accel, .onset_s = kRest_s, .force_N = clean.force_N, .modes = modes};
     const auto start = std::chrono::steady_clock::now();

@@ -24,7 +24,7 @@
 namespace percuss {
 namespace {
 
-constexpr double kLeast_s = 3;  // everything is measured by turns for so long, three times at the least
+constexpr double kMin_s = 3;  // everything is measured by turns for so long, three times at the least
 
 Record in_memory(const Record& record) {
   std::vector<std::vector<double>> force;
@@ -68,7 +68,7 @@ class Bare {
     return {values_.back().get(), samples};
   }
 
-  BareFftw fftw_;
+  FftwBaseline fftw_;
   std::vector<FftwSamples> values_;
 };
 
@@ -84,7 +84,7 @@ struct Measured {
     const double took = seconds_of([&] {
       const Analysis analysis(record, options);
       if (effort) {
-        modes = analysis.verdicts().size();
+        modes = analysis.classifications().size();
       } else {
         (void)analysis.frfs();
       }
@@ -103,7 +103,7 @@ void compare(const std::string& name, const Record& record, AnalysisOptions opti
   double bare_s = 1e9, cached_s = 1e9;
   std::vector<Measured> measured{{}, {Effort::quick}, {Effort::standard}, {Effort::best}};
   double all_s = 0;
-  for (int n = 0; n < 3 || all_s < kLeast_s; ++n) {
+  for (int n = 0; n < 3 || all_s < kMin_s; ++n) {
     bare_s = std::min(bare_s, seconds_of([&] { bare.run(); }));
     cached_s = std::min(cached_s, seconds_of([&] { bare.run_cached(); }));
     all_s += seconds_of([&] {

@@ -22,8 +22,8 @@ std::vector<double> decay(std::size_t samples) {
   return x;
 }
 
-void bare_fftw(benchmark::State& state) {
-  BareFftw fftw(static_cast<std::size_t>(state.range(0)));
+void fftw_baseline(benchmark::State& state) {
+  FftwBaseline fftw(static_cast<std::size_t>(state.range(0)));
   fftw.fill(decay(static_cast<std::size_t>(state.range(0))));
   for ([[maybe_unused]] auto _ : state) {
     fftw.transform();
@@ -45,7 +45,7 @@ void our_real_dft_allocating(benchmark::State& state) {
   for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(real_dft(x));
 }
 
-BENCHMARK(bare_fftw)->Arg(4096)->Arg(65536)->Arg(65537);
+BENCHMARK(fftw_baseline)->Arg(4096)->Arg(65536)->Arg(65537);
 BENCHMARK(our_real_dft)->Arg(4096)->Arg(65536)->Arg(65537);
 BENCHMARK(our_real_dft_allocating)->Arg(4096)->Arg(65536)->Arg(65537);
 

@@ -13,15 +13,15 @@ using FftwSamples = std::unique_ptr<double, decltype(&fftw_free)>;
 inline FftwSamples fftw_samples(std::size_t samples) { return {fftw_alloc_real(samples), fftw_free}; }
 
 /// FFTW called by hand on memory of its own, planned once: what every other time is compared with.
-class BareFftw {
+class FftwBaseline {
  public:
-  explicit BareFftw(std::size_t samples, unsigned planning = FFTW_ESTIMATE)
+  explicit FftwBaseline(std::size_t samples, unsigned planning = FFTW_ESTIMATE)
       : in_(fftw_alloc_real(samples)),
         out_(fftw_alloc_complex(samples / 2 + 1)),
         plan_(fftw_plan_dft_r2c_1d(static_cast<int>(samples), in_, out_, planning | FFTW_PRESERVE_INPUT)) {}
-  BareFftw(const BareFftw&) = delete;
-  BareFftw& operator=(const BareFftw&) = delete;
-  ~BareFftw() {
+  FftwBaseline(const FftwBaseline&) = delete;
+  FftwBaseline& operator=(const FftwBaseline&) = delete;
+  ~FftwBaseline() {
     fftw_destroy_plan(plan_);
     fftw_free(in_);
     fftw_free(out_);

@@ -75,7 +75,7 @@ void measure(const std::string& tool, const std::string& band, const std::string
   const std::size_t samples = record.rows.front().samples, signals = 1 + record.accel.size();
   const std::size_t force_bytes = record.rows.size() * samples * sizeof(double);
   const auto force = force_of(record);
-  BareFftw fftw(samples, samples < (std::size_t{1} << 22U) ? FFTW_MEASURE : FFTW_ESTIMATE);
+  FftwBaseline fftw(samples, samples < (std::size_t{1} << 22U) ? FFTW_MEASURE : FFTW_ESTIMATE);
   std::vector<Work> works{{"bare transforms",
                            [&] {
                              for (std::size_t n = 0; n < force.size() * signals; ++n)

@@ -18,7 +18,7 @@
 namespace percuss {
 namespace {
 
-constexpr double kLeast_s = 3;  // for each file, by turns
+constexpr double kMin_s = 3;  // for each file, by turns
 constexpr std::size_t kBlock_bytes = std::size_t{1} << 17U;
 constexpr std::size_t kBlock_samples = std::size_t{1} << 15U;
 
@@ -48,7 +48,7 @@ void read_all(const std::string& path) {
 void measure(const std::string& path) {
   const double megabytes = static_cast<double>(std::filesystem::file_size(path)) / 1e6;
   double cat_s = 1e9, read_s = 1e9, spent_s = 0;
-  for (int turn = 0; turn < 3 || spent_s < kLeast_s; ++turn) {
+  for (int turn = 0; turn < 3 || spent_s < kMin_s; ++turn) {
     const double one_s = seconds_of([&] { cat(path); }), other_s = seconds_of([&] { read_all(path); });
     cat_s = std::min(cat_s, one_s);
     read_s = std::min(read_s, other_s);

@@ -28,11 +28,11 @@ void read_manifest(const std::string& path) {
 }  // namespace
 
 void run_batch(std::string_view bytes) {
-  const NamelessFile file(bytes);
+  const MemfdFile file(bytes);
   accepted([&] { read_manifest(file.path()); });
   accepted([&] { parse_finished(bytes, "fuzzed"); });
   accepted([&] { journal_state(file.path()); });
-  accepted([&] { unpacked_frfs(bytes.substr(0, bytes.find('\n')), "fuzzed"); });
+  accepted([&] { deserialize_frfs(bytes.substr(0, bytes.find('\n')), "fuzzed"); });
   if (holds_batch(bytes)) accepted([&] { batch_bats(bytes, "fuzzed"); });
 }
 

@@ -45,7 +45,7 @@ void add_set(hid_t file, const RecipeLine& line) {
   std::size_t count = 1;
   bool small = shape.size() < 8;
   for (const std::size_t size : shape) {
-    small = small && size <= kMostElements && count * size <= kMostElements;
+    small = small && size <= kMaxElements && count * size <= kMaxElements;
     count *= small ? size : 1;
   }
   const Handle type = type_named(line.word(2)), space = space_of(shape), creation(H5Pcreate(H5P_DATASET_CREATE));
@@ -77,7 +77,7 @@ void add_attribute(hid_t file, const RecipeLine& line) {
   H5Awrite(attribute.get(), type.get(), text ? static_cast<const void*>(letters.data()) : values.data());
 }
 
-void cook(const std::string& path, std::string_view recipe) {
+void write_hdf5_from_recipe(const std::string& path, std::string_view recipe) {
   const Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
   for (const RecipeLine& line : recipe_lines(recipe)) {
     const std::string kind = line.word(0);
@@ -97,13 +97,13 @@ void cook(const std::string& path, std::string_view recipe) {
 
 // What an HDF5 file's sets and attributes mean, whatever they are.
 void run_hdf5(std::string_view bytes) {
-  const NamelessFile file("");
+  const MemfdFile file("");
   {
     const hdf5::Lock lock;
-    cook(file.path(), bytes);
+    write_hdf5_from_recipe(file.path(), bytes);
   }
   accepted([&] {
-    if (auto frfs = read_frf_hdf5(file.path())) finished_frfs(std::move(*frfs), {});
+    if (auto frfs = read_frf_hdf5(file.path())) to_accelerances(std::move(*frfs), {});
   });
   for (const ReadOptions& options : {ReadOptions{}, ReadOptions{.fs_Hz = 1000}})
     accepted([&] { read_all(open_hdf5(file.path(), options)); });

@@ -22,8 +22,8 @@ MatVariable variable_of(const RecipeLine& line) {
     out.shape = {out.real.size(), 1};
   } else {
     std::size_t count = 1;
-    for (const std::size_t size : line.sizes(2, kMostElements)) {
-      out.shape.push_back(count * size <= kMostElements ? size : 1);
+    for (const std::size_t size : line.sizes(2, kMaxElements)) {
+      out.shape.push_back(count * size <= kMaxElements ? size : 1);
       count *= out.shape.back();
     }
     while (out.shape.size() < 2) out.shape.push_back(1);
@@ -39,10 +39,10 @@ MatVariable variable_of(const RecipeLine& line) {
 void run_mat(std::string_view bytes) {
   MatFile file{.path = "fuzzed", .bytes = bytes.size(), .variables = {}, .notes = {}};
   for (const RecipeLine& line : recipe_lines(bytes)) file.variables.push_back(variable_of(line));
-  const ReadOptions insisting = insisting_options();
+  const ReadOptions insisting = strict_read_options();
   for (const ReadOptions& options : {ReadOptions{}, insisting}) {
     accepted([&] {
-      if (auto frfs = read_frf_mat(file, {.read = options, .kind = {}})) finished_frfs(std::move(*frfs), {});
+      if (auto frfs = read_frf_mat(file, {.read = options, .kind = {}})) to_accelerances(std::move(*frfs), {});
     });
     accepted([&] { read_all(open_mat(file, options)); });
   }

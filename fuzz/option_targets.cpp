@@ -35,7 +35,7 @@ void run_bats(std::string_view bytes) {
     StudyRows rows;
     rows.add(bytes, "fuzzed");
     std::vector<StudyBat> bats = rows.bats();
-    blind_bats(bats);
+    anonymise_bats(bats);
     study_table_csv(bats);
   });
 }
@@ -45,7 +45,7 @@ void run_tables(std::string_view bytes) {
     Geometry geometry = parse_geometry(bytes, "fuzzed");
     tube_from_coordinates(geometry);
   });
-  accepted([&] { parse_number_rows(bytes, "fuzzed", {.columns = 2, .most_rows = 100, .remedy = "give two"}); });
+  accepted([&] { parse_number_table(bytes, "fuzzed", {.columns = 2, .max_rows = 100, .remedy = "give two"}); });
 }
 
 void run_document(std::string_view bytes) {

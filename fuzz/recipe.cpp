@@ -13,11 +13,11 @@ bool RecipeLine::has(std::string_view option) const {
 }
 
 std::vector<double> RecipeLine::numbers(std::size_t at) const {
-  constexpr std::size_t kMost = 64;
+  constexpr std::size_t kMaxRows = 64;
   std::vector<double> out;
   std::istringstream list(word(at));
   std::string item;
-  while (std::getline(list, item, ',') && out.size() < kMost) out.push_back(std::strtod(item.c_str(), nullptr));
+  while (std::getline(list, item, ',') && out.size() < kMaxRows) out.push_back(std::strtod(item.c_str(), nullptr));
   return out;
 }
 
@@ -31,11 +31,11 @@ std::vector<std::size_t> RecipeLine::sizes(std::size_t at, std::size_t largest) 
 }
 
 std::vector<RecipeLine> recipe_lines(std::string_view text) {
-  constexpr std::size_t kMostLines = 24;
+  constexpr std::size_t kMaxLines = 24;
   std::vector<RecipeLine> lines;
   std::istringstream in{std::string(text)};
   std::string line, word;
-  while (lines.size() < kMostLines && std::getline(in, line)) {
+  while (lines.size() < kMaxLines && std::getline(in, line)) {
     RecipeLine& out = lines.emplace_back();
     for (std::istringstream words(line); words >> word;) out.words.push_back(word);
     if (out.words.empty()) lines.pop_back();

@@ -6,7 +6,7 @@
 
 namespace percuss::fuzz {
 
-inline constexpr std::size_t kMostElements = 1U << 14U;  // of a part that is filled
+inline constexpr std::size_t kMaxElements = 1U << 14U;  // of a part that is filled
 
 /// What a file of a library's format is to hold, as text that people and mutations can write: a line per part, words
 /// between blanks, lists with commas ("set accel f8 2,1,16").

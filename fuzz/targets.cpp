@@ -21,7 +21,7 @@ std::span<const Target> targets() {
       Target{"mat", run_mat},
       Target{"hdf5", run_hdf5},
       Target{"sound_calibration", run_sound_calibration},
-      Target{"foreign", run_foreign},
+      Target{"foreign", run_binary_formats},
       Target{"channel_setup", run_channel_setup},
       Target{"synth_spec", run_synth_spec},
       Target{"bats", run_bats},
@@ -38,18 +38,18 @@ FileBytes as_file(std::string_view bytes) {
   return {.path = "fuzzed", .data = {copy, copy.get()}, .size = bytes.size()};
 }
 
-NamelessFile::NamelessFile(std::string_view bytes) : descriptor_(::memfd_create("fuzzed", MFD_CLOEXEC)) {
+MemfdFile::MemfdFile(std::string_view bytes) : descriptor_(::memfd_create("fuzzed", MFD_CLOEXEC)) {
   if (descriptor_ < 0 || ::write(descriptor_, bytes.data(), bytes.size()) != static_cast<ssize_t>(bytes.size())) {
     std::perror("memfd");
     std::abort();
   }
 }
 
-NamelessFile::~NamelessFile() { ::close(descriptor_); }
+MemfdFile::~MemfdFile() { ::close(descriptor_); }
 
-std::string NamelessFile::path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
+std::string MemfdFile::path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
 
-ReadOptions insisting_options() {
+ReadOptions strict_read_options() {
   return {.fs_Hz = 1000, .force_channel = "1", .accel_channels = {"2"}, .force_scale = {2}, .accel_scale = {3}};
 }
 

@@ -29,7 +29,7 @@ void run_mat(std::string_view bytes);
 void run_hdf5(std::string_view bytes);
 void run_sound_calibration(std::string_view bytes);
 // … such files as they are, in a confined process …
-void run_foreign(std::string_view bytes);
+void run_binary_formats(std::string_view bytes);
 // … and what options name.
 void run_channel_setup(std::string_view bytes);
 void run_synth_spec(std::string_view bytes);
@@ -43,12 +43,12 @@ void run_batch(std::string_view bytes);
 FileBytes as_file(std::string_view bytes);
 
 /// A file of these bytes without a name, for readers that want a path.
-class NamelessFile {
+class MemfdFile {
  public:
-  explicit NamelessFile(std::string_view bytes);
-  ~NamelessFile();
-  NamelessFile(const NamelessFile&) = delete;
-  NamelessFile& operator=(const NamelessFile&) = delete;
+  explicit MemfdFile(std::string_view bytes);
+  ~MemfdFile();
+  MemfdFile(const MemfdFile&) = delete;
+  MemfdFile& operator=(const MemfdFile&) = delete;
   std::string path() const;
 
  private:
@@ -56,7 +56,7 @@ class NamelessFile {
 };
 
 /// What somebody says about a file who was told that it is unclear: a rate, and which columns are which.
-ReadOptions insisting_options();
+ReadOptions strict_read_options();
 
 /// Every sample of a record, as an analysis reads them.
 void read_all(const Record& record);

@@ -17,11 +17,11 @@ using Open = Record (*)(const FileBytes&, const ReadOptions&);
 void run_record(std::string_view bytes, Open open) {
   const FileBytes file = as_file(bytes);
   if (accepted([&] { read_all(open(file, {})); })) return;
-  accepted([&] { read_all(open(file, insisting_options())); });
+  accepted([&] { read_all(open(file, strict_read_options())); });
 }
 
 void finish(std::optional<StoredFrfs> found) {
-  if (found) finished_frfs(std::move(*found), {});
+  if (found) to_accelerances(std::move(*found), {});
 }
 
 }  // namespace
@@ -37,7 +37,7 @@ bool read_uff(const FileBytes& file) {
     const UffContents contents = read_uff_contents(file);
     accepted([&] { finish(read_frf_uff(file, contents, true)); });
     if (accepted([&] { read_all(open_uff(file, contents, {})); })) return;
-    read_all(open_uff(file, contents, insisting_options()));
+    read_all(open_uff(file, contents, strict_read_options()));
   });
 }
 
@@ -45,8 +45,8 @@ bool read_uff(const FileBytes& file) {
 
 // In memory, and as a file of which long numbers stay on the disk: to the same effect.
 void run_uff(std::string_view bytes) {
-  const NamelessFile file(bytes);
-  if (read_uff(as_file(bytes)) != read_uff(sparse_input(file.path(), bytes.size()))) {
+  const MemfdFile file(bytes);
+  if (read_uff(as_file(bytes)) != read_uff(lazy_input(file.path(), bytes.size()))) {
     std::fputs("read otherwise from the disk than from memory\n", stderr);
     std::abort();
   }

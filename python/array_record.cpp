@@ -43,11 +43,11 @@ void with_type(NumberType type, const Function& function) {
   }
 }
 
-const std::byte* sample_at(const Strip& strip, std::size_t index) {
+const std::byte* sample_at(const StridedSamples& strip, std::size_t index) {
   return strip.first + static_cast<std::ptrdiff_t>(index) * strip.step_bytes;
 }
 
-void read_strip(const Strip& strip, std::size_t first, std::span<double> out) {
+void read_strided(const StridedSamples& strip, std::size_t first, std::span<double> out) {
   with_type(strip.type, [&]<class Number>(const Number*) {
     const std::byte* at = sample_at(strip, first);
     for (double& value : out) {
@@ -59,13 +59,13 @@ void read_strip(const Strip& strip, std::size_t first, std::span<double> out) {
   });
 }
 
-const Strip& strip_of(const ArrayTest& test, std::size_t row, std::size_t signal) {
+const StridedSamples& strided_samples_of(const ArrayTest& test, std::size_t row, std::size_t signal) {
   const ArrayRow& its = test.rows.at(row);
   if (!test.has_force) return its.accel.at(signal);
   return signal == 0 ? its.force : its.accel.at(signal - 1);
 }
 
-bool can_be_looked_at(const Strip& strip) {
+bool is_contiguous_si(const StridedSamples& strip) {
   return strip.type == NumberType::float64 && strip.step_bytes == sizeof(double) &&
          reinterpret_cast<std::uintptr_t>(strip.first) % alignof(double) == 0;
 }
@@ -85,7 +85,7 @@ SignalTable table_of(const std::shared_ptr<const ArrayTest>& test) {
         {.samples = row.accel.empty() ? row.force.samples : row.accel.front().samples, .point = row.point});
   }
   table.read = [test](std::size_t row, std::size_t signal, std::size_t first, std::span<double> out) {
-    read_strip(strip_of(*test, row, signal), first, out);
+    read_strided(strided_samples_of(*test, row, signal), first, out);
   };
   return table;
 }
@@ -98,11 +98,11 @@ struct Checked {
 
 // `read` says what is wrong with a number, in its own words.
 template <class Read>
-std::span<const double> checked_view(const Strip& strip, std::atomic<bool>& checked, const Read& read) {
+std::span<const double> checked_view(const StridedSamples& strip, std::atomic<bool>& checked, const Read& read) {
   const std::span<const double> all(reinterpret_cast<const double*>(strip.first), strip.samples);
   if (checked.load(std::memory_order_relaxed)) return all;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    if (std::abs(all[i]) <= kLargestSample) continue;
+    if (std::abs(all[i]) <= kMaxSample) continue;
     double sample = 0;
     read(i, std::span(&sample, 1));
   }
@@ -110,7 +110,7 @@ std::span<const double> checked_view(const Strip& strip, std::atomic<bool>& chec
   return all;
 }
 
-void look_at_forces(Record& record, const std::shared_ptr<const ArrayTest>& test) {
+void plot_forces(Record& record, const std::shared_ptr<const ArrayTest>& test) {
   const auto checked = std::make_shared<Checked>(test->rows.size());
   const auto read = record.read_force_N;
   record.read_force_N = {read, [test, read, checked](std::size_t row) {
@@ -119,7 +119,7 @@ void look_at_forces(Record& record, const std::shared_ptr<const ArrayTest>& test
                          }};
 }
 
-void look_at_responses(Record& record, const std::shared_ptr<const ArrayTest>& test) {
+void plot_responses(Record& record, const std::shared_ptr<const ArrayTest>& test) {
   const std::size_t channels = record.accel.size();
   const auto checked = std::make_shared<Checked>(test->rows.size() * channels);
   const auto read = record.read_accel_mps2;
@@ -132,20 +132,20 @@ void look_at_responses(Record& record, const std::shared_ptr<const ArrayTest>& t
 
 }  // namespace
 
-std::uint64_t sampled_sum(const ArrayTest& test) {
-  constexpr std::size_t kMostStrips = 64, kNumbers = 512;
+std::uint64_t sample_checksum(const ArrayTest& test) {
+  constexpr std::size_t kMaxStrips = 64, kNumbers = 512;
   constexpr std::uint64_t kOffset = 14695981039346656037ULL, kPrime = 1099511628211ULL;  // FNV-1a, a number at a time
   const std::size_t signals =
       test.rows.empty() ? 0 : test.rows.front().accel.size() + static_cast<std::size_t>(test.has_force);
-  const std::size_t strips = test.rows.size() * signals, looked_at = std::min(strips, kMostStrips);
+  const std::size_t strips = test.rows.size() * signals, looked_at = std::min(strips, kMaxStrips);
   std::uint64_t sum = kOffset;
   for (std::size_t i = 0; i < looked_at; ++i) {
     const std::size_t at = i * strips / looked_at;
-    const Strip& strip = strip_of(test, at / signals, at % signals);
+    const StridedSamples& strip = strided_samples_of(test, at / signals, at % signals);
     const std::size_t numbers = std::min(strip.samples, kNumbers / looked_at);
     for (std::size_t n = 0; n < numbers; ++n) {
       double value = 0;
-      read_strip(strip, n * strip.samples / numbers, std::span(&value, 1));
+      read_strided(strip, n * strip.samples / numbers, std::span(&value, 1));
       sum = (sum ^ std::bit_cast<std::uint64_t>(value)) * kPrime;
       sum ^= sum >> 32U;
     }
@@ -165,14 +165,14 @@ Record record_of_arrays(const std::shared_ptr<const ArrayTest>& test, const Read
   Record record = record_of_table(table, roles, options);
   bool plain = !chosen;
   for (const ArrayRow& row : test->rows) {
-    plain = plain && (!test->has_force || can_be_looked_at(row.force)) &&
-            std::all_of(row.accel.begin(), row.accel.end(), can_be_looked_at);
+    plain = plain && (!test->has_force || is_contiguous_si(row.force)) &&
+            std::all_of(row.accel.begin(), row.accel.end(), is_contiguous_si);
   }
   plain =
       plain && std::all_of(record.accel.begin(), record.accel.end(), [](const auto& one) { return one.to_SI == 1; });
   if (!plain) return record;
-  if (test->has_force && record.force.to_SI == 1) look_at_forces(record, test);
-  look_at_responses(record, test);
+  if (test->has_force && record.force.to_SI == 1) plot_forces(record, test);
+  plot_responses(record, test);
   return record;
 }
 

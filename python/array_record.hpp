@@ -12,7 +12,7 @@ namespace percuss::python {
 enum class NumberType { float64, float32, int8, int16, int32, int64, uint8, uint16, uint32, uint64 };
 
 /// Numbers of one signal in one row, somewhere in memory: `step_bytes` from one to the next, aligned or not.
-struct Strip {
+struct StridedSamples {
   const std::byte* first = nullptr;
   std::ptrdiff_t step_bytes = 0;
   std::size_t samples = 0;
@@ -20,8 +20,8 @@ struct Strip {
 };
 
 struct ArrayRow {
-  Strip force;
-  std::vector<Strip> accel;  // [channels]
+  StridedSamples force;
+  std::vector<StridedSamples> accel;  // [channels]
   int point = 0;
 };
 
@@ -39,7 +39,7 @@ struct ArrayTest {
 
 /// A sum over some hundred of the numbers, spread over all signals: another one where arrays were filled anew or
 /// scaled.
-std::uint64_t sampled_sum(const ArrayTest& test);
+std::uint64_t sample_checksum(const ArrayTest& test);
 
 /// As a file of the same content would be opened: units, scales, angles and rate as the options say.
 /// errors  InputError: as record_of_table; the readers throw it for samples that are not finite.

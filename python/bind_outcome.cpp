@@ -24,18 +24,18 @@ LineRange band_of(const Analysis& analysis) {
   return lines_in_band(analysis.lines().fs_Hz, analysis.lines().samples, low_Hz, high_Hz);
 }
 
-py::array frequencies_of(const Shared& held, std::size_t test) {
+py::array frequencies_of(const SharedResult& held, std::size_t test) {
   const Analysis& analysis = *analysis_of(held, test);
-  const std::vector<double> freq_Hz = freq_Hz_of(unlocked(held, [&] { return band_of(analysis); }));
+  const std::vector<double> freq_Hz = freq_Hz_of(without_gil(held, [&] { return band_of(analysis); }));
   return copy_of(std::span<const double>(freq_Hz));
 }
 
 // As they lie in the analysis, or of another kind.
-py::list frfs_of(const Shared& held, std::size_t test, const std::string& kind) {
+py::list frfs_of(const SharedResult& held, std::size_t test, const std::string& kind) {
   const auto analysis = analysis_of(held, test);
-  const auto& frfs = unlocked(
+  const auto& frfs = without_gil(
       held, [&]() -> const auto& { return analysis->frfs(); });
-  const LineRange band = unlocked(held, [&] { return band_of(*analysis); });
+  const LineRange band = without_gil(held, [&] { return band_of(*analysis); });
   const std::size_t first = band.first - analysis->lines().first;
   if (kind == name_of(FrfKind::accelerance)) return responses_of(frfs, first, band.count, analysis);
   const FrfKind wanted = kind == name_of(FrfKind::mobility) ? FrfKind::mobility : FrfKind::receptance;
@@ -45,9 +45,9 @@ py::list frfs_of(const Shared& held, std::size_t test, const std::string& kind) 
 }
 
 // Parts of a mode as columns: [modes], and of its residues [modes][outputs].
-py::dict modes_of(const Shared& held, std::size_t test) {
+py::dict modes_of(const SharedResult& held, std::size_t test) {
   const Analysis& analysis = *analysis_of(held, test);
-  const auto modes = unlocked(held, [&] { return analysis.modes(); });
+  const auto modes = without_gil(held, [&] { return analysis.modes(); });
   const std::size_t outputs = modes.empty() ? 0 : modes.front().residues.size();
   const auto column = [&](const auto& number) {
     std::vector<double> values;
@@ -72,14 +72,14 @@ py::dict modes_of(const Shared& held, std::size_t test) {
   out["frequency_std_hz"] = column([](const Mode& m) { return m.freq_std_Hz; });
   out["damping_ratio"] = column([](const Mode& m) { return m.pole.damping_ratio; });
   out["damping_ratio_std"] = column([](const Mode& m) { return m.damping_std; });
-  out["residues"] = sealed(residues);
-  out["residues_std"] = sealed(deviations);
+  out["residues"] = read_only(residues);
+  out["residues_std"] = read_only(deviations);
   out["places"] = places;
   return out;
 }
 
 // [(hit, channel, point, first_s, velocity, deflection, std or None)]
-py::list deflections_of(const Shared& held) {
+py::list deflections_of(const SharedResult& held) {
   const auto& test = held->outcome.deflection;
   if (!test) throw py::type_error("no deflection was asked for");
   py::list out;
@@ -91,24 +91,24 @@ py::list deflections_of(const Shared& held) {
   return out;
 }
 
-py::dict columns_of(const Shared& held) {
+py::dict columns_of(const SharedResult& held) {
   py::dict out;
-  for (const NumberColumn& column : held->outcome.columns)
+  for (const NumericColumn& column : held->outcome.columns)
     out[py::str(column.name)] = view_of(std::span<const double>(column.values), held);
   return out;
 }
 
-py::object record_of(const Shared& held) {
+py::object record_of(const SharedResult& held) {
   const auto& test = held->outcome.synthetic;
   if (!test) return py::none();
-  return py::cast(std::make_shared<HeldRecord>(HeldRecord{.record = test->record}));
+  return py::cast(std::make_shared<RecordHandle>(RecordHandle{.record = test->record}));
 }
 
-py::list opened_of(const Shared& held) {
+py::list opened_of(const SharedResult& held) {
   py::list out;
   for (const auto& one : held->outcome.opened) {
     if (const auto* record = std::get_if<Record>(&one)) {
-      out.append(std::make_shared<HeldRecord>(HeldRecord{.record = *record}));
+      out.append(std::make_shared<RecordHandle>(RecordHandle{.record = *record}));
     } else {
       out.append(std::make_shared<FrfRecord>(std::get<FrfRecord>(one)));
     }
@@ -117,17 +117,17 @@ py::list opened_of(const Shared& held) {
 }
 
 // The document was made when the numbers were read, and needs them no more.
-void require_same_arrays(const HeldOutcome& held, const std::string& path) {
+void require_same_arrays(const ResultHandle& held, const std::string& path) {
   if (tools::extension_of(path) == ".json") return;
   for (const auto& [test, sum] : held.arrays) {
-    if (sampled_sum(*test) != sum)
+    if (sample_checksum(*test) != sum)
       throw InputError("the arrays have changed since", "save", "save before they change, or analyze them again");
   }
 }
 
 }  // namespace
 
-const std::shared_ptr<const Analysis>& analysis_of(const Shared& held, std::size_t test) {
+const std::shared_ptr<const Analysis>& analysis_of(const SharedResult& held, std::size_t test) {
   const auto& all = held->outcome.analyses;
   if (test >= all.size()) throw py::index_error("test " + std::to_string(test) + " of " + std::to_string(all.size()));
   return all[test];
@@ -154,37 +154,38 @@ py::list responses_of(const std::vector<PointFrf>& frfs, std::size_t first, std:
 }
 
 void bind_outcome(py::module_& module) {
-  py::class_<HeldOutcome, Shared>(module, "Outcome")
-      .def_property_readonly("code", [](const HeldOutcome& held) { return held.code; })
-      .def_property_readonly("document", [](const HeldOutcome& held) { return decoded(held.outcome.document); })
+  py::class_<ResultHandle, SharedResult>(module, "Outcome")
+      .def_property_readonly("code", [](const ResultHandle& held) { return held.code; })
+      .def_property_readonly("document", [](const ResultHandle& held) { return decoded(held.outcome.document); })
       .def_property_readonly("notes",
-                             [](const HeldOutcome& held) {
+                             [](const ResultHandle& held) {
                                py::list notes;
                                for (const std::string& note : held.outcome.notes) notes.append(decoded(note));
                                return notes;
                              })
-      .def_property_readonly("tests", [](const HeldOutcome& held) { return held.outcome.analyses.size(); })
+      .def_property_readonly("tests", [](const ResultHandle& held) { return held.outcome.analyses.size(); })
       .def("text",
-           [](const Shared& held, std::size_t width) {
-             return decoded(held->outcome.text ? unlocked(held, [&] { return held->outcome.text(width); })
+           [](const SharedResult& held, std::size_t width) {
+             return decoded(held->outcome.text ? without_gil(held, [&] { return held->outcome.text(width); })
                                                : std::string());
            })
       .def("html",
-           [](const Shared& held) {
-             return decoded(held->outcome.html ? unlocked(held, [&] { return held->outcome.html(); }) : std::string());
+           [](const SharedResult& held) {
+             return decoded(held->outcome.html ? without_gil(held, [&] { return held->outcome.html(); })
+                                               : std::string());
            })
       .def("save",
-           [](const Shared& held, const std::string& path, bool force) {
+           [](const SharedResult& held, const std::string& path, bool force) {
              if (!held->outcome.save) throw py::type_error("this result has no file of its own");
-             unlocked(held, [&] {
+             without_gil(held, [&] {
                require_same_arrays(*held, path);
                held->outcome.save(path, force);
              });
            })
       .def("possible",
-           [](const Shared& held, std::size_t test) {
+           [](const SharedResult& held, std::size_t test) {
              const auto analysis = analysis_of(held, test);
-             return unlocked(held, [&] { return analysis->possible(); });
+             return without_gil(held, [&] { return analysis->possible(); });
            })
       .def("frequency_hz", &frequencies_of)
       .def("frfs", &frfs_of)

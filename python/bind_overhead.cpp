@@ -11,13 +11,13 @@ namespace {
 namespace py = pybind11;
 
 /// The quickest of some runs of what `percuss.analyze(record, only="hits", threads=1)` comes to.
-double library_seconds(const HeldRecord& held, std::size_t repeats) {
+double library_seconds(const RecordHandle& held, std::size_t repeats) {
   const py::gil_scoped_release release;
   double least = 1e9;
   for (std::size_t i = 0; i < repeats; ++i) {
     const auto start = std::chrono::steady_clock::now();
     const Analysis analysis(held.record, {.threads = 1});
-    const std::string document = analysis_json(analysis, {.sections = {Section::hits}});
+    const std::string document = analysis_json(analysis, {.sections = {ReportSection::hits}});
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (!document.empty()) least = std::min(least, seconds);
   }

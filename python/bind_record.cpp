@@ -26,12 +26,12 @@ NumberType type_of(const py::array& array, const std::string& name) {
                    name, "give real numbers, as array.astype(float) makes them");
 }
 
-Strip strip_of(const py::array& array, const std::string& name) {
+StridedSamples strided_samples_of(const py::array& array, const std::string& name) {
   if (array.ndim() != 1) throw InputError("not one signal", name, "give a row of samples");
-  Strip strip{.first = static_cast<const std::byte*>(array.data()),
-              .step_bytes = static_cast<std::ptrdiff_t>(array.strides(0)),
-              .samples = static_cast<std::size_t>(array.shape(0)),
-              .type = type_of(array, name)};
+  StridedSamples strip{.first = static_cast<const std::byte*>(array.data()),
+                       .step_bytes = static_cast<std::ptrdiff_t>(array.strides(0)),
+                       .samples = static_cast<std::size_t>(array.shape(0)),
+                       .type = type_of(array, name)};
   if (strip.samples > 1 && strip.step_bytes == 0) {
     throw InputError("one number stands for all samples (a broadcast array)", name,
                      "give samples of its own, as numpy.ascontiguousarray makes them");
@@ -61,11 +61,11 @@ std::shared_ptr<const ArrayTest> test_of(const py::list& rows, const std::vector
     const auto row = rows[r].cast<py::tuple>();
     ArrayRow made{.point = points.empty() ? 0 : points.at(r)};
     const auto accel = row[1].cast<py::list>();
-    for (const auto& one : accel) made.accel.push_back(strip_of(one.cast<py::array>(), "accel"));
+    for (const auto& one : accel) made.accel.push_back(strided_samples_of(one.cast<py::array>(), "accel"));
     const bool has_force = !row[0].is_none();
     if (r == 0) test->has_force = has_force;
-    if (has_force) made.force = strip_of(row[0].cast<py::array>(), "force");
-    for (const Strip& strip : made.accel) {
+    if (has_force) made.force = strided_samples_of(row[0].cast<py::array>(), "force");
+    for (const StridedSamples& strip : made.accel) {
       const std::size_t wanted = has_force ? made.force.samples : made.accel.front().samples;
       if (strip.samples == wanted) continue;
       throw InputError("row " + std::to_string(r) + ": " + std::to_string(strip.samples) +
@@ -82,13 +82,13 @@ std::shared_ptr<const ArrayTest> test_of(const py::list& rows, const std::vector
 
 // Samples where they lie, or read into an array of their own.
 template <class Look>
-py::array samples_of(const std::shared_ptr<const HeldRecord>& held, std::size_t samples, const Look& look) {
+py::array samples_of(const std::shared_ptr<const RecordHandle>& held, std::size_t samples, const Look& view_or_read) {
   py::array_t<double> own(static_cast<py::ssize_t>(0));
   std::vector<double> buffer;
   std::span<const double> seen;
   {
     const py::gil_scoped_release release;
-    seen = look(samples, buffer);
+    seen = view_or_read(samples, buffer);
   }
   if (seen.data() != buffer.data()) return view_of(seen, held);
   auto moved = std::make_shared<const std::vector<double>>(std::move(buffer));
@@ -101,21 +101,21 @@ std::size_t checked_row(const Record& record, std::size_t row) {
   return row;
 }
 
-py::array force_of(const std::shared_ptr<const HeldRecord>& held, std::size_t row) {
+py::array force_of(const std::shared_ptr<const RecordHandle>& held, std::size_t row) {
   const Record& record = held->record;
   const std::size_t samples = record.rows[checked_row(record, row)].samples;
   return samples_of(held, samples, [&](std::size_t count, std::vector<double>& buffer) {
-    return record.read_force_N.look(row, 0, count, buffer);
+    return record.read_force_N.view_or_read(row, 0, count, buffer);
   });
 }
 
-py::array accel_of(const std::shared_ptr<const HeldRecord>& held, std::size_t row, std::size_t channel) {
+py::array accel_of(const std::shared_ptr<const RecordHandle>& held, std::size_t row, std::size_t channel) {
   const Record& record = held->record;
   const std::size_t samples = record.rows[checked_row(record, row)].samples;
   if (channel >= record.accel.size())
     throw py::index_error("channel " + std::to_string(channel) + " of " + std::to_string(record.accel.size()));
   return samples_of(held, samples, [&](std::size_t count, std::vector<double>& buffer) {
-    return record.read_accel_mps2.look(row, channel, 0, count, buffer);
+    return record.read_accel_mps2.view_or_read(row, channel, 0, count, buffer);
   });
 }
 
@@ -135,7 +135,7 @@ py::dict signal_of(const SignalInfo& signal) {
   return out;
 }
 
-py::dict description_of(const HeldRecord& held) {
+py::dict description_of(const RecordHandle& held) {
   const Record& record = held.record;
   py::dict out;
   py::list rows, accel;
@@ -171,13 +171,13 @@ py::dict description_of(const FrfRecord& record) {
 
 }  // namespace
 
-HeldRecord held_record(const std::shared_ptr<const ArrayTest>& test) {
+RecordHandle record_handle(const std::shared_ptr<const ArrayTest>& test) {
   ReadOptions as_given;
   as_given.force_optional = true;
   return {.record = record_of_arrays(test, as_given), .arrays = test};
 }
 
-tools::GivenInput given(const std::shared_ptr<const HeldRecord>& held) {
+tools::InMemoryInput given(const std::shared_ptr<const RecordHandle>& held) {
   return [held](const FrfReadOptions& options) -> std::variant<Record, FrfRecord> {
     if (held->arrays) return record_of_arrays(held->arrays, options.read);
     if (!held->record.has_force && !options.read.force_optional)
@@ -187,15 +187,15 @@ tools::GivenInput given(const std::shared_ptr<const HeldRecord>& held) {
 }
 
 void bind_records(py::module_& module) {
-  py::class_<HeldRecord, std::shared_ptr<HeldRecord>>(module, "RecordHandle")
+  py::class_<RecordHandle, std::shared_ptr<RecordHandle>>(module, "RecordHandle")
       .def(py::init([](const py::list& rows, const std::vector<int>& points, double fs_Hz, bool continuous,
                        const std::vector<std::string>& names, const std::vector<std::vector<double>>& geometry) {
-        return std::make_shared<HeldRecord>(held_record(test_of(rows, points, fs_Hz, continuous, names, geometry)));
+        return std::make_shared<RecordHandle>(record_handle(test_of(rows, points, fs_Hz, continuous, names, geometry)));
       }))
       .def("force", &force_of)
       .def("accel", &accel_of)
-      .def_property_readonly("from_arrays", [](const HeldRecord& held) { return held.arrays != nullptr; })
-      .def("describe", [](const HeldRecord& held) { return description_of(held); });
+      .def_property_readonly("from_arrays", [](const RecordHandle& held) { return held.arrays != nullptr; })
+      .def("describe", [](const RecordHandle& held) { return description_of(held); });
   py::class_<FrfRecord, std::shared_ptr<FrfRecord>>(module, "FrfHandle")
       .def("describe", [](const FrfRecord& record) { return description_of(record); })
       .def("responses", [](const std::shared_ptr<const FrfRecord>& record) {

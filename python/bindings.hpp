@@ -14,30 +14,30 @@
 namespace percuss::python {
 
 /// A record that Python holds: from a file, from `synth`, or of its own arrays, which options may still reinterpret.
-struct HeldRecord {
+struct RecordHandle {
   Record record;
   std::shared_ptr<const ArrayTest> arrays{};
 };
-HeldRecord held_record(const std::shared_ptr<const ArrayTest>& test);
+RecordHandle record_handle(const std::shared_ptr<const ArrayTest>& test);
 
 /// As a command's input.
-tools::GivenInput given(const std::shared_ptr<const HeldRecord>& held);
+tools::InMemoryInput given(const std::shared_ptr<const RecordHandle>& held);
 
 /// What a command came to, for Python. What computes more takes the lock, since an analysis is one thread's at a time.
-struct HeldOutcome {
+struct ResultHandle {
   int code = 0;
-  tools::Outcome outcome;
+  tools::CommandResult outcome;
   std::vector<std::pair<std::shared_ptr<const ArrayTest>, std::uint64_t>> arrays{};  // and their sums before it ran
   std::mutex mutex{};
 };
-using Shared = std::shared_ptr<HeldOutcome>;
+using SharedResult = std::shared_ptr<ResultHandle>;
 
 /// The analysis of one of its tests. errors  IndexError.
-const std::shared_ptr<const Analysis>& analysis_of(const Shared& held, std::size_t test);
+const std::shared_ptr<const Analysis>& analysis_of(const SharedResult& held, std::size_t test);
 
 /// Computes without Python's lock, one thread at a time. What the function returns by reference stays where it is.
 template <class Function>
-decltype(auto) unlocked(const Shared& held, const Function& function) {
+decltype(auto) without_gil(const SharedResult& held, const Function& function) {
   const pybind11::gil_scoped_release release;
   const std::scoped_lock lock(held->mutex);
   return function();
@@ -46,8 +46,8 @@ decltype(auto) unlocked(const Shared& held, const Function& function) {
 std::vector<double> freq_Hz_of(const LineRange& lines);
 
 /// The stabilisation diagram as columns, and a survey's shapes, their MAC and the mode indicator.
-pybind11::dict stabilisation_of(const Shared& held, std::size_t test);
-pybind11::dict shapes_of(const Shared& held);
+pybind11::dict stabilisation_of(const SharedResult& held, std::size_t test);
+pybind11::dict shapes_of(const SharedResult& held);
 
 /// Responses as [(point, channel, averages, value, std or None, coherence or None)], views of `count` lines of `frfs`
 /// from `first` on that keep `owner`.

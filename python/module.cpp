@@ -50,7 +50,7 @@ void translate(std::exception_ptr thrown) {  // NOLINT(performance-unnecessary-v
   } catch (const UsageError& error) {
     raise(exceptions().usage, error);
   } catch (const std::bad_alloc&) {
-    PyErr_SetString(PyExc_MemoryError, kNoMemory);
+    PyErr_SetString(PyExc_MemoryError, kOutOfMemoryMessage);
   }
 }
 
@@ -65,30 +65,30 @@ void add_exceptions(py::module_& module) {
   py::register_exception_translator(&translate);
 }
 
-tools::GivenInput input_of(const py::handle& one) {
-  if (py::isinstance<HeldRecord>(one)) return given(one.cast<std::shared_ptr<HeldRecord>>());
+tools::InMemoryInput input_of(const py::handle& one) {
+  if (py::isinstance<RecordHandle>(one)) return given(one.cast<std::shared_ptr<RecordHandle>>());
   const auto frfs = one.cast<std::shared_ptr<const FrfRecord>>();
   return [frfs](const FrfReadOptions&) { return *frfs; };
 }
 
-std::shared_ptr<HeldOutcome> run(const std::vector<std::string>& words, const py::list& inputs,
-                                 const std::map<std::string, std::string>& names) {
+std::shared_ptr<ResultHandle> run(const std::vector<std::string>& words, const py::list& inputs,
+                                  const std::map<std::string, std::string>& names) {
   for (const std::string& word : words) {
     if (word.find('\0') != std::string::npos)
       throw UsageError("a zero byte in '" + one_line(word, 60) + "'", "leave it out");
   }
-  std::vector<tools::GivenInput> data;
-  auto held = std::make_shared<HeldOutcome>();
+  std::vector<tools::InMemoryInput> data;
+  auto held = std::make_shared<ResultHandle>();
   for (const auto& one : inputs) {
     data.push_back(input_of(one));
-    if (!py::isinstance<HeldRecord>(one)) continue;
-    const auto record = one.cast<std::shared_ptr<HeldRecord>>();
+    if (!py::isinstance<RecordHandle>(one)) continue;
+    const auto record = one.cast<std::shared_ptr<RecordHandle>>();
     if (record->arrays) held->arrays.emplace_back(record->arrays, 0);
   }
   try {
     const py::gil_scoped_release release;
-    for (auto& [test, sum] : held->arrays) sum = sampled_sum(*test);
-    Ran ran = run_command(words, std::move(data), names);
+    for (auto& [test, sum] : held->arrays) sum = sample_checksum(*test);
+    RunResult ran = run_command(words, std::move(data), names);
     held->code = ran.code;
     held->outcome = std::move(ran.outcome);
   } catch (const InputError&) {

@@ -10,7 +10,7 @@
 namespace percuss::python {
 
 /// The array, which nobody can write to any more.
-inline pybind11::array sealed(pybind11::array array) {
+inline pybind11::array read_only(pybind11::array array) {
   pybind11::detail::array_proxy(array.ptr())->flags &= ~pybind11::detail::npy_api::NPY_ARRAY_WRITEABLE_;
   return array;
 }
@@ -21,13 +21,13 @@ pybind11::array view_of(std::span<const Value> values, std::shared_ptr<Owner> ow
   auto kept = std::make_unique<std::shared_ptr<Owner>>(std::move(owner));
   const pybind11::capsule base(kept.get(), [](void* held) { delete static_cast<std::shared_ptr<Owner>*>(held); });
   static_cast<void>(kept.release());  // the capsule has it
-  return sealed(pybind11::array_t<Value>(static_cast<pybind11::ssize_t>(values.size()), values.data(), base));
+  return read_only(pybind11::array_t<Value>(static_cast<pybind11::ssize_t>(values.size()), values.data(), base));
 }
 
 /// A new read-only array with these numbers.
 template <class Value>
 pybind11::array copy_of(std::span<const Value> values) {
-  return sealed(pybind11::array_t<Value>(static_cast<pybind11::ssize_t>(values.size()), values.data()));
+  return read_only(pybind11::array_t<Value>(static_cast<pybind11::ssize_t>(values.size()), values.data()));
 }
 
 }  // namespace percuss::python

@@ -38,7 +38,7 @@ void add_read(CommandLine& line, Host& host) {
 
 std::string as_typed(const std::vector<std::string>& words, const Host& host) {
   std::string line = "percuss";
-  for (const std::string& word : words) line += ' ' + quoted_word(with_names(&host, word));
+  for (const std::string& word : words) line += ' ' + shell_quoted_argument(with_display_names(&host, word));
   return line;
 }
 
@@ -78,7 +78,7 @@ struct Session {
 };
 
 // Those that are not in use, by the first word.
-class Sessions {
+class SessionPool {
  public:
   std::unique_ptr<Session> take(const std::string& first_word) {
     {
@@ -92,12 +92,12 @@ class Sessions {
     }
     return std::make_unique<Session>(first_word);
   }
-  void give_back(const std::string& first_word, std::unique_ptr<Session> session) {
-    constexpr std::size_t kMostIdle = 8;  // of a command; more threads than that declare anew
+  void release_session(const std::string& first_word, std::unique_ptr<Session> session) {
+    constexpr std::size_t kMaxIdle = 8;  // of a command; more threads than that declare anew
     session->host = {};
     const std::scoped_lock lock(mutex_);
     auto& idle = idle_[first_word];
-    if (idle.size() < kMostIdle) idle.push_back(std::move(session));
+    if (idle.size() < kMaxIdle) idle.push_back(std::move(session));
   }
 
  private:
@@ -105,26 +105,26 @@ class Sessions {
   std::map<std::string, std::vector<std::unique_ptr<Session>>> idle_;
 };
 
-Sessions& sessions() {
-  static Sessions all;
+SessionPool& session_pool() {
+  static SessionPool all;
   return all;
 }
 
 }  // namespace
 
-Ran run_command(const std::vector<std::string>& words, std::vector<GivenInput> inputs,
-                const std::map<std::string, std::string>& names) {
+RunResult run_command(const std::vector<std::string>& words, std::vector<InMemoryInput> inputs,
+                      const std::map<std::string, std::string>& names) {
   const std::string first = words.empty() ? std::string() : words.front();
-  auto session = sessions().take(first);  // not given back when an error leaves it half way
+  auto session = session_pool().take(first);  // not given back when an error leaves it half way
   session->host.names = {names.begin(), names.end()};
-  session->host.called_as = as_typed(words, session->host);
+  session->host.equivalent_command = as_typed(words, session->host);
   session->host.inputs = std::move(inputs);
   std::vector<const char*> typed{"percuss"};
   for (const std::string& word : words) typed.push_back(word.c_str());
-  Ran ran;
+  RunResult ran;
   ran.code = session->line.run(static_cast<int>(typed.size()), typed.data());
   ran.outcome = std::move(session->host.outcome);
-  sessions().give_back(first, std::move(session));
+  session_pool().release_session(first, std::move(session));
   return ran;
 }
 

@@ -10,9 +10,9 @@ namespace percuss::python {
 
 namespace py = pybind11;
 
-py::dict stabilisation_of(const Shared& held, std::size_t test) {
+py::dict stabilisation_of(const SharedResult& held, std::size_t test) {
   const Analysis& analysis = *analysis_of(held, test);
-  const Stabilisation& diagram = unlocked(held, [&]() -> const Stabilisation& { return analysis.stabilisation(); });
+  const Stabilisation& diagram = without_gil(held, [&]() -> const Stabilisation& { return analysis.stabilisation(); });
   std::vector<double> freq_Hz, damping;
   std::vector<std::int64_t> order;
   py::list stability;
@@ -30,12 +30,12 @@ py::dict stabilisation_of(const Shared& held, std::size_t test) {
   return out;
 }
 
-py::dict shapes_of(const Shared& held) {
+py::dict shapes_of(const SharedResult& held) {
   const Survey* const survey = held->outcome.survey.get();
   if (survey == nullptr) throw py::type_error("only a survey has shapes");
-  const auto& shapes = unlocked(
+  const auto& shapes = without_gil(
       held, [&]() -> const auto& { return survey->shapes(); });
-  const auto& macs = unlocked(
+  const auto& macs = without_gil(
       held, [&]() -> const auto& { return survey->macs(); });
   const std::size_t places = shapes.empty() ? 0 : shapes.front().places.size();
   py::array_t<Complex> values({shapes.size(), places});
@@ -54,21 +54,21 @@ py::dict shapes_of(const Shared& held) {
   for (std::size_t a = 0; a < macs.size(); ++a) {
     for (std::size_t b = 0; b < macs.size(); ++b) mac.mutable_at(a, b) = macs[a][b].value;
   }
-  const Eigen::MatrixXd& indicator = unlocked(
+  const Eigen::MatrixXd& indicator = without_gil(
       held, [&]() -> const auto& { return survey->indicator(); });
-  const LineRange band = unlocked(held, [&] { return survey->band(); });
+  const LineRange band = without_gil(held, [&] { return survey->band(); });
   py::array_t<double> cmif({indicator.rows(), indicator.cols()});
   for (Eigen::Index i = 0; i < indicator.rows(); ++i) {
     for (Eigen::Index j = 0; j < indicator.cols(); ++j) cmif.mutable_at(i, j) = indicator(i, j);
   }
   const std::vector<double> freq_Hz = freq_Hz_of(band);
   py::dict out;
-  out["shapes"] = sealed(values);
-  out["shapes_std"] = sealed(deviations);
+  out["shapes"] = read_only(values);
+  out["shapes_std"] = read_only(deviations);
   out["points"] = points;
   out["channels"] = channels;
-  out["mac"] = sealed(mac);
-  out["cmif"] = sealed(cmif);
+  out["mac"] = read_only(mac);
+  out["cmif"] = read_only(cmif);
   out["cmif_frequency_hz"] = copy_of(std::span<const double>(freq_Hz));
   return out;
 }

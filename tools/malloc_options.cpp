@@ -61,8 +61,8 @@ void enlarge_pages_of_thread() {
 
 }  // namespace
 
-void prepare_heap() {
-  if (keep_freed_memory() && enlarge_pages_of_main_heap()) greet_threads(enlarge_pages_of_thread);
+void configure_malloc() {
+  if (keep_freed_memory() && enlarge_pages_of_main_heap()) set_thread_initialiser(enlarge_pages_of_thread);
 }
 
 }  // namespace percuss::tools

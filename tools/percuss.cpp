@@ -37,11 +37,11 @@ int parse_and_run(int argc, char** argv) {
 
 // Memory may run out where nothing may be thrown: within the JSON library, or while another error is on its way up.
 [[noreturn]] static void end_at_once() {
-  percuss::remove_unfinished_files();
+  percuss::remove_temporary_files();
   try {
     if (const auto error = std::current_exception()) std::rethrow_exception(error);
   } catch (const std::bad_alloc&) {
-    std::cerr << "percuss: " << percuss::kNoMemory << '\n';
+    std::cerr << "percuss: " << percuss::kOutOfMemoryMessage << '\n';
     std::_Exit(kInternalError);
   } catch (...) {
   }
@@ -57,7 +57,7 @@ static void allow_many_files() {
 }
 
 extern "C" void clean_up_and_die(int signal) {
-  percuss::remove_unfinished_files();  // safe within a signal handler
+  percuss::remove_temporary_files();  // safe within a signal handler
   std::signal(signal, SIG_DFL);
   std::raise(signal);
 }
@@ -65,7 +65,7 @@ extern "C" void clean_up_and_die(int signal) {
 int main(int argc, char** argv) {
   std::set_terminate(end_at_once);
   allow_many_files();
-  percuss::tools::prepare_heap();
+  percuss::tools::configure_malloc();
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, clean_up_and_die);
   try {
     return parse_and_run(argc, argv);
@@ -76,7 +76,7 @@ int main(int argc, char** argv) {
   } catch (const InputError& e) {
     return report(e.what(), kBadInput);
   } catch (const std::bad_alloc&) {
-    return report(kNoMemory, kInternalError);
+    return report(kOutOfMemoryMessage, kInternalError);
   } catch (const std::exception& e) {
     return report(e.what(), kInternalError);
   }

@@ -20,12 +20,12 @@
 namespace percuss::accuracy {
 namespace {
 
-constexpr Turns kTurns, kQuickTurns{.least = 1, .least_s = 0, .each_s = 0};
+constexpr TimingOptions kTurns, kQuickTurns{.least = 1, .least_s = 0, .each_s = 0};
 constexpr double kScalingBudget_s = 125;
 
 void measure_all(Extent extent, const std::string& folder) {
   if (extent == Extent::quick) fftw_set_timelimit(0);  // of planning by measuring
-  const Turns turns = extent == Extent::quick ? kQuickTurns : kTurns;
+  const TimingOptions turns = extent == Extent::quick ? kQuickTurns : kTurns;
   Measured all;
   all.scalings = study_scaling(extent, turns, kScalingBudget_s);
   all.savings = study_skips(extent, turns);
@@ -35,7 +35,7 @@ void measure_all(Extent extent, const std::string& folder) {
   for (const Family* family : {&all.impact, &all.deflection, &all.records.frfs, &all.records.modes})
     write_file(fmt::format("{}/accuracy-{}.svg", folder, family->name), family_svg(*family), true);
   write_file(folder + "/accuracy-scaling.svg", scaling_svg(all.scalings), true);
-  write_file(folder + "/accuracy.md", page_of(all, stamp()), true);
+  write_file(folder + "/accuracy.md", page_of(all, build_description()), true);
   fmt::print("{}", short_table(all));
 }
 

@@ -29,7 +29,7 @@ std::string processor() {
 
 }  // namespace
 
-std::string stamp() {
+std::string build_description() {
 #ifdef NDEBUG
   const char* build = "release build";
 #else

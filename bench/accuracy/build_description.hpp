@@ -4,6 +4,6 @@
 namespace percuss::accuracy {
 
 /// What the figures were measured with: "percuss 0.1.0, g++ 12.2.0, release, on Intel(R) …".
-std::string stamp();
+std::string build_description();
 
 }  // namespace percuss::accuracy

@@ -17,7 +17,7 @@ constexpr std::size_t kBlack = 4;  // among the styles of a chart
 constexpr double kMega = 1e6;
 constexpr double kMuchTheSame = 2.5;  // factor
 
-bool can_be_drawn(const Figure& figure) {
+bool is_plottable(const Figure& figure) {
   return std::isfinite(figure.error) && figure.error > 0 && figure.time_ratio > 0;
 }
 
@@ -36,7 +36,7 @@ std::vector<std::string> methods_of(const Sweep& sweep) {
 ChartCurve points_of(const Case& one, std::size_t style, const std::string& method, ChartMark mark) {
   ChartCurve curve{.name = {}, .x = {}, .y = {}, .line = false, .mark = mark, .style = style};
   for (const Figure& figure : one.figures) {
-    if (figure.method != method || !can_be_drawn(figure)) continue;
+    if (figure.method != method || !is_plottable(figure)) continue;
     curve.x.push_back(figure.time_ratio);
     curve.y.push_back(figure.error);
     curve.labels.push_back(figure.label);
@@ -49,7 +49,7 @@ ChartCurve points_of(const Case& one, std::size_t style, const std::string& meth
 ChartCurve front_of(const Case& one, std::size_t style) {
   std::vector<const Figure*> front;
   for (const Figure& figure : one.figures) {
-    if (figure.on_front && can_be_drawn(figure)) front.push_back(&figure);
+    if (figure.on_pareto_front && is_plottable(figure)) front.push_back(&figure);
   }
   std::sort(front.begin(), front.end(), [](const Figure* a, const Figure* b) { return a->time_ratio < b->time_ratio; });
   ChartCurve curve{.name = one.value, .x = {}, .y = {}, .style = style};
@@ -109,7 +109,7 @@ bool worth_a_chart(const Sweep& sweep) {
   std::vector<double> errors, times;
   for (const Case& one : sweep.cases) {
     for (const Figure& figure : one.figures) {
-      if (!can_be_drawn(figure)) continue;
+      if (!is_plottable(figure)) continue;
       errors.push_back(figure.error);
       times.push_back(figure.time_ratio);
     }

@@ -76,12 +76,12 @@ struct DeflectionTally {
   double error = 0, over_bound = 0, told = 0, covered = 0, all = 0;
 };
 
-DeflectionTally tally_of(const ImpactTest& test, const std::vector<std::vector<double>>& truth_m,
-                         const std::vector<double>& bound) {
+DeflectionTally deflection_tally(const ImpactTest& test, const std::vector<std::vector<double>>& truth_m,
+                                 const std::vector<double>& bound) {
   DeflectionTally tally;
   for (const DeflectedHit& hit : test.hits) {
     ++tally.all;
-    if (!hit.deflection.peak_is_told()) continue;
+    if (!hit.deflection.has_peak()) continue;
     const double exact = std::abs(truth_m[hit.hit][hit.channel]);
     const double error = std::abs(hit.deflection.peak_m) - exact;
     tally.error += std::pow(error / exact, 2);
@@ -99,7 +99,7 @@ std::vector<Figure> errors(const SyntheticTest& test, const std::vector<std::pai
   for (const DeflectionMethod method : kMethods) {
     std::vector<DeflectionTally> each(runs.size());
     parallel_for(runs.size(), 0, [&](std::size_t i) {
-      each[i] = tally_of(deflections_of(runs[i].second, test.truth.spec, method), truth_m, bound);
+      each[i] = deflection_tally(deflections_of(runs[i].second, test.truth.spec, method), truth_m, bound);
     });
     DeflectionTally all;
     for (const DeflectionTally& one : each) {
@@ -120,26 +120,26 @@ std::vector<Figure> errors(const SyntheticTest& test, const std::vector<std::pai
   return figures;
 }
 
-void measure_deflection_times(const Record& run, const SynthSpec& spec, const Turns& turns,
+void measure_deflection_times(const Record& run, const SynthSpec& spec, const TimingOptions& turns,
                               std::vector<Figure>& figures) {
-  const BenchFolder folder;
+  const TemporaryFolder folder;
   const std::string path = folder.file("run.h5");
   write_hdf5(path, run, true);
-  const BareLimit limit({path}, run);
+  const FftReadBaseline limit({path}, run);
   std::vector<std::function<void()>> works{[&] { limit.run(); }};
   for (const DeflectionMethod method : kMethods)
     works.emplace_back([&, method] { deflections_of(open_record(path), spec, method); });
-  const std::vector<double> best_s = best_by_turns(works, turns);
+  const std::vector<double> best_s = best_interleaved_s(works, turns);
   for (std::size_t i = 0; i < figures.size(); ++i) figures[i].time_ratio = best_s[1 + i] / best_s[0];
 }
 
-Case measured(BeamCase one, Extent extent, const Turns& turns) {
+Case measured(BeamCase one, Extent extent, const TimingOptions& turns) {
   if (extent == Extent::quick) one.runs = kBeamQuickRuns;
   const SyntheticTest test = synthesise(held_beam(one));
   const auto runs = split_runs(test.record);
   std::vector<Figure> figures = errors(test, runs);
   measure_deflection_times(runs.front().second, test.truth.spec, turns, figures);
-  mark_front(figures);
+  mark_pareto_front(figures);
   return {one.value, std::move(figures)};
 }
 
@@ -157,7 +157,7 @@ std::vector<std::pair<std::string, std::vector<BeamCase>>> beam_cases() {
 
 }  // namespace
 
-Family study_deflection(Extent extent, const Turns& turns) {
+Family study_deflection(Extent extent, const TimingOptions& turns) {
   Family family{.name = "deflection",
                 .title = "Largest deflection",
                 .error = "error of the largest deflection, %",

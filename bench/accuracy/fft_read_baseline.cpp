@@ -12,7 +12,7 @@ namespace percuss::accuracy {
 namespace {
 
 constexpr std::size_t kBlock_bytes = std::size_t{1} << 17U;
-constexpr std::size_t kMostMeasured = std::size_t{1} << 17U;  // samples; measuring longer plans takes seconds
+constexpr std::size_t kMaxMeasured = std::size_t{1} << 17U;  // samples; measuring longer plans takes seconds
 
 void read_bytes_of(const std::string& path) {
   static std::vector<char> block(kBlock_bytes);
@@ -24,11 +24,11 @@ void read_bytes_of(const std::string& path) {
 
 // Planned once for each length. What measuring has found is forgotten again: percuss's own plans, which are made
 // without measuring, would use it otherwise.
-BareFftw& planned(std::size_t samples) {
-  static std::map<std::size_t, std::unique_ptr<BareFftw>> plans;
+FftwBaseline& planned(std::size_t samples) {
+  static std::map<std::size_t, std::unique_ptr<FftwBaseline>> plans;
   auto& plan = plans[samples];
   if (plan) return *plan;
-  plan = std::make_unique<BareFftw>(samples, samples > kMostMeasured ? FFTW_ESTIMATE : FFTW_MEASURE);
+  plan = std::make_unique<FftwBaseline>(samples, samples > kMaxMeasured ? FFTW_ESTIMATE : FFTW_MEASURE);
   fftw_forget_wisdom();
   plan->fill(std::vector<double>(samples, 1.0));
   return *plan;
@@ -36,16 +36,16 @@ BareFftw& planned(std::size_t samples) {
 
 }  // namespace
 
-BareLimit::BareLimit(std::vector<std::string> paths, const Record& record)
+FftReadBaseline::FftReadBaseline(std::vector<std::string> paths, const Record& record)
     : paths_(std::move(paths)),
       samples_(record.rows.front().samples),
       transforms_(record.rows.size() * (1 + record.accel.size())) {
   planned(samples_);
 }
 
-void BareLimit::run() const {
+void FftReadBaseline::run() const {
   for (const std::string& path : paths_) read_bytes_of(path);
-  BareFftw& fftw = planned(samples_);
+  FftwBaseline& fftw = planned(samples_);
   for (std::size_t n = 0; n < transforms_; ++n) fftw.transform();
 }
 

@@ -10,10 +10,10 @@ namespace percuss::accuracy {
 /// What no analysis of files can do without: their bytes come from the system (read() in blocks of 128 KiB, from the
 /// page cache), and FFTW, called by hand, transforms each signal of each row once, on one thread. The transforms are of
 /// one buffer that stays in the cache, planned beforehand (by measuring, up to 2^17 samples).
-class BareLimit {
+class FftReadBaseline {
  public:
   /// `record` describes the files: as many rows and signals, all rows of one length.
-  BareLimit(std::vector<std::string> paths, const Record& record);
+  FftReadBaseline(std::vector<std::string> paths, const Record& record);
   void run() const;
 
  private:

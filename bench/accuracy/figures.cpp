@@ -19,10 +19,11 @@ bool beats(const Figure& one, const Figure& other) {
 
 }  // namespace
 
-void mark_front(std::vector<Figure>& figures) {
+void mark_pareto_front(std::vector<Figure>& figures) {
   for (Figure& figure : figures) {
-    figure.on_front = std::isfinite(figure.error) &&
-                      std::none_of(figures.begin(), figures.end(), [&](const Figure& f) { return beats(f, figure); });
+    figure.on_pareto_front =
+        std::isfinite(figure.error) &&
+        std::none_of(figures.begin(), figures.end(), [&](const Figure& f) { return beats(f, figure); });
   }
 }
 

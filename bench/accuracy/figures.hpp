@@ -12,7 +12,7 @@ struct Figure {
   double over_bound = 0;          // RMS of error/bound; 0: there is no bound
   double time_ratio = 0;          // over bare transforms and reading in the same run
   std::vector<std::string> more;  // cells under Family::more
-  bool on_front = false;          // nothing else of the case beats it
+  bool on_pareto_front = false;   // nothing else of the case beats it
 };
 
 /// One set of records, or one model, on which all methods were tried.
@@ -36,9 +36,9 @@ struct Family {
   std::vector<Sweep> sweeps;
 };
 
-/// Sets on_front. One figure beats another when it is no worse in error and in time, and better in one of them; times
-/// within a tenth and errors within a hundredth count as the same.
-void mark_front(std::vector<Figure>& figures);
+/// Sets on_pareto_front. One figure beats another when it is no worse in error and in time, and better in one of them;
+/// times within a tenth and errors within a hundredth count as the same.
+void mark_pareto_front(std::vector<Figure>& figures);
 
 /// The case of a sweep by its names; it must be there.
 const Case& case_of(const Family& family, const std::string& over, const std::string& value);

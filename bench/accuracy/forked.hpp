@@ -23,7 +23,7 @@ inline double peak_memory_bytes() {
 /// What `work` returns in a process of its own, forked for it: its memory is no one else's. Nothing when it ended
 /// otherwise than by returning.
 template <class Result>
-std::optional<Result> in_child(const std::function<Result()>& work) {
+std::optional<Result> forked(const std::function<Result()>& work) {
   static_assert(std::is_trivially_copyable_v<Result>);
   std::array<int, 2> ends{};
   if (::pipe(ends.data()) != 0) return std::nullopt;

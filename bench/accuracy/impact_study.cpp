@@ -26,7 +26,7 @@ std::string step_label(const Variant& variant) {
 }
 
 Case measured_impacts(std::string value, const Impact& impact, const std::vector<Variant>& variants,
-                      const Turns& turns) {
+                      const TimingOptions& turns) {
   const double truth = exact_cor(impact);
   std::vector<std::function<void()>> works{[] { transform_once(kUnit_samples); }};
   std::vector<Figure> figures;
@@ -37,9 +37,9 @@ Case measured_impacts(std::string value, const Impact& impact, const std::vector
         {.method = method_name(variant.method), .label = step_label(variant), .error = error, .more = {}});
     works.emplace_back([&impact, options] { simulate_impact(impact, options); });
   }
-  const std::vector<double> best_s = best_by_turns(works, turns);
+  const std::vector<double> best_s = best_interleaved_s(works, turns);
   for (std::size_t i = 0; i < figures.size(); ++i) figures[i].time_ratio = best_s[1 + i] / best_s[0];
-  mark_front(figures);
+  mark_pareto_front(figures);
   return {std::move(value), std::move(figures)};
 }
 
@@ -55,7 +55,7 @@ std::vector<Variant> steps(Extent extent) {
 
 }  // namespace
 
-Family study_impact(Extent extent, const Turns& turns) {
+Family study_impact(Extent extent, const TimingOptions& turns) {
   Family family{.name = "impact",
                 .title = "Ball on a beam",
                 .error = "error of the restitution",

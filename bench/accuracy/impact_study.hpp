@@ -9,6 +9,6 @@ namespace percuss::accuracy {
 /// errors of the coefficient of restitution against exact_cor(). A model has no records: times are over one bare
 /// transform of kUnit_samples values.
 inline constexpr std::size_t kUnit_samples = 65536;
-Family study_impact(Extent extent, const Turns& turns);
+Family study_impact(Extent extent, const TimingOptions& turns);
 
 }  // namespace percuss::accuracy

@@ -10,7 +10,7 @@
 namespace percuss::accuracy {
 
 /// How long works that are compared take their turns: at least so many times each, and for so long.
-struct Turns {
+struct TimingOptions {
   int least = 4;
   double least_s = 0.5;
   double each_s = 0.002;  // a short work is done again within its turn until so much has passed
@@ -32,7 +32,8 @@ inline double processor_s_of(const std::function<void()>& work) {
 /// The best time of each of several works done by turns, so that a disturbed moment neither flatters nor blames; each
 /// turn has another order, as what ran before leaves caches and memory in one state or another. shapes: result as
 /// `works`.
-inline std::vector<double> best_by_turns(const std::vector<std::function<void()>>& works, const Turns& turns) {
+inline std::vector<double> best_interleaved_s(const std::vector<std::function<void()>>& works,
+                                              const TimingOptions& turns) {
   std::vector<double> best_s(works.size(), std::numeric_limits<double>::infinity());
   std::vector<std::size_t> order(works.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

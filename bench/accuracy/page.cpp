@@ -27,7 +27,7 @@ std::string beaten(const Family& family, const std::string& method) {
       for (const Figure& figure : one.figures) {
         if (figure.method != method) continue;
         ++all;
-        lost += figure.on_front ? 0 : 1;
+        lost += figure.on_pareto_front ? 0 : 1;
       }
     }
   }
@@ -64,7 +64,7 @@ std::string least_covered(const Family& family) {
   return where;
 }
 
-std::string opening(const Measured& measured, const std::string& stamp) {
+std::string opening(const Measured& measured, const std::string& build_description) {
   return fmt::format(R"(# Accuracy and speed
 
 How do you know that percuss's figures are right, and what does it cost to have them? This page is the answer, and one command makes it anew, tables, charts and
@@ -95,7 +95,7 @@ avoided: reading the file's bytes, and one bare FFTW transform per channel and h
 - **Beaten by none.** Nothing else in the same case is as near to the truth and as fast, and better in one of the two. Times within a tenth and errors within a hundredth count as
   the same. In the charts a line joins what nothing beats (Pareto's front).
 )",
-                     stamp, short_table(measured));
+                     build_description, short_table(measured));
 }
 
 std::string frf_part(const Family& family) {
@@ -204,10 +204,11 @@ std::string short_table(const Measured& measured) {
   return markdown_table({"from records with 1 % of noise", "RMS error", "over the bound", "time"}, rows);
 }
 
-std::string page_of(const Measured& measured, const std::string& stamp) {
-  std::string page = opening(measured, stamp) + frf_part(measured.records.frfs) + modes_part(measured.records.modes) +
-                     deflection_part(measured.deflection) + impact_part(measured.impact) +
-                     growth_part(measured.scalings) + skipping_part(measured.savings) + "\n## All figures\n\n";
+std::string page_of(const Measured& measured, const std::string& build_description) {
+  std::string page = opening(measured, build_description) + frf_part(measured.records.frfs) +
+                     modes_part(measured.records.modes) + deflection_part(measured.deflection) +
+                     impact_part(measured.impact) + scaling_section(measured.scalings) +
+                     skipped_work_section(measured.savings) + "\n## All figures\n\n";
   for (const Family* family : {&measured.records.frfs, &measured.records.modes, &measured.deflection, &measured.impact})
     page += all_figures(*family) + "\n";
   return page + all_scaling(measured.scalings);

@@ -19,7 +19,7 @@ struct Measured {
 
 /// docs/accuracy.md: what was measured, how, the figures and what they mean. Its sentences take their numbers from the
 /// figures.
-std::string page_of(const Measured& measured, const std::string& stamp);
+std::string page_of(const Measured& measured, const std::string& build_description);
 
 /// The table at its top, whose rows README.md shows as well.
 std::string short_table(const Measured& measured);

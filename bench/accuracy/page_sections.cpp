@@ -11,7 +11,7 @@ constexpr double kEven = 1.2;  // exponent of what grows in proportion, or nearl
 
 }  // namespace
 
-std::string growth_part(const std::vector<Scaling>& scalings) {
+std::string scaling_section(const std::vector<Scaling>& scalings) {
   std::string stopped, lost, even, steep;
   for (const Scaling& scaling : scalings) {
     if (scaling.points.empty()) continue;
@@ -47,7 +47,7 @@ each line in the chart: 1 is in proportion.
                      lost.empty() ? "" : "\nNot all modes were found at\n" + lost + "\n");
 }
 
-std::string skipping_part(const std::vector<Saving>& savings) {
+std::string skipped_work_section(const std::vector<Saving>& savings) {
   std::vector<std::vector<std::string>> rows;
   rows.reserve(savings.size());
   for (const Saving& saving : savings) {

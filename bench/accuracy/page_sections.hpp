@@ -8,9 +8,9 @@
 namespace percuss::accuracy {
 
 /// The section on how time and memory grow.
-std::string growth_part(const std::vector<Scaling>& scalings);
+std::string scaling_section(const std::vector<Scaling>& scalings);
 
 /// The section on what leaving out saves.
-std::string skipping_part(const std::vector<Saving>& savings);
+std::string skipped_work_section(const std::vector<Saving>& savings);
 
 }  // namespace percuss::accuracy

@@ -19,12 +19,12 @@ AnalysisOptions options_for(const SynthSpec& spec) {
 }
 
 // Fills in the times of both sets of figures, all by turns with the limit.
-void measure_times(const Record& run, const SynthSpec& spec, const Turns& turns, std::vector<Figure>& frfs,
+void measure_times(const Record& run, const SynthSpec& spec, const TimingOptions& turns, std::vector<Figure>& frfs,
                    std::vector<Figure>& modes) {
-  const BenchFolder folder;
+  const TemporaryFolder folder;
   const std::string path = folder.file("run.h5");
   write_hdf5(path, run, true);
-  const BareLimit limit({path}, run);
+  const FftReadBaseline limit({path}, run);
   std::vector<std::function<void()>> works{[&] { limit.run(); }};
   for (const Estimator estimator : {Estimator::h1, Estimator::h2, Estimator::hv}) {
     works.emplace_back([&, estimator] {
@@ -37,17 +37,17 @@ void measure_times(const Record& run, const SynthSpec& spec, const Turns& turns,
     works.emplace_back([&, effort] {
       AnalysisOptions options = options_for(spec);
       options.modes.effort = effort;
-      Analysis(open_record(path), options).verdicts();
+      Analysis(open_record(path), options).classifications();
     });
   }
-  const std::vector<double> best_s = best_by_turns(works, turns);
+  const std::vector<double> best_s = best_interleaved_s(works, turns);
   for (std::size_t i = 0; i < frfs.size(); ++i) frfs[i].time_ratio = best_s[1 + i] / best_s[0];
   for (std::size_t i = 0; i < modes.size(); ++i) modes[i].time_ratio = best_s[1 + frfs.size() + i] / best_s[0];
 }
 
 }  // namespace
 
-RecordStudy study_records(Extent extent, const Turns& turns) {
+RecordStudy study_records(Extent extent, const TimingOptions& turns) {
   RecordStudy study{
       .frfs = {.name = "frf",
                .title = "Frequency responses",
@@ -69,8 +69,8 @@ RecordStudy study_records(Extent extent, const Turns& turns) {
       const auto runs = split_runs(test.record);
       std::vector<Figure> frfs = frf_errors(runs, test.truth), modes = mode_errors(runs, test.truth);
       measure_times(runs.front().second, one.spec, turns, frfs, modes);
-      mark_front(frfs);
-      mark_front(modes);
+      mark_pareto_front(frfs);
+      mark_pareto_front(modes);
       study.frfs.sweeps.back().cases.push_back({one.value, std::move(frfs)});
       study.modes.sweeps.back().cases.push_back({one.value, std::move(modes)});
     }

@@ -10,6 +10,6 @@ namespace percuss::accuracy {
 struct RecordStudy {
   Family frfs, modes;
 };
-RecordStudy study_records(Extent extent, const Turns& turns);
+RecordStudy study_records(Extent extent, const TimingOptions& turns);
 
 }  // namespace percuss::accuracy

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kSteeper = 1.2;  // the growth that is reckoned with beforehand
 
-struct Question {
+struct ScalingCase {
   std::string of, with;
   std::vector<std::size_t> sizes;
   std::function<SynthSpec(std::size_t)> spec;
@@ -63,7 +63,7 @@ SynthSpec many_hits(std::size_t hits) {
   return spec;
 }
 
-std::vector<Question> questions() {
+std::vector<ScalingCase> scaling_cases() {
   std::vector<std::size_t> samples;
   for (std::size_t power = 10; power <= 24; power += 2) samples.push_back(std::size_t{1} << power);
   return {{"samples per hit", "2 hits, 1 channel, 3 modes, 25 600 Hz", samples,
@@ -82,7 +82,7 @@ Record opened(const std::vector<std::string>& paths) {
   std::vector<Record> records;
   records.reserve(paths.size());
   for (const std::string& path : paths) records.push_back(open_record(path));
-  return join_records(std::move(records), FilesMean::hits);
+  return join_records(std::move(records), FileGrouping::hits);
 }
 
 struct Cost {
@@ -91,22 +91,22 @@ struct Cost {
 };
 
 // In a process of its own: first once for the memory, then by turns with the limit.
-Cost cost_of(const std::vector<std::string>& paths, const SynthSpec& spec, const Turns& turns) {
+Cost cost_of(const std::vector<std::string>& paths, const SynthSpec& spec, const TimingOptions& turns) {
   Cost cost{};
   const auto analyse = [&] {
     const Analysis analysis(opened(paths), {.band_Hz = {{spec.band_low_Hz, spec.band_high_Hz}}, .threads = 1});
-    cost.modes = analysis.verdicts().size();
+    cost.modes = analysis.classifications().size();
   };
   const double before_bytes = peak_memory_bytes();
   const double first_s = processor_s_of(analyse);
   cost.bytes = peak_memory_bytes() - before_bytes;
-  const BareLimit limit(paths, opened(paths));
+  const FftReadBaseline limit(paths, opened(paths));
   const bool again = first_s < turns.least_s;
-  const auto best_s = best_by_turns({[&] { limit.run(); },
-                                     [&] {
-                                       if (again) analyse();
-                                     }},
-                                    turns);
+  const auto best_s = best_interleaved_s({[&] { limit.run(); },
+                                          [&] {
+                                            if (again) analyse();
+                                          }},
+                                         turns);
   cost.bare_s = best_s[0];
   cost.seconds = again ? std::min(first_s, best_s[1]) : first_s;
   return cost;
@@ -115,13 +115,14 @@ Cost cost_of(const std::vector<std::string>& paths, const SynthSpec& spec, const
 double wall_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 // Makes the files, measures, and says how long the making took. False when the analysis failed.
-bool measure_at(std::size_t n, const Question& question, const Turns& turns, Scaling& scaling, double& making_s) {
+bool measure_at(std::size_t n, const ScalingCase& question, const TimingOptions& turns, Scaling& scaling,
+                double& making_s) {
   const double start_s = wall_s();
-  const BenchFolder folder;
+  const TemporaryFolder folder;
   const SynthSpec spec = question.spec(n);
   const auto paths = question.files ? many_files(spec, n, folder.path()) : one_file(spec, folder.path());
   making_s = wall_s() - start_s;
-  const auto cost = in_child<Cost>([&] { return cost_of(paths, spec, turns); });
+  const auto cost = forked<Cost>([&] { return cost_of(paths, spec, turns); });
   if (!cost) return false;
   scaling.points.push_back({.n = static_cast<double>(n),
                             .seconds = cost->seconds,
@@ -143,7 +144,7 @@ void fit_exponents(Scaling& scaling) {
   scaling.memory_exponent = growth_exponent(x, bytes);
 }
 
-Scaling measured_growth(const Question& question, Extent extent, const Turns& turns, double budget_s) {
+Scaling measured_growth(const ScalingCase& question, Extent extent, const TimingOptions& turns, double budget_s) {
   Scaling scaling{.of = question.of, .with = question.with, .asked = question.sizes.back(), .points = {}};
   const double end_s = wall_s() + budget_s;
   double making_s = 0;
@@ -180,11 +181,11 @@ double growth_exponent(const std::vector<double>& x, const std::vector<double>& 
   return spread > 0 ? (n * sxy - sx * sy) / spread : 0;
 }
 
-std::vector<Scaling> study_scaling(Extent extent, const Turns& turns, double budget_s) {
-  const auto all = questions();
+std::vector<Scaling> study_scaling(Extent extent, const TimingOptions& turns, double budget_s) {
+  const auto all = scaling_cases();
   std::vector<Scaling> scalings;
   scalings.reserve(all.size());
-  for (const Question& question : all)
+  for (const ScalingCase& question : all)
     scalings.push_back(measured_growth(question, extent, turns, budget_s / static_cast<double>(all.size())));
   return scalings;
 }

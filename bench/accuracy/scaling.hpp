@@ -30,6 +30,6 @@ double growth_exponent(const std::vector<double>& x, const std::vector<double>& 
 
 /// Samples 2^10 to 2^24, channels 1 to 1000, hits 1 to 100, modes 1 to 60, files 1 to 10000; each until the next size
 /// would take longer than what is left of `budget_s` for it.
-std::vector<Scaling> study_scaling(Extent extent, const Turns& turns, double budget_s);
+std::vector<Scaling> study_scaling(Extent extent, const TimingOptions& turns, double budget_s);
 
 }  // namespace percuss::accuracy

@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kDifferent = 16;
 
 // Runs as further channels: the same hits, each channel with noise of its own.
-Record runs_beside_each_other(Record record, std::size_t runs) {
+Record runs_as_channels(Record record, std::size_t runs) {
   const std::size_t rows = record.rows.size() / runs, sensors = record.accel.size();
   const auto read = record.read_accel_mps2;
   record.read_accel_mps2 = [=](std::size_t row, std::size_t channel, std::size_t first, std::span<double> out) {
@@ -32,7 +32,7 @@ Record runs_beside_each_other(Record record, std::size_t runs) {
 
 std::vector<std::string> one_file(const SynthSpec& spec, const std::string& folder) {
   std::string path = folder + "/test.h5";
-  write_hdf5(path, runs_beside_each_other(synthesise(spec).record, spec.runs), true);
+  write_hdf5(path, runs_as_channels(synthesise(spec).record, spec.runs), true);
   return {std::move(path)};
 }
 

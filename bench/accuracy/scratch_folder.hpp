@@ -7,14 +7,14 @@
 namespace percuss::accuracy {
 
 /// A folder for records that are made to be read again; gone with all that is in it at the end.
-class BenchFolder {
+class TemporaryFolder {
  public:
-  BenchFolder() : path_((std::filesystem::temp_directory_path() / "percuss-accuracy-XXXXXX").string()) {
+  TemporaryFolder() : path_((std::filesystem::temp_directory_path() / "percuss-accuracy-XXXXXX").string()) {
     if (::mkdtemp(path_.data()) == nullptr) throw std::runtime_error("no folder can be made for temporary files");
   }
-  BenchFolder(const BenchFolder&) = delete;
-  BenchFolder& operator=(const BenchFolder&) = delete;
-  ~BenchFolder() {
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  ~TemporaryFolder() {
     std::error_code ignored;
     std::filesystem::remove_all(path_, ignored);
   }

@@ -41,7 +41,7 @@ class Files {
   }
 
  private:
-  BenchFolder folder_;
+  TemporaryFolder folder_;
 };
 
 enum class Wanted { hits, frfs, modes };
@@ -54,13 +54,13 @@ std::function<void()> analysis_of(const std::string& path, const AnalysisOptions
     const Analysis analysis(open_record(path, reading), one);
     if (wanted == Wanted::hits) analysis.force_hits();
     if (wanted == Wanted::frfs) analysis.frfs();
-    if (wanted == Wanted::modes) analysis.verdicts();
+    if (wanted == Wanted::modes) analysis.classifications();
   };
 }
 
 }  // namespace
 
-std::vector<Saving> study_skips(Extent extent, const Turns& turns) {
+std::vector<Saving> study_skips(Extent extent, const TimingOptions& turns) {
   const Files files;
   const std::string many = files.of(plain_test(kChannels), "many"), two = files.of(plain_test(2), "two");
   const std::string row = files.of(long_record(extent == Extent::quick ? 10 : 60), "long");
@@ -76,7 +76,7 @@ std::vector<Saving> study_skips(Extent extent, const Turns& turns) {
   std::vector<Saving> savings;
   const auto compare = [&](const char* what, const char* when, const std::function<void()>& with,
                            const std::function<void()>& without) {
-    const std::vector<double> best_s = best_by_turns({with, without}, turns);
+    const std::vector<double> best_s = best_interleaved_s({with, without}, turns);
     savings.push_back({.what = what, .when = when, .with_s = best_s[0], .without_s = best_s[1]});
   };
   using enum Wanted;

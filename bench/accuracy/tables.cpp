@@ -35,7 +35,7 @@ Row cells_of(const Figure& figure, bool bound) {
   if (bound) cells.push_back(shown_figure(figure.over_bound));
   cells.insert(cells.end(), figure.more.begin(), figure.more.end());
   cells.push_back(shown_figure(figure.time_ratio));
-  cells.emplace_back(figure.on_front ? "yes" : "");
+  cells.emplace_back(figure.on_pareto_front ? "yes" : "");
   return cells;
 }
 

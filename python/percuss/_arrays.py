@@ -10,8 +10,8 @@ import numpy as np
 
 from . import _percuss
 
-_MOST_ROWS = 1_000_000
-_FEWEST = 8  # hits to a sample: no test has so many, unless its samples are these
+_MAX_ROWS = 1_000_000
+_MIN_SAMPLES_PER_HIT = 8  # hits to a sample: no test has so many, unless its samples are these
 
 
 def frozen(array: np.ndarray) -> np.ndarray:
@@ -72,10 +72,10 @@ def rows_of(force: Any, accel: Any) -> list[tuple[Any, list[np.ndarray]]]:
     several = several or forces.ndim == 2
     if not several:
         return _checked([(forces, _channels(_signals(accel, "accel")))])
-    if not several_lists and _lies_across(forces.shape):
+    if not several_lists and _is_transposed(forces.shape):
         raise _percuss.InputError(f"{forces.shape[0]} hits of {forces.shape[1]} samples (force); is it (hits, samples)? Give force.T")
     hits = list(accel) if _is_ragged(accel) else _signals(accel, "accel")
-    if len(forces) > _MOST_ROWS:
+    if len(forces) > _MAX_ROWS:
         raise _percuss.InputError(f"{len(forces)} hits (force); give at most a million at a time")
     if len(hits) != len(forces):
         raise _percuss.InputError(f"accelerations of {len(hits)} hits for forces of {len(forces)} (accel); give as many of each")
@@ -89,18 +89,18 @@ def _channels(hit: np.ndarray) -> list[np.ndarray]:
         return [hit]
     if hit.ndim != 2:
         raise _percuss.InputError(f"{hit.ndim} dimensions (accel); give (samples,), (channels, samples) or (hits, channels, samples)")
-    if len(hit) > _MOST_ROWS:
+    if len(hit) > _MAX_ROWS:
         raise _percuss.InputError(f"{len(hit)} channels (accel); is it (channels, samples)?")
     if hit.size == 0:
         raise _percuss.InputError("no samples (accel); record at least one hit with one acceleration")
-    if _lies_across(hit.shape):
+    if _is_transposed(hit.shape):
         raise _percuss.InputError(f"{hit.shape[0]} channels of {hit.shape[1]} samples (accel); is it (channels, samples)? Give accel.T")
     return list(hit)
 
 
-def _lies_across(shape: tuple[int, ...]) -> bool:
+def _is_transposed(shape: tuple[int, ...]) -> bool:
     """Whether there is more of what is few than of samples."""
-    return shape[1] > 0 and shape[0] > _FEWEST * shape[1]
+    return shape[1] > 0 and shape[0] > _MIN_SAMPLES_PER_HIT * shape[1]
 
 
 def _checked(rows: list[tuple[Any, list[np.ndarray]]]) -> list[tuple[Any, list[np.ndarray]]]:
@@ -128,7 +128,7 @@ def points_of(points: Any, hits: int) -> list[int]:
         return []
     array = np.asarray(points)
     whole = array.ndim == 1 and array.dtype.kind in "iuf" and bool(np.all(array == np.floor(array)))
-    if not whole or len(array) != hits or array.min(initial=0) < 0 or array.max(initial=0) >= _MOST_ROWS:
+    if not whole or len(array) != hits or array.min(initial=0) < 0 or array.max(initial=0) >= _MAX_ROWS:
         told = f"{array.size} points" if whole else "points that are no list of whole numbers"
         raise _percuss.InputError(f"{told} for {hits} hits (points); give one from 0 up for each hit")
     return [int(one) for one in array]

@@ -10,12 +10,12 @@ from . import _percuss
 from ._analyses import Analysis, Survey
 from ._arrays import rate_of
 from ._frf import Frf
-from ._inputs import handles_of, refuse_one_point, refuse_reading_twice
+from ._inputs import handles_of, reject_single_point, reject_reading_options
 from ._measured import MeasuredFrf
 from ._records import Record
 from ._results import Deflection, Nodes, Result, Synthetic
 from ._told import READS_DATA, docstring, signature
-from ._words import Command, declared, in_python
+from ._words import Command, declared, in_python_terms
 
 COMMANDS = declared()
 
@@ -36,11 +36,11 @@ def make(
         if reads_data:
             paths, handles = handles_of(data, options.get("fs"))
             are_records = bool(handles) and not (len(data) == 2 and not isinstance(data[0], (Record, MeasuredFrf)))
-            refuse_reading_twice(name, made, handles, given, are_records)
+            reject_reading_options(name, made, handles, given, are_records)
             if handles and "fs" in given:
                 given["fs"] = rate_of(given["fs"])
             if name == "survey" and handles and not are_records:
-                refuse_one_point(handles[0], given.get("geometry"))
+                reject_single_point(handles[0], given.get("geometry"))
         else:
             paths, handles = list(data), []
         return result(made.run(name, paths, handles, given), **({"kind": given["kind"]} if name == "frf" and "kind" in given else {}))
@@ -194,7 +194,7 @@ def write(path: str | os.PathLike[str], data: Any, *, force: bool = False) -> li
     try:
         return _percuss.run([os.fsencode(word) for word in words], [one._handle]).notes
     except _percuss.InputError as error:
-        raise in_python(error) from None
+        raise in_python_terms(error) from None
 
 
 def info(*paths: Any, **options: Any) -> Result:

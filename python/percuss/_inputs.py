@@ -36,7 +36,7 @@ def _is_several(value: Any) -> bool:
     return isinstance(value, (list, tuple)) and bool(value) and all(isinstance(one, known) for one in value)
 
 
-def refuse_reading_twice(name: str, command: Command, handles: list[Any], options: dict[str, Any], are_records: bool) -> None:
+def reject_reading_options(name: str, command: Command, handles: list[Any], options: dict[str, Any], are_records: bool) -> None:
     """How a file is read was settled when it was read, and the rate of arrays when they became a record."""
     if are_records and options.get("fs") is not None:
         raise TypeError(f"{name}() cannot give a record another rate with 'fs'; give it to percuss.read() or percuss.Record()")
@@ -47,7 +47,7 @@ def refuse_reading_twice(name: str, command: Command, handles: list[Any], option
         raise TypeError(f"{name}() cannot read a record again with {settled[0]!r}; give it to percuss.read()")
 
 
-def refuse_one_point(handle: Any, geometry: Any) -> None:
+def reject_single_point(handle: Any, geometry: Any) -> None:
     """Arrays by themselves do not say which points were struck."""
     told = handle.describe()
     places = 0 if geometry is None or isinstance(geometry, (str, bytes, os.PathLike, dict)) else len(geometry)

@@ -10,7 +10,7 @@ from . import _percuss
 from ._arrays import frozen
 
 
-class Kept:
+class PickledOutcome:
     """Stands where the compiled outcome stood, with its answers to the calls that were asked."""
 
     def __init__(self, outcome: Any, calls: list[tuple[Any, ...]]) -> None:

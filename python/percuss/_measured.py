@@ -18,43 +18,43 @@ class MeasuredFrf:
 
     def __init__(self, handle: Any) -> None:
         self._handle = handle
-        self._told = handle.describe()
+        self._description = handle.describe()
         self._responses = Responses(handle.responses())
 
     @property
     def frequency_hz(self) -> np.ndarray:
         """(lines,) Hz."""
-        return self._told["frequency_hz"]
+        return self._description["frequency_hz"]
 
     @property
     def format(self) -> str:
         """What was read: "FRF HDF5" ..."""
-        return self._told["format"]
+        return self._description["format"]
 
     @property
     def source(self) -> str:
         """The file."""
-        return self._told["source"]
+        return self._description["source"]
 
     @property
     def kind(self) -> str:
         """As the file has it: accelerance, mobility or receptance."""
-        return self._told["kind"]
+        return self._description["kind"]
 
     @property
     def estimator(self) -> str:
         """"H1" ..."""
-        return self._told["estimator"]
+        return self._description["estimator"]
 
     @property
     def notes(self) -> list[str]:
         """What was assumed, one line each."""
-        return self._told["notes"]
+        return self._description["notes"]
 
     @property
     def signals(self) -> list[dict[str, Any]]:
         """The accelerations: name, unit, to_si, angle_rad, position_m."""
-        return self._told["accel"]
+        return self._description["accel"]
 
     @property
     def points(self) -> np.ndarray:

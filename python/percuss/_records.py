@@ -9,7 +9,7 @@ import numpy as np
 
 from . import _percuss
 from ._arrays import geometry_of, names_of, points_of, rate_of, rows_of
-from ._words import in_python
+from ._words import in_python_terms
 
 
 class Record:
@@ -60,15 +60,15 @@ class Record:
         try:
             self._handle = _percuss.RecordHandle(*self._given)
         except _percuss.InputError as error:
-            raise in_python(error) from None
-        self._told = self._handle.describe()
+            raise in_python_terms(error) from None
+        self._description = self._handle.describe()
 
     @classmethod
     def _of(cls, handle: Any) -> Record:
         made = cls.__new__(cls)
         made._given = None
         made._handle = handle
-        made._told = handle.describe()
+        made._description = handle.describe()
         return made
 
     @classmethod
@@ -97,54 +97,54 @@ class Record:
     @property
     def fs_hz(self) -> float:
         """Sampling rate in Hz."""
-        return self._told["fs_hz"]
+        return self._description["fs_hz"]
 
     @property
     def format(self) -> str:
         """What it was read from: "HDF5", "CSV" ...; "arrays"."""
-        return self._told["format"]
+        return self._description["format"]
 
     @property
     def source(self) -> str:
         """The file it was read from; the format where there is none."""
-        return self._told["source"]
+        return self._description["source"]
 
     @property
     def rows(self) -> int:
         """How many rows: hits, or long records in which hits are searched."""
-        return len(self._told["rows"])
+        return len(self._description["rows"])
 
     @property
     def channels(self) -> int:
         """How many accelerations."""
-        return len(self._told["accel"])
+        return len(self._description["accel"])
 
     @property
     def samples(self) -> np.ndarray:
         """(rows,) how many samples each row has."""
-        return np.array([row[0] for row in self._told["rows"]])
+        return np.array([row[0] for row in self._description["rows"]])
 
     @property
     def points(self) -> np.ndarray:
         """(rows,) which point was struck."""
-        return np.array([row[1] for row in self._told["rows"]])
+        return np.array([row[1] for row in self._description["rows"]])
 
     @property
     def signals(self) -> list[dict[str, Any]]:
         """The force, unless there is none, and each acceleration: name, unit, to_si, angle_rad, position_m."""
-        force = self._told["force"]
-        return ([] if force is None else [force]) + self._told["accel"]
+        force = self._description["force"]
+        return ([] if force is None else [force]) + self._description["accel"]
 
     @property
     def geometry(self) -> np.ndarray | None:
         """(points, 3) or (points, 2), as the file has it."""
-        places = self._told["geometry"]
+        places = self._description["geometry"]
         return np.array(places) if places else None
 
     @property
     def notes(self) -> list[str]:
         """What was assumed, or could not be read."""
-        return self._told["notes"]
+        return self._description["notes"]
 
     def force(self, row: int = 0) -> np.ndarray:
         """(samples,) the force of a row in N: where it lies, if it lies in memory, else read from the file now."""

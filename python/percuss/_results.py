@@ -11,9 +11,9 @@ import numpy as np
 
 from . import _percuss
 from ._arrays import frozen
-from ._kept import Kept
+from ._kept import PickledOutcome
 from ._records import Record
-from ._words import in_python
+from ._words import in_python_terms
 
 _WIDTH = 100
 _STYLE = (
@@ -73,7 +73,7 @@ class Result(Mapping[str, Any]):
         return [("text", _WIDTH), ("html",), ("columns",)]
 
     def __getstate__(self) -> dict[str, Any]:
-        return {**self.__dict__, "_outcome": Kept(self._outcome, self._calls())}
+        return {**self.__dict__, "_outcome": PickledOutcome(self._outcome, self._calls())}
 
     def __copy__(self) -> Any:
         made = type(self).__new__(type(self))
@@ -119,7 +119,7 @@ class Result(Mapping[str, Any]):
         try:
             self._outcome.save(os.fsencode(path), force)
         except _percuss.InputError as error:
-            raise in_python(error) from None
+            raise in_python_terms(error) from None
 
     def report(self, path: str | os.PathLike[str], force: bool = False) -> None:
         """Writes the page: one .html file, the one that the command line writes. It shows the

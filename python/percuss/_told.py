@@ -38,7 +38,7 @@ def signature(command: Command, leading: list[inspect.Parameter]) -> inspect.Sig
     )
 
 
-def _told(option: Option) -> str:
+def _option_doc(option: Option) -> str:
     choices = ": " + ", ".join(option.choices) if option.choices and option.list else ""
     initial = f" (default: {option.initial})" if option.initial else ""
     shown = f" [{option.shown}]" if option.shown else ""
@@ -53,7 +53,7 @@ def docstring(command: Command, intro: str, example: str) -> str:
         parts.append(_wrapped(_DATA))
     groups: dict[str, list[str]] = {}
     for option in command.options.values():
-        groups.setdefault(option.group or "Keywords", []).append(_told(option))
+        groups.setdefault(option.group or "Keywords", []).append(_option_doc(option))
     parts.append(_wrapped(_VALUES))
     parts += [f"{group}:\n" + "\n".join(lines) for group, lines in groups.items()]
     parts.append(

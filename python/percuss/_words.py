@@ -14,7 +14,7 @@ import numpy as np
 from . import _percuss
 
 # What a shell needs and Python does not: results are returned, and saved when asked for.
-_OF_THE_SHELL = {"help", "output", "json", "force", "quiet", "example", "example_table", "list"}
+_SHELL_ONLY = {"help", "output", "json", "force", "quiet", "example", "example_table", "list"}
 
 
 class Option:
@@ -88,7 +88,7 @@ def _text(keyword: str, value: Any) -> str:
     return str(int(value)) if isinstance(value, numbers.Integral) else repr(float(value))
 
 
-def in_python(error: Exception) -> Exception:
+def in_python_terms(error: Exception) -> Exception:
     """The error with keywords where the remedy names options that save(), write() and Record() have as such."""
     problem, semicolon, remedy = str(error).rpartition("; ")
     for option, keyword in {"--force": "force=True", "--fs": "fs="}.items():
@@ -182,10 +182,10 @@ class Command:
         self.about = declared["about"]
         self.words = [word["name"] for word in declared["words"]]
         options = [Option(one) for one in declared["options"]]
-        self.options = {one.keyword: one for one in options if one.keyword not in _OF_THE_SHELL}
+        self.options = {one.keyword: one for one in options if one.keyword not in _SHELL_ONLY}
         self._shell = {one.keyword for one in options}
 
-    def run(self, function: str, data: Any, inputs: list[Any], options: dict[str, Any]) -> _percuss.Outcome:
+    def run(self, function: str, data: Any, inputs: list[Any], options: dict[str, Any]) -> _percuss.CommandResult:
         """Runs it on files (`data`) or on what is in memory (`inputs`)."""
         files = MemoryFiles()
         try:

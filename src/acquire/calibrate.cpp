@@ -8,9 +8,9 @@
 namespace percuss {
 namespace {
 
-constexpr std::size_t kBefore = 8;   // samples before the pulse that tell the offsets
-constexpr double kCompared = 0.5;    // of the peak
-constexpr double kLeastForce = 0.2;  // of the largest hit
+constexpr std::size_t kBefore = 8;  // samples before the pulse that tell the offsets
+constexpr double kCompared = 0.5;   // of the peak
+constexpr double kMinForce = 0.2;   // of the largest hit
 
 double mean(const std::vector<double>& x, std::size_t first, std::size_t last) {
   double sum = 0;
@@ -62,7 +62,7 @@ Calibration calibrate(const Record& record, double mass_kg, const HitOptions& op
   double weights = 0, sum = 0, squares = 0;
   std::size_t used = 0;
   for (CalibrationHit& hit : out.hits) {
-    hit.used = std::abs(hit.peak_force) >= kLeastForce * largest && hit.samples > 0;
+    hit.used = std::abs(hit.peak_force) >= kMinForce * largest && hit.samples > 0;
     if (!hit.used) continue;
     weights += hit.peak_force * hit.peak_force;
     sum += hit.peak_force * hit.peak_force * hit.scale;

@@ -66,7 +66,7 @@ FileBytes read_text(const std::string& path) {
   }
   const std::string head = first_bytes(path, kOpenHead_bytes);
   refuse_foreign(head, path);
-  if (is_universal_file(head)) return sparse_input(path, kLargestText_bytes);
+  if (is_universal_file(head)) return lazy_input(path, kLargestText_bytes);
   require_text(head, path);
   return read_input(path, kLargestText_bytes);
 }
@@ -80,14 +80,14 @@ Record open_text(const FileBytes& bytes, const ReadOptions& options) {
 Record open_record(const std::string& path, const ReadOptions& options) {
   if (path != "-") {
     const std::string head = first_bytes(path, kOpenHead_bytes);
-    if (options.confined && (is_mat(head) || is_sound(head) || is_hdf5(path))) {
+    if (options.sandboxed && (is_mat(head) || is_sound(head) || is_hdf5(path))) {
       ReadOptions within = options;
-      within.confined = false;
-      return open_confined(path, [&] { return open_record(path, within); });
+      within.sandboxed = false;
+      return open_in_sandbox(path, [&] { return open_record(path, within); });
     }
     if (is_mat(head)) return open_mat(read_mat_file(path), options);
     if (is_sound(head)) return open_sound(path, options);
-    if (is_hdf5(path)) return read_plainly(open_hdf5(path, options));
+    if (is_hdf5(path)) return with_contiguous_readers(open_hdf5(path, options));
   }
   return open_text(read_text(path), options);
 }

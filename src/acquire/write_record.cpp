@@ -61,7 +61,7 @@ std::vector<std::string> losses_of(const std::string& path, const Record& record
                                      : "the geometry (positions and angles instead of coordinates)");
   }
   const std::size_t lines_kept = !geometry_kept      ? 0
-                                 : is_uff_name(kind) ? uff_kept_lines(record.geometry, record.trace_lines).size()
+                                 : is_uff_name(kind) ? uff_drawable_lines(record.geometry, record.trace_lines).size()
                                                      : record.trace_lines.size();
   if (lines_kept < record.trace_lines.size()) {
     out.emplace_back(lines_kept == 0 ? "the lines between points" : "lines to points without coordinates");

@@ -35,14 +35,14 @@ std::optional<std::size_t> take_number(std::string_view& text) {
   return value;
 }
 
-struct DoneLine {
+struct CompletedLine {
   std::size_t index = 0;
   bool failed = false;
   std::string_view rows;
 };
 
 // "done INDEX 0|1 DIGEST ROWS".
-std::optional<DoneLine> done_in(std::string_view line) {
+std::optional<CompletedLine> completed_records_in(std::string_view line) {
   if (!line.starts_with(kDone)) return std::nullopt;
   line.remove_prefix(kDone.size());
   const auto index = take_number(line);
@@ -50,7 +50,7 @@ std::optional<DoneLine> done_in(std::string_view line) {
     return std::nullopt;
   const std::string_view rows = line.substr(4 + kDigits);
   if (rows.empty() || line.substr(3, kDigits) != digits_of(rows)) return std::nullopt;
-  return DoneLine{.index = *index, .failed = line[1] == '1', .rows = rows};
+  return CompletedLine{.index = *index, .failed = line[1] == '1', .rows = rows};
 }
 
 [[noreturn]] void fail_to(const char* what, const std::string& path) {
@@ -60,7 +60,7 @@ std::optional<DoneLine> done_in(std::string_view line) {
 
 }  // namespace
 
-Journal::Journal(std::string path, const PartLabel& label, ShardRange range, bool anew)
+Journal::Journal(std::string path, const ShardLabel& label, ShardRange range, bool anew)
     : path_(std::move(path)), range_(range), entries_(range.size()) {
   constexpr mode_t kMode = 0644;
   descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, kMode);
@@ -85,12 +85,12 @@ void Journal::lock() const {
   throw InputError("another process is at this shard", path_, "wait for it, or end it first");
 }
 
-void Journal::load(const PartLabel& label, bool anew) {
+void Journal::load(const ShardLabel& label, bool anew) {
   bool known = false;
   LineReader lines(descriptor_, path_, kLongestLine_bytes);  // closing another would give the lock back
   while (!anew && lines.next() && lines.ended()) {
     if (lines.number() == 1) {
-      require_same(parse_label(lines.line(), path_), label, path_);
+      require_same_shard(parse_label(lines.line(), path_), label, path_);
       known = true;
     } else {
       take(lines.line(), lines.offset());
@@ -103,7 +103,7 @@ void Journal::load(const PartLabel& label, bool anew) {
 }
 
 void Journal::take(std::string_view line, std::uint64_t offset) {
-  const auto done = done_in(line);
+  const auto done = completed_records_in(line);
   if (!done || done->index < range_.first || done->index >= range_.last || has(done->index)) return;
   entries_[done->index - range_.first] = {
       .offset = offset + static_cast<std::uint64_t>(done->rows.data() - line.data()), .bytes = done->rows.size()};
@@ -159,7 +159,7 @@ JournalState journal_state(const std::string& path) {
   LineReader lines(path, kLongestLine_bytes);
   while (lines.next() && lines.ended()) {
     std::string_view line = lines.line();
-    if (const auto done = done_in(line)) {
+    if (const auto done = completed_records_in(line)) {
       ++state.finished;
       begun.erase(done->index);
     } else if (line.starts_with(kBegun)) {

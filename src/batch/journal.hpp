@@ -19,7 +19,7 @@ namespace percuss {
 /// file is of another plan or version (unless `anew`), the disk is full.
 class Journal {
  public:
-  Journal(std::string path, const PartLabel& label, ShardRange range, bool anew);
+  Journal(std::string path, const ShardLabel& label, ShardRange range, bool anew);
   ~Journal();
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
@@ -40,7 +40,7 @@ class Journal {
     std::uint64_t bytes = 0;  // 0: not finished
   };
   void lock() const;
-  void load(const PartLabel& label, bool anew);
+  void load(const ShardLabel& label, bool anew);
   void take(std::string_view line, std::uint64_t offset);
   void append(const std::string& line);
 

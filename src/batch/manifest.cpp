@@ -24,9 +24,9 @@ constexpr const char* kManifestSchema = "percuss/batch-manifest/1";
 constexpr const char* kPlanner = "percuss batch plan";
 constexpr std::size_t kLongestEntry_bytes = std::size_t{4} << 20U;  // a channel set-up stands in the first
 constexpr std::size_t kLongestId_bytes = 4096;                      // a path at the longest
-constexpr std::size_t kMostRecords = 20'000'000;
+constexpr std::size_t kMaxRecords = 20'000'000;
 
-Json head_json(const BatchHead& head, std::size_t records, std::uint64_t bytes) {
+Json head_json(const BatchHeader& head, std::size_t records, std::uint64_t bytes) {
   Json json{{"schema", kManifestSchema}, {"version", head.version}, {"records", records}, {"bytes", bytes}};
   json["shards"] = head.shards;
   json["frf"] = head.frf;
@@ -51,8 +51,8 @@ void require_name(const StrictObject& o, const std::string& text, const char* ke
   if (!fits) o.fail("empty, too long or not a name", key, std::string("plan anew with ") + kPlanner);
 }
 
-BatchHead parse_head(const StrictText& text, std::size_t& records) {
-  BatchHead head;
+BatchHeader parse_head(const StrictText& text, std::size_t& records) {
+  BatchHeader head;
   read_strict_json(text, [&](StrictObject& o) {
     std::string schema, digest;
     std::size_t bytes = 0;
@@ -64,8 +64,8 @@ BatchHead parse_head(const StrictText& text, std::size_t& records) {
     o.read("records", records);
     o.read("bytes", bytes);
     o.read("shards", head.shards);
-    if (head.shards < 1 || head.shards > kMostShards)
-      o.fail("out of range", "shards", fmt::format("give 1 to {}", kMostShards));
+    if (head.shards < 1 || head.shards > kMaxShards)
+      o.fail("out of range", "shards", fmt::format("give 1 to {}", kMaxShards));
     o.read("frf", head.frf);
     o.read("options", head.options);
     o.read("setup", head.setup);
@@ -93,15 +93,15 @@ BatchRecord parse_record(const StrictText& text) {
 
 }  // namespace
 
-std::string options_sha256(const BatchHead& head) {
+std::string options_sha256(const BatchHeader& head) {
   return hexadecimal(sha256(Json{head.options, head.setup, head.frf}.dump()));
 }
 
-void write_manifest(const std::string& path, const BatchHead& head, const std::vector<BatchRecord>& records,
+void write_manifest(const std::string& path, const BatchHeader& head, const std::vector<BatchRecord>& records,
                     bool force) {
   std::uint64_t bytes = 0;
   for (const BatchRecord& record : records) bytes += record.bytes;
-  DigestedFile file(path, force);
+  Sha256File file(path, force);
   file.add(head_json(head, records.size(), bytes).dump() + "\n");
   for (const BatchRecord& record : records) file.add(record_json(record).dump() + "\n");
   file.commit();
@@ -112,7 +112,7 @@ Manifest::Manifest(std::string path) : path_(std::move(path)) {
   if (!lines.next()) throw InputError("the file is empty", path_, std::string("give a manifest of ") + kPlanner);
   std::size_t records = 0;
   head_ = parse_head(line_text(lines.line(), path_, 1), records);
-  if (records > kMostRecords) throw InputError("more than 20 million records", path_, "plan several batches");
+  if (records > kMaxRecords) throw InputError("more than 20 million records", path_, "plan several batches");
   head_end_ = lines.end();
   Digest digest;
   digest.add(lines.line());
@@ -142,7 +142,7 @@ void Manifest::require_next(const BatchRecord& record, const std::string& id_bef
     throw InputError(fmt::format("record \"{}\" is out of order, or there twice", one_line(record.id, 80)), where,
                      std::string("plan anew with ") + kPlanner);
   }
-  if (record.bytes > std::numeric_limits<std::uint64_t>::max() / kMostRecords)
+  if (record.bytes > std::numeric_limits<std::uint64_t>::max() / kMaxRecords)
     throw InputError("a record of absurd size", where, "plan anew");
 }
 

@@ -15,7 +15,7 @@ struct BatchRecord {
 };
 
 /// What holds for a whole batch: the first line of its manifest.
-struct BatchHead {
+struct BatchHeader {
   std::string version;               // of the percuss that planned it
   std::vector<std::string> options;  // as percuss analyze takes them: "--band", "60:3200"
   std::string setup;                 // a channel set-up's text; empty: none
@@ -24,11 +24,11 @@ struct BatchHead {
 };
 
 /// What tells one way of analysing from another: the SHA-256 of options, set-up and frf.
-std::string options_sha256(const BatchHead& head);
+std::string options_sha256(const BatchHeader& head);
 
 /// Writes a manifest: the head, then a line of JSON per record (docs/schema/batch-manifest.schema.json). `records` are
 /// ordered by id, which are distinct. The file is whole or absent. errors  InputError as AtomicFile.
-void write_manifest(const std::string& path, const BatchHead& head, const std::vector<BatchRecord>& records,
+void write_manifest(const std::string& path, const BatchHeader& head, const std::vector<BatchRecord>& records,
                     bool force);
 
 /// Records first … last − 1 of a manifest.
@@ -49,7 +49,7 @@ class Manifest {
   Manifest& operator=(const Manifest&) = delete;
 
   const std::string& path() const { return path_; }
-  const BatchHead& head() const { return head_; }
+  const BatchHeader& head() const { return head_; }
   const std::string& sha256() const { return sha256_; }  // of its lines
   std::size_t size() const { return ends_.size(); }
   std::uint64_t bytes() const { return bytes_.empty() ? 0 : bytes_.back(); }
@@ -66,13 +66,13 @@ class Manifest {
   std::size_t records_before(std::size_t i, std::size_t shards) const;
 
   std::string path_, sha256_;
-  BatchHead head_;
+  BatchHeader head_;
   std::uint64_t head_end_ = 0;
   std::vector<std::uint64_t> ends_;   // of each record's line in the file
   std::vector<std::uint64_t> bytes_;  // of all records up to and with each
   int descriptor_ = -1;
 };
 
-inline constexpr std::size_t kMostShards = 100000;
+inline constexpr std::size_t kMaxShards = 100000;
 
 }  // namespace percuss

@@ -24,9 +24,9 @@ constexpr std::size_t kLongestRow_bytes = std::size_t{1} << 30U;
 }
 
 // Every shard's own word, held against the plan and against the others'.
-std::vector<FinishedPart> finished_parts(const Manifest& manifest, const std::string& folder) {
-  const std::size_t shards = division_in(folder).value_or(manifest.head().shards);
-  std::vector<FinishedPart> parts;
+std::vector<FinishedShard> finished_parts(const Manifest& manifest, const std::string& folder) {
+  const std::size_t shards = shard_count_in(folder).value_or(manifest.head().shards);
+  std::vector<FinishedShard> parts;
   std::vector<std::size_t> missing;
   for (std::size_t i = 0; i < shards; ++i) {
     const auto part = finished_part(folder, i);
@@ -34,9 +34,9 @@ std::vector<FinishedPart> finished_parts(const Manifest& manifest, const std::st
       missing.push_back(i);
       continue;
     }
-    PartLabel wanted = label_of(manifest, i, shards);
+    ShardLabel wanted = label_of(manifest, i, shards);
     wanted.version = (parts.empty() ? *part : parts.front()).label.version;
-    require_same(part->label, wanted, part_path(folder, i, "ok"));
+    require_same_shard(part->label, wanted, part_path(folder, i, "ok"));
     parts.push_back(*part);
   }
   if (missing.empty()) return parts;
@@ -45,7 +45,7 @@ std::vector<FinishedPart> finished_parts(const Manifest& manifest, const std::st
       folder, "run them with percuss batch run");
 }
 
-void copy_rows(const std::string& folder, const FinishedPart& part,
+void copy_rows(const std::string& folder, const FinishedShard& part,
                const std::vector<std::unique_ptr<RowWriter>>& writers) {
   const std::string path = part_path(folder, part.label.shard, "jsonl");
   LineReader lines(path, kLongestRow_bytes);
@@ -70,7 +70,7 @@ MergedBatch merge_batch(const Manifest& manifest, const std::string& folder, con
                         bool force) {
   const auto parts = finished_parts(manifest, folder);
   MergedBatch merged;
-  for (const FinishedPart& part : parts) {
+  for (const FinishedShard& part : parts) {
     merged.records += part.records;
     merged.failed += part.failed;
   }
@@ -81,7 +81,7 @@ MergedBatch merge_batch(const Manifest& manifest, const std::string& folder, con
   std::vector<std::unique_ptr<RowWriter>> writers;
   writers.reserve(paths.size());
   for (const std::string& path : paths) writers.push_back(row_writer(path, totals, force));
-  for (const FinishedPart& part : parts) copy_rows(folder, part, writers);
+  for (const FinishedShard& part : parts) copy_rows(folder, part, writers);
   for (const auto& writer : writers) writer->commit();
   return merged;
 }

@@ -20,7 +20,7 @@ using Json = nlohmann::ordered_json;
 constexpr const char* kPartSchema = "percuss/batch-part/1";
 constexpr std::size_t kLongestLabel_bytes = 4096;
 
-Json label_json(const PartLabel& label) {
+Json label_json(const ShardLabel& label) {
   return {{"schema", kPartSchema},
           {"version", label.version},
           {"manifest_sha256", label.manifest_sha256},
@@ -33,8 +33,8 @@ StrictText own_text(std::string_view text, const std::string& where) {
   return {.text = text, .where = where, .example = "percuss batch run"};
 }
 
-PartLabel read_label(StrictObject& o) {
-  PartLabel label;
+ShardLabel read_label(StrictObject& o) {
+  ShardLabel label;
   for (const char* key : {"schema", "version", "manifest_sha256", "options_sha256", "shard", "shards"}) o.need(key);
   std::string schema;
   o.read("schema", schema);
@@ -44,7 +44,7 @@ PartLabel read_label(StrictObject& o) {
   o.read("options_sha256", label.options_sha256);
   o.read("shard", label.shard);
   o.read("shards", label.shards);
-  if (label.shards < 1 || label.shards > kMostShards || label.shard >= label.shards)
+  if (label.shards < 1 || label.shards > kMaxShards || label.shard >= label.shards)
     o.fail("out of range", "shards", "run the shard again with --force");
   return label;
 }
@@ -70,7 +70,7 @@ std::string part_path(const std::string& folder, std::size_t shard, const char* 
   return fmt::format("{}/part-{}.{}", folder, shard, extension);
 }
 
-PartLabel label_of(const Manifest& manifest, std::size_t shard, std::size_t shards) {
+ShardLabel label_of(const Manifest& manifest, std::size_t shard, std::size_t shards) {
   return {.version = version(),
           .manifest_sha256 = manifest.sha256(),
           .options_sha256 = options_sha256(manifest.head()),
@@ -78,9 +78,9 @@ PartLabel label_of(const Manifest& manifest, std::size_t shard, std::size_t shar
           .shards = shards};
 }
 
-std::string label_line(const PartLabel& label) { return label_json(label).dump(); }
+std::string label_line(const ShardLabel& label) { return label_json(label).dump(); }
 
-std::string finished_line(const FinishedPart& part) {
+std::string finished_line(const FinishedShard& part) {
   Json json = label_json(part.label);
   json["records"] = part.records;
   json["failed"] = part.failed;
@@ -89,14 +89,14 @@ std::string finished_line(const FinishedPart& part) {
   return json.dump();
 }
 
-PartLabel parse_label(std::string_view line, const std::string& where) {
-  PartLabel label;
+ShardLabel parse_label(std::string_view line, const std::string& where) {
+  ShardLabel label;
   read_strict_json(own_text(line, where), [&](StrictObject& o) { label = read_label(o); });
   return label;
 }
 
-FinishedPart parse_finished(std::string_view text, const std::string& where) {
-  FinishedPart part;
+FinishedShard parse_finished(std::string_view text, const std::string& where) {
+  FinishedShard part;
   read_strict_json(own_text(text, where), [&](StrictObject& o) {
     part.label = read_label(o);
     for (const char* key : {"records", "failed", "bytes", "sha256"}) o.need(key);
@@ -110,14 +110,14 @@ FinishedPart parse_finished(std::string_view text, const std::string& where) {
   return part;
 }
 
-std::optional<FinishedPart> finished_part(const std::string& folder, std::size_t shard) {
+std::optional<FinishedShard> finished_part(const std::string& folder, std::size_t shard) {
   const std::string path = part_path(folder, shard, "ok");
   std::error_code ignored;
   if (!fs::exists(path, ignored)) return std::nullopt;
   return parse_finished(read_input(path, kLongestLabel_bytes).view(), path);
 }
 
-std::optional<std::size_t> division_in(const std::string& folder) {
+std::optional<std::size_t> shard_count_in(const std::string& folder) {
   std::error_code absent;
   for (const auto& entry : fs::directory_iterator(folder, absent)) {
     if (const auto shards = division_told(entry.path())) return shards;
@@ -125,7 +125,7 @@ std::optional<std::size_t> division_in(const std::string& folder) {
   return std::nullopt;
 }
 
-void require_same(const PartLabel& found, const PartLabel& wanted, const std::string& path) {
+void require_same_shard(const ShardLabel& found, const ShardLabel& wanted, const std::string& path) {
   const auto refuse = [&](const std::string& problem) {
     throw InputError(problem, path, "name another folder for the results, or run with --force");
   };

@@ -36,7 +36,7 @@ bool is_record_kind(const fs::path& path) {
 
 bool is_pattern(const std::string& name) { return name.find_first_of("*?[") != std::string::npos; }
 
-class Gathered {
+class CollectedFiles {
  public:
   void add(const std::string& path) {
     if (seen_.insert(path).second) files_.paths.push_back(path);
@@ -120,12 +120,12 @@ std::string path_from(const std::string& path, const fs::path& folder) {
 }  // namespace
 
 RecordFiles record_files(const std::vector<std::string>& named) {
-  Gathered gathered;
+  CollectedFiles gathered;
   for (const std::string& name : named) gathered.add_named(name);
   return gathered.result();
 }
 
-std::vector<std::string> listed_names(std::string_view text) {
+std::vector<std::string> parse_path_list(std::string_view text) {
   std::vector<std::string> names;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
@@ -137,8 +137,8 @@ std::vector<std::string> listed_names(std::string_view text) {
   return names;
 }
 
-std::vector<BatchRecord> planned_records(const std::vector<std::string>& paths, const std::string& manifest_folder,
-                                         bool hashed) {
+std::vector<BatchRecord> records_of_files(const std::vector<std::string>& paths, const std::string& manifest_folder,
+                                          bool hashed) {
   const fs::path folder = (fs::absolute(manifest_folder) / "").lexically_normal();
   std::map<std::string, BatchRecord> by_path;
   std::map<std::string, std::size_t> times;  // each name without extension

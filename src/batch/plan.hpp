@@ -17,13 +17,13 @@ struct RecordFiles {
 RecordFiles record_files(const std::vector<std::string>& named);
 
 /// The names in a text, one a line; blank lines do not count.
-std::vector<std::string> listed_names(std::string_view text);
+std::vector<std::string> parse_path_list(std::string_view text);
 
 /// The records of a batch, ordered by id. An id is the file's name without extension where no other record has that
 /// name, else its path. Paths that are not absolute become those from the folder `manifest_folder`, so that both can
 /// be moved together. With `hashed` every file is read once for its SHA-256.
 /// errors  InputError: a file cannot be looked at, or its name is not UTF-8.
-std::vector<BatchRecord> planned_records(const std::vector<std::string>& paths, const std::string& manifest_folder,
-                                         bool hashed);
+std::vector<BatchRecord> records_of_files(const std::vector<std::string>& paths, const std::string& manifest_folder,
+                                          bool hashed);
 
 }  // namespace percuss

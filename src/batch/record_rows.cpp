@@ -41,7 +41,7 @@ void require_unchanged(const BatchRecord& record) {
 }
 
 /// What is told of a record, gathered over its runs.
-struct Told {
+struct RowDiagnostics {
   int code = 0;
   std::string reason;
   Json fs_Hz, band_Hz{Json(), Json()};
@@ -52,14 +52,14 @@ struct Told {
   std::vector<Json> frfs;
 };
 
-void add_hits(Told& told, const Analysis& analysis) {
+void add_hits(RowDiagnostics& told, const Analysis& analysis) {
   for (const AnalysedHit& hit : analysis.hits()) {
     ++(hit.accepted ? told.accepted : told.rejected);
     for (const Finding& finding : hit.hit.findings) told.findings.insert(finding.code);
   }
 }
 
-void add_verdict(Json& row, const Verdict& verdict) {
+void add_verdict(Json& row, const ModeClassification& verdict) {
   row["family"] = name_of(verdict.family);
   row["order"] = verdict.order > 0 ? Json(verdict.order) : Json();
   row["confidence"] = verdict.confidence;
@@ -69,7 +69,7 @@ void add_verdict(Json& row, const Verdict& verdict) {
   row["ratio_re"] = verdict.ratio ? Json(verdict.ratio->real()) : Json();
   row["ratio_im"] = verdict.ratio ? Json(verdict.ratio->imag()) : Json();
   row["ratio_std"] = verdict.ratio ? Json(verdict.ratio_std) : Json();
-  const auto& peak = verdict.double_peak;
+  const auto& peak = verdict.split_mode;
   row["double_peak_partner"] = peak ? Json(peak->partner) : Json();
   row["double_peak_separation_hz"] = peak ? Json(peak->separation_Hz) : Json();
   row["double_peak_first"] = peak ? Json(peak->first) : Json();
@@ -79,7 +79,7 @@ Json row_start(const char* kind, const BatchRecord& record) {
   return {{"row", kind}, {"id", record.id}, {"path", record.path}};
 }
 
-void add_modes(Told& told, const BatchRecord& record, int run, const Analysis& analysis) {
+void add_modes(RowDiagnostics& told, const BatchRecord& record, int run, const Analysis& analysis) {
   for (std::size_t m = 0; m < analysis.modes().size(); ++m) {
     const Mode& mode = analysis.modes()[m];
     Json row = row_start("mode", record);
@@ -89,12 +89,12 @@ void add_modes(Told& told, const BatchRecord& record, int run, const Analysis& a
     row["frequency_std_hz"] = mode.freq_std_Hz;
     row["damping_ratio"] = mode.pole.damping_ratio;
     row["damping_ratio_std"] = mode.damping_std;
-    add_verdict(row, analysis.verdicts()[m]);
+    add_verdict(row, analysis.classifications()[m]);
     told.modes.push_back(std::move(row));
   }
 }
 
-void add_run(Told& told, const BatchRecord& record, const RunAnalysis& test, const RowOptions& options) {
+void add_run(RowDiagnostics& told, const BatchRecord& record, const RunAnalysis& test, const RowOptions& options) {
   const Analysis& analysis = *test.analysis;
   const bool given = analysis.given_frfs() != nullptr;  // FRFs do not tell the rate
   told.fs_Hz = given ? Json() : Json(analysis.record().fs_Hz);
@@ -113,19 +113,22 @@ void add_run(Told& told, const BatchRecord& record, const RunAnalysis& test, con
   if (!options.frf || !analysis.possible()) return;
   Json row = row_start("frf", record);
   row["run"] = test.run;
-  row["packed"] = packed_frfs(frf_record_of(analysis));
+  row["packed"] = serialize_frfs(frf_record_of(analysis));
   told.frfs.push_back(std::move(row));
 }
 
 // The codes and words with which the program would end.
-Told told_of(const BatchRecord& record, const RowOptions& options) {
-  Told told;
-  const auto refused = [](int code, const std::string& reason) { return Told{.code = code, .reason = reason}; };
+RowDiagnostics row_diagnostics_of(const BatchRecord& record, const RowOptions& options) {
+  RowDiagnostics told;
+  const auto refused = [](int code, const std::string& reason) {
+    return RowDiagnostics{.code = code, .reason = reason};
+  };
   try {
     require_unchanged(record);
-    auto opened = options.nursery != nullptr ? open_measurement_in(options.nursery, record.path, options.read)
-                                             : open_measurement(record.path, options.read);
-    for (const RunAnalysis& test : tests_of_record(std::move(opened), options.analysis))
+    auto opened = options.fork_server != nullptr
+                      ? open_measurement_forked(options.fork_server, record.path, options.read)
+                      : open_measurement(record.path, options.read);
+    for (const RunAnalysis& test : analyses_of_runs(std::move(opened), options.analysis))
       add_run(told, record, test, options);
     return told;
   } catch (const UsageError& e) {
@@ -133,13 +136,13 @@ Told told_of(const BatchRecord& record, const RowOptions& options) {
   } catch (const InputError& e) {
     return refused(kUnusable, e.what());
   } catch (const std::bad_alloc&) {
-    return refused(kWentWrong, kNoMemory);
+    return refused(kWentWrong, kOutOfMemoryMessage);
   } catch (const std::exception& e) {
     return refused(kWentWrong, e.what());
   }
 }
 
-Json record_row(const BatchRecord& record, const Told& told) {
+Json record_row(const BatchRecord& record, const RowDiagnostics& told) {
   Json row = row_start("record", record);
   row["bytes"] = record.bytes;
   row["code"] = told.code;
@@ -159,7 +162,7 @@ Json record_row(const BatchRecord& record, const Told& told) {
 }  // namespace
 
 RecordRows rows_of(const BatchRecord& record, const RowOptions& options) {
-  const Told told = told_of(record, options);
+  const RowDiagnostics told = row_diagnostics_of(record, options);
   RecordRows out{.lines = {line_of(record_row(record, told))}, .failed = told.code != 0};
   for (const auto* rows : {&told.modes, &told.frfs}) {
     for (const Json& row : *rows) out.lines.push_back(line_of(row));

@@ -9,14 +9,14 @@
 
 namespace percuss {
 
-class ReaderNursery;
+class ForkServer;
 
 /// How every record of a batch is read and analysed.
 struct RowOptions {
   FrfReadOptions read;
   AnalysisOptions analysis;
-  bool frf = false;                          // a row per run with its FRFs as well
-  std::shared_ptr<ReaderNursery> nursery{};  // forks the confined readers, where there is one
+  bool frf = false;                           // a row per run with its FRFs as well
+  std::shared_ptr<ForkServer> fork_server{};  // forks the confined readers, where there is one
 };
 
 /// What a record came to, as lines of JSON without their ends: a "record", its "mode"s in ascending order, its "frf"s.

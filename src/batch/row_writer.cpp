@@ -33,7 +33,7 @@ void with_row(std::string_view row, const std::string& where, Use&& use) {
 class JsonLines : public RowWriter {
  public:
   JsonLines(const std::string& path, const BatchTotals& totals, bool force) : file_(path, force) {
-    file_.add(batch_head_line(totals));
+    file_.add(batch_header_line(totals));
   }
   void add(std::string_view row, const std::string& /*where*/) override {
     if (row.starts_with(kFrfRow)) return;
@@ -43,7 +43,7 @@ class JsonLines : public RowWriter {
   void commit() override { file_.commit(); }
 
  private:
-  DigestedFile file_;
+  Sha256File file_;
 };
 
 std::string cell_of(const Json& value) {
@@ -76,7 +76,7 @@ class CsvTable : public RowWriter {
   void commit() override { file_.commit(); }
 
  private:
-  DigestedFile file_;
+  Sha256File file_;
 };
 
 // A name of one group for every id: a slash would make it two.
@@ -98,7 +98,7 @@ class FrfFile : public RowWriter {
     with_row(row, where, [&](const Json& json) {
       const std::string id = json.at("id").get<std::string>(), path = json.at("path").get<std::string>();
       const std::string group = fmt::format("{}/run-{}", group_name(id), json.at("run").get<int>());
-      write_frf_group(out_, group, unpacked_frfs(json.at("packed").get<std::string>(), where), FrfKind::accelerance);
+      write_frf_group(out_, group, deserialize_frfs(json.at("packed").get<std::string>(), where), FrfKind::accelerance);
       out_.set_text(group, "id", id);
       out_.set_text(group, "path", path);
       out_.close_sets();
@@ -112,7 +112,7 @@ class FrfFile : public RowWriter {
 
 }  // namespace
 
-std::string batch_head_line(const BatchTotals& totals) {
+std::string batch_header_line(const BatchTotals& totals) {
   Json json{{"schema", kBatchSchema},
             {"version", totals.version},
             {"records", totals.records},

@@ -14,7 +14,7 @@ inline constexpr std::string_view kFrfRow = R"({"row":"frf")";
 /// What holds for all rows.
 struct BatchTotals {
   std::string version;  // of the percuss that analysed
-  BatchHead head;
+  BatchHeader head;
   std::size_t records = 0, failed = 0;
 };
 
@@ -36,6 +36,6 @@ class RowWriter {
 std::unique_ptr<RowWriter> row_writer(const std::string& path, const BatchTotals& totals, bool force);
 
 /// The document percuss/batch/1, without its rows: the first line of the JSON lines, with its end.
-std::string batch_head_line(const BatchTotals& totals);
+std::string batch_header_line(const BatchTotals& totals);
 
 }  // namespace percuss

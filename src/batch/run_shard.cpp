@@ -11,9 +11,9 @@
 namespace percuss {
 namespace {
 
-FinishedPart put_in_place(const ShardJob& job, const PartLabel& label, ShardRange range, const Journal& journal) {
-  FinishedPart part{.label = label, .records = journal.finished(), .failed = journal.failed()};
-  DigestedFile file(part_path(job.folder, job.shard, "jsonl"), true);
+FinishedShard put_in_place(const ShardJob& job, const ShardLabel& label, ShardRange range, const Journal& journal) {
+  FinishedShard part{.label = label, .records = journal.finished(), .failed = journal.failed()};
+  Sha256File file(part_path(job.folder, job.shard, "jsonl"), true);
   file.add(label_line(label) + "\n");
   for (std::size_t i = range.first; i < range.last; ++i) file.add(journal.rows(i));
   file.commit();
@@ -23,11 +23,11 @@ FinishedPart put_in_place(const ShardJob& job, const PartLabel& label, ShardRang
   return part;
 }
 
-std::optional<FinishedPart> done_before(const ShardJob& job, const PartLabel& label) {
+std::optional<FinishedShard> finished_shard_before(const ShardJob& job, const ShardLabel& label) {
   if (job.force) return std::nullopt;
   auto part = finished_part(job.folder, job.shard);
   if (!part) return std::nullopt;
-  require_same(part->label, label, part_path(job.folder, job.shard, "ok"));
+  require_same_shard(part->label, label, part_path(job.folder, job.shard, "ok"));
   std::error_code absent;
   const auto bytes = std::filesystem::file_size(part_path(job.folder, job.shard, "jsonl"), absent);
   return absent || bytes != part->bytes ? std::nullopt : part;
@@ -45,12 +45,12 @@ void analyse(const ShardJob& job, Journal& journal, const std::vector<std::size_
 }  // namespace
 
 ShardOutcome run_shard(const ShardJob& job) {
-  const PartLabel label = label_of(*job.manifest, job.shard, job.shards);
+  const ShardLabel label = label_of(*job.manifest, job.shard, job.shards);
   const ShardRange range = job.manifest->shard(job.shard, job.shards);
-  if (auto part = done_before(job, label)) return {.part = *part};
+  if (auto part = finished_shard_before(job, label)) return {.part = *part};
   Journal journal(part_path(job.folder, job.shard, "partial"), label, range, job.force);
   // Whoever held the journal until now may have come to the end.
-  if (auto part = done_before(job, label)) {
+  if (auto part = finished_shard_before(job, label)) {
     journal.remove();
     return {.part = *part};
   }

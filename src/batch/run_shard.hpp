@@ -20,7 +20,7 @@ struct ShardJob {
 };
 
 struct ShardOutcome {
-  FinishedPart part;
+  FinishedShard part;
   std::size_t analysed = 0;  // of its records; the others were finished before
 };
 

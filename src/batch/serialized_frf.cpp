@@ -11,14 +11,14 @@
 namespace percuss {
 namespace {
 
-void pack_lines(Packer& out, const LineRange& lines) {
+void serialize_lines(Serializer& out, const LineRange& lines) {
   out.put(lines.fs_Hz);
   out.put(static_cast<std::uint64_t>(lines.samples));
   out.put(static_cast<std::uint64_t>(lines.first));
   out.put(static_cast<std::uint64_t>(lines.count));
 }
 
-LineRange unpack_lines(Unpacker& in) {
+LineRange deserialize_lines(Deserializer& in) {
   LineRange lines;
   lines.fs_Hz = in.get<double>();
   lines.samples = in.get<std::uint64_t>();
@@ -27,7 +27,7 @@ LineRange unpack_lines(Unpacker& in) {
   return lines;
 }
 
-void pack_frf(Packer& out, const PointFrf& frf) {
+void serialize_frf(Serializer& out, const PointFrf& frf) {
   out.put(frf.point);
   out.put(static_cast<std::uint64_t>(frf.channel));
   out.put(static_cast<std::uint64_t>(frf.frf.averages));
@@ -36,7 +36,7 @@ void pack_frf(Packer& out, const PointFrf& frf) {
   out.put_all(frf.frf.coherence);
 }
 
-PointFrf unpack_frf(Unpacker& in) {
+PointFrf deserialize_frf(Deserializer& in) {
   PointFrf frf;
   frf.point = in.get<int>();
   frf.channel = in.get<std::uint64_t>();
@@ -58,28 +58,28 @@ bool fits(const FrfRecord& record) {
 
 }  // namespace
 
-std::string packed_frfs(const FrfRecord& record) {
-  Packer out;
-  pack_lines(out, record.lines);
+std::string serialize_frfs(const FrfRecord& record) {
+  Serializer out;
+  serialize_lines(out, record.lines);
   out.put(record.estimator);
   out.put(record.decay_per_s);
   out.put(static_cast<std::uint64_t>(record.accel.size()));
-  for (const SignalInfo& signal : record.accel) pack_signal(out, signal);
+  for (const SignalInfo& signal : record.accel) serialize_signal(out, signal);
   out.put(static_cast<std::uint64_t>(record.frfs.size()));
-  for (const PointFrf& frf : record.frfs) pack_frf(out, frf);
+  for (const PointFrf& frf : record.frfs) serialize_frf(out, frf);
   return base64({reinterpret_cast<const std::uint8_t*>(out.bytes().data()), out.bytes().size()});
 }
 
-FrfRecord unpacked_frfs(std::string_view text, const std::string& where) {
+FrfRecord deserialize_frfs(std::string_view text, const std::string& where) {
   FrfRecord record;
   try {
     const std::string bytes = from_base64(text);
-    Unpacker in(bytes);
-    record.lines = unpack_lines(in);
+    Deserializer in(bytes);
+    record.lines = deserialize_lines(in);
     record.estimator = in.text();
     record.decay_per_s = in.get<double>();
-    for (std::size_t left = in.count(1); left > 0; --left) record.accel.push_back(unpack_signal(in));
-    for (std::size_t left = in.count(1); left > 0; --left) record.frfs.push_back(unpack_frf(in));
+    for (std::size_t left = in.count(1); left > 0; --left) record.accel.push_back(deserialize_signal(in));
+    for (std::size_t left = in.count(1); left > 0; --left) record.frfs.push_back(deserialize_frf(in));
     if (fits(record)) return record;
   } catch (const std::out_of_range&) {
   }

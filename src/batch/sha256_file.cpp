@@ -2,20 +2,20 @@
 
 namespace percuss {
 
-void DigestedFile::add(std::string_view text) {
+void Sha256File::add(std::string_view text) {
   constexpr std::size_t kWritten_bytes = std::size_t{1} << 20U;  // at a time
   text_ += text;
   if (text_.size() >= kWritten_bytes) flush();
 }
 
-void DigestedFile::flush() {
+void Sha256File::flush() {
   file_.write(text_);
   digest_.add(text_);
   bytes_ += text_.size();
   text_.clear();
 }
 
-void DigestedFile::commit() {
+void Sha256File::commit() {
   flush();
   file_.commit();
   sha256_ = hexadecimal(digest_.result());

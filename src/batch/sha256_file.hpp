@@ -10,9 +10,9 @@ namespace percuss {
 
 /// A text file written a piece at a time, of which the length and the SHA-256 are known at the end. errors  InputError
 /// as AtomicFile.
-class DigestedFile {
+class Sha256File {
  public:
-  DigestedFile(const std::string& path, bool force) : file_(path, force) {}
+  Sha256File(const std::string& path, bool force) : file_(path, force) {}
   void add(std::string_view text);
   /// Puts the file in its place. Once, last.
   void commit();

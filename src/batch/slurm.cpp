@@ -11,7 +11,7 @@
 
 namespace percuss {
 
-std::string shell_word(const std::string& text) {
+std::string shell_quoted(const std::string& text) {
   const bool plain = !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) {
     return std::isalnum(c) != 0 || std::string_view("-_./:,=+%@").find(static_cast<char>(c)) != std::string_view::npos;
   });
@@ -27,11 +27,11 @@ std::string slurm_script(const SlurmJob& job) {
       "#SBATCH --job-name=percuss-batch\n";
   text += fmt::format("#SBATCH --array={}\n", array_list(job.tasks));
   text += fmt::format("#SBATCH --cpus-per-task={}\n", job.threads);
-  text += fmt::format("#SBATCH --output={}\n", shell_word(job.folder + "/slurm-%A-%a.log"));
+  text += fmt::format("#SBATCH --output={}\n", shell_quoted(job.folder + "/slurm-%A-%a.log"));
   for (const std::string& directive : job.directives) text += "#SBATCH " + directive + "\n";
-  text +=
-      fmt::format("exec {} batch run --manifest {} --shard \"$SLURM_ARRAY_TASK_ID/{}\" --threads {} -o {}\n",
-                  shell_word(job.program), shell_word(job.manifest), job.shards, job.threads, shell_word(job.folder));
+  text += fmt::format("exec {} batch run --manifest {} --shard \"$SLURM_ARRAY_TASK_ID/{}\" --threads {} -o {}\n",
+                      shell_quoted(job.program), shell_quoted(job.manifest), job.shards, job.threads,
+                      shell_quoted(job.folder));
   return text;
 }
 

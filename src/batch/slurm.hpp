@@ -18,7 +18,7 @@ struct SlurmJob {
 std::string slurm_script(const SlurmJob& job);
 
 /// `text` as one word of a shell.
-std::string shell_word(const std::string& text);
+std::string shell_quoted(const std::string& text);
 
 /// The largest index that `scontrol show config` allows a job array, less one; 1000 where it does not tell.
 std::size_t largest_array_index(const std::string& config);

@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMostNamed = 10;
+constexpr std::size_t kMaxNamed = 10;
 
 void add_unfinished(BatchStatus& status, const Manifest& manifest, const std::string& path) {
   std::error_code ignored;
@@ -32,12 +32,12 @@ void add_unfinished(BatchStatus& status, const Manifest& manifest, const std::st
 
 BatchStatus batch_status(const Manifest& manifest, const std::string& folder) {
   BatchStatus status{.records = manifest.size(), .bytes = manifest.bytes()};
-  status.shards = division_in(folder).value_or(manifest.head().shards);
+  status.shards = shard_count_in(folder).value_or(manifest.head().shards);
   for (std::size_t i = 0; i < status.shards; ++i) {
     if (const auto part = finished_part(folder, i)) {
-      PartLabel wanted = label_of(manifest, i, status.shards);
+      ShardLabel wanted = label_of(manifest, i, status.shards);
       wanted.version = part->label.version;  // whether all are of one is for who merges them
-      require_same(part->label, wanted, part_path(folder, i, "ok"));
+      require_same_shard(part->label, wanted, part_path(folder, i, "ok"));
       status.finished += part->records;
       status.failed += part->failed;
     } else {
@@ -63,9 +63,9 @@ std::string status_text(const BatchStatus& status) {
                                  status.shards, status.shards == 1 ? "shard" : "shards");
   text += status.failed > 0 ? fmt::format("; {} failed\n", status.failed) : "\n";
   if (!status.missing.empty()) text += "missing: " + array_list(status.missing) + "\n";
-  for (std::size_t i = 0; i < std::min(status.stuck.size(), kMostNamed); ++i)
+  for (std::size_t i = 0; i < std::min(status.stuck.size(), kMaxNamed); ++i)
     text += fmt::format("begun more than once and never finished: {}\n", one_line(status.stuck[i]));
-  if (status.stuck.size() > kMostNamed) text += fmt::format("... and {} more\n", status.stuck.size() - kMostNamed);
+  if (status.stuck.size() > kMaxNamed) text += fmt::format("... and {} more\n", status.stuck.size() - kMaxNamed);
   return text;
 }
 

@@ -19,7 +19,8 @@ class InputError : public std::runtime_error {
 };
 
 /// What is said where memory ran out.
-inline constexpr const char* kNoMemory = "not enough memory (the whole run); analyse fewer rows or channels at a time";
+inline constexpr const char* kOutOfMemoryMessage =
+    "not enough memory (the whole run); analyse fewer rows or channels at a time";
 
 /// The command line asks for something that percuss does not offer. Same form of message.
 class UsageError : public std::runtime_error {

@@ -6,7 +6,7 @@
 
 namespace percuss {
 
-void* large_pages(std::size_t bytes) {
+void* allocate_pages(std::size_t bytes) {
   constexpr std::size_t kPage = std::size_t{1} << 21U, kLine = 64;
   const std::size_t unit = bytes < kPage ? kLine : kPage;
   void* const memory = std::aligned_alloc(unit, (bytes + unit) / unit * unit);  // never 0 bytes

@@ -52,9 +52,9 @@ CrossSpectra cross_spectra(std::span<const std::span<const Complex>> force,
                    .aa = std::vector<double>(lines),
                    .fa = std::vector<Complex>(lines),
                    .averages = force.size()};
-  constexpr std::size_t kTogether = 256;  // lines whose sums stay in the fastest memory
-  for (std::size_t first = 0; first < lines; first += kTogether) {
-    const std::size_t end = std::min(first + kTogether, lines);
+  constexpr std::size_t kLinesPerBlock = 256;  // lines whose sums stay in the fastest memory
+  for (std::size_t first = 0; first < lines; first += kLinesPerBlock) {
+    const std::size_t end = std::min(first + kLinesPerBlock, lines);
     for (std::size_t h = 0; h < force.size(); ++h) {
       const auto f = force[h];
       const auto a = accel[h];

@@ -9,8 +9,8 @@ namespace {
 
 using Eigen::Index;
 
-constexpr Index kBlock = 256;    // lines
-constexpr Index kEnough = 1024;  // lines: the hits agree or do not on any of them
+constexpr Index kBlock = 256;              // lines
+constexpr Index kMaxComparedLines = 1024;  // lines: the hits agree or do not on any of them
 using Block = Eigen::Array<double, Eigen::Dynamic, 1, 0, kBlock, 1>;
 
 // Real and imaginary parts apart, so that several lines are worked on at once.
@@ -41,13 +41,13 @@ double unexplained(const Parts& h1, const Block& share, const Parts& f, const Pa
 
 }  // namespace
 
-std::vector<double> unexplained_by_others(std::span<const std::span<const Complex>> force,
-                                          std::span<const std::vector<std::span<const Complex>>> accel) {
+std::vector<double> leave_one_out_error(std::span<const std::span<const Complex>> force,
+                                        std::span<const std::vector<std::span<const Complex>>> accel) {
   const std::size_t hits = force.size();
   std::vector<double> left(hits), all(hits);
   if (hits < 2) return left;
   const auto all_lines = static_cast<Index>(force.front().size());
-  const Index step = (all_lines + kEnough - 1) / kEnough;
+  const Index step = (all_lines + kMaxComparedLines - 1) / kMaxComparedLines;
   const Index lines = step > 0 ? (all_lines + step - 1) / step : 0;
   std::vector<Parts> f(hits), a(hits);
   std::vector<Block> share(hits);

@@ -10,7 +10,7 @@ namespace percuss {
 /// energy that they leave unexplained, 0 … 1 and above. shapes  force [hits][lines]; accel [hits][channels][lines];
 /// result [hits]. Fewer than two hits: zeros.
 /// theory (2.9)
-std::vector<double> unexplained_by_others(std::span<const std::span<const Complex>> force,
-                                          std::span<const std::vector<std::span<const Complex>>> accel);
+std::vector<double> leave_one_out_error(std::span<const std::span<const Complex>> force,
+                                        std::span<const std::vector<std::span<const Complex>>> accel);
 
 }  // namespace percuss

@@ -16,22 +16,23 @@ namespace {
 
 using Eigen::Array2d;
 
-constexpr std::size_t kFiner = 8;                        // the pulse's transform over its length
-constexpr std::size_t kWidth = 12;                       // of the kernel, in lines of that transform
-constexpr std::size_t kMostSteps = 64, kLeastSteps = 8;  // lines between two of that transform
+constexpr std::size_t kOversampling = 8;              // the pulse's transform over its length
+constexpr std::size_t kKernelWidth = 12;              // of the kernel, in lines of that transform
+constexpr std::size_t kMaxSteps = 64, kMinSteps = 8;  // lines between two of that transform
 // The kernel's images, one turn of that transform away, begin where its own transform ends.
-const double kShape = std::numbers::pi * static_cast<double>(kWidth) * (1 - 0.5 / static_cast<double>(kFiner));
+const double kShape =
+    std::numbers::pi * static_cast<double>(kKernelWidth) * (1 - 0.5 / static_cast<double>(kOversampling));
 
-// Weights of the kWidth lines around a place between two of them, for each of `steps` places, each twice over: for the
-// real and the imaginary part. [steps][kWidth][2]
+// Weights of the kKernelWidth lines around a place between two of them, for each of `steps` places, each twice over:
+// for the real and the imaginary part. [steps][kKernelWidth][2]
 std::vector<double> kernel(std::size_t steps) {
   std::vector<double> weights;
-  weights.reserve(2 * steps * kWidth);
+  weights.reserve(2 * steps * kKernelWidth);
   for (std::size_t step = 0; step < steps; ++step) {
-    for (std::size_t t = 0; t < kWidth; ++t) {
+    for (std::size_t t = 0; t < kKernelWidth; ++t) {
       const double away =
-          static_cast<double>(t) + 1 - 0.5 * kWidth - static_cast<double>(step) / static_cast<double>(steps);
-      const double x = away / (0.5 * kWidth);
+          static_cast<double>(t) + 1 - 0.5 * kKernelWidth - static_cast<double>(step) / static_cast<double>(steps);
+      const double x = away / (0.5 * kKernelWidth);
       weights.insert(weights.end(), 2, std::cyl_bessel_i(0.0, kShape * std::sqrt(std::max(0.0, 1 - x * x))));
     }
   }
@@ -50,21 +51,22 @@ const std::vector<double>& cached_kernel(std::size_t steps) {
 
 // What the kernel makes of a sample that many samples off the middle.
 double kernel_gain(double samples_off, double grid) {
-  const double turn = std::numbers::pi * kWidth * samples_off / grid;
+  const double turn = std::numbers::pi * kKernelWidth * samples_off / grid;
   const double root = std::sqrt(kShape * kShape - turn * turn);
-  return kWidth * std::sinh(root) / root;
+  return kKernelWidth * std::sinh(root) / root;
 }
 
 // Lines wanted between two of the pulse's own transform; 0: none will do.
 std::size_t steps_between(std::size_t pulse, std::size_t samples) {
-  const std::size_t most = std::min(kMostSteps, samples / std::max(kFiner * pulse, 4 * kWidth));
-  for (std::size_t steps = most; steps >= kLeastSteps; --steps) {
+  const std::size_t most = std::min(kMaxSteps, samples / std::max(kOversampling * pulse, 4 * kKernelWidth));
+  for (std::size_t steps = most; steps >= kMinSteps; --steps) {
     if (samples % steps == 0 && samples / steps % 2 == 0) return steps;
   }
   return 0;
 }
 
-// The pulse's own transform about its middle sample, from kWidth lines before zero to as many after half of `grid`.
+// The pulse's own transform about its middle sample, from kKernelWidth lines before zero to as many after half of
+// `grid`.
 std::vector<Complex> own_transform(std::span<const double> pulse, std::size_t grid) {
   std::vector<double> x(grid);
   const std::size_t middle = pulse.size() / 2;
@@ -74,10 +76,10 @@ std::vector<Complex> own_transform(std::span<const double> pulse, std::size_t gr
   }
   const std::vector<Complex> half = real_dft(x);
   std::vector<Complex> all;
-  all.reserve(half.size() + 2 * kWidth);
-  for (std::size_t k = kWidth; k > 0; --k) all.push_back(std::conj(half[k]));
+  all.reserve(half.size() + 2 * kKernelWidth);
+  for (std::size_t k = kKernelWidth; k > 0; --k) all.push_back(std::conj(half[k]));
   all.insert(all.end(), half.begin(), half.end());
-  for (std::size_t k = 1; k <= kWidth; ++k) all.push_back(std::conj(half[half.size() - 1 - k]));
+  for (std::size_t k = 1; k <= kKernelWidth; ++k) all.push_back(std::conj(half[half.size() - 1 - k]));
   return all;
 }
 
@@ -85,7 +87,7 @@ Complex interpolated(const Complex* around, const double* weights) {
   const auto* lines = reinterpret_cast<const double*>(around);
   const auto at = [](const double* pair) { return Eigen::Map<const Array2d>(pair); };
   Array2d even = Array2d::Zero(), odd = Array2d::Zero();  // two sums: each waits for its last
-  for (std::size_t t = 0; t < 2 * kWidth; t += 4) {
+  for (std::size_t t = 0; t < 2 * kKernelWidth; t += 4) {
     even += at(weights + t) * at(lines + t);
     odd += at(weights + t + 2) * at(lines + t + 2);
   }
@@ -107,13 +109,13 @@ bool pulse_spectrum(std::span<const double> pulse, std::size_t offset, const Lin
                       -kTwoPi * static_cast<double>(middle * k % lines.samples) / static_cast<double>(lines.samples));
   };
   const Complex turn_by_line = turn(1);
-  constexpr std::size_t kAfresh = 64;  // lines after which the phase is worked out again: rounding adds up
+  constexpr std::size_t kPhaseRestart = 64;  // lines after which the phase is worked out again: rounding adds up
   Complex phase;
-  const Complex* around = own.data() + lines.first / steps + kWidth + 1 - kWidth / 2;
+  const Complex* around = own.data() + lines.first / steps + kKernelWidth + 1 - kKernelWidth / 2;
   std::size_t step = lines.first % steps;
   for (std::size_t i = 0; i < lines.count; ++i) {
-    phase = i % kAfresh == 0 ? turn(lines.first + i) : times(phase, turn_by_line);
-    out[i] = times(phase, interpolated(around, weights.data() + 2 * kWidth * step));
+    phase = i % kPhaseRestart == 0 ? turn(lines.first + i) : times(phase, turn_by_line);
+    out[i] = times(phase, interpolated(around, weights.data() + 2 * kKernelWidth * step));
     if (++step < steps) continue;
     step = 0;
     ++around;

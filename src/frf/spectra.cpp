@@ -33,20 +33,22 @@ LineRange lines_in_band(double fs_Hz, std::size_t samples, double low_Hz, double
 }
 
 ForceBlock force_block(const Hit& hit, double fs_Hz, double decay_per_s) {
-  ForceBlock block{
-      .offset = hit.gate_first - hit.first, .force_N = hit.gated_N, .whole_N = hit.whole_N, .decay_per_s = decay_per_s};
-  apply_exponential(block.whole_N, decay_per_s, fs_Hz, origin_of(hit));
+  ForceBlock block{.offset = hit.gate_first - hit.first,
+                   .force_N = hit.gated_N,
+                   .ungated_N = hit.ungated_N,
+                   .decay_per_s = decay_per_s};
+  apply_exponential(block.ungated_N, decay_per_s, fs_Hz, origin_of(hit));
   apply_exponential(block.force_N, decay_per_s, fs_Hz, origin_of(hit) - static_cast<double>(block.offset));
   return block;
 }
 
 void force_spectrum(const ForceBlock& block, const LineRange& lines, std::span<Complex> out) {
-  const bool short_pulse = block.whole_N.empty() && block.offset + block.force_N.size() <= lines.samples;
+  const bool short_pulse = block.ungated_N.empty() && block.offset + block.force_N.size() <= lines.samples;
   if (short_pulse && pulse_spectrum(block.force_N, block.offset, lines, out)) return;
   thread_local std::vector<double> x;  // zeros between calls: most of a gated force's block is
   if (x.size() != lines.samples) x.assign(lines.samples, 0);
-  const std::vector<double>& force = block.whole_N.empty() ? block.force_N : block.whole_N;
-  const std::size_t offset = block.whole_N.empty() ? std::min(block.offset, x.size()) : 0;
+  const std::vector<double>& force = block.ungated_N.empty() ? block.force_N : block.ungated_N;
+  const std::size_t offset = block.ungated_N.empty() ? std::min(block.offset, x.size()) : 0;
   const auto pulse = std::span(x).subspan(offset, std::min(force.size(), x.size() - offset));
   std::copy_n(force.begin(), pulse.size(), pulse.begin());
   transform(x, lines, out);

@@ -35,9 +35,9 @@ LineRange lines_in_band(double fs_Hz, std::size_t samples, double low_Hz, double
 /// A hit's force as it enters the spectra, in a block that begins at the hit's first sample: the pulse, or everything
 /// when it is not gated. With an exponential window it carries that window; `decay_per_s` is 0 without one.
 struct ForceBlock {
-  std::size_t offset = 0;       // of the pulse's first sample within the block
-  std::vector<double> force_N;  // the pulse: what drives the structure
-  std::vector<double> whole_N;  // from the block's beginning; empty: the force is zero outside the pulse
+  std::size_t offset = 0;         // of the pulse's first sample within the block
+  std::vector<double> force_N;    // the pulse: what drives the structure
+  std::vector<double> ungated_N;  // from the block's beginning; empty: the force is zero outside the pulse
   double decay_per_s = 0;
 };
 ForceBlock force_block(const Hit& hit, double fs_Hz, double decay_per_s);

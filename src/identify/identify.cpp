@@ -7,19 +7,19 @@
 
 namespace percuss {
 
-std::vector<Mode> identify_modes(const FrfSet& set, const IdentifyOptions& options) {
-  if (options.start_Hz.empty() && set.outputs.size() > kFewOutputs) {
-    if (auto modes = identify_many(set, options)) return *std::move(modes);
+std::vector<Mode> identify_modes(const FrfDataset& set, const IdentifyOptions& options) {
+  if (options.start_Hz.empty() && set.outputs.size() > kMaxPrincipalFrfs) {
+    if (auto modes = identify_multi_output(set, options)) return *std::move(modes);
   }
-  PeakFitOptions peaks = peak_fit_of(options.effort);
+  SequentialFitOptions peaks = sequential_fit_options(options.effort);
   peaks.modes = options.modes;
   peaks.start_Hz = options.start_Hz;
-  auto found = fit_peaks(set, peaks);
-  if (options.effort == Effort::best && !found.empty()) refine(set, found);
+  auto found = fit_sequentially(set, peaks);
+  if (options.effort == Effort::best && !found.empty()) refine_jointly(set, found);
   add_force_noise(set, found);
   std::vector<Mode> modes;
   modes.reserve(found.size());
-  for (PeakMode& mode : found) modes.push_back(std::move(mode.mode));
+  for (FittedMode& mode : found) modes.push_back(std::move(mode.mode));
   return modes;
 }
 

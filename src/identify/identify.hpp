@@ -15,6 +15,6 @@ struct IdentifyOptions {
 };
 
 /// The modes of a set of FRFs with one standard deviation on everything, in ascending frequency.
-std::vector<Mode> identify_modes(const FrfSet& set, const IdentifyOptions& options = {});
+std::vector<Mode> identify_modes(const FrfDataset& set, const IdentifyOptions& options = {});
 
 }  // namespace percuss

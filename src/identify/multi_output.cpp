@@ -17,32 +17,32 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kMostLeft = 0.05;          // of a mode's amplitude at a record's end
-constexpr double kCompleted = 1e-9;         // what is missing counts no more
-constexpr double kExplained = 1.5;          // energy around a mode over what noise explains
-constexpr double kAround = 5;               // half-power bandwidths
-constexpr double kLeastAround = 10;         // lines
-constexpr std::size_t kAlways = 1'000'000;  // operations, at the least
-constexpr std::size_t kPerLine = 60;  // operations of what costs most: what is missing of a decay, a gain's errors
+constexpr double kMaxRemainingAmplitude = 0.05;  // of a mode's amplitude at a record's end
+constexpr double kCompleted = 1e-9;              // what is missing counts no more
+constexpr double kExplained = 1.5;               // energy around a mode over what noise explains
+constexpr double kCheckedWidths = 5;             // half-power bandwidths
+constexpr double kMinCheckedLines = 10;          // lines
+constexpr std::size_t kMinFlops = 1'000'000;     // operations, at the least
+constexpr std::size_t kFlopsPerLine = 60;  // operations of what costs most: what is missing of a decay, a gain's errors
 
-double most_left(const FrfSet& set, const std::vector<PeakMode>& modes) {
+double max_remaining_amplitude(const FrfDataset& set, const std::vector<FittedMode>& modes) {
   double most = 0;
-  for (const PeakMode& mode : modes) most = std::max(most, left_at_end(mode.mode.pole, set.lines));
+  for (const FittedMode& mode : modes) most = std::max(most, remaining_amplitude(mode.mode.pole, set.lines));
   return most;
 }
 
 // Of a close pair it must be asked whether it only stands for one mode that moves from point to point.
-bool pairs_move(const FrfSet& set, const std::vector<Pole>& poles) {
-  GroupedFit all(set);
+bool any_pair_is_scatter(const FrfDataset& set, const std::vector<Pole>& poles) {
+  WindowedFit all(set);
   all.replace(poles);
   const auto pair = [](const FitGroup& group) { return group.fit.poles.size() > 1; };
   if (std::none_of(all.groups().begin(), all.groups().end(), pair)) return false;
   all.sweep();
   return std::any_of(all.groups().begin(), all.groups().end(),
-                     [&](const FitGroup& group) { return pair(group) && merged(all, group); });
+                     [&](const FitGroup& group) { return pair(group) && merge_if_scattered(all, group); });
 }
 
-Eigen::MatrixXd covariance_of(const std::vector<PeakMode>& modes) {
+Eigen::MatrixXd covariance_of(const std::vector<FittedMode>& modes) {
   const auto unknowns = static_cast<Index>(2 * modes.size());
   Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(unknowns, unknowns);
   for (Index m = 0; m < unknowns / 2; ++m) {
@@ -53,41 +53,42 @@ Eigen::MatrixXd covariance_of(const std::vector<PeakMode>& modes) {
   return covariance;
 }
 
-std::vector<Pole> poles_of(const std::vector<PeakMode>& modes) {
+std::vector<Pole> poles_of(const std::vector<FittedMode>& modes) {
   std::vector<Pole> poles;
   poles.reserve(modes.size());
-  for (const PeakMode& mode : modes) poles.push_back(mode.mode.pole);
+  for (const FittedMode& mode : modes) poles.push_back(mode.mode.pole);
   return poles;
 }
 
 // The set as records would have given it that hold the whole decay.
-class Completed {
+class CompletedDecays {
  public:
-  explicit Completed(const FrfSet& cut) : cut_(cut), whole_{.lines = cut.lines, .reach_Hz = cut.reach_Hz} {
+  explicit CompletedDecays(const FrfDataset& cut)
+      : cut_(cut), whole_{.lines = cut.lines, .usable_bandwidth_Hz = cut.usable_bandwidth_Hz} {
     whole_.points.resize(cut.points.size());
-    share_out(cut.points.size(), kPerProduct * cut.lines.count, [&](std::size_t p) {
+    parallel_for_cost(cut.points.size(), kFlopsPerProduct * cut.lines.count, [&](std::size_t p) {
       const PointForce& point = cut.points[p];
       whole_.points[p] = {.blocks = point.blocks, .spectra = {}, .ff = point.ff, .noise_N = point.noise_N};
       whole_.points[p].complete = true;
     });
     whole_.outputs.resize(cut.outputs.size());
-    share_out(cut.outputs.size(), kPerProduct * cut.lines.count,
-              [&](std::size_t o) { whole_.outputs[o] = cut.outputs[o]; });
+    parallel_for_cost(cut.outputs.size(), kFlopsPerProduct * cut.lines.count,
+                      [&](std::size_t o) { whole_.outputs[o] = cut.outputs[o]; });
   }
-  const FrfSet& set() const { return whole_; }
+  const FrfDataset& set() const { return whole_; }
   // FRFs that came without records do not tell what is missing of them.
   bool from_records() const {
     return std::all_of(cut_.points.begin(), cut_.points.end(), [](const PointForce& p) { return !p.blocks.empty(); });
   }
 
   // Residues fitted to a set less complete are off by as much as that lacks; what is added, by as much again.
-  void take(const std::vector<Pole>& poles, const Eigen::MatrixXcd& residues) {
-    share_out(cut_.outputs.size(), kPerProduct * cut_.lines.count,
-              [&](std::size_t o) { whole_.outputs[o].frf = cut_.outputs[o].frf; });
+  void add_missing_decays(const std::vector<Pole>& poles, const Eigen::MatrixXcd& residues) {
+    parallel_for_cost(cut_.outputs.size(), kFlopsPerProduct * cut_.lines.count,
+                      [&](std::size_t o) { whole_.outputs[o].frf = cut_.outputs[o].frf; });
     for (std::size_t m = 0; m < poles.size(); ++m) {
-      if (left_at_end(poles[m], cut_.lines) < kCompleted) continue;
-      const MissingDecay missing(poles[m], 0, cut_.lines, 0, cut_.lines.count);
-      share_out(cut_.outputs.size(), kPerLine * cut_.lines.count, [&](std::size_t o) {
+      if (remaining_amplitude(poles[m], cut_.lines) < kCompleted) continue;
+      const TruncatedDecay missing(poles[m], 0, cut_.lines, 0, cut_.lines.count);
+      parallel_for_cost(cut_.outputs.size(), kFlopsPerLine * cut_.lines.count, [&](std::size_t o) {
         missing.add_to(whole_.outputs[o].frf, residues(static_cast<Index>(o), static_cast<Index>(m)),
                        cut_.points[cut_.outputs[o].point]);
       });
@@ -95,25 +96,26 @@ class Completed {
   }
 
  private:
-  const FrfSet& cut_;
-  FrfSet whole_;
+  const FrfDataset& cut_;
+  FrfDataset whole_;
 };
 
 // Turns `few` into the outputs of complete records, and fits `found` to them. Each time what is missing is known
 // better, by as much as is missing.
-void complete(Completed& completed, const Eigen::MatrixXd& sums, FrfSet& few, std::vector<PeakMode>& found) {
-  double left = most_left(few, found);
+void complete(CompletedDecays& completed, const Eigen::MatrixXd& sums, FrfDataset& few,
+              std::vector<FittedMode>& found) {
+  double left = max_remaining_amplitude(few, found);
   while (left > kCompleted) {
     const std::vector<Pole> poles = poles_of(found);
-    completed.take(poles, residues_at(completed.set(), poles));
-    few = mixed_outputs(completed.set(), sums);
-    found = fit_peaks(few, {.start = poles});
-    left *= most_left(few, found);
+    completed.add_missing_decays(poles, residues_at(completed.set(), poles));
+    few = principal_frfs(completed.set(), sums);
+    found = fit_sequentially(few, {.start = poles});
+    left *= max_remaining_amplitude(few, found);
   }
 }
 
 // [lines] the variance of the force's gain error against that at the pole, which the residue takes up.
-Eigen::VectorXd gain_variance(const FrfSet& set, std::size_t point, Index from, Index to, std::size_t pole) {
+Eigen::VectorXd gain_variance(const FrfDataset& set, std::size_t point, Index from, Index to, std::size_t pole) {
   std::vector<std::size_t> lines{pole};
   for (Index k = from; k <= to; ++k) lines.push_back(static_cast<std::size_t>(k));
   const Eigen::MatrixXcd errors = gain_errors(set, point, lines);
@@ -127,19 +129,19 @@ struct PoleWindow {
 };
 
 // What a fit leaves of an output about a pole, in parts of its noise, and what noise would leave.
-struct Around {
+struct ResidualEnergy {
   double energy = 0, expected = 0;
 };
 
-std::vector<Around> around(const FrfSet& set, const std::vector<Eigen::VectorXcd>& residual, const LineNoise& noise,
-                           const PoleWindow& window) {
+std::vector<ResidualEnergy> residual_energy_near(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& residual,
+                                                 const LineNoise& noise, const PoleWindow& window) {
   std::vector<Eigen::VectorXd> gain(set.points.size());
   const auto lines = static_cast<std::size_t>(window.to - window.from + 1);
-  share_out(gain.size(), kPerLine * lines,
-            [&](std::size_t p) { gain[p] = gain_variance(set, p, window.from, window.to, window.pole); });
-  std::vector<Around> out(set.outputs.size());
-  share_out(out.size(), kPerLine * lines, [&](std::size_t o) {
-    const Output& output = set.outputs[o];
+  parallel_for_cost(gain.size(), kFlopsPerLine * lines,
+                    [&](std::size_t p) { gain[p] = gain_variance(set, p, window.from, window.to, window.pole); });
+  std::vector<ResidualEnergy> out(set.outputs.size());
+  parallel_for_cost(out.size(), kFlopsPerLine * lines, [&](std::size_t o) {
+    const FrfChannel& output = set.outputs[o];
     for (Index k = window.from; k <= window.to; ++k) {
       const auto line = static_cast<std::size_t>(k);
       const double n = noise.at(o, line);
@@ -151,17 +153,17 @@ std::vector<Around> around(const FrfSet& set, const std::vector<Eigen::VectorXcd
 }
 
 // Common poles leave the noise alone around every mode: the responses', and what the force's makes of a large FRF.
-bool explains(const FrfSet& set, const JointFit& fit) {
+bool fits_to_noise(const FrfDataset& set, const JointFit& fit) {
   const LineNoise noise(set);
   for (const Pole& pole : fit.poles) {
     const double at = set.lines.position(pole.freq_Hz);
-    const double half = std::max(kAround * pole.half_power_Hz() / set.lines.df_Hz(), kLeastAround);
+    const double half = std::max(kCheckedWidths * pole.half_power_Hz() / set.lines.df_Hz(), kMinCheckedLines);
     const auto from = static_cast<Index>(set.lines.at(at - half));
     const auto to = static_cast<Index>(set.lines.at(at + half));
-    const std::vector<Around> of_output =
-        around(set, fit.residual, noise, {.from = from, .to = to, .pole = set.lines.at(at)});
+    const std::vector<ResidualEnergy> of_output =
+        residual_energy_near(set, fit.residual, noise, {.from = from, .to = to, .pole = set.lines.at(at)});
     double energy = 0, expected = 0;
-    for (const Around& one : of_output) {
+    for (const ResidualEnergy& one : of_output) {
       energy += one.energy;
       expected += one.expected;
     }
@@ -170,7 +172,7 @@ bool explains(const FrfSet& set, const JointFit& fit) {
   return true;
 }
 
-std::vector<Mode> modes_of(const FrfSet& set, const std::vector<PeakMode>& found, const JointFit& fit) {
+std::vector<Mode> modes_of(const FrfDataset& set, const std::vector<FittedMode>& found, const JointFit& fit) {
   std::vector<Mode> modes;
   for (std::size_t m = 0; m < found.size(); ++m) {
     Mode mode = found[m].mode;
@@ -189,31 +191,31 @@ std::vector<Mode> modes_of(const FrfSet& set, const std::vector<PeakMode>& found
 
 }  // namespace
 
-std::optional<std::vector<Mode>> identify_many(const FrfSet& set, const IdentifyOptions& options) {
+std::optional<std::vector<Mode>> identify_multi_output(const FrfDataset& set, const IdentifyOptions& options) {
   // An exponential window belongs to the pulse, which mixed outputs do not have.
   if (set.window_decay_per_s() != 0) return std::nullopt;
-  const Eigen::MatrixXd sums = principal_sums(set, kFewOutputs);
-  FrfSet few = mixed_outputs(set, sums);
-  Completed completed(set);
-  std::vector<PeakMode> found;
+  const Eigen::MatrixXd sums = principal_components(set, kMaxPrincipalFrfs);
+  FrfDataset few = principal_frfs(set, sums);
+  CompletedDecays completed(set);
+  std::vector<FittedMode> found;
   // The clear modes first: what is missing of them after the records' ends would pass for hidden ones.
-  PeakFitOptions thorough = peak_fit_of(options.effort);
+  SequentialFitOptions thorough = sequential_fit_options(options.effort);
   thorough.modes = options.modes;
-  for (const PeakFitOptions& peaks : {PeakFitOptions{.rounds = 0, .modes = options.modes}, thorough}) {
+  for (const SequentialFitOptions& peaks : {SequentialFitOptions{.rounds = 0, .modes = options.modes}, thorough}) {
     const std::size_t before = found.size();
-    found = fit_peaks(few, peaks);
-    if (found.empty() || most_left(set, found) > kMostLeft) return std::nullopt;
+    found = fit_sequentially(few, peaks);
+    if (found.empty() || max_remaining_amplitude(set, found) > kMaxRemainingAmplitude) return std::nullopt;
     if (found.size() != before && completed.from_records()) complete(completed, sums, few, found);
   }
   const std::vector<Pole> poles = poles_of(found);
   bool move = false;  // seen while the rest goes on, which is seldom in vain
-  share_out(2, kAlways, [&](std::size_t task) {
-    if (task == 0) move = pairs_move(completed.set(), poles);
-    if (task == 1 && options.effort == Effort::best) refine(few, found);
+  parallel_for_cost(2, kMinFlops, [&](std::size_t task) {
+    if (task == 0) move = any_pair_is_scatter(completed.set(), poles);
+    if (task == 1 && options.effort == Effort::best) refine_jointly(few, found);
   });
   if (move) return std::nullopt;
   const JointFit fit = fit_residues(completed.set(), poles_of(found), covariance_of(found));
-  if (!explains(completed.set(), fit)) return std::nullopt;
+  if (!fits_to_noise(completed.set(), fit)) return std::nullopt;
   return modes_of(completed.set(), found, fit);
 }
 

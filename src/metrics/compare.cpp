@@ -9,7 +9,7 @@
 namespace percuss {
 namespace {
 
-constexpr std::size_t kLeastPlaces = 3;
+constexpr std::size_t kMinPlaces = 3;
 constexpr double kSamePlace_m = 1e-6;
 
 bool families_agree(const ComparedMode& a, const ComparedMode& b) {
@@ -17,7 +17,7 @@ bool families_agree(const ComparedMode& a, const ComparedMode& b) {
   return any(a.family) || any(b.family) || a.family == b.family;
 }
 
-bool near_enough(const ComparedMode& a, const ComparedMode& b, double furthest) {
+bool frequencies_match(const ComparedMode& a, const ComparedMode& b, double furthest) {
   return families_agree(a, b) && a.second == b.second && a.freq_Hz > 0 && b.freq_Hz > 0 &&
          std::abs(b.freq_Hz - a.freq_Hz) <= furthest * std::max(a.freq_Hz, b.freq_Hz);
 }
@@ -32,7 +32,7 @@ std::optional<Mac> mac_of(const ComparedMode& a, const ComparedMode& b) {
     second.value.push_back(other->second.value);
     second.std.push_back(other->second.std);
   }
-  if (first.value.size() < kLeastPlaces) return std::nullopt;
+  if (first.value.size() < kMinPlaces) return std::nullopt;
   return mac(first, second);
 }
 
@@ -52,9 +52,9 @@ std::vector<ModePair> by_shape(const ComparedDocument& a, const ComparedDocument
   std::vector<ModePair> all, chosen;
   for (std::size_t i = 0; i < a.modes.size(); ++i) {
     for (std::size_t k = 0; k < b.modes.size(); ++k) {
-      if (!near_enough(a.modes[i], b.modes[k], options.furthest)) continue;
+      if (!frequencies_match(a.modes[i], b.modes[k], options.furthest)) continue;
       ModePair pair = pair_of(a, b, i, k);
-      if (pair.mac && pair.mac->value >= options.least_mac) all.push_back(pair);
+      if (pair.mac && pair.mac->value >= options.min_mac) all.push_back(pair);
     }
   }
   std::stable_sort(all.begin(), all.end(),
@@ -88,7 +88,7 @@ std::vector<ModePair> by_frequency(const ComparedDocument& a, const ComparedDocu
   std::vector<std::vector<Best>> best(rows.size() + 1, std::vector<Best>(columns.size() + 1));
   const auto together = [&](std::size_t i, std::size_t k) -> std::optional<Best> {
     const ComparedMode &x = a.modes[rows[i]], &y = b.modes[columns[k]];
-    if (!near_enough(x, y, options.furthest)) return std::nullopt;
+    if (!frequencies_match(x, y, options.furthest)) return std::nullopt;
     const Best& before = best[i][k];
     return Best{.pairs = before.pairs + 1, .apart = before.apart + std::abs(std::log(y.freq_Hz / x.freq_Hz))};
   };

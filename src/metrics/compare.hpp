@@ -42,7 +42,7 @@ struct ComparedDocument {
 
 struct PairOptions {
   double furthest = 0.25;  // of the frequency: modes further apart are not the same
-  double least_mac = 0.6;  // where both have shapes
+  double min_mac = 0.6;    // where both have shapes
 };
 
 struct ModePair {

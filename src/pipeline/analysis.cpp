@@ -19,7 +19,7 @@ constexpr double kAntiAlias = 0.44;  // of fs: above it a recorder's filter shap
 // Samples: a row so long is looked through for the end of its decay first, which costs less than the lines that are
 // saved.
 constexpr std::size_t kLongRow = std::size_t{1} << 17U;
-constexpr double kForceReach = 1.2;  // of the −20 dB bandwidth: as far as a margin may go
+constexpr double kUsableBandwidthFactor = 1.2;  // of the −20 dB bandwidth: as far as a margin may go
 
 bool listed(const std::vector<std::size_t>& list, std::size_t i) {
   return std::find(list.begin(), list.end(), i) != list.end();
@@ -86,7 +86,7 @@ std::pair<double, double> Analysis::band_Hz() const {
     if (hit.accepted) reach.push_back(hit.hit.bandwidth_Hz);
   }
   const double high = reach.empty() ? kAntiAlias * record_.fs_Hz : std::min(median(reach), kAntiAlias * record_.fs_Hz);
-  return {lowest_Hz(high), high};
+  return {default_low_Hz(high), high};
 }
 
 const LineRange& Analysis::lines() const {
@@ -122,8 +122,8 @@ LineRange Analysis::choose_lines() const {
         fmt::format("the band {:.6g}:{:.6g} Hz does not fit a sampling rate of {:.6g} Hz", low, high, record_.fs_Hz),
         "--band", "give LO:HI with LO < HI <= half the sampling rate");
   }
-  const auto [from, to] = with_margin(low, high);
-  const double top = std::max(high, std::min({to, kForceReach * reach, kAntiAlias * record_.fs_Hz}));
+  const auto [from, to] = band_with_margin(low, high);
+  const double top = std::max(high, std::min({to, kUsableBandwidthFactor * reach, kAntiAlias * record_.fs_Hz}));
   const LineRange range = lines_in_band(record_.fs_Hz, samples, from, top);
   require_lines(range, low, high, record_.source(), "record longer or widen --band");
   return range;

@@ -59,12 +59,12 @@ class Analysis {
   /// Averaged FRFs over lines(), [points × channels], point by point, with the estimator asked for.
   const std::vector<PointFrf>& frfs() const;
   /// H1 of the accepted hits, as the modes were fitted to it; points ascending by number.
-  const FrfSet& fitted_frfs() const;
+  const FrfDataset& fitted_frfs() const;
   /// Modes within the band, ascending.
   const std::vector<Mode>& modes() const;
   /// Computes modes() and frfs(), these by threads that the fits of modes leave idle.
-  void make_modes_and_frfs() const;
-  const std::vector<Verdict>& verdicts() const;
+  void compute_modes_and_frfs() const;
+  const std::vector<ModeClassification>& classifications() const;
   /// Every mode as each accepted hit alone shows it: repeatability, drift, dependence on the force.
   const std::vector<HitMode>& modes_per_hit() const;
   /// The stabilisation diagram of the FRFs that the modes are fitted to; poles within the band. No mode needs it.
@@ -78,7 +78,7 @@ class Analysis {
   };
   struct Responses {
     std::vector<std::vector<Response>> of;  // [hits][channels]; empty for hits rejected by their force
-    LargeArray<Complex> lines;              // where the spectra are
+    UninitializedArray<Complex> lines;      // where the spectra are
   };
   struct FrfHits {  // what one FRF is averaged over
     int point = 0;
@@ -95,18 +95,18 @@ class Analysis {
   const std::vector<Spectrum>& force_spectra() const;  // [hits]; nullptr for those not used
   std::vector<FrfHits> frf_hits() const;
   PointFrf average(const FrfHits& of) const;
-  FrfSet frf_set(const std::vector<std::size_t>& hits) const;  // H1 of these hits, by point
+  FrfDataset frf_set(const std::vector<std::size_t>& hits) const;  // H1 of these hits, by point
   std::vector<std::size_t> accepted_hits() const;
-  std::vector<Verdict> name_modes() const;
+  std::vector<ModeClassification> classify_modes() const;
   std::vector<HitMode> identify_per_hit() const;
   // The same from FRFs that were given (analysis_frfs.cpp).
   std::pair<double, double> given_band_Hz() const;
   LineRange given_lines() const;
   std::vector<PointFrf> given_within_lines() const;
-  FrfSet given_set() const;
+  FrfDataset given_set() const;
   void warn_of_truncation(std::vector<Warning>& out) const;
-  void warn_of_unclaimed_peaks(std::vector<Warning>& out) const;
-  void warn_of_moving(std::vector<Warning>& out) const;
+  void warn_of_unmodelled_peaks(std::vector<Warning>& out) const;
+  void warn_of_freq_scatter(std::vector<Warning>& out) const;
 
   Record record_;
   std::optional<FrfRecord> given_;
@@ -118,9 +118,9 @@ class Analysis {
   Lazy<Responses> responses_;
   Lazy<std::vector<Spectrum>> force_spectra_;
   Lazy<std::vector<PointFrf>> frfs_;
-  Lazy<FrfSet> fitted_frfs_;
+  Lazy<FrfDataset> fitted_frfs_;
   Lazy<std::vector<Mode>> modes_;
-  Lazy<std::vector<Verdict>> verdicts_;
+  Lazy<std::vector<ModeClassification>> verdicts_;
   Lazy<std::vector<HitMode>> modes_per_hit_;
   Lazy<Stabilisation> stabilisation_;
 };

@@ -9,22 +9,22 @@
 namespace percuss {
 namespace {
 
-constexpr double kLowestPart = 0.01;  // of the highest frequency
-constexpr double kMargin = 0.15;      // of the band's width
-constexpr std::size_t kLeastLines = 16;
+constexpr double kMinBandFraction = 0.01;  // of the highest frequency
+constexpr double kMargin = 0.15;           // of the band's width
+constexpr std::size_t kMinBandLines = 16;
 
 }  // namespace
 
-double lowest_Hz(double highest_Hz) { return kLowestPart * highest_Hz; }
+double default_low_Hz(double highest_Hz) { return kMinBandFraction * highest_Hz; }
 
-std::pair<double, double> with_margin(double low_Hz, double high_Hz) {
+std::pair<double, double> band_with_margin(double low_Hz, double high_Hz) {
   const double margin = kMargin * (high_Hz - low_Hz);
   return {std::max(low_Hz - margin, 0.5 * low_Hz), high_Hz + margin};
 }
 
 void require_lines(const LineRange& lines, double low_Hz, double high_Hz, const std::string& where,
                    const std::string& remedy) {
-  if (lines.count >= kLeastLines) return;
+  if (lines.count >= kMinBandLines) return;
   throw InputError(fmt::format("only {} lines of {:.4g} Hz lie in the band {:.6g}:{:.6g} Hz", lines.count,
                                lines.df_Hz(), low_Hz, high_Hz),
                    where, remedy);

@@ -7,10 +7,10 @@
 namespace percuss {
 
 /// Where a band begins whose user names none: below it drift and the suspension rule.
-double lowest_Hz(double highest_Hz);
+double default_low_Hz(double highest_Hz);
 
 /// The band, and on either side what it takes to see the modes just outside it.
-std::pair<double, double> with_margin(double low_Hz, double high_Hz);
+std::pair<double, double> band_with_margin(double low_Hz, double high_Hz);
 
 /// errors  InputError at `where`: fewer lines in the band than modes can be found in.
 void require_lines(const LineRange& lines, double low_Hz, double high_Hz, const std::string& where,

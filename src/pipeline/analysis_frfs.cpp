@@ -43,7 +43,7 @@ Analysis::Analysis(FrfRecord frfs, AnalysisOptions options)
 std::pair<double, double> Analysis::given_band_Hz() const {
   const LineRange& all = given_->lines;
   const double high = all.freq_Hz(all.count - 1);
-  return {std::max(all.freq_Hz(0), lowest_Hz(high)), high};
+  return {std::max(all.freq_Hz(0), default_low_Hz(high)), high};
 }
 
 LineRange Analysis::given_lines() const {
@@ -55,7 +55,7 @@ LineRange Analysis::given_lines() const {
                                  all.freq_Hz(0), top),
                      "--band", "give LO:HI within them");
   }
-  const auto [from, to] = with_margin(low, high);
+  const auto [from, to] = band_with_margin(low, high);
   LineRange lines = lines_in_band(all.fs_Hz, all.samples, from, std::min(to, top));
   const std::size_t end = std::min(lines.first + lines.count, all.first + all.count);
   lines.first = std::max(lines.first, all.first);
@@ -79,8 +79,8 @@ std::vector<PointFrf> Analysis::given_within_lines() const {
   return out;
 }
 
-FrfSet Analysis::given_set() const {
-  FrfSet set{.lines = lines()};
+FrfDataset Analysis::given_set() const {
+  FrfDataset set{.lines = lines()};
   std::optional<int> point;
   for (const PointFrf& frf : frfs()) {
     if (frf.point != point) {
@@ -93,12 +93,13 @@ FrfSet Analysis::given_set() const {
   return set;
 }
 
-void Analysis::warn_of_moving(std::vector<Warning>& out) const {
+void Analysis::warn_of_freq_scatter(std::vector<Warning>& out) const {
   if (!modes_.ready()) return;
   std::string moving;
   for (const Mode& mode : modes()) {
-    if (mode.moves_Hz > 0)
-      moving += fmt::format("{}{:.1f} Hz (by {:.2g} Hz)", moving.empty() ? "" : ", ", mode.pole.freq_Hz, mode.moves_Hz);
+    if (mode.freq_scatter_Hz > 0)
+      moving += fmt::format("{}{:.1f} Hz (by {:.2g} Hz)", moving.empty() ? "" : ", ", mode.pole.freq_Hz,
+                            mode.freq_scatter_Hz);
   }
   if (moving.empty()) return;
   out.push_back({"moving_modes", "resonances that move from point to point: " + moving +

@@ -22,10 +22,10 @@ std::size_t Analysis::longest_decay() const {
     parallel_for(length.size(), options_.threads, [&](std::size_t t) {
       const Hit& hit = *used[t / channels];
       std::vector<double> buffer;
-      const LookAtSamples look = [&](std::size_t first, std::size_t count) {
-        return record_.read_accel_mps2.look(hit.row, t % channels, hit.first + first, count, buffer);
+      const SampleWindow view_or_read = [&](std::size_t first, std::size_t count) {
+        return record_.read_accel_mps2.view_or_read(hit.row, t % channels, hit.first + first, count, buffer);
       };
-      length[t] = trace_.run("decay", [&] { return decayed_length(hit, hit.samples, look); });
+      length[t] = trace_.run("decay", [&] { return decayed_length(hit, hit.samples, view_or_read); });
     });
     return *std::max_element(length.begin(), length.end());
   });
@@ -47,7 +47,7 @@ Analysis::Responses Analysis::read_responses() const {
     of[h].resize(channels);
     for (std::size_t c = 0; c < channels; ++c) tasks.emplace_back(h, c);
   }
-  Responses out{.of = std::move(of), .lines = LargeArray<Complex>(tasks.size() * range.count)};
+  Responses out{.of = std::move(of), .lines = UninitializedArray<Complex>(tasks.size() * range.count)};
   plan_real_dft(range.samples);
   parallel_for(tasks.size(), options_.threads, [&](std::size_t t) {
     const auto [h, c] = tasks[t];
@@ -55,7 +55,7 @@ Analysis::Responses Analysis::read_responses() const {
     const Hit& hit = hits[h].hit;
     thread_local std::vector<double> buffer;  // fetched from the system once, not for every response
     const auto accel = trace_.run("read acceleration", [&, c = c] {
-      return record_.read_accel_mps2.look(hit.row, c, hit.first, range.samples, buffer);
+      return record_.read_accel_mps2.view_or_read(hit.row, c, hit.first, range.samples, buffer);
     });
     out.of[h][c] = {.grade = grade_response(hit, accel, record_.fs_Hz), .spectrum = spectrum};
     trace_.run("fft", [&] { accel_spectrum(hit, accel, range, decay, spectrum); });
@@ -73,7 +73,7 @@ const std::vector<Spectrum>& Analysis::force_spectra() const {
     for (std::size_t h = 0; h < hits.size(); ++h) {
       if (hits[h].accepted) used.push_back(h);
     }
-    const auto all = std::make_shared<const LargeArray<Complex>>(used.size() * range.count);
+    const auto all = std::make_shared<const UninitializedArray<Complex>>(used.size() * range.count);
     parallel_for(used.size(), options_.threads, [&](std::size_t u) {
       const auto lines = all->part(u * range.count, range.count);
       trace_.run("fft", [&] { force_spectrum(force_block(hits[used[u]].hit, record_.fs_Hz, decay), range, lines); });
@@ -94,7 +94,7 @@ std::vector<AnalysedHit> Analysis::graded() const {
   for (std::size_t h = 0; h < out.size(); ++h) {
     for (const Response& response : all[h]) out[h].responses.push_back(response.grade);
   }
-  grade_shared_response_rail(out);
+  grade_repeated_clipping(out);
   for (AnalysedHit& hit : out) {
     add_response_findings(hit.hit, hit.responses);
     if (!hit.by_user) hit.accepted = hit.accepted && !rejects(hit.hit.findings);
@@ -108,7 +108,7 @@ std::vector<AnalysedHit> Analysis::graded() const {
   const ThreadLimit limit(options_.threads);
   trace_.run("agreement", [&] {
     grade_agreement(out, spectra);
-    settle_first_motion(out);
+    vote_first_motion(out);
   });
   return out;
 }

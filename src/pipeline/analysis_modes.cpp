@@ -12,7 +12,7 @@
 namespace percuss {
 namespace {
 
-constexpr std::size_t kOperationsPerLine = 20;  // and hit: a few products of complex numbers
+constexpr std::size_t kFlopsPerHitLine = 20;  // and hit: a few products of complex numbers
 
 // Hits by the point they struck, ascending.
 std::map<int, std::vector<std::size_t>> by_point(const std::vector<AnalysedHit>& hits,
@@ -32,8 +32,8 @@ const std::vector<PointFrf>& Analysis::frfs() const {
     const ThreadLimit limit(options_.threads);
     return trace_.run("frf", [&] {
       std::vector<PointFrf> out(of.size());
-      share_out(of.size(), kOperationsPerLine * lines().count * of.front().hits.size(),
-                [&](std::size_t i) { out[i] = average(of[i]); });
+      parallel_for_cost(of.size(), kFlopsPerHitLine * lines().count * of.front().hits.size(),
+                        [&](std::size_t i) { out[i] = average(of[i]); });
       return out;
     });
   });
@@ -60,20 +60,20 @@ PointFrf Analysis::average(const FrfHits& of) const {
           .frf = estimate_frf(cross_spectra(force, accel), range, options_.estimator)};
 }
 
-const FrfSet& Analysis::fitted_frfs() const {
+const FrfDataset& Analysis::fitted_frfs() const {
   return fitted_frfs_.get([&] {
     const ThreadLimit limit(options_.threads);
     return frf_set(accepted_hits());
   });
 }
 
-FrfSet Analysis::frf_set(const std::vector<std::size_t>& which) const {
+FrfDataset Analysis::frf_set(const std::vector<std::size_t>& which) const {
   if (given_) return given_set();
-  FrfSet set{.lines = lines()};
+  FrfDataset set{.lines = lines()};
   std::vector<double> reach;
   reach.reserve(which.size());
   for (const std::size_t h : which) reach.push_back(hits()[h].hit.bandwidth_Hz);
-  set.reach_Hz = median(reach);
+  set.usable_bandwidth_Hz = median(reach);
   const double decay = window_decay_per_s();
   const std::size_t channels = record_.accel.size();
   std::vector<std::vector<std::size_t>> members;
@@ -84,23 +84,24 @@ FrfSet Analysis::frf_set(const std::vector<std::size_t>& which) const {
   const bool made = frfs_.ready() && options_.estimator == Estimator::h1 && which == accepted_hits();
   set.points.resize(members.size());
   set.outputs.resize(members.size() * channels);
-  share_out(members.size(), kOperationsPerLine * lines().count * which.size() / members.size(), [&](std::size_t p) {
-    std::vector<ForceBlock> blocks;
-    std::vector<double> noise;
-    std::vector<Spectrum> spectra;
-    for (const std::size_t h : members[p]) {
-      blocks.push_back(force_block(hits()[h].hit, record_.fs_Hz, decay));
-      noise.push_back(hits()[h].hit.noise_N);
-      spectra.push_back(force_spectrum[h]);
-    }
-    set.points[p] = point_force(std::move(blocks), std::move(spectra), lines(), median(noise));
-    for (std::size_t c = 0; c < channels; ++c) {
-      std::vector<std::span<const Complex>> accel;
-      for (const std::size_t h : members[p]) accel.push_back(response[h][c].spectrum);
-      const std::size_t o = p * channels + c;
-      set.outputs[o] = {.point = p, .channel = c, .frf = made ? frfs()[o].frf.value : h1_at(set.points[p], accel)};
-    }
-  });
+  parallel_for_cost(
+      members.size(), kFlopsPerHitLine * lines().count * which.size() / members.size(), [&](std::size_t p) {
+        std::vector<ForceBlock> blocks;
+        std::vector<double> noise;
+        std::vector<Spectrum> spectra;
+        for (const std::size_t h : members[p]) {
+          blocks.push_back(force_block(hits()[h].hit, record_.fs_Hz, decay));
+          noise.push_back(hits()[h].hit.noise_N);
+          spectra.push_back(force_spectrum[h]);
+        }
+        set.points[p] = point_force(std::move(blocks), std::move(spectra), lines(), median(noise));
+        for (std::size_t c = 0; c < channels; ++c) {
+          std::vector<std::span<const Complex>> accel;
+          for (const std::size_t h : members[p]) accel.push_back(response[h][c].spectrum);
+          const std::size_t o = p * channels + c;
+          set.outputs[o] = {.point = p, .channel = c, .frf = made ? frfs()[o].frf.value : h1_at(set.points[p], accel)};
+        }
+      });
   return set;
 }
 
@@ -113,7 +114,7 @@ std::vector<int> Analysis::frf_points() const {
 
 const std::vector<Mode>& Analysis::modes() const {
   return modes_.get([&] {
-    const FrfSet& set = fitted_frfs();
+    const FrfDataset& set = fitted_frfs();
     const ThreadLimit limit(options_.threads);
     auto modes = trace_.run("modes", [&] { return identify_modes(set, options_.modes); });
     const std::vector<int> points = frf_points();
@@ -128,7 +129,7 @@ const std::vector<Mode>& Analysis::modes() const {
   });
 }
 
-void Analysis::make_modes_and_frfs() const {
+void Analysis::compute_modes_and_frfs() const {
   if (given_ || frfs_.ready() || modes_.ready()) {
     modes();
     frfs();
@@ -138,21 +139,22 @@ void Analysis::make_modes_and_frfs() const {
   const std::vector<FrfHits> of = frf_hits();
   std::vector<PointFrf> frfs(of.size());
   const ThreadLimit limit(options_.threads);
-  Meanwhile averages(of.size(), [&](std::size_t i) { trace_.run_part("frf", [&] { frfs[i] = average(of[i]); }); });
+  BackgroundTasks averages(of.size(),
+                           [&](std::size_t i) { trace_.run_part("frf", [&] { frfs[i] = average(of[i]); }); });
   modes();
   averages.finish();
   trace_.add("frf", 1, 0);
   frfs_.get([&] { return std::move(frfs); });
 }
 
-const std::vector<Verdict>& Analysis::verdicts() const {
+const std::vector<ModeClassification>& Analysis::classifications() const {
   return verdicts_.get([&] {
     modes();
-    return trace_.run("classes", [&] { return name_modes(); });
+    return trace_.run("classes", [&] { return classify_modes(); });
   });
 }
 
-std::vector<Verdict> Analysis::name_modes() const {
+std::vector<ModeClassification> Analysis::classify_modes() const {
   std::vector<std::optional<double>> angles;
   for (const SignalInfo& signal : record_.accel) angles.push_back(signal.angle_rad);
   const auto sensors = pair_of_sensors(angles);
@@ -161,7 +163,7 @@ std::vector<Verdict> Analysis::name_modes() const {
     for (std::size_t m = 0; m < modes().size(); ++m) {
       const std::size_t peak = lines().nearest(modes()[m].pole.freq_Hz);
       double first = 0, second = 0;
-      for (const Output& output : fitted_frfs().outputs) {
+      for (const FrfChannel& output : fitted_frfs().outputs) {
         const double power = std::norm(output.frf[peak]);
         if (output.channel == sensors->first) first += power;
         if (output.channel == sensors->second) second += power;
@@ -181,7 +183,7 @@ const std::vector<HitMode>& Analysis::modes_per_hit() const {
 
 const Stabilisation& Analysis::stabilisation() const {
   return stabilisation_.get([&] {
-    const FrfSet& set = fitted_frfs();
+    const FrfDataset& set = fitted_frfs();
     Stabilisation diagram = trace_.run("stabilisation", [&] { return stabilise(set); });
     std::tie(diagram.low_Hz, diagram.high_Hz) = band_Hz();
     std::erase_if(diagram.poles, [&](const StabilisationPole& pole) {

@@ -12,12 +12,12 @@
 namespace percuss {
 namespace {
 
-constexpr double kPeaks_dB = 65;         // under the largest line: lower peaks are not missed
-constexpr std::size_t kMostPeaks = 8;    // named
-constexpr double kEnoughBefore = 32;     // samples from a record's beginning to the pulse
-constexpr double kRingingShows = 2e-4;   // noise of a sample over the largest response …
-constexpr std::size_t kTellNoise = 512;  // … when there are so many lines
-constexpr double kDecayed = 0.0025;      // six time constants, as for the hits' own finding
+constexpr double kPeaks_dB = 65;              // under the largest line: lower peaks are not missed
+constexpr std::size_t kMaxPeaks = 8;          // named
+constexpr double kMinPretriggerSamples = 32;  // samples from a record's beginning to the pulse
+constexpr double kMinRingingNoise = 2e-4;     // noise of a sample over the largest response …
+constexpr std::size_t kMinNoiseLines = 512;   // … when there are so many lines
+constexpr double kDecayed = 0.0025;           // six time constants, as for the hits' own finding
 
 bool any_finding(const std::vector<AnalysedHit>& hits, FindingCode code, bool accepted_only) {
   return std::any_of(hits.begin(), hits.end(), [&](const AnalysedHit& hit) {
@@ -27,7 +27,7 @@ bool any_finding(const std::vector<AnalysedHit>& hits, FindingCode code, bool ac
 }
 
 // "hits 0, 2", or "every hit used"; empty when the channel is alive in all of them.
-std::string dead_hits(const std::vector<AnalysedHit>& hits, std::size_t channel) {
+std::string constant_hits(const std::vector<AnalysedHit>& hits, std::size_t channel) {
   std::string numbers;
   bool alive = false;
   for (std::size_t h = 0; h < hits.size(); ++h) {
@@ -74,33 +74,33 @@ double largest_response(const std::vector<AnalysedHit>& hits, std::size_t channe
 }
 
 // Whether the samples of some response are so quiet that what is missing of the filter's ringing stands out of them.
-bool ringing_stands_out(const FrfSet& set, const std::vector<AnalysedHit>& hits) {
-  if (set.lines.count < kTellNoise) return true;
+bool ringing_stands_out(const FrfDataset& set, const std::vector<AnalysedHit>& hits) {
+  if (set.lines.count < kMinNoiseLines) return true;
   const LineNoise noise(set);
   const std::size_t line = set.lines.count / 2;
   for (std::size_t o = 0; o < set.outputs.size(); ++o) {
     const std::vector<double>& ff = set.points[set.outputs[o].point].ff;
     if (ff.empty()) continue;
     const double of_sample_mps2 = noise.at(o, line) * std::sqrt(ff[line] / static_cast<double>(set.lines.samples));
-    if (of_sample_mps2 < kRingingShows * largest_response(hits, set.outputs[o].channel)) return true;
+    if (of_sample_mps2 < kMinRingingNoise * largest_response(hits, set.outputs[o].channel)) return true;
   }
   return false;
 }
 
 // What rang of the anti-alias filter before a row began is not in it.
-void warn_of_pretrigger(const Record& record, const std::vector<AnalysedHit>& hits, const FrfSet& set,
+void warn_of_pretrigger(const Record& record, const std::vector<AnalysedHit>& hits, const FrfDataset& set,
                         std::vector<Warning>& out) {
-  double least = kEnoughBefore;
+  double least = kMinPretriggerSamples;
   for (const AnalysedHit& hit : hits) {
     if (hit.accepted) least = std::min(least, hit.hit.onset_s * record.fs_Hz - static_cast<double>(hit.hit.first));
   }
-  if (least >= kEnoughBefore || !ringing_stands_out(set, hits)) return;
+  if (least >= kMinPretriggerSamples || !ringing_stands_out(set, hits)) return;
   out.push_back(
       {"short_pretrigger",
        fmt::format("a record begins {:.0f} samples before its pulse, within the recorder's own ringing: "
                    "the noise is so low that a mode's ± may be half of what it should be; record {:.0f} samples "
                    "before the pulse",
-                   std::max(0.0, least), 2 * kEnoughBefore)});
+                   std::max(0.0, least), 2 * kMinPretriggerSamples)});
 }
 
 }  // namespace
@@ -109,7 +109,7 @@ void Analysis::warn_of_truncation(std::vector<Warning>& out) const {
   if (!modes_.ready()) return;
   std::string ringing;
   for (const Mode& mode : modes()) {
-    const double left = left_at_end(mode.pole, lines(), window_decay_per_s());
+    const double left = remaining_amplitude(mode.pole, lines(), window_decay_per_s());
     if (left > kDecayed)
       ringing += fmt::format("{}{:.1f} Hz ({:.1f} %)", ringing.empty() ? "" : ", ", mode.pole.freq_Hz, left * 100);
   }
@@ -125,19 +125,20 @@ void Analysis::warn_of_truncation(std::vector<Warning>& out) const {
                     "; the damping is fitted with the missing decay allowed for, not read from a peak's width"});
 }
 
-void Analysis::warn_of_unclaimed_peaks(std::vector<Warning>& out) const {
+void Analysis::warn_of_unmodelled_peaks(std::vector<Warning>& out) const {
   if (!modes_.ready() || options_.modes.modes || !options_.modes.start_Hz.empty()) return;  // the user chose
   const auto [low, high] = band_Hz();
-  auto peaks = unclaimed_peaks(fitted_frfs(), modes(), kPeaks_dB);
-  std::erase_if(
-      peaks, [low = low, high = high](const UnclaimedPeak& peak) { return peak.freq_Hz < low || peak.freq_Hz > high; });
+  auto peaks = unmodelled_peaks(fitted_frfs(), modes(), kPeaks_dB);
+  std::erase_if(peaks, [low = low, high = high](const UnmodelledPeak& peak) {
+    return peak.freq_Hz < low || peak.freq_Hz > high;
+  });
   if (peaks.empty()) return;
   std::stable_sort(peaks.begin(), peaks.end(),
-                   [](const UnclaimedPeak& a, const UnclaimedPeak& b) { return a.level_dB > b.level_dB; });
+                   [](const UnmodelledPeak& a, const UnmodelledPeak& b) { return a.level_dB > b.level_dB; });
   std::string named;
-  for (std::size_t p = 0; p < std::min(peaks.size(), kMostPeaks); ++p)
+  for (std::size_t p = 0; p < std::min(peaks.size(), kMaxPeaks); ++p)
     named += fmt::format("{}{:.6g} Hz ({:.0f} dB)", p == 0 ? "" : ", ", peaks[p].freq_Hz, peaks[p].level_dB);
-  if (peaks.size() > kMostPeaks) named += fmt::format(" and {} lower ones", peaks.size() - kMostPeaks);
+  if (peaks.size() > kMaxPeaks) named += fmt::format(" and {} lower ones", peaks.size() - kMaxPeaks);
   out.push_back({"unclaimed_peaks", "peaks that no mode stands for: " + named +
                                         ". A single decaying oscillation does not fit them beyond doubt; two that are "
                                         "a line or two apart may: point at each with --start"});
@@ -146,7 +147,7 @@ void Analysis::warn_of_unclaimed_peaks(std::vector<Warning>& out) const {
 namespace {
 
 // Accepted hits that agree with the others by less than half.
-std::string strangers_among(const std::vector<AnalysedHit>& hits) {
+std::string poorly_coherent_hits(const std::vector<AnalysedHit>& hits) {
   constexpr double kHalf = 0.5;
   std::string out;
   for (std::size_t i = 0; i < hits.size(); ++i) {
@@ -176,7 +177,7 @@ std::vector<Warning> Analysis::warnings() const {
     out.push_back(
         {"rejected_hits", fmt::format("{} of {} hits not used; the reasons stand beside them", rejected, all.size())});
   }
-  if (const std::string strangers = strangers_among(all); !strangers.empty()) {
+  if (const std::string strangers = poorly_coherent_hits(all); !strangers.empty()) {
     out.push_back({"hits_disagree",
                    strangers + " explain less than half of what the others show: another structure, place or sensor?" +
                        (record_.files.size() > 1 ? " --files tests takes each file for itself" : "")});
@@ -191,7 +192,7 @@ std::vector<Warning> Analysis::warnings() const {
         {"low_bandwidth", "the hammer's force does not reach the end of the band: modes there are weakly excited"});
   }
   for (std::size_t c = 0; c < record_.accel.size(); ++c) {
-    const std::string dead = dead_hits(all, c);
+    const std::string dead = constant_hits(all, c);
     if (dead.empty()) continue;
     out.push_back({"dead_channel", fmt::format("{} reads the same number throughout in {}: check its cable, or choose "
                                                "the others with --accel-channel",
@@ -208,13 +209,13 @@ std::vector<Warning> Analysis::warnings() const {
                    "the structure was still ringing before a hit: wait longer between hits; damping there may be off "
                    "by more than its ±"});
   }
-  warn_of_moving(out);
+  warn_of_freq_scatter(out);
   warn_of_truncation(out);
-  warn_of_unclaimed_peaks(out);
+  warn_of_unmodelled_peaks(out);
   if (verdicts_.ready()) {
     std::string pairs;
-    for (std::size_t m = 0; m < verdicts().size(); ++m) {
-      const auto& pair = verdicts()[m].double_peak;
+    for (std::size_t m = 0; m < classifications().size(); ++m) {
+      const auto& pair = classifications()[m].split_mode;
       if (pair && pair->first) {
         pairs += fmt::format("{}{:.1f} Hz ({} Hz apart)", pairs.empty() ? "" : ", ", modes()[m].pole.freq_Hz,
                              significant(pair->separation_Hz, 3));

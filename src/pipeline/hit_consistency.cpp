@@ -12,12 +12,12 @@
 namespace percuss {
 namespace {
 
-constexpr std::size_t kLeastHits = 4;    // fewer cannot outvote one
+constexpr std::size_t kMinHits = 4;      // fewer cannot outvote one
 constexpr double kOutlierRatio = 25;     // times the others' disagreement (five times in amplitude)
 constexpr double kOutlierEnergy = 0.05;  // of its own energy: smaller misfits do no harm, however unlike the others
-constexpr std::size_t kOperationsPerHit = 50'000;
+constexpr std::size_t kFlopsPerHit = 50'000;
 constexpr double kLowCoherence = 0.9;
-constexpr double kDissent = 0.2;  // of the hits: more leave open which way a channel moves
+constexpr double kMaxDissent = 0.2;  // of the hits: more leave open which way a channel moves
 
 std::vector<std::size_t> without(std::vector<std::size_t> members, std::size_t i) {
   members.erase(members.begin() + static_cast<std::ptrdiff_t>(i));
@@ -32,10 +32,10 @@ std::vector<double> unexplained(const std::vector<HitSpectra>& spectra, const st
     force.push_back(spectra[h].force);
     accel.push_back(spectra[h].accel);
   }
-  return unexplained_by_others(force, accel);
+  return leave_one_out_error(force, accel);
 }
 
-void take_out(AnalysedHit& hit, double left, double typical) {
+void reject_outlier(AnalysedHit& hit, double left, double typical) {
   hit.hit.findings.push_back(
       {.code = FindingCode::outlier,
        .severity = Severity::reject,
@@ -57,7 +57,7 @@ std::string disagreement(double explained) {
 void grade_point(std::vector<AnalysedHit>& hits, const std::vector<HitSpectra>& spectra,
                  std::vector<std::size_t> members) {
   std::vector<double> left = unexplained(spectra, members);
-  while (members.size() >= kLeastHits) {
+  while (members.size() >= kMinHits) {
     // The worst hit has spoiled the FRFs that judge the others: how they agree is seen without it.
     const auto worst = static_cast<std::size_t>(std::max_element(left.begin(), left.end()) - left.begin());
     if (left[worst] <= kOutlierEnergy) break;
@@ -65,7 +65,7 @@ void grade_point(std::vector<AnalysedHit>& hits, const std::vector<HitSpectra>& 
     auto among_others = unexplained(spectra, others);
     const double typical = median(among_others);
     if (left[worst] <= std::max(kOutlierRatio * typical, kOutlierEnergy)) break;
-    take_out(hits[members[worst]], left[worst], typical);
+    reject_outlier(hits[members[worst]], left[worst], typical);
     members = others;
     left = std::move(among_others);
   }
@@ -88,11 +88,11 @@ void grade_agreement(std::vector<AnalysedHit>& hits, const std::vector<HitSpectr
   std::vector<std::vector<std::size_t>> groups;
   groups.reserve(points.size());
   for (auto& [point, members] : points) groups.push_back(std::move(members));
-  share_out(groups.size(), kOperationsPerHit * (hits.size() / std::max<std::size_t>(groups.size(), 1)),
-            [&](std::size_t g) { grade_point(hits, spectra, std::move(groups[g])); });
+  parallel_for_cost(groups.size(), kFlopsPerHit * (hits.size() / std::max<std::size_t>(groups.size(), 1)),
+                    [&](std::size_t g) { grade_point(hits, spectra, std::move(groups[g])); });
 }
 
-void settle_first_motion(std::vector<AnalysedHit>& hits) {
+void vote_first_motion(std::vector<AnalysedHit>& hits) {
   std::map<std::pair<int, std::size_t>, std::vector<std::size_t>> voters;  // by point and channel
   for (std::size_t h = 0; h < hits.size(); ++h) {
     for (std::size_t c = 0; hits[h].accepted && c < hits[h].responses.size(); ++c) {
@@ -104,7 +104,7 @@ void settle_first_motion(std::vector<AnalysedHit>& hits) {
     const auto with_push = [&](std::size_t h) { return hits[h].responses[channel].polarity * hits[h].hit.peak_N > 0; };
     const auto with = static_cast<std::size_t>(std::count_if(members.begin(), members.end(), with_push));
     const std::size_t against = members.size() - with;
-    const bool open = static_cast<double>(std::min(with, against)) > kDissent * static_cast<double>(members.size());
+    const bool open = static_cast<double>(std::min(with, against)) > kMaxDissent * static_cast<double>(members.size());
     for (const std::size_t h : members) {
       if (!open && with_push(h) == (with > against)) continue;
       hits[h].responses[channel].polarity = 0;

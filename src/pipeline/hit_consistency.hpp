@@ -20,6 +20,6 @@ void grade_agreement(std::vector<AnalysedHit>& hits, const std::vector<HitSpectr
 
 /// Lets the accepted hits of each point vote on which way a channel first moves, relative to the push. Hits that say
 /// otherwise lose their `polarity` and `delay_s`; all do when more than a fifth of them disagree.
-void settle_first_motion(std::vector<AnalysedHit>& hits);
+void vote_first_motion(std::vector<AnalysedHit>& hits);
 
 }  // namespace percuss

@@ -16,7 +16,8 @@
 namespace percuss {
 namespace {
 
-constexpr std::size_t kEnoughRest = 16;  // samples before the onset from which a bias can be read beside the ringing
+constexpr std::size_t kMinRestSamples =
+    16;  // samples before the onset from which a bias can be read beside the ringing
 
 bool usable(const AnalysedHit& hit, const AnalysisOptions& options, std::size_t index) {
   const auto has = [](const std::vector<std::size_t>& list, std::size_t i) {
@@ -53,8 +54,8 @@ std::vector<AnalysedHit> impacts_without_force(const Record& record) {
   return impacts;
 }
 
-std::vector<ModeShare> shares_of(const Analysis& analysis, int point, std::size_t channel, double corner_Hz) {
-  std::vector<ModeShare> shares;
+std::vector<ModalContribution> shares_of(const Analysis& analysis, int point, std::size_t channel, double corner_Hz) {
+  std::vector<ModalContribution> shares;
   for (const Mode& mode : analysis.modes()) {
     for (const Residue& residue : mode.residues) {
       if (static_cast<int>(residue.point) != point || residue.channel != channel) continue;
@@ -70,7 +71,7 @@ std::vector<ModeShare> shares_of(const Analysis& analysis, int point, std::size_
 }
 
 DeflectedHit deflected(const Record& record, const AnalysedHit& hit, const ImpactTestOptions& options, std::size_t h,
-                       std::size_t channel, const std::vector<ModeShare>& modes) {
+                       std::size_t channel, const std::vector<ModalContribution>& modes) {
   std::vector<double> accel(hit.hit.samples), force(hit.hit.samples);
   record.read_accel_mps2(hit.hit.row, channel, hit.hit.first, accel);
   if (!modes.empty() || options.effective_mass_kg) {
@@ -160,7 +161,7 @@ std::vector<ImpactSpeed> speeds(const Analysis& analysis, const std::vector<Anal
 
 bool shows_rest(double fs_Hz, const std::vector<AnalysedHit>& impacts, const std::vector<std::size_t>& hits) {
   return std::all_of(hits.begin(), hits.end(), [&](std::size_t h) {
-    return onset_in_stretch_s(impacts[h].hit, fs_Hz) * fs_Hz >= static_cast<double>(kEnoughRest);
+    return onset_in_stretch_s(impacts[h].hit, fs_Hz) * fs_Hz >= static_cast<double>(kMinRestSamples);
   });
 }
 
@@ -175,7 +176,7 @@ void warn(const ImpactTestOptions& options, std::size_t impacts, std::size_t use
                              "record with more pre-trigger"});
   }
   const auto untold = std::count_if(test.hits.begin(), test.hits.end(),
-                                    [](const DeflectedHit& hit) { return !hit.deflection.peak_is_told(); });
+                                    [](const DeflectedHit& hit) { return !hit.deflection.has_peak(); });
   if (untold > 0) {
     test.warnings.push_back(
         {"not_told",
@@ -214,7 +215,7 @@ ImpactTest deflect(const Analysis& analysis, const ImpactTestOptions& options) {
   const bool modal = method == DeflectionMethod::modal ||
                      (method == DeflectionMethod::automatic && !rest && record.has_force && analysis.possible());
   const std::size_t channels = record.accel.size();
-  std::map<std::pair<int, std::size_t>, std::vector<ModeShare>> shares;
+  std::map<std::pair<int, std::size_t>, std::vector<ModalContribution>> shares;
   for (const std::size_t h : hits) {
     for (std::size_t c = 0; c < channels; ++c) {
       auto& share = shares[{impacts[h].point, c}];

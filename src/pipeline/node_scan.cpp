@@ -80,7 +80,7 @@ NodeScan scan_nodes(const Analysis& analysis, const ScanPositions& positions, do
   NodeScan scan{.positions = positions, .modes = {}, .warnings = {}};
   const MeasuredPlaces places = measured(analysis, positions, scan.warnings);
   for (std::size_t m = 0; m < analysis.modes().size(); ++m) {
-    if (analysis.verdicts()[m].family == Family::hoop) continue;
+    if (analysis.classifications()[m].family == ModeType::hoop) continue;
     const Mode& mode = analysis.modes()[m];
     ModeAlongScan along{.mode = m,
                         .shape = shape_along(mode, places.point, places.position_m),

@@ -28,7 +28,7 @@ double choices(std::size_t all, std::size_t some) {
   return count;
 }
 
-void mark(ResponseGrade& response) { response.rail_samples = std::max<std::size_t>(response.rail_samples, 1); }
+void mark(ResponseGrade& response) { response.clipped_samples = std::max<std::size_t>(response.clipped_samples, 1); }
 
 void grade_side(std::vector<AnalysedHit>& hits, const Side& side) {
   std::vector<AnalysedHit*> shown;
@@ -55,13 +55,13 @@ void grade_side(std::vector<AnalysedHit>& hits, const Side& side) {
 }
 
 // Rails lie at the same distance to either side, and where they do for one channel they may for another.
-std::set<double> rails_of(const std::vector<AnalysedHit>& hits) {
+std::set<double> clip_levels_of(const std::vector<AnalysedHit>& hits) {
   std::set<double> rails;
   for (const AnalysedHit& hit : hits) {
     for (const ResponseGrade& response : hit.responses) {
       const auto [low, high] = response.extremes;
       const bool even = high > 0 && high == -low && response.resolution < kChance * kAlike * high;
-      if (even || response.rail_samples > 0) rails.insert(std::max(high, -low));
+      if (even || response.clipped_samples > 0) rails.insert(std::max(high, -low));
     }
   }
   return rails;
@@ -69,13 +69,13 @@ std::set<double> rails_of(const std::vector<AnalysedHit>& hits) {
 
 }  // namespace
 
-void grade_shared_response_rail(std::vector<AnalysedHit>& hits) {
+void grade_repeated_clipping(std::vector<AnalysedHit>& hits) {
   std::size_t channels = 0;
   for (const AnalysedHit& hit : hits) channels = std::max(channels, hit.responses.size());
   for (std::size_t c = 0; c < channels; ++c) {
     for (const double sign : {1.0, -1.0}) grade_side(hits, {.channel = c, .sign = sign});
   }
-  const std::set<double> rails = rails_of(hits);
+  const std::set<double> rails = clip_levels_of(hits);
   for (AnalysedHit& hit : hits) {
     for (ResponseGrade& response : hit.responses) {
       if (rails.contains(response.extremes.high) || rails.contains(-response.extremes.low)) mark(response);

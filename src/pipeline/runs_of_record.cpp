@@ -22,7 +22,7 @@ void assume_two_angles(AnyRecord& record) {
 void assume_angles(Record& record) { assume_two_angles(record); }
 void assume_angles(FrfRecord& frfs) { assume_two_angles(frfs); }
 
-std::vector<RunAnalysis> tests_of_record(std::variant<Record, FrfRecord> opened, const AnalysisOptions& options) {
+std::vector<RunAnalysis> analyses_of_runs(std::variant<Record, FrfRecord> opened, const AnalysisOptions& options) {
   std::vector<RunAnalysis> tests;
   if (auto* frfs = std::get_if<FrfRecord>(&opened)) {
     assume_angles(*frfs);

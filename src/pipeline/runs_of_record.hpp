@@ -19,6 +19,6 @@ struct RunAnalysis {
 };
 
 /// The tests in one file that was opened: its runs, each with its angles assumed where they are not stated.
-std::vector<RunAnalysis> tests_of_record(std::variant<Record, FrfRecord> opened, const AnalysisOptions& options);
+std::vector<RunAnalysis> analyses_of_runs(std::variant<Record, FrfRecord> opened, const AnalysisOptions& options);
 
 }  // namespace percuss

@@ -8,7 +8,7 @@
 namespace percuss {
 namespace {
 
-constexpr double kLeastShare = 1e-3;
+constexpr double kMinShare = 1e-3;
 
 class Account {
  public:
@@ -16,7 +16,7 @@ class Account {
     for (const auto& stage : analysis.trace().stages()) ran_.insert(stage.name);
   }
 
-  std::vector<Skipped> take() {
+  std::vector<SkippedWork> take() {
     if (ran_.contains("hits")) accelerations();
     if (ran_.contains("fft")) {
       force_zeros();
@@ -29,7 +29,7 @@ class Account {
  private:
   void add(const char* code, const char* what, std::string why, double part, double whole) {
     const double share = whole > 0 ? part / whole : 0;
-    if (share >= kLeastShare) out_.push_back({.code = code, .what = what, .why = std::move(why), .share = share});
+    if (share >= kMinShare) out_.push_back({.code = code, .what = what, .why = std::move(why), .share = share});
   }
 
   void accelerations() {
@@ -60,7 +60,7 @@ class Account {
   void force_zeros() {
     double pulses = 0, whole = 0;
     for (const AnalysedHit& hit : analysis_.force_hits()) {
-      if (!hit.accepted || !hit.hit.whole_N.empty()) continue;
+      if (!hit.accepted || !hit.hit.ungated_N.empty()) continue;
       pulses += static_cast<double>(hit.hit.gated_N.size());
       whole += static_cast<double>(analysis_.lines().samples);
     }
@@ -92,11 +92,11 @@ class Account {
 
   const Analysis& analysis_;
   std::set<std::string> ran_;
-  std::vector<Skipped> out_;
+  std::vector<SkippedWork> out_;
 };
 
 }  // namespace
 
-std::vector<Skipped> skipped_by(const Analysis& analysis) { return Account(analysis).take(); }
+std::vector<SkippedWork> skipped_work(const Analysis& analysis) { return Account(analysis).take(); }
 
 }  // namespace percuss

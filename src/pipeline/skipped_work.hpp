@@ -8,7 +8,7 @@
 namespace percuss {
 
 /// Work that an analysis has not done.
-struct Skipped {
+struct SkippedWork {
   std::string code;             // "silence"
   std::string what;             // "accelerations between the hits"
   std::string why;              // in words
@@ -17,6 +17,6 @@ struct Skipped {
 
 /// What the analysis has skipped up to now; asking computes nothing. Shares under 0.1 % are left out. Codes: channels
 /// (only the force was read), rejected, silence, tail, force_zeros, lines, modes, classes, stabilisation, per_hit.
-std::vector<Skipped> skipped_by(const Analysis& analysis);
+std::vector<SkippedWork> skipped_work(const Analysis& analysis);
 
 }  // namespace percuss

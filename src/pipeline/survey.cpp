@@ -18,24 +18,24 @@ namespace {
 
 constexpr double kSamePlace_m = 2e-3;               // how near a blow can be set beside a sensor …
 constexpr double kSameAngle_rad = 2 * kDegree_rad;  // … and around the tube
-constexpr double kDoubt = 0.9;                      // confidence below which a rival is named
+constexpr double kMinSoleProbability = 0.9;         // confidence below which a rival is named
 constexpr double kPoorFrac = 0.99, kStrong_dB = -20;
 
 // The family of the second most energetic order.
-std::optional<Family> rival_of(const TubeShape& tube) {
+std::optional<ModeType> rival_of(const TubeShape& tube) {
   int second = -1;
   for (int n = 0; n < static_cast<int>(tube.energy.size()); ++n) {
     if (n == tube.order) continue;
     if (second < 0 || tube.energy[static_cast<std::size_t>(n)] > tube.energy[static_cast<std::size_t>(second)])
       second = n;
   }
-  return second == 1 ? Family::bending : second == 2 ? Family::hoop : Family::unknown;
+  return second == 1 ? ModeType::bending : second == 2 ? ModeType::hoop : ModeType::unknown;
 }
 
-void name_by_tube(Verdict& verdict, const TubeShape& tube) {
-  const Family family = family_of(tube);
-  const bool sure = tube.confidence >= kDoubt;
-  if (family == Family::unknown && !sure && verdict.family != Family::unknown) return;  // two sensors know better
+void classify_by_tube(ModeClassification& verdict, const TubeShape& tube) {
+  const ModeType family = mode_type_of(tube);
+  const bool sure = tube.confidence >= kMinSoleProbability;
+  if (family == ModeType::unknown && !sure && verdict.family != ModeType::unknown) return;  // two sensors know better
   verdict.family = family;
   verdict.confidence = tube.confidence;
   verdict.alternative = sure ? std::nullopt : rival_of(tube);
@@ -119,23 +119,23 @@ const std::vector<std::optional<TubeShape>>& Survey::tubes() const {
   });
 }
 
-const std::vector<Verdict>& Survey::verdicts() const {
-  return verdicts_.get([&] { return name_by_shapes(); });
+const std::vector<ModeClassification>& Survey::classifications() const {
+  return verdicts_.get([&] { return classify_by_shapes(); });
 }
 
-std::vector<Verdict> Survey::name_by_shapes() const {
-  std::vector<Verdict> verdicts = analysis_.verdicts();
+std::vector<ModeClassification> Survey::classify_by_shapes() const {
+  std::vector<ModeClassification> classifications = analysis_.classifications();
   const bool any = std::any_of(tubes().begin(), tubes().end(), [](const auto& tube) { return tube.has_value(); });
-  if (!any) return verdicts;
+  if (!any) return classifications;
   const auto& modes = analysis_.modes();
   for (std::size_t m = 0; m < modes.size(); ++m) {
-    if (tubes()[m]) name_by_tube(verdicts[m], *tubes()[m]);
+    if (tubes()[m]) classify_by_tube(classifications[m], *tubes()[m]);
   }
-  number_verdicts(modes, verdicts, analysis_.options().classes);
+  assign_orders(modes, classifications, analysis_.options().classes);
   for (std::size_t m = 0; m < modes.size(); ++m) {
-    auto& peak = verdicts[m].double_peak;
+    auto& peak = classifications[m].split_mode;
     if (!peak || !peak->first) continue;
-    auto& other = verdicts[peak->partner].double_peak;
+    auto& other = classifications[peak->partner].split_mode;
     const std::size_t partner = peak->partner;
     if (same_pattern(tubes()[m], tubes()[partner])) {
       describe_split(modes[m], modes[partner], plane_of(tubes()[m]), plane_of(tubes()[partner]), *peak, *other);
@@ -144,7 +144,7 @@ std::vector<Verdict> Survey::name_by_shapes() const {
       other.reset();
     }
   }
-  return verdicts;
+  return classifications;
 }
 
 const std::vector<std::vector<Mac>>& Survey::macs() const {
@@ -164,7 +164,7 @@ LineRange Survey::band() const {
 
 const std::vector<SynthesisedFrf>& Survey::synthesis() const {
   return synthesis_.get([&] {
-    const FrfSet& set = analysis_.fitted_frfs();
+    const FrfDataset& set = analysis_.fitted_frfs();
     const auto& modes = analysis_.modes();
     const ThreadLimit limit(analysis_.options().threads);
     return analysis_.trace().run("synthesis", [&] { return synthesised_frfs(set, modes, band()); });
@@ -173,7 +173,7 @@ const std::vector<SynthesisedFrf>& Survey::synthesis() const {
 
 const Eigen::MatrixXd& Survey::indicator() const {
   return indicator_.get([&] {
-    const FrfSet& set = analysis_.fitted_frfs();
+    const FrfDataset& set = analysis_.fitted_frfs();
     return analysis_.trace().run("mode indicator", [&] { return cmif(set, band()); });
   });
 }

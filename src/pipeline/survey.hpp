@@ -37,7 +37,7 @@ class Survey {
   const std::vector<ModeShape>& shapes() const;                // [modes]
   const std::vector<std::optional<TubeShape>>& tubes() const;  // [modes]; nothing where the geometry is no tube
   /// Named from the shapes where these tell, else from two sensors as analyze names them.
-  const std::vector<Verdict>& verdicts() const;
+  const std::vector<ModeClassification>& classifications() const;
   const std::vector<std::vector<Mac>>& macs() const;  // [modes][modes]
   /// Lines of the band asked for.
   LineRange band() const;
@@ -52,7 +52,7 @@ class Survey {
  private:
   void place_points();
   void find_driving_points();
-  std::vector<Verdict> name_by_shapes() const;
+  std::vector<ModeClassification> classify_by_shapes() const;
 
   const Analysis& analysis_;
   SurveyOptions options_;
@@ -61,7 +61,7 @@ class Survey {
   std::vector<DrivingPoint> driving_;
   Lazy<std::vector<ModeShape>> shapes_;
   Lazy<std::vector<std::optional<TubeShape>>> tubes_;
-  Lazy<std::vector<Verdict>> verdicts_;
+  Lazy<std::vector<ModeClassification>> verdicts_;
   Lazy<std::vector<std::vector<Mac>>> macs_;
   Lazy<std::vector<SynthesisedFrf>> synthesis_;
   Lazy<Eigen::MatrixXd> indicator_;

@@ -10,13 +10,13 @@
 namespace percuss {
 namespace {
 
-constexpr double kNoise = 1.6;        // root mean square over deviations up to which residues are noise
-constexpr double kSeen = 5;           // … and from which a mode is there for certain
-constexpr double kBlind = 0.1;        // sensitivity below which a sensor sits on a node
-constexpr double kRoundPair = 0.1;    // of the frequency: how far asymmetry splits a ring mode
-constexpr double kReciprocal = 0.05;  // of the residue, and
+constexpr double kNoise = 1.6;               // root mean square over deviations up to which residues are noise
+constexpr double kSeen = 5;                  // … and from which a mode is there for certain
+constexpr double kMaxNodeSensitivity = 0.1;  // sensitivity below which a sensor sits on a node
+constexpr double kRoundPair = 0.1;           // of the frequency: how far asymmetry splits a ring mode
+constexpr double kReciprocal = 0.05;         // of the residue, and
 constexpr double kDeviations = 4;
-constexpr std::size_t kMostNamed = 8;
+constexpr std::size_t kMaxNamed = 8;
 
 std::string mode_name(const Survey& survey, std::size_t m) {
   return fmt::format("{} ({:.1f} Hz)", m, survey.analysis().modes()[m].pole.freq_Hz);
@@ -27,7 +27,7 @@ void add_name(std::string& list, const std::string& name) { list += (list.empty(
 double seen_by(const Mode& mode, std::size_t channel) {
   double sum = 0, count = 0;
   for (const Residue& r : mode.residues) {
-    const double std = whole_std(r);
+    const double std = total_std(r);
     if (r.channel != channel || !(std > 0)) continue;
     sum += std::norm(r.value) / (2 * std * std);
     ++count;
@@ -92,7 +92,7 @@ void warn_of_partners(const Survey& survey, std::vector<Warning>& out) {
     const auto sight = sight_of_partner(survey, *tube);
     if (!sight) {
       add_name(unknown, mode_name(survey, m));
-    } else if (*sight < kBlind) {
+    } else if (*sight < kMaxNodeSensitivity) {
       const double turned_deg = std::fmod(*tube->plane_rad * kRadian_deg + 90.0 / tube->order, 180.0 / tube->order);
       add_name(blind, mode_name(survey, m) + fmt::format(" (its partner's antinode at {:.0f}°)", turned_deg));
     }
@@ -139,12 +139,12 @@ void warn_of_frac(const Survey& survey, std::vector<Warning>& out) {
   std::size_t count = 0;
   const auto points = survey.analysis().frf_points();
   for (const SynthesisedFrf& frf : survey.synthesis()) {
-    if (!poorly_explained(frf) || ++count > kMostNamed) continue;
+    if (!poorly_explained(frf) || ++count > kMaxNamed) continue;
     add_name(poor, fmt::format("point {} channel {} ({:.4f}{})", points[frf.point], frf.channel, frf.frac,
                                noise_alone(frf) ? ", the rest noise" : ""));
   }
   if (count == 0) return;
-  if (count > kMostNamed) poor += fmt::format(" and {} more", count - kMostNamed);
+  if (count > kMaxNamed) poor += fmt::format(" and {} more", count - kMaxNamed);
   out.push_back(
       {"frac", "the modes explain less than 99 % (FRAC) of the FRF of " + poor +
                    ": modes may be missing, or hits were poor; what is noise changes from line to line, and more "
@@ -153,8 +153,8 @@ void warn_of_frac(const Survey& survey, std::vector<Warning>& out) {
 
 void warn_of_pairs(const Survey& survey, std::vector<Warning>& out) {
   std::string pairs;
-  for (std::size_t m = 0; m < survey.verdicts().size(); ++m) {
-    const auto& pair = survey.verdicts()[m].double_peak;
+  for (std::size_t m = 0; m < survey.classifications().size(); ++m) {
+    const auto& pair = survey.classifications()[m].split_mode;
     if (!pair || !pair->first) continue;
     std::string text =
         fmt::format("{:.1f} Hz ({:.1f} Hz apart", survey.analysis().modes()[m].pole.freq_Hz, pair->separation_Hz);

@@ -49,7 +49,7 @@ std::string abi_json(const AbiLog& log, const AbiRun& run) {
              {{"step", run.next == AbiStep::done ? Json() : Json(static_cast<int>(run.next))},
               {"action", action_of(run)},
               {"depth_in", roll ? Json(next_depth_in(run)) : Json()},
-              {"message", next_words(run)}}},
+              {"message", next_step_text(run)}}},
             {"cycle", run.cycle},
             {"roll", run.roll},
             {"compressions", Json::array()},
@@ -72,7 +72,7 @@ std::string abi_json(const AbiLog& log, const AbiRun& run) {
 
 ReportText abi_text(const AbiLog& log, const AbiRun& run) {
   ReportText out;
-  out.say(fmt::format("{}: {}", log.bat, next_words(run)));
+  out.say(fmt::format("{}: {}", log.bat, next_step_text(run)));
   if (run.verdict == AbiVerdict::fail && run.next != AbiStep::done)
     out += "  has failed (" + run.why + "); goes on at the sponsor's request\n";
   for (const ProtocolFinding& remark : run.remarks) out.say("note: " + remark.message);

@@ -23,11 +23,11 @@ constexpr std::size_t kModesInText = 5;
 struct BatCurve {
   std::vector<double> z_m;
   std::vector<BatRebound> flexible;
-  NumberColumn exit{.name = "exit_speed_mps", .values = {}}, rigid{.name = "rigid_exit_speed_mps", .values = {}},
+  NumericColumn exit{.name = "exit_speed_mps", .values = {}}, rigid{.name = "rigid_exit_speed_mps", .values = {}},
       half{.name = "half_modes_exit_speed_mps", .values = {}}, contact{.name = "contact_s", .values = {}},
       contacts{.name = "contacts", .values = {}}, ball{.name = "ball_share", .values = {}},
       vibration{.name = "vibration_share", .values = {}};
-  PeakPlace best, best_rigid;
+  MaximumPoint best, best_rigid;
 };
 
 BatCurve curve_of(const BatModes& bat, const BatCollision& collision, const std::vector<double>& z_m) {
@@ -45,10 +45,10 @@ BatCurve curve_of(const BatModes& bat, const BatCollision& collision, const std:
     curve.ball.values.push_back(r.ball_share);
     curve.vibration.values.push_back(r.mode_share.sum());
   }
-  curve.best = peak_between([&](double z) { return bat_rebound(bat, modes, collision, z).exit_speed_mps; }, z_m,
-                            curve.exit.values);
+  curve.best = brent_maximum([&](double z) { return bat_rebound(bat, modes, collision, z).exit_speed_mps; }, z_m,
+                             curve.exit.values);
   curve.best_rigid =
-      peak_between([&](double z) { return exit_speed_mps(rigid, z - bat.inertia.cm_m); }, z_m, curve.rigid.values);
+      brent_maximum([&](double z) { return exit_speed_mps(rigid, z - bat.inertia.cm_m); }, z_m, curve.rigid.values);
   return curve;
 }
 
@@ -113,7 +113,8 @@ std::string curve_text(const BatModes& bat, const BatCurve& curve) {
 }
 
 // The deflections take the place of the table and stand before the chart.
-Json show_wave(const BatModes& bat, const BatCollision& collision, const BatWaveWanted& wanted, CommandReport& report) {
+Json show_wave(const BatModes& bat, const BatCollision& collision, const BatWaveRequest& wanted,
+               CommandReport& report) {
   const Eigen::MatrixXd wave =
       bat_wave(bat, static_cast<std::size_t>(bat.freq_Hz.size()), collision, wanted.z_m, wanted.time_s);
   const std::vector<double> at_m = positions_of(bat.beam);
@@ -139,8 +140,8 @@ Json show_wave(const BatModes& bat, const BatCollision& collision, const BatWave
   return json;
 }
 
-BendingPicture bending_of(const BatModes& bat, const BatProfile& profile) {
-  BendingPicture picture{.ends = "Left: the knob."};
+BendingPlot bending_of(const BatModes& bat, const BatProfile& profile) {
+  BendingPlot picture{.ends = "Left: the knob."};
   double begin_m = 0;
   for (std::size_t i = 0; i < profile.end_m.size(); ++i) {
     for (const double z_m : {begin_m, profile.end_m[i]}) picture.outline_m.emplace_back(z_m, profile.diameter_m[i] / 2);
@@ -148,7 +149,7 @@ BendingPicture bending_of(const BatModes& bat, const BatProfile& profile) {
   }
   for (std::size_t m = 0; m < std::min(kModesInText, static_cast<std::size_t>(bat.freq_Hz.size())); ++m) {
     const auto column = static_cast<Eigen::Index>(m);
-    BendingLine line{
+    BendingShape line{
         .name = fmt::format("bending {}", m + 1), .freq_Hz = bat.freq_Hz[column], .z_m = positions_of(bat.beam)};
     for (const double z_m : line.z_m) line.y.push_back(bat.deflection(z_m)[column]);
     double largest = 1e-300;
@@ -163,7 +164,7 @@ BendingPicture bending_of(const BatModes& bat, const BatProfile& profile) {
 }  // namespace
 
 CommandReport bat_report(const BatModes& bat, const BatProfile& profile, const BatCollision& collision,
-                         const std::vector<double>& z_m, const std::optional<BatWaveWanted>& wave) {
+                         const std::vector<double>& z_m, const std::optional<BatWaveRequest>& wave) {
   const BatCurve curve = curve_of(bat, collision, z_m);
   Json json{{"schema", "percuss/model-bat/1"}, {"version", version()}};
   json.update(modes_json(bat));

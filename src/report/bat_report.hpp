@@ -8,7 +8,7 @@
 namespace percuss {
 
 /// Where and when percuss model bat is to show the bat's deflection.
-struct BatWaveWanted {
+struct BatWaveRequest {
   double z_m = 0;              // of the impact
   std::vector<double> time_s;  // from the touch on, ascending
 };
@@ -17,6 +17,6 @@ struct BatWaveWanted {
 /// (from the knob, ascending), for the bat that bends and for the rigid one. All of bat's modes take part. `profile` is
 /// the bat's. With `wave` the table shows the deflection along the bat instead, and a chart as well.
 CommandReport bat_report(const BatModes& bat, const BatProfile& profile, const BatCollision& collision,
-                         const std::vector<double>& z_m, const std::optional<BatWaveWanted>& wave = {});
+                         const std::vector<double>& z_m, const std::optional<BatWaveRequest>& wave = {});
 
 }  // namespace percuss

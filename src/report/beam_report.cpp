@@ -15,7 +15,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kShapePoints = 201;
-constexpr std::size_t kMostCurves = 7;
+constexpr std::size_t kMaxCurves = 7;
 constexpr std::array<const char*, 4> kSupports{"torsion", "pinned", "clamped", "free"};
 
 struct ParameterName {
@@ -73,7 +73,7 @@ Json fit_json(const BeamOrigin& origin) {
 
 std::string parameter_text(BeamParameter which, double value, const std::optional<double>& std) {
   const ParameterName name = name_of(which);
-  if (std) return fmt::format("{} = {} {}\n", name.name, with_deviation(value, *std), name.unit);
+  if (std) return fmt::format("{} = {} {}\n", name.name, value_with_std(value, *std), name.unit);
   return fmt::format("{} = {:.6g} {} (no deviation: no more readings than unknowns)\n", name.name, value, name.unit);
 }
 
@@ -94,7 +94,7 @@ ReportText fit_text(const BeamOrigin& origin) {
                    {"difference", TextTable::Align::right}});
   for (std::size_t i = 0; i < origin.measured.size(); ++i) {
     const MeasuredFrequency& one = origin.measured[i];
-    table.add({std::to_string(one.mode), with_deviation(one.freq_Hz, one.std_Hz) + " Hz",
+    table.add({std::to_string(one.mode), value_with_std(one.freq_Hz, one.std_Hz) + " Hz",
                fmt::format("{:.6g} Hz", origin.fit->model_Hz[i]),
                fmt::format("{:+.2f} %", 100 * (origin.fit->model_Hz[i] / one.freq_Hz - 1))});
   }
@@ -155,7 +155,7 @@ CommandReport beam_report(const UniformBeam& beam, const std::vector<BeamMode>& 
   report.json = json.dump(2) + "\n";
   report.text = heading(beam) + fit_text(origin);
   report.text += mode_table(modes);
-  NumberColumn x{.name = "x_m"};
+  NumericColumn x{.name = "x_m"};
   x.values.reserve(kShapePoints);
   for (std::size_t i = 0; i < kShapePoints; ++i)
     x.values.push_back(beam.length_m * static_cast<double>(i) / static_cast<double>(kShapePoints - 1));
@@ -163,10 +163,10 @@ CommandReport beam_report(const UniformBeam& beam, const std::vector<BeamMode>& 
   LineChart chart{
       .title = "Mode shapes of a beam", .x = {.label = "along the beam from x = 0, m"}, .y = {.label = "deflection"}};
   for (std::size_t i = 0; i < modes.size(); ++i) {
-    NumberColumn shape{.name = fmt::format("mode_{}", i)};
+    NumericColumn shape{.name = fmt::format("mode_{}", i)};
     shape.values.reserve(kShapePoints);
     for (const double x_m : x.values) shape.values.push_back(modes[i].shape(x_m));
-    if (i < kMostCurves)
+    if (i < kMaxCurves)
       chart.curves.push_back({fmt::format("{}: {:.5g} Hz", i, modes[i].freq_Hz()), x.values, shape.values});
     report.columns.push_back(std::move(shape));
   }

@@ -136,7 +136,7 @@ ReportText certify_text(const Session& s, const Certification& c) {
                      {name_of(s.metric), TextTable::Align::right},
                      {""}});
     for (const TestedLocation& l : c.locations) {
-      table.add({fmt::format("{:.1f} in", l.z_in), fmt::format("{}", l.valid), with_deviation(l.mean, l.std_error),
+      table.add({fmt::format("{:.1f} in", l.z_in), fmt::format("{}", l.valid), value_with_std(l.mean, l.std_error),
                  c.sweet_spot_in == l.z_in ? "sweet spot"
                  : l.complete              ? ""
                                            : "not complete"});

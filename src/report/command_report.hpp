@@ -11,14 +11,14 @@ namespace percuss {
 
 /// What a command has to show, in each of the forms it may be asked for.
 struct CommandReport {
-  std::string json;                   // the document
-  ReportText text;                    // for the terminal, and for the page
-  std::vector<NumberColumn> columns;  // for .csv
-  std::string table;                  // … in place of them where it holds words
-  std::vector<LineChart> charts;      // for .svg, and for the page
-  BendingPicture bending;             // for the page
+  std::string json;                    // the document
+  ReportText text;                     // for the terminal, and for the page
+  std::vector<NumericColumn> columns;  // for .csv
+  std::string table;                   // … in place of them where it holds words
+  std::vector<LineChart> charts;       // for .svg, and for the page
+  BendingPlot bending;                 // for the page
 
-  std::string csv() const { return columns.empty() ? table : columns_csv(columns); }
+  std::string csv() const { return columns.empty() ? table : numeric_csv(columns); }
 };
 
 }  // namespace percuss

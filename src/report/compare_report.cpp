@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMostNamed = 8;
+constexpr std::size_t kMaxNamed = 8;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 // One document against the first.
@@ -100,7 +100,7 @@ std::string signed_percent(double percent) {
   return text == "-0.00" || text == "+0.00" ? "0.00" : text;
 }
 
-std::string frequency_text(const ComparedMode& mode) { return with_deviation(mode.freq_Hz, mode.freq_std_Hz) + " Hz"; }
+std::string frequency_text(const ComparedMode& mode) { return value_with_std(mode.freq_Hz, mode.freq_std_Hz) + " Hz"; }
 
 ReportText modes_text(const std::vector<ComparedDocument>& documents, const std::vector<Comparison>& comparisons) {
   std::vector<TextTable::Column> heads{{"mode", TextTable::Align::right}, {"family"}};
@@ -129,7 +129,7 @@ ReportText modes_text(const std::vector<ComparedDocument>& documents, const std:
     if (c.modes.unpaired_b.empty()) continue;
     std::string only = fmt::format("only in {}:", one_line(c.b.name, 200));
     const auto& unpaired = c.modes.unpaired_b;
-    const std::size_t shown = std::min(unpaired.size(), kMostNamed);
+    const std::size_t shown = std::min(unpaired.size(), kMaxNamed);
     for (std::size_t i = 0; i < shown; ++i) only += fmt::format(" {:.6g} Hz", c.b.modes[unpaired[i]].freq_Hz);
     if (shown < unpaired.size()) only += fmt::format(" and {} more", unpaired.size() - shown);
     text.say(only);
@@ -149,23 +149,23 @@ ReportText deflections_text(const Comparison& c) {
                               : pair.point    ? fmt::format("point {}", *pair.point)
                                               : "";
     table.add({place, fmt::format("{:.4g} mm", 1000 * pair.a_m), fmt::format("{:.4g} mm", 1000 * pair.b_m),
-               with_deviation(pair.ratio, pair.ratio_std), ""});
+               value_with_std(pair.ratio, pair.ratio_std), ""});
   }
   ReportText text(std::string("largest deflection\n"));
   text += table;
   return text;
 }
 
-std::vector<NumberColumn> columns_of(const std::vector<ComparedDocument>& documents,
-                                     const std::vector<Comparison>& comparisons) {
-  std::vector<NumberColumn> columns{{.name = "mode", .values = {}}, {.name = "frequency_1_hz", .values = {}}};
+std::vector<NumericColumn> columns_of(const std::vector<ComparedDocument>& documents,
+                                      const std::vector<Comparison>& comparisons) {
+  std::vector<NumericColumn> columns{{.name = "mode", .values = {}}, {.name = "frequency_1_hz", .values = {}}};
   for (std::size_t i = 0; i < comparisons.size(); ++i) {
     columns.push_back({.name = fmt::format("frequency_{}_hz", i + 2), .values = {}});
     columns.push_back({.name = fmt::format("difference_{}_percent", i + 2), .values = {}});
   }
-  std::vector<NumberColumn> places{{.name = "position_m", .values = {}}, {.name = "point", .values = {}},
-                                   {.name = "peak_1_m", .values = {}},   {.name = "peak_2_m", .values = {}},
-                                   {.name = "ratio", .values = {}},      {.name = "ratio_std", .values = {}}};
+  std::vector<NumericColumn> places{{.name = "position_m", .values = {}}, {.name = "point", .values = {}},
+                                    {.name = "peak_1_m", .values = {}},   {.name = "peak_2_m", .values = {}},
+                                    {.name = "ratio", .values = {}},      {.name = "ratio_std", .values = {}}};
   for (std::size_t m = 0; m < documents.front().modes.size(); ++m) {
     columns[0].values.push_back(static_cast<double>(m));
     columns[1].values.push_back(documents.front().modes[m].freq_Hz);
@@ -174,10 +174,10 @@ std::vector<NumberColumn> columns_of(const std::vector<ComparedDocument>& docume
       columns[2 + 2 * i].values.push_back(pair ? comparisons[i].b.modes[pair->b].freq_Hz : kNone);
       columns[3 + 2 * i].values.push_back(pair ? pair->difference_percent : kNone);
     }
-    for (NumberColumn& column : places) column.values.push_back(kNone);
+    for (NumericColumn& column : places) column.values.push_back(kNone);
   }
   for (const DeflectionPair& pair : comparisons.front().deflections) {
-    for (NumberColumn& column : columns) column.values.push_back(kNone);
+    for (NumericColumn& column : columns) column.values.push_back(kNone);
     const std::array row{pair.position_m.value_or(kNone),
                          pair.point ? *pair.point : kNone,
                          pair.a_m,

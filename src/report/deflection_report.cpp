@@ -22,7 +22,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMostHitsDrawn = 12;
+constexpr std::size_t kMaxHitsDrawn = 12;
 
 double time_s(const Analysis& analysis, const DeflectedHit& hit, std::size_t sample) {
   return hit.first_s + static_cast<double>(sample) / analysis.record().fs_Hz;
@@ -30,7 +30,7 @@ double time_s(const Analysis& analysis, const DeflectedHit& hit, std::size_t sam
 
 Json hit_json(const Analysis& analysis, const DeflectedHit& hit) {
   const Deflection& d = hit.deflection;
-  const bool told = d.peak_is_told();
+  const bool told = d.has_peak();
   return {{"index", hit.hit},
           {"channel", hit.channel},
           {"point", hit.point},
@@ -48,10 +48,12 @@ Json hit_json(const Analysis& analysis, const DeflectedHit& hit) {
 }
 
 std::string millimetres(double value_m, double std_m) {
-  return std::isnan(value_m) ? "not told" : with_deviation(1000 * value_m, 1000 * std_m) + " mm";
+  return std::isnan(value_m) ? "not told" : value_with_std(1000 * value_m, 1000 * std_m) + " mm";
 }
 
-double told_m(const DeflectedHit& hit) { return hit.deflection.peak_is_told() ? std::abs(hit.deflection.peak_m) : 0; }
+double measured_peak_m(const DeflectedHit& hit) {
+  return hit.deflection.has_peak() ? std::abs(hit.deflection.peak_m) : 0;
+}
 
 std::string channel_name(const Analysis& analysis, std::size_t channel) {
   const std::string& name = analysis.record().accel[channel].name;
@@ -102,7 +104,7 @@ ReportText deflection_tables(const Analysis& analysis, const ImpactTest& test) {
     const Deflection& d = hit.deflection;
     hits.add({fmt::format("{}", hit.hit), fmt::format("{}", hit.point), channel_name(analysis, hit.channel),
               millimetres(d.peak_m, d.peak_std_m),
-              d.peak_is_told() ? fmt::format("{:.4f} s", time_s(analysis, hit, d.peak)) : "",
+              d.has_peak() ? fmt::format("{:.4f} s", time_s(analysis, hit, d.peak)) : "",
               fmt::format("{:.2g} mm", 1000 * d.drift_m), name_of(d.method)});
   }
   TextTable points(
@@ -121,7 +123,7 @@ ReportText deflection_tables(const Analysis& analysis, const ImpactTest& test) {
   }
   for (const ImpactSpeed& speed : test.speeds) {
     text +=
-        fmt::format("hit {}: the ball came with {} m/s\n", speed.hit, with_deviation(speed.speed_mps, speed.std_mps));
+        fmt::format("hit {}: the ball came with {} m/s\n", speed.hit, value_with_std(speed.speed_mps, speed.std_mps));
   }
   if (!test.warnings.empty()) text += "\n";
   for (const Warning& warning : test.warnings) text.warn(warning.message);
@@ -185,9 +187,10 @@ LineChart deflection_chart(const Analysis& analysis, const ImpactTest& test) {
   std::vector<const DeflectedHit*> largest;
   largest.reserve(test.hits.size());
   for (const DeflectedHit& hit : test.hits) largest.push_back(&hit);
-  std::stable_sort(largest.begin(), largest.end(),
-                   [](const DeflectedHit* a, const DeflectedHit* b) { return told_m(*a) > told_m(*b); });
-  largest.resize(std::min(largest.size(), kMostHitsDrawn));
+  std::stable_sort(largest.begin(), largest.end(), [](const DeflectedHit* a, const DeflectedHit* b) {
+    return measured_peak_m(*a) > measured_peak_m(*b);
+  });
+  largest.resize(std::min(largest.size(), kMaxHitsDrawn));
   LineChart chart{
       .title = "Deflection at the accelerometer", .x = {.label = "time, s"}, .y = {.label = "deflection, mm"}};
   for (const DeflectedHit* hit : largest) {

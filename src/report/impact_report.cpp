@@ -91,10 +91,10 @@ TextTable sweep_table(const ImpactSweep& sweep) {
   return table;
 }
 
-std::vector<NumberColumn> series_columns(const std::vector<ImpactMoment>& series) {
-  std::vector<NumberColumn> columns{
+std::vector<NumericColumn> series_columns(const std::vector<ImpactMoment>& series) {
+  std::vector<NumericColumn> columns{
       {"time_s", {}}, {"deflection_m", {}}, {"force_n", {}}, {"ball_speed_mps", {}}, {"ball_m", {}}};
-  for (NumberColumn& column : columns) column.values.reserve(series.size());
+  for (NumericColumn& column : columns) column.values.reserve(series.size());
   for (const ImpactMoment& moment : series) {
     columns[0].values.push_back(moment.time_s);
     columns[1].values.push_back(moment.beam_m);
@@ -111,7 +111,7 @@ std::vector<double> times(const std::vector<double>& values, double factor) {
   return out;
 }
 
-LineChart series_chart(const std::vector<NumberColumn>& columns) {
+LineChart series_chart(const std::vector<NumericColumn>& columns) {
   const std::vector<double> time_ms = times(columns[0].values, 1000);
   return {.title = "Ball on beam",
           .x = {.label = "time after first touch, ms"},
@@ -122,8 +122,8 @@ LineChart series_chart(const std::vector<NumberColumn>& columns) {
 }
 
 // A row per impact of all sweeps; parameters that a sweep leaves alone at the value they have.
-std::vector<NumberColumn> sweep_columns(const Impact& impact, const std::vector<ImpactSweep>& sweeps) {
-  std::vector<NumberColumn> columns;
+std::vector<NumericColumn> sweep_columns(const Impact& impact, const std::vector<ImpactSweep>& sweeps) {
+  std::vector<NumericColumn> columns;
   columns.reserve(kSwept.size() + 6);
   for (const SweptName& name : kSwept) columns.push_back({name.key, {}});
   for (const char* name :

@@ -24,11 +24,11 @@ struct Line {
   const char* key;
   const char* unit;
   const char* title;
-  std::optional<Measured> value;  // in the unit
+  std::optional<UncertainValue> value;  // in the unit
   std::string equation;
 };
 
-std::optional<Measured> in_unit(const std::optional<Measured>& value, double unit) {
+std::optional<UncertainValue> in_unit(const std::optional<UncertainValue>& value, double unit) {
   return value ? std::optional(*value / unit) : std::nullopt;
 }
 
@@ -49,7 +49,7 @@ std::vector<Line> lines_of_metrics(const BatReadings& r, const BatMetrics& m) {
           {"k", "", "k", m.k, "(P10)"}};
 }
 
-Json uncertainty_of(const Measured& value) {
+Json uncertainty_of(const UncertainValue& value) {
   Json from = Json::object(), without = Json::array();
   for (std::size_t i = 0; i < kReadings; ++i) {
     const double part = value.part(static_cast<Reading>(i));
@@ -77,7 +77,7 @@ Json profile_json(const BatProfileReadings& p, const BatMetrics& m) {
 }
 
 // Which readings' errors are not in the ±.
-std::string without_words(const Measured& value) {
+std::string without_words(const UncertainValue& value) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < kReadings; ++i) {
     if (value.unknown(static_cast<Reading>(i))) names.emplace_back(kReadingNames.at(i));
@@ -94,7 +94,7 @@ ReportText text_of_metrics(const std::vector<Line>& lines, const BatMetrics& m,
       ++absent;
       continue;
     }
-    table.add({line.title, with_deviation(line.value->value(), line.value->std()), line.unit,
+    table.add({line.title, value_with_std(line.value->value(), line.value->std()), line.unit,
                line.equation + without_words(*line.value)});
   }
   ReportText out;

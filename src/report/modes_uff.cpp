@@ -24,7 +24,7 @@ constexpr int kComplexSingle = 5, kNodeColour = 11, kTranslations = 2, kComplexM
 Nodes nodes_of(const ModeShape& shape, const Survey* survey, const Analysis& analysis, bool sensors, int offset) {
   Nodes out;
   for (const ShapePlace& place : shape.places) {
-    const auto normal = drawn_normal(survey, analysis, place.point, place.channel, sensors);
+    const auto normal = outward_normal(survey, analysis, place.point, place.channel, sensors);
     Vector& value = out[static_cast<int>(place.point) + offset];
     for (std::size_t i = 0; i < 3; ++i) value[i] += place.value * normal[i];
   }
@@ -41,7 +41,7 @@ std::string values_text(const Nodes& nodes) {
   return out;
 }
 
-struct ShownMode {
+struct PlottedMode {
   std::size_t number;  // from 1
   Pole pole;
   double modal_mass_kg;
@@ -54,7 +54,7 @@ Complex eigenvalue(const Pole& pole) {
 }
 
 // Modal A of a shape of that modal mass: 2jω√(1 − ζ²)·m                                               (2)
-Complex modal_a(const ShownMode& mode) { return Complex(0, 2 * eigenvalue(mode.pole).imag()) * mode.modal_mass_kg; }
+Complex modal_a(const PlottedMode& mode) { return Complex(0, 2 * eigenvalue(mode.pole).imag()) * mode.modal_mass_kg; }
 
 std::string numbers_text(std::initializer_list<double> values) {
   std::string out;
@@ -62,11 +62,11 @@ std::string numbers_text(std::initializer_list<double> values) {
   return out + '\n';
 }
 
-std::string mode_name(const ShownMode& mode) {
+std::string mode_name(const PlottedMode& mode) {
   return fmt::format("Mode {}: {:.6g} Hz, {:.4g} %", mode.number, mode.pole.freq_Hz, 100 * mode.pole.damping_ratio);
 }
 
-std::string set55(const ShownMode& mode, const Nodes& nodes) {
+std::string set55(const PlottedMode& mode, const Nodes& nodes) {
   const Complex lambda = eigenvalue(mode.pole), a = modal_a(mode);
   std::string out = mode_name(mode) + "\nNONE\nNONE\nNONE\nNONE\n";
   out += fmt::format("{:10}{:10}{:10}{:10}{:10}{:10}\n", 1, kComplexModes, kTranslations, kDisplacement, kComplexSingle,
@@ -76,7 +76,7 @@ std::string set55(const ShownMode& mode, const Nodes& nodes) {
   return out + values_text(nodes);
 }
 
-std::string set2414(const ShownMode& mode, const Nodes& nodes) {
+std::string set2414(const PlottedMode& mode, const Nodes& nodes) {
   const Complex lambda = eigenvalue(mode.pole), a = modal_a(mode);
   std::string out = fmt::format("{:10}\n{}\n{:10}\n", mode.number, mode_name(mode), 1);
   out += mode_name(mode) + "\nNONE\nNONE\nNONE\nNONE\n";
@@ -95,7 +95,7 @@ std::set<int> write_places(UffOutput& out, const Survey& survey, const Nodes& no
   std::string old, lines;
   std::set<int> written;
   for (const auto& [node, value] : nodes) {
-    const auto at = drawn_at(survey, static_cast<std::size_t>(node - offset));
+    const auto at = plot_position(survey, static_cast<std::size_t>(node - offset));
     if (!at) return {};
     written.insert(node - offset);
     old += fmt::format("{:10}{:10}{:10}{:10}{}{}{}\n", node, 0, 0, kNodeColour, uff_e13((*at)[0]), uff_e13((*at)[1]),
@@ -119,9 +119,9 @@ void write_shapes(const std::string& path, const Survey* survey, const Analysis&
     const Nodes nodes = nodes_of(shapes[m], survey, analysis, sensors, offset);
     if (m == 0 && survey != nullptr) {
       const std::set<int> points = write_places(out, *survey, nodes, offset);
-      for (const std::string& line : uff_trace_line_sets(drawn_lines(*survey, points), offset)) out.set(82, line);
+      for (const std::string& line : uff_trace_line_sets(plot_lines(*survey, points), offset)) out.set(82, line);
     }
-    const ShownMode mode{m + 1, modes[m].pole, shapes[m].normalisation == Normalisation::unit_modal_mass ? 1.0 : 0.0};
+    const PlottedMode mode{m + 1, modes[m].pole, shapes[m].normalisation == Normalisation::unit_modal_mass ? 1.0 : 0.0};
     out.set(55, set55(mode, nodes));
     out.set(2414, set2414(mode, nodes));
   }

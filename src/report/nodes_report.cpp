@@ -20,7 +20,7 @@ using Json = nlohmann::ordered_json;
 
 Json mode_json(const Analysis& analysis, const ModeAlongScan& along) {
   const Mode& mode = analysis.modes()[along.mode];
-  const Verdict& verdict = analysis.verdicts()[along.mode];
+  const ModeClassification& verdict = analysis.classifications()[along.mode];
   Json json{{"index", along.mode},
             {"frequency_hz", mode.pole.freq_Hz},
             {"frequency_std_hz", mode.freq_std_Hz},
@@ -95,14 +95,14 @@ ReportText nodes_text(const Analysis& analysis, const NodeScan& scan) {
                    {""}});
   for (const ModeAlongScan& along : scan.modes) {
     const Mode& mode = analysis.modes()[along.mode];
-    const Verdict& verdict = analysis.verdicts()[along.mode];
+    const ModeClassification& verdict = analysis.classifications()[along.mode];
     std::vector<std::string> nodes;
     for (const Node& node : along.nodes)
-      nodes.push_back(with_deviation(node.position_m / kInch_m, node.std_m / kInch_m) + " in");
+      nodes.push_back(value_with_std(node.position_m / kInch_m, node.std_m / kInch_m) + " in");
     table.add({fmt::format("{}", along.mode),
                verdict.order > 0 ? fmt::format("{} {}", name_of(verdict.family), verdict.order)
                                  : std::string(name_of(verdict.family)),
-               with_deviation(mode.pole.freq_Hz, mode.freq_std_Hz) + " Hz", joined(nodes),
+               value_with_std(mode.pole.freq_Hz, mode.freq_std_Hz) + " Hz", joined(nodes),
                along.rule_m ? fmt::format("{:.3f} in", *along.rule_m / kInch_m) : "–", ""});
   }
   ReportText text = heading(analysis, scan) + "\n";
@@ -117,14 +117,14 @@ ReportText nodes_text(const Analysis& analysis, const NodeScan& scan) {
   return text;
 }
 
-BendingPicture bending_of(const Analysis& analysis, const NodeScan& scan) {
-  BendingPicture picture{.ends = "Right: towards the barrel's end.", .from_right = true};
+BendingPlot bending_of(const Analysis& analysis, const NodeScan& scan) {
+  BendingPlot picture{.ends = "Right: towards the barrel's end.", .from_right = true};
   for (const ModeAlongScan& along : scan.modes) {
     double largest = 1e-300;
     for (const double value : along.shape.amplitude) largest = std::max(largest, std::abs(value));
-    BendingLine line{.name = mode_name(analysis.verdicts()[along.mode], along.mode),
-                     .freq_Hz = analysis.modes()[along.mode].pole.freq_Hz,
-                     .z_m = along.shape.position_m};
+    BendingShape line{.name = mode_name(analysis.classifications()[along.mode], along.mode),
+                      .freq_Hz = analysis.modes()[along.mode].pole.freq_Hz,
+                      .z_m = along.shape.position_m};
     for (const double value : along.shape.amplitude) line.y.push_back(value / largest);
     for (const Node& node : along.nodes)
       line.nodes.push_back({node.position_m, node.std_m, inches_and_mm(node.position_m, node.std_m)});
@@ -134,12 +134,12 @@ BendingPicture bending_of(const Analysis& analysis, const NodeScan& scan) {
 }
 
 // Each mode's residues along the scan, 1 at their largest, and where they are nothing.
-LineChart shapes_chart(const BendingPicture& bending) {
+LineChart shapes_chart(const BendingPlot& bending) {
   LineChart chart{.title = "Bending along the scan; diamonds: nodes",
                   .x = {.label = "from the barrel's end, in"},
                   .y = {.label = "movement, 1 at the largest"}};
   for (std::size_t m = 0; m < bending.modes.size(); ++m) {
-    const BendingLine& line = bending.modes[m];
+    const BendingShape& line = bending.modes[m];
     ChartCurve curve{
         .name = fmt::format("{}, {:.5g} Hz", line.name, line.freq_Hz), .y = line.y, .marks = true, .style = m};
     for (const double z_m : line.z_m) curve.x.push_back(z_m / kInch_m);

@@ -10,7 +10,7 @@ namespace percuss {
 
 CommandReport rigid_report(const RigidCollision& collision, const std::vector<double>& z_m) {
   const BestImpact best = best_impact(collision, z_m.front(), z_m.back());
-  NumberColumn exit{.name = "exit_speed_mps"}, swing{.name = "swing_speed_mps"}, mass{.name = "effective_mass_kg"};
+  NumericColumn exit{.name = "exit_speed_mps"}, swing{.name = "swing_speed_mps"}, mass{.name = "effective_mass_kg"};
   nlohmann::ordered_json json{{"schema", "percuss/model-rigid/1"},
                               {"version", version()},
                               {"best", {{"z_m", best.z_m}, {"exit_speed_mps", best.exit_speed_mps}}},

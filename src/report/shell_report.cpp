@@ -31,8 +31,8 @@ Json fitted_json(const FittedShell& fitted) {
 std::string fitted_text(const FittedShell& fitted) {
   const ShellFit& fit = fitted.fit;
   return fmt::format("fit: E = {} GPa, wall {} mm, correlation {:.4f}, chi2 {:.2f} of {} frequencies\n",
-                     with_deviation(fit.shell.young_Pa / 1e9, fit.young_std_Pa / 1e9),
-                     with_deviation(1000 * fit.shell.wall_m, 1000 * fit.wall_std_m), fit.correlation, fit.chi2,
+                     value_with_std(fit.shell.young_Pa / 1e9, fit.young_std_Pa / 1e9),
+                     value_with_std(1000 * fit.shell.wall_m, 1000 * fit.wall_std_m), fit.correlation, fit.chi2,
                      fitted.measured.size());
 }
 
@@ -40,7 +40,7 @@ std::string fitted_text(const FittedShell& fitted) {
 
 CommandReport shell_report(const TubeShell& shell, std::size_t n, std::size_t modes,
                            const std::optional<FittedShell>& fitted) {
-  NumberColumn half_waves{.name = "m", .values = {}}, flugge{.name = "flugge_hz", .values = {}};
+  NumericColumn half_waves{.name = "m", .values = {}}, flugge{.name = "flugge_hz", .values = {}};
   for (std::size_t m = 1; m <= modes; ++m) {
     half_waves.values.push_back(static_cast<double>(m));
     flugge.values.push_back(flugge_Hz(shell, n, m));

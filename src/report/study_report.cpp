@@ -100,7 +100,7 @@ std::string study_json(const Study& study) {
             {"statements", Json::array()}, {"figures", Json::array()}, {"trails", Json::array()}};
   for (const StudyStatement& s : study.statements) json["statements"].push_back(statement_json(s));
   for (const StudyFigure& f : study.figures) json["figures"].push_back(figure_json(study, f));
-  for (const StudyTrail& t : study.trails) {
+  for (const StudyHistory& t : study.trails) {
     json["trails"].push_back({{"bat", t.bat},
                               {"states", ids_json(study, t.states)},
                               {"besr", association_json(t.besr)},
@@ -124,7 +124,7 @@ ReportText study_text(const Study& study) {
                a ? interval(a->pearson) : ""});
   }
   out += table;
-  for (const StudyTrail& t : study.trails) {
+  for (const StudyHistory& t : study.trails) {
     if (t.besr) {
       out += fmt::format("\n{}, {} states: BESR over the hoop frequency ρ = {}", t.bat, t.states.size(),
                          interval(t.besr->spearman));

@@ -42,7 +42,7 @@ void write_shapes(hdf5::OutputHdf5& out, const Survey& survey) {
     point.push_back(static_cast<double>(places[i].point));
     channel.push_back(static_cast<double>(places[i].channel));
     constexpr double kNoPlace = std::numeric_limits<double>::quiet_NaN();
-    const auto xyz = drawn_at(survey, places[i].point).value_or(std::array{kNoPlace, kNoPlace, kNoPlace});
+    const auto xyz = plot_position(survey, places[i].point).value_or(std::array{kNoPlace, kNoPlace, kNoPlace});
     out.write("xyz_m", std::array{i}, 0, std::span<const double>(xyz));
   }
   write_numbers(out, "point", point, hdf5::Stored::int32);
@@ -85,15 +85,15 @@ std::string shapes_csv(const Survey& survey) {
   auto end = std::back_inserter(out);
   const auto& modes = survey.analysis().modes();
   for (std::size_t m = 0; m < modes.size(); ++m) {
-    const Verdict& verdict = survey.verdicts()[m];
+    const ModeClassification& verdict = survey.classifications()[m];
     for (const ShapePlace& place : survey.shapes()[m].places) {
       fmt::format_to(end, "{},{},{},{},{},{},{},", m, modes[m].pole.freq_Hz, modes[m].pole.damping_ratio,
                      name_of(verdict.family), verdict.order > 0 ? fmt::format("{}", verdict.order) : "", place.point,
                      place.channel);
-      const GeometryPoint* at = place_of(survey, place.point);
+      const GeometryPoint* at = geometry_point_of(survey, place.point);
       const bool tube = at != nullptr && survey.geometry()->tube;
       out += tube ? fmt::format("{},{},", at->position_m, at->angle_rad * kRadian_deg) : ",,";
-      const auto xyz = drawn_at(survey, place.point);
+      const auto xyz = plot_position(survey, place.point);
       out += xyz ? fmt::format("{},{},{},", (*xyz)[0], (*xyz)[1], (*xyz)[2]) : ",,,";
       fmt::format_to(end, "{},{},{}\n", place.value.real(), place.value.imag(), place.std);
     }

@@ -51,8 +51,8 @@ std::string fit_text(const FittedExponents& fitted) {
   return fmt::format(
       "fit to measured CCOR: a = {}, b = {}, correlation {:.6f}: were a known, b would be ± {:.2g}; chi2 {:.2f} of {} "
       "points, {} missed by more than their deviation\n",
-      with_deviation(fit.stiffness_exponent, fit.stiffness_exponent_std),
-      with_deviation(fit.damping_exponent, fit.damping_exponent_std), fit.correlation, fit.damping_exponent_std_given_a,
+      value_with_std(fit.stiffness_exponent, fit.stiffness_exponent_std),
+      value_with_std(fit.damping_exponent, fit.damping_exponent_std), fit.correlation, fit.damping_exponent_std_given_a,
       fit.chi2, fitted.measured.size(), fit.beyond_std);
 }
 
@@ -72,9 +72,9 @@ std::string extras_text(const Trampoline& model, const HoopPeak& peak, const Tra
 CommandReport trampoline_report(const Trampoline& model, const std::vector<double>& hoop_Hz,
                                 const TrampolineExtras& extras) {
   const std::vector<Rebound> sweep = hoop_sweep(model, hoop_Hz);
-  const HoopPeak peak = best_hoop(model, hoop_Hz, sweep);
-  const double wall = wall_rebound(model).cor, reference = rebound(model, kReference_Hz).cor;
-  NumberColumn cor{.name = "cor"}, loaded{.name = "loaded_hoop_hz"}, contact{.name = "contact_s"},
+  const HoopPeak peak = optimal_hoop_frequency(model, hoop_Hz, sweep);
+  const double wall = rigid_wall_rebound(model).cor, reference = rebound(model, kReference_Hz).cor;
+  NumericColumn cor{.name = "cor"}, loaded{.name = "loaded_hoop_hz"}, contact{.name = "contact_s"},
       contacts{.name = "contacts"};
   Json json{{"schema", "percuss/model-trampoline/1"},
             {"version", version()},

@@ -24,10 +24,10 @@ GaussLegendre tabulated() {
 }  // namespace
 
 double anti_alias_kernel(double u) {
-  if (std::abs(u) > kFilterReach) return 0;
+  if (std::abs(u) > kFilterHalfWidth) return 0;
   const double x = 2 * std::numbers::pi * kCutoff * u;
   const double sinc = std::abs(x) < 1e-4 ? 1 - x * x / 6 : std::sin(x) / x;
-  return 2 * kCutoff * sinc * std::exp(-kEdgeExponent * u * u / (kFilterReach * kFilterReach));
+  return 2 * kCutoff * sinc * std::exp(-kEdgeExponent * u * u / (kFilterHalfWidth * kFilterHalfWidth));
 }
 
 const GaussLegendre& gauss_legendre() {

@@ -5,11 +5,11 @@
 namespace percuss {
 
 /// Half the support of the anti-alias filter, in samples: a sample feels what happens this far on either side.
-inline constexpr double kFilterReach = 64;
+inline constexpr double kFilterHalfWidth = 64;
 
 /// The recorder's anti-alias filter at u samples from its centre, 1/sample: a sinc of cut-off 0.45 fs under a Gaussian
-/// that has fallen to e^−37 at ±kFilterReach. Linear phase, no delay; 1 to within 2e-12 below 0.30 fs and 0 above 0.60
-/// fs, so that aliases leave an FRF exact to 1e-11 below 0.40 fs and to 1e-6 at 0.44 fs.
+/// that has fallen to e^−37 at ±kFilterHalfWidth. Linear phase, no delay; 1 to within 2e-12 below 0.30 fs and 0 above
+/// 0.60 fs, so that aliases leave an FRF exact to 1e-11 below 0.40 fs and to 1e-6 at 0.44 fs.
 double anti_alias_kernel(double u);
 
 /// Gauss–Legendre rule on [0, 1]: on panels of one or two samples its error for what passes the filter is far below

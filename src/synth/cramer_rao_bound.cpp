@@ -66,7 +66,7 @@ MatrixXd row_products(const Truth& truth, std::span<const TrueHit> hits) {
     const std::size_t count = std::min(chunk, truth.spec.samples - first);
     MatrixXd columns = MatrixXd::Zero(static_cast<Index>(count), size);
     for (const Pulse& pulse : pulses) {
-      const PulseReach reach = pulse_reach(pulse, truth.spec.fs_Hz, poles);
+      const PulseSupport reach = pulse_support(pulse, truth.spec.fs_Hz, poles);
       if (reach.first >= static_cast<double>(first + count) || reach.last <= static_cast<double>(first)) continue;
       add_columns(truth.spec, pulse, poles, first, columns);
     }

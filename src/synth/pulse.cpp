@@ -81,8 +81,8 @@ struct SampledPulse {
 struct Zone {
   long first, last;
   explicit Zone(const SampledPulse& p)
-      : first(static_cast<long>(std::floor(p.onset - kFilterReach))),
-        last(static_cast<long>(std::ceil(p.end + kFilterReach)) + 1) {}
+      : first(static_cast<long>(std::floor(p.onset - kFilterHalfWidth))),
+        last(static_cast<long>(std::ceil(p.end + kFilterHalfWidth)) + 1) {}
 };
 
 /// Filtered force (unit peak) and, per pole, the filtered modal response while the pulse acts, for the zone's samples n
@@ -123,8 +123,8 @@ std::vector<std::vector<Complex>> after_pulse(const SampledPulse& pulse, const s
   std::vector<std::vector<Complex>> out(poles.size(), std::vector<Complex>(size));
   const auto v_of = [&](std::size_t i) { return static_cast<double>(zone.first) + static_cast<double>(i) - pulse.end; };
   // A panel spans [from, from + width]: one sample, less where the filter begins and ends.
-  const auto from_of = [&](std::size_t i) { return std::max(v_of(i) - 1, -kFilterReach); };
-  const auto width_of = [&](std::size_t i) { return std::max(0.0, std::min(v_of(i), kFilterReach) - from_of(i)); };
+  const auto from_of = [&](std::size_t i) { return std::max(v_of(i) - 1, -kFilterHalfWidth); };
+  const auto width_of = [&](std::size_t i) { return std::max(0.0, std::min(v_of(i), kFilterHalfWidth) - from_of(i)); };
   std::vector<std::array<double, kGaussNodes>> kernel(size);
   for (std::size_t i = 0; i < size; ++i) {
     for (std::size_t k = 0; k < kGaussNodes; ++k) {
@@ -182,7 +182,7 @@ double pulse_impulse_Ns(const Pulse& pulse) {
   return mean * pulse.peak_N * pulse.width_s;
 }
 
-PulseReach pulse_reach(const Pulse& pulse, double fs_Hz, std::span<const SynthPole> poles) {
+PulseSupport pulse_support(const Pulse& pulse, double fs_Hz, std::span<const SynthPole> poles) {
   constexpr double kLargest = 5;  // a regular part never exceeds e^5 of the force's peak
   const Zone zone(SampledPulse(pulse, fs_Hz));
   double longest = 0;

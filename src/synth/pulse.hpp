@@ -35,10 +35,10 @@ double pulse_impulse_Ns(const Pulse& pulse);
 
 /// The samples [first, last) of a record that a pulse touches at all: before and after them its basis is empty. A
 /// bound, cheap.
-struct PulseReach {
+struct PulseSupport {
   double first, last;
 };
-PulseReach pulse_reach(const Pulse& pulse, double fs_Hz, std::span<const SynthPole> poles);
+PulseSupport pulse_support(const Pulse& pulse, double fs_Hz, std::span<const SynthPole> poles);
 
 /// Samples first … first + count − 1 of (filter ∗ force) and (filter ∗ modal response ∗ force), from closed forms:
 /// Gauss–Legendre panels over the pulse and the filter's support, where the integrands are entire; one exact

@@ -14,7 +14,7 @@ namespace percuss {
 namespace {
 
 constexpr std::size_t kLongestText = std::size_t{4} << 20;
-constexpr int kDeepest = 6;
+constexpr int kMaxDepth = 6;
 
 /// A word out of a short list.
 template <class Enum>
@@ -193,7 +193,7 @@ SynthSpec parse_synth_spec(std::string_view text, std::string_view where) {
   const std::string place(where);
   if (text.size() > kLongestText) throw InputError("longer than 4 MiB", place, "is this a synth spec?");
   SynthSpec spec;
-  read_strict_json({.text = text, .where = place, .max_depth = kDeepest},
+  read_strict_json({.text = text, .where = place, .max_depth = kMaxDepth},
                    [&](StrictObject& o) { read_document(o, spec); });
   check(spec, where);
   return spec;

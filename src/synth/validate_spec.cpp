@@ -9,8 +9,8 @@
 namespace percuss {
 namespace {
 
-constexpr double kMostValues = 1U << 28;  // samples of all signals together: 2 GiB
-constexpr double kLarge = 1e12;           // beyond any force, acceleration or ratio of a hammer test
+constexpr double kMaxValues = 1U << 28;  // samples of all signals together: 2 GiB
+constexpr double kLarge = 1e12;          // beyond any force, acceleration or ratio of a hammer test
 
 /// A spec under examination and what to call it in messages.
 class Checker {
@@ -53,8 +53,8 @@ void Checker::size() const {
   const double hits = rows ? static_cast<double>(spec.hits) * static_cast<double>(spec.points.size()) : 1;
   const double values = static_cast<double>(spec.samples) * static_cast<double>(spec.sensors.size() + 1) *
                         static_cast<double>(spec.runs) * hits;
-  require(values <= kMostValues, fmt::format("the record would hold {:g} samples", values),
-          "samples × signals × hits × points × runs", fmt::format("ask for at most {:g} together", kMostValues));
+  require(values <= kMaxValues, fmt::format("the record would hold {:g} samples", values),
+          "samples × signals × hits × points × runs", fmt::format("ask for at most {:g} together", kMaxValues));
 }
 
 void Checker::residues(const std::vector<double>& values, const std::string& key) const {

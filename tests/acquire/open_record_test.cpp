@@ -24,7 +24,7 @@ class OpenRecord : public testing::Test {
     test::write_bytes(folder_.file(name), bytes);
     return folder_.file(name);
   }
-  std::string refusal_of(const std::string& bytes) const {
+  std::string rejection_of(const std::string& bytes) const {
     const std::string path = file_with(bytes);
     std::string message = input_error_of([&] { open_record(path); });
     EXPECT_THAT(message, HasSubstr(path));
@@ -85,20 +85,20 @@ TEST_F(OpenRecord, RefusesWhatCannotComeFromStandardInput) {
 }
 
 TEST_F(OpenRecord, NamesFormatsThatItCannotRead) {
-  EXPECT_THAT(refusal_of("TDSm\x0E"), HasSubstr("a TDMS file"));
-  EXPECT_THAT(refusal_of("PK\x03\x04 rest"), HasSubstr("zip"));
+  EXPECT_THAT(rejection_of("TDSm\x0E"), HasSubstr("a TDMS file"));
+  EXPECT_THAT(rejection_of("PK\x03\x04 rest"), HasSubstr("zip"));
 }
 
 TEST_F(OpenRecord, KnowsFilesByTheirFirstBytesWhateverTheirName) {
-  EXPECT_THAT(refusal_of("MATLAB 5.0 MAT-file, Platform"), HasSubstr("the MAT file cannot be read"));
-  EXPECT_THAT(refusal_of(std::string("\0\0\0\0\2\0\0\0\2\0\0\0\0\0\0\0\2\0\0\0a\0", 22)),
+  EXPECT_THAT(rejection_of("MATLAB 5.0 MAT-file, Platform"), HasSubstr("the MAT file cannot be read"));
+  EXPECT_THAT(rejection_of(std::string("\0\0\0\0\2\0\0\0\2\0\0\0\0\0\0\0\2\0\0\0a\0", 22)),
               HasSubstr("ends within a variable"));
-  EXPECT_THAT(refusal_of("RIFF\x10\x01\x01\x01WAVEfmt "), HasSubstr("damaged: Error in WAV file"));
-  EXPECT_THAT(refusal_of("    -1\n    58\n"), HasSubstr("data set 58 is not closed"));
+  EXPECT_THAT(rejection_of("RIFF\x10\x01\x01\x01WAVEfmt "), HasSubstr("damaged: Error in WAV file"));
+  EXPECT_THAT(rejection_of("    -1\n    58\n"), HasSubstr("data set 58 is not closed"));
 }
 
 TEST_F(OpenRecord, RefusesFilesThatAreNone) {
-  EXPECT_THAT(refusal_of(""), HasSubstr("empty"));
+  EXPECT_THAT(rejection_of(""), HasSubstr("empty"));
   EXPECT_THAT(input_error_of([&] { open_record(folder_.file("none.csv")); }), HasSubstr("no such file"));
   EXPECT_THAT(input_error_of([&] { open_record(folder_.path()); }), HasSubstr("folder"));
   EXPECT_THAT(input_error_of([] { open_record("/dev/zero"); }), HasSubstr("not a regular file"));

@@ -19,7 +19,7 @@ class BatchJournal : public testing::Test {
   Journal open(bool anew = false) { return {path_, label_, {.first = 10, .last = 20}, anew}; }
   test::ScratchFolder folder_;
   std::string path_ = folder_.file("part-0.partial");
-  PartLabel label_{.version = "1", .manifest_sha256 = "m", .options_sha256 = "o", .shard = 0, .shards = 2};
+  ShardLabel label_{.version = "1", .manifest_sha256 = "m", .options_sha256 = "o", .shard = 0, .shards = 2};
 };
 
 TEST_F(BatchJournal, KeepsWhatWasFinished) {

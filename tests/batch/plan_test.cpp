@@ -24,7 +24,7 @@ class BatchPlan : public testing::Test {
   /// Ids of the records planned from these files.
   std::vector<std::string> ids(const std::vector<std::string>& paths) {
     std::vector<std::string> out;
-    for (const BatchRecord& record : planned_records(paths, folder_.path(), false)) out.push_back(record.id);
+    for (const BatchRecord& record : records_of_files(paths, folder_.path(), false)) out.push_back(record.id);
     return out;
   }
   test::ScratchFolder folder_;
@@ -50,8 +50,8 @@ TEST_F(BatchPlan, TakesPatternsAndEachFileOnce) {
 }
 
 TEST_F(BatchPlan, ReadsAListALine) {
-  EXPECT_THAT(listed_names("a b.h5\r\n\nc.h5\nd.h5"), ElementsAre("a b.h5", "c.h5", "d.h5"));
-  EXPECT_TRUE(listed_names("").empty());
+  EXPECT_THAT(parse_path_list("a b.h5\r\n\nc.h5\nd.h5"), ElementsAre("a b.h5", "c.h5", "d.h5"));
+  EXPECT_TRUE(parse_path_list("").empty());
 }
 
 TEST_F(BatchPlan, NamesRecordsByTheirFilesWhereThatIsUnique) {
@@ -65,18 +65,18 @@ TEST_F(BatchPlan, SeesPathsFromTheManifest) {
   fs::create_directory(folder_.file("plans"));
   const fs::path before = fs::current_path();
   fs::current_path(folder_.path());
-  const auto beside = planned_records({"recs/a.csv"}, ".", true),
-             below = planned_records({"recs/a.csv"}, "plans", false);
+  const auto beside = records_of_files({"recs/a.csv"}, ".", true),
+             below = records_of_files({"recs/a.csv"}, "plans", false);
   fs::current_path(before);
   EXPECT_EQ(beside.at(0).path, "recs/a.csv");
   EXPECT_EQ(below.at(0).path, "../recs/a.csv");
   EXPECT_EQ(beside.at(0).bytes, 10U);
   EXPECT_EQ(beside.at(0).sha256.size(), 64U);
-  EXPECT_EQ(planned_records({folder_.file("recs/a.csv")}, ".", false).at(0).path, folder_.file("recs/a.csv"));
+  EXPECT_EQ(records_of_files({folder_.file("recs/a.csv")}, ".", false).at(0).path, folder_.file("recs/a.csv"));
 }
 
 TEST_F(BatchPlan, RefusesNamesThatAreNoText) {
-  EXPECT_THROW(planned_records({make("a\xff.csv")}, folder_.path(), false), InputError);
+  EXPECT_THROW(records_of_files({make("a\xff.csv")}, folder_.path(), false), InputError);
   EXPECT_EQ(ids({make("\xc3\xa4.csv")}).at(0), "\xc3\xa4");
 }
 

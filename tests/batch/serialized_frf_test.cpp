@@ -24,7 +24,7 @@ FrfRecord small_record() {
 }
 
 TEST(PackedFrf, ComesBackAsItWas) {
-  const FrfRecord record = small_record(), back = unpacked_frfs(packed_frfs(record), "here");
+  const FrfRecord record = small_record(), back = deserialize_frfs(serialize_frfs(record), "here");
   EXPECT_EQ(back.lines.fs_Hz, 1000);
   EXPECT_EQ(back.lines.samples, 100U);
   EXPECT_EQ(back.lines.first, 7U);
@@ -40,19 +40,19 @@ TEST(PackedFrf, ComesBackAsItWas) {
   EXPECT_EQ(back.frfs[0].frf.std, record.frfs[0].frf.std);
   EXPECT_EQ(back.frfs[0].frf.coherence, record.frfs[0].frf.coherence);
   EXPECT_EQ(back.frfs[0].frf.averages, 5U);
-  EXPECT_EQ(packed_frfs(back), packed_frfs(record));
+  EXPECT_EQ(serialize_frfs(back), serialize_frfs(record));
 }
 
 TEST(PackedFrf, IsRefusedWhenItIsCutOffOrChanged) {
-  const std::string text = packed_frfs(small_record());
+  const std::string text = serialize_frfs(small_record());
   for (std::size_t length = 0; length < text.size(); ++length)
-    EXPECT_THROW(unpacked_frfs(text.substr(0, length), "here"), InputError) << length;
+    EXPECT_THROW(deserialize_frfs(text.substr(0, length), "here"), InputError) << length;
   FrfRecord record = small_record();
   record.lines.count = 3;
-  EXPECT_THROW(unpacked_frfs(packed_frfs(record), "here"), InputError);
+  EXPECT_THROW(deserialize_frfs(serialize_frfs(record), "here"), InputError);
   record = small_record();
   record.frfs[0].channel = 2;
-  EXPECT_THROW(unpacked_frfs(packed_frfs(record), "here"), InputError);
+  EXPECT_THROW(deserialize_frfs(serialize_frfs(record), "here"), InputError);
 }
 
 TEST(Base64, ComesBackAsItWas) {

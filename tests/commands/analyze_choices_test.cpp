@@ -36,7 +36,7 @@ class AnalyzeChoices : public testing::Test {
     return document;
   }
   /// The one line on standard error, nothing on standard output.
-  static std::string refusal_of(std::vector<std::string> options, int code) {
+  static std::string rejection_of(std::vector<std::string> options, int code) {
     options.insert(options.begin(), {"analyze", path()});
     const auto outcome = run_percuss(options);
     EXPECT_EQ(outcome.code, code) << outcome.err;
@@ -120,24 +120,24 @@ TEST_F(AnalyzeChoices, RecordsTheOtherSettingsThatWereChanged) {
 }
 
 TEST_F(AnalyzeChoices, SaysInOneLineWhatIsWrongWithAChoice) {
-  EXPECT_THAT(refusal_of({"--band", "60"}, 2), AllOf(HasSubstr("--band"), HasSubstr("LO:HI")));
-  EXPECT_THAT(refusal_of({"--band", "900:60"}, 2), HasSubstr("--band"));
-  EXPECT_THAT(refusal_of({"--band", "nan:60"}, 2), HasSubstr("--band"));
-  EXPECT_THAT(refusal_of({"--band", "60:900:2"}, 2), HasSubstr("--band"));
-  EXPECT_THAT(refusal_of({"--band", "60:9000"}, 3), AllOf(HasSubstr("--band"), HasSubstr("4096 Hz")));
-  EXPECT_THAT(refusal_of({"--only", "hits,noise"}, 2), AllOf(HasSubstr("'noise'"), HasSubstr("coherence")));
-  EXPECT_THAT(refusal_of({"--accept-hit", "7"}, 3), AllOf(HasSubstr("no hit 7"), HasSubstr("count from 0")));
-  EXPECT_THAT(refusal_of({"--accept-hit", "1", "--reject-hit", "1"}, 2), HasSubstr("both accepted and rejected"));
-  EXPECT_THAT(refusal_of({"--accept-hit", "-1"}, 2), HasSubstr("--accept-hit"));
-  EXPECT_THAT(refusal_of({"--modes", "0"}, 2), HasSubstr("--modes"));
-  EXPECT_THAT(refusal_of({"--start", "-5"}, 2), HasSubstr("--start"));
-  EXPECT_THAT(refusal_of({"--from", "0.5", "--to", "0.2"}, 2), HasSubstr("--to"));
-  EXPECT_THAT(refusal_of({"--from", "7"}, 3), AllOf(HasSubstr("--from"), HasSubstr(path())));
-  EXPECT_THAT(refusal_of({"--exponential", "2"}, 2), HasSubstr("--exponential"));
-  EXPECT_THAT(refusal_of({"--estimator", "h3"}, 2), HasSubstr("--estimator"));
-  EXPECT_THAT(refusal_of({"--files", "all"}, 2), HasSubstr("--files"));
-  EXPECT_THAT(refusal_of({"--nonsense"}, 2), HasSubstr("--nonsense"));
-  EXPECT_THAT(refusal_of({path()}, 2), HasSubstr("twice"));
+  EXPECT_THAT(rejection_of({"--band", "60"}, 2), AllOf(HasSubstr("--band"), HasSubstr("LO:HI")));
+  EXPECT_THAT(rejection_of({"--band", "900:60"}, 2), HasSubstr("--band"));
+  EXPECT_THAT(rejection_of({"--band", "nan:60"}, 2), HasSubstr("--band"));
+  EXPECT_THAT(rejection_of({"--band", "60:900:2"}, 2), HasSubstr("--band"));
+  EXPECT_THAT(rejection_of({"--band", "60:9000"}, 3), AllOf(HasSubstr("--band"), HasSubstr("4096 Hz")));
+  EXPECT_THAT(rejection_of({"--only", "hits,noise"}, 2), AllOf(HasSubstr("'noise'"), HasSubstr("coherence")));
+  EXPECT_THAT(rejection_of({"--accept-hit", "7"}, 3), AllOf(HasSubstr("no hit 7"), HasSubstr("count from 0")));
+  EXPECT_THAT(rejection_of({"--accept-hit", "1", "--reject-hit", "1"}, 2), HasSubstr("both accepted and rejected"));
+  EXPECT_THAT(rejection_of({"--accept-hit", "-1"}, 2), HasSubstr("--accept-hit"));
+  EXPECT_THAT(rejection_of({"--modes", "0"}, 2), HasSubstr("--modes"));
+  EXPECT_THAT(rejection_of({"--start", "-5"}, 2), HasSubstr("--start"));
+  EXPECT_THAT(rejection_of({"--from", "0.5", "--to", "0.2"}, 2), HasSubstr("--to"));
+  EXPECT_THAT(rejection_of({"--from", "7"}, 3), AllOf(HasSubstr("--from"), HasSubstr(path())));
+  EXPECT_THAT(rejection_of({"--exponential", "2"}, 2), HasSubstr("--exponential"));
+  EXPECT_THAT(rejection_of({"--estimator", "h3"}, 2), HasSubstr("--estimator"));
+  EXPECT_THAT(rejection_of({"--files", "all"}, 2), HasSubstr("--files"));
+  EXPECT_THAT(rejection_of({"--nonsense"}, 2), HasSubstr("--nonsense"));
+  EXPECT_THAT(rejection_of({path()}, 2), HasSubstr("twice"));
 }
 
 TEST_F(AnalyzeChoices, TakesTheChannelsAndUnitsTheUserNames) {
@@ -165,7 +165,7 @@ TEST_F(AnalyzeChoices, TakesAChannelSetUp) {
 }
 
 TEST_F(AnalyzeChoices, StartsLieWithinTheBand) {
-  EXPECT_THAT(refusal_of({"--band", "60:1000", "--start", "1500"}, 2),
+  EXPECT_THAT(rejection_of({"--band", "60:1000", "--start", "1500"}, 2),
               HasSubstr("--start 1500 lies outside --band 60:1000"));
 }
 

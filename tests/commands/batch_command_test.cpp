@@ -155,8 +155,8 @@ TEST_F(BatchCommand, TellsWhatIsMissing) {
   const auto status = test::parse_json(batch({"status", "--manifest", "m.jsonl", "out", "--json"}).out);
   EXPECT_THAT(test::schema_violations(status, test::schema_named("batch-status")), IsEmpty());
   EXPECT_EQ(status["missing"], nlohmann::json({0, 2}));
-  test::refusal_of({"batch", "merge", "--manifest", folder_.file("m.jsonl"), folder_.file("out")}, {".jsonl"},
-                   "2 of 3 shards are not finished: 0,2");
+  test::rejection_of({"batch", "merge", "--manifest", folder_.file("m.jsonl"), folder_.file("out")}, {".jsonl"},
+                     "2 of 3 shards are not finished: 0,2");
   ASSERT_NE(run({"--shard", "all"}).code, 3);
   EXPECT_EQ(batch({"status", "--manifest", "m.jsonl", "out", "--missing"}).out, "");
 }
@@ -295,8 +295,8 @@ TEST_F(BatchCommand, RefusesWhatIsNoManifest) {
   for (const std::string& text : std::vector<std::string>{"", "x\n", "{}\n", "[]\n", std::string(1000, '[') + "\n",
                                                           good + "00\"}\n", std::string("\0\0\n", 3)}) {
     test::write_bytes(folder_.file("bad.jsonl"), text);
-    test::refusal_of({"batch", "run", "--manifest", folder_.file("bad.jsonl"), "--folder", folder_.file("o")}, {},
-                     "bad.jsonl");
+    test::rejection_of({"batch", "run", "--manifest", folder_.file("bad.jsonl"), "--folder", folder_.file("o")}, {},
+                       "bad.jsonl");
   }
 }
 

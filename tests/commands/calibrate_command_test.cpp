@@ -77,17 +77,17 @@ TEST_F(CalibrateCommand, WritesTheDocument) {
 }
 
 TEST_F(CalibrateCommand, SaysInOneLineWhatIsWrong) {
-  const auto refusal_of = [this](const std::vector<std::string>& options, int code) {
+  const auto rejection_of = [this](const std::vector<std::string>& options, int code) {
     const auto outcome = calibrate(options);
     EXPECT_EQ(outcome.code, code) << outcome.err;
     EXPECT_EQ(test::lines_of(outcome.err).size(), 1U) << outcome.err;
     return outcome.err;
   };
-  EXPECT_THAT(refusal_of({}, 2), HasSubstr("--mass"));
-  EXPECT_THAT(refusal_of({"--mass", "0"}, 2), HasSubstr("--mass"));
-  EXPECT_THAT(refusal_of({"--mass", "-1"}, 2), HasSubstr("--mass"));
-  EXPECT_THAT(refusal_of({"--mass", "nan"}, 2), HasSubstr("--mass"));
-  EXPECT_THAT(refusal_of({"--mass", "1.25", "-o", "scale.txt"}, 2), HasSubstr(".json"));
+  EXPECT_THAT(rejection_of({}, 2), HasSubstr("--mass"));
+  EXPECT_THAT(rejection_of({"--mass", "0"}, 2), HasSubstr("--mass"));
+  EXPECT_THAT(rejection_of({"--mass", "-1"}, 2), HasSubstr("--mass"));
+  EXPECT_THAT(rejection_of({"--mass", "nan"}, 2), HasSubstr("--mass"));
+  EXPECT_THAT(rejection_of({"--mass", "1.25", "-o", "scale.txt"}, 2), HasSubstr(".json"));
 }
 
 TEST_F(CalibrateCommand, CannotCalibrateWithoutAHit) {

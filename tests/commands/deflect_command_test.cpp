@@ -122,7 +122,7 @@ TEST_F(DeflectCommand, NeedsNoForce) {
   EXPECT_EQ(found["method"], "drift-free");
   EXPECT_NEAR(found["peak_m"].get<double>(), expected["peak_m"].get<double>(),
               3 * expected["peak_std_m"].get<double>());
-  EXPECT_THAT(test::refusal_of({"deflect", out.file("accel.csv"), "--method", "modal"}, {".json"}, "accel.csv"),
+  EXPECT_THAT(test::rejection_of({"deflect", out.file("accel.csv"), "--method", "modal"}, {".json"}, "accel.csv"),
               HasSubstr("no force"));
   EXPECT_EQ(run_percuss({"analyze", out.file("accel.csv")}).code, 3);
 }
@@ -148,7 +148,7 @@ TEST_F(DeflectCommand, NamesTheOptionThatIsWrong) {
     EXPECT_EQ(outcome.code, 2) << option;
     EXPECT_THAT(outcome.err, HasSubstr(option));
   }
-  EXPECT_THAT(test::refusal_of({"deflect", file("bat.h5"), "--positions", "0:0.1:0.2"}, {".json"}, "bat.h5"),
+  EXPECT_THAT(test::rejection_of({"deflect", file("bat.h5"), "--positions", "0:0.1:0.2"}, {".json"}, "bat.h5"),
               HasSubstr("3 positions for 4 points"));
 }
 
@@ -175,7 +175,7 @@ TEST(CompareCommand, RefusesWhatItCannotCompare) {
   const test::ScratchFolder folder;
   const auto refused = [&](const std::string& text) {
     test::write_bytes(folder.file("x.json"), text);
-    return test::refusal_of({"compare", folder.file("x.json"), folder.file("x.json")}, {".json"}, "x.json");
+    return test::rejection_of({"compare", folder.file("x.json"), folder.file("x.json")}, {".json"}, "x.json");
   };
   EXPECT_THAT(refused(""), HasSubstr("empty"));
   EXPECT_THAT(refused("{\"a\":"), HasSubstr("not JSON"));

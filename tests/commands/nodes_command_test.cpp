@@ -20,7 +20,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 
 // Struck every half inch from 6 to 9 in.
-SynthSpec beam() { return test::scanned_beam(6, 0.5, 7); }
+SynthSpec beam() { return test::roving_beam_spec(6, 0.5, 7); }
 
 class NodesCommand : public testing::Test {
  protected:

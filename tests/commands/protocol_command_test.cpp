@@ -52,7 +52,7 @@ TEST(CertifyCommand, LeavesWithFiveWhenTheLimitIsExceeded) {
 TEST(CertifyCommand, RefusesWhatItCannotUse) {
   const test::ScratchFolder folder;
   test::write_bytes(folder.file("bad.json"), "{\"bat\": 3}");
-  test::refusal_of({"certify", folder.file("bad.json")}, {".json", ".csv", ".svg"}, "bad.json");
+  test::rejection_of({"certify", folder.file("bad.json")}, {".json", ".csv", ".svg"}, "bad.json");
   EXPECT_EQ(run_percuss({"certify"}).code, 2);
   EXPECT_EQ(run_percuss({"certify", "x", "--metric", "y"}).code, 2);
 }
@@ -82,7 +82,7 @@ TEST(AbiCommand, LeavesWithFiveWhenTheBatFails) {
 TEST(AbiCommand, RefusesALogOutOfOrder) {
   const test::ScratchFolder folder;
   test::write_bytes(folder.file("l.json"), R"({"bat": {"id": "b"}, "entries": [{"do": "roll", "depth_in": 0.1}]})");
-  const auto line = test::refusal_of({"abi", folder.file("l.json")}, {".json", ".csv", ".svg"}, "l.json, entries[0]");
+  const auto line = test::rejection_of({"abi", folder.file("l.json")}, {".json", ".csv", ".svg"}, "l.json, entries[0]");
   EXPECT_THAT(line, HasSubstr("step 1 comes next"));
 }
 

@@ -78,7 +78,7 @@ TEST_F(StudyCommand, BlindsAndKeepsTheKeyApart) {
 
 TEST_F(StudyCommand, RefusesWhatItCannotUse) {
   test::write_bytes(folder_.file("bad.csv"), "id,length_in,material\na,33,paper\n");
-  test::refusal_of({"study", folder_.file("bad.csv")}, {".json", ".csv"}, "bat a");
+  test::rejection_of({"study", folder_.file("bad.csv")}, {".json", ".csv"}, "bat a");
   EXPECT_EQ(study({}).code, 2);
 }
 

@@ -150,7 +150,7 @@ TEST_F(SurveyCommand, PrintsAnExampleThatItReads) {
 TEST_F(SurveyCommand, RefusesWhatItCannotUse) {
   const auto refusal = [](std::vector<std::string> arguments, const std::string& named) {
     arguments.insert(arguments.begin(), "survey");
-    return test::refusal_of(arguments, {".json", ".csv", ".h5"}, named);
+    return test::rejection_of(arguments, {".json", ".csv", ".h5"}, named);
   };
   test::write_bytes(file("short.csv"), "point,position_m,angle_deg\n0,0.1,0\n");
   refusal({file("bare.h5"), "--geometry", file("short.csv")}, "point 1 was measured");

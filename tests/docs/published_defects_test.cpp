@@ -81,7 +81,7 @@ TEST(PublishedDefects, DampingIsCorrectedForTheExponentialWindowExactly) {
 TEST(PublishedDefects, TheBandsBeginningEntersTheImaginaryPartOnly) {
   // Added to |pole|, a band from 90 Hz makes 101.07 Hz of a mode of 5 % at 100 Hz.
   constexpr double kExact = 1e-6;  // relative
-  FrfSet set = test::empty_set(4096, 16384, 90, 400, 1);
+  FrfDataset set = test::empty_set(4096, 16384, 90, 400, 1);
   test::add_mode(set, 0, {100, 0.05}, 0.8);
   const auto orders = lscf_poles(set, {.max_order = 12});
   ASSERT_FALSE(orders.empty());
@@ -96,7 +96,7 @@ TEST(PublishedDefects, TheBandsBeginningEntersTheImaginaryPartOnly) {
 
 TEST(PublishedDefects, TheBasisIsMappedToTheBandSoThatTwoModesTwoHertzApartAt170HzAreTwo) {
   constexpr double kExact = 1e-6;  // relative
-  FrfSet set = test::empty_set(25600, 65536, 60, 400, 2);
+  FrfDataset set = test::empty_set(25600, 65536, 60, 400, 2);
   for (const double freq_Hz : {170.0, 172.0}) {
     test::add_mode(set, 0, {freq_Hz, 0.002}, 0.8);
     test::add_mode(set, 1, {freq_Hz, 0.002}, freq_Hz < 171 ? 0.5 : -0.5);

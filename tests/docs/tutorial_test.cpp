@@ -15,18 +15,18 @@
 // The pages' commands, run in the order in which a reader types them, print what the pages show.
 namespace percuss::tutorial_test {
 
-using test::prints_as_shown;
+using test::matches_transcript;
 using test::same_line;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-struct Outcome {
+struct CommandResult {
   int code = -1;
   std::vector<std::string> lines;  // of both streams, as a terminal shows them
 };
 
 // In a shell of its own, which is told the exit code of the command before it, so that `echo $?` works.
-Outcome run_shell(const std::string& script, const std::string& folder, int code_before) {
+CommandResult run_shell(const std::string& script, const std::string& folder, int code_before) {
   const std::string bin = std::filesystem::path(PERCUSS_EXECUTABLE).parent_path().string();
   const std::string prepared = "exec 2>&1 </dev/null\ncd '" + folder + "' || exit 99\nPATH='" + bin +
                                "':$PATH\n(exit " + std::to_string(code_before) + ")\n" + script + "\n";
@@ -49,15 +49,15 @@ std::string joined(const std::vector<std::string>& lines) {
 /// Runs the commands of a page in an empty folder. What does not print as shown is printed whole, to be looked at and
 /// put into the page.
 void expect_page_to_print_as_shown(const std::string& page, std::size_t least_commands) {
-  const auto commands = test::shown_commands(test::bytes_of(PERCUSS_SOURCE_DIR "/" + page));
+  const auto commands = test::transcript_commands(test::bytes_of(PERCUSS_SOURCE_DIR "/" + page));
   ASSERT_GE(commands.size(), least_commands) << page << " has lost commands, or their form";
   const test::ScratchFolder folder;
   int code = 0;
   for (std::size_t i = 0; i < commands.size(); ++i) {
     const auto& command = commands[i];
-    const Outcome outcome = run_shell(command.script, folder.path(), code);
+    const CommandResult outcome = run_shell(command.script, folder.path(), code);
     code = outcome.code;
-    EXPECT_TRUE(prints_as_shown(command.expected, outcome.lines))
+    EXPECT_TRUE(matches_transcript(command.expected, outcome.lines))
         << page << ":" << command.line << " shows something else than what is printed now:\n$ " << command.script
         << "\n"
         << joined(outcome.lines);
@@ -69,7 +69,7 @@ void expect_page_to_print_as_shown(const std::string& page, std::size_t least_co
 }
 
 TEST(ConsolePage, HoldsCommandsAndWhatTheyPrint) {
-  const auto commands = test::shown_commands(
+  const auto commands = test::transcript_commands(
       "text\n```console\n$ cat > a <<END\n> 1\n> END\n$ cat a\n1\n```\n```\n$ not this\n```\n```console\n$ "
       "echo\n\n```\n");
   ASSERT_EQ(commands.size(), 3U);
@@ -103,14 +103,14 @@ TEST(ConsolePage, AllowsNothingElse) {
 }
 
 TEST(ConsolePage, LeavesLinesOutWhereDotsStandForThem) {
-  EXPECT_TRUE(prints_as_shown({"a", "...", "d"}, {"a", "b", "c", "d"}));
-  EXPECT_TRUE(prints_as_shown({"a", "...", "d"}, {"a", "d", "d"}));
-  EXPECT_TRUE(prints_as_shown({"a", "..."}, {"a"}));
-  EXPECT_FALSE(prints_as_shown({"a", "...", "d"}, {"a", "b"}));
-  EXPECT_FALSE(prints_as_shown({"...", "b", "..."}, {"a", "c"}));
-  EXPECT_FALSE(prints_as_shown({"a"}, {"a", "b"}));
-  EXPECT_FALSE(prints_as_shown({"a", "b"}, {"a"}));
-  EXPECT_FALSE(prints_as_shown({}, {"a"}));
+  EXPECT_TRUE(matches_transcript({"a", "...", "d"}, {"a", "b", "c", "d"}));
+  EXPECT_TRUE(matches_transcript({"a", "...", "d"}, {"a", "d", "d"}));
+  EXPECT_TRUE(matches_transcript({"a", "..."}, {"a"}));
+  EXPECT_FALSE(matches_transcript({"a", "...", "d"}, {"a", "b"}));
+  EXPECT_FALSE(matches_transcript({"...", "b", "..."}, {"a", "c"}));
+  EXPECT_FALSE(matches_transcript({"a"}, {"a", "b"}));
+  EXPECT_FALSE(matches_transcript({"a", "b"}, {"a"}));
+  EXPECT_FALSE(matches_transcript({}, {"a"}));
 }
 
 // How many commands each page has at the least: a page whose blocks lost their form would pass by running nothing.

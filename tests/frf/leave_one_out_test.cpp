@@ -16,7 +16,7 @@ std::vector<double> unexplained(const std::vector<Lines>& force, const std::vect
   std::vector<Spans> a;
   a.reserve(accel.size());
   for (const auto& channels : accel) a.emplace_back(channels.begin(), channels.end());
-  return unexplained_by_others(Spans(force.begin(), force.end()), a);
+  return leave_one_out_error(Spans(force.begin(), force.end()), a);
 }
 
 const std::vector<Lines> kForce = {{1.0, Complex(0, 2)}, {-3.0, 1.0}, {Complex(1, 1), 5.0}};

@@ -74,21 +74,21 @@ TEST(ForceSpectrum, CutsThePulseWithTheBlock) {
 
 TEST(ForceSpectrum, TakesTheWholeForceWhenItIsNotGated) {
   Hit hit = pulse_hit();
-  hit.whole_N.assign(64, 0.5);
+  hit.ungated_N.assign(64, 0.5);
   const LineRange lines{.fs_Hz = 1000, .samples = 64, .count = 33};
-  EXPECT_EQ(force_spectrum(force_block(hit, 1000, 0), lines), real_dft(hit.whole_N));
+  EXPECT_EQ(force_spectrum(force_block(hit, 1000, 0), lines), real_dft(hit.ungated_N));
 }
 
 TEST(ForceBlock, CarriesTheWindowFromThePeak) {
   Hit hit = pulse_hit();
-  hit.whole_N.assign(64, 1.0);
+  hit.ungated_N.assign(64, 1.0);
   const ForceBlock block = force_block(hit, 1000, 50);
   EXPECT_EQ(block.offset, 10U);
   EXPECT_DOUBLE_EQ(block.force_N[0], 1 * std::exp(0.05));
   EXPECT_DOUBLE_EQ(block.force_N[1], 4);
   EXPECT_DOUBLE_EQ(block.force_N[2], 2 * std::exp(-0.05));
-  EXPECT_DOUBLE_EQ(block.whole_N[11], 1);
-  EXPECT_DOUBLE_EQ(block.whole_N[31], std::exp(-1));
+  EXPECT_DOUBLE_EQ(block.ungated_N[11], 1);
+  EXPECT_DOUBLE_EQ(block.ungated_N[31], std::exp(-1));
   EXPECT_EQ(hit.gated_N[0], 1);  // the hit keeps its force
 }
 

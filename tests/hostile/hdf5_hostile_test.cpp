@@ -23,8 +23,8 @@ using Shape = std::vector<hsize_t>;
 class Hdf5Hostile : public testing::Test {
  protected:
   /// A good file but for what `spoil` adds; "force", "accel" and "fs" are left out as asked.
-  std::string refusal_of(const std::function<void(Hdf5Builder&)>& spoil, const std::string& without = "",
-                         const ReadOptions& options = {}) const {
+  std::string rejection_of(const std::function<void(Hdf5Builder&)>& spoil, const std::string& without = "",
+                           const ReadOptions& options = {}) const {
     {
       Hdf5Builder file(path_);
       if (without != "fs") file.numbers("", "fs", {1000});
@@ -69,12 +69,12 @@ TEST_F(Hdf5Hostile, RefusesWhatIsNoHdf5File) {
 
 TEST_F(Hdf5Hostile, NamesWhatIsThereInsteadOfADataSet) {
   const auto other = [](Hdf5Builder& file) { file.ramp("hammer", {2, 9}); };
-  EXPECT_THAT(refusal_of(other, "force"), AllOf(HasSubstr("no data set /force"), HasSubstr("accel, hammer")));
-  EXPECT_THAT(refusal_of(other, "accel"), AllOf(HasSubstr("no data set /accel"), HasSubstr("force, hammer")));
+  EXPECT_THAT(rejection_of(other, "force"), AllOf(HasSubstr("no data set /force"), HasSubstr("accel, hammer")));
+  EXPECT_THAT(rejection_of(other, "accel"), AllOf(HasSubstr("no data set /accel"), HasSubstr("force, hammer")));
   const auto group = [](Hdf5Builder& file) {
     H5Gclose(H5Gcreate2(file.id(), "force", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
   };
-  EXPECT_THAT(refusal_of(group, "force"), HasSubstr("not a data set"));
+  EXPECT_THAT(rejection_of(group, "force"), HasSubstr("not a data set"));
 }
 
 TEST_F(Hdf5Hostile, RefusesShapesThatMakeNoRecord) {
@@ -93,35 +93,36 @@ TEST_F(Hdf5Hostile, RefusesShapesThatMakeNoRecord) {
 }
 
 TEST_F(Hdf5Hostile, RefusesUnusableSamplingRates) {
-  EXPECT_THAT(refusal_of([](Hdf5Builder&) {}, "fs"), AllOf(HasSubstr("fs is missing"), HasSubstr("--fs")));
+  EXPECT_THAT(rejection_of([](Hdf5Builder&) {}, "fs"), AllOf(HasSubstr("fs is missing"), HasSubstr("--fs")));
   for (const double fs_Hz : {0.0, -1000.0, std::nan(""), std::numeric_limits<double>::infinity(), 1e30, 1e-30}) {
-    EXPECT_THAT(refusal_of([&](Hdf5Builder& file) { file.numbers("", "fs", {fs_Hz}); }, "fs"), HasSubstr("not usable"));
+    EXPECT_THAT(rejection_of([&](Hdf5Builder& file) { file.numbers("", "fs", {fs_Hz}); }, "fs"),
+                HasSubstr("not usable"));
   }
-  EXPECT_THAT(refusal_of(
+  EXPECT_THAT(rejection_of(
                   [](Hdf5Builder& file) {
                     file.numbers("", "fs", {1000, 2000});
                   },
                   "fs"),
               HasSubstr("2 numbers"));
-  EXPECT_THAT(refusal_of([](Hdf5Builder& file) { file.text("", "fs", "1000"); }, "fs"), HasSubstr("not a number"));
-  EXPECT_THAT(refusal_of([](Hdf5Builder& file) { file.numbers("accel", "fs", {999}); }), HasSubstr("two sampling"));
+  EXPECT_THAT(rejection_of([](Hdf5Builder& file) { file.text("", "fs", "1000"); }, "fs"), HasSubstr("not a number"));
+  EXPECT_THAT(rejection_of([](Hdf5Builder& file) { file.numbers("accel", "fs", {999}); }), HasSubstr("two sampling"));
   EXPECT_THAT(input_error_of([&] { open_hdf5(path_, {.fs_Hz = -1}); }), HasSubstr("--fs"));
 }
 
 TEST_F(Hdf5Hostile, RefusesUnitsItCannotUse) {
   const auto unit = [this](const std::string& object, const std::string& name) {
-    return refusal_of([&](Hdf5Builder& file) { file.text(object, "unit_str", name); });
+    return rejection_of([&](Hdf5Builder& file) { file.text(object, "unit_str", name); });
   };
   EXPECT_THAT(unit("force", "furlong"), AllOf(HasSubstr("furlong"), HasSubstr("/force")));
   EXPECT_THAT(unit("accel", "N"), HasSubstr("/accel"));
   EXPECT_THAT(unit("accel", "mV"), HasSubstr("sensitivity"));
   EXPECT_THAT(unit("accel", std::string(50'000, 'x')), HasSubstr("/accel"));
-  EXPECT_THAT(refusal_of([](Hdf5Builder& file) { file.numbers("accel", "unit_str", {1}); }), HasSubstr("not a text"));
+  EXPECT_THAT(rejection_of([](Hdf5Builder& file) { file.numbers("accel", "unit_str", {1}); }), HasSubstr("not a text"));
 }
 
 TEST_F(Hdf5Hostile, RefusesNumbersThatDoNotFitTheHits) {
   const auto refusal = [this](const std::string& name, const Shape& shape, const std::vector<double>& values) {
-    return refusal_of([&](Hdf5Builder& file) { file.values(name, shape, values); });
+    return rejection_of([&](Hdf5Builder& file) { file.values(name, shape, values); });
   };
   EXPECT_THAT(refusal("point", {3}, {0, 1, 2}), AllOf(HasSubstr("/point"), HasSubstr("[3] for 2 hits")));
   EXPECT_THAT(refusal("run", {2, 1}, {0, 1}), HasSubstr("/run"));
@@ -132,7 +133,7 @@ TEST_F(Hdf5Hostile, RefusesNumbersThatDoNotFitTheHits) {
   EXPECT_THAT(refusal("geometry", {3}, {0, 0, 0}), HasSubstr("[points, 2 or 3]"));
   EXPECT_THAT(refusal("geometry", {1, 2}, {0, -HUGE_VAL}), HasSubstr("infinite"));
   for (const char* name : {"angle_deg", "position_m"}) {
-    EXPECT_THAT(refusal_of([&](Hdf5Builder& file) {
+    EXPECT_THAT(rejection_of([&](Hdf5Builder& file) {
                   file.numbers("accel", name, {0, 1, 2});
                 }),
                 AllOf(HasSubstr(name), HasSubstr("3 numbers for 2 channels")));
@@ -142,7 +143,7 @@ TEST_F(Hdf5Hostile, RefusesNumbersThatDoNotFitTheHits) {
 TEST_F(Hdf5Hostile, RefusesClaimsThatTheFileCannotHold) {
   constexpr hsize_t kHuge = 625'000'000;  // 10 GB as float64 in two hits
   const auto declared = [this](const test::Hdf5Storage& storage, const Shape& shape) {
-    return refusal_of([&](Hdf5Builder& file) { file.ramp("force", shape, storage); }, "force");
+    return rejection_of([&](Hdf5Builder& file) { file.ramp("force", shape, storage); }, "force");
   };
   EXPECT_THAT(declared({.written = false}, {2, kHuge}), HasSubstr("claims 10000000000 bytes"));
   EXPECT_THAT(declared({.written = false}, {2, 9}), HasSubstr("claims 144 bytes, the file holds 0"));
@@ -164,12 +165,12 @@ TEST_F(Hdf5Hostile, RefusesCompressedSetsThatWereNeverCompleted) {
     H5Sclose(space);
     H5Dclose(set);
   };
-  EXPECT_THAT(refusal_of(first_hit_only, "force"), HasSubstr("1 of its 2 chunks"));
+  EXPECT_THAT(rejection_of(first_hit_only, "force"), HasSubstr("1 of its 2 chunks"));
 }
 
 TEST_F(Hdf5Hostile, RefusesSamplesThatAreNotPlainNumbers) {
   const auto refusal = [this](hid_t type) {
-    return refusal_of([&](Hdf5Builder& file) { declare_force(file, type, H5P_DEFAULT); }, "force");
+    return rejection_of([&](Hdf5Builder& file) { declare_force(file, type, H5P_DEFAULT); }, "force");
   };
   const hid_t complex = H5Tcreate(H5T_COMPOUND, 16);
   H5Tinsert(complex, "r", 0, H5T_IEEE_F64LE);
@@ -188,23 +189,23 @@ TEST_F(Hdf5Hostile, RefusesToFollowLinksOutOfTheFile) {
   const auto external = [&](Hdf5Builder& file) {
     H5Lcreate_external(other.c_str(), "/force", file.id(), "force", H5P_DEFAULT, H5P_DEFAULT);
   };
-  EXPECT_THAT(refusal_of(external, "force"), HasSubstr("link to another file"));
+  EXPECT_THAT(rejection_of(external, "force"), HasSubstr("link to another file"));
   const auto soft_to_external = [&](Hdf5Builder& file) {
     H5Lcreate_external(other.c_str(), "/force", file.id(), "hop", H5P_DEFAULT, H5P_DEFAULT);
     H5Lcreate_soft("/hop", file.id(), "force", H5P_DEFAULT, H5P_DEFAULT);
   };
-  EXPECT_THAT(refusal_of(soft_to_external, "force"), HasSubstr("/force"));
+  EXPECT_THAT(rejection_of(soft_to_external, "force"), HasSubstr("/force"));
   const auto cycle = [](Hdf5Builder& file) {
     H5Lcreate_soft("/hop", file.id(), "force", H5P_DEFAULT, H5P_DEFAULT);
     H5Lcreate_soft("/force", file.id(), "hop", H5P_DEFAULT, H5P_DEFAULT);
   };
-  EXPECT_THAT(refusal_of(cycle, "force"), HasSubstr("leads nowhere"));
+  EXPECT_THAT(rejection_of(cycle, "force"), HasSubstr("leads nowhere"));
 }
 
 TEST_F(Hdf5Hostile, RefusesStorageInOtherFilesAndUnknownPacking) {
   const hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
   const auto refusal = [&](Shape shape = {2, 9}) {
-    return refusal_of([&](Hdf5Builder& file) { declare_force(file, H5T_IEEE_F64LE, creation, shape); }, "force");
+    return rejection_of([&](Hdf5Builder& file) { declare_force(file, H5T_IEEE_F64LE, creation, shape); }, "force");
   };
   H5Pset_external(creation, "/etc/passwd", 0, H5F_UNLIMITED);
   EXPECT_THAT(refusal(), HasSubstr("in other files"));
@@ -213,7 +214,7 @@ TEST_F(Hdf5Hostile, RefusesStorageInOtherFilesAndUnknownPacking) {
   const hid_t space = H5Screate_simple(2, extent.data(), nullptr);
   H5Pset_virtual(virtual_set, space, "other.h5", "/force", space);
   const auto refuse_list = [&](hid_t list, hid_t type) {
-    return refusal_of([&](Hdf5Builder& file) { declare_force(file, type, list); }, "force");
+    return rejection_of([&](Hdf5Builder& file) { declare_force(file, type, list); }, "force");
   };
   EXPECT_THAT(refuse_list(virtual_set, H5T_IEEE_F64LE), HasSubstr("in other files"));
   H5Pset_chunk(packed, 2, extent.data());

@@ -13,10 +13,10 @@
 // Records that are well formed as files, and no use as measurements.
 namespace percuss::hostile_samples_test {
 
-using test::expect_analyses_refuse;
-using test::expect_every_command_refuses;
+using test::expect_analyses_reject;
+using test::expect_every_command_rejects;
 using test::Hdf5Builder;
-using test::refusal_of;
+using test::rejection_of;
 using testing::HasSubstr;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -80,42 +80,42 @@ TEST_F(HostileSamples, RefusesWhatIsNotFiniteWithItsPlace) {
   for (const double bad : {kNan, kInfinity, -kInfinity, 1e308, 9.91e37}) {
     accel_[1500] = bad;
     write_hdf5({2048});
-    expect_analyses_refuse(hdf5_, "bad.h5: /accel[0, 0, 1500]");
+    expect_analyses_reject(hdf5_, "bad.h5: /accel[0, 0, 1500]");
     accel_[1500] = 0;
     force_[50] = bad;
     write_hdf5({2048});
-    expect_analyses_refuse(hdf5_, "bad.h5: /force[0, 50]");
-    refusal_of({"calibrate", hdf5_, "--mass", "1"}, {".json"}, "bad.h5: /force[0, 50]");
+    expect_analyses_reject(hdf5_, "bad.h5: /force[0, 50]");
+    rejection_of({"calibrate", hdf5_, "--mass", "1"}, {".json"}, "bad.h5: /force[0, 50]");
     force_[50] = 0;
   }
   for (const char* bad : {"nan", "NaN", "inf", "-Inf", "1e400", "9.91e37", "", "x", "0x1p3", "1e", "--1"}) {
     write_csv(header_, [&](std::size_t i) {
       return i == 1500 ? fmt::format("{:.9f},0,{}\n", static_cast<double>(i) / 2048, bad) : good_line(i);
     });
-    expect_analyses_refuse(csv_, "bad.csv: line 1502");
+    expect_analyses_reject(csv_, "bad.csv: line 1502");
   }
 }
 
 TEST_F(HostileSamples, RefusesSamplingRatesThatCannotBe) {
   for (const double fs_Hz : {0.0, -5.0, kNan, kInfinity, 1e300, 1e-300}) {
     write_hdf5({fs_Hz});
-    expect_every_command_refuses(hdf5_, "bad.h5");
+    expect_every_command_rejects(hdf5_, "bad.h5");
   }
   write_hdf5({1000, 2000});
-  expect_every_command_refuses(hdf5_, "bad.h5: attribute fs");
+  expect_every_command_rejects(hdf5_, "bad.h5: attribute fs");
   write_hdf5({});
-  EXPECT_THAT(refusal_of({"analyze", hdf5_}, {".json"}, "bad.h5"), HasSubstr("--fs"));
+  EXPECT_THAT(rejection_of({"analyze", hdf5_}, {".json"}, "bad.h5"), HasSubstr("--fs"));
   write_hdf5({2048});
   for (const char* fs_Hz : {"0", "-5", "nan", "inf", "1e300"}) {
-    refusal_of({"analyze", hdf5_, "--fs", fs_Hz}, {".json"}, "--fs");
-    refusal_of({"info", hdf5_, "--fs", fs_Hz}, {}, "--fs");
+    rejection_of({"analyze", hdf5_, "--fs", fs_Hz}, {".json"}, "--fs");
+    rejection_of({"info", hdf5_, "--fs", fs_Hz}, {}, "--fs");
   }
 }
 
 TEST_F(HostileSamples, RefusesTimesThatGiveNoRate) {
   const auto with_time = [&](const std::function<std::string(std::size_t)>& time) {
     write_csv(header_, [&](std::size_t i) { return fmt::format("{},{},{}\n", time(i), force_[i], accel_[i]); });
-    expect_every_command_refuses(csv_, "bad.csv");
+    expect_every_command_rejects(csv_, "bad.csv");
   };
   with_time([](std::size_t) { return "0"; });
   with_time([](std::size_t i) { return fmt::format("{}", -static_cast<double>(i)); });
@@ -124,19 +124,19 @@ TEST_F(HostileSamples, RefusesTimesThatGiveNoRate) {
   with_time([](std::size_t i) { return i == 700 ? std::string("nan") : fmt::format("{}", i); });
   with_time([](std::size_t i) { return i == 700 ? std::string("1e300") : fmt::format("{}", i); });
   write_csv("force_N,acc_m_s2\n", [&](std::size_t i) { return fmt::format("{},{}\n", force_[i], accel_[i]); });
-  expect_every_command_refuses(csv_, "bad.csv");
+  expect_every_command_rejects(csv_, "bad.csv");
   write_csv("Sampling Rate(Hz),0\nforce_N,acc_m_s2\n",
             [&](std::size_t i) { return fmt::format("{},{}\n", force_[i], accel_[i]); });
-  expect_every_command_refuses(csv_, "bad.csv");
+  expect_every_command_rejects(csv_, "bad.csv");
 }
 
 TEST_F(HostileSamples, RefusesASingleSample) {
   Hdf5Builder(hdf5_).numbers("", "fs", {2048}).values("force", {1, 1}, {5}).values("accel", {1, 1, 1}, {2});
-  expect_every_command_refuses(hdf5_, "bad.h5");
+  expect_every_command_rejects(hdf5_, "bad.h5");
   write_csv(header_, {}, 1);
-  expect_every_command_refuses(csv_, "bad.csv");
+  expect_every_command_rejects(csv_, "bad.csv");
   write_csv(header_, {}, 0);
-  expect_every_command_refuses(csv_, "bad.csv");
+  expect_every_command_rejects(csv_, "bad.csv");
 }
 
 TEST_F(HostileSamples, RefusesTooFewSamplesForAnFrf) {
@@ -144,38 +144,38 @@ TEST_F(HostileSamples, RefusesTooFewSamplesForAnFrf) {
       .numbers("", "fs", {2048})
       .values("force", {1, 12}, {0, 0, 0, 40, 80, 40, 0, 0, 0, 0, 0, 0})
       .values("accel", {1, 1, 12}, {0, 0, 0, 2, 3, 1, -1, -2, 1, 0, 1, 0});
-  expect_analyses_refuse(hdf5_, "bad.h5");
+  expect_analyses_reject(hdf5_, "bad.h5");
 }
 
 TEST_F(HostileSamples, RefusesFilesWithoutTheChannels) {
   Hdf5Builder(hdf5_).numbers("", "fs", {2048}).values("accel", {1, 1, kSamples}, accel_);
-  expect_every_command_refuses(hdf5_, "bad.h5");
+  expect_every_command_rejects(hdf5_, "bad.h5");
   Hdf5Builder(hdf5_).numbers("", "fs", {2048}).values("force", {1, kSamples}, force_);
-  expect_every_command_refuses(hdf5_, "bad.h5");
+  expect_every_command_rejects(hdf5_, "bad.h5");
   Hdf5Builder(hdf5_).numbers("", "fs", {2048});
-  expect_every_command_refuses(hdf5_, "bad.h5");
+  expect_every_command_rejects(hdf5_, "bad.h5");
   write_csv("force_N\n", [&](std::size_t i) { return fmt::format("{}\n", force_[i]); });
-  expect_analyses_refuse(csv_, "bad.csv");
-  refusal_of({"calibrate", csv_, "--mass", "1"}, {".json"}, "bad.csv");
+  expect_analyses_reject(csv_, "bad.csv");
+  rejection_of({"calibrate", csv_, "--mass", "1"}, {".json"}, "bad.csv");
   write_csv("t_s,force_N\n",
             [&](std::size_t i) { return fmt::format("{},{}\n", static_cast<double>(i) / 2048, force_[i]); });
-  expect_analyses_refuse(csv_, "bad.csv");
+  expect_analyses_reject(csv_, "bad.csv");
   write_csv("t_s,left,right\n");
-  expect_analyses_refuse(csv_, "bad.csv");
-  EXPECT_THAT(refusal_of({"calibrate", csv_, "--mass", "1"}, {".json"}, "bad.csv"), HasSubstr("--force-channel"));
+  expect_analyses_reject(csv_, "bad.csv");
+  EXPECT_THAT(rejection_of({"calibrate", csv_, "--mass", "1"}, {".json"}, "bad.csv"), HasSubstr("--force-channel"));
   write_csv(header_);
-  EXPECT_THAT(refusal_of({"analyze", csv_, "--force-channel", "hammer"}, {".json"}, "bad.csv"), HasSubstr("force_N"));
-  EXPECT_THAT(refusal_of({"analyze", csv_, "--accel-channel", "7"}, {".json"}, "bad.csv"), HasSubstr("acc_m_s2"));
+  EXPECT_THAT(rejection_of({"analyze", csv_, "--force-channel", "hammer"}, {".json"}, "bad.csv"), HasSubstr("force_N"));
+  EXPECT_THAT(rejection_of({"analyze", csv_, "--accel-channel", "7"}, {".json"}, "bad.csv"), HasSubstr("acc_m_s2"));
 }
 
 TEST_F(HostileSamples, RefusesMixedLengths) {
   Hdf5Builder(hdf5_).numbers("", "fs", {2048}).ramp("force", {2, 64}).ramp("accel", {2, 1, 63});
-  expect_every_command_refuses(hdf5_, "bad.h5");
+  expect_every_command_rejects(hdf5_, "bad.h5");
   Hdf5Builder(hdf5_).numbers("", "fs", {2048}).ramp("force", {2, 64}).ramp("accel", {3, 1, 64});
-  expect_every_command_refuses(hdf5_, "bad.h5");
+  expect_every_command_rejects(hdf5_, "bad.h5");
   for (const char* odd : {"0.7,1\n", "0.7\n", "0.7,1,2,3\n"}) {
     write_csv(header_, [&](std::size_t i) { return i == 1434 ? odd : good_line(i); });
-    expect_every_command_refuses(csv_, "bad.csv: line 1436");
+    expect_every_command_rejects(csv_, "bad.csv: line 1436");
   }
 }
 
@@ -186,10 +186,10 @@ TEST_F(HostileSamples, RefusesFilesThatDoNotGoTogether) {
       .numbers("", "fs", {1024})
       .values("force", {1, kSamples}, force_)
       .values("accel", {1, 1, kSamples}, accel_);
-  EXPECT_THAT(refusal_of({"analyze", hdf5_, other}, {".json"}, "other.h5"), HasSubstr("--files tests"));
+  EXPECT_THAT(rejection_of({"analyze", hdf5_, other}, {".json"}, "other.h5"), HasSubstr("--files tests"));
   Hdf5Builder(other).numbers("", "fs", {2048}).ramp("force", {1, 64}).ramp("accel", {1, 2, 64});
-  refusal_of({"analyze", hdf5_, other}, {".json"}, "other.h5");
-  refusal_of({"analyze", hdf5_, folder_.file("none.h5")}, {".json"}, "none.h5");
+  rejection_of({"analyze", hdf5_, other}, {".json"}, "other.h5");
+  rejection_of({"analyze", hdf5_, folder_.file("none.h5")}, {".json"}, "none.h5");
 }
 
 }  // namespace percuss::hostile_samples_test

@@ -11,13 +11,13 @@
 namespace percuss::hostile_spec_test {
 
 namespace fs = std::filesystem;
-using test::refusal_of;
+using test::rejection_of;
 
 class HostileSpec : public testing::Test {
  protected:
   static void expect_refusal(const std::string& spec, const std::string& named,
                              const test::ProcessOptions& options = {.limit = std::chrono::seconds(20)}) {
-    refusal_of({"synth", spec}, {".h5", ".csv"}, named, options);
+    rejection_of({"synth", spec}, {".h5", ".csv"}, named, options);
   }
   void expect_refusal_of_text(const std::string& text) {
     SCOPED_TRACE(text.substr(0, 200));

@@ -14,9 +14,9 @@
 // Files cut off, damaged, or smaller than they claim.
 namespace percuss::hostile_truncation_test {
 
-using test::expect_every_command_refuses;
+using test::expect_every_command_rejects;
 using test::Hdf5Builder;
-using test::refusal_of;
+using test::rejection_of;
 using test::run_percuss;
 using testing::AnyOf;
 using testing::HasSubstr;
@@ -37,11 +37,11 @@ TEST_F(HostileTruncation, RefusesAnHdf5FileCutAnywhere) {
   for (const std::size_t cut : cuts) {
     SCOPED_TRACE(cut);
     test::write_bytes(hdf5_, bytes.substr(0, cut));
-    refusal_of({"analyze", hdf5_}, {".json", ".csv", ".h5"}, hdf5_);
-    refusal_of({"info", hdf5_}, {".json"}, hdf5_);
+    rejection_of({"analyze", hdf5_}, {".json", ".csv", ".h5"}, hdf5_);
+    rejection_of({"info", hdf5_}, {".json"}, hdf5_);
   }
   test::write_bytes(hdf5_, bytes.substr(0, bytes.size() / 2));
-  expect_every_command_refuses(hdf5_, hdf5_);
+  expect_every_command_rejects(hdf5_, hdf5_);
 }
 
 // Text may end after any whole line and be a shorter record; it may not end within a line unnoticed.
@@ -53,7 +53,7 @@ TEST_F(HostileTruncation, RefusesATextCutWithinALine) {
     const std::size_t line = bytes.find('\n', part * bytes.size() / 10) + 1;
     for (const char* text : {"0", "0,", "0,0.25", "0,0.25,", "0,0.25,1.5", "0,0.25,1.5,", "0,0.25,1.5,2.5"}) {
       test::write_bytes(csv_, bytes.substr(0, line) + text);
-      refusal_of({"analyze", csv_}, {".json", ".csv", ".h5"}, csv_);
+      rejection_of({"analyze", csv_}, {".json", ".csv", ".h5"}, csv_);
     }
   }
 }
@@ -109,17 +109,17 @@ TEST_F(HostileTruncation, BelievesNoClaimOfManyBytes) {
       .numbers("", "fs", {1000})
       .ramp("force", {5, many}, contiguous)
       .ramp("accel", {5, 1, many}, contiguous);
-  expect_every_command_refuses(hdf5_, hdf5_);
+  expect_every_command_rejects(hdf5_, hdf5_);
   Hdf5Builder(hdf5_)
       .numbers("", "fs", {1000})
       .ramp("force", {5, many}, chunked)
       .ramp("accel", {5, 1, many}, chunked_accel);
-  expect_every_command_refuses(hdf5_, hdf5_);
+  expect_every_command_rejects(hdf5_, hdf5_);
   Hdf5Builder(hdf5_)
       .numbers("", "fs", {1000})
       .ramp("force", {2, 64})
       .ramp("accel", {2, hsize_t{1} << 30, 64}, contiguous);
-  expect_every_command_refuses(hdf5_, hdf5_);
+  expect_every_command_rejects(hdf5_, hdf5_);
 }
 
 TEST_F(HostileTruncation, TakesNoMemoryForWhatATextClaims) {

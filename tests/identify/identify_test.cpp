@@ -138,11 +138,11 @@ TEST(IdentifyModes, BestMakesTheDeviationsOfTheFrequencySmaller) {
 
 TEST(IdentifyModes, BestLeavesToTheLocalFitWhatTheModelCannotFollow) {
   // A mode whose frequency falls while it rings is none of the model's: the joint fit must not be believed there.
-  FrfSet set = test::empty_set(4096, 32768, 250, 650, 1);
+  FrfDataset set = test::empty_set(4096, 32768, 250, 650, 1);
   for (int part = 0; part < 40; ++part)
     test::add_mode(set, 0, {500 + 0.1 * part, 0.01}, Complex(0.02, part % 3 == 0 ? 0.01 : 0));
   test::add_mode(set, 0, {320, 0.008}, Complex(0.5, 0.2));
-  test::add_line_noise(set, 1e-3, 4);
+  test::add_frf_noise(set, 1e-3, 4);
   const auto standard = identify_modes(set, {.effort = Effort::standard, .start_Hz = {320, 502}});
   const auto best = identify_modes(set, {.effort = Effort::best, .start_Hz = {320, 502}});
   ASSERT_EQ(best.size(), 2U);

@@ -17,25 +17,25 @@ double shape(std::size_t output, std::size_t mode) {
   return 0.5 * std::cos(3.1 * (static_cast<double>(mode) + 1) * static_cast<double>(output) / kOutputs + 0.4);
 }
 
-FrfSet survey(double moves_Hz, std::uint64_t seed) {
-  FrfSet set = test::empty_set(4096, 32768, 250, 500, kOutputs);
+FrfDataset survey(double freq_scatter_Hz, std::uint64_t seed) {
+  FrfDataset set = test::empty_set(4096, 32768, 250, 500, kOutputs);
   set.points.resize(kOutputs, set.points.front());
   for (std::size_t o = 0; o < kOutputs; ++o) {
     set.outputs[o].point = o;
     set.outputs[o].channel = 0;
     for (std::size_t m = 0; m < kTruth.size(); ++m) {
       Pole pole = kTruth[m];
-      pole.freq_Hz += moves_Hz * std::sin(7.0 * static_cast<double>(o));
+      pole.freq_Hz += freq_scatter_Hz * std::sin(7.0 * static_cast<double>(o));
       test::add_mode(set, o, pole, shape(o, m));
     }
   }
-  test::add_line_noise(set, 0.05, seed);
+  test::add_frf_noise(set, 0.05, seed);
   return set;
 }
 
 TEST(IdentifyMany, FindsPolesAndEveryResidueWithinTheirDeviations) {
   for (const Effort effort : {Effort::standard, Effort::best}) {
-    const auto modes = identify_many(survey(0, 3), {.effort = effort});
+    const auto modes = identify_multi_output(survey(0, 3), {.effort = effort});
     ASSERT_TRUE(modes);
     ASSERT_EQ(modes->size(), kTruth.size());
     for (std::size_t m = 0; m < kTruth.size(); ++m) {
@@ -51,7 +51,9 @@ TEST(IdentifyMany, FindsPolesAndEveryResidueWithinTheirDeviations) {
   }
 }
 
-TEST(IdentifyMany, LeavesAStructureThatMovesToTheFitOfAllOutputs) { EXPECT_FALSE(identify_many(survey(0.5, 3), {})); }
+TEST(IdentifyMany, LeavesAStructureThatMovesToTheFitOfAllOutputs) {
+  EXPECT_FALSE(identify_multi_output(survey(0.5, 3), {}));
+}
 
 TEST(IdentifyMany, FitsRecordsThatEndBeforeTheDecay) {
   // 1 % of the first mode's amplitude is left: completed from the first fit, not forgotten.
@@ -62,7 +64,7 @@ TEST(IdentifyMany, FitsRecordsThatEndBeforeTheDecay) {
     spec.points.push_back({.position_m = 0.05 + 0.05 * static_cast<double>(p), .angle_rad = 0.35});
   spec.noise = {.force = 0, .accel = 1e-4};
   const SyntheticTest made = synthesise(spec);
-  const auto modes = identify_many(test::frf_set_of(made.record, 30, 2400), {});
+  const auto modes = identify_multi_output(test::frf_set_of(made.record, 30, 2400), {});
   ASSERT_TRUE(modes);
   ASSERT_EQ(modes->size(), 2U);
   EXPECT_LE(std::abs((*modes)[0].pole.freq_Hz - 180), kDeviations * (*modes)[0].freq_std_Hz);

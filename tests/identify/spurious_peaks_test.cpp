@@ -17,8 +17,8 @@ constexpr double kLineNoise = 0.01;  // of peaks of some hundred
 const std::vector<double> kModes_Hz{112, 307, 596, 974};
 
 // One hit at each of nine points, ζ = 1e-4, lines 0.04 Hz apart; nothing is known of the force.
-FrfSet survey(double low_Hz, std::uint64_t seed) {
-  FrfSet set = test::empty_set(2560, 65536, low_Hz, 1000, 9);
+FrfDataset survey(double low_Hz, std::uint64_t seed) {
+  FrfDataset set = test::empty_set(2560, 65536, low_Hz, 1000, 9);
   set.points.assign(9, {});
   RandomStream random({seed});
   const auto normal = [&] {
@@ -36,7 +36,7 @@ FrfSet survey(double low_Hz, std::uint64_t seed) {
     }
     for (Complex& line : set.outputs[p].frf) line *= Complex(1 + kGainNoise * normal(), kGainNoise * normal());
   }
-  test::add_line_noise(set, kLineNoise, seed);
+  test::add_frf_noise(set, kLineNoise, seed);
   return set;
 }
 

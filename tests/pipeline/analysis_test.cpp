@@ -65,7 +65,7 @@ Analysis analysis_of(Record record, AnalysisOptions options = {}) {
 TEST(Analysis, RunsNothingButTheHitsWhenOnlyTheyAreAsked) {
   const auto reads = std::make_shared<Reads>();
   const Analysis analysis = analysis_of(counted(synthesise(bat()).record, reads));
-  analysis_json(analysis, {.sections = {Section::hits}});
+  analysis_json(analysis, {.sections = {ReportSection::hits}});
   EXPECT_EQ(stages(analysis), std::set<std::string>{"hits"});
   EXPECT_EQ(reads->accel, 0U);
 }
@@ -123,7 +123,7 @@ TEST(Analysis, MakesTheSameFrfsBesideModesAsBeforeThem) {
   const std::vector<PointFrf>& expected = before.frfs();
   for (const std::size_t threads : {1U, 2U, 8U}) {
     const Analysis beside(record, {.band_Hz = std::pair{60.0, 3200.0}, .threads = threads});
-    beside.make_modes_and_frfs();
+    beside.compute_modes_and_frfs();
     EXPECT_EQ(beside.modes().size(), before.modes().size());
     const std::vector<PointFrf>& frfs = beside.frfs();
     ASSERT_EQ(frfs.size(), expected.size());
@@ -144,8 +144,8 @@ TEST(Analysis, FindsTheModesAndTheirFamilies) {
   ASSERT_EQ(analysis.modes().size(), 2U);
   EXPECT_LE(std::abs(analysis.modes()[0].pole.freq_Hz - 180), 5 * analysis.modes()[0].freq_std_Hz);
   EXPECT_LE(std::abs(analysis.modes()[1].pole.freq_Hz - 1900), 5 * analysis.modes()[1].freq_std_Hz);
-  EXPECT_EQ(analysis.verdicts()[0].family, Family::bending);
-  EXPECT_EQ(analysis.verdicts()[1].family, Family::hoop);
+  EXPECT_EQ(analysis.classifications()[0].family, ModeType::bending);
+  EXPECT_EQ(analysis.classifications()[1].family, ModeType::hoop);
   EXPECT_EQ(analysis.modes_per_hit().size(), 10U);
 }
 

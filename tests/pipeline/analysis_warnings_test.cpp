@@ -32,7 +32,7 @@ AnalysisOptions band(double low_Hz = 60, double high_Hz = 3200) {
 /// "code: message" of all of them, with modes and verdicts known.
 std::vector<std::string> warnings_of(const Record& record, const AnalysisOptions& options = band()) {
   const Analysis analysis(record, options);
-  if (!analysis.force_hits().empty() && analysis.possible()) analysis.verdicts();
+  if (!analysis.force_hits().empty() && analysis.possible()) analysis.classifications();
   std::vector<std::string> out;
   for (const Warning& warning : analysis.warnings()) out.push_back(warning.code + ": " + warning.message);
   return out;

@@ -16,18 +16,18 @@ constexpr std::size_t kBats = 240;
 constexpr double kConfident = 0.9;
 
 struct Judged {
-  Verdict verdict;
+  ModeClassification verdict;
   bool matched = false;  // with a mode of the truth, within three half-power bandwidths
   bool right = false;
 };
 
-bool is(Family family, SynthFamily truth) {
-  return family == (truth == SynthFamily::bending ? Family::bending : Family::hoop);
+bool is(ModeType family, SynthFamily truth) {
+  return family == (truth == SynthFamily::bending ? ModeType::bending : ModeType::hoop);
 }
 
 std::vector<Judged> judged_bat(std::uint64_t seed) {
   const SynthSpec spec = test::random_bat(seed);
-  const Analysis analysis(test::with_stated_angles(synthesise(spec, 1).record),
+  const Analysis analysis(test::with_sensor_angles(synthesise(spec, 1).record),
                           {.band_Hz = std::pair{60.0, spec.band_high_Hz}, .modes = {.effort = Effort::standard}});
   std::vector<Judged> out;
   for (std::size_t m = 0; m < analysis.modes().size(); ++m) {
@@ -35,9 +35,9 @@ std::vector<Judged> judged_bat(std::uint64_t seed) {
     const auto distance = [&](const SynthMode& t) { return std::abs(t.freq_Hz - freq_Hz); };
     const auto& nearest = *std::min_element(spec.modes.begin(), spec.modes.end(),
                                             [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
-    out.push_back({.verdict = analysis.verdicts()[m],
+    out.push_back({.verdict = analysis.classifications()[m],
                    .matched = distance(nearest) <= 3 * 2 * nearest.damping_ratio * nearest.freq_Hz,
-                   .right = is(analysis.verdicts()[m].family, nearest.family)});
+                   .right = is(analysis.classifications()[m].family, nearest.family)});
   }
   return out;
 }
@@ -52,7 +52,7 @@ std::vector<std::vector<Judged>> judged_bats() {
 /// Verdicts on a family whose confidence lies in [low, high). Those of one bat go wrong together, because they share
 /// its plane and its sensors, so that the bats, not the verdicts, are what is drawn independently.
 struct Pool {
-  double verdicts = 0, right = 0, confidence = 0;
+  double classifications = 0, right = 0, confidence = 0;
   double expected_variance = 0;  // of the number that is right, if the confidences hold and verdicts are independent
   double variance_by_bats = 0;   // of right minus confidence, summed over each bat first
   double wrong_squared_by_bats = 0;  // of wrong ones, likewise
@@ -64,8 +64,8 @@ Pool pool_of(const std::vector<std::vector<Judged>>& bats, double low, double hi
     double surplus = 0, wrong = 0;
     for (const Judged& j : bat) {
       const double p = j.verdict.confidence;
-      if (j.verdict.family == Family::unknown || p < low || p >= high) continue;
-      ++pool.verdicts;
+      if (j.verdict.family == ModeType::unknown || p < low || p >= high) continue;
+      ++pool.classifications;
       pool.right += j.right;
       pool.confidence += p;
       pool.expected_variance += p * (1 - p);
@@ -86,17 +86,18 @@ void expect_confident_ones_right(const std::vector<std::vector<Judged>>& bats) {
   const Pool sure = pool_of(bats, kConfident, 1.1);
   double all = 0;
   for (const auto& bat : bats) all += static_cast<double>(bat.size());
-  const double fraction = sure.right / sure.verdicts, error = std::sqrt(sure.wrong_squared_by_bats) / sure.verdicts;
-  EXPECT_GE(fraction - 1.645 * error, 0.95) << fraction << " of " << sure.verdicts << " ± " << error;
+  const double fraction = sure.right / sure.classifications,
+               error = std::sqrt(sure.wrong_squared_by_bats) / sure.classifications;
+  EXPECT_GE(fraction - 1.645 * error, 0.95) << fraction << " of " << sure.classifications << " ± " << error;
   EXPECT_GE(all, 5 * kBats);
-  EXPECT_GE(sure.verdicts / all, 0.75) << sure.verdicts << " of " << all;
+  EXPECT_GE(sure.classifications / all, 0.75) << sure.classifications << " of " << all;
 }
 
 void expect_doubts_named(const std::vector<std::vector<Judged>>& bats) {
   for (std::size_t i = 0; i < bats.size(); ++i) {
     for (const auto& [verdict, matched, right] : bats[i]) {
       if (verdict.confidence >= kConfident) continue;
-      EXPECT_TRUE(verdict.family == Family::unknown || verdict.alternative) << "bat " << i;
+      EXPECT_TRUE(verdict.family == ModeType::unknown || verdict.alternative) << "bat " << i;
       EXPECT_NE(verdict.alternative, verdict.family) << "bat " << i;
     }
   }
@@ -108,8 +109,8 @@ void expect_calibrated(const std::vector<std::vector<Judged>>& bats) {
   for (std::size_t b = 0; b + 1 < kEdges.size(); ++b) {
     const Pool bin = pool_of(bats, kEdges[b], kEdges[b + 1]);
     const double deviation = std::sqrt(std::max(bin.expected_variance, bin.variance_by_bats));
-    EXPECT_GE(bin.verdicts, 20) << kEdges[b];
-    EXPECT_NEAR(bin.right, bin.confidence, 3 * deviation) << kEdges[b] << ": of " << bin.verdicts;
+    EXPECT_GE(bin.classifications, 20) << kEdges[b];
+    EXPECT_NEAR(bin.right, bin.confidence, 3 * deviation) << kEdges[b] << ": of " << bin.classifications;
   }
 }
 

@@ -136,7 +136,7 @@ std::vector<AnalysedHit> moving(const std::vector<int>& polarities) {
 }
 
 std::vector<int> settled(std::vector<AnalysedHit> hits) {
-  settle_first_motion(hits);
+  vote_first_motion(hits);
   std::vector<int> out;
   for (const AnalysedHit& hit : hits) {
     out.push_back(hit.responses[0].polarity);

@@ -11,10 +11,10 @@ AnalysedHit hit_of(Extremes extremes, double resolution) {
 }
 
 std::vector<std::size_t> rails(std::vector<AnalysedHit> hits) {
-  grade_shared_response_rail(hits);
+  grade_repeated_clipping(hits);
   std::vector<std::size_t> out;
   out.reserve(hits.size());
-  for (const AnalysedHit& hit : hits) out.push_back(hit.responses.empty() ? 0 : hit.responses.front().rail_samples);
+  for (const AnalysedHit& hit : hits) out.push_back(hit.responses.empty() ? 0 : hit.responses.front().clipped_samples);
   return out;
 }
 

@@ -24,12 +24,12 @@ SynthSpec bat() {
 
 std::vector<std::string> codes_of(const Analysis& analysis) {
   std::vector<std::string> codes;
-  for (const Skipped& one : skipped_by(analysis)) codes.push_back(one.code);
+  for (const SkippedWork& one : skipped_work(analysis)) codes.push_back(one.code);
   return codes;
 }
 
 double share_of(const Analysis& analysis, const std::string& code) {
-  for (const Skipped& one : skipped_by(analysis)) {
+  for (const SkippedWork& one : skipped_work(analysis)) {
     if (one.code == code) return one.share.value_or(1);
   }
   return 0;
@@ -42,13 +42,13 @@ std::size_t calls_of(const Analysis& analysis, const std::string& name) {
   return 0;
 }
 
-TEST(Skipped, IsAllAtFirstAndComputesNothing) {
+TEST(SkippedWork, IsAllAtFirstAndComputesNothing) {
   const Analysis analysis(synthesise(bat()).record, {});
   EXPECT_THAT(codes_of(analysis), ElementsAre("modes", "classes", "stabilisation", "per_hit"));
   EXPECT_TRUE(analysis.trace().stages().empty());
 }
 
-TEST(Skipped, AreTheAccelerationsWhereOnlyTheForceIsAskedFor) {
+TEST(SkippedWork, AreTheAccelerationsWhereOnlyTheForceIsAskedFor) {
   const Analysis analysis(synthesise(bat()).record, {});
   analysis.force_hits();
   EXPECT_EQ(share_of(analysis, "channels"), 1);
@@ -56,7 +56,7 @@ TEST(Skipped, AreTheAccelerationsWhereOnlyTheForceIsAskedFor) {
 }
 
 // Three rows of one hit each: what the user rejects is neither read nor transformed.
-TEST(Skipped, AreHitsThatAreRejected) {
+TEST(SkippedWork, AreHitsThatAreRejected) {
   const Analysis all(synthesise(bat()).record, {}), fewer(synthesise(bat()).record, {.reject_hits = {1}});
   all.frfs();
   fewer.frfs();
@@ -66,7 +66,7 @@ TEST(Skipped, AreHitsThatAreRejected) {
 }
 
 // Rows too long to be taken whole: their decay is over after a hundredth.
-TEST(Skipped, AreTheDecayedTailsOfLongRows) {
+TEST(SkippedWork, AreTheDecayedTailsOfLongRows) {
   SynthSpec spec = bat();
   spec.samples = std::size_t{1} << 18U;
   const Analysis analysis(synthesise(spec).record, {.band_Hz = std::pair{100.0, 400.0}});
@@ -76,7 +76,7 @@ TEST(Skipped, AreTheDecayedTailsOfLongRows) {
   EXPECT_LT(analysis.lines().samples, spec.samples / 10);
 }
 
-TEST(Skipped, AreLinesOutsideTheBandAndTheForceOutsideItsPulse) {
+TEST(SkippedWork, AreLinesOutsideTheBandAndTheForceOutsideItsPulse) {
   const Analysis analysis(synthesise(bat()).record, {.band_Hz = std::pair{100.0, 400.0}});
   analysis.frfs();
   const LineRange& lines = analysis.lines();
@@ -90,7 +90,7 @@ TEST(Skipped, AreLinesOutsideTheBandAndTheForceOutsideItsPulse) {
 }
 
 // A long record: what lies between the hits and behind their decay is never transformed.
-TEST(Skipped, AreSilenceAndDecayedTailsOfALongRecord) {
+TEST(SkippedWork, AreSilenceAndDecayedTailsOfALongRecord) {
   SynthSpec spec = bat();
   spec.layout = SynthLayout::continuous;
   spec.samples = std::size_t{30} * 8192;
@@ -102,7 +102,7 @@ TEST(Skipped, AreSilenceAndDecayedTailsOfALongRecord) {
   EXPECT_LT(analysis.lines().samples, 3U * 8192);
 }
 
-TEST(Skipped, IsToldByExplain) {
+TEST(SkippedWork, IsToldByExplain) {
   const test::ScratchFolder folder;
   ASSERT_EQ(test::run_percuss({"synth", "double-hit", "-o", folder.file("bat.h5")}).code, 0);
   const auto outcome = test::run_percuss({"analyze", folder.file("bat.h5"), "--explain", "--only", "modes"});

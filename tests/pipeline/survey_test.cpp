@@ -118,17 +118,17 @@ TEST_F(BarrelSurvey, NamesModesFromTheirShapes) {
   for (std::size_t m = 0; m < 5; ++m) {
     ASSERT_TRUE(survey_->tubes()[m]);
     EXPECT_EQ(survey_->tubes()[m]->order, circumferential.at(m));
-    EXPECT_EQ(survey_->verdicts()[m].family, circumferential.at(m) == 1 ? Family::bending : Family::hoop);
-    EXPECT_EQ(survey_->verdicts()[m].order, order.at(m));
-    EXPECT_GE(survey_->verdicts()[m].confidence, 0.95);
+    EXPECT_EQ(survey_->classifications()[m].family, circumferential.at(m) == 1 ? ModeType::bending : ModeType::hoop);
+    EXPECT_EQ(survey_->classifications()[m].order, order.at(m));
+    EXPECT_GE(survey_->classifications()[m].confidence, 0.95);
   }
   EXPECT_EQ(survey_->tubes()[2]->sign_changes, 0);
   EXPECT_EQ(survey_->tubes()[4]->sign_changes, 1);
 }
 
 TEST_F(BarrelSurvey, TellsThePlanesOfTheSplitHoopMode) {
-  const auto& first = survey_->verdicts()[2].double_peak;
-  const auto& second = survey_->verdicts()[3].double_peak;
+  const auto& first = survey_->classifications()[2].split_mode;
+  const auto& second = survey_->classifications()[3].split_mode;
   ASSERT_TRUE(first && second && first->planes && second->planes);
   EXPECT_NEAR(first->separation_Hz, 12, kDeviations * first->separation_std_Hz);
   EXPECT_NEAR(first->planes->own.plane_rad, 12 * kDegree, kDeviations * first->planes->own.std_rad);
@@ -160,9 +160,11 @@ TEST_F(BarrelSurvey, AgreesWithTheTwoAccelerometerTest) {
     EXPECT_LE(std::abs(a.pole.damping_ratio - b.pole.damping_ratio),
               kDeviations * std::hypot(a.damping_std, b.damping_std))
         << m;
-    EXPECT_EQ(analysis.verdicts()[m].family, survey_->verdicts()[m].family) << m;
-    EXPECT_EQ(analysis.verdicts()[m].order, survey_->verdicts()[m].order) << m;
-    EXPECT_EQ(analysis.verdicts()[m].double_peak.has_value(), survey_->verdicts()[m].double_peak.has_value()) << m;
+    EXPECT_EQ(analysis.classifications()[m].family, survey_->classifications()[m].family) << m;
+    EXPECT_EQ(analysis.classifications()[m].order, survey_->classifications()[m].order) << m;
+    EXPECT_EQ(analysis.classifications()[m].split_mode.has_value(),
+              survey_->classifications()[m].split_mode.has_value())
+        << m;
   }
 }
 
@@ -173,7 +175,7 @@ TEST_F(BarrelSurvey, LeavesNamesAloneWithoutAGeometry) {
   const Survey survey(analysis, {});
   EXPECT_FALSE(survey.geometry());
   for (const auto& tube : survey.tubes()) EXPECT_FALSE(tube);
-  for (const Verdict& verdict : survey.verdicts()) EXPECT_EQ(verdict.family, Family::unknown);
+  for (const ModeClassification& verdict : survey.classifications()) EXPECT_EQ(verdict.family, ModeType::unknown);
   EXPECT_THAT(survey.warnings(), Contains(Field(&Warning::code, "no_geometry")));
 }
 

@@ -41,7 +41,7 @@ Check check_of(Cell cell) {
   check.record = [cell](std::uint64_t run) { return test_of(cell, run).record; };
   check.run = [cell = std::move(cell)](std::uint64_t run) {
     SyntheticTest test = test_of(cell, run);
-    const Outcome outcome = analyse(std::move(test.record), options_of(cell.spec, cell.exponential_end));
+    const CommandResult outcome = analyse(std::move(test.record), options_of(cell.spec, cell.exponential_end));
     Result result = judge(outcome, true_modes(test.truth), cell.expected);
     result.calibrated = cell.calibrated;
     return result;

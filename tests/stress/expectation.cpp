@@ -44,7 +44,7 @@ std::string words(const Mode& mode) {
 
 class Judge {
  public:
-  Judge(const Outcome& outcome, const std::vector<TrueMode>& truth, const Expectation& expected)
+  Judge(const CommandResult& outcome, const std::vector<TrueMode>& truth, const Expectation& expected)
       : outcome_(outcome), truth_(truth), expected_(expected) {}
 
   Result run() {
@@ -191,7 +191,7 @@ class Judge {
       fail(fmt::format("damping ratio off by {:.2g}: {}", damping_absolute, of_truth));
   }
 
-  const Outcome& outcome_;
+  const CommandResult& outcome_;
   const std::vector<TrueMode>& truth_;
   const Expectation& expected_;
   Result result_;
@@ -235,7 +235,7 @@ std::vector<TrueMode> true_modes(const Truth& truth) {
   return modes;
 }
 
-Result judge(const Outcome& outcome, const std::vector<TrueMode>& truth, const Expectation& expected) {
+Result judge(const CommandResult& outcome, const std::vector<TrueMode>& truth, const Expectation& expected) {
   return Judge(outcome, truth, expected).run();
 }
 

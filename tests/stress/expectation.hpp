@@ -50,6 +50,6 @@ std::vector<TrueMode> true_modes(const Truth& truth);
 ///               is right as well, and for a mode that cannot be told none.
 ///   wrong       more than kMostSigmas off, a mode that is none, one that must be found and is not, unless a warning
 ///               of unclaimed peaks names its place.
-Result judge(const Outcome& outcome, const std::vector<TrueMode>& truth, const Expectation& expected);
+Result judge(const CommandResult& outcome, const std::vector<TrueMode>& truth, const Expectation& expected);
 
 }  // namespace percuss::stress

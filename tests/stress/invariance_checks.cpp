@@ -23,7 +23,7 @@ struct Change {
   double tolerance = kSame;  // deviations; 0: every bit
 };
 
-void compare(const Outcome& before, const Outcome& after, const Change& change, Result& result) {
+void compare(const CommandResult& before, const CommandResult& after, const Change& change, Result& result) {
   const auto expect = [&](double a, double b, double std, const char* what, std::size_t m) {
     const double off = std::abs(a - b);
     if (!(off <= change.tolerance * std)) {
@@ -68,7 +68,7 @@ Check invariant(const std::string& name, const Change& change, const Altered& al
     const SynthSpec spec = spec_of(run);
     const SyntheticTest test = synthesise(spec, 1);
     AnalysisOptions options = options_of(spec);
-    const Outcome before = analyse(test.record, options);
+    const CommandResult before = analyse(test.record, options);
     options.band_Hz = std::pair{freq * spec.band_low_Hz, freq * spec.band_high_Hz};
     Result result;
     compare(before, analyse(altered(test.record), options), change, result);
@@ -119,9 +119,9 @@ Check shifted(double samples) {
     SynthSpec spec = spec_of(run);
     spec.noise = {};
     const AnalysisOptions options = options_of(spec);
-    Outcome before = analyse(synthesise(spec, 1).record, options);
+    CommandResult before = analyse(synthesise(spec, 1).record, options);
     spec.pretrigger_s += samples / spec.fs_Hz;
-    const Outcome after = analyse(synthesise(spec, 1).record, options);
+    const CommandResult after = analyse(synthesise(spec, 1).record, options);
     for (Mode& mode : before.modes) {
       mode.freq_std_Hz = kRoundingOfPole * mode.pole.freq_Hz;
       mode.damping_std = kRoundingOfPole;
@@ -146,20 +146,20 @@ std::vector<Check> of_files() {
           write_record(path, record, false);
           return record_of(samples_of(open_record(path)), record);
         }));
-    checks.push_back(invariant(fmt::format("written to one {} file per hit", extension), {.tolerance = 0},
-                               [=](const Record& record) {
-                                 const test::ScratchFolder folder;
-                                 std::vector<Record> parts;
-                                 for (std::size_t row = 0; row < record.rows.size(); ++row) {
-                                   Samples samples = samples_of(record);
-                                   samples.force_N = {samples.force_N[row]};
-                                   samples.accel_mps2 = {samples.accel_mps2[row]};
-                                   const std::string path = folder.file(fmt::format("{}{}", row, extension));
-                                   write_record(path, record_of(std::move(samples), record), false);
-                                   parts.push_back(open_record(path));
-                                 }
-                                 return record_of(samples_of(join_records(std::move(parts), FilesMean::hits)), record);
-                               }));
+    checks.push_back(invariant(
+        fmt::format("written to one {} file per hit", extension), {.tolerance = 0}, [=](const Record& record) {
+          const test::ScratchFolder folder;
+          std::vector<Record> parts;
+          for (std::size_t row = 0; row < record.rows.size(); ++row) {
+            Samples samples = samples_of(record);
+            samples.force_N = {samples.force_N[row]};
+            samples.accel_mps2 = {samples.accel_mps2[row]};
+            const std::string path = folder.file(fmt::format("{}{}", row, extension));
+            write_record(path, record_of(std::move(samples), record), false);
+            parts.push_back(open_record(path));
+          }
+          return record_of(samples_of(join_records(std::move(parts), FileGrouping::hits)), record);
+        }));
   }
   return checks;
 }

@@ -36,7 +36,7 @@ std::vector<double> frequencies_of(const std::string& message) {
   return freq_Hz;
 }
 
-void note_warnings(const Analysis& analysis, Outcome& outcome) {
+void note_warnings(const Analysis& analysis, CommandResult& outcome) {
   for (const Warning& warning : analysis.warnings()) {
     outcome.said.insert(warning.code);
     if (warning.code == "unclaimed_peaks") outcome.unclaimed_Hz = frequencies_of(warning.message);
@@ -45,14 +45,14 @@ void note_warnings(const Analysis& analysis, Outcome& outcome) {
 
 }  // namespace
 
-Outcome analyse(Record record, const AnalysisOptions& options) {
-  Outcome outcome;
+CommandResult analyse(Record record, const AnalysisOptions& options) {
+  CommandResult outcome;
   try {
     const Analysis analysis(std::move(record), options);
     note_findings(analysis, outcome.said);
     if (analysis.possible()) {
       outcome.modes = analysis.modes();
-      analysis.verdicts();
+      analysis.classifications();
       outcome.df_Hz = analysis.lines().df_Hz();
     } else {
       outcome.exit_code = kImpossible;

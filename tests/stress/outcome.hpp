@@ -10,7 +10,7 @@
 namespace percuss::stress {
 
 /// What an analysis says of a record, as the tool would end: with modes, or with an exit code and a reason.
-struct Outcome {
+struct CommandResult {
   int exit_code = 0;
   std::string message;         // of an error
   std::set<std::string> said;  // codes of warnings and of the hits' findings
@@ -19,7 +19,7 @@ struct Outcome {
   double df_Hz = 0;                  // between lines
 };
 
-Outcome analyse(Record record, const AnalysisOptions& options);
+CommandResult analyse(Record record, const AnalysisOptions& options);
 
 /// "frequency of mode 2" where a number of a mode is no number or its deviation none; empty when all are.
 std::string unusable_number(const std::vector<Mode>& modes);

@@ -76,8 +76,8 @@ bool match(Lines::const_iterator shown, Lines::const_iterator shown_end, Lines::
 
 }  // namespace
 
-std::vector<ShownCommand> shown_commands(const std::string& page) {
-  std::vector<ShownCommand> commands;
+std::vector<TranscriptCommand> transcript_commands(const std::string& page) {
+  std::vector<TranscriptCommand> commands;
   std::istringstream lines(page);
   bool inside = false;
   std::size_t number = 0;
@@ -112,7 +112,7 @@ bool same_line(std::string_view shown, std::string_view printed) {
   return i == shown.size() && j == printed.size();
 }
 
-bool prints_as_shown(const Lines& shown, const Lines& printed) {
+bool matches_transcript(const Lines& shown, const Lines& printed) {
   return match(shown.begin(), shown.end(), printed.begin(), printed.end());
 }
 

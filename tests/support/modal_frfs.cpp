@@ -18,8 +18,8 @@ Hit whole_row(const Record& record, std::size_t row) {
 
 }  // namespace
 
-FrfSet frf_set_of(const Record& record, double low_Hz, double high_Hz, double decay_per_s) {
-  FrfSet set{.lines = lines_in_band(record.fs_Hz, record.rows.front().samples, low_Hz, high_Hz)};
+FrfDataset frf_set_of(const Record& record, double low_Hz, double high_Hz, double decay_per_s) {
+  FrfDataset set{.lines = lines_in_band(record.fs_Hz, record.rows.front().samples, low_Hz, high_Hz)};
   std::map<int, std::vector<std::size_t>> points;
   for (std::size_t row = 0; row < record.rows.size(); ++row) points[record.rows[row].point].push_back(row);
   for (const auto& [point, rows] : points) {
@@ -49,8 +49,8 @@ FrfSet frf_set_of(const Record& record, double low_Hz, double high_Hz, double de
   return set;
 }
 
-FrfSet empty_set(double fs_Hz, std::size_t samples, double low_Hz, double high_Hz, std::size_t channels) {
-  FrfSet set{.lines = lines_in_band(fs_Hz, samples, low_Hz, high_Hz)};
+FrfDataset empty_set(double fs_Hz, std::size_t samples, double low_Hz, double high_Hz, std::size_t channels) {
+  FrfDataset set{.lines = lines_in_band(fs_Hz, samples, low_Hz, high_Hz)};
   const Spectrum flat = shared(std::vector<Complex>(set.lines.count, Complex(1, 0)));
   set.points.push_back(point_force({{.force_N = {1}}}, {flat}, set.lines, 0));
   for (std::size_t c = 0; c < channels; ++c)
@@ -63,12 +63,12 @@ Complex mode_accelerance(const Pole& pole, Complex s) {
   return s * s / (s * s + 2 * pole.damping_ratio * omega * s + omega * omega);
 }
 
-void add_mode(FrfSet& set, std::size_t output, const Pole& pole, Complex residue) {
+void add_mode(FrfDataset& set, std::size_t output, const Pole& pole, Complex residue) {
   for (std::size_t k = 0; k < set.lines.count; ++k)
     set.outputs[output].frf[k] += residue * mode_accelerance(pole, Complex(0, kTwoPi * set.lines.freq_Hz(k)));
 }
 
-void add_line_noise(FrfSet& set, double deviation, std::uint64_t seed) {
+void add_frf_noise(FrfDataset& set, double deviation, std::uint64_t seed) {
   for (std::size_t o = 0; o < set.outputs.size(); ++o) {
     std::vector<double> noise(2 * set.lines.count);
     RandomStream({seed, o}).add_normal(deviation, noise);
@@ -88,7 +88,7 @@ SynthSpec bat_spec(std::vector<SynthMode> modes, double duration_s) {
   return spec;
 }
 
-SynthSpec scanned_beam(double first_in, double step_in, int points) {
+SynthSpec roving_beam_spec(double first_in, double step_in, int points) {
   SynthSpec spec;
   spec.fs_Hz = 4096;
   spec.samples = 4096;

@@ -95,7 +95,7 @@ SynthSpec random_bat(std::uint64_t seed) {
   return spec;
 }
 
-Record with_stated_angles(Record record) {
+Record with_sensor_angles(Record record) {
   for (std::size_t c = 0; c < record.accel.size(); ++c) record.accel[c].angle_rad = pi / 2 * static_cast<double>(c);
   return record;
 }

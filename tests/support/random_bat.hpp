@@ -10,9 +10,9 @@ namespace percuss::test {
 /// A bat as they come, and its test as it is made: planes of bending at any angle, at ±45° to the sensors and on their
 /// nodes; the two planes of a mode split or one; hoop pairs of any turn and split, single hoop modes; barrels so short
 /// that a hoop mode lies below the second bending mode; sensors and hammer near axial nodes; 0.1 to 2 % of noise, gains
-/// wrong by a few per cent. The sensors stand where they do, about 2° off; with_stated_angles() puts into the record
+/// wrong by a few per cent. The sensors stand where they do, about 2° off; with_sensor_angles() puts into the record
 /// where they are believed to be.
 SynthSpec random_bat(std::uint64_t seed);
-Record with_stated_angles(Record record);
+Record with_sensor_angles(Record record);
 
 }  // namespace percuss::test

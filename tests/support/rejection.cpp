@@ -20,8 +20,8 @@ std::vector<std::string> files_in(const std::string& folder) {
 
 }  // namespace
 
-std::string refusal_of(const std::vector<std::string>& arguments, const std::vector<std::string>& outputs,
-                       const std::string& named, const ProcessOptions& options) {
+std::string rejection_of(const std::vector<std::string>& arguments, const std::vector<std::string>& outputs,
+                         const std::string& named, const ProcessOptions& options) {
   SCOPED_TRACE(testing::PrintToString(arguments));
   const ScratchFolder folder;
   std::filesystem::permissions(folder.path(), std::filesystem::perms::all);
@@ -41,15 +41,15 @@ std::string refusal_of(const std::vector<std::string>& arguments, const std::vec
   return outcome.err;
 }
 
-void expect_analyses_refuse(const std::string& path, const std::string& named, const ProcessOptions& options) {
-  refusal_of({"analyze", path}, {".json", ".csv", ".h5"}, named, options);
-  refusal_of({"frf", path}, {".csv", ".h5", ".json"}, named, options);
+void expect_analyses_reject(const std::string& path, const std::string& named, const ProcessOptions& options) {
+  rejection_of({"analyze", path}, {".json", ".csv", ".h5"}, named, options);
+  rejection_of({"frf", path}, {".csv", ".h5", ".json"}, named, options);
 }
 
-void expect_every_command_refuses(const std::string& path, const std::string& named, const ProcessOptions& options) {
-  expect_analyses_refuse(path, named, options);
-  refusal_of({"calibrate", path, "--mass", "1"}, {".json"}, named, options);
-  refusal_of({"info", path}, {".json"}, named, options);
+void expect_every_command_rejects(const std::string& path, const std::string& named, const ProcessOptions& options) {
+  expect_analyses_reject(path, named, options);
+  rejection_of({"calibrate", path, "--mass", "1"}, {".json"}, named, options);
+  rejection_of({"info", path}, {".json"}, named, options);
 }
 
 }  // namespace percuss::test

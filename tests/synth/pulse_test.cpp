@@ -80,7 +80,8 @@ TEST_P(EveryPulse, IsWhatBruteForceConvolutionGives) {
   };
   constexpr double kTolerance = 1e-11;  // of the peak: that of the quadrature in this test
   for (const std::size_t n : {100U, 130U, 134U, 138U, 160U, 201U, 203U, 260U}) {
-    const double t = static_cast<double>(n) - onset, from = std::max(0.0, t - kFilterReach), to = t + kFilterReach;
+    const double t = static_cast<double>(n) - onset, from = std::max(0.0, t - kFilterHalfWidth),
+                 to = t + kFilterHalfWidth;
     const auto filtered = [&](double tau) { return anti_alias_kernel(t - tau) * response(tau); };
     const double modal = integral(from, std::min(width, to), filtered) + integral(std::max(from, width), to, filtered);
     const double force =

@@ -21,7 +21,7 @@ std::optional<double> number(std::string_view text) {
   return value;
 }
 
-std::vector<double> each_once(std::vector<double> values) {
+std::vector<double> without_duplicates(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   values.erase(std::unique(values.begin(), values.end()), values.end());
   return values;
@@ -136,7 +136,8 @@ AnalysisOptions analysis_options(const AnalysisFlags& flags) {
   }
   options.exponential_end = flags.exponential_end;
   require_within_band(options.band_Hz, flags.start_Hz);
-  options.modes = {.effort = effort_of(flags.effort), .modes = flags.modes, .start_Hz = each_once(flags.start_Hz)};
+  options.modes = {
+      .effort = effort_of(flags.effort), .modes = flags.modes, .start_Hz = without_duplicates(flags.start_Hz)};
   options.classes.overlay_dB = flags.overlay_dB;
   options.threads = flags.threads;
   return options;

@@ -48,8 +48,8 @@ constexpr const char* kEnd = R"(  esac
 complete -F _percuss percuss
 )";
 
-const char* kind_name(WordKind kind) {
-  return kind == WordKind::file ? "file" : kind == WordKind::folder ? "folder" : "text";
+const char* kind_name(ArgumentKind kind) {
+  return kind == ArgumentKind::file ? "file" : kind == ArgumentKind::folder ? "folder" : "text";
 }
 
 // "values='quick standard best' kind=text".
@@ -64,7 +64,7 @@ std::string value_cases(const DeclaredCommand& command) {
   for (const DeclaredOption& option : command.options) {
     if (option.is_flag()) continue;
     const std::string names = fmt::format("{}", fmt::join(option.names, " | "));
-    if (option.kind == WordKind::text && option.choices.empty()) {
+    if (option.kind == ArgumentKind::text && option.choices.empty()) {
       plain += (plain.empty() ? "" : " | ") + names;
     } else {
       out += fmt::format("        {}) options='' {} ;;\n", names, values_of(option));
@@ -77,7 +77,7 @@ std::string command_case(const Declaration& all, const DeclaredCommand& command)
   std::vector<std::string> options, below;
   for (const DeclaredOption& option : command.options)
     options.insert(options.end(), option.names.begin(), option.names.end());
-  for (const DeclaredCommand* one : commands_of(all, command)) below.push_back(last_word(*one));
+  for (const DeclaredCommand* one : commands_of(all, command)) below.push_back(last_name(*one));
   std::string words = below.empty() ? "" : fmt::format(" values='{}' kind=text", fmt::join(below, " "));
   if (!command.words.empty()) words = " " + values_of(command.words.front());
   const std::string values = value_cases(command);

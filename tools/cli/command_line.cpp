@@ -34,7 +34,7 @@ void refuse_unknown_options(const Declaration& all, const CLI::App& program) {
     for (const std::string& word : path[i]->remaining()) {
       if (word.size() < 2 || word.front() != '-') continue;
       const DeclaredOption* const later = find_option(command, word.substr(0, word.find('=')));
-      if (i + 1 < path.size() && later != nullptr) throw early_option(all, command, *later);
+      if (i + 1 < path.size() && later != nullptr) throw option_before_command(all, command, *later);
       throw unknown_option(all, declared_of(all, path, i + 1), word);
     }
   }
@@ -68,8 +68,8 @@ void refuse_mismatch(const DeclaredCommand& command, const CLI::App& app, const 
   const auto path = chosen_path(program);
   const DeclaredCommand& command = declared_of(all, path, path.size());
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) refuse_mismatch(command, *path.back(), typed);
-  if (const auto extra = path.back()->remaining(); !extra.empty()) throw surplus_word(all, command, extra.front());
-  if (!commands_of(all, command).empty()) throw no_command(all, command);
+  if (const auto extra = path.back()->remaining(); !extra.empty()) throw extra_argument(all, command, extra.front());
+  if (!commands_of(all, command).empty()) throw missing_command(all, command);
   refuse_missing(all, command, *path.back());
   throw UsageError(one_line(error.what()), "see " + called(all, command) + " --help");
 }
@@ -134,7 +134,7 @@ void CommandLine::check_commands(const std::vector<std::string>& words) const {
 int CommandLine::run(int argc, const char* const* argv) {
   const std::vector<std::string> typed(argv + 1, argv + argc);
   check_commands(typed);
-  for (const auto& make_fresh : fresh_) make_fresh();
+  for (const auto& make_fresh : resets_) make_fresh();
   try {
     app_->parse(argc, argv);
   } catch (const CLI::CallForHelp&) {

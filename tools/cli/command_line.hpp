@@ -32,7 +32,7 @@ class CommandLine {
   template <class Values>
   std::shared_ptr<Values> values() {
     auto made = std::make_shared<Values>();
-    fresh_.emplace_back([made, initial = std::optional<Values>()]() mutable {
+    resets_.emplace_back([made, initial = std::optional<Values>()]() mutable {
       if (!initial) initial = *made;
       *made = *initial;
     });
@@ -55,7 +55,7 @@ class CommandLine {
   Declaration declaration_;
   std::unique_ptr<CLI::App> app_;
   std::function<int()> chosen_;
-  std::vector<std::function<void()>> fresh_;
+  std::vector<std::function<void()>> resets_;
 };
 
 }  // namespace percuss::tools

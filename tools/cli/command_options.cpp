@@ -54,13 +54,13 @@ Option Option::holds(std::string wanted, const std::function<bool(const std::str
 Option Option::type(const char* shown) {
   declared_->value = shown;
   const std::string_view name = shown;
-  declared_->kind = name == "FILE" ? WordKind::file : name == "FOLDER" ? WordKind::folder : WordKind::text;
+  declared_->kind = name == "FILE" ? ArgumentKind::file : name == "FOLDER" ? ArgumentKind::folder : ArgumentKind::text;
   return *this;
 }
 Option Option::one_of(const std::vector<std::string>& names) {
   declared_->choices = names;
   if (!declared_->list && !declared_->value.empty()) type(fmt::format("{}", fmt::join(names, "|")).c_str());
-  declared_->kind = WordKind::text;
+  declared_->kind = ArgumentKind::text;
   return holds("", [names](const auto& text) { return std::find(names.begin(), names.end(), text) != names.end(); });
 }
 Option Option::suggest(const std::vector<std::string>& names) {
@@ -109,7 +109,7 @@ Option Command::declared(const char* names, const char* value, const char* help,
   auto& place = is_word ? declared_->words : declared_->options;
   place.push_back({.names = names_in(names), .value = value, .help = help, .group = group_});
   DeclaredOption* const made = &place.back();
-  made->kind = is_word ? WordKind::file : WordKind::text;
+  made->kind = is_word ? ArgumentKind::file : ArgumentKind::text;
   if (!is_word && !made->is_flag()) {  // an option that was meant to be given is no value
     option->check([made, all = declared_](const std::string& text) {
       return find_option(*all, text) == nullptr ? std::string() : throw missing_value(*made);

@@ -16,7 +16,7 @@ std::string called(const Declaration& all, const DeclaredCommand& command) {
   return command.name.empty() ? all.program : all.program + " " + command.name;
 }
 
-std::string last_word(const DeclaredCommand& command) { return command.name.substr(command.name.rfind(' ') + 1); }
+std::string last_name(const DeclaredCommand& command) { return command.name.substr(command.name.rfind(' ') + 1); }
 
 std::vector<const DeclaredCommand*> commands_of(const Declaration& all, const DeclaredCommand& parent) {
   std::vector<const DeclaredCommand*> found;
@@ -63,7 +63,7 @@ std::vector<OptionGroup> groups_of(const DeclaredCommand& command) {
   return groups;
 }
 
-std::string explained(const DeclaredOption& option) {
+std::string option_help_text(const DeclaredOption& option) {
   std::string text = option.help;
   if (option.list) {  // the value shown is not all that it may be
     for (const std::string& choice : option.choices)

@@ -6,7 +6,7 @@
 
 namespace percuss::tools {
 
-enum class WordKind { text, file, folder };
+enum class ArgumentKind { text, file, folder };
 
 /// An option, or a word without dashes, as it was declared. The parser's complaints, --help, the manual pages and the
 /// shells' completion all read this and nothing else.
@@ -19,7 +19,7 @@ struct DeclaredOption {
   std::string initial;                   // its value where it is not given
   std::string help;
   std::string group;  // the heading it stands under; empty: none of its own
-  WordKind kind = WordKind::text;
+  ArgumentKind kind = ArgumentKind::text;
   bool required = false;
   bool repeatable = false;
   bool list = false;   // one word may be several values: "0,90"
@@ -59,7 +59,7 @@ struct Declaration {
 std::string called(const Declaration& all, const DeclaredCommand& command);
 
 /// The last word of its name, "beam".
-std::string last_word(const DeclaredCommand& command);
+std::string last_name(const DeclaredCommand& command);
 
 /// Those named one word longer, in the order of their declaration.
 std::vector<const DeclaredCommand*> commands_of(const Declaration& all, const DeclaredCommand& parent);
@@ -83,6 +83,6 @@ struct OptionGroup {
 std::vector<OptionGroup> groups_of(const DeclaredCommand& command);
 
 /// The help of an option and its initial value.
-std::string explained(const DeclaredOption& option);
+std::string option_help_text(const DeclaredOption& option);
 
 }  // namespace percuss::tools

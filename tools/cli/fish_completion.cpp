@@ -44,21 +44,21 @@ std::string value_flags(const DeclaredOption& option) {
   std::string out;
   if (option.list && !names.empty()) return " -x -a " + fish_quoted("(__percuss_list " + all + ")");
   if (!names.empty()) out = " -a " + fish_quoted(all);
-  if (option.kind == WordKind::folder) return out + " -x -a '(__fish_complete_directories)'";
-  return out + (option.kind == WordKind::file ? " -r -F" : " -x");
+  if (option.kind == ArgumentKind::folder) return out + " -x -a '(__fish_complete_directories)'";
+  return out + (option.kind == ArgumentKind::file ? " -r -F" : " -x");
 }
 
 std::string option_line(const DeclaredOption& option) {
   std::string out;
   for (const std::string& name : option.names)
     out += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
-  return out + (option.is_flag() ? "" : value_flags(option)) + " -d " + fish_quoted(explained(option));
+  return out + (option.is_flag() ? "" : value_flags(option)) + " -d " + fish_quoted(option_help_text(option));
 }
 
 std::string word_line(const DeclaredOption& word) {
   const auto& names = word.choices.empty() ? word.suggestions : word.choices;
   const std::string listed = names.empty() ? "" : " -a " + fish_quoted(fmt::format("{}", fmt::join(names, " ")));
-  return listed + (word.kind == WordKind::file ? " -F" : "") + " -d " + fish_quoted(word.help);
+  return listed + (word.kind == ArgumentKind::file ? " -F" : "") + " -d " + fish_quoted(word.help);
 }
 
 }  // namespace
@@ -77,7 +77,7 @@ std::string fish_completion(const Declaration& all) {
     const std::string here =
         fmt::format("complete -c {} -n {}", all.program, fish_quoted("__percuss_command " + command.name));
     for (const DeclaredCommand* one : commands_of(all, command))
-      out += here + " -a " + last_word(*one) + " -d " + fish_quoted(one->summary) + "\n";
+      out += here + " -a " + last_name(*one) + " -d " + fish_quoted(one->summary) + "\n";
     for (const DeclaredOption& word : command.words) out += here + word_line(word) + "\n";
     for (const DeclaredOption& option : command.options) out += here + option_line(option) + "\n";
   }

@@ -22,7 +22,7 @@ std::string entry(const std::string& left, const std::string& right, std::size_t
 
 std::string option_entry(const DeclaredOption& option, std::size_t width) {
   const std::string value = option.value.empty() ? "" : " " + option.value;
-  return entry(fmt::format("{}{}", fmt::join(option.names, ", "), value), explained(option), width);
+  return entry(fmt::format("{}{}", fmt::join(option.names, ", "), value), option_help_text(option), width);
 }
 
 std::string usage_lines(const Declaration& all, const DeclaredCommand& command, std::size_t width) {
@@ -48,10 +48,10 @@ std::string help_text(const Declaration& all, const DeclaredCommand& command, st
   if (!command.about.empty()) out += "\n" + wrapped(command.about, width, 0) + "\n";
   const auto below = commands_of(all, command);
   if (!below.empty()) out += "\nCommands:\n";
-  for (const DeclaredCommand* one : below) out += entry(last_word(*one), one->summary, width);
+  for (const DeclaredCommand* one : below) out += entry(last_name(*one), one->summary, width);
   if (!command.words.empty()) out += "\nArguments:\n";
   for (const DeclaredOption& word : command.words)
-    out += entry(word.name() + (word.repeatable ? "..." : ""), explained(word), width);
+    out += entry(word.name() + (word.repeatable ? "..." : ""), option_help_text(word), width);
   for (const OptionGroup& group : groups_of(command)) {
     out += "\n" + (group.heading.empty() ? "Options" : group.heading) + ":\n";
     for (const DeclaredOption* option : group.options) out += option_entry(*option, width);

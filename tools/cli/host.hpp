@@ -16,11 +16,11 @@
 namespace percuss::tools {
 
 /// Data in memory where a command would open a file; what the options say of files holds for them too.
-using GivenInput = std::function<std::variant<Record, FrfRecord>(const FrfReadOptions&)>;
+using InMemoryInput = std::function<std::variant<Record, FrfRecord>(const FrfReadOptions&)>;
 
 /// What a command came to; what it does not have stays empty. The functions may be called for as long as the outcome
 /// or a copy of it lives, by one thread at a time.
-struct Outcome {
+struct CommandResult {
   std::string document;                                           // what --json prints
   std::vector<std::string> notes;                                 // what it says on standard error
   std::function<std::string(std::size_t width)> text;             // what a terminal of that width shows
@@ -31,16 +31,17 @@ struct Outcome {
   std::shared_ptr<const ImpactTest> deflection;
   std::shared_ptr<const SyntheticTest> synthetic;
   std::vector<std::variant<Record, FrfRecord>> opened;
-  std::vector<NumberColumn> columns;
+  std::vector<NumericColumn> columns;
 };
 
 /// Another program in whose process a command runs, in place of a terminal: what it gives, and what it gets.
 struct Host {
-  std::string called_as;  // the command line that would do the same, for who asks later how a result came about
-  std::vector<GivenInput> inputs;
+  std::string
+      equivalent_command;  // the command line that would do the same, for who asks later how a result came about
+  std::vector<InMemoryInput> inputs;
   // Of documents in memory, by the paths that stand for them; of two that begin alike the longer first.
   std::map<std::string, std::string, std::greater<>> names;
-  Outcome outcome;
+  CommandResult outcome;
 };
 
 }  // namespace percuss::tools

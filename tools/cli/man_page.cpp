@@ -97,9 +97,9 @@ std::string item(const std::string& head, const std::string& text) { return ".TP
 
 std::string description(const Declaration& all, const DeclaredCommand& command) {
   std::string out = section("DESCRIPTION") + paragraph(command.about.empty() ? command.summary + "." : command.about);
-  for (const DeclaredCommand* one : commands_of(all, command)) out += item(bold(last_word(*one)), one->summary);
+  for (const DeclaredCommand* one : commands_of(all, command)) out += item(bold(last_name(*one)), one->summary);
   for (const DeclaredOption& word : command.words)
-    out += item(italic(word.name() + (word.repeatable ? "..." : "")), explained(word));
+    out += item(italic(word.name() + (word.repeatable ? "..." : "")), option_help_text(word));
   return out;
 }
 
@@ -110,7 +110,7 @@ std::string options(const DeclaredCommand& command) {
     for (const DeclaredOption* option : group.options) {
       std::string head;
       for (const std::string& name : option->names) head += (head.empty() ? "" : ", ") + bold(name);
-      out += item(option->value.empty() ? head : head + " " + italic(option->value), explained(*option));
+      out += item(option->value.empty() ? head : head + " " + italic(option->value), option_help_text(*option));
     }
   }
   return out;

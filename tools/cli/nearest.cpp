@@ -7,8 +7,8 @@
 namespace percuss::tools {
 namespace {
 
-constexpr std::size_t kLongest = 60;     // what is longer is no name of ours
-constexpr std::size_t kFewestShown = 2;  // letters that a beginning must have
+constexpr std::size_t kLongest = 60;  // what is longer is no name of ours
+constexpr std::size_t kMinShown = 2;  // letters that a beginning must have
 
 std::string bare(std::string_view text) {
   text.remove_prefix(std::min(text.find_first_not_of('-'), text.size()));
@@ -52,7 +52,7 @@ std::optional<std::string> nearest(std::string_view typed, const std::vector<std
       least = changes;
       best = one;
     }
-    if (wanted.size() >= kFewestShown && name.starts_with(wanted)) {
+    if (wanted.size() >= kMinShown && name.starts_with(wanted)) {
       begun = one;
       ++beginnings;
     }

@@ -26,40 +26,41 @@ void require_distinct(const std::vector<std::string>& paths) {
   }
 }
 
-bool gives_data(const ReadFlags& flags) { return flags.host != nullptr && !flags.host->inputs.empty(); }
+bool has_in_memory_inputs(const ReadFlags& flags) { return flags.host != nullptr && !flags.host->inputs.empty(); }
 
 std::size_t input_count(const ReadFlags& flags) {
-  return gives_data(flags) ? flags.host->inputs.size() : flags.paths.size();
+  return has_in_memory_inputs(flags) ? flags.host->inputs.size() : flags.paths.size();
 }
 
 void require_files(const ReadFlags& flags) {
-  if (gives_data(flags)) return;
+  if (has_in_memory_inputs(flags)) return;
   if (flags.paths.empty()) throw UsageError("no file", "name at least one, or - for standard input");
   require_distinct(flags.paths);
 }
 
 // Of one file nobody asks: it is opened by itself.
-bool several_with_foreign(const ReadFlags& flags) {
-  return flags.paths.size() > 1 && std::any_of(flags.paths.begin(), flags.paths.end(),
-                                               [](const std::string& path) { return path != "-" && is_foreign(path); });
+bool several_with_sandboxed_format(const ReadFlags& flags) {
+  return flags.paths.size() > 1 && std::any_of(flags.paths.begin(), flags.paths.end(), [](const std::string& path) {
+           return path != "-" && needs_sandbox(path);
+         });
 }
 
 // Who forks the readers of several foreign files, so that they can be opened at once: a process with threads at work
 // is not forked. One that belongs to another program has threads of its own at any time.
-std::shared_ptr<ReaderNursery> nursery_for(const ReadFlags& flags, const ReadOptions& options) {
+std::shared_ptr<ForkServer> fork_server_for(const ReadFlags& flags, const ReadOptions& options) {
   const bool alike = options.force_scale.size() <= 1;
-  if (flags.host != nullptr || !options.confined || !alike || !several_with_foreign(flags)) return nullptr;
-  return measurement_nursery({.read = options, .kind = flags.frf_kind});
+  if (flags.host != nullptr || !options.sandboxed || !alike || !several_with_sandboxed_format(flags)) return nullptr;
+  return measurement_fork_server({.read = options, .kind = flags.frf_kind});
 }
 
 // Opens all files, texts at once, foreign ones with somebody to fork their readers; of several that cannot be opened
 // the first is complained of.
 template <class Opened, class Open>
-std::vector<std::optional<Opened>> for_each_file(const ReadFlags& flags, bool nursery, const Open& open) {
+std::vector<std::optional<Opened>> for_each_file(const ReadFlags& flags, bool fork_server, const Open& open) {
   std::vector<std::optional<Opened>> opened(input_count(flags));
   std::vector<std::exception_ptr> failed(opened.size());
-  const bool forks = !nursery && several_with_foreign(flags);
-  share_out(opened.size(), forks ? 0 : kPerFile, [&](std::size_t i) {
+  const bool forks = !fork_server && several_with_sandboxed_format(flags);
+  parallel_for_cost(opened.size(), forks ? 0 : kPerFile, [&](std::size_t i) {
     try {
       opened[i].emplace(open(i));
     } catch (...) {
@@ -75,8 +76,8 @@ std::vector<std::optional<Opened>> for_each_file(const ReadFlags& flags, bool nu
 }  // namespace
 
 Record open_record_at(const ReadFlags& flags, const ReadOptions& options, std::size_t index) {
-  const ReadOptions its = options_of_file(options, index, input_count(flags));
-  if (!gives_data(flags)) return open_record(flags.paths[index], its);
+  const ReadOptions its = read_options_of_file(options, index, input_count(flags));
+  if (!has_in_memory_inputs(flags)) return open_record(flags.paths[index], its);
   auto given = flags.host->inputs[index]({.read = its, .kind = flags.frf_kind});
   if (auto* record = std::get_if<Record>(&given)) return std::move(*record);
   throw InputError("FRFs are no record of time", std::get<FrfRecord>(given).source(), "give force and acceleration");
@@ -84,38 +85,38 @@ Record open_record_at(const ReadFlags& flags, const ReadOptions& options, std::s
 
 std::variant<Record, FrfRecord> open_measurement_at(const ReadFlags& flags, const ReadOptions& options,
                                                     std::size_t index) {
-  const FrfReadOptions its{.read = options_of_file(options, index, input_count(flags)), .kind = flags.frf_kind};
-  return gives_data(flags) ? flags.host->inputs[index](its) : open_measurement(flags.paths[index], its);
+  const FrfReadOptions its{.read = read_options_of_file(options, index, input_count(flags)), .kind = flags.frf_kind};
+  return has_in_memory_inputs(flags) ? flags.host->inputs[index](its) : open_measurement(flags.paths[index], its);
 }
 
 Measurements open_measurements(const ReadFlags& flags) {
   require_files(flags);
-  const ReadOptions options = finished_options(flags);
-  const auto nursery = nursery_for(flags, options);
-  auto all = for_each_file<std::variant<Record, FrfRecord>>(flags, nursery != nullptr, [&](std::size_t i) {
-    if (nursery == nullptr) return open_measurement_at(flags, options, i);
-    return open_measurement_in(nursery, flags.paths[i], {.read = options, .kind = flags.frf_kind});
+  const ReadOptions options = resolved_read_options(flags);
+  const auto fork_server = fork_server_for(flags, options);
+  auto all = for_each_file<std::variant<Record, FrfRecord>>(flags, fork_server != nullptr, [&](std::size_t i) {
+    if (fork_server == nullptr) return open_measurement_at(flags, options, i);
+    return open_measurement_forked(fork_server, flags.paths[i], {.read = options, .kind = flags.frf_kind});
   });
   Measurements out;
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (auto* record = std::get_if<Record>(&*all[i])) out.records.push_back(std::move(*record));
     if (auto* frfs = std::get_if<FrfRecord>(&*all[i])) out.frfs.push_back(std::move(*frfs));
     if (out.records.empty() || out.frfs.empty()) continue;
-    throw InputError("records of time and FRFs cannot be joined", gives_data(flags) ? "data in memory" : flags.paths[i],
-                     "analyse the two kinds apart");
+    throw InputError("records of time and FRFs cannot be joined",
+                     has_in_memory_inputs(flags) ? "data in memory" : flags.paths[i], "analyse the two kinds apart");
   }
   return out;
 }
 
 FrfRecord join_frfs_of(const ReadFlags& flags, std::vector<FrfRecord> frfs) {
-  if (frfs.size() > 1 && flags.files == FilesMean::hits)
+  if (frfs.size() > 1 && flags.files == FileGrouping::hits)
     throw UsageError("several files of FRFs are no hits of one test", "give --files points or tests");
   return join_frfs(std::move(frfs));
 }
 
 std::vector<Record> open_records(const ReadFlags& flags) {
   require_files(flags);
-  const ReadOptions options = finished_options(flags);
+  const ReadOptions options = resolved_read_options(flags);
   auto all = for_each_file<Record>(flags, false, [&](std::size_t i) { return open_record_at(flags, options, i); });
   std::vector<Record> records;
   records.reserve(all.size());

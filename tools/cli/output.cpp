@@ -25,14 +25,14 @@ void add_output_flags(Command& command, OutputFlags& flags, const char* kinds) {
   command.heading(others);
 }
 
-OutputFlags kept_output(const OutputFlags& flags) {
+OutputFlags captured_output(const OutputFlags& flags) {
   OutputFlags kept = flags;
-  kept.called_as = flags.host->called_as;
+  kept.equivalent_command = flags.host->equivalent_command;
   kept.host = nullptr;
   return kept;
 }
 
-OutputFlags one_output(const OutputFlags& kept, const std::string& path, bool force) {
+OutputFlags single_output(const OutputFlags& kept, const std::string& path, bool force) {
   OutputFlags one = kept;
   one.paths = {path};
   one.force = force;
@@ -47,7 +47,7 @@ void print(const OutputFlags& flags, const std::string& text) {
   }
 }
 
-void remark(const OutputFlags& flags, const std::string& text) {
+void print_note(const OutputFlags& flags, const std::string& text) {
   if (flags.host != nullptr) {
     flags.host->outcome.notes.push_back(text);
   } else if (!flags.quiet) {
@@ -55,7 +55,7 @@ void remark(const OutputFlags& flags, const std::string& text) {
   }
 }
 
-std::string with_names(const Host* host, std::string text) {
+std::string with_display_names(const Host* host, std::string text) {
   if (host == nullptr) return text;
   for (const auto& [path, name] : host->names) {
     for (std::size_t at = text.find(path); at != std::string::npos; at = text.find(path, at + name.size()))
@@ -75,7 +75,7 @@ bool is_uff(const std::string& path) { return extension_of(path) == ".uff" || ex
 
 bool is_html(const std::string& path) { return extension_of(path) == ".html"; }
 
-bool draws(const OutputFlags& flags) {
+bool writes_charts(const OutputFlags& flags) {
   return std::any_of(flags.paths.begin(), flags.paths.end(),
                      [](const std::string& path) { return is_html(path) || extension_of(path) == ".svg"; });
 }
@@ -94,7 +94,7 @@ void check_outputs(const OutputFlags& flags, const std::vector<std::string>& kno
   }
 }
 
-bool can_sketch() {
+bool can_plot_in_terminal() {
   constexpr std::size_t kRoom = 80;
   return isatty(STDOUT_FILENO) == 1 && terminal_width() >= kRoom;
 }

@@ -25,7 +25,7 @@ std::string command_line() {
   std::size_t at = bytes.find('\0');  // how the program was called is no part of what it did
   while (at != std::string::npos && at + 1 < bytes.size()) {
     const std::size_t end = bytes.find('\0', at + 1);
-    out += ' ' + quoted_word(bytes.substr(at + 1, end - at - 1));
+    out += ' ' + shell_quoted_argument(bytes.substr(at + 1, end - at - 1));
     at = end;
   }
   return out;
@@ -45,7 +45,7 @@ std::time_t now() {
 
 }  // namespace
 
-std::string quoted_word(const std::string& word) {
+std::string shell_quoted_argument(const std::string& word) {
   const bool plain = !word.empty() && std::all_of(word.begin(), word.end(), [](unsigned char c) {
     return std::isalnum(c) != 0 || std::string_view("-_./:,=+%@").find(static_cast<char>(c)) != std::string_view::npos;
   });
@@ -56,7 +56,7 @@ std::string quoted_word(const std::string& word) {
 }
 
 Provenance provenance_now(const OutputFlags& flags) {
-  return {.command = flags.called_as.empty() ? command_line() : flags.called_as,
+  return {.command = flags.equivalent_command.empty() ? command_line() : flags.equivalent_command,
           .made_at = fmt::format("{:%Y-%m-%d %H:%M}", fmt::gmtime(now()))};
 }
 

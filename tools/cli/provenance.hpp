@@ -9,6 +9,6 @@ namespace percuss::tools {
 Provenance provenance_now(const OutputFlags& flags);
 
 /// As a shell would take the word again.
-std::string quoted_word(const std::string& word);
+std::string shell_quoted_argument(const std::string& word);
 
 }  // namespace percuss::tools

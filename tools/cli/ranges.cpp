@@ -9,7 +9,7 @@
 namespace percuss::tools {
 namespace {
 
-constexpr double kMostValues = 10000;
+constexpr double kMaxValues = 10000;
 constexpr double kWholeSteps = 1e-6;  // of a step: how exactly HI must be reached
 constexpr const char* kForm = "give LO:STEP:HI, as 100:25:10000";
 
@@ -21,7 +21,7 @@ std::vector<double> Range::values() const {
   return all;
 }
 
-RangeText parse_range_with_unit(const std::string& option, const std::string& text, const char* remedy, RangeMay may) {
+RangeText parse_range_with_unit(const std::string& option, const std::string& text, const char* remedy, RangeForm may) {
   const auto refuse = [&](const char* problem) {
     return UsageError(option + " " + one_line(text, 80) + ": " + problem, remedy);
   };
@@ -35,16 +35,16 @@ RangeText parse_range_with_unit(const std::string& option, const std::string& te
     at = after;
   }
   const auto [low, step, high] = number;
-  const bool spans = high > low || (may == RangeMay::be_one_value && high == low);
+  const bool spans = high > low || (may == RangeForm::single_value_allowed && high == low);
   if (!(step > 0) || !spans) throw refuse("the step must be above zero and the end above the start");
   const double steps = (high - low) / step;
-  if (!(steps < kMostValues)) throw refuse("more than 10000 values");
+  if (!(steps < kMaxValues)) throw refuse("more than 10000 values");
   if (std::abs(steps - std::round(steps)) > kWholeSteps) throw refuse("the end is not a whole number of steps away");
   return {.range = {.low = low, .step = step, .count = static_cast<std::size_t>(std::lround(steps)) + 1},
           .unit = {at, static_cast<std::size_t>(end - at)}};
 }
 
-Range parse_range(const std::string& option, const std::string& text, RangeMay may) {
+Range parse_range(const std::string& option, const std::string& text, RangeForm may) {
   const auto [range, unit] = parse_range_with_unit(option, text, kForm, may);
   if (!unit.empty()) throw UsageError(option + " " + one_line(text, 80) + ": something follows the numbers", kForm);
   return range;

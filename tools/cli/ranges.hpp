@@ -22,15 +22,15 @@ struct RangeText {
 };
 
 /// What a range may come to.
-enum class RangeMay { span_values, be_one_value };
+enum class RangeForm { several_values, single_value_allowed };
 
 /// Reads "3:0.25:9in". `option` names the place for the message ("--positions"), `remedy` is its end. UsageError unless
 /// three finite numbers stand there, the step is above zero, HI above LO (or where it may be one value, equal), HI
 /// reached in whole steps, and there are at most 10000.
 RangeText parse_range_with_unit(const std::string& option, const std::string& text, const char* remedy,
-                                RangeMay may = RangeMay::span_values);
+                                RangeForm may = RangeForm::several_values);
 
 /// The same with nothing after the numbers.
-Range parse_range(const std::string& option, const std::string& text, RangeMay may = RangeMay::span_values);
+Range parse_range(const std::string& option, const std::string& text, RangeForm may = RangeForm::several_values);
 
 }  // namespace percuss::tools

@@ -22,9 +22,9 @@ void require_unit_or_volts(const std::string& name, Quantity wanted, const char*
   if (!name.empty() && !volts) require_unit(name, wanted, option);
 }
 
-FilesMean files_mean(const std::string& text) {
-  if (text == "hits") return FilesMean::hits;
-  return text == "points" ? FilesMean::points : FilesMean::tests;
+FileGrouping files_mean(const std::string& text) {
+  if (text == "hits") return FileGrouping::hits;
+  return text == "points" ? FileGrouping::points : FileGrouping::tests;
 }
 
 // A number, or else a name.
@@ -102,7 +102,7 @@ void add_setup_option(Command& command, ReadFlags& flags) {
   command.heading(others);
 }
 
-void add_trust_option(Command& command, ReadFlags& flags) {
+void add_trust_input_option(Command& command, ReadFlags& flags) {
   const std::string others = command.heading(kReadingHeading);
   command.flag("--trust-input", flags.trust_input,
                "Read MAT and HDF5 files in this process, not in a confined one of their own");
@@ -126,7 +126,7 @@ void add_read_flags(Command& command, ReadFlags& flags, Reads reads) {
           "agree)")
       .one_of({"hits", "points", "tests"});
   command.heading(others);
-  add_trust_option(command, flags);
+  add_trust_input_option(command, flags);
 }
 
 namespace {
@@ -142,7 +142,7 @@ void require_rate(const ReadFlags& flags) {
 
 ReadOptions worked_out(const ReadFlags& flags) {
   ReadOptions options = flags.options;
-  options.confined = !flags.trust_input;
+  options.sandboxed = !flags.trust_input;
   for (const double angle_deg : flags.angle_deg) options.angle_rad.push_back(angle_deg * kDegree_rad);
   options.position_m = flags.position_m;
   if (flags.force_sensitivity_mV_per_N) options.force_sensitivity_V_per_N = *flags.force_sensitivity_mV_per_N * kMilli;
@@ -158,12 +158,12 @@ ReadOptions worked_out(const ReadFlags& flags) {
 
 }  // namespace
 
-ReadOptions finished_options(const ReadFlags& flags) {
+ReadOptions resolved_read_options(const ReadFlags& flags) {
   require_rate(flags);
   return worked_out(flags);
 }
 
-ReadOptions options_of_file(const ReadOptions& all, std::size_t index, std::size_t files) {
+ReadOptions read_options_of_file(const ReadOptions& all, std::size_t index, std::size_t files) {
   ReadOptions options = all;
   if (options.force_scale.size() > 1) {
     if (options.force_scale.size() != files) {
@@ -175,8 +175,8 @@ ReadOptions options_of_file(const ReadOptions& all, std::size_t index, std::size
   return options;
 }
 
-FrfReadOptions options_of_each(const ReadFlags& flags) {
-  return {.read = options_of_file(worked_out(flags), 0, 1), .kind = flags.frf_kind};
+FrfReadOptions per_file_read_options(const ReadFlags& flags) {
+  return {.read = read_options_of_file(worked_out(flags), 0, 1), .kind = flags.frf_kind};
 }
 
 }  // namespace percuss::tools

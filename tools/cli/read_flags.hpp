@@ -15,10 +15,10 @@ namespace percuss::tools {
 struct ReadFlags {
   std::vector<std::string> paths;
   ReadOptions options;
-  std::string setup_path;                  // --setup CHANNELS.json
-  FilesMean files = FilesMean::automatic;  // --files
-  std::optional<FrfKind> frf_kind;         // --frf-kind
-  bool trust_input = false;                // --trust-input
+  std::string setup_path;                        // --setup CHANNELS.json
+  FileGrouping files = FileGrouping::automatic;  // --files
+  std::optional<FrfKind> frf_kind;               // --frf-kind
+  bool trust_input = false;                      // --trust-input
   // as typed, in the units of the option's name; turned into options by finish()
   std::vector<double> angle_deg;
   std::vector<double> position_m;
@@ -32,17 +32,17 @@ void add_read_flags(Command& command, ReadFlags& flags, Reads reads = Reads::rec
 // The parts of them: options on which a record's numbers depend, --setup, and --trust-input.
 void add_reading_options(Command& command, ReadFlags& flags);
 void add_setup_option(Command& command, ReadFlags& flags);
-void add_trust_option(Command& command, ReadFlags& flags);
+void add_trust_input_option(Command& command, ReadFlags& flags);
 inline constexpr const char* kReadingHeading = "Reading";
 
 /// The set-up file and typed units worked into flags.options. Throws InputError.
-ReadOptions finished_options(const ReadFlags& flags);
+ReadOptions resolved_read_options(const ReadFlags& flags);
 
 /// The options for one of several files: of a scale per file, that file's. UsageError for another number of scales.
-ReadOptions options_of_file(const ReadOptions& all, std::size_t index, std::size_t files);
+ReadOptions read_options_of_file(const ReadOptions& all, std::size_t index, std::size_t files);
 
 /// Finished options of files of which each is opened by itself, whatever the flags name; UsageError for values per
 /// file.
-FrfReadOptions options_of_each(const ReadFlags& flags);
+FrfReadOptions per_file_read_options(const ReadFlags& flags);
 
 }  // namespace percuss::tools

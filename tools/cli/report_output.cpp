@@ -26,7 +26,7 @@ void write_report(const std::string& path, const CommandReport& report, const st
 
 void print_report(const CommandReport& report, const OutputFlags& flags) {
   if (flags.host != nullptr) {
-    Outcome& outcome = flags.host->outcome;
+    CommandResult& outcome = flags.host->outcome;
     outcome.columns = report.columns;
     outcome.text = [text = report.text](std::size_t width) { return text.text(width); };
     outcome.html = [text = report.text] { return text.html(); };
@@ -41,12 +41,12 @@ void print_report(const CommandReport& report, const OutputFlags& flags) {
 int show_report(const CommandReport& report, const OutputFlags& flags, const std::vector<std::string>& paths) {
   std::vector<std::string> inputs;
   inputs.reserve(paths.size());
-  for (const std::string& path : paths) inputs.push_back(with_names(flags.host, path));
+  for (const std::string& path : paths) inputs.push_back(with_display_names(flags.host, path));
   for (const std::string& path : flags.paths) write_report(path, report, inputs, flags);
   print_report(report, flags);
   if (flags.host != nullptr) {
-    flags.host->outcome.save = [report, inputs, output = kept_output(flags)](const std::string& path, bool force) {
-      const OutputFlags its = one_output(output, path, force);
+    flags.host->outcome.save = [report, inputs, output = captured_output(flags)](const std::string& path, bool force) {
+      const OutputFlags its = single_output(output, path, force);
       check_report_outputs(its);
       write_report(path, report, inputs, its);
     };

@@ -30,14 +30,14 @@ std::string help_of(const Declaration& all, const DeclaredCommand& command) { re
 
 }  // namespace
 
-UsageError no_command(const Declaration& all, const DeclaredCommand& group) {
+UsageError missing_command(const Declaration& all, const DeclaredCommand& group) {
   return {group.name.empty() ? "no command" : "no command after " + called(all, group),
           help_of(all, group) + " lists them"};
 }
 
 UsageError unknown_command(const Declaration& all, const DeclaredCommand& group, const std::string& typed) {
   std::vector<std::string> known;
-  for (const DeclaredCommand* one : commands_of(all, group)) known.push_back(last_word(*one));
+  for (const DeclaredCommand* one : commands_of(all, group)) known.push_back(last_name(*one));
   for (const DeclaredOption& option : group.options) known.push_back(option.name());  // "help" without its dashes
   const std::string place = group.name.empty() ? "" : group.name + " ";
   const auto meant = nearest(typed, known);
@@ -55,11 +55,11 @@ UsageError unknown_option(const Declaration& all, const DeclaredCommand& command
   return {place + shown, meant ? "did you mean " + *meant + "?" : help_of(all, command) + " lists them"};
 }
 
-UsageError early_option(const Declaration& all, const DeclaredCommand& command, const DeclaredOption& option) {
+UsageError option_before_command(const Declaration& all, const DeclaredCommand& command, const DeclaredOption& option) {
   return {option.name() + " stands before the command", "give it after: " + called(all, command) + " " + form(option)};
 }
 
-UsageError surplus_word(const Declaration& all, const DeclaredCommand& command, const std::string& typed) {
+UsageError extra_argument(const Declaration& all, const DeclaredCommand& command, const std::string& typed) {
   if (command.words.empty()) {
     return {command.name + " takes options only, and " + typed_word(typed) + " is none",
             help_of(all, command) + " lists them"};

@@ -9,13 +9,13 @@ namespace percuss::tools {
 // What is said to a command line that was not understood. Each is one line that names what was typed and what to type
 // instead.
 
-UsageError no_command(const Declaration& all, const DeclaredCommand& group);
+UsageError missing_command(const Declaration& all, const DeclaredCommand& group);
 UsageError unknown_command(const Declaration& all, const DeclaredCommand& group, const std::string& typed);
 UsageError unknown_option(const Declaration& all, const DeclaredCommand& command, const std::string& typed);
 /// An option of `command` that stands before its name.
-UsageError early_option(const Declaration& all, const DeclaredCommand& command, const DeclaredOption& option);
+UsageError option_before_command(const Declaration& all, const DeclaredCommand& command, const DeclaredOption& option);
 /// A word more than the command takes.
-UsageError surplus_word(const Declaration& all, const DeclaredCommand& command, const std::string& typed);
+UsageError extra_argument(const Declaration& all, const DeclaredCommand& command, const std::string& typed);
 UsageError missing_option(const Declaration& all, const DeclaredCommand& command, const DeclaredOption& option);
 UsageError missing_value(const DeclaredOption& option);
 UsageError flag_with_value(const DeclaredOption& option);

@@ -29,8 +29,8 @@ std::string action_of(const DeclaredOption& option) {
   if (option.list && !option.choices.empty())
     return fmt::format("_values -s , value {}", fmt::join(option.choices, " "));
   if (!option.choices.empty()) return fmt::format("({})", fmt::join(option.choices, " "));
-  std::string files = option.kind == WordKind::folder ? "_files -/" : "_files";
-  if (option.kind == WordKind::text) return " ";
+  std::string files = option.kind == ArgumentKind::folder ? "_files -/" : "_files";
+  if (option.kind == ArgumentKind::text) return " ";
   if (option.suggestions.empty()) return files;
   return fmt::format("{{compadd -- {}; {}}}", fmt::join(option.suggestions, " "), files);
 }
@@ -43,7 +43,8 @@ std::string option_specs(const DeclaredOption& option) {
     const char* const join = option.is_flag() ? "" : name.starts_with("--") ? "=" : "+";
     const std::string value =
         option.is_flag() ? "" : ":" + zsh_quoted(option.value, ":\\") + ":" + zsh_quoted(action_of(option), ":");
-    out += fmt::format(" \\\n    '{}{}{}[{}]{}'", once, name, join, zsh_quoted(explained(option), "[]:\\"), value);
+    out +=
+        fmt::format(" \\\n    '{}{}{}[{}]{}'", once, name, join, zsh_quoted(option_help_text(option), "[]:\\"), value);
   }
   return out;
 }
@@ -61,8 +62,8 @@ std::string word_specs(const DeclaredCommand& command) {
 std::string group_function(const Declaration& all, const DeclaredCommand& command, const std::string& specs) {
   std::string names, calls;
   for (const DeclaredCommand* one : commands_of(all, command)) {
-    names += fmt::format("\n        '{}:{}'", last_word(*one), zsh_quoted(one->summary, ":\\"));
-    calls += fmt::format("\n        {}) {} && found=0 ;;", last_word(*one), function_of(all, *one));
+    names += fmt::format("\n        '{}:{}'", last_name(*one), zsh_quoted(one->summary, ":\\"));
+    calls += fmt::format("\n        {}) {} && found=0 ;;", last_name(*one), function_of(all, *one));
   }
   return fmt::format(R"({}() {{
   local context state state_descr line found=1

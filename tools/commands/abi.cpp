@@ -26,7 +26,7 @@ int follow_log(const AbiFlags& flags) {
   check_report_outputs(flags.output);
   AbiLog log = read_abi_log(flags.log);
   if (flags.limit) log.limit = flags.limit;
-  const AbiRun run = follow_abi(log);
+  const AbiRun run = evaluate_abi(log);
   show_report(abi_report(log, run), flags.output, {flags.log});
   return run.verdict == AbiVerdict::fail ? kQualityGate : kOk;
 }

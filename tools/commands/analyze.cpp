@@ -31,7 +31,7 @@ CommandReport comparison_of(const AnalyzeFlags& flags, const std::string& docume
   std::vector<ComparedDocument> documents = parse_documents(document, name);
   for (const std::string& path : flags.compared) {
     for (ComparedDocument& one : read_documents(path)) {
-      one.name = with_names(flags.output.host, one.name);
+      one.name = with_display_names(flags.output.host, one.name);
       documents.push_back(std::move(one));
     }
   }
@@ -61,7 +61,7 @@ ImpactTest deflection_of(const Analysis& analysis) {
 int analyze(const AnalyzeFlags& flags) {
   const ThreadLimit limit(flags.analysis.threads);
   check_analyze_outputs(flags.output);
-  const auto sections = flags.only.empty() ? all_sections() : parse_sections(flags.only);
+  const auto sections = flags.only.empty() ? default_sections() : parse_report_sections(flags.only);
   const bool wants_json = flags.output.json || !flags.compared.empty() ||
                           std::any_of(flags.output.paths.begin(), flags.output.paths.end(), is_json);
   if (flags.stabilisation && !wants_json)
@@ -71,7 +71,7 @@ int analyze(const AnalyzeFlags& flags) {
   auto tests = tests_of(flags);
   require_one_test(flags, sections, tests.size());
   compute(tests, sections);
-  if (sections.contains(Section::deflection)) tests.front().deflection = deflection_of(*tests.front().analysis);
+  if (sections.contains(ReportSection::deflection)) tests.front().deflection = deflection_of(*tests.front().analysis);
   std::string document;
   if (wants_json) {
     std::vector<NumberedAnalysis> numbered;
@@ -87,16 +87,16 @@ int analyze(const AnalyzeFlags& flags) {
   }
   std::optional<CommandReport> comparison;
   if (!flags.compared.empty()) comparison = comparison_of(flags, document, tests.front().analysis->record().source());
-  const auto kept = std::make_shared<const KeptTests>(KeptTests{.flags = flags,
-                                                                .tests = std::move(tests),
-                                                                .sections = sections,
-                                                                .document = std::move(document),
-                                                                .comparison = std::move(comparison)});
-  const std::string text = flags.output.json ? "" : text_of(*kept, terminal_width(), can_sketch());
+  const auto kept = std::make_shared<const AnalyzeResults>(AnalyzeResults{.flags = flags,
+                                                                          .tests = std::move(tests),
+                                                                          .sections = sections,
+                                                                          .document = std::move(document),
+                                                                          .comparison = std::move(comparison)});
+  const std::string text = flags.output.json ? "" : text_of(*kept, terminal_width(), can_plot_in_terminal());
   progress.stop();
   write_outputs(flags, *kept);
   print(flags.output, flags.output.json ? kept->document : text);
-  if (flags.output.host != nullptr) hand_over(flags.output, kept);
+  if (flags.output.host != nullptr) give_to_host(flags.output, kept);
   if (flags.trace && !flags.output.json) {
     for (const Test& test : kept->tests) print_trace(*test.analysis);
   }

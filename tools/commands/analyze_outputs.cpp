@@ -19,7 +19,7 @@
 namespace percuss::tools {
 namespace {
 
-std::string page_of(const AnalyzeFlags& flags, const KeptTests& kept) {
+std::string page_of(const AnalyzeFlags& flags, const AnalyzeResults& kept) {
   const Test& test = kept.tests.front();
   return analysis_page(*test.analysis,
                        {.sections = kept.sections,
@@ -29,18 +29,18 @@ std::string page_of(const AnalyzeFlags& flags, const KeptTests& kept) {
 }
 
 std::string drawing_of(const AnalyzeFlags& flags, const Analysis& analysis) {
-  const auto verdicts = analysis.possible() ? analysis.verdicts() : std::vector<Verdict>();
-  return svg_document(analysis_charts(analysis, verdicts, flags.pictures));
+  const auto classifications = analysis.possible() ? analysis.classifications() : std::vector<ModeClassification>();
+  return svg_document(analysis_charts(analysis, classifications, flags.pictures));
 }
 
-std::string html_of(const KeptTests& kept) {
-  const bool classes = kept.sections.contains(Section::classes);
+std::string html_of(const AnalyzeResults& kept) {
+  const bool classes = kept.sections.contains(ReportSection::classes);
   std::string html;
   for (const Test& test : kept.tests) {
     if (kept.tests.size() > 1) html += page_paragraph(fmt::format("test {}", test.run));
     if (!test.analysis->possible()) {
       html += page_paragraph(kNoUsableHit);
-    } else if (classes || kept.sections.contains(Section::modes)) {
+    } else if (classes || kept.sections.contains(ReportSection::modes)) {
       html += modes_table(*test.analysis, classes).html();
     } else {
       html += hits_table(*test.analysis, test.analysis->force_hits()).shown.html();
@@ -56,16 +56,16 @@ void check_analyze_outputs(const OutputFlags& output) {
   check_outputs(output, {".json", ".html", ".svg", ".csv", ".h5", ".mat", ".uff", ".unv"});
 }
 
-void require_one_test(const AnalyzeFlags& flags, const std::set<Section>& sections, std::size_t tests) {
+void require_one_test(const AnalyzeFlags& flags, const std::set<ReportSection>& sections, std::size_t tests) {
   if (tests < 2) return;
   const char* const remedy = "analyse one file or run at a time";
   if (!std::all_of(flags.output.paths.begin(), flags.output.paths.end(), is_json))
     throw UsageError("several tests do not fit one file of FRFs or one page", remedy);
-  if (sections.contains(Section::deflection) || !flags.compared.empty())
+  if (sections.contains(ReportSection::deflection) || !flags.compared.empty())
     throw UsageError("deflections and comparisons are of one test", remedy);
 }
 
-std::string text_of(const KeptTests& kept, std::size_t width, bool sketch) {
+std::string text_of(const AnalyzeResults& kept, std::size_t width, bool sketch) {
   std::string text;
   for (const Test& test : kept.tests) {
     if (kept.tests.size() > 1) text += fmt::format("{}test {}\n", text.empty() ? "" : "\n", test.run);
@@ -77,7 +77,7 @@ std::string text_of(const KeptTests& kept, std::size_t width, bool sketch) {
   return text;
 }
 
-void write_outputs(const AnalyzeFlags& flags, const KeptTests& kept) {
+void write_outputs(const AnalyzeFlags& flags, const AnalyzeResults& kept) {
   const Analysis& analysis = *kept.tests.front().analysis;
   for (const std::string& path : flags.output.paths) {
     if (extension_of(path) == ".json") {
@@ -87,8 +87,8 @@ void write_outputs(const AnalyzeFlags& flags, const KeptTests& kept) {
     } else if (extension_of(path) == ".svg") {
       write_file(path, drawing_of(flags, analysis), flags.output.force);
     } else if (!analysis.possible()) {
-      remark(flags.output,
-             "no hit can be used, so there are no FRFs to write (" + one_line(path) + "); see the hits' findings");
+      print_note(flags.output,
+                 "no hit can be used, so there are no FRFs to write (" + one_line(path) + "); see the hits' findings");
     } else if (is_uff(path)) {
       write_modes_uff(path, analysis, flags.output.force);
     } else {
@@ -97,15 +97,15 @@ void write_outputs(const AnalyzeFlags& flags, const KeptTests& kept) {
   }
 }
 
-void hand_over(const OutputFlags& output, const std::shared_ptr<const KeptTests>& kept) {
-  Outcome& outcome = output.host->outcome;
+void give_to_host(const OutputFlags& output, const std::shared_ptr<const AnalyzeResults>& kept) {
+  CommandResult& outcome = output.host->outcome;
   for (const Test& test : kept->tests) outcome.analyses.emplace_back(kept, test.analysis.get());
   if (const auto& deflection = kept->tests.front().deflection) outcome.deflection = {kept, &*deflection};
   outcome.text = [kept](std::size_t width) { return text_of(*kept, width, false); };
   outcome.html = [kept] { return html_of(*kept); };
-  outcome.save = [kept, its = kept_output(output)](const std::string& path, bool force) {
+  outcome.save = [kept, its = captured_output(output)](const std::string& path, bool force) {
     AnalyzeFlags flags = kept->flags;
-    flags.output = one_output(its, path, force);
+    flags.output = single_output(its, path, force);
     check_analyze_outputs(flags.output);
     require_one_test(flags, kept->sections, kept->tests.size());
     write_outputs(flags, *kept);

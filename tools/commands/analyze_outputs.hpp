@@ -12,10 +12,10 @@
 namespace percuss::tools {
 
 /// What was found, also for who runs the command in his own process and asks for the rest later.
-struct KeptTests {
+struct AnalyzeResults {
   AnalyzeFlags flags;
   std::vector<Test> tests;
-  std::set<Section> sections;
+  std::set<ReportSection> sections;
   std::string document;
   std::optional<CommandReport> comparison;
 };
@@ -24,15 +24,15 @@ struct KeptTests {
 void check_analyze_outputs(const OutputFlags& output);
 
 /// Before anything is computed: UsageError for what is asked of several tests and can be had of one only.
-void require_one_test(const AnalyzeFlags& flags, const std::set<Section>& sections, std::size_t tests);
+void require_one_test(const AnalyzeFlags& flags, const std::set<ReportSection>& sections, std::size_t tests);
 
 /// What a terminal shows; with a sketch of the FRFs where it can draw one.
-std::string text_of(const KeptTests& kept, std::size_t width, bool sketch);
+std::string text_of(const AnalyzeResults& kept, std::size_t width, bool sketch);
 
 /// Every -o of the flags.
-void write_outputs(const AnalyzeFlags& flags, const KeptTests& kept);
+void write_outputs(const AnalyzeFlags& flags, const AnalyzeResults& kept);
 
 /// All of it to the program in whose process the command runs.
-void hand_over(const OutputFlags& output, const std::shared_ptr<const KeptTests>& kept);
+void give_to_host(const OutputFlags& output, const std::shared_ptr<const AnalyzeResults>& kept);
 
 }  // namespace percuss::tools

@@ -7,7 +7,7 @@ namespace percuss::tools {
 namespace {
 
 std::vector<Test> tests_of_frfs(const AnalyzeFlags& flags, std::vector<FrfRecord> frfs) {
-  if (flags.read.files != FilesMean::tests) {
+  if (flags.read.files != FileGrouping::tests) {
     FrfRecord joined = join_frfs_of(flags.read, std::move(frfs));
     frfs.clear();
     frfs.push_back(std::move(joined));
@@ -27,7 +27,7 @@ std::vector<Test> tests_of(const AnalyzeFlags& flags) {
   Measurements opened = open_measurements(flags.read);
   if (!opened.frfs.empty()) return tests_of_frfs(flags, std::move(opened.frfs));
   std::vector<Record> records = std::move(opened.records);
-  if (flags.read.files != FilesMean::tests) {
+  if (flags.read.files != FileGrouping::tests) {
     Record joined = join_records(std::move(records), flags.read.files);
     records.clear();
     records.push_back(std::move(joined));
@@ -44,16 +44,16 @@ std::vector<Test> tests_of(const AnalyzeFlags& flags) {
   return tests;
 }
 
-void compute(const std::vector<Test>& tests, const std::set<Section>& sections) {
+void compute(const std::vector<Test>& tests, const std::set<ReportSection>& sections) {
   constexpr std::size_t kPerTest = 1'000'000;  // operations, at the least
   if (tests.size() < 2) return;
-  share_out(tests.size(), kPerTest, [&](std::size_t t) {
+  parallel_for_cost(tests.size(), kPerTest, [&](std::size_t t) {
     const Analysis& analysis = *tests[t].analysis;
     try {
       if (!analysis.possible()) return;
-      if (sections.contains(Section::frf) || sections.contains(Section::coherence)) analysis.frfs();
-      if (sections.contains(Section::modes)) analysis.modes();
-      if (sections.contains(Section::classes)) analysis.verdicts();
+      if (sections.contains(ReportSection::frf) || sections.contains(ReportSection::coherence)) analysis.frfs();
+      if (sections.contains(ReportSection::modes)) analysis.modes();
+      if (sections.contains(ReportSection::classes)) analysis.classifications();
     } catch (const std::exception&) {
     }
   });

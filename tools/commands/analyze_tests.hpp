@@ -40,6 +40,6 @@ std::vector<Test> tests_of(const AnalyzeFlags& flags);
 
 /// What the sections need of several tests, one beside the other; what fails will fail again where the report asks for
 /// it, in turn.
-void compute(const std::vector<Test>& tests, const std::set<Section>& sections);
+void compute(const std::vector<Test>& tests, const std::set<ReportSection>& sections);
 
 }  // namespace percuss::tools

@@ -62,7 +62,7 @@ std::string text_of(const CalibrateFlags& flags, const Record& record, const Cal
   }
   return fmt::format("{}   {} kg free mass\n\n", record.source(), flags.mass_kg) + table.text(terminal_width()) +
          fmt::format("\n1 unit of the force channel is {} N{}: use --force-scale {:.8g}\n",
-                     with_deviation(std::abs(calibration.scale), calibration.scale_std),
+                     value_with_std(std::abs(calibration.scale), calibration.scale_std),
                      calibration.scale < 0 ? ", and it reads pushes as negative" : "", calibration.scale);
 }
 

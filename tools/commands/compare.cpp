@@ -14,7 +14,7 @@ constexpr double kPercent = 100;
 struct CompareFlags {
   std::vector<std::string> paths;
   double furthest_percent = kPercent * PairOptions{}.furthest;
-  double least_mac = PairOptions{}.least_mac;
+  double min_mac = PairOptions{}.min_mac;
   OutputFlags output;
 };
 
@@ -23,13 +23,13 @@ int compare(const CompareFlags& flags) {
   std::vector<ComparedDocument> documents;
   for (const std::string& path : flags.paths) {
     for (ComparedDocument& document : read_documents(path)) {
-      document.name = with_names(flags.output.host, document.name);
+      document.name = with_display_names(flags.output.host, document.name);
       documents.push_back(std::move(document));
     }
   }
   if (documents.size() < 2) throw UsageError("one document cannot be compared", "name two or more");
   return show_report(
-      compare_report(documents, {.furthest = flags.furthest_percent / kPercent, .least_mac = flags.least_mac}),
+      compare_report(documents, {.furthest = flags.furthest_percent / kPercent, .min_mac = flags.min_mac}),
       flags.output, flags.paths);
 }
 
@@ -51,7 +51,7 @@ void add_compare(CommandLine& line) {
       .above_zero()
       .type("PERCENT")
       .show_default();
-  command.value("--least-mac", flags->least_mac, "Shapes that agree less are not of the same mode")
+  command.value("--least-mac", flags->min_mac, "Shapes that agree less are not of the same mode")
       .within(0, 1)
       .type("MAC")
       .show_default();

@@ -18,7 +18,7 @@ struct ConvertFlags {
   OutputFlags output;
 };
 
-void tell(const ConvertFlags& flags, const std::string& what) { remark(flags.output, one_line(what, 2000)); }
+void tell(const ConvertFlags& flags, const std::string& what) { print_note(flags.output, one_line(what, 2000)); }
 
 // The last word is the file to write, as cp has it, unless -o names it.
 std::string take_output(ConvertFlags& flags) {

@@ -32,7 +32,7 @@ DeflectionMethod method_named(const std::string& name) {
 }
 
 std::unique_ptr<Analysis> analysis_of(const DeflectFlags& flags) {
-  if (flags.read.files == FilesMean::tests)
+  if (flags.read.files == FileGrouping::tests)
     throw UsageError("several tests do not make one", "give --files hits or --files points, or one test at a time");
   ReadFlags read = flags.read;
   read.options.force_optional = true;
@@ -45,7 +45,7 @@ void check_deflection_outputs(const OutputFlags& output) {
 
 void write_deflection(const OutputFlags& output, CommandReport report, const Analysis& analysis,
                       const ImpactTest& test) {
-  if (draws(output)) report.charts = {deflection_chart(analysis, test)};
+  if (writes_charts(output)) report.charts = {deflection_chart(analysis, test)};
   for (const std::string& path : output.paths) {
     const std::string kind = extension_of(path);
     if (kind == ".h5" && !test.hits.empty()) {
@@ -63,7 +63,7 @@ int deflect_files(const DeflectFlags& flags) {
   ImpactTestOptions options = flags.options;
   options.deflection.method = method_named(flags.method);
   if (!flags.positions.empty())
-    options.position_m = parse_range("--positions", flags.positions, RangeMay::be_one_value).values();
+    options.position_m = parse_range("--positions", flags.positions, RangeForm::single_value_allowed).values();
   const Progress progress("integrating", flags.output.quiet);
   const std::shared_ptr<const Analysis> made = analysis_of(flags);
   const auto deflected = std::make_shared<const ImpactTest>(deflect(*made, options));
@@ -76,11 +76,12 @@ int deflect_files(const DeflectFlags& flags) {
   write_deflection(flags.output, report, analysis, test);
   print_report(report, flags.output);
   if (flags.output.host != nullptr) {
-    Outcome& outcome = flags.output.host->outcome;
+    CommandResult& outcome = flags.output.host->outcome;
     outcome.analyses = {made};
     outcome.deflection = deflected;
-    outcome.save = [output = kept_output(flags.output), report, made, deflected](const std::string& path, bool force) {
-      const OutputFlags its = one_output(output, path, force);
+    outcome.save = [output = captured_output(flags.output), report, made, deflected](const std::string& path,
+                                                                                     bool force) {
+      const OutputFlags its = single_output(output, path, force);
       check_deflection_outputs(its);
       write_deflection(its, report, *made, *deflected);
     };

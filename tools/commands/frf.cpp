@@ -17,7 +17,7 @@
 namespace percuss::tools {
 namespace {
 
-const std::set<Section> kShown{Section::hits, Section::frf, Section::coherence};
+const std::set<ReportSection> kShown{ReportSection::hits, ReportSection::frf, ReportSection::coherence};
 
 struct FrfFlags {
   ReadFlags read;
@@ -52,16 +52,16 @@ void write_frf_outputs(const OutputFlags& output, const Analysis& analysis, FrfK
   }
 }
 
-void hand_over(const OutputFlags& output, const std::shared_ptr<const Analysis>& analysis, FrfKind kind) {
-  Outcome& outcome = output.host->outcome;
+void give_to_host(const OutputFlags& output, const std::shared_ptr<const Analysis>& analysis, FrfKind kind) {
+  CommandResult& outcome = output.host->outcome;
   outcome.analyses = {analysis};
   outcome.text = [analysis](std::size_t width) {
     return analysis_text(*analysis, {.sections = kShown, .width = width});
   };
   if (!analysis->possible()) return;
-  outcome.save = [output = kept_output(output), analysis, kind, summary = outcome.document](const std::string& path,
-                                                                                            bool force) {
-    const OutputFlags its = one_output(output, path, force);
+  outcome.save = [output = captured_output(output), analysis, kind, summary = outcome.document](const std::string& path,
+                                                                                                bool force) {
+    const OutputFlags its = single_output(output, path, force);
     check_frf_outputs(its);
     write_frf_outputs(its, *analysis, kind, summary);
   };
@@ -78,8 +78,8 @@ int frf(const FrfFlags& flags) {
   analysis.hits();
   if (!analysis.possible()) {
     progress.stop();
-    print(flags.output, analysis_json(analysis, {.sections = {Section::hits}}));
-    if (flags.output.host != nullptr) hand_over(flags.output, opened, kind);
+    print(flags.output, analysis_json(analysis, {.sections = {ReportSection::hits}}));
+    if (flags.output.host != nullptr) give_to_host(flags.output, opened, kind);
     return kImpossible;
   }
   const auto summary = analysis_json(analysis, {.sections = kShown});
@@ -90,7 +90,7 @@ int frf(const FrfFlags& flags) {
   } else if (flags.output.paths.empty()) {
     print(flags.output, frf_csv(analysis, kind));
   }
-  if (flags.output.host != nullptr) hand_over(flags.output, opened, kind);
+  if (flags.output.host != nullptr) give_to_host(flags.output, opened, kind);
   return kOk;
 }
 

@@ -118,7 +118,7 @@ std::string record_text(const Record& record, std::size_t width) {
 }
 
 // A text whose channels only the user can name.
-Json columns_json(const std::string& path, const UnclearColumns& seen) {
+Json columns_json(const std::string& path, const AmbiguousColumns& seen) {
   Json columns = Json::array();
   for (const auto& column : seen.columns) {
     columns.push_back({{"number", column.index + 1},
@@ -133,7 +133,7 @@ Json columns_json(const std::string& path, const UnclearColumns& seen) {
           {"needs", seen.what()}};
 }
 
-std::string columns_text(const std::string& path, const UnclearColumns& seen, std::size_t width) {
+std::string columns_text(const std::string& path, const AmbiguousColumns& seen, std::size_t width) {
   std::string text = one_line(input_name(path), 400) + ": " + seen.format + ", " +
                      plural(seen.columns.size(), seen.format == "CSV" ? "column" : "signal");
   if (seen.fs_Hz) text += fmt::format(", {:.10g} Hz", *seen.fs_Hz);
@@ -156,7 +156,7 @@ int run_info(const InfoFlags& flags) {
   }
   if (flags.read.paths.empty()) throw UsageError("no file", "name at least one, or - for standard input");
   check_outputs(flags.output, {".json"});
-  const ReadOptions options = finished_options(flags.read);
+  const ReadOptions options = resolved_read_options(flags.read);
   Json files = Json::array();
   int code = kOk;
   bool any = false;
@@ -169,7 +169,7 @@ int run_info(const InfoFlags& flags) {
       if (flags.output.json) continue;
       fmt::print("{}", frfs != nullptr ? frfs_text(*frfs, terminal_width())
                                        : record_text(std::get<Record>(opened), terminal_width()));
-    } catch (const UnclearColumns& seen) {
+    } catch (const AmbiguousColumns& seen) {
       files.push_back(columns_json(flags.read.paths[i], seen));
       any = true;
       if (!flags.output.json) fmt::print("{}", columns_text(flags.read.paths[i], seen, terminal_width()));

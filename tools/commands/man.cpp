@@ -61,7 +61,7 @@ void add_man(CommandLine& line) {
   command.example("percuss man --folder man1", "All pages as files: percuss.1, percuss-analyze.1, ...");
   std::vector<std::string> names;
   for (const DeclaredCommand& one : line.declaration().commands) {
-    if (!one.name.empty()) names.push_back(last_word(one));
+    if (!one.name.empty()) names.push_back(last_name(one));
   }
   command.words("COMMAND", flags->words, "The command, as analyze or model beam (default: percuss itself)")
       .one_of(names);

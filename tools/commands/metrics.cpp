@@ -27,13 +27,13 @@ struct MetricsFlags {
   OutputFlags output;
 };
 
-std::optional<Measured> reading(const std::optional<double>& value, double step, double unit, Reading which,
-                                bool rounded = false) {
+std::optional<UncertainValue> reading(const std::optional<double>& value, double step, double unit, Reading which,
+                                      bool rounded = false) {
   if (!value) return std::nullopt;
-  return Measured((rounded ? recorded(*value, step) : *value) * unit, reading_std(step) * unit, which);
+  return UncertainValue((rounded ? recorded(*value, step) : *value) * unit, reading_std(step) * unit, which);
 }
 
-std::optional<Measured> period_of(const MetricsFlags& f) {
+std::optional<UncertainValue> period_of(const MetricsFlags& f) {
   if (f.periods_s.empty() && f.crossings_s.empty()) return std::nullopt;
   const bool crossings = !f.crossings_s.empty();
   const PeriodEstimate period = crossings ? period_of_crossings(f.crossings_s, f.crossings_per_period, f.period_step_s)
@@ -42,7 +42,7 @@ std::optional<Measured> period_of(const MetricsFlags& f) {
   if (!period.problem.empty())
     throw UsageError(std::string(option) + ": " + period.problem, "give the times in the order of the crossings");
   if (!(period.period_s > 0)) throw UsageError(std::string(option) + ": no period above 0", "give seconds");
-  return Measured(period.period_s, period.std_s, Reading::period);
+  return UncertainValue(period.period_s, period.std_s, Reading::period);
 }
 
 BatReadings readings_of(const MetricsFlags& f) {

@@ -44,8 +44,8 @@ ScanPositions parse_positions(const std::string& text) {
 }
 
 std::unique_ptr<Analysis> analysis_of(const NodesFlags& flags, const ScanPositions& positions) {
-  const FilesMean mean = flags.read.files == FilesMean::automatic ? FilesMean::points : flags.read.files;
-  if (mean == FilesMean::tests)
+  const FileGrouping mean = flags.read.files == FileGrouping::automatic ? FileGrouping::points : flags.read.files;
+  if (mean == FileGrouping::tests)
     throw UsageError("several tests do not make one scan", "give --files points, or the files of one scan");
   const AnalysisOptions options = analysis_options(flags.analysis);
   Measurements opened = open_measurements(flags.read);
@@ -64,7 +64,7 @@ int nodes(const NodesFlags& flags) {
   analysis.hits();
   if (!analysis.possible()) {
     progress.stop();
-    print(flags.output, analysis_json(analysis, {.sections = {Section::hits}}));
+    print(flags.output, analysis_json(analysis, {.sections = {ReportSection::hits}}));
     return kImpossible;
   }
   const NodeScan scan = scan_nodes(analysis, positions, kResolution_m);

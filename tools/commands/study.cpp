@@ -51,14 +51,14 @@ int run_study(const StudyFlags& flags) {
     return kOk;
   }
   if (flags.inputs.empty()) throw UsageError("no table", "name a table of bats, or analyses with --bat-id");
-  if (!flags.curve.empty() && flags.figures.empty() && !draws(flags.output))
+  if (!flags.curve.empty() && flags.figures.empty() && !writes_charts(flags.output))
     throw UsageError("--hoop-curve goes into the figures", "add --figures FOLDER, -o FILE.svg or -o FILE.html");
   check_report_outputs(flags.output);
   refuse_existing(flags);
   StudyRows rows;
   for (const std::string& path : flags.inputs) rows.add(text_at(path), input_name(path));
   std::vector<StudyBat> bats = rows.bats();
-  if (!flags.key.empty()) write_file(flags.key, blind_bats(bats), flags.output.force);
+  if (!flags.key.empty()) write_file(flags.key, anonymise_bats(bats), flags.output.force);
   if (!flags.table.empty()) write_file(flags.table, study_table_csv(bats), flags.output.force);
   const Study study = study_of(std::move(bats));
   std::optional<StudyCurve> curve;

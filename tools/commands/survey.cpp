@@ -60,14 +60,14 @@ SurveyOptions survey_options(const SurveyFlags& flags) {
 
 // Several files are one point each unless the user says otherwise.
 std::unique_ptr<Analysis> analysis_of(const SurveyFlags& flags) {
-  if (flags.read.files == FilesMean::tests)
+  if (flags.read.files == FileGrouping::tests)
     throw UsageError("a survey is one test", "use --files points or --files hits");
   Measurements opened = open_measurements(flags.read);
   if (!opened.frfs.empty()) {
     return std::make_unique<Analysis>(join_frfs_of(flags.read, std::move(opened.frfs)),
                                       analysis_options(flags.analysis));
   }
-  const FilesMean mean = flags.read.files == FilesMean::automatic ? FilesMean::points : flags.read.files;
+  const FileGrouping mean = flags.read.files == FileGrouping::automatic ? FileGrouping::points : flags.read.files;
   Record record = join_records(std::move(opened.records), mean);
   for (const RowInfo& row : record.rows) {
     if (row.run == record.rows.front().run) continue;
@@ -93,8 +93,8 @@ void write_outputs(const SurveyFlags& flags, const Survey& survey, const std::st
     } else if (extension_of(path) == ".svg") {
       write_file(path, svg_document(survey_charts(survey, flags.pictures)), flags.output.force);
     } else if (!survey.analysis().possible()) {
-      remark(flags.output,
-             "no hit can be used, so there are no shapes to write (" + one_line(path) + "); see the hits' findings");
+      print_note(flags.output, "no hit can be used, so there are no shapes to write (" + one_line(path) +
+                                   "); see the hits' findings");
     } else if (kind == ".csv") {
       write_file(path, is_indicator(path) ? cmif_csv(survey) : shapes_csv(survey), flags.output.force);
     } else if (is_uff(path)) {
@@ -106,13 +106,14 @@ void write_outputs(const SurveyFlags& flags, const Survey& survey, const std::st
 }
 
 // What a survey is made of; each refers to the one before.
-struct KeptSurvey {
+struct SurveyResults {
   std::shared_ptr<const Analysis> analysis;
   Survey survey;
 };
 
-void hand_over(const SurveyFlags& flags, const std::shared_ptr<const KeptSurvey>& kept, const std::string& document) {
-  Outcome& outcome = flags.output.host->outcome;
+void give_to_host(const SurveyFlags& flags, const std::shared_ptr<const SurveyResults>& kept,
+                  const std::string& document) {
+  CommandResult& outcome = flags.output.host->outcome;
   outcome.analyses = {kept->analysis};
   outcome.survey = {kept, &kept->survey};
   outcome.text = [kept, hits = flags.hits](std::size_t width) { return survey_text(kept->survey, hits, width); };
@@ -120,10 +121,10 @@ void hand_over(const SurveyFlags& flags, const std::shared_ptr<const KeptSurvey>
     return kept->analysis->possible() ? survey_modes_table(kept->survey).html() : page_paragraph(kNoUsableHit);
   };
   SurveyFlags asked = flags;
-  asked.output = kept_output(flags.output);
+  asked.output = captured_output(flags.output);
   outcome.save = [kept, document, asked](const std::string& path, bool force) {
     SurveyFlags its = asked;
-    its.output = one_output(asked.output, path, force);
+    its.output = single_output(asked.output, path, force);
     check_survey_outputs(its.output);
     write_outputs(its, kept->survey, document);
   };
@@ -139,10 +140,11 @@ int run_survey(const SurveyFlags& flags) {
   const Progress progress("analysing", flags.output.quiet);
   const std::shared_ptr<const Analysis> made = analysis_of(flags);
   const Analysis& analysis = *made;
-  const auto kept = std::make_shared<const KeptSurvey>(KeptSurvey{.analysis = made, .survey = {analysis, options}});
+  const auto kept =
+      std::make_shared<const SurveyResults>(SurveyResults{.analysis = made, .survey = {analysis, options}});
   const Survey& survey = kept->survey;
   analysis.hits();
-  if (analysis.possible()) analysis.make_modes_and_frfs();  // for text and document
+  if (analysis.possible()) analysis.compute_modes_and_frfs();  // for text and document
   const bool wants_json = flags.output.json || std::any_of(flags.output.paths.begin(), flags.output.paths.end(),
                                                            [](const auto& p) { return extension_of(p) == ".json"; });
   const std::string document = wants_json ? survey_json(survey, {.trace = flags.trace}) : "";
@@ -150,7 +152,7 @@ int run_survey(const SurveyFlags& flags) {
   progress.stop();
   write_outputs(flags, survey, document);
   print(flags.output, flags.output.json ? document : text);
-  if (flags.output.host != nullptr) hand_over(flags, kept, document);
+  if (flags.output.host != nullptr) give_to_host(flags, kept, document);
   if (flags.trace && !flags.output.json) {
     for (const auto& stage : analysis.trace().stages())
       std::cerr << fmt::format("{:<20} {:>6} calls  {:.6f} s\n", stage.name, stage.calls, stage.seconds);

@@ -96,8 +96,8 @@ std::string presets_text(bool json) {
   return nlohmann::ordered_json{{"schema", "percuss/synth-presets/1"}, {"presets", all}}.dump(1, ' ') + "\n";
 }
 
-void hand_over(const SynthFlags& flags, const std::shared_ptr<const SyntheticTest>& test, const std::string& truth) {
-  Outcome& outcome = flags.host->outcome;
+void give_to_host(const SynthFlags& flags, const std::shared_ptr<const SyntheticTest>& test, const std::string& truth) {
+  CommandResult& outcome = flags.host->outcome;
   outcome.document = truth;
   outcome.synthetic = test;
   outcome.save = [flags, test, truth](const std::string& path, bool force) {
@@ -127,7 +127,7 @@ int run_synth(const SynthFlags& flags) {
   const std::string truth = truth_json(test.truth);
   write_outputs(flags, test, truth);
   if (flags.host != nullptr) {
-    hand_over(flags, made, truth);
+    give_to_host(flags, made, truth);
   } else if (flags.json) {
     fmt::print("{}", truth);
   } else if (!flags.quiet) {

@@ -20,8 +20,8 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::uint64_t kLargestSetup_bytes = std::uint64_t{1} << 20U;
-constexpr int kDeepest = 16;
-constexpr std::size_t kMostChannels = 4096;
+constexpr int kMaxDepth = 16;
+constexpr std::size_t kMaxChannels = 4096;
 
 constexpr std::array<std::string_view, 9> kSetupKeys = {
     "name", "role", "sign", "direction", "angle_deg", "position_m", "sensitivity", "sensitivity_unit", "unit"};
@@ -29,7 +29,7 @@ constexpr std::array<std::string_view, 9> kSetupKeys = {
 Json parse_json(std::string_view text, const std::string& where) {
   if (text.size() > kLargestSetup_bytes)
     throw InputError("longer than 1 MiB", where, "keep only the channels' entries");
-  check_json({.text = text, .where = where, .remedy = "see percuss info --example", .max_depth = kDeepest});
+  check_json({.text = text, .where = where, .remedy = "see percuss info --example", .max_depth = kMaxDepth});
   return Json::parse(text.begin(), text.end());
 }
 
@@ -153,7 +153,7 @@ std::vector<ChannelSetup> parse_channel_setup(std::string_view json, const std::
   const Json document = parse_json(json, where);
   if (!document.is_array() || document.empty())
     throw InputError("not an array of channels", where, "write [{\"name\": ...}, ...]");
-  if (document.size() > kMostChannels) throw InputError("more than 4096 channels", where, "keep those that are used");
+  if (document.size() > kMaxChannels) throw InputError("more than 4096 channels", where, "keep those that are used");
   std::vector<ChannelSetup> setup;
   std::set<std::string> names;
   std::size_t forces = 0;

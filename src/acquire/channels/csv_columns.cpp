@@ -172,11 +172,11 @@ class Finder {
       return {.index = std::numeric_limits<std::size_t>::max()};
     }
     if (found.empty()) {
-      throw UnclearColumns("no force column found among " + list_of(header_.columns), where_,
-                           "name it with --force-channel", header_);
+      throw AmbiguousColumns("no force column found among " + list_of(header_.columns), where_,
+                             "name it with --force-channel", header_);
     }
-    throw UnclearColumns(fmt::format("{} columns could be the force: {}", found.size(), list_of(found)), where_,
-                         "name it with --force-channel", header_);
+    throw AmbiguousColumns(fmt::format("{} columns could be the force: {}", found.size(), list_of(found)), where_,
+                           "name it with --force-channel", header_);
   }
 
   void find_accel() {
@@ -195,8 +195,8 @@ class Finder {
       if (column.index != columns_.force.index) columns_.accel.push_back(column);
     }
     if (columns_.accel.empty()) {
-      throw UnclearColumns("no acceleration column found among " + list_of(header_.columns), where_,
-                           "name it with --accel-channel", header_);
+      throw AmbiguousColumns("no acceleration column found among " + list_of(header_.columns), where_,
+                             "name it with --accel-channel", header_);
     }
   }
 

@@ -19,11 +19,11 @@ struct CsvColumns {
 };
 
 /// The columns can be read, but which of them is the force or an acceleration must be said by an option.
-class UnclearColumns : public InputError {
+class AmbiguousColumns : public InputError {
  public:
-  UnclearColumns(std::string_view problem, std::string_view where, std::string_view remedy, const CsvHeader& header)
+  AmbiguousColumns(std::string_view problem, std::string_view where, std::string_view remedy, const CsvHeader& header)
       : InputError(problem, where, remedy), columns(header.columns), fs_Hz(header.fs_Hz) {}
-  UnclearColumns(const InputError& error, const CsvHeader& header)
+  AmbiguousColumns(const InputError& error, const CsvHeader& header)
       : InputError(error), columns(header.columns), fs_Hz(header.fs_Hz) {}
   std::vector<CsvColumn> columns;  // all there are
   std::optional<double> fs_Hz;     // if a line of the header states it
@@ -31,7 +31,7 @@ class UnclearColumns : public InputError {
 };
 
 /// Finds the columns: as the options name them (name, name without unit, or 1-based number; letter case aside), then as
-/// the set-up gives their role, else by unit and by words in the name. `file` is for messages. errors  UnclearColumns:
+/// the set-up gives their role, else by unit and by words in the name. `file` is for messages. errors AmbiguousColumns:
 /// none (unless it is optional) or several could be the force, none the acceleration; InputError: an option names a
 /// column that is not there, has no numbers, or is named twice. Both name the columns seen.
 CsvColumns find_csv_columns(const CsvHeader& header, const ReadOptions& options, const std::string& file);

@@ -24,7 +24,7 @@ std::optional<double> entry_of_each(const std::vector<double>& list, std::size_t
                    option, "give one per channel");
 }
 
-SignalChoice from_setup(const ChannelSetup* setup) {
+SignalOverrides from_setup(const ChannelSetup* setup) {
   if (setup == nullptr) return {};
   return {.scale = std::nullopt,
           .sensitivity_V_per_SI = setup->sensitivity_V_per_SI,
@@ -34,7 +34,7 @@ SignalChoice from_setup(const ChannelSetup* setup) {
           .position_m = setup->position_m};
 }
 
-void overrule(std::optional<double>& value, const std::optional<double>& by) {
+void apply_over_setup(std::optional<double>& value, const std::optional<double>& by) {
   if (by) value = by;
 }
 
@@ -67,26 +67,27 @@ double unit_to_SI(const std::string& unit, Quantity measures, const std::string&
 
 }  // namespace
 
-SignalChoice force_choice(const ReadOptions& options, const ChannelSetup* setup) {
-  SignalChoice choice = from_setup(setup);
+SignalOverrides force_overrides(const ReadOptions& options, const ChannelSetup* setup) {
+  SignalOverrides choice = from_setup(setup);
   if (!options.force_scale.empty()) choice.scale = options.force_scale.front();
-  overrule(choice.sensitivity_V_per_SI, options.force_sensitivity_V_per_N);
+  apply_over_setup(choice.sensitivity_V_per_SI, options.force_sensitivity_V_per_N);
   if (!options.force_unit.empty()) choice.unit = options.force_unit;
   return choice;
 }
 
-SignalChoice accel_choice(const ReadOptions& options, const ChannelSetup* setup, std::size_t index, std::size_t count) {
-  SignalChoice choice = from_setup(setup);
+SignalOverrides accel_overrides(const ReadOptions& options, const ChannelSetup* setup, std::size_t index,
+                                std::size_t count) {
+  SignalOverrides choice = from_setup(setup);
   choice.scale = entry(options.accel_scale, index, count, "accel-scale");
-  overrule(choice.sensitivity_V_per_SI,
-           entry(options.accel_sensitivity_V_per_mps2, index, count, "acceleration sensitivity"));
+  apply_over_setup(choice.sensitivity_V_per_SI,
+                   entry(options.accel_sensitivity_V_per_mps2, index, count, "acceleration sensitivity"));
   if (!options.accel_unit.empty()) choice.unit = options.accel_unit;
-  overrule(choice.angle_rad, entry_of_each(options.angle_rad, index, count, "angle"));
-  overrule(choice.position_m, entry(options.position_m, index, count, "position"));
+  apply_over_setup(choice.angle_rad, entry_of_each(options.angle_rad, index, count, "angle"));
+  apply_over_setup(choice.position_m, entry(options.position_m, index, count, "position"));
   return choice;
 }
 
-void apply_choice(SignalInfo& signal, const SignalChoice& choice, Quantity measures, const std::string& where) {
+void apply_overrides(SignalInfo& signal, const SignalOverrides& choice, Quantity measures, const std::string& where) {
   if (!choice.unit.empty()) signal.unit = choice.unit;
   if (choice.scale) {
     signal.to_SI = usable_factor(*choice.scale, "scale", where);
@@ -100,10 +101,10 @@ void apply_choice(SignalInfo& signal, const SignalChoice& choice, Quantity measu
   if (choice.position_m) signal.position_m = choice.position_m;
 }
 
-void apply_force_choice(SignalInfo& signal, const SignalChoice& choice, const std::string& where,
-                        std::vector<std::string>& notes) {
+void apply_force_overrides(SignalInfo& signal, const SignalOverrides& choice, const std::string& where,
+                           std::vector<std::string>& notes) {
   const auto known = parse_unit(choice.unit.empty() ? signal.unit : choice.unit);
-  SignalChoice completed = choice;
+  SignalOverrides completed = choice;
   if (known && known->quantity == Quantity::voltage && !choice.scale && !choice.sensitivity_V_per_SI) {
     completed.scale = known->to_SI;
     notes.push_back(
@@ -111,7 +112,7 @@ void apply_force_choice(SignalInfo& signal, const SignalChoice& choice, const st
         " is in volts and not calibrated: 1 V counts as 1 N, so that FRFs are per volt; give --force-scale or "
         "--force-sensitivity");
   }
-  apply_choice(signal, completed, Quantity::force, where);
+  apply_overrides(signal, completed, Quantity::force, where);
 }
 
 }  // namespace percuss

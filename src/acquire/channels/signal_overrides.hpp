@@ -10,7 +10,7 @@
 namespace percuss {
 
 /// What the user says about one signal, from options and set-up together; empty members leave what the file says.
-struct SignalChoice {
+struct SignalOverrides {
   std::optional<double> scale;                 // SI per stored unit: whatever the unit
   std::optional<double> sensitivity_V_per_SI;  // the stored numbers are volts
   std::string unit;                            // of the stored numbers
@@ -19,21 +19,22 @@ struct SignalChoice {
 };
 
 /// For the force; `setup` is its entry or nullptr. What options say wins over the set-up.
-SignalChoice force_choice(const ReadOptions& options, const ChannelSetup* setup);
+SignalOverrides force_overrides(const ReadOptions& options, const ChannelSetup* setup);
 
 /// For acceleration channel `index` of the `count` that are read. InputError when a list of options has another length
 /// than one (for all) or `count`.
-SignalChoice accel_choice(const ReadOptions& options, const ChannelSetup* setup, std::size_t index, std::size_t count);
+SignalOverrides accel_overrides(const ReadOptions& options, const ChannelSetup* setup, std::size_t index,
+                                std::size_t count);
 
 /// Applies a choice: sets the signal's unit, to_SI, angle_rad and position_m. The unit is `measures`' SI unit where
 /// neither the file (signal.unit) nor the user states one, volts if a sensitivity is given. errors  InputError at
 /// `where`: unknown unit, a unit of another quantity, volts without sensitivity, a sensitivity for other
 ///         than volts, a scale or sensitivity that is zero or not finite.
-void apply_choice(SignalInfo& signal, const SignalChoice& choice, Quantity measures, const std::string& where);
+void apply_overrides(SignalInfo& signal, const SignalOverrides& choice, Quantity measures, const std::string& where);
 
-/// apply_choice for the force. Volts that nobody gives a sensitivity or scale for are kept: frequencies and damping do
-/// not need newtons. A note then says that FRFs are per volt.
-void apply_force_choice(SignalInfo& signal, const SignalChoice& choice, const std::string& where,
-                        std::vector<std::string>& notes);
+/// apply_overrides for the force. Volts that nobody gives a sensitivity or scale for are kept: frequencies and damping
+/// do not need newtons. A note then says that FRFs are per volt.
+void apply_force_overrides(SignalInfo& signal, const SignalOverrides& choice, const std::string& where,
+                           std::vector<std::string>& notes);
 
 }  // namespace percuss

@@ -47,7 +47,7 @@ void read_table(const Scaled& open, std::size_t row, std::size_t signal, double 
   open.table.read(row, signal, first, out);
   for (std::size_t i = 0; i < out.size(); ++i) {
     out[i] *= factor;
-    if (std::abs(out[i]) <= kLargestSample) continue;
+    if (std::abs(out[i]) <= kMaxSample) continue;
     throw InputError(std::isfinite(out[i]) ? "sample is too large" : "sample is not a finite number",
                      fmt::format("{}: {}, row {}, sample {}", table_name(open.table),
                                  one_line(open.table.signals[signal].name, 40), row, first + i),
@@ -62,7 +62,7 @@ SignalInfo described_signal(const SignalTable& table, std::size_t index) {
 }
 
 // What nobody says is as the file's own system of units has it, else SI.
-void complete_unit(const SignalInfo& signal, const TableSignal& stored, SignalChoice& choice, const char* si_unit,
+void complete_unit(const SignalInfo& signal, const TableSignal& stored, SignalOverrides& choice, const char* si_unit,
                    std::vector<std::string>& notes) {
   const bool told = !signal.unit.empty() || !choice.unit.empty() || choice.scale || choice.sensitivity_V_per_SI;
   if (told) return;
@@ -80,18 +80,18 @@ void describe_table(Scaled& open, const ReadOptions& options, Record& record) {
   if (record.has_force) {
     const CsvColumn force = column_of(table, open.roles.force);
     record.force = described_signal(table, open.roles.force);
-    SignalChoice choice = force_choice(options, setup_of(force, options));
+    SignalOverrides choice = force_overrides(options, setup_of(force, options));
     complete_unit(record.force, table.signals[open.roles.force], choice, "N", record.notes);
-    apply_force_choice(record.force, choice, place(record.force), record.notes);
+    apply_force_overrides(record.force, choice, place(record.force), record.notes);
     open.force_to_N = record.force.to_SI;
   }
   const std::size_t count = open.roles.accel.size();
   for (std::size_t c = 0; c < count; ++c) {
     const std::size_t index = open.roles.accel[c];
     SignalInfo signal = described_signal(table, index);
-    SignalChoice its = accel_choice(options, setup_of(column_of(table, index), options), c, count);
+    SignalOverrides its = accel_overrides(options, setup_of(column_of(table, index), options), c, count);
     complete_unit(signal, table.signals[index], its, "m/s^2", record.notes);
-    apply_choice(signal, its, Quantity::acceleration, place(signal));
+    apply_overrides(signal, its, Quantity::acceleration, place(signal));
     open.accel_to_mps2.push_back(signal.to_SI);
     record.accel.push_back(std::move(signal));
   }
@@ -111,7 +111,7 @@ SignalRoles find_roles(const SignalTable& table, const ReadOptions& options) {
     SignalRoles roles{.force = found.force.index, .has_force = found.has_force, .accel = {}};
     for (const CsvColumn& column : found.accel) roles.accel.push_back(column.index);
     return roles;
-  } catch (UnclearColumns& unclear) {
+  } catch (AmbiguousColumns& unclear) {
     unclear.format = table.format;
     throw;
   }

@@ -46,7 +46,7 @@ struct SignalRoles {
 };
 
 /// Finds them as find_csv_columns does: by the options' names or numbers, the set-up, the unit, words in the name.
-/// errors  UnclearColumns, InputError: as there.
+/// errors  AmbiguousColumns, InputError: as there.
 SignalRoles find_roles(const SignalTable& table, const ReadOptions& options);
 
 /// The record of these signals: units, signs, sensitivities and places as file, set-up and options say.

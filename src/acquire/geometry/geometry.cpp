@@ -17,8 +17,8 @@ namespace percuss {
 namespace {
 
 constexpr std::uint64_t kLargestGeometry_bytes = std::uint64_t{16} << 20U;
-constexpr std::size_t kMostGeometryPoints = 100'000;
-constexpr double kFarthest = 1e4;  // m or rad: no structure is larger
+constexpr std::size_t kMaxGeometryPoints = 100'000;
+constexpr double kMaxCoordinate_m = 1e4;  // m or rad: no structure is larger
 constexpr const char* kGeometryRemedy = "see percuss survey --example";
 
 enum Field : std::size_t { kPoint, kX, kY, kZ, kPosition, kAngle, kRadius, kFields };
@@ -128,7 +128,7 @@ class Row {
                        "write a number");
     }
     const double value = parsed.value * columns[field].to_SI;
-    if (std::abs(value) <= kFarthest || field == kPoint) return value;
+    if (std::abs(value) <= kMaxCoordinate_m || field == kPoint) return value;
     throw InputError(fmt::format("{} {:g} is too large", title, parsed.value), where_, "check its unit");
   }
 
@@ -185,7 +185,7 @@ Geometry parse_geometry(std::string_view text, const std::string& where) {
     if (i == 1 && take_units(columns, cells, dialect, at)) continue;
     if (geometry.points.empty()) require_units(columns, place(where, lines.front().number));
     geometry.points.push_back(point_of(Row(std::move(cells), dialect.decimal_comma, at), columns));
-    if (geometry.points.size() > kMostGeometryPoints)
+    if (geometry.points.size() > kMaxGeometryPoints)
       throw InputError("more than 100000 points", at, "keep those that were hit");
     if (!seen.insert(geometry.points.back().point).second)
       throw InputError(fmt::format("point {} stands twice", geometry.points.back().point), at, "keep one");

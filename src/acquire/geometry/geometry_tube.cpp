@@ -7,10 +7,10 @@
 namespace percuss {
 namespace {
 
-constexpr double kRound = 0.1;           // of the mean radius: how far the points of one ring may differ
-constexpr double kSameRing = 2e-3;       // of the length along the axis
-constexpr std::size_t kFewest = 3;       // points of a ring that tell a circle, where there are several …
-constexpr std::size_t kFewestAlone = 5;  // … and alone: a plate has four corners
+constexpr double kRound = 0.1;                  // of the mean radius: how far the points of one ring may differ
+constexpr double kSameRing = 2e-3;              // of the length along the axis
+constexpr std::size_t kMinTubePoints = 3;       // points of a ring that tell a circle, where there are several …
+constexpr std::size_t kMinPointsOnOneRing = 5;  // … and alone: a plate has four corners
 
 struct Tube {
   std::size_t axis = 0;
@@ -51,7 +51,7 @@ std::optional<Tube> tube_about(const std::vector<GeometryPoint>& points, std::si
   }
   const auto rings = rings_along(points, axis);
   for (const auto& ring : rings) {
-    if (ring.size() < (rings.size() > 1 ? kFewest : kFewestAlone)) return std::nullopt;
+    if (ring.size() < (rings.size() > 1 ? kMinTubePoints : kMinPointsOnOneRing)) return std::nullopt;
     double mean = 0;
     for (const std::size_t i : ring) mean += radius_about(points[i], tube) / static_cast<double>(ring.size());
     if (!(mean > 0)) return std::nullopt;

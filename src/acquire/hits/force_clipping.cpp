@@ -10,7 +10,7 @@ namespace percuss {
 namespace {
 
 constexpr double kRounding = 1e-12;  // of the peak: the baseline was taken off and is added again
-constexpr std::size_t kTooManyToAgree =
+constexpr std::size_t kMinCoincidingPeaks =
     3;  // unlike hits that peak at one number: 1e-7 by chance at 16 bits, and two 1e-3
 
 bool overloaded(const Hit& hit) {
@@ -23,7 +23,7 @@ double raw_peak_N(const Hit& hit) { return hit.peak_N + hit.baseline_N; }
 
 bool same(double a, double b) { return std::abs(a - b) <= kRounding * std::max(std::abs(a), std::abs(b)); }
 
-struct Side {
+struct ForceSide {
   std::size_t file = 0;
   double sign = 1;
   bool holds(const Hit& hit, const Record& record) const {
@@ -37,26 +37,26 @@ std::size_t samples_at_peak(const Hit& hit) {
 }
 
 // One blow recorded twice, which agrees with itself in everything.
-bool alike(const Hit& a, const Hit& b) {
+bool is_same_hit(const Hit& a, const Hit& b) {
   return std::equal(a.gated_N.begin(), a.gated_N.end(), b.gated_N.begin(), b.gated_N.end(),
                     [&](double x, double y) { return std::abs(x - y) <= kRounding * std::abs(a.peak_N); });
 }
 
 // Unlike blows whose peaks are one number, or two of them with two samples at it: no chance, although none by itself
 // shows more than any peak would.
-bool agree_too_well(const std::vector<const Hit*>& hits) {
+bool peaks_coincide(const std::vector<const Hit*>& hits) {
   std::vector<const Hit*> unlike;
   for (const Hit* hit : hits) {
-    if (std::none_of(unlike.begin(), unlike.end(), [&](const Hit* other) { return alike(*hit, *other); }))
+    if (std::none_of(unlike.begin(), unlike.end(), [&](const Hit* other) { return is_same_hit(*hit, *other); }))
       unlike.push_back(hit);
   }
   const auto flat =
       std::count_if(unlike.begin(), unlike.end(), [](const Hit* hit) { return samples_at_peak(*hit) > 1; });
-  return unlike.size() >= kTooManyToAgree || flat > 1;
+  return unlike.size() >= kMinCoincidingPeaks || flat > 1;
 }
 
 // The rail that the overloaded hits of one file and sign show, or the peaks of several together.
-std::optional<double> rail_N(const std::vector<Hit>& hits, const Record& record, const Side& side) {
+std::optional<double> clipping_level_N(const std::vector<Hit>& hits, const Record& record, const ForceSide& side) {
   std::optional<double> furthest, rail;
   for (const Hit& hit : hits) {
     if (!side.holds(hit, record)) continue;
@@ -69,7 +69,7 @@ std::optional<double> rail_N(const std::vector<Hit>& hits, const Record& record,
   for (const Hit& hit : hits) {
     if (side.holds(hit, record) && same(raw_peak_N(hit), *furthest)) highest.push_back(&hit);
   }
-  return agree_too_well(highest) ? furthest : std::nullopt;
+  return peaks_coincide(highest) ? furthest : std::nullopt;
 }
 
 void add_overload(Hit& hit) {
@@ -83,11 +83,11 @@ void add_overload(Hit& hit) {
 
 }  // namespace
 
-void grade_shared_rail(std::vector<Hit>& hits, const Record& record) {
+void grade_force_clipping(std::vector<Hit>& hits, const Record& record) {
   for (std::size_t file = 0; file < std::max<std::size_t>(record.files.size(), 1); ++file) {
     for (const double sign : {1.0, -1.0}) {
-      const Side side{.file = file, .sign = sign};
-      const auto rail = rail_N(hits, record, side);
+      const ForceSide side{.file = file, .sign = sign};
+      const auto rail = clipping_level_N(hits, record, side);
       if (!rail) continue;
       for (Hit& hit : hits) {
         if (side.holds(hit, record) && !overloaded(hit) && same(raw_peak_N(hit), *rail)) add_overload(hit);

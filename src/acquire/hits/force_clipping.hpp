@@ -9,6 +9,6 @@ namespace percuss {
 /// `overload` to the hits that peak exactly where an `overload` of the same file shows the rail, unless another hit of
 /// that file goes further: then that was no rail. Three unlike hits that peak at one number, or two with two samples at
 /// it, show a rail as well.
-void grade_shared_rail(std::vector<Hit>& hits, const Record& record);
+void grade_force_clipping(std::vector<Hit>& hits, const Record& record);
 
 }  // namespace percuss

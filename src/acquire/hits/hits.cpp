@@ -21,7 +21,7 @@ constexpr double kPulseToNoise = 10;      // a pulse stands at least this far ou
 constexpr double kLongestPulse_s = 0.05;  // softer than any hammer tip; longer is drift
 constexpr std::size_t kLongestPulse = 8;  // samples, for records too slow to show a pulse at all
 constexpr double kDoubleScan_s = 0.25;    // bounces come within a few tens of milliseconds
-constexpr std::size_t kLeastRead = 256;   // samples: more than any pulse's gate
+constexpr std::size_t kMinRead = 256;     // samples: more than any pulse's gate
 constexpr double kDoubleRejects = 0.01;   // of the main pulse
 constexpr double kWeak = 0.2;             // of the median hit's peak
 constexpr double kLateTrigger = 0.05;     // of the peak already there at the first sample
@@ -29,7 +29,7 @@ constexpr double kLateTrigger = 0.05;     // of the peak already there at the fi
 std::size_t scan_samples(double fs_Hz) { return static_cast<std::size_t>(kDoubleScan_s * fs_Hz) + 1; }
 
 // What is read behind a pulse: in slow records its ringing lasts longer than bounces are looked for.
-std::size_t read_samples(double fs_Hz) { return std::max(scan_samples(fs_Hz), kLeastRead); }
+std::size_t read_samples(double fs_Hz) { return std::max(scan_samples(fs_Hz), kMinRead); }
 
 std::vector<double> force_between(const Record& record, std::size_t row, std::size_t first, std::size_t last,
                                   double baseline) {
@@ -65,7 +65,7 @@ void grade_pulse(Hit& hit, std::span<const double> x, const PulseShape& pulse) {
   const auto rise = static_cast<std::size_t>(std::max(0.0, pulse.rise));
   const std::size_t fall = std::min(x.size(), static_cast<std::size_t>(pulse.fall) + 2);
   const auto within = x.subspan(rise, fall - rise);
-  const std::size_t rail = samples_at_rail(within, block_extremes(within, kRailBlock), x, 0);
+  const std::size_t rail = count_clipped_samples(within, block_extremes(within, kClippingBlock), x, 0);
   if (rail > 0) {
     hit.findings.push_back(
         {.code = FindingCode::overload,
@@ -91,7 +91,7 @@ void describe_pulse(Hit& hit, std::span<const double> x, std::size_t peak, doubl
   hit.onset_s = (static_cast<double>(hit.first) + pulse.rise) / fs_Hz;
   hit.pulse_s = std::max(pulse.fall - pulse.rise, 1.0) / fs_Hz;
   const Gate gate = gate_around(x, pulse, hit.noise_N);
-  if (!options.gate_force) hit.whole_N.assign(x.begin(), x.end());
+  if (!options.gate_force) hit.ungated_N.assign(x.begin(), x.end());
   hit.gate_first = hit.first + gate.first;
   hit.gated_N.assign(x.begin() + static_cast<std::ptrdiff_t>(gate.first),
                      x.begin() + static_cast<std::ptrdiff_t>(gate.end));
@@ -111,95 +111,97 @@ bool is_pulse(std::span<const double> x, std::size_t peak, double noise_N, doubl
   return pulse.fall - pulse.rise <= std::max(kLongestPulse_s * fs_Hz, static_cast<double>(kLongestPulse));
 }
 
-Hit without_pulse(std::size_t row, const Part& part, const ForceSurvey& survey, const HitOptions& options) {
+Hit without_pulse(std::size_t row, const SampleRange& part, const TriggerScan& trigger_scan,
+                  const HitOptions& options) {
   Hit hit{.row = row,
           .first = part.first,
           .samples = part.last - part.first,
-          .noise_N = survey.noise_N,
-          .baseline_N = survey.baseline_N};
+          .noise_N = trigger_scan.noise_N,
+          .baseline_N = trigger_scan.baseline_N};
   const std::string remedy = options.trigger_N ? fmt::format("--trigger asks for {:.6g} N", *options.trigger_N)
                                                : "check the hammer's cable and channel";
-  const double ratio = survey.noise_N > 0 ? survey.largest_N / survey.noise_N : 0;
+  const double ratio = trigger_scan.noise_N > 0 ? trigger_scan.largest_N / trigger_scan.noise_N : 0;
   hit.findings.push_back(
       {.code = FindingCode::no_pulse,
        .severity = Severity::reject,
        .value = ratio,
        .message = fmt::format("no hammer pulse: the force's largest excursion is {:.2g} N, {:.1f} times its noise; {}",
-                              std::abs(survey.largest_N), ratio, remedy)});
+                              std::abs(trigger_scan.largest_N), ratio, remedy)});
   return hit;
 }
 
 // Each row is one hit: the whole row belongs to it.
 Hit hit_of_row(const Record& record, std::size_t row, const HitOptions& options) {
-  const Part part = asked_part(record, row, options);
-  const ForceSurvey survey =
-      survey_force(record, row, {.trigger_N = options.trigger_N, .first = part.first, .last = part.last});
+  const SampleRange part = select_time_range(record, row, options);
+  const TriggerScan trigger_scan =
+      scan_for_triggers(record, row, {.trigger_N = options.trigger_N, .first = part.first, .last = part.last});
   Hit hit{.row = row,
           .first = part.first,
           .samples = part.last - part.first,
-          .noise_N = survey.noise_N,
-          .baseline_N = survey.baseline_N};
-  if (options.trigger_N && survey.largest_N < *options.trigger_N) return without_pulse(row, part, survey, options);
+          .noise_N = trigger_scan.noise_N,
+          .baseline_N = trigger_scan.baseline_N};
+  if (options.trigger_N && trigger_scan.largest_N < *options.trigger_N)
+    return without_pulse(row, part, trigger_scan, options);
   const std::size_t end =
-      options.gate_force ? std::min(part.last, survey.largest_end + read_samples(record.fs_Hz)) : part.last;
-  const auto x = force_between(record, row, part.first, end, survey.baseline_N);
+      options.gate_force ? std::min(part.last, trigger_scan.largest_end + read_samples(record.fs_Hz)) : part.last;
+  const auto x = force_between(record, row, part.first, end, trigger_scan.baseline_N);
   const auto at = [&](std::size_t sample) { return x.begin() + static_cast<std::ptrdiff_t>(sample - part.first); };
   const auto smaller = [](double a, double b) { return std::abs(a) < std::abs(b); };
-  const auto largest =
-      static_cast<std::size_t>(std::max_element(at(survey.largest_first), at(survey.largest_end), smaller) - x.begin());
-  if (!is_pulse(x, largest, survey.noise_N, record.fs_Hz)) return without_pulse(row, part, survey, options);
+  const auto largest = static_cast<std::size_t>(
+      std::max_element(at(trigger_scan.largest_first), at(trigger_scan.largest_end), smaller) - x.begin());
+  if (!is_pulse(x, largest, trigger_scan.noise_N, record.fs_Hz)) return without_pulse(row, part, trigger_scan, options);
   describe_pulse(hit, x, largest, record.fs_Hz, options);
   look_for_second(hit, x, largest, record.fs_Hz);
-  const auto length = asked_length(record, options);
+  const auto length = selected_length(record, options);
   if (length) hit.samples = std::min(hit.samples, std::max(*length, largest + 1));  // never without the pulse
   return hit;
 }
 
 // The stretch of a continuous record that belongs to event e: from its pre-trigger to the next one's.
-Part stretch_of(const ForceSurvey& survey, std::size_t e, const Part& part, std::size_t pretrigger,
-                std::optional<std::size_t> length) {
+SampleRange stretch_of(const TriggerScan& trigger_scan, std::size_t e, const SampleRange& part, std::size_t pretrigger,
+                       std::optional<std::size_t> length) {
   const auto begin = [&](std::size_t event) {
     return std::max(part.first, event > pretrigger + part.first ? event - pretrigger : part.first);
   };
   const std::size_t first =
-      e > 0 ? std::max(begin(survey.events[e]), survey.events[e - 1] + 1) : begin(survey.events[e]);
-  std::size_t last = e + 1 < survey.events.size() ? begin(survey.events[e + 1]) : part.last;
+      e > 0 ? std::max(begin(trigger_scan.events[e]), trigger_scan.events[e - 1] + 1) : begin(trigger_scan.events[e]);
+  std::size_t last = e + 1 < trigger_scan.events.size() ? begin(trigger_scan.events[e + 1]) : part.last;
   if (length) last = std::min(last, first + *length);
-  return {first, std::max(last, survey.events[e] + 1)};
+  return {first, std::max(last, trigger_scan.events[e] + 1)};
 }
 
 // Where to begin looking for a smaller hit before event e: not where the previous one's bounces are looked for.
-std::size_t scan_begin(const ForceSurvey& survey, std::size_t e, const Part& part, std::size_t scan) {
-  const std::size_t free = e > 0 ? survey.events[e - 1] + scan : part.first;
-  return std::max({part.first, free, survey.events[e] > scan ? survey.events[e] - scan : 0});
+std::size_t scan_begin(const TriggerScan& trigger_scan, std::size_t e, const SampleRange& part, std::size_t scan) {
+  const std::size_t free = e > 0 ? trigger_scan.events[e - 1] + scan : part.first;
+  return std::max({part.first, free, trigger_scan.events[e] > scan ? trigger_scan.events[e] - scan : 0});
 }
 
 std::vector<Hit> hits_in_row(const Record& record, std::size_t row, const HitOptions& options) {
-  const Part part = asked_part(record, row, options);
-  const ForceSurvey survey =
-      survey_force(record, row, {.trigger_N = options.trigger_N, .first = part.first, .last = part.last});
-  const auto length = asked_length(record, options);
+  const SampleRange part = select_time_range(record, row, options);
+  const TriggerScan trigger_scan =
+      scan_for_triggers(record, row, {.trigger_N = options.trigger_N, .first = part.first, .last = part.last});
+  const auto length = selected_length(record, options);
   std::vector<Hit> hits;
-  for (std::size_t e = 0; e < survey.events.size(); ++e) {
-    const Part stretch = stretch_of(survey, e, part, pretrigger_samples(record, options), length);
+  for (std::size_t e = 0; e < trigger_scan.events.size(); ++e) {
+    const SampleRange stretch = stretch_of(trigger_scan, e, part, pretrigger_samples(record, options), length);
     const std::size_t scan = scan_samples(record.fs_Hz);
-    const std::size_t begin = std::min(stretch.first, scan_begin(survey, e, part, scan));
+    const std::size_t begin = std::min(stretch.first, scan_begin(trigger_scan, e, part, scan));
     const std::size_t end =
-        options.gate_force ? std::min(stretch.last, survey.events[e] + read_samples(record.fs_Hz)) : stretch.last;
-    const auto all = force_between(record, row, begin, end, survey.baseline_N);
+        options.gate_force ? std::min(stretch.last, trigger_scan.events[e] + read_samples(record.fs_Hz)) : stretch.last;
+    const auto all = force_between(record, row, begin, end, trigger_scan.baseline_N);
     const auto x = std::span(all).subspan(stretch.first - begin);
-    const std::size_t peak = survey.events[e] - stretch.first;
-    if (!is_pulse(x, peak, survey.noise_N, record.fs_Hz)) continue;
+    const std::size_t peak = trigger_scan.events[e] - stretch.first;
+    if (!is_pulse(x, peak, trigger_scan.noise_N, record.fs_Hz)) continue;
     Hit hit{.row = row,
             .first = stretch.first,
             .samples = stretch.last - stretch.first,
-            .noise_N = survey.noise_N,
-            .baseline_N = survey.baseline_N};
+            .noise_N = trigger_scan.noise_N,
+            .baseline_N = trigger_scan.baseline_N};
     describe_pulse(hit, x, peak, record.fs_Hz, options);
-    look_for_second(hit, all, survey.events[e] - begin, record.fs_Hz);
+    look_for_second(hit, all, trigger_scan.events[e] - begin, record.fs_Hz);
     hits.push_back(std::move(hit));
   }
-  if (hits.empty()) hits.push_back(without_pulse(row, part, survey, options));
+  if (hits.empty()) hits.push_back(without_pulse(row, part, trigger_scan, options));
   return hits;
 }
 
@@ -226,14 +228,14 @@ std::vector<Hit> find_hits(const Record& record, const HitOptions& options) {
   const bool search = record.continuous || record.rows.size() == 1;
   std::vector<std::vector<Hit>> of_row(record.rows.size());
   plan_bandwidths();
-  share_out(of_row.size(), record.rows.empty() ? 0 : record.rows.front().samples, [&](std::size_t row) {
+  parallel_for_cost(of_row.size(), record.rows.empty() ? 0 : record.rows.front().samples, [&](std::size_t row) {
     of_row[row] = search ? hits_in_row(record, row, options) : std::vector{hit_of_row(record, row, options)};
   });
   std::vector<Hit> hits;
   for (std::vector<Hit>& row : of_row)
     hits.insert(hits.end(), std::move_iterator(row.begin()), std::move_iterator(row.end()));
   grade_weak(hits);
-  grade_shared_rail(hits, record);
+  grade_force_clipping(hits, record);
   return hits;
 }
 

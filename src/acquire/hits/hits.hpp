@@ -20,9 +20,9 @@ struct Hit {
   double bandwidth_Hz = 0;  // where the force spectrum has fallen 20 dB below its largest line
   double noise_N = 0;       // deviation of the force channel's noise
   double baseline_N = 0;
-  std::size_t gate_first = 0;   // first sample of `gated_N` in the row
-  std::vector<double> gated_N;  // the pulse with the anti-alias filter's ringing, baseline removed; zero outside
-  std::vector<double> whole_N;  // the whole stretch, baseline removed; empty unless HitOptions::gate_force is off
+  std::size_t gate_first = 0;     // first sample of `gated_N` in the row
+  std::vector<double> gated_N;    // the pulse with the anti-alias filter's ringing, baseline removed; zero outside
+  std::vector<double> ungated_N;  // the whole stretch, baseline removed; empty unless HitOptions::gate_force is off
   std::vector<Finding> findings;
 };
 

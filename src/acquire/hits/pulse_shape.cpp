@@ -11,16 +11,17 @@
 namespace percuss {
 namespace {
 
-constexpr double kFoot = 0.05;  // of the peak: above the ringing of a brick-wall filter, below any real pulse's flank
-constexpr std::size_t kRinging = 72;        // samples: twice the reach of delta-sigma converters' filters down to 1e-8
-constexpr double kGateNoise = 4;            // deviations
-constexpr std::size_t kGateGap = 8;         // samples without ringing after which it is over
-constexpr double kGateFloor = 1e-9;         // of the peak
-constexpr double kSecondNoise = 6;          // deviations of the smoothed force
-constexpr double kSecondFraction = 0.005;   // of the peak; smaller ones change no FRF by more than 0.04 dB
-constexpr std::size_t kLeastPadded = 2048;  // samples
-constexpr std::size_t kPadding = 8;         // times the pulse: between lines its spectrum is nearly straight
-constexpr double kBandwidthDrop = 0.1;      // −20 dB
+constexpr double kPulseEdge =
+    0.05;  // of the peak: above the ringing of a brick-wall filter, below any real pulse's flank
+constexpr std::size_t kRinging = 72;       // samples: twice the reach of delta-sigma converters' filters down to 1e-8
+constexpr double kGateNoise = 4;           // deviations
+constexpr std::size_t kGateGap = 8;        // samples without ringing after which it is over
+constexpr double kGateFloor = 1e-9;        // of the peak
+constexpr double kSecondNoise = 6;         // deviations of the smoothed force
+constexpr double kSecondFraction = 0.005;  // of the peak; smaller ones change no FRF by more than 0.04 dB
+constexpr std::size_t kMinPadded = 2048;   // samples
+constexpr std::size_t kPadding = 8;        // times the pulse: between lines its spectrum is nearly straight
+constexpr double kBandwidthDrop = 0.1;     // −20 dB
 
 // Where |x| crosses `level` between samples i and i + 1, as a fractional sample.
 double crossing(double a, double b, double level, double i) { return b == a ? i : i + (level - a) / (b - a); }
@@ -85,7 +86,7 @@ bool looks_like_ringing(std::span<const double> x, std::size_t i) {
 PulseShape shape_of_pulse(std::span<const double> force_N, std::size_t peak) {
   PulseShape pulse{.peak = peak, .rise = static_cast<double>(peak), .fall = static_cast<double>(peak)};
   const double sign = force_N[peak] < 0 ? -1 : 1;
-  const double level = kFoot * std::abs(force_N[peak]);
+  const double level = kPulseEdge * std::abs(force_N[peak]);
   std::size_t i = peak;
   while (i > 0 && sign * force_N[i - 1] >= level) --i;
   pulse.starts_inside = i > 0;
@@ -154,11 +155,11 @@ std::optional<SecondPulse> second_pulse(std::span<const double> force_N, const P
   return best;
 }
 
-void plan_bandwidths() { plan_real_dft(kLeastPadded); }
+void plan_bandwidths() { plan_real_dft(kMinPadded); }
 
 double bandwidth_Hz(std::span<const double> pulse, double fs_Hz) {
   // A power of two: each other length would want a plan of its own.
-  std::vector<double> padded(std::bit_ceil(std::max(kLeastPadded, kPadding * pulse.size())));
+  std::vector<double> padded(std::bit_ceil(std::max(kMinPadded, kPadding * pulse.size())));
   std::copy(pulse.begin(), pulse.end(), padded.begin());
   const auto spectrum = real_dft_in_scratch(padded);
   double largest = 0;  // as power

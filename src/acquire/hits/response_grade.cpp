@@ -15,24 +15,25 @@ namespace {
 
 constexpr double kDecayed_dB = -52;         // six time constants: truncation changes an FRF by less than 0.5 %, [12]
 constexpr double kAboveNoise = 2;           // times the pre-trigger's rms: what is left is ringing
-constexpr std::size_t kLeastQuiet = 12;     // samples before the pulse's ringing that can tell noise
+constexpr std::size_t kMinQuiet = 12;       // samples before the pulse's ringing that can tell noise
 constexpr std::size_t kQuietSamples = 256;  // a deviation good to 7 %: thresholds ask for no more
 constexpr double kOnsetNoise = 6;           // deviations
 constexpr double kOnsetFraction = 0.02;     // of the largest response
-constexpr std::size_t kLeastPush = 4;       // samples
-constexpr double kSetOut = 0.25;            // of the largest velocity during two pulses
-constexpr double kOtherWay = 0.05;      // … before that the other way: the modes cancel at first, and noise decides
+constexpr std::size_t kMinPush = 4;         // samples
+constexpr double kMinOnsetVelocity = 0.25;  // of the largest velocity during two pulses
+constexpr double kMaxOppositeVelocity =
+    0.05;                               // … before that the other way: the modes cancel at first, and noise decides
 constexpr double kRingingBefore = 4;    // times the level at the stretch's end
 constexpr double kNegligible = 0.0025;  // of the response: the same −52 dB
 constexpr std::size_t kEnvelopeWindows = 64;
 constexpr double kSteady = 1.5;            // the level one quarter earlier over the last quarter's; backgrounds wander
-constexpr double kSunk = 2;                // times the final level
+constexpr double kBackgroundFactor = 2;    // times the final level
 constexpr double kStillFalling = 0.9;      // of the rms one window earlier
 constexpr double kCoarseStep = 1e-5;       // of the largest response: at 5e-5 (16 bits) they begin to make modes
 constexpr std::size_t kStepSamples = 512;  // some of them change by a single step
 constexpr std::size_t kUnblurredEnd = 64;  // samples without change, which noise of a third of a step would break
 // An exponential that falls by less than this over the record looks as steady as a background by its last quarters.
-constexpr double kFallen = kSteady * kSteady * kSteady * kSteady;
+constexpr double kMinDecay = kSteady * kSteady * kSteady * kSteady;
 
 double rms_about_mean(std::span<const double> x) {
   if (x.empty()) return 0;
@@ -62,12 +63,11 @@ void grade_end(ResponseGrade& grade, const Hit& hit, std::span<const double> acc
   const double end = rms_about_mean(accel.last(window));
   const double before_end = rms_about_mean(accel.subspan(accel.size() - 2 * window, window));
   if (!(start > 0)) return;
-  grade.left_dB = 20 * std::log10(std::max(end, 1e-300) / start);
+  grade.end_level_dB = 20 * std::log10(std::max(end, 1e-300) / start);
   const auto quiet = quiet_part(hit, accel);
-  const bool above_noise = quiet.size() >= kLeastQuiet && !grade.rings_before
-                               ? end > kAboveNoise * rms_about_mean(quiet)
-                               : end < kStillFalling * before_end;
-  grade.truncated = grade.left_dB > kDecayed_dB && above_noise;
+  const bool above_noise = quiet.size() >= kMinQuiet && !grade.rings_before ? end > kAboveNoise * rms_about_mean(quiet)
+                                                                            : end < kStillFalling * before_end;
+  grade.truncated = grade.end_level_dB > kDecayed_dB && above_noise;
 }
 
 // The pre-trigger rings when it stands well above the stretch's end (noise does not decay) and is no mere rounding
@@ -75,7 +75,7 @@ void grade_end(ResponseGrade& grade, const Hit& hit, std::span<const double> acc
 bool rings_before(const Hit& hit, std::span<const double> accel) {
   const auto quiet = quiet_part(hit, accel);
   const std::size_t window = std::max<std::size_t>(8, accel.size() / 20);
-  if (quiet.size() < kLeastQuiet || accel.size() < std::max(quiet.size() + window, 4 * window)) return false;
+  if (quiet.size() < kMinQuiet || accel.size() < std::max(quiet.size() + window, 4 * window)) return false;
   const double before = rms_about_mean(quiet);
   const double start = rms_about_mean(accel.subspan(quiet.size(), window));
   return before > kRingingBefore * rms_about_mean(accel.last(window)) && before > kNegligible * start;
@@ -83,7 +83,7 @@ bool rings_before(const Hit& hit, std::span<const double> accel) {
 
 // Which way a response sets out: the sign of its velocity once that has become large beside what the push makes of it.
 // A sample of acceleration may be the anti-alias filter's ringing, which goes both ways and leaves no velocity.
-int first_direction(std::span<const double> accel, double rest, double noise) {
+int initial_polarity(std::span<const double> accel, double rest, double noise) {
   std::vector<double> velocity(accel.size());
   double sum = 0, largest = 0;
   for (std::size_t n = 0; n < accel.size(); ++n) {
@@ -92,26 +92,26 @@ int first_direction(std::span<const double> accel, double rest, double noise) {
   }
   if (largest < kOnsetNoise * noise * std::sqrt(static_cast<double>(accel.size()))) return 0;
   if (!(largest > 0)) return 0;
-  const auto first =
-      std::find_if(velocity.begin(), velocity.end(), [&](double v) { return std::abs(v) >= kSetOut * largest; });
+  const auto first = std::find_if(velocity.begin(), velocity.end(),
+                                  [&](double v) { return std::abs(v) >= kMinOnsetVelocity * largest; });
   const int sign = *first > 0 ? 1 : -1;
   const bool other_way =
-      std::any_of(velocity.begin(), first, [&](double v) { return -sign * v > kOtherWay * largest; });
+      std::any_of(velocity.begin(), first, [&](double v) { return -sign * v > kMaxOppositeVelocity * largest; });
   return other_way ? 0 : sign;
 }
 
 void grade_onset(ResponseGrade& grade, const Hit& hit, std::span<const double> accel, const Extremes& extremes,
                  const Spread& before, double fs_Hz) {
   const auto [rest, noise] = before;
-  const double largest = extremes.furthest_from(rest);
+  const double largest = extremes.max_distance_from(rest);
   const double level = std::max(kOnsetNoise * noise, kOnsetFraction * largest);
   if (!(level > 0)) return;
   const double onset = hit.onset_s * fs_Hz - static_cast<double>(hit.first);
   auto i = static_cast<std::size_t>(std::max(0.0, std::floor(onset) - 2));
   while (i < accel.size() && std::abs(accel[i] - rest) < level) ++i;
   const auto push = static_cast<std::size_t>(std::ceil(2 * hit.pulse_s * fs_Hz));
-  const std::size_t end = std::min(accel.size(), i + std::max(kLeastPush, push));
-  grade.polarity = first_direction(accel.subspan(i, end - i), rest, noise);
+  const std::size_t end = std::min(accel.size(), i + std::max(kMinPush, push));
+  grade.polarity = initial_polarity(accel.subspan(i, end - i), rest, noise);
   if (grade.polarity == 0) return;
   while (i < end && grade.polarity * (accel[i] - rest) < level) ++i;  // past ringing to the other side
   grade.delay_s = std::max(0.0, (static_cast<double>(i) - onset) / fs_Hz);
@@ -127,7 +127,7 @@ double coarse_step(std::span<const double> accel, double largest) {
   return step > kCoarseStep * largest ? step / largest : 0;
 }
 
-std::size_t decayed_within(const Hit& hit, std::size_t samples, const LookAtSamples& accel_mps2) {
+std::size_t decayed_within(const Hit& hit, std::size_t samples, const SampleWindow& accel_mps2) {
   const std::size_t after = std::min(samples, hit.gate_first - hit.first + hit.gated_N.size());
   const std::size_t window = (samples - after) / kEnvelopeWindows;
   if (window < 8) return samples;
@@ -140,10 +140,10 @@ std::size_t decayed_within(const Hit& hit, std::size_t samples, const LookAtSamp
       {level.end() - static_cast<std::ptrdiff_t>(2 * quarter), level.end() - static_cast<std::ptrdiff_t>(quarter)});
   if (!(final_level > 0) || earlier > kSteady * final_level) return samples;
   const std::size_t quiet = quiet_samples(hit, samples);
-  const bool seen_before = quiet >= kLeastQuiet && kSunk * rms_about_mean(accel_mps2(0, quiet)) > final_level;
-  if (!seen_before && *std::max_element(level.begin(), level.end()) < kFallen * final_level) return samples;
+  const bool seen_before = quiet >= kMinQuiet && kBackgroundFactor * rms_about_mean(accel_mps2(0, quiet)) > final_level;
+  if (!seen_before && *std::max_element(level.begin(), level.end()) < kMinDecay * final_level) return samples;
   std::size_t sunk = kEnvelopeWindows;
-  while (sunk > 0 && level[sunk - 1] < kSunk * final_level) --sunk;
+  while (sunk > 0 && level[sunk - 1] < kBackgroundFactor * final_level) --sunk;
   return std::min(samples, after + 2 * std::max<std::size_t>(sunk, 1) * window);
 }
 
@@ -158,24 +158,24 @@ double finest_change(std::span<const double> accel) {
 ResponseGrade grade_response(const Hit& hit, std::span<const double> accel_mps2, double fs_Hz) {
   ResponseGrade grade;
   if (hit.gated_N.empty() || accel_mps2.size() <= hit.peak - hit.first) return grade;
-  const std::vector<Extremes> blocks = block_extremes(accel_mps2, kRailBlock);
+  const std::vector<Extremes> blocks = block_extremes(accel_mps2, kClippingBlock);
   const Extremes extremes = extremes_of(blocks);
   grade.extremes = extremes;
   grade.resolution = finest_change(accel_mps2);
   grade.dead = extremes.low == extremes.high;
   if (grade.dead) return grade;
   const auto quiet = quiet_part(hit, accel_mps2);
-  const Spread before = spread_of(thinned(quiet, kQuietSamples));
+  const Spread before = spread_of(subsampled(quiet, kQuietSamples));
   const double resting = quiet.empty() ? level_at_end(accel_mps2) : before.median;
-  grade.rail_samples = samples_at_rail(accel_mps2, blocks, accel_mps2, resting);
+  grade.clipped_samples = count_clipped_samples(accel_mps2, blocks, accel_mps2, resting);
   grade.rings_before = rings_before(hit, accel_mps2);
   grade_end(grade, hit, accel_mps2);
   grade_onset(grade, hit, accel_mps2, extremes, before, fs_Hz);
-  grade.coarse_step = coarse_step(accel_mps2, extremes.furthest_from(resting));
+  grade.coarse_step = coarse_step(accel_mps2, extremes.max_distance_from(resting));
   return grade;
 }
 
-std::size_t decayed_length(const Hit& hit, std::size_t samples, const LookAtSamples& accel_mps2) {
+std::size_t decayed_length(const Hit& hit, std::size_t samples, const SampleWindow& accel_mps2) {
   for (;;) {
     const std::size_t shorter = decayed_within(hit, samples, accel_mps2);
     if (2 * shorter > samples) return std::min(shorter, samples);
@@ -187,8 +187,8 @@ void add_response_findings(Hit& hit, const std::vector<ResponseGrade>& channels)
   const ResponseGrade* worst = nullptr;
   std::size_t rail = 0;
   for (const ResponseGrade& grade : channels) {
-    rail = std::max(rail, grade.rail_samples);
-    if (grade.truncated && (worst == nullptr || grade.left_dB > worst->left_dB)) worst = &grade;
+    rail = std::max(rail, grade.clipped_samples);
+    if (grade.truncated && (worst == nullptr || grade.end_level_dB > worst->end_level_dB)) worst = &grade;
   }
   if (rail > 0) {
     hit.findings.push_back(
@@ -202,10 +202,10 @@ void add_response_findings(Hit& hit, const std::vector<ResponseGrade>& channels)
     hit.findings.push_back(
         {.code = FindingCode::truncated_decay,
          .severity = Severity::warn,
-         .value = worst->left_dB,
+         .value = worst->end_level_dB,
          .message = fmt::format("still ringing at the end, {:.0f} dB below the start: record longer, or rely on the "
                                 "fitted damping, which allows for it",
-                                -worst->left_dB)});
+                                -worst->end_level_dB)});
   }
 }
 

@@ -11,20 +11,20 @@ namespace {
 
 constexpr std::size_t kPretriggerSamples = 128;
 constexpr double kPretrigger_s = 0.005;
-constexpr double kMostSamples = 1e15;  // of any record
+constexpr double kMaxSamples = 1e15;  // of any record
 
 std::size_t samples_in(double seconds, double fs_Hz) {
-  return static_cast<std::size_t>(std::clamp(seconds * fs_Hz, 0.0, kMostSamples));
+  return static_cast<std::size_t>(std::clamp(seconds * fs_Hz, 0.0, kMaxSamples));
 }
 
 }  // namespace
 
-Part asked_part(const Record& record, std::size_t row, const HitOptions& options) {
+SampleRange select_time_range(const Record& record, std::size_t row, const HitOptions& options) {
   const std::size_t samples = record.rows[row].samples;
   const auto index = [&](double t) {
     return static_cast<std::size_t>(std::clamp(t * record.fs_Hz, 0.0, static_cast<double>(samples)));
   };
-  const Part part{index(options.from_s), options.to_s ? index(*options.to_s) : samples};
+  const SampleRange part{index(options.from_s), options.to_s ? index(*options.to_s) : samples};
   if (part.first < part.last) return part;
   throw InputError(fmt::format("nothing lies between --from {} and --to {}: the row is {:.6g} s long", options.from_s,
                                options.to_s ? fmt::format("{}", *options.to_s) : "the end",
@@ -38,7 +38,7 @@ std::size_t pretrigger_samples(const Record& record, const HitOptions& options) 
   return std::max(kPretriggerSamples, static_cast<std::size_t>(kPretrigger_s * record.fs_Hz));
 }
 
-std::optional<std::size_t> asked_length(const Record& record, const HitOptions& options) {
+std::optional<std::size_t> selected_length(const Record& record, const HitOptions& options) {
   if (!options.length_s) return std::nullopt;
   const std::size_t samples = samples_in(*options.length_s, record.fs_Hz);
   if (samples > 1) return samples;

@@ -8,14 +8,14 @@
 namespace percuss {
 
 /// Samples first … last − 1 of a row.
-struct Part {
+struct SampleRange {
   std::size_t first, last;
 };
 
 /// The user's seconds, where there are any, in samples.
 /// errors  InputError when nothing lies between `from_s` and `to_s`, when `length_s` holds fewer than two samples.
-Part asked_part(const Record& record, std::size_t row, const HitOptions& options);
+SampleRange select_time_range(const Record& record, std::size_t row, const HitOptions& options);
 std::size_t pretrigger_samples(const Record& record, const HitOptions& options);
-std::optional<std::size_t> asked_length(const Record& record, const HitOptions& options);
+std::optional<std::size_t> selected_length(const Record& record, const HitOptions& options);
 
 }  // namespace percuss

@@ -29,16 +29,16 @@ Envelope envelope_of(const Record& record, std::size_t row, std::size_t first, s
   const std::size_t used = (last - first + size - 1) / size;
   std::vector<std::vector<Extremes>> blocks(used);
   Envelope envelope{.blocks = {}, .chunk_median = std::vector<double>(used), .chunk_noise = std::vector<double>(used)};
-  share_out(used, size, [&](std::size_t c) {
+  parallel_for_cost(used, size, [&](std::size_t c) {
     thread_local std::vector<double> buffer;  // one per thread, not one per chunk
     std::vector<double> some;
     const std::size_t begin = first + c * size, end = std::min(begin + size, last);
     for (std::size_t at = begin; at < end; at += kPart) {
-      const auto part = record.read_force_N.look(row, at, std::min(kPart, end - at), buffer);
+      const auto part = record.read_force_N.view_or_read(row, at, std::min(kPart, end - at), buffer);
       const std::vector<Extremes> its_blocks = block_extremes(part, kBlock);
       blocks[c].insert(blocks[c].end(), its_blocks.begin(), its_blocks.end());
       const std::size_t its_share = std::max<std::size_t>(1, kNoiseSamples * part.size() / (end - begin));
-      for (const double value : thinned(part, its_share)) some.push_back(value);
+      for (const double value : subsampled(part, its_share)) some.push_back(value);
     }
     const Spread subset = spread_of(std::move(some));
     envelope.chunk_median[c] = subset.median;
@@ -49,48 +49,48 @@ Envelope envelope_of(const Record& record, std::size_t row, std::size_t first, s
 }
 
 // The envelope knows the block; the sample within it is read again.
-std::size_t largest_sample(const Record& record, std::size_t row, std::size_t begin, std::size_t end, double baseline) {
+std::size_t index_of_max(const Record& record, std::size_t row, std::size_t begin, std::size_t end, double baseline) {
   std::vector<double> buffer;
-  const auto x = record.read_force_N.look(row, begin, end - begin, buffer);
+  const auto x = record.read_force_N.view_or_read(row, begin, end - begin, buffer);
   const auto further = [&](double a, double b) { return std::abs(a - baseline) < std::abs(b - baseline); };
   return begin + static_cast<std::size_t>(std::max_element(x.begin(), x.end(), further) - x.begin());
 }
 
 }  // namespace
 
-ForceSurvey survey_force(const Record& record, std::size_t row, const TriggerOptions& options) {
-  ForceSurvey survey;
+TriggerScan scan_for_triggers(const Record& record, std::size_t row, const TriggerOptions& options) {
+  TriggerScan scan;
   const std::size_t last = std::min(options.last, record.rows.at(row).samples);
-  if (options.first >= last) return survey;
+  if (options.first >= last) return scan;
   const Envelope envelope = envelope_of(record, row, options.first, last);
-  survey.baseline_N = median(envelope.chunk_median);
-  survey.noise_N = median(envelope.chunk_noise);
+  scan.baseline_N = median(envelope.chunk_median);
+  scan.noise_N = median(envelope.chunk_noise);
   std::vector<double> reach(envelope.blocks.size());
-  for (std::size_t b = 0; b < reach.size(); ++b) reach[b] = envelope.blocks[b].furthest_from(survey.baseline_N);
+  for (std::size_t b = 0; b < reach.size(); ++b) reach[b] = envelope.blocks[b].max_distance_from(scan.baseline_N);
   const auto largest = std::max_element(reach.begin(), reach.end());
-  survey.largest_N = *largest;
+  scan.largest_N = *largest;
   const std::size_t begin = options.first + static_cast<std::size_t>(largest - reach.begin()) * kBlock;
-  survey.largest_first = begin;
-  survey.largest_end = std::min(begin + kBlock, last);
-  survey.trigger_N =
-      options.trigger_N.value_or(std::max(kTriggerNoise * survey.noise_N, kTriggerFraction * survey.largest_N));
-  if (!(survey.largest_N > 0)) return survey;
+  scan.largest_first = begin;
+  scan.largest_end = std::min(begin + kBlock, last);
+  scan.trigger_N =
+      options.trigger_N.value_or(std::max(kTriggerNoise * scan.noise_N, kTriggerFraction * scan.largest_N));
+  if (!(scan.largest_N > 0)) return scan;
 
   const auto separation = static_cast<std::size_t>(options.separation_s * record.fs_Hz) / kBlock + 1;
   for (std::size_t b = 0; b < reach.size(); ++b) {
-    if (reach[b] < survey.trigger_N) continue;
+    if (reach[b] < scan.trigger_N) continue;
     const std::size_t end = std::min(b + separation, reach.size());
     std::size_t best = b;
     for (std::size_t i = b; i < end; ++i) {
       if (reach[i] > reach[best]) best = i;
     }
     const std::size_t begin_sample = options.first + best * kBlock;
-    survey.events.push_back(
-        largest_sample(record, row, begin_sample, std::min(begin_sample + kBlock, last), survey.baseline_N));
+    scan.events.push_back(
+        index_of_max(record, row, begin_sample, std::min(begin_sample + kBlock, last), scan.baseline_N));
     // Go on after the event's own separation, counted from its largest block, so that its decay is not a second event.
     b = std::max(best + separation, end) - 1;
   }
-  return survey;
+  return scan;
 }
 
 }  // namespace percuss

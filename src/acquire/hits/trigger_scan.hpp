@@ -8,7 +8,7 @@
 namespace percuss {
 
 /// Where a row's force rises out of its noise.
-struct ForceSurvey {
+struct TriggerScan {
   double baseline_N = 0;                           // median over the row
   double noise_N = 0;                              // robust standard deviation about it
   double largest_N = 0;                            // largest |force − baseline| …
@@ -28,6 +28,6 @@ struct TriggerOptions {
 /// The threshold is max(12 noise deviations, 1 % of the largest) unless given. An event is the largest sample within
 /// `separation_s` of the first one above the threshold.
 /// theory (1.2)
-ForceSurvey survey_force(const Record& record, std::size_t row, const TriggerOptions& options = {});
+TriggerScan scan_for_triggers(const Record& record, std::size_t row, const TriggerOptions& options = {});
 
 }  // namespace percuss

@@ -51,8 +51,8 @@ class OpenFile {
 bool scale(std::span<double> values, double factor) {
   Eigen::Map<Eigen::ArrayXd> all(values.data(), static_cast<Eigen::Index>(values.size()));
   if (factor != 1) all *= factor;
-  if (all.abs().sum() <= kLargestSample) return true;  // no number can be larger than all together
-  return std::all_of(values.begin(), values.end(), [](double value) { return std::abs(value) <= kLargestSample; });
+  if (all.abs().sum() <= kMaxSample) return true;  // no number can be larger than all together
+  return std::all_of(values.begin(), values.end(), [](double value) { return std::abs(value) <= kMaxSample; });
 }
 
 template <class Stored>
@@ -68,7 +68,7 @@ void read_piece(const OpenFile& file, std::uint64_t offset, std::span<double> ou
 }
 
 // False when a number is none that a measurement could give.
-bool read_samples(const OpenFile& file, const PlainSignal& signal, std::size_t row, std::size_t first,
+bool read_samples(const OpenFile& file, const ContiguousSignal& signal, std::size_t row, std::size_t first,
                   std::span<double> out) {
   const std::uint64_t start = signal.offset_bytes + row * signal.row_step_bytes + first * signal.number_bytes;
   for (std::size_t done = 0; done < out.size(); done += kPiece) {
@@ -86,18 +86,18 @@ bool read_samples(const OpenFile& file, const PlainSignal& signal, std::size_t r
 
 }  // namespace
 
-Record read_plainly(Record record) {
-  const bool known = record.plain.size() == record.accel.size() + 1 && record.files.size() == 1;
+Record with_contiguous_readers(Record record) {
+  const bool known = record.contiguous.size() == record.accel.size() + 1 && record.files.size() == 1;
   if (!known || std::endian::native != std::endian::little) return record;
   const auto file = std::make_shared<const OpenFile>(record.files.front().path);
   if (!file->good()) return record;
   if (record.has_force) {
-    record.read_force_N = [file, signal = record.plain.front(), other = record.read_force_N](
+    record.read_force_N = [file, signal = record.contiguous.front(), other = record.read_force_N](
                               std::size_t row, std::size_t first, std::span<double> out) {
       if (!read_samples(*file, signal, row, first, out)) other(row, first, out);
     };
   }
-  record.read_accel_mps2 = [file, signals = record.plain, other = record.read_accel_mps2](
+  record.read_accel_mps2 = [file, signals = record.contiguous, other = record.read_accel_mps2](
                                std::size_t row, std::size_t channel, std::size_t first, std::span<double> out) {
     if (!read_samples(*file, signals[channel + 1], row, first, out)) other(row, channel, first, out);
   };

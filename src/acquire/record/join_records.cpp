@@ -60,7 +60,7 @@ struct Joined {
 
 }  // namespace
 
-Record join_records(std::vector<Record> records, FilesMean mean) {
+Record join_records(std::vector<Record> records, FileGrouping mean) {
   if (records.empty()) throw InputError("nothing to join", "no files", "name at least one file");
   if (records.size() == 1) return std::move(records.front());
   Record out = records.front();
@@ -77,7 +77,7 @@ Record join_records(std::vector<Record> records, FilesMean mean) {
     for (std::size_t row = 0; row < record.rows.size(); ++row) {
       RowInfo info = record.rows[row];
       info.file += out.files.size();
-      if (mean == FilesMean::points) info.point += points;
+      if (mean == FileGrouping::points) info.point += points;
       out.rows.push_back(info);
       joined->rows.push_back({r, row});
     }

@@ -36,7 +36,7 @@ struct RowInfo {
 };
 
 /// Where a signal's numbers lie in its file, one after the other: IEEE floats of 4 or 8 bytes, the lowest byte first.
-struct PlainSignal {
+struct ContiguousSignal {
   std::uint64_t offset_bytes = 0;    // of the first row's first number
   std::uint64_t row_step_bytes = 0;  // from row to row
   std::uint64_t number_bytes = 8;
@@ -59,7 +59,7 @@ struct Record {
   bool continuous = false;                    // every row may hold several hits
   std::vector<std::vector<double>> geometry;  // [points][2 or 3], as stored, NaN for points without; may be empty
   std::vector<TraceLine> trace_lines;         // may be empty
-  std::vector<PlainSignal> plain;             // the force and each channel, where all lie plainly in one file
+  std::vector<ContiguousSignal> contiguous;   // the force and each channel, where all lie plainly in one file
   std::vector<std::string> notes;             // what was assumed or could not be read, one line each
   /// The (first) file's path, or what it is where there is no file: names the record in messages.
   std::string source() const { return files.empty() ? format : files.front().path; }
@@ -97,10 +97,10 @@ struct ReadOptions {
   std::vector<double> angle_rad, position_m;         // per acceleration channel
   std::vector<ChannelSetup> setup;
   bool force_optional = false;  // a file without a force is no error (MAT files excepted)
-  bool confined = false;        // read binary files of others' libraries in a process of its own (confined_process.hpp)
+  bool sandboxed = false;       // read binary files of others' libraries in a process of its own (confined_process.hpp)
 };
 
-enum class FilesMean { automatic, hits, points, tests };
+enum class FileGrouping { automatic, hits, points, tests };
 
 /// Opens one file of any kind that percuss reads ("-" is standard input) and describes it. Throws InputError.
 Record open_record(const std::string& path, const ReadOptions& options = {});
@@ -108,7 +108,7 @@ Record open_record(const std::string& path, const ReadOptions& options = {});
 /// Several files as one record: more hits of one test (same point), or one point each. Automatic is hits. Sampling
 /// rates and the number and order of channels must agree. InputError names the file that differs. A single record
 /// passes through unchanged.
-Record join_records(std::vector<Record> records, FilesMean mean);
+Record join_records(std::vector<Record> records, FileGrouping mean);
 
 /// The rows of `record` for which keep(row) holds, as a record of its own.
 Record select_rows(const Record& record, const std::function<bool(const RowInfo&)>& keep);

@@ -25,8 +25,8 @@ class SampleReader {
   /// Fills `out` with the samples first … first + out.size() − 1.
   void operator()(Place... place, std::size_t first, std::span<double> out) const { read_(place..., first, out); }
   /// Samples first … first + count − 1 where they lie, or read into `buffer`.
-  std::span<const double> look(Place... place, std::size_t first, std::size_t count,
-                               std::vector<double>& buffer) const {
+  std::span<const double> view_or_read(Place... place, std::size_t first, std::size_t count,
+                                       std::vector<double>& buffer) const {
     if (view_) return view_(place...).subspan(first, count);
     buffer.resize(count);
     read_(place..., first, buffer);

@@ -10,7 +10,7 @@
 namespace percuss {
 namespace {
 
-constexpr std::size_t kDescriptors = std::tuple_size_v<decltype(NurseryLetter::descriptors)>;
+constexpr std::size_t kDescriptors = std::tuple_size_v<decltype(ForkRequest::descriptors)>;
 constexpr std::size_t kLongestPath = PATH_MAX;
 
 // A message in the form the kernel wants it in, with room for the descriptors.
@@ -19,14 +19,14 @@ struct Message {
   alignas(cmsghdr) std::array<char, CMSG_SPACE(kDescriptors * sizeof(int))> control{};
   msghdr header{};
 
-  Message(NurseryQuestion& question, char* path, std::size_t path_bytes) {
-    parts = {iovec{&question, sizeof question}, iovec{path, path_bytes}};
+  Message(ForkCommand& command, char* path, std::size_t path_bytes) {
+    parts = {iovec{&command, sizeof command}, iovec{path, path_bytes}};
     header.msg_iov = parts.data();
     header.msg_iovlen = parts.size();
   }
   Message(const Message&) = delete;
   Message& operator=(const Message&) = delete;
-  void make_room() {
+  void attach_control_buffer() {
     header.msg_control = control.data();
     header.msg_controllen = control.size();
   }
@@ -34,12 +34,12 @@ struct Message {
 
 }  // namespace
 
-bool send_letter(int socket, const NurseryLetter& letter) {
-  if (letter.path.size() > kLongestPath) return false;
-  NurseryLetter copy = letter;
-  Message message(copy.question, copy.path.data(), copy.path.size());
+bool send_fork_request(int socket, const ForkRequest& request) {
+  if (request.path.size() > kLongestPath) return false;
+  ForkRequest copy = request;
+  Message message(copy.command, copy.path.data(), copy.path.size());
   if (copy.descriptors.front() >= 0) {
-    message.make_room();
+    message.attach_control_buffer();
     cmsghdr* const first = CMSG_FIRSTHDR(&message.header);
     first->cmsg_level = SOL_SOCKET;
     first->cmsg_type = SCM_RIGHTS;
@@ -49,20 +49,20 @@ bool send_letter(int socket, const NurseryLetter& letter) {
   return ::sendmsg(socket, &message.header, MSG_NOSIGNAL) >= 0;
 }
 
-std::optional<NurseryLetter> receive_letter(int socket) {
-  NurseryLetter letter{.question = {}, .path = std::string(kLongestPath, '\0')};
-  Message message(letter.question, letter.path.data(), letter.path.size());
-  message.make_room();
+std::optional<ForkRequest> receive_fork_request(int socket) {
+  ForkRequest request{.command = {}, .path = std::string(kLongestPath, '\0')};
+  Message message(request.command, request.path.data(), request.path.size());
+  message.attach_control_buffer();
   ssize_t got = -1;
   do {
     got = ::recvmsg(socket, &message.header, MSG_CMSG_CLOEXEC);
   } while (got < 0 && errno == EINTR);
-  if (got < static_cast<ssize_t>(sizeof letter.question)) return std::nullopt;
-  letter.path.resize(static_cast<std::size_t>(got) - sizeof letter.question);
+  if (got < static_cast<ssize_t>(sizeof request.command)) return std::nullopt;
+  request.path.resize(static_cast<std::size_t>(got) - sizeof request.command);
   const cmsghdr* const first = CMSG_FIRSTHDR(&message.header);
   if (first != nullptr && first->cmsg_len == CMSG_LEN(kDescriptors * sizeof(int)))
-    std::memcpy(letter.descriptors.data(), CMSG_DATA(first), kDescriptors * sizeof(int));
-  return letter;
+    std::memcpy(request.descriptors.data(), CMSG_DATA(first), kDescriptors * sizeof(int));
+  return request;
 }
 
 }  // namespace percuss

@@ -14,14 +14,14 @@
 
 namespace percuss {
 
-ReaderNursery::ReaderNursery(const Open& open) {
+ForkServer::ForkServer(const Open& open) {
   std::array<int, 2> ends{};
   const bool paired = ::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) == 0;
   process_ = paired ? ::fork() : -1;
   if (process_ == 0) {
     ::close(ends[0]);
     try {
-      serve_nursery(ends[1], open);
+      run_fork_server(ends[1], open);
     } catch (...) {
       ::_exit(1);
     }
@@ -35,40 +35,40 @@ ReaderNursery::ReaderNursery(const Open& open) {
                    "close other programs, or give --trust-input");
 }
 
-ReaderNursery::~ReaderNursery() {
+ForkServer::~ForkServer() {
   ::close(descriptor_);
   ::waitpid(process_, nullptr, 0);
 }
 
-int ReaderNursery::start(const std::string& path, int descriptor, int memory) {
+int ForkServer::start(const std::string& path, int descriptor, int memory) {
   const int reader = ++readers_;
-  const bool told = tell({.question = {.kind = kStart, .reader = reader, .processor = ::sched_getcpu()},
+  const bool told = tell({.command = {.kind = kStartReader, .reader = reader, .processor = ::sched_getcpu()},
                           .path = path,
                           .descriptors = {descriptor, memory}});
   return told ? reader : -1;
 }
 
-int ReaderNursery::ended(int reader, int& status) { return ask({.kind = kEnded, .reader = reader}, status); }
-void ReaderNursery::end(int reader, int& status) { ask({.kind = kEnd, .reader = reader}, status); }
-void ReaderNursery::forget(int reader) { tell({.question = {.kind = kForget, .reader = reader}}); }
+int ForkServer::ended(int reader, int& status) { return ask({.kind = kPoll, .reader = reader}, status); }
+void ForkServer::end(int reader, int& status) { ask({.kind = kKillReader, .reader = reader}, status); }
+void ForkServer::release(int reader) { tell({.command = {.kind = kRelease, .reader = reader}}); }
 
-bool ReaderNursery::tell(const NurseryLetter& letter) {
-  if (!send_letter(descriptor_, letter)) lost_ = true;
+bool ForkServer::tell(const ForkRequest& request) {
+  if (!send_fork_request(descriptor_, request)) lost_ = true;
   return !lost_;
 }
 
-int ReaderNursery::ask(const NurseryQuestion& question, int& status) {
-  NurseryAnswer answer;
+int ForkServer::ask(const ForkCommand& command, int& status) {
+  ForkReply reply;
   const std::lock_guard lock(mutex_);
-  if (!tell({.question = question})) return -1;
+  if (!tell({.command = command})) return -1;
   ssize_t got = -1;
   do {
-    got = ::recv(descriptor_, &answer, sizeof answer, 0);
+    got = ::recv(descriptor_, &reply, sizeof reply, 0);
   } while (got < 0 && errno == EINTR);
-  if (got != static_cast<ssize_t>(sizeof answer)) lost_ = true;
+  if (got != static_cast<ssize_t>(sizeof reply)) lost_ = true;
   if (lost_) return -1;
-  status = answer.status;
-  return answer.reader;
+  status = reply.status;
+  return reply.reader;
 }
 
 }  // namespace percuss

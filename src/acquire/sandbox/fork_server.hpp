@@ -8,22 +8,22 @@
 
 namespace percuss {
 
-struct NurseryLetter;
-struct NurseryQuestion;
+struct ForkRequest;
+struct ForkCommand;
 
 /// A small process that forks confined readers for this one. To fork a process that has threads and much memory slows
 /// down all of its threads; this one is forked once, before there are any, and stays small. It ends with the object, or
 /// with this process however that ends.
-class ReaderNursery {
+class ForkServer {
  public:
-  using Open = std::function<ConfinedService(const std::string& path)>;
+  using Open = std::function<SandboxService(const std::string& path)>;
   /// `open` is called in the readers. errors  InputError: no process can be started.
-  explicit ReaderNursery(const Open& open);
-  ~ReaderNursery();
-  ReaderNursery(const ReaderNursery&) = delete;
-  ReaderNursery& operator=(const ReaderNursery&) = delete;
+  explicit ForkServer(const Open& open);
+  ~ForkServer();
+  ForkServer(const ForkServer&) = delete;
+  ForkServer& operator=(const ForkServer&) = delete;
 
-  // For ConfinedProcess; several threads may call at once.
+  // For SandboxProcess; several threads may call at once.
   /// Has a reader started, and does not wait until it is there; it gets copies of the descriptors: to talk, and of the
   /// memory. The reader's number; −1 when nobody can be asked.
   int start(const std::string& path, int descriptor, int memory);
@@ -32,14 +32,14 @@ class ReaderNursery {
   /// Ends a reader, and tells how it ended.
   void end(int reader, int& status);
   /// Ends a reader without waiting until it has; last.
-  void forget(int reader);
+  void release(int reader);
 
   /// Whether it has ended before its time: nobody answers any more.
   bool lost() const { return lost_; }
 
  private:
-  bool tell(const NurseryLetter& letter);
-  int ask(const NurseryQuestion& question, int& status);
+  bool tell(const ForkRequest& request);
+  int ask(const ForkCommand& command, int& status);
 
   std::mutex mutex_;  // from a question to its answer
   std::atomic<int> readers_{0};

@@ -17,30 +17,30 @@
 namespace percuss {
 namespace {
 
-int read_for(const ReaderNursery::Open& open, const std::string& path, int descriptor, int memory) {
+int read_for(const ForkServer::Open& open, const std::string& path, int descriptor, int memory) {
   struct stat status {};
   const std::uint64_t bytes = ::stat(path.c_str(), &status) == 0 ? static_cast<std::uint64_t>(status.st_size) : 0;
   void* const shared = ::mmap(nullptr, kSharedNumbers * sizeof(double), PROT_READ | PROT_WRITE, MAP_SHARED, memory, 0);
   if (shared == MAP_FAILED) return 1;
-  return serve_confined(descriptor, static_cast<double*>(shared), bytes, [&] { return open(path); });
+  return serve_in_sandbox(descriptor, static_cast<double*>(shared), bytes, [&] { return open(path); });
 }
 
 // Whoever asks for a reader sleeps until that one answers, so that its processor is free; the kernel often places a
 // reader where another thread is at work instead. While this lives, this process and what it forks are there.
-class Placed {
+class CpuPinning {
  public:
-  explicit Placed(int processor) {
+  explicit CpuPinning(int processor) {
     if (processor < 0 || processor >= CPU_SETSIZE || ::sched_getaffinity(0, sizeof allowed_, &allowed_) != 0) return;
     cpu_set_t there;
     CPU_ZERO(&there);
     CPU_SET(static_cast<std::size_t>(processor), &there);
     moved_ = ::sched_setaffinity(0, sizeof there, &there) == 0;
   }
-  ~Placed() {
+  ~CpuPinning() {
     if (moved_) ::sched_setaffinity(0, sizeof allowed_, &allowed_);
   }
-  Placed(const Placed&) = delete;
-  Placed& operator=(const Placed&) = delete;
+  CpuPinning(const CpuPinning&) = delete;
+  CpuPinning& operator=(const CpuPinning&) = delete;
 
  private:
   cpu_set_t allowed_{};
@@ -51,42 +51,42 @@ class Placed {
 // would keep everybody else waiting.
 class Readers {
  public:
-  Readers(int own, const ReaderNursery::Open& open) : own_(own), open_(open) {}
+  Readers(int own, const ForkServer::Open& open) : own_(own), open_(open) {}
 
-  void start(const NurseryLetter& letter) {
-    bury();
-    const int process = fork_at(letter.question.processor);
-    if (process > 0) processes_[letter.question.reader] = process;
+  void start(const ForkRequest& request) {
+    reap();
+    const int process = fork_on_cpu(request.command.processor);
+    if (process > 0) processes_[request.command.reader] = process;
     if (process != 0) return;
     ::close(own_);
-    ::_exit(read_for(open_, letter.path, letter.descriptors[0], letter.descriptors[1]));
+    ::_exit(read_for(open_, request.path, request.descriptors[0], request.descriptors[1]));
   }
 
-  NurseryAnswer ended(int reader, int flags) {
-    NurseryAnswer answer;
+  ForkReply ended(int reader, int flags) {
+    ForkReply reply;
     const auto found = processes_.find(reader);
-    if (found == processes_.end()) return answer;
-    const int process = ::waitpid(found->second, &answer.status, flags);
-    if (process == 0) answer.reader = 0;
-    if (process <= 0) return answer;
+    if (found == processes_.end()) return reply;
+    const int process = ::waitpid(found->second, &reply.status, flags);
+    if (process == 0) reply.reader = 0;
+    if (process <= 0) return reply;
     processes_.erase(found);
-    answer.reader = reader;
-    return answer;
+    reply.reader = reader;
+    return reply;
   }
 
-  NurseryAnswer end(int reader) {
+  ForkReply end(int reader) {
     kill(reader);
     return ended(reader, 0);
   }
 
-  void forget(int reader) {
+  void release(int reader) {
     kill(reader);
-    forgotten_.insert(reader);
+    released_.insert(reader);
   }
 
  private:
-  static int fork_at(int processor) {
-    const Placed there(processor);
+  static int fork_on_cpu(int processor) {
+    const CpuPinning there(processor);
     return ::fork();
   }
   // It is not buried yet, so that the process number is its own.
@@ -94,34 +94,34 @@ class Readers {
     const auto found = processes_.find(reader);
     if (found != processes_.end()) ::kill(found->second, SIGKILL);
   }
-  void bury() {
-    std::erase_if(forgotten_, [&](int reader) { return ended(reader, WNOHANG).reader != 0; });
+  void reap() {
+    std::erase_if(released_, [&](int reader) { return ended(reader, WNOHANG).reader != 0; });
   }
 
   int own_;
-  const ReaderNursery::Open& open_;
+  const ForkServer::Open& open_;
   std::map<int, int> processes_;  // of readers that are not buried
-  std::set<int> forgotten_;
+  std::set<int> released_;
 };
 
 }  // namespace
 
-void serve_nursery(int own, const ReaderNursery::Open& open) {
+void run_fork_server(int own, const ForkServer::Open& open) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_IGN);  // its parent's affair
   hdf5::start_library();                                                            // once for all readers
   Readers readers(own, open);
-  while (const auto letter = receive_letter(own)) {
-    const NurseryQuestion& question = letter->question;
-    const bool enclosed = letter->descriptors.front() >= 0;
-    if (question.kind == kStart && enclosed) readers.start(*letter);
-    for (const int one : letter->descriptors) {
-      if (enclosed) ::close(one);
+  while (const auto request = receive_fork_request(own)) {
+    const ForkCommand& command = request->command;
+    const bool has_descriptors = request->descriptors.front() >= 0;
+    if (command.kind == kStartReader && has_descriptors) readers.start(*request);
+    for (const int one : request->descriptors) {
+      if (has_descriptors) ::close(one);
     }
-    if (question.kind == kForget) readers.forget(question.reader);
-    if (question.kind != kEnded && question.kind != kEnd) continue;
-    const NurseryAnswer answer =
-        question.kind == kEnd ? readers.end(question.reader) : readers.ended(question.reader, WNOHANG);
-    if (::send(own, &answer, sizeof answer, MSG_NOSIGNAL) != static_cast<ssize_t>(sizeof answer)) return;
+    if (command.kind == kRelease) readers.release(command.reader);
+    if (command.kind != kPoll && command.kind != kKillReader) continue;
+    const ForkReply reply =
+        command.kind == kKillReader ? readers.end(command.reader) : readers.ended(command.reader, WNOHANG);
+    if (::send(own, &reply, sizeof reply, MSG_NOSIGNAL) != static_cast<ssize_t>(sizeof reply)) return;
   }
 }
 

@@ -3,7 +3,7 @@
 
 namespace percuss {
 
-/// The nursery's side of a ReaderNursery: forks readers and buries them, until nobody holds the socket's other end.
-void serve_nursery(int own, const ReaderNursery::Open& open);
+/// The nursery's side of a ForkServer: forks readers and buries them, until nobody holds the socket's other end.
+void run_fork_server(int own, const ForkServer::Open& open);
 
 }  // namespace percuss

@@ -27,8 +27,8 @@
 namespace percuss {
 namespace {
 
-constexpr std::uint64_t kLeastMemory_bytes = std::uint64_t{2} << 30U;
-constexpr std::uint64_t kLeastTime_s = 20, kBytesPerSecond = 50'000'000;
+constexpr std::uint64_t kMinMemory_bytes = std::uint64_t{2} << 30U;
+constexpr std::uint64_t kMinTime_s = 20, kBytesPerSecond = 50'000'000;
 constexpr rlim_t kOpenFiles = 64;
 
 void limit(__rlimit_resource resource, rlim_t value) {
@@ -126,13 +126,13 @@ void filter_calls(int) {}
 }  // namespace
 
 unsigned processor_limit_s(std::uint64_t file_bytes) {
-  constexpr std::uint64_t kMost_s = 1'000'000;
-  return static_cast<unsigned>(std::min(kMost_s, kLeastTime_s + file_bytes / kBytesPerSecond));
+  constexpr std::uint64_t kMax_s = 1'000'000;
+  return static_cast<unsigned>(std::min(kMax_s, kMinTime_s + file_bytes / kBytesPerSecond));
 }
 
-void confine_this_process(int descriptor, std::uint64_t file_bytes) {
+void enter_sandbox(int descriptor, std::uint64_t file_bytes) {
 #if !defined(PERCUSS_SANITIZED)
-  limit(RLIMIT_AS, memory_now_bytes() + std::max(kLeastMemory_bytes, 4 * file_bytes));
+  limit(RLIMIT_AS, memory_now_bytes() + std::max(kMinMemory_bytes, 4 * file_bytes));
 #endif
   limit(RLIMIT_CPU, processor_limit_s(file_bytes));
   limit(RLIMIT_NOFILE, static_cast<rlim_t>(descriptor) + kOpenFiles);  // its parent's, opened before, are still there

@@ -9,7 +9,7 @@ namespace percuss {
 ///   processor  20 s, and one more per 50 MB of the file
 ///   files      64 open ones
 /// Where the system has no seccomp the limits alone hold.
-void confine_this_process(int descriptor, std::uint64_t file_bytes);
+void enter_sandbox(int descriptor, std::uint64_t file_bytes);
 
 /// The processor's time that a reader of a file of that size gets.
 unsigned processor_limit_s(std::uint64_t file_bytes);

@@ -26,24 +26,24 @@ namespace {
 constexpr int kNoMemoryExit = 11, kFailedExit = 12;
 
 // Held by this thread across the fork: half-done work of another thread would stay so in the child for ever.
-int fork_with_libraries_at_rest() {
-  const hdf5::Rest rest;
+int fork_with_libraries_idle() {
+  const hdf5::ExclusiveAccess rest;
   return ::fork();
 }
 
-void serve(int descriptor, double* shared, std::uint64_t file_bytes, const std::function<ConfinedService()>& open) {
+void serve(int descriptor, double* shared, std::uint64_t file_bytes, const std::function<SandboxService()>& open) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
   std::signal(SIGPIPE, SIG_IGN);
-  confine_this_process(descriptor, file_bytes);
-  ConfinedService service;
-  const bool heard = tell_outcome(descriptor, [&] {
+  enter_sandbox(descriptor, file_bytes);
+  SandboxService service;
+  const bool heard = run_and_send_outcome(descriptor, [&] {
     service = open();
     return service.description;
   });
-  ConfinedRequest request;
+  SandboxRequest request;
   while (heard && service.read && receive_bytes(descriptor, &request, sizeof request)) {
     const auto out = std::span(shared, std::min<std::size_t>(request.count, kSharedNumbers));
-    const bool told = tell_outcome(descriptor, [&] {
+    const bool told = run_and_send_outcome(descriptor, [&] {
       service.read(request.row, request.signal, request.first, out);
       return std::string();
     });
@@ -54,8 +54,8 @@ void serve(int descriptor, double* shared, std::uint64_t file_bytes, const std::
 }  // namespace
 
 // Nothing may leave the child upwards: above it is what the parent does.
-int serve_confined(int descriptor, double* shared, std::uint64_t file_bytes,
-                   const std::function<ConfinedService()>& open) {
+int serve_in_sandbox(int descriptor, double* shared, std::uint64_t file_bytes,
+                     const std::function<SandboxService()>& open) {
   try {
     serve(descriptor, shared, file_bytes, open);
     return 0;
@@ -66,28 +66,28 @@ int serve_confined(int descriptor, double* shared, std::uint64_t file_bytes,
   }
 }
 
-ConfinedProcess::ConfinedProcess(std::string path, const std::function<ConfinedService()>& open,
-                                 std::optional<unsigned> patience_s)
-    : path_(std::move(path)), patience_s_(patience_s.value_or(0)) {
+SandboxProcess::SandboxProcess(std::string path, const std::function<SandboxService()>& open,
+                               std::optional<unsigned> timeout_s)
+    : path_(std::move(path)), timeout_s_(timeout_s.value_or(0)) {
   begin([&](int descriptor, int /*memory*/) {
-    const int process = fork_with_libraries_at_rest();
+    const int process = fork_with_libraries_idle();
     if (process != 0) return process;
     ::close(descriptor_);
-    ::_exit(serve_confined(descriptor, shared_, file_bytes_, open));
+    ::_exit(serve_in_sandbox(descriptor, shared_, file_bytes_, open));
   });
 }
 
-ConfinedProcess::ConfinedProcess(std::string path, std::shared_ptr<ReaderNursery> nursery)
-    : path_(std::move(path)), nursery_(std::move(nursery)) {
-  begin([&](int descriptor, int memory) { return nursery_->start(path_, descriptor, memory); });
+SandboxProcess::SandboxProcess(std::string path, std::shared_ptr<ForkServer> fork_server)
+    : path_(std::move(path)), fork_server_(std::move(fork_server)) {
+  begin([&](int descriptor, int memory) { return fork_server_->start(path_, descriptor, memory); });
 }
 
-void ConfinedProcess::begin(const std::function<int(int descriptor, int memory)>& start) {
+void SandboxProcess::begin(const std::function<int(int descriptor, int memory)>& start) {
   constexpr unsigned kClockPerProcessor = 3;  // disks and other programs take their time as well
   constexpr std::size_t kShared_bytes = kSharedNumbers * sizeof(double);
   struct stat status {};
   if (::stat(path_.c_str(), &status) == 0) file_bytes_ = static_cast<std::uint64_t>(status.st_size);
-  if (patience_s_ == 0) patience_s_ = kClockPerProcessor * processor_limit_s(file_bytes_);
+  if (timeout_s_ == 0) timeout_s_ = kClockPerProcessor * processor_limit_s(file_bytes_);
   std::array<int, 2> ends{-1, -1};
   const int memory = ::memfd_create("percuss", MFD_CLOEXEC);
   const bool sized = memory >= 0 && ::ftruncate(memory, kShared_bytes) == 0;
@@ -104,40 +104,40 @@ void ConfinedProcess::begin(const std::function<int(int descriptor, int memory)>
     receive_outcome(description_);
   } catch (...) {
     if (paired) ::close(descriptor_);
-    end_child();
+    kill_child();
     if (shared != MAP_FAILED) ::munmap(shared_, kShared_bytes);
     throw;
   }
 }
 
-int ConfinedProcess::ended(int& status) const {
-  return nursery_ != nullptr ? nursery_->ended(child_, status) : ::waitpid(child_, &status, WNOHANG);
+int SandboxProcess::ended(int& status) const {
+  return fork_server_ != nullptr ? fork_server_->ended(child_, status) : ::waitpid(child_, &status, WNOHANG);
 }
 
-ConfinedProcess::~ConfinedProcess() {
+SandboxProcess::~SandboxProcess() {
   ::close(descriptor_);
-  if (nursery_ != nullptr && child_ > 0) nursery_->forget(std::exchange(child_, -1));
-  end_child();
+  if (fork_server_ != nullptr && child_ > 0) fork_server_->release(std::exchange(child_, -1));
+  kill_child();
   ::munmap(shared_, kSharedNumbers * sizeof(double));
 }
 
 // Bytes of an answer. The child may wait for something that never comes, a library whose memory is in disorder does.
-void ConfinedProcess::receive(void* to, std::size_t bytes) {
+void SandboxProcess::receive(void* to, std::size_t bytes) {
   pollfd heard{descriptor_, POLLIN, 0};
   // In seconds that this process was awake for: one that was stopped does not blame the child.
   for (unsigned s = 0; ::poll(&heard, 1, 1000) <= 0; ++s) {
-    if (s + 1 < patience_s_) continue;
-    end_child();
-    report_slowness();
+    if (s + 1 < timeout_s_) continue;
+    kill_child();
+    report_timeout();
   }
-  if (!receive_bytes(descriptor_, to, bytes)) report_death();
+  if (!receive_bytes(descriptor_, to, bytes)) report_crash();
 }
 
-int ConfinedProcess::end_child() {
+int SandboxProcess::kill_child() {
   int status = 0;
   if (child_ <= 0) return status;
-  if (nursery_ != nullptr) {
-    nursery_->end(child_, status);
+  if (fork_server_ != nullptr) {
+    fork_server_->end(child_, status);
   } else {
     ::kill(child_, SIGKILL);
     ::waitpid(child_, &status, 0);
@@ -146,11 +146,11 @@ int ConfinedProcess::end_child() {
   return status;
 }
 
-void ConfinedProcess::receive_outcome(std::string& payload) {
+void SandboxProcess::receive_outcome(std::string& payload) {
   std::array<std::uint64_t, 2> head{};
   receive(head.data(), sizeof head);
   const std::uint64_t limit = (std::uint64_t{64} << 20U) + 64 * file_bytes_;
-  if (head[1] > limit) distrust();
+  if (head[1] > limit) report_contradiction();
   std::string bytes;
   constexpr std::size_t kStep = std::size_t{1} << 24U;  // memory follows what comes, not what is claimed
   while (bytes.size() < head[1]) {
@@ -158,55 +158,55 @@ void ConfinedProcess::receive_outcome(std::string& payload) {
     bytes.resize(had + more);
     receive(bytes.data() + had, more);
   }
-  switch (static_cast<ConfinedOutcome>(head[0])) {
-    case ConfinedOutcome::good:
+  switch (static_cast<SandboxOutcome>(head[0])) {
+    case SandboxOutcome::good:
       payload = std::move(bytes);
       return;
-    case ConfinedOutcome::input_error:
+    case SandboxOutcome::input_error:
       throw InputError::with_message(one_line(bytes, 2000));
-    case ConfinedOutcome::unclear:
+    case SandboxOutcome::ambiguous:
       try {
-        throw_unclear(bytes);
+        throw_ambiguous_columns(bytes);
       } catch (const std::out_of_range&) {
-        distrust();
+        report_contradiction();
       }
-    case ConfinedOutcome::no_memory:
+    case SandboxOutcome::no_memory:
       report_no_memory();
-    case ConfinedOutcome::other:
+    case SandboxOutcome::other:
       break;
   }
   throw InputError("it cannot be read: " + one_line(bytes, 200), path_, "is it damaged? Save it again");
 }
 
-void ConfinedProcess::report_no_process() const {
+void SandboxProcess::report_no_process() const {
   throw InputError("no process can be started to read it in", path_, "close other programs, or give --trust-input");
 }
 
-void ConfinedProcess::report_slowness() const {
+void SandboxProcess::report_timeout() const {
   throw InputError("reading it takes longer than any file of its size should", path_,
                    "is it damaged? Else give --trust-input");
 }
 
-void ConfinedProcess::report_no_memory() const {
+void SandboxProcess::report_no_memory() const {
   throw InputError("reading it needs more memory than four times its size", path_,
                    "is it damaged? Else give --trust-input");
 }
 
-void ConfinedProcess::report_death() {
+void SandboxProcess::report_crash() {
   int status = 0;
   int who = 0;
   for (int i = 0; i < 100 && who != child_; ++i) {  // who stops to answer is about to end, or is ended
     who = ended(status);
-    if (who < 0 && nursery_ != nullptr) {
+    if (who < 0 && fork_server_ != nullptr) {
       child_ = -1;
       report_no_process();
     }
     if (who != child_) ::usleep(10'000);
   }
-  if (who != child_) status = end_child();
+  if (who != child_) status = kill_child();
   child_ = -1;
   const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
-  if (signal == SIGXCPU || signal == SIGKILL) report_slowness();
+  if (signal == SIGXCPU || signal == SIGKILL) report_timeout();
   if (signal == 0 && WEXITSTATUS(status) == kNoMemoryExit) report_no_memory();
   const std::string how =
       signal != 0 ? fmt::format("signal {}", signal) : fmt::format("exit code {}", WEXITSTATUS(status));
@@ -214,18 +214,18 @@ void ConfinedProcess::report_death() {
                    "it is damaged, or memory ran out: save it again, or export another format");
 }
 
-void ConfinedProcess::distrust() const {
+void SandboxProcess::report_contradiction() const {
   throw InputError("what its reader says of it contradicts itself", path_, "is it damaged? Save it again");
 }
 
-void ConfinedProcess::read(std::size_t row, std::size_t signal, std::size_t first, std::span<double> out) {
+void SandboxProcess::read(std::size_t row, std::size_t signal, std::size_t first, std::span<double> out) {
   const std::lock_guard lock(mutex_);
   for (std::size_t done = 0; done < out.size();) {
     const std::size_t count = std::min(kSharedNumbers, out.size() - done);
     if (child_ < 0) throw InputError("its reader has ended", path_, "is it damaged? Save it again");
-    const ConfinedRequest request{row, signal, first + done, count};
+    const SandboxRequest request{row, signal, first + done, count};
     if (::send(descriptor_, &request, sizeof request, MSG_NOSIGNAL) != static_cast<ssize_t>(sizeof request))
-      report_death();
+      report_crash();
     std::string nothing;
     receive_outcome(nothing);
     std::copy_n(shared_, count, out.begin() + static_cast<std::ptrdiff_t>(done));

@@ -14,13 +14,13 @@
 namespace percuss {
 namespace {
 
-bool send_outcome(int descriptor, ConfinedOutcome outcome, const std::string& payload) {
+bool send_outcome(int descriptor, SandboxOutcome outcome, const std::string& payload) {
   const std::array<std::uint64_t, 2> head{static_cast<std::uint64_t>(outcome), payload.size()};
   return send_bytes(descriptor, head.data(), sizeof head) && send_bytes(descriptor, payload.data(), payload.size());
 }
 
-std::string packed_unclear(const UnclearColumns& error) {
-  Packer out;
+std::string serialized_ambiguous_columns(const AmbiguousColumns& error) {
+  Serializer out;
   out.put(std::string_view(error.what()));
   out.put(error.format);
   out.put(static_cast<std::uint64_t>(error.fs_Hz.has_value()));
@@ -62,8 +62,8 @@ bool receive_bytes(int descriptor, void* to, std::size_t bytes) {
   return true;
 }
 
-void throw_unclear(const std::string& payload) {
-  Unpacker in(payload);
+void throw_ambiguous_columns(const std::string& payload) {
+  Deserializer in(payload);
   CsvHeader header{.named = true, .text = false};
   const std::string message = in.text(), format = in.text();
   const bool has_rate = in.get<std::uint64_t>() != 0;
@@ -78,22 +78,22 @@ void throw_unclear(const std::string& payload) {
     column.has_numbers = in.get<std::uint64_t>() != 0;
     header.columns.push_back(std::move(column));
   }
-  UnclearColumns error(InputError::with_message(message), header);
+  AmbiguousColumns error(InputError::with_message(message), header);
   error.format = format;
   throw error;
 }
 
-bool tell_outcome(int descriptor, const std::function<std::string()>& work) {
+bool run_and_send_outcome(int descriptor, const std::function<std::string()>& work) {
   try {
-    return send_outcome(descriptor, ConfinedOutcome::good, work());
-  } catch (const UnclearColumns& error) {
-    return send_outcome(descriptor, ConfinedOutcome::unclear, packed_unclear(error));
+    return send_outcome(descriptor, SandboxOutcome::good, work());
+  } catch (const AmbiguousColumns& error) {
+    return send_outcome(descriptor, SandboxOutcome::ambiguous, serialized_ambiguous_columns(error));
   } catch (const InputError& error) {
-    return send_outcome(descriptor, ConfinedOutcome::input_error, error.what());
+    return send_outcome(descriptor, SandboxOutcome::input_error, error.what());
   } catch (const std::bad_alloc&) {
-    return send_outcome(descriptor, ConfinedOutcome::no_memory, "");
+    return send_outcome(descriptor, SandboxOutcome::no_memory, "");
   } catch (const std::exception& error) {
-    return send_outcome(descriptor, ConfinedOutcome::other, error.what());
+    return send_outcome(descriptor, SandboxOutcome::other, error.what());
   }
 }
 

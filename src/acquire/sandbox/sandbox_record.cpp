@@ -14,7 +14,7 @@ constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
 
 std::optional<double> known(double value) { return std::isnan(value) ? std::nullopt : std::optional(value); }
 
-void pack_description(Packer& out, const Record& record) {
+void serialize_description(Serializer& out, const Record& record) {
   out.put(static_cast<std::uint64_t>(record.files.size()));
   for (const InputFile& file : record.files) {
     out.put(file.path);
@@ -22,19 +22,19 @@ void pack_description(Packer& out, const Record& record) {
   }
   out.put(record.format);
   out.put(record.fs_Hz);
-  pack_signal(out, record.force);
+  serialize_signal(out, record.force);
   out.put(static_cast<std::uint64_t>(record.accel.size()));
-  for (const SignalInfo& signal : record.accel) pack_signal(out, signal);
+  for (const SignalInfo& signal : record.accel) serialize_signal(out, signal);
   out.put_all(record.rows);
   out.put(static_cast<std::uint64_t>(record.continuous));
   out.put(static_cast<std::uint64_t>(record.has_force));
-  pack_geometry(out, record.geometry);
+  serialize_geometry(out, record.geometry);
   out.put_all(record.trace_lines);
-  out.put_all(record.plain);
-  pack_texts(out, record.notes);
+  out.put_all(record.contiguous);
+  serialize_strings(out, record.notes);
 }
 
-Record unpack_description(Unpacker& in) {
+Record deserialize_description(Deserializer& in) {
   Record record;
   const std::size_t files = in.count(2 * sizeof(std::uint64_t));
   for (std::size_t i = 0; i < files; ++i) {
@@ -43,16 +43,16 @@ Record unpack_description(Unpacker& in) {
   }
   record.format = in.text();
   record.fs_Hz = in.get<double>();
-  record.force = unpack_signal(in);
+  record.force = deserialize_signal(in);
   const std::size_t channels = in.count(5 * sizeof(double));
-  for (std::size_t c = 0; c < channels; ++c) record.accel.push_back(unpack_signal(in));
+  for (std::size_t c = 0; c < channels; ++c) record.accel.push_back(deserialize_signal(in));
   record.rows = in.all<RowInfo>();
   record.continuous = in.get<std::uint64_t>() != 0;
   record.has_force = in.get<std::uint64_t>() != 0;
-  record.geometry = unpack_geometry(in);
+  record.geometry = deserialize_geometry(in);
   record.trace_lines = in.all<TraceLine>();
-  record.plain = in.all<PlainSignal>();
-  record.notes = unpack_texts(in);
+  record.contiguous = in.all<ContiguousSignal>();
+  record.notes = deserialize_strings(in);
   return record;
 }
 
@@ -66,7 +66,7 @@ bool plausible(const Record& record) {
 
 }  // namespace
 
-void pack_signal(Packer& out, const SignalInfo& signal) {
+void serialize_signal(Serializer& out, const SignalInfo& signal) {
   out.put(signal.name);
   out.put(signal.unit);
   out.put(signal.to_SI);
@@ -74,7 +74,7 @@ void pack_signal(Packer& out, const SignalInfo& signal) {
   out.put(signal.position_m.value_or(kNotKnown));
 }
 
-SignalInfo unpack_signal(Unpacker& in) {
+SignalInfo deserialize_signal(Deserializer& in) {
   SignalInfo signal;
   signal.name = in.text();
   signal.unit = in.text();
@@ -84,33 +84,33 @@ SignalInfo unpack_signal(Unpacker& in) {
   return signal;
 }
 
-void pack_texts(Packer& out, const std::vector<std::string>& texts) {
+void serialize_strings(Serializer& out, const std::vector<std::string>& texts) {
   out.put(static_cast<std::uint64_t>(texts.size()));
   for (const std::string& text : texts) out.put(text);
 }
 
-std::vector<std::string> unpack_texts(Unpacker& in) {
+std::vector<std::string> deserialize_strings(Deserializer& in) {
   std::vector<std::string> texts;
   const std::size_t count = in.count(sizeof(std::uint64_t));
   for (std::size_t i = 0; i < count; ++i) texts.push_back(in.text());
   return texts;
 }
 
-void pack_geometry(Packer& out, const std::vector<std::vector<double>>& geometry) {
+void serialize_geometry(Serializer& out, const std::vector<std::vector<double>>& geometry) {
   out.put(static_cast<std::uint64_t>(geometry.size()));
   for (const auto& point : geometry) out.put_all(point);
 }
 
-std::vector<std::vector<double>> unpack_geometry(Unpacker& in) {
+std::vector<std::vector<double>> deserialize_geometry(Deserializer& in) {
   std::vector<std::vector<double>> geometry;
   const std::size_t count = in.count(sizeof(std::uint64_t));
   for (std::size_t i = 0; i < count; ++i) geometry.push_back(in.all<double>());
   return geometry;
 }
 
-ConfinedService record_service(Record record) {
-  Packer out;
-  pack_description(out, record);
+SandboxService record_service(Record record) {
+  Serializer out;
+  serialize_description(out, record);
   const auto kept = std::make_shared<const Record>(std::move(record));
   return {.description = out.bytes(),
           .read = [kept](std::size_t row, std::size_t signal, std::size_t first, std::span<double> samples) {
@@ -122,27 +122,27 @@ ConfinedService record_service(Record record) {
           }};
 }
 
-Record served_record(Unpacker& in, const std::shared_ptr<ConfinedProcess>& process) {
+Record sandboxed_record(Deserializer& in, const std::shared_ptr<SandboxProcess>& process) {
   Record record;
   try {
-    record = unpack_description(in);
+    record = deserialize_description(in);
   } catch (const std::out_of_range&) {
-    process->distrust();
+    process->report_contradiction();
   }
-  if (!plausible(record)) process->distrust();
+  if (!plausible(record)) process->report_contradiction();
   record.read_force_N = [process](std::size_t row, std::size_t first, std::span<double> out) {
     process->read(row, 0, first, out);
   };
   record.read_accel_mps2 = [process](std::size_t row, std::size_t channel, std::size_t first, std::span<double> out) {
     process->read(row, channel + 1, first, out);
   };
-  return read_plainly(std::move(record));
+  return with_contiguous_readers(std::move(record));
 }
 
-Record open_confined(const std::string& path, const std::function<Record()>& open) {
-  auto process = std::make_shared<ConfinedProcess>(path, [&] { return record_service(open()); });
-  Unpacker in(process->description());
-  return served_record(in, process);
+Record open_in_sandbox(const std::string& path, const std::function<Record()>& open) {
+  auto process = std::make_shared<SandboxProcess>(path, [&] { return record_service(open()); });
+  Deserializer in(process->description());
+  return sandboxed_record(in, process);
 }
 
 }  // namespace percuss

@@ -9,20 +9,20 @@
 namespace percuss {
 
 /// A record's description as bytes, and its samples as a service (signal 0 is the force, 1 … the accelerations).
-ConfinedService record_service(Record record);
+SandboxService record_service(Record record);
 
 /// The record that a confined process describes and serves. `in` stands where record_service began.
-Record served_record(Unpacker& in, const std::shared_ptr<ConfinedProcess>& process);
+Record sandboxed_record(Deserializer& in, const std::shared_ptr<SandboxProcess>& process);
 
 /// Parts of it, for other descriptions.
-void pack_signal(Packer& out, const SignalInfo& signal);
-SignalInfo unpack_signal(Unpacker& in);
-void pack_texts(Packer& out, const std::vector<std::string>& texts);
-std::vector<std::string> unpack_texts(Unpacker& in);
-void pack_geometry(Packer& out, const std::vector<std::vector<double>>& geometry);
-std::vector<std::vector<double>> unpack_geometry(Unpacker& in);
+void serialize_signal(Serializer& out, const SignalInfo& signal);
+SignalInfo deserialize_signal(Deserializer& in);
+void serialize_strings(Serializer& out, const std::vector<std::string>& texts);
+std::vector<std::string> deserialize_strings(Deserializer& in);
+void serialize_geometry(Serializer& out, const std::vector<std::vector<double>>& geometry);
+std::vector<std::vector<double>> deserialize_geometry(Deserializer& in);
 
 /// Opens a record of a foreign binary file in a confined process.
-Record open_confined(const std::string& path, const std::function<Record()>& open);
+Record open_in_sandbox(const std::string& path, const std::function<Record()>& open);
 
 }  // namespace percuss

@@ -11,7 +11,7 @@
 namespace percuss {
 
 /// Values one after the other as bytes, for another process on this machine.
-class Packer {
+class Serializer {
  public:
   template <class Value>
   requires std::is_trivially_copyable_v<Value>
@@ -33,9 +33,9 @@ class Packer {
 };
 
 /// The same back. What it reads may be anything: sizes are held against what is there. Throws std::out_of_range.
-class Unpacker {
+class Deserializer {
  public:
-  explicit Unpacker(std::string_view bytes) : rest_(bytes) {}
+  explicit Deserializer(std::string_view bytes) : rest_(bytes) {}
 
   template <class Value>
   requires std::is_trivially_copyable_v<Value> Value get() {

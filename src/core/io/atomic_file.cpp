@@ -51,12 +51,12 @@ std::string remedy_for(int error) {
 }
 
 /// What the names of all unfinished files for this target begin with.
-std::string unfinished_prefix(const std::string& target) {
+std::string temporary_prefix(const std::string& target) {
   return "." + name_of(target).substr(0, kNameBytesKept) + ".percuss-";
 }
 
-std::string unfinished_name(const std::string& target, int attempt) {
-  std::string name = folder_of(target) + "/" + unfinished_prefix(target) + std::to_string(::getpid());
+std::string temporary_name(const std::string& target, int attempt) {
+  std::string name = folder_of(target) + "/" + temporary_prefix(target) + std::to_string(::getpid());
   if (attempt > 0) name += "-" + std::to_string(attempt);
   return name;
 }
@@ -65,7 +65,7 @@ std::string unfinished_name(const std::string& target, int attempt) {
 template <class Make>
 std::string first_free_name(const std::string& target, Make&& make) {
   for (int attempt = 0; attempt < kNamesTried; ++attempt) {
-    std::string name = unfinished_name(target, attempt);
+    std::string name = temporary_name(target, attempt);
     if (make(name)) return name;
     if (errno != EEXIST) break;
   }
@@ -99,7 +99,7 @@ void sync_folder(const std::string& folder) {
 
 }  // namespace
 
-AtomicFile::AtomicFile(std::string path, bool force, Aside aside) : path_(std::move(path)), force_(force) {
+AtomicFile::AtomicFile(std::string path, bool force, Temporary aside) : path_(std::move(path)), force_(force) {
   if (path_.empty()) throw InputError("empty file name", "output", "name the file to write");
   target_ = resolved(path_);
   struct stat info {};
@@ -112,28 +112,28 @@ AtomicFile::AtomicFile(std::string path, bool force, Aside aside) : path_(std::m
   } else if (errno != ENOENT) {
     fail("cannot write");
   }
-  if (aside == Aside::nameless_if_possible) open_nameless(folder_of(target_));
+  if (aside == Temporary::unnamed_if_possible) open_unnamed(folder_of(target_));
   if (descriptor_ < 0) open_named();
 }
 
 AtomicFile::~AtomicFile() {
-  if (!committed_ && named_) ::unlink(unfinished_path_.c_str());
+  if (!committed_ && named_) ::unlink(temporary_path_.c_str());
   if (descriptor_ >= 0) ::close(descriptor_);
 }
 
-void AtomicFile::open_nameless(const std::string& folder) {
+void AtomicFile::open_unnamed(const std::string& folder) {
   descriptor_ = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, kMode);
   if (descriptor_ < 0) return;
-  unfinished_path_ = "/proc/self/fd/" + std::to_string(descriptor_);
-  nameless_ = ::access(unfinished_path_.c_str(), R_OK | W_OK) == 0;
-  if (nameless_) return;
+  temporary_path_ = "/proc/self/fd/" + std::to_string(descriptor_);
+  unnamed_ = ::access(temporary_path_.c_str(), R_OK | W_OK) == 0;
+  if (unnamed_) return;
   ::close(descriptor_);  // without /proc it could never be given a name
   descriptor_ = -1;
 }
 
 void AtomicFile::open_named() {
-  remove_abandoned_files(folder_of(target_), unfinished_prefix(target_));
-  unfinished_path_ = first_free_name(target_, [this](const std::string& name) {
+  remove_abandoned_files(folder_of(target_), temporary_prefix(target_));
+  temporary_path_ = first_free_name(target_, [this](const std::string& name) {
     descriptor_ = ::open(name.c_str(), O_CREAT | O_EXCL | O_RDWR | O_CLOEXEC, kMode);
     if (descriptor_ < 0) return false;
     named_.emplace(name, descriptor_);
@@ -155,9 +155,9 @@ void AtomicFile::write(std::string_view bytes) {
   }
 }
 
-void AtomicFile::give_name() {
+void AtomicFile::link_name() {
   const auto link_as = [this](const std::string& name) {
-    return ::linkat(AT_FDCWD, unfinished_path_.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
+    return ::linkat(AT_FDCWD, temporary_path_.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
   };
   if (!force_) {
     if (link_as(target_)) return;
@@ -177,10 +177,10 @@ void AtomicFile::give_name() {
 void AtomicFile::commit() {
   assert(!committed_);
   if (::fsync(descriptor_) != 0) fail("cannot write");
-  if (nameless_) {
-    give_name();
-  } else if (force_ ? ::rename(unfinished_path_.c_str(), target_.c_str()) != 0
-                    : !rename_to_new(unfinished_path_, target_)) {
+  if (unnamed_) {
+    link_name();
+  } else if (force_ ? ::rename(temporary_path_.c_str(), target_.c_str()) != 0
+                    : !rename_to_new(temporary_path_, target_)) {
     if (errno == EEXIST) refuse_existing(path_);
     fail("cannot write");
   }

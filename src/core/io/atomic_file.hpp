@@ -19,9 +19,9 @@ namespace percuss {
 class AtomicFile {
  public:
   /// How the unfinished file is kept; `named` everywhere if the file system or /proc does not allow otherwise.
-  enum class Aside { nameless_if_possible, named };
+  enum class Temporary { unnamed_if_possible, named };
 
-  AtomicFile(std::string path, bool force, Aside aside = Aside::nameless_if_possible);
+  AtomicFile(std::string path, bool force, Temporary aside = Temporary::unnamed_if_possible);
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
@@ -30,20 +30,20 @@ class AtomicFile {
   void write(std::string_view bytes);
   /// Where libraries that want a name may write instead, until commit; Aside::named for those that do not take
   /// /proc/self/fd/N.
-  const std::string& unfinished_path() const { return unfinished_path_; }
+  const std::string& temporary_path() const { return temporary_path_; }
   /// Puts the file in its place, with mode 0644 less the umask. Once.
   void commit();
 
  private:
-  void open_nameless(const std::string& folder);
+  void open_unnamed(const std::string& folder);
   void open_named();
-  void give_name();
+  void link_name();
   [[noreturn]] void fail(std::string_view problem) const;
 
-  std::string path_, target_, unfinished_path_;
-  bool force_, nameless_ = false, committed_ = false;
+  std::string path_, target_, temporary_path_;
+  bool force_, unnamed_ = false, committed_ = false;
   int descriptor_ = -1;
-  std::optional<UnfinishedFile> named_;
+  std::optional<TemporaryFile> named_;
 };
 
 /// The whole file at once.

@@ -82,9 +82,9 @@ struct Beginning {
 };
 
 Beginning beginning_of(std::string_view text, const CsvDialect& dialect) {
-  constexpr int kMostLines = 64;
+  constexpr int kMaxLines = 64;
   Beginning out;
-  for (int n = 0; n < kMostLines && !text.empty(); ++n) {
+  for (int n = 0; n < kMaxLines && !text.empty(); ++n) {
     const std::string_view line = take_line(text, dialect.line_end);
     if (is_skipped(line, dialect)) continue;
     const auto cells = used_cells(line, dialect);
@@ -143,10 +143,10 @@ char find_line_end(std::string_view text) {
 }
 
 std::vector<std::string_view> probe_lines(std::string_view text, char line_end) {
-  constexpr std::size_t kMost = 64;
+  constexpr std::size_t kMax = 64;
   std::vector<std::string_view> lines;
   std::size_t last_end = 0;  // of the last line that is not skipped
-  while (!text.empty() && lines.size() < kMost && (lines.empty() || text.size() > last_end - last_end / 8)) {
+  while (!text.empty() && lines.size() < kMax && (lines.empty() || text.size() > last_end - last_end / 8)) {
     text.remove_suffix(text.back() == line_end ? 1 : 0);
     const auto before = text.rfind(line_end);
     const std::size_t start = before == std::string_view::npos ? 0 : before + 1;

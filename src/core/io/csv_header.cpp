@@ -52,10 +52,10 @@ bool data_starts_here(std::string_view rest, const CsvDialect& dialect, const st
 std::vector<HeaderLine> take_header_lines(std::string_view text, const CsvDialect& dialect,
                                           const std::vector<std::size_t>& columns, CsvHeader& header,
                                           const std::string& file) {
-  constexpr std::size_t kMostLines = 10000;
+  constexpr std::size_t kMaxLines = 10000;
   std::vector<HeaderLine> lines;
   std::string_view rest = text;
-  while (!rest.empty() && header.lines < kMostLines) {
+  while (!rest.empty() && header.lines < kMaxLines) {
     std::string_view after = rest;
     std::string_view line = take_line(after, dialect.line_end);
     const bool skipped = is_skipped(line, dialect);

@@ -107,12 +107,12 @@ class GrowingBuffer {
   std::size_t capacity_ = 0;
 };
 
-FileBytes read_all(const Descriptor& file, std::size_t first_guess, std::uint64_t limit, const LookAtHead& look,
+FileBytes read_all(const Descriptor& file, std::size_t first_guess, std::uint64_t limit, const HeadCheck& check_head,
                    const std::string& path) {
   GrowingBuffer buffer;
   buffer.reserve(kHead_bytes);
   std::size_t size = read_fully(file, buffer.data(), kHead_bytes, path);
-  if (look) look({buffer.data(), size});
+  if (check_head) check_head({buffer.data(), size});
   if (size == kHead_bytes && first_guess > size) buffer.reserve(first_guess);
   while (size == buffer.capacity() || (size == kHead_bytes && buffer.capacity() > size)) {
     if (size == buffer.capacity()) buffer.reserve(2 * size);
@@ -140,10 +140,10 @@ int open_regular_file(const std::string& path, std::uint64_t limit_bytes, std::u
   return number;
 }
 
-FileBytes sparse_input(const std::string& path, std::uint64_t limit_bytes) {
-  const auto file = std::make_shared<SparseFile>(path, limit_bytes);
+FileBytes lazy_input(const std::string& path, std::uint64_t limit_bytes) {
+  const auto file = std::make_shared<LazyFile>(path, limit_bytes);
   file->load(0, kHead_bytes);
-  return {.path = path, .data = {file, file->data()}, .size = file->size(), .sparse = file};
+  return {.path = path, .data = {file, file->data()}, .size = file->size(), .lazy = file};
 }
 
 std::string first_bytes(const std::string& path, std::size_t count) {
@@ -154,13 +154,13 @@ std::string first_bytes(const std::string& path, std::size_t count) {
   return head;
 }
 
-FileBytes read_input(const std::string& path, std::uint64_t limit_bytes, const LookAtHead& look) {
-  if (path == "-") return read_all(Descriptor{STDIN_FILENO, false}, 0, limit_bytes, look, path);
+FileBytes read_input(const std::string& path, std::uint64_t limit_bytes, const HeadCheck& check_head) {
+  if (path == "-") return read_all(Descriptor{STDIN_FILENO, false}, 0, limit_bytes, check_head, path);
   std::uint64_t size = 0;
   const Descriptor file{open_regular_file(path, limit_bytes, size), true};
   // One byte more than the file has, so that its end is seen without growing.
   const auto guess = static_cast<std::size_t>(std::min<std::uint64_t>(size + 1, kLargestFirstGuess_bytes));
-  return read_all(file, guess, limit_bytes, look, path);
+  return read_all(file, guess, limit_bytes, check_head, path);
 }
 
 }  // namespace percuss

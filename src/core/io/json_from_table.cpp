@@ -16,7 +16,7 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t kLargestSheet_bytes = std::size_t{16} << 20U;
-constexpr std::size_t kMostSheetRows = 100'000;
+constexpr std::size_t kMaxTableRows = 100'000;
 
 // "# bat.length_in = 34" into document["bat"]["length_in"]; other comments are comments.
 void take_setting(std::string_view line, json& document, const std::string& place) {
@@ -32,25 +32,25 @@ void take_setting(std::string_view line, json& document, const std::string& plac
   at[last] = to_utf8(trimmed(line.substr(equals + 1)));
 }
 
-struct SheetLine {
+struct TableLine {
   std::size_t number = 0;
   std::string_view text;
 };
 
-std::vector<SheetLine> sheet_lines(std::string_view text, json& document, const std::string& where) {
-  std::vector<SheetLine> lines;
+std::vector<TableLine> table_lines(std::string_view text, json& document, const std::string& where) {
+  std::vector<TableLine> lines;
   const char line_end = find_line_end(text);
   for (std::size_t number = 1; !text.empty(); ++number) {
     const std::string_view line = trimmed(take_line(text, line_end));
     if (line.starts_with('#')) take_setting(line.substr(1), document, fmt::format("{}: line {}", where, number));
     if (!is_skipped(line, CsvDialect{})) lines.push_back({number, line});
-    if (lines.size() > kMostSheetRows + 1) throw InputError("more than 100000 rows", where, "split the file");
+    if (lines.size() > kMaxTableRows + 1) throw InputError("more than 100000 rows", where, "split the file");
   }
   return lines;
 }
 
 // The names divide as all lines do.
-CsvDialect sheet_dialect(std::string_view names) {
+CsvDialect table_dialect(std::string_view names) {
   for (const char delimiter : {';', '\t'}) {
     if (names.find(delimiter) != std::string_view::npos) return {.delimiter = delimiter, .decimal_comma = true};
   }
@@ -59,19 +59,19 @@ CsvDialect sheet_dialect(std::string_view names) {
 
 }  // namespace
 
-std::string sheet_as_json(const StrictText& input, StrictSource& source) {
+std::string json_from_table(const StrictText& input, StrictSource& source) {
   std::string_view text = input.text;
   if (text.size() > kLargestSheet_bytes) throw InputError("longer than 16 MiB", input.where, "split the file");
   if (text.substr(0, 3) == "\xEF\xBB\xBF") text.remove_prefix(3);
   if (text.find('\0') != std::string_view::npos)
     throw InputError("this is no text", input.where, "see " + input.example);
   json document = json::object();
-  const auto lines = sheet_lines(text, document, input.where);
+  const auto lines = table_lines(text, document, input.where);
   if (lines.empty()) throw InputError("no line of column names", input.where, "see " + input.example);
   if (document.contains(source.rows))
     throw InputError("\"" + source.rows + "\" is set above the rows", input.where, "leave one of them");
-  const CsvDialect dialect = sheet_dialect(lines.front().text);
-  source.sheet = true;
+  const CsvDialect dialect = table_dialect(lines.front().text);
+  source.table = true;
   source.decimal_comma = dialect.decimal_comma;
   std::vector<std::string> names;
   for (const auto& cell : split_cells(lines.front().text, dialect)) names.push_back(to_utf8(cell));

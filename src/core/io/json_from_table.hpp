@@ -12,11 +12,11 @@ struct StrictSource {
   std::string where, example;
   std::string rows{};
   std::vector<std::size_t> lines{};
-  bool sheet = false, decimal_comma = false;  // values are texts, and numbers in them may be written so
+  bool table = false, decimal_comma = false;  // values are texts, and numbers in them may be written so
 };
 
 /// A table as a JSON document in which every value is a text; adds to `source` what messages need. InputError as
-/// read_strict_sheet.
-std::string sheet_as_json(const StrictText& input, StrictSource& source);
+/// read_strict_table.
+std::string json_from_table(const StrictText& input, StrictSource& source);
 
 }  // namespace percuss

@@ -14,9 +14,9 @@ namespace {
 using nlohmann::json;
 
 // The library's own callbacks would do while it parses, but search a whole list anew whenever an object in it ends.
-class JsonWatch : public nlohmann::json_sax<json> {
+class JsonValidator : public nlohmann::json_sax<json> {
  public:
-  explicit JsonWatch(const JsonText& input) : input_(input) {}
+  explicit JsonValidator(const JsonText& input) : input_(input) {}
 
   bool null() override { return true; }
   bool boolean(bool) override { return true; }
@@ -62,7 +62,7 @@ class JsonWatch : public nlohmann::json_sax<json> {
 }  // namespace
 
 void check_json(const JsonText& input) {
-  JsonWatch watch(input);
+  JsonValidator watch(input);
   json::sax_parse(input.text.begin(), input.text.end(), &watch, json::input_format_t::json, true, input.comments);
 }
 

@@ -12,7 +12,7 @@
 
 namespace percuss {
 
-SparseFile::SparseFile(const std::string& path, std::uint64_t limit_bytes) : path_(path) {
+LazyFile::LazyFile(const std::string& path, std::uint64_t limit_bytes) : path_(path) {
   std::uint64_t size = 0;
   descriptor_ = open_regular_file(path, limit_bytes, size);
   size_ = static_cast<std::size_t>(size);
@@ -25,17 +25,17 @@ SparseFile::SparseFile(const std::string& path, std::uint64_t limit_bytes) : pat
   data_ = static_cast<char*>(place);
 }
 
-SparseFile::~SparseFile() {
+LazyFile::~LazyFile() {
   ::munmap(data_, std::max<std::size_t>(1, size_));
   ::close(descriptor_);
 }
 
-void SparseFile::load(std::size_t first, std::size_t end) {
+void LazyFile::load(std::size_t first, std::size_t end) {
   end = std::min(end, size_);
   if (first < end) copy(first, end - first, data_ + first);
 }
 
-void SparseFile::copy(std::size_t first, std::size_t count, char* to) const {
+void LazyFile::copy(std::size_t first, std::size_t count, char* to) const {
   while (count > 0) {
     const auto got = ::pread(descriptor_, to, count, static_cast<off_t>(first));
     if (got < 0 && errno == EINTR) continue;

@@ -7,13 +7,13 @@ namespace percuss {
 
 /// A regular file with a place in memory for all of it, into which its bytes are read only as somebody asks. What has
 /// not been read takes no memory.
-class SparseFile {
+class LazyFile {
  public:
   /// errors  InputError: as read_input; no address space for so long a file.
-  SparseFile(const std::string& path, std::uint64_t limit_bytes);
-  ~SparseFile();
-  SparseFile(const SparseFile&) = delete;
-  SparseFile& operator=(const SparseFile&) = delete;
+  LazyFile(const std::string& path, std::uint64_t limit_bytes);
+  ~LazyFile();
+  LazyFile(const LazyFile&) = delete;
+  LazyFile& operator=(const LazyFile&) = delete;
 
   const char* data() const { return data_; }
   std::size_t size() const { return size_; }

@@ -23,12 +23,12 @@ bool are_names(const std::vector<std::string_view>& cells) {
   });
 }
 
-NumberRow row_of(const std::vector<std::string_view>& cells, const std::string& place, const CsvDialect& dialect,
-                 const NumberRowsWanted& wanted) {
+NumberTableRow row_of(const std::vector<std::string_view>& cells, const std::string& place, const CsvDialect& dialect,
+                      const NumberTableSpec& wanted) {
   if (cells.size() != wanted.columns) {
     throw InputError(fmt::format("{} numbers wanted, {} found", wanted.columns, cells.size()), place, wanted.remedy);
   }
-  NumberRow row{.place = place, .values = {}};
+  NumberTableRow row{.place = place, .values = {}};
   row.values.reserve(cells.size());
   for (const std::string_view cell : cells) {
     const ParsedNumber number = parse_number(cell, dialect.decimal_comma);
@@ -44,28 +44,28 @@ NumberRow row_of(const std::vector<std::string_view>& cells, const std::string& 
 
 }  // namespace
 
-std::vector<NumberRow> parse_number_rows(std::string_view text, const std::string& where,
-                                         const NumberRowsWanted& wanted) {
+std::vector<NumberTableRow> parse_number_table(std::string_view text, const std::string& where,
+                                               const NumberTableSpec& wanted) {
   const char line_end = find_line_end(text);
   const CsvDialect dialect = find_dialect(probe_lines(text, line_end), line_end);
-  std::vector<NumberRow> rows;
+  std::vector<NumberTableRow> rows;
   for (std::size_t number = 1; !text.empty(); ++number) {
     const std::string_view line = take_line(text, line_end);
     if (is_skipped(line, dialect)) continue;
     const auto cells = split_cells(line, dialect, wanted.columns + 1);
     if (rows.empty() && are_names(cells)) continue;
     const std::string place = fmt::format("{}: line {}", where, number);
-    if (rows.size() == wanted.most_rows)
-      throw InputError(fmt::format("more than {} lines", wanted.most_rows), place, wanted.remedy);
+    if (rows.size() == wanted.max_rows)
+      throw InputError(fmt::format("more than {} lines", wanted.max_rows), place, wanted.remedy);
     rows.push_back(row_of(cells, place, dialect, wanted));
   }
   if (rows.empty()) throw InputError("no numbers", where, wanted.remedy);
   return rows;
 }
 
-std::vector<NumberRow> read_number_rows(const std::string& path, const NumberRowsWanted& wanted) {
+std::vector<NumberTableRow> read_number_table(const std::string& path, const NumberTableSpec& wanted) {
   const FileBytes bytes = read_input(path, kLargestTable_bytes);
-  return parse_number_rows(bytes.view(), input_name(path), wanted);
+  return parse_number_table(bytes.view(), input_name(path), wanted);
 }
 
 }  // namespace percuss

@@ -7,25 +7,25 @@
 namespace percuss {
 
 /// A line of a small table of numbers, and where it stood, for messages about what the numbers mean.
-struct NumberRow {
+struct NumberTableRow {
   std::string place;  // "bat.dat: line 12"
   std::vector<double> values;
 };
 
 /// What is wanted of such a table.
-struct NumberRowsWanted {
+struct NumberTableSpec {
   std::size_t columns = 2;  // that every line must have, neither more nor fewer
-  std::size_t most_rows = 10'000;
+  std::size_t max_rows = 10'000;
   std::string remedy;  // the end of messages: what the lines should be
 };
 
 /// Reads a text of numbers: delimiters, quotes, comments and decimal marks as in records; lines of names may come
 /// first. `path` as in read_input. errors  InputError with file and line: no numbers, a cell that is none or is not
 /// finite, too few or too many cells, too many lines, too long.
-std::vector<NumberRow> read_number_rows(const std::string& path, const NumberRowsWanted& wanted);
+std::vector<NumberTableRow> read_number_table(const std::string& path, const NumberTableSpec& wanted);
 
-/// As read_number_rows, for a text in memory; `where` names it.
-std::vector<NumberRow> parse_number_rows(std::string_view text, const std::string& where,
-                                         const NumberRowsWanted& wanted);
+/// As read_number_table, for a text in memory; `where` names it.
+std::vector<NumberTableRow> parse_number_table(std::string_view text, const std::string& where,
+                                               const NumberTableSpec& wanted);
 
 }  // namespace percuss

@@ -21,7 +21,7 @@ using nlohmann::json;
 namespace {
 
 std::string item_place(const StrictSource& source, const std::string& list, std::size_t i) {
-  return source.sheet && list == source.rows ? fmt::format("line {}", source.lines.at(i))
+  return source.table && list == source.rows ? fmt::format("line {}", source.lines.at(i))
                                              : fmt::format("{}[{}]", list, i);
 }
 
@@ -64,7 +64,7 @@ struct StrictObject::Impl {
   // As find, for what is no text: a table's cells are taken for what they say.
   const json* find_value(const std::string& key, json& scratch) {
     const json* value = find(key);
-    if (value == nullptr || !source.sheet || !value->is_string()) return value;
+    if (value == nullptr || !source.table || !value->is_string()) return value;
     scratch = cell_value(value->get<std::string>(), source.decimal_comma);
     return &scratch;
   }
@@ -168,7 +168,7 @@ void StrictObject::read(const std::string& key, std::vector<double>& to) {
   json scratch;
   const json* value = impl_->find_value(key, scratch);
   if (value == nullptr) return;
-  if (!value->is_array() && !impl_->source.sheet) fail("not a list", key, "give a list of numbers");
+  if (!value->is_array() && !impl_->source.table) fail("not a list", key, "give a list of numbers");
   to.clear();
   append_numbers(*value, to, *this, key);
 }
@@ -227,9 +227,9 @@ void read_strict_json(const StrictText& text, const StrictObject::Reader& read) 
   object.finish();
 }
 
-void read_strict_sheet(const StrictText& text, const std::string& rows, const StrictObject::Reader& read) {
+void read_strict_table(const StrictText& text, const std::string& rows, const StrictObject::Reader& read) {
   StrictSource source{.where = text.where, .example = text.example, .rows = rows};
-  const std::string as_json = sheet_as_json(text, source);
+  const std::string as_json = json_from_table(text, source);
   const json document = json_of({.text = as_json, .where = text.where});
   StrictObject object(std::make_unique<StrictObject::Impl>(document, source, ""));
   read(object);

@@ -56,7 +56,7 @@ class StrictObject {
 
  private:
   friend void read_strict_json(const StrictText&, const Reader&);
-  friend void read_strict_sheet(const StrictText&, const std::string&, const Reader&);
+  friend void read_strict_table(const StrictText&, const std::string&, const Reader&);
   void finish() const;
 
   std::unique_ptr<Impl> impl_;
@@ -71,7 +71,7 @@ void read_strict_json(const StrictText& text, const StrictObject::Reader& read);
 /// what is asked for: text, a number, several numbers with blanks between, "yes" or "no". Comma, semicolon or tab
 /// between cells, decimal comma where the cells are not divided by it. InputError as above, naming lines; for a cell
 /// too many, two columns of one name, more than 100000 rows, or 16 MiB.
-void read_strict_sheet(const StrictText& text, const std::string& rows, const StrictObject::Reader& read);
+void read_strict_table(const StrictText& text, const std::string& rows, const StrictObject::Reader& read);
 
 /// Whether a text is meant as JSON: its first character that is no blank or comment opens an object.
 bool looks_like_json(std::string_view text);
@@ -79,6 +79,6 @@ bool looks_like_json(std::string_view text);
 /// Whether lists and objects of a JSON text stand in one another more than `depth` times: reading them would take
 /// memory without bound. For texts without comments.
 bool nests_deeper_than(std::string_view text, int depth);
-inline constexpr int kDeepestDocument = 16;  // percuss's own stay far below
+inline constexpr int kMaxDocumentDepth = 16;  // percuss's own stay far below
 
 }  // namespace percuss

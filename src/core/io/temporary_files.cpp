@@ -25,7 +25,7 @@ std::array<std::atomic<const char*>, kFilesKnown>& known_files() {
 
 }  // namespace
 
-UnfinishedFile::UnfinishedFile(std::string path, int descriptor) : path_(std::move(path)), descriptor_(descriptor) {
+TemporaryFile::TemporaryFile(std::string path, int descriptor) : path_(std::move(path)), descriptor_(descriptor) {
   ::flock(descriptor, LOCK_EX);  // waits for whoever is just looking whether it is abandoned
   for (auto& slot : known_files()) {
     const char* empty = nullptr;
@@ -33,19 +33,19 @@ UnfinishedFile::UnfinishedFile(std::string path, int descriptor) : path_(std::mo
   }
 }
 
-UnfinishedFile::~UnfinishedFile() {
+TemporaryFile::~TemporaryFile() {
   for (auto& slot : known_files()) {
     const char* own = path_.c_str();
     if (slot.compare_exchange_strong(own, nullptr)) return;
   }
 }
 
-bool UnfinishedFile::still_there() const {
+bool TemporaryFile::still_there() const {
   struct stat info {};
   return ::fstat(descriptor_, &info) == 0 && info.st_nlink > 0;
 }
 
-void remove_unfinished_files() noexcept {
+void remove_temporary_files() noexcept {
   for (auto& slot : known_files()) {
     const char* const path = slot.exchange(nullptr);
     if (path != nullptr) ::unlink(path);

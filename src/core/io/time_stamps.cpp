@@ -87,10 +87,12 @@ Deviation largest_deviation(std::span<const double> t) {
 
 // Stamps that all lie on even spacing far within their rounding were not rounded at all: the step is a whole number of
 // the last digit's units, as in 0.001, 0.002.
-bool is_exact(const Stamps& row, const Deviation& deviation) { return deviation.stamp_s <= 0.01 * row.resolution_s; }
+bool is_exact(const TimeStamps& row, const Deviation& deviation) {
+  return deviation.stamp_s <= 0.01 * row.resolution_s;
+}
 
 // Whether rounding explains how uneven the stamps are.
-bool is_even(const Stamps& row, const Deviation& deviation) {
+bool is_even(const TimeStamps& row, const Deviation& deviation) {
   constexpr double kSinglePrecision = 0x1p-23;
   const auto t = row.time_s;
   const double step_s = mean_step_s(t);
@@ -106,7 +108,7 @@ bool is_even(const Stamps& row, const Deviation& deviation) {
 
 // The largest departure from the usual step, near which the stamps went wrong: that names the place better than
 // first_uneven.
-std::size_t oddest_step(const Stamps& row, double& step_s) {
+std::size_t oddest_step(const TimeStamps& row, double& step_s) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < row.time_s.size(); ++i) steps.push_back(row.time_s[i] - row.time_s[i - 1]);
   auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
@@ -146,7 +148,7 @@ std::optional<double> stated_rate_Hz(std::string_view line, const CsvDialect& di
   return std::nullopt;
 }
 
-std::optional<StampedRate> rate_of_stamps(std::span<const Stamps> rows, StampProblem& problem) {
+std::optional<StampedRate> rate_of_time_stamps(std::span<const TimeStamps> rows, StampProblem& problem) {
   constexpr double kCoarsest = 5e-4;  // relative; a rate as wrong as that would shift every frequency by as much
   double steps = 0, length_s = 0, off_s = 0;
   for (std::size_t r = 0; r < rows.size(); ++r) {

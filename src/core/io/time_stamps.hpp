@@ -15,7 +15,7 @@ namespace percuss {
 std::optional<double> stated_rate_Hz(std::string_view line, const CsvDialect& dialect);
 
 /// Time stamps of one row, as written.
-struct Stamps {
+struct TimeStamps {
   std::span<const double> time_s;
   double resolution_s = 0;  // one unit of the last digit written
 };
@@ -35,7 +35,7 @@ struct StampProblem {
   std::string text;
   std::size_t row = 0, at = 0;
 };
-std::optional<StampedRate> rate_of_stamps(std::span<const Stamps> rows, StampProblem& problem);
+std::optional<StampedRate> rate_of_time_stamps(std::span<const TimeStamps> rows, StampProblem& problem);
 
 /// The number with the fewest significant decimal digits in [low, high], 0 < low <= high.
 double roundest_between(double low, double high);

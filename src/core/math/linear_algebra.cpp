@@ -14,14 +14,14 @@ using Eigen::VectorXd;
 
 // What scales the diagonal to ones; an unknown that nothing depends on stays as it is.
 template <class Matrix>
-VectorXd to_ones(const Matrix& gram) {
+VectorXd unit_diagonal_scaling(const Matrix& gram) {
   return gram.diagonal().real().unaryExpr([](double d) { return d > 0 ? 1 / std::sqrt(d) : 1; });
 }
 
 template <class Matrix>
 Matrix inverse_of(const Matrix& gram) {
   if (gram.size() == 1) return gram.cwiseInverse();  // the most frequent, in each step of each fit of one mode
-  const VectorXd scale = to_ones(gram);
+  const VectorXd scale = unit_diagonal_scaling(gram);
   const Matrix even = scale.asDiagonal() * gram * scale.asDiagonal();
   const Matrix solved = even.ldlt().solve(Matrix::Identity(gram.rows(), gram.cols()));
   return scale.asDiagonal() * solved * scale.asDiagonal();
@@ -33,7 +33,7 @@ MatrixXd inverse_gram(const MatrixXd& gram) { return inverse_of(gram); }
 MatrixXcd inverse_gram(const MatrixXcd& gram) { return inverse_of(gram); }
 
 VectorXd solve_gram(const MatrixXd& gram, const VectorXd& right, double damping) {
-  const VectorXd scale = to_ones(gram);
+  const VectorXd scale = unit_diagonal_scaling(gram);
   MatrixXd even = scale.asDiagonal() * gram * scale.asDiagonal();
   even.diagonal() *= 1 + damping;
   return scale.cwiseProduct(even.ldlt().solve(scale.cwiseProduct(right)));
@@ -54,9 +54,9 @@ MatrixXd orthonormal_polynomials(Index points, Index terms) {
 VectorXd least_squares(const MatrixXd& columns, const VectorXd& right) {
   return Eigen::ColPivHouseholderQR<MatrixXd>(columns).solve(right);
 }
-std::optional<MatrixXd> left_inverse(const MatrixXd& columns, double least_pivot) {
+std::optional<MatrixXd> left_inverse(const MatrixXd& columns, double min_pivot) {
   Eigen::ColPivHouseholderQR<MatrixXd> qr;
-  qr.setThreshold(least_pivot);
+  qr.setThreshold(min_pivot);
   qr.compute(columns);
   if (qr.rank() < columns.cols()) return std::nullopt;
   return qr.solve(MatrixXd::Identity(columns.rows(), columns.rows()));

@@ -20,8 +20,8 @@ Eigen::MatrixXd orthonormal_polynomials(Eigen::Index points, Eigen::Index terms)
 /// The x that minimises |columns·x − right|, by QR with column pivoting. shapes: columns [n, m], right [n], result [m].
 Eigen::VectorXd least_squares(const Eigen::MatrixXd& columns, const Eigen::VectorXd& right);
 
-/// The pseudo-inverse, whose product with any `right` is the above; none when a pivot falls below `least_pivot` of the
+/// The pseudo-inverse, whose product with any `right` is the above; none when a pivot falls below `min_pivot` of the
 /// largest. shapes: columns [n, m], result [m, n]: for small n.
-std::optional<Eigen::MatrixXd> left_inverse(const Eigen::MatrixXd& columns, double least_pivot);
+std::optional<Eigen::MatrixXd> left_inverse(const Eigen::MatrixXd& columns, double min_pivot);
 
 }  // namespace percuss

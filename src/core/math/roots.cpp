@@ -15,7 +15,7 @@ using Complex = std::complex<double>;
 using Eigen::Index;
 using Eigen::VectorXcd;
 
-constexpr int kMostSteps = 60;
+constexpr int kMaxSteps = 60;
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 struct Value {
@@ -65,7 +65,7 @@ Eigen::VectorXcd polynomial_roots(const Eigen::VectorXcd& c, const Eigen::Vector
   assert(c.size() == start.size());
   VectorXcd w = start;
   std::vector<char> moving(static_cast<std::size_t>(w.size()), 1);
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kMaxSteps; ++step) {
     bool any = false;
     for (Index i = 0; i < w.size(); ++i) {
       char& moves = moving[static_cast<std::size_t>(i)];

@@ -28,7 +28,7 @@ Spread spread_of(std::vector<double> values) {
   return {.median = middle, .robust_std = kGaussian * median_within(values)};
 }
 
-std::vector<double> thinned(std::span<const double> values, std::size_t enough) {
+std::vector<double> subsampled(std::span<const double> values, std::size_t enough) {
   const std::size_t stride = std::max<std::size_t>(1, values.size() / enough);
   std::vector<double> some;
   some.reserve(values.size() / stride + 1);

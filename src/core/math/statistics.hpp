@@ -21,12 +21,12 @@ Spread spread_of(std::vector<double> values);
 
 /// Every n-th value, n so large that no more than twice `enough` are left: their medians are as unmoved by what is rare
 /// as those of all values, and cost nothing.
-std::vector<double> thinned(std::span<const double> values, std::size_t enough);
+std::vector<double> subsampled(std::span<const double> values, std::size_t enough);
 
 /// Smallest and largest value; both 0 for none.
 struct Extremes {
   double low = 0, high = 0;
-  double furthest_from(double centre) const { return std::max(high - centre, centre - low); }
+  double max_distance_from(double centre) const { return std::max(high - centre, centre - low); }
 };
 Extremes extremes_of(std::span<const double> values);
 /// Those of each `block` values; the last block may be shorter.

@@ -51,8 +51,9 @@ Complex dot_real(const double* a, const Complex* b, Index n) {
 template <class Task>
 void over_columns(const MatrixXcd& matrix, Index others, const Task& task) {
   constexpr Index kPerElement = 8;  // operations of a product of complex numbers and a sum
-  share_out(static_cast<std::size_t>(matrix.cols()), static_cast<std::size_t>(kPerElement * matrix.rows() * others),
-            [&](std::size_t j) { task(static_cast<Index>(j)); });
+  parallel_for_cost(static_cast<std::size_t>(matrix.cols()),
+                    static_cast<std::size_t>(kPerElement * matrix.rows() * others),
+                    [&](std::size_t j) { task(static_cast<Index>(j)); });
 }
 
 }  // namespace

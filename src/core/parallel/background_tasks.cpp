@@ -24,24 +24,24 @@ std::atomic<std::size_t> asked{0};
 }  // namespace
 
 // Kept by the calls as well, which may come when nobody is left who asked for them.
-class Meanwhile::Work final : public LoopWatch, public std::enable_shared_from_this<Work> {
+class BackgroundTasks::Work final : public LoopObserver, public std::enable_shared_from_this<Work> {
  public:
   Work(std::size_t count, std::function<void(std::size_t)> task)
       : count_(count),
         task_(std::move(task)),
         threads_(ThreadLimit::here()),
-        others_(count == 0 || threads_ == 1 ? 0 : threads_of_arena(threads_) - 1) {}
+        others_(count == 0 || threads_ == 1 ? 0 : arena_concurrency(threads_) - 1) {}
 
-  void wanted() override {
+  void loop_started() override {
     ++open_loops_;
     ++changes_;
   }
-  void free() override {
+  void loop_finished() override {
     if (--open_loops_ > 0) return;
-    while (next_ < count_ && calls_ < others_ && ask()) continue;
+    while (next_ < count_ && calls_ < others_ && enqueue()) continue;
   }
 
-  std::size_t take_rest() { return next_.exchange(count_); }
+  std::size_t claim_remaining() { return next_.exchange(count_); }
   void run(std::size_t i) {
     try {
       task_(i);
@@ -64,12 +64,12 @@ class Meanwhile::Work final : public LoopWatch, public std::enable_shared_from_t
   using Held = std::shared_ptr<Work>;
 
   // False where memory is short: finish() does it all then.
-  bool ask() noexcept {
+  bool enqueue() noexcept {
     ++calls_;
     try {
       auto held = std::make_unique<Held>(shared_from_this());
       ++asked;
-      call_from_arena(threads_, answer, held.get());
+      enqueue_in_arena(threads_, run_enqueued, held.get());
       static_cast<void>(held.release());  // answer() has it now
       return true;
     } catch (...) {
@@ -77,13 +77,13 @@ class Meanwhile::Work final : public LoopWatch, public std::enable_shared_from_t
       return false;
     }
   }
-  static void answer(void* with) {
+  static void run_enqueued(void* with) {
     asked.load();
     const std::unique_ptr<Held> held(static_cast<Held*>(with));
-    (*held)->take_up();
+    (*held)->run_while_idle();
   }
 
-  void take_up() {
+  void run_while_idle() {
     const ThreadLimit alone(1);
     ++busy_;
     const std::size_t before = changes_;
@@ -110,17 +110,17 @@ class Meanwhile::Work final : public LoopWatch, public std::enable_shared_from_t
   std::size_t failed_at_ = 0;
 };
 
-Meanwhile::Meanwhile(std::size_t count, std::function<void(std::size_t)> task)
-    : work_(std::make_shared<Work>(count, std::move(task))), watched_before_(watch_loops(work_.get())) {}
+BackgroundTasks::BackgroundTasks(std::size_t count, std::function<void(std::size_t)> task)
+    : work_(std::make_shared<Work>(count, std::move(task))), previous_observer_(set_loop_observer(work_.get())) {}
 
-Meanwhile::~Meanwhile() {
-  work_->take_rest();
+BackgroundTasks::~BackgroundTasks() {
+  work_->claim_remaining();
   work_->wait();
-  watch_loops(watched_before_);
+  set_loop_observer(previous_observer_);
 }
 
-void Meanwhile::finish() {
-  const std::size_t first = work_->take_rest();
+void BackgroundTasks::finish() {
+  const std::size_t first = work_->claim_remaining();
   const std::size_t left = first < work_->count() ? work_->count() - first : 0;
   parallel_for(left, work_->threads(), [&](std::size_t i) { work_->run(first + i); });
   work_->wait();

@@ -11,18 +11,19 @@ namespace {
 
 using Task = std::function<void(std::size_t)>;
 
-constexpr std::size_t kWorthWaking = 400'000;  // operations, about 0.1 ms: waking another thread takes a third of that
-constexpr std::size_t kStrip = 512;
+constexpr std::size_t kMinParallelFlops =
+    400'000;  // operations, about 0.1 ms: waking another thread takes a third of that
+constexpr std::size_t kChunkSize = 512;
 
 thread_local std::size_t allowed_threads = 0;
-thread_local LoopWatch* loop_watch = nullptr;
+thread_local LoopObserver* loop_observer = nullptr;
 
-std::atomic<void (*)()> greeting{nullptr};
-thread_local bool greeted = false;
+std::atomic<void (*)()> thread_initialiser{nullptr};
+thread_local bool thread_initialised = false;
 
-void greet() {
-  greeted = true;
-  if (const auto call = greeting.load()) call();
+void initialise_this_thread() {
+  thread_initialised = true;
+  if (const auto call = thread_initialiser.load()) call();
 }
 
 // oneTBB orders a task after what came before parallel_for, and what follows after the task. These say so once more, to
@@ -34,21 +35,21 @@ struct AtEnd {  // also of a task that throws
   ~AtEnd() { say(); }
 };
 
-struct Watched {
-  LoopWatch* watch;
-  explicit Watched(LoopWatch* by) : watch(by) {
-    if (watch != nullptr) watch->wanted();
+struct ObservedLoop {
+  LoopObserver* observer;
+  explicit ObservedLoop(LoopObserver* by) : observer(by) {
+    if (observer != nullptr) observer->loop_started();
   }
-  ~Watched() {
-    if (watch != nullptr) watch->free();
+  ~ObservedLoop() {
+    if (observer != nullptr) observer->loop_finished();
   }
-  Watched(const Watched&) = delete;
-  Watched& operator=(const Watched&) = delete;
+  ObservedLoop(const ObservedLoop&) = delete;
+  ObservedLoop& operator=(const ObservedLoop&) = delete;
 };
 
 void call_in_order(const void* task, std::size_t i) {
   begun.load(std::memory_order_acquire);
-  if (!greeted) greet();
+  if (!thread_initialised) initialise_this_thread();
   const AtEnd end{[] { ended.fetch_add(1, std::memory_order_release); }};
   (*static_cast<const Task*>(task))(i);
 }
@@ -60,7 +61,7 @@ void parallel_for(std::size_t count, std::size_t threads, const Task& task) {
     for (std::size_t i = 0; i < count; ++i) task(i);
     return;
   }
-  const Watched watched{loop_watch};
+  const ObservedLoop watched{loop_observer};
   begun.fetch_add(1, std::memory_order_release);
   const AtEnd end{[] { ended.load(std::memory_order_acquire); }};
   run_in_arena(count, threads, call_in_order, &task);
@@ -70,26 +71,26 @@ ThreadLimit::ThreadLimit(std::size_t threads) : before_(std::exchange(allowed_th
 ThreadLimit::~ThreadLimit() { allowed_threads = before_; }
 std::size_t ThreadLimit::here() { return allowed_threads; }
 
-void greet_threads(void (*call)()) {
-  greeted = true;
-  greeting = call;
+void set_thread_initialiser(void (*call)()) {
+  thread_initialised = true;
+  thread_initialiser = call;
 }
 
-LoopWatch* watch_loops(LoopWatch* watch) { return std::exchange(loop_watch, watch); }
+LoopObserver* set_loop_observer(LoopObserver* observer) { return std::exchange(loop_observer, observer); }
 
-void share_out(std::size_t count, std::size_t operations, const Task& task) {
-  const bool worth_it = count > 1 && operations > kWorthWaking / count;
+void parallel_for_cost(std::size_t count, std::size_t operations, const Task& task) {
+  const bool worth_it = count > 1 && operations > kMinParallelFlops / count;
   parallel_for(count, worth_it ? allowed_threads : 1, [limit = allowed_threads, &task](std::size_t i) {
     const ThreadLimit same(limit);  // for what the task shares out in its turn
     task(i);
   });
 }
 
-void share_out_strips(std::size_t size, std::size_t operations,
-                      const std::function<void(std::size_t, std::size_t)>& task) {
-  share_out((size + kStrip - 1) / kStrip, operations * kStrip, [&](std::size_t strip) {
-    const std::size_t first = strip * kStrip;
-    task(first, std::min(kStrip, size - first));
+void parallel_for_chunks(std::size_t size, std::size_t operations,
+                         const std::function<void(std::size_t, std::size_t)>& task) {
+  parallel_for_cost((size + kChunkSize - 1) / kChunkSize, operations * kChunkSize, [&](std::size_t chunk) {
+    const std::size_t first = chunk * kChunkSize;
+    task(first, std::min(kChunkSize, size - first));
   });
 }
 

@@ -42,9 +42,9 @@ void run_in_arena(std::size_t count, std::size_t threads, void (*call)(const voi
   });
 }
 
-std::size_t threads_of_arena(std::size_t threads) { return static_cast<std::size_t>(allowed(threads)); }
+std::size_t arena_concurrency(std::size_t threads) { return static_cast<std::size_t>(allowed(threads)); }
 
-void call_from_arena(std::size_t threads, void (*call)(void* with), void* with) {
+void enqueue_in_arena(std::size_t threads, void (*call)(void* with), void* with) {
   within_arena(threads, [&] {
     tbb::task_arena here{tbb::task_arena::attach{}};
     here.enqueue([call, with] { call(with); });

@@ -9,9 +9,9 @@ void run_in_arena(std::size_t count, std::size_t threads, void (*call)(const voi
                   const void* task);
 
 /// How many threads that are.
-std::size_t threads_of_arena(std::size_t threads);
+std::size_t arena_concurrency(std::size_t threads);
 
 /// Another of these threads calls call(with) once it has nothing else to do; never, where the process ends before.
-void call_from_arena(std::size_t threads, void (*call)(void* with), void* with);
+void enqueue_in_arena(std::size_t threads, void (*call)(void* with), void* with);
 
 }  // namespace percuss

@@ -26,9 +26,9 @@
 namespace percuss {
 namespace {
 
-constexpr double kUneven = 0.05;                           // of the spacing: frequencies may be rounded
-constexpr double kSameSpacing = 1e-6;                      // relative, between files
-constexpr std::size_t kMostLines = std::size_t{1} << 28U;  // from 0 Hz on, present or not
+constexpr double kUneven = 0.05;                             // of the spacing: frequencies may be rounded
+constexpr double kSameSpacing = 1e-6;                        // relative, between files
+constexpr std::size_t kMaxFrfLines = std::size_t{1} << 28U;  // from 0 Hz on, present or not
 
 std::string name_of(const FrfRecord& record) { return input_name(record.source()); }
 
@@ -59,13 +59,14 @@ FrfReadOptions without_places(FrfReadOptions options) {
 }
 
 // m/s² or its integrals per stored unit of the response; N per stored unit of the force.
-double response_factor(const SignalChoice& choice, const StoredFrfs& stored, FrfKind kind, const std::string& where) {
+double response_factor(const SignalOverrides& choice, const StoredFrfs& stored, FrfKind kind,
+                       const std::string& where) {
   if (choice.scale) return *choice.scale;
   if (!choice.unit.empty()) return require_unit(choice.unit, Quantity::acceleration, where).to_SI;
   return stored.unit && stored.unit->kind == kind ? stored.unit->response_to_SI : 1;
 }
 
-double force_factor(const SignalChoice& choice, const StoredFrfs& stored, const std::string& where) {
+double force_factor(const SignalOverrides& choice, const StoredFrfs& stored, const std::string& where) {
   if (choice.scale) return *choice.scale;
   if (!choice.unit.empty()) return require_unit(choice.unit, Quantity::force, where).to_SI;
   return stored.unit ? stored.unit->force_to_SI : 1;
@@ -97,7 +98,7 @@ Frf accelerance_of(StoredFrf stored, const FrfRecord& record, double factor, con
     const Complex by = factor * (order == 0 ? Complex(1) : order == 1 ? s : s * s);
     frf.value[k] *= by;
     if (!frf.std.empty()) frf.std[k] *= std::abs(by);
-    if (std::abs(frf.value[k]) <= kLargestSample) continue;
+    if (std::abs(frf.value[k]) <= kMaxSample) continue;
     throw InputError(fmt::format("the FRF at {:.6g} Hz is too large", record.lines.freq_Hz(k)), where,
                      "correct the number or the scale");
   }
@@ -106,18 +107,18 @@ Frf accelerance_of(StoredFrf stored, const FrfRecord& record, double factor, con
 
 }  // namespace
 
-FrfRecord finished_frfs(StoredFrfs stored, const FrfReadOptions& options) {
+FrfRecord to_accelerances(StoredFrfs stored, const FrfReadOptions& options) {
   FrfRecord record = std::move(stored.record);
   const std::string where = name_of(record);
   refuse_useless(options.read, where);
   record.kind = kind_of(stored, options, record.notes);
   const auto channels = hdf5::chosen_channels(options.read, record.accel.size(), where);
-  const SignalChoice force = force_choice(options.read, hdf5::force_setup(options.read));
+  const SignalOverrides force = force_overrides(options.read, hdf5::force_setup(options.read));
   const double below = force.sign * force_factor(force, stored, where);
   std::vector<SignalInfo> accel;
   for (std::size_t i = 0; i < channels.size(); ++i) {
     const ChannelSetup* setup = hdf5::accel_setup(options.read, channels[i], record.accel.size());
-    const SignalChoice choice = accel_choice(options.read, setup, i, channels.size());
+    const SignalOverrides choice = accel_overrides(options.read, setup, i, channels.size());
     SignalInfo signal = record.accel[channels[i]];
     signal.to_SI = choice.sign * response_factor(choice, stored, record.kind, where) / below;
     if (!std::isfinite(signal.to_SI) || signal.to_SI == 0)
@@ -140,14 +141,14 @@ FrfRecord finished_frfs(StoredFrfs stored, const FrfReadOptions& options) {
   return record;
 }
 
-LineRange lines_of(const std::vector<double>& freq_Hz, const std::string& where) {
+LineRange lines_from_frequencies(const std::vector<double>& freq_Hz, const std::string& where) {
   const char* const remedy = "save one line per frequency, evenly spaced from 0 Hz or a multiple of the spacing";
   const std::size_t n = freq_Hz.size();
   if (n < 2) throw InputError("fewer than two frequencies", where, remedy);
   const double rough_Hz = (freq_Hz.back() - freq_Hz.front()) / static_cast<double>(n - 1);
   if (!(freq_Hz.front() >= 0) || !(rough_Hz > 0)) throw InputError("frequencies that do not rise", where, remedy);
   const double first = std::round(freq_Hz.front() / rough_Hz);
-  if (!(first < static_cast<double>(kMostLines)))
+  if (!(first < static_cast<double>(kMaxFrfLines)))
     throw InputError("frequencies too close together for how high they are", where, remedy);
   const double df_Hz = freq_Hz.back() / (first + static_cast<double>(n - 1));
   for (std::size_t k = 0; k < n; ++k) {
@@ -167,31 +168,31 @@ std::variant<Record, FrfRecord> open_measurement(const std::string& path, const 
   constexpr std::size_t kHead_bytes = 4096;
   const std::string head = path != "-" ? first_bytes(path, kHead_bytes) : "";
   const bool mat = is_mat(head);
-  if (options.read.confined && path != "-" && (mat || is_hdf5(path))) {
+  if (options.read.sandboxed && path != "-" && (mat || is_hdf5(path))) {
     FrfReadOptions within = options;
-    within.read.confined = false;
-    return open_measurement_confined(path, [&] { return open_measurement(path, within); });
+    within.read.sandboxed = false;
+    return open_measurement_sandboxed(path, [&] { return open_measurement(path, within); });
   }
   if (!mat) refuse_variable_names(options.read, path);
   if (is_sound(head)) return open_record(path, options.read);
   if (mat) {
     MatFile file = read_mat_file(path);
-    if (auto frfs = read_frf_mat(file, options)) return finished_frfs(std::move(*frfs), without_places(options));
+    if (auto frfs = read_frf_mat(file, options)) return to_accelerances(std::move(*frfs), without_places(options));
     return open_mat(std::move(file), options.read);
   }
   if (path != "-" && is_hdf5(path)) {
-    if (auto frfs = read_frf_hdf5(path)) return finished_frfs(std::move(*frfs), options);
+    if (auto frfs = read_frf_hdf5(path)) return to_accelerances(std::move(*frfs), options);
     return open_record(path, options.read);
   }
   const FileBytes text = read_text(path);
   if (is_universal_file(text.view())) {
     UffContents contents = read_uff_contents(text);
     if (auto frfs = read_frf_uff(text, contents, options.kind.has_value()))
-      return finished_frfs(std::move(*frfs), options);
+      return to_accelerances(std::move(*frfs), options);
     return open_uff(text, std::move(contents), options.read);
   }
   if (is_lvm(text.view())) return open_lvm(text, options.read);
-  if (auto frfs = read_frf_text(text, options.kind.has_value())) return finished_frfs(std::move(*frfs), options);
+  if (auto frfs = read_frf_text(text, options.kind.has_value())) return to_accelerances(std::move(*frfs), options);
   return open_csv(text, options.read);
 }
 

@@ -61,11 +61,11 @@ struct StoredFrfs {
 
 /// Applies unit, kind, channel choice, signs, scales, angles and positions: stored numbers become accelerances.
 /// errors  InputError: options that FRFs have no use for, channels that are not there, numbers beyond any sensor.
-FrfRecord finished_frfs(StoredFrfs stored, const FrfReadOptions& options);
+FrfRecord to_accelerances(StoredFrfs stored, const FrfReadOptions& options);
 
 /// The lines of evenly spaced frequencies that are multiples of their spacing (to 5 % of it: they may be rounded).
 /// errors  InputError at `where`: fewer than two, uneven, falling, negative.
-LineRange lines_of(const std::vector<double>& freq_Hz, const std::string& where);
+LineRange lines_from_frequencies(const std::vector<double>& freq_Hz, const std::string& where);
 
 /// Opens a file of any kind: FRFs, where its columns or data sets are those of FRFs, else a record (open_record).
 std::variant<Record, FrfRecord> open_measurement(const std::string& path, const FrfReadOptions& options = {});

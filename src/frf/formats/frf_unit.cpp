@@ -45,9 +45,9 @@ std::optional<FrfUnit> parse_quotient(std::string_view above, std::string_view b
 }  // namespace
 
 std::optional<FrfUnit> parse_frf_unit(std::string_view text) {
-  constexpr std::size_t kLongest = 64;  // characters: longer texts are no units
+  constexpr std::size_t kMaxUnitLength = 64;  // characters: longer texts are no units
   text = trimmed(text);
-  if (text.size() > kLongest) return std::nullopt;
+  if (text.size() > kMaxUnitLength) return std::nullopt;
   if (text.size() > 2 && text.front() == '[' && text.back() == ']') text = trimmed(text.substr(1, text.size() - 2));
   if (const auto between = text.find(")("); between != std::string_view::npos)
     return parse_quotient(text.substr(0, between + 1), text.substr(between + 1));

@@ -16,8 +16,8 @@ namespace {
 using hdf5::InputDataSet;
 using hdf5::InputHdf5;
 
-constexpr std::size_t kMostPoints = 1'000'000;
-constexpr double kLargestPoint = 1e9;
+constexpr std::size_t kMaxPoints = 1'000'000;
+constexpr double kMaxPointNumber = 1e9;
 const char* const kRemedy = "store frf [points, channels, lines] and frequency_hz [lines]";
 
 struct Shape {
@@ -30,7 +30,7 @@ Shape shape_of(const InputDataSet& set, const std::string& where) {
   Shape out{.lines = shape.back(), .dimensions = shape.size()};
   if (shape.size() > 1) out.channels = shape[shape.size() - 2];
   if (shape.size() > 2) out.points = shape[0];
-  if (out.points * out.channels > kMostPoints) throw InputError("more than a million FRFs", where, "split the file");
+  if (out.points * out.channels > kMaxPoints) throw InputError("more than a million FRFs", where, "split the file");
   return out;
 }
 
@@ -79,7 +79,7 @@ std::vector<int> points_of(const InputHdf5& file, std::size_t count) {
   if (set.shape() != std::vector<std::size_t>{count}) throw InputError("not one number per point", where, kRemedy);
   const auto numbers = set.read_all();
   for (std::size_t p = 0; p < count; ++p) {
-    if (!(std::abs(numbers[p]) <= kLargestPoint) || numbers[p] != std::round(numbers[p]))
+    if (!(std::abs(numbers[p]) <= kMaxPointNumber) || numbers[p] != std::round(numbers[p]))
       throw InputError("not a whole number", where, "number the points");
     points[p] = static_cast<int>(numbers[p]);
   }
@@ -110,7 +110,7 @@ void read_root(const InputHdf5& file, StoredFrfs& out, std::size_t& averages) {
     out.record.decay_per_s = decay->front();
   }
   const auto count = hdf5::number_attribute(file.id(), "averages", file.path(), 1);
-  if (count && count->front() >= 0 && count->front() <= kLargestPoint)
+  if (count && count->front() >= 0 && count->front() <= kMaxPointNumber)
     averages = static_cast<std::size_t>(count->front());
 }
 
@@ -133,7 +133,7 @@ std::optional<StoredFrfs> read_frf_hdf5(const std::string& path) {
     throw InputError("not one frequency per line", file.where("frequency_hz"), kRemedy);
   const auto freq_Hz = frequencies.read_all();
   require_finite(freq_Hz, file.where("frequency_hz"));
-  out.record.lines = lines_of(freq_Hz, file.where("frequency_hz"));
+  out.record.lines = lines_from_frequencies(freq_Hz, file.where("frequency_hz"));
   read_sensors(file, set, shape.channels, out.record);
   const auto points = points_of(file, shape.points);
   const Companion std(file, "frf_std", set);

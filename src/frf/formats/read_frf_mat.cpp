@@ -13,7 +13,7 @@
 namespace percuss {
 namespace {
 
-constexpr std::size_t kMostMatFrfs = 1'000'000;
+constexpr std::size_t kMaxMatFrfs = 1'000'000;
 
 // How the numbers of an array of FRFs are ordered: [points, channels, lines], each with its stride.
 struct MatFrfLayout {
@@ -55,7 +55,7 @@ std::vector<const MatVariable*> frf_candidates(const MatFile& file) {
     if (i < kNamesInMessage) names += fmt::format("{}{} [{}]", i == 0 ? "" : ", ", one_line(variable.name, 40), shape);
     if (i == kNamesInMessage) names += fmt::format(", … ({} variables)", file.variables.size());
   }
-  UnclearColumns error(problem + " among " + names, file.path, remedy, header);
+  AmbiguousColumns error(problem + " among " + names, file.path, remedy, header);
   error.format = "MAT";
   throw error;
 }
@@ -100,7 +100,7 @@ std::vector<double> frequencies_in(const MatFile& file) {
 
 LineRange lines_in(const MatFile& file, const FrfReadOptions& options, std::size_t lines,
                    const std::vector<double>& freq_Hz) {
-  if (!options.read.df_Hz && freq_Hz.size() == lines) return lines_of(freq_Hz, file.path);
+  if (!options.read.df_Hz && freq_Hz.size() == lines) return lines_from_frequencies(freq_Hz, file.path);
   auto df_Hz = options.read.df_Hz;
   if (!df_Hz) df_Hz = mat_number(file, {"df", "dfhz", "deltaf", "freqspacing", "frequencyresolution"});
   const auto fs_Hz = mat_rate_Hz(file, options.read);
@@ -188,7 +188,7 @@ std::optional<StoredFrfs> read_frf_mat(const MatFile& file, const FrfReadOptions
   if (named == nullptr && !own && !options.kind && holds_time(file, lines)) return std::nullopt;
   const MatVariable& frf = chosen_frf(file, candidates);
   const MatFrfLayout layout = frf_layout(frf, freq_Hz.size());
-  if (layout.lines < 2 || layout.points * layout.channels > kMostMatFrfs)
+  if (layout.lines < 2 || layout.points * layout.channels > kMaxMatFrfs)
     throw InputError("too few lines or too many FRFs: " + shape_name(frf.shape), file.path, "split the file");
   StoredFrfs out;
   out.record.files.push_back({.path = file.path, .bytes = file.bytes});

@@ -216,7 +216,7 @@ std::optional<StoredFrfs> read_frf_text(const FileBytes& bytes, bool forced) {
   const CsvTable table(bytes, std::move(layout));
   auto freq_Hz = read_column(table, 0);
   if (kilohertz) std::for_each(freq_Hz.begin(), freq_Hz.end(), [](double& f) { f *= 1000; });
-  out.record.lines = lines_of(freq_Hz, file);
+  out.record.lines = lines_from_frequencies(freq_Hz, file);
   for (const Columns& c : columns) {
     out.frfs.push_back({.point = *c.point,
                         .channel = *c.channel,

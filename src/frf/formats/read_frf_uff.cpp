@@ -19,7 +19,7 @@ using Functions = std::vector<const UffFunction*>;
 
 // Where a response was taken or a hammer struck, beside the point itself.
 using PlaceKey = std::tuple<std::string, int, int>;
-PlaceKey key_of(const UffPlace& place) { return {place.name, place.node, place.direction}; }
+PlaceKey key_of(const UffDof& place) { return {place.name, place.node, place.direction}; }
 
 // How the functions' two places make points and channels.
 struct Grid {
@@ -85,18 +85,18 @@ LineRange lines_of_function(const UffFunction& f, const std::string& where, std:
   std::vector<double> freq_Hz(f.count);
   if (!f.even) {
     for (std::size_t k = 0; k < f.count; ++k) freq_Hz[k] = f.x(k);
-    return lines_of(freq_Hz, where);
+    return lines_from_frequencies(freq_Hz, where);
   }
   const double df_Hz = uff_step(f, true, note);
   const double first = std::round(f.x0 / df_Hz);
-  constexpr double kSlack = 0.05;  // of a line, as for texts
-  const bool fits = df_Hz > 0 && first >= 0 && std::abs(f.x0 / df_Hz - first) <= kSlack;
+  constexpr double kMaxLineOffset = 0.05;  // of a line, as for texts
+  const bool fits = df_Hz > 0 && first >= 0 && std::abs(f.x0 / df_Hz - first) <= kMaxLineOffset;
   if (!fits || f.count < 2) {
     throw InputError(fmt::format("{} lines from {} Hz in steps of {} Hz", f.count, f.x0, f.dx), where,
                      "export lines that are multiples of their spacing");
   }
   for (std::size_t k = 0; k < f.count; ++k) freq_Hz[k] = (first + static_cast<double>(k)) * df_Hz;
-  return lines_of(freq_Hz, where);
+  return lines_from_frequencies(freq_Hz, where);
 }
 
 void require_same_lines(const Functions& frfs, const FileBytes& file) {
@@ -105,7 +105,7 @@ void require_same_lines(const Functions& frfs, const FileBytes& file) {
     const bool same = f->count == first.count && f->even == first.even && f->dx == first.dx && f->x0 == first.x0;
     if (same && (f->complex || f->type != Uff58::frequency_response)) continue;
     throw InputError(same ? "an FRF that is not complex" : "FRFs with other lines than the first one",
-                     uff_place(file, f->at), "export them with the same lines, as complex numbers");
+                     uff_location(file, f->at), "export them with the same lines, as complex numbers");
   }
 }
 
@@ -116,7 +116,7 @@ StoredFrf stored_frf(const UffFunction& f, int point, std::size_t channel) {
   f.read(1, 0, imaginary);
   out.value.reserve(f.count);
   for (std::size_t k = 0; k < f.count; ++k) out.value.emplace_back(real[k], imaginary[k]);
-  out.averages = uff_statement(f).averages;
+  out.averages = uff_annotation(f).averages;
   return out;
 }
 
@@ -177,12 +177,12 @@ std::optional<StoredFrfs> read_frf_uff(const FileBytes& file, const UffContents&
   out.record.format = "FRF UFF";
   out.record.notes = uff_notes(contents);
   std::string note;
-  out.record.lines = lines_of_function(first, uff_place(file, first.at), note);
+  out.record.lines = lines_of_function(first, uff_location(file, first.at), note);
   if (!note.empty()) out.record.notes.push_back(note);
   bool known = false;
   const FrfUnit unit = unit_of_function(first, contents, known);
   if (known) out.unit = unit;
-  const UffStatement stated = uff_statement(first);
+  const UffAnnotation stated = uff_annotation(first);
   out.record.decay_per_s = std::max(0.0, stated.decay_per_s.value_or(0));
   out.record.geometry = uff_geometry(contents, stated.node_offset, out.record.notes);
   if (!out.record.geometry.empty()) out.record.trace_lines = uff_trace_lines(contents, stated.node_offset);
@@ -192,7 +192,7 @@ std::optional<StoredFrfs> read_frf_uff(const FileBytes& file, const UffContents&
   for (const UffFunction* f : frfs) {
     const std::size_t channel = grid.channels.at(grid.channel_key(*f)) - 1;
     SignalInfo& signal = out.record.accel[channel];
-    const UffStatement its = uff_statement(*f);
+    const UffAnnotation its = uff_annotation(*f);
     signal.name = "accel " + std::to_string(channel + 1);
     if (its.angle_deg) signal.angle_rad = *its.angle_deg * kDegree_rad;
     signal.position_m = its.position_m;

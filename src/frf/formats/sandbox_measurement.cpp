@@ -14,19 +14,19 @@ namespace {
 
 enum class Kind : std::uint64_t { record, frfs };
 
-void pack_frf_record(Packer& out, const FrfRecord& record) {
+void serialize_frf_record(Serializer& out, const FrfRecord& record) {
   out.put(record.files.front().path);
   out.put(record.files.front().bytes);
   out.put(record.format);
   out.put(record.kind);
   out.put(record.lines);
   out.put(static_cast<std::uint64_t>(record.accel.size()));
-  for (const SignalInfo& signal : record.accel) pack_signal(out, signal);
+  for (const SignalInfo& signal : record.accel) serialize_signal(out, signal);
   out.put(record.estimator);
-  pack_geometry(out, record.geometry);
+  serialize_geometry(out, record.geometry);
   out.put_all(record.trace_lines);
   out.put(record.decay_per_s);
-  pack_texts(out, record.notes);
+  serialize_strings(out, record.notes);
   out.put(static_cast<std::uint64_t>(record.frfs.size()));
   for (const PointFrf& frf : record.frfs) {
     out.put(frf.point);
@@ -38,7 +38,7 @@ void pack_frf_record(Packer& out, const FrfRecord& record) {
   }
 }
 
-FrfRecord unpack_frf_record(Unpacker& in) {
+FrfRecord deserialize_frf_record(Deserializer& in) {
   FrfRecord record;
   std::string path = in.text();
   record.files.push_back({.path = std::move(path), .bytes = in.get<std::uint64_t>()});
@@ -46,12 +46,12 @@ FrfRecord unpack_frf_record(Unpacker& in) {
   record.kind = in.get<FrfKind>();
   record.lines = in.get<LineRange>();
   const std::size_t channels = in.count(5 * sizeof(double));
-  for (std::size_t c = 0; c < channels; ++c) record.accel.push_back(unpack_signal(in));
+  for (std::size_t c = 0; c < channels; ++c) record.accel.push_back(deserialize_signal(in));
   record.estimator = in.text();
-  record.geometry = unpack_geometry(in);
+  record.geometry = deserialize_geometry(in);
   record.trace_lines = in.all<TraceLine>();
   record.decay_per_s = in.get<double>();
-  record.notes = unpack_texts(in);
+  record.notes = deserialize_strings(in);
   const std::size_t frfs = in.count(5 * sizeof(std::uint64_t));
   for (std::size_t i = 0; i < frfs; ++i) {
     PointFrf frf;
@@ -78,57 +78,57 @@ bool plausible_frfs(const FrfRecord& record) {
   return good && record.frfs.size() % record.accel.size() == 0;
 }
 
-ConfinedService measurement_service(std::variant<Record, FrfRecord> opened) {
-  Packer out;
+SandboxService measurement_service(std::variant<Record, FrfRecord> opened) {
+  Serializer out;
   if (const auto* frfs = std::get_if<FrfRecord>(&opened)) {
     out.put(Kind::frfs);
-    pack_frf_record(out, *frfs);
+    serialize_frf_record(out, *frfs);
     return {.description = out.bytes(), .read = {}};
   }
   out.put(Kind::record);
-  ConfinedService service = record_service(std::move(std::get<Record>(opened)));
+  SandboxService service = record_service(std::move(std::get<Record>(opened)));
   service.description = out.bytes() + service.description;
   return service;
 }
 
-std::variant<Record, FrfRecord> served_measurement(const std::shared_ptr<ConfinedProcess>& process) {
-  Unpacker in(process->description());
+std::variant<Record, FrfRecord> serve_measurement(const std::shared_ptr<SandboxProcess>& process) {
+  Deserializer in(process->description());
   try {
-    if (in.get<Kind>() == Kind::record) return served_record(in, process);
-    FrfRecord frfs = unpack_frf_record(in);
+    if (in.get<Kind>() == Kind::record) return sandboxed_record(in, process);
+    FrfRecord frfs = deserialize_frf_record(in);
     if (plausible_frfs(frfs)) return frfs;
   } catch (const std::out_of_range&) {
   }
-  process->distrust();
+  process->report_contradiction();
 }
 
 }  // namespace
 
-bool is_foreign(const std::string& path) {
+bool needs_sandbox(const std::string& path) {
   constexpr std::size_t kHead_bytes = 4096;
   const std::string head = first_bytes(path, kHead_bytes);
   return is_mat(head) || is_sound(head) || is_hdf5(path);
 }
 
-std::variant<Record, FrfRecord> open_measurement_confined(
+std::variant<Record, FrfRecord> open_measurement_sandboxed(
     const std::string& path, const std::function<std::variant<Record, FrfRecord>()>& open) {
-  return served_measurement(std::make_shared<ConfinedProcess>(path, [&] { return measurement_service(open()); }));
+  return serve_measurement(std::make_shared<SandboxProcess>(path, [&] { return measurement_service(open()); }));
 }
 
-std::shared_ptr<ReaderNursery> measurement_nursery(const FrfReadOptions& options) {
+std::shared_ptr<ForkServer> measurement_fork_server(const FrfReadOptions& options) {
   FrfReadOptions within = options;
-  within.read.confined = false;
-  return std::make_shared<ReaderNursery>(
+  within.read.sandboxed = false;
+  return std::make_shared<ForkServer>(
       [within](const std::string& path) { return measurement_service(open_measurement(path, within)); });
 }
 
-std::variant<Record, FrfRecord> open_measurement_in(const std::shared_ptr<ReaderNursery>& nursery,
-                                                    const std::string& path, const FrfReadOptions& options) {
-  if (nursery->lost() || !is_foreign(path)) return open_measurement(path, options);
+std::variant<Record, FrfRecord> open_measurement_forked(const std::shared_ptr<ForkServer>& fork_server,
+                                                        const std::string& path, const FrfReadOptions& options) {
+  if (fork_server->lost() || !needs_sandbox(path)) return open_measurement(path, options);
   try {
-    return served_measurement(std::make_shared<ConfinedProcess>(path, nursery));
+    return serve_measurement(std::make_shared<SandboxProcess>(path, fork_server));
   } catch (const InputError&) {
-    if (!nursery->lost()) throw;
+    if (!fork_server->lost()) throw;
   }
   return open_measurement(path, options);
 }

@@ -20,7 +20,7 @@ UffFunction described_frf(const FrfRecord& record, const PointFrf& frf, FrfKind 
   out.id[3] = uff_sensor_text(sensor);
   if (frf.frf.averages > 0) out.id[3] += fmt::format("averages = {}; ", frf.frf.averages);
   if (record.decay_per_s > 0) out.id[3] += fmt::format("decay_per_s = {}; ", record.decay_per_s);
-  out.id[4] = uff_statement_text(offset, record.lines.df_Hz());
+  out.id[4] = uff_annotation_text(offset, record.lines.df_Hz());
   out.response = {fmt::format("accel {}", frf.channel + 1), 0, uff_direction(sensor)};
   out.reference = {"force", frf.point + offset, 0};
   out.x0 = record.lines.freq_Hz(0);
@@ -39,7 +39,7 @@ void write_frf_record_uff(const std::string& path, const FrfRecord& record, FrfK
   out.header();
   const std::string nodes = uff_node_lines(record.geometry, offset);
   if (!nodes.empty()) out.set(2411, nodes);
-  for (const std::string& line : uff_trace_line_sets(uff_kept_lines(record.geometry, record.trace_lines), offset))
+  for (const std::string& line : uff_trace_line_sets(uff_drawable_lines(record.geometry, record.trace_lines), offset))
     out.set(82, line);
   for (const PointFrf& frf : record.frfs) {
     const Frf shown = converted(frf.frf, record.lines, kind, record.decay_per_s);

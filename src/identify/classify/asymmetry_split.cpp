@@ -9,7 +9,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double kTold = 0.2;          // sine of n times the angle between the sensors
+constexpr double kMinPlaneSine = 0.2;  // sine of n times the angle between the sensors
 constexpr double kHidden_dB = 20;      // so much lower, the first peak does not show beside the second
 constexpr double kPlacement = 0.0873;  // 5°: real shapes are no pure patterns
 constexpr double kDeviations = 3;
@@ -73,7 +73,7 @@ std::optional<PatternPlane> plane_from_sensors(const Mode& mode, const SensorPai
   const double n = order;
   const double turn = std::sin(n * (sensors.second_rad - sensors.first_rad));
   const SensorAmplitudes a = amplitudes(mode, sensors);
-  if (order < 1 || std::abs(turn) < kTold || !(std::hypot(a.first, a.second) > 0)) return std::nullopt;
+  if (order < 1 || std::abs(turn) < kMinPlaneSine || !(std::hypot(a.first, a.second) > 0)) return std::nullopt;
   // A_c = C cos nθ_c + S sin nθ_c, solved for C and S; the plane is where (C, S) points.
   const double c1 = std::cos(n * sensors.first_rad), s1 = std::sin(n * sensors.first_rad);
   const double c2 = std::cos(n * sensors.second_rad), s2 = std::sin(n * sensors.second_rad);
@@ -91,12 +91,12 @@ std::optional<PatternPlane> plane_from_sensors(const Mode& mode, const SensorPai
 }
 
 void describe_split(const Mode& first, const Mode& second, const std::optional<PatternPlane>& first_plane,
-                    const std::optional<PatternPlane>& second_plane, DoublePeak& of_first, DoublePeak& of_second) {
+                    const std::optional<PatternPlane>& second_plane, SplitMode& of_first, SplitMode& of_second) {
   const double height = peak_height(second) > 0 ? peak_height(first) / peak_height(second) : 1;
   const double height_dB = 20 * std::log10(std::clamp(height, 1e-15, 1e15));
   of_first.quoted = height_dB > -kHidden_dB;
   of_second.quoted = !of_first.quoted;
-  for (DoublePeak* peak : {&of_first, &of_second}) {
+  for (SplitMode* peak : {&of_first, &of_second}) {
     peak->separation_std_Hz = std::hypot(first.freq_std_Hz, second.freq_std_Hz);
     peak->first_over_second_dB = height_dB;
     peak->planes.reset();

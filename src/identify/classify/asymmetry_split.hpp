@@ -17,6 +17,6 @@ std::optional<PatternPlane> plane_from_sensors(const Mode& mode, const SensorPai
 /// first; the second is quoted where the first is hidden under it (20 dB lower).
 /// source  [8] section 3.6.
 void describe_split(const Mode& first, const Mode& second, const std::optional<PatternPlane>& first_plane,
-                    const std::optional<PatternPlane>& second_plane, DoublePeak& of_first, DoublePeak& of_second);
+                    const std::optional<PatternPlane>& second_plane, SplitMode& of_first, SplitMode& of_second);
 
 }  // namespace percuss

@@ -11,8 +11,8 @@ namespace {
 
 constexpr double kPairSpacing = 0.04;   // of the frequency: the two planes of one bending mode lie closer than this
 constexpr double kSplitSpacing = 0.15;  // of the frequency: the 25 Hz rule is for bats, whose modes lie above 100 Hz
-constexpr double kSure = 0.9;           // below it the rival is named
-constexpr double kRival = 0.03;
+constexpr double kMinLoneProbability = 0.9;  // below it the rival is named
+constexpr double kMinRivalProbability = 0.03;
 constexpr double kComplex = 0.4;  // imaginary over whole ratio above which no real shape explains it
 
 struct Ratio {
@@ -70,9 +70,9 @@ std::optional<std::size_t> partner_of(const std::vector<Mode>& modes, std::size_
   return best;
 }
 
-std::vector<Belief> beliefs_of(const std::vector<Mode>& modes, const std::vector<Ratio>& ratios,
-                               const SensorPair& sensors, const ClassifyOptions& options) {
-  std::vector<FamilyEvidence> evidence(modes.size());
+std::vector<TypePosterior> posteriors_of(const std::vector<Mode>& modes, const std::vector<Ratio>& ratios,
+                                         const SensorPair& sensors, const ClassifyOptions& options) {
+  std::vector<TypeEvidence> evidence(modes.size());
   for (std::size_t m = 0; m < modes.size(); ++m) {
     evidence[m].freq_Hz = modes[m].pole.freq_Hz;
     evidence[m].size = ratios[m].size;
@@ -81,10 +81,10 @@ std::vector<Belief> beliefs_of(const std::vector<Mode>& modes, const std::vector
     if (partner && partner_of(modes, *partner, options) == m) evidence[m].partner = partner;
   }
   const SetUpError error{.angle_rad = options.angle_std_rad, .gain = options.gain_std};
-  return family_beliefs(evidence, RatioLikelihood(sensors.first_rad, sensors.second_rad, error));
+  return type_posteriors(evidence, RatioLikelihood(sensors.first_rad, sensors.second_rad, error));
 }
 
-void judge(Verdict& verdict, const Belief& belief, const Ratio& ratio) {
+void judge(ModeClassification& verdict, const TypePosterior& belief, const Ratio& ratio) {
   if (!ratio.known) return;
   verdict.ratio = ratio.value;
   verdict.ratio_std = ratio.std;
@@ -92,79 +92,84 @@ void judge(Verdict& verdict, const Belief& belief, const Ratio& ratio) {
   const double best = std::max(belief[0], belief[1]);
   const double rival = std::min(belief[0], belief[1]);
   const bool real_shape = ratio.angle.out_of_phase < kComplex;
-  verdict.family = best >= kNamed && real_shape ? (bending ? Family::bending : Family::hoop) : Family::unknown;
-  verdict.confidence = verdict.family == Family::unknown ? 1 - best : best;
-  if (verdict.family == Family::unknown) {
-    verdict.alternative = bending ? Family::bending : Family::hoop;
-  } else if (rival > kRival || best < kSure) {
-    verdict.alternative = bending ? Family::hoop : Family::bending;
+  verdict.family =
+      best >= kMinTypeProbability && real_shape ? (bending ? ModeType::bending : ModeType::hoop) : ModeType::unknown;
+  verdict.confidence = verdict.family == ModeType::unknown ? 1 - best : best;
+  if (verdict.family == ModeType::unknown) {
+    verdict.alternative = bending ? ModeType::bending : ModeType::hoop;
+  } else if (rival > kMinRivalProbability || best < kMinLoneProbability) {
+    verdict.alternative = bending ? ModeType::hoop : ModeType::bending;
   }
 }
 
-void mark_double_peaks(const std::vector<Mode>& modes, std::vector<Verdict>& verdicts, const ClassifyOptions& options) {
+void mark_split_modes(const std::vector<Mode>& modes, std::vector<ModeClassification>& classifications,
+                      const ClassifyOptions& options) {
   for (std::size_t m = 0; m + 1 < modes.size(); ++m) {
     const double apart = modes[m + 1].pole.freq_Hz - modes[m].pole.freq_Hz;
     const double most_Hz = std::min(options.double_peak_Hz, kSplitSpacing * modes[m].pole.freq_Hz);
-    if (apart > most_Hz || verdicts[m].family != verdicts[m + 1].family || verdicts[m].double_peak) continue;
-    verdicts[m].double_peak = DoublePeak{.partner = m + 1, .separation_Hz = apart, .first = true};
-    verdicts[m + 1].double_peak = DoublePeak{.partner = m, .separation_Hz = apart, .first = false};
+    if (apart > most_Hz || classifications[m].family != classifications[m + 1].family || classifications[m].split_mode)
+      continue;
+    classifications[m].split_mode = SplitMode{.partner = m + 1, .separation_Hz = apart, .first = true};
+    classifications[m + 1].split_mode = SplitMode{.partner = m, .separation_Hz = apart, .first = false};
   }
 }
 
-void number_orders(const std::vector<Mode>& modes, std::vector<Verdict>& verdicts, const ClassifyOptions& options) {
-  for (const Family family : {Family::bending, Family::hoop}) {
+void number_orders(const std::vector<Mode>& modes, std::vector<ModeClassification>& classifications,
+                   const ClassifyOptions& options) {
+  for (const ModeType family : {ModeType::bending, ModeType::hoop}) {
     int order = 0;
     std::optional<std::size_t> before;
     bool paired = false;  // a mode has one partner at most
     for (std::size_t m = 0; m < modes.size(); ++m) {
-      if (verdicts[m].family != family) continue;
+      if (classifications[m].family != family) continue;
       const bool same = before && !paired && close_pair(modes[*before], modes[m], options);
       if (!same) ++order;
       paired = same;
-      verdicts[m].order = order;
+      classifications[m].order = order;
       before = m;
     }
   }
 }
 
 // Bending planes; those of hoop modes where the sensors do not stand at right angles.
-void find_planes(const std::vector<Mode>& modes, std::vector<Verdict>& verdicts, const SensorPair& sensors,
-                 const ClassifyOptions& options) {
+void find_planes(const std::vector<Mode>& modes, std::vector<ModeClassification>& classifications,
+                 const SensorPair& sensors, const ClassifyOptions& options) {
   for (std::size_t m = 0; m < modes.size(); ++m) {
-    auto& pair = verdicts[m].double_peak;
-    if (!pair || !pair->first || verdicts[m].family == Family::unknown) continue;
-    const int order = verdicts[m].family == Family::bending ? 1 : 2;
+    auto& pair = classifications[m].split_mode;
+    if (!pair || !pair->first || classifications[m].family == ModeType::unknown) continue;
+    const int order = classifications[m].family == ModeType::bending ? 1 : 2;
     const auto plane = [&](std::size_t i) {
       return plane_from_sensors(modes[i], sensors, order, options.angle_std_rad);
     };
     describe_split(modes[m], modes[pair->partner], plane(m), plane(pair->partner), *pair,
-                   *verdicts[pair->partner].double_peak);
+                   *classifications[pair->partner].split_mode);
   }
 }
 
 }  // namespace
 
-void number_verdicts(const std::vector<Mode>& modes, std::vector<Verdict>& verdicts, const ClassifyOptions& options) {
-  for (Verdict& verdict : verdicts) {
+void assign_orders(const std::vector<Mode>& modes, std::vector<ModeClassification>& classifications,
+                   const ClassifyOptions& options) {
+  for (ModeClassification& verdict : classifications) {
     verdict.order = 0;
-    verdict.double_peak.reset();
+    verdict.split_mode.reset();
   }
-  mark_double_peaks(modes, verdicts, options);
-  number_orders(modes, verdicts, options);
+  mark_split_modes(modes, classifications, options);
+  number_orders(modes, classifications, options);
   for (std::size_t m = 0; m < modes.size(); ++m) {
-    auto& pair = verdicts[m].double_peak;
+    auto& pair = classifications[m].split_mode;
     if (pair && pair->first)
-      describe_split(modes[m], modes[pair->partner], {}, {}, *pair, *verdicts[pair->partner].double_peak);
+      describe_split(modes[m], modes[pair->partner], {}, {}, *pair, *classifications[pair->partner].split_mode);
   }
 }
 
-const char* name_of(Family family) {
+const char* name_of(ModeType family) {
   switch (family) {
-    case Family::bending:
+    case ModeType::bending:
       return "bending";
-    case Family::hoop:
+    case ModeType::hoop:
       return "hoop";
-    case Family::unknown:
+    case ModeType::unknown:
       return "unknown";
   }
   return "";
@@ -185,23 +190,24 @@ std::optional<SensorPair> pair_of_sensors(const std::vector<std::optional<double
   return best;
 }
 
-std::vector<Verdict> classify(const std::vector<Mode>& modes, const std::optional<SensorPair>& sensors,
-                              const std::vector<std::optional<double>>& overlay_dB, const ClassifyOptions& options) {
-  std::vector<Verdict> verdicts(modes.size());
+std::vector<ModeClassification> classify(const std::vector<Mode>& modes, const std::optional<SensorPair>& sensors,
+                                         const std::vector<std::optional<double>>& overlay_dB,
+                                         const ClassifyOptions& options) {
+  std::vector<ModeClassification> classifications(modes.size());
   for (std::size_t m = 0; m < modes.size(); ++m) {
-    verdicts[m].overlay_dB = overlay_dB[m];
-    verdicts[m].overlaid = overlay_dB[m] && std::abs(*overlay_dB[m]) <= options.overlay_dB;
+    classifications[m].overlay_dB = overlay_dB[m];
+    classifications[m].overlaid = overlay_dB[m] && std::abs(*overlay_dB[m]) <= options.overlay_dB;
   }
   if (sensors) {
     std::vector<Ratio> ratios;
     ratios.reserve(modes.size());
     for (const Mode& mode : modes) ratios.push_back(ratio_of(mode, *sensors));
-    const auto beliefs = beliefs_of(modes, ratios, *sensors, options);
-    for (std::size_t m = 0; m < modes.size(); ++m) judge(verdicts[m], beliefs[m], ratios[m]);
+    const auto posteriors = posteriors_of(modes, ratios, *sensors, options);
+    for (std::size_t m = 0; m < modes.size(); ++m) judge(classifications[m], posteriors[m], ratios[m]);
   }
-  number_verdicts(modes, verdicts, options);
-  if (sensors) find_planes(modes, verdicts, *sensors, options);
-  return verdicts;
+  assign_orders(modes, classifications, options);
+  if (sensors) find_planes(modes, classifications, *sensors, options);
+  return classifications;
 }
 
 }  // namespace percuss

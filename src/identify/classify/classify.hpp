@@ -9,21 +9,21 @@
 
 namespace percuss {
 
-enum class Family { bending, hoop, unknown };
-inline constexpr double kNamed = 0.6;  // probability below which a mode's family is unknown
-const char* name_of(Family family);
+enum class ModeType { bending, hoop, unknown };
+inline constexpr double kMinTypeProbability = 0.6;  // probability below which a mode's family is unknown
+const char* name_of(ModeType family);
 
 /// What two accelerometers around the barrel say about one mode.
-struct Verdict {
-  Family family = Family::unknown;
-  int order = 0;                      // counts from 1 within the family; 0 when unknown
-  double confidence = 0;              // posterior probability of `family`
-  std::optional<Family> alternative;  // the rival: always below 90 %, above it when as probable as 3 %
-  std::optional<double> overlay_dB;   // magnitude of the second FRF over the first at the peak
-  bool overlaid = false;              // |overlay_dB| within the threshold: the source's sign of a hoop mode
-  std::optional<Complex> ratio;       // residue of the second sensor over that of the first
-  double ratio_std = 0;               // of the real and of the imaginary part
-  std::optional<DoublePeak> double_peak;
+struct ModeClassification {
+  ModeType family = ModeType::unknown;
+  int order = 0;                        // counts from 1 within the family; 0 when unknown
+  double confidence = 0;                // posterior probability of `family`
+  std::optional<ModeType> alternative;  // the rival: always below 90 %, above it when as probable as 3 %
+  std::optional<double> overlay_dB;     // magnitude of the second FRF over the first at the peak
+  bool overlaid = false;                // |overlay_dB| within the threshold: the source's sign of a hoop mode
+  std::optional<Complex> ratio;         // residue of the second sensor over that of the first
+  double ratio_std = 0;                 // of the real and of the imaginary part
+  std::optional<SplitMode> split_mode;
 };
 
 struct ClassifyOptions {
@@ -48,12 +48,13 @@ std::optional<SensorPair> pair_of_sensors(const std::vector<std::optional<double
 /// overlay_dB[m] is the measured magnitude difference at mode m's peak.
 /// source  [8] section 3.6 for the overlay rule and the 25 Hz rule.
 /// theory (6.1), (6.2), (6.3)
-std::vector<Verdict> classify(const std::vector<Mode>& modes, const std::optional<SensorPair>& sensors,
-                              const std::vector<std::optional<double>>& overlay_dB,
-                              const ClassifyOptions& options = {});
+std::vector<ModeClassification> classify(const std::vector<Mode>& modes, const std::optional<SensorPair>& sensors,
+                                         const std::vector<std::optional<double>>& overlay_dB,
+                                         const ClassifyOptions& options = {});
 
 /// Marks double peaks and numbers the orders anew from the verdicts' families. Two members of one family that lie close
 /// together share an order.
-void number_verdicts(const std::vector<Mode>& modes, std::vector<Verdict>& verdicts, const ClassifyOptions& options);
+void assign_orders(const std::vector<Mode>& modes, std::vector<ModeClassification>& classifications,
+                   const ClassifyOptions& options);
 
 }  // namespace percuss

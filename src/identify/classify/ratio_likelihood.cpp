@@ -10,11 +10,11 @@ namespace {
 using std::numbers::pi;
 using Complex = std::complex<double>;
 
-constexpr double kFloor_rad = 0.035;  // 2°: shapes mix, and barrels are not round
-constexpr double kPlane_rad = 0.14;   // 8°: how far the planes of different bending modes differ
-constexpr double kKnownPlane = 0.7;   // weight of "in the bat's plane", the rest "in any"
-constexpr double kRare = 0.05;        // of neither bending nor n = 2 among the modes of a bat below a few kHz
-constexpr double kNever = 1e-6;       // no density is ever zero
+constexpr double kFloor_rad = 0.035;      // 2°: shapes mix, and barrels are not round
+constexpr double kPlane_rad = 0.14;       // 8°: how far the planes of different bending modes differ
+constexpr double kKnownPlane = 0.7;       // weight of "in the bat's plane", the rest "in any"
+constexpr double kOtherTypePrior = 0.05;  // of neither bending nor n = 2 among the modes of a bat below a few kHz
+constexpr double kMinDensity = 1e-6;      // no density is ever zero
 // The distance's error in deviations, and a Gaussian's weight there.
 constexpr std::array<double, RatioLikelihood::kPlacements> kNodes{-2.4, -1.6, -0.8, 0, 0.8, 1.6, 2.4};
 constexpr std::array<double, RatioLikelihood::kPlacements> kWeights{0.018, 0.089, 0.232, 0.322, 0.232, 0.089, 0.018};
@@ -31,7 +31,7 @@ Complex mean_of(int n, double first_rad, double second_rad) {
 double wrapped_density(double difference_rad, double std_rad) {
   const double d = std::remainder(difference_rad, pi);
   const double near = std::exp(-0.5 * d * d / (std_rad * std_rad)) / (std_rad * std::sqrt(2 * pi));
-  return std_rad > 1 ? 1 / pi : near + kNever / pi;  // so broad a Gaussian is the whole circle
+  return std_rad > 1 ? 1 / pi : near + kMinDensity / pi;  // so broad a Gaussian is the whole circle
 }
 
 double RatioLikelihood::weight_of(std::size_t placement) { return kWeights[placement]; }
@@ -57,13 +57,13 @@ double RatioLikelihood::density(const RatioAngle& ratio, Complex mean) const {  
   const double shrink = std::exp(-4 * s * s);  // from one term's factor to the next
   double factor = std::exp(-2 * s * s), step = factor * shrink, sum = 1;
   Complex power = z;
-  while (factor * std::abs(power) > kNever) {
+  while (factor * std::abs(power) > kMinDensity) {
     sum += 2 * factor * power.real();
     power *= z;
     factor *= step;
     step *= shrink;
   }
-  return std::max(sum, kNever) / pi;
+  return std::max(sum, kMinDensity) / pi;
 }
 
 double RatioLikelihood::bending(const RatioAngle& ratio) const { return density(ratio, bending_mean_); }
@@ -72,7 +72,7 @@ double RatioLikelihood::bending(const RatioAngle& ratio, double plane_rad) const
   double in_plane = 0;
   for (const double plane : {plane_rad, plane_rad + pi / 2}) {
     const double a = std::cos(first_rad_ - plane), b = std::cos(second_rad_ - plane);
-    const double slope = std::abs(std::sin(second_rad_ - first_rad_)) / std::max(a * a + b * b, kNever);  // dχ/dψ
+    const double slope = std::abs(std::sin(second_rad_ - first_rad_)) / std::max(a * a + b * b, kMinDensity);  // dχ/dψ
     in_plane +=
         0.5 * wrapped_density(ratio.chi_rad - std::atan2(b, a), std::hypot(deviation(ratio), slope * kPlane_rad));
   }
@@ -91,7 +91,7 @@ double RatioLikelihood::hoop(const RatioAngle& ratio) const {
 
 double RatioLikelihood::other(const RatioAngle& ratio) const {
   const double equal = wrapped_density(ratio.chi_rad - pi / 4, std::hypot(ratio.std_rad, 0.1));
-  return kRare * (0.5 * equal + 0.5 / pi);
+  return kOtherTypePrior * (0.5 * equal + 0.5 / pi);
 }
 
 // The pattern's turn follows from the ratio: |(a, b)|² = sin² nΔ/(1 − sin 2χ cos nΔ), Δ the angle between the sensors.

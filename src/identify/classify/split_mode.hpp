@@ -25,7 +25,7 @@ struct SplitPlanes {
 };
 
 /// Two peaks so close that they count as one split mode, as one of them sees it.
-struct DoublePeak {
+struct SplitMode {
   std::size_t partner = 0;  // index of the other mode
   double separation_Hz = 0;
   bool first = false;  // the lower one

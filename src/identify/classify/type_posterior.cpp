@@ -14,25 +14,25 @@ constexpr std::size_t kPlanes = 45;  // of the bat: 2° apart over 90°, since t
 constexpr double kPairKnown = 0.9;   // prior weight of "a close pair is one mode twice"
 constexpr double kPairAngle_rad = 0.1;  // how far the two planes of a mode are from a right angle
 constexpr double kBroader = 2;          // … than tan λ: sizes of modes that are no pair
-constexpr double kHoopFrom_Hz = 1000;   // where barrels' hoop modes begin
+constexpr double kMinHoop_Hz = 1000;    // where barrels' hoop modes begin
 
 // Weights before the ratio is seen. The lowest mode of a bat bends, at 100 to 300 Hz; where the lowest one found is
 // higher, the band leaves that out and nothing is known.
-Belief prior_of_lowest(double freq_Hz) {
-  const double hoop = std::clamp(std::pow(freq_Hz / kHoopFrom_Hz, 2), 0.01, 1.0);
+TypePosterior prior_of_lowest(double freq_Hz) {
+  const double hoop = std::clamp(std::pow(freq_Hz / kMinHoop_Hz, 2), 0.01, 1.0);
   return {2 - hoop, hoop, 1};
 }
 
-double sum_of(const Belief& b) { return b[0] + b[1] + b[2]; }
+double sum_of(const TypePosterior& b) { return b[0] + b[1] + b[2]; }
 
-Belief normalised(Belief b) {
+TypePosterior normalised(TypePosterior b) {
   const double sum = sum_of(b);
   if (!(sum > 0)) return {1.0 / 3, 1.0 / 3, 1.0 / 3};
   for (double& p : b) p /= sum;
   return b;
 }
 
-Belief product_of(Belief a, const Belief& b) {
+TypePosterior product_of(TypePosterior a, const TypePosterior& b) {
   for (std::size_t f = 0; f < a.size(); ++f) a[f] *= b[f];
   return a;
 }
@@ -42,10 +42,10 @@ struct ModeTable {
   std::array<double, kPlanes> bending{};
   std::array<double, RatioLikelihood::kPlacements> hoop{};
   double other = 1;
-  Belief prior{1, 1, 1};
+  TypePosterior prior{1, 1, 1};
 };
 
-ModeTable table_of(const FamilyEvidence& mode, const RatioLikelihood& likelihood) {
+ModeTable table_of(const TypeEvidence& mode, const RatioLikelihood& likelihood) {
   ModeTable table;
   table.bending.fill(1);
   table.hoop.fill(1);
@@ -60,16 +60,16 @@ ModeTable table_of(const FamilyEvidence& mode, const RatioLikelihood& likelihood
 // Density of the logarithm of two sizes' ratio: of tan λ for the halves of a pair, broader for modes of their own.
 double sech(double x) { return 1 / std::cosh(std::min(std::abs(x), 300.0)); }
 double pair_density(double log_ratio) { return sech(log_ratio) / pi; }
-double strangers_density(double log_ratio) { return sech(log_ratio / kBroader) / (kBroader * pi); }
+double independent_density(double log_ratio) { return sech(log_ratio / kBroader) / (kBroader * pi); }
 
 // Likelihoods of a close pair that do not depend on what the modes share.
 struct PairTable {
-  Belief size{1, 1, 1};    // of the halves, as one mode of each family
-  double strangers = 1;    // … as modes of their own
-  double right_angle = 1;  // of the planes
+  TypePosterior size{1, 1, 1};  // of the halves, as one mode of each family
+  double unrelated_modes = 1;   // … as modes of their own
+  double right_angle = 1;       // of the planes
 };
 
-PairTable table_of(const FamilyEvidence& one, const FamilyEvidence& two, const RatioLikelihood& likelihood) {
+PairTable table_of(const TypeEvidence& one, const TypeEvidence& two, const RatioLikelihood& likelihood) {
   const RatioAngle &a = *one.ratio, &b = *two.ratio;
   const double log_ratio = std::log(one.size / two.size);
   const auto as = [&](int n) {
@@ -77,14 +77,14 @@ PairTable table_of(const FamilyEvidence& one, const FamilyEvidence& two, const R
   };
   const double spread = std::hypot(kPairAngle_rad, a.std_rad, b.std_rad);
   return {.size = {as(1), as(2), pair_density(log_ratio)},
-          .strangers = strangers_density(log_ratio),
+          .unrelated_modes = independent_density(log_ratio),
           .right_angle = wrapped_density(a.chi_rad - b.chi_rad - pi / 2, spread)};
 }
 
-class Judge {
+class JointPosterior {
  public:
-  Judge(const std::vector<FamilyEvidence>& modes, const RatioLikelihood& likelihood) : modes_(modes) {
-    for (const FamilyEvidence& mode : modes) {
+  JointPosterior(const std::vector<TypeEvidence>& modes, const RatioLikelihood& likelihood) : modes_(modes) {
+    for (const TypeEvidence& mode : modes) {
       tables_.push_back(table_of(mode, likelihood));
       const bool both = mode.partner && mode.ratio && modes[*mode.partner].ratio;
       pairs_.push_back(both ? std::optional(table_of(mode, modes[*mode.partner], likelihood)) : std::nullopt);
@@ -92,20 +92,20 @@ class Judge {
     if (!modes.empty()) tables_[0].prior = prior_of_lowest(modes[0].freq_Hz);
   }
 
-  std::vector<Belief> beliefs() const {
+  std::vector<TypePosterior> posteriors() const {
     std::vector<double> log_weight;
     for (std::size_t s = 0; s < kPlanes * RatioLikelihood::kPlacements; ++s) log_weight.push_back(log_weight_of(s));
     const double most = *std::max_element(log_weight.begin(), log_weight.end());
-    std::vector<Belief> out(modes_.size(), Belief{});
+    std::vector<TypePosterior> out(modes_.size(), TypePosterior{});
     for (std::size_t s = 0; s < log_weight.size(); ++s) {
       const double weight = std::exp(log_weight[s] - most);
       if (weight < kNegligible) continue;
       for (std::size_t m = 0; m < modes_.size(); ++m) {
-        const Belief here = normalised(readings(s, m));
+        const TypePosterior here = normalised(readings(s, m));
         for (std::size_t f = 0; f < here.size(); ++f) out[m][f] += weight * here[f];
       }
     }
-    for (Belief& belief : out) belief = normalised(belief);
+    for (TypePosterior& belief : out) belief = normalised(belief);
     return out;
   }
 
@@ -114,24 +114,24 @@ class Judge {
 
   static std::size_t placement_of(std::size_t s) { return s / kPlanes; }
 
-  Belief alone(std::size_t s, std::size_t m) const {
+  TypePosterior alone(std::size_t s, std::size_t m) const {
     const ModeTable& table = tables_[m];
     return product_of({table.bending[s % kPlanes], table.hoop[placement_of(s)], table.other}, table.prior);
   }
 
   // Readings of mode m, its partner's summed over: the sum is the same for both partners.
-  Belief readings(std::size_t s, std::size_t m) const {
-    const Belief own = alone(s, m);
+  TypePosterior readings(std::size_t s, std::size_t m) const {
+    const TypePosterior own = alone(s, m);
     if (!pairs_[m]) return own;
     const std::size_t partner = *modes_[m].partner;
-    const Belief other = alone(s, partner);
+    const TypePosterior other = alone(s, partner);
     const std::size_t sharper = modes_[m].ratio->std_rad < modes_[partner].ratio->std_rad ? m : partner;
     const double bending = tables_[sharper].bending[s % kPlanes] * tables_[std::min(m, partner)].prior[0];
-    const Belief together =
+    const TypePosterior together =
         product_of({bending * pairs_[m]->right_angle, own[1] * other[1], own[2] * other[2]}, pairs_[m]->size);
-    Belief out{};
+    TypePosterior out{};
     for (std::size_t f = 0; f < out.size(); ++f)
-      out[f] = kPairKnown * together[f] + (1 - kPairKnown) * pairs_[m]->strangers * own[f] * sum_of(other) / 3;
+      out[f] = kPairKnown * together[f] + (1 - kPairKnown) * pairs_[m]->unrelated_modes * own[f] * sum_of(other) / 3;
     return out;
   }
 
@@ -144,15 +144,15 @@ class Judge {
     return sum;
   }
 
-  const std::vector<FamilyEvidence>& modes_;
+  const std::vector<TypeEvidence>& modes_;
   std::vector<ModeTable> tables_;
   std::vector<std::optional<PairTable>> pairs_;  // where both sensors see both halves
 };
 
 }  // namespace
 
-std::vector<Belief> family_beliefs(const std::vector<FamilyEvidence>& modes, const RatioLikelihood& likelihood) {
-  return modes.empty() ? std::vector<Belief>{} : Judge(modes, likelihood).beliefs();
+std::vector<TypePosterior> type_posteriors(const std::vector<TypeEvidence>& modes, const RatioLikelihood& likelihood) {
+  return modes.empty() ? std::vector<TypePosterior>{} : JointPosterior(modes, likelihood).posteriors();
 }
 
 }  // namespace percuss

@@ -9,10 +9,10 @@
 namespace percuss {
 
 /// Probabilities of the readings, in the order bending, hoop, neither.
-using Belief = std::array<double, 3>;
+using TypePosterior = std::array<double, 3>;
 
 /// What is known of one mode: its ratio (nothing where no sensor sees it) and the other half of a close pair.
-struct FamilyEvidence {
+struct TypeEvidence {
   double freq_Hz = 0;
   double size = 1;  // of both sensors' residues together, any unit
   std::optional<RatioAngle> ratio;
@@ -27,6 +27,6 @@ struct FamilyEvidence {
 /// of a bat bends. Two planes of one bending mode are at right angles; both halves of a hoop pair have the
 /// hoop ratio; and a hammer at an unknown angle λ to such a pair excites its halves as cos λ : sin λ.
 /// theory (6.6)
-std::vector<Belief> family_beliefs(const std::vector<FamilyEvidence>& modes, const RatioLikelihood& likelihood);
+std::vector<TypePosterior> type_posteriors(const std::vector<TypeEvidence>& modes, const RatioLikelihood& likelihood);
 
 }  // namespace percuss

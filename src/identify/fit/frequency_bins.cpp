@@ -8,16 +8,16 @@ namespace {
 
 constexpr double kCore = 2;      // half-power bandwidths on either side of a pole that stay single lines
 constexpr double kGrowth = 0.1;  // lines of a block per line of distance from there
-constexpr double kMostInBlock = 64;
-constexpr double kLeastCore = 4;  // lines
+constexpr double kMaxLinesPerBin = 64;
+constexpr double kMinCore = 4;  // lines
 
 }  // namespace
 
-LineBlocks::LineBlocks(const LineRange& lines, const std::vector<Pole>& poles) {
-  std::vector<double> widest(lines.count, kMostInBlock);
+FrequencyBins::FrequencyBins(const LineRange& lines, const std::vector<Pole>& poles) {
+  std::vector<double> widest(lines.count, kMaxLinesPerBin);
   for (const Pole& pole : poles) {
     const double at = lines.position(pole.freq_Hz);
-    const double core = std::max(kCore * pole.half_power_Hz() / lines.df_Hz(), kLeastCore);
+    const double core = std::max(kCore * pole.half_power_Hz() / lines.df_Hz(), kMinCore);
     for (std::size_t k = 0; k < lines.count; ++k)
       widest[k] = std::min(widest[k], kGrowth * (std::abs(static_cast<double>(k) - at) - core));
   }
@@ -36,13 +36,13 @@ LineBlocks::LineBlocks(const LineRange& lines, const std::vector<Pole>& poles) {
   }
 }
 
-std::vector<std::size_t> LineBlocks::middles() const {
+std::vector<std::size_t> FrequencyBins::middles() const {
   std::vector<std::size_t> lines;
   for (std::size_t b = 0; b + 1 < begin_.size(); ++b) lines.push_back((begin_[b] + begin_[b + 1] - 1) / 2);
   return lines;
 }
 
-void LineBlocks::sum(const Eigen::VectorXcd& z, const Eigen::VectorXd& w, Eigen::Ref<Eigen::VectorXd> column) const {
+void FrequencyBins::sum(const Eigen::VectorXcd& z, const Eigen::VectorXd& w, Eigen::Ref<Eigen::VectorXd> column) const {
   const Eigen::Index blocks = count();
   for (Eigen::Index b = 0; b < blocks; ++b) {
     const auto at = static_cast<std::size_t>(b);

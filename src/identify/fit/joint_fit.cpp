@@ -23,14 +23,14 @@ constexpr int kRounds = 8;      // of real against complex
 bool descend(const JointProjection& projection, JointState& state, const JointFitOptions& options) {
   double lambda = 1e-6;
   for (int step = 0; step < options.max_steps; ++step) {
-    const JointNormal normal = projection.normal_equations(state);
+    const JointNormalEquations normal = projection.normal_equations(state);
     bool better = false;
     for (int attempt = 0; attempt < 8 && !better; ++attempt) {
       const VectorXd move = solve_gram(normal.matrix, normal.right, lambda);
-      const double size = step_size(move, state.model.poles);
+      const double size = normalised_step(move, state.model.poles);
       JointModel model = state.model;
-      model.poles = moved_by(std::move(model.poles), move);
-      if (!std::isfinite(size) || size > 1e2 || !poles_allowed(model.poles)) {
+      model.poles = updated_poles(std::move(model.poles), move);
+      if (!std::isfinite(size) || size > 1e2 || !poles_in_bounds(model.poles)) {
         lambda = std::max(lambda * 10, 1e-3);
         continue;
       }
@@ -50,7 +50,7 @@ bool descend(const JointProjection& projection, JointState& state, const JointFi
 
 class Joint {
  public:
-  Joint(const FrfSet& set, std::vector<Pole> start, const JointFitOptions& options)
+  Joint(const FrfDataset& set, std::vector<Pole> start, const JointFitOptions& options)
       : set_(set), options_(options), projection_(set, start) {
     const std::size_t modes = start.size();
     state_ = projection_.evaluate({.poles = std::move(start), .real = std::vector<char>(modes, 0)});
@@ -59,9 +59,10 @@ class Joint {
   JointFit run() {
     // Complex residues contradict nothing: what they leave tells the noise.
     const bool settled = descend(projection_, state_, options_);
-    const auto left = projection_.left_over(state_);
-    if (!settled || (options_.worth_it && !options_.worth_it(left))) return {.poles = state_.model.poles};
-    projection_.weigh_by(state_, left);
+    const auto left = projection_.unweighted_residual(state_);
+    if (!settled || (options_.worth_continuing && !options_.worth_continuing(left)))
+      return {.poles = state_.model.poles};
+    projection_.weight_by_residual(state_, left);
     state_ = projection_.evaluate(state_.model);
     choose_real();
     bool converged = descend(projection_, state_, options_);
@@ -70,7 +71,7 @@ class Joint {
   }
 
   JointFit at_start(const MatrixXd& covariance) {
-    projection_.weigh_by(state_, projection_.left_over(state_));
+    projection_.weight_by_residual(state_, projection_.unweighted_residual(state_));
     state_ = projection_.evaluate(state_.model);
     return result(true, covariance);
   }
@@ -91,7 +92,7 @@ class Joint {
   }
 
   MatrixXd covariance_of(const JointState& state, ForceErrors of = ForceErrors::all) const {
-    const JointNormal normal = projection_.with_force_noise(state, of);
+    const JointNormalEquations normal = projection_.with_force_noise(state, of);
     const MatrixXd inverse = inverse_gram(normal.matrix);
     return inverse + inverse * normal.force * inverse;
   }
@@ -105,7 +106,7 @@ class Joint {
     const MatrixXd covariance = inverse_gram(projection_.normal_equations(state_).matrix);
     std::vector<double> against(state_.model.real.size());
     for (std::size_t m = 0; m < against.size(); ++m) {
-      if (state_.model.real[m]) against[m] = phase_contradiction(projection_, state_, m, covariance);
+      if (state_.model.real[m]) against[m] = phase_test_statistic(projection_, state_, m, covariance);
     }
     const double most = against.empty() ? 0 : *std::max_element(against.begin(), against.end());
     if (most <= 1) return false;
@@ -125,7 +126,7 @@ class Joint {
                  .residue_std = MatrixXd::Zero(outputs, modes),
                  .freq_std_Hz = VectorXd::Zero(modes),
                  .damping_std = VectorXd::Zero(modes),
-                 .residual = projection_.left_over(state_),
+                 .residual = projection_.unweighted_residual(state_),
                  .converged = converged};
     for (Index m = 0; m < modes; ++m) {
       fit.freq_std_Hz(m) = std::sqrt(std::max(0.0, total(2 * m, 2 * m)));
@@ -140,7 +141,7 @@ class Joint {
     const JointPart& part = state_.parts[p];
     const MatrixXd follow = part.inverse * (part.columns.transpose() * part.slopes);  // what moved columns do
     const auto unknowns = static_cast<std::size_t>(part.inverse.rows());
-    share_out(part.outputs.size(), 2 * unknowns * unknowns * unknowns, [&](std::size_t i) {
+    parallel_for_cost(part.outputs.size(), 2 * unknowns * unknowns * unknowns, [&](std::size_t i) {
       const auto o = static_cast<Index>(part.outputs[i]);
       const auto column = static_cast<Index>(i);
       const double noise = projection_.noise()(o);
@@ -164,7 +165,7 @@ class Joint {
     });
   }
 
-  const FrfSet& set_;
+  const FrfDataset& set_;
   const JointFitOptions& options_;
   JointProjection projection_;
   JointState state_;
@@ -172,15 +173,15 @@ class Joint {
 
 }  // namespace
 
-JointFit fit_jointly(const FrfSet& set, std::vector<Pole> start, const JointFitOptions& options) {
+JointFit fit_jointly(const FrfDataset& set, std::vector<Pole> start, const JointFitOptions& options) {
   return Joint(set, std::move(start), options).run();
 }
 
-JointFit fit_residues(const FrfSet& set, const std::vector<Pole>& poles, const MatrixXd& covariance) {
+JointFit fit_residues(const FrfDataset& set, const std::vector<Pole>& poles, const MatrixXd& covariance) {
   return Joint(set, poles, {}).at_start(covariance);
 }
 
-Eigen::MatrixXcd residues_at(const FrfSet& set, const std::vector<Pole>& poles) {
+Eigen::MatrixXcd residues_at(const FrfDataset& set, const std::vector<Pole>& poles) {
   const auto modes = static_cast<Index>(poles.size());
   const JointState state =
       JointProjection(set, poles).evaluate({.poles = poles, .real = std::vector<char>(poles.size(), 0)});

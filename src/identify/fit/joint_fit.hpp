@@ -21,7 +21,7 @@ struct JointFit {
 
 struct JointFitOptions {
   /// Asked once with what complex residues leave of all lines, [outputs][lines]; false ends the fit as not converged.
-  std::function<bool(const std::vector<Eigen::VectorXcd>& left)> worth_it;
+  std::function<bool(const std::vector<Eigen::VectorXcd>& left)> worth_continuing;
   int max_steps = 20;
   double tolerance = 1e-7;  // step, in units of half the bandwidth
 };
@@ -32,13 +32,13 @@ struct JointFitOptions {
 /// not contradict it. Deviations come from the Fisher information, scaled by the residual; what the force's noise does
 /// to the poles is added (errors in variables). source  [5], [7] in docs/sources.md.
 /// theory (4.8), (4.12), (4.13)
-JointFit fit_jointly(const FrfSet& set, std::vector<Pole> start, const JointFitOptions& options = {});
+JointFit fit_jointly(const FrfDataset& set, std::vector<Pole> start, const JointFitOptions& options = {});
 
 /// The residues of all outputs at given poles, complex, with their deviations; `covariance` is the poles', unknowns in
 /// the order frequency, damping ratio per mode.
-JointFit fit_residues(const FrfSet& set, const std::vector<Pole>& poles, const Eigen::MatrixXd& covariance);
+JointFit fit_residues(const FrfDataset& set, const std::vector<Pole>& poles, const Eigen::MatrixXd& covariance);
 
 /// … and without, [outputs, modes]: at a fraction of the work.
-Eigen::MatrixXcd residues_at(const FrfSet& set, const std::vector<Pole>& poles);
+Eigen::MatrixXcd residues_at(const FrfDataset& set, const std::vector<Pole>& poles);
 
 }  // namespace percuss

@@ -14,7 +14,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 // ε·H of one output for each of ε's variables. shapes  response [rows], errors [blocks, variables].
-MatrixXd moved_by(const MatrixXcd& errors, const VectorXd& response) {
+MatrixXd updated_poles(const MatrixXcd& errors, const VectorXd& response) {
   const Index blocks = errors.rows();
   const MatrixXd re = errors.real();
   const MatrixXd im = errors.imag();
@@ -26,7 +26,7 @@ MatrixXd moved_by(const MatrixXcd& errors, const VectorXd& response) {
   return moved;
 }
 
-std::vector<std::vector<std::size_t>> by_point(const FrfSet& set, const JointPart& part) {
+std::vector<std::vector<std::size_t>> by_point(const FrfDataset& set, const JointPart& part) {
   std::vector<std::vector<std::size_t>> points;
   for (std::size_t i = 0; i < part.outputs.size(); ++i) {
     const auto point = [&](std::size_t at) { return set.outputs[part.outputs[at]].point; };
@@ -39,27 +39,28 @@ std::vector<std::vector<std::size_t>> by_point(const FrfSet& set, const JointPar
 }  // namespace
 
 void JointProjection::add_force_noise(const JointState& state, const JointPart& part, ForceErrors of,
-                                      JointNormal& normal) const {
+                                      JointNormalEquations& normal) const {
   const MatrixXd follow = part.inverse * (part.columns.transpose() * part.slopes);
   const MatrixXd synthesised = part.columns * part.amplitude;
   const std::vector<std::size_t> lines = blocks_.middles();
   const auto points = by_point(set_, part);
   std::vector<MatrixXd> pushes(points.size());
-  share_out(
-      points.size(), kPerProduct * lines.size() * static_cast<std::size_t>(part.slopes.cols()), [&](std::size_t p) {
-        const MatrixXcd errors = gain_errors(set_, set_.outputs[part.outputs[points[p].front()]].point, lines, of);
-        for (const std::size_t i : points[p]) {
-          if (errors.size() == 0) break;
-          const auto o = static_cast<Index>(i);
-          const MatrixXd moved = moved_by(errors, synthesised.col(o));
-          const MatrixXd score =
-              part.slopes.transpose() * moved - follow.transpose() * (part.columns.transpose() * moved);
-          const MatrixXd mine =
-              spread_of(state, part, o).transpose() * score / noise_(static_cast<Index>(part.outputs[i]));
-          if (pushes[p].size() == 0) pushes[p] = MatrixXd::Zero(mine.rows(), mine.cols());
-          pushes[p] += mine;
-        }
-      });
+  parallel_for_cost(points.size(), kFlopsPerProduct * lines.size() * static_cast<std::size_t>(part.slopes.cols()),
+                    [&](std::size_t p) {
+                      const MatrixXcd errors =
+                          gain_errors(set_, set_.outputs[part.outputs[points[p].front()]].point, lines, of);
+                      for (const std::size_t i : points[p]) {
+                        if (errors.size() == 0) break;
+                        const auto o = static_cast<Index>(i);
+                        const MatrixXd moved = updated_poles(errors, synthesised.col(o));
+                        const MatrixXd score =
+                            part.slopes.transpose() * moved - follow.transpose() * (part.columns.transpose() * moved);
+                        const MatrixXd mine =
+                            spread_of(state, part, o).transpose() * score / noise_(static_cast<Index>(part.outputs[i]));
+                        if (pushes[p].size() == 0) pushes[p] = MatrixXd::Zero(mine.rows(), mine.cols());
+                        pushes[p] += mine;
+                      }
+                    });
   for (const MatrixXd& push : pushes) {
     if (push.size() > 0) normal.force += push * push.transpose();
   }
@@ -69,13 +70,14 @@ void JointProjection::add_residue_variance(const JointState& state, const JointP
   const MatrixXd synthesised = part.columns * part.amplitude;
   const std::vector<std::size_t> lines = blocks_.middles();
   const auto points = by_point(set_, part);
-  share_out(
-      points.size(), kPerProduct * lines.size() * static_cast<std::size_t>(part.columns.cols()), [&](std::size_t p) {
+  parallel_for_cost(
+      points.size(), kFlopsPerProduct * lines.size() * static_cast<std::size_t>(part.columns.cols()),
+      [&](std::size_t p) {
         const MatrixXcd errors = gain_errors(set_, set_.outputs[part.outputs[points[p].front()]].point, lines);
         for (const std::size_t i : points[p]) {
           if (errors.size() == 0) break;
           const auto o = static_cast<Index>(i);
-          const MatrixXd moves = part.inverse * (part.columns.transpose() * moved_by(errors, synthesised.col(o)));
+          const MatrixXd moves = part.inverse * (part.columns.transpose() * updated_poles(errors, synthesised.col(o)));
           for (std::size_t m = 0; m < state.model.poles.size(); ++m) {
             const auto first = static_cast<Index>(part.first[m]);
             const double line = set_.lines.position(state.model.poles[m].freq_Hz);

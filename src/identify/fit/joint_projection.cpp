@@ -31,13 +31,14 @@ bool JointModel::all_real() const {
   return std::all_of(real.begin(), real.end(), [](char r) { return r != 0; });
 }
 
-JointProjection::JointProjection(const FrfSet& set, const std::vector<Pole>& poles)
+JointProjection::JointProjection(const FrfDataset& set, const std::vector<Pole>& poles)
     : set_(set),
       blocks_(set.lines, poles),
-      background_(background_shapes(set.lines)),
+      background_(out_of_band_terms(set.lines)),
       noise_(VectorXd::Ones(static_cast<Index>(set.outputs.size()))) {
   const bool together = std::all_of(set.points.begin(), set.points.end(), [&](const PointForce& force) {
-    return std::all_of(poles.begin(), poles.end(), [&](const Pole& p) { return decays_within(p, force, set.lines); });
+    return std::all_of(poles.begin(), poles.end(),
+                       [&](const Pole& p) { return decays_within_record(p, force, set.lines); });
   });
   parts_.resize(together ? 1 : set.points.size());
   for (std::size_t o = 0; o < set.outputs.size(); ++o) parts_[together ? 0 : set.outputs[o].point].outputs.push_back(o);
@@ -58,7 +59,7 @@ JointProjection::JointProjection(const FrfSet& set, const std::vector<Pole>& pol
 void JointProjection::fill(Plan& plan) const {
   const auto lines = static_cast<Index>(set_.lines.count);
   plan.data.resize(2 * blocks_.count(), static_cast<Index>(plan.outputs.size()));
-  share_out(plan.outputs.size(), kPerProduct * set_.lines.count, [&](std::size_t i) {
+  parallel_for_cost(plan.outputs.size(), kFlopsPerProduct * set_.lines.count, [&](std::size_t i) {
     const Eigen::Map<const VectorXcd> frf(set_.outputs[plan.outputs[i]].frf.data(), lines);
     blocks_.sum(frf, plan.weight, plan.data.col(static_cast<Index>(i)));
   });
@@ -69,7 +70,7 @@ void JointProjection::fill(Plan& plan) const {
 
 JointState JointProjection::evaluate(JointModel model) const {
   JointState state{.model = std::move(model), .parts = {}};
-  const std::vector<ModeColumn> whole = whole_columns(state.model, Need::derivatives);
+  const std::vector<ModeColumn> whole = untruncated_columns(state.model, ColumnContent::derivatives);
   for (const Plan& plan : parts_) {
     state.parts.push_back(solve(plan, state.model, whole));
     const JointPart& part = state.parts.back();
@@ -81,10 +82,10 @@ JointState JointProjection::evaluate(JointModel model) const {
   return state;
 }
 
-std::vector<ModeColumn> JointProjection::whole_columns(const JointModel& model, Need need) const {
+std::vector<ModeColumn> JointProjection::untruncated_columns(const JointModel& model, ColumnContent need) const {
   std::vector<ModeColumn> columns(model.poles.size());
-  share_out(columns.size(), kPerColumnLine * set_.lines.count, [&](std::size_t m) {
-    columns[m] = whole_column(model.poles[m], set_.window_decay_per_s(), set_.lines, 0, set_.lines.count, need);
+  parallel_for_cost(columns.size(), kFlopsPerColumnLine * set_.lines.count, [&](std::size_t m) {
+    columns[m] = untruncated_column(model.poles[m], set_.window_decay_per_s(), set_.lines, 0, set_.lines.count, need);
   });
   return columns;
 }
@@ -105,9 +106,9 @@ JointPart JointProjection::solve(const Plan& plan, const JointModel& model,
   part.columns.resize(rows, unknowns + turns * background_.cols());
   part.slopes.resize(rows, 2 * unknowns);
   part.quadrature.resize(rows, modes);
-  share_out(model.poles.size(), kPerColumnLine * set_.lines.count, [&](std::size_t at) {
+  parallel_for_cost(model.poles.size(), kFlopsPerColumnLine * set_.lines.count, [&](std::size_t at) {
     const auto m = static_cast<Index>(at);
-    const ModeColumn mode = without_missing(whole[at], model.poles[at], force, set_.lines, 0);
+    const ModeColumn mode = subtract_truncation(whole[at], model.poles[at], force, set_.lines, 0);
     const auto first = static_cast<Index>(part.first[at]);
     blocks_.sum(mode.value, plan.weight, part.columns.col(first));
     blocks_.sum(mode.by_freq, plan.weight, part.slopes.col(2 * first));
@@ -127,11 +128,11 @@ JointPart JointProjection::solve(const Plan& plan, const JointModel& model,
   part.amplitude.resize(part.columns.cols(), plan.data.cols());
   part.residual.resize(rows, plan.data.cols());
   const Index strips = (plan.data.cols() + kStrip - 1) / kStrip;
-  share_out(static_cast<std::size_t>(strips), static_cast<std::size_t>(8 * part.columns.size() * kStrip),
-            [&](std::size_t strip) {
-              const Index first = static_cast<Index>(strip) * kStrip;
-              solve_outputs(plan, first, std::min(kStrip, plan.data.cols() - first), part);
-            });
+  parallel_for_cost(static_cast<std::size_t>(strips), static_cast<std::size_t>(8 * part.columns.size() * kStrip),
+                    [&](std::size_t strip) {
+                      const Index first = static_cast<Index>(strip) * kStrip;
+                      solve_outputs(plan, first, std::min(kStrip, plan.data.cols() - first), part);
+                    });
   return part;
 }
 
@@ -146,9 +147,10 @@ void JointProjection::solve_outputs(const Plan& plan, Index first, Index count, 
   residual -= part.columns * correction;
 }
 
-JointNormal JointProjection::normal_equations(const JointState& state) const {
+JointNormalEquations JointProjection::normal_equations(const JointState& state) const {
   const auto modes = static_cast<Index>(state.model.poles.size());
-  JointNormal out{.matrix = MatrixXd::Zero(2 * modes, 2 * modes), .right = VectorXd::Zero(2 * modes), .force = {}};
+  JointNormalEquations out{
+      .matrix = MatrixXd::Zero(2 * modes, 2 * modes), .right = VectorXd::Zero(2 * modes), .force = {}};
   for (const JointPart& part : state.parts) {
     // What the linear part cannot follow of the slopes (Kaufman's Jacobian).
     const MatrixXd cross = part.columns.transpose() * part.slopes;
@@ -178,8 +180,8 @@ MatrixXd JointProjection::spread_of(const JointState& state, const JointPart& pa
   return spread;
 }
 
-JointNormal JointProjection::with_force_noise(const JointState& state, ForceErrors of) const {
-  JointNormal out = normal_equations(state);
+JointNormalEquations JointProjection::with_force_noise(const JointState& state, ForceErrors of) const {
+  JointNormalEquations out = normal_equations(state);
   out.force = MatrixXd::Zero(out.matrix.rows(), out.matrix.cols());
   for (const JointPart& part : state.parts) add_force_noise(state, part, of, out);
   return out;

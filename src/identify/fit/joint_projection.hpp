@@ -19,7 +19,7 @@ struct JointModel {
 /// The linear part of a joint fit at given poles, for outputs that share their columns. Rows are weighted blocks of
 /// lines, real above imaginary parts.
 struct JointPart {
-  std::vector<std::size_t> outputs;     // indices into FrfSet::outputs
+  std::vector<std::size_t> outputs;     // indices into FrfDataset::outputs
   std::vector<std::size_t> first;       // [modes] column of the residue's real part; the imaginary part's follows
   Eigen::MatrixXd columns;              // [rows, unknowns per output]
   Eigen::MatrixXd slopes;               // of the columns along frequency and damping, two for each residue column
@@ -35,7 +35,7 @@ struct JointState {
 };
 
 /// What a joint fit says of the poles: unknowns in the order frequency, damping ratio per mode.
-struct JointNormal {
+struct JointNormalEquations {
   Eigen::MatrixXd matrix;  // Fisher information
   Eigen::VectorXd right;
   Eigen::MatrixXd force;  // covariance of `right` that the force channel's noise causes
@@ -46,13 +46,13 @@ struct JointNormal {
 class JointProjection {
  public:
   /// set must outlive this object.
-  JointProjection(const FrfSet& set, const std::vector<Pole>& poles);
+  JointProjection(const FrfDataset& set, const std::vector<Pole>& poles);
 
   JointState evaluate(JointModel model) const;
   /// theory (4.9)
-  JointNormal normal_equations(const JointState& state) const;
+  JointNormalEquations normal_equations(const JointState& state) const;
   /// … with `force` filled in.
-  JointNormal with_force_noise(const JointState& state, ForceErrors of) const;
+  JointNormalEquations with_force_noise(const JointState& state, ForceErrors of) const;
   /// Variance of each residue (of its real and imaginary part) that the force channel's noise causes beyond the gain
   /// common to the point's responses (gain_deviation): what it makes of the other modes. [outputs, modes]
   Eigen::MatrixXd residue_force_variance(const JointState& state) const;
@@ -61,13 +61,13 @@ class JointProjection {
   /// noise.
   Eigen::MatrixXd spread_of(const JointState& state, const JointPart& part, Eigen::Index output) const;
 
-  /// Takes each output's noise, and how the noise goes with frequency, from what a fit left (its left_over).
-  void weigh_by(const JointState& state, const std::vector<Eigen::VectorXcd>& left);
+  /// Takes each output's noise, and how the noise goes with frequency, from what a fit left (its unweighted_residual).
+  void weight_by_residual(const JointState& state, const std::vector<Eigen::VectorXcd>& left);
   /// What the fit leaves of every line, not weighted: [outputs][lines], (m/s²)/N.
-  std::vector<Eigen::VectorXcd> left_over(const JointState& state) const;
+  std::vector<Eigen::VectorXcd> unweighted_residual(const JointState& state) const;
   /// [outputs] deviation of a row.
   const Eigen::VectorXd& noise() const { return noise_; }
-  const FrfSet& set() const { return set_; }
+  const FrfDataset& set() const { return set_; }
 
  private:
   struct Plan {
@@ -77,16 +77,17 @@ class JointProjection {
     Eigen::MatrixXd background;  // [rows, terms]
   };
   void fill(Plan& plan) const;
-  std::vector<ModeColumn> whole_columns(const JointModel& model, Need need) const;
+  std::vector<ModeColumn> untruncated_columns(const JointModel& model, ColumnContent need) const;
   JointPart solve(const Plan& plan, const JointModel& model, const std::vector<ModeColumn>& whole) const;
   static void solve_outputs(const Plan& plan, Eigen::Index first, Eigen::Index count, JointPart& part);
   void subtract_shares(const Eigen::MatrixXcd& columns, const JointPart& part,
                        std::vector<Eigen::VectorXcd>& left) const;
-  void add_force_noise(const JointState& state, const JointPart& part, ForceErrors of, JointNormal& normal) const;
+  void add_force_noise(const JointState& state, const JointPart& part, ForceErrors of,
+                       JointNormalEquations& normal) const;
   void add_residue_variance(const JointState& state, const JointPart& part, Eigen::MatrixXd& variance) const;
 
-  const FrfSet& set_;
-  LineBlocks blocks_;
+  const FrfDataset& set_;
+  FrequencyBins blocks_;
   Eigen::MatrixXd background_;  // [lines, terms]
   std::vector<Plan> parts_;
   Eigen::VectorXd noise_;

@@ -14,21 +14,21 @@ using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-constexpr Index kSmoothLines = 100;   // on either side: a variance from 200 lines costs under 1 % of the bound
-constexpr double kLeastNoise = 1e-3;  // of the noise elsewhere: where a fit leaves nothing, its weight stays finite
+constexpr Index kSmoothLines = 100;  // on either side: a variance from 200 lines costs under 1 % of the bound
+constexpr double kMinNoise = 1e-3;   // of the noise elsewhere: where a fit leaves nothing, its weight stays finite
 
 }  // namespace
 
-std::vector<VectorXcd> JointProjection::left_over(const JointState& state) const {
+std::vector<VectorXcd> JointProjection::unweighted_residual(const JointState& state) const {
   std::vector<VectorXcd> left(set_.outputs.size());
   const auto lines = static_cast<Index>(set_.lines.count);
-  const std::vector<ModeColumn> whole = whole_columns(state.model, Need::value);
+  const std::vector<ModeColumn> whole = untruncated_columns(state.model, ColumnContent::value);
   for (const JointPart& part : state.parts) {
     const PointForce& force = set_.points[set_.outputs[part.outputs.front()].point];
     MatrixXcd columns(lines, part.columns.cols());
-    share_out(state.model.poles.size(), kPerColumnLine * set_.lines.count, [&](std::size_t m) {
+    parallel_for_cost(state.model.poles.size(), kFlopsPerColumnLine * set_.lines.count, [&](std::size_t m) {
       const auto first = static_cast<Index>(part.first[m]);
-      columns.col(first) = without_missing(whole[m], state.model.poles[m], force, set_.lines, 0).value;
+      columns.col(first) = subtract_truncation(whole[m], state.model.poles[m], force, set_.lines, 0).value;
       if (!state.model.real[m]) columns.col(first + 1) = Complex(0, 1) * columns.col(first);
     });
     const Index turns = state.model.all_real() ? 1 : 2;
@@ -46,8 +46,8 @@ std::vector<VectorXcd> JointProjection::left_over(const JointState& state) const
 void JointProjection::subtract_shares(const MatrixXcd& columns, const JointPart& part,
                                       std::vector<VectorXcd>& left) const {
   for (const std::size_t o : part.outputs) left[o].resize(columns.rows());
-  const auto operations = kPerProduct * static_cast<std::size_t>(columns.cols()) * part.outputs.size();
-  share_out_strips(set_.lines.count, operations, [&](std::size_t from, std::size_t lines) {
+  const auto operations = kFlopsPerProduct * static_cast<std::size_t>(columns.cols()) * part.outputs.size();
+  parallel_for_chunks(set_.lines.count, operations, [&](std::size_t from, std::size_t lines) {
     const auto first = static_cast<Index>(from), count = static_cast<Index>(lines);
     // Amplitudes are real: one product for real and imaginary parts.
     const MatrixXcd strip = columns.middleRows(first, count);
@@ -62,7 +62,7 @@ void JointProjection::subtract_shares(const MatrixXcd& columns, const JointPart&
   });
 }
 
-void JointProjection::weigh_by(const JointState& state, const std::vector<VectorXcd>& left) {
+void JointProjection::weight_by_residual(const JointState& state, const std::vector<VectorXcd>& left) {
   const auto lines = static_cast<Index>(set_.lines.count);
   for (std::size_t p = 0; p < parts_.size(); ++p) {
     const JointPart& part = state.parts[p];
@@ -70,7 +70,7 @@ void JointProjection::weigh_by(const JointState& state, const std::vector<Vector
         std::max(1.0, static_cast<double>(2 * lines - part.columns.cols()) -
                           2 * static_cast<double>(state.model.poles.size()) / static_cast<double>(set_.outputs.size()));
     std::vector<VectorXd> weighted(part.outputs.size());
-    share_out(weighted.size(), kPerProduct * set_.lines.count, [&](std::size_t i) {
+    parallel_for_cost(weighted.size(), kFlopsPerProduct * set_.lines.count, [&](std::size_t i) {
       weighted[i] = left[part.outputs[i]].cwiseAbs2().cwiseProduct(parts_[p].weight.cwiseAbs2());
       const double variance = std::max(weighted[i].sum() / freedom, 1e-300);
       noise_(static_cast<Index>(part.outputs[i])) = std::sqrt(variance);
@@ -86,7 +86,7 @@ void JointProjection::weigh_by(const JointState& state, const std::vector<Vector
       const Index from = std::max<Index>(0, std::min(k - kSmoothLines, lines - 1 - 2 * kSmoothLines));
       const Index to = std::min(lines, from + 2 * kSmoothLines + 1);
       const double local = (sum(to) - sum(from)) / static_cast<double>(to - from);
-      parts_[p].weight(k) /= std::sqrt(std::max(local, kLeastNoise));
+      parts_[p].weight(k) /= std::sqrt(std::max(local, kMinNoise));
     }
     fill(parts_[p]);
   }

@@ -40,9 +40,9 @@ Reached descend(const VariableProjection& projection, LocalFit& fit, const Local
       const double share = state.cost / static_cast<double>(std::max<std::size_t>(fit.degrees, 1));
       fit.converged = lambda <= kUndamped && move.dot(b) < options.change * options.change * share;
       if (fit.converged) break;
-      const double size = step_size(move, fit.poles);
-      const auto poles = moved_by(fit.poles, move);
-      if (!std::isfinite(size) || size > 1e3 || !poles_allowed(poles)) {
+      const double size = normalised_step(move, fit.poles);
+      const auto poles = updated_poles(fit.poles, move);
+      if (!std::isfinite(size) || size > 1e3 || !poles_in_bounds(poles)) {
         lambda = std::max(lambda * 10, 1e-3);
         continue;
       }
@@ -96,7 +96,7 @@ void add_uncertainty(LocalFit& fit, const VariableProjection& projection, const 
 
 }  // namespace
 
-LocalFit fit_locally(const FrfSet& set, const std::vector<VectorXcd>& data, const VectorXd& weight,
+LocalFit fit_locally(const FrfDataset& set, const std::vector<VectorXcd>& data, const VectorXd& weight,
                      std::vector<Pole> start, const LocalFitOptions& options) {
   const auto outputs = static_cast<Index>(set.outputs.size());
   const auto modes = static_cast<Index>(start.size());
@@ -116,7 +116,7 @@ LocalFit fit_locally(const FrfSet& set, const std::vector<VectorXcd>& data, cons
   return fit;
 }
 
-Pole pole_of_window(const FrfSet& set, const std::vector<VectorXcd>& data, std::size_t first) {
+Pole pole_of_window(const FrfDataset& set, const std::vector<VectorXcd>& data, std::size_t first) {
   // Per output the unknowns a, b are projected out; what is left is one complex unknown s.
   Complex numerator;
   double denominator = 0;
@@ -136,7 +136,7 @@ Pole pole_of_window(const FrfSet& set, const std::vector<VectorXcd>& data, std::
   const Complex s = numerator / denominator + Complex(0, middle);
   if (!(s.real() < 0) || !(s.imag() > 0)) return {};
   const double omega = std::abs(s);
-  return {.freq_Hz = omega / kTwoPi, .damping_ratio = std::min(-s.real() / omega, 0.99 * kMostFittedDamping)};
+  return {.freq_Hz = omega / kTwoPi, .damping_ratio = std::min(-s.real() / omega, 0.99 * kMaxFittedDamping)};
 }
 
 }  // namespace percuss

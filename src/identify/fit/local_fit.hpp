@@ -33,12 +33,12 @@ struct LocalFitOptions {
 /// options.count lines (what other modes contribute already subtracted); weight [outputs]. source  [7] in
 /// docs/sources.md.
 /// theory (4.14)
-LocalFit fit_locally(const FrfSet& set, const std::vector<Eigen::VectorXcd>& data, const Eigen::VectorXd& weight,
+LocalFit fit_locally(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& data, const Eigen::VectorXd& weight,
                      std::vector<Pole> start, const LocalFitOptions& options);
 
 /// A first pole from the lines of a window by a linear fit: (jω − s) H = a + b(jω), s common, a and b per output.
 /// freq_Hz is 0 when the lines hold no decaying oscillation.
 /// theory (4.2)
-Pole pole_of_window(const FrfSet& set, const std::vector<Eigen::VectorXcd>& data, std::size_t first);
+Pole pole_of_window(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& data, std::size_t first);
 
 }  // namespace percuss

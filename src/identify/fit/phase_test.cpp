@@ -48,7 +48,7 @@ PhaseEffect effect_of(const JointProjection& projection, const JointState& state
 }
 
 // Of the phase of the force near a pole, the mean over the points.
-double phase_variance(const FrfSet& set, const Pole& pole) {
+double phase_variance(const FrfDataset& set, const Pole& pole) {
   double sum = 0;
   for (std::size_t p = 0; p < set.points.size(); ++p) sum += std::pow(gain_deviation(set, p, pole.freq_Hz), 2);
   return sum / static_cast<double>(set.points.size() * set.points.size());
@@ -56,8 +56,8 @@ double phase_variance(const FrfSet& set, const Pole& pole) {
 
 }  // namespace
 
-double phase_contradiction(const JointProjection& projection, const JointState& state, std::size_t mode,
-                           const Eigen::MatrixXd& covariance) {
+double phase_test_statistic(const JointProjection& projection, const JointState& state, std::size_t mode,
+                            const Eigen::MatrixXd& covariance) {
   const PhaseEffect effect = effect_of(projection, state, mode);
   const double information = effect.information - effect.on_poles.dot(covariance * effect.on_poles);
   if (!(information > 1e-12 * effect.information)) return 0;

@@ -8,17 +8,17 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kLeastDamping = 1e-7;
+constexpr double kMinDampingRatio = 1e-7;
 
 }  // namespace
 
-bool poles_allowed(const std::vector<Pole>& poles) {
+bool poles_in_bounds(const std::vector<Pole>& poles) {
   return std::all_of(poles.begin(), poles.end(), [](const Pole& p) {
-    return p.freq_Hz > 0 && p.damping_ratio > kLeastDamping && p.damping_ratio < kMostFittedDamping;
+    return p.freq_Hz > 0 && p.damping_ratio > kMinDampingRatio && p.damping_ratio < kMaxFittedDamping;
   });
 }
 
-std::vector<Pole> moved_by(std::vector<Pole> poles, const Eigen::VectorXd& step) {
+std::vector<Pole> updated_poles(std::vector<Pole> poles, const Eigen::VectorXd& step) {
   for (std::size_t m = 0; m < poles.size(); ++m) {
     poles[m].freq_Hz += step(static_cast<Index>(2 * m));
     poles[m].damping_ratio += step(static_cast<Index>(2 * m + 1));
@@ -26,7 +26,7 @@ std::vector<Pole> moved_by(std::vector<Pole> poles, const Eigen::VectorXd& step)
   return poles;
 }
 
-double step_size(const Eigen::VectorXd& step, const std::vector<Pole>& poles) {
+double normalised_step(const Eigen::VectorXd& step, const std::vector<Pole>& poles) {
   double size = 0;
   for (std::size_t m = 0; m < poles.size(); ++m) {
     size = std::max({size, std::abs(step(static_cast<Index>(2 * m))) / (0.5 * poles[m].half_power_Hz()),

@@ -6,15 +6,15 @@
 
 namespace percuss {
 
-inline constexpr double kMostFittedDamping = 0.5;
+inline constexpr double kMaxFittedDamping = 0.5;
 /// Poles a fit may try: frequency above zero, damping ratio between 1e-7 and a half.
-bool poles_allowed(const std::vector<Pole>& poles);
+bool poles_in_bounds(const std::vector<Pole>& poles);
 
 /// The poles after a step, [2 modes] in the order frequency (Hz), damping ratio per mode.
-std::vector<Pole> moved_by(std::vector<Pole> poles, const Eigen::VectorXd& step);
+std::vector<Pole> updated_poles(std::vector<Pole> poles, const Eigen::VectorXd& step);
 
 /// The largest part of a step in the units that matter: half a half-power bandwidth for a frequency, itself for a
 /// damping ratio.
-double step_size(const Eigen::VectorXd& step, const std::vector<Pole>& poles);
+double normalised_step(const Eigen::VectorXd& step, const std::vector<Pole>& poles);
 
 }  // namespace percuss

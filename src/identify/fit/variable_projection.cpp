@@ -14,7 +14,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-VariableProjection::VariableProjection(const FrfSet& set, const std::vector<VectorXcd>& data, VectorXd weight,
+VariableProjection::VariableProjection(const FrfDataset& set, const std::vector<VectorXcd>& data, VectorXd weight,
                                        std::size_t first, std::size_t count, std::size_t polynomial_terms)
     : set_(set),
       polynomial_(orthonormal_polynomials(static_cast<Index>(count), static_cast<Index>(polynomial_terms))),
@@ -84,7 +84,7 @@ MatrixXcd VariableProjection::residue_moves(const ProjectedPart& part, Index out
 // Outputs with equal columns: all of them once every mode has decayed within the record, else those of one point.
 const std::vector<std::vector<std::size_t>>& VariableProjection::outputs_alike(const std::vector<Pole>& poles) const {
   const bool decayed = std::all_of(poles.begin(), poles.end(), [&](const Pole& pole) {
-    return decays_within(pole, set_.points.front(), set_.lines);
+    return decays_within_record(pole, set_.points.front(), set_.lines);
   });
   return decayed ? together_ : by_point_;
 }

@@ -11,7 +11,7 @@ namespace percuss {
 /// The linear problem of outputs that share their columns, at given poles, and its solution. The polynomial is
 /// projected out of everything.
 struct ProjectedPart {
-  std::vector<std::size_t> outputs;  // indices into FrfSet::outputs
+  std::vector<std::size_t> outputs;  // indices into FrfDataset::outputs
   Eigen::MatrixXcd columns;          // [lines, modes] what the polynomial cannot follow of each mode
   Eigen::MatrixXcd slopes;           // [lines, 2 modes] of the modes by frequency and damping ratio, not projected
   Eigen::MatrixXcd inverse_gram;     // (columnsᴴ·columns)⁻¹
@@ -29,7 +29,7 @@ struct ProjectedState {
 class VariableProjection {
  public:
   /// data[o] holds `count` lines from `first` on; weight [outputs]. set must outlive this object.
-  VariableProjection(const FrfSet& set, const std::vector<Eigen::VectorXcd>& data, Eigen::VectorXd weight,
+  VariableProjection(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& data, Eigen::VectorXd weight,
                      std::size_t first, std::size_t count, std::size_t polynomial_terms);
 
   ProjectedState evaluate(const std::vector<Pole>& poles) const;
@@ -47,7 +47,7 @@ class VariableProjection {
   ProjectedPart solve(const std::vector<std::size_t>& outputs, const std::vector<Pole>& poles) const;
   void project(Eigen::MatrixXcd& columns) const;
 
-  const FrfSet& set_;
+  const FrfDataset& set_;
   Eigen::MatrixXd polynomial_;  // [lines, terms] orthonormal
   Eigen::MatrixXcd data_;       // [lines, outputs] the polynomial projected out
   Eigen::VectorXd weight_;

@@ -13,15 +13,16 @@ using Eigen::Index;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-constexpr double kLeastLines = 8;   // … and never fewer lines
-constexpr double kMostLines = 400;  // … nor more: the polynomial follows other modes' tails over a short stretch only
-constexpr double kLeastForce =
+constexpr double kMinWindowLines = 8;  // … and never fewer lines
+constexpr double kMaxWindowLines =
+    400;  // … nor more: the polynomial follows other modes' tails over a short stretch only
+constexpr double kMinForcePower =
     1e-6;  // of the strongest line's power: a pulse's spectrum has zeros, where FRFs mean nothing
-constexpr double kLeastWeight = 1e-3;  // of the noise elsewhere: where a fit leaves nothing, its weight stays finite
-constexpr std::size_t kPerPowerLine = 10;  // operations
-constexpr std::size_t kOutgrown = 2;       // times: a window that is too short
-constexpr int kMostPasses = 5;             // of a sweep
-constexpr double kTogether = 4;            // bandwidths (or lines) apart at which two modes are fitted together
+constexpr double kMinWeight = 1e-3;  // of the noise elsewhere: where a fit leaves nothing, its weight stays finite
+constexpr std::size_t kFlopsPerPowerLine = 10;  // operations
+constexpr std::size_t kOutgrown = 2;            // times: a window that is too short
+constexpr int kMaxPasses = 5;                   // of a sweep
+constexpr double kGroupingGap = 4;              // bandwidths (or lines) apart at which two modes are fitted together
 
 void carry_over(const std::vector<FitGroup>& before, FitGroup& group, std::size_t m) {
   for (const FitGroup& old : before) {
@@ -33,9 +34,9 @@ void carry_over(const std::vector<FitGroup>& before, FitGroup& group, std::size_
   }
 }
 
-double largest_of(const FrfSet& set, const Output& output) {
+double largest_of(const FrfDataset& set, const FrfChannel& output) {
   const std::vector<double>& ff = set.points[output.point].ff;
-  const double least = ff.empty() ? 0 : kLeastForce * *std::max_element(ff.begin(), ff.end());
+  const double least = ff.empty() ? 0 : kMinForcePower * *std::max_element(ff.begin(), ff.end());
   double largest = 0;
   for (std::size_t k = 0; k < output.frf.size(); ++k) {
     if (ff.empty() || ff[k] > least) largest = std::max(largest, std::norm(output.frf[k]));
@@ -45,26 +46,28 @@ double largest_of(const FrfSet& set, const Output& output) {
 
 }  // namespace
 
-GroupedFit::GroupedFit(const FrfSet& set, const GroupedFitOptions& options)
+WindowedFit::WindowedFit(const FrfDataset& set, const WindowedFitOptions& options)
     : set_(set), options_(options), noise_(set), largest_(VectorXd::Zero(static_cast<Index>(set.outputs.size()))) {
-  share_out(set.outputs.size(), kPerPowerLine * set.lines.count,
-            [&](std::size_t o) { largest_(static_cast<Index>(o)) = largest_of(set, set.outputs[o]); });
+  parallel_for_cost(set.outputs.size(), kFlopsPerPowerLine * set.lines.count,
+                    [&](std::size_t o) { largest_(static_cast<Index>(o)) = largest_of(set, set.outputs[o]); });
 }
 
-std::vector<Pole> GroupedFit::poles() const {
+std::vector<Pole> WindowedFit::poles() const {
   std::vector<Pole> all;
   for (const FitGroup& group : groups_) all.insert(all.end(), group.fit.poles.begin(), group.fit.poles.end());
   return all;
 }
 
-double GroupedFit::width_Hz(const Pole& pole) const { return std::max(pole.half_power_Hz(), 0.5 * set_.lines.df_Hz()); }
+double WindowedFit::width_Hz(const Pole& pole) const {
+  return std::max(pole.half_power_Hz(), 0.5 * set_.lines.df_Hz());
+}
 
-void GroupedFit::place_window(FitGroup& group) const {
+void WindowedFit::place_window(FitGroup& group) const {
   double low = 1e300;
   double high = 0;
   for (const Pole& pole : group.fit.poles) {
-    const double half = std::clamp(options_.window_widths * width_Hz(pole), kLeastLines * set_.lines.df_Hz(),
-                                   kMostLines * set_.lines.df_Hz());
+    const double half = std::clamp(options_.window_widths * width_Hz(pole), kMinWindowLines * set_.lines.df_Hz(),
+                                   kMaxWindowLines * set_.lines.df_Hz());
     low = std::min(low, pole.freq_Hz - half);
     high = std::max(high, pole.freq_Hz + half);
   }
@@ -80,14 +83,14 @@ void GroupedFit::place_window(FitGroup& group) const {
 }
 
 // The same poles, and a window that has moved by no more than a tenth of itself.
-bool GroupedFit::same_window(const FitGroup& before, const FitGroup& group) const {
+bool WindowedFit::same_window(const FitGroup& before, const FitGroup& group) const {
   const auto apart = [](std::size_t a, std::size_t b) { return a > b ? a - b : b - a; };
   const std::size_t most = before.count / 10;
   return before.fit.poles == group.fit.poles && apart(before.first, group.first) <= most &&
          apart(before.first + before.count, group.first + group.count) <= most;
 }
 
-bool GroupedFit::unchanged(std::size_t group, const std::vector<VectorXcd>& data) const {
+bool WindowedFit::unchanged(std::size_t group, const std::vector<VectorXcd>& data) const {
   const std::vector<VectorXcd>& before = fitted_to_[group];
   if (before.empty()) return false;
   const Eigen::MatrixXd smooth = orthonormal_polynomials(before.front().size(), LocalFitOptions{}.residual_terms);
@@ -100,14 +103,14 @@ bool GroupedFit::unchanged(std::size_t group, const std::vector<VectorXcd>& data
   return change < options_.change * options_.change;
 }
 
-double GroupedFit::gap(const Pole& below, const Pole& above) const {
+double WindowedFit::gap(const Pole& below, const Pole& above) const {
   return (above.freq_Hz - below.freq_Hz) / std::max({width_Hz(below), width_Hz(above), set_.lines.df_Hz()});
 }
 
 // Too many for one group are parted where they are furthest apart: what lies side by side tells itself apart in one fit
 // only.
-void GroupedFit::add_groups(std::span<const Pole> poles) {
-  if (poles.size() <= kMostTogether) {
+void WindowedFit::add_groups(std::span<const Pole> poles) {
+  if (poles.size() <= kMaxGroupSize) {
     groups_.emplace_back().fit.poles.assign(poles.begin(), poles.end());
     return;
   }
@@ -119,14 +122,14 @@ void GroupedFit::add_groups(std::span<const Pole> poles) {
   add_groups(poles.subspan(widest));
 }
 
-void GroupedFit::replace(std::vector<Pole> poles) {
+void WindowedFit::replace(std::vector<Pole> poles) {
   const std::vector<FitGroup> before = std::move(groups_);
   std::vector<std::vector<VectorXcd>> fitted_to = std::move(fitted_to_);
   groups_.clear();
   std::sort(poles.begin(), poles.end(), [](const Pole& a, const Pole& b) { return a.freq_Hz < b.freq_Hz; });
   for (std::size_t first = 0; first < poles.size();) {
     std::size_t end = first + 1;
-    while (end < poles.size() && gap(poles[end - 1], poles[end]) < kTogether) ++end;
+    while (end < poles.size() && gap(poles[end - 1], poles[end]) < kGroupingGap) ++end;
     add_groups({poles.data() + first, end - first});
     first = end;
   }
@@ -146,34 +149,34 @@ void GroupedFit::replace(std::vector<Pole> poles) {
   }
 }
 
-void GroupedFit::sweep() {
+void WindowedFit::sweep() {
   fit_all();
   replace(poles());  // poles that moved may belong together now
   fit_all();
 }
 
-void GroupedFit::widen() {
-  for (int pass = 0; pass < kMostPasses && outgrown(); ++pass) {
+void WindowedFit::widen() {
+  for (int pass = 0; pass < kMaxPasses && has_outgrown_window(); ++pass) {
     replace(poles());
     fit_all();
   }
 }
 
 // One after the other: fitted side by side without each other's latest shares, crowded resonances lose half of them.
-void GroupedFit::fit_all() {
+void WindowedFit::fit_all() {
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     FitGroup& group = groups_[g];
-    auto data = remainder(group);
+    auto data = data_without_other_modes(group);
     if (unchanged(g, data)) continue;
     // A first residual tells each output's noise here, which is not the noise elsewhere.
-    if (group.fit.noise.size() == 0) group.fit = fit(group, data, group.fit.poles, noise(group), kRoughly);
+    if (group.fit.noise.size() == 0) group.fit = fit(group, data, group.fit.poles, noise(group), kTrialTolerance);
     group.fit = fit(group, data, group.fit.poles, weights_from(group));
     fitted_to_[g] = std::move(data);
   }
 }
 
 // A pole that began as a narrow one may have found that its resonance is broader than its window.
-bool GroupedFit::outgrown() const {
+bool WindowedFit::has_outgrown_window() const {
   return std::any_of(groups_.begin(), groups_.end(), [&](const FitGroup& group) {
     FitGroup anew{.fit = {.poles = group.fit.poles}};
     place_window(anew);
@@ -181,25 +184,25 @@ bool GroupedFit::outgrown() const {
   });
 }
 
-void GroupedFit::subtract(const LocalFit& fit, std::size_t mode, const FitGroup& window,
-                          std::vector<VectorXcd>& data) const {
-  const bool decayed = decays_within(fit.poles[mode], set_.points.front(), set_.lines);
+void WindowedFit::subtract(const LocalFit& fit, std::size_t mode, const FitGroup& window,
+                           std::vector<VectorXcd>& data) const {
+  const bool decayed = decays_within_record(fit.poles[mode], set_.points.front(), set_.lines);
   std::size_t point = set_.points.size();
   ModeColumn column;
   for (std::size_t o = 0; o < data.size(); ++o) {
     const bool same = point < set_.points.size() && (decayed || set_.outputs[o].point == point);
     if (!same) {
       const PointForce& force = set_.points[set_.outputs[o].point];
-      column = mode_column(fit.poles[mode], force, set_.lines, window.first, window.count, Need::value);
+      column = mode_column(fit.poles[mode], force, set_.lines, window.first, window.count, ColumnContent::value);
     }
     point = set_.outputs[o].point;
     data[o] -= column.value * fit.residues(static_cast<Index>(o), static_cast<Index>(mode));
   }
 }
 
-std::vector<VectorXcd> GroupedFit::remainder(const FitGroup& group) const {
+std::vector<VectorXcd> WindowedFit::data_without_other_modes(const FitGroup& group) const {
   std::vector<VectorXcd> data;
-  for (const Output& output : set_.outputs) {
+  for (const FrfChannel& output : set_.outputs) {
     data.emplace_back(Eigen::Map<const VectorXcd>(output.frf.data() + group.first, static_cast<Index>(group.count)));
   }
   for (const FitGroup& other : groups_) {
@@ -209,25 +212,26 @@ std::vector<VectorXcd> GroupedFit::remainder(const FitGroup& group) const {
   return data;
 }
 
-std::vector<VectorXcd> GroupedFit::residual() const {
+std::vector<VectorXcd> WindowedFit::residual() const {
   std::vector<VectorXcd> all(set_.outputs.size(), VectorXcd(static_cast<Index>(set_.lines.count)));
-  share_out_strips(set_.lines.count, kPerColumnLine * poles().size(), [&](std::size_t first, std::size_t count) {
-    // The strip belongs to no group: all of them are subtracted.
-    const auto part = remainder(FitGroup{.fit = {}, .first = first, .count = count});
-    for (std::size_t o = 0; o < all.size(); ++o)
-      all[o].segment(static_cast<Index>(first), static_cast<Index>(count)) = part[o];
-  });
+  parallel_for_chunks(set_.lines.count, kFlopsPerColumnLine * poles().size(),
+                      [&](std::size_t first, std::size_t count) {
+                        // The strip belongs to no group: all of them are subtracted.
+                        const auto part = data_without_other_modes(FitGroup{.fit = {}, .first = first, .count = count});
+                        for (std::size_t o = 0; o < all.size(); ++o)
+                          all[o].segment(static_cast<Index>(first), static_cast<Index>(count)) = part[o];
+                      });
   return all;
 }
 
-LocalFit GroupedFit::fit(const FitGroup& group, const std::vector<VectorXcd>& data, std::vector<Pole> start,
-                         const VectorXd& weight, double tolerance) const {
+LocalFit WindowedFit::fit(const FitGroup& group, const std::vector<VectorXcd>& data, std::vector<Pole> start,
+                          const VectorXd& weight, double tolerance) const {
   return fit_locally(set_, data, weight, std::move(start),
                      {.first = group.first, .count = group.count, .tolerance = tolerance, .change = options_.change});
 }
 
-VectorXd GroupedFit::weights_from(const FitGroup& group) const {
-  return group.fit.noise.cwiseMax(kLeastWeight * noise(group));
+VectorXd WindowedFit::weights_from(const FitGroup& group) const {
+  return group.fit.noise.cwiseMax(kMinWeight * noise(group));
 }
 
 }  // namespace percuss

@@ -15,7 +15,7 @@ struct FitGroup {
   std::size_t first = 0, count = 0;  // the window
 };
 
-struct GroupedFitOptions {
+struct WindowedFitOptions {
   /// Half-power bandwidths on either side of a pole that its window holds: beyond 10 lies under 0.1 % of what the lines
   /// tell of it.
   double window_widths = 10;
@@ -27,14 +27,14 @@ struct GroupedFitOptions {
 /// A set of modes fitted piece by piece: close ones together, each piece over a window of its own lines with the shares
 /// of all others subtracted. A few sweeps over the pieces come to the same least-squares solution as one fit over the
 /// whole band, at a fraction of the work.
-class GroupedFit {
+class WindowedFit {
  public:
   /// `set` must outlive this object.
-  explicit GroupedFit(const FrfSet& set, const GroupedFitOptions& options = {});
+  explicit WindowedFit(const FrfDataset& set, const WindowedFitOptions& options = {});
 
   const std::vector<FitGroup>& groups() const { return groups_; }
   std::vector<Pole> poles() const;
-  const FrfSet& set() const { return set_; }
+  const FrfDataset& set() const { return set_; }
   /// Per output: deviation of the noise in the group's window as all lines tell it (LineNoise).
   Eigen::VectorXd noise(const FitGroup& group) const { return noise_.over(group.first, group.count); }
   const LineNoise& line_noise() const { return noise_; }
@@ -51,7 +51,7 @@ class GroupedFit {
   /// Fits once more, over a longer window, what began as a narrow resonance and has become a broad one.
   void widen();
   /// What is left in the group's window when all other groups' shares are subtracted, [outputs][group.count].
-  std::vector<Eigen::VectorXcd> remainder(const FitGroup& group) const;
+  std::vector<Eigen::VectorXcd> data_without_other_modes(const FitGroup& group) const;
   /// … and over all lines when every group's share is.
   std::vector<Eigen::VectorXcd> residual() const;
   /// The group's window fitted anew with these poles; for trials.
@@ -61,9 +61,9 @@ class GroupedFit {
   Eigen::VectorXd weights_from(const FitGroup& group) const;
 
   /// Tolerance that is near enough to see the noise.
-  static constexpr double kRoughly = 1e-3;
+  static constexpr double kTrialTolerance = 1e-3;
   /// No more than this many are fitted together.
-  static constexpr std::size_t kMostTogether = 4;
+  static constexpr std::size_t kMaxGroupSize = 4;
 
  private:
   double gap(const Pole& below, const Pole& above) const;  // bandwidths, or lines
@@ -71,13 +71,13 @@ class GroupedFit {
   void place_window(FitGroup& group) const;
   bool same_window(const FitGroup& before, const FitGroup& group) const;
   void fit_all();
-  bool outgrown() const;
+  bool has_outgrown_window() const;
   bool unchanged(std::size_t group, const std::vector<Eigen::VectorXcd>& data) const;
   void subtract(const LocalFit& fit, std::size_t mode, const FitGroup& window,
                 std::vector<Eigen::VectorXcd>& data) const;
 
-  const FrfSet& set_;
-  GroupedFitOptions options_;
+  const FrfDataset& set_;
+  WindowedFitOptions options_;
   LineNoise noise_;
   Eigen::VectorXd largest_;
   std::vector<FitGroup> groups_;

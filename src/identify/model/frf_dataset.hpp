@@ -7,26 +7,26 @@
 namespace percuss {
 
 /// One FRF to be fitted: the response `channel` to hits at points[point].
-struct Output {
-  std::size_t point = 0;     // index into FrfSet::points
+struct FrfChannel {
+  std::size_t point = 0;     // index into FrfDataset::points
   std::size_t channel = 0;   // acceleration channel
   std::vector<Complex> frf;  // H1 [lines]
 };
 
 /// Everything identification works on. All outputs share the lines; outputs of one point share its hits.
-struct FrfSet {
+struct FrfDataset {
   LineRange lines;
-  double reach_Hz = 0;  // where the force has fallen by 20 dB; 0: not known
+  double usable_bandwidth_Hz = 0;  // where the force has fallen by 20 dB; 0: not known
   std::vector<PointForce> points;
-  std::vector<Output> outputs;
+  std::vector<FrfChannel> outputs;
   /// Of the exponential window, one for all points; 0 without one.
   double window_decay_per_s() const { return points.empty() ? 0 : points.front().window_decay_per_s(); }
 };
 
 /// Σ|H|² over all outputs at one line, (m/s²)²/N²
-inline double power_at(const FrfSet& set, std::size_t line) {
+inline double power_at(const FrfDataset& set, std::size_t line) {
   double power = 0;
-  for (const Output& output : set.outputs) power += std::norm(output.frf[line]);
+  for (const FrfChannel& output : set.outputs) power += std::norm(output.frf[line]);
   return power;
 }
 

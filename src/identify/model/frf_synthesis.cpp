@@ -12,7 +12,7 @@ namespace percuss {
 namespace {
 
 constexpr Eigen::Index kTerms = 3;
-constexpr std::size_t kPerModeLine = 40;  // and mode
+constexpr std::size_t kFlopsPerModeLine = 40;  // and mode
 
 Eigen::MatrixXcd residual_columns(const LineRange& band, double decay_per_s) {
   Eigen::MatrixXcd out(static_cast<Eigen::Index>(band.count), kTerms);
@@ -36,7 +36,7 @@ double noise_share(const Eigen::VectorXcd& left) {
 // What the outputs share, and an output's FRF from it.
 class Synthesis {
  public:
-  Synthesis(const FrfSet& set, const std::vector<Mode>& modes, const LineRange& band)
+  Synthesis(const FrfDataset& set, const std::vector<Mode>& modes, const LineRange& band)
       : set_(set),
         modes_(modes),
         first_(band.first - set.lines.first),
@@ -45,12 +45,13 @@ class Synthesis {
         fit_(inverse_gram(Eigen::MatrixXcd(terms_.adjoint() * terms_)) * terms_.adjoint()) {
     whole_.reserve(modes.size());
     for (const Mode& mode : modes)
-      whole_.push_back(whole_column(mode.pole, set.window_decay_per_s(), set.lines, first_, count_, Need::value));
+      whole_.push_back(
+          untruncated_column(mode.pole, set.window_decay_per_s(), set.lines, first_, count_, ColumnContent::value));
   }
 
   // Returns the measured FRF's power.
   double make(std::size_t o, SynthesisedFrf& made) const {
-    const Output& output = set_.outputs[o];
+    const FrfChannel& output = set_.outputs[o];
     const auto begin = output.frf.begin() + static_cast<std::ptrdiff_t>(first_);
     const std::vector<Complex> measured(begin, begin + static_cast<std::ptrdiff_t>(count_));
     const auto lines = static_cast<Eigen::Index>(count_);
@@ -75,15 +76,15 @@ class Synthesis {
     Eigen::VectorXcd sum = Eigen::VectorXcd::Zero(static_cast<Eigen::Index>(count_));
     for (std::size_t m = 0; m < modes_.size(); ++m) {
       const Residue& residue = modes_[m].residues[o];
-      const ModeColumn column = residue.own_pole
-                                    ? mode_column(*residue.own_pole, force, set_.lines, first_, count_, Need::value)
-                                    : without_missing(whole_[m], modes_[m].pole, force, set_.lines, first_);
+      const ModeColumn column =
+          residue.own_pole ? mode_column(*residue.own_pole, force, set_.lines, first_, count_, ColumnContent::value)
+                           : subtract_truncation(whole_[m], modes_[m].pole, force, set_.lines, first_);
       sum += residue.value * column.value;
     }
     return sum;
   }
 
-  const FrfSet& set_;
+  const FrfDataset& set_;
   const std::vector<Mode>& modes_;
   std::size_t first_, count_;
   Eigen::MatrixXcd terms_, fit_;
@@ -104,14 +105,15 @@ double frac(const std::vector<Complex>& measured, const std::vector<Complex>& ma
   return a > 0 && b > 0 ? std::min(1.0, std::norm(cross) / a / b) : 0;  // (2)
 }
 
-std::vector<SynthesisedFrf> synthesised_frfs(const FrfSet& set, const std::vector<Mode>& modes, const LineRange& band) {
+std::vector<SynthesisedFrf> synthesised_frfs(const FrfDataset& set, const std::vector<Mode>& modes,
+                                             const LineRange& band) {
   assert(band.first >= set.lines.first && band.first + band.count <= set.lines.first + set.lines.count);
   if (band.count == 0) return {};
   const Synthesis synthesis(set, modes, band);
   std::vector<SynthesisedFrf> out(set.outputs.size());
   std::vector<double> power(out.size());
-  share_out(out.size(), kPerModeLine * band.count * (modes.size() + 1),
-            [&](std::size_t o) { power[o] = synthesis.make(o, out[o]); });
+  parallel_for_cost(out.size(), kFlopsPerModeLine * band.count * (modes.size() + 1),
+                    [&](std::size_t o) { power[o] = synthesis.make(o, out[o]); });
   const double most = power.empty() ? 0 : *std::max_element(power.begin(), power.end());
   constexpr double kFloor = 1e-30;  // of the strongest's power: a dead channel reads −300 dB
   for (std::size_t o = 0; o < out.size() && most > 0; ++o)

@@ -9,7 +9,7 @@ namespace percuss {
 
 /// An FRF made again from the modes, and how well it agrees with the measured one over the band.
 struct SynthesisedFrf {
-  std::size_t point = 0;  // index into FrfSet::points
+  std::size_t point = 0;  // index into FrfDataset::points
   std::size_t channel = 0;
   std::vector<Complex> value;  // [lines of the band], (m/s²)/N
   std::vector<Complex> terms;  // r_0, r_2, r_4 of (1)
@@ -27,7 +27,8 @@ struct SynthesisedFrf {
 /// rigid body's line, r_2 and r_4 begin the series of what modes above the band add. shapes  modes' residues in the
 /// order of set.outputs; `band` within set.lines. source  [4] in docs/sources.md.
 /// theory (5.5)
-std::vector<SynthesisedFrf> synthesised_frfs(const FrfSet& set, const std::vector<Mode>& modes, const LineRange& band);
+std::vector<SynthesisedFrf> synthesised_frfs(const FrfDataset& set, const std::vector<Mode>& modes,
+                                             const LineRange& band);
 
 /// FRAC (2) of two FRFs; 0 when either is zero everywhere.
 double frac(const std::vector<Complex>& measured, const std::vector<Complex>& made);

@@ -10,7 +10,7 @@
 namespace percuss {
 namespace {
 
-constexpr double kGone =
+constexpr double kNegligibleAmplitude =
     1e-10;  // what is missing moves a pole by this part of its bandwidth at the most: below any record's noise
 
 Eigen::Map<const Eigen::ArrayXcd> array_of(std::span<const Complex> lines) {
@@ -151,23 +151,23 @@ std::vector<Complex> h1_at(const PointForce& force, std::span<const std::span<co
   return frf;
 }
 
-double left_at_end(const Pole& pole, const LineRange& lines, double window_decay_per_s) {
+double remaining_amplitude(const Pole& pole, const LineRange& lines, double window_decay_per_s) {
   return std::exp(-(pole.damping_ratio * kTwoPi * pole.freq_Hz + window_decay_per_s) / lines.df_Hz());
 }
 
-bool decays_within(const Pole& pole, const PointForce& force, const LineRange& lines) {
+bool decays_within_record(const Pole& pole, const PointForce& force, const LineRange& lines) {
   if (force.complete) return true;
   const bool known = std::any_of(force.blocks.begin(), force.blocks.end(),
                                  [](const ForceBlock& block) { return !block.force_N.empty(); });
   if (!known) return true;  // what follows the record's end is not known without the force
-  return left_at_end(pole, lines, force.window_decay_per_s()) < kGone;
+  return remaining_amplitude(pole, lines, force.window_decay_per_s()) < kNegligibleAmplitude;
 }
 
-ModeColumn whole_column(const Pole& pole, double window_decay_per_s, const LineRange& lines, std::size_t first,
-                        std::size_t count, Need need) {
+ModeColumn untruncated_column(const Pole& pole, double window_decay_per_s, const LineRange& lines, std::size_t first,
+                              std::size_t count, ColumnContent need) {
   const PoleTerms p = terms_of(pole);
   const auto size = static_cast<Eigen::Index>(count);
-  const bool slopes = need == Need::derivatives;
+  const bool slopes = need == ColumnContent::derivatives;
   ModeColumn column{Eigen::VectorXcd(size), Eigen::VectorXcd(slopes ? size : 0), Eigen::VectorXcd(slopes ? size : 0)};
   if (window_decay_per_s == 0) {
     fill_whole(column, p, lines, first);
@@ -187,12 +187,13 @@ ModeColumn whole_column(const Pole& pole, double window_decay_per_s, const LineR
   return column;
 }
 
-ModeColumn without_missing(ModeColumn whole, const Pole& pole, const PointForce& force, const LineRange& lines,
-                           std::size_t first) {
-  if (decays_within(pole, force, lines)) return whole;
+ModeColumn subtract_truncation(ModeColumn whole, const Pole& pole, const PointForce& force, const LineRange& lines,
+                               std::size_t first) {
+  if (decays_within_record(pole, force, lines)) return whole;
   const auto count = static_cast<std::size_t>(whole.value.size());
   if (whole.by_freq.size() == 0) {
-    MissingDecay(pole, force.window_decay_per_s(), lines, first, count).add_to({whole.value.data(), count}, -1, force);
+    TruncatedDecay(pole, force.window_decay_per_s(), lines, first, count)
+        .add_to({whole.value.data(), count}, -1, force);
     return whole;
   }
   const PoleTerms terms = terms_of(pole);
@@ -200,8 +201,8 @@ ModeColumn without_missing(ModeColumn whole, const Pole& pole, const PointForce&
   return whole;
 }
 
-MissingDecay::MissingDecay(const Pole& pole, double window_decay_per_s, const LineRange& lines, std::size_t first,
-                           std::size_t count)
+TruncatedDecay::TruncatedDecay(const Pole& pole, double window_decay_per_s, const LineRange& lines, std::size_t first,
+                               std::size_t count)
     : lines_(lines), first_(first), windowed_(terms_of(pole).s - window_decay_per_s), kernel_(count), mirror_(count) {
   const double dt_s = 1 / lines.fs_Hz;
   const Complex s = terms_of(pole).s;
@@ -215,7 +216,7 @@ MissingDecay::MissingDecay(const Pole& pole, double window_decay_per_s, const Li
   }
 }
 
-void MissingDecay::add_to(std::span<Complex> sum, Complex residue, const PointForce& force) const {
+void TruncatedDecay::add_to(std::span<Complex> sum, Complex residue, const PointForce& force) const {
   std::vector<Complex> q;
   for (const ForceBlock& block : force.blocks)
     q.push_back(state_at_end(block, windowed_, 1 / lines_.fs_Hz, lines_.samples).first);
@@ -235,9 +236,9 @@ void MissingDecay::add_to(std::span<Complex> sum, Complex residue, const PointFo
 }
 
 ModeColumn mode_column(const Pole& pole, const PointForce& force, const LineRange& lines, std::size_t first,
-                       std::size_t count, Need need) {
-  return without_missing(whole_column(pole, force.window_decay_per_s(), lines, first, count, need), pole, force, lines,
-                         first);
+                       std::size_t count, ColumnContent need) {
+  return subtract_truncation(untruncated_column(pole, force.window_decay_per_s(), lines, first, count, need), pole,
+                             force, lines, first);
 }
 
 }  // namespace percuss

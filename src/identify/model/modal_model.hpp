@@ -18,7 +18,7 @@ struct Pole {
   bool operator==(const Pole&) const = default;
 };
 
-inline constexpr double kMostDamping = 0.3;  // a ratio beyond it is the background's
+inline constexpr double kMaxDampingRatio = 0.3;  // a ratio beyond it is the background's
 
 /// The averaged hits of one impact point, as far as the model of a truncated record needs them. Without blocks, or with
 /// blocks without force, nothing is known of the force: the FRF is taken as it is, `ff` is empty. A block's decay is
@@ -47,14 +47,14 @@ struct ModeColumn {
 /// What is left of a mode's amplitude when a record of lines.samples ends, as a fraction of its start; with an
 /// exponential window of that decay.
 /// theory (3.4)
-double left_at_end(const Pole& pole, const LineRange& lines, double window_decay_per_s = 0);
+double remaining_amplitude(const Pole& pole, const LineRange& lines, double window_decay_per_s = 0);
 
 /// True when nothing is missing of the mode: it has decayed by the record's end, the FRFs were completed, or nothing is
 /// known of the force. Then its column is H(jω) itself, the same for every point.
-bool decays_within(const Pole& pole, const PointForce& force, const LineRange& lines);
+bool decays_within_record(const Pole& pole, const PointForce& force, const LineRange& lines);
 
-/// Operations of one line of such a column, about, for share_out.
-inline constexpr std::size_t kPerColumnLine = 40;
+/// Operations of one line of such a column, about, for parallel_for_cost.
+inline constexpr std::size_t kFlopsPerColumnLine = 40;
 
 /// The accelerance of one mode as H1 sees it when the structure was at rest before each hit and the record ends before
 /// the decay:
@@ -66,24 +66,24 @@ inline constexpr std::size_t kPerColumnLine = 40;
 /// source  [5], [6] in docs/sources.md.
 /// theory (3.3), (3.5)
 /// Need::value leaves the derivatives empty, at half the work.
-enum class Need { value, derivatives };
+enum class ColumnContent { value, derivatives };
 ModeColumn mode_column(const Pole& pole, const PointForce& force, const LineRange& lines, std::size_t first,
-                       std::size_t count, Need need = Need::derivatives);
+                       std::size_t count, ColumnContent need = ColumnContent::derivatives);
 
 /// H of (1) alone: what the columns of all points have in common.
-ModeColumn whole_column(const Pole& pole, double window_decay_per_s, const LineRange& lines, std::size_t first,
-                        std::size_t count, Need need = Need::derivatives);
+ModeColumn untruncated_column(const Pole& pole, double window_decay_per_s, const LineRange& lines, std::size_t first,
+                              std::size_t count, ColumnContent need = ColumnContent::derivatives);
 
 /// φ of (1) from H.
-ModeColumn without_missing(ModeColumn whole, const Pole& pole, const PointForce& force, const LineRange& lines,
-                           std::size_t first);
+ModeColumn subtract_truncation(ModeColumn whole, const Pole& pole, const PointForce& force, const LineRange& lines,
+                               std::size_t first);
 
 /// H − φ of (1) at lines first … first + count − 1: what a mode's decay lacks of what comes after the records' end.
 /// What all points have in common of it is worked out once.
-class MissingDecay {
+class TruncatedDecay {
  public:
-  MissingDecay(const Pole& pole, double window_decay_per_s, const LineRange& lines, std::size_t first,
-               std::size_t count);
+  TruncatedDecay(const Pole& pole, double window_decay_per_s, const LineRange& lines, std::size_t first,
+                 std::size_t count);
   /// Adds residue·(H − φ) of hits at that point. shape  sum [count]
   void add_to(std::span<Complex> sum, Complex residue, const PointForce& force) const;
 

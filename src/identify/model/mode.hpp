@@ -30,8 +30,9 @@ struct Mode {
   Pole pole;
   double freq_std_Hz = 0;
   double damping_std = 0;
-  double moves_Hz = 0;  // standard deviation of the frequency between impact points, where they disagree beyond doubt
-  std::vector<Residue> residues;  // [outputs], in the order of FrfSet::outputs
+  double freq_scatter_Hz =
+      0;  // standard deviation of the frequency between impact points, where they disagree beyond doubt
+  std::vector<Residue> residues;  // [outputs], in the order of FrfDataset::outputs
 };
 
 }  // namespace percuss

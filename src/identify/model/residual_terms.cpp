@@ -7,19 +7,19 @@ namespace percuss {
 namespace {
 
 // The highest line over a guard mode's frequency, squared; 0 is the mass line.
-constexpr std::array<double, 5> kGuards{0, 0.87, 0.6, 0.3, 0.1};
+constexpr std::array<double, 5> kGuardModes{0, 0.87, 0.6, 0.3, 0.1};
 
 }  // namespace
 
-Eigen::MatrixXd background_shapes(const LineRange& lines) {
+Eigen::MatrixXd out_of_band_terms(const LineRange& lines) {
   const auto count = static_cast<Eigen::Index>(lines.count);
   const double low_Hz = lines.freq_Hz(0);
   const double high_Hz = lines.freq_Hz(lines.count - 1);
   const Eigen::ArrayXd x = (Eigen::ArrayXd::LinSpaced(count, low_Hz, high_Hz) / high_Hz).square();
   const double lowest = std::max(x(0), 0.25 * x(1));  // the lines may begin at 0 Hz
-  Eigen::MatrixXd shapes(count, static_cast<Eigen::Index>(kGuards.size()) + 1);
-  for (std::size_t term = 0; term < kGuards.size(); ++term)
-    shapes.col(static_cast<Eigen::Index>(term)) = 1 / (1 - kGuards[term] * x);
+  Eigen::MatrixXd shapes(count, static_cast<Eigen::Index>(kGuardModes.size()) + 1);
+  for (std::size_t term = 0; term < kGuardModes.size(); ++term)
+    shapes.col(static_cast<Eigen::Index>(term)) = 1 / (1 - kGuardModes[term] * x);
   shapes.rightCols(1) = lowest / x.max(lowest);
   return shapes;
 }

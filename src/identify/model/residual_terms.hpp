@@ -9,6 +9,6 @@ namespace percuss {
 /// lines and one below them. Combinations of these follow the tails of any modes out there. shape  [lines.count,
 /// terms].
 /// theory (3.6)
-Eigen::MatrixXd background_shapes(const LineRange& lines);
+Eigen::MatrixXd out_of_band_terms(const LineRange& lines);
 
 }  // namespace percuss

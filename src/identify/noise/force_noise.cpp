@@ -15,18 +15,18 @@ using Eigen::Index;
 constexpr double kDelay = 0.32;
 
 constexpr double kNarrow = 0.2;  // half of a band over its highest line
-constexpr double kLeastStretches = 16;
+constexpr double kMinStretches = 16;
 
 // Deviations of the noise: ringing of up to four is cut off where the gate ends. It changes its sign from sample to
 // sample, about, so that at low frequencies all of it acts as half its first one, and as more towards half the rate.
 constexpr double kCutRinging = 1;
-constexpr double kMostCutRinging = 5;
+constexpr double kMaxCutRinging = 5;
 
 // Samples of the gate that carry noise into the force, averaged over the hits.
 double gated_samples(const PointForce& force) {
   double gated = 0;
   for (const ForceBlock& block : force.blocks)
-    gated += static_cast<double>(std::max(block.force_N.size(), block.whole_N.size()));
+    gated += static_cast<double>(std::max(block.force_N.size(), block.ungated_N.size()));
   return gated / static_cast<double>(force.blocks.size());
 }
 
@@ -58,8 +58,8 @@ std::vector<Delay> delays_of(const PointForce& force, double stretches) {
 
 // Deviation of the ringing that is cut off on one side of the gate, the same in all hits, N.
 double cut_ringing_N(const PointForce& force, double turns) {
-  if (!force.blocks.front().whole_N.empty()) return 0;
-  const double rise = 1 / std::max(std::cos(0.5 * kTwoPi * turns), 1 / kMostCutRinging);
+  if (!force.blocks.front().ungated_N.empty()) return 0;
+  const double rise = 1 / std::max(std::cos(0.5 * kTwoPi * turns), 1 / kMaxCutRinging);
   return kCutRinging * force.noise_N * rise * std::sqrt(static_cast<double>(force.blocks.size()));
 }
 
@@ -69,7 +69,7 @@ double one_over_force(const PointForce& force, std::size_t line) {
 
 // [lines, delays and 2] what the noise around each delay, and the ringing cut off on either side, make of the force,
 // over the force.
-Eigen::MatrixXcd over_force(const FrfSet& set, const PointForce& force, const std::vector<std::size_t>& lines,
+Eigen::MatrixXcd over_force(const FrfDataset& set, const PointForce& force, const std::vector<std::size_t>& lines,
                             const std::vector<Delay>& delays) {
   const auto count = static_cast<Index>(delays.size());
   Eigen::MatrixXcd errors(static_cast<Index>(lines.size()), count + 2);
@@ -95,7 +95,7 @@ Eigen::MatrixXcd over_force(const FrfSet& set, const PointForce& force, const st
 
 }  // namespace
 
-Eigen::MatrixXcd gain_errors(const FrfSet& set, std::size_t point, const std::vector<std::size_t>& lines,
+Eigen::MatrixXcd gain_errors(const FrfDataset& set, std::size_t point, const std::vector<std::size_t>& lines,
                              ForceErrors of) {
   const PointForce& force = set.points[point];
   if (force.blocks.empty() || !(force.noise_N > 0) || lines.empty()) return {};
@@ -109,7 +109,7 @@ Eigen::MatrixXcd gain_errors(const FrfSet& set, std::size_t point, const std::ve
     return of == ForceErrors::all ? errors : errors.leftCols(static_cast<Index>(delays.size()));
   }
   // Over few lines stretches of many periods do, each with a variable in phase and one in quadrature.
-  const double stretches = std::max(kLeastStretches, std::ceil(gated * half / kDelay));
+  const double stretches = std::max(kMinStretches, std::ceil(gated * half / kDelay));
   Eigen::MatrixXcd in_phase = over_force(set, force, lines, delays_of(force, stretches));
   if (of == ForceErrors::noise) in_phase = in_phase.leftCols(in_phase.cols() - 2).eval();
   Eigen::MatrixXcd errors(in_phase.rows(), 2 * in_phase.cols());
@@ -117,7 +117,7 @@ Eigen::MatrixXcd gain_errors(const FrfSet& set, std::size_t point, const std::ve
   return errors;
 }
 
-double gain_deviation(const FrfSet& set, std::size_t point, double freq_Hz) {
+double gain_deviation(const FrfDataset& set, std::size_t point, double freq_Hz) {
   const PointForce& force = set.points[point];
   if (force.blocks.empty() || force.ff.empty()) return 0;  // nothing is known of the force
   const std::size_t line = set.lines.nearest(freq_Hz);

@@ -16,10 +16,10 @@ enum class ForceErrors { noise, all };
 /// Empty where the noise is not known.
 /// shape  [lines.size(), variables].
 /// theory (4.11)
-Eigen::MatrixXcd gain_errors(const FrfSet& set, std::size_t point, const std::vector<std::size_t>& lines,
+Eigen::MatrixXcd gain_errors(const FrfDataset& set, std::size_t point, const std::vector<std::size_t>& lines,
                              ForceErrors of = ForceErrors::all);
 
 /// Deviation of that gain near a frequency, of real and imaginary part each.
-double gain_deviation(const FrfSet& set, std::size_t point, double freq_Hz);
+double gain_deviation(const FrfDataset& set, std::size_t point, double freq_Hz);
 
 }  // namespace percuss

@@ -14,9 +14,9 @@ using Eigen::Index;
 
 constexpr double kMedianOfNoise = 0.693147;  // median of an exponential distribution: |complex Gaussian|²
 constexpr double kRounding = 1e-12;  // of the largest line: a noise-free FRF still has it; a weight of zero is none
-constexpr double kLeastPower = 1e-300;
-constexpr std::size_t kSome = 8;  // lines
-constexpr std::size_t kPerNoiseLine = 20;
+constexpr double kMinPower = 1e-300;
+constexpr std::size_t kMinNoiseSegment = 8;  // lines
+constexpr std::size_t kFlopsPerNoiseLine = 20;
 
 // The middle of a block that `blocks` of them make of the lines.
 std::size_t middle_of(std::size_t block, std::size_t blocks, std::size_t lines) {
@@ -26,20 +26,20 @@ std::size_t middle_of(std::size_t block, std::size_t blocks, std::size_t lines) 
 
 double response_noise(const std::vector<Complex>& frf, const std::vector<double>& ff, std::vector<double> blocks) {
   double largest = 0;  // or nearly: what rounding leaves is only known by its order of magnitude
-  for (std::size_t k = 0; k < frf.size(); k += kSome)
+  for (std::size_t k = 0; k < frf.size(); k += kMinNoiseSegment)
     largest = std::max(largest, std::norm(frf[k]) * (ff.empty() ? 1 : ff[k]));
   // The force is smooth: over a block it is even.
   for (std::size_t b = 0; b < blocks.size() && !ff.empty(); ++b)
     blocks[b] *= ff[middle_of(b, blocks.size(), ff.size())];
-  return std::sqrt(std::max({median(std::move(blocks)), kRounding * kRounding * largest, kLeastPower}));
+  return std::sqrt(std::max({median(std::move(blocks)), kRounding * kRounding * largest, kMinPower}));
 }
 
 }  // namespace
 
-LineNoise::LineNoise(const FrfSet& set) : set_(set), response_(static_cast<Index>(set.outputs.size())) {
+LineNoise::LineNoise(const FrfDataset& set) : set_(set), response_(static_cast<Index>(set.outputs.size())) {
   blocks_.resize(set.outputs.size());
   const double roughness = WindowNoise(set).roughness();
-  share_out(set.outputs.size(), kPerNoiseLine * set.lines.count, [&](std::size_t o) {
+  parallel_for_cost(set.outputs.size(), kFlopsPerNoiseLine * set.lines.count, [&](std::size_t o) {
     const std::vector<Complex>& frf = set.outputs[o].frf;
     blocks_[o] = block_noise(frf, roughness);
     response_(static_cast<Index>(o)) = response_noise(frf, set.points[set.outputs[o].point].ff, blocks_[o]);
@@ -52,16 +52,16 @@ std::vector<double> LineNoise::local(std::size_t output) const {
 
 double LineNoise::at(std::size_t output, std::size_t line) const {
   const std::vector<double>& ff = set_.points[set_.outputs[output].point].ff;
-  return response_(static_cast<Index>(output)) / (ff.empty() ? 1 : std::sqrt(std::max(ff[line], kLeastPower)));
+  return response_(static_cast<Index>(output)) / (ff.empty() ? 1 : std::sqrt(std::max(ff[line], kMinPower)));
 }
 
 Eigen::VectorXd LineNoise::over(std::size_t first, std::size_t count) const {
   Eigen::VectorXd force = Eigen::VectorXd::Ones(static_cast<Index>(set_.points.size()));
-  share_out(set_.points.size(), count, [&](std::size_t p) {
+  parallel_for_cost(set_.points.size(), count, [&](std::size_t p) {
     const std::vector<double>& ff = set_.points[p].ff;
     if (ff.empty()) return;
     const Eigen::Map<const Eigen::ArrayXd> power(ff.data() + first, static_cast<Index>(count));
-    force(static_cast<Index>(p)) = std::sqrt(std::max(power.mean(), kLeastPower));
+    force(static_cast<Index>(p)) = std::sqrt(std::max(power.mean(), kMinPower));
   });
   Eigen::VectorXd noise = response_;
   for (std::size_t o = 0; o < set_.outputs.size(); ++o)

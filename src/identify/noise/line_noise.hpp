@@ -14,7 +14,7 @@ namespace percuss {
 class LineNoise {
  public:
   /// `set` must outlive this object.
-  explicit LineNoise(const FrfSet& set);
+  explicit LineNoise(const FrfDataset& set);
 
   double at(std::size_t output, std::size_t line) const;
   /// As if even over the lines first … first + count − 1, [outputs].
@@ -23,7 +23,7 @@ class LineNoise {
   std::vector<double> local(std::size_t output) const;
 
  private:
-  const FrfSet& set_;
+  const FrfDataset& set_;
   std::vector<std::vector<double>> blocks_;  // [outputs] block_noise
   Eigen::VectorXd response_;                 // [outputs]: m/s² summed over the samples, or (m/s²)/N without a force
 };

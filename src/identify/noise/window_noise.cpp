@@ -6,7 +6,7 @@
 #include "core/units.hpp"
 
 namespace percuss {
-WindowNoise::WindowNoise(const FrfSet& set)
+WindowNoise::WindowNoise(const FrfDataset& set)
     : decay_per_s_(set.window_decay_per_s()), fall_(2 * decay_per_s_ / set.lines.df_Hz()) {}
 
 // Lines m apart have a/(a + 2πjm) of their noise in common, when its power falls by exp(−a) over the record.

@@ -12,7 +12,7 @@ inline constexpr double kWhiteRoughness = 1.5;
 /// theory (4.17), (4.18)
 class WindowNoise {
  public:
-  explicit WindowNoise(const FrfSet& set);
+  explicit WindowNoise(const FrfDataset& set);
 
   /// Of x(k) − (x(k−1) + x(k+1))/2 over that of x.
   double roughness() const;

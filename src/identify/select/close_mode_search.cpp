@@ -19,14 +19,15 @@ constexpr double kSplitTest = 25;    // F statistic
 constexpr double kSplitStart = 0.4;  // bandwidths to either side
 constexpr double kMisfit =
     2;  // residual's energy over the noise's from which it is asked whether there are two modes …
-constexpr double kMisfitChance = 6;          // … or so many deviations of that energy beyond it, where lines are many
-constexpr std::size_t kPerTrialLine = 1000;  // operations of asking for each line of an output whether there are two
+constexpr double kMisfitDeviations = 6;  // … or so many deviations of that energy beyond it, where lines are many
+constexpr std::size_t kFlopsPerTrialLine =
+    1000;  // operations of asking for each line of an output whether there are two
 
 // More than noise is left in these outputs: a second mode could leave a quarter of what is more.
-std::vector<Index> misfits(const GroupedFit& all, const FitGroup& group) {
+std::vector<Index> misfitting_outputs(const WindowedFit& all, const FitGroup& group) {
   std::vector<Index> outputs;
   const VectorXd expected = all.noise(group);
-  const double chance = kMisfitChance / std::sqrt(static_cast<double>(group.count));
+  const double chance = kMisfitDeviations / std::sqrt(static_cast<double>(group.count));
   for (Index o = 0; o < expected.size(); ++o) {
     if (std::pow(group.fit.noise(o) / expected(o), 2) > std::min(kMisfit, 1 + chance)) outputs.push_back(o);
   }
@@ -35,8 +36,8 @@ std::vector<Index> misfits(const GroupedFit& all, const FitGroup& group) {
 
 // The part of the residual's energy beyond the noise's that is left there, on the average over the outputs: many see
 // nothing of a mode.
-double left_in(const std::vector<Index>& outputs, const VectorXd& expected, const LocalFit& before,
-               const LocalFit& after) {
+double residual_energy_ratio(const std::vector<Index>& outputs, const VectorXd& expected, const LocalFit& before,
+                             const LocalFit& after) {
   double sum = 0;
   for (const Index o : outputs) {
     const auto beyond = [&](double noise) { return std::max(0.0, noise * noise - expected(o) * expected(o)); };
@@ -53,19 +54,19 @@ std::vector<Pole> split(std::vector<Pole> poles, std::size_t m) {
   return poles;
 }
 
-std::vector<Pole> with_one_more(const GroupedFit& all, const FitGroup& group, const CredibilityContext& context) {
+std::vector<Pole> try_close_mode(const WindowedFit& all, const FitGroup& group, const AcceptanceContext& context) {
   const std::vector<Pole>& now = group.fit.poles;
   const std::size_t outputs = all.set().outputs.size(), unknowns = 2 + 2 * outputs;
   const bool fitted = group.fit.degrees > 2 * unknowns;
-  if (!fitted || now.size() >= GroupedFit::kMostTogether) return now;
-  const std::vector<Index> amiss = misfits(all, group);
+  if (!fitted || now.size() >= WindowedFit::kMaxGroupSize) return now;
+  const std::vector<Index> amiss = misfitting_outputs(all, group);
   if (amiss.empty()) return now;
-  const auto data = all.remainder(group);
+  const auto data = all.data_without_other_modes(group);
   const VectorXd weight = all.weights_from(group);
   std::vector<LocalFit> fits(now.size() + 1);  // as it is, and with each mode as two
-  share_out(fits.size(), kPerTrialLine * outputs * group.count, [&](std::size_t i) {
+  parallel_for_cost(fits.size(), kFlopsPerTrialLine * outputs * group.count, [&](std::size_t i) {
     fits[i] = i == 0 ? all.fit(group, data, now, weight)
-                     : all.fit(group, data, split(now, i - 1), weight, GroupedFit::kRoughly);
+                     : all.fit(group, data, split(now, i - 1), weight, WindowedFit::kTrialTolerance);
   });
   const LocalFit one = fits.front();
   FitGroup best = group;
@@ -73,31 +74,31 @@ std::vector<Pole> with_one_more(const GroupedFit& all, const FitGroup& group, co
   for (std::size_t i = 1; i < fits.size(); ++i) {
     FitGroup trial = group;
     trial.fit = std::move(fits[i]);
-    if (trial.fit.cost < best.fit.cost && trial.fit.degrees > 0 && all_credible(all, trial, context))
+    if (trial.fit.cost < best.fit.cost && trial.fit.degrees > 0 && accept_all_modes(all, trial, context))
       best = std::move(trial);
   }
   const double gained = (one.cost - best.fit.cost) / static_cast<double>(unknowns);
   const double left = best.fit.cost / static_cast<double>(best.fit.degrees);
-  if (left_in(amiss, all.noise(group), one, best.fit) >= kSplitGain ||
+  if (residual_energy_ratio(amiss, all.noise(group), one, best.fit) >= kSplitGain ||
       gained <= kSplitTest * WindowNoise(all.set()).most() * left)
     return now;
-  return moves_instead(all.set(), {.data = data, .weight = weight}, group, best) ? now : best.fit.poles;
+  return explained_by_freq_scatter(all.set(), {.data = data, .weight = weight}, group, best) ? now : best.fit.poles;
 }
 
 }  // namespace
 
-bool SplitSearch::tried(const FitGroup& group) const {
+bool CloseModeSearch::tried(const FitGroup& group) const {
   return std::any_of(tried_.begin(), tried_.end(), [&](const Tried& one) {
     return one.first == group.first && one.count == group.count && one.poles == group.fit.poles;
   });
 }
 
-std::vector<Pole> SplitSearch::next(const GroupedFit& all, const CredibilityContext& context) {
+std::vector<Pole> CloseModeSearch::next(const WindowedFit& all, const AcceptanceContext& context) {
   const std::vector<FitGroup>& groups = all.groups();
   const std::size_t lines = groups.empty() ? 0 : groups.front().count;
   std::vector<std::vector<Pole>> split(groups.size());
-  share_out(groups.size(), kPerTrialLine * all.set().outputs.size() * lines, [&](std::size_t g) {
-    split[g] = tried(groups[g]) ? groups[g].fit.poles : with_one_more(all, groups[g], context);
+  parallel_for_cost(groups.size(), kFlopsPerTrialLine * all.set().outputs.size() * lines, [&](std::size_t g) {
+    split[g] = tried(groups[g]) ? groups[g].fit.poles : try_close_mode(all, groups[g], context);
   });
   std::vector<Pole> poles;
   for (std::size_t g = 0; g < groups.size(); ++g) {

@@ -9,10 +9,10 @@ namespace percuss {
 
 /// Second modes beside known ones, where a group's residual asks for one. What was tried with no success is not tried
 /// again before the group's own fit has changed.
-class SplitSearch {
+class CloseModeSearch {
  public:
   /// The poles of all groups, with one more where a second mode is found.
-  std::vector<Pole> next(const GroupedFit& all, const CredibilityContext& context);
+  std::vector<Pole> next(const WindowedFit& all, const AcceptanceContext& context);
 
  private:
   struct Tried {

@@ -12,24 +12,27 @@ using Eigen::Index;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-constexpr std::size_t kLeastPoints = 3;  // two may see one mode of an orthogonal pair each
-constexpr double kPointsDisagree = 2;    // energy left over the noise's: below it the points agree
-constexpr double kMovesTest = 25;        // F statistic of poles of their own
+constexpr std::size_t kMinPoints = 3;      // two may see one mode of an orthogonal pair each
+constexpr double kMinScatterEnergy = 2;    // energy left over the noise's: below it the points agree
+constexpr double kScatterFStatistic = 25;  // F statistic of poles of their own
 // Energy left over that of common poles: what moves from hit to hit also bends while it decays, which a further mode
 // follows better than a single one. Of a true pair a single mode leaves tens to thousands of times as much.
-constexpr double kAsGood = 15;
-constexpr double kMovesBy = 3;       // bandwidths: further apart they are modes of their own
-constexpr double kMovesBroader = 6;  // times: poles of so different damping do not stand for one
-constexpr double kFarOff = 1;        // bandwidths: a pole that a weak point puts elsewhere is another one
+constexpr double kMaxScatterCostRatio = 15;
+constexpr double kMaxScatterWidths = 3;      // bandwidths: further apart they are modes of their own
+constexpr double kMaxScatterWidthRatio = 6;  // times: poles of so different damping do not stand for one
+constexpr double kMaxPoleOffset = 1;         // bandwidths: a pole that a weak point puts elsewhere is another one
 
 // The outputs of one point as a set of its own; their lines stay with the caller.
 struct PointSet {
-  FrfSet set;
+  FrfDataset set;
   std::vector<std::size_t> outputs;  // in the whole set
 };
 
-PointSet set_of_point(const FrfSet& all, std::size_t point) {
-  PointSet one{.set = {.lines = all.lines, .reach_Hz = all.reach_Hz, .points = {all.points[point]}, .outputs = {}},
+PointSet set_of_point(const FrfDataset& all, std::size_t point) {
+  PointSet one{.set = {.lines = all.lines,
+                       .usable_bandwidth_Hz = all.usable_bandwidth_Hz,
+                       .points = {all.points[point]},
+                       .outputs = {}},
                .outputs = {}};
   for (std::size_t o = 0; o < all.outputs.size(); ++o) {
     if (all.outputs[o].point != point) continue;
@@ -49,7 +52,7 @@ std::size_t highest_peak(const LocalFit& fit) {
   return highest;
 }
 
-std::vector<std::size_t> strongest_first(const FrfSet& set, const std::vector<VectorXcd>& data) {
+std::vector<std::size_t> strongest_first(const FrfDataset& set, const std::vector<VectorXcd>& data) {
   std::vector<double> energy(set.points.size());
   for (std::size_t o = 0; o < data.size(); ++o) energy[set.outputs[o].point] += data[o].squaredNorm();
   std::vector<std::size_t> order(energy.size());
@@ -85,14 +88,14 @@ Mean mean_of(const std::vector<double>& value, const std::vector<double>& std) {
 }
 
 // The points whose own pole is that mode's.
-std::vector<std::size_t> points_that_see(const PointFits& points, const FitGroup& group, std::size_t mode,
-                                         double width_Hz) {
+std::vector<std::size_t> points_observing(const PointFits& points, const FitGroup& group, std::size_t mode,
+                                          double width_Hz) {
   std::vector<std::size_t> seeing;
   const auto m = static_cast<Index>(mode);
   for (std::size_t p = 0; p < points.fits.size(); ++p) {
     const LocalFit& fit = points.fits[p];
     const Pole& pole = fit.poles[mode];
-    const bool near = std::abs(pole.freq_Hz - group.fit.poles[mode].freq_Hz) < kFarOff * width_Hz;
+    const bool near = std::abs(pole.freq_Hz - group.fit.poles[mode].freq_Hz) < kMaxPoleOffset * width_Hz;
     const bool sure = fit.freq_std_Hz(m) > 0 && fit.freq_std_Hz(m) < 0.5 * width_Hz && fit.damping_std(m) > 0 &&
                       fit.damping_std(m) < pole.damping_ratio;
     if (near && sure) seeing.push_back(p);
@@ -100,8 +103,8 @@ std::vector<std::size_t> points_that_see(const PointFits& points, const FitGroup
   return seeing;
 }
 
-MovingMode moving_mode(const GroupedFit& all, const FitGroup& group, const PointFits& points,
-                       const std::vector<std::size_t>& seeing, std::size_t mode) {
+ScatteredMode scattered_mode(const WindowedFit& all, const FitGroup& group, const PointFits& points,
+                             const std::vector<std::size_t>& seeing, std::size_t mode) {
   const auto m = static_cast<Index>(mode);
   std::vector<double> freq_Hz, freq_std_Hz, damping, damping_std;
   for (const std::size_t p : seeing) {
@@ -113,14 +116,14 @@ MovingMode moving_mode(const GroupedFit& all, const FitGroup& group, const Point
   const Mean frequency = mean_of(freq_Hz, freq_std_Hz);
   const Mean zeta = mean_of(damping, damping_std);
   const std::size_t outputs = all.set().outputs.size();
-  MovingMode out{.pole = {.freq_Hz = frequency.value, .damping_ratio = zeta.value},
-                 .freq_std_Hz = frequency.std,
-                 .damping_std = zeta.std,
-                 .spread_Hz = frequency.spread,
-                 .residues = std::vector<Complex>(outputs),
-                 .own_poles = std::vector<std::optional<Pole>>(outputs),
-                 .residue_std = std::vector<double>(outputs),
-                 .noise = group.fit.noise};
+  ScatteredMode out{.pole = {.freq_Hz = frequency.value, .damping_ratio = zeta.value},
+                    .freq_std_Hz = frequency.std,
+                    .damping_std = zeta.std,
+                    .freq_scatter_Hz = frequency.spread,
+                    .residues = std::vector<Complex>(outputs),
+                    .own_poles = std::vector<std::optional<Pole>>(outputs),
+                    .residue_std = std::vector<double>(outputs),
+                    .noise = group.fit.noise};
   for (std::size_t p = 0; p < points.fits.size(); ++p) {
     const bool own = std::find(seeing.begin(), seeing.end(), p) != seeing.end();
     const auto members = set_of_point(all.set(), p).outputs;
@@ -138,7 +141,7 @@ MovingMode moving_mode(const GroupedFit& all, const FitGroup& group, const Point
 
 }  // namespace
 
-PointFits fit_each_point(const FrfSet& set, const WindowData& window, const FitGroup& group, double most) {
+PointFits fit_each_point(const FrfDataset& set, const WindowData& window, const FitGroup& group, double most) {
   PointFits out;
   out.fits.resize(set.points.size());
   for (const std::size_t p : strongest_first(set, window.data)) {
@@ -158,61 +161,62 @@ PointFits fit_each_point(const FrfSet& set, const WindowData& window, const FitG
   return out;
 }
 
-bool moves_instead(const FrfSet& set, const WindowData& window, const FitGroup& one, const FitGroup& more) {
-  if (set.points.size() < kLeastPoints || more.fit.degrees == 0) return false;
+bool explained_by_freq_scatter(const FrfDataset& set, const WindowData& window, const FitGroup& one,
+                               const FitGroup& more) {
+  if (set.points.size() < kMinPoints || more.fit.degrees == 0) return false;
   // Poles of their own have as many degrees as common ones of one mode more, or fewer.
-  const double most = kAsGood * more.fit.cost;
+  const double most = kMaxScatterCostRatio * more.fit.cost;
   return !fit_each_point(set, window, one, most).fits.empty();
 }
 
-std::optional<Pole> merged(const GroupedFit& all, const FitGroup& group) {
+std::optional<Pole> merge_if_scattered(const WindowedFit& all, const FitGroup& group) {
   const auto& poles = group.fit.poles;
-  if (poles.size() < 2 || all.set().points.size() < kLeastPoints) return std::nullopt;
-  const WindowData window{.data = all.remainder(group), .weight = all.weights_from(group)};
+  if (poles.size() < 2 || all.set().points.size() < kMinPoints) return std::nullopt;
+  const WindowData window{.data = all.data_without_other_modes(group), .weight = all.weights_from(group)};
   FitGroup several = group;
   several.fit = all.fit(group, window.data, poles, window.weight);
   const std::size_t main = highest_peak(several.fit);
   for (const Pole& pole : several.fit.poles) {
     const double apart = std::abs(pole.freq_Hz - several.fit.poles[main].freq_Hz);
     const double broader = all.width_Hz(pole) / all.width_Hz(several.fit.poles[main]);
-    if (apart > kMovesBy * all.width_Hz(several.fit.poles[main]) || broader > kMovesBroader ||
-        broader < 1 / kMovesBroader)
+    if (apart > kMaxScatterWidths * all.width_Hz(several.fit.poles[main]) || broader > kMaxScatterWidthRatio ||
+        broader < 1 / kMaxScatterWidthRatio)
       return std::nullopt;
   }
   FitGroup one = group;
   one.fit.poles = {several.fit.poles[main]};
-  if (!moves_instead(all.set(), window, one, several)) return std::nullopt;
+  if (!explained_by_freq_scatter(all.set(), window, one, several)) return std::nullopt;
   return one.fit.poles.front();
 }
 
-void subtract_moves(const FrfSet& set, const FitGroup& group, std::size_t mode, const MovingMode& moving,
-                    std::vector<VectorXcd>& residual) {
+void subtract_freq_scatter(const FrfDataset& set, const FitGroup& group, std::size_t mode, const ScatteredMode& moving,
+                           std::vector<VectorXcd>& residual) {
   for (std::size_t o = 0; o < residual.size(); ++o) {
     if (!moving.own_poles[o]) continue;
     const PointForce& force = set.points[set.outputs[o].point];
     const auto share = [&](const Pole& pole, Complex residue) {
-      return VectorXcd(residue * mode_column(pole, force, set.lines, 0, set.lines.count, Need::value).value);
+      return VectorXcd(residue * mode_column(pole, force, set.lines, 0, set.lines.count, ColumnContent::value).value);
     };
     residual[o] += share(group.fit.poles[mode], group.fit.residues(static_cast<Index>(o), static_cast<Index>(mode))) -
                    share(*moving.own_poles[o], moving.residues[o]);
   }
 }
 
-std::vector<MovingMode> moving_modes(const GroupedFit& all, const FitGroup& group) {
+std::vector<ScatteredMode> scattered_modes(const WindowedFit& all, const FitGroup& group) {
   const std::size_t count = all.set().points.size();
-  if (count < kLeastPoints) return {};
-  if ((group.fit.noise.array() / all.noise(group).array()).square().mean() < kPointsDisagree) return {};
-  const WindowData window{.data = all.remainder(group), .weight = all.weights_from(group)};
+  if (count < kMinPoints) return {};
+  if ((group.fit.noise.array() / all.noise(group).array()).square().mean() < kMinScatterEnergy) return {};
+  const WindowData window{.data = all.data_without_other_modes(group), .weight = all.weights_from(group)};
   const LocalFit common = all.fit(group, window.data, group.fit.poles, window.weight);
   const PointFits points = fit_each_point(all.set(), window, group, common.cost);
   if (points.degrees == 0 || common.degrees <= points.degrees) return {};
   const double gained = (common.cost - points.cost) / static_cast<double>(common.degrees - points.degrees);
-  if (gained < kMovesTest * points.cost / static_cast<double>(points.degrees)) return {};
-  std::vector<MovingMode> out;
+  if (gained < kScatterFStatistic * points.cost / static_cast<double>(points.degrees)) return {};
+  std::vector<ScatteredMode> out;
   for (std::size_t m = 0; m < group.fit.poles.size(); ++m) {
-    const auto seeing = points_that_see(points, group, m, all.width_Hz(group.fit.poles[m]));
-    if (seeing.size() < kLeastPoints) return {};
-    out.push_back(moving_mode(all, group, points, seeing, m));
+    const auto seeing = points_observing(points, group, m, all.width_Hz(group.fit.poles[m]));
+    if (seeing.size() < kMinPoints) return {};
+    out.push_back(scattered_mode(all, group, points, seeing, m));
   }
   return out;
 }

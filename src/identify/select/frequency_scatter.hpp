@@ -15,7 +15,7 @@ struct PointFits {
   std::size_t degrees = 0;
 };
 
-/// What a window is fitted to: its lines with all other groups' shares subtracted (GroupedFit::remainder), and the
+/// What a window is fitted to: its lines with all other groups' shares subtracted (WindowedFit::remainder), and the
 /// weights.
 struct WindowData {
   std::vector<Eigen::VectorXcd> data;  // [outputs][group.count]
@@ -24,24 +24,25 @@ struct WindowData {
 
 /// Fits modes to each point by itself, strongest first, over the group's window from the group's poles. Gives up (no
 /// fits) once the cost is beyond `most`.
-PointFits fit_each_point(const FrfSet& set, const WindowData& window, const FitGroup& group, double most);
+PointFits fit_each_point(const FrfDataset& set, const WindowData& window, const FitGroup& group, double most);
 
 /// True when the poles of `one`, each point with its own, explain the window as well as the common poles of `more` (one
 /// mode or several more) do: the points disagree about the frequency, and a further mode would only stand for that, to
 /// first order exactly. Never for fewer than three points: two orthogonal modes of which each point sees one look the
 /// same. `more` was fitted to this window.
-bool moves_instead(const FrfSet& set, const WindowData& window, const FitGroup& one, const FitGroup& more);
+bool explained_by_freq_scatter(const FrfDataset& set, const WindowData& window, const FitGroup& one,
+                               const FitGroup& more);
 
 /// The group's one pole, if it holds several that only stand for one that moves; otherwise nothing.
-std::optional<Pole> merged(const GroupedFit& all, const FitGroup& group);
+std::optional<Pole> merge_if_scattered(const WindowedFit& all, const FitGroup& group);
 
 /// A mode as points that disagree about it give it: the mean over the points, each weighted with its own deviation and
 /// the spread between them; deviations of that mean; residues as each point by itself has them.
 /// theory (4.15)
-struct MovingMode {
+struct ScatteredMode {
   Pole pole;
   double freq_std_Hz = 0, damping_std = 0;
-  double spread_Hz = 0;                        // standard deviation between the points
+  double freq_scatter_Hz = 0;                  // standard deviation between the points
   std::vector<Complex> residues;               // [outputs]
   std::vector<std::optional<Pole>> own_poles;  // [outputs] of points that see the mode
   std::vector<double> residue_std;             // [outputs]
@@ -49,11 +50,11 @@ struct MovingMode {
 };
 
 /// The group's modes, if its points disagree about their poles beyond doubt; otherwise nothing.
-std::vector<MovingMode> moving_modes(const GroupedFit& all, const FitGroup& group);
+std::vector<ScatteredMode> scattered_modes(const WindowedFit& all, const FitGroup& group);
 
 /// Takes what a mode's common pole leaves off a residual over all lines, [outputs][lines]: there each point has its
 /// own.
-void subtract_moves(const FrfSet& set, const FitGroup& group, std::size_t mode, const MovingMode& moving,
-                    std::vector<Eigen::VectorXcd>& residual);
+void subtract_freq_scatter(const FrfDataset& set, const FitGroup& group, std::size_t mode, const ScatteredMode& moving,
+                           std::vector<Eigen::VectorXcd>& residual);
 
 }  // namespace percuss

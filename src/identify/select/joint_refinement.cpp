@@ -15,7 +15,7 @@ constexpr double kChance = 6;  // deviations of χ²: the joint fit is refused w
 
 // What the joint fit leaves in a mode's window beyond the local fit, in the noise's energy: χ² of the unknowns that the
 // local fit has and the joint one lacks.
-bool agrees(const PeakMode& local, const std::vector<Eigen::VectorXcd>& left) {
+bool joint_fit_is_as_good(const FittedMode& local, const std::vector<Eigen::VectorXcd>& left) {
   double excess = 0;
   for (Index o = 0; o < local.noise.size(); ++o) {
     const auto window =
@@ -30,19 +30,20 @@ bool agrees(const PeakMode& local, const std::vector<Eigen::VectorXcd>& left) {
 
 }  // namespace
 
-void refine(const FrfSet& set, std::vector<PeakMode>& modes) {
+void refine_jointly(const FrfDataset& set, std::vector<FittedMode>& modes) {
   std::vector<Pole> start;
   start.reserve(modes.size());
-  for (const PeakMode& mode : modes) start.push_back(mode.mode.pole);
+  for (const FittedMode& mode : modes) start.push_back(mode.mode.pole);
   // Where it cannot follow a single mode, its real residues and deviations need not be worked out.
   const auto follows_any = [&](const std::vector<Eigen::VectorXcd>& left) {
-    return std::any_of(modes.begin(), modes.end(), [&](const PeakMode& mode) { return agrees(mode, left); });
+    return std::any_of(modes.begin(), modes.end(),
+                       [&](const FittedMode& mode) { return joint_fit_is_as_good(mode, left); });
   };
-  const JointFit joint = fit_jointly(set, std::move(start), {.worth_it = follows_any});
+  const JointFit joint = fit_jointly(set, std::move(start), {.worth_continuing = follows_any});
   if (!joint.converged) return;
   const WindowNoise window(set);
   for (std::size_t m = 0; m < modes.size(); ++m) {
-    if (!agrees(modes[m], joint.residual)) continue;
+    if (!joint_fit_is_as_good(modes[m], joint.residual)) continue;
     const auto i = static_cast<Index>(m);
     Mode& mode = modes[m].mode;
     modes[m].joint = true;
@@ -57,7 +58,7 @@ void refine(const FrfSet& set, std::vector<PeakMode>& modes) {
   }
   // A step may have exchanged close poles.
   std::stable_sort(modes.begin(), modes.end(),
-                   [](const PeakMode& a, const PeakMode& b) { return a.mode.pole.freq_Hz < b.mode.pole.freq_Hz; });
+                   [](const FittedMode& a, const FittedMode& b) { return a.mode.pole.freq_Hz < b.mode.pole.freq_Hz; });
 }
 
 }  // namespace percuss

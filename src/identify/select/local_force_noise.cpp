@@ -15,11 +15,11 @@ using Eigen::Index;
 using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 
-constexpr double kLightest = 1e-6;  // of the largest noise: an output without any weighs no more
+constexpr double kMinRelativeNoise = 1e-6;  // of the largest noise: an output without any weighs no more
 
-using Together = std::vector<PeakMode*>;  // modes of one window
+using Together = std::vector<FittedMode*>;  // modes of one window
 
-bool local(const PeakMode& mode) { return !mode.joint && !(mode.mode.moves_Hz > 0); }
+bool local(const FittedMode& mode) { return !mode.joint && !(mode.mode.freq_scatter_Hz > 0); }
 
 // How modes that were fitted together, and a polynomial, would follow their poles.
 struct Slopes {
@@ -27,13 +27,13 @@ struct Slopes {
   MatrixXcd gram;
 };
 
-Slopes slopes_of(const FrfSet& set, std::size_t point, const Together& modes) {
+Slopes slopes_of(const FrfDataset& set, std::size_t point, const Together& modes) {
   const auto lines = static_cast<Index>(modes.front()->count);
   const auto count = static_cast<Index>(modes.size());
   MatrixXcd columns(lines, count);
   Slopes slopes{.lines = MatrixXcd(lines, 2 * count), .gram = {}};
   for (Index m = 0; m < count; ++m) {
-    const PeakMode& mode = *modes[static_cast<std::size_t>(m)];
+    const FittedMode& mode = *modes[static_cast<std::size_t>(m)];
     const ModeColumn column = mode_column(mode.mode.pole, set.points[point], set.lines, mode.first, mode.count);
     columns.col(m) = column.value;
     slopes.lines.col(2 * m) = column.by_freq;
@@ -53,12 +53,12 @@ struct PoleInformation {
   MatrixXd fisher, force;
 };
 
-void add_point(const FrfSet& set, std::size_t point, const Together& modes, const Slopes& slopes,
+void add_point(const FrfDataset& set, std::size_t point, const Together& modes, const Slopes& slopes,
                PoleInformation& sum) {
   const std::size_t first = modes.front()->first;
   const auto lines = static_cast<Index>(modes.front()->count);
   const Index n = slopes.lines.cols();
-  const double least = kLightest * modes.front()->noise.maxCoeff();
+  const double least = kMinRelativeNoise * modes.front()->noise.maxCoeff();
   MatrixXcd pull = MatrixXcd::Zero(lines, n);  // of an error of the gain at each line
   for (std::size_t o = 0; o < set.outputs.size(); ++o) {
     if (set.outputs[o].point != point) continue;
@@ -79,11 +79,11 @@ void add_point(const FrfSet& set, std::size_t point, const Together& modes, cons
   sum.force += push * push.transpose();
 }
 
-void add_to_window(const FrfSet& set, const Together& modes) {
+void add_to_window(const FrfDataset& set, const Together& modes) {
   const auto n = static_cast<Index>(2 * modes.size());
   PoleInformation sum{.fisher = MatrixXd::Zero(n, n), .force = MatrixXd::Zero(n, n)};
-  const bool decayed = std::all_of(modes.begin(), modes.end(), [&](const PeakMode* mode) {
-    return decays_within(mode->mode.pole, set.points.front(), set.lines);
+  const bool decayed = std::all_of(modes.begin(), modes.end(), [&](const FittedMode* mode) {
+    return decays_within_record(mode->mode.pole, set.points.front(), set.lines);
   });
   Slopes slopes;
   for (std::size_t point = 0; point < set.points.size(); ++point) {
@@ -103,7 +103,7 @@ void add_to_window(const FrfSet& set, const Together& modes) {
 
 }  // namespace
 
-void add_force_noise(const FrfSet& set, std::vector<PeakMode>& modes) {
+void add_force_noise(const FrfDataset& set, std::vector<FittedMode>& modes) {
   std::vector<char> done(modes.size(), 0);
   for (std::size_t m = 0; m < modes.size(); ++m) {
     if (done[m] || !local(modes[m])) continue;

@@ -10,6 +10,6 @@ namespace percuss {
 /// with frequency is no noise from line to line, and moves all lines of a resonance together. Modes that the joint fit
 /// gave have it already; of those that move from point to point the spread between the points tells.
 /// theory (4.12)
-void add_force_noise(const FrfSet& set, std::vector<PeakMode>& modes);
+void add_force_noise(const FrfDataset& set, std::vector<FittedMode>& modes);
 
 }  // namespace percuss

@@ -9,26 +9,26 @@
 namespace percuss {
 namespace {
 
-constexpr double kMovingApart = 10;  // bandwidths from one that moves: as far as its window reaches
-constexpr double kHiddenApart = 2;   // … from a known mode: closer ones are found by splitting
-constexpr double kBroad = 0.02;      // half-power bandwidth, of the highest line: peaks are a tenth as broad
+constexpr double kScatterExclusion = 10;   // bandwidths from one that moves: as far as its window reaches
+constexpr double kKnownModeExclusion = 2;  // … from a known mode: closer ones are found by splitting
+constexpr double kBroad = 0.02;            // half-power bandwidth, of the highest line: peaks are a tenth as broad
 
 // Modes that no common pole fits: what is left around them is no mode, and what they leave elsewhere is taken off the
 // residual.
-std::vector<Pole> moving_poles(const GroupedFit& all, std::vector<Eigen::VectorXcd>& residual) {
+std::vector<Pole> scattered_poles(const WindowedFit& all, std::vector<Eigen::VectorXcd>& residual) {
   std::vector<Pole> poles;
   for (const FitGroup& group : all.groups()) {
     if (group.fit.degrees == 0) continue;
-    const auto moving = moving_modes(all, group);
+    const auto moving = scattered_modes(all, group);
     for (std::size_t m = 0; m < moving.size(); ++m) {
-      subtract_moves(all.set(), group, m, moving[m], residual);
+      subtract_freq_scatter(all.set(), group, m, moving[m], residual);
       poles.push_back(group.fit.poles[m]);
     }
   }
   return poles;
 }
 
-bool near(const GroupedFit& all, const std::vector<Pole>& list, const Pole& hidden, double widths) {
+bool near(const WindowedFit& all, const std::vector<Pole>& list, const Pole& hidden, double widths) {
   return std::any_of(list.begin(), list.end(), [&](const Pole& pole) {
     return std::abs(pole.freq_Hz - hidden.freq_Hz) <= widths * all.width_Hz(pole);
   });
@@ -36,21 +36,21 @@ bool near(const GroupedFit& all, const std::vector<Pole>& list, const Pole& hidd
 
 }  // namespace
 
-std::vector<Pole> HiddenSearch::next(const GroupedFit& all, Way way) {
+std::vector<Pole> ResidualModeSearch::next(const WindowedFit& all, SearchPass way) {
   const std::vector<Pole> known = all.poles();
   std::vector<Eigen::VectorXcd> residual = all.residual();
-  const std::vector<Pole> moving = moving_poles(all, residual);
+  const std::vector<Pole> moving = scattered_poles(all, residual);
   const double broad_Hz = kBroad * all.set().lines.freq_Hz(all.set().lines.count - 1);
   std::vector<Pole> found, given_up;
-  for (const Pole& hidden : hidden_poles(all.set(), residual)) {
-    if (near(all, known, hidden, kHiddenApart) || near(all, moving, hidden, kMovingApart)) continue;
+  for (const Pole& hidden : residual_mode_poles(all.set(), residual)) {
+    if (near(all, known, hidden, kKnownModeExclusion) || near(all, moving, hidden, kScatterExclusion)) continue;
     if (!near(all, tried_, hidden, 1)) {
       found.push_back(hidden);
     } else if (hidden.half_power_Hz() > broad_Hz && !near(all, alone_, hidden, 1)) {
       given_up.push_back(hidden);
     }
   }
-  if (way == Way::all && !found.empty()) {
+  if (way == SearchPass::all && !found.empty()) {
     tried_.insert(tried_.end(), found.begin(), found.end());
     return found;
   }

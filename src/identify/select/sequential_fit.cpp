@@ -19,73 +19,74 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr std::size_t kLeastForFit = 16;  // lines
+constexpr std::size_t kMinFitLines = 16;  // lines
 
-class PeakFit {
+class SequentialFit {
  public:
-  PeakFit(const FrfSet& set, const PeakFitOptions& options)
+  SequentialFit(const FrfDataset& set, const SequentialFitOptions& options)
       : set_(set), options_(options), all_(set, options.windows) {}
 
-  std::vector<PeakMode> run() {
-    context_.shown = poles_near(set_, options_.start_Hz);
-    context_.shown.insert(context_.shown.end(), options_.start.begin(), options_.start.end());
-    const bool given = !context_.shown.empty();
-    if (!given) context_.shown = candidate_poles(set_, all_.line_noise());
+  std::vector<FittedMode> run() {
+    context_.peak_poles = poles_near(set_, options_.start_Hz);
+    context_.peak_poles.insert(context_.peak_poles.end(), options_.start.begin(), options_.start.end());
+    const bool given = !context_.peak_poles.empty();
+    if (!given) context_.peak_poles = candidate_poles(set_, all_.line_noise());
     if (given) {
-      start_from(context_.shown);
+      start_from(context_.peak_poles);
     } else {
-      start_with_tallest();
+      start_without_ripples();
       all_.widen();
-      settle();
+      search_modes();
     }
-    if (!options_.start.empty()) keep_credible();
+    if (!options_.start.empty()) keep_accepted();
     return modes();
   }
 
  private:
-  void settle() {
-    settle_rounds(options_.hidden ? std::optional(HiddenSearch::Way::all) : std::nullopt);
+  void search_modes() {
+    search_rounds(options_.hidden ? std::optional(ResidualModeSearch::SearchPass::all) : std::nullopt);
     // A crowd of hidden ones may drive a mode that shows from its place: then they were none, but perhaps one broad
     // one.
-    const std::vector<Pole> lost = clear_not_in(all_.poles());
-    if (!hidden_.tried_any() || lost.empty()) return;
+    const std::vector<Pole> lost = lost_modes(all_.poles());
+    if (!hidden_.has_tried_any() || lost.empty()) return;
     const std::vector<Pole> found = all_.poles();
-    for (const auto hidden : {std::optional(HiddenSearch::Way::alone), std::optional<HiddenSearch::Way>()}) {
-      start_from(clear_);
-      settle_rounds(hidden);
-      if (clear_not_in(all_.poles()).size() < lost.size()) return;
+    for (const auto hidden :
+         {std::optional(ResidualModeSearch::SearchPass::alone), std::optional<ResidualModeSearch::SearchPass>()}) {
+      start_from(established_);
+      search_rounds(hidden);
+      if (lost_modes(all_.poles()).size() < lost.size()) return;
     }
     start_from(found);
-    keep_credible();
+    keep_accepted();
   }
 
   // Where a decay is cut off it leaves ripples on its resonance's flanks that look like peaks: those begin with the
   // others only if they are still there once it has been fitted.
-  void start_with_tallest() {
-    const std::vector<char> doubtful = ripples_among(set_, context_.shown);
+  void start_without_ripples() {
+    const std::vector<char> doubtful = find_truncation_ripples(set_, context_.peak_poles);
     std::vector<Pole> first, later;
-    for (std::size_t p = 0; p < doubtful.size(); ++p) (doubtful[p] ? later : first).push_back(context_.shown[p]);
+    for (std::size_t p = 0; p < doubtful.size(); ++p) (doubtful[p] ? later : first).push_back(context_.peak_poles[p]);
     start_from(first);
     if (later.empty()) return;
     const auto residual = all_.residual();
-    std::erase_if(later, [&](const Pole& pole) { return !remains(set_, pole, residual); });
-    context_.shown = std::move(first);
-    context_.shown.insert(context_.shown.end(), later.begin(), later.end());
+    std::erase_if(later, [&](const Pole& pole) { return !remains_in_residual(set_, pole, residual); });
+    context_.peak_poles = std::move(first);
+    context_.peak_poles.insert(context_.peak_poles.end(), later.begin(), later.end());
     std::vector<Pole> poles = all_.poles();
     poles.insert(poles.end(), later.begin(), later.end());
     if (use(std::move(poles))) all_.sweep();
   }
 
   void start_from(std::vector<Pole> poles) {
-    context_.settled = false;
+    context_.search_finished = false;
     all_.replace(std::move(poles));
     all_.sweep();
   }
 
   // The modes that were credible before hidden ones were looked for, and have nothing in their place now.
-  std::vector<Pole> clear_not_in(const std::vector<Pole>& now) const {
+  std::vector<Pole> lost_modes(const std::vector<Pole>& now) const {
     std::vector<Pole> lost;
-    std::copy_if(clear_.begin(), clear_.end(), std::back_inserter(lost), [&](const Pole& clear) {
+    std::copy_if(established_.begin(), established_.end(), std::back_inserter(lost), [&](const Pole& clear) {
       return std::none_of(now.begin(), now.end(), [&](const Pole& pole) {
         return std::abs(pole.freq_Hz - clear.freq_Hz) < all_.width_Hz(clear);
       });
@@ -93,22 +94,22 @@ class PeakFit {
     return lost;
   }
 
-  void settle_rounds(std::optional<HiddenSearch::Way> hidden) {
+  void search_rounds(std::optional<ResidualModeSearch::SearchPass> hidden) {
     for (int round = 0; round < options_.rounds; ++round) {
-      while (merge_moving()) all_.sweep();
+      while (merge_scattered_poles()) all_.sweep();
       const bool dropped = drop_insignificant();
-      if (!hidden_.tried_any()) clear_ = all_.poles();
+      if (!hidden_.has_tried_any()) established_ = all_.poles();
       // Windows are split when what was dropped is out of them, and hidden modes looked for when no pair is left to be.
-      const bool changed = dropped || use(split_.next(all_, context_)) || (hidden && add_hidden(*hidden));
+      const bool changed = dropped || use(split_.next(all_, context_)) || (hidden && add_residual_modes(*hidden));
       if (!changed) break;
       all_.sweep();
     }
-    while (merge_moving()) all_.sweep();
-    keep_credible();
+    while (merge_scattered_poles()) all_.sweep();
+    keep_accepted();
   }
 
-  void keep_credible() {
-    context_.settled = true;
+  void keep_accepted() {
+    context_.search_finished = true;
     while (drop_insignificant()) all_.sweep();
   }
 
@@ -118,18 +119,18 @@ class PeakFit {
       for (std::size_t m = 0; m < group.fit.poles.size(); ++m) {
         const Pole& pole = group.fit.poles[m];
         const bool twice =
-            std::any_of(kept.begin(), kept.end(), [&](const Pole& k) { return coincide(all_, k, pole); });
-        if (!twice && credible(all_, group, m, context_)) kept.push_back(pole);
+            std::any_of(kept.begin(), kept.end(), [&](const Pole& k) { return poles_coincide(all_, k, pole); });
+        if (!twice && accept_mode(all_, group, m, context_)) kept.push_back(pole);
       }
     }
     return use(std::move(kept));
   }
 
   // Poles of one mode that moves from point to point.
-  bool merge_moving() {
+  bool merge_scattered_poles() {
     std::vector<Pole> kept;
     for (const FitGroup& group : all_.groups()) {
-      if (const auto one = merged(all_, group)) {
+      if (const auto one = merge_if_scattered(all_, group)) {
         kept.push_back(*one);
       } else {
         kept.insert(kept.end(), group.fit.poles.begin(), group.fit.poles.end());
@@ -146,7 +147,7 @@ class PeakFit {
   }
 
   // Modes that the residual over the whole band shows, away from those known.
-  bool add_hidden(HiddenSearch::Way way) {
+  bool add_residual_modes(ResidualModeSearch::SearchPass way) {
     std::vector<Pole> poles = all_.poles();
     const std::vector<Pole> more = hidden_.next(all_, way);
     poles.insert(poles.end(), more.begin(), more.end());
@@ -169,13 +170,13 @@ class PeakFit {
     return mode;
   }
 
-  static void move(PeakMode& found, const MovingMode& moving) {
+  static void move(FittedMode& found, const ScatteredMode& moving) {
     found.noise = moving.noise;
     Mode& mode = found.mode;
     mode.pole = moving.pole;
     mode.freq_std_Hz = moving.freq_std_Hz;
     mode.damping_std = moving.damping_std;
-    mode.moves_Hz = moving.spread_Hz;
+    mode.freq_scatter_Hz = moving.freq_scatter_Hz;
     for (std::size_t o = 0; o < mode.residues.size(); ++o) {
       mode.residues[o].value = moving.residues[o];
       mode.residues[o].std = moving.residue_std[o];
@@ -183,13 +184,13 @@ class PeakFit {
     }
   }
 
-  std::vector<PeakMode> modes() const {
-    std::vector<PeakMode> found;
+  std::vector<FittedMode> modes() const {
+    std::vector<FittedMode> found;
     for (const FitGroup& group : all_.groups()) {
-      const auto moving = moving_modes(all_, group);
+      const auto moving = scattered_modes(all_, group);
       for (std::size_t m = 0; m < group.fit.poles.size(); ++m) {
         found.push_back({.mode = mode_of(group.fit, m),
-                         .stands_out = stands_out(all_, group, m),
+                         .peak_to_residual = peak_to_residual(all_, group, m),
                          .first = group.first,
                          .count = group.count,
                          .noise = group.fit.noise,
@@ -198,35 +199,36 @@ class PeakFit {
       }
     }
     if (options_.modes && *options_.modes < found.size()) {
-      std::stable_sort(found.begin(), found.end(),
-                       [](const PeakMode& a, const PeakMode& b) { return a.stands_out > b.stands_out; });
+      std::stable_sort(found.begin(), found.end(), [](const FittedMode& a, const FittedMode& b) {
+        return a.peak_to_residual > b.peak_to_residual;
+      });
       found.resize(*options_.modes);
     }
     // Poles fitted together may have passed each other.
     std::sort(found.begin(), found.end(),
-              [](const PeakMode& a, const PeakMode& b) { return a.mode.pole.freq_Hz < b.mode.pole.freq_Hz; });
+              [](const FittedMode& a, const FittedMode& b) { return a.mode.pole.freq_Hz < b.mode.pole.freq_Hz; });
     return found;
   }
 
-  const FrfSet& set_;
-  const PeakFitOptions& options_;
-  GroupedFit all_;
-  CredibilityContext context_;
-  SplitSearch split_;
-  HiddenSearch hidden_;
-  std::vector<Pole> clear_;  // modes found before hidden ones were tried
+  const FrfDataset& set_;
+  const SequentialFitOptions& options_;
+  WindowedFit all_;
+  AcceptanceContext context_;
+  CloseModeSearch split_;
+  ResidualModeSearch hidden_;
+  std::vector<Pole> established_;  // modes found before hidden ones were tried
 };
 
 }  // namespace
 
-PeakFitOptions peak_fit_of(Effort effort) {
+SequentialFitOptions sequential_fit_options(Effort effort) {
   if (effort == Effort::quick) return {.rounds = 3, .hidden = false, .windows = {.window_widths = 5, .change = 0.1}};
   return {};
 }
 
-std::vector<PeakMode> fit_peaks(const FrfSet& set, const PeakFitOptions& options) {
-  if (set.lines.count < kLeastForFit || set.outputs.empty()) return {};
-  return PeakFit(set, options).run();
+std::vector<FittedMode> fit_sequentially(const FrfDataset& set, const SequentialFitOptions& options) {
+  if (set.lines.count < kMinFitLines || set.outputs.empty()) return {};
+  return SequentialFit(set, options).run();
 }
 
 }  // namespace percuss

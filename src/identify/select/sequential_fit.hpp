@@ -10,21 +10,21 @@
 
 namespace percuss {
 
-struct PeakFitOptions {
+struct SequentialFitOptions {
   int rounds = 6;      // of looking for second modes in each window, then for modes that show no peak
   bool hidden = true;  // look for the latter
-  GroupedFitOptions windows;
+  WindowedFitOptions windows;
   std::optional<std::size_t> modes;  // keep this many, the most significant ones
   std::vector<double> start_Hz;      // these and no others
   std::vector<Pole> start;           // those of these, from an earlier fit, that are credible
 };
 /// What each effort spends on a peak; see effort.hpp for what that costs and gives.
-PeakFitOptions peak_fit_of(Effort effort);
+SequentialFitOptions sequential_fit_options(Effort effort);
 
 /// A mode as the fit of its own window of lines gives it.
-struct PeakMode {
+struct FittedMode {
   Mode mode;
-  double stands_out = 0;                // its peak over what the window's fit leaves
+  double peak_to_residual = 0;          // its peak over what the window's fit leaves
   std::size_t first = 0, count = 0;     // the window, common to modes that were fitted together
   Eigen::VectorXd noise;                // [outputs] rms per line of what the window's fit leaves, (m/s²)/N
   std::size_t unknowns_per_output = 0;  // real unknowns of the window's fit, its poles aside
@@ -35,6 +35,6 @@ struct PeakMode {
 /// other modes contribute subtracted (a few sweeps), close ones together. A second mode is added where one leaves a
 /// residual it explains, and modes too weak to show are looked for in what is left. Deviations are scaled by
 /// each window's residual. Modes in ascending frequency.
-std::vector<PeakMode> fit_peaks(const FrfSet& set, const PeakFitOptions& options = {});
+std::vector<FittedMode> fit_sequentially(const FrfDataset& set, const SequentialFitOptions& options = {});
 
 }  // namespace percuss

@@ -10,11 +10,11 @@
 namespace percuss {
 namespace {
 
-constexpr double kSameRing = 2e-3;   // of the survey's length
-constexpr double kSameAngle = 0.01;  // rad
-constexpr std::size_t kFewest = 4;   // angles that tell n = 1 from n = 2
-constexpr int kHighest = 8;          // n
-constexpr double kResolved = 0.05;   // pivot over the largest, below which a ring does not see a pattern
+constexpr double kSameRing = 2e-3;           // of the survey's length
+constexpr double kSameAngle = 0.01;          // rad
+constexpr std::size_t kMinRingAngles = 4;    // angles that tell n = 1 from n = 2
+constexpr int kMaxCircumferentialOrder = 8;  // n
+constexpr double kResolved = 0.05;           // pivot over the largest, below which a ring does not see a pattern
 
 struct Point {
   double position_m = 0, angle_rad = 0, value = 0, std = 0;
@@ -59,7 +59,7 @@ std::vector<Ring> rings_of(const std::vector<Point>& points) {
     if (rings.empty() || p.position_m - rings.back().back().position_m > gap) rings.emplace_back();
     rings.back().push_back(p);
   }
-  std::erase_if(rings, [](const Ring& ring) { return distinct_angles(ring) < kFewest; });
+  std::erase_if(rings, [](const Ring& ring) { return distinct_angles(ring) < kMinRingAngles; });
   return rings;
 }
 
@@ -84,7 +84,7 @@ Eigen::Vector2d largest_turn(const Ring& ring, int n) {
   return {std::cos(0.5 * std::arg(sum)), std::sin(0.5 * std::arg(sum))};
 }
 
-bool resolves(const Ring& ring, int highest, bool half, RingFit& fit) {
+bool resolves(const Ring& ring, int highest, bool half, CircumferentialFit& fit) {
   fit.pattern = patterns(ring, highest);
   fit.half = half;
   Eigen::MatrixXd columns = fit.pattern;
@@ -104,8 +104,8 @@ bool resolves(const Ring& ring, int highest, bool half, RingFit& fit) {
 }
 
 // As many orders as every ring resolves; none when some ring's angles stand too close together.
-int fit_all(const std::vector<Ring>& rings, std::size_t angles, std::vector<RingFit>& fits) {
-  for (int highest = std::min(kHighest, static_cast<int>(angles) / 2); highest >= 1; --highest) {
+int fit_all(const std::vector<Ring>& rings, std::size_t angles, std::vector<CircumferentialFit>& fits) {
+  for (int highest = std::min(kMaxCircumferentialOrder, static_cast<int>(angles) / 2); highest >= 1; --highest) {
     const bool half = 2 * highest == static_cast<int>(angles);
     fits.assign(rings.size(), {});
     bool all = true;
@@ -115,7 +115,7 @@ int fit_all(const std::vector<Ring>& rings, std::size_t angles, std::vector<Ring
   return 0;
 }
 
-void fill(const Ring& ring, RingFit& fit) {
+void fill(const Ring& ring, CircumferentialFit& fit) {
   const auto size = static_cast<Eigen::Index>(ring.size());
   fit.value.resize(size);
   fit.variance.resize(size);
@@ -130,9 +130,9 @@ void fill(const Ring& ring, RingFit& fit) {
 
 }  // namespace
 
-RingFits fit_rings(const ModeShape& shape, const TubeGeometry& geometry) {
+CircumferentialFits fit_circumferential(const ModeShape& shape, const TubeGeometry& geometry) {
   const auto rings = rings_of(placed(shape, geometry));
-  RingFits out;
+  CircumferentialFits out;
   if (rings.empty()) return out;
   out.angles = distinct_angles(rings.front());
   for (const Ring& ring : rings) out.angles = std::min(out.angles, distinct_angles(ring));

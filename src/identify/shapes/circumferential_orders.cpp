@@ -10,9 +10,9 @@
 namespace percuss {
 namespace {
 
-constexpr double kMixing = 0.1;      // of the energy: real shapes are no pure harmonics
-constexpr double kLeast = 0.05;      // of the largest: smaller axial values tell no sign
-constexpr double kAliasFour = 0.99;  // that a pattern is not its alias of n ≥ 4, or of n = 3
+constexpr double kMixing = 0.1;          // of the energy: real shapes are no pure harmonics
+constexpr double kMinAxialValue = 0.05;  // of the largest: smaller axial values tell no sign
+constexpr double kAliasFour = 0.99;      // that a pattern is not its alias of n ≥ 4, or of n = 3
 constexpr double kAliasThree = 0.95;
 
 struct Energy {
@@ -20,10 +20,10 @@ struct Energy {
 };
 
 // Energy over the points that order n explains, with what noise adds taken off.
-Energy energy_of(const std::vector<RingFit>& fits, int n) {
+Energy energy_of(const std::vector<CircumferentialFit>& fits, int n) {
   Energy energy;
   const Eigen::Index first = n == 0 ? 0 : 2 * n - 1, count = n == 0 ? 1 : 2;
-  for (const RingFit& fit : fits) {
+  for (const CircumferentialFit& fit : fits) {
     const Eigen::MatrixXd projection = fit.pattern.middleCols(first, count) * fit.inverse.middleRows(first, count);
     const Eigen::VectorXd part = projection * fit.value;
     const Eigen::VectorXd back = projection.transpose() * part;
@@ -34,15 +34,15 @@ Energy energy_of(const std::vector<RingFit>& fits, int n) {
   return energy;
 }
 
-double unexplained(const std::vector<RingFit>& fits) {
+double unexplained(const std::vector<CircumferentialFit>& fits) {
   double sum = 0;
-  for (const RingFit& fit : fits) sum += (fit.value - fit.pattern * (fit.inverse * fit.value)).squaredNorm();
+  for (const CircumferentialFit& fit : fits) sum += (fit.value - fit.pattern * (fit.inverse * fit.value)).squaredNorm();
   return sum;
 }
 
-double total_of(const std::vector<RingFit>& fits) {
+double total_of(const std::vector<CircumferentialFit>& fits) {
   double sum = 0;
-  for (const RingFit& fit : fits) sum += fit.value.squaredNorm();
+  for (const CircumferentialFit& fit : fits) sum += fit.value.squaredNorm();
   return sum;
 }
 
@@ -67,12 +67,12 @@ void choose_order(TubeShape& shape, const std::vector<Energy>& energies, double 
 }
 
 // The axial function of the chosen order and the plane it lies in: the main axis of its cosine and sine amplitudes.
-void find_axial(TubeShape& shape, const std::vector<RingFit>& fits) {
+void find_axial(TubeShape& shape, const std::vector<CircumferentialFit>& fits) {
   const Eigen::Index first = shape.order == 0 ? 0 : 2 * shape.order - 1;
   Eigen::Vector2d along(1, 0);
   if (shape.order > 0) {
     Eigen::Matrix2d squares = Eigen::Matrix2d::Zero();
-    for (const RingFit& fit : fits) {
+    for (const CircumferentialFit& fit : fits) {
       const Eigen::Vector2d pair = fit.inverse.middleRows(first, 2) * fit.value;
       squares += pair * pair.transpose();
     }
@@ -82,7 +82,7 @@ void find_axial(TubeShape& shape, const std::vector<RingFit>& fits) {
   const Eigen::Vector2d across(-along(1), along(0));
   double power = 0, across_variance = 0;
   bool told = shape.order > 0;
-  for (const RingFit& fit : fits) {
+  for (const CircumferentialFit& fit : fits) {
     const Eigen::Index rows = shape.order == 0 ? 1 : 2;
     const Eigen::RowVectorXd to_value = along.head(rows).transpose() * fit.inverse.middleRows(first, rows);
     const double value = to_value * fit.value;
@@ -107,7 +107,7 @@ void count_sign_changes(TubeShape& shape) {
   for (const AxialValue& v : shape.axial) largest = std::max(largest, std::abs(v.value));
   int changes = 0;
   for (const AxialValue& v : shape.axial) {
-    if (std::abs(v.value) <= std::max(kSignificant * v.std, kLeast * largest)) continue;
+    if (std::abs(v.value) <= std::max(kSignificant * v.std, kMinAxialValue * largest)) continue;
     if (before * v.value < 0) ++changes;
     before = v.value;
   }
@@ -117,7 +117,7 @@ void count_sign_changes(TubeShape& shape) {
 }  // namespace
 
 std::optional<TubeShape> tube_shape(const ModeShape& shape, const TubeGeometry& geometry) {
-  const RingFits fits = fit_rings(shape, geometry);
+  const CircumferentialFits fits = fit_circumferential(shape, geometry);
   const double total = total_of(fits.rings);
   if (fits.rings.empty() || !(total > 0)) return std::nullopt;
   std::vector<Energy> energies;
@@ -129,9 +129,9 @@ std::optional<TubeShape> tube_shape(const ModeShape& shape, const TubeGeometry& 
   return out;
 }
 
-Family family_of(const TubeShape& shape) {
-  if (shape.confidence < kNamed) return Family::unknown;
-  return shape.order == 1 ? Family::bending : shape.order == 2 ? Family::hoop : Family::unknown;
+ModeType mode_type_of(const TubeShape& shape) {
+  if (shape.confidence < kMinTypeProbability) return ModeType::unknown;
+  return shape.order == 1 ? ModeType::bending : shape.order == 2 ? ModeType::hoop : ModeType::unknown;
 }
 
 }  // namespace percuss

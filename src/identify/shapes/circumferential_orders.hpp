@@ -47,6 +47,6 @@ struct TubeShape {
 std::optional<TubeShape> tube_shape(const ModeShape& shape, const TubeGeometry& geometry);
 
 /// Bending for n = 1, hoop for n = 2; for all others, or when unsure, unknown.
-Family family_of(const TubeShape& shape);
+ModeType mode_type_of(const TubeShape& shape);
 
 }  // namespace percuss

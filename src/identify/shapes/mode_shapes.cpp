@@ -136,8 +136,8 @@ bool normalise_mass(ModeShape& shape, const Mode& mode, const ShapeOptions& opti
   const Residue* best = nullptr;
   for (const DrivingPoint& at : options.driving) {
     const Residue* r = find_residue(mode, at.point, at.channel);
-    if (r == nullptr || !(r->value.real() > kSignificant * whole_std(*r))) continue;
-    if (best == nullptr || r->value.real() * whole_std(*best) > best->value.real() * whole_std(*r)) best = r;
+    if (r == nullptr || !(r->value.real() > kSignificant * total_std(*r))) continue;
+    if (best == nullptr || r->value.real() * total_std(*best) > best->value.real() * total_std(*r)) best = r;
   }
   if (best == nullptr) return false;
   const bool hammer = options.roving == Roving::hammer;
@@ -149,7 +149,7 @@ bool normalise_mass(ModeShape& shape, const Mode& mode, const ShapeOptions& opti
   scale(shape.places, by);
   scale(shape.sensors, 1.0 / by);
   shape.normalisation = Normalisation::unit_modal_mass;
-  shape.scale_std = 0.5 * whole_std(*best) / std::abs(best->value);
+  shape.scale_std = 0.5 * total_std(*best) / std::abs(best->value);
   const ShapePlace* most = largest_of(shape.places);
   shape.modal_mass_kg = 1 / std::norm(most->value);
   shape.modal_mass_std_kg = 2 * *shape.modal_mass_kg * std::hypot(shape.scale_std, most->std / std::abs(most->value));
@@ -159,7 +159,7 @@ bool normalise_mass(ModeShape& shape, const Mode& mode, const ShapeOptions& opti
 double significance(const Mode& mode) {
   double sum = 0;
   for (const Residue& r : mode.residues) {
-    const double std = whole_std(r);
+    const double std = total_std(r);
     sum += std > 0 ? std::norm(r.value) / (2 * std * std) : 1e12;  // 2: real and imaginary part
   }
   return mode.residues.empty() ? 0 : std::sqrt(sum / static_cast<double>(mode.residues.size()));
@@ -186,7 +186,7 @@ const Residue* find_residue(const Mode& mode, std::size_t point, std::size_t cha
   return found == mode.residues.end() ? nullptr : &*found;
 }
 
-double whole_std(const Residue& r) { return std::hypot(r.std, r.relative_std * std::abs(r.value)); }
+double total_std(const Residue& r) { return std::hypot(r.std, r.relative_std * std::abs(r.value)); }
 
 const char* name_of(Normalisation normalisation) {
   return normalisation == Normalisation::unit_modal_mass ? "unit_modal_mass" : "largest_one";
@@ -199,7 +199,7 @@ ModeShape shape_of(const Mode& mode, const ShapeOptions& options) {
     place_by_hammer(shape, grid_of(mode));
   } else {
     for (const Residue& r : mode.residues)
-      shape.places.push_back({.point = r.point, .channel = r.channel, .value = r.value, .std = whole_std(r)});
+      shape.places.push_back({.point = r.point, .channel = r.channel, .value = r.value, .std = total_std(r)});
     std::sort(shape.places.begin(), shape.places.end(), [](const ShapePlace& a, const ShapePlace& b) {
       return std::pair(a.point, a.channel) < std::pair(b.point, b.channel);
     });

@@ -48,7 +48,7 @@ struct ShapeOptions {
 /// The mode's residue at this point and channel, or nothing.
 const Residue* find_residue(const Mode& mode, std::size_t point, std::size_t channel);
 /// Deviation of a residue's real and imaginary part, the force's gain included.
-double whole_std(const Residue& residue);
+double total_std(const Residue& residue);
 
 /// The shape behind a mode's residues A_pc = φ_p φ_c.
 ///   roving hammer  φ_p and φ_c by least squares of rank one over all points and channels, weighted by the deviations;

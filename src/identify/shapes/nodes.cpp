@@ -14,9 +14,9 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kNodeCertain = 3;         // deviations from zero that make a sign
-constexpr double kLeastNodeNoise = 1e-12;  // of the largest amplitude: no point is better than that
-constexpr int kBisections = 60;            // to the last digit of a position within its bracket
+constexpr double kNodeCertain = 3;       // deviations from zero that make a sign
+constexpr double kMinNodeNoise = 1e-12;  // of the largest amplitude: no point is better than that
+constexpr int kBisections = 60;          // to the last digit of a position within its bracket
 
 // A polynomial of one degree fitted to the points near a crossing.
 struct PolynomialFit {
@@ -94,7 +94,7 @@ Window window_around(const ScanShape& shape, std::size_t below, std::size_t abov
     const auto at = static_cast<Index>(i);
     w.u(at) = (shape.position_m[order[i]] - middle) / w.scale_m;
     w.y(at) = shape.amplitude[order[i]];
-    w.std(at) = std::max(shape.std[order[i]], kLeastNodeNoise * largest);
+    w.std(at) = std::max(shape.std[order[i]], kMinNodeNoise * largest);
   }
   w.low_u = (shape.position_m[below] - middle) / w.scale_m;
   w.high_u = (shape.position_m[above] - middle) / w.scale_m;

@@ -16,7 +16,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-constexpr double kLeastScanNoise = 1e-12;  // of the largest residue: none is better than that
+constexpr double kMinScanNoise = 1e-12;  // of the largest residue: none is better than that
 
 // A mode's residues over [points, channels] and their deviations: with force noise, which all channels of a point
 // share.
@@ -61,7 +61,7 @@ VectorXd channel_weights(const ResidueTable& table) {
   for (Index c = 0; c < weight.size(); ++c) {
     const VectorXd column = table.std.col(c);
     const double typical = median({column.data(), column.data() + column.size()});
-    weight(c) = 1 / std::max(typical, std::max(kLeastScanNoise * table.value.cwiseAbs().maxCoeff(), 1e-300));
+    weight(c) = 1 / std::max(typical, std::max(kMinScanNoise * table.value.cwiseAbs().maxCoeff(), 1e-300));
   }
   return weight;
 }

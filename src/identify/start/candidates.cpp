@@ -17,17 +17,17 @@ namespace {
 constexpr double kNoiseProminence = 6;  // deviations of the level's own fluctuation
 constexpr double kDecibelsPerNeper = 8.6859;
 constexpr double kPointing = 0.005;
-constexpr double kReach = 6;  // half-widths on either side that a hidden resonance is looked for over
-constexpr double kHiddenGain =
+constexpr double kResonanceSpan = 6;  // half-widths on either side that a hidden resonance is looked for over
+constexpr double kMinResidualModeGain =
     30;  // noise powers, beyond what the outputs' own noise gives: one false alarm in 10^10 lines
-constexpr double kBeyondReachGain =
+constexpr double kOutOfBandGain =
     1000;  // … where the force does not reach: weaker ones are not credible there, so that none needs to be tried
-constexpr double kModelFloor = 1e-6;       // of the largest line: what a fit leaves of noise-free data is no mode
-constexpr double kFlank = 20;              // half-widths that a resonance's flanks reach on either side …
-constexpr double kFlankGain = 0.1;         // … and the part of its gain that may be theirs
-constexpr double kNarrowest = 1.5;         // lines
-constexpr double kWidestHidden = 0.03;     // half-width over frequency of the broadest hidden mode
-constexpr std::size_t kPerLevelLine = 20;  // operations of a line's noise, or of its weight
+constexpr double kModelFloor = 1e-6;            // of the largest line: what a fit leaves of noise-free data is no mode
+constexpr double kFlank = 20;                   // half-widths that a resonance's flanks reach on either side …
+constexpr double kFlankGain = 0.1;              // … and the part of its gain that may be theirs
+constexpr double kMinResonanceLines = 1.5;      // lines
+constexpr double kMaxResidualModeWidth = 0.03;  // half-width over frequency of the broadest hidden mode
+constexpr std::size_t kFlopsPerLevelLine = 20;  // operations of a line's noise, or of its weight
 
 double largest_of(std::span<const Complex> h) {
   double largest = 0;  // as power
@@ -39,12 +39,12 @@ struct Level {
   std::vector<double> power, noise;  // Σ over outputs of |H|² and of the noise's share
 };
 
-Level level_of(const FrfSet& set, const LineNoise& line_noise) {
+Level level_of(const FrfDataset& set, const LineNoise& line_noise) {
   const std::size_t n = set.lines.count;
   Level level{std::vector<double>(n), std::vector<double>(n)};
   std::vector<std::vector<double>> noise(set.outputs.size());
-  share_out(noise.size(), kPerLevelLine * n, [&](std::size_t o) { noise[o] = line_noise.local(o); });
-  share_out_strips(n, kPerLevelLine * noise.size(), [&](std::size_t first, std::size_t count) {
+  parallel_for_cost(noise.size(), kFlopsPerLevelLine * n, [&](std::size_t o) { noise[o] = line_noise.local(o); });
+  parallel_for_chunks(n, kFlopsPerLevelLine * noise.size(), [&](std::size_t first, std::size_t count) {
     for (std::size_t o = 0; o < noise.size(); ++o) {
       for (std::size_t k = first; k < first + count; ++k) {
         level.power[k] += std::norm(set.outputs[o].frf[k]);
@@ -56,9 +56,9 @@ Level level_of(const FrfSet& set, const LineNoise& line_noise) {
 }
 
 // A resonance of half-width h (in lines) on a straight background: its shape with the background projected out, over
-// ±kReach·h.
+// ±kResonanceSpan·h.
 Eigen::VectorXcd resonance(double h) {
-  const auto reach = static_cast<Eigen::Index>(std::ceil(kReach * h));
+  const auto reach = static_cast<Eigen::Index>(std::ceil(kResonanceSpan * h));
   const Eigen::VectorXd x =
       Eigen::VectorXd::LinSpaced(2 * reach + 1, -static_cast<double>(reach), static_cast<double>(reach));
   Eigen::VectorXcd g(x.size());
@@ -91,7 +91,7 @@ std::vector<double> gain_of(const std::vector<ResidualLines>& outputs, const Eig
   const auto reach = static_cast<std::size_t>(shape.size() / 2);
   const auto lines = static_cast<std::size_t>(outputs.front().residual.size());
   std::vector<double> gain(lines);
-  share_out_strips(lines, 2 * kPerProduct * reach * outputs.size(), [&](std::size_t first, std::size_t count) {
+  parallel_for_chunks(lines, 2 * kFlopsPerProduct * reach * outputs.size(), [&](std::size_t first, std::size_t count) {
     const std::size_t end = std::min(first + count, lines > reach ? lines - reach : 0);
     for (std::size_t k = std::max(first, reach); k < end; ++k) {
       const auto from = static_cast<Eigen::Index>(k - reach);
@@ -103,21 +103,21 @@ std::vector<double> gain_of(const std::vector<ResidualLines>& outputs, const Eig
   return gain;
 }
 
-std::vector<Eigen::VectorXcd> cut(const FrfSet& set, std::size_t first, std::size_t count) {
+std::vector<Eigen::VectorXcd> cut(const FrfDataset& set, std::size_t first, std::size_t count) {
   std::vector<Eigen::VectorXcd> out;
-  for (const Output& output : set.outputs) {
+  for (const FrfChannel& output : set.outputs) {
     out.emplace_back(Eigen::Map<const Eigen::VectorXcd>(output.frf.data() + first, static_cast<Eigen::Index>(count)));
   }
   return out;
 }
 
 // As narrow as lines can tell.
-Pole narrowest_pole(const FrfSet& set, double asked_Hz) {
+Pole narrowest_pole(const FrfDataset& set, double asked_Hz) {
   const double freq_Hz = std::max(asked_Hz, set.lines.df_Hz());
   return {.freq_Hz = freq_Hz, .damping_ratio = std::min(0.1, set.lines.df_Hz() / freq_Hz)};
 }
 
-Pole pole_at_line(const FrfSet& set, std::size_t line) {
+Pole pole_at_line(const FrfDataset& set, std::size_t line) {
   // First a narrow window, then one as wide as the pole it found: the linear fit is best over a few bandwidths.
   Pole pole;
   std::size_t half = 4;
@@ -135,7 +135,7 @@ Pole pole_at_line(const FrfSet& set, std::size_t line) {
 }
 
 // What a person points at is the highest line within half a per cent, or four lines.
-Pole peak_near(const FrfSet& set, double freq_Hz) {
+Pole peak_near(const FrfDataset& set, double freq_Hz) {
   const double at = set.lines.position(freq_Hz);
   const double reach = std::max(4.0, kPointing * freq_Hz / set.lines.df_Hz());
   std::size_t best = set.lines.at(at);
@@ -150,7 +150,8 @@ Pole peak_near(const FrfSet& set, double freq_Hz) {
 
 }  // namespace
 
-std::vector<std::size_t> prominent_lines(const FrfSet& set, const LineNoise& noise, const CandidateOptions& options) {
+std::vector<std::size_t> prominent_lines(const FrfDataset& set, const LineNoise& noise,
+                                         const CandidateOptions& options) {
   if (set.lines.count < 5) return {};
   const Level level = level_of(set, noise);
   std::vector<std::size_t> lines;
@@ -166,45 +167,45 @@ std::vector<std::size_t> prominent_lines(const FrfSet& set, const LineNoise& noi
   return lines;
 }
 
-std::vector<Pole> candidate_poles(const FrfSet& set, const LineNoise& noise, const CandidateOptions& options) {
+std::vector<Pole> candidate_poles(const FrfDataset& set, const LineNoise& noise, const CandidateOptions& options) {
   std::vector<Pole> poles;
   for (const std::size_t line : prominent_lines(set, noise, options)) poles.push_back(pole_at_line(set, line));
   return poles;
 }
 
-std::vector<Resonance> hidden_resonances(const FrfSet& set, const std::vector<Eigen::VectorXcd>& residual) {
+std::vector<Resonance> residual_resonances(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& residual) {
   const WindowNoise window(set);
   std::vector<Resonance> found;
   std::vector<ResidualLines> outputs(residual.size());
   std::vector<double> floors(residual.size());
-  share_out(outputs.size(), kPerLevelLine * set.lines.count, [&](std::size_t o) {
+  parallel_for_cost(outputs.size(), kFlopsPerLevelLine * set.lines.count, [&](std::size_t o) {
     const std::span lines(residual[o].data(), static_cast<std::size_t>(residual[o].size()));
     outputs[o] = {residual[o], local_noise(block_noise(lines, window.roughness()), lines.size())};
     floors[o] = std::pow(kModelFloor * largest_of(set.outputs[o].frf), 2);
     for (double& power : outputs[o].noise) power = std::max(window.most() * power, floors[o]);
   });
-  const double threshold = kHiddenGain + 3 * static_cast<double>(residual.size());
+  const double threshold = kMinResidualModeGain + 3 * static_cast<double>(residual.size());
   const double top_Hz = set.lines.freq_Hz(set.lines.count - 1);
-  const double widest = kWidestHidden * top_Hz / set.lines.df_Hz();
-  const Eigen::VectorXcd shape = resonance(kNarrowest);
+  const double widest = kMaxResidualModeWidth * top_Hz / set.lines.df_Hz();
+  const Eigen::VectorXcd shape = resonance(kMinResonanceLines);
   // Each resonance is looked for on lines so wide that it is as narrow as can be: the work halves at every doubling.
-  for (double width = 1; kNarrowest * width < widest; width *= 2) {
+  for (double width = 1; kMinResonanceLines * width < widest; width *= 2) {
     const auto gain = gain_of(outputs, shape);
     for (const std::size_t peak : maxima_above(gain, threshold)) {
       const double line = (static_cast<double>(peak) + 0.5) * width - 0.5;
-      found.push_back({line, kNarrowest * width, gain[peak]});
+      found.push_back({line, kMinResonanceLines * width, gain[peak]});
     }
     const auto lines = static_cast<std::size_t>(outputs.front().residual.size());
-    share_out(outputs.size(), kPerLevelLine * lines,
-              [&](std::size_t o) { outputs[o] = halved(outputs[o], floors[o]); });
+    parallel_for_cost(outputs.size(), kFlopsPerLevelLine * lines,
+                      [&](std::size_t o) { outputs[o] = halved(outputs[o], floors[o]); });
   }
   return found;
 }
 
-std::vector<Pole> hidden_poles(const FrfSet& set, const std::vector<Eigen::VectorXcd>& residual) {
+std::vector<Pole> residual_mode_poles(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& residual) {
   // The best width at each place; what lies within its resonance is the same one seen at another width, and the weak
   // ones around it may be its flanks, which bend as well.
-  std::vector<Resonance> found = hidden_resonances(set, residual);
+  std::vector<Resonance> found = residual_resonances(set, residual);
   std::sort(found.begin(), found.end(), [](const Resonance& a, const Resonance& b) { return a.gain > b.gain; });
   std::vector<Resonance> kept;
   for (const Resonance& f : found) {
@@ -217,7 +218,7 @@ std::vector<Pole> hidden_poles(const FrfSet& set, const std::vector<Eigen::Vecto
   }
   std::erase_if(kept, [&](const Resonance& f) {
     const double freq_Hz = (static_cast<double>(set.lines.first) + f.line) * set.lines.df_Hz();
-    return set.reach_Hz > 0 && freq_Hz > set.reach_Hz && f.gain < kBeyondReachGain;
+    return set.usable_bandwidth_Hz > 0 && freq_Hz > set.usable_bandwidth_Hz && f.gain < kOutOfBandGain;
   });
   std::vector<Pole> poles;
   for (const Resonance& f : kept) {
@@ -227,7 +228,7 @@ std::vector<Pole> hidden_poles(const FrfSet& set, const std::vector<Eigen::Vecto
   return poles;
 }
 
-std::vector<Pole> poles_near(const FrfSet& set, const std::vector<double>& freq_Hz) {
+std::vector<Pole> poles_near(const FrfDataset& set, const std::vector<double>& freq_Hz) {
   std::vector<Pole> poles;
   for (const double asked_Hz : freq_Hz) {
     const Pole peak = peak_near(set, asked_Hz);

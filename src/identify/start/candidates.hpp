@@ -13,11 +13,11 @@ struct CandidateOptions {
 };
 
 /// The prominent maxima of Σ|H|² over the outputs, ascending.
-std::vector<std::size_t> prominent_lines(const FrfSet& set, const LineNoise& noise,
+std::vector<std::size_t> prominent_lines(const FrfDataset& set, const LineNoise& noise,
                                          const CandidateOptions& options = {});
 
 /// First poles from them, in ascending frequency.
-std::vector<Pole> candidate_poles(const FrfSet& set, const LineNoise& noise, const CandidateOptions& options = {});
+std::vector<Pole> candidate_poles(const FrfDataset& set, const LineNoise& noise, const CandidateOptions& options = {});
 
 /// A resonance on a straight background that stands out of the lines' own noise.
 struct Resonance {
@@ -27,14 +27,14 @@ struct Resonance {
 
 /// Where what is left of the FRFs (residual [outputs][lines], the known modes subtracted) rises so, at every width: one
 /// resonance shows at several of them.
-std::vector<Resonance> hidden_resonances(const FrfSet& set, const std::vector<Eigen::VectorXcd>& residual);
+std::vector<Resonance> residual_resonances(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& residual);
 
 /// First poles of modes too weak or too close to a stronger one to show as a peak of their own: the best width of each
 /// hidden resonance. The clearest first.
-std::vector<Pole> hidden_poles(const FrfSet& set, const std::vector<Eigen::VectorXcd>& residual);
+std::vector<Pole> residual_mode_poles(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& residual);
 
 /// A first pole for each frequency a person points at: that of the nearest peak, unless another frequency is nearer to
 /// it; then one of the frequency itself. In the order of the frequencies.
-std::vector<Pole> poles_near(const FrfSet& set, const std::vector<double>& freq_Hz);
+std::vector<Pole> poles_near(const FrfDataset& set, const std::vector<double>& freq_Hz);
 
 }  // namespace percuss

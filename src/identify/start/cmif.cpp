@@ -8,15 +8,15 @@
 
 namespace percuss {
 
-Eigen::MatrixXd cmif(const FrfSet& set, const LineRange& band) {
+Eigen::MatrixXd cmif(const FrfDataset& set, const LineRange& band) {
   assert(band.first >= set.lines.first && band.first + band.count <= set.lines.first + set.lines.count);
   std::set<std::size_t> channels;
-  for (const Output& output : set.outputs) channels.insert(output.channel);
+  for (const FrfChannel& output : set.outputs) channels.insert(output.channel);
   const auto rows = static_cast<Eigen::Index>(set.points.size()), columns = static_cast<Eigen::Index>(channels.size());
   Eigen::MatrixXd out(static_cast<Eigen::Index>(band.count), std::min(rows, columns));
   for (Eigen::Index k = 0; k < out.rows(); ++k) {
     Eigen::MatrixXcd frf = Eigen::MatrixXcd::Zero(rows, columns);
-    for (const Output& output : set.outputs) {
+    for (const FrfChannel& output : set.outputs) {
       const auto column = std::distance(channels.begin(), channels.find(output.channel));
       frf(static_cast<Eigen::Index>(output.point), column) =
           output.frf[band.first - set.lines.first + static_cast<std::size_t>(k)];

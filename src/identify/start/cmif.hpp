@@ -11,6 +11,6 @@ namespace percuss {
 /// shapes  result [band.count, min(points, channels)]; `band` within set.lines.
 /// units   (m/s²)/N.
 /// theory (5.6)
-Eigen::MatrixXd cmif(const FrfSet& set, const LineRange& band);
+Eigen::MatrixXd cmif(const FrfDataset& set, const LineRange& band);
 
 }  // namespace percuss

@@ -19,8 +19,8 @@ using Eigen::VectorXcd;
 // Points of the circle left free, times the order: fewer leave no room for the band's ends to differ, more leave the
 // powers of z indistinguishable from one another on the lines.
 constexpr double kGap = 8;
-constexpr double kMostGap = 0.3;
-constexpr std::size_t kMostOrder = 100;
+constexpr double kMaxGap = 0.3;
+constexpr std::size_t kMaxModelOrder = 100;
 constexpr std::size_t kLinesPerOrder = 4;
 constexpr double kRidge = 1e-15;      // of the diagonal: sends poles that noise-free lines do not need far out
 constexpr double kRidgeGrowth = 4;    // until the factorisation succeeds
@@ -37,7 +37,7 @@ struct Circle {
 };
 
 Circle circle_of(const LineRange& lines, const LscfOptions& options) {
-  const double gap = std::min(kMostGap, kGap / static_cast<double>(options.max_order));
+  const double gap = std::min(kMaxGap, kGap / static_cast<double>(options.max_order));
   const auto points = static_cast<std::size_t>(std::ceil(static_cast<double>(options.count) / (1 - gap)));
   Circle circle{.points = std::max(fast_length_at_most(points), options.count + 1), .lines = options.count};
   circle.first_rad_s = kTwoPi * lines.freq_Hz(options.first);
@@ -87,7 +87,7 @@ double largest_line_of(std::span<const Complex> lines) {
 }
 
 // (3) as a form in the coefficients of A, the numerators at their best: lower triangle of [max_order + 1]².
-MatrixXcd normal_matrix(const FrfSet& set, const LscfOptions& options, const Circle& circle) {
+MatrixXcd normal_matrix(const FrfDataset& set, const LscfOptions& options, const Circle& circle) {
   PowerSums sums(circle, options.max_order);
   const Eigen::LLT<MatrixXcd> powers(sums.toeplitz(sums.of([](std::size_t) { return 1.0; })));
   const Eigen::VectorXd noise = LineNoise(set).over(options.first, options.count);
@@ -131,7 +131,7 @@ std::vector<Pole> poles_of(const VectorXcd& w, const Circle& circle, double wind
     const Complex s(-std::log(std::abs(root)) / circle.step_s + window_decay_per_s,
                     circle.first_rad_s + angle / circle.step_s);
     const Pole pole{.freq_Hz = std::abs(s) / kTwoPi, .damping_ratio = -s.real() / std::abs(s)};
-    if (pole.damping_ratio > 0 && pole.damping_ratio < kMostDamping) poles.push_back(pole);
+    if (pole.damping_ratio > 0 && pole.damping_ratio < kMaxDampingRatio) poles.push_back(pole);
   }
   std::sort(poles.begin(), poles.end(), [](const Pole& a, const Pole& b) { return a.freq_Hz < b.freq_Hz; });
   return poles;
@@ -139,12 +139,12 @@ std::vector<Pole> poles_of(const VectorXcd& w, const Circle& circle, double wind
 
 }  // namespace
 
-std::vector<LscfOrder> lscf_poles(const FrfSet& set, const LscfOptions& asked) {
+std::vector<LscfOrder> lscf_poles(const FrfDataset& set, const LscfOptions& asked) {
   LscfOptions options = asked;
   options.first = std::min(asked.first, set.lines.count);
   const std::size_t left = set.lines.count - options.first;
   options.count = asked.count == 0 ? left : std::min(asked.count, left);
-  options.max_order = std::min({asked.max_order, options.count / kLinesPerOrder, kMostOrder});
+  options.max_order = std::min({asked.max_order, options.count / kLinesPerOrder, kMaxModelOrder});
   if (options.max_order < 2 || set.outputs.empty()) return {};
   const Circle circle = circle_of(set.lines, options);
   const MatrixXcd matrix = normal_matrix(set, options, circle);

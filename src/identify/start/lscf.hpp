@@ -33,6 +33,6 @@ struct LscfOrder {
 /// than 8 lines or no output.
 /// source  [6] in docs/sources.md.
 /// theory (4.3), (4.4), (4.5), (4.6)
-std::vector<LscfOrder> lscf_poles(const FrfSet& set, const LscfOptions& options = {});
+std::vector<LscfOrder> lscf_poles(const FrfDataset& set, const LscfOptions& options = {});
 
 }  // namespace percuss

@@ -77,7 +77,7 @@ const char* name_of(Stability stability) {
   return "";
 }
 
-Stabilisation stabilise(const FrfSet& set, const StabilisationOptions& options) {
+Stabilisation stabilise(const FrfDataset& set, const StabilisationOptions& options) {
   Stabilisation diagram;
   std::vector<Pole> before;
   for (LscfOrder& order : lscf_poles(set, options.lscf)) {
@@ -113,7 +113,7 @@ std::vector<PoleCluster> cluster_poles(const Stabilisation& diagram, const Stabi
   return out;
 }
 
-std::vector<Pole> stabilised_candidates(const FrfSet& set) {
+std::vector<Pole> stabilised_candidates(const FrfDataset& set) {
   std::vector<Pole> poles;
   const std::size_t count = set.lines.count;
   for (std::size_t begin = 0; begin < count; begin += kStretchLines) {

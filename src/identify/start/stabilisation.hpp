@@ -30,7 +30,7 @@ struct Stabilisation {
   double low_Hz = 0, high_Hz = 0;  // of the lines used
   std::vector<StabilisationPole> poles;
 };
-Stabilisation stabilise(const FrfSet& set, const StabilisationOptions& options = {});
+Stabilisation stabilise(const FrfDataset& set, const StabilisationOptions& options = {});
 
 /// Poles of different orders that are one and the same.
 struct PoleCluster {
@@ -47,6 +47,6 @@ std::vector<PoleCluster> cluster_poles(const Stabilisation& diagram, const Stabi
 
 /// First poles for a fit, in ascending frequency: the clusters of short overlapping stretches of lines, over which few
 /// modes share the orders, each taken from the stretch in whose middle it lies.
-std::vector<Pole> stabilised_candidates(const FrfSet& set);
+std::vector<Pole> stabilised_candidates(const FrfDataset& set);
 
 }  // namespace percuss

@@ -8,13 +8,13 @@
 namespace percuss {
 namespace {
 
-constexpr double kRingsOn = 0.1;                        // of the amplitude, at the record's end
+constexpr double kMinTruncation = 0.1;                  // of the amplitude, at the record's end
 constexpr std::size_t kFlankFrom = 4, kFlankUpTo = 16;  // lines from the peak: beyond its top, before most others
-constexpr double kAsHigh = 2;                           // times the flank
-constexpr double kMost = 0.25;                          // of the energy
+constexpr double kMaxRippleFactor = 2;                  // times the flank
+constexpr double kMaxRemainingEnergy = 0.25;            // of the energy
 
 // Its height times the distance in lines: the same everywhere on a flank.
-double flank_of(const FrfSet& set, std::size_t line) {
+double flank_height(const FrfDataset& set, std::size_t line) {
   std::vector<double> heights;
   for (std::size_t k = kFlankFrom; k <= kFlankUpTo; ++k) {
     if (line >= k) heights.push_back(std::sqrt(power_at(set, line - k)) * static_cast<double>(k));
@@ -25,27 +25,28 @@ double flank_of(const FrfSet& set, std::size_t line) {
 
 }  // namespace
 
-std::vector<char> ripples_among(const FrfSet& set, const std::vector<Pole>& poles) {
+std::vector<char> find_truncation_ripples(const FrfDataset& set, const std::vector<Pole>& poles) {
   std::vector<char> doubtful(poles.size(), 0);
   for (std::size_t p = 0; p < poles.size(); ++p) {
-    if (left_at_end(poles[p], set.lines, set.window_decay_per_s()) < kRingsOn) continue;
+    if (remaining_amplitude(poles[p], set.lines, set.window_decay_per_s()) < kMinTruncation) continue;
     const std::size_t line = set.lines.nearest(poles[p].freq_Hz);
-    const double flank = flank_of(set, line);
+    const double flank = flank_height(set, line);
     for (std::size_t q = 0; q < poles.size(); ++q) {
       const std::size_t other = set.lines.nearest(poles[q].freq_Hz);
       const double power = power_at(set, other);
       const auto apart = static_cast<double>(std::max(line, other) - std::min(line, other));
-      if (apart > 0 && power < power_at(set, line) && std::sqrt(power) * apart < kAsHigh * flank) doubtful[q] = 1;
+      if (apart > 0 && power < power_at(set, line) && std::sqrt(power) * apart < kMaxRippleFactor * flank)
+        doubtful[q] = 1;
     }
   }
   return doubtful;
 }
 
-bool remains(const FrfSet& set, const Pole& pole, const std::vector<Eigen::VectorXcd>& residual) {
+bool remains_in_residual(const FrfDataset& set, const Pole& pole, const std::vector<Eigen::VectorXcd>& residual) {
   const std::size_t line = set.lines.nearest(pole.freq_Hz);
   double left = 0;
   for (const Eigen::VectorXcd& output : residual) left += std::norm(output(static_cast<Eigen::Index>(line)));
-  return left > kMost * power_at(set, line);
+  return left > kMaxRemainingEnergy * power_at(set, line);
 }
 
 }  // namespace percuss

@@ -16,10 +16,10 @@ using Eigen::Index;
 
 constexpr double kNear = 3;            // half-power bandwidths, and lines
 constexpr double kUnexplained = 0.25;  // of a peak's energy: with less left of it, it is the modes' own
-constexpr double kPeakReach = 6;       // half-widths on either side that a peak's energy is taken over
+constexpr double kPeakSpan = 6;        // half-widths on either side that a peak's energy is taken over
 
 // What the modes, and what lies outside the band, leave of the FRFs, [outputs][lines].
-std::vector<Eigen::VectorXcd> left_by(const FrfSet& set, const std::vector<Mode>& modes) {
+std::vector<Eigen::VectorXcd> left_by(const FrfDataset& set, const std::vector<Mode>& modes) {
   std::vector<Eigen::VectorXcd> left;
   const auto made = synthesised_frfs(set, modes, set.lines);
   for (std::size_t o = 0; o < set.outputs.size(); ++o) {
@@ -33,7 +33,7 @@ std::vector<Eigen::VectorXcd> left_by(const FrfSet& set, const std::vector<Mode>
 // Of lines around a resonance, a straight background taken off.
 template <class Lines>
 double energy_around(const Resonance& at, const Lines& lines) {
-  const double reach = kPeakReach * at.half_width;
+  const double reach = kPeakSpan * at.half_width;
   const auto first = static_cast<Index>(std::max(0.0, std::floor(at.line - reach)));
   const auto last = std::min(lines.size() - 1, static_cast<Index>(std::ceil(at.line + reach)));
   const Eigen::VectorXcd part = lines.segment(first, last - first + 1);
@@ -43,7 +43,7 @@ double energy_around(const Resonance& at, const Lines& lines) {
 
 // A peak of the FRFs is its own when enough of it is left once the modes are subtracted: not the noise on another
 // mode's flank, nor a ripple that a decay cut off makes of it.
-bool unexplained(const FrfSet& set, const std::vector<Eigen::VectorXcd>& left, const Resonance& at) {
+bool unexplained(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& left, const Resonance& at) {
   double all = 0, rest = 0;
   for (std::size_t o = 0; o < set.outputs.size(); ++o) {
     const Eigen::Map<const Eigen::VectorXcd> frf(set.outputs[o].frf.data(), left[o].size());
@@ -55,28 +55,29 @@ bool unexplained(const FrfSet& set, const std::vector<Eigen::VectorXcd>& left, c
 
 }  // namespace
 
-std::vector<UnclaimedPeak> unclaimed_peaks(const FrfSet& set, const std::vector<Mode>& modes, double range_dB) {
+std::vector<UnmodelledPeak> unmodelled_peaks(const FrfDataset& set, const std::vector<Mode>& modes, double range_dB) {
   std::vector<std::size_t> lines = prominent_lines(set, LineNoise(set));
   std::erase_if(lines, [&](std::size_t line) {
     const double freq_Hz = set.lines.freq_Hz(line);
-    const bool reached = set.reach_Hz <= 0 || freq_Hz <= set.reach_Hz;
+    const bool reached = set.usable_bandwidth_Hz <= 0 || freq_Hz <= set.usable_bandwidth_Hz;
     return !reached || std::any_of(modes.begin(), modes.end(), [&](const Mode& mode) {
-      const double reach_Hz = kNear * std::max(mode.pole.half_power_Hz(), set.lines.df_Hz());
-      return std::abs(mode.pole.freq_Hz - freq_Hz) <= reach_Hz;
+      const double usable_bandwidth_Hz = kNear * std::max(mode.pole.half_power_Hz(), set.lines.df_Hz());
+      return std::abs(mode.pole.freq_Hz - freq_Hz) <= usable_bandwidth_Hz;
     });
   });
   if (lines.empty()) return {};
   double largest = 0;
   for (std::size_t k = 0; k < set.lines.count; ++k) largest = std::max(largest, power_at(set, k));
   const auto left = left_by(set, modes);
-  const auto resonances = hidden_resonances(set, left);
-  std::vector<UnclaimedPeak> peaks;
+  const auto resonances = residual_resonances(set, left);
+  std::vector<UnmodelledPeak> peaks;
   for (const std::size_t line : lines) {
-    const bool left_over = std::any_of(resonances.begin(), resonances.end(), [&](const Resonance& at) {
+    const bool unweighted_residual = std::any_of(resonances.begin(), resonances.end(), [&](const Resonance& at) {
       return std::abs(at.line - static_cast<double>(line)) <= 2 * at.half_width && unexplained(set, left, at);
     });
     const double level_dB = 10 * std::log10(power_at(set, line) / largest);
-    if (left_over && level_dB >= -range_dB) peaks.push_back({.freq_Hz = set.lines.freq_Hz(line), .level_dB = level_dB});
+    if (unweighted_residual && level_dB >= -range_dB)
+      peaks.push_back({.freq_Hz = set.lines.freq_Hz(line), .level_dB = level_dB});
   }
   return peaks;
 }

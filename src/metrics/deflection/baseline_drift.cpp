@@ -13,9 +13,9 @@ namespace {
 using Eigen::Matrix2d;
 using Eigen::Vector2d;
 
-constexpr std::size_t kLeastRest = 8;  // samples that a line and its scatter take
+constexpr std::size_t kMinRest = 8;    // samples that a line and its scatter take
 constexpr double kUnknownBias = 0.1;   // of the signal: a sensor worse than that is broken
-constexpr double kLeastCycles = 3;     // of the slowest oscillation within a window for its mean to be near zero
+constexpr double kMinCycles = 3;       // of the slowest oscillation within a window for its mean to be near zero
 constexpr double kContradiction = 30;  // χ² of two means: one in three million
 constexpr double kLeakageMargin = 2;   // the oscillation's amplitude and phase are only estimated
 
@@ -54,11 +54,11 @@ WindowMean window_mean(std::span<const double> w, double fs_Hz, double corner_Hz
 }
 
 // Deviation from a parabola through the window, and how fast it swings: cycles within the window.
-struct Swing {
+struct ParabolaResidual {
   double amplitude_m = 0, cycles = 0;
 };
 
-Swing swing_of(std::span<const double> w, double from, double to) {
+ParabolaResidual parabola_residual(std::span<const double> w, double from, double to) {
   const auto begin = static_cast<std::size_t>(from * static_cast<double>(w.size()));
   const auto end = static_cast<std::size_t>(to * static_cast<double>(w.size()));
   const auto count = static_cast<Eigen::Index>(end - begin);
@@ -97,11 +97,11 @@ Vector2d drifted_velocity_mps(double t_s, double highpass_corner_Hz) {
   return {t_s + corner * t2 / 2, t2 / 2 + corner * t2 * t_s / 6};
 }
 
-RestState rest_state(std::span<const double> before_mps2, double fs_Hz, double unknown_mps2) {
+BaselineEstimate baseline_estimate(std::span<const double> before_mps2, double fs_Hz, double unknown_mps2) {
   const auto n = static_cast<double>(before_mps2.size());
   const double wide = kUnknownBias * unknown_mps2;
-  RestState rest{.bias = Vector2d::Zero(), .covariance = Vector2d(wide * wide, wide * wide).asDiagonal()};
-  if (before_mps2.size() < kLeastRest) return rest;
+  BaselineEstimate rest{.bias = Vector2d::Zero(), .covariance = Vector2d(wide * wide, wide * wide).asDiagonal()};
+  if (before_mps2.size() < kMinRest) return rest;
   Matrix2d normal = Matrix2d::Zero();
   Vector2d right = Vector2d::Zero();
   const auto basis = [&](std::size_t i) { return Vector2d(1, (static_cast<double>(i) - n) / fs_Hz); };
@@ -118,17 +118,17 @@ RestState rest_state(std::span<const double> before_mps2, double fs_Hz, double u
   return rest;
 }
 
-LateConstraint late_constraint(std::span<const double> deflection_m, double fs_Hz, double highpass_corner_Hz,
-                               const RestState& rest) {
-  LateConstraint out{.bias = Vector2d::Zero(), .covariance = rest.covariance};
+ZeroMeanCorrection zero_mean_correction(std::span<const double> deflection_m, double fs_Hz, double highpass_corner_Hz,
+                                        const BaselineEstimate& rest) {
+  ZeroMeanCorrection out{.bias = Vector2d::Zero(), .covariance = rest.covariance};
   std::array<WindowMean, 2> windows;
   Vector2d mean, leaks;
   Matrix2d by_bias;
   const std::array<std::pair<double, double>, 2> places{{{1.0 / 3, 2.0 / 3}, {2.0 / 3, 1.0}}};
   for (std::size_t i = 0; i < windows.size(); ++i) {
     const auto [from, to] = places.at(i);
-    const Swing swing = swing_of(deflection_m, from, to);
-    if (swing.cycles < kLeastCycles) return out;
+    const ParabolaResidual swing = parabola_residual(deflection_m, from, to);
+    if (swing.cycles < kMinCycles) return out;
     windows.at(i) = window_mean(deflection_m, fs_Hz, highpass_corner_Hz, from, to);
     const auto k = static_cast<Eigen::Index>(i);
     mean(k) = windows.at(i).mean_m;

@@ -12,15 +12,15 @@
 namespace percuss {
 namespace {
 
-constexpr std::size_t kLeastBefore = 8;  // samples at rest that a bias can be read from
-constexpr std::size_t kRinging = 32;     // samples before the onset that an anti-alias filter rings for, at the most
+constexpr std::size_t kMinBefore = 8;  // samples at rest that a bias can be read from
+constexpr std::size_t kRinging = 32;   // samples before the onset that an anti-alias filter rings for, at the most
 constexpr double kMethodError = 1e-6;  // of the largest deflection: what rounding and the filter's first ringing leave
 constexpr double kOnsetNoise = 8, kOnsetLevel = 1e-3;
 constexpr double kSureDeviations = 4;
 constexpr double kClearlyMoved = 0.1;  // of the largest deflection
 constexpr double kHalf = 0.5;          // of the frequency of the strongest line, below which nothing is kept
 
-double largest_magnitude(std::span<const double> x) { return extremes_of(x).furthest_from(0); }
+double largest_magnitude(std::span<const double> x) { return extremes_of(x).max_distance_from(0); }
 
 // Samples before the filter's ringing begins: those at rest.
 std::size_t samples_at_rest(const ImpactSignal& signal) {
@@ -33,7 +33,7 @@ void prepend_rest(std::vector<double>& values, std::size_t samples) { values.ins
 Deflection drift_free(const ImpactSignal& signal, const DeflectionOptions& options) {
   const std::size_t first = std::min(samples_at_rest(signal), signal.accel_mps2.size() - 1);
   const auto moving = signal.accel_mps2.subspan(first);
-  const RestState rest = rest_state(signal.accel_mps2.first(first), signal.fs_Hz, rms(moving));
+  const BaselineEstimate rest = baseline_estimate(signal.accel_mps2.first(first), signal.fs_Hz, rms(moving));
   std::vector<double> accel(moving.begin(), moving.end());
   for (std::size_t i = 0; i < accel.size(); ++i)
     accel[i] -= rest.bias(0) + rest.bias(1) * static_cast<double>(i) / signal.fs_Hz;
@@ -44,8 +44,8 @@ Deflection drift_free(const ImpactSignal& signal, const DeflectionOptions& optio
     const auto rigid = modal_deflection(signal.force_N.subspan(first), signal.fs_Hz, {}, signal.rigid_per_kg);
     for (std::size_t i = 0; i < swing.size(); ++i) swing[i] -= rigid.deflection_m[i];
   }
-  LateConstraint late{.bias = Eigen::Vector2d::Zero(), .covariance = rest.covariance};
-  if (known || !options.free_body) late = late_constraint(swing, signal.fs_Hz, options.highpass_corner_Hz, rest);
+  ZeroMeanCorrection late{.bias = Eigen::Vector2d::Zero(), .covariance = rest.covariance};
+  if (known || !options.free_body) late = zero_mean_correction(swing, signal.fs_Hz, options.highpass_corner_Hz, rest);
   Deflection out{.method = DeflectionMethod::drift_free, .bias_mps2 = rest.bias(0) + late.bias(0), .held = late.held};
   out.std_m.resize(accel.size());
   const double largest = largest_magnitude(motion.deflection_m);
@@ -71,7 +71,7 @@ Deflection small_interval(const ImpactSignal& signal) {
   Motion motion = small_interval_sums(signal.accel_mps2.subspan(first), signal.fs_Hz);
   for (auto* values : {&motion.velocity_mps, &motion.deflection_m}) prepend_rest(*values, first);
   const double time_s = static_cast<double>(signal.accel_mps2.size() - first) / signal.fs_Hz;
-  const RestState rest = rest_state(signal.accel_mps2.first(first), signal.fs_Hz, rms(signal.accel_mps2));
+  const BaselineEstimate rest = baseline_estimate(signal.accel_mps2.first(first), signal.fs_Hz, rms(signal.accel_mps2));
   return {.method = DeflectionMethod::small_interval,
           .velocity_mps = std::move(motion.velocity_mps),
           .deflection_m = std::move(motion.deflection_m),
@@ -93,11 +93,11 @@ double strongest_line_Hz(std::span<const double> accel_mps2, double fs_Hz) {
 
 Deflection by_lines(const ImpactSignal& signal, const DeflectionOptions& options) {
   const std::size_t first = std::min(samples_at_rest(signal), signal.accel_mps2.size() - 1);
-  const RestState rest = rest_state(signal.accel_mps2.first(first), signal.fs_Hz, rms(signal.accel_mps2));
+  const BaselineEstimate rest = baseline_estimate(signal.accel_mps2.first(first), signal.fs_Hz, rms(signal.accel_mps2));
   std::vector<double> accel(signal.accel_mps2.begin(), signal.accel_mps2.end());
   for (double& value : accel) value -= rest.bias(0);
   const double lowest_Hz = options.lowest_Hz.value_or(kHalf * strongest_line_Hz(accel, signal.fs_Hz));
-  Motion motion = integrate_by_lines(accel, signal.fs_Hz, options.highpass_corner_Hz, lowest_Hz);
+  Motion motion = integrate_in_frequency_domain(accel, signal.fs_Hz, options.highpass_corner_Hz, lowest_Hz);
   // At rest until the impact: the constants of integration.
   const double w0 = motion.deflection_m[first], v0 = motion.velocity_mps[first];
   for (std::size_t i = 0; i < accel.size(); ++i) {
@@ -130,7 +130,7 @@ Deflection by_modes(const ImpactSignal& signal) {
 
 // Where direction times deflection is largest beyond four of its deviations: late in a record that drifts, large values
 // mean nothing, and one of six walks ends beyond one deviation. Direction 0: either way. None: nothing stands out.
-std::optional<std::size_t> surest(const Deflection& d, double direction) {
+std::optional<std::size_t> most_significant_peak(const Deflection& d, double direction) {
   std::optional<std::size_t> best;
   double most = 0;
   for (std::size_t i = 0; i < d.deflection_m.size(); ++i) {
@@ -145,7 +145,7 @@ std::optional<std::size_t> surest(const Deflection& d, double direction) {
 void find_peaks_of(Deflection& d) {
   const auto deviation = [&](std::size_t i) { return d.std_m.empty() ? 0 : d.std_m[i]; };
   d.peak_m = d.peak_std_m = d.forward_m = d.forward_std_m = std::numeric_limits<double>::quiet_NaN();
-  const auto peak = surest(d, 0);
+  const auto peak = most_significant_peak(d, 0);
   if (!peak) return;
   d.peak = *peak;
   d.peak_m = d.deflection_m[d.peak];
@@ -153,7 +153,7 @@ void find_peaks_of(Deflection& d) {
   const double clear = kClearlyMoved * std::abs(d.peak_m);
   const auto first =
       std::find_if(d.deflection_m.begin(), d.deflection_m.end(), [&](double w) { return std::abs(w) >= clear; });
-  const auto forward = surest(d, std::copysign(1.0, first == d.deflection_m.end() ? d.peak_m : *first));
+  const auto forward = most_significant_peak(d, std::copysign(1.0, first == d.deflection_m.end() ? d.peak_m : *first));
   if (!forward) return;
   d.forward_m = d.deflection_m[*forward];
   d.forward_std_m = deviation(*forward);
@@ -181,7 +181,7 @@ Deflection deflection_of(const ImpactSignal& signal, const DeflectionOptions& op
   assert(!signal.accel_mps2.empty());
   DeflectionMethod method = options.method;
   if (method == DeflectionMethod::automatic) {
-    const bool modal = samples_at_rest(signal) < kLeastBefore && !signal.force_N.empty() && !signal.modes.empty();
+    const bool modal = samples_at_rest(signal) < kMinBefore && !signal.force_N.empty() && !signal.modes.empty();
     method = modal ? DeflectionMethod::modal : DeflectionMethod::drift_free;
   }
   Deflection out = method == DeflectionMethod::small_interval ? small_interval(signal)
@@ -193,9 +193,9 @@ Deflection deflection_of(const ImpactSignal& signal, const DeflectionOptions& op
 }
 
 double motion_onset_s(std::span<const double> accel_mps2, double fs_Hz) {
-  const std::size_t quiet = std::min(accel_mps2.size(), std::max<std::size_t>(kLeastBefore, accel_mps2.size() / 50));
+  const std::size_t quiet = std::min(accel_mps2.size(), std::max<std::size_t>(kMinBefore, accel_mps2.size() / 50));
   const Spread noise = spread_of({accel_mps2.begin(), accel_mps2.begin() + static_cast<std::ptrdiff_t>(quiet)});
-  const double largest = extremes_of(accel_mps2).furthest_from(noise.median);
+  const double largest = extremes_of(accel_mps2).max_distance_from(noise.median);
   const double level = std::max(kOnsetNoise * noise.robust_std, kOnsetLevel * largest);
   const auto moves =
       std::find_if(accel_mps2.begin(), accel_mps2.end(), [&](double a) { return std::abs(a - noise.median) > level; });

@@ -22,7 +22,7 @@ struct ImpactSignal {
   // What is known of the excitation, for the modal method and for a free body:
   std::span<const double> force_N;  // [samples]; empty: not measured
   double rigid_per_kg = 0;          // accelerance of the free body at the point; 0: held, or not known
-  std::vector<ModeShare> modes;
+  std::vector<ModalContribution> modes;
 };
 
 struct DeflectionOptions {
@@ -44,7 +44,7 @@ struct Deflection {
   double forward_m = 0, forward_std_m = 0;  // the same of deflections the way the structure first went; signed
   double drift_m = 0;                       // deviation that bias and drift have at the last sample
 
-  bool peak_is_told() const { return !std::isnan(peak_m); }
+  bool has_peak() const { return !std::isnan(peak_m); }
 };
 
 /// Deflection of the struck structure from its acceleration (and force). drift_free: bias of the samples before the

@@ -7,7 +7,7 @@
 namespace percuss {
 
 Motion integrate_twice(std::span<const double> accel_mps2, double fs_Hz, double highpass_corner_Hz) {
-  const LaplaceLine line(accel_mps2, fs_Hz);
+  const LaplaceTransform line(accel_mps2, fs_Hz);
   const double corner = kTwoPi * highpass_corner_Hz;
   const auto accel = [corner](Complex s) { return corner > 0 ? (s + corner) / s : Complex(1); };  // (1)
   return {.velocity_mps = line.response([&](Complex s) { return accel(s) / s; }),
@@ -23,8 +23,8 @@ Motion small_interval_sums(std::span<const double> accel_mps2, double fs_Hz) {
   return motion;
 }
 
-Motion integrate_by_lines(std::span<const double> accel_mps2, double fs_Hz, double highpass_corner_Hz,
-                          double lowest_Hz) {
+Motion integrate_in_frequency_domain(std::span<const double> accel_mps2, double fs_Hz, double highpass_corner_Hz,
+                                     double lowest_Hz) {
   auto lines = real_dft(accel_mps2);
   const double step = kTwoPi * fs_Hz / static_cast<double>(accel_mps2.size());
   const double corner = kTwoPi * highpass_corner_Hz;

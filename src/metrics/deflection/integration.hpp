@@ -26,7 +26,7 @@ Motion small_interval_sums(std::span<const double> accel_mps2, double fs_Hz);
 /// Division by jω and (jω)² line by line of the whole record, lines below lowest_Hz left out: no drift, but what is
 /// slower is lost, and a record that does not begin and end at rest wraps around.
 /// theory (7.7)
-Motion integrate_by_lines(std::span<const double> accel_mps2, double fs_Hz, double highpass_corner_Hz,
-                          double lowest_Hz);
+Motion integrate_in_frequency_domain(std::span<const double> accel_mps2, double fs_Hz, double highpass_corner_Hz,
+                                     double lowest_Hz);
 
 }  // namespace percuss

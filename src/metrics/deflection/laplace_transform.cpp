@@ -13,7 +13,7 @@ constexpr double kWindowEnd = 30;
 
 }  // namespace
 
-LaplaceLine::LaplaceLine(std::span<const double> x, double fs_Hz)
+LaplaceTransform::LaplaceTransform(std::span<const double> x, double fs_Hz)
     : fs_Hz_(fs_Hz),
       samples_(x.size()),
       padded_(fast_length_at_least(2 * x.size())),
@@ -23,11 +23,11 @@ LaplaceLine::LaplaceLine(std::span<const double> x, double fs_Hz)
   lines_ = real_dft(windowed);
 }
 
-double LaplaceLine::window(std::size_t sample) const {
+double LaplaceTransform::window(std::size_t sample) const {
   return std::exp(-decay_per_s_ * static_cast<double>(sample) / fs_Hz_);
 }
 
-std::vector<double> LaplaceLine::response(const std::function<Complex(Complex s)>& transfer) const {
+std::vector<double> LaplaceTransform::response(const std::function<Complex(Complex s)>& transfer) const {
   std::vector<Complex> scaled(lines_.size());
   const double step = kTwoPi * fs_Hz_ / static_cast<double>(padded_);
   for (std::size_t k = 0; k < lines_.size(); ++k)

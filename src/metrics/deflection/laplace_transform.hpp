@@ -12,9 +12,9 @@ namespace percuss {
 /// band-limited and as zero before its first sample; 1e-9 of the largest value is what rounding leaves at the last.
 ///   y = L⁻¹[H(s)·X(s)],  X(s) = Δt Σ x(n) exp(−s n Δt)                              (1)
 /// theory (7.2)
-class LaplaceLine {
+class LaplaceTransform {
  public:
-  LaplaceLine(std::span<const double> x, double fs_Hz);
+  LaplaceTransform(std::span<const double> x, double fs_Hz);
 
   /// (1) for H = transfer, at the samples of x.
   std::vector<double> response(const std::function<Complex(Complex s)>& transfer) const;

@@ -20,19 +20,19 @@ Complex receptance(const Pole& pole, Complex residue, Complex s) {
 
 }  // namespace
 
-ModalDeflection modal_deflection(std::span<const double> force_N, double fs_Hz, const std::vector<ModeShare>& modes,
-                                 double rigid_per_kg) {
-  const LaplaceLine force(force_N, fs_Hz);
+ModalDeflection modal_deflection(std::span<const double> force_N, double fs_Hz,
+                                 const std::vector<ModalContribution>& modes, double rigid_per_kg) {
+  const LaplaceTransform force(force_N, fs_Hz);
   const auto total = [&](Complex s) {
     Complex sum = rigid_per_kg / (s * s);
-    for (const ModeShare& mode : modes) sum += receptance(mode.pole, mode.residue_per_kg, s);
+    for (const ModalContribution& mode : modes) sum += receptance(mode.pole, mode.residue_per_kg, s);
     return sum;
   };
   ModalDeflection out{.accel_mps2 = force.response([&](Complex s) { return s * s * total(s); }),
                       .velocity_mps = force.response([&](Complex s) { return s * total(s); }),
                       .deflection_m = force.response(total),
                       .std_m = std::vector<double>(force_N.size())};
-  for (const ModeShare& mode : modes) {
+  for (const ModalContribution& mode : modes) {
     for (const Complex& unit : {Complex(1, 0), Complex(0, 1)}) {
       const auto share = force.response([&](Complex s) { return receptance(mode.pole, unit, s); });
       for (std::size_t i = 0; i < share.size(); ++i) out.std_m[i] += std::pow(share[i] * mode.residue_std_per_kg, 2);

@@ -8,7 +8,7 @@
 namespace percuss {
 
 /// A mode as one sensor sees it from one impact point.
-struct ModeShare {
+struct ModalContribution {
   Pole pole;
   std::complex<double> residue_per_kg;
   double residue_std_per_kg = 0;  // of the real and of the imaginary part
@@ -23,7 +23,7 @@ struct ModalDeflection {
   std::vector<double> accel_mps2, velocity_mps, deflection_m, std_m;
 };
 /// rigid_per_kg: 1/m of (1), the accelerance of the free body at the point; 0 for a structure that is held.
-ModalDeflection modal_deflection(std::span<const double> force_N, double fs_Hz, const std::vector<ModeShare>& modes,
-                                 double rigid_per_kg);
+ModalDeflection modal_deflection(std::span<const double> force_N, double fs_Hz,
+                                 const std::vector<ModalContribution>& modes, double rigid_per_kg);
 
 }  // namespace percuss

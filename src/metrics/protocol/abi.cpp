@@ -29,9 +29,9 @@ const char* kind_of(const AbiEntry& entry) {
 }
 
 // One log being followed.
-class Procedure {
+class AbiEvaluation {
  public:
-  Procedure(const AbiLog& log, const AbiRules& rules) : log_(log), rules_(rules) {}
+  AbiEvaluation(const AbiLog& log, const AbiRules& rules) : log_(log), rules_(rules) {}
 
   AbiRun run() {
     for (const AbiEntry& entry : log_.entries) take(entry);
@@ -82,25 +82,25 @@ class Procedure {
     } else {
       unrolled_lbf_ = mean_lbf;
       run_.roll = 0;
-      run_.next = reduction > rules_.skip_reduction + kReadingSlack ? AbiStep::performance : AbiStep::roll;
+      run_.next = reduction > rules_.skip_reduction + kReadingTolerance ? AbiStep::performance : AbiStep::roll;
     }
     if (run_.next == AbiStep::roll) give_up_beyond_depth();
   }
 
   // Step 6.
   void enough_rolling(double reduction) {
-    const bool enough = reduction >= rules_.least_reduction - kReadingSlack;
+    const bool enough = reduction >= rules_.min_reduction - kReadingTolerance;
     run_.next = enough ? AbiStep::performance : AbiStep::roll;
-    if (reduction > 2 * rules_.least_reduction) {
+    if (reduction > 2 * rules_.min_reduction) {
       remark("overshoot", fmt::format("cycle {}: {:.1f} % of reduction; as close to {:g} % as possible is asked for",
-                                      run_.cycle, 100 * reduction, 100 * rules_.least_reduction));
+                                      run_.cycle, 100 * reduction, 100 * rules_.min_reduction));
     }
   }
 
   void give_up_beyond_depth() {
-    if (next_depth_in(run_, rules_) <= rules_.deepest_in) return;
+    if (next_depth_in(run_, rules_) <= rules_.max_depth_in) return;
     end(AbiVerdict::undecided, fmt::format("the rollers are at their end and the barrel has not softened by {:g} %",
-                                           100 * rules_.least_reduction));
+                                           100 * rules_.min_reduction));
   }
 
   void rolled(const AbiRoll& roll) {
@@ -135,10 +135,10 @@ class Procedure {
       run_.verdict = AbiVerdict::fail;
     }
     const double drop = best - test.value, asked = log_.bbcor ? rules_.pass_drop_bbcor : rules_.pass_drop_besr;
-    if (!first && drop >= asked - kReadingSlack)
+    if (!first && drop >= asked - kReadingTolerance)
       return end(AbiVerdict::pass, fmt::format("cycle {}: {:.4f} below the best of {:g}", run_.cycle, drop, best));
     if (test.broken) return end(AbiVerdict::undecided, "broken before its performance fell");
-    if (run_.cycle >= rules_.most_cycles) end(AbiVerdict::undecided, "its performance does not fall");
+    if (run_.cycle >= rules_.max_cycles) end(AbiVerdict::undecided, "its performance does not fall");
   }
 
   // A failure stays one.
@@ -180,8 +180,8 @@ double next_depth_in(const AbiRun& run, const AbiRules& rules) {
   return run.depth_in ? *run.depth_in + rules.depth_step_in : rules.first_depth_in;
 }
 
-AbiRun follow_abi(const AbiLog& log, const AbiRules& rules) {
-  AbiRun run = Procedure(log, rules).run();
+AbiRun evaluate_abi(const AbiLog& log, const AbiRules& rules) {
+  AbiRun run = AbiEvaluation(log, rules).run();
   if (!log.material.empty() && log.material != "composite") {
     run.remarks.push_back(
         {"material", "the procedure is for barrels of composite, not of " + one_line(log.material, 40)});
@@ -190,7 +190,7 @@ AbiRun follow_abi(const AbiLog& log, const AbiRules& rules) {
   return run;
 }
 
-std::string next_words(const AbiRun& run, const AbiRules& rules) {
+std::string next_step_text(const AbiRun& run, const AbiRules& rules) {
   if (run.next == AbiStep::done)
     return fmt::format("{}: {}", run.verdict == AbiVerdict::undecided ? "no verdict" : name_of(run.verdict), run.why);
   std::string out = fmt::format("step {}: {}", static_cast<int>(run.next), what_is_done(run.next));

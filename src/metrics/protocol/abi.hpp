@@ -10,12 +10,12 @@ namespace percuss {
 
 /// Gates of the break-in, [8] in docs/sources.md, appendix E, and where a run that leads nowhere is given up.
 struct AbiRules {
-  double least_reduction = 0.05;  // that rolling is to reach
-  double skip_reduction = 0.15;   // above it the barrel is not rolled before the next test
+  double min_reduction = 0.05;   // that rolling is to reach
+  double skip_reduction = 0.15;  // above it the barrel is not rolled before the next test
   double pass_drop_besr = 0.014, pass_drop_bbcor = 0.018;
   double first_depth_in = 0.10, depth_step_in = 0.0125, depth_tolerance_in = 0.00625;
-  double deepest_in = 0.5;  // no barrel is a barrel beyond
-  int most_cycles = 50;
+  double max_depth_in = 0.5;  // no barrel is a barrel beyond
+  int max_cycles = 50;
 };
 
 /// The procedure's steps by their printed numbers; 6 and 8 are decisions, not things to do.
@@ -64,12 +64,12 @@ struct AbiRun {
 /// are written, (P14): in print its sign and denominator are reversed. errors  InputError naming entry and step:
 /// another thing was done than comes next, something was done after the end, the rollers were brought in less than
 /// before.
-AbiRun follow_abi(const AbiLog& log, const AbiRules& rules = {});
+AbiRun evaluate_abi(const AbiLog& log, const AbiRules& rules = {});
 
 /// The rollers' next depth.
 double next_depth_in(const AbiRun& run, const AbiRules& rules = {});
 
 /// What comes next in words: "step 4: roll the barrel, rollers 0.1125 in in".
-std::string next_words(const AbiRun& run, const AbiRules& rules = {});
+std::string next_step_text(const AbiRun& run, const AbiRules& rules = {});
 
 }  // namespace percuss

@@ -9,7 +9,7 @@ namespace percuss {
 namespace {
 
 constexpr std::uint64_t kLargestLog_bytes = std::uint64_t{1} << 20U;
-constexpr std::size_t kMostEntries = 10'000;
+constexpr std::size_t kMaxEntries = 10'000;
 constexpr double kLoadFrame_lbf = 1000;
 
 AbiEntry read_abi_entry(StrictObject& o) {
@@ -63,7 +63,7 @@ void read_abi_document(StrictObject& o, AbiLog& log) {
   o.read_within("limit", 0, 2, log.limit);
   o.read("continued_after_failure", log.continued);
   o.read_list("entries", [&](StrictObject& entry) {
-    if (log.entries.size() == kMostEntries) o.fail("more than 10000 entries", "entries", "keep one bat per log");
+    if (log.entries.size() == kMaxEntries) o.fail("more than 10000 entries", "entries", "keep one bat per log");
     log.entries.push_back(read_abi_entry(entry));
   });
 }

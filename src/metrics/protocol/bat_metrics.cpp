@@ -7,17 +7,17 @@
 namespace percuss {
 namespace {
 
-constexpr double kLeastBelow = 2.1, kMostBelow = 3.0;  // ounces of class −3
-constexpr double kLeastExponent = 0.08, kMostExponent = 0.37;
+constexpr double kMinBelow = 2.1, kMaxBelow = 3.0;  // ounces of class −3
+constexpr double kMinExponent = 0.08, kMaxExponent = 0.37;
 
 // f(the numbers), or nothing when one of them is absent.
 template <class F, class... T>
-std::optional<Measured> given(F&& f, const std::optional<T>&... numbers) {
+std::optional<UncertainValue> given(F&& f, const std::optional<T>&... numbers) {
   if (!(numbers.has_value() && ...)) return std::nullopt;
   return f(*numbers...);
 }
 
-std::optional<Measured> besr_from(const BatReadings& r, const std::optional<Measured>& k) {
+std::optional<UncertainValue> besr_from(const BatReadings& r, const std::optional<UncertainValue>& k) {
   if (r.out_mps && r.in_mps) return besr_of(*r.out_mps, *r.in_mps) + r.lot_correction;  // (P6), (P11)
   if (r.besr) return r.besr;
   return given([](const auto& bbcor, const auto& ratio) { return besr_from_bbcor(bbcor, ratio); }, r.bbcor, k);  // (P9)
@@ -26,7 +26,7 @@ std::optional<Measured> besr_from(const BatReadings& r, const std::optional<Meas
 }  // namespace
 
 std::optional<int> drop_class_of(double drop) {
-  if (-drop >= kLeastBelow - kReadingSlack && -drop <= kMostBelow + kReadingSlack) return -3;
+  if (-drop >= kMinBelow - kReadingTolerance && -drop <= kMaxBelow + kReadingTolerance) return -3;
   return std::nullopt;
 }
 
@@ -50,7 +50,7 @@ BatMetrics bat_metrics(const BatReadings& r) {
                   r.length_m, r.z_m, out.moi_kgm2);  // (P4)
   out.besr = besr_from(r, out.k);
   out.ncaa_besr = given(
-      [&](const auto& v_out, const auto& v_in, const auto& contact) -> Measured {
+      [&](const auto& v_out, const auto& v_in, const auto& contact) -> UncertainValue {
         return ncaa_besr_of(v_out, v_in, contact, r.nominal_mps) + r.lot_correction;
       },
       r.out_mps, r.in_mps, out.contact_mps);  // (P7)
@@ -70,9 +70,9 @@ std::vector<MetricsWarning> metrics_warnings(const BatReadings& r, const BatMetr
                    "the swing model's v0 is 60 mph: the 40 mph that the source prints would make 44 mph of the 66 mph "
                    "that it states for the barrel (--v0-mph)"});
   }
-  if (r.swing.exponent < kLeastExponent || r.swing.exponent > kMostExponent) {
-    out.push_back({"swing_exponent", fmt::format("players' exponents range from {} to {}, not {:g}", kLeastExponent,
-                                                 kMostExponent, r.swing.exponent)});
+  if (r.swing.exponent < kMinExponent || r.swing.exponent > kMaxExponent) {
+    out.push_back({"swing_exponent", fmt::format("players' exponents range from {} to {}, not {:g}", kMinExponent,
+                                                 kMaxExponent, r.swing.exponent)});
   }
   if (m.drop && !m.drop_class) {
     out.push_back({"drop_class", fmt::format("a drop of {:.3f} is not in class -3 (2.1 to 3.0 oz below the length)",

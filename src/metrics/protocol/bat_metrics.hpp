@@ -11,12 +11,12 @@ namespace percuss {
 /// What was read of one bat and one impact, each with the standard deviation of its reading; SI. What was not read is
 /// absent, and so is every result that needs it.
 struct BatReadings {
-  std::optional<Measured> length_m, mass_kg, cg_m, period_s;
-  std::optional<Measured> moi_kgm2;      // in place of the pendulum's
-  std::optional<Measured> ball_kg, z_m;  // z from the barrel's tip
-  std::optional<Measured> in_mps, out_mps;
-  std::optional<Measured> besr, bbcor;  // in place of the speeds'
-  std::optional<Measured> swing_mps;    // in place of the swing model's
+  std::optional<UncertainValue> length_m, mass_kg, cg_m, period_s;
+  std::optional<UncertainValue> moi_kgm2;      // in place of the pendulum's
+  std::optional<UncertainValue> ball_kg, z_m;  // z from the barrel's tip
+  std::optional<UncertainValue> in_mps, out_mps;
+  std::optional<UncertainValue> besr, bbcor;  // in place of the speeds'
+  std::optional<UncertainValue> swing_mps;    // in place of the swing model's
   double pitch_mps = kPitchSpeed_mps;
   double nominal_mps = kNominalSpeed_mps;
   double gravity_mps2 = kProtocolGravity_mps2;
@@ -26,7 +26,7 @@ struct BatReadings {
 
 /// The results, (P1) to (P10); absent where the readings do not allow them.
 struct BatMetrics {
-  std::optional<Measured> drop, moi_kgm2, besr, ncaa_besr, bbs_mps, bbcor, contact_mps, swing_mps, k;
+  std::optional<UncertainValue> drop, moi_kgm2, besr, ncaa_besr, bbs_mps, bbcor, contact_mps, swing_mps, k;
   std::optional<int> drop_class;
 };
 

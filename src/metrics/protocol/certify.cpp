@@ -115,7 +115,7 @@ bool damaged(const Certification& c) {
 CertifyVerdict verdict_of(const Session& s, const Certification& c) {
   if (damaged(c)) return CertifyVerdict::fail;
   if (!c.correction || !c.conditions.empty()) return CertifyVerdict::in_progress;
-  if (s.limit && c.best && *c.best > *s.limit + kReadingSlack) return CertifyVerdict::fail;
+  if (s.limit && c.best && *c.best > *s.limit + kReadingTolerance) return CertifyVerdict::fail;
   if (c.search.state == SearchState::shoot) return CertifyVerdict::in_progress;
   if (!c.sweet_spot_in) return CertifyVerdict::undecided;
   return s.limit ? CertifyVerdict::pass : CertifyVerdict::no_limit;

@@ -11,14 +11,14 @@
 namespace percuss {
 namespace {
 
-constexpr double kMostUneven = 0.2;  // of a period: damping and noise are far below, a lost crossing is a half or more
+constexpr double kMaxUneven = 0.2;  // of a period: damping and noise are far below, a lost crossing is a half or more
 
 std::string uneven_crossing(const std::vector<double>& times_s, std::size_t p) {
   std::vector<double> spans;
   for (std::size_t n = 0; n + p < times_s.size(); ++n) spans.push_back(times_s[n + p] - times_s[n]);
   const double usual = median(spans);
   for (std::size_t n = 0; n < spans.size(); ++n) {
-    if (std::abs(spans[n] - usual) > kMostUneven * usual) {
+    if (std::abs(spans[n] - usual) > kMaxUneven * usual) {
       return fmt::format("time {} comes {:.4g} s after time {}, others {:.4g} s: one is missing or counted twice",
                          n + p + 1, spans[n], n + 1, usual);
     }

@@ -10,7 +10,7 @@ double reading_std(double step);
 double recorded(double value, double step);
 
 /// What limits on readings leave to the binary form of decimal numbers: 146.4 − 145.4 is a little more than 1.
-inline constexpr double kReadingSlack = 1e-9;
+inline constexpr double kReadingTolerance = 1e-9;
 
 /// The steps to which a bat and a ball are read, [8] in docs/sources.md, sections 3.2 and 3.4. In the units of the
 /// instruments, as the protocol says them.

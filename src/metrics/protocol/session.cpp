@@ -14,7 +14,7 @@ namespace percuss {
 namespace {
 
 constexpr std::uint64_t kLargestSession_bytes = std::uint64_t{16} << 20U;
-constexpr std::size_t kMostShots = 100'000;
+constexpr std::size_t kMaxShots = 100'000;
 constexpr double kFastest_mph = 400;  // no cannon is faster
 constexpr const char* kSessionExample = "percuss certify --example";
 
@@ -99,7 +99,7 @@ void read_lot(StrictObject& o, double spacing_in, BallLot& lot) {
   o.read_within("days_in_lab", 0, 1e6, lot.days_in_lab);
   o.read_within("correction", -0.2, 0.2, lot.correction);
   o.read_list("hits", [&](StrictObject& hit) {
-    if (lot.hits.size() == kMostShots) o.fail("more than 100000 hits", "hits", "keep one session per file");
+    if (lot.hits.size() == kMaxShots) o.fail("more than 100000 hits", "hits", "keep one session per file");
     lot.hits.push_back(read_session_shot(hit, spacing_in, true));
   });
 }
@@ -136,7 +136,7 @@ void read_session_document(StrictObject& o, Session& s) {
   o.read_part("ball_lot", [&](StrictObject& part) { read_lot(part, spacing_in, s.lot); });
   read_range(o, s);
   o.read_list("shots", [&](StrictObject& shot) {
-    if (s.shots.size() == kMostShots) o.fail("more than 100000 shots", "shots", "keep one session per file");
+    if (s.shots.size() == kMaxShots) o.fail("more than 100000 shots", "shots", "keep one session per file");
     s.shots.push_back(read_session_shot(shot, spacing_in, false));
   });
 }
@@ -157,7 +157,7 @@ Session parse_session(std::string_view text, const std::string& where) {
   Session session;
   const StrictText input{.text = text, .where = where, .example = kSessionExample};
   const auto read = [&](StrictObject& o) { read_session_document(o, session); };
-  looks_like_json(text) ? read_strict_json(input, read) : read_strict_sheet(input, "shots", read);
+  looks_like_json(text) ? read_strict_json(input, read) : read_strict_table(input, "shots", read);
   return session;
 }
 

@@ -12,14 +12,14 @@ namespace percuss {
 namespace {
 
 bool within(double value, double middle, double tolerance) {
-  return std::abs(value - middle) <= tolerance + kReadingSlack;
+  return std::abs(value - middle) <= tolerance + kReadingTolerance;
 }
 
 void check_pairs(const std::vector<double>& pairs_mph, const char* code, const char* way, double tolerance_mph,
                  std::vector<ProtocolFinding>& reasons) {
   if (pairs_mph.empty()) return;
   const auto [low, high] = std::minmax_element(pairs_mph.begin(), pairs_mph.end());
-  if (*high - *low <= tolerance_mph + kReadingSlack) return;
+  if (*high - *low <= tolerance_mph + kReadingTolerance) return;
   reasons.push_back({code, fmt::format("the gates' {} speeds differ by {:.2f} mph, more than {:g}", way, *high - *low,
                                        tolerance_mph)});
 }

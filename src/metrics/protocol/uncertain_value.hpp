@@ -25,12 +25,12 @@ inline constexpr std::size_t kReadings = 12;
 /// A number and what each reading's error does to it, to first order, errors of different readings independent:
 ///   f(x + δ) = f(x) + Σ_i ∂f/∂x_i δ_i,   σ_f² = Σ_i (∂f/∂x_i σ_i)²                            (P0)
 /// What two numbers have from the same reading is added before it is squared, so that it may cancel.
-class Measured {
+class UncertainValue {
  public:
-  Measured() = default;
-  Measured(double exact) : value_(exact) {}  // NOLINT(google-explicit-constructor): constants of the equations
+  UncertainValue() = default;
+  UncertainValue(double exact) : value_(exact) {}  // NOLINT(google-explicit-constructor): constants of the equations
   /// A standard deviation of 0 is one that is not known.
-  Measured(double value, double std, Reading reading) : value_(value) {
+  UncertainValue(double value, double std, Reading reading) : value_(value) {
     parts_.at(static_cast<std::size_t>(reading)) = std;
     if (std == 0) unknown_ = 1U << static_cast<unsigned>(reading);
   }
@@ -46,24 +46,29 @@ class Measured {
   /// Whether the number rests on a reading whose error is not known and so not in std().
   bool unknown(Reading reading) const { return ((unknown_ >> static_cast<unsigned>(reading)) & 1U) != 0; }
 
-  friend Measured operator+(const Measured& a, const Measured& b) { return combined(a.value_ + b.value_, 1, a, 1, b); }
-  friend Measured operator-(const Measured& a, const Measured& b) { return combined(a.value_ - b.value_, 1, a, -1, b); }
-  friend Measured operator*(const Measured& a, const Measured& b) {
+  friend UncertainValue operator+(const UncertainValue& a, const UncertainValue& b) {
+    return combined(a.value_ + b.value_, 1, a, 1, b);
+  }
+  friend UncertainValue operator-(const UncertainValue& a, const UncertainValue& b) {
+    return combined(a.value_ - b.value_, 1, a, -1, b);
+  }
+  friend UncertainValue operator*(const UncertainValue& a, const UncertainValue& b) {
     return combined(a.value_ * b.value_, b.value_, a, a.value_, b);
   }
-  friend Measured operator/(const Measured& a, const Measured& b) {
+  friend UncertainValue operator/(const UncertainValue& a, const UncertainValue& b) {
     const double quotient = a.value_ / b.value_;
     return combined(quotient, 1 / b.value_, a, -quotient / b.value_, b);
   }
-  friend Measured pow(const Measured& a, double exponent) {
+  friend UncertainValue pow(const UncertainValue& a, double exponent) {
     const double power = std::pow(a.value_, exponent);
     return combined(power, exponent * power / a.value_, a, 0, a);
   }
 
  private:
   using Parts = std::array<double, kReadings>;
-  static Measured combined(double value, double by_a, const Measured& a, double by_b, const Measured& b) {
-    Measured out(value);
+  static UncertainValue combined(double value, double by_a, const UncertainValue& a, double by_b,
+                                 const UncertainValue& b) {
+    UncertainValue out(value);
     for (std::size_t i = 0; i < kReadings; ++i) out.parts_[i] = by_a * a.parts_[i] + by_b * b.parts_[i];
     out.unknown_ = a.unknown_ | b.unknown_;
     return out;

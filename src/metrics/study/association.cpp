@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kNormal95 = 1.959963984540054;
 constexpr double kFarOut = 3.5;
-constexpr std::size_t kFewestForOutliers = 6;
+constexpr std::size_t kMinForOutliers = 6;
 
 // Ranks over size plus one, so that classes of different sizes weigh alike; ties share the mean of their ranks.
 std::vector<double> relative_ranks(const std::vector<double>& values) {
@@ -106,7 +106,7 @@ std::optional<TrendLine> trend_line_of(const ClassPoints& points) {
 
 std::vector<std::size_t> outliers_of(const ClassPoints& points, const TrendLine& line) {
   std::vector<std::size_t> out;
-  if (points.x.size() < kFewestForOutliers) return out;
+  if (points.x.size() < kMinForOutliers) return out;
   std::vector<double> residuals;
   residuals.reserve(points.x.size());
   for (std::size_t i = 0; i < points.x.size(); ++i)
@@ -118,7 +118,7 @@ std::vector<std::size_t> outliers_of(const ClassPoints& points, const TrendLine&
   return out;
 }
 
-std::vector<double> adjusted_for_all(const std::vector<double>& p) {
+std::vector<double> holm_adjusted(const std::vector<double>& p) {
   std::vector<std::size_t> order(p.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return p[a] < p[b]; });

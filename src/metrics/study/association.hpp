@@ -46,6 +46,6 @@ std::vector<std::size_t> outliers_of(const ClassPoints& points, const TrendLine&
 
 /// Probabilities of several tests, each raised so that the chance of any false positive stays what it is for one alone:
 /// the k-th smallest of m times m − k + 1, and none below the one before (Holm, [18]).                (P19)
-std::vector<double> adjusted_for_all(const std::vector<double>& p);
+std::vector<double> holm_adjusted(const std::vector<double>& p);
 
 }  // namespace percuss

@@ -53,7 +53,7 @@ std::vector<bool> repeats_of(const std::vector<StudyBat>& bats) {
   return out;
 }
 
-std::optional<Association> along_trail(const Study& study, const StudyTrail& trail, StudyQuantity y) {
+std::optional<Association> history_curve(const Study& study, const StudyHistory& trail, StudyQuantity y) {
   std::vector<std::size_t> known;
   for (const std::size_t b : trail.states) {
     if (study.bats[b].value(y)) known.push_back(b);
@@ -61,15 +61,15 @@ std::optional<Association> along_trail(const Study& study, const StudyTrail& tra
   return association_of({points_of(study, StudyQuantity::hoop1, y, known)});
 }
 
-std::vector<StudyTrail> trails_of(const std::vector<StudyBat>& bats) {
-  std::map<std::string, StudyTrail> by_bat;
+std::vector<StudyHistory> histories_of(const std::vector<StudyBat>& bats) {
+  std::map<std::string, StudyHistory> by_bat;
   for (std::size_t b = 0; b < bats.size(); ++b) {
     if (bats[b].bat.empty() || !bats[b].value(StudyQuantity::hoop1)) continue;
-    StudyTrail& trail = by_bat[bats[b].bat];
+    StudyHistory& trail = by_bat[bats[b].bat];
     trail.bat = bats[b].bat;
     trail.states.push_back(b);
   }
-  std::vector<StudyTrail> out;
+  std::vector<StudyHistory> out;
   for (auto& [name, trail] : by_bat) {
     if (trail.states.size() > 1) out.push_back(std::move(trail));
   }
@@ -90,7 +90,7 @@ void judge_statements(Study& study) {
     testable.push_back(s);
     p.push_back(statement.association->p);
   }
-  const auto adjusted = adjusted_for_all(p);
+  const auto adjusted = holm_adjusted(p);
   for (std::size_t k = 0; k < testable.size(); ++k) {
     StudyStatement& statement = study.statements[testable[k]];
     statement.adjusted_p = adjusted[k];
@@ -117,15 +117,15 @@ const char* name_of(StatementVerdict verdict) {
 Study study_of(std::vector<StudyBat> bats) {
   Study study{.bats = std::move(bats)};
   study.repeated = repeats_of(study.bats);
-  study.figures = figures_for(study.bats);
+  study.figures = study_figures_of(study.bats);
   for (StudyFigure& figure : study.figures) fit_figure(study, figure);
-  study.trails = trails_of(study.bats);
-  for (StudyTrail& trail : study.trails) {
-    trail.besr = along_trail(study, trail, StudyQuantity::besr);
-    trail.bbs = along_trail(study, trail, StudyQuantity::bbs);
-    trail.bbcor = along_trail(study, trail, StudyQuantity::bbcor);
+  study.trails = histories_of(study.bats);
+  for (StudyHistory& trail : study.trails) {
+    trail.besr = history_curve(study, trail, StudyQuantity::besr);
+    trail.bbs = history_curve(study, trail, StudyQuantity::bbs);
+    trail.bbcor = history_curve(study, trail, StudyQuantity::bbcor);
   }
-  study.statements = statements_of_source();
+  study.statements = published_statements();
   judge_statements(study);
   return study;
 }

@@ -32,7 +32,7 @@ struct StudyFigure {
 };
 
 /// One bat's states in their order, as it is broken in.
-struct StudyTrail {
+struct StudyHistory {
   std::string bat;
   std::vector<std::size_t> states;              // of Study::bats
   std::optional<Association> besr, bbs, bbcor;  // over the first hoop frequency
@@ -59,7 +59,7 @@ struct Study {
   std::vector<StudyBat> bats;
   std::vector<bool> repeated;  // [bats]: a later state of a bat that stands above; shown, but not counted again
   std::vector<StudyFigure> figures;
-  std::vector<StudyTrail> trails;  // of bats with two states or more whose hoop frequency is known
+  std::vector<StudyHistory> trails;  // of bats with two states or more whose hoop frequency is known
   std::vector<StudyStatement> statements;
 };
 

@@ -75,7 +75,7 @@ void add_frequency(BatProperties& bat, const std::string& family, std::int64_t o
 bool holds_batch(std::string_view text) {
   const std::string_view line = first_line(text);
   if (line.starts_with("row,id,")) return true;
-  if (!line.starts_with('{') || nests_deeper_than(line, kDeepestDocument)) return false;
+  if (!line.starts_with('{') || nests_deeper_than(line, kMaxDocumentDepth)) return false;
   const Json head = Json::parse(line.begin(), line.end(), nullptr, false);
   const auto schema = head.is_object() ? head.find("schema") : head.end();
   return head.is_object() && schema != head.end() && *schema == kBatchSchema;
@@ -84,7 +84,7 @@ bool holds_batch(std::string_view text) {
 std::vector<BatProperties> batch_bats(std::string_view text, const std::string& where) {
   if (text.starts_with('{')) return bats_of_lines(text, where);
   std::vector<BatProperties> bats;
-  read_strict_sheet({.text = text, .where = where, .example = kMerging}, "rows",
+  read_strict_table({.text = text, .where = where, .example = kMerging}, "rows",
                     [&](StrictObject& o) { o.read_list("rows", [&](StrictObject& row) { take_row(row, bats); }); });
   return bats;
 }

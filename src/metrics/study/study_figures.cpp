@@ -64,9 +64,9 @@ ByLength bats_by_length(const std::vector<StudyBat>& bats, const FigureKind& kin
 }
 
 StudyFigure figure_of(const FigureKind& kind, int length) {
-  std::string axis_x = words_of(kind.x);
+  std::string axis_x = phrase_of(kind.x);
   if (axis_x.starts_with("the ")) axis_x = axis_x.substr(4);
-  std::string y = words_of(kind.y);
+  std::string y = phrase_of(kind.y);
   y.front() = y == "batted-ball speed" ? 'B' : y.front();
   return {.name = fmt::format("{}-{}-{}-{}", short_name(kind.y), short_name(kind.x), family_words(kind.family),
                               length == 0 ? "all" : std::to_string(length)),
@@ -81,7 +81,7 @@ StudyFigure figure_of(const FigureKind& kind, int length) {
 
 }  // namespace
 
-std::vector<StudyFigure> figures_for(const std::vector<StudyBat>& bats) {
+std::vector<StudyFigure> study_figures_of(const std::vector<StudyBat>& bats) {
   std::vector<StudyFigure> out;
   for (const FigureKind& kind : kKinds) {
     const ByLength lengths = bats_by_length(bats, kind);
@@ -103,37 +103,37 @@ std::vector<StudyFigure> figures_for(const std::vector<StudyBat>& bats) {
   return out;
 }
 
-std::vector<StudyStatement> statements_of_source() {
-  struct Claim {
+std::vector<StudyStatement> published_statements() {
+  struct PublishedStatement {
     StudyFamily family;
     StudyQuantity y, x;
     int sign;
   };
   using enum StudyFamily;
-  constexpr std::array<Claim, 18> claims{{{wood, besr, moi, 1},
-                                          {wood, bbs, moi, 1},
-                                          {wood, bbcor, moi, 0},
-                                          {wood, besr, drop, 1},
-                                          {wood, bbs, drop, -1},
-                                          {wood, bbcor, drop, 0},
-                                          {wood, besr, bending1, 1},
-                                          {wood, bbs, bending1, 1},
-                                          {wood, bbcor, bending1, 1},
-                                          {nonwood, besr, moi, 1},
-                                          {nonwood, bbs, moi, -1},
-                                          {nonwood, bbcor, moi, -1},
-                                          {nonwood, besr, bending1, 1},
-                                          {nonwood, bbs, bending1, 1},
-                                          {nonwood, bbcor, bending1, 0},
-                                          {nonwood, besr, hoop1, -1},
-                                          {nonwood, bbs, hoop1, -1},
-                                          {nonwood, bbcor, hoop1, -1}}};
+  constexpr std::array<PublishedStatement, 18> claims{{{wood, besr, moi, 1},
+                                                       {wood, bbs, moi, 1},
+                                                       {wood, bbcor, moi, 0},
+                                                       {wood, besr, drop, 1},
+                                                       {wood, bbs, drop, -1},
+                                                       {wood, bbcor, drop, 0},
+                                                       {wood, besr, bending1, 1},
+                                                       {wood, bbs, bending1, 1},
+                                                       {wood, bbcor, bending1, 1},
+                                                       {nonwood, besr, moi, 1},
+                                                       {nonwood, bbs, moi, -1},
+                                                       {nonwood, bbcor, moi, -1},
+                                                       {nonwood, besr, bending1, 1},
+                                                       {nonwood, bbs, bending1, 1},
+                                                       {nonwood, bbcor, bending1, 0},
+                                                       {nonwood, besr, hoop1, -1},
+                                                       {nonwood, bbs, hoop1, -1},
+                                                       {nonwood, bbcor, hoop1, -1}}};
   std::vector<StudyStatement> out;
-  for (const Claim& c : claims) {
-    const std::string who = fmt::format("{} of {} bats", words_of(c.y), family_words(c.family));
-    out.push_back({.text = c.sign > 0   ? fmt::format("{} rises with {}", who, words_of(c.x))
-                           : c.sign < 0 ? fmt::format("{} rises as {} falls", who, words_of(c.x))
-                                        : fmt::format("{} does not depend on {}", who, words_of(c.x)),
+  for (const PublishedStatement& c : claims) {
+    const std::string who = fmt::format("{} of {} bats", phrase_of(c.y), family_words(c.family));
+    out.push_back({.text = c.sign > 0   ? fmt::format("{} rises with {}", who, phrase_of(c.x))
+                           : c.sign < 0 ? fmt::format("{} rises as {} falls", who, phrase_of(c.x))
+                                        : fmt::format("{} does not depend on {}", who, phrase_of(c.x)),
                    .x = c.x,
                    .y = c.y,
                    .family = c.family,

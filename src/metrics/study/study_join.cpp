@@ -24,7 +24,7 @@ const char* material_word(BarrelMaterial material) {
 
 StudyCurve parse_study_curve(std::string_view text, const std::string& where) {
   const Json document =
-      nests_deeper_than(text, kDeepestDocument) ? Json() : Json::parse(text.begin(), text.end(), nullptr, false);
+      nests_deeper_than(text, kMaxDocumentDepth) ? Json() : Json::parse(text.begin(), text.end(), nullptr, false);
   const bool object = document.is_object() && document.contains("curve") && document["curve"].is_array();
   if (!object || document.value("schema", Json()) != "percuss/model-trampoline/1")
     throw InputError("no curve over the hoop frequency", where, "percuss model trampoline --json prints one");
@@ -43,7 +43,7 @@ StudyCurve parse_study_curve(std::string_view text, const std::string& where) {
   return curve;
 }
 
-std::string blind_bats(std::vector<StudyBat>& bats) {
+std::string anonymise_bats(std::vector<StudyBat>& bats) {
   std::string key = "neutral,id,bat,maker,model\n";
   std::map<std::string, std::string> neutral_of_bat;
   for (std::size_t b = 0; b < bats.size(); ++b) {

@@ -19,7 +19,7 @@ StudyCurve parse_study_curve(std::string_view text, const std::string& where);
 
 /// Gives the bats neutral ids (AS001, AS002, … in their order; states of one bat stay together under the id of the
 /// first) and takes maker and model out. Returns the key, a table of neutral and true names.
-std::string blind_bats(std::vector<StudyBat>& bats);
+std::string anonymise_bats(std::vector<StudyBat>& bats);
 
 /// The bats as a table that a study reads again.
 std::string study_table_csv(const std::vector<StudyBat>& bats);

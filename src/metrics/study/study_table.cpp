@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::size_t kMostBats = 2000;
+constexpr std::size_t kMaxBats = 2000;
 constexpr double kBall_kg = 0.1454;
 constexpr const char* kStudyExample = "percuss study --example";
 
@@ -73,7 +73,7 @@ bool broken_in(const BatProperties& p, const std::string& id) {
 }
 
 // What follows from the columns that are there.
-void work_out(StudyBat& bat, const std::optional<double>& weight_oz, const std::optional<double>& z_in) {
+void derive_quantities(StudyBat& bat, const std::optional<double>& weight_oz, const std::optional<double>& z_in) {
   const auto at = [&](StudyQuantity q) -> std::optional<double>& { return bat.values.at(static_cast<std::size_t>(q)); };
   if (!at(StudyQuantity::drop) && weight_oz) at(StudyQuantity::drop) = *weight_oz - bat.length_in;  // (P1)
   const auto besr = at(StudyQuantity::besr), moi = at(StudyQuantity::moi);
@@ -100,7 +100,7 @@ StudyBat bat_of(const BatProperties& p) {
     const bool drop = static_cast<StudyQuantity>(q) == StudyQuantity::drop;
     bat.values.at(q) = number_of(p, kQuantityNames.at(q).column, bat.id, drop ? -50 : 1e-6, 1e6);
   }
-  work_out(bat, number_of(p, "weight_oz", bat.id, 1, 200), number_of(p, "z_in", bat.id, 0, 20));
+  derive_quantities(bat, number_of(p, "weight_oz", bat.id, 1, 200), number_of(p, "z_in", bat.id, 0, 20));
   return bat;
 }
 
@@ -142,7 +142,7 @@ BatProperties properties_in(const Json& analysis, const std::string& where) {
 
 const char* column_of(StudyQuantity q) { return kQuantityNames.at(static_cast<std::size_t>(q)).column; }
 const char* axis_of(StudyQuantity q) { return kQuantityNames.at(static_cast<std::size_t>(q)).axis; }
-const char* words_of(StudyQuantity q) { return kQuantityNames.at(static_cast<std::size_t>(q)).words; }
+const char* phrase_of(StudyQuantity q) { return kQuantityNames.at(static_cast<std::size_t>(q)).words; }
 
 int StudyBat::length_class() const { return static_cast<int>(std::lround(length_in)); }
 
@@ -159,7 +159,7 @@ void StudyRows::merge(const BatProperties& properties, const std::string& where)
   if (id.empty() || id.size() > 80) throw InputError("a bat without an id", where, "fill the column id");
   auto [known, fresh] = by_id_.try_emplace(id);
   if (fresh) order_.push_back(id);
-  if (order_.size() > kMostBats) throw InputError("more than 2000 bats", where, "split the study");
+  if (order_.size() > kMaxBats) throw InputError("more than 2000 bats", where, "split the study");
   for (const auto& [column, value] : properties) {
     const auto [at, added] = known->second.emplace(column, value);
     if (!added && at->second != value) {
@@ -175,7 +175,7 @@ void StudyRows::add(std::string_view text, const std::string& where) {
     for (const BatProperties& bat : batch_bats(text, where)) merge(bat, where);
     return;
   }
-  if (looks_like_json(text) && !nests_deeper_than(text, kDeepestDocument)) {
+  if (looks_like_json(text) && !nests_deeper_than(text, kMaxDocumentDepth)) {
     const Json document = Json::parse(text.begin(), text.end(), nullptr, false);
     const auto schema = document.is_object() ? document.find("schema") : document.end();
     if (document.is_object() && schema != document.end() && *schema == "percuss/analysis/1") {
@@ -203,7 +203,7 @@ void StudyRows::add(std::string_view text, const std::string& where) {
     o.need("bats");
     o.read_list("bats", read_row);
   };
-  looks_like_json(text) ? read_strict_json(input, read) : read_strict_sheet(input, "bats", read);
+  looks_like_json(text) ? read_strict_json(input, read) : read_strict_table(input, "bats", read);
 }
 
 std::vector<StudyBat> StudyRows::bats() const {

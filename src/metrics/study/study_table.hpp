@@ -17,7 +17,7 @@ inline constexpr std::size_t kStudyQuantities = 9;
 /// The name of a quantity's column, its axis with the unit, and its name in sentences.
 const char* column_of(StudyQuantity quantity);
 const char* axis_of(StudyQuantity quantity);
-const char* words_of(StudyQuantity quantity);
+const char* phrase_of(StudyQuantity quantity);
 
 /// One state of one bat: new, or as broken in as it was when tested.
 struct StudyBat {

@@ -56,7 +56,7 @@ Eigen::MatrixXd bat_wave(const BatModes& bat, std::size_t modes, const BatCollis
   Eigen::MatrixXd shapes(std::ssize(at_m), amplitudes.rows());
   for (Eigen::Index i = 0; i < shapes.rows(); ++i) {
     const double at = at_m[static_cast<std::size_t>(i)];
-    shapes.row(i) = with_rigid(bat.rigid_deflection(at), bat.deflection(at), shapes.cols() - 2).transpose();
+    shapes.row(i) = rigid_and_elastic(bat.rigid_deflection(at), bat.deflection(at), shapes.cols() - 2).transpose();
   }
   return shapes * amplitudes;
 }

@@ -41,8 +41,8 @@ struct BatRebound {
 };
 
 struct BatCollisionOptions {
-  std::size_t steps = 200;  // while the ball goes into a wall: about a fifth of all
-  double look_s = 0.03;     // for a further touch after the last
+  std::size_t steps = 200;           // while the ball goes into a wall: about a fifth of all
+  double recontact_window_s = 0.03;  // for a further touch after the last
 };
 
 /// The ball against the first `modes` elastic modes of the bat at z_m from the knob; none of them: the rigid bat. Modes

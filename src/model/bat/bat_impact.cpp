@@ -10,13 +10,13 @@ namespace {
 
 constexpr Eigen::Index kRigidMotions = 2;
 constexpr double kFreeSteps = 4;  // steps of the contact in one step between contacts
-constexpr int kMostTries = 100;
+constexpr int kMaxTries = 100;
 constexpr double kForceAccuracy = 1e-14;  // of the ball's deepest compression on a wall
-constexpr std::size_t kMostTouches = 1000;
+constexpr std::size_t kMaxTouches = 1000;
 
 }  // namespace
 
-Eigen::ArrayXd with_rigid(const Eigen::Vector2d& rigid, const Eigen::VectorXd& elastic, Eigen::Index modes) {
+Eigen::ArrayXd rigid_and_elastic(const Eigen::Vector2d& rigid, const Eigen::VectorXd& elastic, Eigen::Index modes) {
   Eigen::ArrayXd all(kRigidMotions + modes);
   all << rigid.array(), elastic.head(modes).array();
   return all;
@@ -30,13 +30,13 @@ BatImpact::BatImpact(const BatModes& bat, std::size_t modes, const BatCollision&
       wall_m_(std::pow((ball_.exponent + 1) * ball_.mass_kg * closing_mps_ * closing_mps_ / (2 * ball_.stiffness),
                        1 / (ball_.exponent + 1))),
       count_(std::min(static_cast<Eigen::Index>(modes), bat.freq_Hz.size())),
-      omega_(with_rigid(Eigen::Vector2d::Zero(), kTwoPi * bat.freq_Hz, count_)),
-      contact_(omega_, with_rigid(bat.rigid_deflection(z_m), bat.deflection(z_m), count_),
+      omega_(rigid_and_elastic(Eigen::Vector2d::Zero(), kTwoPi * bat.freq_Hz, count_)),
+      contact_(omega_, rigid_and_elastic(bat.rigid_deflection(z_m), bat.deflection(z_m), count_),
                wall_m_ / closing_mps_ / static_cast<double>(options.steps)),
       free_(omega_, contact_.phi, kFreeSteps * contact_.step_s),
-      give_(contact_.step_s * contact_.step_s / (6 * ball_.mass_kg) + (contact_.phi * contact_.q_to).sum()),
-      give_rate_(contact_.step_s / (2 * ball_.mass_kg) + (contact_.phi * contact_.rate_to).sum()),
-      look_s_(options.look_s),
+      compliance_(contact_.step_s * contact_.step_s / (6 * ball_.mass_kg) + (contact_.phi * contact_.q_to).sum()),
+      compliance_rate_(contact_.step_s / (2 * ball_.mass_kg) + (contact_.phi * contact_.rate_to).sum()),
+      recontact_window_s_(options.recontact_window_s),
       bat_{.q = Eigen::ArrayXd::Zero(omega_.size()), .rate = Eigen::ArrayXd::Zero(omega_.size())},
       earlier_(bat_),
       ball_mps_(closing_mps_),
@@ -50,15 +50,15 @@ void BatImpact::step() {
   const double free_rate = ball_mps_ - h / 2 * force_N_ / ball_.mass_kg - (contact_.phi * bat_.rate).sum();
   const double before_N = force_N_;
   force_N_ = end_force(free_u);
-  if (free_u > 0 && u_m_ >= largest_m_ && free_rate < give_rate_ * force_N_) {  // it turns within this step
+  if (free_u > 0 && u_m_ >= largest_m_ && free_rate < compliance_rate_ * force_N_) {  // it turns within this step
     largest_m_ = std::max(u_m_, turning_point(free_u, free_rate));
     force_N_ = end_force(free_u);
   }
   bat_.add_end(contact_, force_N_);
   ball_m_ -= h * h / 6 * force_N_ / ball_.mass_kg;
   ball_mps_ -= h / 2 * (before_N + force_N_) / ball_.mass_kg;
-  u_m_ = free_u - give_ * force_N_;
-  rate_mps_ = free_rate - give_rate_ * force_N_;
+  u_m_ = free_u - compliance_ * force_N_;
+  rate_mps_ = free_rate - compliance_rate_ * force_N_;
   largest_m_ = std::max(largest_m_, u_m_);
   deepest_m_ = std::max(deepest_m_, u_m_);
   time_s_ += h;
@@ -90,7 +90,7 @@ BatRebound BatImpact::run() {
     } while (u_m_ > 0 || (largest_m_ == 0 && time_s_ < touch_by_s));
     result.contact_s = time_s_;
     largest_m_ = 0;
-    if (result.contacts + 1 == kMostTouches || !comes_back()) break;
+    if (result.contacts + 1 == kMaxTouches || !will_recontact()) break;
   }
   ++result.contacts;
   result.largest_m = deepest_m_;
@@ -105,8 +105,9 @@ BatRebound BatImpact::run() {
 }
 
 double BatImpact::turning_point(double free_u, double free_rate) const {
-  const double h = contact_.step_s, a = u_m_, ra = h * rate_mps_, b = free_u - give_ * force_N_;
-  const double rb = h * (free_rate - give_rate_ * force_N_), c = 3 * (b - a) - 2 * ra - rb, d = 2 * (a - b) + ra + rb;
+  const double h = contact_.step_s, a = u_m_, ra = h * rate_mps_, b = free_u - compliance_ * force_N_;
+  const double rb = h * (free_rate - compliance_rate_ * force_N_), c = 3 * (b - a) - 2 * ra - rb,
+               d = 2 * (a - b) + ra + rb;
   const double at = ra / (std::sqrt(std::max(0.0, c * c - 3 * d * ra)) - c);  // where its slope falls through zero
   return at > 0 && at < 1 ? a + at * (ra + at * (c + at * d)) : std::max(a, b);
 }
@@ -114,10 +115,10 @@ double BatImpact::turning_point(double free_u, double free_rate) const {
 double BatImpact::end_force(double free_u) const {
   if (!(free_u > 0)) return 0;
   double low = 0, high = free_u, u = std::clamp(u_m_, 0.0, free_u);
-  for (int i = 0; i < kMostTries && high - low > kForceAccuracy * wall_m_; ++i) {
-    const double force_N = ball_.force_N(u, largest_m_), excess = u + give_ * force_N - free_u;
+  for (int i = 0; i < kMaxTries && high - low > kForceAccuracy * wall_m_; ++i) {
+    const double force_N = ball_.force_N(u, largest_m_), excess = u + compliance_ * force_N - free_u;
     (excess > 0 ? high : low) = u;
-    const double slope = 1 + give_ * (u > 0 ? force_N / u * power_at(u) : 0);
+    const double slope = 1 + compliance_ * (u > 0 ? force_N / u * power_at(u) : 0);
     const double newton = u - excess / slope;
     if (std::abs(newton - u) <= kForceAccuracy * wall_m_) break;
     u = newton > low && newton < high ? newton : (low + high) / 2;
@@ -130,9 +131,9 @@ double BatImpact::power_at(double u) const {
   return u >= largest_m_ ? ball_.exponent : (1 + ball_.exponent) / (e * e) - 1;
 }
 
-bool BatImpact::comes_back() {
-  const double end_s = time_s_ + look_s_;
-  while (time_s_ < end_s && !is_gone()) {
+bool BatImpact::will_recontact() {
+  const double end_s = time_s_ + recontact_window_s_;
+  while (time_s_ < end_s && !has_separated()) {
     const ModalState before = bat_;
     bat_.advance(free_, 0);
     const double ball_m = ball_m_ + free_.step_s * ball_mps_;
@@ -147,7 +148,7 @@ bool BatImpact::comes_back() {
   return false;
 }
 
-bool BatImpact::is_gone() const {
+bool BatImpact::has_separated() const {
   const auto phi = contact_.phi.head(kRigidMotions);
   const double gap_m = (phi * bat_.q.head(kRigidMotions)).sum() - ball_m_;
   const double speed = (phi * bat_.rate.head(kRigidMotions)).sum() - ball_mps_;

@@ -7,7 +7,7 @@
 namespace percuss {
 
 /// Amplitudes of the two rigid motions, then of the first `modes` elastic ones. shape [2 + modes].
-Eigen::ArrayXd with_rigid(const Eigen::Vector2d& rigid, const Eigen::VectorXd& elastic, Eigen::Index modes);
+Eigen::ArrayXd rigid_and_elastic(const Eigen::Vector2d& rigid, const Eigen::VectorXd& elastic, Eigen::Index modes);
 
 /// One collision of a ball with a bat under way, seen by one who moves with the bat as it came. The closing speed is
 /// above zero.
@@ -35,18 +35,18 @@ class BatImpact {
   double power_at(double u) const;
 
   // Whether the bat catches up with the ball; if so, stands just before it does.
-  bool comes_back();
+  bool will_recontact();
 
   // The ball goes away from the rigid bat, and no vibration reaches that far.
-  bool is_gone() const;
+  bool has_separated() const;
 
   LossyBall ball_;
   double swing_mps_, closing_mps_, wall_m_;
   Eigen::Index count_;
   Eigen::ArrayXd omega_;
   ModalStepper contact_, free_;
-  double give_, give_rate_;  // what a newton at a step's end takes from the compression and from its rate
-  double look_s_;
+  double compliance_, compliance_rate_;  // what a newton at a step's end takes from the compression and from its rate
+  double recontact_window_s_;
   ModalState bat_, earlier_;  // now, and a step ago
   double earlier_N_ = 0;
   double ball_m_ = 0, ball_mps_, force_N_ = 0, time_s_ = 0;

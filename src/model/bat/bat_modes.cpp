@@ -27,9 +27,9 @@ Eigen::MatrixXd rigid_shapes(const BatModes& modes) {
 }
 
 // About ω² of the lowest mode: that of a uniform beam with the mean of 1/EI.
-double usual_square(const BatModes& modes) {
+double lowest_square_estimate(const BatModes& modes) {
   double give = 0;
-  for (const BeamElement& e : modes.beam.elements) give += e.long_m / e.bending_Nm2;
+  for (const BeamElement& e : modes.beam.elements) give += e.element_length_m / e.bending_Nm2;
   return 500 / (give * modes.inertia.mass_kg * modes.length_m * modes.length_m);  // 4.73⁴ = 500.6
 }
 
@@ -38,7 +38,7 @@ double usual_square(const BatModes& modes) {
 Eigen::VectorXd BatModes::deflection(double z_m) const {
   const std::size_t at = element_at(beam, z_m);
   const BeamElement& e = beam.elements[at];
-  const ElementVector weights = e.deflection((z_m - e.start_m) / e.long_m);
+  const ElementVector weights = e.deflection((z_m - e.start_m) / e.element_length_m);
   return shape.middleRows<6>(kUnknownsPerElement * static_cast<Eigen::Index>(at)).transpose() * weights;
 }
 
@@ -47,13 +47,13 @@ Eigen::Vector2d BatModes::rigid_deflection(double z_m) const {
 }
 
 BatModes bat_modes(const BatProfile& profile, const BatMaterial& material, const BatModesOptions& options) {
-  BatModes modes{.beam = timoshenko_beam(profile, material, profile.length_m() * options.longest_per_length),
+  BatModes modes{.beam = timoshenko_beam(profile, material, profile.length_m() * options.max_element_fraction),
                  .inertia = inertia_of(profile, material),
                  .length_m = profile.length_m(),
                  .freq_Hz = {},
                  .shape = {}};
-  LowestModes lowest = lowest_modes(modes.beam.stiffness, modes.beam.mass, rigid_shapes(modes), usual_square(modes),
-                                    static_cast<Eigen::Index>(options.modes));
+  LowestModes lowest = lowest_modes(modes.beam.stiffness, modes.beam.mass, rigid_shapes(modes),
+                                    lowest_square_estimate(modes), static_cast<Eigen::Index>(options.modes));
   modes.freq_Hz = lowest.square.cwiseSqrt() / kTwoPi;
   modes.shape = std::move(lowest.shape);
   return modes;
@@ -70,7 +70,7 @@ std::vector<double> nodes_of(const BatModes& modes, std::size_t mode) {
     for (int look = 0; look < kLooksPerElement; ++look) {
       const double low = static_cast<double>(look) / kLooksPerElement, high = (look + 1.0) / kLooksPerElement;
       if ((at(low) < 0) == (at(high) < 0)) continue;
-      nodes.push_back(e.start_m + e.long_m * bracketed_root(at, low, high, kNodeAccuracy));
+      nodes.push_back(e.start_m + e.element_length_m * illinois_root(at, low, high, kNodeAccuracy));
     }
   }
   return nodes;

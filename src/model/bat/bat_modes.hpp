@@ -9,7 +9,7 @@ namespace percuss {
 
 struct BatModesOptions {
   std::size_t modes = 40;  // elastic ones, from the lowest; as many as the elements give if there are fewer
-  double longest_per_length = 1.0 / 84;  // of an element, of the bat's length
+  double max_element_fraction = 1.0 / 84;  // of an element, of the bat's length
 };
 
 /// A free bat's elastic modes: solutions of (1) in timoshenko_elements.hpp with ω > 0, orthonormal in the full mass

@@ -19,7 +19,9 @@ constexpr std::array<double, 4> kGaussWeight{0.1739274225687269, 0.3260725774312
                                              0.1739274225687269};
 
 // Bending against shear: 12 EI / (κGA h²).
-double softness(const BeamElement& e) { return 12 * e.bending_Nm2 / (e.shear_N * e.long_m * e.long_m); }
+double shear_parameter(const BeamElement& e) {
+  return 12 * e.bending_Nm2 / (e.shear_N * e.element_length_m * e.element_length_m);
+}
 
 // Σ over Gauss's points of (factor · shape shapeᵀ): an integral over the element.
 void add_square(ElementMatrix& sum, double factor, const ElementVector& shape) {
@@ -29,11 +31,11 @@ void add_square(ElementMatrix& sum, double factor, const ElementVector& shape) {
 void add_element(const BeamElement& e, Index first, Triplets& stiffness, Triplets& mass) {
   ElementMatrix k = ElementMatrix::Zero(), m = ElementMatrix::Zero();
   for (std::size_t i = 0; i < kGaussAt.size(); ++i) {
-    const double x = kGaussAt.at(i), long_m = kGaussWeight.at(i) * e.long_m;
-    add_square(k, long_m * e.bending_Nm2, e.curvature(x));
-    add_square(k, long_m * e.shear_N, e.shear(x));
-    add_square(m, long_m * e.mass_kgpm, e.deflection(x));
-    add_square(m, long_m * e.rotary_kgm, e.rotation(x));
+    const double x = kGaussAt.at(i), element_length_m = kGaussWeight.at(i) * e.element_length_m;
+    add_square(k, element_length_m * e.bending_Nm2, e.curvature(x));
+    add_square(k, element_length_m * e.shear_N, e.shear(x));
+    add_square(m, element_length_m * e.mass_kgpm, e.deflection(x));
+    add_square(m, element_length_m * e.rotary_kgm, e.rotation(x));
   }
   for (Index row = 0; row < k.rows(); ++row) {
     for (Index column = 0; column < k.cols(); ++column) {
@@ -43,11 +45,11 @@ void add_element(const BeamElement& e, Index first, Triplets& stiffness, Triplet
   }
 }
 
-BeamElement element_of(double diameter_m, double start_m, double long_m, const BatMaterial& material) {
+BeamElement element_of(double diameter_m, double start_m, double element_length_m, const BatMaterial& material) {
   const double area_m2 = std::numbers::pi / 4 * diameter_m * diameter_m;
   const double second_m4 = area_m2 * diameter_m * diameter_m / 16;
   return {.start_m = start_m,
-          .long_m = long_m,
+          .element_length_m = element_length_m,
           .bending_Nm2 = material.young_Pa * second_m4,
           .shear_N = material.shear_Pa * area_m2,
           .mass_kgpm = material.density_kgpm3 * area_m2,
@@ -57,32 +59,35 @@ BeamElement element_of(double diameter_m, double start_m, double long_m, const B
 }  // namespace
 
 ElementVector BeamElement::deflection(double x) const {
-  const double p = softness(*this), x2 = x * x, x3 = x2 * x, h = long_m / (1 + p), bubble = 4 * x * (1 - x);
+  const double p = shear_parameter(*this), x2 = x * x, x3 = x2 * x, h = element_length_m / (1 + p),
+               bubble = 4 * x * (1 - x);
   return {(1 + p * (1 - x) - 3 * x2 + 2 * x3) / (1 + p), h * ((1 + p / 2) * x - (2 + p / 2) * x2 + x3), bubble, 0,
           (p * x + 3 * x2 - 2 * x3) / (1 + p),           h * (-p / 2 * x - (1 - p / 2) * x2 + x3)};
 }
 
 ElementVector BeamElement::rotation(double x) const {
-  const double p = softness(*this), f = 6 / ((1 + p) * long_m) * (x * x - x), bubble = 4 * x * (1 - x);
+  const double p = shear_parameter(*this), f = 6 / ((1 + p) * element_length_m) * (x * x - x), bubble = 4 * x * (1 - x);
   return {f, (1 + p - (4 + p) * x + 3 * x * x) / (1 + p), 0, bubble, -f, ((p - 2) * x + 3 * x * x) / (1 + p)};
 }
 
 ElementVector BeamElement::shear(double x) const {
-  const double p = softness(*this), f = p / (1 + p);
-  return {-f / long_m, -f / 2, 4 * (1 - 2 * x) / long_m, -4 * x * (1 - x), f / long_m, -f / 2};
+  const double p = shear_parameter(*this), f = p / (1 + p);
+  return {-f / element_length_m, -f / 2, 4 * (1 - 2 * x) / element_length_m, -4 * x * (1 - x),
+          f / element_length_m,  -f / 2};
 }
 
 ElementVector BeamElement::curvature(double x) const {
-  const double p = softness(*this), f = 6 / ((1 + p) * long_m) * (2 * x - 1) / long_m;
-  return {f, (6 * x - 4 - p) / (1 + p) / long_m, 0, 4 * (1 - 2 * x) / long_m, -f, (6 * x - 2 + p) / (1 + p) / long_m};
+  const double p = shear_parameter(*this), f = 6 / ((1 + p) * element_length_m) * (2 * x - 1) / element_length_m;
+  return {f,  (6 * x - 4 - p) / (1 + p) / element_length_m, 0, 4 * (1 - 2 * x) / element_length_m,
+          -f, (6 * x - 2 + p) / (1 + p) / element_length_m};
 }
 
-TimoshenkoBeam timoshenko_beam(const BatProfile& profile, const BatMaterial& material, double longest_m) {
+TimoshenkoBeam timoshenko_beam(const BatProfile& profile, const BatMaterial& material, double max_element_length_m) {
   TimoshenkoBeam beam;
   double start_m = 0;
   for (std::size_t i = 0; i < profile.end_m.size(); ++i) {
     const double slice_m = profile.end_m[i] - start_m;
-    const int parts = std::max(1, static_cast<int>(std::ceil(slice_m / longest_m * (1 - 1e-9))));
+    const int parts = std::max(1, static_cast<int>(std::ceil(slice_m / max_element_length_m * (1 - 1e-9))));
     for (int part = 0; part < parts; ++part) {
       beam.elements.push_back(
           element_of(profile.diameter_m[i], start_m + part * slice_m / parts, slice_m / parts, material));
@@ -108,7 +113,7 @@ std::vector<double> positions_of(const TimoshenkoBeam& beam) {
   std::vector<double> all;
   all.reserve(beam.elements.size() + 1);
   for (const BeamElement& e : beam.elements) all.push_back(e.start_m);
-  all.push_back(beam.elements.back().start_m + beam.elements.back().long_m);
+  all.push_back(beam.elements.back().start_m + beam.elements.back().element_length_m);
   return all;
 }
 

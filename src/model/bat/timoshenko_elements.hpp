@@ -13,7 +13,7 @@ using ElementVector = Eigen::Matrix<double, 6, 1>;
 
 /// A piece of a beam with the same section all along.
 struct BeamElement {
-  double start_m = 0, long_m = 0;
+  double start_m = 0, element_length_m = 0;
   double bending_Nm2 = 0;  // EI
   double shear_N = 0;      // κGA
   double mass_kgpm = 0;    // ρA
@@ -38,8 +38,8 @@ struct TimoshenkoBeam {
 
 inline constexpr Eigen::Index kUnknownsPerElement = 4;  // and two more at the beam's end
 
-/// The bat with free ends; slices longer than longest_m are cut into equal elements.
-TimoshenkoBeam timoshenko_beam(const BatProfile& profile, const BatMaterial& material, double longest_m);
+/// The bat with free ends; slices longer than max_element_length_m are cut into equal elements.
+TimoshenkoBeam timoshenko_beam(const BatProfile& profile, const BatMaterial& material, double max_element_length_m);
 
 /// Where each element starts, and the beam's end. shape [elements + 1].
 std::vector<double> positions_of(const TimoshenkoBeam& beam);

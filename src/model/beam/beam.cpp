@@ -38,17 +38,17 @@ double turning(double lambda, const Scaled& of) {
 // Elastic modes count from 1.
 double pinned_lambda(std::size_t mode) {
   const double from = static_cast<double>(mode) * kHalfTurn_rad;
-  return root_between(from, from + kHalfTurn_rad / 2, [](double x) { return turning(x, Scaled(x)); });  // (4)
+  return ridders_root(from, from + kHalfTurn_rad / 2, [](double x) { return turning(x, Scaled(x)); });  // (4)
 }
 
 double clamped_lambda(std::size_t mode) {
   const double to = static_cast<double>(mode) * kHalfTurn_rad;
-  return root_between(to - kHalfTurn_rad, to, [](double x) { return Scaled(x).one_plus_cc(); });  // (3)
+  return ridders_root(to - kHalfTurn_rad, to, [](double x) { return Scaled(x).one_plus_cc(); });  // (3)
 }
 
 double free_lambda(std::size_t mode) {
   const double from = static_cast<double>(mode) * kHalfTurn_rad;
-  return root_between(from, from + kHalfTurn_rad, [](double x) { return Scaled(x).one_minus_cc(); });  // (3)
+  return ridders_root(from, from + kHalfTurn_rad, [](double x) { return Scaled(x).one_minus_cc(); });  // (3)
 }
 
 double torsion_lambda(std::size_t mode, double relative_torsion) {
@@ -57,10 +57,10 @@ double torsion_lambda(std::size_t mode, double relative_torsion) {
     const Scaled of(x);
     return hinge * x * turning(x, of) - spring * of.one_plus_cc();  // (2)
   };
-  return root_between(mode == 1 ? 0 : pinned_lambda(mode - 1), clamped_lambda(mode), difference);
+  return ridders_root(mode == 1 ? 0 : pinned_lambda(mode - 1), clamped_lambda(mode), difference);
 }
 
-BeamMode held_mode(double lambda) {
+BeamMode supported_mode(double lambda) {
   const Scaled of(lambda);
   const double d = of.one_plus_cc() + of.s * of.sh;
   return {.lambda = lambda,
@@ -91,13 +91,13 @@ BeamSupport support_of(const UniformBeam& beam) {
 BeamMode euler_mode(const UniformBeam& beam, std::size_t elastic) {
   switch (beam.support) {
     case BeamSupport::pinned:
-      return held_mode(pinned_lambda(elastic));
+      return supported_mode(pinned_lambda(elastic));
     case BeamSupport::clamped:
-      return held_mode(clamped_lambda(elastic));
+      return supported_mode(clamped_lambda(elastic));
     case BeamSupport::free:
       return free_mode(free_lambda(elastic));
     default:
-      return held_mode(torsion_lambda(elastic, beam.relative_torsion()));
+      return supported_mode(torsion_lambda(elastic, beam.relative_torsion()));
   }
 }
 
@@ -172,7 +172,7 @@ std::vector<double> beam_nodes_m(const BeamMode& mode) {
   std::vector<double> nodes;
   for (std::size_t i = at_support > 1e-9 ? 0 : 1; i < steps; ++i) {
     if ((mode.shape(at(i)) > 0) != (mode.shape(at(i + 1)) > 0))
-      nodes.push_back(root_between(at(i), at(i + 1), [&](double x_m) { return mode.shape(x_m); }));
+      nodes.push_back(ridders_root(at(i), at(i + 1), [&](double x_m) { return mode.shape(x_m); }));
   }
   return nodes;
 }

@@ -12,9 +12,9 @@
 namespace percuss {
 namespace {
 
-constexpr double kLeastTorsion = 1e-6, kMostTorsion = 1e6;  // of T*: beyond, frequencies no longer tell
+constexpr double kMinTorsion = 1e-6, kMaxTorsion = 1e6;  // of T*: beyond, frequencies no longer tell
 constexpr double kNearLimit = 10;
-constexpr int kMostFitRounds = 200;
+constexpr int kMaxFitRounds = 200;
 constexpr double kFitSettled = 1e-12;    // of the parameters' logarithms
 constexpr double kFitDifference = 1e-5;  // of a logarithm, for the derivatives: 1e-10 of them is left out
 
@@ -66,7 +66,7 @@ class FrequencyFit {
   bool allowed(const Eigen::VectorXd& logs) const {
     if (!logs.allFinite()) return false;
     const double relative = beam_at(logs).relative_torsion();
-    return start_.support != BeamSupport::torsion || (relative >= kLeastTorsion && relative <= kMostTorsion);
+    return start_.support != BeamSupport::torsion || (relative >= kMinTorsion && relative <= kMaxTorsion);
   }
   Eigen::MatrixXd derivatives(const Eigen::VectorXd& logs) const {
     Eigen::MatrixXd columns(rows(), logs.size());
@@ -98,7 +98,7 @@ class FrequencyFit {
   Eigen::VectorXd solve() const {
     Eigen::VectorXd logs = best_start();
     double chi2 = misfit(logs).squaredNorm(), damping = 1e-3;
-    for (int round = 0; round < kMostFitRounds; ++round) {
+    for (int round = 0; round < kMaxFitRounds; ++round) {
       const Eigen::MatrixXd columns = derivatives(logs);
       const Eigen::VectorXd step =
           solve_gram(columns.transpose() * columns, columns.transpose() * misfit(logs), damping);
@@ -154,17 +154,17 @@ class FrequencyFit {
 
 }  // namespace
 
-std::size_t most_beam_parameters(BeamSupport support) { return support == BeamSupport::torsion ? 2 : 1; }
+std::size_t max_beam_parameters(BeamSupport support) { return support == BeamSupport::torsion ? 2 : 1; }
 
 BeamFit fit_beam(const UniformBeam& beam, const std::vector<BeamParameter>& asked,
                  const std::vector<MeasuredFrequency>& measured) {
-  assert(!asked.empty() && asked.size() <= most_beam_parameters(beam.support) && measured.size() >= asked.size());
+  assert(!asked.empty() && asked.size() <= max_beam_parameters(beam.support) && measured.size() >= asked.size());
   const FrequencyFit problem(beam, asked, measured);
   const Eigen::VectorXd logs = problem.solve();
   BeamFit fit{.beam = problem.beam_at(logs), .chi2 = problem.misfit(logs).squaredNorm()};
   const double relative = fit.beam.relative_torsion();
   fit.at_limit = beam.support == BeamSupport::torsion &&
-                 (relative < kNearLimit * kLeastTorsion || relative > kMostTorsion / kNearLimit);
+                 (relative < kNearLimit * kMinTorsion || relative > kMaxTorsion / kNearLimit);
   const Eigen::VectorXd model = problem.model_logs(fit.beam).array().exp();
   fit.model_Hz.assign(model.begin(), model.end());
   const Eigen::MatrixXd columns = problem.derivatives(logs);
@@ -195,17 +195,18 @@ TorsionFit fit_torsion(const std::vector<StaticReading>& readings, double stiffn
     xx += turn(reading) * turn(reading);
     xy += turn(reading) * turned_m(reading);
   }
-  const double softness = xy / xx;  // 1/T
-  if (!(softness > 0 && std::isfinite(softness))) {
+  const double shear_parameter = xy / xx;  // 1/T
+  if (!(shear_parameter > 0 && std::isfinite(shear_parameter))) {
     throw InputError("the beam's own bending would already deflect more than was read", "static readings",
                      "look at --ei and at the readings (--static) and their units: N, m, m");
   }
-  TorsionFit fit{.torsion_Nmprad = 1 / softness};
+  TorsionFit fit{.torsion_Nmprad = 1 / shear_parameter};
   if (readings.size() < 2) return fit;
   double left = 0;
-  for (const StaticReading& reading : readings) left += std::pow(turned_m(reading) - softness * turn(reading), 2);
+  for (const StaticReading& reading : readings)
+    left += std::pow(turned_m(reading) - shear_parameter * turn(reading), 2);
   const double variance = left / static_cast<double>(readings.size() - 1) / xx;
-  fit.std_Nmprad = std::sqrt(variance) / (softness * softness);
+  fit.std_Nmprad = std::sqrt(variance) / (shear_parameter * shear_parameter);
   return fit;
 }
 

@@ -31,12 +31,12 @@ struct BeamFit {
 
 /// How many of the three may be fitted at once: frequencies depend on EI/ρA and on T* = T L/EI alone, without a spring
 /// (of no or boundless stiffness too) on the first of them.
-std::size_t most_beam_parameters(BeamSupport support);
+std::size_t max_beam_parameters(BeamSupport support);
 
 /// Fits what is asked for, with the rest of `beam` as it is: least squares on the logarithms of frequencies and
 /// parameters (Marquardt), started from the best of a range of T*. Deviations from the frequencies' own where these are
 /// known; else from what the fit leaves, with equal relative deviations assumed.
-/// Preconditions: no rigid-body mode; one parameter to most_beam_parameters, each once, the torsion only with a spring;
+/// Preconditions: no rigid-body mode; one parameter to max_beam_parameters, each once, the torsion only with a spring;
 /// at least as many frequencies.
 BeamFit fit_beam(const UniformBeam& beam, const std::vector<BeamParameter>& asked,
                  const std::vector<MeasuredFrequency>& measured);

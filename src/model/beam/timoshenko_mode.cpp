@@ -59,7 +59,7 @@ double free_condition(const Waves& w, bool even) {
 }
 
 // The determinant times 2 e^(−δ), its spring's part and its hinge's.
-double held_condition(const Waves& w, double spring, double hinge) {
+double boundary_condition(const Waves& w, double spring, double hinge) {
   const double e = std::exp(-w.a), ch = 1 + e * e, sh = 1 - e * e, s = std::sin(w.b), c = std::cos(w.b);
   const double ka = w.lean / w.a, kb = w.bend / w.b;
   const double turning = w.lean * sh * c / w.b - w.bend * s * ch / w.a;
@@ -74,12 +74,13 @@ std::optional<double> lambda_between(const UniformBeam& beam, double low, double
   const auto f = [&](double lambda) { return condition(waves_of(beam, lambda)); };
   const double end = std::min(high, last_lambda(beam));
   if (!(low < end) || (end < high && (f(low) > 0) == (f(end) > 0))) return {};
-  return root_between(low, end, f);
+  return ridders_root(low, end, f);
 }
 
 std::optional<double> pinned_timoshenko(const UniformBeam& beam, std::size_t elastic) {
   const double from = static_cast<double>(elastic) * kHalfWave_rad;
-  return lambda_between(beam, from, from + kHalfWave_rad / 2, [](const Waves& w) { return held_condition(w, 0, 1); });
+  return lambda_between(beam, from, from + kHalfWave_rad / 2,
+                        [](const Waves& w) { return boundary_condition(w, 0, 1); });
 }
 
 std::optional<double> sprung_timoshenko(const UniformBeam& beam, std::size_t elastic) {
@@ -89,7 +90,7 @@ std::optional<double> sprung_timoshenko(const UniformBeam& beam, std::size_t ela
                                                 : 0.5 * std::min(1.0, std::pow(3 * relative, 0.25));  // T* ≈ λ⁴/3
   if (!low) return {};
   return lambda_between(beam, *low, pinned_timoshenko(beam, elastic).value_or(kNoLimit),
-                        [&](const Waves& w) { return held_condition(w, spring, hinge); });
+                        [&](const Waves& w) { return boundary_condition(w, spring, hinge); });
 }
 
 std::optional<double> timoshenko_lambda(const UniformBeam& beam, std::size_t elastic) {

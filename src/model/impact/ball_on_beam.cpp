@@ -8,7 +8,7 @@ namespace {
 
 const double kPart = 1 / (4 - std::cbrt(4.0));  // p: five steps of second order make one of fourth (Suzuki)
 
-double to_three_halves(double x) { return x > 0 ? x * std::sqrt(x) : 0; }
+double pow_3_2(double x) { return x > 0 ? x * std::sqrt(x) : 0; }
 
 double weighted_sum(const std::vector<double>& weight, const std::vector<double>& value) {
   double sum = 0;
@@ -30,7 +30,7 @@ BallOnBeam::BallOnBeam(const Impact& impact)
     y_.push_back(mode.shape(impact.at_m) / std::sqrt(impact.beam.mass_per_length_kgpm * mode.norm_m));
     mobility_ += y_.back() * y_.back();
   }
-  for (Turn* turn : {&first_, &second_, &third_}) {
+  for (ModalRotation* turn : {&first_, &second_, &third_}) {
     for (auto* values : {&turn->c, &turn->s_over_omega, &turn->omega_s}) values->resize(impact.modes);
   }
 }
@@ -40,7 +40,7 @@ BallOnBeamState BallOnBeam::start(double speed_mps) const {
 }
 
 double BallOnBeam::force_of(double approach_m, double rate_mps) const {
-  return hertz_ * to_three_halves(approach_m) * std::max(0.0, 1 + hysteresis_ * rate_mps);  // (2)
+  return hertz_ * pow_3_2(approach_m) * std::max(0.0, 1 + hysteresis_ * rate_mps);  // (2)
 }
 
 BallOnBeamReading BallOnBeam::read(const BallOnBeamState& state) const {
@@ -56,17 +56,17 @@ BallOnBeamReading BallOnBeam::read(const BallOnBeamState& state) const {
   const double approach = state.ball_m - reading.beam_m, rate = state.ball_mps - reading.beam_mps;
   const double pressed = std::max(0.0, approach);
   reading.approach_m = approach;
-  reading.grip_m = approach > 0 ? approach * (1 + hysteresis_ * rate) : approach;
+  reading.contact_event_m = approach > 0 ? approach * (1 + hysteresis_ * rate) : approach;
   reading.force_N = force_of(approach, rate);
   const double acceleration = back_mps2 - mobility_ * reading.force_N;
   reading.force_rate_Nps =
       hertz_ * std::sqrt(pressed) * (1.5 * rate * (1 + hysteresis_ * rate) + pressed * hysteresis_ * acceleration);
   reading.energy_J = (ball_mass_kg_ * state.ball_mps * state.ball_mps + twice_J) / 2 +
-                     0.4 * hertz_ * pressed * to_three_halves(pressed) + state.lost_J;
+                     0.4 * hertz_ * pressed * pow_3_2(pressed) + state.lost_J;
   return reading;
 }
 
-void BallOnBeam::set_turn(Turn& turn, double dt_s) const {
+void BallOnBeam::set_rotation(ModalRotation& turn, double dt_s) const {
   turn.dt_s = dt_s;
   for (std::size_t i = 0; i < omega_.size(); ++i) {
     const double angle = omega_[i] * dt_s, s = std::sin(angle);
@@ -76,7 +76,7 @@ void BallOnBeam::set_turn(Turn& turn, double dt_s) const {
   }
 }
 
-void BallOnBeam::set_twice(const Turn& half, Turn& turn) const {
+void BallOnBeam::set_double_rotation(const ModalRotation& half, ModalRotation& turn) const {
   turn.dt_s = 2 * half.dt_s;
   for (std::size_t i = 0; i < omega_.size(); ++i) {
     turn.c[i] = 1 - 2 * half.omega_s[i] * half.s_over_omega[i];
@@ -85,7 +85,7 @@ void BallOnBeam::set_twice(const Turn& half, Turn& turn) const {
   }
 }
 
-void BallOnBeam::drift(BallOnBeamState& state, const Turn& turn) {
+void BallOnBeam::drift(BallOnBeamState& state, const ModalRotation& turn) {
   for (std::size_t i = 0; i < state.eta.size(); ++i) {
     const double eta = state.eta[i];
     state.eta[i] = turn.c[i] * eta + turn.s_over_omega[i] * state.rate[i];
@@ -95,8 +95,8 @@ void BallOnBeam::drift(BallOnBeamState& state, const Turn& turn) {
 }
 
 // The approach stands still and α̇ falls as (1 + χα̇)′ = −μ χ k₂ α^(3/2) (1 + χα̇), μ the mobility: solved exactly.
-void BallOnBeam::push(BallOnBeamState& state, double dt_s) const {
-  const double elastic = hertz_ * to_three_halves(state.ball_m - weighted_sum(y_, state.eta));
+void BallOnBeam::kick(BallOnBeamState& state, double dt_s) const {
+  const double elastic = hertz_ * pow_3_2(state.ball_m - weighted_sum(y_, state.eta));
   double impulse = elastic * dt_s;
   if (hysteresis_ > 0) {
     const double scale = 1 + hysteresis_ * (state.ball_mps - weighted_sum(y_, state.rate));
@@ -113,26 +113,26 @@ void BallOnBeam::push(BallOnBeamState& state, double dt_s) const {
 }
 
 void BallOnBeam::step(BallOnBeamState& state, double dt_s) {
-  set_turn(first_, kPart * dt_s / 2);
-  set_twice(first_, second_);
-  set_turn(third_, (1 - 3 * kPart) * dt_s / 2);
+  set_rotation(first_, kPart * dt_s / 2);
+  set_double_rotation(first_, second_);
+  set_rotation(third_, (1 - 3 * kPart) * dt_s / 2);
   drift(state, first_);
-  push(state, kPart * dt_s);
+  kick(state, kPart * dt_s);
   drift(state, second_);
-  push(state, kPart * dt_s);
+  kick(state, kPart * dt_s);
   drift(state, third_);
-  push(state, (1 - 4 * kPart) * dt_s);
+  kick(state, (1 - 4 * kPart) * dt_s);
   drift(state, third_);
-  push(state, kPart * dt_s);
+  kick(state, kPart * dt_s);
   drift(state, second_);
-  push(state, kPart * dt_s);
+  kick(state, kPart * dt_s);
   drift(state, first_);
 }
 
 void BallOnBeam::small_increment(BallOnBeamState& state, double dt_s) {
   const BallOnBeamReading before = read(state);
-  const double lossy_N = before.force_N - hertz_ * to_three_halves(before.approach_m);
-  if (first_.dt_s != dt_s) set_turn(first_, dt_s);
+  const double lossy_N = before.force_N - hertz_ * pow_3_2(before.approach_m);
+  if (first_.dt_s != dt_s) set_rotation(first_, dt_s);
   drift(state, first_);
   const double half_s2 = dt_s * dt_s / 2;
   for (std::size_t i = 0; i < y_.size(); ++i) {

@@ -17,7 +17,7 @@ struct BallOnBeamState {
 struct BallOnBeamReading {
   double beam_m = 0, beam_mps = 0;
   double approach_m = 0;
-  double grip_m = 0;  // approach times 1 + χα̇ where they overlap: not above 0 when the contact has ended
+  double contact_event_m = 0;  // approach times 1 + χα̇ where they overlap: not above 0 when the contact has ended
   double force_N = 0, force_rate_Nps = 0;
   double energy_J = 0;  // kinetic, of the modes, of the contact, and lost
 };
@@ -42,19 +42,19 @@ class BallOnBeam {
 
  private:
   /// How the modes turn in free motion for one length of time.
-  struct Turn {
+  struct ModalRotation {
     double dt_s = 0;
     std::vector<double> c, s_over_omega, omega_s;
   };
-  void set_turn(Turn& turn, double dt_s) const;
-  void set_twice(const Turn& half, Turn& turn) const;
-  static void drift(BallOnBeamState& state, const Turn& turn);
-  void push(BallOnBeamState& state, double dt_s) const;
+  void set_rotation(ModalRotation& turn, double dt_s) const;
+  void set_double_rotation(const ModalRotation& half, ModalRotation& turn) const;
+  static void drift(BallOnBeamState& state, const ModalRotation& turn);
+  void kick(BallOnBeamState& state, double dt_s) const;
   double force_of(double approach_m, double rate_mps) const;
 
   double ball_mass_kg_, hertz_, hysteresis_, mobility_;  // mobility: 1/m + Σ yᵢ²
   std::vector<double> omega_, y_;
-  Turn first_, second_, third_;
+  ModalRotation first_, second_, third_;
 };
 
 }  // namespace percuss

@@ -19,7 +19,7 @@ class FreeMotion {
 
   /// When the gap closes again, within `until_s`: time goes on by what the gap, its rate and the largest acceleration
   /// that the modes' amplitudes allow leave certainly open, so that no touch is stepped over.
-  std::optional<double> touch_s(double until_s) const;
+  std::optional<double> next_contact_s(double until_s) const;
 
   struct Peak {
     double value_m = 0, time_s = 0;

@@ -14,10 +14,10 @@
 namespace percuss {
 namespace {
 
-constexpr double kFirstPassSteps = 32;             // to the Hertz time
-constexpr double kSettledImpact = 5e-10;           // error of the coefficient of restitution, and of the energy
-constexpr double kAimedImpact = 2e-10;             // … at which a shorter step is aimed
-constexpr std::size_t kMostModeSteps = 5'000'000;  // in one pass: less than a second
+constexpr double kFirstPassSteps = 32;            // to the Hertz time
+constexpr double kSettledImpact = 5e-10;          // error of the coefficient of restitution, and of the energy
+constexpr double kAimedImpact = 2e-10;            // … at which a shorter step is aimed
+constexpr std::size_t kMaxModeSteps = 5'000'000;  // in one pass: less than a second
 constexpr double kClassicStep_s = 1e-5;
 constexpr std::size_t kSeriesContact = 400, kSeriesFree = 4000;
 
@@ -37,7 +37,7 @@ CubicTop top_of_cubic(double from, double from_rate, double to, double to_rate, 
   CubicTop top{.value = std::max(from, to), .at = to > from ? 1.0 : 0.0};
   if (!(from_rate > 0 && to_rate < 0)) return top;
   const double chord = (to - from) / width;
-  const double at = root_between(0, 1, [&](double t) {
+  const double at = ridders_root(0, 1, [&](double t) {
     const double u = 1 - t;
     return u * u * from_rate + t * t * to_rate + 2 * t * u * (3 * chord - from_rate - to_rate);
   });
@@ -58,7 +58,7 @@ class ContactPass {
     const double energy_J = now_.energy_J, speed_mps = state_.ball_mps;
     remember(series);
     for (bool touching = true; touching; remember(series)) {
-      if (++result_.steps * system_.modes() > kMostModeSteps) {
+      if (++result_.steps * system_.modes() > kMaxModeSteps) {
         throw InputError("ball and beam do not separate", "the contact, after as many steps as are reasonable",
                          "look for a value far off (--hertz, --ball-mass, --speed, --ei, --rho-a), or take a longer "
                          "--step or fewer --modes");
@@ -67,10 +67,10 @@ class ContactPass {
       double dt_s = next_step_s();
       kept_ = state_;
       move_to(dt_s);
-      touching = now_.grip_m > 0;
+      touching = now_.contact_event_m > 0;
       if (!touching) {
-        const double inside_m = std::max(before.grip_m, std::numeric_limits<double>::min());
-        dt_s = root_between(0.0, dt_s, [&](double t) { return t == 0 ? inside_m : move_to(t); });
+        const double inside_m = std::max(before.contact_event_m, std::numeric_limits<double>::min());
+        dt_s = ridders_root(0.0, dt_s, [&](double t) { return t == 0 ? inside_m : move_to(t); });
         move_to(dt_s);
       }
       watch(before, dt_s);
@@ -98,7 +98,7 @@ class ContactPass {
       system_.step(state_, dt_s);
     }
     now_ = system_.read(state_);
-    return now_.grip_m;
+    return now_.contact_event_m;
   }
   // Force and deflection may be largest within the step.
   void watch(const BallOnBeamReading& before, double dt_s) {
@@ -149,8 +149,8 @@ void thin_series(std::vector<ImpactMoment>& series) {
 }
 
 void follow_free_motion(const FreeMotion& free, ImpactResult& result, bool series) {
-  if (const auto touch = free.touch_s(kFollowed_s)) result.recontact_s = result.contact_s + *touch;
-  if (const auto peak = free.peak(kFollowed_s, result.peak_deflection_m)) {
+  if (const auto touch = free.next_contact_s(kFollowUp_s)) result.recontact_s = result.contact_s + *touch;
+  if (const auto peak = free.peak(kFollowUp_s, result.peak_deflection_m)) {
     result.peak_deflection_m = peak->value_m;
     result.peak_deflection_time_s = result.contact_s + peak->time_s;
   }
@@ -158,7 +158,7 @@ void follow_free_motion(const FreeMotion& free, ImpactResult& result, bool serie
   thin_series(result.series);
   result.series.back().force_N = 0;  // what rounding leaves of it
   for (std::size_t i = 1; i <= kSeriesFree; ++i) {
-    const double time_s = kFollowed_s * static_cast<double>(i) / static_cast<double>(kSeriesFree);
+    const double time_s = kFollowUp_s * static_cast<double>(i) / static_cast<double>(kSeriesFree);
     result.series.push_back({.time_s = result.contact_s + time_s,
                              .beam_m = free.beam_at(time_s).value,
                              .ball_m = free.ball_at(time_s),
@@ -176,7 +176,7 @@ double hysteresis_for_spm(double restitution, double speed_mps) {
   const auto difference = [&](double d) { return std::log1p(d) - std::log1p(-e * d) - d * (1 + e); };  // (3)
   // Below zero for small d, where the terms cancel up to −d² (1 − e²)/2; without bound towards 1/e.
   const double low = 0.75 * (1 - e * e) / (1 + e * e * e);
-  return root_between(low, (1 - 1e-15) / e, difference) / speed_mps;
+  return ridders_root(low, (1 - 1e-15) / e, difference) / speed_mps;
 }
 
 ImpactResult simulate_impact(const Impact& impact, const ImpactOptions& options) {

@@ -49,7 +49,7 @@ struct ImpactResult {
 };
 
 /// How long after the first separation the motion is followed.
-inline constexpr double kFollowed_s = 0.08;
+inline constexpr double kFollowUp_s = 0.08;
 
 /// A Hertz ball on a beam, from first touch to first separation, which is located between steps, and the free motion
 /// after.

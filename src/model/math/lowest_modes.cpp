@@ -29,7 +29,7 @@ class Lanczos {
     // Any start that no mode is orthogonal to will do; this one has no symmetry.
     VectorXd start(mass.rows());
     for (Index i = 0; i < start.size(); ++i) start[i] = 1 + std::sin(1.7 * static_cast<double>(i * i));
-    next_ = without_known(start);
+    next_ = orthogonal_to_known(start);
     next_ /= std::sqrt(next_.dot(mass_ * next_));
   }
 
@@ -49,7 +49,7 @@ class Lanczos {
       mass_vectors_.col(at) = mass_ * next_;
       const VectorXd image = factors_.solve(mass_vectors_.col(at));
       diagonal_[at] = image.dot(mass_vectors_.col(at));
-      next_ = without_known(image);
+      next_ = orthogonal_to_known(image);
       beside_[at] = std::sqrt(next_.dot(mass_ * next_));
       exhausted_ = !(beside_[at] > kExhausted * diagonal_.head(known_).maxCoeff());
       next_ /= beside_[at];
@@ -78,7 +78,7 @@ class Lanczos {
 
  private:
   // Twice: what rounding leaves after the first time is gone after the second.
-  VectorXd without_known(VectorXd x) const {
+  VectorXd orthogonal_to_known(VectorXd x) const {
     for (int i = 0; i < 2; ++i) {
       x -= rigid_ * (mass_rigid_.transpose() * x);
       if (known_ > 0) x -= vectors_.leftCols(known_) * (mass_vectors_.leftCols(known_).transpose() * x);

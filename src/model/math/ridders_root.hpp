@@ -7,13 +7,13 @@ namespace percuss {
 /// Where f, continuous and of different signs at low and high, is zero: Ridders' method, which keeps the bracket, to
 /// the last bits of the root. A zero at an end is that end.
 template <class Function>
-double root_between(double low, double high, const Function& f) {
-  constexpr int kMostRounds = 200;
+double ridders_root(double low, double high, const Function& f) {
+  constexpr int kMaxRounds = 200;
   double at_low = f(low), at_high = f(high);
   if (at_low == 0) return low;
   if (at_high == 0) return high;
   double root = high;
-  for (int round = 0; round < kMostRounds; ++round) {
+  for (int round = 0; round < kMaxRounds; ++round) {
     const double middle = low + (high - low) / 2;
     if (!(middle > low && middle < high)) break;
     const double at_middle = f(middle);

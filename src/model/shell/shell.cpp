@@ -21,7 +21,7 @@ double unit_radps(const TubeShell& s) {
   return std::sqrt(s.young_Pa / (s.density_kgpm3 * (1 - s.poisson * s.poisson))) / s.radius_m();
 }
 
-double thinness(const TubeShell& s) { return s.wall_m * s.wall_m / (12 * s.radius_m() * s.radius_m()); }
+double wall_parameter(const TubeShell& s) { return s.wall_m * s.wall_m / (12 * s.radius_m() * s.radius_m()); }
 
 }  // namespace
 
@@ -30,7 +30,7 @@ double ring_Hz(const TubeShell& s, std::size_t n) {
 }
 
 double rayleigh_Hz(const TubeShell& s, std::size_t n) {
-  return unit_radps(s) * std::sqrt(thinness(s) * pattern_factor(n)) / kTwoPi;  // (2)
+  return unit_radps(s) * std::sqrt(wall_parameter(s) * pattern_factor(n)) / kTwoPi;  // (2)
 }
 
 double love_Hz(const TubeShell& s, std::size_t n) {
@@ -40,7 +40,7 @@ double love_Hz(const TubeShell& s, std::size_t n) {
 }
 
 double flugge_Hz(const TubeShell& s, std::size_t waves, std::size_t half_waves) {
-  const double n = static_cast<double>(waves), k = thinness(s), nu = s.poisson;
+  const double n = static_cast<double>(waves), k = wall_parameter(s), nu = s.poisson;
   const double l = static_cast<double>(half_waves) * std::numbers::pi * s.radius_m() / s.length_m, l2 = l * l,
                n2 = n * n;
   Eigen::Matrix3d matrix;                                                         // (4); only its lower half is read

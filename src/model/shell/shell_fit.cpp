@@ -12,8 +12,8 @@ namespace {
 constexpr double kShellNudge = 1e-6;  // of ln E or ln h, for differences
 constexpr double kShellSettled = 1e-12;
 constexpr double kToldApart = 0.5;  // the largest deviation of ln E or ln h that still says something
-constexpr double kMostShellDamping = 1e12;
-constexpr int kMostShellSteps = 100;
+constexpr double kMaxShellDamping = 1e12;
+constexpr int kMaxShellSteps = 100;
 constexpr const char* kHoops = "the measured hoop frequencies";
 constexpr const char* kHoopRemedy = "fit only E or only the wall, or add patterns with other n and m";
 
@@ -60,7 +60,7 @@ class HoopFit {
   Eigen::VectorXd solve() const {
     Eigen::VectorXd now = Eigen::VectorXd::Zero(count()), rest = misfit(now);
     double damping = 1e-3;
-    for (int i = 0; i < kMostShellSteps; ++i) {
+    for (int i = 0; i < kMaxShellSteps; ++i) {
       const Eigen::MatrixXd j = slopes(now);
       const Eigen::VectorXd step = solve_gram(j.transpose() * j, j.transpose() * rest, damping), next = now + step;
       const bool usable = is_usable(next);
@@ -72,7 +72,7 @@ class HoopFit {
       } else {
         damping *= 10;
       }
-      if (step.norm() < kShellSettled || damping > kMostShellDamping) return now;
+      if (step.norm() < kShellSettled || damping > kMaxShellDamping) return now;
     }
     throw InputError("no shell explains them", kHoops, kHoopRemedy);
   }

@@ -25,7 +25,7 @@ OscillatorState DampedOscillator::after(const OscillatorState& start, double tim
           .v_mps = start.v_mps * cosine - (decay_radps * start.v_mps + omega_radps * omega_radps * start.x_m) * sine};
 }
 
-double DampedOscillator::reach_m(const OscillatorState& start) const {
+double DampedOscillator::amplitude_bound_m(const OscillatorState& start) const {
   return std::hypot(start.x_m, start.v_mps / omega_radps);
 }
 

@@ -13,7 +13,7 @@ struct DampedOscillator {
 
   OscillatorState after(const OscillatorState& start, double time_s) const;
   /// What |x| never exceeds from there on: the energy only falls.
-  double reach_m(const OscillatorState& start) const;
+  double amplitude_bound_m(const OscillatorState& start) const;
 };
 
 }  // namespace percuss

@@ -24,11 +24,12 @@ std::vector<Rebound> hoop_sweep(const Trampoline& model, const std::vector<doubl
   return sweep;
 }
 
-HoopPeak best_hoop(const Trampoline& model, const std::vector<double>& hoop_Hz, const std::vector<Rebound>& sweep) {
+HoopPeak optimal_hoop_frequency(const Trampoline& model, const std::vector<double>& hoop_Hz,
+                                const std::vector<Rebound>& sweep) {
   std::vector<double> cor;
   cor.reserve(sweep.size());
   for (const Rebound& r : sweep) cor.push_back(r.cor);
-  const PeakPlace peak = peak_between([&](double at_Hz) { return rebound(model, at_Hz).cor; }, hoop_Hz, cor);
+  const MaximumPoint peak = brent_maximum([&](double at_Hz) { return rebound(model, at_Hz).cor; }, hoop_Hz, cor);
   return {.hoop_Hz = peak.x, .cor = peak.y};
 }
 

@@ -40,7 +40,7 @@ struct Rebound {
 Rebound rebound(const Trampoline& model, double hoop_Hz);
 
 /// The same with a barrel that does not give way.
-Rebound wall_rebound(const Trampoline& model);
+Rebound rigid_wall_rebound(const Trampoline& model);
 
 struct HoopPeak {
   double hoop_Hz = 0, cor = 0;
@@ -49,9 +49,10 @@ struct HoopPeak {
 /// The rebounds at each of `hoop_Hz`. Each stands by itself: `threads` as in parallel_for.
 std::vector<Rebound> hoop_sweep(const Trampoline& model, const std::vector<double>& hoop_Hz, std::size_t threads = 0);
 
-/// The hoop frequency with the largest COR, by peak_between from the sweep's best. shapes: hoop_Hz ascending, sweep
+/// The hoop frequency with the largest COR, by brent_maximum from the sweep's best. shapes: hoop_Hz ascending, sweep
 /// alike long.
-HoopPeak best_hoop(const Trampoline& model, const std::vector<double>& hoop_Hz, const std::vector<Rebound>& sweep);
+HoopPeak optimal_hoop_frequency(const Trampoline& model, const std::vector<double>& hoop_Hz,
+                                const std::vector<Rebound>& sweep);
 
 /// Hoop frequency with the extra mass on the barrel: f √(m₂/(m₂ + Δm)).                               (4)
 /// theory (10.4)

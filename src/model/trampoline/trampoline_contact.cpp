@@ -18,7 +18,7 @@ constexpr double kScale_s = 1e-3;                      // τ of (1): a contact l
 constexpr double kContactTolerance = 1e-10;            // of the ball's speed, in a step
 constexpr double kFirstStep = 0.05, kShortest = 1e-9;  // of s
 constexpr double kUnderWay = 0.1;                      // of s: a touch that begins without force has some by then
-constexpr double kMostContactSteps = 1e6;
+constexpr double kMaxContactSteps = 1e6;
 using ContactState = std::array<double, kContactStates>;  // ball, its speed, barrel, its speed
 
 // Equations (1) and (2) of trampoline.hpp with s of (1) for the time.
@@ -43,12 +43,12 @@ double TrampolineForces::contact_N(double overlap_m, double closing_mps) const {
          model.damping * closing_mps * std::exp(model.damping_exponent * log);
 }
 
-double TrampolineForces::grip(double overlap_m, double closing_mps) const {
+double TrampolineForces::contact_event(double overlap_m, double closing_mps) const {
   const double power = 1 + model.stiffness_exponent - model.damping_exponent;
   return model.stiffness * std::copysign(std::pow(std::abs(overlap_m), power), overlap_m) + model.damping * closing_mps;
 }
 
-double TrampolineForces::grip_rate(double overlap_m, double closing_mps, double acceleration_mps2) const {
+double TrampolineForces::contact_event_rate(double overlap_m, double closing_mps, double acceleration_mps2) const {
   const double power = 1 + model.stiffness_exponent - model.damping_exponent;
   return model.stiffness * power * std::pow(std::abs(overlap_m), power - 1) * closing_mps +
          model.damping * acceleration_mps2;
@@ -87,11 +87,12 @@ class ContactSolver::Stepper {
     return worst;
   }
 
-  double grip(const Moment& m) const { return forces_.grip(m.y[0] - m.y[2], m.y[1] - m.y[3]); }
+  double contact_event(const Moment& m) const { return forces_.contact_event(m.y[0] - m.y[2], m.y[1] - m.y[3]); }
 
   // Whether the grip falls below zero and comes back between two moments at which it holds: by the cubic through both.
-  bool may_let_go(const Moment& a, const Moment& b) const {
-    const double h = b.s - a.s, ga = grip(a), gb = grip(b), ra = h * grip_rate(a), rb = h * grip_rate(b);
+  bool may_separate(const Moment& a, const Moment& b) const {
+    const double h = b.s - a.s, ga = contact_event(a), gb = contact_event(b), ra = h * contact_event_rate(a),
+                 rb = h * contact_event_rate(b);
     if (!(ra < 0 && rb > 0)) return false;
     const double c = 3 * (gb - ga) - 2 * ra - rb, d = 2 * (ga - gb) + ra + rb;
     const double root = std::sqrt(std::max(0.0, c * c - 3 * d * ra));
@@ -100,22 +101,22 @@ class ContactSolver::Stepper {
   }
 
   // The last step again, shorter, so that the grip is zero at its end.
-  Moment let_go(const Moment& from, const Moment& past) {
+  Moment separation_state(const Moment& from, const Moment& past) {
     Moment to = past;
     const auto grip_after = [&](double h) {
-      if (h == 0) return grip(from);
+      if (h == 0) return contact_event(from);
       take(from, h, to);
-      return grip(to);
+      return contact_event(to);
     };
-    take(from, bracketed_root(grip_after, 0, past.s - from.s, kContactTolerance * past.s), to);
+    take(from, illinois_root(grip_after, 0, past.s - from.s, kContactTolerance * past.s), to);
     return to;
   }
 
  private:
-  double grip_rate(const Moment& m) const {
+  double contact_event_rate(const Moment& m) const {
     const double slowing = 4 * kScale_s * m.s * m.s * m.s;
     if (slowing == 0) return 0;
-    return slowing * forces_.grip_rate(m.y[0] - m.y[2], m.y[1] - m.y[3], (m.dy[1] - m.dy[3]) / slowing);
+    return slowing * forces_.contact_event_rate(m.y[0] - m.y[2], m.y[1] - m.y[3], (m.dy[1] - m.dy[3]) / slowing);
   }
 
   TrampolineForces& forces_;
@@ -133,7 +134,7 @@ BallAndBarrel ContactSolver::follow(const BallAndBarrel& start) {
   auto next = now;
   double h = kFirstStep, steps = 0;
   for (bool holds = true; holds;) {
-    if (++steps > kMostContactSteps)
+    if (++steps > kMaxContactSteps)
       throw InputError("the contact does not come to an end", "trampoline model", "use a higher hoop frequency");
     const double error = stepper_->take(now, h, next);
     if (!(error <= 1) && h > kShortest) {
@@ -141,13 +142,13 @@ BallAndBarrel ContactSolver::follow(const BallAndBarrel& start) {
       continue;
     }
     // A touch with an overlap begins where the grip is zero to rounding: only what has held can let go.
-    const bool settling = stepper_->grip(now) <= 0 && now.s < kUnderWay;
-    holds = stepper_->grip(next) >= 0 || settling;
-    if (holds && !settling && stepper_->may_let_go(now, next) && h > kShortest) {
+    const bool settling = stepper_->contact_event(now) <= 0 && now.s < kUnderWay;
+    holds = stepper_->contact_event(next) >= 0 || settling;
+    if (holds && !settling && stepper_->may_separate(now, next) && h > kShortest) {
       h /= 2;
       continue;
     }
-    if (!holds) next = stepper_->let_go(now, next);
+    if (!holds) next = stepper_->separation_state(now, next);
     now = next;
     h *= std::clamp(0.9 * std::pow(std::max(error, 1e-10), -0.125), 0.5, 4.0);
   }

@@ -22,8 +22,8 @@ struct TrampolineForces {
 
   double contact_N(double overlap_m, double closing_mps) const;  // (2) without its "where positive"
   /// The contact force over |δ|ᵇ, in N/m^b: of the same sign, but with a simple root where it ends.
-  double grip(double overlap_m, double closing_mps) const;
-  double grip_rate(double overlap_m, double closing_mps, double acceleration_mps2) const;  // its rate per s
+  double contact_event(double overlap_m, double closing_mps) const;
+  double contact_event_rate(double overlap_m, double closing_mps, double acceleration_mps2) const;  // its rate per s
 };
 
 /// Follows contacts from their start to their end with an eighth-order Runge–Kutta method.

@@ -13,9 +13,9 @@ namespace {
 
 constexpr double kExponentNudge = 1e-4;  // of an exponent: differences of a model that is good to 1e-11
 constexpr double kExponentsSettled = 1e-9;
-constexpr double kMostFitDamping = 1e12;
+constexpr double kMaxFitDamping = 1e12;
 constexpr double kUnknownExponent = 100;  // a deviation as large is rounding's
-constexpr int kMostFitSteps = 100;
+constexpr int kMaxFitSteps = 100;
 constexpr const char* kMeasuredCcor = "the measured CCOR";
 
 using Exponents = Eigen::Vector2d;  // a, b
@@ -31,7 +31,7 @@ class CcorFit {
     model.stiffness_exponent = e[0];
     model.damping_exponent = e[1];
     model.ball_speed_mps = speed_mps;
-    return wall_rebound(model).cor;
+    return rigid_wall_rebound(model).cor;
   }
 
   // (cor − model)/σ
@@ -59,7 +59,7 @@ class CcorFit {
     Exponents now(model_.stiffness_exponent, model_.damping_exponent);
     Eigen::VectorXd rest = misfit(now);
     double damping = 1e-3;
-    for (int i = 0; i < kMostFitSteps; ++i) {
+    for (int i = 0; i < kMaxFitSteps; ++i) {
       const Eigen::MatrixXd j = slopes(now);
       const Exponents step = solve_gram(j.transpose() * j, j.transpose() * rest, damping);
       const Exponents next = now + step;
@@ -71,7 +71,7 @@ class CcorFit {
       } else {
         damping *= 10;
       }
-      if (step.norm() < kExponentsSettled || damping > kMostFitDamping) return now;
+      if (step.norm() < kExponentsSettled || damping > kMaxFitDamping) return now;
     }
     throw InputError("no exponents a and b explain it", kMeasuredCcor, "check speeds, or start from other --a and --b");
   }

@@ -21,10 +21,9 @@ struct ExponentFit {
   std::size_t beyond_std = 0;  // measurements that the model misses by more than their deviation
 };
 
-/// Weighted least squares for a and b of wall_rebound, the other constants as in `model`, where the search starts too:
-/// Gauss–Newton with Marquardt's damping.
-/// errors  InputError: fewer than two different speeds; speeds too alike to tell a from b; no exponents fit.
-/// source  [8] in docs/sources.md, 4.4: there by trying all combinations
+/// Weighted least squares for a and b of rigid_wall_rebound, the other constants as in `model`, where the search starts
+/// too: Gauss–Newton with Marquardt's damping. errors  InputError: fewer than two different speeds; speeds too alike to
+/// tell a from b; no exponents fit. source  [8] in docs/sources.md, 4.4: there by trying all combinations
 ExponentFit fit_exponents(const Trampoline& model, const std::vector<MeasuredCor>& measured);
 
 }  // namespace percuss

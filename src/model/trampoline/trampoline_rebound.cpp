@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kLooksPerPeriod = 40;  // for the next touch
 constexpr double kSame = 1e-14;         // of the time between two looks
-constexpr int kMostLooks = 100'000;
-constexpr std::size_t kMostContacts = 1000;
+constexpr int kMaxLooks = 100'000;
+constexpr std::size_t kMaxContacts = 1000;
 
 TrampolineForces forces_at(const Trampoline& model, double hoop_Hz) {
   const double omega = kTwoPi * hoop_Hz;
@@ -23,9 +23,9 @@ TrampolineForces forces_at(const Trampoline& model, double hoop_Hz) {
 }
 
 // Ball and barrel apart from each other: both known in closed form.
-class Flight {
+class FreeFlight {
  public:
-  Flight(const TrampolineForces& forces, const BallAndBarrel& start)
+  FreeFlight(const TrampolineForces& forces, const BallAndBarrel& start)
       : forces_(forces),
         start_(start),
         barrel_{.omega_radps = std::sqrt(forces.barrel_stiffness_Npm * forces.barrel_compliance),
@@ -33,15 +33,15 @@ class Flight {
 
   /// The next touch; none when the ball has gone for good.
   std::optional<BallAndBarrel> next_touch() const {
-    const double look_s = kTwoPi / barrel_.omega_radps / kLooksPerPeriod;
-    const double reach_m = barrel_.reach_m({.x_m = start_.barrel_m, .v_mps = start_.barrel_mps});
-    for (int look = 1; look < kMostLooks; ++look) {
-      const double time_s = look * look_s;
-      if (nearness(time_s) > 0) {
-        const auto crossing = [&](double t) { return nearness(t); };
-        return after(bracketed_root(crossing, time_s - look_s, time_s, kSame * look_s));
+    const double recontact_window_s = kTwoPi / barrel_.omega_radps / kLooksPerPeriod;
+    const double amplitude_bound_m = barrel_.amplitude_bound_m({.x_m = start_.barrel_m, .v_mps = start_.barrel_mps});
+    for (int look = 1; look < kMaxLooks; ++look) {
+      const double time_s = look * recontact_window_s;
+      if (separation_margin(time_s) > 0) {
+        const auto crossing = [&](double t) { return separation_margin(t); };
+        return after(illinois_root(crossing, time_s - recontact_window_s, time_s, kSame * recontact_window_s));
       }
-      if (start_.ball_mps < 0 && start_.ball_m + time_s * start_.ball_mps < -reach_m) break;
+      if (start_.ball_mps < 0 && start_.ball_m + time_s * start_.ball_mps < -amplitude_bound_m) break;
     }
     return {};
   }
@@ -57,10 +57,10 @@ class Flight {
   }
 
   // Above zero where they overlap and the force would push; continuous, so that it can be searched for zeros.
-  double nearness(double time_s) const {
+  double separation_margin(double time_s) const {
     const BallAndBarrel then = after(time_s);
     const double overlap_m = then.overlap_m();
-    return std::min(forces_.model.stiffness * overlap_m, forces_.grip(overlap_m, then.closing_mps()));
+    return std::min(forces_.model.stiffness * overlap_m, forces_.contact_event(overlap_m, then.closing_mps()));
   }
 
   const TrampolineForces& forces_;
@@ -76,8 +76,8 @@ Rebound rebound(const Trampoline& model, double hoop_Hz) {
   const double speed = model.ball_speed_mps;
   BallAndBarrel now = solver.follow({.ball_mps = speed});
   Rebound result{.first_cor = -now.ball_mps / speed};
-  while (result.contacts < kMostContacts) {
-    const auto touch = Flight(forces, now).next_touch();
+  while (result.contacts < kMaxContacts) {
+    const auto touch = FreeFlight(forces, now).next_touch();
     if (!touch) break;
     now = solver.follow(*touch);
     ++result.contacts;
@@ -89,7 +89,7 @@ Rebound rebound(const Trampoline& model, double hoop_Hz) {
   return result;
 }
 
-Rebound wall_rebound(const Trampoline& model) {
+Rebound rigid_wall_rebound(const Trampoline& model) {
   const BallAndBarrel end =
       ContactSolver({.model = model, .barrel_compliance = 0}).follow({.ball_mps = model.ball_speed_mps});
   const double cor = -end.ball_mps / model.ball_speed_mps;

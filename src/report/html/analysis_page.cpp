@@ -23,13 +23,13 @@ std::string frf_section(const std::string& verdict) {
 }
 
 std::string hits_section(const Analysis& analysis) {
-  constexpr std::size_t kMostListed = 20;  // beyond that the table is folded
+  constexpr std::size_t kMaxListed = 20;  // beyond that the table is folded
   using enum FindingCode;
   const HitsTable table = hits_table(analysis, analysis.hits());
   const std::string more =
       table.left_out > 0 ? page_paragraph(fmt::format("… and {} more hits in order.", table.left_out)) : "";
   std::string shown = table.shown.html() + more;
-  if (analysis.hits().size() > kMostListed) {
+  if (analysis.hits().size() > kMaxListed) {
     shown =
         fmt::format("<details>\n<summary>Table of {} hits</summary>\n{}</details>\n", analysis.hits().size(), shown);
   }
@@ -71,19 +71,20 @@ std::string comparison_section(const CommandReport& comparison) {
 }  // namespace
 
 std::string analysis_page(const Analysis& analysis, const PageOptions& options, const Provenance& provenance) {
-  const auto wants = [&](Section section) { return options.sections.contains(section); };
-  const bool possible = analysis.possible(), modes = wants(Section::modes) || wants(Section::classes);
-  const bool with_hits = wants(Section::hits) && analysis.given_frfs() == nullptr;
-  const bool frfs = possible && (wants(Section::frf) || wants(Section::coherence));
-  const std::vector<Verdict> verdicts = possible && modes ? analysis.verdicts() : std::vector<Verdict>();
-  const std::string verdict = modes || !possible ? verdict_sentence(analysis, verdicts)
+  const auto wants = [&](ReportSection section) { return options.sections.contains(section); };
+  const bool possible = analysis.possible(), modes = wants(ReportSection::modes) || wants(ReportSection::classes);
+  const bool with_hits = wants(ReportSection::hits) && analysis.given_frfs() == nullptr;
+  const bool frfs = possible && (wants(ReportSection::frf) || wants(ReportSection::coherence));
+  const std::vector<ModeClassification> classifications =
+      possible && modes ? analysis.classifications() : std::vector<ModeClassification>();
+  const std::string verdict = modes || !possible ? summary_sentence(analysis, classifications)
                               : frfs             ? frf_sentence(analysis)
                                                  : hits_sentence(analysis);
-  std::string found = "<p class=\"verdict\">" + html_text(verdict) + "</p>\n";
-  if (!verdicts.empty()) found += modes_table(analysis, wants(Section::classes)).html();
+  std::string found = "<p class=\"verdict\">" + html_escape(verdict) + "</p>\n";
+  if (!classifications.empty()) found += modes_table(analysis, wants(ReportSection::classes)).html();
   found += page_warnings(analysis.warnings());
   const std::string title = title_of(analysis.record().files);
-  std::string body = page_header(title, conditions_of(analysis, with_hits ? analysis.hits().size() : 0)) + "<main>\n";
+  std::string body = page_header(title, test_conditions(analysis, with_hits ? analysis.hits().size() : 0)) + "<main>\n";
   body += page_section(modes ? "modes" : "result", modes ? "Modes" : "Result", found);
   if (options.comparison != nullptr) body += comparison_section(*options.comparison);
   if (frfs) body += frf_section(verdict);
@@ -97,9 +98,10 @@ std::string analysis_page(const Analysis& analysis, const PageOptions& options, 
   }
   body += page_section("provenance", "How this came about", page_provenance(analysis.record().files, provenance)) +
           "</main>\n";
-  const PicturesWanted wanted{.hits = with_hits, .frfs = frfs, .stabilisation = modes};
-  return HtmlPage{
-      .title = title + " – percuss", .body = body, .data = "[" + analysis_pictures(analysis, verdicts, wanted) + "]"}
+  const PlotSelection wanted{.hits = with_hits, .frfs = frfs, .stabilisation = modes};
+  return HtmlPage{.title = title + " – percuss",
+                  .body = body,
+                  .data = "[" + analysis_plot_data(analysis, classifications, wanted) + "]"}
       .text();
 }
 

@@ -11,7 +11,7 @@
 namespace percuss {
 
 struct PageOptions {
-  std::set<Section> sections = all_sections();  // nothing else is computed
+  std::set<ReportSection> sections = default_sections();  // nothing else is computed
   const ImpactTest* deflection = nullptr;
   const CommandReport* comparison = nullptr;  // with other documents
 };

@@ -20,11 +20,11 @@ using Json = nlohmann::ordered_json;
 constexpr double kSeen_dB = 0.01, kSeen_deg = 0.1, kSeen_coherence = 1e-4;
 
 Json numbers_json(std::span<const double> values, double coarsest) {
-  PictureNumbers numbers = picture_numbers(values, coarsest);
+  QuantisedCurve numbers = quantised_curve(values, coarsest);
   return {{"from", numbers.from}, {"step", numbers.step}, {"u16", std::move(numbers.u16)}};
 }
 
-Json curve_picture(const FrfCurve& curve) {
+Json curve_plot_json(const FrfCurve& curve) {
   Json json{{"name", curve.name},
             {"db", numbers_json(curve.level_dB, kSeen_dB)},
             {"phase_deg", numbers_json(curve.phase_deg, kSeen_deg)}};
@@ -34,20 +34,20 @@ Json curve_picture(const FrfCurve& curve) {
   return json;
 }
 
-Json frf_picture(const Analysis& analysis) {
+Json frf_plot_json(const Analysis& analysis) {
   Json json{{"first_hz", analysis.lines().freq_Hz(0)},
             {"df_hz", analysis.lines().df_Hz()},
             {"of", analysis.frfs().size()},
             {"curves", Json::array()}};
-  for (const FrfCurve& curve : frf_curves(analysis)) json["curves"].push_back(curve_picture(curve));
+  for (const FrfCurve& curve : frf_curves(analysis)) json["curves"].push_back(curve_plot_json(curve));
   return json;
 }
 
-Json modes_picture(const Analysis& analysis, const std::vector<Verdict>& verdicts) {
+Json modes_plot_json(const Analysis& analysis, const std::vector<ModeClassification>& classifications) {
   Json out = Json::array();
-  for (std::size_t m = 0; m < verdicts.size(); ++m) {
+  for (std::size_t m = 0; m < classifications.size(); ++m) {
     const Mode& mode = analysis.modes()[m];
-    const Verdict& verdict = verdicts[m];
+    const ModeClassification& verdict = classifications[m];
     Json json{{"hz", mode.pole.freq_Hz},
               {"zeta", mode.pole.damping_ratio},
               {"name", mode_name(verdict, m)},
@@ -66,7 +66,7 @@ Json samples_json(const HitSamples& samples, double coarsest) {
   return {{"first", samples.first}, {"step", samples.step}, {"values", numbers_json(samples.value, coarsest)}};
 }
 
-Json hits_picture(const Analysis& analysis) {
+Json hits_plot_json(const Analysis& analysis) {
   Json out = Json::array();
   for (const HitCurves& hit : hit_curves(analysis)) {
     out.push_back({{"name", fmt::format("hit {}", hit.number)},
@@ -81,7 +81,7 @@ Json hits_picture(const Analysis& analysis) {
   return out;
 }
 
-Json stabilisation_picture(const Stabilisation& diagram) {
+Json stabilisation_plot_json(const Stabilisation& diagram) {
   std::vector<double> freq_Hz;
   std::string stability;
   Json orders = Json::array();
@@ -95,19 +95,19 @@ Json stabilisation_picture(const Stabilisation& diagram) {
 
 }  // namespace
 
-std::string analysis_pictures(const Analysis& analysis, const std::vector<Verdict>& verdicts,
-                              const PicturesWanted& wanted) {
+std::string analysis_plot_data(const Analysis& analysis, const std::vector<ModeClassification>& classifications,
+                               const PlotSelection& wanted) {
   Json json = Json::object();
   if (wanted.hits && analysis.given_frfs() == nullptr) {
-    json["hits"] = hits_picture(analysis);
+    json["hits"] = hits_plot_json(analysis);
     json["of_hits"] = analysis.hits().size();
   }
   if (!analysis.possible()) return ascii_text(json);
   const auto [low_Hz, high_Hz] = analysis.band_Hz();
   json["band_hz"] = {low_Hz, high_Hz};
-  if (wanted.frfs) json["frf"] = frf_picture(analysis);
-  json["modes"] = modes_picture(analysis, verdicts);
-  if (wanted.stabilisation) json["stabilisation"] = stabilisation_picture(analysis.stabilisation());
+  if (wanted.frfs) json["frf"] = frf_plot_json(analysis);
+  json["modes"] = modes_plot_json(analysis, classifications);
+  if (wanted.stabilisation) json["stabilisation"] = stabilisation_plot_json(analysis.stabilisation());
   return ascii_text(json);
 }
 

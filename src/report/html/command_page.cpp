@@ -10,7 +10,7 @@ namespace percuss {
 namespace {
 
 std::string title_of(const CommandReport& report, const std::vector<std::string>& inputs) {
-  if (!inputs.empty()) return names_of(inputs);
+  if (!inputs.empty()) return file_list_title(inputs);
   return report.charts.empty() ? "Numbers" : report.charts.front().title;
 }
 
@@ -41,7 +41,7 @@ std::string command_page(const CommandReport& report, const std::vector<std::str
   body +=
       page_section("provenance", "How this came about", page_provenance(files_of(inputs), provenance)) + "</main>\n";
   return HtmlPage{
-      .title = title + " – percuss", .body = body, .data = bends ? "[" + bending_data(report.bending) + "]" : ""}
+      .title = title + " – percuss", .body = body, .data = bends ? "[" + bending_plot_json(report.bending) + "]" : ""}
       .text();
 }
 

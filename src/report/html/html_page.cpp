@@ -28,8 +28,8 @@ std::string data_text(const std::string& json) {
 
 std::string HtmlPage::text() const {
   const bool draws = !data.empty();
-  const std::string style = (draws ? std::string(page_texts().plot_style) : "") + std::string(page_texts().style);
-  const std::string program = std::string(page_texts().plot_program) + std::string(page_texts().program);
+  const std::string style = (draws ? std::string(page_assets().plot_style) : "") + std::string(page_assets().style);
+  const std::string program = std::string(page_assets().plot_program) + std::string(page_assets().program);
   const std::string scripts = draws ? fmt::format(R"(<script type="application/json" id="data">{}</script>
 <script>{}</script>
 )",
@@ -49,7 +49,7 @@ std::string HtmlPage::text() const {
 {}{}</body>
 </html>
 )",
-                     draws ? source_of(program) : "'none'", source_of(style), html_text(title), style, body, scripts);
+                     draws ? source_of(program) : "'none'", source_of(style), html_escape(title), style, body, scripts);
 }
 
 }  // namespace percuss

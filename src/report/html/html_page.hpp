@@ -8,7 +8,7 @@ namespace percuss {
 /// the data hold.
 struct HtmlPage {
   std::string title;  // plain text
-  std::string body;   // HTML; texts in it have gone through html_text
+  std::string body;   // HTML; texts in it have gone through html_escape
   std::string data;   // JSON in ASCII: what src/report/page draws; none: no program on the page
 
   /// The whole document.

@@ -4,9 +4,9 @@
 namespace percuss {
 
 /// The parts of every page: page/page.css and page/page.js, and uPlot's (third_party/uplot).
-struct PageTexts {
+struct PageAssets {
   std::string_view style, program, plot_style, plot_program;
 };
-const PageTexts& page_texts();
+const PageAssets& page_assets();
 
 }  // namespace percuss

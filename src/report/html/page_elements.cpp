@@ -32,7 +32,7 @@ std::string page_section(const char* id, const char* heading, const std::string&
                      heading, content);
 }
 
-std::string names_of(const std::vector<std::string>& paths) {
+std::string file_list_title(const std::vector<std::string>& paths) {
   if (paths.empty()) return "";
   const std::string first =
       paths.front() == "-" ? input_name("-") : std::filesystem::path(paths.front()).filename().string();
@@ -44,36 +44,36 @@ std::string title_of(const std::vector<InputFile>& files) {
   std::vector<std::string> paths;
   paths.reserve(files.size());
   for (const InputFile& file : files) paths.push_back(file.path);
-  return names_of(paths);
+  return file_list_title(paths);
 }
 
-std::string page_paragraph(const std::string& text) { return "<p>" + html_text(text) + "</p>\n"; }
+std::string page_paragraph(const std::string& text) { return "<p>" + html_escape(text) + "</p>\n"; }
 
 std::string page_picture(const char* kind, const std::string& description) {
   return fmt::format("<figure class=\"picture\" data-picture=\"{}\" role=\"img\" aria-label=\"{}\"></figure>\n", kind,
-                     html_text(description));
+                     html_escape(description));
 }
 
 std::string page_chart(const LineChart& chart) {
-  return "<figure class=\"picture chart\">\n" + line_chart_svg(chart, ChartGround::page) + "</figure>\n";
+  return "<figure class=\"picture chart\">\n" + line_chart_svg(chart, ChartTheme::page) + "</figure>\n";
 }
 
 std::string page_header(const std::string& title, const std::string& conditions) {
-  return "<header>\n<h1>" + html_text(title) + "</h1>\n<p class=\"conditions\">" + html_text(conditions) +
+  return "<header>\n<h1>" + html_escape(title) + "</h1>\n<p class=\"conditions\">" + html_escape(conditions) +
          "</p>\n</header>\n";
 }
 
 std::string page_warnings(const std::vector<Warning>& warnings) {
   std::string items;
-  for (const Warning& warning : warnings) items += "<li>" + html_text(one_line(warning.message, 4000)) + "</li>\n";
+  for (const Warning& warning : warnings) items += "<li>" + html_escape(one_line(warning.message, 4000)) + "</li>\n";
   return items.empty() ? "" : "<ul class=\"warnings\" aria-label=\"Warnings\">\n" + items + "</ul>\n";
 }
 
 std::string page_findings(const Analysis& analysis, const std::vector<FindingCode>& codes) {
-  constexpr std::size_t kMostListed = 12;
+  constexpr std::size_t kMaxListed = 12;
   std::vector<Warning> found;
   const auto& hits = analysis.hits();
-  for (std::size_t i = 0; i < hits.size() && found.size() < kMostListed; ++i) {
+  for (std::size_t i = 0; i < hits.size() && found.size() < kMaxListed; ++i) {
     for (const Finding& finding : hits[i].hit.findings) {
       if (std::find(codes.begin(), codes.end(), finding.code) != codes.end())
         found.push_back({.code = "", .message = fmt::format("hit {}: {}", i, finding.message)});
@@ -88,7 +88,7 @@ std::string page_provenance(const std::vector<InputFile>& inputs, const Provenan
     files.add({one_line(input_name(file.path), 400), fmt::format("{}", file.bytes), digest_of(file)});
   return "<details>\n<summary>Method and provenance</summary>\n" +
          page_paragraph(fmt::format("percuss {}, {} UTC", version(), provenance.made_at)) + "<pre>" +
-         html_text(one_line(provenance.command, 4000)) + "</pre>\n" + (inputs.empty() ? "" : files.html()) +
+         html_escape(one_line(provenance.command, 4000)) + "</pre>\n" + (inputs.empty() ? "" : files.html()) +
          "</details>\n";
 }
 

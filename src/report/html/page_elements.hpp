@@ -29,7 +29,7 @@ std::string page_warnings(const std::vector<Warning>& warnings);
 std::string page_findings(const Analysis& analysis, const std::vector<FindingCode>& codes);
 std::string page_provenance(const std::vector<InputFile>& files, const Provenance& provenance);
 /// Files for a heading: the name of the first without its folder, "and 3 more" with it.
-std::string names_of(const std::vector<std::string>& paths);
+std::string file_list_title(const std::vector<std::string>& paths);
 /// The same of what was read.
 std::string title_of(const std::vector<InputFile>& files);
 

@@ -24,11 +24,11 @@ using Json = nlohmann::ordered_json;
 // Six digits are more than a picture shows.
 double shown(double value) { return std::isfinite(value) ? std::stod(fmt::format("{:.6g}", value)) : 0; }
 
-Json shapes_picture(const WireFrame& frame) {
+Json shapes_plot_json(const Wireframe& frame) {
   Json places = Json::array(), lines = Json::array(), modes = Json::array();
   for (const auto& at : frame.points) places.push_back({shown(at[0]), shown(at[1]), shown(at[2])});
   for (const auto& [from, to] : frame.lines) lines.push_back({from, to});
-  for (const WireMode& mode : frame.modes) {
+  for (const WireframeMode& mode : frame.modes) {
     Json moves = Json::array();
     for (const auto& move : mode.moves) {
       for (const Complex& component : move) {
@@ -41,15 +41,15 @@ Json shapes_picture(const WireFrame& frame) {
   return {{"points", std::move(places)}, {"lines", std::move(lines)}, {"modes", std::move(modes)}};
 }
 
-Json indicator_picture(const Survey& survey) {
-  constexpr Eigen::Index kMostValues = 3;
+Json indicator_plot_json(const Survey& survey) {
+  constexpr Eigen::Index kMaxValues = 3;
   constexpr double kLevelStep_dB = 0.01;
   const LineRange band = survey.band();
   Json json{{"first_hz", band.freq_Hz(0)}, {"df_hz", band.df_Hz()}, {"values", Json::array()}};
-  for (Eigen::Index i = 0; i < std::min(kMostValues, survey.indicator().cols()); ++i) {
+  for (Eigen::Index i = 0; i < std::min(kMaxValues, survey.indicator().cols()); ++i) {
     std::vector<double> level_dB;
     for (const double value : survey.indicator().col(i)) level_dB.push_back(20 * std::log10(std::max(value, 1e-300)));
-    const PictureNumbers numbers = picture_numbers(level_dB, kLevelStep_dB);
+    const QuantisedCurve numbers = quantised_curve(level_dB, kLevelStep_dB);
     json["values"].push_back({{"from", numbers.from}, {"step", numbers.step}, {"u16", numbers.u16}});
   }
   return json;
@@ -78,21 +78,22 @@ std::string mac_html(const Survey& survey) {
 std::string survey_page(const Survey& survey, const Provenance& provenance) {
   const Analysis& analysis = survey.analysis();
   const bool with_hits = analysis.given_frfs() == nullptr, possible = analysis.possible();
-  const std::vector<Verdict> verdicts = possible ? survey.verdicts() : std::vector<Verdict>();
-  const std::string verdict = verdict_sentence(analysis, verdicts);
-  std::string found = "<p class=\"verdict\">" + html_text(verdict) + "</p>\n", shapes;
-  std::string data = "[" + analysis_pictures(analysis, verdicts, {.stabilisation = false});
-  if (!verdicts.empty()) {
+  const std::vector<ModeClassification> classifications =
+      possible ? survey.classifications() : std::vector<ModeClassification>();
+  const std::string verdict = summary_sentence(analysis, classifications);
+  std::string found = "<p class=\"verdict\">" + html_escape(verdict) + "</p>\n", shapes;
+  std::string data = "[" + analysis_plot_data(analysis, classifications, {.stabilisation = false});
+  if (!classifications.empty()) {
     found += survey_modes_table(survey).html();
-    data += "," + ascii_text(Json{{"shapes", shapes_picture(wire_frame(survey))}});
+    data += "," + ascii_text(Json{{"shapes", shapes_plot_json(wireframe(survey))}});
     shapes = page_section("shapes", "Mode shapes",
                           page_picture("shapes", "The structure's points moving in each mode.") + mac_html(survey));
   }
-  std::string body =
-      page_header(title_of(analysis.record().files), conditions_of(analysis, with_hits ? analysis.hits().size() : 0)) +
-      "<main>\n" + page_section("modes", "Modes", found + page_warnings(survey.warnings())) + shapes;
+  std::string body = page_header(title_of(analysis.record().files),
+                                 test_conditions(analysis, with_hits ? analysis.hits().size() : 0)) +
+                     "<main>\n" + page_section("modes", "Modes", found + page_warnings(survey.warnings())) + shapes;
   if (possible) {
-    data += "," + ascii_text(Json{{"indicator", indicator_picture(survey)}});
+    data += "," + ascii_text(Json{{"indicator", indicator_plot_json(survey)}});
     body += page_section("indicator", "Mode indicator",
                          page_paragraph("Singular values of the FRFs: where the second peaks with the first, two modes "
                                         "share a frequency.") +

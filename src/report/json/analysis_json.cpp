@@ -63,7 +63,7 @@ Json warnings_json(const std::vector<Warning>& warnings) {
 
 Json skipped_json(const Analysis& analysis) {
   Json json = Json::array();
-  for (const Skipped& one : skipped_by(analysis)) {
+  for (const SkippedWork& one : skipped_work(analysis)) {
     json.push_back(
         {{"code", one.code}, {"what", one.what}, {"why", one.why}, {"share", one.share ? Json(*one.share) : Json()}});
   }
@@ -78,19 +78,20 @@ Json trace_json(const Analysis& analysis) {
 }
 
 void add_modes(JsonDocument& document, const Analysis& analysis, const JsonOptions& options) {
-  const bool classes = options.sections.contains(Section::classes);
+  const bool classes = options.sections.contains(ReportSection::classes);
   const std::vector<Mode>& modes = analysis.modes();
   const double decay = analysis.window_decay_per_s();
-  const std::vector<Verdict>* verdicts = options.verdicts;
-  if (classes && verdicts == nullptr) verdicts = &analysis.verdicts();
-  document.add("modes", modes.size(), [&modes, decay, verdicts, classes, shape = options.shape](std::size_t m) {
-    std::string text = mode_json(modes[m], m, decay, classes ? &(*verdicts)[m] : nullptr);
+  const std::vector<ModeClassification>* classifications = options.classifications;
+  if (classes && classifications == nullptr) classifications = &analysis.classifications();
+  document.add("modes", modes.size(), [&modes, decay, classifications, classes, shape = options.shape](std::size_t m) {
+    std::string text = mode_json(modes[m], m, decay, classes ? &(*classifications)[m] : nullptr);
     return shape ? with_member(std::move(text), "shape", shape(m)) : text;
   });
 }
 
 void add_frfs(JsonDocument& document, const Analysis& analysis, const JsonOptions& options) {
-  const bool frf = options.sections.contains(Section::frf), coherence = options.sections.contains(Section::coherence);
+  const bool frf = options.sections.contains(ReportSection::frf),
+             coherence = options.sections.contains(ReportSection::coherence);
   if (frf || coherence) analysis.frfs();
   if (frf) document.add("frf", [&] { return frf_json(analysis); });
   if (coherence) document.add("coherence", [&] { return coherence_json(analysis); });
@@ -98,9 +99,11 @@ void add_frfs(JsonDocument& document, const Analysis& analysis, const JsonOption
 
 // Values are made when the document is written, by several threads: the stages that they ask for are done before.
 void add_found(JsonDocument& document, const Analysis& analysis, const JsonOptions& options) {
-  const bool modes = options.sections.contains(Section::modes) || options.sections.contains(Section::classes);
-  const bool frfs = options.sections.contains(Section::frf) || options.sections.contains(Section::coherence);
-  if (modes && frfs) analysis.make_modes_and_frfs();
+  const bool modes =
+      options.sections.contains(ReportSection::modes) || options.sections.contains(ReportSection::classes);
+  const bool frfs =
+      options.sections.contains(ReportSection::frf) || options.sections.contains(ReportSection::coherence);
+  if (modes && frfs) analysis.compute_modes_and_frfs();
   add_frfs(document, analysis, options);
   if (modes) add_modes(document, analysis, options);
   if (options.per_hit) {
@@ -114,8 +117,8 @@ void add_found(JsonDocument& document, const Analysis& analysis, const JsonOptio
 }  // namespace
 
 JsonDocument analysis_document(const Analysis& analysis, const JsonOptions& options) {
-  const auto wants = [&](Section section) { return options.sections.contains(section); };
-  const bool force_only = options.sections == std::set{Section::hits};
+  const auto wants = [&](ReportSection section) { return options.sections.contains(section); };
+  const bool force_only = options.sections == std::set{ReportSection::hits};
   JsonDocument document;
   document.add_written("schema", Json("percuss/analysis/1"));
   document.add_written("version", Json(version()));
@@ -128,15 +131,15 @@ JsonDocument analysis_document(const Analysis& analysis, const JsonOptions& opti
     const auto [low, high] = analysis.band_Hz();
     document.add_written("band_hz", Json{low, high});
   }
-  if (!force_only && wants(Section::modes))
+  if (!force_only && wants(ReportSection::modes))
     document.add_written("effort", Json(name_of(analysis.options().modes.effort)));
   if (const Json chosen = options_json(analysis); !chosen.empty()) document.add_written("options", chosen);
-  if (wants(Section::hits)) {
+  if (wants(ReportSection::hits)) {
     document.add("hits", hits.size(), [&](std::size_t i) { return hit_json(analysis.record(), i, hits[i]); });
   }
   if (analysis.possible()) {
     add_found(document, analysis, options);
-  } else if (wants(Section::modes)) {
+  } else if (wants(ReportSection::modes)) {
     document.add_written("modes", Json::array());
   }
   if (options.deflection != nullptr) document.add_written("deflection", deflection_in(analysis, *options.deflection));

@@ -20,12 +20,12 @@ struct BatLabel {
 };
 
 struct JsonOptions {
-  std::set<Section> sections = all_sections();
+  std::set<ReportSection> sections = default_sections();
   bool trace = false;
   bool explain = false;  // what was skipped
   bool per_hit = false;
-  bool stabilisation = false;                      // the diagram: the demand that computes it
-  const std::vector<Verdict>* verdicts = nullptr;  // of the modes, in place of the analysis' own
+  bool stabilisation = false;                                        // the diagram: the demand that computes it
+  const std::vector<ModeClassification>* classifications = nullptr;  // of the modes, in place of the analysis' own
   const std::vector<Warning>* warnings = nullptr;
   std::function<std::string(std::size_t mode)> shape;  // a member of each mode, as JSON text
   std::optional<BatLabel> bat;

@@ -15,17 +15,17 @@ using Json = nlohmann::ordered_json;
 // Five digits are more than a picture shows.
 double shown_digits(double value) { return std::stod(fmt::format("{:.5g}", value)); }
 
-Json shown_all(const std::vector<double>& values) {
+Json shown_all_values(const std::vector<double>& values) {
   Json out = Json::array();
   for (const double value : values) out.push_back(shown_digits(value));
   return out;
 }
 
-Json line_json(const BendingLine& line) {
+Json line_json(const BendingShape& line) {
   Json json{{"name", line.name},
             {"hz", line.freq_Hz},
-            {"z_m", shown_all(line.z_m)},
-            {"y", shown_all(line.y)},
+            {"z_m", shown_all_values(line.z_m)},
+            {"y", shown_all_values(line.y)},
             {"nodes", Json::array()}};
   for (const BendingNode& node : line.nodes)
     json["nodes"].push_back({{"z_m", node.z_m}, {"std_m", node.std_m}, {"text", node.text}});
@@ -34,19 +34,19 @@ Json line_json(const BendingLine& line) {
 
 }  // namespace
 
-std::string bending_data(const BendingPicture& picture) {
+std::string bending_plot_json(const BendingPlot& picture) {
   Json json{
       {"outline", Json::array()}, {"modes", Json::array()}, {"ends", picture.ends}, {"from_right", picture.from_right}};
   for (const auto& [z_m, radius_m] : picture.outline_m)
     json["outline"].push_back({shown_digits(z_m), shown_digits(radius_m)});
-  for (const BendingLine& line : picture.modes) json["modes"].push_back(line_json(line));
+  for (const BendingShape& line : picture.modes) json["modes"].push_back(line_json(line));
   return Json{{"bending", std::move(json)}}.dump(-1, ' ', true, Json::error_handler_t::replace);
 }
 
 std::string inches_and_mm(double value_m, double std_m) {
   if (!(std_m > 0)) return fmt::format("{:.2f} in, {:.1f} mm", value_m / kInch_m, 1000 * value_m);
-  return fmt::format("{} in, {} mm", with_deviation(value_m / kInch_m, std_m / kInch_m),
-                     with_deviation(1000 * value_m, 1000 * std_m));
+  return fmt::format("{} in, {} mm", value_with_std(value_m / kInch_m, std_m / kInch_m),
+                     value_with_std(1000 * value_m, 1000 * std_m));
 }
 
 }  // namespace percuss

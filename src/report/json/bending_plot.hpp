@@ -12,7 +12,7 @@ struct BendingNode {
 };
 
 /// One bending mode along a bat: y at z_m, 1 at its largest.
-struct BendingLine {
+struct BendingShape {
   std::string name;
   double freq_Hz = 0;
   std::vector<double> z_m, y;
@@ -20,16 +20,16 @@ struct BendingLine {
 };
 
 /// Bending modes that a page shows in motion.
-struct BendingPicture {
+struct BendingPlot {
   std::vector<std::pair<double, double>> outline_m;  // place and radius; empty: not known
-  std::vector<BendingLine> modes;
+  std::vector<BendingShape> modes;
   std::string ends;         // which end is where: "Left: the knob."
   bool from_right = false;  // z counts from the right end
 };
 
 /// What src/report/page/bending.js draws, as JSON in ASCII: {"bending": {outline, modes: [{name, hz, z_m, y, nodes}],
 /// ends}}.
-std::string bending_data(const BendingPicture& picture);
+std::string bending_plot_json(const BendingPlot& picture);
 
 /// `value_m ± std_m` in inches and in millimetres; without the deviation where it is 0.
 std::string inches_and_mm(double value_m, double std_m);

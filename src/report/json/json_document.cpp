@@ -59,7 +59,8 @@ std::string JsonDocument::text() const {
     for (std::size_t i = 0; i < member.count; ++i) places.emplace_back(&member, i);
   }
   std::vector<std::string> texts(places.size());
-  share_out(places.size(), kPerValue, [&](std::size_t p) { texts[p] = places[p].first->element(places[p].second); });
+  parallel_for_cost(places.size(), kPerValue,
+                    [&](std::size_t p) { texts[p] = places[p].first->element(places[p].second); });
 
   std::string out = "{";
   const std::string* next = texts.data();

@@ -10,7 +10,7 @@
 
 namespace percuss {
 
-PictureNumbers picture_numbers(std::span<const double> values, double coarsest) {
+QuantisedCurve quantised_curve(std::span<const double> values, double coarsest) {
   constexpr double kLargest = 65534;
   constexpr std::uint16_t kAbsent = 65535;
   double low = std::numeric_limits<double>::infinity(), high = -low;

@@ -14,7 +14,7 @@ namespace percuss {
 namespace {
 
 constexpr std::uint64_t kLargest_bytes = std::uint64_t{256} << 20U;
-constexpr int kDeepest = 16;
+constexpr int kMaxDepth = 16;
 
 // A value of a document, and where it stands, for messages.
 class Part {
@@ -116,7 +116,7 @@ std::vector<ComparedDocument> parse_documents(std::string_view text, const std::
   check_json({.text = text,
               .where = where,
               .remedy = "give a document that percuss wrote with --json",
-              .max_depth = kDeepest});
+              .max_depth = kMaxDepth});
   const nlohmann::json value = nlohmann::json::parse(text.begin(), text.end());
   const Part top(value, where);
   const std::string schema = top.at("schema").text();

@@ -21,13 +21,15 @@ Json finding_json(const Finding& finding) {
 }
 
 Json response_json(std::size_t channel, const ResponseGrade& grade) {
-  Json json{
-      {"channel", channel}, {"left_db", grade.left_dB}, {"truncated", grade.truncated}, {"polarity", grade.polarity}};
+  Json json{{"channel", channel},
+            {"left_db", grade.end_level_dB},
+            {"truncated", grade.truncated},
+            {"polarity", grade.polarity}};
   json["delay_s"] = grade.delay_s ? Json(*grade.delay_s) : Json();
   return json;
 }
 
-void add_split(Json& json, const DoublePeak& peak) {
+void add_split(Json& json, const SplitMode& peak) {
   json["separation_std_hz"] = peak.separation_std_Hz;
   json["first_over_second_db"] = peak.first_over_second_dB;
   json["quoted"] = peak.quoted;
@@ -40,7 +42,7 @@ void add_split(Json& json, const DoublePeak& peak) {
                    {"between_std_deg", peak.planes->between_std_rad * kRadian_deg}};
 }
 
-void add_verdict(Json& json, const Verdict& verdict) {
+void add_verdict(Json& json, const ModeClassification& verdict) {
   json["family"] = name_of(verdict.family);
   json["order"] = verdict.order > 0 ? Json(verdict.order) : Json();
   json["confidence"] = verdict.confidence;
@@ -51,11 +53,11 @@ void add_verdict(Json& json, const Verdict& verdict) {
                       ? Json{{"re", verdict.ratio->real()}, {"im", verdict.ratio->imag()}, {"std", verdict.ratio_std}}
                       : Json();
   json["double_peak"] = Json();
-  if (verdict.double_peak) {
-    json["double_peak"] = {{"partner", verdict.double_peak->partner},
-                           {"separation_hz", verdict.double_peak->separation_Hz},
-                           {"first", verdict.double_peak->first}};
-    add_split(json["double_peak"], *verdict.double_peak);
+  if (verdict.split_mode) {
+    json["double_peak"] = {{"partner", verdict.split_mode->partner},
+                           {"separation_hz", verdict.split_mode->separation_Hz},
+                           {"first", verdict.split_mode->first}};
+    add_split(json["double_peak"], *verdict.split_mode);
   }
 }
 
@@ -99,13 +101,13 @@ std::string hit_json(const Record& record, std::size_t i, const AnalysedHit& ana
   return indented_text(json);
 }
 
-std::string mode_json(const Mode& mode, std::size_t m, double window_decay_per_s, const Verdict* verdict) {
+std::string mode_json(const Mode& mode, std::size_t m, double window_decay_per_s, const ModeClassification* verdict) {
   Json json{{"index", m},
             {"frequency_hz", mode.pole.freq_Hz},
             {"frequency_std_hz", mode.freq_std_Hz},
             {"damping_ratio", mode.pole.damping_ratio},
             {"damping_ratio_std", mode.damping_std}};
-  if (mode.moves_Hz > 0) json["moves_hz"] = mode.moves_Hz;
+  if (mode.freq_scatter_Hz > 0) json["moves_hz"] = mode.freq_scatter_Hz;
   if (window_decay_per_s > 0) json["damping_ratio_raw"] = raw_damping(mode.pole, window_decay_per_s);
   if (verdict != nullptr) add_verdict(json, *verdict);
   json["residues"] = Json::array();

@@ -125,8 +125,9 @@ Json reciprocity_json(const Survey& survey) {
 std::string survey_json(const Survey& survey, JsonOptions options) {
   const ThreadLimit limit(survey.analysis().options().threads);
   const bool possible = survey.analysis().possible();
-  const std::vector<Verdict> verdicts = possible ? survey.verdicts() : std::vector<Verdict>{};
-  options.verdicts = &verdicts;
+  const std::vector<ModeClassification> classifications =
+      possible ? survey.classifications() : std::vector<ModeClassification>{};
+  options.classifications = &classifications;
   const std::vector<Warning> warnings = survey.warnings();
   options.warnings = &warnings;
   if (possible) {

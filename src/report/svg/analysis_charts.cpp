@@ -16,7 +16,7 @@ namespace percuss {
 namespace {
 
 constexpr double kTurn_deg = 360, kJump_deg = 300;
-constexpr double kLeastAmplitude = 0.01;  // of a curve, where its band's lower side would have none
+constexpr double kMinAmplitude = 0.01;  // of a curve, where its band's lower side would have none
 const ChartAxis kFrequency{.label = "frequency, Hz"};
 
 std::vector<double> line_frequencies(const Analysis& analysis) {
@@ -25,10 +25,11 @@ std::vector<double> line_frequencies(const Analysis& analysis) {
   return out;
 }
 
-std::vector<ChartFlag> mode_flags(const Analysis& analysis, const std::vector<Verdict>& verdicts) {
-  std::vector<ChartFlag> flags;
-  for (std::size_t m = 0; m < verdicts.size(); ++m)
-    flags.push_back({.x = analysis.modes()[m].pole.freq_Hz, .name = mode_name(verdicts[m], m)});
+std::vector<ChartAnnotation> mode_flags(const Analysis& analysis,
+                                        const std::vector<ModeClassification>& classifications) {
+  std::vector<ChartAnnotation> flags;
+  for (std::size_t m = 0; m < classifications.size(); ++m)
+    flags.push_back({.x = analysis.modes()[m].pole.freq_Hz, .name = mode_name(classifications[m], m)});
   return flags;
 }
 
@@ -37,13 +38,13 @@ ChartBand band_of(const FrfCurve& curve, const std::vector<double>& x, std::size
   ChartBand band{.x = x, .low = curve.level_dB, .high = curve.level_dB, .style = style};
   for (std::size_t k = 0; k < x.size(); ++k) {
     band.high[k] += curve.above_dB[k];
-    band.low[k] += 20 * std::log10(std::max(kLeastAmplitude, 2 - std::pow(10, curve.above_dB[k] / 20)));
+    band.low[k] += 20 * std::log10(std::max(kMinAmplitude, 2 - std::pow(10, curve.above_dB[k] / 20)));
   }
   return band;
 }
 
 LineChart magnitude_chart(const Analysis& analysis, const std::vector<FrfCurve>& frfs,
-                          const std::vector<Verdict>& verdicts) {
+                          const std::vector<ModeClassification>& classifications) {
   LineChart chart{.title = "Frequency responses", .x = kFrequency, .y = {.label = "dB re 1 (m/s²)/N"}};
   const std::vector<double> x = line_frequencies(analysis);
   for (std::size_t i = 0; i < frfs.size(); ++i) {
@@ -53,12 +54,12 @@ LineChart magnitude_chart(const Analysis& analysis, const std::vector<FrfCurve>&
   for (const FrfCurve& frf : frfs) {
     if (!frf.fit_dB.empty()) chart.curves.push_back({.x = x, .y = frf.fit_dB, .thin = true});
   }
-  chart.flags = mode_flags(analysis, verdicts);
+  chart.flags = mode_flags(analysis, classifications);
   return chart;
 }
 
 // Where a phase leaps from one end of its circle to the other there is no line.
-std::vector<double> without_leaps(std::vector<double> phase_deg) {
+std::vector<double> unwrapped_phase(std::vector<double> phase_deg) {
   const std::vector<double> given = phase_deg;
   for (std::size_t k = 1; k < given.size(); ++k) {
     if (std::abs(given[k] - given[k - 1]) > kJump_deg) phase_deg[k] = std::numeric_limits<double>::quiet_NaN();
@@ -74,7 +75,7 @@ LineChart phase_chart(const Analysis& analysis, const std::vector<FrfCurve>& frf
                         .ticks = {-180, -90, 0, 90, 180}}};
   const std::vector<double> x = line_frequencies(analysis);
   for (std::size_t i = 0; i < frfs.size(); ++i)
-    chart.curves.push_back({.name = frfs[i].name, .x = x, .y = without_leaps(frfs[i].phase_deg), .style = i});
+    chart.curves.push_back({.name = frfs[i].name, .x = x, .y = unwrapped_phase(frfs[i].phase_deg), .style = i});
   return chart;
 }
 
@@ -104,7 +105,7 @@ LineChart hits_chart(const std::vector<HitCurves>& hits, HitSamples HitCurves::*
   return chart;
 }
 
-LineChart stabilisation_chart(const Analysis& analysis, const std::vector<Verdict>& verdicts) {
+LineChart stabilisation_chart(const Analysis& analysis, const std::vector<ModeClassification>& classifications) {
   LineChart chart{.title = "Stabilisation", .x = kFrequency, .y = {.label = "model order"}};
   struct Kind {
     Stability stability;
@@ -125,7 +126,7 @@ LineChart stabilisation_chart(const Analysis& analysis, const std::vector<Verdic
     }
     if (!curve.x.empty()) chart.curves.push_back(std::move(curve));
   }
-  chart.flags = mode_flags(analysis, verdicts);
+  chart.flags = mode_flags(analysis, classifications);
   return chart;
 }
 
@@ -137,8 +138,9 @@ const std::vector<std::string>& analysis_chart_names() {
   return names;
 }
 
-std::vector<SvgPiece> analysis_charts(const Analysis& analysis, const std::vector<Verdict>& verdicts,
-                                      const std::vector<std::string>& names) {
+std::vector<SvgFragment> analysis_charts(const Analysis& analysis,
+                                         const std::vector<ModeClassification>& classifications,
+                                         const std::vector<std::string>& names) {
   const auto wants = [&](std::initializer_list<const char*> any) {
     return std::any_of(any.begin(), any.end(),
                        [&](const char* name) { return std::find(names.begin(), names.end(), name) != names.end(); });
@@ -149,7 +151,7 @@ std::vector<SvgPiece> analysis_charts(const Analysis& analysis, const std::vecto
   const auto hits =
       with_hits && wants({"force", "response", "spectrum", "decay"}) ? hit_curves(analysis) : std::vector<HitCurves>();
   std::vector<LineChart> charts;
-  if (!frfs.empty() && wants({"magnitude"})) charts.push_back(magnitude_chart(analysis, frfs, verdicts));
+  if (!frfs.empty() && wants({"magnitude"})) charts.push_back(magnitude_chart(analysis, frfs, classifications));
   if (!frfs.empty() && wants({"phase"})) charts.push_back(phase_chart(analysis, frfs));
   if (!frfs.empty() && wants({"coherence"})) charts.push_back(coherence_chart(analysis, frfs));
   if (wants({"force"})) {
@@ -178,14 +180,14 @@ std::vector<SvgPiece> analysis_charts(const Analysis& analysis, const std::vecto
                                  .x = {.label = "time after the peak, s"},
                                  .y = {.label = "dB under the largest"}}));
   }
-  if (wants({"stabilisation"}) && possible) charts.push_back(stabilisation_chart(analysis, verdicts));
-  std::vector<SvgPiece> pieces;
+  if (wants({"stabilisation"}) && possible) charts.push_back(stabilisation_chart(analysis, classifications));
+  std::vector<SvgFragment> pieces;
   for (const LineChart& chart : charts) {
-    if (!chart.curves.empty()) pieces.push_back(line_chart_piece(chart));
+    if (!chart.curves.empty()) pieces.push_back(line_chart_fragment(chart));
   }
   if (wants({"movement"}) && possible) {
-    const auto barrels = barrel_drawings(analysis, verdicts);
-    if (!barrels.empty()) pieces.push_back(still_drawings("How the barrel moves", barrels));
+    const auto barrels = barrel_cross_sections(analysis, classifications);
+    if (!barrels.empty()) pieces.push_back(shape_svg("How the barrel moves", barrels));
   }
   return pieces;
 }

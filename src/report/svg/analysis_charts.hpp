@@ -12,7 +12,8 @@ namespace percuss {
 const std::vector<std::string>& analysis_chart_names();
 
 /// The pictures asked for, in that order; those there is nothing for are left out.
-std::vector<SvgPiece> analysis_charts(const Analysis& analysis, const std::vector<Verdict>& verdicts,
-                                      const std::vector<std::string>& names);
+std::vector<SvgFragment> analysis_charts(const Analysis& analysis,
+                                         const std::vector<ModeClassification>& classifications,
+                                         const std::vector<std::string>& names);
 
 }  // namespace percuss

@@ -14,8 +14,8 @@
 namespace percuss {
 namespace {
 
-constexpr std::size_t kMostFrfs = 8, kMostHitsShown = 12, kDecayPoints = 400, kSpectrumPoints = 300;
-constexpr double kMostAbove_dB = 40;  // a deviation as large as its value has no end in decibels
+constexpr std::size_t kMaxFrfs = 8, kMaxHitsShown = 12, kDecayPoints = 400, kSpectrumPoints = 300;
+constexpr double kMaxAbove_dB = 40;  // a deviation as large as its value has no end in decibels
 constexpr double kBeyondBandwidth = 1.5;
 constexpr double kNotSeen = std::numeric_limits<double>::quiet_NaN();
 
@@ -28,12 +28,12 @@ double level_of(const PointFrf& frf) {
 }
 
 // The strongest, in the order of the file.
-std::vector<std::size_t> shown_frfs(const std::vector<PointFrf>& frfs) {
+std::vector<std::size_t> strongest_frfs_of(const std::vector<PointFrf>& frfs) {
   std::vector<std::size_t> order(frfs.size());
   std::iota(order.begin(), order.end(), 0U);
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return level_of(frfs[a]) > level_of(frfs[b]); });
-  order.resize(std::min(order.size(), kMostFrfs));
+  order.resize(std::min(order.size(), kMaxFrfs));
   std::sort(order.begin(), order.end());
   return order;
 }
@@ -60,7 +60,7 @@ FrfCurve curve_of_frf(const Analysis& analysis, const PointFrf& frf, const std::
                  .fit_dB = {}};
   if (!frf.frf.std.empty()) {
     curve.above_dB = values([&](std::size_t k) {
-      return std::min(kMostAbove_dB, level_dB_of(1 + frf.frf.std[k] / std::max(std::abs(value[k]), 1e-300)));
+      return std::min(kMaxAbove_dB, level_dB_of(1 + frf.frf.std[k] / std::max(std::abs(value[k]), 1e-300)));
     });
   }
   if (fit != nullptr && fit->size() == value.size())
@@ -85,11 +85,11 @@ HitSamples spectrum_of(const Hit& hit, double fs_Hz) {
 
 // The response before, while and shortly after the pulse acts.
 HitSamples response_of(const Analysis& analysis, const Hit& hit, std::size_t channel) {
-  constexpr std::size_t kMostSamples = 1000;
+  constexpr std::size_t kMaxSamples = 1000;
   constexpr double kPulsesShown = 20;
   const double fs_Hz = analysis.record().fs_Hz;
   const auto wanted = static_cast<std::size_t>(kPulsesShown * hit.pulse_s * fs_Hz) + 2;
-  const std::size_t end = hit.first + hit.samples, count = std::min({wanted, kMostSamples, end - hit.gate_first});
+  const std::size_t end = hit.first + hit.samples, count = std::min({wanted, kMaxSamples, end - hit.gate_first});
   HitSamples out{.first = static_cast<double>(hit.gate_first) / fs_Hz - hit.onset_s, .step = 1 / fs_Hz, .value = {}};
   out.value.resize(count);
   analysis.record().read_accel_mps2(hit.row, channel, hit.gate_first, out.value);
@@ -103,7 +103,7 @@ struct Decay {
 
 // The response's level from block to block after the peak, and before the pulse.
 Decay decay_of(const Analysis& analysis, const Hit& hit, std::size_t channel) {
-  constexpr std::size_t kLeastRest = 16;  // samples that tell a level
+  constexpr std::size_t kMinRest = 16;  // samples that tell a level
   const Record& record = analysis.record();
   const std::size_t first = std::min(hit.peak, hit.first + hit.samples - 1), count = hit.first + hit.samples - first;
   std::vector<double> samples(count);
@@ -120,7 +120,7 @@ Decay decay_of(const Analysis& analysis, const Hit& hit, std::size_t channel) {
   const double highest = out.value.empty() ? 0 : *std::max_element(out.value.begin(), out.value.end());
   for (double& level : out.value) level -= highest;
   Decay decay{.level_dB = std::move(out)};
-  if (hit.gate_first >= hit.first + kLeastRest) {
+  if (hit.gate_first >= hit.first + kMinRest) {
     samples.resize(hit.gate_first - hit.first);
     record.read_accel_mps2(hit.row, channel, hit.first, samples);
     double sum = 0;
@@ -134,12 +134,12 @@ Decay decay_of(const Analysis& analysis, const Hit& hit, std::size_t channel) {
 
 std::vector<FrfCurve> frf_curves(const Analysis& analysis) {
   const auto& frfs = analysis.frfs();
-  const FrfSet& set = analysis.fitted_frfs();
+  const FrfDataset& set = analysis.fitted_frfs();
   std::vector<SynthesisedFrf> made;
   if (!analysis.modes().empty() && set.outputs.size() == frfs.size())
     made = synthesised_frfs(set, analysis.modes(), set.lines);
   std::vector<FrfCurve> curves;
-  for (const std::size_t i : shown_frfs(frfs))
+  for (const std::size_t i : strongest_frfs_of(frfs))
     curves.push_back(curve_of_frf(analysis, frfs[i], i < made.size() ? &made[i].value : nullptr));
   return curves;
 }
@@ -148,7 +148,7 @@ std::vector<HitCurves> hit_curves(const Analysis& analysis) {
   std::vector<HitCurves> out;
   const auto& hits = analysis.hits();
   const double fs_Hz = analysis.record().fs_Hz;
-  for (std::size_t i = 0; i < hits.size() && out.size() < kMostHitsShown; ++i) {
+  for (std::size_t i = 0; i < hits.size() && out.size() < kMaxHitsShown; ++i) {
     const Hit& hit = hits[i].hit;
     if (hit.gated_N.empty()) continue;
     const bool seen = !hits[i].responses.empty();

@@ -41,8 +41,8 @@ Eigen::Vector2d pattern_of(const std::vector<BarrelSensor>& sensors, double n) {
 }
 
 // Outwards, and along the ring so that it keeps its length.
-DrawnLine ring(const Eigen::Vector2d& pattern, double n, double amount) {
-  DrawnLine line;
+Polyline ring(const Eigen::Vector2d& pattern, double n, double amount) {
+  Polyline line;
   for (int k = 0; k <= kSides; ++k) {
     const double t = 2 * std::numbers::pi * k / kSides, c = std::cos(n * t), s = std::sin(n * t);
     const double out = 1 + amount * (pattern[0] * c + pattern[1] * s);
@@ -64,15 +64,16 @@ std::vector<BarrelSensor> barrel_sensors(const Analysis& analysis, const Mode& m
   return sensors;
 }
 
-std::vector<StillDrawing> barrel_drawings(const Analysis& analysis, const std::vector<Verdict>& verdicts) {
-  std::vector<StillDrawing> drawings;
-  for (std::size_t m = 0; m < verdicts.size(); ++m) {
+std::vector<DeformedShape> barrel_cross_sections(const Analysis& analysis,
+                                                 const std::vector<ModeClassification>& classifications) {
+  std::vector<DeformedShape> drawings;
+  for (std::size_t m = 0; m < classifications.size(); ++m) {
     const Mode& mode = analysis.modes()[m];
     const auto sensors = barrel_sensors(analysis, mode);
-    if (sensors.size() != 2 || verdicts[m].family == Family::unknown) continue;
-    const double n = verdicts[m].family == Family::hoop ? 2 : 1;
+    if (sensors.size() != 2 || classifications[m].family == ModeType::unknown) continue;
+    const double n = classifications[m].family == ModeType::hoop ? 2 : 1;
     const Eigen::Vector2d pattern = pattern_of(sensors, n);
-    drawings.push_back({.name = fmt::format("{}, {:.4g} Hz", mode_name(verdicts[m], m), mode.pole.freq_Hz),
+    drawings.push_back({.name = fmt::format("{}, {:.4g} Hz", mode_name(classifications[m], m), mode.pole.freq_Hz),
                         .rest = {ring(pattern, n, 0)},
                         .moved = {ring(pattern, n, kExaggeration), ring(pattern, n, -kExaggeration)}});
   }

@@ -17,6 +17,7 @@ std::vector<BarrelSensor> barrel_sensors(const Analysis& analysis, const Mode& m
 
 /// The barrel's cross-section in each mode that two sensors saw and that has a family: bending shifts it, hoop turns it
 /// into an ellipse.
-std::vector<StillDrawing> barrel_drawings(const Analysis& analysis, const std::vector<Verdict>& verdicts);
+std::vector<DeformedShape> barrel_cross_sections(const Analysis& analysis,
+                                                 const std::vector<ModeClassification>& classifications);
 
 }  // namespace percuss

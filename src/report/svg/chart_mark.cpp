@@ -35,7 +35,7 @@ std::string chart_mark_svg(ChartMark mark, double x, double y, const char* colou
   return fmt::format(R"(<circle cx="{:.1f}" cy="{:.1f}" r="3" {}/>)", x, y, filled);
 }
 
-std::string svg_text(const std::string& text) {
+std::string svg_escape(const std::string& text) {
   std::string out;
   for (const char c : text) {
     if (c == '<') {

@@ -11,6 +11,6 @@ enum class ChartMark : std::uint8_t { circle, plus, open_diamond, diamond, trian
 std::string chart_mark_svg(ChartMark mark, double x, double y, const char* colour);
 
 /// A text as it may stand in SVG: what would be read as markup escaped, control characters as blanks.
-std::string svg_text(const std::string& text);
+std::string svg_escape(const std::string& text);
 
 }  // namespace percuss

@@ -20,7 +20,7 @@ constexpr double kLeft = 72, kRight = 620, kTop = 44, kBottom = 384;  // of the 
 constexpr double kLineHeight = 15, kCharacterWidth = 7;               // at most
 constexpr double kFlagCharacterWidth = 6.4;                           // on average
 constexpr double kLabelRoom = 20;                                     // right of a point, for its label
-constexpr std::size_t kMostDrawn = 1000, kLongestName = 48;
+constexpr std::size_t kMaxDrawn = 1000, kLongestName = 48;
 constexpr std::size_t kTicks = 6;
 
 // Okabe and Ito's colours without yellow, which is too pale for a line; a dash pattern with each.
@@ -34,9 +34,9 @@ constexpr std::array<const char*, 7> kPageColours{"var(--c0)", "var(--c1)", "var
 constexpr std::array<const char*, 7> kDashes{"none", "7 3", "2 3", "9 3 2 3", "12 4", "4 2", "6 2 1 2 1 2"};
 
 // Of each run of neighbours the lowest and the highest, in their order, and a gap where there is one.
-std::vector<std::size_t> worth_drawing(const std::vector<double>& y) {
+std::vector<std::size_t> has_enough_points(const std::vector<double>& y) {
   std::vector<std::size_t> kept;
-  const std::size_t run = std::max<std::size_t>(1, 2 * y.size() / kMostDrawn);
+  const std::size_t run = std::max<std::size_t>(1, 2 * y.size() / kMaxDrawn);
   for (std::size_t begin = 0; begin < y.size(); begin += run) {
     const std::size_t end = std::min(begin + run, y.size());
     std::array<std::size_t, 3> chosen{end, end, end};  // lowest, highest, a gap
@@ -70,8 +70,8 @@ std::string shown_name(const std::string& name) {
 
 class Drawing {
  public:
-  Drawing(const LineChart& chart, ChartGround ground)
-      : chart_(chart), on_page_(ground == ChartGround::page), grid_(on_page_ ? "var(--rule)" : "#ddd") {
+  Drawing(const LineChart& chart, ChartTheme ground)
+      : chart_(chart), on_page_(ground == ChartTheme::page), grid_(on_page_ ? "var(--rule)" : "#ddd") {
     x_ = {.from = kLeft, .to = kRight, .logarithmic = chart.x.logarithmic};
     y_ = {.from = kBottom, .to = kTop, .logarithmic = chart.y.logarithmic};
     std::size_t longest = 0;
@@ -91,10 +91,10 @@ class Drawing {
     width_ = std::max(kWidth, kRight + (scattered_ ? 34 : 12) + kCharacterWidth * static_cast<double>(longest));
   }
 
-  SvgPiece piece() {
-    add("<title>{}</title>\n", svg_text(chart_.title));
+  SvgFragment piece() {
+    add("<title>{}</title>\n", svg_escape(chart_.title));
     if (!on_page_) add("<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n");
-    add("<text x=\"{}\" y=\"18\" font-size=\"15\">{}</text>\n", kLeft, svg_text(chart_.title));
+    add("<text x=\"{}\" y=\"18\" font-size=\"15\">{}</text>\n", kLeft, svg_escape(chart_.title));
     axes();
     for (const ChartBand& one : chart_.bands) band(one);
     for (std::size_t i = 0; i < chart_.curves.size(); ++i) {
@@ -138,16 +138,16 @@ class Drawing {
     }
     add("<path d=\"M{} {}V{}H{}\" fill=\"none\" stroke=\"{}\"/>\n", kLeft, kTop, kBottom, kRight, ink());
     add("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>\n", (kLeft + kRight) / 2, kBottom + 40,
-        svg_text(chart_.x.label));
+        svg_escape(chart_.x.label));
     add("<text transform=\"translate(18 {}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n", (kTop + kBottom) / 2,
-        svg_text(chart_.y.label));
+        svg_escape(chart_.y.label));
   }
 
   // The way of a pen over x and y; it is lifted where there is a gap.
   std::string way(const std::vector<double>& x, const std::vector<double>& y, bool backwards = false) const {
     std::string path;
     bool pen = backwards;
-    std::vector<std::size_t> drawn = worth_drawing(y);
+    std::vector<std::size_t> drawn = has_enough_points(y);
     if (backwards) std::reverse(drawn.begin(), drawn.end());
     for (const std::size_t i : drawn) {
       const double px = x_.pixel(x[i]), py = std::clamp(y_.pixel(y[i]), kTop, kBottom);
@@ -175,14 +175,14 @@ class Drawing {
   void points(const ChartCurve& curve, std::size_t style) {
     std::vector<std::size_t> drawn(curve.x.size());
     std::iota(drawn.begin(), drawn.end(), std::size_t{0});
-    if (curve.line) drawn = worth_drawing(curve.y);
+    if (curve.line) drawn = has_enough_points(curve.y);
     for (const std::size_t i : drawn) {
       const double x = x_.pixel(curve.x[i]), y = y_.pixel(curve.y[i]);
       if (!std::isfinite(x) || !std::isfinite(y)) continue;
       out_ += chart_mark_svg(curve.mark, x, y, colour(style));
       if (i < curve.labels.size() && !curve.labels[i].empty()) {
         add(R"(<text x="{:.1f}" y="{:.1f}"{}>{}</text>)", x > kRight - kLabelRoom ? x - 7 : x + 7, y - 5,
-            x > kRight - kLabelRoom ? " text-anchor=\"end\"" : "", svg_text(curve.labels[i]));
+            x > kRight - kLabelRoom ? " text-anchor=\"end\"" : "", svg_escape(curve.labels[i]));
       }
     }
     out_ += '\n';
@@ -191,13 +191,13 @@ class Drawing {
   // Names above the plot where they do not run into the one before.
   void flags() {
     double free = kLeft - kLabelRoom;
-    for (const ChartFlag& flag : chart_.flags) {
+    for (const ChartAnnotation& flag : chart_.flags) {
       const double at = x_.pixel(flag.x);
       if (!(at >= kLeft && at <= kRight)) continue;
       add(R"(<path d="M{:.1f} {}V{}" stroke="{}" stroke-dasharray="2 3"/>)", at, kTop, kBottom, ink());
       const double half = 0.5 * kFlagCharacterWidth * static_cast<double>(text_width(flag.name));
       if (at - half < free) continue;
-      add(R"(<text x="{:.1f}" y="{}" text-anchor="middle">{}</text>)", at, kTop - 6, svg_text(flag.name));
+      add(R"(<text x="{:.1f}" y="{}" text-anchor="middle">{}</text>)", at, kTop - 6, svg_escape(flag.name));
       free = at + half + kFlagCharacterWidth;
     }
     out_ += '\n';
@@ -214,7 +214,7 @@ class Drawing {
             colour(style), kDashes.at(style));
       }
       if (curve.marks || !curve.line) out_ += chart_mark_svg(curve.mark, kRight + 16, y, colour(style));
-      add("<text x=\"{}\" y=\"{:.1f}\">{}</text>\n", kRight + 30, y + 4, svg_text(shown_name(curve.name)));
+      add("<text x=\"{}\" y=\"{:.1f}\">{}</text>\n", kRight + 30, y + 4, svg_escape(shown_name(curve.name)));
       y += kLineHeight + 2;
     }
   }
@@ -238,7 +238,7 @@ class Drawing {
     }
     for (const auto& [y, i] : ends) {
       add("<text x=\"{}\" y=\"{:.1f}\" fill=\"{}\">{}</text>\n", kRight + 8, y + 4,
-          chart_.curves[i].thin ? ink() : letters(style_of(i)), svg_text(shown_name(chart_.curves[i].name)));
+          chart_.curves[i].thin ? ink() : letters(style_of(i)), svg_escape(shown_name(chart_.curves[i].name)));
     }
   }
 
@@ -253,16 +253,16 @@ class Drawing {
 
 }  // namespace
 
-SvgPiece line_chart_piece(const LineChart& chart, ChartGround ground) { return Drawing(chart, ground).piece(); }
+SvgFragment line_chart_fragment(const LineChart& chart, ChartTheme ground) { return Drawing(chart, ground).piece(); }
 
-std::string line_chart_svg(const LineChart& chart, ChartGround ground) {
-  return svg_document({line_chart_piece(chart, ground)});
+std::string line_chart_svg(const LineChart& chart, ChartTheme ground) {
+  return svg_document({line_chart_fragment(chart, ground)});
 }
 
 std::string line_charts_svg(const std::vector<LineChart>& charts) {
-  std::vector<SvgPiece> pieces;
+  std::vector<SvgFragment> pieces;
   pieces.reserve(charts.size());
-  for (const LineChart& chart : charts) pieces.push_back(line_chart_piece(chart));
+  for (const LineChart& chart : charts) pieces.push_back(line_chart_fragment(chart));
   return svg_document(pieces);
 }
 

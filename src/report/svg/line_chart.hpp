@@ -30,7 +30,7 @@ struct ChartBand {
 };
 
 /// A place on the x axis with a name above it.
-struct ChartFlag {
+struct ChartAnnotation {
   double x = 0;
   std::string name;
 };
@@ -47,19 +47,19 @@ struct LineChart {
   ChartAxis x, y;
   std::vector<ChartCurve> curves;
   std::vector<ChartBand> bands{};
-  std::vector<ChartFlag> flags{};
+  std::vector<ChartAnnotation> flags{};
 };
 
 /// What a chart is drawn on: white paper, or a page whose style sheet has the colours.
-enum class ChartGround : std::uint8_t { paper, page };
+enum class ChartTheme : std::uint8_t { paper, page };
 
 /// The chart as a document of its own (SVG 1.1): ticks at round numbers, colours that stay apart for the colour-blind
 /// and dashes that stay apart in print, text of 12 px and more. At most a thousand points of a line are drawn: the
 /// extremes of its neighbours stand for the others. Where a curve is points alone, the names stand in a legend.
-std::string line_chart_svg(const LineChart& chart, ChartGround ground = ChartGround::paper);
+std::string line_chart_svg(const LineChart& chart, ChartTheme ground = ChartTheme::paper);
 
 /// The same as a part of a larger one.
-SvgPiece line_chart_piece(const LineChart& chart, ChartGround ground = ChartGround::paper);
+SvgFragment line_chart_fragment(const LineChart& chart, ChartTheme ground = ChartTheme::paper);
 
 /// Several charts, one under the other, as one document.
 std::string line_charts_svg(const std::vector<LineChart>& charts);

@@ -8,7 +8,7 @@
 #include "core/units.hpp"
 
 namespace percuss {
-const GeometryPoint* place_of(const Survey& survey, std::size_t point) {
+const GeometryPoint* geometry_point_of(const Survey& survey, std::size_t point) {
   if (!survey.geometry()) return nullptr;
   const auto& points = survey.geometry()->points;
   const auto found = std::find_if(points.begin(), points.end(),
@@ -16,16 +16,16 @@ const GeometryPoint* place_of(const Survey& survey, std::size_t point) {
   return found == points.end() ? nullptr : &*found;
 }
 
-std::optional<std::array<double, 3>> drawn_at(const Survey& survey, std::size_t point) {
-  const GeometryPoint* place = place_of(survey, point);
+std::optional<std::array<double, 3>> plot_position(const Survey& survey, std::size_t point) {
+  const GeometryPoint* place = geometry_point_of(survey, point);
   if (place == nullptr) return std::nullopt;
   if (place->xyz_m) return place->xyz_m;
   return std::array{place->position_m, place->radius_m * std::cos(place->angle_rad),
                     place->radius_m * std::sin(place->angle_rad)};
 }
 
-std::array<double, 3> drawn_normal(const Survey* survey, const Analysis& analysis, std::size_t point,
-                                   std::size_t channel, bool sensors) {
+std::array<double, 3> outward_normal(const Survey* survey, const Analysis& analysis, std::size_t point,
+                                     std::size_t channel, bool sensors) {
   const auto outwards = [](double angle_rad) { return std::array{0.0, std::cos(angle_rad), std::sin(angle_rad)}; };
   if (survey != nullptr && survey->geometry() && survey->geometry()->tube) {
     for (const GeometryPoint& p : survey->geometry()->points) {
@@ -37,7 +37,7 @@ std::array<double, 3> drawn_normal(const Survey* survey, const Analysis& analysi
   return {0, 0, 1};
 }
 
-std::vector<TraceLine> drawn_lines(const Survey& survey, const std::set<int>& points) {
+std::vector<TraceLine> plot_lines(const Survey& survey, const std::set<int>& points) {
   std::vector<TraceLine> out;
   for (const TraceLine& line : survey.analysis().record().trace_lines) {
     if (points.contains(line[0]) && points.contains(line[1])) out.push_back(line);

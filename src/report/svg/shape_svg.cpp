@@ -18,8 +18,8 @@ struct Box {
   std::array<double, 2> low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   std::array<double, 2> high{-low[0], -low[1]};
 
-  void cover(const std::vector<DrawnLine>& lines) {
-    for (const DrawnLine& line : lines) {
+  void cover(const std::vector<Polyline>& lines) {
+    for (const Polyline& line : lines) {
       for (const auto& point : line) {
         for (std::size_t i = 0; i < 2; ++i) {
           low.at(i) = std::min(low.at(i), point.at(i));
@@ -34,11 +34,11 @@ struct Box {
   }
 };
 
-void draw(const std::vector<DrawnLine>& lines, const Box& box, double left, double top, const char* ink,
+void draw(const std::vector<Polyline>& lines, const Box& box, double left, double top, const char* ink,
           std::string& out) {
   const double scale = box.scale();
   std::string path;
-  for (const DrawnLine& line : lines) {
+  for (const Polyline& line : lines) {
     for (std::size_t i = 0; i < line.size(); ++i) {
       fmt::format_to(std::back_inserter(path), "{}{:.1f} {:.1f}", i == 0 ? "M" : "L",
                      left + kCell / 2 + scale * (line[i][0] - (box.low[0] + box.high[0]) / 2),
@@ -53,19 +53,19 @@ void draw(const std::vector<DrawnLine>& lines, const Box& box, double left, doub
 
 }  // namespace
 
-SvgPiece still_drawings(const std::string& title, const std::vector<StillDrawing>& drawings) {
+SvgFragment shape_svg(const std::string& title, const std::vector<DeformedShape>& drawings) {
   Box box;
-  for (const StillDrawing& drawing : drawings) {
+  for (const DeformedShape& drawing : drawings) {
     box.cover(drawing.rest);
     box.cover(drawing.moved);
   }
   const std::size_t beside = std::clamp<std::size_t>(drawings.size(), 1, kBeside);
   const std::size_t rows = (drawings.size() + beside - 1) / beside;
-  SvgPiece piece{.body = fmt::format("<title>{0}</title>\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
-                                     "<text x=\"{1}\" y=\"20\" font-size=\"15\">{0}</text>\n",
-                                     svg_text(title), kMargin),
-                 .width = kCell * static_cast<double>(beside),
-                 .height = kTitle + (kCell + kName) * static_cast<double>(rows)};
+  SvgFragment piece{.body = fmt::format("<title>{0}</title>\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
+                                        "<text x=\"{1}\" y=\"20\" font-size=\"15\">{0}</text>\n",
+                                        svg_escape(title), kMargin),
+                    .width = kCell * static_cast<double>(beside),
+                    .height = kTitle + (kCell + kName) * static_cast<double>(rows)};
   for (std::size_t i = 0; i < drawings.size(); ++i) {
     const std::size_t row = i / beside, column = i % beside;
     const double left = kCell * static_cast<double>(column);
@@ -75,7 +75,7 @@ SvgPiece still_drawings(const std::string& title, const std::vector<StillDrawing
     fmt::format_to(std::back_inserter(piece.body),
                    R"(<text x="{:.1f}" y="{:.1f}" text-anchor="middle">{}</text>)"
                    "\n",
-                   left + kCell / 2, top + kCell + 12, svg_text(drawings[i].name));
+                   left + kCell / 2, top + kCell + 12, svg_escape(drawings[i].name));
   }
   return piece;
 }

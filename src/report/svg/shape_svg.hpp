@@ -7,15 +7,15 @@
 
 namespace percuss {
 
-using DrawnLine = std::vector<std::array<double, 2>>;  // right and up, in any unit
+using Polyline = std::vector<std::array<double, 2>>;  // right and up, in any unit
 
 /// Something that moves, at rest and where it has moved farthest.
-struct StillDrawing {
+struct DeformedShape {
   std::string name;
-  std::vector<DrawnLine> rest, moved;
+  std::vector<Polyline> rest, moved;
 };
 
 /// Drawings of one scale beside and under one another, with their names.
-SvgPiece still_drawings(const std::string& title, const std::vector<StillDrawing>& drawings);
+SvgFragment shape_svg(const std::string& title, const std::vector<DeformedShape>& drawings);
 
 }  // namespace percuss

@@ -35,7 +35,7 @@ std::size_t kind_of(const StudyBat& bat) {
   return bat.broken_in ? 4 : 0;
 }
 
-const StudyClass& everyone_in(const StudyFigure& figure) { return figure.classes.back(); }
+const StudyClass& pooled_class(const StudyFigure& figure) { return figure.classes.back(); }
 
 void add_point(ChartCurve& curve, const Study& study, const StudyFigure& figure, std::size_t b) {
   curve.x.push_back(*study.bats[b].value(figure.x));
@@ -67,7 +67,7 @@ std::vector<ChartCurve> curves_by_kind(const Study& study, const StudyFigure& fi
                      .line = false,
                      .mark = kBatKinds.at(kind).mark,
                      .style = kind < 3 ? kind : kind + 2};
-    for (const std::size_t b : everyone_in(figure).bats) {
+    for (const std::size_t b : pooled_class(figure).bats) {
       if (kind_of(study.bats[b]) == kind) add_point(curve, study, figure, b);
     }
     if (!curve.x.empty()) out.push_back(std::move(curve));
@@ -161,15 +161,15 @@ std::string file_word(const std::string& text) {
 }
 
 // A figure or a trail: its picture and the bats in it.
-struct Drawn {
+struct StudyPlot {
   std::string name;
   StudyQuantity x, y;
   LineChart chart;
   std::vector<std::size_t> bats;
 };
 
-void add_trail(const Study& study, const StudyTrail& trail, std::size_t number, StudyQuantity y,
-               const std::optional<StudyCurve>& model, std::vector<Drawn>& drawn) {
+void add_history(const Study& study, const StudyHistory& trail, std::size_t number, StudyQuantity y,
+                 const std::optional<StudyCurve>& model, std::vector<StudyPlot>& drawn) {
   ChartCurve states{.marks = true, .mark = ChartMark::diamond, .style = 2};
   std::vector<std::size_t> shown;
   for (const std::size_t b : trail.states) {
@@ -180,7 +180,7 @@ void add_trail(const Study& study, const StudyTrail& trail, std::size_t number, 
     states.labels.push_back(study.bats[b].id);
   }
   if (shown.size() < 2) return;
-  LineChart chart{.title = fmt::format("{}: {} over the break-in", trail.bat, words_of(y)),
+  LineChart chart{.title = fmt::format("{}: {} over the break-in", trail.bat, phrase_of(y)),
                   .x = {.label = axis_of(StudyQuantity::hoop1)},
                   .y = {.label = axis_of(y)},
                   .curves = {states}};
@@ -191,13 +191,13 @@ void add_trail(const Study& study, const StudyTrail& trail, std::size_t number, 
   drawn.push_back({std::move(name), StudyQuantity::hoop1, y, std::move(chart), std::move(shown)});
 }
 
-std::vector<Drawn> all_drawn(const Study& study, const std::optional<StudyCurve>& model) {
-  std::vector<Drawn> drawn;
+std::vector<StudyPlot> plotted_curves(const Study& study, const std::optional<StudyCurve>& model) {
+  std::vector<StudyPlot> drawn;
   for (const StudyFigure& figure : study.figures)
-    drawn.push_back({figure.name, figure.x, figure.y, chart_of(study, figure, model), everyone_in(figure).bats});
+    drawn.push_back({figure.name, figure.x, figure.y, chart_of(study, figure, model), pooled_class(figure).bats});
   for (std::size_t t = 0; t < study.trails.size(); ++t) {
     for (const StudyQuantity y : {StudyQuantity::besr, StudyQuantity::bbs, StudyQuantity::bbcor})
-      add_trail(study, study.trails[t], t, y, model, drawn);
+      add_history(study, study.trails[t], t, y, model, drawn);
   }
   return drawn;
 }
@@ -206,7 +206,7 @@ std::vector<Drawn> all_drawn(const Study& study, const std::optional<StudyCurve>
 
 std::vector<StudyFile> study_files(const Study& study, const std::optional<StudyCurve>& curve) {
   std::vector<StudyFile> files;
-  for (const Drawn& one : all_drawn(study, curve)) {
+  for (const StudyPlot& one : plotted_curves(study, curve)) {
     files.push_back({one.name + ".svg", line_chart_svg(one.chart)});
     files.push_back({one.name + ".csv", points_csv(study, one.x, one.y, one.bats)});
   }
@@ -215,7 +215,7 @@ std::vector<StudyFile> study_files(const Study& study, const std::optional<Study
 
 std::vector<LineChart> study_charts(const Study& study, const std::optional<StudyCurve>& curve) {
   std::vector<LineChart> charts;
-  for (Drawn& one : all_drawn(study, curve)) charts.push_back(std::move(one.chart));
+  for (StudyPlot& one : plotted_curves(study, curve)) charts.push_back(std::move(one.chart));
   return charts;
 }
 

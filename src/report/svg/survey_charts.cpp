@@ -26,7 +26,7 @@ std::array<double, 2> seen(const std::array<double, 3>& at) {
   return {across, at[2] * std::cos(kTilt_rad) + away * std::sin(kTilt_rad)};
 }
 
-double radius_of(const WireFrame& frame) {
+double radius_of(const Wireframe& frame) {
   std::array<double, 3> middle{};
   for (const auto& at : frame.points) {
     for (std::size_t i = 0; i < 3; ++i) middle.at(i) += at.at(i) / static_cast<double>(frame.points.size());
@@ -37,13 +37,13 @@ double radius_of(const WireFrame& frame) {
   return radius;
 }
 
-std::vector<DrawnLine> lines_of(const WireFrame& frame, const WireMode& mode, double amount, double arm) {
+std::vector<Polyline> lines_of(const Wireframe& frame, const WireframeMode& mode, double amount, double arm) {
   const auto place = [&](std::size_t i) {
     std::array<double, 3> at = frame.points[i];
     for (std::size_t k = 0; k < 3; ++k) at.at(k) += amount * mode.moves[i].at(k).real();
     return seen(at);
   };
-  std::vector<DrawnLine> lines;
+  std::vector<Polyline> lines;
   for (const auto& [from, to] : frame.lines) lines.push_back({place(from), place(to)});
   if (!lines.empty()) return lines;
   for (std::size_t i = 0; i < frame.points.size(); ++i) {  // points alone: crosses
@@ -54,11 +54,11 @@ std::vector<DrawnLine> lines_of(const WireFrame& frame, const WireMode& mode, do
   return lines;
 }
 
-std::vector<StillDrawing> shape_drawings(const Survey& survey) {
-  const WireFrame frame = wire_frame(survey);
+std::vector<DeformedShape> shape_drawings(const Survey& survey) {
+  const Wireframe frame = wireframe(survey);
   const double radius = radius_of(frame);
-  std::vector<StillDrawing> drawings;
-  for (const WireMode& mode : frame.modes) {
+  std::vector<DeformedShape> drawings;
+  for (const WireframeMode& mode : frame.modes) {
     double largest = 0;
     for (const auto& move : mode.moves) {
       for (const Complex& component : move) largest = std::max(largest, std::abs(component));
@@ -85,8 +85,9 @@ LineChart indicator_chart(const Survey& survey) {
     }
     chart.curves.push_back(std::move(curve));
   }
-  for (std::size_t m = 0; m < survey.verdicts().size(); ++m) {
-    chart.flags.push_back({.x = survey.analysis().modes()[m].pole.freq_Hz, .name = mode_name(survey.verdicts()[m], m)});
+  for (std::size_t m = 0; m < survey.classifications().size(); ++m) {
+    chart.flags.push_back(
+        {.x = survey.analysis().modes()[m].pole.freq_Hz, .name = mode_name(survey.classifications()[m], m)});
   }
   return chart;
 }
@@ -102,17 +103,17 @@ const std::vector<std::string>& survey_chart_names() {
   return names;
 }
 
-std::vector<SvgPiece> survey_charts(const Survey& survey, const std::vector<std::string>& names) {
+std::vector<SvgFragment> survey_charts(const Survey& survey, const std::vector<std::string>& names) {
   const auto wants = [&](const char* name) { return std::find(names.begin(), names.end(), name) != names.end(); };
   const bool possible = survey.analysis().possible();
-  std::vector<SvgPiece> pieces;
+  std::vector<SvgFragment> pieces;
   if (wants("shapes") && possible && !survey.shapes().empty()) {
     if (const auto drawings = shape_drawings(survey); !drawings.empty())
-      pieces.push_back(still_drawings("Mode shapes", drawings));
+      pieces.push_back(shape_svg("Mode shapes", drawings));
   }
-  if (wants("indicator") && possible) pieces.push_back(line_chart_piece(indicator_chart(survey)));
-  for (SvgPiece& piece :
-       analysis_charts(survey.analysis(), possible ? survey.verdicts() : std::vector<Verdict>(), names))
+  if (wants("indicator") && possible) pieces.push_back(line_chart_fragment(indicator_chart(survey)));
+  for (SvgFragment& piece : analysis_charts(
+           survey.analysis(), possible ? survey.classifications() : std::vector<ModeClassification>(), names))
     pieces.push_back(std::move(piece));
   return pieces;
 }

@@ -11,6 +11,6 @@ namespace percuss {
 const std::vector<std::string>& survey_chart_names();
 
 /// The pictures asked for, in that order; those there is nothing for are left out.
-std::vector<SvgPiece> survey_charts(const Survey& survey, const std::vector<std::string>& names);
+std::vector<SvgFragment> survey_charts(const Survey& survey, const std::vector<std::string>& names);
 
 }  // namespace percuss

@@ -7,7 +7,7 @@
 namespace percuss {
 namespace {
 
-std::string piece_text(const SvgPiece& piece, double top) {
+std::string piece_text(const SvgFragment& piece, double top) {
   return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" y=\"{0}\" viewBox=\"0 0 {1} {2}\" width=\"{1}\" height=\"{2}\" "
       "font-family=\"system-ui, sans-serif\" font-size=\"12\" fill=\"{3}\" role=\"img\">\n{4}</svg>\n",
@@ -16,11 +16,11 @@ std::string piece_text(const SvgPiece& piece, double top) {
 
 }  // namespace
 
-std::string svg_document(const std::vector<SvgPiece>& pieces) {
+std::string svg_document(const std::vector<SvgFragment>& pieces) {
   if (pieces.size() == 1) return piece_text(pieces.front(), 0);
   std::string inner;
   double width = 0, top = 0;
-  for (const SvgPiece& piece : pieces) {
+  for (const SvgFragment& piece : pieces) {
     inner += piece_text(piece, top);
     width = std::max(width, piece.width);
     top += piece.height;

@@ -5,13 +5,13 @@
 namespace percuss {
 
 /// A drawing of its own size, in pixels.
-struct SvgPiece {
+struct SvgFragment {
   std::string body;  // elements of SVG 1.1
   double width = 0, height = 0;
   const char* ink = "black";  // of what names no colour
 };
 
 /// Pieces, one under the other, as one document.
-std::string svg_document(const std::vector<SvgPiece>& pieces);
+std::string svg_document(const std::vector<SvgFragment>& pieces);
 
 }  // namespace percuss

@@ -12,7 +12,7 @@ namespace {
 std::map<int, std::size_t> drawn_points(const Survey& survey) {
   std::map<int, std::size_t> out;
   for (const ShapePlace& place : survey.shapes().front().places) {
-    if (drawn_at(survey, place.point)) out.emplace(static_cast<int>(place.point), 0);
+    if (plot_position(survey, place.point)) out.emplace(static_cast<int>(place.point), 0);
   }
   std::size_t next = 0;
   for (auto& [number, index] : out) index = next++;
@@ -26,7 +26,7 @@ std::vector<std::array<Complex, 3>> movement(const Survey& survey, const ModeSha
   for (const ShapePlace& place : shape.places) {
     const auto at = points.find(static_cast<int>(place.point));
     if (at == points.end()) continue;
-    const auto normal = drawn_normal(&survey, survey.analysis(), place.point, place.channel, sensors);
+    const auto normal = outward_normal(&survey, survey.analysis(), place.point, place.channel, sensors);
     for (std::size_t i = 0; i < 3; ++i) moves[at->second].at(i) += place.value * normal.at(i);
   }
   return moves;
@@ -34,15 +34,15 @@ std::vector<std::array<Complex, 3>> movement(const Survey& survey, const ModeSha
 
 }  // namespace
 
-WireFrame wire_frame(const Survey& survey) {
+Wireframe wireframe(const Survey& survey) {
   const auto points = drawn_points(survey);
   std::set<int> numbers;
   for (const auto& [number, index] : points) numbers.insert(number);
-  WireFrame frame;
-  for (const int number : numbers) frame.points.push_back(*drawn_at(survey, static_cast<std::size_t>(number)));
-  for (const auto& [from, to] : drawn_lines(survey, numbers)) frame.lines.push_back({points.at(from), points.at(to)});
+  Wireframe frame;
+  for (const int number : numbers) frame.points.push_back(*plot_position(survey, static_cast<std::size_t>(number)));
+  for (const auto& [from, to] : plot_lines(survey, numbers)) frame.lines.push_back({points.at(from), points.at(to)});
   for (std::size_t m = 0; m < survey.shapes().size(); ++m) {
-    frame.modes.push_back({.name = mode_name(survey.verdicts()[m], m),
+    frame.modes.push_back({.name = mode_name(survey.classifications()[m], m),
                            .freq_Hz = survey.analysis().modes()[m].pole.freq_Hz,
                            .moves = movement(survey, survey.shapes()[m], points)});
   }

@@ -9,20 +9,20 @@
 namespace percuss {
 
 /// A mode's movement of the points of a frame, along x, y and z.
-struct WireMode {
+struct WireframeMode {
   std::string name;
   double freq_Hz = 0;
   std::vector<std::array<Complex, 3>> moves;  // [points]
 };
 
 /// The structure of a survey as points and lines, and how its modes move it.
-struct WireFrame {
+struct Wireframe {
   std::vector<std::array<double, 3>> points;      // m
   std::vector<std::array<std::size_t, 2>> lines;  // of point to point, by place
-  std::vector<WireMode> modes;
+  std::vector<WireframeMode> modes;
 };
 
 /// Of the points that can be drawn; the survey has modes.
-WireFrame wire_frame(const Survey& survey);
+Wireframe wireframe(const Survey& survey);
 
 }  // namespace percuss

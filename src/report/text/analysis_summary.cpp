@@ -18,30 +18,31 @@ std::string list_of(const std::vector<std::string>& items) {
   return out;
 }
 
-std::vector<std::string> frequencies_of(const Analysis& analysis, const std::vector<Verdict>& verdicts, Family family) {
+std::vector<std::string> frequencies_of(const Analysis& analysis,
+                                        const std::vector<ModeClassification>& classifications, ModeType family) {
   std::vector<std::string> out;
   for (std::size_t m = 0; m < analysis.modes().size(); ++m) {
-    if (verdicts[m].family == family) out.push_back(significant(analysis.modes()[m].pole.freq_Hz, 4));
+    if (classifications[m].family == family) out.push_back(significant(analysis.modes()[m].pole.freq_Hz, 4));
   }
   return out;
 }
 
 }  // namespace
 
-std::string verdict_sentence(const Analysis& analysis, const std::vector<Verdict>& verdicts) {
+std::string summary_sentence(const Analysis& analysis, const std::vector<ModeClassification>& classifications) {
   if (!analysis.possible()) return "No hit can be used: there are no FRFs and no modes.";
   const auto [low_Hz, high_Hz] = analysis.band_Hz();
   const std::string band = fmt::format("between {:.4g} and {:.4g} Hz", low_Hz, high_Hz);
   const std::size_t count = analysis.modes().size();
   if (count == 0) return fmt::format("No mode stands out of the noise {}.", band);
   std::vector<std::string> parts;
-  for (const Family family : {Family::bending, Family::hoop, Family::unknown}) {
-    const auto found = frequencies_of(analysis, verdicts, family);
+  for (const ModeType family : {ModeType::bending, ModeType::hoop, ModeType::unknown}) {
+    const auto found = frequencies_of(analysis, classifications, family);
     if (found.empty()) continue;
-    const bool named = family != Family::unknown || !parts.empty();
+    const bool named = family != ModeType::unknown || !parts.empty();
     parts.push_back(fmt::format(
         "{}{}",
-        named ? fmt::format("{} at ", family == Family::unknown ? "of unknown family" : name_of(family)) : "at ",
+        named ? fmt::format("{} at ", family == ModeType::unknown ? "of unknown family" : name_of(family)) : "at ",
         list_of(found)));
   }
   return fmt::format("{} mode{} {}: {} Hz.", count, count == 1 ? "" : "s", band, fmt::join(parts, " Hz; "));

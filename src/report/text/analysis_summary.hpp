@@ -8,6 +8,6 @@ namespace percuss {
 
 /// What was found, in a sentence or two: "5 modes between 60 and 3200 Hz: bending at 169.0, 402.1 and 1204 Hz, hoop at
 /// 1900 Hz."
-std::string verdict_sentence(const Analysis& analysis, const std::vector<Verdict>& verdicts);
+std::string summary_sentence(const Analysis& analysis, const std::vector<ModeClassification>& classifications);
 
 }  // namespace percuss

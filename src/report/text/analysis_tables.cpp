@@ -14,7 +14,7 @@
 namespace percuss {
 namespace {
 
-constexpr std::size_t kMostHits = 40;  // rows of hits shown when all is well; rejected ones always are
+constexpr std::size_t kMaxHits = 40;  // rows of hits shown when all is well; rejected ones always are
 
 // What does not reject is said in full once, among the warnings; beside the hit its name and number do.
 std::string brief(const Finding& finding) {
@@ -60,7 +60,7 @@ HitsTable hits_table(const Analysis& analysis, const std::vector<AnalysedHit>& h
   TextTable table(columns);
   std::size_t shown = 0, left_out = 0;
   for (std::size_t i = 0; i < hits.size(); ++i) {
-    if (hits[i].accepted && shown >= kMostHits) {
+    if (hits[i].accepted && shown >= kMaxHits) {
       ++left_out;
       continue;
     }
@@ -76,7 +76,7 @@ HitsTable hits_table(const Analysis& analysis, const std::vector<AnalysedHit>& h
     cells.push_back(pulse ? fmt::format("{:.3f} s", hit.onset_s) : "–");
     cells.push_back(pulse ? force_text(hit.peak_N) : "–");
     cells.push_back(pulse ? fmt::format("{:.2f} ms", hit.pulse_s * 1e3) : "–");
-    cells.push_back(pulse ? short_frequency(std::round(hit.bandwidth_Hz)) : "–");
+    cells.push_back(pulse ? rounded_frequency_text(std::round(hit.bandwidth_Hz)) : "–");
     cells.push_back(hit_verdict(hits[i]));
     table.add(std::move(cells));
   }
@@ -86,15 +86,15 @@ HitsTable hits_table(const Analysis& analysis, const std::vector<AnalysedHit>& h
 namespace {
 
 std::string note_of(const Analysis& analysis, std::size_t m) {
-  const Verdict& verdict = analysis.verdicts()[m];
+  const ModeClassification& verdict = analysis.classifications()[m];
   std::string note;
   const auto add = [&](const std::string& text) { note += (note.empty() ? "" : "; ") + text; };
-  if (verdict.double_peak) {
-    add(verdict.double_peak->first ? fmt::format("double peak, {} Hz apart: this one is quoted",
-                                                 significant(verdict.double_peak->separation_Hz, 3))
-                                   : "second of the double peak");
+  if (verdict.split_mode) {
+    add(verdict.split_mode->first ? fmt::format("double peak, {} Hz apart: this one is quoted",
+                                                significant(verdict.split_mode->separation_Hz, 3))
+                                  : "second of the double peak");
   }
-  if (verdict.family != Family::unknown && verdict.confidence < 0.95)
+  if (verdict.family != ModeType::unknown && verdict.confidence < 0.95)
     add(fmt::format("{:.0f} % sure", verdict.confidence * 100));
   if (verdict.alternative) add(fmt::format("could be {}", name_of(*verdict.alternative)));
   return note;
@@ -108,8 +108,8 @@ std::string decibels(double value_dB) {
 }  // namespace
 
 TextTable modes_table(const Analysis& analysis, bool classes) {
-  const bool named = classes && std::any_of(analysis.verdicts().begin(), analysis.verdicts().end(),
-                                            [](const Verdict& v) { return v.ratio.has_value(); });
+  const bool named = classes && std::any_of(analysis.classifications().begin(), analysis.classifications().end(),
+                                            [](const ModeClassification& v) { return v.ratio.has_value(); });
   std::vector<TextTable::Column> columns{{"mode", TextTable::Align::right}};
   if (named) columns.push_back({"family"});
   columns.push_back({"frequency", TextTable::Align::right});
@@ -120,11 +120,11 @@ TextTable modes_table(const Analysis& analysis, bool classes) {
   for (std::size_t m = 0; m < analysis.modes().size(); ++m) {
     const Mode& mode = analysis.modes()[m];
     std::vector<std::string> cells{fmt::format("{}", m)};
-    if (named) cells.push_back(family_of(analysis.verdicts()[m]));
-    cells.push_back(with_deviation(mode.pole.freq_Hz, mode.freq_std_Hz) + " Hz");
-    cells.push_back(with_deviation(mode.pole.damping_ratio * 100, mode.damping_std * 100) + " %");
+    if (named) cells.push_back(mode_type_of(analysis.classifications()[m]));
+    cells.push_back(value_with_std(mode.pole.freq_Hz, mode.freq_std_Hz) + " Hz");
+    cells.push_back(value_with_std(mode.pole.damping_ratio * 100, mode.damping_std * 100) + " %");
     if (named) {
-      const auto& overlay_dB = analysis.verdicts()[m].overlay_dB;
+      const auto& overlay_dB = analysis.classifications()[m].overlay_dB;
       cells.push_back(overlay_dB ? decibels(*overlay_dB) : "–");
     }
     cells.push_back(classes ? note_of(analysis, m) : "");
@@ -133,11 +133,11 @@ TextTable modes_table(const Analysis& analysis, bool classes) {
   return table;
 }
 
-std::string family_of(const Verdict& verdict) {
+std::string mode_type_of(const ModeClassification& verdict) {
   return verdict.order > 0 ? fmt::format("{} {}", name_of(verdict.family), verdict.order) : name_of(verdict.family);
 }
 
-std::string conditions_of(const Analysis& analysis, std::size_t hits) {
+std::string test_conditions(const Analysis& analysis, std::size_t hits) {
   const Record& record = analysis.record();
   std::string sensors = fmt::format("{} accelerometer{}", record.accel.size(), record.accel.size() == 1 ? "" : "s");
   std::string angles;
@@ -147,7 +147,7 @@ std::string conditions_of(const Analysis& analysis, std::size_t hits) {
   }
   if (!angles.empty()) sensors += " (" + angles + ")";
   std::string text =
-      fmt::format("{} · {} hit{} × {}", short_frequency(record.fs_Hz), hits, hits == 1 ? "" : "s", sensors);
+      fmt::format("{} · {} hit{} × {}", rounded_frequency_text(record.fs_Hz), hits, hits == 1 ? "" : "s", sensors);
   if (const FrfRecord* given = analysis.given_frfs()) {
     const std::size_t points = given->frfs.size() / record.accel.size();
     text = fmt::format("FRFs ({}) · {} point{} × {}", name_of(given->kind), points, points == 1 ? "" : "s", sensors);
@@ -159,8 +159,8 @@ std::string conditions_of(const Analysis& analysis, std::size_t hits) {
   return text;
 }
 
-std::string mode_name(const Verdict& verdict, std::size_t number) {
-  return verdict.order > 0 ? family_of(verdict) : fmt::format("mode {}", number);
+std::string mode_name(const ModeClassification& verdict, std::size_t number) {
+  return verdict.order > 0 ? mode_type_of(verdict) : fmt::format("mode {}", number);
 }
 
 std::string source_name(const Analysis& analysis) {

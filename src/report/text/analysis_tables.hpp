@@ -20,12 +20,12 @@ HitsTable hits_table(const Analysis& analysis, const std::vector<AnalysedHit>& h
 TextTable modes_table(const Analysis& analysis, bool classes);
 
 /// What was measured how: "25.6 kHz · 5 hits × 2 accelerometers (0°, 90°) · band 60–3200 Hz"
-std::string conditions_of(const Analysis& analysis, std::size_t hits);
+std::string test_conditions(const Analysis& analysis, std::size_t hits);
 
 /// "hoop 1"; "bending" or "unknown" without an order.
-std::string family_of(const Verdict& verdict);
+std::string mode_type_of(const ModeClassification& verdict);
 /// "hoop 1", or by its number, "mode 3", where it has no order.
-std::string mode_name(const Verdict& verdict, std::size_t number);
+std::string mode_name(const ModeClassification& verdict, std::size_t number);
 
 /// The file it was read from, "and 3 more" with it.
 std::string source_name(const Analysis& analysis);

@@ -15,7 +15,7 @@ namespace {
 
 std::string heading(const Analysis& analysis, std::size_t hits, std::size_t width) {
   const std::string name = source_name(analysis);
-  const std::string text = conditions_of(analysis, hits);
+  const std::string text = test_conditions(analysis, hits);
   if (text_width(name) + 3 + text_width(text) <= width) return name + "   " + text + '\n';
   return name + "\n  " + wrapped(text, width, 2) + '\n';
 }
@@ -68,8 +68,8 @@ std::string per_hit_text(const Analysis& analysis, std::size_t width) {
     for (const HitMode& found : analysis.modes_per_hit()) {
       if (found.mode != m) continue;
       table.add({fmt::format("{}", m), fmt::format("{}", found.hit), force_text(analysis.hits()[found.hit].hit.peak_N),
-                 with_deviation(found.pole.freq_Hz, found.freq_std_Hz) + " Hz",
-                 with_deviation(found.pole.damping_ratio * 100, found.damping_std * 100) + " %", ""});
+                 value_with_std(found.pole.freq_Hz, found.freq_std_Hz) + " Hz",
+                 value_with_std(found.pole.damping_ratio * 100, found.damping_std * 100) + " %", ""});
     }
   }
   return table.text(width);
@@ -80,23 +80,23 @@ std::string spaced(const std::string& text) { return text.empty() ? text : text 
 }  // namespace
 
 std::string analysis_text(const Analysis& analysis, const TextOptions& options) {
-  const auto wants = [&](Section section) { return options.sections.contains(section); };
-  const bool force_only = options.sections == std::set{Section::hits};
+  const auto wants = [&](ReportSection section) { return options.sections.contains(section); };
+  const bool force_only = options.sections == std::set{ReportSection::hits};
   const auto& hits = force_only ? analysis.force_hits() : analysis.hits();
   std::string text = heading(analysis, hits.size(), options.width) + "\n";
   const bool has_hits = analysis.given_frfs() == nullptr;
-  if (wants(Section::hits) && has_hits) text += hits_text(analysis, hits, options.width) + "\n";
-  if (wants(Section::hits) && !force_only && has_hits) text += spaced(responses_text(analysis, options.width));
+  if (wants(ReportSection::hits) && has_hits) text += hits_text(analysis, hits, options.width) + "\n";
+  if (wants(ReportSection::hits) && !force_only && has_hits) text += spaced(responses_text(analysis, options.width));
   if (analysis.possible()) {
-    const bool frfs = wants(Section::frf) || wants(Section::coherence);
-    const bool modes = wants(Section::modes) || wants(Section::classes);
-    if (frfs && modes) analysis.make_modes_and_frfs();
-    if (wants(Section::frf)) text += frf_text(analysis);
-    if (wants(Section::coherence)) text += coherence_text(analysis);
+    const bool frfs = wants(ReportSection::frf) || wants(ReportSection::coherence);
+    const bool modes = wants(ReportSection::modes) || wants(ReportSection::classes);
+    if (frfs && modes) analysis.compute_modes_and_frfs();
+    if (wants(ReportSection::frf)) text += frf_text(analysis);
+    if (wants(ReportSection::coherence)) text += coherence_text(analysis);
     if (frfs) text += '\n';
-    if (options.sketch && (wants(Section::frf) || wants(Section::modes)))
-      text += spaced(frf_sketch(analysis, options.width));
-    if (modes) text += modes_text(analysis, wants(Section::classes), options.width) + "\n";
+    if (options.sketch && (wants(ReportSection::frf) || wants(ReportSection::modes)))
+      text += spaced(frf_terminal_plot(analysis, options.width));
+    if (modes) text += modes_text(analysis, wants(ReportSection::classes), options.width) + "\n";
     if (options.per_hit) text += per_hit_text(analysis, options.width) + "\n";
   } else {
     text += std::string(kNoUsableHit) + "\n\n";

@@ -8,7 +8,7 @@
 namespace percuss {
 
 struct TextOptions {
-  std::set<Section> sections = all_sections();
+  std::set<ReportSection> sections = default_sections();
   std::size_t width = 100;  // of the terminal
   bool per_hit = false;
   bool warnings = true;

@@ -28,8 +28,8 @@ std::vector<std::optional<CoherenceSummary>> coherence_summaries(const Analysis&
   const std::vector<PointFrf>& frfs = analysis.frfs();
   std::vector<std::optional<CoherenceSummary>> summaries(frfs.size());
   const ThreadLimit limit(analysis.options().threads);
-  share_out(frfs.size(), analysis.lines().count,
-            [&](std::size_t i) { summaries[i] = summary_of_coherence(analysis, frfs[i]); });
+  parallel_for_cost(frfs.size(), analysis.lines().count,
+                    [&](std::size_t i) { summaries[i] = summary_of_coherence(analysis, frfs[i]); });
   return summaries;
 }
 

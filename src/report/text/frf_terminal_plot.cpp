@@ -14,7 +14,7 @@
 namespace percuss {
 namespace {
 
-constexpr std::size_t kRows = 8, kMostColumns = 100, kLeastColumns = 40, kLabelColumns = 8;
+constexpr std::size_t kRows = 8, kMaxColumns = 100, kMinColumns = 40, kLabelColumns = 8;
 constexpr std::size_t kDotsDown = 4, kDotsAcross = 2;  // of a braille character
 constexpr double kRange_dB = 80;                       // deeper is a zero or noise
 
@@ -78,9 +78,9 @@ std::string numbers_below(const Analysis& analysis, std::size_t columns) {
 
 }  // namespace
 
-std::string frf_sketch(const Analysis& analysis, std::size_t width) {
-  if (width < kLabelColumns + kLeastColumns) return "";
-  const std::size_t columns = std::min(width - kLabelColumns, kMostColumns);
+std::string frf_terminal_plot(const Analysis& analysis, std::size_t width) {
+  if (width < kLabelColumns + kMinColumns) return "";
+  const std::size_t columns = std::min(width - kLabelColumns, kMaxColumns);
   const std::vector<double> level_dB = levels_dB(analysis, kDotsAcross * columns);
   const double top = *std::max_element(level_dB.begin(), level_dB.end());
   double bottom = top;
@@ -104,7 +104,7 @@ std::string frf_sketch(const Analysis& analysis, std::size_t width) {
     out += fmt::format("{:>{}} ", label, kLabelColumns - 1) + dots.row(row) + "\n";
   }
   const auto [low_Hz, high_Hz] = analysis.band_Hz();
-  const std::string low = short_frequency(low_Hz), high = short_frequency(high_Hz);
+  const std::string low = rounded_frequency_text(low_Hz), high = rounded_frequency_text(high_Hz);
   out += std::string(kLabelColumns, ' ') + numbers_below(analysis, columns) + "\n";
   return out + std::string(kLabelColumns, ' ') + low + std::string(columns - text_width(low) - text_width(high), ' ') +
          high + "\n";

@@ -26,7 +26,7 @@ std::size_t character_bytes(std::string_view text) {
 
 }  // namespace
 
-std::string html_text(std::string_view text) {
+std::string html_escape(std::string_view text) {
   std::string out;
   while (!text.empty()) {
     const std::size_t length = character_bytes(text);

@@ -7,7 +7,7 @@
 
 namespace percuss {
 
-std::string with_deviation(double value, double deviation) {
+std::string value_with_std(double value, double deviation) {
   if (!(deviation > 0) || !std::isfinite(deviation)) return fmt::format("{:.6g}", value);
   // 0.0996 rounds to 0.10: the decimals follow the rounded deviation.
   const double rounded = std::stod(fmt::format("{:.1e}", deviation));
@@ -15,14 +15,14 @@ std::string with_deviation(double value, double deviation) {
   return fmt::format("{:.{}f} ± {:.{}f}", value, decimals, deviation, decimals);
 }
 
-std::string short_frequency(double freq_Hz) {
+std::string rounded_frequency_text(double freq_Hz) {
   return freq_Hz >= 1000 ? fmt::format("{:.4g} kHz", freq_Hz / 1000) : fmt::format("{:.4g} Hz", freq_Hz);
 }
 
 std::string force_text(double force_N) {
-  constexpr double kThreeDigits = 999.5, kMostDigits = 1e9;
+  constexpr double kThreeDigits = 999.5, kMaxDigits = 1e9;
   const double size = std::abs(force_N);
-  if (!(size >= kThreeDigits && size < kMostDigits)) return fmt::format("{:.3g} N", force_N);
+  if (!(size >= kThreeDigits && size < kMaxDigits)) return fmt::format("{:.3g} N", force_N);
   const double unit = std::pow(10, std::floor(std::log10(size)) - 2);
   return fmt::format("{:.0f} N", std::round(force_N / unit) * unit);
 }

@@ -5,10 +5,10 @@ namespace percuss {
 
 /// "169.00034 ± 0.00042": the deviation with two significant digits, the value with as many decimals. A deviation of 0
 /// or none: the value with six significant digits. At most 12 decimals.
-std::string with_deviation(double value, double deviation);
+std::string value_with_std(double value, double deviation);
 
 /// Frequencies and lengths for people: four significant digits, k for thousands ("3.9 kHz").
-std::string short_frequency(double freq_Hz);
+std::string rounded_frequency_text(double freq_Hz);
 
 /// "232 N", "1750 N": three significant digits, never an exponent.
 std::string force_text(double force_N);

@@ -8,9 +8,9 @@
 
 namespace percuss {
 
-std::string columns_csv(const std::vector<NumberColumn>& columns) {
+std::string numeric_csv(const std::vector<NumericColumn>& columns) {
   std::string text;
-  for (const NumberColumn& column : columns) text += (text.empty() ? "" : ",") + column.name;
+  for (const NumericColumn& column : columns) text += (text.empty() ? "" : ",") + column.name;
   text += '\n';
   const std::size_t rows = columns.empty() ? 0 : columns.front().values.size();
   for (std::size_t row = 0; row < rows; ++row) {

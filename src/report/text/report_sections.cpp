@@ -6,15 +6,17 @@
 
 namespace percuss {
 
-std::set<Section> all_sections() {
-  return {Section::hits, Section::frf, Section::coherence, Section::modes, Section::classes};
+std::set<ReportSection> default_sections() {
+  return {ReportSection::hits, ReportSection::frf, ReportSection::coherence, ReportSection::modes,
+          ReportSection::classes};
 }
 
-std::set<Section> parse_sections(const std::vector<std::string>& names) {
-  using enum Section;
-  static const std::map<std::string, Section> known{{"hits", hits},   {"frf", frf},         {"coherence", coherence},
-                                                    {"modes", modes}, {"classes", classes}, {"deflection", deflection}};
-  std::set<Section> out;
+std::set<ReportSection> parse_report_sections(const std::vector<std::string>& names) {
+  using enum ReportSection;
+  static const std::map<std::string, ReportSection> known{{"hits", hits},           {"frf", frf},
+                                                          {"coherence", coherence}, {"modes", modes},
+                                                          {"classes", classes},     {"deflection", deflection}};
+  std::set<ReportSection> out;
   for (const std::string& name : names) {
     const auto it = known.find(name);
     if (it == known.end()) {

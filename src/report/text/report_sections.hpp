@@ -6,11 +6,11 @@
 namespace percuss {
 
 /// Parts of an analysis that a report can hold; naming them is the demand that computes them.
-enum class Section { hits, frf, coherence, modes, classes, deflection };
+enum class ReportSection { hits, frf, coherence, modes, classes, deflection };
 
 /// The sections named in a list such as {"hits", "modes"}; UsageError names the known ones.
-std::set<Section> parse_sections(const std::vector<std::string>& names);
+std::set<ReportSection> parse_report_sections(const std::vector<std::string>& names);
 /// All but the deflection, which is a question of its own.
-std::set<Section> all_sections();
+std::set<ReportSection> default_sections();
 
 }  // namespace percuss

@@ -15,7 +15,7 @@ class Html {
  public:
   void paragraph(const std::string& line) {
     end_list();
-    out_ += (first_ ? "<p class=\"verdict\">" : "<p>") + html_text(line) + "</p>\n";
+    out_ += (first_ ? "<p class=\"verdict\">" : "<p>") + html_escape(line) + "</p>\n";
     first_ = false;
   }
   void lines(const std::string& text) {
@@ -28,7 +28,7 @@ class Html {
   void warning(const std::string& message) {
     if (!in_list_) out_ += "<ul class=\"warnings\" aria-label=\"Warnings\">\n";
     in_list_ = true;
-    out_ += "<li>" + html_text(message) + "</li>\n";
+    out_ += "<li>" + html_escape(message) + "</li>\n";
   }
   void table(const TextTable& table) {
     end_list();

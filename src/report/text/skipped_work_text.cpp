@@ -8,7 +8,7 @@ namespace percuss {
 
 ReportText skipped_text(const Analysis& analysis) {
   TextTable table({{"skipped", TextTable::Align::right}, {"what"}, {"because"}});
-  for (const Skipped& one : skipped_by(analysis))
+  for (const SkippedWork& one : skipped_work(analysis))
     table.add({one.share ? fmt::format("{:.1f} %", 100 * *one.share) : "all", one.what, one.why});
   ReportText text;
   text += table;

@@ -18,14 +18,14 @@ constexpr double kAlike = 0.2;  // a MAC between two modes that is worth a word
 
 std::string plane_cell(const std::optional<TubeShape>& tube) {
   if (!tube || !tube->plane_rad) return "–";
-  return with_deviation(*tube->plane_rad * kRadian_deg, tube->plane_std_rad * kRadian_deg) + "°";
+  return value_with_std(*tube->plane_rad * kRadian_deg, tube->plane_std_rad * kRadian_deg) + "°";
 }
 
-std::string note_cell(const Verdict& verdict) {
+std::string note_cell(const ModeClassification& verdict) {
   std::string note;
-  if (verdict.double_peak) {
-    note = fmt::format("double peak, {:.3g} Hz apart{}", verdict.double_peak->separation_Hz,
-                       verdict.double_peak->quoted ? ": this one is quoted" : "");
+  if (verdict.split_mode) {
+    note = fmt::format("double peak, {:.3g} Hz apart{}", verdict.split_mode->separation_Hz,
+                       verdict.split_mode->quoted ? ": this one is quoted" : "");
   }
   if (verdict.alternative)
     note += fmt::format("{}could be {}", note.empty() ? "" : "; ", name_of(*verdict.alternative));
@@ -50,9 +50,9 @@ TextTable survey_modes_table(const Survey& survey) {
   for (std::size_t m = 0; m < modes.size(); ++m) {
     const Mode& mode = modes[m];
     const ModeShape& shape = survey.shapes()[m];
-    std::vector<std::string> cells{fmt::format("{}", m), family_of(survey.verdicts()[m]),
-                                   with_deviation(mode.pole.freq_Hz, mode.freq_std_Hz) + " Hz",
-                                   with_deviation(mode.pole.damping_ratio * 100, mode.damping_std * 100) + " %"};
+    std::vector<std::string> cells{fmt::format("{}", m), mode_type_of(survey.classifications()[m]),
+                                   value_with_std(mode.pole.freq_Hz, mode.freq_std_Hz) + " Hz",
+                                   value_with_std(mode.pole.damping_ratio * 100, mode.damping_std * 100) + " %"};
     if (tube) {
       const auto& t = survey.tubes()[m];
       cells.push_back(t ? fmt::format("{}", t->order) : "–");
@@ -62,10 +62,10 @@ TextTable survey_modes_table(const Survey& survey) {
     }
     cells.push_back(fmt::format("{:.4f}", shape.mpc));
     if (mass) {
-      cells.push_back(shape.modal_mass_kg ? with_deviation(*shape.modal_mass_kg, shape.modal_mass_std_kg) + " kg"
+      cells.push_back(shape.modal_mass_kg ? value_with_std(*shape.modal_mass_kg, shape.modal_mass_std_kg) + " kg"
                                           : "–");
     }
-    cells.push_back(note_cell(survey.verdicts()[m]));
+    cells.push_back(note_cell(survey.classifications()[m]));
     table.add(std::move(cells));
   }
   return table;
@@ -98,7 +98,7 @@ std::string mac_text(const Survey& survey) {
       const Mac& mac = survey.macs()[i][j];
       most = std::max(most, mac.value);
       if (mac.value > kAlike)
-        text += fmt::format("{}{} and {} ({})", text.empty() ? "" : ", ", j, i, with_deviation(mac.value, mac.std));
+        text += fmt::format("{}{} and {} ({})", text.empty() ? "" : ", ", j, i, value_with_std(mac.value, mac.std));
     }
   }
   if (survey.macs().size() < 2) return "";
@@ -121,8 +121,8 @@ std::string frac_text(const Survey& survey) {
 }  // namespace
 
 std::string survey_text(const Survey& survey, bool hits, std::size_t width) {
-  std::set<Section> sections{Section::frf, Section::coherence};
-  if (hits || !survey.analysis().possible()) sections.insert(Section::hits);
+  std::set<ReportSection> sections{ReportSection::frf, ReportSection::coherence};
+  if (hits || !survey.analysis().possible()) sections.insert(ReportSection::hits);
   std::string text = analysis_text(survey.analysis(), {.sections = sections, .width = width, .warnings = false});
   if (survey.analysis().possible()) {
     text += "\n" + modes_text(survey, width) + "\n";

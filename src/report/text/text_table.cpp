@@ -10,7 +10,7 @@
 namespace percuss {
 namespace {
 
-constexpr std::size_t kLeastWrap = 24;  // narrower text is harder to read than a line that runs over
+constexpr std::size_t kMinWrap = 24;  // narrower text is harder to read than a line that runs over
 
 std::string padded(const std::string& cell, std::size_t width, TextTable::Align align) {
   const std::string space(width - std::min(width, text_width(cell)), ' ');
@@ -56,7 +56,7 @@ std::string TextTable::text(std::size_t width) const {
   }
   std::size_t before_last = 0;
   for (std::size_t c = 0; c + 1 < widths.size(); ++c) before_last += widths[c] + 2;
-  const std::size_t limit = std::max(width, before_last + kLeastWrap);
+  const std::size_t limit = std::max(width, before_last + kMinWrap);
   const auto line = [&](const std::vector<std::string>& cells) {
     std::string text;
     for (std::size_t c = 0; c + 1 < cells.size(); ++c) text += padded(cells[c], widths[c], columns_[c].align) + "  ";
@@ -75,7 +75,7 @@ std::string TextTable::text(std::size_t width) const {
 
 std::string TextTable::html() const {
   const auto wraps = [&](std::size_t c) {  // words; what is shorter stays on one line
-    return std::any_of(rows_.begin(), rows_.end(), [&](const auto& row) { return text_width(row[c]) > kLeastWrap; });
+    return std::any_of(rows_.begin(), rows_.end(), [&](const auto& row) { return text_width(row[c]) > kMinWrap; });
   };
   std::vector<std::string> kinds;
   for (std::size_t c = 0; c < columns_.size(); ++c)
@@ -83,7 +83,7 @@ std::string TextTable::html() const {
   const auto line = [&](const char* tag, const std::vector<std::string>& cells) {
     std::string out = "<tr>";
     for (std::size_t c = 0; c < cells.size(); ++c) {
-      out += fmt::format("<{0}{1}>{2}</{0}>", tag, kinds[c], html_text(cells[c]));
+      out += fmt::format("<{0}{1}>{2}</{0}>", tag, kinds[c], html_escape(cells[c]));
     }
     return out + "</tr>\n";
   };

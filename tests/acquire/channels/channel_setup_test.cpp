@@ -15,7 +15,7 @@ namespace percuss::channel_setup_test {
 using test::input_error_of;
 using testing::HasSubstr;
 
-std::string refusal_of(const std::string& json) {
+std::string rejection_of(const std::string& json) {
   return input_error_of([&] { parse_channel_setup(json, "s.json"); });
 }
 
@@ -49,8 +49,8 @@ TEST(ChannelSetup, LeavesOpenWhatItDoesNotSay) {
 TEST(ChannelSetup, TurnsADirectionIntoASign) {
   EXPECT_EQ(parse_channel_setup(R"([{"name": "a", "direction": "-z"}])", "s").at(0).sign, -1);
   EXPECT_EQ(parse_channel_setup(R"([{"name": "a", "direction": "+x"}])", "s").at(0).sign, 1);
-  EXPECT_THAT(refusal_of(R"([{"name": "a", "direction": "up"}])"), HasSubstr("s.json: [0].direction"));
-  EXPECT_THAT(refusal_of(R"([{"name": "a", "direction": "-x", "sign": -1}])"), HasSubstr("both given"));
+  EXPECT_THAT(rejection_of(R"([{"name": "a", "direction": "up"}])"), HasSubstr("s.json: [0].direction"));
+  EXPECT_THAT(rejection_of(R"([{"name": "a", "direction": "-x", "sign": -1}])"), HasSubstr("both given"));
 }
 
 struct SensitivityCase {
@@ -70,43 +70,43 @@ TEST(ChannelSetup, KnowsSensitivitiesOfForceAndAcceleration) {
 }
 
 TEST(ChannelSetup, RefusesSensitivitiesThatMakeNoSense) {
-  EXPECT_THAT(refusal_of(R"([{"name": "a", "sensitivity": 2}])"), HasSubstr("give both"));
-  EXPECT_THAT(refusal_of(R"([{"name": "a", "sensitivity_unit": "mV/N"}])"), HasSubstr("give both"));
-  EXPECT_THAT(refusal_of(R"([{"name": "a", "sensitivity": 0, "sensitivity_unit": "mV/N"}])"), HasSubstr("zero"));
-  EXPECT_THAT(refusal_of(R"([{"name": "a", "sensitivity": 2, "sensitivity_unit": "pC/N"}])"), HasSubstr("charge"));
+  EXPECT_THAT(rejection_of(R"([{"name": "a", "sensitivity": 2}])"), HasSubstr("give both"));
+  EXPECT_THAT(rejection_of(R"([{"name": "a", "sensitivity_unit": "mV/N"}])"), HasSubstr("give both"));
+  EXPECT_THAT(rejection_of(R"([{"name": "a", "sensitivity": 0, "sensitivity_unit": "mV/N"}])"), HasSubstr("zero"));
+  EXPECT_THAT(rejection_of(R"([{"name": "a", "sensitivity": 2, "sensitivity_unit": "pC/N"}])"), HasSubstr("charge"));
   for (const char* unit : {"N/mV", "mV", "mV/", "/N", "mV/s", "furlong"}) {
-    EXPECT_THAT(refusal_of(std::string(R"([{"name": "a", "sensitivity": 2, "sensitivity_unit": ")") + unit + "\"}]"),
+    EXPECT_THAT(rejection_of(std::string(R"([{"name": "a", "sensitivity": 2, "sensitivity_unit": ")") + unit + "\"}]"),
                 HasSubstr("unknown sensitivity unit"))
         << unit;
   }
-  EXPECT_THAT(refusal_of(R"([{"name": "a", "role": "force", "sensitivity": 2, "sensitivity_unit": "mV/g"}])"),
+  EXPECT_THAT(rejection_of(R"([{"name": "a", "role": "force", "sensitivity": 2, "sensitivity_unit": "mV/g"}])"),
               HasSubstr("does not fit the role force"));
 }
 
 TEST(ChannelSetup, NamesTheKeyThatIsWrong) {
-  EXPECT_THAT(refusal_of(R"([{"name": "a"}, {"name": "b", "angel_deg": 3}])"),
+  EXPECT_THAT(rejection_of(R"([{"name": "a"}, {"name": "b", "angel_deg": 3}])"),
               HasSubstr("unknown key (s.json: [1].angel_deg); known are name,"));
-  EXPECT_THAT(refusal_of(R"([{"role": "force"}])"), HasSubstr("no name (s.json: [0])"));
-  EXPECT_THAT(refusal_of(R"([{"name": 3}])"), HasSubstr("not a text (s.json: [0].name)"));
-  EXPECT_THAT(refusal_of(R"([{"name": "a", "angle_deg": "90"}])"), HasSubstr("not a number (s.json: [0].angle_deg)"));
-  EXPECT_THAT(refusal_of(R"([{"name": "a", "angle_deg": 4000}])"), HasSubstr("out of range"));
-  EXPECT_THAT(refusal_of(R"([{"name": "a", "position_m": 1e300}])"), HasSubstr("out of range"));
-  EXPECT_THAT(refusal_of(R"([{"name": "a", "sign": 0.5}])"), HasSubstr("no sign"));
-  EXPECT_THAT(refusal_of(R"([{"name": "a", "role": "hammer"}])"), HasSubstr("unknown role"));
-  EXPECT_THAT(refusal_of(R"([{"name": "a", "unit": "furlong"}])"), HasSubstr("unknown unit"));
-  EXPECT_THAT(refusal_of(R"([{"name": "a"}, {"name": "A"}])"), HasSubstr("two entries"));
-  EXPECT_THAT(refusal_of(R"([{"name": "a", "role": "force"}, {"name": "b", "role": "force"}])"),
+  EXPECT_THAT(rejection_of(R"([{"role": "force"}])"), HasSubstr("no name (s.json: [0])"));
+  EXPECT_THAT(rejection_of(R"([{"name": 3}])"), HasSubstr("not a text (s.json: [0].name)"));
+  EXPECT_THAT(rejection_of(R"([{"name": "a", "angle_deg": "90"}])"), HasSubstr("not a number (s.json: [0].angle_deg)"));
+  EXPECT_THAT(rejection_of(R"([{"name": "a", "angle_deg": 4000}])"), HasSubstr("out of range"));
+  EXPECT_THAT(rejection_of(R"([{"name": "a", "position_m": 1e300}])"), HasSubstr("out of range"));
+  EXPECT_THAT(rejection_of(R"([{"name": "a", "sign": 0.5}])"), HasSubstr("no sign"));
+  EXPECT_THAT(rejection_of(R"([{"name": "a", "role": "hammer"}])"), HasSubstr("unknown role"));
+  EXPECT_THAT(rejection_of(R"([{"name": "a", "unit": "furlong"}])"), HasSubstr("unknown unit"));
+  EXPECT_THAT(rejection_of(R"([{"name": "a"}, {"name": "A"}])"), HasSubstr("two entries"));
+  EXPECT_THAT(rejection_of(R"([{"name": "a", "role": "force"}, {"name": "b", "role": "force"}])"),
               HasSubstr("second force"));
-  EXPECT_THAT(refusal_of(R"([{"name": "a", "sign": 1, "sign": -1}])"), HasSubstr("\"sign\" is given twice"));
+  EXPECT_THAT(rejection_of(R"([{"name": "a", "sign": 1, "sign": -1}])"), HasSubstr("\"sign\" is given twice"));
 }
 
 TEST(ChannelSetup, RefusesWhatIsNoSetUp) {
   for (const char* json :
        {"", "[", "[]", "{}", "3", "[3]", "[[]]", "nul", R"([{"name": "a"}] x)", "[{\"name\": \"\xFF\"}]"}) {
-    EXPECT_THAT(refusal_of(json), HasSubstr("s.json")) << json;
+    EXPECT_THAT(rejection_of(json), HasSubstr("s.json")) << json;
   }
-  EXPECT_THAT(refusal_of(std::string(100000, '[')), HasSubstr("deeper than 16"));
-  EXPECT_THAT(refusal_of(std::string((std::size_t{1} << 20U) + 1, ' ')), HasSubstr("1 MiB"));
+  EXPECT_THAT(rejection_of(std::string(100000, '[')), HasSubstr("deeper than 16"));
+  EXPECT_THAT(rejection_of(std::string((std::size_t{1} << 20U) + 1, ' ')), HasSubstr("1 MiB"));
   const test::ScratchFolder folder;
   EXPECT_THAT(input_error_of([&] { read_channel_setup(folder.path()); }), HasSubstr("folder"));
   EXPECT_THAT(input_error_of([&] { read_channel_setup(folder.file("none")); }), HasSubstr("no such file"));

@@ -12,25 +12,25 @@ namespace percuss::signal_choice_test {
 using test::input_error_of;
 using testing::HasSubstr;
 
-SignalInfo applied(const SignalChoice& choice, Quantity measures = Quantity::acceleration, const char* unit = "") {
+SignalInfo applied(const SignalOverrides& choice, Quantity measures = Quantity::acceleration, const char* unit = "") {
   SignalInfo signal{.name = "x", .unit = unit};
-  apply_choice(signal, choice, measures, "here");
+  apply_overrides(signal, choice, measures, "here");
   return signal;
 }
 
-TEST(SignalChoice, TakesSIWhereNobodyStatesAUnit) {
+TEST(SignalOverrides, TakesSIWhereNobodyStatesAUnit) {
   EXPECT_EQ(applied({}).to_SI, 1);
   EXPECT_EQ(applied({.sign = -1}).to_SI, -1);
 }
 
-TEST(SignalChoice, ConvertsByTheUnitTheUserGivesOrTheFileStates) {
+TEST(SignalOverrides, ConvertsByTheUnitTheUserGivesOrTheFileStates) {
   EXPECT_EQ(applied({}, Quantity::force, "lbf").to_SI, kPoundForce_N);
   const SignalInfo signal = applied({.unit = "g", .sign = -1}, Quantity::acceleration, "m/s^2");
   EXPECT_EQ(signal.to_SI, -kStandardGravity_mps2);
   EXPECT_EQ(signal.unit, "g");
 }
 
-TEST(SignalChoice, DividesVoltsBySensitivity) {
+TEST(SignalOverrides, DividesVoltsBySensitivity) {
   EXPECT_DOUBLE_EQ(applied({.sensitivity_V_per_SI = 0.01}).to_SI, 100);
   EXPECT_DOUBLE_EQ(applied({.sensitivity_V_per_SI = 0.01}, Quantity::force, "mV").to_SI, 0.1);
   EXPECT_THAT(input_error_of([] { applied({.sensitivity_V_per_SI = 0.01}, Quantity::force, "N"); }),
@@ -38,11 +38,11 @@ TEST(SignalChoice, DividesVoltsBySensitivity) {
   EXPECT_THAT(input_error_of([] { applied({}, Quantity::force, "V"); }), HasSubstr("sensitivity"));
 }
 
-TEST(SignalChoice, KeepsAForceInVoltsWithANote) {
-  const auto force_of = [](const SignalChoice& choice, const char* unit, std::size_t notes_expected) {
+TEST(SignalOverrides, KeepsAForceInVoltsWithANote) {
+  const auto force_of = [](const SignalOverrides& choice, const char* unit, std::size_t notes_expected) {
     SignalInfo signal{.name = "hammer", .unit = unit};
     std::vector<std::string> notes;
-    apply_force_choice(signal, choice, "here", notes);
+    apply_force_overrides(signal, choice, "here", notes);
     EXPECT_EQ(notes.size(), notes_expected);
     if (!notes.empty()) {
       EXPECT_THAT(notes[0], HasSubstr("hammer"));
@@ -59,11 +59,11 @@ TEST(SignalChoice, KeepsAForceInVoltsWithANote) {
   EXPECT_EQ(force_of({}, "N", 0), 1);
 }
 
-TEST(SignalChoice, LetsAScaleWinOverUnitAndSensitivity) {
+TEST(SignalOverrides, LetsAScaleWinOverUnitAndSensitivity) {
   EXPECT_EQ(applied({.scale = 3, .sensitivity_V_per_SI = 0.01}, Quantity::force, "no unit").to_SI, 3);
 }
 
-TEST(SignalChoice, RefusesFactorsThatLoseTheSamples) {
+TEST(SignalOverrides, RefusesFactorsThatLoseTheSamples) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   for (const double factor : {0.0, kInfinity, std::numeric_limits<double>::quiet_NaN()}) {
     EXPECT_THAT(input_error_of([&] { applied({.scale = factor}); }), HasSubstr("scale"));
@@ -71,24 +71,27 @@ TEST(SignalChoice, RefusesFactorsThatLoseTheSamples) {
   }
 }
 
-TEST(SignalChoice, LetsOptionsWinOverTheSetup) {
+TEST(SignalOverrides, LetsOptionsWinOverTheSetup) {
   const ChannelSetup setup{.sign = -1, .angle_rad = 0.5, .sensitivity_V_per_SI = 2, .unit = "V"};
   const ReadOptions options{
       .accel_sensitivity_V_per_mps2 = {3, 4}, .accel_unit = "mV", .angle_rad = {1, 2}, .position_m = {0.25}};
-  const SignalChoice choice = accel_choice(options, &setup, 1, 2);
+  const SignalOverrides choice = accel_overrides(options, &setup, 1, 2);
   EXPECT_EQ(choice.sensitivity_V_per_SI, 4);
   EXPECT_EQ(choice.unit, "mV");
   EXPECT_EQ(choice.sign, -1);
   EXPECT_EQ(choice.angle_rad, 2);
   EXPECT_EQ(choice.position_m, 0.25);
-  EXPECT_EQ(accel_choice({}, &setup, 1, 2).angle_rad, 0.5);
-  EXPECT_EQ(force_choice({.force_unit = "lbf"}, &setup).unit, "lbf");
-  EXPECT_EQ(force_choice({}, nullptr).sign, 1);
+  EXPECT_EQ(accel_overrides({}, &setup, 1, 2).angle_rad, 0.5);
+  EXPECT_EQ(force_overrides({.force_unit = "lbf"}, &setup).unit, "lbf");
+  EXPECT_EQ(force_overrides({}, nullptr).sign, 1);
 }
 
-TEST(SignalChoice, RefusesListsOfAnotherLength) {
-  EXPECT_THAT(input_error_of([] { accel_choice({.accel_scale = {1, 2, 3}}, nullptr, 0, 2); }), HasSubstr("3 values"));
-  EXPECT_THAT(input_error_of([] { accel_choice({.angle_rad = {1}}, nullptr, 0, 2); }), HasSubstr("one per channel"));
+TEST(SignalOverrides, RefusesListsOfAnotherLength) {
+  EXPECT_THAT(input_error_of([] {
+                accel_overrides({.accel_scale = {1, 2, 3}}, nullptr, 0, 2);
+              }),
+              HasSubstr("3 values"));
+  EXPECT_THAT(input_error_of([] { accel_overrides({.angle_rad = {1}}, nullptr, 0, 2); }), HasSubstr("one per channel"));
 }
 
 }  // namespace percuss::signal_choice_test

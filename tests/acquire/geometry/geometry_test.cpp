@@ -19,7 +19,7 @@ using testing::HasSubstr;
 
 constexpr double kRounding = 1e-12;
 
-std::string refusal_of(const std::string& text) {
+std::string rejection_of(const std::string& text) {
   return input_error_of([&] { parse_geometry(text, "g.csv"); });
 }
 
@@ -91,39 +91,39 @@ TEST(Geometry, ComesFromTheRecordItself) {
 }
 
 TEST(Geometry, NamesLineAndRemedyOfWhatIsWrong) {
-  EXPECT_THAT(refusal_of("point,position_m,angle_deg\n0,0.1,zero\n"),
+  EXPECT_THAT(rejection_of("point,position_m,angle_deg\n0,0.1,zero\n"),
               AllOf(HasSubstr("angle \"zero\" is not a number (g.csv: line 2)"), HasSubstr("; write a number")));
-  EXPECT_THAT(refusal_of("point,position_m,angle_deg\n0,0.1,0\n\n0,0.2,0\n"),
+  EXPECT_THAT(rejection_of("point,position_m,angle_deg\n0,0.1,0\n\n0,0.2,0\n"),
               HasSubstr("point 0 stands twice (g.csv: line 4)"));
-  EXPECT_THAT(refusal_of("point,position_m,angle_deg\n0.5,0.1,0\n"),
+  EXPECT_THAT(rejection_of("point,position_m,angle_deg\n0.5,0.1,0\n"),
               HasSubstr("0.5 is no point's number (g.csv: line 2)"));
-  EXPECT_THAT(refusal_of("point,position_m,angle_deg\n-1,0.1,0\n"), HasSubstr("-1 is no point's number"));
-  EXPECT_THAT(refusal_of("point,position_m,angle_deg\n0,0.1\n"), HasSubstr("no cell for angle (g.csv: line 2)"));
-  EXPECT_THAT(refusal_of("point,position,angle_deg\n0,0.1,0\n"), HasSubstr("no unit for position (g.csv: line 1)"));
-  EXPECT_THAT(refusal_of("point,position_kg,angle_deg\n0,0.1,0\n"), HasSubstr("g.csv: line 1"));
-  EXPECT_THAT(refusal_of("point,x_m,y_m\n0,0.1,0\n"), HasSubstr("neither x, y and z nor position and angle"));
-  EXPECT_THAT(refusal_of("x_m,y_m,z_m\n0,0.1,0\n"), HasSubstr("no column of points"));
-  EXPECT_THAT(refusal_of("point,position_m,angle_deg,angle_rad\n0,0.1,0,0\n"),
+  EXPECT_THAT(rejection_of("point,position_m,angle_deg\n-1,0.1,0\n"), HasSubstr("-1 is no point's number"));
+  EXPECT_THAT(rejection_of("point,position_m,angle_deg\n0,0.1\n"), HasSubstr("no cell for angle (g.csv: line 2)"));
+  EXPECT_THAT(rejection_of("point,position,angle_deg\n0,0.1,0\n"), HasSubstr("no unit for position (g.csv: line 1)"));
+  EXPECT_THAT(rejection_of("point,position_kg,angle_deg\n0,0.1,0\n"), HasSubstr("g.csv: line 1"));
+  EXPECT_THAT(rejection_of("point,x_m,y_m\n0,0.1,0\n"), HasSubstr("neither x, y and z nor position and angle"));
+  EXPECT_THAT(rejection_of("x_m,y_m,z_m\n0,0.1,0\n"), HasSubstr("no column of points"));
+  EXPECT_THAT(rejection_of("point,position_m,angle_deg,angle_rad\n0,0.1,0,0\n"),
               HasSubstr("two columns are called angle"));
-  EXPECT_THAT(refusal_of("point,position_m,angle_deg\n0,nan,0\n"), HasSubstr("not finite"));
-  EXPECT_THAT(refusal_of("point,position_m,angle_deg\n0,1e300,0\n"), HasSubstr("too large"));
+  EXPECT_THAT(rejection_of("point,position_m,angle_deg\n0,nan,0\n"), HasSubstr("not finite"));
+  EXPECT_THAT(rejection_of("point,position_m,angle_deg\n0,1e300,0\n"), HasSubstr("too large"));
 }
 
 TEST(Geometry, RefusesWhatIsNoGeometry) {
   for (const std::string text :
        {"", "\n\n", "point,position_m,angle_deg\n", "0,1,2\n3,4,5\n", "{\"a\": 1}", "\x89HDF\r\n\x1a\n", ",,,\n,,,\n",
         "point\n1\n", "point,position_m,angle_deg\nm,m,deg\n"}) {
-    EXPECT_THAT(refusal_of(text), HasSubstr("g.csv")) << text;
+    EXPECT_THAT(rejection_of(text), HasSubstr("g.csv")) << text;
   }
-  EXPECT_THAT(refusal_of(std::string("point,position_m,angle_deg\n0,\0,1\n", 33)), HasSubstr("no text"));
-  EXPECT_THAT(refusal_of(std::string(std::size_t{17} << 20U, 'x')), HasSubstr("16 MiB"));
+  EXPECT_THAT(rejection_of(std::string("point,position_m,angle_deg\n0,\0,1\n", 33)), HasSubstr("no text"));
+  EXPECT_THAT(rejection_of(std::string(std::size_t{17} << 20U, 'x')), HasSubstr("16 MiB"));
   const test::ScratchFolder folder;
   EXPECT_THAT(input_error_of([&] { read_geometry(folder.path()); }), HasSubstr("folder"));
   EXPECT_THAT(input_error_of([&] { read_geometry(folder.file("none")); }), HasSubstr("no such file"));
 }
 
 TEST(Geometry, ShowsNoControlCharactersOfTheFile) {
-  EXPECT_THAT(refusal_of("point,position_m,angle_deg\n0,\x1b[2J,0\n"), testing::Not(HasSubstr("\x1b")));
+  EXPECT_THAT(rejection_of("point,position_m,angle_deg\n0,\x1b[2J,0\n"), testing::Not(HasSubstr("\x1b")));
 }
 
 }  // namespace percuss::geometry_test

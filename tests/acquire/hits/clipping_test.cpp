@@ -27,7 +27,9 @@ std::vector<double> fast_decay(double peak, double tau) {
   return x;
 }
 
-std::size_t rail_of(const std::vector<double>& x) { return samples_at_rail(x, block_extremes(x, kRailBlock), x, 0); }
+std::size_t rail_of(const std::vector<double>& x) {
+  return count_clipped_samples(x, block_extremes(x, kClippingBlock), x, 0);
+}
 
 TEST(ResolutionOf, IsTheSmallestChange) {
   EXPECT_EQ(resolution_of(std::vector<double>{0, 3, 3, 2.5, 9, 7}), 0.5);
@@ -82,7 +84,7 @@ TEST(SamplesAtRail, IsNotMisledByQuantisedSmoothPeaks) {
         const PulseShape pulse = shape_of_pulse(x, largest_sample(x));
         const auto first = static_cast<std::size_t>(pulse.rise), last = static_cast<std::size_t>(pulse.fall) + 1;
         const auto pulse_alone = std::span(x).subspan(first, last - first);
-        EXPECT_EQ(samples_at_rail(pulse_alone, block_extremes(pulse_alone, kRailBlock), x, 0), 0U)
+        EXPECT_EQ(count_clipped_samples(pulse_alone, block_extremes(pulse_alone, kClippingBlock), x, 0), 0U)
             << bits << ' ' << width << ' ' << fraction;
       }
     }

@@ -16,10 +16,10 @@ std::size_t overloads(const Hit& hit) {
 }
 
 /// A row whose pulse of five samples is clipped at `rail`, on a baseline of its own.
-std::vector<double> clipped_row(double peak_N, double rail_N, double baseline_N, double onset) {
+std::vector<double> clipped_row(double peak_N, double clipping_level_N, double baseline_N, double onset) {
   std::vector<double> row(4000, baseline_N);
   test::add_haversine(row, onset, 5, peak_N);
-  for (double& value : row) value = std::clamp(value, -rail_N, rail_N);
+  for (double& value : row) value = std::clamp(value, -clipping_level_N, clipping_level_N);
   return row;
 }
 
@@ -50,10 +50,10 @@ TEST(SharedRail, IsNoneWhereAnotherHitGoesFurther) {
   hits[0].findings.push_back({.code = FindingCode::overload, .severity = Severity::reject});
   hits[2].peak_N = 201;
   const Record record = test::force_record(25600, {{0.0}});
-  grade_shared_rail(hits, record);
+  grade_force_clipping(hits, record);
   EXPECT_EQ(overloads(hits[1]), 0U);
   hits[2].peak_N = 199;
-  grade_shared_rail(hits, record);
+  grade_force_clipping(hits, record);
   EXPECT_EQ(overloads(hits[1]), 1U);
   EXPECT_EQ(overloads(hits[2]), 0U);
 }
@@ -65,7 +65,7 @@ TEST(SharedRail, BelongsToOneFile) {
   Record record = test::force_record(25600, {{0.0}, {0.0}});
   record.files = {{.path = "a"}, {.path = "b"}};
   record.rows[1].file = 1;
-  grade_shared_rail(hits, record);
+  grade_force_clipping(hits, record);
   EXPECT_EQ(overloads(hits[1]), 0U);
 }
 

@@ -47,7 +47,7 @@ TEST(GradeResponse, MeasuresWhatIsLeftOfTheDecay) {
     const double window = std::floor(static_cast<double>(kSamples - after) / 20);  // first and last of the decay
     const double exact = -20 * std::log10(std::exp(1.0)) * (static_cast<double>(kSamples - after) - window) / tau;
     constexpr double kPhase_dB = 0.1;  // 18 periods a window, not whole ones
-    EXPECT_LE(std::abs(grade(ringing(tau)).left_dB - exact), kPhase_dB) << tau;
+    EXPECT_LE(std::abs(grade(ringing(tau)).end_level_dB - exact), kPhase_dB) << tau;
   }
 }
 
@@ -134,7 +134,7 @@ TEST(GradeResponse, SaysNothingOfAChannelThatShowsNothing) {
     EXPECT_FALSE(found.delay_s);
     EXPECT_FALSE(found.truncated);
     EXPECT_FALSE(found.rings_before);
-    EXPECT_EQ(found.rail_samples, 0U);
+    EXPECT_EQ(found.clipped_samples, 0U);
   }
 }
 
@@ -151,7 +151,7 @@ TEST(GradeResponse, TakesNoRestForARail) {
     std::vector<double> x(kSamples);
     for (std::size_t n = onset; n < onset + 400; ++n)
       x[n] = 30 + 20 * std::sin(0.2 * static_cast<double>(n - onset));  // to one side only
-    EXPECT_EQ(grade_response(hit_at(onset), x, kFs_Hz).rail_samples, 0U) << onset;
+    EXPECT_EQ(grade_response(hit_at(onset), x, kFs_Hz).clipped_samples, 0U) << onset;
   }
 }
 
@@ -176,8 +176,8 @@ TEST(GradeResponse, CountsSamplesAtTheRail) {
   const auto expected = static_cast<std::size_t>(
       std::count_if(clipped.begin(), clipped.end(), [](double value) { return std::abs(value) == 30; }));
   ASSERT_GE(expected, 300U);
-  EXPECT_EQ(grade(clipped).rail_samples, expected);
-  EXPECT_EQ(grade(ringing(2000)).rail_samples, 0U);
+  EXPECT_EQ(grade(clipped).clipped_samples, expected);
+  EXPECT_EQ(grade(ringing(2000)).clipped_samples, 0U);
 }
 
 TEST(GradeResponse, DoesNotDependOnUnitOrOffset) {
@@ -188,13 +188,13 @@ TEST(GradeResponse, DoesNotDependOnUnitOrOffset) {
     auto scaled = x;
     for (double& value : scaled) value *= scale;
     const ResponseGrade found = grade(scaled);
-    EXPECT_DOUBLE_EQ(found.left_dB, plain.left_dB);
+    EXPECT_DOUBLE_EQ(found.end_level_dB, plain.end_level_dB);
     EXPECT_EQ(found.truncated, plain.truncated);
     EXPECT_EQ(found.delay_s, plain.delay_s);
     EXPECT_EQ(found.polarity, scale < 0 ? -plain.polarity : plain.polarity);
   }
   for (double& value : x) value += 400;
-  EXPECT_LE(std::abs(grade(x).left_dB - plain.left_dB), 1e-9);  // rounding about the mean
+  EXPECT_LE(std::abs(grade(x).end_level_dB - plain.end_level_dB), 1e-9);  // rounding about the mean
   EXPECT_EQ(grade(x).delay_s, plain.delay_s);
 }
 
@@ -243,21 +243,22 @@ TEST(DecayedLength, IsShortForAChannelThatShowsNothingButItsNoise) {
 
 TEST(AddResponseFindings, NamesTheWorstChannel) {
   Hit mine = hit();
-  add_response_findings(
-      mine,
-      {{.left_dB = -80}, {.left_dB = -30, .truncated = true}, {.left_dB = -20, .truncated = true}, {.left_dB = -5}});
+  add_response_findings(mine, {{.end_level_dB = -80},
+                               {.end_level_dB = -30, .truncated = true},
+                               {.end_level_dB = -20, .truncated = true},
+                               {.end_level_dB = -5}});
   ASSERT_EQ(mine.findings.size(), 1U);
   EXPECT_EQ(mine.findings[0].code, FindingCode::truncated_decay);
   EXPECT_EQ(mine.findings[0].severity, Severity::warn);
   EXPECT_EQ(mine.findings[0].value, -20);
   Hit clipped = hit();
-  add_response_findings(clipped, {{.rail_samples = 3}, {.rail_samples = 11}, {}});
+  add_response_findings(clipped, {{.clipped_samples = 3}, {.clipped_samples = 11}, {}});
   ASSERT_EQ(clipped.findings.size(), 1U);
   EXPECT_EQ(clipped.findings[0].code, FindingCode::overload);
   EXPECT_EQ(clipped.findings[0].severity, Severity::reject);
   EXPECT_EQ(clipped.findings[0].value, 11);
   Hit good = hit();
-  add_response_findings(good, {{.left_dB = -90}, {}});
+  add_response_findings(good, {{.end_level_dB = -90}, {}});
   add_response_findings(good, {});
   EXPECT_TRUE(good.findings.empty());
 }

@@ -16,20 +16,20 @@ const Record& record() {
 }
 
 TEST(AskedPart, IsTheWholeRowUnlessTheUserSaysSo) {
-  const Part part = asked_part(record(), 1, {});
+  const SampleRange part = select_time_range(record(), 1, {});
   EXPECT_EQ(part.first, 0U);
   EXPECT_EQ(part.last, 2000U);
 }
 
 TEST(AskedPart, EndsWithTheRowWhateverIsAsked) {
-  const Part part = asked_part(record(), 0, {.from_s = 0.25, .to_s = 1e300});
+  const SampleRange part = select_time_range(record(), 0, {.from_s = 0.25, .to_s = 1e300});
   EXPECT_EQ(part.first, 250U);
   EXPECT_EQ(part.last, 500U);
 }
 
 TEST(AskedPart, RefusesWhatHoldsNothing) {
   for (const HitOptions& options : {HitOptions{.from_s = 0.5}, HitOptions{.from_s = 0.3, .to_s = 0.3}}) {
-    EXPECT_THAT(input_error_of([&] { asked_part(record(), 0, options); }), HasSubstr("the row is 0.5 s long"));
+    EXPECT_THAT(input_error_of([&] { select_time_range(record(), 0, options); }), HasSubstr("the row is 0.5 s long"));
   }
 }
 
@@ -40,9 +40,9 @@ TEST(PretriggerSamples, AreFiveMillisecondsBut128AtLeast) {
 }
 
 TEST(AskedLength, HoldsTwoSamplesAtLeast) {
-  EXPECT_EQ(asked_length(record(), {}), std::nullopt);
-  EXPECT_EQ(asked_length(record(), {.length_s = 0.1}), 100U);
-  EXPECT_THAT(input_error_of([] { asked_length(record(), {.length_s = 0.001}); }), HasSubstr("two samples"));
+  EXPECT_EQ(selected_length(record(), {}), std::nullopt);
+  EXPECT_EQ(selected_length(record(), {.length_s = 0.1}), 100U);
+  EXPECT_THAT(input_error_of([] { selected_length(record(), {.length_s = 0.001}); }), HasSubstr("two samples"));
 }
 
 }  // namespace percuss::asked_part_test

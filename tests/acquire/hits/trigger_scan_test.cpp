@@ -22,8 +22,8 @@ void add_pulse(std::vector<double>& x, std::size_t at, double peak) {
   test::add_haversine(x, static_cast<double>(at) - 4, 8, peak);
 }
 
-ForceSurvey survey(const std::vector<double>& x, const TriggerOptions& options = {}) {
-  return survey_force(test::force_record(kFs_Hz, {x}), 0, options);
+TriggerScan scan(const std::vector<double>& x, const TriggerOptions& options = {}) {
+  return scan_for_triggers(test::force_record(kFs_Hz, {x}), 0, options);
 }
 
 TEST(SurveyForce, FindsPulsesOfEitherSignAtTheirLargestSample) {
@@ -31,7 +31,7 @@ TEST(SurveyForce, FindsPulsesOfEitherSignAtTheirLargestSample) {
   add_pulse(x, 5000, 200);
   add_pulse(x, 30000, -120);
   add_pulse(x, 70001, 3);
-  const ForceSurvey found = survey(x);
+  const TriggerScan found = scan(x);
   EXPECT_EQ(found.events, (Events{5000, 30000, 70001}));
   EXPECT_EQ(found.baseline_N, 0);
   EXPECT_EQ(found.noise_N, 0);  // an exactly silent channel is no obstacle
@@ -43,7 +43,7 @@ TEST(SurveyForce, MeasuresBaselineAndNoiseBesideThePulses) {
   std::vector<double> x(60000, -7.5);
   test::add_noise(x, 0.4, 3);
   for (std::size_t at = 8000; at < 60000; at += 8000) add_pulse(x, at, 90);
-  const ForceSurvey found = survey(x);
+  const TriggerScan found = scan(x);
   constexpr double kFiveDeviations =
       5 * 1.3 * 0.4 / 64;  // median and its deviation over 4096 samples: 1.25 and 1.17 σ/√n
   EXPECT_LE(std::abs(found.baseline_N + 7.5), kFiveDeviations);
@@ -55,14 +55,14 @@ TEST(SurveyForce, MeasuresBaselineAndNoiseBesideThePulses) {
 TEST(SurveyForce, FindsNothingInNoiseAConstantOrSilence) {
   std::vector<double> noise(500000, 3.0);
   test::add_noise(noise, 1, 1);
-  EXPECT_TRUE(survey(noise).events.empty());
+  EXPECT_TRUE(scan(noise).events.empty());
   for (const double level : {0.0, -12.25}) {
-    const ForceSurvey found = survey(std::vector<double>(5000, level));
+    const TriggerScan found = scan(std::vector<double>(5000, level));
     EXPECT_TRUE(found.events.empty());
     EXPECT_EQ(found.largest_N, 0);
     EXPECT_EQ(found.baseline_N, level);
   }
-  EXPECT_TRUE(survey({}).events.empty());
+  EXPECT_TRUE(scan({}).events.empty());
 }
 
 TEST(SurveyForce, CountsWhatFollowsWithinTheSeparationAsOneEvent) {
@@ -71,7 +71,7 @@ TEST(SurveyForce, CountsWhatFollowsWithinTheSeparationAsOneEvent) {
     add_pulse(x, 10000, 100);
     add_pulse(x, 10000 + kSeparation / 2, bounce);
     add_pulse(x, 30000, 80);
-    EXPECT_EQ(survey(x).events, (Events{bounce < 100 ? 10000 : 10000 + kSeparation / 2, 30000}));
+    EXPECT_EQ(scan(x).events, (Events{bounce < 100 ? 10000 : 10000 + kSeparation / 2, 30000}));
   }
 }
 
@@ -79,9 +79,9 @@ TEST(SurveyForce, SeparatesPulsesFurtherApart) {
   std::vector<double> x(50000);
   add_pulse(x, 10000, 100);
   add_pulse(x, 10000 + kSeparation + 256, 90);
-  EXPECT_EQ(survey(x).events, (Events{10000, 10000 + kSeparation + 256}));
-  EXPECT_EQ(survey(x, {.separation_s = 0.5}).events, (Events{10000}));
-  EXPECT_EQ(survey(x, {.separation_s = 0}).events.size(), 2U);
+  EXPECT_EQ(scan(x).events, (Events{10000, 10000 + kSeparation + 256}));
+  EXPECT_EQ(scan(x, {.separation_s = 0.5}).events, (Events{10000}));
+  EXPECT_EQ(scan(x, {.separation_s = 0}).events.size(), 2U);
 }
 
 TEST(SurveyForce, TakesAForceThatRingsAboutTheTriggerForOneEvent) {
@@ -90,16 +90,16 @@ TEST(SurveyForce, TakesAForceThatRingsAboutTheTriggerForOneEvent) {
     const double t = static_cast<double>(n - 20000) / kFs_Hz;
     x[n] = 100 * std::exp(-t / 0.02) * std::cos(1000 * t);
   }
-  EXPECT_EQ(survey(x, {.trigger_N = 5}).events, Events{20000});
+  EXPECT_EQ(scan(x, {.trigger_N = 5}).events, Events{20000});
 }
 
 TEST(SurveyForce, TakesTheTriggerGiven) {
   std::vector<double> x(60000);
   add_pulse(x, 10000, 100);
   add_pulse(x, 30000, 10);
-  EXPECT_EQ(survey(x, {.trigger_N = 20}).events, Events{10000});
-  EXPECT_EQ(survey(x, {.trigger_N = 10}).events, (Events{10000, 30000}));
-  EXPECT_TRUE(survey(x, {.trigger_N = 101}).events.empty());
+  EXPECT_EQ(scan(x, {.trigger_N = 20}).events, Events{10000});
+  EXPECT_EQ(scan(x, {.trigger_N = 10}).events, (Events{10000, 30000}));
+  EXPECT_TRUE(scan(x, {.trigger_N = 101}).events.empty());
 }
 
 // Where the survey's reads of a silent row of this length begin.
@@ -111,7 +111,7 @@ std::vector<std::size_t> part_borders(std::size_t samples) {
     std::fill(out.begin(), out.end(), 0.0);
   };
   const ThreadLimit one(1);  // so that they come in order
-  survey_force(record, 0);
+  scan_for_triggers(record, 0);
   return starts;
 }
 
@@ -125,11 +125,11 @@ TEST(SurveyForce, FindsPulsesOnTheBordersOfChunksAndBlocks) {
     for (const std::size_t at : {border - 1, border}) {
       std::vector<double> one(kSamples);
       add_pulse(one, at, 50);
-      EXPECT_EQ(survey(one).events, Events{at});
+      EXPECT_EQ(scan(one).events, Events{at});
     }
     add_pulse(all, border, 50);
   }
-  EXPECT_EQ(survey(all).events, borders);
+  EXPECT_EQ(scan(all).events, borders);
 }
 
 TEST(SurveyForce, FindsAPulseAtTheVeryFirstAndLastSample) {
@@ -137,7 +137,7 @@ TEST(SurveyForce, FindsAPulseAtTheVeryFirstAndLastSample) {
     for (const std::size_t at : {std::size_t{0}, size - 1}) {
       std::vector<double> x(size);
       x[at] = -4;
-      EXPECT_EQ(survey(x).events, Events{at}) << size;
+      EXPECT_EQ(scan(x).events, Events{at}) << size;
     }
   }
 }
@@ -147,7 +147,7 @@ TEST(SurveyForce, KnowsBaselineAndNoiseWhateverTheLengthOfTheLastChunk) {
     std::vector<double> x(kChunk + extra, 20.0);
     test::add_noise(x, 0.5, extra);
     x.back() = 300;
-    const ForceSurvey found = survey(x);
+    const TriggerScan found = scan(x);
     constexpr double kFiveDeviations = 5 * 1.3 * 0.5 / 64;  // as above
     EXPECT_LE(std::abs(found.baseline_N - 20), kFiveDeviations) << extra;
     EXPECT_LE(std::abs(found.noise_N - 0.5), kFiveDeviations) << extra;
@@ -157,12 +157,12 @@ TEST(SurveyForce, KnowsBaselineAndNoiseWhateverTheLengthOfTheLastChunk) {
 TEST(SurveyForce, SearchesOnlyThePartAskedFor) {
   std::vector<double> x(60000);
   for (const std::size_t at : {10000U, 30000U, 50000U}) add_pulse(x, at, 100);
-  EXPECT_EQ(survey(x, {.first = 20001}).events, (Events{30000, 50000}));
-  EXPECT_EQ(survey(x, {.last = 30001}).events, (Events{10000, 30000}));
-  EXPECT_EQ(survey(x, {.first = 29990, .last = 30010}).events, Events{30000});
-  EXPECT_TRUE(survey(x, {.first = 12000, .last = 20000}).events.empty());
-  EXPECT_TRUE(survey(x, {.first = 60000}).events.empty());
-  EXPECT_TRUE(survey(x, {.first = 5, .last = 5}).events.empty());
+  EXPECT_EQ(scan(x, {.first = 20001}).events, (Events{30000, 50000}));
+  EXPECT_EQ(scan(x, {.last = 30001}).events, (Events{10000, 30000}));
+  EXPECT_EQ(scan(x, {.first = 29990, .last = 30010}).events, Events{30000});
+  EXPECT_TRUE(scan(x, {.first = 12000, .last = 20000}).events.empty());
+  EXPECT_TRUE(scan(x, {.first = 60000}).events.empty());
+  EXPECT_TRUE(scan(x, {.first = 5, .last = 5}).events.empty());
 }
 
 TEST(SurveyForce, ReadsEachSampleOnceAndTheBlocksOfItsEventsTwice) {
@@ -176,7 +176,7 @@ TEST(SurveyForce, ReadsEachSampleOnceAndTheBlocksOfItsEventsTwice) {
     inner(row, first, out);
   };
   record.read_accel_mps2 = [](std::size_t, std::size_t, std::size_t, std::span<double>) { FAIL() << "not asked for"; };
-  const ForceSurvey found = survey_force(record, 0, {.first = 500});
+  const TriggerScan found = scan_for_triggers(record, 0, {.first = 500});
   ASSERT_EQ(found.events.size(), 3U);
   const auto times = [&](int n) { return static_cast<std::size_t>(std::count(reads->begin(), reads->end(), n)); };
   EXPECT_EQ(times(0), 500U);
@@ -188,17 +188,17 @@ TEST(SurveyForce, DoesNotDependOnUnitSignOrOffset) {
   std::vector<double> x(100000);
   test::add_noise(x, 0.25, 7);
   for (const std::size_t at : {9000U, 40000U, 77777U}) add_pulse(x, at, 60);
-  const ForceSurvey plain = survey(x);
+  const TriggerScan plain = scan(x);
   for (const double scale : {-1.0, 0x1p-100, -0x1p100}) {  // 1e-30 … 1e30
     auto scaled = x;
     for (double& value : scaled) value *= scale;
-    const ForceSurvey found = survey(scaled);
+    const TriggerScan found = scan(scaled);
     EXPECT_EQ(found.events, plain.events);
     EXPECT_EQ(found.noise_N, plain.noise_N * std::abs(scale));
     EXPECT_EQ(found.trigger_N, plain.trigger_N * std::abs(scale));
   }
   for (double& value : x) value += 5000;
-  EXPECT_EQ(survey(x).events, plain.events);
+  EXPECT_EQ(scan(x).events, plain.events);
 }
 
 }  // namespace percuss::pulse_search_test

@@ -46,10 +46,10 @@ void expect_ramps(const Record& record, double g) {
 TEST_F(PlainSamples, AreReadAsTheLibraryReadsThem) {
   constexpr double kGravity_mps2 = 9.80665;
   for (const hid_t type : {H5T_IEEE_F64LE, H5T_IEEE_F32LE, H5T_IEEE_F64BE, H5T_STD_I16LE}) {
-    const bool plain = H5Tequal(type, H5T_IEEE_F64LE) > 0 || H5Tequal(type, H5T_IEEE_F32LE) > 0;
-    for (const bool confined : {false, true}) {
-      const Record record = open_record(file({.type = type}), {.confined = confined});
-      EXPECT_EQ(record.plain.size(), plain ? 1 + kChannels : 0U);
+    const bool contiguous = H5Tequal(type, H5T_IEEE_F64LE) > 0 || H5Tequal(type, H5T_IEEE_F32LE) > 0;
+    for (const bool sandboxed : {false, true}) {
+      const Record record = open_record(file({.type = type}), {.sandboxed = sandboxed});
+      EXPECT_EQ(record.contiguous.size(), contiguous ? 1 + kChannels : 0U);
       expect_ramps(record, kGravity_mps2);
     }
   }
@@ -66,7 +66,7 @@ TEST_F(PlainSamples, AreNotThoseOfScatteredSets) {
   const std::string path = folder_.file("chunks.h5");
   Hdf5Builder(path).numbers("", "fs", {1000}).ramp("force", {kSamples}).ramp("accel", {kSamples}, {.chunk = {1000}});
   const Record record = open_record(path);
-  EXPECT_TRUE(record.plain.empty());
+  EXPECT_TRUE(record.contiguous.empty());
   std::vector<double> accel(1500);
   record.read_accel_mps2(0, 0, 300, accel);
   for (std::size_t i = 0; i < accel.size(); ++i) ASSERT_EQ(accel[i], test::ramp_value(300 + i));
@@ -78,8 +78,8 @@ TEST_F(PlainSamples, ThatAreNoNumbersAreRefusedWithTheirPlace) {
   std::vector<double> values(kSamples, 1.0);
   values[20000] = std::numeric_limits<double>::quiet_NaN();
   Hdf5Builder(path).numbers("", "fs", {1000}).values("force", {kSamples}, values).ramp("accel", {kSamples});
-  for (const bool confined : {false, true}) {
-    const Record record = open_record(path, {.confined = confined});
+  for (const bool sandboxed : {false, true}) {
+    const Record record = open_record(path, {.sandboxed = sandboxed});
     std::vector<double> force(kSamples);
     const std::string message = test::input_error_of([&] { record.read_force_N(0, 0, force); });
     EXPECT_THAT(message, testing::HasSubstr("not a finite number"));

@@ -31,7 +31,7 @@ std::vector<int> points_of(const Record& record) {
 TEST(JoinRecords, PassesASingleOneThrough) {
   Record one = record_at("a", {{1, 2}, {3, 4}});
   one.notes = {"as it was"};
-  const Record joined = join_records({one}, FilesMean::points);
+  const Record joined = join_records({one}, FileGrouping::points);
   EXPECT_EQ(joined.notes, one.notes);
   EXPECT_EQ(joined.continuous, one.continuous);
   EXPECT_EQ(joined.rows.size(), 2U);
@@ -39,7 +39,7 @@ TEST(JoinRecords, PassesASingleOneThrough) {
 
 TEST(JoinRecords, KeepsEveryRowOfEveryFileInOrder) {
   const Record joined =
-      join_records({record_at("a", {{1, 2}, {3, 4, 5}}), record_at("b", {{6, 7}})}, FilesMean::automatic);
+      join_records({record_at("a", {{1, 2}, {3, 4, 5}}), record_at("b", {{6, 7}})}, FileGrouping::automatic);
   ASSERT_EQ(joined.rows.size(), 3U);
   EXPECT_THAT(test::force_N(joined, 1), ElementsAre(3, 4, 5));
   EXPECT_THAT(test::force_N(joined, 2), ElementsAre(6, 7));
@@ -52,38 +52,38 @@ TEST(JoinRecords, KeepsEveryRowOfEveryFileInOrder) {
 }
 
 TEST(JoinRecords, LooksForHitsWhereEveryFileHasOneRow) {
-  EXPECT_TRUE(join_records({record_at("a", {{1, 2}}), record_at("b", {{3, 4}})}, FilesMean::hits).continuous);
+  EXPECT_TRUE(join_records({record_at("a", {{1, 2}}), record_at("b", {{3, 4}})}, FileGrouping::hits).continuous);
 }
 
 TEST(JoinRecords, NumbersPointsByFile) {
   EXPECT_THAT(points_of(join_records({record_at("a", {{1}, {2}}), record_at("b", {{3}}), record_at("c", {{3}})},
-                                     FilesMean::points)),
+                                     FileGrouping::points)),
               ElementsAre(0, 0, 1, 2));
   Record own = record_at("a", {{1}, {2}});
   own.rows[1].point = 4;
-  EXPECT_THAT(points_of(join_records({own, record_at("b", {{3}})}, FilesMean::points)), ElementsAre(0, 4, 5));
+  EXPECT_THAT(points_of(join_records({own, record_at("b", {{3}})}, FileGrouping::points)), ElementsAre(0, 4, 5));
 }
 
 TEST(JoinRecords, NamesTheFileThatDiffers) {
   const std::string rates = input_error_of([] {
-    join_records({record_at("a", {{1}}), record_at("b", {{1}}, 101)}, FilesMean::hits);
+    join_records({record_at("a", {{1}}), record_at("b", {{1}}, 101)}, FileGrouping::hits);
   });
   EXPECT_THAT(rates, HasSubstr("sampling rate 101 Hz where a has 100 Hz (b)"));
-  EXPECT_NO_THROW(join_records({record_at("a", {{1}}), record_at("b", {{1}}, 100 * (1 + 5e-7))}, FilesMean::hits));
+  EXPECT_NO_THROW(join_records({record_at("a", {{1}}), record_at("b", {{1}}, 100 * (1 + 5e-7))}, FileGrouping::hits));
   Record two = record_at("b", {{1}});
   two.accel.push_back(two.accel.front());
   EXPECT_THAT(input_error_of([&] {
-                join_records({record_at("a", {{1}}), two}, FilesMean::hits);
+                join_records({record_at("a", {{1}}), two}, FileGrouping::hits);
               }),
               HasSubstr("2 acceleration channels where a has 1 (b)"));
-  EXPECT_THAT(input_error_of([] { join_records({}, FilesMean::hits); }), HasSubstr("nothing to join"));
+  EXPECT_THAT(input_error_of([] { join_records({}, FileGrouping::hits); }), HasSubstr("nothing to join"));
 }
 
 TEST(JoinRecords, NotesChannelsThatAreCalledOtherwise) {
   Record other = record_at("b", {{1}});
   other.accel.front().name = "top";
   other.notes = {"mind this"};
-  EXPECT_THAT(join_records({record_at("a", {{1}}), other}, FilesMean::hits).notes,
+  EXPECT_THAT(join_records({record_at("a", {{1}}), other}, FileGrouping::hits).notes,
               ElementsAre(HasSubstr("top of b"), "b: mind this"));
 }
 

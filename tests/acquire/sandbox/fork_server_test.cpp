@@ -18,7 +18,7 @@ namespace percuss::reader_nursery_test {
 using testing::HasSubstr;
 
 /// Serves a row of numbers that count from the path's length; dies or refuses when the path asks for it.
-ConfinedService counting(const std::string& path) {
+SandboxService counting(const std::string& path) {
   if (path == "crash") std::raise(SIGSEGV);
   if (path == "refuse") throw InputError("refused", path, "ask for another");
   const auto start = static_cast<double>(path.size());
@@ -27,62 +27,62 @@ ConfinedService counting(const std::string& path) {
           }};
 }
 
-std::string refusal(const std::shared_ptr<ReaderNursery>& nursery, const std::string& path) {
+std::string refusal(const std::shared_ptr<ForkServer>& fork_server, const std::string& path) {
   try {
-    const ConfinedProcess process(path, nursery);
+    const SandboxProcess process(path, fork_server);
     return "";
   } catch (const InputError& e) {
     return e.what();
   }
 }
 
-TEST(ReaderNursery, ForksReadersThatServe) {
-  const auto nursery = std::make_shared<ReaderNursery>(counting);
-  ConfinedProcess process("four", nursery);
+TEST(ForkServer, ForksReadersThatServe) {
+  const auto fork_server = std::make_shared<ForkServer>(counting);
+  SandboxProcess process("four", fork_server);
   EXPECT_EQ(process.description(), "four");
   std::vector<double> numbers(300'000);  // more than go over at once
   process.read(0, 0, 10, numbers);
   for (std::size_t i = 0; i < numbers.size(); ++i) ASSERT_EQ(numbers[i], 14.0 + static_cast<double>(i));
 }
 
-TEST(ReaderNursery, ServesSeveralThreads) {
-  const auto nursery = std::make_shared<ReaderNursery>(counting);
+TEST(ForkServer, ServesSeveralThreads) {
+  const auto fork_server = std::make_shared<ForkServer>(counting);
   parallel_for(40, 2, [&](std::size_t i) {
     const std::string path(i + 1, 'x');
-    ConfinedProcess process(path, nursery);
+    SandboxProcess process(path, fork_server);
     std::vector<double> numbers(5);
     process.read(0, 0, 0, numbers);
     EXPECT_EQ(numbers[4], static_cast<double>(i + 1) + 4);
   });
 }
 
-TEST(ReaderNursery, TellsWhatBecomesOfAReader) {
-  const auto nursery = std::make_shared<ReaderNursery>(counting);
-  EXPECT_THAT(refusal(nursery, "refuse"), HasSubstr("refused (refuse)"));
-  EXPECT_THAT(refusal(nursery, "crash"), HasSubstr("crash"));
-  EXPECT_EQ(refusal(nursery, "fine"), "");  // and is there for the next
-  EXPECT_FALSE(nursery->lost());
+TEST(ForkServer, TellsWhatBecomesOfAReader) {
+  const auto fork_server = std::make_shared<ForkServer>(counting);
+  EXPECT_THAT(refusal(fork_server, "refuse"), HasSubstr("refused (refuse)"));
+  EXPECT_THAT(refusal(fork_server, "crash"), HasSubstr("crash"));
+  EXPECT_EQ(refusal(fork_server, "fine"), "");  // and is there for the next
+  EXPECT_FALSE(fork_server->lost());
 }
 
-TEST(ReaderNursery, SaysOfReadersThatNeverWere) {
-  ReaderNursery nursery(counting);
+TEST(ForkServer, SaysOfReadersThatNeverWere) {
+  ForkServer fork_server(counting);
   int status = 0;
-  EXPECT_EQ(nursery.ended(1, status), -1);
-  nursery.end(1, status);
-  nursery.forget(1);
-  EXPECT_EQ(nursery.ended(1, status), -1);
-  EXPECT_FALSE(nursery.lost());
+  EXPECT_EQ(fork_server.ended(1, status), -1);
+  fork_server.end(1, status);
+  fork_server.release(1);
+  EXPECT_EQ(fork_server.ended(1, status), -1);
+  EXPECT_FALSE(fork_server.lost());
 }
 
-TEST(ReaderNursery, OpensWhatIsOpenedWithoutIt) {
+TEST(ForkServer, OpensWhatIsOpenedWithoutIt) {
   const test::ScratchFolder folder;
   FrfReadOptions options;
-  options.read.confined = true;
-  const auto nursery = measurement_nursery(options);
+  options.read.sandboxed = true;
+  const auto fork_server = measurement_fork_server(options);
   for (const char* kind : {".h5", ".mat", ".wav", ".csv"}) {
     const std::string path = folder.file(std::string("t") + kind);
     test::write_small_test(path);
-    const auto opened = open_measurement_in(nursery, path, options), alone = open_measurement(path, options);
+    const auto opened = open_measurement_forked(fork_server, path, options), alone = open_measurement(path, options);
     const auto &one = std::get<Record>(opened), &other = std::get<Record>(alone);
     EXPECT_EQ(one.fs_Hz, other.fs_Hz);
     ASSERT_EQ(one.rows.size(), other.rows.size());

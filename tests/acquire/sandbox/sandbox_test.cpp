@@ -43,7 +43,7 @@ class Confined : public testing::Test {
   /// The message when the reader of a file does that in its confined process.
   std::string message_when(const std::function<void()>& happens) const {
     return input_error_of([&] {
-      open_confined(path_, [&] {
+      open_in_sandbox(path_, [&] {
         happens();
         return small_record();
       });
@@ -61,7 +61,7 @@ TEST_F(Confined, GivesTheRecordThatTheReaderGives) {
     } else {
       write_hdf5(path, small_record(), false);
     }
-    const Record here = open_record(path), there = open_record(path, {.confined = true});
+    const Record here = open_record(path), there = open_record(path, {.sandboxed = true});
     EXPECT_EQ(there.fs_Hz, here.fs_Hz);
     EXPECT_EQ(there.format, here.format);
     EXPECT_EQ(there.accel[0].name, here.accel[0].name);
@@ -77,7 +77,7 @@ TEST_F(Confined, ServesMoreThanGoesOverAtOnce) {
     force[i] = static_cast<double>(i);
     accel[i] = -static_cast<double>(i);
   }
-  const Record record = open_confined(path_, [&] { return record_in_memory(1000, {force}, {{accel}}); });
+  const Record record = open_in_sandbox(path_, [&] { return record_in_memory(1000, {force}, {{accel}}); });
   EXPECT_EQ(force_N(record), force);
   EXPECT_EQ(accel_mps2(record), accel);
 }
@@ -86,14 +86,14 @@ TEST_F(Confined, PassesOnWhatTheReaderRefuses) {
   EXPECT_EQ(message_when([] { throw InputError("wrong", "here", "mend it"); }), "wrong (here); mend it");
   test::MatBuilder(path_, test::MatLevel::v5).numbers("a", {3, 1}, {1, 2, 3}).numbers("fs", {1, 1}, {9});
   try {
-    open_record(path_, {.confined = true});
+    open_record(path_, {.sandboxed = true});
     ADD_FAILURE();
-  } catch (const UnclearColumns& unclear) {
+  } catch (const AmbiguousColumns& unclear) {
     EXPECT_EQ(unclear.columns.at(0).name, "a");
     EXPECT_EQ(unclear.format, "MAT");
     EXPECT_EQ(unclear.fs_Hz, 9);
   }
-  const Record record = open_confined(path_, [] {
+  const Record record = open_in_sandbox(path_, [] {
     Record bad = small_record();
     bad.read_force_N = [](std::size_t, std::size_t, std::span<double>) { throw InputError("bad sample", "x", "y"); };
     return bad;
@@ -105,7 +105,7 @@ TEST_F(Confined, PassesOnWhatTheReaderRefuses) {
 TEST_F(Confined, TurnsACrashIntoOneLine) {
   EXPECT_THAT(message_when([] { std::raise(SIGSEGV); }), AllOf(HasSubstr("crash"), HasSubstr(path_)));
   EXPECT_THAT(message_when([] { ::_exit(7); }), HasSubstr("crash"));
-  const Record record = open_confined(path_, [] {
+  const Record record = open_in_sandbox(path_, [] {
     Record bad = small_record();
     bad.read_force_N = [](std::size_t, std::size_t, std::span<double>) { std::raise(SIGABRT); };
     return bad;
@@ -131,15 +131,15 @@ TEST_F(Confined, LetsTheReaderWriteNothingAndTalkToNobody) {
 
 TEST_F(Confined, EndsWhatWaitsForEver) {
   const auto wait = [] {
-    std::promise<ConfinedService> never;
+    std::promise<SandboxService> never;
     return never.get_future().get();
   };
-  EXPECT_THAT(input_error_of([&] { ConfinedProcess(path_, wait, 1); }), HasSubstr("takes longer"));
+  EXPECT_THAT(input_error_of([&] { SandboxProcess(path_, wait, 1); }), HasSubstr("takes longer"));
   const auto serve = [&] {
-    return ConfinedService{.description = "d",
-                           .read = [&](std::size_t, std::size_t, std::size_t, std::span<double>) { wait(); }};
+    return SandboxService{.description = "d",
+                          .read = [&](std::size_t, std::size_t, std::size_t, std::span<double>) { wait(); }};
   };
-  ConfinedProcess served(path_, serve, 1);
+  SandboxProcess served(path_, serve, 1);
   ::usleep(1'500'000);  // between requests it may wait as long as it likes
   std::vector<double> out(3);
   EXPECT_THAT(input_error_of([&] { served.read(0, 0, 0, out); }), HasSubstr("takes longer"));
@@ -191,7 +191,7 @@ TEST_F(Confined, SurvivesMatFilesDamagedAnywhere) {
       }
       test::write_bytes(path_, damaged);
       try {
-        const auto opened = open_measurement(path_, {.read = {.confined = true}});
+        const auto opened = open_measurement(path_, {.read = {.sandboxed = true}});
         if (const auto* record = std::get_if<Record>(&opened)) force_N(*record);
       } catch (const InputError&) {
       }
@@ -201,12 +201,12 @@ TEST_F(Confined, SurvivesMatFilesDamagedAnywhere) {
 
 TEST_F(Confined, IsHowTheCommandsReadUnlessTold) {
   test::write_small_test(path_);
-  const auto confined = test::run_percuss({"analyze", path_, "--json"});
+  const auto sandboxed = test::run_percuss({"analyze", path_, "--json"});
   const auto trusting = test::run_percuss({"analyze", path_, "--json", "--trust-input"});
-  EXPECT_EQ(confined.code, 0) << confined.err;
-  EXPECT_EQ(confined.out, trusting.out);
+  EXPECT_EQ(sandboxed.code, 0) << sandboxed.err;
+  EXPECT_EQ(sandboxed.out, trusting.out);
   test::write_bytes(path_, "MATLAB 5.0 MAT-file" + std::string(200, ' '));
-  test::expect_every_command_refuses(path_, path_);
+  test::expect_every_command_rejects(path_, path_);
 }
 
 }  // namespace percuss::confined_test

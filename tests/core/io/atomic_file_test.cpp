@@ -22,10 +22,10 @@ using test::input_error_of;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-using Aside = AtomicFile::Aside;
+using Temporary = AtomicFile::Temporary;
 
 /// Every test twice: without a name until the end, and with a temporary one.
-class AtomicFiles : public testing::TestWithParam<Aside> {
+class AtomicFiles : public testing::TestWithParam<Temporary> {
  protected:
   std::vector<std::string> files() const {
     std::vector<std::string> names;
@@ -53,8 +53,8 @@ class AtomicFiles : public testing::TestWithParam<Aside> {
   std::string path_ = folder_.file("x.csv");
 };
 
-INSTANTIATE_TEST_SUITE_P(, AtomicFiles, testing::Values(Aside::nameless_if_possible, Aside::named),
-                         [](const auto& one) { return one.param == Aside::named ? "Named" : "Nameless"; });
+INSTANTIATE_TEST_SUITE_P(, AtomicFiles, testing::Values(Temporary::unnamed_if_possible, Temporary::named),
+                         [](const auto& one) { return one.param == Temporary::named ? "Named" : "Nameless"; });
 
 TEST_P(AtomicFiles, AppearWholeAndOnlyAtTheEnd) {
   {
@@ -109,7 +109,7 @@ TEST_P(AtomicFiles, LeaveTheOldFileWhenTheWriterIsKilled) {
     ::raise(SIGKILL);
   })));
   EXPECT_EQ(test::bytes_of(path_), "old");
-  if (GetParam() == Aside::nameless_if_possible) {
+  if (GetParam() == Temporary::unnamed_if_possible) {
     EXPECT_THAT(files(), ElementsAre("x.csv"));
   }
   write("new", true);  // and with it, what the killed one left
@@ -120,7 +120,7 @@ TEST_P(AtomicFiles, CanBeRemovedByASignalHandler) {
   EXPECT_EQ(end_of_child([&] {
               AtomicFile file(path_, false, GetParam());
               file.write("half");
-              remove_unfinished_files();
+              remove_temporary_files();
               ::_exit(7);
             }),
             W_EXITCODE(7, 0));

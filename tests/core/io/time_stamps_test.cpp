@@ -19,9 +19,9 @@ std::vector<double> rounded_stamps(double fs_Hz, std::size_t count, double resol
 
 std::optional<StampedRate> rate_of(const std::vector<double>& time_s, double resolution_s,
                                    std::string* problem = nullptr) {
-  const std::vector<Stamps> rows = {{time_s, resolution_s}};
+  const std::vector<TimeStamps> rows = {{time_s, resolution_s}};
   StampProblem found;
-  auto rate = rate_of_stamps(rows, found);
+  auto rate = rate_of_time_stamps(rows, found);
   if (problem != nullptr) *problem = found.text;
   EXPECT_EQ(rate.has_value(), found.text.empty());
   return rate;
@@ -98,9 +98,9 @@ TEST(RateOfStamps, RefusesStampsTooCoarseToTell) {
 
 TEST(RateOfStamps, PoolsRowsThatEachStartAnew) {
   const auto t = rounded_stamps(12800, 1280, 1e-9);
-  const std::vector<Stamps> rows(5, {t, 1e-9});
+  const std::vector<TimeStamps> rows(5, {t, 1e-9});
   StampProblem problem;
-  EXPECT_EQ(rate_of_stamps(rows, problem)->fs_Hz, 12800);
+  EXPECT_EQ(rate_of_time_stamps(rows, problem)->fs_Hz, 12800);
 }
 
 TEST(RoundestBetween, HasTheFewestDigits) {

@@ -19,15 +19,15 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t kMuch = 1'000'000'000;  // operations: worth other threads
 
 void loop(std::size_t count = 4) {
-  share_out(count, kMuch, [](std::size_t) { std::this_thread::sleep_for(std::chrono::milliseconds(1)); });
+  parallel_for_cost(count, kMuch, [](std::size_t) { std::this_thread::sleep_for(std::chrono::milliseconds(1)); });
 }
 
-TEST(Meanwhile, DoesEachTaskOnceOnAnyNumberOfThreads) {
+TEST(BackgroundTasks, DoesEachTaskOnceOnAnyNumberOfThreads) {
   for (const std::size_t threads : {0U, 1U, 2U, 8U}) {
     const ThreadLimit limit(threads);
     for (const std::size_t count : {0U, 1U, 1000U}) {
       std::vector<std::atomic<int>> calls(count);
-      Meanwhile work(count, [&](std::size_t i) { ++calls.at(i); });
+      BackgroundTasks work(count, [&](std::size_t i) { ++calls.at(i); });
       loop();
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
       loop();
@@ -37,22 +37,22 @@ TEST(Meanwhile, DoesEachTaskOnceOnAnyNumberOfThreads) {
   }
 }
 
-TEST(Meanwhile, BeginsNothingByItselfOnOneThread) {
+TEST(BackgroundTasks, BeginsNothingByItselfOnOneThread) {
   const ThreadLimit limit(1);
   int calls = 0;  // unguarded: a second thread would be a race
   {
-    const Meanwhile work(10, [&](std::size_t) { ++calls; });
+    const BackgroundTasks work(10, [&](std::size_t) { ++calls; });
     loop();
   }
   EXPECT_EQ(calls, 0);
 }
 
-TEST(Meanwhile, HasOtherThreadsWorkWhileThisOneIsBusy) {
-  if (threads_of_arena(2) < 2) return;  // this process has one processor
+TEST(BackgroundTasks, HasOtherThreadsWorkWhileThisOneIsBusy) {
+  if (arena_concurrency(2) < 2) return;  // this process has one processor
   const ThreadLimit limit(2);
   const auto here = std::this_thread::get_id();
   std::atomic<int> calls{0};
-  Meanwhile work(10, [&](std::size_t) {
+  BackgroundTasks work(10, [&](std::size_t) {
     EXPECT_NE(std::this_thread::get_id(), here);
     ++calls;
   });
@@ -64,15 +64,15 @@ TEST(Meanwhile, HasOtherThreadsWorkWhileThisOneIsBusy) {
 }
 
 // Without waiting for what is left: each task takes longer than the loops.
-TEST(Meanwhile, LeavesOffWhereALoopBegins) {
+TEST(BackgroundTasks, LeavesOffWhereALoopBegins) {
   const ThreadLimit limit(2);
   std::atomic<int> in_loop{0}, begun_in_loop{0};
-  Meanwhile work(1000, [&](std::size_t) {
+  BackgroundTasks work(1000, [&](std::size_t) {
     if (in_loop > 0) ++begun_in_loop;
     std::this_thread::sleep_for(std::chrono::microseconds(200));
   });
   for (int i = 0; i < 10; ++i) {
-    share_out(4, kMuch, [&](std::size_t) {
+    parallel_for_cost(4, kMuch, [&](std::size_t) {
       ++in_loop;
       std::this_thread::sleep_for(std::chrono::milliseconds(2));
       --in_loop;
@@ -82,11 +82,11 @@ TEST(Meanwhile, LeavesOffWhereALoopBegins) {
   EXPECT_LE(begun_in_loop, 10);  // one that was just being begun
 }
 
-TEST(Meanwhile, EndsWithWhatHasBegun) {
+TEST(BackgroundTasks, EndsWithWhatHasBegun) {
   const ThreadLimit limit(2);
   std::atomic<int> begun{0}, ended{0};
   {
-    const Meanwhile work(1000, [&](std::size_t) {
+    const BackgroundTasks work(1000, [&](std::size_t) {
       ++begun;
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
       ++ended;
@@ -101,10 +101,10 @@ TEST(Meanwhile, EndsWithWhatHasBegun) {
   EXPECT_LT(at_end, 1000);
 }
 
-TEST(Meanwhile, PassesOnTheErrorOfTheLowestIndex) {
+TEST(BackgroundTasks, PassesOnTheErrorOfTheLowestIndex) {
   for (const std::size_t threads : {1U, 2U, 8U}) {
     const ThreadLimit limit(threads);
-    Meanwhile work(100, [](std::size_t i) {
+    BackgroundTasks work(100, [](std::size_t i) {
       if (i % 10 == 3) throw std::runtime_error("task " + std::to_string(i));
     });
     loop();
@@ -117,12 +117,12 @@ TEST(Meanwhile, PassesOnTheErrorOfTheLowestIndex) {
   }
 }
 
-TEST(Meanwhile, StaysOnItsThreadWithWhatATaskSharesOut) {
+TEST(BackgroundTasks, StaysOnItsThreadWithWhatATaskSharesOut) {
   const ThreadLimit limit(2);
   std::atomic<int> elsewhere{0};
-  Meanwhile work(20, [&](std::size_t) {
+  BackgroundTasks work(20, [&](std::size_t) {
     const auto here = std::this_thread::get_id();
-    share_out(10, kMuch, [&](std::size_t) {
+    parallel_for_cost(10, kMuch, [&](std::size_t) {
       if (std::this_thread::get_id() != here) ++elsewhere;
     });
   });
@@ -131,12 +131,12 @@ TEST(Meanwhile, StaysOnItsThreadWithWhatATaskSharesOut) {
   EXPECT_EQ(elsewhere, 0);
 }
 
-TEST(Meanwhile, MayStandWithinAnother) {
+TEST(BackgroundTasks, MayStandWithinAnother) {
   const ThreadLimit limit(2);
   std::atomic<int> outer_calls{0}, inner_calls{0};
-  Meanwhile outer(100, [&](std::size_t) { ++outer_calls; });
+  BackgroundTasks outer(100, [&](std::size_t) { ++outer_calls; });
   {
-    Meanwhile inner(100, [&](std::size_t) { ++inner_calls; });
+    BackgroundTasks inner(100, [&](std::size_t) { ++inner_calls; });
     loop();
     inner.finish();
   }

@@ -86,7 +86,7 @@ TEST(ParallelFor, FinishesALoopWithinOneThatFailsMeanwhile) {
 TEST(ShareOutStrips, CoverEachValueOnce) {
   for (const std::size_t size : {0U, 1U, 511U, 512U, 513U, 5000U}) {
     std::vector<int> calls(size);
-    share_out_strips(size, 1'000'000, [&](std::size_t first, std::size_t count) {
+    parallel_for_chunks(size, 1'000'000, [&](std::size_t first, std::size_t count) {
       for (std::size_t i = first; i < first + count; ++i) ++calls.at(i);
     });
     EXPECT_EQ(calls, std::vector<int>(size, 1)) << size;
@@ -96,7 +96,7 @@ TEST(ShareOutStrips, CoverEachValueOnce) {
 TEST(ShareOut, StaysHereWhereItWouldNotPayOrIsNotAllowed) {
   const auto here = std::this_thread::get_id();
   const auto stays = [&](std::size_t operations) {
-    share_out(100, operations, [&](std::size_t) { EXPECT_EQ(std::this_thread::get_id(), here); });
+    parallel_for_cost(100, operations, [&](std::size_t) { EXPECT_EQ(std::this_thread::get_id(), here); });
   };
   stays(10);
   const ThreadLimit limit(1);
@@ -107,10 +107,10 @@ TEST(ShareOut, KeepsItsLimitWithinTasksAndGivesItBack) {
   std::vector<std::atomic<int>> calls(64);
   {
     const ThreadLimit limit(2);
-    share_out(8, 1'000'000, [&](std::size_t i) {
+    parallel_for_cost(8, 1'000'000, [&](std::size_t i) {
       const auto here = std::this_thread::get_id();
       const ThreadLimit one(1);
-      share_out(8, 1'000'000, [&](std::size_t j) {
+      parallel_for_cost(8, 1'000'000, [&](std::size_t j) {
         EXPECT_EQ(std::this_thread::get_id(), here);
         ++calls.at(8 * i + j);
       });
@@ -118,7 +118,7 @@ TEST(ShareOut, KeepsItsLimitWithinTasksAndGivesItBack) {
   }
   for (const auto& number : calls) EXPECT_EQ(number, 1);
   std::atomic<int> after{0};
-  share_out(8, 1'000'000, [&](std::size_t) { ++after; });
+  parallel_for_cost(8, 1'000'000, [&](std::size_t) { ++after; });
   EXPECT_EQ(after, 8);
 }
 

@@ -20,7 +20,7 @@ constexpr double kRounding = 1e-12;
 StoredFrfs stored(std::optional<FrfUnit> unit = FrfUnit{}) {
   StoredFrfs frfs;
   frfs.record.files = {{.path = "x.csv"}};
-  frfs.record.lines = lines_of({0, 1, 2}, "x.csv");
+  frfs.record.lines = lines_from_frequencies({0, 1, 2}, "x.csv");
   for (std::size_t c = 0; c < 2; ++c) {
     frfs.record.accel.push_back({.name = "accel " + std::to_string(c + 1)});
     frfs.frfs.push_back({.channel = c, .value = std::vector<Complex>(3, Complex(1, 0))});
@@ -33,57 +33,58 @@ Complex line(const FrfRecord& record, std::size_t frf, std::size_t k) { return r
 
 TEST(FinishedFrfs, TurnsEveryKindIntoAnAccelerance) {
   const Complex s(0, kTwoPi * 2);
-  EXPECT_EQ(line(finished_frfs(stored(), {}), 0, 2), Complex(1, 0));
-  const auto mobility = finished_frfs(stored(FrfUnit{.kind = FrfKind::mobility}), {});
+  EXPECT_EQ(line(to_accelerances(stored(), {}), 0, 2), Complex(1, 0));
+  const auto mobility = to_accelerances(stored(FrfUnit{.kind = FrfKind::mobility}), {});
   EXPECT_LE(std::abs(line(mobility, 0, 2) - s), kRounding * std::abs(s));
-  const auto receptance = finished_frfs(stored(FrfUnit{.kind = FrfKind::receptance}), {});
+  const auto receptance = to_accelerances(stored(FrfUnit{.kind = FrfKind::receptance}), {});
   EXPECT_LE(std::abs(line(receptance, 0, 2) - s * s), kRounding * std::norm(s));
   EXPECT_EQ(line(receptance, 0, 0), Complex(0, 0));
 }
 
 TEST(FinishedFrfs, AppliesTheFilesUnitUnlessTheUserNamesOne) {
   const FrfUnit g_per_lbf{.response_to_SI = kStandardGravity_mps2, .force_to_SI = kPoundForce_N};
-  EXPECT_EQ(finished_frfs(stored(g_per_lbf), {}).accel[0].to_SI, kStandardGravity_mps2 / kPoundForce_N);
-  EXPECT_EQ(finished_frfs(stored(g_per_lbf), {.read = {.accel_unit = "m/s^2"}}).accel[0].to_SI, 1 / kPoundForce_N);
-  EXPECT_EQ(finished_frfs(stored(g_per_lbf), {.read = {.force_scale = {2}, .accel_scale = {3}}}).accel[0].to_SI, 1.5);
+  EXPECT_EQ(to_accelerances(stored(g_per_lbf), {}).accel[0].to_SI, kStandardGravity_mps2 / kPoundForce_N);
+  EXPECT_EQ(to_accelerances(stored(g_per_lbf), {.read = {.accel_unit = "m/s^2"}}).accel[0].to_SI, 1 / kPoundForce_N);
+  EXPECT_EQ(to_accelerances(stored(g_per_lbf), {.read = {.force_scale = {2}, .accel_scale = {3}}}).accel[0].to_SI, 1.5);
 }
 
 TEST(FinishedFrfs, TurnsTheSignOfASensorThatPointsBackwards) {
-  const auto record = finished_frfs(stored(), {.read = {.setup = {{.name = "accel 2", .sign = -1, .angle_rad = 1.0}}}});
+  const auto record =
+      to_accelerances(stored(), {.read = {.setup = {{.name = "accel 2", .sign = -1, .angle_rad = 1.0}}}});
   EXPECT_EQ(line(record, 0, 1), Complex(1, 0));
   EXPECT_EQ(line(record, 1, 1), Complex(-1, 0));
   EXPECT_EQ(record.accel[1].angle_rad, 1.0);
-  const auto hammer = finished_frfs(stored(), {.read = {.setup = {{.name = "force", .sign = -1}}}});
+  const auto hammer = to_accelerances(stored(), {.read = {.setup = {{.name = "force", .sign = -1}}}});
   EXPECT_EQ(line(hammer, 0, 1), Complex(-1, 0));
 }
 
 TEST(FinishedFrfs, KeepsTheChannelsAskedFor) {
-  const auto record = finished_frfs(stored(), {.read = {.accel_channels = {"2"}}});
+  const auto record = to_accelerances(stored(), {.read = {.accel_channels = {"2"}}});
   ASSERT_THAT(record.frfs, SizeIs(1));
   EXPECT_EQ(record.accel.at(0).name, "accel 2");
   EXPECT_EQ(record.frfs[0].channel, 0U);
 }
 
 TEST(FinishedFrfs, SaysWhatItAssumedAndWhatTheUserOverruled) {
-  EXPECT_THAT(finished_frfs(stored(), {}).notes, IsEmpty());
-  EXPECT_THAT(finished_frfs(stored(std::nullopt), {}).notes, testing::ElementsAre(HasSubstr("taken as accelerance")));
-  const auto overruled = finished_frfs(stored(), {.kind = FrfKind::mobility});
+  EXPECT_THAT(to_accelerances(stored(), {}).notes, IsEmpty());
+  EXPECT_THAT(to_accelerances(stored(std::nullopt), {}).notes, testing::ElementsAre(HasSubstr("taken as accelerance")));
+  const auto overruled = to_accelerances(stored(), {.kind = FrfKind::mobility});
   EXPECT_EQ(overruled.kind, FrfKind::mobility);
   EXPECT_THAT(overruled.notes, testing::ElementsAre(HasSubstr("--frf-kind")));
 }
 
 TEST(FinishedFrfs, RefusesWhatFrfsHaveNoUseForAndNumbersBeyondAnySensor) {
-  EXPECT_THAT(test::input_error_of([] { finished_frfs(stored(), {.read = {.fs_Hz = 100}}); }), HasSubstr("--fs"));
-  EXPECT_THAT(test::input_error_of([] { finished_frfs(stored(), {.read = {.force_sensitivity_V_per_N = 1}}); }),
+  EXPECT_THAT(test::input_error_of([] { to_accelerances(stored(), {.read = {.fs_Hz = 100}}); }), HasSubstr("--fs"));
+  EXPECT_THAT(test::input_error_of([] { to_accelerances(stored(), {.read = {.force_sensitivity_V_per_N = 1}}); }),
               HasSubstr("sensitivity"));
-  EXPECT_THAT(test::input_error_of([] { finished_frfs(stored(), {.read = {.accel_scale = {1e40}}}); }),
+  EXPECT_THAT(test::input_error_of([] { to_accelerances(stored(), {.read = {.accel_scale = {1e40}}}); }),
               HasSubstr("too large"));
-  EXPECT_THAT(test::input_error_of([] { finished_frfs(stored(), {.read = {.force_scale = {0}}}); }),
+  EXPECT_THAT(test::input_error_of([] { to_accelerances(stored(), {.read = {.force_scale = {0}}}); }),
               HasSubstr("scale"));
 }
 
 TEST(LinesOf, FindsSpacingAndFirstLine) {
-  const LineRange lines = lines_of({60, 60.5, 61}, "x");
+  const LineRange lines = lines_from_frequencies({60, 60.5, 61}, "x");
   EXPECT_EQ(lines.first, 120U);
   EXPECT_EQ(lines.count, 3U);
   EXPECT_EQ(lines.df_Hz(), 0.5);
@@ -94,11 +95,12 @@ TEST(LinesOf, AllowsFrequenciesThatWereRounded) {
   std::vector<double> freq_Hz(1000);
   for (std::size_t k = 0; k < freq_Hz.size(); ++k)
     freq_Hz[k] = std::round(0.1953125 * static_cast<double>(k) * 100) / 100;
-  EXPECT_LE(std::abs(lines_of(freq_Hz, "x").df_Hz() / 0.1953125 - 1), 1e-4) << "half a hundredth in 195 Hz";
+  EXPECT_LE(std::abs(lines_from_frequencies(freq_Hz, "x").df_Hz() / 0.1953125 - 1), 1e-4)
+      << "half a hundredth in 195 Hz";
 }
 
 TEST(JoinFrfs, MakesEveryFileAPoint) {
-  std::vector<FrfRecord> files(3, finished_frfs(stored(std::nullopt), {}));
+  std::vector<FrfRecord> files(3, to_accelerances(stored(std::nullopt), {}));
   const FrfRecord all = join_frfs(files);
   ASSERT_THAT(all.frfs, SizeIs(6));
   EXPECT_EQ(all.frfs[5].point, 2);
@@ -108,10 +110,10 @@ TEST(JoinFrfs, MakesEveryFileAPoint) {
 }
 
 TEST(JoinFrfs, RefusesOtherLinesAndNamesTheFile) {
-  const FrfRecord first = finished_frfs(stored(), {});
+  const FrfRecord first = to_accelerances(stored(), {});
   FrfRecord other = first;
   other.files[0].path = "other.csv";
-  other.lines = lines_of({0, 2, 4}, "other.csv");
+  other.lines = lines_from_frequencies({0, 2, 4}, "other.csv");
   EXPECT_THAT(test::input_error_of([&] { join_frfs({first, other}); }), HasSubstr("other.csv"));
 }
 

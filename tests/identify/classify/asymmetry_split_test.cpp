@@ -74,7 +74,7 @@ TEST(PlaneFromSensors, AllowsForTheSensorsPlacement) {
 }
 
 struct Pair {
-  DoublePeak first{.partner = 1, .separation_Hz = 12, .first = true}, second{.partner = 0, .separation_Hz = 12};
+  SplitMode first{.partner = 1, .separation_Hz = 12, .first = true}, second{.partner = 0, .separation_Hz = 12};
 };
 
 Pair described(double between_deg, int order, double std_rad = 0.01) {
@@ -112,12 +112,12 @@ TEST(RingSplit, IsInTheVerdictsOfTwoSensors) {
   std::vector<Mode> modes{seen(1, 20, sensors), seen(1, 110, sensors)};
   modes[0].pole.freq_Hz = 169;
   modes[1].pole.freq_Hz = 171;
-  const auto verdicts = classify(modes, sensors, std::vector<std::optional<double>>(2));
-  ASSERT_TRUE(verdicts[0].double_peak && verdicts[1].double_peak);
-  ASSERT_TRUE(verdicts[0].double_peak->planes);
-  EXPECT_EQ(verdicts[0].double_peak->planes->cause, SplitCause::asymmetry);
-  EXPECT_NEAR(verdicts[1].double_peak->planes->own.plane_rad, 110 * kDegree, 1e-9);
-  EXPECT_TRUE(verdicts[0].double_peak->quoted);
+  const auto classifications = classify(modes, sensors, std::vector<std::optional<double>>(2));
+  ASSERT_TRUE(classifications[0].split_mode && classifications[1].split_mode);
+  ASSERT_TRUE(classifications[0].split_mode->planes);
+  EXPECT_EQ(classifications[0].split_mode->planes->cause, SplitCause::asymmetry);
+  EXPECT_NEAR(classifications[1].split_mode->planes->own.plane_rad, 110 * kDegree, 1e-9);
+  EXPECT_TRUE(classifications[0].split_mode->quoted);
 }
 
 }  // namespace percuss::ring_split_test

@@ -15,15 +15,15 @@ Mode mode_at(double freq_Hz, double first, double second) {
 Mode hoop(double freq_Hz) { return mode_at(freq_Hz, 1, -1); }
 Mode bending(double freq_Hz, double ratio = 0.4) { return mode_at(freq_Hz, 1, ratio); }
 
-std::vector<Verdict> verdicts(const std::vector<Mode>& modes, const ClassifyOptions& options = {}) {
+std::vector<ModeClassification> classifications(const std::vector<Mode>& modes, const ClassifyOptions& options = {}) {
   const SensorPair sensors{.first = 0, .second = 1, .first_rad = 0, .second_rad = std::numbers::pi / 2};
   return classify(modes, sensors, std::vector<std::optional<double>>(modes.size()), options);
 }
 
-std::vector<int> orders_of(const std::vector<Verdict>& found) {
+std::vector<int> orders_of(const std::vector<ModeClassification>& found) {
   std::vector<int> orders;
   orders.reserve(found.size());
-  for (const Verdict& verdict : found) orders.push_back(verdict.order);
+  for (const ModeClassification& verdict : found) orders.push_back(verdict.order);
   return orders;
 }
 
@@ -46,74 +46,76 @@ TEST(Overlay, ThresholdIsTheUsers) {
 TEST(Overlay, StandsBesideTheVerdictAndDoesNotMakeIt) {
   // Equal magnitudes, moving together: overlaid as a hoop mode would be, yet bending at 45°.
   const SensorPair sensors{.first = 0, .second = 1, .first_rad = 0, .second_rad = std::numbers::pi / 2};
-  const Verdict verdict = classify({mode_at(169, 1, 1)}, sensors, {0.0})[0];
+  const ModeClassification verdict = classify({mode_at(169, 1, 1)}, sensors, {0.0})[0];
   EXPECT_TRUE(verdict.overlaid);
-  EXPECT_EQ(verdict.family, Family::bending);
+  EXPECT_EQ(verdict.family, ModeType::bending);
 }
 
-TEST(DoublePeak, IsTwoOfOneFamilyWithin25Hertz) {
-  const auto found = verdicts({hoop(1900), hoop(1925)});
-  ASSERT_TRUE(found[0].double_peak && found[1].double_peak);
-  EXPECT_EQ(found[0].double_peak->partner, 1U);
-  EXPECT_EQ(found[1].double_peak->partner, 0U);
-  EXPECT_DOUBLE_EQ(found[0].double_peak->separation_Hz, 25);
-  EXPECT_DOUBLE_EQ(found[1].double_peak->separation_Hz, 25);
-  EXPECT_TRUE(found[0].double_peak->first);  // the lower one is quoted
-  EXPECT_FALSE(found[1].double_peak->first);
+TEST(SplitMode, IsTwoOfOneFamilyWithin25Hertz) {
+  const auto found = classifications({hoop(1900), hoop(1925)});
+  ASSERT_TRUE(found[0].split_mode && found[1].split_mode);
+  EXPECT_EQ(found[0].split_mode->partner, 1U);
+  EXPECT_EQ(found[1].split_mode->partner, 0U);
+  EXPECT_DOUBLE_EQ(found[0].split_mode->separation_Hz, 25);
+  EXPECT_DOUBLE_EQ(found[1].split_mode->separation_Hz, 25);
+  EXPECT_TRUE(found[0].split_mode->first);  // the lower one is quoted
+  EXPECT_FALSE(found[1].split_mode->first);
 }
 
-TEST(DoublePeak, EndsAt25Hertz) {
-  for (const Verdict& verdict : verdicts({hoop(1900), hoop(1925.5)})) EXPECT_FALSE(verdict.double_peak);
-  for (const Verdict& verdict : verdicts({hoop(1900), hoop(1925.5)}, {.double_peak_Hz = 26}))
-    EXPECT_TRUE(verdict.double_peak);
+TEST(SplitMode, EndsAt25Hertz) {
+  for (const ModeClassification& verdict : classifications({hoop(1900), hoop(1925.5)}))
+    EXPECT_FALSE(verdict.split_mode);
+  for (const ModeClassification& verdict : classifications({hoop(1900), hoop(1925.5)}, {.double_peak_Hz = 26}))
+    EXPECT_TRUE(verdict.split_mode);
 }
 
-TEST(DoublePeak, IsNotMadeOfABendingAndAHoopMode) {
-  const auto found = verdicts({bending(1895, 0.0), hoop(1912)});
+TEST(SplitMode, IsNotMadeOfABendingAndAHoopMode) {
+  const auto found = classifications({bending(1895, 0.0), hoop(1912)});
   if (found[0].family != found[1].family) {
-    EXPECT_FALSE(found[0].double_peak);
-    EXPECT_FALSE(found[1].double_peak);
+    EXPECT_FALSE(found[0].split_mode);
+    EXPECT_FALSE(found[1].split_mode);
   }
-  EXPECT_EQ(found[1].family, Family::hoop);
-  EXPECT_EQ(found[0].family, Family::bending);
+  EXPECT_EQ(found[1].family, ModeType::hoop);
+  EXPECT_EQ(found[0].family, ModeType::bending);
 }
 
-TEST(DoublePeak, OfThreeTakesTheFirstTwo) {
-  const auto found = verdicts({hoop(1900), hoop(1912), hoop(1924)});
-  EXPECT_EQ(found[0].double_peak->partner, 1U);
-  EXPECT_EQ(found[1].double_peak->partner, 0U);
-  EXPECT_FALSE(found[2].double_peak);
+TEST(SplitMode, OfThreeTakesTheFirstTwo) {
+  const auto found = classifications({hoop(1900), hoop(1912), hoop(1924)});
+  EXPECT_EQ(found[0].split_mode->partner, 1U);
+  EXPECT_EQ(found[1].split_mode->partner, 0U);
+  EXPECT_FALSE(found[2].split_mode);
 }
 
-TEST(DoublePeak, IsSeenWithoutSensorsToo) {
+TEST(SplitMode, IsSeenWithoutSensorsToo) {
   const auto found = classify({hoop(1900), hoop(1912)}, std::nullopt, {std::nullopt, std::nullopt});
-  ASSERT_TRUE(found[0].double_peak);
-  EXPECT_TRUE(found[0].double_peak->first);
+  ASSERT_TRUE(found[0].split_mode);
+  EXPECT_TRUE(found[0].split_mode->first);
 }
 
 TEST(Order, CountsFromOneWithinEachFamily) {
-  EXPECT_EQ(orders_of(verdicts({bending(169), bending(575), hoop(1300), bending(1800), hoop(2650)})),
+  EXPECT_EQ(orders_of(classifications({bending(169), bending(575), hoop(1300), bending(1800), hoop(2650)})),
             (std::vector<int>{1, 2, 1, 3, 2}));
 }
 
 TEST(Order, IsSharedByADoublePeak) {
-  EXPECT_EQ(orders_of(verdicts({hoop(1900), hoop(1912), hoop(2650)})), (std::vector<int>{1, 1, 2}));
+  EXPECT_EQ(orders_of(classifications({hoop(1900), hoop(1912), hoop(2650)})), (std::vector<int>{1, 1, 2}));
 }
 
 TEST(Order, IsSharedByTheTwoPlanesOfABendingMode) {
   // Planes across each other, 1.8 % apart.
-  EXPECT_EQ(orders_of(verdicts({bending(169, 0.4), bending(172, -2.5), bending(575), bending(581, -2.5)})),
+  EXPECT_EQ(orders_of(classifications({bending(169, 0.4), bending(172, -2.5), bending(575), bending(581, -2.5)})),
             (std::vector<int>{1, 1, 2, 2}));
 }
 
 TEST(Order, IsSharedByTwoAtMost) {
-  EXPECT_EQ(orders_of(verdicts({hoop(1900), hoop(1912), hoop(1924), hoop(1936)})), (std::vector<int>{1, 1, 2, 2}));
+  EXPECT_EQ(orders_of(classifications({hoop(1900), hoop(1912), hoop(1924), hoop(1936)})),
+            (std::vector<int>{1, 1, 2, 2}));
 }
 
-TEST(Family, HasNames) {
-  EXPECT_STREQ(name_of(Family::bending), "bending");
-  EXPECT_STREQ(name_of(Family::hoop), "hoop");
-  EXPECT_STREQ(name_of(Family::unknown), "unknown");
+TEST(ModeType, HasNames) {
+  EXPECT_STREQ(name_of(ModeType::bending), "bending");
+  EXPECT_STREQ(name_of(ModeType::hoop), "hoop");
+  EXPECT_STREQ(name_of(ModeType::unknown), "unknown");
 }
 
 }  // namespace percuss::classify_rules_test

@@ -27,16 +27,16 @@ Mode hoop(double freq_Hz, double turn_deg, double second_deg = 90) {
   return mode_at(freq_Hz, std::cos(2 * turn_deg * kDegree), std::cos(2 * (second_deg - turn_deg) * kDegree));
 }
 
-std::vector<Verdict> verdicts(const std::vector<Mode>& modes, double second_deg = 90,
-                              const ClassifyOptions& options = {}) {
+std::vector<ModeClassification> classifications(const std::vector<Mode>& modes, double second_deg = 90,
+                                                const ClassifyOptions& options = {}) {
   const SensorPair sensors{.first = 0, .second = 1, .first_rad = 0, .second_rad = second_deg * kDegree};
   return classify(modes, sensors, std::vector<std::optional<double>>(modes.size()), options);
 }
 
 TEST(Classify, RatioMinusOneIsHoop) {
   for (const double turn : {0.0, 12.0, 30.0, 40.0, 70.0, 170.0}) {
-    const Verdict verdict = verdicts({hoop(1900, turn)})[0];
-    EXPECT_EQ(verdict.family, Family::hoop) << turn;
+    const ModeClassification verdict = classifications({hoop(1900, turn)})[0];
+    EXPECT_EQ(verdict.family, ModeType::hoop) << turn;
     EXPECT_GE(verdict.confidence, 0.8) << turn;
     EXPECT_NEAR(std::abs(*verdict.ratio + 1.0), 0, 1e-9) << turn;
   }
@@ -44,41 +44,41 @@ TEST(Classify, RatioMinusOneIsHoop) {
 
 TEST(Classify, TangentOfAPlaneIsBending) {
   for (const double plane : {0.5, 20.0, -20.0, 70.0, 89.5, 110.0}) {
-    const Verdict verdict = verdicts({bending(169, plane)})[0];
-    EXPECT_EQ(verdict.family, Family::bending) << plane;
+    const ModeClassification verdict = classifications({bending(169, plane)})[0];
+    EXPECT_EQ(verdict.family, ModeType::bending) << plane;
     EXPECT_GE(verdict.confidence, 0.8) << plane;
     EXPECT_FALSE(verdict.alternative && verdict.confidence > 0.95) << plane;
     EXPECT_NEAR(verdict.ratio->real() / std::tan(plane * kDegree), 1, 1e-9) << plane;
   }
 }
 
-TEST(Classify, EqualMotionIsBending) { EXPECT_EQ(verdicts({bending(169, 45)})[0].family, Family::bending); }
+TEST(Classify, EqualMotionIsBending) { EXPECT_EQ(classifications({bending(169, 45)})[0].family, ModeType::bending); }
 
 TEST(Classify, DoesNotTakeOneBendingModeAtMinus45DegreesForSure) {
   // Its ratio is hoop's own: only an unsure verdict is honest.
-  const Verdict verdict = verdicts({bending(169, -45)})[0];
-  EXPECT_FALSE(verdict.family == Family::hoop && verdict.confidence > 0.97);
+  const ModeClassification verdict = classifications({bending(169, -45)})[0];
+  EXPECT_FALSE(verdict.family == ModeType::hoop && verdict.confidence > 0.97);
   ASSERT_TRUE(verdict.alternative);
-  EXPECT_EQ(*verdict.alternative, verdict.family == Family::bending ? Family::hoop : Family::bending);
+  EXPECT_EQ(*verdict.alternative, verdict.family == ModeType::bending ? ModeType::hoop : ModeType::bending);
 }
 
 TEST(Classify, KnowsBendingAt45DegreesByItsOtherPlane) {
-  const auto found = verdicts({bending(169, -45), bending(172, 45)});
-  for (const Verdict& verdict : found) EXPECT_EQ(verdict.family, Family::bending);
+  const auto found = classifications({bending(169, -45), bending(172, 45)});
+  for (const ModeClassification& verdict : found) EXPECT_EQ(verdict.family, ModeType::bending);
 }
 
 TEST(Classify, KnowsBendingAtMinus45DegreesByTheSurePlanesOfOthers) {
   // Modes at 45° say where the bat bends; one across it is then as likely as not, and never sure to be hoop.
-  const auto found = verdicts({bending(169, 45), bending(575, 45), bending(1180, -45)});
-  EXPECT_EQ(found[0].family, Family::bending);
-  EXPECT_EQ(found[1].family, Family::bending);
-  EXPECT_TRUE(found[2].family != Family::hoop || found[2].alternative);
+  const auto found = classifications({bending(169, 45), bending(575, 45), bending(1180, -45)});
+  EXPECT_EQ(found[0].family, ModeType::bending);
+  EXPECT_EQ(found[1].family, ModeType::bending);
+  EXPECT_TRUE(found[2].family != ModeType::hoop || found[2].alternative);
 }
 
 TEST(Classify, ReadsAHoopPairByItsEqualRatios) {
-  const auto found = verdicts({hoop(1900, 12), hoop(1912, 57)});
-  for (const Verdict& verdict : found) {
-    EXPECT_EQ(verdict.family, Family::hoop);
+  const auto found = classifications({hoop(1900, 12), hoop(1912, 57)});
+  for (const ModeClassification& verdict : found) {
+    EXPECT_EQ(verdict.family, ModeType::hoop);
     EXPECT_GE(verdict.confidence, 0.9);
   }
 }
@@ -86,18 +86,18 @@ TEST(Classify, ReadsAHoopPairByItsEqualRatios) {
 TEST(Classify, AllowsForSensorsPlacedByHand) {
   for (const double off : {-2.0, 2.0}) {
     for (const double turn : {0.0, 20.0})
-      EXPECT_EQ(verdicts({hoop(1900, turn, 90 + off)})[0].family, Family::hoop) << off << " " << turn;
+      EXPECT_EQ(classifications({hoop(1900, turn, 90 + off)})[0].family, ModeType::hoop) << off << " " << turn;
     // Turned so that both sensors sit near its nodes, a misplaced one reads a ratio that bending explains as well.
-    EXPECT_NE(verdicts({hoop(1900, 35, 90 + off)})[0].family, Family::bending) << off;
+    EXPECT_NE(classifications({hoop(1900, 35, 90 + off)})[0].family, ModeType::bending) << off;
     for (const double plane : {5.0, 20.0, 65.0})
-      EXPECT_EQ(verdicts({bending(169, plane, 90 + off)})[0].family, Family::bending) << off << " " << plane;
+      EXPECT_EQ(classifications({bending(169, plane, 90 + off)})[0].family, ModeType::bending) << off << " " << plane;
   }
 }
 
 TEST(Classify, HoldsWhenASensorSitsOnANode) {
   for (const bool first : {true, false}) {
-    const Verdict verdict = verdicts({first ? mode_at(169, 1e-5, 1) : mode_at(169, 1, 1e-5)})[0];
-    EXPECT_EQ(verdict.family, Family::bending);
+    const ModeClassification verdict = classifications({first ? mode_at(169, 1e-5, 1) : mode_at(169, 1, 1e-5)})[0];
+    EXPECT_EQ(verdict.family, ModeType::bending);
     EXPECT_TRUE(std::isfinite(verdict.confidence));
     EXPECT_TRUE(std::isfinite(verdict.ratio_std));
   }
@@ -105,31 +105,32 @@ TEST(Classify, HoldsWhenASensorSitsOnANode) {
 
 TEST(Classify, SaysUnknownWithoutTwoSensors) {
   const auto found = classify({bending(169, 20), hoop(1900, 0)}, std::nullopt, {std::nullopt, std::nullopt});
-  for (const Verdict& verdict : found) {
-    EXPECT_EQ(verdict.family, Family::unknown);
+  for (const ModeClassification& verdict : found) {
+    EXPECT_EQ(verdict.family, ModeType::unknown);
     EXPECT_EQ(verdict.order, 0);
     EXPECT_FALSE(verdict.ratio);
   }
 }
 
 TEST(Classify, SaysUnknownOfAModeSeenByNobodyOrOutOfPhase) {
-  EXPECT_EQ(verdicts({mode_at(169, 0, 0)})[0].family, Family::unknown);
-  EXPECT_EQ(verdicts({mode_at(169, 1, {0.05, 1})})[0].family, Family::unknown);
+  EXPECT_EQ(classifications({mode_at(169, 0, 0)})[0].family, ModeType::unknown);
+  EXPECT_EQ(classifications({mode_at(169, 1, {0.05, 1})})[0].family, ModeType::unknown);
 }
 
 TEST(Classify, IsLessSureOfAnUncertainRatio) {
-  const auto sure = verdicts({mode_at(1900, 1, -1, 1e-3)})[0], unsure = verdicts({mode_at(1900, 1, -1, 0.6)})[0];
-  EXPECT_EQ(sure.family, Family::hoop);
-  EXPECT_TRUE(unsure.family == Family::unknown || unsure.confidence < sure.confidence);
+  const auto sure = classifications({mode_at(1900, 1, -1, 1e-3)})[0],
+             unsure = classifications({mode_at(1900, 1, -1, 0.6)})[0];
+  EXPECT_EQ(sure.family, ModeType::hoop);
+  EXPECT_TRUE(unsure.family == ModeType::unknown || unsure.confidence < sure.confidence);
 }
 
 TEST(Classify, ReadsSensorsAt60Degrees) {
   // Bending that both sensors see alike lies between them; a hoop mode would be turned to fit by chance.
-  const auto found = verdicts({bending(169, 30, 60), bending(575, 30, 60)}, 60);
-  EXPECT_EQ(found[0].family, Family::bending);
+  const auto found = classifications({bending(169, 30, 60), bending(575, 30, 60)}, 60);
+  EXPECT_EQ(found[0].family, ModeType::bending);
   for (const double turn : {0.0, 15.0, 30.0, 60.0, 75.0}) {
-    const Verdict verdict = verdicts({hoop(1900, turn, 60)}, 60)[0];
-    EXPECT_FALSE(verdict.family == Family::bending && verdict.confidence > 0.95) << turn;
+    const ModeClassification verdict = classifications({hoop(1900, turn, 60)}, 60)[0];
+    EXPECT_FALSE(verdict.family == ModeType::bending && verdict.confidence > 0.95) << turn;
   }
 }
 
@@ -146,7 +147,7 @@ TEST(Classify, IsBlindToTheResiduesUnitAndSign) {
   std::vector<Mode> other;
   other.reserve(modes.size());
   for (const Mode& mode : modes) other.push_back(scaled(mode, {0, -1e6}));
-  const auto a = verdicts(modes), b = verdicts(other);
+  const auto a = classifications(modes), b = classifications(other);
   for (std::size_t m = 0; m < modes.size(); ++m) {
     EXPECT_EQ(a[m].family, b[m].family);
     EXPECT_NEAR(a[m].confidence, b[m].confidence, kTolerance);
@@ -173,8 +174,8 @@ TEST(Classify, TakesTheRatioOverAllPoints) {
   Mode mode = mode_at(1900, 0.01, 0.02, 0.01);  // a point at a node: noise
   mode.residues.push_back({.point = 1, .channel = 0, .value = 2, .std = 0.01});
   mode.residues.push_back({.point = 1, .channel = 1, .value = -2, .std = 0.01});
-  const Verdict verdict = verdicts({mode})[0];
-  EXPECT_EQ(verdict.family, Family::hoop);
+  const ModeClassification verdict = classifications({mode})[0];
+  EXPECT_EQ(verdict.family, ModeType::hoop);
   EXPECT_NEAR(verdict.ratio->real(), (0.01 * 0.02 - 4) / (0.01 * 0.01 + 4), kTolerance);
 }
 

@@ -12,24 +12,24 @@ using std::numbers::pi;
 
 constexpr double kDegree = pi / 180;
 
-FamilyEvidence mode_at(double freq_Hz, double chi_deg, double size = 1) {
+TypeEvidence mode_at(double freq_Hz, double chi_deg, double size = 1) {
   return {.freq_Hz = freq_Hz, .size = size, .ratio = RatioAngle{.chi_rad = chi_deg * kDegree, .std_rad = 0.001}};
 }
 
-std::vector<FamilyEvidence> paired(FamilyEvidence one, FamilyEvidence two) {
+std::vector<TypeEvidence> paired(TypeEvidence one, TypeEvidence two) {
   one.partner = 1;
   two.partner = 0;
   return {one, two};
 }
 
-std::vector<Belief> beliefs(const std::vector<FamilyEvidence>& modes) {
-  return family_beliefs(modes, RatioLikelihood(0, pi / 2, {}));
+std::vector<TypePosterior> beliefs(const std::vector<TypeEvidence>& modes) {
+  return type_posteriors(modes, RatioLikelihood(0, pi / 2, {}));
 }
 
 TEST(FamilyBelief, IsAProbability) {
-  for (const auto& modes : {std::vector<FamilyEvidence>{mode_at(169, 25), mode_at(1900, -45), {.freq_Hz = 2500}},
+  for (const auto& modes : {std::vector<TypeEvidence>{mode_at(169, 25), mode_at(1900, -45), {.freq_Hz = 2500}},
                             paired(mode_at(169, 25), mode_at(171, 115))}) {
-    for (const Belief& b : beliefs(modes)) {
+    for (const TypePosterior& b : beliefs(modes)) {
       EXPECT_NEAR(b[0] + b[1] + b[2], 1, 1e-12);
       EXPECT_GE(*std::min_element(b.begin(), b.end()), 0);
     }
@@ -47,7 +47,7 @@ TEST(FamilyBelief, KeepsTheRivalWhereTheLowestModeLooksLikeHoopToo) {
   const auto all = beliefs({mode_at(169, -45), mode_at(575, -45), mode_at(1150, -45), mode_at(1900, -45)});
   const auto one = beliefs({mode_at(169, 25), mode_at(575, 25), mode_at(1150, 25), mode_at(1900, -45)});
   EXPECT_GT(all[0][0], 0.5);
-  for (const Belief& b : all) EXPECT_GT(b[0], 0.05);
+  for (const TypePosterior& b : all) EXPECT_GT(b[0], 0.05);
   EXPECT_GT(one[3][1], 0.95);
   EXPECT_LT(one[3][0], 0.5 * all[3][0]);
 }
@@ -72,10 +72,10 @@ TEST(FamilyBelief, AsksHowLargeAHoopModeIsThatBothSensorsSeeOnANode) {
 }
 
 TEST(FamilyBelief, HoldsForSoManyModesThatProductsLeaveTheRangeOfADouble) {
-  std::vector<FamilyEvidence> modes(600);
+  std::vector<TypeEvidence> modes(600);
   for (std::size_t i = 0; i < modes.size(); ++i) modes[i] = mode_at(169 + 20 * static_cast<double>(i), 25);
   const auto found = beliefs(modes);
-  EXPECT_TRUE(std::all_of(found.begin(), found.end(), [](const Belief& b) { return b[0] > 0.95; }));
+  EXPECT_TRUE(std::all_of(found.begin(), found.end(), [](const TypePosterior& b) { return b[0] > 0.95; }));
 }
 
 }  // namespace percuss::family_belief_test

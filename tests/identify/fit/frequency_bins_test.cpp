@@ -10,15 +10,15 @@ namespace percuss::line_blocks_test {
 
 const LineRange kLines{.fs_Hz = 8192, .samples = 16384, .first = 100, .count = 4000};
 
-TEST(LineBlocks, KeepTheEnergyOfWhiteNoiseInEveryBlock) {
+TEST(FrequencyBins, KeepTheEnergyOfWhiteNoiseInEveryBlock) {
   constexpr double kTolerance = 0.1;  // of a variance from a thousand blocks: three deviations
-  const LineBlocks blocks(kLines, {{400, 0.005}, {1500, 0.002}});
-  FrfSet set = test::empty_set(kLines.fs_Hz, kLines.samples, 50, 2049.5, 1);
+  const FrequencyBins blocks(kLines, {{400, 0.005}, {1500, 0.002}});
+  FrfDataset set = test::empty_set(kLines.fs_Hz, kLines.samples, 50, 2049.5, 1);
   ASSERT_EQ(set.lines.count, kLines.count);
   double energy = 0;
   for (std::uint64_t seed = 0; seed < 4; ++seed) {
     set.outputs[0].frf.assign(set.lines.count, Complex());
-    test::add_line_noise(set, 1, seed);
+    test::add_frf_noise(set, 1, seed);
     Eigen::VectorXd column(2 * blocks.count());
     const Eigen::Map<const Eigen::VectorXcd> z(set.outputs[0].frf.data(), static_cast<Eigen::Index>(kLines.count));
     blocks.sum(z, Eigen::VectorXd::Ones(z.size()), column);
@@ -27,10 +27,10 @@ TEST(LineBlocks, KeepTheEnergyOfWhiteNoiseInEveryBlock) {
   EXPECT_LE(std::abs(energy - 1), kTolerance);
 }
 
-TEST(LineBlocks, LoseNextToNothingOfWhatALineKnowsOfAPole) {
+TEST(FrequencyBins, LoseNextToNothingOfWhatALineKnowsOfAPole) {
   // Fisher information of frequency, damping and residue, with and without the sums.
   const Pole pole{800.3, 0.004};
-  const LineBlocks blocks(kLines, {pole});
+  const FrequencyBins blocks(kLines, {pole});
   EXPECT_LE(blocks.count(), 400);
   const PointForce none;
   const ModeColumn mode = mode_column(pole, none, kLines, 0, kLines.count);
@@ -43,8 +43,8 @@ TEST(LineBlocks, LoseNextToNothingOfWhatALineKnowsOfAPole) {
   }
 }
 
-TEST(LineBlocks, CoverEveryLineOnce) {
-  const LineBlocks blocks(kLines, {{60, 0.01}, {2040, 0.02}});
+TEST(FrequencyBins, CoverEveryLineOnce) {
+  const FrequencyBins blocks(kLines, {{60, 0.01}, {2040, 0.02}});
   Eigen::VectorXd column(2 * blocks.count());
   const Eigen::VectorXd even = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(kLines.count));
   blocks.sum(even.cast<Complex>(), even, column);

@@ -14,8 +14,8 @@ namespace percuss::joint_fit_test {
 const std::vector<Pole> kTruth{{300.3, 0.01}, {305, 0.012}, {420, 0.006}};
 const std::vector<Pole> kStart{{300.6, 0.011}, {304.7, 0.011}, {420.4, 0.0065}};
 
-FrfSet three_modes(std::size_t channels, Complex turn = 1) {
-  FrfSet set = test::empty_set(4096, 32768, 250, 500, channels);
+FrfDataset three_modes(std::size_t channels, Complex turn = 1) {
+  FrfDataset set = test::empty_set(4096, 32768, 250, 500, channels);
   for (std::size_t o = 0; o < channels; ++o) {
     const auto x = static_cast<double>(o);
     test::add_mode(set, o, kTruth[0], turn * (0.5 - 0.3 * x));
@@ -27,7 +27,7 @@ FrfSet three_modes(std::size_t channels, Complex turn = 1) {
 
 TEST(FitJointly, IsExactOnLinesWithoutNoise) {
   constexpr double kTolerance = 1e-11;  // rounding, a condition of some hundred times 1e-13
-  const FrfSet set = three_modes(2);
+  const FrfDataset set = three_modes(2);
   const JointFit fit = fit_jointly(set, kStart);
   EXPECT_TRUE(fit.converged);
   for (std::size_t m = 0; m < 3; ++m) {
@@ -53,10 +53,10 @@ std::size_t nearest(const std::vector<Pole>& poles, const Pole& truth) {
 
 Scatter scatter(Complex turn, double noise, int seeds) {
   Scatter out;
-  const FrfSet clean = three_modes(2, turn);
+  const FrfDataset clean = three_modes(2, turn);
   for (int seed = 0; seed < seeds; ++seed) {
-    FrfSet set = clean;
-    test::add_line_noise(set, noise, static_cast<std::uint64_t>(seed));
+    FrfDataset set = clean;
+    test::add_frf_noise(set, noise, static_cast<std::uint64_t>(seed));
     const JointFit fit = fit_jointly(set, kStart);
     for (const Pole& truth : kTruth) {
       const std::size_t m = nearest(fit.poles, truth);
@@ -87,10 +87,10 @@ TEST(FitJointly, TakesResiduesForRealUnlessTheLinesContradict) {
 }
 
 TEST(FitJointly, SeesOutputsWhosePhasesDiffer) {
-  FrfSet set = test::empty_set(4096, 32768, 250, 400, 2);
+  FrfDataset set = test::empty_set(4096, 32768, 250, 400, 2);
   test::add_mode(set, 0, kTruth[0], Complex(0.5, 0.3));
   test::add_mode(set, 1, kTruth[0], Complex(0.5, -0.3));
-  test::add_line_noise(set, 0.1, 1);
+  test::add_frf_noise(set, 0.1, 1);
   const JointFit fit = fit_jointly(set, {kStart[0]});
   EXPECT_FALSE(fit.real[0]);
   EXPECT_LE(std::abs(fit.residues(1, 0) - Complex(0.5, -0.3)), 5 * fit.residue_std(1, 0));
@@ -104,7 +104,7 @@ TEST(FitJointly, MeetsTheBoundOfATruncatedRecord) {
                                   0.6);
   spec.noise = {.force = 0, .accel = 1e-2};
   const SyntheticTest made = synthesise(spec);
-  const FrfSet set = test::frf_set_of(made.record, 30, 2400);
+  const FrfDataset set = test::frf_set_of(made.record, 30, 2400);
   const JointFit fit = fit_jointly(set, {{180.1, 0.0042}, {600.2, 0.0031}});
   const CramerRaoBound bound = cramer_rao_bound(made.truth);
   for (std::size_t m = 0; m < 2; ++m) {

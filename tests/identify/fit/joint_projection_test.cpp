@@ -10,8 +10,8 @@ namespace percuss::joint_projection_test {
 
 const std::vector<Pole> kTruth{{300.3, 0.01}, {305, 0.012}, {420, 0.006}};
 
-FrfSet three_modes(Complex turn = 1) {
-  FrfSet set = test::empty_set(4096, 32768, 250, 500, 2);
+FrfDataset three_modes(Complex turn = 1) {
+  FrfDataset set = test::empty_set(4096, 32768, 250, 500, 2);
   for (std::size_t o = 0; o < 2; ++o) {
     for (std::size_t m = 0; m < kTruth.size(); ++m)
       test::add_mode(set, o, kTruth[m], turn * (0.3 + 0.2 * static_cast<double>(m) - static_cast<double>(o)));
@@ -23,11 +23,11 @@ FrfSet three_modes(Complex turn = 1) {
 TEST(JointProjection, LeavesNothingOfLinesThatAreTheModel) {
   constexpr double kRounding = 1e-18;  // of the lines' energy
   for (const bool real : {true, false}) {
-    const FrfSet set = three_modes(real ? Complex(1) : Complex(0.6, 0.8));
+    const FrfDataset set = three_modes(real ? Complex(1) : Complex(0.6, 0.8));
     const JointProjection projection(set, kTruth);
     const JointState state = projection.evaluate({.poles = kTruth, .real = std::vector<char>(3, real ? 1 : 0)});
     double energy = 0;
-    for (const Output& output : set.outputs) {
+    for (const FrfChannel& output : set.outputs) {
       for (const Complex& line : output.frf) energy += std::norm(line);
     }
     EXPECT_LE(state.cost, kRounding * energy) << real;
@@ -36,11 +36,11 @@ TEST(JointProjection, LeavesNothingOfLinesThatAreTheModel) {
 
 TEST(JointProjection, ItsRightHandSideIsTheSlopeOfTheCost) {
   constexpr double kTolerance = 1e-4;  // central differences of a cost that is curved
-  FrfSet set = three_modes(Complex(0.9, 0.1));
-  test::add_line_noise(set, 0.05, 3);
+  FrfDataset set = three_modes(Complex(0.9, 0.1));
+  test::add_frf_noise(set, 0.05, 3);
   const JointProjection projection(set, kTruth);
   const JointModel model{.poles = {{300.5, 0.011}, {305.2, 0.0115}, {420.3, 0.0062}}, .real = {1, 0, 1}};
-  const JointNormal normal = projection.normal_equations(projection.evaluate(model));
+  const JointNormalEquations normal = projection.normal_equations(projection.evaluate(model));
   for (std::size_t i = 0; i < 6; ++i) {
     const double step = i % 2 == 0 ? 1e-4 : 1e-7;
     const auto cost_at = [&](double by) {
@@ -56,16 +56,16 @@ TEST(JointProjection, ItsRightHandSideIsTheSlopeOfTheCost) {
 
 TEST(JointProjection, FindsEachOutputsNoise) {
   constexpr double kTolerance = 0.05;  // of an rms over 2000 lines, four deviations
-  FrfSet set = three_modes();
-  test::add_line_noise(set, 0.02, 5);
+  FrfDataset set = three_modes();
+  test::add_frf_noise(set, 0.02, 5);
   std::vector<Complex>& second = set.outputs[1].frf;
-  const FrfSet clean = three_modes();
+  const FrfDataset clean = three_modes();
   for (std::size_t k = 0; k < second.size(); ++k)
     second[k] = clean.outputs[1].frf[k] + 5.0 * (second[k] - clean.outputs[1].frf[k]);
   JointProjection projection(set, kTruth);
   const JointModel model{.poles = kTruth, .real = {1, 1, 1}};
   const JointState flat = projection.evaluate(model);
-  projection.weigh_by(flat, projection.left_over(flat));
+  projection.weight_by_residual(flat, projection.unweighted_residual(flat));
   EXPECT_LE(std::abs(projection.noise()(0) / 0.02 - 1), kTolerance);
   EXPECT_LE(std::abs(projection.noise()(1) / 0.10 - 1), kTolerance);
   // With its own weights every row has the variance 1.

@@ -11,9 +11,9 @@ namespace percuss::local_fit_test {
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-std::vector<VectorXcd> lines_of(const FrfSet& set) {
+std::vector<VectorXcd> lines_of(const FrfDataset& set) {
   std::vector<VectorXcd> data;
-  for (const Output& output : set.outputs)
+  for (const FrfChannel& output : set.outputs)
     data.emplace_back(Eigen::Map<const VectorXcd>(output.frf.data(), static_cast<Eigen::Index>(set.lines.count)));
   return data;
 }
@@ -21,8 +21,8 @@ std::vector<VectorXcd> lines_of(const FrfSet& set) {
 const std::vector<Complex> kResidues{{0.8, 0.1}, {-0.3, 0.02}};
 
 /// Two channels, one mode at 300.37 Hz of 1 %, on a background that is a parabola over the lines.
-FrfSet one_mode() {
-  FrfSet set = test::empty_set(4096, 32768, 270, 330, 2);
+FrfDataset one_mode() {
+  FrfDataset set = test::empty_set(4096, 32768, 270, 330, 2);
   for (std::size_t o = 0; o < 2; ++o) {
     test::add_mode(set, o, {300.37, 0.01}, kResidues[o]);
     for (std::size_t k = 0; k < set.lines.count; ++k) {
@@ -33,7 +33,7 @@ FrfSet one_mode() {
   return set;
 }
 
-LocalFit fit(const FrfSet& set, std::vector<Pole> start, const VectorXd& weight = VectorXd::Ones(2)) {
+LocalFit fit(const FrfDataset& set, std::vector<Pole> start, const VectorXd& weight = VectorXd::Ones(2)) {
   return fit_locally(set, lines_of(set), weight, std::move(start), {.first = 0, .count = set.lines.count});
 }
 
@@ -50,7 +50,7 @@ TEST(FitLocally, IsExactOnLinesWithoutNoise) {
 
 TEST(FitLocally, Parts2ModesAHalfPowerBandwidthApart) {
   constexpr double kTolerance = 1e-8;  // rounding, amplified by the overlap
-  FrfSet set = test::empty_set(4096, 32768, 270, 330, 2);
+  FrfDataset set = test::empty_set(4096, 32768, 270, 330, 2);
   const std::vector<Pole> truth{{298, 0.01}, {304, 0.012}};
   for (std::size_t o = 0; o < 2; ++o) {
     test::add_mode(set, o, truth[0], kResidues[o]);
@@ -64,25 +64,25 @@ TEST(FitLocally, Parts2ModesAHalfPowerBandwidthApart) {
 }
 
 TEST(FitLocally, CountsItsDegreesOfFreedom) {
-  const FrfSet set = one_mode();
+  const FrfDataset set = one_mode();
   // 4 real values per line; 2 for the pole and 2 · 2 · (1 residue + 3 coefficients).
   EXPECT_EQ(fit(set, {{300, 0.01}}).degrees, 4 * set.lines.count - 18);
 }
 
 TEST(FitLocally, TellsTheNoiseOfEachChannel) {
   constexpr double kTolerance = 0.1;  // three deviations of an rms over 480 lines
-  FrfSet set = one_mode();
-  test::add_line_noise(set, 0.03, 5);
+  FrfDataset set = one_mode();
+  test::add_frf_noise(set, 0.03, 5);
   const LocalFit found = fit(set, {{300, 0.01}});
   for (Eigen::Index o = 0; o < 2; ++o) EXPECT_LE(std::abs(found.noise(o) / (0.03 * std::sqrt(2)) - 1), kTolerance);
 }
 
 TEST(FitLocally, ScalesWithTheDataAndNotWithTheWeights) {
   constexpr double kTolerance = 1e-7;  // where the iteration stops
-  FrfSet set = one_mode();
-  test::add_line_noise(set, 0.03, 9);
+  FrfDataset set = one_mode();
+  test::add_frf_noise(set, 0.03, 9);
   const LocalFit a = fit(set, {{300, 0.01}});
-  for (Output& output : set.outputs) {
+  for (FrfChannel& output : set.outputs) {
     for (Complex& line : output.frf) line *= Complex(0, -1e6);
   }
   const LocalFit b = fit(set, {{300, 0.01}}, VectorXd::Constant(2, 40));
@@ -99,8 +99,8 @@ TEST(FitLocally, DeviationsAreThoseOfTheEstimatesOver200Repetitions) {
   constexpr double kBias = 0.3;       // of a deviation: four deviations of a mean of 200 values
   VectorXd square = VectorXd::Zero(4), sum = VectorXd::Zero(4), told = VectorXd::Zero(4);
   for (int run = 0; run < kRuns; ++run) {
-    FrfSet set = one_mode();
-    test::add_line_noise(set, 0.05, static_cast<std::uint64_t>(run) + 100);
+    FrfDataset set = one_mode();
+    test::add_frf_noise(set, 0.05, static_cast<std::uint64_t>(run) + 100);
     const LocalFit found = fit(set, {{300, 0.01}});
     const Complex residue = found.residues(0, 0) - kResidues[0];
     const Eigen::Vector4d error(found.poles[0].freq_Hz - 300.37, found.poles[0].damping_ratio - 0.01, residue.real(),
@@ -120,7 +120,7 @@ TEST(FitLocally, DeviationsAreThoseOfTheEstimatesOver200Repetitions) {
 }
 
 TEST(FitLocally, StaysWhereItStartedWhenThereIsNothingToFit) {
-  const FrfSet set = test::empty_set(4096, 32768, 270, 330, 2);
+  const FrfDataset set = test::empty_set(4096, 32768, 270, 330, 2);
   const LocalFit found = fit(set, {{300, 0.01}});
   EXPECT_EQ(found.poles[0].freq_Hz, 300);
   EXPECT_EQ(found.residues(0, 0), Complex());
@@ -130,7 +130,7 @@ TEST(FitLocally, StaysWhereItStartedWhenThereIsNothingToFit) {
 TEST(PoleOfWindow, IsNearlyExactOnASingleMode) {
   constexpr double kTolerance =
       2e-3;  // (jω)²/(s² + …) is a/(jω − s) + b(jω) to a bandwidth over the frequency, squared
-  FrfSet set = test::empty_set(4096, 32768, 290, 310, 2);
+  FrfDataset set = test::empty_set(4096, 32768, 290, 310, 2);
   for (std::size_t o = 0; o < 2; ++o) test::add_mode(set, o, {300.37, 0.01}, kResidues[o]);
   const Pole found = pole_of_window(set, lines_of(set), 0);
   EXPECT_LE(std::abs(found.freq_Hz / 300.37 - 1), 0.1 * kTolerance);
@@ -138,7 +138,7 @@ TEST(PoleOfWindow, IsNearlyExactOnASingleMode) {
 }
 
 TEST(PoleOfWindow, SaysSoWhenThereIsNone) {
-  FrfSet set = test::empty_set(4096, 32768, 290, 310, 1);
+  FrfDataset set = test::empty_set(4096, 32768, 290, 310, 1);
   EXPECT_EQ(pole_of_window(set, lines_of(set), 0).freq_Hz, 0);
   test::add_mode(set, 0, {300, 0.01}, {1, 0});
   for (Complex& line : set.outputs[0].frf) line = std::conj(line);  // grows instead of decaying

@@ -11,23 +11,23 @@ const Pole kPole{300.3, 0.01};
 
 // Two outputs of one mode with these phases, fitted with real residues.
 double evidence(double first_rad, double second_rad, std::uint64_t seed) {
-  FrfSet set = test::empty_set(4096, 32768, 250, 350, 2);
+  FrfDataset set = test::empty_set(4096, 32768, 250, 350, 2);
   test::add_mode(set, 0, kPole, std::polar(0.5, first_rad));
   test::add_mode(set, 1, kPole, std::polar(0.4, second_rad));
-  test::add_line_noise(set, 0.1, seed);
+  test::add_frf_noise(set, 0.1, seed);
   JointProjection projection(set, {kPole});
   const JointState flat = projection.evaluate({.poles = {kPole}, .real = {0}});
-  projection.weigh_by(flat, projection.left_over(flat));
+  projection.weight_by_residual(flat, projection.unweighted_residual(flat));
   JointState state = projection.evaluate({.poles = {kPole}, .real = {1}});
   Eigen::MatrixXd covariance;
   for (int step = 0; step < 4; ++step) {
-    const JointNormal normal = projection.normal_equations(state);
+    const JointNormalEquations normal = projection.normal_equations(state);
     covariance = inverse_gram(normal.matrix);
     const Eigen::VectorXd move = covariance * normal.right;
     const Pole& pole = state.model.poles[0];
     state = projection.evaluate({.poles = {{pole.freq_Hz + move(0), pole.damping_ratio + move(1)}}, .real = {1}});
   }
-  return phase_contradiction(projection, state, 0, covariance);
+  return phase_test_statistic(projection, state, 0, covariance);
 }
 
 TEST(PhaseContradiction, IsWeakForRealResidues) {

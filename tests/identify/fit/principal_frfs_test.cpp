@@ -12,9 +12,9 @@ namespace percuss::principal_test {
 const std::vector<Pole> kTruth{{300.3, 0.01}, {305, 0.012}, {420, 0.006}};
 
 // Forty outputs of three modes: residues as along a beam.
-FrfSet survey() {
+FrfDataset survey() {
   constexpr std::size_t kOutputs = 40;
-  FrfSet set = test::empty_set(4096, 32768, 250, 500, kOutputs);
+  FrfDataset set = test::empty_set(4096, 32768, 250, 500, kOutputs);
   for (std::size_t o = 0; o < kOutputs; ++o) {
     const double x = static_cast<double>(o) / kOutputs;
     for (std::size_t m = 0; m < kTruth.size(); ++m)
@@ -23,14 +23,14 @@ FrfSet survey() {
   return set;
 }
 
-FrfSet few_of(const FrfSet& set) { return mixed_outputs(set, principal_sums(set, 8)); }
+FrfDataset few_of(const FrfDataset& set) { return principal_frfs(set, principal_components(set, 8)); }
 
 TEST(PrincipalOutputs, HoldAllOfThreeModesInThree) {
   constexpr double kRounding = 1e-9;  // of the energy
-  const FrfSet few = few_of(survey());
+  const FrfDataset few = few_of(survey());
   ASSERT_EQ(few.outputs.size(), 8U);
   std::vector<double> energy;
-  for (const Output& output : few.outputs) {
+  for (const FrfChannel& output : few.outputs) {
     energy.push_back(0);
     for (const Complex& line : output.frf) energy.back() += std::norm(line);
   }
@@ -39,8 +39,8 @@ TEST(PrincipalOutputs, HoldAllOfThreeModesInThree) {
 
 TEST(PrincipalOutputs, KnowAsMuchOfThePolesAsAllOutputs) {
   constexpr double kTolerance = 0.05;  // the noise's own estimate from 4000 values
-  FrfSet set = survey();
-  test::add_line_noise(set, 0.5, 11);
+  FrfDataset set = survey();
+  test::add_frf_noise(set, 0.5, 11);
   const JointFit all = fit_jointly(set, kTruth);
   const JointFit few = fit_jointly(few_of(set), kTruth);
   ASSERT_TRUE(all.converged && few.converged);

@@ -8,9 +8,9 @@
 
 namespace percuss::grouped_fit_test {
 
-TEST(GroupedFit, PartsAChainOfPolesWhereTheyAreFurthestApart) {
-  const FrfSet set = test::empty_set(8192, 8192, 60, 3000, 1);
-  GroupedFit all(set);
+TEST(WindowedFit, PartsAChainOfPolesWhereTheyAreFurthestApart) {
+  const FrfDataset set = test::empty_set(8192, 8192, 60, 3000, 1);
+  WindowedFit all(set);
   // Each within four bandwidths of the next, the last two side by side.
   all.replace({{500, 0.01}, {530, 0.01}, {560, 0.01}, {595, 0.01}, {596, 0.01}});
   ASSERT_EQ(all.groups().size(), 2U);
@@ -18,11 +18,11 @@ TEST(GroupedFit, PartsAChainOfPolesWhereTheyAreFurthestApart) {
   EXPECT_EQ(all.groups()[1].fit.poles.size(), 2U);
 }
 
-TEST(GroupedFit, WidensTheWindowOfAPoleThatBeganTooNarrow) {
-  FrfSet set = test::empty_set(8192, 8192, 60, 3000, 1);
+TEST(WindowedFit, WidensTheWindowOfAPoleThatBeganTooNarrow) {
+  FrfDataset set = test::empty_set(8192, 8192, 60, 3000, 1);
   test::add_mode(set, 0, {1000, 0.05}, 1);
-  test::add_line_noise(set, 0.3, 5);
-  GroupedFit all(set);
+  test::add_frf_noise(set, 0.3, 5);
+  WindowedFit all(set);
   all.replace({{1003, 0.002}});
   all.sweep();
   all.widen();

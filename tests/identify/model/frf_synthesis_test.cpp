@@ -20,7 +20,7 @@ Mode mode_of(const Pole& pole, std::vector<Complex> residues) {
 
 // Two outputs of two modes on a rigid-body line.
 struct Case {
-  FrfSet set = test::empty_set(8192, 16384, 50, 2000, 2);
+  FrfDataset set = test::empty_set(8192, 16384, 50, 2000, 2);
   std::vector<Mode> modes{mode_of({300, 0.01}, {1.0, -0.4}), mode_of({1100, 0.004}, {0.5, {0.2, 0.05}})};
   Case() {
     for (const Mode& mode : modes) {
@@ -68,7 +68,7 @@ TEST(SynthesisedFrf, TakesAPointsOwnPoleWhereItHasOne) {
 
 TEST(SynthesisedFrf, TellsNoiseFromModes) {
   Case c;
-  test::add_line_noise(c.set, 1, 3);
+  test::add_frf_noise(c.set, 1, 3);
   EXPECT_NEAR(synthesised_frfs(c.set, c.modes, c.set.lines)[0].noise_share, 1, 0.05);  // some hundred lines
   Case missing;
   missing.modes.pop_back();
@@ -95,7 +95,7 @@ TEST(SynthesisedFrf, KnowsDecaysThatAreCutOff) {
   constexpr double kClose = 1e-6;  // the rigid body's line and the filter near the band's end
   SynthSpec spec = test::bat_spec({{.freq_Hz = 300, .damping_ratio = 0.002}}, 0.3);
   const auto made = synthesise(spec);
-  const FrfSet set = test::frf_set_of(made.record, 60, 2400);
+  const FrfDataset set = test::frf_set_of(made.record, 60, 2400);
   Mode mode{.pole = {300, 0.002}};
   for (std::size_t c = 0; c < 2; ++c)
     mode.residues.push_back({.channel = c, .value = made.truth.residue_per_kg[0][c][0]});

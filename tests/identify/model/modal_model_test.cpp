@@ -25,9 +25,9 @@ SynthSpec truncated() {
 
 TEST(ModeColumn, IsTheClosedFormOfAModeThatHasDecayed) {
   constexpr double kTolerance = 1e-12;  // decay beyond e^−34 is left out; rounding of a resonance of height 50
-  const FrfSet set = test::empty_set(4096, 65536, 100, 600, 1);
+  const FrfDataset set = test::empty_set(4096, 65536, 100, 600, 1);
   const Pole pole{.freq_Hz = 300, .damping_ratio = 0.01};
-  ASSERT_TRUE(decays_within(pole, set.points[0], set.lines));
+  ASSERT_TRUE(decays_within_record(pole, set.points[0], set.lines));
   const ModeColumn column = mode_column(pole, set.points[0], set.lines, 0, set.lines.count);
   double error = 0;
   for (std::size_t k = 0; k < set.lines.count; ++k) {
@@ -40,7 +40,7 @@ TEST(ModeColumn, IsTheClosedFormOfAModeThatHasDecayed) {
 // Drive: sum of the modes' columns and the rigid line against the H1 of the record itself.
 double error_of_the_sum(double decay_per_s) {
   const SyntheticTest made = synthesise(truncated());
-  const FrfSet set = test::frf_set_of(made.record, 40, 2000, decay_per_s);
+  const FrfDataset set = test::frf_set_of(made.record, 40, 2000, decay_per_s);
   double worst = 0;
   for (std::size_t c = 0; c < 2; ++c) {
     Eigen::VectorXcd h = vector_of(set.outputs[c].frf);
@@ -69,10 +69,10 @@ TEST(ModeColumn, HoldsUnderAnExponentialWindow) {
 TEST(ModeColumn, MissesTheTruncatedRecordWithoutItsSecondTerm) {
   // The plain accelerance is off by percents here, which is what makes the test above mean something.
   const SyntheticTest made = synthesise(truncated());
-  const FrfSet set = test::frf_set_of(made.record, 40, 2000);
+  const FrfDataset set = test::frf_set_of(made.record, 40, 2000);
   const Pole pole{.freq_Hz = 120, .damping_ratio = 0.004};
   const ModeColumn column = mode_column(pole, set.points[0], set.lines, 0, set.lines.count);
-  EXPECT_FALSE(decays_within(pole, set.points[0], set.lines));
+  EXPECT_FALSE(decays_within_record(pole, set.points[0], set.lines));
   const auto line = static_cast<Eigen::Index>(120 / set.lines.df_Hz()) - static_cast<Eigen::Index>(set.lines.first);
   const Complex h = test::mode_accelerance(pole, {0, kTwoPi * set.lines.freq_Hz(static_cast<std::size_t>(line))});
   EXPECT_GE(std::abs(column.value(line) - h), 0.05 * std::abs(h));
@@ -88,7 +88,7 @@ TEST_P(ModeColumnSlope, IsWhatCentralDifferencesGive) {
   constexpr double kTolerance = 1e-7;  // of the largest: both, amplified by up to 100 near the resonance
   SynthSpec spec = truncated();
   spec.samples = static_cast<std::size_t>(GetParam().duration_s * spec.fs_Hz);
-  const FrfSet set = test::frf_set_of(synthesise(spec).record, 40, 2000, GetParam().decay_per_s);
+  const FrfDataset set = test::frf_set_of(synthesise(spec).record, 40, 2000, GetParam().decay_per_s);
   for (const Pole& pole : {Pole{120.3, 0.004}, Pole{640.1, 0.03}}) {
     const auto at = [&](double freq_Hz, double damping) {
       return mode_column({freq_Hz, damping}, set.points[0], set.lines, 0, set.lines.count).value;
@@ -110,7 +110,7 @@ INSTANTIATE_TEST_SUITE_P(WithAndWithoutTruncationAndWindow, ModeColumnSlope,
 TEST(ModeColumn, DoesNotDependOnTheForcesUnitNorOnTheHitsOrder) {
   constexpr double kTolerance = 1e-13;  // order of summation
   const SyntheticTest made = synthesise(truncated());
-  const FrfSet set = test::frf_set_of(made.record, 40, 2000);
+  const FrfDataset set = test::frf_set_of(made.record, 40, 2000);
   std::vector<ForceBlock> blocks(set.points[0].blocks.rbegin(), set.points[0].blocks.rend());
   std::vector<Spectrum> spectra;
   for (ForceBlock& block : blocks) {
@@ -125,7 +125,7 @@ TEST(ModeColumn, DoesNotDependOnTheForcesUnitNorOnTheHitsOrder) {
 }
 
 TEST(ModeColumn, OfAWindowIsAPartOfTheWhole) {
-  const FrfSet set = test::frf_set_of(synthesise(truncated()).record, 40, 2000);
+  const FrfDataset set = test::frf_set_of(synthesise(truncated()).record, 40, 2000);
   const Pole pole{.freq_Hz = 640, .damping_ratio = 0.004};
   constexpr double kTolerance = 1e-12;  // the phase is stepped from line to line
   const auto all = mode_column(pole, set.points[0], set.lines, 0, set.lines.count);
@@ -156,19 +156,19 @@ TEST(PointForce, NamesALineThatTheForceNeverExcited) {
   }
 }
 
-TEST(MissingDecay, IsWhatAColumnLacksOfTheWholeOne) {
+TEST(TruncatedDecay, IsWhatAColumnLacksOfTheWholeOne) {
   constexpr double kTolerance = 1e-12;  // rounding, of the largest line
   const SyntheticTest made = synthesise(truncated());
   for (const double decay_per_s : {0.0, 3.0}) {
-    const FrfSet set = test::frf_set_of(made.record, 40, 2000, decay_per_s);
+    const FrfDataset set = test::frf_set_of(made.record, 40, 2000, decay_per_s);
     const Pole pole{.freq_Hz = 120, .damping_ratio = 0.004};
     const PointForce& force = set.points[0];
-    const Eigen::VectorXcd whole = whole_column(pole, decay_per_s, set.lines, 5, 200, Need::value).value;
-    const Eigen::VectorXcd cut = mode_column(pole, force, set.lines, 5, 200, Need::derivatives).value;
+    const Eigen::VectorXcd whole = untruncated_column(pole, decay_per_s, set.lines, 5, 200, ColumnContent::value).value;
+    const Eigen::VectorXcd cut = mode_column(pole, force, set.lines, 5, 200, ColumnContent::derivatives).value;
     ASSERT_GT((whole - cut).norm(), 1e-6 * whole.norm());
     std::vector<Complex> sum(200, Complex(1, 2));
     const Complex residue(0.3, -0.1);
-    MissingDecay(pole, decay_per_s, set.lines, 5, 200).add_to(sum, residue, force);
+    TruncatedDecay(pole, decay_per_s, set.lines, 5, 200).add_to(sum, residue, force);
     for (std::size_t k = 0; k < sum.size(); ++k) {
       const auto i = static_cast<Eigen::Index>(k);
       EXPECT_LE(std::abs(sum[k] - Complex(1, 2) - residue * (whole(i) - cut(i))),

@@ -10,7 +10,7 @@ const LineRange kLines{.fs_Hz = 8192, .samples = 8192, .first = 60, .count = 320
 
 // Of the lines of an undamped mode's accelerance beyond the band, the part that the background cannot follow.
 double missed(double freq_Hz) {
-  const Eigen::MatrixXd shapes = background_shapes(kLines);
+  const Eigen::MatrixXd shapes = out_of_band_terms(kLines);
   Eigen::VectorXd tail(shapes.rows());
   for (Eigen::Index k = 0; k < tail.size(); ++k) {
     const double f = kLines.freq_Hz(static_cast<std::size_t>(k));
@@ -26,13 +26,13 @@ TEST(BackgroundShapes, FollowTheTailsOfModesBeyondTheLines) {
 }
 
 TEST(BackgroundShapes, BeginWithTheMassLine) {
-  const Eigen::MatrixXd shapes = background_shapes(kLines);
+  const Eigen::MatrixXd shapes = out_of_band_terms(kLines);
   EXPECT_EQ(shapes.col(0).minCoeff(), 1);
   EXPECT_EQ(shapes.col(0).maxCoeff(), 1);
 }
 
 TEST(BackgroundShapes, AreFiniteFromZeroHertz) {
-  EXPECT_TRUE(background_shapes({.fs_Hz = 1000, .samples = 1000, .first = 0, .count = 400}).allFinite());
+  EXPECT_TRUE(out_of_band_terms({.fs_Hz = 1000, .samples = 1000, .first = 0, .count = 400}).allFinite());
 }
 
 }  // namespace percuss::background_test

@@ -14,23 +14,23 @@ namespace percuss::force_noise_test {
 constexpr double kNoise_N = 0.02;
 
 // One hit: a pulse of 9 samples in a gate of 90 whose samples outside it are zero.
-FrfSet gated_hit() {
-  FrfSet set = test::empty_set(8192, 16384, 40, 2400, 1);
-  ForceBlock block{.offset = 100, .force_N = std::vector<double>(90), .whole_N = {}};
+FrfDataset gated_hit() {
+  FrfDataset set = test::empty_set(8192, 16384, 40, 2400, 1);
+  ForceBlock block{.offset = 100, .force_N = std::vector<double>(90), .ungated_N = {}};
   for (std::size_t n = 0; n < 9; ++n) block.force_N[40 + n] = std::sin(kTwoPi * (static_cast<double>(n) + 0.5) / 18);
   const Spectrum spectrum = shared(force_spectrum(block, set.lines));
   set.points[0] = point_force({block}, {spectrum}, set.lines, kNoise_N);
   return set;
 }
 
-std::vector<std::size_t> all_lines(const FrfSet& set) {
+std::vector<std::size_t> all_lines(const FrfDataset& set) {
   std::vector<std::size_t> lines(set.lines.count);
   std::iota(lines.begin(), lines.end(), std::size_t{0});
   return lines;
 }
 
 TEST(GainErrors, HaveTheCovarianceOfTheGatesNoise) {
-  const FrfSet set = gated_hit();
+  const FrfDataset set = gated_hit();
   const Eigen::MatrixXcd errors = gain_errors(set, 0, all_lines(set));
   // Independent truth: noise on every sample of the gate, transformed, over the force's spectrum.
   const ForceBlock& block = set.points[0].blocks[0];
@@ -40,7 +40,7 @@ TEST(GainErrors, HaveTheCovarianceOfTheGatesNoise) {
   Eigen::Matrix4cd measured = Eigen::Matrix4cd::Zero();
   Eigen::Matrix4cd turned = Eigen::Matrix4cd::Zero();  // E εεᵀ: real noise is not circular at low frequencies
   for (int trial = 0; trial < kTrials; ++trial) {
-    ForceBlock noise{.offset = block.offset, .force_N = std::vector<double>(90), .whole_N = {}};
+    ForceBlock noise{.offset = block.offset, .force_N = std::vector<double>(90), .ungated_N = {}};
     RandomStream({7, static_cast<std::uint64_t>(trial)}).add_normal(kNoise_N, noise.force_N);
     const auto spectrum = force_spectrum(noise, set.lines);
     Eigen::Vector4cd error;
@@ -66,7 +66,7 @@ TEST(GainErrors, HaveTheCovarianceOfTheGatesNoise) {
 }
 
 TEST(GainErrors, AgreeWithTheDeviationOfOneLine) {
-  const FrfSet set = gated_hit();
+  const FrfDataset set = gated_hit();
   const Eigen::MatrixXcd errors = gain_errors(set, 0, all_lines(set));
   const double whole = errors.row(4000).squaredNorm();
   const double one = gain_deviation(set, 0, set.lines.freq_Hz(4000));
@@ -74,7 +74,7 @@ TEST(GainErrors, AgreeWithTheDeviationOfOneLine) {
 }
 
 TEST(GainErrors, AreNoneWithoutAForce) {
-  FrfSet set = gated_hit();
+  FrfDataset set = gated_hit();
   set.points[0].noise_N = 0;
   EXPECT_EQ(gain_errors(set, 0, {1, 2}).size(), 0);
   set.points[0].blocks.clear();

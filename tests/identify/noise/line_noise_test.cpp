@@ -20,11 +20,11 @@ constexpr double kPart = 0.01;  // deviation of a real part
 constexpr double kWhole = kPart * std::numbers::sqrt2;
 constexpr Pole kMode{.freq_Hz = 800, .damping_ratio = 0.004};
 
-FrfSet noisy_mode() {
-  FrfSet set = test::empty_set(8192, 16384, 40, 2400, 2);
+FrfDataset noisy_mode() {
+  FrfDataset set = test::empty_set(8192, 16384, 40, 2400, 2);
   test::add_mode(set, 0, kMode, 1);
   test::add_mode(set, 1, kMode, 0.3);
-  test::add_line_noise(set, kPart, 1);
+  test::add_frf_noise(set, kPart, 1);
   return set;
 }
 
@@ -32,7 +32,7 @@ FrfSet noisy_mode() {
 double amplitude(std::size_t line) { return 1 / (1 + 1e-3 * static_cast<double>(line)); }
 
 TEST(LineNoise, IsThatOfTheLinesWhateverResonatesAmongThem) {
-  const FrfSet set = noisy_mode();
+  const FrfDataset set = noisy_mode();
   const LineNoise noise(set);
   for (std::size_t output = 0; output < 2; ++output) {
     EXPECT_NEAR(noise.at(output, 100) / kWhole, 1, kTolerance);
@@ -42,9 +42,9 @@ TEST(LineNoise, IsThatOfTheLinesWhateverResonatesAmongThem) {
 }
 
 TEST(LineNoise, GoesAsOneOverTheForce) {
-  FrfSet set = noisy_mode();
+  FrfDataset set = noisy_mode();
   for (std::size_t k = 0; k < set.lines.count; ++k) {
-    for (Output& output : set.outputs) output.frf[k] /= amplitude(k);
+    for (FrfChannel& output : set.outputs) output.frf[k] /= amplitude(k);
     set.points[0].ff[k] = std::pow(amplitude(k), 2);
   }
   const LineNoise noise(set);
@@ -56,7 +56,7 @@ TEST(LineNoise, GoesAsOneOverTheForce) {
 }
 
 TEST(LineNoise, IsEvenWhereTheForceIsNotKnown) {
-  FrfSet set = noisy_mode();
+  FrfDataset set = noisy_mode();
   set.points[0].ff.clear();
   const LineNoise noise(set);
   EXPECT_NEAR(noise.at(0, 7) / kWhole, 1, kTolerance);
@@ -64,7 +64,7 @@ TEST(LineNoise, IsEvenWhereTheForceIsNotKnown) {
 }
 
 TEST(LineNoise, IsNeverZero) {
-  FrfSet set = test::empty_set(8192, 16384, 40, 2400, 2);
+  FrfDataset set = test::empty_set(8192, 16384, 40, 2400, 2);
   test::add_mode(set, 0, kMode, 1);
   const LineNoise noise(set);
   EXPECT_GT(noise.at(0, 100), 0);
@@ -72,8 +72,8 @@ TEST(LineNoise, IsNeverZero) {
 }
 
 std::vector<Complex> noise_of(std::size_t lines, std::uint64_t seed) {
-  FrfSet set = test::empty_set(8192, 16384, 0, 4096, 1);
-  test::add_line_noise(set, std::sqrt(0.5), seed);
+  FrfDataset set = test::empty_set(8192, 16384, 0, 4096, 1);
+  test::add_frf_noise(set, std::sqrt(0.5), seed);
   set.outputs[0].frf.resize(lines);
   return set.outputs[0].frf;
 }

@@ -17,8 +17,8 @@ constexpr std::size_t kSamples = 8192;
 constexpr double kFs_Hz = 8192;    // a record of one second
 constexpr double kSampled = 2e-3;  // sums over samples in place of integrals
 
-FrfSet windowed(double decay_per_s) {
-  FrfSet set = test::empty_set(kFs_Hz, kSamples, 40, 2400, 1);
+FrfDataset windowed(double decay_per_s) {
+  FrfDataset set = test::empty_set(kFs_Hz, kSamples, 40, 2400, 1);
   set.points[0].blocks[0].decay_per_s = decay_per_s;
   return set;
 }
@@ -71,7 +71,7 @@ TEST(WindowNoise, IsWhiteWithoutAWindow) {
 // Counted as independent, the lines gave false modes in two records of three, and half the deviation.
 TEST(WindowNoise, LetsFitsFindTheModesAndTheirDeviations) {
   constexpr std::size_t kRecords = 12;
-  constexpr double kLeast = 0.65, kMost = 1.4;  // times: 72 values tell a deviation to 8 %; four of them, and the model
+  constexpr double kLeast = 0.65, kMax = 1.4;  // times: 72 values tell a deviation to 8 %; four of them, and the model
   const std::vector<double> freq_Hz{165, 568, 1177}, damping_ratio{0.01, 0.007, 0.006};
   double squares = 0;
   for (std::size_t seed = 0; seed < kRecords; ++seed) {
@@ -92,7 +92,7 @@ TEST(WindowNoise, LetsFitsFindTheModesAndTheirDeviations) {
   }
   const double rms = std::sqrt(squares / (2 * kRecords * static_cast<double>(freq_Hz.size())));
   EXPECT_GE(rms, kLeast);
-  EXPECT_LE(rms, kMost);
+  EXPECT_LE(rms, kMax);
 }
 
 }  // namespace percuss::window_noise_test

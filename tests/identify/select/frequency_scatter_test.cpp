@@ -13,29 +13,29 @@ constexpr double kNoise = 0.02;  // of lines whose peaks are 1/(2·0.001) = 500 
 using Points = std::vector<std::vector<std::pair<Pole, Complex>>>;
 
 // One output per point, the modes of each its own; nothing is known of the force.
-FrfSet set_of(const Points& points, std::uint64_t seed) {
-  FrfSet set = test::empty_set(4096, 65536, 80, 120, points.size());
+FrfDataset set_of(const Points& points, std::uint64_t seed) {
+  FrfDataset set = test::empty_set(4096, 65536, 80, 120, points.size());
   set.points.assign(points.size(), {});
   for (std::size_t p = 0; p < points.size(); ++p) {
     set.outputs[p].point = p;
     set.outputs[p].channel = 0;
     for (const auto& [pole, residue] : points[p]) test::add_mode(set, p, pole, residue);
   }
-  test::add_line_noise(set, kNoise, seed);
+  test::add_frf_noise(set, kNoise, seed);
   return set;
 }
 
 double shape(int point) { return std::cos(0.4 * point); }
 
 // A mode at 100 Hz (0.1 %: 0.2 Hz wide) that moves by 0.02 Hz from point to point.
-FrfSet moving_set(std::uint64_t seed) {
+FrfDataset moving_set(std::uint64_t seed) {
   Points points;
   for (int p = 0; p < 9; ++p) points.push_back({{Pole{100 + 0.02 * (p - 4), 1e-3}, shape(p)}});
   return set_of(points, seed);
 }
 
 // Two modes 1.5 bandwidths apart at every point.
-FrfSet pair_set() {
+FrfDataset pair_set() {
   Points points;
   for (int p = 0; p < 9; ++p)
     points.push_back({{Pole{100, 1e-3}, shape(p)}, {Pole{100.3, 1e-3}, std::sin(0.4 * p + 0.2)}});
@@ -43,8 +43,8 @@ FrfSet pair_set() {
 }
 
 // The one group of modes, fitted from these poles.
-GroupedFit fitted(const FrfSet& set, const std::vector<Pole>& start) {
-  GroupedFit all(set);
+WindowedFit fitted(const FrfDataset& set, const std::vector<Pole>& start) {
+  WindowedFit all(set);
   all.replace(start);
   all.sweep();
   EXPECT_EQ(all.groups().size(), 1U);
@@ -53,33 +53,33 @@ GroupedFit fitted(const FrfSet& set, const std::vector<Pole>& start) {
 
 TEST(MovingModes, AreTheMeanOverThePointsWithItsDeviation) {
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
-    const FrfSet set = moving_set(seed);
-    const GroupedFit all = fitted(set, {{100, 1e-3}});
-    const auto modes = moving_modes(all, all.groups().front());
+    const FrfDataset set = moving_set(seed);
+    const WindowedFit all = fitted(set, {{100, 1e-3}});
+    const auto modes = scattered_modes(all, all.groups().front());
     ASSERT_EQ(modes.size(), 1U) << seed;
     EXPECT_NEAR(modes[0].pole.freq_Hz, 100, 3 * modes[0].freq_std_Hz);
     EXPECT_NEAR(modes[0].pole.damping_ratio, 1e-3, 1e-5) << "not broadened by the moving, as a common pole is";
     // The spread of nine frequencies 0.02 Hz apart is 0.055 Hz; by moments, points of unequal weight give it to a
     // third.
-    EXPECT_NEAR(modes[0].spread_Hz, 0.055, 0.02);
-    EXPECT_NEAR(modes[0].freq_std_Hz, modes[0].spread_Hz / 3, 1e-3) << "of the mean of nine";
+    EXPECT_NEAR(modes[0].freq_scatter_Hz, 0.055, 0.02);
+    EXPECT_NEAR(modes[0].freq_std_Hz, modes[0].freq_scatter_Hz / 3, 1e-3) << "of the mean of nine";
   }
 }
 
 TEST(MovingModes, KeepTheShape) {
-  const FrfSet set = moving_set(1);
-  const GroupedFit all = fitted(set, {{100, 1e-3}});
-  const auto modes = moving_modes(all, all.groups().front());
+  const FrfDataset set = moving_set(1);
+  const WindowedFit all = fitted(set, {{100, 1e-3}});
+  const auto modes = scattered_modes(all, all.groups().front());
   ASSERT_EQ(modes.size(), 1U);
   for (int p = 0; p < 9; ++p)
     EXPECT_NEAR(modes[0].residues.at(static_cast<std::size_t>(p)).real(), shape(p), 0.01) << p;
 }
 
 TEST(MovingModes, HaveAPoleForEachPointThatLeavesNothing) {
-  const FrfSet set = moving_set(2);
-  const GroupedFit all = fitted(set, {{100, 1e-3}});
+  const FrfDataset set = moving_set(2);
+  const WindowedFit all = fitted(set, {{100, 1e-3}});
   const FitGroup& group = all.groups().front();
-  const auto modes = moving_modes(all, group);
+  const auto modes = scattered_modes(all, group);
   ASSERT_EQ(modes.size(), 1U);
   for (std::size_t p = 0; p < 9; ++p) {
     if (std::abs(shape(static_cast<int>(p))) < 0.2) continue;  // hardly sees it
@@ -88,37 +88,37 @@ TEST(MovingModes, HaveAPoleForEachPointThatLeavesNothing) {
   }
   auto residual = all.residual();
   EXPECT_GT(residual[0].norm(), 20 * kNoise * std::sqrt(2.0 * static_cast<double>(set.lines.count)));
-  subtract_moves(set, group, 0, modes[0], residual);
+  subtract_freq_scatter(set, group, 0, modes[0], residual);
   // White noise, good to 1 % over this many lines, and less what a fit takes up.
   EXPECT_NEAR(residual[0].norm() / (kNoise * std::sqrt(2.0 * static_cast<double>(set.lines.count))), 1, 0.1);
 }
 
 TEST(MovingModes, AreNotSeenWhereOnlyNoiseDiffers) {
-  const FrfSet set = set_of(Points(9, {{Pole{100, 1e-3}, 1.0}}), 5);
-  const GroupedFit all = fitted(set, {{100, 1e-3}});
-  EXPECT_TRUE(moving_modes(all, all.groups().front()).empty());
+  const FrfDataset set = set_of(Points(9, {{Pole{100, 1e-3}, 1.0}}), 5);
+  const WindowedFit all = fitted(set, {{100, 1e-3}});
+  EXPECT_TRUE(scattered_modes(all, all.groups().front()).empty());
 }
 
 TEST(Merged, MakesOneOfThePairThatStandsForAMovingMode) {
-  const FrfSet set = moving_set(2);
-  const GroupedFit all = fitted(set, {{99.95, 1e-3}, {100.05, 1e-3}});
-  const auto one = merged(all, all.groups().front());
+  const FrfDataset set = moving_set(2);
+  const WindowedFit all = fitted(set, {{99.95, 1e-3}, {100.05, 1e-3}});
+  const auto one = merge_if_scattered(all, all.groups().front());
   ASSERT_TRUE(one);
   EXPECT_NEAR(one->freq_Hz, 100, 0.1);
 }
 
 TEST(Merged, LeavesATruePairAlone) {
-  const FrfSet set = pair_set();
-  const GroupedFit all = fitted(set, {{100, 1e-3}, {100.3, 1e-3}});
-  EXPECT_FALSE(merged(all, all.groups().front()));
-  EXPECT_TRUE(moving_modes(all, all.groups().front()).empty());
+  const FrfDataset set = pair_set();
+  const WindowedFit all = fitted(set, {{100, 1e-3}, {100.3, 1e-3}});
+  EXPECT_FALSE(merge_if_scattered(all, all.groups().front()));
+  EXPECT_TRUE(scattered_modes(all, all.groups().front()).empty());
 }
 
 TEST(Merged, TakesTwoPointsForTooFewToTell) {
   // Each sees one of two orthogonal modes: the same lines as one mode that moved.
-  const FrfSet set = set_of({{{Pole{100, 1e-3}, 1.0}}, {{Pole{100.1, 1e-3}, 1.0}}}, 1);
-  const GroupedFit all = fitted(set, {{100, 1e-3}, {100.1, 1e-3}});
-  EXPECT_FALSE(merged(all, all.groups().front()));
+  const FrfDataset set = set_of({{{Pole{100, 1e-3}, 1.0}}, {{Pole{100.1, 1e-3}, 1.0}}}, 1);
+  const WindowedFit all = fitted(set, {{100, 1e-3}, {100.1, 1e-3}});
+  EXPECT_FALSE(merge_if_scattered(all, all.groups().front()));
 }
 
 }  // namespace percuss::moving_test

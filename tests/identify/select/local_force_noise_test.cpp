@@ -14,9 +14,9 @@ constexpr double kNoise_N = 1e-3;  // of a pulse of 1 N
 const Pole kPole{500, 0.05};
 
 // A pulse of 9 samples in a gate of 90, and a mode seen by two outputs.
-FrfSet noisy_force() {
-  FrfSet set = test::empty_set(8192, 8192, 60, 2400, 2);
-  ForceBlock block{.offset = 100, .force_N = std::vector<double>(90), .whole_N = {}};
+FrfDataset noisy_force() {
+  FrfDataset set = test::empty_set(8192, 8192, 60, 2400, 2);
+  ForceBlock block{.offset = 100, .force_N = std::vector<double>(90), .ungated_N = {}};
   for (std::size_t n = 0; n < 9; ++n) block.force_N[40 + n] = std::sin(kTwoPi * (static_cast<double>(n) + 0.5) / 18);
   const Spectrum spectrum = shared(force_spectrum(block, set.lines));
   set.points[0] = point_force({block}, {spectrum}, set.lines, kNoise_N);
@@ -26,14 +26,14 @@ FrfSet noisy_force() {
 }
 
 // The same with a gain drawn from what the force's errors are.
-FrfSet with_a_gain(FrfSet set, std::uint64_t seed) {
+FrfDataset with_a_gain(FrfDataset set, std::uint64_t seed) {
   std::vector<std::size_t> lines(set.lines.count);
   for (std::size_t k = 0; k < lines.size(); ++k) lines[k] = k;
   const Eigen::MatrixXcd errors = gain_errors(set, 0, lines);
   std::vector<double> draw(static_cast<std::size_t>(errors.cols()));
   RandomStream({seed, 1}).add_normal(1, draw);
   const Eigen::VectorXcd gain = errors * Eigen::Map<const Eigen::VectorXd>(draw.data(), errors.cols());
-  for (Output& output : set.outputs) {
+  for (FrfChannel& output : set.outputs) {
     for (std::size_t k = 0; k < lines.size(); ++k) output.frf[k] *= 1.0 + gain(static_cast<Eigen::Index>(k));
   }
   return set;
@@ -41,11 +41,11 @@ FrfSet with_a_gain(FrfSet set, std::uint64_t seed) {
 
 TEST(LocalForceNoise, GivesTheScatterOfAModeWhoseResponsesHaveNoNoise) {
   constexpr int kTrials = 30;
-  const FrfSet set = noisy_force();
+  const FrfDataset set = noisy_force();
   double freq = 0, damping = 0, largest_before = 0;  // squares of errors over deviations
   for (int trial = 0; trial < kTrials; ++trial) {
-    const FrfSet measured = with_a_gain(set, static_cast<std::uint64_t>(trial));
-    auto modes = fit_peaks(measured);
+    const FrfDataset measured = with_a_gain(set, static_cast<std::uint64_t>(trial));
+    auto modes = fit_sequentially(measured);
     ASSERT_EQ(modes.size(), 1U);
     const double before_Hz = modes[0].mode.freq_std_Hz;
     add_force_noise(measured, modes);
@@ -63,8 +63,8 @@ TEST(LocalForceNoise, GivesTheScatterOfAModeWhoseResponsesHaveNoNoise) {
 }
 
 TEST(LocalForceNoise, LeavesModesOfAJointFitAlone) {
-  const FrfSet measured = with_a_gain(noisy_force(), 3);
-  auto modes = fit_peaks(measured);
+  const FrfDataset measured = with_a_gain(noisy_force(), 3);
+  auto modes = fit_sequentially(measured);
   ASSERT_EQ(modes.size(), 1U);
   modes[0].joint = true;
   const double before_Hz = modes[0].mode.freq_std_Hz;

@@ -11,41 +11,42 @@ namespace percuss::hidden_search_test {
 
 const Pole kNarrow{400, 0.01}, kBroad{1100, 0.29};
 
-FrfSet narrow_and_broad(std::uint64_t seed) {
-  FrfSet set = test::empty_set(8192, 8192, 0, 3400, 2);
+FrfDataset narrow_and_broad(std::uint64_t seed) {
+  FrfDataset set = test::empty_set(8192, 8192, 0, 3400, 2);
   test::add_mode(set, 0, kNarrow, 1);
   test::add_mode(set, 1, kNarrow, 0.5);
   test::add_mode(set, 0, kBroad, 0.6);
   test::add_mode(set, 1, kBroad, -0.8);
-  test::add_line_noise(set, 0.003, seed);
+  test::add_frf_noise(set, 0.003, seed);
   return set;
 }
 
-TEST(HiddenSearch, GivesTheClearestBroadOneASecondChanceAlone) {
-  const FrfSet set = narrow_and_broad(1);
-  GroupedFit all(set);
+TEST(ResidualModeSearch, GivesTheClearestBroadOneASecondChanceAlone) {
+  const FrfDataset set = narrow_and_broad(1);
+  WindowedFit all(set);
   all.replace({kNarrow});
   all.sweep();
-  HiddenSearch search;
-  EXPECT_FALSE(search.tried_any());
-  const auto crowd = search.next(all, HiddenSearch::Way::all);
+  ResidualModeSearch search;
+  EXPECT_FALSE(search.has_tried_any());
+  const auto crowd = search.next(all, ResidualModeSearch::SearchPass::all);
   EXPECT_FALSE(crowd.empty());
-  EXPECT_TRUE(search.tried_any());
-  EXPECT_EQ(search.next(all, HiddenSearch::Way::all).size(), 1U) << "what was given up, the clearest of it";
+  EXPECT_TRUE(search.has_tried_any());
+  EXPECT_EQ(search.next(all, ResidualModeSearch::SearchPass::all).size(), 1U)
+      << "what was given up, the clearest of it";
 }
 
-TEST(HiddenSearch, FindsNothingWhereNothingIsLeft) {
-  const FrfSet set = narrow_and_broad(2);
-  GroupedFit all(set);
+TEST(ResidualModeSearch, FindsNothingWhereNothingIsLeft) {
+  const FrfDataset set = narrow_and_broad(2);
+  WindowedFit all(set);
   all.replace({kNarrow, kBroad});
   all.sweep();
-  EXPECT_TRUE(HiddenSearch().next(all, HiddenSearch::Way::all).empty());
+  EXPECT_TRUE(ResidualModeSearch().next(all, ResidualModeSearch::SearchPass::all).empty());
 }
 
 TEST(FitPeaks, FindsAModeTooBroadForAPeak) {
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
-    const FrfSet set = narrow_and_broad(seed);
-    const auto modes = fit_peaks(set);
+    const FrfDataset set = narrow_and_broad(seed);
+    const auto modes = fit_sequentially(set);
     ASSERT_EQ(modes.size(), 2U) << seed;
     EXPECT_LE(std::abs(modes[1].mode.pole.freq_Hz - kBroad.freq_Hz), 5 * modes[1].mode.freq_std_Hz) << seed;
   }

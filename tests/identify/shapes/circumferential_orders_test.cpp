@@ -72,9 +72,10 @@ TEST(TubeShape, FindsThePlaneAtAnyAngle) {
 
 TEST(TubeShape, NamesBendingAndHoopOnly) {
   const TubeGeometry geometry = geometry_of({.angles = 8});
-  const std::array families{Family::unknown, Family::bending, Family::hoop, Family::unknown};
+  const std::array families{ModeType::unknown, ModeType::bending, ModeType::hoop, ModeType::unknown};
   for (int n = 0; n <= 3; ++n) {
-    EXPECT_EQ(family_of(*tube_shape(pattern(geometry, n, 0.3, flat), geometry)), families[static_cast<std::size_t>(n)])
+    EXPECT_EQ(mode_type_of(*tube_shape(pattern(geometry, n, 0.3, flat), geometry)),
+              families[static_cast<std::size_t>(n)])
         << n;
   }
 }
@@ -115,7 +116,7 @@ TEST(TubeShape, IsUnsureOfAnEvenMixture) {
   ModeShape mixed = pattern(geometry, 2, 0.3, flat);
   const ModeShape bending = pattern(geometry, 1, 0.9, flat);
   for (std::size_t i = 0; i < mixed.places.size(); ++i) mixed.places[i].value += bending.places[i].value;
-  EXPECT_EQ(family_of(*tube_shape(mixed, geometry)), Family::unknown);
+  EXPECT_EQ(mode_type_of(*tube_shape(mixed, geometry)), ModeType::unknown);
 }
 
 TEST(TubeShape, GivesTheAxialFunction) {

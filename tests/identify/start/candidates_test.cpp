@@ -9,17 +9,17 @@
 
 namespace percuss::candidates_test {
 
-std::vector<Eigen::VectorXcd> lines_of(const FrfSet& set) {
+std::vector<Eigen::VectorXcd> lines_of(const FrfDataset& set) {
   std::vector<Eigen::VectorXcd> data;
-  for (const Output& output : set.outputs) {
+  for (const FrfChannel& output : set.outputs) {
     data.emplace_back(
         Eigen::Map<const Eigen::VectorXcd>(output.frf.data(), static_cast<Eigen::Index>(set.lines.count)));
   }
   return data;
 }
 
-FrfSet three_modes() {
-  FrfSet set = test::empty_set(4096, 32768, 60, 1500, 2);
+FrfDataset three_modes() {
+  FrfDataset set = test::empty_set(4096, 32768, 60, 1500, 2);
   for (const Pole& pole : {Pole{169.03, 0.01}, Pole{575.4, 0.006}, Pole{1190.06, 0.004}}) {
     test::add_mode(set, 0, pole, 0.8);
     test::add_mode(set, 1, pole, -0.3);
@@ -28,7 +28,7 @@ FrfSet three_modes() {
 }
 
 TEST(CandidatePoles, AreNearTheModesThatShow) {
-  const FrfSet set = three_modes();
+  const FrfDataset set = three_modes();
   const auto poles = candidate_poles(set, LineNoise(set));
   ASSERT_EQ(poles.size(), 3U);
   const std::vector<Pole> truth{{169.03, 0.01}, {575.4, 0.006}, {1190.06, 0.004}};
@@ -39,7 +39,7 @@ TEST(CandidatePoles, AreNearTheModesThatShow) {
 }
 
 TEST(CandidatePoles, AreNotQuantisedToALine) {
-  const FrfSet set = three_modes();
+  const FrfDataset set = three_modes();
   for (const Pole& pole : candidate_poles(set, LineNoise(set))) {
     const double lines = pole.freq_Hz / set.lines.df_Hz();
     EXPECT_GE(std::abs(lines - std::round(lines)), 1e-6);
@@ -48,18 +48,18 @@ TEST(CandidatePoles, AreNotQuantisedToALine) {
 
 TEST(CandidatePoles, AreFoundInNoneOf40SetsOfPureNoise) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
-    FrfSet set = test::empty_set(4096, 32768, 60, 1500, 2);
-    test::add_line_noise(set, 1, seed);
+    FrfDataset set = test::empty_set(4096, 32768, 60, 1500, 2);
+    test::add_frf_noise(set, 1, seed);
     EXPECT_TRUE(candidate_poles(set, LineNoise(set)).empty()) << seed;
   }
 }
 
 TEST(CandidatePoles, DoNotDependOnTheUnit) {
   constexpr double kTolerance = 1e-9;  // relative; rounding
-  FrfSet set = three_modes();
-  test::add_line_noise(set, 0.05, 3);
+  FrfDataset set = three_modes();
+  test::add_frf_noise(set, 0.05, 3);
   const auto a = candidate_poles(set, LineNoise(set));
-  for (Output& output : set.outputs) {
+  for (FrfChannel& output : set.outputs) {
     for (Complex& line : output.frf) line *= -9.80665e-3;
   }
   std::swap(set.outputs[0], set.outputs[1]);
@@ -69,19 +69,19 @@ TEST(CandidatePoles, DoNotDependOnTheUnit) {
 }
 
 TEST(CandidatePoles, NeedAFewLines) {
-  FrfSet set = test::empty_set(4096, 32768, 60, 60.4, 1);
+  FrfDataset set = test::empty_set(4096, 32768, 60, 60.4, 1);
   EXPECT_LT(set.lines.count, 5U);
   EXPECT_TRUE(candidate_poles(set, LineNoise(set)).empty());
 }
 
 TEST(HiddenPoles, AreFoundInWhatIsLeft) {
   constexpr double kDeviation = 0.05;
-  FrfSet set = three_modes();
-  test::add_line_noise(set, kDeviation, 3);
-  FrfSet left = test::empty_set(4096, 32768, 60, 1500, 2);
+  FrfDataset set = three_modes();
+  test::add_frf_noise(set, kDeviation, 3);
+  FrfDataset left = test::empty_set(4096, 32768, 60, 1500, 2);
   test::add_mode(left, 0, {800, 0.004}, 30 * 0.008 * kDeviation);  // a peak of 30 deviations
-  test::add_line_noise(left, kDeviation, 4);
-  const auto poles = hidden_poles(set, lines_of(left));
+  test::add_frf_noise(left, kDeviation, 4);
+  const auto poles = residual_mode_poles(set, lines_of(left));
   // A few widths may claim the same place; the fit that follows decides. One of them lies within half the bandwidth.
   const auto near = [](const Pole& pole) { return std::abs(pole.freq_Hz - 800) <= 0.5 * 6.4; };
   EXPECT_EQ(std::count_if(poles.begin(), poles.end(), near), 1);
@@ -89,19 +89,19 @@ TEST(HiddenPoles, AreFoundInWhatIsLeft) {
 
 TEST(HiddenPoles, AreNotFoundInNoise) {
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
-    FrfSet left = test::empty_set(4096, 32768, 60, 1500, 2);
-    test::add_line_noise(left, 0.3, seed);
-    EXPECT_TRUE(hidden_poles(three_modes(), lines_of(left)).empty()) << seed;
+    FrfDataset left = test::empty_set(4096, 32768, 60, 1500, 2);
+    test::add_frf_noise(left, 0.3, seed);
+    EXPECT_TRUE(residual_mode_poles(three_modes(), lines_of(left)).empty()) << seed;
   }
 }
 
 TEST(HiddenPoles, AreNotFoundInNothing) {
-  const FrfSet left = test::empty_set(4096, 32768, 60, 1500, 2);
-  EXPECT_TRUE(hidden_poles(three_modes(), lines_of(left)).empty());
+  const FrfDataset left = test::empty_set(4096, 32768, 60, 1500, 2);
+  EXPECT_TRUE(residual_mode_poles(three_modes(), lines_of(left)).empty());
 }
 
 TEST(PolesNear, AreThePeaksThatTheUserPointsAt) {
-  const FrfSet set = three_modes();
+  const FrfDataset set = three_modes();
   const auto poles = poles_near(set, {574, 170});
   ASSERT_EQ(poles.size(), 2U);
   EXPECT_LE(std::abs(poles[0].freq_Hz - 575.4), 0.5);
@@ -109,8 +109,8 @@ TEST(PolesNear, AreThePeaksThatTheUserPointsAt) {
 }
 
 TEST(PolesNear, StayWhereThereIsNone) {
-  FrfSet set = three_modes();
-  test::add_line_noise(set, 0.3, 8);
+  FrfDataset set = three_modes();
+  test::add_frf_noise(set, 0.3, 8);
   const Pole pole = poles_near(set, {900}).front();
   EXPECT_LE(std::abs(pole.freq_Hz - 900),
             2 * std::max(0.005 * 900, 4 * set.lines.df_Hz()));  // its reach, and a pole beside its line
@@ -120,7 +120,7 @@ TEST(PolesNear, StayWhereThereIsNone) {
 }
 
 TEST(PolesNear, DoNotShareAPeak) {
-  const FrfSet set = three_modes();
+  const FrfDataset set = three_modes();
   for (const bool weaker_first : {true, false}) {
     const auto poles = poles_near(set, weaker_first ? std::vector{573.5, 575.5} : std::vector{575.5, 577.0});
     EXPECT_LE(std::abs(poles[weaker_first ? 1 : 0].freq_Hz - 575.4), 0.5);

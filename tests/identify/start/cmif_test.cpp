@@ -11,8 +11,8 @@ namespace percuss::cmif_test {
 constexpr double kRounding = 1e-12;
 
 // Two points, two channels, modes at one frequency whose shapes are orthogonal, and one alone.
-FrfSet two_by_two() {
-  FrfSet set = test::empty_set(4096, 8192, 50, 1000, 2);
+FrfDataset two_by_two() {
+  FrfDataset set = test::empty_set(4096, 8192, 50, 1000, 2);
   set.points.push_back(set.points.front());
   for (std::size_t c = 0; c < 2; ++c) {
     set.outputs.push_back(set.outputs[c]);
@@ -31,7 +31,7 @@ Eigen::Index line_at(const LineRange& lines, double freq_Hz) {
 }
 
 TEST(Cmif, IsTheRootOfTheSumOfSquaresOfOneChannel) {
-  FrfSet set = test::empty_set(4096, 8192, 50, 1000, 1);
+  FrfDataset set = test::empty_set(4096, 8192, 50, 1000, 1);
   set.points.push_back(set.points.front());
   set.outputs.push_back(set.outputs[0]);
   set.outputs[1].point = 1;
@@ -43,7 +43,7 @@ TEST(Cmif, IsTheRootOfTheSumOfSquaresOfOneChannel) {
 }
 
 TEST(Cmif, ShowsTwoModesOfOneFrequencyInTwoValues) {
-  const FrfSet set = two_by_two();
+  const FrfDataset set = two_by_two();
   const Eigen::MatrixXd values = cmif(set, set.lines);
   ASSERT_EQ(values.cols(), 2);
   const auto pair = values.row(line_at(set.lines, 400)), alone = values.row(line_at(set.lines, 700));
@@ -52,7 +52,7 @@ TEST(Cmif, ShowsTwoModesOfOneFrequencyInTwoValues) {
 }
 
 TEST(Cmif, KeepsToTheBand) {
-  const FrfSet set = two_by_two();
+  const FrfDataset set = two_by_two();
   const LineRange band = lines_in_band(4096, 8192, 300, 500);
   const Eigen::MatrixXd part = cmif(set, band), all = cmif(set, set.lines);
   ASSERT_EQ(static_cast<std::size_t>(part.rows()), band.count);
@@ -60,7 +60,7 @@ TEST(Cmif, KeepsToTheBand) {
 }
 
 TEST(Cmif, TakesAnOutputThatIsMissingAsZero) {
-  FrfSet set = two_by_two();
+  FrfDataset set = two_by_two();
   set.outputs.pop_back();
   EXPECT_TRUE(cmif(set, set.lines).allFinite());
 }

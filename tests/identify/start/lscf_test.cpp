@@ -21,8 +21,8 @@ double error_of(const LscfOrder& order, const Pole& truth) {
   return nearest / truth.half_power_Hz();
 }
 
-FrfSet set_of(const std::vector<Pole>& modes, double low_Hz, double high_Hz) {
-  FrfSet set = test::empty_set(12800, 16384, low_Hz, high_Hz, 2);
+FrfDataset set_of(const std::vector<Pole>& modes, double low_Hz, double high_Hz) {
+  FrfDataset set = test::empty_set(12800, 16384, low_Hz, high_Hz, 2);
   for (std::size_t m = 0; m < modes.size(); ++m) {
     test::add_mode(set, 0, modes[m], std::pow(0.7, m));
     test::add_mode(set, 1, modes[m], m % 2 == 0 ? 0.4 : -0.3);
@@ -45,7 +45,7 @@ TEST(LscfPoles, AreExactOnNoiseFreeLinesAndNothingElse) {
 TEST(LscfPoles, SeparateTwoModesTwoHertzApartWhateverTheSamplingRate) {
   const std::vector<Pole> truth{{170, 0.002}, {172, 0.002}};
   for (const double fs_Hz : {1600.0, 12800.0, 102400.0}) {
-    FrfSet set = test::empty_set(fs_Hz, static_cast<std::size_t>(2.56 * fs_Hz), 60, 400, 1);
+    FrfDataset set = test::empty_set(fs_Hz, static_cast<std::size_t>(2.56 * fs_Hz), 60, 400, 1);
     for (const Pole& mode : truth) test::add_mode(set, 0, mode, 0.8);
     for (const Pole& mode : truth) EXPECT_LE(error_of(lscf_poles(set).back(), mode), kExact) << fs_Hz;
   }
@@ -54,8 +54,8 @@ TEST(LscfPoles, SeparateTwoModesTwoHertzApartWhateverTheSamplingRate) {
 TEST(LscfPoles, SeparateModesThatAreHalfABandwidthApart) {
   const std::vector<Pole> truth{{180, 0.01}, {1900, 0.003}, {1900 + 0.6 * 11.4, 0.003}, {2650, 0.004}};
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
-    FrfSet set = set_of(truth, 60, 3200);
-    test::add_line_noise(set, 0.01, seed);  // the doublet's residues make peaks of 60
+    FrfDataset set = set_of(truth, 60, 3200);
+    test::add_frf_noise(set, 0.01, seed);  // the doublet's residues make peaks of 60
     for (const Pole& mode : truth) EXPECT_LE(error_of(lscf_poles(set).back(), mode), 0.1) << mode.freq_Hz;
   }
 }
@@ -74,7 +74,7 @@ TEST(LscfPoles, AreExactOnTruncatedAndOnWindowedRecords) {
 }
 
 TEST(LscfPoles, AreThoseOfTheLinesAskedFor) {
-  const FrfSet set = set_of(kThree, 60, 1500);
+  const FrfDataset set = set_of(kThree, 60, 1500);
   const auto line = [&](double freq_Hz) {
     return static_cast<std::size_t>(freq_Hz / set.lines.df_Hz()) - set.lines.first;
   };
@@ -86,8 +86,8 @@ TEST(LscfPoles, AreThoseOfTheLinesAskedFor) {
 
 TEST(LscfPoles, DoNotDependOnUnitsNorOnTheOrderOfOutputs) {
   constexpr double kRounding = 1e-5;  // bandwidths; of modes: poles of the noise are less well determined
-  FrfSet set = set_of(kThree, 60, 1500);
-  test::add_line_noise(set, 0.05, 3);
+  FrfDataset set = set_of(kThree, 60, 1500);
+  test::add_frf_noise(set, 0.05, 3);
   const auto a = lscf_poles(set).back();
   for (Complex& line : set.outputs[0].frf) line *= -9.80665e-3;  // of one output alone: each is weighed by its noise
   std::swap(set.outputs[0], set.outputs[1]);
@@ -102,7 +102,7 @@ TEST(LscfPoles, DoNotDependOnUnitsNorOnTheOrderOfOutputs) {
 }
 
 TEST(LscfPoles, AreNotHurtByADeadChannel) {
-  FrfSet set = set_of(kThree, 60, 1500);
+  FrfDataset set = set_of(kThree, 60, 1500);
   std::fill(set.outputs[1].frf.begin(), set.outputs[1].frf.end(), Complex());
   for (const Pole& mode : kThree) EXPECT_LE(error_of(lscf_poles(set).back(), mode), kExact);
   std::fill(set.outputs[0].frf.begin(), set.outputs[0].frf.end(), Complex());

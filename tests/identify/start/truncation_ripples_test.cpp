@@ -8,7 +8,7 @@
 namespace percuss::ripples_test {
 
 // One mode that does not decay within its second, and a weaker one that does.
-FrfSet cut_off() {
+FrfDataset cut_off() {
   SynthSpec spec = test::bat_spec({{.freq_Hz = 400.3, .damping_ratio = 1e-5, .residue_per_kg = {1, 0.5}},
                                    {.freq_Hz = 900, .damping_ratio = 0.005, .residue_per_kg = {1, 0.5}}},
                                   1);
@@ -17,29 +17,29 @@ FrfSet cut_off() {
 }
 
 TEST(Ripples, MayBeWhatIsNoHigherThanTheFlankOfADecayCutOff) {
-  const FrfSet set = cut_off();
+  const FrfDataset set = cut_off();
   const std::vector<Pole> poles{{400.3, 1e-5}, {430, 1e-4}, {900, 0.005}};
-  const auto doubtful = ripples_among(set, poles);
+  const auto doubtful = find_truncation_ripples(set, poles);
   EXPECT_FALSE(doubtful[0]) << "the mode itself";
   EXPECT_TRUE(doubtful[1]) << "on its flank";
   EXPECT_FALSE(doubtful[2]) << "a peak above it";
 }
 
 TEST(Ripples, AreNoneWhereEverythingDecays) {
-  const auto doubtful = ripples_among(cut_off(), {{430, 0.01}, {900, 0.005}});
+  const auto doubtful = find_truncation_ripples(cut_off(), {{430, 0.01}, {900, 0.005}});
   EXPECT_FALSE(doubtful[0]);
   EXPECT_FALSE(doubtful[1]);
 }
 
 TEST(Ripples, RemainOnlyWhereTheResidualDoes) {
-  const FrfSet set = cut_off();
+  const FrfDataset set = cut_off();
   const auto lines = static_cast<Eigen::Index>(set.lines.count);
   std::vector<Eigen::VectorXcd> residual;
-  for (const Output& output : set.outputs)
+  for (const FrfChannel& output : set.outputs)
     residual.emplace_back(Eigen::Map<const Eigen::VectorXcd>(output.frf.data(), lines));
-  EXPECT_TRUE(remains(set, {900, 0.005}, residual));
+  EXPECT_TRUE(remains_in_residual(set, {900, 0.005}, residual));
   for (Eigen::VectorXcd& left : residual) left *= 0.1;
-  EXPECT_FALSE(remains(set, {900, 0.005}, residual));
+  EXPECT_FALSE(remains_in_residual(set, {900, 0.005}, residual));
 }
 
 }  // namespace percuss::ripples_test

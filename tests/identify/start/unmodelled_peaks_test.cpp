@@ -12,13 +12,13 @@ namespace percuss::unclaimed_peaks_test {
 constexpr double kRange_dB = 65;
 const std::vector<Pole> kPoles{{200, 0.01}, {600, 0.005}, {1200, 0.004}};
 
-FrfSet three_peaks() {
-  FrfSet set = test::empty_set(4096, 16384, 60, 1500, 2);
+FrfDataset three_peaks() {
+  FrfDataset set = test::empty_set(4096, 16384, 60, 1500, 2);
   for (const Pole& pole : kPoles) {
     test::add_mode(set, 0, pole, 0.5);
     test::add_mode(set, 1, pole, 0.2);
   }
-  test::add_line_noise(set, 0.01, 3);
+  test::add_frf_noise(set, 0.01, 3);
   return set;
 }
 
@@ -31,27 +31,27 @@ std::vector<Mode> modes_of(const std::vector<Pole>& poles) {
 }
 
 TEST(UnclaimedPeaks, AreThoseWithoutAMode) {
-  const FrfSet set = three_peaks();
-  EXPECT_TRUE(unclaimed_peaks(set, modes_of(kPoles), kRange_dB).empty());
-  const auto peaks = unclaimed_peaks(set, modes_of({kPoles[0], kPoles[2]}), kRange_dB);
+  const FrfDataset set = three_peaks();
+  EXPECT_TRUE(unmodelled_peaks(set, modes_of(kPoles), kRange_dB).empty());
+  const auto peaks = unmodelled_peaks(set, modes_of({kPoles[0], kPoles[2]}), kRange_dB);
   ASSERT_EQ(peaks.size(), 1U);
   EXPECT_NEAR(peaks[0].freq_Hz, 600, set.lines.df_Hz());
   EXPECT_NEAR(peaks[0].level_dB, 20 * std::log10(0.004 / 0.005), 0.5) << "the tallest has the least damping";
 }
 
 TEST(UnclaimedPeaks, CountAsClaimedWithinThreeBandwidths) {
-  const FrfSet set = three_peaks();
-  EXPECT_TRUE(unclaimed_peaks(set, modes_of({kPoles[0], {615, 0.005}, kPoles[2]}), kRange_dB).empty());
-  EXPECT_EQ(unclaimed_peaks(set, modes_of({kPoles[0], {625, 0.005}, kPoles[2]}), kRange_dB).size(), 1U);
+  const FrfDataset set = three_peaks();
+  EXPECT_TRUE(unmodelled_peaks(set, modes_of({kPoles[0], {615, 0.005}, kPoles[2]}), kRange_dB).empty());
+  EXPECT_EQ(unmodelled_peaks(set, modes_of({kPoles[0], {625, 0.005}, kPoles[2]}), kRange_dB).size(), 1U);
 }
 
 TEST(UnclaimedPeaks, AreNotLookedForBeyondTheForcesReachOrTheRange) {
-  FrfSet set = three_peaks();
-  set.reach_Hz = 700;
-  EXPECT_EQ(unclaimed_peaks(set, {}, kRange_dB).size(), 2U);
-  set.reach_Hz = 0;
-  EXPECT_EQ(unclaimed_peaks(set, {}, kRange_dB).size(), 3U);
-  EXPECT_EQ(unclaimed_peaks(set, {}, 1).size(), 1U);
+  FrfDataset set = three_peaks();
+  set.usable_bandwidth_Hz = 700;
+  EXPECT_EQ(unmodelled_peaks(set, {}, kRange_dB).size(), 2U);
+  set.usable_bandwidth_Hz = 0;
+  EXPECT_EQ(unmodelled_peaks(set, {}, kRange_dB).size(), 3U);
+  EXPECT_EQ(unmodelled_peaks(set, {}, 1).size(), 1U);
 }
 
 // Six deviations of the noise tall: on a flank, a line that noise lifted and one beside it that it lowered look like
@@ -59,12 +59,12 @@ TEST(UnclaimedPeaks, AreNotLookedForBeyondTheForcesReachOrTheRange) {
 TEST(UnclaimedPeaks, AreNotTheNoiseOfAFlank) {
   constexpr double kNoise = 0.5;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    FrfSet set = test::empty_set(8192, 8192, 60, 3000, 2);
+    FrfDataset set = test::empty_set(8192, 8192, 60, 3000, 2);
     const Pole pole{1000, 0.05};
     test::add_mode(set, 0, pole, 0.5);
     test::add_mode(set, 1, pole, 0.2);
-    test::add_line_noise(set, kNoise, seed);
-    EXPECT_TRUE(unclaimed_peaks(set, modes_of({pole}), kRange_dB).empty()) << seed;
+    test::add_frf_noise(set, kNoise, seed);
+    EXPECT_TRUE(unmodelled_peaks(set, modes_of({pole}), kRange_dB).empty()) << seed;
   }
 }
 
@@ -72,10 +72,10 @@ TEST(UnclaimedPeaks, AreNotTheNoiseOfAFlank) {
 TEST(UnclaimedPeaks, AreNotTheRipplesOfADecayCutOff) {
   SynthSpec spec = test::bat_spec({{.freq_Hz = 400.3, .damping_ratio = 1e-5, .residue_per_kg = {1, 0.5}}}, 1);
   spec.points = {{}};
-  const FrfSet set = test::frf_set_of(synthesise(spec, 1).record, 60, 2400);
+  const FrfDataset set = test::frf_set_of(synthesise(spec, 1).record, 60, 2400);
   const Mode mode{.pole = {400.3, 1e-5}, .residues = {{.value = 1}, {.channel = 1, .value = 0.5}}};
-  EXPECT_TRUE(unclaimed_peaks(set, {mode}, kRange_dB).empty());
-  EXPECT_FALSE(unclaimed_peaks(set, {}, kRange_dB).empty());
+  EXPECT_TRUE(unmodelled_peaks(set, {mode}, kRange_dB).empty());
+  EXPECT_FALSE(unmodelled_peaks(set, {}, kRange_dB).empty());
 }
 
 }  // namespace percuss::unclaimed_peaks_test

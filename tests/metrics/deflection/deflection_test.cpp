@@ -89,7 +89,7 @@ TEST(Deflection, IsBandLimitedAtEverySamplingRate) {
     const PulseBasis basis = pulse_basis({.onset_s = 0.1, .width_s = 0.0025, .peak_N = 800}, fs_Hz, poles, 0, samples);
     std::vector<double> force(samples), accel(samples);
     std::copy(basis.force_N.begin(), basis.force_N.end(), force.begin() + static_cast<std::ptrdiff_t>(basis.first));
-    std::vector<ModeShare> modes;
+    std::vector<ModalContribution> modes;
     for (std::size_t m = 0; m < poles.size(); ++m) {
       modes.push_back(
           {.pole = {poles[m].freq_Hz, poles[m].damping_ratio}, .residue_per_kg = 1.0 + static_cast<double>(m)});
@@ -217,18 +217,18 @@ TEST(MotionOnset, IsWhereTheNoiseEnds) {
   EXPECT_NEAR(motion_onset_s(test.accel_mps2, test.fs_Hz), test.onset_s, 5 / test.fs_Hz);
 }
 
-TEST(RestState, ReadsBiasDriftAndNoise) {
+TEST(BaselineEstimate, ReadsBiasDriftAndNoise) {
   std::vector<double> before(400);
   for (int i = 0; i < 400; ++i)
     before[static_cast<std::size_t>(i)] = 2 + 0.5 * (i - 400) / 1000.0 + (i % 2 == 0 ? 0.1 : -0.1);
-  const RestState rest = rest_state(before, 1000, 1);
+  const BaselineEstimate rest = baseline_estimate(before, 1000, 1);
   EXPECT_NEAR(rest.bias(0), 2, 0.02);
   EXPECT_NEAR(rest.bias(1), 0.5, 0.1);
   EXPECT_NEAR(rest.noise_mps2, 0.1, 0.001);
 }
 
-TEST(RestState, KnowsNothingFromAFewSamples) {
-  const RestState rest = rest_state(std::vector<double>(5, 7.0), 1000, 20);
+TEST(BaselineEstimate, KnowsNothingFromAFewSamples) {
+  const BaselineEstimate rest = baseline_estimate(std::vector<double>(5, 7.0), 1000, 20);
   EXPECT_EQ(rest.bias(0), 0);
   EXPECT_NEAR(std::sqrt(rest.covariance(0, 0)), 2, 1e-12);
 }

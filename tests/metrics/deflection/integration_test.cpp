@@ -111,8 +111,9 @@ TEST(IntegrateByLines, IsExactForWhatIsPeriodicInTheRecord) {
     deflection.push_back(std::sin(omega * static_cast<double>(i) / 1000));
     accel.push_back(-omega * omega * deflection.back() + 3);  // and a bias
   }
-  EXPECT_LE(furthest(integrate_by_lines(accel, 1000, 0, 4).deflection_m, deflection), kRounding);
-  EXPECT_LE(furthest(integrate_by_lines(accel, 1000, 0, 9).deflection_m, std::vector<double>(1000)), kRounding);
+  EXPECT_LE(furthest(integrate_in_frequency_domain(accel, 1000, 0, 4).deflection_m, deflection), kRounding);
+  EXPECT_LE(furthest(integrate_in_frequency_domain(accel, 1000, 0, 9).deflection_m, std::vector<double>(1000)),
+            kRounding);
 }
 
 }  // namespace percuss::integration_test

@@ -23,7 +23,7 @@ AbiEntry performance(double value) { return {.place = "log", .what = AbiPerforma
 AbiLog log_of(std::vector<AbiEntry> entries) {
   return {.bat = "b", .material = "composite", .limit = 0.728, .entries = std::move(entries)};
 }
-AbiRun run_of(std::vector<AbiEntry> entries) { return follow_abi(log_of(std::move(entries))); }
+AbiRun run_of(std::vector<AbiEntry> entries) { return evaluate_abi(log_of(std::move(entries))); }
 
 // The first cycle up to what the compression after it is.
 std::vector<AbiEntry> start(double after_lbf) { return {compression(600), performance(0.715), compression(after_lbf)}; }
@@ -99,9 +99,9 @@ TEST(Abi, PassesWhenThePerformanceFellEnough) {
   EXPECT_EQ(run_of(with(start(500), {performance(0.7011)})).verdict, AbiVerdict::in_progress);
   AbiLog bbcor = log_of(with(start(500), {performance(0.698)}));
   bbcor.bbcor = true;
-  EXPECT_EQ(follow_abi(bbcor).verdict, AbiVerdict::in_progress);  // 0.017
+  EXPECT_EQ(evaluate_abi(bbcor).verdict, AbiVerdict::in_progress);  // 0.017
   bbcor.entries.back() = performance(0.697);
-  EXPECT_EQ(follow_abi(bbcor).verdict, AbiVerdict::pass);
+  EXPECT_EQ(evaluate_abi(bbcor).verdict, AbiVerdict::pass);
   // The best is of all tests before.
   const auto risen = with(start(500), {performance(0.725), compression(400), performance(0.711)});
   EXPECT_EQ(run_of(risen).verdict, AbiVerdict::pass);
@@ -111,7 +111,7 @@ TEST(Abi, PassesWhenThePerformanceFellEnough) {
 TEST(Abi, WithoutALimitNothingPasses) {
   AbiLog log = log_of(with(start(500), {performance(0.65)}));
   log.limit.reset();
-  EXPECT_EQ(follow_abi(log).verdict, AbiVerdict::undecided);
+  EXPECT_EQ(evaluate_abi(log).verdict, AbiVerdict::undecided);
 }
 
 TEST(Abi, BreaksWithoutVerdict) {
@@ -123,20 +123,20 @@ TEST(Abi, BreaksWithoutVerdict) {
 
 TEST(Abi, GoesOnAtTheSponsorsRequestButStaysFailed) {
   AbiLog log = log_of(with(start(500), {performance(0.74), compression(400), performance(0.72)}));
-  EXPECT_THAT(input_error_of([&] { follow_abi(log); }), HasSubstr("after the procedure's end"));
+  EXPECT_THAT(input_error_of([&] { evaluate_abi(log); }), HasSubstr("after the procedure's end"));
   log.continued = true;
-  const AbiRun run = follow_abi(log);
+  const AbiRun run = evaluate_abi(log);
   EXPECT_EQ(run.verdict, AbiVerdict::fail);
   EXPECT_EQ(run.next, AbiStep::done);
   log.entries.back() = performance(0.76);
-  EXPECT_THAT(follow_abi(log).why, HasSubstr("cycle 2"));  // the first reason is the one
+  EXPECT_THAT(evaluate_abi(log).why, HasSubstr("cycle 2"));  // the first reason is the one
 }
 
 TEST(Abi, GivesUpAfterManyCycles) {
   const auto entries = with(start(500), {performance(0.72)});
   AbiRules rules;
-  rules.most_cycles = 2;
-  const AbiRun run = follow_abi(log_of(entries), rules);
+  rules.max_cycles = 2;
+  const AbiRun run = evaluate_abi(log_of(entries), rules);
   EXPECT_EQ(run.verdict, AbiVerdict::undecided);
   EXPECT_THAT(run.why, HasSubstr("does not fall"));
 }
@@ -163,18 +163,18 @@ TEST(Abi, RemarksOnDepthsOvershootAndMaterial) {
   EXPECT_EQ(run.remarks[1].code, "overshoot");
   AbiLog aluminium = log_of({});
   aluminium.material = "aluminum";
-  EXPECT_EQ(follow_abi(aluminium).remarks.at(0).code, "material");
+  EXPECT_EQ(evaluate_abi(aluminium).remarks.at(0).code, "material");
   aluminium.material.clear();
-  EXPECT_TRUE(follow_abi(aluminium).remarks.empty());
+  EXPECT_TRUE(evaluate_abi(aluminium).remarks.empty());
 }
 
 TEST(Abi, SaysWhatIsNext) {
-  EXPECT_EQ(next_words(run_of({})), "step 1: measure the barrel's compression");
-  EXPECT_THAT(next_words(run_of(start(600))), HasSubstr("roll the barrel, rollers about 0.1 in in"));
-  EXPECT_THAT(next_words(run_of(start(509))), HasSubstr("test the performance"));
-  EXPECT_EQ(next_words(run_of({compression(600), performance(0.8)})).substr(0, 6), "fail: ");
+  EXPECT_EQ(next_step_text(run_of({})), "step 1: measure the barrel's compression");
+  EXPECT_THAT(next_step_text(run_of(start(600))), HasSubstr("roll the barrel, rollers about 0.1 in in"));
+  EXPECT_THAT(next_step_text(run_of(start(509))), HasSubstr("test the performance"));
+  EXPECT_EQ(next_step_text(run_of({compression(600), performance(0.8)})).substr(0, 6), "fail: ");
   AbiRun broken{.next = AbiStep::done, .verdict = AbiVerdict::undecided, .why = "broken"};
-  EXPECT_EQ(next_words(broken), "no verdict: broken");
+  EXPECT_EQ(next_step_text(broken), "no verdict: broken");
 }
 
 TEST(Abi, NamesItsVerdicts) {
@@ -208,7 +208,7 @@ TEST(Abi, EndsOnEveryBatAndNeverPassesOneThatFails) {
     double stiff_lbf = random.uniform(300, 900), value = random.uniform(0.70, 0.73), highest = 0;
     const double softening = random.uniform(0, 0.06), gain = random.uniform(0, 0.004), ripe = random.uniform(0.2, 0.9);
     const double fresh_lbf = stiff_lbf;
-    AbiRun run = follow_abi(log);
+    AbiRun run = evaluate_abi(log);
     for (int done = 0; run.next != AbiStep::done; ++done) {
       ASSERT_LT(done, 1000) << "does not end";
       if (run.next == AbiStep::roll) {
@@ -223,7 +223,7 @@ TEST(Abi, EndsOnEveryBatAndNeverPassesOneThatFails) {
       } else {
         log.entries.push_back(compression(std::max(stiff_lbf, 10.0)));
       }
-      run = follow_abi(log);
+      run = evaluate_abi(log);
     }
     ++verdicts.at(static_cast<std::size_t>(run.verdict));
     if (run.verdict == AbiVerdict::pass) {

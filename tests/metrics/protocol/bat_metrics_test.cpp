@@ -19,7 +19,7 @@ struct Numbers {
 };
 
 BatReadings readings_of(const Numbers& n, double relative_std) {
-  const auto reading = [&](double value, Reading which) { return Measured(value, relative_std * value, which); };
+  const auto reading = [&](double value, Reading which) { return UncertainValue(value, relative_std * value, which); };
   return {.length_m = reading(n.length_m, Reading::length),
           .mass_kg = reading(n.mass_kg, Reading::weight),
           .cg_m = reading(n.cg_m, Reading::cg),
@@ -35,7 +35,7 @@ using Result = std::function<double(const BatMetrics&)>;
 TEST(BatMetrics, UncertaintyIsWhatMovingEveryReadingByItsOwnShows) {
   constexpr double kRelative = 1e-5;
   constexpr double kSecondOrder = 1e-3;  // of the deviation: kRelative times derivatives' own size
-  const std::array<std::pair<const char*, std::optional<Measured> BatMetrics::*>, 9> results{
+  const std::array<std::pair<const char*, std::optional<UncertainValue> BatMetrics::*>, 9> results{
       {{"drop", &BatMetrics::drop},
        {"moi", &BatMetrics::moi_kgm2},
        {"besr", &BatMetrics::besr},
@@ -106,8 +106,8 @@ TEST(BatMetrics, AddsTheLotsCorrectionToTheRatioOfSpeeds) {
 }
 
 TEST(BatMetrics, KnowsWhichErrorsItDoesNotKnow) {
-  const Measured known(2, 0.1, Reading::length), unknown(3, 0, Reading::period);
-  const Measured product = known * unknown;
+  const UncertainValue known(2, 0.1, Reading::length), unknown(3, 0, Reading::period);
+  const UncertainValue product = known * unknown;
   EXPECT_TRUE(product.unknown(Reading::period));
   EXPECT_FALSE(product.unknown(Reading::length));
   EXPECT_DOUBLE_EQ(product.std(), 0.3);

@@ -152,11 +152,11 @@ TEST(Outliers, AreThoseFarFromTheLine) {
 }
 
 TEST(AdjustedForAll, FollowsHolm) {
-  EXPECT_THAT(adjusted_for_all({0.01, 0.04, 0.03, 0.005}),
+  EXPECT_THAT(holm_adjusted({0.01, 0.04, 0.03, 0.005}),
               testing::ElementsAre(testing::DoubleNear(0.03, kRounding), testing::DoubleNear(0.06, kRounding),
                                    testing::DoubleNear(0.06, kRounding), testing::DoubleNear(0.02, kRounding)));
-  EXPECT_THAT(adjusted_for_all({0.9, 0.8}), testing::ElementsAre(1, 1));
-  EXPECT_TRUE(adjusted_for_all({}).empty());
+  EXPECT_THAT(holm_adjusted({0.9, 0.8}), testing::ElementsAre(1, 1));
+  EXPECT_TRUE(holm_adjusted({}).empty());
 }
 
 }  // namespace percuss::association_test

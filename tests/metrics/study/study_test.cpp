@@ -195,7 +195,7 @@ TEST(Blinding, TakesOutNamesAndKeepsTheKeyApart) {
   std::vector<StudyBat> bats{{.id = "Slug 5", .bat = "Slug", .maker = "Acme, Inc.", .model = "X\"5", .length_in = 33},
                              {.id = "Slug 6", .bat = "Slug", .maker = "Acme, Inc.", .length_in = 33},
                              {.id = "Twig", .length_in = 34}};
-  const std::string key = blind_bats(bats);
+  const std::string key = anonymise_bats(bats);
   EXPECT_EQ(bats[0].id, "AS001");
   EXPECT_EQ(bats[1].bat, "AS001");
   EXPECT_EQ(bats[2].bat, "");

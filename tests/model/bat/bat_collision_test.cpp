@@ -74,7 +74,7 @@ TEST(BatCollision, ConvergesWithTheSteps) {
 
 // A point load's give is a sum over modes that falls like 1/N: twice as many halve what is missing.
 TEST(BatCollision, ConvergesSlowlyWithTheModes) {
-  const BatModes bat = bat_modes(kStepped, {}, {.modes = 160, .longest_per_length = 1.0 / 300});
+  const BatModes bat = bat_modes(kStepped, {}, {.modes = 160, .max_element_fraction = 1.0 / 300});
   const auto exit = [&](std::size_t modes, double z_m) { return bat_rebound(bat, modes, {}, z_m).exit_speed_mps; };
   const double end_m = bat.length_m;
   const double first = exit(40, end_m) - exit(20, end_m), second = exit(80, end_m) - exit(40, end_m),
@@ -104,7 +104,7 @@ TEST(BatWave, ReturnsWithItsSignFromAFreeEndOnly) {
   const double z_m = kRod_m - kFromEnd_m;
   const std::vector<double> time_s{0, 1e-4, 8e-4, 9e-4};
   const auto struck = [&](const BatProfile& profile, std::size_t count) {
-    const BatModes modes = bat_modes(profile, {}, {.modes = count, .longest_per_length = 0.02 / profile.length_m()});
+    const BatModes modes = bat_modes(profile, {}, {.modes = count, .max_element_fraction = 0.02 / profile.length_m()});
     const Eigen::MatrixXd wave = bat_wave(modes, count, hit, z_m, time_s);
     return Eigen::VectorXd(wave.row(static_cast<Eigen::Index>(element_at(modes.beam, z_m + 1e-9))).transpose());
   };
@@ -132,7 +132,7 @@ TEST(BatWave, MovesTheBatsCentreByTheBallsImpulse) {
   for (std::size_t i = 0; i + 1 < at_m.size(); ++i) {
     const BeamElement& e = bat.beam.elements[i];
     for (Eigen::Index t = 0; t < 2; ++t) {
-      centre_m[t] += e.mass_kgpm * e.long_m / bat.inertia.mass_kg *
+      centre_m[t] += e.mass_kgpm * e.element_length_m / bat.inertia.mass_kg *
                      (wave(static_cast<Eigen::Index>(i), t) + wave(static_cast<Eigen::Index>(i) + 1, t)) / 2;
     }
   }

@@ -72,7 +72,7 @@ TEST(BatModes, AreEulersForAThinRod) {
 
 TEST(BatModes, ConvergeWithTheFourthPowerOfTheElements) {
   const auto error = [](double elements) {
-    const BatModes modes = bat_modes(kStepped, {}, {.modes = 6, .longest_per_length = 1 / elements});
+    const BatModes modes = bat_modes(kStepped, {}, {.modes = 6, .max_element_fraction = 1 / elements});
     return modes.freq_Hz[5] / kStepped_Hz[5] - 1;
   };
   const double coarse = error(41), fine = error(82);  // both cut the slices evenly
@@ -124,7 +124,7 @@ TEST(BatModes, SolveTheirEquation) {
 }
 
 TEST(BatModes, GiveAllThereAreWhenAskedForMore) {
-  const BatModes modes = bat_modes(rod(0.84, 0.04), {}, {.modes = 200, .longest_per_length = 0.25});
+  const BatModes modes = bat_modes(rod(0.84, 0.04), {}, {.modes = 200, .max_element_fraction = 0.25});
   EXPECT_EQ(modes.freq_Hz.size(), 16);  // four elements: 18 unknowns, two of them rigid
 }
 

@@ -187,7 +187,7 @@ TEST(BeamImpact, GivesASeriesThatIsItsResult) {
   ASSERT_GT(r.series.size(), 1000U);
   EXPECT_EQ(r.series.front().ball_speed_mps, 5);
   EXPECT_NEAR(-r.series.back().ball_speed_mps / 5, r.cor, 1e-12);
-  EXPECT_NEAR(r.series.back().time_s, r.contact_s + kFollowed_s, 1e-12);
+  EXPECT_NEAR(r.series.back().time_s, r.contact_s + kFollowUp_s, 1e-12);
   double peak_m = 0, force_N = 0, impulse_Ns = 0;
   for (std::size_t i = 0; i < r.series.size(); ++i) {
     peak_m = std::max(peak_m, r.series[i].beam_m);

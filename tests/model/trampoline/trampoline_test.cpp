@@ -25,13 +25,13 @@ std::vector<double> published_sweep() {
 
 HoopPeak peak_of(const Trampoline& model) {
   const auto hoop_Hz = published_sweep();
-  return best_hoop(model, hoop_Hz, hoop_sweep(model, hoop_Hz));
+  return optimal_hoop_frequency(model, hoop_Hz, hoop_sweep(model, hoop_Hz));
 }
 
 TEST(Trampoline, ReproducesTheRigidWall) {
-  EXPECT_NEAR(wall_rebound(kBaseball).cor, 0.4835851208451, kPromised);
-  EXPECT_NEAR(wall_rebound(kBaseball).cor, 0.48359, 0.5e-5);
-  EXPECT_NEAR(wall_rebound(softball_on_barrel()).cor, 0.4328337980733, kPromised);
+  EXPECT_NEAR(rigid_wall_rebound(kBaseball).cor, 0.4835851208451, kPromised);
+  EXPECT_NEAR(rigid_wall_rebound(kBaseball).cor, 0.48359, 0.5e-5);
+  EXPECT_NEAR(rigid_wall_rebound(softball_on_barrel()).cor, 0.4328337980733, kPromised);
 }
 
 TEST(Trampoline, ReproducesIndependentFigures) {
@@ -95,7 +95,7 @@ TEST(Trampoline, OutlastsTheScriptsTwoMilliseconds) {
 TEST(Trampoline, LosesNothingWithoutDampers) {
   Trampoline elastic = kBaseball;
   elastic.damping = elastic.barrel_damping_Nspm = 0;
-  EXPECT_NEAR(wall_rebound(elastic).cor, 1, kPromised);
+  EXPECT_NEAR(rigid_wall_rebound(elastic).cor, 1, kPromised);
   // The barrel keeps what the ball lacks: a figure of the reference, and of two contacts.
   const Rebound found = rebound(elastic, 300);
   EXPECT_NEAR(found.cor, 0.8219291889190, kPromised);
@@ -110,7 +110,7 @@ TEST(Trampoline, StaysOnTheWallAsLongAsTheClosedFormSays) {
   const double n = elastic.stiffness_exponent + 2, v = elastic.ball_speed_mps;
   const double deepest_m = std::pow(n * elastic.ball_mass_kg * v * v / (2 * elastic.stiffness), 1 / n);
   const double integral = std::sqrt(std::numbers::pi) * std::tgamma(1 + 1 / n) / std::tgamma(0.5 + 1 / n);
-  EXPECT_NEAR(wall_rebound(elastic).contact_s, 2 * deepest_m / v * integral, 1e-7 * deepest_m / v);
+  EXPECT_NEAR(rigid_wall_rebound(elastic).contact_s, 2 * deepest_m / v * integral, 1e-7 * deepest_m / v);
 }
 
 TEST(Trampoline, ComesToAnEndWhateverTheFrequency) {
@@ -119,7 +119,7 @@ TEST(Trampoline, ComesToAnEndWhateverTheFrequency) {
     EXPECT_GE(found.cor, 0) << hoop_Hz;
     EXPECT_LE(found.cor, 1) << hoop_Hz;
   }
-  EXPECT_NEAR(rebound(kBaseball, 1e6).cor, wall_rebound(kBaseball).cor, 1e-5);
+  EXPECT_NEAR(rebound(kBaseball, 1e6).cor, rigid_wall_rebound(kBaseball).cor, 1e-5);
 }
 
 TEST(Trampoline, IsTheSameWithAnyNumberOfThreads) {

@@ -45,13 +45,13 @@ TEST(Digest, IsWhatTheStandardsSay) {
 }
 
 TEST(HtmlText, LeavesNothingThatIsMarkup) {
-  EXPECT_EQ(html_text("a<b>&\"'\n"), "a&lt;b&gt;&amp;&quot;&#39; ");
-  EXPECT_EQ(html_text("90° \xF0\x9F\x8F\x8F"), "90° \xF0\x9F\x8F\x8F");
-  EXPECT_EQ(html_text("\xFF\xC0\xAFx\xED\xA0\x80"), "\uFFFD\uFFFD\uFFFDx\uFFFD\uFFFD\uFFFD");
+  EXPECT_EQ(html_escape("a<b>&\"'\n"), "a&lt;b&gt;&amp;&quot;&#39; ");
+  EXPECT_EQ(html_escape("90° \xF0\x9F\x8F\x8F"), "90° \xF0\x9F\x8F\x8F");
+  EXPECT_EQ(html_escape("\xFF\xC0\xAFx\xED\xA0\x80"), "\uFFFD\uFFFD\uFFFDx\uFFFD\uFFFD\uFFFD");
 }
 
-TEST(PictureNumbers, KeepWhatCanBeSeen) {
-  const PictureNumbers numbers = picture_numbers(std::vector<double>{-3, 1, std::nan("")}, 0.5);
+TEST(QuantisedCurve, KeepWhatCanBeSeen) {
+  const QuantisedCurve numbers = quantised_curve(std::vector<double>{-3, 1, std::nan("")}, 0.5);
   EXPECT_EQ(numbers.from, -3);
   EXPECT_EQ(numbers.step, 0.5);
   const std::vector<std::uint8_t> bytes{0, 0, 8, 0, 255, 255};

@@ -40,11 +40,12 @@ TEST(AnalysisText, TellsWhatWasMeasuredAndWhatWasFound) {
 }
 
 TEST(AnalysisText, HoldsTheSectionsAskedForOnly) {
-  EXPECT_THAT(text_of(bat(), {.sections = {Section::hits}}),
+  EXPECT_THAT(text_of(bat(), {.sections = {ReportSection::hits}}),
               AllOf(HasSubstr("verdict"), Not(HasSubstr("first moves")), Not(HasSubstr("bending"))));
-  EXPECT_THAT(text_of(bat(), {.sections = {Section::frf}}),
+  EXPECT_THAT(text_of(bat(), {.sections = {ReportSection::frf}}),
               AllOf(HasSubstr("FRFs: "), Not(HasSubstr("verdict")), Not(HasSubstr("coherence"))));
-  EXPECT_THAT(text_of(bat(), {.sections = {Section::modes}}), AllOf(HasSubstr("damping"), Not(HasSubstr("bending"))));
+  EXPECT_THAT(text_of(bat(), {.sections = {ReportSection::modes}}),
+              AllOf(HasSubstr("damping"), Not(HasSubstr("bending"))));
 }
 
 TEST(AnalysisText, GivesTheReasonBesideARejectedHit) {
@@ -94,7 +95,7 @@ TEST(AnalysisText, KeepsToTheWidth) {
 // Under each mode's number the sketch must stand higher than beside it, and the highest dot is the highest mode's.
 TEST(FrfSketch, ShowsThePeaksAboveTheirNumbers) {
   const Analysis analysis(synthesise(bat()).record, {.band_Hz = std::pair{60.0, 3200.0}, .threads = 1});
-  const auto rows = test::lines_of(frf_sketch(analysis, 108));
+  const auto rows = test::lines_of(frf_terminal_plot(analysis, 108));
   ASSERT_EQ(rows.size(), 10U);
   EXPECT_THAT(rows[9], AllOf(HasSubstr("60 Hz"), HasSubstr("3.2 kHz")));
   EXPECT_THAT(rows[0], HasSubstr(" dB "));
@@ -110,7 +111,7 @@ TEST(FrfSketch, ShowsThePeaksAboveTheirNumbers) {
 
 TEST(FrfSketch, NeedsRoom) {
   const Analysis analysis(synthesise(bat()).record, {.band_Hz = std::pair{60.0, 3200.0}, .threads = 1});
-  EXPECT_EQ(frf_sketch(analysis, 40), "");
+  EXPECT_EQ(frf_terminal_plot(analysis, 40), "");
 }
 
 // What a terminal gets is tried by .ci/shells: a bare machine has none.

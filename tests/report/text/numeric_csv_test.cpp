@@ -8,7 +8,7 @@ namespace percuss::columns_test {
 
 TEST(Columns, AreLinesOfNumbersThatReadBackAsTheyWere) {
   const double none = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(columns_csv({{"hoop_hz", {100, 0.1 + 0.2}}, {"cor", {none, -1e-9}}}),
+  EXPECT_EQ(numeric_csv({{"hoop_hz", {100, 0.1 + 0.2}}, {"cor", {none, -1e-9}}}),
             "hoop_hz,cor\n100,\n0.30000000000000004,-1e-09\n");
 }
 

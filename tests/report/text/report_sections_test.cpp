@@ -7,11 +7,11 @@
 namespace percuss::sections_test {
 
 TEST(ParseSections, KnowsEveryOneByName) {
-  EXPECT_EQ(parse_sections({"hits", "frf", "coherence", "modes", "classes"}), all_sections());
-  EXPECT_EQ(parse_sections({"frf", "frf"}), std::set{Section::frf});
-  EXPECT_TRUE(parse_sections({}).empty());
+  EXPECT_EQ(parse_report_sections({"hits", "frf", "coherence", "modes", "classes"}), default_sections());
+  EXPECT_EQ(parse_report_sections({"frf", "frf"}), std::set{ReportSection::frf});
+  EXPECT_TRUE(parse_report_sections({}).empty());
 }
 
-TEST(ParseSections, RefusesOthers) { EXPECT_THROW(parse_sections({"hits", "Modes"}), UsageError); }
+TEST(ParseSections, RefusesOthers) { EXPECT_THROW(parse_report_sections({"hits", "Modes"}), UsageError); }
 
 }  // namespace percuss::sections_test

@@ -48,10 +48,10 @@ void add_batch_options(Command& command, BatchOptions& options) {
   add_analysis_options(command, options.analysis);
 }
 
-void put_options(const Command& command, const BatchOptions& options, BatchHead& head) {
+void store_batch_options(const Command& command, const BatchOptions& options, BatchHeader& head) {
   analysis_options(options.analysis);
-  finished_options(options.read);
-  options_of_each(options.read);
+  resolved_read_options(options.read);
+  per_file_read_options(options.read);
   for (const char* heading : {kReadingHeading, kAnalysisHeading}) {
     for (std::string& word : command.given(heading)) head.options.push_back(std::move(word));
   }
@@ -66,7 +66,7 @@ RowOptions row_options(const Manifest& manifest, bool trust_input) {
   try {
     parse_options(manifest, options);
     options.read.trust_input = trust_input;
-    out.read = options_of_each(options.read);
+    out.read = per_file_read_options(options.read);
     out.analysis = analysis_options(options.analysis);
   } catch (const UsageError& e) {
     throw InputError(e.what(), head_place(manifest), "plan the batch anew");

@@ -35,7 +35,7 @@ RecordFiles files_of(const PlanFlags& flags) {
   std::vector<std::string> names;
   for (const std::string& input : flags.inputs) {
     const auto listed =
-        input == "-" ? listed_names(read_input("-", kLongestList_bytes).view()) : std::vector<std::string>{input};
+        input == "-" ? parse_path_list(read_input("-", kLongestList_bytes).view()) : std::vector<std::string>{input};
     names.insert(names.end(), listed.begin(), listed.end());
   }
   RecordFiles files = record_files(names);
@@ -51,7 +51,7 @@ std::string folder_of(const std::string& path) {
   return parent.empty() ? "." : parent.string();
 }
 
-std::string summary_json(const BatchHead& head, std::size_t records, std::uint64_t bytes, std::size_t left_out) {
+std::string summary_json(const BatchHeader& head, std::size_t records, std::uint64_t bytes, std::size_t left_out) {
   const nlohmann::ordered_json json{{"schema", "percuss/batch-plan/1"},
                                     {"version", head.version},
                                     {"records", records},
@@ -70,12 +70,12 @@ int plan(PlanFlags& flags) {
   const Progress progress("planning", flags.output.quiet);
   RecordFiles files = files_of(flags);
   flags.options.read.paths = files.paths;
-  BatchHead head{.version = version(), .options = {}, .setup = {}, .frf = flags.frf, .shards = flags.shards};
-  put_options(*flags.command, flags.options, head);
+  BatchHeader head{.version = version(), .options = {}, .setup = {}, .frf = flags.frf, .shards = flags.shards};
+  store_batch_options(*flags.command, flags.options, head);
   std::error_code absent;
   if (!std::filesystem::is_directory(folder_of(path), absent))
     throw InputError("no such folder", folder_of(path), "create the folder first");
-  const auto records = planned_records(files.paths, folder_of(path), flags.hash);
+  const auto records = records_of_files(files.paths, folder_of(path), flags.hash);
   write_manifest(path, head, records, flags.output.force);
   progress.stop();
   std::uint64_t bytes = 0;
@@ -113,7 +113,7 @@ void add_batch_plan(CommandLine& line) {
                 "Records or FRFs: files; folders, of which all such files below are taken; patterns in quotes; - is a "
                 "list on standard input, a path per line");
   command.value("--shards", flags->shards, "Into how many parts of about equal bytes the work may be divided")
-      .within(1, static_cast<double>(kMostShards))
+      .within(1, static_cast<double>(kMaxShards))
       .show_default();
   command.flag("--frf", flags->frf, "Keep the FRFs as well, for percuss batch merge -o FILE.h5");
   command.flag("--hash", flags->hash,

@@ -31,7 +31,7 @@ struct RunFlags {
 };
 
 // Which shards are to be run, of how many.
-struct Share {
+struct ShardSelection {
   std::optional<std::size_t> shard;   // none: all
   std::optional<std::size_t> shards;  // none: as the folder or the manifest says
 };
@@ -43,12 +43,12 @@ std::optional<std::size_t> whole_number(std::string_view text) {
   return value;
 }
 
-Share typed_share(const std::string& text) {
+ShardSelection parse_shard_selection(const std::string& text) {
   if (text == "all") return {};
   const std::size_t slash = std::min(text.find('/'), text.size());
   const auto shard = whole_number(std::string_view(text).substr(0, slash));
   const auto shards = slash < text.size() ? whole_number(std::string_view(text).substr(slash + 1)) : std::nullopt;
-  if (!shard || (slash < text.size() && (!shards || *shards < 1 || *shards > kMostShards))) {
+  if (!shard || (slash < text.size() && (!shards || *shards < 1 || *shards > kMaxShards))) {
     throw UsageError("--shard cannot be '" + one_line(text, 40) + "'",
                      "give I/N, as 0/7 to 6/7; or I alone, of as many as were planned; or all");
   }
@@ -56,7 +56,7 @@ Share typed_share(const std::string& text) {
 }
 
 // What an engine tells its workers. GNU parallel counts from 1.
-Share share_of_engine() {
+ShardSelection shard_selection_of_scheduler() {
   for (const auto& [name, first] :
        {std::pair{"SLURM_ARRAY_TASK_ID", 0U}, {"JOB_COMPLETION_INDEX", 0U}, {"PARALLEL_SEQ", 1U}}) {
     const char* const text = std::getenv(name);
@@ -69,7 +69,7 @@ Share share_of_engine() {
   return {};
 }
 
-std::vector<std::size_t> shards_to_run(const Share& share, std::size_t shards) {
+std::vector<std::size_t> shards_to_run(const ShardSelection& share, std::size_t shards) {
   if (share.shard && *share.shard >= shards) {
     throw UsageError(fmt::format("there is no shard {} of {}", *share.shard, shards),
                      "they count from 0; percuss batch plan --shards N says how many there are");
@@ -123,8 +123,9 @@ std::string results_folder(const std::string& folder) {
 }
 
 // Of the shards in the folder there is one division, so that all of them fit together.
-std::size_t division(const RunFlags& flags, const Share& share, const Manifest& manifest, const std::string& folder) {
-  const auto found = division_in(folder);
+std::size_t division(const RunFlags& flags, const ShardSelection& share, const Manifest& manifest,
+                     const std::string& folder) {
+  const auto found = shard_count_in(folder);
   const std::size_t wanted = share.shards.value_or(found.value_or(manifest.head().shards));
   if (!found || *found == wanted) return wanted;
   throw InputError(fmt::format("holds shards of a division into {}, not into {}", *found, wanted), flags.folder,
@@ -132,7 +133,8 @@ std::size_t division(const RunFlags& flags, const Share& share, const Manifest& 
 }
 
 int run(const RunFlags& flags) {
-  const Share share = flags.shard.empty() ? share_of_engine() : typed_share(flags.shard);
+  const ShardSelection share =
+      flags.shard.empty() ? shard_selection_of_scheduler() : parse_shard_selection(flags.shard);
   const Manifest manifest(flags.manifest);
   RowOptions options = row_options(manifest, flags.trust_input);
   const std::string folder = results_folder(flags.folder);
@@ -141,7 +143,7 @@ int run(const RunFlags& flags) {
   // Records are named, in messages too, as they are from the manifest's folder.
   if (const fs::path parent = fs::path(flags.manifest).parent_path(); !parent.empty()) fs::current_path(parent);
   // Before there are threads, and from the folder that the records are read from.
-  if (options.read.read.confined) options.nursery = measurement_nursery(options.read);
+  if (options.read.read.sandboxed) options.fork_server = measurement_fork_server(options.read);
   std::atomic<std::size_t> done{0};
   std::size_t total = 0;
   for (const std::size_t i : wanted) total += manifest.shard(i, shards).size();

@@ -44,7 +44,7 @@ void require_size(const SlurmJob& job) {
                    "MaxArraySize", fmt::format("plan at most {} shards", largest + 1));
 }
 
-int hand_over(const SlurmJob& job) {
+int give_to_host(const SlurmJob& job) {
   require_size(job);
   fs::create_directories(job.folder);  // Slurm makes the logs, not the folder
   std::cout << std::flush;             // sbatch prints the job's number
@@ -73,7 +73,7 @@ int submit(const SubmitFlags& flags) {
                      .tasks = found.missing,
                      .threads = flags.threads,
                      .directives = flags.directives};
-  if (flags.go) return hand_over(job);
+  if (flags.go) return give_to_host(job);
   std::cout << slurm_script(job);
   return kOk;
 }

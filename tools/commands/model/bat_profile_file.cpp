@@ -9,7 +9,7 @@
 namespace percuss::tools {
 namespace {
 
-constexpr std::size_t kMostSlices = 1000;
+constexpr std::size_t kMaxSlices = 1000;
 constexpr double kLongest_m = 10, kThickest_m = 1;
 constexpr double kThinnest_m = 1e-4;
 constexpr const char* kProfileForm =
@@ -32,8 +32,8 @@ BatProfile read_bat_profile(const std::string& path, const std::string& units) {
   const double diameter_to_m = metres_of(colon == std::string::npos ? "" : units.substr(colon + 1), units);
   BatProfile profile;
   double last_m = 0;
-  for (const NumberRow& row :
-       read_number_rows(path, {.columns = 2, .most_rows = kMostSlices, .remedy = kProfileForm})) {
+  for (const NumberTableRow& row :
+       read_number_table(path, {.columns = 2, .max_rows = kMaxSlices, .remedy = kProfileForm})) {
     const double end_m = row.values[0] * end_to_m, diameter_m = row.values[1] * diameter_to_m;
     const auto refuse = [&](const std::string& problem) { return InputError(problem, row.place, kProfileForm); };
     if (!(end_m > last_m)) throw refuse("the slice ends where the one before does, or earlier");

@@ -20,7 +20,7 @@ void use_layers(const BeamFlags& flags, UniformBeam& beam) {
   layers.reserve(flags.layers.size());
   std::size_t weighed = 0;
   for (const std::string& text : flags.layers) {
-    const std::vector<double> number = colon_numbers("--layer", text, 3, 4, kLayerForm);
+    const std::vector<double> number = parse_colon_list("--layer", text, 3, 4, kLayerForm);
     layers.push_back({.young_Pa = number[0], .width_m = number[1], .height_m = number[2]});
     if (number.size() == 4) layers.back().density_kgpm3 = number[3], ++weighed;
   }
@@ -37,8 +37,8 @@ void use_layers(const BeamFlags& flags, UniformBeam& beam) {
 
 }  // namespace
 
-std::vector<double> colon_numbers(const std::string& option, const std::string& text, std::size_t least,
-                                  std::size_t most, const char* remedy) {
+std::vector<double> parse_colon_list(const std::string& option, const std::string& text, std::size_t least,
+                                     std::size_t most, const char* remedy) {
   const auto refuse = [&](const char* problem) {
     return UsageError(option + " " + one_line(text, 80) + ": " + problem, remedy);
   };

@@ -23,7 +23,7 @@ UniformBeam beam_of(const BeamFlags& flags);
 
 /// "1200:0.5:3e-3": least to most finite numbers above zero, with colons between. UsageError names option and text, and
 /// ends in `remedy`.
-std::vector<double> colon_numbers(const std::string& option, const std::string& text, std::size_t least,
-                                  std::size_t most, const char* remedy);
+std::vector<double> parse_colon_list(const std::string& option, const std::string& text, std::size_t least,
+                                     std::size_t most, const char* remedy);
 
 }  // namespace percuss::tools

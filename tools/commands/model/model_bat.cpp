@@ -11,7 +11,7 @@ namespace percuss::tools {
 namespace {
 
 constexpr std::size_t kBatSteps = 60;
-constexpr std::size_t kMostBatModes = 200;
+constexpr std::size_t kMaxBatModes = 200;
 constexpr double kLongestWave_s = 0.1;
 
 struct BatFlags {
@@ -33,13 +33,13 @@ std::vector<double> places(const BatFlags& flags, double length_m) {
   return range.values();
 }
 
-std::optional<BatWaveWanted> wave_of(const BatFlags& flags, double length_m) {
+std::optional<BatWaveRequest> wave_of(const BatFlags& flags, double length_m) {
   if (!flags.wave_m) return {};
   if (!(*flags.wave_m <= length_m)) throw UsageError("--wave is not on the bat", "give a position from the knob in m");
   const Range times = parse_range("--wave-times", flags.wave_times);
   if (times.low < 0 || times.high() > kLongestWave_s)
     throw UsageError("--wave-times go beyond 0 to 0.1 s", "give LO:STEP:HI in s, as 0:0.0002:0.002");
-  return BatWaveWanted{.z_m = *flags.wave_m, .time_s = times.values()};
+  return BatWaveRequest{.z_m = *flags.wave_m, .time_s = times.values()};
 }
 
 int model_bat(const BatFlags& flags) {
@@ -107,7 +107,7 @@ void add_model_bat(CommandLine& line) {
       .show_default();
   add_ball(command, flags->collision);
   command.value("--modes", flags->modes, "Bending modes that take part")
-      .within(1, kMostBatModes)
+      .within(1, kMaxBatModes)
       .type("N")
       .show_default();
   command.value("--at", flags->at, "Positions of the impact from the knob, in m (default: 61 over the length)")

@@ -11,7 +11,7 @@
 namespace percuss::tools {
 namespace {
 
-constexpr std::size_t kMostBeamModes = 200;
+constexpr std::size_t kMaxBeamModes = 200;
 constexpr const char* kStaticForm = "give LOAD:LEVER:DEFLECTION, in N, m from the spring and m";
 
 struct ModelBeamFlags {
@@ -55,7 +55,7 @@ void check_fit(const ModelBeamFlags& flags, BeamSupport support, const std::vect
     throw UsageError("--fit torsion: a beam with --support " + flags.beam.support + " has no spring",
                      "fit ei or rho-a");
   }
-  if (asked.size() > most_beam_parameters(support)) {
+  if (asked.size() > max_beam_parameters(support)) {
     throw UsageError(spring ? "--fit: frequencies tell EI/ρA and T·L/EI only, not all three"
                             : "--fit: without a spring frequencies tell EI/ρA only, not both",
                      "leave one out and give its value (--ei, --rho-a or --torsion)");
@@ -76,7 +76,7 @@ std::vector<MeasuredFrequency> measured_frequencies(const ModelBeamFlags& flags,
   measured.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t mode = flags.measured_modes.empty() ? rigid + i : flags.measured_modes[i];
-    if (mode < rigid || mode >= kMostBeamModes)
+    if (mode < rigid || mode >= kMaxBeamModes)
       throw UsageError("--measured-modes: a rigid-body mode, or not below 200", "use the numbers of the table");
     if (i > 0 && !(flags.measured_Hz[i] > flags.measured_Hz[i - 1] && mode > measured.back().mode))
       throw UsageError("--measured: frequencies and their modes must rise", "sort them");
@@ -94,7 +94,7 @@ TorsionFit static_torsion(const ModelBeamFlags& flags, const UniformBeam& beam) 
   std::vector<StaticReading> readings;
   readings.reserve(flags.readings.size());
   for (const std::string& text : flags.readings) {
-    const std::vector<double> number = colon_numbers("--static", text, 3, 3, kStaticForm);
+    const std::vector<double> number = parse_colon_list("--static", text, 3, 3, kStaticForm);
     if (number[1] > beam.length_m)
       throw UsageError("--static " + one_line(text, 80) + ": the lever is longer than the beam", kStaticForm);
     readings.push_back({.load_N = number[0], .lever_m = number[1], .deflection_m = number[2]});
@@ -141,7 +141,7 @@ void add_model_beam(CommandLine& line) {
                   "A section of two layers, drawn on a page");
   add_beam_flags(command, flags->beam);
   command.value("--modes", flags->modes, "Modes to list, rigid-body modes (0 Hz) included")
-      .within(1, kMostBeamModes)
+      .within(1, kMaxBeamModes)
       .type("N")
       .show_default();
   command.value("--gyration", flags->gyration_m, "Radius of gyration √(I/A): with rotary inertia (Timoshenko)")

@@ -12,8 +12,8 @@
 namespace percuss::tools {
 namespace {
 
-constexpr std::size_t kMostImpactModes = 100;
-constexpr std::size_t kMostSwept = 10000;
+constexpr std::size_t kMaxImpactModes = 100;
+constexpr std::size_t kMaxSwept = 10000;
 constexpr double kShortestStep = 1e-6, kLongestStep = 0.1;  // of the contact with a wall
 constexpr const char* kSweepForm = "give NAME=LO:STEP:HI with one of ei, torsion, rho-a, at, speed";
 
@@ -28,7 +28,7 @@ struct ModelImpactFlags {
   OutputFlags output;
 };
 
-void check_place(const std::string& option, double at_m, const UniformBeam& beam) {
+void check_impact_position(const std::string& option, double at_m, const UniformBeam& beam) {
   if (!(at_m >= 0 && at_m <= beam.length_m))
     throw UsageError(option + ": the ball would miss the beam", "strike from 0 to --length");
 }
@@ -48,7 +48,7 @@ ImpactSweep parse_sweep(const std::string& text, const Impact& impact) {
     throw UsageError("--sweep " + one_line(text, 80) + ": the values must be above zero", kSweepForm);
   sweep.values = range.values();
   if (sweep.parameter == "at") {
-    for (const double at_m : sweep.values) check_place("--sweep at", at_m, impact.beam);
+    for (const double at_m : sweep.values) check_impact_position("--sweep at", at_m, impact.beam);
   }
   return sweep;
 }
@@ -82,7 +82,7 @@ int model_impact(const ModelImpactFlags& flags) {
   check_report_outputs(flags.output);
   Impact impact = flags.impact;
   impact.beam = beam_of(flags.beam);
-  check_place("--at", impact.at_m, impact.beam);
+  check_impact_position("--at", impact.at_m, impact.beam);
   impact.hysteresis_spm = hysteresis_for_spm(flags.contact_cor, impact.speed_mps);
   std::vector<ImpactSweep> sweeps;
   sweeps.reserve(flags.sweeps.size());
@@ -91,7 +91,7 @@ int model_impact(const ModelImpactFlags& flags) {
     sweeps.push_back(parse_sweep(text, impact));
     swept += sweeps.back().values.size();
   }
-  if (swept > kMostSwept) throw UsageError("--sweep: more than 10000 values in all", "take fewer");
+  if (swept > kMaxSwept) throw UsageError("--sweep: more than 10000 values in all", "take fewer");
   const ImpactOptions options = impact_options(flags, impact);
   const ImpactResult result = simulate_impact(impact, options);
   for (ImpactSweep& sweep : sweeps) run_sweep(impact, options, flags.threads, sweep);
@@ -127,7 +127,7 @@ void add_model_impact(CommandLine& line) {
       .within(0.01, 1)
       .show_default();
   command.value("--modes", impact.modes, "Modes of the beam, rigid-body modes included")
-      .within(1, kMostImpactModes)
+      .within(1, kMaxImpactModes)
       .type("N")
       .show_default();
   command.value("--method", flags->method, "modal: exact between pushes; small-increment: as the source computes")

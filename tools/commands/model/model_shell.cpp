@@ -10,7 +10,7 @@
 namespace percuss::tools {
 namespace {
 
-constexpr std::size_t kMostPattern = 100;  // waves around, half-waves along
+constexpr std::size_t kMaxPattern = 100;  // waves around, half-waves along
 constexpr const char* kHoopForm = "give N:M:HZ:STD, as 2:1:1756:2,2:2:2624:3 (n waves around, m half-waves along)";
 
 struct ShellFlags {
@@ -31,7 +31,7 @@ MeasuredHoop measured_hoop(const std::string& text) {
     values.push_back(number.value);
     from = to + 1;
   }
-  const auto is_count = [](double x, double least) { return x >= least && x <= kMostPattern && x == std::floor(x); };
+  const auto is_count = [](double x, double least) { return x >= least && x <= kMaxPattern && x == std::floor(x); };
   if (values.size() != 4 || !is_count(values[0], 2) || !is_count(values[1], 1)) throw refuse();
   if (!(values[2] > 0 && values[3] > 0)) throw refuse();
   return {.n = static_cast<std::size_t>(values[0]),
@@ -82,9 +82,9 @@ void add_model_shell(CommandLine& line) {
   command.value("--young", s.young_Pa, "Young's modulus of the wall").above_zero().type("PA").show_default();
   command.value("--density", s.density_kgpm3, "Density of the wall").above_zero().type("KG/M3").show_default();
   command.value("--poisson", s.poisson, "Poisson's ratio").within(0, 0.499).show_default();
-  command.value("--n", flags->n, "Waves around the tube, n").within(2, kMostPattern).type("N").show_default();
+  command.value("--n", flags->n, "Waves around the tube, n").within(2, kMaxPattern).type("N").show_default();
   command.value("--modes", flags->modes, "Half-waves along the tube, m: from 1 to this")
-      .within(1, kMostPattern)
+      .within(1, kMaxPattern)
       .type("N")
       .show_default();
   command

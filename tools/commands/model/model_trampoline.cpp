@@ -70,9 +70,10 @@ MeasuredCor measured_cor(const std::string& text) {
 std::vector<MeasuredCor> measured_of(const std::vector<std::string>& words) {
   std::vector<MeasuredCor> all;
   if (words.size() == 1 && words[0].find(':') == std::string::npos) {
-    const auto rows = read_number_rows(words[0], {.columns = 3, .remedy = "a line is speed in m/s, COR and deviation"});
+    const auto rows =
+        read_number_table(words[0], {.columns = 3, .remedy = "a line is speed in m/s, COR and deviation"});
     all.reserve(rows.size());
-    for (const NumberRow& row : rows) all.push_back(measured_cor(row.values, row.place));
+    for (const NumberTableRow& row : rows) all.push_back(measured_cor(row.values, row.place));
     return all;
   }
   all.reserve(words.size());

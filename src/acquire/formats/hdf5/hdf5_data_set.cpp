@@ -16,7 +16,7 @@ namespace {
 constexpr std::uint64_t kClaimPerFileByte = 64, kClaimSpare = std::uint64_t{64} << 20;
 constexpr std::size_t kDefaultCacheBytes = std::size_t{1} << 20, kLargestCacheBytes = std::size_t{64} << 20;
 constexpr std::uint64_t kChunksCounted = 200'000;  // counting walks their index
-constexpr int kMostDimensions = 3;
+constexpr int kMaxDimensions = 3;
 const char* const kWriteAnew = "copy the file again or write it anew";
 
 herr_t refuse_other_file(const char* /*file*/, const char* /*group*/, const char* /*target_file*/,
@@ -74,8 +74,8 @@ std::optional<std::array<std::string, 2>> complex_members(hid_t type) {
 }
 
 std::uint64_t times(std::uint64_t a, std::uint64_t b) {
-  constexpr auto kMost = std::numeric_limits<std::uint64_t>::max();
-  return b != 0 && a > kMost / b ? kMost : a * b;
+  constexpr auto kMax = std::numeric_limits<std::uint64_t>::max();
+  return b != 0 && a > kMax / b ? kMax : a * b;
 }
 
 void check_filters(hid_t creation, const std::string& where) {
@@ -126,10 +126,10 @@ void InputDataSet::read_shape() {
   const Handle space(H5Dget_space(set_.get()));
   const int dimensions = space ? H5Sget_simple_extent_ndims(space.get()) : -1;
   if (dimensions < 0) damaged();
-  if (dimensions > kMostDimensions) {
+  if (dimensions > kMaxDimensions) {
     throw InputError("has " + std::to_string(dimensions) + " dimensions", where_, "store three or fewer");
   }
-  std::array<hsize_t, kMostDimensions> extent{};
+  std::array<hsize_t, kMaxDimensions> extent{};
   H5Sget_simple_extent_dims(space.get(), extent.data(), nullptr);
   shape_.assign(extent.begin(), extent.begin() + dimensions);
   const Handle type(H5Dget_type(set_.get()));
@@ -166,8 +166,8 @@ void InputDataSet::check_storage(const InputHdf5& file, const std::string& name)
 void InputDataSet::check_chunks(const InputHdf5& file, const std::string& name, hid_t creation,
                                 std::uint64_t claim_limit) {
   check_filters(creation, where_);
-  std::array<hsize_t, kMostDimensions> chunk{};
-  if (H5Pget_chunk(creation, kMostDimensions, chunk.data()) != static_cast<int>(shape_.size())) damaged();
+  std::array<hsize_t, kMaxDimensions> chunk{};
+  if (H5Pget_chunk(creation, kMaxDimensions, chunk.data()) != static_cast<int>(shape_.size())) damaged();
   std::uint64_t chunk_bytes = element_bytes_, expected = 1;
   for (std::size_t d = 0; d < shape_.size(); ++d) {
     if (chunk[d] == 0) damaged();
@@ -189,12 +189,12 @@ void InputDataSet::check_chunks(const InputHdf5& file, const std::string& name, 
   if (!set_) damaged();
 }
 
-std::optional<InputDataSet::Plain> InputDataSet::plain() const {
+std::optional<InputDataSet::ContiguousStorage> InputDataSet::contiguous() const {
   const Handle creation(H5Dget_create_plist(set_.get())), type(H5Dget_type(set_.get()));
   if (!creation || !type || H5Pget_layout(creation.get()) != H5D_CONTIGUOUS) return std::nullopt;
   const bool known = H5Tequal(type.get(), H5T_IEEE_F64LE) > 0 || H5Tequal(type.get(), H5T_IEEE_F32LE) > 0;
   const haddr_t offset = H5Dget_offset(set_.get());
-  return known && offset != HADDR_UNDEF ? std::optional(Plain{offset, element_bytes_}) : std::nullopt;
+  return known && offset != HADDR_UNDEF ? std::optional(ContiguousStorage{offset, element_bytes_}) : std::nullopt;
 }
 
 void InputDataSet::read(std::span<const std::size_t> at, std::size_t first, std::span<double> out) const {
@@ -214,7 +214,7 @@ void InputDataSet::read(std::span<const std::size_t> at, std::size_t first, std:
 void InputDataSet::read_as(hid_t memory_type, std::span<const std::size_t> at, std::size_t first,
                            std::size_t count_last, void* out) const {
   assert(at.size() + 1 == shape_.size());
-  std::array<hsize_t, kMostDimensions> start{}, count{};
+  std::array<hsize_t, kMaxDimensions> start{}, count{};
   for (std::size_t d = 0; d < at.size(); ++d) {
     start[d] = at[d];
     count[d] = 1;

@@ -22,12 +22,12 @@ thread_local int depth = 0;
 
 }  // namespace
 
-Rest::Rest() {
+ExclusiveAccess::ExclusiveAccess() {
   if (depth == 0) library_mutex().lock();
   ++depth;
 }
 
-Rest::~Rest() {
+ExclusiveAccess::~ExclusiveAccess() {
   if (--depth == 0) library_mutex().unlock();
 }
 

@@ -8,12 +8,12 @@ using Id = std::int64_t;
 
 /// While it is held no other thread is within the library. One thread may hold several, and a process that is forked
 /// under one holds it too.
-class Rest {
+class ExclusiveAccess {
  public:
-  Rest();
-  ~Rest();
-  Rest(const Rest&) = delete;
-  Rest& operator=(const Rest&) = delete;
+  ExclusiveAccess();
+  ~ExclusiveAccess();
+  ExclusiveAccess(const ExclusiveAccess&) = delete;
+  ExclusiveAccess& operator=(const ExclusiveAccess&) = delete;
 };
 
 /// Held around all use of the library, closing included: it may not be used from several threads at once. Also sees to
@@ -23,7 +23,7 @@ class Lock {
   Lock();
 
  private:
-  Rest rest_;
+  ExclusiveAccess access_;
 };
 
 /// Readies the library now, which takes it a millisecond: before processes are forked, each of which would need it.

@@ -55,10 +55,10 @@ class InputDataSet {
 
   /// Where the numbers lie, one after the other in C order, when they do and are IEEE floats with the lowest byte
   /// first.
-  struct Plain {
+  struct ContiguousStorage {
     std::uint64_t offset_bytes, number_bytes;
   };
-  std::optional<Plain> plain() const;
+  std::optional<ContiguousStorage> contiguous() const;
 
   /// Elements first … first + out.size() − 1 along the last dimension, at index `at` of the others. InputError when
   /// they cannot be decoded.

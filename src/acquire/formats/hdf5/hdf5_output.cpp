@@ -24,11 +24,11 @@ Handle file_type(Stored type) {
 }  // namespace
 
 OutputHdf5::OutputHdf5(const std::string& path, bool force)
-    : path_(path), aside_(path, force, AtomicFile::Aside::named) {
+    : path_(path), atomic_file_(path, force, AtomicFile::Temporary::named) {
   const Lock lock;
   const Handle access(H5Pcreate(H5P_FILE_ACCESS));
   H5Pset_file_locking(access.get(), false, true);  // as for reading; nobody else knows this file yet
-  file_ = Handle(H5Fcreate(aside_.unfinished_path().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()));
+  file_ = Handle(H5Fcreate(atomic_file_.temporary_path().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()));
   check(static_cast<bool>(file_));
 }
 
@@ -125,7 +125,7 @@ void OutputHdf5::commit() {
     close_sets();
     check(file_.close() && flushed);
   }
-  aside_.commit();
+  atomic_file_.commit();
 }
 
 hid_t OutputHdf5::object(const std::string& set) const { return set.empty() ? file_.get() : sets_.at(set).get(); }

@@ -47,7 +47,7 @@ class OutputHdf5 {
   void check(bool done) const;
 
   std::string path_;
-  AtomicFile aside_;
+  AtomicFile atomic_file_;
   Handle file_;
   std::map<std::string, Handle> sets_;
 };

@@ -10,7 +10,7 @@
 namespace percuss::hdf5 {
 namespace {
 
-constexpr std::size_t kMostPoints = 1'000'000, kMostLines = 10'000'000;
+constexpr std::size_t kMaxPoints = 1'000'000, kMaxLines = 10'000'000;
 
 }  // namespace
 
@@ -37,7 +37,7 @@ std::vector<std::vector<double>> read_geometry(const InputHdf5& file) {
   if (!file.has("geometry")) return {};
   const InputDataSet set(file, "geometry");
   const auto& shape = set.shape();
-  if (shape.size() != 2 || (shape[1] != 2 && shape[1] != 3) || shape[0] > kMostPoints) {
+  if (shape.size() != 2 || (shape[1] != 2 && shape[1] != 3) || shape[0] > kMaxPoints) {
     throw InputError("shape " + shape_text(shape), file.where("geometry"), "store [points, 2 or 3]");
   }
   const std::vector<double> values = set.read_all();
@@ -54,7 +54,7 @@ std::vector<std::vector<double>> read_geometry(const InputHdf5& file) {
 std::vector<TraceLine> read_trace_lines(const InputHdf5& file, std::size_t points) {
   if (!file.has("trace_lines")) return {};
   const InputDataSet set(file, "trace_lines");
-  if (set.shape().size() != 2 || set.shape()[1] != 2 || set.shape()[0] > kMostLines) {
+  if (set.shape().size() != 2 || set.shape()[1] != 2 || set.shape()[0] > kMaxLines) {
     throw InputError("shape " + shape_text(set.shape()), file.where("trace_lines"), "store [lines, 2]");
   }
   return trace_lines_of(set.read_all(), points, file.where("trace_lines"));

@@ -25,7 +25,7 @@ namespace {
 using hdf5::InputDataSet;
 using hdf5::InputHdf5;
 
-constexpr std::size_t kMostChannels = 100'000;
+constexpr std::size_t kMaxChannels = 100'000;
 constexpr std::size_t kNamesShown = 12, kNameBytesShown = 40;
 constexpr std::array kKnownNames{"force", "accel", "point", "run", "geometry", "trace_lines"};
 
@@ -76,7 +76,7 @@ double read_rate_Hz(const OpenRecord& open, const ReadOptions& options) {
 std::vector<std::optional<double>> per_channel(const OpenRecord& open, const std::string& name) {
   std::vector<std::optional<double>> out(open.layout.channels);
   const std::string where = open.file.where("accel");
-  const auto values = hdf5::number_attribute(open.accel.id(), name, where, kMostChannels);
+  const auto values = hdf5::number_attribute(open.accel.id(), name, where, kMaxChannels);
   if (!values) return out;
   if (values->size() != out.size()) {
     throw InputError("attribute " + name + " holds " + std::to_string(values->size()) + " numbers for " +
@@ -97,8 +97,8 @@ void describe_signals(OpenRecord& open, const ReadOptions& options, Record& reco
   if (open.force) {
     record.force.name = "force";
     record.force.unit = hdf5::text_attribute(open.force->id(), "unit_str", file.where("force")).value_or("");
-    apply_force_choice(record.force, force_choice(options, hdf5::force_setup(options)), file.where("force"),
-                       record.notes);
+    apply_force_overrides(record.force, force_overrides(options, hdf5::force_setup(options)), file.where("force"),
+                          record.notes);
     open.force_to_N = record.force.to_SI;
   }
 
@@ -110,8 +110,8 @@ void describe_signals(OpenRecord& open, const ReadOptions& options, Record& reco
     SignalInfo signal{.name = hdf5::channel_name(c), .unit = unit, .position_m = position_m[c]};
     if (angle_deg[c]) signal.angle_rad = *angle_deg[c] * kDegree_rad;
     const ChannelSetup* const setup = hdf5::accel_setup(options, c, open.layout.channels);
-    apply_choice(signal, accel_choice(options, setup, i, open.channels.size()), Quantity::acceleration,
-                 file.where("accel") + ", " + signal.name);
+    apply_overrides(signal, accel_overrides(options, setup, i, open.channels.size()), Quantity::acceleration,
+                    file.where("accel") + ", " + signal.name);
     open.to_mps2.push_back(signal.to_SI);
     record.accel.push_back(std::move(signal));
   }
@@ -142,7 +142,7 @@ void to_SI(std::span<double> samples, double factor, const std::string& where, s
            std::size_t first) {
   for (double& sample : samples) {
     sample *= factor;
-    if (std::abs(sample) <= kLargestSample) continue;
+    if (std::abs(sample) <= kMaxSample) continue;
     std::vector<std::size_t> index(at.begin(), at.end());
     index.push_back(first + static_cast<std::size_t>(&sample - samples.data()));
     const char* is = std::isfinite(sample) ? "sample is too large" : "sample is not a finite number";
@@ -176,16 +176,16 @@ void read_accel(const OpenRecord& open, std::size_t row, std::size_t channel, st
 }
 
 // Nothing where any signal does not lie plainly in the file.
-std::vector<PlainSignal> plain_signals(const OpenRecord& open) {
-  const auto accel = open.accel.plain();
-  const auto force = open.force ? open.force->plain() : accel;
+std::vector<ContiguousSignal> contiguous_signals(const OpenRecord& open) {
+  const auto accel = open.accel.contiguous();
+  const auto force = open.force ? open.force->contiguous() : accel;
   if (!accel || !force) return {};
   const std::uint64_t samples = open.layout.samples;
   const std::uint64_t channel_bytes = samples * accel->number_bytes;
-  std::vector<PlainSignal> out{{.offset_bytes = force->offset_bytes,
-                                .row_step_bytes = samples * force->number_bytes,
-                                .number_bytes = force->number_bytes,
-                                .to_SI = open.force_to_N}};
+  std::vector<ContiguousSignal> out{{.offset_bytes = force->offset_bytes,
+                                     .row_step_bytes = samples * force->number_bytes,
+                                     .number_bytes = force->number_bytes,
+                                     .to_SI = open.force_to_N}};
   for (std::size_t i = 0; i < open.channels.size(); ++i) {
     out.push_back({.offset_bytes = accel->offset_bytes + open.channels[i] * channel_bytes,
                    .row_step_bytes = open.layout.channels * channel_bytes,
@@ -219,7 +219,7 @@ Record open_hdf5(const std::string& path, const ReadOptions& options) {
   record.geometry = hdf5::read_geometry(opened->file);
   record.trace_lines = hdf5::read_trace_lines(opened->file, record.geometry.size());
   note_unused(opened->file, record);
-  record.plain = plain_signals(*opened);
+  record.contiguous = contiguous_signals(*opened);
   // Closing is a use of the library as well.
   const std::shared_ptr<const OpenRecord> open(opened.release(), [](const OpenRecord* last) {
     const hdf5::Lock closing;

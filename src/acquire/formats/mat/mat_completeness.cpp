@@ -17,7 +17,7 @@ constexpr std::uint64_t kHeader5_bytes = 128, kVersion5_at = 124;
 constexpr std::uint32_t kMatrix5 = 14, kCompressed5 = 15;
 constexpr std::uint32_t kOtherOrder = 0x494DU;  // the letters IM, read the other way round
 constexpr std::size_t kTag5 = 2, kTag4 = 5;
-constexpr std::size_t kMostVariables4 = 100'000;  // more are refused elsewhere
+constexpr std::size_t kMaxVariables4 = 100'000;  // more are refused elsewhere
 // By the tens of a level 4 type: double, single, int32, int16, uint16, uint8.
 constexpr std::array<std::uint64_t, 6> kBytes4{8, 4, 4, 2, 2, 1};
 
@@ -44,7 +44,7 @@ class Walk {
   // Five numbers before every variable: type, rows, columns, whether complex, bytes of its name.
   void level4() const {
     std::size_t variables = 0;
-    for (std::uint64_t at = 0; holds_tag(at, kTag4) && variables < kMostVariables4; ++variables) {
+    for (std::uint64_t at = 0; holds_tag(at, kTag4) && variables < kMaxVariables4; ++variables) {
       std::array<std::uint32_t, kTag4> tag = words<kTag4>(at, false);
       if (tag[0] >= 0x1000000U || tag[4] >= 0x1000000U) tag = words<kTag4>(at, true);
       const std::uint64_t kind = tag[0] % 100 / 10, parts = tag[3] == 1 ? 2 : 1;
@@ -81,7 +81,7 @@ class Walk {
 
 }  // namespace
 
-void require_whole_mat(const std::string& path, MatLevel level) {
+void require_complete_mat(const std::string& path, MatLevel level) {
   const Walk walk(path);
   if (level == MatLevel::v5) walk.level5();
   if (level == MatLevel::v4) walk.level4();

@@ -17,8 +17,8 @@ namespace percuss {
 namespace {
 
 constexpr std::uint64_t kUnpackedTimes = 64, kUnpackedMore_bytes = std::uint64_t{64} << 20U;
-constexpr std::size_t kMostVariables = 10'000, kDeepest = 8, kMostElements = 4096;
-constexpr std::size_t kMostMatDimensions = 8, kNameShown = 63;
+constexpr std::size_t kMaxVariables = 10'000, kMaxDepth = 8, kMaxElements = 4096;
+constexpr std::size_t kMaxMatDimensions = 8, kNameShown = 63;
 
 void ignore_log(int, char*) {}
 
@@ -72,7 +72,7 @@ class Flattener {
   // Before any number is read: what the headers claim.
   void claim(const matvar_t* variable, std::size_t depth = 0) {
     if (variable == nullptr || variable->dims == nullptr) return;
-    if (depth > kDeepest) refuse("structures within structures more than 8 deep");
+    if (depth > kMaxDepth) refuse("structures within structures more than 8 deep");
     const std::uint64_t count = elements(variable);
     if (variable->class_type == MAT_C_STRUCT || variable->class_type == MAT_C_CELL) {
       const std::uint64_t fields =
@@ -87,7 +87,7 @@ class Flattener {
 
   void add(const std::string& name, const matvar_t* variable) {
     if (variable == nullptr || variable->dims == nullptr) return;
-    if (out_.variables.size() >= kMostVariables) refuse("more than 10000 variables");
+    if (out_.variables.size() >= kMaxVariables) refuse("more than 10000 variables");
     if (is_number_class(variable->class_type)) return add_numbers(name, variable);
     if (variable->class_type == MAT_C_CHAR) return add_text(name, variable);
     if (variable->class_type == MAT_C_STRUCT) return add_structure(name, variable);
@@ -134,7 +134,7 @@ class Flattener {
   }
 
   void add_numbers(const std::string& name, const matvar_t* variable) {
-    if (variable->rank < 1 || static_cast<std::size_t>(variable->rank) > kMostMatDimensions) return;
+    if (variable->rank < 1 || static_cast<std::size_t>(variable->rank) > kMaxMatDimensions) return;
     MatVariable out = described(name, variable);
     const std::uint64_t count = elements(variable);
     const std::uint64_t stored =
@@ -182,7 +182,7 @@ class Flattener {
   // The same thing of several elements: one matrix where they are vectors of one length.
   void add_elements(const std::string& name, const std::vector<const matvar_t*>& elements_of, char open, char close) {
     if (elements_of.size() == 1) return add(name, elements_of.front());
-    if (elements_of.size() > kMostElements) refuse("more than 4096 elements in " + one_line(name, kNameShown));
+    if (elements_of.size() > kMaxElements) refuse("more than 4096 elements in " + one_line(name, kNameShown));
     MatFile parts{.path = out_.path};
     Flattener within(parts, UINT64_MAX);
     bool alike = true;
@@ -203,7 +203,7 @@ class Flattener {
       for (MatVariable& part : parts.variables) out_.variables.push_back(std::move(part));
     }
     out_.notes.insert(out_.notes.end(), parts.notes.begin(), parts.notes.end());
-    if (out_.variables.size() > kMostVariables) refuse("more than 10000 variables");
+    if (out_.variables.size() > kMaxVariables) refuse("more than 10000 variables");
   }
 
   MatFile& out_;
@@ -223,8 +223,8 @@ MatFile read_mat_file(const std::string& path) {
   Mat_LogInitFunc("percuss", ignore_log);
   const std::unique_ptr<mat_t, CloseMat> file(Mat_Open(path.c_str(), MAT_ACC_RDONLY));
   if (!file) throw InputError("the MAT file cannot be read", path, "is it damaged? Save it again");
-  if (Mat_GetVersion(file.get()) == MAT_FT_MAT5) require_whole_mat(path, MatLevel::v5);
-  if (Mat_GetVersion(file.get()) == MAT_FT_MAT4) require_whole_mat(path, MatLevel::v4);
+  if (Mat_GetVersion(file.get()) == MAT_FT_MAT5) require_complete_mat(path, MatLevel::v5);
+  if (Mat_GetVersion(file.get()) == MAT_FT_MAT4) require_complete_mat(path, MatLevel::v4);
   Flattener flatten(out, kUnpackedTimes * out.bytes + kUnpackedMore_bytes);
   while (true) {
     const std::unique_ptr<matvar_t, FreeMat> variable(Mat_VarReadNextInfo(file.get()));

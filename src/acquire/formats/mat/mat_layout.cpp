@@ -67,8 +67,8 @@ std::vector<MatSignal> accel_layout(const MatVariable& variable, const MatLayout
     if (rows.size != force.rows) std::swap(rows, channels);
   }
   if (rows.size != force.rows) disagree();
-  constexpr std::size_t kMostMatChannels = 100'000;
-  if (channels.size > kMostMatChannels) disagree();
+  constexpr std::size_t kMaxMatChannels = 100'000;
+  if (channels.size > kMaxMatChannels) disagree();
   std::vector<MatSignal> out(channels.size);
   for (std::size_t c = 0; c < out.size(); ++c) out[c] = {c * channels.stride, rows.stride, samples.stride};
   return out;

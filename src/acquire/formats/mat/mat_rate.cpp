@@ -39,8 +39,8 @@ double rate_of_times_Hz(const MatFile& file, const MatVariable& variable) {
   // Times may have gone through single precision.
   const double resolution_s = 2 * largest * kSingleEpsilon;
   StampProblem problem;
-  const std::vector<Stamps> rows{{.time_s = variable.real, .resolution_s = resolution_s}};
-  const auto rate = rate_of_stamps(rows, problem);
+  const std::vector<TimeStamps> rows{{.time_s = variable.real, .resolution_s = resolution_s}};
+  const auto rate = rate_of_time_stamps(rows, problem);
   if (rate) return rate->fs_Hz;
   throw InputError(problem.text, fmt::format("{}, number {}", where, problem.at + 1), "give --fs in Hz");
 }

@@ -23,16 +23,16 @@ void check_rows(const std::string& path, const Record& record) {
 
 // Columns of a matrix [lanes, samples]: lane l's samples first … are got by read(l, first, out).
 template <class Read>
-void write_lanes(MatOutput& out, std::size_t lanes, std::size_t samples, Read&& read) {
-  const std::size_t at_once = std::max<std::size_t>(1, std::min(samples, kNumbersAtOnce / lanes));
-  std::vector<double> lane(at_once), turned(at_once * lanes);
+void write_interleaved(MatOutput& out, std::size_t series_count, std::size_t samples, Read&& read) {
+  const std::size_t at_once = std::max<std::size_t>(1, std::min(samples, kNumbersAtOnce / series_count));
+  std::vector<double> series(at_once), turned(at_once * series_count);
   for (std::size_t first = 0; first < samples; first += at_once) {
     const std::size_t count = std::min(at_once, samples - first);
-    for (std::size_t l = 0; l < lanes; ++l) {
-      read(l, first, std::span(lane).first(count));
-      for (std::size_t i = 0; i < count; ++i) turned[i * lanes + l] = lane[i];
+    for (std::size_t l = 0; l < series_count; ++l) {
+      read(l, first, std::span(series).first(count));
+      for (std::size_t i = 0; i < count; ++i) turned[i * series_count + l] = series[i];
     }
-    out.append(std::span<const double>(turned).first(count * lanes));
+    out.append(std::span<const double>(turned).first(count * series_count));
   }
 }
 
@@ -77,14 +77,14 @@ void write_mat(const std::string& path, const Record& record, bool force) {
   MatOutput out(path, force);
   out.number("fs", record.fs_Hz);
   out.begin("force", std::array{rows, samples});
-  write_lanes(out, rows, samples, [&](std::size_t row, std::size_t first, std::span<double> part) {
+  write_interleaved(out, rows, samples, [&](std::size_t row, std::size_t first, std::span<double> part) {
     record.read_force_N(row, first, part);
   });
   out.text("force_unit", "N");
   // A trailing dimension of 1 would be dropped: there is none, time is last.
   out.begin("accel", std::array{rows, channels, samples});
-  write_lanes(out, rows * channels, samples, [&](std::size_t lane, std::size_t first, std::span<double> part) {
-    record.read_accel_mps2(lane % rows, lane / rows, first, part);
+  write_interleaved(out, rows * channels, samples, [&](std::size_t series, std::size_t first, std::span<double> part) {
+    record.read_accel_mps2(series % rows, series / rows, first, part);
   });
   out.text("accel_unit", "m/s^2");
   write_place(out, record, "angle_deg", &SignalInfo::angle_rad, kRadian_deg);

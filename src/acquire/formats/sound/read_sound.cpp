@@ -14,7 +14,7 @@
 namespace percuss {
 namespace {
 
-bool scale_told(const ReadOptions& options) {
+bool apply_full_scale(const ReadOptions& options) {
   return !options.force_scale.empty() || !options.accel_scale.empty() || options.force_sensitivity_V_per_N ||
          !options.accel_sensitivity_V_per_mps2.empty() || !options.force_unit.empty() || !options.accel_unit.empty() ||
          !options.setup.empty();
@@ -29,7 +29,7 @@ void describe_uncalibrated(const SoundInput& sound, const ReadOptions& options, 
     // Once the hammer is named, what else was recorded are its sensors.
     if (!options.force_channel.empty()) table.signals.back().measures = Quantity::acceleration;
   }
-  if (!scale_told(options)) {
+  if (!apply_full_scale(options)) {
     table.notes.emplace_back(
         "stored numbers are parts of full scale: give N and m/s^2 at full scale with --force-scale and --accel-scale");
   }

@@ -57,7 +57,7 @@ struct SoundInput::Impl {
   std::string path;
   SF_INFO info{};
   SNDFILE* file = nullptr;
-  mutable std::mutex one_at_a_time;  // the library has one place in the file
+  mutable std::mutex mutex;  // the library has one place in the file
 
   [[noreturn]] void fail(const std::string& problem) const { throw InputError(problem, path, "export the file again"); }
 };
@@ -95,7 +95,7 @@ std::string SoundInput::format() const {
 }
 
 std::optional<std::string> SoundInput::chunk(std::string_view id) const {
-  const std::scoped_lock lock(impl_->one_at_a_time);
+  const std::scoped_lock lock(impl_->mutex);
   SF_CHUNK_INFO info = chunk_named(id);
   SF_CHUNK_ITERATOR* const at = sf_get_chunk_iterator(impl_->file, &info);
   if (at == nullptr || sf_get_chunk_size(at, &info) != SF_ERR_NO_ERROR) return std::nullopt;
@@ -110,7 +110,7 @@ std::optional<std::string> SoundInput::chunk(std::string_view id) const {
 void SoundInput::read(std::size_t channel, std::size_t first, std::span<double> out) const {
   const std::size_t channels = this->channels();
   std::vector<double> frames(std::min(out.size(), kFramesAtOnce) * channels);
-  const std::scoped_lock lock(impl_->one_at_a_time);
+  const std::scoped_lock lock(impl_->mutex);
   if (sf_seek(impl_->file, static_cast<sf_count_t>(first), SEEK_SET) < 0) impl_->fail("cut off");
   for (std::size_t done = 0; done < out.size();) {
     const std::size_t count = std::min(out.size() - done, kFramesAtOnce);
@@ -148,9 +148,9 @@ SoundOutput::SoundOutput(const std::string& path, bool force, SoundKind kind, st
     throw InputError(std::to_string(channels) + " channels, or their sampling rate, are more than such a file can hold",
                      path, "write it as HDF5");
   }
-  i.file = sf_open(i.target.unfinished_path().c_str(), SFM_WRITE, &info);
+  i.file = sf_open(i.target.temporary_path().c_str(), SFM_WRITE, &info);
   if (i.file == nullptr) i.fail();
-  sf_command(i.file, SFC_SET_ADD_PEAK_CHUNK, nullptr, SF_FALSE);  // it holds the time of day; see forget_time
+  sf_command(i.file, SFC_SET_ADD_PEAK_CHUNK, nullptr, SF_FALSE);  // it holds the time of day; see clear_time_stamp
   if (kind == SoundKind::w64) return;
   if (!cues.empty()) {
     // As SF_CUES, for any number: a count and the cues.
@@ -185,7 +185,7 @@ void SoundOutput::append(std::span<const double> values) {
 namespace {
 
 // The library writes the time of day into the chunk PEAK, which it cannot be told to leave out of RF64.
-void forget_time(const std::string& path) {
+void clear_time_stamp(const std::string& path) {
   constexpr std::size_t kFirstChunk = 12, kChunkHead = 8, kTime = 4, kLooked = std::size_t{1} << 16U;
   std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
   std::string head(kLooked, '\0');
@@ -212,7 +212,7 @@ void SoundOutput::commit() {
   const int closed = sf_close(impl_->file);  // writes the lengths
   impl_->file = nullptr;
   if (closed != 0) impl_->fail();
-  forget_time(impl_->target.unfinished_path());
+  clear_time_stamp(impl_->target.temporary_path());
   impl_->target.commit();
 }
 

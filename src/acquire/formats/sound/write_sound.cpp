@@ -40,7 +40,7 @@ std::vector<double> full_scales(const Record& record) {
     for (std::size_t s = 0; s < largest.size(); ++s) {
       const auto values = std::span(part).first(count);
       read_signal(record, row, s, first, values);
-      largest[s] = std::max(largest[s], extremes_of(values).furthest_from(0));
+      largest[s] = std::max(largest[s], extremes_of(values).max_distance_from(0));
     }
   });
   for (double& value : largest) value = value > 0 ? std::exp2(std::ceil(std::log2(value))) : 1;

@@ -7,7 +7,7 @@ namespace percuss {
 namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-constexpr std::size_t kMostColumns = 4096;
+constexpr std::size_t kMaxColumns = 4096;
 
 }  // namespace
 
@@ -25,7 +25,7 @@ CsvLayout layout_of_text(const FileBytes& bytes, CsvContent content) {
                      "save it with semicolons or tabs between the cells, or with decimal points");
   }
   layout.number_columns = find_number_columns(probes, layout.dialect);
-  if (!layout.number_columns.empty() && layout.number_columns.back() >= kMostColumns - 1)
+  if (!layout.number_columns.empty() && layout.number_columns.back() >= kMaxColumns - 1)
     throw InputError("more than 4095 columns", file, "save one line per sample");
   layout.header = read_csv_header(text, layout.dialect, layout.number_columns, file, content);
   layout.header.data_start += mark;

@@ -34,7 +34,7 @@ struct Change {
 };
 
 std::vector<Change> changes_of(const CsvTable& table, std::size_t index) {
-  constexpr std::size_t kMostRows = 1'000'000;
+  constexpr std::size_t kMaxRows = 1'000'000;
   std::vector<Change> changes;
   std::string_view last;
   table.for_each_cell(index, [&](std::size_t line, std::string_view cell) {
@@ -42,7 +42,7 @@ std::vector<Change> changes_of(const CsvTable& table, std::size_t index) {
     last = cell;
     const int value = whole_number(cell, table, line, index);
     if (!changes.empty() && changes.back().value == value) return;
-    if (changes.size() == kMostRows) {
+    if (changes.size() == kMaxRows) {
       throw InputError("more than a million hits", table.place(line, index), "sort the lines by hit, in order of time");
     }
     changes.push_back({line, value});
@@ -80,12 +80,12 @@ std::optional<StampedRate> stamped_rate(const CsvTable& table, const CsvColumn& 
       decimals[row] = std::max(decimals[row], decimals_of(cell, table.dialect().decimal_comma));
     }
   });
-  std::vector<Stamps> stamps;
+  std::vector<TimeStamps> stamps;
   for (std::size_t r = 0; r < rows.size(); ++r) {
     stamps.push_back(
         {std::span(time_s).subspan(rows[r].first_line, rows[r].info.samples), to_s * std::pow(10.0, -decimals[r])});
   }
-  auto rate = rate_of_stamps(stamps, problem);
+  auto rate = rate_of_time_stamps(stamps, problem);
   steps_of_one = rate && std::abs(rate->fs_Hz * to_s - 1) < 1e-9;
   return rate;
 }

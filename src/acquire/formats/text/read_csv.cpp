@@ -32,9 +32,9 @@ struct OpenCsv {
 SignalInfo describe_force(const CsvColumn& column, const ReadOptions& options, const std::string& file,
                           std::vector<std::string>& notes) {
   SignalInfo signal{.name = column.name, .unit = column.unit};
-  const SignalChoice choice = force_choice(options, setup_of(column, options));
+  const SignalOverrides choice = force_overrides(options, setup_of(column, options));
   const bool assumed = column.unit.empty() && choice.unit.empty() && !choice.scale && !choice.sensitivity_V_per_SI;
-  apply_force_choice(signal, choice, file + ": column " + column.name, notes);
+  apply_force_overrides(signal, choice, file + ": column " + column.name, notes);
   if (assumed) {
     signal.unit = "N";
     notes.push_back(fmt::format("the unit of {} is not stated; taken as N (--force-unit says otherwise)", column.name));
@@ -45,9 +45,9 @@ SignalInfo describe_force(const CsvColumn& column, const ReadOptions& options, c
 SignalInfo describe_accel(const CsvColumn& column, const ReadOptions& options, std::size_t index, std::size_t count,
                           const std::string& file, std::vector<std::string>& notes) {
   SignalInfo signal{.name = column.name, .unit = column.unit};
-  const SignalChoice choice = accel_choice(options, setup_of(column, options), index, count);
+  const SignalOverrides choice = accel_overrides(options, setup_of(column, options), index, count);
   const bool assumed = column.unit.empty() && choice.unit.empty() && !choice.scale && !choice.sensitivity_V_per_SI;
-  apply_choice(signal, choice, Quantity::acceleration, file + ": column " + column.name);
+  apply_overrides(signal, choice, Quantity::acceleration, file + ": column " + column.name);
   if (assumed) {
     signal.unit = "m/s^2";
     notes.push_back(fmt::format("the unit of {} is not stated; taken as m/s^2 (--unit says otherwise)", column.name));
@@ -87,7 +87,7 @@ void read_scaled(const OpenCsv& open, std::size_t row, std::size_t column, doubl
   open.table.read(column, line, out);
   for (std::size_t i = 0; i < out.size(); ++i) {
     out[i] *= to_SI;
-    if (!(std::abs(out[i]) <= kLargestSample)) {
+    if (!(std::abs(out[i]) <= kMaxSample)) {
       throw InputError("too large once scaled to SI", open.table.place(line + i, column),
                        "correct the number or the scale");
     }

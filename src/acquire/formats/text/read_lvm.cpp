@@ -20,7 +20,7 @@ namespace percuss {
 namespace {
 
 constexpr std::string_view kTitle = "LabVIEW Measurement", kEnd = "***End_of_Header***";
-constexpr std::size_t kMostLvmChannels = 4096;
+constexpr std::size_t kMaxLvmChannels = 4096;
 constexpr double kSameLvmStep = 1e-6;  // relative
 
 using LvmCells = std::vector<std::string_view>;
@@ -61,7 +61,7 @@ class LvmParser {
 
   LvmCells cells(std::string_view line) const {
     LvmCells out;
-    while (out.size() < 2 * kMostLvmChannels + 2) {
+    while (out.size() < 2 * kMaxLvmChannels + 2) {
       const auto end = std::min(line.find(separator_), line.size());
       out.push_back(line.substr(0, end));
       if (end == line.size()) break;
@@ -108,7 +108,7 @@ class LvmParser {
     const std::string channels_text = first(head, "Channels");
     if (channels_text.empty()) fail("a segment without the tag Channels");
     const double claimed = number(channels_text);
-    if (!(claimed >= 1) || claimed > kMostLvmChannels) fail("an unusable number of channels");
+    if (!(claimed >= 1) || claimed > kMaxLvmChannels) fail("an unusable number of channels");
     const auto channels = static_cast<std::size_t>(claimed);
     Segment out;
     const auto labels = cells(next_line());

@@ -12,7 +12,7 @@ bool is_lvm(std::string_view head);
 /// The record in a LabVIEW measurement file (.lvm): separators, units, steps and columns by the file's own tags. Every
 /// segment (a header of its own and its data) is a row.
 /// errors  InputError with file and line: tags missing or contradictory, a text where a number should be;
-/// UnclearColumns: nothing says which channel is the force.
+/// AmbiguousColumns: nothing says which channel is the force.
 Record open_lvm(const FileBytes& file, const ReadOptions& options = {});
 
 }  // namespace percuss

@@ -39,10 +39,10 @@ std::vector<std::string> names_of_row(const UffRow& row) {
   std::vector<std::string> names;
   std::set<std::string> seen;
   for (const UffFunction* function : row) {
-    std::string name = uff_place_name(function->response);
-    if (seen.contains(name)) name += " " + uff_place_name({"", function->response.node, function->response.direction});
+    std::string name = uff_dof_name(function->response);
+    if (seen.contains(name)) name += " " + uff_dof_name({"", function->response.node, function->response.direction});
     for (int again = 2; seen.contains(name); ++again)
-      name = uff_place_name(function->response) + fmt::format(" #{}", again);
+      name = uff_dof_name(function->response) + fmt::format(" #{}", again);
     seen.insert(name);
     names.push_back(std::move(name));
   }
@@ -50,9 +50,9 @@ std::vector<std::string> names_of_row(const UffRow& row) {
 }
 
 bool is_force_function(const UffFunction& function, const ReadOptions& options) {
-  if (!options.force_channel.empty()) return uff_place_name(function.response) == options.force_channel;
+  if (!options.force_channel.empty()) return uff_dof_name(function.response) == options.force_channel;
   for (const ChannelSetup& entry : options.setup) {
-    if (entry.role == "force" && entry.name == uff_place_name(function.response)) return true;
+    if (entry.role == "force" && entry.name == uff_dof_name(function.response)) return true;
   }
   return quantity_of_axis(function.ordinate) == Quantity::force;
 }
@@ -62,7 +62,7 @@ TableSignal signal_of(const UffFunction& function, const std::string& name, cons
   if (parse_unit(function.ordinate.unit)) out.unit = function.ordinate.unit;
   out.measures = quantity_of_axis(function.ordinate);
   if (units && out.measures) out.to_SI = 1 / (*out.measures == Quantity::force ? units->force : units->length);
-  const UffStatement stated = uff_statement(function);
+  const UffAnnotation stated = uff_annotation(function);
   if (stated.angle_deg) out.angle_rad = *stated.angle_deg * kDegree_rad;
   out.position_m = stated.position_m;
   return out;
@@ -70,7 +70,7 @@ TableSignal signal_of(const UffFunction& function, const std::string& name, cons
 
 // Which point was hit: the reference, else where the force was measured, else where a roving sensor sat.
 int point_of_row(const UffRow& row, bool sensor_roves) {
-  const int offset = uff_statement(*row.front()).node_offset;
+  const int offset = uff_annotation(*row.front()).node_offset;
   const UffFunction& last = *row.back();
   if (sensor_roves) return last.response.node - offset;
   const int node = last.reference.node != 0 ? last.reference.node : row.front()->response.node;
@@ -104,8 +104,8 @@ double rate_of_function_Hz(const UffFunction& function, const std::string& where
   // Five digits in a text, single precision in binary.
   const double resolution_s =
       largest * (function.bytes.empty() ? 1e-5 : 2 * static_cast<double>(std::numeric_limits<float>::epsilon()));
-  const std::vector<Stamps> rows{{.time_s = times, .resolution_s = resolution_s}};
-  const auto rate = rate_of_stamps(rows, problem);
+  const std::vector<TimeStamps> rows{{.time_s = times, .resolution_s = resolution_s}};
+  const auto rate = rate_of_time_stamps(rows, problem);
   if (!rate) throw InputError(fmt::format("{}, value {}", problem.text, problem.at + 1), where, "give --fs in Hz");
   note = rate->note;
   return rate->fs_Hz;
@@ -132,7 +132,7 @@ bool is_uff_frf(const UffFunction& function) {
 
 std::string uff_set_list(const UffContents& contents) { return list_of_sets(contents); }
 
-std::string uff_place_name(const UffPlace& place) {
+std::string uff_dof_name(const UffDof& place) {
   if (!place.name.empty()) return place.name;
   const int direction = std::abs(place.direction);
   const std::string sign = place.direction < 0 ? "-" : "+";
@@ -174,18 +174,18 @@ Record open_uff(const FileBytes& file, UffContents contents, const ReadOptions& 
   for (std::size_t i = 0; i < first.size(); ++i)
     table.signals.push_back(signal_of(*first[i], names[i], open->contents.units));
   const bool sensor = roving_sensor(open->rows);
-  const UffStatement stated = uff_statement(*first.front());
+  const UffAnnotation stated = uff_annotation(*first.front());
   for (const UffRow& row : open->rows) {
     table.rows.push_back({.samples = row.front()->count,
                           .point = point_of_row(row, sensor),
-                          .run = stated.ours ? row.front()->load_case : 0});
+                          .run = stated.by_percuss ? row.front()->load_case : 0});
   }
   table.geometry = uff_geometry(open->contents, stated.node_offset, table.notes);
   if (!table.geometry.empty()) table.trace_lines = uff_trace_lines(open->contents, stated.node_offset);
   std::string note;
-  if (!options.fs_Hz) table.fs_Hz = rate_of_function_Hz(*first.front(), uff_place(file, first.front()->at), note);
+  if (!options.fs_Hz) table.fs_Hz = rate_of_function_Hz(*first.front(), uff_location(file, first.front()->at), note);
   if (!note.empty()) table.notes.push_back(note);
-  table.continuous = stated.ours ? stated.continuous : table.rows.size() == 1;
+  table.continuous = stated.by_percuss ? stated.continuous : table.rows.size() == 1;
   table.read = [open](std::size_t row, std::size_t signal, std::size_t start, std::span<double> out) {
     open->rows[row][signal]->read(0, start, out);
   };

@@ -8,7 +8,7 @@ namespace percuss {
 /// The record of time in a universal file: its functions 58 of type 1 (docs/formats.md, "UFF"). Every force begins a
 /// row, the functions up to the next force are its channels; or forces and responses stand in groups of their own.
 /// errors  InputError with file and line: damaged sets, no records of time, functions of one row with different
-/// lengths or rates; UnclearColumns: nothing says which function is the force.
+/// lengths or rates; AmbiguousColumns: nothing says which function is the force.
 Record open_uff(const FileBytes& file, const ReadOptions& options = {});
 Record open_uff(const FileBytes& file, UffContents contents, const ReadOptions& options);
 
@@ -17,7 +17,7 @@ bool is_time_record(const UffFunction& function);
 bool is_uff_frf(const UffFunction& function);
 
 /// "force", "accel 1", or "12+Z" for a place without a name.
-std::string uff_place_name(const UffPlace& place);
+std::string uff_dof_name(const UffDof& place);
 
 /// "data sets 15 (1), 58 (3)", for messages.
 std::string uff_set_list(const UffContents& contents);

@@ -16,7 +16,7 @@ namespace {
 constexpr int kFactorColumns = 25;
 
 [[noreturn]] void refuse_set(const UffSet& set, const FileBytes& file, std::string_view at, const char* what) {
-  throw InputError(fmt::format("data set {}: {}", set.number, what), uff_place(file, at), "export the file again");
+  throw InputError(fmt::format("data set {}: {}", set.number, what), uff_location(file, at), "export the file again");
 }
 
 UffUnits parse_units(const UffSet& set, const FileBytes& file) {
@@ -41,7 +41,7 @@ UffContents read_uff_contents(const FileBytes& file) {
     if (set.number == 164) out.units = parse_units(set, file);
     if (set.number == 55 || set.number == 2414) ++out.shapes;
   }
-  out.connections = read_uff_lines(sets, file);
+  out.connections = read_uff_trace_lines(sets, file);
   out.nodes_m = read_uff_nodes(sets, file, out.units.value_or(UffUnits{}).length);
   return out;
 }
@@ -53,7 +53,7 @@ std::vector<std::string> uff_notes(const UffContents& contents) {
   for (const auto& [number, count] : contents.sets) {
     if (!kRead.contains(number)) unused += fmt::format("{}{} ({})", unused.empty() ? "" : ", ", number, count);
   }
-  const UffLines& connections = contents.connections;
+  const UffTraceLines& connections = contents.connections;
   if (!connections.lines.empty() && contents.nodes_m.empty()) notes.emplace_back("lines without nodes are not used");
   if (!connections.unreadable.empty()) notes.push_back("not used: " + connections.unreadable);
   if (connections.other_elements > 0)

@@ -20,7 +20,7 @@ struct UffContents {
   std::vector<UffFunction> functions;  // data sets 58
   std::optional<UffUnits> units;
   std::map<int, std::array<double, 3>> nodes_m;  // data sets 15 and 2411, in global coordinates
-  UffLines connections;                          // data sets 82 and 2412, by node
+  UffTraceLines connections;                     // data sets 82 and 2412, by node
   std::map<int, std::size_t> sets;               // how many there are of each number
   std::size_t shapes = 0;                        // of sets 55 and 2414
 };
@@ -38,14 +38,14 @@ std::vector<std::vector<double>> uff_geometry(const UffContents& contents, int o
 std::vector<TraceLine> uff_trace_lines(const UffContents& contents, int offset);
 
 /// What percuss writes into the fifth line of a function: "percuss; node = point + 1; dx = 3.90625e-05".
-struct UffStatement {
-  bool ours = false;
+struct UffAnnotation {
+  bool by_percuss = false;
   bool continuous = false;
   int node_offset = 0;
   std::size_t averages = 0;
   std::optional<double> dx, angle_deg, position_m, decay_per_s;
 };
-UffStatement uff_statement(const UffFunction& function);
+UffAnnotation uff_annotation(const UffFunction& function);
 
 /// The step of an even abscissa, freed of the rounding of its 13 columns: percuss's own statement; else, of the steps
 /// that are written so, the one whose inverse (or which itself, for a frequency) is the roundest number.

@@ -68,10 +68,10 @@ std::string_view take_uff_line(std::string_view& rest) {
 }
 
 std::optional<std::uint64_t> uff_data_bytes(std::string_view record7) {
-  constexpr std::int64_t kMostValues = std::int64_t{1} << 40U;
+  constexpr std::int64_t kMaxValues = std::int64_t{1} << 40U;
   UffFields fields(record7);
   const auto type = fields.integer(10), values = fields.integer(10), spacing = fields.integer(10);
-  if (!type || !values || !spacing || *values < 0 || *values > kMostValues) return std::nullopt;
+  if (!type || !values || !spacing || *values < 0 || *values > kMaxValues) return std::nullopt;
   if (*type != 2 && *type != 4 && *type != 5 && *type != 6) return std::nullopt;
   const std::uint64_t number = *type == 2 || *type == 5 ? 4 : 8;
   const std::uint64_t parts = *type >= 5 ? 2 : 1;

@@ -14,7 +14,7 @@ constexpr std::size_t kPadding_bytes = 64;  // after binary data: zeros to an ev
 constexpr std::size_t kBinaryHeaderLines = 11, kRecord7 = 6;
 constexpr std::size_t kManyBytes = std::size_t{1} << 16U, kLook_bytes = 4096;
 constexpr std::size_t kSpacingColumn = 20;  // of record 7
-constexpr std::size_t kMostSets = 4'000'000;
+constexpr std::size_t kMaxSets = 4'000'000;
 
 bool is_delimiter(std::string_view line) {
   return line.substr(0, 6) == "    -1" && line.find_first_not_of(" \t\r", 6) == std::string_view::npos;
@@ -27,14 +27,14 @@ bool delimiter_follows(std::string_view rest) {
 }
 
 // Loads a file ahead of whoever looks at it.
-class Ahead {
+class LazyLoader {
  public:
-  explicit Ahead(const FileBytes& file) : file_(file), end_(file.sparse ? 0 : file.size) {}
+  explicit LazyLoader(const FileBytes& file) : file_(file), end_(file.lazy ? 0 : file.size) {}
 
   bool needed() const { return end_ < file_.size; }
   void load_to(std::size_t end) {
     if (end <= end_) return;
-    file_.sparse->load(end_, end);
+    file_.lazy->load(end_, end);
     end_ = std::min(end, file_.size);
   }
   // At least the whole line that begins at `first`, each byte looked at once.
@@ -57,27 +57,27 @@ class Ahead {
 
 class Splitter {
  public:
-  explicit Splitter(const FileBytes& file) : file_(file), ahead_(file), rest_(file.view()) {}
+  explicit Splitter(const FileBytes& file) : file_(file), loader_(file), rest_(file.view()) {}
 
   std::vector<UffSet> split() {
     std::vector<UffSet> sets;
     while (next_delimiter()) {
       if (rest_.find_first_not_of(" \t\r\n\x1A\f") == std::string_view::npos) fail("a data set has no number", rest_);
       sets.push_back(take_set());
-      if (sets.size() > kMostSets) fail("more than four million data sets", rest_);
+      if (sets.size() > kMaxSets) fail("more than four million data sets", rest_);
     }
     return sets;
   }
 
  private:
   [[noreturn]] void fail(const std::string& problem, std::string_view at) const {
-    throw InputError(problem, uff_place(file_, at), "export the file again");
+    throw InputError(problem, uff_location(file_, at), "export the file again");
   }
 
   std::size_t offset() const { return static_cast<std::size_t>(rest_.data() - file_.view().data()); }
 
   std::string_view take_line() {
-    if (ahead_.needed()) ahead_.load_line(offset());
+    if (loader_.needed()) loader_.load_line(offset());
     return take_uff_line(rest_);
   }
 
@@ -134,10 +134,10 @@ class Splitter {
     }
     set.text = body.substr(0, body.size() - rest_.size());
     const std::optional<std::uint64_t> claimed = set.number == 58 ? uff_data_bytes(record7) : std::nullopt;
-    set.unread = claimed && ahead_.needed() && stays_in_file(*claimed, record7);
-    if (!set.unread && ahead_.needed()) {
-      ahead_.load_to(offset() + std::max<std::uint64_t>(claimed.value_or(0), static_cast<std::uint64_t>(*stated)) +
-                     kLook_bytes);
+    set.unread = claimed && loader_.needed() && stays_in_file(*claimed, record7);
+    if (!set.unread && loader_.needed()) {
+      loader_.load_to(offset() + std::max<std::uint64_t>(claimed.value_or(0), static_cast<std::uint64_t>(*stated)) +
+                      kLook_bytes);
     }
     const std::size_t bytes = set.unread ? *claimed : length_of(claimed, static_cast<std::uint64_t>(*stated), start);
     set.data = rest_.substr(0, bytes);
@@ -151,9 +151,9 @@ class Splitter {
     const auto even = UffFields(record7.substr(std::min<std::size_t>(kSpacingColumn, record7.size()))).integer(10);
     if (bytes < kManyBytes || bytes > rest_.size() || even != 1) return false;
     const std::size_t end = offset() + bytes;
-    file_.sparse->load(end, end + kLook_bytes);
+    file_.lazy->load(end, end + kLook_bytes);
     if (!delimiter_follows(rest_.substr(bytes).substr(0, kLook_bytes))) return false;
-    ahead_.skip_to(end);
+    loader_.skip_to(end);
     return true;
   }
 
@@ -171,7 +171,7 @@ class Splitter {
   }
 
   const FileBytes& file_;
-  Ahead ahead_;
+  LazyLoader loader_;
   std::string_view rest_;
 };
 
@@ -186,7 +186,7 @@ bool is_universal_file(std::string_view head) {
   return false;
 }
 
-std::string uff_place(const FileBytes& file, std::string_view at) {
+std::string uff_location(const FileBytes& file, std::string_view at) {
   const std::string_view before = file.view().substr(0, static_cast<std::size_t>(at.data() - file.view().data()));
   return fmt::format("{}: line {}", input_name(file.path), std::count(before.begin(), before.end(), '\n') + 1);
 }

@@ -30,7 +30,7 @@ bool is_universal_file(std::string_view head);
 std::vector<UffSet> split_uff(const FileBytes& file);
 
 /// "file: line 12", for a place within `file`.
-std::string uff_place(const FileBytes& file, std::string_view at);
+std::string uff_location(const FileBytes& file, std::string_view at);
 
 /// Cells of fixed width, taken off the front of a line; beyond its end they are blank.
 class UffFields {

@@ -36,7 +36,7 @@ class FunctionParser {
       if (set_.data.size() < *uff_data_bytes(record7_)) fail("fewer bytes than record 7 says");
       out_.bytes = set_.data;
       if (set_.unread) {
-        out_.file = file_.sparse;
+        out_.file = file_.lazy;
         out_.file_offset = static_cast<std::size_t>(set_.data.data() - file_.view().data());
       }
     } else {
@@ -47,7 +47,7 @@ class FunctionParser {
 
  private:
   [[noreturn]] void fail(const std::string& problem) const {
-    throw InputError("data set 58: " + problem, uff_place(file_, line_.empty() ? rest_ : line_),
+    throw InputError("data set 58: " + problem, uff_location(file_, line_.empty() ? rest_ : line_),
                      "export the file again");
   }
 
@@ -63,9 +63,9 @@ class FunctionParser {
     return static_cast<int>(*value);
   }
 
-  UffPlace place(UffFields& fields, const char* what) const {
+  UffDof place(UffFields& fields, const char* what) const {
     fields.take(1);
-    UffPlace out{.name = fields.text(kInteger)};
+    UffDof out{.name = fields.text(kInteger)};
     out.node = small_integer(fields, kInteger, what);
     out.direction = small_integer(fields, 4, what);
     return out;

@@ -26,12 +26,12 @@ struct Uff58 {
 };
 
 /// A point and direction of the structure, as record 6 names them.
-struct UffPlace {
+struct UffDof {
   std::string name;
   int node = 0;
   int direction = 0;  // ±1 … ±3 along, ±4 … ±6 around x, y, z; 0 none
-  friend bool operator==(const UffPlace&, const UffPlace&) = default;
-  friend auto operator<=>(const UffPlace&, const UffPlace&) = default;  // NOLINT(modernize-use-nullptr): not one
+  friend bool operator==(const UffDof&, const UffDof&) = default;
+  friend auto operator<=>(const UffDof&, const UffDof&) = default;  // NOLINT(modernize-use-nullptr): not one
 };
 
 struct UffAxis {
@@ -43,7 +43,7 @@ struct UffAxis {
 struct UffFunction {
   std::array<std::string, 5> id;
   int type = 0, version = 0, load_case = 0;
-  UffPlace response, reference;
+  UffDof response, reference;
   std::size_t count = 0;
   bool even = true, complex = false, single = false;
   double x0 = 0, dx = 0;
@@ -53,7 +53,7 @@ struct UffFunction {
   std::string_view at;         // the set's place in the file
   std::vector<double> values;  // of a text: abscissa (if uneven), real, imaginary part (if complex), value by value
   std::string_view bytes;      // of a binary set, in the same order …
-  std::shared_ptr<const SparseFile> file{};  // … and where they still are in the file, if anywhere
+  std::shared_ptr<const LazyFile> file{};  // … and where they still are in the file, if anywhere
   std::size_t file_offset = 0;
   bool big_endian = false;
 

@@ -84,7 +84,7 @@ class NodeReader {
 
   [[noreturn]] void fail(int set, std::string_view at, const char* problem) const {
     const std::string what = set == 0 ? "nodes or coordinate systems" : fmt::format("data set {}", set);
-    throw InputError(fmt::format("{}: {}", what, problem), uff_place(file_, at), "export the file again");
+    throw InputError(fmt::format("{}: {}", what, problem), uff_location(file_, at), "export the file again");
   }
 
   int whole(Fields& fields, std::size_t width) const {
@@ -116,8 +116,8 @@ class NodeReader {
 
   // Systems may refer to one another, though not in circles.
   Eigen::Vector3d global(Eigen::Vector3d at, int system, std::string_view line, int set) const {
-    constexpr int kMostNested = 16;
-    for (int depth = 0; depth < kMostNested; ++depth) {
+    constexpr int kMaxNested = 16;
+    for (int depth = 0; depth < kMaxNested; ++depth) {
       const auto frame = frames_.find(system);
       if (frame == frames_.end()) {
         // 0 is the global system, and so is 1 where nobody defines it.

@@ -24,7 +24,7 @@ std::string ascii(std::string_view text, std::size_t width) {
   return out.empty() ? "NONE" : out;
 }
 
-std::string place_text(const UffPlace& place) {
+std::string place_text(const UffDof& place) {
   return fmt::format(" {:<10}{:10}{:4}", ascii(place.name, 10), place.node, place.direction);
 }
 

@@ -41,7 +41,7 @@ std::vector<UffRow> rows_by_place(const Functions& functions, const std::vector<
   for (std::size_t i = 0; i < functions.size(); ++i) {
     if (is_force[i]) rows.push_back({functions[i]});
   }
-  std::map<std::tuple<UffPlace, int>, std::size_t> seen;
+  std::map<std::tuple<UffDof, int>, std::size_t> seen;
   std::size_t responses = 0;
   for (std::size_t i = 0; i < functions.size(); ++i) {
     if (is_force[i]) continue;

@@ -28,10 +28,10 @@ std::optional<double> number_after(std::string_view line, std::string_view key) 
 
 }  // namespace
 
-UffStatement uff_statement(const UffFunction& function) {
-  UffStatement out;
-  out.ours = function.id[4].starts_with("percuss");
-  if (!out.ours) return out;
+UffAnnotation uff_annotation(const UffFunction& function) {
+  UffAnnotation out;
+  out.by_percuss = function.id[4].starts_with("percuss");
+  if (!out.by_percuss) return out;
   const std::string &first = function.id[4], &second = function.id[3];
   out.node_offset = first.find("node = point + 1") != std::string::npos ? 1 : 0;
   out.continuous = first.find("; continuous") != std::string::npos;
@@ -49,7 +49,7 @@ double uff_step(const UffFunction& function, bool frequency, std::string& note) 
   const double half_unit = 0.5 * std::pow(10.0, -decimals_of(function.dx_text, false));
   const double low = dx - half_unit, high = dx + half_unit;
   if (!(low > 0) || !(half_unit / dx < 1e-3)) return dx;  // too few digits to say anything
-  const auto stated = uff_statement(function).dx;
+  const auto stated = uff_annotation(function).dx;
   if (stated && *stated >= low * (1 - kUnchanged) && *stated <= high * (1 + kUnchanged)) return *stated;
   const double inverse = roundest_between(1 / high, 1 / low), itself = roundest_between(low, high);
   const bool take_itself = frequency && significant_digits(itself) <= significant_digits(inverse);

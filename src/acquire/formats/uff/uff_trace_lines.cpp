@@ -12,7 +12,7 @@
 namespace percuss {
 namespace {
 
-constexpr std::size_t kNodesPerLine = 8, kNodeWidth = 10, kMostNodes = 250;
+constexpr std::size_t kNodesPerLine = 8, kNodeWidth = 10, kMaxNodes = 250;
 constexpr int kColour = 11;
 
 using Edges = std::span<const std::array<int, 2>>;
@@ -65,7 +65,7 @@ class LineReader {
   void give_up(const char* where) {
     if (out_.unreadable.empty()) out_.unreadable = where;
   }
-  UffLines result() { return std::move(out_); }
+  UffTraceLines result() { return std::move(out_); }
 
  private:
   // take(fields after the number, head line, what comes after it), part by part.
@@ -89,7 +89,8 @@ class LineReader {
     const auto value = fields.integer(kNodeWidth);
     if (value && *value >= std::numeric_limits<int>::min() / 2 && *value <= std::numeric_limits<int>::max() / 2)
       return static_cast<int>(*value);
-    throw InputError("lines or elements: cannot read a whole number", uff_place(file_, line), "export the file again");
+    throw InputError("lines or elements: cannot read a whole number", uff_location(file_, line),
+                     "export the file again");
   }
 
   std::vector<int> nodes(std::string_view& rest, std::size_t count) const {
@@ -121,13 +122,13 @@ class LineReader {
   }
 
   const FileBytes& file_;
-  UffLines out_;
+  UffTraceLines out_;
   std::set<std::pair<int, int>> seen_;
 };
 
 }  // namespace
 
-UffLines read_uff_lines(const std::vector<UffSet>& sets, const FileBytes& file) {
+UffTraceLines read_uff_trace_lines(const std::vector<UffSet>& sets, const FileBytes& file) {
   LineReader reader(file);
   for (const UffSet& set : sets) {
     if (set.binary) continue;
@@ -145,7 +146,7 @@ std::vector<std::string> uff_trace_line_sets(const std::vector<TraceLine>& lines
   std::vector<std::string> out;
   for (std::size_t i = 0; i < lines.size();) {
     std::vector<int> path{lines[i][0], lines[i][1]};
-    for (++i; i < lines.size() && lines[i][0] == path.back() && path.size() < kMostNodes; ++i)
+    for (++i; i < lines.size() && lines[i][0] == path.back() && path.size() < kMaxNodes; ++i)
       path.push_back(lines[i][1]);
     std::string text = fmt::format("{:10}{:10}{:10}\nNONE", out.size() + 1, path.size(), kColour);
     for (std::size_t n = 0; n < path.size(); ++n)

@@ -9,7 +9,7 @@
 namespace percuss {
 
 /// What a universal file says of how its nodes are connected.
-struct UffLines {
+struct UffTraceLines {
   std::vector<TraceLine> lines;    // by node, as they come; none twice
   std::size_t other_elements = 0;  // of kinds whose edges are not known here
   std::string unreadable;          // where a set could not be read to its end; empty: nowhere
@@ -18,7 +18,7 @@ struct UffLines {
 /// The lines of the sets 82 (through nodes one after the other, 0 lifts the pen) and the edges of the elements of the
 /// sets 2412: rods and beams, triangles and quadrilaterals, tetrahedra, wedges and bricks.
 /// A set is read as far as it can be: drawings are no reason to refuse what was measured.
-UffLines read_uff_lines(const std::vector<UffSet>& sets, const FileBytes& file);
+UffTraceLines read_uff_trace_lines(const std::vector<UffSet>& sets, const FileBytes& file);
 
 /// The bodies of sets 82 that draw these lines (by point; node = point + offset): each as long as one line goes on
 /// where the one before ended.

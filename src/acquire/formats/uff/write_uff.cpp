@@ -23,7 +23,7 @@ bool has_coordinates(const Record& record) { return !record.geometry.empty() && 
 
 UffFunction described(const Record& record, const RowInfo& row, int offset) {
   UffFunction out{.type = Uff58::time_response, .load_case = row.run, .count = row.samples};
-  out.id[4] = uff_statement_text(offset, 1 / record.fs_Hz) + (record.continuous ? "; continuous" : "");
+  out.id[4] = uff_annotation_text(offset, 1 / record.fs_Hz) + (record.continuous ? "; continuous" : "");
   out.reference.node = row.point + offset;
   out.dx = 1 / record.fs_Hz;
   out.abscissa = {Uff58::time, "Time", "s"};
@@ -59,7 +59,7 @@ int uff_direction(const SignalInfo& sensor) {
   return directions.at((static_cast<std::size_t>(std::lround(quarter) + 8)) % 4);
 }
 
-std::string uff_statement_text(int node_offset, double dx) {
+std::string uff_annotation_text(int node_offset, double dx) {
   return fmt::format("percuss{}; dx = {}", node_offset == 1 ? "; node = point + 1" : "", dx);
 }
 
@@ -70,8 +70,8 @@ std::string uff_sensor_text(const SignalInfo& sensor) {
   return out;
 }
 
-std::vector<TraceLine> uff_kept_lines(const std::vector<std::vector<double>>& geometry,
-                                      const std::vector<TraceLine>& lines) {
+std::vector<TraceLine> uff_drawable_lines(const std::vector<std::vector<double>>& geometry,
+                                          const std::vector<TraceLine>& lines) {
   const auto is_node = [&](int point) {
     const auto row = static_cast<std::size_t>(point);
     return point >= 0 && row < geometry.size() && has_place(geometry[row]);
@@ -105,7 +105,7 @@ void write_uff(const std::string& path, const Record& record, bool force, UffDat
     const std::string lines = uff_node_lines(record.geometry, offset);
     if (!lines.empty()) out.set(2411, lines);
   }
-  for (const std::string& line : uff_trace_line_sets(uff_kept_lines(record.geometry, record.trace_lines), offset))
+  for (const std::string& line : uff_trace_line_sets(uff_drawable_lines(record.geometry, record.trace_lines), offset))
     out.set(82, line);
   for (std::size_t row = 0; row < record.rows.size(); ++row) write_row_functions(out, record, row, offset);
   out.commit();

@@ -13,8 +13,8 @@ namespace percuss {
 void write_uff(const std::string& path, const Record& record, bool force, UffData data = UffData::binary);
 
 /// The lines both of whose points have coordinates: those of nodes that are written.
-std::vector<TraceLine> uff_kept_lines(const std::vector<std::vector<double>>& geometry,
-                                      const std::vector<TraceLine>& lines);
+std::vector<TraceLine> uff_drawable_lines(const std::vector<std::vector<double>>& geometry,
+                                          const std::vector<TraceLine>& lines);
 
 /// The lines of set 2411 for coordinates [points][3]; rows that are not finite are left out.
 std::string uff_node_lines(const std::vector<std::vector<double>>& geometry, int node_offset);
@@ -25,8 +25,8 @@ int uff_node_offset(int lowest_point);
 /// Directions of sensors around a tube along x whose angle counts from y: +2 for 0°, +3 for 90°, −2, −3; else +1.
 int uff_direction(const SignalInfo& sensor);
 
-/// What percuss says in the fifth and the fourth line of a function (see uff_statement).
-std::string uff_statement_text(int node_offset, double dx);
+/// What percuss says in the fifth and the fourth line of a function (see uff_annotation).
+std::string uff_annotation_text(int node_offset, double dx);
 std::string uff_sensor_text(const SignalInfo& sensor);
 
 }  // namespace percuss

@@ -1,5 +1,5 @@
 // A row of pictures that move together, a button that stops them, and sliders. `play` takes what draws them at a phase, 0 … 1.
-const stage = (figure, kind) => {
+const animation = (figure, kind) => {
   const controls = made("div", figure), row = made("div", figure), button = made("button", controls), sliders = [];
   controls.className = "controls";
   row.className = kind;

@@ -1,9 +1,9 @@
 // The bat itself, bent: its outline where it is known, else a rod; nodes with their deviations below.
-const bendingPictures = () => {
+const bendingPlots = () => {
   const bending = data.bending;
   for (const figure of places("bending")) {
     if (!bending || !bending.modes.length) { figure.remove(); continue; }
-    const { row, slider, play } = stage(figure, "bats");
+    const { row, slider, play } = animation(figure, "bats");
     const amplitude = slider("amplitude", 50);
     const all = bending.outline.map(([z]) => z).concat(bending.modes.flatMap((m) => m.z_m));
     const low = Math.min(...all), high = Math.max(...all);
@@ -57,6 +57,6 @@ const bendingPictures = () => {
         }
       }
     });
-    made("figcaption", figure, `${bending.ends} Exaggerated; upright: nodes, as wide as their deviation.`);
+    made("figcaption", figure, `${bending.ends} Exaggerated; drawVerticalLine: nodes, as wide as their deviation.`);
   }
 };

@@ -15,11 +15,11 @@ const ringOf = (mode) => {
   return { n, c: c / size, s: s / size };
 };
 
-const movementPictures = () => {
+const crossSectionPlots = () => {
   const modes = (data.modes || []).filter((m) => m.sensors.length === 2 && m.family !== "unknown");
   for (const figure of places("movement")) {
     if (!modes.length) { figure.closest("section").remove(); continue; }
-    const { row, slider, play } = stage(figure, "barrels");
+    const { row, slider, play } = animation(figure, "barrels");
     const amplitude = slider("amplitude", 60);
     const rings = modes.map((mode) => {
       const box = made("div", row), canvas = made("canvas", box);

@@ -8,7 +8,7 @@ const nameModes = (u) => inCanvas(u, (context) => {
   const free = [-Infinity, -Infinity];
   for (const mode of data.modes) {
     if (mode.hz < u.scales.x.min || mode.hz > u.scales.x.max) continue;
-    upright(u, mode.hz);
+    drawVerticalLine(u, mode.hz);
     const at = u.valToPos(mode.hz, "x", true), half = context.measureText(mode.name).width / 2;
     const row = free.findIndex((end) => at - half >= end);
     if (row < 0) continue;
@@ -67,7 +67,7 @@ const magnitudeSeries = (frf, levels) => {
   return { series, bands };
 };
 
-const frequencyPictures = () => {
+const frequencyPlots = () => {
   const frf = data.frf;
   if (!frf || !frf.curves.length) return;
   const levels = frf.curves.map((c) => numbers(c.db)), count = levels[0].length;

@@ -72,7 +72,7 @@ const inCanvas = (u, draw) => {
 };
 
 // An upright line over the whole height of a picture.
-const upright = (u, x) => {
+const drawVerticalLine = (u, x) => {
   if (x < u.scales.x.min || x > u.scales.x.max) return;
   const at = u.valToPos(x, "x", true);
   u.ctx.beginPath();

@@ -1,7 +1,7 @@
 const kFallen_dB = -20; // where a force's band ends
 
 // Curves of the hits over one x; between a hit's own samples by straight lines, `outside` beyond them.
-const hitPicture = (figure, curves, steps, low, high, outside, x, y, options) => {
+const hitPlot = (figure, curves, steps, low, high, outside, x, y, options) => {
   const xs = Array.from({ length: steps }, (_, k) => low + ((high - low) * k) / (steps - 1));
   const at = ({ first, step, values }, place) => {
     const k = (place - first) / step, i = Math.floor(k);
@@ -17,7 +17,7 @@ const samplesOf = (hits, kind, unit) =>
 
 const endOf = (c) => c.first + c.step * (c.values.length - 1);
 
-const hitPictures = () => {
+const hitPlots = () => {
   const hits = data.hits || [];
   const pictures = (kind, name, unit, draw) => {
     for (const figure of places(kind)) {
@@ -35,10 +35,10 @@ const hitPictures = () => {
       return c.first + c.step * last;
     });
     if (hits.length < data.of_hits) made("figcaption", figure, `The first ${hits.length} of ${data.of_hits} hits.`);
-    hitPicture(figure, curves, 800, Math.min(...curves.map((c) => Math.max(c.first, -0.5))), Math.max(...ends) + 0.2, 0, "time after the onset, ms", "force, N");
+    hitPlot(figure, curves, 800, Math.min(...curves.map((c) => Math.max(c.first, -0.5))), Math.max(...ends) + 0.2, 0, "time after the onset, ms", "force, N");
   });
   pictures("response", "response_mps2", 1e3, (figure, curves) => {
-    hitPicture(figure, curves, 800, Math.min(...curves.map((c) => Math.max(c.first, -0.5))), Math.max(...curves.map(endOf)), null, "time after the onset, ms", "response, m/s²");
+    hitPlot(figure, curves, 800, Math.min(...curves.map((c) => Math.max(c.first, -0.5))), Math.max(...curves.map(endOf)), null, "time after the onset, ms", "response, m/s²");
     made("figcaption", figure, "First accelerometer. Colours as above.");
   });
   pictures("spectrum", "spectrum_db", 1, (figure, curves) => {
@@ -51,9 +51,9 @@ const hitPictures = () => {
       context.lineTo(u.bbox.left + u.bbox.width, at);
       context.stroke();
       context.setLineDash([2 * devicePixelRatio, 3 * devicePixelRatio]);
-      for (const edge of data.band_hz || []) upright(u, edge);
+      for (const edge of data.band_hz || []) drawVerticalLine(u, edge);
     });
-    hitPicture(figure, curves, 600, 0, Math.max(...curves.map(endOf)), null, "frequency, Hz", "force, dB", { range: [-45, 3], hooks: { draw: [reach] } });
+    hitPlot(figure, curves, 600, 0, Math.max(...curves.map(endOf)), null, "frequency, Hz", "force, dB", { range: [-45, 3], hooks: { draw: [reach] } });
     made("figcaption", figure, `Spectrum of the force. Dashed: 20 dB down, where it reaches no further${data.band_hz ? "; dotted: the band analysed" : ""}. Colours as above.`);
   });
   pictures("decay", "decay_db", 1, (figure, curves) => {
@@ -70,7 +70,7 @@ const hitPictures = () => {
         context.stroke();
       }
     });
-    hitPicture(figure, curves, 800, 0, Math.max(...curves.map(endOf)), null, "time after the peak, s", "response, dB", { hooks: { draw: [floor] } });
+    hitPlot(figure, curves, 800, 0, Math.max(...curves.map(endOf)), null, "time after the peak, s", "response, dB", { hooks: { draw: [floor] } });
     made("figcaption", figure, `Decay of the first accelerometer.${floors.length ? " Dotted: its noise before the hit." : ""} Colours as above.`);
   });
 };

@@ -1,5 +1,5 @@
 // Singular values of the FRFs: a mode is a peak of the first; where the second peaks as well, two modes share a frequency.
-const indicatorPicture = () => {
+const indicatorPlot = () => {
   const indicator = data.indicator;
   for (const figure of places("indicator")) {
     if (!indicator || !indicator.values.length) { figure.remove(); continue; }

@@ -1,5 +1,5 @@
 const began = performance.now();
-for (const draw of [frequencyPictures, indicatorPicture, hitPictures, stabilisationPicture, bendingPictures, movementPictures, shapePictures]) draw();
+for (const draw of [frequencyPlots, indicatorPlot, hitPlots, stabilisationPlot, bendingPlots, crossSectionPlots, shapePlots]) draw();
 document.documentElement.dataset.drawn = "yes";
 document.documentElement.dataset.drawnMs = Math.round(performance.now() - began);
 

@@ -1,9 +1,9 @@
 // Points and lines seen from above at an angle that the slider turns; every mode in a picture of its own.
-const shapePictures = () => {
+const shapePlots = () => {
   const shapes = data.shapes;
   for (const figure of places("shapes")) {
     if (!shapes || shapes.points.length < 2) { figure.remove(); continue; }
-    const { row, slider, play } = stage(figure, "shapes");
+    const { row, slider, play } = animation(figure, "shapes");
     const amplitude = slider("amplitude", 50), turn = slider("turn", 35), tilt = slider("tilt", 30);
     const middle = [0, 1, 2].map((i) => shapes.points.reduce((sum, p) => sum + p[i], 0) / shapes.points.length);
     const radius = Math.max(...shapes.points.map((p) => Math.hypot(p[0] - middle[0], p[1] - middle[1], p[2] - middle[2]))) || 1;

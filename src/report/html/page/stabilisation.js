@@ -39,7 +39,7 @@ const frfBehind = (u) => {
   u.ctx.stroke();
 };
 
-const stabilisationPicture = () => {
+const stabilisationPlot = () => {
   const diagram = data.stabilisation;
   for (const figure of places("stabilisation")) {
     if (!diagram || !diagram.order.length) { figure.remove(); continue; }
@@ -63,7 +63,7 @@ const stabilisationPicture = () => {
         if (x >= u.scales.x.min && x <= u.scales.x.max) stabilisationMark(context, marks[i], u.valToPos(x, "x", true), u.valToPos(ys[i], "y", true));
       });
       context.strokeStyle = colour("--c1");
-      for (const mode of data.modes || []) upright(u, mode.hz);
+      for (const mode of data.modes || []) drawVerticalLine(u, mode.hz);
       context.lineWidth = 2 * devicePixelRatio;
       for (const i of ringed) {
         if (i < 0 || xs[i] < u.scales.x.min || xs[i] > u.scales.x.max) continue;

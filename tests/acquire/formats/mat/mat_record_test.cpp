@@ -199,7 +199,7 @@ TEST_F(MatRecord, AsksWhichOfSeveralArraysIsMeant) {
       .complex("H1", {2, 1}, lines)
       .numbers("df", {1, 1}, {2})
       .numbers("chan_1", {4, 1}, {1, 2, 3, 4});
-  EXPECT_THROW(open_measurement(path_), UnclearColumns);
+  EXPECT_THROW(open_measurement(path_), AmbiguousColumns);
   EXPECT_EQ(frfs({.kind = FrfKind::mobility}).kind, FrfKind::mobility);
 }
 

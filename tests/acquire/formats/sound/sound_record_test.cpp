@@ -136,7 +136,7 @@ TEST_F(SoundRecord, TakesTheOtherChannelsForSensorsOnceTheHammerIsNamed) {
 }
 
 TEST_F(SoundRecord, AsksWhichChannelIsTheHammer) {
-  EXPECT_THROW(opened(wav({}, integers({1, 2, 3, 4}, 2))), UnclearColumns);
+  EXPECT_THROW(opened(wav({}, integers({1, 2, 3, 4}, 2))), AmbiguousColumns);
 }
 
 TEST_F(SoundRecord, ReadsWhatIsThereOfARecordingThatWasCutOff) {

@@ -109,7 +109,7 @@ TEST_F(SparseUff, SaysWhenTheFileWasCutMeanwhile) {
 }
 
 // A file without the end of a line: every byte is looked at once.
-TEST(SparseFile, TakesTimeAsItsLength) {
+TEST(LazyFile, TakesTimeAsItsLength) {
   const test::ScratchFolder folder;
   const std::string path = folder.file("long.unv");
   test::write_bytes(path, "    -1\n    58\n");
@@ -119,10 +119,10 @@ TEST(SparseFile, TakesTimeAsItsLength) {
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10)) << "it was 30 s when it was quadratic";
 }
 
-TEST(SparseFile, ReadsWhatIsAskedFor) {
+TEST(LazyFile, ReadsWhatIsAskedFor) {
   const test::ScratchFolder folder;
   test::write_bytes(folder.file("x"), "0123456789");
-  SparseFile file(folder.file("x"), 100);
+  LazyFile file(folder.file("x"), 100);
   ASSERT_EQ(file.size(), 10U);
   file.load(4, 6);
   EXPECT_EQ(std::string(file.data(), 10), std::string("\0\0\0\0"
@@ -130,8 +130,8 @@ TEST(SparseFile, ReadsWhatIsAskedFor) {
                                                       10));
   file.load(8, 100);
   EXPECT_EQ(file.data()[9], '9');
-  EXPECT_THAT(input_error_of([&] { SparseFile(folder.file("x"), 9); }), HasSubstr("longer than"));
-  EXPECT_THAT(input_error_of([&] { SparseFile(folder.path(), 9); }), HasSubstr("folder"));
+  EXPECT_THAT(input_error_of([&] { LazyFile(folder.file("x"), 9); }), HasSubstr("longer than"));
+  EXPECT_THAT(input_error_of([&] { LazyFile(folder.path(), 9); }), HasSubstr("folder"));
 }
 
 }  // namespace percuss::sparse_uff_test

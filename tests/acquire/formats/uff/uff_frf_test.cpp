@@ -38,7 +38,7 @@ FrfRecord read(const std::string& text, const FrfReadOptions& options = {}) {
   const FileBytes bytes = csv_bytes(text);
   auto stored = read_frf_uff(bytes, read_uff_contents(bytes), options.kind.has_value());
   EXPECT_TRUE(stored.has_value());
-  return finished_frfs(std::move(stored).value(), options);
+  return to_accelerances(std::move(stored).value(), options);
 }
 
 TEST(UffFrf, MakesPointsOfStruckNodesAndChannelsOfResponses) {

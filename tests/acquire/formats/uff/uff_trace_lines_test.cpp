@@ -26,9 +26,9 @@ std::string set_of(int number, const std::string& lines) {
   return fmt::format("    -1\n{:6}\n{}    -1\n", number, lines);
 }
 
-UffLines lines_in(const std::string& text) {
+UffTraceLines lines_in(const std::string& text) {
   const FileBytes file = csv_bytes(text);
-  return read_uff_lines(split_uff(file), file);
+  return read_uff_trace_lines(split_uff(file), file);
 }
 
 std::string head(int kind, int nodes) {
@@ -41,14 +41,14 @@ std::string cells(const std::vector<int>& numbers) {
   return out.ends_with('\n') ? out : out + '\n';
 }
 
-TEST(UffLines, FollowSet82AndLiftThePenAtZero) {
-  const UffLines found =
+TEST(UffTraceLines, FollowSet82AndLiftThePenAtZero) {
+  const UffTraceLines found =
       lines_in(set_of(82, fmt::format("{:10}{:10}{:10}\nNONE\n", 1, 10, 0) + cells({1, 2, 3, 0, 5, 6, 0, 3, 2, 9})));
   EXPECT_THAT(found.lines, ElementsAre(TraceLine{1, 2}, TraceLine{2, 3}, TraceLine{5, 6}, TraceLine{2, 9}))
       << "2 and 3 are connected once";
 }
 
-TEST(UffLines, AreTheEdgesOfElements) {
+TEST(UffTraceLines, AreTheEdgesOfElements) {
   EXPECT_THAT(lines_in(set_of(2412, head(11, 2) + cells({0, 1, 1}) + cells({4, 7}))).lines,
               ElementsAre(TraceLine{4, 7}))
       << "a rod, with its orientation between";
@@ -58,22 +58,23 @@ TEST(UffLines, AreTheEdgesOfElements) {
   EXPECT_EQ(lines_in(set_of(2412, head(111, 4) + cells({1, 2, 3, 4}))).lines.size(), 6U);
   EXPECT_EQ(lines_in(set_of(2412, head(112, 6) + cells({1, 2, 3, 4, 5, 6}))).lines.size(), 9U);
   EXPECT_EQ(lines_in(set_of(2412, head(115, 8) + cells({1, 2, 3, 4, 5, 6, 7, 8}))).lines.size(), 12U);
-  const UffLines shared = lines_in(set_of(2412, head(94, 4) + cells({1, 2, 3, 4}) + head(94, 4) + cells({2, 5, 6, 3})));
+  const UffTraceLines shared =
+      lines_in(set_of(2412, head(94, 4) + cells({1, 2, 3, 4}) + head(94, 4) + cells({2, 5, 6, 3})));
   EXPECT_EQ(shared.lines.size(), 7U) << "two faces share an edge";
-  const UffLines other = lines_in(set_of(2412, head(122, 1) + cells({1}) + head(91, 3) + cells({1, 2, 3})));
+  const UffTraceLines other = lines_in(set_of(2412, head(122, 1) + cells({1}) + head(91, 3) + cells({1, 2, 3})));
   EXPECT_EQ(other.other_elements, 1U);
   EXPECT_EQ(other.lines.size(), 3U);
 }
 
-TEST(UffLines, AreReadAsFarAsTheyCanBe) {
-  const UffLines found =
+TEST(UffTraceLines, AreReadAsFarAsTheyCanBe) {
+  const UffTraceLines found =
       lines_in(set_of(2412, head(91, 3) + cells({1, 2, 3}) + head(91, 3) + "         1      a  2\n"));
   EXPECT_EQ(found.lines.size(), 3U);
   EXPECT_THAT(found.unreadable, HasSubstr("x.csv: line 6"));
   EXPECT_THAT(lines_in(set_of(2412, head(91, 1'000'000'000))).lines, IsEmpty()) << "what is claimed takes no memory";
 }
 
-TEST(UffLines, AreWrittenAsFarAsThePenGoes) {
+TEST(UffTraceLines, AreWrittenAsFarAsThePenGoes) {
   const auto sets = uff_trace_line_sets({{0, 1}, {1, 2}, {4, 5}}, 1);
   EXPECT_THAT(sets, ElementsAre("         1         3        11\nNONE\n         1         2         3\n",
                                 "         2         2        11\nNONE\n         5         6\n"));
@@ -99,7 +100,7 @@ TEST_F(Drawn, IsKeptByEveryFormatWithRoomForIt) {
     ASSERT_EQ(read.geometry.size(), 4U) << kind;
     EXPECT_TRUE(std::isnan(read.geometry[1][0])) << kind;
     EXPECT_EQ(read.geometry[2], record_.geometry[2]) << kind;
-    EXPECT_EQ(open_record(path, {.confined = true}).trace_lines, record_.trace_lines) << kind;
+    EXPECT_EQ(open_record(path, {.sandboxed = true}).trace_lines, record_.trace_lines) << kind;
     write_record(again, read, false);
     EXPECT_TRUE(test::bytes_of(path) == test::bytes_of(again)) << kind;
     EXPECT_THAT(losses_of(path, record_), testing::Each(testing::Not(HasSubstr("lines")))) << kind;

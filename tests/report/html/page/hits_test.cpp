@@ -131,7 +131,7 @@ TEST(FindHits, GatesTheForceToItsPulse) {
   std::vector<double> x(20000, 3.5);
   test::add_filtered_haversine(x, 5000.4, kWidth, 200);
   const Hit hit = hits_in({x})[0];
-  EXPECT_TRUE(hit.whole_N.empty());
+  EXPECT_TRUE(hit.ungated_N.empty());
   EXPECT_LE(hit.gated_N.size(), 144 + kWidth + 2);  // the filter's reach on either side
   constexpr double kFloor = 1e-9 * 200 + 1e-13;     // of the peak; rounding of the offset
   double outside = 0;
@@ -152,8 +152,8 @@ TEST(FindHits, KeepsTheWholeForceWhenNotGated) {
   for (double& value : x) value += 8;
   for (const Rows& rows : {Rows(1, x), Rows(2, x)}) {
     for (const Hit& hit : hits_in(rows, {.gate_force = false})) {
-      ASSERT_EQ(hit.whole_N.size(), hit.samples);
-      for (std::size_t i = 0; i < hit.samples; ++i) ASSERT_EQ(hit.whole_N[i], x[hit.first + i] - 8);
+      ASSERT_EQ(hit.ungated_N.size(), hit.samples);
+      for (std::size_t i = 0; i < hit.samples; ++i) ASSERT_EQ(hit.ungated_N[i], x[hit.first + i] - 8);
     }
   }
 }

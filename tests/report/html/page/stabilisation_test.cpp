@@ -11,13 +11,13 @@ namespace percuss::stabilisation_test {
 
 const std::vector<Pole> kModes{{169.03, 0.01}, {575.4, 0.006}, {1190.06, 0.004}, {1195.8, 0.004}};
 
-FrfSet set_of(double noise, std::uint64_t seed = 1) {
-  FrfSet set = test::empty_set(4096, 8192, 60, 1500, 2);
+FrfDataset set_of(double noise, std::uint64_t seed = 1) {
+  FrfDataset set = test::empty_set(4096, 8192, 60, 1500, 2);
   for (std::size_t m = 0; m < kModes.size(); ++m) {
     test::add_mode(set, 0, kModes[m], 0.8);
     test::add_mode(set, 1, kModes[m], m % 2 == 0 ? 0.5 : -0.3);
   }
-  if (noise > 0) test::add_line_noise(set, noise, seed);
+  if (noise > 0) test::add_frf_noise(set, noise, seed);
   return set;
 }
 
