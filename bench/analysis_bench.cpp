@@ -15,8 +15,8 @@
 namespace percuss {
 namespace {
 
-const Record& bat() {
-  static const SyntheticTest test = synthesise(synth_preset("composite-bat"));
+const acquire::Record& bat() {
+  static const synth::SyntheticTest test = synth::synthesise(synth::synth_preset("composite-bat"));
   return test.record;
 }
 
@@ -26,7 +26,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 // The best of many, so that a disturbed run does not flatter us.
 double fft_baseline_s() {
-  const Record& record = bat();
+  const acquire::Record& record = bat();
   const std::size_t samples = record.rows.front().samples;
   FftwBaseline fftw(samples);
   fftw.fill(std::vector<double>(samples, 1.0));
@@ -42,26 +42,26 @@ double fft_baseline_s() {
 template <class Demand>
 void stage(benchmark::State& state, Demand demand) {
   static const double bare_s = fft_baseline_s();
-  const Record& record = bat();
+  const acquire::Record& record = bat();
   const auto start = std::chrono::steady_clock::now();
   for ([[maybe_unused]] auto _ : state) {
-    const Analysis analysis(record, {.threads = 1});
+    const pipeline::Analysis analysis(record, {.threads = 1});
     benchmark::DoNotOptimize(demand(analysis));
   }
   state.counters["x_fftw"] = seconds_since(start) / static_cast<double>(state.iterations()) / bare_s;
 }
 
 void hits_by_force(benchmark::State& state) {
-  stage(state, [](const Analysis& analysis) { return analysis.force_hits().size(); });
+  stage(state, [](const pipeline::Analysis& analysis) { return analysis.force_hits().size(); });
 }
 void hits_by_response(benchmark::State& state) {
-  stage(state, [](const Analysis& analysis) { return analysis.hits().size(); });
+  stage(state, [](const pipeline::Analysis& analysis) { return analysis.hits().size(); });
 }
 void frf_and_coherence(benchmark::State& state) {
-  stage(state, [](const Analysis& analysis) { return analysis.frfs().size(); });
+  stage(state, [](const pipeline::Analysis& analysis) { return analysis.frfs().size(); });
 }
 void modes_and_verdicts(benchmark::State& state) {
-  stage(state, [](const Analysis& analysis) { return analysis.classifications().size(); });
+  stage(state, [](const pipeline::Analysis& analysis) { return analysis.classifications().size(); });
 }
 
 BENCHMARK(hits_by_force)->Unit(benchmark::kMillisecond);

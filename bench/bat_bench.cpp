@@ -17,21 +17,23 @@ std::vector<double> evenly(double low, double step, std::size_t count) {
 
 void hoop_sweep_397(benchmark::State& state) {
   const auto hoop_Hz = evenly(100, 25, 397);
-  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(hoop_sweep(baseball_on_barrel(), hoop_Hz, 1));
+  for ([[maybe_unused]] auto _ : state)
+    benchmark::DoNotOptimize(model::hoop_sweep(model::baseball_on_barrel(), hoop_Hz, 1));
 }
 
-BatProfile slices_84() {
-  BatProfile bat{.end_m = evenly(0.01, 0.01, 84), .diameter_m = evenly(0.025, 0.0005, 84)};
+model::BatProfile slices_84() {
+  model::BatProfile bat{.end_m = evenly(0.01, 0.01, 84), .diameter_m = evenly(0.025, 0.0005, 84)};
   return bat;
 }
 
 void bat_modes_84_slices(benchmark::State& state) {
-  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(bat_modes(slices_84(), {}));
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(model::bat_modes(slices_84(), {}));
 }
 
 void bat_84_slices_60_places(benchmark::State& state) {
   const auto z_m = evenly(0, 0.014, 60);
-  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(bat_sweep(bat_modes(slices_84(), {}), 40, {}, z_m, 1));
+  for ([[maybe_unused]] auto _ : state)
+    benchmark::DoNotOptimize(model::bat_sweep(model::bat_modes(slices_84(), {}), 40, {}, z_m, 1));
 }
 
 BENCHMARK(hoop_sweep_397)->Unit(benchmark::kMillisecond);

@@ -34,8 +34,8 @@ constexpr int kTurns = 5;
 constexpr std::size_t kDifferent = 50;
 constexpr std::size_t kPerTurn = 500;  // records
 
-SynthSpec small_test(std::size_t seed) {
-  SynthSpec spec;
+synth::SynthSpec small_test(std::size_t seed) {
+  synth::SynthSpec spec;
   spec.fs_Hz = 4096;
   spec.samples = 512;
   spec.band_high_Hz = 1500;
@@ -44,7 +44,7 @@ SynthSpec small_test(std::size_t seed) {
   spec.pulse.width_s = 0.0008;
   spec.noise = {.force = 1e-4, .accel = 1e-3};
   spec.modes = {{.freq_Hz = 200, .damping_ratio = 0.03},
-                {.freq_Hz = 700, .damping_ratio = 0.02, .family = SynthFamily::hoop}};
+                {.freq_Hz = 700, .damping_ratio = 0.02, .family = synth::SynthFamily::hoop}};
   return spec;
 }
 
@@ -75,28 +75,28 @@ std::string planned(const Folder& folder, const std::string& kind, std::size_t r
   std::vector<std::string> paths;
   for (std::size_t i = 0; i < records; ++i) {
     const std::string seed = fmt::format("{}/{}.{}", seeds, i % kDifferent, kind);
-    if (!fs::exists(seed)) write_record(seed, synthesise(small_test(i % kDifferent)).record, false);
+    if (!fs::exists(seed)) acquire::write_record(seed, synth::synthesise(small_test(i % kDifferent)).record, false);
     paths.push_back(fmt::format("{}/{}.{}", place, i, kind));
     if (!fs::exists(paths.back())) fs::create_hard_link(seed, paths.back());
   }
   std::string manifest = place + ".jsonl";
-  write_manifest(manifest, {.version = version(), .options = {}, .setup = {}}, records_of_files(paths, ".", false),
-                 true);
+  batch::write_manifest(manifest, {.version = report::version(), .options = {}, .setup = {}},
+                        batch::records_of_files(paths, ".", false), true);
   return manifest;
 }
 
-RowOptions options() {
-  RowOptions out;
+batch::RowOptions options() {
+  batch::RowOptions out;
   out.read.read.sandboxed = true;
   out.analysis.threads = 1;
   return out;
 }
 
-void loop(const Manifest& manifest) {
-  const RowOptions how = options();
+void loop(const batch::Manifest& manifest) {
+  const batch::RowOptions how = options();
   for (std::size_t i = 0; i < manifest.size(); ++i) {
-    for (const RunAnalysis& test :
-         analyses_of_runs(open_measurement(manifest.record(i).path, how.read), how.analysis)) {
+    for (const pipeline::RunAnalysis& test :
+         pipeline::analyses_of_runs(frf::open_measurement(manifest.record(i).path, how.read), how.analysis)) {
       test.analysis->hits();
       test.analysis->classifications();
       test.analysis->warnings();
@@ -104,12 +104,12 @@ void loop(const Manifest& manifest) {
   }
 }
 
-void batch(const Manifest& manifest, std::size_t threads, const std::string& results) {
+void batch(const batch::Manifest& manifest, std::size_t threads, const std::string& results) {
   fs::remove_all(results);
   fs::create_directories(results);
-  RowOptions how = options();
-  how.fork_server = measurement_fork_server(how.read);
-  run_shard({.manifest = &manifest, .folder = results, .options = how, .threads = threads});
+  batch::RowOptions how = options();
+  how.fork_server = frf::measurement_fork_server(how.read);
+  batch::run_shard({.manifest = &manifest, .folder = results, .options = how, .threads = threads});
 }
 
 // How long something took at its best: by the clock, and the processors' time, that of child processes included.
@@ -149,7 +149,7 @@ void arithmetic(std::size_t threads) {
 }
 
 void compare(const Folder& folder, const std::string& kind) {
-  const Manifest manifest(planned(folder, kind, kPerTurn));
+  const batch::Manifest manifest(planned(folder, kind, kPerTurn));
   const std::string results = folder.file("results");
   ElapsedTime in_loop, on_one, on_two, alone, beside;
   for (int turn = 0; turn < kTurns; ++turn) {
@@ -173,7 +173,7 @@ void compare(const Folder& folder, const std::string& kind) {
 double largest_memory_MB(const Folder& folder, const std::string& manifest) {
   const pid_t child = ::fork();
   if (child == 0) {
-    batch(Manifest(manifest), 2, folder.file("results"));
+    batch(batch::Manifest(manifest), 2, folder.file("results"));
     ::_exit(0);
   }
   int status = 0;

@@ -8,31 +8,31 @@ namespace percuss {
 namespace {
 
 void beam_fifty_modes(benchmark::State& state) {
-  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(beam_modes({}, 50));
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(model::beam_modes({}, 50));
 }
 
 void impact_one(benchmark::State& state) {
-  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(simulate_impact({}));
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(model::simulate_impact({}));
 }
 
 void impact_small_increment_10us(benchmark::State& state) {
   for ([[maybe_unused]] auto _ : state)
-    benchmark::DoNotOptimize(simulate_impact({}, {.method = ImpactMethod::small_increment}));
+    benchmark::DoNotOptimize(model::simulate_impact({}, {.method = model::ImpactMethod::small_increment}));
 }
 
 // EI 1000:1000:6000, T 500:500:3000, ρA 0.6:0.2:3.0.
 void impact_three_sweeps(benchmark::State& state) {
   for ([[maybe_unused]] auto _ : state) {
-    const auto run = [](double UniformBeam::*value, double low, double step, int count) {
+    const auto run = [](double model::UniformBeam::*value, double low, double step, int count) {
       for (int i = 0; i < count; ++i) {
-        Impact impact;
+        model::Impact impact;
         impact.beam.*value = low + i * step;
-        benchmark::DoNotOptimize(simulate_impact(impact));
+        benchmark::DoNotOptimize(model::simulate_impact(impact));
       }
     };
-    run(&UniformBeam::stiffness_Nm2, 1000, 1000, 6);
-    run(&UniformBeam::torsion_Nmprad, 500, 500, 6);
-    run(&UniformBeam::mass_per_length_kgpm, 0.6, 0.2, 13);
+    run(&model::UniformBeam::stiffness_Nm2, 1000, 1000, 6);
+    run(&model::UniformBeam::torsion_Nmprad, 500, 500, 6);
+    run(&model::UniformBeam::mass_per_length_kgpm, 0.6, 0.2, 13);
   }
 }
 

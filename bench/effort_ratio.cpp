@@ -26,7 +26,7 @@ namespace {
 
 constexpr double kMin_s = 3;  // everything is measured by turns for so long, three times at the least
 
-Record in_memory(const Record& record) {
+acquire::Record in_memory(const acquire::Record& record) {
   std::vector<std::vector<double>> force;
   std::vector<std::vector<std::vector<double>>> accel;
   for (std::size_t row = 0; row < record.rows.size(); ++row) {
@@ -36,10 +36,10 @@ Record in_memory(const Record& record) {
     for (std::size_t c = 0; c < record.accel.size(); ++c)
       record.read_accel_mps2(row, c, 0, accel.back().emplace_back(samples));
   }
-  Record copy = record_in_memory(record.fs_Hz, std::move(force), std::move(accel));
+  acquire::Record copy = acquire::record_in_memory(record.fs_Hz, std::move(force), std::move(accel));
   copy.rows = record.rows;
   copy.accel = record.accel;
-  for (SignalInfo& signal : copy.accel) signal.to_SI = 1;
+  for (acquire::SignalInfo& signal : copy.accel) signal.to_SI = 1;
   copy.continuous = record.continuous;
   return copy;
 }
@@ -47,7 +47,7 @@ Record in_memory(const Record& record) {
 // The record's force and accelerations, each in its place in memory, and their transforms.
 class Bare {
  public:
-  explicit Bare(const Record& record) : fftw_(record.rows.front().samples, FFTW_MEASURE) {
+  explicit Bare(const acquire::Record& record) : fftw_(record.rows.front().samples, FFTW_MEASURE) {
     const std::size_t samples = record.rows.front().samples;
     for (std::size_t row = 0; row < record.rows.size(); ++row) {
       record.read_force_N(row, 0, place_for(samples));
@@ -73,16 +73,16 @@ class Bare {
 };
 
 struct Measured {
-  std::optional<Effort> effort;  // none: FRFs alone
+  std::optional<identify::Effort> effort;  // none: FRFs alone
   double best_s = 1e9;
   std::size_t modes = 0;
   std::string stages;
 
-  void run(const Record& record, AnalysisOptions options) {
+  void run(const acquire::Record& record, pipeline::AnalysisOptions options) {
     if (effort) options.modes.effort = *effort;
     std::string its_stages;
     const double took = seconds_of([&] {
-      const Analysis analysis(record, options);
+      const pipeline::Analysis analysis(record, options);
       if (effort) {
         modes = analysis.classifications().size();
       } else {
@@ -97,11 +97,11 @@ struct Measured {
   }
 };
 
-void compare(const std::string& name, const Record& record, AnalysisOptions options) {
+void compare(const std::string& name, const acquire::Record& record, pipeline::AnalysisOptions options) {
   options.threads = 1;
   Bare bare(record);
   double bare_s = 1e9, cached_s = 1e9;
-  std::vector<Measured> measured{{}, {Effort::quick}, {Effort::standard}, {Effort::best}};
+  std::vector<Measured> measured{{}, {identify::Effort::quick}, {identify::Effort::standard}, {identify::Effort::best}};
   double all_s = 0;
   for (int n = 0; n < 3 || all_s < kMin_s; ++n) {
     bare_s = std::min(bare_s, seconds_of([&] { bare.run(); }));
@@ -130,9 +130,9 @@ std::pair<double, double> band_of(const std::string& text) {
 int main(int count, char** arguments) {
   using namespace percuss;
   try {
-    if (count < 3) compare("composite-bat", synthesise(synth_preset("composite-bat")).record, {});
+    if (count < 3) compare("composite-bat", synth::synthesise(synth::synth_preset("composite-bat")).record, {});
     for (int i = 1; i + 1 < count; i += 2)
-      compare(arguments[i + 1], in_memory(open_record(arguments[i + 1])), {.band_Hz = band_of(arguments[i])});
+      compare(arguments[i + 1], in_memory(acquire::open_record(arguments[i + 1])), {.band_Hz = band_of(arguments[i])});
   } catch (const std::exception& problem) {
     fmt::print(stderr, "percuss_effort_ratio: {}\n", problem.what());
     return 1;

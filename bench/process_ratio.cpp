@@ -55,7 +55,7 @@ void read_bytes(const std::string& path, std::size_t bytes) {
   ::close(descriptor);
 }
 
-std::vector<FftwSamples> force_of(const Record& record) {
+std::vector<FftwSamples> force_of(const acquire::Record& record) {
   std::vector<FftwSamples> rows;
   for (std::size_t row = 0; row < record.rows.size(); ++row) {
     const std::size_t samples = record.rows[row].samples;
@@ -71,7 +71,7 @@ struct Work {
 };
 
 void measure(const std::string& tool, const std::string& band, const std::string& path) {
-  const Record record = open_record(path);
+  const acquire::Record record = acquire::open_record(path);
   const std::size_t samples = record.rows.front().samples, signals = 1 + record.accel.size();
   const std::size_t force_bytes = record.rows.size() * samples * sizeof(double);
   const auto force = force_of(record);

@@ -33,7 +33,7 @@ void cat(const std::string& path) {
 // Every signal, a block at a time, as what looks at a record does.
 void read_all(const std::string& path) {
   static std::vector<double> block(kBlock_samples);
-  const Record record = open_record(path);
+  const acquire::Record record = acquire::open_record(path);
   for (std::size_t row = 0; row < record.rows.size(); ++row) {
     for (std::size_t signal = 0; signal <= record.accel.size(); ++signal) {
       for (std::size_t first = 0; first < record.rows[row].samples; first += block.size()) {

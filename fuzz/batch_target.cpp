@@ -12,11 +12,11 @@ namespace {
 
 // All shards of any division together are all records, which can be read.
 void read_manifest(const std::string& path) {
-  const Manifest manifest(path);
+  const batch::Manifest manifest(path);
   for (const std::size_t shards : {std::size_t{1}, std::size_t{3}, manifest.head().shards}) {
     std::size_t next = 0;
     for (std::size_t i = 0; i < shards; ++i) {
-      const ShardRange range = manifest.shard(i, shards);
+      const batch::ShardRange range = manifest.shard(i, shards);
       if (range.first != next || range.last < range.first) std::abort();
       next = range.last;
     }
@@ -30,10 +30,10 @@ void read_manifest(const std::string& path) {
 void run_batch(std::string_view bytes) {
   const MemfdFile file(bytes);
   accepted([&] { read_manifest(file.path()); });
-  accepted([&] { parse_finished(bytes, "fuzzed"); });
-  accepted([&] { journal_state(file.path()); });
-  accepted([&] { deserialize_frfs(bytes.substr(0, bytes.find('\n')), "fuzzed"); });
-  if (holds_batch(bytes)) accepted([&] { batch_bats(bytes, "fuzzed"); });
+  accepted([&] { batch::parse_finished(bytes, "fuzzed"); });
+  accepted([&] { batch::journal_state(file.path()); });
+  accepted([&] { batch::deserialize_frfs(bytes.substr(0, bytes.find('\n')), "fuzzed"); });
+  if (metrics::holds_batch(bytes)) accepted([&] { metrics::batch_bats(bytes, "fuzzed"); });
 }
 
 }  // namespace percuss::fuzz

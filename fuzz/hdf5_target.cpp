@@ -12,7 +12,7 @@
 namespace percuss::fuzz {
 namespace {
 
-using hdf5::Handle;
+using acquire::hdf5::Handle;
 
 constexpr std::size_t kLargestClaim = std::size_t{1} << 40U;
 
@@ -99,14 +99,14 @@ void write_hdf5_from_recipe(const std::string& path, std::string_view recipe) {
 void run_hdf5(std::string_view bytes) {
   const MemfdFile file("");
   {
-    const hdf5::Lock lock;
+    const acquire::hdf5::Lock lock;
     write_hdf5_from_recipe(file.path(), bytes);
   }
   accepted([&] {
-    if (auto frfs = read_frf_hdf5(file.path())) to_accelerances(std::move(*frfs), {});
+    if (auto frfs = frf::read_frf_hdf5(file.path())) frf::to_accelerances(std::move(*frfs), {});
   });
-  for (const ReadOptions& options : {ReadOptions{}, ReadOptions{.fs_Hz = 1000}})
-    accepted([&] { read_all(open_hdf5(file.path(), options)); });
+  for (const acquire::ReadOptions& options : {acquire::ReadOptions{}, acquire::ReadOptions{.fs_Hz = 1000}})
+    accepted([&] { read_all(acquire::open_hdf5(file.path(), options)); });
 }
 
 }  // namespace percuss::fuzz

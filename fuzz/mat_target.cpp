@@ -10,8 +10,8 @@ namespace percuss::fuzz {
 namespace {
 
 //   real NAME SHAPE [nan] | complex NAME SHAPE [nan] | number NAME VALUES | text NAME TEXT
-MatVariable variable_of(const RecipeLine& line) {
-  MatVariable out{.name = line.word(1), .shape = {}, .real = {}, .imaginary = {}, .text = {}};
+acquire::MatVariable variable_of(const RecipeLine& line) {
+  acquire::MatVariable out{.name = line.word(1), .shape = {}, .real = {}, .imaginary = {}, .text = {}};
   const std::string kind = line.word(0);
   if (kind == "text") {
     out.is_text = true;
@@ -37,14 +37,15 @@ MatVariable variable_of(const RecipeLine& line) {
 
 // What a MAT file's variables mean, whatever they are.
 void run_mat(std::string_view bytes) {
-  MatFile file{.path = "fuzzed", .bytes = bytes.size(), .variables = {}, .notes = {}};
+  acquire::MatFile file{.path = "fuzzed", .bytes = bytes.size(), .variables = {}, .notes = {}};
   for (const RecipeLine& line : recipe_lines(bytes)) file.variables.push_back(variable_of(line));
-  const ReadOptions insisting = strict_read_options();
-  for (const ReadOptions& options : {ReadOptions{}, insisting}) {
+  const acquire::ReadOptions insisting = strict_read_options();
+  for (const acquire::ReadOptions& options : {acquire::ReadOptions{}, insisting}) {
     accepted([&] {
-      if (auto frfs = read_frf_mat(file, {.read = options, .kind = {}})) to_accelerances(std::move(*frfs), {});
+      if (auto frfs = frf::read_frf_mat(file, {.read = options, .kind = {}}))
+        frf::to_accelerances(std::move(*frfs), {});
     });
-    accepted([&] { read_all(open_mat(file, options)); });
+    accepted([&] { read_all(acquire::open_mat(file, options)); });
   }
 }
 

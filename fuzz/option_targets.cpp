@@ -14,43 +14,43 @@ namespace percuss::fuzz {
 
 void run_sound_calibration(std::string_view bytes) {
   accepted([&] {
-    const SoundCalibration first = parse_calibration(bytes, "fuzzed");
-    const std::string text = calibration_text(first);
-    if (calibration_text(parse_calibration(text, "again")) != text) std::abort();
+    const acquire::SoundCalibration first = acquire::parse_calibration(bytes, "fuzzed");
+    const std::string text = acquire::calibration_text(first);
+    if (acquire::calibration_text(acquire::parse_calibration(text, "again")) != text) std::abort();
   });
 }
 
 void run_channel_setup(std::string_view bytes) {
-  accepted([&] { parse_channel_setup(bytes, "fuzzed"); });
+  accepted([&] { acquire::parse_channel_setup(bytes, "fuzzed"); });
 }
 
 void run_synth_spec(std::string_view bytes) {
-  accepted([&] { parse_synth_spec(bytes, "fuzzed"); });
+  accepted([&] { synth::parse_synth_spec(bytes, "fuzzed"); });
 }
 
 void run_bats(std::string_view bytes) {
-  accepted([&] { parse_session(bytes, "fuzzed"); });
-  accepted([&] { parse_abi_log(bytes, "fuzzed"); });
+  accepted([&] { metrics::parse_session(bytes, "fuzzed"); });
+  accepted([&] { metrics::parse_abi_log(bytes, "fuzzed"); });
   accepted([&] {
-    StudyRows rows;
+    metrics::StudyRows rows;
     rows.add(bytes, "fuzzed");
-    std::vector<StudyBat> bats = rows.bats();
-    anonymise_bats(bats);
-    study_table_csv(bats);
+    std::vector<metrics::StudyBat> bats = rows.bats();
+    metrics::anonymise_bats(bats);
+    metrics::study_table_csv(bats);
   });
 }
 
 void run_tables(std::string_view bytes) {
   accepted([&] {
-    Geometry geometry = parse_geometry(bytes, "fuzzed");
-    tube_from_coordinates(geometry);
+    acquire::Geometry geometry = acquire::parse_geometry(bytes, "fuzzed");
+    acquire::tube_from_coordinates(geometry);
   });
   accepted([&] { parse_number_table(bytes, "fuzzed", {.columns = 2, .max_rows = 100, .remedy = "give two"}); });
 }
 
 void run_document(std::string_view bytes) {
-  accepted([&] { parse_documents(bytes, "fuzzed"); });
-  accepted([&] { parse_study_curve(bytes, "fuzzed"); });
+  accepted([&] { report::parse_documents(bytes, "fuzzed"); });
+  accepted([&] { metrics::parse_study_curve(bytes, "fuzzed"); });
 }
 
 }  // namespace percuss::fuzz

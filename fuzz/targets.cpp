@@ -49,11 +49,11 @@ MemfdFile::~MemfdFile() { ::close(descriptor_); }
 
 std::string MemfdFile::path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
 
-ReadOptions strict_read_options() {
+acquire::ReadOptions strict_read_options() {
   return {.fs_Hz = 1000, .force_channel = "1", .accel_channels = {"2"}, .force_scale = {2}, .accel_scale = {3}};
 }
 
-void read_all(const Record& record) {
+void read_all(const acquire::Record& record) {
   constexpr std::size_t kBlock = 1000;  // no multiple of the readers' own
   std::vector<double> block;
   for (std::size_t row = 0; row < record.rows.size(); ++row) {
@@ -66,8 +66,8 @@ void read_all(const Record& record) {
   }
 }
 
-void read_all(const std::variant<Record, FrfRecord>& measurement) {
-  if (const auto* record = std::get_if<Record>(&measurement)) read_all(*record);
+void read_all(const std::variant<acquire::Record, frf::FrfRecord>& measurement) {
+  if (const auto* record = std::get_if<acquire::Record>(&measurement)) read_all(*record);
 }
 
 void require_clean(const std::exception& refusal) {

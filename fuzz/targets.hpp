@@ -56,11 +56,11 @@ class MemfdFile {
 };
 
 /// What somebody says about a file who was told that it is unclear: a rate, and which columns are which.
-ReadOptions strict_read_options();
+acquire::ReadOptions strict_read_options();
 
 /// Every sample of a record, as an analysis reads them.
-void read_all(const Record& record);
-void read_all(const std::variant<Record, FrfRecord>& measurement);
+void read_all(const acquire::Record& record);
+void read_all(const std::variant<acquire::Record, frf::FrfRecord>& measurement);
 
 /// Aborts unless the message is one line without control characters, not longer than a screen.
 void require_clean(const std::exception& refusal);

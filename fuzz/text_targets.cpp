@@ -12,7 +12,7 @@
 namespace percuss::fuzz {
 namespace {
 
-using Open = Record (*)(const FileBytes&, const ReadOptions&);
+using Open = acquire::Record (*)(const FileBytes&, const acquire::ReadOptions&);
 
 void run_record(std::string_view bytes, Open open) {
   const FileBytes file = as_file(bytes);
@@ -20,24 +20,24 @@ void run_record(std::string_view bytes, Open open) {
   accepted([&] { read_all(open(file, strict_read_options())); });
 }
 
-void finish(std::optional<StoredFrfs> found) {
-  if (found) to_accelerances(std::move(*found), {});
+void finish(std::optional<frf::StoredFrfs> found) {
+  if (found) frf::to_accelerances(std::move(*found), {});
 }
 
 }  // namespace
 
-void run_csv(std::string_view bytes) { run_record(bytes, open_csv); }
+void run_csv(std::string_view bytes) { run_record(bytes, acquire::open_csv); }
 
-void run_lvm(std::string_view bytes) { run_record(bytes, open_lvm); }
+void run_lvm(std::string_view bytes) { run_record(bytes, acquire::open_lvm); }
 
 namespace {
 
 bool read_uff(const FileBytes& file) {
   return accepted([&] {
-    const UffContents contents = read_uff_contents(file);
-    accepted([&] { finish(read_frf_uff(file, contents, true)); });
-    if (accepted([&] { read_all(open_uff(file, contents, {})); })) return;
-    read_all(open_uff(file, contents, strict_read_options()));
+    const acquire::UffContents contents = acquire::read_uff_contents(file);
+    accepted([&] { finish(frf::read_frf_uff(file, contents, true)); });
+    if (accepted([&] { read_all(acquire::open_uff(file, contents, {})); })) return;
+    read_all(acquire::open_uff(file, contents, strict_read_options()));
   });
 }
 
@@ -54,8 +54,8 @@ void run_uff(std::string_view bytes) {
 
 void run_frf_text(std::string_view bytes) {
   const FileBytes file = as_file(bytes);
-  accepted([&] { finish(read_frf_text(file, false)); });
-  accepted([&] { finish(read_frf_text(file, true)); });
+  accepted([&] { finish(frf::read_frf_text(file, false)); });
+  accepted([&] { finish(frf::read_frf_text(file, true)); });
 }
 
 }  // namespace percuss::fuzz

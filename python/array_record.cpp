@@ -70,8 +70,8 @@ bool is_contiguous_si(const StridedSamples& strip) {
          reinterpret_cast<std::uintptr_t>(strip.first) % alignof(double) == 0;
 }
 
-SignalTable table_of(const std::shared_ptr<const ArrayTest>& test) {
-  SignalTable table{
+acquire::SignalTable table_of(const std::shared_ptr<const ArrayTest>& test) {
+  acquire::SignalTable table{
       .format = "arrays", .fs_Hz = test->fs_Hz, .continuous = test->continuous, .geometry = test->geometry};
   const std::size_t channels = test->rows.empty() ? 0 : test->rows.front().accel.size();
   const std::size_t forces = test->has_force ? 1 : 0;
@@ -102,7 +102,7 @@ std::span<const double> checked_view(const StridedSamples& strip, std::atomic<bo
   const std::span<const double> all(reinterpret_cast<const double*>(strip.first), strip.samples);
   if (checked.load(std::memory_order_relaxed)) return all;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    if (std::abs(all[i]) <= kMaxSample) continue;
+    if (std::abs(all[i]) <= acquire::kMaxSample) continue;
     double sample = 0;
     read(i, std::span(&sample, 1));
   }
@@ -110,7 +110,7 @@ std::span<const double> checked_view(const StridedSamples& strip, std::atomic<bo
   return all;
 }
 
-void plot_forces(Record& record, const std::shared_ptr<const ArrayTest>& test) {
+void plot_forces(acquire::Record& record, const std::shared_ptr<const ArrayTest>& test) {
   const auto checked = std::make_shared<Checked>(test->rows.size());
   const auto read = record.read_force_N;
   record.read_force_N = {read, [test, read, checked](std::size_t row) {
@@ -119,7 +119,7 @@ void plot_forces(Record& record, const std::shared_ptr<const ArrayTest>& test) {
                          }};
 }
 
-void plot_responses(Record& record, const std::shared_ptr<const ArrayTest>& test) {
+void plot_responses(acquire::Record& record, const std::shared_ptr<const ArrayTest>& test) {
   const std::size_t channels = record.accel.size();
   const auto checked = std::make_shared<Checked>(test->rows.size() * channels);
   const auto read = record.read_accel_mps2;
@@ -153,16 +153,16 @@ std::uint64_t sample_checksum(const ArrayTest& test) {
   return sum;
 }
 
-Record record_of_arrays(const std::shared_ptr<const ArrayTest>& test, const ReadOptions& options) {
-  const SignalTable table = table_of(test);
+acquire::Record record_of_arrays(const std::shared_ptr<const ArrayTest>& test, const acquire::ReadOptions& options) {
+  const acquire::SignalTable table = table_of(test);
   // Unless the options choose otherwise the arrays are what they were given as.
   const bool chosen = !options.force_channel.empty() || !options.accel_channels.empty() || !options.setup.empty();
-  SignalRoles roles{.force = 0, .has_force = test->has_force, .accel = {}};
+  acquire::SignalRoles roles{.force = 0, .has_force = test->has_force, .accel = {}};
   for (std::size_t i = test->has_force ? 1 : 0; i < table.signals.size(); ++i) roles.accel.push_back(i);
   if (!test->has_force && !options.force_optional)
     throw InputError("no force", "arrays", "give force and acceleration: percuss.Record(force, accel, fs=...)");
-  if (chosen) roles = find_roles(table, options);
-  Record record = record_of_table(table, roles, options);
+  if (chosen) roles = acquire::find_roles(table, options);
+  acquire::Record record = acquire::record_of_table(table, roles, options);
   bool plain = !chosen;
   for (const ArrayRow& row : test->rows) {
     plain = plain && (!test->has_force || is_contiguous_si(row.force)) &&

@@ -43,6 +43,6 @@ std::uint64_t sample_checksum(const ArrayTest& test);
 
 /// As a file of the same content would be opened: units, scales, angles and rate as the options say.
 /// errors  InputError: as record_of_table; the readers throw it for samples that are not finite.
-Record record_of_arrays(const std::shared_ptr<const ArrayTest>& test, const ReadOptions& options);
+acquire::Record record_of_arrays(const std::shared_ptr<const ArrayTest>& test, const acquire::ReadOptions& options);
 
 }  // namespace percuss::python

@@ -19,13 +19,13 @@ py::object optional_view(std::span<const double> values, const std::shared_ptr<c
 }
 
 // The band asked for; the lines beyond it are for the fits.
-LineRange band_of(const Analysis& analysis) {
+frf::LineRange band_of(const pipeline::Analysis& analysis) {
   const auto [low_Hz, high_Hz] = analysis.band_Hz();
-  return lines_in_band(analysis.lines().fs_Hz, analysis.lines().samples, low_Hz, high_Hz);
+  return frf::lines_in_band(analysis.lines().fs_Hz, analysis.lines().samples, low_Hz, high_Hz);
 }
 
 py::array frequencies_of(const SharedResult& held, std::size_t test) {
-  const Analysis& analysis = *analysis_of(held, test);
+  const pipeline::Analysis& analysis = *analysis_of(held, test);
   const std::vector<double> freq_Hz = freq_Hz_of(without_gil(held, [&] { return band_of(analysis); }));
   return copy_of(std::span<const double>(freq_Hz));
 }
@@ -35,24 +35,26 @@ py::list frfs_of(const SharedResult& held, std::size_t test, const std::string& 
   const auto analysis = analysis_of(held, test);
   const auto& frfs = without_gil(
       held, [&]() -> const auto& { return analysis->frfs(); });
-  const LineRange band = without_gil(held, [&] { return band_of(*analysis); });
+  const frf::LineRange band = without_gil(held, [&] { return band_of(*analysis); });
   const std::size_t first = band.first - analysis->lines().first;
-  if (kind == name_of(FrfKind::accelerance)) return responses_of(frfs, first, band.count, analysis);
-  const FrfKind wanted = kind == name_of(FrfKind::mobility) ? FrfKind::mobility : FrfKind::receptance;
-  auto made = std::make_shared<std::vector<PointFrf>>(frfs);
-  for (PointFrf& one : *made) one.frf = converted(one.frf, analysis->lines(), wanted, analysis->window_decay_per_s());
+  if (kind == name_of(frf::FrfKind::accelerance)) return responses_of(frfs, first, band.count, analysis);
+  const frf::FrfKind wanted =
+      kind == name_of(frf::FrfKind::mobility) ? frf::FrfKind::mobility : frf::FrfKind::receptance;
+  auto made = std::make_shared<std::vector<frf::PointFrf>>(frfs);
+  for (frf::PointFrf& one : *made)
+    one.frf = frf::converted(one.frf, analysis->lines(), wanted, analysis->window_decay_per_s());
   return responses_of(*made, first, band.count, made);
 }
 
 // Parts of a mode as columns: [modes], and of its residues [modes][outputs].
 py::dict modes_of(const SharedResult& held, std::size_t test) {
-  const Analysis& analysis = *analysis_of(held, test);
+  const pipeline::Analysis& analysis = *analysis_of(held, test);
   const auto modes = without_gil(held, [&] { return analysis.modes(); });
   const std::size_t outputs = modes.empty() ? 0 : modes.front().residues.size();
   const auto column = [&](const auto& number) {
     std::vector<double> values;
     values.reserve(modes.size());
-    for (const Mode& mode : modes) values.push_back(number(mode));
+    for (const identify::Mode& mode : modes) values.push_back(number(mode));
     return copy_of(std::span<const double>(values));
   };
   py::array_t<Complex> residues({modes.size(), outputs});
@@ -60,7 +62,7 @@ py::dict modes_of(const SharedResult& held, std::size_t test) {
   py::list places;
   for (std::size_t m = 0; m < modes.size(); ++m) {
     for (std::size_t o = 0; o < outputs; ++o) {
-      const Residue& residue = modes[m].residues.at(o);
+      const identify::Residue& residue = modes[m].residues.at(o);
       residues.mutable_at(m, o) = residue.value;
       deviations.mutable_at(m, o) =
           std::hypot(residue.std, residue.relative_std * std::abs(residue.value));  // as the document
@@ -68,10 +70,10 @@ py::dict modes_of(const SharedResult& held, std::size_t test) {
     }
   }
   py::dict out;
-  out["frequency_hz"] = column([](const Mode& m) { return m.pole.freq_Hz; });
-  out["frequency_std_hz"] = column([](const Mode& m) { return m.freq_std_Hz; });
-  out["damping_ratio"] = column([](const Mode& m) { return m.pole.damping_ratio; });
-  out["damping_ratio_std"] = column([](const Mode& m) { return m.damping_std; });
+  out["frequency_hz"] = column([](const identify::Mode& m) { return m.pole.freq_Hz; });
+  out["frequency_std_hz"] = column([](const identify::Mode& m) { return m.freq_std_Hz; });
+  out["damping_ratio"] = column([](const identify::Mode& m) { return m.pole.damping_ratio; });
+  out["damping_ratio_std"] = column([](const identify::Mode& m) { return m.damping_std; });
   out["residues"] = read_only(residues);
   out["residues_std"] = read_only(deviations);
   out["places"] = places;
@@ -83,7 +85,7 @@ py::list deflections_of(const SharedResult& held) {
   const auto& test = held->outcome.deflection;
   if (!test) throw py::type_error("no deflection was asked for");
   py::list out;
-  for (const DeflectedHit& hit : test->hits) {
+  for (const pipeline::DeflectedHit& hit : test->hits) {
     const auto view = [&](const std::vector<double>& values) { return view_of(std::span<const double>(values), test); };
     out.append(py::make_tuple(hit.hit, hit.channel, hit.point, hit.first_s, view(hit.deflection.velocity_mps),
                               view(hit.deflection.deflection_m), optional_view(hit.deflection.std_m, test)));
@@ -93,7 +95,7 @@ py::list deflections_of(const SharedResult& held) {
 
 py::dict columns_of(const SharedResult& held) {
   py::dict out;
-  for (const NumericColumn& column : held->outcome.columns)
+  for (const report::NumericColumn& column : held->outcome.columns)
     out[py::str(column.name)] = view_of(std::span<const double>(column.values), held);
   return out;
 }
@@ -107,10 +109,10 @@ py::object record_of(const SharedResult& held) {
 py::list opened_of(const SharedResult& held) {
   py::list out;
   for (const auto& one : held->outcome.opened) {
-    if (const auto* record = std::get_if<Record>(&one)) {
+    if (const auto* record = std::get_if<acquire::Record>(&one)) {
       out.append(std::make_shared<RecordHandle>(RecordHandle{.record = *record}));
     } else {
-      out.append(std::make_shared<FrfRecord>(std::get<FrfRecord>(one)));
+      out.append(std::make_shared<frf::FrfRecord>(std::get<frf::FrfRecord>(one)));
     }
   }
   return out;
@@ -127,25 +129,25 @@ void require_same_arrays(const ResultHandle& held, const std::string& path) {
 
 }  // namespace
 
-const std::shared_ptr<const Analysis>& analysis_of(const SharedResult& held, std::size_t test) {
+const std::shared_ptr<const pipeline::Analysis>& analysis_of(const SharedResult& held, std::size_t test) {
   const auto& all = held->outcome.analyses;
   if (test >= all.size()) throw py::index_error("test " + std::to_string(test) + " of " + std::to_string(all.size()));
   return all[test];
 }
 
-std::vector<double> freq_Hz_of(const LineRange& lines) {
+std::vector<double> freq_Hz_of(const frf::LineRange& lines) {
   std::vector<double> freq_Hz(lines.count);
   for (std::size_t i = 0; i < lines.count; ++i) freq_Hz[i] = lines.freq_Hz(i);
   return freq_Hz;
 }
 
-py::list responses_of(const std::vector<PointFrf>& frfs, std::size_t first, std::size_t count,
+py::list responses_of(const std::vector<frf::PointFrf>& frfs, std::size_t first, std::size_t count,
                       const std::shared_ptr<const void>& owner) {
   const auto within = [&](const auto& values) {
     return std::span(values).subspan(values.empty() ? 0 : first, values.empty() ? 0 : count);
   };
   py::list out;
-  for (const PointFrf& one : frfs) {
+  for (const frf::PointFrf& one : frfs) {
     out.append(py::make_tuple(one.point, one.channel, one.frf.averages, view_of(within(one.frf.value), owner),
                               optional_view(within(one.frf.std), owner),
                               optional_view(within(one.frf.coherence), owner)));

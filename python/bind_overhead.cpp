@@ -16,8 +16,8 @@ double library_seconds(const RecordHandle& held, std::size_t repeats) {
   double least = 1e9;
   for (std::size_t i = 0; i < repeats; ++i) {
     const auto start = std::chrono::steady_clock::now();
-    const Analysis analysis(held.record, {.threads = 1});
-    const std::string document = analysis_json(analysis, {.sections = {ReportSection::hits}});
+    const pipeline::Analysis analysis(held.record, {.threads = 1});
+    const std::string document = report::analysis_json(analysis, {.sections = {report::ReportSection::hits}});
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (!document.empty()) least = std::min(least, seconds);
   }

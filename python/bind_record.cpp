@@ -95,14 +95,14 @@ py::array samples_of(const std::shared_ptr<const RecordHandle>& held, std::size_
   return view_of(std::span<const double>(*moved), moved);
 }
 
-std::size_t checked_row(const Record& record, std::size_t row) {
+std::size_t checked_row(const acquire::Record& record, std::size_t row) {
   if (row >= record.rows.size())
     throw py::index_error("row " + std::to_string(row) + " of " + std::to_string(record.rows.size()));
   return row;
 }
 
 py::array force_of(const std::shared_ptr<const RecordHandle>& held, std::size_t row) {
-  const Record& record = held->record;
+  const acquire::Record& record = held->record;
   const std::size_t samples = record.rows[checked_row(record, row)].samples;
   return samples_of(held, samples, [&](std::size_t count, std::vector<double>& buffer) {
     return record.read_force_N.view_or_read(row, 0, count, buffer);
@@ -110,7 +110,7 @@ py::array force_of(const std::shared_ptr<const RecordHandle>& held, std::size_t 
 }
 
 py::array accel_of(const std::shared_ptr<const RecordHandle>& held, std::size_t row, std::size_t channel) {
-  const Record& record = held->record;
+  const acquire::Record& record = held->record;
   const std::size_t samples = record.rows[checked_row(record, row)].samples;
   if (channel >= record.accel.size())
     throw py::index_error("channel " + std::to_string(channel) + " of " + std::to_string(record.accel.size()));
@@ -125,7 +125,7 @@ py::list notes_of(const std::vector<std::string>& notes) {
   return out;
 }
 
-py::dict signal_of(const SignalInfo& signal) {
+py::dict signal_of(const acquire::SignalInfo& signal) {
   py::dict out;
   out["name"] = decoded(signal.name);
   out["unit"] = decoded(signal.unit);
@@ -136,11 +136,11 @@ py::dict signal_of(const SignalInfo& signal) {
 }
 
 py::dict description_of(const RecordHandle& held) {
-  const Record& record = held.record;
+  const acquire::Record& record = held.record;
   py::dict out;
   py::list rows, accel;
-  for (const RowInfo& row : record.rows) rows.append(py::make_tuple(row.samples, row.point, row.run));
-  for (const SignalInfo& signal : record.accel) accel.append(signal_of(signal));
+  for (const acquire::RowInfo& row : record.rows) rows.append(py::make_tuple(row.samples, row.point, row.run));
+  for (const acquire::SignalInfo& signal : record.accel) accel.append(signal_of(signal));
   out["format"] = record.format;
   out["source"] = decoded(record.source());
   out["fs_hz"] = record.fs_Hz;
@@ -153,10 +153,10 @@ py::dict description_of(const RecordHandle& held) {
   return out;
 }
 
-py::dict description_of(const FrfRecord& record) {
+py::dict description_of(const frf::FrfRecord& record) {
   py::dict out;
   py::list accel;
-  for (const SignalInfo& signal : record.accel) accel.append(signal_of(signal));
+  for (const acquire::SignalInfo& signal : record.accel) accel.append(signal_of(signal));
   out["format"] = record.format;
   out["source"] = decoded(record.source());
   out["kind"] = name_of(record.kind);
@@ -172,13 +172,13 @@ py::dict description_of(const FrfRecord& record) {
 }  // namespace
 
 RecordHandle record_handle(const std::shared_ptr<const ArrayTest>& test) {
-  ReadOptions as_given;
+  acquire::ReadOptions as_given;
   as_given.force_optional = true;
   return {.record = record_of_arrays(test, as_given), .arrays = test};
 }
 
 tools::InMemoryInput given(const std::shared_ptr<const RecordHandle>& held) {
-  return [held](const FrfReadOptions& options) -> std::variant<Record, FrfRecord> {
+  return [held](const frf::FrfReadOptions& options) -> std::variant<acquire::Record, frf::FrfRecord> {
     if (held->arrays) return record_of_arrays(held->arrays, options.read);
     if (!held->record.has_force && !options.read.force_optional)
       throw InputError("no force", held->record.source(), "give a record of force and acceleration");
@@ -196,9 +196,9 @@ void bind_records(py::module_& module) {
       .def("accel", &accel_of)
       .def_property_readonly("from_arrays", [](const RecordHandle& held) { return held.arrays != nullptr; })
       .def("describe", [](const RecordHandle& held) { return description_of(held); });
-  py::class_<FrfRecord, std::shared_ptr<FrfRecord>>(module, "FrfHandle")
-      .def("describe", [](const FrfRecord& record) { return description_of(record); })
-      .def("responses", [](const std::shared_ptr<const FrfRecord>& record) {
+  py::class_<frf::FrfRecord, std::shared_ptr<frf::FrfRecord>>(module, "FrfHandle")
+      .def("describe", [](const frf::FrfRecord& record) { return description_of(record); })
+      .def("responses", [](const std::shared_ptr<const frf::FrfRecord>& record) {
         return responses_of(record->frfs, 0, record->lines.count, record);
       });
 }

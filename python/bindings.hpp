@@ -15,7 +15,7 @@ namespace percuss::python {
 
 /// A record that Python holds: from a file, from `synth`, or of its own arrays, which options may still reinterpret.
 struct RecordHandle {
-  Record record;
+  acquire::Record record;
   std::shared_ptr<const ArrayTest> arrays{};
 };
 RecordHandle record_handle(const std::shared_ptr<const ArrayTest>& test);
@@ -33,7 +33,7 @@ struct ResultHandle {
 using SharedResult = std::shared_ptr<ResultHandle>;
 
 /// The analysis of one of its tests. errors  IndexError.
-const std::shared_ptr<const Analysis>& analysis_of(const SharedResult& held, std::size_t test);
+const std::shared_ptr<const pipeline::Analysis>& analysis_of(const SharedResult& held, std::size_t test);
 
 /// Computes without Python's lock, one thread at a time. What the function returns by reference stays where it is.
 template <class Function>
@@ -43,7 +43,7 @@ decltype(auto) without_gil(const SharedResult& held, const Function& function) {
   return function();
 }
 
-std::vector<double> freq_Hz_of(const LineRange& lines);
+std::vector<double> freq_Hz_of(const frf::LineRange& lines);
 
 /// The stabilisation diagram as columns, and a survey's shapes, their MAC and the mode indicator.
 pybind11::dict stabilisation_of(const SharedResult& held, std::size_t test);
@@ -51,7 +51,7 @@ pybind11::dict shapes_of(const SharedResult& held);
 
 /// Responses as [(point, channel, averages, value, std or None, coherence or None)], views of `count` lines of `frfs`
 /// from `first` on that keep `owner`.
-pybind11::list responses_of(const std::vector<PointFrf>& frfs, std::size_t first, std::size_t count,
+pybind11::list responses_of(const std::vector<frf::PointFrf>& frfs, std::size_t first, std::size_t count,
                             const std::shared_ptr<const void>& owner);
 
 /// Text of files' names and the like, which need not be UTF-8.

@@ -43,7 +43,7 @@ void raise(const py::object& type, const std::exception& error) {
 void translate(std::exception_ptr thrown) {  // NOLINT(performance-unnecessary-value-param): as pybind11 has it
   try {
     std::rethrow_exception(std::move(thrown));
-  } catch (const NoHitError& error) {
+  } catch (const acquire::NoHitError& error) {
     raise(exceptions().no_hit, error);
   } catch (const InputError& error) {
     raise(exceptions().input, error);
@@ -67,8 +67,8 @@ void add_exceptions(py::module_& module) {
 
 tools::InMemoryInput input_of(const py::handle& one) {
   if (py::isinstance<RecordHandle>(one)) return given(one.cast<std::shared_ptr<RecordHandle>>());
-  const auto frfs = one.cast<std::shared_ptr<const FrfRecord>>();
-  return [frfs](const FrfReadOptions&) { return *frfs; };
+  const auto frfs = one.cast<std::shared_ptr<const frf::FrfRecord>>();
+  return [frfs](const frf::FrfReadOptions&) { return *frfs; };
 }
 
 std::shared_ptr<ResultHandle> run(const std::vector<std::string>& words, const py::list& inputs,
@@ -112,7 +112,7 @@ PYBIND11_MODULE(_percuss, module) {
   bind_outcome(module);
   bind_numbers(module);
   bind_overhead(module);
-  module.attr("version") = version();
+  module.attr("version") = report::version();
   module.def("run", &run, py::arg("words"), py::arg("inputs"), py::arg("names") = py::dict());
   module.def("declared_commands", &declared_commands);
   module.def("nearest", &tools::nearest);

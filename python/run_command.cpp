@@ -27,10 +27,10 @@ void add_read(CommandLine& line, Host& host) {
   Command command =
       line.command("read", "Opens records or FRFs: what is in them, and their samples when asked for", [flags, &host] {
         Measurements opened = open_measurements(*flags);
-        for (Record& record : opened.records) {
+        for (acquire::Record& record : opened.records) {
           host.outcome.opened.emplace_back(std::move(record));
         }
-        for (FrfRecord& frfs : opened.frfs) host.outcome.opened.emplace_back(std::move(frfs));
+        for (frf::FrfRecord& frfs : opened.frfs) host.outcome.opened.emplace_back(std::move(frfs));
         return static_cast<int>(kOk);
       });
   add_read_flags(command, *flags);
@@ -66,7 +66,7 @@ namespace {
 // A declared command line, which takes longer to declare than many a command does to run.
 struct Session {
   Host host;
-  CommandLine line{"percuss", "", version(), &host};
+  CommandLine line{"percuss", "", report::version(), &host};
 
   explicit Session(const std::string& first_word) {
     if (first_word == kRead) {
@@ -130,7 +130,7 @@ RunResult run_command(const std::vector<std::string>& words, std::vector<InMemor
 
 std::string declared_commands() {
   Host host;
-  CommandLine line("percuss", "", version(), &host);
+  CommandLine line("percuss", "", report::version(), &host);
   add_commands(line, "");
   add_read(line, host);
   Json commands = Json::array();

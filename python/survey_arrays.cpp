@@ -11,12 +11,13 @@ namespace percuss::python {
 namespace py = pybind11;
 
 py::dict stabilisation_of(const SharedResult& held, std::size_t test) {
-  const Analysis& analysis = *analysis_of(held, test);
-  const Stabilisation& diagram = without_gil(held, [&]() -> const Stabilisation& { return analysis.stabilisation(); });
+  const pipeline::Analysis& analysis = *analysis_of(held, test);
+  const identify::Stabilisation& diagram =
+      without_gil(held, [&]() -> const identify::Stabilisation& { return analysis.stabilisation(); });
   std::vector<double> freq_Hz, damping;
   std::vector<std::int64_t> order;
   py::list stability;
-  for (const StabilisationPole& one : diagram.poles) {
+  for (const identify::StabilisationPole& one : diagram.poles) {
     freq_Hz.push_back(one.pole.freq_Hz);
     damping.push_back(one.pole.damping_ratio);
     order.push_back(static_cast<std::int64_t>(one.order));
@@ -31,7 +32,7 @@ py::dict stabilisation_of(const SharedResult& held, std::size_t test) {
 }
 
 py::dict shapes_of(const SharedResult& held) {
-  const Survey* const survey = held->outcome.survey.get();
+  const pipeline::Survey* const survey = held->outcome.survey.get();
   if (survey == nullptr) throw py::type_error("only a survey has shapes");
   const auto& shapes = without_gil(
       held, [&]() -> const auto& { return survey->shapes(); });
@@ -43,7 +44,7 @@ py::dict shapes_of(const SharedResult& held) {
   py::list points, channels;
   for (std::size_t m = 0; m < shapes.size(); ++m) {
     for (std::size_t p = 0; p < places; ++p) {
-      const ShapePlace& place = shapes[m].places.at(p);
+      const identify::ShapePlace& place = shapes[m].places.at(p);
       values.mutable_at(m, p) = place.value;
       deviations.mutable_at(m, p) = place.std;
       if (m == 0) points.append(place.point);
@@ -56,7 +57,7 @@ py::dict shapes_of(const SharedResult& held) {
   }
   const Eigen::MatrixXd& indicator = without_gil(
       held, [&]() -> const auto& { return survey->indicator(); });
-  const LineRange band = without_gil(held, [&] { return survey->band(); });
+  const frf::LineRange band = without_gil(held, [&] { return survey->band(); });
   py::array_t<double> cmif({indicator.rows(), indicator.cols()});
   for (Eigen::Index i = 0; i < indicator.rows(); ++i) {
     for (Eigen::Index j = 0; j < indicator.cols(); ++j) cmif.mutable_at(i, j) = indicator(i, j);

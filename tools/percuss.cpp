@@ -18,19 +18,19 @@ namespace {
 using namespace percuss;
 using namespace percuss::tools;
 
-int report(const char* what, int code) {
+int print_error(const char* what, int code) {
   std::cerr << "percuss: " << what << '\n';
   return code;
 }
 
 int parse_and_run(int argc, char** argv) {
-  CommandLine line("percuss", "Modes of a structure from hammer tests, with error bars", version());
+  CommandLine line("percuss", "Modes of a structure from hammer tests, with error bars", report::version());
   add_program(line);
   add_commands(line, argc > 1 ? argv[1] : "");
   const int code = line.run(argc, argv);
   std::cout.flush();
   return std::cout ? code
-                   : report("could not write to standard output; is the disk full or the pipe closed?", kBadInput);
+                   : print_error("could not write to standard output; is the disk full or the pipe closed?", kBadInput);
 }
 
 }  // namespace
@@ -70,14 +70,14 @@ int main(int argc, char** argv) {
   try {
     return parse_and_run(argc, argv);
   } catch (const UsageError& e) {
-    return report(e.what(), kUsage);
-  } catch (const NoHitError& e) {
-    return report(e.what(), kImpossible);
+    return print_error(e.what(), kUsage);
+  } catch (const acquire::NoHitError& e) {
+    return print_error(e.what(), kImpossible);
   } catch (const InputError& e) {
-    return report(e.what(), kBadInput);
+    return print_error(e.what(), kBadInput);
   } catch (const std::bad_alloc&) {
-    return report(kOutOfMemoryMessage, kInternalError);
+    return print_error(kOutOfMemoryMessage, kInternalError);
   } catch (const std::exception& e) {
-    return report(e.what(), kInternalError);
+    return print_error(e.what(), kInternalError);
   }
 }

@@ -35,7 +35,7 @@ std::string build_description() {
 #else
   const char* build = "debugging build: times mean little";
 #endif
-  return fmt::format("percuss {}, {}, {}, {}; {}", version(), compiler(), build, fftw_version, processor());
+  return fmt::format("percuss {}, {}, {}, {}; {}", report::version(), compiler(), build, fftw_version, processor());
 }
 
 }  // namespace percuss::accuracy

@@ -12,7 +12,8 @@
 namespace percuss::accuracy {
 namespace {
 
-constexpr std::array kMarks{ChartMark::circle, ChartMark::square, ChartMark::triangle, ChartMark::diamond};
+constexpr std::array kMarks{report::ChartMark::circle, report::ChartMark::square, report::ChartMark::triangle,
+                            report::ChartMark::diamond};
 constexpr std::size_t kBlack = 4;  // among the styles of a chart
 constexpr double kMega = 1e6;
 constexpr double kMuchTheSame = 2.5;  // factor
@@ -33,8 +34,8 @@ std::vector<std::string> methods_of(const Sweep& sweep) {
 }
 
 // Cases are told by colour. A case in which a method comes several times has labels at its points.
-ChartCurve points_of(const Case& one, std::size_t style, const std::string& method, ChartMark mark) {
-  ChartCurve curve{.name = {}, .x = {}, .y = {}, .line = false, .mark = mark, .style = style};
+report::ChartCurve points_of(const Case& one, std::size_t style, const std::string& method, report::ChartMark mark) {
+  report::ChartCurve curve{.name = {}, .x = {}, .y = {}, .line = false, .mark = mark, .style = style};
   for (const Figure& figure : one.figures) {
     if (figure.method != method || !is_plottable(figure)) continue;
     curve.x.push_back(figure.time_ratio);
@@ -46,13 +47,13 @@ ChartCurve points_of(const Case& one, std::size_t style, const std::string& meth
 }
 
 // What nothing else of the case beats, from the fastest on.
-ChartCurve front_of(const Case& one, std::size_t style) {
+report::ChartCurve front_of(const Case& one, std::size_t style) {
   std::vector<const Figure*> front;
   for (const Figure& figure : one.figures) {
     if (figure.on_pareto_front && is_plottable(figure)) front.push_back(&figure);
   }
   std::sort(front.begin(), front.end(), [](const Figure* a, const Figure* b) { return a->time_ratio < b->time_ratio; });
-  ChartCurve curve{.name = one.value, .x = {}, .y = {}, .style = style};
+  report::ChartCurve curve{.name = one.value, .x = {}, .y = {}, .style = style};
   for (const Figure* figure : front) {
     curve.x.push_back(figure->time_ratio);
     curve.y.push_back(figure->error);
@@ -61,9 +62,10 @@ ChartCurve front_of(const Case& one, std::size_t style) {
 }
 
 // A decade at least, so that small differences look small, and round numbers enough to read it by.
-void settle_axis(ChartAxis& axis, const std::vector<ChartCurve>& curves, std::vector<double> ChartCurve::*values) {
+void settle_axis(report::ChartAxis& axis, const std::vector<report::ChartCurve>& curves,
+                 std::vector<double> report::ChartCurve::*values) {
   double low = std::numeric_limits<double>::infinity(), high = 0;
-  for (const ChartCurve& curve : curves) {
+  for (const report::ChartCurve& curve : curves) {
     for (const double value : curve.*values) {
       low = std::min(low, value);
       high = std::max(high, value);
@@ -82,8 +84,8 @@ void settle_axis(ChartAxis& axis, const std::vector<ChartCurve>& curves, std::ve
   }
 }
 
-LineChart sweep_chart(const Family& family, const Sweep& sweep) {
-  LineChart chart{
+report::LineChart sweep_chart(const Family& family, const Sweep& sweep) {
+  report::LineChart chart{
       .title = fmt::format("{}: error against time, by {}; lines: what nothing beats", family.title, sweep.over),
       .x = {.label = fmt::format("time, multiples of {}", family.time), .logarithmic = true},
       .y = {.label = family.error, .logarithmic = true},
@@ -99,8 +101,8 @@ LineChart sweep_chart(const Family& family, const Sweep& sweep) {
     for (std::size_t m = 0; m < methods.size(); ++m)
       chart.curves.push_back(points_of(sweep.cases[c], style, methods[m], kMarks.at(m)));
   }
-  settle_axis(chart.x, chart.curves, &ChartCurve::x);
-  settle_axis(chart.y, chart.curves, &ChartCurve::y);
+  settle_axis(chart.x, chart.curves, &report::ChartCurve::x);
+  settle_axis(chart.y, chart.curves, &report::ChartCurve::y);
   return chart;
 }
 
@@ -121,14 +123,14 @@ bool worth_a_chart(const Sweep& sweep) {
   return !errors.empty() && (differ(errors) || differ(times));
 }
 
-LineChart growth_chart(const std::vector<Scaling>& scalings, std::string title, std::string label,
-                       double (*value)(const ScalePoint&)) {
-  LineChart chart{.title = std::move(title),
-                  .x = {.label = "number of samples, channels, hits, modes or files", .logarithmic = true},
-                  .y = {.label = std::move(label), .logarithmic = true},
-                  .curves = {}};
+report::LineChart growth_chart(const std::vector<Scaling>& scalings, std::string title, std::string label,
+                               double (*value)(const ScalePoint&)) {
+  report::LineChart chart{.title = std::move(title),
+                          .x = {.label = "number of samples, channels, hits, modes or files", .logarithmic = true},
+                          .y = {.label = std::move(label), .logarithmic = true},
+                          .curves = {}};
   for (const Scaling& scaling : scalings) {
-    ChartCurve curve{.name = scaling.of, .x = {}, .y = {}, .marks = true};
+    report::ChartCurve curve{.name = scaling.of, .x = {}, .y = {}, .marks = true};
     curve.mark = kMarks.at(chart.curves.size() % kMarks.size());
     for (const ScalePoint& point : scaling.points) {
       if (!(value(point) > 0)) continue;
@@ -143,18 +145,18 @@ LineChart growth_chart(const std::vector<Scaling>& scalings, std::string title, 
 }  // namespace
 
 std::string family_svg(const Family& family) {
-  std::vector<LineChart> charts;
+  std::vector<report::LineChart> charts;
   for (const Sweep& sweep : family.sweeps) {
     if (worth_a_chart(sweep)) charts.push_back(sweep_chart(family, sweep));
   }
-  return line_charts_svg(charts);
+  return report::line_charts_svg(charts);
 }
 
 std::string scaling_svg(const std::vector<Scaling>& scalings) {
-  return line_charts_svg({growth_chart(scalings, "Time of an analysis over its size", "time, s",
-                                       [](const ScalePoint& point) { return point.seconds; }),
-                          growth_chart(scalings, "Memory of an analysis over its size", "peak memory, MB",
-                                       [](const ScalePoint& point) { return point.peak_bytes / kMega; })});
+  return report::line_charts_svg({growth_chart(scalings, "Time of an analysis over its size", "time, s",
+                                               [](const ScalePoint& point) { return point.seconds; }),
+                                  growth_chart(scalings, "Memory of an analysis over its size", "peak memory, MB",
+                                               [](const ScalePoint& point) { return point.peak_bytes / kMega; })});
 }
 
 }  // namespace percuss::accuracy

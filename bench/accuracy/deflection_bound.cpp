@@ -15,26 +15,29 @@ using Eigen::VectorXd;
 
 constexpr double kFreqStep = 1e-6, kDampingStep = 1e-4;  // relative, of central differences
 
-std::vector<SynthPole> poles_of(const Truth& truth) {
-  std::vector<SynthPole> poles;
-  for (const SynthMode& mode : truth.spec.modes) poles.push_back({mode.freq_Hz, mode.damping_ratio});
+std::vector<synth::SynthPole> poles_of(const synth::Truth& truth) {
+  std::vector<synth::SynthPole> poles;
+  for (const synth::SynthMode& mode : truth.spec.modes) poles.push_back({mode.freq_Hz, mode.damping_ratio});
   return poles;
 }
 
 // Parameter p of f and ζ, mode by mode, moved by so many of its steps; the step.
-double move(std::vector<SynthPole>& poles, Index p, double steps) {
-  SynthPole& pole = poles[static_cast<std::size_t>(p / 2)];
+double move(std::vector<synth::SynthPole>& poles, Index p, double steps) {
+  synth::SynthPole& pole = poles[static_cast<std::size_t>(p / 2)];
   double& value = p % 2 == 0 ? pole.freq_Hz : pole.damping_ratio;
   const double step = value * (p % 2 == 0 ? kFreqStep : kDampingStep);
   value += steps * step;
   return step;
 }
 
-Pulse pulse_of(const Truth& truth, std::size_t hit) { return pulses_of(truth.spec, truth.hits[hit]).front(); }
+synth::Pulse pulse_of(const synth::Truth& truth, std::size_t hit) {
+  return synth::pulses_of(truth.spec, truth.hits[hit]).front();
+}
 
 // One mode's acceleration for residue 1, a whole row.
-VectorXd row_of_mode(const Truth& truth, const Pulse& pulse, const SynthPole& pole) {
-  const PulseBasis basis = pulse_basis(pulse, truth.spec.fs_Hz, std::span(&pole, 1), 0, truth.spec.samples);
+VectorXd row_of_mode(const synth::Truth& truth, const synth::Pulse& pulse, const synth::SynthPole& pole) {
+  const synth::PulseBasis basis =
+      synth::pulse_basis(pulse, truth.spec.fs_Hz, std::span(&pole, 1), 0, truth.spec.samples);
   VectorXd row = VectorXd::Zero(static_cast<Index>(truth.spec.samples));
   const auto add = [&](const std::vector<double>& x) {
     for (std::size_t i = 0; i < x.size(); ++i) row[static_cast<Index>(basis.first + i)] += x[i];
@@ -45,13 +48,13 @@ VectorXd row_of_mode(const Truth& truth, const Pulse& pulse, const SynthPole& po
 }
 
 // Columns of one row: by f and ζ for residue 1, by residue, bias, drift.
-MatrixXd columns_of(const Truth& truth, std::size_t hit) {
-  const std::vector<SynthPole> poles = poles_of(truth);
+MatrixXd columns_of(const synth::Truth& truth, std::size_t hit) {
+  const std::vector<synth::SynthPole> poles = poles_of(truth);
   const auto modes = static_cast<Index>(poles.size()), samples = static_cast<Index>(truth.spec.samples);
-  const Pulse pulse = pulse_of(truth, hit);
+  const synth::Pulse pulse = pulse_of(truth, hit);
   MatrixXd columns(samples, 3 * modes + 2);
   for (Index p = 0; p < 2 * modes; ++p) {
-    std::vector<SynthPole> up = poles, down = poles;
+    std::vector<synth::SynthPole> up = poles, down = poles;
     const double step = move(up, p, 1);
     move(down, p, -1);
     const auto m = static_cast<std::size_t>(p / 2);
@@ -78,7 +81,7 @@ MatrixXd eliminated(const MatrixXd& m, Index kept) {
 }
 
 // Of one channel on f, ζ and its own residues, all rows.
-MatrixXd channel_knowledge(const Truth& truth, const std::vector<MatrixXd>& products, std::size_t channel) {
+MatrixXd channel_knowledge(const synth::Truth& truth, const std::vector<MatrixXd>& products, std::size_t channel) {
   const auto modes = static_cast<Index>(truth.spec.modes.size());
   VectorXd scale = VectorXd::Ones(3 * modes + 2);
   for (Index p = 0; p < 2 * modes; ++p) scale[p] = truth.residue_per_kg[0][channel][static_cast<std::size_t>(p / 2)];
@@ -89,16 +92,16 @@ MatrixXd channel_knowledge(const Truth& truth, const std::vector<MatrixXd>& prod
 }
 
 // ∂w/∂(f, ζ, A) at the peak of hit 0, in parts of it: its time does not matter, as w stands still there.
-VectorXd gradient(const Truth& truth, std::size_t channel) {
-  const std::vector<SynthPole> poles = poles_of(truth);
+VectorXd gradient(const synth::Truth& truth, std::size_t channel) {
+  const std::vector<synth::SynthPole> poles = poles_of(truth);
   const std::vector<double>& residues = truth.residue_per_kg[0][channel];
   const auto modes = static_cast<Index>(poles.size());
-  const Pulse pulse = pulse_of(truth, 0);
+  const synth::Pulse pulse = pulse_of(truth, 0);
   const TrueDeflection exact(pulse, poles);
   const TrueDeflection::Peak peak = exact.peak(residues);
   VectorXd g(3 * modes);
   for (Index p = 0; p < 2 * modes; ++p) {
-    std::vector<SynthPole> up = poles, down = poles;
+    std::vector<synth::SynthPole> up = poles, down = poles;
     const double step = move(up, p, 1);
     move(down, p, -1);
     g[p] = (TrueDeflection(pulse, up).at_m(peak.time_s, residues) -
@@ -115,7 +118,7 @@ VectorXd gradient(const Truth& truth, std::size_t channel) {
 
 }  // namespace
 
-std::vector<double> deflection_bound(const Truth& truth) {
+std::vector<double> deflection_bound(const synth::Truth& truth) {
   const auto poles = static_cast<Index>(2 * truth.spec.modes.size());
   std::vector<MatrixXd> products, knowledge;
   for (std::size_t hit = 0; hit < truth.hits.size(); ++hit) {

@@ -11,6 +11,6 @@ namespace percuss::accuracy {
 ///   F = Jᵀ J/σ_c²,  J = ∂acceleration/∂(f, ζ, A_c, bias and drift of each row);  σ_w² = gᵀ F⁻¹ g,  g = ∂w/∂(f, ζ, A_c)
 ///   (1)
 /// f and ζ are the same for all channels.
-std::vector<double> deflection_bound(const Truth& truth);
+std::vector<double> deflection_bound(const synth::Truth& truth);
 
 }  // namespace percuss::accuracy

@@ -19,8 +19,8 @@ namespace {
 
 constexpr std::size_t kBeamMainRuns = 64, kBeamRuns = 16, kBeamQuickRuns = 2;
 constexpr double kBeamLength_s = 1.2, kBeamNoise = 1e-3;
-constexpr std::array kMethods{DeflectionMethod::small_interval, DeflectionMethod::frequency,
-                              DeflectionMethod::drift_free, DeflectionMethod::modal};
+constexpr std::array kMethods{metrics::DeflectionMethod::small_interval, metrics::DeflectionMethod::frequency,
+                              metrics::DeflectionMethod::drift_free, metrics::DeflectionMethod::modal};
 
 struct BeamCase {
   std::string value;
@@ -28,10 +28,10 @@ struct BeamCase {
   std::size_t modes = 3, channels = 1, runs = kBeamRuns;
 };
 
-SynthSpec held_beam(const BeamCase& one) {
-  constexpr std::array<SynthPole, 3> poles{{{14.5, 0.012}, {90, 0.01}, {322, 0.008}}};
+synth::SynthSpec held_beam(const BeamCase& one) {
+  constexpr std::array<synth::SynthPole, 3> poles{{{14.5, 0.012}, {90, 0.01}, {322, 0.008}}};
   constexpr std::array residues{3.2, 1.1, -0.8};
-  SynthSpec spec{.name = "held-beam", .fs_Hz = 10000, .seed = 7, .band_low_Hz = 5, .band_high_Hz = 1000};
+  synth::SynthSpec spec{.name = "held-beam", .fs_Hz = 10000, .seed = 7, .band_low_Hz = 5, .band_high_Hz = 1000};
   // Noise is stated in parts of the RMS over the record, which falls as the record gets longer.
   spec.noise = {.force = 0, .accel = one.noise * std::sqrt(one.length_s / kBeamLength_s)};
   spec.samples = static_cast<std::size_t>(std::lround(one.length_s * spec.fs_Hz));
@@ -44,7 +44,7 @@ SynthSpec held_beam(const BeamCase& one) {
   spec.structure.rigid_line_per_kg.assign(one.channels, 0.0);
   spec.sensors.assign(one.channels, {});
   for (std::size_t m = 0; m < one.modes; ++m) {
-    SynthMode mode{.freq_Hz = poles.at(m).freq_Hz, .damping_ratio = poles.at(m).damping_ratio};
+    synth::SynthMode mode{.freq_Hz = poles.at(m).freq_Hz, .damping_ratio = poles.at(m).damping_ratio};
     for (std::size_t c = 0; c < one.channels; ++c) {  // along the beam, nearer and nearer to where it is held
       mode.residue_per_kg.push_back(residues.at(m) *
                                     (1 - 0.6 * static_cast<double>(c) / static_cast<double>(one.channels)));
@@ -55,31 +55,33 @@ SynthSpec held_beam(const BeamCase& one) {
 }
 
 // The largest deflection of each hit, [hits][channels].
-std::vector<std::vector<double>> true_peaks_m(const Truth& truth) {
-  std::vector<SynthPole> poles;
-  for (const SynthMode& mode : truth.spec.modes) poles.push_back({mode.freq_Hz, mode.damping_ratio});
+std::vector<std::vector<double>> true_peaks_m(const synth::Truth& truth) {
+  std::vector<synth::SynthPole> poles;
+  for (const synth::SynthMode& mode : truth.spec.modes) poles.push_back({mode.freq_Hz, mode.damping_ratio});
   std::vector<std::vector<double>> peaks;
-  for (const TrueHit& hit : truth.hits) {
-    const TrueDeflection exact(pulses_of(truth.spec, hit).front(), poles);
+  for (const synth::TrueHit& hit : truth.hits) {
+    const TrueDeflection exact(synth::pulses_of(truth.spec, hit).front(), poles);
     peaks.emplace_back();
     for (const auto& residues : truth.residue_per_kg.front()) peaks.back().push_back(exact.peak(residues).value_m);
   }
   return peaks;
 }
 
-ImpactTest deflections_of(Record record, const SynthSpec& spec, DeflectionMethod method) {
-  const Analysis analysis(std::move(record), {.band_Hz = {{spec.band_low_Hz, spec.band_high_Hz}}, .threads = 1});
-  return deflect(analysis, {.deflection = {.method = method}});
+pipeline::ImpactTest deflections_of(acquire::Record record, const synth::SynthSpec& spec,
+                                    metrics::DeflectionMethod method) {
+  const pipeline::Analysis analysis(std::move(record),
+                                    {.band_Hz = {{spec.band_low_Hz, spec.band_high_Hz}}, .threads = 1});
+  return pipeline::deflect(analysis, {.deflection = {.method = method}});
 }
 
 struct DeflectionTally {
   double error = 0, over_bound = 0, told = 0, covered = 0, all = 0;
 };
 
-DeflectionTally deflection_tally(const ImpactTest& test, const std::vector<std::vector<double>>& truth_m,
+DeflectionTally deflection_tally(const pipeline::ImpactTest& test, const std::vector<std::vector<double>>& truth_m,
                                  const std::vector<double>& bound) {
   DeflectionTally tally;
-  for (const DeflectedHit& hit : test.hits) {
+  for (const pipeline::DeflectedHit& hit : test.hits) {
     ++tally.all;
     if (!hit.deflection.has_peak()) continue;
     const double exact = std::abs(truth_m[hit.hit][hit.channel]);
@@ -92,11 +94,11 @@ DeflectionTally deflection_tally(const ImpactTest& test, const std::vector<std::
   return tally;
 }
 
-std::vector<Figure> errors(const SyntheticTest& test, const std::vector<std::pair<int, Record>>& runs) {
+std::vector<Figure> errors(const synth::SyntheticTest& test, const std::vector<std::pair<int, acquire::Record>>& runs) {
   const auto truth_m = true_peaks_m(test.truth);
   const std::vector<double> bound = deflection_bound(test.truth);
   std::vector<Figure> figures;
-  for (const DeflectionMethod method : kMethods) {
+  for (const metrics::DeflectionMethod method : kMethods) {
     std::vector<DeflectionTally> each(runs.size());
     parallel_for(runs.size(), 0, [&](std::size_t i) {
       each[i] = deflection_tally(deflections_of(runs[i].second, test.truth.spec, method), truth_m, bound);
@@ -109,7 +111,8 @@ std::vector<Figure> errors(const SyntheticTest& test, const std::vector<std::pai
       all.covered += one.covered;
       all.all += one.all;
     }
-    const bool has_deviation = method == DeflectionMethod::drift_free || method == DeflectionMethod::modal;
+    const bool has_deviation =
+        method == metrics::DeflectionMethod::drift_free || method == metrics::DeflectionMethod::modal;
     figures.push_back({.method = name_of(method),
                        .label = {},
                        .error = 100 * std::sqrt(all.error / all.told),
@@ -120,23 +123,23 @@ std::vector<Figure> errors(const SyntheticTest& test, const std::vector<std::pai
   return figures;
 }
 
-void measure_deflection_times(const Record& run, const SynthSpec& spec, const TimingOptions& turns,
+void measure_deflection_times(const acquire::Record& run, const synth::SynthSpec& spec, const TimingOptions& turns,
                               std::vector<Figure>& figures) {
   const TemporaryFolder folder;
   const std::string path = folder.file("run.h5");
-  write_hdf5(path, run, true);
+  acquire::write_hdf5(path, run, true);
   const FftReadBaseline limit({path}, run);
   std::vector<std::function<void()>> works{[&] { limit.run(); }};
-  for (const DeflectionMethod method : kMethods)
-    works.emplace_back([&, method] { deflections_of(open_record(path), spec, method); });
+  for (const metrics::DeflectionMethod method : kMethods)
+    works.emplace_back([&, method] { deflections_of(acquire::open_record(path), spec, method); });
   const std::vector<double> best_s = best_interleaved_s(works, turns);
   for (std::size_t i = 0; i < figures.size(); ++i) figures[i].time_ratio = best_s[1 + i] / best_s[0];
 }
 
 Case measured(BeamCase one, Extent extent, const TimingOptions& turns) {
   if (extent == Extent::quick) one.runs = kBeamQuickRuns;
-  const SyntheticTest test = synthesise(held_beam(one));
-  const auto runs = split_runs(test.record);
+  const synth::SyntheticTest test = synth::synthesise(held_beam(one));
+  const auto runs = pipeline::split_runs(test.record);
   std::vector<Figure> figures = errors(test, runs);
   measure_deflection_times(runs.front().second, test.truth.spec, turns, figures);
   mark_pareto_front(figures);

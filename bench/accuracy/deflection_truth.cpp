@@ -16,20 +16,20 @@ constexpr double kPeriods = 2;  // of the lowest mode: the largest deflection co
 
 }  // namespace
 
-TrueDeflection::TrueDeflection(const Pulse& pulse, const std::vector<SynthPole>& poles)
+TrueDeflection::TrueDeflection(const synth::Pulse& pulse, const std::vector<synth::SynthPole>& poles)
     : end_s_(pulse.onset_s + pulse.width_s) {
-  const GaussLegendre& rule = gauss_legendre();
+  const synth::GaussLegendre& rule = synth::gauss_legendre();
   const double panel_s = pulse.width_s / kPanels;
-  for (const SynthPole& pole : poles) {
+  for (const synth::SynthPole& pole : poles) {
     const double omega = kTwoPi * pole.freq_Hz;
     Swing swing{.decay_per_s = pole.damping_ratio * omega,
                 .omega_radps = omega * std::sqrt(1 - pole.damping_ratio * pole.damping_ratio)};
     const std::complex<double> s(-swing.decay_per_s, swing.omega_radps);
     std::complex<double> z = 0;
     for (int p = 0; p < kPanels; ++p) {
-      for (std::size_t i = 0; i < kGaussNodes; ++i) {
+      for (std::size_t i = 0; i < synth::kGaussNodes; ++i) {
         const double t_s = (p + rule.x.at(i)) * panel_s;  // after the onset
-        z += rule.weight.at(i) * panel_s * pulse_force_N(pulse, t_s) * std::exp(s * (pulse.width_s - t_s));
+        z += rule.weight.at(i) * panel_s * synth::pulse_force_N(pulse, t_s) * std::exp(s * (pulse.width_s - t_s));
       }
     }
     swing.re = z.real();
@@ -55,7 +55,7 @@ TrueDeflection::Peak TrueDeflection::peak(const std::vector<double>& residue_per
       swings_.begin(), swings_.end(), [](const Swing& a, const Swing& b) { return a.omega_radps < b.omega_radps; });
   const double step_s = kTwoPi / fast->omega_radps / kGrid;
   const double last_s = end_s_ + kPeriods * kTwoPi / slow->omega_radps;
-  Peak top;
+  identify::Peak top;
   for (double t = end_s_; t < last_s; t += step_s) {
     const double value = at_m(t, residue_per_kg);
     if (std::abs(value) > std::abs(top.value_m)) top = {value, t};

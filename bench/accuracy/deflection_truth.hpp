@@ -13,7 +13,7 @@ namespace percuss::accuracy {
 /// (The filter passes what moves: at a few hundred Hz it is 1 to 2e-12.)
 class TrueDeflection {
  public:
-  TrueDeflection(const Pulse& pulse, const std::vector<SynthPole>& poles);
+  TrueDeflection(const synth::Pulse& pulse, const std::vector<synth::SynthPole>& poles);
   double at_m(double t_s, const std::vector<double>& residue_per_kg) const;
   /// Its largest magnitude after the pulse, and when: on a grid of a hundredth of the highest mode's period, over two
   /// periods of the lowest, then between its points.

@@ -36,7 +36,7 @@ FftwBaseline& planned(std::size_t samples) {
 
 }  // namespace
 
-FftReadBaseline::FftReadBaseline(std::vector<std::string> paths, const Record& record)
+FftReadBaseline::FftReadBaseline(std::vector<std::string> paths, const acquire::Record& record)
     : paths_(std::move(paths)),
       samples_(record.rows.front().samples),
       transforms_(record.rows.size() * (1 + record.accel.size())) {

@@ -13,7 +13,7 @@ namespace percuss::accuracy {
 class FftReadBaseline {
  public:
   /// `record` describes the files: as many rows and signals, all rows of one length.
-  FftReadBaseline(std::vector<std::string> paths, const Record& record);
+  FftReadBaseline(std::vector<std::string> paths, const acquire::Record& record);
   void run() const;
 
  private:

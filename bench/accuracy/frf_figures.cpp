@@ -22,15 +22,15 @@ struct Sums {
   }
 };
 
-std::vector<double> frequencies(const LineRange& lines) {
+std::vector<double> frequencies(const frf::LineRange& lines) {
   std::vector<double> freq_Hz(lines.count);
   for (std::size_t k = 0; k < lines.count; ++k) freq_Hz[k] = lines.freq_Hz(k);
   return freq_Hz;
 }
 
 // What one FRF misses; at a resonance in dB as well, where it is read off.
-Sums missed(const PointFrf& found, const std::vector<Complex>& exact, const std::vector<double>& ff,
-            const LineRange& lines, const Truth& truth) {
+Sums missed(const frf::PointFrf& found, const std::vector<Complex>& exact, const std::vector<double>& ff,
+            const frf::LineRange& lines, const synth::Truth& truth) {
   Sums sums;
   const double noise = std::pow(truth.accel_noise_mps2[found.channel], 2) * static_cast<double>(lines.samples);
   for (std::size_t k = 0; k < lines.count; ++k) {
@@ -42,30 +42,30 @@ Sums missed(const PointFrf& found, const std::vector<Complex>& exact, const std:
     sums.over_bound += square * ff[k] / noise;  // (1)
     ++sums.terms;
   }
-  for (const SynthMode& mode : truth.spec.modes) {
+  for (const synth::SynthMode& mode : truth.spec.modes) {
     const std::size_t k = lines.nearest(mode.freq_Hz);
     sums.worst_dB = std::max(sums.worst_dB, std::abs(20 * std::log10(std::abs(found.frf.value[k] / exact[k]))));
   }
   return sums;
 }
 
-Sums one_run(const Record& record, const Truth& truth, Estimator estimator) {
-  const Analysis analysis(
+Sums one_run(const acquire::Record& record, const synth::Truth& truth, frf::Estimator estimator) {
+  const pipeline::Analysis analysis(
       record, {.band_Hz = {{truth.spec.band_low_Hz, truth.spec.band_high_Hz}}, .estimator = estimator, .threads = 1});
   Sums sums;
   const std::vector<double> freq_Hz = frequencies(analysis.lines());
-  for (const PointFrf& frf : analysis.frfs()) {
-    sums.add(missed(frf, exact_accelerance(truth, 0, frf.channel, freq_Hz), analysis.fitted_frfs().points.front().ff,
-                    analysis.lines(), truth));
+  for (const frf::PointFrf& frf : analysis.frfs()) {
+    sums.add(missed(frf, synth::exact_accelerance(truth, 0, frf.channel, freq_Hz),
+                    analysis.fitted_frfs().points.front().ff, analysis.lines(), truth));
   }
   return sums;
 }
 
 }  // namespace
 
-std::vector<Figure> frf_errors(const std::vector<std::pair<int, Record>>& runs, const Truth& truth) {
+std::vector<Figure> frf_errors(const std::vector<std::pair<int, acquire::Record>>& runs, const synth::Truth& truth) {
   std::vector<Figure> figures;
-  for (const Estimator estimator : {Estimator::h1, Estimator::h2, Estimator::hv}) {
+  for (const frf::Estimator estimator : {frf::Estimator::h1, frf::Estimator::h2, frf::Estimator::hv}) {
     std::vector<Sums> each(runs.size());
     parallel_for(runs.size(), 0, [&](std::size_t i) { each[i] = one_run(runs[i].second, truth, estimator); });
     Sums all;

@@ -13,6 +13,6 @@ namespace percuss::accuracy {
 ///   error       √(Σ|Ĥ − H|²/Σ|H|²)
 ///   over_bound  √(mean |Ĥ − H|²/σ²),  σ² = N σ_a²/Σ_hits|F|²: of a line by itself, the force known       (1)
 /// H is exact (synth/record.hpp).
-std::vector<Figure> frf_errors(const std::vector<std::pair<int, Record>>& runs, const Truth& truth);
+std::vector<Figure> frf_errors(const std::vector<std::pair<int, acquire::Record>>& runs, const synth::Truth& truth);
 
 }  // namespace percuss::accuracy

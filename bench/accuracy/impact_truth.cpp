@@ -45,9 +45,9 @@ int derivatives(double /*t*/, const double* y, double* out, void* parameters) {
   return GSL_SUCCESS;
 }
 
-Motion motion_of(const Impact& impact) {
+Motion motion_of(const model::Impact& impact) {
   Motion motion{.omega2 = {}, .weight = {}, .hertz_Npm15 = impact.hertz_Npm15, .ball_mass_kg = impact.ball_mass_kg};
-  for (const BeamMode& mode : beam_modes(impact.beam, impact.modes)) {
+  for (const model::BeamMode& mode : model::beam_modes(impact.beam, impact.modes)) {
     motion.omega2.push_back(mode.omega_radps * mode.omega_radps);
     motion.weight.push_back(mode.shape(impact.at_m) / std::sqrt(impact.beam.mass_per_length_kgpm * mode.norm_m));
   }
@@ -56,7 +56,7 @@ Motion motion_of(const Impact& impact) {
 
 }  // namespace
 
-double exact_cor(const Impact& impact) {
+double exact_cor(const model::Impact& impact) {
   Motion motion = motion_of(impact);
   const std::size_t size = 2 * impact.modes + 2;
   gsl_odeiv2_system system{derivatives, nullptr, size, &motion};
@@ -70,7 +70,7 @@ double exact_cor(const Impact& impact) {
       throw std::runtime_error("the impact could not be followed");
   };
   double t_s = 0;
-  const double hop_s = hertz_contact_s(impact) / 1000;
+  const double hop_s = model::hertz_contact_s(impact) / 1000;
   std::vector<double> before = y;
   double before_s = 0;
   do {

@@ -28,8 +28,8 @@ struct ModeTally {
     besides += other.besides;
     covered += other.covered;
   }
-  void add(const Mode& mode, const Truth& truth, std::size_t m) {
-    const SynthMode& true_mode = truth.spec.modes[m];
+  void add(const identify::Mode& mode, const synth::Truth& truth, std::size_t m) {
+    const synth::SynthMode& true_mode = truth.spec.modes[m];
     const double df_Hz = mode.pole.freq_Hz - true_mode.freq_Hz;
     const double dz = mode.pole.damping_ratio - true_mode.damping_ratio;
     freq += std::pow(df_Hz / true_mode.freq_Hz, 2);
@@ -42,10 +42,10 @@ struct ModeTally {
   }
 };
 
-ModeTally matched(const std::vector<Mode>& modes, const Truth& truth) {
+ModeTally matched(const std::vector<identify::Mode>& modes, const synth::Truth& truth) {
   std::vector<std::tuple<double, std::size_t, std::size_t>> pairs;  // distance, true mode, mode
   for (std::size_t m = 0; m < truth.spec.modes.size(); ++m) {
-    const SynthMode& sought = truth.spec.modes[m];
+    const synth::SynthMode& sought = truth.spec.modes[m];
     for (std::size_t k = 0; k < modes.size(); ++k) {
       const double away_Hz = std::abs(modes[k].pole.freq_Hz - sought.freq_Hz);
       if (away_Hz <= 2 * sought.damping_ratio * sought.freq_Hz) pairs.emplace_back(away_Hz, m, k);
@@ -63,7 +63,7 @@ ModeTally matched(const std::vector<Mode>& modes, const Truth& truth) {
   return tally;
 }
 
-Figure figure_from(const ModeTally& all, Effort effort, std::size_t runs) {
+Figure figure_from(const ModeTally& all, identify::Effort effort, std::size_t runs) {
   return {.method = name_of(effort),
           .label = {},
           .error = 1e6 * std::sqrt(all.freq / all.found),
@@ -77,12 +77,12 @@ Figure figure_from(const ModeTally& all, Effort effort, std::size_t runs) {
 
 }  // namespace
 
-std::vector<Figure> mode_errors(const std::vector<std::pair<int, Record>>& runs, const Truth& truth) {
+std::vector<Figure> mode_errors(const std::vector<std::pair<int, acquire::Record>>& runs, const synth::Truth& truth) {
   std::vector<Figure> figures;
-  for (const Effort effort : kEfforts) {
+  for (const identify::Effort effort : kEfforts) {
     std::vector<ModeTally> each(runs.size());
     parallel_for(runs.size(), 0, [&](std::size_t i) {
-      const Analysis analysis(
+      const pipeline::Analysis analysis(
           runs[i].second,
           {.band_Hz = {{truth.spec.band_low_Hz, truth.spec.band_high_Hz}}, .modes = {.effort = effort}, .threads = 1});
       each[i] = matched(analysis.modes(), truth);

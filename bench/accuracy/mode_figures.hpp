@@ -10,7 +10,7 @@
 
 namespace percuss::accuracy {
 
-inline constexpr std::array kEfforts{Effort::quick, Effort::standard, Effort::best};
+inline constexpr std::array kEfforts{identify::Effort::quick, identify::Effort::standard, identify::Effort::best};
 
 /// Errors of the modes that each effort finds, over all modes and runs; times are left out. A true mode is found when a
 /// mode lies within its half-power bandwidth, nearest pairs first, each mode once.
@@ -18,6 +18,6 @@ inline constexpr std::array kEfforts{Effort::quick, Effort::standard, Effort::be
 ///   over_bound  √(mean ((f̂ − f)/σ_f)²), σ_f Cramér and Rao's (synth/record.hpp: force known, all hits)     (1)
 ///   more        error of the damping ratio in % of it; the same over its bound; stated intervals of 95 % that hold the
 ///               truth, %; modes found, %; modes besides, per run
-std::vector<Figure> mode_errors(const std::vector<std::pair<int, Record>>& runs, const Truth& truth);
+std::vector<Figure> mode_errors(const std::vector<std::pair<int, acquire::Record>>& runs, const synth::Truth& truth);
 
 }  // namespace percuss::accuracy

@@ -16,8 +16,8 @@ constexpr std::uint64_t kPurpose = 0xACC;  // of the random streams
 
 // Noise is stated in parts of the RMS over the record, which falls as the record gets longer: that is made up for, so
 // that the sensor stays the same.
-SynthSpec main_bat(double length_s = 1, double noise = kMainNoise, double force_noise = 0) {
-  SynthSpec spec = synth_preset("composite-bat");
+synth::SynthSpec main_bat(double length_s = 1, double noise = kMainNoise, double force_noise = 0) {
+  synth::SynthSpec spec = synth::synth_preset("composite-bat");
   spec.samples = static_cast<std::size_t>(std::lround(length_s * spec.fs_Hz));
   spec.noise = {.force = force_noise, .accel = noise * std::sqrt(length_s)};
   return spec;
@@ -29,7 +29,7 @@ class Sweeper {
 
   void begin(std::string over) { sweeps_.push_back({std::move(over), {}}); }
   // Quick: the main case, and one of each sweep.
-  void add(std::string value, SynthSpec spec, bool main = false) {
+  void add(std::string value, synth::SynthSpec spec, bool main = false) {
     if (extent_ == Extent::quick && !main && !sweeps_.back().cases.empty()) return;
     spec.runs = extent_ == Extent::quick ? kQuickRuns : main ? kMainRuns : kRuns;
     sweeps_.back().cases.push_back({std::move(value), std::move(spec)});
@@ -43,18 +43,18 @@ class Sweeper {
 
 }  // namespace
 
-SynthSpec spread_structure(std::size_t modes, std::size_t channels) {
-  SynthSpec spec{.name = "spread", .fs_Hz = 8192, .samples = 8192, .seed = 1};
+synth::SynthSpec spread_structure(std::size_t modes, std::size_t channels) {
+  synth::SynthSpec spec{.name = "spread", .fs_Hz = 8192, .samples = 8192, .seed = 1};
   spec.hits = 3;
   spec.noise = {.force = 0, .accel = kMainNoise};
   spec.sensors.assign(channels, {});
   for (std::size_t c = 0; c < channels; ++c)
     spec.sensors[c].position_m = 0.8 * static_cast<double>(c) / static_cast<double>(channels);
-  RandomStream random({kPurpose, modes, channels});
+  synth::RandomStream random({kPurpose, modes, channels});
   const double step_Hz = 2850 / static_cast<double>(modes);
   for (std::size_t m = 0; m < modes; ++m) {
-    SynthMode mode{.freq_Hz = 150 + step_Hz * (static_cast<double>(m) + random.uniform(0.3, 0.7)),
-                   .damping_ratio = random.uniform(0.002, 0.005)};
+    synth::SynthMode mode{.freq_Hz = 150 + step_Hz * (static_cast<double>(m) + random.uniform(0.3, 0.7)),
+                          .damping_ratio = random.uniform(0.002, 0.005)};
     for (std::size_t c = 0; c < channels; ++c)
       mode.residue_per_kg.push_back((random.uniform() < 0.5 ? -1 : 1) * random.uniform(0.3, 1.5));
     spec.modes.push_back(std::move(mode));

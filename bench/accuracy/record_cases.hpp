@@ -13,7 +13,7 @@ enum class Extent { full, quick };
 /// A test whose records an analysis is tried on, and what it stands for in its sweep.
 struct RecordCase {
   std::string value;
-  SynthSpec spec;  // spec.runs: how many noisy runs
+  synth::SynthSpec spec;  // spec.runs: how many noisy runs
 };
 
 struct RecordSweep {
@@ -28,6 +28,6 @@ std::vector<RecordSweep> record_sweeps(Extent extent);
 
 /// Modes spread evenly over 150 to 3000 Hz, 0.2 to 0.5 % of damping, residues of 0.3 to 1.5 /kg of either sign, for so
 /// many accelerometers; one second at 8192 Hz, three hits, 1 % of noise on the accelerations.
-SynthSpec spread_structure(std::size_t modes, std::size_t channels);
+synth::SynthSpec spread_structure(std::size_t modes, std::size_t channels);
 
 }  // namespace percuss::accuracy

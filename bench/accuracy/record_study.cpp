@@ -14,30 +14,30 @@ namespace {
 
 constexpr const char* kTime = "bare FFTW + reading";
 
-AnalysisOptions options_for(const SynthSpec& spec) {
+pipeline::AnalysisOptions options_for(const synth::SynthSpec& spec) {
   return {.band_Hz = {{spec.band_low_Hz, spec.band_high_Hz}}, .threads = 1};
 }
 
 // Fills in the times of both sets of figures, all by turns with the limit.
-void measure_times(const Record& run, const SynthSpec& spec, const TimingOptions& turns, std::vector<Figure>& frfs,
-                   std::vector<Figure>& modes) {
+void measure_times(const acquire::Record& run, const synth::SynthSpec& spec, const TimingOptions& turns,
+                   std::vector<Figure>& frfs, std::vector<Figure>& modes) {
   const TemporaryFolder folder;
   const std::string path = folder.file("run.h5");
-  write_hdf5(path, run, true);
+  acquire::write_hdf5(path, run, true);
   const FftReadBaseline limit({path}, run);
   std::vector<std::function<void()>> works{[&] { limit.run(); }};
-  for (const Estimator estimator : {Estimator::h1, Estimator::h2, Estimator::hv}) {
+  for (const frf::Estimator estimator : {frf::Estimator::h1, frf::Estimator::h2, frf::Estimator::hv}) {
     works.emplace_back([&, estimator] {
-      AnalysisOptions options = options_for(spec);
+      pipeline::AnalysisOptions options = options_for(spec);
       options.estimator = estimator;
-      Analysis(open_record(path), options).frfs();
+      pipeline::Analysis(acquire::open_record(path), options).frfs();
     });
   }
-  for (const Effort effort : kEfforts) {
+  for (const identify::Effort effort : kEfforts) {
     works.emplace_back([&, effort] {
-      AnalysisOptions options = options_for(spec);
+      pipeline::AnalysisOptions options = options_for(spec);
       options.modes.effort = effort;
-      Analysis(open_record(path), options).classifications();
+      pipeline::Analysis(acquire::open_record(path), options).classifications();
     });
   }
   const std::vector<double> best_s = best_interleaved_s(works, turns);
@@ -65,8 +65,8 @@ RecordStudy study_records(Extent extent, const TimingOptions& turns) {
     study.frfs.sweeps.push_back({sweep.over, {}});
     study.modes.sweeps.push_back({sweep.over, {}});
     for (const RecordCase& one : sweep.cases) {
-      const SyntheticTest test = synthesise(one.spec);
-      const auto runs = split_runs(test.record);
+      const synth::SyntheticTest test = synth::synthesise(one.spec);
+      const auto runs = pipeline::split_runs(test.record);
       std::vector<Figure> frfs = frf_errors(runs, test.truth), modes = mode_errors(runs, test.truth);
       measure_times(runs.front().second, one.spec, turns, frfs, modes);
       mark_pareto_front(frfs);

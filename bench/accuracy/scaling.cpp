@@ -21,12 +21,12 @@ constexpr double kSteeper = 1.2;  // the growth that is reckoned with beforehand
 struct ScalingCase {
   std::string of, with;
   std::vector<std::size_t> sizes;
-  std::function<SynthSpec(std::size_t)> spec;
+  std::function<synth::SynthSpec(std::size_t)> spec;
   bool files = false;
 };
 
-SynthSpec three_modes(std::size_t samples, double fs_Hz) {
-  SynthSpec spec{.name = "three-modes", .fs_Hz = fs_Hz, .samples = samples, .seed = 1};
+synth::SynthSpec three_modes(std::size_t samples, double fs_Hz) {
+  synth::SynthSpec spec{.name = "three-modes", .fs_Hz = fs_Hz, .samples = samples, .seed = 1};
   spec.modes = {{.freq_Hz = 182, .damping_ratio = 0.009, .residue_per_kg = {1}},
                 {.freq_Hz = 622, .damping_ratio = 0.006, .residue_per_kg = {-1}},
                 {.freq_Hz = 1265, .damping_ratio = 0.005, .residue_per_kg = {0.7}}};
@@ -36,29 +36,29 @@ SynthSpec three_modes(std::size_t samples, double fs_Hz) {
   return spec;
 }
 
-SynthSpec small_file() {
-  SynthSpec spec = three_modes(256, 2048);
+synth::SynthSpec small_file() {
+  synth::SynthSpec spec = three_modes(256, 2048);
   spec.modes.resize(1);
   spec.pulse.width_s = 2e-3;
   spec.band_high_Hz = 600;
   return spec;
 }
 
-SynthSpec many_modes(std::size_t modes) {
-  SynthSpec spec = spread_structure(modes, 2);
-  for (SynthMode& mode : spec.modes) mode.damping_ratio /= 2;  // so that sixty of them stay apart
+synth::SynthSpec many_modes(std::size_t modes) {
+  synth::SynthSpec spec = spread_structure(modes, 2);
+  for (synth::SynthMode& mode : spec.modes) mode.damping_ratio /= 2;  // so that sixty of them stay apart
   return spec;
 }
 
 // A test of more than 250 is made of 250, several times with new noise.
-SynthSpec many_channels(std::size_t channels) {
-  SynthSpec spec = spread_structure(6, std::min<std::size_t>(channels, 250));
+synth::SynthSpec many_channels(std::size_t channels) {
+  synth::SynthSpec spec = spread_structure(6, std::min<std::size_t>(channels, 250));
   spec.runs = channels / spec.sensors.size();
   return spec;
 }
 
-SynthSpec many_hits(std::size_t hits) {
-  SynthSpec spec = spread_structure(6, 2);
+synth::SynthSpec many_hits(std::size_t hits) {
+  synth::SynthSpec spec = spread_structure(6, 2);
   spec.hits = hits;
   return spec;
 }
@@ -78,11 +78,11 @@ std::vector<ScalingCase> scaling_cases() {
            true}};
 }
 
-Record opened(const std::vector<std::string>& paths) {
-  std::vector<Record> records;
+acquire::Record opened(const std::vector<std::string>& paths) {
+  std::vector<acquire::Record> records;
   records.reserve(paths.size());
-  for (const std::string& path : paths) records.push_back(open_record(path));
-  return join_records(std::move(records), FileGrouping::hits);
+  for (const std::string& path : paths) records.push_back(acquire::open_record(path));
+  return acquire::join_records(std::move(records), acquire::FileGrouping::hits);
 }
 
 struct Cost {
@@ -91,10 +91,11 @@ struct Cost {
 };
 
 // In a process of its own: first once for the memory, then by turns with the limit.
-Cost cost_of(const std::vector<std::string>& paths, const SynthSpec& spec, const TimingOptions& turns) {
+Cost cost_of(const std::vector<std::string>& paths, const synth::SynthSpec& spec, const TimingOptions& turns) {
   Cost cost{};
   const auto analyse = [&] {
-    const Analysis analysis(opened(paths), {.band_Hz = {{spec.band_low_Hz, spec.band_high_Hz}}, .threads = 1});
+    const pipeline::Analysis analysis(opened(paths),
+                                      {.band_Hz = {{spec.band_low_Hz, spec.band_high_Hz}}, .threads = 1});
     cost.modes = analysis.classifications().size();
   };
   const double before_bytes = peak_memory_bytes();
@@ -119,7 +120,7 @@ bool measure_at(std::size_t n, const ScalingCase& question, const TimingOptions&
                 double& making_s) {
   const double start_s = wall_s();
   const TemporaryFolder folder;
-  const SynthSpec spec = question.spec(n);
+  const synth::SynthSpec spec = question.spec(n);
   const auto paths = question.files ? many_files(spec, n, folder.path()) : one_file(spec, folder.path());
   making_s = wall_s() - start_s;
   const auto cost = forked<Cost>([&] { return cost_of(paths, spec, turns); });

@@ -15,8 +15,8 @@ constexpr std::pair<double, double> kBand_Hz{60, 3200}, kNarrow_Hz{60, 700};
 constexpr std::size_t kHits = 10, kChannels = 8;
 
 // Ten hits of one second; all of the decay is over after a quarter of it, but for 0.1 % of noise.
-SynthSpec plain_test(std::size_t channels) {
-  SynthSpec spec = spread_structure(3, channels);
+synth::SynthSpec plain_test(std::size_t channels) {
+  synth::SynthSpec spec = spread_structure(3, channels);
   spec.fs_Hz = kFs_Hz;
   spec.samples = static_cast<std::size_t>(kFs_Hz);
   spec.hits = kHits;
@@ -25,18 +25,18 @@ SynthSpec plain_test(std::size_t channels) {
 }
 
 // The same hits in one record, with as much silence after each decay as it takes to walk round a table.
-SynthSpec long_record(double seconds) {
-  SynthSpec spec = plain_test(2);
-  spec.layout = SynthLayout::continuous;
+synth::SynthSpec long_record(double seconds) {
+  synth::SynthSpec spec = plain_test(2);
+  spec.layout = synth::SynthLayout::continuous;
   spec.samples = static_cast<std::size_t>(seconds * kFs_Hz);
   return spec;
 }
 
 class Files {
  public:
-  std::string of(const SynthSpec& spec, const std::string& name) const {
+  std::string of(const synth::SynthSpec& spec, const std::string& name) const {
     std::string path = folder_.file(name + ".h5");
-    write_hdf5(path, synthesise(spec).record, true);
+    acquire::write_hdf5(path, synth::synthesise(spec).record, true);
     return path;
   }
 
@@ -46,12 +46,12 @@ class Files {
 
 enum class Wanted { hits, frfs, modes };
 
-std::function<void()> analysis_of(const std::string& path, const AnalysisOptions& options, Wanted wanted,
-                                  const ReadOptions& reading = {}) {
+std::function<void()> analysis_of(const std::string& path, const pipeline::AnalysisOptions& options, Wanted wanted,
+                                  const acquire::ReadOptions& reading = {}) {
   return [=] {
-    AnalysisOptions one = options;
+    pipeline::AnalysisOptions one = options;
     one.threads = 1;
-    const Analysis analysis(open_record(path, reading), one);
+    const pipeline::Analysis analysis(acquire::open_record(path, reading), one);
     if (wanted == Wanted::hits) analysis.force_hits();
     if (wanted == Wanted::frfs) analysis.frfs();
     if (wanted == Wanted::modes) analysis.classifications();
@@ -64,13 +64,13 @@ std::vector<Saving> study_skips(Extent extent, const TimingOptions& turns) {
   const Files files;
   const std::string many = files.of(plain_test(kChannels), "many"), two = files.of(plain_test(2), "two");
   const std::string row = files.of(long_record(extent == Extent::quick ? 10 : 60), "long");
-  const AnalysisOptions plain{.band_Hz = kBand_Hz}, narrow{.band_Hz = kNarrow_Hz};
-  AnalysisOptions ungated = plain, rejecting = plain, whole_rows = plain, quick = plain;
+  const pipeline::AnalysisOptions plain{.band_Hz = kBand_Hz}, narrow{.band_Hz = kNarrow_Hz};
+  pipeline::AnalysisOptions ungated = plain, rejecting = plain, whole_rows = plain, quick = plain;
   ungated.hits.gate_force = false;
   for (std::size_t h = 2; h < kHits; ++h) rejecting.reject_hits.push_back(h);
   whole_rows.hits.length_s = 1e9;  // up to the next hit
-  quick.modes.effort = Effort::quick;
-  ReadOptions one_channel;
+  quick.modes.effort = identify::Effort::quick;
+  acquire::ReadOptions one_channel;
   one_channel.accel_channels = {"1"};
 
   std::vector<Saving> savings;

@@ -5,7 +5,7 @@
 
 #include "core/error.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 constexpr std::size_t kBefore = 8;  // samples before the pulse that tell the offsets
@@ -77,4 +77,4 @@ Calibration calibrate(const Record& record, double mass_kg, const HitOptions& op
   return out;
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

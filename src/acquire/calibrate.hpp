@@ -6,7 +6,7 @@
 #include "acquire/record/record.hpp"
 #include "core/error.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 
 /// There is nothing to calibrate with: the record is readable, but no hit is in it.
 class NoHitError : public InputError {
@@ -38,4 +38,4 @@ struct Calibration {
 /// theory (1.6)
 Calibration calibrate(const Record& record, double mass_kg, const HitOptions& options = {});
 
-}  // namespace percuss
+}  // namespace percuss::acquire

@@ -17,7 +17,7 @@
 #include "core/error.hpp"
 #include "core/io/input_file.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 constexpr std::string_view kHdf5 = "\x89HDF\r\n\x1a\n";
@@ -92,4 +92,4 @@ Record open_record(const std::string& path, const ReadOptions& options) {
   return open_text(read_text(path), options);
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

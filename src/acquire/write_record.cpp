@@ -13,7 +13,7 @@
 #include "acquire/formats/uff/write_uff.hpp"
 #include "core/error.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 std::string kind_of(const std::string& path) {
@@ -80,4 +80,4 @@ std::vector<std::string> losses_of(const std::string& path, const Record& record
   return out;
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

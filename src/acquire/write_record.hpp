@@ -4,7 +4,7 @@
 
 #include "acquire/record/record.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 
 /// Writes a record as the path's extension says: .h5, .hdf5, .csv, .mat, .uff or .unv.
 /// errors  InputError: the file exists (without `force`) or cannot be written, or its format cannot hold the record.
@@ -16,4 +16,4 @@ std::vector<std::string> losses_of(const std::string& path, const Record& record
 /// The extensions that write_record knows.
 const std::vector<std::string>& record_extensions();
 
-}  // namespace percuss
+}  // namespace percuss::acquire

@@ -17,7 +17,7 @@
 #include "core/error.hpp"
 #include "report/text/digest.hpp"
 
-namespace percuss {
+namespace percuss::batch {
 namespace {
 
 constexpr std::size_t kLongestLine_bytes = std::size_t{1} << 30U;  // the FRFs of a survey
@@ -25,7 +25,7 @@ constexpr std::size_t kDigits = 16;                                // of the dig
 constexpr char kBetweenRows = '\t';                                // JSON escapes it, so that it is in no row
 constexpr std::string_view kBegun = "begun ", kDone = "done ";
 
-std::string digits_of(std::string_view rows) { return hexadecimal(sha256(rows)).substr(0, kDigits); }
+std::string digits_of(std::string_view rows) { return report::hexadecimal(report::sha256(rows)).substr(0, kDigits); }
 
 std::optional<std::size_t> take_number(std::string_view& text) {
   std::size_t value = 0;
@@ -173,4 +173,4 @@ JournalState journal_state(const std::string& path) {
   return state;
 }
 
-}  // namespace percuss
+}  // namespace percuss::batch

@@ -7,7 +7,7 @@
 #include "batch/manifest.hpp"
 #include "batch/part.hpp"
 
-namespace percuss {
+namespace percuss::batch {
 
 /// A shard's finished records while it runs: a file that lines are appended to, each with one call of the system, so
 /// that a process that is killed at any moment leaves whole lines and at most one that is torn at the end, which the
@@ -60,4 +60,4 @@ struct JournalState {
 };
 JournalState journal_state(const std::string& path);
 
-}  // namespace percuss
+}  // namespace percuss::batch

@@ -11,7 +11,7 @@
 #include "core/error.hpp"
 #include "core/io/input_file.hpp"
 
-namespace percuss {
+namespace percuss::batch {
 namespace {
 
 constexpr std::size_t kPiece_bytes = std::size_t{1} << 17U;
@@ -79,4 +79,4 @@ std::string bytes_at(int descriptor, std::uint64_t offset, std::size_t count, co
   return out;
 }
 
-}  // namespace percuss
+}  // namespace percuss::batch

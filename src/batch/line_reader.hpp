@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace percuss {
+namespace percuss::batch {
 
 /// A file's lines one after the other, in memory that does not grow with the file.
 ///   LineReader lines(path, 65536);
@@ -43,4 +43,4 @@ class LineReader {
 /// the file has become shorter, or cannot be read.
 std::string bytes_at(int descriptor, std::uint64_t offset, std::size_t count, const std::string& path);
 
-}  // namespace percuss
+}  // namespace percuss::batch

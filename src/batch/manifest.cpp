@@ -15,7 +15,7 @@
 #include "core/io/strict_json.hpp"
 #include "report/text/digest.hpp"
 
-namespace percuss {
+namespace percuss::batch {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -94,7 +94,7 @@ BatchRecord parse_record(const StrictText& text) {
 }  // namespace
 
 std::string options_sha256(const BatchHeader& head) {
-  return hexadecimal(sha256(Json{head.options, head.setup, head.frf}.dump()));
+  return report::hexadecimal(report::sha256(Json{head.options, head.setup, head.frf}.dump()));
 }
 
 void write_manifest(const std::string& path, const BatchHeader& head, const std::vector<BatchRecord>& records,
@@ -114,7 +114,7 @@ Manifest::Manifest(std::string path) : path_(std::move(path)) {
   head_ = parse_head(line_text(lines.line(), path_, 1), records);
   if (records > kMaxRecords) throw InputError("more than 20 million records", path_, "plan several batches");
   head_end_ = lines.end();
-  Digest digest;
+  report::Digest digest;
   digest.add(lines.line());
   std::string id;
   while (ends_.size() <= records && lines.next()) {
@@ -130,7 +130,7 @@ Manifest::Manifest(std::string path) : path_(std::move(path)) {
     throw InputError(fmt::format("{} records where the first line says {}", ends_.size(), records), path_,
                      "the file is not whole; copy it again, or plan anew");
   }
-  sha256_ = hexadecimal(digest.result());
+  sha256_ = report::hexadecimal(digest.result());
   std::uint64_t size_bytes = 0;
   descriptor_ = open_regular_file(path_, std::numeric_limits<std::uint64_t>::max(), size_bytes);
 }
@@ -178,4 +178,4 @@ ShardRange Manifest::shard(std::size_t i, std::size_t shards) const {
   return {.first = records_before(i, shards), .last = records_before(i + 1, shards)};
 }
 
-}  // namespace percuss
+}  // namespace percuss::batch

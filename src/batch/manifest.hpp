@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-namespace percuss {
+namespace percuss::batch {
 
 /// One record of a batch, as it was when the batch was planned.
 struct BatchRecord {
@@ -75,4 +75,4 @@ class Manifest {
 
 inline constexpr std::size_t kMaxShards = 100000;
 
-}  // namespace percuss
+}  // namespace percuss::batch

@@ -14,7 +14,7 @@
 #include "core/error.hpp"
 #include "report/text/digest.hpp"
 
-namespace percuss {
+namespace percuss::batch {
 namespace {
 
 constexpr std::size_t kLongestRow_bytes = std::size_t{1} << 30U;
@@ -49,7 +49,7 @@ void copy_rows(const std::string& folder, const FinishedShard& part,
                const std::vector<std::unique_ptr<RowWriter>>& writers) {
   const std::string path = part_path(folder, part.label.shard, "jsonl");
   LineReader lines(path, kLongestRow_bytes);
-  Digest digest;
+  report::Digest digest;
   std::size_t records = 0;
   while (lines.next()) {
     digest.add(lines.line());
@@ -61,7 +61,7 @@ void copy_rows(const std::string& folder, const FinishedShard& part,
     records += lines.line().starts_with(kRecordRow) ? 1U : 0U;
     for (const auto& writer : writers) writer->add(lines.line(), fmt::format("{}, line {}", path, lines.number()));
   }
-  if (records != part.records || hexadecimal(digest.result()) != part.sha256) refuse_changed(path);
+  if (records != part.records || report::hexadecimal(digest.result()) != part.sha256) refuse_changed(path);
 }
 
 }  // namespace
@@ -86,4 +86,4 @@ MergedBatch merge_batch(const Manifest& manifest, const std::string& folder, con
   return merged;
 }
 
-}  // namespace percuss
+}  // namespace percuss::batch

@@ -4,7 +4,7 @@
 
 #include "batch/manifest.hpp"
 
-namespace percuss {
+namespace percuss::batch {
 
 struct MergedBatch {
   std::size_t records = 0, failed = 0;
@@ -20,4 +20,4 @@ struct MergedBatch {
 MergedBatch merge_batch(const Manifest& manifest, const std::string& folder, const std::vector<std::string>& paths,
                         bool force);
 
-}  // namespace percuss
+}  // namespace percuss::batch

@@ -11,7 +11,7 @@
 #include "core/io/strict_json.hpp"
 #include "report/text/version.hpp"
 
-namespace percuss {
+namespace percuss::batch {
 namespace {
 
 namespace fs = std::filesystem;
@@ -71,7 +71,7 @@ std::string part_path(const std::string& folder, std::size_t shard, const char* 
 }
 
 ShardLabel label_of(const Manifest& manifest, std::size_t shard, std::size_t shards) {
-  return {.version = version(),
+  return {.version = report::version(),
           .manifest_sha256 = manifest.sha256(),
           .options_sha256 = options_sha256(manifest.head()),
           .shard = shard,
@@ -137,4 +137,4 @@ void require_same_shard(const ShardLabel& found, const ShardLabel& wanted, const
     refuse(fmt::format("made by percuss {}, not {}", one_line(found.version, 40), wanted.version));
 }
 
-}  // namespace percuss
+}  // namespace percuss::batch

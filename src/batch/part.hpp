@@ -5,7 +5,7 @@
 
 #include "batch/manifest.hpp"
 
-namespace percuss {
+namespace percuss::batch {
 
 // A shard's files in the folder of results:
 //   part-3.partial   its finished records so far, while it runs (journal.hpp)
@@ -48,4 +48,4 @@ std::optional<std::size_t> shard_count_in(const std::string& folder);
 /// InputError when a part in `folder` is of another plan, of other options, or of another version of percuss.
 void require_same_shard(const ShardLabel& found, const ShardLabel& wanted, const std::string& path);
 
-}  // namespace percuss
+}  // namespace percuss::batch

@@ -17,7 +17,7 @@
 #include "core/io/input_file.hpp"
 #include "report/text/digest.hpp"
 
-namespace percuss {
+namespace percuss::batch {
 namespace {
 
 namespace fs = std::filesystem;
@@ -146,7 +146,7 @@ std::vector<BatchRecord> records_of_files(const std::vector<std::string>& paths,
     if (!is_utf8(path)) throw InputError("the file's name is not UTF-8", path, "rename it");
     BatchRecord record{.id = fs::path(path).stem().string(), .path = path_from(path, folder)};
     record.bytes = fs::file_size(path);
-    if (hashed) record.sha256 = sha256_of_file(path);
+    if (hashed) record.sha256 = report::sha256_of_file(path);
     if (by_path.emplace(record.path, record).second) ++times[record.id];
   }
   std::vector<BatchRecord> records;
@@ -159,4 +159,4 @@ std::vector<BatchRecord> records_of_files(const std::vector<std::string>& paths,
   return records;
 }
 
-}  // namespace percuss
+}  // namespace percuss::batch

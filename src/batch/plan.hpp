@@ -5,7 +5,7 @@
 
 #include "batch/manifest.hpp"
 
-namespace percuss {
+namespace percuss::batch {
 
 /// Files that are to be records, from what was named: files; folders, of which all files below are taken whose
 /// extension is one of those that records have (no hidden ones); patterns with * ? [ ] of which no file has the name.
@@ -26,4 +26,4 @@ std::vector<std::string> parse_path_list(std::string_view text);
 std::vector<BatchRecord> records_of_files(const std::vector<std::string>& paths, const std::string& manifest_folder,
                                           bool hashed);
 
-}  // namespace percuss
+}  // namespace percuss::batch

@@ -16,7 +16,7 @@
 #include "report/text/analysis_text.hpp"
 #include "report/text/digest.hpp"
 
-namespace percuss {
+namespace percuss::batch {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -34,7 +34,7 @@ void require_unchanged(const BatchRecord& record) {
     throw InputError(fmt::format("the file has {} bytes, and had {} when the batch was planned", bytes, record.bytes),
                      record.path, "put it back, or plan anew");
   }
-  if (!record.sha256.empty() && sha256_of_file(record.path) != record.sha256) {
+  if (!record.sha256.empty() && report::sha256_of_file(record.path) != record.sha256) {
     throw InputError("the file is not the one that the batch was planned with: its SHA-256 is another", record.path,
                      "put it back, or plan anew");
   }
@@ -46,20 +46,20 @@ struct RowDiagnostics {
   std::string reason;
   Json fs_Hz, band_Hz{Json(), Json()};
   std::size_t accepted = 0, rejected = 0;
-  std::set<FindingCode> findings;
+  std::set<acquire::FindingCode> findings;
   std::vector<std::string> warnings;  // in the order in which they came
   std::vector<Json> modes;
   std::vector<Json> frfs;
 };
 
-void add_hits(RowDiagnostics& told, const Analysis& analysis) {
-  for (const AnalysedHit& hit : analysis.hits()) {
+void add_hits(RowDiagnostics& told, const pipeline::Analysis& analysis) {
+  for (const pipeline::AnalysedHit& hit : analysis.hits()) {
     ++(hit.accepted ? told.accepted : told.rejected);
-    for (const Finding& finding : hit.hit.findings) told.findings.insert(finding.code);
+    for (const acquire::Finding& finding : hit.hit.findings) told.findings.insert(finding.code);
   }
 }
 
-void add_verdict(Json& row, const ModeClassification& verdict) {
+void add_verdict(Json& row, const identify::ModeClassification& verdict) {
   row["family"] = name_of(verdict.family);
   row["order"] = verdict.order > 0 ? Json(verdict.order) : Json();
   row["confidence"] = verdict.confidence;
@@ -79,9 +79,9 @@ Json row_start(const char* kind, const BatchRecord& record) {
   return {{"row", kind}, {"id", record.id}, {"path", record.path}};
 }
 
-void add_modes(RowDiagnostics& told, const BatchRecord& record, int run, const Analysis& analysis) {
+void add_modes(RowDiagnostics& told, const BatchRecord& record, int run, const pipeline::Analysis& analysis) {
   for (std::size_t m = 0; m < analysis.modes().size(); ++m) {
-    const Mode& mode = analysis.modes()[m];
+    const identify::Mode& mode = analysis.modes()[m];
     Json row = row_start("mode", record);
     row["run"] = run;
     row["index"] = m;
@@ -94,8 +94,9 @@ void add_modes(RowDiagnostics& told, const BatchRecord& record, int run, const A
   }
 }
 
-void add_run(RowDiagnostics& told, const BatchRecord& record, const RunAnalysis& test, const RowOptions& options) {
-  const Analysis& analysis = *test.analysis;
+void add_run(RowDiagnostics& told, const BatchRecord& record, const pipeline::RunAnalysis& test,
+             const RowOptions& options) {
+  const pipeline::Analysis& analysis = *test.analysis;
   const bool given = analysis.given_frfs() != nullptr;  // FRFs do not tell the rate
   told.fs_Hz = given ? Json() : Json(analysis.record().fs_Hz);
   add_hits(told, analysis);
@@ -104,16 +105,16 @@ void add_run(RowDiagnostics& told, const BatchRecord& record, const RunAnalysis&
     add_modes(told, record, test.run, analysis);
   } else {
     told.code = kNoHit;
-    told.reason = kNoUsableHit;
+    told.reason = report::kNoUsableHit;
   }
-  for (const Warning& warning : analysis.warnings()) {
+  for (const pipeline::Warning& warning : analysis.warnings()) {
     auto& known = told.warnings;
     if (std::find(known.begin(), known.end(), warning.code) == known.end()) known.push_back(warning.code);
   }
   if (!options.frf || !analysis.possible()) return;
   Json row = row_start("frf", record);
   row["run"] = test.run;
-  row["packed"] = serialize_frfs(frf_record_of(analysis));
+  row["packed"] = serialize_frfs(report::frf_record_of(analysis));
   told.frfs.push_back(std::move(row));
 }
 
@@ -126,9 +127,9 @@ RowDiagnostics row_diagnostics_of(const BatchRecord& record, const RowOptions& o
   try {
     require_unchanged(record);
     auto opened = options.fork_server != nullptr
-                      ? open_measurement_forked(options.fork_server, record.path, options.read)
-                      : open_measurement(record.path, options.read);
-    for (const RunAnalysis& test : analyses_of_runs(std::move(opened), options.analysis))
+                      ? frf::open_measurement_forked(options.fork_server, record.path, options.read)
+                      : frf::open_measurement(record.path, options.read);
+    for (const pipeline::RunAnalysis& test : pipeline::analyses_of_runs(std::move(opened), options.analysis))
       add_run(told, record, test, options);
     return told;
   } catch (const UsageError& e) {
@@ -154,7 +155,7 @@ Json record_row(const BatchRecord& record, const RowDiagnostics& told) {
   row["hits_rejected"] = told.rejected;
   row["modes"] = told.modes.size();
   row["findings"] = Json::array();
-  for (const FindingCode code : told.findings) row["findings"].push_back(name_of(code));
+  for (const acquire::FindingCode code : told.findings) row["findings"].push_back(name_of(code));
   row["warnings"] = told.warnings;
   return row;
 }
@@ -170,4 +171,4 @@ RecordRows rows_of(const BatchRecord& record, const RowOptions& options) {
   return out;
 }
 
-}  // namespace percuss
+}  // namespace percuss::batch

@@ -7,16 +7,18 @@
 #include "frf/formats/frf_record.hpp"
 #include "pipeline/analysis.hpp"
 
-namespace percuss {
-
+namespace percuss::acquire {
 class ForkServer;
+}
+
+namespace percuss::batch {
 
 /// How every record of a batch is read and analysed.
 struct RowOptions {
-  FrfReadOptions read;
-  AnalysisOptions analysis;
-  bool frf = false;                           // a row per run with its FRFs as well
-  std::shared_ptr<ForkServer> fork_server{};  // forks the confined readers, where there is one
+  frf::FrfReadOptions read;
+  pipeline::AnalysisOptions analysis;
+  bool frf = false;                                    // a row per run with its FRFs as well
+  std::shared_ptr<acquire::ForkServer> fork_server{};  // forks the confined readers, where there is one
 };
 
 /// What a record came to, as lines of JSON without their ends: a "record", its "mode"s in ascending order, its "frf"s.
@@ -29,4 +31,4 @@ struct RecordRows {
 /// the same exit code as its `code`: nothing about the record is thrown. Text that is not UTF-8 is replaced.
 RecordRows rows_of(const BatchRecord& record, const RowOptions& options);
 
-}  // namespace percuss
+}  // namespace percuss::batch

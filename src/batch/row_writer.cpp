@@ -13,7 +13,7 @@
 #include "metrics/study/batch_columns.hpp"
 #include "metrics/study/csv_cell.hpp"
 
-namespace percuss {
+namespace percuss::batch {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -48,24 +48,24 @@ class JsonLines : public RowWriter {
 
 std::string cell_of(const Json& value) {
   if (value.is_null()) return "";
-  if (value.is_string()) return csv_cell(value.get<std::string>());
+  if (value.is_string()) return metrics::csv_cell(value.get<std::string>());
   if (!value.is_array()) return value.dump();
   std::string words;
   for (const Json& one : value) words += (words.empty() ? "" : " ") + one.get<std::string>();
-  return csv_cell(words);
+  return metrics::csv_cell(words);
 }
 
 class CsvTable : public RowWriter {
  public:
   CsvTable(const std::string& path, bool force) : file_(path, force) {
-    for (const std::string& column : batch_columns()) file_.add((column == "row" ? "" : ",") + column);
+    for (const std::string& column : metrics::batch_columns()) file_.add((column == "row" ? "" : ",") + column);
     file_.add("\n");
   }
   void add(std::string_view row, const std::string& where) override {
     if (row.starts_with(kFrfRow)) return;
     with_row(row, where, [&](const Json& json) {
       std::string line;
-      for (const std::string& column : batch_columns()) {
+      for (const std::string& column : metrics::batch_columns()) {
         const auto value = json.find(column);
         if (column != "row") line += ',';
         if (value != json.end()) line += cell_of(*value);
@@ -98,7 +98,8 @@ class FrfFile : public RowWriter {
     with_row(row, where, [&](const Json& json) {
       const std::string id = json.at("id").get<std::string>(), path = json.at("path").get<std::string>();
       const std::string group = fmt::format("{}/run-{}", group_name(id), json.at("run").get<int>());
-      write_frf_group(out_, group, deserialize_frfs(json.at("packed").get<std::string>(), where), FrfKind::accelerance);
+      frf::write_frf_group(out_, group, deserialize_frfs(json.at("packed").get<std::string>(), where),
+                           frf::FrfKind::accelerance);
       out_.set_text(group, "id", id);
       out_.set_text(group, "path", path);
       out_.close_sets();
@@ -107,13 +108,13 @@ class FrfFile : public RowWriter {
   void commit() override { out_.commit(); }
 
  private:
-  hdf5::OutputHdf5 out_;
+  acquire::hdf5::OutputHdf5 out_;
 };
 
 }  // namespace
 
 std::string batch_header_line(const BatchTotals& totals) {
-  Json json{{"schema", kBatchSchema},
+  Json json{{"schema", metrics::kBatchSchema},
             {"version", totals.version},
             {"records", totals.records},
             {"failed", totals.failed},
@@ -130,4 +131,4 @@ std::unique_ptr<RowWriter> row_writer(const std::string& path, const BatchTotals
   throw InputError("the batch was planned without FRFs", path, "plan it with --frf");
 }
 
-}  // namespace percuss
+}  // namespace percuss::batch

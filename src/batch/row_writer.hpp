@@ -5,7 +5,7 @@
 
 #include "batch/manifest.hpp"
 
-namespace percuss {
+namespace percuss::batch {
 
 /// How the row of a record, and of its FRFs, begins.
 inline constexpr std::string_view kRecordRow = R"({"row":"record")";
@@ -38,4 +38,4 @@ std::unique_ptr<RowWriter> row_writer(const std::string& path, const BatchTotals
 /// The document percuss/batch/1, without its rows: the first line of the JSON lines, with its end.
 std::string batch_header_line(const BatchTotals& totals);
 
-}  // namespace percuss
+}  // namespace percuss::batch

@@ -8,7 +8,7 @@
 #include "core/io/atomic_file.hpp"
 #include "core/parallel/parallel.hpp"
 
-namespace percuss {
+namespace percuss::batch {
 namespace {
 
 FinishedShard put_in_place(const ShardJob& job, const ShardLabel& label, ShardRange range, const Journal& journal) {
@@ -64,4 +64,4 @@ ShardOutcome run_shard(const ShardJob& job) {
   return outcome;
 }
 
-}  // namespace percuss
+}  // namespace percuss::batch

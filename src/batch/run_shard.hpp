@@ -6,7 +6,7 @@
 #include "batch/part.hpp"
 #include "batch/record_rows.hpp"
 
-namespace percuss {
+namespace percuss::batch {
 
 /// One shard of a batch to be run. The records' paths are taken from the working folder, which is the manifest's.
 struct ShardJob {
@@ -31,4 +31,4 @@ struct ShardOutcome {
 /// shard. What is wrong with a record is its row, not an error.
 ShardOutcome run_shard(const ShardJob& job);
 
-}  // namespace percuss
+}  // namespace percuss::batch

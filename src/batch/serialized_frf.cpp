@@ -8,18 +8,18 @@
 #include "core/error.hpp"
 #include "report/text/digest.hpp"
 
-namespace percuss {
+namespace percuss::batch {
 namespace {
 
-void serialize_lines(Serializer& out, const LineRange& lines) {
+void serialize_lines(acquire::Serializer& out, const frf::LineRange& lines) {
   out.put(lines.fs_Hz);
   out.put(static_cast<std::uint64_t>(lines.samples));
   out.put(static_cast<std::uint64_t>(lines.first));
   out.put(static_cast<std::uint64_t>(lines.count));
 }
 
-LineRange deserialize_lines(Deserializer& in) {
-  LineRange lines;
+frf::LineRange deserialize_lines(acquire::Deserializer& in) {
+  frf::LineRange lines;
   lines.fs_Hz = in.get<double>();
   lines.samples = in.get<std::uint64_t>();
   lines.first = in.get<std::uint64_t>();
@@ -27,7 +27,7 @@ LineRange deserialize_lines(Deserializer& in) {
   return lines;
 }
 
-void serialize_frf(Serializer& out, const PointFrf& frf) {
+void serialize_frf(acquire::Serializer& out, const frf::PointFrf& frf) {
   out.put(frf.point);
   out.put(static_cast<std::uint64_t>(frf.channel));
   out.put(static_cast<std::uint64_t>(frf.frf.averages));
@@ -36,8 +36,8 @@ void serialize_frf(Serializer& out, const PointFrf& frf) {
   out.put_all(frf.frf.coherence);
 }
 
-PointFrf deserialize_frf(Deserializer& in) {
-  PointFrf frf;
+frf::PointFrf deserialize_frf(acquire::Deserializer& in) {
+  frf::PointFrf frf;
   frf.point = in.get<int>();
   frf.channel = in.get<std::uint64_t>();
   frf.frf.averages = in.get<std::uint64_t>();
@@ -48,9 +48,9 @@ PointFrf deserialize_frf(Deserializer& in) {
 }
 
 // Every FRF has the lines and a channel that there are.
-bool fits(const FrfRecord& record) {
+bool fits(const frf::FrfRecord& record) {
   const auto holds = [&](const auto& values) { return values.empty() || values.size() == record.lines.count; };
-  return !record.frfs.empty() && std::all_of(record.frfs.begin(), record.frfs.end(), [&](const PointFrf& one) {
+  return !record.frfs.empty() && std::all_of(record.frfs.begin(), record.frfs.end(), [&](const frf::PointFrf& one) {
     return one.channel < record.accel.size() && one.frf.value.size() == record.lines.count && holds(one.frf.std) &&
            holds(one.frf.coherence);
   });
@@ -58,27 +58,27 @@ bool fits(const FrfRecord& record) {
 
 }  // namespace
 
-std::string serialize_frfs(const FrfRecord& record) {
-  Serializer out;
+std::string serialize_frfs(const frf::FrfRecord& record) {
+  acquire::Serializer out;
   serialize_lines(out, record.lines);
   out.put(record.estimator);
   out.put(record.decay_per_s);
   out.put(static_cast<std::uint64_t>(record.accel.size()));
-  for (const SignalInfo& signal : record.accel) serialize_signal(out, signal);
+  for (const acquire::SignalInfo& signal : record.accel) acquire::serialize_signal(out, signal);
   out.put(static_cast<std::uint64_t>(record.frfs.size()));
-  for (const PointFrf& frf : record.frfs) serialize_frf(out, frf);
-  return base64({reinterpret_cast<const std::uint8_t*>(out.bytes().data()), out.bytes().size()});
+  for (const frf::PointFrf& frf : record.frfs) serialize_frf(out, frf);
+  return report::base64({reinterpret_cast<const std::uint8_t*>(out.bytes().data()), out.bytes().size()});
 }
 
-FrfRecord deserialize_frfs(std::string_view text, const std::string& where) {
-  FrfRecord record;
+frf::FrfRecord deserialize_frfs(std::string_view text, const std::string& where) {
+  frf::FrfRecord record;
   try {
-    const std::string bytes = from_base64(text);
-    Deserializer in(bytes);
+    const std::string bytes = report::from_base64(text);
+    acquire::Deserializer in(bytes);
     record.lines = deserialize_lines(in);
     record.estimator = in.text();
     record.decay_per_s = in.get<double>();
-    for (std::size_t left = in.count(1); left > 0; --left) record.accel.push_back(deserialize_signal(in));
+    for (std::size_t left = in.count(1); left > 0; --left) record.accel.push_back(acquire::deserialize_signal(in));
     for (std::size_t left = in.count(1); left > 0; --left) record.frfs.push_back(deserialize_frf(in));
     if (fits(record)) return record;
   } catch (const std::out_of_range&) {
@@ -86,4 +86,4 @@ FrfRecord deserialize_frfs(std::string_view text, const std::string& where) {
   throw InputError("these are no FRFs", where, "run the shard again with --force");
 }
 
-}  // namespace percuss
+}  // namespace percuss::batch

@@ -1,6 +1,6 @@
 #include "batch/sha256_file.hpp"
 
-namespace percuss {
+namespace percuss::batch {
 
 void Sha256File::add(std::string_view text) {
   constexpr std::size_t kWritten_bytes = std::size_t{1} << 20U;  // at a time
@@ -18,7 +18,7 @@ void Sha256File::flush() {
 void Sha256File::commit() {
   flush();
   file_.commit();
-  sha256_ = hexadecimal(digest_.result());
+  sha256_ = report::hexadecimal(digest_.result());
 }
 
-}  // namespace percuss
+}  // namespace percuss::batch

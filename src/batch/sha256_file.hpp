@@ -6,7 +6,7 @@
 #include "core/io/atomic_file.hpp"
 #include "report/text/digest.hpp"
 
-namespace percuss {
+namespace percuss::batch {
 
 /// A text file written a piece at a time, of which the length and the SHA-256 are known at the end. errors  InputError
 /// as AtomicFile.
@@ -24,9 +24,9 @@ class Sha256File {
   void flush();
 
   AtomicFile file_;
-  Digest digest_;
+  report::Digest digest_;
   std::string text_, sha256_;
   std::uint64_t bytes_ = 0;
 };
 
-}  // namespace percuss
+}  // namespace percuss::batch

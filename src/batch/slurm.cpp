@@ -9,7 +9,7 @@
 
 #include "batch/status.hpp"
 
-namespace percuss {
+namespace percuss::batch {
 
 std::string shell_quoted(const std::string& text) {
   const bool plain = !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) {
@@ -46,4 +46,4 @@ std::size_t largest_array_index(const std::string& config) {
   return error == std::errc{} && size > 0 ? size - 1 : kUsual;
 }
 
-}  // namespace percuss
+}  // namespace percuss::batch

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-namespace percuss {
+namespace percuss::batch {
 
 /// A job array of Slurm that runs shards of a batch. Paths are absolute.
 struct SlurmJob {
@@ -23,4 +23,4 @@ std::string shell_quoted(const std::string& text);
 /// The largest index that `scontrol show config` allows a job array, less one; 1000 where it does not tell.
 std::size_t largest_array_index(const std::string& config);
 
-}  // namespace percuss
+}  // namespace percuss::batch

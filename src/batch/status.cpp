@@ -11,7 +11,7 @@
 #include "core/error.hpp"
 #include "report/text/version.hpp"
 
-namespace percuss {
+namespace percuss::batch {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -51,9 +51,9 @@ BatchStatus batch_status(const Manifest& manifest, const std::string& folder) {
 std::string array_list(const std::vector<std::size_t>& shards) { return fmt::format("{}", fmt::join(shards, ",")); }
 
 std::string status_json(const BatchStatus& status) {
-  const Json json{{"schema", "percuss/batch-status/1"}, {"version", version()},      {"shards", status.shards},
-                  {"missing", status.missing},          {"records", status.records}, {"bytes", status.bytes},
-                  {"finished", status.finished},        {"failed", status.failed},   {"stuck", status.stuck}};
+  const Json json{{"schema", "percuss/batch-status/1"}, {"version", report::version()}, {"shards", status.shards},
+                  {"missing", status.missing},          {"records", status.records},    {"bytes", status.bytes},
+                  {"finished", status.finished},        {"failed", status.failed},      {"stuck", status.stuck}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -69,4 +69,4 @@ std::string status_text(const BatchStatus& status) {
   return text;
 }
 
-}  // namespace percuss
+}  // namespace percuss::batch

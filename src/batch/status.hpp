@@ -4,7 +4,7 @@
 
 #include "batch/manifest.hpp"
 
-namespace percuss {
+namespace percuss::batch {
 
 /// How far a batch has come, told from the files in the folder of its results and from nothing else.
 struct BatchStatus {
@@ -27,4 +27,4 @@ std::string status_text(const BatchStatus& status);
 /// Numbers as Slurm takes them: "0,3,4"; empty for none.
 std::string array_list(const std::vector<std::size_t>& shards);
 
-}  // namespace percuss
+}  // namespace percuss::batch

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace percuss {
+namespace percuss::inline core {
 
 namespace {
 
@@ -35,4 +35,4 @@ InputError::InputError(std::string_view problem, std::string_view where, std::st
 UsageError::UsageError(std::string_view problem, std::string_view remedy)
     : std::runtime_error(fmt::format("{}; {}", one_line(problem, 600), one_line(remedy, 600))) {}
 
-}  // namespace percuss
+}  // namespace percuss::inline core

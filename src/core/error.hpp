@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace percuss {
+namespace percuss::inline core {
 
 /// Unusable input: a file, an option's value or their combination. The message is one line that names the place and the
 /// remedy.
@@ -32,4 +32,4 @@ class UsageError : public std::runtime_error {
 /// never inside a UTF-8 character, with "...".
 std::string one_line(std::string_view text, std::size_t limit = 200);
 
-}  // namespace percuss
+}  // namespace percuss::inline core

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace percuss {
+namespace percuss::inline core {
 
 /// One result, computed when first asked for and kept.
 ///   double fs() const { return fs_.get([&] { return costly(); }); }
@@ -34,4 +34,4 @@ class Lazy {
   mutable bool running_ = false;
 };
 
-}  // namespace percuss
+}  // namespace percuss::inline core

@@ -1,6 +1,6 @@
 #include "core/trace.hpp"
 
-namespace percuss {
+namespace percuss::inline core {
 
 void Trace::add(const char* stage, std::size_t calls, double seconds) {
   const std::scoped_lock lock(mutex_);
@@ -21,4 +21,4 @@ Trace::Timer::~Timer() {
   trace.add(stage, calls, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
 }
 
-}  // namespace percuss
+}  // namespace percuss::inline core

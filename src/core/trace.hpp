@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace percuss {
+namespace percuss::inline core {
 
 /// What ran: stage names with calls and seconds, ordered by name. Threads may add at once.
 class Trace {
@@ -44,4 +44,4 @@ class Trace {
   std::map<std::string, Stage> stages_;
 };
 
-}  // namespace percuss
+}  // namespace percuss::inline core

@@ -4,7 +4,7 @@
 
 #include <new>
 
-namespace percuss {
+namespace percuss::inline core {
 
 void* allocate_pages(std::size_t bytes) {
   constexpr std::size_t kPage = std::size_t{1} << 21U, kLine = 64;
@@ -15,4 +15,4 @@ void* allocate_pages(std::size_t bytes) {
   return memory;
 }
 
-}  // namespace percuss
+}  // namespace percuss::inline core

@@ -5,7 +5,7 @@
 #include <span>
 #include <type_traits>
 
-namespace percuss {
+namespace percuss::inline core {
 
 /// Memory for `bytes` that nobody has set, in pages as large as the system gives; for std::free.
 /// errors  std::bad_alloc
@@ -28,4 +28,4 @@ class UninitializedArray {
   std::size_t size_;
 };
 
-}  // namespace percuss
+}  // namespace percuss::inline core

@@ -7,7 +7,7 @@
 
 #include "core/error.hpp"
 
-namespace percuss {
+namespace percuss::inline core {
 namespace {
 
 struct Name {
@@ -187,4 +187,4 @@ std::string si_name(Quantity quantity) {
   return {};
 }
 
-}  // namespace percuss
+}  // namespace percuss::inline core

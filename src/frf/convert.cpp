@@ -2,7 +2,7 @@
 
 #include "core/units.hpp"
 
-namespace percuss {
+namespace percuss::frf {
 
 const char* name_of(FrfKind kind) {
   switch (kind) {
@@ -40,4 +40,4 @@ Frf converted(const Frf& accelerance, const LineRange& lines, FrfKind kind, doub
   return out;
 }
 
-}  // namespace percuss
+}  // namespace percuss::frf

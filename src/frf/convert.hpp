@@ -3,7 +3,7 @@
 
 #include "frf/estimators.hpp"
 
-namespace percuss {
+namespace percuss::frf {
 
 enum class FrfKind { accelerance, mobility, receptance };
 
@@ -17,4 +17,4 @@ const char* unit_of(FrfKind kind);
 /// theory (2.10)
 Frf converted(const Frf& accelerance, const LineRange& lines, FrfKind kind, double decay_per_s = 0);
 
-}  // namespace percuss
+}  // namespace percuss::frf

@@ -10,7 +10,7 @@
 #include "core/error.hpp"
 #include "core/math/complex.hpp"
 
-namespace percuss {
+namespace percuss::frf {
 namespace {
 
 // (3) for one line; `scale` is the mean ratio of acceleration to force, which makes the two channels comparable.
@@ -111,4 +111,4 @@ void require_force(std::span<const double> ff, const LineRange& lines) {
   throw InputError(fmt::format("the force has no energy at {:.6g} Hz", lines.freq_Hz(line)), "FRF", "narrow --band");
 }
 
-}  // namespace percuss
+}  // namespace percuss::frf

@@ -4,7 +4,7 @@
 
 #include "frf/spectra.hpp"
 
-namespace percuss {
+namespace percuss::frf {
 
 enum class Estimator { h1, h2, hv };
 
@@ -49,4 +49,4 @@ Frf estimate_frf(const CrossSpectra& spectra, const LineRange& lines, Estimator 
 /// InputError when the force never excited one of the lines. shape  ff [lines.count]
 void require_force(std::span<const double> ff, const LineRange& lines);
 
-}  // namespace percuss
+}  // namespace percuss::frf

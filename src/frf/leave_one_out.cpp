@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace percuss {
+namespace percuss::frf {
 namespace {
 
 using Eigen::Index;
@@ -79,4 +79,4 @@ std::vector<double> leave_one_out_error(std::span<const std::span<const Complex>
   return left;
 }
 
-}  // namespace percuss
+}  // namespace percuss::frf

@@ -4,7 +4,7 @@
 
 #include "core/math/fft.hpp"
 
-namespace percuss {
+namespace percuss::frf {
 
 /// How well each hit's responses follow from its force by the FRFs of the other hits (leave one out): the part of its
 /// energy that they leave unexplained, 0 … 1 and above. shapes  force [hits][lines]; accel [hits][channels][lines];
@@ -13,4 +13,4 @@ namespace percuss {
 std::vector<double> leave_one_out_error(std::span<const std::span<const Complex>> force,
                                         std::span<const std::vector<std::span<const Complex>>> accel);
 
-}  // namespace percuss
+}  // namespace percuss::frf

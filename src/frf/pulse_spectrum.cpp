@@ -11,7 +11,7 @@
 #include "core/math/complex.hpp"
 #include "core/units.hpp"
 
-namespace percuss {
+namespace percuss::frf {
 namespace {
 
 using Eigen::Array2d;
@@ -123,4 +123,4 @@ bool pulse_spectrum(std::span<const double> pulse, std::size_t offset, const Lin
   return true;
 }
 
-}  // namespace percuss
+}  // namespace percuss::frf

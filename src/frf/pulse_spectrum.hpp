@@ -4,7 +4,7 @@
 
 #include "frf/spectra.hpp"
 
-namespace percuss {
+namespace percuss::frf {
 
 /// Transform of a block that is zero outside a short pulse, at the lines wanted: a third of the work of transforming
 /// the zeros as well. The pulse's own transform, eight times as fine as it need be, is interpolated between its lines
@@ -15,4 +15,4 @@ namespace percuss {
 /// divide by.
 bool pulse_spectrum(std::span<const double> pulse, std::size_t offset, const LineRange& lines, std::span<Complex> out);
 
-}  // namespace percuss
+}  // namespace percuss::frf

@@ -7,7 +7,7 @@
 #include "frf/pulse_spectrum.hpp"
 #include "frf/windows.hpp"
 
-namespace percuss {
+namespace percuss::frf {
 namespace {
 
 void transform(std::span<const double> x, const LineRange& lines, std::span<Complex> out) {
@@ -15,7 +15,7 @@ void transform(std::span<const double> x, const LineRange& lines, std::span<Comp
   std::copy(wanted.begin(), wanted.end(), out.begin());
 }
 
-double origin_of(const Hit& hit) { return static_cast<double>(hit.peak - hit.first); }
+double origin_of(const acquire::Hit& hit) { return static_cast<double>(hit.peak - hit.first); }
 
 }  // namespace
 
@@ -32,7 +32,7 @@ LineRange lines_in_band(double fs_Hz, std::size_t samples, double low_Hz, double
   return lines;
 }
 
-ForceBlock force_block(const Hit& hit, double fs_Hz, double decay_per_s) {
+ForceBlock force_block(const acquire::Hit& hit, double fs_Hz, double decay_per_s) {
   ForceBlock block{.offset = hit.gate_first - hit.first,
                    .force_N = hit.gated_N,
                    .ungated_N = hit.ungated_N,
@@ -61,8 +61,8 @@ std::vector<Complex> force_spectrum(const ForceBlock& block, const LineRange& li
   return spectrum;
 }
 
-void accel_spectrum(const Hit& hit, std::span<const double> accel_mps2, const LineRange& lines, double decay_per_s,
-                    std::span<Complex> out) {
+void accel_spectrum(const acquire::Hit& hit, std::span<const double> accel_mps2, const LineRange& lines,
+                    double decay_per_s, std::span<Complex> out) {
   assert(accel_mps2.size() >= lines.samples);
   const auto block = accel_mps2.first(lines.samples);
   if (decay_per_s == 0) {
@@ -74,11 +74,11 @@ void accel_spectrum(const Hit& hit, std::span<const double> accel_mps2, const Li
   transform(x, lines, out);
 }
 
-std::vector<Complex> accel_spectrum(const Hit& hit, std::span<const double> accel_mps2, const LineRange& lines,
+std::vector<Complex> accel_spectrum(const acquire::Hit& hit, std::span<const double> accel_mps2, const LineRange& lines,
                                     double decay_per_s) {
   std::vector<Complex> spectrum(lines.count);
   accel_spectrum(hit, accel_mps2, lines, decay_per_s, spectrum);
   return spectrum;
 }
 
-}  // namespace percuss
+}  // namespace percuss::frf

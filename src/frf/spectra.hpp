@@ -11,7 +11,7 @@
 #include "acquire/record/record.hpp"
 #include "core/math/fft.hpp"
 
-namespace percuss {
+namespace percuss::frf {
 
 /// The lines of a transform of `samples` values that are kept: first … first + count − 1.
 struct LineRange {
@@ -40,7 +40,7 @@ struct ForceBlock {
   std::vector<double> ungated_N;  // from the block's beginning; empty: the force is zero outside the pulse
   double decay_per_s = 0;
 };
-ForceBlock force_block(const Hit& hit, double fs_Hz, double decay_per_s);
+ForceBlock force_block(const acquire::Hit& hit, double fs_Hz, double decay_per_s);
 
 /// The first line of a transform that several hold at once. shape  [lines]
 using Spectrum = std::shared_ptr<const Complex>;
@@ -55,9 +55,9 @@ std::vector<Complex> force_spectrum(const ForceBlock& block, const LineRange& li
 
 /// Transform of one acceleration channel over the hit's stretch (cut to lines.samples); the window has its origin at
 /// the pulse's peak as for the force. `accel_mps2` holds at least lines.samples values, `out` lines.count.
-void accel_spectrum(const Hit& hit, std::span<const double> accel_mps2, const LineRange& lines, double decay_per_s,
-                    std::span<Complex> out);
-std::vector<Complex> accel_spectrum(const Hit& hit, std::span<const double> accel_mps2, const LineRange& lines,
+void accel_spectrum(const acquire::Hit& hit, std::span<const double> accel_mps2, const LineRange& lines,
+                    double decay_per_s, std::span<Complex> out);
+std::vector<Complex> accel_spectrum(const acquire::Hit& hit, std::span<const double> accel_mps2, const LineRange& lines,
                                     double decay_per_s);
 
-}  // namespace percuss
+}  // namespace percuss::frf

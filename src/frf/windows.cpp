@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace percuss {
+namespace percuss::frf {
 
 void apply_exponential(std::span<double> x, double decay_per_s, double fs_Hz, double origin) {
   if (decay_per_s == 0) return;
@@ -11,4 +11,4 @@ void apply_exponential(std::span<double> x, double decay_per_s, double fs_Hz, do
 
 double decay_for_end(double fraction, double duration_s) { return -std::log(fraction) / duration_s; }
 
-}  // namespace percuss
+}  // namespace percuss::frf

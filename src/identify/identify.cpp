@@ -5,7 +5,7 @@
 #include "identify/select/local_force_noise.hpp"
 #include "identify/select/sequential_fit.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 
 std::vector<Mode> identify_modes(const FrfDataset& set, const IdentifyOptions& options) {
   if (options.start_Hz.empty() && set.outputs.size() > kMaxPrincipalFrfs) {
@@ -23,4 +23,4 @@ std::vector<Mode> identify_modes(const FrfDataset& set, const IdentifyOptions& o
   return modes;
 }
 
-}  // namespace percuss
+}  // namespace percuss::identify

@@ -6,7 +6,7 @@
 #include "identify/model/frf_dataset.hpp"
 #include "identify/model/mode.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 
 struct IdentifyOptions {
   Effort effort = Effort::best;
@@ -17,4 +17,4 @@ struct IdentifyOptions {
 /// The modes of a set of FRFs with one standard deviation on everything, in ascending frequency.
 std::vector<Mode> identify_modes(const FrfDataset& set, const IdentifyOptions& options = {});
 
-}  // namespace percuss
+}  // namespace percuss::identify

@@ -12,7 +12,7 @@
 #include "identify/select/joint_refinement.hpp"
 #include "identify/select/sequential_fit.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 namespace {
 
 using Eigen::Index;
@@ -219,4 +219,4 @@ std::optional<std::vector<Mode>> identify_multi_output(const FrfDataset& set, co
   return modes_of(completed.set(), found, fit);
 }
 
-}  // namespace percuss
+}  // namespace percuss::identify

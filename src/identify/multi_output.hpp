@@ -5,7 +5,7 @@
 
 #include "identify/identify.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 
 inline constexpr std::size_t kMaxPrincipalFrfs = 16;
 
@@ -14,4 +14,4 @@ inline constexpr std::size_t kMaxPrincipalFrfs = 16;
 /// structure that moves from point to point).
 std::optional<std::vector<Mode>> identify_multi_output(const FrfDataset& set, const IdentifyOptions& options);
 
-}  // namespace percuss
+}  // namespace percuss::identify

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <tuple>
 
-namespace percuss {
+namespace percuss::metrics {
 namespace {
 
 constexpr std::size_t kMinPlaces = 3;
@@ -22,8 +22,8 @@ bool frequencies_match(const ComparedMode& a, const ComparedMode& b, double furt
          std::abs(b.freq_Hz - a.freq_Hz) <= furthest * std::max(a.freq_Hz, b.freq_Hz);
 }
 
-std::optional<Mac> mac_of(const ComparedMode& a, const ComparedMode& b) {
-  ShapeValues first, second;
+std::optional<identify::Mac> mac_of(const ComparedMode& a, const ComparedMode& b) {
+  identify::ShapeValues first, second;
   for (const auto& [place, component] : a.shape) {
     const auto other = b.shape.find(place);
     if (other == b.shape.end()) continue;
@@ -183,4 +183,4 @@ std::vector<DeflectionPair> pair_deflections(const ComparedDocument& a, const Co
   return pairs;
 }
 
-}  // namespace percuss
+}  // namespace percuss::metrics

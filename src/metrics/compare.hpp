@@ -9,7 +9,7 @@
 
 #include "identify/shapes/mac.hpp"
 
-namespace percuss {
+namespace percuss::metrics {
 
 /// A mode of a test or a model, as far as its document tells.
 struct ComparedMode {
@@ -49,7 +49,7 @@ struct ModePair {
   std::size_t a = 0, b = 0;       // indices of the modes
   double difference_percent = 0;  // of b from a
   std::optional<double> difference_std_percent;
-  std::optional<Mac> mac;
+  std::optional<identify::Mac> mac;
 };
 
 struct PairedModes {
@@ -74,4 +74,4 @@ struct DeflectionPair {
 /// they are stated.
 std::vector<DeflectionPair> pair_deflections(const ComparedDocument& a, const ComparedDocument& b);
 
-}  // namespace percuss
+}  // namespace percuss::metrics

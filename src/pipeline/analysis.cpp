@@ -12,7 +12,7 @@
 #include "frf/windows.hpp"
 #include "pipeline/analysis_band.hpp"
 
-namespace percuss {
+namespace percuss::pipeline {
 namespace {
 
 constexpr double kAntiAlias = 0.44;  // of fs: above it a recorder's filter shapes the FRF
@@ -35,7 +35,8 @@ void check_numbers(const std::vector<std::size_t>& list, std::size_t hits, const
 
 }  // namespace
 
-Analysis::Analysis(Record record, AnalysisOptions options) : record_(std::move(record)), options_(std::move(options)) {
+Analysis::Analysis(acquire::Record record, AnalysisOptions options)
+    : record_(std::move(record)), options_(std::move(options)) {
   if (record_.accel.empty())
     throw InputError("no acceleration channel", record_.source(), "name one with --accel-channel");
 }
@@ -46,10 +47,10 @@ const std::vector<AnalysedHit>& Analysis::force_hits() const {
 
 std::vector<AnalysedHit> Analysis::find() const {
   const ThreadLimit limit(options_.threads);
-  auto found = given_ ? std::vector<Hit>{} : find_hits(record_, options_.hits);
+  auto found = given_ ? std::vector<acquire::Hit>{} : acquire::find_hits(record_, options_.hits);
   check_numbers(options_.accept_hits, found.size(), "--accept-hit");
   check_numbers(options_.reject_hits, found.size(), "--reject-hit");
-  if (options_.band_Hz) grade_bandwidth(found, options_.band_Hz->second);
+  if (options_.band_Hz) acquire::grade_bandwidth(found, options_.band_Hz->second);
   std::vector<AnalysedHit> hits;
   for (std::size_t i = 0; i < found.size(); ++i) {
     const bool usable = !found[i].gated_N.empty();
@@ -58,7 +59,7 @@ std::vector<AnalysedHit> Analysis::find() const {
     AnalysedHit hit{
         .hit = std::move(found[i]), .point = 0, .accepted = false, .by_user = accept || reject, .responses = {}};
     hit.point = record_.rows[hit.hit.row].point;
-    hit.accepted = accept || (!reject && !rejects(hit.hit.findings));
+    hit.accepted = accept || (!reject && !acquire::rejects(hit.hit.findings));
     hits.push_back(std::move(hit));
   }
   return hits;
@@ -67,7 +68,7 @@ std::vector<AnalysedHit> Analysis::find() const {
 std::set<int> Analysis::points() const {
   std::set<int> out = record_.points();
   if (given_) {
-    for (const PointFrf& frf : given_->frfs) out.insert(frf.point);
+    for (const frf::PointFrf& frf : given_->frfs) out.insert(frf.point);
   }
   return out;
 }
@@ -89,7 +90,7 @@ std::pair<double, double> Analysis::band_Hz() const {
   return {default_low_Hz(high), high};
 }
 
-const LineRange& Analysis::lines() const {
+const frf::LineRange& Analysis::lines() const {
   return lines_.get([&] { return given_ ? given_lines() : choose_lines(); });
 }
 
@@ -106,7 +107,7 @@ std::size_t Analysis::block_samples() const {
   return fast_length_at_most(samples);
 }
 
-LineRange Analysis::choose_lines() const {
+frf::LineRange Analysis::choose_lines() const {
   const std::size_t samples = block_samples();
   double reach = 0;
   for (const AnalysedHit& hit : force_hits()) {
@@ -124,7 +125,7 @@ LineRange Analysis::choose_lines() const {
   }
   const auto [from, to] = band_with_margin(low, high);
   const double top = std::max(high, std::min({to, kUsableBandwidthFactor * reach, kAntiAlias * record_.fs_Hz}));
-  const LineRange range = lines_in_band(record_.fs_Hz, samples, from, top);
+  const frf::LineRange range = frf::lines_in_band(record_.fs_Hz, samples, from, top);
   require_lines(range, low, high, record_.source(), "record longer or widen --band");
   return range;
 }
@@ -132,7 +133,7 @@ LineRange Analysis::choose_lines() const {
 double Analysis::window_decay_per_s() const {
   if (given_) return given_->decay_per_s;
   if (!(options_.exponential_end > 0)) return 0;
-  return decay_for_end(options_.exponential_end, static_cast<double>(lines().samples) / record_.fs_Hz);
+  return frf::decay_for_end(options_.exponential_end, static_cast<double>(lines().samples) / record_.fs_Hz);
 }
 
 std::vector<std::size_t> Analysis::accepted_hits() const {
@@ -145,15 +146,16 @@ std::vector<std::size_t> Analysis::accepted_hits() const {
   throw InputError("no hit can be used", record_.source(), "see the hits' findings; --accept-hit overrules them");
 }
 
-std::vector<std::pair<int, Record>> split_runs(const Record& record) {
+std::vector<std::pair<int, acquire::Record>> split_runs(const acquire::Record& record) {
   std::map<int, bool> runs;
-  for (const RowInfo& row : record.rows) runs[row.run] = true;
-  std::vector<std::pair<int, Record>> out;
+  for (const acquire::RowInfo& row : record.rows) runs[row.run] = true;
+  std::vector<std::pair<int, acquire::Record>> out;
   out.reserve(runs.size());
   for (const auto& [run, present] : runs) {
-    out.emplace_back(run, select_rows(record, [run = run](const RowInfo& row) { return row.run == run; }));
+    out.emplace_back(run,
+                     acquire::select_rows(record, [run = run](const acquire::RowInfo& row) { return row.run == run; }));
   }
   return out;
 }
 
-}  // namespace percuss
+}  // namespace percuss::pipeline

@@ -19,7 +19,7 @@
 #include "pipeline/analysed_hit.hpp"
 #include "pipeline/analysis_options.hpp"
 
-namespace percuss {
+namespace percuss::pipeline {
 
 struct Warning {
   std::string code;
@@ -31,14 +31,14 @@ struct Warning {
 /// several threads at once.
 class Analysis {
  public:
-  Analysis(Record record, AnalysisOptions options);
+  Analysis(acquire::Record record, AnalysisOptions options);
   /// A test of which only the FRFs are left: no hits, and what a force would tell is not known.
-  Analysis(FrfRecord frfs, AnalysisOptions options);
+  Analysis(frf::FrfRecord frfs, AnalysisOptions options);
 
-  const Record& record() const { return record_; }
+  const acquire::Record& record() const { return record_; }
   const AnalysisOptions& options() const { return options_; }
   /// The FRFs it was given in place of a record; nullptr otherwise.
-  const FrfRecord* given_frfs() const { return given_ ? &*given_ : nullptr; }
+  const frf::FrfRecord* given_frfs() const { return given_ ? &*given_ : nullptr; }
   Trace& trace() const { return trace_; }
   /// The numbers of the points that were hit, or that the FRFs given are of.
   std::set<int> points() const;
@@ -52,28 +52,28 @@ class Analysis {
 
   std::pair<double, double> band_Hz() const;
   /// The lines of the FRFs: the band and a margin for modes just outside, as far as the force reaches.
-  const LineRange& lines() const;
+  const frf::LineRange& lines() const;
   double window_decay_per_s() const;
   /// The points with an accepted hit, or of the FRFs given: those of frfs(), ascending.
   std::vector<int> frf_points() const;
   /// Averaged FRFs over lines(), [points × channels], point by point, with the estimator asked for.
-  const std::vector<PointFrf>& frfs() const;
+  const std::vector<frf::PointFrf>& frfs() const;
   /// H1 of the accepted hits, as the modes were fitted to it; points ascending by number.
-  const FrfDataset& fitted_frfs() const;
+  const identify::FrfDataset& fitted_frfs() const;
   /// Modes within the band, ascending.
-  const std::vector<Mode>& modes() const;
+  const std::vector<identify::Mode>& modes() const;
   /// Computes modes() and frfs(), these by threads that the fits of modes leave idle.
   void compute_modes_and_frfs() const;
-  const std::vector<ModeClassification>& classifications() const;
+  const std::vector<identify::ModeClassification>& classifications() const;
   /// Every mode as each accepted hit alone shows it: repeatability, drift, dependence on the force.
   const std::vector<HitMode>& modes_per_hit() const;
   /// The stabilisation diagram of the FRFs that the modes are fitted to; poles within the band. No mode needs it.
-  const Stabilisation& stabilisation() const;
+  const identify::Stabilisation& stabilisation() const;
   std::vector<Warning> warnings() const;
 
  private:
   struct Response {
-    ResponseGrade grade;
+    acquire::ResponseGrade grade;
     std::span<const Complex> spectrum;
   };
   struct Responses {
@@ -87,45 +87,45 @@ class Analysis {
   };
   std::vector<AnalysedHit> find() const;
   std::vector<AnalysedHit> graded() const;
-  LineRange choose_lines() const;
+  frf::LineRange choose_lines() const;
   std::size_t block_samples() const;  // the common length of the hits' transforms
   std::size_t longest_decay() const;  // of the accepted hits of a continuous record, over all channels
   const std::vector<std::vector<Response>>& responses() const;
   Responses read_responses() const;
-  const std::vector<Spectrum>& force_spectra() const;  // [hits]; nullptr for those not used
+  const std::vector<frf::Spectrum>& force_spectra() const;  // [hits]; nullptr for those not used
   std::vector<FrfHits> frf_hits() const;
-  PointFrf average(const FrfHits& of) const;
-  FrfDataset frf_set(const std::vector<std::size_t>& hits) const;  // H1 of these hits, by point
+  frf::PointFrf average(const FrfHits& of) const;
+  identify::FrfDataset frf_set(const std::vector<std::size_t>& hits) const;  // H1 of these hits, by point
   std::vector<std::size_t> accepted_hits() const;
-  std::vector<ModeClassification> classify_modes() const;
+  std::vector<identify::ModeClassification> classify_modes() const;
   std::vector<HitMode> identify_per_hit() const;
   // The same from FRFs that were given (analysis_frfs.cpp).
   std::pair<double, double> given_band_Hz() const;
-  LineRange given_lines() const;
-  std::vector<PointFrf> given_within_lines() const;
-  FrfDataset given_set() const;
+  frf::LineRange given_lines() const;
+  std::vector<frf::PointFrf> given_within_lines() const;
+  identify::FrfDataset given_set() const;
   void warn_of_truncation(std::vector<Warning>& out) const;
   void warn_of_unmodelled_peaks(std::vector<Warning>& out) const;
   void warn_of_freq_scatter(std::vector<Warning>& out) const;
 
-  Record record_;
-  std::optional<FrfRecord> given_;
+  acquire::Record record_;
+  std::optional<frf::FrfRecord> given_;
   AnalysisOptions options_;
   mutable Trace trace_;
   Lazy<std::vector<AnalysedHit>> force_hits_, hits_;
-  Lazy<LineRange> lines_;
+  Lazy<frf::LineRange> lines_;
   Lazy<std::size_t> longest_decay_;
   Lazy<Responses> responses_;
-  Lazy<std::vector<Spectrum>> force_spectra_;
-  Lazy<std::vector<PointFrf>> frfs_;
-  Lazy<FrfDataset> fitted_frfs_;
-  Lazy<std::vector<Mode>> modes_;
-  Lazy<std::vector<ModeClassification>> verdicts_;
+  Lazy<std::vector<frf::Spectrum>> force_spectra_;
+  Lazy<std::vector<frf::PointFrf>> frfs_;
+  Lazy<identify::FrfDataset> fitted_frfs_;
+  Lazy<std::vector<identify::Mode>> modes_;
+  Lazy<std::vector<identify::ModeClassification>> verdicts_;
   Lazy<std::vector<HitMode>> modes_per_hit_;
-  Lazy<Stabilisation> stabilisation_;
+  Lazy<identify::Stabilisation> stabilisation_;
 };
 
 /// The runs of a record (repeated tests in one file) as records of their own, ascending by run.
-std::vector<std::pair<int, Record>> split_runs(const Record& record);
+std::vector<std::pair<int, acquire::Record>> split_runs(const acquire::Record& record);
 
-}  // namespace percuss
+}  // namespace percuss::pipeline

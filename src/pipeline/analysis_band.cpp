@@ -6,7 +6,7 @@
 
 #include "core/error.hpp"
 
-namespace percuss {
+namespace percuss::pipeline {
 namespace {
 
 constexpr double kMinBandFraction = 0.01;  // of the highest frequency
@@ -22,7 +22,7 @@ std::pair<double, double> band_with_margin(double low_Hz, double high_Hz) {
   return {std::max(low_Hz - margin, 0.5 * low_Hz), high_Hz + margin};
 }
 
-void require_lines(const LineRange& lines, double low_Hz, double high_Hz, const std::string& where,
+void require_lines(const frf::LineRange& lines, double low_Hz, double high_Hz, const std::string& where,
                    const std::string& remedy) {
   if (lines.count >= kMinBandLines) return;
   throw InputError(fmt::format("only {} lines of {:.4g} Hz lie in the band {:.6g}:{:.6g} Hz", lines.count,
@@ -30,4 +30,4 @@ void require_lines(const LineRange& lines, double low_Hz, double high_Hz, const 
                    where, remedy);
 }
 
-}  // namespace percuss
+}  // namespace percuss::pipeline

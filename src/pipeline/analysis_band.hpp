@@ -4,7 +4,7 @@
 
 #include "frf/spectra.hpp"
 
-namespace percuss {
+namespace percuss::pipeline {
 
 /// Where a band begins whose user names none: below it drift and the suspension rule.
 double default_low_Hz(double highest_Hz);
@@ -13,7 +13,7 @@ double default_low_Hz(double highest_Hz);
 std::pair<double, double> band_with_margin(double low_Hz, double high_Hz);
 
 /// errors  InputError at `where`: fewer lines in the band than modes can be found in.
-void require_lines(const LineRange& lines, double low_Hz, double high_Hz, const std::string& where,
+void require_lines(const frf::LineRange& lines, double low_Hz, double high_Hz, const std::string& where,
                    const std::string& remedy);
 
-}  // namespace percuss
+}  // namespace percuss::pipeline

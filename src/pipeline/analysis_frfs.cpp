@@ -7,11 +7,11 @@
 #include "pipeline/analysis.hpp"
 #include "pipeline/analysis_band.hpp"
 
-namespace percuss {
+namespace percuss::pipeline {
 namespace {
 
-Record described(const FrfRecord& frfs) {
-  Record record;
+acquire::Record described(const frf::FrfRecord& frfs) {
+  acquire::Record record;
   record.files = frfs.files;
   record.format = frfs.format;
   record.fs_Hz = frfs.lines.fs_Hz;
@@ -31,23 +31,23 @@ std::vector<Value> part_of(const std::vector<Value>& all, std::size_t first, std
 
 }  // namespace
 
-Analysis::Analysis(FrfRecord frfs, AnalysisOptions options)
+Analysis::Analysis(frf::FrfRecord frfs, AnalysisOptions options)
     : record_(described(frfs)), given_(std::move(frfs)), options_(std::move(options)) {
   const auto refuse = [&](const char* option) {
     throw InputError(std::string(option) + " needs records of time, not FRFs", record_.source(), "leave it out");
   };
   if (options_.exponential_end > 0) refuse("--exponential");
-  if (options_.estimator != Estimator::h1) refuse("--estimator");
+  if (options_.estimator != frf::Estimator::h1) refuse("--estimator");
 }
 
 std::pair<double, double> Analysis::given_band_Hz() const {
-  const LineRange& all = given_->lines;
+  const frf::LineRange& all = given_->lines;
   const double high = all.freq_Hz(all.count - 1);
   return {std::max(all.freq_Hz(0), default_low_Hz(high)), high};
 }
 
-LineRange Analysis::given_lines() const {
-  const LineRange& all = given_->lines;
+frf::LineRange Analysis::given_lines() const {
+  const frf::LineRange& all = given_->lines;
   const auto [low, high] = band_Hz();
   const double top = all.freq_Hz(all.count - 1);
   if (!(low < high) || low < 0 || high > top + 0.5 * all.df_Hz() || low > top) {
@@ -56,7 +56,7 @@ LineRange Analysis::given_lines() const {
                      "--band", "give LO:HI within them");
   }
   const auto [from, to] = band_with_margin(low, high);
-  LineRange lines = lines_in_band(all.fs_Hz, all.samples, from, std::min(to, top));
+  frf::LineRange lines = frf::lines_in_band(all.fs_Hz, all.samples, from, std::min(to, top));
   const std::size_t end = std::min(lines.first + lines.count, all.first + all.count);
   lines.first = std::max(lines.first, all.first);
   lines.count = end > lines.first ? end - lines.first : 0;
@@ -64,11 +64,11 @@ LineRange Analysis::given_lines() const {
   return lines;
 }
 
-std::vector<PointFrf> Analysis::given_within_lines() const {
+std::vector<frf::PointFrf> Analysis::given_within_lines() const {
   const std::size_t first = lines().first - given_->lines.first;
   const std::size_t count = lines().count;
-  std::vector<PointFrf> out;
-  for (const PointFrf& all : given_->frfs) {
+  std::vector<frf::PointFrf> out;
+  for (const frf::PointFrf& all : given_->frfs) {
     out.push_back({.point = all.point,
                    .channel = all.channel,
                    .frf = {.value = part_of(all.frf.value, first, count),
@@ -79,10 +79,10 @@ std::vector<PointFrf> Analysis::given_within_lines() const {
   return out;
 }
 
-FrfDataset Analysis::given_set() const {
-  FrfDataset set{.lines = lines()};
+identify::FrfDataset Analysis::given_set() const {
+  identify::FrfDataset set{.lines = lines()};
   std::optional<int> point;
-  for (const PointFrf& frf : frfs()) {
+  for (const frf::PointFrf& frf : frfs()) {
     if (frf.point != point) {
       set.points.emplace_back();  // nothing is known of the force but its window
       if (given_->decay_per_s > 0) set.points.back().blocks.push_back({.decay_per_s = given_->decay_per_s});
@@ -96,7 +96,7 @@ FrfDataset Analysis::given_set() const {
 void Analysis::warn_of_freq_scatter(std::vector<Warning>& out) const {
   if (!modes_.ready()) return;
   std::string moving;
-  for (const Mode& mode : modes()) {
+  for (const identify::Mode& mode : modes()) {
     if (mode.freq_scatter_Hz > 0)
       moving += fmt::format("{}{:.1f} Hz (by {:.2g} Hz)", moving.empty() ? "" : ", ", mode.pole.freq_Hz,
                             mode.freq_scatter_Hz);
@@ -107,4 +107,4 @@ void Analysis::warn_of_freq_scatter(std::vector<Warning>& out) const {
                                      "causes: temperature, the strength of the blows, a sensor that was moved"});
 }
 
-}  // namespace percuss
+}  // namespace percuss::pipeline

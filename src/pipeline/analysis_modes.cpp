@@ -9,7 +9,7 @@
 #include "core/parallel/parallel.hpp"
 #include "pipeline/analysis.hpp"
 
-namespace percuss {
+namespace percuss::pipeline {
 namespace {
 
 constexpr std::size_t kFlopsPerHitLine = 20;  // and hit: a few products of complex numbers
@@ -24,14 +24,14 @@ std::map<int, std::vector<std::size_t>> by_point(const std::vector<AnalysedHit>&
 
 }  // namespace
 
-const std::vector<PointFrf>& Analysis::frfs() const {
+const std::vector<frf::PointFrf>& Analysis::frfs() const {
   return frfs_.get([&] {
     if (given_) return given_within_lines();
     const std::vector<FrfHits> of = frf_hits();
     force_spectra();
     const ThreadLimit limit(options_.threads);
     return trace_.run("frf", [&] {
-      std::vector<PointFrf> out(of.size());
+      std::vector<frf::PointFrf> out(of.size());
       parallel_for_cost(of.size(), kFlopsPerHitLine * lines().count * of.front().hits.size(),
                         [&](std::size_t i) { out[i] = average(of[i]); });
       return out;
@@ -48,8 +48,8 @@ std::vector<Analysis::FrfHits> Analysis::frf_hits() const {
   return out;
 }
 
-PointFrf Analysis::average(const FrfHits& of) const {
-  const LineRange& range = lines();
+frf::PointFrf Analysis::average(const FrfHits& of) const {
+  const frf::LineRange& range = lines();
   std::vector<std::span<const Complex>> force, accel;
   for (const std::size_t h : of.hits) {
     force.emplace_back(force_spectra()[h].get(), range.count);
@@ -57,19 +57,19 @@ PointFrf Analysis::average(const FrfHits& of) const {
   }
   return {.point = of.point,
           .channel = of.channel,
-          .frf = estimate_frf(cross_spectra(force, accel), range, options_.estimator)};
+          .frf = frf::estimate_frf(frf::cross_spectra(force, accel), range, options_.estimator)};
 }
 
-const FrfDataset& Analysis::fitted_frfs() const {
+const identify::FrfDataset& Analysis::fitted_frfs() const {
   return fitted_frfs_.get([&] {
     const ThreadLimit limit(options_.threads);
     return frf_set(accepted_hits());
   });
 }
 
-FrfDataset Analysis::frf_set(const std::vector<std::size_t>& which) const {
+identify::FrfDataset Analysis::frf_set(const std::vector<std::size_t>& which) const {
   if (given_) return given_set();
-  FrfDataset set{.lines = lines()};
+  identify::FrfDataset set{.lines = lines()};
   std::vector<double> reach;
   reach.reserve(which.size());
   for (const std::size_t h : which) reach.push_back(hits()[h].hit.bandwidth_Hz);
@@ -81,25 +81,26 @@ FrfDataset Analysis::frf_set(const std::vector<std::size_t>& which) const {
   const auto& force_spectrum = force_spectra();
   const auto& response = responses();
   // FRFs that somebody has asked for are the same, to the last bit.
-  const bool made = frfs_.ready() && options_.estimator == Estimator::h1 && which == accepted_hits();
+  const bool made = frfs_.ready() && options_.estimator == frf::Estimator::h1 && which == accepted_hits();
   set.points.resize(members.size());
   set.outputs.resize(members.size() * channels);
   parallel_for_cost(
       members.size(), kFlopsPerHitLine * lines().count * which.size() / members.size(), [&](std::size_t p) {
-        std::vector<ForceBlock> blocks;
+        std::vector<frf::ForceBlock> blocks;
         std::vector<double> noise;
-        std::vector<Spectrum> spectra;
+        std::vector<frf::Spectrum> spectra;
         for (const std::size_t h : members[p]) {
-          blocks.push_back(force_block(hits()[h].hit, record_.fs_Hz, decay));
+          blocks.push_back(frf::force_block(hits()[h].hit, record_.fs_Hz, decay));
           noise.push_back(hits()[h].hit.noise_N);
           spectra.push_back(force_spectrum[h]);
         }
-        set.points[p] = point_force(std::move(blocks), std::move(spectra), lines(), median(noise));
+        set.points[p] = identify::point_force(std::move(blocks), std::move(spectra), lines(), median(noise));
         for (std::size_t c = 0; c < channels; ++c) {
           std::vector<std::span<const Complex>> accel;
           for (const std::size_t h : members[p]) accel.push_back(response[h][c].spectrum);
           const std::size_t o = p * channels + c;
-          set.outputs[o] = {.point = p, .channel = c, .frf = made ? frfs()[o].frf.value : h1_at(set.points[p], accel)};
+          set.outputs[o] = {
+              .point = p, .channel = c, .frf = made ? frfs()[o].frf.value : identify::h1_at(set.points[p], accel)};
         }
       });
   return set;
@@ -112,18 +113,18 @@ std::vector<int> Analysis::frf_points() const {
   return {of.begin(), of.end()};
 }
 
-const std::vector<Mode>& Analysis::modes() const {
+const std::vector<identify::Mode>& Analysis::modes() const {
   return modes_.get([&] {
-    const FrfDataset& set = fitted_frfs();
+    const identify::FrfDataset& set = fitted_frfs();
     const ThreadLimit limit(options_.threads);
-    auto modes = trace_.run("modes", [&] { return identify_modes(set, options_.modes); });
+    auto modes = trace_.run("modes", [&] { return identify::identify_modes(set, options_.modes); });
     const std::vector<int> points = frf_points();
     const auto [low, high] = band_Hz();
-    std::erase_if(modes, [&, low = low, high = high](const Mode& mode) {
+    std::erase_if(modes, [&, low = low, high = high](const identify::Mode& mode) {
       return mode.pole.freq_Hz < low || mode.pole.freq_Hz > high;
     });
-    for (Mode& mode : modes) {
-      for (Residue& residue : mode.residues) residue.point = static_cast<std::size_t>(points[residue.point]);
+    for (identify::Mode& mode : modes) {
+      for (identify::Residue& residue : mode.residues) residue.point = static_cast<std::size_t>(points[residue.point]);
     }
     return modes;
   });
@@ -137,7 +138,7 @@ void Analysis::compute_modes_and_frfs() const {
   }
   fitted_frfs();  // and with it every stage that averages ask for, which is no matter for several threads at once
   const std::vector<FrfHits> of = frf_hits();
-  std::vector<PointFrf> frfs(of.size());
+  std::vector<frf::PointFrf> frfs(of.size());
   const ThreadLimit limit(options_.threads);
   BackgroundTasks averages(of.size(),
                            [&](std::size_t i) { trace_.run_part("frf", [&] { frfs[i] = average(of[i]); }); });
@@ -147,23 +148,23 @@ void Analysis::compute_modes_and_frfs() const {
   frfs_.get([&] { return std::move(frfs); });
 }
 
-const std::vector<ModeClassification>& Analysis::classifications() const {
+const std::vector<identify::ModeClassification>& Analysis::classifications() const {
   return verdicts_.get([&] {
     modes();
     return trace_.run("classes", [&] { return classify_modes(); });
   });
 }
 
-std::vector<ModeClassification> Analysis::classify_modes() const {
+std::vector<identify::ModeClassification> Analysis::classify_modes() const {
   std::vector<std::optional<double>> angles;
-  for (const SignalInfo& signal : record_.accel) angles.push_back(signal.angle_rad);
-  const auto sensors = pair_of_sensors(angles);
+  for (const acquire::SignalInfo& signal : record_.accel) angles.push_back(signal.angle_rad);
+  const auto sensors = identify::pair_of_sensors(angles);
   std::vector<std::optional<double>> overlay_dB(modes().size());
   if (sensors) {
     for (std::size_t m = 0; m < modes().size(); ++m) {
       const std::size_t peak = lines().nearest(modes()[m].pole.freq_Hz);
       double first = 0, second = 0;
-      for (const FrfChannel& output : fitted_frfs().outputs) {
+      for (const identify::FrfChannel& output : fitted_frfs().outputs) {
         const double power = std::norm(output.frf[peak]);
         if (output.channel == sensors->first) first += power;
         if (output.channel == sensors->second) second += power;
@@ -171,7 +172,7 @@ std::vector<ModeClassification> Analysis::classify_modes() const {
       if (first > 0 && second > 0) overlay_dB[m] = 10 * std::log10(second / first);
     }
   }
-  return classify(modes(), sensors, overlay_dB, options_.classes);
+  return identify::classify(modes(), sensors, overlay_dB, options_.classes);
 }
 
 const std::vector<HitMode>& Analysis::modes_per_hit() const {
@@ -181,12 +182,12 @@ const std::vector<HitMode>& Analysis::modes_per_hit() const {
   });
 }
 
-const Stabilisation& Analysis::stabilisation() const {
+const identify::Stabilisation& Analysis::stabilisation() const {
   return stabilisation_.get([&] {
-    const FrfDataset& set = fitted_frfs();
-    Stabilisation diagram = trace_.run("stabilisation", [&] { return stabilise(set); });
+    const identify::FrfDataset& set = fitted_frfs();
+    identify::Stabilisation diagram = trace_.run("stabilisation", [&] { return identify::stabilise(set); });
     std::tie(diagram.low_Hz, diagram.high_Hz) = band_Hz();
-    std::erase_if(diagram.poles, [&](const StabilisationPole& pole) {
+    std::erase_if(diagram.poles, [&](const identify::StabilisationPole& pole) {
       return pole.pole.freq_Hz < diagram.low_Hz || pole.pole.freq_Hz > diagram.high_Hz;
     });
     return diagram;
@@ -194,12 +195,12 @@ const Stabilisation& Analysis::stabilisation() const {
 }
 
 std::vector<HitMode> Analysis::identify_per_hit() const {
-  IdentifyOptions options{.effort = options_.modes.effort};
-  for (const Mode& mode : modes()) options.start_Hz.push_back(mode.pole.freq_Hz);
+  identify::IdentifyOptions options{.effort = options_.modes.effort};
+  for (const identify::Mode& mode : modes()) options.start_Hz.push_back(mode.pole.freq_Hz);
   std::vector<HitMode> out;
   if (options.start_Hz.empty()) return out;
   for (const std::size_t h : accepted_hits()) {
-    const auto found = identify_modes(frf_set({h}), options);
+    const auto found = identify::identify_modes(frf_set({h}), options);
     for (std::size_t m = 0; m < found.size() && m < modes().size(); ++m) {
       out.push_back({.hit = h,
                      .mode = m,
@@ -211,4 +212,4 @@ std::vector<HitMode> Analysis::identify_per_hit() const {
   return out;
 }
 
-}  // namespace percuss
+}  // namespace percuss::pipeline

@@ -9,18 +9,18 @@
 #include "identify/classify/classify.hpp"
 #include "identify/identify.hpp"
 
-namespace percuss {
+namespace percuss::pipeline {
 
 /// What an Analysis is to do with its record.
 struct AnalysisOptions {
   std::optional<std::pair<double, double>> band_Hz;  // default: what the hammer excited
-  Estimator estimator = Estimator::h1;               // of the FRFs shown; modes are fitted to H1, whose noise is known
-  HitOptions hits;
+  frf::Estimator estimator = frf::Estimator::h1;     // of the FRFs shown; modes are fitted to H1, whose noise is known
+  acquire::HitOptions hits;
   std::vector<std::size_t> accept_hits, reject_hits;  // the user's word on single hits
   double exponential_end = 0;                         // exponential window falling to this fraction; 0: none
-  IdentifyOptions modes;
-  ClassifyOptions classes;
+  identify::IdentifyOptions modes;
+  identify::ClassifyOptions classes;
   std::size_t threads = 0;
 };
 
-}  // namespace percuss
+}  // namespace percuss::pipeline

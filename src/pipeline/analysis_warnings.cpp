@@ -9,7 +9,7 @@
 #include "identify/start/unmodelled_peaks.hpp"
 #include "pipeline/analysis.hpp"
 
-namespace percuss {
+namespace percuss::pipeline {
 namespace {
 
 constexpr double kPeaks_dB = 65;              // under the largest line: lower peaks are not missed
@@ -19,10 +19,10 @@ constexpr double kMinRingingNoise = 2e-4;     // noise of a sample over the larg
 constexpr std::size_t kMinNoiseLines = 512;   // … when there are so many lines
 constexpr double kDecayed = 0.0025;           // six time constants, as for the hits' own finding
 
-bool any_finding(const std::vector<AnalysedHit>& hits, FindingCode code, bool accepted_only) {
+bool any_finding(const std::vector<AnalysedHit>& hits, acquire::FindingCode code, bool accepted_only) {
   return std::any_of(hits.begin(), hits.end(), [&](const AnalysedHit& hit) {
     return (hit.accepted || !accepted_only) && std::any_of(hit.hit.findings.begin(), hit.hit.findings.end(),
-                                                           [&](const Finding& f) { return f.code == code; });
+                                                           [&](const acquire::Finding& f) { return f.code == code; });
   });
 }
 
@@ -50,7 +50,7 @@ double coarsest_step(const std::vector<AnalysedHit>& hits, std::size_t channel) 
   return step;
 }
 
-void warn_of_steps(const Record& record, const std::vector<AnalysedHit>& hits, std::vector<Warning>& out) {
+void warn_of_steps(const acquire::Record& record, const std::vector<AnalysedHit>& hits, std::vector<Warning>& out) {
   for (std::size_t c = 0; c < record.accel.size(); ++c) {
     const double step = coarsest_step(hits, c);
     if (!(step > 0)) continue;
@@ -74,9 +74,9 @@ double largest_response(const std::vector<AnalysedHit>& hits, std::size_t channe
 }
 
 // Whether the samples of some response are so quiet that what is missing of the filter's ringing stands out of them.
-bool ringing_stands_out(const FrfDataset& set, const std::vector<AnalysedHit>& hits) {
+bool ringing_stands_out(const identify::FrfDataset& set, const std::vector<AnalysedHit>& hits) {
   if (set.lines.count < kMinNoiseLines) return true;
-  const LineNoise noise(set);
+  const identify::LineNoise noise(set);
   const std::size_t line = set.lines.count / 2;
   for (std::size_t o = 0; o < set.outputs.size(); ++o) {
     const std::vector<double>& ff = set.points[set.outputs[o].point].ff;
@@ -88,8 +88,8 @@ bool ringing_stands_out(const FrfDataset& set, const std::vector<AnalysedHit>& h
 }
 
 // What rang of the anti-alias filter before a row began is not in it.
-void warn_of_pretrigger(const Record& record, const std::vector<AnalysedHit>& hits, const FrfDataset& set,
-                        std::vector<Warning>& out) {
+void warn_of_pretrigger(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
+                        const identify::FrfDataset& set, std::vector<Warning>& out) {
   double least = kMinPretriggerSamples;
   for (const AnalysedHit& hit : hits) {
     if (hit.accepted) least = std::min(least, hit.hit.onset_s * record.fs_Hz - static_cast<double>(hit.hit.first));
@@ -108,8 +108,8 @@ void warn_of_pretrigger(const Record& record, const std::vector<AnalysedHit>& hi
 void Analysis::warn_of_truncation(std::vector<Warning>& out) const {
   if (!modes_.ready()) return;
   std::string ringing;
-  for (const Mode& mode : modes()) {
-    const double left = remaining_amplitude(mode.pole, lines(), window_decay_per_s());
+  for (const identify::Mode& mode : modes()) {
+    const double left = identify::remaining_amplitude(mode.pole, lines(), window_decay_per_s());
     if (left > kDecayed)
       ringing += fmt::format("{}{:.1f} Hz ({:.1f} %)", ringing.empty() ? "" : ", ", mode.pole.freq_Hz, left * 100);
   }
@@ -128,13 +128,14 @@ void Analysis::warn_of_truncation(std::vector<Warning>& out) const {
 void Analysis::warn_of_unmodelled_peaks(std::vector<Warning>& out) const {
   if (!modes_.ready() || options_.modes.modes || !options_.modes.start_Hz.empty()) return;  // the user chose
   const auto [low, high] = band_Hz();
-  auto peaks = unmodelled_peaks(fitted_frfs(), modes(), kPeaks_dB);
-  std::erase_if(peaks, [low = low, high = high](const UnmodelledPeak& peak) {
+  auto peaks = identify::unmodelled_peaks(fitted_frfs(), modes(), kPeaks_dB);
+  std::erase_if(peaks, [low = low, high = high](const identify::UnmodelledPeak& peak) {
     return peak.freq_Hz < low || peak.freq_Hz > high;
   });
   if (peaks.empty()) return;
-  std::stable_sort(peaks.begin(), peaks.end(),
-                   [](const UnmodelledPeak& a, const UnmodelledPeak& b) { return a.level_dB > b.level_dB; });
+  std::stable_sort(
+      peaks.begin(), peaks.end(),
+      [](const identify::UnmodelledPeak& a, const identify::UnmodelledPeak& b) { return a.level_dB > b.level_dB; });
   std::string named;
   for (std::size_t p = 0; p < std::min(peaks.size(), kMaxPeaks); ++p)
     named += fmt::format("{}{:.6g} Hz ({:.0f} dB)", p == 0 ? "" : ", ", peaks[p].freq_Hz, peaks[p].level_dB);
@@ -152,8 +153,8 @@ std::string poorly_coherent_hits(const std::vector<AnalysedHit>& hits) {
   std::string out;
   for (std::size_t i = 0; i < hits.size(); ++i) {
     const auto& findings = hits[i].hit.findings;
-    const bool strange = std::any_of(findings.begin(), findings.end(), [](const Finding& finding) {
-      return finding.code == FindingCode::low_coherence && finding.value < kHalf;
+    const bool strange = std::any_of(findings.begin(), findings.end(), [](const acquire::Finding& finding) {
+      return finding.code == acquire::FindingCode::low_coherence && finding.value < kHalf;
     });
     if (hits[i].accepted && strange) out += fmt::format("{}{}", out.empty() ? "hits " : ", ", i);
   }
@@ -182,12 +183,12 @@ std::vector<Warning> Analysis::warnings() const {
                    strangers + " explain less than half of what the others show: another structure, place or sensor?" +
                        (record_.files.size() > 1 ? " --files tests takes each file for itself" : "")});
   }
-  if (any_finding(all, FindingCode::polarity, true)) {
+  if (any_finding(all, acquire::FindingCode::polarity, true)) {
     out.push_back(
         {"polarity",
          "the force is negative during the pulse: the FRFs have the wrong sign unless --force-scale is negative"});
   }
-  if (any_finding(all, FindingCode::low_bandwidth, true)) {
+  if (any_finding(all, acquire::FindingCode::low_bandwidth, true)) {
     out.push_back(
         {"low_bandwidth", "the hammer's force does not reach the end of the band: modes there are weakly excited"});
   }
@@ -202,7 +203,7 @@ std::vector<Warning> Analysis::warnings() const {
   if (modes_.ready() && !given_) warn_of_pretrigger(record_, all, fitted_frfs(), out);
   const bool rings = std::any_of(all.begin(), all.end(), [](const AnalysedHit& hit) {
     return hit.accepted && std::any_of(hit.responses.begin(), hit.responses.end(),
-                                       [](const ResponseGrade& g) { return g.rings_before; });
+                                       [](const acquire::ResponseGrade& g) { return g.rings_before; });
   });
   if (rings) {
     out.push_back({"not_at_rest",
@@ -230,4 +231,4 @@ std::vector<Warning> Analysis::warnings() const {
   return out;
 }
 
-}  // namespace percuss
+}  // namespace percuss::pipeline

@@ -9,7 +9,7 @@
 #include "core/parallel/parallel.hpp"
 #include "frf/leave_one_out.hpp"
 
-namespace percuss {
+namespace percuss::pipeline {
 namespace {
 
 constexpr std::size_t kMinHits = 4;      // fewer cannot outvote one
@@ -32,13 +32,13 @@ std::vector<double> unexplained(const std::vector<HitSpectra>& spectra, const st
     force.push_back(spectra[h].force);
     accel.push_back(spectra[h].accel);
   }
-  return leave_one_out_error(force, accel);
+  return frf::leave_one_out_error(force, accel);
 }
 
 void reject_outlier(AnalysedHit& hit, double left, double typical) {
   hit.hit.findings.push_back(
-      {.code = FindingCode::outlier,
-       .severity = Severity::reject,
+      {.code = acquire::FindingCode::outlier,
+       .severity = acquire::Severity::reject,
        .value = left,
        .message =
            fmt::format("unlike the others: their FRFs leave {:.0f} % of its response unexplained, of each other's "
@@ -71,8 +71,8 @@ void grade_point(std::vector<AnalysedHit>& hits, const std::vector<HitSpectra>& 
   }
   for (std::size_t i = 0; i < members.size(); ++i) {
     if (1 - left[i] >= kLowCoherence) continue;
-    hits[members[i]].hit.findings.push_back({.code = FindingCode::low_coherence,
-                                             .severity = Severity::warn,
+    hits[members[i]].hit.findings.push_back({.code = acquire::FindingCode::low_coherence,
+                                             .severity = acquire::Severity::warn,
                                              .value = 1 - left[i],
                                              .message = disagreement(1 - left[i])});
   }
@@ -113,4 +113,4 @@ void vote_first_motion(std::vector<AnalysedHit>& hits) {
   }
 }
 
-}  // namespace percuss
+}  // namespace percuss::pipeline

@@ -5,7 +5,7 @@
 #include "core/math/fft.hpp"
 #include "pipeline/analysed_hit.hpp"
 
-namespace percuss {
+namespace percuss::pipeline {
 
 /// A hit's transforms; empty for hits that take no part.
 struct HitSpectra {
@@ -22,4 +22,4 @@ void grade_agreement(std::vector<AnalysedHit>& hits, const std::vector<HitSpectr
 /// otherwise lose their `polarity` and `delay_s`; all do when more than a fifth of them disagree.
 void vote_first_motion(std::vector<AnalysedHit>& hits);
 
-}  // namespace percuss
+}  // namespace percuss::pipeline

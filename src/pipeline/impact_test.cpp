@@ -13,7 +13,7 @@
 #include "core/parallel/parallel.hpp"
 #include "core/units.hpp"
 
-namespace percuss {
+namespace percuss::pipeline {
 namespace {
 
 constexpr std::size_t kMinRestSamples =
@@ -26,16 +26,16 @@ bool usable(const AnalysedHit& hit, const AnalysisOptions& options, std::size_t 
   if (has(options.reject_hits, index)) return false;
   if (has(options.accept_hits, index)) return true;
   return std::none_of(hit.hit.findings.begin(), hit.hit.findings.end(),
-                      [](const Finding& finding) { return finding.code == FindingCode::no_pulse; });
+                      [](const acquire::Finding& finding) { return finding.code == acquire::FindingCode::no_pulse; });
 }
 
 // Where the contact begins, from the first sample of the hit's stretch.
-double onset_in_stretch_s(const Hit& hit, double fs_Hz) {
+double onset_in_stretch_s(const acquire::Hit& hit, double fs_Hz) {
   return std::max(0.0, hit.onset_s - static_cast<double>(hit.first) / fs_Hz);
 }
 
 // Each row is an impact where no force tells of any: it begins where the first accelerometer begins to move.
-std::vector<AnalysedHit> impacts_without_force(const Record& record) {
+std::vector<AnalysedHit> impacts_without_force(const acquire::Record& record) {
   std::vector<AnalysedHit> impacts;
   impacts.reserve(record.rows.size());
   for (std::size_t row = 0; row < record.rows.size(); ++row) {
@@ -43,7 +43,7 @@ std::vector<AnalysedHit> impacts_without_force(const Record& record) {
     double onset_s = static_cast<double>(accel.size()) / record.fs_Hz;
     for (std::size_t c = 0; c < record.accel.size(); ++c) {
       record.read_accel_mps2(row, c, 0, accel);
-      onset_s = std::min(onset_s, motion_onset_s(accel, record.fs_Hz));
+      onset_s = std::min(onset_s, metrics::motion_onset_s(accel, record.fs_Hz));
     }
     AnalysedHit impact{.point = record.rows[row].point, .accepted = true, .responses = {}};
     impact.hit.row = row;
@@ -54,10 +54,11 @@ std::vector<AnalysedHit> impacts_without_force(const Record& record) {
   return impacts;
 }
 
-std::vector<ModalContribution> shares_of(const Analysis& analysis, int point, std::size_t channel, double corner_Hz) {
-  std::vector<ModalContribution> shares;
-  for (const Mode& mode : analysis.modes()) {
-    for (const Residue& residue : mode.residues) {
+std::vector<metrics::ModalContribution> shares_of(const Analysis& analysis, int point, std::size_t channel,
+                                                  double corner_Hz) {
+  std::vector<metrics::ModalContribution> shares;
+  for (const identify::Mode& mode : analysis.modes()) {
+    for (const identify::Residue& residue : mode.residues) {
       if (static_cast<int>(residue.point) != point || residue.channel != channel) continue;
       // The amplifier's high-pass is in the FRF, and so in the residue: s/(s + ω_c) at the pole.
       const double omega = kTwoPi * mode.pole.freq_Hz, zeta = mode.pole.damping_ratio;
@@ -70,8 +71,8 @@ std::vector<ModalContribution> shares_of(const Analysis& analysis, int point, st
   return shares;
 }
 
-DeflectedHit deflected(const Record& record, const AnalysedHit& hit, const ImpactTestOptions& options, std::size_t h,
-                       std::size_t channel, const std::vector<ModalContribution>& modes) {
+DeflectedHit deflected(const acquire::Record& record, const AnalysedHit& hit, const ImpactTestOptions& options,
+                       std::size_t h, std::size_t channel, const std::vector<metrics::ModalContribution>& modes) {
   std::vector<double> accel(hit.hit.samples), force(hit.hit.samples);
   record.read_accel_mps2(hit.hit.row, channel, hit.hit.first, accel);
   if (!modes.empty() || options.effective_mass_kg) {
@@ -82,17 +83,17 @@ DeflectedHit deflected(const Record& record, const AnalysedHit& hit, const Impac
   } else {
     force.clear();
   }
-  const ImpactSignal signal{.fs_Hz = record.fs_Hz,
-                            .accel_mps2 = accel,
-                            .onset_s = onset_in_stretch_s(hit.hit, record.fs_Hz),
-                            .force_N = force,
-                            .rigid_per_kg = options.effective_mass_kg ? 1 / *options.effective_mass_kg : 0,
-                            .modes = modes};
+  const metrics::ImpactSignal signal{.fs_Hz = record.fs_Hz,
+                                     .accel_mps2 = accel,
+                                     .onset_s = onset_in_stretch_s(hit.hit, record.fs_Hz),
+                                     .force_N = force,
+                                     .rigid_per_kg = options.effective_mass_kg ? 1 / *options.effective_mass_kg : 0,
+                                     .modes = modes};
   return {.hit = h,
           .channel = channel,
           .point = hit.point,
           .first_s = static_cast<double>(hit.hit.first) / record.fs_Hz,
-          .deflection = deflection_of(signal, options.deflection)};
+          .deflection = metrics::deflection_of(signal, options.deflection)};
 }
 
 using PositionOf = std::function<std::optional<double>(int point)>;
@@ -110,17 +111,17 @@ PositionOf positions(const Analysis& analysis, const ImpactTestOptions& options)
 }
 
 // Mean magnitude over repeats that tell one, and its deviation; NaN when none does.
-std::pair<double, double> mean_of(const std::vector<const Deflection*>& members, double Deflection::*value,
-                                  double Deflection::*deviation) {
+std::pair<double, double> mean_of(const std::vector<const metrics::Deflection*>& members,
+                                  double metrics::Deflection::*value, double metrics::Deflection::*deviation) {
   double sum = 0, own = 0, scatter = 0, n = 0;
-  for (const Deflection* d : members) {
+  for (const metrics::Deflection* d : members) {
     if (std::isnan(d->*value)) continue;
     sum += std::abs(d->*value);
     own += d->*deviation * (d->*deviation);
     ++n;
   }
   const double mean = sum / n;
-  for (const Deflection* d : members) {
+  for (const metrics::Deflection* d : members) {
     if (!std::isnan(d->*value)) scatter += std::pow(std::abs(d->*value) - mean, 2);
   }
   const double from_scatter = n > 1 ? std::sqrt(scatter / (n * (n - 1))) : 0;
@@ -128,15 +129,16 @@ std::pair<double, double> mean_of(const std::vector<const Deflection*>& members,
 }
 
 std::vector<PointDeflection> averaged(const std::vector<DeflectedHit>& hits, const PositionOf& position_of) {
-  std::map<std::pair<int, std::size_t>, std::vector<const Deflection*>> groups;
+  std::map<std::pair<int, std::size_t>, std::vector<const metrics::Deflection*>> groups;
   for (const DeflectedHit& hit : hits) groups[{hit.point, hit.channel}].push_back(&hit.deflection);
   std::vector<PointDeflection> points;
   for (const auto& [key, members] : groups) {
     PointDeflection point{.point = key.first, .channel = key.second, .hits = members.size()};
     point.position_m = position_of(key.first);
-    std::tie(point.peak_m, point.std_m) = mean_of(members, &Deflection::peak_m, &Deflection::peak_std_m);
+    std::tie(point.peak_m, point.std_m) =
+        mean_of(members, &metrics::Deflection::peak_m, &metrics::Deflection::peak_std_m);
     std::tie(point.forward_m, point.forward_std_m) =
-        mean_of(members, &Deflection::forward_m, &Deflection::forward_std_m);
+        mean_of(members, &metrics::Deflection::forward_m, &metrics::Deflection::forward_std_m);
     points.push_back(point);
   }
   return points;
@@ -185,7 +187,7 @@ void warn(const ImpactTestOptions& options, std::size_t impacts, std::size_t use
                      untold, test.hits.size())});
   }
   const bool drifting = std::any_of(test.hits.begin(), test.hits.end(), [](const DeflectedHit& hit) {
-    return hit.deflection.method == DeflectionMethod::drift_free && !hit.deflection.held;
+    return hit.deflection.method == metrics::DeflectionMethod::drift_free && !hit.deflection.held;
   });
   if (drifting && !options.deflection.free_body) {
     test.warnings.push_back(
@@ -200,9 +202,9 @@ void warn(const ImpactTestOptions& options, std::size_t impacts, std::size_t use
 
 ImpactTest deflect(const Analysis& analysis, const ImpactTestOptions& options) {
   const PositionOf position_of = positions(analysis, options);
-  const Record& record = analysis.record();
-  const DeflectionMethod method = options.deflection.method;
-  if (!record.has_force && (method == DeflectionMethod::modal || options.effective_mass_kg)) {
+  const acquire::Record& record = analysis.record();
+  const metrics::DeflectionMethod method = options.deflection.method;
+  if (!record.has_force && (method == metrics::DeflectionMethod::modal || options.effective_mass_kg)) {
     throw InputError("no force was recorded", record.source(),
                      "choose another --method, and leave --effective-mass out, or name the force with --force-channel");
   }
@@ -212,16 +214,16 @@ ImpactTest deflect(const Analysis& analysis, const ImpactTestOptions& options) {
     if (usable(impacts[h], analysis.options(), h)) hits.push_back(h);
   }
   const bool rest = shows_rest(record.fs_Hz, impacts, hits);
-  const bool modal = method == DeflectionMethod::modal ||
-                     (method == DeflectionMethod::automatic && !rest && record.has_force && analysis.possible());
+  const bool modal = method == metrics::DeflectionMethod::modal || (method == metrics::DeflectionMethod::automatic &&
+                                                                    !rest && record.has_force && analysis.possible());
   const std::size_t channels = record.accel.size();
-  std::map<std::pair<int, std::size_t>, std::vector<ModalContribution>> shares;
+  std::map<std::pair<int, std::size_t>, std::vector<metrics::ModalContribution>> shares;
   for (const std::size_t h : hits) {
     for (std::size_t c = 0; c < channels; ++c) {
       auto& share = shares[{impacts[h].point, c}];
       if (modal && share.empty())
         share = shares_of(analysis, impacts[h].point, c, options.deflection.highpass_corner_Hz);
-      if (method == DeflectionMethod::modal && share.empty()) {
+      if (method == metrics::DeflectionMethod::modal && share.empty()) {
         throw InputError("no mode is known at a struck point", fmt::format("hit {}", h),
                          "choose another --method, or see what percuss analyze says of the hits");
       }
@@ -242,4 +244,4 @@ ImpactTest deflect(const Analysis& analysis, const ImpactTestOptions& options) {
   return test;
 }
 
-}  // namespace percuss
+}  // namespace percuss::pipeline

@@ -6,10 +6,10 @@
 #include "metrics/deflection/deflection.hpp"
 #include "pipeline/analysis.hpp"
 
-namespace percuss {
+namespace percuss::pipeline {
 
 struct ImpactTestOptions {
-  DeflectionOptions deflection;
+  metrics::DeflectionOptions deflection;
   std::optional<double> effective_mass_kg;  // of the free body at the struck point: its own motion is known then
   std::optional<double> beam_distance_m;    // from the light beam to the structure
   double beam_time_s = 0;                   // when the ball broke the beam, from the row's beginning
@@ -22,7 +22,7 @@ struct DeflectedHit {
   int point = 0;
   std::optional<double> position_m;
   double first_s = 0;  // of the samples below, from the row's beginning
-  Deflection deflection;
+  metrics::Deflection deflection;
 };
 
 /// The speed of the ball, from the light beam to the structure.
@@ -53,4 +53,4 @@ struct ImpactTest {
 /// an automatic choice needs them.
 ImpactTest deflect(const Analysis& analysis, const ImpactTestOptions& options = {});
 
-}  // namespace percuss
+}  // namespace percuss::pipeline

@@ -9,14 +9,14 @@
 #include "core/error.hpp"
 #include "core/units.hpp"
 
-namespace percuss {
+namespace percuss::pipeline {
 namespace {
 
 // |H| at the mode's peak, point by point as in `at`.
-std::vector<double> peaks_of(const Analysis& analysis, const Mode& mode, const std::vector<int>& at) {
+std::vector<double> peaks_of(const Analysis& analysis, const identify::Mode& mode, const std::vector<int>& at) {
   const std::size_t k = analysis.lines().nearest(mode.pole.freq_Hz);
   std::vector<double> peak(at.size());
-  for (const PointFrf& frf : analysis.frfs()) {
+  for (const frf::PointFrf& frf : analysis.frfs()) {
     const auto place = std::find(at.begin(), at.end(), frf.point) - at.begin();
     if (static_cast<std::size_t>(place) == at.size()) continue;
     double& sum = peak[static_cast<std::size_t>(place)];
@@ -33,7 +33,7 @@ struct MeasuredPlaces {
 
 MeasuredPlaces measured(const Analysis& analysis, const ScanPositions& positions, std::vector<Warning>& warnings) {
   std::set<int> with_frf;
-  for (const PointFrf& frf : analysis.frfs()) with_frf.insert(frf.point);
+  for (const frf::PointFrf& frf : analysis.frfs()) with_frf.insert(frf.point);
   MeasuredPlaces places;
   std::string missing;
   std::size_t i = 0;
@@ -53,7 +53,7 @@ MeasuredPlaces measured(const Analysis& analysis, const ScanPositions& positions
 
 }  // namespace
 
-Record as_scan(Record record, const ScanPositions& positions) {
+acquire::Record as_scan(acquire::Record record, const ScanPositions& positions) {
   const std::size_t points = record.points().size();
   const std::size_t rows = record.rows.size();
   if (points == positions.count) return record;
@@ -80,18 +80,18 @@ NodeScan scan_nodes(const Analysis& analysis, const ScanPositions& positions, do
   NodeScan scan{.positions = positions, .modes = {}, .warnings = {}};
   const MeasuredPlaces places = measured(analysis, positions, scan.warnings);
   for (std::size_t m = 0; m < analysis.modes().size(); ++m) {
-    if (analysis.classifications()[m].family == ModeType::hoop) continue;
-    const Mode& mode = analysis.modes()[m];
+    if (analysis.classifications()[m].family == identify::ModeType::hoop) continue;
+    const identify::Mode& mode = analysis.modes()[m];
     ModeAlongScan along{.mode = m,
-                        .shape = shape_along(mode, places.point, places.position_m),
+                        .shape = identify::shape_along(mode, places.point, places.position_m),
                         .peak = peaks_of(analysis, mode, places.point),
                         .nodes = {},
                         .rule_m = {}};
-    along.nodes = find_nodes(along.shape);
-    along.rule_m = minimum_of_peak(places.position_m, along.peak, resolution_m);
+    along.nodes = identify::find_nodes(along.shape);
+    along.rule_m = identify::minimum_of_peak(places.position_m, along.peak, resolution_m);
     scan.modes.push_back(std::move(along));
   }
   return scan;
 }
 
-}  // namespace percuss
+}  // namespace percuss::pipeline

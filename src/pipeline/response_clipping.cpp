@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-namespace percuss {
+namespace percuss::pipeline {
 namespace {
 
 constexpr double kChance = 1e-3;  // of hits that agree so well and show no rail
@@ -28,7 +28,9 @@ double choices(std::size_t all, std::size_t some) {
   return count;
 }
 
-void mark(ResponseGrade& response) { response.clipped_samples = std::max<std::size_t>(response.clipped_samples, 1); }
+void mark(acquire::ResponseGrade& response) {
+  response.clipped_samples = std::max<std::size_t>(response.clipped_samples, 1);
+}
 
 void grade_side(std::vector<AnalysedHit>& hits, const Side& side) {
   std::vector<AnalysedHit*> shown;
@@ -58,7 +60,7 @@ void grade_side(std::vector<AnalysedHit>& hits, const Side& side) {
 std::set<double> clip_levels_of(const std::vector<AnalysedHit>& hits) {
   std::set<double> rails;
   for (const AnalysedHit& hit : hits) {
-    for (const ResponseGrade& response : hit.responses) {
+    for (const acquire::ResponseGrade& response : hit.responses) {
       const auto [low, high] = response.extremes;
       const bool even = high > 0 && high == -low && response.resolution < kChance * kAlike * high;
       if (even || response.clipped_samples > 0) rails.insert(std::max(high, -low));
@@ -77,10 +79,10 @@ void grade_repeated_clipping(std::vector<AnalysedHit>& hits) {
   }
   const std::set<double> rails = clip_levels_of(hits);
   for (AnalysedHit& hit : hits) {
-    for (ResponseGrade& response : hit.responses) {
+    for (acquire::ResponseGrade& response : hit.responses) {
       if (rails.contains(response.extremes.high) || rails.contains(-response.extremes.low)) mark(response);
     }
   }
 }
 
-}  // namespace percuss
+}  // namespace percuss::pipeline

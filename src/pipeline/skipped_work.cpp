@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-namespace percuss {
+namespace percuss::pipeline {
 namespace {
 
 constexpr double kMinShare = 1e-3;
@@ -34,7 +34,7 @@ class Account {
 
   void accelerations() {
     double all = 0, within = 0, rejected = 0, tails = 0;
-    for (const RowInfo& row : analysis_.record().rows) all += static_cast<double>(row.samples);
+    for (const acquire::RowInfo& row : analysis_.record().rows) all += static_cast<double>(row.samples);
     if (!ran_.contains("read acceleration")) {
       add("channels", "all accelerations", "only the force was asked for", all, all);
       return;
@@ -99,4 +99,4 @@ class Account {
 
 std::vector<SkippedWork> skipped_work(const Analysis& analysis) { return Account(analysis).take(); }
 
-}  // namespace percuss
+}  // namespace percuss::pipeline

@@ -5,7 +5,7 @@
 
 #include "pipeline/analysis.hpp"
 
-namespace percuss {
+namespace percuss::pipeline {
 
 /// Work that an analysis has not done.
 struct SkippedWork {
@@ -19,4 +19,4 @@ struct SkippedWork {
 /// (only the force was read), rejected, silence, tail, force_zeros, lines, modes, classes, stabilisation, per_hit.
 std::vector<SkippedWork> skipped_work(const Analysis& analysis);
 
-}  // namespace percuss
+}  // namespace percuss::pipeline

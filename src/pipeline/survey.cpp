@@ -13,7 +13,7 @@
 #include "identify/classify/asymmetry_split.hpp"
 #include "identify/start/cmif.hpp"
 
-namespace percuss {
+namespace percuss::pipeline {
 namespace {
 
 constexpr double kSamePlace_m = 2e-3;               // how near a blow can be set beside a sensor …
@@ -22,33 +22,36 @@ constexpr double kMinSoleProbability = 0.9;         // confidence below which a 
 constexpr double kPoorFrac = 0.99, kStrong_dB = -20;
 
 // The family of the second most energetic order.
-std::optional<ModeType> rival_of(const TubeShape& tube) {
+std::optional<identify::ModeType> rival_of(const identify::TubeShape& tube) {
   int second = -1;
   for (int n = 0; n < static_cast<int>(tube.energy.size()); ++n) {
     if (n == tube.order) continue;
     if (second < 0 || tube.energy[static_cast<std::size_t>(n)] > tube.energy[static_cast<std::size_t>(second)])
       second = n;
   }
-  return second == 1 ? ModeType::bending : second == 2 ? ModeType::hoop : ModeType::unknown;
+  return second == 1   ? identify::ModeType::bending
+         : second == 2 ? identify::ModeType::hoop
+                       : identify::ModeType::unknown;
 }
 
-void classify_by_tube(ModeClassification& verdict, const TubeShape& tube) {
-  const ModeType family = mode_type_of(tube);
+void classify_by_tube(identify::ModeClassification& verdict, const identify::TubeShape& tube) {
+  const identify::ModeType family = mode_type_of(tube);
   const bool sure = tube.confidence >= kMinSoleProbability;
-  if (family == ModeType::unknown && !sure && verdict.family != ModeType::unknown) return;  // two sensors know better
+  if (family == identify::ModeType::unknown && !sure && verdict.family != identify::ModeType::unknown)
+    return;  // two sensors know better
   verdict.family = family;
   verdict.confidence = tube.confidence;
   verdict.alternative = sure ? std::nullopt : rival_of(tube);
 }
 
-bool same_pattern(const std::optional<TubeShape>& a, const std::optional<TubeShape>& b) {
+bool same_pattern(const std::optional<identify::TubeShape>& a, const std::optional<identify::TubeShape>& b) {
   if (!a || !b) return true;
   return a->order == b->order && (!a->sign_changes || !b->sign_changes || a->sign_changes == b->sign_changes);
 }
 
-std::optional<PatternPlane> plane_of(const std::optional<TubeShape>& tube) {
+std::optional<identify::PatternPlane> plane_of(const std::optional<identify::TubeShape>& tube) {
   if (!tube || !tube->plane_rad) return std::nullopt;
-  return PatternPlane{*tube->plane_rad, tube->plane_std_rad, tube->order};
+  return identify::PatternPlane{*tube->plane_rad, tube->plane_std_rad, tube->order};
 }
 
 }  // namespace
@@ -56,7 +59,7 @@ std::optional<PatternPlane> plane_of(const std::optional<TubeShape>& tube) {
 Survey::Survey(const Analysis& analysis, SurveyOptions options)
     : analysis_(analysis),
       options_(std::move(options)),
-      geometry_(options_.geometry ? options_.geometry : geometry_of_record(analysis.record().geometry)) {
+      geometry_(options_.geometry ? options_.geometry : acquire::geometry_of_record(analysis.record().geometry)) {
   place_points();
   find_driving_points();
 }
@@ -64,7 +67,7 @@ Survey::Survey(const Analysis& analysis, SurveyOptions options)
 void Survey::place_points() {
   if (!geometry_) return;
   std::set<int> known;
-  for (const GeometryPoint& p : geometry_->points) {
+  for (const acquire::GeometryPoint& p : geometry_->points) {
     known.insert(p.point);
     if (geometry_->tube) places_[static_cast<std::size_t>(p.point)] = {p.position_m, p.angle_rad};
   }
@@ -81,14 +84,14 @@ void Survey::place_points() {
 void Survey::find_driving_points() {
   const auto& accel = analysis_.record().accel;
   const auto points = analysis_.points();
-  for (const DrivingPoint& at : options_.driving) {
+  for (const identify::DrivingPoint& at : options_.driving) {
     if (points.contains(static_cast<int>(at.point)) && at.channel < accel.size()) continue;
     throw InputError(fmt::format("point {} with channel {} was not measured", at.point, at.channel), "--driving-point",
                      fmt::format("give POINT:CHANNEL with points {} to {} and channels 0 to {}", *points.begin(),
                                  *points.rbegin(), accel.size() - 1));
   }
   driving_ = options_.driving;
-  if (!driving_.empty() || options_.roving != Roving::hammer) return;
+  if (!driving_.empty() || options_.roving != identify::Roving::hammer) return;
   for (const auto& [point, place] : places_) {
     for (std::size_t c = 0; c < accel.size(); ++c) {
       if (!accel[c].position_m || !accel[c].angle_rad || !points.contains(static_cast<int>(point))) continue;
@@ -99,46 +102,48 @@ void Survey::find_driving_points() {
   }
 }
 
-const std::vector<ModeShape>& Survey::shapes() const {
+const std::vector<identify::ModeShape>& Survey::shapes() const {
   return shapes_.get([&] {
     const auto& modes = analysis_.modes();
     return analysis_.trace().run("shapes", [&] {
-      std::vector<ModeShape> shapes;
+      std::vector<identify::ModeShape> shapes;
       shapes.reserve(modes.size());
-      for (const Mode& mode : modes) shapes.push_back(shape_of(mode, {.roving = options_.roving, .driving = driving_}));
+      for (const identify::Mode& mode : modes)
+        shapes.push_back(identify::shape_of(mode, {.roving = options_.roving, .driving = driving_}));
       return shapes;
     });
   });
 }
 
-const std::vector<std::optional<TubeShape>>& Survey::tubes() const {
+const std::vector<std::optional<identify::TubeShape>>& Survey::tubes() const {
   return tubes_.get([&] {
-    std::vector<std::optional<TubeShape>> tubes;
-    for (const ModeShape& shape : shapes()) tubes.push_back(tube_shape(shape, places_));
+    std::vector<std::optional<identify::TubeShape>> tubes;
+    for (const identify::ModeShape& shape : shapes()) tubes.push_back(identify::tube_shape(shape, places_));
     return tubes;
   });
 }
 
-const std::vector<ModeClassification>& Survey::classifications() const {
+const std::vector<identify::ModeClassification>& Survey::classifications() const {
   return verdicts_.get([&] { return classify_by_shapes(); });
 }
 
-std::vector<ModeClassification> Survey::classify_by_shapes() const {
-  std::vector<ModeClassification> classifications = analysis_.classifications();
+std::vector<identify::ModeClassification> Survey::classify_by_shapes() const {
+  std::vector<identify::ModeClassification> classifications = analysis_.classifications();
   const bool any = std::any_of(tubes().begin(), tubes().end(), [](const auto& tube) { return tube.has_value(); });
   if (!any) return classifications;
   const auto& modes = analysis_.modes();
   for (std::size_t m = 0; m < modes.size(); ++m) {
     if (tubes()[m]) classify_by_tube(classifications[m], *tubes()[m]);
   }
-  assign_orders(modes, classifications, analysis_.options().classes);
+  identify::assign_orders(modes, classifications, analysis_.options().classes);
   for (std::size_t m = 0; m < modes.size(); ++m) {
     auto& peak = classifications[m].split_mode;
     if (!peak || !peak->first) continue;
     auto& other = classifications[peak->partner].split_mode;
     const std::size_t partner = peak->partner;
     if (same_pattern(tubes()[m], tubes()[partner])) {
-      describe_split(modes[m], modes[partner], plane_of(tubes()[m]), plane_of(tubes()[partner]), *peak, *other);
+      identify::describe_split(modes[m], modes[partner], plane_of(tubes()[m]), plane_of(tubes()[partner]), *peak,
+                               *other);
     } else {
       peak.reset();
       other.reset();
@@ -147,14 +152,14 @@ std::vector<ModeClassification> Survey::classify_by_shapes() const {
   return classifications;
 }
 
-const std::vector<std::vector<Mac>>& Survey::macs() const {
-  return macs_.get([&] { return auto_mac(shapes()); });
+const std::vector<std::vector<identify::Mac>>& Survey::macs() const {
+  return macs_.get([&] { return identify::auto_mac(shapes()); });
 }
 
-LineRange Survey::band() const {
+frf::LineRange Survey::band() const {
   const auto [low, high] = analysis_.band_Hz();
-  const LineRange& all = analysis_.lines();
-  LineRange band = lines_in_band(all.fs_Hz, all.samples, low, high);
+  const frf::LineRange& all = analysis_.lines();
+  frf::LineRange band = frf::lines_in_band(all.fs_Hz, all.samples, low, high);
   const std::size_t first = std::max(band.first, all.first);
   const std::size_t end = std::min(band.first + band.count, all.first + all.count);
   band.first = first;
@@ -162,35 +167,35 @@ LineRange Survey::band() const {
   return band;
 }
 
-const std::vector<SynthesisedFrf>& Survey::synthesis() const {
+const std::vector<identify::SynthesisedFrf>& Survey::synthesis() const {
   return synthesis_.get([&] {
-    const FrfDataset& set = analysis_.fitted_frfs();
+    const identify::FrfDataset& set = analysis_.fitted_frfs();
     const auto& modes = analysis_.modes();
     const ThreadLimit limit(analysis_.options().threads);
-    return analysis_.trace().run("synthesis", [&] { return synthesised_frfs(set, modes, band()); });
+    return analysis_.trace().run("synthesis", [&] { return identify::synthesised_frfs(set, modes, band()); });
   });
 }
 
 const Eigen::MatrixXd& Survey::indicator() const {
   return indicator_.get([&] {
-    const FrfDataset& set = analysis_.fitted_frfs();
-    return analysis_.trace().run("mode indicator", [&] { return cmif(set, band()); });
+    const identify::FrfDataset& set = analysis_.fitted_frfs();
+    return analysis_.trace().run("mode indicator", [&] { return identify::cmif(set, band()); });
   });
 }
 
-std::vector<DrivingPointCheck> Survey::driving_checks() const {
-  return check_driving_points(analysis_.modes(), driving_);
+std::vector<identify::DrivingPointCheck> Survey::driving_checks() const {
+  return identify::check_driving_points(analysis_.modes(), driving_);
 }
 
-std::vector<ReciprocityCheck> Survey::reciprocity() const {
-  std::vector<std::pair<DrivingPoint, DrivingPoint>> pairs;
+std::vector<identify::ReciprocityCheck> Survey::reciprocity() const {
+  std::vector<std::pair<identify::DrivingPoint, identify::DrivingPoint>> pairs;
   for (std::size_t i = 0; i < driving_.size(); ++i) {
     for (std::size_t j = i + 1; j < driving_.size(); ++j) {
       if (driving_[i].channel == driving_[j].channel) continue;
       pairs.push_back({{driving_[i].point, driving_[j].channel}, {driving_[j].point, driving_[i].channel}});
     }
   }
-  return check_reciprocity(analysis_.modes(), pairs);
+  return identify::check_reciprocity(analysis_.modes(), pairs);
 }
 
 std::vector<Warning> Survey::warnings() const {
@@ -201,8 +206,12 @@ std::vector<Warning> Survey::warnings() const {
   return out;
 }
 
-bool poorly_explained(const SynthesisedFrf& frf) { return frf.level_dB >= kStrong_dB && !(frf.frac >= kPoorFrac); }
+bool poorly_explained(const identify::SynthesisedFrf& frf) {
+  return frf.level_dB >= kStrong_dB && !(frf.frac >= kPoorFrac);
+}
 
-bool noise_alone(const SynthesisedFrf& frf) { return (1 - frf.frac) * (1 - frf.noise_share) <= 1 - kPoorFrac; }
+bool noise_alone(const identify::SynthesisedFrf& frf) {
+  return (1 - frf.frac) * (1 - frf.noise_share) <= 1 - kPoorFrac;
+}
 
-}  // namespace percuss
+}  // namespace percuss::pipeline

@@ -13,12 +13,12 @@
 #include "identify/shapes/shape_checks.hpp"
 #include "pipeline/analysis.hpp"
 
-namespace percuss {
+namespace percuss::pipeline {
 
 struct SurveyOptions {
-  std::optional<Geometry> geometry;  // absent: the record's own
-  Roving roving = Roving::hammer;
-  std::vector<DrivingPoint> driving;  // the user's; absent: points that lie where a sensor sits
+  std::optional<acquire::Geometry> geometry;  // absent: the record's own
+  identify::Roving roving = identify::Roving::hammer;
+  std::vector<identify::DrivingPoint> driving;  // the user's; absent: points that lie where a sensor sits
 };
 
 /// A test of many points: what the modes' residues, and where their points lie, say of the structure. Computed as far
@@ -31,49 +31,50 @@ class Survey {
 
   const Analysis& analysis() const { return analysis_; }
   const SurveyOptions& options() const { return options_; }
-  const std::optional<Geometry>& geometry() const { return geometry_; }
-  const std::vector<DrivingPoint>& driving_points() const { return driving_; }
+  const std::optional<acquire::Geometry>& geometry() const { return geometry_; }
+  const std::vector<identify::DrivingPoint>& driving_points() const { return driving_; }
 
-  const std::vector<ModeShape>& shapes() const;                // [modes]
-  const std::vector<std::optional<TubeShape>>& tubes() const;  // [modes]; nothing where the geometry is no tube
+  const std::vector<identify::ModeShape>& shapes() const;  // [modes]
+  const std::vector<std::optional<identify::TubeShape>>& tubes()
+      const;  // [modes]; nothing where the geometry is no tube
   /// Named from the shapes where these tell, else from two sensors as analyze names them.
-  const std::vector<ModeClassification>& classifications() const;
-  const std::vector<std::vector<Mac>>& macs() const;  // [modes][modes]
+  const std::vector<identify::ModeClassification>& classifications() const;
+  const std::vector<std::vector<identify::Mac>>& macs() const;  // [modes][modes]
   /// Lines of the band asked for.
-  LineRange band() const;
-  const std::vector<SynthesisedFrf>& synthesis()
+  frf::LineRange band() const;
+  const std::vector<identify::SynthesisedFrf>& synthesis()
       const;                                 // [outputs], point as an index into the analysis's frf_points()
   const Eigen::MatrixXd& indicator() const;  // CMIF [lines of band(), values]
-  std::vector<DrivingPointCheck> driving_checks() const;
-  std::vector<ReciprocityCheck> reciprocity() const;
+  std::vector<identify::DrivingPointCheck> driving_checks() const;
+  std::vector<identify::ReciprocityCheck> reciprocity() const;
   /// The analysis' warnings and the survey's own.
   std::vector<Warning> warnings() const;
 
  private:
   void place_points();
   void find_driving_points();
-  std::vector<ModeClassification> classify_by_shapes() const;
+  std::vector<identify::ModeClassification> classify_by_shapes() const;
 
   const Analysis& analysis_;
   SurveyOptions options_;
-  std::optional<Geometry> geometry_;
-  TubeGeometry places_;
-  std::vector<DrivingPoint> driving_;
-  Lazy<std::vector<ModeShape>> shapes_;
-  Lazy<std::vector<std::optional<TubeShape>>> tubes_;
-  Lazy<std::vector<ModeClassification>> verdicts_;
-  Lazy<std::vector<std::vector<Mac>>> macs_;
-  Lazy<std::vector<SynthesisedFrf>> synthesis_;
+  std::optional<acquire::Geometry> geometry_;
+  identify::TubeGeometry places_;
+  std::vector<identify::DrivingPoint> driving_;
+  Lazy<std::vector<identify::ModeShape>> shapes_;
+  Lazy<std::vector<std::optional<identify::TubeShape>>> tubes_;
+  Lazy<std::vector<identify::ModeClassification>> verdicts_;
+  Lazy<std::vector<std::vector<identify::Mac>>> macs_;
+  Lazy<std::vector<identify::SynthesisedFrf>> synthesis_;
   Lazy<Eigen::MatrixXd> indicator_;
 };
 
 /// An FRF that the modes do not explain although it is strong: FRAC below 0.99 within 20 dB of the strongest.
-bool poorly_explained(const SynthesisedFrf& frf);
+bool poorly_explained(const identify::SynthesisedFrf& frf);
 /// … and what no mode could explain is all that is missing: less than 1 % is left but what changes from line to line.
-bool noise_alone(const SynthesisedFrf& frf);
+bool noise_alone(const identify::SynthesisedFrf& frf);
 
 /// Warnings of a survey: sensors that sit on nodes, wrong signs, broken reciprocity, FRFs that the modes do not
 /// explain.
 std::vector<Warning> survey_warnings(const Survey& survey);
 
-}  // namespace percuss
+}  // namespace percuss::pipeline

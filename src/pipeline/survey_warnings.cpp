@@ -7,7 +7,7 @@
 #include "core/units.hpp"
 #include "pipeline/survey.hpp"
 
-namespace percuss {
+namespace percuss::pipeline {
 namespace {
 
 constexpr double kNoise = 1.6;               // root mean square over deviations up to which residues are noise
@@ -24,10 +24,10 @@ std::string mode_name(const Survey& survey, std::size_t m) {
 
 void add_name(std::string& list, const std::string& name) { list += (list.empty() ? "" : ", ") + name; }
 
-double seen_by(const Mode& mode, std::size_t channel) {
+double seen_by(const identify::Mode& mode, std::size_t channel) {
   double sum = 0, count = 0;
-  for (const Residue& r : mode.residues) {
-    const double std = total_std(r);
+  for (const identify::Residue& r : mode.residues) {
+    const double std = identify::total_std(r);
     if (r.channel != channel || !(std > 0)) continue;
     sum += std::norm(r.value) / (2 * std * std);
     ++count;
@@ -47,7 +47,7 @@ void warn_of_nodes(const Survey& survey, std::vector<Warning>& out) {
         {"sensor_on_node", "the residues of mode " + nowhere +
                                " lie within their noise at every point: every sensor may sit on a node of it"});
   }
-  if (survey.options().roving != Roving::hammer) return;
+  if (survey.options().roving != identify::Roving::hammer) return;
   for (std::size_t c = 0; c < accel.size() && accel.size() > 1; ++c) {
     std::string blind;
     for (std::size_t m = 0; m < modes.size(); ++m) {
@@ -61,7 +61,7 @@ void warn_of_nodes(const Survey& survey, std::vector<Warning>& out) {
 }
 
 bool has_partner(const Survey& survey, std::size_t m) {
-  const TubeShape& own = *survey.tubes()[m];
+  const identify::TubeShape& own = *survey.tubes()[m];
   const auto& modes = survey.analysis().modes();
   for (std::size_t i = 0; i < modes.size(); ++i) {
     const auto& other = survey.tubes()[i];
@@ -72,9 +72,9 @@ bool has_partner(const Survey& survey, std::size_t m) {
 }
 
 // The largest part of the partner's antinode that any sensor sees; nothing when an angle is not stated.
-std::optional<double> sight_of_partner(const Survey& survey, const TubeShape& tube) {
+std::optional<double> sight_of_partner(const Survey& survey, const identify::TubeShape& tube) {
   double most = 0;
-  for (const SignalInfo& signal : survey.analysis().record().accel) {
+  for (const acquire::SignalInfo& signal : survey.analysis().record().accel) {
     if (!signal.angle_rad) return std::nullopt;
     most = std::max(most, std::abs(std::sin(tube.order * (*signal.angle_rad - *tube.plane_rad))));
   }
@@ -84,7 +84,7 @@ std::optional<double> sight_of_partner(const Survey& survey, const TubeShape& tu
 // On a tube every mode with n ≥ 1 has a partner turned by 90°/n. Where only one of the two was found, a sensor on the
 // other's node would explain it.
 void warn_of_partners(const Survey& survey, std::vector<Warning>& out) {
-  if (survey.options().roving != Roving::hammer) return;
+  if (survey.options().roving != identify::Roving::hammer) return;
   std::string blind, unknown;
   for (std::size_t m = 0; m < survey.tubes().size(); ++m) {
     const auto& tube = survey.tubes()[m];
@@ -112,7 +112,7 @@ void warn_of_partners(const Survey& survey, std::vector<Warning>& out) {
 
 void warn_of_signs(const Survey& survey, std::vector<Warning>& out) {
   std::string wrong;
-  for (const DrivingPointCheck& check : survey.driving_checks()) {
+  for (const identify::DrivingPointCheck& check : survey.driving_checks()) {
     if (check.wrong_sign)
       add_name(wrong, fmt::format("mode {} at point {}, channel {}", check.mode, check.at.point, check.at.channel));
   }
@@ -122,7 +122,7 @@ void warn_of_signs(const Survey& survey, std::vector<Warning>& out) {
                                              "one place"});
   }
   std::string broken;
-  for (const ReciprocityCheck& check : survey.reciprocity()) {
+  for (const identify::ReciprocityCheck& check : survey.reciprocity()) {
     if (check.difference > kReciprocal && check.deviations > kDeviations) {
       add_name(broken, fmt::format("mode {}, points {} and {} ({:.0f} %)", check.mode, check.one.point,
                                    check.other.point, check.difference * 100));
@@ -138,7 +138,7 @@ void warn_of_frac(const Survey& survey, std::vector<Warning>& out) {
   std::string poor;
   std::size_t count = 0;
   const auto points = survey.analysis().frf_points();
-  for (const SynthesisedFrf& frf : survey.synthesis()) {
+  for (const identify::SynthesisedFrf& frf : survey.synthesis()) {
     if (!poorly_explained(frf) || ++count > kMaxNamed) continue;
     add_name(poor, fmt::format("point {} channel {} ({:.4f}{})", points[frf.point], frf.channel, frf.frac,
                                noise_alone(frf) ? ", the rest noise" : ""));
@@ -188,4 +188,4 @@ std::vector<Warning> survey_warnings(const Survey& survey) {
   return out;
 }
 
-}  // namespace percuss
+}  // namespace percuss::pipeline

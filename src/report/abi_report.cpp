@@ -9,35 +9,35 @@
 #include "report/text/text_table.hpp"
 #include "report/text/version.hpp"
 
-namespace percuss {
+namespace percuss::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* metric_of(const AbiLog& log) { return log.bbcor ? "bbcor" : "besr"; }
+const char* metric_of(const metrics::AbiLog& log) { return log.bbcor ? "bbcor" : "besr"; }
 
 Json number_or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
-const char* action_of(const AbiRun& run) {
+const char* action_of(const metrics::AbiRun& run) {
   switch (run.next) {
-    case AbiStep::done:
+    case metrics::AbiStep::done:
       return "stop";
-    case AbiStep::roll:
+    case metrics::AbiStep::roll:
       return "roll";
-    case AbiStep::first_performance:
-    case AbiStep::performance:
+    case metrics::AbiStep::first_performance:
+    case metrics::AbiStep::performance:
       return "performance";
     default:
       return "compression";
   }
 }
 
-std::string compression_name(const AbiReduction& c) {
+std::string compression_name(const metrics::AbiReduction& c) {
   return c.cycle == 0 ? "BC 0" : fmt::format("BC {},{}", c.cycle, c.roll);
 }
 
-std::string abi_json(const AbiLog& log, const AbiRun& run) {
-  const bool roll = run.next == AbiStep::roll;
+std::string abi_json(const metrics::AbiLog& log, const metrics::AbiRun& run) {
+  const bool roll = run.next == metrics::AbiStep::roll;
   Json json{{"schema", "percuss/abi/1"},
             {"version", version()},
             {"bat", log.bat},
@@ -46,39 +46,40 @@ std::string abi_json(const AbiLog& log, const AbiRun& run) {
             {"verdict", name_of(run.verdict)},
             {"why", run.why},
             {"next",
-             {{"step", run.next == AbiStep::done ? Json() : Json(static_cast<int>(run.next))},
+             {{"step", run.next == metrics::AbiStep::done ? Json() : Json(static_cast<int>(run.next))},
               {"action", action_of(run)},
-              {"depth_in", roll ? Json(next_depth_in(run)) : Json()},
-              {"message", next_step_text(run)}}},
+              {"depth_in", roll ? Json(metrics::next_depth_in(run)) : Json()},
+              {"message", metrics::next_step_text(run)}}},
             {"cycle", run.cycle},
             {"roll", run.roll},
             {"compressions", Json::array()},
             {"cycles", Json::array()},
             {"remarks", Json::array()}};
-  for (const AbiReduction& c : run.compressions) {
+  for (const metrics::AbiReduction& c : run.compressions) {
     json["compressions"].push_back({{"step", static_cast<int>(c.step)},
                                     {"cycle", c.cycle},
                                     {"roll", c.roll},
                                     {"force_lbf", c.mean_lbf},
                                     {"reduction", number_or_null(c.reduction)}});
   }
-  for (const AbiCycle& c : run.cycles) {
+  for (const metrics::AbiCycle& c : run.cycles) {
     json["cycles"].push_back(
         {{"cycle", c.cycle}, {"value", c.value}, {"best", c.best}, {"hoop_hz", number_or_null(c.hoop_Hz)}});
   }
-  for (const ProtocolFinding& r : run.remarks) json["remarks"].push_back({{"code", r.code}, {"message", r.message}});
+  for (const metrics::ProtocolFinding& r : run.remarks)
+    json["remarks"].push_back({{"code", r.code}, {"message", r.message}});
   return indented_text(json) + "\n";
 }
 
-ReportText abi_text(const AbiLog& log, const AbiRun& run) {
+ReportText abi_text(const metrics::AbiLog& log, const metrics::AbiRun& run) {
   ReportText out;
-  out.say(fmt::format("{}: {}", log.bat, next_step_text(run)));
-  if (run.verdict == AbiVerdict::fail && run.next != AbiStep::done)
+  out.say(fmt::format("{}: {}", log.bat, metrics::next_step_text(run)));
+  if (run.verdict == metrics::AbiVerdict::fail && run.next != metrics::AbiStep::done)
     out += "  has failed (" + run.why + "); goes on at the sponsor's request\n";
-  for (const ProtocolFinding& remark : run.remarks) out.say("note: " + remark.message);
+  for (const metrics::ProtocolFinding& remark : run.remarks) out.say("note: " + remark.message);
   if (!run.compressions.empty()) {
     TextTable table({{"compression"}, {"force", TextTable::Align::right}, {"reduction", TextTable::Align::right}});
-    for (const AbiReduction& c : run.compressions) {
+    for (const metrics::AbiReduction& c : run.compressions) {
       table.add({compression_name(c), fmt::format("{:.1f} lbf", c.mean_lbf),
                  c.reduction ? fmt::format("{:.2f} %", 100 * *c.reduction) : ""});
     }
@@ -90,7 +91,7 @@ ReportText abi_text(const AbiLog& log, const AbiRun& run) {
                      {metric_of(log), TextTable::Align::right},
                      {"below best", TextTable::Align::right},
                      {"hoop", TextTable::Align::right}});
-    for (const AbiCycle& c : run.cycles) {
+    for (const metrics::AbiCycle& c : run.cycles) {
       table.add({fmt::format("{}", c.cycle), fmt::format("{:.4f}", c.value), fmt::format("{:.4f}", c.best - c.value),
                  c.hoop_Hz ? fmt::format("{:.0f} Hz", *c.hoop_Hz) : ""});
     }
@@ -100,19 +101,19 @@ ReportText abi_text(const AbiLog& log, const AbiRun& run) {
   return out;
 }
 
-std::string abi_csv(const AbiRun& run) {
+std::string abi_csv(const metrics::AbiRun& run) {
   std::string out = "kind,cycle,roll,force_lbf,reduction,value,hoop_hz\n";
   const auto cell = [](const std::optional<double>& value) { return value ? fmt::format("{}", *value) : ""; };
-  for (const AbiReduction& c : run.compressions)
+  for (const metrics::AbiReduction& c : run.compressions)
     out += fmt::format("compression,{},{},{},{},,\n", c.cycle, c.roll, c.mean_lbf, cell(c.reduction));
-  for (const AbiCycle& c : run.cycles)
+  for (const metrics::AbiCycle& c : run.cycles)
     out += fmt::format("performance,{},,,,{},{}\n", c.cycle, c.value, cell(c.hoop_Hz));
   return out;
 }
 
-LineChart abi_chart(const AbiLog& log, const AbiRun& run) {
+LineChart abi_chart(const metrics::AbiLog& log, const metrics::AbiRun& run) {
   ChartCurve tests{.name = "test", .marks = true};
-  for (const AbiCycle& c : run.cycles) {
+  for (const metrics::AbiCycle& c : run.cycles) {
     tests.x.push_back(c.cycle);
     tests.y.push_back(c.value);
   }
@@ -127,7 +128,7 @@ LineChart abi_chart(const AbiLog& log, const AbiRun& run) {
 
 }  // namespace
 
-CommandReport abi_report(const AbiLog& log, const AbiRun& run) {
+CommandReport abi_report(const metrics::AbiLog& log, const metrics::AbiRun& run) {
   CommandReport report;
   report.json = abi_json(log, run);
   report.text = abi_text(log, run);
@@ -136,4 +137,4 @@ CommandReport abi_report(const AbiLog& log, const AbiRun& run) {
   return report;
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

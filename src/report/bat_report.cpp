@@ -11,7 +11,7 @@
 #include "model/math/brent_maximum.hpp"
 #include "report/text/version.hpp"
 
-namespace percuss {
+namespace percuss::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -22,41 +22,42 @@ constexpr std::size_t kModesInText = 5;
 // Exit speeds over the place, each with its own account.
 struct BatCurve {
   std::vector<double> z_m;
-  std::vector<BatRebound> flexible;
+  std::vector<model::BatRebound> flexible;
   NumericColumn exit{.name = "exit_speed_mps", .values = {}}, rigid{.name = "rigid_exit_speed_mps", .values = {}},
       half{.name = "half_modes_exit_speed_mps", .values = {}}, contact{.name = "contact_s", .values = {}},
       contacts{.name = "contacts", .values = {}}, ball{.name = "ball_share", .values = {}},
       vibration{.name = "vibration_share", .values = {}};
-  MaximumPoint best, best_rigid;
+  model::MaximumPoint best, best_rigid;
 };
 
-BatCurve curve_of(const BatModes& bat, const BatCollision& collision, const std::vector<double>& z_m) {
+BatCurve curve_of(const model::BatModes& bat, const model::BatCollision& collision, const std::vector<double>& z_m) {
   const auto modes = static_cast<std::size_t>(bat.freq_Hz.size());
-  const RigidCollision rigid = rigid_collision(bat.inertia, collision);
-  BatCurve curve{.z_m = z_m, .flexible = bat_sweep(bat, modes, collision, z_m), .best = {}, .best_rigid = {}};
-  for (const BatRebound& half : bat_sweep(bat, modes / 2, collision, z_m))
+  const model::RigidCollision rigid = model::rigid_collision(bat.inertia, collision);
+  BatCurve curve{.z_m = z_m, .flexible = model::bat_sweep(bat, modes, collision, z_m), .best = {}, .best_rigid = {}};
+  for (const model::BatRebound& half : model::bat_sweep(bat, modes / 2, collision, z_m))
     curve.half.values.push_back(half.exit_speed_mps);
   for (std::size_t i = 0; i < z_m.size(); ++i) {
-    const BatRebound& r = curve.flexible[i];
+    const model::BatRebound& r = curve.flexible[i];
     curve.exit.values.push_back(r.exit_speed_mps);
-    curve.rigid.values.push_back(r.contacts == 0 ? r.exit_speed_mps : exit_speed_mps(rigid, z_m[i] - bat.inertia.cm_m));
+    curve.rigid.values.push_back(r.contacts == 0 ? r.exit_speed_mps
+                                                 : model::exit_speed_mps(rigid, z_m[i] - bat.inertia.cm_m));
     curve.contact.values.push_back(r.contact_s);
     curve.contacts.values.push_back(static_cast<double>(r.contacts));
     curve.ball.values.push_back(r.ball_share);
     curve.vibration.values.push_back(r.mode_share.sum());
   }
-  curve.best = brent_maximum([&](double z) { return bat_rebound(bat, modes, collision, z).exit_speed_mps; }, z_m,
-                             curve.exit.values);
-  curve.best_rigid =
-      brent_maximum([&](double z) { return exit_speed_mps(rigid, z - bat.inertia.cm_m); }, z_m, curve.rigid.values);
+  curve.best = model::brent_maximum(
+      [&](double z) { return model::bat_rebound(bat, modes, collision, z).exit_speed_mps; }, z_m, curve.exit.values);
+  curve.best_rigid = model::brent_maximum([&](double z) { return model::exit_speed_mps(rigid, z - bat.inertia.cm_m); },
+                                          z_m, curve.rigid.values);
   return curve;
 }
 
-Json modes_json(const BatModes& bat) {
+Json modes_json(const model::BatModes& bat) {
   Json json{{"frequency_hz", Json::array()}, {"node_m", Json::array()}};
   for (Eigen::Index mode = 0; mode < bat.freq_Hz.size(); ++mode) {
     json["frequency_hz"].push_back(bat.freq_Hz[mode]);
-    json["node_m"].push_back(nodes_of(bat, static_cast<std::size_t>(mode)));
+    json["node_m"].push_back(model::nodes_of(bat, static_cast<std::size_t>(mode)));
   }
   json["mass_kg"] = bat.inertia.mass_kg;
   json["cm_m"] = bat.inertia.cm_m;
@@ -68,7 +69,7 @@ Json modes_json(const BatModes& bat) {
 Json curve_json(const BatCurve& curve) {
   Json json = Json::array();
   for (std::size_t i = 0; i < curve.z_m.size(); ++i) {
-    const BatRebound& r = curve.flexible[i];
+    const model::BatRebound& r = curve.flexible[i];
     const Eigen::VectorXd share = r.mode_share.head(std::min(kModesShown, r.mode_share.size()));
     json.push_back({{"z_m", curve.z_m[i]},
                     {curve.exit.name, r.exit_speed_mps},
@@ -83,20 +84,20 @@ Json curve_json(const BatCurve& curve) {
   return json;
 }
 
-std::string modes_text(const BatModes& bat) {
+std::string modes_text(const model::BatModes& bat) {
   std::string text =
       fmt::format("bat: {:.4f} kg, {:.3f} m long, centre of mass {:.1f} mm from the knob, {:.5f} kg·m² about it\n",
                   bat.inertia.mass_kg, bat.length_m, 1000 * bat.inertia.cm_m, bat.inertia.inertia_kgm2);
   for (std::size_t mode = 0; mode < std::min(kModesInText, static_cast<std::size_t>(bat.freq_Hz.size())); ++mode) {
     fmt::format_to(std::back_inserter(text), "bending {}: {:.1f} Hz, nodes", mode + 1,
                    bat.freq_Hz[static_cast<Eigen::Index>(mode)]);
-    for (const double z : nodes_of(bat, mode)) fmt::format_to(std::back_inserter(text), " {:.1f}", 1000 * z);
+    for (const double z : model::nodes_of(bat, mode)) fmt::format_to(std::back_inserter(text), " {:.1f}", 1000 * z);
     text += " mm from the knob\n";
   }
   return text;
 }
 
-std::string curve_text(const BatModes& bat, const BatCurve& curve) {
+std::string curve_text(const model::BatModes& bat, const BatCurve& curve) {
   double most = 0, most_at = 0;
   for (std::size_t i = 0; i < curve.z_m.size(); ++i) {
     const double change = std::abs(curve.exit.values[i] - curve.half.values[i]);
@@ -113,11 +114,11 @@ std::string curve_text(const BatModes& bat, const BatCurve& curve) {
 }
 
 // The deflections take the place of the table and stand before the chart.
-Json show_wave(const BatModes& bat, const BatCollision& collision, const BatWaveRequest& wanted,
+Json show_wave(const model::BatModes& bat, const model::BatCollision& collision, const BatWaveRequest& wanted,
                CommandReport& report) {
   const Eigen::MatrixXd wave =
-      bat_wave(bat, static_cast<std::size_t>(bat.freq_Hz.size()), collision, wanted.z_m, wanted.time_s);
-  const std::vector<double> at_m = positions_of(bat.beam);
+      model::bat_wave(bat, static_cast<std::size_t>(bat.freq_Hz.size()), collision, wanted.z_m, wanted.time_s);
+  const std::vector<double> at_m = model::positions_of(bat.beam);
   Json json{{"z_m", wanted.z_m}, {"time_s", wanted.time_s}, {"largest_m", Json::array()}, {"at_m", Json::array()}};
   report.columns = {{"z_m", at_m}};
   LineChart chart{.title = fmt::format("Bat struck {:.0f} mm from the knob", 1000 * wanted.z_m),
@@ -140,7 +141,7 @@ Json show_wave(const BatModes& bat, const BatCollision& collision, const BatWave
   return json;
 }
 
-BendingPlot bending_of(const BatModes& bat, const BatProfile& profile) {
+BendingPlot bending_of(const model::BatModes& bat, const model::BatProfile& profile) {
   BendingPlot picture{.ends = "Left: the knob."};
   double begin_m = 0;
   for (std::size_t i = 0; i < profile.end_m.size(); ++i) {
@@ -150,12 +151,12 @@ BendingPlot bending_of(const BatModes& bat, const BatProfile& profile) {
   for (std::size_t m = 0; m < std::min(kModesInText, static_cast<std::size_t>(bat.freq_Hz.size())); ++m) {
     const auto column = static_cast<Eigen::Index>(m);
     BendingShape line{
-        .name = fmt::format("bending {}", m + 1), .freq_Hz = bat.freq_Hz[column], .z_m = positions_of(bat.beam)};
+        .name = fmt::format("bending {}", m + 1), .freq_Hz = bat.freq_Hz[column], .z_m = model::positions_of(bat.beam)};
     for (const double z_m : line.z_m) line.y.push_back(bat.deflection(z_m)[column]);
     double largest = 1e-300;
     for (const double y : line.y) largest = std::max(largest, std::abs(y));
     for (double& y : line.y) y /= largest;
-    for (const double z_m : nodes_of(bat, m)) line.nodes.push_back({z_m, 0, inches_and_mm(z_m, 0)});
+    for (const double z_m : model::nodes_of(bat, m)) line.nodes.push_back({z_m, 0, inches_and_mm(z_m, 0)});
     picture.modes.push_back(std::move(line));
   }
   return picture;
@@ -163,8 +164,9 @@ BendingPlot bending_of(const BatModes& bat, const BatProfile& profile) {
 
 }  // namespace
 
-CommandReport bat_report(const BatModes& bat, const BatProfile& profile, const BatCollision& collision,
-                         const std::vector<double>& z_m, const std::optional<BatWaveRequest>& wave) {
+CommandReport bat_report(const model::BatModes& bat, const model::BatProfile& profile,
+                         const model::BatCollision& collision, const std::vector<double>& z_m,
+                         const std::optional<BatWaveRequest>& wave) {
   const BatCurve curve = curve_of(bat, collision, z_m);
   Json json{{"schema", "percuss/model-bat/1"}, {"version", version()}};
   json.update(modes_json(bat));
@@ -184,4 +186,4 @@ CommandReport bat_report(const BatModes& bat, const BatProfile& profile, const B
   return report;
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

@@ -5,7 +5,7 @@
 #include "model/bat/bat_collision.hpp"
 #include "report/command_report.hpp"
 
-namespace percuss {
+namespace percuss::report {
 
 /// Where and when percuss model bat is to show the bat's deflection.
 struct BatWaveRequest {
@@ -16,7 +16,8 @@ struct BatWaveRequest {
 /// percuss/model-bat/1: modes, nodes and inertia of a bat, and the exit speed of a ball over the place of impact z_m
 /// (from the knob, ascending), for the bat that bends and for the rigid one. All of bat's modes take part. `profile` is
 /// the bat's. With `wave` the table shows the deflection along the bat instead, and a chart as well.
-CommandReport bat_report(const BatModes& bat, const BatProfile& profile, const BatCollision& collision,
-                         const std::vector<double>& z_m, const std::optional<BatWaveRequest>& wave = {});
+CommandReport bat_report(const model::BatModes& bat, const model::BatProfile& profile,
+                         const model::BatCollision& collision, const std::vector<double>& z_m,
+                         const std::optional<BatWaveRequest>& wave = {});
 
-}  // namespace percuss
+}  // namespace percuss::report

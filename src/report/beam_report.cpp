@@ -9,7 +9,7 @@
 #include "report/text/text_table.hpp"
 #include "report/text/version.hpp"
 
-namespace percuss {
+namespace percuss::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -21,11 +21,11 @@ constexpr std::array<const char*, 4> kSupports{"torsion", "pinned", "clamped", "
 struct ParameterName {
   const char *key, *name, *unit;
 };
-ParameterName name_of(BeamParameter which) {
+ParameterName name_of(model::BeamParameter which) {
   switch (which) {
-    case BeamParameter::stiffness:
+    case model::BeamParameter::stiffness:
       return {"ei_nm2", "EI", "N·m²"};
-    case BeamParameter::torsion:
+    case model::BeamParameter::torsion:
       return {"torsion_nmprad", "T", "N·m/rad"};
     default:
       return {"rho_a_kgpm", "ρA", "kg/m"};
@@ -37,8 +37,8 @@ Json or_null(const std::optional<Value>& value) {
   return value ? Json(*value) : Json();
 }
 
-Json beam_json(const UniformBeam& beam) {
-  const bool spring = beam.support == BeamSupport::torsion;
+Json beam_json(const model::UniformBeam& beam) {
+  const bool spring = beam.support == model::BeamSupport::torsion;
   return {{"support", support_name(beam.support)},
           {"ei_nm2", beam.stiffness_Nm2},
           {"rho_a_kgpm", beam.mass_per_length_kgpm},
@@ -51,14 +51,14 @@ Json beam_json(const UniformBeam& beam) {
 Json fit_json(const BeamOrigin& origin) {
   if (!origin.fit && !origin.torsion) return {};
   Json parameters = Json::array(), frequencies = Json::array();
-  const auto add = [&](BeamParameter which, double value, const std::optional<double>& std) {
+  const auto add = [&](model::BeamParameter which, double value, const std::optional<double>& std) {
     parameters.push_back({{"name", name_of(which).key}, {"value", value}, {"std", or_null(std)}});
   };
-  if (origin.torsion) add(BeamParameter::torsion, origin.torsion->torsion_Nmprad, origin.torsion->std_Nmprad);
+  if (origin.torsion) add(model::BeamParameter::torsion, origin.torsion->torsion_Nmprad, origin.torsion->std_Nmprad);
   if (origin.fit) {
-    for (const FittedParameter& one : origin.fit->parameters) add(one.which, one.value, one.std);
+    for (const model::FittedParameter& one : origin.fit->parameters) add(one.which, one.value, one.std);
     for (std::size_t i = 0; i < origin.measured.size(); ++i) {
-      const MeasuredFrequency& one = origin.measured[i];
+      const model::MeasuredFrequency& one = origin.measured[i];
       frequencies.push_back({{"mode", one.mode},
                              {"measured_hz", one.freq_Hz},
                              {"measured_std_hz", one.std_Hz > 0 ? Json(one.std_Hz) : Json()},
@@ -71,7 +71,7 @@ Json fit_json(const BeamOrigin& origin) {
           {"at_limit", origin.fit.has_value() && origin.fit->at_limit}};
 }
 
-std::string parameter_text(BeamParameter which, double value, const std::optional<double>& std) {
+std::string parameter_text(model::BeamParameter which, double value, const std::optional<double>& std) {
   const ParameterName name = name_of(which);
   if (std) return fmt::format("{} = {} {}\n", name.name, value_with_std(value, *std), name.unit);
   return fmt::format("{} = {:.6g} {} (no deviation: no more readings than unknowns)\n", name.name, value, name.unit);
@@ -81,10 +81,10 @@ ReportText fit_text(const BeamOrigin& origin) {
   ReportText text;
   if (origin.torsion) {
     text += "from static readings: " +
-            parameter_text(BeamParameter::torsion, origin.torsion->torsion_Nmprad, origin.torsion->std_Nmprad);
+            parameter_text(model::BeamParameter::torsion, origin.torsion->torsion_Nmprad, origin.torsion->std_Nmprad);
   }
   if (!origin.fit) return text;
-  for (const FittedParameter& one : origin.fit->parameters)
+  for (const model::FittedParameter& one : origin.fit->parameters)
     text += "fitted: " + parameter_text(one.which, one.value, one.std);
   if (origin.fit->at_limit)
     text += "the spring ran to where it is as good as none or as a clamp: its stiffness is not determined\n";
@@ -93,7 +93,7 @@ ReportText fit_text(const BeamOrigin& origin) {
                    {"model", TextTable::Align::right},
                    {"difference", TextTable::Align::right}});
   for (std::size_t i = 0; i < origin.measured.size(); ++i) {
-    const MeasuredFrequency& one = origin.measured[i];
+    const model::MeasuredFrequency& one = origin.measured[i];
     table.add({std::to_string(one.mode), value_with_std(one.freq_Hz, one.std_Hz) + " Hz",
                fmt::format("{:.6g} Hz", origin.fit->model_Hz[i]),
                fmt::format("{:+.2f} %", 100 * (origin.fit->model_Hz[i] / one.freq_Hz - 1))});
@@ -103,14 +103,14 @@ ReportText fit_text(const BeamOrigin& origin) {
   return text;
 }
 
-TextTable mode_table(const std::vector<BeamMode>& modes) {
+TextTable mode_table(const std::vector<model::BeamMode>& modes) {
   TextTable table({{"mode", TextTable::Align::right},
                    {"frequency", TextTable::Align::right},
                    {"λ", TextTable::Align::right},
                    {"nodes, mm from x = 0"}});
   for (std::size_t i = 0; i < modes.size(); ++i) {
     std::vector<std::string> nodes;
-    for (const double node_m : beam_nodes_m(modes[i])) nodes.push_back(fmt::format("{:.1f}", 1000 * node_m));
+    for (const double node_m : model::beam_nodes_m(modes[i])) nodes.push_back(fmt::format("{:.1f}", 1000 * node_m));
     const bool rigid = modes[i].omega_radps == 0;
     table.add({std::to_string(i), rigid ? "0 Hz" : fmt::format("{:.6g} Hz", modes[i].freq_Hz()),
                rigid ? "rigid body" : fmt::format("{:.6f}", modes[i].lambda),
@@ -119,36 +119,37 @@ TextTable mode_table(const std::vector<BeamMode>& modes) {
   return table;
 }
 
-std::string heading(const UniformBeam& beam) {
+std::string heading(const model::UniformBeam& beam) {
   std::string text = fmt::format("{} beam: EI {:.6g} N·m², ρA {:.6g} kg/m, length {:.6g} m",
-                                 beam.support == BeamSupport::free      ? "free"
-                                 : beam.support == BeamSupport::torsion ? "torsion spring/free"
-                                 : beam.support == BeamSupport::pinned  ? "pinned/free"
-                                                                        : "clamped/free",
+                                 beam.support == model::BeamSupport::free      ? "free"
+                                 : beam.support == model::BeamSupport::torsion ? "torsion spring/free"
+                                 : beam.support == model::BeamSupport::pinned  ? "pinned/free"
+                                                                               : "clamped/free",
                                  beam.stiffness_Nm2, beam.mass_per_length_kgpm, beam.length_m);
-  if (beam.support == BeamSupport::torsion) text += fmt::format(", spring {:.6g} N·m/rad", beam.torsion_Nmprad);
+  if (beam.support == model::BeamSupport::torsion) text += fmt::format(", spring {:.6g} N·m/rad", beam.torsion_Nmprad);
   if (beam.is_timoshenko()) text += "; with rotary inertia and shear as given (Timoshenko)";
   return text + "\n\n";
 }
 
 }  // namespace
 
-const char* support_name(BeamSupport support) { return kSupports.at(static_cast<std::size_t>(support)); }
+const char* support_name(model::BeamSupport support) { return kSupports.at(static_cast<std::size_t>(support)); }
 
-std::optional<BeamSupport> support_named(const std::string& name) {
+std::optional<model::BeamSupport> support_named(const std::string& name) {
   for (std::size_t i = 0; i < kSupports.size(); ++i) {
-    if (name == kSupports.at(i)) return static_cast<BeamSupport>(i);
+    if (name == kSupports.at(i)) return static_cast<model::BeamSupport>(i);
   }
   return {};
 }
 
-CommandReport beam_report(const UniformBeam& beam, const std::vector<BeamMode>& modes, const BeamOrigin& origin) {
+CommandReport beam_report(const model::UniformBeam& beam, const std::vector<model::BeamMode>& modes,
+                          const BeamOrigin& origin) {
   Json json{{"schema", "percuss/model-beam/1"}, {"version", version()}, {"beam", beam_json(beam)}};
   for (const char* list : {"frequency_hz", "lambda", "node_m"}) json[list] = Json::array();
-  for (const BeamMode& mode : modes) {
+  for (const model::BeamMode& mode : modes) {
     json["frequency_hz"].push_back(mode.freq_Hz());
     json["lambda"].push_back(mode.lambda);
-    json["node_m"].push_back(beam_nodes_m(mode));
+    json["node_m"].push_back(model::beam_nodes_m(mode));
   }
   json["fit"] = fit_json(origin);
   CommandReport report;
@@ -174,4 +175,4 @@ CommandReport beam_report(const UniformBeam& beam, const std::vector<BeamMode>& 
   return report;
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

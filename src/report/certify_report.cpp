@@ -9,34 +9,35 @@
 #include "report/text/text_table.hpp"
 #include "report/text/version.hpp"
 
-namespace percuss {
+namespace percuss::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
 Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
-const char* state_name(SearchState state) {
+const char* state_name(metrics::SearchState state) {
   switch (state) {
-    case SearchState::found:
+    case metrics::SearchState::found:
       return "found";
-    case SearchState::plateau:
+    case metrics::SearchState::plateau:
       return "plateau";
-    case SearchState::edge:
+    case metrics::SearchState::edge:
       return "edge";
-    case SearchState::shoot:
+    case metrics::SearchState::shoot:
       break;
   }
   return "shoot";
 }
 
-Json findings_json(const std::vector<ProtocolFinding>& findings) {
+Json findings_json(const std::vector<metrics::ProtocolFinding>& findings) {
   Json out = Json::array();
-  for (const ProtocolFinding& finding : findings) out.push_back({{"code", finding.code}, {"message", finding.message}});
+  for (const metrics::ProtocolFinding& finding : findings)
+    out.push_back({{"code", finding.code}, {"message", finding.message}});
   return out;
 }
 
-Json shots_json(const std::vector<SessionShot>& shots, const std::vector<JudgedShot>& judged) {
+Json shots_json(const std::vector<metrics::SessionShot>& shots, const std::vector<metrics::JudgedShot>& judged) {
   Json out = Json::array();
   for (std::size_t i = 0; i < shots.size(); ++i) {
     out.push_back({{"index", i},
@@ -52,7 +53,7 @@ Json shots_json(const std::vector<SessionShot>& shots, const std::vector<JudgedS
   return out;
 }
 
-Json balls_json(const Certification& c) {
+Json balls_json(const metrics::Certification& c) {
   Json out = Json::array();
   for (const auto& [id, ball] : c.balls) {
     out.push_back({{"ball", id},
@@ -65,9 +66,9 @@ Json balls_json(const Certification& c) {
   return out;
 }
 
-Json locations_json(const Certification& c) {
+Json locations_json(const metrics::Certification& c) {
   Json out = Json::array();
-  for (const TestedLocation& l : c.locations) {
+  for (const metrics::TestedLocation& l : c.locations) {
     out.push_back({{"z_in", l.z_in},
                    {"valid_shots", l.valid},
                    {"complete", l.complete},
@@ -77,13 +78,13 @@ Json locations_json(const Certification& c) {
   return out;
 }
 
-Json search_json(const SearchStep& search) {
+Json search_json(const metrics::SearchStep& search) {
   Json level = Json::array();
-  for (const HalfInches at : search.plateau) level.push_back(0.5 * at);
+  for (const metrics::HalfInches at : search.plateau) level.push_back(0.5 * at);
   return {{"state", state_name(search.state)}, {"z_in", 0.5 * search.at}, {"within_margin_in", std::move(level)}};
 }
 
-Json next_json(const NextAction& next) {
+Json next_json(const metrics::NextAction& next) {
   return {{"action", next.code},
           {"z_in", or_null(next.z_in)},
           {"v_target_mph", or_null(next.target_mph)},
@@ -92,13 +93,13 @@ Json next_json(const NextAction& next) {
           {"message", next.message}};
 }
 
-std::string joined_messages(const std::vector<ProtocolFinding>& findings) {
+std::string joined_messages(const std::vector<metrics::ProtocolFinding>& findings) {
   std::string out;
-  for (const ProtocolFinding& finding : findings) out += (out.empty() ? "" : "; ") + finding.message;
+  for (const metrics::ProtocolFinding& finding : findings) out += (out.empty() ? "" : "; ") + finding.message;
   return out;
 }
 
-std::string certify_json(const Session& s, const Certification& c) {
+std::string certify_json(const metrics::Session& s, const metrics::Certification& c) {
   const Json json{{"schema", "percuss/certify/1"},
                   {"version", version()},
                   {"bat", {{"id", s.bat.id}, {"length_in", s.bat.length_in}, {"moi_oz_in2", or_null(s.bat.moi_ozin2)}}},
@@ -123,19 +124,19 @@ std::string certify_json(const Session& s, const Certification& c) {
   return indented_text(json) + "\n";
 }
 
-ReportText certify_text(const Session& s, const Certification& c) {
+ReportText certify_text(const metrics::Session& s, const metrics::Certification& c) {
   ReportText out;
   out.say(fmt::format("{}: {}", s.bat.id, c.next.message));
   if (!c.next.ball.empty()) out += fmt::format("  ball: {}, or a new one\n", c.next.ball);
-  for (const ProtocolFinding& f : c.conditions) out.say("condition: " + f.message);
-  for (const ProtocolFinding& f : c.remarks) out.say("note: " + f.message);
+  for (const metrics::ProtocolFinding& f : c.conditions) out.say("condition: " + f.message);
+  for (const metrics::ProtocolFinding& f : c.remarks) out.say("note: " + f.message);
   if (c.correction) out += fmt::format("ball lot: correction {:+.4f}\n", *c.correction);
   if (!c.locations.empty()) {
     TextTable table({{"location", TextTable::Align::right},
                      {"shots", TextTable::Align::right},
                      {name_of(s.metric), TextTable::Align::right},
                      {""}});
-    for (const TestedLocation& l : c.locations) {
+    for (const metrics::TestedLocation& l : c.locations) {
       table.add({fmt::format("{:.1f} in", l.z_in), fmt::format("{}", l.valid), value_with_std(l.mean, l.std_error),
                  c.sweet_spot_in == l.z_in ? "sweet spot"
                  : l.complete              ? ""
@@ -155,21 +156,21 @@ ReportText certify_text(const Session& s, const Certification& c) {
   return out;
 }
 
-std::string certify_csv(const Session& s, const Certification& c) {
+std::string certify_csv(const metrics::Session& s, const metrics::Certification& c) {
   std::string out = "index,z_in,v_in_mph,v_out_mph,v_target_mph,valid,counted,reasons\n";
   for (std::size_t i = 0; i < c.shots.size(); ++i) {
-    const JudgedShot& shot = c.shots[i];
+    const metrics::JudgedShot& shot = c.shots[i];
     std::string codes;
-    for (const ProtocolFinding& reason : shot.reasons) codes += (codes.empty() ? "" : " ") + reason.code;
+    for (const metrics::ProtocolFinding& reason : shot.reasons) codes += (codes.empty() ? "" : " ") + reason.code;
     out += fmt::format("{},{},{},{},{},{},{},{}\n", i, s.shots[i].z_in, shot.in_mph, shot.out_mph, shot.target_mph,
                        shot.valid() ? "yes" : "no", shot.counted ? "yes" : "no", codes);
   }
   return out;
 }
 
-LineChart certify_chart(const Session& s, const Certification& c) {
+LineChart certify_chart(const metrics::Session& s, const metrics::Certification& c) {
   ChartCurve means{.name = "mean of six", .marks = true};
-  for (const TestedLocation& location : c.locations) {
+  for (const metrics::TestedLocation& location : c.locations) {
     if (!location.complete) continue;
     means.x.push_back(location.z_in);
     means.y.push_back(location.mean);
@@ -184,7 +185,7 @@ LineChart certify_chart(const Session& s, const Certification& c) {
 
 }  // namespace
 
-CommandReport certify_report(const Session& session, const Certification& certification) {
+CommandReport certify_report(const metrics::Session& session, const metrics::Certification& certification) {
   CommandReport report;
   report.json = certify_json(session, certification);
   report.text = certify_text(session, certification);
@@ -193,4 +194,4 @@ CommandReport certify_report(const Session& session, const Certification& certif
   return report;
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

@@ -2,10 +2,10 @@
 #include "metrics/protocol/certify.hpp"
 #include "report/command_report.hpp"
 
-namespace percuss {
+namespace percuss::report {
 
 /// percuss/certify/1 (docs/schema/certify.schema.json); what to do next, the locations, the shots that do not count and
 /// why, the balls that are spent; the shots as a table; performance over the location with the limit.
-CommandReport certify_report(const Session& session, const Certification& certification);
+CommandReport certify_report(const metrics::Session& session, const metrics::Certification& certification);
 
-}  // namespace percuss
+}  // namespace percuss::report

@@ -7,7 +7,7 @@
 #include "report/text/numeric_csv.hpp"
 #include "report/text/report_text.hpp"
 
-namespace percuss {
+namespace percuss::report {
 
 /// What a command has to show, in each of the forms it may be asked for.
 struct CommandReport {
@@ -21,4 +21,4 @@ struct CommandReport {
   std::string csv() const { return columns.empty() ? table : numeric_csv(columns); }
 };
 
-}  // namespace percuss
+}  // namespace percuss::report

@@ -13,7 +13,7 @@
 #include "report/text/text_table.hpp"
 #include "report/text/version.hpp"
 
-namespace percuss {
+namespace percuss::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -23,17 +23,17 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 // One document against the first.
 struct Comparison {
-  const ComparedDocument& a;
-  const ComparedDocument& b;
-  PairedModes modes;
-  std::vector<DeflectionPair> deflections;
+  const metrics::ComparedDocument& a;
+  const metrics::ComparedDocument& b;
+  metrics::PairedModes modes;
+  std::vector<metrics::DeflectionPair> deflections;
 };
 
 Json optional_number(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
 Json pairs_json(const Comparison& c) {
   Json pairs = Json::array();
-  for (const ModePair& pair : c.modes.pairs) {
+  for (const metrics::ModePair& pair : c.modes.pairs) {
     pairs.push_back({{"a", pair.a},
                      {"b", pair.b},
                      {"frequency_a_hz", c.a.modes[pair.a].freq_Hz},
@@ -45,7 +45,7 @@ Json pairs_json(const Comparison& c) {
   return pairs;
 }
 
-Json unpaired_json(const ComparedDocument& document, const std::vector<std::size_t>& modes) {
+Json unpaired_json(const metrics::ComparedDocument& document, const std::vector<std::size_t>& modes) {
   Json list = Json::array();
   for (const std::size_t m : modes) list.push_back({{"index", m}, {"frequency_hz", document.modes[m].freq_Hz}});
   return list;
@@ -53,7 +53,7 @@ Json unpaired_json(const ComparedDocument& document, const std::vector<std::size
 
 Json deflections_json(const Comparison& c) {
   Json list = Json::array();
-  for (const DeflectionPair& pair : c.deflections) {
+  for (const metrics::DeflectionPair& pair : c.deflections) {
     list.push_back({{"point", pair.point ? Json(*pair.point) : Json()},
                     {"position_m", optional_number(pair.position_m)},
                     {"peak_a_m", pair.a_m},
@@ -73,9 +73,10 @@ Json comparison_json(const Comparison& c) {
           {"ratio", inverted ? "a/b" : "b/a"}};
 }
 
-std::string json_of(const std::vector<ComparedDocument>& documents, const std::vector<Comparison>& comparisons) {
+std::string json_of(const std::vector<metrics::ComparedDocument>& documents,
+                    const std::vector<Comparison>& comparisons) {
   Json json{{"schema", "percuss/compare/1"}, {"version", version()}, {"documents", Json::array()}};
-  for (const ComparedDocument& document : documents)
+  for (const metrics::ComparedDocument& document : documents)
     json["documents"].push_back({{"path", document.name}, {"schema", document.schema}});
   json.update(comparison_json(comparisons.front()));
   json["others"] = Json::array();
@@ -87,8 +88,8 @@ std::string json_of(const std::vector<ComparedDocument>& documents, const std::v
   return indented_text(json) + "\n";
 }
 
-const ModePair* pair_at(const Comparison& c, std::size_t mode) {
-  for (const ModePair& pair : c.modes.pairs) {
+const metrics::ModePair* pair_at(const Comparison& c, std::size_t mode) {
+  for (const metrics::ModePair& pair : c.modes.pairs) {
     if (pair.a == mode) return &pair;
   }
   return nullptr;
@@ -100,20 +101,23 @@ std::string signed_percent(double percent) {
   return text == "-0.00" || text == "+0.00" ? "0.00" : text;
 }
 
-std::string frequency_text(const ComparedMode& mode) { return value_with_std(mode.freq_Hz, mode.freq_std_Hz) + " Hz"; }
+std::string frequency_text(const metrics::ComparedMode& mode) {
+  return value_with_std(mode.freq_Hz, mode.freq_std_Hz) + " Hz";
+}
 
-ReportText modes_text(const std::vector<ComparedDocument>& documents, const std::vector<Comparison>& comparisons) {
+ReportText modes_text(const std::vector<metrics::ComparedDocument>& documents,
+                      const std::vector<Comparison>& comparisons) {
   std::vector<TextTable::Column> heads{{"mode", TextTable::Align::right}, {"family"}};
-  for (const ComparedDocument& document : documents)
+  for (const metrics::ComparedDocument& document : documents)
     heads.push_back({one_line(document.name, 40), TextTable::Align::right});
   heads.push_back({""});
   TextTable table(std::move(heads));
   for (std::size_t m = 0; m < documents.front().modes.size(); ++m) {
-    const ComparedMode& mode = documents.front().modes[m];
+    const metrics::ComparedMode& mode = documents.front().modes[m];
     if (!(mode.freq_Hz > 0)) continue;
     std::vector<std::string> cells{fmt::format("{}", m), mode.family, frequency_text(mode)};
     for (const Comparison& c : comparisons) {
-      const ModePair* pair = pair_at(c, m);
+      const metrics::ModePair* pair = pair_at(c, m);
       std::string cell =
           pair ? fmt::format("{} ({} %", frequency_text(c.b.modes[pair->b]), signed_percent(pair->difference_percent))
                : "–";
@@ -144,7 +148,7 @@ ReportText deflections_text(const Comparison& c) {
                    {one_line(c.b.name, 40), TextTable::Align::right},
                    {inverted ? "first/second" : "second/first", TextTable::Align::right},
                    {""}});
-  for (const DeflectionPair& pair : c.deflections) {
+  for (const metrics::DeflectionPair& pair : c.deflections) {
     const std::string place = pair.position_m ? fmt::format("{:.1f} mm", 1000 * *pair.position_m)
                               : pair.point    ? fmt::format("point {}", *pair.point)
                                               : "";
@@ -156,7 +160,7 @@ ReportText deflections_text(const Comparison& c) {
   return text;
 }
 
-std::vector<NumericColumn> columns_of(const std::vector<ComparedDocument>& documents,
+std::vector<NumericColumn> columns_of(const std::vector<metrics::ComparedDocument>& documents,
                                       const std::vector<Comparison>& comparisons) {
   std::vector<NumericColumn> columns{{.name = "mode", .values = {}}, {.name = "frequency_1_hz", .values = {}}};
   for (std::size_t i = 0; i < comparisons.size(); ++i) {
@@ -170,13 +174,13 @@ std::vector<NumericColumn> columns_of(const std::vector<ComparedDocument>& docum
     columns[0].values.push_back(static_cast<double>(m));
     columns[1].values.push_back(documents.front().modes[m].freq_Hz);
     for (std::size_t i = 0; i < comparisons.size(); ++i) {
-      const ModePair* pair = pair_at(comparisons[i], m);
+      const metrics::ModePair* pair = pair_at(comparisons[i], m);
       columns[2 + 2 * i].values.push_back(pair ? comparisons[i].b.modes[pair->b].freq_Hz : kNone);
       columns[3 + 2 * i].values.push_back(pair ? pair->difference_percent : kNone);
     }
     for (NumericColumn& column : places) column.values.push_back(kNone);
   }
-  for (const DeflectionPair& pair : comparisons.front().deflections) {
+  for (const metrics::DeflectionPair& pair : comparisons.front().deflections) {
     for (NumericColumn& column : columns) column.values.push_back(kNone);
     const std::array row{pair.position_m.value_or(kNone),
                          pair.point ? *pair.point : kNone,
@@ -199,7 +203,7 @@ LineChart chart_of(const std::vector<Comparison>& comparisons) {
              .x = {.label = positions ? "position, m" : "point"},
              .y = {.label = "largest deflection, mm"}};
     ChartCurve a{.name = first.a.name, .marks = true}, b{.name = first.b.name, .marks = true};
-    for (const DeflectionPair& pair : first.deflections) {
+    for (const metrics::DeflectionPair& pair : first.deflections) {
       for (ChartCurve* curve : {&a, &b}) curve->x.push_back(positions ? *pair.position_m : *pair.point);
       a.y.push_back(1000 * pair.a_m);
       b.y.push_back(1000 * pair.b_m);
@@ -211,7 +215,7 @@ LineChart chart_of(const std::vector<Comparison>& comparisons) {
       .title = "Frequencies against " + first.a.name, .x = {.label = "frequency, Hz"}, .y = {.label = "difference, %"}};
   for (const Comparison& c : comparisons) {
     ChartCurve curve{.name = c.b.name, .marks = true};
-    for (const ModePair& pair : c.modes.pairs) {
+    for (const metrics::ModePair& pair : c.modes.pairs) {
       curve.x.push_back(c.a.modes[pair.a].freq_Hz);
       curve.y.push_back(pair.difference_percent);
     }
@@ -222,14 +226,16 @@ LineChart chart_of(const std::vector<Comparison>& comparisons) {
 
 }  // namespace
 
-CommandReport compare_report(const std::vector<ComparedDocument>& documents, const PairOptions& options) {
+CommandReport compare_report(const std::vector<metrics::ComparedDocument>& documents,
+                             const metrics::PairOptions& options) {
   assert(documents.size() >= 2);
   std::vector<Comparison> comparisons;
   comparisons.reserve(documents.size());
   bool deflections = false, modes = false;
   for (std::size_t i = 1; i < documents.size(); ++i) {
-    const ComparedDocument &a = documents.front(), &b = documents[i];
-    comparisons.push_back({.a = a, .b = b, .modes = pair_modes(a, b, options), .deflections = pair_deflections(a, b)});
+    const metrics::ComparedDocument &a = documents.front(), &b = documents[i];
+    comparisons.push_back(
+        {.a = a, .b = b, .modes = metrics::pair_modes(a, b, options), .deflections = metrics::pair_deflections(a, b)});
     deflections = deflections || !comparisons.back().deflections.empty();
     modes = modes || !comparisons.back().modes.pairs.empty();
   }
@@ -251,4 +257,4 @@ CommandReport compare_report(const std::vector<ComparedDocument>& documents, con
   return report;
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

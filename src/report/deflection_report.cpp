@@ -17,19 +17,19 @@
 #include "report/text/text_table.hpp"
 #include "report/text/version.hpp"
 
-namespace percuss {
+namespace percuss::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMaxHitsDrawn = 12;
 
-double time_s(const Analysis& analysis, const DeflectedHit& hit, std::size_t sample) {
+double time_s(const pipeline::Analysis& analysis, const pipeline::DeflectedHit& hit, std::size_t sample) {
   return hit.first_s + static_cast<double>(sample) / analysis.record().fs_Hz;
 }
 
-Json hit_json(const Analysis& analysis, const DeflectedHit& hit) {
-  const Deflection& d = hit.deflection;
+Json hit_json(const pipeline::Analysis& analysis, const pipeline::DeflectedHit& hit) {
+  const metrics::Deflection& d = hit.deflection;
   const bool told = d.has_peak();
   return {{"index", hit.hit},
           {"channel", hit.channel},
@@ -51,26 +51,26 @@ std::string millimetres(double value_m, double std_m) {
   return std::isnan(value_m) ? "not told" : value_with_std(1000 * value_m, 1000 * std_m) + " mm";
 }
 
-double measured_peak_m(const DeflectedHit& hit) {
+double measured_peak_m(const pipeline::DeflectedHit& hit) {
   return hit.deflection.has_peak() ? std::abs(hit.deflection.peak_m) : 0;
 }
 
-std::string channel_name(const Analysis& analysis, std::size_t channel) {
+std::string channel_name(const pipeline::Analysis& analysis, std::size_t channel) {
   const std::string& name = analysis.record().accel[channel].name;
   return name.empty() ? fmt::format("accel {}", channel + 1) : one_line(name, 40);
 }
 
 }  // namespace
 
-std::string deflection_json(const Analysis& analysis, const ImpactTest& test) {
+std::string deflection_json(const pipeline::Analysis& analysis, const pipeline::ImpactTest& test) {
   Json json{{"schema", "percuss/deflection/1"}, {"version", version()}, {"inputs", Json::array()}};
-  for (const InputFile& file : analysis.record().files)
+  for (const acquire::InputFile& file : analysis.record().files)
     json["inputs"].push_back({{"path", file.path}, {"bytes", file.bytes}});
   json["fs_hz"] = analysis.record().fs_Hz;
   json["hits"] = Json::array();
-  for (const DeflectedHit& hit : test.hits) json["hits"].push_back(hit_json(analysis, hit));
+  for (const pipeline::DeflectedHit& hit : test.hits) json["hits"].push_back(hit_json(analysis, hit));
   json["points"] = Json::array();
-  for (const PointDeflection& point : test.points) {
+  for (const pipeline::PointDeflection& point : test.points) {
     json["points"].push_back({{"point", point.point},
                               {"channel", point.channel},
                               {"position_m", point.position_m ? Json(*point.position_m) : Json()},
@@ -81,17 +81,17 @@ std::string deflection_json(const Analysis& analysis, const ImpactTest& test) {
                               {"forward_std_m", point.forward_std_m}});
   }
   json["impact_speeds"] = Json::array();
-  for (const ImpactSpeed& speed : test.speeds) {
+  for (const pipeline::ImpactSpeed& speed : test.speeds) {
     json["impact_speeds"].push_back(
         {{"index", speed.hit}, {"speed_mps", speed.speed_mps}, {"speed_std_mps", speed.std_mps}});
   }
   json["warnings"] = Json::array();
-  for (const Warning& warning : test.warnings)
+  for (const pipeline::Warning& warning : test.warnings)
     json["warnings"].push_back({{"code", warning.code}, {"message", warning.message}});
   return indented_text(json) + "\n";
 }
 
-ReportText deflection_tables(const Analysis& analysis, const ImpactTest& test) {
+ReportText deflection_tables(const pipeline::Analysis& analysis, const pipeline::ImpactTest& test) {
   using Align = TextTable::Align;
   TextTable hits({{"hit", Align::right},
                   {"point", Align::right},
@@ -100,8 +100,8 @@ ReportText deflection_tables(const Analysis& analysis, const ImpactTest& test) {
                   {"at", Align::right},
                   {"drift at the end", Align::right},
                   {"method"}});
-  for (const DeflectedHit& hit : test.hits) {
-    const Deflection& d = hit.deflection;
+  for (const pipeline::DeflectedHit& hit : test.hits) {
+    const metrics::Deflection& d = hit.deflection;
     hits.add({fmt::format("{}", hit.hit), fmt::format("{}", hit.point), channel_name(analysis, hit.channel),
               millimetres(d.peak_m, d.peak_std_m),
               d.has_peak() ? fmt::format("{:.4f} s", time_s(analysis, hit, d.peak)) : "",
@@ -110,7 +110,7 @@ ReportText deflection_tables(const Analysis& analysis, const ImpactTest& test) {
   TextTable points(
       {{"point", Align::right}, {"sensor"}, {"hits", Align::right}, {"mean of the largest deflections", Align::right}});
   bool repeats = false;
-  for (const PointDeflection& point : test.points) {
+  for (const pipeline::PointDeflection& point : test.points) {
     points.add({fmt::format("{}", point.point), channel_name(analysis, point.channel), fmt::format("{}", point.hits),
                 millimetres(point.peak_m, point.std_m)});
     repeats = repeats || point.hits > 1;
@@ -121,23 +121,23 @@ ReportText deflection_tables(const Analysis& analysis, const ImpactTest& test) {
     text += "\n";
     text += points;
   }
-  for (const ImpactSpeed& speed : test.speeds) {
+  for (const pipeline::ImpactSpeed& speed : test.speeds) {
     text +=
         fmt::format("hit {}: the ball came with {} m/s\n", speed.hit, value_with_std(speed.speed_mps, speed.std_mps));
   }
   if (!test.warnings.empty()) text += "\n";
-  for (const Warning& warning : test.warnings) text.warn(warning.message);
+  for (const pipeline::Warning& warning : test.warnings) text.warn(warning.message);
   return text;
 }
 
-ReportText deflection_text(const Analysis& analysis, const ImpactTest& test) {
+ReportText deflection_text(const pipeline::Analysis& analysis, const pipeline::ImpactTest& test) {
   return one_line(input_name(analysis.record().source()), 400) + "\n\n" + deflection_tables(analysis, test);
 }
 
-std::string deflection_csv(const Analysis& analysis, const ImpactTest& test) {
+std::string deflection_csv(const pipeline::Analysis& analysis, const pipeline::ImpactTest& test) {
   std::string text = "hit,channel,t_s,velocity_mps,deflection_m,deflection_std_m\n";
-  for (const DeflectedHit& hit : test.hits) {
-    const Deflection& d = hit.deflection;
+  for (const pipeline::DeflectedHit& hit : test.hits) {
+    const metrics::Deflection& d = hit.deflection;
     for (std::size_t i = 0; i < d.deflection_m.size(); ++i) {
       fmt::format_to(std::back_inserter(text), "{},{},{},{},{},", hit.hit, hit.channel, time_s(analysis, hit, i),
                      d.velocity_mps[i], d.deflection_m[i]);
@@ -148,16 +148,17 @@ std::string deflection_csv(const Analysis& analysis, const ImpactTest& test) {
   return text;
 }
 
-void write_deflection_hdf5(const std::string& path, const Analysis& analysis, const ImpactTest& test, bool force) {
+void write_deflection_hdf5(const std::string& path, const pipeline::Analysis& analysis,
+                           const pipeline::ImpactTest& test, bool force) {
   const std::size_t channels = analysis.record().accel.size(), hits = test.hits.size() / channels;
   std::size_t samples = 0;
-  for (const DeflectedHit& hit : test.hits) samples = std::max(samples, hit.deflection.deflection_m.size());
-  hdf5::OutputHdf5 out(path, force);
+  for (const pipeline::DeflectedHit& hit : test.hits) samples = std::max(samples, hit.deflection.deflection_m.size());
+  acquire::hdf5::OutputHdf5 out(path, force);
   const std::array shape{hits, channels, samples};
-  const std::array<std::pair<const char*, std::vector<double> Deflection::*>, 3> sets{
-      {{"deflection_m", &Deflection::deflection_m},
-       {"velocity_mps", &Deflection::velocity_mps},
-       {"deflection_std_m", &Deflection::std_m}}};
+  const std::array<std::pair<const char*, std::vector<double> metrics::Deflection::*>, 3> sets{
+      {{"deflection_m", &metrics::Deflection::deflection_m},
+       {"velocity_mps", &metrics::Deflection::velocity_mps},
+       {"deflection_std_m", &metrics::Deflection::std_m}}};
   for (const auto& [name, member] : sets) {
     out.create_set(name, shape);
     for (std::size_t i = 0; i < test.hits.size(); ++i) {
@@ -168,14 +169,14 @@ void write_deflection_hdf5(const std::string& path, const Analysis& analysis, co
   }
   std::vector<double> numbers, points, starts;
   for (std::size_t h = 0; h < hits; ++h) {
-    const DeflectedHit& hit = test.hits[h * channels];
+    const pipeline::DeflectedHit& hit = test.hits[h * channels];
     numbers.push_back(static_cast<double>(hit.hit));
     points.push_back(hit.point);
     starts.push_back(hit.first_s);
   }
-  out.create_set("hit", std::array{hits}, hdf5::Stored::int32);
+  out.create_set("hit", std::array{hits}, acquire::hdf5::Stored::int32);
   out.write("hit", {}, 0, std::span<const double>(numbers));
-  out.create_set("point", std::array{hits}, hdf5::Stored::int32);
+  out.create_set("point", std::array{hits}, acquire::hdf5::Stored::int32);
   out.write("point", {}, 0, std::span<const double>(points));
   out.create_set("start_s", std::array{hits});
   out.write("start_s", {}, 0, std::span<const double>(starts));
@@ -183,17 +184,18 @@ void write_deflection_hdf5(const std::string& path, const Analysis& analysis, co
   out.commit();
 }
 
-LineChart deflection_chart(const Analysis& analysis, const ImpactTest& test) {
-  std::vector<const DeflectedHit*> largest;
+LineChart deflection_chart(const pipeline::Analysis& analysis, const pipeline::ImpactTest& test) {
+  std::vector<const pipeline::DeflectedHit*> largest;
   largest.reserve(test.hits.size());
-  for (const DeflectedHit& hit : test.hits) largest.push_back(&hit);
-  std::stable_sort(largest.begin(), largest.end(), [](const DeflectedHit* a, const DeflectedHit* b) {
-    return measured_peak_m(*a) > measured_peak_m(*b);
-  });
+  for (const pipeline::DeflectedHit& hit : test.hits) largest.push_back(&hit);
+  std::stable_sort(largest.begin(), largest.end(),
+                   [](const pipeline::DeflectedHit* a, const pipeline::DeflectedHit* b) {
+                     return measured_peak_m(*a) > measured_peak_m(*b);
+                   });
   largest.resize(std::min(largest.size(), kMaxHitsDrawn));
   LineChart chart{
       .title = "Deflection at the accelerometer", .x = {.label = "time, s"}, .y = {.label = "deflection, mm"}};
-  for (const DeflectedHit* hit : largest) {
+  for (const pipeline::DeflectedHit* hit : largest) {
     ChartCurve curve{.name = fmt::format("hit {}, {}", hit->hit, channel_name(analysis, hit->channel))};
     for (std::size_t i = 0; i < hit->deflection.deflection_m.size(); ++i) {
       curve.x.push_back(time_s(analysis, *hit, i));
@@ -204,4 +206,4 @@ LineChart deflection_chart(const Analysis& analysis, const ImpactTest& test) {
   return chart;
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

@@ -6,7 +6,7 @@
 #include "core/io/atomic_file.hpp"
 #include "frf/formats/write_frf.hpp"
 
-namespace percuss {
+namespace percuss::report {
 namespace {
 
 template <class Value>
@@ -18,11 +18,11 @@ std::vector<Value> lines_within(const std::vector<Value>& all, std::size_t first
 
 }  // namespace
 
-FrfRecord frf_record_of(const Analysis& analysis) {
-  const LineRange& lines = analysis.lines();
+frf::FrfRecord frf_record_of(const pipeline::Analysis& analysis) {
+  const frf::LineRange& lines = analysis.lines();
   const auto [low, high] = analysis.band_Hz();
-  const LineRange band = lines_in_band(lines.fs_Hz, lines.samples, low, high);
-  FrfRecord out;
+  const frf::LineRange band = frf::lines_in_band(lines.fs_Hz, lines.samples, low, high);
+  frf::FrfRecord out;
   out.files = analysis.record().files;
   out.format = analysis.record().format;
   out.lines = band;
@@ -32,7 +32,7 @@ FrfRecord frf_record_of(const Analysis& analysis) {
   out.decay_per_s = analysis.window_decay_per_s();
   out.estimator = name_of(analysis.options().estimator);
   const std::size_t first = band.first - lines.first;
-  for (const PointFrf& frf : analysis.frfs()) {
+  for (const frf::PointFrf& frf : analysis.frfs()) {
     out.frfs.push_back({.point = frf.point, .channel = frf.channel, .frf = {}});
     out.frfs.back().frf = {.value = lines_within(frf.frf.value, first, band.count),
                            .std = lines_within(frf.frf.std, first, band.count),
@@ -42,26 +42,28 @@ FrfRecord frf_record_of(const Analysis& analysis) {
   return out;
 }
 
-void write_frfs(const std::string& path, const FrfRecord& record, FrfKind kind, bool force) {
+void write_frfs(const std::string& path, const frf::FrfRecord& record, frf::FrfKind kind, bool force) {
   if (path.ends_with(".csv")) {
-    write_file(path, frf_record_csv(record, kind), force);
+    write_file(path, frf::frf_record_csv(record, kind), force);
   } else if (path.ends_with(".mat")) {
-    write_frf_record_mat(path, record, kind, force);
+    frf::write_frf_record_mat(path, record, kind, force);
   } else if (path.ends_with(".uff") || path.ends_with(".unv")) {
-    write_frf_record_uff(path, record, kind, force);
+    frf::write_frf_record_uff(path, record, kind, force);
   } else {
-    write_frf_record_hdf5(path, record, kind, force);
+    frf::write_frf_record_hdf5(path, record, kind, force);
   }
 }
 
-std::string frf_csv(const Analysis& analysis, FrfKind kind) { return frf_record_csv(frf_record_of(analysis), kind); }
+std::string frf_csv(const pipeline::Analysis& analysis, frf::FrfKind kind) {
+  return frf::frf_record_csv(frf_record_of(analysis), kind);
+}
 
-void write_frf_csv(const std::string& path, const Analysis& analysis, FrfKind kind, bool force) {
+void write_frf_csv(const std::string& path, const pipeline::Analysis& analysis, frf::FrfKind kind, bool force) {
   write_file(path, frf_csv(analysis, kind), force);
 }
 
-void write_frf_hdf5(const std::string& path, const Analysis& analysis, FrfKind kind, bool force) {
-  write_frf_record_hdf5(path, frf_record_of(analysis), kind, force);
+void write_frf_hdf5(const std::string& path, const pipeline::Analysis& analysis, frf::FrfKind kind, bool force) {
+  frf::write_frf_record_hdf5(path, frf_record_of(analysis), kind, force);
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

@@ -4,17 +4,17 @@
 #include "frf/convert.hpp"
 #include "pipeline/analysis.hpp"
 
-namespace percuss {
+namespace percuss::report {
 
 /// The averaged FRFs of an analysis within its band, as a record of FRFs that can be written (frf/write_frf.hpp).
-FrfRecord frf_record_of(const Analysis& analysis);
+frf::FrfRecord frf_record_of(const pipeline::Analysis& analysis);
 
 /// Writes them as the path's extension says: .csv, .h5, .mat, .uff or .unv. Throws InputError when the file exists
 /// (without force) or cannot be written; the file is whole or absent.
-void write_frfs(const std::string& path, const FrfRecord& record, FrfKind kind, bool force);
+void write_frfs(const std::string& path, const frf::FrfRecord& record, frf::FrfKind kind, bool force);
 
-void write_frf_csv(const std::string& path, const Analysis& analysis, FrfKind kind, bool force);
-std::string frf_csv(const Analysis& analysis, FrfKind kind);
-void write_frf_hdf5(const std::string& path, const Analysis& analysis, FrfKind kind, bool force);
+void write_frf_csv(const std::string& path, const pipeline::Analysis& analysis, frf::FrfKind kind, bool force);
+std::string frf_csv(const pipeline::Analysis& analysis, frf::FrfKind kind);
+void write_frf_hdf5(const std::string& path, const pipeline::Analysis& analysis, frf::FrfKind kind, bool force);
 
-}  // namespace percuss
+}  // namespace percuss::report

@@ -11,7 +11,7 @@
 #include "report/text/text_table.hpp"
 #include "report/text/version.hpp"
 
-namespace percuss {
+namespace percuss::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -28,7 +28,7 @@ constexpr std::array<SweptName, 5> kSwept{{{"ei", "EI, N·m²"},
 Json optional_json(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
 // What the document says of one impact, and of each of a sweep.
-void add_result(Json& json, const ImpactResult& r) {
+void add_result(Json& json, const model::ImpactResult& r) {
   json["cor"] = r.cor;
   json["contact_s"] = r.contact_s;
   json["peak_force_n"] = r.peak_force_N;
@@ -39,7 +39,7 @@ void add_result(Json& json, const ImpactResult& r) {
   json["energy_error"] = r.energy_error;
 }
 
-std::string document(const ImpactResult& result, const std::vector<ImpactSweep>& sweeps) {
+std::string document(const model::ImpactResult& result, const std::vector<ImpactSweep>& sweeps) {
   Json json{{"schema", "percuss/model-impact/1"}, {"version", version()}};
   add_result(json, result);
   json["cor_uncertainty"] = optional_json(result.cor_uncertainty);
@@ -58,11 +58,11 @@ std::string document(const ImpactResult& result, const std::vector<ImpactSweep>&
   return json.dump(2) + "\n";
 }
 
-std::string recontact_text(const ImpactResult& r) {
+std::string recontact_text(const model::ImpactResult& r) {
   return r.recontact_s ? fmt::format("after {:.1f} ms", 1000 * *r.recontact_s) : "none";
 }
 
-std::string result_text(const Impact& impact, const ImpactResult& r) {
+std::string result_text(const model::Impact& impact, const model::ImpactResult& r) {
   std::string text = fmt::format(
       "coefficient of restitution {:.5f} at the first separation, after {:.3f} ms of contact\n"
       "the ball comes with {:.4g} m/s and leaves with {:.4g} m/s{}\n"
@@ -83,7 +83,7 @@ TextTable sweep_table(const ImpactSweep& sweep) {
                    {"deflection", TextTable::Align::right},
                    {"touch again"}});
   for (std::size_t i = 0; i < sweep.values.size(); ++i) {
-    const ImpactResult& r = sweep.results[i];
+    const model::ImpactResult& r = sweep.results[i];
     table.add({fmt::format("{:.6g}", sweep.values[i]), fmt::format("{:.4f}", r.cor),
                fmt::format("{:.3f} ms", 1000 * r.contact_s), fmt::format("{:.4g} N", r.peak_force_N),
                fmt::format("{:.3f} mm", 1000 * r.peak_deflection_m), recontact_text(r)});
@@ -91,11 +91,11 @@ TextTable sweep_table(const ImpactSweep& sweep) {
   return table;
 }
 
-std::vector<NumericColumn> series_columns(const std::vector<ImpactMoment>& series) {
+std::vector<NumericColumn> series_columns(const std::vector<model::ImpactMoment>& series) {
   std::vector<NumericColumn> columns{
       {"time_s", {}}, {"deflection_m", {}}, {"force_n", {}}, {"ball_speed_mps", {}}, {"ball_m", {}}};
   for (NumericColumn& column : columns) column.values.reserve(series.size());
-  for (const ImpactMoment& moment : series) {
+  for (const model::ImpactMoment& moment : series) {
     columns[0].values.push_back(moment.time_s);
     columns[1].values.push_back(moment.beam_m);
     columns[2].values.push_back(moment.force_N);
@@ -122,7 +122,7 @@ LineChart series_chart(const std::vector<NumericColumn>& columns) {
 }
 
 // A row per impact of all sweeps; parameters that a sweep leaves alone at the value they have.
-std::vector<NumericColumn> sweep_columns(const Impact& impact, const std::vector<ImpactSweep>& sweeps) {
+std::vector<NumericColumn> sweep_columns(const model::Impact& impact, const std::vector<ImpactSweep>& sweeps) {
   std::vector<NumericColumn> columns;
   columns.reserve(kSwept.size() + 6);
   for (const SweptName& name : kSwept) columns.push_back({name.key, {}});
@@ -131,11 +131,11 @@ std::vector<NumericColumn> sweep_columns(const Impact& impact, const std::vector
     columns.push_back({name, {}});
   for (const ImpactSweep& sweep : sweeps) {
     for (std::size_t i = 0; i < sweep.values.size(); ++i) {
-      Impact varied = impact;
+      model::Impact varied = impact;
       *swept_value(varied, sweep.parameter) = sweep.values[i];
       std::size_t c = 0;
       for (const SweptName& name : kSwept) columns[c++].values.push_back(*swept_value(varied, name.key));
-      const ImpactResult& r = sweep.results[i];
+      const model::ImpactResult& r = sweep.results[i];
       for (const double value : {r.cor, r.contact_s, r.peak_force_N, r.peak_deflection_m, r.peak_deflection_time_s,
                                  r.recontact_s.value_or(std::numeric_limits<double>::quiet_NaN())})
         columns[c++].values.push_back(value);
@@ -144,14 +144,14 @@ std::vector<NumericColumn> sweep_columns(const Impact& impact, const std::vector
   return columns;
 }
 
-LineChart sweep_chart(const Impact& impact, const std::vector<ImpactSweep>& sweeps) {
+LineChart sweep_chart(const model::Impact& impact, const std::vector<ImpactSweep>& sweeps) {
   LineChart chart{.title = "Ball on beam", .y = {.label = "coefficient of restitution"}};
-  Impact base = impact;
+  model::Impact base = impact;
   for (const ImpactSweep& sweep : sweeps) {
     ChartCurve curve{.name = sweep.parameter, .x = sweep.values, .marks = true};
     if (sweeps.size() > 1) curve.x = times(sweep.values, 1 / *swept_value(base, sweep.parameter));
     curve.y.reserve(sweep.results.size());
-    for (const ImpactResult& result : sweep.results) curve.y.push_back(result.cor);
+    for (const model::ImpactResult& result : sweep.results) curve.y.push_back(result.cor);
     chart.curves.push_back(std::move(curve));
   }
   chart.x.label = "parameter over its own value";
@@ -163,7 +163,7 @@ LineChart sweep_chart(const Impact& impact, const std::vector<ImpactSweep>& swee
 
 }  // namespace
 
-double* swept_value(Impact& impact, const std::string& parameter) {
+double* swept_value(model::Impact& impact, const std::string& parameter) {
   if (parameter == "ei") return &impact.beam.stiffness_Nm2;
   if (parameter == "torsion") return &impact.beam.torsion_Nmprad;
   if (parameter == "rho_a") return &impact.beam.mass_per_length_kgpm;
@@ -171,7 +171,8 @@ double* swept_value(Impact& impact, const std::string& parameter) {
   return parameter == "speed" ? &impact.speed_mps : nullptr;
 }
 
-CommandReport impact_report(const Impact& impact, const ImpactResult& result, const std::vector<ImpactSweep>& sweeps) {
+CommandReport impact_report(const model::Impact& impact, const model::ImpactResult& result,
+                            const std::vector<ImpactSweep>& sweeps) {
   CommandReport report;
   report.json = document(result, sweeps);
   report.text = result_text(impact, result);
@@ -184,4 +185,4 @@ CommandReport impact_report(const Impact& impact, const ImpactResult& result, co
   return report;
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

@@ -11,34 +11,34 @@
 #include "report/text/text_table.hpp"
 #include "report/text/version.hpp"
 
-namespace percuss {
+namespace percuss::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<const char*, kReadings> kReadingNames{"length_in",  "weight_oz",   "cg_in", "period_s",
-                                                           "moi_oz_in2", "ball_g",      "z_in",  "v_in_mph",
-                                                           "v_out_mph",  "v_swing_mph", "besr",  "bbcor"};
+constexpr std::array<const char*, metrics::kReadings> kReadingNames{"length_in",  "weight_oz",   "cg_in", "period_s",
+                                                                    "moi_oz_in2", "ball_g",      "z_in",  "v_in_mph",
+                                                                    "v_out_mph",  "v_swing_mph", "besr",  "bbcor"};
 
 struct Line {
   const char* key;
   const char* unit;
   const char* title;
-  std::optional<UncertainValue> value;  // in the unit
+  std::optional<metrics::UncertainValue> value;  // in the unit
   std::string equation;
 };
 
-std::optional<UncertainValue> in_unit(const std::optional<UncertainValue>& value, double unit) {
+std::optional<metrics::UncertainValue> in_unit(const std::optional<metrics::UncertainValue>& value, double unit) {
   return value ? std::optional(*value / unit) : std::nullopt;
 }
 
-std::vector<Line> lines_of_metrics(const BatReadings& r, const BatMetrics& m) {
+std::vector<Line> lines_of_metrics(const metrics::BatReadings& r, const metrics::BatMetrics& m) {
   const bool speeds = r.in_mps && r.out_mps;
   const char* const reading = "as given";
   const auto by = [&](bool given_so, const char* equation) { return std::string(given_so ? reading : equation); };
   const double mph = kMilePerHour_mps;
   return {{"drop", "", "drop", m.drop, "(P1)"},
-          {"moi_oz_in2", "oz in²", "moment of inertia", in_unit(m.moi_kgm2, kOunceInch2_kgm2),
+          {"moi_oz_in2", "oz in²", "moment of inertia", in_unit(m.moi_kgm2, metrics::kOunceInch2_kgm2),
            by(r.moi_kgm2.has_value(), "(P3)")},
           {"besr", "", "BESR", m.besr, speeds ? "(P6)" : by(r.besr.has_value(), "(P9)")},
           {"ncaa_besr", "", "NCAA BESR", m.ncaa_besr, "(P7)"},
@@ -49,21 +49,21 @@ std::vector<Line> lines_of_metrics(const BatReadings& r, const BatMetrics& m) {
           {"k", "", "k", m.k, "(P10)"}};
 }
 
-Json uncertainty_of(const UncertainValue& value) {
+Json uncertainty_of(const metrics::UncertainValue& value) {
   Json from = Json::object(), without = Json::array();
-  for (std::size_t i = 0; i < kReadings; ++i) {
-    const double part = value.part(static_cast<Reading>(i));
+  for (std::size_t i = 0; i < metrics::kReadings; ++i) {
+    const double part = value.part(static_cast<metrics::Reading>(i));
     if (part != 0) from[kReadingNames.at(i)] = std::abs(part);
-    if (value.unknown(static_cast<Reading>(i))) without.push_back(kReadingNames.at(i));
+    if (value.unknown(static_cast<metrics::Reading>(i))) without.push_back(kReadingNames.at(i));
   }
   return {{"std", value.std()}, {"from", std::move(from)}, {"without", std::move(without)}};
 }
 
 Json recorded_or_null(const std::optional<double>& value, double step) {
-  return value ? Json(recorded(*value, step)) : Json();
+  return value ? Json(metrics::recorded(*value, step)) : Json();
 }
 
-Json profile_json(const BatProfileReadings& p, const BatMetrics& m) {
+Json profile_json(const BatProfileReadings& p, const metrics::BatMetrics& m) {
   Json json{{"length_in", recorded_or_null(p.length_in, p.steps.length_in)},
             {"weight_oz", recorded_or_null(p.weight_oz, p.steps.weight_oz)},
             {"cg_in", recorded_or_null(p.cg_in, p.steps.cg_in)},
@@ -72,21 +72,21 @@ Json profile_json(const BatProfileReadings& p, const BatMetrics& m) {
             {"rings", Json::array()},
             {"drop_class", m.drop_class ? Json(*m.drop_class) : Json()}};
   for (std::size_t i = 0; i < p.rings_in.size(); ++i)
-    json["rings"].push_back({{"z_in", 3 + i}, {"diameter_in", recorded(p.rings_in[i], p.steps.diameter_in)}});
+    json["rings"].push_back({{"z_in", 3 + i}, {"diameter_in", metrics::recorded(p.rings_in[i], p.steps.diameter_in)}});
   return json;
 }
 
 // Which readings' errors are not in the ±.
-std::string without_words(const UncertainValue& value) {
+std::string without_words(const metrics::UncertainValue& value) {
   std::vector<std::string> names;
-  for (std::size_t i = 0; i < kReadings; ++i) {
-    if (value.unknown(static_cast<Reading>(i))) names.emplace_back(kReadingNames.at(i));
+  for (std::size_t i = 0; i < metrics::kReadings; ++i) {
+    if (value.unknown(static_cast<metrics::Reading>(i))) names.emplace_back(kReadingNames.at(i));
   }
   return names.empty() ? "" : fmt::format("; error of {} not known", fmt::join(names, ", "));
 }
 
-ReportText text_of_metrics(const std::vector<Line>& lines, const BatMetrics& m,
-                           const std::vector<MetricsWarning>& warnings) {
+ReportText text_of_metrics(const std::vector<Line>& lines, const metrics::BatMetrics& m,
+                           const std::vector<metrics::MetricsWarning>& warnings) {
   TextTable table({{"number"}, {"value", TextTable::Align::right}, {"unit"}, {"from"}});
   std::size_t absent = 0;
   for (const Line& line : lines) {
@@ -105,16 +105,16 @@ ReportText text_of_metrics(const std::vector<Line>& lines, const BatMetrics& m,
   }
   if (m.drop_class) out += fmt::format("class {}\n", *m.drop_class);
   if (absent > 0 && absent < lines.size()) out += fmt::format("{} more need readings that were not given\n", absent);
-  for (const MetricsWarning& warning : warnings) out.say("note: " + warning.message);
+  for (const metrics::MetricsWarning& warning : warnings) out.say("note: " + warning.message);
   return out;
 }
 
 }  // namespace
 
-CommandReport metrics_report(const BatReadings& readings, const BatProfileReadings& profile) {
-  const BatMetrics metrics = bat_metrics(readings);
+CommandReport metrics_report(const metrics::BatReadings& readings, const BatProfileReadings& profile) {
+  const metrics::BatMetrics metrics = metrics::bat_metrics(readings);
   const auto lines = lines_of_metrics(readings, metrics);
-  const auto warnings = metrics_warnings(readings, metrics);
+  const auto warnings = metrics::metrics_warnings(readings, metrics);
   Json json{{"schema", "percuss/metrics/1"}, {"version", version()}};
   Json uncertainty = Json::object(), equation = Json::object();
   CommandReport report;
@@ -130,11 +130,11 @@ CommandReport metrics_report(const BatReadings& readings, const BatProfileReadin
   json["equation"] = std::move(equation);
   json["profile"] = profile_json(profile, metrics);
   json["warnings"] = Json::array();
-  for (const MetricsWarning& warning : warnings)
+  for (const metrics::MetricsWarning& warning : warnings)
     json["warnings"].push_back({{"code", warning.code}, {"message", warning.message}});
   report.json = json.dump(2) + "\n";
   report.text = text_of_metrics(lines, metrics, warnings);
   return report;
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

@@ -13,7 +13,7 @@
 #include "core/units.hpp"
 #include "report/svg/plot_geometry.hpp"
 
-namespace percuss {
+namespace percuss::report {
 namespace {
 
 using Vector = std::array<Complex, 3>;
@@ -21,9 +21,10 @@ using Nodes = std::map<int, Vector>;  // by label
 
 constexpr int kComplexSingle = 5, kNodeColour = 11, kTranslations = 2, kComplexModes = 3, kDisplacement = 8;
 
-Nodes nodes_of(const ModeShape& shape, const Survey* survey, const Analysis& analysis, bool sensors, int offset) {
+Nodes nodes_of(const identify::ModeShape& shape, const pipeline::Survey* survey, const pipeline::Analysis& analysis,
+               bool sensors, int offset) {
   Nodes out;
-  for (const ShapePlace& place : shape.places) {
+  for (const identify::ShapePlace& place : shape.places) {
     const auto normal = outward_normal(survey, analysis, place.point, place.channel, sensors);
     Vector& value = out[static_cast<int>(place.point) + offset];
     for (std::size_t i = 0; i < 3; ++i) value[i] += place.value * normal[i];
@@ -35,7 +36,8 @@ std::string values_text(const Nodes& nodes) {
   std::string out;
   for (const auto& [node, value] : nodes) {
     out += fmt::format("{:10}\n", node);
-    for (const Complex& component : value) out += uff_e13(component.real()) + uff_e13(component.imag());
+    for (const Complex& component : value)
+      out += acquire::uff_e13(component.real()) + acquire::uff_e13(component.imag());
     out += '\n';
   }
   return out;
@@ -43,12 +45,12 @@ std::string values_text(const Nodes& nodes) {
 
 struct PlottedMode {
   std::size_t number;  // from 1
-  Pole pole;
+  identify::Pole pole;
   double modal_mass_kg;
 };
 
 // λ = −ζω + jω√(1 − ζ²)                                                                              (1)
-Complex eigenvalue(const Pole& pole) {
+Complex eigenvalue(const identify::Pole& pole) {
   const double omega = kTwoPi * pole.freq_Hz, zeta = pole.damping_ratio;
   return {-zeta * omega, omega * std::sqrt(std::max(0.0, 1 - zeta * zeta))};
 }
@@ -58,17 +60,17 @@ Complex modal_a(const PlottedMode& mode) { return Complex(0, 2 * eigenvalue(mode
 
 std::string numbers_text(std::initializer_list<double> values) {
   std::string out;
-  for (const double value : values) out += uff_e13(value);
+  for (const double value : values) out += acquire::uff_e13(value);
   return out + '\n';
 }
 
-std::string mode_name(const PlottedMode& mode) {
+std::string mode_title(const PlottedMode& mode) {
   return fmt::format("Mode {}: {:.6g} Hz, {:.4g} %", mode.number, mode.pole.freq_Hz, 100 * mode.pole.damping_ratio);
 }
 
 std::string set55(const PlottedMode& mode, const Nodes& nodes) {
   const Complex lambda = eigenvalue(mode.pole), a = modal_a(mode);
-  std::string out = mode_name(mode) + "\nNONE\nNONE\nNONE\nNONE\n";
+  std::string out = mode_title(mode) + "\nNONE\nNONE\nNONE\nNONE\n";
   out += fmt::format("{:10}{:10}{:10}{:10}{:10}{:10}\n", 1, kComplexModes, kTranslations, kDisplacement, kComplexSingle,
                      3);
   out += fmt::format("{:10}{:10}{:10}{:10}\n", 2, 6, 1, mode.number);
@@ -78,8 +80,8 @@ std::string set55(const PlottedMode& mode, const Nodes& nodes) {
 
 std::string set2414(const PlottedMode& mode, const Nodes& nodes) {
   const Complex lambda = eigenvalue(mode.pole), a = modal_a(mode);
-  std::string out = fmt::format("{:10}\n{}\n{:10}\n", mode.number, mode_name(mode), 1);
-  out += mode_name(mode) + "\nNONE\nNONE\nNONE\nNONE\n";
+  std::string out = fmt::format("{:10}\n{}\n{:10}\n", mode.number, mode_title(mode), 1);
+  out += mode_title(mode) + "\nNONE\nNONE\nNONE\nNONE\n";
   out += fmt::format("{:10}{:10}{:10}{:10}{:10}{:10}\n", 1, kComplexModes, kTranslations, kDisplacement, kComplexSingle,
                      3);
   out += fmt::format("{:10}{:10}{:10}{:10}{:10}{:10}{:10}{:10}\n", 0, 0, 0, 0, 1, mode.number, 0, 0);
@@ -91,37 +93,39 @@ std::string set2414(const PlottedMode& mode, const Nodes& nodes) {
 }
 
 // Which points were written: all, or none where the place of one is not known.
-std::set<int> write_places(UffOutput& out, const Survey& survey, const Nodes& nodes, int offset) {
+std::set<int> write_places(acquire::UffOutput& out, const pipeline::Survey& survey, const Nodes& nodes, int offset) {
   std::string old, lines;
   std::set<int> written;
   for (const auto& [node, value] : nodes) {
     const auto at = plot_position(survey, static_cast<std::size_t>(node - offset));
     if (!at) return {};
     written.insert(node - offset);
-    old += fmt::format("{:10}{:10}{:10}{:10}{}{}{}\n", node, 0, 0, kNodeColour, uff_e13((*at)[0]), uff_e13((*at)[1]),
-                       uff_e13((*at)[2]));
-    lines += fmt::format("{:10}{:10}{:10}{:10}\n{}{}{}\n", node, 0, 0, kNodeColour, uff_d25((*at)[0]),
-                         uff_d25((*at)[1]), uff_d25((*at)[2]));
+    old += fmt::format("{:10}{:10}{:10}{:10}{}{}{}\n", node, 0, 0, kNodeColour, acquire::uff_e13((*at)[0]),
+                       acquire::uff_e13((*at)[1]), acquire::uff_e13((*at)[2]));
+    lines += fmt::format("{:10}{:10}{:10}{:10}\n{}{}{}\n", node, 0, 0, kNodeColour, acquire::uff_d25((*at)[0]),
+                         acquire::uff_d25((*at)[1]), acquire::uff_d25((*at)[2]));
   }
   out.set(15, old);
   out.set(2411, lines);
   return written;
 }
 
-void write_shapes(const std::string& path, const Survey* survey, const Analysis& analysis,
-                  const std::vector<ModeShape>& shapes, bool sensors, bool force) {
+void write_shapes(const std::string& path, const pipeline::Survey* survey, const pipeline::Analysis& analysis,
+                  const std::vector<identify::ModeShape>& shapes, bool sensors, bool force) {
   const auto& modes = analysis.modes();
   if (modes.empty()) throw InputError("no modes to write", path, "widen --band, or write .json");
-  const int offset = uff_node_offset(analysis.frf_points().front());
-  UffOutput out(path, force);
+  const int offset = acquire::uff_node_offset(analysis.frf_points().front());
+  acquire::UffOutput out(path, force);
   out.header();
   for (std::size_t m = 0; m < modes.size(); ++m) {
     const Nodes nodes = nodes_of(shapes[m], survey, analysis, sensors, offset);
     if (m == 0 && survey != nullptr) {
       const std::set<int> points = write_places(out, *survey, nodes, offset);
-      for (const std::string& line : uff_trace_line_sets(plot_lines(*survey, points), offset)) out.set(82, line);
+      for (const std::string& line : acquire::uff_trace_line_sets(plot_lines(*survey, points), offset))
+        out.set(82, line);
     }
-    const PlottedMode mode{m + 1, modes[m].pole, shapes[m].normalisation == Normalisation::unit_modal_mass ? 1.0 : 0.0};
+    const PlottedMode mode{m + 1, modes[m].pole,
+                           shapes[m].normalisation == identify::Normalisation::unit_modal_mass ? 1.0 : 0.0};
     out.set(55, set55(mode, nodes));
     out.set(2414, set2414(mode, nodes));
   }
@@ -130,17 +134,18 @@ void write_shapes(const std::string& path, const Survey* survey, const Analysis&
 
 }  // namespace
 
-void write_modes_uff(const std::string& path, const Survey& survey, bool force) {
-  const bool sensors = survey.options().roving == Roving::sensor;
+void write_modes_uff(const std::string& path, const pipeline::Survey& survey, bool force) {
+  const bool sensors = survey.options().roving == identify::Roving::sensor;
   write_shapes(path, &survey, survey.analysis(), survey.shapes(), sensors, force);
 }
 
-void write_modes_uff(const std::string& path, const Analysis& analysis, bool force) {
+void write_modes_uff(const std::string& path, const pipeline::Analysis& analysis, bool force) {
   const bool one_point = analysis.frf_points().size() == 1;
-  std::vector<ModeShape> shapes;
-  for (const Mode& mode : analysis.modes())
-    shapes.push_back(shape_of(mode, {.roving = one_point ? Roving::sensor : Roving::hammer}));
+  std::vector<identify::ModeShape> shapes;
+  for (const identify::Mode& mode : analysis.modes())
+    shapes.push_back(
+        identify::shape_of(mode, {.roving = one_point ? identify::Roving::sensor : identify::Roving::hammer}));
   write_shapes(path, nullptr, analysis, shapes, one_point, force);
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

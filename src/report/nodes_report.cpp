@@ -13,14 +13,14 @@
 #include "report/text/text_table.hpp"
 #include "report/text/version.hpp"
 
-namespace percuss {
+namespace percuss::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json mode_json(const Analysis& analysis, const ModeAlongScan& along) {
-  const Mode& mode = analysis.modes()[along.mode];
-  const ModeClassification& verdict = analysis.classifications()[along.mode];
+Json mode_json(const pipeline::Analysis& analysis, const pipeline::ModeAlongScan& along) {
+  const identify::Mode& mode = analysis.modes()[along.mode];
+  const identify::ModeClassification& verdict = analysis.classifications()[along.mode];
   Json json{{"index", along.mode},
             {"frequency_hz", mode.pole.freq_Hz},
             {"frequency_std_hz", mode.freq_std_Hz},
@@ -29,7 +29,7 @@ Json mode_json(const Analysis& analysis, const ModeAlongScan& along) {
             {"family", name_of(verdict.family)},
             {"order", verdict.order > 0 ? Json(verdict.order) : Json()},
             {"nodes", Json::array()}};
-  for (const Node& node : along.nodes) {
+  for (const identify::Node& node : along.nodes) {
     json["nodes"].push_back({{"position_m", node.position_m},
                              {"std_m", node.std_m},
                              {"position_in", node.position_m / kInch_m},
@@ -55,49 +55,49 @@ std::string joined(const std::vector<std::string>& texts) {
   return all.empty() ? "–" : all;
 }
 
-std::string heading(const Analysis& analysis, const NodeScan& scan) {
-  const Record& record = analysis.record();
+std::string heading(const pipeline::Analysis& analysis, const pipeline::NodeScan& scan) {
+  const acquire::Record& record = analysis.record();
   std::string name = one_line(input_name(record.source()), 400);
   if (record.files.size() > 1) name += fmt::format(" and {} more", record.files.size() - 1);
-  const ScanPositions& p = scan.positions;
+  const pipeline::ScanPositions& p = scan.positions;
   return fmt::format("{}   {} positions, {:.5g} to {:.5g} in from the barrel's end, {:.4g} in apart\n", name, p.count,
                      p.start_m / kInch_m, p.at_m(p.count - 1) / kInch_m, p.step_m / kInch_m);
 }
 
-std::vector<Warning> all_warnings(const Analysis& analysis, const NodeScan& scan) {
-  std::vector<Warning> warnings = analysis.warnings();
+std::vector<pipeline::Warning> all_warnings(const pipeline::Analysis& analysis, const pipeline::NodeScan& scan) {
+  std::vector<pipeline::Warning> warnings = analysis.warnings();
   warnings.insert(warnings.end(), scan.warnings.begin(), scan.warnings.end());
   return warnings;
 }
 
-std::string nodes_json(const Analysis& analysis, const NodeScan& scan) {
+std::string nodes_json(const pipeline::Analysis& analysis, const pipeline::NodeScan& scan) {
   Json json{{"schema", "percuss/nodes/1"}, {"version", version()}, {"inputs", Json::array()}};
-  for (const InputFile& file : analysis.record().files)
+  for (const acquire::InputFile& file : analysis.record().files)
     json["inputs"].push_back({{"path", file.path}, {"bytes", file.bytes}});
   json["positions"] = {{"start_m", scan.positions.start_m},
                        {"step_m", scan.positions.step_m},
                        {"end_m", scan.positions.at_m(scan.positions.count - 1)},
                        {"count", scan.positions.count}};
   json["modes"] = Json::array();
-  for (const ModeAlongScan& along : scan.modes) json["modes"].push_back(mode_json(analysis, along));
+  for (const pipeline::ModeAlongScan& along : scan.modes) json["modes"].push_back(mode_json(analysis, along));
   json["warnings"] = Json::array();
-  for (const Warning& warning : all_warnings(analysis, scan))
+  for (const pipeline::Warning& warning : all_warnings(analysis, scan))
     json["warnings"].push_back({{"code", warning.code}, {"message", warning.message}});
   return indented_text(json) + "\n";
 }
 
-ReportText nodes_text(const Analysis& analysis, const NodeScan& scan) {
+ReportText nodes_text(const pipeline::Analysis& analysis, const pipeline::NodeScan& scan) {
   TextTable table({{"mode", TextTable::Align::right},
                    {"family"},
                    {"frequency", TextTable::Align::right},
                    {"node from the barrel's end", TextTable::Align::right},
                    {"peak's minimum", TextTable::Align::right},
                    {""}});
-  for (const ModeAlongScan& along : scan.modes) {
-    const Mode& mode = analysis.modes()[along.mode];
-    const ModeClassification& verdict = analysis.classifications()[along.mode];
+  for (const pipeline::ModeAlongScan& along : scan.modes) {
+    const identify::Mode& mode = analysis.modes()[along.mode];
+    const identify::ModeClassification& verdict = analysis.classifications()[along.mode];
     std::vector<std::string> nodes;
-    for (const Node& node : along.nodes)
+    for (const identify::Node& node : along.nodes)
       nodes.push_back(value_with_std(node.position_m / kInch_m, node.std_m / kInch_m) + " in");
     table.add({fmt::format("{}", along.mode),
                verdict.order > 0 ? fmt::format("{} {}", name_of(verdict.family), verdict.order)
@@ -111,22 +111,22 @@ ReportText nodes_text(const Analysis& analysis, const NodeScan& scan) {
   } else {
     text += table;
   }
-  const std::vector<Warning> warnings = all_warnings(analysis, scan);
+  const std::vector<pipeline::Warning> warnings = all_warnings(analysis, scan);
   if (!warnings.empty()) text += "\n";
-  for (const Warning& warning : warnings) text.warn(warning.message);
+  for (const pipeline::Warning& warning : warnings) text.warn(warning.message);
   return text;
 }
 
-BendingPlot bending_of(const Analysis& analysis, const NodeScan& scan) {
+BendingPlot bending_of(const pipeline::Analysis& analysis, const pipeline::NodeScan& scan) {
   BendingPlot picture{.ends = "Right: towards the barrel's end.", .from_right = true};
-  for (const ModeAlongScan& along : scan.modes) {
+  for (const pipeline::ModeAlongScan& along : scan.modes) {
     double largest = 1e-300;
     for (const double value : along.shape.amplitude) largest = std::max(largest, std::abs(value));
     BendingShape line{.name = mode_name(analysis.classifications()[along.mode], along.mode),
                       .freq_Hz = analysis.modes()[along.mode].pole.freq_Hz,
                       .z_m = along.shape.position_m};
     for (const double value : along.shape.amplitude) line.y.push_back(value / largest);
-    for (const Node& node : along.nodes)
+    for (const identify::Node& node : along.nodes)
       line.nodes.push_back({node.position_m, node.std_m, inches_and_mm(node.position_m, node.std_m)});
     picture.modes.push_back(std::move(line));
   }
@@ -157,7 +157,7 @@ LineChart shapes_chart(const BendingPlot& bending) {
 
 }  // namespace
 
-CommandReport nodes_report(const Analysis& analysis, const NodeScan& scan) {
+CommandReport nodes_report(const pipeline::Analysis& analysis, const pipeline::NodeScan& scan) {
   CommandReport report;
   report.json = nodes_json(analysis, scan);
   report.text = nodes_text(analysis, scan);
@@ -166,4 +166,4 @@ CommandReport nodes_report(const Analysis& analysis, const NodeScan& scan) {
   return report;
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

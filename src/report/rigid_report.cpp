@@ -6,26 +6,26 @@
 
 #include "report/text/version.hpp"
 
-namespace percuss {
+namespace percuss::report {
 
-CommandReport rigid_report(const RigidCollision& collision, const std::vector<double>& z_m) {
-  const BestImpact best = best_impact(collision, z_m.front(), z_m.back());
+CommandReport rigid_report(const model::RigidCollision& collision, const std::vector<double>& z_m) {
+  const model::BestImpact best = model::best_impact(collision, z_m.front(), z_m.back());
   NumericColumn exit{.name = "exit_speed_mps"}, swing{.name = "swing_speed_mps"}, mass{.name = "effective_mass_kg"};
   nlohmann::ordered_json json{{"schema", "percuss/model-rigid/1"},
                               {"version", version()},
                               {"best", {{"z_m", best.z_m}, {"exit_speed_mps", best.exit_speed_mps}}},
                               {"curve", nlohmann::ordered_json::array()}};
   for (const double z : z_m) {
-    exit.values.push_back(exit_speed_mps(collision, z));
+    exit.values.push_back(model::exit_speed_mps(collision, z));
     swing.values.push_back(swing_speed_mps(collision, z));
-    mass.values.push_back(effective_mass_kg(collision, z));
+    mass.values.push_back(model::effective_mass_kg(collision, z));
     json["curve"].push_back({{"z_m", z},
                              {exit.name, exit.values.back()},
                              {swing.name, swing.values.back()},
                              {mass.name, mass.values.back()}});
   }
   const double near_m = 0.05;
-  const auto loss = [&](double z) { return best.exit_speed_mps - exit_speed_mps(collision, z); };
+  const auto loss = [&](double z) { return best.exit_speed_mps - model::exit_speed_mps(collision, z); };
   CommandReport report;
   report.json = json.dump(2) + "\n";
   report.text = fmt::format(
@@ -40,4 +40,4 @@ CommandReport rigid_report(const RigidCollision& collision, const std::vector<do
   return report;
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

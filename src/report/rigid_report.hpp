@@ -4,9 +4,9 @@
 #include "model/bat/rigid_collision.hpp"
 #include "report/command_report.hpp"
 
-namespace percuss {
+namespace percuss::report {
 
 /// percuss/model-rigid/1: exit speed, swing speed and effective mass at z_m, and the best of the range they span.
-CommandReport rigid_report(const RigidCollision& collision, const std::vector<double>& z_m);
+CommandReport rigid_report(const model::RigidCollision& collision, const std::vector<double>& z_m);
 
-}  // namespace percuss
+}  // namespace percuss::report

@@ -7,18 +7,18 @@
 #include "report/text/number_format.hpp"
 #include "report/text/version.hpp"
 
-namespace percuss {
+namespace percuss::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
 Json fitted_json(const FittedShell& fitted) {
-  const ShellFit& fit = fitted.fit;
+  const model::ShellFit& fit = fitted.fit;
   Json json{{"young_pa", fit.shell.young_Pa}, {"young_std_pa", fit.young_std_Pa}, {"wall_m", fit.shell.wall_m},
             {"wall_std_m", fit.wall_std_m},   {"correlation", fit.correlation},   {"chi2", fit.chi2},
             {"points", Json::array()}};
   for (std::size_t i = 0; i < fitted.measured.size(); ++i) {
-    const MeasuredHoop& hoop = fitted.measured[i];
+    const model::MeasuredHoop& hoop = fitted.measured[i];
     json["points"].push_back({{"n", hoop.n},
                               {"m", hoop.m},
                               {"frequency_hz", hoop.freq_Hz},
@@ -29,7 +29,7 @@ Json fitted_json(const FittedShell& fitted) {
 }
 
 std::string fitted_text(const FittedShell& fitted) {
-  const ShellFit& fit = fitted.fit;
+  const model::ShellFit& fit = fitted.fit;
   return fmt::format("fit: E = {} GPa, wall {} mm, correlation {:.4f}, chi2 {:.2f} of {} frequencies\n",
                      value_with_std(fit.shell.young_Pa / 1e9, fit.young_std_Pa / 1e9),
                      value_with_std(1000 * fit.shell.wall_m, 1000 * fit.wall_std_m), fit.correlation, fit.chi2,
@@ -38,32 +38,32 @@ std::string fitted_text(const FittedShell& fitted) {
 
 }  // namespace
 
-CommandReport shell_report(const TubeShell& shell, std::size_t n, std::size_t modes,
+CommandReport shell_report(const model::TubeShell& shell, std::size_t n, std::size_t modes,
                            const std::optional<FittedShell>& fitted) {
   NumericColumn half_waves{.name = "m", .values = {}}, flugge{.name = "flugge_hz", .values = {}};
   for (std::size_t m = 1; m <= modes; ++m) {
     half_waves.values.push_back(static_cast<double>(m));
-    flugge.values.push_back(flugge_Hz(shell, n, m));
+    flugge.values.push_back(model::flugge_Hz(shell, n, m));
   }
   Json json{{"schema", "percuss/model-shell/1"},
             {"version", version()},
             {"n", n},
-            {"ring_hz", ring_Hz(shell, n)},
-            {"rayleigh_hz", rayleigh_Hz(shell, n)},
-            {"love_hz", love_Hz(shell, n)},
+            {"ring_hz", model::ring_Hz(shell, n)},
+            {"rayleigh_hz", model::rayleigh_Hz(shell, n)},
+            {"love_hz", model::love_Hz(shell, n)},
             {"flugge_hz", flugge.values},
-            {"mass_kg", tube_mass_kg(shell)}};
+            {"mass_kg", model::tube_mass_kg(shell)}};
   if (fitted) json["fit"] = fitted_json(*fitted);
   CommandReport report;
   report.json = json.dump(2) + "\n";
   report.text = fmt::format("hoop modes with {} waves around: ring {:.1f} Hz, Rayleigh {:.1f} Hz, Love {:.1f} Hz\n", n,
-                            ring_Hz(shell, n), rayleigh_Hz(shell, n), love_Hz(shell, n));
+                            model::ring_Hz(shell, n), model::rayleigh_Hz(shell, n), model::love_Hz(shell, n));
   for (std::size_t m = 1; m <= modes; ++m)
     report.text += fmt::format("Flügge, {} half-wave{} along: {:.1f} Hz\n", m, m == 1 ? "" : "s", flugge.values[m - 1]);
   report.text += fmt::format(
       "the tube weighs {:.4f} kg, an estimate of a barrel's effective mass (percuss model "
       "trampoline --m2)\n",
-      tube_mass_kg(shell));
+      model::tube_mass_kg(shell));
   if (fitted) report.text += fitted_text(*fitted);
   report.charts = {{.title = fmt::format("Hoop modes of a tube, {} waves around", n),
                     .x = {.label = "half-waves along"},
@@ -73,4 +73,4 @@ CommandReport shell_report(const TubeShell& shell, std::size_t n, std::size_t mo
   return report;
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

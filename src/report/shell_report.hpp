@@ -7,16 +7,16 @@
 #include "model/shell/shell_fit.hpp"
 #include "report/command_report.hpp"
 
-namespace percuss {
+namespace percuss::report {
 
 /// A fit that the shell shown was taken from, and what it was made from.
 struct FittedShell {
-  std::vector<MeasuredHoop> measured;
-  ShellFit fit;
+  std::vector<model::MeasuredHoop> measured;
+  model::ShellFit fit;
 };
 
 /// percuss/model-shell/1: hoop frequencies of a tube with n waves around it, Flügge's for 1 … modes half-waves along.
-CommandReport shell_report(const TubeShell& shell, std::size_t n, std::size_t modes,
+CommandReport shell_report(const model::TubeShell& shell, std::size_t n, std::size_t modes,
                            const std::optional<FittedShell>& fitted = {});
 
-}  // namespace percuss
+}  // namespace percuss::report

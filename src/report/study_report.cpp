@@ -11,16 +11,18 @@
 #include "report/text/text_table.hpp"
 #include "report/text/version.hpp"
 
-namespace percuss {
+namespace percuss::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* family_name(StudyFamily family) { return family == StudyFamily::wood ? "wood" : "nonwood"; }
+const char* family_name(metrics::StudyFamily family) {
+  return family == metrics::StudyFamily::wood ? "wood" : "nonwood";
+}
 
-Json correlation_json(const Correlation& c) { return {{"value", c.value}, {"low", c.low}, {"high", c.high}}; }
+Json correlation_json(const metrics::Correlation& c) { return {{"value", c.value}, {"low", c.low}, {"high", c.high}}; }
 
-Json association_json(const std::optional<Association>& a) {
+Json association_json(const std::optional<metrics::Association>& a) {
   if (!a) return {};
   return {{"bats", a->points},
           {"lengths", a->classes},
@@ -29,18 +31,18 @@ Json association_json(const std::optional<Association>& a) {
           {"p", a->p}};
 }
 
-Json trend_json(const std::optional<TrendLine>& t) {
+Json trend_json(const std::optional<metrics::TrendLine>& t) {
   if (!t) return {};
   return {{"slope", t->slope}, {"at_zero", t->at}, {"slope_low", t->slope_low}, {"slope_high", t->slope_high}};
 }
 
-Json ids_json(const Study& study, const std::vector<std::size_t>& bats) {
+Json ids_json(const metrics::Study& study, const std::vector<std::size_t>& bats) {
   Json out = Json::array();
   for (const std::size_t b : bats) out.push_back(study.bats[b].id);
   return out;
 }
 
-Json class_json(const Study& study, const StudyClass& one) {
+Json class_json(const metrics::Study& study, const metrics::StudyClass& one) {
   return {{"length_in", one.length_class == 0 ? Json() : Json(one.length_class)},
           {"bats", one.bats.size()},
           {"association", association_json(one.association)},
@@ -48,23 +50,23 @@ Json class_json(const Study& study, const StudyClass& one) {
           {"outliers", ids_json(study, one.outliers)}};
 }
 
-Json figure_json(const Study& study, const StudyFigure& figure) {
+Json figure_json(const metrics::Study& study, const metrics::StudyFigure& figure) {
   Json json{{"name", figure.name},
             {"title", figure.title},
             {"source", figure.source.empty() ? Json() : Json(figure.source)},
-            {"x", column_of(figure.x)},
-            {"y", column_of(figure.y)},
+            {"x", metrics::column_of(figure.x)},
+            {"y", metrics::column_of(figure.y)},
             {"family", family_name(figure.family)},
             {"length_in", figure.length_class == 0 ? Json() : Json(figure.length_class)},
             {"classes", Json::array()}};
-  for (const StudyClass& one : figure.classes) json["classes"].push_back(class_json(study, one));
+  for (const metrics::StudyClass& one : figure.classes) json["classes"].push_back(class_json(study, one));
   return json;
 }
 
-Json statement_json(const StudyStatement& s) {
+Json statement_json(const metrics::StudyStatement& s) {
   return {{"text", s.text},
-          {"x", column_of(s.x)},
-          {"y", column_of(s.y)},
+          {"x", metrics::column_of(s.x)},
+          {"y", metrics::column_of(s.y)},
           {"family", family_name(s.family)},
           {"sign", s.sign},
           {"verdict", name_of(s.verdict)},
@@ -72,20 +74,22 @@ Json statement_json(const StudyStatement& s) {
           {"association", association_json(s.association)}};
 }
 
-std::string interval(const Correlation& c) { return fmt::format("{:+.2f} [{:+.2f}, {:+.2f}]", c.value, c.low, c.high); }
+std::string interval(const metrics::Correlation& c) {
+  return fmt::format("{:+.2f} [{:+.2f}, {:+.2f}]", c.value, c.low, c.high);
+}
 
-std::string verdict_words(const StudyStatement& s) {
+std::string verdict_words(const metrics::StudyStatement& s) {
   if (!s.association) return "too few bats";
-  if (s.sign == 0 && s.verdict == StatementVerdict::not_supported) return "no relation found";
+  if (s.sign == 0 && s.verdict == metrics::StatementVerdict::not_supported) return "no relation found";
   return name_of(s.verdict);
 }
 
-void add_outliers(const Study& study, ReportText& out) {
+void add_outliers(const metrics::Study& study, ReportText& out) {
   bool first = true;
-  for (const StudyFigure& figure : study.figures) {
+  for (const metrics::StudyFigure& figure : study.figures) {
     if (figure.length_class != 0) continue;
     std::string names;
-    for (const StudyClass& one : figure.classes) {
+    for (const metrics::StudyClass& one : figure.classes) {
       for (const std::size_t b : one.outliers) names += (names.empty() ? "" : ", ") + study.bats[b].id;
     }
     if (names.empty()) continue;
@@ -95,12 +99,12 @@ void add_outliers(const Study& study, ReportText& out) {
   }
 }
 
-std::string study_json(const Study& study) {
+std::string study_json(const metrics::Study& study) {
   Json json{{"schema", "percuss/study/1"}, {"version", version()},     {"bats", study.bats.size()},
             {"statements", Json::array()}, {"figures", Json::array()}, {"trails", Json::array()}};
-  for (const StudyStatement& s : study.statements) json["statements"].push_back(statement_json(s));
-  for (const StudyFigure& f : study.figures) json["figures"].push_back(figure_json(study, f));
-  for (const StudyHistory& t : study.trails) {
+  for (const metrics::StudyStatement& s : study.statements) json["statements"].push_back(statement_json(s));
+  for (const metrics::StudyFigure& f : study.figures) json["figures"].push_back(figure_json(study, f));
+  for (const metrics::StudyHistory& t : study.trails) {
     json["trails"].push_back({{"bat", t.bat},
                               {"states", ids_json(study, t.states)},
                               {"besr", association_json(t.besr)},
@@ -110,21 +114,21 @@ std::string study_json(const Study& study) {
   return indented_text(json) + "\n";
 }
 
-ReportText study_text(const Study& study) {
+ReportText study_text(const metrics::Study& study) {
   ReportText out = fmt::format(
       "{} bats, {} figures; ρ within lengths with its 95 % interval, p adjusted for all "
       "statements\n\n",
       study.bats.size(), study.figures.size());
   TextTable table(
       {{"statement"}, {"verdict"}, {"bats", TextTable::Align::right}, {"p"}, {"ρ (Spearman)"}, {"r (Pearson)"}});
-  for (const StudyStatement& s : study.statements) {
+  for (const metrics::StudyStatement& s : study.statements) {
     const auto& a = s.association;
     table.add({s.text, verdict_words(s), a ? fmt::format("{}", a->points) : "",
                a ? fmt::format("{:.2g}", s.adjusted_p) : "", a ? interval(a->spearman) : "",
                a ? interval(a->pearson) : ""});
   }
   out += table;
-  for (const StudyHistory& t : study.trails) {
+  for (const metrics::StudyHistory& t : study.trails) {
     if (t.besr) {
       out += fmt::format("\n{}, {} states: BESR over the hoop frequency ρ = {}", t.bat, t.states.size(),
                          interval(t.besr->spearman));
@@ -135,13 +139,13 @@ ReportText study_text(const Study& study) {
   return out;
 }
 
-std::string study_csv(const Study& study) {
+std::string study_csv(const metrics::Study& study) {
   std::string out =
       "figure,source,length_in,bats,counted,pearson,pearson_low,pearson_high,spearman,spearman_low,spearman_high,p,"
       "slope,"
       "slope_low,slope_high,outliers\n";
-  for (const StudyFigure& figure : study.figures) {
-    for (const StudyClass& one : figure.classes) {
+  for (const metrics::StudyFigure& figure : study.figures) {
+    for (const metrics::StudyClass& one : figure.classes) {
       out += fmt::format("{},{},{},{}", figure.name, figure.source,
                          one.length_class == 0 ? "all" : std::to_string(one.length_class), one.bats.size());
       if (const auto& a = one.association) {
@@ -154,7 +158,7 @@ std::string study_csv(const Study& study) {
           one.trend ? fmt::format(",{},{},{},", one.trend->slope, one.trend->slope_low, one.trend->slope_high) : ",,,,";
       std::string names;
       for (const std::size_t b : one.outliers) names += (names.empty() ? "" : " ") + study.bats[b].id;
-      out += csv_cell(names) + "\n";
+      out += metrics::csv_cell(names) + "\n";
     }
   }
   return out;
@@ -162,7 +166,7 @@ std::string study_csv(const Study& study) {
 
 }  // namespace
 
-CommandReport study_report(const Study& study, const std::optional<StudyCurve>& curve) {
+CommandReport study_report(const metrics::Study& study, const std::optional<metrics::StudyCurve>& curve) {
   CommandReport report;
   report.json = study_json(study);
   report.text = study_text(study);
@@ -171,4 +175,4 @@ CommandReport study_report(const Study& study, const std::optional<StudyCurve>& 
   return report;
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

@@ -5,11 +5,11 @@
 #include "metrics/study/study_join.hpp"
 #include "report/command_report.hpp"
 
-namespace percuss {
+namespace percuss::report {
 
 /// percuss/study/1 (docs/schema/study.schema.json); the statements with their statistics, then the outliers; the
 /// statistics of every class of every figure as one table; every figure and every bat's trail, with `curve` over those
 /// of the hoop frequency.
-CommandReport study_report(const Study& study, const std::optional<StudyCurve>& curve = {});
+CommandReport study_report(const metrics::Study& study, const std::optional<metrics::StudyCurve>& curve = {});
 
-}  // namespace percuss
+}  // namespace percuss::report

@@ -11,25 +11,25 @@
 #include "core/units.hpp"
 #include "report/svg/plot_geometry.hpp"
 
-namespace percuss {
+namespace percuss::report {
 namespace {
 
-void write_numbers(hdf5::OutputHdf5& out, const std::string& name, const std::vector<double>& values,
-                   hdf5::Stored type = hdf5::Stored::float64) {
+void write_numbers(acquire::hdf5::OutputHdf5& out, const std::string& name, const std::vector<double>& values,
+                   acquire::hdf5::Stored type = acquire::hdf5::Stored::float64) {
   out.create_set(name, std::array{values.size()}, type);
   if (!values.empty()) out.write(name, {}, 0, std::span<const double>(values));
 }
 
-void write_shapes(hdf5::OutputHdf5& out, const Survey& survey) {
+void write_shapes(acquire::hdf5::OutputHdf5& out, const pipeline::Survey& survey) {
   const auto& shapes = survey.shapes();
   const auto& places = shapes.front().places;
   const std::array size{shapes.size(), places.size()};
-  out.create_set("shape", size, hdf5::Stored::complex128);
+  out.create_set("shape", size, acquire::hdf5::Stored::complex128);
   out.create_set("shape_std", size);
   for (std::size_t m = 0; m < shapes.size(); ++m) {
     std::vector<Complex> value;
     std::vector<double> std;
-    for (const ShapePlace& place : shapes[m].places) {
+    for (const identify::ShapePlace& place : shapes[m].places) {
       value.push_back(place.value);
       std.push_back(place.std);
     }
@@ -45,16 +45,16 @@ void write_shapes(hdf5::OutputHdf5& out, const Survey& survey) {
     const auto xyz = plot_position(survey, places[i].point).value_or(std::array{kNoPlace, kNoPlace, kNoPlace});
     out.write("xyz_m", std::array{i}, 0, std::span<const double>(xyz));
   }
-  write_numbers(out, "point", point, hdf5::Stored::int32);
-  write_numbers(out, "channel", channel, hdf5::Stored::int32);
+  write_numbers(out, "point", point, acquire::hdf5::Stored::int32);
+  write_numbers(out, "channel", channel, acquire::hdf5::Stored::int32);
 }
 
-void write_macs(hdf5::OutputHdf5& out, const Survey& survey) {
+void write_macs(acquire::hdf5::OutputHdf5& out, const pipeline::Survey& survey) {
   const auto& macs = survey.macs();
   for (const char* name : {"auto_mac", "auto_mac_std"}) out.create_set(name, std::array{macs.size(), macs.size()});
   for (std::size_t m = 0; m < macs.size(); ++m) {
     std::vector<double> value, std;
-    for (const Mac& mac : macs[m]) {
+    for (const identify::Mac& mac : macs[m]) {
       value.push_back(mac.value);
       std.push_back(mac.std);
     }
@@ -63,9 +63,9 @@ void write_macs(hdf5::OutputHdf5& out, const Survey& survey) {
   }
 }
 
-void write_cmif(hdf5::OutputHdf5& out, const Survey& survey) {
+void write_cmif(acquire::hdf5::OutputHdf5& out, const pipeline::Survey& survey) {
   const Eigen::MatrixXd& values = survey.indicator();
-  const LineRange band = survey.band();
+  const frf::LineRange band = survey.band();
   std::vector<double> freq_Hz;
   for (std::size_t k = 0; k < band.count; ++k) freq_Hz.push_back(band.freq_Hz(k));
   write_numbers(out, "cmif_frequency_hz", freq_Hz);
@@ -79,18 +79,18 @@ void write_cmif(hdf5::OutputHdf5& out, const Survey& survey) {
 
 }  // namespace
 
-std::string shapes_csv(const Survey& survey) {
+std::string shapes_csv(const pipeline::Survey& survey) {
   std::string out =
       "mode,frequency_hz,damping_ratio,family,order,point,channel,position_m,angle_deg,x_m,y_m,z_m,re,im,std\n";
   auto end = std::back_inserter(out);
   const auto& modes = survey.analysis().modes();
   for (std::size_t m = 0; m < modes.size(); ++m) {
-    const ModeClassification& verdict = survey.classifications()[m];
-    for (const ShapePlace& place : survey.shapes()[m].places) {
+    const identify::ModeClassification& verdict = survey.classifications()[m];
+    for (const identify::ShapePlace& place : survey.shapes()[m].places) {
       fmt::format_to(end, "{},{},{},{},{},{},{},", m, modes[m].pole.freq_Hz, modes[m].pole.damping_ratio,
                      name_of(verdict.family), verdict.order > 0 ? fmt::format("{}", verdict.order) : "", place.point,
                      place.channel);
-      const GeometryPoint* at = geometry_point_of(survey, place.point);
+      const acquire::GeometryPoint* at = geometry_point_of(survey, place.point);
       const bool tube = at != nullptr && survey.geometry()->tube;
       out += tube ? fmt::format("{},{},", at->position_m, at->angle_rad * kRadian_deg) : ",,";
       const auto xyz = plot_position(survey, place.point);
@@ -101,9 +101,9 @@ std::string shapes_csv(const Survey& survey) {
   return out;
 }
 
-std::string cmif_csv(const Survey& survey) {
+std::string cmif_csv(const pipeline::Survey& survey) {
   const Eigen::MatrixXd& values = survey.indicator();
-  const LineRange band = survey.band();
+  const frf::LineRange band = survey.band();
   std::string out = "frequency_hz";
   for (Eigen::Index v = 0; v < values.cols(); ++v) out += fmt::format(",singular_value_{}", v + 1);
   out += '\n';
@@ -115,14 +115,14 @@ std::string cmif_csv(const Survey& survey) {
   return out;
 }
 
-void write_survey_hdf5(const std::string& path, const Survey& survey, bool force) {
+void write_survey_hdf5(const std::string& path, const pipeline::Survey& survey, bool force) {
   const auto& modes = survey.analysis().modes();
   std::vector<double> freq_Hz, damping;
-  for (const Mode& mode : modes) {
+  for (const identify::Mode& mode : modes) {
     freq_Hz.push_back(mode.pole.freq_Hz);
     damping.push_back(mode.pole.damping_ratio);
   }
-  hdf5::OutputHdf5 out(path, force);
+  acquire::hdf5::OutputHdf5 out(path, force);
   write_numbers(out, "frequency_hz", freq_Hz);
   write_numbers(out, "damping_ratio", damping);
   if (!modes.empty()) {
@@ -134,4 +134,4 @@ void write_survey_hdf5(const std::string& path, const Survey& survey, bool force
   out.commit();
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

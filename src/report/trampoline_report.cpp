@@ -8,14 +8,14 @@
 #include "report/text/number_format.hpp"
 #include "report/text/version.hpp"
 
-namespace percuss {
+namespace percuss::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
 constexpr double kReference_Hz = 10e3;  // what the source calls rigid
 
-Json constants_json(const Trampoline& m) {
+Json constants_json(const model::Trampoline& m) {
   return {{"m1_kg", m.ball_mass_kg},
           {"k1", m.stiffness},
           {"c1", m.damping},
@@ -28,7 +28,7 @@ Json constants_json(const Trampoline& m) {
 }
 
 Json fit_json(const FittedExponents& fitted) {
-  const ExponentFit& fit = fitted.fit;
+  const model::ExponentFit& fit = fitted.fit;
   Json json{{"a", fit.stiffness_exponent},
             {"a_std", fit.stiffness_exponent_std},
             {"b", fit.damping_exponent},
@@ -39,7 +39,7 @@ Json fit_json(const FittedExponents& fitted) {
             {"beyond_std", fit.beyond_std},
             {"points", Json::array()}};
   for (std::size_t i = 0; i < fitted.measured.size(); ++i) {
-    const MeasuredCor& m = fitted.measured[i];
+    const model::MeasuredCor& m = fitted.measured[i];
     json["points"].push_back(
         {{"speed_mps", m.speed_mps}, {"cor", m.cor}, {"cor_std", m.cor_std}, {"model_cor", fit.model_cor[i]}});
   }
@@ -47,7 +47,7 @@ Json fit_json(const FittedExponents& fitted) {
 }
 
 std::string fit_text(const FittedExponents& fitted) {
-  const ExponentFit& fit = fitted.fit;
+  const model::ExponentFit& fit = fitted.fit;
   return fmt::format(
       "fit to measured CCOR: a = {}, b = {}, correlation {:.6f}: were a known, b would be ± {:.2g}; chi2 {:.2f} of {} "
       "points, {} missed by more than their deviation\n",
@@ -56,11 +56,11 @@ std::string fit_text(const FittedExponents& fitted) {
       fit.chi2, fitted.measured.size(), fit.beyond_std);
 }
 
-std::string extras_text(const Trampoline& model, const HoopPeak& peak, const TrampolineExtras& extras) {
+std::string extras_text(const model::Trampoline& model, const model::HoopPeak& peak, const TrampolineExtras& extras) {
   std::string text;
   if (model.extra_mass_kg > 0) {
     text += fmt::format("with {:g} kg on the barrel a hoop frequency of {:.1f} Hz falls to {:.1f} Hz\n",
-                        model.extra_mass_kg, peak.hoop_Hz, loaded_hoop_Hz(model, peak.hoop_Hz));
+                        model.extra_mass_kg, peak.hoop_Hz, model::loaded_hoop_Hz(model, peak.hoop_Hz));
   }
   if (extras.modal_mass_kg) text += fmt::format("the shift means a modal mass of {:.4f} kg\n", *extras.modal_mass_kg);
   if (extras.fitted) text += fit_text(*extras.fitted);
@@ -69,11 +69,11 @@ std::string extras_text(const Trampoline& model, const HoopPeak& peak, const Tra
 
 }  // namespace
 
-CommandReport trampoline_report(const Trampoline& model, const std::vector<double>& hoop_Hz,
+CommandReport trampoline_report(const model::Trampoline& model, const std::vector<double>& hoop_Hz,
                                 const TrampolineExtras& extras) {
-  const std::vector<Rebound> sweep = hoop_sweep(model, hoop_Hz);
-  const HoopPeak peak = optimal_hoop_frequency(model, hoop_Hz, sweep);
-  const double wall = rigid_wall_rebound(model).cor, reference = rebound(model, kReference_Hz).cor;
+  const std::vector<model::Rebound> sweep = model::hoop_sweep(model, hoop_Hz);
+  const model::HoopPeak peak = model::optimal_hoop_frequency(model, hoop_Hz, sweep);
+  const double wall = model::rigid_wall_rebound(model).cor, reference = model::rebound(model, kReference_Hz).cor;
   NumericColumn cor{.name = "cor"}, loaded{.name = "loaded_hoop_hz"}, contact{.name = "contact_s"},
       contacts{.name = "contacts"};
   Json json{{"schema", "percuss/model-trampoline/1"},
@@ -85,7 +85,7 @@ CommandReport trampoline_report(const Trampoline& model, const std::vector<doubl
             {"curve", Json::array()}};
   for (std::size_t i = 0; i < sweep.size(); ++i) {
     cor.values.push_back(sweep[i].cor);
-    loaded.values.push_back(loaded_hoop_Hz(model, hoop_Hz[i]));
+    loaded.values.push_back(model::loaded_hoop_Hz(model, hoop_Hz[i]));
     contact.values.push_back(sweep[i].contact_s);
     contacts.values.push_back(static_cast<double>(sweep[i].contacts));
     json["curve"].push_back({{"hoop_hz", hoop_Hz[i]},
@@ -112,4 +112,4 @@ CommandReport trampoline_report(const Trampoline& model, const std::vector<doubl
   return report;
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

@@ -7,12 +7,12 @@
 #include "model/trampoline/trampoline_fit.hpp"
 #include "report/command_report.hpp"
 
-namespace percuss {
+namespace percuss::report {
 
 /// A fit of the exponents that the sweep was made with, and what it was made from.
 struct FittedExponents {
-  std::vector<MeasuredCor> measured;
-  ExponentFit fit;
+  std::vector<model::MeasuredCor> measured;
+  model::ExponentFit fit;
 };
 
 /// What percuss model trampoline shows beside the sweep.
@@ -23,7 +23,7 @@ struct TrampolineExtras {
 
 /// percuss/model-trampoline/1: COR over the hoop frequency, the best, the wall's, and the one at 10 kHz, which the
 /// source divides by. errors  as rebound.
-CommandReport trampoline_report(const Trampoline& model, const std::vector<double>& hoop_Hz,
+CommandReport trampoline_report(const model::Trampoline& model, const std::vector<double>& hoop_Hz,
                                 const TrampolineExtras& extras = {});
 
-}  // namespace percuss
+}  // namespace percuss::report

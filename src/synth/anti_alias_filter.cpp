@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace percuss {
+namespace percuss::synth {
 namespace {
 
 constexpr double kCutoff = 0.45;      // cycles/sample
@@ -35,4 +35,4 @@ const GaussLegendre& gauss_legendre() {
   return shared;
 }
 
-}  // namespace percuss
+}  // namespace percuss::synth

@@ -2,7 +2,7 @@
 #include <array>
 #include <cstddef>
 
-namespace percuss {
+namespace percuss::synth {
 
 /// Half the support of the anti-alias filter, in samples: a sample feels what happens this far on either side.
 inline constexpr double kFilterHalfWidth = 64;
@@ -20,4 +20,4 @@ struct GaussLegendre {
 };
 const GaussLegendre& gauss_legendre();
 
-}  // namespace percuss
+}  // namespace percuss::synth

@@ -8,7 +8,7 @@
 #include "core/parallel/parallel.hpp"
 #include "synth/schedule.hpp"
 
-namespace percuss {
+namespace percuss::synth {
 namespace {
 
 using Eigen::Index;
@@ -126,4 +126,4 @@ CramerRaoBound cramer_rao_bound(const Truth& truth, std::size_t threads) {
   return bound;
 }
 
-}  // namespace percuss
+}  // namespace percuss::synth

@@ -1,7 +1,7 @@
 #pragma once
 #include "synth/synthesise.hpp"
 
-namespace percuss {
+namespace percuss::synth {
 
 /// Cramér–Rao bound of a test's frequencies and damping ratios (see CramerRaoBound), from the Fisher matrix of the
 /// exact signals:
@@ -12,4 +12,4 @@ namespace percuss {
 /// theory (4.16)
 CramerRaoBound cramer_rao_bound(const Truth& truth, std::size_t threads = 0);
 
-}  // namespace percuss
+}  // namespace percuss::synth

@@ -10,7 +10,7 @@
 #include "metrics/protocol/resolution.hpp"
 #include "synth/random_stream.hpp"
 
-namespace percuss {
+namespace percuss::synth {
 namespace {
 
 constexpr double kBall_kg = 0.1454, kSweetSpot_in = 6;
@@ -20,10 +20,12 @@ class PopulationMaker {
  public:
   explicit PopulationMaker(const PopulationSpec& spec) : spec_(spec), random_({spec.seed, 0x62617473}) {}
 
-  std::vector<StudyBat> make() {
+  std::vector<metrics::StudyBat> make() {
     for (std::size_t i = 0; i < spec_.wood; ++i) bats_.push_back(wood());
-    for (std::size_t i = 0; i < spec_.aluminum; ++i) bats_.push_back(hollow(BarrelMaterial::aluminum, 1800, 2400));
-    for (std::size_t i = 0; i < spec_.composite; ++i) bats_.push_back(hollow(BarrelMaterial::composite, 1300, 2800));
+    for (std::size_t i = 0; i < spec_.aluminum; ++i)
+      bats_.push_back(hollow(metrics::BarrelMaterial::aluminum, 1800, 2400));
+    for (std::size_t i = 0; i < spec_.composite; ++i)
+      bats_.push_back(hollow(metrics::BarrelMaterial::composite, 1300, 2800));
     if (spec_.trail) add_trail();
     for (std::size_t b = 0; b < bats_.size(); ++b) bats_[b].id = fmt::format("S{:03}", b + 1);
     return std::move(bats_);
@@ -36,41 +38,45 @@ class PopulationMaker {
     return pair[0];
   }
 
-  static std::optional<double>& at(StudyBat& bat, StudyQuantity q) {
+  static std::optional<double>& at(metrics::StudyBat& bat, metrics::StudyQuantity q) {
     return bat.values.at(static_cast<std::size_t>(q));
   }
 
   // Drop, MOI and bending of a bat of this length.
-  StudyBat body(BarrelMaterial material, double length_in, double drop, double moi_33_ozin2, double bending_Hz) {
-    StudyBat bat{.length_in = length_in, .material = material};
-    at(bat, StudyQuantity::drop) = recorded(drop, 0.005);
-    at(bat, StudyQuantity::moi) = recorded(moi_33_ozin2 + 850 * (length_in - 33) + 300 * (drop + 3) + normal(250), 1);
-    at(bat, StudyQuantity::bending1) = recorded(bending_Hz - 9 * (length_in - 33), 0.1);
-    at(bat, StudyQuantity::bending2) = recorded(3.6 * *at(bat, StudyQuantity::bending1) + normal(10), 0.1);
+  metrics::StudyBat body(metrics::BarrelMaterial material, double length_in, double drop, double moi_33_ozin2,
+                         double bending_Hz) {
+    metrics::StudyBat bat{.length_in = length_in, .material = material};
+    at(bat, metrics::StudyQuantity::drop) = metrics::recorded(drop, 0.005);
+    at(bat, metrics::StudyQuantity::moi) =
+        metrics::recorded(moi_33_ozin2 + 850 * (length_in - 33) + 300 * (drop + 3) + normal(250), 1);
+    at(bat, metrics::StudyQuantity::bending1) = metrics::recorded(bending_Hz - 9 * (length_in - 33), 0.1);
+    at(bat, metrics::StudyQuantity::bending2) =
+        metrics::recorded(3.6 * *at(bat, metrics::StudyQuantity::bending1) + normal(10), 0.1);
     return bat;
   }
 
-  void perform(StudyBat& bat, double bbcor) {
+  void perform(metrics::StudyBat& bat, double bbcor) {
     const double length_m = bat.length_in * kInch_m, z_m = kSweetSpot_in * kInch_m;
-    const double moi_kgm2 = *at(bat, StudyQuantity::moi) * kOunceInch2_kgm2;
-    const double k = ball_to_bat_inertia(kBall_kg, length_m, z_m, moi_kgm2);                                    // (P10)
-    double besr = besr_from_bbcor(bbcor, k);                                                                    // (P9)
-    double bbs_mph = batted_ball_speed_mps(besr, swing_speed_mps(length_m, z_m, moi_kgm2)) / kMilePerHour_mps;  // (P8)
+    const double moi_kgm2 = *at(bat, metrics::StudyQuantity::moi) * metrics::kOunceInch2_kgm2;
+    const double k = metrics::ball_to_bat_inertia(kBall_kg, length_m, z_m, moi_kgm2);  // (P10)
+    double besr = metrics::besr_from_bbcor(bbcor, k);                                  // (P9)
+    double bbs_mph = metrics::batted_ball_speed_mps(besr, metrics::swing_speed_mps(length_m, z_m, moi_kgm2)) /
+                     kMilePerHour_mps;  // (P8)
     if (!spec_.related) {
       bbcor = 0.49 + normal(0.01);
       besr = 0.70 + 0.005 * (bat.length_in - 33) + normal(0.01);
       bbs_mph = 96 + 1.5 * (bat.length_in - 33) + normal(1);
     }
-    at(bat, StudyQuantity::besr) = recorded(besr, 1e-5);
-    at(bat, StudyQuantity::bbs) = recorded(bbs_mph, 1e-3);
-    at(bat, StudyQuantity::bbcor) = recorded(bbcor, 1e-5);
+    at(bat, metrics::StudyQuantity::besr) = metrics::recorded(besr, 1e-5);
+    at(bat, metrics::StudyQuantity::bbs) = metrics::recorded(bbs_mph, 1e-3);
+    at(bat, metrics::StudyQuantity::bbcor) = metrics::recorded(bbcor, 1e-5);
   }
 
-  StudyBat wood() {
+  metrics::StudyBat wood() {
     const double length_in = 30 + std::floor(random_.uniform(0, 5));
     // In an order of their own: arguments are evaluated in any.
     const double bending_Hz = 155 + normal(14), drop = random_.uniform(-3, 0.5);
-    StudyBat bat = body(BarrelMaterial::wood, length_in, drop, 10600, bending_Hz);
+    metrics::StudyBat bat = body(metrics::BarrelMaterial::wood, length_in, drop, 10600, bending_Hz);
     perform(bat, 0.480 + normal(spec_.noise));
     return bat;
   }
@@ -79,27 +85,27 @@ class PopulationMaker {
     return 0.480 + spec_.hoop_gain * (kHighestHoop_Hz - hoop_Hz) + normal(spec_.noise);
   }
 
-  StudyBat hollow(BarrelMaterial material, double low_Hz, double high_Hz) {
+  metrics::StudyBat hollow(metrics::BarrelMaterial material, double low_Hz, double high_Hz) {
     const double length_in = 31 + std::floor(random_.uniform(0, 4));
-    const double hoop_Hz = recorded(random_.uniform(low_Hz, high_Hz), 1);
+    const double hoop_Hz = metrics::recorded(random_.uniform(low_Hz, high_Hz), 1);
     const double bending_Hz = 175 + normal(30), drop = random_.uniform(-3, -2.1);
-    StudyBat bat = body(material, length_in, drop, 9600, bending_Hz);
-    at(bat, StudyQuantity::hoop1) = hoop_Hz;
-    at(bat, StudyQuantity::hoop2) = recorded(1.25 * hoop_Hz + normal(30), 1);
-    bat.broken_in = material == BarrelMaterial::composite && hoop_Hz < 1700;
+    metrics::StudyBat bat = body(material, length_in, drop, 9600, bending_Hz);
+    at(bat, metrics::StudyQuantity::hoop1) = hoop_Hz;
+    at(bat, metrics::StudyQuantity::hoop2) = metrics::recorded(1.25 * hoop_Hz + normal(30), 1);
+    bat.broken_in = material == metrics::BarrelMaterial::composite && hoop_Hz < 1700;
     perform(bat, hollow_bbcor(hoop_Hz));
     return bat;
   }
 
   void add_trail() {
     constexpr std::array<double, 9> hoops_Hz{1970, 1880, 1800, 1720, 1630, 1550, 1450, 1354, 1340};
-    const StudyBat fresh = hollow(BarrelMaterial::composite, 1960, 1980);
+    const metrics::StudyBat fresh = hollow(metrics::BarrelMaterial::composite, 1960, 1980);
     for (std::size_t i = 0; i < hoops_Hz.size(); ++i) {
-      StudyBat state = fresh;
+      metrics::StudyBat state = fresh;
       state.bat = "trail";
       state.broken_in = i > 0;
-      at(state, StudyQuantity::hoop1) = hoops_Hz[i];
-      at(state, StudyQuantity::hoop2) = recorded(1.25 * hoops_Hz[i], 1);
+      at(state, metrics::StudyQuantity::hoop1) = hoops_Hz[i];
+      at(state, metrics::StudyQuantity::hoop2) = metrics::recorded(1.25 * hoops_Hz[i], 1);
       const bool cracked = i + 1 == hoops_Hz.size();
       perform(state, hollow_bbcor(hoops_Hz[i]) - (cracked ? 0.022 : 0));
       bats_.push_back(std::move(state));
@@ -108,11 +114,11 @@ class PopulationMaker {
 
   const PopulationSpec& spec_;
   RandomStream random_;
-  std::vector<StudyBat> bats_;
+  std::vector<metrics::StudyBat> bats_;
 };
 
 }  // namespace
 
-std::vector<StudyBat> synthetic_population(const PopulationSpec& spec) { return PopulationMaker(spec).make(); }
+std::vector<metrics::StudyBat> synthetic_population(const PopulationSpec& spec) { return PopulationMaker(spec).make(); }
 
-}  // namespace percuss
+}  // namespace percuss::synth

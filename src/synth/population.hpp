@@ -4,7 +4,7 @@
 
 #include "metrics/study/study_table.hpp"
 
-namespace percuss {
+namespace percuss::synth {
 
 /// How many bats of each family, and what goes with what. Families as [8] describes them: wood with a BBCOR near 0.480;
 /// aluminium with hoop frequencies of 1800 to 2400 Hz; composite with 1300 to 2800 Hz, the lower ones broken in.
@@ -20,6 +20,6 @@ struct PopulationSpec {
 /// A population whose relations are known: BBCOR = 0.480 (+ gain (2800 Hz − hoop) for hollow bats) + noise, with regard
 /// to nothing else; BESR and batted-ball speed at 6 in follow from it by (P9) and (P8), so that BESR rises with MOI.
 /// The same numbers with every compiler.
-std::vector<StudyBat> synthetic_population(const PopulationSpec& spec = {});
+std::vector<metrics::StudyBat> synthetic_population(const PopulationSpec& spec = {});
 
-}  // namespace percuss
+}  // namespace percuss::synth

@@ -4,7 +4,7 @@
 #include "core/error.hpp"
 #include "synth/read_spec.hpp"
 
-namespace percuss {
+namespace percuss::synth {
 
 SynthSpec synth_preset(std::string_view name) {
   std::vector<std::string_view> names;
@@ -71,4 +71,4 @@ std::string_view synth_example() {
 )json";
 }
 
-}  // namespace percuss
+}  // namespace percuss::synth

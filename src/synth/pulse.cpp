@@ -9,7 +9,7 @@
 
 #include "synth/anti_alias_filter.hpp"
 
-namespace percuss {
+namespace percuss::synth {
 namespace {
 
 using Complex = std::complex<double>;
@@ -222,4 +222,4 @@ PulseBasis pulse_basis(const Pulse& pulse, double fs_Hz, std::span<const SynthPo
   return out;
 }
 
-}  // namespace percuss
+}  // namespace percuss::synth

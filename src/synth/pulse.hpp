@@ -5,7 +5,7 @@
 
 #include "synth/spec.hpp"
 
-namespace percuss {
+namespace percuss::synth {
 
 /// A force pulse f(t) = peak·p(t − onset), 0 outside its width.
 struct Pulse {
@@ -47,4 +47,4 @@ PulseSupport pulse_support(const Pulse& pulse, double fs_Hz, std::span<const Syn
 PulseBasis pulse_basis(const Pulse& pulse, double fs_Hz, std::span<const SynthPole> poles, std::size_t first,
                        std::size_t count);
 
-}  // namespace percuss
+}  // namespace percuss::synth

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace percuss {
+namespace percuss::synth {
 namespace {
 
 /// Stafford's mix of SplitMix64: a bijection whose outputs look unrelated for neighbouring inputs.
@@ -35,4 +35,4 @@ void RandomStream::add_normal(double sigma, std::span<double> to) {
   }
 }
 
-}  // namespace percuss
+}  // namespace percuss::synth

@@ -4,7 +4,7 @@
 #include <random>
 #include <span>
 
-namespace percuss {
+namespace percuss::synth {
 
 /// Random numbers that are the same with every standard library: the 64-bit Mersenne twister (its output is part of the
 /// C++ standard), 53-bit uniforms, and normals by Box and Muller's transform
@@ -23,4 +23,4 @@ class RandomStream {
   std::mt19937_64 engine_;
 };
 
-}  // namespace percuss
+}  // namespace percuss::synth

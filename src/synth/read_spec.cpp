@@ -10,7 +10,7 @@
 #include "core/io/strict_json.hpp"
 #include "core/units.hpp"
 
-namespace percuss {
+namespace percuss::synth {
 namespace {
 
 constexpr std::size_t kLongestText = std::size_t{4} << 20;
@@ -199,4 +199,4 @@ SynthSpec parse_synth_spec(std::string_view text, std::string_view where) {
   return spec;
 }
 
-}  // namespace percuss
+}  // namespace percuss::synth

@@ -5,7 +5,7 @@
 
 #include "synth/spec.hpp"
 
-namespace percuss {
+namespace percuss::synth {
 
 /// A spec from JSON (docs/synth.md; comments are allowed), checked. `where` names the text in messages.
 /// errors  InputError for anything but a valid spec: not JSON, too deep or too long, a key unknown, doubled, missing or
@@ -25,4 +25,4 @@ SynthSpec synth_preset(std::string_view name);
 /// A spec with every key in use and a comment on each.
 std::string_view synth_example();
 
-}  // namespace percuss
+}  // namespace percuss::synth

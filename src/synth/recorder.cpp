@@ -6,7 +6,7 @@
 
 #include "synth/random_stream.hpp"
 
-namespace percuss {
+namespace percuss::synth {
 namespace {
 
 constexpr std::uint64_t kForceNoiseStream = 2, kAccelNoiseStream = 3;
@@ -90,4 +90,4 @@ void flag_clipped(const RecorderRange& range, const SynthSamples& recorded, doub
   }
 }
 
-}  // namespace percuss
+}  // namespace percuss::synth

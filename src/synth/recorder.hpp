@@ -5,7 +5,7 @@
 
 #include "synth/synthesise.hpp"
 
-namespace percuss {
+namespace percuss::synth {
 
 /// Every sample of a test: force [row][sample] in N, accel [row][channel][sample] in m/s².
 struct SynthSamples {
@@ -31,4 +31,4 @@ void record_row(const Truth& truth, const RecorderRange& range, std::size_t row,
 /// "clipped".
 void flag_clipped(const RecorderRange& range, const SynthSamples& recorded, double fs_Hz, std::vector<TrueHit>& hits);
 
-}  // namespace percuss
+}  // namespace percuss::synth

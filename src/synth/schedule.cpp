@@ -2,7 +2,7 @@
 
 #include "synth/random_stream.hpp"
 
-namespace percuss {
+namespace percuss::synth {
 namespace {
 
 constexpr std::uint64_t kHitStream = 1;
@@ -74,4 +74,4 @@ std::size_t rows_per_run(const SynthSpec& spec) {
   return spec.layout == SynthLayout::continuous ? 1 : spec.hits * spec.points.size();
 }
 
-}  // namespace percuss
+}  // namespace percuss::synth

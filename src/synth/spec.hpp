@@ -9,7 +9,7 @@
 
 #include "core/units.hpp"
 
-namespace percuss {
+namespace percuss::synth {
 
 /// A synthetic hammer test, described. Plain data with defaults of a bat test: build it with designated initialisers or
 /// read it from JSON (read_spec.hpp; the key of each member is its name in lower case, docs/synth.md). Positions are
@@ -116,4 +116,4 @@ struct SynthSpec {
 /// fits in memory.
 void check(const SynthSpec& spec, std::string_view where = "synth spec");
 
-}  // namespace percuss
+}  // namespace percuss::synth

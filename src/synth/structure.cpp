@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace percuss {
+namespace percuss::synth {
 namespace {
 
 /// n-th positive root of cos β = 1/cosh β, by Newton's method from its asymptote (n + 1/2)π.
@@ -60,4 +60,4 @@ double rigid_line_per_kg(const SynthSpec& spec, std::size_t point, std::size_t s
          std::cos(p.angle_rad - s.angle_rad);
 }
 
-}  // namespace percuss
+}  // namespace percuss::synth

@@ -1,7 +1,7 @@
 #pragma once
 #include "synth/spec.hpp"
 
-namespace percuss {
+namespace percuss::synth {
 
 /// Transverse shape n = 1, 2, … of a free-free uniform beam at x from one end over its length (0 … 1), 1 at x = 0:
 ///   X = (cosh βx + cos βx − k (sinh βx + sin βx))/2,  cos β cosh β = 1,  k = (cosh β − cos β)/(sinh β − sin β)
@@ -20,4 +20,4 @@ double residue_per_kg(const SynthSpec& spec, std::size_t mode, std::size_t point
 /// Rigid-body accelerance (1/m + Δ_p Δ_c/I) cos(θ_p − θ_c), Δ from the centre of mass, 1/kg, as recorded.
 double rigid_line_per_kg(const SynthSpec& spec, std::size_t point, std::size_t sensor);
 
-}  // namespace percuss
+}  // namespace percuss::synth

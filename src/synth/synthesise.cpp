@@ -9,7 +9,7 @@
 #include "synth/schedule.hpp"
 #include "synth/structure.hpp"
 
-namespace percuss {
+namespace percuss::synth {
 namespace {
 
 Truth planned_truth(const SynthSpec& spec) {
@@ -98,10 +98,11 @@ SynthSamples recorded_runs(SynthSamples clean, const Truth& truth, const Recorde
   return out;
 }
 
-Record described(const Truth& truth, SynthSamples samples) {
+acquire::Record described(const Truth& truth, SynthSamples samples) {
   const SynthSpec& spec = truth.spec;
   const std::size_t rows = rows_per_run(spec);
-  Record record = record_in_memory(spec.fs_Hz, std::move(samples.force_N), std::move(samples.accel_mps2));
+  acquire::Record record =
+      acquire::record_in_memory(spec.fs_Hz, std::move(samples.force_N), std::move(samples.accel_mps2));
   record.format = "synthetic";
   record.continuous = spec.layout == SynthLayout::continuous;
   record.force.unit = "N";
@@ -152,4 +153,4 @@ std::vector<Complex> exact_accelerance(const Truth& truth, std::size_t point, st
   return out;
 }
 
-}  // namespace percuss
+}  // namespace percuss::synth

@@ -8,7 +8,7 @@
 #include "core/math/fft.hpp"
 #include "synth/spec.hpp"
 
-namespace percuss {
+namespace percuss::synth {
 
 /// One hit as it truly was.
 struct TrueHit {
@@ -45,7 +45,7 @@ struct Truth {
 };
 
 struct SyntheticTest {
-  Record record;
+  acquire::Record record;
   Truth truth;
 };
 
@@ -59,4 +59,4 @@ SyntheticTest synthesise(const SynthSpec& spec, std::size_t threads = 0);
 std::vector<Complex> exact_accelerance(const Truth& truth, std::size_t point, std::size_t channel,
                                        std::span<const double> freq_Hz);
 
-}  // namespace percuss
+}  // namespace percuss::synth

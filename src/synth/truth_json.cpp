@@ -5,7 +5,7 @@
 #include "core/units.hpp"
 #include "synth/schedule.hpp"
 
-namespace percuss {
+namespace percuss::synth {
 namespace {
 
 using nlohmann::ordered_json;
@@ -114,4 +114,4 @@ std::string truth_json(const Truth& truth) {
   return out.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace percuss
+}  // namespace percuss::synth

@@ -3,10 +3,10 @@
 
 #include "synth/synthesise.hpp"
 
-namespace percuss {
+namespace percuss::synth {
 
 /// The truth as a document "percuss/synth-truth/1" (docs/synth.md): what a record was made from, beside which an
 /// analysis is held.
 std::string truth_json(const Truth& truth);
 
-}  // namespace percuss
+}  // namespace percuss::synth

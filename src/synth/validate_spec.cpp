@@ -6,7 +6,7 @@
 #include "core/error.hpp"
 #include "synth/spec.hpp"
 
-namespace percuss {
+namespace percuss::synth {
 namespace {
 
 constexpr double kMaxValues = 1U << 28;  // samples of all signals together: 2 GiB
@@ -161,4 +161,4 @@ void check(const SynthSpec& spec, std::string_view where) {
   checker.recorder();
 }
 
-}  // namespace percuss
+}  // namespace percuss::synth

@@ -8,7 +8,7 @@
 #include "support/force_row.hpp"
 #include "support/input_error.hpp"
 
-namespace percuss::calibrate_test {
+namespace percuss::acquire::calibrate_test {
 
 constexpr double kFs_Hz = 25600;
 constexpr double kMass_kg = 4.2;
@@ -128,4 +128,4 @@ TEST(Calibrate, RefusesRecordsItCannotUse) {
   EXPECT_THAT(test::input_error_of([&] { calibrate(silent, kMass_kg); }), HasSubstr("no hit"));
 }
 
-}  // namespace percuss::calibrate_test
+}  // namespace percuss::acquire::calibrate_test

@@ -10,7 +10,7 @@
 #include "support/input_error.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace percuss::open_record_test {
+namespace percuss::acquire::open_record_test {
 
 using test::input_error_of;
 using testing::ElementsAre;
@@ -124,4 +124,4 @@ TEST_F(OpenRecord, ReadsNothingOfAHugeFileOfZeros) {
   EXPECT_THAT(input_error_of([&] { open_record(path); }), HasSubstr("neither text"));
 }
 
-}  // namespace percuss::open_record_test
+}  // namespace percuss::acquire::open_record_test

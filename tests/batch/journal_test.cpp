@@ -10,7 +10,7 @@
 #include "core/parallel/parallel.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace percuss::batch_journal_test {
+namespace percuss::batch::batch_journal_test {
 
 using testing::HasSubstr;
 
@@ -141,4 +141,4 @@ TEST_F(BatchJournal, TellsWhichRecordsWereBegunAndNeverFinished) {
   EXPECT_THAT(state.stuck, testing::ElementsAre(12));
 }
 
-}  // namespace percuss::batch_journal_test
+}  // namespace percuss::batch::batch_journal_test

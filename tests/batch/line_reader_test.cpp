@@ -8,7 +8,7 @@
 #include "core/error.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace percuss::line_reader_test {
+namespace percuss::batch::line_reader_test {
 
 class LineReading : public testing::Test {
  protected:
@@ -66,4 +66,4 @@ TEST_F(LineReading, RefusesLinesThatAreTooLong) {
   }
 }
 
-}  // namespace percuss::line_reader_test
+}  // namespace percuss::batch::line_reader_test

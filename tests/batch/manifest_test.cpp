@@ -7,7 +7,7 @@
 #include "core/error.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace percuss::batch_manifest_test {
+namespace percuss::batch::batch_manifest_test {
 
 class BatchManifest : public testing::Test {
  protected:
@@ -107,4 +107,4 @@ TEST_F(BatchManifest, IsRefusedWithThePlaceThatIsWrong) {
   EXPECT_THAT(refusal(good + std::string(8 << 20, ' ')), testing::HasSubstr("line 5 is longer"));
 }
 
-}  // namespace percuss::batch_manifest_test
+}  // namespace percuss::batch::batch_manifest_test

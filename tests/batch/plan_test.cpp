@@ -8,7 +8,7 @@
 #include "core/error.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace percuss::batch_plan_test {
+namespace percuss::batch::batch_plan_test {
 
 namespace fs = std::filesystem;
 using testing::ElementsAre;
@@ -80,4 +80,4 @@ TEST_F(BatchPlan, RefusesNamesThatAreNoText) {
   EXPECT_EQ(ids({make("\xc3\xa4.csv")}).at(0), "\xc3\xa4");
 }
 
-}  // namespace percuss::batch_plan_test
+}  // namespace percuss::batch::batch_plan_test

@@ -5,10 +5,10 @@
 #include "core/error.hpp"
 #include "report/text/digest.hpp"
 
-namespace percuss::packed_frf_test {
+namespace percuss::batch::packed_frf_test {
 
-FrfRecord small_record() {
-  FrfRecord record;
+frf::FrfRecord small_record() {
+  frf::FrfRecord record;
   record.lines = {.fs_Hz = 1000, .samples = 100, .first = 7, .count = 2};
   record.accel = {{.name = "a", .angle_rad = 0.5}, {.name = "b", .position_m = 0.05}};
   record.estimator = "Hv";
@@ -24,7 +24,7 @@ FrfRecord small_record() {
 }
 
 TEST(PackedFrf, ComesBackAsItWas) {
-  const FrfRecord record = small_record(), back = deserialize_frfs(serialize_frfs(record), "here");
+  const frf::FrfRecord record = small_record(), back = deserialize_frfs(serialize_frfs(record), "here");
   EXPECT_EQ(back.lines.fs_Hz, 1000);
   EXPECT_EQ(back.lines.samples, 100U);
   EXPECT_EQ(back.lines.first, 7U);
@@ -47,7 +47,7 @@ TEST(PackedFrf, IsRefusedWhenItIsCutOffOrChanged) {
   const std::string text = serialize_frfs(small_record());
   for (std::size_t length = 0; length < text.size(); ++length)
     EXPECT_THROW(deserialize_frfs(text.substr(0, length), "here"), InputError) << length;
-  FrfRecord record = small_record();
+  frf::FrfRecord record = small_record();
   record.lines.count = 3;
   EXPECT_THROW(deserialize_frfs(serialize_frfs(record), "here"), InputError);
   record = small_record();
@@ -58,12 +58,13 @@ TEST(PackedFrf, IsRefusedWhenItIsCutOffOrChanged) {
 TEST(Base64, ComesBackAsItWas) {
   std::string bytes;
   for (int i = 0; i < 300; ++i) {
-    EXPECT_EQ(from_base64(base64({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()})), bytes);
+    EXPECT_EQ(report::from_base64(report::base64({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()})),
+              bytes);
     bytes += static_cast<char>(i * 37);
   }
-  EXPECT_EQ(from_base64("Zm9vYmE="), "fooba");  // RFC 4648
+  EXPECT_EQ(report::from_base64("Zm9vYmE="), "fooba");  // RFC 4648
   for (const char* bad : {"Zm9", "Zm9*", "Z===", "Zm=v", "\xff\xff\xff\xff"})
-    EXPECT_THROW(from_base64(bad), std::out_of_range) << bad;
+    EXPECT_THROW(report::from_base64(bad), std::out_of_range) << bad;
 }
 
-}  // namespace percuss::packed_frf_test
+}  // namespace percuss::batch::packed_frf_test

@@ -3,7 +3,7 @@
 
 #include "batch/slurm.hpp"
 
-namespace percuss::batch_slurm_test {
+namespace percuss::batch::batch_slurm_test {
 
 TEST(BatchSlurm, WritesAScriptThatAShellTakesApartAsItWasMeant) {
   EXPECT_EQ(slurm_script({.program = "/usr/bin/percuss",
@@ -29,4 +29,4 @@ TEST(BatchSlurm, KnowsHowLongAnArrayMayBe) {
   EXPECT_EQ(largest_array_index("MaxArraySize = "), 1000U);
 }
 
-}  // namespace percuss::batch_slurm_test
+}  // namespace percuss::batch::batch_slurm_test

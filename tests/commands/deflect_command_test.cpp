@@ -27,10 +27,10 @@ const std::vector<double> kPlaces_m{0.155, 0.285, 0.415, 0.545};
 
 /// The composite bat struck by a cricket ball: force and acceleration at the struck point, from the sum of its modes.
 void add_impact(double at_m, std::mt19937& random, std::vector<double>& force_N, std::vector<double>& accel_mps2) {
-  Impact impact;
+  model::Impact impact;
   impact.at_m = at_m;
-  BallOnBeam model(impact);
-  BallOnBeamState state = model.start(impact.speed_mps);
+  model::BallOnBeam model(impact);
+  model::BallOnBeamState state = model.start(impact.speed_mps);
   std::normal_distribution<double> gauss;
   constexpr int kSubsteps = 8;
   bool separated = false;
@@ -63,9 +63,9 @@ class DeflectCommand : public testing::Test {
       for (int repeat = 0; repeat < 2; ++repeat)
         add_impact(at_m, random, force.emplace_back(), accel.emplace_back(1).front());
     }
-    Record record = record_in_memory(kFs_Hz, std::move(force), std::move(accel));
+    acquire::Record record = acquire::record_in_memory(kFs_Hz, std::move(force), std::move(accel));
     for (std::size_t row = 0; row < record.rows.size(); ++row) record.rows[row].point = static_cast<int>(row / 2);
-    write_hdf5(file("bat.h5"), record, true);
+    acquire::write_hdf5(file("bat.h5"), record, true);
   }
   static void TearDownTestSuite() { folder_.reset(); }
   static std::string file(const std::string& name) { return folder_->file(name); }
@@ -108,7 +108,7 @@ TEST_F(DeflectCommand, LeadsToTheRatioOfModelAndTest) {
 
 TEST_F(DeflectCommand, NeedsNoForce) {
   const test::ScratchFolder out;
-  const Record record = open_record(file("bat.h5"));
+  const acquire::Record record = acquire::open_record(file("bat.h5"));
   std::vector<double> accel(record.rows[0].samples);
   record.read_accel_mps2(6, 0, 0, accel);
   std::string text = "t_s,acc_m_s2\n";

@@ -87,7 +87,7 @@ TEST(ManCommand, GivesEveryCommandAPageWithItsSections) {
     auto sections = sections_of(page);
     std::erase(sections, "EXAMPLES");
     EXPECT_THAT(sections, ElementsAre("NAME", "SYNOPSIS", "DESCRIPTION", "OPTIONS", "EXIT STATUS", "SEE ALSO"));
-    EXPECT_THAT(lines_of(page).front(), HasSubstr(std::string("\"percuss ") + version() + "\""));
+    EXPECT_THAT(lines_of(page).front(), HasSubstr(std::string("\"percuss ") + report::version() + "\""));
   }
 }
 

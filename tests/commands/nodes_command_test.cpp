@@ -20,18 +20,18 @@ using testing::AllOf;
 using testing::HasSubstr;
 
 // Struck every half inch from 6 to 9 in.
-SynthSpec beam() { return test::roving_beam_spec(6, 0.5, 7); }
+synth::SynthSpec beam() { return test::roving_beam_spec(6, 0.5, 7); }
 
 class NodesCommand : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     folder_ = std::make_unique<test::ScratchFolder>();
-    const Record scan = synthesise(beam()).record;
-    write_hdf5(file("scan.h5"), scan, true);
+    const acquire::Record scan = synth::synthesise(beam()).record;
+    acquire::write_hdf5(file("scan.h5"), scan, true);
     for (int point = 0; point < 7; ++point) {
-      Record one = select_rows(scan, [&](const RowInfo& row) { return row.point == point; });
+      acquire::Record one = acquire::select_rows(scan, [&](const acquire::RowInfo& row) { return row.point == point; });
       one.rows[0].point = 0;
-      write_hdf5(file("point" + std::to_string(point) + ".h5"), one, true);
+      acquire::write_hdf5(file("point" + std::to_string(point) + ".h5"), one, true);
     }
   }
   static void TearDownTestSuite() { folder_.reset(); }

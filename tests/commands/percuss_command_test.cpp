@@ -13,7 +13,7 @@ using testing::HasSubstr;
 TEST(PercussCommand, TellsItsVersion) {
   const auto outcome = run_percuss({"--version"});
   EXPECT_EQ(outcome.code, 0);
-  EXPECT_EQ(outcome.out, std::string("percuss ") + version() + "\n");
+  EXPECT_EQ(outcome.out, std::string("percuss ") + report::version() + "\n");
 }
 
 TEST(PercussCommand, ListsItsCommands) {

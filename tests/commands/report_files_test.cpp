@@ -18,8 +18,8 @@ using testing::HasSubstr;
 using testing::Not;
 
 TEST(ReportText, SaysTheSameOnTerminalAndPage) {
-  ReportText text(std::string("first line\n\n  second <line>\n"));
-  TextTable table({{"n", TextTable::Align::right}, {"name"}});
+  report::ReportText text(std::string("first line\n\n  second <line>\n"));
+  report::TextTable table({{"n", report::TextTable::Align::right}, {"name"}});
   table.add({"1", "a&b"});
   text += table;
   text.say("a sentence that is wrapped");

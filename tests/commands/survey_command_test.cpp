@@ -26,9 +26,10 @@ class SurveyCommand : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     folder_ = std::make_unique<test::ScratchFolder>();
-    SynthSpec spec{.fs_Hz = 4096, .samples = 4096, .band_high_Hz = 1500};
-    spec.modes = {{.freq_Hz = 205, .damping_ratio = 0.02, .order = 1, .angle_rad = 0.3},
-                  {.freq_Hz = 1100, .damping_ratio = 0.006, .family = SynthFamily::hoop, .order = 1, .angle_rad = 0.1}};
+    synth::SynthSpec spec{.fs_Hz = 4096, .samples = 4096, .band_high_Hz = 1500};
+    spec.modes = {
+        {.freq_Hz = 205, .damping_ratio = 0.02, .order = 1, .angle_rad = 0.3},
+        {.freq_Hz = 1100, .damping_ratio = 0.006, .family = synth::SynthFamily::hoop, .order = 1, .angle_rad = 0.1}};
     spec.sensors = {{.position_m = 0.05, .angle_rad = 0}};
     spec.points.clear();
     for (std::size_t p = 0; p < 18; ++p) {
@@ -38,10 +39,10 @@ class SurveyCommand : public testing::Test {
     }
     spec.hits = 2;
     spec.noise = {.force = 1e-4, .accel = 1e-3};
-    Record record = synthesise(spec).record;
-    write_hdf5(file("barrel.h5"), record, true);
+    acquire::Record record = synth::synthesise(spec).record;
+    acquire::write_hdf5(file("barrel.h5"), record, true);
     record.geometry.clear();
-    write_hdf5(file("bare.h5"), record, true);
+    acquire::write_hdf5(file("bare.h5"), record, true);
     std::string geometry = "point,position_mm,angle_deg\n";
     for (std::size_t p = 0; p < 18; ++p) {
       geometry +=
@@ -120,7 +121,7 @@ TEST_F(SurveyCommand, WritesShapesAndTheIndicator) {
   const auto indicator = test::lines_of(test::bytes_of(file("s.cmif.csv")));
   EXPECT_EQ(indicator[0], "frequency_hz,singular_value_1");
   EXPECT_GT(indicator.size(), 500U);
-  const hdf5::InputHdf5 stored(file("s.h5"));
+  const acquire::hdf5::InputHdf5 stored(file("s.h5"));
   for (const char* set : {"shape", "shape_std", "xyz_m", "point", "auto_mac", "cmif", "cmif_frequency_hz"})
     EXPECT_TRUE(stored.has(set)) << set;
   EXPECT_EQ(test::parse_json(test::bytes_of(file("s.json")))["schema"], "percuss/analysis/1");

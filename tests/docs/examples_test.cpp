@@ -67,7 +67,8 @@ class Examples : public testing::Test {
       const auto outcome = run_in_shell(line, prepared()->path());
       ASSERT_EQ(outcome.code, 0) << line << "\n" << outcome.err;
     }
-    write_hdf5(prepared()->file("scan.h5"), synthesise(test::roving_beam_spec(3, 0.25, 25)).record, false);
+    acquire::write_hdf5(prepared()->file("scan.h5"), synth::synthesise(test::roving_beam_spec(3, 0.25, 25)).record,
+                        false);
     test::write_bytes(prepared()->file("hits.csv"), calibration_hits());
     test::write_bytes(prepared()->file("profile.txt"), "2 50\n10 26\n45 28\n60 50\n84 66\n");
   }

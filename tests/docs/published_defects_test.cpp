@@ -24,27 +24,27 @@ namespace percuss::published_defects_test {
 constexpr double kWindowEnd = 0.01;  // the exponential window ends at 1 %
 
 // One second at 12.8 kHz: lines 1 Hz apart.
-SynthSpec second_of(std::vector<SynthMode> modes, double noise = 0) {
-  SynthSpec spec;
+synth::SynthSpec second_of(std::vector<synth::SynthMode> modes, double noise = 0) {
+  synth::SynthSpec spec;
   spec.fs_Hz = 12800;
   spec.samples = 12800;
   spec.modes = std::move(modes);
-  for (SynthMode& mode : spec.modes) mode.residue_per_kg = {0.9, 0.5};
+  for (synth::SynthMode& mode : spec.modes) mode.residue_per_kg = {0.9, 0.5};
   spec.noise = {.force = 0.1 * noise, .accel = noise};
   return spec;
 }
 
-Analysis analysis_of(const SynthSpec& spec, AnalysisOptions options = {}) {
+pipeline::Analysis analysis_of(const synth::SynthSpec& spec, pipeline::AnalysisOptions options = {}) {
   if (!options.band_Hz) options.band_Hz = {60, 3200};
   options.threads = 1;
-  return {synthesise(spec).record, std::move(options)};
+  return {synth::synthesise(spec).record, std::move(options)};
 }
 
 // H of the truth at s = jω + decay, where a windowed FRF stands.
-Complex exact_at(const Truth& truth, Complex s, std::size_t channel) {
+Complex exact_at(const synth::Truth& truth, Complex s, std::size_t channel) {
   Complex h = truth.rigid_per_kg[0][channel];
   for (std::size_t m = 0; m < truth.spec.modes.size(); ++m) {
-    const SynthMode& mode = truth.spec.modes[m];
+    const synth::SynthMode& mode = truth.spec.modes[m];
     h += truth.residue_per_kg[0][channel][m] *
          test::mode_accelerance({.freq_Hz = mode.freq_Hz, .damping_ratio = mode.damping_ratio}, s);
   }
@@ -55,10 +55,10 @@ TEST(PublishedDefects, AnExponentialWindowDoesNotScaleTheFrf) {
   // Multiplied by N/Σw it would read 4.65 times too much. Nothing is left of this mode after a second, so that the
   // windowed FRF is the true one at jω + decay, to what the force's gate leaves out.
   constexpr double kGate = 1e-4;
-  const SynthSpec spec = second_of({{.freq_Hz = 200, .damping_ratio = 0.02}});
-  const Truth truth = synthesise(spec).truth;
-  const Analysis analysis = analysis_of(spec, {.exponential_end = kWindowEnd});
-  for (const PointFrf& frf : analysis.frfs()) {
+  const synth::SynthSpec spec = second_of({{.freq_Hz = 200, .damping_ratio = 0.02}});
+  const synth::Truth truth = synth::synthesise(spec).truth;
+  const pipeline::Analysis analysis = analysis_of(spec, {.exponential_end = kWindowEnd});
+  for (const frf::PointFrf& frf : analysis.frfs()) {
     for (std::size_t k = 0; k < analysis.lines().count; k += 10) {
       const Complex s(analysis.window_decay_per_s(), kTwoPi * analysis.lines().freq_Hz(k));
       ASSERT_LE(std::abs(frf.frf.value[k] / exact_at(truth, s, frf.channel) - 1.0), kGate) << k;
@@ -68,27 +68,27 @@ TEST(PublishedDefects, AnExponentialWindowDoesNotScaleTheFrf) {
 
 TEST(PublishedDefects, DampingIsCorrectedForTheExponentialWindowExactly) {
   constexpr double kRounding = 1e-8;  // of fits to noise-free lines
-  const Analysis analysis =
+  const pipeline::Analysis analysis =
       analysis_of(second_of({{.freq_Hz = 200, .damping_ratio = 0.01}}), {.exponential_end = kWindowEnd});
   ASSERT_EQ(analysis.modes().size(), 1U);
   EXPECT_LE(std::abs(analysis.modes()[0].pole.damping_ratio / 0.01 - 1), kRounding);
   EXPECT_LE(std::abs(analysis.modes()[0].pole.freq_Hz / 200 - 1), kRounding);
   // What an uncorrected tool reads stands beside it, under its own name.
-  const auto document = test::parse_json(analysis_json(analysis));
+  const auto document = test::parse_json(report::analysis_json(analysis));
   EXPECT_NEAR(document["modes"][0]["damping_ratio_raw"].get<double>(), 0.0137, 5e-5);
 }
 
 TEST(PublishedDefects, TheBandsBeginningEntersTheImaginaryPartOnly) {
   // Added to |pole|, a band from 90 Hz makes 101.07 Hz of a mode of 5 % at 100 Hz.
   constexpr double kExact = 1e-6;  // relative
-  FrfDataset set = test::empty_set(4096, 16384, 90, 400, 1);
+  identify::FrfDataset set = test::empty_set(4096, 16384, 90, 400, 1);
   test::add_mode(set, 0, {100, 0.05}, 0.8);
-  const auto orders = lscf_poles(set, {.max_order = 12});
+  const auto orders = identify::lscf_poles(set, {.max_order = 12});
   ASSERT_FALSE(orders.empty());
   double nearest = 1e9;
-  for (const Pole& pole : orders.back().poles) nearest = std::min(nearest, std::abs(pole.freq_Hz - 100));
+  for (const identify::Pole& pole : orders.back().poles) nearest = std::min(nearest, std::abs(pole.freq_Hz - 100));
   EXPECT_LE(nearest, 100 * kExact);
-  const auto modes = identify_modes(set);
+  const auto modes = identify::identify_modes(set);
   ASSERT_EQ(modes.size(), 1U);
   EXPECT_LE(std::abs(modes[0].pole.freq_Hz / 100 - 1), kExact);
   EXPECT_LE(std::abs(modes[0].pole.damping_ratio / 0.05 - 1), kExact);
@@ -96,14 +96,14 @@ TEST(PublishedDefects, TheBandsBeginningEntersTheImaginaryPartOnly) {
 
 TEST(PublishedDefects, TheBasisIsMappedToTheBandSoThatTwoModesTwoHertzApartAt170HzAreTwo) {
   constexpr double kExact = 1e-6;  // relative
-  FrfDataset set = test::empty_set(25600, 65536, 60, 400, 2);
+  identify::FrfDataset set = test::empty_set(25600, 65536, 60, 400, 2);
   for (const double freq_Hz : {170.0, 172.0}) {
     test::add_mode(set, 0, {freq_Hz, 0.002}, 0.8);
     test::add_mode(set, 1, {freq_Hz, 0.002}, freq_Hz < 171 ? 0.5 : -0.5);
   }
-  const auto poles = lscf_poles(set).back().poles;
+  const auto poles = identify::lscf_poles(set).back().poles;
   for (const double freq_Hz : {170.0, 172.0}) {
-    const auto close = [&](const Pole& pole) { return std::abs(pole.freq_Hz / freq_Hz - 1) <= kExact; };
+    const auto close = [&](const identify::Pole& pole) { return std::abs(pole.freq_Hz / freq_Hz - 1) <= kExact; };
     EXPECT_EQ(std::count_if(poles.begin(), poles.end(), close), 1) << freq_Hz;
   }
 }
@@ -111,12 +111,12 @@ TEST(PublishedDefects, TheBasisIsMappedToTheBandSoThatTwoModesTwoHertzApartAt170
 TEST(PublishedDefects, TheFrfIsNotConjugated) {
   // A response lags: with exp(+jωt) the accelerance of a positive residue has its peak at +90°.
   constexpr double kGate = 1e-4;
-  const SynthSpec spec = second_of({{.freq_Hz = 200, .damping_ratio = 0.02}});
-  const Truth truth = synthesise(spec).truth;
-  for (const Estimator estimator : {Estimator::h1, Estimator::h2, Estimator::hv}) {
-    const Analysis analysis = analysis_of(spec, {.estimator = estimator});
+  const synth::SynthSpec spec = second_of({{.freq_Hz = 200, .damping_ratio = 0.02}});
+  const synth::Truth truth = synth::synthesise(spec).truth;
+  for (const frf::Estimator estimator : {frf::Estimator::h1, frf::Estimator::h2, frf::Estimator::hv}) {
+    const pipeline::Analysis analysis = analysis_of(spec, {.estimator = estimator});
     const std::size_t peak = 200 - analysis.lines().first;
-    for (const PointFrf& frf : analysis.frfs()) {
+    for (const frf::PointFrf& frf : analysis.frfs()) {
       EXPECT_GT(frf.frf.value[peak].imag(), 5 * std::abs(frf.frf.value[peak].real()));
       const Complex exact = exact_at(truth, {0, kTwoPi * 200}, frf.channel);
       EXPECT_LE(std::abs(frf.frf.value[peak] / exact - 1.0), kGate) << name_of(estimator);
@@ -125,10 +125,10 @@ TEST(PublishedDefects, TheFrfIsNotConjugated) {
 }
 
 TEST(PublishedDefects, StoredDataAreNotChangedByAConversion) {
-  const Analysis analysis = analysis_of(second_of({{.freq_Hz = 200, .damping_ratio = 0.02}}, 1e-3));
-  const std::vector<PointFrf> before(analysis.frfs().begin(), analysis.frfs().end());
-  for (const FrfKind kind : {FrfKind::receptance, FrfKind::mobility, FrfKind::receptance})
-    converted(analysis.frfs()[0].frf, analysis.lines(), kind);
+  const pipeline::Analysis analysis = analysis_of(second_of({{.freq_Hz = 200, .damping_ratio = 0.02}}, 1e-3));
+  const std::vector<frf::PointFrf> before(analysis.frfs().begin(), analysis.frfs().end());
+  for (const frf::FrfKind kind : {frf::FrfKind::receptance, frf::FrfKind::mobility, frf::FrfKind::receptance})
+    frf::converted(analysis.frfs()[0].frf, analysis.lines(), kind);
   for (std::size_t i = 0; i < before.size(); ++i) {
     EXPECT_EQ(analysis.frfs()[i].frf.value, before[i].frf.value);
     EXPECT_EQ(analysis.frfs()[i].frf.std, before[i].frf.std);
@@ -137,25 +137,25 @@ TEST(PublishedDefects, StoredDataAreNotChangedByAConversion) {
 
 TEST(PublishedDefects, NeitherTheMeanIsRemovedNorAHannWindowLaidOverAnImpact) {
   // Line 0 of a pulse is its impulse, and a pulse at the record's beginning, where a Hann window is 0, keeps its size.
-  Hit hit{.first = 0, .samples = 64, .peak = 1, .gate_first = 0};
+  acquire::Hit hit{.first = 0, .samples = 64, .peak = 1, .gate_first = 0};
   hit.gated_N = {1, 4, 2};
-  const LineRange lines{.fs_Hz = 1000, .samples = 64, .first = 0, .count = 33};
-  EXPECT_EQ(force_spectrum(force_block(hit, 1000, 0), lines)[0], 7.0);
+  const frf::LineRange lines{.fs_Hz = 1000, .samples = 64, .first = 0, .count = 33};
+  EXPECT_EQ(frf::force_spectrum(frf::force_block(hit, 1000, 0), lines)[0], 7.0);
   std::vector<double> accel(64);
   for (std::size_t n = 0; n < 64; ++n) accel[n] = 3 + std::cos(0.4 * static_cast<double>(n));
-  EXPECT_EQ(accel_spectrum(hit, accel, lines, 0), real_dft(accel));
+  EXPECT_EQ(frf::accel_spectrum(hit, accel, lines, 0), real_dft(accel));
 }
 
 TEST(PublishedDefects, AFrequencyIsNotQuantisedToABinAndHasItsDeviation) {
   for (const double part : {0.11, 0.37, 0.5, 0.82}) {  // of the 1 Hz between two lines
-    const Analysis analysis = analysis_of(second_of({{.freq_Hz = 300 + part, .damping_ratio = 0.01}}, 1e-4));
+    const pipeline::Analysis analysis = analysis_of(second_of({{.freq_Hz = 300 + part, .damping_ratio = 0.01}}, 1e-4));
     ASSERT_EQ(analysis.modes().size(), 1U) << part;
-    const Mode& mode = analysis.modes()[0];
+    const identify::Mode& mode = analysis.modes()[0];
     EXPECT_LE(std::abs(mode.pole.freq_Hz - (300 + part)), 0.01) << part;  // of a line
     EXPECT_GT(mode.freq_std_Hz, 0);
     EXPECT_LE(mode.freq_std_Hz, 0.01);
     EXPECT_GT(mode.damping_std, 0);
-    for (const Residue& residue : mode.residues) EXPECT_GT(residue.std, 0);
+    for (const identify::Residue& residue : mode.residues) EXPECT_GT(residue.std, 0);
   }
 }
 
@@ -168,40 +168,41 @@ TEST(PublishedDefects, ACoherenceAbove1IsNotClipped) {
   const Spectra a{{{{3, 1}, {-5, 2}}, {{0.2, 0.7}, {-4e-3, -17}}}};
   const std::vector<std::span<const Complex>> force(f.begin(), f.end()), accel(a.begin(), a.end());
   for (const auto* response : {&accel, &force}) {
-    const CrossSpectra sums = cross_spectra(force, *response);
+    const frf::CrossSpectra sums = frf::cross_spectra(force, *response);
     for (std::size_t k = 0; k < 2; ++k)
       EXPECT_LE(std::norm(sums.fa[k]) / (sums.ff[k] * sums.aa[k]) - 1, kRounding) << k;
   }
   test::ScratchFolder folder;
   const std::string path = folder.file("frf.csv");
   test::write_bytes(path, "frequency_hz,p0_c0_re,p0_c0_im,p0_c0_coherence\n1,1,0,0.9\n2,1,0,1.25\n3,1,0,1\n");
-  const auto opened = open_measurement(path);
-  ASSERT_TRUE(std::holds_alternative<FrfRecord>(opened));
-  EXPECT_THAT(std::get<FrfRecord>(opened).frfs.at(0).frf.coherence, testing::Contains(1.25));
+  const auto opened = frf::open_measurement(path);
+  ASSERT_TRUE(std::holds_alternative<frf::FrfRecord>(opened));
+  EXPECT_THAT(std::get<frf::FrfRecord>(opened).frfs.at(0).frf.coherence, testing::Contains(1.25));
 }
 
 TEST(PublishedDefects, OnePoleSetServesAllPointsAndChannels) {
-  SynthSpec spec = second_of({{.freq_Hz = 200, .damping_ratio = 0.01}, {.freq_Hz = 640, .damping_ratio = 0.006}}, 1e-3);
-  for (SynthMode& mode : spec.modes) mode.residue_per_kg = {0.9, 0.5, 0.4, -0.2, 0.7, 0.6};
+  synth::SynthSpec spec =
+      second_of({{.freq_Hz = 200, .damping_ratio = 0.01}, {.freq_Hz = 640, .damping_ratio = 0.006}}, 1e-3);
+  for (synth::SynthMode& mode : spec.modes) mode.residue_per_kg = {0.9, 0.5, 0.4, -0.2, 0.7, 0.6};
   spec.points = {{.position_m = 0.1}, {.position_m = 0.2}, {.position_m = 0.3}};
   spec.hits = 2;
-  const Analysis analysis = analysis_of(spec);
+  const pipeline::Analysis analysis = analysis_of(spec);
   ASSERT_EQ(analysis.modes().size(), 2U);  // not two for each of three points
-  for (const Mode& mode : analysis.modes()) EXPECT_EQ(mode.residues.size(), 6U);
+  for (const identify::Mode& mode : analysis.modes()) EXPECT_EQ(mode.residues.size(), 6U);
 }
 
 TEST(PublishedDefects, EstimatesDoNotChangeAfterThePick) {
   constexpr double kSettled = 0.01;  // deviations
-  const SynthSpec spec =
+  const synth::SynthSpec spec =
       second_of({{.freq_Hz = 200, .damping_ratio = 0.01}, {.freq_Hz = 640, .damping_ratio = 0.006}}, 1e-3);
-  const Analysis first = analysis_of(spec);
+  const pipeline::Analysis first = analysis_of(spec);
   ASSERT_EQ(first.modes().size(), 2U);
   for (const double aside_Hz : {-0.6, 0.0, 0.7}) {
     const std::vector<double> picks{first.modes()[0].pole.freq_Hz + aside_Hz, first.modes()[1].pole.freq_Hz - aside_Hz};
-    const Analysis picked = analysis_of(spec, {.modes = {.start_Hz = picks}});
+    const pipeline::Analysis picked = analysis_of(spec, {.modes = {.start_Hz = picks}});
     ASSERT_EQ(picked.modes().size(), 2U);
     for (std::size_t m = 0; m < 2; ++m) {
-      const Mode& mode = first.modes()[m];
+      const identify::Mode& mode = first.modes()[m];
       EXPECT_LE(std::abs(picked.modes()[m].pole.freq_Hz - mode.pole.freq_Hz), kSettled * mode.freq_std_Hz);
       EXPECT_LE(std::abs(picked.modes()[m].pole.damping_ratio - mode.pole.damping_ratio), kSettled * mode.damping_std);
     }

@@ -6,7 +6,7 @@
 
 #include "core/units.hpp"
 
-namespace percuss::convert_test {
+namespace percuss::frf::convert_test {
 
 constexpr double kRounding = 1e-15;  // of one division
 
@@ -86,4 +86,4 @@ TEST(FrfKind, HasTheNamesAndUnitsOfTheField) {
   EXPECT_STREQ(unit_of(FrfKind::receptance), "m/N");
 }
 
-}  // namespace percuss::convert_test
+}  // namespace percuss::frf::convert_test

@@ -10,7 +10,7 @@
 
 #include "support/input_error.hpp"
 
-namespace percuss::estimators_test {
+namespace percuss::frf::estimators_test {
 
 using Lines = std::vector<Complex>;
 constexpr LineRange kLines{.fs_Hz = 1000, .samples = 500, .first = 10, .count = 0};
@@ -237,4 +237,4 @@ TEST(Estimator, HasTheNamesOfTheField) {
   EXPECT_STREQ(name_of(Estimator::hv), "Hv");
 }
 
-}  // namespace percuss::estimators_test
+}  // namespace percuss::frf::estimators_test

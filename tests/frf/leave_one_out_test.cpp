@@ -6,7 +6,7 @@
 #include <cmath>
 #include <span>
 
-namespace percuss::agreement_test {
+namespace percuss::frf::agreement_test {
 
 using Lines = std::vector<Complex>;
 
@@ -76,4 +76,4 @@ TEST(UnexplainedByOthers, NeedsTwoHitsAndAResponse) {
   EXPECT_EQ(silent, (std::vector<double>{0, 0}));
 }
 
-}  // namespace percuss::agreement_test
+}  // namespace percuss::frf::agreement_test

@@ -8,11 +8,11 @@
 #include "core/math/fft.hpp"
 #include "synth/random_stream.hpp"
 
-namespace percuss::pulse_spectrum_test {
+namespace percuss::frf::pulse_spectrum_test {
 
 std::vector<double> noise(std::size_t samples) {
   std::vector<double> x(samples);
-  RandomStream({samples, 1}).add_normal(1.0, x);
+  synth::RandomStream({samples, 1}).add_normal(1.0, x);
   return x;
 }
 
@@ -54,4 +54,4 @@ TEST(PulseSpectrumOf, LongPulsesAndPrimeBlocksIsLeftToTheTransform) {
   EXPECT_FALSE(pulse_spectrum({}, 10, {.fs_Hz = 1, .samples = 32768, .count = 100}, out));
 }
 
-}  // namespace percuss::pulse_spectrum_test
+}  // namespace percuss::frf::pulse_spectrum_test

@@ -8,7 +8,7 @@
 #include "frf/windows.hpp"
 #include "synth/synthesise.hpp"
 
-namespace percuss::spectra_test {
+namespace percuss::frf::spectra_test {
 
 TEST(LinesInBand, HoldsTheLinesFromEdgeToEdge) {
   const LineRange lines = lines_in_band(1000, 500, 10, 20);  // 2 Hz apart
@@ -37,8 +37,8 @@ TEST(LinesInBand, KeepsEdgesTypedAsRoundNumbers) {
   }
 }
 
-Hit pulse_hit() {
-  Hit hit{.first = 1000, .samples = 64, .peak = 1011, .gate_first = 1010};
+acquire::Hit pulse_hit() {
+  acquire::Hit hit{.first = 1000, .samples = 64, .peak = 1011, .gate_first = 1010};
   hit.gated_N = {1, 4, 2};
   return hit;
 }
@@ -73,14 +73,14 @@ TEST(ForceSpectrum, CutsThePulseWithTheBlock) {
 }
 
 TEST(ForceSpectrum, TakesTheWholeForceWhenItIsNotGated) {
-  Hit hit = pulse_hit();
+  acquire::Hit hit = pulse_hit();
   hit.ungated_N.assign(64, 0.5);
   const LineRange lines{.fs_Hz = 1000, .samples = 64, .count = 33};
   EXPECT_EQ(force_spectrum(force_block(hit, 1000, 0), lines), real_dft(hit.ungated_N));
 }
 
 TEST(ForceBlock, CarriesTheWindowFromThePeak) {
-  Hit hit = pulse_hit();
+  acquire::Hit hit = pulse_hit();
   hit.ungated_N.assign(64, 1.0);
   const ForceBlock block = force_block(hit, 1000, 50);
   EXPECT_EQ(block.offset, 10U);
@@ -100,7 +100,7 @@ TEST(AccelSpectrum, KeepsTheMeanAndTheScale) {
 }
 
 // Equation (1) of the truth at any s.
-Complex accelerance_at(const Truth& truth, Complex s) {
+Complex accelerance_at(const synth::Truth& truth, Complex s) {
   Complex sum = truth.rigid_per_kg[0][0];
   for (std::size_t r = 0; r < truth.spec.modes.size(); ++r) {
     const double omega = kTwoPi * truth.spec.modes[r].freq_Hz;
@@ -110,20 +110,21 @@ Complex accelerance_at(const Truth& truth, Complex s) {
   return sum;
 }
 
-SyntheticTest ringing_test(std::size_t samples) {
-  SynthSpec spec;
+synth::SyntheticTest ringing_test(std::size_t samples) {
+  synth::SynthSpec spec;
   spec.samples = samples;
   spec.hits = 1;
   spec.seed = 3;
-  spec.modes = {{.freq_Hz = 169, .damping_ratio = 0.004, .amplitude_per_sqrt_kg = 1.7},
-                {.freq_Hz = 1900, .damping_ratio = 0.001, .family = SynthFamily::hoop, .amplitude_per_sqrt_kg = 2.7}};
-  return synthesise(spec);
+  spec.modes = {
+      {.freq_Hz = 169, .damping_ratio = 0.004, .amplitude_per_sqrt_kg = 1.7},
+      {.freq_Hz = 1900, .damping_ratio = 0.001, .family = synth::SynthFamily::hoop, .amplitude_per_sqrt_kg = 2.7}};
+  return synth::synthesise(spec);
 }
 
 TEST(ExponentialWindow, OnBothChannelsShowsTheExactFrfAtJOmegaPlusItsDecay) {
   constexpr std::size_t kSamples = 8192;  // 0.32 s: without the window the hit still rings at the end
-  const SyntheticTest test = ringing_test(kSamples);
-  const Hit hit = find_hits(test.record, {.gate_force = false}).at(0);
+  const synth::SyntheticTest test = ringing_test(kSamples);
+  const acquire::Hit hit = acquire::find_hits(test.record, {.gate_force = false}).at(0);
   std::vector<double> accel(hit.samples);
   test.record.read_accel_mps2(0, 0, hit.first, accel);
   const LineRange lines = lines_in_band(25600, hit.samples, 60, 3200);
@@ -145,7 +146,7 @@ TEST(ExponentialWindow, OnBothChannelsShowsTheExactFrfAtJOmegaPlusItsDecay) {
 
 TEST(Spectra, OfALaterResponseTurnBackwards) {
   constexpr std::size_t kSamples = 64, kDelay = 5;
-  Hit hit = pulse_hit();
+  acquire::Hit hit = pulse_hit();
   std::vector<double> accel(kSamples);
   for (std::size_t i = 0; i < 3; ++i) accel[10 + kDelay + i] = 3 * hit.gated_N[i];
   const LineRange lines{.fs_Hz = 1000, .samples = kSamples, .count = 33};
@@ -157,4 +158,4 @@ TEST(Spectra, OfALaterResponseTurnBackwards) {
   }
 }
 
-}  // namespace percuss::spectra_test
+}  // namespace percuss::frf::spectra_test

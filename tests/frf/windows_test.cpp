@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-namespace percuss::windows_test {
+namespace percuss::frf::windows_test {
 
 constexpr double kRounding = 1e-14;  // of products and quotients of values near 1
 
@@ -44,4 +44,4 @@ TEST(DecayForEnd, BringsTheWindowToTheFractionGiven) {
   EXPECT_LE(std::abs(x[1000] - 0.003), kRounding);
 }
 
-}  // namespace percuss::windows_test
+}  // namespace percuss::frf::windows_test

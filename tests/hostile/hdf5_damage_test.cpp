@@ -31,7 +31,7 @@ class Hdf5Damage : public testing::Test {
   bool readable(const std::string& bytes) const {
     test::write_bytes(path_, bytes);
     try {
-      const Record record = open_hdf5(path_);
+      const acquire::Record record = acquire::open_hdf5(path_);
       std::vector<double> samples(record.rows.at(0).samples);
       for (std::size_t row = 0; row < record.rows.size(); ++row) {
         record.read_force_N(row, 0, samples);
@@ -65,7 +65,7 @@ TEST_F(Hdf5Damage, OfCompressedSamplesIsAnInputErrorWhenRead) {
   ASSERT_NE(gzip, std::string::npos);
   bytes.replace(gzip + 2, 8, 8, '\xff');
   test::write_bytes(path_, bytes);
-  const Record record = open_hdf5(path_);
+  const acquire::Record record = acquire::open_hdf5(path_);
   std::vector<double> samples(200);
   EXPECT_THAT(test::input_error_of([&] {
                 for (std::size_t row = 0; row < 2; ++row) {
@@ -86,7 +86,7 @@ TEST_F(Hdf5Damage, OfTheSamplesPlaceIsAnInputError) {
   ASSERT_NE(at, std::string::npos);
   std::memcpy(&bytes[at], &beyond, sizeof beyond);
   test::write_bytes(path_, bytes);
-  EXPECT_THAT(test::input_error_of([&] { open_hdf5(path_); }), testing::HasSubstr("/force"));
+  EXPECT_THAT(test::input_error_of([&] { acquire::open_hdf5(path_); }), testing::HasSubstr("/force"));
 }
 
 }  // namespace percuss::hdf5_damage_test

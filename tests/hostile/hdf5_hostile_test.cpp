@@ -24,7 +24,7 @@ class Hdf5Hostile : public testing::Test {
  protected:
   /// A good file but for what `spoil` adds; "force", "accel" and "fs" are left out as asked.
   std::string rejection_of(const std::function<void(Hdf5Builder&)>& spoil, const std::string& without = "",
-                           const ReadOptions& options = {}) const {
+                           const acquire::ReadOptions& options = {}) const {
     {
       Hdf5Builder file(path_);
       if (without != "fs") file.numbers("", "fs", {1000});
@@ -32,17 +32,17 @@ class Hdf5Hostile : public testing::Test {
       if (without != "accel") file.ramp("accel", {2, 2, 9});
       spoil(file);
     }
-    std::string message = input_error_of([&] { open_hdf5(path_, options); });
+    std::string message = input_error_of([&] { acquire::open_hdf5(path_, options); });
     EXPECT_THAT(message, HasSubstr(path_));
     return message;
   }
   std::string refusal_of_shapes(const Shape& force, const Shape& accel) const {
     Hdf5Builder(path_).numbers("", "fs", {1000}).ramp("force", force).ramp("accel", accel);
-    return input_error_of([&] { open_hdf5(path_); });
+    return input_error_of([&] { acquire::open_hdf5(path_); });
   }
   std::string refusal_of_bytes(const std::string& bytes) const {
     test::write_bytes(path_, bytes);
-    return input_error_of([&] { open_hdf5(path_); });
+    return input_error_of([&] { acquire::open_hdf5(path_); });
   }
   /// A set /force of two hits, made with the creation list and type given, nothing written.
   static void declare_force(const Hdf5Builder& file, hid_t type, hid_t creation, Shape shape = {2, 9}) {
@@ -61,10 +61,10 @@ TEST_F(Hdf5Hostile, RefusesWhatIsNoHdf5File) {
   EXPECT_THAT(refusal_of_bytes(""), HasSubstr("not an HDF5 file"));
   EXPECT_THAT(refusal_of_bytes("hit,t_s,force_N\n0,0,1\n"), HasSubstr("not an HDF5 file"));
   EXPECT_THAT(refusal_of_bytes(std::string("\x89HDF\r\n\x1a\n", 8) + std::string(100, '\0')), HasSubstr("damaged"));
-  EXPECT_THAT(input_error_of([&] { open_hdf5(folder_.file("none.h5")); }), HasSubstr("No such file"));
-  EXPECT_THAT(input_error_of([&] { open_hdf5(folder_.path()); }), HasSubstr("not a regular file"));
+  EXPECT_THAT(input_error_of([&] { acquire::open_hdf5(folder_.file("none.h5")); }), HasSubstr("No such file"));
+  EXPECT_THAT(input_error_of([&] { acquire::open_hdf5(folder_.path()); }), HasSubstr("not a regular file"));
   ASSERT_EQ(::mkfifo(folder_.file("pipe").c_str(), 0600), 0);
-  EXPECT_THAT(input_error_of([&] { open_hdf5(folder_.file("pipe")); }), HasSubstr("not a regular file"));
+  EXPECT_THAT(input_error_of([&] { acquire::open_hdf5(folder_.file("pipe")); }), HasSubstr("not a regular file"));
 }
 
 TEST_F(Hdf5Hostile, NamesWhatIsThereInsteadOfADataSet) {
@@ -106,7 +106,7 @@ TEST_F(Hdf5Hostile, RefusesUnusableSamplingRates) {
               HasSubstr("2 numbers"));
   EXPECT_THAT(rejection_of([](Hdf5Builder& file) { file.text("", "fs", "1000"); }, "fs"), HasSubstr("not a number"));
   EXPECT_THAT(rejection_of([](Hdf5Builder& file) { file.numbers("accel", "fs", {999}); }), HasSubstr("two sampling"));
-  EXPECT_THAT(input_error_of([&] { open_hdf5(path_, {.fs_Hz = -1}); }), HasSubstr("--fs"));
+  EXPECT_THAT(input_error_of([&] { acquire::open_hdf5(path_, {.fs_Hz = -1}); }), HasSubstr("--fs"));
 }
 
 TEST_F(Hdf5Hostile, RefusesUnitsItCannotUse) {
@@ -231,7 +231,7 @@ TEST_F(Hdf5Hostile, FollowsLinksWithinTheFile) {
     file.numbers("", "fs", {1000}).ramp("hammer", {2, 9}).ramp("accel", {2, 2, 9});
     H5Lcreate_soft("/hammer", file.id(), "force", H5P_DEFAULT, H5P_DEFAULT);
   }
-  EXPECT_EQ(open_hdf5(path_).rows.size(), 2u);
+  EXPECT_EQ(acquire::open_hdf5(path_).rows.size(), 2u);
 }
 
 }  // namespace percuss::hdf5_hostile_test

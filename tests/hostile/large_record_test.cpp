@@ -84,7 +84,7 @@ class LargeRecord : public testing::Test {
 TEST_F(LargeRecord, OnlyTheForceIsReadForTheHitsAndOnce) {
   const double before = bytes_read();
   ASSERT_GE(before, 0);
-  EXPECT_EQ(Analysis(open_record(path_), {}).force_hits().size(), kHits);
+  EXPECT_EQ(pipeline::Analysis(acquire::open_record(path_), {}).force_hits().size(), kHits);
   // Half a per cent more: around each hit, once it is known where, the force is looked at again.
   EXPECT_LT(bytes_read() - before, 1.005 * kForce_bytes);
 }

@@ -14,7 +14,7 @@ using test::bytes_of;
 const std::string kCorpus = PERCUSS_SOURCE_DIR "/fuzz/corpus/";
 
 /// All samples: the rows' forces and accelerations.
-std::vector<std::vector<double>> samples_of(const Record& record) {
+std::vector<std::vector<double>> samples_of(const acquire::Record& record) {
   std::vector<std::vector<double>> out;
   for (std::size_t row = 0; row < record.rows.size(); ++row) {
     std::vector<double> signal(record.rows[row].samples);
@@ -28,9 +28,9 @@ std::vector<std::vector<double>> samples_of(const Record& record) {
   return out;
 }
 
-std::vector<std::vector<Complex>> frfs_of(const FrfRecord& record) {
+std::vector<std::vector<Complex>> frfs_of(const frf::FrfRecord& record) {
   std::vector<std::vector<Complex>> out;
-  for (const PointFrf& frf : record.frfs) out.push_back(frf.frf.value);
+  for (const frf::PointFrf& frf : record.frfs) out.push_back(frf.frf.value);
   return out;
 }
 
@@ -45,7 +45,7 @@ bool begins(const std::vector<Number>& part, const std::vector<Number>& whole, s
 struct Cut {
   const char* file;
   std::size_t spoilt;  // numbers at the end of a signal that a cut may change
-  ReadOptions options = {};
+  acquire::ReadOptions options = {};
 };
 
 class Truncation : public testing::TestWithParam<Cut> {
@@ -68,21 +68,21 @@ INSTANTIATE_TEST_SUITE_P(, Truncation,
 
 TEST_P(Truncation, LeavesWhatStoodThereOrIsRefused) {
   const std::string bytes = bytes_of(kCorpus + GetParam().file), path = folder_.file("cut");
-  const FrfReadOptions options{.read = GetParam().options, .kind = {}};
+  const frf::FrfReadOptions options{.read = GetParam().options, .kind = {}};
   test::write_bytes(path, bytes);
-  const auto whole = open_measurement(path, options);
+  const auto whole = frf::open_measurement(path, options);
   for (std::size_t size = 0; size < bytes.size(); ++size) {
     test::write_bytes(path, bytes.substr(0, size));
     try {
-      const auto cut = open_measurement(path, options);
+      const auto cut = frf::open_measurement(path, options);
       ASSERT_EQ(cut.index(), whole.index()) << size;
-      if (const auto* record = std::get_if<Record>(&cut)) {
-        const auto parts = samples_of(*record), all = samples_of(std::get<Record>(whole));
+      if (const auto* record = std::get_if<acquire::Record>(&cut)) {
+        const auto parts = samples_of(*record), all = samples_of(std::get<acquire::Record>(whole));
         ASSERT_LE(parts.size(), all.size());
         for (std::size_t i = 0; i < parts.size(); ++i)
           ASSERT_TRUE(begins(parts[i], all[i], GetParam().spoilt)) << "signal " << i << " after " << size << " bytes";
       } else {
-        const auto parts = frfs_of(std::get<FrfRecord>(cut)), all = frfs_of(std::get<FrfRecord>(whole));
+        const auto parts = frfs_of(std::get<frf::FrfRecord>(cut)), all = frfs_of(std::get<frf::FrfRecord>(whole));
         ASSERT_LE(parts.size(), all.size());
         for (std::size_t i = 0; i < parts.size(); ++i)
           ASSERT_TRUE(begins(parts[i], all[i], GetParam().spoilt)) << "FRF " << i << " after " << size << " bytes";

@@ -9,7 +9,7 @@
 #include "support/modal_frfs.hpp"
 #include "synth/synthesise.hpp"
 
-namespace percuss::identify_test {
+namespace percuss::identify::identify_test {
 
 // Deviations of a fit scaled by its residual scatter themselves; of some hundred values one beyond this is not chance.
 constexpr double kDeviations = 4.5;
@@ -18,8 +18,8 @@ struct Pair {
   double freq_Hz, damping_ratio;
 };
 
-SynthSpec structure(const std::vector<Pair>& modes, std::uint64_t seed, double noise, double duration_s = 1.28) {
-  SynthSpec spec;
+synth::SynthSpec structure(const std::vector<Pair>& modes, std::uint64_t seed, double noise, double duration_s = 1.28) {
+  synth::SynthSpec spec;
   spec.fs_Hz = 12800;
   spec.samples = static_cast<std::size_t>(duration_s * spec.fs_Hz);
   spec.seed = seed;
@@ -30,8 +30,9 @@ SynthSpec structure(const std::vector<Pair>& modes, std::uint64_t seed, double n
   return spec;
 }
 
-std::vector<Mode> modes_of(const SynthSpec& spec, double low_Hz = 60, double high_Hz = 3200) {
-  const Analysis analysis(synthesise(spec).record, {.band_Hz = std::pair{low_Hz, high_Hz}, .threads = 1});
+std::vector<Mode> modes_of(const synth::SynthSpec& spec, double low_Hz = 60, double high_Hz = 3200) {
+  const pipeline::Analysis analysis(synth::synthesise(spec).record,
+                                    {.band_Hz = std::pair{low_Hz, high_Hz}, .threads = 1});
   return analysis.modes();
 }
 
@@ -83,7 +84,7 @@ TEST(IdentifyModes, IsExactOnNoiseFreeRecordsTruncatedOrNot) {
 }
 
 TEST(IdentifyModes, DoesNotCareWhereTheBandBegins) {
-  const SynthSpec spec = structure({{100, 0.01}}, 5, 1e-3);
+  const synth::SynthSpec spec = structure({{100, 0.01}}, 5, 1e-3);
   const auto a = modes_of(spec, 60, 1000);
   const auto b = modes_of(spec, 90, 1000);
   ASSERT_EQ(a.size(), 1U);
@@ -93,10 +94,11 @@ TEST(IdentifyModes, DoesNotCareWhereTheBandBegins) {
 }
 
 TEST(IdentifyModes, KeepsTheNumberOfModesAskedFor) {
-  const Record record = synthesise(structure({{180, 0.01}, {600, 0.006}, {1200, 0.004}}, 0, 1e-3)).record;
-  const Analysis two(record, {.band_Hz = std::pair{60.0, 3200.0}, .modes = {.modes = 2}});
+  const acquire::Record record =
+      synth::synthesise(structure({{180, 0.01}, {600, 0.006}, {1200, 0.004}}, 0, 1e-3)).record;
+  const pipeline::Analysis two(record, {.band_Hz = std::pair{60.0, 3200.0}, .modes = {.modes = 2}});
   EXPECT_EQ(two.modes().size(), 2U);
-  const Analysis started(record, {.band_Hz = std::pair{60.0, 3200.0}, .modes = {.start_Hz = {601}}});
+  const pipeline::Analysis started(record, {.band_Hz = std::pair{60.0, 3200.0}, .modes = {.start_Hz = {601}}});
   ASSERT_EQ(started.modes().size(), 1U);
   EXPECT_LE(std::abs(started.modes()[0].pole.freq_Hz - 600), 0.01);
 }
@@ -110,14 +112,14 @@ TEST(IdentifyModes, ReportsTheResidues) {
   }
 }
 
-std::vector<Mode> modes_by(Effort effort, const SynthSpec& spec) {
-  const Analysis analysis(synthesise(spec).record,
-                          {.band_Hz = std::pair{60.0, 3200.0}, .modes = {.effort = effort}, .threads = 1});
+std::vector<Mode> modes_by(Effort effort, const synth::SynthSpec& spec) {
+  const pipeline::Analysis analysis(synth::synthesise(spec).record,
+                                    {.band_Hz = std::pair{60.0, 3200.0}, .modes = {.effort = effort}, .threads = 1});
   return analysis.modes();
 }
 
 TEST(IdentifyModes, EveryEffortTellsADoubletFromOnePeak) {
-  const SynthSpec spec = structure({{600, 0.006}, {1900, 0.003}, {1903, 0.003}}, 2, 1e-3);
+  const synth::SynthSpec spec = structure({{600, 0.006}, {1900, 0.003}, {1903, 0.003}}, 2, 1e-3);
   EXPECT_EQ(modes_by(Effort::quick, spec).size(), 3U);
   EXPECT_EQ(modes_by(Effort::standard, spec).size(), 3U);
   EXPECT_EQ(modes_by(Effort::best, spec).size(), 3U);
@@ -125,7 +127,7 @@ TEST(IdentifyModes, EveryEffortTellsADoubletFromOnePeak) {
 
 TEST(IdentifyModes, BestMakesTheDeviationsOfTheFrequencySmaller) {
   // A known force and real residues: a free phase costs the frequency the factor √2 to 2.
-  SynthSpec spec = structure({{180, 0.01}, {600, 0.006}}, 3, 1e-2);
+  synth::SynthSpec spec = structure({{180, 0.01}, {600, 0.006}}, 3, 1e-2);
   spec.noise.force = 0;
   const auto standard = modes_by(Effort::standard, spec);
   const auto best = modes_by(Effort::best, spec);
@@ -150,4 +152,4 @@ TEST(IdentifyModes, BestLeavesToTheLocalFitWhatTheModelCannotFollow) {
   EXPECT_LE(std::abs(best[0].pole.freq_Hz - 320), kDeviations * best[0].freq_std_Hz);
 }
 
-}  // namespace percuss::identify_test
+}  // namespace percuss::identify::identify_test

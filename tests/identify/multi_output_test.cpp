@@ -7,7 +7,7 @@
 #include "support/modal_frfs.hpp"
 #include "synth/synthesise.hpp"
 
-namespace percuss::many_outputs_test {
+namespace percuss::identify::many_outputs_test {
 
 constexpr double kDeviations = 4.5;
 constexpr std::size_t kOutputs = 30;
@@ -57,13 +57,13 @@ TEST(IdentifyMany, LeavesAStructureThatMovesToTheFitOfAllOutputs) {
 
 TEST(IdentifyMany, FitsRecordsThatEndBeforeTheDecay) {
   // 1 % of the first mode's amplitude is left: completed from the first fit, not forgotten.
-  SynthSpec spec = test::bat_spec(
+  synth::SynthSpec spec = test::bat_spec(
       {{.freq_Hz = 180, .damping_ratio = 0.005}, {.freq_Hz = 600, .damping_ratio = 0.004, .order = 2}}, 0.8);
   spec.points.clear();
   for (std::size_t p = 0; p < 10; ++p)
     spec.points.push_back({.position_m = 0.05 + 0.05 * static_cast<double>(p), .angle_rad = 0.35});
   spec.noise = {.force = 0, .accel = 1e-4};
-  const SyntheticTest made = synthesise(spec);
+  const synth::SyntheticTest made = synth::synthesise(spec);
   const auto modes = identify_multi_output(test::frf_set_of(made.record, 30, 2400), {});
   ASSERT_TRUE(modes);
   ASSERT_EQ(modes->size(), 2U);
@@ -71,4 +71,4 @@ TEST(IdentifyMany, FitsRecordsThatEndBeforeTheDecay) {
   EXPECT_LE(std::abs((*modes)[0].pole.damping_ratio - 0.005), kDeviations * (*modes)[0].damping_std);
 }
 
-}  // namespace percuss::many_outputs_test
+}  // namespace percuss::identify::many_outputs_test

@@ -10,7 +10,7 @@
 #include "support/modal_frfs.hpp"
 #include "synth/random_stream.hpp"
 
-namespace percuss::crowd_test {
+namespace percuss::identify::crowd_test {
 
 constexpr double kGainNoise = 0.05;
 constexpr double kLineNoise = 0.01;  // of peaks of some hundred
@@ -20,7 +20,7 @@ const std::vector<double> kModes_Hz{112, 307, 596, 974};
 FrfDataset survey(double low_Hz, std::uint64_t seed) {
   FrfDataset set = test::empty_set(2560, 65536, low_Hz, 1000, 9);
   set.points.assign(9, {});
-  RandomStream random({seed});
+  synth::RandomStream random({seed});
   const auto normal = [&] {
     std::array<double, 1> value{};
     random.add_normal(1, value);
@@ -50,4 +50,4 @@ TEST(IdentifyModes, KeepsTheModesThatShowWhenWhatIsLeftIsFullOfPeaks) {
   }
 }
 
-}  // namespace percuss::crowd_test
+}  // namespace percuss::identify::crowd_test

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace percuss::compare_test {
+namespace percuss::metrics::compare_test {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -95,4 +95,4 @@ TEST(PairDeflections, DoesNotInterpolateATest) {
               IsEmpty());
 }
 
-}  // namespace percuss::compare_test
+}  // namespace percuss::metrics::compare_test

@@ -11,17 +11,17 @@
 #include "support/input_error.hpp"
 #include "synth/synthesise.hpp"
 
-namespace percuss::analysis_test {
+namespace percuss::pipeline::analysis_test {
 
-SynthSpec bat(std::uint64_t seed = 0) {
-  SynthSpec spec;
+synth::SynthSpec bat(std::uint64_t seed = 0) {
+  synth::SynthSpec spec;
   spec.fs_Hz = 12800;
   spec.samples = 12800;
   spec.seed = seed;
   spec.modes = {{.freq_Hz = 180, .damping_ratio = 0.01, .order = 1, .angle_rad = 0.4, .amplitude_per_sqrt_kg = 1.7},
                 {.freq_Hz = 1900,
                  .damping_ratio = 0.003,
-                 .family = SynthFamily::hoop,
+                 .family = synth::SynthFamily::hoop,
                  .order = 1,
                  .angle_rad = 0.2,
                  .amplitude_per_sqrt_kg = 2.4}};
@@ -35,7 +35,7 @@ struct Reads {
 };
 
 // The record with its reading counted.
-Record counted(Record record, const std::shared_ptr<Reads>& reads) {
+acquire::Record counted(acquire::Record record, const std::shared_ptr<Reads>& reads) {
   record.read_force_N = [inner = record.read_force_N, reads](std::size_t row, std::size_t first,
                                                              std::span<double> out) {
     reads->force += out.size();
@@ -56,7 +56,7 @@ std::set<std::string> stages(const Analysis& analysis) {
   return names;
 }
 
-Analysis analysis_of(Record record, AnalysisOptions options = {}) {
+Analysis analysis_of(acquire::Record record, AnalysisOptions options = {}) {
   options.band_Hz = {60, 3200};
   options.threads = 1;
   return {std::move(record), std::move(options)};
@@ -64,33 +64,33 @@ Analysis analysis_of(Record record, AnalysisOptions options = {}) {
 
 TEST(Analysis, RunsNothingButTheHitsWhenOnlyTheyAreAsked) {
   const auto reads = std::make_shared<Reads>();
-  const Analysis analysis = analysis_of(counted(synthesise(bat()).record, reads));
-  analysis_json(analysis, {.sections = {ReportSection::hits}});
+  const Analysis analysis = analysis_of(counted(synth::synthesise(bat()).record, reads));
+  report::analysis_json(analysis, {.sections = {report::ReportSection::hits}});
   EXPECT_EQ(stages(analysis), std::set<std::string>{"hits"});
   EXPECT_EQ(reads->accel, 0U);
 }
 
 TEST(Analysis, RunsNoIdentificationForFrfs) {
-  const Analysis analysis = analysis_of(synthesise(bat()).record);
+  const Analysis analysis = analysis_of(synth::synthesise(bat()).record);
   analysis.frfs();
   EXPECT_EQ(stages(analysis), (std::set<std::string>{"hits", "read acceleration", "fft", "agreement", "frf"}));
 }
 
 TEST(Analysis, RunsNoIdentificationForTheStabilisationDiagramAndNoDiagramForModes) {
-  const Analysis analysis = analysis_of(synthesise(bat()).record);
+  const Analysis analysis = analysis_of(synth::synthesise(bat()).record);
   EXPECT_FALSE(analysis.stabilisation().poles.empty());
   EXPECT_EQ(stages(analysis),
             (std::set<std::string>{"hits", "read acceleration", "fft", "agreement", "stabilisation"}));
-  const Analysis other = analysis_of(synthesise(bat()).record);
+  const Analysis other = analysis_of(synth::synthesise(bat()).record);
   other.modes();
   EXPECT_FALSE(stages(other).contains("stabilisation"));
 }
 
 TEST(Analysis, TransformsEachSignalOnce) {
   const auto reads = std::make_shared<Reads>();
-  const Analysis analysis = analysis_of(counted(synthesise(bat()).record, reads));
-  analysis_json(analysis);
-  analysis_json(analysis);
+  const Analysis analysis = analysis_of(counted(synth::synthesise(bat()).record, reads));
+  report::analysis_json(analysis);
+  report::analysis_json(analysis);
   for (const auto& stage : analysis.trace().stages()) {
     const std::size_t calls = stage.name == "fft"                 ? 15U  // 5 hits × (force + 2 accelerations)
                               : stage.name == "read acceleration" ? 10U
@@ -102,30 +102,30 @@ TEST(Analysis, TransformsEachSignalOnce) {
 
 TEST(Analysis, ReadsNoMoreThanTheChannelsItHas) {
   const auto reads = std::make_shared<Reads>();
-  Record record = counted(synthesise(bat()).record, reads);
+  acquire::Record record = counted(synth::synthesise(bat()).record, reads);
   record.accel.resize(1);
   analysis_of(std::move(record)).modes();
   EXPECT_EQ(reads->channels, std::set<std::size_t>{0});
 }
 
 TEST(Analysis, GivesEqualBytesForAnyNumberOfThreads) {
-  const Record record = synthesise(bat(3)).record;
+  const acquire::Record record = synth::synthesise(bat(3)).record;
   std::set<std::string> documents;
   for (const std::size_t threads : {1U, 2U, 8U}) {
-    documents.insert(analysis_json(Analysis(record, {.band_Hz = std::pair{60.0, 3200.0}, .threads = threads})));
+    documents.insert(report::analysis_json(Analysis(record, {.band_Hz = std::pair{60.0, 3200.0}, .threads = threads})));
   }
   EXPECT_EQ(documents.size(), 1U);
 }
 
 TEST(Analysis, MakesTheSameFrfsBesideModesAsBeforeThem) {
-  const Record record = synthesise(bat(4)).record;
+  const acquire::Record record = synth::synthesise(bat(4)).record;
   const Analysis before(record, {.band_Hz = std::pair{60.0, 3200.0}});
-  const std::vector<PointFrf>& expected = before.frfs();
+  const std::vector<frf::PointFrf>& expected = before.frfs();
   for (const std::size_t threads : {1U, 2U, 8U}) {
     const Analysis beside(record, {.band_Hz = std::pair{60.0, 3200.0}, .threads = threads});
     beside.compute_modes_and_frfs();
     EXPECT_EQ(beside.modes().size(), before.modes().size());
-    const std::vector<PointFrf>& frfs = beside.frfs();
+    const std::vector<frf::PointFrf>& frfs = beside.frfs();
     ASSERT_EQ(frfs.size(), expected.size());
     for (std::size_t i = 0; i < frfs.size(); ++i) {
       EXPECT_EQ(frfs[i].channel, expected[i].channel);
@@ -140,19 +140,19 @@ TEST(Analysis, MakesTheSameFrfsBesideModesAsBeforeThem) {
 }
 
 TEST(Analysis, FindsTheModesAndTheirFamilies) {
-  const Analysis analysis = analysis_of(synthesise(bat(1)).record);
+  const Analysis analysis = analysis_of(synth::synthesise(bat(1)).record);
   ASSERT_EQ(analysis.modes().size(), 2U);
   EXPECT_LE(std::abs(analysis.modes()[0].pole.freq_Hz - 180), 5 * analysis.modes()[0].freq_std_Hz);
   EXPECT_LE(std::abs(analysis.modes()[1].pole.freq_Hz - 1900), 5 * analysis.modes()[1].freq_std_Hz);
-  EXPECT_EQ(analysis.classifications()[0].family, ModeType::bending);
-  EXPECT_EQ(analysis.classifications()[1].family, ModeType::hoop);
+  EXPECT_EQ(analysis.classifications()[0].family, identify::ModeType::bending);
+  EXPECT_EQ(analysis.classifications()[1].family, identify::ModeType::hoop);
   EXPECT_EQ(analysis.modes_per_hit().size(), 10U);
 }
 
 TEST(Analysis, LeavesOutADoubleHitUnlessTheUserKeepsIt) {
-  SynthSpec spec = bat();
-  spec.faults = {{.hit = 2, .kind = SynthFaultKind::double_hit, .ratio = 0.3, .delay_s = 0.010}};
-  const Record record = synthesise(spec).record;
+  synth::SynthSpec spec = bat();
+  spec.faults = {{.hit = 2, .kind = synth::SynthFaultKind::double_hit, .ratio = 0.3, .delay_s = 0.010}};
+  const acquire::Record record = synth::synthesise(spec).record;
   EXPECT_FALSE(analysis_of(record).hits()[2].accepted);
   const Analysis kept = analysis_of(record, {.accept_hits = {2}});
   EXPECT_TRUE(kept.hits()[2].accepted);
@@ -163,10 +163,10 @@ TEST(Analysis, LeavesOutADoubleHitUnlessTheUserKeepsIt) {
 }
 
 TEST(Analysis, SaysWhenNoHitCanBeUsed) {
-  SynthSpec spec = bat();
-  for (std::size_t hit = 0; hit < 5; ++hit) spec.faults.push_back({.hit = hit, .kind = SynthFaultKind::missing});
-  const Analysis analysis = analysis_of(synthesise(spec).record);
-  const std::string document = analysis_json(analysis);
+  synth::SynthSpec spec = bat();
+  for (std::size_t hit = 0; hit < 5; ++hit) spec.faults.push_back({.hit = hit, .kind = synth::SynthFaultKind::missing});
+  const Analysis analysis = analysis_of(synth::synthesise(spec).record);
+  const std::string document = report::analysis_json(analysis);
   EXPECT_FALSE(analysis.possible());
   EXPECT_NE(document.find("no_pulse"), std::string::npos);
   EXPECT_EQ(document.find("nan"), std::string::npos);
@@ -174,7 +174,7 @@ TEST(Analysis, SaysWhenNoHitCanBeUsed) {
 }
 
 TEST(Analysis, RefusesBandsThatHoldNothing) {
-  const Record record = synthesise(bat()).record;
+  const acquire::Record record = synth::synthesise(bat()).record;
   EXPECT_THROW(Analysis(record, {.band_Hz = std::pair{100.0, 101.0}}).lines(), InputError);
   EXPECT_THROW(Analysis(record, {.band_Hz = std::pair{100.0, 9e9}}).lines(), InputError);
   EXPECT_THROW(Analysis(record, {.accept_hits = {7}}).hits(), InputError);
@@ -184,7 +184,7 @@ TEST(Analysis, BlamesTheForceWhereNoBandFollowsFromIt) {
   std::vector<double> force(4096), accel(4096);
   std::fill_n(force.begin() + 500, 20, 1e308);  // the transform runs over
   accel[510] = 1;
-  const Analysis analysis(record_in_memory(12800, {force}, {{accel}}), {});
+  const Analysis analysis(acquire::record_in_memory(12800, {force}, {{accel}}), {});
   const std::string message = test::input_error_of([&] { analysis.lines(); });
   EXPECT_THAT(message, testing::HasSubstr("the force shows no bandwidth"));
   EXPECT_THAT(message, testing::HasSubstr("or give --band"));
@@ -192,9 +192,9 @@ TEST(Analysis, BlamesTheForceWhereNoBandFollowsFromIt) {
 }
 
 TEST(Analysis, CorrectsTheExponentialWindowExactly) {
-  SynthSpec spec = bat();
+  synth::SynthSpec spec = bat();
   spec.noise = {};
-  const Analysis analysis = analysis_of(synthesise(spec).record, {.exponential_end = 0.01});
+  const Analysis analysis = analysis_of(synth::synthesise(spec).record, {.exponential_end = 0.01});
   ASSERT_EQ(analysis.modes().size(), 2U);
   constexpr double kRounding = 1e-8;  // of fits to noise-free lines
   EXPECT_LE(std::abs(analysis.modes()[0].pole.damping_ratio / 0.01 - 1), kRounding);
@@ -202,11 +202,11 @@ TEST(Analysis, CorrectsTheExponentialWindowExactly) {
 }
 
 TEST(SplitRuns, GivesEachRunItsRows) {
-  SynthSpec spec = bat();
+  synth::SynthSpec spec = bat();
   spec.runs = 3;
-  const auto runs = split_runs(synthesise(spec).record);
+  const auto runs = split_runs(synth::synthesise(spec).record);
   ASSERT_EQ(runs.size(), 3U);
   for (const auto& [run, record] : runs) EXPECT_EQ(record.rows.size(), 5U) << run;
 }
 
-}  // namespace percuss::analysis_test
+}  // namespace percuss::pipeline::analysis_test

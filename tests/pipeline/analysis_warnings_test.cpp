@@ -7,7 +7,7 @@
 #include "support/modal_frfs.hpp"
 #include "synth/synthesise.hpp"
 
-namespace percuss::warnings_test {
+namespace percuss::pipeline::warnings_test {
 
 using testing::AllOf;
 using testing::Contains;
@@ -15,11 +15,15 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-SynthSpec bat(double duration_s = 1) {
-  SynthSpec spec = test::bat_spec(
-      {{.freq_Hz = 200, .damping_ratio = 0.02, .order = 1, .amplitude_per_sqrt_kg = 1.7},
-       {.freq_Hz = 1900, .damping_ratio = 0.01, .family = SynthFamily::hoop, .order = 1, .amplitude_per_sqrt_kg = 2.4}},
-      duration_s);
+synth::SynthSpec bat(double duration_s = 1) {
+  synth::SynthSpec spec =
+      test::bat_spec({{.freq_Hz = 200, .damping_ratio = 0.02, .order = 1, .amplitude_per_sqrt_kg = 1.7},
+                      {.freq_Hz = 1900,
+                       .damping_ratio = 0.01,
+                       .family = synth::SynthFamily::hoop,
+                       .order = 1,
+                       .amplitude_per_sqrt_kg = 2.4}},
+                     duration_s);
   spec.hits = 3;
   spec.noise = {.force = 1e-4, .accel = 1e-4};
   return spec;
@@ -30,7 +34,7 @@ AnalysisOptions band(double low_Hz = 60, double high_Hz = 3200) {
 }
 
 /// "code: message" of all of them, with modes and verdicts known.
-std::vector<std::string> warnings_of(const Record& record, const AnalysisOptions& options = band()) {
+std::vector<std::string> warnings_of(const acquire::Record& record, const AnalysisOptions& options = band()) {
   const Analysis analysis(record, options);
   if (!analysis.force_hits().empty() && analysis.possible()) analysis.classifications();
   std::vector<std::string> out;
@@ -40,7 +44,7 @@ std::vector<std::string> warnings_of(const Record& record, const AnalysisOptions
 
 /// The record with one channel reading this number in the rows for which `dead` holds.
 template <class Dead>
-Record with_dead(Record record, std::size_t dead_channel, double number, Dead dead) {
+acquire::Record with_dead(acquire::Record record, std::size_t dead_channel, double number, Dead dead) {
   record.read_accel_mps2 = [inner = record.read_accel_mps2, dead_channel, number, dead](
                                std::size_t row, std::size_t channel, std::size_t first, std::span<double> out) {
     inner(row, channel, first, out);
@@ -49,23 +53,24 @@ Record with_dead(Record record, std::size_t dead_channel, double number, Dead de
   return record;
 }
 
-TEST(Warnings, AreNoneForAGoodTest) { EXPECT_THAT(warnings_of(synthesise(bat()).record), IsEmpty()); }
+TEST(Warnings, AreNoneForAGoodTest) { EXPECT_THAT(warnings_of(synth::synthesise(bat()).record), IsEmpty()); }
 
 TEST(Warnings, PassOnWhatTheReaderAssumed) {
-  Record record = synthesise(bat()).record;
+  acquire::Record record = synth::synthesise(bat()).record;
   record.notes = {"the unit of x is not stated"};
   EXPECT_THAT(warnings_of(record), Contains("input: the unit of x is not stated"));
 }
 
 TEST(Warnings, CountTheHitsNotUsed) {
-  SynthSpec spec = bat();
-  spec.faults = {{.hit = 1, .kind = SynthFaultKind::missing}};
-  EXPECT_THAT(warnings_of(synthesise(spec).record), Contains(HasSubstr("rejected_hits: 1 of 3 hits")));
+  synth::SynthSpec spec = bat();
+  spec.faults = {{.hit = 1, .kind = synth::SynthFaultKind::missing}};
+  EXPECT_THAT(warnings_of(synth::synthesise(spec).record), Contains(HasSubstr("rejected_hits: 1 of 3 hits")));
 }
 
 TEST(Warnings, NameADeadChannel) {
   for (const double number : {0.0, 2.5}) {
-    const Record record = with_dead(synthesise(bat()).record, 1, number, [](std::size_t) { return true; });
+    const acquire::Record record =
+        with_dead(synth::synthesise(bat()).record, 1, number, [](std::size_t) { return true; });
     const auto warnings = warnings_of(record);
     EXPECT_THAT(warnings, Contains(AllOf(HasSubstr("dead_channel: accel 2 "), HasSubstr("every hit used"))));
     EXPECT_THAT(warnings, Not(Contains(HasSubstr("accel 1 "))));
@@ -73,51 +78,53 @@ TEST(Warnings, NameADeadChannel) {
 }
 
 TEST(Warnings, NameStepsThatNoNoiseBlurs) {
-  SynthSpec spec = bat();
+  synth::SynthSpec spec = bat();
   spec.noise = {};
   spec.recorder.bits = 10;
-  EXPECT_THAT(warnings_of(synthesise(spec).record), Contains(HasSubstr("coarse_steps: the numbers of accel 1 ")));
+  EXPECT_THAT(warnings_of(synth::synthesise(spec).record),
+              Contains(HasSubstr("coarse_steps: the numbers of accel 1 ")));
   spec.noise.accel = 0.05;
-  EXPECT_THAT(warnings_of(synthesise(spec).record), Not(Contains(HasSubstr("coarse_steps"))));
+  EXPECT_THAT(warnings_of(synth::synthesise(spec).record), Not(Contains(HasSubstr("coarse_steps"))));
 }
 
 TEST(Warnings, TellAPretriggerShorterThanTheFiltersRinging) {
-  SynthSpec spec = bat();
+  synth::SynthSpec spec = bat();
   spec.onset_spread_s = 0;
   spec.pretrigger_s = 20 / spec.fs_Hz;
-  EXPECT_THAT(warnings_of(synthesise(spec).record),
+  EXPECT_THAT(warnings_of(synth::synthesise(spec).record),
               Contains(HasSubstr("short_pretrigger: a record begins 20 samples")));
   spec.pretrigger_s = 60 / spec.fs_Hz;
-  EXPECT_THAT(warnings_of(synthesise(spec).record), Not(Contains(HasSubstr("short_pretrigger"))));
+  EXPECT_THAT(warnings_of(synth::synthesise(spec).record), Not(Contains(HasSubstr("short_pretrigger"))));
 }
 
 TEST(Warnings, NameTheHitsInWhichAChannelIsDead) {
-  const Record record = with_dead(synthesise(bat()).record, 0, 0, [](std::size_t row) { return row != 1; });
+  const acquire::Record record =
+      with_dead(synth::synthesise(bat()).record, 0, 0, [](std::size_t row) { return row != 1; });
   EXPECT_THAT(warnings_of(record), Contains(AllOf(HasSubstr("dead_channel: accel 1 "), HasSubstr("hits 0, 2"))));
 }
 
 TEST(Warnings, SayNothingOfChannelsThatNobodyRead) {
-  const Record record = with_dead(synthesise(bat()).record, 1, 0, [](std::size_t) { return true; });
+  const acquire::Record record = with_dead(synth::synthesise(bat()).record, 1, 0, [](std::size_t) { return true; });
   const Analysis analysis(record, band());
   analysis.force_hits();
   EXPECT_TRUE(analysis.warnings().empty());
 }
 
 TEST(Warnings, TellANegativeForce) {
-  SynthSpec spec = bat();
+  synth::SynthSpec spec = bat();
   for (std::size_t hit = 0; hit < spec.hits; ++hit)
-    spec.faults.push_back({.hit = hit, .kind = SynthFaultKind::reversed});
-  EXPECT_THAT(warnings_of(synthesise(spec).record), Contains(HasSubstr("polarity: ")));
+    spec.faults.push_back({.hit = hit, .kind = synth::SynthFaultKind::reversed});
+  EXPECT_THAT(warnings_of(synth::synthesise(spec).record), Contains(HasSubstr("polarity: ")));
 }
 
 TEST(Warnings, TellAForceThatDoesNotReachTheBandsEnd) {
-  SynthSpec spec = bat();
+  synth::SynthSpec spec = bat();
   spec.pulse.width_s = 1e-3;
-  EXPECT_THAT(warnings_of(synthesise(spec).record), Contains(HasSubstr("low_bandwidth: ")));
+  EXPECT_THAT(warnings_of(synth::synthesise(spec).record), Contains(HasSubstr("low_bandwidth: ")));
 }
 
 TEST(Warnings, TellModesThatRingWhenTheRecordEnds) {
-  EXPECT_THAT(warnings_of(synthesise(bat(0.15)).record),
+  EXPECT_THAT(warnings_of(synth::synthesise(bat(0.15)).record),
               Contains(AllOf(HasSubstr("truncated_decay: "), HasSubstr("200.0 Hz"), Not(HasSubstr("1900")))));
 }
 
@@ -125,22 +132,22 @@ TEST(Warnings, NameNoPeaksWhereTheUserChoseTheModes) {
   AnalysisOptions by_frequency = band(), by_number = band();
   by_frequency.modes.start_Hz = {200};
   by_number.modes.modes = 1;
-  EXPECT_THAT(warnings_of(synthesise(bat()).record, by_frequency), IsEmpty());
-  EXPECT_THAT(warnings_of(synthesise(bat()).record, by_number), IsEmpty());
+  EXPECT_THAT(warnings_of(synth::synthesise(bat()).record, by_frequency), IsEmpty());
+  EXPECT_THAT(warnings_of(synth::synthesise(bat()).record, by_number), IsEmpty());
 }
 
 TEST(Warnings, ShowHowFarApartClosePairsAreHoweverClose) {
-  SynthSpec spec = bat(40);
+  synth::SynthSpec spec = bat(40);
   spec.modes = {spec.modes[1], spec.modes[1]};
   spec.modes[0].freq_Hz = 500;
   spec.modes[1].freq_Hz = 500.04;
-  for (SynthMode& mode : spec.modes) mode.damping_ratio = 2e-5;
+  for (synth::SynthMode& mode : spec.modes) mode.damping_ratio = 2e-5;
   spec.modes[1].angle_rad = 0.8;
   spec.fs_Hz = 2560;
   spec.band_high_Hz = 1000;
   spec.samples = 102400;  // 40 s
-  const auto warnings = warnings_of(synthesise(spec).record, band(400, 600));
+  const auto warnings = warnings_of(synth::synthesise(spec).record, band(400, 600));
   EXPECT_THAT(warnings, Contains(AllOf(HasSubstr("double_peak: "), HasSubstr("(0.0400 Hz apart)"))));
 }
 
-}  // namespace percuss::warnings_test
+}  // namespace percuss::pipeline::warnings_test

@@ -10,29 +10,30 @@
 #include "support/random_bat.hpp"
 #include "synth/synthesise.hpp"
 
-namespace percuss::verdict_calibration_test {
+namespace percuss::pipeline::verdict_calibration_test {
 
 constexpr std::size_t kBats = 240;
 constexpr double kConfident = 0.9;
 
 struct Judged {
-  ModeClassification verdict;
+  identify::ModeClassification verdict;
   bool matched = false;  // with a mode of the truth, within three half-power bandwidths
   bool right = false;
 };
 
-bool is(ModeType family, SynthFamily truth) {
-  return family == (truth == SynthFamily::bending ? ModeType::bending : ModeType::hoop);
+bool is(identify::ModeType family, synth::SynthFamily truth) {
+  return family == (truth == synth::SynthFamily::bending ? identify::ModeType::bending : identify::ModeType::hoop);
 }
 
 std::vector<Judged> judged_bat(std::uint64_t seed) {
-  const SynthSpec spec = test::random_bat(seed);
-  const Analysis analysis(test::with_sensor_angles(synthesise(spec, 1).record),
-                          {.band_Hz = std::pair{60.0, spec.band_high_Hz}, .modes = {.effort = Effort::standard}});
+  const synth::SynthSpec spec = test::random_bat(seed);
+  const Analysis analysis(
+      test::with_sensor_angles(synth::synthesise(spec, 1).record),
+      {.band_Hz = std::pair{60.0, spec.band_high_Hz}, .modes = {.effort = identify::Effort::standard}});
   std::vector<Judged> out;
   for (std::size_t m = 0; m < analysis.modes().size(); ++m) {
     const double freq_Hz = analysis.modes()[m].pole.freq_Hz;
-    const auto distance = [&](const SynthMode& t) { return std::abs(t.freq_Hz - freq_Hz); };
+    const auto distance = [&](const synth::SynthMode& t) { return std::abs(t.freq_Hz - freq_Hz); };
     const auto& nearest = *std::min_element(spec.modes.begin(), spec.modes.end(),
                                             [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
     out.push_back({.verdict = analysis.classifications()[m],
@@ -64,7 +65,7 @@ Pool pool_of(const std::vector<std::vector<Judged>>& bats, double low, double hi
     double surplus = 0, wrong = 0;
     for (const Judged& j : bat) {
       const double p = j.verdict.confidence;
-      if (j.verdict.family == ModeType::unknown || p < low || p >= high) continue;
+      if (j.verdict.family == identify::ModeType::unknown || p < low || p >= high) continue;
       ++pool.classifications;
       pool.right += j.right;
       pool.confidence += p;
@@ -97,7 +98,7 @@ void expect_doubts_named(const std::vector<std::vector<Judged>>& bats) {
   for (std::size_t i = 0; i < bats.size(); ++i) {
     for (const auto& [verdict, matched, right] : bats[i]) {
       if (verdict.confidence >= kConfident) continue;
-      EXPECT_TRUE(verdict.family == ModeType::unknown || verdict.alternative) << "bat " << i;
+      EXPECT_TRUE(verdict.family == identify::ModeType::unknown || verdict.alternative) << "bat " << i;
       EXPECT_NE(verdict.alternative, verdict.family) << "bat " << i;
     }
   }
@@ -122,4 +123,4 @@ TEST(Verdicts, AreRightAsOftenAsTheySayOverRandomBats) {
   expect_calibrated(bats);
 }
 
-}  // namespace percuss::verdict_calibration_test
+}  // namespace percuss::pipeline::verdict_calibration_test

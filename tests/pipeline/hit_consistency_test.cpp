@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace percuss::hit_agreement_test {
+namespace percuss::pipeline::hit_agreement_test {
 
 constexpr std::size_t kLines = 200;
 
@@ -30,9 +30,10 @@ class HitAgreement : public testing::Test {
     for (std::size_t h = 0; h < hits_.size(); ++h) spectra.push_back({.force = force_[h], .accel = {accel_[h]}});
     grade_agreement(hits_, spectra);
   }
-  const Finding* found(std::size_t hit, FindingCode code) const {
+  const acquire::Finding* found(std::size_t hit, acquire::FindingCode code) const {
     const auto& findings = hits_[hit].hit.findings;
-    const auto at = std::find_if(findings.begin(), findings.end(), [&](const Finding& f) { return f.code == code; });
+    const auto at =
+        std::find_if(findings.begin(), findings.end(), [&](const acquire::Finding& f) { return f.code == code; });
     return at == findings.end() ? nullptr : &*at;
   }
   std::vector<AnalysedHit> hits_;
@@ -57,9 +58,9 @@ TEST_F(HitAgreement, TakesOutTheOneUnlikeTheOthers) {
     make(count, 0.01);
     for (Complex& line : accel_[2]) line *= -1;
     grade();
-    ASSERT_NE(found(2, FindingCode::outlier), nullptr) << count;
-    EXPECT_EQ(found(2, FindingCode::outlier)->severity, Severity::reject);
-    EXPECT_GE(found(2, FindingCode::outlier)->value, 0.9);
+    ASSERT_NE(found(2, acquire::FindingCode::outlier), nullptr) << count;
+    EXPECT_EQ(found(2, acquire::FindingCode::outlier)->severity, acquire::Severity::reject);
+    EXPECT_GE(found(2, acquire::FindingCode::outlier)->value, 0.9);
     for (std::size_t h = 0; h < count; ++h) {
       EXPECT_EQ(hits_[h].accepted, h != 2) << h;
       EXPECT_EQ(hits_[h].hit.findings.size(), h == 2 ? 1U : 0U) << h;
@@ -87,7 +88,7 @@ TEST_F(HitAgreement, LeavesInWhatTheUserKeeps) {
   for (Complex& line : accel_[2]) line *= -1;
   hits_[2].by_user = true;
   grade();
-  EXPECT_NE(found(2, FindingCode::outlier), nullptr);
+  EXPECT_NE(found(2, acquire::FindingCode::outlier), nullptr);
   EXPECT_TRUE(hits_[2].accepted);
 }
 
@@ -96,11 +97,11 @@ TEST_F(HitAgreement, OnlyWarnsWhereThreeHitsCannotOutvoteOne) {
   for (Complex& line : accel_[2]) line *= -1;
   grade();
   for (std::size_t h = 0; h < 3; ++h) {
-    EXPECT_EQ(found(h, FindingCode::outlier), nullptr);
+    EXPECT_EQ(found(h, acquire::FindingCode::outlier), nullptr);
     EXPECT_TRUE(hits_[h].accepted);
   }
-  ASSERT_NE(found(2, FindingCode::low_coherence), nullptr);
-  EXPECT_LE(found(2, FindingCode::low_coherence)->value, 0.9);
+  ASSERT_NE(found(2, acquire::FindingCode::low_coherence), nullptr);
+  EXPECT_LE(found(2, acquire::FindingCode::low_coherence)->value, 0.9);
 }
 
 TEST_F(HitAgreement, ComparesHitsOfOnePointOnly) {
@@ -120,7 +121,8 @@ TEST_F(HitAgreement, SurvivesResponsesThatAreZero) {
   for (auto& spectrum : accel_) std::fill(spectrum.begin(), spectrum.end(), Complex());
   grade();
   for (const AnalysedHit& hit : hits_) {
-    for (const Finding& finding : hit.hit.findings) EXPECT_TRUE(std::isfinite(finding.value)) << finding.message;
+    for (const acquire::Finding& finding : hit.hit.findings)
+      EXPECT_TRUE(std::isfinite(finding.value)) << finding.message;
   }
 }
 
@@ -174,4 +176,4 @@ TEST(SettleFirstMotion, AsksTheAcceptedHitsOfOnePoint) {
   EXPECT_EQ(settled(hits), (Polarities{1, 1, -1, -1}));
 }
 
-}  // namespace percuss::hit_agreement_test
+}  // namespace percuss::pipeline::hit_agreement_test

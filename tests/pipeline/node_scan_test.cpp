@@ -11,7 +11,7 @@
 #include "synth/structure.hpp"
 #include "synth/synthesise.hpp"
 
-namespace percuss::node_scan_test {
+namespace percuss::pipeline::node_scan_test {
 
 // What a scan by hand is asked to give (the positions themselves are good to a few hundredths of an inch) …
 constexpr double kNode_in = 0.02;
@@ -21,8 +21,8 @@ constexpr double kRule_in = 0.125;
 
 constexpr ScanPositions kScan{.start_m = 3 * kInch_m, .step_m = 0.25 * kInch_m, .count = 25};
 
-SynthSpec scan_spec(const char* preset, std::uint64_t seed) {
-  SynthSpec spec = synth_preset(preset);
+synth::SynthSpec scan_spec(const char* preset, std::uint64_t seed) {
+  synth::SynthSpec spec = synth::synth_preset(preset);
   spec.points.clear();
   for (std::size_t i = 0; i < kScan.count; ++i)
     spec.points.push_back({.position_m = kScan.at_m(i), .angle_rad = 20 * kTwoPi / 360});
@@ -32,14 +32,14 @@ SynthSpec scan_spec(const char* preset, std::uint64_t seed) {
   return spec;
 }
 
-NodeScan scan_of(const SynthSpec& spec) {
-  const Analysis analysis(synthesise(spec).record, {.band_Hz = std::pair{60.0, 3200.0}});
+NodeScan scan_of(const synth::SynthSpec& spec) {
+  const Analysis analysis(synth::synthesise(spec).record, {.band_Hz = std::pair{60.0, 3200.0}});
   return scan_nodes(analysis, kScan, 0.125 * kInch_m);
 }
 
 // Zeros of the mode's shape within the scan, by bisection of its sign changes.
-std::vector<double> exact_nodes_m(const SynthSpec& spec, const SynthMode& mode) {
-  const auto shape = [&](double x) { return mode_shape_per_sqrt_kg(spec.structure, mode, x, mode.angle_rad); };
+std::vector<double> exact_nodes_m(const synth::SynthSpec& spec, const synth::SynthMode& mode) {
+  const auto shape = [&](double x) { return synth::mode_shape_per_sqrt_kg(spec.structure, mode, x, mode.angle_rad); };
   std::vector<double> nodes;
   for (std::size_t i = 0; i + 1 < kScan.count; ++i) {
     double low = kScan.at_m(i);
@@ -52,11 +52,11 @@ std::vector<double> exact_nodes_m(const SynthSpec& spec, const SynthMode& mode) 
 }
 
 void expect_nodes(const char* preset, std::uint64_t seed) {
-  const SynthSpec spec = scan_spec(preset, seed);
+  const synth::SynthSpec spec = scan_spec(preset, seed);
   const NodeScan scan = scan_of(spec);
   std::size_t bending = 0;
-  for (const SynthMode& mode : spec.modes) {
-    if (mode.family != SynthFamily::bending) continue;
+  for (const synth::SynthMode& mode : spec.modes) {
+    if (mode.family != synth::SynthFamily::bending) continue;
     SCOPED_TRACE(testing::Message() << preset << ", seed " << seed << ", " << mode.freq_Hz << " Hz");
     const auto exact = exact_nodes_m(spec, mode);
     ASSERT_EQ(exact.size(), 1U);
@@ -81,7 +81,7 @@ TEST(NodeScan, FindsTheNodesOfAnAluminiumBat) {
 }
 
 TEST(NodeScan, IsExactWithoutNoise) {
-  SynthSpec spec = scan_spec("wood-bat", 0);
+  synth::SynthSpec spec = scan_spec("wood-bat", 0);
   spec.noise = {};
   const NodeScan scan = scan_of(spec);
   ASSERT_EQ(scan.modes.size(), 3U);
@@ -93,8 +93,8 @@ TEST(NodeScan, IsExactWithoutNoise) {
 }
 
 TEST(NodeScan, DoesWithoutAPositionThatHasNoUsableHit) {
-  SynthSpec spec = scan_spec("wood-bat", 3);
-  spec.faults = {{.hit = 17, .kind = SynthFaultKind::missing}};
+  synth::SynthSpec spec = scan_spec("wood-bat", 3);
+  spec.faults = {{.hit = 17, .kind = synth::SynthFaultKind::missing}};
   const NodeScan scan = scan_of(spec);
   ASSERT_EQ(scan.modes.size(), 3U);
   EXPECT_EQ(scan.modes[0].shape.position_m.size(), kScan.count - 1);
@@ -105,15 +105,15 @@ TEST(NodeScan, DoesWithoutAPositionThatHasNoUsableHit) {
 }
 
 TEST(AsScan, TakesRowsInTurnWherePointsAreNotStated) {
-  Record record = synthesise(scan_spec("wood-bat", 0)).record;
-  for (RowInfo& row : record.rows) row.point = 0;
-  const Record scan = as_scan(record, kScan);
+  acquire::Record record = synth::synthesise(scan_spec("wood-bat", 0)).record;
+  for (acquire::RowInfo& row : record.rows) row.point = 0;
+  const acquire::Record scan = as_scan(record, kScan);
   for (std::size_t row = 0; row < scan.rows.size(); ++row) EXPECT_EQ(scan.rows[row].point, static_cast<int>(row));
   EXPECT_EQ(scan.notes.size(), record.notes.size() + 1);
 }
 
 TEST(AsScan, RefusesAnotherNumberOfPoints) {
-  const Record record = synthesise(scan_spec("wood-bat", 0)).record;
+  const acquire::Record record = synth::synthesise(scan_spec("wood-bat", 0)).record;
   ScanPositions positions = kScan;
   --positions.count;
   const std::string message = test::input_error_of([&] { as_scan(record, positions); });
@@ -121,4 +121,4 @@ TEST(AsScan, RefusesAnotherNumberOfPoints) {
   EXPECT_THAT(message, testing::HasSubstr("24 positions"));
 }
 
-}  // namespace percuss::node_scan_test
+}  // namespace percuss::pipeline::node_scan_test

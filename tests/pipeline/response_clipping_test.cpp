@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace percuss::response_rail_test {
+namespace percuss::pipeline::response_rail_test {
 
 AnalysedHit hit_of(Extremes extremes, double resolution) {
   AnalysedHit hit;
@@ -44,4 +44,4 @@ TEST(SharedResponseRail, LiesAsFarToEitherSide) {
   EXPECT_EQ(rails({hit_of({-100, 100}, 1), hit_of({-87, 95}, 1)}), (Counts{0, 0}));
 }
 
-}  // namespace percuss::response_rail_test
+}  // namespace percuss::pipeline::response_rail_test

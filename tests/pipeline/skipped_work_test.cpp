@@ -9,14 +9,14 @@
 #include "support/scratch_folder.hpp"
 #include "synth/synthesise.hpp"
 
-namespace percuss::skipped_test {
+namespace percuss::pipeline::skipped_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsSupersetOf;
 
-SynthSpec bat() {
-  SynthSpec spec =
+synth::SynthSpec bat() {
+  synth::SynthSpec spec =
       test::bat_spec({{.freq_Hz = 200, .damping_ratio = 0.02, .order = 1, .amplitude_per_sqrt_kg = 1.7}}, 1);
   spec.noise = {.force = 1e-4, .accel = 1e-4};
   return spec;
@@ -43,13 +43,13 @@ std::size_t calls_of(const Analysis& analysis, const std::string& name) {
 }
 
 TEST(SkippedWork, IsAllAtFirstAndComputesNothing) {
-  const Analysis analysis(synthesise(bat()).record, {});
+  const Analysis analysis(synth::synthesise(bat()).record, {});
   EXPECT_THAT(codes_of(analysis), ElementsAre("modes", "classes", "stabilisation", "per_hit"));
   EXPECT_TRUE(analysis.trace().stages().empty());
 }
 
 TEST(SkippedWork, AreTheAccelerationsWhereOnlyTheForceIsAskedFor) {
-  const Analysis analysis(synthesise(bat()).record, {});
+  const Analysis analysis(synth::synthesise(bat()).record, {});
   analysis.force_hits();
   EXPECT_EQ(share_of(analysis, "channels"), 1);
   EXPECT_EQ(calls_of(analysis, "read acceleration"), 0U);
@@ -57,7 +57,7 @@ TEST(SkippedWork, AreTheAccelerationsWhereOnlyTheForceIsAskedFor) {
 
 // Three rows of one hit each: what the user rejects is neither read nor transformed.
 TEST(SkippedWork, AreHitsThatAreRejected) {
-  const Analysis all(synthesise(bat()).record, {}), fewer(synthesise(bat()).record, {.reject_hits = {1}});
+  const Analysis all(synth::synthesise(bat()).record, {}), fewer(synth::synthesise(bat()).record, {.reject_hits = {1}});
   all.frfs();
   fewer.frfs();
   EXPECT_NEAR(share_of(fewer, "rejected"), 1.0 / 3, 1e-12);
@@ -67,9 +67,9 @@ TEST(SkippedWork, AreHitsThatAreRejected) {
 
 // Rows too long to be taken whole: their decay is over after a hundredth.
 TEST(SkippedWork, AreTheDecayedTailsOfLongRows) {
-  SynthSpec spec = bat();
+  synth::SynthSpec spec = bat();
   spec.samples = std::size_t{1} << 18U;
-  const Analysis analysis(synthesise(spec).record, {.band_Hz = std::pair{100.0, 400.0}});
+  const Analysis analysis(synth::synthesise(spec).record, {.band_Hz = std::pair{100.0, 400.0}});
   EXPECT_EQ(analysis.modes().size(), 1U);
   EXPECT_GT(share_of(analysis, "tail"), 0.9);
   EXPECT_EQ(calls_of(analysis, "decay"), calls_of(analysis, "read acceleration"));
@@ -77,9 +77,9 @@ TEST(SkippedWork, AreTheDecayedTailsOfLongRows) {
 }
 
 TEST(SkippedWork, AreLinesOutsideTheBandAndTheForceOutsideItsPulse) {
-  const Analysis analysis(synthesise(bat()).record, {.band_Hz = std::pair{100.0, 400.0}});
+  const Analysis analysis(synth::synthesise(bat()).record, {.band_Hz = std::pair{100.0, 400.0}});
   analysis.frfs();
-  const LineRange& lines = analysis.lines();
+  const frf::LineRange& lines = analysis.lines();
   EXPECT_NEAR(share_of(analysis, "lines"),
               1 - static_cast<double>(lines.count) / (static_cast<double>(lines.samples) / 2 + 1), 1e-12);
   EXPECT_GT(share_of(analysis, "lines"), 0.5);
@@ -91,12 +91,12 @@ TEST(SkippedWork, AreLinesOutsideTheBandAndTheForceOutsideItsPulse) {
 
 // A long record: what lies between the hits and behind their decay is never transformed.
 TEST(SkippedWork, AreSilenceAndDecayedTailsOfALongRecord) {
-  SynthSpec spec = bat();
-  spec.layout = SynthLayout::continuous;
+  synth::SynthSpec spec = bat();
+  spec.layout = synth::SynthLayout::continuous;
   spec.samples = std::size_t{30} * 8192;
   spec.hits = 2;
   spec.hit_times_s = {10, 20};
-  const Analysis analysis(synthesise(spec).record, {});
+  const Analysis analysis(synth::synthesise(spec).record, {});
   analysis.frfs();
   EXPECT_GT(share_of(analysis, "silence") + share_of(analysis, "tail"), 0.8);
   EXPECT_LT(analysis.lines().samples, 3U * 8192);
@@ -115,4 +115,4 @@ TEST(SkippedWork, IsToldByExplain) {
   EXPECT_EQ(document["skipped"][0]["code"], "rejected");
 }
 
-}  // namespace percuss::skipped_test
+}  // namespace percuss::pipeline::skipped_test

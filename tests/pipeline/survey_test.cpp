@@ -12,7 +12,7 @@
 #include "synth/structure.hpp"
 #include "synth/synthesise.hpp"
 
-namespace percuss::survey_test {
+namespace percuss::pipeline::survey_test {
 
 using std::numbers::pi;
 using testing::Contains;
@@ -23,13 +23,13 @@ constexpr double kDegree = pi / 180;
 constexpr double kDeviations = 5;  // of some dozens of comparisons
 
 // An aluminium bat whose first hoop mode is split, 5 rings of 8 points on the barrel.
-SynthSpec barrel() {
-  SynthSpec spec;
+synth::SynthSpec barrel() {
+  synth::SynthSpec spec;
   spec.fs_Hz = 8192;
   spec.samples = 8192;  // everything has decayed by then: truncated records take much longer to fit
   spec.seed = 4;
   spec.band_high_Hz = 3000;
-  const auto mode = [&](double freq_Hz, double damping, SynthFamily family, int order, double angle_deg) {
+  const auto mode = [&](double freq_Hz, double damping, synth::SynthFamily family, int order, double angle_deg) {
     spec.modes.push_back({.freq_Hz = freq_Hz,
                           .damping_ratio = damping,
                           .family = family,
@@ -37,18 +37,18 @@ SynthSpec barrel() {
                           .angle_rad = angle_deg * kDegree,
                           .amplitude_per_sqrt_kg = 2});
   };
-  mode(205, 0.02, SynthFamily::bending, 1, 20);
-  mode(690, 0.008, SynthFamily::bending, 2, 20);
-  mode(1900, 0.004, SynthFamily::hoop, 1, 12);
-  mode(1912, 0.0044, SynthFamily::hoop, 1, 57);
-  mode(2700, 0.003, SynthFamily::hoop, 2, 5);
+  mode(205, 0.02, synth::SynthFamily::bending, 1, 20);
+  mode(690, 0.008, synth::SynthFamily::bending, 2, 20);
+  mode(1900, 0.004, synth::SynthFamily::hoop, 1, 12);
+  mode(1912, 0.0044, synth::SynthFamily::hoop, 1, 57);
+  mode(2700, 0.003, synth::SynthFamily::hoop, 2, 5);
   spec.pulse.width_s = 0.25e-3;
   spec.noise = {.force = 1e-4, .accel = 1e-3};
   spec.hits = 2;
   return spec;
 }
 
-SynthSpec roving(SynthSpec spec, int rings = 5) {
+synth::SynthSpec roving(synth::SynthSpec spec, int rings = 5) {
   spec.sensors = {{.position_m = 0.05, .angle_rad = 0}};
   spec.points.clear();
   for (int ring = 0; ring < rings; ++ring) {
@@ -63,7 +63,7 @@ AnalysisOptions in_band() { return {.band_Hz = std::pair{60.0, 3000.0}}; }
 class BarrelSurvey : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    made_ = std::make_unique<SyntheticTest>(synthesise(roving(barrel())));
+    made_ = std::make_unique<synth::SyntheticTest>(synth::synthesise(roving(barrel())));
     analysis_ = std::make_unique<Analysis>(made_->record, in_band());
     survey_ = std::make_unique<Survey>(*analysis_, SurveyOptions{});
   }
@@ -72,12 +72,12 @@ class BarrelSurvey : public testing::Test {
     analysis_.reset();
     made_.reset();
   }
-  static const SynthSpec& spec() { return made_->truth.spec; }
+  static const synth::SynthSpec& spec() { return made_->truth.spec; }
   static double truth(std::size_t mode, std::size_t point) {
-    return mode_shape_per_sqrt_kg(spec().structure, spec().modes[mode], spec().points[point].position_m,
-                                  spec().points[point].angle_rad);
+    return synth::mode_shape_per_sqrt_kg(spec().structure, spec().modes[mode], spec().points[point].position_m,
+                                         spec().points[point].angle_rad);
   }
-  inline static std::unique_ptr<SyntheticTest> made_;
+  inline static std::unique_ptr<synth::SyntheticTest> made_;
   inline static std::unique_ptr<Analysis> analysis_;
   inline static std::unique_ptr<Survey> survey_;
 };
@@ -86,14 +86,14 @@ TEST_F(BarrelSurvey, FindsTheShapes) {
   constexpr double kAlike = 1e-4;
   ASSERT_EQ(survey_->shapes().size(), 5U);
   for (std::size_t m = 0; m < 5; ++m) {
-    ShapeValues found, exact;
-    for (const ShapePlace& place : survey_->shapes()[m].places) {
+    identify::ShapeValues found, exact;
+    for (const identify::ShapePlace& place : survey_->shapes()[m].places) {
       found.value.push_back(place.value);
       found.std.push_back(place.std);
       exact.value.emplace_back(truth(m, place.point));
       exact.std.push_back(0);
     }
-    EXPECT_LE(1 - mac(found, exact).value, kAlike) << m;
+    EXPECT_LE(1 - identify::mac(found, exact).value, kAlike) << m;
     EXPECT_GE(survey_->shapes()[m].mpc, 1 - kAlike) << m;
   }
 }
@@ -102,10 +102,10 @@ TEST_F(BarrelSurvey, ScalesThemToUnitModalMassByTheDrivingPoint) {
   ASSERT_EQ(survey_->driving_points().size(), 1U);
   EXPECT_EQ(survey_->driving_points()[0].point, 0U);
   for (std::size_t m = 0; m < 5; ++m) {
-    const ModeShape& shape = survey_->shapes()[m];
-    ASSERT_EQ(shape.normalisation, Normalisation::unit_modal_mass) << m;
+    const identify::ModeShape& shape = survey_->shapes()[m];
+    ASSERT_EQ(shape.normalisation, identify::Normalisation::unit_modal_mass) << m;
     const double sign = truth(m, 0) < 0 ? -1 : 1;
-    for (const ShapePlace& place : shape.places) {
+    for (const identify::ShapePlace& place : shape.places) {
       const double exact = sign * truth(m, place.point);
       const double std = std::hypot(place.std, shape.scale_std * std::abs(exact));
       EXPECT_LE(std::abs(place.value.real() - exact), kDeviations * std + 1e-3) << m << " " << place.point;
@@ -118,7 +118,8 @@ TEST_F(BarrelSurvey, NamesModesFromTheirShapes) {
   for (std::size_t m = 0; m < 5; ++m) {
     ASSERT_TRUE(survey_->tubes()[m]);
     EXPECT_EQ(survey_->tubes()[m]->order, circumferential.at(m));
-    EXPECT_EQ(survey_->classifications()[m].family, circumferential.at(m) == 1 ? ModeType::bending : ModeType::hoop);
+    EXPECT_EQ(survey_->classifications()[m].family,
+              circumferential.at(m) == 1 ? identify::ModeType::bending : identify::ModeType::hoop);
     EXPECT_EQ(survey_->classifications()[m].order, order.at(m));
     EXPECT_GE(survey_->classifications()[m].confidence, 0.95);
   }
@@ -133,29 +134,29 @@ TEST_F(BarrelSurvey, TellsThePlanesOfTheSplitHoopMode) {
   EXPECT_NEAR(first->separation_Hz, 12, kDeviations * first->separation_std_Hz);
   EXPECT_NEAR(first->planes->own.plane_rad, 12 * kDegree, kDeviations * first->planes->own.std_rad);
   EXPECT_NEAR(second->planes->own.plane_rad, 57 * kDegree, kDeviations * second->planes->own.std_rad);
-  EXPECT_EQ(first->planes->cause, SplitCause::asymmetry);
+  EXPECT_EQ(first->planes->cause, identify::SplitCause::asymmetry);
   EXPECT_TRUE(first->quoted);
   EXPECT_FALSE(second->quoted);
 }
 
 TEST_F(BarrelSurvey, ExplainsTheFrfs) {
   ASSERT_EQ(survey_->synthesis().size(), 40U);
-  for (const SynthesisedFrf& frf : survey_->synthesis()) EXPECT_FALSE(poorly_explained(frf)) << frf.frac;
+  for (const identify::SynthesisedFrf& frf : survey_->synthesis()) EXPECT_FALSE(poorly_explained(frf)) << frf.frac;
   EXPECT_EQ(static_cast<std::size_t>(survey_->indicator().rows()), survey_->band().count);
   EXPECT_EQ(survey_->analysis().frf_points().size(), 40U);
 }
 
 TEST_F(BarrelSurvey, AgreesWithTheTwoAccelerometerTest) {
   // [8], appendix A: the quick test finds what the full survey does.
-  SynthSpec quick = barrel();
+  synth::SynthSpec quick = barrel();
   quick.points = {{.position_m = 0.11, .angle_rad = 35 * kDegree}};
   quick.sensors = {{.position_m = 0.05, .angle_rad = 0}, {.position_m = 0.05, .angle_rad = pi / 2}};
   quick.hits = 5;
-  const Analysis analysis(synthesise(quick).record, in_band());
+  const Analysis analysis(synth::synthesise(quick).record, in_band());
   ASSERT_EQ(analysis.modes().size(), survey_->shapes().size());
   for (std::size_t m = 0; m < 5; ++m) {
-    const Mode& a = analysis.modes()[m];
-    const Mode& b = analysis_->modes()[m];
+    const identify::Mode& a = analysis.modes()[m];
+    const identify::Mode& b = analysis_->modes()[m];
     EXPECT_LE(std::abs(a.pole.freq_Hz - b.pole.freq_Hz), kDeviations * std::hypot(a.freq_std_Hz, b.freq_std_Hz)) << m;
     EXPECT_LE(std::abs(a.pole.damping_ratio - b.pole.damping_ratio),
               kDeviations * std::hypot(a.damping_std, b.damping_std))
@@ -169,18 +170,19 @@ TEST_F(BarrelSurvey, AgreesWithTheTwoAccelerometerTest) {
 }
 
 TEST_F(BarrelSurvey, LeavesNamesAloneWithoutAGeometry) {
-  Record record = made_->record;
+  acquire::Record record = made_->record;
   record.geometry.clear();
   const Analysis analysis(record, in_band());
   const Survey survey(analysis, {});
   EXPECT_FALSE(survey.geometry());
   for (const auto& tube : survey.tubes()) EXPECT_FALSE(tube);
-  for (const ModeClassification& verdict : survey.classifications()) EXPECT_EQ(verdict.family, ModeType::unknown);
+  for (const identify::ModeClassification& verdict : survey.classifications())
+    EXPECT_EQ(verdict.family, identify::ModeType::unknown);
   EXPECT_THAT(survey.warnings(), Contains(Field(&Warning::code, "no_geometry")));
 }
 
 TEST_F(BarrelSurvey, RefusesPointsThatTheGeometryDoesNotKnow) {
-  Geometry geometry = *survey_->geometry();
+  acquire::Geometry geometry = *survey_->geometry();
   geometry.points.erase(geometry.points.begin());
   const std::string message = test::input_error_of([&] { const Survey survey(*analysis_, {.geometry = geometry}); });
   EXPECT_THAT(message, HasSubstr("point 0 was measured"));
@@ -192,10 +194,10 @@ TEST_F(BarrelSurvey, RefusesPointsThatTheGeometryDoesNotKnow) {
 
 TEST(Survey, SaysThatASensorSitsOnANode) {
   // The bending plane is the sensor's: it cannot see the other one, nor the hoop mode's partner.
-  SynthSpec spec = roving(barrel(), 2);
+  synth::SynthSpec spec = roving(barrel(), 2);
   spec.modes.resize(1);
   spec.modes[0].angle_rad = 1 * kDegree;
-  const Analysis analysis(synthesise(spec).record, in_band());
+  const Analysis analysis(synth::synthesise(spec).record, in_band());
   const Survey survey(analysis, {});
   ASSERT_EQ(survey.shapes().size(), 1U);
   const auto warnings = survey.warnings();
@@ -204,25 +206,25 @@ TEST(Survey, SaysThatASensorSitsOnANode) {
 }
 
 TEST(Survey, NamesTheSensorThatSitsOnANode) {
-  SynthSpec spec = roving(barrel(), 2);
+  synth::SynthSpec spec = roving(barrel(), 2);
   spec.modes.resize(1);
   spec.modes[0].angle_rad = 0;
   spec.sensors.push_back({.position_m = 0.05, .angle_rad = pi / 2});
-  const Analysis analysis(synthesise(spec).record, in_band());
+  const Analysis analysis(synth::synthesise(spec).record, in_band());
   const auto warnings = Survey(analysis, {}).warnings();
   EXPECT_THAT(warnings, Contains(Field(&Warning::message, HasSubstr("accel 2 sits on a node of mode 0"))));
 }
 
 TEST(Survey, FindsTheWrongSignOfADrivingPointAndBrokenReciprocity) {
-  SynthSpec spec = roving(barrel(), 2);
+  synth::SynthSpec spec = roving(barrel(), 2);
   spec.modes.resize(2);
   spec.sensors.push_back({.position_m = 0.11, .angle_rad = pi / 4, .gain = 1.2});
-  const Analysis good(synthesise(spec).record, in_band());
+  const Analysis good(synth::synthesise(spec).record, in_band());
   ASSERT_EQ(Survey(good, {}).driving_points().size(), 2U);
   EXPECT_THAT(Survey(good, {}).warnings(), Contains(Field(&Warning::code, "reciprocity")));
   spec.sensors[0].sign = -1;
-  const Analysis bad(synthesise(spec).record, in_band());
+  const Analysis bad(synth::synthesise(spec).record, in_band());
   EXPECT_THAT(Survey(bad, {}).warnings(), Contains(Field(&Warning::code, "driving_point_sign")));
 }
 
-}  // namespace percuss::survey_test
+}  // namespace percuss::pipeline::survey_test

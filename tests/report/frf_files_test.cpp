@@ -12,20 +12,20 @@
 #include "support/scratch_folder.hpp"
 #include "synth/synthesise.hpp"
 
-namespace percuss::frf_files_test {
+namespace percuss::report::frf_files_test {
 
 using test::lines_of;
 using testing::HasSubstr;
 using testing::StartsWith;
 
 /// Two channels; `hits` hits on each of `points` points.
-Analysis analysis_of(std::size_t hits, std::size_t points = 1) {
-  SynthSpec spec =
+pipeline::Analysis analysis_of(std::size_t hits, std::size_t points = 1) {
+  synth::SynthSpec spec =
       test::bat_spec({{.freq_Hz = 200, .damping_ratio = 0.02, .order = 1, .amplitude_per_sqrt_kg = 1.7}}, 0.5);
   spec.hits = hits;
   spec.points.resize(points, spec.points.front());
   spec.noise = {.force = 1e-4, .accel = 1e-3};
-  return {synthesise(spec).record, {.band_Hz = std::pair{100.0, 400.0}, .threads = 1}};
+  return {synth::synthesise(spec).record, {.band_Hz = std::pair{100.0, 400.0}, .threads = 1}};
 }
 
 std::vector<std::string> cells_of(const std::string& line) {
@@ -36,7 +36,7 @@ std::vector<std::string> cells_of(const std::string& line) {
 }
 
 TEST(FrfCsv, NamesKindUnitAndEveryColumn) {
-  const auto lines = lines_of(frf_csv(analysis_of(2, 2), FrfKind::mobility));
+  const auto lines = lines_of(frf_csv(analysis_of(2, 2), frf::FrfKind::mobility));
   EXPECT_EQ(lines.at(0), "# mobility (m/s)/N, H1, exp(+jwt), angle_deg 0 90");
   const auto names = cells_of(lines.at(1));
   ASSERT_EQ(names.size(), 1U + 4U * 4U);
@@ -47,16 +47,16 @@ TEST(FrfCsv, NamesKindUnitAndEveryColumn) {
 }
 
 TEST(FrfCsv, HoldsTheBandsLinesToTheLastDigit) {
-  const Analysis analysis = analysis_of(3);
-  const auto lines = lines_of(frf_csv(analysis, FrfKind::accelerance));
-  const LineRange& range = analysis.lines();
+  const pipeline::Analysis analysis = analysis_of(3);
+  const auto lines = lines_of(frf_csv(analysis, frf::FrfKind::accelerance));
+  const frf::LineRange& range = analysis.lines();
   std::size_t row = 2;
   for (std::size_t k = 0; k < range.count; ++k) {
     if (range.freq_Hz(k) < 100 - 1e-6 || range.freq_Hz(k) > 400 + 1e-6) continue;
     const auto cells = cells_of(lines.at(row++));
     EXPECT_EQ(std::stod(cells[0]), range.freq_Hz(k));
     for (std::size_t c = 0; c < 2; ++c) {
-      const Frf& frf = analysis.frfs()[c].frf;
+      const frf::Frf& frf = analysis.frfs()[c].frf;
       EXPECT_EQ(std::stod(cells[1 + 4 * c]), frf.value[k].real());
       EXPECT_EQ(std::stod(cells[2 + 4 * c]), frf.value[k].imag());
       EXPECT_EQ(std::stod(cells[3 + 4 * c]), frf.std[k]);
@@ -67,33 +67,33 @@ TEST(FrfCsv, HoldsTheBandsLinesToTheLastDigit) {
 }
 
 TEST(FrfCsv, LeavesDeviationAndCoherenceOfASingleHitEmpty) {
-  const auto cells = cells_of(lines_of(frf_csv(analysis_of(1), FrfKind::accelerance)).at(5));
+  const auto cells = cells_of(lines_of(frf_csv(analysis_of(1), frf::FrfKind::accelerance)).at(5));
   ASSERT_EQ(cells.size(), 9U);
   for (const std::size_t c : {3U, 4U, 7U, 8U}) EXPECT_EQ(cells[c], "") << c;
 }
 
 TEST(FrfCsv, DividesByTheCircularFrequencyForMobilityAndReceptance) {
-  const Analysis analysis = analysis_of(2);
-  const auto at = [&](FrfKind kind) {
+  const pipeline::Analysis analysis = analysis_of(2);
+  const auto at = [&](frf::FrfKind kind) {
     const auto cells = cells_of(lines_of(frf_csv(analysis, kind)).at(20));
     return std::pair{std::stod(cells[0]), std::hypot(std::stod(cells[1]), std::stod(cells[2]))};
   };
-  const auto [freq_Hz, accelerance] = at(FrfKind::accelerance);
+  const auto [freq_Hz, accelerance] = at(frf::FrfKind::accelerance);
   const double omega = 2 * std::acos(-1.0) * freq_Hz;
-  EXPECT_NEAR(at(FrfKind::mobility).second * omega / accelerance, 1, 1e-12);
-  EXPECT_NEAR(at(FrfKind::receptance).second * omega * omega / accelerance, 1, 1e-12);
+  EXPECT_NEAR(at(frf::FrfKind::mobility).second * omega / accelerance, 1, 1e-12);
+  EXPECT_NEAR(at(frf::FrfKind::receptance).second * omega * omega / accelerance, 1, 1e-12);
 }
 
 TEST(WriteFrfCsv, ReplacesAFileOnlyWhenForced) {
   const test::ScratchFolder folder;
   const std::string path = folder.file("frf.csv");
-  const Analysis analysis = analysis_of(2);
+  const pipeline::Analysis analysis = analysis_of(2);
   test::write_bytes(path, "mine");
-  EXPECT_THAT(test::input_error_of([&] { write_frf_csv(path, analysis, FrfKind::accelerance, false); }),
+  EXPECT_THAT(test::input_error_of([&] { write_frf_csv(path, analysis, frf::FrfKind::accelerance, false); }),
               HasSubstr("frf.csv"));
   EXPECT_EQ(test::bytes_of(path), "mine");
-  write_frf_csv(path, analysis, FrfKind::accelerance, true);
-  EXPECT_EQ(test::bytes_of(path), frf_csv(analysis, FrfKind::accelerance));
+  write_frf_csv(path, analysis, frf::FrfKind::accelerance, true);
+  EXPECT_EQ(test::bytes_of(path), frf_csv(analysis, frf::FrfKind::accelerance));
 }
 
-}  // namespace percuss::frf_files_test
+}  // namespace percuss::report::frf_files_test

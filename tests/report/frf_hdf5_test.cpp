@@ -11,24 +11,24 @@
 #include "support/scratch_folder.hpp"
 #include "synth/synthesise.hpp"
 
-namespace percuss::frf_hdf5_test {
+namespace percuss::report::frf_hdf5_test {
 
-using hdf5::InputDataSet;
-using hdf5::InputHdf5;
+using acquire::hdf5::InputDataSet;
+using acquire::hdf5::InputHdf5;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
 class FrfHdf5 : public testing::Test {
  protected:
   /// Points 0 and 1, two channels.
-  static Analysis analysis_of(std::size_t hits) {
-    SynthSpec spec =
+  static pipeline::Analysis analysis_of(std::size_t hits) {
+    synth::SynthSpec spec =
         test::bat_spec({{.freq_Hz = 200, .damping_ratio = 0.02, .order = 1, .amplitude_per_sqrt_kg = 1.7}}, 0.5);
     spec.hits = hits;
     spec.points.resize(2, spec.points.front());
     spec.points[1].position_m += 0.05;
     spec.noise = {.force = 1e-4, .accel = 1e-3};
-    return {synthesise(spec).record, {.band_Hz = std::pair{100.0, 400.0}, .threads = 1}};
+    return {synth::synthesise(spec).record, {.band_Hz = std::pair{100.0, 400.0}, .threads = 1}};
   }
   std::vector<double> numbers(const std::string& name) const { return InputDataSet(InputHdf5(path_), name).read_all(); }
 
@@ -53,8 +53,8 @@ std::vector<Complex> complex_numbers(const std::string& path, std::size_t count)
 }
 
 TEST_F(FrfHdf5, HoldsLinesPointsAndFrfsToTheLastDigit) {
-  const Analysis analysis = analysis_of(3);
-  write_frf_hdf5(path_, analysis, FrfKind::accelerance, false);
+  const pipeline::Analysis analysis = analysis_of(3);
+  write_frf_hdf5(path_, analysis, frf::FrfKind::accelerance, false);
   const auto freq_Hz = numbers("frequency_hz");
   ASSERT_GT(freq_Hz.size(), 100U);
   EXPECT_GE(freq_Hz.front(), 100 - 1e-6);
@@ -67,7 +67,7 @@ TEST_F(FrfHdf5, HoldsLinesPointsAndFrfsToTheLastDigit) {
   const auto value = complex_numbers(path_, frfs * lines);
   std::size_t first = 0;
   while (analysis.lines().freq_Hz(first) < freq_Hz.front()) ++first;
-  for (const PointFrf& frf : analysis.frfs()) {
+  for (const frf::PointFrf& frf : analysis.frfs()) {
     const std::size_t at = (static_cast<std::size_t>(frf.point) * 2 + frf.channel) * lines;
     for (std::size_t k = 0; k < lines; ++k) {
       ASSERT_EQ(value[at + k], frf.frf.value[first + k]);
@@ -78,16 +78,16 @@ TEST_F(FrfHdf5, HoldsLinesPointsAndFrfsToTheLastDigit) {
 }
 
 TEST_F(FrfHdf5, SaysWhatItHolds) {
-  write_frf_hdf5(path_, analysis_of(3), FrfKind::receptance, false);
+  write_frf_hdf5(path_, analysis_of(3), frf::FrfKind::receptance, false);
   const InputHdf5 file(path_);
-  EXPECT_EQ(hdf5::text_attribute(file.id(), "kind", path_), "receptance");
-  EXPECT_EQ(hdf5::text_attribute(file.id(), "unit", path_), "m/N");
-  EXPECT_EQ(hdf5::text_attribute(file.id(), "estimator", path_), "H1");
-  EXPECT_THAT(hdf5::number_attribute(file.id(), "averages", path_, 1).value(), ElementsAre(3));
+  EXPECT_EQ(acquire::hdf5::text_attribute(file.id(), "kind", path_), "receptance");
+  EXPECT_EQ(acquire::hdf5::text_attribute(file.id(), "unit", path_), "m/N");
+  EXPECT_EQ(acquire::hdf5::text_attribute(file.id(), "estimator", path_), "H1");
+  EXPECT_THAT(acquire::hdf5::number_attribute(file.id(), "averages", path_, 1).value(), ElementsAre(3));
 }
 
 TEST_F(FrfHdf5, HasNoDeviationsOfSingleHits) {
-  write_frf_hdf5(path_, analysis_of(1), FrfKind::accelerance, false);
+  write_frf_hdf5(path_, analysis_of(1), frf::FrfKind::accelerance, false);
   const InputHdf5 file(path_);
   EXPECT_TRUE(file.has("frf"));
   EXPECT_FALSE(file.has("frf_std"));
@@ -96,12 +96,12 @@ TEST_F(FrfHdf5, HasNoDeviationsOfSingleHits) {
 
 TEST_F(FrfHdf5, ReplacesAFileOnlyWhenForced) {
   test::write_bytes(path_, "mine");
-  const Analysis analysis = analysis_of(2);
-  EXPECT_THAT(test::input_error_of([&] { write_frf_hdf5(path_, analysis, FrfKind::accelerance, false); }),
+  const pipeline::Analysis analysis = analysis_of(2);
+  EXPECT_THAT(test::input_error_of([&] { write_frf_hdf5(path_, analysis, frf::FrfKind::accelerance, false); }),
               HasSubstr("frf.h5"));
   EXPECT_EQ(test::bytes_of(path_), "mine");
-  write_frf_hdf5(path_, analysis, FrfKind::accelerance, true);
+  write_frf_hdf5(path_, analysis, frf::FrfKind::accelerance, true);
   EXPECT_GT(numbers("frequency_hz").size(), 0U);
 }
 
-}  // namespace percuss::frf_hdf5_test
+}  // namespace percuss::report::frf_hdf5_test

@@ -9,20 +9,20 @@
 #include "support/scratch_folder.hpp"
 #include "support/synthetic_files.hpp"
 
-namespace percuss::modes_uff_test {
+namespace percuss::report::modes_uff_test {
 
 using test::csv_bytes;
 using test::run_percuss;
 
-std::vector<std::string_view> lines_of_set(const UffSet& set) {
+std::vector<std::string_view> lines_of_set(const acquire::UffSet& set) {
   std::vector<std::string_view> lines;
-  for (std::string_view rest = set.text; !rest.empty();) lines.push_back(take_uff_line(rest));
+  for (std::string_view rest = set.text; !rest.empty();) lines.push_back(acquire::take_uff_line(rest));
   return lines;
 }
 
 std::vector<double> numbers_in(std::string_view line) {
   std::vector<double> out;
-  for (UffFields fields(line); !fields.blank();) out.push_back(fields.number(13).value());
+  for (acquire::UffFields fields(line); !fields.blank();) out.push_back(fields.number(13).value());
   return out;
 }
 
@@ -34,7 +34,7 @@ TEST(ModesUff, HoldsEveryModeAs55AndAs2414) {
       run_percuss({"analyze", folder.file("bat.h5"), "--band", "60:1000", "-o", folder.file("modes.uff")});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const FileBytes bytes = csv_bytes(test::bytes_of(folder.file("modes.uff")));
-  const auto sets = split_uff(bytes);
+  const auto sets = acquire::split_uff(bytes);
   ASSERT_EQ(sets.size(), 6U);
   EXPECT_EQ(sets[0].number, 151);
   EXPECT_EQ(sets[1].number, 164);
@@ -62,4 +62,4 @@ TEST(ModesUff, HoldsEveryModeAs55AndAs2414) {
   EXPECT_EQ(now.back(), old.back());
 }
 
-}  // namespace percuss::modes_uff_test
+}  // namespace percuss::report::modes_uff_test

@@ -16,10 +16,10 @@ std::uint64_t own_seed(const std::string& name, std::uint64_t run) {
 
 }  // namespace
 
-SyntheticTest test_of(const Cell& cell, std::uint64_t run) {
-  SynthSpec spec = cell.spec;
+synth::SyntheticTest test_of(const Cell& cell, std::uint64_t run) {
+  synth::SynthSpec spec = cell.spec;
   spec.seed = own_seed(cell.group + "/" + cell.name, run);
-  SyntheticTest test = synthesise(spec, 1);
+  synth::SyntheticTest test = synth::synthesise(spec, 1);
   if (!cell.alter) return test;
   Samples samples = samples_of(test.record);
   cell.alter(samples);
@@ -27,7 +27,7 @@ SyntheticTest test_of(const Cell& cell, std::uint64_t run) {
   return test;
 }
 
-AnalysisOptions options_of(const SynthSpec& spec, double exponential_end) {
+pipeline::AnalysisOptions options_of(const synth::SynthSpec& spec, double exponential_end) {
   return {.band_Hz = std::pair{spec.band_low_Hz, spec.band_high_Hz}, .exponential_end = exponential_end, .threads = 1};
 }
 
@@ -40,7 +40,7 @@ Check check_of(Cell cell) {
               .full_runs = cell.full_runs};
   check.record = [cell](std::uint64_t run) { return test_of(cell, run).record; };
   check.run = [cell = std::move(cell)](std::uint64_t run) {
-    SyntheticTest test = test_of(cell, run);
+    synth::SyntheticTest test = test_of(cell, run);
     const CommandResult outcome = analyse(std::move(test.record), options_of(cell.spec, cell.exponential_end));
     Result result = judge(outcome, true_modes(test.truth), cell.expected);
     result.calibrated = cell.calibrated;
@@ -49,8 +49,8 @@ Check check_of(Cell cell) {
   return check;
 }
 
-SynthSpec structure(std::vector<SynthMode> modes) {
-  SynthSpec spec;
+synth::SynthSpec structure(std::vector<synth::SynthMode> modes) {
+  synth::SynthSpec spec;
   spec.fs_Hz = 8192;
   spec.samples = 8192;
   spec.band_low_Hz = 60;
@@ -61,7 +61,7 @@ SynthSpec structure(std::vector<SynthMode> modes) {
   return spec;
 }
 
-SynthSpec two_modes() {
+synth::SynthSpec two_modes() {
   return structure({{.freq_Hz = 400, .damping_ratio = 0.01, .residue_per_kg = {1, 0.5}},
                     {.freq_Hz = 1100, .damping_ratio = 0.005, .residue_per_kg = {0.6, -0.8}}});
 }

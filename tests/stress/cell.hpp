@@ -13,7 +13,7 @@ namespace percuss::stress {
 /// A synthetic test, what else happens to it, and what must come out.
 struct Cell {
   std::string group, name;
-  SynthSpec spec;
+  synth::SynthSpec spec;
   std::function<void(Samples&)> alter{};
   Expectation expected{};
   std::string defect{};
@@ -24,13 +24,13 @@ struct Cell {
 Check check_of(Cell cell);
 
 /// The test of a cell, altered, with its truth; noise and hits of its own for every cell and run.
-SyntheticTest test_of(const Cell& cell, std::uint64_t run);
-AnalysisOptions options_of(const SynthSpec& spec, double exponential_end = 0);
+synth::SyntheticTest test_of(const Cell& cell, std::uint64_t run);
+pipeline::AnalysisOptions options_of(const synth::SynthSpec& spec, double exponential_end = 0);
 
 /// The cells' common structure: two accelerometers, five hits, one second at 8192 Hz, band 60 to 3000 Hz.
-SynthSpec structure(std::vector<SynthMode> modes);
+synth::SynthSpec structure(std::vector<synth::SynthMode> modes);
 /// … with a mode at 400 Hz (1 %) and one at 1100 Hz (0.5 %).
-SynthSpec two_modes();
+synth::SynthSpec two_modes();
 
 /// A noise of so many dB below the signal, as spec.noise has it.
 double ratio_of_dB(double snr_dB);

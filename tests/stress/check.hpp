@@ -36,7 +36,8 @@ struct Check {
   std::size_t runs = 1;     // with other noise, in the short suite …
   std::size_t full_runs = 1;
   std::function<Result(std::uint64_t run)> run;
-  std::function<Record(std::uint64_t run)> record{};  // what is analysed, to be written to a file; may be empty
+  std::function<acquire::Record(std::uint64_t run)>
+      record{};  // what is analysed, to be written to a file; may be empty
 };
 
 }  // namespace percuss::stress

@@ -12,7 +12,7 @@ constexpr double kTold = 0.1;  // bound over damping ratio
 constexpr double kApart = 10;  // distance over its bound
 constexpr double kNear = 3;    // bandwidths within which a reported mode may be meant for a true one
 
-double width_Hz(const Pole& pole) { return 2 * pole.damping_ratio * pole.freq_Hz; }
+double width_Hz(const identify::Pole& pole) { return 2 * pole.damping_ratio * pole.freq_Hz; }
 
 bool told(const TrueMode& mode) { return mode.damping_bound <= kTold * mode.pole.damping_ratio; }
 
@@ -22,7 +22,7 @@ bool told_apart(const TrueMode& a, const TrueMode& b) {
   return apart_Hz > kRoundingOfPole * a.pole.freq_Hz && apart_Hz > kApart * (a.freq_bound_Hz + b.freq_bound_Hz);
 }
 
-Miss miss_of(const Mode& mode, const Pole& truth) {
+Miss miss_of(const identify::Mode& mode, const identify::Pole& truth) {
   const auto beyond = [](double error, double floor, double std) {
     return std::max(0.0, std::abs(error) - floor) / std;
   };
@@ -32,12 +32,12 @@ Miss miss_of(const Mode& mode, const Pole& truth) {
 
 double worse(const Miss& miss) { return std::max(miss.freq_sigmas, miss.damping_sigmas); }
 
-bool meant_for(const Mode& mode, const Pole& truth) {
+bool meant_for(const identify::Mode& mode, const identify::Pole& truth) {
   const double off_Hz = std::abs(mode.pole.freq_Hz - truth.freq_Hz);
   return off_Hz <= std::max(kNear * width_Hz(truth), kMostSigmas * mode.freq_std_Hz);
 }
 
-std::string words(const Mode& mode) {
+std::string words(const identify::Mode& mode) {
   return fmt::format("{:.9g} ± {:.2g} Hz, {:.6g} ± {:.2g}", mode.pole.freq_Hz, mode.freq_std_Hz,
                      mode.pole.damping_ratio, mode.damping_std);
 }
@@ -102,7 +102,7 @@ class Judge {
   }
 
   // One mode for several: within their range, and no wider than all of them together.
-  bool stands_for_cluster(const Mode& mode, std::size_t t) const {
+  bool stands_for_cluster(const identify::Mode& mode, std::size_t t) const {
     const auto [first, last] = cluster(t);
     if (first == last) return false;
     double low_Hz = 1e300, high_Hz = 0, least = 1, most = 0;
@@ -144,7 +144,7 @@ class Judge {
     match();
     std::vector<char> stood_for(truth_.size(), 0);
     for (std::size_t m = 0; m < outcome_.modes.size(); ++m) {
-      const Mode& mode = outcome_.modes[m];
+      const identify::Mode& mode = outcome_.modes[m];
       const std::size_t t = of_mode_[m];
       if (t == truth_.size()) {
         if (!warned_) fail("no such mode: " + words(mode));
@@ -168,13 +168,13 @@ class Judge {
   }
 
   // By the warning of peaks that no mode stands for.
-  bool named(const Pole& truth) const {
+  bool named(const identify::Pole& truth) const {
     const double near_Hz = kNear * std::max(width_Hz(truth), outcome_.df_Hz);
     return std::any_of(outcome_.unclaimed_Hz.begin(), outcome_.unclaimed_Hz.end(),
                        [&](double freq_Hz) { return std::abs(freq_Hz - truth.freq_Hz) <= near_Hz; });
   }
 
-  void judge_mode(const Mode& mode, const Pole& truth) {
+  void judge_mode(const identify::Mode& mode, const identify::Pole& truth) {
     const Miss miss = miss_of(mode, truth);
     ++result_.found;
     result_.misses.push_back(miss);
@@ -215,10 +215,10 @@ std::string text_of(const Expectation& expected) {
   return text;
 }
 
-std::vector<TrueMode> true_modes(const Truth& truth) {
+std::vector<TrueMode> true_modes(const synth::Truth& truth) {
   std::vector<TrueMode> modes;
   for (std::size_t m = 0; m < truth.spec.modes.size(); ++m) {
-    const SynthMode& mode = truth.spec.modes[m];
+    const synth::SynthMode& mode = truth.spec.modes[m];
     if (mode.freq_Hz < truth.spec.band_low_Hz || mode.freq_Hz > truth.spec.band_high_Hz) continue;
     bool seen = false;
     for (const auto& point : truth.residue_per_kg) {

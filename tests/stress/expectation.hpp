@@ -36,12 +36,12 @@ std::string text_of(const Expectation& expected);
 
 /// A mode of the structure, and what can be known of it.
 struct TrueMode {
-  Pole pole;
+  identify::Pole pole;
   double freq_bound_Hz = 0, damping_bound = 0;  // Cramér–Rao; 0 without noise
 };
 
 /// Modes in the band that some sensor sees, ascending.
-std::vector<TrueMode> true_modes(const Truth& truth);
+std::vector<TrueMode> true_modes(const synth::Truth& truth);
 
 /// Holds an outcome against the truth.
 ///   resolvable  a mode can be told when its bound on the damping is a tenth of the damping; two modes can be told

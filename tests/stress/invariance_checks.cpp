@@ -37,37 +37,37 @@ void compare(const CommandResult& before, const CommandResult& after, const Chan
     result.failures.push_back(fmt::format("{} modes, were {}", after.modes.size(), before.modes.size()));
   if (!result.failures.empty()) return;
   for (std::size_t m = 0; m < before.modes.size(); ++m) {
-    const Mode& a = before.modes[m];
-    const Mode& b = after.modes[m];
+    const identify::Mode& a = before.modes[m];
+    const identify::Mode& b = after.modes[m];
     expect(change.freq * a.pole.freq_Hz, b.pole.freq_Hz, change.freq * a.freq_std_Hz, "frequency", m);
     expect(a.pole.damping_ratio, b.pole.damping_ratio, a.damping_std, "damping ratio", m);
     for (std::size_t o = 0; o < a.residues.size(); ++o) {
-      const Residue& was = a.residues[o];
+      const identify::Residue& was = a.residues[o];
       const auto moved = change.channel.find(was.channel);
-      const Residue& is = b.residues[moved == change.channel.end() ? o : moved->second];
+      const identify::Residue& is = b.residues[moved == change.channel.end() ? o : moved->second];
       const double std = std::abs(change.residue) * std::hypot(was.std, was.relative_std * std::abs(was.value));
       expect(0, std::abs(is.value - change.residue * was.value), std, "residue", m);
     }
   }
 }
 
-SynthSpec spec_of(std::uint64_t run) {
-  SynthSpec spec = two_modes();
+synth::SynthSpec spec_of(std::uint64_t run) {
+  synth::SynthSpec spec = two_modes();
   spec.seed = 7000 + run;
   spec.noise = {.force = 1e-4, .accel = 1e-3};
   return spec;
 }
 
-using Altered = std::function<Record(const Record&)>;
+using Altered = std::function<acquire::Record(const acquire::Record&)>;
 
 Check invariant(const std::string& name, const Change& change, const Altered& altered, double freq = 1) {
   Check check{.group = "invariance", .name = name, .runs = 2, .full_runs = 16};
   check.expectation = change.tolerance > 0 ? fmt::format("the same modes to {:g} deviations", change.tolerance)
                                            : "the same modes, every bit";
   check.run = [=](std::uint64_t run) {
-    const SynthSpec spec = spec_of(run);
-    const SyntheticTest test = synthesise(spec, 1);
-    AnalysisOptions options = options_of(spec);
+    const synth::SynthSpec spec = spec_of(run);
+    const synth::SyntheticTest test = synth::synthesise(spec, 1);
+    pipeline::AnalysisOptions options = options_of(spec);
     const CommandResult before = analyse(test.record, options);
     options.band_Hz = std::pair{freq * spec.band_low_Hz, freq * spec.band_high_Hz};
     Result result;
@@ -79,7 +79,7 @@ Check invariant(const std::string& name, const Change& change, const Altered& al
 }
 
 Altered by(const std::function<void(Samples&)>& change) {
-  return [change](const Record& record) {
+  return [change](const acquire::Record& record) {
     Samples samples = samples_of(record);
     change(samples);
     return record_of(std::move(samples), record);
@@ -116,16 +116,16 @@ Check shifted(double samples) {
               .runs = 1,
               .full_runs = 4};
   check.run = [=](std::uint64_t run) {
-    SynthSpec spec = spec_of(run);
+    synth::SynthSpec spec = spec_of(run);
     spec.noise = {};
-    const AnalysisOptions options = options_of(spec);
-    CommandResult before = analyse(synthesise(spec, 1).record, options);
+    const pipeline::AnalysisOptions options = options_of(spec);
+    CommandResult before = analyse(synth::synthesise(spec, 1).record, options);
     spec.pretrigger_s += samples / spec.fs_Hz;
-    const CommandResult after = analyse(synthesise(spec, 1).record, options);
-    for (Mode& mode : before.modes) {
+    const CommandResult after = analyse(synth::synthesise(spec, 1).record, options);
+    for (identify::Mode& mode : before.modes) {
       mode.freq_std_Hz = kRoundingOfPole * mode.pole.freq_Hz;
       mode.damping_std = kRoundingOfPole;
-      for (Residue& residue : mode.residues) residue.std = 1e-7 * std::abs(residue.value);
+      for (identify::Residue& residue : mode.residues) residue.std = 1e-7 * std::abs(residue.value);
     }
     Result result;
     compare(before, after, {.tolerance = 1}, result);
@@ -139,26 +139,26 @@ Check shifted(double samples) {
 std::vector<Check> of_files() {
   std::vector<Check> checks;
   for (const char* extension : {".h5", ".mat", ".uff", ".csv"}) {
-    checks.push_back(
-        invariant(fmt::format("written to one {} file", extension), {.tolerance = 0}, [=](const Record& record) {
-          const test::ScratchFolder folder;
-          const std::string path = folder.file(std::string("all") + extension);
-          write_record(path, record, false);
-          return record_of(samples_of(open_record(path)), record);
-        }));
+    checks.push_back(invariant(fmt::format("written to one {} file", extension), {.tolerance = 0},
+                               [=](const acquire::Record& record) {
+                                 const test::ScratchFolder folder;
+                                 const std::string path = folder.file(std::string("all") + extension);
+                                 acquire::write_record(path, record, false);
+                                 return record_of(samples_of(acquire::open_record(path)), record);
+                               }));
     checks.push_back(invariant(
-        fmt::format("written to one {} file per hit", extension), {.tolerance = 0}, [=](const Record& record) {
+        fmt::format("written to one {} file per hit", extension), {.tolerance = 0}, [=](const acquire::Record& record) {
           const test::ScratchFolder folder;
-          std::vector<Record> parts;
+          std::vector<acquire::Record> parts;
           for (std::size_t row = 0; row < record.rows.size(); ++row) {
             Samples samples = samples_of(record);
             samples.force_N = {samples.force_N[row]};
             samples.accel_mps2 = {samples.accel_mps2[row]};
             const std::string path = folder.file(fmt::format("{}{}", row, extension));
-            write_record(path, record_of(std::move(samples), record), false);
-            parts.push_back(open_record(path));
+            acquire::write_record(path, record_of(std::move(samples), record), false);
+            parts.push_back(acquire::open_record(path));
           }
-          return record_of(samples_of(join_records(std::move(parts), FileGrouping::hits)), record);
+          return record_of(samples_of(acquire::join_records(std::move(parts), acquire::FileGrouping::hits)), record);
         }));
   }
   return checks;

@@ -56,11 +56,11 @@ std::vector<Cell> length_cells() {
     }
   }
   Cell longest{.group = "length", .name = "2^24 samples, 6 hits in one row", .spec = two_modes()};
-  longest.spec.layout = SynthLayout::continuous;
+  longest.spec.layout = synth::SynthLayout::continuous;
   longest.spec.samples = std::size_t{1} << 24U;
   longest.spec.sensors.resize(1);
   longest.spec.structure.rigid_line_per_kg = {1.2};
-  for (SynthMode& mode : longest.spec.modes) mode.residue_per_kg.resize(1);
+  for (synth::SynthMode& mode : longest.spec.modes) mode.residue_per_kg.resize(1);
   longest.spec.hits = 6;
   longest.spec.noise.accel = 1e-4;
   longest.expected.demand = Demand::all;

@@ -96,7 +96,7 @@ int run(const Options& options) {
   });
   if (!options.record.empty()) {
     if (checks.size() != 1) throw std::invalid_argument(fmt::format("--only chooses {} cells", checks.size()));
-    write_record(options.record, checks.front().record(options.record_run), true);
+    acquire::write_record(options.record, checks.front().record(options.record_run), true);
     return 0;
   }
   const auto summaries = run_all(checks, options.full);

@@ -16,14 +16,14 @@ constexpr int kInternal = 1, kBadInput = 3, kImpossible = 4;
 
 bool deviation(double x) { return std::isfinite(x) && x > 0; }
 
-bool usable(const Residue& residue) {
+bool usable(const identify::Residue& residue) {
   return std::isfinite(residue.value.real()) && std::isfinite(residue.value.imag()) && std::isfinite(residue.std) &&
          residue.std >= 0 && std::isfinite(residue.relative_std);
 }
 
-void note_findings(const Analysis& analysis, std::set<std::string>& said) {
-  for (const AnalysedHit& hit : analysis.hits()) {
-    for (const Finding& finding : hit.hit.findings) said.insert(name_of(finding.code));
+void note_findings(const pipeline::Analysis& analysis, std::set<std::string>& said) {
+  for (const pipeline::AnalysedHit& hit : analysis.hits()) {
+    for (const acquire::Finding& finding : hit.hit.findings) said.insert(name_of(finding.code));
   }
 }
 
@@ -36,8 +36,8 @@ std::vector<double> frequencies_of(const std::string& message) {
   return freq_Hz;
 }
 
-void note_warnings(const Analysis& analysis, CommandResult& outcome) {
-  for (const Warning& warning : analysis.warnings()) {
+void note_warnings(const pipeline::Analysis& analysis, CommandResult& outcome) {
+  for (const pipeline::Warning& warning : analysis.warnings()) {
     outcome.said.insert(warning.code);
     if (warning.code == "unclaimed_peaks") outcome.unclaimed_Hz = frequencies_of(warning.message);
   }
@@ -45,10 +45,10 @@ void note_warnings(const Analysis& analysis, CommandResult& outcome) {
 
 }  // namespace
 
-CommandResult analyse(Record record, const AnalysisOptions& options) {
+CommandResult analyse(acquire::Record record, const pipeline::AnalysisOptions& options) {
   CommandResult outcome;
   try {
-    const Analysis analysis(std::move(record), options);
+    const pipeline::Analysis analysis(std::move(record), options);
     note_findings(analysis, outcome.said);
     if (analysis.possible()) {
       outcome.modes = analysis.modes();
@@ -68,15 +68,15 @@ CommandResult analyse(Record record, const AnalysisOptions& options) {
   return outcome;
 }
 
-std::string unusable_number(const std::vector<Mode>& modes) {
+std::string unusable_number(const std::vector<identify::Mode>& modes) {
   for (std::size_t m = 0; m < modes.size(); ++m) {
-    const Mode& mode = modes[m];
+    const identify::Mode& mode = modes[m];
     const auto named = [m](const char* what) { return fmt::format("{} of mode {} is no number", what, m); };
     if (!(std::isfinite(mode.pole.freq_Hz) && mode.pole.freq_Hz > 0)) return named("frequency");
     if (!(std::isfinite(mode.pole.damping_ratio) && mode.pole.damping_ratio > 0)) return named("damping ratio");
     if (!deviation(mode.freq_std_Hz)) return named("deviation of the frequency");
     if (!deviation(mode.damping_std)) return named("deviation of the damping ratio");
-    for (const Residue& residue : mode.residues) {
+    for (const identify::Residue& residue : mode.residues) {
       if (!usable(residue)) return named("a residue");
     }
   }

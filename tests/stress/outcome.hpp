@@ -14,14 +14,14 @@ struct CommandResult {
   int exit_code = 0;
   std::string message;         // of an error
   std::set<std::string> said;  // codes of warnings and of the hits' findings
-  std::vector<Mode> modes;
+  std::vector<identify::Mode> modes;
   std::vector<double> unclaimed_Hz;  // the peaks that the warning of that name names
   double df_Hz = 0;                  // between lines
 };
 
-CommandResult analyse(Record record, const AnalysisOptions& options);
+CommandResult analyse(acquire::Record record, const pipeline::AnalysisOptions& options);
 
 /// "frequency of mode 2" where a number of a mode is no number or its deviation none; empty when all are.
-std::string unusable_number(const std::vector<Mode>& modes);
+std::string unusable_number(const std::vector<identify::Mode>& modes);
 
 }  // namespace percuss::stress

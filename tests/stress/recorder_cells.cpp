@@ -53,8 +53,8 @@ std::vector<Cell> limits() {
       cell_of("force clipped in three hits of five", {.demand = Demand::all, .says = {"overload", "rejected_hits"}});
   some.spec.pulse.peak_spread = 0.02;
   some.spec.recorder.force_clip_N = 150;
-  some.spec.faults = {{.hit = 1, .kind = SynthFaultKind::weak, .ratio = 0.4},
-                      {.hit = 3, .kind = SynthFaultKind::weak, .ratio = 0.45}};
+  some.spec.faults = {{.hit = 1, .kind = synth::SynthFaultKind::weak, .ratio = 0.4},
+                      {.hit = 3, .kind = synth::SynthFaultKind::weak, .ratio = 0.45}};
   Cell accel = cell_of("response clipped in every hit", {.exit_code = 4, .reason = "overload"});
   accel.spec.pulse.peak_spread = 0;
   accel.spec.recorder.accel_clip_mps2 = 100;
@@ -86,7 +86,7 @@ std::vector<Cell> wiring() {
   Cell reversed = cell_of("force with the wrong sign", {.demand = Demand::all, .says = {"polarity"}});
   reversed.alter = [](Samples& samples) { scale(samples, -1, 1); };
   Cell one = cell_of("force with the wrong sign in one hit", {.demand = Demand::all, .says = {"polarity"}});
-  one.spec.faults = {{.hit = 1, .kind = SynthFaultKind::reversed}};
+  one.spec.faults = {{.hit = 1, .kind = synth::SynthFaultKind::reversed}};
   Cell sensor = cell_of("second sensor the wrong way round", {.demand = Demand::all});
   sensor.spec.sensors[1].sign = -1;
   Cell swapped = cell_of("force and first response exchanged", {.exit_code = 4, .reason = "double_hit"});

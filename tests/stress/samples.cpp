@@ -33,7 +33,7 @@ double largest_accel(const Samples& samples) {
 
 }  // namespace
 
-Samples samples_of(const Record& record) {
+Samples samples_of(const acquire::Record& record) {
   Samples samples{.fs_Hz = record.fs_Hz};
   for (std::size_t row = 0; row < record.rows.size(); ++row) {
     const std::size_t count = record.rows[row].samples;
@@ -49,8 +49,9 @@ Samples samples_of(const Record& record) {
   return samples;
 }
 
-Record record_of(Samples samples, const Record& like) {
-  Record record = record_in_memory(samples.fs_Hz, std::move(samples.force_N), std::move(samples.accel_mps2));
+acquire::Record record_of(Samples samples, const acquire::Record& like) {
+  acquire::Record record =
+      acquire::record_in_memory(samples.fs_Hz, std::move(samples.force_N), std::move(samples.accel_mps2));
   if (record.accel.size() == like.accel.size()) record.accel = like.accel;
   for (std::size_t row = 0; row < std::min(record.rows.size(), like.rows.size()); ++row)
     record.rows[row].point = like.rows[row].point;

@@ -12,9 +12,9 @@ struct Samples {
   std::vector<std::vector<std::vector<double>>> accel_mps2;  // [row][channel][sample]
 };
 
-Samples samples_of(const Record& record);
+Samples samples_of(const acquire::Record& record);
 /// As `like` describes it, with these samples.
-Record record_of(Samples samples, const Record& like);
+acquire::Record record_of(Samples samples, const acquire::Record& like);
 
 void scale(Samples& samples, double force, double accel);
 /// The first `count` samples of every row.

@@ -10,9 +10,9 @@ struct Pair {
   bool alike = false;  // in the ratio of their residues, as two hoop modes seen at one place: poles alone tell them
 };
 
-SynthSpec pair_of(const Pair& pair) {
+synth::SynthSpec pair_of(const Pair& pair) {
   const double apart_Hz = pair.bandwidths * 2 * pair.damping_ratio * pair.freq_Hz;
-  SynthSpec spec = structure(
+  synth::SynthSpec spec = structure(
       {{.freq_Hz = pair.freq_Hz, .damping_ratio = pair.damping_ratio, .residue_per_kg = {1, 0.5}},
        {.freq_Hz = pair.freq_Hz + apart_Hz, .damping_ratio = pair.damping_ratio, .residue_per_kg = {0.6, -0.8}}});
   if (pair.alike) spec.modes[1].residue_per_kg = {0.8, 0.4};

@@ -8,15 +8,15 @@ namespace percuss::stress {
 namespace {
 
 // 60 modes from 80 to 2900 Hz: spaced in proportion to their frequencies, 12 half-power bandwidths at 0.25 %.
-SynthSpec sixty_modes() {
-  std::vector<SynthMode> modes;
+synth::SynthSpec sixty_modes() {
+  std::vector<synth::SynthMode> modes;
   for (int m = 0; m < 60; ++m) {
     const double angle = 0.7 * m;
     modes.push_back({.freq_Hz = 80 * std::pow(2900.0 / 80, m / 59.0),
                      .damping_ratio = 0.0025,
                      .residue_per_kg = {std::cos(angle) + 0.2, std::sin(angle)}});
   }
-  SynthSpec spec = structure(std::move(modes));
+  synth::SynthSpec spec = structure(std::move(modes));
   spec.samples = 32768;
   return spec;
 }

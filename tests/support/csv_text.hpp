@@ -14,17 +14,17 @@ inline FileBytes csv_bytes(const std::string& text) {
   return {.path = "x.csv", .data = {kept, kept->data()}, .size = kept->size()};
 }
 
-inline Record csv_record(const std::string& text, const ReadOptions& options = {}) {
-  return open_csv(csv_bytes(text), options);
+inline acquire::Record csv_record(const std::string& text, const acquire::ReadOptions& options = {}) {
+  return acquire::open_csv(csv_bytes(text), options);
 }
 
-inline std::vector<double> force_N(const Record& record, std::size_t row = 0) {
+inline std::vector<double> force_N(const acquire::Record& record, std::size_t row = 0) {
   std::vector<double> samples(record.rows.at(row).samples);
   record.read_force_N(row, 0, samples);
   return samples;
 }
 
-inline std::vector<double> accel_mps2(const Record& record, std::size_t channel = 0, std::size_t row = 0) {
+inline std::vector<double> accel_mps2(const acquire::Record& record, std::size_t channel = 0, std::size_t row = 0) {
   std::vector<double> samples(record.rows.at(row).samples);
   record.read_accel_mps2(row, channel, 0, samples);
   return samples;

@@ -18,8 +18,8 @@ void add_haversine(std::vector<double>& x, double onset, double width, double pe
 }
 
 void add_filtered_haversine(std::vector<double>& x, double onset, double width, double peak) {
-  const Pulse pulse{.kind = PulseKind::haversine, .onset_s = onset, .width_s = width, .peak_N = peak};
-  const PulseBasis basis = pulse_basis(pulse, 1, {}, 0, x.size());  // at 1 Hz a second is a sample
+  const synth::Pulse pulse{.kind = synth::PulseKind::haversine, .onset_s = onset, .width_s = width, .peak_N = peak};
+  const synth::PulseBasis basis = synth::pulse_basis(pulse, 1, {}, 0, x.size());  // at 1 Hz a second is a sample
   for (std::size_t i = 0; i < basis.force_N.size(); ++i) x[basis.first + i] += basis.force_N[i];
 }
 
@@ -36,11 +36,11 @@ std::vector<double> ac_coupled(const std::vector<double>& x, double time_constan
   return out;
 }
 
-Record force_record(double fs_Hz, const std::vector<std::vector<double>>& force_N) {
+acquire::Record force_record(double fs_Hz, const std::vector<std::vector<double>>& force_N) {
   std::vector<std::vector<std::vector<double>>> accel;
   accel.reserve(force_N.size());
   for (const auto& row : force_N) accel.push_back({std::vector<double>(row.size())});
-  return record_in_memory(fs_Hz, force_N, std::move(accel));
+  return acquire::record_in_memory(fs_Hz, force_N, std::move(accel));
 }
 
 }  // namespace percuss::test

@@ -21,6 +21,6 @@ void add_noise(std::vector<double>& x, double deviation, std::uint64_t seed);
 std::vector<double> ac_coupled(const std::vector<double>& x, double time_constant_samples);
 
 /// A record in memory of these forces, with one acceleration channel that reads zero.
-Record force_record(double fs_Hz, const std::vector<std::vector<double>>& force_N);
+acquire::Record force_record(double fs_Hz, const std::vector<std::vector<double>>& force_N);
 
 }  // namespace percuss::test

@@ -9,25 +9,25 @@ namespace percuss::test {
 namespace {
 
 // The row as one stretch whose force is all of it.
-Hit whole_row(const Record& record, std::size_t row) {
+acquire::Hit whole_row(const acquire::Record& record, std::size_t row) {
   const std::size_t samples = record.rows[row].samples;
-  Hit hit{.row = row, .samples = samples, .gated_N = std::vector<double>(samples)};
+  acquire::Hit hit{.row = row, .samples = samples, .gated_N = std::vector<double>(samples)};
   record.read_force_N(row, 0, hit.gated_N);
   return hit;
 }
 
 }  // namespace
 
-FrfDataset frf_set_of(const Record& record, double low_Hz, double high_Hz, double decay_per_s) {
-  FrfDataset set{.lines = lines_in_band(record.fs_Hz, record.rows.front().samples, low_Hz, high_Hz)};
+identify::FrfDataset frf_set_of(const acquire::Record& record, double low_Hz, double high_Hz, double decay_per_s) {
+  identify::FrfDataset set{.lines = frf::lines_in_band(record.fs_Hz, record.rows.front().samples, low_Hz, high_Hz)};
   std::map<int, std::vector<std::size_t>> points;
   for (std::size_t row = 0; row < record.rows.size(); ++row) points[record.rows[row].point].push_back(row);
   for (const auto& [point, rows] : points) {
-    std::vector<ForceBlock> blocks;
-    std::vector<Spectrum> force;
+    std::vector<frf::ForceBlock> blocks;
+    std::vector<frf::Spectrum> force;
     for (const std::size_t row : rows) {
-      blocks.push_back(force_block(whole_row(record, row), record.fs_Hz, decay_per_s));
-      force.push_back(shared(force_spectrum(blocks.back(), set.lines)));
+      blocks.push_back(frf::force_block(whole_row(record, row), record.fs_Hz, decay_per_s));
+      force.push_back(frf::shared(frf::force_spectrum(blocks.back(), set.lines)));
     }
     for (std::size_t c = 0; c < record.accel.size(); ++c) {
       std::vector<Complex> h(set.lines.count);
@@ -35,7 +35,7 @@ FrfDataset frf_set_of(const Record& record, double low_Hz, double high_Hz, doubl
       for (std::size_t i = 0; i < rows.size(); ++i) {
         std::vector<double> x(set.lines.samples);
         record.read_accel_mps2(rows[i], c, 0, x);
-        const auto a = accel_spectrum(whole_row(record, rows[i]), x, set.lines, decay_per_s);
+        const auto a = frf::accel_spectrum(whole_row(record, rows[i]), x, set.lines, decay_per_s);
         for (std::size_t k = 0; k < h.size(); ++k) {
           h[k] += std::conj(force[i].get()[k]) * a[k];
           power[k] += std::norm(force[i].get()[k]);
@@ -44,40 +44,40 @@ FrfDataset frf_set_of(const Record& record, double low_Hz, double high_Hz, doubl
       for (std::size_t k = 0; k < h.size(); ++k) h[k] /= power[k];
       set.outputs.push_back({.point = set.points.size(), .channel = c, .frf = h});
     }
-    set.points.push_back(point_force(blocks, force, set.lines, 0));
+    set.points.push_back(identify::point_force(blocks, force, set.lines, 0));
   }
   return set;
 }
 
-FrfDataset empty_set(double fs_Hz, std::size_t samples, double low_Hz, double high_Hz, std::size_t channels) {
-  FrfDataset set{.lines = lines_in_band(fs_Hz, samples, low_Hz, high_Hz)};
-  const Spectrum flat = shared(std::vector<Complex>(set.lines.count, Complex(1, 0)));
-  set.points.push_back(point_force({{.force_N = {1}}}, {flat}, set.lines, 0));
+identify::FrfDataset empty_set(double fs_Hz, std::size_t samples, double low_Hz, double high_Hz, std::size_t channels) {
+  identify::FrfDataset set{.lines = frf::lines_in_band(fs_Hz, samples, low_Hz, high_Hz)};
+  const frf::Spectrum flat = frf::shared(std::vector<Complex>(set.lines.count, Complex(1, 0)));
+  set.points.push_back(identify::point_force({{.force_N = {1}}}, {flat}, set.lines, 0));
   for (std::size_t c = 0; c < channels; ++c)
     set.outputs.push_back({.point = 0, .channel = c, .frf = std::vector<Complex>(set.lines.count)});
   return set;
 }
 
-Complex mode_accelerance(const Pole& pole, Complex s) {
+Complex mode_accelerance(const identify::Pole& pole, Complex s) {
   const double omega = kTwoPi * pole.freq_Hz;
   return s * s / (s * s + 2 * pole.damping_ratio * omega * s + omega * omega);
 }
 
-void add_mode(FrfDataset& set, std::size_t output, const Pole& pole, Complex residue) {
+void add_mode(identify::FrfDataset& set, std::size_t output, const identify::Pole& pole, Complex residue) {
   for (std::size_t k = 0; k < set.lines.count; ++k)
     set.outputs[output].frf[k] += residue * mode_accelerance(pole, Complex(0, kTwoPi * set.lines.freq_Hz(k)));
 }
 
-void add_frf_noise(FrfDataset& set, double deviation, std::uint64_t seed) {
+void add_frf_noise(identify::FrfDataset& set, double deviation, std::uint64_t seed) {
   for (std::size_t o = 0; o < set.outputs.size(); ++o) {
     std::vector<double> noise(2 * set.lines.count);
-    RandomStream({seed, o}).add_normal(deviation, noise);
+    synth::RandomStream({seed, o}).add_normal(deviation, noise);
     for (std::size_t k = 0; k < set.lines.count; ++k) set.outputs[o].frf[k] += Complex(noise[2 * k], noise[2 * k + 1]);
   }
 }
 
-SynthSpec bat_spec(std::vector<SynthMode> modes, double duration_s) {
-  SynthSpec spec;
+synth::SynthSpec bat_spec(std::vector<synth::SynthMode> modes, double duration_s) {
+  synth::SynthSpec spec;
   spec.fs_Hz = 8192;
   spec.samples = static_cast<std::size_t>(duration_s * spec.fs_Hz);
   spec.band_high_Hz = 2400;
@@ -88,8 +88,8 @@ SynthSpec bat_spec(std::vector<SynthMode> modes, double duration_s) {
   return spec;
 }
 
-SynthSpec roving_beam_spec(double first_in, double step_in, int points) {
-  SynthSpec spec;
+synth::SynthSpec roving_beam_spec(double first_in, double step_in, int points) {
+  synth::SynthSpec spec;
   spec.fs_Hz = 4096;
   spec.samples = 4096;
   spec.band_high_Hz = 1000;

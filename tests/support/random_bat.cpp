@@ -19,32 +19,32 @@ constexpr double kPlanes_rad = 4 * kDegree;  // … of a mode's plane from the b
 constexpr double kHighest_Hz = 3000;
 constexpr std::uint64_t kPurpose = 0xBA7;
 
-double normal(RandomStream& random, double mean, double deviation) {
+double normal(synth::RandomStream& random, double mean, double deviation) {
   std::array<double, 1> x{mean};
   random.add_normal(deviation, x);
   return x[0];
 }
 
 // Where a bat is weakest, from the first sensor: anywhere, half way between the sensors, or at one of them.
-double plane_of_bat(RandomStream& random) {
+double plane_of_bat(synth::RandomStream& random) {
   const double kind = random.uniform();
   if (kind < 0.6) return random.uniform(0, pi);
   if (kind < 0.8) return normal(random, (random.uniform() < 0.5 ? 45 : 135) * kDegree, kDegree);
   return normal(random, random.uniform() < 0.5 ? 0 : pi / 2, kDegree);
 }
 
-void add_bending(SynthSpec& spec, RandomStream& random) {
+void add_bending(synth::SynthSpec& spec, synth::RandomStream& random) {
   const double plane = plane_of_bat(random), kind = random.uniform();
   const std::array<double, 3> ratio{random.uniform(110, 260), random.uniform(2.4, 3.6), random.uniform(1.75, 2.1)};
   double f = 1;
   for (int order = 1; order <= 3; ++order) {
     f *= ratio[static_cast<std::size_t>(order - 1)];
     if (f > kHighest_Hz) return;
-    SynthMode mode{.freq_Hz = f,
-                   .damping_ratio = random.uniform(0.003, 0.012),
-                   .order = order,
-                   .angle_rad = normal(random, plane, kPlanes_rad),
-                   .amplitude_per_sqrt_kg = random.uniform(1.2, 2.4)};
+    synth::SynthMode mode{.freq_Hz = f,
+                          .damping_ratio = random.uniform(0.003, 0.012),
+                          .order = order,
+                          .angle_rad = normal(random, plane, kPlanes_rad),
+                          .amplitude_per_sqrt_kg = random.uniform(1.2, 2.4)};
     if (kind < 0.2) mode.angle_rad = spec.points[0].angle_rad;  // round: it bends the way it is struck
     spec.modes.push_back(mode);
     if (kind < 0.5) continue;  // the other plane is not seen
@@ -54,18 +54,18 @@ void add_bending(SynthSpec& spec, RandomStream& random) {
   }
 }
 
-void add_hoop(SynthSpec& spec, RandomStream& random) {
+void add_hoop(synth::SynthSpec& spec, synth::RandomStream& random) {
   const bool shorter = random.uniform() < 0.2;  // a hoop mode below the second bending mode
   double f = spec.modes[0].freq_Hz * random.uniform(1.3, 2.1);
   if (!shorter) f = random.uniform(1000, 2500);
   const bool pairs = random.uniform() < 0.6;
   for (int order = 1; order <= 2 && f < kHighest_Hz; ++order, f *= random.uniform(1.2, 1.6)) {
-    SynthMode mode{.freq_Hz = f,
-                   .damping_ratio = random.uniform(0.002, 0.006),
-                   .family = SynthFamily::hoop,
-                   .order = order,
-                   .angle_rad = random.uniform(0, pi),
-                   .amplitude_per_sqrt_kg = random.uniform(1.5, 4)};
+    synth::SynthMode mode{.freq_Hz = f,
+                          .damping_ratio = random.uniform(0.002, 0.006),
+                          .family = synth::SynthFamily::hoop,
+                          .order = order,
+                          .angle_rad = random.uniform(0, pi),
+                          .amplitude_per_sqrt_kg = random.uniform(1.5, 4)};
     spec.modes.push_back(mode);
     if (!pairs) continue;
     mode.freq_Hz += random.uniform(2, 40);
@@ -76,15 +76,15 @@ void add_hoop(SynthSpec& spec, RandomStream& random) {
 
 }  // namespace
 
-SynthSpec random_bat(std::uint64_t seed) {
-  RandomStream random({kPurpose, seed});
-  SynthSpec spec{.fs_Hz = 8192, .samples = 4096, .seed = seed, .band_high_Hz = 3200};
+synth::SynthSpec random_bat(std::uint64_t seed) {
+  synth::RandomStream random({kPurpose, seed});
+  synth::SynthSpec spec{.fs_Hz = 8192, .samples = 4096, .seed = seed, .band_high_Hz = 3200};
   spec.pulse = {.width_s = 0.35e-3};
   spec.hits = 2;
   const double struck_rad = random.uniform() < 0.5 ? normal(random, 0, 3 * kDegree) : random.uniform(0, pi);
   spec.points = {{.position_m = random.uniform(2, 8) * kInch_m, .angle_rad = struck_rad}};
   const double position_m = random.uniform(0.5, 7) * kInch_m;
-  for (SynthSensor& sensor : spec.sensors) {
+  for (synth::SynthSensor& sensor : spec.sensors) {
     sensor.position_m = position_m;
     sensor.angle_rad = normal(random, sensor.angle_rad, kPlaced_rad);
     sensor.gain = normal(random, 1, kGain);
@@ -95,7 +95,7 @@ SynthSpec random_bat(std::uint64_t seed) {
   return spec;
 }
 
-Record with_sensor_angles(Record record) {
+acquire::Record with_sensor_angles(acquire::Record record) {
   for (std::size_t c = 0; c < record.accel.size(); ++c) record.accel[c].angle_rad = pi / 2 * static_cast<double>(c);
   return record;
 }

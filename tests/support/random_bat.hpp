@@ -12,7 +12,7 @@ namespace percuss::test {
 /// that a hoop mode lies below the second bending mode; sensors and hammer near axial nodes; 0.1 to 2 % of noise, gains
 /// wrong by a few per cent. The sensors stand where they do, about 2° off; with_sensor_angles() puts into the record
 /// where they are believed to be.
-SynthSpec random_bat(std::uint64_t seed);
-Record with_sensor_angles(Record record);
+synth::SynthSpec random_bat(std::uint64_t seed);
+acquire::Record with_sensor_angles(acquire::Record record);
 
 }  // namespace percuss::test

@@ -17,8 +17,8 @@ std::string small_spec(const std::string& more) {
 }
 
 void write_small_test(const std::string& path, const std::string& more) {
-  const auto made = synthesise(parse_synth_spec(small_spec(more), "the small test"));
-  write_record(path, made.record, true);
+  const auto made = synth::synthesise(synth::parse_synth_spec(small_spec(more), "the small test"));
+  acquire::write_record(path, made.record, true);
 }
 
 }  // namespace percuss::test

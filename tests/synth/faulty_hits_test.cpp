@@ -8,7 +8,7 @@
 #include "synth/schedule.hpp"
 #include "synth/synthesise.hpp"
 
-namespace percuss::synth_fault_test {
+namespace percuss::synth::synth_fault_test {
 
 SynthSpec bat() {
   SynthSpec spec;
@@ -167,4 +167,4 @@ TEST(RandomStream, NormalsHaveTheirMoments) {
   EXPECT_LE(std::abs(fourth / n - 3), 5 * std::sqrt(96 / n));  // and √96 over √n
 }
 
-}  // namespace percuss::synth_fault_test
+}  // namespace percuss::synth::synth_fault_test

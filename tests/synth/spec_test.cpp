@@ -12,7 +12,7 @@
 #include "synth/synthesise.hpp"
 #include "synth/truth_json.hpp"
 
-namespace percuss::synth_spec_test {
+namespace percuss::synth::synth_spec_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -146,4 +146,4 @@ TEST(TruthDocument, OfARovingHammerGoesByPoint) {
   EXPECT_EQ(truth["A"][0].size(), 5U);
 }
 
-}  // namespace percuss::synth_spec_test
+}  // namespace percuss::synth::synth_spec_test

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-namespace percuss::synth_structure_test {
+namespace percuss::synth::synth_structure_test {
 
 using std::numbers::pi;
 
@@ -95,4 +95,4 @@ TEST(RigidLine, AtTheCentreOfMassIsOneOverMass) {
   EXPECT_DOUBLE_EQ(rigid_line_per_kg(spec, 0, 0), 1 / spec.structure.mass_kg);
 }
 
-}  // namespace percuss::synth_structure_test
+}  // namespace percuss::synth::synth_structure_test

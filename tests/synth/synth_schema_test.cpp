@@ -6,7 +6,7 @@
 #include "synth/synthesise.hpp"
 #include "synth/truth_json.hpp"
 
-namespace percuss::synth_schema_test {
+namespace percuss::synth::synth_schema_test {
 
 using nlohmann::json;
 using test::schema_named;
@@ -56,4 +56,4 @@ TEST(SchemaViolations, AreSeen) {
   EXPECT_EQ(schema_violations(3, test::parse_json(R"({"multipleOf": 2})")).size(), 1U);
 }
 
-}  // namespace percuss::synth_schema_test
+}  // namespace percuss::synth::synth_schema_test

@@ -8,7 +8,7 @@
 
 #include "synth/pulse.hpp"
 
-namespace percuss::synth_record_test {
+namespace percuss::synth::synth_record_test {
 
 using std::numbers::pi;
 
@@ -31,13 +31,13 @@ SynthSpec bat() {
   return spec;
 }
 
-std::vector<double> force(const Record& record, std::size_t row) {
+std::vector<double> force(const acquire::Record& record, std::size_t row) {
   std::vector<double> out(record.rows[row].samples);
   record.read_force_N(row, 0, out);
   return out;
 }
 
-std::vector<double> accel(const Record& record, std::size_t row, std::size_t channel) {
+std::vector<double> accel(const acquire::Record& record, std::size_t row, std::size_t channel) {
   std::vector<double> out(record.rows[row].samples);
   record.read_accel_mps2(row, channel, 0, out);
   return out;
@@ -108,9 +108,9 @@ TEST(Synthesise, RunsRepeatTheHitsWithNewNoise) {
   SynthSpec spec = bat();
   spec.samples = 2048;
   spec.runs = 3;
-  const Record clean = synthesise(spec).record;
+  const acquire::Record clean = synthesise(spec).record;
   spec.noise.accel = 1e-2;
-  const Record noisy = synthesise(spec).record;
+  const acquire::Record noisy = synthesise(spec).record;
   ASSERT_EQ(clean.rows.size(), 6U);
   EXPECT_EQ(clean.rows[5].run, 2);
   EXPECT_EQ(accel(clean, 1, 0), accel(clean, 5, 0));
@@ -153,7 +153,7 @@ TEST(Synthesise, ContinuousRowIsTheSumOfItsHits) {
 }
 
 TEST(Synthesise, SensorsAreDescribedInTheRecord) {
-  const Record record = synthesise(bat()).record;
+  const acquire::Record record = synthesise(bat()).record;
   ASSERT_EQ(record.accel.size(), 2U);
   EXPECT_DOUBLE_EQ(*record.accel[1].angle_rad, pi / 2);
   EXPECT_DOUBLE_EQ(*record.accel[1].position_m, 0.0508);
@@ -169,4 +169,4 @@ TEST(Synthesise, AFreeMassNeedsNoModes) {
   for (std::size_t i = 0; i < f.size(); ++i) ASSERT_DOUBLE_EQ(a[i], f[i] / 2.5);
 }
 
-}  // namespace percuss::synth_record_test
+}  // namespace percuss::synth::synth_record_test

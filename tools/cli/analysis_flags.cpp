@@ -38,11 +38,11 @@ std::pair<double, double> parse_band(const std::string& text, const char* option
                    "give two frequencies in Hz, the lower first: LO:HI, as 60:3200");
 }
 
-Effort effort_of(const std::string& name) {
-  for (const Effort effort : {Effort::quick, Effort::standard}) {
+identify::Effort effort_of(const std::string& name) {
+  for (const identify::Effort effort : {identify::Effort::quick, identify::Effort::standard}) {
     if (name == name_of(effort)) return effort;
   }
-  return Effort::best;
+  return identify::Effort::best;
 }
 
 void add_analysis_options(Command& command, AnalysisFlags& flags) {
@@ -114,10 +114,12 @@ void require_within_band(const std::optional<std::pair<double, double>>& band_Hz
 
 }  // namespace
 
-AnalysisOptions analysis_options(const AnalysisFlags& flags) {
-  AnalysisOptions options;
+pipeline::AnalysisOptions analysis_options(const AnalysisFlags& flags) {
+  pipeline::AnalysisOptions options;
   if (!flags.band.empty()) options.band_Hz = parse_band(flags.band, "--band");
-  options.estimator = flags.estimator == "h2" ? Estimator::h2 : flags.estimator == "hv" ? Estimator::hv : Estimator::h1;
+  options.estimator = flags.estimator == "h2"   ? frf::Estimator::h2
+                      : flags.estimator == "hv" ? frf::Estimator::hv
+                                                : frf::Estimator::h1;
   options.hits = {.trigger_N = flags.trigger_N,
                   .pretrigger_s = flags.pretrigger_s,
                   .length_s = flags.length_s,

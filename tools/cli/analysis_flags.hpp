@@ -30,7 +30,7 @@ void add_analysis_options(Command& command, AnalysisFlags& flags);
 inline constexpr const char* kAnalysisHeading = "Analysis";
 
 /// Throws UsageError for values that contradict each other.
-AnalysisOptions analysis_options(const AnalysisFlags& flags);
+pipeline::AnalysisOptions analysis_options(const AnalysisFlags& flags);
 
 /// "LO:HI" in Hz; UsageError names `option`.
 std::pair<double, double> parse_band(const std::string& text, const char* option);

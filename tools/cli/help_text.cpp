@@ -15,9 +15,9 @@ constexpr std::size_t kWidest = 120;
 // "  --band LO:HI             Frequency band …", the explanation on its own lines where the left part is long.
 std::string entry(const std::string& left, const std::string& right, std::size_t width) {
   std::string out = "  " + left;
-  const std::size_t used = text_width(out);
+  const std::size_t used = report::text_width(out);
   out += used + 2 > kColumn ? "\n" + std::string(kColumn, ' ') : std::string(kColumn - used, ' ');
-  return out + wrapped(right, width, kColumn) + "\n";
+  return out + report::wrapped(right, width, kColumn) + "\n";
 }
 
 std::string option_entry(const DeclaredOption& option, std::size_t width) {
@@ -27,7 +27,7 @@ std::string option_entry(const DeclaredOption& option, std::size_t width) {
 
 std::string usage_lines(const Declaration& all, const DeclaredCommand& command, std::size_t width) {
   constexpr std::size_t kIndent = 7;  // of "Usage: "
-  return "Usage: " + wrapped(fmt::format("{}", fmt::join(usage_of(all, command), " ")), width, kIndent) + "\n";
+  return "Usage: " + report::wrapped(fmt::format("{}", fmt::join(usage_of(all, command), " ")), width, kIndent) + "\n";
 }
 
 std::string examples_of(const DeclaredCommand& command, std::size_t width) {
@@ -35,7 +35,8 @@ std::string examples_of(const DeclaredCommand& command, std::size_t width) {
   for (const DeclaredExample& example : command.examples) {
     constexpr std::size_t kIndent = 6;
     out += "  " + example.line + "\n";  // never wrapped: it is to be copied
-    if (!example.meaning.empty()) out += std::string(kIndent, ' ') + wrapped(example.meaning, width, kIndent) + "\n";
+    if (!example.meaning.empty())
+      out += std::string(kIndent, ' ') + report::wrapped(example.meaning, width, kIndent) + "\n";
   }
   return out;
 }
@@ -45,7 +46,7 @@ std::string examples_of(const DeclaredCommand& command, std::size_t width) {
 std::string help_text(const Declaration& all, const DeclaredCommand& command, std::size_t width) {
   width = std::min(width, kWidest);
   std::string out = command.summary + "\n\n" + usage_lines(all, command, width);
-  if (!command.about.empty()) out += "\n" + wrapped(command.about, width, 0) + "\n";
+  if (!command.about.empty()) out += "\n" + report::wrapped(command.about, width, 0) + "\n";
   const auto below = commands_of(all, command);
   if (!below.empty()) out += "\nCommands:\n";
   for (const DeclaredCommand* one : below) out += entry(last_name(*one), one->summary, width);

@@ -66,7 +66,7 @@ std::string escaped(std::string_view text) {
 
 std::string paragraph(const std::string& text) {
   constexpr std::size_t kWidth = 78;
-  return wrapped(escaped(text), kWidth, 0) + "\n";
+  return report::wrapped(escaped(text), kWidth, 0) + "\n";
 }
 
 std::string bold(std::string_view text) { return R"(\fB)" + escaped(text) + R"(\fR)"; }

@@ -41,16 +41,16 @@ void require_files(const ReadFlags& flags) {
 // Of one file nobody asks: it is opened by itself.
 bool several_with_sandboxed_format(const ReadFlags& flags) {
   return flags.paths.size() > 1 && std::any_of(flags.paths.begin(), flags.paths.end(), [](const std::string& path) {
-           return path != "-" && needs_sandbox(path);
+           return path != "-" && frf::needs_sandbox(path);
          });
 }
 
 // Who forks the readers of several foreign files, so that they can be opened at once: a process with threads at work
 // is not forked. One that belongs to another program has threads of its own at any time.
-std::shared_ptr<ForkServer> fork_server_for(const ReadFlags& flags, const ReadOptions& options) {
+std::shared_ptr<acquire::ForkServer> fork_server_for(const ReadFlags& flags, const acquire::ReadOptions& options) {
   const bool alike = options.force_scale.size() <= 1;
   if (flags.host != nullptr || !options.sandboxed || !alike || !several_with_sandboxed_format(flags)) return nullptr;
-  return measurement_fork_server({.read = options, .kind = flags.frf_kind});
+  return frf::measurement_fork_server({.read = options, .kind = flags.frf_kind});
 }
 
 // Opens all files, texts at once, foreign ones with somebody to fork their readers; of several that cannot be opened
@@ -75,32 +75,36 @@ std::vector<std::optional<Opened>> for_each_file(const ReadFlags& flags, bool fo
 
 }  // namespace
 
-Record open_record_at(const ReadFlags& flags, const ReadOptions& options, std::size_t index) {
-  const ReadOptions its = read_options_of_file(options, index, input_count(flags));
-  if (!has_in_memory_inputs(flags)) return open_record(flags.paths[index], its);
+acquire::Record open_record_at(const ReadFlags& flags, const acquire::ReadOptions& options, std::size_t index) {
+  const acquire::ReadOptions its = read_options_of_file(options, index, input_count(flags));
+  if (!has_in_memory_inputs(flags)) return acquire::open_record(flags.paths[index], its);
   auto given = flags.host->inputs[index]({.read = its, .kind = flags.frf_kind});
-  if (auto* record = std::get_if<Record>(&given)) return std::move(*record);
-  throw InputError("FRFs are no record of time", std::get<FrfRecord>(given).source(), "give force and acceleration");
+  if (auto* record = std::get_if<acquire::Record>(&given)) return std::move(*record);
+  throw InputError("FRFs are no record of time", std::get<frf::FrfRecord>(given).source(),
+                   "give force and acceleration");
 }
 
-std::variant<Record, FrfRecord> open_measurement_at(const ReadFlags& flags, const ReadOptions& options,
-                                                    std::size_t index) {
-  const FrfReadOptions its{.read = read_options_of_file(options, index, input_count(flags)), .kind = flags.frf_kind};
-  return has_in_memory_inputs(flags) ? flags.host->inputs[index](its) : open_measurement(flags.paths[index], its);
+std::variant<acquire::Record, frf::FrfRecord> open_measurement_at(const ReadFlags& flags,
+                                                                  const acquire::ReadOptions& options,
+                                                                  std::size_t index) {
+  const frf::FrfReadOptions its{.read = read_options_of_file(options, index, input_count(flags)),
+                                .kind = flags.frf_kind};
+  return has_in_memory_inputs(flags) ? flags.host->inputs[index](its) : frf::open_measurement(flags.paths[index], its);
 }
 
 Measurements open_measurements(const ReadFlags& flags) {
   require_files(flags);
-  const ReadOptions options = resolved_read_options(flags);
+  const acquire::ReadOptions options = resolved_read_options(flags);
   const auto fork_server = fork_server_for(flags, options);
-  auto all = for_each_file<std::variant<Record, FrfRecord>>(flags, fork_server != nullptr, [&](std::size_t i) {
-    if (fork_server == nullptr) return open_measurement_at(flags, options, i);
-    return open_measurement_forked(fork_server, flags.paths[i], {.read = options, .kind = flags.frf_kind});
-  });
+  auto all =
+      for_each_file<std::variant<acquire::Record, frf::FrfRecord>>(flags, fork_server != nullptr, [&](std::size_t i) {
+        if (fork_server == nullptr) return open_measurement_at(flags, options, i);
+        return frf::open_measurement_forked(fork_server, flags.paths[i], {.read = options, .kind = flags.frf_kind});
+      });
   Measurements out;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    if (auto* record = std::get_if<Record>(&*all[i])) out.records.push_back(std::move(*record));
-    if (auto* frfs = std::get_if<FrfRecord>(&*all[i])) out.frfs.push_back(std::move(*frfs));
+    if (auto* record = std::get_if<acquire::Record>(&*all[i])) out.records.push_back(std::move(*record));
+    if (auto* frfs = std::get_if<frf::FrfRecord>(&*all[i])) out.frfs.push_back(std::move(*frfs));
     if (out.records.empty() || out.frfs.empty()) continue;
     throw InputError("records of time and FRFs cannot be joined",
                      has_in_memory_inputs(flags) ? "data in memory" : flags.paths[i], "analyse the two kinds apart");
@@ -108,17 +112,18 @@ Measurements open_measurements(const ReadFlags& flags) {
   return out;
 }
 
-FrfRecord join_frfs_of(const ReadFlags& flags, std::vector<FrfRecord> frfs) {
-  if (frfs.size() > 1 && flags.files == FileGrouping::hits)
+frf::FrfRecord join_frfs_of(const ReadFlags& flags, std::vector<frf::FrfRecord> frfs) {
+  if (frfs.size() > 1 && flags.files == acquire::FileGrouping::hits)
     throw UsageError("several files of FRFs are no hits of one test", "give --files points or tests");
-  return join_frfs(std::move(frfs));
+  return frf::join_frfs(std::move(frfs));
 }
 
-std::vector<Record> open_records(const ReadFlags& flags) {
+std::vector<acquire::Record> open_records(const ReadFlags& flags) {
   require_files(flags);
-  const ReadOptions options = resolved_read_options(flags);
-  auto all = for_each_file<Record>(flags, false, [&](std::size_t i) { return open_record_at(flags, options, i); });
-  std::vector<Record> records;
+  const acquire::ReadOptions options = resolved_read_options(flags);
+  auto all =
+      for_each_file<acquire::Record>(flags, false, [&](std::size_t i) { return open_record_at(flags, options, i); });
+  std::vector<acquire::Record> records;
   records.reserve(all.size());
   for (auto& record : all) records.push_back(std::move(*record));
   return records;

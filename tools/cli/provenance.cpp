@@ -55,7 +55,7 @@ std::string shell_quoted_argument(const std::string& word) {
   return out + "'";
 }
 
-Provenance provenance_now(const OutputFlags& flags) {
+report::Provenance provenance_now(const OutputFlags& flags) {
   return {.command = flags.equivalent_command.empty() ? command_line() : flags.equivalent_command,
           .made_at = fmt::format("{:%Y-%m-%d %H:%M}", fmt::gmtime(now()))};
 }

@@ -22,13 +22,13 @@ void require_unit_or_volts(const std::string& name, Quantity wanted, const char*
   if (!name.empty() && !volts) require_unit(name, wanted, option);
 }
 
-FileGrouping files_mean(const std::string& text) {
-  if (text == "hits") return FileGrouping::hits;
-  return text == "points" ? FileGrouping::points : FileGrouping::tests;
+acquire::FileGrouping files_mean(const std::string& text) {
+  if (text == "hits") return acquire::FileGrouping::hits;
+  return text == "points" ? acquire::FileGrouping::points : acquire::FileGrouping::tests;
 }
 
 // A number, or else a name.
-void take_rate(const std::string& text, ReadOptions& options) {
+void take_rate(const std::string& text, acquire::ReadOptions& options) {
   const ParsedNumber number = parse_number(text, false);
   if (number.problem == NumberProblem::none || number.problem == NumberProblem::not_finite) {
     options.fs_Hz = number.problem == NumberProblem::none ? number.value : 0;
@@ -55,7 +55,7 @@ std::vector<std::string> whole_names(const std::vector<std::string>& pieces) {
 }  // namespace
 
 void add_reading_options(Command& command, ReadFlags& flags) {
-  ReadOptions& options = flags.options;
+  acquire::ReadOptions& options = flags.options;
   const std::string others = command.heading(kReadingHeading);
   command
       .value(
@@ -90,7 +90,7 @@ void add_reading_options(Command& command, ReadFlags& flags) {
       .finite();
   command
       .value(
-          "--frf-kind", [&flags](const std::string& text) { flags.frf_kind = parse_frf_kind(text); },
+          "--frf-kind", [&flags](const std::string& text) { flags.frf_kind = frf::parse_frf_kind(text); },
           "What files of FRFs hold, whatever they say")
       .one_of({"accelerance", "mobility", "receptance"});
   command.heading(others);
@@ -140,8 +140,8 @@ void require_rate(const ReadFlags& flags) {
                    "give a number in Hz (with a MAT file also the name of a variable)");
 }
 
-ReadOptions worked_out(const ReadFlags& flags) {
-  ReadOptions options = flags.options;
+acquire::ReadOptions worked_out(const ReadFlags& flags) {
+  acquire::ReadOptions options = flags.options;
   options.sandboxed = !flags.trust_input;
   for (const double angle_deg : flags.angle_deg) options.angle_rad.push_back(angle_deg * kDegree_rad);
   options.position_m = flags.position_m;
@@ -152,19 +152,19 @@ ReadOptions worked_out(const ReadFlags& flags) {
   require_unit_or_volts(options.accel_unit, Quantity::acceleration, "--unit");
   require_unit_or_volts(options.force_unit, Quantity::force, "--force-unit");
   options.accel_channels = whole_names(options.accel_channels);
-  if (!flags.setup_path.empty()) options.setup = read_channel_setup(flags.setup_path);
+  if (!flags.setup_path.empty()) options.setup = acquire::read_channel_setup(flags.setup_path);
   return options;
 }
 
 }  // namespace
 
-ReadOptions resolved_read_options(const ReadFlags& flags) {
+acquire::ReadOptions resolved_read_options(const ReadFlags& flags) {
   require_rate(flags);
   return worked_out(flags);
 }
 
-ReadOptions read_options_of_file(const ReadOptions& all, std::size_t index, std::size_t files) {
-  ReadOptions options = all;
+acquire::ReadOptions read_options_of_file(const acquire::ReadOptions& all, std::size_t index, std::size_t files) {
+  acquire::ReadOptions options = all;
   if (options.force_scale.size() > 1) {
     if (options.force_scale.size() != files) {
       throw UsageError(fmt::format("{} values of --force-scale for {} files", options.force_scale.size(), files),
@@ -175,7 +175,7 @@ ReadOptions read_options_of_file(const ReadOptions& all, std::size_t index, std:
   return options;
 }
 
-FrfReadOptions per_file_read_options(const ReadFlags& flags) {
+frf::FrfReadOptions per_file_read_options(const ReadFlags& flags) {
   return {.read = read_options_of_file(worked_out(flags), 0, 1), .kind = flags.frf_kind};
 }
 

@@ -14,11 +14,11 @@ namespace percuss::tools {
 /// The options that say how recorded files are to be read; shared by analyze, frf, info and calibrate.
 struct ReadFlags {
   std::vector<std::string> paths;
-  ReadOptions options;
-  std::string setup_path;                        // --setup CHANNELS.json
-  FileGrouping files = FileGrouping::automatic;  // --files
-  std::optional<FrfKind> frf_kind;               // --frf-kind
-  bool trust_input = false;                      // --trust-input
+  acquire::ReadOptions options;
+  std::string setup_path;                                          // --setup CHANNELS.json
+  acquire::FileGrouping files = acquire::FileGrouping::automatic;  // --files
+  std::optional<frf::FrfKind> frf_kind;                            // --frf-kind
+  bool trust_input = false;                                        // --trust-input
   // as typed, in the units of the option's name; turned into options by finish()
   std::vector<double> angle_deg;
   std::vector<double> position_m;
@@ -36,13 +36,13 @@ void add_trust_input_option(Command& command, ReadFlags& flags);
 inline constexpr const char* kReadingHeading = "Reading";
 
 /// The set-up file and typed units worked into flags.options. Throws InputError.
-ReadOptions resolved_read_options(const ReadFlags& flags);
+acquire::ReadOptions resolved_read_options(const ReadFlags& flags);
 
 /// The options for one of several files: of a scale per file, that file's. UsageError for another number of scales.
-ReadOptions read_options_of_file(const ReadOptions& all, std::size_t index, std::size_t files);
+acquire::ReadOptions read_options_of_file(const acquire::ReadOptions& all, std::size_t index, std::size_t files);
 
 /// Finished options of files of which each is opened by itself, whatever the flags name; UsageError for values per
 /// file.
-FrfReadOptions per_file_read_options(const ReadFlags& flags);
+frf::FrfReadOptions per_file_read_options(const ReadFlags& flags);
 
 }  // namespace percuss::tools

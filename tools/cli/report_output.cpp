@@ -8,23 +8,23 @@
 namespace percuss::tools {
 namespace {
 
-std::string text_for(const std::string& path, const CommandReport& report, const std::vector<std::string>& inputs,
-                     const OutputFlags& flags) {
-  if (is_html(path)) return command_page(report, inputs, provenance_now(flags));
+std::string text_for(const std::string& path, const report::CommandReport& report,
+                     const std::vector<std::string>& inputs, const OutputFlags& flags) {
+  if (is_html(path)) return report::command_page(report, inputs, provenance_now(flags));
   const std::string kind = extension_of(path);
-  return kind == ".json" ? report.json : kind == ".csv" ? report.csv() : line_charts_svg(report.charts);
+  return kind == ".json" ? report.json : kind == ".csv" ? report.csv() : report::line_charts_svg(report.charts);
 }
 
 }  // namespace
 
 void check_report_outputs(const OutputFlags& flags) { check_outputs(flags, {".json", ".csv", ".svg", ".html"}); }
 
-void write_report(const std::string& path, const CommandReport& report, const std::vector<std::string>& inputs,
+void write_report(const std::string& path, const report::CommandReport& report, const std::vector<std::string>& inputs,
                   const OutputFlags& flags) {
   write_file(path, text_for(path, report, inputs, flags), flags.force);
 }
 
-void print_report(const CommandReport& report, const OutputFlags& flags) {
+void print_report(const report::CommandReport& report, const OutputFlags& flags) {
   if (flags.host != nullptr) {
     CommandResult& outcome = flags.host->outcome;
     outcome.columns = report.columns;
@@ -38,7 +38,7 @@ void print_report(const CommandReport& report, const OutputFlags& flags) {
   }
 }
 
-int show_report(const CommandReport& report, const OutputFlags& flags, const std::vector<std::string>& paths) {
+int show_report(const report::CommandReport& report, const OutputFlags& flags, const std::vector<std::string>& paths) {
   std::vector<std::string> inputs;
   inputs.reserve(paths.size());
   for (const std::string& path : paths) inputs.push_back(with_display_names(flags.host, path));
@@ -54,9 +54,9 @@ int show_report(const CommandReport& report, const OutputFlags& flags, const std
   return kOk;
 }
 
-std::vector<std::string> inputs_of(const Analysis& analysis) {
+std::vector<std::string> inputs_of(const pipeline::Analysis& analysis) {
   std::vector<std::string> paths;
-  for (const InputFile& file : analysis.record().files) paths.push_back(file.path);
+  for (const acquire::InputFile& file : analysis.record().files) paths.push_back(file.path);
   return paths;
 }
 

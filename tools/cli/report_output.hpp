@@ -16,14 +16,15 @@ void check_report_outputs(const OutputFlags& flags);
 
 /// Writes the files asked for, then the document or the text to standard output; returns kOk. The page names the files
 /// that were read, `inputs`.
-int show_report(const CommandReport& report, const OutputFlags& flags, const std::vector<std::string>& inputs = {});
+int show_report(const report::CommandReport& report, const OutputFlags& flags,
+                const std::vector<std::string>& inputs = {});
 
 /// The same in two steps, for commands that have kinds of file of their own.
-void write_report(const std::string& path, const CommandReport& report, const std::vector<std::string>& inputs,
+void write_report(const std::string& path, const report::CommandReport& report, const std::vector<std::string>& inputs,
                   const OutputFlags& flags);
-void print_report(const CommandReport& report, const OutputFlags& flags);
+void print_report(const report::CommandReport& report, const OutputFlags& flags);
 
 /// The files that an analysis read.
-std::vector<std::string> inputs_of(const Analysis& analysis);
+std::vector<std::string> inputs_of(const pipeline::Analysis& analysis);
 
 }  // namespace percuss::tools

@@ -19,16 +19,16 @@ struct AbiFlags {
 
 int follow_log(const AbiFlags& flags) {
   if (flags.example) {
-    print(flags.output, abi_log_example());
+    print(flags.output, metrics::abi_log_example());
     return kOk;
   }
   if (flags.log.empty()) throw UsageError("no log", "name its file, or - for standard input");
   check_report_outputs(flags.output);
-  AbiLog log = read_abi_log(flags.log);
+  metrics::AbiLog log = metrics::read_abi_log(flags.log);
   if (flags.limit) log.limit = flags.limit;
-  const AbiRun run = evaluate_abi(log);
-  show_report(abi_report(log, run), flags.output, {flags.log});
-  return run.verdict == AbiVerdict::fail ? kQualityGate : kOk;
+  const metrics::AbiRun run = metrics::evaluate_abi(log);
+  show_report(report::abi_report(log, run), flags.output, {flags.log});
+  return run.verdict == metrics::AbiVerdict::fail ? kQualityGate : kOk;
 }
 
 }  // namespace

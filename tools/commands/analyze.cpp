@@ -22,26 +22,26 @@ namespace {
 
 bool is_json(const std::string& path) { return extension_of(path) == ".json"; }
 
-void print_trace(const Analysis& analysis) {
+void print_trace(const pipeline::Analysis& analysis) {
   for (const auto& stage : analysis.trace().stages())
     std::cerr << fmt::format("{:<20} {:>6} calls  {:.6f} s\n", stage.name, stage.calls, stage.seconds);
 }
 
-CommandReport comparison_of(const AnalyzeFlags& flags, const std::string& document, const std::string& name) {
-  std::vector<ComparedDocument> documents = parse_documents(document, name);
+report::CommandReport comparison_of(const AnalyzeFlags& flags, const std::string& document, const std::string& name) {
+  std::vector<metrics::ComparedDocument> documents = report::parse_documents(document, name);
   for (const std::string& path : flags.compared) {
-    for (ComparedDocument& one : read_documents(path)) {
+    for (metrics::ComparedDocument& one : report::read_documents(path)) {
       one.name = with_display_names(flags.output.host, one.name);
       documents.push_back(std::move(one));
     }
   }
-  return compare_report(documents);
+  return report::compare_report(documents);
 }
 
-std::optional<BatLabel> bat_label(const AnalyzeFlags& flags) {
+std::optional<report::BatLabel> bat_label(const AnalyzeFlags& flags) {
   if (flags.bat_id.empty() && !flags.bat.empty()) throw UsageError("--bat without --bat-id", "say which bat it is");
   if (flags.bat_id.empty()) return std::nullopt;
-  BatLabel label{.id = flags.bat_id};
+  report::BatLabel label{.id = flags.bat_id};
   for (const std::string& text : flags.bat) {
     const std::size_t equals = text.find('=');
     if (equals == 0 || equals == std::string::npos || equals + 1 == text.size())
@@ -52,40 +52,42 @@ std::optional<BatLabel> bat_label(const AnalyzeFlags& flags) {
   return label;
 }
 
-ImpactTest deflection_of(const Analysis& analysis) {
+pipeline::ImpactTest deflection_of(const pipeline::Analysis& analysis) {
   if (analysis.given_frfs() != nullptr)
     throw UsageError("FRFs tell no deflection", "give the record of force and acceleration");
-  return deflect(analysis);
+  return pipeline::deflect(analysis);
 }
 
 int analyze(const AnalyzeFlags& flags) {
   const ThreadLimit limit(flags.analysis.threads);
   check_analyze_outputs(flags.output);
-  const auto sections = flags.only.empty() ? default_sections() : parse_report_sections(flags.only);
+  const auto sections = flags.only.empty() ? report::default_sections() : report::parse_report_sections(flags.only);
   const bool wants_json = flags.output.json || !flags.compared.empty() ||
                           std::any_of(flags.output.paths.begin(), flags.output.paths.end(), is_json);
   if (flags.stabilisation && !wants_json)
     throw UsageError("--stabilisation goes into the JSON document", "add --json or -o FILE.json");
-  const std::optional<BatLabel> bat = bat_label(flags);
+  const std::optional<report::BatLabel> bat = bat_label(flags);
   const Progress progress("analysing", flags.output.quiet);
   auto tests = tests_of(flags);
   require_one_test(flags, sections, tests.size());
   compute(tests, sections);
-  if (sections.contains(ReportSection::deflection)) tests.front().deflection = deflection_of(*tests.front().analysis);
+  if (sections.contains(report::ReportSection::deflection))
+    tests.front().deflection = deflection_of(*tests.front().analysis);
   std::string document;
   if (wants_json) {
-    std::vector<NumberedAnalysis> numbered;
+    std::vector<report::NumberedAnalysis> numbered;
     numbered.reserve(tests.size());
     for (const Test& test : tests) numbered.push_back({.run = test.run, .analysis = test.analysis.get()});
-    document = analysis_json(numbered, {.sections = sections,
-                                        .trace = flags.trace,
-                                        .explain = flags.explain,
-                                        .per_hit = flags.per_hit,
-                                        .stabilisation = flags.stabilisation,
-                                        .bat = bat,
-                                        .deflection = tests.front().deflection ? &*tests.front().deflection : nullptr});
+    document = report::analysis_json(numbered,
+                                     {.sections = sections,
+                                      .trace = flags.trace,
+                                      .explain = flags.explain,
+                                      .per_hit = flags.per_hit,
+                                      .stabilisation = flags.stabilisation,
+                                      .bat = bat,
+                                      .deflection = tests.front().deflection ? &*tests.front().deflection : nullptr});
   }
-  std::optional<CommandReport> comparison;
+  std::optional<report::CommandReport> comparison;
   if (!flags.compared.empty()) comparison = comparison_of(flags, document, tests.front().analysis->record().source());
   const auto kept = std::make_shared<const AnalyzeResults>(AnalyzeResults{.flags = flags,
                                                                           .tests = std::move(tests),
@@ -101,7 +103,7 @@ int analyze(const AnalyzeFlags& flags) {
     for (const Test& test : kept->tests) print_trace(*test.analysis);
   }
   if (flags.explain && !flags.output.json) {
-    for (const Test& test : kept->tests) std::cerr << skipped_text(*test.analysis).text(terminal_width());
+    for (const Test& test : kept->tests) std::cerr << report::skipped_text(*test.analysis).text(terminal_width());
   }
   const bool possible =
       std::all_of(kept->tests.begin(), kept->tests.end(), [](const Test& test) { return test.analysis->possible(); });
@@ -136,7 +138,7 @@ void add_analyze(CommandLine& line) {
       .one_of({"hits", "frf", "coherence", "modes", "classes", "deflection"});
   command.list("--picture", flags->pictures, "What -o FILE.svg shows")
       .type("PICTURE,...")
-      .one_of(analysis_chart_names());
+      .one_of(report::analysis_chart_names());
   command
       .repeatable("--compare", flags->compared,
                   "Also beside this document, which analyze, survey or model wrote with --json (repeatable)")

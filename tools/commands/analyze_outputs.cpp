@@ -21,31 +21,32 @@ namespace {
 
 std::string page_of(const AnalyzeFlags& flags, const AnalyzeResults& kept) {
   const Test& test = kept.tests.front();
-  return analysis_page(*test.analysis,
-                       {.sections = kept.sections,
-                        .deflection = test.deflection ? &*test.deflection : nullptr,
-                        .comparison = kept.comparison ? &*kept.comparison : nullptr},
-                       provenance_now(flags.output));
+  return report::analysis_page(*test.analysis,
+                               {.sections = kept.sections,
+                                .deflection = test.deflection ? &*test.deflection : nullptr,
+                                .comparison = kept.comparison ? &*kept.comparison : nullptr},
+                               provenance_now(flags.output));
 }
 
-std::string drawing_of(const AnalyzeFlags& flags, const Analysis& analysis) {
-  const auto classifications = analysis.possible() ? analysis.classifications() : std::vector<ModeClassification>();
-  return svg_document(analysis_charts(analysis, classifications, flags.pictures));
+std::string drawing_of(const AnalyzeFlags& flags, const pipeline::Analysis& analysis) {
+  const auto classifications =
+      analysis.possible() ? analysis.classifications() : std::vector<identify::ModeClassification>();
+  return report::svg_document(report::analysis_charts(analysis, classifications, flags.pictures));
 }
 
 std::string html_of(const AnalyzeResults& kept) {
-  const bool classes = kept.sections.contains(ReportSection::classes);
+  const bool classes = kept.sections.contains(report::ReportSection::classes);
   std::string html;
   for (const Test& test : kept.tests) {
-    if (kept.tests.size() > 1) html += page_paragraph(fmt::format("test {}", test.run));
+    if (kept.tests.size() > 1) html += report::page_paragraph(fmt::format("test {}", test.run));
     if (!test.analysis->possible()) {
-      html += page_paragraph(kNoUsableHit);
-    } else if (classes || kept.sections.contains(ReportSection::modes)) {
-      html += modes_table(*test.analysis, classes).html();
+      html += report::page_paragraph(report::kNoUsableHit);
+    } else if (classes || kept.sections.contains(report::ReportSection::modes)) {
+      html += report::modes_table(*test.analysis, classes).html();
     } else {
-      html += hits_table(*test.analysis, test.analysis->force_hits()).shown.html();
+      html += report::hits_table(*test.analysis, test.analysis->force_hits()).shown.html();
     }
-    html += page_warnings(test.analysis->warnings());
+    html += report::page_warnings(test.analysis->warnings());
   }
   return html;
 }
@@ -56,12 +57,12 @@ void check_analyze_outputs(const OutputFlags& output) {
   check_outputs(output, {".json", ".html", ".svg", ".csv", ".h5", ".mat", ".uff", ".unv"});
 }
 
-void require_one_test(const AnalyzeFlags& flags, const std::set<ReportSection>& sections, std::size_t tests) {
+void require_one_test(const AnalyzeFlags& flags, const std::set<report::ReportSection>& sections, std::size_t tests) {
   if (tests < 2) return;
   const char* const remedy = "analyse one file or run at a time";
   if (!std::all_of(flags.output.paths.begin(), flags.output.paths.end(), is_json))
     throw UsageError("several tests do not fit one file of FRFs or one page", remedy);
-  if (sections.contains(ReportSection::deflection) || !flags.compared.empty())
+  if (sections.contains(report::ReportSection::deflection) || !flags.compared.empty())
     throw UsageError("deflections and comparisons are of one test", remedy);
 }
 
@@ -69,16 +70,16 @@ std::string text_of(const AnalyzeResults& kept, std::size_t width, bool sketch) 
   std::string text;
   for (const Test& test : kept.tests) {
     if (kept.tests.size() > 1) text += fmt::format("{}test {}\n", text.empty() ? "" : "\n", test.run);
-    text += analysis_text(*test.analysis,
-                          {.sections = kept.sections, .width = width, .per_hit = kept.flags.per_hit, .sketch = sketch});
-    if (test.deflection) text += "\n" + deflection_tables(*test.analysis, *test.deflection).text(width);
+    text += report::analysis_text(
+        *test.analysis, {.sections = kept.sections, .width = width, .per_hit = kept.flags.per_hit, .sketch = sketch});
+    if (test.deflection) text += "\n" + report::deflection_tables(*test.analysis, *test.deflection).text(width);
     if (kept.comparison) text += "\n" + kept.comparison->text.text(width);
   }
   return text;
 }
 
 void write_outputs(const AnalyzeFlags& flags, const AnalyzeResults& kept) {
-  const Analysis& analysis = *kept.tests.front().analysis;
+  const pipeline::Analysis& analysis = *kept.tests.front().analysis;
   for (const std::string& path : flags.output.paths) {
     if (extension_of(path) == ".json") {
       write_file(path, kept.document, flags.output.force);
@@ -90,9 +91,9 @@ void write_outputs(const AnalyzeFlags& flags, const AnalyzeResults& kept) {
       print_note(flags.output,
                  "no hit can be used, so there are no FRFs to write (" + one_line(path) + "); see the hits' findings");
     } else if (is_uff(path)) {
-      write_modes_uff(path, analysis, flags.output.force);
+      report::write_modes_uff(path, analysis, flags.output.force);
     } else {
-      write_frfs(path, frf_record_of(analysis), FrfKind::accelerance, flags.output.force);
+      report::write_frfs(path, report::frf_record_of(analysis), frf::FrfKind::accelerance, flags.output.force);
     }
   }
 }

@@ -15,16 +15,16 @@ namespace percuss::tools {
 struct AnalyzeResults {
   AnalyzeFlags flags;
   std::vector<Test> tests;
-  std::set<ReportSection> sections;
+  std::set<report::ReportSection> sections;
   std::string document;
-  std::optional<CommandReport> comparison;
+  std::optional<report::CommandReport> comparison;
 };
 
 /// UsageError for files that analyze does not write.
 void check_analyze_outputs(const OutputFlags& output);
 
 /// Before anything is computed: UsageError for what is asked of several tests and can be had of one only.
-void require_one_test(const AnalyzeFlags& flags, const std::set<ReportSection>& sections, std::size_t tests);
+void require_one_test(const AnalyzeFlags& flags, const std::set<report::ReportSection>& sections, std::size_t tests);
 
 /// What a terminal shows; with a sketch of the FRFs where it can draw one.
 std::string text_of(const AnalyzeResults& kept, std::size_t width, bool sketch);

@@ -6,17 +6,18 @@
 namespace percuss::tools {
 namespace {
 
-std::vector<Test> tests_of_frfs(const AnalyzeFlags& flags, std::vector<FrfRecord> frfs) {
-  if (flags.read.files != FileGrouping::tests) {
-    FrfRecord joined = join_frfs_of(flags.read, std::move(frfs));
+std::vector<Test> tests_of_frfs(const AnalyzeFlags& flags, std::vector<frf::FrfRecord> frfs) {
+  if (flags.read.files != acquire::FileGrouping::tests) {
+    frf::FrfRecord joined = join_frfs_of(flags.read, std::move(frfs));
     frfs.clear();
     frfs.push_back(std::move(joined));
   }
   std::vector<Test> tests;
-  for (FrfRecord& record : frfs) {
-    assume_angles(record);
-    tests.push_back({.run = static_cast<int>(tests.size()),
-                     .analysis = std::make_unique<Analysis>(std::move(record), analysis_options(flags.analysis))});
+  for (frf::FrfRecord& record : frfs) {
+    pipeline::assume_angles(record);
+    tests.push_back(
+        {.run = static_cast<int>(tests.size()),
+         .analysis = std::make_unique<pipeline::Analysis>(std::move(record), analysis_options(flags.analysis))});
   }
   return tests;
 }
@@ -26,34 +27,36 @@ std::vector<Test> tests_of_frfs(const AnalyzeFlags& flags, std::vector<FrfRecord
 std::vector<Test> tests_of(const AnalyzeFlags& flags) {
   Measurements opened = open_measurements(flags.read);
   if (!opened.frfs.empty()) return tests_of_frfs(flags, std::move(opened.frfs));
-  std::vector<Record> records = std::move(opened.records);
-  if (flags.read.files != FileGrouping::tests) {
-    Record joined = join_records(std::move(records), flags.read.files);
+  std::vector<acquire::Record> records = std::move(opened.records);
+  if (flags.read.files != acquire::FileGrouping::tests) {
+    acquire::Record joined = acquire::join_records(std::move(records), flags.read.files);
     records.clear();
     records.push_back(std::move(joined));
   }
   std::vector<Test> tests;
-  for (Record& record : records) {
-    assume_angles(record);
-    for (auto& [run, part] : split_runs(record)) {
+  for (acquire::Record& record : records) {
+    pipeline::assume_angles(record);
+    for (auto& [run, part] : pipeline::split_runs(record)) {
       const int number = records.size() > 1 ? static_cast<int>(tests.size()) : run;
       tests.push_back(
-          {.run = number, .analysis = std::make_unique<Analysis>(std::move(part), analysis_options(flags.analysis))});
+          {.run = number,
+           .analysis = std::make_unique<pipeline::Analysis>(std::move(part), analysis_options(flags.analysis))});
     }
   }
   return tests;
 }
 
-void compute(const std::vector<Test>& tests, const std::set<ReportSection>& sections) {
+void compute(const std::vector<Test>& tests, const std::set<report::ReportSection>& sections) {
   constexpr std::size_t kPerTest = 1'000'000;  // operations, at the least
   if (tests.size() < 2) return;
   parallel_for_cost(tests.size(), kPerTest, [&](std::size_t t) {
-    const Analysis& analysis = *tests[t].analysis;
+    const pipeline::Analysis& analysis = *tests[t].analysis;
     try {
       if (!analysis.possible()) return;
-      if (sections.contains(ReportSection::frf) || sections.contains(ReportSection::coherence)) analysis.frfs();
-      if (sections.contains(ReportSection::modes)) analysis.modes();
-      if (sections.contains(ReportSection::classes)) analysis.classifications();
+      if (sections.contains(report::ReportSection::frf) || sections.contains(report::ReportSection::coherence))
+        analysis.frfs();
+      if (sections.contains(report::ReportSection::modes)) analysis.modes();
+      if (sections.contains(report::ReportSection::classes)) analysis.classifications();
     } catch (const std::exception&) {
     }
   });

@@ -31,8 +31,8 @@ struct AnalyzeFlags {
 /// One test of the command line: all of the files together, or each on its own, or each run of one file.
 struct Test {
   int run = 0;
-  std::unique_ptr<Analysis> analysis;
-  std::optional<ImpactTest> deflection{};
+  std::unique_ptr<pipeline::Analysis> analysis;
+  std::optional<pipeline::ImpactTest> deflection{};
 };
 
 /// What the files hold as the flags have it. errors  as open_measurements
@@ -40,6 +40,6 @@ std::vector<Test> tests_of(const AnalyzeFlags& flags);
 
 /// What the sections need of several tests, one beside the other; what fails will fail again where the report asks for
 /// it, in turn.
-void compute(const std::vector<Test>& tests, const std::set<ReportSection>& sections);
+void compute(const std::vector<Test>& tests, const std::set<report::ReportSection>& sections);
 
 }  // namespace percuss::tools

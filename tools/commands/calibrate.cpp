@@ -25,17 +25,19 @@ struct CalibrateFlags {
   std::optional<double> trigger;
 };
 
-nlohmann::ordered_json json_of(const CalibrateFlags& flags, const Record& record, const Calibration& calibration) {
+nlohmann::ordered_json json_of(const CalibrateFlags& flags, const acquire::Record& record,
+                               const acquire::Calibration& calibration) {
   nlohmann::ordered_json json{
-      {"schema", "percuss/calibration/1"}, {"version", version()}, {"inputs", nlohmann::ordered_json::array()}};
-  for (const InputFile& file : record.files) json["inputs"].push_back({{"path", file.path}, {"bytes", file.bytes}});
+      {"schema", "percuss/calibration/1"}, {"version", report::version()}, {"inputs", nlohmann::ordered_json::array()}};
+  for (const acquire::InputFile& file : record.files)
+    json["inputs"].push_back({{"path", file.path}, {"bytes", file.bytes}});
   json["mass_kg"] = flags.mass_kg;
   json["n_per_unit"] = std::abs(calibration.scale);
   json["polarity"] = calibration.scale < 0 ? -1 : 1;
   json["force_scale"] = calibration.scale;
   json["force_scale_std"] = calibration.scale_std;
   json["hits"] = nlohmann::ordered_json::array();
-  for (const CalibrationHit& hit : calibration.hits) {
+  for (const acquire::CalibrationHit& hit : calibration.hits) {
     nlohmann::ordered_json row{{"index", hit.index},
                                {"time_s", hit.time_s},
                                {"peak_force", hit.peak_force},
@@ -48,28 +50,29 @@ nlohmann::ordered_json json_of(const CalibrateFlags& flags, const Record& record
   return json;
 }
 
-std::string text_of(const CalibrateFlags& flags, const Record& record, const Calibration& calibration) {
-  TextTable table({{"hit", TextTable::Align::right},
-                   {"time", TextTable::Align::right},
-                   {"force peak", TextTable::Align::right},
-                   {"acceleration", TextTable::Align::right},
-                   {"N per unit", TextTable::Align::right},
-                   {""}});
-  for (const CalibrationHit& hit : calibration.hits) {
+std::string text_of(const CalibrateFlags& flags, const acquire::Record& record,
+                    const acquire::Calibration& calibration) {
+  report::TextTable table({{"hit", report::TextTable::Align::right},
+                           {"time", report::TextTable::Align::right},
+                           {"force peak", report::TextTable::Align::right},
+                           {"acceleration", report::TextTable::Align::right},
+                           {"N per unit", report::TextTable::Align::right},
+                           {""}});
+  for (const acquire::CalibrationHit& hit : calibration.hits) {
     table.add({fmt::format("{}", hit.index), fmt::format("{:.3f} s", hit.time_s), fmt::format("{:.5g}", hit.peak_force),
                fmt::format("{:.4g} m/s²", hit.peak_accel_mps2), fmt::format("{:.6g}", hit.scale),
                hit.used ? "" : "not used: too weak"});
   }
   return fmt::format("{}   {} kg free mass\n\n", record.source(), flags.mass_kg) + table.text(terminal_width()) +
          fmt::format("\n1 unit of the force channel is {} N{}: use --force-scale {:.8g}\n",
-                     value_with_std(std::abs(calibration.scale), calibration.scale_std),
+                     report::value_with_std(std::abs(calibration.scale), calibration.scale_std),
                      calibration.scale < 0 ? ", and it reads pushes as negative" : "", calibration.scale);
 }
 
 int calibrate_file(const CalibrateFlags& flags) {
   check_outputs(flags.output, {".json"});
-  const Record record = join_records(open_records(flags.read), flags.read.files);
-  const Calibration calibration = calibrate(record, flags.mass_kg, {.trigger_N = flags.trigger});
+  const acquire::Record record = acquire::join_records(open_records(flags.read), flags.read.files);
+  const acquire::Calibration calibration = acquire::calibrate(record, flags.mass_kg, {.trigger_N = flags.trigger});
   const std::string document =
       json_of(flags, record, calibration).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
   for (const std::string& path : flags.output.paths) write_file(path, document, flags.output.force);

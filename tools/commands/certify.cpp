@@ -19,17 +19,17 @@ struct CertifyFlags {
 
 int certify_session(const CertifyFlags& flags) {
   if (flags.example || flags.example_table) {
-    print(flags.output, flags.example_table ? session_table_example() : session_example());
+    print(flags.output, flags.example_table ? metrics::session_table_example() : metrics::session_example());
     return kOk;
   }
   if (flags.session.empty()) throw UsageError("no session", "name its file, or - for standard input");
   check_report_outputs(flags.output);
-  Session session = read_session(flags.session);
-  if (!flags.metric.empty()) session.metric = *performance_metric_named(flags.metric);
+  metrics::Session session = metrics::read_session(flags.session);
+  if (!flags.metric.empty()) session.metric = *metrics::performance_metric_named(flags.metric);
   if (flags.limit) session.limit = flags.limit;
-  const Certification certification = certify(session, {.accept_plateau = flags.accept_plateau});
-  show_report(certify_report(session, certification), flags.output, {flags.session});
-  return certification.verdict == CertifyVerdict::fail ? kQualityGate : kOk;
+  const metrics::Certification certification = metrics::certify(session, {.accept_plateau = flags.accept_plateau});
+  show_report(report::certify_report(session, certification), flags.output, {flags.session});
+  return certification.verdict == metrics::CertifyVerdict::fail ? kQualityGate : kOk;
 }
 
 }  // namespace

@@ -13,23 +13,23 @@ constexpr double kPercent = 100;
 
 struct CompareFlags {
   std::vector<std::string> paths;
-  double furthest_percent = kPercent * PairOptions{}.furthest;
-  double min_mac = PairOptions{}.min_mac;
+  double furthest_percent = kPercent * metrics::PairOptions{}.furthest;
+  double min_mac = metrics::PairOptions{}.min_mac;
   OutputFlags output;
 };
 
 int compare(const CompareFlags& flags) {
   check_report_outputs(flags.output);
-  std::vector<ComparedDocument> documents;
+  std::vector<metrics::ComparedDocument> documents;
   for (const std::string& path : flags.paths) {
-    for (ComparedDocument& document : read_documents(path)) {
+    for (metrics::ComparedDocument& document : report::read_documents(path)) {
       document.name = with_display_names(flags.output.host, document.name);
       documents.push_back(std::move(document));
     }
   }
   if (documents.size() < 2) throw UsageError("one document cannot be compared", "name two or more");
   return show_report(
-      compare_report(documents, {.furthest = flags.furthest_percent / kPercent, .min_mac = flags.min_mac}),
+      report::compare_report(documents, {.furthest = flags.furthest_percent / kPercent, .min_mac = flags.min_mac}),
       flags.output, flags.paths);
 }
 

@@ -27,12 +27,12 @@ std::string take_output(ConvertFlags& flags) {
     flags.read.paths.pop_back();
   }
   if (flags.output.paths.size() != 1) throw UsageError("not one output", "give IN and OUT: percuss convert IN OUT");
-  check_outputs(flags.output, record_extensions());
+  check_outputs(flags.output, acquire::record_extensions());
   return flags.output.paths.front();
 }
 
-void convert_frfs(const ConvertFlags& flags, const std::string& to, std::vector<FrfRecord> frfs) {
-  const FrfRecord record = join_frfs_of(flags.read, std::move(frfs));
+void convert_frfs(const ConvertFlags& flags, const std::string& to, std::vector<frf::FrfRecord> frfs) {
+  const frf::FrfRecord record = join_frfs_of(flags.read, std::move(frfs));
   for (const std::string& note : record.notes) tell(flags, note);
   const std::string kind = extension_of(to);
   if (kind == ".wav" || kind == ".rf64" || kind == ".w64")
@@ -40,7 +40,7 @@ void convert_frfs(const ConvertFlags& flags, const std::string& to, std::vector<
   const bool keeps_geometry = kind == ".uff" || kind == ".unv";
   if (!record.geometry.empty() && !keeps_geometry) tell(flags, "not kept: the geometry");
   if (!record.trace_lines.empty() && !keeps_geometry) tell(flags, "not kept: the lines between points");
-  write_frfs(to, record, flags.read.frf_kind.value_or(record.kind), flags.output.force);
+  report::write_frfs(to, record, flags.read.frf_kind.value_or(record.kind), flags.output.force);
 }
 
 int convert(ConvertFlags flags) {
@@ -50,10 +50,10 @@ int convert(ConvertFlags flags) {
     convert_frfs(flags, to, std::move(opened.frfs));
     return kOk;
   }
-  const Record record = join_records(std::move(opened.records), flags.read.files);
+  const acquire::Record record = acquire::join_records(std::move(opened.records), flags.read.files);
   for (const std::string& note : record.notes) tell(flags, note);
-  for (const std::string& loss : losses_of(to, record)) tell(flags, "not kept: " + loss);
-  write_record(to, record, flags.output.force);
+  for (const std::string& loss : acquire::losses_of(to, record)) tell(flags, "not kept: " + loss);
+  acquire::write_record(to, record, flags.output.force);
   return kOk;
 }
 

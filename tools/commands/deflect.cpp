@@ -19,39 +19,41 @@ struct DeflectFlags {
   ReadFlags read;
   AnalysisFlags analysis;
   OutputFlags output;
-  ImpactTestOptions options;
+  pipeline::ImpactTestOptions options;
   std::string method = "auto", positions;
 };
 
-DeflectionMethod method_named(const std::string& name) {
-  for (const DeflectionMethod method : {DeflectionMethod::small_interval, DeflectionMethod::drift_free,
-                                        DeflectionMethod::frequency, DeflectionMethod::modal}) {
+metrics::DeflectionMethod method_named(const std::string& name) {
+  for (const metrics::DeflectionMethod method :
+       {metrics::DeflectionMethod::small_interval, metrics::DeflectionMethod::drift_free,
+        metrics::DeflectionMethod::frequency, metrics::DeflectionMethod::modal}) {
     if (name == name_of(method)) return method;
   }
-  return DeflectionMethod::automatic;
+  return metrics::DeflectionMethod::automatic;
 }
 
-std::unique_ptr<Analysis> analysis_of(const DeflectFlags& flags) {
-  if (flags.read.files == FileGrouping::tests)
+std::unique_ptr<pipeline::Analysis> analysis_of(const DeflectFlags& flags) {
+  if (flags.read.files == acquire::FileGrouping::tests)
     throw UsageError("several tests do not make one", "give --files hits or --files points, or one test at a time");
   ReadFlags read = flags.read;
   read.options.force_optional = true;
-  return std::make_unique<Analysis>(join_records(open_records(read), read.files), analysis_options(flags.analysis));
+  return std::make_unique<pipeline::Analysis>(acquire::join_records(open_records(read), read.files),
+                                              analysis_options(flags.analysis));
 }
 
 void check_deflection_outputs(const OutputFlags& output) {
   check_outputs(output, {".json", ".csv", ".h5", ".svg", ".html"});
 }
 
-void write_deflection(const OutputFlags& output, CommandReport report, const Analysis& analysis,
-                      const ImpactTest& test) {
-  if (writes_charts(output)) report.charts = {deflection_chart(analysis, test)};
+void write_deflection(const OutputFlags& output, report::CommandReport report, const pipeline::Analysis& analysis,
+                      const pipeline::ImpactTest& test) {
+  if (writes_charts(output)) report.charts = {report::deflection_chart(analysis, test)};
   for (const std::string& path : output.paths) {
     const std::string kind = extension_of(path);
     if (kind == ".h5" && !test.hits.empty()) {
-      write_deflection_hdf5(path, analysis, test, output.force);
+      report::write_deflection_hdf5(path, analysis, test, output.force);
     } else if (kind == ".csv") {
-      write_file(path, deflection_csv(analysis, test), output.force);
+      write_file(path, report::deflection_csv(analysis, test), output.force);
     } else if (kind != ".h5") {
       write_report(path, report, inputs_of(analysis), output);
     }
@@ -60,19 +62,19 @@ void write_deflection(const OutputFlags& output, CommandReport report, const Ana
 
 int deflect_files(const DeflectFlags& flags) {
   check_deflection_outputs(flags.output);
-  ImpactTestOptions options = flags.options;
+  pipeline::ImpactTestOptions options = flags.options;
   options.deflection.method = method_named(flags.method);
   if (!flags.positions.empty())
     options.position_m = parse_range("--positions", flags.positions, RangeForm::single_value_allowed).values();
   const Progress progress("integrating", flags.output.quiet);
-  const std::shared_ptr<const Analysis> made = analysis_of(flags);
-  const auto deflected = std::make_shared<const ImpactTest>(deflect(*made, options));
-  const Analysis& analysis = *made;
-  const ImpactTest& test = *deflected;
+  const std::shared_ptr<const pipeline::Analysis> made = analysis_of(flags);
+  const auto deflected = std::make_shared<const pipeline::ImpactTest>(pipeline::deflect(*made, options));
+  const pipeline::Analysis& analysis = *made;
+  const pipeline::ImpactTest& test = *deflected;
   progress.stop();
-  CommandReport report;
-  report.json = deflection_json(analysis, test);
-  report.text = deflection_text(analysis, test);
+  report::CommandReport report;
+  report.json = report::deflection_json(analysis, test);
+  report.text = report::deflection_text(analysis, test);
   write_deflection(flags.output, report, analysis, test);
   print_report(report, flags.output);
   if (flags.output.host != nullptr) {
@@ -100,7 +102,7 @@ void add_deflect(CommandLine& line) {
       "largest deflection of each hit in m with its standard deviation; -o writes the curves over time.");
   command.example("percuss deflect bat.h5 --highpass-corner 1", "An amplifier with a high-pass at 1 Hz, undone");
   command.example("percuss deflect bat.h5 --method drift-free -o deflection.csv", "Curves over time as a table");
-  DeflectionOptions& deflection = flags->options.deflection;
+  metrics::DeflectionOptions& deflection = flags->options.deflection;
   command
       .value(
           "--method", flags->method,

@@ -17,7 +17,8 @@
 namespace percuss::tools {
 namespace {
 
-const std::set<ReportSection> kShown{ReportSection::hits, ReportSection::frf, ReportSection::coherence};
+const std::set<report::ReportSection> kShown{report::ReportSection::hits, report::ReportSection::frf,
+                                             report::ReportSection::coherence};
 
 struct FrfFlags {
   ReadFlags read;
@@ -26,37 +27,41 @@ struct FrfFlags {
   std::string kind = "accelerance";
 };
 
-std::unique_ptr<Analysis> analysis_of(const FrfFlags& flags) {
+std::unique_ptr<pipeline::Analysis> analysis_of(const FrfFlags& flags) {
   Measurements opened = open_measurements(flags.read);
-  const AnalysisOptions options = analysis_options(flags.analysis);
+  const pipeline::AnalysisOptions options = analysis_options(flags.analysis);
   if (!opened.frfs.empty())
-    return std::make_unique<Analysis>(join_frfs_of(flags.read, std::move(opened.frfs)), options);
-  return std::make_unique<Analysis>(join_records(std::move(opened.records), flags.read.files), options);
+    return std::make_unique<pipeline::Analysis>(join_frfs_of(flags.read, std::move(opened.frfs)), options);
+  return std::make_unique<pipeline::Analysis>(acquire::join_records(std::move(opened.records), flags.read.files),
+                                              options);
 }
 
 void check_frf_outputs(const OutputFlags& output) {
   check_outputs(output, {".csv", ".h5", ".json", ".mat", ".uff", ".unv", ".svg", ".html"});
 }
 
-void write_frf_outputs(const OutputFlags& output, const Analysis& analysis, FrfKind kind, const std::string& summary) {
+void write_frf_outputs(const OutputFlags& output, const pipeline::Analysis& analysis, frf::FrfKind kind,
+                       const std::string& summary) {
   for (const std::string& path : output.paths) {
     if (extension_of(path) == ".json") {
       write_file(path, summary, output.force);
     } else if (extension_of(path) == ".svg") {
-      write_file(path, svg_document(analysis_charts(analysis, {}, {"magnitude", "phase", "coherence"})), output.force);
+      write_file(path, report::svg_document(report::analysis_charts(analysis, {}, {"magnitude", "phase", "coherence"})),
+                 output.force);
     } else if (is_html(path)) {
-      write_file(path, analysis_page(analysis, {.sections = kShown}, provenance_now(output)), output.force);
+      write_file(path, report::analysis_page(analysis, {.sections = kShown}, provenance_now(output)), output.force);
     } else {
-      write_frfs(path, frf_record_of(analysis), kind, output.force);
+      report::write_frfs(path, report::frf_record_of(analysis), kind, output.force);
     }
   }
 }
 
-void give_to_host(const OutputFlags& output, const std::shared_ptr<const Analysis>& analysis, FrfKind kind) {
+void give_to_host(const OutputFlags& output, const std::shared_ptr<const pipeline::Analysis>& analysis,
+                  frf::FrfKind kind) {
   CommandResult& outcome = output.host->outcome;
   outcome.analyses = {analysis};
   outcome.text = [analysis](std::size_t width) {
-    return analysis_text(*analysis, {.sections = kShown, .width = width});
+    return report::analysis_text(*analysis, {.sections = kShown, .width = width});
   };
   if (!analysis->possible()) return;
   outcome.save = [output = captured_output(output), analysis, kind, summary = outcome.document](const std::string& path,
@@ -69,26 +74,26 @@ void give_to_host(const OutputFlags& output, const std::shared_ptr<const Analysi
 
 int frf(const FrfFlags& flags) {
   check_frf_outputs(flags.output);
-  const FrfKind kind = flags.kind == "mobility"     ? FrfKind::mobility
-                       : flags.kind == "receptance" ? FrfKind::receptance
-                                                    : FrfKind::accelerance;
+  const frf::FrfKind kind = flags.kind == "mobility"     ? frf::FrfKind::mobility
+                            : flags.kind == "receptance" ? frf::FrfKind::receptance
+                                                         : frf::FrfKind::accelerance;
   const Progress progress("averaging", flags.output.quiet);
-  const std::shared_ptr<const Analysis> opened = analysis_of(flags);
-  const Analysis& analysis = *opened;
+  const std::shared_ptr<const pipeline::Analysis> opened = analysis_of(flags);
+  const pipeline::Analysis& analysis = *opened;
   analysis.hits();
   if (!analysis.possible()) {
     progress.stop();
-    print(flags.output, analysis_json(analysis, {.sections = {ReportSection::hits}}));
+    print(flags.output, report::analysis_json(analysis, {.sections = {report::ReportSection::hits}}));
     if (flags.output.host != nullptr) give_to_host(flags.output, opened, kind);
     return kImpossible;
   }
-  const auto summary = analysis_json(analysis, {.sections = kShown});
+  const auto summary = report::analysis_json(analysis, {.sections = kShown});
   progress.stop();
   write_frf_outputs(flags.output, analysis, kind, summary);
   if (flags.output.json) {
     print(flags.output, summary);
   } else if (flags.output.paths.empty()) {
-    print(flags.output, frf_csv(analysis, kind));
+    print(flags.output, report::frf_csv(analysis, kind));
   }
   if (flags.output.host != nullptr) give_to_host(flags.output, opened, kind);
   return kOk;

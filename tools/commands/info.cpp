@@ -35,7 +35,7 @@ struct Extent {
   std::size_t samples = 0, shortest = 0, longest = 0, points = 0, runs = 0;
 };
 
-Extent extent_of(const Record& record) {
+Extent extent_of(const acquire::Record& record) {
   Extent extent;
   std::set<int> runs;
   for (const auto& row : record.rows) {
@@ -49,7 +49,7 @@ Extent extent_of(const Record& record) {
   return extent;
 }
 
-Json channel_json(const SignalInfo& signal, const char* role, const char* si_unit) {
+Json channel_json(const acquire::SignalInfo& signal, const char* role, const char* si_unit) {
   return {{"role", role},
           {"name", signal.name},
           {"unit", signal.unit.empty() ? si_unit : signal.unit},
@@ -59,7 +59,7 @@ Json channel_json(const SignalInfo& signal, const char* role, const char* si_uni
           {"position_m", optional_json(signal.position_m, 1)}};
 }
 
-Json record_json(const Record& record) {
+Json record_json(const acquire::Record& record) {
   const Extent extent = extent_of(record);
   Json channels = Json::array();
   channels.push_back(channel_json(record.force, "force", "N"));
@@ -86,7 +86,7 @@ std::string plural(std::size_t count, const char* what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
-std::string record_text(const Record& record, std::size_t width) {
+std::string record_text(const acquire::Record& record, std::size_t width) {
   const Extent extent = extent_of(record);
   std::string rows = plural(record.rows.size(), "row") + " of " + plural(extent.longest, "sample");
   if (extent.shortest != extent.longest)
@@ -97,15 +97,15 @@ std::string record_text(const Record& record, std::size_t width) {
   if (extent.points > 1) text += fmt::format(", {}", plural(extent.points, "point"));
   if (extent.runs > 1) text += fmt::format(", {}", plural(extent.runs, "run"));
   text += '\n';
-  using Align = TextTable::Align;
-  TextTable table({{"  role"},
-                   {"name"},
-                   {"unit"},
-                   {"SI per unit", Align::right},
-                   {"angle/°", Align::right},
-                   {"position/m", Align::right},
-                   {""}});
-  const auto add = [&](const SignalInfo& signal, const char* role, const char* si_unit) {
+  using Align = report::TextTable::Align;
+  report::TextTable table({{"  role"},
+                           {"name"},
+                           {"unit"},
+                           {"SI per unit", Align::right},
+                           {"angle/°", Align::right},
+                           {"position/m", Align::right},
+                           {""}});
+  const auto add = [&](const acquire::SignalInfo& signal, const char* role, const char* si_unit) {
     table.add({std::string("  ") + role, one_line(signal.name, 40),
                signal.unit.empty() ? si_unit : one_line(signal.unit, 20), fmt::format("{:.6g}", signal.to_SI),
                optional_text(signal.angle_rad, kRadian_deg), optional_text(signal.position_m, 1), ""});
@@ -113,12 +113,13 @@ std::string record_text(const Record& record, std::size_t width) {
   add(record.force, "force", "N");
   for (const auto& signal : record.accel) add(signal, "acceleration", "m/s^2");
   text += table.text(width);
-  for (const auto& note : record.notes) text += "  " + wrapped("note: " + one_line(note, 2000), width, 2) + '\n';
+  for (const auto& note : record.notes)
+    text += "  " + report::wrapped("note: " + one_line(note, 2000), width, 2) + '\n';
   return text;
 }
 
 // A text whose channels only the user can name.
-Json columns_json(const std::string& path, const AmbiguousColumns& seen) {
+Json columns_json(const std::string& path, const acquire::AmbiguousColumns& seen) {
   Json columns = Json::array();
   for (const auto& column : seen.columns) {
     columns.push_back({{"number", column.index + 1},
@@ -133,16 +134,17 @@ Json columns_json(const std::string& path, const AmbiguousColumns& seen) {
           {"needs", seen.what()}};
 }
 
-std::string columns_text(const std::string& path, const AmbiguousColumns& seen, std::size_t width) {
+std::string columns_text(const std::string& path, const acquire::AmbiguousColumns& seen, std::size_t width) {
   std::string text = one_line(input_name(path), 400) + ": " + seen.format + ", " +
                      plural(seen.columns.size(), seen.format == "CSV" ? "column" : "signal");
   if (seen.fs_Hz) text += fmt::format(", {:.10g} Hz", *seen.fs_Hz);
-  TextTable table({{"  number", TextTable::Align::right}, {"name"}, {"unit"}, {""}});
+  report::TextTable table({{"  number", report::TextTable::Align::right}, {"name"}, {"unit"}, {""}});
   for (const auto& column : seen.columns) {
     table.add({fmt::format("{}", column.index + 1), one_line(column.name, 40),
                column.unit.empty() ? "-" : one_line(column.unit, 20), column.has_numbers ? "" : "no numbers"});
   }
-  return text + '\n' + table.text(width) + "  " + wrapped(std::string("needed: ") + seen.what(), width, 2) + '\n';
+  return text + '\n' + table.text(width) + "  " + report::wrapped(std::string("needed: ") + seen.what(), width, 2) +
+         '\n';
 }
 
 void write_outputs(const OutputFlags& output, const std::string& document) {
@@ -151,25 +153,25 @@ void write_outputs(const OutputFlags& output, const std::string& document) {
 
 int run_info(const InfoFlags& flags) {
   if (flags.example) {
-    print(flags.output, channel_setup_example());
+    print(flags.output, acquire::channel_setup_example());
     return kOk;
   }
   if (flags.read.paths.empty()) throw UsageError("no file", "name at least one, or - for standard input");
   check_outputs(flags.output, {".json"});
-  const ReadOptions options = resolved_read_options(flags.read);
+  const acquire::ReadOptions options = resolved_read_options(flags.read);
   Json files = Json::array();
   int code = kOk;
   bool any = false;
   for (std::size_t i = 0; i < flags.read.paths.size(); ++i) {
     try {
       const auto opened = open_measurement_at(flags.read, options, i);
-      const auto* const frfs = std::get_if<FrfRecord>(&opened);
-      files.push_back(frfs != nullptr ? frfs_json(*frfs) : record_json(std::get<Record>(opened)));
+      const auto* const frfs = std::get_if<frf::FrfRecord>(&opened);
+      files.push_back(frfs != nullptr ? frfs_json(*frfs) : record_json(std::get<acquire::Record>(opened)));
       any = true;
       if (flags.output.json) continue;
       fmt::print("{}", frfs != nullptr ? frfs_text(*frfs, terminal_width())
-                                       : record_text(std::get<Record>(opened), terminal_width()));
-    } catch (const AmbiguousColumns& seen) {
+                                       : record_text(std::get<acquire::Record>(opened), terminal_width()));
+    } catch (const acquire::AmbiguousColumns& seen) {
       files.push_back(columns_json(flags.read.paths[i], seen));
       any = true;
       if (!flags.output.json) fmt::print("{}", columns_text(flags.read.paths[i], seen, terminal_width()));

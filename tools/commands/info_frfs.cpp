@@ -13,9 +13,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-bool has_coherence(const FrfRecord& record) {
+bool has_coherence(const frf::FrfRecord& record) {
   return std::all_of(record.frfs.begin(), record.frfs.end(),
-                     [](const PointFrf& f) { return !f.frf.coherence.empty(); });
+                     [](const frf::PointFrf& f) { return !f.frf.coherence.empty(); });
 }
 
 }  // namespace
@@ -28,9 +28,9 @@ Json optional_json(const std::optional<double>& value, double factor) {
   return value ? Json(*value * factor) : Json(nullptr);
 }
 
-Json frfs_json(const FrfRecord& record) {
+Json frfs_json(const frf::FrfRecord& record) {
   Json channels = Json::array();
-  for (const SignalInfo& signal : record.accel) {
+  for (const acquire::SignalInfo& signal : record.accel) {
     channels.push_back({{"name", signal.name},
                         {"to_si", signal.to_SI},
                         {"angle_deg", optional_json(signal.angle_rad, kRadian_deg)},
@@ -50,22 +50,23 @@ Json frfs_json(const FrfRecord& record) {
           {"notes", record.notes}};
 }
 
-std::string frfs_text(const FrfRecord& record, std::size_t width) {
+std::string frfs_text(const frf::FrfRecord& record, std::size_t width) {
   const std::size_t points = record.frfs.size() / record.accel.size();
   std::string text = fmt::format(
       "{}: {}, {}, {} lines of {:.7g} Hz from {:.7g} to {:.7g} Hz, {} point{}, {}\n",
       one_line(input_name(record.files.front().path), 400), record.format, name_of(record.kind), record.lines.count,
       record.lines.df_Hz(), record.lines.freq_Hz(0), record.lines.freq_Hz(record.lines.count - 1), points,
       points == 1 ? "" : "s", has_coherence(record) ? "with coherence" : "without coherence");
-  using Align = TextTable::Align;
-  TextTable table(
+  using Align = report::TextTable::Align;
+  report::TextTable table(
       {{"  name"}, {"SI per unit", Align::right}, {"angle/°", Align::right}, {"position/m", Align::right}, {""}});
-  for (const SignalInfo& signal : record.accel) {
+  for (const acquire::SignalInfo& signal : record.accel) {
     table.add({"  " + one_line(signal.name, 40), fmt::format("{:.6g}", signal.to_SI),
                optional_text(signal.angle_rad, kRadian_deg), optional_text(signal.position_m, 1), ""});
   }
   text += table.text(width);
-  for (const auto& note : record.notes) text += "  " + wrapped("note: " + one_line(note, 2000), width, 2) + '\n';
+  for (const auto& note : record.notes)
+    text += "  " + report::wrapped("note: " + one_line(note, 2000), width, 2) + '\n';
   return text;
 }
 

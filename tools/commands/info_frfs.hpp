@@ -8,8 +8,8 @@
 namespace percuss::tools {
 
 /// What percuss info says of a file of FRFs, as JSON and for people.
-nlohmann::ordered_json frfs_json(const FrfRecord& record);
-std::string frfs_text(const FrfRecord& record, std::size_t width);
+nlohmann::ordered_json frfs_json(const frf::FrfRecord& record);
+std::string frfs_text(const frf::FrfRecord& record, std::size_t width);
 
 /// `value` × factor, or what stands for nothing: null, "-".
 nlohmann::ordered_json optional_json(const std::optional<double>& value, double factor);

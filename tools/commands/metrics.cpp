@@ -18,54 +18,56 @@ struct MetricsFlags {
   std::optional<double> handle_in;
   std::vector<double> rings_in, periods_s, crossings_s;
   std::size_t crossings_per_period = 2;
-  ProtocolSteps steps;
+  metrics::ProtocolSteps steps;
   double period_step_s = 0, moi_step_ozin2 = 0, z_step_in = 0, speed_step_mph = 0;
   double v0_mph = 60, pitch_mph = 70, nominal_mph = 136, swing_length_in = 28, swing_moi_ozin2 = 15000;
   double gravity_inps2 = 386.4;
-  BatReadings readings;
+  metrics::BatReadings readings;
   bool rounded = false;
   OutputFlags output;
 };
 
-std::optional<UncertainValue> reading(const std::optional<double>& value, double step, double unit, Reading which,
-                                      bool rounded = false) {
+std::optional<metrics::UncertainValue> reading(const std::optional<double>& value, double step, double unit,
+                                               metrics::Reading which, bool rounded = false) {
   if (!value) return std::nullopt;
-  return UncertainValue((rounded ? recorded(*value, step) : *value) * unit, reading_std(step) * unit, which);
+  return metrics::UncertainValue((rounded ? metrics::recorded(*value, step) : *value) * unit,
+                                 metrics::reading_std(step) * unit, which);
 }
 
-std::optional<UncertainValue> period_of(const MetricsFlags& f) {
+std::optional<metrics::UncertainValue> period_of(const MetricsFlags& f) {
   if (f.periods_s.empty() && f.crossings_s.empty()) return std::nullopt;
   const bool crossings = !f.crossings_s.empty();
-  const PeriodEstimate period = crossings ? period_of_crossings(f.crossings_s, f.crossings_per_period, f.period_step_s)
-                                          : mean_period(f.periods_s, f.period_step_s);
+  const metrics::PeriodEstimate period =
+      crossings ? metrics::period_of_crossings(f.crossings_s, f.crossings_per_period, f.period_step_s)
+                : metrics::mean_period(f.periods_s, f.period_step_s);
   const char* const option = crossings ? "--gate-times-s" : "--period-s";
   if (!period.problem.empty())
     throw UsageError(std::string(option) + ": " + period.problem, "give the times in the order of the crossings");
   if (!(period.period_s > 0)) throw UsageError(std::string(option) + ": no period above 0", "give seconds");
-  return UncertainValue(period.period_s, period.std_s, Reading::period);
+  return metrics::UncertainValue(period.period_s, period.std_s, metrics::Reading::period);
 }
 
-BatReadings readings_of(const MetricsFlags& f) {
-  BatReadings r = f.readings;
+metrics::BatReadings readings_of(const MetricsFlags& f) {
+  metrics::BatReadings r = f.readings;
   const double mph = kMilePerHour_mps;
-  r.length_m = reading(f.length_in, f.steps.length_in, kInch_m, Reading::length, f.rounded);
-  r.mass_kg = reading(f.weight_oz, f.steps.weight_oz, kOunce_kg, Reading::weight, f.rounded);
-  r.cg_m = reading(f.cg_in, f.steps.cg_in, kInch_m, Reading::cg, f.rounded);
+  r.length_m = reading(f.length_in, f.steps.length_in, kInch_m, metrics::Reading::length, f.rounded);
+  r.mass_kg = reading(f.weight_oz, f.steps.weight_oz, kOunce_kg, metrics::Reading::weight, f.rounded);
+  r.cg_m = reading(f.cg_in, f.steps.cg_in, kInch_m, metrics::Reading::cg, f.rounded);
   r.period_s = period_of(f);
-  r.moi_kgm2 = reading(f.moi_ozin2, f.moi_step_ozin2, kOunceInch2_kgm2, Reading::moi);
-  r.ball_kg = reading(f.ball_g, f.steps.ball_g, 1e-3, Reading::ball, f.rounded);
-  r.z_m = reading(f.z_in, f.z_step_in, kInch_m, Reading::location);
-  r.in_mps = reading(f.in_mph, f.speed_step_mph, mph, Reading::inbound);
-  r.out_mps = reading(f.out_mph, f.speed_step_mph, mph, Reading::rebound);
-  r.besr = reading(f.besr, 0, 1, Reading::given_besr);
-  r.bbcor = reading(f.bbcor, 0, 1, Reading::given_bbcor);
-  r.swing_mps = reading(f.swing_mph, f.speed_step_mph, mph, Reading::swing);
+  r.moi_kgm2 = reading(f.moi_ozin2, f.moi_step_ozin2, metrics::kOunceInch2_kgm2, metrics::Reading::moi);
+  r.ball_kg = reading(f.ball_g, f.steps.ball_g, 1e-3, metrics::Reading::ball, f.rounded);
+  r.z_m = reading(f.z_in, f.z_step_in, kInch_m, metrics::Reading::location);
+  r.in_mps = reading(f.in_mph, f.speed_step_mph, mph, metrics::Reading::inbound);
+  r.out_mps = reading(f.out_mph, f.speed_step_mph, mph, metrics::Reading::rebound);
+  r.besr = reading(f.besr, 0, 1, metrics::Reading::given_besr);
+  r.bbcor = reading(f.bbcor, 0, 1, metrics::Reading::given_bbcor);
+  r.swing_mps = reading(f.swing_mph, f.speed_step_mph, mph, metrics::Reading::swing);
   r.pitch_mps = f.pitch_mph * mph;
   r.nominal_mps = f.nominal_mph * mph;
   r.gravity_mps2 = f.gravity_inps2 * kInch_m;
   r.swing.v0_mps = f.v0_mph * mph;
   r.swing.length_m = f.swing_length_in * kInch_m;
-  r.swing.moi_kgm2 = f.swing_moi_ozin2 * kOunceInch2_kgm2;
+  r.swing.moi_kgm2 = f.swing_moi_ozin2 * metrics::kOunceInch2_kgm2;
   return r;
 }
 
@@ -95,14 +97,14 @@ int metrics(const MetricsFlags& flags) {
   check_outputs(flags.output, {".json", ".csv", ".html"});
   require_one_source(flags);
   require_room(flags);
-  const BatProfileReadings profile{.length_in = flags.length_in,
-                                   .weight_oz = flags.weight_oz,
-                                   .cg_in = flags.cg_in,
-                                   .handle_in = flags.handle_in,
-                                   .ball_g = flags.ball_g,
-                                   .rings_in = flags.rings_in,
-                                   .steps = flags.steps};
-  return show_report(metrics_report(readings_of(flags), profile), flags.output);
+  const report::BatProfileReadings profile{.length_in = flags.length_in,
+                                           .weight_oz = flags.weight_oz,
+                                           .cg_in = flags.cg_in,
+                                           .handle_in = flags.handle_in,
+                                           .ball_g = flags.ball_g,
+                                           .rings_in = flags.rings_in,
+                                           .steps = flags.steps};
+  return show_report(report::metrics_report(readings_of(flags), profile), flags.output);
 }
 
 void add_readings(Command& command, MetricsFlags& f) {

@@ -29,7 +29,7 @@ struct NodesFlags {
 };
 
 // "3:0.25:9", "3:0.25:9in", "80:5:250mm"
-ScanPositions parse_positions(const std::string& text) {
+pipeline::ScanPositions parse_positions(const std::string& text) {
   const char* const remedy =
       "give START:STEP:END with a unit (in, m, mm, cm, ft), as 3:0.25:9in; inches where there is none";
   const auto [range, name] = parse_range_with_unit("--positions", text, remedy);
@@ -43,33 +43,35 @@ ScanPositions parse_positions(const std::string& text) {
   return {.start_m = range.low * to_m, .step_m = range.step * to_m, .count = range.count};
 }
 
-std::unique_ptr<Analysis> analysis_of(const NodesFlags& flags, const ScanPositions& positions) {
-  const FileGrouping mean = flags.read.files == FileGrouping::automatic ? FileGrouping::points : flags.read.files;
-  if (mean == FileGrouping::tests)
+std::unique_ptr<pipeline::Analysis> analysis_of(const NodesFlags& flags, const pipeline::ScanPositions& positions) {
+  const acquire::FileGrouping mean =
+      flags.read.files == acquire::FileGrouping::automatic ? acquire::FileGrouping::points : flags.read.files;
+  if (mean == acquire::FileGrouping::tests)
     throw UsageError("several tests do not make one scan", "give --files points, or the files of one scan");
-  const AnalysisOptions options = analysis_options(flags.analysis);
+  const pipeline::AnalysisOptions options = analysis_options(flags.analysis);
   Measurements opened = open_measurements(flags.read);
   if (!opened.frfs.empty())
-    return std::make_unique<Analysis>(join_frfs_of(flags.read, std::move(opened.frfs)), options);
-  return std::make_unique<Analysis>(as_scan(join_records(std::move(opened.records), mean), positions), options);
+    return std::make_unique<pipeline::Analysis>(join_frfs_of(flags.read, std::move(opened.frfs)), options);
+  return std::make_unique<pipeline::Analysis>(
+      pipeline::as_scan(acquire::join_records(std::move(opened.records), mean), positions), options);
 }
 
 int nodes(const NodesFlags& flags) {
-  const ScanPositions positions = parse_positions(flags.positions);
+  const pipeline::ScanPositions positions = parse_positions(flags.positions);
   check_outputs(flags.output, {".json", ".svg", ".html"});
   const Progress progress("analysing", flags.output.quiet);
-  const std::shared_ptr<const Analysis> opened = analysis_of(flags, positions);
+  const std::shared_ptr<const pipeline::Analysis> opened = analysis_of(flags, positions);
   if (flags.output.host != nullptr) flags.output.host->outcome.analyses = {opened};
-  const Analysis& analysis = *opened;
+  const pipeline::Analysis& analysis = *opened;
   analysis.hits();
   if (!analysis.possible()) {
     progress.stop();
-    print(flags.output, analysis_json(analysis, {.sections = {ReportSection::hits}}));
+    print(flags.output, report::analysis_json(analysis, {.sections = {report::ReportSection::hits}}));
     return kImpossible;
   }
-  const NodeScan scan = scan_nodes(analysis, positions, kResolution_m);
+  const pipeline::NodeScan scan = pipeline::scan_nodes(analysis, positions, kResolution_m);
   progress.stop();
-  return show_report(nodes_report(analysis, scan), flags.output, inputs_of(analysis));
+  return show_report(report::nodes_report(analysis, scan), flags.output, inputs_of(analysis));
 }
 
 }  // namespace

@@ -34,20 +34,20 @@ void refuse_existing(const StudyFlags& flags) {
   }
 }
 
-void write_figures(const StudyFlags& flags, const Study& study, const CommandReport& report,
-                   const std::optional<StudyCurve>& curve) {
+void write_figures(const StudyFlags& flags, const metrics::Study& study, const report::CommandReport& report,
+                   const std::optional<metrics::StudyCurve>& curve) {
   if (flags.figures.empty()) return;
   std::error_code problem;
   std::filesystem::create_directories(flags.figures, problem);
   if (problem) throw InputError("cannot make the folder", flags.figures, "name one that can be written");
-  for (const StudyFile& file : study_files(study, curve))
+  for (const report::StudyFile& file : report::study_files(study, curve))
     write_file((std::filesystem::path(flags.figures) / file.name).string(), file.text, flags.output.force);
   write_file((std::filesystem::path(flags.figures) / "statistics.csv").string(), report.csv(), flags.output.force);
 }
 
 int run_study(const StudyFlags& flags) {
   if (flags.example) {
-    print(flags.output, study_table_csv(synthetic_population()));
+    print(flags.output, metrics::study_table_csv(synth::synthetic_population()));
     return kOk;
   }
   if (flags.inputs.empty()) throw UsageError("no table", "name a table of bats, or analyses with --bat-id");
@@ -55,15 +55,15 @@ int run_study(const StudyFlags& flags) {
     throw UsageError("--hoop-curve goes into the figures", "add --figures FOLDER, -o FILE.svg or -o FILE.html");
   check_report_outputs(flags.output);
   refuse_existing(flags);
-  StudyRows rows;
+  metrics::StudyRows rows;
   for (const std::string& path : flags.inputs) rows.add(text_at(path), input_name(path));
-  std::vector<StudyBat> bats = rows.bats();
-  if (!flags.key.empty()) write_file(flags.key, anonymise_bats(bats), flags.output.force);
-  if (!flags.table.empty()) write_file(flags.table, study_table_csv(bats), flags.output.force);
-  const Study study = study_of(std::move(bats));
-  std::optional<StudyCurve> curve;
-  if (!flags.curve.empty()) curve = parse_study_curve(text_at(flags.curve), input_name(flags.curve));
-  const CommandReport report = study_report(study, curve);
+  std::vector<metrics::StudyBat> bats = rows.bats();
+  if (!flags.key.empty()) write_file(flags.key, metrics::anonymise_bats(bats), flags.output.force);
+  if (!flags.table.empty()) write_file(flags.table, metrics::study_table_csv(bats), flags.output.force);
+  const metrics::Study study = metrics::study_of(std::move(bats));
+  std::optional<metrics::StudyCurve> curve;
+  if (!flags.curve.empty()) curve = metrics::parse_study_curve(text_at(flags.curve), input_name(flags.curve));
+  const report::CommandReport report = report::study_report(study, curve);
   write_figures(flags, study, report, curve);
   return show_report(report, flags.output, flags.inputs);
 }

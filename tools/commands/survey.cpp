@@ -37,8 +37,8 @@ struct SurveyFlags {
 };
 
 // "POINT" or "POINT:CHANNEL".
-DrivingPoint parse_driving(const std::string& text) {
-  DrivingPoint at;
+identify::DrivingPoint parse_driving(const std::string& text) {
+  identify::DrivingPoint at;
   const char* const end = text.data() + text.size();
   auto [rest, error] = std::from_chars(text.data(), end, at.point);
   bool good = error == std::errc{};
@@ -51,30 +51,32 @@ DrivingPoint parse_driving(const std::string& text) {
   throw UsageError("--driving-point cannot be '" + text + "'", "give POINT:CHANNEL, both counted from 0, as 17:0");
 }
 
-SurveyOptions survey_options(const SurveyFlags& flags) {
-  SurveyOptions options{.roving = flags.roving == "sensor" ? Roving::sensor : Roving::hammer};
+pipeline::SurveyOptions survey_options(const SurveyFlags& flags) {
+  pipeline::SurveyOptions options{.roving =
+                                      flags.roving == "sensor" ? identify::Roving::sensor : identify::Roving::hammer};
   for (const std::string& text : flags.driving) options.driving.push_back(parse_driving(text));
-  if (!flags.geometry_path.empty()) options.geometry = read_geometry(flags.geometry_path);
+  if (!flags.geometry_path.empty()) options.geometry = acquire::read_geometry(flags.geometry_path);
   return options;
 }
 
 // Several files are one point each unless the user says otherwise.
-std::unique_ptr<Analysis> analysis_of(const SurveyFlags& flags) {
-  if (flags.read.files == FileGrouping::tests)
+std::unique_ptr<pipeline::Analysis> analysis_of(const SurveyFlags& flags) {
+  if (flags.read.files == acquire::FileGrouping::tests)
     throw UsageError("a survey is one test", "use --files points or --files hits");
   Measurements opened = open_measurements(flags.read);
   if (!opened.frfs.empty()) {
-    return std::make_unique<Analysis>(join_frfs_of(flags.read, std::move(opened.frfs)),
-                                      analysis_options(flags.analysis));
+    return std::make_unique<pipeline::Analysis>(join_frfs_of(flags.read, std::move(opened.frfs)),
+                                                analysis_options(flags.analysis));
   }
-  const FileGrouping mean = flags.read.files == FileGrouping::automatic ? FileGrouping::points : flags.read.files;
-  Record record = join_records(std::move(opened.records), mean);
-  for (const RowInfo& row : record.rows) {
+  const acquire::FileGrouping mean =
+      flags.read.files == acquire::FileGrouping::automatic ? acquire::FileGrouping::points : flags.read.files;
+  acquire::Record record = acquire::join_records(std::move(opened.records), mean);
+  for (const acquire::RowInfo& row : record.rows) {
     if (row.run == record.rows.front().run) continue;
     throw InputError("several runs", record.files.empty() ? record.source() : record.files[row.file].path,
                      "a survey is one test; put each run in its own file");
   }
-  return std::make_unique<Analysis>(std::move(record), analysis_options(flags.analysis));
+  return std::make_unique<pipeline::Analysis>(std::move(record), analysis_options(flags.analysis));
 }
 
 bool is_indicator(const std::string& path) { return path.ends_with(".cmif.csv"); }
@@ -83,32 +85,32 @@ void check_survey_outputs(const OutputFlags& output) {
   check_outputs(output, {".json", ".html", ".svg", ".csv", ".h5", ".uff", ".unv"});
 }
 
-void write_outputs(const SurveyFlags& flags, const Survey& survey, const std::string& document) {
+void write_outputs(const SurveyFlags& flags, const pipeline::Survey& survey, const std::string& document) {
   for (const std::string& path : flags.output.paths) {
     const std::string kind = extension_of(path);
     if (kind == ".json") {
       write_file(path, document, flags.output.force);
     } else if (is_html(path)) {
-      write_file(path, survey_page(survey, provenance_now(flags.output)), flags.output.force);
+      write_file(path, report::survey_page(survey, provenance_now(flags.output)), flags.output.force);
     } else if (extension_of(path) == ".svg") {
-      write_file(path, svg_document(survey_charts(survey, flags.pictures)), flags.output.force);
+      write_file(path, report::svg_document(report::survey_charts(survey, flags.pictures)), flags.output.force);
     } else if (!survey.analysis().possible()) {
       print_note(flags.output, "no hit can be used, so there are no shapes to write (" + one_line(path) +
                                    "); see the hits' findings");
     } else if (kind == ".csv") {
-      write_file(path, is_indicator(path) ? cmif_csv(survey) : shapes_csv(survey), flags.output.force);
+      write_file(path, is_indicator(path) ? report::cmif_csv(survey) : report::shapes_csv(survey), flags.output.force);
     } else if (is_uff(path)) {
-      write_modes_uff(path, survey, flags.output.force);
+      report::write_modes_uff(path, survey, flags.output.force);
     } else {
-      write_survey_hdf5(path, survey, flags.output.force);
+      report::write_survey_hdf5(path, survey, flags.output.force);
     }
   }
 }
 
 // What a survey is made of; each refers to the one before.
 struct SurveyResults {
-  std::shared_ptr<const Analysis> analysis;
-  Survey survey;
+  std::shared_ptr<const pipeline::Analysis> analysis;
+  pipeline::Survey survey;
 };
 
 void give_to_host(const SurveyFlags& flags, const std::shared_ptr<const SurveyResults>& kept,
@@ -116,9 +118,12 @@ void give_to_host(const SurveyFlags& flags, const std::shared_ptr<const SurveyRe
   CommandResult& outcome = flags.output.host->outcome;
   outcome.analyses = {kept->analysis};
   outcome.survey = {kept, &kept->survey};
-  outcome.text = [kept, hits = flags.hits](std::size_t width) { return survey_text(kept->survey, hits, width); };
+  outcome.text = [kept, hits = flags.hits](std::size_t width) {
+    return report::survey_text(kept->survey, hits, width);
+  };
   outcome.html = [kept] {
-    return kept->analysis->possible() ? survey_modes_table(kept->survey).html() : page_paragraph(kNoUsableHit);
+    return kept->analysis->possible() ? report::survey_modes_table(kept->survey).html()
+                                      : report::page_paragraph(report::kNoUsableHit);
   };
   SurveyFlags asked = flags;
   asked.output = captured_output(flags.output);
@@ -132,23 +137,23 @@ void give_to_host(const SurveyFlags& flags, const std::shared_ptr<const SurveyRe
 
 int run_survey(const SurveyFlags& flags) {
   if (flags.example) {
-    print(flags.output, geometry_example());
+    print(flags.output, acquire::geometry_example());
     return kOk;
   }
   check_survey_outputs(flags.output);
-  const SurveyOptions options = survey_options(flags);
+  const pipeline::SurveyOptions options = survey_options(flags);
   const Progress progress("analysing", flags.output.quiet);
-  const std::shared_ptr<const Analysis> made = analysis_of(flags);
-  const Analysis& analysis = *made;
+  const std::shared_ptr<const pipeline::Analysis> made = analysis_of(flags);
+  const pipeline::Analysis& analysis = *made;
   const auto kept =
       std::make_shared<const SurveyResults>(SurveyResults{.analysis = made, .survey = {analysis, options}});
-  const Survey& survey = kept->survey;
+  const pipeline::Survey& survey = kept->survey;
   analysis.hits();
   if (analysis.possible()) analysis.compute_modes_and_frfs();  // for text and document
   const bool wants_json = flags.output.json || std::any_of(flags.output.paths.begin(), flags.output.paths.end(),
                                                            [](const auto& p) { return extension_of(p) == ".json"; });
-  const std::string document = wants_json ? survey_json(survey, {.trace = flags.trace}) : "";
-  const std::string text = flags.output.json ? "" : survey_text(survey, flags.hits, terminal_width());
+  const std::string document = wants_json ? report::survey_json(survey, {.trace = flags.trace}) : "";
+  const std::string text = flags.output.json ? "" : report::survey_text(survey, flags.hits, terminal_width());
   progress.stop();
   write_outputs(flags, survey, document);
   print(flags.output, flags.output.json ? document : text);
@@ -191,7 +196,9 @@ void add_survey(CommandLine& line) {
       .list("--driving-point", flags->driving,
             "A point struck right beside the sensor of a channel (default: points that lie where a sensor sits)")
       .type("POINT:CHANNEL,...");
-  command.list("--picture", flags->pictures, "What -o FILE.svg shows").one_of(survey_chart_names()).type("PICTURE,...");
+  command.list("--picture", flags->pictures, "What -o FILE.svg shows")
+      .one_of(report::survey_chart_names())
+      .type("PICTURE,...");
   command.flag("--hits", flags->hits, "Also the table of hits");
   command.flag("--trace", flags->trace, "What ran: stages, calls, seconds");
   command.flag("--example", flags->example, "Print an example of a geometry file and stop");

@@ -31,11 +31,12 @@ struct SynthFlags {
   Host* host = nullptr;  // gets the test, in place of files
 };
 
-SynthSpec spec_named(const std::string& name) {
+synth::SynthSpec spec_named(const std::string& name) {
   std::error_code ignored;
-  if (name != "-" && !fs::exists(name, ignored) && name.find('/') == std::string::npos) return synth_preset(name);
+  if (name != "-" && !fs::exists(name, ignored) && name.find('/') == std::string::npos)
+    return synth::synth_preset(name);
   const auto bytes = read_input(name, kLongestSpec_bytes);
-  return parse_synth_spec(bytes.view(), input_name(name));
+  return synth::parse_synth_spec(bytes.view(), input_name(name));
 }
 
 std::string truth_path(const std::string& output) { return fs::path(output).replace_extension(".truth.json").string(); }
@@ -45,7 +46,7 @@ void check_outputs(const SynthFlags& flags) {
   std::set<std::string> paths;
   for (const std::string& output : flags.outputs) {
     const std::string kind = fs::path(output).extension().string();
-    const auto& known = record_extensions();
+    const auto& known = acquire::record_extensions();
     if (std::find(known.begin(), known.end(), kind) == known.end()) {
       throw UsageError(fmt::format("unknown kind of output \"{}\"", output),
                        fmt::format("name a file that ends in {}", fmt::join(known, ", ")));
@@ -60,22 +61,22 @@ void check_outputs(const SynthFlags& flags) {
   }
 }
 
-void write_outputs(const SynthFlags& flags, const SyntheticTest& test, const std::string& truth) {
+void write_outputs(const SynthFlags& flags, const synth::SyntheticTest& test, const std::string& truth) {
   std::set<std::string> truths;
   for (const std::string& output : flags.outputs) {
-    write_record(output, test.record, flags.force);
+    acquire::write_record(output, test.record, flags.force);
     truths.insert(truth_path(output));
   }
   for (const std::string& path : truths) write_file(path, truth, flags.force);
 }
 
-void print_summary(const SynthFlags& flags, const Truth& truth, const Record& record) {
-  const SynthSpec& spec = truth.spec;
+void print_summary(const SynthFlags& flags, const synth::Truth& truth, const acquire::Record& record) {
+  const synth::SynthSpec& spec = truth.spec;
   fmt::print("{}: {} {} of {} samples at {:g} Hz, {} acceleration channels\n", one_line(spec.name), record.rows.size(),
              record.rows.size() == 1 ? "row" : "rows", spec.samples, spec.fs_Hz, spec.sensors.size());
-  for (const SynthMode& m : spec.modes) {
+  for (const synth::SynthMode& m : spec.modes) {
     fmt::print("{:>10.3f} Hz  {:>7.4f} %  {} {}\n", m.freq_Hz, 100 * m.damping_ratio,
-               m.family == SynthFamily::bending ? "bending" : "hoop", m.order);
+               m.family == synth::SynthFamily::bending ? "bending" : "hoop", m.order);
   }
   for (std::size_t h = 0; h < truth.hits.size(); ++h) {
     if (truth.hits[h].flag != "good") fmt::print("  hit {}: {}\n", h, truth.hits[h].flag);
@@ -87,8 +88,8 @@ void print_summary(const SynthFlags& flags, const Truth& truth, const Record& re
 std::string presets_text(bool json) {
   std::string text;
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
-  for (const SynthPreset& preset : synth_presets()) {
-    const SynthSpec spec = synth_preset(preset.name);
+  for (const synth::SynthPreset& preset : synth::synth_presets()) {
+    const synth::SynthSpec spec = synth::synth_preset(preset.name);
     all.push_back({{"name", preset.name}, {"description", spec.description}});
     text += fmt::format("{:<16} {}\n", preset.name, spec.description);
   }
@@ -96,7 +97,8 @@ std::string presets_text(bool json) {
   return nlohmann::ordered_json{{"schema", "percuss/synth-presets/1"}, {"presets", all}}.dump(1, ' ') + "\n";
 }
 
-void give_to_host(const SynthFlags& flags, const std::shared_ptr<const SyntheticTest>& test, const std::string& truth) {
+void give_to_host(const SynthFlags& flags, const std::shared_ptr<const synth::SyntheticTest>& test,
+                  const std::string& truth) {
   CommandResult& outcome = flags.host->outcome;
   outcome.document = truth;
   outcome.synthetic = test;
@@ -113,18 +115,18 @@ void give_to_host(const SynthFlags& flags, const std::shared_ptr<const Synthetic
 int run_synth(const SynthFlags& flags) {
   if (flags.list || flags.example) {
     const std::string text =
-        (flags.list ? presets_text(flags.json) : "") + std::string(flags.example ? synth_example() : "");
+        (flags.list ? presets_text(flags.json) : "") + std::string(flags.example ? synth::synth_example() : "");
     print({.host = flags.host}, text);
     return kOk;
   }
   if (flags.spec.empty()) throw UsageError("no spec", "name a JSON file, a preset (percuss synth --list) or -");
   if (flags.outputs.empty() && !flags.json) throw UsageError("no output", "give -o FILE.h5 or -o FILE.csv");
   check_outputs(flags);
-  SynthSpec spec = spec_named(flags.spec);
+  synth::SynthSpec spec = spec_named(flags.spec);
   spec.seed = flags.seed.value_or(spec.seed);
-  const auto made = std::make_shared<const SyntheticTest>(synthesise(spec, flags.threads));
-  const SyntheticTest& test = *made;
-  const std::string truth = truth_json(test.truth);
+  const auto made = std::make_shared<const synth::SyntheticTest>(synth::synthesise(spec, flags.threads));
+  const synth::SyntheticTest& test = *made;
+  const std::string truth = synth::truth_json(test.truth);
   write_outputs(flags, test, truth);
   if (flags.host != nullptr) {
     give_to_host(flags, made, truth);
@@ -153,7 +155,7 @@ void add_synth(CommandLine& line) {
   command.example("percuss synth --example > spec.json; percuss synth spec.json --seed 7 -o bat.csv",
                   "A spec to change, and a record of it");
   std::vector<std::string> presets;
-  for (const SynthPreset& preset : synth_presets()) presets.emplace_back(preset.name);
+  for (const synth::SynthPreset& preset : synth::synth_presets()) presets.emplace_back(preset.name);
   command.word("SPEC", flags->spec, "JSON file, name of a preset, or - for standard input").suggest(presets);
   command
       .repeatable("-o,--output", flags->outputs,

@@ -14,7 +14,7 @@
 #include "core/io/json_text.hpp"
 #include "core/units.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 using Json = nlohmann::json;
@@ -184,4 +184,4 @@ std::string channel_setup_example() {
 )";
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

@@ -5,7 +5,7 @@
 
 #include "acquire/record/record.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 
 /// Reads a reusable channel set-up: a JSON array with one object per channel (docs/formats.md, "Channel set-up").
 ///   name (required)          the column's name or 1-based number, or the data set's channel ("accel 1")
@@ -24,4 +24,4 @@ std::vector<ChannelSetup> parse_channel_setup(std::string_view json, const std::
 /// A set-up of a hammer and two accelerometers, as a user may start from.
 std::string channel_setup_example();
 
-}  // namespace percuss
+}  // namespace percuss::acquire

@@ -9,7 +9,7 @@
 #include "core/error.hpp"
 #include "core/units.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 using Words = std::vector<std::string_view>;
@@ -230,4 +230,4 @@ bool may_be_time(const CsvColumn& column, const CsvColumns& columns) {
   return !is_helper(columns.point) && !is_helper(columns.run) && !is_one_of(lower_case(column.base), kCountWords);
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

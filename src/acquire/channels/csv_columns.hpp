@@ -8,7 +8,7 @@
 #include "core/error.hpp"
 #include "core/io/csv_header.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 
 /// What each column of a text file is; indices as in CsvColumn::index.
 struct CsvColumns {
@@ -43,4 +43,4 @@ const ChannelSetup* setup_of(const CsvColumn& column, const ReadOptions& options
 /// samples and no signal.
 bool may_be_time(const CsvColumn& column, const CsvColumns& columns);
 
-}  // namespace percuss
+}  // namespace percuss::acquire

@@ -4,7 +4,7 @@
 
 #include "core/error.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 /// The entry of a list that holds one for all or one for each.
@@ -115,4 +115,4 @@ void apply_force_overrides(SignalInfo& signal, const SignalOverrides& choice, co
   apply_overrides(signal, completed, Quantity::force, where);
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

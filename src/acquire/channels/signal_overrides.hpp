@@ -7,7 +7,7 @@
 #include "acquire/record/record.hpp"
 #include "core/units.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 
 /// What the user says about one signal, from options and set-up together; empty members leave what the file says.
 struct SignalOverrides {
@@ -37,4 +37,4 @@ void apply_overrides(SignalInfo& signal, const SignalOverrides& choice, Quantity
 void apply_force_overrides(SignalInfo& signal, const SignalOverrides& choice, const std::string& where,
                            std::vector<std::string>& notes);
 
-}  // namespace percuss
+}  // namespace percuss::acquire

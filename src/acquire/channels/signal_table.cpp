@@ -13,7 +13,7 @@
 #include "core/error.hpp"
 #include "core/io/input_file.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 std::string table_name(const SignalTable& table) {
@@ -151,4 +151,4 @@ Record record_of_table(SignalTable table, const ReadOptions& options) {
   return record_of_table(std::move(table), roles, options);
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

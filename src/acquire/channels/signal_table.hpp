@@ -9,7 +9,7 @@
 #include "core/io/csv_header.hpp"
 #include "core/units.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 
 /// One signal as a file describes it, before anybody has said what it is.
 struct TableSignal {
@@ -55,4 +55,4 @@ SignalRoles find_roles(const SignalTable& table, const ReadOptions& options);
 Record record_of_table(SignalTable table, const SignalRoles& roles, const ReadOptions& options);
 Record record_of_table(SignalTable table, const ReadOptions& options);
 
-}  // namespace percuss
+}  // namespace percuss::acquire

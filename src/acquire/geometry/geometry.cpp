@@ -13,7 +13,7 @@
 #include "core/io/parse_number.hpp"
 #include "core/units.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 constexpr std::uint64_t kLargestGeometry_bytes = std::uint64_t{16} << 20U;
@@ -235,4 +235,4 @@ std::string geometry_example() {
   return text;
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

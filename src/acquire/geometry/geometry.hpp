@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace percuss {
+namespace percuss::acquire {
 
 /// A point of a survey: its number in the records, and where it lies. Either coordinates, or a place on a tube.
 struct GeometryPoint {
@@ -45,4 +45,4 @@ void tube_from_coordinates(Geometry& geometry);
 /// A grid of a barrel, as a user may start from.
 std::string geometry_example();
 
-}  // namespace percuss
+}  // namespace percuss::acquire

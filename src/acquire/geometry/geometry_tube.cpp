@@ -4,7 +4,7 @@
 
 #include "acquire/geometry/geometry.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 constexpr double kRound = 0.1;                  // of the mean radius: how far the points of one ring may differ
@@ -82,4 +82,4 @@ void tube_from_coordinates(Geometry& geometry) {
   geometry.tube = true;
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

@@ -5,7 +5,7 @@
 #include <limits>
 #include <optional>
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 constexpr std::size_t kMinRun = 3;
@@ -104,4 +104,4 @@ std::size_t count_clipped_samples(std::span<const double> x, std::span<const Ext
   return found;
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

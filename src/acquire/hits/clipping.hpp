@@ -4,7 +4,7 @@
 
 #include "core/math/statistics.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 
 /// The smallest change from one sample to the next: the recorder's resolution, as far as these samples tell it. 0 for
 /// a constant.
@@ -19,4 +19,4 @@ inline constexpr std::size_t kClippingBlock = 512;
 std::size_t count_clipped_samples(std::span<const double> x, std::span<const Extremes> blocks,
                                   std::span<const double> around, double rest);
 
-}  // namespace percuss
+}  // namespace percuss::acquire

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace percuss {
+namespace percuss::acquire {
 
 const char* name_of(FindingCode code) {
   switch (code) {
@@ -46,4 +46,4 @@ bool rejects(const std::vector<Finding>& findings) {
   return std::any_of(findings.begin(), findings.end(), [](const Finding& f) { return f.severity == Severity::reject; });
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace percuss {
+namespace percuss::acquire {
 
 enum class FindingCode {
   double_hit,
@@ -35,4 +35,4 @@ const char* name_of(Severity severity);
 /// True when a finding of Severity::reject is among them.
 bool rejects(const std::vector<Finding>& findings);
 
-}  // namespace percuss
+}  // namespace percuss::acquire

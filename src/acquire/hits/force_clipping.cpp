@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 constexpr double kRounding = 1e-12;  // of the peak: the baseline was taken off and is added again
@@ -96,4 +96,4 @@ void grade_force_clipping(std::vector<Hit>& hits, const Record& record) {
   }
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

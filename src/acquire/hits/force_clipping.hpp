@@ -3,7 +3,7 @@
 
 #include "acquire/hits/hits.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 
 /// A short pulse may touch the recorder's rail with one or two samples, which by themselves look like any peak. Adds
 /// `overload` to the hits that peak exactly where an `overload` of the same file shows the rail, unless another hit of
@@ -11,4 +11,4 @@ namespace percuss {
 /// it, show a rail as well.
 void grade_force_clipping(std::vector<Hit>& hits, const Record& record);
 
-}  // namespace percuss
+}  // namespace percuss::acquire

@@ -14,7 +14,7 @@
 #include "core/math/statistics.hpp"
 #include "core/parallel/parallel.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 constexpr double kPulseToNoise = 10;      // a pulse stands at least this far out of the noise
@@ -252,4 +252,4 @@ void grade_bandwidth(std::vector<Hit>& hits, double band_high_Hz) {
   }
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

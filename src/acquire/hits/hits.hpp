@@ -6,7 +6,7 @@
 #include "acquire/hits/finding.hpp"
 #include "acquire/record/record.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 
 /// One hammer hit: where it is in the record, its pulse, and what is wrong with it.
 struct Hit {
@@ -44,4 +44,4 @@ std::vector<Hit> find_hits(const Record& record, const HitOptions& options = {})
 /// Adds `low_bandwidth` where the force's −20 dB frequency is below the band's upper end.
 void grade_bandwidth(std::vector<Hit>& hits, double band_high_Hz);
 
-}  // namespace percuss
+}  // namespace percuss::acquire

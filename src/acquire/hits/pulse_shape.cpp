@@ -8,7 +8,7 @@
 #include "core/math/fft.hpp"
 #include "core/math/statistics.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 constexpr double kPulseEdge =
@@ -176,4 +176,4 @@ double bandwidth_Hz(std::span<const double> pulse, double fs_Hz) {
   return line * fs_Hz / static_cast<double>(padded.size());
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

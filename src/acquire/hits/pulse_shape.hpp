@@ -6,7 +6,7 @@
 
 #include "core/math/statistics.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 
 /// The main pulse within a stretch of force, baseline removed.
 struct PulseShape {
@@ -41,4 +41,4 @@ double bandwidth_Hz(std::span<const double> pulse, double fs_Hz);
 /// Plans the transforms of most pulses: threads that are about to ask for bandwidths do not wait for each other then.
 void plan_bandwidths();
 
-}  // namespace percuss
+}  // namespace percuss::acquire

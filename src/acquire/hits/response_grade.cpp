@@ -10,7 +10,7 @@
 #include "acquire/hits/pulse_shape.hpp"
 #include "core/math/statistics.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 constexpr double kDecayed_dB = -52;         // six time constants: truncation changes an FRF by less than 0.5 %, [12]
@@ -209,4 +209,4 @@ void add_response_findings(Hit& hit, const std::vector<ResponseGrade>& channels)
   }
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

@@ -8,7 +8,7 @@
 #include "acquire/hits/hits.hpp"
 #include "core/math/statistics.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 
 /// What one acceleration channel shows of one hit.
 struct ResponseGrade {
@@ -39,4 +39,4 @@ std::size_t decayed_length(const Hit& hit, std::size_t samples, const SampleWind
 /// Adds `truncated_decay` and `overload` for the worst channel to the hit's findings.
 void add_response_findings(Hit& hit, const std::vector<ResponseGrade>& channels);
 
-}  // namespace percuss
+}  // namespace percuss::acquire

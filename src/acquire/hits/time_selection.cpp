@@ -6,7 +6,7 @@
 
 #include "core/error.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 constexpr std::size_t kPretriggerSamples = 128;
@@ -46,4 +46,4 @@ std::optional<std::size_t> selected_length(const Record& record, const HitOption
                    fmt::format("{:.6g} Hz", record.fs_Hz), "give more seconds");
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

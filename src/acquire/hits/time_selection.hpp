@@ -5,7 +5,7 @@
 #include "acquire/hits/hits.hpp"
 #include "acquire/record/record.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 
 /// Samples first … last − 1 of a row.
 struct SampleRange {
@@ -18,4 +18,4 @@ SampleRange select_time_range(const Record& record, std::size_t row, const HitOp
 std::size_t pretrigger_samples(const Record& record, const HitOptions& options);
 std::optional<std::size_t> selected_length(const Record& record, const HitOptions& options);
 
-}  // namespace percuss
+}  // namespace percuss::acquire

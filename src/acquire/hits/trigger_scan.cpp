@@ -7,7 +7,7 @@
 #include "core/math/statistics.hpp"
 #include "core/parallel/parallel.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 constexpr std::size_t kChunk = std::size_t{1} << 18;  // samples: what a thread takes at a time
@@ -93,4 +93,4 @@ TriggerScan scan_for_triggers(const Record& record, std::size_t row, const Trigg
   return scan;
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

@@ -5,7 +5,7 @@
 
 #include "acquire/record/record.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 
 /// Where a row's force rises out of its noise.
 struct TriggerScan {
@@ -30,4 +30,4 @@ struct TriggerOptions {
 /// theory (1.2)
 TriggerScan scan_for_triggers(const Record& record, std::size_t row, const TriggerOptions& options = {});
 
-}  // namespace percuss
+}  // namespace percuss::acquire

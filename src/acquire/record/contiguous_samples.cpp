@@ -13,7 +13,7 @@
 #include "acquire/record/sample_limits.hpp"
 #include "core/error.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 constexpr std::size_t kPiece = std::size_t{1}
@@ -104,4 +104,4 @@ Record with_contiguous_readers(Record record) {
   return record;
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

@@ -9,7 +9,7 @@
 #include "acquire/record/record.hpp"
 #include "core/error.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 constexpr double kSameRate = 1e-6;  // relative
@@ -100,4 +100,4 @@ Record join_records(std::vector<Record> records, FileGrouping mean) {
   return out;
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

@@ -8,7 +8,7 @@
 
 #include "core/error.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 
 std::set<int> Record::points() const {
   std::set<int> out;
@@ -80,4 +80,4 @@ SampleReader<std::size_t> no_force() {
   return [](std::size_t, std::size_t, std::span<double> out) { std::fill(out.begin(), out.end(), 0.0); };
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

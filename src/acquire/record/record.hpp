@@ -11,7 +11,7 @@
 
 #include "acquire/record/sample_reader.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 
 struct InputFile {
   std::string path;
@@ -124,4 +124,4 @@ SampleReader<std::size_t> no_force();
 Record record_in_memory(double fs_Hz, std::vector<std::vector<double>> force_N,
                         std::vector<std::vector<std::vector<double>>> accel_mps2);
 
-}  // namespace percuss
+}  // namespace percuss::acquire

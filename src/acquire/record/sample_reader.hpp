@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace percuss {
+namespace percuss::acquire {
 
 /// Reads stretches of one signal. Where the samples lie in memory they can be looked at without a copy. `Place` names
 /// the row, or the row and the channel.
@@ -38,4 +38,4 @@ class SampleReader {
   View view_;
 };
 
-}  // namespace percuss
+}  // namespace percuss::acquire

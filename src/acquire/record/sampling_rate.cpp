@@ -4,11 +4,11 @@
 
 #include "core/error.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 
 double checked_rate_Hz(double fs_Hz, std::string_view where) {
   if (fs_Hz >= 1e-3 && fs_Hz <= 1e9) return fs_Hz;
   throw InputError(fmt::format("a sampling rate of {:g} Hz is not usable", fs_Hz), where, "give --fs in Hz");
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

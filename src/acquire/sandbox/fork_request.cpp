@@ -7,7 +7,7 @@
 #include <climits>
 #include <cstring>
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 constexpr std::size_t kDescriptors = std::tuple_size_v<decltype(ForkRequest::descriptors)>;
@@ -65,4 +65,4 @@ std::optional<ForkRequest> receive_fork_request(int socket) {
   return request;
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

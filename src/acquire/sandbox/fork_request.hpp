@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-namespace percuss {
+namespace percuss::acquire {
 
 enum ForkCommandKind : int {
   kStartReader,
@@ -35,4 +35,4 @@ bool send_fork_request(int socket, const ForkRequest& request);
 /// Waits for the next, whose descriptors the caller closes; nothing when nobody holds the other end any more.
 std::optional<ForkRequest> receive_fork_request(int socket);
 
-}  // namespace percuss
+}  // namespace percuss::acquire

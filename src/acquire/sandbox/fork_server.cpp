@@ -12,7 +12,7 @@
 #include "acquire/sandbox/fork_server_process.hpp"
 #include "core/error.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 
 ForkServer::ForkServer(const Open& open) {
   std::array<int, 2> ends{};
@@ -71,4 +71,4 @@ int ForkServer::ask(const ForkCommand& command, int& status) {
   return reply.reader;
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

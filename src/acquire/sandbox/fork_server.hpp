@@ -6,7 +6,7 @@
 
 #include "acquire/sandbox/sandbox_process.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 
 struct ForkRequest;
 struct ForkCommand;
@@ -48,4 +48,4 @@ class ForkServer {
   int process_ = -1;
 };
 
-}  // namespace percuss
+}  // namespace percuss::acquire

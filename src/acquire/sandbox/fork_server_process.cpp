@@ -14,7 +14,7 @@
 #include "acquire/formats/hdf5/hdf5_handle.hpp"
 #include "acquire/sandbox/fork_request.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 int read_for(const ForkServer::Open& open, const std::string& path, int descriptor, int memory) {
@@ -125,4 +125,4 @@ void run_fork_server(int own, const ForkServer::Open& open) {
   }
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

@@ -24,7 +24,7 @@
 #define PERCUSS_SANITIZED 1
 #endif
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 constexpr std::uint64_t kMinMemory_bytes = std::uint64_t{2} << 30U;
@@ -141,4 +141,4 @@ void enter_sandbox(int descriptor, std::uint64_t file_bytes) {
   filter_calls(descriptor);
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

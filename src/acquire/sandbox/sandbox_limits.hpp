@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
 
-namespace percuss {
+namespace percuss::acquire {
 
 /// Takes from this process, for good, what the reader of a foreign file has no use for. It may still read files, take
 /// memory and write to `descriptor`; nothing else: no other writing, no network, no new processes.
@@ -14,4 +14,4 @@ void enter_sandbox(int descriptor, std::uint64_t file_bytes);
 /// The processor's time that a reader of a file of that size gets.
 unsigned processor_limit_s(std::uint64_t file_bytes);
 
-}  // namespace percuss
+}  // namespace percuss::acquire

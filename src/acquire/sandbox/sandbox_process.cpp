@@ -20,7 +20,7 @@
 #include "acquire/sandbox/sandbox_protocol.hpp"
 #include "core/error.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 constexpr int kNoMemoryExit = 11, kFailedExit = 12;
@@ -233,4 +233,4 @@ void SandboxProcess::read(std::size_t row, std::size_t signal, std::size_t first
   }
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace percuss {
+namespace percuss::acquire {
 
 /// What a confined reader offers: a description as bytes, and numbers on request.
 struct SandboxService {
@@ -68,4 +68,4 @@ int serve_in_sandbox(int descriptor, double* shared, std::uint64_t file_bytes,
                      const std::function<SandboxService()>& open);
 inline constexpr std::size_t kSharedNumbers = std::size_t{1} << 17U;  // that go over at once: 1 MiB
 
-}  // namespace percuss
+}  // namespace percuss::acquire

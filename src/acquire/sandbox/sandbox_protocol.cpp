@@ -11,7 +11,7 @@
 #include "acquire/sandbox/serialization.hpp"
 #include "core/error.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 bool send_outcome(int descriptor, SandboxOutcome outcome, const std::string& payload) {
@@ -97,4 +97,4 @@ bool run_and_send_outcome(int descriptor, const std::function<std::string()>& wo
   }
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-namespace percuss {
+namespace percuss::acquire {
 
 // What a confined reader and its parent say to each other, over a socket: requests one way, outcomes the other.
 
@@ -27,4 +27,4 @@ bool run_and_send_outcome(int descriptor, const std::function<std::string()>& wo
 /// not.
 [[noreturn]] void throw_ambiguous_columns(const std::string& payload);
 
-}  // namespace percuss
+}  // namespace percuss::acquire

@@ -7,7 +7,7 @@
 #include "acquire/record/contiguous_samples.hpp"
 #include "core/error.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
@@ -145,4 +145,4 @@ Record open_in_sandbox(const std::string& path, const std::function<Record()>& o
   return sandboxed_record(in, process);
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

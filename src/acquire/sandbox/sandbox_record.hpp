@@ -6,7 +6,7 @@
 #include "acquire/sandbox/sandbox_process.hpp"
 #include "acquire/sandbox/serialization.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 
 /// A record's description as bytes, and its samples as a service (signal 0 is the force, 1 … the accelerations).
 SandboxService record_service(Record record);
@@ -25,4 +25,4 @@ std::vector<std::vector<double>> deserialize_geometry(Deserializer& in);
 /// Opens a record of a foreign binary file in a confined process.
 Record open_in_sandbox(const std::string& path, const std::function<Record()>& open);
 
-}  // namespace percuss
+}  // namespace percuss::acquire

@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace percuss {
+namespace percuss::acquire {
 
 /// Values one after the other as bytes, for another process on this machine.
 class Serializer {
@@ -69,4 +69,4 @@ class Deserializer {
   std::string_view rest_;
 };
 
-}  // namespace percuss
+}  // namespace percuss::acquire

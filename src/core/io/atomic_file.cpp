@@ -14,7 +14,7 @@
 
 #include "core/error.hpp"
 
-namespace percuss {
+namespace percuss::inline core {
 namespace {
 
 constexpr mode_t kMode = 0644;
@@ -199,4 +199,4 @@ void write_file(const std::string& path, std::string_view bytes, bool force) {
   file.commit();
 }
 
-}  // namespace percuss
+}  // namespace percuss::inline core

@@ -5,7 +5,7 @@
 
 #include "core/io/temporary_files.hpp"
 
-namespace percuss {
+namespace percuss::inline core {
 
 /// A file that appears under its name when complete, or not at all: written aside in the same folder, brought to the
 /// disk, then renamed. A writer that is killed leaves the old file or none.
@@ -49,4 +49,4 @@ class AtomicFile {
 /// The whole file at once.
 void write_file(const std::string& path, std::string_view bytes, bool force);
 
-}  // namespace percuss
+}  // namespace percuss::inline core

@@ -5,7 +5,7 @@
 
 #include "core/io/parse_number.hpp"
 
-namespace percuss {
+namespace percuss::inline core {
 namespace {
 
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
@@ -215,4 +215,4 @@ std::vector<std::size_t> find_number_columns(const std::vector<std::string_view>
   return columns;
 }
 
-}  // namespace percuss
+}  // namespace percuss::inline core

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace percuss {
+namespace percuss::inline core {
 
 /// How a text file separates its lines and cells.
 struct CsvDialect {
@@ -47,4 +47,4 @@ bool has_two_kinds_of_comma(std::string_view text, const std::vector<std::string
 /// Indices of columns that hold numbers in at least half of `probes`.
 std::vector<std::size_t> find_number_columns(const std::vector<std::string_view>& probes, const CsvDialect& dialect);
 
-}  // namespace percuss
+}  // namespace percuss::inline core

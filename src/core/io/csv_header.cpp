@@ -8,7 +8,7 @@
 #include "core/io/time_stamps.hpp"
 #include "core/units.hpp"
 
-namespace percuss {
+namespace percuss::inline core {
 namespace {
 
 using Cells = std::vector<std::string_view>;
@@ -220,4 +220,4 @@ NameAndUnit split_name(std::string_view name) {
   return {std::string(text), {}};
 }
 
-}  // namespace percuss
+}  // namespace percuss::inline core

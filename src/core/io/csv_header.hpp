@@ -7,7 +7,7 @@
 
 #include "core/io/csv_dialect.hpp"
 
-namespace percuss {
+namespace percuss::inline core {
 
 /// One column of a text file as its header describes it.
 struct CsvColumn {
@@ -51,4 +51,4 @@ std::string to_utf8(std::string_view text);
 /// ASCII letters in lower case.
 std::string lower_case(std::string_view text);
 
-}  // namespace percuss
+}  // namespace percuss::inline core

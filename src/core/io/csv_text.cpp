@@ -2,7 +2,7 @@
 
 #include "core/io/csv_header.hpp"
 
-namespace percuss {
+namespace percuss::inline core {
 namespace {
 
 // Length of the UTF-8 sequence at the front of `text`, 0 when it is none (overlong forms and surrogates are none).
@@ -57,4 +57,4 @@ std::string lower_case(std::string_view text) {
   return out;
 }
 
-}  // namespace percuss
+}  // namespace percuss::inline core

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace percuss {
+namespace percuss::inline core {
 
 class LazyFile;
 
@@ -40,4 +40,4 @@ std::string first_bytes(const std::string& path, std::size_t count);
 /// claimed. errors  as first_bytes; longer than `limit_bytes`; whatever `look` throws.
 FileBytes read_input(const std::string& path, std::uint64_t limit_bytes, const HeadCheck& check_head = {});
 
-}  // namespace percuss
+}  // namespace percuss::inline core

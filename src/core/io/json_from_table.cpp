@@ -10,7 +10,7 @@
 #include "core/io/csv_header.hpp"
 #include "core/io/parse_number.hpp"
 
-namespace percuss {
+namespace percuss::inline core {
 namespace {
 
 using nlohmann::json;
@@ -129,4 +129,4 @@ bool nests_deeper_than(std::string_view text, int depth) {
   return false;
 }
 
-}  // namespace percuss
+}  // namespace percuss::inline core

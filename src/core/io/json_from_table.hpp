@@ -5,7 +5,7 @@
 
 #include "core/io/strict_json.hpp"
 
-namespace percuss {
+namespace percuss::inline core {
 
 /// The text that StrictObjects stand in; for a table, also which line each row of the list `rows` is.
 struct StrictSource {
@@ -19,4 +19,4 @@ struct StrictSource {
 /// read_strict_table.
 std::string json_from_table(const StrictText& input, StrictSource& source);
 
-}  // namespace percuss
+}  // namespace percuss::inline core

@@ -8,7 +8,7 @@
 
 #include "core/error.hpp"
 
-namespace percuss {
+namespace percuss::inline core {
 namespace {
 
 using nlohmann::json;
@@ -66,4 +66,4 @@ void check_json(const JsonText& input) {
   json::sax_parse(input.text.begin(), input.text.end(), &watch, json::input_format_t::json, true, input.comments);
 }
 
-}  // namespace percuss
+}  // namespace percuss::inline core

@@ -2,7 +2,7 @@
 #include <string>
 #include <string_view>
 
-namespace percuss {
+namespace percuss::inline core {
 
 /// A text to be read as JSON, and what is said when it is none.
 struct JsonText {
@@ -17,4 +17,4 @@ struct JsonText {
 /// JSON, nests deeper, gives a key twice, or holds a number beyond double's range.
 void check_json(const JsonText& input);
 
-}  // namespace percuss
+}  // namespace percuss::inline core

@@ -10,7 +10,7 @@
 #include "core/error.hpp"
 #include "core/io/input_file.hpp"
 
-namespace percuss {
+namespace percuss::inline core {
 
 LazyFile::LazyFile(const std::string& path, std::uint64_t limit_bytes) : path_(path) {
   std::uint64_t size = 0;
@@ -49,4 +49,4 @@ void LazyFile::copy(std::size_t first, std::size_t count, char* to) const {
   }
 }
 
-}  // namespace percuss
+}  // namespace percuss::inline core

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-namespace percuss {
+namespace percuss::inline core {
 
 /// A regular file with a place in memory for all of it, into which its bytes are read only as somebody asks. What has
 /// not been read takes no memory.
@@ -30,4 +30,4 @@ class LazyFile {
   std::size_t size_ = 0;
 };
 
-}  // namespace percuss
+}  // namespace percuss::inline core

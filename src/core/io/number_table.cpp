@@ -10,7 +10,7 @@
 #include "core/io/input_file.hpp"
 #include "core/io/parse_number.hpp"
 
-namespace percuss {
+namespace percuss::inline core {
 namespace {
 
 constexpr std::uint64_t kLargestTable_bytes = std::uint64_t{16} << 20U;
@@ -68,4 +68,4 @@ std::vector<NumberTableRow> read_number_table(const std::string& path, const Num
   return parse_number_table(bytes.view(), input_name(path), wanted);
 }
 
-}  // namespace percuss
+}  // namespace percuss::inline core

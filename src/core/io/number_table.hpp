@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace percuss {
+namespace percuss::inline core {
 
 /// A line of a small table of numbers, and where it stood, for messages about what the numbers mean.
 struct NumberTableRow {
@@ -28,4 +28,4 @@ std::vector<NumberTableRow> read_number_table(const std::string& path, const Num
 std::vector<NumberTableRow> parse_number_table(std::string_view text, const std::string& where,
                                                const NumberTableSpec& wanted);
 
-}  // namespace percuss
+}  // namespace percuss::inline core

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <system_error>
 
-namespace percuss {
+namespace percuss::inline core {
 namespace {
 
 constexpr std::size_t kLongestRewritten = 64;  // characters; a longer number with comma or D exponent is no number
@@ -114,4 +114,4 @@ int decimals_of(std::string_view cell, bool decimal_comma) {
   return static_cast<int>(std::min<std::size_t>(behind, 400)) - exponent;
 }
 
-}  // namespace percuss
+}  // namespace percuss::inline core

@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace percuss {
+namespace percuss::inline core {
 
 enum class NumberProblem : std::uint8_t { none, empty, not_a_number, not_finite, too_large };
 
@@ -26,4 +26,4 @@ int decimals_of(std::string_view cell, bool decimal_comma);
 /// `text` without blanks at either end; with quotes off as well if it has them on both sides.
 std::string_view trimmed(std::string_view text);
 
-}  // namespace percuss
+}  // namespace percuss::inline core

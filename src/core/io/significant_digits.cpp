@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace percuss {
+namespace percuss::inline core {
 
 std::string significant(double value, int digits) {
   if (value == 0 || !std::isfinite(value)) return fmt::format("{:g}", value);
@@ -16,4 +16,4 @@ std::string significant(double value, int digits) {
   return fmt::format("{:.{}f}", value, std::max(0, digits - 1 - exponent));
 }
 
-}  // namespace percuss
+}  // namespace percuss::inline core

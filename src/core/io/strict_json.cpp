@@ -14,7 +14,7 @@
 #include "core/io/json_text.hpp"
 #include "core/io/parse_number.hpp"
 
-namespace percuss {
+namespace percuss::inline core {
 
 using nlohmann::json;
 
@@ -236,4 +236,4 @@ void read_strict_table(const StrictText& text, const std::string& rows, const St
   object.finish();
 }
 
-}  // namespace percuss
+}  // namespace percuss::inline core

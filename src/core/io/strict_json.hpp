@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace percuss {
+namespace percuss::inline core {
 
 /// A text to be read strictly.
 struct StrictText {
@@ -81,4 +81,4 @@ bool looks_like_json(std::string_view text);
 bool nests_deeper_than(std::string_view text, int depth);
 inline constexpr int kMaxDocumentDepth = 16;  // percuss's own stay far below
 
-}  // namespace percuss
+}  // namespace percuss::inline core

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <utility>
 
-namespace percuss {
+namespace percuss::inline core {
 namespace {
 
 // A plain array of atomics: a signal handler may use nothing that allocates or locks. Beyond it files are written all
@@ -65,4 +65,4 @@ void remove_abandoned_files(const std::string& folder, const std::string& prefix
   }
 }
 
-}  // namespace percuss
+}  // namespace percuss::inline core

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-namespace percuss {
+namespace percuss::inline core {
 
 /// A file under a temporary name, known to remove_temporary_files() as long as this object lives. Marks the file
 /// (flock) so that another process can tell it from one that a killed process left behind.
@@ -28,4 +28,4 @@ void remove_temporary_files() noexcept;
 /// Removes the files in `folder` whose names start with `prefix` and that no living process marks as its own.
 void remove_abandoned_files(const std::string& folder, const std::string& prefix);
 
-}  // namespace percuss
+}  // namespace percuss::inline core

@@ -9,7 +9,7 @@
 #include "core/io/csv_header.hpp"
 #include "core/io/parse_number.hpp"
 
-namespace percuss {
+namespace percuss::inline core {
 namespace {
 
 // Letters and digits only, lower case: "Sampling Rate(Hz)" → "samplingratehz".
@@ -201,4 +201,4 @@ double roundest_between(double low, double high) {
   return low + (high - low) / 2;
 }
 
-}  // namespace percuss
+}  // namespace percuss::inline core

@@ -1,7 +1,7 @@
 #pragma once
 #include <complex>
 
-namespace percuss {
+namespace percuss::inline core {
 
 // std::complex's own product and quotient look after infinities: ten times the work, and loops that do not vectorise.
 
@@ -16,4 +16,4 @@ inline std::complex<double> conj_times(std::complex<double> a, std::complex<doub
 
 inline std::complex<double> inverse(std::complex<double> a) { return std::conj(a) * (1 / std::norm(a)); }
 
-}  // namespace percuss
+}  // namespace percuss::inline core

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace percuss {
+namespace percuss::inline core {
 namespace {
 
 using Eigen::Index;
@@ -45,4 +45,4 @@ VectorXcd leading_right_vector(const MatrixXcd& matrix) {
   return out;
 }
 
-}  // namespace percuss
+}  // namespace percuss::inline core

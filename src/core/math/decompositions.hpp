@@ -1,7 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 
-namespace percuss {
+namespace percuss::inline core {
 
 /// Eigenvectors of a real symmetric matrix, that of the largest eigenvalue first. shape [n, n], in columns.
 Eigen::MatrixXd eigenvectors(const Eigen::MatrixXd& symmetric);
@@ -13,4 +13,4 @@ Eigen::VectorXd singular_values(const Eigen::MatrixXcd& matrix);
 /// Right singular vector of the largest singular value, its phase any. shape [columns], norm 1.
 Eigen::VectorXcd leading_right_vector(const Eigen::MatrixXcd& matrix);
 
-}  // namespace percuss
+}  // namespace percuss::inline core

@@ -8,7 +8,7 @@
 #include <mutex>
 #include <shared_mutex>
 
-namespace percuss {
+namespace percuss::inline core {
 namespace {
 
 fftw_complex* as_fftw(Complex* p) { return reinterpret_cast<fftw_complex*>(p); }
@@ -134,4 +134,4 @@ std::size_t fast_length_at_least(std::size_t n) {
   return n;
 }
 
-}  // namespace percuss
+}  // namespace percuss::inline core

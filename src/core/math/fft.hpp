@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-namespace percuss {
+namespace percuss::inline core {
 
 using Complex = std::complex<double>;
 
@@ -34,4 +34,4 @@ std::size_t fast_length_at_most(std::size_t n);
 /// … and the smallest >= n.
 std::size_t fast_length_at_least(std::size_t n);
 
-}  // namespace percuss
+}  // namespace percuss::inline core

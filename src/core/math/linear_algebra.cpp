@@ -4,7 +4,7 @@
 #include <Eigen/QR>
 #include <cmath>
 
-namespace percuss {
+namespace percuss::inline core {
 namespace {
 
 using Eigen::Index;
@@ -62,4 +62,4 @@ std::optional<MatrixXd> left_inverse(const MatrixXd& columns, double min_pivot) 
   return qr.solve(MatrixXd::Identity(columns.rows(), columns.rows()));
 }
 
-}  // namespace percuss
+}  // namespace percuss::inline core

@@ -2,7 +2,7 @@
 #include <Eigen/Core>
 #include <optional>
 
-namespace percuss {
+namespace percuss::inline core {
 
 /// Inverse of a symmetric (Hermitian) positive matrix whose diagonal may span many decades: scaled to ones on the
 /// diagonal first. shape [n, n].
@@ -24,4 +24,4 @@ Eigen::VectorXd least_squares(const Eigen::MatrixXd& columns, const Eigen::Vecto
 /// largest. shapes: columns [n, m], result [m, n]: for small n.
 std::optional<Eigen::MatrixXd> left_inverse(const Eigen::MatrixXd& columns, double min_pivot);
 
-}  // namespace percuss
+}  // namespace percuss::inline core

@@ -8,7 +8,7 @@
 
 #include "core/math/complex.hpp"
 
-namespace percuss {
+namespace percuss::inline core {
 namespace {
 
 using Complex = std::complex<double>;
@@ -77,4 +77,4 @@ Eigen::VectorXcd polynomial_roots(const Eigen::VectorXcd& c, const Eigen::Vector
   return companion_roots(c);
 }
 
-}  // namespace percuss
+}  // namespace percuss::inline core

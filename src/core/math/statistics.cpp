@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <cmath>
 
-namespace percuss {
+namespace percuss::inline core {
 namespace {
 
 constexpr double kGaussian = 1.4826022185056018;  // deviations per median absolute deviation
@@ -77,4 +77,4 @@ double rms(std::span<const double> values) {
   return values.empty() ? 0 : std::sqrt(sum / static_cast<double>(values.size()));
 }
 
-}  // namespace percuss
+}  // namespace percuss::inline core

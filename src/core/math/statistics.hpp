@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-namespace percuss {
+namespace percuss::inline core {
 
 /// Median of the values (mean of the middle two for an even count); 0 for none.
 double median(std::vector<double> values);
@@ -36,4 +36,4 @@ Extremes extremes_of(std::span<const Extremes> blocks);
 /// √(Σx²/n); 0 for none.
 double rms(std::span<const double> values);
 
-}  // namespace percuss
+}  // namespace percuss::inline core

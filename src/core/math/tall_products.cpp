@@ -2,7 +2,7 @@
 
 #include "core/parallel/parallel.hpp"
 
-namespace percuss {
+namespace percuss::inline core {
 namespace {
 
 using Complex = std::complex<double>;
@@ -126,4 +126,4 @@ ColumnFit fit_columns(const MatrixXcd& columns, const MatrixXcd& inverse_gram, c
   return fit;
 }
 
-}  // namespace percuss
+}  // namespace percuss::inline core

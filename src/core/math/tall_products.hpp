@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace percuss {
+namespace percuss::inline core {
 
 // Products of tall matrices with few columns. A general product is made for large matrices: it copies both sides into
 // blocks first, which here costs more than the product itself.
@@ -35,4 +35,4 @@ struct ColumnFit {
 ColumnFit fit_columns(const Eigen::MatrixXcd& columns, const Eigen::MatrixXcd& inverse_gram,
                       const Eigen::MatrixXcd& data, const std::vector<std::size_t>& outputs);
 
-}  // namespace percuss
+}  // namespace percuss::inline core

@@ -10,7 +10,7 @@
 #include "core/parallel/parallel.hpp"
 #include "core/parallel/task_arena.hpp"
 
-namespace percuss {
+namespace percuss::inline core {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -127,4 +127,4 @@ void BackgroundTasks::finish() {
   if (work_->failed()) std::rethrow_exception(work_->failed());
 }
 
-}  // namespace percuss
+}  // namespace percuss::inline core

@@ -3,7 +3,7 @@
 #include <functional>
 #include <memory>
 
-namespace percuss {
+namespace percuss::inline core {
 
 class LoopObserver;
 
@@ -27,4 +27,4 @@ class BackgroundTasks {
   LoopObserver* previous_observer_;
 };
 
-}  // namespace percuss
+}  // namespace percuss::inline core

@@ -6,7 +6,7 @@
 
 #include "core/parallel/task_arena.hpp"
 
-namespace percuss {
+namespace percuss::inline core {
 namespace {
 
 using Task = std::function<void(std::size_t)>;
@@ -94,4 +94,4 @@ void parallel_for_chunks(std::size_t size, std::size_t operations,
   });
 }
 
-}  // namespace percuss
+}  // namespace percuss::inline core

@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <functional>
 
-namespace percuss {
+namespace percuss::inline core {
 
 /// Calls task(0) … task(count − 1), each once, on at most `threads` threads (0: as many as the machine has; 1: here, in
 /// order). Tasks write only to places of their own, so that the result does not depend on the number of threads. The
@@ -51,4 +51,4 @@ class LoopObserver {
 /// From now on this thread's loops tell `watch` (nullptr: nobody); returns whom they told before.
 LoopObserver* set_loop_observer(LoopObserver* observer);
 
-}  // namespace percuss
+}  // namespace percuss::inline core

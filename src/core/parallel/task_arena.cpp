@@ -5,7 +5,7 @@
 
 #include <memory>
 
-namespace percuss {
+namespace percuss::inline core {
 namespace {
 
 // No more than the machine has: oneTBB would complain on standard error and use no more anyway.
@@ -51,4 +51,4 @@ void enqueue_in_arena(std::size_t threads, void (*call)(void* with), void* with)
   });
 }
 
-}  // namespace percuss
+}  // namespace percuss::inline core

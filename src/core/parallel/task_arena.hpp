@@ -1,7 +1,7 @@
 #pragma once
 #include <cstddef>
 
-namespace percuss {
+namespace percuss::inline core {
 
 /// Calls call(task, 0) … call(task, count − 1) on up to `threads` threads (0: all), in any order. The only file that
 /// sees oneTBB, and the only one that the thread sanitizer does not watch: what the library orders it cannot see.
@@ -14,4 +14,4 @@ std::size_t arena_concurrency(std::size_t threads);
 /// Another of these threads calls call(with) once it has nothing else to do; never, where the process ends before.
 void enqueue_in_arena(std::size_t threads, void (*call)(void* with), void* with);
 
-}  // namespace percuss
+}  // namespace percuss::inline core

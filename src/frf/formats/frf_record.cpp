@@ -23,7 +23,7 @@
 #include "frf/formats/read_frf_uff.hpp"
 #include "frf/formats/sandbox_measurement.hpp"
 
-namespace percuss {
+namespace percuss::frf {
 namespace {
 
 constexpr double kUneven = 0.05;                             // of the spacing: frequencies may be rounded
@@ -32,7 +32,7 @@ constexpr std::size_t kMaxFrfLines = std::size_t{1} << 28U;  // from 0 Hz on, pr
 
 std::string name_of(const FrfRecord& record) { return input_name(record.source()); }
 
-void refuse_useless(const ReadOptions& options, const std::string& where) {
+void refuse_useless(const acquire::ReadOptions& options, const std::string& where) {
   const auto refuse = [&](const char* option, const char* why) {
     throw InputError(fmt::format("{} does not apply to FRFs: {}", option, why), where, "leave it out");
   };
@@ -42,7 +42,7 @@ void refuse_useless(const ReadOptions& options, const std::string& where) {
 }
 
 // Only MAT files have variables that options can name.
-void refuse_variable_names(const ReadOptions& options, const std::string& path) {
+void refuse_variable_names(const acquire::ReadOptions& options, const std::string& path) {
   if (options.fs_variable.empty()) return;
   throw InputError("--fs is no number: " + one_line(options.fs_variable, 40), input_name(path),
                    "give it in Hz (in MAT files it may be a variable)");
@@ -59,14 +59,14 @@ FrfReadOptions without_places(FrfReadOptions options) {
 }
 
 // m/s² or its integrals per stored unit of the response; N per stored unit of the force.
-double response_factor(const SignalOverrides& choice, const StoredFrfs& stored, FrfKind kind,
+double response_factor(const acquire::SignalOverrides& choice, const StoredFrfs& stored, FrfKind kind,
                        const std::string& where) {
   if (choice.scale) return *choice.scale;
   if (!choice.unit.empty()) return require_unit(choice.unit, Quantity::acceleration, where).to_SI;
   return stored.unit && stored.unit->kind == kind ? stored.unit->response_to_SI : 1;
 }
 
-double force_factor(const SignalOverrides& choice, const StoredFrfs& stored, const std::string& where) {
+double force_factor(const acquire::SignalOverrides& choice, const StoredFrfs& stored, const std::string& where) {
   if (choice.scale) return *choice.scale;
   if (!choice.unit.empty()) return require_unit(choice.unit, Quantity::force, where).to_SI;
   return stored.unit ? stored.unit->force_to_SI : 1;
@@ -98,7 +98,7 @@ Frf accelerance_of(StoredFrf stored, const FrfRecord& record, double factor, con
     const Complex by = factor * (order == 0 ? Complex(1) : order == 1 ? s : s * s);
     frf.value[k] *= by;
     if (!frf.std.empty()) frf.std[k] *= std::abs(by);
-    if (std::abs(frf.value[k]) <= kMaxSample) continue;
+    if (std::abs(frf.value[k]) <= acquire::kMaxSample) continue;
     throw InputError(fmt::format("the FRF at {:.6g} Hz is too large", record.lines.freq_Hz(k)), where,
                      "correct the number or the scale");
   }
@@ -112,14 +112,15 @@ FrfRecord to_accelerances(StoredFrfs stored, const FrfReadOptions& options) {
   const std::string where = name_of(record);
   refuse_useless(options.read, where);
   record.kind = kind_of(stored, options, record.notes);
-  const auto channels = hdf5::chosen_channels(options.read, record.accel.size(), where);
-  const SignalOverrides force = force_overrides(options.read, hdf5::force_setup(options.read));
+  const auto channels = acquire::hdf5::chosen_channels(options.read, record.accel.size(), where);
+  const acquire::SignalOverrides force =
+      acquire::force_overrides(options.read, acquire::hdf5::force_setup(options.read));
   const double below = force.sign * force_factor(force, stored, where);
-  std::vector<SignalInfo> accel;
+  std::vector<acquire::SignalInfo> accel;
   for (std::size_t i = 0; i < channels.size(); ++i) {
-    const ChannelSetup* setup = hdf5::accel_setup(options.read, channels[i], record.accel.size());
-    const SignalOverrides choice = accel_overrides(options.read, setup, i, channels.size());
-    SignalInfo signal = record.accel[channels[i]];
+    const acquire::ChannelSetup* setup = acquire::hdf5::accel_setup(options.read, channels[i], record.accel.size());
+    const acquire::SignalOverrides choice = acquire::accel_overrides(options.read, setup, i, channels.size());
+    acquire::SignalInfo signal = record.accel[channels[i]];
     signal.to_SI = choice.sign * response_factor(choice, stored, record.kind, where) / below;
     if (!std::isfinite(signal.to_SI) || signal.to_SI == 0)
       throw InputError("a scale of zero or beyond any number", where, "give a usable one");
@@ -164,36 +165,36 @@ LineRange lines_from_frequencies(const std::vector<double>& freq_Hz, const std::
   return lines;
 }
 
-std::variant<Record, FrfRecord> open_measurement(const std::string& path, const FrfReadOptions& options) {
+std::variant<acquire::Record, FrfRecord> open_measurement(const std::string& path, const FrfReadOptions& options) {
   constexpr std::size_t kHead_bytes = 4096;
   const std::string head = path != "-" ? first_bytes(path, kHead_bytes) : "";
-  const bool mat = is_mat(head);
-  if (options.read.sandboxed && path != "-" && (mat || is_hdf5(path))) {
+  const bool mat = acquire::is_mat(head);
+  if (options.read.sandboxed && path != "-" && (mat || acquire::is_hdf5(path))) {
     FrfReadOptions within = options;
     within.read.sandboxed = false;
     return open_measurement_sandboxed(path, [&] { return open_measurement(path, within); });
   }
   if (!mat) refuse_variable_names(options.read, path);
-  if (is_sound(head)) return open_record(path, options.read);
+  if (acquire::is_sound(head)) return acquire::open_record(path, options.read);
   if (mat) {
-    MatFile file = read_mat_file(path);
+    acquire::MatFile file = acquire::read_mat_file(path);
     if (auto frfs = read_frf_mat(file, options)) return to_accelerances(std::move(*frfs), without_places(options));
-    return open_mat(std::move(file), options.read);
+    return acquire::open_mat(std::move(file), options.read);
   }
-  if (path != "-" && is_hdf5(path)) {
+  if (path != "-" && acquire::is_hdf5(path)) {
     if (auto frfs = read_frf_hdf5(path)) return to_accelerances(std::move(*frfs), options);
-    return open_record(path, options.read);
+    return acquire::open_record(path, options.read);
   }
-  const FileBytes text = read_text(path);
-  if (is_universal_file(text.view())) {
-    UffContents contents = read_uff_contents(text);
+  const FileBytes text = acquire::read_text(path);
+  if (acquire::is_universal_file(text.view())) {
+    acquire::UffContents contents = acquire::read_uff_contents(text);
     if (auto frfs = read_frf_uff(text, contents, options.kind.has_value()))
       return to_accelerances(std::move(*frfs), options);
-    return open_uff(text, std::move(contents), options.read);
+    return acquire::open_uff(text, std::move(contents), options.read);
   }
-  if (is_lvm(text.view())) return open_lvm(text, options.read);
+  if (acquire::is_lvm(text.view())) return acquire::open_lvm(text, options.read);
   if (auto frfs = read_frf_text(text, options.kind.has_value())) return to_accelerances(std::move(*frfs), options);
-  return open_csv(text, options.read);
+  return acquire::open_csv(text, options.read);
 }
 
 FrfRecord join_frfs(std::vector<FrfRecord> records) {
@@ -226,4 +227,4 @@ FrfRecord join_frfs(std::vector<FrfRecord> records) {
   return out;
 }
 
-}  // namespace percuss
+}  // namespace percuss::frf

@@ -10,7 +10,7 @@
 #include "frf/convert.hpp"
 #include "frf/formats/frf_unit.hpp"
 
-namespace percuss {
+namespace percuss::frf {
 
 /// An FRF and whose it is.
 struct PointFrf {
@@ -21,24 +21,25 @@ struct PointFrf {
 
 /// A test of which only the FRFs are left: no hits, no force.
 struct FrfRecord {
-  std::vector<InputFile> files;
+  std::vector<acquire::InputFile> files;
   std::string format;                   // for people: "FRF text", "FRF HDF5"
   FrfKind kind = FrfKind::accelerance;  // as stored; `frfs` are accelerances
-  LineRange lines;                // of every FRF; its fs_Hz is twice the highest frequency, the true one is not known
-  std::vector<SignalInfo> accel;  // [channels]; to_SI is what the stored FRF was multiplied with: unit and sign
-  std::vector<PointFrf> frfs;     // [points × channels], point by point, ascending
+  LineRange lines;  // of every FRF; its fs_Hz is twice the highest frequency, the true one is not known
+  std::vector<acquire::SignalInfo>
+      accel;                   // [channels]; to_SI is what the stored FRF was multiplied with: unit and sign
+  std::vector<PointFrf> frfs;  // [points × channels], point by point, ascending
   std::string estimator = "H1";
-  std::vector<std::vector<double>> geometry;  // [points][3], as in Record; may be empty
-  std::vector<TraceLine> trace_lines;         // likewise
-  double decay_per_s = 0;                     // of the exponential window the file says was on force and response
-  std::vector<std::string> notes;             // what was assumed, one line each
+  std::vector<std::vector<double>> geometry;    // [points][3], as in Record; may be empty
+  std::vector<acquire::TraceLine> trace_lines;  // likewise
+  double decay_per_s = 0;                       // of the exponential window the file says was on force and response
+  std::vector<std::string> notes;               // what was assumed, one line each
   /// As Record::source().
   std::string source() const { return files.empty() ? format : files.front().path; }
 };
 
 /// What the user says about FRF files beyond ReadOptions; wins over what the file says.
 struct FrfReadOptions {
-  ReadOptions read;
+  acquire::ReadOptions read;
   std::optional<FrfKind> kind;
 };
 
@@ -68,10 +69,10 @@ FrfRecord to_accelerances(StoredFrfs stored, const FrfReadOptions& options);
 LineRange lines_from_frequencies(const std::vector<double>& freq_Hz, const std::string& where);
 
 /// Opens a file of any kind: FRFs, where its columns or data sets are those of FRFs, else a record (open_record).
-std::variant<Record, FrfRecord> open_measurement(const std::string& path, const FrfReadOptions& options = {});
+std::variant<acquire::Record, FrfRecord> open_measurement(const std::string& path, const FrfReadOptions& options = {});
 
 /// Several files of FRFs as one test: each file's points after those of the file before. errors  InputError: lines or
 /// channels differ; names the file.
 FrfRecord join_frfs(std::vector<FrfRecord> records);
 
-}  // namespace percuss
+}  // namespace percuss::frf

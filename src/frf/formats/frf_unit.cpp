@@ -6,7 +6,7 @@
 #include "core/io/parse_number.hpp"
 #include "core/units.hpp"
 
-namespace percuss {
+namespace percuss::frf {
 namespace {
 
 // Without blanks around and without one pair of brackets that belong to each other.
@@ -68,4 +68,4 @@ std::optional<FrfKind> parse_frf_kind(std::string_view word) {
   return std::nullopt;
 }
 
-}  // namespace percuss
+}  // namespace percuss::frf

@@ -4,7 +4,7 @@
 
 #include "frf/convert.hpp"
 
-namespace percuss {
+namespace percuss::frf {
 
 /// The unit of a frequency response as files state it.
 struct FrfUnit {
@@ -22,4 +22,4 @@ std::optional<FrfUnit> parse_frf_unit(std::string_view text);
 /// aside).
 std::optional<FrfKind> parse_frf_kind(std::string_view word);
 
-}  // namespace percuss
+}  // namespace percuss::frf

@@ -4,7 +4,7 @@
 
 #include "frf/formats/frf_record.hpp"
 
-namespace percuss {
+namespace percuss::frf {
 
 /// The FRFs of an HDF5 file as percuss writes them (docs/formats.md): /frequency_hz [lines], /frf {r, i} [points,
 /// channels, lines], /frf_std and /coherence alike where present, /point [points]; attributes kind, unit, averages,
@@ -12,4 +12,4 @@ namespace percuss {
 /// /frf. errors  InputError with file and data set.
 std::optional<StoredFrfs> read_frf_hdf5(const std::string& path);
 
-}  // namespace percuss
+}  // namespace percuss::frf

@@ -4,7 +4,7 @@
 #include "core/io/input_file.hpp"
 #include "frf/formats/frf_record.hpp"
 
-namespace percuss {
+namespace percuss::frf {
 
 /// The FRFs of a text of columns (docs/formats.md): frequency, then real and imaginary part, or magnitude and phase, of
 /// each. Nothing when the columns are not named so: then it is a record of time. With `forced` three columns or more
@@ -12,4 +12,4 @@ namespace percuss {
 /// have no partner, uneven frequencies, gaps, numbers that are none.
 std::optional<StoredFrfs> read_frf_text(const FileBytes& bytes, bool forced);
 
-}  // namespace percuss
+}  // namespace percuss::frf

@@ -4,11 +4,11 @@
 #include "acquire/formats/uff/uff_output.hpp"
 #include "frf/formats/frf_record.hpp"
 
-namespace percuss {
-
-namespace hdf5 {
+namespace percuss::acquire::hdf5 {
 class OutputHdf5;
 }
+
+namespace percuss::frf {
 
 /// FRFs as files of the kinds that open_measurement reads; `kind` says what they become. All are whole or absent, and
 /// equal FRFs give equal bytes. Throw InputError when the file exists (without force) or cannot be written.
@@ -22,7 +22,7 @@ std::string frf_record_csv(const FrfRecord& record, FrfKind kind);
 void write_frf_record_hdf5(const std::string& path, const FrfRecord& record, FrfKind kind, bool force);
 
 /// The same within a group of a file that holds more: "bat-1/run-0".
-void write_frf_group(hdf5::OutputHdf5& out, const std::string& group, const FrfRecord& record, FrfKind kind);
+void write_frf_group(acquire::hdf5::OutputHdf5& out, const std::string& group, const FrfRecord& record, FrfKind kind);
 
 /// MAT (level 5): the same as HDF5 with variables in place of data sets and attributes.
 void write_frf_record_mat(const std::string& path, const FrfRecord& record, FrfKind kind, bool force);
@@ -30,6 +30,6 @@ void write_frf_record_mat(const std::string& path, const FrfRecord& record, FrfK
 /// Universal file: sets 151, 164, 2411 where there is a geometry, and per point and channel functions 58 of type 4 and,
 /// where known, 6 (coherence).
 void write_frf_record_uff(const std::string& path, const FrfRecord& record, FrfKind kind, bool force,
-                          UffData data = UffData::binary);
+                          acquire::UffData data = acquire::UffData::binary);
 
-}  // namespace percuss
+}  // namespace percuss::frf

@@ -6,16 +6,16 @@
 #include "core/units.hpp"
 #include "frf/formats/write_frf.hpp"
 
-namespace percuss {
+namespace percuss::frf {
 namespace {
 
 // What a reader needs beside the numbers: ", angle_deg 0 90, decay_per_s 4.6".
 std::string statements(const FrfRecord& record) {
   std::string out;
   const auto& accel = record.accel;
-  const bool angles = std::all_of(accel.begin(), accel.end(), [](const SignalInfo& s) { return s.angle_rad; });
+  const bool angles = std::all_of(accel.begin(), accel.end(), [](const acquire::SignalInfo& s) { return s.angle_rad; });
   if (angles) out += ", angle_deg";
-  for (const SignalInfo& signal : accel) {
+  for (const acquire::SignalInfo& signal : accel) {
     if (angles) out += fmt::format(" {:.10g}", *signal.angle_rad * kRadian_deg);
   }
   if (record.decay_per_s > 0) out += fmt::format(", decay_per_s {}", record.decay_per_s);
@@ -50,4 +50,4 @@ std::string frf_record_csv(const FrfRecord& record, FrfKind kind) {
   return out;
 }
 
-}  // namespace percuss
+}  // namespace percuss::frf

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace percuss {
+namespace percuss::identify {
 namespace {
 
 using std::numbers::pi;
@@ -109,4 +109,4 @@ void describe_split(const Mode& first, const Mode& second, const std::optional<P
   of_second.planes = SplitPlanes{*second_plane, apart, std_rad, cause};
 }
 
-}  // namespace percuss
+}  // namespace percuss::identify

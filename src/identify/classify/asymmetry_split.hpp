@@ -4,7 +4,7 @@
 #include "identify/classify/classify.hpp"
 #include "identify/classify/split_mode.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 
 /// The plane that two sensors' residues tell: A_c ∝ cos n(θ_c − plane). Nothing where they cannot: n times the angle
 /// between them is near a multiple of 180° (hoop modes with sensors at 90°), or the mode is seen by neither. The
@@ -19,4 +19,4 @@ std::optional<PatternPlane> plane_from_sensors(const Mode& mode, const SensorPai
 void describe_split(const Mode& first, const Mode& second, const std::optional<PatternPlane>& first_plane,
                     const std::optional<PatternPlane>& second_plane, SplitMode& of_first, SplitMode& of_second);
 
-}  // namespace percuss
+}  // namespace percuss::identify

@@ -6,7 +6,7 @@
 #include "identify/classify/asymmetry_split.hpp"
 #include "identify/classify/type_posterior.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 namespace {
 
 constexpr double kPairSpacing = 0.04;   // of the frequency: the two planes of one bending mode lie closer than this
@@ -210,4 +210,4 @@ std::vector<ModeClassification> classify(const std::vector<Mode>& modes, const s
   return classifications;
 }
 
-}  // namespace percuss
+}  // namespace percuss::identify

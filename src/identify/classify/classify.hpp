@@ -7,7 +7,7 @@
 #include "identify/classify/split_mode.hpp"
 #include "identify/model/mode.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 
 enum class ModeType { bending, hoop, unknown };
 inline constexpr double kMinTypeProbability = 0.6;  // probability below which a mode's family is unknown
@@ -57,4 +57,4 @@ std::vector<ModeClassification> classify(const std::vector<Mode>& modes, const s
 void assign_orders(const std::vector<Mode>& modes, std::vector<ModeClassification>& classifications,
                    const ClassifyOptions& options);
 
-}  // namespace percuss
+}  // namespace percuss::identify

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace percuss {
+namespace percuss::identify {
 namespace {
 
 using std::numbers::pi;
@@ -102,4 +102,4 @@ double RatioLikelihood::seen(const RatioAngle& ratio, int n) const {
   return std::sqrt(sine_2 / std::max(1 - std::sin(2 * ratio.chi_rad) * cosine, sine_2 / 2));
 }
 
-}  // namespace percuss
+}  // namespace percuss::identify

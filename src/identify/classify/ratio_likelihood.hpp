@@ -3,7 +3,7 @@
 #include <complex>
 #include <cstddef>
 
-namespace percuss {
+namespace percuss::identify {
 
 /// The ratio of two sensors' residues as an angle: χ = atan(A₂/A₁), modulo 180°.
 struct RatioAngle {
@@ -58,4 +58,4 @@ class RatioLikelihood {
   std::array<std::complex<double>, kPlacements> hoop_mean_;
 };
 
-}  // namespace percuss
+}  // namespace percuss::identify

@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <optional>
 
-namespace percuss {
+namespace percuss::identify {
 
 /// The plane of a pattern cos n(θ − plane): an antinode, modulo π/n.
 struct PatternPlane {
@@ -35,4 +35,4 @@ struct SplitMode {
   std::optional<SplitPlanes> planes;  // where the planes of both are known
 };
 
-}  // namespace percuss
+}  // namespace percuss::identify

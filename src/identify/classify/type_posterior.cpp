@@ -5,7 +5,7 @@
 #include <numbers>
 #include <numeric>
 
-namespace percuss {
+namespace percuss::identify {
 namespace {
 
 using std::numbers::pi;
@@ -155,4 +155,4 @@ std::vector<TypePosterior> type_posteriors(const std::vector<TypeEvidence>& mode
   return modes.empty() ? std::vector<TypePosterior>{} : JointPosterior(modes, likelihood).posteriors();
 }
 
-}  // namespace percuss
+}  // namespace percuss::identify

@@ -6,7 +6,7 @@
 
 #include "identify/classify/ratio_likelihood.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 
 /// Probabilities of the readings, in the order bending, hoop, neither.
 using TypePosterior = std::array<double, 3>;
@@ -29,4 +29,4 @@ struct TypeEvidence {
 /// theory (6.6)
 std::vector<TypePosterior> type_posteriors(const std::vector<TypeEvidence>& modes, const RatioLikelihood& likelihood);
 
-}  // namespace percuss
+}  // namespace percuss::identify

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace percuss {
+namespace percuss::identify {
 namespace {
 
 constexpr double kCore = 2;      // half-power bandwidths on either side of a pole that stay single lines
@@ -13,7 +13,7 @@ constexpr double kMinCore = 4;  // lines
 
 }  // namespace
 
-FrequencyBins::FrequencyBins(const LineRange& lines, const std::vector<Pole>& poles) {
+FrequencyBins::FrequencyBins(const frf::LineRange& lines, const std::vector<Pole>& poles) {
   std::vector<double> widest(lines.count, kMaxLinesPerBin);
   for (const Pole& pole : poles) {
     const double at = lines.position(pole.freq_Hz);
@@ -57,4 +57,4 @@ void FrequencyBins::sum(const Eigen::VectorXcd& z, const Eigen::VectorXd& w, Eig
   }
 }
 
-}  // namespace percuss
+}  // namespace percuss::identify

@@ -5,14 +5,14 @@
 
 #include "identify/model/modal_model.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 
 /// Lines taken together: one by one around the poles, and ever more of them the farther away, where an FRF is smooth.
 /// Data and model go through the same sums, so that nothing is approximated, and next to nothing of what the lines know
 /// of the poles is lost (0.3 %), at a fraction of the work.
 class FrequencyBins {
  public:
-  FrequencyBins(const LineRange& lines, const std::vector<Pole>& poles);
+  FrequencyBins(const frf::LineRange& lines, const std::vector<Pole>& poles);
 
   Eigen::Index count() const { return static_cast<Eigen::Index>(begin_.size()) - 1; }
   /// The line in the middle of each block.
@@ -26,4 +26,4 @@ class FrequencyBins {
   std::vector<double> scale_;
 };
 
-}  // namespace percuss
+}  // namespace percuss::identify

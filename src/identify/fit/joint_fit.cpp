@@ -9,7 +9,7 @@
 #include "identify/fit/phase_test.hpp"
 #include "identify/fit/pole_update.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 namespace {
 
 using Eigen::Index;
@@ -198,4 +198,4 @@ Eigen::MatrixXcd residues_at(const FrfDataset& set, const std::vector<Pole>& pol
   return residues;
 }
 
-}  // namespace percuss
+}  // namespace percuss::identify

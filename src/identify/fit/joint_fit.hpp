@@ -6,7 +6,7 @@
 
 #include "identify/model/frf_dataset.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 
 /// All modes fitted together to all lines of all outputs.
 struct JointFit {
@@ -41,4 +41,4 @@ JointFit fit_residues(const FrfDataset& set, const std::vector<Pole>& poles, con
 /// … and without, [outputs, modes]: at a fraction of the work.
 Eigen::MatrixXcd residues_at(const FrfDataset& set, const std::vector<Pole>& poles);
 
-}  // namespace percuss
+}  // namespace percuss::identify

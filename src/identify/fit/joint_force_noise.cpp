@@ -5,7 +5,7 @@
 #include "identify/fit/joint_projection.hpp"
 #include "identify/noise/force_noise.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 namespace {
 
 using Eigen::Index;
@@ -95,4 +95,4 @@ void JointProjection::add_residue_variance(const JointState& state, const JointP
       });
 }
 
-}  // namespace percuss
+}  // namespace percuss::identify

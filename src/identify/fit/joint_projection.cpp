@@ -7,7 +7,7 @@
 #include "core/parallel/parallel.hpp"
 #include "identify/model/residual_terms.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 namespace {
 
 using Eigen::Index;
@@ -194,4 +194,4 @@ MatrixXd JointProjection::residue_force_variance(const JointState& state) const 
   return variance;
 }
 
-}  // namespace percuss
+}  // namespace percuss::identify

@@ -7,7 +7,7 @@
 #include "identify/model/frf_dataset.hpp"
 #include "identify/noise/force_noise.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 
 /// Which poles a joint fit works with, and whose residues are real.
 struct JointModel {
@@ -93,4 +93,4 @@ class JointProjection {
   Eigen::VectorXd noise_;
 };
 
-}  // namespace percuss
+}  // namespace percuss::identify

@@ -5,7 +5,7 @@
 #include "core/parallel/parallel.hpp"
 #include "identify/fit/joint_projection.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 namespace {
 
 using Eigen::Index;
@@ -92,4 +92,4 @@ void JointProjection::weight_by_residual(const JointState& state, const std::vec
   }
 }
 
-}  // namespace percuss
+}  // namespace percuss::identify

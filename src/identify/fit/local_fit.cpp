@@ -11,7 +11,7 @@
 #include "identify/fit/variable_projection.hpp"
 #include "identify/noise/window_noise.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 namespace {
 
 using Eigen::Index;
@@ -139,4 +139,4 @@ Pole pole_of_window(const FrfDataset& set, const std::vector<VectorXcd>& data, s
   return {.freq_Hz = omega / kTwoPi, .damping_ratio = std::min(-s.real() / omega, 0.99 * kMaxFittedDamping)};
 }
 
-}  // namespace percuss
+}  // namespace percuss::identify

@@ -5,7 +5,7 @@
 
 #include "identify/model/frf_dataset.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 
 /// Poles that are fitted together, and what the fit says of them.
 struct LocalFit {
@@ -41,4 +41,4 @@ LocalFit fit_locally(const FrfDataset& set, const std::vector<Eigen::VectorXcd>&
 /// theory (4.2)
 Pole pole_of_window(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& data, std::size_t first);
 
-}  // namespace percuss
+}  // namespace percuss::identify

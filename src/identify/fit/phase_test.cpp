@@ -5,7 +5,7 @@
 
 #include "identify/noise/force_noise.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 namespace {
 
 using Eigen::Index;
@@ -68,4 +68,4 @@ double phase_test_statistic(const JointProjection& projection, const JointState&
                   effect.spread / (expected * (1 + kSpreadTest * std::sqrt(2 / effect.outputs))));
 }
 
-}  // namespace percuss
+}  // namespace percuss::identify

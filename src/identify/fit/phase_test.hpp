@@ -4,7 +4,7 @@
 
 #include "identify/fit/joint_projection.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 
 /// How strongly the lines contradict that a mode's residues are real: by a phase common to all outputs, or by phases
 /// that differ between them (score tests; the phase that the force's noise may cause is allowed for). Above 1 they do.
@@ -12,4 +12,4 @@ namespace percuss {
 double phase_test_statistic(const JointProjection& projection, const JointState& state, std::size_t mode,
                             const Eigen::MatrixXd& covariance);
 
-}  // namespace percuss
+}  // namespace percuss::identify

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace percuss {
+namespace percuss::identify {
 namespace {
 
 using Eigen::Index;
@@ -35,4 +35,4 @@ double normalised_step(const Eigen::VectorXd& step, const std::vector<Pole>& pol
   return size;
 }
 
-}  // namespace percuss
+}  // namespace percuss::identify

@@ -4,7 +4,7 @@
 
 #include "identify/model/modal_model.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 
 inline constexpr double kMaxFittedDamping = 0.5;
 /// Poles a fit may try: frequency above zero, damping ratio between 1e-7 and a half.
@@ -17,4 +17,4 @@ std::vector<Pole> updated_poles(std::vector<Pole> poles, const Eigen::VectorXd& 
 /// damping ratio.
 double normalised_step(const Eigen::VectorXd& step, const std::vector<Pole>& poles);
 
-}  // namespace percuss
+}  // namespace percuss::identify

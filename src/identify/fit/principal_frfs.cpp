@@ -9,7 +9,7 @@
 #include "core/parallel/parallel.hpp"
 #include "identify/noise/line_noise.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 namespace {
 
 using Eigen::Index;
@@ -101,4 +101,4 @@ FrfDataset principal_frfs(const FrfDataset& set, const MatrixXd& sums) {
   return mixed;
 }
 
-}  // namespace percuss
+}  // namespace percuss::identify

@@ -4,7 +4,7 @@
 
 #include "identify/model/frf_dataset.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 
 /// Real orthogonal sums of a large set's outputs over their noise, those that hold what stands out of it: no more than
 /// `most`. A set of m modes spans m of them, so that next to nothing of what the outputs know of the poles is lost.
@@ -15,4 +15,4 @@ Eigen::MatrixXd principal_components(const FrfDataset& set, std::size_t most);
 /// whose force is without noise and whose records hold the whole decay.
 FrfDataset principal_frfs(const FrfDataset& set, const Eigen::MatrixXd& sums);
 
-}  // namespace percuss
+}  // namespace percuss::identify

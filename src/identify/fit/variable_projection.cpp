@@ -6,7 +6,7 @@
 #include "core/math/linear_algebra.hpp"
 #include "core/math/tall_products.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 
 using Eigen::Index;
 using Eigen::MatrixXcd;
@@ -111,4 +111,4 @@ ProjectedPart VariableProjection::solve(const std::vector<std::size_t>& outputs,
   return part;
 }
 
-}  // namespace percuss
+}  // namespace percuss::identify

@@ -6,7 +6,7 @@
 
 #include "identify/model/frf_dataset.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 
 /// The linear problem of outputs that share their columns, at given poles, and its solution. The polynomial is
 /// projected out of everything.
@@ -55,4 +55,4 @@ class VariableProjection {
   std::vector<std::vector<std::size_t>> by_point_, together_{1};
 };
 
-}  // namespace percuss
+}  // namespace percuss::identify

@@ -6,7 +6,7 @@
 #include "core/math/linear_algebra.hpp"
 #include "core/parallel/parallel.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 namespace {
 
 using Eigen::Index;
@@ -234,4 +234,4 @@ VectorXd WindowedFit::weights_from(const FitGroup& group) const {
   return group.fit.noise.cwiseMax(kMinWeight * noise(group));
 }
 
-}  // namespace percuss
+}  // namespace percuss::identify

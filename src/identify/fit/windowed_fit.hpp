@@ -7,7 +7,7 @@
 #include "identify/fit/local_fit.hpp"
 #include "identify/noise/line_noise.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 
 /// Poles fitted together over a window of lines.
 struct FitGroup {
@@ -84,4 +84,4 @@ class WindowedFit {
   std::vector<std::vector<Eigen::VectorXcd>> fitted_to_;  // [groups] the data of the last fit; none before it
 };
 
-}  // namespace percuss
+}  // namespace percuss::identify

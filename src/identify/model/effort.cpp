@@ -1,6 +1,6 @@
 #include "identify/model/effort.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 
 const char* name_of(Effort effort) {
   switch (effort) {
@@ -14,4 +14,4 @@ const char* name_of(Effort effort) {
   return "";
 }
 
-}  // namespace percuss
+}  // namespace percuss::identify

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace percuss {
+namespace percuss::identify {
 
 /// How much work goes into the modes. Run times are those of a whole analysis of five hits with a close pair, over that
 /// of bare transforms of the same records in memory; errors those of frequencies, over the Cramér–Rao bound.
@@ -11,4 +11,4 @@ enum class Effort {
 };
 const char* name_of(Effort effort);
 
-}  // namespace percuss
+}  // namespace percuss::identify

@@ -4,7 +4,7 @@
 
 #include "identify/model/modal_model.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 
 /// One FRF to be fitted: the response `channel` to hits at points[point].
 struct FrfChannel {
@@ -15,7 +15,7 @@ struct FrfChannel {
 
 /// Everything identification works on. All outputs share the lines; outputs of one point share its hits.
 struct FrfDataset {
-  LineRange lines;
+  frf::LineRange lines;
   double usable_bandwidth_Hz = 0;  // where the force has fallen by 20 dB; 0: not known
   std::vector<PointForce> points;
   std::vector<FrfChannel> outputs;
@@ -30,4 +30,4 @@ inline double power_at(const FrfDataset& set, std::size_t line) {
   return power;
 }
 
-}  // namespace percuss
+}  // namespace percuss::identify

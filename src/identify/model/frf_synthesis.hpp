@@ -5,7 +5,7 @@
 #include "identify/model/frf_dataset.hpp"
 #include "identify/model/mode.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 
 /// An FRF made again from the modes, and how well it agrees with the measured one over the band.
 struct SynthesisedFrf {
@@ -28,9 +28,9 @@ struct SynthesisedFrf {
 /// order of set.outputs; `band` within set.lines. source  [4] in docs/sources.md.
 /// theory (5.5)
 std::vector<SynthesisedFrf> synthesised_frfs(const FrfDataset& set, const std::vector<Mode>& modes,
-                                             const LineRange& band);
+                                             const frf::LineRange& band);
 
 /// FRAC (2) of two FRFs; 0 when either is zero everywhere.
 double frac(const std::vector<Complex>& measured, const std::vector<Complex>& made);
 
-}  // namespace percuss
+}  // namespace percuss::identify

@@ -7,7 +7,7 @@
 #include "core/math/complex.hpp"
 #include "core/units.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 namespace {
 
 constexpr double kNegligibleAmplitude =
@@ -35,7 +35,7 @@ PoleTerms terms_of(const Pole& pole) {
 }
 
 // q_h and dq_h/ds of (1).
-std::pair<Complex, Complex> state_at_end(const ForceBlock& block, Complex s, double dt_s, std::size_t samples) {
+std::pair<Complex, Complex> state_at_end(const frf::ForceBlock& block, Complex s, double dt_s, std::size_t samples) {
   Complex q, by_s;
   const Complex step = std::exp(-s * dt_s);
   Complex decay = std::exp(s * (static_cast<double>(samples - block.offset) * dt_s));
@@ -56,14 +56,14 @@ struct Missing {
   std::vector<Complex> q, q_by_s;  // [hits]
 };
 
-Missing missing_of(Complex s, const PointForce& force, const LineRange& lines) {
+Missing missing_of(Complex s, const PointForce& force, const frf::LineRange& lines) {
   const Complex two_j_wd(0, 2 * s.imag());  // s.imag() = ±ω_d: the conjugate pole gets the conjugate factor
   Missing m{.windowed = s - force.window_decay_per_s(),
             .c = s * s / two_j_wd,
             .c_by_s = 2.0 * s / two_j_wd,
             .q = {},
             .q_by_s = {}};
-  for (const ForceBlock& block : force.blocks) {
+  for (const frf::ForceBlock& block : force.blocks) {
     const auto [q, by_s] = state_at_end(block, m.windowed, 1 / lines.fs_Hz, lines.samples);
     m.q.push_back(q);
     m.q_by_s.push_back(by_s);
@@ -72,7 +72,7 @@ Missing missing_of(Complex s, const PointForce& force, const LineRange& lines) {
 }
 
 void subtract_missing(ModeColumn& column, const PoleTerms& p, bool conjugate, const PointForce& force,
-                      const LineRange& lines, std::size_t first) {
+                      const frf::LineRange& lines, std::size_t first) {
   const double dt_s = 1 / lines.fs_Hz;
   const auto side = [&](Complex z) { return conjugate ? std::conj(z) : z; };
   const Missing m = missing_of(side(p.s), force, lines);
@@ -104,7 +104,7 @@ void subtract_missing(ModeColumn& column, const PoleTerms& p, bool conjugate, co
 }
 
 // H and its derivatives on the imaginary axis, where (jω)² is real: a third of the work.
-void fill_whole(ModeColumn& column, const PoleTerms& p, const LineRange& lines, std::size_t first) {
+void fill_whole(ModeColumn& column, const PoleTerms& p, const frf::LineRange& lines, std::size_t first) {
   const bool slopes = column.by_freq.size() > 0;
   const double step = kTwoPi * lines.df_Hz();
   for (Eigen::Index i = 0; i < column.value.size(); ++i) {
@@ -124,15 +124,15 @@ void fill_whole(ModeColumn& column, const PoleTerms& p, const LineRange& lines, 
 
 }  // namespace
 
-PointForce point_force(std::vector<ForceBlock> blocks, std::vector<Spectrum> spectra, const LineRange& lines,
-                       double noise_N) {
+PointForce point_force(std::vector<frf::ForceBlock> blocks, std::vector<frf::Spectrum> spectra,
+                       const frf::LineRange& lines, double noise_N) {
   PointForce force{.blocks = std::move(blocks),
                    .spectra = std::move(spectra),
                    .ff = std::vector<double>(lines.count),
                    .noise_N = noise_N};
   Eigen::Map<Eigen::ArrayXd> ff(force.ff.data(), static_cast<Eigen::Index>(lines.count));
-  for (const Spectrum& spectrum : force.spectra) ff += array_of({spectrum.get(), lines.count}).abs2();
-  require_force(force.ff, lines);
+  for (const frf::Spectrum& spectrum : force.spectra) ff += array_of({spectrum.get(), lines.count}).abs2();
+  frf::require_force(force.ff, lines);
   return force;
 }
 
@@ -151,20 +151,20 @@ std::vector<Complex> h1_at(const PointForce& force, std::span<const std::span<co
   return frf;
 }
 
-double remaining_amplitude(const Pole& pole, const LineRange& lines, double window_decay_per_s) {
+double remaining_amplitude(const Pole& pole, const frf::LineRange& lines, double window_decay_per_s) {
   return std::exp(-(pole.damping_ratio * kTwoPi * pole.freq_Hz + window_decay_per_s) / lines.df_Hz());
 }
 
-bool decays_within_record(const Pole& pole, const PointForce& force, const LineRange& lines) {
+bool decays_within_record(const Pole& pole, const PointForce& force, const frf::LineRange& lines) {
   if (force.complete) return true;
   const bool known = std::any_of(force.blocks.begin(), force.blocks.end(),
-                                 [](const ForceBlock& block) { return !block.force_N.empty(); });
+                                 [](const frf::ForceBlock& block) { return !block.force_N.empty(); });
   if (!known) return true;  // what follows the record's end is not known without the force
   return remaining_amplitude(pole, lines, force.window_decay_per_s()) < kNegligibleAmplitude;
 }
 
-ModeColumn untruncated_column(const Pole& pole, double window_decay_per_s, const LineRange& lines, std::size_t first,
-                              std::size_t count, ColumnContent need) {
+ModeColumn untruncated_column(const Pole& pole, double window_decay_per_s, const frf::LineRange& lines,
+                              std::size_t first, std::size_t count, ColumnContent need) {
   const PoleTerms p = terms_of(pole);
   const auto size = static_cast<Eigen::Index>(count);
   const bool slopes = need == ColumnContent::derivatives;
@@ -187,7 +187,7 @@ ModeColumn untruncated_column(const Pole& pole, double window_decay_per_s, const
   return column;
 }
 
-ModeColumn subtract_truncation(ModeColumn whole, const Pole& pole, const PointForce& force, const LineRange& lines,
+ModeColumn subtract_truncation(ModeColumn whole, const Pole& pole, const PointForce& force, const frf::LineRange& lines,
                                std::size_t first) {
   if (decays_within_record(pole, force, lines)) return whole;
   const auto count = static_cast<std::size_t>(whole.value.size());
@@ -201,8 +201,8 @@ ModeColumn subtract_truncation(ModeColumn whole, const Pole& pole, const PointFo
   return whole;
 }
 
-TruncatedDecay::TruncatedDecay(const Pole& pole, double window_decay_per_s, const LineRange& lines, std::size_t first,
-                               std::size_t count)
+TruncatedDecay::TruncatedDecay(const Pole& pole, double window_decay_per_s, const frf::LineRange& lines,
+                               std::size_t first, std::size_t count)
     : lines_(lines), first_(first), windowed_(terms_of(pole).s - window_decay_per_s), kernel_(count), mirror_(count) {
   const double dt_s = 1 / lines.fs_Hz;
   const Complex s = terms_of(pole).s;
@@ -218,7 +218,7 @@ TruncatedDecay::TruncatedDecay(const Pole& pole, double window_decay_per_s, cons
 
 void TruncatedDecay::add_to(std::span<Complex> sum, Complex residue, const PointForce& force) const {
   std::vector<Complex> q;
-  for (const ForceBlock& block : force.blocks)
+  for (const frf::ForceBlock& block : force.blocks)
     q.push_back(state_at_end(block, windowed_, 1 / lines_.fs_Hz, lines_.samples).first);
   for (std::size_t i = 0; i < sum.size(); ++i) {
     // conj(F)·q and conj(F)·conj(q) share their products.
@@ -235,10 +235,10 @@ void TruncatedDecay::add_to(std::span<Complex> sum, Complex residue, const Point
   }
 }
 
-ModeColumn mode_column(const Pole& pole, const PointForce& force, const LineRange& lines, std::size_t first,
+ModeColumn mode_column(const Pole& pole, const PointForce& force, const frf::LineRange& lines, std::size_t first,
                        std::size_t count, ColumnContent need) {
   return subtract_truncation(untruncated_column(pole, force.window_decay_per_s(), lines, first, count, need), pole,
                              force, lines, first);
 }
 
-}  // namespace percuss
+}  // namespace percuss::identify

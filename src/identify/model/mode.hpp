@@ -5,7 +5,7 @@
 
 #include "identify/model/modal_model.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 
 /// What transforms and fits in double precision are good for: of a frequency, and of a damping ratio.
 inline constexpr double kRounding = 1e-12;
@@ -35,4 +35,4 @@ struct Mode {
   std::vector<Residue> residues;  // [outputs], in the order of FrfDataset::outputs
 };
 
-}  // namespace percuss
+}  // namespace percuss::identify

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace percuss {
+namespace percuss::identify {
 namespace {
 
 // The highest line over a guard mode's frequency, squared; 0 is the mass line.
@@ -11,7 +11,7 @@ constexpr std::array<double, 5> kGuardModes{0, 0.87, 0.6, 0.3, 0.1};
 
 }  // namespace
 
-Eigen::MatrixXd out_of_band_terms(const LineRange& lines) {
+Eigen::MatrixXd out_of_band_terms(const frf::LineRange& lines) {
   const auto count = static_cast<Eigen::Index>(lines.count);
   const double low_Hz = lines.freq_Hz(0);
   const double high_Hz = lines.freq_Hz(lines.count - 1);
@@ -24,4 +24,4 @@ Eigen::MatrixXd out_of_band_terms(const LineRange& lines) {
   return shapes;
 }
 
-}  // namespace percuss
+}  // namespace percuss::identify

@@ -5,7 +5,7 @@
 
 #include "core/units.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 namespace {
 
 using Eigen::Index;
@@ -25,13 +25,13 @@ constexpr double kMaxCutRinging = 5;
 // Samples of the gate that carry noise into the force, averaged over the hits.
 double gated_samples(const PointForce& force) {
   double gated = 0;
-  for (const ForceBlock& block : force.blocks)
+  for (const frf::ForceBlock& block : force.blocks)
     gated += static_cast<double>(std::max(block.force_N.size(), block.ungated_N.size()));
   return gated / static_cast<double>(force.blocks.size());
 }
 
 // Of the pulse within its gate, samples.
-double centre_of(const ForceBlock& block) {
+double centre_of(const frf::ForceBlock& block) {
   const auto& f = block.force_N;
   double moment = 0, sum = 0;
   for (std::size_t n = 0; n < f.size(); ++n) {
@@ -126,4 +126,4 @@ double gain_deviation(const FrfDataset& set, std::size_t point, double freq_Hz) 
   return one_over_force(force, line) * std::sqrt(0.5) * std::hypot(of_gate_N, cut_N, cut_N);
 }
 
-}  // namespace percuss
+}  // namespace percuss::identify

@@ -5,7 +5,7 @@
 
 #include "identify/model/frf_dataset.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 
 /// What makes the force's spectrum wrong: the noise within the gate, or also the ringing that the gate cuts off.
 enum class ForceErrors { noise, all };
@@ -22,4 +22,4 @@ Eigen::MatrixXcd gain_errors(const FrfDataset& set, std::size_t point, const std
 /// Deviation of that gain near a frequency, of real and imaginary part each.
 double gain_deviation(const FrfDataset& set, std::size_t point, double freq_Hz);
 
-}  // namespace percuss
+}  // namespace percuss::identify

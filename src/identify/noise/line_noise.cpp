@@ -7,7 +7,7 @@
 #include "core/parallel/parallel.hpp"
 #include "identify/noise/window_noise.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 namespace {
 
 using Eigen::Index;
@@ -95,4 +95,4 @@ std::vector<double> local_noise(std::span<const double> blocks, std::size_t line
   return noise;
 }
 
-}  // namespace percuss
+}  // namespace percuss::identify

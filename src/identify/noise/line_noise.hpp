@@ -6,7 +6,7 @@
 
 #include "identify/model/frf_dataset.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 
 /// Deviation of the noise on each output's lines, (m/s²)/N, from how rough the FRF is between neighbouring lines:
 /// |H(k) − (H(k−1) + H(k+1))/2|, median over all lines. The responses' noise is taken as even over the lines; that of
@@ -39,4 +39,4 @@ inline constexpr std::size_t kNoiseBlock = 64;
 /// Power of the noise on each line: of three blocks around it, the one in the middle. shape  [lines]
 std::vector<double> local_noise(std::span<const double> blocks, std::size_t lines);
 
-}  // namespace percuss
+}  // namespace percuss::identify

@@ -5,7 +5,7 @@
 
 #include "core/units.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 WindowNoise::WindowNoise(const FrfDataset& set)
     : decay_per_s_(set.window_decay_per_s()), fall_(2 * decay_per_s_ / set.lines.df_Hz()) {}
 
@@ -33,4 +33,4 @@ double WindowNoise::of_pole(const Pole& pole) const {
   return fall_ > 0 ? std::max(1.0, most() * std::pow(share(pole), 3)) : 1;
 }
 
-}  // namespace percuss
+}  // namespace percuss::identify

@@ -1,7 +1,7 @@
 #pragma once
 #include "identify/model/frf_dataset.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 
 /// Variance of x(k) − (x(k−1) + x(k+1))/2 over that of x, of independent lines.
 inline constexpr double kWhiteRoughness = 1.5;
@@ -29,4 +29,4 @@ class WindowNoise {
   double fall_;  // of the window's power over the record, in nepers
 };
 
-}  // namespace percuss
+}  // namespace percuss::identify

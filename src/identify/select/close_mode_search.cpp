@@ -7,7 +7,7 @@
 #include "identify/noise/window_noise.hpp"
 #include "identify/select/frequency_scatter.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 namespace {
 
 using Eigen::Index;
@@ -110,4 +110,4 @@ std::vector<Pole> CloseModeSearch::next(const WindowedFit& all, const Acceptance
   return poles;
 }
 
-}  // namespace percuss
+}  // namespace percuss::identify

@@ -5,7 +5,7 @@
 #include "identify/fit/windowed_fit.hpp"
 #include "identify/select/mode_acceptance.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 
 /// Second modes beside known ones, where a group's residual asks for one. What was tried with no success is not tried
 /// again before the group's own fit has changed.
@@ -24,4 +24,4 @@ class CloseModeSearch {
   std::vector<Tried> tried_;
 };
 
-}  // namespace percuss
+}  // namespace percuss::identify

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace percuss {
+namespace percuss::identify {
 namespace {
 
 using Eigen::Index;
@@ -221,4 +221,4 @@ std::vector<ScatteredMode> scattered_modes(const WindowedFit& all, const FitGrou
   return out;
 }
 
-}  // namespace percuss
+}  // namespace percuss::identify

@@ -5,7 +5,7 @@
 #include "identify/fit/windowed_fit.hpp"
 #include "identify/model/mode.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 
 /// The poles of a group as each impact point alone has them. Resonances move from hit to hit (temperature, the strength
 /// of the blow, the hammer's or a roving sensor's mass), and then no poles common to all points fit.
@@ -57,4 +57,4 @@ std::vector<ScatteredMode> scattered_modes(const WindowedFit& all, const FitGrou
 void subtract_freq_scatter(const FrfDataset& set, const FitGroup& group, std::size_t mode, const ScatteredMode& moving,
                            std::vector<Eigen::VectorXcd>& residual);
 
-}  // namespace percuss
+}  // namespace percuss::identify

@@ -6,7 +6,7 @@
 #include "identify/fit/joint_fit.hpp"
 #include "identify/noise/window_noise.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 namespace {
 
 using Eigen::Index;
@@ -61,4 +61,4 @@ void refine_jointly(const FrfDataset& set, std::vector<FittedMode>& modes) {
                    [](const FittedMode& a, const FittedMode& b) { return a.mode.pole.freq_Hz < b.mode.pole.freq_Hz; });
 }
 
-}  // namespace percuss
+}  // namespace percuss::identify

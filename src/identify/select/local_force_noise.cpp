@@ -8,7 +8,7 @@
 #include "core/math/tall_products.hpp"
 #include "identify/noise/force_noise.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 namespace {
 
 using Eigen::Index;
@@ -117,4 +117,4 @@ void add_force_noise(const FrfDataset& set, std::vector<FittedMode>& modes) {
   }
 }
 
-}  // namespace percuss
+}  // namespace percuss::identify

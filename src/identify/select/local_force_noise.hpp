@@ -4,7 +4,7 @@
 #include "identify/model/frf_dataset.hpp"
 #include "identify/select/sequential_fit.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 
 /// Adds what the force's noise does to the poles to the deviations that a window's residual gave: a gain that wavers
 /// with frequency is no noise from line to line, and moves all lines of a resonance together. Modes that the joint fit
@@ -12,4 +12,4 @@ namespace percuss {
 /// theory (4.12)
 void add_force_noise(const FrfDataset& set, std::vector<FittedMode>& modes);
 
-}  // namespace percuss
+}  // namespace percuss::identify

@@ -5,7 +5,7 @@
 
 #include "identify/noise/force_noise.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 namespace {
 
 using Eigen::Index;
@@ -68,7 +68,7 @@ bool above_dynamic_range(const WindowedFit& all, const LocalFit& fit, std::size_
 }
 
 // Of an FRF, within so many lines of a frequency.
-double largest_within(const std::vector<Complex>& frf, const LineRange& lines, double freq_Hz, double reach) {
+double largest_within(const std::vector<Complex>& frf, const frf::LineRange& lines, double freq_Hz, double reach) {
   const double at = lines.position(freq_Hz);
   double largest = 0;  // as power
   for (std::size_t k = lines.at(at - reach); k <= lines.at(at + reach); ++k)
@@ -184,4 +184,4 @@ bool accept_all_modes(const WindowedFit& all, const FitGroup& group, const Accep
   return true;
 }
 
-}  // namespace percuss
+}  // namespace percuss::identify

@@ -4,7 +4,7 @@
 
 #include "identify/fit/windowed_fit.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 
 /// Whether a fitted pole is a mode of the structure or of the noise and the model's own misfit.
 struct AcceptanceContext {
@@ -28,4 +28,4 @@ bool poles_coincide(const WindowedFit& all, const Pole& a, const Pole& b);
 /// Every mode of the group credible, and no two of them one bent line: apart by half the narrower one's width.
 bool accept_all_modes(const WindowedFit& all, const FitGroup& group, const AcceptanceContext& context);
 
-}  // namespace percuss
+}  // namespace percuss::identify

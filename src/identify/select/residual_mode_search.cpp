@@ -6,7 +6,7 @@
 #include "identify/select/frequency_scatter.hpp"
 #include "identify/start/candidates.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 namespace {
 
 constexpr double kScatterExclusion = 10;   // bandwidths from one that moves: as far as its window reaches
@@ -59,4 +59,4 @@ std::vector<Pole> ResidualModeSearch::next(const WindowedFit& all, SearchPass wa
   return given_up;
 }
 
-}  // namespace percuss
+}  // namespace percuss::identify

@@ -3,7 +3,7 @@
 
 #include "identify/fit/windowed_fit.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 
 /// Modes that show no peak of their own, each to be tried once among all that the residual shows, and broad ones once
 /// more by themselves: a mode as broad as a dozen peaks looks like a dozen narrow ones, which are given up together.
@@ -20,4 +20,4 @@ class ResidualModeSearch {
   std::vector<Pole> tried_, alone_;
 };
 
-}  // namespace percuss
+}  // namespace percuss::identify

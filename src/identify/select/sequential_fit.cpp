@@ -13,7 +13,7 @@
 #include "identify/start/candidates.hpp"
 #include "identify/start/truncation_ripples.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 namespace {
 
 using Eigen::Index;
@@ -231,4 +231,4 @@ std::vector<FittedMode> fit_sequentially(const FrfDataset& set, const Sequential
   return SequentialFit(set, options).run();
 }
 
-}  // namespace percuss
+}  // namespace percuss::identify

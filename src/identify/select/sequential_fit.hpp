@@ -8,7 +8,7 @@
 #include "identify/model/effort.hpp"
 #include "identify/model/mode.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 
 struct SequentialFitOptions {
   int rounds = 6;      // of looking for second modes in each window, then for modes that show no peak
@@ -37,4 +37,4 @@ struct FittedMode {
 /// each window's residual. Modes in ascending frequency.
 std::vector<FittedMode> fit_sequentially(const FrfDataset& set, const SequentialFitOptions& options = {});
 
-}  // namespace percuss
+}  // namespace percuss::identify

@@ -7,7 +7,7 @@
 
 #include "core/math/linear_algebra.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 namespace {
 
 constexpr double kSameRing = 2e-3;           // of the survey's length
@@ -142,4 +142,4 @@ CircumferentialFits fit_circumferential(const ModeShape& shape, const TubeGeomet
   return out;
 }
 
-}  // namespace percuss
+}  // namespace percuss::identify

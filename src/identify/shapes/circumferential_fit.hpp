@@ -5,7 +5,7 @@
 
 #include "identify/shapes/circumferential_orders.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 
 /// A ring's points and their least-squares solution by 1, cos θ, sin θ, cos 2θ, …: coefficients = inverse · value.
 struct CircumferentialFit {
@@ -25,4 +25,4 @@ struct CircumferentialFits {
 /// Rings of four angles or more, as many orders as each of them resolves. See tube_shape.
 CircumferentialFits fit_circumferential(const ModeShape& shape, const TubeGeometry& geometry);
 
-}  // namespace percuss
+}  // namespace percuss::identify

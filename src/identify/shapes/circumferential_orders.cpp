@@ -7,7 +7,7 @@
 #include "identify/model/mode.hpp"
 #include "identify/shapes/circumferential_fit.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 namespace {
 
 constexpr double kMixing = 0.1;          // of the energy: real shapes are no pure harmonics
@@ -134,4 +134,4 @@ ModeType mode_type_of(const TubeShape& shape) {
   return shape.order == 1 ? ModeType::bending : shape.order == 2 ? ModeType::hoop : ModeType::unknown;
 }
 
-}  // namespace percuss
+}  // namespace percuss::identify

@@ -7,7 +7,7 @@
 #include "identify/classify/classify.hpp"
 #include "identify/shapes/mode_shapes.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 
 /// A place on a tube: along its axis, and around it.
 struct TubePlace {
@@ -49,4 +49,4 @@ std::optional<TubeShape> tube_shape(const ModeShape& shape, const TubeGeometry& 
 /// Bending for n = 1, hoop for n = 2; for all others, or when unsure, unknown.
 ModeType mode_type_of(const TubeShape& shape);
 
-}  // namespace percuss
+}  // namespace percuss::identify

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace percuss {
+namespace percuss::identify {
 namespace {
 
 using Complex = std::complex<double>;
@@ -92,4 +92,4 @@ std::vector<std::vector<Mac>> auto_mac(std::span<const ModeShape> shapes) {
   return out;
 }
 
-}  // namespace percuss
+}  // namespace percuss::identify

@@ -5,7 +5,7 @@
 
 #include "identify/shapes/mode_shapes.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 
 /// A modal assurance criterion and how far noise on the shapes puts it from its noise-free value.
 struct Mac {
@@ -30,4 +30,4 @@ Mac mac(const ShapeValues& a, const ShapeValues& b);
 /// MAC between the modes of one test over the places that both have: [modes][modes], symmetric. The diagonal is 1 ± 0.
 std::vector<std::vector<Mac>> auto_mac(std::span<const ModeShape> shapes);
 
-}  // namespace percuss
+}  // namespace percuss::identify

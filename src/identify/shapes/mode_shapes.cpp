@@ -6,7 +6,7 @@
 
 #include "core/math/decompositions.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 namespace {
 
 constexpr int kShapeSweeps = 20;  // of the rank-one fit; a few suffice, as the start is the singular vector
@@ -210,4 +210,4 @@ ModeShape shape_of(const Mode& mode, const ShapeOptions& options) {
   return shape;
 }
 
-}  // namespace percuss
+}  // namespace percuss::identify

@@ -5,7 +5,7 @@
 
 #include "identify/model/mode.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 
 /// What was moved from point to point: the hammer (the sensors stay) or the sensor (the hammer stays).
 enum class Roving { hammer, sensor };
@@ -61,4 +61,4 @@ double total_std(const Residue& residue);
 /// theory (5.1), (5.2), (5.3)
 ModeShape shape_of(const Mode& mode, const ShapeOptions& options = {});
 
-}  // namespace percuss
+}  // namespace percuss::identify

@@ -7,7 +7,7 @@
 
 #include "core/math/linear_algebra.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 namespace {
 
 using Eigen::Index;
@@ -174,4 +174,4 @@ std::optional<double> minimum_of_peak(std::span<const double> position_m, std::s
   return std::round(bottom_m / resolution_m) * resolution_m;
 }
 
-}  // namespace percuss
+}  // namespace percuss::identify

@@ -6,7 +6,7 @@
 
 #include "identify/shapes/scan_shape.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 
 struct Node {
   double position_m = 0;
@@ -33,4 +33,4 @@ std::vector<Node> find_nodes(const ScanShape& shape, const NodeOptions& options 
 std::optional<double> minimum_of_peak(std::span<const double> position_m, std::span<const double> peak,
                                       double resolution_m);
 
-}  // namespace percuss
+}  // namespace percuss::identify

@@ -7,7 +7,7 @@
 #include "core/math/decompositions.hpp"
 #include "core/math/statistics.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 namespace {
 
 using Eigen::Index;
@@ -91,4 +91,4 @@ ScanShape shape_along(const Mode& mode, std::span<const int> point, std::span<co
   return shape;
 }
 
-}  // namespace percuss
+}  // namespace percuss::identify

@@ -4,7 +4,7 @@
 
 #include "identify/model/mode.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 
 /// A mode's shape along a line of impact points: one signed number each, positive at the first.
 struct ScanShape {
@@ -18,4 +18,4 @@ struct ScanShape {
 /// position_m[i]; points without residues are left out, residues of other points too.
 ScanShape shape_along(const Mode& mode, std::span<const int> point, std::span<const double> position_m);
 
-}  // namespace percuss
+}  // namespace percuss::identify

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace percuss {
+namespace percuss::identify {
 
 std::vector<DrivingPointCheck> check_driving_points(const std::vector<Mode>& modes,
                                                     const std::vector<DrivingPoint>& driving) {
@@ -40,4 +40,4 @@ std::vector<ReciprocityCheck> check_reciprocity(const std::vector<Mode>& modes,
   return out;
 }
 
-}  // namespace percuss
+}  // namespace percuss::identify

@@ -5,7 +5,7 @@
 
 #include "identify/shapes/mode_shapes.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 
 /// A driving point's residue against the rule that it is positive.
 struct DrivingPointCheck {
@@ -29,4 +29,4 @@ struct ReciprocityCheck {
 std::vector<ReciprocityCheck> check_reciprocity(const std::vector<Mode>& modes,
                                                 const std::vector<std::pair<DrivingPoint, DrivingPoint>>& pairs);
 
-}  // namespace percuss
+}  // namespace percuss::identify

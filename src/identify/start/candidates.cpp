@@ -11,7 +11,7 @@
 #include "identify/noise/window_noise.hpp"
 #include "identify/start/peaks.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 namespace {
 
 constexpr double kNoiseProminence = 6;  // deviations of the level's own fluctuation
@@ -240,4 +240,4 @@ std::vector<Pole> poles_near(const FrfDataset& set, const std::vector<double>& f
   return poles;
 }
 
-}  // namespace percuss
+}  // namespace percuss::identify

@@ -5,7 +5,7 @@
 #include "identify/fit/local_fit.hpp"
 #include "identify/noise/line_noise.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 
 struct CandidateOptions {
   double prominence_dB = 3;  // above the saddles, before noise is allowed for
@@ -37,4 +37,4 @@ std::vector<Pole> residual_mode_poles(const FrfDataset& set, const std::vector<E
 /// it; then one of the frequency itself. In the order of the frequencies.
 std::vector<Pole> poles_near(const FrfDataset& set, const std::vector<double>& freq_Hz);
 
-}  // namespace percuss
+}  // namespace percuss::identify

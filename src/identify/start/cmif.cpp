@@ -6,9 +6,9 @@
 
 #include "core/math/decompositions.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 
-Eigen::MatrixXd cmif(const FrfDataset& set, const LineRange& band) {
+Eigen::MatrixXd cmif(const FrfDataset& set, const frf::LineRange& band) {
   assert(band.first >= set.lines.first && band.first + band.count <= set.lines.first + set.lines.count);
   std::set<std::size_t> channels;
   for (const FrfChannel& output : set.outputs) channels.insert(output.channel);
@@ -26,4 +26,4 @@ Eigen::MatrixXd cmif(const FrfDataset& set, const LineRange& band) {
   return out;
 }
 
-}  // namespace percuss
+}  // namespace percuss::identify

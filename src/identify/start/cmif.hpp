@@ -3,7 +3,7 @@
 
 #include "identify/model/frf_dataset.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 
 /// Complex mode indicator: the singular values of the matrix of FRFs [points × channels], line by line, largest first.
 /// A mode is a peak of the first; where the second peaks as well, two modes share a frequency. An output that was not
@@ -11,6 +11,6 @@ namespace percuss {
 /// shapes  result [band.count, min(points, channels)]; `band` within set.lines.
 /// units   (m/s²)/N.
 /// theory (5.6)
-Eigen::MatrixXd cmif(const FrfDataset& set, const LineRange& band);
+Eigen::MatrixXd cmif(const FrfDataset& set, const frf::LineRange& band);
 
-}  // namespace percuss
+}  // namespace percuss::identify

@@ -4,7 +4,7 @@
 
 #include "identify/model/frf_dataset.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 
 struct LscfOptions {
   std::size_t max_order = 40;  // one complex pole each, 2 … 100; lowered to a quarter of the lines
@@ -35,4 +35,4 @@ struct LscfOrder {
 /// theory (4.3), (4.4), (4.5), (4.6)
 std::vector<LscfOrder> lscf_poles(const FrfDataset& set, const LscfOptions& options = {});
 
-}  // namespace percuss
+}  // namespace percuss::identify

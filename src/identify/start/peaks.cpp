@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace percuss {
+namespace percuss::identify {
 namespace {
 
 // For each maximum (top), ascending: the lowest value between it and the nearest higher one before it (or the
@@ -81,4 +81,4 @@ std::vector<std::size_t> maxima_above(std::span<const double> level, double leas
   return lines;
 }
 
-}  // namespace percuss
+}  // namespace percuss::identify

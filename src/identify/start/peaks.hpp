@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-namespace percuss {
+namespace percuss::identify {
 
 /// A local maximum and how far it stands above the higher of the two saddles that part it from anything higher.
 struct Peak {
@@ -18,4 +18,4 @@ std::vector<Peak> find_peaks(std::span<const double> level);
 /// Those of the same maxima that are higher than `least`, whatever their prominence.
 std::vector<std::size_t> maxima_above(std::span<const double> level, double least);
 
-}  // namespace percuss
+}  // namespace percuss::identify

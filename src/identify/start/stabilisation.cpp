@@ -6,7 +6,7 @@
 
 #include "core/math/statistics.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 namespace {
 
 constexpr double kSame = 0.5;               // bandwidths between poles of one cluster
@@ -130,4 +130,4 @@ std::vector<Pole> stabilised_candidates(const FrfDataset& set) {
   return poles;
 }
 
-}  // namespace percuss
+}  // namespace percuss::identify

@@ -4,7 +4,7 @@
 
 #include "identify/start/lscf.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 
 /// How a pole compares with the nearest one of the order before.
 enum class Stability { fresh, frequency, damping, stable };
@@ -49,4 +49,4 @@ std::vector<PoleCluster> cluster_poles(const Stabilisation& diagram, const Stabi
 /// modes share the orders, each taken from the stretch in whose middle it lies.
 std::vector<Pole> stabilised_candidates(const FrfDataset& set);
 
-}  // namespace percuss
+}  // namespace percuss::identify

@@ -5,7 +5,7 @@
 
 #include "core/math/statistics.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 namespace {
 
 constexpr double kMinTruncation = 0.1;                  // of the amplitude, at the record's end
@@ -49,4 +49,4 @@ bool remains_in_residual(const FrfDataset& set, const Pole& pole, const std::vec
   return left > kMaxRemainingEnergy * power_at(set, line);
 }
 
-}  // namespace percuss
+}  // namespace percuss::identify

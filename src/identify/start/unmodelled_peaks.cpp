@@ -9,7 +9,7 @@
 #include "identify/noise/line_noise.hpp"
 #include "identify/start/candidates.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 namespace {
 
 using Eigen::Index;
@@ -82,4 +82,4 @@ std::vector<UnmodelledPeak> unmodelled_peaks(const FrfDataset& set, const std::v
   return peaks;
 }
 
-}  // namespace percuss
+}  // namespace percuss::identify

@@ -4,7 +4,7 @@
 #include "identify/model/frf_dataset.hpp"
 #include "identify/model/mode.hpp"
 
-namespace percuss {
+namespace percuss::identify {
 
 /// A peak that shows and that no mode stands for.
 struct UnmodelledPeak {
@@ -16,4 +16,4 @@ struct UnmodelledPeak {
 /// every mode, where the force reaches; those within `range_dB` of the largest line. Ascending.
 std::vector<UnmodelledPeak> unmodelled_peaks(const FrfDataset& set, const std::vector<Mode>& modes, double range_dB);
 
-}  // namespace percuss
+}  // namespace percuss::identify

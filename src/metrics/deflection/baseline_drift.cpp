@@ -7,7 +7,7 @@
 
 #include "core/units.hpp"
 
-namespace percuss {
+namespace percuss::metrics {
 namespace {
 
 using Eigen::Matrix2d;
@@ -155,4 +155,4 @@ ZeroMeanCorrection zero_mean_correction(std::span<const double> deflection_m, do
   return out;
 }
 
-}  // namespace percuss
+}  // namespace percuss::metrics

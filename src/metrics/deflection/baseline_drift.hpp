@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-namespace percuss {
+namespace percuss::metrics {
 
 /// What the samples before an impact, where the structure rests, tell of the measuring chain: a bias that drifts, and
 /// noise. The bias is bias + drift·t, t from the sample after the last of them.
@@ -38,4 +38,4 @@ struct ZeroMeanCorrection {
 ZeroMeanCorrection zero_mean_correction(std::span<const double> deflection_m, double fs_Hz, double highpass_corner_Hz,
                                         const BaselineEstimate& rest);
 
-}  // namespace percuss
+}  // namespace percuss::metrics

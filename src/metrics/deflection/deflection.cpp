@@ -9,7 +9,7 @@
 #include "core/math/statistics.hpp"
 #include "metrics/deflection/baseline_drift.hpp"
 
-namespace percuss {
+namespace percuss::metrics {
 namespace {
 
 constexpr std::size_t kMinBefore = 8;  // samples at rest that a bias can be read from
@@ -202,4 +202,4 @@ double motion_onset_s(std::span<const double> accel_mps2, double fs_Hz) {
   return static_cast<double>(moves - accel_mps2.begin()) / fs_Hz;
 }
 
-}  // namespace percuss
+}  // namespace percuss::metrics

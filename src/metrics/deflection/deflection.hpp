@@ -9,7 +9,7 @@
 #include "metrics/deflection/integration.hpp"
 #include "metrics/deflection/modal_response.hpp"
 
-namespace percuss {
+namespace percuss::metrics {
 
 enum class DeflectionMethod { automatic, small_interval, drift_free, frequency, modal };
 const char* name_of(DeflectionMethod method);
@@ -60,4 +60,4 @@ Deflection deflection_of(const ImpactSignal& signal, const DeflectionOptions& op
 /// the record by eight deviations and a thousandth of the largest. For records without force.
 double motion_onset_s(std::span<const double> accel_mps2, double fs_Hz);
 
-}  // namespace percuss
+}  // namespace percuss::metrics

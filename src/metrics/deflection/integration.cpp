@@ -4,7 +4,7 @@
 #include "core/units.hpp"
 #include "metrics/deflection/laplace_transform.hpp"
 
-namespace percuss {
+namespace percuss::metrics {
 
 Motion integrate_twice(std::span<const double> accel_mps2, double fs_Hz, double highpass_corner_Hz) {
   const LaplaceTransform line(accel_mps2, fs_Hz);
@@ -39,4 +39,4 @@ Motion integrate_in_frequency_domain(std::span<const double> accel_mps2, double 
   return motion;
 }
 
-}  // namespace percuss
+}  // namespace percuss::metrics

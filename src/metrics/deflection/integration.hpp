@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-namespace percuss {
+namespace percuss::metrics {
 
 /// Velocity and deflection at the samples of an acceleration, both zero at the first. shapes [samples].
 struct Motion {
@@ -29,4 +29,4 @@ Motion small_interval_sums(std::span<const double> accel_mps2, double fs_Hz);
 Motion integrate_in_frequency_domain(std::span<const double> accel_mps2, double fs_Hz, double highpass_corner_Hz,
                                      double lowest_Hz);
 
-}  // namespace percuss
+}  // namespace percuss::metrics

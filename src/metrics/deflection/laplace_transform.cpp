@@ -4,7 +4,7 @@
 
 #include "core/units.hpp"
 
-namespace percuss {
+namespace percuss::metrics {
 namespace {
 
 // Natural logarithm of what is left of the first sample where the transform wraps around: below rounding, while the
@@ -38,4 +38,4 @@ std::vector<double> LaplaceTransform::response(const std::function<Complex(Compl
   return y;
 }
 
-}  // namespace percuss
+}  // namespace percuss::metrics

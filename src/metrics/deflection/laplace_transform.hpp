@@ -5,7 +5,7 @@
 
 #include "core/math/fft.hpp"
 
-namespace percuss {
+namespace percuss::metrics {
 
 /// A sequence's transform on the line s = σ + jω right of the origin: what a causal filter makes of it comes back
 /// without wrapping around, and poles on the imaginary axis (integrators) do no harm. The sequence is taken as
@@ -28,4 +28,4 @@ class LaplaceTransform {
   std::vector<Complex> lines_;
 };
 
-}  // namespace percuss
+}  // namespace percuss::metrics

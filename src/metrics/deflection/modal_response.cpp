@@ -5,15 +5,15 @@
 #include "core/units.hpp"
 #include "metrics/deflection/laplace_transform.hpp"
 
-namespace percuss {
+namespace percuss::metrics {
 namespace {
 
-Complex pole_of(const Pole& pole) {
+Complex pole_of(const identify::Pole& pole) {
   const double omega = kTwoPi * pole.freq_Hz, zeta = pole.damping_ratio;
   return omega * Complex(-zeta, std::sqrt(1 - zeta * zeta));
 }
 
-Complex receptance(const Pole& pole, Complex residue, Complex s) {
+Complex receptance(const identify::Pole& pole, Complex residue, Complex s) {
   const Complex p = pole_of(pole), a = residue / Complex(0, 2 * p.imag());
   return a / (s - p) + std::conj(a) / (s - std::conj(p));  // (1)
 }
@@ -42,4 +42,4 @@ ModalDeflection modal_deflection(std::span<const double> force_N, double fs_Hz,
   return out;
 }
 
-}  // namespace percuss
+}  // namespace percuss::metrics

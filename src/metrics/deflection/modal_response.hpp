@@ -5,11 +5,11 @@
 
 #include "identify/model/mode.hpp"
 
-namespace percuss {
+namespace percuss::metrics {
 
 /// A mode as one sensor sees it from one impact point.
 struct ModalContribution {
-  Pole pole;
+  identify::Pole pole;
   std::complex<double> residue_per_kg;
   double residue_std_per_kg = 0;  // of the real and of the imaginary part
 };
@@ -26,4 +26,4 @@ struct ModalDeflection {
 ModalDeflection modal_deflection(std::span<const double> force_N, double fs_Hz,
                                  const std::vector<ModalContribution>& modes, double rigid_per_kg);
 
-}  // namespace percuss
+}  // namespace percuss::metrics

@@ -8,7 +8,7 @@
 #include "core/error.hpp"
 #include "metrics/protocol/resolution.hpp"
 
-namespace percuss {
+namespace percuss::metrics {
 namespace {
 
 const char* what_is_done(AbiStep step) {
@@ -201,4 +201,4 @@ std::string next_step_text(const AbiRun& run, const AbiRules& rules) {
   return out;
 }
 
-}  // namespace percuss
+}  // namespace percuss::metrics

@@ -6,7 +6,7 @@
 #include "metrics/protocol/abi_log.hpp"
 #include "metrics/protocol/certify.hpp"
 
-namespace percuss {
+namespace percuss::metrics {
 
 /// Gates of the break-in, [8] in docs/sources.md, appendix E, and where a run that leads nowhere is given up.
 struct AbiRules {
@@ -72,4 +72,4 @@ double next_depth_in(const AbiRun& run, const AbiRules& rules = {});
 /// What comes next in words: "step 4: roll the barrel, rollers 0.1125 in in".
 std::string next_step_text(const AbiRun& run, const AbiRules& rules = {});
 
-}  // namespace percuss
+}  // namespace percuss::metrics

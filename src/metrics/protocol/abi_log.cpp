@@ -5,7 +5,7 @@
 #include "core/io/strict_json.hpp"
 #include "metrics/protocol/averages.hpp"
 
-namespace percuss {
+namespace percuss::metrics {
 namespace {
 
 constexpr std::uint64_t kLargestLog_bytes = std::uint64_t{1} << 20U;
@@ -106,4 +106,4 @@ std::string abi_log_example() {
 )";
 }
 
-}  // namespace percuss
+}  // namespace percuss::metrics

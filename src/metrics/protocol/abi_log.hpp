@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-namespace percuss {
+namespace percuss::metrics {
 
 /// The barrel's compression: the mean force at the set displacement over the orientations 0°, 90°, 45° and −45°.
 ///   BC = (F_0 + F_90 + F_45 + F_−45)/4                                                         (P13)
@@ -49,4 +49,4 @@ AbiLog read_abi_log(const std::string& path);
 /// A log as an operator may start from.
 std::string abi_log_example();
 
-}  // namespace percuss
+}  // namespace percuss::metrics

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace percuss {
+namespace percuss::metrics {
 
 double mean_of(const std::vector<double>& values) {
   double sum = 0;
@@ -18,4 +18,4 @@ double standard_error_of(const std::vector<double>& values) {
   return n > 1 ? std::sqrt(sum / (n - 1) / n) : 0;
 }
 
-}  // namespace percuss
+}  // namespace percuss::metrics

@@ -4,7 +4,7 @@
 
 #include "metrics/protocol/resolution.hpp"
 
-namespace percuss {
+namespace percuss::metrics {
 namespace {
 
 constexpr double kMinBelow = 2.1, kMaxBelow = 3.0;  // ounces of class −3
@@ -83,4 +83,4 @@ std::vector<MetricsWarning> metrics_warnings(const BatReadings& r, const BatMetr
   return out;
 }
 
-}  // namespace percuss
+}  // namespace percuss::metrics

@@ -6,7 +6,7 @@
 #include "metrics/protocol/performance.hpp"
 #include "metrics/protocol/uncertain_value.hpp"
 
-namespace percuss {
+namespace percuss::metrics {
 
 /// What was read of one bat and one impact, each with the standard deviation of its reading; SI. What was not read is
 /// absent, and so is every result that needs it.
@@ -43,4 +43,4 @@ struct MetricsWarning {
 /// What a reader of the results must know: constants of the source that do not agree, readings that make no sense.
 std::vector<MetricsWarning> metrics_warnings(const BatReadings& readings, const BatMetrics& metrics);
 
-}  // namespace percuss
+}  // namespace percuss::metrics

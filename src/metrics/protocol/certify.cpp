@@ -10,7 +10,7 @@
 #include "metrics/protocol/performance.hpp"
 #include "metrics/protocol/resolution.hpp"
 
-namespace percuss {
+namespace percuss::metrics {
 namespace {
 
 constexpr double kNominal_mph = 136;
@@ -237,4 +237,4 @@ Certification certify(const Session& session, const ProtocolLimits& limits) {
   return out;
 }
 
-}  // namespace percuss
+}  // namespace percuss::metrics

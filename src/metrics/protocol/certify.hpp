@@ -8,7 +8,7 @@
 #include "metrics/protocol/session.hpp"
 #include "metrics/protocol/sweet_spot.hpp"
 
-namespace percuss {
+namespace percuss::metrics {
 
 /// The protocol's limits, [8] in docs/sources.md, sections 3.3 to 3.5.
 struct ProtocolLimits {
@@ -88,4 +88,4 @@ std::vector<ProtocolFinding> condition_findings(const Session& session, const Pr
 JudgedShot judge_shot(const Session& session, const SessionShot& shot, double target_mph, BallUse& ball,
                       const ProtocolLimits& limits);
 
-}  // namespace percuss
+}  // namespace percuss::metrics

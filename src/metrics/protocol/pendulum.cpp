@@ -8,7 +8,7 @@
 #include "metrics/protocol/averages.hpp"
 #include "metrics/protocol/resolution.hpp"
 
-namespace percuss {
+namespace percuss::metrics {
 namespace {
 
 constexpr double kMaxUneven = 0.2;  // of a period: damping and noise are far below, a lost crossing is a half or more
@@ -66,4 +66,4 @@ PeriodEstimate period_of_crossings(const std::vector<double>& times_s, std::size
   return {.period_s = period, .std_s = std::sqrt(std::max(variance, read * read) / xx)};
 }
 
-}  // namespace percuss
+}  // namespace percuss::metrics

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace percuss {
+namespace percuss::metrics {
 
 /// A period with its standard error; `problem` says in words why there is none, and is empty otherwise.
 struct PeriodEstimate {
@@ -24,4 +24,4 @@ PeriodEstimate mean_period(const std::vector<double>& periods_s, double resoluti
 PeriodEstimate period_of_crossings(const std::vector<double>& times_s, std::size_t per_period = 2,
                                    double resolution_s = 0);
 
-}  // namespace percuss
+}  // namespace percuss::metrics

@@ -3,7 +3,7 @@
 
 #include "core/units.hpp"
 
-namespace percuss {
+namespace percuss::metrics {
 
 // The bat's performance in numbers, (P1) and (P3) to (P10) of docs/performance.md, after [8] in docs/sources.md. SI;
 // positions as the laboratory measures them: locations z and the centre of gravity from the barrel's tip, the pivot
@@ -88,4 +88,4 @@ T besr_from_bbcor(const T& bbcor, const T& k) {
   return (bbcor - k) / (T(1) + k) + T(0.5);
 }
 
-}  // namespace percuss
+}  // namespace percuss::metrics

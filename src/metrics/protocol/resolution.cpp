@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace percuss {
+namespace percuss::metrics {
 
 double reading_std(double step) { return step / std::sqrt(12.0); }
 
@@ -15,4 +15,4 @@ double recorded(double value, double step) {
   return std::round(value / step) * step;
 }
 
-}  // namespace percuss
+}  // namespace percuss::metrics

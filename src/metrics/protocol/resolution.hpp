@@ -1,6 +1,6 @@
 #pragma once
 
-namespace percuss {
+namespace percuss::metrics {
 
 /// Standard deviation of a reading taken to the nearest `step`: its error is anywhere within half a step either way.
 ///   σ = step/√12                                                                               (P0)
@@ -18,4 +18,4 @@ struct ProtocolSteps {
   double length_in = 0.0625, diameter_in = 0.001, weight_oz = 0.005, cg_in = 0.0625, ball_g = 0.1;
 };
 
-}  // namespace percuss
+}  // namespace percuss::metrics

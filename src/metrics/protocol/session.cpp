@@ -10,7 +10,7 @@
 #include "core/units.hpp"
 #include "metrics/protocol/averages.hpp"
 
-namespace percuss {
+namespace percuss::metrics {
 namespace {
 
 constexpr std::uint64_t kLargestSession_bytes = std::uint64_t{16} << 20U;
@@ -165,4 +165,4 @@ Session read_session(const std::string& path) {
   return parse_session(read_input(path, kLargestSession_bytes).view(), input_name(path));
 }
 
-}  // namespace percuss
+}  // namespace percuss::metrics

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace percuss {
+namespace percuss::metrics {
 
 /// What a bat's performance is judged by.
 enum class PerformanceMetric { besr, ncaa_besr, bbcor };
@@ -62,4 +62,4 @@ Session read_session(const std::string& path);
 std::string session_example();
 std::string session_table_example();
 
-}  // namespace percuss
+}  // namespace percuss::metrics

@@ -1,6 +1,6 @@
 #include "metrics/protocol/session.hpp"
 
-namespace percuss {
+namespace percuss::metrics {
 
 std::string session_example() {
   return R"({
@@ -44,4 +44,4 @@ z_in,ball,ear,ball_g,v_in_mph,v_out_mph,angle_deg
 )";
 }
 
-}  // namespace percuss
+}  // namespace percuss::metrics

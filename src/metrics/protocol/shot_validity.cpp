@@ -8,7 +8,7 @@
 #include "metrics/protocol/performance.hpp"
 #include "metrics/protocol/resolution.hpp"
 
-namespace percuss {
+namespace percuss::metrics {
 namespace {
 
 bool within(double value, double middle, double tolerance) {
@@ -105,4 +105,4 @@ JudgedShot judge_shot(const Session& session, const SessionShot& shot, double ta
   return out;
 }
 
-}  // namespace percuss
+}  // namespace percuss::metrics

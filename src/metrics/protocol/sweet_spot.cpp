@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <set>
 
-namespace percuss {
+namespace percuss::metrics {
 namespace {
 
 constexpr HalfInches kFirst = 12, kSecond = 10, kThird = 14;
@@ -54,4 +54,4 @@ SearchStep next_location(const std::map<HalfInches, double>& tested, const Searc
           .plateau = {level.begin(), level.end()}};
 }
 
-}  // namespace percuss
+}  // namespace percuss::metrics

@@ -3,7 +3,7 @@
 #include <map>
 #include <vector>
 
-namespace percuss {
+namespace percuss::metrics {
 
 /// Locations along the barrel, counted in half inches from its tip: 12 is 6 in.
 using HalfInches = int;
@@ -33,4 +33,4 @@ struct SearchStep {
 /// in docs/sources.md, section 3.5; what it leaves open is decided in docs/performance.md.
 SearchStep next_location(const std::map<HalfInches, double>& tested, const SearchRules& rules = {});
 
-}  // namespace percuss
+}  // namespace percuss::metrics

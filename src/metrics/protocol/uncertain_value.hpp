@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace percuss {
+namespace percuss::metrics {
 
 /// The readings that results are made of; each has an error of its own.
 enum class Reading : std::size_t {
@@ -79,4 +79,4 @@ class UncertainValue {
   unsigned unknown_ = 0;
 };
 
-}  // namespace percuss
+}  // namespace percuss::metrics

@@ -9,7 +9,7 @@
 #include "core/math/statistics.hpp"
 #include "metrics/protocol/averages.hpp"
 
-namespace percuss {
+namespace percuss::metrics {
 namespace {
 
 constexpr double kNormal95 = 1.959963984540054;
@@ -131,4 +131,4 @@ std::vector<double> holm_adjusted(const std::vector<double>& p) {
   return out;
 }
 
-}  // namespace percuss
+}  // namespace percuss::metrics

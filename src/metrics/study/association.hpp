@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-namespace percuss {
+namespace percuss::metrics {
 
 /// Bats of one class, by a property x and a performance y. shapes: x and y alike long.
 struct ClassPoints {
@@ -48,4 +48,4 @@ std::vector<std::size_t> outliers_of(const ClassPoints& points, const TrendLine&
 /// the k-th smallest of m times m − k + 1, and none below the one before (Holm, [18]).                (P19)
 std::vector<double> holm_adjusted(const std::vector<double>& p);
 
-}  // namespace percuss
+}  // namespace percuss::metrics

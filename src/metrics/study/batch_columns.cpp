@@ -1,6 +1,6 @@
 #include "metrics/study/batch_columns.hpp"
 
-namespace percuss {
+namespace percuss::metrics {
 
 const std::vector<std::string>& batch_columns() {
   static const std::vector<std::string> columns{
@@ -15,4 +15,4 @@ const std::vector<std::string>& batch_columns() {
   return columns;
 }
 
-}  // namespace percuss
+}  // namespace percuss::metrics

@@ -1,6 +1,6 @@
 #include "metrics/study/csv_cell.hpp"
 
-namespace percuss {
+namespace percuss::metrics {
 
 std::string csv_cell(const std::string& text) {
   if (text.find_first_of(",;\t\"\r\n") == std::string::npos) return text;
@@ -12,4 +12,4 @@ std::string csv_cell(const std::string& text) {
   return out + '"';
 }
 
-}  // namespace percuss
+}  // namespace percuss::metrics

@@ -6,7 +6,7 @@
 
 #include "metrics/study/study_figures.hpp"
 
-namespace percuss {
+namespace percuss::metrics {
 namespace {
 
 constexpr double kFalsePositives = 0.05;
@@ -130,4 +130,4 @@ Study study_of(std::vector<StudyBat> bats) {
   return study;
 }
 
-}  // namespace percuss
+}  // namespace percuss::metrics

@@ -6,7 +6,7 @@
 #include "metrics/study/association.hpp"
 #include "metrics/study/study_table.hpp"
 
-namespace percuss {
+namespace percuss::metrics {
 
 /// The families of bats that the figures keep apart.
 enum class StudyFamily { wood, nonwood };
@@ -66,4 +66,4 @@ struct Study {
 /// Every figure that has a bat, with its statistics, and every statement.
 Study study_of(std::vector<StudyBat> bats);
 
-}  // namespace percuss
+}  // namespace percuss::metrics

@@ -9,7 +9,7 @@
 #include "core/io/strict_json.hpp"
 #include "metrics/study/batch_columns.hpp"
 
-namespace percuss {
+namespace percuss::metrics {
 namespace {
 
 using Json = nlohmann::json;
@@ -89,4 +89,4 @@ std::vector<BatProperties> batch_bats(std::string_view text, const std::string& 
   return bats;
 }
 
-}  // namespace percuss
+}  // namespace percuss::metrics

@@ -6,7 +6,7 @@
 
 #include "metrics/study/study_table.hpp"
 
-namespace percuss {
+namespace percuss::metrics {
 
 /// Keeps the frequency of a mode as the bat's "hoop1_hz" where a study has such a column, and none of that name before
 /// it: of a double peak the first counts.
@@ -19,4 +19,4 @@ bool holds_batch(std::string_view text);
 /// errors  InputError: lines that no batch has.
 std::vector<BatProperties> batch_bats(std::string_view text, const std::string& where);
 
-}  // namespace percuss
+}  // namespace percuss::metrics

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-namespace percuss {
+namespace percuss::metrics {
 namespace {
 
 using enum StudyQuantity;
@@ -142,4 +142,4 @@ std::vector<StudyStatement> published_statements() {
   return out;
 }
 
-}  // namespace percuss
+}  // namespace percuss::metrics

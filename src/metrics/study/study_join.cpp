@@ -10,7 +10,7 @@
 #include "core/io/strict_json.hpp"
 #include "metrics/study/csv_cell.hpp"
 
-namespace percuss {
+namespace percuss::metrics {
 namespace {
 
 using Json = nlohmann::json;
@@ -74,4 +74,4 @@ std::string study_table_csv(const std::vector<StudyBat>& bats) {
   return out;
 }
 
-}  // namespace percuss
+}  // namespace percuss::metrics

@@ -5,7 +5,7 @@
 
 #include "metrics/study/study_table.hpp"
 
-namespace percuss {
+namespace percuss::metrics {
 
 /// A model's relative performance over the hoop frequency, to be drawn over the hoop figures: scaled by the one factor
 /// that brings it to the middle of a figure's bats.
@@ -24,4 +24,4 @@ std::string anonymise_bats(std::vector<StudyBat>& bats);
 /// The bats as a table that a study reads again.
 std::string study_table_csv(const std::vector<StudyBat>& bats);
 
-}  // namespace percuss
+}  // namespace percuss::metrics

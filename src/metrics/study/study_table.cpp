@@ -12,7 +12,7 @@
 #include "metrics/protocol/performance.hpp"
 #include "metrics/study/study_batch.hpp"
 
-namespace percuss {
+namespace percuss::metrics {
 namespace {
 
 using Json = nlohmann::json;
@@ -214,4 +214,4 @@ std::vector<StudyBat> StudyRows::bats() const {
   return out;
 }
 
-}  // namespace percuss
+}  // namespace percuss::metrics

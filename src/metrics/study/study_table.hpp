@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace percuss {
+namespace percuss::metrics {
 
 enum class BarrelMaterial { wood, aluminum, composite };
 
@@ -58,4 +58,4 @@ class StudyRows {
 /// The columns a table may have, in the order of writing.
 const std::vector<std::string>& study_columns();
 
-}  // namespace percuss
+}  // namespace percuss::metrics

@@ -7,7 +7,7 @@
 #include "core/parallel/parallel.hpp"
 #include "model/bat/bat_impact.hpp"
 
-namespace percuss {
+namespace percuss::model {
 double LossyBall::force_N(double u_m, double largest_m) const {
   if (!(u_m > 0)) return 0;
   if (u_m >= largest_m) return stiffness * std::pow(u_m, exponent);
@@ -71,4 +71,4 @@ RigidCollision rigid_collision(const BatInertia& bat, const BatCollision& collis
           .restitution = collision.ball.restitution};
 }
 
-}  // namespace percuss
+}  // namespace percuss::model

@@ -5,7 +5,7 @@
 #include "model/bat/bat_modes.hpp"
 #include "model/bat/rigid_collision.hpp"
 
-namespace percuss {
+namespace percuss::model {
 
 /// A ball as a spring that gives back less than it took:
 ///   F = k₁ u^α where u is as large as it has ever been, else F = k₂ u^β,                               (1)
@@ -66,4 +66,4 @@ RigidCollision rigid_collision(const BatInertia& bat, const BatCollision& collis
 Eigen::MatrixXd bat_wave(const BatModes& bat, std::size_t modes, const BatCollision& collision, double z_m,
                          const std::vector<double>& time_s, const BatCollisionOptions& options = {});
 
-}  // namespace percuss
+}  // namespace percuss::model

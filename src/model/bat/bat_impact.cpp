@@ -5,7 +5,7 @@
 
 #include "core/units.hpp"
 
-namespace percuss {
+namespace percuss::model {
 namespace {
 
 constexpr Eigen::Index kRigidMotions = 2;
@@ -156,4 +156,4 @@ bool BatImpact::has_separated() const {
   return speed > 0 && gap_m > (contact_.phi.tail(count_).abs() * (q.square() + rate.square()).sqrt()).sum();
 }
 
-}  // namespace percuss
+}  // namespace percuss::model

@@ -4,7 +4,7 @@
 #include "model/bat/bat_collision.hpp"
 #include "model/bat/modal_stepper.hpp"
 
-namespace percuss {
+namespace percuss::model {
 
 /// Amplitudes of the two rigid motions, then of the first `modes` elastic ones. shape [2 + modes].
 Eigen::ArrayXd rigid_and_elastic(const Eigen::Vector2d& rigid, const Eigen::VectorXd& elastic, Eigen::Index modes);
@@ -53,4 +53,4 @@ class BatImpact {
   double u_m_ = 0, rate_mps_, largest_m_ = 0, deepest_m_ = 0;  // of the ball's compression
 };
 
-}  // namespace percuss
+}  // namespace percuss::model

@@ -8,7 +8,7 @@
 #include "model/math/illinois_root.hpp"
 #include "model/math/lowest_modes.hpp"
 
-namespace percuss {
+namespace percuss::model {
 namespace {
 
 constexpr int kLooksPerElement = 4;      // for a change of sign
@@ -76,4 +76,4 @@ std::vector<double> nodes_of(const BatModes& modes, std::size_t mode) {
   return nodes;
 }
 
-}  // namespace percuss
+}  // namespace percuss::model

@@ -5,7 +5,7 @@
 
 #include "model/bat/timoshenko_elements.hpp"
 
-namespace percuss {
+namespace percuss::model {
 
 struct BatModesOptions {
   std::size_t modes = 40;  // elastic ones, from the lowest; as many as the elements give if there are fewer
@@ -36,4 +36,4 @@ BatModes bat_modes(const BatProfile& profile, const BatMaterial& material, const
 /// Where a mode's deflection is zero, from the knob: found within each element by its own shapes.
 std::vector<double> nodes_of(const BatModes& modes, std::size_t mode);
 
-}  // namespace percuss
+}  // namespace percuss::model

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <numbers>
 
-namespace percuss {
+namespace percuss::model {
 
 BatInertia inertia_of(const BatProfile& profile, const BatMaterial& material) {
   BatInertia sum;
@@ -22,4 +22,4 @@ BatInertia inertia_of(const BatProfile& profile, const BatMaterial& material) {
   return sum;
 }
 
-}  // namespace percuss
+}  // namespace percuss::model

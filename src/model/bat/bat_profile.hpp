@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-namespace percuss {
+namespace percuss::model {
 
 /// A bat of round slices, from the knob's end (0) on. shapes: both alike long, at least one.
 struct BatProfile {
@@ -26,4 +26,4 @@ struct BatInertia {
 
 BatInertia inertia_of(const BatProfile& profile, const BatMaterial& material);
 
-}  // namespace percuss
+}  // namespace percuss::model

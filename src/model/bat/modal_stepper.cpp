@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace percuss {
+namespace percuss::model {
 namespace {
 
 constexpr double kSmallAngle = 0.1;  // below it 1 − sin(x)/x cancels, and four terms of its series are exact
@@ -46,4 +46,4 @@ void ModalState::add_end(const ModalStepper& s, double force_N) {
   rate += s.rate_to * force_N;
 }
 
-}  // namespace percuss
+}  // namespace percuss::model

@@ -1,7 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 
-namespace percuss {
+namespace percuss::model {
 
 /// Undamped modes of unit mass under one force, a step of fixed length at a time.
 ///   q̈ = −ω² q + φ F, F linear in the step: solved exactly                                              (1)
@@ -26,4 +26,4 @@ struct ModalState {
   void add_end(const ModalStepper& stepper, double force_at_end_N);
 };
 
-}  // namespace percuss
+}  // namespace percuss::model

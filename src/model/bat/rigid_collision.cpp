@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace percuss {
+namespace percuss::model {
 
 double effective_mass_kg(const RigidCollision& c, double z_m) {
   return c.bat_mass_kg / (1 + c.bat_mass_kg * z_m * z_m / c.inertia_kgm2);  // (1)
@@ -44,4 +44,4 @@ BestImpact best_impact(const RigidCollision& c, double low_m, double high_m) {
   return best;
 }
 
-}  // namespace percuss
+}  // namespace percuss::model

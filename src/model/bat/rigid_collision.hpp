@@ -1,6 +1,6 @@
 #pragma once
 
-namespace percuss {
+namespace percuss::model {
 
 /// A ball against a rigid bat that turns about its centre of mass and moves with it.
 struct RigidCollision {
@@ -36,4 +36,4 @@ struct BestImpact {
 /// an end.
 BestImpact best_impact(const RigidCollision& collision, double low_m, double high_m);
 
-}  // namespace percuss
+}  // namespace percuss::model

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace percuss {
+namespace percuss::model {
 namespace {
 
 using Eigen::Index;
@@ -123,4 +123,4 @@ std::size_t element_at(const TimoshenkoBeam& beam, double z_m) {
   return after == beam.elements.begin() ? 0 : static_cast<std::size_t>(after - beam.elements.begin()) - 1;
 }
 
-}  // namespace percuss
+}  // namespace percuss::model

@@ -6,7 +6,7 @@
 
 #include "model/bat/bat_profile.hpp"
 
-namespace percuss {
+namespace percuss::model {
 
 /// The unknowns of an element: w (m) and θ (rad) of its start, of the bubbles within, of its end.
 using ElementVector = Eigen::Matrix<double, 6, 1>;
@@ -47,4 +47,4 @@ std::vector<double> positions_of(const TimoshenkoBeam& beam);
 /// The element around z_m, by its index; the last one for the beam's end.
 std::size_t element_at(const TimoshenkoBeam& beam, double z_m);
 
-}  // namespace percuss
+}  // namespace percuss::model

@@ -8,7 +8,7 @@
 #include "model/beam/timoshenko_mode.hpp"
 #include "model/math/ridders_root.hpp"
 
-namespace percuss {
+namespace percuss::model {
 namespace {
 
 constexpr double kHalfTurn_rad = std::numbers::pi;
@@ -177,4 +177,4 @@ std::vector<double> beam_nodes_m(const BeamMode& mode) {
   return nodes;
 }
 
-}  // namespace percuss
+}  // namespace percuss::model

@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace percuss {
+namespace percuss::model {
 
 /// How a beam is held at x = 0; its end x = L is free.
 enum class BeamSupport {
@@ -64,4 +64,4 @@ std::size_t rigid_body_modes(BeamSupport support);
 /// Where the mode's deflection is zero, in order, without x = 0 of a beam held there.
 std::vector<double> beam_nodes_m(const BeamMode& mode);
 
-}  // namespace percuss
+}  // namespace percuss::model

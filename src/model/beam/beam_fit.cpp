@@ -9,7 +9,7 @@
 #include "core/error.hpp"
 #include "core/math/linear_algebra.hpp"
 
-namespace percuss {
+namespace percuss::model {
 namespace {
 
 constexpr double kMinTorsion = 1e-6, kMaxTorsion = 1e6;  // of T*: beyond, frequencies no longer tell
@@ -210,4 +210,4 @@ TorsionFit fit_torsion(const std::vector<StaticReading>& readings, double stiffn
   return fit;
 }
 
-}  // namespace percuss
+}  // namespace percuss::model

@@ -5,7 +5,7 @@
 
 #include "model/beam/beam.hpp"
 
-namespace percuss {
+namespace percuss::model {
 
 enum class BeamParameter { stiffness, torsion, mass_per_length };
 
@@ -57,4 +57,4 @@ struct TorsionFit {
 /// theory (8.10)
 TorsionFit fit_torsion(const std::vector<StaticReading>& readings, double stiffness_Nm2);
 
-}  // namespace percuss
+}  // namespace percuss::model

@@ -1,6 +1,6 @@
 #include "model/beam/laminate.hpp"
 
-namespace percuss {
+namespace percuss::model {
 
 LaminateSection laminate_section(const std::vector<LaminateLayer>& layers) {
   LaminateSection section;
@@ -22,4 +22,4 @@ LaminateSection laminate_section(const std::vector<LaminateLayer>& layers) {
   return section;
 }
 
-}  // namespace percuss
+}  // namespace percuss::model

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-namespace percuss {
+namespace percuss::model {
 
 /// One layer of a beam's section: a rectangle as wide as `width_m`, across the bending.
 struct LaminateLayer {
@@ -22,4 +22,4 @@ struct LaminateSection {
 /// theory (8.11)
 LaminateSection laminate_section(const std::vector<LaminateLayer>& layers);
 
-}  // namespace percuss
+}  // namespace percuss::model

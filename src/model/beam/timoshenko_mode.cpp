@@ -13,7 +13,7 @@
 #include "core/units.hpp"
 #include "model/math/ridders_root.hpp"
 
-namespace percuss {
+namespace percuss::model {
 namespace {
 
 constexpr double kHalfWave_rad = std::numbers::pi;
@@ -140,4 +140,4 @@ BeamMode timoshenko_mode(const UniformBeam& beam, std::size_t elastic) {
           .near = x(3) / end};
 }
 
-}  // namespace percuss
+}  // namespace percuss::model

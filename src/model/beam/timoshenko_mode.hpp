@@ -3,7 +3,7 @@
 
 #include "model/beam/beam.hpp"
 
-namespace percuss {
+namespace percuss::model {
 
 /// An elastic mode (counted from 1) of a uniform Timoshenko beam, by the exact solutions of
 ///   EI φ'' + κGA (w' − φ) + ρI ω² φ = 0,   κGA (w'' − φ') + ρA ω² w = 0                             (1)
@@ -18,4 +18,4 @@ namespace percuss {
 /// theory (8.7), (8.8), (8.9)
 BeamMode timoshenko_mode(const UniformBeam& beam, std::size_t elastic);
 
-}  // namespace percuss
+}  // namespace percuss::model

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace percuss {
+namespace percuss::model {
 namespace {
 
 const double kPart = 1 / (4 - std::cbrt(4.0));  // p: five steps of second order make one of fourth (Suzuki)
@@ -146,4 +146,4 @@ void BallOnBeam::small_increment(BallOnBeamState& state, double dt_s) {
   state.lost_J += lossy_N * (state.ball_m - weighted_sum(y_, state.eta) - before.approach_m);
 }
 
-}  // namespace percuss
+}  // namespace percuss::model

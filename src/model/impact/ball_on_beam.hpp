@@ -4,7 +4,7 @@
 
 #include "model/impact/impact.hpp"
 
-namespace percuss {
+namespace percuss::model {
 
 /// Where ball and beam are, in the variables of (1) of impact.hpp.
 struct BallOnBeamState {
@@ -57,4 +57,4 @@ class BallOnBeam {
   ModalRotation first_, second_, third_;
 };
 
-}  // namespace percuss
+}  // namespace percuss::model

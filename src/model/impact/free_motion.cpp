@@ -6,7 +6,7 @@
 #include "core/units.hpp"
 #include "model/math/ridders_root.hpp"
 
-namespace percuss {
+namespace percuss::model {
 namespace {
 
 constexpr double kPeakStepsPerPeriod = 20;  // steps of the search for the peak
@@ -97,4 +97,4 @@ std::optional<FreeMotion::Peak> FreeMotion::peak(double until_s, double floor_m)
   return best;
 }
 
-}  // namespace percuss
+}  // namespace percuss::model

@@ -3,7 +3,7 @@
 
 #include "model/impact/ball_on_beam.hpp"
 
-namespace percuss {
+namespace percuss::model {
 
 /// Ball and beam after their separation, each by itself: closed forms, times from the separation.
 class FreeMotion {
@@ -37,4 +37,4 @@ class FreeMotion {
   double fastest_radps_ = 0;
 };
 
-}  // namespace percuss
+}  // namespace percuss::model

@@ -11,7 +11,7 @@
 #include "model/impact/free_motion.hpp"
 #include "model/math/ridders_root.hpp"
 
-namespace percuss {
+namespace percuss::model {
 namespace {
 
 constexpr double kFirstPassSteps = 32;            // to the Hertz time
@@ -204,4 +204,4 @@ ImpactResult simulate_impact(const Impact& impact, const ImpactOptions& options)
   return result;
 }
 
-}  // namespace percuss
+}  // namespace percuss::model

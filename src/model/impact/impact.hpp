@@ -5,7 +5,7 @@
 
 #include "model/beam/beam.hpp"
 
-namespace percuss {
+namespace percuss::model {
 
 enum class ImpactMethod {
   modal,           // modes move exactly between pushes of the contact force; fourth order
@@ -74,4 +74,4 @@ double hertz_contact_s(const Impact& impact);
 /// theory (9.3)
 double hysteresis_for_spm(double restitution, double speed_mps);
 
-}  // namespace percuss
+}  // namespace percuss::model

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <memory>
 
-namespace percuss {
+namespace percuss::model {
 namespace {
 
 constexpr int kMaxNarrowings = 60;
@@ -35,4 +35,4 @@ MaximumPoint brent_maximum(const std::function<double(double)>& f, const std::ve
   return {.x = gsl_min_fminimizer_x_minimum(brent.get()), .y = -gsl_min_fminimizer_f_minimum(brent.get())};
 }
 
-}  // namespace percuss
+}  // namespace percuss::model

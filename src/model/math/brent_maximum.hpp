@@ -2,7 +2,7 @@
 #include <functional>
 #include <vector>
 
-namespace percuss {
+namespace percuss::model {
 
 struct MaximumPoint {
   double x = 0, y = 0;
@@ -14,4 +14,4 @@ struct MaximumPoint {
 MaximumPoint brent_maximum(const std::function<double(double)>& f, const std::vector<double>& x,
                            const std::vector<double>& y);
 
-}  // namespace percuss
+}  // namespace percuss::model

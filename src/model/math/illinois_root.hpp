@@ -1,7 +1,7 @@
 #pragma once
 #include <cmath>
 
-namespace percuss {
+namespace percuss::model {
 
 /// Where f, which has different signs at low and high, crosses zero: regula falsi in the Illinois form, which needs no
 /// derivative and never leaves the bracket. `tolerance` is of x.
@@ -30,4 +30,4 @@ double illinois_root(const Function& f, double low, double high, double toleranc
   return high;
 }
 
-}  // namespace percuss
+}  // namespace percuss::model

@@ -7,7 +7,7 @@
 
 #include "core/error.hpp"
 
-namespace percuss {
+namespace percuss::model {
 namespace {
 
 using Eigen::Index;
@@ -113,4 +113,4 @@ LowestModes lowest_modes(const Sparse& stiffness, const Sparse& mass, const Matr
   return modes;
 }
 
-}  // namespace percuss
+}  // namespace percuss::model

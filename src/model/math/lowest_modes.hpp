@@ -2,7 +2,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
-namespace percuss {
+namespace percuss::model {
 
 /// Solutions of K q = ω² M q, the lowest first.
 struct LowestModes {
@@ -18,4 +18,4 @@ struct LowestModes {
 LowestModes lowest_modes(const Eigen::SparseMatrix<double>& stiffness, const Eigen::SparseMatrix<double>& mass,
                          const Eigen::MatrixXd& rigid, double shift, Eigen::Index count);
 
-}  // namespace percuss
+}  // namespace percuss::model

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace percuss {
+namespace percuss::model {
 
 /// Where f, continuous and of different signs at low and high, is zero: Ridders' method, which keeps the bracket, to
 /// the last bits of the root. A zero at an end is that end.
@@ -44,4 +44,4 @@ double ridders_root(double low, double high, const Function& f) {
   return root;
 }
 
-}  // namespace percuss
+}  // namespace percuss::model

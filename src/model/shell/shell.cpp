@@ -7,7 +7,7 @@
 
 #include "core/units.hpp"
 
-namespace percuss {
+namespace percuss::model {
 namespace {
 
 // n²(n² − 1)²/(n² + 1)
@@ -60,4 +60,4 @@ double tube_mass_kg(const TubeShell& s) {
   return s.density_kgpm3 * std::numbers::pi * (s.outer_diameter_m - s.wall_m) * s.wall_m * s.length_m;
 }
 
-}  // namespace percuss
+}  // namespace percuss::model

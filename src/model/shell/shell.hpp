@@ -1,7 +1,7 @@
 #pragma once
 #include <cstddef>
 
-namespace percuss {
+namespace percuss::model {
 
 /// A barrel as a tube of even wall. R = (outer diameter − wall)/2 is its middle radius.
 struct TubeShell {
@@ -47,4 +47,4 @@ double flugge_Hz(const TubeShell& shell, std::size_t n, std::size_t m);
 /// What the tube weighs, which the source takes for a barrel's effective mass m₂: ρ π (D − h) h L.
 double tube_mass_kg(const TubeShell& shell);
 
-}  // namespace percuss
+}  // namespace percuss::model

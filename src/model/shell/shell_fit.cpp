@@ -6,7 +6,7 @@
 #include "core/error.hpp"
 #include "core/math/linear_algebra.hpp"
 
-namespace percuss {
+namespace percuss::model {
 namespace {
 
 constexpr double kShellNudge = 1e-6;  // of ln E or ln h, for differences
@@ -104,4 +104,4 @@ ShellFit fit_shell(const TubeShell& shell, const std::vector<MeasuredHoop>& meas
   return result;
 }
 
-}  // namespace percuss
+}  // namespace percuss::model

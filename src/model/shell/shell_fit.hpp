@@ -5,7 +5,7 @@
 
 #include "model/shell/shell.hpp"
 
-namespace percuss {
+namespace percuss::model {
 
 /// A measured hoop frequency: n waves around, m half-waves along.
 struct MeasuredHoop {
@@ -31,4 +31,4 @@ struct ShellFit {
 /// half their value); nothing fits.
 ShellFit fit_shell(const TubeShell& shell, const std::vector<MeasuredHoop>& measured, ShellUnknowns unknowns);
 
-}  // namespace percuss
+}  // namespace percuss::model

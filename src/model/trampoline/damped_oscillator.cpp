@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace percuss {
+namespace percuss::model {
 
 OscillatorState DampedOscillator::after(const OscillatorState& start, double time_s) const {
   const double square = (omega_radps - decay_radps) * (omega_radps + decay_radps);
@@ -29,4 +29,4 @@ double DampedOscillator::amplitude_bound_m(const OscillatorState& start) const {
   return std::hypot(start.x_m, start.v_mps / omega_radps);
 }
 
-}  // namespace percuss
+}  // namespace percuss::model

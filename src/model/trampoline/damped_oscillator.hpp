@@ -1,6 +1,6 @@
 #pragma once
 
-namespace percuss {
+namespace percuss::model {
 
 /// x and ẋ of a linear oscillator.
 struct OscillatorState {
@@ -16,4 +16,4 @@ struct DampedOscillator {
   double amplitude_bound_m(const OscillatorState& start) const;
 };
 
-}  // namespace percuss
+}  // namespace percuss::model

@@ -5,7 +5,7 @@
 #include "core/parallel/parallel.hpp"
 #include "model/math/brent_maximum.hpp"
 
-namespace percuss {
+namespace percuss::model {
 Trampoline baseball_on_barrel() { return {}; }
 
 Trampoline softball_on_barrel() {
@@ -42,4 +42,4 @@ double modal_mass_kg(double added_kg, double free_Hz, double loaded_Hz) {
   return added_kg / ((ratio - 1) * (ratio + 1));
 }
 
-}  // namespace percuss
+}  // namespace percuss::model

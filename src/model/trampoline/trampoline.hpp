@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace percuss {
+namespace percuss::model {
 
 /// A ball against the hollow barrel of a bat at rest, each with one degree of freedom: the ball a nonlinear spring and
 /// dashpot, the barrel's hoop mode a linear one. The constants are those of the source's script for a baseball.
@@ -61,4 +61,4 @@ double loaded_hoop_Hz(const Trampoline& model, double hoop_Hz);
 /// (4) solved for m₂: the modal mass whose frequency an added mass brings from free_Hz down to loaded_Hz.
 double modal_mass_kg(double added_kg, double free_Hz, double loaded_Hz);
 
-}  // namespace percuss
+}  // namespace percuss::model

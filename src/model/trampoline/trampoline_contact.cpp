@@ -10,7 +10,7 @@
 #include "core/error.hpp"
 #include "model/math/illinois_root.hpp"
 
-namespace percuss {
+namespace percuss::model {
 namespace {
 
 constexpr std::size_t kContactStates = 4;
@@ -159,4 +159,4 @@ BallAndBarrel ContactSolver::follow(const BallAndBarrel& start) {
           .time_s = start.time_s + kScale_s * std::pow(now.s, 4)};
 }
 
-}  // namespace percuss
+}  // namespace percuss::model

@@ -3,7 +3,7 @@
 
 #include "model/trampoline/trampoline.hpp"
 
-namespace percuss {
+namespace percuss::model {
 
 /// Ball and barrel at one moment; x and v positive towards the barrel.
 struct BallAndBarrel {
@@ -46,4 +46,4 @@ class ContactSolver {
   std::unique_ptr<Stepper> stepper_;
 };
 
-}  // namespace percuss
+}  // namespace percuss::model

@@ -8,7 +8,7 @@
 #include "core/error.hpp"
 #include "core/math/linear_algebra.hpp"
 
-namespace percuss {
+namespace percuss::model {
 namespace {
 
 constexpr double kExponentNudge = 1e-4;  // of an exponent: differences of a model that is good to 1e-11
@@ -107,4 +107,4 @@ ExponentFit fit_exponents(const Trampoline& model, const std::vector<MeasuredCor
   return result;
 }
 
-}  // namespace percuss
+}  // namespace percuss::model

@@ -3,7 +3,7 @@
 
 #include "model/trampoline/trampoline.hpp"
 
-namespace percuss {
+namespace percuss::model {
 
 /// A measured coefficient of restitution off a rigid cylinder (CCOR).
 struct MeasuredCor {
@@ -26,4 +26,4 @@ struct ExponentFit {
 /// tell a from b; no exponents fit. source  [8] in docs/sources.md, 4.4: there by trying all combinations
 ExponentFit fit_exponents(const Trampoline& model, const std::vector<MeasuredCor>& measured);
 
-}  // namespace percuss
+}  // namespace percuss::model

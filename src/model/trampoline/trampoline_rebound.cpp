@@ -7,7 +7,7 @@
 #include "model/trampoline/damped_oscillator.hpp"
 #include "model/trampoline/trampoline_contact.hpp"
 
-namespace percuss {
+namespace percuss::model {
 namespace {
 
 constexpr double kLooksPerPeriod = 40;  // for the next touch
@@ -96,4 +96,4 @@ Rebound rigid_wall_rebound(const Trampoline& model) {
   return {.cor = cor, .first_cor = cor, .contact_s = end.time_s};
 }
 
-}  // namespace percuss
+}  // namespace percuss::model

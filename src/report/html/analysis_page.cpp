@@ -11,7 +11,7 @@
 #include "report/text/analysis_tables.hpp"
 #include "report/text/html_escape.hpp"
 
-namespace percuss {
+namespace percuss::report {
 
 std::string frf_section(const std::string& verdict) {
   return page_section(
@@ -22,9 +22,9 @@ std::string frf_section(const std::string& verdict) {
           page_picture("coherence", "Coherence over frequency, 0 to 1."));
 }
 
-std::string hits_section(const Analysis& analysis) {
+std::string hits_section(const pipeline::Analysis& analysis) {
   constexpr std::size_t kMaxListed = 20;  // beyond that the table is folded
-  using enum FindingCode;
+  using enum acquire::FindingCode;
   const HitsTable table = hits_table(analysis, analysis.hits());
   const std::string more =
       table.left_out > 0 ? page_paragraph(fmt::format("… and {} more hits in order.", table.left_out)) : "";
@@ -46,18 +46,19 @@ std::string hits_section(const Analysis& analysis) {
 
 namespace {
 
-std::string frf_sentence(const Analysis& analysis) {
+std::string frf_sentence(const pipeline::Analysis& analysis) {
   return fmt::format("{} frequency responses of {} lines, {:.4g} Hz apart.", analysis.frfs().size(),
                      analysis.lines().count, analysis.lines().df_Hz());
 }
 
-std::string hits_sentence(const Analysis& analysis) {
+std::string hits_sentence(const pipeline::Analysis& analysis) {
   const auto& hits = analysis.hits();
-  const auto used = std::count_if(hits.begin(), hits.end(), [](const AnalysedHit& hit) { return hit.accepted; });
+  const auto used =
+      std::count_if(hits.begin(), hits.end(), [](const pipeline::AnalysedHit& hit) { return hit.accepted; });
   return fmt::format("{} of {} hits can be used.", used, hits.size());
 }
 
-std::string deflection_section(const Analysis& analysis, const ImpactTest& test) {
+std::string deflection_section(const pipeline::Analysis& analysis, const pipeline::ImpactTest& test) {
   return page_section("deflection", "Deflection",
                       deflection_tables(analysis, test).html() + page_chart(deflection_chart(analysis, test)));
 }
@@ -70,13 +71,14 @@ std::string comparison_section(const CommandReport& comparison) {
 
 }  // namespace
 
-std::string analysis_page(const Analysis& analysis, const PageOptions& options, const Provenance& provenance) {
+std::string analysis_page(const pipeline::Analysis& analysis, const PageOptions& options,
+                          const Provenance& provenance) {
   const auto wants = [&](ReportSection section) { return options.sections.contains(section); };
   const bool possible = analysis.possible(), modes = wants(ReportSection::modes) || wants(ReportSection::classes);
   const bool with_hits = wants(ReportSection::hits) && analysis.given_frfs() == nullptr;
   const bool frfs = possible && (wants(ReportSection::frf) || wants(ReportSection::coherence));
-  const std::vector<ModeClassification> classifications =
-      possible && modes ? analysis.classifications() : std::vector<ModeClassification>();
+  const std::vector<identify::ModeClassification> classifications =
+      possible && modes ? analysis.classifications() : std::vector<identify::ModeClassification>();
   const std::string verdict = modes || !possible ? summary_sentence(analysis, classifications)
                               : frfs             ? frf_sentence(analysis)
                                                  : hits_sentence(analysis);
@@ -105,4 +107,4 @@ std::string analysis_page(const Analysis& analysis, const PageOptions& options, 
       .text();
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

@@ -12,7 +12,7 @@
 #include "report/svg/barrel_cross_section.hpp"
 #include "report/text/analysis_tables.hpp"
 
-namespace percuss {
+namespace percuss::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -34,7 +34,7 @@ Json curve_plot_json(const FrfCurve& curve) {
   return json;
 }
 
-Json frf_plot_json(const Analysis& analysis) {
+Json frf_plot_json(const pipeline::Analysis& analysis) {
   Json json{{"first_hz", analysis.lines().freq_Hz(0)},
             {"df_hz", analysis.lines().df_Hz()},
             {"of", analysis.frfs().size()},
@@ -43,11 +43,12 @@ Json frf_plot_json(const Analysis& analysis) {
   return json;
 }
 
-Json modes_plot_json(const Analysis& analysis, const std::vector<ModeClassification>& classifications) {
+Json modes_plot_json(const pipeline::Analysis& analysis,
+                     const std::vector<identify::ModeClassification>& classifications) {
   Json out = Json::array();
   for (std::size_t m = 0; m < classifications.size(); ++m) {
-    const Mode& mode = analysis.modes()[m];
-    const ModeClassification& verdict = classifications[m];
+    const identify::Mode& mode = analysis.modes()[m];
+    const identify::ModeClassification& verdict = classifications[m];
     Json json{{"hz", mode.pole.freq_Hz},
               {"zeta", mode.pole.damping_ratio},
               {"name", mode_name(verdict, m)},
@@ -66,7 +67,7 @@ Json samples_json(const HitSamples& samples, double coarsest) {
   return {{"first", samples.first}, {"step", samples.step}, {"values", numbers_json(samples.value, coarsest)}};
 }
 
-Json hits_plot_json(const Analysis& analysis) {
+Json hits_plot_json(const pipeline::Analysis& analysis) {
   Json out = Json::array();
   for (const HitCurves& hit : hit_curves(analysis)) {
     out.push_back({{"name", fmt::format("hit {}", hit.number)},
@@ -81,11 +82,11 @@ Json hits_plot_json(const Analysis& analysis) {
   return out;
 }
 
-Json stabilisation_plot_json(const Stabilisation& diagram) {
+Json stabilisation_plot_json(const identify::Stabilisation& diagram) {
   std::vector<double> freq_Hz;
   std::string stability;
   Json orders = Json::array();
-  for (const StabilisationPole& pole : diagram.poles) {
+  for (const identify::StabilisationPole& pole : diagram.poles) {
     freq_Hz.push_back(pole.pole.freq_Hz);
     orders.push_back(pole.order);
     stability += name_of(pole.stability)[0];
@@ -95,7 +96,8 @@ Json stabilisation_plot_json(const Stabilisation& diagram) {
 
 }  // namespace
 
-std::string analysis_plot_data(const Analysis& analysis, const std::vector<ModeClassification>& classifications,
+std::string analysis_plot_data(const pipeline::Analysis& analysis,
+                               const std::vector<identify::ModeClassification>& classifications,
                                const PlotSelection& wanted) {
   Json json = Json::object();
   if (wanted.hits && analysis.given_frfs() == nullptr) {
@@ -111,4 +113,4 @@ std::string analysis_plot_data(const Analysis& analysis, const std::vector<ModeC
   return ascii_text(json);
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

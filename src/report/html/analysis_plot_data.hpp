@@ -4,7 +4,7 @@
 
 #include "pipeline/analysis.hpp"
 
-namespace percuss {
+namespace percuss::report {
 
 struct PlotSelection {
   bool hits = true, frfs = true, stabilisation = true;
@@ -14,7 +14,8 @@ struct PlotSelection {
 /// phase_deg, coherence, sigma_db, fit_db}]}, "modes": [{hz, zeta, name, family, sensors}], "hits": [{name, accepted,
 /// bandwidth_hz, force_n, response_mps2, spectrum_db, decay_db, noise_db}], "band_hz", "stabilisation"}. Numbers as
 /// quantised_curve. Modes as many as verdicts.
-std::string analysis_plot_data(const Analysis& analysis, const std::vector<ModeClassification>& classifications,
+std::string analysis_plot_data(const pipeline::Analysis& analysis,
+                               const std::vector<identify::ModeClassification>& classifications,
                                const PlotSelection& wanted = {});
 
-}  // namespace percuss
+}  // namespace percuss::report

@@ -6,7 +6,7 @@
 #include "report/html/html_page.hpp"
 #include "report/text/html_escape.hpp"
 
-namespace percuss {
+namespace percuss::report {
 namespace {
 
 std::string title_of(const CommandReport& report, const std::vector<std::string>& inputs) {
@@ -14,8 +14,8 @@ std::string title_of(const CommandReport& report, const std::vector<std::string>
   return report.charts.empty() ? "Numbers" : report.charts.front().title;
 }
 
-std::vector<InputFile> files_of(const std::vector<std::string>& inputs) {
-  std::vector<InputFile> files;
+std::vector<acquire::InputFile> files_of(const std::vector<std::string>& inputs) {
+  std::vector<acquire::InputFile> files;
   for (const std::string& path : inputs) {
     std::error_code error;
     const std::uint64_t bytes = path == "-" ? 0 : std::filesystem::file_size(path, error);
@@ -45,4 +45,4 @@ std::string command_page(const CommandReport& report, const std::vector<std::str
       .text();
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

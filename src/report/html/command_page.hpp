@@ -5,10 +5,10 @@
 #include "report/command_report.hpp"
 #include "report/html/page_elements.hpp"
 
-namespace percuss {
+namespace percuss::report {
 
 /// A command's report as a page of one file: what it says, its charts, and how it came about from the files `inputs`.
 std::string command_page(const CommandReport& report, const std::vector<std::string>& inputs,
                          const Provenance& provenance);
 
-}  // namespace percuss
+}  // namespace percuss::report

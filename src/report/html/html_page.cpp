@@ -6,7 +6,7 @@
 #include "report/text/digest.hpp"
 #include "report/text/html_escape.hpp"
 
-namespace percuss {
+namespace percuss::report {
 namespace {
 
 std::string source_of(const std::string& text) { return "'sha256-" + base64(sha256(text)) + "'"; }
@@ -52,4 +52,4 @@ std::string HtmlPage::text() const {
                      draws ? source_of(program) : "'none'", source_of(style), html_escape(title), style, body, scripts);
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

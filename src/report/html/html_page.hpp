@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-namespace percuss {
+namespace percuss::report {
 
 /// A page that is one file: its style, its programs and its data within it, nothing from anywhere else. A
 /// content-security policy names the programs and styles by their SHA-256: nothing else on the page can run, whatever
@@ -15,4 +15,4 @@ struct HtmlPage {
   std::string text() const;
 };
 
-}  // namespace percuss
+}  // namespace percuss::report

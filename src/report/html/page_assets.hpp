@@ -1,7 +1,7 @@
 #pragma once
 #include <string_view>
 
-namespace percuss {
+namespace percuss::report {
 
 /// The parts of every page: page/page.css and page/page.js, and uPlot's (third_party/uplot).
 struct PageAssets {
@@ -9,4 +9,4 @@ struct PageAssets {
 };
 const PageAssets& page_assets();
 
-}  // namespace percuss
+}  // namespace percuss::report

@@ -14,11 +14,11 @@
 #include "report/text/text_table.hpp"
 #include "report/text/version.hpp"
 
-namespace percuss {
+namespace percuss::report {
 namespace {
 
 // Of what was read; nothing of standard input, and of a file that has another length by now.
-std::string digest_of(const InputFile& file) {
+std::string digest_of(const acquire::InputFile& file) {
   std::error_code error;
   const bool same = file.path != "-" && std::filesystem::file_size(file.path, error) == file.bytes && !error;
   const std::string digest = same ? sha256_of_file(file.path) : "";
@@ -40,10 +40,10 @@ std::string file_list_title(const std::vector<std::string>& paths) {
   return paths.size() > 1 ? fmt::format("{} and {} more", name, paths.size() - 1) : name;
 }
 
-std::string title_of(const std::vector<InputFile>& files) {
+std::string title_of(const std::vector<acquire::InputFile>& files) {
   std::vector<std::string> paths;
   paths.reserve(files.size());
-  for (const InputFile& file : files) paths.push_back(file.path);
+  for (const acquire::InputFile& file : files) paths.push_back(file.path);
   return file_list_title(paths);
 }
 
@@ -63,18 +63,19 @@ std::string page_header(const std::string& title, const std::string& conditions)
          "</p>\n</header>\n";
 }
 
-std::string page_warnings(const std::vector<Warning>& warnings) {
+std::string page_warnings(const std::vector<pipeline::Warning>& warnings) {
   std::string items;
-  for (const Warning& warning : warnings) items += "<li>" + html_escape(one_line(warning.message, 4000)) + "</li>\n";
+  for (const pipeline::Warning& warning : warnings)
+    items += "<li>" + html_escape(one_line(warning.message, 4000)) + "</li>\n";
   return items.empty() ? "" : "<ul class=\"warnings\" aria-label=\"Warnings\">\n" + items + "</ul>\n";
 }
 
-std::string page_findings(const Analysis& analysis, const std::vector<FindingCode>& codes) {
+std::string page_findings(const pipeline::Analysis& analysis, const std::vector<acquire::FindingCode>& codes) {
   constexpr std::size_t kMaxListed = 12;
-  std::vector<Warning> found;
+  std::vector<pipeline::Warning> found;
   const auto& hits = analysis.hits();
   for (std::size_t i = 0; i < hits.size() && found.size() < kMaxListed; ++i) {
-    for (const Finding& finding : hits[i].hit.findings) {
+    for (const acquire::Finding& finding : hits[i].hit.findings) {
       if (std::find(codes.begin(), codes.end(), finding.code) != codes.end())
         found.push_back({.code = "", .message = fmt::format("hit {}: {}", i, finding.message)});
     }
@@ -82,9 +83,9 @@ std::string page_findings(const Analysis& analysis, const std::vector<FindingCod
   return page_warnings(found);
 }
 
-std::string page_provenance(const std::vector<InputFile>& inputs, const Provenance& provenance) {
+std::string page_provenance(const std::vector<acquire::InputFile>& inputs, const Provenance& provenance) {
   TextTable files({{"input"}, {"bytes", TextTable::Align::right}, {"SHA-256"}});
-  for (const InputFile& file : inputs)
+  for (const acquire::InputFile& file : inputs)
     files.add({one_line(input_name(file.path), 400), fmt::format("{}", file.bytes), digest_of(file)});
   return "<details>\n<summary>Method and provenance</summary>\n" +
          page_paragraph(fmt::format("percuss {}, {} UTC", version(), provenance.made_at)) + "<pre>" +
@@ -92,4 +93,4 @@ std::string page_provenance(const std::vector<InputFile>& inputs, const Provenan
          "</details>\n";
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

@@ -5,7 +5,7 @@
 #include "pipeline/analysis.hpp"
 #include "report/svg/line_chart.hpp"
 
-namespace percuss {
+namespace percuss::report {
 
 /// What a page says of how it came about; nothing else on it depends on when and where.
 struct Provenance {
@@ -24,13 +24,13 @@ std::string page_picture(const char* kind, const std::string& description);
 std::string page_chart(const LineChart& chart);
 /// What the page is of, and under which conditions.
 std::string page_header(const std::string& title, const std::string& conditions);
-std::string page_warnings(const std::vector<Warning>& warnings);
+std::string page_warnings(const std::vector<pipeline::Warning>& warnings);
 /// Findings of these kinds, hit by hit, to stand beside the picture that shows them.
-std::string page_findings(const Analysis& analysis, const std::vector<FindingCode>& codes);
-std::string page_provenance(const std::vector<InputFile>& files, const Provenance& provenance);
+std::string page_findings(const pipeline::Analysis& analysis, const std::vector<acquire::FindingCode>& codes);
+std::string page_provenance(const std::vector<acquire::InputFile>& files, const Provenance& provenance);
 /// Files for a heading: the name of the first without its folder, "and 3 more" with it.
 std::string file_list_title(const std::vector<std::string>& paths);
 /// The same of what was read.
-std::string title_of(const std::vector<InputFile>& files);
+std::string title_of(const std::vector<acquire::InputFile>& files);
 
-}  // namespace percuss
+}  // namespace percuss::report

@@ -16,7 +16,7 @@
 #include "report/text/html_escape.hpp"
 #include "report/text/survey_text.hpp"
 
-namespace percuss {
+namespace percuss::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -41,10 +41,10 @@ Json shapes_plot_json(const Wireframe& frame) {
   return {{"points", std::move(places)}, {"lines", std::move(lines)}, {"modes", std::move(modes)}};
 }
 
-Json indicator_plot_json(const Survey& survey) {
+Json indicator_plot_json(const pipeline::Survey& survey) {
   constexpr Eigen::Index kMaxValues = 3;
   constexpr double kLevelStep_dB = 0.01;
-  const LineRange band = survey.band();
+  const frf::LineRange band = survey.band();
   Json json{{"first_hz", band.freq_Hz(0)}, {"df_hz", band.df_Hz()}, {"values", Json::array()}};
   for (Eigen::Index i = 0; i < std::min(kMaxValues, survey.indicator().cols()); ++i) {
     std::vector<double> level_dB;
@@ -56,7 +56,7 @@ Json indicator_plot_json(const Survey& survey) {
 }
 
 // Shades in five steps: 0 … 0.2 … 1.
-std::string mac_html(const Survey& survey) {
+std::string mac_html(const pipeline::Survey& survey) {
   constexpr double kSteps = 5;
   std::string out =
       "<table class=\"mac\">\n<caption>MAC: 1 where two modes have the same shape on these "
@@ -65,7 +65,7 @@ std::string mac_html(const Survey& survey) {
   for (std::size_t j = 0; j < macs.size(); ++j) out += fmt::format("<th>{}</th>", j);
   for (std::size_t i = 0; i < macs.size(); ++i) {
     out += fmt::format("</tr>\n<tr><th>{}</th>", i);
-    for (const Mac& mac : macs[i]) {
+    for (const identify::Mac& mac : macs[i]) {
       const int shade = static_cast<int>(std::min(kSteps - 1, std::floor(mac.value * kSteps)));
       out += fmt::format("<td class=\"right shade{}\">{:.2f}</td>", std::max(0, shade), mac.value);
     }
@@ -75,11 +75,11 @@ std::string mac_html(const Survey& survey) {
 
 }  // namespace
 
-std::string survey_page(const Survey& survey, const Provenance& provenance) {
-  const Analysis& analysis = survey.analysis();
+std::string survey_page(const pipeline::Survey& survey, const Provenance& provenance) {
+  const pipeline::Analysis& analysis = survey.analysis();
   const bool with_hits = analysis.given_frfs() == nullptr, possible = analysis.possible();
-  const std::vector<ModeClassification> classifications =
-      possible ? survey.classifications() : std::vector<ModeClassification>();
+  const std::vector<identify::ModeClassification> classifications =
+      possible ? survey.classifications() : std::vector<identify::ModeClassification>();
   const std::string verdict = summary_sentence(analysis, classifications);
   std::string found = "<p class=\"verdict\">" + html_escape(verdict) + "</p>\n", shapes;
   std::string data = "[" + analysis_plot_data(analysis, classifications, {.stabilisation = false});
@@ -106,4 +106,4 @@ std::string survey_page(const Survey& survey, const Provenance& provenance) {
   return HtmlPage{.title = title_of(analysis.record().files) + " – percuss", .body = body, .data = data + "]"}.text();
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

@@ -9,17 +9,17 @@
 #include "report/json/result_json.hpp"
 #include "report/text/version.hpp"
 
-namespace percuss {
+namespace percuss::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json options_json(const Analysis& analysis) {
-  const AnalysisOptions& o = analysis.options();
+Json options_json(const pipeline::Analysis& analysis) {
+  const pipeline::AnalysisOptions& o = analysis.options();
   Json json = Json::object();
   if (!o.accept_hits.empty()) json["accept_hits"] = o.accept_hits;
   if (!o.reject_hits.empty()) json["reject_hits"] = o.reject_hits;
-  if (o.estimator != Estimator::h1) json["estimator"] = name_of(o.estimator);
+  if (o.estimator != frf::Estimator::h1) json["estimator"] = name_of(o.estimator);
   if (o.modes.modes) json["modes"] = *o.modes.modes;
   if (!o.modes.start_Hz.empty()) json["start_hz"] = o.modes.start_Hz;
   if (o.hits.trigger_N) json["trigger_n"] = *o.hits.trigger_N;
@@ -29,7 +29,7 @@ Json options_json(const Analysis& analysis) {
   if (o.hits.to_s) json["to_s"] = *o.hits.to_s;
   if (!o.hits.gate_force) json["force_window"] = "off";
   if (o.exponential_end > 0) json["exponential_end"] = o.exponential_end;
-  if (o.classes.overlay_dB != ClassifyOptions{}.overlay_dB) json["overlay_db"] = o.classes.overlay_dB;
+  if (o.classes.overlay_dB != identify::ClassifyOptions{}.overlay_dB) json["overlay_db"] = o.classes.overlay_dB;
   return json;
 }
 
@@ -43,45 +43,47 @@ Json bat_json(const BatLabel& bat) {
 }
 
 // What the document of its own says but for the file.
-Json deflection_in(const Analysis& analysis, const ImpactTest& test) {
+Json deflection_in(const pipeline::Analysis& analysis, const pipeline::ImpactTest& test) {
   Json json = Json::parse(deflection_json(analysis, test));
   for (const char* key : {"schema", "version", "inputs", "fs_hz"}) json.erase(key);
   return json;
 }
 
-Json inputs_json(const Analysis& analysis) {
+Json inputs_json(const pipeline::Analysis& analysis) {
   Json json = Json::array();
-  for (const InputFile& file : analysis.record().files) json.push_back({{"path", file.path}, {"bytes", file.bytes}});
+  for (const acquire::InputFile& file : analysis.record().files)
+    json.push_back({{"path", file.path}, {"bytes", file.bytes}});
   return json;
 }
 
-Json warnings_json(const std::vector<Warning>& warnings) {
+Json warnings_json(const std::vector<pipeline::Warning>& warnings) {
   Json json = Json::array();
-  for (const Warning& warning : warnings) json.push_back({{"code", warning.code}, {"message", warning.message}});
+  for (const pipeline::Warning& warning : warnings)
+    json.push_back({{"code", warning.code}, {"message", warning.message}});
   return json;
 }
 
-Json skipped_json(const Analysis& analysis) {
+Json skipped_json(const pipeline::Analysis& analysis) {
   Json json = Json::array();
-  for (const SkippedWork& one : skipped_work(analysis)) {
+  for (const pipeline::SkippedWork& one : pipeline::skipped_work(analysis)) {
     json.push_back(
         {{"code", one.code}, {"what", one.what}, {"why", one.why}, {"share", one.share ? Json(*one.share) : Json()}});
   }
   return json;
 }
 
-Json trace_json(const Analysis& analysis) {
+Json trace_json(const pipeline::Analysis& analysis) {
   Json json = Json::array();
   for (const auto& stage : analysis.trace().stages())
     json.push_back({{"stage", stage.name}, {"calls", stage.calls}, {"seconds", stage.seconds}});
   return json;
 }
 
-void add_modes(JsonDocument& document, const Analysis& analysis, const JsonOptions& options) {
+void add_modes(JsonDocument& document, const pipeline::Analysis& analysis, const JsonOptions& options) {
   const bool classes = options.sections.contains(ReportSection::classes);
-  const std::vector<Mode>& modes = analysis.modes();
+  const std::vector<identify::Mode>& modes = analysis.modes();
   const double decay = analysis.window_decay_per_s();
-  const std::vector<ModeClassification>* classifications = options.classifications;
+  const std::vector<identify::ModeClassification>* classifications = options.classifications;
   if (classes && classifications == nullptr) classifications = &analysis.classifications();
   document.add("modes", modes.size(), [&modes, decay, classifications, classes, shape = options.shape](std::size_t m) {
     std::string text = mode_json(modes[m], m, decay, classes ? &(*classifications)[m] : nullptr);
@@ -89,7 +91,7 @@ void add_modes(JsonDocument& document, const Analysis& analysis, const JsonOptio
   });
 }
 
-void add_frfs(JsonDocument& document, const Analysis& analysis, const JsonOptions& options) {
+void add_frfs(JsonDocument& document, const pipeline::Analysis& analysis, const JsonOptions& options) {
   const bool frf = options.sections.contains(ReportSection::frf),
              coherence = options.sections.contains(ReportSection::coherence);
   if (frf || coherence) analysis.frfs();
@@ -98,7 +100,7 @@ void add_frfs(JsonDocument& document, const Analysis& analysis, const JsonOption
 }
 
 // Values are made when the document is written, by several threads: the stages that they ask for are done before.
-void add_found(JsonDocument& document, const Analysis& analysis, const JsonOptions& options) {
+void add_found(JsonDocument& document, const pipeline::Analysis& analysis, const JsonOptions& options) {
   const bool modes =
       options.sections.contains(ReportSection::modes) || options.sections.contains(ReportSection::classes);
   const bool frfs =
@@ -116,7 +118,7 @@ void add_found(JsonDocument& document, const Analysis& analysis, const JsonOptio
 
 }  // namespace
 
-JsonDocument analysis_document(const Analysis& analysis, const JsonOptions& options) {
+JsonDocument analysis_document(const pipeline::Analysis& analysis, const JsonOptions& options) {
   const auto wants = [&](ReportSection section) { return options.sections.contains(section); };
   const bool force_only = options.sections == std::set{ReportSection::hits};
   JsonDocument document;
@@ -150,7 +152,7 @@ JsonDocument analysis_document(const Analysis& analysis, const JsonOptions& opti
   return document;
 }
 
-std::string analysis_json(const Analysis& analysis, const JsonOptions& options) {
+std::string analysis_json(const pipeline::Analysis& analysis, const JsonOptions& options) {
   const ThreadLimit limit(analysis.options().threads);
   return analysis_document(analysis, options).text() + "\n";
 }
@@ -170,4 +172,4 @@ std::string analysis_json(const std::vector<NumberedAnalysis>& tests, const Json
   return document.text() + "\n";
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

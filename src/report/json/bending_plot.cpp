@@ -7,7 +7,7 @@
 #include "core/units.hpp"
 #include "report/text/number_format.hpp"
 
-namespace percuss {
+namespace percuss::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -49,4 +49,4 @@ std::string inches_and_mm(double value_m, double std_m) {
                      value_with_std(1000 * value_m, 1000 * std_m));
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

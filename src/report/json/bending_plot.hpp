@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-namespace percuss {
+namespace percuss::report {
 
 /// A place where a bent bat does not move.
 struct BendingNode {
@@ -34,4 +34,4 @@ std::string bending_plot_json(const BendingPlot& picture);
 /// `value_m ± std_m` in inches and in millimetres; without the deviation where it is 0.
 std::string inches_and_mm(double value_m, double std_m);
 
-}  // namespace percuss
+}  // namespace percuss::report

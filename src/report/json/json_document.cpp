@@ -4,7 +4,7 @@
 
 #include "core/parallel/parallel.hpp"
 
-namespace percuss {
+namespace percuss::report {
 namespace {
 
 constexpr std::size_t kPerValue = 20'000;  // operations, of an object with a few numbers
@@ -87,4 +87,4 @@ std::string with_member(std::string object, const std::string& key, const std::s
   return object + "\n}";
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

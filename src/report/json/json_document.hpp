@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace percuss {
+namespace percuss::report {
 
 /// The text of a document of the JSON library's, indented by 2 spaces, without a line end. What is not UTF-8 (file
 /// names) is shown with replacement characters.
@@ -51,4 +51,4 @@ class JsonDocument {
 /// The text of an object with one more member, as its last.
 std::string with_member(std::string object, const std::string& key, const std::string& value);
 
-}  // namespace percuss
+}  // namespace percuss::report

@@ -8,7 +8,7 @@
 
 #include "report/text/digest.hpp"
 
-namespace percuss {
+namespace percuss::report {
 
 QuantisedCurve quantised_curve(std::span<const double> values, double coarsest) {
   constexpr double kLargest = 65534;
@@ -32,4 +32,4 @@ QuantisedCurve quantised_curve(std::span<const double> values, double coarsest) 
   return {.from = low, .step = step, .u16 = base64(bytes)};
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

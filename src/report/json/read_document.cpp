@@ -10,7 +10,7 @@
 #include "core/io/input_file.hpp"
 #include "core/io/json_text.hpp"
 
-namespace percuss {
+namespace percuss::report {
 namespace {
 
 constexpr std::uint64_t kLargest_bytes = std::uint64_t{256} << 20U;
@@ -52,11 +52,11 @@ class Part {
 
 int whole(double number) { return static_cast<int>(std::clamp(number, -1e9, 1e9)); }
 
-ComparedMode mode_in(const Part& part) {
-  ComparedMode mode{.freq_Hz = part.at("frequency_hz").number(),
-                    .freq_std_Hz = part.number_or("frequency_std_hz", 0),
-                    .family = part.has("family") ? part.at("family").text() : "",
-                    .shape = {}};
+metrics::ComparedMode mode_in(const Part& part) {
+  metrics::ComparedMode mode{.freq_Hz = part.at("frequency_hz").number(),
+                             .freq_std_Hz = part.number_or("frequency_std_hz", 0),
+                             .family = part.has("family") ? part.at("family").text() : "",
+                             .shape = {}};
   mode.second = part.has("double_peak") && part.at("double_peak").is_false("first");
   if (!part.has("residues")) return mode;
   for (const Part& residue : part.at("residues").list()) {
@@ -67,34 +67,35 @@ ComparedMode mode_in(const Part& part) {
   return mode;
 }
 
-std::vector<ComparedMode> frequencies_in(const Part& list, const char* family) {
-  std::vector<ComparedMode> modes;
+std::vector<metrics::ComparedMode> frequencies_in(const Part& list, const char* family) {
+  std::vector<metrics::ComparedMode> modes;
   for (const Part& value : list.list()) modes.push_back({.freq_Hz = value.number(), .family = family, .shape = {}});
   return modes;
 }
 
-void add_deflections(const Part& part, ComparedDocument& document) {
+void add_deflections(const Part& part, metrics::ComparedDocument& document) {
   for (const Part& point : part.at("points").list()) {
     if (!point.has("peak_m")) continue;  // nothing stood out of the noise there
-    ComparedDeflection d{.point = whole(point.at("point").number()),
-                         .peak_m = point.at("peak_m").number(),
-                         .std_m = point.number_or("peak_std_m", 0),
-                         .forward_m = point.number_or("forward_m", 0),
-                         .forward_std_m = point.number_or("forward_std_m", 0)};
+    metrics::ComparedDeflection d{.point = whole(point.at("point").number()),
+                                  .peak_m = point.at("peak_m").number(),
+                                  .std_m = point.number_or("peak_std_m", 0),
+                                  .forward_m = point.number_or("forward_m", 0),
+                                  .forward_std_m = point.number_or("forward_std_m", 0)};
     if (point.has("position_m")) d.position_m = point.at("position_m").number();
     document.deflections.push_back(d);
   }
 }
 
-ComparedDocument analysis_in(const Part& part, std::string name, std::string schema) {
-  ComparedDocument document{.name = std::move(name), .schema = std::move(schema), .modes = {}, .deflections = {}};
+metrics::ComparedDocument analysis_in(const Part& part, std::string name, std::string schema) {
+  metrics::ComparedDocument document{
+      .name = std::move(name), .schema = std::move(schema), .modes = {}, .deflections = {}};
   if (part.has("deflection")) add_deflections(part.at("deflection"), document);
   if (!part.has("modes")) return document;
   for (const Part& mode : part.at("modes").list()) document.modes.push_back(mode_in(mode));
   return document;
 }
 
-void add_impacts(const Part& part, ComparedDocument& document) {
+void add_impacts(const Part& part, metrics::ComparedDocument& document) {
   document.modes = frequencies_in(part.at("frequency_hz"), "bending");
   if (!part.has("sweep")) return;
   for (const Part& impact : part.at("sweep").list()) {
@@ -107,11 +108,11 @@ void add_impacts(const Part& part, ComparedDocument& document) {
 
 }  // namespace
 
-std::vector<ComparedDocument> read_documents(const std::string& path) {
+std::vector<metrics::ComparedDocument> read_documents(const std::string& path) {
   return parse_documents(read_input(path, kLargest_bytes).view(), input_name(path));
 }
 
-std::vector<ComparedDocument> parse_documents(std::string_view text, const std::string& where) {
+std::vector<metrics::ComparedDocument> parse_documents(std::string_view text, const std::string& where) {
   if (text.empty()) throw InputError("the file is empty", where, "write it again");
   check_json({.text = text,
               .where = where,
@@ -122,12 +123,12 @@ std::vector<ComparedDocument> parse_documents(std::string_view text, const std::
   const std::string schema = top.at("schema").text();
   if (schema == "percuss/analysis/1") {
     if (!top.has("runs")) return {analysis_in(top, where, schema)};
-    std::vector<ComparedDocument> documents;
+    std::vector<metrics::ComparedDocument> documents;
     for (const Part& run : top.at("runs").list())
       documents.push_back(analysis_in(run, fmt::format("{} run {}", where, documents.size()), schema));
     return documents;
   }
-  ComparedDocument document{.name = where, .schema = schema, .model = true, .modes = {}, .deflections = {}};
+  metrics::ComparedDocument document{.name = where, .schema = schema, .model = true, .modes = {}, .deflections = {}};
   if (schema == "percuss/deflection/1") {
     document.model = false;
     add_deflections(top, document);
@@ -144,4 +145,4 @@ std::vector<ComparedDocument> parse_documents(std::string_view text, const std::
   return {document};
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

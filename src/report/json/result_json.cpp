@@ -8,19 +8,19 @@
 #include "report/json/json_document.hpp"
 #include "report/text/coherence_summary.hpp"
 
-namespace percuss {
+namespace percuss::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json finding_json(const Finding& finding) {
+Json finding_json(const acquire::Finding& finding) {
   Json json{{"code", name_of(finding.code)}, {"severity", name_of(finding.severity)}, {"value", finding.value}};
   if (finding.delay_s) json["delay_s"] = *finding.delay_s;
   json["message"] = finding.message;
   return json;
 }
 
-Json response_json(std::size_t channel, const ResponseGrade& grade) {
+Json response_json(std::size_t channel, const acquire::ResponseGrade& grade) {
   Json json{{"channel", channel},
             {"left_db", grade.end_level_dB},
             {"truncated", grade.truncated},
@@ -29,7 +29,7 @@ Json response_json(std::size_t channel, const ResponseGrade& grade) {
   return json;
 }
 
-void add_split(Json& json, const SplitMode& peak) {
+void add_split(Json& json, const identify::SplitMode& peak) {
   json["separation_std_hz"] = peak.separation_std_Hz;
   json["first_over_second_db"] = peak.first_over_second_dB;
   json["quoted"] = peak.quoted;
@@ -42,7 +42,7 @@ void add_split(Json& json, const SplitMode& peak) {
                    {"between_std_deg", peak.planes->between_std_rad * kRadian_deg}};
 }
 
-void add_verdict(Json& json, const ModeClassification& verdict) {
+void add_verdict(Json& json, const identify::ModeClassification& verdict) {
   json["family"] = name_of(verdict.family);
   json["order"] = verdict.order > 0 ? Json(verdict.order) : Json();
   json["confidence"] = verdict.confidence;
@@ -62,14 +62,14 @@ void add_verdict(Json& json, const ModeClassification& verdict) {
 }
 
 // What the damping would read from the windowed FRF as it stands: the pole shifted by the window's decay.
-double raw_damping(const Pole& pole, double decay_per_s) {
+double raw_damping(const identify::Pole& pole, double decay_per_s) {
   const double omega = kTwoPi * pole.freq_Hz;
   const double real = pole.damping_ratio * omega + decay_per_s;
   const double imag = omega * std::sqrt(1 - pole.damping_ratio * pole.damping_ratio);
   return real / std::hypot(real, imag);
 }
 
-Json residue_json(const Residue& r) {
+Json residue_json(const identify::Residue& r) {
   const double std = std::hypot(r.std, r.relative_std * std::abs(r.value));
   Json json{{"point", r.point}, {"channel", r.channel}, {"re", r.value.real()}, {"im", r.value.imag()}, {"std", std}};
   if (!r.own_pole) return json;
@@ -80,8 +80,8 @@ Json residue_json(const Residue& r) {
 
 }  // namespace
 
-std::string hit_json(const Record& record, std::size_t i, const AnalysedHit& analysed) {
-  const Hit& hit = analysed.hit;
+std::string hit_json(const acquire::Record& record, std::size_t i, const pipeline::AnalysedHit& analysed) {
+  const acquire::Hit& hit = analysed.hit;
   Json json{{"index", i}, {"point", analysed.point}};
   if (record.files.size() > 1) json["file"] = record.files[record.rows[hit.row].file].path;
   if (record.rows.size() > 1) json["row"] = hit.row;
@@ -92,7 +92,7 @@ std::string hit_json(const Record& record, std::size_t i, const AnalysedHit& ana
   json["accepted"] = analysed.accepted;
   if (analysed.by_user) json["by_user"] = true;
   json["findings"] = Json::array();
-  for (const Finding& finding : hit.findings) json["findings"].push_back(finding_json(finding));
+  for (const acquire::Finding& finding : hit.findings) json["findings"].push_back(finding_json(finding));
   if (!analysed.responses.empty()) {
     json["responses"] = Json::array();
     for (std::size_t c = 0; c < analysed.responses.size(); ++c)
@@ -101,7 +101,8 @@ std::string hit_json(const Record& record, std::size_t i, const AnalysedHit& ana
   return indented_text(json);
 }
 
-std::string mode_json(const Mode& mode, std::size_t m, double window_decay_per_s, const ModeClassification* verdict) {
+std::string mode_json(const identify::Mode& mode, std::size_t m, double window_decay_per_s,
+                      const identify::ModeClassification* verdict) {
   Json json{{"index", m},
             {"frequency_hz", mode.pole.freq_Hz},
             {"frequency_std_hz", mode.freq_std_Hz},
@@ -111,19 +112,19 @@ std::string mode_json(const Mode& mode, std::size_t m, double window_decay_per_s
   if (window_decay_per_s > 0) json["damping_ratio_raw"] = raw_damping(mode.pole, window_decay_per_s);
   if (verdict != nullptr) add_verdict(json, *verdict);
   json["residues"] = Json::array();
-  for (const Residue& r : mode.residues) json["residues"].push_back(residue_json(r));
+  for (const identify::Residue& r : mode.residues) json["residues"].push_back(residue_json(r));
   return indented_text(json);
 }
 
-std::string frf_json(const Analysis& analysis) {
+std::string frf_json(const pipeline::Analysis& analysis) {
   const auto& frfs = analysis.frfs();
   Json json{{"lines", analysis.lines().count}, {"df_hz", analysis.lines().df_Hz()}, {"averages", Json::array()}};
-  for (const PointFrf& frf : frfs)
+  for (const frf::PointFrf& frf : frfs)
     json["averages"].push_back({{"point", frf.point}, {"channel", frf.channel}, {"averages", frf.frf.averages}});
   return indented_text(json);
 }
 
-std::string coherence_json(const Analysis& analysis) {
+std::string coherence_json(const pipeline::Analysis& analysis) {
   Json out = Json::array();
   const auto summaries = coherence_summaries(analysis);
   for (std::size_t i = 0; i < summaries.size(); ++i) {
@@ -136,9 +137,9 @@ std::string coherence_json(const Analysis& analysis) {
   return indented_text(out);
 }
 
-std::string modes_per_hit_json(const Analysis& analysis) {
+std::string modes_per_hit_json(const pipeline::Analysis& analysis) {
   Json out = Json::array();
-  for (const HitMode& m : analysis.modes_per_hit()) {
+  for (const pipeline::HitMode& m : analysis.modes_per_hit()) {
     out.push_back({{"hit", m.hit},
                    {"mode", m.mode},
                    {"peak_force_n", analysis.hits()[m.hit].hit.peak_N},
@@ -150,9 +151,9 @@ std::string modes_per_hit_json(const Analysis& analysis) {
   return indented_text(out);
 }
 
-std::string stabilisation_json(const Stabilisation& diagram) {
+std::string stabilisation_json(const identify::Stabilisation& diagram) {
   Json json{{"band_hz", {diagram.low_Hz, diagram.high_Hz}}, {"poles", Json::array()}};
-  for (const StabilisationPole& pole : diagram.poles) {
+  for (const identify::StabilisationPole& pole : diagram.poles) {
     json["poles"].push_back({{"order", pole.order},
                              {"frequency_hz", pole.pole.freq_Hz},
                              {"damping_ratio", pole.pole.damping_ratio},
@@ -161,4 +162,4 @@ std::string stabilisation_json(const Stabilisation& diagram) {
   return indented_text(json);
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

@@ -3,17 +3,18 @@
 
 #include "pipeline/analysis.hpp"
 
-namespace percuss {
+namespace percuss::report {
 
 // Members of the document percuss/analysis/1, each as JSON text of its own. What they are of has been computed.
 
 /// `i` counts the hits.
-std::string hit_json(const Record& record, std::size_t i, const AnalysedHit& hit);
+std::string hit_json(const acquire::Record& record, std::size_t i, const pipeline::AnalysedHit& hit);
 /// `verdict`: nullptr where modes are not named.
-std::string mode_json(const Mode& mode, std::size_t m, double window_decay_per_s, const ModeClassification* verdict);
-std::string frf_json(const Analysis& analysis);
-std::string coherence_json(const Analysis& analysis);
-std::string modes_per_hit_json(const Analysis& analysis);
-std::string stabilisation_json(const Stabilisation& diagram);
+std::string mode_json(const identify::Mode& mode, std::size_t m, double window_decay_per_s,
+                      const identify::ModeClassification* verdict);
+std::string frf_json(const pipeline::Analysis& analysis);
+std::string coherence_json(const pipeline::Analysis& analysis);
+std::string modes_per_hit_json(const pipeline::Analysis& analysis);
+std::string stabilisation_json(const identify::Stabilisation& diagram);
 
-}  // namespace percuss
+}  // namespace percuss::report

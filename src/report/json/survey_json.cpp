@@ -5,7 +5,7 @@
 #include "core/parallel/parallel.hpp"
 #include "core/units.hpp"
 
-namespace percuss {
+namespace percuss::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -15,9 +15,9 @@ Json or_null(const std::optional<T>& value) {
   return value ? Json(*value) : Json();
 }
 
-Json places_json(const std::vector<ShapePlace>& places, bool point, bool channel) {
+Json places_json(const std::vector<identify::ShapePlace>& places, bool point, bool channel) {
   Json out = Json::array();
-  for (const ShapePlace& place : places) {
+  for (const identify::ShapePlace& place : places) {
     Json json = Json::object();
     if (point) json["point"] = place.point;
     if (channel) json["channel"] = place.channel;
@@ -29,7 +29,7 @@ Json places_json(const std::vector<ShapePlace>& places, bool point, bool channel
   return out;
 }
 
-void add_tube(Json& json, const std::optional<TubeShape>& tube) {
+void add_tube(Json& json, const std::optional<identify::TubeShape>& tube) {
   json["circumferential_order"] = tube ? Json(tube->order) : Json();
   json["order_confidence"] = tube ? Json(tube->confidence) : Json();
   json["alias_order"] = tube ? Json(tube->alias) : Json();
@@ -40,11 +40,12 @@ void add_tube(Json& json, const std::optional<TubeShape>& tube) {
   json["plane_std_deg"] = tube && tube->plane_rad ? Json(tube->plane_std_rad * kRadian_deg) : Json();
   if (!tube) return;
   json["axial"] = Json::array();
-  for (const AxialValue& v : tube->axial)
+  for (const identify::AxialValue& v : tube->axial)
     json["axial"].push_back({{"position_m", v.position_m}, {"value", v.value}, {"std", v.std}});
 }
 
-Json shape_json(const ModeShape& shape, const std::optional<TubeShape>& tube, Roving roving) {
+Json shape_json(const identify::ModeShape& shape, const std::optional<identify::TubeShape>& tube,
+                identify::Roving roving) {
   Json json{{"normalisation", name_of(shape.normalisation)},
             {"scale_std", shape.scale_std},
             {"modal_mass_kg", or_null(shape.modal_mass_kg)},
@@ -52,23 +53,23 @@ Json shape_json(const ModeShape& shape, const std::optional<TubeShape>& tube, Ro
             {"mpc", shape.mpc},
             {"significance", shape.significance}};
   add_tube(json, tube);
-  json["values"] = places_json(shape.places, true, roving == Roving::sensor);
-  if (roving == Roving::hammer) json["sensors"] = places_json(shape.sensors, false, true);
+  json["values"] = places_json(shape.places, true, roving == identify::Roving::sensor);
+  if (roving == identify::Roving::hammer) json["sensors"] = places_json(shape.sensors, false, true);
   return json;
 }
 
-Json geometry_json(const Survey& survey) {
+Json geometry_json(const pipeline::Survey& survey) {
   if (!survey.geometry()) return {};
   return {{"from", survey.options().geometry ? "file" : "record"},
           {"points", survey.geometry()->points.size()},
           {"tube", survey.geometry()->tube}};
 }
 
-Json mac_json(const Survey& survey) {
+Json mac_json(const pipeline::Survey& survey) {
   Json value = Json::array(), std = Json::array();
   for (const auto& row : survey.macs()) {
     Json values = Json::array(), stds = Json::array();
-    for (const Mac& mac : row) {
+    for (const identify::Mac& mac : row) {
       values.push_back(mac.value);
       stds.push_back(mac.std);
     }
@@ -78,23 +79,23 @@ Json mac_json(const Survey& survey) {
   return {{"value", std::move(value)}, {"std", std::move(std)}};
 }
 
-Json frac_json(const Survey& survey) {
+Json frac_json(const pipeline::Survey& survey) {
   Json out = Json::array();
   const auto points = survey.analysis().frf_points();
-  for (const SynthesisedFrf& frf : survey.synthesis()) {
+  for (const identify::SynthesisedFrf& frf : survey.synthesis()) {
     out.push_back({{"point", points[frf.point]},
                    {"channel", frf.channel},
                    {"frac", frf.frac},
                    {"noise_share", frf.noise_share},
                    {"level_db", frf.level_dB},
-                   {"poor", poorly_explained(frf)}});
+                   {"poor", pipeline::poorly_explained(frf)}});
   }
   return out;
 }
 
-Json driving_json(const Survey& survey) {
+Json driving_json(const pipeline::Survey& survey) {
   Json out = Json::array();
-  for (const DrivingPointCheck& check : survey.driving_checks()) {
+  for (const identify::DrivingPointCheck& check : survey.driving_checks()) {
     out.push_back({{"mode", check.mode},
                    {"point", check.at.point},
                    {"channel", check.at.channel},
@@ -106,11 +107,11 @@ Json driving_json(const Survey& survey) {
   return out;
 }
 
-Json pair_json(const DrivingPoint& at) { return {{"point", at.point}, {"channel", at.channel}}; }
+Json pair_json(const identify::DrivingPoint& at) { return {{"point", at.point}, {"channel", at.channel}}; }
 
-Json reciprocity_json(const Survey& survey) {
+Json reciprocity_json(const pipeline::Survey& survey) {
   Json out = Json::array();
-  for (const ReciprocityCheck& check : survey.reciprocity()) {
+  for (const identify::ReciprocityCheck& check : survey.reciprocity()) {
     out.push_back({{"mode", check.mode},
                    {"one", pair_json(check.one)},
                    {"other", pair_json(check.other)},
@@ -122,13 +123,13 @@ Json reciprocity_json(const Survey& survey) {
 
 }  // namespace
 
-std::string survey_json(const Survey& survey, JsonOptions options) {
+std::string survey_json(const pipeline::Survey& survey, JsonOptions options) {
   const ThreadLimit limit(survey.analysis().options().threads);
   const bool possible = survey.analysis().possible();
-  const std::vector<ModeClassification> classifications =
-      possible ? survey.classifications() : std::vector<ModeClassification>{};
+  const std::vector<identify::ModeClassification> classifications =
+      possible ? survey.classifications() : std::vector<identify::ModeClassification>{};
   options.classifications = &classifications;
-  const std::vector<Warning> warnings = survey.warnings();
+  const std::vector<pipeline::Warning> warnings = survey.warnings();
   options.warnings = &warnings;
   if (possible) {
     options.shape = [&, &shapes = survey.shapes(), &tubes = survey.tubes()](std::size_t m) {
@@ -136,7 +137,7 @@ std::string survey_json(const Survey& survey, JsonOptions options) {
     };
   }
   JsonDocument document = analysis_document(survey.analysis(), options);
-  document.add_written("roving", Json(survey.options().roving == Roving::hammer ? "hammer" : "sensor"));
+  document.add_written("roving", Json(survey.options().roving == identify::Roving::hammer ? "hammer" : "sensor"));
   document.add_written("geometry", geometry_json(survey));
   if (possible) {
     document.add_written("auto_mac", mac_json(survey));
@@ -148,4 +149,4 @@ std::string survey_json(const Survey& survey, JsonOptions options) {
   return document.text() + "\n";
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

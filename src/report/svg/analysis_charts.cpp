@@ -12,21 +12,21 @@
 #include "report/svg/line_chart.hpp"
 #include "report/text/analysis_tables.hpp"
 
-namespace percuss {
+namespace percuss::report {
 namespace {
 
 constexpr double kTurn_deg = 360, kJump_deg = 300;
 constexpr double kMinAmplitude = 0.01;  // of a curve, where its band's lower side would have none
 const ChartAxis kFrequency{.label = "frequency, Hz"};
 
-std::vector<double> line_frequencies(const Analysis& analysis) {
+std::vector<double> line_frequencies(const pipeline::Analysis& analysis) {
   std::vector<double> out(analysis.lines().count);
   for (std::size_t k = 0; k < out.size(); ++k) out[k] = analysis.lines().freq_Hz(k);
   return out;
 }
 
-std::vector<ChartAnnotation> mode_flags(const Analysis& analysis,
-                                        const std::vector<ModeClassification>& classifications) {
+std::vector<ChartAnnotation> mode_flags(const pipeline::Analysis& analysis,
+                                        const std::vector<identify::ModeClassification>& classifications) {
   std::vector<ChartAnnotation> flags;
   for (std::size_t m = 0; m < classifications.size(); ++m)
     flags.push_back({.x = analysis.modes()[m].pole.freq_Hz, .name = mode_name(classifications[m], m)});
@@ -43,8 +43,8 @@ ChartBand band_of(const FrfCurve& curve, const std::vector<double>& x, std::size
   return band;
 }
 
-LineChart magnitude_chart(const Analysis& analysis, const std::vector<FrfCurve>& frfs,
-                          const std::vector<ModeClassification>& classifications) {
+LineChart magnitude_chart(const pipeline::Analysis& analysis, const std::vector<FrfCurve>& frfs,
+                          const std::vector<identify::ModeClassification>& classifications) {
   LineChart chart{.title = "Frequency responses", .x = kFrequency, .y = {.label = "dB re 1 (m/s²)/N"}};
   const std::vector<double> x = line_frequencies(analysis);
   for (std::size_t i = 0; i < frfs.size(); ++i) {
@@ -67,7 +67,7 @@ std::vector<double> unwrapped_phase(std::vector<double> phase_deg) {
   return phase_deg;
 }
 
-LineChart phase_chart(const Analysis& analysis, const std::vector<FrfCurve>& frfs) {
+LineChart phase_chart(const pipeline::Analysis& analysis, const std::vector<FrfCurve>& frfs) {
   LineChart chart{.title = "Phase",
                   .x = kFrequency,
                   .y = {.label = "degrees",
@@ -79,7 +79,7 @@ LineChart phase_chart(const Analysis& analysis, const std::vector<FrfCurve>& frf
   return chart;
 }
 
-LineChart coherence_chart(const Analysis& analysis, const std::vector<FrfCurve>& frfs) {
+LineChart coherence_chart(const pipeline::Analysis& analysis, const std::vector<FrfCurve>& frfs) {
   LineChart chart{.title = "Coherence", .x = kFrequency, .y = {.label = "coherence", .range = std::pair(0.0, 1.02)}};
   const std::vector<double> x = line_frequencies(analysis);
   for (std::size_t i = 0; i < frfs.size(); ++i) {
@@ -105,21 +105,22 @@ LineChart hits_chart(const std::vector<HitCurves>& hits, HitSamples HitCurves::*
   return chart;
 }
 
-LineChart stabilisation_chart(const Analysis& analysis, const std::vector<ModeClassification>& classifications) {
+LineChart stabilisation_chart(const pipeline::Analysis& analysis,
+                              const std::vector<identify::ModeClassification>& classifications) {
   LineChart chart{.title = "Stabilisation", .x = kFrequency, .y = {.label = "model order"}};
   struct Kind {
-    Stability stability;
+    identify::Stability stability;
     const char* name;
     ChartMark mark;
     std::size_t style;
   };
-  constexpr std::array<Kind, 4> kKinds{{{Stability::fresh, "new", ChartMark::circle, 3},
-                                        {Stability::frequency, "stable frequency", ChartMark::plus, 1},
-                                        {Stability::damping, "stable damping", ChartMark::cross, 2},
-                                        {Stability::stable, "stable", ChartMark::diamond, 0}}};
+  constexpr std::array<Kind, 4> kKinds{{{identify::Stability::fresh, "new", ChartMark::circle, 3},
+                                        {identify::Stability::frequency, "stable frequency", ChartMark::plus, 1},
+                                        {identify::Stability::damping, "stable damping", ChartMark::cross, 2},
+                                        {identify::Stability::stable, "stable", ChartMark::diamond, 0}}};
   for (const Kind& kind : kKinds) {
     ChartCurve curve{.name = kind.name, .line = false, .mark = kind.mark, .style = kind.style};
-    for (const StabilisationPole& pole : analysis.stabilisation().poles) {
+    for (const identify::StabilisationPole& pole : analysis.stabilisation().poles) {
       if (pole.stability != kind.stability) continue;
       curve.x.push_back(pole.pole.freq_Hz);
       curve.y.push_back(static_cast<double>(pole.order));
@@ -138,8 +139,8 @@ const std::vector<std::string>& analysis_chart_names() {
   return names;
 }
 
-std::vector<SvgFragment> analysis_charts(const Analysis& analysis,
-                                         const std::vector<ModeClassification>& classifications,
+std::vector<SvgFragment> analysis_charts(const pipeline::Analysis& analysis,
+                                         const std::vector<identify::ModeClassification>& classifications,
                                          const std::vector<std::string>& names) {
   const auto wants = [&](std::initializer_list<const char*> any) {
     return std::any_of(any.begin(), any.end(),
@@ -192,4 +193,4 @@ std::vector<SvgFragment> analysis_charts(const Analysis& analysis,
   return pieces;
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

@@ -5,15 +5,15 @@
 #include "pipeline/analysis.hpp"
 #include "report/svg/svg_fragment.hpp"
 
-namespace percuss {
+namespace percuss::report {
 
 /// Names of the pictures of an analysis: magnitude, phase, coherence, force, response, spectrum, decay, stabilisation,
 /// movement.
 const std::vector<std::string>& analysis_chart_names();
 
 /// The pictures asked for, in that order; those there is nothing for are left out.
-std::vector<SvgFragment> analysis_charts(const Analysis& analysis,
-                                         const std::vector<ModeClassification>& classifications,
+std::vector<SvgFragment> analysis_charts(const pipeline::Analysis& analysis,
+                                         const std::vector<identify::ModeClassification>& classifications,
                                          const std::vector<std::string>& names);
 
-}  // namespace percuss
+}  // namespace percuss::report

@@ -11,7 +11,7 @@
 #include "core/units.hpp"
 #include "identify/model/frf_synthesis.hpp"
 
-namespace percuss {
+namespace percuss::report {
 namespace {
 
 constexpr std::size_t kMaxFrfs = 8, kMaxHitsShown = 12, kDecayPoints = 400, kSpectrumPoints = 300;
@@ -21,14 +21,14 @@ constexpr double kNotSeen = std::numeric_limits<double>::quiet_NaN();
 
 double level_dB_of(double amplitude) { return amplitude > 0 ? 20 * std::log10(amplitude) : kNotSeen; }
 
-double level_of(const PointFrf& frf) {
+double level_of(const frf::PointFrf& frf) {
   double sum = 0;
   for (const Complex& value : frf.frf.value) sum += std::norm(value);
   return sum;
 }
 
 // The strongest, in the order of the file.
-std::vector<std::size_t> strongest_frfs_of(const std::vector<PointFrf>& frfs) {
+std::vector<std::size_t> strongest_frfs_of(const std::vector<frf::PointFrf>& frfs) {
   std::vector<std::size_t> order(frfs.size());
   std::iota(order.begin(), order.end(), 0U);
   std::stable_sort(order.begin(), order.end(),
@@ -38,14 +38,14 @@ std::vector<std::size_t> strongest_frfs_of(const std::vector<PointFrf>& frfs) {
   return order;
 }
 
-std::string name_of_frf(const Analysis& analysis, const PointFrf& frf) {
-  const SignalInfo& signal = analysis.record().accel[frf.channel];
+std::string name_of_frf(const pipeline::Analysis& analysis, const frf::PointFrf& frf) {
+  const acquire::SignalInfo& signal = analysis.record().accel[frf.channel];
   std::string name = signal.name;
   if (signal.angle_rad) name += fmt::format(" ({:.4g}°)", *signal.angle_rad * kRadian_deg);
   return analysis.frf_points().size() > 1 ? fmt::format("point {}, {}", frf.point, name) : name;
 }
 
-FrfCurve curve_of_frf(const Analysis& analysis, const PointFrf& frf, const std::vector<Complex>* fit) {
+FrfCurve curve_of_frf(const pipeline::Analysis& analysis, const frf::PointFrf& frf, const std::vector<Complex>* fit) {
   const auto& value = frf.frf.value;
   const auto values = [&](auto value_of) {
     std::vector<double> out(value.size());
@@ -68,7 +68,7 @@ FrfCurve curve_of_frf(const Analysis& analysis, const PointFrf& frf, const std::
   return curve;
 }
 
-HitSamples spectrum_of(const Hit& hit, double fs_Hz) {
+HitSamples spectrum_of(const acquire::Hit& hit, double fs_Hz) {
   constexpr std::size_t kPadding = 8;  // times the pulse: between lines its spectrum is nearly straight
   std::vector<double> padded(fast_length_at_least(kPadding * std::max<std::size_t>(hit.gated_N.size(), 256)));
   std::copy(hit.gated_N.begin(), hit.gated_N.end(), padded.begin());
@@ -84,7 +84,7 @@ HitSamples spectrum_of(const Hit& hit, double fs_Hz) {
 }
 
 // The response before, while and shortly after the pulse acts.
-HitSamples response_of(const Analysis& analysis, const Hit& hit, std::size_t channel) {
+HitSamples response_of(const pipeline::Analysis& analysis, const acquire::Hit& hit, std::size_t channel) {
   constexpr std::size_t kMaxSamples = 1000;
   constexpr double kPulsesShown = 20;
   const double fs_Hz = analysis.record().fs_Hz;
@@ -102,9 +102,9 @@ struct Decay {
 };
 
 // The response's level from block to block after the peak, and before the pulse.
-Decay decay_of(const Analysis& analysis, const Hit& hit, std::size_t channel) {
+Decay decay_of(const pipeline::Analysis& analysis, const acquire::Hit& hit, std::size_t channel) {
   constexpr std::size_t kMinRest = 16;  // samples that tell a level
-  const Record& record = analysis.record();
+  const acquire::Record& record = analysis.record();
   const std::size_t first = std::min(hit.peak, hit.first + hit.samples - 1), count = hit.first + hit.samples - first;
   std::vector<double> samples(count);
   record.read_accel_mps2(hit.row, channel, first, samples);
@@ -132,24 +132,24 @@ Decay decay_of(const Analysis& analysis, const Hit& hit, std::size_t channel) {
 
 }  // namespace
 
-std::vector<FrfCurve> frf_curves(const Analysis& analysis) {
+std::vector<FrfCurve> frf_curves(const pipeline::Analysis& analysis) {
   const auto& frfs = analysis.frfs();
-  const FrfDataset& set = analysis.fitted_frfs();
-  std::vector<SynthesisedFrf> made;
+  const identify::FrfDataset& set = analysis.fitted_frfs();
+  std::vector<identify::SynthesisedFrf> made;
   if (!analysis.modes().empty() && set.outputs.size() == frfs.size())
-    made = synthesised_frfs(set, analysis.modes(), set.lines);
+    made = identify::synthesised_frfs(set, analysis.modes(), set.lines);
   std::vector<FrfCurve> curves;
   for (const std::size_t i : strongest_frfs_of(frfs))
     curves.push_back(curve_of_frf(analysis, frfs[i], i < made.size() ? &made[i].value : nullptr));
   return curves;
 }
 
-std::vector<HitCurves> hit_curves(const Analysis& analysis) {
+std::vector<HitCurves> hit_curves(const pipeline::Analysis& analysis) {
   std::vector<HitCurves> out;
   const auto& hits = analysis.hits();
   const double fs_Hz = analysis.record().fs_Hz;
   for (std::size_t i = 0; i < hits.size() && out.size() < kMaxHitsShown; ++i) {
-    const Hit& hit = hits[i].hit;
+    const acquire::Hit& hit = hits[i].hit;
     if (hit.gated_N.empty()) continue;
     const bool seen = !hits[i].responses.empty();
     Decay decay = seen ? decay_of(analysis, hit, 0) : Decay{};
@@ -167,4 +167,4 @@ std::vector<HitCurves> hit_curves(const Analysis& analysis) {
   return out;
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

@@ -5,7 +5,7 @@
 
 #include "pipeline/analysis.hpp"
 
-namespace percuss {
+namespace percuss::report {
 
 /// An FRF as pictures show it, over Analysis::lines(); NaN where there is nothing to show, empty what is not known.
 struct FrfCurve {
@@ -18,7 +18,7 @@ struct FrfCurve {
 };
 
 /// Of the strongest outputs, eight at most, in the order of the file.
-std::vector<FrfCurve> frf_curves(const Analysis& analysis);
+std::vector<FrfCurve> frf_curves(const pipeline::Analysis& analysis);
 
 /// Equally spaced values of a hit.
 struct HitSamples {
@@ -39,6 +39,6 @@ struct HitCurves {
 };
 
 /// Of the first hits that show a pulse, twelve at most.
-std::vector<HitCurves> hit_curves(const Analysis& analysis);
+std::vector<HitCurves> hit_curves(const pipeline::Analysis& analysis);
 
-}  // namespace percuss
+}  // namespace percuss::report

@@ -9,15 +9,17 @@
 
 #include "report/text/analysis_tables.hpp"
 
-namespace percuss {
+namespace percuss::report {
 namespace {
 
 constexpr int kSides = 90;
 constexpr double kExaggeration = 0.25;  // of the radius
 
 // Where the mode is seen best.
-std::size_t strongest_point(const Mode& mode) {
-  const auto stronger = [](const Residue& a, const Residue& b) { return std::norm(a.value) < std::norm(b.value); };
+std::size_t strongest_point(const identify::Mode& mode) {
+  const auto stronger = [](const identify::Residue& a, const identify::Residue& b) {
+    return std::norm(a.value) < std::norm(b.value);
+  };
   const auto best = std::max_element(mode.residues.begin(), mode.residues.end(), stronger);
   return best == mode.residues.end() ? 0 : best->point;
 }
@@ -54,24 +56,24 @@ Polyline ring(const Eigen::Vector2d& pattern, double n, double amount) {
 
 }  // namespace
 
-std::vector<BarrelSensor> barrel_sensors(const Analysis& analysis, const Mode& mode) {
+std::vector<BarrelSensor> barrel_sensors(const pipeline::Analysis& analysis, const identify::Mode& mode) {
   const std::size_t point = strongest_point(mode);
   std::vector<BarrelSensor> sensors;
-  for (const Residue& residue : mode.residues) {
+  for (const identify::Residue& residue : mode.residues) {
     const auto& angle_rad = analysis.record().accel[residue.channel].angle_rad;
     if (residue.point == point && angle_rad) sensors.push_back({*angle_rad, residue.value});
   }
   return sensors;
 }
 
-std::vector<DeformedShape> barrel_cross_sections(const Analysis& analysis,
-                                                 const std::vector<ModeClassification>& classifications) {
+std::vector<DeformedShape> barrel_cross_sections(const pipeline::Analysis& analysis,
+                                                 const std::vector<identify::ModeClassification>& classifications) {
   std::vector<DeformedShape> drawings;
   for (std::size_t m = 0; m < classifications.size(); ++m) {
-    const Mode& mode = analysis.modes()[m];
+    const identify::Mode& mode = analysis.modes()[m];
     const auto sensors = barrel_sensors(analysis, mode);
-    if (sensors.size() != 2 || classifications[m].family == ModeType::unknown) continue;
-    const double n = classifications[m].family == ModeType::hoop ? 2 : 1;
+    if (sensors.size() != 2 || classifications[m].family == identify::ModeType::unknown) continue;
+    const double n = classifications[m].family == identify::ModeType::hoop ? 2 : 1;
     const Eigen::Vector2d pattern = pattern_of(sensors, n);
     drawings.push_back({.name = fmt::format("{}, {:.4g} Hz", mode_name(classifications[m], m), mode.pole.freq_Hz),
                         .rest = {ring(pattern, n, 0)},
@@ -80,4 +82,4 @@ std::vector<DeformedShape> barrel_cross_sections(const Analysis& analysis,
   return drawings;
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

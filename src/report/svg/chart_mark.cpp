@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace percuss {
+namespace percuss::report {
 namespace {
 
 constexpr double kMarkSize = 3.6;  // from a mark's middle to its ends
@@ -49,4 +49,4 @@ std::string svg_escape(const std::string& text) {
   return out;
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <string>
 
-namespace percuss {
+namespace percuss::report {
 
 /// How a point is drawn: shapes that stay apart without colour.
 enum class ChartMark : std::uint8_t { circle, plus, open_diamond, diamond, triangle, square, cross };
@@ -13,4 +13,4 @@ std::string chart_mark_svg(ChartMark mark, double x, double y, const char* colou
 /// A text as it may stand in SVG: what would be read as markup escaped, control characters as blanks.
 std::string svg_escape(const std::string& text);
 
-}  // namespace percuss
+}  // namespace percuss::report

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace percuss {
+namespace percuss::report {
 
 double ChartScale::drawn(double value) const { return logarithmic ? std::log10(value) : value; }
 
@@ -46,4 +46,4 @@ std::vector<double> round_ticks(double low, double high, std::size_t wanted) {
   return ticks;
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

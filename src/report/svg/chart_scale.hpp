@@ -3,7 +3,7 @@
 #include <limits>
 #include <vector>
 
-namespace percuss {
+namespace percuss::report {
 
 /// Values to pixels along one axis of a chart.
 struct ChartScale {
@@ -24,4 +24,4 @@ struct ChartScale {
 /// only.
 std::vector<double> round_ticks(double low, double high, std::size_t wanted);
 
-}  // namespace percuss
+}  // namespace percuss::report

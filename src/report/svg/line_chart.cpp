@@ -12,7 +12,7 @@
 #include "report/svg/chart_scale.hpp"
 #include "report/text/text_table.hpp"
 
-namespace percuss {
+namespace percuss::report {
 namespace {
 
 constexpr double kWidth = 760, kHeight = 440;
@@ -266,4 +266,4 @@ std::string line_charts_svg(const std::vector<LineChart>& charts) {
   return svg_document(pieces);
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

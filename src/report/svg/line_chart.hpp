@@ -9,7 +9,7 @@
 #include "report/svg/chart_mark.hpp"
 #include "report/svg/svg_fragment.hpp"
 
-namespace percuss {
+namespace percuss::report {
 
 /// One line of a chart: its name, written at its end, and its points in the order of x; NaN breaks the line.
 struct ChartCurve {
@@ -64,4 +64,4 @@ SvgFragment line_chart_fragment(const LineChart& chart, ChartTheme ground = Char
 /// Several charts, one under the other, as one document.
 std::string line_charts_svg(const std::vector<LineChart>& charts);
 
-}  // namespace percuss
+}  // namespace percuss::report

@@ -7,28 +7,28 @@
 
 #include "core/units.hpp"
 
-namespace percuss {
-const GeometryPoint* geometry_point_of(const Survey& survey, std::size_t point) {
+namespace percuss::report {
+const acquire::GeometryPoint* geometry_point_of(const pipeline::Survey& survey, std::size_t point) {
   if (!survey.geometry()) return nullptr;
   const auto& points = survey.geometry()->points;
   const auto found = std::find_if(points.begin(), points.end(),
-                                  [&](const GeometryPoint& p) { return p.point == static_cast<int>(point); });
+                                  [&](const acquire::GeometryPoint& p) { return p.point == static_cast<int>(point); });
   return found == points.end() ? nullptr : &*found;
 }
 
-std::optional<std::array<double, 3>> plot_position(const Survey& survey, std::size_t point) {
-  const GeometryPoint* place = geometry_point_of(survey, point);
+std::optional<std::array<double, 3>> plot_position(const pipeline::Survey& survey, std::size_t point) {
+  const acquire::GeometryPoint* place = geometry_point_of(survey, point);
   if (place == nullptr) return std::nullopt;
   if (place->xyz_m) return place->xyz_m;
   return std::array{place->position_m, place->radius_m * std::cos(place->angle_rad),
                     place->radius_m * std::sin(place->angle_rad)};
 }
 
-std::array<double, 3> outward_normal(const Survey* survey, const Analysis& analysis, std::size_t point,
-                                     std::size_t channel, bool sensors) {
+std::array<double, 3> outward_normal(const pipeline::Survey* survey, const pipeline::Analysis& analysis,
+                                     std::size_t point, std::size_t channel, bool sensors) {
   const auto outwards = [](double angle_rad) { return std::array{0.0, std::cos(angle_rad), std::sin(angle_rad)}; };
   if (survey != nullptr && survey->geometry() && survey->geometry()->tube) {
-    for (const GeometryPoint& p : survey->geometry()->points) {
+    for (const acquire::GeometryPoint& p : survey->geometry()->points) {
       if (p.point == static_cast<int>(point)) return outwards(p.angle_rad);
     }
   }
@@ -37,14 +37,14 @@ std::array<double, 3> outward_normal(const Survey* survey, const Analysis& analy
   return {0, 0, 1};
 }
 
-std::vector<TraceLine> plot_lines(const Survey& survey, const std::set<int>& points) {
-  std::vector<TraceLine> out;
-  for (const TraceLine& line : survey.analysis().record().trace_lines) {
+std::vector<acquire::TraceLine> plot_lines(const pipeline::Survey& survey, const std::set<int>& points) {
+  std::vector<acquire::TraceLine> out;
+  for (const acquire::TraceLine& line : survey.analysis().record().trace_lines) {
     if (points.contains(line[0]) && points.contains(line[1])) out.push_back(line);
   }
   if (!out.empty() || !survey.geometry() || !survey.geometry()->tube) return out;
   std::map<long, std::map<long, int>> rings, lines;  // by position and angle, to a micrometre and a thousandth of 1°
-  for (const GeometryPoint& p : survey.geometry()->points) {
+  for (const acquire::GeometryPoint& p : survey.geometry()->points) {
     if (!points.contains(p.point)) continue;
     const long along = std::lround(p.position_m * 1e6), around = std::lround(p.angle_rad * kRadian_deg * 1e3);
     rings[along][around] = p.point;
@@ -60,4 +60,4 @@ std::vector<TraceLine> plot_lines(const Survey& survey, const std::set<int>& poi
   return out;
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

@@ -8,7 +8,7 @@
 
 #include "report/svg/chart_mark.hpp"
 
-namespace percuss {
+namespace percuss::report {
 namespace {
 
 constexpr double kCell = 240, kMargin = 12, kTitle = 32, kName = 24;
@@ -80,4 +80,4 @@ SvgFragment shape_svg(const std::string& title, const std::vector<DeformedShape>
   return piece;
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

@@ -5,7 +5,7 @@
 
 #include "report/svg/svg_fragment.hpp"
 
-namespace percuss {
+namespace percuss::report {
 
 using Polyline = std::vector<std::array<double, 2>>;  // right and up, in any unit
 
@@ -18,4 +18,4 @@ struct DeformedShape {
 /// Drawings of one scale beside and under one another, with their names.
 SvgFragment shape_svg(const std::string& title, const std::vector<DeformedShape>& drawings);
 
-}  // namespace percuss
+}  // namespace percuss::report

@@ -10,7 +10,7 @@
 #include "report/svg/line_chart.hpp"
 #include "report/svg/study_charts.hpp"
 
-namespace percuss {
+namespace percuss::report {
 namespace {
 
 // Marks of the source for hollow bats: plus signs, open diamonds, and solid ones for those broken in.
@@ -29,26 +29,26 @@ constexpr std::array<ChartMark, 7> kLengthMarks{ChartMark::circle,  ChartMark::p
 constexpr std::size_t kModelStyle = 0;  // the only solid line
 constexpr std::array<std::size_t, 4> kTrendStyles{4, 5, 6, 3};
 
-std::size_t kind_of(const StudyBat& bat) {
+std::size_t kind_of(const metrics::StudyBat& bat) {
   if (bat.program == "bbcor") return 3;
-  if (bat.material == BarrelMaterial::composite) return bat.broken_in ? 2 : 1;
+  if (bat.material == metrics::BarrelMaterial::composite) return bat.broken_in ? 2 : 1;
   return bat.broken_in ? 4 : 0;
 }
 
-const StudyClass& pooled_class(const StudyFigure& figure) { return figure.classes.back(); }
+const metrics::StudyClass& pooled_class(const metrics::StudyFigure& figure) { return figure.classes.back(); }
 
-void add_point(ChartCurve& curve, const Study& study, const StudyFigure& figure, std::size_t b) {
+void add_point(ChartCurve& curve, const metrics::Study& study, const metrics::StudyFigure& figure, std::size_t b) {
   curve.x.push_back(*study.bats[b].value(figure.x));
   curve.y.push_back(*study.bats[b].value(figure.y));
-  const bool outlier = std::any_of(figure.classes.begin(), figure.classes.end(), [&](const StudyClass& one) {
+  const bool outlier = std::any_of(figure.classes.begin(), figure.classes.end(), [&](const metrics::StudyClass& one) {
     return std::find(one.outliers.begin(), one.outliers.end(), b) != one.outliers.end();
   });
   curve.labels.push_back(outlier ? study.bats[b].id : "");
 }
 
-std::vector<ChartCurve> curves_by_length(const Study& study, const StudyFigure& figure) {
+std::vector<ChartCurve> curves_by_length(const metrics::Study& study, const metrics::StudyFigure& figure) {
   std::vector<ChartCurve> out;
-  for (const StudyClass& one : figure.classes) {
+  for (const metrics::StudyClass& one : figure.classes) {
     if (one.length_class == 0) continue;
     ChartCurve curve{.name = fmt::format("{} in", one.length_class),
                      .line = false,
@@ -60,7 +60,7 @@ std::vector<ChartCurve> curves_by_length(const Study& study, const StudyFigure& 
   return out;
 }
 
-std::vector<ChartCurve> curves_by_kind(const Study& study, const StudyFigure& figure) {
+std::vector<ChartCurve> curves_by_kind(const metrics::Study& study, const metrics::StudyFigure& figure) {
   std::vector<ChartCurve> out;
   for (std::size_t kind = 0; kind < kBatKinds.size(); ++kind) {
     ChartCurve curve{.name = kBatKinds.at(kind).name,
@@ -76,9 +76,10 @@ std::vector<ChartCurve> curves_by_kind(const Study& study, const StudyFigure& fi
 }
 
 // From the class's least x to its largest.
-void add_trends(const Study& study, const StudyFigure& figure, bool by_length, std::vector<ChartCurve>& curves) {
+void add_trends(const metrics::Study& study, const metrics::StudyFigure& figure, bool by_length,
+                std::vector<ChartCurve>& curves) {
   std::size_t place = 0;
-  for (const StudyClass& one : figure.classes) {
+  for (const metrics::StudyClass& one : figure.classes) {
     if (one.length_class == 0) continue;
     const std::size_t style = by_length ? place : kTrendStyles.at(place % kTrendStyles.size());
     ++place;
@@ -96,7 +97,7 @@ void add_trends(const Study& study, const StudyFigure& figure, bool by_length, s
   }
 }
 
-double value_at(const StudyCurve& curve, double hoop_Hz) {
+double value_at(const metrics::StudyCurve& curve, double hoop_Hz) {
   const auto above = std::lower_bound(curve.hoop_Hz.begin(), curve.hoop_Hz.end(), hoop_Hz);
   if (above == curve.hoop_Hz.end() || above == curve.hoop_Hz.begin()) return std::numeric_limits<double>::quiet_NaN();
   const auto i = static_cast<std::size_t>(above - curve.hoop_Hz.begin());
@@ -105,7 +106,7 @@ double value_at(const StudyCurve& curve, double hoop_Hz) {
 }
 
 // Over the bats' own range, scaled by the median of what they have of it.
-void add_model(const StudyCurve& model, std::vector<ChartCurve>& curves) {
+void add_model(const metrics::StudyCurve& model, std::vector<ChartCurve>& curves) {
   std::vector<double> factors;
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const ChartCurve& curve : curves) {
@@ -127,25 +128,29 @@ void add_model(const StudyCurve& model, std::vector<ChartCurve>& curves) {
   curves.push_back(std::move(drawn));
 }
 
-LineChart chart_of(const Study& study, const StudyFigure& figure, const std::optional<StudyCurve>& model) {
-  const bool by_length = figure.family == StudyFamily::wood;
-  LineChart chart{.title = figure.title, .x = {.label = axis_of(figure.x)}, .y = {.label = axis_of(figure.y)}};
+LineChart chart_of(const metrics::Study& study, const metrics::StudyFigure& figure,
+                   const std::optional<metrics::StudyCurve>& model) {
+  const bool by_length = figure.family == metrics::StudyFamily::wood;
+  LineChart chart{
+      .title = figure.title, .x = {.label = metrics::axis_of(figure.x)}, .y = {.label = metrics::axis_of(figure.y)}};
   chart.curves = by_length ? curves_by_length(study, figure) : curves_by_kind(study, figure);
-  const bool hoop = figure.x == StudyQuantity::hoop1 && model;
+  const bool hoop = figure.x == metrics::StudyQuantity::hoop1 && model;
   if (hoop) add_model(*model, chart.curves);
   add_trends(study, figure, by_length, chart.curves);
   return chart;
 }
 
-std::string points_csv(const Study& study, StudyQuantity x, StudyQuantity y, const std::vector<std::size_t>& bats) {
-  std::string out = fmt::format("id,length_in,material,condition,{},{}\n", column_of(x), column_of(y));
+std::string points_csv(const metrics::Study& study, metrics::StudyQuantity x, metrics::StudyQuantity y,
+                       const std::vector<std::size_t>& bats) {
+  std::string out =
+      fmt::format("id,length_in,material,condition,{},{}\n", metrics::column_of(x), metrics::column_of(y));
   for (const std::size_t b : bats) {
-    const StudyBat& bat = study.bats[b];
-    const char* const material = bat.material == BarrelMaterial::wood       ? "wood"
-                                 : bat.material == BarrelMaterial::aluminum ? "aluminum"
-                                                                            : "composite";
-    out += fmt::format("{},{},{},{},{},{}\n", csv_cell(bat.id), bat.length_in, material, bat.broken_in ? "abi" : "new",
-                       *bat.value(x), *bat.value(y));
+    const metrics::StudyBat& bat = study.bats[b];
+    const char* const material = bat.material == metrics::BarrelMaterial::wood       ? "wood"
+                                 : bat.material == metrics::BarrelMaterial::aluminum ? "aluminum"
+                                                                                     : "composite";
+    out += fmt::format("{},{},{},{},{},{}\n", metrics::csv_cell(bat.id), bat.length_in, material,
+                       bat.broken_in ? "abi" : "new", *bat.value(x), *bat.value(y));
   }
   return out;
 }
@@ -163,40 +168,42 @@ std::string file_word(const std::string& text) {
 // A figure or a trail: its picture and the bats in it.
 struct StudyPlot {
   std::string name;
-  StudyQuantity x, y;
+  metrics::StudyQuantity x, y;
   LineChart chart;
   std::vector<std::size_t> bats;
 };
 
-void add_history(const Study& study, const StudyHistory& trail, std::size_t number, StudyQuantity y,
-                 const std::optional<StudyCurve>& model, std::vector<StudyPlot>& drawn) {
+void add_history(const metrics::Study& study, const metrics::StudyHistory& trail, std::size_t number,
+                 metrics::StudyQuantity y, const std::optional<metrics::StudyCurve>& model,
+                 std::vector<StudyPlot>& drawn) {
   ChartCurve states{.marks = true, .mark = ChartMark::diamond, .style = 2};
   std::vector<std::size_t> shown;
   for (const std::size_t b : trail.states) {
     if (!study.bats[b].value(y)) continue;
     shown.push_back(b);
-    states.x.push_back(*study.bats[b].value(StudyQuantity::hoop1));
+    states.x.push_back(*study.bats[b].value(metrics::StudyQuantity::hoop1));
     states.y.push_back(*study.bats[b].value(y));
     states.labels.push_back(study.bats[b].id);
   }
   if (shown.size() < 2) return;
-  LineChart chart{.title = fmt::format("{}: {} over the break-in", trail.bat, phrase_of(y)),
-                  .x = {.label = axis_of(StudyQuantity::hoop1)},
-                  .y = {.label = axis_of(y)},
+  LineChart chart{.title = fmt::format("{}: {} over the break-in", trail.bat, metrics::phrase_of(y)),
+                  .x = {.label = metrics::axis_of(metrics::StudyQuantity::hoop1)},
+                  .y = {.label = metrics::axis_of(y)},
                   .curves = {states}};
   if (model) add_model(*model, chart.curves);
-  const std::string column = column_of(y);
+  const std::string column = metrics::column_of(y);
   std::string name =
       fmt::format("{}-hoop1-trail-{}-{}", column.substr(0, column.find('_')), number, file_word(trail.bat));
-  drawn.push_back({std::move(name), StudyQuantity::hoop1, y, std::move(chart), std::move(shown)});
+  drawn.push_back({std::move(name), metrics::StudyQuantity::hoop1, y, std::move(chart), std::move(shown)});
 }
 
-std::vector<StudyPlot> plotted_curves(const Study& study, const std::optional<StudyCurve>& model) {
+std::vector<StudyPlot> plotted_curves(const metrics::Study& study, const std::optional<metrics::StudyCurve>& model) {
   std::vector<StudyPlot> drawn;
-  for (const StudyFigure& figure : study.figures)
+  for (const metrics::StudyFigure& figure : study.figures)
     drawn.push_back({figure.name, figure.x, figure.y, chart_of(study, figure, model), pooled_class(figure).bats});
   for (std::size_t t = 0; t < study.trails.size(); ++t) {
-    for (const StudyQuantity y : {StudyQuantity::besr, StudyQuantity::bbs, StudyQuantity::bbcor})
+    for (const metrics::StudyQuantity y :
+         {metrics::StudyQuantity::besr, metrics::StudyQuantity::bbs, metrics::StudyQuantity::bbcor})
       add_history(study, study.trails[t], t, y, model, drawn);
   }
   return drawn;
@@ -204,7 +211,7 @@ std::vector<StudyPlot> plotted_curves(const Study& study, const std::optional<St
 
 }  // namespace
 
-std::vector<StudyFile> study_files(const Study& study, const std::optional<StudyCurve>& curve) {
+std::vector<StudyFile> study_files(const metrics::Study& study, const std::optional<metrics::StudyCurve>& curve) {
   std::vector<StudyFile> files;
   for (const StudyPlot& one : plotted_curves(study, curve)) {
     files.push_back({one.name + ".svg", line_chart_svg(one.chart)});
@@ -213,10 +220,10 @@ std::vector<StudyFile> study_files(const Study& study, const std::optional<Study
   return files;
 }
 
-std::vector<LineChart> study_charts(const Study& study, const std::optional<StudyCurve>& curve) {
+std::vector<LineChart> study_charts(const metrics::Study& study, const std::optional<metrics::StudyCurve>& curve) {
   std::vector<LineChart> charts;
   for (StudyPlot& one : plotted_curves(study, curve)) charts.push_back(std::move(one.chart));
   return charts;
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

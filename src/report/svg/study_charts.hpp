@@ -7,7 +7,7 @@
 #include "metrics/study/study_join.hpp"
 #include "report/svg/line_chart.hpp"
 
-namespace percuss {
+namespace percuss::report {
 
 /// A file of the figures: its name ("besr-moi-wood-all.svg") and its text.
 struct StudyFile {
@@ -15,9 +15,9 @@ struct StudyFile {
 };
 
 /// Every figure and every bat's trail, as a picture and as the table of its points.
-std::vector<StudyFile> study_files(const Study& study, const std::optional<StudyCurve>& curve = {});
+std::vector<StudyFile> study_files(const metrics::Study& study, const std::optional<metrics::StudyCurve>& curve = {});
 
 /// The same pictures alone.
-std::vector<LineChart> study_charts(const Study& study, const std::optional<StudyCurve>& curve = {});
+std::vector<LineChart> study_charts(const metrics::Study& study, const std::optional<metrics::StudyCurve>& curve = {});
 
-}  // namespace percuss
+}  // namespace percuss::report

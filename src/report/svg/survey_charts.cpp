@@ -12,7 +12,7 @@
 #include "report/svg/wireframe.hpp"
 #include "report/text/analysis_tables.hpp"
 
-namespace percuss {
+namespace percuss::report {
 namespace {
 
 constexpr double kTurn_rad = 0.35 * std::numbers::pi, kTilt_rad = 0.15 * std::numbers::pi;  // as the page begins
@@ -54,7 +54,7 @@ std::vector<Polyline> lines_of(const Wireframe& frame, const WireframeMode& mode
   return lines;
 }
 
-std::vector<DeformedShape> shape_drawings(const Survey& survey) {
+std::vector<DeformedShape> shape_drawings(const pipeline::Survey& survey) {
   const Wireframe frame = wireframe(survey);
   const double radius = radius_of(frame);
   std::vector<DeformedShape> drawings;
@@ -71,11 +71,11 @@ std::vector<DeformedShape> shape_drawings(const Survey& survey) {
   return drawings;
 }
 
-LineChart indicator_chart(const Survey& survey) {
+LineChart indicator_chart(const pipeline::Survey& survey) {
   LineChart chart{.title = "Mode indicator: singular values of the FRFs",
                   .x = {.label = "frequency, Hz"},
                   .y = {.label = "dB re 1 (m/s²)/N"}};
-  const LineRange band = survey.band();
+  const frf::LineRange band = survey.band();
   constexpr std::array<const char*, 3> kNames{"largest", "second", "third"};
   for (Eigen::Index i = 0; i < std::min<Eigen::Index>(kNames.size(), survey.indicator().cols()); ++i) {
     ChartCurve curve{.name = kNames.at(static_cast<std::size_t>(i))};
@@ -103,7 +103,7 @@ const std::vector<std::string>& survey_chart_names() {
   return names;
 }
 
-std::vector<SvgFragment> survey_charts(const Survey& survey, const std::vector<std::string>& names) {
+std::vector<SvgFragment> survey_charts(const pipeline::Survey& survey, const std::vector<std::string>& names) {
   const auto wants = [&](const char* name) { return std::find(names.begin(), names.end(), name) != names.end(); };
   const bool possible = survey.analysis().possible();
   std::vector<SvgFragment> pieces;
@@ -113,9 +113,9 @@ std::vector<SvgFragment> survey_charts(const Survey& survey, const std::vector<s
   }
   if (wants("indicator") && possible) pieces.push_back(line_chart_fragment(indicator_chart(survey)));
   for (SvgFragment& piece : analysis_charts(
-           survey.analysis(), possible ? survey.classifications() : std::vector<ModeClassification>(), names))
+           survey.analysis(), possible ? survey.classifications() : std::vector<identify::ModeClassification>(), names))
     pieces.push_back(std::move(piece));
   return pieces;
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

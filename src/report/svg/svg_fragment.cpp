@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace percuss {
+namespace percuss::report {
 namespace {
 
 std::string piece_text(const SvgFragment& piece, double top) {
@@ -30,4 +30,4 @@ std::string svg_document(const std::vector<SvgFragment>& pieces) {
       width, top, inner);
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

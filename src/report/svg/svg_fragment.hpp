@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-namespace percuss {
+namespace percuss::report {
 
 /// A drawing of its own size, in pixels.
 struct SvgFragment {
@@ -14,4 +14,4 @@ struct SvgFragment {
 /// Pieces, one under the other, as one document.
 std::string svg_document(const std::vector<SvgFragment>& pieces);
 
-}  // namespace percuss
+}  // namespace percuss::report

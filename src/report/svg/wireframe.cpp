@@ -5,13 +5,13 @@
 #include "report/svg/plot_geometry.hpp"
 #include "report/text/analysis_tables.hpp"
 
-namespace percuss {
+namespace percuss::report {
 namespace {
 
 // The points that can be drawn, by number, in the order of the picture.
-std::map<int, std::size_t> drawn_points(const Survey& survey) {
+std::map<int, std::size_t> drawn_points(const pipeline::Survey& survey) {
   std::map<int, std::size_t> out;
-  for (const ShapePlace& place : survey.shapes().front().places) {
+  for (const identify::ShapePlace& place : survey.shapes().front().places) {
     if (plot_position(survey, place.point)) out.emplace(static_cast<int>(place.point), 0);
   }
   std::size_t next = 0;
@@ -19,11 +19,11 @@ std::map<int, std::size_t> drawn_points(const Survey& survey) {
   return out;
 }
 
-std::vector<std::array<Complex, 3>> movement(const Survey& survey, const ModeShape& shape,
+std::vector<std::array<Complex, 3>> movement(const pipeline::Survey& survey, const identify::ModeShape& shape,
                                              const std::map<int, std::size_t>& points) {
   std::vector<std::array<Complex, 3>> moves(points.size());
-  const bool sensors = survey.options().roving == Roving::sensor;
-  for (const ShapePlace& place : shape.places) {
+  const bool sensors = survey.options().roving == identify::Roving::sensor;
+  for (const identify::ShapePlace& place : shape.places) {
     const auto at = points.find(static_cast<int>(place.point));
     if (at == points.end()) continue;
     const auto normal = outward_normal(&survey, survey.analysis(), place.point, place.channel, sensors);
@@ -34,7 +34,7 @@ std::vector<std::array<Complex, 3>> movement(const Survey& survey, const ModeSha
 
 }  // namespace
 
-Wireframe wireframe(const Survey& survey) {
+Wireframe wireframe(const pipeline::Survey& survey) {
   const auto points = drawn_points(survey);
   std::set<int> numbers;
   for (const auto& [number, index] : points) numbers.insert(number);
@@ -49,4 +49,4 @@ Wireframe wireframe(const Survey& survey) {
   return frame;
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

@@ -6,7 +6,7 @@
 
 #include "pipeline/survey.hpp"
 
-namespace percuss {
+namespace percuss::report {
 
 /// A mode's movement of the points of a frame, along x, y and z.
 struct WireframeMode {
@@ -23,6 +23,6 @@ struct Wireframe {
 };
 
 /// Of the points that can be drawn; the survey has modes.
-Wireframe wireframe(const Survey& survey);
+Wireframe wireframe(const pipeline::Survey& survey);
 
-}  // namespace percuss
+}  // namespace percuss::report

@@ -6,7 +6,7 @@
 
 #include "core/io/significant_digits.hpp"
 
-namespace percuss {
+namespace percuss::report {
 namespace {
 
 std::string list_of(const std::vector<std::string>& items) {
@@ -18,8 +18,9 @@ std::string list_of(const std::vector<std::string>& items) {
   return out;
 }
 
-std::vector<std::string> frequencies_of(const Analysis& analysis,
-                                        const std::vector<ModeClassification>& classifications, ModeType family) {
+std::vector<std::string> frequencies_of(const pipeline::Analysis& analysis,
+                                        const std::vector<identify::ModeClassification>& classifications,
+                                        identify::ModeType family) {
   std::vector<std::string> out;
   for (std::size_t m = 0; m < analysis.modes().size(); ++m) {
     if (classifications[m].family == family) out.push_back(significant(analysis.modes()[m].pole.freq_Hz, 4));
@@ -29,23 +30,26 @@ std::vector<std::string> frequencies_of(const Analysis& analysis,
 
 }  // namespace
 
-std::string summary_sentence(const Analysis& analysis, const std::vector<ModeClassification>& classifications) {
+std::string summary_sentence(const pipeline::Analysis& analysis,
+                             const std::vector<identify::ModeClassification>& classifications) {
   if (!analysis.possible()) return "No hit can be used: there are no FRFs and no modes.";
   const auto [low_Hz, high_Hz] = analysis.band_Hz();
   const std::string band = fmt::format("between {:.4g} and {:.4g} Hz", low_Hz, high_Hz);
   const std::size_t count = analysis.modes().size();
   if (count == 0) return fmt::format("No mode stands out of the noise {}.", band);
   std::vector<std::string> parts;
-  for (const ModeType family : {ModeType::bending, ModeType::hoop, ModeType::unknown}) {
+  for (const identify::ModeType family :
+       {identify::ModeType::bending, identify::ModeType::hoop, identify::ModeType::unknown}) {
     const auto found = frequencies_of(analysis, classifications, family);
     if (found.empty()) continue;
-    const bool named = family != ModeType::unknown || !parts.empty();
+    const bool named = family != identify::ModeType::unknown || !parts.empty();
     parts.push_back(fmt::format(
         "{}{}",
-        named ? fmt::format("{} at ", family == ModeType::unknown ? "of unknown family" : name_of(family)) : "at ",
+        named ? fmt::format("{} at ", family == identify::ModeType::unknown ? "of unknown family" : name_of(family))
+              : "at ",
         list_of(found)));
   }
   return fmt::format("{} mode{} {}: {} Hz.", count, count == 1 ? "" : "s", band, fmt::join(parts, " Hz; "));
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

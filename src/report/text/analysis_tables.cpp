@@ -11,46 +11,46 @@
 #include "core/units.hpp"
 #include "report/text/number_format.hpp"
 
-namespace percuss {
+namespace percuss::report {
 namespace {
 
 constexpr std::size_t kMaxHits = 40;  // rows of hits shown when all is well; rejected ones always are
 
 // What does not reject is said in full once, among the warnings; beside the hit its name and number do.
-std::string brief(const Finding& finding) {
+std::string brief(const acquire::Finding& finding) {
   switch (finding.code) {
-    case FindingCode::weak:
+    case acquire::FindingCode::weak:
       return fmt::format("weak ({:.0f} %)", finding.value * 100);
-    case FindingCode::truncated_decay:
+    case acquire::FindingCode::truncated_decay:
       return fmt::format("rings on ({:.0f} dB)", finding.value);
-    case FindingCode::low_bandwidth:
+    case acquire::FindingCode::low_bandwidth:
       return "soft";
-    case FindingCode::low_coherence:
+    case acquire::FindingCode::low_coherence:
       return finding.value > 0 ? fmt::format("agrees {:.0f} % with the others", finding.value * 100)
                                : "does not agree with the others";
-    case FindingCode::polarity:
+    case acquire::FindingCode::polarity:
       return "negative";
     default:
       return finding.message;
   }
 }
 
-std::string hit_verdict(const AnalysedHit& hit) {
+std::string hit_verdict(const pipeline::AnalysedHit& hit) {
   std::string text = hit.accepted ? "ok" : "rejected";
   if (hit.by_user) text += hit.accepted ? " (kept by --accept-hit)" : " (taken out by --reject-hit)";
   std::string reasons;
-  for (const Finding& finding : hit.hit.findings) {
-    reasons +=
-        (reasons.empty() ? ": " : "; ") + (finding.severity == Severity::reject ? finding.message : brief(finding));
+  for (const acquire::Finding& finding : hit.hit.findings) {
+    reasons += (reasons.empty() ? ": " : "; ") +
+               (finding.severity == acquire::Severity::reject ? finding.message : brief(finding));
   }
   return text + reasons;
 }
 
 }  // namespace
 
-HitsTable hits_table(const Analysis& analysis, const std::vector<AnalysedHit>& hits) {
-  const bool points =
-      std::any_of(hits.begin(), hits.end(), [&](const AnalysedHit& h) { return h.point != hits.front().point; });
+HitsTable hits_table(const pipeline::Analysis& analysis, const std::vector<pipeline::AnalysedHit>& hits) {
+  const bool points = std::any_of(hits.begin(), hits.end(),
+                                  [&](const pipeline::AnalysedHit& h) { return h.point != hits.front().point; });
   const bool files = analysis.record().files.size() > 1;
   std::vector<TextTable::Column> columns{{"hit", TextTable::Align::right}};
   if (points) columns.push_back({"point", TextTable::Align::right});
@@ -65,7 +65,7 @@ HitsTable hits_table(const Analysis& analysis, const std::vector<AnalysedHit>& h
       continue;
     }
     ++shown;
-    const Hit& hit = hits[i].hit;
+    const acquire::Hit& hit = hits[i].hit;
     const bool pulse = !hit.gated_N.empty();
     std::vector<std::string> cells{fmt::format("{}", i)};
     if (points) cells.push_back(fmt::format("{}", hits[i].point));
@@ -85,8 +85,8 @@ HitsTable hits_table(const Analysis& analysis, const std::vector<AnalysedHit>& h
 
 namespace {
 
-std::string note_of(const Analysis& analysis, std::size_t m) {
-  const ModeClassification& verdict = analysis.classifications()[m];
+std::string note_of(const pipeline::Analysis& analysis, std::size_t m) {
+  const identify::ModeClassification& verdict = analysis.classifications()[m];
   std::string note;
   const auto add = [&](const std::string& text) { note += (note.empty() ? "" : "; ") + text; };
   if (verdict.split_mode) {
@@ -94,7 +94,7 @@ std::string note_of(const Analysis& analysis, std::size_t m) {
                                                 significant(verdict.split_mode->separation_Hz, 3))
                                   : "second of the double peak");
   }
-  if (verdict.family != ModeType::unknown && verdict.confidence < 0.95)
+  if (verdict.family != identify::ModeType::unknown && verdict.confidence < 0.95)
     add(fmt::format("{:.0f} % sure", verdict.confidence * 100));
   if (verdict.alternative) add(fmt::format("could be {}", name_of(*verdict.alternative)));
   return note;
@@ -107,9 +107,9 @@ std::string decibels(double value_dB) {
 
 }  // namespace
 
-TextTable modes_table(const Analysis& analysis, bool classes) {
+TextTable modes_table(const pipeline::Analysis& analysis, bool classes) {
   const bool named = classes && std::any_of(analysis.classifications().begin(), analysis.classifications().end(),
-                                            [](const ModeClassification& v) { return v.ratio.has_value(); });
+                                            [](const identify::ModeClassification& v) { return v.ratio.has_value(); });
   std::vector<TextTable::Column> columns{{"mode", TextTable::Align::right}};
   if (named) columns.push_back({"family"});
   columns.push_back({"frequency", TextTable::Align::right});
@@ -118,7 +118,7 @@ TextTable modes_table(const Analysis& analysis, bool classes) {
   columns.push_back({"note"});
   TextTable table(columns);
   for (std::size_t m = 0; m < analysis.modes().size(); ++m) {
-    const Mode& mode = analysis.modes()[m];
+    const identify::Mode& mode = analysis.modes()[m];
     std::vector<std::string> cells{fmt::format("{}", m)};
     if (named) cells.push_back(mode_type_of(analysis.classifications()[m]));
     cells.push_back(value_with_std(mode.pole.freq_Hz, mode.freq_std_Hz) + " Hz");
@@ -133,22 +133,22 @@ TextTable modes_table(const Analysis& analysis, bool classes) {
   return table;
 }
 
-std::string mode_type_of(const ModeClassification& verdict) {
+std::string mode_type_of(const identify::ModeClassification& verdict) {
   return verdict.order > 0 ? fmt::format("{} {}", name_of(verdict.family), verdict.order) : name_of(verdict.family);
 }
 
-std::string test_conditions(const Analysis& analysis, std::size_t hits) {
-  const Record& record = analysis.record();
+std::string test_conditions(const pipeline::Analysis& analysis, std::size_t hits) {
+  const acquire::Record& record = analysis.record();
   std::string sensors = fmt::format("{} accelerometer{}", record.accel.size(), record.accel.size() == 1 ? "" : "s");
   std::string angles;
-  for (const SignalInfo& signal : record.accel) {
+  for (const acquire::SignalInfo& signal : record.accel) {
     if (signal.angle_rad)
       angles += fmt::format("{}{:.4g}°", angles.empty() ? "" : ", ", *signal.angle_rad * kRadian_deg);
   }
   if (!angles.empty()) sensors += " (" + angles + ")";
   std::string text =
       fmt::format("{} · {} hit{} × {}", rounded_frequency_text(record.fs_Hz), hits, hits == 1 ? "" : "s", sensors);
-  if (const FrfRecord* given = analysis.given_frfs()) {
+  if (const frf::FrfRecord* given = analysis.given_frfs()) {
     const std::size_t points = given->frfs.size() / record.accel.size();
     text = fmt::format("FRFs ({}) · {} point{} × {}", name_of(given->kind), points, points == 1 ? "" : "s", sensors);
   }
@@ -159,14 +159,14 @@ std::string test_conditions(const Analysis& analysis, std::size_t hits) {
   return text;
 }
 
-std::string mode_name(const ModeClassification& verdict, std::size_t number) {
+std::string mode_name(const identify::ModeClassification& verdict, std::size_t number) {
   return verdict.order > 0 ? mode_type_of(verdict) : fmt::format("mode {}", number);
 }
 
-std::string source_name(const Analysis& analysis) {
-  const Record& record = analysis.record();
+std::string source_name(const pipeline::Analysis& analysis) {
+  const acquire::Record& record = analysis.record();
   const std::string name = one_line(input_name(record.source()), 400);
   return record.files.size() > 1 ? fmt::format("{} and {} more", name, record.files.size() - 1) : name;
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

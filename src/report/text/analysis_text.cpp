@@ -10,17 +10,18 @@
 #include "report/text/response_summary.hpp"
 #include "report/text/text_table.hpp"
 
-namespace percuss {
+namespace percuss::report {
 namespace {
 
-std::string heading(const Analysis& analysis, std::size_t hits, std::size_t width) {
+std::string heading(const pipeline::Analysis& analysis, std::size_t hits, std::size_t width) {
   const std::string name = source_name(analysis);
   const std::string text = test_conditions(analysis, hits);
   if (text_width(name) + 3 + text_width(text) <= width) return name + "   " + text + '\n';
   return name + "\n  " + wrapped(text, width, 2) + '\n';
 }
 
-std::string hits_text(const Analysis& analysis, const std::vector<AnalysedHit>& hits, std::size_t width) {
+std::string hits_text(const pipeline::Analysis& analysis, const std::vector<pipeline::AnalysedHit>& hits,
+                      std::size_t width) {
   const HitsTable table = hits_table(analysis, hits);
   std::string text = table.shown.text(width);
   if (table.left_out > 0)
@@ -28,16 +29,16 @@ std::string hits_text(const Analysis& analysis, const std::vector<AnalysedHit>& 
   return text;
 }
 
-std::string modes_text(const Analysis& analysis, bool classes, std::size_t width) {
+std::string modes_text(const pipeline::Analysis& analysis, bool classes, std::size_t width) {
   if (!analysis.modes().empty()) return modes_table(analysis, classes).text(width);
   return analysis.options().modes.start_Hz.empty() ? "no mode stands out of the noise in the band\n"
                                                    : "no mode could be fitted at the frequencies of --start\n";
 }
 
-std::string frf_text(const Analysis& analysis) {
-  const auto [least, most] =
-      std::minmax_element(analysis.frfs().begin(), analysis.frfs().end(),
-                          [](const PointFrf& a, const PointFrf& b) { return a.frf.averages < b.frf.averages; });
+std::string frf_text(const pipeline::Analysis& analysis) {
+  const auto [least, most] = std::minmax_element(
+      analysis.frfs().begin(), analysis.frfs().end(),
+      [](const frf::PointFrf& a, const frf::PointFrf& b) { return a.frf.averages < b.frf.averages; });
   std::string averages = fmt::format("{}", least->frf.averages);
   if (most->frf.averages != least->frf.averages) averages += fmt::format(" to {}", most->frf.averages);
   if (most->frf.averages == 0) averages = "not stated";
@@ -46,7 +47,7 @@ std::string frf_text(const Analysis& analysis) {
 }
 
 // Of several FRFs the one that agrees least.
-std::string coherence_text(const Analysis& analysis) {
+std::string coherence_text(const pipeline::Analysis& analysis) {
   std::optional<CoherenceSummary> worst;
   for (const auto& summary : coherence_summaries(analysis)) {
     if (summary && (!worst || summary->mean < worst->mean)) worst = summary;
@@ -57,7 +58,7 @@ std::string coherence_text(const Analysis& analysis) {
                      analysis.frfs().size() > 1 ? " (of the worst FRF)" : "", worst->mean, worst->below * 100);
 }
 
-std::string per_hit_text(const Analysis& analysis, std::size_t width) {
+std::string per_hit_text(const pipeline::Analysis& analysis, std::size_t width) {
   TextTable table({{"mode", TextTable::Align::right},
                    {"hit", TextTable::Align::right},
                    {"peak", TextTable::Align::right},
@@ -65,7 +66,7 @@ std::string per_hit_text(const Analysis& analysis, std::size_t width) {
                    {"damping", TextTable::Align::right},
                    {""}});
   for (std::size_t m = 0; m < analysis.modes().size(); ++m) {
-    for (const HitMode& found : analysis.modes_per_hit()) {
+    for (const pipeline::HitMode& found : analysis.modes_per_hit()) {
       if (found.mode != m) continue;
       table.add({fmt::format("{}", m), fmt::format("{}", found.hit), force_text(analysis.hits()[found.hit].hit.peak_N),
                  value_with_std(found.pole.freq_Hz, found.freq_std_Hz) + " Hz",
@@ -79,7 +80,7 @@ std::string spaced(const std::string& text) { return text.empty() ? text : text 
 
 }  // namespace
 
-std::string analysis_text(const Analysis& analysis, const TextOptions& options) {
+std::string analysis_text(const pipeline::Analysis& analysis, const TextOptions& options) {
   const auto wants = [&](ReportSection section) { return options.sections.contains(section); };
   const bool force_only = options.sections == std::set{ReportSection::hits};
   const auto& hits = force_only ? analysis.force_hits() : analysis.hits();
@@ -101,10 +102,10 @@ std::string analysis_text(const Analysis& analysis, const TextOptions& options) 
   } else {
     text += std::string(kNoUsableHit) + "\n\n";
   }
-  for (const Warning& warning : options.warnings ? analysis.warnings() : std::vector<Warning>{})
+  for (const pipeline::Warning& warning : options.warnings ? analysis.warnings() : std::vector<pipeline::Warning>{})
     text += wrapped("! " + one_line(warning.message, 4000), options.width, 2) + "\n";
   while (text.ends_with("\n\n")) text.pop_back();
   return text;
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

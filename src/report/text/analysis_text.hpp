@@ -5,7 +5,7 @@
 #include "pipeline/analysis.hpp"
 #include "report/json/analysis_json.hpp"
 
-namespace percuss {
+namespace percuss::report {
 
 struct TextOptions {
   std::set<ReportSection> sections = default_sections();
@@ -20,6 +20,6 @@ inline constexpr const char* kNoUsableHit = "no hit can be used: no FRF, no mode
 
 /// The analysis as a person reads it: one line of what was measured, the hits, the modes with ±, then warnings in
 /// words.
-std::string analysis_text(const Analysis& analysis, const TextOptions& options = {});
+std::string analysis_text(const pipeline::Analysis& analysis, const TextOptions& options = {});
 
-}  // namespace percuss
+}  // namespace percuss::report

@@ -4,7 +4,7 @@
 
 #include "core/parallel/parallel.hpp"
 
-namespace percuss {
+namespace percuss::report {
 
 namespace {
 
@@ -12,9 +12,9 @@ constexpr double kGood = 0.9;
 
 }  // namespace
 
-std::optional<CoherenceSummary> summary_of_coherence(const Analysis& analysis, const PointFrf& frf) {
+std::optional<CoherenceSummary> summary_of_coherence(const pipeline::Analysis& analysis, const frf::PointFrf& frf) {
   const auto [low_Hz, high_Hz] = analysis.band_Hz();
-  const LineRange& all = analysis.lines();
+  const frf::LineRange& all = analysis.lines();
   const auto& coherence = frf.frf.coherence;
   std::size_t first = 0, end = coherence.size();
   while (first < end && all.freq_Hz(first) < low_Hz) ++first;
@@ -24,8 +24,8 @@ std::optional<CoherenceSummary> summary_of_coherence(const Analysis& analysis, c
   return CoherenceSummary{.mean = inside.mean(), .below = (inside < kGood).cast<double>().mean()};
 }
 
-std::vector<std::optional<CoherenceSummary>> coherence_summaries(const Analysis& analysis) {
-  const std::vector<PointFrf>& frfs = analysis.frfs();
+std::vector<std::optional<CoherenceSummary>> coherence_summaries(const pipeline::Analysis& analysis) {
+  const std::vector<frf::PointFrf>& frfs = analysis.frfs();
   std::vector<std::optional<CoherenceSummary>> summaries(frfs.size());
   const ThreadLimit limit(analysis.options().threads);
   parallel_for_cost(frfs.size(), analysis.lines().count,
@@ -33,4 +33,4 @@ std::vector<std::optional<CoherenceSummary>> coherence_summaries(const Analysis&
   return summaries;
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

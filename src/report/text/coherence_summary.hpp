@@ -4,7 +4,7 @@
 
 #include "pipeline/analysis.hpp"
 
-namespace percuss {
+namespace percuss::report {
 
 /// The coherence of one FRF over the band's lines, in two numbers.
 struct CoherenceSummary {
@@ -13,9 +13,9 @@ struct CoherenceSummary {
 };
 
 /// Nothing for a single hit, which has no coherence.
-std::optional<CoherenceSummary> summary_of_coherence(const Analysis& analysis, const PointFrf& frf);
+std::optional<CoherenceSummary> summary_of_coherence(const pipeline::Analysis& analysis, const frf::PointFrf& frf);
 
 /// Of every FRF of the analysis.
-std::vector<std::optional<CoherenceSummary>> coherence_summaries(const Analysis& analysis);
+std::vector<std::optional<CoherenceSummary>> coherence_summaries(const pipeline::Analysis& analysis);
 
-}  // namespace percuss
+}  // namespace percuss::report

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace percuss {
+namespace percuss::report {
 namespace {
 
 constexpr std::string_view kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -99,4 +99,4 @@ std::string from_base64(std::string_view text) {
   return out;
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

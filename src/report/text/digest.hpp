@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace percuss {
+namespace percuss::report {
 
 using Sha256 = std::array<std::uint8_t, 32>;
 
@@ -36,4 +36,4 @@ std::string base64(std::span<const std::uint8_t> bytes);
 /// The same back. Throws std::out_of_range for another text.
 std::string from_base64(std::string_view text);
 
-}  // namespace percuss
+}  // namespace percuss::report

@@ -11,7 +11,7 @@
 #include "report/text/number_format.hpp"
 #include "report/text/text_table.hpp"
 
-namespace percuss {
+namespace percuss::report {
 namespace {
 
 constexpr std::size_t kRows = 8, kMaxColumns = 100, kMinColumns = 40, kLabelColumns = 8;
@@ -19,10 +19,10 @@ constexpr std::size_t kDotsDown = 4, kDotsAcross = 2;  // of a braille character
 constexpr double kRange_dB = 80;                       // deeper is a zero or noise
 
 // Levels over the band, one per column of dots: the highest of all FRFs in it.
-std::vector<double> levels_dB(const Analysis& analysis, std::size_t columns) {
+std::vector<double> levels_dB(const pipeline::Analysis& analysis, std::size_t columns) {
   std::vector<double> highest(columns, -std::numeric_limits<double>::infinity());
   const auto [low_Hz, high_Hz] = analysis.band_Hz();
-  for (const PointFrf& frf : analysis.frfs()) {
+  for (const frf::PointFrf& frf : analysis.frfs()) {
     for (std::size_t k = 0; k < frf.frf.value.size(); ++k) {
       const double part = (analysis.lines().freq_Hz(k) - low_Hz) / (high_Hz - low_Hz);
       if (!(part >= 0 && part < 1)) continue;
@@ -60,7 +60,7 @@ class Dots {
 };
 
 // A mode's number under its place, where it does not run into the one before.
-std::string numbers_below(const Analysis& analysis, std::size_t columns) {
+std::string numbers_below(const pipeline::Analysis& analysis, std::size_t columns) {
   const auto [low_Hz, high_Hz] = analysis.band_Hz();
   std::string out(columns, ' ');
   std::size_t free = 0;
@@ -78,7 +78,7 @@ std::string numbers_below(const Analysis& analysis, std::size_t columns) {
 
 }  // namespace
 
-std::string frf_terminal_plot(const Analysis& analysis, std::size_t width) {
+std::string frf_terminal_plot(const pipeline::Analysis& analysis, std::size_t width) {
   if (width < kLabelColumns + kMinColumns) return "";
   const std::size_t columns = std::min(width - kLabelColumns, kMaxColumns);
   const std::vector<double> level_dB = levels_dB(analysis, kDotsAcross * columns);
@@ -110,4 +110,4 @@ std::string frf_terminal_plot(const Analysis& analysis, std::size_t width) {
          high + "\n";
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-namespace percuss {
+namespace percuss::report {
 namespace {
 
 // Bytes of the UTF-8 character at the beginning of `text`; 0 when there is none.
@@ -53,4 +53,4 @@ std::string html_escape(std::string_view text) {
   return out;
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace percuss {
+namespace percuss::report {
 
 std::string value_with_std(double value, double deviation) {
   if (!(deviation > 0) || !std::isfinite(deviation)) return fmt::format("{:.6g}", value);
@@ -27,4 +27,4 @@ std::string force_text(double force_N) {
   return fmt::format("{:.0f} N", std::round(force_N / unit) * unit);
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

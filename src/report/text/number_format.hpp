@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-namespace percuss {
+namespace percuss::report {
 
 /// "169.00034 ± 0.00042": the deviation with two significant digits, the value with as many decimals. A deviation of 0
 /// or none: the value with six significant digits. At most 12 decimals.
@@ -13,4 +13,4 @@ std::string rounded_frequency_text(double freq_Hz);
 /// "232 N", "1750 N": three significant digits, never an exponent.
 std::string force_text(double force_N);
 
-}  // namespace percuss
+}  // namespace percuss::report

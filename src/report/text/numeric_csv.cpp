@@ -6,7 +6,7 @@
 #include <cmath>
 #include <iterator>
 
-namespace percuss {
+namespace percuss::report {
 
 std::string numeric_csv(const std::vector<NumericColumn>& columns) {
   std::string text;
@@ -25,4 +25,4 @@ std::string numeric_csv(const std::vector<NumericColumn>& columns) {
   return text;
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-namespace percuss {
+namespace percuss::report {
 
 /// A column of a table of numbers: its name with the unit ("hoop_hz"), and a value per row; NaN where there is none.
 struct NumericColumn {
@@ -14,4 +14,4 @@ struct NumericColumn {
 /// the shortest that read back as the same. shapes: every column alike long.
 std::string numeric_csv(const std::vector<NumericColumn>& columns);
 
-}  // namespace percuss
+}  // namespace percuss::report

@@ -4,7 +4,7 @@
 
 #include "core/error.hpp"
 
-namespace percuss {
+namespace percuss::report {
 
 std::set<ReportSection> default_sections() {
   return {ReportSection::hits, ReportSection::frf, ReportSection::coherence, ReportSection::modes,
@@ -28,4 +28,4 @@ std::set<ReportSection> parse_report_sections(const std::vector<std::string>& na
   return out;
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace percuss {
+namespace percuss::report {
 
 /// Parts of an analysis that a report can hold; naming them is the demand that computes them.
 enum class ReportSection { hits, frf, coherence, modes, classes, deflection };
@@ -13,4 +13,4 @@ std::set<ReportSection> parse_report_sections(const std::vector<std::string>& na
 /// All but the deflection, which is a question of its own.
 std::set<ReportSection> default_sections();
 
-}  // namespace percuss
+}  // namespace percuss::report

@@ -5,7 +5,7 @@
 #include "core/error.hpp"
 #include "report/text/html_escape.hpp"
 
-namespace percuss {
+namespace percuss::report {
 namespace {
 
 constexpr std::size_t kIndent = 2, kLongestWarning = 4000;
@@ -107,4 +107,4 @@ ReportText operator+(ReportText a, const ReportText& b) {
   return a;
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

@@ -6,7 +6,7 @@
 
 #include "report/text/text_table.hpp"
 
-namespace percuss {
+namespace percuss::report {
 
 /// What a report says, in its order: lines, tables, sentences and warnings. Told once, shown on a terminal or on a
 /// page.
@@ -37,4 +37,4 @@ class ReportText {
 
 ReportText operator+(ReportText a, const ReportText& b);
 
-}  // namespace percuss
+}  // namespace percuss::report

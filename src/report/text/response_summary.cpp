@@ -8,7 +8,7 @@
 #include "core/math/statistics.hpp"
 #include "report/text/text_table.hpp"
 
-namespace percuss {
+namespace percuss::report {
 namespace {
 
 struct FirstMotion {
@@ -16,11 +16,11 @@ struct FirstMotion {
   std::vector<double> delay_s;
 };
 
-FirstMotion first_motion(const Analysis& analysis, std::size_t channel) {
+FirstMotion first_motion(const pipeline::Analysis& analysis, std::size_t channel) {
   FirstMotion out;
-  for (const AnalysedHit& hit : analysis.hits()) {
+  for (const pipeline::AnalysedHit& hit : analysis.hits()) {
     if (!hit.accepted || hit.responses.size() <= channel || hit.responses[channel].dead) continue;
-    const ResponseGrade& grade = hit.responses[channel];
+    const acquire::ResponseGrade& grade = hit.responses[channel];
     if (grade.polarity == 0) ++out.open;
     if (grade.polarity * hit.hit.peak_N > 0) ++out.with;
     if (grade.polarity * hit.hit.peak_N < 0) ++out.against;
@@ -38,7 +38,7 @@ std::string direction(const FirstMotion& motion) {
 
 }  // namespace
 
-std::string responses_text(const Analysis& analysis, std::size_t width) {
+std::string responses_text(const pipeline::Analysis& analysis, std::size_t width) {
   std::string text;
   for (std::size_t c = 0; c < analysis.record().accel.size(); ++c) {
     const FirstMotion motion = first_motion(analysis, c);
@@ -53,4 +53,4 @@ std::string responses_text(const Analysis& analysis, std::size_t width) {
   return text.empty() ? text : wrapped(text, width, 0) + "\n";
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

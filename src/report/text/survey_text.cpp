@@ -11,17 +11,17 @@
 #include "report/text/number_format.hpp"
 #include "report/text/text_table.hpp"
 
-namespace percuss {
+namespace percuss::report {
 namespace {
 
 constexpr double kAlike = 0.2;  // a MAC between two modes that is worth a word
 
-std::string plane_cell(const std::optional<TubeShape>& tube) {
+std::string plane_cell(const std::optional<identify::TubeShape>& tube) {
   if (!tube || !tube->plane_rad) return "–";
   return value_with_std(*tube->plane_rad * kRadian_deg, tube->plane_std_rad * kRadian_deg) + "°";
 }
 
-std::string note_cell(const ModeClassification& verdict) {
+std::string note_cell(const identify::ModeClassification& verdict) {
   std::string note;
   if (verdict.split_mode) {
     note = fmt::format("double peak, {:.3g} Hz apart{}", verdict.split_mode->separation_Hz,
@@ -34,12 +34,12 @@ std::string note_cell(const ModeClassification& verdict) {
 
 }  // namespace
 
-TextTable survey_modes_table(const Survey& survey) {
+TextTable survey_modes_table(const pipeline::Survey& survey) {
   const auto& modes = survey.analysis().modes();
   const bool tube =
       std::any_of(survey.tubes().begin(), survey.tubes().end(), [](const auto& t) { return t.has_value(); });
   const bool mass = std::any_of(survey.shapes().begin(), survey.shapes().end(),
-                                [](const ModeShape& s) { return s.modal_mass_kg.has_value(); });
+                                [](const identify::ModeShape& s) { return s.modal_mass_kg.has_value(); });
   constexpr auto kRight = TextTable::Align::right;
   std::vector<TextTable::Column> columns{{"mode", kRight}, {"family"}, {"frequency", kRight}, {"damping", kRight}};
   if (tube) columns.insert(columns.end(), {{"n", kRight}, {"share", kRight}, {"nodes", kRight}, {"plane", kRight}});
@@ -48,8 +48,8 @@ TextTable survey_modes_table(const Survey& survey) {
   columns.push_back({"note"});
   TextTable table(columns);
   for (std::size_t m = 0; m < modes.size(); ++m) {
-    const Mode& mode = modes[m];
-    const ModeShape& shape = survey.shapes()[m];
+    const identify::Mode& mode = modes[m];
+    const identify::ModeShape& shape = survey.shapes()[m];
     std::vector<std::string> cells{fmt::format("{}", m), mode_type_of(survey.classifications()[m]),
                                    value_with_std(mode.pole.freq_Hz, mode.freq_std_Hz) + " Hz",
                                    value_with_std(mode.pole.damping_ratio * 100, mode.damping_std * 100) + " %"};
@@ -73,29 +73,30 @@ TextTable survey_modes_table(const Survey& survey) {
 
 namespace {
 
-std::string modes_text(const Survey& survey, std::size_t width) {
+std::string modes_text(const pipeline::Survey& survey, std::size_t width) {
   if (survey.analysis().modes().empty()) return "no mode stands out of the noise in the band\n";
   return survey_modes_table(survey).text(width);
 }
 
-std::string scale_text(const Survey& survey) {
+std::string scale_text(const pipeline::Survey& survey) {
   const auto& shapes = survey.shapes();
-  const auto unit = std::count_if(shapes.begin(), shapes.end(),
-                                  [](const ModeShape& s) { return s.normalisation == Normalisation::unit_modal_mass; });
+  const auto unit = std::count_if(shapes.begin(), shapes.end(), [](const identify::ModeShape& s) {
+    return s.normalisation == identify::Normalisation::unit_modal_mass;
+  });
   if (unit == 0) return "shapes: 1 at their largest, as no driving point was measured\n";
   std::string points;
-  for (const DrivingPoint& at : survey.driving_points())
+  for (const identify::DrivingPoint& at : survey.driving_points())
     points += fmt::format("{}point {} (channel {})", points.empty() ? "" : ", ", at.point, at.channel);
   return fmt::format("shapes: unit modal mass, from the driving {}{}\n", points,
                      static_cast<std::size_t>(unit) < shapes.size() ? "; the others 1 at their largest" : "");
 }
 
-std::string mac_text(const Survey& survey) {
+std::string mac_text(const pipeline::Survey& survey) {
   std::string text;
   double most = 0;
   for (std::size_t i = 0; i < survey.macs().size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      const Mac& mac = survey.macs()[i][j];
+      const identify::Mac& mac = survey.macs()[i][j];
       most = std::max(most, mac.value);
       if (mac.value > kAlike)
         text += fmt::format("{}{} and {} ({})", text.empty() ? "" : ", ", j, i, value_with_std(mac.value, mac.std));
@@ -106,21 +107,21 @@ std::string mac_text(const Survey& survey) {
                       : "shapes alike on these points (MAC): modes " + text + "\n";
 }
 
-std::string frac_text(const Survey& survey) {
+std::string frac_text(const pipeline::Survey& survey) {
   if (survey.synthesis().empty()) return "";
   const auto worst = std::min_element(survey.synthesis().begin(), survey.synthesis().end(),
-                                      [](const SynthesisedFrf& a, const SynthesisedFrf& b) {
+                                      [](const identify::SynthesisedFrf& a, const identify::SynthesisedFrf& b) {
                                         const bool a_strong = a.level_dB >= -20, b_strong = b.level_dB >= -20;
                                         return a_strong != b_strong ? a_strong : a.frac < b.frac;
                                       });
-  const auto poor = std::count_if(survey.synthesis().begin(), survey.synthesis().end(), poorly_explained);
+  const auto poor = std::count_if(survey.synthesis().begin(), survey.synthesis().end(), pipeline::poorly_explained);
   return fmt::format("modes against FRFs: FRAC {:.4f} at the worst of the strong ones{}\n", worst->frac,
                      poor > 0 ? fmt::format("; {} below 0.99", poor) : "");
 }
 
 }  // namespace
 
-std::string survey_text(const Survey& survey, bool hits, std::size_t width) {
+std::string survey_text(const pipeline::Survey& survey, bool hits, std::size_t width) {
   std::set<ReportSection> sections{ReportSection::frf, ReportSection::coherence};
   if (hits || !survey.analysis().possible()) sections.insert(ReportSection::hits);
   std::string text = analysis_text(survey.analysis(), {.sections = sections, .width = width, .warnings = false});
@@ -130,10 +131,10 @@ std::string survey_text(const Survey& survey, bool hits, std::size_t width) {
     text += mac_text(survey) + frac_text(survey);
   }
   text += "\n";
-  for (const Warning& warning : survey.warnings())
+  for (const pipeline::Warning& warning : survey.warnings())
     text += wrapped("! " + one_line(warning.message, 4000), width, 2) + "\n";
   while (text.ends_with("\n\n")) text.pop_back();
   return text;
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

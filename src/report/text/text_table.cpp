@@ -7,7 +7,7 @@
 
 #include "report/text/html_escape.hpp"
 
-namespace percuss {
+namespace percuss::report {
 namespace {
 
 constexpr std::size_t kMinWrap = 24;  // narrower text is harder to read than a line that runs over
@@ -94,4 +94,4 @@ std::string TextTable::html() const {
   return out + "</tbody>\n</table>\n";
 }
 
-}  // namespace percuss
+}  // namespace percuss::report

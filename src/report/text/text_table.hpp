@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-namespace percuss {
+namespace percuss::report {
 
 /// A table of text for a terminal: columns as wide as their longest cell, two spaces between, the last one wrapped at
 /// `width` onto lines of its own. Width counts characters, not bytes (UTF-8).
@@ -30,4 +30,4 @@ std::size_t text_width(const std::string& text);
 /// `text` broken at spaces into lines of at most `width` characters, later lines indented.
 std::string wrapped(const std::string& text, std::size_t width, std::size_t indent);
 
-}  // namespace percuss
+}  // namespace percuss::report

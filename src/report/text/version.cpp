@@ -1,7 +1,7 @@
 #include "report/text/version.hpp"
 
-namespace percuss {
+namespace percuss::report {
 
 const char* version() { return PERCUSS_VERSION; }
 
-}  // namespace percuss
+}  // namespace percuss::report

@@ -1,8 +1,8 @@
 #pragma once
 
-namespace percuss {
+namespace percuss::report {
 
 /// The product's version, "major.minor.patch".
 const char* version();
 
-}  // namespace percuss
+}  // namespace percuss::report

@@ -10,7 +10,7 @@
 #include "support/json_schema.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace percuss::channel_setup_test {
+namespace percuss::acquire::channel_setup_test {
 
 using test::input_error_of;
 using testing::HasSubstr;
@@ -112,4 +112,4 @@ TEST(ChannelSetup, RefusesWhatIsNoSetUp) {
   EXPECT_THAT(input_error_of([&] { read_channel_setup(folder.file("none")); }), HasSubstr("no such file"));
 }
 
-}  // namespace percuss::channel_setup_test
+}  // namespace percuss::acquire::channel_setup_test

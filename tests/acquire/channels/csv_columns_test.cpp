@@ -5,7 +5,7 @@
 
 #include "support/input_error.hpp"
 
-namespace percuss::csv_columns_test {
+namespace percuss::acquire::csv_columns_test {
 
 using test::input_error_of;
 using testing::ElementsAre;
@@ -100,4 +100,4 @@ TEST(CsvColumns, RefuseNamesThatAreNotThereOrTwice) {
               HasSubstr("named twice"));
 }
 
-}  // namespace percuss::csv_columns_test
+}  // namespace percuss::acquire::csv_columns_test

@@ -7,7 +7,7 @@
 
 #include "support/input_error.hpp"
 
-namespace percuss::signal_choice_test {
+namespace percuss::acquire::signal_choice_test {
 
 using test::input_error_of;
 using testing::HasSubstr;
@@ -94,4 +94,4 @@ TEST(SignalOverrides, RefusesListsOfAnotherLength) {
   EXPECT_THAT(input_error_of([] { accel_overrides({.angle_rad = {1}}, nullptr, 0, 2); }), HasSubstr("one per channel"));
 }
 
-}  // namespace percuss::signal_choice_test
+}  // namespace percuss::acquire::signal_choice_test

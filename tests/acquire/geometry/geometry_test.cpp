@@ -10,7 +10,7 @@
 #include "support/input_error.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace percuss::geometry_test {
+namespace percuss::acquire::geometry_test {
 
 using std::numbers::pi;
 using test::input_error_of;
@@ -126,4 +126,4 @@ TEST(Geometry, ShowsNoControlCharactersOfTheFile) {
   EXPECT_THAT(rejection_of("point,position_m,angle_deg\n0,\x1b[2J,0\n"), testing::Not(HasSubstr("\x1b")));
 }
 
-}  // namespace percuss::geometry_test
+}  // namespace percuss::acquire::geometry_test

@@ -9,7 +9,7 @@
 #include "acquire/hits/pulse_shape.hpp"
 #include "support/force_row.hpp"
 
-namespace percuss::rail_test {
+namespace percuss::acquire::rail_test {
 
 using std::numbers::pi;
 
@@ -123,4 +123,4 @@ TEST(SamplesAtRail, IsNotMisledByQuantisedSwings) {
   }
 }
 
-}  // namespace percuss::rail_test
+}  // namespace percuss::acquire::rail_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace percuss::finding_test {
+namespace percuss::acquire::finding_test {
 
 TEST(Finding, HasTheNamesThatScriptsRelyOn) {
   EXPECT_STREQ(name_of(FindingCode::double_hit), "double_hit");
@@ -31,4 +31,4 @@ TEST(Finding, RejectsAHitWhereverTheRejectionStands) {
   EXPECT_TRUE(rejects({info, warn, reject}));
 }
 
-}  // namespace percuss::finding_test
+}  // namespace percuss::acquire::finding_test

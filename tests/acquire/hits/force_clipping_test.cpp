@@ -8,7 +8,7 @@
 #include "synth/read_spec.hpp"
 #include "synth/synthesise.hpp"
 
-namespace percuss::shared_rail_test {
+namespace percuss::acquire::shared_rail_test {
 
 std::size_t overloads(const Hit& hit) {
   return static_cast<std::size_t>(std::count_if(hit.findings.begin(), hit.findings.end(),
@@ -91,8 +91,8 @@ TEST(SharedRail, ShowsInThePeaksOfSeveralShortPulses) {
 }
 
 TEST(SharedRail, AgreesWithTheTruthOfEveryPreset) {
-  for (const SynthPreset& preset : synth_presets()) {
-    const SyntheticTest test = synthesise(synth_preset(preset.name));
+  for (const synth::SynthPreset& preset : synth::synth_presets()) {
+    const synth::SyntheticTest test = synth::synthesise(synth::synth_preset(preset.name));
     const auto hits = find_hits(test.record);
     ASSERT_EQ(hits.size(), test.truth.hits.size()) << preset.name;
     for (std::size_t h = 0; h < hits.size(); ++h) {
@@ -101,4 +101,4 @@ TEST(SharedRail, AgreesWithTheTruthOfEveryPreset) {
   }
 }
 
-}  // namespace percuss::shared_rail_test
+}  // namespace percuss::acquire::shared_rail_test

@@ -7,7 +7,7 @@
 #include "support/force_row.hpp"
 #include "synth/synthesise.hpp"
 
-namespace percuss::hits_grade_test {
+namespace percuss::acquire::hits_grade_test {
 
 constexpr double kFs_Hz = 25600;
 constexpr std::size_t kSamples = 12000;
@@ -173,17 +173,17 @@ TEST(GradeHits, TakesAPulseAtTheVeryEnd) {
 }
 
 TEST(GradeHits, AgreesWithTheFaultsOfASyntheticTest) {
-  SynthSpec spec;
+  synth::SynthSpec spec;
   spec.samples = 8192;
   spec.hits = 6;
   spec.noise = {.force = 1e-3, .accel = 1e-3};
   spec.modes = {{.freq_Hz = 169, .damping_ratio = 0.01}};
-  spec.faults = {{.hit = 1, .kind = SynthFaultKind::double_hit, .ratio = 0.3, .delay_s = 0.0123},
-                 {.hit = 2, .kind = SynthFaultKind::weak, .ratio = 0.1},
-                 {.hit = 3, .kind = SynthFaultKind::missing},
-                 {.hit = 4, .kind = SynthFaultKind::reversed},
-                 {.hit = 5, .kind = SynthFaultKind::late, .delay_s = 0.1e-3}};
-  const SyntheticTest test = synthesise(spec);
+  spec.faults = {{.hit = 1, .kind = synth::SynthFaultKind::double_hit, .ratio = 0.3, .delay_s = 0.0123},
+                 {.hit = 2, .kind = synth::SynthFaultKind::weak, .ratio = 0.1},
+                 {.hit = 3, .kind = synth::SynthFaultKind::missing},
+                 {.hit = 4, .kind = synth::SynthFaultKind::reversed},
+                 {.hit = 5, .kind = synth::SynthFaultKind::late, .delay_s = 0.1e-3}};
+  const synth::SyntheticTest test = synth::synthesise(spec);
   const auto hits = find_hits(test.record);
   ASSERT_EQ(hits.size(), 6U);
   EXPECT_TRUE(hits[0].findings.empty());
@@ -206,4 +206,4 @@ TEST(GradeBandwidth, WarnsWhenTheForceEndsBelowTheBand) {
   EXPECT_TRUE(hits[2].findings.empty());  // no pulse says enough
 }
 
-}  // namespace percuss::hits_grade_test
+}  // namespace percuss::acquire::hits_grade_test

@@ -8,7 +8,7 @@
 
 #include "support/force_row.hpp"
 
-namespace percuss::pulse_shape_test {
+namespace percuss::acquire::pulse_shape_test {
 
 using std::numbers::pi;
 
@@ -137,4 +137,4 @@ TEST(Bandwidth, TakesPulsesOfAnyLength) {
   EXPECT_GE(bandwidth_Hz(x, 20011), 0.9);
 }
 
-}  // namespace percuss::pulse_shape_test
+}  // namespace percuss::acquire::pulse_shape_test

@@ -7,7 +7,7 @@
 
 #include "support/force_row.hpp"
 
-namespace percuss::response_grade_test {
+namespace percuss::acquire::response_grade_test {
 
 constexpr double kFs_Hz = 25600;
 constexpr std::size_t kSamples = 12000;
@@ -263,4 +263,4 @@ TEST(AddResponseFindings, NamesTheWorstChannel) {
   EXPECT_TRUE(good.findings.empty());
 }
 
-}  // namespace percuss::response_grade_test
+}  // namespace percuss::acquire::response_grade_test

@@ -7,7 +7,7 @@
 #include "acquire/hits/pulse_shape.hpp"
 #include "support/force_row.hpp"
 
-namespace percuss::second_pulse_test {
+namespace percuss::acquire::second_pulse_test {
 
 constexpr std::size_t kSamples = 6000;
 
@@ -128,4 +128,4 @@ TEST(SecondPulse, NeedsNoMoreThanThePulse) {
   }
 }
 
-}  // namespace percuss::second_pulse_test
+}  // namespace percuss::acquire::second_pulse_test

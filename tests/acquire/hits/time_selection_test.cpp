@@ -5,7 +5,7 @@
 #include "support/force_row.hpp"
 #include "support/input_error.hpp"
 
-namespace percuss::asked_part_test {
+namespace percuss::acquire::asked_part_test {
 
 using test::input_error_of;
 using testing::HasSubstr;
@@ -45,4 +45,4 @@ TEST(AskedLength, HoldsTwoSamplesAtLeast) {
   EXPECT_THAT(input_error_of([] { selected_length(record(), {.length_s = 0.001}); }), HasSubstr("two samples"));
 }
 
-}  // namespace percuss::asked_part_test
+}  // namespace percuss::acquire::asked_part_test

@@ -9,7 +9,7 @@
 #include "core/parallel/parallel.hpp"
 #include "support/force_row.hpp"
 
-namespace percuss::pulse_search_test {
+namespace percuss::acquire::pulse_search_test {
 
 using Events = std::vector<std::size_t>;
 
@@ -201,4 +201,4 @@ TEST(SurveyForce, DoesNotDependOnUnitSignOrOffset) {
   EXPECT_EQ(scan(x).events, plain.events);
 }
 
-}  // namespace percuss::pulse_search_test
+}  // namespace percuss::acquire::pulse_search_test

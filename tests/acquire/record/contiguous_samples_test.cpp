@@ -11,7 +11,7 @@
 #include "support/input_error.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace percuss::plain_samples_test {
+namespace percuss::acquire::plain_samples_test {
 
 using test::Hdf5Builder;
 using test::Hdf5Storage;
@@ -97,4 +97,4 @@ TEST_F(PlainSamples, OfAFileThatWasCutMeanwhileAreRefused) {
   EXPECT_THAT(test::input_error_of([&] { record.read_accel_mps2(2, 1, 0, accel); }), testing::HasSubstr("changed"));
 }
 
-}  // namespace percuss::plain_samples_test
+}  // namespace percuss::acquire::plain_samples_test

@@ -5,7 +5,7 @@
 #include "support/csv_text.hpp"
 #include "support/input_error.hpp"
 
-namespace percuss::join_records_test {
+namespace percuss::acquire::join_records_test {
 
 using test::input_error_of;
 using testing::ElementsAre;
@@ -87,4 +87,4 @@ TEST(JoinRecords, NotesChannelsThatAreCalledOtherwise) {
               ElementsAre(HasSubstr("top of b"), "b: mind this"));
 }
 
-}  // namespace percuss::join_records_test
+}  // namespace percuss::acquire::join_records_test

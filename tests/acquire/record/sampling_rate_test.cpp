@@ -6,7 +6,7 @@
 
 #include "core/error.hpp"
 
-namespace percuss::sampling_rate_test {
+namespace percuss::acquire::sampling_rate_test {
 
 TEST(SamplingRate, IsWhatCanRing) {
   EXPECT_EQ(checked_rate_Hz(1e-3, "x"), 1e-3);
@@ -15,4 +15,4 @@ TEST(SamplingRate, IsWhatCanRing) {
     EXPECT_THROW(checked_rate_Hz(fs_Hz, "x"), InputError) << fs_Hz;
 }
 
-}  // namespace percuss::sampling_rate_test
+}  // namespace percuss::acquire::sampling_rate_test

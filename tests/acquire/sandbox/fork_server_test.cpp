@@ -13,7 +13,7 @@
 #include "support/scratch_folder.hpp"
 #include "support/synthetic_files.hpp"
 
-namespace percuss::reader_nursery_test {
+namespace percuss::acquire::reader_nursery_test {
 
 using testing::HasSubstr;
 
@@ -76,13 +76,14 @@ TEST(ForkServer, SaysOfReadersThatNeverWere) {
 
 TEST(ForkServer, OpensWhatIsOpenedWithoutIt) {
   const test::ScratchFolder folder;
-  FrfReadOptions options;
+  frf::FrfReadOptions options;
   options.read.sandboxed = true;
-  const auto fork_server = measurement_fork_server(options);
+  const auto fork_server = frf::measurement_fork_server(options);
   for (const char* kind : {".h5", ".mat", ".wav", ".csv"}) {
     const std::string path = folder.file(std::string("t") + kind);
     test::write_small_test(path);
-    const auto opened = open_measurement_forked(fork_server, path, options), alone = open_measurement(path, options);
+    const auto opened = frf::open_measurement_forked(fork_server, path, options),
+               alone = frf::open_measurement(path, options);
     const auto &one = std::get<Record>(opened), &other = std::get<Record>(alone);
     EXPECT_EQ(one.fs_Hz, other.fs_Hz);
     ASSERT_EQ(one.rows.size(), other.rows.size());
@@ -93,4 +94,4 @@ TEST(ForkServer, OpensWhatIsOpenedWithoutIt) {
   }
 }
 
-}  // namespace percuss::reader_nursery_test
+}  // namespace percuss::acquire::reader_nursery_test

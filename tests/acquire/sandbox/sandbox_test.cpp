@@ -27,7 +27,7 @@
 #include "support/scratch_folder.hpp"
 #include "support/synthetic_files.hpp"
 
-namespace percuss::confined_test {
+namespace percuss::acquire::confined_test {
 
 using test::accel_mps2;
 using test::force_N;
@@ -191,7 +191,7 @@ TEST_F(Confined, SurvivesMatFilesDamagedAnywhere) {
       }
       test::write_bytes(path_, damaged);
       try {
-        const auto opened = open_measurement(path_, {.read = {.sandboxed = true}});
+        const auto opened = frf::open_measurement(path_, {.read = {.sandboxed = true}});
         if (const auto* record = std::get_if<Record>(&opened)) force_N(*record);
       } catch (const InputError&) {
       }
@@ -209,4 +209,4 @@ TEST_F(Confined, IsHowTheCommandsReadUnlessTold) {
   test::expect_every_command_rejects(path_, path_);
 }
 
-}  // namespace percuss::confined_test
+}  // namespace percuss::acquire::confined_test

@@ -8,7 +8,7 @@
 #include "core/units.hpp"
 #include "support/input_error.hpp"
 
-namespace percuss::frf_record_test {
+namespace percuss::frf::frf_record_test {
 
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -117,4 +117,4 @@ TEST(JoinFrfs, RefusesOtherLinesAndNamesTheFile) {
   EXPECT_THAT(test::input_error_of([&] { join_frfs({first, other}); }), HasSubstr("other.csv"));
 }
 
-}  // namespace percuss::frf_record_test
+}  // namespace percuss::frf::frf_record_test

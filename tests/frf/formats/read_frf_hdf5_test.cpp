@@ -13,7 +13,7 @@
 #include "support/input_error.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace percuss::read_frf_hdf5_test {
+namespace percuss::frf::read_frf_hdf5_test {
 
 using testing::HasSubstr;
 
@@ -27,10 +27,10 @@ struct FrfFile {
 
 std::string written(const test::ScratchFolder& folder, const FrfFile& made) {
   std::string path = folder.file("frf.h5");
-  hdf5::OutputHdf5 out(path, true);
+  acquire::hdf5::OutputHdf5 out(path, true);
   out.create_set("frequency_hz", std::array{made.freq_Hz.size()});
   out.write("frequency_hz", {}, 0, std::span<const double>(made.freq_Hz));
-  out.create_set("frf", std::array<std::size_t, 3>{2, 2, 3}, hdf5::Stored::complex128);
+  out.create_set("frf", std::array<std::size_t, 3>{2, 2, 3}, acquire::hdf5::Stored::complex128);
   for (std::size_t p = 0; p < 2; ++p) {
     for (std::size_t c = 0; c < 2; ++c) {
       std::vector<Complex> value;
@@ -41,7 +41,7 @@ std::string written(const test::ScratchFolder& folder, const FrfFile& made) {
       out.write("frf", std::array{p, c}, 0, std::span<const Complex>(value));
     }
   }
-  out.create_set("point", std::array{made.point.size()}, hdf5::Stored::int32);
+  out.create_set("point", std::array{made.point.size()}, acquire::hdf5::Stored::int32);
   out.write("point", {}, 0, std::span<const double>(made.point));
   out.set_text("", "kind", made.kind);
   out.set_text("", "unit", made.unit);
@@ -91,4 +91,4 @@ TEST(ReadFrfHdf5, RefusesFrfsThatAreNotComplex) {
   EXPECT_THAT(test::input_error_of([&] { read_frf_hdf5(path); }), HasSubstr("complex"));
 }
 
-}  // namespace percuss::read_frf_hdf5_test
+}  // namespace percuss::frf::read_frf_hdf5_test

@@ -9,7 +9,7 @@
 #include "support/csv_text.hpp"
 #include "support/input_error.hpp"
 
-namespace percuss::read_frf_text_test {
+namespace percuss::frf::read_frf_text_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -102,4 +102,4 @@ TEST(ReadFrfText, RefusesGapsAndUnevenFrequencies) {
   EXPECT_THAT(refusal("frequency,re,im\n1e15,1,2\n1000000000000001,1,2\n"), HasSubstr("too close together"));
 }
 
-}  // namespace percuss::read_frf_text_test
+}  // namespace percuss::frf::read_frf_text_test

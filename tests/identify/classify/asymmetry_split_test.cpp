@@ -7,7 +7,7 @@
 
 #include "synth/random_stream.hpp"
 
-namespace percuss::ring_split_test {
+namespace percuss::identify::ring_split_test {
 
 using std::numbers::pi;
 
@@ -57,7 +57,7 @@ TEST(PlaneFromSensors, HasHonestDeviations) {
   double squares = 0;
   for (std::size_t trial = 0; trial < kTrials; ++trial) {
     std::vector<double> noise(2);
-    RandomStream({5, trial}).add_normal(kStd, noise);
+    synth::RandomStream({5, trial}).add_normal(kStd, noise);
     Mode mode = seen(1, 30, sensors, 1, kStd);
     for (std::size_t c = 0; c < 2; ++c) mode.residues[c].value += noise[c];
     squares += std::pow(plane_from_sensors(mode, sensors, 1, 0)->plane_rad - 30 * kDegree, 2);
@@ -120,4 +120,4 @@ TEST(RingSplit, IsInTheVerdictsOfTwoSensors) {
   EXPECT_TRUE(classifications[0].split_mode->quoted);
 }
 
-}  // namespace percuss::ring_split_test
+}  // namespace percuss::identify::ring_split_test

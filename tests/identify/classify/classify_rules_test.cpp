@@ -6,7 +6,7 @@
 
 #include "identify/classify/classify.hpp"
 
-namespace percuss::classify_rules_test {
+namespace percuss::identify::classify_rules_test {
 
 Mode mode_at(double freq_Hz, double first, double second) {
   return {.pole = {freq_Hz, 0.003},
@@ -118,4 +118,4 @@ TEST(ModeType, HasNames) {
   EXPECT_STREQ(name_of(ModeType::unknown), "unknown");
 }
 
-}  // namespace percuss::classify_rules_test
+}  // namespace percuss::identify::classify_rules_test

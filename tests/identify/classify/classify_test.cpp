@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace percuss::classify_test {
+namespace percuss::identify::classify_test {
 
 using std::numbers::pi;
 
@@ -193,4 +193,4 @@ TEST(PairOfSensors, NeedsTwoAngles) {
   EXPECT_FALSE(pair_of_sensors({0.0, std::nullopt}));
 }
 
-}  // namespace percuss::classify_test
+}  // namespace percuss::identify::classify_test

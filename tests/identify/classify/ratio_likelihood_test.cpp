@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace percuss::ratio_likelihood_test {
+namespace percuss::identify::ratio_likelihood_test {
 
 using std::numbers::pi;
 
@@ -124,4 +124,4 @@ TEST(RatioLikelihood, AllowsForTheGainsWhereTheyTurnTheRatio) {
   EXPECT_NEAR(unknown.bending(none, 0), known.bending(none, 0), 1e-12);
 }
 
-}  // namespace percuss::ratio_likelihood_test
+}  // namespace percuss::identify::ratio_likelihood_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace percuss::family_belief_test {
+namespace percuss::identify::family_belief_test {
 
 using std::numbers::pi;
 
@@ -78,4 +78,4 @@ TEST(FamilyBelief, HoldsForSoManyModesThatProductsLeaveTheRangeOfADouble) {
   EXPECT_TRUE(std::all_of(found.begin(), found.end(), [](const TypePosterior& b) { return b[0] > 0.95; }));
 }
 
-}  // namespace percuss::family_belief_test
+}  // namespace percuss::identify::family_belief_test

@@ -6,9 +6,9 @@
 
 #include "support/modal_frfs.hpp"
 
-namespace percuss::line_blocks_test {
+namespace percuss::identify::line_blocks_test {
 
-const LineRange kLines{.fs_Hz = 8192, .samples = 16384, .first = 100, .count = 4000};
+const frf::LineRange kLines{.fs_Hz = 8192, .samples = 16384, .first = 100, .count = 4000};
 
 TEST(FrequencyBins, KeepTheEnergyOfWhiteNoiseInEveryBlock) {
   constexpr double kTolerance = 0.1;  // of a variance from a thousand blocks: three deviations
@@ -53,4 +53,4 @@ TEST(FrequencyBins, CoverEveryLineOnce) {
   EXPECT_EQ(blocks.middles().size(), static_cast<std::size_t>(blocks.count()));
 }
 
-}  // namespace percuss::line_blocks_test
+}  // namespace percuss::identify::line_blocks_test

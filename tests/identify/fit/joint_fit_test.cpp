@@ -9,7 +9,7 @@
 #include "synth/cramer_rao_bound.hpp"
 #include "synth/synthesise.hpp"
 
-namespace percuss::joint_fit_test {
+namespace percuss::identify::joint_fit_test {
 
 const std::vector<Pole> kTruth{{300.3, 0.01}, {305, 0.012}, {420, 0.006}};
 const std::vector<Pole> kStart{{300.6, 0.011}, {304.7, 0.011}, {420.4, 0.0065}};
@@ -99,14 +99,14 @@ TEST(FitJointly, SeesOutputsWhosePhasesDiffer) {
 TEST(FitJointly, MeetsTheBoundOfATruncatedRecord) {
   // 0.6 s of modes that need more to decay; the bound comes from the exact time series, not from this model. Within a
   // tenth: the lines below and above the band, and what is not along the force, are not used.
-  SynthSpec spec = test::bat_spec({{.freq_Hz = 180, .damping_ratio = 0.004, .residue_per_kg = {0.9, 0.5}},
-                                   {.freq_Hz = 600, .damping_ratio = 0.003, .residue_per_kg = {-0.7, 0.8}}},
-                                  0.6);
+  synth::SynthSpec spec = test::bat_spec({{.freq_Hz = 180, .damping_ratio = 0.004, .residue_per_kg = {0.9, 0.5}},
+                                          {.freq_Hz = 600, .damping_ratio = 0.003, .residue_per_kg = {-0.7, 0.8}}},
+                                         0.6);
   spec.noise = {.force = 0, .accel = 1e-2};
-  const SyntheticTest made = synthesise(spec);
+  const synth::SyntheticTest made = synth::synthesise(spec);
   const FrfDataset set = test::frf_set_of(made.record, 30, 2400);
   const JointFit fit = fit_jointly(set, {{180.1, 0.0042}, {600.2, 0.0031}});
-  const CramerRaoBound bound = cramer_rao_bound(made.truth);
+  const synth::CramerRaoBound bound = synth::cramer_rao_bound(made.truth);
   for (std::size_t m = 0; m < 2; ++m) {
     const auto i = static_cast<Eigen::Index>(m);
     EXPECT_TRUE(fit.real[m]);
@@ -115,4 +115,4 @@ TEST(FitJointly, MeetsTheBoundOfATruncatedRecord) {
   }
 }
 
-}  // namespace percuss::joint_fit_test
+}  // namespace percuss::identify::joint_fit_test

@@ -6,7 +6,7 @@
 
 #include "support/modal_frfs.hpp"
 
-namespace percuss::joint_projection_test {
+namespace percuss::identify::joint_projection_test {
 
 const std::vector<Pole> kTruth{{300.3, 0.01}, {305, 0.012}, {420, 0.006}};
 
@@ -74,4 +74,4 @@ TEST(JointProjection, FindsEachOutputsNoise) {
   EXPECT_LE(std::abs(state.cost / static_cast<double>(state.parts[0].residual.size()) - 1), kOfRows);
 }
 
-}  // namespace percuss::joint_projection_test
+}  // namespace percuss::identify::joint_projection_test

@@ -6,7 +6,7 @@
 
 #include "support/modal_frfs.hpp"
 
-namespace percuss::local_fit_test {
+namespace percuss::identify::local_fit_test {
 
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
@@ -145,4 +145,4 @@ TEST(PoleOfWindow, SaysSoWhenThereIsNone) {
   EXPECT_EQ(pole_of_window(set, lines_of(set), 0).freq_Hz, 0);
 }
 
-}  // namespace percuss::local_fit_test
+}  // namespace percuss::identify::local_fit_test

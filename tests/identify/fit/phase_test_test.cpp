@@ -5,7 +5,7 @@
 #include "core/math/linear_algebra.hpp"
 #include "support/modal_frfs.hpp"
 
-namespace percuss::phase_evidence_test {
+namespace percuss::identify::phase_evidence_test {
 
 const Pole kPole{300.3, 0.01};
 
@@ -39,4 +39,4 @@ TEST(PhaseContradiction, IsStrongForACommonPhaseAndForPhasesThatDiffer) {
   EXPECT_GE(evidence(0.2, -0.2, 1), 1);
 }
 
-}  // namespace percuss::phase_evidence_test
+}  // namespace percuss::identify::phase_evidence_test

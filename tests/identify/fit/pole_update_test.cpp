@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace percuss::pole_step_test {
+namespace percuss::identify::pole_step_test {
 
 TEST(PoleStep, AllowsWhatDecays) {
   EXPECT_TRUE(poles_in_bounds({{100, 0.01}, {100.1, 0.49}}));
@@ -24,4 +24,4 @@ TEST(PoleStep, MovesAndMeasuresInHalfBandwidths) {
   EXPECT_DOUBLE_EQ(normalised_step(step, poles), 0.5);  // half a hertz is half of half of 2 Hz
 }
 
-}  // namespace percuss::pole_step_test
+}  // namespace percuss::identify::pole_step_test

@@ -6,7 +6,7 @@
 
 #include "support/modal_frfs.hpp"
 
-namespace percuss::grouped_fit_test {
+namespace percuss::identify::grouped_fit_test {
 
 TEST(WindowedFit, PartsAChainOfPolesWhereTheyAreFurthestApart) {
   const FrfDataset set = test::empty_set(8192, 8192, 60, 3000, 1);
@@ -31,4 +31,4 @@ TEST(WindowedFit, WidensTheWindowOfAPoleThatBeganTooNarrow) {
   EXPECT_LE(std::abs(group.fit.poles[0].freq_Hz - 1000), 5 * group.fit.freq_std_Hz(0));
 }
 
-}  // namespace percuss::grouped_fit_test
+}  // namespace percuss::identify::grouped_fit_test

@@ -7,7 +7,7 @@
 #include "support/modal_frfs.hpp"
 #include "synth/synthesise.hpp"
 
-namespace percuss::frf_synthesis_test {
+namespace percuss::identify::frf_synthesis_test {
 
 constexpr double kRounding = 1e-12;
 
@@ -93,8 +93,8 @@ TEST(SynthesisedFrf, SurvivesADeadChannelAndNoModes) {
 
 TEST(SynthesisedFrf, KnowsDecaysThatAreCutOff) {
   constexpr double kClose = 1e-6;  // the rigid body's line and the filter near the band's end
-  SynthSpec spec = test::bat_spec({{.freq_Hz = 300, .damping_ratio = 0.002}}, 0.3);
-  const auto made = synthesise(spec);
+  synth::SynthSpec spec = test::bat_spec({{.freq_Hz = 300, .damping_ratio = 0.002}}, 0.3);
+  const auto made = synth::synthesise(spec);
   const FrfDataset set = test::frf_set_of(made.record, 60, 2400);
   Mode mode{.pole = {300, 0.002}};
   for (std::size_t c = 0; c < 2; ++c)
@@ -108,4 +108,4 @@ TEST(Frac, IsBlindToOneFactor) {
   EXPECT_EQ(frac({0, 0}, {0, 1}), 0);
 }
 
-}  // namespace percuss::frf_synthesis_test
+}  // namespace percuss::identify::frf_synthesis_test

@@ -7,7 +7,7 @@
 #include "support/modal_frfs.hpp"
 #include "synth/synthesise.hpp"
 
-namespace percuss::modal_model_test {
+namespace percuss::identify::modal_model_test {
 
 double largest(const Eigen::VectorXcd& x) { return x.cwiseAbs().maxCoeff(); }
 
@@ -16,7 +16,7 @@ Eigen::VectorXcd vector_of(const std::vector<Complex>& x) {
 }
 
 /// Rows of 0.35 s: 1 % at 120 Hz still has 40 % of its amplitude at the end.
-SynthSpec truncated() {
+synth::SynthSpec truncated() {
   return test::bat_spec({{.freq_Hz = 120, .damping_ratio = 0.004, .residue_per_kg = {1.1, -0.4}},
                          {.freq_Hz = 640, .damping_ratio = 0.006, .residue_per_kg = {0.5, 0.9}},
                          {.freq_Hz = 1500, .damping_ratio = 0.02, .residue_per_kg = {-0.7, 0.2}}},
@@ -39,7 +39,7 @@ TEST(ModeColumn, IsTheClosedFormOfAModeThatHasDecayed) {
 
 // Drive: sum of the modes' columns and the rigid line against the H1 of the record itself.
 double error_of_the_sum(double decay_per_s) {
-  const SyntheticTest made = synthesise(truncated());
+  const synth::SyntheticTest made = synth::synthesise(truncated());
   const FrfDataset set = test::frf_set_of(made.record, 40, 2000, decay_per_s);
   double worst = 0;
   for (std::size_t c = 0; c < 2; ++c) {
@@ -47,7 +47,7 @@ double error_of_the_sum(double decay_per_s) {
     const double size = largest(h);
     h.array() -= made.truth.rigid_per_kg[0][c];
     for (std::size_t m = 0; m < made.truth.spec.modes.size(); ++m) {
-      const SynthMode& mode = made.truth.spec.modes[m];
+      const synth::SynthMode& mode = made.truth.spec.modes[m];
       h -= made.truth.residue_per_kg[0][c][m] *
            mode_column({mode.freq_Hz, mode.damping_ratio}, set.points[0], set.lines, 0, set.lines.count).value;
     }
@@ -68,7 +68,7 @@ TEST(ModeColumn, HoldsUnderAnExponentialWindow) {
 
 TEST(ModeColumn, MissesTheTruncatedRecordWithoutItsSecondTerm) {
   // The plain accelerance is off by percents here, which is what makes the test above mean something.
-  const SyntheticTest made = synthesise(truncated());
+  const synth::SyntheticTest made = synth::synthesise(truncated());
   const FrfDataset set = test::frf_set_of(made.record, 40, 2000);
   const Pole pole{.freq_Hz = 120, .damping_ratio = 0.004};
   const ModeColumn column = mode_column(pole, set.points[0], set.lines, 0, set.lines.count);
@@ -86,9 +86,9 @@ class ModeColumnSlope : public testing::TestWithParam<Setting> {};
 TEST_P(ModeColumnSlope, IsWhatCentralDifferencesGive) {
   constexpr double kStep = 1e-5;       // of the parameter's own scale: truncation 1e-10, rounding 1e-11
   constexpr double kTolerance = 1e-7;  // of the largest: both, amplified by up to 100 near the resonance
-  SynthSpec spec = truncated();
+  synth::SynthSpec spec = truncated();
   spec.samples = static_cast<std::size_t>(GetParam().duration_s * spec.fs_Hz);
-  const FrfDataset set = test::frf_set_of(synthesise(spec).record, 40, 2000, GetParam().decay_per_s);
+  const FrfDataset set = test::frf_set_of(synth::synthesise(spec).record, 40, 2000, GetParam().decay_per_s);
   for (const Pole& pole : {Pole{120.3, 0.004}, Pole{640.1, 0.03}}) {
     const auto at = [&](double freq_Hz, double damping) {
       return mode_column({freq_Hz, damping}, set.points[0], set.lines, 0, set.lines.count).value;
@@ -109,13 +109,13 @@ INSTANTIATE_TEST_SUITE_P(WithAndWithoutTruncationAndWindow, ModeColumnSlope,
 
 TEST(ModeColumn, DoesNotDependOnTheForcesUnitNorOnTheHitsOrder) {
   constexpr double kTolerance = 1e-13;  // order of summation
-  const SyntheticTest made = synthesise(truncated());
+  const synth::SyntheticTest made = synth::synthesise(truncated());
   const FrfDataset set = test::frf_set_of(made.record, 40, 2000);
-  std::vector<ForceBlock> blocks(set.points[0].blocks.rbegin(), set.points[0].blocks.rend());
-  std::vector<Spectrum> spectra;
-  for (ForceBlock& block : blocks) {
+  std::vector<frf::ForceBlock> blocks(set.points[0].blocks.rbegin(), set.points[0].blocks.rend());
+  std::vector<frf::Spectrum> spectra;
+  for (frf::ForceBlock& block : blocks) {
     for (double& f : block.force_N) f *= -1e3;
-    spectra.push_back(shared(force_spectrum(block, set.lines)));
+    spectra.push_back(frf::shared(frf::force_spectrum(block, set.lines)));
   }
   const PointForce other = point_force(blocks, spectra, set.lines, 0);
   const Pole pole{.freq_Hz = 120, .damping_ratio = 0.004};
@@ -125,7 +125,7 @@ TEST(ModeColumn, DoesNotDependOnTheForcesUnitNorOnTheHitsOrder) {
 }
 
 TEST(ModeColumn, OfAWindowIsAPartOfTheWhole) {
-  const FrfDataset set = test::frf_set_of(synthesise(truncated()).record, 40, 2000);
+  const FrfDataset set = test::frf_set_of(synth::synthesise(truncated()).record, 40, 2000);
   const Pole pole{.freq_Hz = 640, .damping_ratio = 0.004};
   constexpr double kTolerance = 1e-12;  // the phase is stepped from line to line
   const auto all = mode_column(pole, set.points[0], set.lines, 0, set.lines.count);
@@ -133,11 +133,11 @@ TEST(ModeColumn, OfAWindowIsAPartOfTheWhole) {
   EXPECT_LE(largest(all.value.segment(150, 80) - part.value), kTolerance * largest(all.value));
 }
 
-constexpr LineRange kTwoLines{.fs_Hz = 8, .samples = 8, .first = 1, .count = 2};
+constexpr frf::LineRange kTwoLines{.fs_Hz = 8, .samples = 8, .first = 1, .count = 2};
 
 TEST(PointForce, WeighsEachHitByItsPartOfTheEnergy) {
   const std::vector<Complex> a{{3, 4}, {0, 1}}, b{{0, 5}, {2, 0}};
-  const PointForce force = point_force({{}, {}}, {shared(a), shared(b)}, kTwoLines, 0.5);
+  const PointForce force = point_force({{}, {}}, {frf::shared(a), frf::shared(b)}, kTwoLines, 0.5);
   EXPECT_DOUBLE_EQ(force.ff[0], 50);
   EXPECT_DOUBLE_EQ(force.ff[1], 5);
   EXPECT_EQ(force.noise_N, 0.5);
@@ -149,7 +149,7 @@ TEST(PointForce, WeighsEachHitByItsPartOfTheEnergy) {
 TEST(PointForce, NamesALineThatTheForceNeverExcited) {
   const std::vector<Complex> force{{3, 4}, {0, 0}};
   try {
-    point_force({{}}, {shared(force)}, kTwoLines, 0);
+    point_force({{}}, {frf::shared(force)}, kTwoLines, 0);
     FAIL();
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr("no energy at 2 Hz"));
@@ -158,7 +158,7 @@ TEST(PointForce, NamesALineThatTheForceNeverExcited) {
 
 TEST(TruncatedDecay, IsWhatAColumnLacksOfTheWholeOne) {
   constexpr double kTolerance = 1e-12;  // rounding, of the largest line
-  const SyntheticTest made = synthesise(truncated());
+  const synth::SyntheticTest made = synth::synthesise(truncated());
   for (const double decay_per_s : {0.0, 3.0}) {
     const FrfDataset set = test::frf_set_of(made.record, 40, 2000, decay_per_s);
     const Pole pole{.freq_Hz = 120, .damping_ratio = 0.004};
@@ -177,4 +177,4 @@ TEST(TruncatedDecay, IsWhatAColumnLacksOfTheWholeOne) {
   }
 }
 
-}  // namespace percuss::modal_model_test
+}  // namespace percuss::identify::modal_model_test

@@ -4,9 +4,9 @@
 
 #include "core/math/linear_algebra.hpp"
 
-namespace percuss::background_test {
+namespace percuss::identify::background_test {
 
-const LineRange kLines{.fs_Hz = 8192, .samples = 8192, .first = 60, .count = 3200};
+const frf::LineRange kLines{.fs_Hz = 8192, .samples = 8192, .first = 60, .count = 3200};
 
 // Of the lines of an undamped mode's accelerance beyond the band, the part that the background cannot follow.
 double missed(double freq_Hz) {
@@ -35,4 +35,4 @@ TEST(BackgroundShapes, AreFiniteFromZeroHertz) {
   EXPECT_TRUE(out_of_band_terms({.fs_Hz = 1000, .samples = 1000, .first = 0, .count = 400}).allFinite());
 }
 
-}  // namespace percuss::background_test
+}  // namespace percuss::identify::background_test

@@ -9,16 +9,16 @@
 #include "support/modal_frfs.hpp"
 #include "synth/random_stream.hpp"
 
-namespace percuss::force_noise_test {
+namespace percuss::identify::force_noise_test {
 
 constexpr double kNoise_N = 0.02;
 
 // One hit: a pulse of 9 samples in a gate of 90 whose samples outside it are zero.
 FrfDataset gated_hit() {
   FrfDataset set = test::empty_set(8192, 16384, 40, 2400, 1);
-  ForceBlock block{.offset = 100, .force_N = std::vector<double>(90), .ungated_N = {}};
+  frf::ForceBlock block{.offset = 100, .force_N = std::vector<double>(90), .ungated_N = {}};
   for (std::size_t n = 0; n < 9; ++n) block.force_N[40 + n] = std::sin(kTwoPi * (static_cast<double>(n) + 0.5) / 18);
-  const Spectrum spectrum = shared(force_spectrum(block, set.lines));
+  const frf::Spectrum spectrum = frf::shared(frf::force_spectrum(block, set.lines));
   set.points[0] = point_force({block}, {spectrum}, set.lines, kNoise_N);
   return set;
 }
@@ -33,16 +33,16 @@ TEST(GainErrors, HaveTheCovarianceOfTheGatesNoise) {
   const FrfDataset set = gated_hit();
   const Eigen::MatrixXcd errors = gain_errors(set, 0, all_lines(set));
   // Independent truth: noise on every sample of the gate, transformed, over the force's spectrum.
-  const ForceBlock& block = set.points[0].blocks[0];
-  const auto force = force_spectrum(block, set.lines);
+  const frf::ForceBlock& block = set.points[0].blocks[0];
+  const auto force = frf::force_spectrum(block, set.lines);
   constexpr int kTrials = 2000;
   const std::vector<Eigen::Index> lines{10, 400, 1500, 4000};
   Eigen::Matrix4cd measured = Eigen::Matrix4cd::Zero();
   Eigen::Matrix4cd turned = Eigen::Matrix4cd::Zero();  // E εεᵀ: real noise is not circular at low frequencies
   for (int trial = 0; trial < kTrials; ++trial) {
-    ForceBlock noise{.offset = block.offset, .force_N = std::vector<double>(90), .ungated_N = {}};
-    RandomStream({7, static_cast<std::uint64_t>(trial)}).add_normal(kNoise_N, noise.force_N);
-    const auto spectrum = force_spectrum(noise, set.lines);
+    frf::ForceBlock noise{.offset = block.offset, .force_N = std::vector<double>(90), .ungated_N = {}};
+    synth::RandomStream({7, static_cast<std::uint64_t>(trial)}).add_normal(kNoise_N, noise.force_N);
+    const auto spectrum = frf::force_spectrum(noise, set.lines);
     Eigen::Vector4cd error;
     for (Eigen::Index i = 0; i < 4; ++i) {
       const auto k = static_cast<std::size_t>(lines[static_cast<std::size_t>(i)]);
@@ -81,4 +81,4 @@ TEST(GainErrors, AreNoneWithoutAForce) {
   EXPECT_EQ(gain_deviation(set, 0, 500), 0);
 }
 
-}  // namespace percuss::force_noise_test
+}  // namespace percuss::identify::force_noise_test

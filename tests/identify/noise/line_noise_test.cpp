@@ -12,7 +12,7 @@
 #include "identify/noise/window_noise.hpp"
 #include "support/modal_frfs.hpp"
 
-namespace percuss::line_noise_test {
+namespace percuss::identify::line_noise_test {
 
 // A median over some thousand lines of which three neighbours share their noise is good to 5 %; five of its deviations.
 constexpr double kTolerance = 0.1;
@@ -116,4 +116,4 @@ TEST(LocalNoise, IsTheMiddleOneOfThreeBlocks) {
   EXPECT_TRUE(local_noise({}, 0).empty());
 }
 
-}  // namespace percuss::line_noise_test
+}  // namespace percuss::identify::line_noise_test

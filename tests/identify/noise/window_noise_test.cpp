@@ -11,7 +11,7 @@
 #include "support/modal_frfs.hpp"
 #include "synth/synthesise.hpp"
 
-namespace percuss::window_noise_test {
+namespace percuss::identify::window_noise_test {
 
 constexpr std::size_t kSamples = 8192;
 constexpr double kFs_Hz = 8192;    // a record of one second
@@ -75,14 +75,16 @@ TEST(WindowNoise, LetsFitsFindTheModesAndTheirDeviations) {
   const std::vector<double> freq_Hz{165, 568, 1177}, damping_ratio{0.01, 0.007, 0.006};
   double squares = 0;
   for (std::size_t seed = 0; seed < kRecords; ++seed) {
-    SynthSpec spec = test::bat_spec({{.freq_Hz = 165, .damping_ratio = 0.01, .order = 1, .amplitude_per_sqrt_kg = 1.7},
-                                     {.freq_Hz = 568, .damping_ratio = 0.007, .order = 2, .amplitude_per_sqrt_kg = 1.9},
-                                     {.freq_Hz = 1177, .damping_ratio = 0.006, .order = 3, .amplitude_per_sqrt_kg = 2}},
-                                    1);
+    synth::SynthSpec spec =
+        test::bat_spec({{.freq_Hz = 165, .damping_ratio = 0.01, .order = 1, .amplitude_per_sqrt_kg = 1.7},
+                        {.freq_Hz = 568, .damping_ratio = 0.007, .order = 2, .amplitude_per_sqrt_kg = 1.9},
+                        {.freq_Hz = 1177, .damping_ratio = 0.006, .order = 3, .amplitude_per_sqrt_kg = 2}},
+                       1);
     spec.seed = seed;
     spec.hits = 3;
     spec.noise = {.force = 1e-5, .accel = 1e-2};
-    const Analysis analysis(synthesise(spec).record, {.band_Hz = std::pair{60.0, 2000.0}, .exponential_end = 0.01});
+    const pipeline::Analysis analysis(synth::synthesise(spec).record,
+                                      {.band_Hz = std::pair{60.0, 2000.0}, .exponential_end = 0.01});
     const auto& modes = analysis.modes();
     ASSERT_EQ(modes.size(), freq_Hz.size()) << seed;
     for (std::size_t m = 0; m < modes.size(); ++m) {
@@ -95,4 +97,4 @@ TEST(WindowNoise, LetsFitsFindTheModesAndTheirDeviations) {
   EXPECT_LE(rms, kMax);
 }
 
-}  // namespace percuss::window_noise_test
+}  // namespace percuss::identify::window_noise_test

@@ -6,7 +6,7 @@
 
 #include "support/modal_frfs.hpp"
 
-namespace percuss::moving_test {
+namespace percuss::identify::moving_test {
 
 constexpr double kNoise = 0.02;  // of lines whose peaks are 1/(2·0.001) = 500 times the residue
 
@@ -121,4 +121,4 @@ TEST(Merged, TakesTwoPointsForTooFewToTell) {
   EXPECT_FALSE(merge_if_scattered(all, all.groups().front()));
 }
 
-}  // namespace percuss::moving_test
+}  // namespace percuss::identify::moving_test

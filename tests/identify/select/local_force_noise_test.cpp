@@ -8,7 +8,7 @@
 #include "support/modal_frfs.hpp"
 #include "synth/random_stream.hpp"
 
-namespace percuss::local_force_noise_test {
+namespace percuss::identify::local_force_noise_test {
 
 constexpr double kNoise_N = 1e-3;  // of a pulse of 1 N
 const Pole kPole{500, 0.05};
@@ -16,9 +16,9 @@ const Pole kPole{500, 0.05};
 // A pulse of 9 samples in a gate of 90, and a mode seen by two outputs.
 FrfDataset noisy_force() {
   FrfDataset set = test::empty_set(8192, 8192, 60, 2400, 2);
-  ForceBlock block{.offset = 100, .force_N = std::vector<double>(90), .ungated_N = {}};
+  frf::ForceBlock block{.offset = 100, .force_N = std::vector<double>(90), .ungated_N = {}};
   for (std::size_t n = 0; n < 9; ++n) block.force_N[40 + n] = std::sin(kTwoPi * (static_cast<double>(n) + 0.5) / 18);
-  const Spectrum spectrum = shared(force_spectrum(block, set.lines));
+  const frf::Spectrum spectrum = frf::shared(frf::force_spectrum(block, set.lines));
   set.points[0] = point_force({block}, {spectrum}, set.lines, kNoise_N);
   test::add_mode(set, 0, kPole, 1);
   test::add_mode(set, 1, kPole, -0.4);
@@ -31,7 +31,7 @@ FrfDataset with_a_gain(FrfDataset set, std::uint64_t seed) {
   for (std::size_t k = 0; k < lines.size(); ++k) lines[k] = k;
   const Eigen::MatrixXcd errors = gain_errors(set, 0, lines);
   std::vector<double> draw(static_cast<std::size_t>(errors.cols()));
-  RandomStream({seed, 1}).add_normal(1, draw);
+  synth::RandomStream({seed, 1}).add_normal(1, draw);
   const Eigen::VectorXcd gain = errors * Eigen::Map<const Eigen::VectorXd>(draw.data(), errors.cols());
   for (FrfChannel& output : set.outputs) {
     for (std::size_t k = 0; k < lines.size(); ++k) output.frf[k] *= 1.0 + gain(static_cast<Eigen::Index>(k));
@@ -72,4 +72,4 @@ TEST(LocalForceNoise, LeavesModesOfAJointFitAlone) {
   EXPECT_EQ(modes[0].mode.freq_std_Hz, before_Hz);
 }
 
-}  // namespace percuss::local_force_noise_test
+}  // namespace percuss::identify::local_force_noise_test

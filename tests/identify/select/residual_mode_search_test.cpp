@@ -7,7 +7,7 @@
 #include "identify/select/sequential_fit.hpp"
 #include "support/modal_frfs.hpp"
 
-namespace percuss::hidden_search_test {
+namespace percuss::identify::hidden_search_test {
 
 const Pole kNarrow{400, 0.01}, kBroad{1100, 0.29};
 
@@ -52,4 +52,4 @@ TEST(FitPeaks, FindsAModeTooBroadForAPeak) {
   }
 }
 
-}  // namespace percuss::hidden_search_test
+}  // namespace percuss::identify::hidden_search_test

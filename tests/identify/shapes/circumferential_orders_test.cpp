@@ -8,7 +8,7 @@
 
 #include "synth/random_stream.hpp"
 
-namespace percuss::cylinder_test {
+namespace percuss::identify::cylinder_test {
 
 using std::numbers::pi;
 
@@ -36,7 +36,7 @@ template <class Axial>
 ModeShape pattern(const TubeGeometry& geometry, int n, double plane_rad, Axial&& axial, double noise = 0) {
   ModeShape shape;
   std::vector<double> errors(geometry.size());
-  if (noise > 0) RandomStream({1, static_cast<std::uint64_t>(n)}).add_normal(noise, errors);
+  if (noise > 0) synth::RandomStream({1, static_cast<std::uint64_t>(n)}).add_normal(noise, errors);
   for (const auto& [point, place] : geometry) {
     const double value = axial(place.position_m) * std::cos(n * (place.angle_rad - plane_rad));
     shape.places.push_back({.point = point, .value = value + errors[shape.places.size()], .std = noise});
@@ -187,4 +187,4 @@ TEST(TubeShape, TakesAnglesThatAreNotEven) {
   EXPECT_NEAR(*tube->plane_rad, 0.3, kRounding);
 }
 
-}  // namespace percuss::cylinder_test
+}  // namespace percuss::identify::cylinder_test

@@ -7,7 +7,7 @@
 
 #include "synth/random_stream.hpp"
 
-namespace percuss::mac_test {
+namespace percuss::identify::mac_test {
 
 using Complex = std::complex<double>;
 
@@ -74,7 +74,7 @@ TEST_P(MacDeviation, IsWhatNoiseDoes) {
   double squares = 0;
   for (std::size_t trial = 0; trial < kTrials; ++trial) {
     std::vector<double> noise(4 * a.value.size());
-    RandomStream({7, trial}).add_normal(kNoise, noise);
+    synth::RandomStream({7, trial}).add_normal(kNoise, noise);
     ShapeValues c = a, d = b;
     for (std::size_t i = 0; i < a.value.size(); ++i) {
       c.value[i] += Complex(noise[4 * i], noise[4 * i + 1]);
@@ -105,4 +105,4 @@ TEST(AutoMac, ComparesAllModesOverTheirCommonPlaces) {
   EXPECT_GT(table[2][0].std, 0);
 }
 
-}  // namespace percuss::mac_test
+}  // namespace percuss::identify::mac_test

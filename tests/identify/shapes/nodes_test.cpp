@@ -8,7 +8,7 @@
 #include "synth/random_stream.hpp"
 #include "synth/structure.hpp"
 
-namespace percuss::nodes_test {
+namespace percuss::identify::nodes_test {
 
 constexpr double kRounding = 1e-9;  // of a least-squares fit in double precision, m
 
@@ -24,7 +24,7 @@ ScanShape scan_of(double start_m, double step_m, int count, const auto& shape, d
 
 ScanShape with_noise(ScanShape scan, std::uint64_t seed) {
   std::vector<double> noise(scan.amplitude.size());
-  RandomStream({seed}).add_normal(1, noise);
+  synth::RandomStream({seed}).add_normal(1, noise);
   for (std::size_t i = 0; i < noise.size(); ++i) scan.amplitude[i] += noise[i] * scan.std[i];
   return scan;
 }
@@ -47,10 +47,10 @@ TEST(FindNodes, FindsTheRootOfACubicThatALineMisses) {
 
 TEST(FindNodes, FindsEveryNodeOfAShape) {
   const auto nodes = find_nodes(scan_of(
-      0, 0.01, 85, [](double x) { return free_beam_shape(3, x / 0.84); }, 1e-4));
+      0, 0.01, 85, [](double x) { return synth::free_beam_shape(3, x / 0.84); }, 1e-4));
   ASSERT_EQ(nodes.size(), 4U);
   for (const Node& node : nodes) {
-    EXPECT_LE(std::abs(free_beam_shape(3, node.position_m / 0.84)), 1e-3) << "of a tip's 1";
+    EXPECT_LE(std::abs(synth::free_beam_shape(3, node.position_m / 0.84)), 1e-3) << "of a tip's 1";
   }
   EXPECT_NEAR(nodes[0].position_m + nodes[3].position_m, 0.84, 1e-4) << "a free beam is symmetric";
 }
@@ -77,7 +77,7 @@ TEST(FindNodes, TakesNoiseAroundZeroForOneNode) {
 TEST(FindNodes, MissesByWhatItsDeviationSays) {
   // The share within one, two and three deviations; the distance to the next degree only adds to them.
   constexpr int kScans = 2000;
-  const auto shape = [](double x) { return free_beam_shape(1, x / 0.84); };
+  const auto shape = [](double x) { return synth::free_beam_shape(1, x / 0.84); };
   int one = 0, three = 0;
   double squares = 0;
   const double exact = find_nodes(scan_of(3 * kInch_m, 0.25 * kInch_m, 25, shape, 1e-9)).at(0).position_m;
@@ -108,7 +108,7 @@ TEST(FindNodes, CountsTheSpreadThatDeviationsDoNotExplain) {
 
 TEST(FindNodes, IsTheSameUpsideDownAndInOtherUnits) {
   auto scan = with_noise(scan_of(
-                             0.08, 0.01, 15, [](double x) { return free_beam_shape(2, x / 0.84); }, 1e-3),
+                             0.08, 0.01, 15, [](double x) { return synth::free_beam_shape(2, x / 0.84); }, 1e-3),
                          1);
   const Node node = find_nodes(scan).at(0);
   for (double& a : scan.amplitude) a *= -7;
@@ -137,4 +137,4 @@ TEST(MinimumOfPeak, IsTheBottomOfTheV) {
   EXPECT_EQ(minimum_of_peak(std::vector{1.0, 2.0}, std::vector{1.0, 1.0}, 0.1), std::nullopt);
 }
 
-}  // namespace percuss::nodes_test
+}  // namespace percuss::identify::nodes_test

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-namespace percuss::scan_shape_test {
+namespace percuss::identify::scan_shape_test {
 
 constexpr double kRounding = 1e-12;  // of a singular value decomposition
 
@@ -57,4 +57,4 @@ TEST(ShapeAlong, LeavesOutPointsWithoutResidues) {
   EXPECT_TRUE(shape_along(Mode{}, kPoints, kPositions).amplitude.empty());
 }
 
-}  // namespace percuss::scan_shape_test
+}  // namespace percuss::identify::scan_shape_test

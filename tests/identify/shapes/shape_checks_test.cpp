@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace percuss::shape_checks_test {
+namespace percuss::identify::shape_checks_test {
 
 constexpr double kRounding = 1e-12;
 
@@ -44,4 +44,4 @@ TEST(ReciprocityCheck, HoldsForTheResiduesOfOneShape) {
   EXPECT_LE(checks[0].deviations, kRounding);
 }
 
-}  // namespace percuss::shape_checks_test
+}  // namespace percuss::identify::shape_checks_test

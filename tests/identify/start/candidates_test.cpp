@@ -7,7 +7,7 @@
 
 #include "support/modal_frfs.hpp"
 
-namespace percuss::candidates_test {
+namespace percuss::identify::candidates_test {
 
 std::vector<Eigen::VectorXcd> lines_of(const FrfDataset& set) {
   std::vector<Eigen::VectorXcd> data;
@@ -128,4 +128,4 @@ TEST(PolesNear, DoNotShareAPeak) {
   }
 }
 
-}  // namespace percuss::candidates_test
+}  // namespace percuss::identify::candidates_test

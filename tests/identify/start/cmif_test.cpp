@@ -6,7 +6,7 @@
 
 #include "support/modal_frfs.hpp"
 
-namespace percuss::cmif_test {
+namespace percuss::identify::cmif_test {
 
 constexpr double kRounding = 1e-12;
 
@@ -26,7 +26,7 @@ FrfDataset two_by_two() {
   return set;
 }
 
-Eigen::Index line_at(const LineRange& lines, double freq_Hz) {
+Eigen::Index line_at(const frf::LineRange& lines, double freq_Hz) {
   return static_cast<Eigen::Index>(std::lround(freq_Hz / lines.df_Hz()) - static_cast<long>(lines.first));
 }
 
@@ -53,7 +53,7 @@ TEST(Cmif, ShowsTwoModesOfOneFrequencyInTwoValues) {
 
 TEST(Cmif, KeepsToTheBand) {
   const FrfDataset set = two_by_two();
-  const LineRange band = lines_in_band(4096, 8192, 300, 500);
+  const frf::LineRange band = frf::lines_in_band(4096, 8192, 300, 500);
   const Eigen::MatrixXd part = cmif(set, band), all = cmif(set, set.lines);
   ASSERT_EQ(static_cast<std::size_t>(part.rows()), band.count);
   EXPECT_EQ(part.row(0), all.row(static_cast<Eigen::Index>(band.first - set.lines.first)));
@@ -65,4 +65,4 @@ TEST(Cmif, TakesAnOutputThatIsMissingAsZero) {
   EXPECT_TRUE(cmif(set, set.lines).allFinite());
 }
 
-}  // namespace percuss::cmif_test
+}  // namespace percuss::identify::cmif_test

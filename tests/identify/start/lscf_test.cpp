@@ -8,7 +8,7 @@
 #include "support/modal_frfs.hpp"
 #include "synth/synthesise.hpp"
 
-namespace percuss::lscf_test {
+namespace percuss::identify::lscf_test {
 
 Complex root_of(const Pole& pole) {
   return {-pole.damping_ratio * pole.freq_Hz, pole.freq_Hz * std::sqrt(1 - pole.damping_ratio * pole.damping_ratio)};
@@ -64,9 +64,10 @@ TEST(LscfPoles, AreExactOnTruncatedAndOnWindowedRecords) {
   // What is missing after the end has the same poles; the window's decay is taken off.
   constexpr double kForce = 1e-4;  // bandwidths: the force's spectrum, which truncation divides by, is no polynomial
   const Pole mode{200.3, 0.002};
-  const auto made = synthesise(test::bat_spec({{.freq_Hz = 200.3, .damping_ratio = 0.002, .residue_per_kg = {0.9, 0.5}},
-                                               {.freq_Hz = 640, .damping_ratio = 0.004, .residue_per_kg = {0.4, 0.5}}},
-                                              0.5));
+  const auto made =
+      synth::synthesise(test::bat_spec({{.freq_Hz = 200.3, .damping_ratio = 0.002, .residue_per_kg = {0.9, 0.5}},
+                                        {.freq_Hz = 640, .damping_ratio = 0.004, .residue_per_kg = {0.4, 0.5}}},
+                                       0.5));
   for (const double decay_per_s : {0.0, 9.2}) {
     const auto orders = lscf_poles(test::frf_set_of(made.record, 60, 1000, decay_per_s));
     EXPECT_LE(error_of(orders.back(), mode), kForce) << decay_per_s;
@@ -118,4 +119,4 @@ TEST(LscfPoles, HaveNoMoreOrdersThanTheLinesCarry) {
   for (const Pole& mode : kThree) EXPECT_LE(error_of(high.back(), mode), kExact) << mode.freq_Hz;
 }
 
-}  // namespace percuss::lscf_test
+}  // namespace percuss::identify::lscf_test

@@ -8,7 +8,7 @@
 
 #include "synth/random_stream.hpp"
 
-namespace percuss::peaks_test {
+namespace percuss::identify::peaks_test {
 
 /// The definition, word for word, in quadratic time: walk from a maximum to either side until something is higher (or
 /// the end comes); the lowest value met on each side is a saddle; the higher one counts.
@@ -60,7 +60,7 @@ TEST(FindPeaks, CountsAnEndThatStandsAboveItsNeighbour) {
 
 TEST(FindPeaks, AgreesWithTheDefinitionOnRandomSequences) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
-    RandomStream random{seed};
+    synth::RandomStream random{seed};
     std::vector<double> x(1 + seed % 60);
     // Few levels, so that plateaus, ties and equal summits are common.
     for (double& value : x) value = std::floor(random.uniform(0, seed % 2 == 0 ? 4 : 1000));
@@ -70,7 +70,7 @@ TEST(FindPeaks, AgreesWithTheDefinitionOnRandomSequences) {
 }
 
 TEST(FindPeaks, SeesTheSameBackwardsShiftedAndScaled) {
-  RandomStream random{7};
+  synth::RandomStream random{7};
   std::vector<double> x(500);
   for (double& value : x) value = std::floor(random.uniform(0, 1 << 20));
   const auto peaks = find_peaks(x);
@@ -104,4 +104,4 @@ TEST(MaximaAbove, AreThePeaksThatAreHigher) {
   EXPECT_TRUE(maxima_above({}, 0).empty());
 }
 
-}  // namespace percuss::peaks_test
+}  // namespace percuss::identify::peaks_test

@@ -5,15 +5,15 @@
 #include "support/modal_frfs.hpp"
 #include "synth/synthesise.hpp"
 
-namespace percuss::ripples_test {
+namespace percuss::identify::ripples_test {
 
 // One mode that does not decay within its second, and a weaker one that does.
 FrfDataset cut_off() {
-  SynthSpec spec = test::bat_spec({{.freq_Hz = 400.3, .damping_ratio = 1e-5, .residue_per_kg = {1, 0.5}},
-                                   {.freq_Hz = 900, .damping_ratio = 0.005, .residue_per_kg = {1, 0.5}}},
-                                  1);
+  synth::SynthSpec spec = test::bat_spec({{.freq_Hz = 400.3, .damping_ratio = 1e-5, .residue_per_kg = {1, 0.5}},
+                                          {.freq_Hz = 900, .damping_ratio = 0.005, .residue_per_kg = {1, 0.5}}},
+                                         1);
   spec.points = {{}};
-  return test::frf_set_of(synthesise(spec, 1).record, 60, 2400);
+  return test::frf_set_of(synth::synthesise(spec, 1).record, 60, 2400);
 }
 
 TEST(Ripples, MayBeWhatIsNoHigherThanTheFlankOfADecayCutOff) {
@@ -42,4 +42,4 @@ TEST(Ripples, RemainOnlyWhereTheResidualDoes) {
   EXPECT_FALSE(remains_in_residual(set, {900, 0.005}, residual));
 }
 
-}  // namespace percuss::ripples_test
+}  // namespace percuss::identify::ripples_test

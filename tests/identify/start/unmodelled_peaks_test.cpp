@@ -7,7 +7,7 @@
 #include "support/modal_frfs.hpp"
 #include "synth/synthesise.hpp"
 
-namespace percuss::unclaimed_peaks_test {
+namespace percuss::identify::unclaimed_peaks_test {
 
 constexpr double kRange_dB = 65;
 const std::vector<Pole> kPoles{{200, 0.01}, {600, 0.005}, {1200, 0.004}};
@@ -70,12 +70,12 @@ TEST(UnclaimedPeaks, AreNotTheNoiseOfAFlank) {
 
 // Of two that ring on at the end, what is cut off of one makes a row of nulls in the other's flank.
 TEST(UnclaimedPeaks, AreNotTheRipplesOfADecayCutOff) {
-  SynthSpec spec = test::bat_spec({{.freq_Hz = 400.3, .damping_ratio = 1e-5, .residue_per_kg = {1, 0.5}}}, 1);
+  synth::SynthSpec spec = test::bat_spec({{.freq_Hz = 400.3, .damping_ratio = 1e-5, .residue_per_kg = {1, 0.5}}}, 1);
   spec.points = {{}};
-  const FrfDataset set = test::frf_set_of(synthesise(spec, 1).record, 60, 2400);
+  const FrfDataset set = test::frf_set_of(synth::synthesise(spec, 1).record, 60, 2400);
   const Mode mode{.pole = {400.3, 1e-5}, .residues = {{.value = 1}, {.channel = 1, .value = 0.5}}};
   EXPECT_TRUE(unmodelled_peaks(set, {mode}, kRange_dB).empty());
   EXPECT_FALSE(unmodelled_peaks(set, {}, kRange_dB).empty());
 }
 
-}  // namespace percuss::unclaimed_peaks_test
+}  // namespace percuss::identify::unclaimed_peaks_test

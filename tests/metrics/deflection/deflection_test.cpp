@@ -10,7 +10,7 @@
 #include "metrics/deflection/baseline_drift.hpp"
 #include "synth/pulse.hpp"
 
-namespace percuss::deflection_test {
+namespace percuss::metrics::deflection_test {
 
 /// A mode of a held beam struck for 3 ms: closed form of the response to a half sine, sampled far above its frequency.
 struct Impact {
@@ -21,7 +21,7 @@ struct Impact {
 
 constexpr double kFreq_Hz = 14.5, kDamping = 0.012, kResidue_per_kg = 2, kForce_N = 600, kPulse_s = 0.003;
 
-Pole pole() { return {.freq_Hz = kFreq_Hz, .damping_ratio = kDamping}; }
+identify::Pole pole() { return {.freq_Hz = kFreq_Hz, .damping_ratio = kDamping}; }
 
 // Undamped response of x'' + 2ζωx' + ω²x = A·F sin(πt/T) by superposition of two half-infinite sines.
 struct State {
@@ -83,10 +83,11 @@ TEST(Deflection, OfACleanRecordIsExact) {
 // shares no sample with the acceleration.
 TEST(Deflection, IsBandLimitedAtEverySamplingRate) {
   constexpr double kRounding = 1e-6;  // of the peak; what the window at the record's end and the late means leave
-  const std::vector<SynthPole> poles{{14.5, 0.012}, {90, 0.01}, {322, 0.008}};
+  const std::vector<synth::SynthPole> poles{{14.5, 0.012}, {90, 0.01}, {322, 0.008}};
   for (const double fs_Hz : {2000.0, 5000.0, 12800.0, 25600.0, 50000.0}) {
     const auto samples = static_cast<std::size_t>(1.2 * fs_Hz);
-    const PulseBasis basis = pulse_basis({.onset_s = 0.1, .width_s = 0.0025, .peak_N = 800}, fs_Hz, poles, 0, samples);
+    const synth::PulseBasis basis =
+        synth::pulse_basis({.onset_s = 0.1, .width_s = 0.0025, .peak_N = 800}, fs_Hz, poles, 0, samples);
     std::vector<double> force(samples), accel(samples);
     std::copy(basis.force_N.begin(), basis.force_N.end(), force.begin() + static_cast<std::ptrdiff_t>(basis.first));
     std::vector<ModalContribution> modes;
@@ -233,4 +234,4 @@ TEST(BaselineEstimate, KnowsNothingFromAFewSamples) {
   EXPECT_NEAR(std::sqrt(rest.covariance(0, 0)), 2, 1e-12);
 }
 
-}  // namespace percuss::deflection_test
+}  // namespace percuss::metrics::deflection_test

@@ -7,7 +7,7 @@
 
 #include "core/units.hpp"
 
-namespace percuss::integration_test {
+namespace percuss::metrics::integration_test {
 
 constexpr double kFs_Hz = 2000;
 constexpr std::size_t kSamples = 3000;
@@ -116,4 +116,4 @@ TEST(IntegrateByLines, IsExactForWhatIsPeriodicInTheRecord) {
             kRounding);
 }
 
-}  // namespace percuss::integration_test
+}  // namespace percuss::metrics::integration_test

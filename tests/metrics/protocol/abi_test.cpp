@@ -9,7 +9,7 @@
 #include "support/input_error.hpp"
 #include "synth/random_stream.hpp"
 
-namespace percuss::abi_test {
+namespace percuss::metrics::abi_test {
 
 using test::input_error_of;
 using testing::HasSubstr;
@@ -202,7 +202,7 @@ TEST(Abi, GivesUpOnABarrelThatDoesNotSoften) {
 TEST(Abi, EndsOnEveryBatAndNeverPassesOneThatFails) {
   std::array<int, 4> verdicts{};
   for (std::uint64_t seed = 0; seed < 500; ++seed) {
-    RandomStream random{3, seed};
+    synth::RandomStream random{3, seed};
     AbiLog log = log_of({});
     log.limit = 0.735;
     double stiff_lbf = random.uniform(300, 900), value = random.uniform(0.70, 0.73), highest = 0;
@@ -238,4 +238,4 @@ TEST(Abi, EndsOnEveryBatAndNeverPassesOneThatFails) {
   EXPECT_GT(verdicts.at(static_cast<std::size_t>(AbiVerdict::undecided)), 5);
 }
 
-}  // namespace percuss::abi_test
+}  // namespace percuss::metrics::abi_test

@@ -8,7 +8,7 @@
 
 #include "metrics/protocol/resolution.hpp"
 
-namespace percuss::bat_metrics_test {
+namespace percuss::metrics::bat_metrics_test {
 
 constexpr double kMph = kMilePerHour_mps;
 
@@ -130,4 +130,4 @@ TEST(BatMetrics, WarnsOfWhatTheSourceContradicts) {
   EXPECT_THAT(codes(), testing::ElementsAre("swing_exponent", "drop_class", "rebound_speed"));
 }
 
-}  // namespace percuss::bat_metrics_test
+}  // namespace percuss::metrics::bat_metrics_test

@@ -11,7 +11,7 @@
 #include "support/input_error.hpp"
 #include "synth/random_stream.hpp"
 
-namespace percuss::certify_test {
+namespace percuss::metrics::certify_test {
 
 using testing::Contains;
 using testing::ElementsAre;
@@ -288,7 +288,7 @@ TEST(Certify, NamesItsVerdicts) {
 TEST(Certify, NeverPassesABatThatFails) {
   std::array<int, 5> verdicts{};
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
-    RandomStream random{5, seed};
+    synth::RandomStream random{5, seed};
     Session s = fresh_session();
     s.metric = seed % 2 == 0 ? PerformanceMetric::ncaa_besr : PerformanceMetric::besr;
     s.limit = random.uniform(0.715, 0.735);
@@ -315,4 +315,4 @@ TEST(Certify, NeverPassesABatThatFails) {
   EXPECT_GT(verdicts.at(static_cast<std::size_t>(CertifyVerdict::undecided)), 20);
 }
 
-}  // namespace percuss::certify_test
+}  // namespace percuss::metrics::certify_test

@@ -7,7 +7,7 @@
 
 #include "synth/random_stream.hpp"
 
-namespace percuss::pendulum_test {
+namespace percuss::metrics::pendulum_test {
 
 constexpr double kPeriod_s = 1.4321, kRounding = 1e-12;
 
@@ -42,7 +42,7 @@ TEST(Pendulum, ErrorIsTheScatterOfManySeries) {
   const int series = 2000;
   for (int s = 0; s < series; ++s) {
     auto times = crossings(12, 0.05);
-    RandomStream random{7, static_cast<std::uint64_t>(s)};
+    synth::RandomStream random{7, static_cast<std::uint64_t>(s)};
     random.add_normal(kNoise_s, times);
     const PeriodEstimate got = period_of_crossings(times);
     squares += std::pow(got.period_s - kPeriod_s, 2) / series;
@@ -77,4 +77,4 @@ TEST(Pendulum, SaysWhyThereIsNone) {
   EXPECT_THAT(period_of_crossings(lost).problem, HasSubstr("missing or counted twice"));
 }
 
-}  // namespace percuss::pendulum_test
+}  // namespace percuss::metrics::pendulum_test

@@ -6,7 +6,7 @@
 #include "metrics/protocol/bat_metrics.hpp"
 #include "metrics/protocol/resolution.hpp"
 
-namespace percuss::performance_test {
+namespace percuss::metrics::performance_test {
 
 constexpr double kRounding = 1e-12;  // relative: a few operations in double
 constexpr double kMph = kMilePerHour_mps, kOzIn2 = kOunceInch2_kgm2;
@@ -127,4 +127,4 @@ TEST(RecordedReadings, ErrFlatlyWithinHalfAStep) {
   EXPECT_NEAR(reading_std(1), std::sqrt(sum), 1e-9);  // the midpoint rule's own error
 }
 
-}  // namespace percuss::performance_test
+}  // namespace percuss::metrics::performance_test

@@ -8,7 +8,7 @@
 #include "support/input_error.hpp"
 #include "support/json_schema.hpp"
 
-namespace percuss::session_test {
+namespace percuss::metrics::session_test {
 
 using test::input_error_of;
 using testing::HasSubstr;
@@ -167,4 +167,4 @@ TEST(AbiLog, NamesTheKeyThatIsWrong) {
   EXPECT_THAT(abi_refusal(long_log + "]}"), HasSubstr("more than 10000 entries"));
 }
 
-}  // namespace percuss::session_test
+}  // namespace percuss::metrics::session_test

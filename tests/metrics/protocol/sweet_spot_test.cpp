@@ -8,7 +8,7 @@
 
 #include "synth/random_stream.hpp"
 
-namespace percuss::sweet_spot_test {
+namespace percuss::metrics::sweet_spot_test {
 
 using testing::ElementsAre;
 using Barrel = std::function<double(HalfInches)>;
@@ -90,7 +90,7 @@ TEST(SweetSpot, SaysWhenTheBestLiesAtTheEnd) {
 TEST(SweetSpot, EndsOnEveryBarrelAndFindsNothingThatIsNotThere) {
   int found = 0;
   for (std::uint64_t seed = 0; seed < 3000; ++seed) {
-    RandomStream random{11, seed};
+    synth::RandomStream random{11, seed};
     std::vector<double> values(40);
     for (double& value : values) value = 0.7 + 0.02 * random.uniform();
     if (seed % 3 == 0)
@@ -110,4 +110,4 @@ TEST(SweetSpot, EndsOnEveryBarrelAndFindsNothingThatIsNotThere) {
   EXPECT_GT(found, 300);
 }
 
-}  // namespace percuss::sweet_spot_test
+}  // namespace percuss::metrics::sweet_spot_test

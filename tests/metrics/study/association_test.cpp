@@ -8,13 +8,13 @@
 
 #include "synth/random_stream.hpp"
 
-namespace percuss::association_test {
+namespace percuss::metrics::association_test {
 
 constexpr double kRounding = 1e-12;
 
 // Pairs with correlation rho, unless `monotone` bends y.
 ClassPoints normal_pairs(std::uint64_t seed, std::size_t n, double rho) {
-  RandomStream random{17, seed};
+  synth::RandomStream random{17, seed};
   std::vector<double> draws(2 * n, 0);
   random.add_normal(1, draws);
   ClassPoints out;
@@ -159,4 +159,4 @@ TEST(AdjustedForAll, FollowsHolm) {
   EXPECT_TRUE(holm_adjusted({}).empty());
 }
 
-}  // namespace percuss::association_test
+}  // namespace percuss::metrics::association_test

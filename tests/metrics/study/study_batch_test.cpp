@@ -5,7 +5,7 @@
 
 #include "core/error.hpp"
 
-namespace percuss::study_batch_test {
+namespace percuss::metrics::study_batch_test {
 
 using testing::ElementsAre;
 using testing::Pair;
@@ -55,4 +55,4 @@ TEST(StudyBatch, NamesTheLineThatIsNone) {
   }
 }
 
-}  // namespace percuss::study_batch_test
+}  // namespace percuss::metrics::study_batch_test

@@ -10,7 +10,7 @@
 #include "support/input_error.hpp"
 #include "synth/population.hpp"
 
-namespace percuss::study_test {
+namespace percuss::metrics::study_test {
 
 using test::input_error_of;
 using testing::HasSubstr;
@@ -24,7 +24,7 @@ TEST(Study, FindsTheRelationsThatWerePlanted) {
   using enum StudyQuantity;
   int found = 0, all = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    const Study study = study_of(synthetic_population({.seed = seed}));
+    const Study study = study_of(synth::synthetic_population({.seed = seed}));
     for (const StudyQuantity y : {besr, bbs, bbcor}) {
       const auto& hoop = statement_of(study, StudyFamily::nonwood, y, hoop1);
       EXPECT_EQ(hoop.verdict, StatementVerdict::supported) << seed;
@@ -45,14 +45,14 @@ TEST(Study, IntervalsHoldThePlantedCorrelation) {
   int held = 0;
   const int populations = 200;
   for (int seed = 0; seed < populations; ++seed) {
-    const PopulationSpec spec{.seed = static_cast<std::uint64_t>(seed),
-                              .wood = 0,
-                              .aluminum = 0,
-                              .composite = 80,
-                              .hoop_gain = 1e-5,
-                              .noise = 0.006,
-                              .trail = false};
-    const Study study = study_of(synthetic_population(spec));
+    const synth::PopulationSpec spec{.seed = static_cast<std::uint64_t>(seed),
+                                     .wood = 0,
+                                     .aluminum = 0,
+                                     .composite = 80,
+                                     .hoop_gain = 1e-5,
+                                     .noise = 0.006,
+                                     .trail = false};
+    const Study study = study_of(synth::synthetic_population(spec));
     // Uniform from 1300 to 2800 Hz.
     const double hoop_std = 1500 / std::sqrt(12.0), part = spec.hoop_gain * hoop_std;
     const double planted = -part / std::hypot(part, spec.noise);
@@ -66,7 +66,7 @@ TEST(Study, IntervalsHoldThePlantedCorrelation) {
 TEST(Study, FindsNothingWhereNothingWasPlanted) {
   int false_studies = 0;
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
-    const Study study = study_of(synthetic_population({.seed = seed, .related = false, .trail = false}));
+    const Study study = study_of(synth::synthetic_population({.seed = seed, .related = false, .trail = false}));
     false_studies += std::any_of(study.statements.begin(), study.statements.end(),
                                  [](const StudyStatement& s) { return s.verdict != StatementVerdict::not_supported; });
   }
@@ -75,7 +75,7 @@ TEST(Study, FindsNothingWhereNothingWasPlanted) {
 }
 
 TEST(Study, MakesEveryFigureOfTheSource) {
-  const Study study = study_of(synthetic_population());
+  const Study study = study_of(synth::synthetic_population());
   std::vector<std::string> sources;
   for (const StudyFigure& figure : study.figures) {
     if (!figure.source.empty()) sources.push_back(figure.source);
@@ -92,7 +92,7 @@ TEST(Study, MakesEveryFigureOfTheSource) {
 }
 
 TEST(Study, CountsABatOnceHoweverManyOfItsStatesAreShown) {
-  const auto bats = synthetic_population({.wood = 0, .aluminum = 0, .composite = 20});
+  const auto bats = synth::synthetic_population({.wood = 0, .aluminum = 0, .composite = 20});
   const Study study = study_of(bats);
   const auto& hoop = statement_of(study, StudyFamily::nonwood, StudyQuantity::besr, StudyQuantity::hoop1);
   EXPECT_LE(hoop.association->points, 21U);
@@ -100,7 +100,7 @@ TEST(Study, CountsABatOnceHoweverManyOfItsStatesAreShown) {
 }
 
 TEST(Study, NamesOutliers) {
-  auto bats = synthetic_population({.wood = 60, .aluminum = 0, .composite = 0, .trail = false});
+  auto bats = synth::synthetic_population({.wood = 60, .aluminum = 0, .composite = 0, .trail = false});
   bats[7].values[static_cast<std::size_t>(StudyQuantity::bbcor)] = 0.60;
   const Study study = study_of(bats);
   const auto figure = std::find_if(study.figures.begin(), study.figures.end(),
@@ -115,7 +115,7 @@ TEST(Study, NamesOutliers) {
 
 TEST(Population, IsAsTheSourceDescribesIt) {
   double sum = 0, wood = 0;
-  for (const StudyBat& bat : synthetic_population({.wood = 400})) {
+  for (const StudyBat& bat : synth::synthetic_population({.wood = 400})) {
     const auto hoop = bat.value(StudyQuantity::hoop1);
     if (bat.material == BarrelMaterial::wood) {
       EXPECT_FALSE(hoop);
@@ -140,7 +140,7 @@ StudyRows rows_of(const std::string& text, const std::string& more = {}) {
 }
 
 TEST(StudyTable, ReadsBackWhatItWrites) {
-  const auto bats = synthetic_population({.wood = 5, .aluminum = 5, .composite = 5});
+  const auto bats = synth::synthetic_population({.wood = 5, .aluminum = 5, .composite = 5});
   const std::string text = study_table_csv(bats);
   EXPECT_EQ(study_table_csv(rows_of(text).bats()), text);
 }
@@ -217,4 +217,4 @@ TEST(StudyCurve, ReadsATrampolineModel) {
     EXPECT_THAT(input_error_of([&] { parse_study_curve(text, "m.json"); }), HasSubstr("m.json"));
 }
 
-}  // namespace percuss::study_test
+}  // namespace percuss::metrics::study_test

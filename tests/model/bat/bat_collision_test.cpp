@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace percuss::bat_collision_test {
+namespace percuss::model::bat_collision_test {
 
 const BatProfile kStepped{.end_m = {0.02, 0.40, 0.50, 0.82}, .diameter_m = {0.050, 0.026, 0.040, 0.062}};
 
@@ -140,4 +140,4 @@ TEST(BatWave, MovesTheBatsCentreByTheBallsImpulse) {
   EXPECT_NEAR((centre_m[1] - centre_m[0]) / 1e-3, impulse_Ns / bat.inertia.mass_kg, 0.01);
 }
 
-}  // namespace percuss::bat_collision_test
+}  // namespace percuss::model::bat_collision_test

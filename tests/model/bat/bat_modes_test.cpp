@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace percuss::bat_modes_test {
+namespace percuss::model::bat_modes_test {
 
 // A bat of four slices. Its figures: exact solutions of Timoshenko's equations slice by slice (scipy's expm of the
 // 4 x 4 system, multiplied along the bat; brentq on the determinant of the free ends), outside percuss.
@@ -128,4 +128,4 @@ TEST(BatModes, GiveAllThereAreWhenAskedForMore) {
   EXPECT_EQ(modes.freq_Hz.size(), 16);  // four elements: 18 unknowns, two of them rigid
 }
 
-}  // namespace percuss::bat_modes_test
+}  // namespace percuss::model::bat_modes_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace percuss::rigid_test {
+namespace percuss::model::rigid_test {
 
 // The source's constants: [10], its table before figure 2.
 const RigidCollision kPublished;
@@ -60,4 +60,4 @@ TEST(RigidBat, WithoutSpinIsBestAtItsCentre) {
   EXPECT_NEAR(best.z_m, 0, kRounding);
 }
 
-}  // namespace percuss::rigid_test
+}  // namespace percuss::model::rigid_test

@@ -7,7 +7,7 @@
 
 #include "core/error.hpp"
 
-namespace percuss::beam_fit_test {
+namespace percuss::model::beam_fit_test {
 
 using enum BeamParameter;
 
@@ -127,4 +127,4 @@ TEST(StaticTorsion, RefusesLessThanTheBending) {
   EXPECT_THROW(fit_torsion({{.load_N = 10, .lever_m = 0.5, .deflection_m = 1e-5}}, 4000), InputError);
 }
 
-}  // namespace percuss::beam_fit_test
+}  // namespace percuss::model::beam_fit_test

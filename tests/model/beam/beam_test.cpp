@@ -10,7 +10,7 @@
 #include "core/error.hpp"
 #include "model/beam/laminate.hpp"
 
-namespace percuss::beam_test {
+namespace percuss::model::beam_test {
 
 constexpr double kRounding = 1e-12;  // relative, of some dozens of operations
 const std::vector<BeamSupport> kAll{BeamSupport::torsion, BeamSupport::pinned, BeamSupport::clamped, BeamSupport::free};
@@ -197,4 +197,4 @@ TEST(Laminate, SumsItsLayersAboutTheCommonAxis) {
   EXPECT_NEAR(sandwich.stiffness_Nm2, by_hand, 1e-9);
 }
 
-}  // namespace percuss::beam_test
+}  // namespace percuss::model::beam_test

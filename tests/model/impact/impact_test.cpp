@@ -9,7 +9,7 @@
 
 #include "core/error.hpp"
 
-namespace percuss::impact_test {
+namespace percuss::model::impact_test {
 
 // Contact as stiff as can be against a beam that cannot move.
 Impact wall() {
@@ -229,4 +229,4 @@ TEST(BeamImpact, RefusesWhatNumbersDoNotHold) {
   }
 }
 
-}  // namespace percuss::impact_test
+}  // namespace percuss::model::impact_test

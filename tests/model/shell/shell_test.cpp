@@ -7,7 +7,7 @@
 #include "model/shell/shell_fit.hpp"
 #include "support/input_error.hpp"
 
-namespace percuss::shell_test {
+namespace percuss::model::shell_test {
 
 const TubeShell kAluminium;  // 70 GPa, 2700 kg/m³, 0.33; 2.625 in by 0.100 in, 13 in long
 
@@ -130,4 +130,4 @@ TEST(ShellFit, SaysWhenBothCannotBeTold) {
               testing::HasSubstr("two frequencies"));
 }
 
-}  // namespace percuss::shell_test
+}  // namespace percuss::model::shell_test

@@ -7,7 +7,7 @@
 
 #include "support/input_error.hpp"
 
-namespace percuss::trampoline_fit_test {
+namespace percuss::model::trampoline_fit_test {
 
 constexpr double kMph_mps = 0.44704;
 constexpr double kDeviation = 0.004;
@@ -78,4 +78,4 @@ TEST(TrampolineFit, SaysWhenTheSpeedsCannotTell) {
               testing::HasSubstr("measured CCOR"));
 }
 
-}  // namespace percuss::trampoline_fit_test
+}  // namespace percuss::model::trampoline_fit_test

@@ -8,7 +8,7 @@
 
 #include "model/trampoline/damped_oscillator.hpp"
 
-namespace percuss::trampoline_test {
+namespace percuss::model::trampoline_test {
 
 // Reference figures: the same equations solved outside percuss with scipy 1.10's DOP853 at relative 3e-14, steps of at
 // most 2 ms^(1/4) in t^(1/4), barrel integrated as well; contacts ended and found again by scipy's own event search.
@@ -156,4 +156,4 @@ TEST(DampedOscillator, ObeysItsEquation) {
   }
 }
 
-}  // namespace percuss::trampoline_test
+}  // namespace percuss::model::trampoline_test

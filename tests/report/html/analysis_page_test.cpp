@@ -14,7 +14,7 @@
 #include "support/scratch_folder.hpp"
 #include "support/synthetic_files.hpp"
 
-namespace percuss::analysis_page_test {
+namespace percuss::report::analysis_page_test {
 
 using test::run_percuss;
 using testing::HasSubstr;
@@ -106,13 +106,13 @@ TEST_F(AnalysisPage, IsTheSameForTheSameInput) {
 
 TEST_F(AnalysisPage, LetsNoNameBecomeMarkup) {
   const std::string attack = "<img src=x onerror=alert(1)>";
-  Record record = open_record([&] {
+  acquire::Record record = acquire::open_record([&] {
     test::write_small_test(folder_.file("bat.h5"));
     return folder_.file("bat.h5");
   }());
   record.accel[0].name = attack + "</script><script>alert(2)</script>";
   const std::string file = folder_.file("a'\"><script>alert(3)<") + ".wav";
-  write_record(file, record, false);
+  acquire::write_record(file, record, false);
   const std::string page = page_of(file);
   EXPECT_THAT(page, Not(HasSubstr("<img")));
   EXPECT_THAT(page, Not(HasSubstr("<script>alert")));
@@ -149,4 +149,4 @@ TEST_F(AnalysisPage, OfASurveyHoldsShapesAndMac) {
   EXPECT_LT(page.size(), 2'000'000U);
 }
 
-}  // namespace percuss::analysis_page_test
+}  // namespace percuss::report::analysis_page_test

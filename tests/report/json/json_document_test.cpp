@@ -7,7 +7,7 @@
 
 #include "core/parallel/parallel.hpp"
 
-namespace percuss::json_document_test {
+namespace percuss::report::json_document_test {
 
 using Json = nlohmann::ordered_json;
 
@@ -53,4 +53,4 @@ TEST(JsonDocument, AddsAMemberToWhatIsWritten) {
   }
 }
 
-}  // namespace percuss::json_document_test
+}  // namespace percuss::report::json_document_test

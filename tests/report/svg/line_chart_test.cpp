@@ -7,7 +7,7 @@
 #include <limits>
 #include <set>
 
-namespace percuss::line_chart_test {
+namespace percuss::report::line_chart_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -87,4 +87,4 @@ TEST(LineChart, CountsDecadesOnALogarithmicAxis) {
   EXPECT_THAT(svg, HasSubstr(">1e-06<"));
 }
 
-}  // namespace percuss::line_chart_test
+}  // namespace percuss::report::line_chart_test

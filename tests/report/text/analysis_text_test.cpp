@@ -11,23 +11,27 @@
 #include "support/synthetic_files.hpp"
 #include "synth/synthesise.hpp"
 
-namespace percuss::analysis_text_test {
+namespace percuss::report::analysis_text_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-SynthSpec bat() {
-  SynthSpec spec = test::bat_spec(
-      {{.freq_Hz = 200, .damping_ratio = 0.02, .order = 1, .amplitude_per_sqrt_kg = 1.7},
-       {.freq_Hz = 1900, .damping_ratio = 0.01, .family = SynthFamily::hoop, .order = 1, .amplitude_per_sqrt_kg = 2.4}},
-      1);
+synth::SynthSpec bat() {
+  synth::SynthSpec spec =
+      test::bat_spec({{.freq_Hz = 200, .damping_ratio = 0.02, .order = 1, .amplitude_per_sqrt_kg = 1.7},
+                      {.freq_Hz = 1900,
+                       .damping_ratio = 0.01,
+                       .family = synth::SynthFamily::hoop,
+                       .order = 1,
+                       .amplitude_per_sqrt_kg = 2.4}},
+                     1);
   spec.noise = {.force = 1e-4, .accel = 1e-4};
   return spec;
 }
 
-std::string text_of(const SynthSpec& spec, const TextOptions& options = {}) {
-  const Analysis analysis(synthesise(spec).record, {.band_Hz = std::pair{60.0, 3200.0}, .threads = 1});
+std::string text_of(const synth::SynthSpec& spec, const TextOptions& options = {}) {
+  const pipeline::Analysis analysis(synth::synthesise(spec).record, {.band_Hz = std::pair{60.0, 3200.0}, .threads = 1});
   return analysis_text(analysis, options);
 }
 
@@ -49,38 +53,39 @@ TEST(AnalysisText, HoldsTheSectionsAskedForOnly) {
 }
 
 TEST(AnalysisText, GivesTheReasonBesideARejectedHit) {
-  SynthSpec spec = bat();
-  spec.faults = {{.hit = 1, .kind = SynthFaultKind::double_hit, .ratio = 0.3, .delay_s = 0.02}};
+  synth::SynthSpec spec = bat();
+  spec.faults = {{.hit = 1, .kind = synth::SynthFaultKind::double_hit, .ratio = 0.3, .delay_s = 0.02}};
   const std::string text = text_of(spec);
   EXPECT_THAT(text, HasSubstr("rejected: second hit after 20.0"));
   EXPECT_THAT(text, HasSubstr("! 1 of 3 hits not used"));
 }
 
 TEST(AnalysisText, SaysWhenNothingCanBeHad) {
-  SynthSpec spec = bat();
+  synth::SynthSpec spec = bat();
   for (std::size_t hit = 0; hit < spec.hits; ++hit)
-    spec.faults.push_back({.hit = hit, .kind = SynthFaultKind::missing});
+    spec.faults.push_back({.hit = hit, .kind = synth::SynthFaultKind::missing});
   EXPECT_THAT(text_of(spec), AllOf(HasSubstr("no hit can be used"), Not(HasSubstr("damping"))));
 }
 
 TEST(AnalysisText, ListsEveryModeOfEveryHitWhenAsked) {
-  const Analysis analysis(synthesise(bat()).record, {.band_Hz = std::pair{60.0, 3200.0}, .threads = 1});
+  const pipeline::Analysis analysis(synth::synthesise(bat()).record,
+                                    {.band_Hz = std::pair{60.0, 3200.0}, .threads = 1});
   const std::size_t plain = test::lines_of(analysis_text(analysis)).size();
   const std::size_t more = test::lines_of(analysis_text(analysis, {.per_hit = true})).size();
   EXPECT_EQ(more, plain + 2 + 3 * analysis.modes().size());  // a blank, the heads, three hits' modes
 }
 
 TEST(AnalysisText, ShowsHowFarApartAPairIsHoweverClose) {
-  SynthSpec spec = bat();
+  synth::SynthSpec spec = bat();
   spec.modes = {spec.modes[1], spec.modes[1]};
   spec.modes[0].freq_Hz = 500;
   spec.modes[1].freq_Hz = 500.04;
-  for (SynthMode& mode : spec.modes) mode.damping_ratio = 2e-5;
+  for (synth::SynthMode& mode : spec.modes) mode.damping_ratio = 2e-5;
   spec.modes[1].angle_rad = 0.8;
   spec.fs_Hz = 2560;
   spec.band_high_Hz = 1000;
   spec.samples = 102400;  // 40 s
-  const Analysis analysis(synthesise(spec).record, {.band_Hz = std::pair{400.0, 600.0}, .threads = 1});
+  const pipeline::Analysis analysis(synth::synthesise(spec).record, {.band_Hz = std::pair{400.0, 600.0}, .threads = 1});
   EXPECT_THAT(analysis_text(analysis, {.width = 200}), HasSubstr("double peak, 0.0400 Hz apart"));
 }
 
@@ -94,7 +99,8 @@ TEST(AnalysisText, KeepsToTheWidth) {
 
 // Under each mode's number the sketch must stand higher than beside it, and the highest dot is the highest mode's.
 TEST(FrfSketch, ShowsThePeaksAboveTheirNumbers) {
-  const Analysis analysis(synthesise(bat()).record, {.band_Hz = std::pair{60.0, 3200.0}, .threads = 1});
+  const pipeline::Analysis analysis(synth::synthesise(bat()).record,
+                                    {.band_Hz = std::pair{60.0, 3200.0}, .threads = 1});
   const auto rows = test::lines_of(frf_terminal_plot(analysis, 108));
   ASSERT_EQ(rows.size(), 10U);
   EXPECT_THAT(rows[9], AllOf(HasSubstr("60 Hz"), HasSubstr("3.2 kHz")));
@@ -110,7 +116,8 @@ TEST(FrfSketch, ShowsThePeaksAboveTheirNumbers) {
 }
 
 TEST(FrfSketch, NeedsRoom) {
-  const Analysis analysis(synthesise(bat()).record, {.band_Hz = std::pair{60.0, 3200.0}, .threads = 1});
+  const pipeline::Analysis analysis(synth::synthesise(bat()).record,
+                                    {.band_Hz = std::pair{60.0, 3200.0}, .threads = 1});
   EXPECT_EQ(frf_terminal_plot(analysis, 40), "");
 }
 
@@ -121,4 +128,4 @@ TEST(FrfSketch, IsForTerminalsAlone) {
   EXPECT_THAT(test::run_percuss({"analyze", folder.file("bat.h5")}).out, Not(HasSubstr("\xE2\xA0")));
 }
 
-}  // namespace percuss::analysis_text_test
+}  // namespace percuss::report::analysis_text_test

@@ -5,19 +5,19 @@
 #include "support/modal_frfs.hpp"
 #include "synth/synthesise.hpp"
 
-namespace percuss::coherence_summary_test {
+namespace percuss::report::coherence_summary_test {
 
-Analysis analysis_of(std::size_t hits) {
-  SynthSpec spec =
+pipeline::Analysis analysis_of(std::size_t hits) {
+  synth::SynthSpec spec =
       test::bat_spec({{.freq_Hz = 200, .damping_ratio = 0.02, .order = 1, .amplitude_per_sqrt_kg = 1.7}}, 0.5);
   spec.hits = hits;
   spec.noise = {.force = 1e-4, .accel = 1e-3};
-  return {synthesise(spec).record, {.band_Hz = std::pair{100.0, 400.0}, .threads = 1}};
+  return {synth::synthesise(spec).record, {.band_Hz = std::pair{100.0, 400.0}, .threads = 1}};
 }
 
 TEST(CoherenceSummary, CountsTheBandsLinesOnly) {
-  const Analysis analysis = analysis_of(2);
-  PointFrf frf = analysis.frfs().front();
+  const pipeline::Analysis analysis = analysis_of(2);
+  frf::PointFrf frf = analysis.frfs().front();
   std::size_t inside = 0;
   for (std::size_t k = 0; k < frf.frf.coherence.size(); ++k) {
     const double freq_Hz = analysis.lines().freq_Hz(k);
@@ -34,8 +34,8 @@ TEST(CoherenceSummary, CountsTheBandsLinesOnly) {
 }
 
 TEST(CoherenceSummary, IsNoneForASingleHit) {
-  const Analysis analysis = analysis_of(1);
+  const pipeline::Analysis analysis = analysis_of(1);
   EXPECT_FALSE(summary_of_coherence(analysis, analysis.frfs().front()));
 }
 
-}  // namespace percuss::coherence_summary_test
+}  // namespace percuss::report::coherence_summary_test

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace percuss::number_test {
+namespace percuss::report::number_test {
 
 TEST(WithDeviation, GivesTheDeviationTwoDigitsAndTheValueAsManyDecimals) {
   EXPECT_EQ(value_with_std(169.000341, 0.00042), "169.00034 ± 0.00042");
@@ -48,4 +48,4 @@ TEST(ForceText, HasThreeDigitsAndNoExponent) {
   EXPECT_EQ(force_text(0.01234), "0.0123 N");
 }
 
-}  // namespace percuss::number_test
+}  // namespace percuss::report::number_test

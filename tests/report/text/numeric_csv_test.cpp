@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace percuss::columns_test {
+namespace percuss::report::columns_test {
 
 TEST(Columns, AreLinesOfNumbersThatReadBackAsTheyWere) {
   const double none = std::numeric_limits<double>::quiet_NaN();
@@ -12,4 +12,4 @@ TEST(Columns, AreLinesOfNumbersThatReadBackAsTheyWere) {
             "hoop_hz,cor\n100,\n0.30000000000000004,-1e-09\n");
 }
 
-}  // namespace percuss::columns_test
+}  // namespace percuss::report::columns_test

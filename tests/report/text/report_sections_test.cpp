@@ -4,7 +4,7 @@
 
 #include "core/error.hpp"
 
-namespace percuss::sections_test {
+namespace percuss::report::sections_test {
 
 TEST(ParseSections, KnowsEveryOneByName) {
   EXPECT_EQ(parse_report_sections({"hits", "frf", "coherence", "modes", "classes"}), default_sections());
@@ -14,4 +14,4 @@ TEST(ParseSections, KnowsEveryOneByName) {
 
 TEST(ParseSections, RefusesOthers) { EXPECT_THROW(parse_report_sections({"hits", "Modes"}), UsageError); }
 
-}  // namespace percuss::sections_test
+}  // namespace percuss::report::sections_test

@@ -8,23 +8,23 @@
 #include "support/modal_frfs.hpp"
 #include "synth/synthesise.hpp"
 
-namespace percuss::response_summary_test {
+namespace percuss::report::response_summary_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
 /// Two sensors on either side, the second upside down.
-Record record() {
-  SynthSpec spec =
+acquire::Record record() {
+  synth::SynthSpec spec =
       test::bat_spec({{.freq_Hz = 200, .damping_ratio = 0.02, .order = 1, .amplitude_per_sqrt_kg = 1.7}}, 0.5);
   spec.sensors = {{.angle_rad = 0.35}, {.angle_rad = 0.35, .sign = -1}};
   spec.noise = {.force = 1e-4, .accel = 1e-4};
-  return synthesise(spec).record;
+  return synth::synthesise(spec).record;
 }
 
-std::string summary_of(Record one) {
-  const Analysis analysis(std::move(one), {.band_Hz = std::pair{100.0, 400.0}, .threads = 1});
+std::string summary_of(acquire::Record one) {
+  const pipeline::Analysis analysis(std::move(one), {.band_Hz = std::pair{100.0, 400.0}, .threads = 1});
   return responses_text(analysis, 1000);
 }
 
@@ -34,7 +34,7 @@ TEST(ResponsesText, TellsWhichWayEachChannelSetsOut) {
 }
 
 TEST(ResponsesText, SaysWhereTheHitsDoNotTell) {
-  Record uneven = record();
+  acquire::Record uneven = record();
   uneven.read_accel_mps2 = [inner = uneven.read_accel_mps2](std::size_t row, std::size_t channel, std::size_t first,
                                                             std::span<double> out) {
     inner(row, channel, first, out);
@@ -45,7 +45,7 @@ TEST(ResponsesText, SaysWhereTheHitsDoNotTell) {
 }
 
 TEST(ResponsesText, SaysNothingOfADeadChannel) {
-  Record dead = record();
+  acquire::Record dead = record();
   dead.read_accel_mps2 = [inner = dead.read_accel_mps2](std::size_t row, std::size_t channel, std::size_t first,
                                                         std::span<double> out) {
     inner(row, channel, first, out);
@@ -54,4 +54,4 @@ TEST(ResponsesText, SaysNothingOfADeadChannel) {
   EXPECT_THAT(summary_of(dead), Not(HasSubstr("accel 2")));
 }
 
-}  // namespace percuss::response_summary_test
+}  // namespace percuss::report::response_summary_test

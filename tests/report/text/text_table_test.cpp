@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
-namespace percuss::text_table_test {
+namespace percuss::report::text_table_test {
 
 std::size_t widest_line(const std::string& text) {
   std::istringstream lines(text);
@@ -68,4 +68,4 @@ TEST(TextTable, ObeysTheWidthWhereWordsAllow) {
   }
 }
 
-}  // namespace percuss::text_table_test
+}  // namespace percuss::report::text_table_test

@@ -13,10 +13,10 @@ namespace {
 constexpr std::uint64_t kLargestSetup_bytes = std::uint64_t{1} << 20U;
 constexpr const char* kSetup = "--setup=";  // its text is kept, not its path
 
-std::string head_place(const Manifest& manifest) { return manifest.path() + ", line 1, options"; }
+std::string head_place(const batch::Manifest& manifest) { return manifest.path() + ", line 1, options"; }
 
 // Only options that say how records are analysed: --help is none.
-void require_known(const CommandLine& line, const Manifest& manifest) {
+void require_known(const CommandLine& line, const batch::Manifest& manifest) {
   const DeclaredCommand& command = *find_command(line.declaration(), "analyze");
   for (const std::string& word : manifest.head().options) {
     const DeclaredOption* const option = find_option(command, word.substr(0, word.find('=')));
@@ -28,8 +28,8 @@ void require_known(const CommandLine& line, const Manifest& manifest) {
 }
 
 // Parsed as they were when somebody typed them, with the same checks.
-void parse_options(const Manifest& manifest, BatchOptions& options) {
-  CommandLine line("percuss", "", version());
+void parse_options(const batch::Manifest& manifest, BatchOptions& options) {
+  CommandLine line("percuss", "", report::version());
   Command command = line.command("analyze", "", [] { return 0; });
   add_batch_options(command, options);
   require_known(line, manifest);
@@ -48,7 +48,7 @@ void add_batch_options(Command& command, BatchOptions& options) {
   add_analysis_options(command, options.analysis);
 }
 
-void store_batch_options(const Command& command, const BatchOptions& options, BatchHeader& head) {
+void store_batch_options(const Command& command, const BatchOptions& options, batch::BatchHeader& head) {
   analysis_options(options.analysis);
   resolved_read_options(options.read);
   per_file_read_options(options.read);
@@ -60,9 +60,9 @@ void store_batch_options(const Command& command, const BatchOptions& options, Ba
     head.setup = std::string(read_input(options.read.setup_path, kLargestSetup_bytes).view());
 }
 
-RowOptions row_options(const Manifest& manifest, bool trust_input) {
+batch::RowOptions row_options(const batch::Manifest& manifest, bool trust_input) {
   BatchOptions options;
-  RowOptions out{.frf = manifest.head().frf};
+  batch::RowOptions out{.frf = manifest.head().frf};
   try {
     parse_options(manifest, options);
     options.read.trust_input = trust_input;
@@ -73,7 +73,7 @@ RowOptions row_options(const Manifest& manifest, bool trust_input) {
   }
   out.analysis.threads = 1;  // the records are what threads divide
   if (!manifest.head().setup.empty())
-    out.read.read.setup = parse_channel_setup(manifest.head().setup, manifest.path() + ", line 1, setup");
+    out.read.read.setup = acquire::parse_channel_setup(manifest.head().setup, manifest.path() + ", line 1, setup");
   return out;
 }
 

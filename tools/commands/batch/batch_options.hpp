@@ -19,9 +19,9 @@ void add_batch_options(Command& command, BatchOptions& options);
 
 /// What was given of them, as the manifest holds it. `command` is the one that add_batch_options was called for; in
 /// `options.read.paths` are the records. Throws UsageError and InputError as percuss analyze does.
-void store_batch_options(const Command& command, const BatchOptions& options, BatchHeader& head);
+void store_batch_options(const Command& command, const BatchOptions& options, batch::BatchHeader& head);
 
 /// The same back, from a manifest that may hold anything. errors  InputError naming the manifest.
-RowOptions row_options(const Manifest& manifest, bool trust_input);
+batch::RowOptions row_options(const batch::Manifest& manifest, bool trust_input);
 
 }  // namespace percuss::tools

@@ -29,16 +29,16 @@ struct PlanFlags {
   bool frf = false, hash = false;
 };
 
-RecordFiles files_of(const PlanFlags& flags) {
+batch::RecordFiles files_of(const PlanFlags& flags) {
   if (flags.inputs.empty())
     throw UsageError("no record", "name files, folders or patterns in quotes, or - for a list on standard input");
   std::vector<std::string> names;
   for (const std::string& input : flags.inputs) {
-    const auto listed =
-        input == "-" ? parse_path_list(read_input("-", kLongestList_bytes).view()) : std::vector<std::string>{input};
+    const auto listed = input == "-" ? batch::parse_path_list(read_input("-", kLongestList_bytes).view())
+                                     : std::vector<std::string>{input};
     names.insert(names.end(), listed.begin(), listed.end());
   }
-  RecordFiles files = record_files(names);
+  batch::RecordFiles files = batch::record_files(names);
   if (files.paths.empty()) {
     throw InputError("no record found", names.empty() ? "standard input" : names.front(),
                      "name the files, or a folder that holds some");
@@ -51,7 +51,8 @@ std::string folder_of(const std::string& path) {
   return parent.empty() ? "." : parent.string();
 }
 
-std::string summary_json(const BatchHeader& head, std::size_t records, std::uint64_t bytes, std::size_t left_out) {
+std::string summary_json(const batch::BatchHeader& head, std::size_t records, std::uint64_t bytes,
+                         std::size_t left_out) {
   const nlohmann::ordered_json json{{"schema", "percuss/batch-plan/1"},
                                     {"version", head.version},
                                     {"records", records},
@@ -59,7 +60,7 @@ std::string summary_json(const BatchHeader& head, std::size_t records, std::uint
                                     {"shards", head.shards},
                                     {"left_out", left_out},
                                     {"options", head.options},
-                                    {"options_sha256", options_sha256(head)}};
+                                    {"options_sha256", batch::options_sha256(head)}};
   return json.dump(2) + "\n";
 }
 
@@ -68,18 +69,19 @@ int plan(PlanFlags& flags) {
   if (flags.output.paths.size() != 1) throw UsageError("batch plan writes one manifest", "give -o FILE.jsonl");
   const std::string& path = flags.output.paths.front();
   const Progress progress("planning", flags.output.quiet);
-  RecordFiles files = files_of(flags);
+  batch::RecordFiles files = files_of(flags);
   flags.options.read.paths = files.paths;
-  BatchHeader head{.version = version(), .options = {}, .setup = {}, .frf = flags.frf, .shards = flags.shards};
+  batch::BatchHeader head{
+      .version = report::version(), .options = {}, .setup = {}, .frf = flags.frf, .shards = flags.shards};
   store_batch_options(*flags.command, flags.options, head);
   std::error_code absent;
   if (!std::filesystem::is_directory(folder_of(path), absent))
     throw InputError("no such folder", folder_of(path), "create the folder first");
-  const auto records = records_of_files(files.paths, folder_of(path), flags.hash);
-  write_manifest(path, head, records, flags.output.force);
+  const auto records = batch::records_of_files(files.paths, folder_of(path), flags.hash);
+  batch::write_manifest(path, head, records, flags.output.force);
   progress.stop();
   std::uint64_t bytes = 0;
-  for (const BatchRecord& record : records) bytes += record.bytes;
+  for (const batch::BatchRecord& record : records) bytes += record.bytes;
   if (files.left_out > 0 && !flags.output.quiet)
     std::cerr << fmt::format("percuss: {} files of other kinds were left out\n", files.left_out);
   if (flags.output.json) {
@@ -113,7 +115,7 @@ void add_batch_plan(CommandLine& line) {
                 "Records or FRFs: files; folders, of which all such files below are taken; patterns in quotes; - is a "
                 "list on standard input, a path per line");
   command.value("--shards", flags->shards, "Into how many parts of about equal bytes the work may be divided")
-      .within(1, static_cast<double>(kMaxShards))
+      .within(1, static_cast<double>(batch::kMaxShards))
       .show_default();
   command.flag("--frf", flags->frf, "Keep the FRFs as well, for percuss batch merge -o FILE.h5");
   command.flag("--hash", flags->hash,

@@ -27,13 +27,13 @@ void add_places(Command& command, ResultFlags& flags) {
 }
 
 int status(const ResultFlags& flags) {
-  const BatchStatus found = batch_status(Manifest(flags.manifest), flags.folder);
+  const batch::BatchStatus found = batch::batch_status(batch::Manifest(flags.manifest), flags.folder);
   if (flags.json) {
-    std::cout << status_json(found);
+    std::cout << batch::status_json(found);
   } else if (!flags.missing) {
-    std::cout << status_text(found);
+    std::cout << batch::status_text(found);
   } else if (!found.missing.empty()) {
-    std::cout << array_list(found.missing) << '\n';
+    std::cout << batch::array_list(found.missing) << '\n';
   }
   return kOk;
 }
@@ -41,13 +41,13 @@ int status(const ResultFlags& flags) {
 int merge(const ResultFlags& flags) {
   check_outputs(flags.output, {".jsonl", ".csv", ".h5"});
   if (flags.output.paths.empty()) throw UsageError("nothing to write", "give -o FILE.jsonl, FILE.csv or FILE.h5");
-  const Manifest manifest(flags.manifest);
+  const batch::Manifest manifest(flags.manifest);
   const Progress progress("merging", flags.output.quiet);
-  const MergedBatch merged = merge_batch(manifest, flags.folder, flags.output.paths, flags.output.force);
+  const batch::MergedBatch merged = batch::merge_batch(manifest, flags.folder, flags.output.paths, flags.output.force);
   progress.stop();
   if (flags.output.json) {
     const nlohmann::ordered_json json{{"schema", "percuss/batch-merge/1"},
-                                      {"version", version()},
+                                      {"version", report::version()},
                                       {"records", merged.records},
                                       {"failed", merged.failed}};
     std::cout << json.dump(2) << '\n';

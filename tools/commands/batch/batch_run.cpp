@@ -48,7 +48,7 @@ ShardSelection parse_shard_selection(const std::string& text) {
   const std::size_t slash = std::min(text.find('/'), text.size());
   const auto shard = whole_number(std::string_view(text).substr(0, slash));
   const auto shards = slash < text.size() ? whole_number(std::string_view(text).substr(slash + 1)) : std::nullopt;
-  if (!shard || (slash < text.size() && (!shards || *shards < 1 || *shards > kMaxShards))) {
+  if (!shard || (slash < text.size() && (!shards || *shards < 1 || *shards > batch::kMaxShards))) {
     throw UsageError("--shard cannot be '" + one_line(text, 40) + "'",
                      "give I/N, as 0/7 to 6/7; or I alone, of as many as were planned; or all");
   }
@@ -87,10 +87,10 @@ std::string remaining(std::size_t done, std::size_t total, double seconds) {
   return text + fmt::format(", {:.3g}/s, {:.0f} s left", rate, static_cast<double>(total - done) / rate);
 }
 
-void print(const RunFlags& flags, const std::vector<ShardOutcome>& outcomes) {
+void print(const RunFlags& flags, const std::vector<batch::ShardOutcome>& outcomes) {
   std::size_t records = 0, failed = 0, analysed = 0;
   auto shards = nlohmann::ordered_json::array();
-  for (const ShardOutcome& outcome : outcomes) {
+  for (const batch::ShardOutcome& outcome : outcomes) {
     records += outcome.part.records;
     failed += outcome.part.failed;
     analysed += outcome.analysed;
@@ -102,7 +102,7 @@ void print(const RunFlags& flags, const std::vector<ShardOutcome>& outcomes) {
   const std::size_t of = outcomes.front().part.label.shards;
   if (flags.json) {
     const nlohmann::ordered_json json{
-        {"schema", "percuss/batch-run/1"}, {"version", version()}, {"of", of}, {"shards", shards}};
+        {"schema", "percuss/batch-run/1"}, {"version", report::version()}, {"of", of}, {"shards", shards}};
     std::cout << json.dump(2) << '\n';
     return;
   }
@@ -123,9 +123,9 @@ std::string results_folder(const std::string& folder) {
 }
 
 // Of the shards in the folder there is one division, so that all of them fit together.
-std::size_t division(const RunFlags& flags, const ShardSelection& share, const Manifest& manifest,
+std::size_t division(const RunFlags& flags, const ShardSelection& share, const batch::Manifest& manifest,
                      const std::string& folder) {
-  const auto found = shard_count_in(folder);
+  const auto found = batch::shard_count_in(folder);
   const std::size_t wanted = share.shards.value_or(found.value_or(manifest.head().shards));
   if (!found || *found == wanted) return wanted;
   throw InputError(fmt::format("holds shards of a division into {}, not into {}", *found, wanted), flags.folder,
@@ -135,30 +135,30 @@ std::size_t division(const RunFlags& flags, const ShardSelection& share, const M
 int run(const RunFlags& flags) {
   const ShardSelection share =
       flags.shard.empty() ? shard_selection_of_scheduler() : parse_shard_selection(flags.shard);
-  const Manifest manifest(flags.manifest);
-  RowOptions options = row_options(manifest, flags.trust_input);
+  const batch::Manifest manifest(flags.manifest);
+  batch::RowOptions options = row_options(manifest, flags.trust_input);
   const std::string folder = results_folder(flags.folder);
   const std::size_t shards = division(flags, share, manifest, folder);
   const auto wanted = shards_to_run(share, shards);
   // Records are named, in messages too, as they are from the manifest's folder.
   if (const fs::path parent = fs::path(flags.manifest).parent_path(); !parent.empty()) fs::current_path(parent);
   // Before there are threads, and from the folder that the records are read from.
-  if (options.read.read.sandboxed) options.fork_server = measurement_fork_server(options.read);
+  if (options.read.read.sandboxed) options.fork_server = frf::measurement_fork_server(options.read);
   std::atomic<std::size_t> done{0};
   std::size_t total = 0;
   for (const std::size_t i : wanted) total += manifest.shard(i, shards).size();
   const Progress progress([&done, total](double seconds) { return remaining(done, total, seconds); }, flags.quiet);
-  std::vector<ShardOutcome> outcomes;
+  std::vector<batch::ShardOutcome> outcomes;
   std::size_t failed = 0;
   for (const std::size_t i : wanted) {
-    outcomes.push_back(run_shard({.manifest = &manifest,
-                                  .shard = i,
-                                  .shards = shards,
-                                  .folder = folder,
-                                  .options = options,
-                                  .threads = flags.threads,
-                                  .force = flags.force,
-                                  .advance = [&done] { ++done; }}));
+    outcomes.push_back(batch::run_shard({.manifest = &manifest,
+                                         .shard = i,
+                                         .shards = shards,
+                                         .folder = folder,
+                                         .options = options,
+                                         .threads = flags.threads,
+                                         .force = flags.force,
+                                         .advance = [&done] { ++done; }}));
     failed += outcomes.back().part.failed;
   }
   progress.stop();

@@ -37,19 +37,19 @@ std::string printed_by(const char* command) {
   return text;
 }
 
-void require_size(const SlurmJob& job) {
-  const std::size_t largest = largest_array_index(printed_by("scontrol show config 2>/dev/null"));
+void require_size(const batch::SlurmJob& job) {
+  const std::size_t largest = batch::largest_array_index(printed_by("scontrol show config 2>/dev/null"));
   if (job.tasks.back() <= largest) return;
   throw InputError(fmt::format("shard {} is beyond Slurm's largest array index, {}", job.tasks.back(), largest),
                    "MaxArraySize", fmt::format("plan at most {} shards", largest + 1));
 }
 
-int give_to_host(const SlurmJob& job) {
+int give_to_host(const batch::SlurmJob& job) {
   require_size(job);
   fs::create_directories(job.folder);  // Slurm makes the logs, not the folder
   std::cout << std::flush;             // sbatch prints the job's number
   Pipe pipe(::popen("sbatch", "w"), ::pclose);
-  const std::string script = slurm_script(job);
+  const std::string script = batch::slurm_script(job);
   const bool taken = pipe && std::fwrite(script.data(), 1, script.size(), pipe.get()) == script.size();
   const int status = pipe ? ::pclose(pipe.release()) : -1;
   if (taken && status == 0) return kOk;
@@ -61,20 +61,20 @@ int submit(const SubmitFlags& flags) {
     if (!directive.starts_with("--") || directive.find('\n') != std::string::npos)
       throw UsageError("--sbatch cannot be '" + one_line(directive, 40) + "'", "give an option of sbatch: --time=60");
   }
-  const BatchStatus found = batch_status(Manifest(flags.manifest), flags.folder);
+  const batch::BatchStatus found = batch::batch_status(batch::Manifest(flags.manifest), flags.folder);
   if (found.missing.empty()) {
     std::cerr << "percuss: all shards are finished, and nothing is left to submit\n";
     return kOk;
   }
-  const SlurmJob job{.program = fs::read_symlink("/proc/self/exe").string(),
-                     .manifest = fs::canonical(flags.manifest).string(),
-                     .folder = fs::weakly_canonical(fs::absolute(flags.folder)).string(),
-                     .shards = found.shards,
-                     .tasks = found.missing,
-                     .threads = flags.threads,
-                     .directives = flags.directives};
+  const batch::SlurmJob job{.program = fs::read_symlink("/proc/self/exe").string(),
+                            .manifest = fs::canonical(flags.manifest).string(),
+                            .folder = fs::weakly_canonical(fs::absolute(flags.folder)).string(),
+                            .shards = found.shards,
+                            .tasks = found.missing,
+                            .threads = flags.threads,
+                            .directives = flags.directives};
   if (flags.go) return give_to_host(job);
-  std::cout << slurm_script(job);
+  std::cout << batch::slurm_script(job);
   return kOk;
 }
 

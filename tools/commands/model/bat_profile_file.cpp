@@ -26,11 +26,11 @@ double metres_of(const std::string& unit, const std::string& units) {
 
 }  // namespace
 
-BatProfile read_bat_profile(const std::string& path, const std::string& units) {
+model::BatProfile read_bat_profile(const std::string& path, const std::string& units) {
   const std::size_t colon = units.find(':');
   const double end_to_m = metres_of(units.substr(0, colon), units);
   const double diameter_to_m = metres_of(colon == std::string::npos ? "" : units.substr(colon + 1), units);
-  BatProfile profile;
+  model::BatProfile profile;
   double last_m = 0;
   for (const NumberTableRow& row :
        read_number_table(path, {.columns = 2, .max_rows = kMaxSlices, .remedy = kProfileForm})) {

@@ -14,9 +14,9 @@ namespace {
 constexpr const char* kLayerForm = "give YOUNG:WIDTH:HEIGHT or YOUNG:WIDTH:HEIGHT:DENSITY, in Pa, m, m and kg/m³";
 
 // Stiffness from the layers, and the mass where all of them have a density.
-void use_layers(const BeamFlags& flags, UniformBeam& beam) {
+void use_layers(const BeamFlags& flags, model::UniformBeam& beam) {
   if (flags.stiffness_Nm2) throw UsageError("--ei and --layer both say how stiff the beam is", "leave one out");
-  std::vector<LaminateLayer> layers;
+  std::vector<model::LaminateLayer> layers;
   layers.reserve(flags.layers.size());
   std::size_t weighed = 0;
   for (const std::string& text : flags.layers) {
@@ -28,7 +28,7 @@ void use_layers(const BeamFlags& flags, UniformBeam& beam) {
     throw UsageError("--layer: some layers have a density and some have none", "give it for all, or --rho-a for none");
   if (weighed > 0 && flags.mass_per_length_kgpm)
     throw UsageError("--rho-a and the densities of --layer both say how heavy the beam is", "leave one out");
-  const LaminateSection section = laminate_section(layers);
+  const model::LaminateSection section = model::laminate_section(layers);
   beam.stiffness_Nm2 = section.stiffness_Nm2;
   if (weighed > 0) beam.mass_per_length_kgpm = section.mass_per_length_kgpm;
   if (!(section.stiffness_Nm2 > 0 && std::isfinite(section.stiffness_Nm2)))
@@ -77,15 +77,15 @@ void add_beam_flags(Command& command, BeamFlags& flags) {
       .type("YOUNG:WIDTH:HEIGHT[:DENSITY]");
 }
 
-UniformBeam beam_of(const BeamFlags& flags) {
-  UniformBeam beam;
-  beam.support = support_named(flags.support).value();
+model::UniformBeam beam_of(const BeamFlags& flags) {
+  model::UniformBeam beam;
+  beam.support = report::support_named(flags.support).value();
   beam.stiffness_Nm2 = flags.stiffness_Nm2.value_or(beam.stiffness_Nm2);
   beam.mass_per_length_kgpm = flags.mass_per_length_kgpm.value_or(beam.mass_per_length_kgpm);
   beam.torsion_Nmprad = flags.torsion_Nmprad.value_or(beam.torsion_Nmprad);
   beam.length_m = flags.length_m;
   if (!flags.layers.empty()) use_layers(flags, beam);
-  if (flags.torsion_Nmprad && beam.support != BeamSupport::torsion)
+  if (flags.torsion_Nmprad && beam.support != model::BeamSupport::torsion)
     throw UsageError("--torsion: a beam with --support " + flags.support + " has no spring", "leave one of them out");
   return beam;
 }

@@ -12,14 +12,14 @@ namespace percuss::tools {
 struct BeamFlags {
   std::string support = "torsion";
   std::optional<double> stiffness_Nm2, mass_per_length_kgpm, torsion_Nmprad;
-  double length_m = UniformBeam().length_m;
+  double length_m = model::UniformBeam().length_m;
   std::vector<std::string> layers;
 };
 
 void add_beam_flags(Command& command, BeamFlags& flags);
 
 /// The beam that they describe, the composite bat where they say nothing. UsageError where they contradict each other.
-UniformBeam beam_of(const BeamFlags& flags);
+model::UniformBeam beam_of(const BeamFlags& flags);
 
 /// "1200:0.5:3e-3": least to most finite numbers above zero, with colons between. UsageError names option and text, and
 /// ends in `remedy`.

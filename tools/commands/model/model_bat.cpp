@@ -16,9 +16,9 @@ constexpr double kLongestWave_s = 0.1;
 
 struct BatFlags {
   std::string profile, unit = "m:m", at, wave_times = "0:0.0002:0.002";
-  BatMaterial material;
-  BatCollision collision;
-  std::size_t modes = BatModesOptions{}.modes;
+  model::BatMaterial material;
+  model::BatCollision collision;
+  std::size_t modes = model::BatModesOptions{}.modes;
   std::optional<double> wave_m;
   OutputFlags output;
 };
@@ -33,25 +33,25 @@ std::vector<double> places(const BatFlags& flags, double length_m) {
   return range.values();
 }
 
-std::optional<BatWaveRequest> wave_of(const BatFlags& flags, double length_m) {
+std::optional<report::BatWaveRequest> wave_of(const BatFlags& flags, double length_m) {
   if (!flags.wave_m) return {};
   if (!(*flags.wave_m <= length_m)) throw UsageError("--wave is not on the bat", "give a position from the knob in m");
   const Range times = parse_range("--wave-times", flags.wave_times);
   if (times.low < 0 || times.high() > kLongestWave_s)
     throw UsageError("--wave-times go beyond 0 to 0.1 s", "give LO:STEP:HI in s, as 0:0.0002:0.002");
-  return BatWaveRequest{.z_m = *flags.wave_m, .time_s = times.values()};
+  return report::BatWaveRequest{.z_m = *flags.wave_m, .time_s = times.values()};
 }
 
 int model_bat(const BatFlags& flags) {
   check_report_outputs(flags.output);
-  const BatProfile profile = read_bat_profile(flags.profile, flags.unit);
+  const model::BatProfile profile = read_bat_profile(flags.profile, flags.unit);
   const std::vector<double> z_m = places(flags, profile.length_m());
   const auto wave = wave_of(flags, profile.length_m());
-  const BatModes bat = bat_modes(profile, flags.material, {.modes = flags.modes});
-  return show_report(bat_report(bat, profile, flags.collision, z_m, wave), flags.output, {flags.profile});
+  const model::BatModes bat = model::bat_modes(profile, flags.material, {.modes = flags.modes});
+  return show_report(report::bat_report(bat, profile, flags.collision, z_m, wave), flags.output, {flags.profile});
 }
 
-void add_ball(Command& command, BatCollision& c) {
+void add_ball(Command& command, model::BatCollision& c) {
   command.value("--ball-mass", c.ball.mass_kg, "Mass of the ball").above_zero().type("KG").show_default();
   command.value("--ball-speed", c.ball_speed_mps, "Speed of the ball towards the bat")
       .not_negative()

@@ -26,17 +26,17 @@ struct ModelBeamFlags {
 
 struct FitName {
   const char* name;
-  BeamParameter which;
+  model::BeamParameter which;
   bool given;  // its own option as well
 };
 
-std::vector<BeamParameter> asked_parameters(const ModelBeamFlags& flags) {
+std::vector<model::BeamParameter> asked_parameters(const ModelBeamFlags& flags) {
   const BeamFlags& b = flags.beam;
   const std::vector<FitName> names{
-      {"ei", BeamParameter::stiffness, b.stiffness_Nm2.has_value() || !b.layers.empty()},
-      {"torsion", BeamParameter::torsion, b.torsion_Nmprad.has_value() || !flags.readings.empty()},
-      {"rho-a", BeamParameter::mass_per_length, b.mass_per_length_kgpm.has_value()}};
-  std::vector<BeamParameter> asked;
+      {"ei", model::BeamParameter::stiffness, b.stiffness_Nm2.has_value() || !b.layers.empty()},
+      {"torsion", model::BeamParameter::torsion, b.torsion_Nmprad.has_value() || !flags.readings.empty()},
+      {"rho-a", model::BeamParameter::mass_per_length, b.mass_per_length_kgpm.has_value()}};
+  std::vector<model::BeamParameter> asked;
   for (const std::string& word : flags.fit) {
     const auto found = std::find_if(names.begin(), names.end(), [&](const FitName& one) { return word == one.name; });
     if (found->given) throw UsageError("--fit " + word + ": its value is given as well", "leave one out");
@@ -48,14 +48,15 @@ std::vector<BeamParameter> asked_parameters(const ModelBeamFlags& flags) {
 }
 
 // What frequencies cannot tell is not fitted.
-void check_fit(const ModelBeamFlags& flags, BeamSupport support, const std::vector<BeamParameter>& asked) {
+void check_fit(const ModelBeamFlags& flags, model::BeamSupport support,
+               const std::vector<model::BeamParameter>& asked) {
   if (asked.empty()) throw UsageError("--measured: nothing is to be fitted to it", "say what, as --fit ei,torsion");
-  const bool spring = support == BeamSupport::torsion;
-  if (!spring && std::find(asked.begin(), asked.end(), BeamParameter::torsion) != asked.end()) {
+  const bool spring = support == model::BeamSupport::torsion;
+  if (!spring && std::find(asked.begin(), asked.end(), model::BeamParameter::torsion) != asked.end()) {
     throw UsageError("--fit torsion: a beam with --support " + flags.beam.support + " has no spring",
                      "fit ei or rho-a");
   }
-  if (asked.size() > max_beam_parameters(support)) {
+  if (asked.size() > model::max_beam_parameters(support)) {
     throw UsageError(spring ? "--fit: frequencies tell EI/ρA and T·L/EI only, not all three"
                             : "--fit: without a spring frequencies tell EI/ρA only, not both",
                      "leave one out and give its value (--ei, --rho-a or --torsion)");
@@ -64,15 +65,15 @@ void check_fit(const ModelBeamFlags& flags, BeamSupport support, const std::vect
     throw UsageError("--fit: more unknowns than frequencies", "give as many in --measured, or more");
 }
 
-std::vector<MeasuredFrequency> measured_frequencies(const ModelBeamFlags& flags, BeamSupport support) {
-  const std::size_t rigid = rigid_body_modes(support);
+std::vector<model::MeasuredFrequency> measured_frequencies(const ModelBeamFlags& flags, model::BeamSupport support) {
+  const std::size_t rigid = model::rigid_body_modes(support);
   const std::size_t count = flags.measured_Hz.size();
   const auto& std_Hz = flags.measured_std_Hz;
   if (!flags.measured_modes.empty() && flags.measured_modes.size() != count)
     throw UsageError("--measured-modes: not as many as frequencies in --measured", "give one each");
   if (std_Hz.size() > 1 && std_Hz.size() != count)
     throw UsageError("--measured-std: not as many as frequencies in --measured", "give one each, or one for all");
-  std::vector<MeasuredFrequency> measured;
+  std::vector<model::MeasuredFrequency> measured;
   measured.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t mode = flags.measured_modes.empty() ? rigid + i : flags.measured_modes[i];
@@ -87,11 +88,11 @@ std::vector<MeasuredFrequency> measured_frequencies(const ModelBeamFlags& flags,
   return measured;
 }
 
-TorsionFit static_torsion(const ModelBeamFlags& flags, const UniformBeam& beam) {
-  if (beam.support != BeamSupport::torsion)
+model::TorsionFit static_torsion(const ModelBeamFlags& flags, const model::UniformBeam& beam) {
+  if (beam.support != model::BeamSupport::torsion)
     throw UsageError("--static: a beam with --support " + flags.beam.support + " has no spring", "leave one out");
   if (flags.beam.torsion_Nmprad) throw UsageError("--static and --torsion both say the same", "leave one out");
-  std::vector<StaticReading> readings;
+  std::vector<model::StaticReading> readings;
   readings.reserve(flags.readings.size());
   for (const std::string& text : flags.readings) {
     const std::vector<double> number = parse_colon_list("--static", text, 3, 3, kStaticForm);
@@ -99,18 +100,18 @@ TorsionFit static_torsion(const ModelBeamFlags& flags, const UniformBeam& beam) 
       throw UsageError("--static " + one_line(text, 80) + ": the lever is longer than the beam", kStaticForm);
     readings.push_back({.load_N = number[0], .lever_m = number[1], .deflection_m = number[2]});
   }
-  return fit_torsion(readings, beam.stiffness_Nm2);
+  return model::fit_torsion(readings, beam.stiffness_Nm2);
 }
 
 int model_beam(const ModelBeamFlags& flags) {
   check_report_outputs(flags.output);
-  UniformBeam beam = beam_of(flags.beam);
+  model::UniformBeam beam = beam_of(flags.beam);
   beam.gyration_m = flags.gyration_m.value_or(0);
   beam.shear_stiffness_N = flags.shear_stiffness_N.value_or(0);
-  BeamOrigin origin;
-  const std::vector<BeamParameter> asked = asked_parameters(flags);
+  report::BeamOrigin origin;
+  const std::vector<model::BeamParameter> asked = asked_parameters(flags);
   if (!flags.readings.empty()) {
-    if (std::find(asked.begin(), asked.end(), BeamParameter::stiffness) != asked.end())
+    if (std::find(asked.begin(), asked.end(), model::BeamParameter::stiffness) != asked.end())
       throw UsageError("--static needs the EI that --fit ei is to find", "fit rho-a, or give --ei");
     origin.torsion = static_torsion(flags, beam);
     beam.torsion_Nmprad = origin.torsion->torsion_Nmprad;
@@ -118,10 +119,10 @@ int model_beam(const ModelBeamFlags& flags) {
   if (!asked.empty() || !flags.measured_Hz.empty() || !flags.measured_std_Hz.empty() || !flags.measured_modes.empty()) {
     check_fit(flags, beam.support, asked);
     origin.measured = measured_frequencies(flags, beam.support);
-    origin.fit = fit_beam(beam, asked, origin.measured);
+    origin.fit = model::fit_beam(beam, asked, origin.measured);
     beam = origin.fit->beam;
   }
-  return show_report(beam_report(beam, beam_modes(beam, flags.modes), origin), flags.output);
+  return show_report(report::beam_report(beam, model::beam_modes(beam, flags.modes), origin), flags.output);
 }
 
 }  // namespace

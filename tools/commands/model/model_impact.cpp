@@ -19,7 +19,7 @@ constexpr const char* kSweepForm = "give NAME=LO:STEP:HI with one of ei, torsion
 
 struct ModelImpactFlags {
   BeamFlags beam;
-  Impact impact;
+  model::Impact impact;
   double contact_cor = 1;
   std::string method = "modal";
   std::optional<double> step_s;
@@ -28,19 +28,19 @@ struct ModelImpactFlags {
   OutputFlags output;
 };
 
-void check_impact_position(const std::string& option, double at_m, const UniformBeam& beam) {
+void check_impact_position(const std::string& option, double at_m, const model::UniformBeam& beam) {
   if (!(at_m >= 0 && at_m <= beam.length_m))
     throw UsageError(option + ": the ball would miss the beam", "strike from 0 to --length");
 }
 
-ImpactSweep parse_sweep(const std::string& text, const Impact& impact) {
+report::ImpactSweep parse_sweep(const std::string& text, const model::Impact& impact) {
   const std::size_t equals = text.find('=');
-  ImpactSweep sweep{.parameter = text.substr(0, equals)};
+  report::ImpactSweep sweep{.parameter = text.substr(0, equals)};
   std::replace(sweep.parameter.begin(), sweep.parameter.end(), '-', '_');
-  Impact trial = impact;
-  if (equals == std::string::npos || swept_value(trial, sweep.parameter) == nullptr)
+  model::Impact trial = impact;
+  if (equals == std::string::npos || report::swept_value(trial, sweep.parameter) == nullptr)
     throw UsageError("--sweep " + one_line(text, 80) + ": not a known name and a range", kSweepForm);
-  if (sweep.parameter == "torsion" && impact.beam.support != BeamSupport::torsion)
+  if (sweep.parameter == "torsion" && impact.beam.support != model::BeamSupport::torsion)
     throw UsageError("--sweep torsion: a beam without a spring", "leave --support as it is");
   const Range range = parse_range("--sweep", text.substr(equals + 1));
   const bool from_zero = sweep.parameter == "at" || sweep.parameter == "torsion";
@@ -53,20 +53,21 @@ ImpactSweep parse_sweep(const std::string& text, const Impact& impact) {
   return sweep;
 }
 
-void run_sweep(const Impact& impact, const ImpactOptions& options, std::size_t threads, ImpactSweep& sweep) {
+void run_sweep(const model::Impact& impact, const model::ImpactOptions& options, std::size_t threads,
+               report::ImpactSweep& sweep) {
   sweep.results.resize(sweep.values.size());
   parallel_for(sweep.values.size(), threads, [&](std::size_t i) {
-    Impact varied = impact;
-    *swept_value(varied, sweep.parameter) = sweep.values[i];
-    sweep.results[i] = simulate_impact(varied, options);
+    model::Impact varied = impact;
+    *report::swept_value(varied, sweep.parameter) = sweep.values[i];
+    sweep.results[i] = model::simulate_impact(varied, options);
   });
 }
 
-ImpactOptions impact_options(const ModelImpactFlags& flags, const Impact& impact) {
-  ImpactOptions options;
-  if (flags.method == "small-increment") options.method = ImpactMethod::small_increment;
+model::ImpactOptions impact_options(const ModelImpactFlags& flags, const model::Impact& impact) {
+  model::ImpactOptions options;
+  if (flags.method == "small-increment") options.method = model::ImpactMethod::small_increment;
   if (flags.step_s) {
-    const double wall_s = hertz_contact_s(impact);
+    const double wall_s = model::hertz_contact_s(impact);
     if (!(*flags.step_s >= kShortestStep * wall_s && *flags.step_s <= kLongestStep * wall_s)) {
       throw UsageError("--step: not between a millionth and a tenth of the contact's duration",
                        "the same ball's contact with a wall takes " + std::to_string(1e6 * wall_s) + " µs");
@@ -80,11 +81,11 @@ ImpactOptions impact_options(const ModelImpactFlags& flags, const Impact& impact
 
 int model_impact(const ModelImpactFlags& flags) {
   check_report_outputs(flags.output);
-  Impact impact = flags.impact;
+  model::Impact impact = flags.impact;
   impact.beam = beam_of(flags.beam);
   check_impact_position("--at", impact.at_m, impact.beam);
-  impact.hysteresis_spm = hysteresis_for_spm(flags.contact_cor, impact.speed_mps);
-  std::vector<ImpactSweep> sweeps;
+  impact.hysteresis_spm = model::hysteresis_for_spm(flags.contact_cor, impact.speed_mps);
+  std::vector<report::ImpactSweep> sweeps;
   sweeps.reserve(flags.sweeps.size());
   std::size_t swept = 0;
   for (const std::string& text : flags.sweeps) {
@@ -92,10 +93,10 @@ int model_impact(const ModelImpactFlags& flags) {
     swept += sweeps.back().values.size();
   }
   if (swept > kMaxSwept) throw UsageError("--sweep: more than 10000 values in all", "take fewer");
-  const ImpactOptions options = impact_options(flags, impact);
-  const ImpactResult result = simulate_impact(impact, options);
-  for (ImpactSweep& sweep : sweeps) run_sweep(impact, options, flags.threads, sweep);
-  return show_report(impact_report(impact, result, sweeps), flags.output);
+  const model::ImpactOptions options = impact_options(flags, impact);
+  const model::ImpactResult result = model::simulate_impact(impact, options);
+  for (report::ImpactSweep& sweep : sweeps) run_sweep(impact, options, flags.threads, sweep);
+  return show_report(report::impact_report(impact, result, sweeps), flags.output);
 }
 
 }  // namespace
@@ -112,7 +113,7 @@ void add_model_impact(CommandLine& line) {
   command.example("percuss model impact --sweep ei=1000:1000:6000 --sweep rho-a=0.6:0.2:3 -o curves.svg",
                   "COR over stiffness and mass, drawn");
   add_beam_flags(command, flags->beam);
-  Impact& impact = flags->impact;
+  model::Impact& impact = flags->impact;
   command.value("--at", impact.at_m, "Where the ball strikes, from x = 0").not_negative().type("M").show_default();
   command.value("--ball-mass", impact.ball_mass_kg, "Mass of the ball").above_zero().type("KG").show_default();
   command.value("--speed", impact.speed_mps, "Speed of the ball").above_zero().type("M/S").show_default();

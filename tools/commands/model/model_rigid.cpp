@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kSteps = 100;
 
 struct RigidFlags {
-  RigidCollision collision;
+  model::RigidCollision collision;
   double length_m = 0.84;
   std::optional<double> pivot_m;
   std::string at;
@@ -26,9 +26,9 @@ std::vector<double> positions(const RigidFlags& flags) {
 
 int model_rigid(const RigidFlags& flags) {
   check_report_outputs(flags.output);
-  RigidCollision collision = flags.collision;
+  model::RigidCollision collision = flags.collision;
   if (flags.pivot_m) collision.bat_speed_mps += collision.swing_rate_radps * *flags.pivot_m;
-  return show_report(rigid_report(collision, positions(flags)), flags.output);
+  return show_report(report::rigid_report(collision, positions(flags)), flags.output);
 }
 
 }  // namespace
@@ -42,7 +42,7 @@ void add_model_rigid(CommandLine& line) {
       "mass, in m, positive towards the barrel.");
   command.example("percuss model rigid --swing-rate 50", "Exit speed along the bat at 50 rad/s");
   command.example("percuss model rigid --at 0:0.02:0.3 --cor 0.5 -o exit.csv", "At chosen places, as a table");
-  RigidCollision& c = flags->collision;
+  model::RigidCollision& c = flags->collision;
   command.value("--ball-mass", c.ball_mass_kg, "Mass of the ball").above_zero().type("KG").show_default();
   command.value("--bat-mass", c.bat_mass_kg, "Mass of the bat").above_zero().type("KG").show_default();
   command.value("--inertia", c.inertia_kgm2, "Moment of inertia of the bat about its centre of mass")

@@ -14,14 +14,14 @@ constexpr std::size_t kMaxPattern = 100;  // waves around, half-waves along
 constexpr const char* kHoopForm = "give N:M:HZ:STD, as 2:1:1756:2,2:2:2624:3 (n waves around, m half-waves along)";
 
 struct ShellFlags {
-  TubeShell shell;
+  model::TubeShell shell;
   std::size_t n = 2, modes = 3;
   std::vector<std::string> measured;
   std::string unknowns = "young";
   OutputFlags output;
 };
 
-MeasuredHoop measured_hoop(const std::string& text) {
+model::MeasuredHoop measured_hoop(const std::string& text) {
   const auto refuse = [&] { return UsageError("--measured " + one_line(text, 80) + ": not understood", kHoopForm); };
   std::vector<double> values;
   for (std::size_t from = 0; from <= text.size();) {
@@ -44,19 +44,19 @@ int model_shell(const ShellFlags& flags) {
   check_report_outputs(flags.output);
   if (!(flags.shell.wall_m < flags.shell.outer_diameter_m / 2))
     throw UsageError("--wall is half of --outer-diameter or more", "give the wall's thickness in m");
-  TubeShell shell = flags.shell;
-  std::optional<FittedShell> fitted;
+  model::TubeShell shell = flags.shell;
+  std::optional<report::FittedShell> fitted;
   if (!flags.measured.empty()) {
     fitted.emplace();
     fitted->measured.reserve(flags.measured.size());
     for (const std::string& word : flags.measured) fitted->measured.push_back(measured_hoop(word));
-    fitted->fit = fit_shell(shell, fitted->measured,
-                            flags.unknowns == "both"   ? ShellUnknowns::both
-                            : flags.unknowns == "wall" ? ShellUnknowns::wall
-                                                       : ShellUnknowns::young);
+    fitted->fit = model::fit_shell(shell, fitted->measured,
+                                   flags.unknowns == "both"   ? model::ShellUnknowns::both
+                                   : flags.unknowns == "wall" ? model::ShellUnknowns::wall
+                                                              : model::ShellUnknowns::young);
     shell = fitted->fit.shell;
   }
-  return show_report(shell_report(shell, flags.n, flags.modes, fitted), flags.output);
+  return show_report(report::shell_report(shell, flags.n, flags.modes, fitted), flags.output);
 }
 
 }  // namespace
@@ -72,7 +72,7 @@ void add_model_shell(CommandLine& line) {
   command.example("percuss model shell --outer-diameter 0.0667 --wall 0.0025", "A barrel of aluminium");
   command.example("percuss model shell --wall 0.0025 --measured 2:1:1700:5 --fit young",
                   "The modulus that explains 1700 ± 5 Hz");
-  TubeShell& s = flags->shell;
+  model::TubeShell& s = flags->shell;
   command.value("--outer-diameter", s.outer_diameter_m, "Outer diameter of the tube")
       .above_zero()
       .type("M")

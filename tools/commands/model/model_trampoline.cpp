@@ -25,8 +25,8 @@ struct TrampolineFlags {
   OutputFlags output;
 };
 
-Trampoline model_of(const TrampolineFlags& flags) {
-  Trampoline m = flags.ball == "softball" ? softball_on_barrel() : baseball_on_barrel();
+model::Trampoline model_of(const TrampolineFlags& flags) {
+  model::Trampoline m = flags.ball == "softball" ? model::softball_on_barrel() : model::baseball_on_barrel();
   m.ball_mass_kg = flags.ball_mass.value_or(m.ball_mass_kg);
   m.stiffness = flags.stiffness.value_or(m.stiffness);
   m.damping = flags.damping.value_or(m.damping);
@@ -41,14 +41,14 @@ Trampoline model_of(const TrampolineFlags& flags) {
   return m;
 }
 
-MeasuredCor measured_cor(const std::vector<double>& values, const std::string& place) {
-  const MeasuredCor m{.speed_mps = values[0], .cor = values[1], .cor_std = values[2]};
+model::MeasuredCor measured_cor(const std::vector<double>& values, const std::string& place) {
+  const model::MeasuredCor m{.speed_mps = values[0], .cor = values[1], .cor_std = values[2]};
   if (!(m.speed_mps > 0 && m.cor > 0 && m.cor <= 1 && m.cor_std > 0))
     throw InputError("a speed, a COR up to 1 and a deviation above 0 are wanted", place, kCcorForm);
   return m;
 }
 
-MeasuredCor measured_cor(const std::string& text) {
+model::MeasuredCor measured_cor(const std::string& text) {
   const auto refuse = [&] { return UsageError("--fit-ccor " + one_line(text, 80) + ": not understood", kCcorForm); };
   std::vector<double> values;
   std::size_t from = 0;
@@ -67,8 +67,8 @@ MeasuredCor measured_cor(const std::string& text) {
   }
 }
 
-std::vector<MeasuredCor> measured_of(const std::vector<std::string>& words) {
-  std::vector<MeasuredCor> all;
+std::vector<model::MeasuredCor> measured_of(const std::vector<std::string>& words) {
+  std::vector<model::MeasuredCor> all;
   if (words.size() == 1 && words[0].find(':') == std::string::npos) {
     const auto rows =
         read_number_table(words[0], {.columns = 3, .remedy = "a line is speed in m/s, COR and deviation"});
@@ -88,23 +88,23 @@ std::optional<double> mass_from_shift(const TrampolineFlags& flags) {
     throw UsageError("--free-hoop and --loaded-hoop go together", remedy);
   if (!(*flags.loaded_from_Hz > *flags.loaded_to_Hz && flags.extra_mass_kg > 0))
     throw UsageError("--loaded-hoop: no mass brings the frequency up", remedy);
-  return modal_mass_kg(flags.extra_mass_kg, *flags.loaded_from_Hz, *flags.loaded_to_Hz);
+  return model::modal_mass_kg(flags.extra_mass_kg, *flags.loaded_from_Hz, *flags.loaded_to_Hz);
 }
 
 int model_trampoline(const TrampolineFlags& flags) {
   check_report_outputs(flags.output);
-  Trampoline model = model_of(flags);
+  model::Trampoline model = model_of(flags);
   const Range hoop = parse_range("--hoop", flags.hoop);
   if (!(hoop.low >= 1)) throw UsageError("--hoop starts below 1 Hz", "give LO:STEP:HI, as 100:25:10000");
-  TrampolineExtras extras{.fitted = {}, .modal_mass_kg = mass_from_shift(flags)};
+  report::TrampolineExtras extras{.fitted = {}, .modal_mass_kg = mass_from_shift(flags)};
   if (!flags.ccor.empty()) {
-    FittedExponents fitted{.measured = measured_of(flags.ccor), .fit = {}};
-    fitted.fit = fit_exponents(model, fitted.measured);
+    report::FittedExponents fitted{.measured = measured_of(flags.ccor), .fit = {}};
+    fitted.fit = model::fit_exponents(model, fitted.measured);
     model.stiffness_exponent = fitted.fit.stiffness_exponent;
     model.damping_exponent = fitted.fit.damping_exponent;
     extras.fitted = std::move(fitted);
   }
-  return show_report(trampoline_report(model, hoop.values(), extras), flags.output);
+  return show_report(report::trampoline_report(model, hoop.values(), extras), flags.output);
 }
 
 void add_constants(Command& command, TrampolineFlags& flags) {

@@ -7,7 +7,7 @@
 #include "acquire/formats/hdf5/hdf5_input.hpp"
 #include "core/error.hpp"
 
-namespace percuss::hdf5 {
+namespace percuss::acquire::hdf5 {
 namespace {
 
 constexpr std::size_t kTextBytes = 4096;  // longer is no unit
@@ -85,4 +85,4 @@ std::optional<std::string> text_attribute(hid_t object, const std::string& name,
   return text;
 }
 
-}  // namespace percuss::hdf5
+}  // namespace percuss::acquire::hdf5

@@ -9,7 +9,7 @@
 #include "acquire/formats/hdf5/hdf5_input.hpp"
 #include "core/error.hpp"
 
-namespace percuss::hdf5 {
+namespace percuss::acquire::hdf5 {
 namespace {
 
 // gzip rarely packs measured samples better than 4:1; a claim far beyond that is a small file meant to fill the memory.
@@ -240,4 +240,4 @@ std::vector<double> InputDataSet::read_all() const {
 
 void InputDataSet::damaged() const { throw InputError("cannot be read: damaged", where_, kWriteAnew); }
 
-}  // namespace percuss::hdf5
+}  // namespace percuss::acquire::hdf5

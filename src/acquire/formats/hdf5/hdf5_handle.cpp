@@ -6,7 +6,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace percuss::hdf5 {
+namespace percuss::acquire::hdf5 {
 
 static_assert(std::is_same_v<Id, hid_t>);
 
@@ -61,4 +61,4 @@ bool Handle::close() {
 
 Id Handle::release() { return std::exchange(id_, H5I_INVALID_HID); }
 
-}  // namespace percuss::hdf5
+}  // namespace percuss::acquire::hdf5

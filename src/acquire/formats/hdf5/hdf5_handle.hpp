@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
 
-namespace percuss::hdf5 {
+namespace percuss::acquire::hdf5 {
 
 /// The library's hid_t, so that hdf5.h stays in .cpp files; negative for none.
 using Id = std::int64_t;
@@ -49,4 +49,4 @@ class Handle {
   Id id_;
 };
 
-}  // namespace percuss::hdf5
+}  // namespace percuss::acquire::hdf5

@@ -14,7 +14,7 @@
 #include "acquire/formats/hdf5/read_hdf5.hpp"
 #include "core/error.hpp"
 
-namespace percuss::hdf5 {
+namespace percuss::acquire::hdf5 {
 namespace {
 
 /// Size of the regular file. Asked of the system first, since the library does not say why it could not open one.
@@ -67,9 +67,9 @@ std::vector<std::string> InputHdf5::names(std::size_t limit) const {
   return names;
 }
 
-}  // namespace percuss::hdf5
+}  // namespace percuss::acquire::hdf5
 
-namespace percuss {
+namespace percuss::acquire {
 
 bool is_hdf5(const std::string& path) {
   constexpr std::string_view kSignature = "\x89HDF\r\n\x1a\n";
@@ -88,4 +88,4 @@ bool is_hdf5(const std::string& path) {
   return found;
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

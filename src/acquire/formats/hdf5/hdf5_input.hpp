@@ -9,7 +9,7 @@
 
 #include "acquire/formats/hdf5/hdf5_handle.hpp"
 
-namespace percuss::hdf5 {
+namespace percuss::acquire::hdf5 {
 
 // The caller holds a Lock around all of this.
 
@@ -90,4 +90,4 @@ std::optional<std::vector<double>> number_attribute(Id object, const std::string
 /// The text of an attribute, nothing when it is absent. InputError when it is not one text.
 std::optional<std::string> text_attribute(Id object, const std::string& name, const std::string& where);
 
-}  // namespace percuss::hdf5
+}  // namespace percuss::acquire::hdf5

@@ -7,7 +7,7 @@
 
 #include "core/error.hpp"
 
-namespace percuss::hdf5 {
+namespace percuss::acquire::hdf5 {
 namespace {
 
 constexpr std::size_t kFewestSamples = 2;
@@ -142,4 +142,4 @@ const ChannelSetup* accel_setup(const ReadOptions& options, std::size_t index, s
   return nullptr;
 }
 
-}  // namespace percuss::hdf5
+}  // namespace percuss::acquire::hdf5

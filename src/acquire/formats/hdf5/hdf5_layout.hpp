@@ -7,7 +7,7 @@
 #include "acquire/formats/hdf5/hdf5_input.hpp"
 #include "acquire/record/record.hpp"
 
-namespace percuss::hdf5 {
+namespace percuss::acquire::hdf5 {
 
 /// What the shapes of /force and /accel mean together.
 struct Layout {
@@ -36,4 +36,4 @@ std::string channel_name(std::size_t index);
 /// "[5, 2, 1000]"
 std::string shape_text(std::span<const std::size_t> shape);
 
-}  // namespace percuss::hdf5
+}  // namespace percuss::acquire::hdf5

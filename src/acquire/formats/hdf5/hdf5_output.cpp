@@ -6,7 +6,7 @@
 
 #include "core/error.hpp"
 
-namespace percuss::hdf5 {
+namespace percuss::acquire::hdf5 {
 namespace {
 
 Handle complex_type(Id part) {
@@ -134,4 +134,4 @@ void OutputHdf5::check(bool done) const {
   if (!done) throw InputError("cannot write HDF5", path_, "free some space or choose another folder");
 }
 
-}  // namespace percuss::hdf5
+}  // namespace percuss::acquire::hdf5

@@ -8,7 +8,7 @@
 #include "acquire/formats/hdf5/hdf5_handle.hpp"
 #include "core/io/atomic_file.hpp"
 
-namespace percuss::hdf5 {
+namespace percuss::acquire::hdf5 {
 
 /// complex128 is a compound {r, i} of two float64, as h5py reads and writes complex numbers.
 enum class Stored { float64, int32, complex128 };
@@ -52,4 +52,4 @@ class OutputHdf5 {
   std::map<std::string, Handle> sets_;
 };
 
-}  // namespace percuss::hdf5
+}  // namespace percuss::acquire::hdf5

@@ -7,7 +7,7 @@
 #include "acquire/formats/hdf5/hdf5_layout.hpp"
 #include "core/error.hpp"
 
-namespace percuss::hdf5 {
+namespace percuss::acquire::hdf5 {
 namespace {
 
 constexpr std::size_t kMaxPoints = 1'000'000, kMaxLines = 10'000'000;
@@ -60,4 +60,4 @@ std::vector<TraceLine> read_trace_lines(const InputHdf5& file, std::size_t point
   return trace_lines_of(set.read_all(), points, file.where("trace_lines"));
 }
 
-}  // namespace percuss::hdf5
+}  // namespace percuss::acquire::hdf5

@@ -5,7 +5,7 @@
 #include "acquire/formats/hdf5/hdf5_input.hpp"
 #include "acquire/record/record.hpp"
 
-namespace percuss::hdf5 {
+namespace percuss::acquire::hdf5 {
 
 // The caller holds a Lock around all of this. errors  InputError: shapes and values that cannot be.
 
@@ -18,4 +18,4 @@ std::vector<std::vector<double>> read_geometry(const InputHdf5& file);
 /// Lines between `points` points; nothing when absent.
 std::vector<TraceLine> read_trace_lines(const InputHdf5& file, std::size_t points);
 
-}  // namespace percuss::hdf5
+}  // namespace percuss::acquire::hdf5

@@ -19,7 +19,7 @@
 #include "core/error.hpp"
 #include "core/units.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 using hdf5::InputDataSet;
@@ -235,4 +235,4 @@ Record open_hdf5(const std::string& path, const ReadOptions& options) {
   return record;
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

@@ -3,7 +3,7 @@
 
 #include "acquire/record/record.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 
 /// Whether the file starts as an HDF5 file does (signature at byte 0, 512, 1024, 2048 …). Nothing else of it is read; a
 /// path that cannot be opened is not HDF5.
@@ -18,4 +18,4 @@ bool is_hdf5(const std::string& path);
 ///         functions throw it for samples that are not finite and for storage that cannot be decoded.
 Record open_hdf5(const std::string& path, const ReadOptions& options = {});
 
-}  // namespace percuss
+}  // namespace percuss::acquire

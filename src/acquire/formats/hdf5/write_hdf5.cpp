@@ -9,7 +9,7 @@
 #include "core/error.hpp"
 #include "core/units.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 constexpr std::size_t kBlockSamples = std::size_t{1} << 17;  // 1 MiB at a time, however long the record
@@ -114,4 +114,4 @@ void write_hdf5(const std::string& path, const Record& record, bool force) {
   out.commit();
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

@@ -3,7 +3,7 @@
 
 #include "acquire/record/record.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 
 /// Writes a record in percuss's own HDF5 layout (docs/formats.md), such that open_hdf5 gives the same record. Memory
 /// does not grow with the record; equal input gives equal bytes; an interrupted writer leaves the old file or none.
@@ -13,4 +13,4 @@ namespace percuss {
 /// length.
 void write_hdf5(const std::string& path, const Record& record, bool force);
 
-}  // namespace percuss
+}  // namespace percuss::acquire

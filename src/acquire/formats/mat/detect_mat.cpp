@@ -5,7 +5,7 @@
 
 #include "acquire/formats/mat/mat_file.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 // A file of level 4 starts with numbers, in either byte order: type (M, O, P, T as decimal digits, of which only these
@@ -27,4 +27,4 @@ bool is_mat4(std::string_view head) {
 
 bool is_mat(std::string_view head) { return head.substr(0, 7) == "MATLAB " || is_mat4(head); }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

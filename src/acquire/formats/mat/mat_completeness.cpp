@@ -10,7 +10,7 @@
 
 #include "core/error.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 constexpr std::uint64_t kHeader5_bytes = 128, kVersion5_at = 124;
@@ -87,4 +87,4 @@ void require_complete_mat(const std::string& path, MatLevel level) {
   if (level == MatLevel::v4) walk.level4();
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-namespace percuss {
+namespace percuss::acquire {
 
 enum class MatLevel { v4, v5 };
 
@@ -10,4 +10,4 @@ enum class MatLevel { v4, v5 };
 /// more. errors  InputError: it ends within one.
 void require_complete_mat(const std::string& path, MatLevel level);
 
-}  // namespace percuss
+}  // namespace percuss::acquire

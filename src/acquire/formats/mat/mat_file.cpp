@@ -13,7 +13,7 @@
 #include "core/io/csv_header.hpp"
 #include "core/io/input_file.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 constexpr std::uint64_t kUnpackedTimes = 64, kUnpackedMore_bytes = std::uint64_t{64} << 20U;
@@ -248,4 +248,4 @@ const MatVariable* find_variable(const MatFile& file, std::string_view name) {
   return nullptr;
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace percuss {
+namespace percuss::acquire {
 
 /// A variable of a MAT file, or a field of a structure in it ("test.force").
 struct MatVariable {
@@ -42,4 +42,4 @@ const MatVariable* find_variable(const MatFile& file, std::string_view name);
 /// "4096x1"
 std::string shape_name(const std::vector<std::size_t>& shape);
 
-}  // namespace percuss
+}  // namespace percuss::acquire

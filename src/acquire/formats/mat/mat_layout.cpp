@@ -6,7 +6,7 @@
 
 #include "core/error.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 struct Axis {
@@ -74,4 +74,4 @@ std::vector<MatSignal> accel_layout(const MatVariable& variable, const MatLayout
   return out;
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

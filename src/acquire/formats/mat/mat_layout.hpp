@@ -4,7 +4,7 @@
 
 #include "acquire/formats/mat/mat_file.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 
 /// Where a signal's samples lie in a variable's numbers: number offset + row · row_stride + i · sample_stride.
 struct MatSignal {
@@ -23,4 +23,4 @@ MatLayout force_layout(const MatVariable& variable, const std::string& file);
 /// The channels of an acceleration that was sampled with a force of that layout. InputError when the sizes disagree.
 std::vector<MatSignal> accel_layout(const MatVariable& variable, const MatLayout& force, const std::string& file);
 
-}  // namespace percuss
+}  // namespace percuss::acquire

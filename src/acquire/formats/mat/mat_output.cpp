@@ -7,7 +7,7 @@
 
 #include "core/error.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "numbers are written as they lie in memory");
@@ -104,4 +104,4 @@ void MatOutput::text(std::string_view name, std::string_view ascii) {
   file_.write(data);
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

@@ -6,7 +6,7 @@
 
 #include "core/io/atomic_file.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 
 /// A MAT file of level 5 that appears whole under its name, or not at all. Equal calls give equal bytes: the text of
 /// the header is fixed, nothing is compressed. A variable is begun with its shape and then filled in MATLAB's order.
@@ -37,4 +37,4 @@ class MatOutput {
   bool imaginary_to_come_ = false;
 };
 
-}  // namespace percuss
+}  // namespace percuss::acquire

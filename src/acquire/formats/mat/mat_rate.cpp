@@ -12,7 +12,7 @@
 #include "core/io/csv_header.hpp"
 #include "core/io/time_stamps.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 constexpr double kSingleEpsilon = static_cast<double>(std::numeric_limits<float>::epsilon());
@@ -99,4 +99,4 @@ std::optional<double> mat_rate_Hz(const MatFile& file, const ReadOptions& option
   return std::nullopt;
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

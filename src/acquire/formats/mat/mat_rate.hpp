@@ -5,7 +5,7 @@
 #include "acquire/formats/mat/mat_file.hpp"
 #include "acquire/record/record.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 
 /// What follows the last dot of a variable's name: "force" of "test.force".
 std::string_view field_name(std::string_view name);
@@ -25,4 +25,4 @@ std::optional<double> mat_number(const MatFile& file, std::initializer_list<std:
 /// The text of a char variable of this name; empty when there is none.
 std::string mat_text(const MatFile& file, std::string_view name);
 
-}  // namespace percuss
+}  // namespace percuss::acquire

@@ -15,7 +15,7 @@
 #include "core/error.hpp"
 #include "core/units.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 // Names of percuss's own layout that are no signals.
@@ -232,4 +232,4 @@ Record open_mat(MatFile file, const ReadOptions& options) {
   return record_of_table(std::move(table), roles, options);
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

@@ -2,7 +2,7 @@
 #include "acquire/formats/mat/mat_file.hpp"
 #include "acquire/record/record.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 
 /// The record of time in a MAT file (docs/formats.md, "MAT"). The force and the accelerations are variables, by name,
 /// by options or by the set-up: vectors [samples], matrices [hits, samples] or the other way round (the longer
@@ -11,4 +11,4 @@ namespace percuss {
 /// other, no rate.
 Record open_mat(MatFile file, const ReadOptions& options = {});
 
-}  // namespace percuss
+}  // namespace percuss::acquire

@@ -7,7 +7,7 @@
 #include "core/error.hpp"
 #include "core/units.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 constexpr std::size_t kNumbersAtOnce = std::size_t{1} << 19U;  // 4 MiB of samples, turned so that hits run fastest
@@ -97,4 +97,4 @@ void write_mat(const std::string& path, const Record& record, bool force) {
   out.commit();
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

@@ -11,7 +11,7 @@
 #include "acquire/formats/sound/sound_file.hpp"
 #include "core/error.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 bool apply_full_scale(const ReadOptions& options) {
@@ -99,4 +99,4 @@ Record open_sound(const std::string& path, const ReadOptions& options) {
   return record_of_table(std::move(table), options);
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

@@ -3,7 +3,7 @@
 
 #include "acquire/record/record.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 
 /// The record in a WAV, RF64 or W64 file. What its chunk CAL1 says of channels, hits and units holds; without one it is
 /// one recording in which hits are searched, of channels called "channel 1" …, whose numbers are parts of full scale.
@@ -11,4 +11,4 @@ namespace percuss {
 /// channel is the force.
 Record open_sound(const std::string& path, const ReadOptions& options = {});
 
-}  // namespace percuss
+}  // namespace percuss::acquire

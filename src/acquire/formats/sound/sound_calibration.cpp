@@ -8,7 +8,7 @@
 #include "core/error.hpp"
 #include "core/io/strict_json.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -149,4 +149,4 @@ SoundCalibration parse_calibration(std::string_view text, const std::string& whe
   return out;
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

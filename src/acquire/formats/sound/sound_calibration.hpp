@@ -7,7 +7,7 @@
 #include "acquire/record/record.hpp"
 #include "core/units.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 
 inline constexpr std::string_view kCalibrationChunk = "CAL1";
 
@@ -35,4 +35,4 @@ std::string calibration_text(const SoundCalibration& calibration);
 /// errors  InputError at `where`: not such a text.
 SoundCalibration parse_calibration(std::string_view text, const std::string& where);
 
-}  // namespace percuss
+}  // namespace percuss::acquire

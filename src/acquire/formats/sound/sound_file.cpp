@@ -11,7 +11,7 @@
 #include "core/error.hpp"
 #include "core/io/input_file.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 constexpr std::string_view kW64 = "riff\x2E\x91\xCF\x11";
@@ -216,4 +216,4 @@ void SoundOutput::commit() {
   impl_->target.commit();
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

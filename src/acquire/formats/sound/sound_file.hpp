@@ -11,7 +11,7 @@
 
 #include "core/io/atomic_file.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 
 /// Whether a file that begins so is a WAV, RF64 or W64 file.
 bool is_sound(std::string_view head);
@@ -65,4 +65,4 @@ class SoundOutput {
   std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace percuss
+}  // namespace percuss::acquire

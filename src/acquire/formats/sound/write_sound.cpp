@@ -9,7 +9,7 @@
 #include "core/error.hpp"
 #include "core/math/statistics.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 constexpr std::size_t kPieceFrames = 16384;
@@ -103,4 +103,4 @@ void write_sound(const std::string& path, const Record& record, bool force) {
   out.commit();
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

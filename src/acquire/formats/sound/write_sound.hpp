@@ -3,7 +3,7 @@
 
 #include "acquire/record/record.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 
 /// Writes a WAV, RF64 or W64 file by the name's ending: rows end to end with a cue at each, channels force first,
 /// 64-bit floating-point numbers within −1 … 1. Full scale is a power of two of each channel's own, so that no digit is
@@ -11,4 +11,4 @@ namespace percuss {
 /// are N and m/s², and where rows begin is lost. errors  InputError: as SoundOutput; more than 4 GB in a WAV file.
 void write_sound(const std::string& path, const Record& record, bool force);
 
-}  // namespace percuss
+}  // namespace percuss::acquire

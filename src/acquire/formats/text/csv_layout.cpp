@@ -3,7 +3,7 @@
 #include "acquire/formats/text/read_csv.hpp"
 #include "core/error.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
@@ -32,4 +32,4 @@ CsvLayout layout_of_text(const FileBytes& bytes, CsvContent content) {
   return layout;
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

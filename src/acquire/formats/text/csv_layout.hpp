@@ -6,7 +6,7 @@
 #include "core/io/csv_header.hpp"
 #include "core/io/input_file.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 
 /// How a text of columns is laid out: found from its header and its last lines, without reading what lies between.
 struct CsvLayout {
@@ -18,4 +18,4 @@ struct CsvLayout {
 /// errors  InputError: no text, no lines of numbers, too many columns; for a time record also the columns of an FRF.
 CsvLayout layout_of_text(const FileBytes& bytes, CsvContent content);
 
-}  // namespace percuss
+}  // namespace percuss::acquire

@@ -12,7 +12,7 @@
 #include "core/io/time_stamps.hpp"
 #include "core/units.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 using Labels = std::array<int, 3>;  // hit, point, run
@@ -163,4 +163,4 @@ double find_csv_rate_Hz(const CsvTable& table, const CsvColumns& columns, const 
   return checked_rate_Hz(agreed_rate_Hz(header, *stamped, time, file, notes), file + ": time column");
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

@@ -8,7 +8,7 @@
 #include "acquire/formats/text/csv_table.hpp"
 #include "acquire/record/record.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 
 /// One row of a record in a text file: lines first_line … first_line + info.samples − 1 of the data.
 struct CsvRow {
@@ -26,4 +26,4 @@ std::vector<CsvRow> find_csv_rows(const CsvTable& table, const CsvColumns& colum
 double find_csv_rate_Hz(const CsvTable& table, const CsvColumns& columns, const std::vector<CsvRow>& rows,
                         const ReadOptions& options, std::vector<std::string>& notes);
 
-}  // namespace percuss
+}  // namespace percuss::acquire

@@ -11,7 +11,7 @@
 #include "core/error.hpp"
 #include "core/io/parse_number.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 constexpr std::size_t kBlock_lines = 4096;
@@ -169,4 +169,4 @@ std::string CsvTable::place(std::size_t line, std::optional<std::size_t> index) 
   return text;
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

@@ -16,7 +16,7 @@
 #include "core/io/csv_header.hpp"
 #include "core/io/input_file.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 
 /// The lines of numbers of a text file. Opening counts the lines and their cells; a number is parsed when its column is
 /// read for the first time, in blocks of lines, and kept: columns and stretches that nobody asks for cost nothing.
@@ -64,4 +64,4 @@ class CsvTable {
   mutable std::map<std::size_t, std::unique_ptr<Column>> columns_;
 };
 
-}  // namespace percuss
+}  // namespace percuss::acquire

@@ -15,7 +15,7 @@
 #include "acquire/record/sample_limits.hpp"
 #include "core/error.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 // What the read functions of a record share.
@@ -128,4 +128,4 @@ Record open_csv(const FileBytes& bytes, const ReadOptions& options) {
   return record;
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

@@ -4,7 +4,7 @@
 #include "acquire/record/record.hpp"
 #include "core/io/input_file.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 
 /// Opens a text file of columns (docs/formats.md) and describes it: layout, channels and rate are known, of the numbers
 /// only the columns time, hit, point and run have been parsed. The text stays in memory while the record or a copy of
@@ -23,4 +23,4 @@ Record open_text(const FileBytes& bytes, const ReadOptions& options = {});
 /// Throws InputError unless these first bytes of the file `name` can be those of a text in ASCII, UTF-8 or Latin-1.
 void require_text(std::string_view head, const std::string& name);
 
-}  // namespace percuss
+}  // namespace percuss::acquire

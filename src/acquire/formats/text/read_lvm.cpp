@@ -16,7 +16,7 @@
 #include "core/io/parse_number.hpp"
 #include "core/units.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 constexpr std::string_view kTitle = "LabVIEW Measurement", kEnd = "***End_of_Header***";
@@ -198,4 +198,4 @@ Record open_lvm(const FileBytes& file, const ReadOptions& options) {
   return record_of_table(std::move(table), options);
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

@@ -4,7 +4,7 @@
 #include "acquire/record/record.hpp"
 #include "core/io/input_file.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 
 /// Whether a text that begins so is a LabVIEW measurement file.
 bool is_lvm(std::string_view head);
@@ -15,4 +15,4 @@ bool is_lvm(std::string_view head);
 /// AmbiguousColumns: nothing says which channel is the force.
 Record open_lvm(const FileBytes& file, const ReadOptions& options = {});
 
-}  // namespace percuss
+}  // namespace percuss::acquire

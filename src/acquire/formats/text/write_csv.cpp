@@ -7,7 +7,7 @@
 
 #include "core/io/atomic_file.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 constexpr std::size_t kRowsAtOnce = 8192;  // text of a block is written at once
@@ -75,4 +75,4 @@ void write_record_csv(const std::string& path, const Record& record, bool force)
   file.commit();
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

@@ -3,7 +3,7 @@
 
 #include "acquire/record/record.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 
 /// Writes a record as text, one line per sample, row after row, with the columns
 ///   hit,t_s,force_N,acc0_m_s2,acc1_m_s2,…        and point, run at the end where they differ between rows.
@@ -11,4 +11,4 @@ namespace percuss {
 /// errors  InputError when the file exists and `force` is not set, or when it cannot be written.
 void write_record_csv(const std::string& path, const Record& record, bool force);
 
-}  // namespace percuss
+}  // namespace percuss::acquire

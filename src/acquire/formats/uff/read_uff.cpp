@@ -17,7 +17,7 @@
 #include "core/io/time_stamps.hpp"
 #include "core/units.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 struct OpenUff {
@@ -196,4 +196,4 @@ Record open_uff(const FileBytes& file, const ReadOptions& options) {
   return open_uff(file, read_uff_contents(file), options);
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

@@ -3,7 +3,7 @@
 #include "acquire/record/record.hpp"
 #include "core/io/input_file.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 
 /// The record of time in a universal file: its functions 58 of type 1 (docs/formats.md, "UFF"). Every force begins a
 /// row, the functions up to the next force are its channels; or forces and responses stand in groups of their own.
@@ -22,4 +22,4 @@ std::string uff_dof_name(const UffDof& place);
 /// "data sets 15 (1), 58 (3)", for messages.
 std::string uff_set_list(const UffContents& contents);
 
-}  // namespace percuss
+}  // namespace percuss::acquire

@@ -10,7 +10,7 @@
 #include "acquire/formats/uff/uff_nodes.hpp"
 #include "core/error.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 constexpr int kFactorColumns = 25;
@@ -87,4 +87,4 @@ std::vector<TraceLine> uff_trace_lines(const UffContents& contents, int offset) 
   return out;
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

@@ -8,7 +8,7 @@
 #include "acquire/formats/uff/uff_function.hpp"
 #include "acquire/formats/uff/uff_trace_lines.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 
 /// Data set 164: SI = stored / factor.
 struct UffUnits {
@@ -52,4 +52,4 @@ UffAnnotation uff_annotation(const UffFunction& function);
 /// `note` says so where that changes it.
 double uff_step(const UffFunction& function, bool frequency, std::string& note);
 
-}  // namespace percuss
+}  // namespace percuss::acquire

@@ -6,7 +6,7 @@
 #include "core/io/csv_header.hpp"
 #include "core/io/parse_number.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 // Fortran leaves the letter out where the exponent takes three digits: "1.5-101".
@@ -79,4 +79,4 @@ std::optional<std::uint64_t> uff_data_bytes(std::string_view record7) {
   return static_cast<std::uint64_t>(*values) * (abscissa + parts * number);
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

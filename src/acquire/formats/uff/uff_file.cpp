@@ -7,7 +7,7 @@
 #include "core/error.hpp"
 #include "core/io/lazy_file.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 constexpr std::size_t kPadding_bytes = 64;  // after binary data: zeros to an even number of values, line ends
@@ -193,4 +193,4 @@ std::string uff_location(const FileBytes& file, std::string_view at) {
 
 std::vector<UffSet> split_uff(const FileBytes& file) { return Splitter(file).split(); }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

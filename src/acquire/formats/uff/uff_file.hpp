@@ -7,7 +7,7 @@
 
 #include "core/io/input_file.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 
 /// One data set of a universal file, still as text or bytes.
 struct UffSet {
@@ -52,4 +52,4 @@ std::string_view take_uff_line(std::string_view& rest);
 /// Bytes that record 7 of a set 58 claims for its binary data; nothing when it cannot be read.
 std::optional<std::uint64_t> uff_data_bytes(std::string_view record7);
 
-}  // namespace percuss
+}  // namespace percuss::acquire

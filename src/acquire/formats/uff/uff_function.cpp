@@ -12,7 +12,7 @@
 #include "core/error.hpp"
 #include "core/io/lazy_file.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 constexpr std::size_t kInteger = 10, kShort = 5, kSingle = 13, kDouble = 20;  // columns
@@ -201,4 +201,4 @@ double UffFunction::x(std::size_t i) const {
 
 UffFunction parse_uff_function(const UffSet& set, const FileBytes& file) { return FunctionParser(set, file).parse(); }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

@@ -10,7 +10,7 @@
 
 #include "acquire/formats/uff/uff_file.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 
 /// Numbers that data set 58 uses.
 struct Uff58 {
@@ -71,4 +71,4 @@ struct UffFunction {
 /// of ordinate than 2, 4, 5, 6.
 UffFunction parse_uff_function(const UffSet& set, const FileBytes& file);
 
-}  // namespace percuss
+}  // namespace percuss::acquire

@@ -10,7 +10,7 @@
 #include "core/error.hpp"
 #include "core/units.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 enum class System { cartesian = 0, cylindrical = 1, spherical = 2 };
@@ -151,4 +151,4 @@ std::map<int, std::array<double, 3>> read_uff_nodes(const std::vector<UffSet>& s
   return out;
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

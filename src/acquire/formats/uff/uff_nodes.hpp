@@ -5,7 +5,7 @@
 
 #include "acquire/formats/uff/uff_file.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 
 /// Nodes of the data sets 15 and 2411 in m and global coordinates: divided by the units' length factor and turned out
 /// of the coordinate systems that set 18 defines (cartesian, cylindrical, spherical). Later ones win.
@@ -13,4 +13,4 @@ namespace percuss {
 std::map<int, std::array<double, 3>> read_uff_nodes(const std::vector<UffSet>& sets, const FileBytes& file,
                                                     double length_factor);
 
-}  // namespace percuss
+}  // namespace percuss::acquire

@@ -6,7 +6,7 @@
 
 #include "core/io/csv_header.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "numbers are written as they lie in memory");
@@ -102,4 +102,4 @@ void UffOutput::function(const UffFunction& description, std::span<const double>
   });
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

@@ -8,7 +8,7 @@
 #include "acquire/formats/uff/uff_function.hpp"
 #include "core/io/atomic_file.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 
 enum class UffData { binary, text };
 
@@ -54,4 +54,4 @@ class UffOutput {
   UffData data_;
 };
 
-}  // namespace percuss
+}  // namespace percuss::acquire

@@ -9,7 +9,7 @@
 
 #include "core/error.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 constexpr double kSameStep = 1e-4;  // relative: the columns round
@@ -88,4 +88,4 @@ std::vector<UffRow> uff_rows(const std::vector<const UffFunction*>& functions, c
   return rows;
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

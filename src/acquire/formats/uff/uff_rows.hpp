@@ -4,7 +4,7 @@
 
 #include "acquire/formats/uff/uff_function.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 
 /// Functions of one row; the first is the force where one is known.
 using UffRow = std::vector<const UffFunction*>;
@@ -16,4 +16,4 @@ using UffRow = std::vector<const UffFunction*>;
 std::vector<UffRow> uff_rows(const std::vector<const UffFunction*>& functions, const std::vector<bool>& is_force,
                              const std::string& file);
 
-}  // namespace percuss
+}  // namespace percuss::acquire

@@ -6,7 +6,7 @@
 #include "core/io/parse_number.hpp"
 #include "core/io/time_stamps.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 constexpr double kUnchanged = 1e-9;  // relative
@@ -64,4 +64,4 @@ double uff_step(const UffFunction& function, bool frequency, std::string& note) 
   return step;
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

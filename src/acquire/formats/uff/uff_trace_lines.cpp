@@ -9,7 +9,7 @@
 
 #include "core/error.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 constexpr std::size_t kNodesPerLine = 8, kNodeWidth = 10, kMaxNodes = 250;
@@ -156,4 +156,4 @@ std::vector<std::string> uff_trace_line_sets(const std::vector<TraceLine>& lines
   return out;
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

@@ -6,7 +6,7 @@
 #include "acquire/formats/uff/uff_file.hpp"
 #include "acquire/record/record.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 
 /// What a universal file says of how its nodes are connected.
 struct UffTraceLines {
@@ -24,4 +24,4 @@ UffTraceLines read_uff_trace_lines(const std::vector<UffSet>& sets, const FileBy
 /// where the one before ended.
 std::vector<std::string> uff_trace_line_sets(const std::vector<TraceLine>& lines, int offset);
 
-}  // namespace percuss
+}  // namespace percuss::acquire

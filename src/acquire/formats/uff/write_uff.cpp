@@ -12,7 +12,7 @@
 #include "core/error.hpp"
 #include "core/units.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 namespace {
 
 bool has_place(const std::vector<double>& at) {
@@ -111,4 +111,4 @@ void write_uff(const std::string& path, const Record& record, bool force, UffDat
   out.commit();
 }
 
-}  // namespace percuss
+}  // namespace percuss::acquire

@@ -4,7 +4,7 @@
 #include "acquire/formats/uff/uff_output.hpp"
 #include "acquire/record/record.hpp"
 
-namespace percuss {
+namespace percuss::acquire {
 
 /// A record as a universal file: sets 151, 164, the geometry as 2411 where it is coordinates, its lines as 82, and one
 /// function 58 (58b for UffData::binary) per hit and channel in N and m/s^2, the force first. Angles, positions and the
@@ -29,4 +29,4 @@ int uff_direction(const SignalInfo& sensor);
 std::string uff_annotation_text(int node_offset, double dx);
 std::string uff_sensor_text(const SignalInfo& sensor);
 
-}  // namespace percuss
+}  // namespace percuss::acquire

@@ -10,7 +10,7 @@
 #include "support/input_error.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace percuss::hdf5_read_test {
+namespace percuss::acquire::hdf5_read_test {
 
 using test::Hdf5Builder;
 using test::input_error_of;
@@ -240,4 +240,4 @@ TEST_F(Hdf5Read, ServesSeveralThreads) {
   for (auto& thread : threads) thread.join();
 }
 
-}  // namespace percuss::hdf5_read_test
+}  // namespace percuss::acquire::hdf5_read_test

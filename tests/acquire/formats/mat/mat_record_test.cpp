@@ -17,7 +17,7 @@
 #include "support/mat_builder.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace percuss::mat_record_test {
+namespace percuss::acquire::mat_record_test {
 
 using test::accel_mps2;
 using test::force_N;
@@ -32,8 +32,8 @@ using testing::IsEmpty;
 class MatRecord : public testing::Test {
  protected:
   Record opened(const ReadOptions& options = {}) const { return open_record(path_, options); }
-  FrfRecord frfs(const FrfReadOptions& options = {}) const {
-    return std::get<FrfRecord>(open_measurement(path_, options));
+  frf::FrfRecord frfs(const frf::FrfReadOptions& options = {}) const {
+    return std::get<frf::FrfRecord>(frf::open_measurement(path_, options));
   }
   test::ScratchFolder folder_;
   std::string path_ = folder_.file("r.mat");
@@ -178,7 +178,7 @@ TEST_F(MatRecord, RefusesWhatContradictsItself) {
 TEST_F(MatRecord, GivesFrfsWithTheirFrequencies) {
   const std::vector<std::complex<double>> lines{{1, 2}, {3, 4}, {5, 6}, {7, 8}, {9, 10}, {11, 12}};
   MatBuilder(path_, MatLevel::v5).complex("H", {3, 2}, lines).numbers("freq", {3, 1}, {10, 20, 30});
-  const FrfRecord record = frfs();
+  const frf::FrfRecord record = frfs();
   ASSERT_EQ(record.frfs.size(), 2U);
   EXPECT_EQ(record.lines.first, 1U);
   EXPECT_NEAR(record.lines.df_Hz(), 10, 1e-12);
@@ -199,8 +199,8 @@ TEST_F(MatRecord, AsksWhichOfSeveralArraysIsMeant) {
       .complex("H1", {2, 1}, lines)
       .numbers("df", {1, 1}, {2})
       .numbers("chan_1", {4, 1}, {1, 2, 3, 4});
-  EXPECT_THROW(open_measurement(path_), AmbiguousColumns);
-  EXPECT_EQ(frfs({.kind = FrfKind::mobility}).kind, FrfKind::mobility);
+  EXPECT_THROW(frf::open_measurement(path_), AmbiguousColumns);
+  EXPECT_EQ(frfs({.kind = frf::FrfKind::mobility}).kind, frf::FrfKind::mobility);
 }
 
 class MatWritten : public MatRecord {
@@ -263,4 +263,4 @@ TEST_F(MatWritten, SurvivesTruncationAndMutations) {
   EXPECT_TRUE(try_bytes(good));
 }
 
-}  // namespace percuss::mat_record_test
+}  // namespace percuss::acquire::mat_record_test

@@ -15,7 +15,7 @@
 #include "support/scratch_folder.hpp"
 #include "support/synthetic_files.hpp"
 
-namespace percuss::sound_record_test {
+namespace percuss::acquire::sound_record_test {
 
 using test::accel_mps2;
 using test::force_N;
@@ -237,4 +237,4 @@ TEST_F(SoundRecord, WrittenAsW64HoldsPlainNumbers) {
   EXPECT_EQ(accel_mps2(read), accel_mps2(record));
 }
 
-}  // namespace percuss::sound_record_test
+}  // namespace percuss::acquire::sound_record_test

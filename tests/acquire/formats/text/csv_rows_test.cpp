@@ -6,7 +6,7 @@
 #include "support/csv_text.hpp"
 #include "support/input_error.hpp"
 
-namespace percuss::csv_rows_test {
+namespace percuss::acquire::csv_rows_test {
 
 using test::csv_record;
 using test::input_error_of;
@@ -110,4 +110,4 @@ TEST(CsvRate, NamesTheLineWhereTimeIsUneven) {
               HasSubstr("the time is empty (x.csv: line 3"));
 }
 
-}  // namespace percuss::csv_rows_test
+}  // namespace percuss::acquire::csv_rows_test

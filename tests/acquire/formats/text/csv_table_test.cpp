@@ -9,7 +9,7 @@
 #include "support/csv_text.hpp"
 #include "support/input_error.hpp"
 
-namespace percuss::csv_table_test {
+namespace percuss::acquire::csv_table_test {
 
 using test::input_error_of;
 using testing::ElementsAre;
@@ -98,4 +98,4 @@ TEST(CsvTable, RefusesALineThatNeverEnds) {
   EXPECT_THAT(input_error_of([&] { table_of(text); }), HasSubstr("line of more than 1 MiB"));
 }
 
-}  // namespace percuss::csv_table_test
+}  // namespace percuss::acquire::csv_table_test

@@ -9,7 +9,7 @@
 #include "support/csv_text.hpp"
 #include "support/input_error.hpp"
 
-namespace percuss::read_csv_test {
+namespace percuss::acquire::read_csv_test {
 
 using test::accel_mps2;
 using test::csv_record;
@@ -158,4 +158,4 @@ TEST(ReadCsv, SurvivesMutationsOfAGoodFile) {
   EXPECT_GT(refused, 1000U);
 }
 
-}  // namespace percuss::read_csv_test
+}  // namespace percuss::acquire::read_csv_test

@@ -8,7 +8,7 @@
 #include "support/csv_text.hpp"
 #include "support/input_error.hpp"
 
-namespace percuss::read_lvm_test {
+namespace percuss::acquire::read_lvm_test {
 
 using test::accel_mps2;
 using test::csv_bytes;
@@ -82,4 +82,4 @@ TEST(ReadLvm, RefusesWhatIsDamagedWithItsLine) {
   }
 }
 
-}  // namespace percuss::read_lvm_test
+}  // namespace percuss::acquire::read_lvm_test

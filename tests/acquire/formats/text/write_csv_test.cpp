@@ -10,7 +10,7 @@
 #include "support/input_error.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace percuss::write_csv_test {
+namespace percuss::acquire::write_csv_test {
 
 class WriteCsv : public testing::Test {
  protected:
@@ -68,4 +68,4 @@ TEST_F(WriteCsv, ReplacesOnlyWhenForced) {
   EXPECT_THAT(test::input_error_of([&] { write_record_csv(path_, record, false); }), testing::HasSubstr("--force"));
 }
 
-}  // namespace percuss::write_csv_test
+}  // namespace percuss::acquire::write_csv_test

@@ -15,7 +15,7 @@
 #include "support/uff_text.hpp"
 
 // Universal files long enough that their numbers stay on the disk until somebody wants them.
-namespace percuss::sparse_uff_test {
+namespace percuss::acquire::sparse_uff_test {
 
 namespace fs = std::filesystem;
 using test::accel_mps2;
@@ -134,4 +134,4 @@ TEST(LazyFile, ReadsWhatIsAskedFor) {
   EXPECT_THAT(input_error_of([&] { LazyFile(folder.path(), 9); }), HasSubstr("folder"));
 }
 
-}  // namespace percuss::sparse_uff_test
+}  // namespace percuss::acquire::sparse_uff_test

@@ -14,7 +14,7 @@
 #include "support/scratch_folder.hpp"
 #include "support/uff_text.hpp"
 
-namespace percuss::uff_frf_test {
+namespace percuss::acquire::uff_frf_test {
 
 using test::csv_bytes;
 using test::input_error_of;
@@ -34,11 +34,11 @@ std::string frf_text(UffText set, double x) {
   return set.text(fmt::format("{:13.5E}{:13.5E}{:13.5E}{:13.5E}\n", x, -x, 2 * x, 0.0));
 }
 
-FrfRecord read(const std::string& text, const FrfReadOptions& options = {}) {
+frf::FrfRecord read(const std::string& text, const frf::FrfReadOptions& options = {}) {
   const FileBytes bytes = csv_bytes(text);
-  auto stored = read_frf_uff(bytes, read_uff_contents(bytes), options.kind.has_value());
+  auto stored = frf::read_frf_uff(bytes, read_uff_contents(bytes), options.kind.has_value());
   EXPECT_TRUE(stored.has_value());
-  return to_accelerances(std::move(stored).value(), options);
+  return frf::to_accelerances(std::move(stored).value(), options);
 }
 
 TEST(UffFrf, MakesPointsOfStruckNodesAndChannelsOfResponses) {
@@ -53,7 +53,7 @@ TEST(UffFrf, MakesPointsOfStruckNodesAndChannelsOfResponses) {
       text += frf_text(set, node + 0.1 * direction);
     }
   }
-  const FrfRecord record = read(text);
+  const frf::FrfRecord record = read(text);
   ASSERT_EQ(record.frfs.size(), 4U);
   EXPECT_EQ(record.frfs[3].point, 9);
   EXPECT_EQ(record.frfs[3].channel, 1U);
@@ -61,13 +61,13 @@ TEST(UffFrf, MakesPointsOfStruckNodesAndChannelsOfResponses) {
   EXPECT_NEAR(record.lines.df_Hz(), 2, 1e-12);
   const double g = kStandardGravity_mps2;
   EXPECT_LT(std::abs(record.frfs[3].frf.value[0] - Complex(9.3 * g, -9.3 * g)), 1e-4);
-  EXPECT_EQ(record.kind, FrfKind::accelerance);
+  EXPECT_EQ(record.kind, frf::FrfKind::accelerance);
 }
 
 TEST(UffFrf, MakesPointsOfResponsesWhereTheSensorWasMoved) {
   std::string text;
   for (const int node : {7, 3, 5}) text += frf_text({.response_node = node, .reference_node = 1}, node);
-  const FrfRecord record = read(text);
+  const frf::FrfRecord record = read(text);
   ASSERT_EQ(record.frfs.size(), 3U);
   ASSERT_EQ(record.accel.size(), 1U);
   EXPECT_EQ(record.frfs[0].point, 3);
@@ -76,14 +76,14 @@ TEST(UffFrf, MakesPointsOfResponsesWhereTheSensorWasMoved) {
 
 TEST(UffFrf, TakesUnitsAndKindFromAxesOrTheFilesSystem) {
   const UffText velocity{.ordinate = 11, .ordinate_unit = "mm/s", .denominator_unit = "N"};
-  EXPECT_EQ(read(frf_text(velocity, 1)).kind, FrfKind::mobility);
+  EXPECT_EQ(read(frf_text(velocity, 1)).kind, frf::FrfKind::mobility);
   EXPECT_NEAR(read(frf_text(velocity, 1)).accel[0].to_SI, 1e-3, 1e-18);
   const std::string units =
       "    -1\n   164\n         9USER DEFINED                  2\n"
       "  1.00000000000000000D+03  1.00000000000000000D+03  1.00000000000000000D+00\n"
       "  2.73149999999999977D+02\n    -1\n";
-  const FrfRecord receptance = read(units + frf_text({.ordinate = 8}, 1));
-  EXPECT_EQ(receptance.kind, FrfKind::receptance);
+  const frf::FrfRecord receptance = read(units + frf_text({.ordinate = 8}, 1));
+  EXPECT_EQ(receptance.kind, frf::FrfKind::receptance);
   EXPECT_NEAR(receptance.accel[0].to_SI, 1, 1e-12) << "mm per mN";
 }
 
@@ -101,25 +101,25 @@ TEST(UffFrf, RefusesGapsAndOtherLines) {
 TEST(UffFrf, GivesWayToRecordsOfTimeUnlessAskedFor) {
   const UffText time{.values = 2};
   const FileBytes bytes = csv_bytes(frf_text({}, 1) + time.text("  1.00000E+00  2.00000E+00\n"));
-  EXPECT_FALSE(read_frf_uff(bytes, read_uff_contents(bytes), false).has_value());
-  EXPECT_TRUE(read_frf_uff(bytes, read_uff_contents(bytes), true).has_value());
+  EXPECT_FALSE(frf::read_frf_uff(bytes, read_uff_contents(bytes), false).has_value());
+  EXPECT_TRUE(frf::read_frf_uff(bytes, read_uff_contents(bytes), true).has_value());
 }
 
 TEST(UffFrf, IsWrittenWithCoherenceAndReadBackExactly) {
-  FrfRecord record;
+  frf::FrfRecord record;
   record.files.push_back({.path = "x"});
   record.lines = {.fs_Hz = 1000.0 / 3, .samples = 100, .first = 3, .count = 2};
   record.accel.push_back({.name = "accel 1", .angle_rad = 0.5});
   for (const int point : {0, 2}) {
-    Frf frf{.value = {{1.0 / 3, 2}, {3, -4}}, .coherence = {0.5, 0.8}, .averages = 5};
+    frf::Frf frf{.value = {{1.0 / 3, 2}, {3, -4}}, .coherence = {0.5, 0.8}, .averages = 5};
     // σ² = (1 − γ²)/γ² · |H|²/(n − 1)
     frf.std = {std::sqrt(0.5 / 0.5 / 4) * std::abs(frf.value[0]), std::sqrt(0.2 / 0.8 / 4) * 5};
     record.frfs.push_back({.point = point, .channel = 0, .frf = frf});
   }
   record.geometry = {{0, 0, 0}, {0.25, 0, 0}, {0.5, 0, 1e-9}};
   const test::ScratchFolder folder;
-  write_frf_record_uff(folder.file("f.uff"), record, FrfKind::accelerance, false);
-  const auto again = std::get<FrfRecord>(open_measurement(folder.file("f.uff")));
+  frf::write_frf_record_uff(folder.file("f.uff"), record, frf::FrfKind::accelerance, false);
+  const auto again = std::get<frf::FrfRecord>(frf::open_measurement(folder.file("f.uff")));
   ASSERT_EQ(again.frfs.size(), 2U);
   EXPECT_EQ(again.frfs[1].point, 2);
   EXPECT_EQ(again.frfs[0].frf.value, record.frfs[0].frf.value);
@@ -131,4 +131,4 @@ TEST(UffFrf, IsWrittenWithCoherenceAndReadBackExactly) {
   EXPECT_EQ(again.geometry, record.geometry);
 }
 
-}  // namespace percuss::uff_frf_test
+}  // namespace percuss::acquire::uff_frf_test

@@ -9,7 +9,7 @@
 #include "support/uff_text.hpp"
 
 // Every layout of data set 58 and every trap in it, laid out by hand.
-namespace percuss::uff_function_test {
+namespace percuss::acquire::uff_function_test {
 
 using test::csv_bytes;
 using test::input_error_of;
@@ -221,4 +221,4 @@ TEST(UffContents, ReadsNodesOfBothKindsInTheirUnitsAndSystems) {
   EXPECT_TRUE(std::isnan(geometry[0][0]));
 }
 
-}  // namespace percuss::uff_function_test
+}  // namespace percuss::acquire::uff_function_test

@@ -14,7 +14,7 @@
 #include "support/scratch_folder.hpp"
 #include "support/uff_text.hpp"
 
-namespace percuss::uff_record_test {
+namespace percuss::acquire::uff_record_test {
 
 using test::accel_mps2;
 using test::csv_bytes;
@@ -210,4 +210,4 @@ TEST_F(UffWritten, SurvivesMutations) {
   }
 }
 
-}  // namespace percuss::uff_record_test
+}  // namespace percuss::acquire::uff_record_test

@@ -14,7 +14,7 @@
 #include "support/scratch_folder.hpp"
 
 // Which points a drawing connects, and points whose place is not known, through every format that has room for them.
-namespace percuss::trace_lines_test {
+namespace percuss::acquire::trace_lines_test {
 
 using test::csv_bytes;
 using test::input_error_of;
@@ -147,4 +147,4 @@ TEST_F(Drawn, LeadsToPointsThatAreThere) {
   }
 }
 
-}  // namespace percuss::trace_lines_test
+}  // namespace percuss::acquire::trace_lines_test

@@ -6,7 +6,7 @@
 
 #include "synth/random_stream.hpp"
 
-namespace percuss::shapes_test {
+namespace percuss::identify::shapes_test {
 
 constexpr double kRounding = 1e-12;
 
@@ -74,7 +74,7 @@ TEST(Shape, TrustsTheBetterSensor) {
   constexpr double kWithin = 3;  // deviations
   Mode mode = mode_of({1.0, 0.5, -0.7, 0.2}, {1.0, 1.0}, 0);
   std::vector<double> noise(2 * mode.residues.size());
-  RandomStream({3, 3}).add_normal(1, noise);
+  synth::RandomStream({3, 3}).add_normal(1, noise);
   for (std::size_t i = 0; i < mode.residues.size(); ++i) {
     Residue& r = mode.residues[i];
     r.std = r.channel == 0 ? 1e-4 : 0.1;
@@ -132,4 +132,4 @@ TEST(Shape, SurvivesAModeThatIsNowhere) {
   EXPECT_TRUE(shape_of({}).places.empty());
 }
 
-}  // namespace percuss::shapes_test
+}  // namespace percuss::identify::shapes_test

@@ -9,7 +9,7 @@
 #include "support/force_row.hpp"
 #include "support/input_error.hpp"
 
-namespace percuss::hits_test {
+namespace percuss::acquire::hits_test {
 
 using Rows = std::vector<std::vector<double>>;
 
@@ -203,4 +203,4 @@ TEST(FindHits, SurvivesRowsOfAFewSamples) {
   }
 }
 
-}  // namespace percuss::hits_test
+}  // namespace percuss::acquire::hits_test
