@@ -87,13 +87,13 @@ check_scripts() { grep -lE '^#!/bin/(ba)?sh|shellcheck shell=' start .ci/* | xar
 check_accuracy_page() {
   made=$(mktemp -d)
   build/release/bench/percuss_accuracy --quick "$made" >/dev/null
-  for file in docs/accuracy*; do
-    [ -s "$made/${file#docs/}" ] || { echo "percuss_accuracy does not make $file" >&2; return 1; }
+  for file in docs/project/accuracy*; do
+    [ -s "$made/${file#docs/project/}" ] || { echo "percuss_accuracy does not make $file" >&2; return 1; }
   done
   rm -rf "$made"
   sed -n '/^| from records with/,/^$/p' README.md | grep . >build/accuracy-rows
-  [ "$(grep -cvxFf docs/accuracy.md build/accuracy-rows)" -eq 0 ] ||
-    { echo "README.md shows other figures than docs/accuracy.md" >&2; return 1; }
+  [ "$(grep -cvxFf docs/project/accuracy.md build/accuracy-rows)" -eq 0 ] ||
+    { echo "README.md shows other figures than docs/project/accuracy.md" >&2; return 1; }
 }
 
 # Packs what release built, and runs the tool from the unpacked package.

@@ -1,4 +1,4 @@
-# Finds every third-party library once, as imported targets; docs/decisions.md says why each is used.
+# Finds every third-party library once, as imported targets; docs/project/decisions.md says why each is used.
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(GSL 2.7 REQUIRED)
 find_package(TBB REQUIRED)

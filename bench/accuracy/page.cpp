@@ -71,7 +71,7 @@ How do you know that percuss's figures are right, and what does it cost to have 
 every number in its sentences:
 
 ```
-build/release/bench/percuss_accuracy docs
+build/release/bench/percuss_accuracy docs/project
 ```
 
 Measured with {}.

@@ -17,7 +17,7 @@ struct Measured {
   std::vector<Saving> savings;
 };
 
-/// docs/accuracy.md: what was measured, how, the figures and what they mean. Its sentences take their numbers from the
+/// docs/project/accuracy.md: what was measured, how, the figures and what they mean. Its sentences take their numbers from the
 /// figures.
 std::string page_of(const Measured& measured, const std::string& build_description);
 

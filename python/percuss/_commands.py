@@ -132,7 +132,7 @@ Example:
         "synth",
         Synthetic,
         [_positional("spec", False)],
-        "spec is the name of a preset, a path, or a dictionary as docs/synth.md describes it.\n"
+        "spec is the name of a preset, a path, or a dictionary as docs/guides/synth.md describes it.\n"
         "Returns a Synthetic: record, a Record; to_dict() is the truth.",
         """
 Example:

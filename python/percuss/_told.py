@@ -62,7 +62,7 @@ def docstring(command: Command, intro: str, example: str) -> str:
             "TypeError for keywords that do not exist."
         )
     )
-    parts.append(f"Source: percuss {command.name}; docs/theory.md has the equations.")
+    parts.append(f"Source: percuss {command.name}; docs/theory/theory.md has the equations.")
     if example:
         parts.append(example.strip())
     return "\n\n".join(part for part in parts if part)

@@ -18,7 +18,7 @@ sys.path.append(str(SOURCE / "python" / "scripts"))
 import make_stubs  # noqa: E402
 
 PACKAGE = SOURCE / "python" / "percuss"
-TUTORIAL = SOURCE / "docs" / "tutorial-python.md"
+TUTORIAL = SOURCE / "docs" / "tutorials" / "python.md"
 MODULES = {"__init__": percuss, "models": percuss.models, "metrics": percuss.metrics}
 FUNCTIONS = [(name, one) for module in MODULES.values() for name, one in vars(module).items()
              if inspect.isfunction(one) and name in module.__all__]  # fmt: skip

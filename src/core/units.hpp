@@ -6,7 +6,7 @@
 
 namespace percuss::inline core {
 
-inline constexpr double kStandardGravity_mps2 = 9.80665;  // exact by definition, [1] in docs/sources.md
+inline constexpr double kStandardGravity_mps2 = 9.80665;  // exact by definition, [1] in docs/theory/sources.md
 inline constexpr double kPoundForce_N = 4.4482216152605;  // exact by definition, [1]
 inline constexpr double kInch_m = 0.0254;                 // exact by definition, [1]
 inline constexpr double kPound_kg = 0.45359237;           // exact by definition, [1]

@@ -42,7 +42,7 @@ struct Frf {
 /// shapes  every array (lines).
 /// units   (m/s²)/N.
 /// errors  InputError when the force never excited a line (G_ff = 0).
-/// source  [3], [4] in docs/sources.md.
+/// source  [3], [4] in docs/theory/sources.md.
 /// theory (2.4), (2.5), (2.6), (2.7), (2.8) in the order of (1) to (5) here
 Frf estimate_frf(const CrossSpectra& spectra, const LineRange& lines, Estimator estimator = Estimator::h1);
 

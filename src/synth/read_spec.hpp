@@ -7,7 +7,7 @@
 
 namespace percuss::synth {
 
-/// A spec from JSON (docs/synth.md; comments are allowed), checked. `where` names the text in messages.
+/// A spec from JSON (docs/guides/synth.md; comments are allowed), checked. `where` names the text in messages.
 /// errors  InputError for anything but a valid spec: not JSON, too deep or too long, a key unknown, doubled, missing or
 /// of the wrong kind, a value out of range.
 SynthSpec parse_synth_spec(std::string_view text, std::string_view where);

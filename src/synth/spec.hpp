@@ -12,7 +12,7 @@
 namespace percuss::synth {
 
 /// A synthetic hammer test, described. Plain data with defaults of a bat test: build it with designated initialisers or
-/// read it from JSON (read_spec.hpp; the key of each member is its name in lower case, docs/synth.md). Positions are
+/// read it from JSON (read_spec.hpp; the key of each member is its name in lower case, docs/guides/synth.md). Positions are
 /// from the barrel's end, angles around the barrel.
 
 enum class SynthFamily { bending, hoop };

@@ -5,7 +5,7 @@
 
 namespace percuss::synth {
 
-/// The truth as a document "percuss/synth-truth/1" (docs/synth.md): what a record was made from, beside which an
+/// The truth as a document "percuss/synth-truth/1" (docs/guides/synth.md): what a record was made from, beside which an
 /// analysis is held.
 std::string truth_json(const Truth& truth);
 

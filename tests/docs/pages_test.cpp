@@ -19,7 +19,7 @@ using testing::IsEmpty;
 
 std::vector<std::string> pages() {
   std::vector<std::string> out{PERCUSS_SOURCE_DIR "/README.md"};
-  for (const auto& entry : fs::directory_iterator(PERCUSS_SOURCE_DIR "/docs")) {
+  for (const auto& entry : fs::recursive_directory_iterator(PERCUSS_SOURCE_DIR "/docs")) {
     if (entry.path().extension() == ".md") out.push_back(entry.path().string());
   }
   return out;

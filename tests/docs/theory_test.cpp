@@ -10,7 +10,7 @@
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
 
-// docs/theory.md and the code that it describes name the same equations.
+// docs/theory/theory.md and the code that it describes name the same equations.
 namespace percuss::theory_test {
 
 namespace fs = std::filesystem;
@@ -71,7 +71,7 @@ std::vector<std::string> without(const Numbers& these, const Numbers& known) {
 }
 
 const std::string& page() {
-  static const std::string text = test::bytes_of(PERCUSS_SOURCE_DIR "/docs/theory.md");
+  static const std::string text = test::bytes_of(PERCUSS_SOURCE_DIR "/docs/theory/theory.md");
   return text;
 }
 
@@ -79,13 +79,13 @@ TEST(Theory, NumbersEachEquationOnce) {
   const Numbers defined = defined_in(page());
   EXPECT_GT(defined.size(), 80U);  // else they are not found any more
   for (const std::string& number : defined) EXPECT_EQ(defined.count(number), 1U) << number;
-  EXPECT_THAT(without(mentioned_in(page()), defined), IsEmpty()) << "named in docs/theory.md, where none stands";
+  EXPECT_THAT(without(mentioned_in(page()), defined), IsEmpty()) << "named in docs/theory/theory.md, where none stands";
 }
 
 TEST(Theory, IsCitedByTheCodeThatComputesIt) {
   const Numbers defined = defined_in(page()), cited = cited_by_sources();
-  EXPECT_THAT(without(cited, defined), IsEmpty()) << "cited in src, but not in docs/theory.md";
-  EXPECT_THAT(without(defined, cited), IsEmpty()) << "in docs/theory.md, but cited by no code";
+  EXPECT_THAT(without(cited, defined), IsEmpty()) << "cited in src, but not in docs/theory/theory.md";
+  EXPECT_THAT(without(defined, cited), IsEmpty()) << "in docs/theory/theory.md, but cited by no code";
 }
 
 TEST(Theory, CitationsAreRead) {
@@ -99,7 +99,7 @@ TEST(Theory, AndTheCodeNameTheSameEquationsOfPerformance) {
   static const std::regex row(R"(^\| (\(P\d+\)) .*)"), name(R"(\(P\d+\))");
   Numbers defined, cited;
   std::smatch found;
-  for (const std::string& line : test::lines_of(test::bytes_of(PERCUSS_SOURCE_DIR "/docs/performance.md"))) {
+  for (const std::string& line : test::lines_of(test::bytes_of(PERCUSS_SOURCE_DIR "/docs/theory/performance.md"))) {
     if (std::regex_match(line, found, row)) defined.insert(found[1].str());
   }
   for (const std::string& text : sources()) {
@@ -107,8 +107,8 @@ TEST(Theory, AndTheCodeNameTheSameEquationsOfPerformance) {
   }
   EXPECT_GE(defined.size(), 20U);
   for (const std::string& number : defined) EXPECT_EQ(defined.count(number), 1U) << number;
-  EXPECT_THAT(without(cited, defined), IsEmpty()) << "cited in src, but not in docs/performance.md";
-  EXPECT_THAT(without(defined, cited), IsEmpty()) << "in docs/performance.md, but cited by no code";
+  EXPECT_THAT(without(cited, defined), IsEmpty()) << "cited in src, but not in docs/theory/performance.md";
+  EXPECT_THAT(without(defined, cited), IsEmpty()) << "in docs/theory/performance.md, but cited by no code";
 }
 
 // A page without its code, whose brackets are lists.
@@ -128,11 +128,11 @@ TEST(Theory, CitesSourcesThatAreListed) {
   static const std::regex reference(R"(\[(\d+)\])"), entry(R"(^\[(\d+)\] )");
   std::set<std::string> listed;
   std::smatch found;
-  for (const std::string& line : test::lines_of(test::bytes_of(PERCUSS_SOURCE_DIR "/docs/sources.md"))) {
+  for (const std::string& line : test::lines_of(test::bytes_of(PERCUSS_SOURCE_DIR "/docs/theory/sources.md"))) {
     if (std::regex_search(line, found, entry)) listed.insert(found[1].str());
   }
   EXPECT_GE(listed.size(), 19U);
-  for (const auto& file : fs::directory_iterator(PERCUSS_SOURCE_DIR "/docs")) {
+  for (const auto& file : fs::recursive_directory_iterator(PERCUSS_SOURCE_DIR "/docs")) {
     if (file.path().extension() != ".md") continue;
     const std::string text = prose_of(test::bytes_of(file.path().string()));
     for (std::sregex_iterator it(text.begin(), text.end(), reference), end; it != end; ++it)

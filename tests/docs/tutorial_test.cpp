@@ -114,11 +114,11 @@ TEST(ConsolePage, LeavesLinesOutWhereDotsStandForThem) {
 }
 
 // How many commands each page has at the least: a page whose blocks lost their form would pass by running nothing.
-TEST(Tutorial, OfABatPrintsWhatItShows) { expect_page_to_print_as_shown("docs/tutorial-bat.md", 12); }
-TEST(Tutorial, OfASurveyPrintsWhatItShows) { expect_page_to_print_as_shown("docs/tutorial-survey.md", 6); }
-TEST(Tutorial, OfADeflectionPrintsWhatItShows) { expect_page_to_print_as_shown("docs/tutorial-deflection.md", 8); }
-TEST(Tutorial, OfACertificationPrintsWhatItShows) { expect_page_to_print_as_shown("docs/tutorial-certify.md", 8); }
-TEST(Tutorial, OfABatchPrintsWhatItShows) { expect_page_to_print_as_shown("docs/tutorial-batch.md", 20); }
+TEST(Tutorial, OfABatPrintsWhatItShows) { expect_page_to_print_as_shown("docs/tutorials/bat.md", 12); }
+TEST(Tutorial, OfASurveyPrintsWhatItShows) { expect_page_to_print_as_shown("docs/tutorials/survey.md", 6); }
+TEST(Tutorial, OfADeflectionPrintsWhatItShows) { expect_page_to_print_as_shown("docs/tutorials/deflection.md", 8); }
+TEST(Tutorial, OfACertificationPrintsWhatItShows) { expect_page_to_print_as_shown("docs/tutorials/certify.md", 8); }
+TEST(Tutorial, OfABatchPrintsWhatItShows) { expect_page_to_print_as_shown("docs/tutorials/batch.md", 20); }
 TEST(Tutorial, ReadmePrintsWhatItShows) { expect_page_to_print_as_shown("README.md", 2); }
 
 }  // namespace percuss::tutorial_test

@@ -147,7 +147,7 @@ void add_synth(CommandLine& line) {
   flags->host = command.host();
   command.about(
       "Makes hammer tests of structures whose modes are exactly known, with noise and with the faults that real tests "
-      "have: for learning, and for testing software. Beside each record goes the truth, as JSON. docs/synth.md "
+      "have: for learning, and for testing software. Beside each record goes the truth, as JSON. docs/guides/synth.md "
       "describes the spec.");
   command.example("percuss synth --list", "The presets");
   command.example("percuss synth composite-bat -o composite.h5",

@@ -21,7 +21,7 @@ struct Geometry {
   bool tube = false;                  // position and angle are known for every point
 };
 
-/// Reads where the points of a survey lie from a text of one line per point (docs/formats.md, "Geometry"):
+/// Reads where the points of a survey lie from a text of one line per point (docs/reference/formats.md, "Geometry"):
 ///   point, x_m, y_m, z_m                      or
 ///   point, position_m, angle_deg[, radius_m]
 /// Names of columns in any order; units m, mm, cm, in and deg, rad as in "x_mm" or "angle (rad)", or in a line of

@@ -9,7 +9,7 @@ namespace percuss::inline core {
 double median(std::vector<double> values);
 
 /// Standard deviation of Gaussian noise as the median absolute deviation from the median tells it (× 1.4826, [2] in
-/// docs/sources.md): unmoved by pulses that fill less than half of the samples. 0 for none.
+/// docs/theory/sources.md): unmoved by pulses that fill less than half of the samples. 0 for none.
 /// theory (1.1)
 double robust_std(std::vector<double> values);
 

@@ -6,7 +6,7 @@
 
 namespace percuss::frf {
 
-/// The FRFs of a MAT file (docs/formats.md, "MAT"): a complex array [points, channels, lines], [lines, FRFs] or [FRFs,
+/// The FRFs of a MAT file (docs/reference/formats.md, "MAT"): a complex array [points, channels, lines], [lines, FRFs] or [FRFs,
 /// lines] (the longest dimension is frequency), with a vector of frequencies, a spacing (df), or options.df_Hz. Nothing
 /// when the file holds no such array, or arrays of another length beside it that could be a record of time (then
 /// options.kind says that the FRFs are meant).

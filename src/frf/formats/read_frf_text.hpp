@@ -6,7 +6,7 @@
 
 namespace percuss::frf {
 
-/// The FRFs of a text of columns (docs/formats.md): frequency, then real and imaginary part, or magnitude and phase, of
+/// The FRFs of a text of columns (docs/reference/formats.md): frequency, then real and imaginary part, or magnitude and phase, of
 /// each. Nothing when the columns are not named so: then it is a record of time. With `forced` three columns or more
 /// without names are taken as frequency, real, imaginary, … errors  InputError with file, line and column: columns that
 /// have no partner, uneven frequencies, gaps, numbers that are none.

@@ -7,7 +7,7 @@
 
 namespace percuss::frf {
 
-/// The FRFs of a universal file: its functions 58 of type 4 (docs/formats.md, "UFF"), with the coherences (type 6) of
+/// The FRFs of a universal file: its functions 58 of type 4 (docs/reference/formats.md, "UFF"), with the coherences (type 6) of
 /// the same places. The struck points are points, the responses channels; where one point was struck and many
 /// responses were taken, these are the points (a roving sensor). Nothing when there are none, or records of time
 /// beside them, unless `forced`.

@@ -30,7 +30,7 @@ struct JointFitOptions {
 /// Jacobian, everything linear eliminated. Real and complex residues compete: a mode's residues are real where that
 /// leaves the smaller deviation (a complex one absorbs the phase error that the force's noise causes) and the lines do
 /// not contradict it. Deviations come from the Fisher information, scaled by the residual; what the force's noise does
-/// to the poles is added (errors in variables). source  [5], [7] in docs/sources.md.
+/// to the poles is added (errors in variables). source  [5], [7] in docs/theory/sources.md.
 /// theory (4.8), (4.12), (4.13)
 JointFit fit_jointly(const FrfDataset& set, std::vector<Pole> start, const JointFitOptions& options = {});
 

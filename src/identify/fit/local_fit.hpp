@@ -31,7 +31,7 @@ struct LocalFitOptions {
 /// Levenberg–Marquardt with an analytic Jacobian, everything linear eliminated (variable projection). Outputs are
 /// weighted by 1/weight[o] and, in the end, all deviations are scaled by the residual. shapes  data[o] holds
 /// options.count lines (what other modes contribute already subtracted); weight [outputs]. source  [7] in
-/// docs/sources.md.
+/// docs/theory/sources.md.
 /// theory (4.14)
 LocalFit fit_locally(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& data, const Eigen::VectorXd& weight,
                      std::vector<Pole> start, const LocalFitOptions& options);

@@ -25,7 +25,7 @@ struct ProjectedState {
 };
 
 /// Least squares of FRF lines in a window by modes and a complex polynomial, as a function of the poles alone:
-/// everything linear is eliminated. source  [7] in docs/sources.md.
+/// everything linear is eliminated. source  [7] in docs/theory/sources.md.
 class VariableProjection {
  public:
   /// data[o] holds `count` lines from `first` on; weight [outputs]. set must outlive this object.

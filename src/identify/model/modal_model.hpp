@@ -63,7 +63,7 @@ inline constexpr std::size_t kFlopsPerColumnLine = 40;
 ///   D = 1/(1 − exp((s − jω)Δ)),  D̃ the same with conj(s)
 /// With an exponential window of decay σ, jω + σ stands for jω in H, s − σ for s in q and D.
 /// What is missing after the record's end is thereby part of the model: no leakage, no bias of the damping.
-/// source  [5], [6] in docs/sources.md.
+/// source  [5], [6] in docs/theory/sources.md.
 /// theory (3.3), (3.5)
 /// Need::value leaves the derivatives empty, at half the work.
 enum class ColumnContent { value, derivatives };

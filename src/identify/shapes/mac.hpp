@@ -23,7 +23,7 @@ struct ShapeValues {
 /// blind to complex scale. The deviation is the root mean square over noise: the gradient of (1) where it has one, and
 /// the second order where it has none, at MAC 1 and 0.
 /// shapes  a, b the same places in the same order. 0 ± 0 when either shape is zero everywhere.
-/// source  [4] in docs/sources.md.
+/// source  [4] in docs/theory/sources.md.
 /// theory (5.4)
 Mac mac(const ShapeValues& a, const ShapeValues& b);
 

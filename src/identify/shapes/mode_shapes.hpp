@@ -57,7 +57,7 @@ double total_std(const Residue& residue);
 /// significantly positive, its largest component is 1 once the shape is turned to be as real as it can be. Signs: as
 /// the driving point's positive φ_d, or the largest component's.
 /// MPC = ((S_xx − S_yy)² + 4 S_xy²)/(S_xx + S_yy)², S the sums of squares and products of real (x) and imaginary parts.
-/// source  [4] in docs/sources.md.
+/// source  [4] in docs/theory/sources.md.
 /// theory (5.1), (5.2), (5.3)
 ModeShape shape_of(const Mode& mode, const ShapeOptions& options = {});
 

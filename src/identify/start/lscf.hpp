@@ -31,7 +31,7 @@ struct LscfOrder {
 /// unstable and left out. w_o is one over the variance of the output's noise as LineNoise tells it.
 /// An exponential window of the force is taken off the poles. shapes: orders 2 … max_order, ascending; empty with fewer
 /// than 8 lines or no output.
-/// source  [6] in docs/sources.md.
+/// source  [6] in docs/theory/sources.md.
 /// theory (4.3), (4.4), (4.5), (4.6)
 std::vector<LscfOrder> lscf_poles(const FrfDataset& set, const LscfOptions& options = {});
 

@@ -42,7 +42,7 @@ struct PoleCluster {
 
 /// Poles that stay from order to order: each order's poles join the nearest cluster within half a bandwidth, one pole
 /// per order and cluster; clusters with at least `least_stable` stable members, ascending frequency.
-/// source  [11] in docs/sources.md for the diagram, [2] for the spread.
+/// source  [11] in docs/theory/sources.md for the diagram, [2] for the spread.
 std::vector<PoleCluster> cluster_poles(const Stabilisation& diagram, const StabilisationOptions& options = {});
 
 /// First poles for a fit, in ascending frequency: the clusters of short overlapping stretches of lines, over which few

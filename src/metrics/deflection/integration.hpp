@@ -18,7 +18,7 @@ struct Motion {
 /// theory (7.1)
 Motion integrate_twice(std::span<const double> accel_mps2, double fs_Hz, double highpass_corner_Hz = 0);
 
-/// The source's small-interval sums, of first order ([9] in docs/sources.md):
+/// The source's small-interval sums, of first order ([9] in docs/theory/sources.md):
 ///   v(n+1) = v(n) + a(n)·Δt,  w(n+1) = w(n) + v(n)·Δt                               (2)
 /// theory (7.6)
 Motion small_interval_sums(std::span<const double> accel_mps2, double fs_Hz);

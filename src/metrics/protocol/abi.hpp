@@ -8,7 +8,7 @@
 
 namespace percuss::metrics {
 
-/// Gates of the break-in, [8] in docs/sources.md, appendix E, and where a run that leads nowhere is given up.
+/// Gates of the break-in, [8] in docs/theory/sources.md, appendix E, and where a run that leads nowhere is given up.
 struct AbiRules {
   double min_reduction = 0.05;   // that rolling is to reach
   double skip_reduction = 0.15;  // above it the barrel is not rolled before the next test

@@ -10,7 +10,7 @@
 
 namespace percuss::metrics {
 
-/// The protocol's limits, [8] in docs/sources.md, sections 3.3 to 3.5.
+/// The protocol's limits, [8] in docs/theory/sources.md, sections 3.3 to 3.5.
 struct ProtocolLimits {
   double temperature_F = 72, temperature_tolerance_F = 4;
   double humidity_percent = 50, humidity_tolerance_percent = 5;

@@ -5,7 +5,7 @@
 
 namespace percuss::metrics {
 
-// The bat's performance in numbers, (P1) and (P3) to (P10) of docs/performance.md, after [8] in docs/sources.md. SI;
+// The bat's performance in numbers, (P1) and (P3) to (P10) of docs/theory/performance.md, after [8] in docs/theory/sources.md. SI;
 // positions as the laboratory measures them: locations z and the centre of gravity from the barrel's tip, the pivot
 // from the knob. T is double, or Measured for the uncertainty along with the value.
 

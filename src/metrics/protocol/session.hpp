@@ -52,7 +52,7 @@ struct Session {
   std::vector<SessionShot> shots;  // in the order fired
 };
 
-/// Reads percuss/session/1 (docs/schema/session.schema.json) or the same as a table of shots (docs/performance.md).
+/// Reads percuss/session/1 (docs/schema/session.schema.json) or the same as a table of shots (docs/theory/performance.md).
 /// errors  InputError with file and key or line: not such a document, a number that cannot be, gates' times that do not
 /// rise, MOI missing where BBCOR is asked for.
 Session parse_session(std::string_view text, const std::string& where);

@@ -30,7 +30,7 @@ struct SearchStep {
 /// then the neighbour of the best, towards 6 in (of 6 in itself: on the side that did better), then the outer one;
 /// where a neighbour is within the margin, whatever is untested beside the two. Ends after at most high − low + 1
 /// locations, and asks only for those from low to high. Of equals the one nearest 6 in counts as the best. source  [8]
-/// in docs/sources.md, section 3.5; what it leaves open is decided in docs/performance.md.
+/// in docs/theory/sources.md, section 3.5; what it leaves open is decided in docs/theory/performance.md.
 SearchStep next_location(const std::map<HalfInches, double>& tested, const SearchRules& rules = {});
 
 }  // namespace percuss::metrics

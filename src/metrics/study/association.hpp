@@ -27,7 +27,7 @@ struct Association {
 /// usual r and ρ. With d = points − classes − 1 degrees of freedom
 ///   interval:  tanh(artanh r ± 1.96/√(d − 1)),  tanh(artanh ρ ± 1.96 √((1 + ρ²/2)/(d − 1)))           (P15)
 ///   p: Student's t of d degrees, t = ρ √(d/(1 − ρ²))                                                (P16)
-/// Nothing below d = 2, or when x or y does not vary within classes. Sources [3] and [16] in docs/sources.md.
+/// Nothing below d = 2, or when x or y does not vary within classes. Sources [3] and [16] in docs/theory/sources.md.
 std::optional<Association> association_of(const std::vector<ClassPoints>& classes);
 
 /// A straight line y = at + slope x through the bulk of the points, and the slope's 95 % interval.

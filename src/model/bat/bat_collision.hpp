@@ -11,7 +11,7 @@ namespace percuss::model {
 ///   F = k₁ u^α where u is as large as it has ever been, else F = k₂ u^β,                               (1)
 ///   β = (1 + α)/e₀² − 1, k₂ such that F is continuous at the largest u                                 (2)
 /// whatever the speed, e₀² of the energy comes back. After leaving the bat the ball is as before.
-/// source  [10] in docs/sources.md, after Cross and Nathan
+/// source  [10] in docs/theory/sources.md, after Cross and Nathan
 /// theory (12.3), (12.4)
 struct LossyBall {
   double mass_kg = 0.145;

@@ -24,7 +24,7 @@ double swing_speed_mps(const RigidCollision& collision, double z_m);
 
 /// Speed of the ball after the impact, back where it came from:
 ///   v' = [v (e M_e − m) + u M_e (1 + e)] / (m + M_e)         (3)
-/// source  [10] in docs/sources.md
+/// source  [10] in docs/theory/sources.md
 /// theory (11.3)
 double exit_speed_mps(const RigidCollision& collision, double z_m);
 

@@ -12,7 +12,7 @@ enum class BeamSupport {
   free      // not held at all: the beam can move and turn as a rigid body
 };
 
-/// A uniform beam. The defaults are the composite cricket bat of [9] in docs/sources.md; its length is inferred.
+/// A uniform beam. The defaults are the composite cricket bat of [9] in docs/theory/sources.md; its length is inferred.
 struct UniformBeam {
   BeamSupport support = BeamSupport::torsion;
   double stiffness_Nm2 = 4000;         // EI

@@ -40,7 +40,7 @@ double love_Hz(const TubeShell& shell, std::size_t n);
 ///   S23 = n + k (3 − ν)/2 λ²n               S33 = 1 + k((λ² + n²)² − 2n² + 1)                   (4)
 /// For a long tube it becomes (2). Against three-dimensional elasticity it is high by 0.5 % (n = 2) and 1 % (n = 3) for
 /// a wall of a thirteenth of R, by a quarter of that for half the wall.
-/// source  [15] in docs/sources.md
+/// source  [15] in docs/theory/sources.md
 /// theory (13.4)
 double flugge_Hz(const TubeShell& shell, std::size_t n, std::size_t m);
 

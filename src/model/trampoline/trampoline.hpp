@@ -10,7 +10,7 @@ namespace percuss::model {
 ///   F = k₁ δ|δ|ᵃ + c₁ δ̇ |δ|ᵇ where positive, else 0; δ = x₁ − x₂    (2)
 ///   k₂ = (2π f_hoop)² m₂                                         (3)
 /// A contact cannot pull: it ends when the force has fallen to zero, which is before the overlap does.
-/// source  [8] in docs/sources.md, 4.4 and appendix D
+/// source  [8] in docs/theory/sources.md, 4.4 and appendix D
 /// theory (10.1), (10.2), (10.3)
 struct Trampoline {
   double ball_mass_kg = 0.145;         // m₁

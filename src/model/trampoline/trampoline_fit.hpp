@@ -23,7 +23,7 @@ struct ExponentFit {
 
 /// Weighted least squares for a and b of rigid_wall_rebound, the other constants as in `model`, where the search starts
 /// too: Gauss–Newton with Marquardt's damping. errors  InputError: fewer than two different speeds; speeds too alike to
-/// tell a from b; no exponents fit. source  [8] in docs/sources.md, 4.4: there by trying all combinations
+/// tell a from b; no exponents fit. source  [8] in docs/theory/sources.md, 4.4: there by trying all combinations
 ExponentFit fit_exponents(const Trampoline& model, const std::vector<MeasuredCor>& measured);
 
 }  // namespace percuss::model

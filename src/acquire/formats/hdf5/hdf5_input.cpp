@@ -52,7 +52,7 @@ herr_t append_name(hid_t /*group*/, const char* name, const H5L_info_t* /*info*/
 
 InputHdf5::InputHdf5(std::string path) : path_(std::move(path)), bytes_(size_of(path_)) {
   if (!is_hdf5(path_))
-    throw InputError("not an HDF5 file", path_, "give a file in one of the formats of docs/formats.md");
+    throw InputError("not an HDF5 file", path_, "give a file in one of the formats of docs/reference/formats.md");
   file_ = open_file(path_);
   if (!file_) throw InputError("truncated or damaged HDF5 file", path_, "copy or record it again");
 }

@@ -11,7 +11,7 @@ namespace percuss::acquire {
 
 inline constexpr std::string_view kCalibrationChunk = "CAL1";
 
-/// What the chunk CAL1 of a sound file says, which the format itself has no place for (docs/formats.md).
+/// What the chunk CAL1 of a sound file says, which the format itself has no place for (docs/reference/formats.md).
 struct SoundCalibration {
   struct Signal {
     std::string name;
