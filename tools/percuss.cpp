@@ -7,6 +7,7 @@
 #include <new>
 
 #include "acquire/calibrate.hpp"
+#include "cli/option_names.hpp"
 #include "commands/commands.hpp"
 #include "core/error.hpp"
 #include "core/io/temporary_files.hpp"
@@ -18,7 +19,7 @@ namespace {
 using namespace percuss;
 using namespace percuss::tools;
 
-int print_error(const char* what, int code) {
+int print_error(const std::string& what, int code) {
   std::cerr << "percuss: " << what << '\n';
   return code;
 }
@@ -72,9 +73,9 @@ int main(int argc, char** argv) {
   } catch (const UsageError& e) {
     return print_error(e.what(), kUsage);
   } catch (const acquire::NoHitError& e) {
-    return print_error(e.what(), kImpossible);
+    return print_error(e.written(flag_of), kImpossible);
   } catch (const InputError& e) {
-    return print_error(e.what(), kBadInput);
+    return print_error(e.written(flag_of), kBadInput);
   } catch (const std::bad_alloc&) {
     return print_error(kOutOfMemoryMessage, kInternalError);
   } catch (const std::exception& e) {

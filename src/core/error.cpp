@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace percuss::inline core {
 
 namespace {
@@ -28,9 +30,29 @@ std::string one_line(std::string_view text, std::size_t limit) {
   return out;
 }
 
-InputError::InputError(std::string_view problem, std::string_view where, std::string_view remedy)
+std::string Message::written(OptionWriter write) const {
+  std::string list;
+  for (const OptionId& id : options) list += (list.empty() ? "" : ", ") + write(id);
+  return list.empty() ? text : fmt::format("{} ({})", text, list);
+}
+
+InputError::InputError(std::string_view problem, std::string_view where, std::string_view remedy,
+                       std::vector<OptionId> options)
     : std::runtime_error(
-          fmt::format("{} ({}); {}", one_line(problem, 600), one_line(where, 600), one_line(remedy, 600))) {}
+          fmt::format("{} ({}); {}", one_line(problem, 600), one_line(where, 600), one_line(remedy, 600))),
+      problem_(problem),
+      where_(where),
+      remedy_(remedy),
+      options_(std::move(options)) {}
+
+InputError::InputError(const std::string& message, std::vector<OptionId> options)
+    : std::runtime_error(message), problem_(message), options_(std::move(options)) {}
+
+InputError InputError::with_message(const std::string& message, std::vector<OptionId> options) {
+  return {message, std::move(options)};
+}
+
+std::string InputError::written(OptionWriter write) const { return Message{what(), options_}.written(write); }
 
 UsageError::UsageError(std::string_view problem, std::string_view remedy)
     : std::runtime_error(fmt::format("{}; {}", one_line(problem, 600), one_line(remedy, 600))) {}
