@@ -1,0 +1,16 @@
+#include "cli/option_names.hpp"
+
+#include <algorithm>
+
+namespace percuss::tools {
+
+std::string flag_of(std::string_view id) {
+  const std::size_t dot = id.rfind('.');
+  std::string command(id.substr(0, dot == std::string_view::npos ? 0 : dot));
+  std::string option(dot == std::string_view::npos ? id : id.substr(dot + 1));
+  std::replace(command.begin(), command.end(), '.', ' ');
+  std::replace(option.begin(), option.end(), '_', '-');
+  return command.empty() ? "--" + option : "percuss " + command + " --" + option;
+}
+
+}  // namespace percuss::tools
