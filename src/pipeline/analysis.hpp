@@ -11,7 +11,7 @@
 #include "core/trace.hpp"
 #include "core/uninitialized_array.hpp"
 #include "frf/estimators.hpp"
-#include "frf/formats/frf_record.hpp"
+#include "frf/frf_record.hpp"
 #include "identify/classify/classify.hpp"
 #include "identify/fit/local_fit.hpp"
 #include "identify/model/mode.hpp"

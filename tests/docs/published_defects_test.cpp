@@ -8,8 +8,7 @@
 #include <variant>
 
 #include "core/units.hpp"
-#include "frf/convert.hpp"
-#include "frf/formats/frf_record.hpp"
+#include "frf/frf_record.hpp"
 #include "frf/windows.hpp"
 #include "identify/start/lscf.hpp"
 #include "pipeline/analysis.hpp"

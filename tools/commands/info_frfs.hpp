@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "frf/formats/frf_record.hpp"
+#include "frf/frf_record.hpp"
 
 namespace percuss::tools {
 

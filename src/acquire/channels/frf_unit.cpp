@@ -1,4 +1,4 @@
-#include "frf/formats/frf_unit.hpp"
+#include "acquire/channels/frf_unit.hpp"
 
 #include <string>
 
@@ -6,7 +6,7 @@
 #include "core/io/parse_number.hpp"
 #include "core/units.hpp"
 
-namespace percuss::frf {
+namespace percuss::acquire {
 namespace {
 
 // Without blanks around and without one pair of brackets that belong to each other.
@@ -68,4 +68,4 @@ std::optional<FrfKind> parse_frf_kind(std::string_view word) {
   return std::nullopt;
 }
 
-}  // namespace percuss::frf
+}  // namespace percuss::acquire

@@ -2,9 +2,9 @@
 #include <optional>
 #include <string_view>
 
-#include "frf/convert.hpp"
+#include "acquire/record/frf.hpp"
 
-namespace percuss::frf {
+namespace percuss::acquire {
 
 /// The unit of a frequency response as files state it.
 struct FrfUnit {
@@ -22,4 +22,4 @@ std::optional<FrfUnit> parse_frf_unit(std::string_view text);
 /// aside).
 std::optional<FrfKind> parse_frf_kind(std::string_view word);
 
-}  // namespace percuss::frf
+}  // namespace percuss::acquire

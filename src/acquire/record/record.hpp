@@ -102,9 +102,6 @@ struct ReadOptions {
 
 enum class FileGrouping { automatic, hits, points, tests };
 
-/// Opens one file of any kind that percuss reads ("-" is standard input) and describes it. Throws InputError.
-Record open_record(const std::string& path, const ReadOptions& options = {});
-
 /// Several files as one record: more hits of one test (same point), or one point each. Automatic is hits. Sampling
 /// rates and the number and order of channels must agree. InputError names the file that differs. A single record
 /// passes through unchanged.

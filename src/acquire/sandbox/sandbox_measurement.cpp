@@ -1,32 +1,28 @@
-#include "frf/formats/sandbox_measurement.hpp"
+#include "acquire/sandbox/sandbox_measurement.hpp"
 
 #include <memory>
 
-#include "acquire/formats/hdf5/read_hdf5.hpp"
-#include "acquire/formats/mat/mat_file.hpp"
-#include "acquire/formats/sound/sound_file.hpp"
-#include "acquire/sandbox/fork_server.hpp"
 #include "acquire/sandbox/sandbox_record.hpp"
 #include "core/error.hpp"
 
-namespace percuss::frf {
+namespace percuss::acquire {
 namespace {
 
-enum class Kind : std::uint64_t { record, frfs };
+enum class MeasurementKind : std::uint64_t { record, frfs };
 
-void serialize_frf_record(acquire::Serializer& out, const FrfRecord& record) {
+void serialize_frf_record(Serializer& out, const FrfRecord& record) {
   out.put(record.files.front().path);
   out.put(record.files.front().bytes);
   out.put(record.format);
   out.put(record.kind);
   out.put(record.lines);
   out.put(static_cast<std::uint64_t>(record.accel.size()));
-  for (const acquire::SignalInfo& signal : record.accel) acquire::serialize_signal(out, signal);
+  for (const SignalInfo& signal : record.accel) serialize_signal(out, signal);
   out.put(record.estimator);
-  acquire::serialize_geometry(out, record.geometry);
+  serialize_geometry(out, record.geometry);
   out.put_all(record.trace_lines);
   out.put(record.decay_per_s);
-  acquire::serialize_strings(out, record.notes);
+  serialize_strings(out, record.notes);
   out.put(static_cast<std::uint64_t>(record.frfs.size()));
   for (const PointFrf& frf : record.frfs) {
     out.put(frf.point);
@@ -38,7 +34,7 @@ void serialize_frf_record(acquire::Serializer& out, const FrfRecord& record) {
   }
 }
 
-FrfRecord deserialize_frf_record(acquire::Deserializer& in) {
+FrfRecord deserialize_frf_record(Deserializer& in) {
   FrfRecord record;
   std::string path = in.text();
   record.files.push_back({.path = std::move(path), .bytes = in.get<std::uint64_t>()});
@@ -46,12 +42,12 @@ FrfRecord deserialize_frf_record(acquire::Deserializer& in) {
   record.kind = in.get<FrfKind>();
   record.lines = in.get<LineRange>();
   const std::size_t channels = in.count(5 * sizeof(double));
-  for (std::size_t c = 0; c < channels; ++c) record.accel.push_back(acquire::deserialize_signal(in));
+  for (std::size_t c = 0; c < channels; ++c) record.accel.push_back(deserialize_signal(in));
   record.estimator = in.text();
-  record.geometry = acquire::deserialize_geometry(in);
-  record.trace_lines = in.all<acquire::TraceLine>();
+  record.geometry = deserialize_geometry(in);
+  record.trace_lines = in.all<TraceLine>();
   record.decay_per_s = in.get<double>();
-  record.notes = acquire::deserialize_strings(in);
+  record.notes = deserialize_strings(in);
   const std::size_t frfs = in.count(5 * sizeof(std::uint64_t));
   for (std::size_t i = 0; i < frfs; ++i) {
     PointFrf frf;
@@ -78,23 +74,25 @@ bool plausible_frfs(const FrfRecord& record) {
   return good && record.frfs.size() % record.accel.size() == 0;
 }
 
-acquire::SandboxService measurement_service(std::variant<acquire::Record, FrfRecord> opened) {
-  acquire::Serializer out;
+}  // namespace
+
+SandboxService measurement_service(Measurement opened) {
+  Serializer out;
   if (const auto* frfs = std::get_if<FrfRecord>(&opened)) {
-    out.put(Kind::frfs);
+    out.put(MeasurementKind::frfs);
     serialize_frf_record(out, *frfs);
     return {.description = out.bytes(), .read = {}};
   }
-  out.put(Kind::record);
-  acquire::SandboxService service = acquire::record_service(std::move(std::get<acquire::Record>(opened)));
+  out.put(MeasurementKind::record);
+  SandboxService service = record_service(std::move(std::get<Record>(opened)));
   service.description = out.bytes() + service.description;
   return service;
 }
 
-std::variant<acquire::Record, FrfRecord> serve_measurement(const std::shared_ptr<acquire::SandboxProcess>& process) {
-  acquire::Deserializer in(process->description());
+Measurement sandboxed_measurement(const std::shared_ptr<SandboxProcess>& process) {
+  Deserializer in(process->description());
   try {
-    if (in.get<Kind>() == Kind::record) return acquire::sandboxed_record(in, process);
+    if (in.get<MeasurementKind>() == MeasurementKind::record) return sandboxed_record(in, process);
     FrfRecord frfs = deserialize_frf_record(in);
     if (plausible_frfs(frfs)) return frfs;
   } catch (const std::out_of_range&) {
@@ -102,36 +100,8 @@ std::variant<acquire::Record, FrfRecord> serve_measurement(const std::shared_ptr
   process->report_contradiction();
 }
 
-}  // namespace
-
-bool needs_sandbox(const std::string& path) {
-  constexpr std::size_t kHead_bytes = 4096;
-  const std::string head = first_bytes(path, kHead_bytes);
-  return acquire::is_mat(head) || acquire::is_sound(head) || acquire::is_hdf5(path);
+Measurement open_in_sandbox(const std::string& path, const std::function<Measurement()>& open) {
+  return sandboxed_measurement(std::make_shared<SandboxProcess>(path, [&] { return measurement_service(open()); }));
 }
 
-std::variant<acquire::Record, FrfRecord> open_measurement_sandboxed(
-    const std::string& path, const std::function<std::variant<acquire::Record, FrfRecord>()>& open) {
-  return serve_measurement(
-      std::make_shared<acquire::SandboxProcess>(path, [&] { return measurement_service(open()); }));
-}
-
-std::shared_ptr<acquire::ForkServer> measurement_fork_server(const FrfReadOptions& options) {
-  FrfReadOptions within = options;
-  within.read.sandboxed = false;
-  return std::make_shared<acquire::ForkServer>(
-      [within](const std::string& path) { return measurement_service(open_measurement(path, within)); });
-}
-
-std::variant<acquire::Record, FrfRecord> open_measurement_forked(
-    const std::shared_ptr<acquire::ForkServer>& fork_server, const std::string& path, const FrfReadOptions& options) {
-  if (fork_server->lost() || !needs_sandbox(path)) return open_measurement(path, options);
-  try {
-    return serve_measurement(std::make_shared<acquire::SandboxProcess>(path, fork_server));
-  } catch (const InputError&) {
-    if (!fork_server->lost()) throw;
-  }
-  return open_measurement(path, options);
-}
-
-}  // namespace percuss::frf
+}  // namespace percuss::acquire

@@ -2,29 +2,19 @@
 #include <functional>
 #include <memory>
 #include <string>
-#include <variant>
 
-#include "frf/formats/frf_record.hpp"
+#include "acquire/record/frf_record.hpp"
+#include "acquire/sandbox/sandbox_process.hpp"
 
 namespace percuss::acquire {
-class ForkServer;
-}
 
-namespace percuss::frf {
+/// A measurement as a child process serves it: a record's samples on request, FRFs as a whole.
+SandboxService measurement_service(Measurement opened);
 
-/// Whether a library of others decodes the file (MAT, HDF5, sound), and so a process of its own reads it.
-bool needs_sandbox(const std::string& path);
+/// The measurement that a child process with measurement_service describes and serves.
+Measurement sandboxed_measurement(const std::shared_ptr<SandboxProcess>& process);
 
-/// What `open` gives, opened in a confined process (acquire/confined_process.hpp): a record is served from there, FRFs
-/// come over whole.
-std::variant<acquire::Record, FrfRecord> open_measurement_sandboxed(
-    const std::string& path, const std::function<std::variant<acquire::Record, FrfRecord>()>& open);
+/// The result of `open`, called in a sandboxed child process. errors  InputError: as SandboxProcess.
+Measurement open_in_sandbox(const std::string& path, const std::function<Measurement()>& open);
 
-/// Readers of measurements with these options, for open_measurement_forked.
-std::shared_ptr<acquire::ForkServer> measurement_fork_server(const FrfReadOptions& options);
-
-/// As open_measurement with the options of the nursery, which forks the processes in which foreign files are read.
-std::variant<acquire::Record, FrfRecord> open_measurement_forked(
-    const std::shared_ptr<acquire::ForkServer>& fork_server, const std::string& path, const FrfReadOptions& options);
-
-}  // namespace percuss::frf
+}  // namespace percuss::acquire

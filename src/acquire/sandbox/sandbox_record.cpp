@@ -139,10 +139,4 @@ Record sandboxed_record(Deserializer& in, const std::shared_ptr<SandboxProcess>&
   return with_contiguous_readers(std::move(record));
 }
 
-Record open_in_sandbox(const std::string& path, const std::function<Record()>& open) {
-  auto process = std::make_shared<SandboxProcess>(path, [&] { return record_service(open()); });
-  Deserializer in(process->description());
-  return sandboxed_record(in, process);
-}
-
 }  // namespace percuss::acquire

@@ -1,5 +1,4 @@
 #pragma once
-#include <functional>
 #include <string>
 
 #include "acquire/record/record.hpp"
@@ -21,8 +20,5 @@ void serialize_strings(Serializer& out, const std::vector<std::string>& texts);
 std::vector<std::string> deserialize_strings(Deserializer& in);
 void serialize_geometry(Serializer& out, const std::vector<std::vector<double>>& geometry);
 std::vector<std::vector<double>> deserialize_geometry(Deserializer& in);
-
-/// Opens a record of a foreign binary file in a confined process.
-Record open_in_sandbox(const std::string& path, const std::function<Record()>& open);
 
 }  // namespace percuss::acquire

@@ -1,4 +1,4 @@
-#include "frf/formats/frf_unit.hpp"
+#include "acquire/channels/frf_unit.hpp"
 
 #include <gtest/gtest.h>
 

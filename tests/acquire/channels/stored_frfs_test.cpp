@@ -1,4 +1,4 @@
-#include "frf/formats/frf_record.hpp"
+#include "frf/frf_record.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -18,7 +18,7 @@
 #include "acquire/sandbox/sandbox_process.hpp"
 #include "acquire/sandbox/sandbox_record.hpp"
 #include "core/error.hpp"
-#include "frf/formats/frf_record.hpp"
+#include "frf/frf_record.hpp"
 #include "support/csv_text.hpp"
 #include "support/input_error.hpp"
 #include "support/mat_builder.hpp"

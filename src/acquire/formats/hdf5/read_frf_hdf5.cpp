@@ -1,20 +1,21 @@
-#include "frf/formats/read_frf_hdf5.hpp"
+#include "acquire/formats/hdf5/read_frf_hdf5.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <set>
 
+#include "acquire/channels/named_channels.hpp"
 #include "acquire/formats/hdf5/hdf5_input.hpp"
 #include "acquire/formats/hdf5/hdf5_layout.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
 
-namespace percuss::frf {
+namespace percuss::acquire {
 namespace {
 
-using acquire::hdf5::InputDataSet;
-using acquire::hdf5::InputHdf5;
+using hdf5::InputDataSet;
+using hdf5::InputHdf5;
 
 constexpr std::size_t kMaxPoints = 1'000'000;
 constexpr double kMaxPointNumber = 1e9;
@@ -53,9 +54,8 @@ class Companion {
     if (!file.has(name)) return;
     set_.emplace(file, name);
     if (set_->shape() != frf.shape()) {
-      throw InputError(
-          "shape " + acquire::hdf5::shape_text(set_->shape()) + " for FRFs " + acquire::hdf5::shape_text(frf.shape()),
-          where_, "store one number per line");
+      throw InputError("shape " + hdf5::shape_text(set_->shape()) + " for FRFs " + hdf5::shape_text(frf.shape()),
+                       where_, "store one number per line");
     }
   }
   std::vector<double> read(const Shape& shape, std::size_t point, std::size_t channel) const {
@@ -91,10 +91,10 @@ std::vector<int> points_of(const InputHdf5& file, std::size_t count) {
 
 void read_sensors(const InputHdf5& file, const InputDataSet& frf, std::size_t channels, FrfRecord& record) {
   const std::string where = file.where("frf");
-  const auto angle_deg = acquire::hdf5::number_attribute(frf.id(), "angle_deg", where, channels);
-  const auto position_m = acquire::hdf5::number_attribute(frf.id(), "position_m", where, channels);
+  const auto angle_deg = hdf5::number_attribute(frf.id(), "angle_deg", where, channels);
+  const auto position_m = hdf5::number_attribute(frf.id(), "position_m", where, channels);
   for (std::size_t c = 0; c < channels; ++c) {
-    acquire::SignalInfo signal{.name = acquire::hdf5::channel_name(c)};
+    SignalInfo signal{.name = channel_name(c)};
     if (angle_deg && c < angle_deg->size() && std::isfinite((*angle_deg)[c]))
       signal.angle_rad = (*angle_deg)[c] * kDegree_rad;
     if (position_m && c < position_m->size() && std::isfinite((*position_m)[c])) signal.position_m = (*position_m)[c];
@@ -103,14 +103,14 @@ void read_sensors(const InputHdf5& file, const InputDataSet& frf, std::size_t ch
 }
 
 void read_root(const InputHdf5& file, StoredFrfs& out, std::size_t& averages) {
-  if (const auto unit = acquire::hdf5::text_attribute(file.id(), "unit", file.path())) out.unit = parse_frf_unit(*unit);
-  if (const auto kind = acquire::hdf5::text_attribute(file.id(), "kind", file.path())) out.kind = parse_frf_kind(*kind);
-  if (const auto decay = acquire::hdf5::number_attribute(file.id(), "decay_per_s", file.path(), 1)) {
+  if (const auto unit = hdf5::text_attribute(file.id(), "unit", file.path())) out.unit = parse_frf_unit(*unit);
+  if (const auto kind = hdf5::text_attribute(file.id(), "kind", file.path())) out.kind = parse_frf_kind(*kind);
+  if (const auto decay = hdf5::number_attribute(file.id(), "decay_per_s", file.path(), 1)) {
     if (!(decay->front() >= 0) || !std::isfinite(decay->front()))
       throw InputError("decay_per_s is no decay", file.path(), "store 0 or more, in 1/s");
     out.record.decay_per_s = decay->front();
   }
-  const auto count = acquire::hdf5::number_attribute(file.id(), "averages", file.path(), 1);
+  const auto count = hdf5::number_attribute(file.id(), "averages", file.path(), 1);
   if (count && count->front() >= 0 && count->front() <= kMaxPointNumber)
     averages = static_cast<std::size_t>(count->front());
 }
@@ -118,7 +118,7 @@ void read_root(const InputHdf5& file, StoredFrfs& out, std::size_t& averages) {
 }  // namespace
 
 std::optional<StoredFrfs> read_frf_hdf5(const std::string& path) {
-  const acquire::hdf5::Lock lock;
+  const hdf5::Lock lock;
   const InputHdf5 file(path);
   if (!file.has("frf") || file.has("force")) return std::nullopt;
   StoredFrfs out;
@@ -126,7 +126,7 @@ std::optional<StoredFrfs> read_frf_hdf5(const std::string& path) {
   out.record.format = "FRF HDF5";
   std::size_t averages = 0;
   read_root(file, out, averages);
-  const InputDataSet set(file, "frf", acquire::hdf5::Elements::complex);
+  const InputDataSet set(file, "frf", hdf5::Elements::complex);
   const Shape shape = shape_of(set, file.where("frf"));
   if (!file.has("frequency_hz")) throw InputError("no data set /frequency_hz", path, kRemedy);
   const InputDataSet frequencies(file, "frequency_hz");
@@ -156,4 +156,4 @@ std::optional<StoredFrfs> read_frf_hdf5(const std::string& path) {
   return out;
 }
 
-}  // namespace percuss::frf
+}  // namespace percuss::acquire

@@ -11,6 +11,7 @@
 #include <optional>
 #include <utility>
 
+#include "acquire/channels/named_channels.hpp"
 #include "acquire/channels/signal_overrides.hpp"
 #include "acquire/formats/hdf5/hdf5_layout.hpp"
 #include "acquire/formats/hdf5/hdf5_points.hpp"
@@ -97,19 +98,19 @@ void describe_signals(OpenRecord& open, const ReadOptions& options, Record& reco
   if (open.force) {
     record.force.name = "force";
     record.force.unit = hdf5::text_attribute(open.force->id(), "unit_str", file.where("force")).value_or("");
-    apply_force_overrides(record.force, force_overrides(options, hdf5::force_setup(options)), file.where("force"),
+    apply_force_overrides(record.force, force_overrides(options, force_setup(options)), file.where("force"),
                           record.notes);
     open.force_to_N = record.force.to_SI;
   }
 
   const std::string unit = hdf5::text_attribute(open.accel.id(), "unit_str", file.where("accel")).value_or("");
   const auto angle_deg = per_channel(open, "angle_deg"), position_m = per_channel(open, "position_m");
-  open.channels = hdf5::chosen_channels(options, open.layout.channels, file.path());
+  open.channels = chosen_channels(options, open.layout.channels, file.path());
   for (std::size_t i = 0; i < open.channels.size(); ++i) {
     const std::size_t c = open.channels[i];
-    SignalInfo signal{.name = hdf5::channel_name(c), .unit = unit, .position_m = position_m[c]};
+    SignalInfo signal{.name = channel_name(c), .unit = unit, .position_m = position_m[c]};
     if (angle_deg[c]) signal.angle_rad = *angle_deg[c] * kDegree_rad;
-    const ChannelSetup* const setup = hdf5::accel_setup(options, c, open.layout.channels);
+    const ChannelSetup* const setup = accel_setup(options, c, open.layout.channels);
     apply_overrides(signal, accel_overrides(options, setup, i, open.channels.size()), Quantity::acceleration,
                     file.where("accel") + ", " + signal.name);
     open.to_mps2.push_back(signal.to_SI);

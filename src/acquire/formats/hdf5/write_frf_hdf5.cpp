@@ -5,19 +5,19 @@
 #include <map>
 
 #include "acquire/formats/hdf5/hdf5_output.hpp"
+#include "acquire/formats/hdf5/write_frf_hdf5.hpp"
 #include "core/units.hpp"
-#include "frf/formats/write_frf.hpp"
 
-namespace percuss::frf {
+namespace percuss::acquire {
 namespace {
 
 std::string within(const std::string& group, const char* name) { return group.empty() ? name : group + "/" + name; }
 
 // Where the sensors sit, as far as it is known.
-void write_sensors(acquire::hdf5::OutputHdf5& out, const std::string& set, const FrfRecord& record) {
+void write_sensors(hdf5::OutputHdf5& out, const std::string& set, const FrfRecord& record) {
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> angle_deg, position_m;
-  for (const acquire::SignalInfo& signal : record.accel) {
+  for (const SignalInfo& signal : record.accel) {
     angle_deg.push_back(signal.angle_rad ? *signal.angle_rad * kRadian_deg : kUnknown);
     position_m.push_back(signal.position_m.value_or(kUnknown));
   }
@@ -26,7 +26,7 @@ void write_sensors(acquire::hdf5::OutputHdf5& out, const std::string& set, const
   if (std::any_of(position_m.begin(), position_m.end(), known)) out.set_numbers(set, "position_m", position_m, true);
 }
 
-void write_attributes(acquire::hdf5::OutputHdf5& out, const std::string& group, const FrfRecord& record, FrfKind kind) {
+void write_attributes(hdf5::OutputHdf5& out, const std::string& group, const FrfRecord& record, FrfKind kind) {
   out.set_text(group, "kind", name_of(kind));
   write_sensors(out, within(group, "frf"), record);
   if (record.decay_per_s > 0) out.set_numbers(group, "decay_per_s", std::array{record.decay_per_s}, false);
@@ -40,7 +40,7 @@ void write_attributes(acquire::hdf5::OutputHdf5& out, const std::string& group, 
 
 }  // namespace
 
-void write_frf_group(acquire::hdf5::OutputHdf5& out, const std::string& group, const FrfRecord& record, FrfKind kind) {
+void write_frf_group(hdf5::OutputHdf5& out, const std::string& group, const FrfRecord& record, FrfKind kind) {
   const std::size_t count = record.lines.count;
   std::map<int, std::size_t> points;
   for (const PointFrf& frf : record.frfs) points.emplace(frf.point, points.size());
@@ -57,13 +57,13 @@ void write_frf_group(acquire::hdf5::OutputHdf5& out, const std::string& group, c
   std::vector<double> freq_Hz(count);
   for (std::size_t k = 0; k < count; ++k) freq_Hz[k] = record.lines.freq_Hz(k);
   out.write(frequency, {}, 0, std::span<const double>(freq_Hz));
-  out.create_set(frfs, shape, acquire::hdf5::Stored::complex128);
+  out.create_set(frfs, shape, hdf5::Stored::complex128);
   if (has_std) out.create_set(stds, shape);
   if (has_coherence) out.create_set(coherence, shape);
   std::vector<double> numbers;
   numbers.reserve(points.size());
   for (const auto& [point, index] : points) numbers.push_back(point);
-  out.create_set(point_set, std::array{numbers.size()}, acquire::hdf5::Stored::int32);
+  out.create_set(point_set, std::array{numbers.size()}, hdf5::Stored::int32);
   out.write(point_set, {}, 0, std::span<const double>(numbers));
   for (const PointFrf& frf : record.frfs) {
     const Frf shown = converted(frf.frf, record.lines, kind, record.decay_per_s);
@@ -76,9 +76,9 @@ void write_frf_group(acquire::hdf5::OutputHdf5& out, const std::string& group, c
 }
 
 void write_frf_record_hdf5(const std::string& path, const FrfRecord& record, FrfKind kind, bool force) {
-  acquire::hdf5::OutputHdf5 out(path, force);
+  hdf5::OutputHdf5 out(path, force);
   write_frf_group(out, "", record, kind);
   out.commit();
 }
 
-}  // namespace percuss::frf
+}  // namespace percuss::acquire

@@ -1,4 +1,4 @@
-#include "frf/formats/read_frf_mat.hpp"
+#include "acquire/formats/mat/read_frf_mat.hpp"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include "core/error.hpp"
 #include "core/units.hpp"
 
-namespace percuss::frf {
+namespace percuss::acquire {
 namespace {
 
 constexpr std::size_t kMaxMatFrfs = 1'000'000;
@@ -31,43 +31,42 @@ bool is_other_spectrum(const std::string& name) {
   return false;
 }
 
-std::vector<const acquire::MatVariable*> frf_candidates(const acquire::MatFile& file) {
-  std::vector<const acquire::MatVariable*> out;
-  for (const acquire::MatVariable& variable : file.variables) {
+std::vector<const MatVariable*> frf_candidates(const MatFile& file) {
+  std::vector<const MatVariable*> out;
+  for (const MatVariable& variable : file.variables) {
     const bool fits = variable.is_complex() && variable.size() > 1 && variable.shape.size() <= 3;
     if (!fits) continue;
-    if (lower_case(acquire::field_name(variable.name)) == "frf") return {&variable};
+    if (lower_case(field_name(variable.name)) == "frf") return {&variable};
     if (!is_other_spectrum(lower_case(variable.name))) out.push_back(&variable);
   }
   return out;
 }
 
-[[noreturn]] void unclear(const acquire::MatFile& file, const std::string& problem, const std::string& remedy) {
+[[noreturn]] void unclear(const MatFile& file, const std::string& problem, const std::string& remedy) {
   CsvHeader header{.named = true};
   std::string names;
   for (std::size_t i = 0; i < file.variables.size(); ++i) {
-    const acquire::MatVariable& variable = file.variables[i];
+    const MatVariable& variable = file.variables[i];
     const std::string shape =
-        variable.is_text ? "text" : acquire::shape_name(variable.shape) + (variable.is_complex() ? " complex" : "");
+        variable.is_text ? "text" : shape_name(variable.shape) + (variable.is_complex() ? " complex" : "");
     header.columns.push_back(
         {.index = i, .name = variable.name, .base = variable.name, .unit = shape, .has_numbers = !variable.is_text});
     constexpr std::size_t kNamesInMessage = 12;
     if (i < kNamesInMessage) names += fmt::format("{}{} [{}]", i == 0 ? "" : ", ", one_line(variable.name, 40), shape);
     if (i == kNamesInMessage) names += fmt::format(", … ({} variables)", file.variables.size());
   }
-  acquire::AmbiguousColumns error(problem + " among " + names, file.path, remedy, header);
+  AmbiguousColumns error(problem + " among " + names, file.path, remedy, header);
   error.format = "MAT";
   throw error;
 }
 
-const acquire::MatVariable& chosen_frf(const acquire::MatFile& file,
-                                       const std::vector<const acquire::MatVariable*>& candidates) {
+const MatVariable& chosen_frf(const MatFile& file, const std::vector<const MatVariable*>& candidates) {
   if (candidates.size() == 1) return *candidates.front();
   unclear(file, fmt::format("{} complex arrays could be the FRFs", candidates.size()), "name one with --accel-channel");
 }
 
 // Three dimensions are points, channels, lines in this order, or lines first; two are FRFs and lines.
-MatFrfLayout frf_layout(const acquire::MatVariable& variable, std::size_t frequencies) {
+MatFrfLayout frf_layout(const MatVariable& variable, std::size_t frequencies) {
   std::vector<std::pair<std::size_t, std::size_t>> axes;  // size, stride
   std::size_t stride = 1;
   for (const std::size_t size : variable.shape) {
@@ -88,24 +87,23 @@ MatFrfLayout frf_layout(const acquire::MatVariable& variable, std::size_t freque
   return out;
 }
 
-std::vector<double> frequencies_in(const acquire::MatFile& file) {
+std::vector<double> frequencies_in(const MatFile& file) {
   for (const char* name : {"frequency_hz", "freq_hz", "frequency", "freq", "f", "freqs", "frequencies", "freq_domain",
                            "f_hz", "freq_vector", "fvec"}) {
-    for (const acquire::MatVariable& variable : file.variables) {
-      if (lower_case(acquire::field_name(variable.name)) == name && acquire::is_mat_vector(variable) &&
-          !variable.is_complex())
+    for (const MatVariable& variable : file.variables) {
+      if (lower_case(field_name(variable.name)) == name && is_mat_vector(variable) && !variable.is_complex())
         return variable.real;
     }
   }
   return {};
 }
 
-LineRange lines_in(const acquire::MatFile& file, const FrfReadOptions& options, std::size_t lines,
+LineRange lines_in(const MatFile& file, const FrfReadOptions& options, std::size_t lines,
                    const std::vector<double>& freq_Hz) {
   if (!options.read.df_Hz && freq_Hz.size() == lines) return lines_from_frequencies(freq_Hz, file.path);
   auto df_Hz = options.read.df_Hz;
-  if (!df_Hz) df_Hz = acquire::mat_number(file, {"df", "dfhz", "deltaf", "freqspacing", "frequencyresolution"});
-  const auto fs_Hz = acquire::mat_rate_Hz(file, options.read);
+  if (!df_Hz) df_Hz = mat_number(file, {"df", "dfhz", "deltaf", "freqspacing", "frequencyresolution"});
+  const auto fs_Hz = mat_rate_Hz(file, options.read);
   if (!df_Hz && fs_Hz) df_Hz = *fs_Hz / 2 / static_cast<double>(lines - 1);
   if (!df_Hz)
     unclear(file, fmt::format("no frequencies for FRFs of {} lines", lines), "give --df, their spacing in Hz");
@@ -118,9 +116,9 @@ LineRange lines_in(const acquire::MatFile& file, const FrfReadOptions& options, 
 }
 
 // A real array of the FRFs' shape, as deviations and coherence are; {} when there is none.
-std::vector<double> companion(const acquire::MatFile& file, const acquire::MatVariable& frf, const char* name,
-                              const MatFrfLayout& layout, std::size_t point, std::size_t channel) {
-  const acquire::MatVariable* const found = acquire::find_variable(file, name);
+std::vector<double> companion(const MatFile& file, const MatVariable& frf, const char* name, const MatFrfLayout& layout,
+                              std::size_t point, std::size_t channel) {
+  const MatVariable* const found = find_variable(file, name);
   if (found == nullptr || found->is_complex() || found->shape != frf.shape) return {};
   std::vector<double> out(layout.lines);
   for (std::size_t k = 0; k < layout.lines; ++k) {
@@ -130,11 +128,10 @@ std::vector<double> companion(const acquire::MatFile& file, const acquire::MatVa
   return out;
 }
 
-void read_frfs(const acquire::MatFile& file, const acquire::MatVariable& frf, const MatFrfLayout& layout,
-               StoredFrfs& out) {
-  const acquire::MatVariable* const numbers = acquire::find_variable(file, "point");
+void read_frfs(const MatFile& file, const MatVariable& frf, const MatFrfLayout& layout, StoredFrfs& out) {
+  const MatVariable* const numbers = find_variable(file, "point");
   const bool numbered = numbers != nullptr && numbers->size() == layout.points;
-  const auto averages = acquire::mat_number(file, {"averages"}).value_or(0);
+  const auto averages = mat_number(file, {"averages"}).value_or(0);
   for (std::size_t p = 0; p < layout.points; ++p) {
     const double number = numbered ? numbers->real[p] : static_cast<double>(p);
     if (!(std::abs(number) <= 1e9)) throw InputError("not a whole number", file.path + ": point", "store 0, 1, …");
@@ -153,23 +150,23 @@ void read_frfs(const acquire::MatFile& file, const acquire::MatVariable& frf, co
   }
 }
 
-void describe_mat_channels(const acquire::MatFile& file, std::size_t channels, StoredFrfs& out) {
-  const acquire::MatVariable* const angle_deg = acquire::find_variable(file, "angle_deg");
-  const acquire::MatVariable* const position_m = acquire::find_variable(file, "position_m");
-  const auto value = [&](const acquire::MatVariable* v, std::size_t c) {
+void describe_mat_channels(const MatFile& file, std::size_t channels, StoredFrfs& out) {
+  const MatVariable* const angle_deg = find_variable(file, "angle_deg");
+  const MatVariable* const position_m = find_variable(file, "position_m");
+  const auto value = [&](const MatVariable* v, std::size_t c) {
     const bool known = v != nullptr && v->size() == channels && std::isfinite(v->real[c]);
     return known ? std::optional(v->real[c]) : std::nullopt;
   };
   for (std::size_t c = 0; c < channels; ++c) {
-    acquire::SignalInfo signal{.name = "accel " + std::to_string(c + 1), .position_m = value(position_m, c)};
+    SignalInfo signal{.name = "accel " + std::to_string(c + 1), .position_m = value(position_m, c)};
     if (const auto degrees = value(angle_deg, c)) signal.angle_rad = *degrees * kDegree_rad;
     out.record.accel.push_back(std::move(signal));
   }
 }
 
 // Whether arrays are left over that could be a record of time, so that nobody can tell which is meant.
-bool holds_time(const acquire::MatFile& file, std::size_t lines) {
-  return std::any_of(file.variables.begin(), file.variables.end(), [&](const acquire::MatVariable& v) {
+bool holds_time(const MatFile& file, std::size_t lines) {
+  return std::any_of(file.variables.begin(), file.variables.end(), [&](const MatVariable& v) {
     const bool longer = std::any_of(v.shape.begin(), v.shape.end(), [&](std::size_t n) { return n > lines; });
     return !v.is_text && !v.is_complex() && longer;
   });
@@ -177,38 +174,38 @@ bool holds_time(const acquire::MatFile& file, std::size_t lines) {
 
 }  // namespace
 
-std::optional<StoredFrfs> read_frf_mat(const acquire::MatFile& file, const FrfReadOptions& options) {
-  const acquire::ReadOptions& read = options.read;
+std::optional<StoredFrfs> read_frf_mat(const MatFile& file, const FrfReadOptions& options) {
+  const ReadOptions& read = options.read;
   const bool force_named = !read.force_channel.empty() && read.force_channel != "force";
-  const acquire::MatVariable* named = nullptr;
-  if (read.accel_channels.size() == 1) named = acquire::find_variable(file, read.accel_channels.front());
+  const MatVariable* named = nullptr;
+  if (read.accel_channels.size() == 1) named = find_variable(file, read.accel_channels.front());
   if (named != nullptr && !named->is_complex()) named = nullptr;
   const auto candidates = named != nullptr ? std::vector{named} : frf_candidates(file);
   if (candidates.empty() || (force_named && !options.kind)) return std::nullopt;
   const std::vector<double> freq_Hz = frequencies_in(file);
-  const bool own = acquire::field_name(candidates.front()->name) == "frf";
+  const bool own = field_name(candidates.front()->name) == "frf";
   const std::size_t lines = frf_layout(*candidates.front(), freq_Hz.size()).lines;
   if (named == nullptr && !own && !options.kind && holds_time(file, lines)) return std::nullopt;
-  const acquire::MatVariable& frf = chosen_frf(file, candidates);
+  const MatVariable& frf = chosen_frf(file, candidates);
   const MatFrfLayout layout = frf_layout(frf, freq_Hz.size());
   if (layout.lines < 2 || layout.points * layout.channels > kMaxMatFrfs)
-    throw InputError("too few lines or too many FRFs: " + acquire::shape_name(frf.shape), file.path, "split the file");
+    throw InputError("too few lines or too many FRFs: " + shape_name(frf.shape), file.path, "split the file");
   StoredFrfs out;
   out.record.files.push_back({.path = file.path, .bytes = file.bytes});
   out.record.format = "FRF MAT";
   out.record.notes = file.notes;
   out.record.lines = lines_in(file, options, layout.lines, freq_Hz);
-  out.record.decay_per_s = std::max(0.0, acquire::mat_number(file, {"decaypers"}).value_or(0));
+  out.record.decay_per_s = std::max(0.0, mat_number(file, {"decaypers"}).value_or(0));
   describe_mat_channels(file, layout.channels, out);
   if (layout.points > 1 && !own) {
     out.record.notes.push_back(fmt::format(
         "the {} FRFs of {} are taken as points of {}", layout.points * layout.channels, one_line(frf.name, 40),
         layout.channels == 1 ? "one channel" : fmt::format("{} channels", layout.channels)));
   }
-  out.unit = parse_frf_unit(acquire::mat_text(file, "unit"));
-  out.kind = parse_frf_kind(acquire::mat_text(file, "kind"));
+  out.unit = parse_frf_unit(mat_text(file, "unit"));
+  out.kind = parse_frf_kind(mat_text(file, "kind"));
   read_frfs(file, frf, layout, out);
   return out;
 }
 
-}  // namespace percuss::frf
+}  // namespace percuss::acquire

@@ -1,16 +1,16 @@
 #pragma once
 #include <optional>
 
+#include "acquire/channels/stored_frfs.hpp"
 #include "acquire/formats/mat/mat_file.hpp"
-#include "frf/formats/frf_record.hpp"
 
-namespace percuss::frf {
+namespace percuss::acquire {
 
-/// The FRFs of a MAT file (docs/reference/formats.md, "MAT"): a complex array [points, channels, lines], [lines, FRFs] or [FRFs,
-/// lines] (the longest dimension is frequency), with a vector of frequencies, a spacing (df), or options.df_Hz. Nothing
-/// when the file holds no such array, or arrays of another length beside it that could be a record of time (then
-/// options.kind says that the FRFs are meant).
-/// errors  AmbiguousColumns: several arrays could be the FRFs (--accel-channel names one), or no frequencies.
-std::optional<StoredFrfs> read_frf_mat(const acquire::MatFile& file, const FrfReadOptions& options);
+/// The FRFs of a MAT file (docs/reference/formats.md, "MAT"): a complex array [points, channels, lines], [lines, FRFs]
+/// or [FRFs, lines] (the longest dimension is frequency), with a vector of frequencies, a spacing (df), or
+/// options.df_Hz. Nothing when the file holds no such array, or arrays of another length beside it that could be a
+/// record of time (then options.kind says that the FRFs are meant). errors  AmbiguousColumns: several arrays could be
+/// the FRFs (--accel-channel names one), or no frequencies.
+std::optional<StoredFrfs> read_frf_mat(const MatFile& file, const FrfReadOptions& options);
 
-}  // namespace percuss::frf
+}  // namespace percuss::acquire

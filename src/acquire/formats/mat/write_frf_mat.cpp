@@ -5,15 +5,15 @@
 #include <set>
 
 #include "acquire/formats/mat/mat_output.hpp"
+#include "acquire/formats/mat/write_frf_mat.hpp"
 #include "core/units.hpp"
-#include "frf/formats/write_frf.hpp"
 
-namespace percuss::frf {
+namespace percuss::acquire {
 namespace {
 
 // One number of every FRF, line by line, in MATLAB's order: points fastest, then channels, then lines.
 template <class Get>
-void append_lines(acquire::MatOutput& out, const std::vector<Frf>& frfs, std::size_t points, std::size_t channels,
+void append_lines(MatOutput& out, const std::vector<Frf>& frfs, std::size_t points, std::size_t channels,
                   std::size_t lines, Get&& get) {
   std::vector<double> line(points * channels);
   for (std::size_t k = 0; k < lines; ++k) {
@@ -24,9 +24,9 @@ void append_lines(acquire::MatOutput& out, const std::vector<Frf>& frfs, std::si
   }
 }
 
-void write_mat_sensors(acquire::MatOutput& out, const FrfRecord& record) {
+void write_mat_sensors(MatOutput& out, const FrfRecord& record) {
   std::vector<double> angle_deg, position_m;
-  for (const acquire::SignalInfo& signal : record.accel) {
+  for (const SignalInfo& signal : record.accel) {
     constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
     angle_deg.push_back(signal.angle_rad ? *signal.angle_rad * kRadian_deg : kUnknown);
     position_m.push_back(signal.position_m.value_or(kUnknown));
@@ -50,10 +50,8 @@ void write_frf_record_mat(const std::string& path, const FrfRecord& record, FrfK
   }
   const std::size_t points = numbers.size(), channels = record.accel.size(), lines = record.lines.count;
   const std::array shape{points, channels, lines};
-  const auto append = [&](acquire::MatOutput& out, auto&& get) {
-    append_lines(out, shown, points, channels, lines, get);
-  };
-  acquire::MatOutput out(path, force);
+  const auto append = [&](MatOutput& out, auto&& get) { append_lines(out, shown, points, channels, lines, get); };
+  MatOutput out(path, force);
   out.begin("frequency_hz", std::array<std::size_t, 2>{1, lines});
   for (std::size_t k = 0; k < lines; ++k) {
     const double freq_Hz = record.lines.freq_Hz(k);
@@ -78,4 +76,4 @@ void write_frf_record_mat(const std::string& path, const FrfRecord& record, FrfK
   out.commit();
 }
 
-}  // namespace percuss::frf
+}  // namespace percuss::acquire

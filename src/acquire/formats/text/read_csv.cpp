@@ -96,18 +96,6 @@ void read_scaled(const OpenCsv& open, std::size_t row, std::size_t column, doubl
 
 }  // namespace
 
-void require_text(std::string_view head, const std::string& name) {
-  if (head.empty()) throw InputError("the file is empty", name, "record or export it again");
-  const auto starts = [&](std::string_view bytes) { return head.substr(0, bytes.size()) == bytes; };
-  if (starts("\xFF\xFE") || starts("\xFE\xFF")) throw InputError("this is UTF-16 text", name, "save it as UTF-8");
-  const auto control = std::count_if(head.begin(), head.end(), [](char c) {
-    const auto byte = static_cast<unsigned char>(c);
-    return byte < 0x20 && c != '\n' && c != '\r' && c != '\t' && c != '\f' && c != '\v' && c != 0x1A;
-  });
-  if (control > 0)
-    throw InputError("this is neither text nor a format that percuss knows", name, "save it as CSV or HDF5");
-}
-
 Record open_csv(const FileBytes& bytes, const ReadOptions& options) {
   auto open = std::make_shared<OpenCsv>(bytes);
   Record record;

@@ -1,4 +1,4 @@
-#include "frf/formats/read_frf_text.hpp"
+#include "acquire/formats/text/read_frf_text.hpp"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 #include "core/io/parse_number.hpp"
 #include "core/units.hpp"
 
-namespace percuss::frf {
+namespace percuss::acquire {
 namespace {
 
 enum class Part { none, real, imaginary, magnitude, phase, std, coherence };
@@ -137,22 +137,21 @@ void read_statements(std::string_view header, StoredFrfs& out) {
     out.record.accel[c].angle_rad = angle_deg[c] * kDegree_rad;
 }
 
-std::vector<double> read_column(const acquire::CsvTable& table, std::size_t index) {
+std::vector<double> read_column(const CsvTable& table, std::size_t index) {
   std::vector<double> numbers(table.lines());
   table.read(index, 0, numbers);
   return numbers;
 }
 
 // A column of which every cell may be empty: then there is none.
-std::vector<double> read_optional(const acquire::CsvTable& table, std::optional<std::size_t> index) {
+std::vector<double> read_optional(const CsvTable& table, std::optional<std::size_t> index) {
   if (!index) return {};
   bool any = false;
   table.for_each_cell(*index, [&](std::size_t, std::string_view cell) { any = any || !trimmed(cell).empty(); });
   return any ? read_column(table, *index) : std::vector<double>{};
 }
 
-std::vector<Complex> read_value(const acquire::CsvTable& table, const Columns& columns,
-                                std::vector<std::string>& notes) {
+std::vector<Complex> read_value(const CsvTable& table, const Columns& columns, std::vector<std::string>& notes) {
   const auto first = read_column(table, columns.first);
   const auto second = read_column(table, columns.second);
   std::vector<Complex> value(first.size());
@@ -199,7 +198,7 @@ void number_columns(std::vector<Columns>& columns, std::vector<std::string>& not
 
 std::optional<StoredFrfs> read_frf_text(const FileBytes& bytes, bool forced) {
   const std::string file = input_name(bytes.path);
-  acquire::CsvLayout layout = acquire::layout_of_text(bytes, CsvContent::frf);
+  CsvLayout layout = layout_of_text(bytes, CsvContent::frf);
   if (layout.header.columns.front().index != 0) return std::nullopt;
   const bool frequency = lower_case(layout.header.columns.front().name).starts_with("freq");
   auto columns = frequency ? find_columns(layout.header, file) : std::vector<Columns>{};
@@ -214,7 +213,7 @@ std::optional<StoredFrfs> read_frf_text(const FileBytes& bytes, bool forced) {
   for (std::size_t c = 0; c < channels; ++c) out.record.accel.push_back({.name = "accel " + std::to_string(c + 1)});
   read_statements(bytes.view().substr(0, layout.header.data_start), out);
   const bool kilohertz = lower_case(layout.header.columns.front().unit) == "khz";
-  const acquire::CsvTable table(bytes, std::move(layout));
+  const CsvTable table(bytes, std::move(layout));
   auto freq_Hz = read_column(table, 0);
   if (kilohertz) std::for_each(freq_Hz.begin(), freq_Hz.end(), [](double& f) { f *= 1000; });
   out.record.lines = lines_from_frequencies(freq_Hz, file);
@@ -228,4 +227,4 @@ std::optional<StoredFrfs> read_frf_text(const FileBytes& bytes, bool forced) {
   return out;
 }
 
-}  // namespace percuss::frf
+}  // namespace percuss::acquire

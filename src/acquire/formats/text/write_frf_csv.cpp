@@ -3,19 +3,19 @@
 #include <algorithm>
 #include <iterator>
 
+#include "acquire/formats/text/write_frf_csv.hpp"
 #include "core/units.hpp"
-#include "frf/formats/write_frf.hpp"
 
-namespace percuss::frf {
+namespace percuss::acquire {
 namespace {
 
 // What a reader needs beside the numbers: ", angle_deg 0 90, decay_per_s 4.6".
 std::string statements(const FrfRecord& record) {
   std::string out;
   const auto& accel = record.accel;
-  const bool angles = std::all_of(accel.begin(), accel.end(), [](const acquire::SignalInfo& s) { return s.angle_rad; });
+  const bool angles = std::all_of(accel.begin(), accel.end(), [](const SignalInfo& s) { return s.angle_rad; });
   if (angles) out += ", angle_deg";
-  for (const acquire::SignalInfo& signal : accel) {
+  for (const SignalInfo& signal : accel) {
     if (angles) out += fmt::format(" {:.10g}", *signal.angle_rad * kRadian_deg);
   }
   if (record.decay_per_s > 0) out += fmt::format(", decay_per_s {}", record.decay_per_s);
@@ -50,4 +50,4 @@ std::string frf_record_csv(const FrfRecord& record, FrfKind kind) {
   return out;
 }
 
-}  // namespace percuss::frf
+}  // namespace percuss::acquire

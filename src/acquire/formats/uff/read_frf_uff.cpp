@@ -1,4 +1,4 @@
-#include "frf/formats/read_frf_uff.hpp"
+#include "acquire/formats/uff/read_frf_uff.hpp"
 
 #include <fmt/format.h>
 
@@ -12,20 +12,20 @@
 #include "core/error.hpp"
 #include "core/units.hpp"
 
-namespace percuss::frf {
+namespace percuss::acquire {
 namespace {
 
-using Functions = std::vector<const acquire::UffFunction*>;
+using Functions = std::vector<const UffFunction*>;
 
 // Where a response was taken or a hammer struck, beside the point itself.
 using PlaceKey = std::tuple<std::string, int, int>;
-PlaceKey key_of(const acquire::UffDof& place) { return {place.name, place.node, place.direction}; }
+PlaceKey key_of(const UffDof& place) { return {place.name, place.node, place.direction}; }
 
 // How the functions' two places make points and channels.
 struct Grid {
   bool sensor_roves = false;
   std::map<PlaceKey, std::size_t> channels;  // with a roving sensor by name and direction only
-  PlaceKey channel_key(const acquire::UffFunction& f) const {
+  PlaceKey channel_key(const UffFunction& f) const {
     return sensor_roves ? PlaceKey{f.response.name, 0, f.response.direction} : key_of(f.response);
   }
 };
@@ -34,28 +34,28 @@ Grid grid_of(const Functions& frfs) {
   Grid grid;
   std::set<int> struck, sensed;
   std::set<std::pair<int, int>> struck_ways;
-  for (const acquire::UffFunction* f : frfs) {
+  for (const UffFunction* f : frfs) {
     struck.insert(f->reference.node);
     struck_ways.emplace(f->reference.node, f->reference.direction);
     sensed.insert(f->response.node);
   }
   grid.sensor_roves = struck.size() == 1 && struck_ways.size() == 1 && sensed.size() > 1;
-  for (const acquire::UffFunction* f : frfs) grid.channels.emplace(grid.channel_key(*f), 0);
+  for (const UffFunction* f : frfs) grid.channels.emplace(grid.channel_key(*f), 0);
   std::size_t next = 0;
-  for (const acquire::UffFunction* f : frfs) {  // numbered as they come
+  for (const UffFunction* f : frfs) {  // numbered as they come
     auto& number = grid.channels.at(grid.channel_key(*f));
     if (number == 0) number = ++next;
   }
   return grid;
 }
 
-double length_to_SI(const acquire::UffAxis& axis, const acquire::UffContents& contents, FrfKind& kind, bool& known) {
+double length_to_SI(const UffAxis& axis, const UffContents& contents, FrfKind& kind, bool& known) {
   std::string unit = axis.unit;
-  if (axis.quantity == acquire::Uff58::acceleration) kind = FrfKind::accelerance;
-  if (axis.quantity == acquire::Uff58::velocity) kind = FrfKind::mobility;
-  if (axis.quantity == acquire::Uff58::displacement) kind = FrfKind::receptance;
-  known = known || axis.quantity == acquire::Uff58::acceleration || axis.quantity == acquire::Uff58::velocity ||
-          axis.quantity == acquire::Uff58::displacement;
+  if (axis.quantity == Uff58::acceleration) kind = FrfKind::accelerance;
+  if (axis.quantity == Uff58::velocity) kind = FrfKind::mobility;
+  if (axis.quantity == Uff58::displacement) kind = FrfKind::receptance;
+  known = known || axis.quantity == Uff58::acceleration || axis.quantity == Uff58::velocity ||
+          axis.quantity == Uff58::displacement;
   // The label may be the motion's alone ("m/s^2") or that of the quotient.
   for (const std::string& text : {unit, unit + "/N"}) {
     const auto parsed = parse_frf_unit(text);
@@ -67,7 +67,7 @@ double length_to_SI(const acquire::UffAxis& axis, const acquire::UffContents& co
   return contents.units ? 1 / contents.units->length : 1;
 }
 
-FrfUnit unit_of_function(const acquire::UffFunction& f, const acquire::UffContents& contents, bool& known) {
+FrfUnit unit_of_function(const UffFunction& f, const UffContents& contents, bool& known) {
   FrfUnit out;
   out.response_to_SI = length_to_SI(f.ordinate, contents, out.kind, known);
   const auto below = parse_unit(f.denominator.unit);
@@ -81,13 +81,13 @@ FrfUnit unit_of_function(const acquire::UffFunction& f, const acquire::UffConten
   return out;
 }
 
-LineRange lines_of_function(const acquire::UffFunction& f, const std::string& where, std::string& note) {
+LineRange lines_of_function(const UffFunction& f, const std::string& where, std::string& note) {
   std::vector<double> freq_Hz(f.count);
   if (!f.even) {
     for (std::size_t k = 0; k < f.count; ++k) freq_Hz[k] = f.x(k);
     return lines_from_frequencies(freq_Hz, where);
   }
-  const double df_Hz = acquire::uff_step(f, true, note);
+  const double df_Hz = uff_step(f, true, note);
   const double first = std::round(f.x0 / df_Hz);
   constexpr double kMaxLineOffset = 0.05;  // of a line, as for texts
   const bool fits = df_Hz > 0 && first >= 0 && std::abs(f.x0 / df_Hz - first) <= kMaxLineOffset;
@@ -100,28 +100,28 @@ LineRange lines_of_function(const acquire::UffFunction& f, const std::string& wh
 }
 
 void require_same_lines(const Functions& frfs, const FileBytes& file) {
-  const acquire::UffFunction& first = *frfs.front();
-  for (const acquire::UffFunction* f : frfs) {
+  const UffFunction& first = *frfs.front();
+  for (const UffFunction* f : frfs) {
     const bool same = f->count == first.count && f->even == first.even && f->dx == first.dx && f->x0 == first.x0;
-    if (same && (f->complex || f->type != acquire::Uff58::frequency_response)) continue;
+    if (same && (f->complex || f->type != Uff58::frequency_response)) continue;
     throw InputError(same ? "an FRF that is not complex" : "FRFs with other lines than the first one",
-                     acquire::uff_location(file, f->at), "export them with the same lines, as complex numbers");
+                     uff_location(file, f->at), "export them with the same lines, as complex numbers");
   }
 }
 
-StoredFrf stored_frf(const acquire::UffFunction& f, int point, std::size_t channel) {
+StoredFrf stored_frf(const UffFunction& f, int point, std::size_t channel) {
   StoredFrf out{.point = point, .channel = channel};
   std::vector<double> real(f.count), imaginary(f.count);
   f.read(0, 0, real);
   f.read(1, 0, imaginary);
   out.value.reserve(f.count);
   for (std::size_t k = 0; k < f.count; ++k) out.value.emplace_back(real[k], imaginary[k]);
-  out.averages = acquire::uff_annotation(f).averages;
+  out.averages = uff_annotation(f).averages;
   return out;
 }
 
 // Coherence, and what follows from it for the scatter of H1 where the number of averages is known.
-void add_coherence(const acquire::UffFunction& coherence, StoredFrf& frf) {
+void add_coherence(const UffFunction& coherence, StoredFrf& frf) {
   if (coherence.count != frf.value.size() || coherence.complex) return;
   frf.coherence.resize(coherence.count);
   coherence.read(0, 0, frf.coherence);
@@ -134,10 +134,10 @@ void add_coherence(const acquire::UffFunction& coherence, StoredFrf& frf) {
 }
 
 using FrfPlaces = std::tuple<PlaceKey, PlaceKey>;
-std::map<FrfPlaces, const acquire::UffFunction*> coherences_of(const acquire::UffContents& contents) {
-  std::map<FrfPlaces, const acquire::UffFunction*> out;
-  for (const acquire::UffFunction& f : contents.functions) {
-    if (f.type == acquire::Uff58::coherence) out.emplace(FrfPlaces{key_of(f.reference), key_of(f.response)}, &f);
+std::map<FrfPlaces, const UffFunction*> coherences_of(const UffContents& contents) {
+  std::map<FrfPlaces, const UffFunction*> out;
+  for (const UffFunction& f : contents.functions) {
+    if (f.type == Uff58::coherence) out.emplace(FrfPlaces{key_of(f.reference), key_of(f.response)}, &f);
   }
   return out;
 }
@@ -161,38 +161,38 @@ void require_grid(const StoredFrfs& out, const std::string& file) {
 
 }  // namespace
 
-std::optional<StoredFrfs> read_frf_uff(const FileBytes& file, const acquire::UffContents& contents, bool forced) {
+std::optional<StoredFrfs> read_frf_uff(const FileBytes& file, const UffContents& contents, bool forced) {
   const auto& all = contents.functions;
-  const bool times = std::any_of(all.begin(), all.end(), acquire::is_time_record);
+  const bool times = std::any_of(all.begin(), all.end(), is_time_record);
   Functions frfs;
-  for (const acquire::UffFunction& f : all) {
-    if (acquire::is_uff_frf(f)) frfs.push_back(&f);
+  for (const UffFunction& f : all) {
+    if (is_uff_frf(f)) frfs.push_back(&f);
   }
   if (frfs.empty() || (times && !forced)) return std::nullopt;
   require_same_lines(frfs, file);
-  const acquire::UffFunction& first = *frfs.front();
+  const UffFunction& first = *frfs.front();
   const std::string name = input_name(file.path);
   StoredFrfs out;
   out.record.files.push_back({.path = file.path, .bytes = file.size});
   out.record.format = "FRF UFF";
-  out.record.notes = acquire::uff_notes(contents);
+  out.record.notes = uff_notes(contents);
   std::string note;
-  out.record.lines = lines_of_function(first, acquire::uff_location(file, first.at), note);
+  out.record.lines = lines_of_function(first, uff_location(file, first.at), note);
   if (!note.empty()) out.record.notes.push_back(note);
   bool known = false;
   const FrfUnit unit = unit_of_function(first, contents, known);
   if (known) out.unit = unit;
-  const acquire::UffAnnotation stated = acquire::uff_annotation(first);
+  const UffAnnotation stated = uff_annotation(first);
   out.record.decay_per_s = std::max(0.0, stated.decay_per_s.value_or(0));
-  out.record.geometry = acquire::uff_geometry(contents, stated.node_offset, out.record.notes);
-  if (!out.record.geometry.empty()) out.record.trace_lines = acquire::uff_trace_lines(contents, stated.node_offset);
+  out.record.geometry = uff_geometry(contents, stated.node_offset, out.record.notes);
+  if (!out.record.geometry.empty()) out.record.trace_lines = uff_trace_lines(contents, stated.node_offset);
   const Grid grid = grid_of(frfs);
   out.record.accel.resize(grid.channels.size());
   const auto coherences = coherences_of(contents);
-  for (const acquire::UffFunction* f : frfs) {
+  for (const UffFunction* f : frfs) {
     const std::size_t channel = grid.channels.at(grid.channel_key(*f)) - 1;
-    acquire::SignalInfo& signal = out.record.accel[channel];
-    const acquire::UffAnnotation its = acquire::uff_annotation(*f);
+    SignalInfo& signal = out.record.accel[channel];
+    const UffAnnotation its = uff_annotation(*f);
     signal.name = "accel " + std::to_string(channel + 1);
     if (its.angle_deg) signal.angle_rad = *its.angle_deg * kDegree_rad;
     signal.position_m = its.position_m;
@@ -205,4 +205,4 @@ std::optional<StoredFrfs> read_frf_uff(const FileBytes& file, const acquire::Uff
   return out;
 }
 
-}  // namespace percuss::frf
+}  // namespace percuss::acquire

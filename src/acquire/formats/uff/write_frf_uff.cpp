@@ -1,57 +1,55 @@
 #include <fmt/format.h>
 
 #include "acquire/formats/uff/uff_trace_lines.hpp"
+#include "acquire/formats/uff/write_frf_uff.hpp"
 #include "acquire/formats/uff/write_uff.hpp"
-#include "frf/formats/write_frf.hpp"
 
-namespace percuss::frf {
+namespace percuss::acquire {
 namespace {
 
-acquire::UffAxis motion_axis(FrfKind kind) {
-  if (kind == FrfKind::mobility) return {acquire::Uff58::velocity, "Velocity", "m/s"};
-  if (kind == FrfKind::receptance) return {acquire::Uff58::displacement, "Displacement", "m"};
-  return {acquire::Uff58::acceleration, "Acceleration", "m/s^2"};
+UffAxis motion_axis(FrfKind kind) {
+  if (kind == FrfKind::mobility) return {Uff58::velocity, "Velocity", "m/s"};
+  if (kind == FrfKind::receptance) return {Uff58::displacement, "Displacement", "m"};
+  return {Uff58::acceleration, "Acceleration", "m/s^2"};
 }
 
-acquire::UffFunction described_frf(const FrfRecord& record, const PointFrf& frf, FrfKind kind, int offset) {
-  const acquire::SignalInfo& sensor = record.accel[frf.channel];
-  acquire::UffFunction out{.type = acquire::Uff58::frequency_response, .count = record.lines.count, .complex = true};
+UffFunction described_frf(const FrfRecord& record, const PointFrf& frf, FrfKind kind, int offset) {
+  const SignalInfo& sensor = record.accel[frf.channel];
+  UffFunction out{.type = Uff58::frequency_response, .count = record.lines.count, .complex = true};
   out.id[0] = fmt::format("{} point {} channel {}", name_of(kind), frf.point, frf.channel);
-  out.id[3] = acquire::uff_sensor_text(sensor);
+  out.id[3] = uff_sensor_text(sensor);
   if (frf.frf.averages > 0) out.id[3] += fmt::format("averages = {}; ", frf.frf.averages);
   if (record.decay_per_s > 0) out.id[3] += fmt::format("decay_per_s = {}; ", record.decay_per_s);
-  out.id[4] = acquire::uff_annotation_text(offset, record.lines.df_Hz());
-  out.response = {fmt::format("accel {}", frf.channel + 1), 0, acquire::uff_direction(sensor)};
+  out.id[4] = uff_annotation_text(offset, record.lines.df_Hz());
+  out.response = {fmt::format("accel {}", frf.channel + 1), 0, uff_direction(sensor)};
   out.reference = {"force", frf.point + offset, 0};
   out.x0 = record.lines.freq_Hz(0);
   out.dx = record.lines.df_Hz();
-  out.abscissa = {acquire::Uff58::frequency, "Frequency", "Hz"};
+  out.abscissa = {Uff58::frequency, "Frequency", "Hz"};
   out.ordinate = motion_axis(kind);
-  out.denominator = {acquire::Uff58::excitation_force, "Force", "N"};
+  out.denominator = {Uff58::excitation_force, "Force", "N"};
   return out;
 }
 
 }  // namespace
 
-void write_frf_record_uff(const std::string& path, const FrfRecord& record, FrfKind kind, bool force,
-                          acquire::UffData data) {
-  const int offset = acquire::uff_node_offset(record.frfs.front().point);
-  acquire::UffOutput out(path, force, data);
+void write_frf_record_uff(const std::string& path, const FrfRecord& record, FrfKind kind, bool force, UffData data) {
+  const int offset = uff_node_offset(record.frfs.front().point);
+  UffOutput out(path, force, data);
   out.header();
-  const std::string nodes = acquire::uff_node_lines(record.geometry, offset);
+  const std::string nodes = uff_node_lines(record.geometry, offset);
   if (!nodes.empty()) out.set(2411, nodes);
-  for (const std::string& line :
-       acquire::uff_trace_line_sets(acquire::uff_drawable_lines(record.geometry, record.trace_lines), offset))
+  for (const std::string& line : uff_trace_line_sets(uff_drawable_lines(record.geometry, record.trace_lines), offset))
     out.set(82, line);
   for (const PointFrf& frf : record.frfs) {
     const Frf shown = converted(frf.frf, record.lines, kind, record.decay_per_s);
-    acquire::UffFunction function = described_frf(record, frf, kind, offset);
+    UffFunction function = described_frf(record, frf, kind, offset);
     std::vector<double> values;
     values.reserve(2 * shown.value.size());
     for (const Complex& value : shown.value) values.insert(values.end(), {value.real(), value.imag()});
     out.function(function, values);
     if (shown.coherence.empty()) continue;
-    function.type = acquire::Uff58::coherence;
+    function.type = Uff58::coherence;
     function.complex = false;
     function.ordinate = {0, "Coherence", ""};
     function.denominator = {};
@@ -60,4 +58,4 @@ void write_frf_record_uff(const std::string& path, const FrfRecord& record, FrfK
   out.commit();
 }
 
-}  // namespace percuss::frf
+}  // namespace percuss::acquire

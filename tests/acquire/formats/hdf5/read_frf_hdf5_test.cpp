@@ -1,4 +1,4 @@
-#include "frf/formats/read_frf_hdf5.hpp"
+#include "acquire/formats/hdf5/read_frf_hdf5.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 #include "support/input_error.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace percuss::frf::read_frf_hdf5_test {
+namespace percuss::acquire::read_frf_hdf5_test {
 
 using testing::HasSubstr;
 
@@ -91,4 +91,4 @@ TEST(ReadFrfHdf5, RefusesFrfsThatAreNotComplex) {
   EXPECT_THAT(test::input_error_of([&] { read_frf_hdf5(path); }), HasSubstr("complex"));
 }
 
-}  // namespace percuss::frf::read_frf_hdf5_test
+}  // namespace percuss::acquire::read_frf_hdf5_test

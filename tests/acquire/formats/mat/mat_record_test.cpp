@@ -11,7 +11,7 @@
 #include "acquire/formats/mat/write_mat.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
-#include "frf/formats/frf_record.hpp"
+#include "frf/frf_record.hpp"
 #include "support/csv_text.hpp"
 #include "support/input_error.hpp"
 #include "support/mat_builder.hpp"

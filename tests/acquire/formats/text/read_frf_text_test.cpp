@@ -1,4 +1,4 @@
-#include "frf/formats/read_frf_text.hpp"
+#include "acquire/formats/text/read_frf_text.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include "support/csv_text.hpp"
 #include "support/input_error.hpp"
 
-namespace percuss::frf::read_frf_text_test {
+namespace percuss::acquire::read_frf_text_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -102,4 +102,4 @@ TEST(ReadFrfText, RefusesGapsAndUnevenFrequencies) {
   EXPECT_THAT(refusal("frequency,re,im\n1e15,1,2\n1000000000000001,1,2\n"), HasSubstr("too close together"));
 }
 
-}  // namespace percuss::frf::read_frf_text_test
+}  // namespace percuss::acquire::read_frf_text_test

@@ -8,7 +8,7 @@
 #include "acquire/formats/uff/write_uff.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
-#include "frf/formats/frf_record.hpp"
+#include "frf/frf_record.hpp"
 #include "support/csv_text.hpp"
 #include "support/input_error.hpp"
 #include "support/scratch_folder.hpp"

@@ -1,8 +1,8 @@
-#include "frf/convert.hpp"
+#include "acquire/record/frf.hpp"
 
 #include "core/units.hpp"
 
-namespace percuss::frf {
+namespace percuss::acquire {
 
 const char* name_of(FrfKind kind) {
   switch (kind) {
@@ -40,4 +40,4 @@ Frf converted(const Frf& accelerance, const LineRange& lines, FrfKind kind, doub
   return out;
 }
 
-}  // namespace percuss::frf
+}  // namespace percuss::acquire

@@ -1,4 +1,4 @@
-#include "frf/convert.hpp"
+#include "frf/frf_record.hpp"
 
 #include <gtest/gtest.h>
 
