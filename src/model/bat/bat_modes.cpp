@@ -4,15 +4,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/math/roots.hpp"
 #include "core/units.hpp"
-#include "model/math/illinois_root.hpp"
 #include "model/math/lowest_modes.hpp"
 
 namespace percuss::model {
 namespace {
 
-constexpr int kLooksPerElement = 4;      // for a change of sign
-constexpr double kNodeAccuracy = 1e-12;  // of the element's length
+constexpr int kLooksPerElement = 4;  // for a change of sign
 
 // The rigid-body motions in the beam's unknowns. shape [unknowns, 2].
 Eigen::MatrixXd rigid_shapes(const BatModes& modes) {
@@ -70,7 +69,7 @@ std::vector<double> nodes_of(const BatModes& modes, std::size_t mode) {
     for (int look = 0; look < kLooksPerElement; ++look) {
       const double low = static_cast<double>(look) / kLooksPerElement, high = (look + 1.0) / kLooksPerElement;
       if ((at(low) < 0) == (at(high) < 0)) continue;
-      nodes.push_back(e.start_m + e.element_length_m * illinois_root(at, low, high, kNodeAccuracy));
+      nodes.push_back(e.start_m + e.element_length_m * bracketed_root(at, low, high));
     }
   }
   return nodes;

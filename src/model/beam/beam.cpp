@@ -4,9 +4,9 @@
 #include <numbers>
 
 #include "core/error.hpp"
+#include "core/math/roots.hpp"
 #include "core/units.hpp"
 #include "model/beam/timoshenko_mode.hpp"
-#include "model/math/ridders_root.hpp"
 
 namespace percuss::model {
 namespace {
@@ -38,17 +38,17 @@ double turning(double lambda, const Scaled& of) {
 // Elastic modes count from 1.
 double pinned_lambda(std::size_t mode) {
   const double from = static_cast<double>(mode) * kHalfTurn_rad;
-  return ridders_root(from, from + kHalfTurn_rad / 2, [](double x) { return turning(x, Scaled(x)); });  // (4)
+  return bracketed_root([](double x) { return turning(x, Scaled(x)); }, from, from + kHalfTurn_rad / 2);  // (4)
 }
 
 double clamped_lambda(std::size_t mode) {
   const double to = static_cast<double>(mode) * kHalfTurn_rad;
-  return ridders_root(to - kHalfTurn_rad, to, [](double x) { return Scaled(x).one_plus_cc(); });  // (3)
+  return bracketed_root([](double x) { return Scaled(x).one_plus_cc(); }, to - kHalfTurn_rad, to);  // (3)
 }
 
 double free_lambda(std::size_t mode) {
   const double from = static_cast<double>(mode) * kHalfTurn_rad;
-  return ridders_root(from, from + kHalfTurn_rad, [](double x) { return Scaled(x).one_minus_cc(); });  // (3)
+  return bracketed_root([](double x) { return Scaled(x).one_minus_cc(); }, from, from + kHalfTurn_rad);  // (3)
 }
 
 double torsion_lambda(std::size_t mode, double relative_torsion) {
@@ -57,7 +57,7 @@ double torsion_lambda(std::size_t mode, double relative_torsion) {
     const Scaled of(x);
     return hinge * x * turning(x, of) - spring * of.one_plus_cc();  // (2)
   };
-  return ridders_root(mode == 1 ? 0 : pinned_lambda(mode - 1), clamped_lambda(mode), difference);
+  return bracketed_root(difference, mode == 1 ? 0 : pinned_lambda(mode - 1), clamped_lambda(mode));
 }
 
 BeamMode supported_mode(double lambda) {
@@ -172,7 +172,7 @@ std::vector<double> beam_nodes_m(const BeamMode& mode) {
   std::vector<double> nodes;
   for (std::size_t i = at_support > 1e-9 ? 0 : 1; i < steps; ++i) {
     if ((mode.shape(at(i)) > 0) != (mode.shape(at(i + 1)) > 0))
-      nodes.push_back(ridders_root(at(i), at(i + 1), [&](double x_m) { return mode.shape(x_m); }));
+      nodes.push_back(bracketed_root([&](double x_m) { return mode.shape(x_m); }, at(i), at(i + 1)));
   }
   return nodes;
 }

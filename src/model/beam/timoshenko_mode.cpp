@@ -10,8 +10,8 @@
 #include <optional>
 
 #include "core/error.hpp"
+#include "core/math/roots.hpp"
 #include "core/units.hpp"
-#include "model/math/ridders_root.hpp"
 
 namespace percuss::model {
 namespace {
@@ -74,7 +74,7 @@ std::optional<double> lambda_between(const UniformBeam& beam, double low, double
   const auto f = [&](double lambda) { return condition(waves_of(beam, lambda)); };
   const double end = std::min(high, last_lambda(beam));
   if (!(low < end) || (end < high && (f(low) > 0) == (f(end) > 0))) return {};
-  return ridders_root(low, end, f);
+  return bracketed_root(f, low, end);
 }
 
 std::optional<double> pinned_timoshenko(const UniformBeam& beam, std::size_t elastic) {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/roots.hpp"
 #include "core/units.hpp"
-#include "model/math/ridders_root.hpp"
 
 namespace percuss::model {
 namespace {
@@ -87,7 +87,7 @@ std::optional<FreeMotion::Peak> FreeMotion::peak(double until_s, double floor_m)
     const double next_s = std::min(until_s, time_s + std::max(least_s, hop_s));
     const Point next = beam_at(next_s);
     if (here.rate > 0 && next.rate < 0) {
-      const double top_s = ridders_root(time_s, next_s, [&](double t) { return beam_at(t).rate; });
+      const double top_s = bracketed_root([&](double t) { return beam_at(t).rate; }, time_s, next_s);
       offer(top_s, beam_at(top_s).value);
     }
     time_s = next_s;

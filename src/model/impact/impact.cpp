@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/math/roots.hpp"
 #include "model/impact/ball_on_beam.hpp"
 #include "model/impact/free_motion.hpp"
-#include "model/math/ridders_root.hpp"
 
 namespace percuss::model {
 namespace {
@@ -37,10 +37,11 @@ CubicTop top_of_cubic(double from, double from_rate, double to, double to_rate, 
   CubicTop top{.value = std::max(from, to), .at = to > from ? 1.0 : 0.0};
   if (!(from_rate > 0 && to_rate < 0)) return top;
   const double chord = (to - from) / width;
-  const double at = ridders_root(0, 1, [&](double t) {
+  const auto rate = [&](double t) {
     const double u = 1 - t;
     return u * u * from_rate + t * t * to_rate + 2 * t * u * (3 * chord - from_rate - to_rate);
-  });
+  };
+  const double at = bracketed_root(rate, 0, 1);
   return cubic(at) > top.value ? CubicTop{.value = cubic(at), .at = at} : top;
 }
 
@@ -70,7 +71,7 @@ class ContactPass {
       touching = now_.contact_event_m > 0;
       if (!touching) {
         const double inside_m = std::max(before.contact_event_m, std::numeric_limits<double>::min());
-        dt_s = ridders_root(0.0, dt_s, [&](double t) { return t == 0 ? inside_m : move_to(t); });
+        dt_s = bracketed_root([&](double t) { return t == 0 ? inside_m : move_to(t); }, 0, dt_s);
         move_to(dt_s);
       }
       watch(before, dt_s);
@@ -176,7 +177,7 @@ double hysteresis_for_spm(double restitution, double speed_mps) {
   const auto difference = [&](double d) { return std::log1p(d) - std::log1p(-e * d) - d * (1 + e); };  // (3)
   // Below zero for small d, where the terms cancel up to −d² (1 − e²)/2; without bound towards 1/e.
   const double low = 0.75 * (1 - e * e) / (1 + e * e * e);
-  return ridders_root(low, (1 - 1e-15) / e, difference) / speed_mps;
+  return bracketed_root(difference, low, (1 - 1e-15) / e) / speed_mps;
 }
 
 ImpactResult simulate_impact(const Impact& impact, const ImpactOptions& options) {

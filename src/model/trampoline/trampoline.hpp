@@ -49,8 +49,8 @@ struct HoopPeak {
 /// The rebounds at each of `hoop_Hz`. Each stands by itself: `threads` as in parallel_for.
 std::vector<Rebound> hoop_sweep(const Trampoline& model, const std::vector<double>& hoop_Hz, std::size_t threads = 0);
 
-/// The hoop frequency with the largest COR, by brent_maximum from the sweep's best. shapes: hoop_Hz ascending, sweep
-/// alike long.
+/// The hoop frequency with the largest COR, by bracketed_maximum from the sweep's best. shapes: hoop_Hz ascending,
+/// sweep alike long.
 HoopPeak optimal_hoop_frequency(const Trampoline& model, const std::vector<double>& hoop_Hz,
                                 const std::vector<Rebound>& sweep);
 

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "model/math/illinois_root.hpp"
+#include "core/math/roots.hpp"
 
 namespace percuss::model {
 namespace {
@@ -108,7 +108,7 @@ class ContactSolver::Stepper {
       take(from, h, to);
       return contact_event(to);
     };
-    take(from, illinois_root(grip_after, 0, past.s - from.s, kContactTolerance * past.s), to);
+    take(from, bracketed_root(grip_after, 0, past.s - from.s), to);
     return to;
   }
 

@@ -2,8 +2,8 @@
 #include <optional>
 
 #include "core/error.hpp"
+#include "core/math/roots.hpp"
 #include "core/units.hpp"
-#include "model/math/illinois_root.hpp"
 #include "model/trampoline/damped_oscillator.hpp"
 #include "model/trampoline/trampoline_contact.hpp"
 
@@ -11,7 +11,6 @@ namespace percuss::model {
 namespace {
 
 constexpr double kLooksPerPeriod = 40;  // for the next touch
-constexpr double kSame = 1e-14;         // of the time between two looks
 constexpr int kMaxLooks = 100'000;
 constexpr std::size_t kMaxContacts = 1000;
 
@@ -39,7 +38,7 @@ class FreeFlight {
       const double time_s = look * recontact_window_s;
       if (separation_margin(time_s) > 0) {
         const auto crossing = [&](double t) { return separation_margin(t); };
-        return after(illinois_root(crossing, time_s - recontact_window_s, time_s, kSame * recontact_window_s));
+        return after(bracketed_root(crossing, time_s - recontact_window_s, time_s));
       }
       if (start_.ball_mps < 0 && start_.ball_m + time_s * start_.ball_mps < -amplitude_bound_m) break;
     }
