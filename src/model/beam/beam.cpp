@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kHalfTurn_rad = std::numbers::pi;
 
-// The beam's functions times 2 e^(−λ), in which nothing grows.
+// The beam functions times 2 e^(−λ): none of them grows with λ.
 struct Scaled {
   double e, s, c, ch, sh;
   explicit Scaled(double lambda)
@@ -22,7 +22,7 @@ struct Scaled {
   double one_minus_cc() const { return 2 * e - c * ch; }
 };
 
-// s ch − c sh: for small λ by its series Σ (−1)^k 2^(2k+2) λ^(4k+3)/(4k+3)!, where the difference would cancel.
+// s ch − c sh. For small λ the difference would cancel: there its series Σ (−1)^k 2^(2k+2) λ^(4k+3)/(4k+3)!.
 double turning(double lambda, const Scaled& of) {
   if (lambda >= 1) return of.s * of.ch - of.c * of.sh;
   const double fourth = lambda * lambda * lambda * lambda;
@@ -80,7 +80,7 @@ BeamMode free_mode(double lambda) {
           .near = (1 - of.e * (of.s + of.c)) / d};
 }
 
-// The support itself, where a spring of no stiffness or of stiffness without bound stands for another.
+// A spring of zero or infinite stiffness is a pin or a clamp.
 BeamSupport support_of(const UniformBeam& beam) {
   if (beam.support != BeamSupport::torsion) return beam.support;
   const double relative = beam.relative_torsion();
@@ -152,8 +152,8 @@ std::vector<BeamMode> beam_modes(const UniformBeam& asked, std::size_t count) {
     modes.push_back(beam.is_timoshenko() ? timoshenko_mode(beam, elastic) : elastic_mode(beam, elastic));
     const double omega = modes.back().omega_radps;
     if (!(std::isfinite(omega) && omega > 0)) {
-      throw InputError("the beam's frequencies are beyond what numbers hold", "stiffness, mass and length",
-                       "look at --ei, --rho-a and --length: N·m², kg/m and m");
+      throw InputError("the beam's frequencies exceed the range of numbers", "stiffness, mass and length",
+                       "check EI in N·m², ρA in kg/m and the length in m", {"ei", "rho_a", "length"});
     }
   }
   return modes;
@@ -164,7 +164,7 @@ std::size_t rigid_body_modes(BeamSupport support) {
 }
 
 std::vector<double> beam_nodes_m(const BeamMode& mode) {
-  // A half wave is π/λ long, and no two nodes are nearer than most of that.
+  // A half wave is π/λ long, and two nodes lie almost that far apart.
   constexpr double kPerHalfWave = 8;
   const auto steps = static_cast<std::size_t>(std::ceil(kPerHalfWave * (mode.lambda / kHalfTurn_rad + 1)));
   const auto at = [&](std::size_t i) { return mode.length_m * static_cast<double>(i) / static_cast<double>(steps); };
