@@ -142,9 +142,9 @@ double BeamMode::slope_1pm(double x_m) const {
 
 double BeamMode::freq_Hz() const { return omega_radps / kTwoPi; }
 
-std::vector<BeamMode> beam_modes(const UniformBeam& asked, std::size_t count) {
-  UniformBeam beam = asked;
-  beam.support = support_of(asked);
+std::vector<BeamMode> beam_modes(const UniformBeam& given, std::size_t count) {
+  UniformBeam beam = given;
+  beam.support = support_of(given);
   std::vector<BeamMode> modes = rigid_modes(beam);
   modes.resize(std::min(modes.size(), count));
   modes.reserve(count);
