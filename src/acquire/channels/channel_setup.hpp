@@ -7,7 +7,8 @@
 
 namespace percuss::acquire {
 
-/// Reads a reusable channel set-up: a JSON array with one object per channel (docs/reference/formats.md, "Channel set-up").
+/// Reads a reusable channel set-up: a JSON array with one object per channel (docs/reference/formats.md, "Channel
+/// set-up").
 ///   name (required)          the column's name or 1-based number, or the data set's channel ("accel 1")
 ///   role                     "force", "acceleration" or "ignore"
 ///   sign                     1 or -1;  or  direction  "+x", "-x", … "-z": −1 for a minus

@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "acquire/record/record.hpp"
@@ -21,8 +22,9 @@ struct CsvColumns {
 /// The columns can be read, but which of them is the force or an acceleration must be said by an option.
 class AmbiguousColumns : public InputError {
  public:
-  AmbiguousColumns(std::string_view problem, std::string_view where, std::string_view remedy, const CsvHeader& header)
-      : InputError(problem, where, remedy), columns(header.columns), fs_Hz(header.fs_Hz) {}
+  AmbiguousColumns(std::string_view problem, std::string_view where, std::string_view remedy, const CsvHeader& header,
+                   std::vector<OptionId> options = {})
+      : InputError(problem, where, remedy, std::move(options)), columns(header.columns), fs_Hz(header.fs_Hz) {}
   AmbiguousColumns(const InputError& error, const CsvHeader& header)
       : InputError(error), columns(header.columns), fs_Hz(header.fs_Hz) {}
   std::vector<CsvColumn> columns;  // all there are

@@ -35,6 +35,6 @@ void apply_overrides(SignalInfo& signal, const SignalOverrides& choice, Quantity
 /// apply_overrides for the force. Volts that nobody gives a sensitivity or scale for are kept: frequencies and damping
 /// do not need newtons. A note then says that FRFs are per volt.
 void apply_force_overrides(SignalInfo& signal, const SignalOverrides& choice, const std::string& where,
-                           std::vector<std::string>& notes);
+                           std::vector<Message>& notes);
 
 }  // namespace percuss::acquire

@@ -63,14 +63,13 @@ SignalInfo described_signal(const SignalTable& table, std::size_t index) {
 
 // What nobody says is as the file's own system of units has it, else SI.
 void complete_unit(const SignalInfo& signal, const TableSignal& stored, SignalOverrides& choice, const char* si_unit,
-                   std::vector<std::string>& notes) {
+                   std::vector<Message>& notes) {
   const bool told = !signal.unit.empty() || !choice.unit.empty() || choice.scale || choice.sensitivity_V_per_SI;
   if (told) return;
   choice.scale = stored.to_SI;
   if (stored.to_SI) return;
-  notes.push_back(fmt::format("the unit of {} is not stated; taken as {} ({} says otherwise)",
-                              one_line(signal.name, 40), si_unit,
-                              si_unit == std::string("N") ? "--force-unit" : "--unit"));
+  notes.emplace_back(fmt::format("the unit of {} is not stated; taken as {}", one_line(signal.name, 40), si_unit),
+                     std::vector<OptionId>{si_unit == std::string("N") ? "force_unit" : "unit"});
 }
 
 void describe_table(Scaled& open, const ReadOptions& options, Record& record) {

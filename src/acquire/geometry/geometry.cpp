@@ -19,7 +19,7 @@ namespace {
 constexpr std::uint64_t kLargestGeometry_bytes = std::uint64_t{16} << 20U;
 constexpr std::size_t kMaxGeometryPoints = 100'000;
 constexpr double kMaxCoordinate_m = 1e4;  // m or rad: no structure is larger
-constexpr const char* kGeometryRemedy = "see percuss survey --example";
+constexpr const char* kGeometryRemedy = "write a table like the example";
 
 enum Field : std::size_t { kPoint, kX, kY, kZ, kPosition, kAngle, kRadius, kFields };
 
@@ -82,7 +82,7 @@ Columns columns_of(const std::vector<std::string_view>& names, const std::string
     }
   }
   const auto has = [&](Field field) { return columns[field].index.has_value(); };
-  if (!has(kPoint)) throw InputError("no column of points", where, kGeometryRemedy);
+  if (!has(kPoint)) throw InputError("no column of points", where, kGeometryRemedy, {"survey.example"});
   if (has(kX) != has(kY) || has(kX) != has(kZ) || has(kPosition) != has(kAngle) || has(kX) == has(kPosition)) {
     throw InputError("neither x, y and z nor position and angle", where,
                      "name the columns point,x_m,y_m,z_m or point,position_m,angle_deg");
@@ -171,10 +171,11 @@ CsvDialect dialect_of(const std::vector<Line>& lines, char line_end) {
 Geometry parse_geometry(std::string_view text, const std::string& where) {
   if (text.size() > kLargestGeometry_bytes) throw InputError("longer than 16 MiB", where, "keep one line per point");
   if (text.substr(0, 3) == "\xEF\xBB\xBF") text.remove_prefix(3);
-  if (text.find('\0') != std::string_view::npos) throw InputError("this is no text", where, kGeometryRemedy);
+  if (text.find('\0') != std::string_view::npos)
+    throw InputError("this is no text", where, kGeometryRemedy, {"survey.example"});
   const char line_end = find_line_end(text);
   const std::vector<Line> lines = lines_of(text, line_end);
-  if (lines.size() < 2) throw InputError("no points", where, kGeometryRemedy);
+  if (lines.size() < 2) throw InputError("no points", where, kGeometryRemedy, {"survey.example"});
   const CsvDialect dialect = dialect_of(lines, line_end);
   Columns columns = columns_of(split_cells(lines.front().text, dialect), place(where, lines.front().number));
   Geometry geometry;
@@ -190,7 +191,7 @@ Geometry parse_geometry(std::string_view text, const std::string& where) {
     if (!seen.insert(geometry.points.back().point).second)
       throw InputError(fmt::format("point {} stands twice", geometry.points.back().point), at, "keep one");
   }
-  if (geometry.points.empty()) throw InputError("no points", where, kGeometryRemedy);
+  if (geometry.points.empty()) throw InputError("no points", where, kGeometryRemedy, {"survey.example"});
   geometry.tube = columns[kPosition].index.has_value();
   if (!geometry.tube) tube_from_coordinates(geometry);
   return geometry;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "acquire/record/sample_reader.hpp"
+#include "core/error.hpp"
 
 namespace percuss::acquire {
 
@@ -60,7 +61,7 @@ struct Record {
   std::vector<std::vector<double>> geometry;  // [points][2 or 3], as stored, NaN for points without; may be empty
   std::vector<TraceLine> trace_lines;         // may be empty
   std::vector<ContiguousSignal> contiguous;   // the force and each channel, where all lie plainly in one file
-  std::vector<std::string> notes;             // what was assumed or could not be read, one line each
+  std::vector<Message> notes;                 // what was assumed or could not be read, one line each
   /// The (first) file's path, or what it is where there is no file: names the record in messages.
   std::string source() const { return files.empty() ? format : files.front().path; }
   std::set<int> points() const;

@@ -54,7 +54,7 @@ InputDataSet open_required(const InputHdf5& file, const std::string& name) {
 }
 
 double read_rate_Hz(const OpenRecord& open, const ReadOptions& options) {
-  if (options.fs_Hz) return checked_rate_Hz(*options.fs_Hz, "--fs");
+  if (options.fs_Hz) return checked_rate_Hz(*options.fs_Hz, "the rate stated");
   const InputHdf5& file = open.file;
   std::vector<std::pair<hdf5::Id, std::string>> places{{file.id(), file.path() + ": attribute fs"},
                                                        {open.accel.id(), file.where("accel attribute fs")}};
@@ -65,12 +65,14 @@ double read_rate_Hz(const OpenRecord& open, const ReadOptions& options) {
     if (!values) continue;
     const double fs_Hz = checked_rate_Hz(values->front(), where);
     if (found_Hz && *found_Hz != fs_Hz) {
-      throw InputError(fmt::format("two sampling rates: {} and {} Hz", *found_Hz, fs_Hz), where, "give --fs in Hz");
+      throw InputError(fmt::format("two sampling rates: {} and {} Hz", *found_Hz, fs_Hz), where, "state the right one",
+                       {"fs"});
     }
     found_Hz = fs_Hz;
   }
   if (found_Hz) return *found_Hz;
-  throw InputError("no sampling rate: attribute fs is missing", file.path(), "store it in Hz, or give --fs");
+  throw InputError("no sampling rate: attribute fs is missing", file.path(), "store it, or state the rate, in Hz",
+                   {"fs"});
 }
 
 /// An attribute of /accel with one number per channel; NaN there means not known.

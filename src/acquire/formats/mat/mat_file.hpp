@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/error.hpp"
+
 namespace percuss::acquire {
 
 /// A variable of a MAT file, or a field of a structure in it ("test.force").
@@ -24,7 +26,7 @@ struct MatFile {
   std::string path;
   std::uint64_t bytes = 0;
   std::vector<MatVariable> variables;
-  std::vector<std::string> notes;  // what could not be read, one line each
+  std::vector<Message> notes;  // what could not be read, one line each
 };
 
 /// Whether a file that begins so is a MAT file of version 4, 5 or 7.3.

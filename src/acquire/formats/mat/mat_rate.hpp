@@ -14,8 +14,8 @@ std::string_view field_name(std::string_view name);
 bool is_mat_vector(const MatVariable& variable);
 
 /// The sampling rate in Hz as the options say it, a number of the file named fs, sample_rate, dt and the like, or a
-/// time vector; nothing when there is none. errors  InputError: the variable that --fs names is no number, rates that
-/// disagree, a time vector that is uneven.
+/// time vector; nothing when there is none. errors  InputError: the variable that options.fs_variable names is no
+/// number, rates that disagree, a time vector that is uneven.
 std::optional<double> mat_rate_Hz(const MatFile& file, const ReadOptions& options);
 
 /// The number in a variable of one number whose name is among `names` (letter case and underscores aside, also as the

@@ -10,7 +10,7 @@ namespace percuss::acquire {
 /// or [FRFs, lines] (the longest dimension is frequency), with a vector of frequencies, a spacing (df), or
 /// options.df_Hz. Nothing when the file holds no such array, or arrays of another length beside it that could be a
 /// record of time (then options.kind says that the FRFs are meant). errors  AmbiguousColumns: several arrays could be
-/// the FRFs (--accel-channel names one), or no frequencies.
+/// the FRFs (options.read.accel_channels names one), or no frequencies.
 std::optional<StoredFrfs> read_frf_mat(const MatFile& file, const FrfReadOptions& options);
 
 }  // namespace percuss::acquire

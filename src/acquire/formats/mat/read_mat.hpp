@@ -4,8 +4,8 @@
 
 namespace percuss::acquire {
 
-/// The record of time in a MAT file (docs/reference/formats.md, "MAT"). The force and the accelerations are variables, by name,
-/// by options or by the set-up: vectors [samples], matrices [hits, samples] or the other way round (the longer
+/// The record of time in a MAT file (docs/reference/formats.md, "MAT"). The force and the accelerations are variables,
+/// by name, by options or by the set-up: vectors [samples], matrices [hits, samples] or the other way round (the longer
 /// dimension is time), accelerations also [hits, channels, samples] or [samples, channels, hits]. errors
 /// AmbiguousColumns: which variable is which must be said, names those seen; InputError: sizes that contradict each
 /// other, no rate.

@@ -30,8 +30,8 @@ void describe_uncalibrated(const SoundInput& sound, const ReadOptions& options, 
     if (!options.force_channel.empty()) table.signals.back().measures = Quantity::acceleration;
   }
   if (!apply_full_scale(options)) {
-    table.notes.emplace_back(
-        "stored numbers are parts of full scale: give N and m/s^2 at full scale with --force-scale and --accel-scale");
+    table.notes.emplace_back("stored numbers are parts of full scale: give N and m/s^2 at full scale",
+                             std::vector<OptionId>{"force_scale", "accel_scale"});
   }
 }
 

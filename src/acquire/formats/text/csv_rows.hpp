@@ -24,6 +24,6 @@ std::vector<CsvRow> find_csv_rows(const CsvTable& table, const CsvColumns& colum
 /// was taken for granted. errors  InputError: none is stated, two disagree, uneven or coarse time stamps, a rate that
 /// nobody samples with.
 double find_csv_rate_Hz(const CsvTable& table, const CsvColumns& columns, const std::vector<CsvRow>& rows,
-                        const ReadOptions& options, std::vector<std::string>& notes);
+                        const ReadOptions& options, std::vector<Message>& notes);
 
 }  // namespace percuss::acquire

@@ -151,13 +151,13 @@ std::vector<double> read_optional(const CsvTable& table, std::optional<std::size
   return any ? read_column(table, *index) : std::vector<double>{};
 }
 
-std::vector<Complex> read_value(const CsvTable& table, const Columns& columns, std::vector<std::string>& notes) {
+std::vector<Complex> read_value(const CsvTable& table, const Columns& columns, std::vector<Message>& notes) {
   const auto first = read_column(table, columns.first);
   const auto second = read_column(table, columns.second);
   std::vector<Complex> value(first.size());
   double to_rad = columns.phase_to_rad.value_or(kDegree_rad);
   if (columns.polar && !columns.phase_to_rad) {
-    const std::string note = "the unit of the phase is not stated: taken as degrees";
+    const Message note = "the unit of the phase is not stated: taken as degrees";
     if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
   }
   for (std::size_t k = 0; k < value.size(); ++k) {
@@ -171,7 +171,7 @@ std::vector<Complex> read_value(const CsvTable& table, const Columns& columns, s
 }
 
 // Points and channels where the names do not tell: every FRF a point of its own.
-void number_columns(std::vector<Columns>& columns, std::vector<std::string>& notes, const std::string& file) {
+void number_columns(std::vector<Columns>& columns, std::vector<Message>& notes, const std::string& file) {
   const bool named = std::all_of(columns.begin(), columns.end(), [](const Columns& c) { return c.point && c.channel; });
   if (!named && columns.size() > 1)
     notes.push_back(fmt::format("the {} FRFs of the file are taken as points of one channel", columns.size()));

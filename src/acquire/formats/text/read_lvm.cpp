@@ -191,7 +191,7 @@ Record open_lvm(const FileBytes& file, const ReadOptions& options) {
   table.continuous = segments->size() == 1;
   if (first.step_s > 0) table.fs_Hz = 1 / first.step_s;
   if (!(first.step_s > 0) && !options.fs_Hz)
-    throw InputError("neither Delta_X nor a column of times", name, "give --fs in Hz");
+    throw InputError("neither Delta_X nor a column of times", name, "state the sampling rate", {"fs"});
   table.read = [segments](std::size_t row, std::size_t signal, std::size_t start, std::span<double> out) {
     std::copy_n((*segments)[row].samples[signal].begin() + static_cast<std::ptrdiff_t>(start), out.size(), out.begin());
   };

@@ -92,7 +92,7 @@ double rate_of_function_Hz(const UffFunction& function, const std::string& where
   if (function.even) {
     const double dt_s = uff_step(function, false, note);
     if (dt_s > 0 && std::isfinite(dt_s)) return 1 / dt_s;
-    throw InputError(fmt::format("a time step of {} s", function.dx), where, "give --fs in Hz");
+    throw InputError(fmt::format("a time step of {} s", function.dx), where, "state the sampling rate", {"fs"});
   }
   std::vector<double> times(function.count);
   double largest = 0;
@@ -106,7 +106,9 @@ double rate_of_function_Hz(const UffFunction& function, const std::string& where
       largest * (function.bytes.empty() ? 1e-5 : 2 * static_cast<double>(std::numeric_limits<float>::epsilon()));
   const std::vector<TimeStamps> rows{{.time_s = times, .resolution_s = resolution_s}};
   const auto rate = rate_of_time_stamps(rows, problem);
-  if (!rate) throw InputError(fmt::format("{}, value {}", problem.text, problem.at + 1), where, "give --fs in Hz");
+  if (!rate)
+    throw InputError(fmt::format("{}, value {}", problem.text, problem.at + 1), where, "state the sampling rate",
+                     {"fs"});
   note = rate->note;
   return rate->fs_Hz;
 }

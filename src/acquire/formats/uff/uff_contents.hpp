@@ -29,11 +29,11 @@ struct UffContents {
 UffContents read_uff_contents(const FileBytes& file);
 
 /// What else is in the file and not used, for people: "data sets not used: 2467 (1), 773 (2)", mode shapes.
-std::vector<std::string> uff_notes(const UffContents& contents);
+std::vector<Message> uff_notes(const UffContents& contents);
 
 /// Coordinates by point: row i is point i = node − `offset`, three NaN where there is no such point. Nothing, and a
 /// note, when the numbers are too far apart for that.
-std::vector<std::vector<double>> uff_geometry(const UffContents& contents, int offset, std::vector<std::string>& notes);
+std::vector<std::vector<double>> uff_geometry(const UffContents& contents, int offset, std::vector<Message>& notes);
 /// The lines between points that the file has nodes of.
 std::vector<TraceLine> uff_trace_lines(const UffContents& contents, int offset);
 
