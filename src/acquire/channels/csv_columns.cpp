@@ -80,9 +80,9 @@ class Finder {
     return std::nullopt;
   }
 
-  // A name that is spelt otherwise would lose its sensor without a word.
+  // A misspelt name must not lose its sensor silently.
   void check_setup() const {
-    if (!options_.accel_channels.empty()) return;  // the user knows which there are
+    if (!options_.accel_channels.empty()) return;  // the user has chosen
     for (const auto& entry : options_.setup) {
       if (entry.role == "ignore") continue;
       const bool known = std::any_of(header_.columns.begin(), header_.columns.end(), [&](const CsvColumn& column) {
@@ -148,7 +148,7 @@ class Finder {
       if (*measured == quantity) return true;
       if (*measured != Quantity::voltage) return false;
     }
-    // A word counts only where the file has names at all, and the other kind's word does not stand there as well.
+    // A word counts only in a file with names, and only without a word of the other kind beside it.
     const std::string name = lower_case(column.base);
     const Words& other = quantity == Quantity::force ? kAccelWords : Words{};
     return header_.named && has_one_of(name, words) && !has_one_of(name, other);

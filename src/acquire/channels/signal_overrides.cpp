@@ -7,7 +7,7 @@
 namespace percuss::acquire {
 namespace {
 
-/// The entry of a list that holds one for all or one for each.
+/// The entry of a list with one value for all channels or one value per channel.
 std::optional<double> entry(const std::vector<double>& list, std::size_t index, std::size_t count,
                             const OptionId& option) {
   if (list.empty()) return std::nullopt;
@@ -17,7 +17,7 @@ std::optional<double> entry(const std::vector<double>& list, std::size_t index, 
                    option, "give one for all or one per channel", {option});
 }
 
-/// As entry, for what cannot be the same for all.
+/// As entry, for a quantity that differs between channels.
 std::optional<double> entry_of_each(const std::vector<double>& list, std::size_t index, std::size_t count,
                                     const OptionId& option) {
   if (list.empty() || list.size() == count) return list.empty() ? std::nullopt : std::optional(list[index]);

@@ -57,7 +57,7 @@ FrfKind frf_kind_of(const StoredFrfs& stored, const FrfReadOptions& options, std
   return FrfKind::accelerance;
 }
 
-// Stored numbers to an accelerance, in place; kind and factor as found.
+// Turns stored numbers into an accelerance, in place.
 Frf accelerance_of(StoredFrf stored, const FrfRecord& record, double factor, const std::string& where) {
   Frf frf{.value = std::move(stored.value),
           .std = std::move(stored.std),

@@ -18,7 +18,7 @@ std::string input_name_of(const FrfRecord& record) { return input_name(record.so
 
 FrfRecord join_frfs(std::vector<FrfRecord> records) {
   FrfRecord out = std::move(records.front());
-  const std::vector<Message> said = out.notes;  // what holds for every file is said once
+  const std::vector<Message> common = out.notes;  // a note on every file is given once
   for (std::size_t r = 1; r < records.size(); ++r) {
     FrfRecord& next = records[r];
     const bool spaced = std::abs(next.lines.df_Hz() / out.lines.df_Hz() - 1) <= kSameSpacing;
@@ -38,7 +38,7 @@ FrfRecord join_frfs(std::vector<FrfRecord> records) {
       out.frfs.push_back(std::move(frf));
     }
     for (const Message& note : next.notes) {
-      if (std::find(said.begin(), said.end(), note) == said.end())
+      if (std::find(common.begin(), common.end(), note) == common.end())
         out.notes.emplace_back(input_name_of(next) + ": " + note.text, note.options);
     }
     out.files.insert(out.files.end(), next.files.begin(), next.files.end());

@@ -43,8 +43,8 @@ struct FrfReadOptions {
   std::optional<FrfKind> kind;
 };
 
-/// Several files of FRFs as one test: each file's points after the points of the file before. errors  InputError: lines
-/// or channels differ; names the file.
+/// Several files of FRFs as one test: each file's points after the points of the file before.
+/// errors  InputError: lines or channels differ; names the file.
 FrfRecord join_frfs(std::vector<FrfRecord> records);
 
 }  // namespace percuss::acquire

@@ -42,7 +42,7 @@ void note_other_names(const Record& first, const Record& other, std::vector<Mess
   for (std::size_t c = 0; c < first.accel.size(); ++c) compare(first.accel[c], other.accel[c]);
 }
 
-// A file without points of its own is one point; the next one starts behind those of the files before it.
+// A file without point numbers is one point. The next file's points follow the points of the files before it.
 int number_of_points(const Record& record) {
   int last = 0;
   for (const auto& row : record.rows) last = std::max(last, row.point);

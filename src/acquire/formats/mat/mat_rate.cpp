@@ -18,7 +18,7 @@ namespace {
 constexpr double kSingleEpsilon = static_cast<double>(std::numeric_limits<float>::epsilon());
 constexpr double kSameRates = 1e-6;  // relative: single precision
 
-// Lower case without underscores, so that Sample_Rate and SampleRate are one.
+// Lower case without underscores: Sample_Rate and SampleRate are equal.
 std::string bare_name(std::string_view name) {
   std::string out = lower_case(name);
   std::erase(out, '_');
@@ -36,7 +36,7 @@ double rate_of_times_Hz(const MatFile& file, const MatVariable& variable) {
   const std::string where = file.path + ": " + variable.name;
   double largest = 0;
   for (const double t_s : variable.real) largest = std::max(largest, std::abs(t_s));
-  // Times may have gone through single precision.
+  // Times may have been stored in single precision.
   const double resolution_s = 2 * largest * kSingleEpsilon;
   StampProblem problem;
   const std::vector<TimeStamps> rows{{.time_s = variable.real, .resolution_s = resolution_s}};

@@ -26,7 +26,7 @@ void describe_uncalibrated(const SoundInput& sound, const ReadOptions& options, 
   table.continuous = true;
   for (std::size_t c = 0; c < sound.channels(); ++c) {
     table.signals.push_back({.name = fmt::format("channel {}", c + 1)});
-    // Once the hammer is named, what else was recorded are its sensors.
+    // When the user names the force, the other channels are accelerations.
     if (!options.force_channel.empty()) table.signals.back().measures = Quantity::acceleration;
   }
   if (!apply_full_scale(options)) {
@@ -35,7 +35,7 @@ void describe_uncalibrated(const SoundInput& sound, const ReadOptions& options, 
   }
 }
 
-// Rows end to end; a file that ends early keeps what is there.
+// Rows end to end; a truncated file keeps the samples that it has.
 void take_rows(const SoundCalibration& calibration, std::size_t frames, SignalTable& table) {
   std::size_t left = frames;
   for (RowInfo row : calibration.rows) {

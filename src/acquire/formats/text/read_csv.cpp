@@ -18,7 +18,7 @@
 namespace percuss::acquire {
 namespace {
 
-// What the read functions of a record share.
+// The data shared by the read functions of a record.
 struct OpenCsv {
   explicit OpenCsv(const FileBytes& bytes) : table(bytes, layout_of_text(bytes, CsvContent::time_record)) {}
   CsvTable table;

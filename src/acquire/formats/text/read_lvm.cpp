@@ -26,7 +26,7 @@ constexpr double kSameLvmStep = 1e-6;  // relative
 using LvmCells = std::vector<std::string_view>;
 using Tags = std::map<std::string, std::vector<std::string>>;
 
-// A segment: samples [channel][sample] under names and units.
+// A segment: samples [channel][sample] with names and units.
 struct Segment {
   std::vector<std::string> names, units;
   double step_s = 0;
@@ -70,7 +70,7 @@ class LvmParser {
     return out;
   }
 
-  // The tag Separator names what follows it.
+  // The tag Separator names the character that follows it.
   void find_separator() {
     const auto at = file_.view().find("Separator");
     const bool comma =

@@ -21,7 +21,7 @@ namespace percuss::acquire {
 namespace {
 
 struct OpenUff {
-  FileBytes file;  // what binary functions point into
+  FileBytes file;  // the memory of binary functions
   UffContents contents;
   std::vector<UffRow> rows;
 };
@@ -34,7 +34,7 @@ std::optional<Quantity> quantity_of_axis(const UffAxis& axis) {
   return std::nullopt;
 }
 
-// Names of a row's functions, told apart where they are the same.
+// Names of a row's functions, made unique.
 std::vector<std::string> names_of_row(const UffRow& row) {
   std::vector<std::string> names;
   std::set<std::string> seen;
@@ -68,7 +68,7 @@ TableSignal signal_of(const UffFunction& function, const std::string& name, cons
   return out;
 }
 
-// Which point was hit: the reference, else where the force was measured, else where a roving sensor sat.
+// The point that was hit: the reference, else the force's node, else the node of a roving sensor.
 int point_of_row(const UffRow& row, bool sensor_roves) {
   const int offset = uff_annotation(*row.front()).node_offset;
   const UffFunction& last = *row.back();
