@@ -11,7 +11,8 @@ namespace percuss::acquire {
 void write_record(const std::string& path, const Record& record, bool force);
 
 /// Writes FRFs, converted to `kind`, in the format of the path's extension, one of frf_extensions(). Equal FRFs give
-/// equal bytes; the file is whole or absent. errors  InputError: as write_record.
+/// equal bytes; the file is whole or absent.
+/// errors  InputError: as write_record.
 void write_frfs(const std::string& path, const FrfRecord& record, FrfKind kind, bool force);
 
 /// The parts of a record or of FRFs that a file of this name would lose, one line each.

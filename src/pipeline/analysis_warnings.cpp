@@ -166,7 +166,7 @@ std::string poorly_coherent_hits(const std::vector<AnalysedHit>& hits) {
 std::vector<Warning> Analysis::warnings() const {
   std::vector<Warning> out;
   const auto& all = hits_.ready() ? hits() : force_hits();
-  for (const std::string& note : record_.notes) out.push_back({"input", note});
+  for (const Message& note : record_.notes) out.push_back({"input", note.text});
   if (given_ && modes_.ready() && !modes().empty()) {
     out.push_back(
         {"force_noise_unknown",

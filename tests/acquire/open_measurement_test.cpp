@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include "acquire/formats/hdf5/write_hdf5.hpp"
+#include "acquire/open_measurement.hpp"
 #include "acquire/record/record.hpp"
 #include "support/csv_text.hpp"
 #include "support/input_error.hpp"

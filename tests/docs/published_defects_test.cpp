@@ -7,6 +7,7 @@
 #include <cmath>
 #include <variant>
 
+#include "acquire/open_measurement.hpp"
 #include "core/units.hpp"
 #include "frf/frf_record.hpp"
 #include "frf/windows.hpp"

@@ -6,6 +6,7 @@
 
 #include "acquire/write_record.hpp"
 #include "cli/open_files.hpp"
+#include "cli/option_names.hpp"
 #include "cli/output.hpp"
 #include "commands/commands.hpp"
 #include "core/error.hpp"
@@ -33,7 +34,7 @@ std::string take_output(ConvertFlags& flags) {
 
 void convert_frfs(const ConvertFlags& flags, const std::string& to, std::vector<frf::FrfRecord> frfs) {
   const frf::FrfRecord record = join_frfs_of(flags.read, std::move(frfs));
-  for (const std::string& note : record.notes) tell(flags, note);
+  for (const Message& note : record.notes) tell(flags, note.written(flag_of));
   const auto& known = acquire::frf_extensions();
   if (std::find(known.begin(), known.end(), extension_of(to)) == known.end()) {
     throw UsageError("'" + one_line(to, 80) + "' cannot hold FRFs",
@@ -51,7 +52,7 @@ int convert(ConvertFlags flags) {
     return kOk;
   }
   const acquire::Record record = acquire::join_records(std::move(opened.records), flags.read.files);
-  for (const std::string& note : record.notes) tell(flags, note);
+  for (const Message& note : record.notes) tell(flags, note.written(flag_of));
   for (const std::string& loss : acquire::losses_of(to, record)) tell(flags, "not kept: " + loss);
   acquire::write_record(to, record, flags.output.force);
   return kOk;

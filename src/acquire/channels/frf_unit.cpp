@@ -9,7 +9,7 @@
 namespace percuss::acquire {
 namespace {
 
-// Without blanks around and without one pair of brackets that belong to each other.
+// Without surrounding blanks and without one matching pair of brackets.
 std::string_view bare(std::string_view text) {
   text = trimmed(text);
   const bool round = text.starts_with('(') && text.find(')') == text.size() - 1;

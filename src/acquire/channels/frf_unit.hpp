@@ -6,7 +6,7 @@
 
 namespace percuss::acquire {
 
-/// The unit of a frequency response as files state it.
+/// The unit of an FRF as files state it.
 struct FrfUnit {
   FrfKind kind = FrfKind::accelerance;
   double response_to_SI = 1;  // m/s², m/s or m per unit of the numerator

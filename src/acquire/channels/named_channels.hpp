@@ -9,9 +9,10 @@ namespace percuss::acquire {
 
 // Channels of files that give them no names: "force" and "accel 1", "accel 2", …
 
-/// Acceleration channels to be read, counted from 0, in the order wanted; without choice all that no set-up entry
-/// ignores. errors  InputError for names of channels that are not there, here or in the set-up, and for roles that the
-/// layout does not allow.
+/// The acceleration channels to read, counted from 0, in the order of the options; without a choice all channels that
+/// the set-up does not ignore.
+/// errors  InputError: an option or the set-up names a channel that does not exist, or gives a role that the layout
+/// does not allow.
 std::vector<std::size_t> chosen_channels(const ReadOptions& options, std::size_t channels, const std::string& path);
 
 /// The set-up's entry for the force, or for acceleration channel `index` of `channels`; nullptr without one.

@@ -17,12 +17,14 @@ namespace percuss::acquire {
 namespace {
 
 void refuse_useless(const ReadOptions& options, const std::string& where) {
-  const auto refuse = [&](const char* option, const char* why) {
-    throw InputError(fmt::format("{} does not apply to FRFs: {}", option, why), where, "leave it out");
-  };
-  if (options.fs_Hz) refuse("--fs", "the lines say how long the records were");
-  if (options.force_sensitivity_V_per_N || !options.accel_sensitivity_V_per_mps2.empty())
-    refuse("a sensitivity", "they are no volts (--accel-scale and --force-scale do)");
+  if (options.fs_Hz) {
+    throw InputError("a sampling rate does not apply to FRFs: the lines say how long the records were", where,
+                     "leave it out", {"fs"});
+  }
+  if (options.force_sensitivity_V_per_N || !options.accel_sensitivity_V_per_mps2.empty()) {
+    throw InputError("a sensitivity does not apply to FRFs: they are no volts", where, "give scales instead",
+                     {"accel_scale", "force_scale"});
+  }
 }
 
 // m/s² or its integrals per stored unit of the response; N per stored unit of the force.
@@ -39,21 +41,23 @@ double force_factor(const SignalOverrides& choice, const StoredFrfs& stored, con
   return stored.unit ? stored.unit->force_to_SI : 1;
 }
 
-FrfKind frf_kind_of(const StoredFrfs& stored, const FrfReadOptions& options, std::vector<std::string>& notes) {
+FrfKind frf_kind_of(const StoredFrfs& stored, const FrfReadOptions& options, std::vector<Message>& notes) {
   const std::optional<FrfKind> stated = stored.unit ? std::optional(stored.unit->kind) : stored.kind;
   if (options.kind) {
     if (stated && *stated != *options.kind) {
-      notes.push_back(fmt::format("the file calls itself {}; read as {}, as --frf-kind says", name_of(*stated),
-                                  name_of(*options.kind)));
+      notes.emplace_back(
+          fmt::format("the file calls itself {}; read as {}, as requested", name_of(*stated), name_of(*options.kind)),
+          std::vector<OptionId>{"frf_kind"});
     }
     return *options.kind;
   }
   if (stated) return *stated;
-  notes.emplace_back("the kind of the FRFs is not stated: taken as accelerance in (m/s^2)/N (--frf-kind, --unit)");
+  notes.emplace_back("the kind of the FRFs is not stated: taken as accelerance in (m/s^2)/N",
+                     std::vector<OptionId>{"frf_kind", "unit"});
   return FrfKind::accelerance;
 }
 
-// Stored numbers to an accelerance, in place; kind and factor as found.
+// Turns stored numbers into an accelerance, in place.
 Frf accelerance_of(StoredFrf stored, const FrfRecord& record, double factor, const std::string& where) {
   Frf frf{.value = std::move(stored.value),
           .std = std::move(stored.std),

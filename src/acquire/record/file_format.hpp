@@ -35,9 +35,11 @@ struct FileFormat {
 
   /// Whether the input is of this format. The registry asks in its order.
   bool (*detect)(const FileHead& head);
-  /// Refuses an input before the rest of it is read. errors  InputError.
+  /// Refuses an input before the rest of it is read.
+  /// errors  InputError.
   void (*check)(const FileHead& head) = nullptr;
-  /// Opens the input and decides whether it is a record or FRFs. errors  InputError.
+  /// Opens the input and decides whether it is a record or FRFs.
+  /// errors  InputError.
   Measurement (*open)(const FormatInput& input, const FrfReadOptions& options, Content content);
   /// errors  InputError: the file exists (without `force`) or cannot be written, or the format cannot hold the data.
   void (*write_record)(const std::string& path, const Record& record, bool force) = nullptr;

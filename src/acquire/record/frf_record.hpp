@@ -29,7 +29,7 @@ struct FrfRecord {
   std::vector<std::vector<double>> geometry;  // [points][3], as in Record; may be empty
   std::vector<TraceLine> trace_lines;         // likewise
   double decay_per_s = 0;                     // of the exponential window that the file states for force and response
-  std::vector<std::string> notes;             // what was assumed, one line each
+  std::vector<Message> notes;                 // what was assumed, one line each
   /// As Record::source().
   std::string source() const { return files.empty() ? format : files.front().path; }
 };
@@ -43,8 +43,8 @@ struct FrfReadOptions {
   std::optional<FrfKind> kind;
 };
 
-/// Several files of FRFs as one test: each file's points after the points of the file before. errors  InputError: lines
-/// or channels differ; names the file.
+/// Several files of FRFs as one test: each file's points after the points of the file before.
+/// errors  InputError: lines or channels differ; names the file.
 FrfRecord join_frfs(std::vector<FrfRecord> records);
 
 }  // namespace percuss::acquire

@@ -24,7 +24,8 @@ struct LineRange {
 };
 
 /// The lines of evenly spaced frequencies that are multiples of their spacing. Frequencies may be rounded to 5 % of the
-/// spacing. errors  InputError at `where`: fewer than two, uneven, falling, negative.
+/// spacing.
+/// errors  InputError at `where`: fewer than two, uneven, falling, negative.
 LineRange lines_from_frequencies(const std::vector<double>& freq_Hz, const std::string& where);
 
 }  // namespace percuss::acquire

@@ -22,7 +22,7 @@ void serialize_frf_record(Serializer& out, const FrfRecord& record) {
   serialize_geometry(out, record.geometry);
   out.put_all(record.trace_lines);
   out.put(record.decay_per_s);
-  serialize_strings(out, record.notes);
+  serialize_notes(out, record.notes);
   out.put(static_cast<std::uint64_t>(record.frfs.size()));
   for (const PointFrf& frf : record.frfs) {
     out.put(frf.point);
@@ -47,7 +47,7 @@ FrfRecord deserialize_frf_record(Deserializer& in) {
   record.geometry = deserialize_geometry(in);
   record.trace_lines = in.all<TraceLine>();
   record.decay_per_s = in.get<double>();
-  record.notes = deserialize_strings(in);
+  record.notes = deserialize_notes(in);
   const std::size_t frfs = in.count(5 * sizeof(std::uint64_t));
   for (std::size_t i = 0; i < frfs; ++i) {
     PointFrf frf;

@@ -31,7 +31,7 @@ void serialize_description(Serializer& out, const Record& record) {
   serialize_geometry(out, record.geometry);
   out.put_all(record.trace_lines);
   out.put_all(record.contiguous);
-  serialize_strings(out, record.notes);
+  serialize_notes(out, record.notes);
 }
 
 Record deserialize_description(Deserializer& in) {
@@ -52,7 +52,7 @@ Record deserialize_description(Deserializer& in) {
   record.geometry = deserialize_geometry(in);
   record.trace_lines = in.all<TraceLine>();
   record.contiguous = in.all<ContiguousSignal>();
-  record.notes = deserialize_strings(in);
+  record.notes = deserialize_notes(in);
   return record;
 }
 
@@ -94,6 +94,24 @@ std::vector<std::string> deserialize_strings(Deserializer& in) {
   const std::size_t count = in.count(sizeof(std::uint64_t));
   for (std::size_t i = 0; i < count; ++i) texts.push_back(in.text());
   return texts;
+}
+
+void serialize_notes(Serializer& out, const std::vector<Message>& notes) {
+  out.put(static_cast<std::uint64_t>(notes.size()));
+  for (const Message& note : notes) {
+    out.put(note.text);
+    serialize_strings(out, note.options);
+  }
+}
+
+std::vector<Message> deserialize_notes(Deserializer& in) {
+  std::vector<Message> notes;
+  const std::size_t count = in.count(2 * sizeof(std::uint64_t));
+  for (std::size_t i = 0; i < count; ++i) {
+    std::string text = in.text();
+    notes.emplace_back(std::move(text), deserialize_strings(in));
+  }
+  return notes;
 }
 
 void serialize_geometry(Serializer& out, const std::vector<std::vector<double>>& geometry) {

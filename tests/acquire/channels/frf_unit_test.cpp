@@ -4,7 +4,7 @@
 
 #include "core/units.hpp"
 
-namespace percuss::frf::frf_unit_test {
+namespace percuss::acquire::frf_unit_test {
 
 struct Case {
   const char* text;
@@ -50,4 +50,4 @@ TEST(ParseFrfKind, KnowsTheFieldsWords) {
   EXPECT_FALSE(parse_frf_kind("impedance"));
 }
 
-}  // namespace percuss::frf::frf_unit_test
+}  // namespace percuss::acquire::frf_unit_test

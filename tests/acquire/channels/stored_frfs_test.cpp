@@ -1,4 +1,4 @@
-#include "frf/frf_record.hpp"
+#include "acquire/channels/stored_frfs.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,8 +7,9 @@
 
 #include "core/units.hpp"
 #include "support/input_error.hpp"
+#include "support/messages.hpp"
 
-namespace percuss::frf::frf_record_test {
+namespace percuss::acquire::stored_frfs_test {
 
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -31,7 +32,7 @@ StoredFrfs stored(std::optional<FrfUnit> unit = FrfUnit{}) {
 
 Complex line(const FrfRecord& record, std::size_t frf, std::size_t k) { return record.frfs.at(frf).frf.value.at(k); }
 
-TEST(FinishedFrfs, TurnsEveryKindIntoAnAccelerance) {
+TEST(StoredFrfs, TurnsEveryKindIntoAnAccelerance) {
   const Complex s(0, kTwoPi * 2);
   EXPECT_EQ(line(to_accelerances(stored(), {}), 0, 2), Complex(1, 0));
   const auto mobility = to_accelerances(stored(FrfUnit{.kind = FrfKind::mobility}), {});
@@ -41,14 +42,14 @@ TEST(FinishedFrfs, TurnsEveryKindIntoAnAccelerance) {
   EXPECT_EQ(line(receptance, 0, 0), Complex(0, 0));
 }
 
-TEST(FinishedFrfs, AppliesTheFilesUnitUnlessTheUserNamesOne) {
+TEST(StoredFrfs, AppliesTheFilesUnitUnlessTheUserNamesOne) {
   const FrfUnit g_per_lbf{.response_to_SI = kStandardGravity_mps2, .force_to_SI = kPoundForce_N};
   EXPECT_EQ(to_accelerances(stored(g_per_lbf), {}).accel[0].to_SI, kStandardGravity_mps2 / kPoundForce_N);
   EXPECT_EQ(to_accelerances(stored(g_per_lbf), {.read = {.accel_unit = "m/s^2"}}).accel[0].to_SI, 1 / kPoundForce_N);
   EXPECT_EQ(to_accelerances(stored(g_per_lbf), {.read = {.force_scale = {2}, .accel_scale = {3}}}).accel[0].to_SI, 1.5);
 }
 
-TEST(FinishedFrfs, TurnsTheSignOfASensorThatPointsBackwards) {
+TEST(StoredFrfs, TurnsTheSignOfASensorThatPointsBackwards) {
   const auto record =
       to_accelerances(stored(), {.read = {.setup = {{.name = "accel 2", .sign = -1, .angle_rad = 1.0}}}});
   EXPECT_EQ(line(record, 0, 1), Complex(1, 0));
@@ -58,23 +59,25 @@ TEST(FinishedFrfs, TurnsTheSignOfASensorThatPointsBackwards) {
   EXPECT_EQ(line(hammer, 0, 1), Complex(-1, 0));
 }
 
-TEST(FinishedFrfs, KeepsTheChannelsAskedFor) {
+TEST(StoredFrfs, KeepsTheChannelsAskedFor) {
   const auto record = to_accelerances(stored(), {.read = {.accel_channels = {"2"}}});
   ASSERT_THAT(record.frfs, SizeIs(1));
   EXPECT_EQ(record.accel.at(0).name, "accel 2");
   EXPECT_EQ(record.frfs[0].channel, 0U);
 }
 
-TEST(FinishedFrfs, SaysWhatItAssumedAndWhatTheUserOverruled) {
+TEST(StoredFrfs, NotesAnAssumedKindAndAnOverruledOne) {
   EXPECT_THAT(to_accelerances(stored(), {}).notes, IsEmpty());
-  EXPECT_THAT(to_accelerances(stored(std::nullopt), {}).notes, testing::ElementsAre(HasSubstr("taken as accelerance")));
+  EXPECT_THAT(test::texts(to_accelerances(stored(std::nullopt), {}).notes),
+              testing::ElementsAre(HasSubstr("taken as accelerance")));
   const auto overruled = to_accelerances(stored(), {.kind = FrfKind::mobility});
   EXPECT_EQ(overruled.kind, FrfKind::mobility);
-  EXPECT_THAT(overruled.notes, testing::ElementsAre(HasSubstr("--frf-kind")));
+  EXPECT_THAT(overruled.notes.at(0).options, testing::ElementsAre("frf_kind"));
 }
 
-TEST(FinishedFrfs, RefusesWhatFrfsHaveNoUseForAndNumbersBeyondAnySensor) {
-  EXPECT_THAT(test::input_error_of([] { to_accelerances(stored(), {.read = {.fs_Hz = 100}}); }), HasSubstr("--fs"));
+TEST(StoredFrfs, RefusesOptionsWithoutMeaningAndImplausibleNumbers) {
+  EXPECT_THAT(test::options_of_error([] { to_accelerances(stored(), {.read = {.fs_Hz = 100}}); }),
+              testing::ElementsAre("fs"));
   EXPECT_THAT(test::input_error_of([] { to_accelerances(stored(), {.read = {.force_sensitivity_V_per_N = 1}}); }),
               HasSubstr("sensitivity"));
   EXPECT_THAT(test::input_error_of([] { to_accelerances(stored(), {.read = {.accel_scale = {1e40}}}); }),
@@ -83,7 +86,7 @@ TEST(FinishedFrfs, RefusesWhatFrfsHaveNoUseForAndNumbersBeyondAnySensor) {
               HasSubstr("scale"));
 }
 
-TEST(LinesOf, FindsSpacingAndFirstLine) {
+TEST(LinesFromFrequencies, FindsSpacingAndFirstLine) {
   const LineRange lines = lines_from_frequencies({60, 60.5, 61}, "x");
   EXPECT_EQ(lines.first, 120U);
   EXPECT_EQ(lines.count, 3U);
@@ -91,7 +94,7 @@ TEST(LinesOf, FindsSpacingAndFirstLine) {
   EXPECT_EQ(lines.freq_Hz(2), 61.0);
 }
 
-TEST(LinesOf, AllowsFrequenciesThatWereRounded) {
+TEST(LinesFromFrequencies, AllowsFrequenciesThatWereRounded) {
   std::vector<double> freq_Hz(1000);
   for (std::size_t k = 0; k < freq_Hz.size(); ++k)
     freq_Hz[k] = std::round(0.1953125 * static_cast<double>(k) * 100) / 100;
@@ -117,4 +120,4 @@ TEST(JoinFrfs, RefusesOtherLinesAndNamesTheFile) {
   EXPECT_THAT(test::input_error_of([&] { join_frfs({first, other}); }), HasSubstr("other.csv"));
 }
 
-}  // namespace percuss::frf::frf_record_test
+}  // namespace percuss::acquire::stored_frfs_test

@@ -1,4 +1,4 @@
-#include "frf/frf_record.hpp"
+#include "acquire/record/frf.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 
 #include "core/units.hpp"
 
-namespace percuss::frf::convert_test {
+namespace percuss::acquire::frf_test {
 
 constexpr double kRounding = 1e-15;  // of one division
 
@@ -86,4 +86,4 @@ TEST(FrfKind, HasTheNamesAndUnitsOfTheField) {
   EXPECT_STREQ(unit_of(FrfKind::receptance), "m/N");
 }
 
-}  // namespace percuss::frf::convert_test
+}  // namespace percuss::acquire::frf_test

@@ -5,7 +5,7 @@
 namespace percuss::acquire::hdf5 {
 namespace {
 
-constexpr std::size_t kFewestSamples = 2;
+constexpr std::size_t kMinSamples = 2;
 constexpr std::size_t kTransposedRatio = 16;  // a test has far fewer hits than samples per hit
 
 void check_force_shape(const std::vector<std::size_t>& shape, const std::string& where) {
@@ -13,7 +13,7 @@ void check_force_shape(const std::vector<std::size_t>& shape, const std::string&
     throw InputError("shape " + shape_text(shape), where, "store [hits, samples] or [samples]");
   }
   if (shape.size() == 2 && shape[0] == 0) throw InputError("no hits", where, "record at least one");
-  if (shape.back() < kFewestSamples) {
+  if (shape.back() < kMinSamples) {
     throw InputError(shape.back() == 0 ? "no samples" : "one sample per hit", where,
                      "store [hits, samples]; is it transposed?");
   }

@@ -8,7 +8,7 @@
 
 namespace percuss::acquire::hdf5 {
 
-/// What the shapes of /force and /accel mean together.
+/// The meaning of the shapes of /force and /accel together.
 struct Layout {
   std::size_t rows = 0, channels = 0, samples = 0;
   bool force_has_rows = false;  // false: [samples]
@@ -17,7 +17,7 @@ struct Layout {
 
 /// errors  InputError when the shapes are empty, of other rank or contradict each other.
 Layout layout_of(const InputDataSet& force, const InputDataSet& accel, const InputHdf5& file);
-/// … without a force: two dimensions are [channels, samples].
+/// As above without a force: two dimensions are [channels, samples].
 Layout layout_of(const InputDataSet& accel, const InputHdf5& file);
 
 /// "[5, 2, 1000]"

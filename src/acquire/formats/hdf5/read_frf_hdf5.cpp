@@ -35,7 +35,7 @@ Shape shape_of(const InputDataSet& set, const std::string& where) {
   return out;
 }
 
-// The index of one FRF in a set of as many dimensions as /frf.
+// The index of one FRF in a set with the dimensions of /frf.
 std::vector<std::size_t> index_of(const Shape& shape, std::size_t point, std::size_t channel) {
   if (shape.dimensions == 1) return {};
   if (shape.dimensions == 2) return {channel};
@@ -47,7 +47,7 @@ void require_finite(const std::vector<double>& values, const std::string& where)
   throw InputError("not a finite number", where, "correct or leave out the value");
 }
 
-// A companion of /frf, as deviations and coherence are.
+// A real array of the same shape as /frf: standard deviations or coherence.
 class Companion {
  public:
   Companion(const InputHdf5& file, const std::string& name, const InputDataSet& frf) : where_(file.where(name)) {

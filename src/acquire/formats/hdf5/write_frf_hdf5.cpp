@@ -13,7 +13,7 @@ namespace {
 
 std::string within(const std::string& group, const char* name) { return group.empty() ? name : group + "/" + name; }
 
-// Where the sensors sit, as far as it is known.
+// Writes the known places of the sensors.
 void write_sensors(hdf5::OutputHdf5& out, const std::string& set, const FrfRecord& record) {
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> angle_deg, position_m;

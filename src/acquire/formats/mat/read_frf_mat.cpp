@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kMaxMatFrfs = 1'000'000;
 
-// How the numbers of an array of FRFs are ordered: [points, channels, lines], each with its stride.
+// The layout of an array of FRFs: [points, channels, lines], each with its stride.
 struct MatFrfLayout {
   std::size_t points = 1, channels = 1, lines = 0;
   std::size_t point_stride = 0, channel_stride = 0, line_stride = 1;
@@ -42,7 +42,8 @@ std::vector<const MatVariable*> frf_candidates(const MatFile& file) {
   return out;
 }
 
-[[noreturn]] void unclear(const MatFile& file, const std::string& problem, const std::string& remedy) {
+[[noreturn]] void throw_ambiguous(const MatFile& file, const std::string& problem, const std::string& remedy,
+                                  const OptionId& option) {
   CsvHeader header{.named = true};
   std::string names;
   for (std::size_t i = 0; i < file.variables.size(); ++i) {
@@ -55,14 +56,15 @@ std::vector<const MatVariable*> frf_candidates(const MatFile& file) {
     if (i < kNamesInMessage) names += fmt::format("{}{} [{}]", i == 0 ? "" : ", ", one_line(variable.name, 40), shape);
     if (i == kNamesInMessage) names += fmt::format(", … ({} variables)", file.variables.size());
   }
-  AmbiguousColumns error(problem + " among " + names, file.path, remedy, header);
+  AmbiguousColumns error(problem + " among " + names, file.path, remedy, header, {option});
   error.format = "MAT";
   throw error;
 }
 
 const MatVariable& chosen_frf(const MatFile& file, const std::vector<const MatVariable*>& candidates) {
   if (candidates.size() == 1) return *candidates.front();
-  unclear(file, fmt::format("{} complex arrays could be the FRFs", candidates.size()), "name one with --accel-channel");
+  throw_ambiguous(file, fmt::format("{} complex arrays could be the FRFs", candidates.size()), "name one",
+                  "accel_channel");
 }
 
 // Three dimensions are points, channels, lines in this order, or lines first; two are FRFs and lines.
@@ -106,16 +108,16 @@ LineRange lines_in(const MatFile& file, const FrfReadOptions& options, std::size
   const auto fs_Hz = mat_rate_Hz(file, options.read);
   if (!df_Hz && fs_Hz) df_Hz = *fs_Hz / 2 / static_cast<double>(lines - 1);
   if (!df_Hz)
-    unclear(file, fmt::format("no frequencies for FRFs of {} lines", lines), "give --df, their spacing in Hz");
+    throw_ambiguous(file, fmt::format("no frequencies for FRFs of {} lines", lines), "state their spacing in Hz", "df");
   if (!(*df_Hz > 1e-9) || !(*df_Hz < 1e9))
-    throw InputError(fmt::format("a spacing of {} Hz is not usable", *df_Hz), file.path, "give --df in Hz");
+    throw InputError(fmt::format("a spacing of {} Hz is not usable", *df_Hz), file.path, "state it in Hz", {"df"});
   LineRange out{.first = 0, .count = lines};
   out.samples = 2 * (lines - 1);
   out.fs_Hz = *df_Hz * static_cast<double>(out.samples);
   return out;
 }
 
-// A real array of the FRFs' shape, as deviations and coherence are; {} when there is none.
+// A real array of the FRFs' shape (standard deviations, coherence); empty when there is none.
 std::vector<double> companion(const MatFile& file, const MatVariable& frf, const char* name, const MatFrfLayout& layout,
                               std::size_t point, std::size_t channel) {
   const MatVariable* const found = find_variable(file, name);
@@ -164,7 +166,7 @@ void describe_mat_channels(const MatFile& file, std::size_t channels, StoredFrfs
   }
 }
 
-// Whether arrays are left over that could be a record of time, so that nobody can tell which is meant.
+// Whether other arrays could be a record of time, so that the file is ambiguous.
 bool holds_time(const MatFile& file, std::size_t lines) {
   return std::any_of(file.variables.begin(), file.variables.end(), [&](const MatVariable& v) {
     const bool longer = std::any_of(v.shape.begin(), v.shape.end(), [&](std::size_t n) { return n > lines; });

@@ -18,7 +18,7 @@ Measurement open_sound_file(const FormatInput& input, const FrfReadOptions& opti
   return open_sound(input.path, options.read);
 }
 
-// W64 has no chunk of its own for them.
+// W64 has no custom chunks.
 std::vector<std::string> w64_losses(const Record& record) {
   std::vector<std::string> losses;
   if (!record.geometry.empty()) losses.emplace_back("the geometry");

@@ -113,7 +113,7 @@ std::vector<Columns> unnamed_columns(const CsvHeader& header) {
   return out;
 }
 
-// Unit, kind, window and the sensors' angles, as any cell before the data states them.
+// Reads unit, kind, window and the sensors' angles from the cells before the data.
 void read_statements(std::string_view header, StoredFrfs& out) {
   std::string previous;
   std::vector<double> angle_deg;
@@ -143,7 +143,7 @@ std::vector<double> read_column(const CsvTable& table, std::size_t index) {
   return numbers;
 }
 
-// A column of which every cell may be empty: then there is none.
+// A column that may be wholly empty: then the result is empty.
 std::vector<double> read_optional(const CsvTable& table, std::optional<std::size_t> index) {
   if (!index) return {};
   bool any = false;
@@ -151,13 +151,13 @@ std::vector<double> read_optional(const CsvTable& table, std::optional<std::size
   return any ? read_column(table, *index) : std::vector<double>{};
 }
 
-std::vector<Complex> read_value(const CsvTable& table, const Columns& columns, std::vector<std::string>& notes) {
+std::vector<Complex> read_value(const CsvTable& table, const Columns& columns, std::vector<Message>& notes) {
   const auto first = read_column(table, columns.first);
   const auto second = read_column(table, columns.second);
   std::vector<Complex> value(first.size());
   double to_rad = columns.phase_to_rad.value_or(kDegree_rad);
   if (columns.polar && !columns.phase_to_rad) {
-    const std::string note = "the unit of the phase is not stated: taken as degrees";
+    const Message note = "the unit of the phase is not stated: taken as degrees";
     if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
   }
   for (std::size_t k = 0; k < value.size(); ++k) {
@@ -170,8 +170,8 @@ std::vector<Complex> read_value(const CsvTable& table, const Columns& columns, s
   return value;
 }
 
-// Points and channels where the names do not tell: every FRF a point of its own.
-void number_columns(std::vector<Columns>& columns, std::vector<std::string>& notes, const std::string& file) {
+// Numbers points and channels; without names each FRF is a point.
+void number_columns(std::vector<Columns>& columns, std::vector<Message>& notes, const std::string& file) {
   const bool named = std::all_of(columns.begin(), columns.end(), [](const Columns& c) { return c.point && c.channel; });
   if (!named && columns.size() > 1)
     notes.push_back(fmt::format("the {} FRFs of the file are taken as points of one channel", columns.size()));
@@ -182,7 +182,7 @@ void number_columns(std::vector<Columns>& columns, std::vector<std::string>& not
   std::size_t channels = 0, points = 0;
   std::vector<std::pair<int, std::size_t>> seen;
   for (const Columns& c : columns) {
-    channels = std::max(channels, std::min(*c.channel, columns.size()) + 1);  // no more than there are columns
+    channels = std::max(channels, std::min(*c.channel, columns.size()) + 1);  // at most the number of columns
     seen.emplace_back(*c.point, *c.channel);
   }
   std::sort(seen.begin(), seen.end());

@@ -4,7 +4,7 @@
 namespace percuss::acquire {
 
 extern const FileFormat kLvmFormat;
-/// Columns of numbers. It detects every input, so that it is the registry's last entry.
+/// Columns of numbers. It detects every input and is therefore the registry's last entry.
 extern const FileFormat kTextFormat;
 
 }  // namespace percuss::acquire

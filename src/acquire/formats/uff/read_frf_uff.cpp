@@ -17,14 +17,14 @@ namespace {
 
 using Functions = std::vector<const UffFunction*>;
 
-// Where a response was taken or a hammer struck, beside the point itself.
+// A place of a response or of the hammer.
 using PlaceKey = std::tuple<std::string, int, int>;
 PlaceKey key_of(const UffDof& place) { return {place.name, place.node, place.direction}; }
 
-// How the functions' two places make points and channels.
+// The assignment of the functions' two places to points and channels.
 struct Grid {
   bool sensor_roves = false;
-  std::map<PlaceKey, std::size_t> channels;  // with a roving sensor by name and direction only
+  std::map<PlaceKey, std::size_t> channels;  // with a roving sensor: by name and direction only
   PlaceKey channel_key(const UffFunction& f) const {
     return sensor_roves ? PlaceKey{f.response.name, 0, f.response.direction} : key_of(f.response);
   }
@@ -42,7 +42,7 @@ Grid grid_of(const Functions& frfs) {
   grid.sensor_roves = struck.size() == 1 && struck_ways.size() == 1 && sensed.size() > 1;
   for (const UffFunction* f : frfs) grid.channels.emplace(grid.channel_key(*f), 0);
   std::size_t next = 0;
-  for (const UffFunction* f : frfs) {  // numbered as they come
+  for (const UffFunction* f : frfs) {  // numbered in the file's order
     auto& number = grid.channels.at(grid.channel_key(*f));
     if (number == 0) number = ++next;
   }
@@ -56,7 +56,7 @@ double length_to_SI(const UffAxis& axis, const UffContents& contents, FrfKind& k
   if (axis.quantity == Uff58::displacement) kind = FrfKind::receptance;
   known = known || axis.quantity == Uff58::acceleration || axis.quantity == Uff58::velocity ||
           axis.quantity == Uff58::displacement;
-  // The label may be the motion's alone ("m/s^2") or that of the quotient.
+  // The label may name the motion only ("m/s^2") or the quotient.
   for (const std::string& text : {unit, unit + "/N"}) {
     const auto parsed = parse_frf_unit(text);
     if (!parsed || unit.empty()) continue;
@@ -73,8 +73,8 @@ FrfUnit unit_of_function(const UffFunction& f, const UffContents& contents, bool
   const auto below = parse_unit(f.denominator.unit);
   if (below && below->quantity == Quantity::force) {
     out.force_to_SI = below->to_SI;
-  } else if (const auto whole = parse_frf_unit(f.ordinate.unit)) {
-    out.force_to_SI = whole->force_to_SI;
+  } else if (const auto quotient = parse_frf_unit(f.ordinate.unit)) {
+    out.force_to_SI = quotient->force_to_SI;
   } else if (contents.units) {
     out.force_to_SI = 1 / contents.units->force;
   }
@@ -89,7 +89,7 @@ LineRange lines_of_function(const UffFunction& f, const std::string& where, std:
   }
   const double df_Hz = uff_step(f, true, note);
   const double first = std::round(f.x0 / df_Hz);
-  constexpr double kMaxLineOffset = 0.05;  // of a line, as for texts
+  constexpr double kMaxLineOffset = 0.05;  // of the spacing, as for texts
   const bool fits = df_Hz > 0 && first >= 0 && std::abs(f.x0 / df_Hz - first) <= kMaxLineOffset;
   if (!fits || f.count < 2) {
     throw InputError(fmt::format("{} lines from {} Hz in steps of {} Hz", f.count, f.x0, f.dx), where,
@@ -120,7 +120,7 @@ StoredFrf stored_frf(const UffFunction& f, int point, std::size_t channel) {
   return out;
 }
 
-// Coherence, and what follows from it for the scatter of H1 where the number of averages is known.
+// Adds coherence and, where the number of averages is known, the standard deviation of H1 that follows.
 void add_coherence(const UffFunction& coherence, StoredFrf& frf) {
   if (coherence.count != frf.value.size() || coherence.complex) return;
   frf.coherence.resize(coherence.count);
@@ -192,14 +192,14 @@ std::optional<StoredFrfs> read_frf_uff(const FileBytes& file, const UffContents&
   for (const UffFunction* f : frfs) {
     const std::size_t channel = grid.channels.at(grid.channel_key(*f)) - 1;
     SignalInfo& signal = out.record.accel[channel];
-    const UffAnnotation its = uff_annotation(*f);
+    const UffAnnotation annotation = uff_annotation(*f);
     signal.name = "accel " + std::to_string(channel + 1);
-    if (its.angle_deg) signal.angle_rad = *its.angle_deg * kDegree_rad;
-    signal.position_m = its.position_m;
+    if (annotation.angle_deg) signal.angle_rad = *annotation.angle_deg * kDegree_rad;
+    signal.position_m = annotation.position_m;
     const int node = (grid.sensor_roves ? f->response.node : f->reference.node) - stated.node_offset;
     out.frfs.push_back(stored_frf(*f, node, channel));
-    const auto with = coherences.find({key_of(f->reference), key_of(f->response)});
-    if (with != coherences.end()) add_coherence(*with->second, out.frfs.back());
+    const auto coherence = coherences.find({key_of(f->reference), key_of(f->response)});
+    if (coherence != coherences.end()) add_coherence(*coherence->second, out.frfs.back());
   }
   require_grid(out, name);
   return out;

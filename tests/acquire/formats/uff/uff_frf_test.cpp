@@ -6,6 +6,7 @@
 #include "acquire/formats/uff/read_frf_uff.hpp"
 #include "acquire/formats/uff/uff_contents.hpp"
 #include "acquire/formats/uff/write_frf_uff.hpp"
+#include "acquire/open_measurement.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
 #include "frf/frf_record.hpp"
