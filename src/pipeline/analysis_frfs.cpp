@@ -88,7 +88,7 @@ identify::FrfDataset Analysis::given_set() const {
       if (given_->decay_per_s > 0) set.points.back().blocks.push_back({.decay_per_s = given_->decay_per_s});
     }
     point = frf.point;
-    set.outputs.push_back({.point = set.points.size() - 1, .channel = frf.channel, .frf = frf.frf.value});
+    set.channels.push_back({.point = set.points.size() - 1, .channel = frf.channel, .frf = frf.frf.value});
   }
   return set;
 }

@@ -83,7 +83,7 @@ identify::FrfDataset Analysis::frf_set(const std::vector<std::size_t>& which) co
   // FRFs that somebody has asked for are the same, to the last bit.
   const bool made = frfs_.ready() && options_.estimator == frf::Estimator::h1 && which == accepted_hits();
   set.points.resize(members.size());
-  set.outputs.resize(members.size() * channels);
+  set.channels.resize(members.size() * channels);
   parallel_for_cost(
       members.size(), kFlopsPerHitLine * lines().count * which.size() / members.size(), [&](std::size_t p) {
         std::vector<frf::ForceBlock> blocks;
@@ -99,7 +99,7 @@ identify::FrfDataset Analysis::frf_set(const std::vector<std::size_t>& which) co
           std::vector<std::span<const Complex>> accel;
           for (const std::size_t h : members[p]) accel.push_back(response[h][c].spectrum);
           const std::size_t o = p * channels + c;
-          set.outputs[o] = {
+          set.channels[o] = {
               .point = p, .channel = c, .frf = made ? frfs()[o].frf.value : identify::h1_at(set.points[p], accel)};
         }
       });
@@ -164,7 +164,7 @@ std::vector<identify::ModeClassification> Analysis::classify_modes() const {
     for (std::size_t m = 0; m < modes().size(); ++m) {
       const std::size_t peak = lines().nearest(modes()[m].pole.freq_Hz);
       double first = 0, second = 0;
-      for (const identify::FrfChannel& output : fitted_frfs().outputs) {
+      for (const identify::FrfChannel& output : fitted_frfs().channels) {
         const double power = std::norm(output.frf[peak]);
         if (output.channel == sensors->first) first += power;
         if (output.channel == sensors->second) second += power;
