@@ -1,4 +1,4 @@
-#include "pipeline/analysis_band.hpp"
+#include "pipeline/source/band.hpp"
 
 #include <fmt/format.h>
 
