@@ -62,7 +62,7 @@ class Analysis {
   const identify::FrfDataset& fitted_frfs() const;
   /// Modes within the band, ascending.
   const std::vector<identify::Mode>& modes() const;
-  /// Computes modes() and frfs(), these by threads that the fits of modes leave idle.
+  /// Computes modes() and frfs() in the order that takes less time.
   void compute_modes_and_frfs() const;
   const std::vector<identify::ModeClassification>& classifications() const;
   /// Every mode as each accepted hit alone shows it: repeatability, drift, dependence on the force.

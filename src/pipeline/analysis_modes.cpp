@@ -5,7 +5,6 @@
 #include <tuple>
 
 #include "core/math/statistics.hpp"
-#include "core/parallel/background_tasks.hpp"
 #include "core/parallel/parallel.hpp"
 #include "pipeline/analysis.hpp"
 
@@ -131,21 +130,8 @@ const std::vector<identify::Mode>& Analysis::modes() const {
 }
 
 void Analysis::compute_modes_and_frfs() const {
-  if (given_ || frfs_.ready() || modes_.ready()) {
-    modes();
-    frfs();
-    return;
-  }
-  fitted_frfs();  // and with it every stage that averages ask for, which is no matter for several threads at once
-  const std::vector<FrfHits> of = frf_hits();
-  std::vector<frf::PointFrf> frfs(of.size());
-  const ThreadLimit limit(options_.threads);
-  BackgroundTasks averages(of.size(),
-                           [&](std::size_t i) { trace_.run_part("frf", [&] { frfs[i] = average(of[i]); }); });
+  frfs();  // first: the fit reuses the H1 estimates
   modes();
-  averages.finish();
-  trace_.add("frf", 1, 0);
-  frfs_.get([&] { return std::move(frfs); });
 }
 
 const std::vector<identify::ModeClassification>& Analysis::classifications() const {
