@@ -29,7 +29,11 @@ constexpr std::array<std::string_view, 9> kSetupKeys = {
 Json parse_json(std::string_view text, const std::string& where) {
   if (text.size() > kLargestSetup_bytes)
     throw InputError("longer than 1 MiB", where, "keep only the channels' entries");
-  check_json({.text = text, .where = where, .remedy = "see percuss info --example", .max_depth = kMaxDepth});
+  check_json({.text = text,
+              .where = where,
+              .remedy = "compare it with a valid example",
+              .options = {"info.example"},
+              .max_depth = kMaxDepth});
   return Json::parse(text.begin(), text.end());
 }
 
