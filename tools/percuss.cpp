@@ -7,6 +7,7 @@
 #include <new>
 
 #include "acquire/calibrate.hpp"
+#include "cli/option_error.hpp"
 #include "cli/option_names.hpp"
 #include "commands/commands.hpp"
 #include "core/error.hpp"
@@ -25,7 +26,8 @@ int print_error(const std::string& what, int code) {
 }
 
 int parse_and_run(int argc, char** argv) {
-  CommandLine line("percuss", "Modes of a structure from hammer tests, with error bars", report::version());
+  CommandLine line("percuss", "Identify the modes of a structure from hammer tests, with standard deviations",
+                   report::version());
   add_program(line);
   add_commands(line, argc > 1 ? argv[1] : "");
   const int code = line.run(argc, argv);
@@ -70,6 +72,8 @@ int main(int argc, char** argv) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, clean_up_and_die);
   try {
     return parse_and_run(argc, argv);
+  } catch (const OptionError& e) {
+    return print_error(e.written(flag_of), kUsage);
   } catch (const UsageError& e) {
     return print_error(e.what(), kUsage);
   } catch (const acquire::NoHitError& e) {

@@ -72,7 +72,7 @@ class DeflectCommand : public testing::Test {
   inline static std::unique_ptr<test::ScratchFolder> folder_;
 };
 
-TEST_F(DeflectCommand, GivesADocumentThatItsSchemaDescribes) {
+TEST_F(DeflectCommand, PrintsADocumentThatFitsItsSchema) {
   const auto outcome =
       run_percuss({"deflect", file("bat.h5"), "--positions", "0.155:0.13:0.545", "--beam-distance", "0.1", "--json"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
@@ -84,7 +84,7 @@ TEST_F(DeflectCommand, GivesADocumentThatItsSchemaDescribes) {
   EXPECT_NEAR(document["impact_speeds"][0]["speed_mps"].get<double>(), 0.1 / kRest_s, 0.1);
 }
 
-TEST_F(DeflectCommand, LeadsToTheRatioOfModelAndTest) {
+TEST_F(DeflectCommand, ComparesWithAModel) {
   const test::ScratchFolder out;
   const auto run = [&](std::vector<std::string> arguments, const std::string& name) {
     arguments.insert(arguments.end(), {"-o", name, "--quiet"});
@@ -106,7 +106,7 @@ TEST_F(DeflectCommand, LeadsToTheRatioOfModelAndTest) {
   EXPECT_THAT(text.out, HasSubstr("largest deflection"));
 }
 
-TEST_F(DeflectCommand, NeedsNoForce) {
+TEST_F(DeflectCommand, WorksWithoutAForce) {
   const test::ScratchFolder out;
   const acquire::Record record = acquire::open_record(file("bat.h5"));
   std::vector<double> accel(record.rows[0].samples);
@@ -137,7 +137,7 @@ TEST_F(DeflectCommand, WritesEverySample) {
   EXPECT_THAT(test::bytes_of(out.file("d.svg")), HasSubstr("deflection, mm"));
 }
 
-TEST_F(DeflectCommand, NamesTheOptionThatIsWrong) {
+TEST_F(DeflectCommand, NamesTheInvalidOption) {
   for (const auto& [option, value] : std::vector<std::pair<std::string, std::string>>{{"--highpass-corner", "-1"},
                                                                                       {"--highpass-corner", "nan"},
                                                                                       {"--method", "magic"},
@@ -171,7 +171,7 @@ TEST(CompareCommand, PairsFrequenciesOfModels) {
   EXPECT_EQ(document["others"][0]["document"], 2);
 }
 
-TEST(CompareCommand, RefusesWhatItCannotCompare) {
+TEST(CompareCommand, RejectsDocumentsThatItCannotCompare) {
   const test::ScratchFolder folder;
   const auto refused = [&](const std::string& text) {
     test::write_bytes(folder.file("x.json"), text);

@@ -47,7 +47,7 @@ Json frfs_json(const frf::FrfRecord& record) {
           {"points", record.frfs.size() / record.accel.size()},
           {"coherence", has_coherence(record)},
           {"channels", channels},
-          {"notes", record.notes}};
+          {"notes", note_texts(record.notes)}};
 }
 
 std::string frfs_text(const frf::FrfRecord& record, std::size_t width) {
@@ -64,10 +64,7 @@ std::string frfs_text(const frf::FrfRecord& record, std::size_t width) {
     table.add({"  " + one_line(signal.name, 40), fmt::format("{:.6g}", signal.to_SI),
                optional_text(signal.angle_rad, kRadian_deg), optional_text(signal.position_m, 1), ""});
   }
-  text += table.text(width);
-  for (const auto& note : record.notes)
-    text += "  " + report::wrapped("note: " + one_line(note, 2000), width, 2) + '\n';
-  return text;
+  return text + table.text(width) + notes_paragraphs(record.notes, width);
 }
 
 }  // namespace percuss::tools

@@ -69,7 +69,7 @@ batch::RowOptions row_options(const batch::Manifest& manifest, bool trust_input)
     out.read = per_file_read_options(options.read);
     out.analysis = analysis_options(options.analysis);
   } catch (const UsageError& e) {
-    throw InputError(e.what(), head_place(manifest), "plan the batch anew");
+    throw InputError(e.what(), head_place(manifest), "plan the batch again");
   }
   out.analysis.threads = 1;  // the records are what threads divide
   if (!manifest.head().setup.empty())

@@ -11,10 +11,12 @@
 
 #include "batch/part.hpp"
 #include "batch/run_shard.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/option_error.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
+#include "commands/batch/batch_commands.hpp"
 #include "commands/batch/batch_options.hpp"
-#include "commands/commands.hpp"
 #include "core/error.hpp"
 #include "frf/formats/sandbox_measurement.hpp"
 #include "report/text/version.hpp"
@@ -49,8 +51,8 @@ ShardSelection parse_shard_selection(const std::string& text) {
   const auto shard = whole_number(std::string_view(text).substr(0, slash));
   const auto shards = slash < text.size() ? whole_number(std::string_view(text).substr(slash + 1)) : std::nullopt;
   if (!shard || (slash < text.size() && (!shards || *shards < 1 || *shards > batch::kMaxShards))) {
-    throw UsageError("--shard cannot be '" + one_line(text, 40) + "'",
-                     "give I/N, as 0/7 to 6/7; or I alone, of as many as were planned; or all");
+    throw OptionError::wrong_value("shard", text,
+                                   "give I/N, such as 0/7 to 6/7; or I, for the planned number of shards; or all");
   }
   return {.shard = shard, .shards = shards};
 }
@@ -63,16 +65,16 @@ ShardSelection shard_selection_of_scheduler() {
     if (text == nullptr) continue;
     const auto number = whole_number(text);
     if (number && *number >= first) return {.shard = *number - first, .shards = std::nullopt};
-    throw UsageError(fmt::format("{} is '{}', which is no shard", name, one_line(text, 40)),
-                     "give --shard I/N, or all");
+    throw OptionError({}, fmt::format("{} is '{}', which is not the number of a shard", name, one_line(text, 40)),
+                      "give I/N, or all", {"shard"});
   }
   return {};
 }
 
 std::vector<std::size_t> shards_to_run(const ShardSelection& share, std::size_t shards) {
   if (share.shard && *share.shard >= shards) {
-    throw UsageError(fmt::format("there is no shard {} of {}", *share.shard, shards),
-                     "they count from 0; percuss batch plan --shards N says how many there are");
+    throw OptionError({}, fmt::format("there is no shard {} of {}", *share.shard, shards),
+                      "count from 0; the plan sets the number of shards", {"batch.plan.shards"});
   }
   if (share.shard) return {*share.shard};
   std::vector<std::size_t> all(shards);
@@ -118,7 +120,8 @@ void print(const RunFlags& flags, const std::vector<batch::ShardOutcome>& outcom
 std::string results_folder(const std::string& folder) {
   std::error_code problem;
   fs::create_directories(folder, problem);
-  if (problem) throw InputError("cannot make the folder: " + problem.message(), folder, "name one that can be written");
+  if (problem)
+    throw InputError("cannot create the folder: " + problem.message(), folder, "name a folder that can be written");
   return fs::canonical(folder).string();
 }
 
@@ -129,7 +132,7 @@ std::size_t division(const RunFlags& flags, const ShardSelection& share, const b
   const std::size_t wanted = share.shards.value_or(found.value_or(manifest.head().shards));
   if (!found || *found == wanted) return wanted;
   throw InputError(fmt::format("holds shards of a division into {}, not into {}", *found, wanted), flags.folder,
-                   "keep to that, or name another folder");
+                   "use that number, or name another folder");
 }
 
 int run(const RunFlags& flags) {
@@ -170,34 +173,32 @@ int run(const RunFlags& flags) {
 
 void add_batch_run(CommandLine& line) {
   auto flags = line.values<RunFlags>();
-  Command command =
-      line.command("batch run", "Analyses a manifest's records, or one shard of them", [flags] { return run(*flags); });
+  Command command = line.command("batch run", "Analyse the records of a manifest, or one shard of them",
+                                 [flags] { return run(*flags); });
   command.about(
-      "Analyses the records of a manifest, each in one thread, and writes their rows to a folder. Without --shard it "
-      "is "
-      "told its shard by Slurm (SLURM_ARRAY_TASK_ID), Kubernetes (JOB_COMPLETION_INDEX) or GNU parallel (PARALLEL_SEQ, "
-      "less one), and runs all shards where none of them speaks. What is finished is kept at once: run again after a "
-      "kill at any moment, it goes on where it was. A record that cannot be analysed is a row with the reason, and the "
-      "exit code is 6 then.");
+      "Analyses the records of a manifest, each in one thread, and writes their rows to a folder. Without --shard, "
+      "Slurm (SLURM_ARRAY_TASK_ID), Kubernetes (JOB_COMPLETION_INDEX) or GNU parallel (PARALLEL_SEQ, less one) sets "
+      "the shard; without a scheduler all shards run. Finished records are stored at once: a run that was killed "
+      "continues where it stopped. A record that cannot be analysed becomes a row with the reason, and the exit code "
+      "is 6.");
   command.example("percuss batch plan bat.h5 -o manifest.jsonl; percuss batch run --manifest manifest.jsonl -o results",
-                  "All records, on all processors of this machine");
+                  "Analyse all records on all processors of this machine");
   command.example(
       "percuss batch plan bat.h5 barrel.h5 -o manifest.jsonl; percuss batch run --manifest manifest.jsonl --shard 1/2 "
-      "-o "
-      "results",
-      "The second of two shards");
-  command.value("--manifest", flags->manifest, "What percuss batch plan wrote").type("FILE").required();
-  command.value("-o,--folder", flags->folder, "Folder of the results; made where there is none")
+      "-o results",
+      "Analyse the second of two shards");
+  command.value("--manifest", flags->manifest, "Read the manifest of percuss batch plan").type("FILE").required();
+  command.value("-o,--folder", flags->folder, "Write the results to this folder; it is created if necessary")
       .type("FOLDER")
       .required();
-  command.value("--shard", flags->shard, "Run shard I of N, counted from 0; or I of as many as were planned; or all")
+  command.value("--shard", flags->shard, "Run shard I of N, counted from 0; or shard I of the planned number; or all")
       .type("I/N");
-  command.value("--threads", flags->threads, "Threads to use (default: all; the result is the same)").within(0, 1024);
-  command.flag("--trust-input", flags->trust_input,
-               "Read MAT and HDF5 files in this process, not in a confined one of their own");
-  command.flag("--json", flags->json, "One JSON document on standard output");
-  command.flag("--force", flags->force, "Analyse anew what was finished, whatever plan it was of");
-  command.flag("--quiet", flags->quiet, "No progress and no summary");
+  command.value("--threads", flags->threads, "Use this many threads (default: all; the result is the same)")
+      .within(0, 1024);
+  command.flag("--trust-input", flags->trust_input, "Read MAT and HDF5 files in this process, without a sandbox");
+  command.flag("--json", flags->json, "Print one JSON document on standard output");
+  command.flag("--force", flags->force, "Analyse finished records again, whatever their plan");
+  command.flag("--quiet", flags->quiet, "Print no progress and no summary");
 }
 
 }  // namespace percuss::tools

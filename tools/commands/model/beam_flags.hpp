@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "cli/command_line.hpp"
+#include "core/error.hpp"
 #include "model/beam/beam.hpp"
 
 namespace percuss::tools {
@@ -23,7 +24,7 @@ model::UniformBeam beam_of(const BeamFlags& flags);
 
 /// "1200:0.5:3e-3": least to most finite numbers above zero, with colons between. UsageError names option and text, and
 /// ends in `remedy`.
-std::vector<double> parse_colon_list(const std::string& option, const std::string& text, std::size_t least,
+std::vector<double> parse_colon_list(const OptionId& option, const std::string& text, std::size_t least,
                                      std::size_t most, const char* remedy);
 
 }  // namespace percuss::tools
