@@ -2,9 +2,8 @@
 
 namespace percuss::tools {
 
-/// Makes malloc serve a program that asks for tens of MiB again and again and then ends: it keeps what is freed, and
-/// has pages of 2 MiB, where the system has such. To be called before other threads are. Does nothing to other
-/// allocators than glibc's.
+/// Configures malloc for a short program that repeatedly allocates tens of MiB: freed memory is kept, and the heap uses
+/// pages of 2 MiB where available. Call it before other threads start. It affects glibc's allocator only.
 void configure_malloc();
 
 }  // namespace percuss::tools

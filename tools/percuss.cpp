@@ -38,7 +38,7 @@ int parse_and_run(int argc, char** argv) {
 
 }  // namespace
 
-// Memory may run out where nothing may be thrown: within the JSON library, or while another error is on its way up.
+// Memory may run out where no exception may escape: in the JSON library, or during stack unwinding.
 [[noreturn]] static void end_at_once() {
   percuss::remove_temporary_files();
   try {
@@ -51,7 +51,7 @@ int parse_and_run(int argc, char** argv) {
   std::abort();
 }
 
-// Every file of a test stays open while it is analysed, and so does the talk with its reader.
+// During an analysis every file stays open, and a connection to its sandbox.
 static void allow_many_files() {
   rlimit files{};
   if (::getrlimit(RLIMIT_NOFILE, &files) != 0) return;
@@ -60,7 +60,7 @@ static void allow_many_files() {
 }
 
 extern "C" void clean_up_and_die(int signal) {
-  percuss::remove_temporary_files();  // safe within a signal handler
+  percuss::remove_temporary_files();  // async-signal-safe
   std::signal(signal, SIG_DFL);
   std::raise(signal);
 }

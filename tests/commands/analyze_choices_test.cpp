@@ -170,7 +170,7 @@ TEST_F(AnalyzeChoices, RejectsStartsOutsideTheBand) {
               HasSubstr("--start cannot be '1500': it lies outside the band 60:1000 Hz"));
 }
 
-// Hits on three bats, taken for one test.
+// Hits on three different bats, grouped as one test.
 TEST_F(AnalyzeChoices, WarnsOfFilesOfDifferentStructures) {
   std::vector<std::string> words{"analyze", "--band", "60:3200", "--only", "classes"};
   for (const std::string preset : {"wood-bat", "aluminium-bat", "composite-bat"}) {

@@ -22,7 +22,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// Records a … d: a good one, one without a pulse, one that is none, another good one.
+/// Records a … d: a valid one, one without a pulse, an invalid file, another valid one.
 class BatchCommand : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -130,7 +130,7 @@ TEST_F(BatchCommand, StoresTheFrfsThatFrfWrites) {
   ASSERT_EQ(run().code, 6);
   ASSERT_EQ(batch({"merge", "--manifest", "m.jsonl", "out", "-o", "r.h5"}).code, 6);
   ASSERT_EQ(percuss({"frf", "recs/a.h5", "-o", "a.h5"}).code, 0);
-  // What the numbers are stands in both files, one after the other.
+  // Both files store the numbers contiguously.
   const std::string alone = bytes_of(folder_.file("a.h5")), all = bytes_of(folder_.file("r.h5"));
   ASSERT_GT(alone.size(), 20000U);
   EXPECT_THAT(all, HasSubstr(alone.substr(alone.size() / 2, 4096)));

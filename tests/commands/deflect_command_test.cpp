@@ -13,7 +13,7 @@
 #include "support/rejection.hpp"
 #include "support/scratch_folder.hpp"
 
-// From a struck bat to the model/test ratio, as a user goes.
+// From a measured bat to the ratio of model and test.
 namespace percuss::deflect_command_test {
 
 using nlohmann::json;
@@ -43,7 +43,7 @@ void add_impact(double at_m, std::mt19937& random, std::vector<double>& force_N,
         accel += y * (y * force - omega * omega * state.eta[m]);
       }
       for (int k = 0; k < kSubsteps; ++k) model.step(state, 1 / kFs_Hz / kSubsteps);
-      // Second contacts are left out of the model's figure: the ball is taken away once it has left.
+      // The model ignores second contacts: it removes the ball after the first separation.
       separated = separated || (force > 0 && model.read(state).force_N == 0);
       if (separated) state.ball_m = -1;
     }

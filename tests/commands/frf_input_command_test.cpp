@@ -162,7 +162,7 @@ TEST_F(FrfInput, AcceptsFrfsOfZeros) {
   EXPECT_EQ(document["modes"], json::array());
 }
 
-// Many FRFs are fitted by a way of their own, which completes records that were cut off: FRFs have none.
+// Many FRFs take a separate path that models truncated records; files of FRFs have no truncation.
 TEST_F(FrfInput, FindsTheModesOfTheRecordFromManyPoints) {
   ASSERT_EQ(run_percuss({"synth", "roving-barrel", "-o", file("barrel.h5")}).code, 0);
   ASSERT_EQ(run_percuss({"frf", file("barrel.h5"), "-o", file("frfs.h5")}).code, 0);

@@ -19,7 +19,7 @@ using test::run_percuss;
 using testing::AllOf;
 using testing::HasSubstr;
 
-// Struck every half inch from 6 to 9 in.
+// A beam struck every half inch from 6 to 9 in.
 synth::SynthSpec beam() { return test::roving_beam_spec(6, 0.5, 7); }
 
 class NodesCommand : public testing::Test {

@@ -42,7 +42,7 @@ std::size_t count_of(const std::string& text, const std::string& what) {
   return count;
 }
 
-// A command with all it needs in the folder, and something its page must hold.
+// A command with its input files, and a text that its page must contain.
 struct Reporting {
   const char* name;
   std::vector<std::string> words;
@@ -168,7 +168,7 @@ TEST_F(AnalyzeFiles, CompareWithOtherDocuments) {
   EXPECT_THAT(test::bytes_of(folder_.file("beside.html")), HasSubstr("id=\"comparison\""));
 }
 
-// Points that nobody connected: their crosses.
+// Points without trace lines are drawn as crosses.
 TEST(SurveyDrawing, ShowsPointsWithoutLines) {
   const test::ScratchFolder folder;
   std::ofstream(folder.file("plate.json"))
