@@ -129,8 +129,8 @@ def points_of(points: Any, hits: int) -> list[int]:
     array = np.asarray(points)
     whole = array.ndim == 1 and array.dtype.kind in "iuf" and bool(np.all(array == np.floor(array)))
     if not whole or len(array) != hits or array.min(initial=0) < 0 or array.max(initial=0) >= _MAX_ROWS:
-        told = f"{array.size} points" if whole else "points that are not a list of whole numbers"
-        raise InputError(f"{told} for {hits} hits", "points", "give a number from 0 up for each hit")
+        count = f"{array.size} points" if whole else "points that are not a list of whole numbers"
+        raise InputError(f"{count} for {hits} hits", "points", "give a number from 0 up for each hit")
     return [int(one) for one in array]
 
 
@@ -158,8 +158,8 @@ def geometry_of(geometry: Any, points: list[int], channels: int) -> list[list[fl
     except (TypeError, ValueError):
         raise InputError("rows of different lengths, or no numbers", "geometry", "give an array (points, 3) in m") from None
     if array.ndim != 2 or array.shape[1] not in (2, 3):
-        told = " × ".join(str(one) for one in array.shape) or "one number"
-        raise InputError(f"an array of {told}", "geometry", "give (points, 3) in m, or (points, 2): m along a tube and degrees")
+        shape = " × ".join(str(one) for one in array.shape) or "one number"
+        raise InputError(f"an array of {shape}", "geometry", "give (points, 3) in m, or (points, 2): m along a tube and degrees")
     if not np.isfinite(array).all():
         where = np.flatnonzero(~np.isfinite(array).all(axis=1))[0]
         raise InputError(f"row {where} is not finite", "geometry", "give coordinates for every point, numbered from 0")

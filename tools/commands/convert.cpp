@@ -19,7 +19,7 @@ struct ConvertFlags {
   OutputFlags output;
 };
 
-// The last word is the file to write, as cp has it, unless -o names it.
+// The output is the file that -o names, otherwise the last argument, as for cp.
 std::string take_output(ConvertFlags& flags) {
   if (flags.output.paths.empty() && flags.read.paths.size() > 1) {
     flags.output.paths.push_back(flags.read.paths.back());

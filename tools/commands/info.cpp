@@ -32,7 +32,7 @@ struct InfoFlags {
   bool example = false;
 };
 
-/// What a record's rows come to.
+/// Totals over the rows of a record.
 struct Extent {
   std::size_t samples = 0, shortest = 0, longest = 0, points = 0, runs = 0;
 };
@@ -118,7 +118,7 @@ std::string record_text(const acquire::Record& record, std::size_t width) {
   return text + notes_paragraphs(record.notes, width);
 }
 
-// A text whose channels only the user can name.
+// A text file whose channels only the user can identify.
 Json columns_json(const std::string& path, const acquire::AmbiguousColumns& seen) {
   Json columns = Json::array();
   for (const auto& column : seen.columns) {
@@ -175,7 +175,7 @@ int run_info(const InfoFlags& flags) {
       any = true;
       if (!flags.output.json) fmt::print("{}", columns_text(flags.read.paths[i], seen, terminal_width()));
     } catch (const InputError& error) {
-      // One bad file must not hide what the others hold.
+      // One bad file must not hide the descriptions of the others.
       if (flags.output.host == nullptr) std::cerr << "percuss: " << error.written(flag_of) << '\n';
       files.push_back({{"path", flags.read.paths[i]}, {"error", error.what()}});
       code = kBadInput;

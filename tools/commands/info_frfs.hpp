@@ -11,11 +11,11 @@
 
 namespace percuss::tools {
 
-/// What percuss info says of a file of FRFs, as JSON and for people.
+/// The description of a file of FRFs, as JSON and as text.
 nlohmann::ordered_json frfs_json(const frf::FrfRecord& record);
 std::string frfs_text(const frf::FrfRecord& record, std::size_t width);
 
-/// `value` × factor, or what stands for nothing: null, "-".
+/// `value` × `factor`; null or "-" if there is no value.
 nlohmann::ordered_json optional_json(const std::optional<double>& value, double factor);
 std::string optional_text(const std::optional<double>& value, double factor);
 

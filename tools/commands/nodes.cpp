@@ -20,7 +20,7 @@
 namespace percuss::tools {
 namespace {
 
-constexpr double kResolution_m = 0.125 * kInch_m;  // to which the rule of thumb is read
+constexpr double kResolution_m = 0.125 * kInch_m;  // reading resolution of the rule of thumb
 
 struct NodesFlags {
   ReadFlags read;
@@ -45,16 +45,16 @@ pipeline::ScanPositions parse_positions(const std::string& text) {
 }
 
 std::unique_ptr<pipeline::Analysis> analysis_of(const NodesFlags& flags, const pipeline::ScanPositions& positions) {
-  const acquire::FileGrouping mean =
+  const acquire::FileGrouping grouping =
       flags.read.files == acquire::FileGrouping::automatic ? acquire::FileGrouping::points : flags.read.files;
-  if (mean == acquire::FileGrouping::tests)
+  if (grouping == acquire::FileGrouping::tests)
     throw OptionError::wrong_value("files", "tests", "give points, or the files of one scan", "a scan is one test");
   const pipeline::AnalysisOptions options = analysis_options(flags.analysis);
   Measurements opened = open_measurements(flags.read);
   if (!opened.frfs.empty())
     return std::make_unique<pipeline::Analysis>(join_frfs_of(flags.read, std::move(opened.frfs)), options);
   return std::make_unique<pipeline::Analysis>(
-      pipeline::as_scan(acquire::join_records(std::move(opened.records), mean), positions), options);
+      pipeline::as_scan(acquire::join_records(std::move(opened.records), grouping), positions), options);
 }
 
 int nodes(const NodesFlags& flags) {

@@ -16,7 +16,7 @@
 namespace percuss::tools {
 namespace {
 
-constexpr std::uint64_t kLargestTable_bytes = std::uint64_t{16} << 20U;
+constexpr std::uint64_t kMaxTable_bytes = std::uint64_t{16} << 20U;
 
 struct StudyFlags {
   std::vector<std::string> inputs;
@@ -25,9 +25,9 @@ struct StudyFlags {
   OutputFlags output;
 };
 
-std::string text_at(const std::string& path) { return std::string(read_input(path, kLargestTable_bytes).view()); }
+std::string text_at(const std::string& path) { return std::string(read_input(path, kMaxTable_bytes).view()); }
 
-void refuse_existing(const StudyFlags& flags) {
+void reject_existing(const StudyFlags& flags) {
   for (const std::string& path : {flags.key, flags.table}) {
     std::error_code ignored;
     if (!path.empty() && !flags.output.force && std::filesystem::exists(path, ignored))
@@ -58,7 +58,7 @@ int run_study(const StudyFlags& flags) {
     throw OptionError({"hoop_curve"}, "needs a figure to be drawn in", "write figures, or a .svg or .html file",
                       {"figures", "output"});
   check_report_outputs(flags.output);
-  refuse_existing(flags);
+  reject_existing(flags);
   metrics::StudyRows rows;
   for (const std::string& path : flags.inputs) rows.add(text_at(path), input_name(path));
   std::vector<metrics::StudyBat> bats = rows.bats();

@@ -37,7 +37,7 @@ struct SurveyFlags {
   bool example = false;
 };
 
-// "POINT" or "POINT:CHANNEL".
+// Reads "POINT" or "POINT:CHANNEL".
 identify::DrivingPoint parse_driving(const std::string& text) {
   identify::DrivingPoint at;
   const char* const end = text.data() + text.size();
@@ -60,7 +60,7 @@ pipeline::SurveyOptions survey_options(const SurveyFlags& flags) {
   return options;
 }
 
-// Several files are one point each unless the user says otherwise.
+// By default several files are points of one test.
 std::unique_ptr<pipeline::Analysis> analysis_of(const SurveyFlags& flags) {
   if (flags.read.files == acquire::FileGrouping::tests)
     throw OptionError::wrong_value("files", "tests", "give points or hits", "a survey is one test");
@@ -69,13 +69,13 @@ std::unique_ptr<pipeline::Analysis> analysis_of(const SurveyFlags& flags) {
     return std::make_unique<pipeline::Analysis>(join_frfs_of(flags.read, std::move(opened.frfs)),
                                                 analysis_options(flags.analysis));
   }
-  const acquire::FileGrouping mean =
+  const acquire::FileGrouping grouping =
       flags.read.files == acquire::FileGrouping::automatic ? acquire::FileGrouping::points : flags.read.files;
-  acquire::Record record = acquire::join_records(std::move(opened.records), mean);
+  acquire::Record record = acquire::join_records(std::move(opened.records), grouping);
   for (const acquire::RowInfo& row : record.rows) {
     if (row.run == record.rows.front().run) continue;
     throw InputError("several runs", record.files.empty() ? record.source() : record.files[row.file].path,
-                     "a survey is one test; put each run in its own file");
+                     "a survey is one test; put each run into a file of its own");
   }
   return std::make_unique<pipeline::Analysis>(std::move(record), analysis_options(flags.analysis));
 }
@@ -109,7 +109,7 @@ void write_outputs(const SurveyFlags& flags, const pipeline::Survey& survey, con
   }
 }
 
-// What a survey is made of; each refers to the one before.
+// A survey and the analysis that it refers to.
 struct SurveyResults {
   std::shared_ptr<const pipeline::Analysis> analysis;
   pipeline::Survey survey;
@@ -151,7 +151,7 @@ int run_survey(const SurveyFlags& flags) {
       std::make_shared<const SurveyResults>(SurveyResults{.analysis = made, .survey = {analysis, options}});
   const pipeline::Survey& survey = kept->survey;
   analysis.hits();
-  if (analysis.possible()) analysis.compute_modes_and_frfs();  // for text and document
+  if (analysis.possible()) analysis.compute_modes_and_frfs();  // used by both the text and the document
   const bool wants_json = flags.output.json || std::any_of(flags.output.paths.begin(), flags.output.paths.end(),
                                                            [](const auto& p) { return extension_of(p) == ".json"; });
   const std::string document = wants_json ? report::survey_json(survey, {.trace = flags.trace}) : "";

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t kLongestSpec_bytes = std::uint64_t{5} << 20U;  // parse_synth_spec is stricter
+constexpr std::uint64_t kMaxSpec_bytes = std::uint64_t{5} << 20U;  // parse_synth_spec has a lower limit
 
 struct SynthFlags {
   std::string spec;
@@ -29,20 +29,20 @@ struct SynthFlags {
   std::optional<std::uint64_t> seed;
   std::size_t threads = 0;
   bool force = false, list = false, example = false, json = false, quiet = false;
-  Host* host = nullptr;  // gets the test, in place of files
+  Host* host = nullptr;  // receives the test in place of files
 };
 
 synth::SynthSpec spec_named(const std::string& name) {
   std::error_code ignored;
   if (name != "-" && !fs::exists(name, ignored) && name.find('/') == std::string::npos)
     return synth::synth_preset(name);
-  const auto bytes = read_input(name, kLongestSpec_bytes);
+  const auto bytes = read_input(name, kMaxSpec_bytes);
   return synth::parse_synth_spec(bytes.view(), input_name(name));
 }
 
 std::string truth_path(const std::string& output) { return fs::path(output).replace_extension(".truth.json").string(); }
 
-/// Outputs that cannot be written are refused before anything is computed.
+/// Checks the output paths before anything is computed.
 void check_outputs(const SynthFlags& flags) {
   std::set<std::string> paths;
   for (const std::string& output : flags.outputs) {

@@ -20,12 +20,12 @@
 namespace percuss::tools {
 namespace {
 
-constexpr std::uint64_t kLongestList_bytes = std::uint64_t{4} << 30U;
+constexpr std::uint64_t kMaxList_bytes = std::uint64_t{4} << 30U;
 
 struct PlanFlags {
   std::vector<std::string> inputs;
   BatchOptions options;
-  std::optional<Command> command;  // which tells what was given of them
+  std::optional<Command> command;  // knows which options are given
   OutputFlags output;
   std::size_t shards = 1;
   bool frf = false, hash = false;
@@ -37,8 +37,8 @@ batch::RecordFiles files_of(const PlanFlags& flags) {
                       "name files, folders or patterns in quotes, or - for a list on standard input");
   std::vector<std::string> names;
   for (const std::string& input : flags.inputs) {
-    const auto listed = input == "-" ? batch::parse_path_list(read_input("-", kLongestList_bytes).view())
-                                     : std::vector<std::string>{input};
+    const auto listed =
+        input == "-" ? batch::parse_path_list(read_input("-", kMaxList_bytes).view()) : std::vector<std::string>{input};
     names.insert(names.end(), listed.begin(), listed.end());
   }
   batch::RecordFiles files = batch::record_files(names);

@@ -32,10 +32,10 @@ struct RunFlags {
   bool trust_input = false, force = false, json = false, quiet = false;
 };
 
-// Which shards are to be run, of how many.
+// The shards to run, and the number of shards.
 struct ShardSelection {
   std::optional<std::size_t> shard;   // none: all
-  std::optional<std::size_t> shards;  // none: as the folder or the manifest says
+  std::optional<std::size_t> shards;  // none: from the folder or the manifest
 };
 
 std::optional<std::size_t> whole_number(std::string_view text) {
@@ -57,7 +57,7 @@ ShardSelection parse_shard_selection(const std::string& text) {
   return {.shard = shard, .shards = shards};
 }
 
-// What an engine tells its workers. GNU parallel counts from 1.
+// The shard number that a scheduler passes to its workers. GNU parallel counts from 1.
 ShardSelection shard_selection_of_scheduler() {
   for (const auto& [name, first] :
        {std::pair{"SLURM_ARRAY_TASK_ID", 0U}, {"JOB_COMPLETION_INDEX", 0U}, {"PARALLEL_SEQ", 1U}}) {
@@ -71,12 +71,12 @@ ShardSelection shard_selection_of_scheduler() {
   return {};
 }
 
-std::vector<std::size_t> shards_to_run(const ShardSelection& share, std::size_t shards) {
-  if (share.shard && *share.shard >= shards) {
-    throw OptionError({}, fmt::format("there is no shard {} of {}", *share.shard, shards),
+std::vector<std::size_t> shards_to_run(const ShardSelection& selection, std::size_t shards) {
+  if (selection.shard && *selection.shard >= shards) {
+    throw OptionError({}, fmt::format("there is no shard {} of {}", *selection.shard, shards),
                       "count from 0; the plan sets the number of shards", {"batch.plan.shards"});
   }
-  if (share.shard) return {*share.shard};
+  if (selection.shard) return {*selection.shard};
   std::vector<std::size_t> all(shards);
   for (std::size_t i = 0; i < shards; ++i) all[i] = i;
   return all;
@@ -116,7 +116,7 @@ void print(const RunFlags& flags, const std::vector<batch::ShardOutcome>& outcom
   std::cout << fmt::format("{} records {}, {} of them now; {} failed\n", records, which, analysed, failed);
 }
 
-// Results stay where they were meant to be when the working folder changes.
+// Absolute, since run() changes the working folder.
 std::string results_folder(const std::string& folder) {
   std::error_code problem;
   fs::create_directories(folder, problem);
@@ -125,27 +125,27 @@ std::string results_folder(const std::string& folder) {
   return fs::canonical(folder).string();
 }
 
-// Of the shards in the folder there is one division, so that all of them fit together.
-std::size_t division(const RunFlags& flags, const ShardSelection& share, const batch::Manifest& manifest,
+// All shards in a folder must have the same division, so that they can be merged.
+std::size_t division(const RunFlags& flags, const ShardSelection& selection, const batch::Manifest& manifest,
                      const std::string& folder) {
   const auto found = batch::shard_count_in(folder);
-  const std::size_t wanted = share.shards.value_or(found.value_or(manifest.head().shards));
+  const std::size_t wanted = selection.shards.value_or(found.value_or(manifest.head().shards));
   if (!found || *found == wanted) return wanted;
   throw InputError(fmt::format("holds shards of a division into {}, not into {}", *found, wanted), flags.folder,
                    "use that number, or name another folder");
 }
 
 int run(const RunFlags& flags) {
-  const ShardSelection share =
+  const ShardSelection selection =
       flags.shard.empty() ? shard_selection_of_scheduler() : parse_shard_selection(flags.shard);
   const batch::Manifest manifest(flags.manifest);
   batch::RowOptions options = row_options(manifest, flags.trust_input);
   const std::string folder = results_folder(flags.folder);
-  const std::size_t shards = division(flags, share, manifest, folder);
-  const auto wanted = shards_to_run(share, shards);
-  // Records are named, in messages too, as they are from the manifest's folder.
+  const std::size_t shards = division(flags, selection, manifest, folder);
+  const auto wanted = shards_to_run(selection, shards);
+  // Paths of records, also in messages, are relative to the folder of the manifest.
   if (const fs::path parent = fs::path(flags.manifest).parent_path(); !parent.empty()) fs::current_path(parent);
-  // Before there are threads, and from the folder that the records are read from.
+  // Started before any thread, and in the folder of the records.
   if (options.read.read.sandboxed) options.fork_server = frf::measurement_fork_server(options.read);
   std::atomic<std::size_t> done{0};
   std::size_t total = 0;

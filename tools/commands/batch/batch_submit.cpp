@@ -29,8 +29,8 @@ struct SubmitFlags {
 
 using Pipe = std::unique_ptr<FILE, int (*)(FILE*)>;
 
-// What a command prints; nothing where it cannot be run.
-std::string printed_by(const char* command) {
+// The output of a shell command; "" if it cannot run.
+std::string output_of_command(const char* command) {
   const Pipe pipe(::popen(command, "r"), ::pclose);
   std::string text;
   std::array<char, 4096> block{};
@@ -40,16 +40,16 @@ std::string printed_by(const char* command) {
 }
 
 void require_size(const batch::SlurmJob& job) {
-  const std::size_t largest = batch::largest_array_index(printed_by("scontrol show config 2>/dev/null"));
+  const std::size_t largest = batch::largest_array_index(output_of_command("scontrol show config 2>/dev/null"));
   if (job.tasks.back() <= largest) return;
   throw InputError(fmt::format("shard {} is beyond Slurm's largest array index, {}", job.tasks.back(), largest),
                    "MaxArraySize", fmt::format("plan at most {} shards", largest + 1));
 }
 
-int give_to_host(const batch::SlurmJob& job) {
+int submit_to_slurm(const batch::SlurmJob& job) {
   require_size(job);
-  fs::create_directories(job.folder);  // Slurm makes the logs, not the folder
-  std::cout << std::flush;             // sbatch prints the job's number
+  fs::create_directories(job.folder);  // Slurm creates the logs, but not their folder
+  std::cout << std::flush;             // before the output of sbatch
   Pipe pipe(::popen("sbatch", "w"), ::pclose);
   const std::string script = batch::slurm_script(job);
   const bool taken = pipe && std::fwrite(script.data(), 1, script.size(), pipe.get()) == script.size();
@@ -75,7 +75,7 @@ int submit(const SubmitFlags& flags) {
                             .tasks = found.missing,
                             .threads = flags.threads,
                             .directives = flags.directives};
-  if (flags.go) return give_to_host(job);
+  if (flags.go) return submit_to_slurm(job);
   std::cout << batch::slurm_script(job);
   return kOk;
 }

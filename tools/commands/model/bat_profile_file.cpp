@@ -11,8 +11,8 @@ namespace percuss::tools {
 namespace {
 
 constexpr std::size_t kMaxSlices = 1000;
-constexpr double kLongest_m = 10, kThickest_m = 1;
-constexpr double kThinnest_m = 1e-4;
+constexpr double kMaxEnd_m = 10, kMaxDiameter_m = 1;
+constexpr double kMinDiameter_m = 1e-4;
 constexpr const char* kProfileForm = "write the far end of a slice from the knob and its diameter in each line";
 
 double metres_of(const std::string& unit, const std::string& units) {
@@ -38,8 +38,8 @@ model::BatProfile read_bat_profile(const std::string& path, const std::string& u
       return InputError(problem, row.place, kProfileForm, {"profile_unit"});
     };
     if (!(end_m > last_m)) throw refuse("the slice ends where the one before does, or earlier");
-    if (!(end_m <= kLongest_m)) throw refuse(fmt::format("a slice ends {:g} m from the knob", end_m));
-    if (!(diameter_m >= kThinnest_m && diameter_m <= kThickest_m))
+    if (!(end_m <= kMaxEnd_m)) throw refuse(fmt::format("a slice ends {:g} m from the knob", end_m));
+    if (!(diameter_m >= kMinDiameter_m && diameter_m <= kMaxDiameter_m))
       throw refuse(fmt::format("a diameter of {:g} m", diameter_m));
     profile.end_m.push_back(end_m);
     profile.diameter_m.push_back(diameter_m);

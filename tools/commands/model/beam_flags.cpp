@@ -14,25 +14,25 @@ namespace {
 
 constexpr const char* kLayerForm = "give YOUNG:WIDTH:HEIGHT or YOUNG:WIDTH:HEIGHT:DENSITY, in Pa, m, m and kg/m³";
 
-// Stiffness from the layers, and the mass where all of them have a density.
+// Sets the stiffness from the layers, and the mass if all layers have a density.
 void use_layers(const BeamFlags& flags, model::UniformBeam& beam) {
   if (flags.stiffness_Nm2) throw OptionError({"ei", "layer"}, "both give the stiffness of the beam", "omit one");
   std::vector<model::LaminateLayer> layers;
   layers.reserve(flags.layers.size());
-  std::size_t weighed = 0;
+  std::size_t with_density = 0;
   for (const std::string& text : flags.layers) {
     const std::vector<double> number = parse_colon_list("layer", text, 3, 4, kLayerForm);
     layers.push_back({.young_Pa = number[0], .width_m = number[1], .height_m = number[2]});
-    if (number.size() == 4) layers.back().density_kgpm3 = number[3], ++weighed;
+    if (number.size() == 4) layers.back().density_kgpm3 = number[3], ++with_density;
   }
-  if (weighed > 0 && weighed < layers.size())
+  if (with_density > 0 && with_density < layers.size())
     throw OptionError({"layer"}, "has a density in some layers only", "give it for all layers, or the mass per length",
                       {"rho_a"});
-  if (weighed > 0 && flags.mass_per_length_kgpm)
+  if (with_density > 0 && flags.mass_per_length_kgpm)
     throw OptionError({"rho_a", "layer"}, "both give the mass of the beam", "omit one");
   const model::LaminateSection section = model::laminate_section(layers);
   beam.stiffness_Nm2 = section.stiffness_Nm2;
-  if (weighed > 0) beam.mass_per_length_kgpm = section.mass_per_length_kgpm;
+  if (with_density > 0) beam.mass_per_length_kgpm = section.mass_per_length_kgpm;
   if (!(section.stiffness_Nm2 > 0 && std::isfinite(section.stiffness_Nm2)))
     throw OptionError({"layer"}, "gives a stiffness that is not a finite number above 0", kLayerForm);
 }

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kBatSteps = 60;
 constexpr std::size_t kMaxBatModes = 200;
-constexpr double kLongestWave_s = 0.1;
+constexpr double kMaxWave_s = 0.1;
 
 struct BatFlags {
   std::string profile, unit = "m:m", at, wave_times = "0:0.0002:0.002";
@@ -24,12 +24,12 @@ struct BatFlags {
   OutputFlags output;
 };
 
-std::vector<double> places(const BatFlags& flags, double length_m) {
+std::vector<double> impact_positions_m(const BatFlags& flags, double length_m) {
   if (flags.at.empty())
     return Range{.low = 0, .step = length_m / static_cast<double>(kBatSteps), .count = kBatSteps + 1}.values();
   const Range range = parse_range("at", flags.at);
-  const double beyond = 1e-9 * length_m;  // what rounding may add
-  if (range.low < 0 || range.high() > length_m + beyond)
+  const double rounding_m = 1e-9 * length_m;  // tolerance for rounding
+  if (range.low < 0 || range.high() > length_m + rounding_m)
     throw OptionError::wrong_value("at", flags.at, "give positions from the knob in m", "a position is off the bat");
   return range.values();
 }
@@ -38,7 +38,7 @@ std::optional<report::BatWaveRequest> wave_of(const BatFlags& flags, double leng
   if (!flags.wave_m) return {};
   if (!(*flags.wave_m <= length_m)) throw OptionError({"wave"}, "is off the bat", "give a position from the knob in m");
   const Range times = parse_range("wave_times", flags.wave_times);
-  if (times.low < 0 || times.high() > kLongestWave_s)
+  if (times.low < 0 || times.high() > kMaxWave_s)
     throw OptionError({"wave_times"}, "leaves the range from 0 to 0.1 s",
                       "give LO:STEP:HI in s, such as 0:0.0002:0.002");
   return report::BatWaveRequest{.z_m = *flags.wave_m, .time_s = times.values()};
@@ -47,7 +47,7 @@ std::optional<report::BatWaveRequest> wave_of(const BatFlags& flags, double leng
 int model_bat(const BatFlags& flags) {
   check_report_outputs(flags.output);
   const model::BatProfile profile = read_bat_profile(flags.profile, flags.unit);
-  const std::vector<double> z_m = places(flags, profile.length_m());
+  const std::vector<double> z_m = impact_positions_m(flags, profile.length_m());
   const auto wave = wave_of(flags, profile.length_m());
   const model::BatModes bat = model::bat_modes(profile, flags.material, {.modes = flags.modes});
   return show_report(report::bat_report(bat, profile, flags.collision, z_m, wave), flags.output, {flags.profile});

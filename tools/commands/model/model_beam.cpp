@@ -28,44 +28,44 @@ struct ModelBeamFlags {
 struct FitName {
   const char* name;
   model::BeamParameter which;
-  bool given;  // its own option as well
+  bool given;  // whether its own option is given
 };
 
-std::vector<model::BeamParameter> asked_parameters(const ModelBeamFlags& flags) {
+std::vector<model::BeamParameter> fitted_parameters(const ModelBeamFlags& flags) {
   const BeamFlags& b = flags.beam;
   const std::vector<FitName> names{
       {"ei", model::BeamParameter::stiffness, b.stiffness_Nm2.has_value() || !b.layers.empty()},
       {"torsion", model::BeamParameter::torsion, b.torsion_Nmprad.has_value() || !flags.readings.empty()},
       {"rho-a", model::BeamParameter::mass_per_length, b.mass_per_length_kgpm.has_value()}};
-  std::vector<model::BeamParameter> asked;
-  for (const std::string& word : flags.fit) {
-    const auto found = std::find_if(names.begin(), names.end(), [&](const FitName& one) { return word == one.name; });
-    if (found->given) throw OptionError::wrong_value("fit", word, "omit one", "its value is given as well");
-    if (std::find(asked.begin(), asked.end(), found->which) != asked.end())
-      throw OptionError::wrong_value("fit", word, "name each parameter once", "it is named twice");
-    asked.push_back(found->which);
+  std::vector<model::BeamParameter> fitted;
+  for (const std::string& name : flags.fit) {
+    const auto found = std::find_if(names.begin(), names.end(), [&](const FitName& one) { return name == one.name; });
+    if (found->given) throw OptionError::wrong_value("fit", name, "omit one", "its value is given as well");
+    if (std::find(fitted.begin(), fitted.end(), found->which) != fitted.end())
+      throw OptionError::wrong_value("fit", name, "name each parameter once", "it is named twice");
+    fitted.push_back(found->which);
   }
-  return asked;
+  return fitted;
 }
 
-// What frequencies cannot tell is not fitted.
+// Rejects parameters that frequencies do not determine.
 void check_fit(const ModelBeamFlags& flags, model::BeamSupport support,
-               const std::vector<model::BeamParameter>& asked) {
-  if (asked.empty())
+               const std::vector<model::BeamParameter>& fitted) {
+  if (fitted.empty())
     throw OptionError({"measured"}, "is given, but no parameter to fit", "name parameters, such as ei,torsion",
                       {"fit"});
   const bool spring = support == model::BeamSupport::torsion;
-  if (!spring && std::find(asked.begin(), asked.end(), model::BeamParameter::torsion) != asked.end()) {
+  if (!spring && std::find(fitted.begin(), fitted.end(), model::BeamParameter::torsion) != fitted.end()) {
     throw OptionError::wrong_value("fit", "torsion", "fit ei or rho-a",
                                    "the support is " + flags.beam.support + ", without a spring", {"support"});
   }
-  if (asked.size() > model::max_beam_parameters(support)) {
+  if (fitted.size() > model::max_beam_parameters(support)) {
     throw OptionError({"fit"},
                       spring ? "has three parameters, but frequencies determine EI/ρA and T·L/EI only"
                              : "has two parameters, but without a spring frequencies determine EI/ρA only",
                       "omit one and give its value", {"ei", "rho_a", "torsion"});
   }
-  if (flags.measured_Hz.size() < asked.size())
+  if (flags.measured_Hz.size() < fitted.size())
     throw OptionError({"fit"}, "has more parameters than there are frequencies", "measure at least as many frequencies",
                       {"measured"});
 }
@@ -119,17 +119,18 @@ int model_beam(const ModelBeamFlags& flags) {
   beam.gyration_m = flags.gyration_m.value_or(0);
   beam.shear_stiffness_N = flags.shear_stiffness_N.value_or(0);
   report::BeamOrigin origin;
-  const std::vector<model::BeamParameter> asked = asked_parameters(flags);
+  const std::vector<model::BeamParameter> fitted = fitted_parameters(flags);
   if (!flags.readings.empty()) {
-    if (std::find(asked.begin(), asked.end(), model::BeamParameter::stiffness) != asked.end())
+    if (std::find(fitted.begin(), fitted.end(), model::BeamParameter::stiffness) != fitted.end())
       throw OptionError({"static"}, "needs EI, which is to be fitted", "fit rho-a, or give EI", {"ei"});
     origin.torsion = static_torsion(flags, beam);
     beam.torsion_Nmprad = origin.torsion->torsion_Nmprad;
   }
-  if (!asked.empty() || !flags.measured_Hz.empty() || !flags.measured_std_Hz.empty() || !flags.measured_modes.empty()) {
-    check_fit(flags, beam.support, asked);
+  if (!fitted.empty() || !flags.measured_Hz.empty() || !flags.measured_std_Hz.empty() ||
+      !flags.measured_modes.empty()) {
+    check_fit(flags, beam.support, fitted);
     origin.measured = measured_frequencies(flags, beam.support);
-    origin.fit = model::fit_beam(beam, asked, origin.measured);
+    origin.fit = model::fit_beam(beam, fitted, origin.measured);
     beam = origin.fit->beam;
   }
   return show_report(report::beam_report(beam, model::beam_modes(beam, flags.modes), origin), flags.output);

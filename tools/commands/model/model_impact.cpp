@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kMaxImpactModes = 100;
 constexpr std::size_t kMaxSwept = 10000;
-constexpr double kShortestStep = 1e-6, kLongestStep = 0.1;  // of the contact with a wall
+constexpr double kMinStep = 1e-6, kMaxStep = 0.1;  // relative to the contact time with a wall
 constexpr const char* kSweepForm = "give NAME=LO:STEP:HI with one of ei, torsion, rho-a, at, speed";
 
 struct ModelImpactFlags {
@@ -73,7 +73,7 @@ model::ImpactOptions impact_options(const ModelImpactFlags& flags, const model::
   if (flags.method == "small-increment") options.method = model::ImpactMethod::small_increment;
   if (flags.step_s) {
     const double wall_s = model::hertz_contact_s(impact);
-    if (!(*flags.step_s >= kShortestStep * wall_s && *flags.step_s <= kLongestStep * wall_s)) {
+    if (!(*flags.step_s >= kMinStep * wall_s && *flags.step_s <= kMaxStep * wall_s)) {
       throw OptionError({"step"}, "is not between a millionth and a tenth of the contact time",
                         "compare the contact time of this ball with a wall: " + std::to_string(1e6 * wall_s) + " µs");
     }

@@ -51,7 +51,7 @@ int model_shell(const ShellFlags& flags) {
   if (!flags.measured.empty()) {
     fitted.emplace();
     fitted->measured.reserve(flags.measured.size());
-    for (const std::string& word : flags.measured) fitted->measured.push_back(measured_hoop(word));
+    for (const std::string& text : flags.measured) fitted->measured.push_back(measured_hoop(text));
     fitted->fit = model::fit_shell(shell, fitted->measured,
                                    flags.unknowns == "both"   ? model::ShellUnknowns::both
                                    : flags.unknowns == "wall" ? model::ShellUnknowns::wall
