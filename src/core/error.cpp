@@ -36,6 +36,13 @@ std::string Message::written(OptionWriter write) const {
   return list.empty() ? text : fmt::format("{} ({})", text, list);
 }
 
+UsageError::UsageError(std::string_view problem, std::string_view remedy)
+    : std::runtime_error(fmt::format("{}; {}", one_line(problem, 600), one_line(remedy, 600))) {}
+
+}  // namespace percuss::inline core
+
+namespace percuss {
+
 InputError::InputError(std::string_view problem, std::string_view where, std::string_view remedy,
                        std::vector<OptionId> options)
     : std::runtime_error(
@@ -54,7 +61,4 @@ InputError InputError::with_message(const std::string& message, std::vector<Opti
 
 std::string InputError::written(OptionWriter write) const { return Message{what(), options_}.written(write); }
 
-UsageError::UsageError(std::string_view problem, std::string_view remedy)
-    : std::runtime_error(fmt::format("{}; {}", one_line(problem, 600), one_line(remedy, 600))) {}
-
-}  // namespace percuss::inline core
+}  // namespace percuss

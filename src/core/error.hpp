@@ -4,14 +4,9 @@
 #include <string_view>
 #include <vector>
 
+#include "percuss/error.hpp"
+
 namespace percuss::inline core {
-
-/// An option by its identifier, the same for every interface: "fs", "accel_channel"; "survey.example" is the option
-/// `example` of the command `survey`. The command line writes --accel-channel, Python accel_channel=.
-using OptionId = std::string;
-
-/// How an interface writes an option.
-using OptionWriter = std::string (*)(std::string_view id);
 
 /// A sentence for people, and the options that it is about.
 struct Message {
@@ -20,30 +15,6 @@ struct Message {
 
   /// "text (--fs, --unit)"; the text alone where no option belongs to it.
   std::string written(OptionWriter write) const;
-};
-
-/// Unusable input: a file, an option's value or their combination. what() is one line, "problem (where); remedy",
-/// without options: an interface writes those in its own words.
-///   throw InputError("no sampling rate", path, "state it in Hz", {"fs"});
-class InputError : public std::runtime_error {
- public:
-  InputError(std::string_view problem, std::string_view where, std::string_view remedy,
-             std::vector<OptionId> options = {});
-  /// An error that another process reported by its message.
-  static InputError with_message(const std::string& message, std::vector<OptionId> options = {});
-
-  const std::string& problem() const { return problem_; }
-  const std::string& where() const { return where_; }
-  const std::string& remedy() const { return remedy_; }
-  const std::vector<OptionId>& options() const { return options_; }
-  /// what(), and the options as the interface writes them.
-  std::string written(OptionWriter write) const;
-
- private:
-  InputError(const std::string& message, std::vector<OptionId> options);
-
-  std::string problem_, where_, remedy_;
-  std::vector<OptionId> options_;
 };
 
 /// The message where memory ran out.
