@@ -13,9 +13,10 @@
 ///     records.push_back(percuss::synthesise_preset("wood-bat", {.seed = seed}).record);
 ///   const auto results = percuss::analyze_batch(
 ///       records, {.analysis = {.band_Hz = percuss::Band{60, 3200}, .effort = percuss::Effort::quick}});
-///   for (const percuss::BatchResult& result : results)
-///     std::cout << result.index << ": " << (result.error ? result.error->what() : "") << result.modes.size() << "
-///     modes\n";
+///   for (const percuss::BatchResult& result : results) {
+///     if (result.error) std::cout << result.index << ": " << result.error->what() << '\n';
+///     if (!result.error) std::cout << result.index << ": " << result.modes.size() << " modes\n";
+///   }
 /// }
 /// @endcode
 #include <percuss/analysis.hpp>

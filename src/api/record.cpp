@@ -93,11 +93,13 @@ void require_shapes(const RecordArrays& arrays) {
   }
 }
 
-void require_place(const acquire::Record& record, std::size_t row, std::size_t channel, std::size_t end) {
+void require_place(const acquire::Record& record, std::size_t row, std::size_t channel, std::size_t first = 0,
+                   std::size_t count = 0) {
   if (row >= record.rows.size()) throw InputError("there is no such row", record.source(), "rows count from 0");
   if (channel >= std::max<std::size_t>(record.accel.size(), 1))
     throw InputError("there is no such channel", record.source(), "channels count from 0");
-  if (end > record.rows[row].samples)
+  const std::size_t samples = record.rows[row].samples;
+  if (first > samples || count > samples - first)
     throw InputError("there is no such sample", record.source(), "samples count from 0 within each row");
 }
 
@@ -131,25 +133,25 @@ std::size_t Record::rows() const { return data_->record.rows.size(); }
 std::size_t Record::channels() const { return data_->record.accel.size(); }
 
 void Record::read_force_N(std::size_t row, std::size_t first, std::size_t count, double* out) const {
-  api::require_place(data_->record, row, 0, first + count);
+  api::require_place(data_->record, row, 0, first, count);
   data_->record.read_force_N(row, first, std::span(out, count));
 }
 
 void Record::read_accel_mps2(std::size_t row, std::size_t channel, std::size_t first, std::size_t count,
                              double* out) const {
-  api::require_place(data_->record, row, channel, first + count);
+  api::require_place(data_->record, row, channel, first, count);
   data_->record.read_accel_mps2(row, channel, first, std::span(out, count));
 }
 
 std::vector<double> Record::force_N(std::size_t row) const {
-  api::require_place(data_->record, row, 0, 0);
+  api::require_place(data_->record, row, 0);
   std::vector<double> out(data_->record.rows[row].samples);
   read_force_N(row, 0, out.size(), out.data());
   return out;
 }
 
 std::vector<double> Record::accel_mps2(std::size_t row, std::size_t channel) const {
-  api::require_place(data_->record, row, channel, 0);
+  api::require_place(data_->record, row, channel);
   std::vector<double> out(data_->record.rows[row].samples);
   read_accel_mps2(row, channel, 0, out.size(), out.data());
   return out;
