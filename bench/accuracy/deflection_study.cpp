@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "acquire/formats/hdf5/write_hdf5.hpp"
+#include "acquire/open_measurement.hpp"
 #include "core/parallel/parallel.hpp"
 #include "deflection_bound.hpp"
 #include "deflection_truth.hpp"

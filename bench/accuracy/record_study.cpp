@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "acquire/formats/hdf5/write_hdf5.hpp"
+#include "acquire/open_measurement.hpp"
 #include "fft_read_baseline.hpp"
 #include "frf_figures.hpp"
 #include "mode_figures.hpp"

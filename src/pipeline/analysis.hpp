@@ -8,7 +8,7 @@
 #include "acquire/record/record.hpp"
 #include "core/lazy.hpp"
 #include "core/trace.hpp"
-#include "frf/formats/frf_record.hpp"
+#include "frf/frf_record.hpp"
 #include "pipeline/analysis_options.hpp"
 #include "pipeline/hits/analysed_hit.hpp"
 #include "pipeline/hits/hit_spectra.hpp"
@@ -57,7 +57,7 @@ class Analysis {
   const identify::FrfDataset& fitted_frfs() const;
   /// Modes within the band, ascending.
   const std::vector<identify::Mode>& modes() const;
-  /// Computes modes() and frfs(); threads that the fits leave idle average the FRFs.
+  /// Computes modes() and frfs() in the order that takes less time.
   void compute_modes_and_frfs() const;
   const std::vector<identify::ModeClassification>& classifications() const;
   /// Each mode fitted to each accepted hit alone: repeatability, drift, dependence on the force.

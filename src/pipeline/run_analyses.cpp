@@ -11,8 +11,9 @@ void assume_two_angles(AnyRecord& record) {
   if (record.accel.size() != 2 || record.accel[0].angle_rad || record.accel[1].angle_rad) return;
   record.accel[0].angle_rad = 0;
   record.accel[1].angle_rad = std::numbers::pi / 2;
-  record.notes.emplace_back(
-      "the accelerometers' angles are not stated: 0° and 90° around the barrel are assumed; state them to confirm");
+  record.notes.push_back(
+      {"the accelerometers' angles are not stated: 0° and 90° around the barrel are assumed; state them to confirm",
+       {"angle"}});
 }
 
 }  // namespace

@@ -1,7 +1,8 @@
 #include "cli/report_output.hpp"
 
+#include "cli/exit_code.hpp"
+#include "cli/option_names.hpp"
 #include "cli/provenance.hpp"
-#include "commands/commands.hpp"
 #include "core/io/atomic_file.hpp"
 #include "report/html/command_page.hpp"
 
@@ -34,7 +35,7 @@ void print_report(const report::CommandReport& report, const OutputFlags& flags)
   if (flags.json) {
     print(flags, report.json);
   } else if (!flags.quiet) {
-    print(flags, report.text.text(terminal_width()));
+    print(flags, report.text.text(terminal_width(), flag_of));
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "cli/option_error.hpp"
 #include "cli/provenance.hpp"
 #include "cli/report_output.hpp"
 #include "core/error.hpp"
@@ -61,19 +62,23 @@ void require_one_test(const AnalyzeFlags& flags, const std::set<report::ReportSe
   if (tests < 2) return;
   const char* const remedy = "analyse one file or run at a time";
   if (!std::all_of(flags.output.paths.begin(), flags.output.paths.end(), is_json))
-    throw UsageError("several tests do not fit one file of FRFs or one page", remedy);
+    throw OptionError({}, "several tests cannot be written to one file of FRFs or one page", remedy);
   if (sections.contains(report::ReportSection::deflection) || !flags.compared.empty())
-    throw UsageError("deflections and comparisons are of one test", remedy);
+    throw OptionError({}, "several tests cannot be integrated to deflection or compared", remedy);
 }
 
-std::string text_of(const AnalyzeResults& kept, std::size_t width, bool sketch) {
+std::string text_of(const AnalyzeResults& kept, std::size_t width, bool sketch, OptionWriter write_option) {
   std::string text;
   for (const Test& test : kept.tests) {
     if (kept.tests.size() > 1) text += fmt::format("{}test {}\n", text.empty() ? "" : "\n", test.run);
-    text += report::analysis_text(
-        *test.analysis, {.sections = kept.sections, .width = width, .per_hit = kept.flags.per_hit, .sketch = sketch});
-    if (test.deflection) text += "\n" + report::deflection_tables(*test.analysis, *test.deflection).text(width);
-    if (kept.comparison) text += "\n" + kept.comparison->text.text(width);
+    text += report::analysis_text(*test.analysis, {.sections = kept.sections,
+                                                   .width = width,
+                                                   .per_hit = kept.flags.per_hit,
+                                                   .sketch = sketch,
+                                                   .write_option = write_option});
+    if (test.deflection)
+      text += "\n" + report::deflection_tables(*test.analysis, *test.deflection).text(width, write_option);
+    if (kept.comparison) text += "\n" + kept.comparison->text.text(width, write_option);
   }
   return text;
 }
@@ -88,8 +93,9 @@ void write_outputs(const AnalyzeFlags& flags, const AnalyzeResults& kept) {
     } else if (extension_of(path) == ".svg") {
       write_file(path, drawing_of(flags, analysis), flags.output.force);
     } else if (!analysis.possible()) {
-      print_note(flags.output,
-                 "no hit can be used, so there are no FRFs to write (" + one_line(path) + "); see the hits' findings");
+      print_note(
+          flags.output,
+          {"no hit can be used, so no FRFs are written (" + one_line(path) + "); see the findings of the hits", {}});
     } else if (is_uff(path)) {
       report::write_modes_uff(path, analysis, flags.output.force);
     } else {

@@ -73,7 +73,8 @@ void grade_point(std::vector<AnalysedHit>& hits, const std::vector<HitSpectra>& 
     hits[members[i]].hit.findings.push_back({.code = acquire::FindingCode::low_coherence,
                                              .severity = acquire::Severity::warn,
                                              .value = 1 - errors[i],
-                                             .message = disagreement(1 - errors[i])});
+                                             .message = disagreement(1 - errors[i]),
+                                             .options = {"files"}});
   }
 }
 

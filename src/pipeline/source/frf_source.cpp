@@ -95,9 +95,9 @@ identify::FrfDataset FrfSource::dataset(const TestSpectra& spectra, const std::v
       if (frfs_.decay_per_s > 0) set.points.back().blocks.push_back({.decay_per_s = frfs_.decay_per_s});
     }
     point = frf.point;
-    set.outputs.push_back({.point = set.points.size() - 1,
-                           .channel = frf.channel,
-                           .frf = slice(frf.frf.value, lines.first - frfs_.lines.first, lines.count)});
+    set.channels.push_back({.point = set.points.size() - 1,
+                            .channel = frf.channel,
+                            .frf = slice(frf.frf.value, lines.first - frfs_.lines.first, lines.count)});
   }
   return set;
 }

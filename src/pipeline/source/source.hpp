@@ -6,7 +6,7 @@
 
 #include "acquire/record/record.hpp"
 #include "core/trace.hpp"
-#include "frf/formats/frf_record.hpp"
+#include "frf/frf_record.hpp"
 #include "pipeline/stages/frf_averages.hpp"
 
 namespace percuss::pipeline {

@@ -73,17 +73,17 @@ identify::FrfDataset h1_dataset(const TestSpectra& spectra, const std::vector<st
   std::vector<std::vector<std::size_t>> members;
   for (auto& [point, hits_there] : by_point(spectra.hits, hits)) members.push_back(std::move(hits_there));
   set.points.resize(members.size());
-  set.outputs.resize(members.size() * channels);
+  set.channels.resize(members.size() * channels);
   const std::size_t cost = average_cost_flops(spectra.lines.count, hits.size()) / members.size();
   parallel_for_cost(members.size(), cost, [&](std::size_t p) {
     set.points[p] = force_at_point(spectra, members[p]);
     for (std::size_t c = 0; c < channels; ++c) {
       const std::size_t o = p * channels + c;
-      set.outputs[o] = {.point = p,
-                        .channel = c,
-                        .frf = averages != nullptr
-                                   ? (*averages)[o].frf.value
-                                   : identify::h1_at(set.points[p], responses_of(spectra, members[p], c))};
+      set.channels[o] = {.point = p,
+                         .channel = c,
+                         .frf = averages != nullptr
+                                    ? (*averages)[o].frf.value
+                                    : identify::h1_at(set.points[p], responses_of(spectra, members[p], c))};
     }
   });
   return set;

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "frf/estimators.hpp"
-#include "frf/formats/frf_record.hpp"
+#include "frf/frf_record.hpp"
 #include "identify/model/frf_dataset.hpp"
 #include "pipeline/hits/hit_spectra.hpp"
 

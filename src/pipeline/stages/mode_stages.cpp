@@ -16,7 +16,7 @@ bool outside(std::pair<double, double> band_Hz, double freq_Hz) {
 std::optional<double> overlay_dB(const identify::FrfDataset& set, const identify::SensorPair& sensors,
                                  std::size_t line) {
   double first = 0, second = 0;
-  for (const identify::FrfChannel& output : set.outputs) {
+  for (const identify::FrfChannel& output : set.channels) {
     const double power = std::norm(output.frf[line]);
     if (output.channel == sensors.first) first += power;
     if (output.channel == sensors.second) second += power;

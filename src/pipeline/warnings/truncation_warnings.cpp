@@ -31,11 +31,11 @@ bool ringing_exceeds_noise(const identify::FrfDataset& set, const std::vector<An
   if (set.lines.count < kMinNoiseLines) return true;
   const identify::LineNoise noise(set);
   const std::size_t line = set.lines.count / 2;
-  for (std::size_t o = 0; o < set.outputs.size(); ++o) {
-    const std::vector<double>& ff = set.points[set.outputs[o].point].ff;
+  for (std::size_t o = 0; o < set.channels.size(); ++o) {
+    const std::vector<double>& ff = set.points[set.channels[o].point].ff;
     if (ff.empty()) continue;
     const double noise_mps2 = noise.at(o, line) * std::sqrt(ff[line] / static_cast<double>(set.lines.samples));
-    if (noise_mps2 < kMinRingingNoise * largest_response_mps2(hits, set.outputs[o].channel)) return true;
+    if (noise_mps2 < kMinRingingNoise * largest_response_mps2(hits, set.channels[o].channel)) return true;
   }
   return false;
 }
