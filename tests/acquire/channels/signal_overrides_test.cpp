@@ -48,7 +48,7 @@ TEST(SignalOverrides, KeepsAForceInVoltsWithANote) {
     if (!notes.empty()) {
       EXPECT_THAT(notes[0].text, HasSubstr("hammer"));
       EXPECT_THAT(notes[0].text, HasSubstr("per volt"));
-      EXPECT_THAT(notes[0].options, ElementsAre("force_scale", "force_sensitivity"));
+      EXPECT_THAT(notes[0].options, testing::ElementsAre("force_scale", "force_sensitivity"));
     }
     return signal.to_SI;
   };
