@@ -21,7 +21,7 @@
 #include "batch/plan.hpp"
 #include "batch/run_shard.hpp"
 #include "core/parallel/parallel.hpp"
-#include "pipeline/runs_of_record.hpp"
+#include "pipeline/run_analyses.hpp"
 #include "report/text/version.hpp"
 #include "synth/synthesise.hpp"
 

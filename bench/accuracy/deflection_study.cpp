@@ -12,6 +12,7 @@
 #include "deflection_truth.hpp"
 #include "fft_read_baseline.hpp"
 #include "pipeline/impact_test.hpp"
+#include "pipeline/run_analyses.hpp"
 #include "scratch_folder.hpp"
 #include "synth/schedule.hpp"
 

@@ -7,7 +7,7 @@
 #include "fft_read_baseline.hpp"
 #include "frf_figures.hpp"
 #include "mode_figures.hpp"
-#include "pipeline/analysis.hpp"
+#include "pipeline/run_analyses.hpp"
 #include "scratch_folder.hpp"
 
 namespace percuss::accuracy {

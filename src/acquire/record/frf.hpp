@@ -7,10 +7,10 @@
 
 namespace percuss::acquire {
 
-/// Accelerance of one response to one point, averaged over hits.
+/// The accelerance between one impact point and one response channel, averaged over hits.
 struct Frf {
-  std::vector<Complex> value;  // (m/s²)/N
-  std::vector<double> std;  // deviation of |value − truth| from the scatter over hits, (m/s²)/N; empty for one hit
+  std::vector<Complex> value;     // (m/s²)/N
+  std::vector<double> std;        // rms of |value − truth|, from the scatter over hits, (m/s²)/N; empty for one hit
   std::vector<double> coherence;  // ordinary, 0 … 1; empty for one hit
   std::size_t averages = 0;
 };
