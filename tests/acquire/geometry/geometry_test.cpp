@@ -96,8 +96,8 @@ TEST(Geometry, NamesLineAndRemedyOfAnError) {
   EXPECT_THAT(rejection_of("point,position_m,angle_deg\n0,0.1,0\n\n0,0.2,0\n"),
               HasSubstr("point 0 stands twice (g.csv: line 4)"));
   EXPECT_THAT(rejection_of("point,position_m,angle_deg\n0.5,0.1,0\n"),
-              HasSubstr("0.5 is no point's number (g.csv: line 2)"));
-  EXPECT_THAT(rejection_of("point,position_m,angle_deg\n-1,0.1,0\n"), HasSubstr("-1 is no point's number"));
+              HasSubstr("0.5 is not a point number (g.csv: line 2)"));
+  EXPECT_THAT(rejection_of("point,position_m,angle_deg\n-1,0.1,0\n"), HasSubstr("-1 is not a point number"));
   EXPECT_THAT(rejection_of("point,position_m,angle_deg\n0,0.1\n"), HasSubstr("no cell for angle (g.csv: line 2)"));
   EXPECT_THAT(rejection_of("point,position,angle_deg\n0,0.1,0\n"), HasSubstr("no unit for position (g.csv: line 1)"));
   EXPECT_THAT(rejection_of("point,position_kg,angle_deg\n0,0.1,0\n"), HasSubstr("g.csv: line 1"));

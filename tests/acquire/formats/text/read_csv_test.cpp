@@ -64,7 +64,7 @@ TEST(ReadCsv, RefusesCommasBetweenCellsAndInNumbers) {
   }
   for (const std::string& text : {even, uneven, late, units}) {
     const std::string message = input_error_of([&] { csv_record(text); });
-    EXPECT_THAT(message, HasSubstr("commas stand between the cells and for the decimal point"));
+    EXPECT_THAT(message, HasSubstr("commas separate the cells and mark decimals"));
     EXPECT_THAT(message, HasSubstr("semicolons"));
   }
 }

@@ -100,7 +100,7 @@ TEST_F(LazyUff, ReadsEverythingWhereAClaimedLengthIsWrong) {
   for (std::size_t at = bytes.find(claimed); at != std::string::npos; at = bytes.find(claimed, at + 1))
     bytes.replace(at, claimed.size(), "     20001         1");
   test::write_bytes(path_, bytes);
-  EXPECT_THAT(input_error_of([&] { open_record(path_); }), HasSubstr("fewer bytes than record 7 says"));
+  EXPECT_THAT(input_error_of([&] { open_record(path_); }), HasSubstr("fewer bytes than record 7 states"));
 }
 
 TEST_F(LazyUff, ReportsAFileTruncatedMeanwhile) {
