@@ -5,7 +5,7 @@
 
 #include "batch/manifest.hpp"
 #include "core/error.hpp"
-#include "frf/formats/frf_record.hpp"
+#include "frf/frf_record.hpp"
 #include "pipeline/analysis.hpp"
 
 namespace percuss::acquire {
