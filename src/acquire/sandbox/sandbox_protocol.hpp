@@ -5,6 +5,7 @@
 #include <string>
 
 #include "acquire/channels/csv_columns.hpp"
+#include "acquire/sandbox/serialization.hpp"
 #include "core/error.hpp"
 
 namespace percuss::acquire {
@@ -25,6 +26,10 @@ bool receive_bytes(int descriptor, void* to, std::size_t bytes);
 
 /// Runs `work` and sends its result, or the error that it threw. False when the parent has closed its end.
 bool run_and_send_outcome(int descriptor, const std::function<std::string()>& work);
+
+/// Identifiers of options. errors  std::out_of_range: more than 16, or not in the form of an identifier
+void serialize_options(Serializer& out, const std::vector<OptionId>& options);
+std::vector<OptionId> deserialize_options(Deserializer& in);
 
 /// The error in the payload of SandboxOutcome::input_error or ambiguous_columns.
 /// errors  std::out_of_range: the payload is not such an error
