@@ -38,6 +38,14 @@ std::string Message::written(OptionWriter write) const {
   return list.empty() ? text : fmt::format("{} ({})", text, list);
 }
 
+UsageError::UsageError(std::string_view problem, std::string_view remedy)
+    : std::runtime_error(fmt::format("{}; {}", one_line(problem, kMaxField_bytes), one_line(remedy, kMaxField_bytes))) {
+}
+
+}  // namespace percuss::inline core
+
+namespace percuss {
+
 InputError::InputError(std::string_view problem, std::string_view where, std::string_view remedy,
                        std::vector<OptionId> options)
     : std::runtime_error(fmt::format("{} ({}); {}", one_line(problem, kMaxField_bytes),
@@ -49,8 +57,4 @@ InputError::InputError(std::string_view problem, std::string_view where, std::st
 
 std::string InputError::written(OptionWriter write) const { return Message{what(), options_}.written(write); }
 
-UsageError::UsageError(std::string_view problem, std::string_view remedy)
-    : std::runtime_error(fmt::format("{}; {}", one_line(problem, kMaxField_bytes), one_line(remedy, kMaxField_bytes))) {
-}
-
-}  // namespace percuss::inline core
+}  // namespace percuss

@@ -5,14 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "percuss/error.hpp"
+
 namespace percuss::inline core {
-
-/// An option's identifier, the same in every interface: "fs", "accel_channel". "survey.example" is the option `example`
-/// of the command `survey`. The command line writes --accel-channel, Python accel_channel=.
-using OptionId = std::string;
-
-/// How an interface writes an option.
-using OptionWriter = std::string (*)(std::string_view id);
 
 /// A sentence and the options that it concerns.
 struct Message {
@@ -27,27 +22,6 @@ struct Message {
   /// "text (--fs, --unit)"; only the text where `options` is empty.
   std::string written(OptionWriter write) const;
   bool operator==(const Message&) const = default;
-};
-
-/// Unusable input: a file, an option's value or their combination. what() is one line, "problem (where); remedy". It
-/// names no options: each interface adds them in its own notation. No field holds control characters or more than 600
-/// bytes.
-///   throw InputError("no sampling rate", path, "state it in Hz", {"fs"});
-class InputError : public std::runtime_error {
- public:
-  InputError(std::string_view problem, std::string_view where, std::string_view remedy,
-             std::vector<OptionId> options = {});
-
-  const std::string& problem() const { return problem_; }
-  const std::string& where() const { return where_; }
-  const std::string& remedy() const { return remedy_; }
-  const std::vector<OptionId>& options() const { return options_; }
-  /// what() and the options in the interface's notation.
-  std::string written(OptionWriter write) const;
-
- private:
-  std::string problem_, where_, remedy_;
-  std::vector<OptionId> options_;
 };
 
 /// The message of std::bad_alloc.
