@@ -64,6 +64,18 @@ std::string serialized_ambiguous_columns(const AmbiguousColumns& error) {
 
 }  // namespace
 
+void serialize_options(Serializer& out, const std::vector<OptionId>& options) {
+  out.put(static_cast<std::uint64_t>(options.size()));
+  for (const OptionId& option : options) out.put(option);
+}
+
+std::vector<OptionId> deserialize_options(Deserializer& in) {
+  std::vector<OptionId> options(in.count(sizeof(std::uint64_t)));
+  if (options.size() > kMaxOptions) throw std::out_of_range("too many options");
+  for (OptionId& option : options) option = deserialize_option(in);
+  return options;
+}
+
 bool send_bytes(int descriptor, const void* from, std::size_t bytes) {
   const auto* at = static_cast<const char*>(from);
   while (bytes > 0) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "acquire/channels/csv_columns.hpp"
 #include "acquire/sandbox/serialization.hpp"
@@ -27,8 +28,9 @@ bool receive_bytes(int descriptor, void* to, std::size_t bytes);
 /// Runs `work` and sends its result, or the error that it threw. False when the parent has closed its end.
 bool run_and_send_outcome(int descriptor, const std::function<std::string()>& work);
 
-/// Identifiers of options. errors  std::out_of_range: more than 16, or not in the form of an identifier
+/// The options of an error or a note.
 void serialize_options(Serializer& out, const std::vector<OptionId>& options);
+/// errors  std::out_of_range: too many options, or not an option's identifier
 std::vector<OptionId> deserialize_options(Deserializer& in);
 
 /// The error in the payload of SandboxOutcome::input_error or ambiguous_columns.
