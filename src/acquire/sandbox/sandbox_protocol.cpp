@@ -100,18 +100,6 @@ bool receive_bytes(int descriptor, void* to, std::size_t bytes) {
   return true;
 }
 
-void serialize_options(Serializer& out, const std::vector<OptionId>& options) {
-  out.put(static_cast<std::uint64_t>(options.size()));
-  for (const OptionId& option : options) out.put(option);
-}
-
-std::vector<OptionId> deserialize_options(Deserializer& in) {
-  std::vector<OptionId> options(in.count(sizeof(std::uint64_t)));
-  if (options.size() > kMaxOptions) throw std::out_of_range("too many options");
-  for (OptionId& option : options) option = deserialize_option(in);
-  return options;
-}
-
 InputError deserialize_input_error(const std::string& payload) {
   Deserializer in(payload);
   return deserialize_error(in);
