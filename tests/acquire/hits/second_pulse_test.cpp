@@ -25,8 +25,8 @@ std::vector<double> two_pulses(double width, double delay, double ratio, double 
   return x;
 }
 
-/// Both tops fall up to half a sample beside a sample: 1 − cos² of π/2 over the width; and what rings from one into the
-/// other, and the 5-sample mean's own flattening of unequal phases.
+/// Each peak is up to half a sample off: 1 − cos² of π/2 over the width. Added are the ringing of one pulse in the
+/// other, and the different effect of the 5-sample mean at different phases.
 double ratio_slack(double width) { return std::pow(std::numbers::pi / 2 / width, 2) + 0.01; }
 
 TEST(SecondPulse, IsFoundWithItsDelayAndRatio) {
