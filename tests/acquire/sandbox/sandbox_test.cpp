@@ -121,7 +121,7 @@ TEST_F(Sandbox, PassesTheFieldsOfAnErrorOn) {
   EXPECT_EQ(error->remedy(), thrown.remedy());
   EXPECT_EQ(error->options(), thrown.options());
   EXPECT_STREQ(error->what(), thrown.what());
-  // Identifiers that no reader states reach the terminal from a compromised process only.
+  // Only a compromised process sends such identifiers, which would reach the terminal.
   EXPECT_THAT(error_of(InputError("a", "b", "c", {"\x1b[2J"}))->what(), HasSubstr("contradict"));
   EXPECT_THAT(error_of(InputError("a", "b", "c", std::vector<OptionId>(17, "fs")))->what(), HasSubstr("contradict"));
 }
