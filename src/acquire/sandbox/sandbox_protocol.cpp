@@ -9,8 +9,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "acquire/sandbox/serialization.hpp"
-
 namespace percuss::acquire {
 namespace {
 

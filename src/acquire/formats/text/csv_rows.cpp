@@ -105,7 +105,7 @@ double agreed_rate_Hz(const CsvHeader& header, const StampedRate& stamped, const
     notes.push_back(fmt::format("sampling rate {:.10g} Hz by the time column; the header says {:.10g} Hz",
                                 stamped.fs_Hz, *header.fs_Hz));
   } else if (!stamped.note.empty()) {
-    notes.push_back(stamped.note);
+    notes.emplace_back(stamped.note, std::vector<OptionId>{"fs"});
   }
   return stamped.fs_Hz;
 }
