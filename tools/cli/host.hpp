@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "frf/formats/frf_record.hpp"
+#include "frf/frf_record.hpp"
 #include "pipeline/impact_test.hpp"
 #include "pipeline/survey.hpp"
-#include "report/command_report.hpp"
+#include "report/html/command_report.hpp"
 #include "synth/synthesise.hpp"
 
 namespace percuss::tools {

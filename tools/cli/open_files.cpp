@@ -8,11 +8,11 @@
 #include <optional>
 #include <set>
 
+#include "acquire/open_measurement.hpp"
 #include "cli/option_error.hpp"
 #include "cli/output.hpp"
 #include "core/error.hpp"
 #include "core/parallel/parallel.hpp"
-#include "frf/formats/sandbox_measurement.hpp"
 
 namespace percuss::tools {
 namespace {

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iostream>
 #include <memory>
 
@@ -9,7 +10,6 @@
 #include "cli/output.hpp"
 #include "commands/commands.hpp"
 #include "core/error.hpp"
-#include "report/frf_files.hpp"
 
 namespace percuss::tools {
 namespace {
@@ -18,6 +18,10 @@ struct ConvertFlags {
   ReadFlags read;
   OutputFlags output;
 };
+
+void print_losses(const ConvertFlags& flags, const std::vector<std::string>& losses) {
+  for (const std::string& loss : losses) print_note(flags.output, {"not kept: " + loss, {}});
+}
 
 // The output is the file that -o names, otherwise the last argument, as for cp.
 std::string take_output(ConvertFlags& flags) {
@@ -33,15 +37,14 @@ std::string take_output(ConvertFlags& flags) {
 
 void convert_frfs(const ConvertFlags& flags, const std::string& to, std::vector<frf::FrfRecord> frfs) {
   const frf::FrfRecord record = join_frfs_of(flags.read, std::move(frfs));
-  for (const auto& note : record.notes) print_note(flags.output, Message{note});
-  const std::string kind = extension_of(to);
-  if (kind == ".wav" || kind == ".rf64" || kind == ".w64")
-    throw OptionError({}, "a sound file cannot hold FRFs: '" + one_line(to, 80) + "'", "use .h5, .csv, .mat or .uff");
-  const bool keeps_geometry = kind == ".uff" || kind == ".unv";
-  if (!record.geometry.empty() && !keeps_geometry) print_note(flags.output, {"not kept: the geometry", {}});
-  if (!record.trace_lines.empty() && !keeps_geometry)
-    print_note(flags.output, {"not kept: the lines between points", {}});
-  report::write_frfs(to, record, flags.read.frf_kind.value_or(record.kind), flags.output.force);
+  for (const Message& note : record.notes) print_note(flags.output, note);
+  const auto& known = acquire::frf_extensions();
+  if (std::find(known.begin(), known.end(), extension_of(to)) == known.end()) {
+    throw OptionError({}, "'" + one_line(to, 80) + "' cannot hold FRFs",
+                      fmt::format("use a name that ends in {}", fmt::join(known, ", ")));
+  }
+  print_losses(flags, acquire::losses_of(to, record));
+  acquire::write_frfs(to, record, flags.read.frf_kind.value_or(record.kind), flags.output.force);
 }
 
 int convert(ConvertFlags flags) {
@@ -52,8 +55,8 @@ int convert(ConvertFlags flags) {
     return kOk;
   }
   const acquire::Record record = acquire::join_records(std::move(opened.records), flags.read.files);
-  for (const auto& note : record.notes) print_note(flags.output, Message{note});
-  for (const std::string& loss : acquire::losses_of(to, record)) print_note(flags.output, {"not kept: " + loss, {}});
+  for (const Message& note : record.notes) print_note(flags.output, note);
+  print_losses(flags, acquire::losses_of(to, record));
   acquire::write_record(to, record, flags.output.force);
   return kOk;
 }
@@ -72,7 +75,7 @@ void add_convert(CommandLine& line) {
   command.example("percuss convert hits.csv hits.h5 --force-channel CH8 --force-unit lbf --quiet",
                   "Convert a table with forces in pounds to HDF5 in SI units, without notes on lost column names");
   add_read_flags(command, flags->read);
-  add_output_flags(command, flags->output, ".h5, .hdf5, .csv, .mat, .uff, .unv, .wav, .rf64, .w64");
+  add_output_flags(command, flags->output, fmt::format("{}", fmt::join(acquire::record_extensions(), ", ")).c_str());
 }
 
 }  // namespace percuss::tools

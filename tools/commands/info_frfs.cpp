@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "cli/option_names.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
 #include "report/text/text_table.hpp"
@@ -26,6 +27,22 @@ std::string optional_text(const std::optional<double>& value, double factor) {
 
 Json optional_json(const std::optional<double>& value, double factor) {
   return value ? Json(*value * factor) : Json(nullptr);
+}
+
+Json note_texts(const std::vector<Message>& notes) {
+  Json texts = Json::array();
+  for (const Message& note : notes) texts.push_back(note.text);
+  return texts;
+}
+
+std::string notes_paragraphs(const std::vector<Message>& notes, std::size_t width) {
+  constexpr std::size_t kMaxBytes = 2000, kIndent = 2;
+  std::string text;
+  for (const Message& note : notes) {
+    const std::string line = "note: " + one_line(note.written(flag_of), kMaxBytes);
+    text += "  " + report::wrapped(line, width, kIndent) + '\n';
+  }
+  return text;
 }
 
 Json frfs_json(const frf::FrfRecord& record) {
