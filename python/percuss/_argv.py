@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from . import _percuss
-from ._errors import InputError, UsageError, keyword_of
+from ._errors import InputError, UsageError
 
 # Options of the shell only: Python returns results, and save() writes them.
 _SHELL_ONLY = {"help", "output", "json", "force", "quiet", "example", "example_table", "list"}
@@ -32,7 +32,7 @@ class Option:
         self.list = declared["list"]
         self.repeatable = declared["repeatable"]
         self.id = self.flag.lstrip("-").replace("-", "_")
-        self.keyword = keyword_of(self.id)
+        self.keyword = self.id + "_" if self.id in ("from", "lambda") else self.id
 
     @property
     def is_flag(self) -> bool:
