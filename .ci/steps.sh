@@ -104,7 +104,7 @@ check_package() {
   deb=$(ls build/package/percuss_*.deb)
   dpkg-deb -I "$deb" | sed -n '/Package\|Version\|Depends\|Installed-Size/p'
   dpkg-deb -c "$deb" >build/package/list
-  for path in bin/percuss include/percuss/core/fft.hpp 'lib.*/libpercuss_core.a' 'lib.*/percussConfig.cmake' share/doc/percuss/copyright \
+  for path in bin/percuss include/percuss/analysis.hpp 'lib.*/libpercuss_api.a' 'lib.*/percussConfig.cmake' share/doc/percuss/copyright \
     share/man/man1/percuss-model-beam.1 share/bash-completion/completions/percuss share/zsh/site-functions/_percuss share/fish/vendor_completions.d/percuss.fish; do
     grep -q " \./usr/$path\$" build/package/list || { echo "the package lacks /usr/$path" >&2; return 1; }
   done

@@ -38,7 +38,9 @@ target_precompile_headers(percuss_headers PRIVATE
 function(percuss_code target)
   percuss_options(${target})
   target_compile_options(${target} PRIVATE -fPIC)
-  target_link_libraries(${target} PRIVATE Eigen3::Eigen nlohmann_json::nlohmann_json fmt::fmt)
+  # Headers alone: an installation does not need them.
+  target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:Eigen3::Eigen> $<BUILD_INTERFACE:nlohmann_json::nlohmann_json>
+                        fmt::fmt)
   if(NOT target STREQUAL "percuss_headers")
     target_precompile_headers(${target} REUSE_FROM percuss_headers)
   endif()
@@ -65,7 +67,7 @@ function(percuss_floor name)
   add_library(percuss::${name} ALIAS percuss_${name})
   set_target_properties(percuss_${name} PROPERTIES EXPORT_NAME ${name})
   target_include_directories(percuss_${name} PUBLIC
-    $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/src> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/percuss>)
+    $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/src> $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>)
   target_link_libraries(percuss_${name} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
   percuss_code(percuss_${name})
   percuss_rooms(percuss_${name} ${CMAKE_CURRENT_SOURCE_DIR}/src)
