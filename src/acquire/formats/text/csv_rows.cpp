@@ -130,7 +130,7 @@ std::vector<CsvRow> find_csv_rows(const CsvTable& table, const CsvColumns& colum
       if (!changes[k].empty()) labels[k] = changes[k][at[k]].value;
     }
     if (!seen.insert(labels).second) {
-      throw InputError(fmt::format("hit {} comes back after another", labels[0]), table.place(line),
+      throw InputError(fmt::format("hit {} returns after another", labels[0]), table.place(line),
                        "sort the lines by hit, in order of time");
     }
     end_row(rows, line);
