@@ -37,7 +37,6 @@ const std::vector<Level>& levels() {
       {"acquire/sandbox"},
       {"acquire"},
       {"frf"},
-      {"frf/formats"},
       {"identify/model"},
       {"identify/noise"},
       {"identify/fit"},

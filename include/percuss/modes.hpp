@@ -18,6 +18,8 @@
 ///   }
 /// }
 /// @endcode
+#include <percuss/error.hpp>
+
 #include <complex>
 #include <cstddef>
 #include <optional>
@@ -78,6 +80,7 @@ struct ModeClassification {
 /// What the reader of a result must know.
 struct Warning {
   std::string code, message;
+  std::vector<OptionId> options{};  // that the message concerns
 };
 
 }  // namespace percuss

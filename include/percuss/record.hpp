@@ -19,6 +19,8 @@
 ///   std::cout << "largest force " << record.force_N(0).at(3) << " N\n";
 /// }
 /// @endcode
+#include <percuss/error.hpp>
+
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -56,8 +58,8 @@ struct RecordDescription {
   Channel force;
   std::vector<Channel> accel;
   std::vector<RecordRow> rows;
-  bool continuous = false;         // each row may hold several hits
-  std::vector<std::string> notes;  // what was assumed or could not be read
+  bool continuous = false;     // each row may hold several hits
+  std::vector<Message> notes;  // assumptions, and parts that could not be read
 };
 
 /// What several files are: hits of one test, or one point each. Automatic is hits.

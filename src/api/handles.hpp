@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "frf/formats/frf_record.hpp"
+#include "acquire/record/frf_record.hpp"
 #include "percuss/analysis.hpp"
 #include "percuss/deflection.hpp"
 #include "percuss/error.hpp"
@@ -21,7 +21,7 @@ struct RecordData {
 };
 
 struct FrfData {
-  frf::FrfRecord record;  // accelerances, whatever the kind
+  acquire::FrfRecord record;  // accelerances, whatever the kind
   FrfKind kind = FrfKind::accelerance;
   std::vector<double> freq_Hz;
   std::vector<Frf> frfs;  // of the kind
@@ -42,13 +42,13 @@ struct DeflectionData {
 };
 
 Record make_record(acquire::Record record);
-FrfSet make_frf_set(frf::FrfRecord record, FrfKind kind);
+FrfSet make_frf_set(acquire::FrfRecord record, FrfKind kind);
 
 /// errors  InputError: the set-up file cannot be read.
 acquire::ReadOptions read_options(const ReadOptions& options);
-std::optional<frf::FrfKind> frf_kind(const std::optional<FrfKind>& kind);
-frf::FrfKind frf_kind(FrfKind kind);
-FrfKind public_kind(frf::FrfKind kind);
+std::optional<acquire::FrfKind> frf_kind(const std::optional<FrfKind>& kind);
+acquire::FrfKind frf_kind(FrfKind kind);
+FrfKind public_kind(acquire::FrfKind kind);
 
 /// errors  InputError: options that contradict each other.
 pipeline::AnalysisOptions analysis_options(const AnalysisOptions& options);

@@ -4,8 +4,6 @@
 #include <glob.h>
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -13,6 +11,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "acquire/format_registry.hpp"
 #include "core/error.hpp"
 #include "core/io/input_file.hpp"
 #include "report/text/digest.hpp"
@@ -21,18 +20,6 @@ namespace percuss::batch {
 namespace {
 
 namespace fs = std::filesystem;
-
-// Of files that a folder is walked for; a file that is named may have any.
-constexpr std::array<std::string_view, 17> kRecordKinds{".h5",  ".hdf5", ".hdf", ".mat", ".uff", ".unv",
-                                                        ".csv", ".tsv",  ".txt", ".dat", ".asc", ".lvm",
-                                                        ".wav", ".rf64", ".w64", ".uf",  ".bunv"};
-
-bool is_record_kind(const fs::path& path) {
-  std::string kind = path.extension().string();
-  std::transform(kind.begin(), kind.end(), kind.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return std::find(kRecordKinds.begin(), kRecordKinds.end(), kind) != kRecordKinds.end();
-}
 
 bool is_pattern(const std::string& name) { return name.find_first_of("*?[") != std::string::npos; }
 
@@ -50,7 +37,7 @@ class CollectedFiles {
       std::error_code ignored;
       if (hidden && at->is_directory(ignored)) at.disable_recursion_pending();
       if (hidden || !at->is_regular_file(ignored)) continue;
-      if (is_record_kind(at->path())) {
+      if (acquire::has_known_extension(at->path().string())) {
         found.push_back(at->path().string());
       } else {
         ++files_.left_out;
@@ -64,8 +51,7 @@ class CollectedFiles {
     glob_t matches{};
     const std::unique_ptr<glob_t, decltype(&::globfree)> owner(&matches, &::globfree);
     if (::glob(pattern.c_str(), GLOB_ERR, nullptr, &matches) != 0) {
-      throw InputError("no file fits the pattern", pattern,
-                       "check the path; a folder is walked when it is named itself");
+      throw InputError("no file matches the pattern", pattern, "check the path, or name the folder");
     }
     for (std::size_t i = 0; i < matches.gl_pathc; ++i) add_named(matches.gl_pathv[i]);
   }
@@ -76,7 +62,7 @@ class CollectedFiles {
     } else if (!fs::exists(name, ignored) && is_pattern(name)) {
       add_pattern(name);
     } else {
-      first_bytes(name, 0);  // it is there, and can be read
+      first_bytes(name, 0);  // checks that the file exists and can be read
       add(name);
     }
   }
@@ -106,8 +92,7 @@ bool is_utf8(const std::string& text) {
   return more == 0;
 }
 
-// As it was named, seen from the folder; through the folders that it really lies in where a link makes that another
-// file.
+// The path as named, relative to the folder. Where a symbolic link makes that another file, the real path.
 std::string path_from(const std::string& path, const fs::path& folder) {
   const fs::path given(path);
   if (given.is_absolute()) return given.lexically_normal().string();
@@ -141,7 +126,7 @@ std::vector<BatchRecord> records_of_files(const std::vector<std::string>& paths,
                                           bool hashed) {
   const fs::path folder = (fs::absolute(manifest_folder) / "").lexically_normal();
   std::map<std::string, BatchRecord> by_path;
-  std::map<std::string, std::size_t> times;  // each name without extension
+  std::map<std::string, std::size_t> times;  // how often each name without extension occurs
   for (const std::string& path : paths) {
     if (!is_utf8(path)) throw InputError("the file's name is not UTF-8", path, "rename it");
     BatchRecord record{.id = fs::path(path).stem().string(), .path = path_from(path, folder)};

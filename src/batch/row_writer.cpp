@@ -5,11 +5,11 @@
 #include <nlohmann/json.hpp>
 
 #include "acquire/formats/hdf5/hdf5_output.hpp"
+#include "acquire/formats/hdf5/write_frf_hdf5.hpp"
 #include "batch/serialized_frf.hpp"
 #include "batch/sha256_file.hpp"
 #include "core/error.hpp"
 #include "core/io/strict_json.hpp"
-#include "frf/formats/write_frf.hpp"
 #include "metrics/study/batch_columns.hpp"
 #include "metrics/study/csv_cell.hpp"
 
@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Calls use(row's values), which may find them to be others than rows have.
+// Calls use(values of the row). Values of a wrong kind are an InputError.
 template <class Use>
 void with_row(std::string_view row, const std::string& where, Use&& use) {
   constexpr int kRowDepth = 2;
@@ -27,7 +27,7 @@ void with_row(std::string_view row, const std::string& where, Use&& use) {
     if (json.is_object()) return use(json);
   } catch (const Json::exception&) {
   }
-  throw InputError("this is no row", where, "run the shard again with --force");
+  throw InputError("this is not a row", where, "run the shard again", {"batch.run.force"});
 }
 
 class JsonLines : public RowWriter {
@@ -79,7 +79,7 @@ class CsvTable : public RowWriter {
   Sha256File file_;
 };
 
-// A name of one group for every id: a slash would make it two.
+// A group name for an id: a slash would make two groups.
 std::string group_name(const std::string& id) {
   std::string name;
   for (const char c : id) name += c == '/' ? std::string("%2F") : c == '%' ? std::string("%25") : std::string(1, c);
@@ -98,8 +98,8 @@ class FrfFile : public RowWriter {
     with_row(row, where, [&](const Json& json) {
       const std::string id = json.at("id").get<std::string>(), path = json.at("path").get<std::string>();
       const std::string group = fmt::format("{}/run-{}", group_name(id), json.at("run").get<int>());
-      frf::write_frf_group(out_, group, deserialize_frfs(json.at("packed").get<std::string>(), where),
-                           frf::FrfKind::accelerance);
+      acquire::write_frf_group(out_, group, deserialize_frfs(json.at("packed").get<std::string>(), where),
+                               frf::FrfKind::accelerance);
       out_.set_text(group, "id", id);
       out_.set_text(group, "path", path);
       out_.close_sets();
@@ -128,7 +128,7 @@ std::unique_ptr<RowWriter> row_writer(const std::string& path, const BatchTotals
   if (path.ends_with(".csv")) return std::make_unique<CsvTable>(path, force);
   if (!path.ends_with(".h5")) return std::make_unique<JsonLines>(path, totals, force);
   if (totals.head.frf) return std::make_unique<FrfFile>(path, totals, force);
-  throw InputError("the batch was planned without FRFs", path, "plan it with --frf");
+  throw InputError("the batch was planned without FRFs", path, "plan the batch with FRFs", {"batch.plan.frf"});
 }
 
 }  // namespace percuss::batch

@@ -20,7 +20,7 @@ Complex total_least_squares(double ff, double aa, Complex fa, double scale) {
   if (std::abs(cross) == 0) return 0;
   const double half = 0.5 * (a - ff);
   const double root = std::sqrt(half * half + std::norm(cross));
-  // Of the two equal forms, the one without cancellation.
+  // This of the two equal forms does not cancel.
   return half >= 0 ? scale * (half + root) / std::conj(cross) : scale * cross / (root - half);
 }
 
@@ -52,7 +52,7 @@ CrossSpectra cross_spectra(std::span<const std::span<const Complex>> force,
                    .aa = std::vector<double>(lines),
                    .fa = std::vector<Complex>(lines),
                    .averages = force.size()};
-  constexpr std::size_t kLinesPerBlock = 256;  // lines whose sums stay in the fastest memory
+  constexpr std::size_t kLinesPerBlock = 256;  // lines whose sums fit into the first-level cache
   for (std::size_t first = 0; first < lines; first += kLinesPerBlock) {
     const std::size_t end = std::min(first + kLinesPerBlock, lines);
     for (std::size_t h = 0; h < force.size(); ++h) {
@@ -96,7 +96,7 @@ Frf estimate_frf(const CrossSpectra& spectra, const LineRange& lines, Estimator 
         break;
     }
     if (!averaged) continue;
-    // (4), (5) as residual energy, which stays exact where the coherence is 1 to all digits.
+    // (4) and (5) from the residual energy, which is exact even where the coherence rounds to 1.
     const double unexplained = std::max(0.0, aa - std::norm(fa) / ff);
     frf.coherence[k] = aa > 0 ? std::min(1.0, 1 - unexplained / aa) : 0;
     frf.std[k] = std::sqrt(unexplained / (ff * static_cast<double>(spectra.averages - 1)));
@@ -108,7 +108,8 @@ void require_force(std::span<const double> ff, const LineRange& lines) {
   const auto none = std::find_if(ff.begin(), ff.end(), [](double power) { return !(power > 0); });
   if (none == ff.end()) return;
   const auto line = static_cast<std::size_t>(none - ff.begin());
-  throw InputError(fmt::format("the force has no energy at {:.6g} Hz", lines.freq_Hz(line)), "FRF", "narrow --band");
+  throw InputError(fmt::format("the force has no energy at {:.6g} Hz", lines.freq_Hz(line)), "FRF", "narrow the band",
+                   {"band"});
 }
 
 }  // namespace percuss::frf

@@ -2,6 +2,7 @@
 #include <span>
 #include <vector>
 
+#include "acquire/record/frf.hpp"
 #include "frf/spectra.hpp"
 
 namespace percuss::frf {
@@ -11,7 +12,8 @@ enum class Estimator { h1, h2, hv };
 /// H1, H2, Hv
 const char* name_of(Estimator estimator);
 
-/// Sums over hits of products of spectra, line by line (one-sided, unscaled: only ratios are used).
+/// Cross and auto spectra, summed over the hits at each spectral line. They are one-sided and not scaled: only their
+/// ratios are used.
 ///   G_ff = Σ |F|²,  G_aa = Σ |A|²,  G_fa = Σ conj(F) A
 /// theory (2.3)
 struct CrossSpectra {
@@ -20,33 +22,27 @@ struct CrossSpectra {
   std::size_t averages = 0;
 };
 
-/// force and accel: [hits][lines], of the same hits in the same order.
+/// shapes  force and accel [hits][lines], of the same hits in the same order.
 CrossSpectra cross_spectra(std::span<const std::span<const Complex>> force,
                            std::span<const std::span<const Complex>> accel);
 
-/// Accelerance of one response to one point, averaged over hits.
-struct Frf {
-  std::vector<Complex> value;  // (m/s²)/N
-  std::vector<double> std;  // deviation of |value − truth| from the scatter over hits, (m/s²)/N; empty for one hit
-  std::vector<double> coherence;  // ordinary, 0 … 1; empty for one hit
-  std::size_t averages = 0;
-};
+using acquire::Frf;
 
-/// Accelerance from averaged force/acceleration spectra.
+/// The accelerance from the summed spectra of force and acceleration.
 ///   H1 = G_fa / G_ff                    unbiased by noise on the acceleration                          (1)
 ///   H2 = G_aa / conj(G_fa)              unbiased by noise on the force                                 (2)
-///   Hv = total least squares: the smaller eigenvector of [[G_ff, conj G_fa], [G_fa, G_aa]], both channels
-///        scaled to the same mean power over the lines given                                            (3)
+///   Hv = total least squares: the eigenvector of [[G_ff, conj G_fa], [G_fa, G_aa]] with the smaller eigenvalue,
+///        both channels scaled to the same mean power over these lines                                            (3)
 ///   γ² = |G_fa|² / (G_ff G_aa)                                                                         (4)
 ///   σ² = (1 − γ²)/γ² · |H1|² / (n − 1), n hits                                                         (5)
 /// shapes  every array (lines).
 /// units   (m/s²)/N.
-/// errors  InputError when the force never excited a line (G_ff = 0).
+/// errors  InputError: the force has no energy at some spectral line (G_ff = 0).
 /// source  [3], [4] in docs/theory/sources.md.
 /// theory (2.4), (2.5), (2.6), (2.7), (2.8) in the order of (1) to (5) here
 Frf estimate_frf(const CrossSpectra& spectra, const LineRange& lines, Estimator estimator = Estimator::h1);
 
-/// InputError when the force never excited one of the lines. shape  ff [lines.count]
+/// Throws InputError where the force has no energy at some spectral line. shape  ff [lines.count]
 void require_force(std::span<const double> ff, const LineRange& lines);
 
 }  // namespace percuss::frf

@@ -10,10 +10,10 @@ namespace {
 using Eigen::Index;
 
 constexpr Index kBlock = 256;              // lines
-constexpr Index kMaxComparedLines = 1024;  // lines: the hits agree or do not on any of them
+constexpr Index kMaxComparedLines = 1024;  // lines: enough to tell whether the hits agree
 using Block = Eigen::Array<double, Eigen::Dynamic, 1, 0, kBlock, 1>;
 
-// Real and imaginary parts apart, so that several lines are worked on at once.
+// Separate real and imaginary parts, for vector instructions over several lines.
 struct Parts {
   Block re, im;
   Block power() const { return re.square() + im.square(); }
@@ -25,8 +25,8 @@ Parts parts_of(std::span<const Complex> lines, Index first, Index count, Index s
   return {block.real(), block.imag()};
 }
 
-// What the others' H1 leaves of a response is (a − f·H1)/(1 − |f|²/Σff), with the H1 of all: the power by which that
-// divides. Where nothing but this hit excited a line the others explain none of it; 0 stands for that.
+// The residual of a response under the other hits' H1 is (a − f·H1)/(1 − |f|²/Σff), with the H1 of all hits. This is
+// the divisor's power; 0 where only this hit excited the line, which the other hits cannot explain.
 Block share_of_others(const Block& ff, const Parts& f) {
   const Block others = ff - f.power();
   return (others > 0).select((ff / others).square(), 0);
@@ -51,7 +51,7 @@ std::vector<double> leave_one_out_error(std::span<const std::span<const Complex>
   const Index lines = step > 0 ? (all_lines + step - 1) / step : 0;
   std::vector<Parts> f(hits), a(hits);
   std::vector<Block> share(hits);
-  // Block by block, so that what is summed over the hits stays in the cache.
+  // In blocks of lines, so that the sums over the hits stay in the cache.
   for (Index first = 0; first < lines; first += kBlock) {
     const Index count = std::min(kBlock, lines - first);
     Block ff = Block::Zero(count);

@@ -16,15 +16,15 @@ namespace {
 
 using Eigen::Array2d;
 
-constexpr std::size_t kOversampling = 8;              // the pulse's transform over its length
-constexpr std::size_t kKernelWidth = 12;              // of the kernel, in lines of that transform
-constexpr std::size_t kMaxSteps = 64, kMinSteps = 8;  // lines between two of that transform
-// The kernel's images, one turn of that transform away, begin where its own transform ends.
+constexpr std::size_t kOversampling = 8;              // length of the pulse's transform over the pulse's length
+constexpr std::size_t kKernelWidth = 12;              // spectral lines of the oversampled transform
+constexpr std::size_t kMaxSteps = 64, kMinSteps = 8;  // spectral lines between two of the oversampled transform
+// The kernel's images, one period of the oversampled transform away, begin where its own transform ends.
 const double kShape =
     std::numbers::pi * static_cast<double>(kKernelWidth) * (1 - 0.5 / static_cast<double>(kOversampling));
 
-// Weights of the kKernelWidth lines around a place between two of them, for each of `steps` places, each twice over:
-// for the real and the imaginary part. [steps][kKernelWidth][2]
+// Interpolation weights of the kKernelWidth neighbouring lines, for each of `steps` positions between two lines. Each
+// weight is stored twice, for the real and the imaginary part. [steps][kKernelWidth][2]
 std::vector<double> kernel(std::size_t steps) {
   std::vector<double> weights;
   weights.reserve(2 * steps * kKernelWidth);
@@ -39,24 +39,24 @@ std::vector<double> kernel(std::size_t steps) {
   return weights;
 }
 
-// One thread at a time: the Bessel function goes through lgamma, which leaves a sign where all threads see it.
+// One thread at a time: the Bessel function calls lgamma, which writes a global sign.
 const std::vector<double>& cached_kernel(std::size_t steps) {
   static std::mutex mutex;
-  static auto& kernels = *new std::map<std::size_t, std::vector<double>>;  // live as long as the process
+  static auto& kernels = *new std::map<std::size_t, std::vector<double>>;  // never destroyed
   const std::scoped_lock lock(mutex);
   std::vector<double>& weights = kernels[steps];
   if (weights.empty()) weights = kernel(steps);
   return weights;
 }
 
-// What the kernel makes of a sample that many samples off the middle.
+// The kernel's factor on a sample at this distance from the middle.
 double kernel_gain(double samples_off, double grid) {
   const double turn = std::numbers::pi * kKernelWidth * samples_off / grid;
   const double root = std::sqrt(kShape * kShape - turn * turn);
   return kKernelWidth * std::sinh(root) / root;
 }
 
-// Lines wanted between two of the pulse's own transform; 0: none will do.
+// Spectral lines between two of the pulse's own transform; 0: no factor of the block's length is suitable.
 std::size_t steps_between(std::size_t pulse, std::size_t samples) {
   const std::size_t most = std::min(kMaxSteps, samples / std::max(kOversampling * pulse, 4 * kKernelWidth));
   for (std::size_t steps = most; steps >= kMinSteps; --steps) {
@@ -65,8 +65,8 @@ std::size_t steps_between(std::size_t pulse, std::size_t samples) {
   return 0;
 }
 
-// The pulse's own transform about its middle sample, from kKernelWidth lines before zero to as many after half of
-// `grid`.
+// The pulse's transform about its middle sample, from kKernelWidth lines below zero to kKernelWidth lines above half
+// of `grid`.
 std::vector<Complex> own_transform(std::span<const double> pulse, std::size_t grid) {
   std::vector<double> x(grid);
   const std::size_t middle = pulse.size() / 2;
@@ -86,7 +86,7 @@ std::vector<Complex> own_transform(std::span<const double> pulse, std::size_t gr
 Complex interpolated(const Complex* around, const double* weights) {
   const auto* lines = reinterpret_cast<const double*>(around);
   const auto at = [](const double* pair) { return Eigen::Map<const Array2d>(pair); };
-  Array2d even = Array2d::Zero(), odd = Array2d::Zero();  // two sums: each waits for its last
+  Array2d even = Array2d::Zero(), odd = Array2d::Zero();  // two independent sums, for instruction-level parallelism
   for (std::size_t t = 0; t < 2 * kKernelWidth; t += 4) {
     even += at(weights + t) * at(lines + t);
     odd += at(weights + t + 2) * at(lines + t + 2);
@@ -104,12 +104,12 @@ bool pulse_spectrum(std::span<const double> pulse, std::size_t offset, const Lin
   const std::vector<Complex> own = own_transform(pulse, grid);
   const std::vector<double>& weights = cached_kernel(steps);
   const std::size_t middle = offset + pulse.size() / 2;
-  const auto turn = [&](std::size_t k) {  // whole turns left out as integers, not by rounding
+  const auto turn = [&](std::size_t k) {  // whole turns are removed in integers, without rounding
     return std::polar(1.0,
                       -kTwoPi * static_cast<double>(middle * k % lines.samples) / static_cast<double>(lines.samples));
   };
   const Complex turn_by_line = turn(1);
-  constexpr std::size_t kPhaseRestart = 64;  // lines after which the phase is worked out again: rounding adds up
+  constexpr std::size_t kPhaseRestart = 64;  // lines after which the phase is computed anew: its rounding errors add up
   Complex phase;
   const Complex* around = own.data() + lines.first / steps + kKernelWidth + 1 - kKernelWidth / 2;
   std::size_t step = lines.first % steps;

@@ -21,7 +21,7 @@ double origin_of(const acquire::Hit& hit) { return static_cast<double>(hit.peak 
 
 LineRange lines_in_band(double fs_Hz, std::size_t samples, double low_Hz, double high_Hz) {
   LineRange lines{.fs_Hz = fs_Hz, .samples = samples};
-  // A line within a millionth of a bin of the edge belongs to the band: edges are typed as round numbers.
+  // A line within a millionth of a bin of an edge is inside the band: users type edges as round numbers.
   const double edge = 1e-6;
   const std::size_t last = samples / 2;
   const auto top = static_cast<double>(last);
@@ -45,7 +45,7 @@ ForceBlock force_block(const acquire::Hit& hit, double fs_Hz, double decay_per_s
 void force_spectrum(const ForceBlock& block, const LineRange& lines, std::span<Complex> out) {
   const bool short_pulse = block.ungated_N.empty() && block.offset + block.force_N.size() <= lines.samples;
   if (short_pulse && pulse_spectrum(block.force_N, block.offset, lines, out)) return;
-  thread_local std::vector<double> x;  // zeros between calls: most of a gated force's block is
+  thread_local std::vector<double> x;  // all zero between calls, as most of a gated force's block is
   if (x.size() != lines.samples) x.assign(lines.samples, 0);
   const std::vector<double>& force = block.ungated_N.empty() ? block.force_N : block.ungated_N;
   const std::size_t offset = block.ungated_N.empty() ? std::min(block.offset, x.size()) : 0;

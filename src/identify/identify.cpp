@@ -8,7 +8,7 @@
 namespace percuss::identify {
 
 std::vector<Mode> identify_modes(const FrfDataset& set, const IdentifyOptions& options) {
-  if (options.start_Hz.empty() && set.outputs.size() > kMaxPrincipalFrfs) {
+  if (options.start_Hz.empty() && set.channels.size() > kMaxPrincipalFrfs) {
     if (auto modes = identify_multi_output(set, options)) return *std::move(modes);
   }
   SequentialFitOptions peaks = sequential_fit_options(options.effort);

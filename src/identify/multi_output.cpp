@@ -71,9 +71,9 @@ class CompletedDecays {
       whole_.points[p] = {.blocks = point.blocks, .spectra = {}, .ff = point.ff, .noise_N = point.noise_N};
       whole_.points[p].complete = true;
     });
-    whole_.outputs.resize(cut.outputs.size());
-    parallel_for_cost(cut.outputs.size(), kFlopsPerProduct * cut.lines.count,
-                      [&](std::size_t o) { whole_.outputs[o] = cut.outputs[o]; });
+    whole_.channels.resize(cut.channels.size());
+    parallel_for_cost(cut.channels.size(), kFlopsPerProduct * cut.lines.count,
+                      [&](std::size_t o) { whole_.channels[o] = cut.channels[o]; });
   }
   const FrfDataset& set() const { return whole_; }
   // FRFs that came without records do not tell what is missing of them.
@@ -83,14 +83,14 @@ class CompletedDecays {
 
   // Residues fitted to a set less complete are off by as much as that lacks; what is added, by as much again.
   void add_missing_decays(const std::vector<Pole>& poles, const Eigen::MatrixXcd& residues) {
-    parallel_for_cost(cut_.outputs.size(), kFlopsPerProduct * cut_.lines.count,
-                      [&](std::size_t o) { whole_.outputs[o].frf = cut_.outputs[o].frf; });
+    parallel_for_cost(cut_.channels.size(), kFlopsPerProduct * cut_.lines.count,
+                      [&](std::size_t o) { whole_.channels[o].frf = cut_.channels[o].frf; });
     for (std::size_t m = 0; m < poles.size(); ++m) {
       if (remaining_amplitude(poles[m], cut_.lines) < kCompleted) continue;
       const TruncatedDecay missing(poles[m], 0, cut_.lines, 0, cut_.lines.count);
-      parallel_for_cost(cut_.outputs.size(), kFlopsPerLine * cut_.lines.count, [&](std::size_t o) {
-        missing.add_to(whole_.outputs[o].frf, residues(static_cast<Index>(o), static_cast<Index>(m)),
-                       cut_.points[cut_.outputs[o].point]);
+      parallel_for_cost(cut_.channels.size(), kFlopsPerLine * cut_.lines.count, [&](std::size_t o) {
+        missing.add_to(whole_.channels[o].frf, residues(static_cast<Index>(o), static_cast<Index>(m)),
+                       cut_.points[cut_.channels[o].point]);
       });
     }
   }
@@ -100,7 +100,7 @@ class CompletedDecays {
   FrfDataset whole_;
 };
 
-// Turns `few` into the outputs of complete records, and fits `found` to them. Each time what is missing is known
+// Turns `few` into the channels of complete records, and fits `found` to them. Each time what is missing is known
 // better, by as much as is missing.
 void complete(CompletedDecays& completed, const Eigen::MatrixXd& sums, FrfDataset& few,
               std::vector<FittedMode>& found) {
@@ -128,7 +128,7 @@ struct PoleWindow {
   std::size_t pole = 0;    // line
 };
 
-// What a fit leaves of an output about a pole, in parts of its noise, and what noise would leave.
+// What a fit leaves of a channel about a pole, in parts of its noise, and what noise would leave.
 struct ResidualEnergy {
   double energy = 0, expected = 0;
 };
@@ -139,14 +139,14 @@ std::vector<ResidualEnergy> residual_energy_near(const FrfDataset& set, const st
   const auto lines = static_cast<std::size_t>(window.to - window.from + 1);
   parallel_for_cost(gain.size(), kFlopsPerLine * lines,
                     [&](std::size_t p) { gain[p] = gain_variance(set, p, window.from, window.to, window.pole); });
-  std::vector<ResidualEnergy> out(set.outputs.size());
+  std::vector<ResidualEnergy> out(set.channels.size());
   parallel_for_cost(out.size(), kFlopsPerLine * lines, [&](std::size_t o) {
-    const FrfChannel& output = set.outputs[o];
+    const FrfChannel& channel = set.channels[o];
     for (Index k = window.from; k <= window.to; ++k) {
       const auto line = static_cast<std::size_t>(k);
       const double n = noise.at(o, line);
       out[o].energy += std::norm(residual[o](k)) / (n * n);
-      out[o].expected += 1 + gain[output.point](k - window.from) * std::norm(output.frf[line]) / (n * n);
+      out[o].expected += 1 + gain[channel.point](k - window.from) * std::norm(channel.frf[line]) / (n * n);
     }
   });
   return out;
@@ -160,10 +160,10 @@ bool fits_to_noise(const FrfDataset& set, const JointFit& fit) {
     const double half = std::max(kCheckedWidths * pole.half_power_Hz() / set.lines.df_Hz(), kMinCheckedLines);
     const auto from = static_cast<Index>(set.lines.at(at - half));
     const auto to = static_cast<Index>(set.lines.at(at + half));
-    const std::vector<ResidualEnergy> of_output =
+    const std::vector<ResidualEnergy> of_channel =
         residual_energy_near(set, fit.residual, noise, {.from = from, .to = to, .pole = set.lines.at(at)});
     double energy = 0, expected = 0;
-    for (const ResidualEnergy& one : of_output) {
+    for (const ResidualEnergy& one : of_channel) {
       energy += one.energy;
       expected += one.expected;
     }
@@ -177,12 +177,12 @@ std::vector<Mode> modes_of(const FrfDataset& set, const std::vector<FittedMode>&
   for (std::size_t m = 0; m < found.size(); ++m) {
     Mode mode = found[m].mode;
     mode.residues.clear();
-    for (std::size_t o = 0; o < set.outputs.size(); ++o) {
-      mode.residues.push_back({.point = set.outputs[o].point,
-                               .channel = set.outputs[o].channel,
+    for (std::size_t o = 0; o < set.channels.size(); ++o) {
+      mode.residues.push_back({.point = set.channels[o].point,
+                               .channel = set.channels[o].channel,
                                .value = fit.residues(static_cast<Index>(o), static_cast<Index>(m)),
                                .std = fit.residue_std(static_cast<Index>(o), static_cast<Index>(m)),
-                               .relative_std = gain_deviation(set, set.outputs[o].point, mode.pole.freq_Hz)});
+                               .relative_std = gain_deviation(set, set.channels[o].point, mode.pole.freq_Hz)});
     }
     modes.push_back(std::move(mode));
   }
@@ -192,7 +192,7 @@ std::vector<Mode> modes_of(const FrfDataset& set, const std::vector<FittedMode>&
 }  // namespace
 
 std::optional<std::vector<Mode>> identify_multi_output(const FrfDataset& set, const IdentifyOptions& options) {
-  // An exponential window belongs to the pulse, which mixed outputs do not have.
+  // An exponential window belongs to the pulse, which mixed channels do not have.
   if (set.window_decay_per_s() != 0) return std::nullopt;
   const Eigen::MatrixXd sums = principal_components(set, kMaxPrincipalFrfs);
   FrfDataset few = principal_frfs(set, sums);
@@ -201,7 +201,7 @@ std::optional<std::vector<Mode>> identify_multi_output(const FrfDataset& set, co
   // The clear modes first: what is missing of them after the records' ends would pass for hidden ones.
   SequentialFitOptions thorough = sequential_fit_options(options.effort);
   thorough.modes = options.modes;
-  for (const SequentialFitOptions& peaks : {SequentialFitOptions{.rounds = 0, .modes = options.modes}, thorough}) {
+  for (const SequentialFitOptions& peaks : {SequentialFitOptions{.max_rounds = 0, .modes = options.modes}, thorough}) {
     const std::size_t before = found.size();
     found = fit_sequentially(few, peaks);
     if (found.empty() || max_remaining_amplitude(set, found) > kMaxRemainingAmplitude) return std::nullopt;

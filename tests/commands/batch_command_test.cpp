@@ -259,7 +259,7 @@ TEST_F(BatchCommand, NoticesThatAPartHasChanged) {
   test::write_bytes(folder_.file("out/part-0.jsonl"), part);
   const auto outcome = batch({"merge", "--manifest", "m.jsonl", "out", "-o", "r.jsonl"});
   EXPECT_EQ(outcome.code, 3);
-  EXPECT_THAT(outcome.err, HasSubstr("the part is not as it was finished"));
+  EXPECT_THAT(outcome.err, HasSubstr("the part changed after it was finished"));
   EXPECT_FALSE(fs::exists(folder_.file("r.jsonl")));
 }
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <span>
 
-namespace percuss::frf::agreement_test {
+namespace percuss::frf::leave_one_out_test {
 
 using Lines = std::vector<Complex>;
 
@@ -32,27 +32,27 @@ std::vector<std::vector<Lines>> responses(const std::vector<double>& gain, doubl
   return out;
 }
 
-TEST(UnexplainedByOthers, IsNothingWhenAllHitsSayTheSame) {
+TEST(LeaveOneOutError, IsZeroWhenAllHitsAgree) {
   constexpr double kRounding = 1e-28;  // of energies
   for (const double left : unexplained(kForce, responses({1, 1, 1}))) EXPECT_LE(left, kRounding);
 }
 
-TEST(UnexplainedByOthers, IsTheEnergyOfTheDifferenceToTheOthersFrf) {
+TEST(LeaveOneOutError, IsTheEnergyOfTheDifferenceFromTheOtherHitsFrf) {
   const std::vector<Lines> alike(3, Lines{2.0});
   const auto left = unexplained(alike, {{{6.0}}, {{6.0}}, {{-6.0}}});
-  EXPECT_DOUBLE_EQ(left[2], 4);  // −3 where the others say 3
-  EXPECT_DOUBLE_EQ(left[0], 1);  // 3 where the others say 0
+  EXPECT_DOUBLE_EQ(left[2], 4);  // −3 where the other hits predict 3
+  EXPECT_DOUBLE_EQ(left[0], 1);  // 3 where the other hits predict 0
   EXPECT_DOUBLE_EQ(left[1], 1);
 }
 
-TEST(UnexplainedByOthers, WeighsChannelsAndLinesByTheirEnergy) {
+TEST(LeaveOneOutError, WeighsChannelsAndLinesByTheirEnergy) {
   const std::vector<Lines> alike(2, Lines{1.0, 1.0});
   const auto left = unexplained(alike, {{{1.0, 2.0}, {0.0, 3.0}}, {{1.0, 2.0}, {4.0, 3.0}}});
-  EXPECT_DOUBLE_EQ(left[0], 16.0 / 14);  // the one line of 4 that the other hit has, over 1 + 4 + 9
+  EXPECT_DOUBLE_EQ(left[0], 16.0 / 14);  // only the line of 4 has energy in the other hit, over 1 + 4 + 9
   EXPECT_DOUBLE_EQ(left[1], 16.0 / 30);
 }
 
-TEST(UnexplainedByOthers, DoesNotDependOnUnitsOrTheOrderOfHits) {
+TEST(LeaveOneOutError, DoesNotDependOnUnitsOrTheOrderOfHits) {
   const auto plain = unexplained(kForce, responses({1, 1.2, 0.7}));
   for (const double scale : {-1.0, 1e-30, 1e30}) {
     const auto scaled = unexplained(kForce, responses({1, 1.2, 0.7}, scale));
@@ -69,11 +69,11 @@ TEST(UnexplainedByOthers, DoesNotDependOnUnitsOrTheOrderOfHits) {
   EXPECT_LE(std::abs(turned[1] / plain[1] - 1), kRounding);
 }
 
-TEST(UnexplainedByOthers, NeedsTwoHitsAndAResponse) {
+TEST(LeaveOneOutError, NeedsTwoHitsAndAResponse) {
   EXPECT_EQ(unexplained({kForce[0]}, {responses({1})[0]}), std::vector<double>{0});
   EXPECT_TRUE(unexplained({}, {}).empty());
   const auto silent = unexplained({kForce[0], kForce[1]}, responses({0, 0}));
   EXPECT_EQ(silent, (std::vector<double>{0, 0}));
 }
 
-}  // namespace percuss::frf::agreement_test
+}  // namespace percuss::frf::leave_one_out_test

@@ -24,7 +24,7 @@ constexpr double kRounding = 1e-13;  // of the largest line: the kernel's images
 
 class PulseSpectrum : public testing::TestWithParam<Place> {};
 
-// White noise is the hardest pulse: nothing of its transform is small.
+// White noise is the hardest pulse: no part of its spectrum is small.
 TEST_P(PulseSpectrum, IsTheTransformOfTheWholeBlock) {
   const auto [length, offset, samples] = GetParam();
   const std::vector<double> pulse = noise(length);
@@ -47,7 +47,7 @@ INSTANTIATE_TEST_SUITE_P(WhereverThePulseIs, PulseSpectrum,
                                          Place{63, 100, 25600}, Place{256, 1600, 32768}, Place{255, 32513, 32768},
                                          Place{100, 3, 48000}, Place{97, 40000, 96000}));
 
-TEST(PulseSpectrumOf, LongPulsesAndPrimeBlocksIsLeftToTheTransform) {
+TEST(PulseSpectrumSavings, AreNoneForLongPulsesAndPrimeBlocks) {
   std::vector<Complex> out(100);
   EXPECT_FALSE(pulse_spectrum(noise(4000), 10, {.fs_Hz = 1, .samples = 32768, .count = 100}, out));
   EXPECT_FALSE(pulse_spectrum(noise(10), 10, {.fs_Hz = 1, .samples = 32749, .count = 100}, out));

@@ -139,9 +139,9 @@ TEST(ExponentialWindow, OnBothChannelsShowsTheExactFrfAtJOmegaPlusItsDecay) {
     unshifted = std::max(unshifted, std::abs(response[k] / force[k] - accelerance_at(test.truth, omega)));
     size = std::max(size, std::abs(exact));
   }
-  constexpr double kTail = 1e-9;  // what the window leaves of the end, 1e-11, over a spectrum whose lines differ by 10
+  constexpr double kTail = 1e-9;  // the truncated end, 1e-11 of the start, over a spectrum whose lines differ by 10
   EXPECT_LE(error, kTail * size);
-  EXPECT_GE(unshifted, 0.1 * size);  // the window's decay is no detail
+  EXPECT_GE(unshifted, 0.1 * size);  // the shift by the window's decay is large
 }
 
 TEST(Spectra, OfALaterResponseTurnBackwards) {

@@ -13,16 +13,16 @@ constexpr double kDeviations = 4.5;
 constexpr std::size_t kOutputs = 30;
 const std::vector<Pole> kTruth{{300.3, 0.01}, {306, 0.009}, {420, 0.006}};
 
-double shape(std::size_t output, std::size_t mode) {
-  return 0.5 * std::cos(3.1 * (static_cast<double>(mode) + 1) * static_cast<double>(output) / kOutputs + 0.4);
+double shape(std::size_t channel, std::size_t mode) {
+  return 0.5 * std::cos(3.1 * (static_cast<double>(mode) + 1) * static_cast<double>(channel) / kOutputs + 0.4);
 }
 
 FrfDataset survey(double freq_scatter_Hz, std::uint64_t seed) {
   FrfDataset set = test::empty_set(4096, 32768, 250, 500, kOutputs);
   set.points.resize(kOutputs, set.points.front());
   for (std::size_t o = 0; o < kOutputs; ++o) {
-    set.outputs[o].point = o;
-    set.outputs[o].channel = 0;
+    set.channels[o].point = o;
+    set.channels[o].channel = 0;
     for (std::size_t m = 0; m < kTruth.size(); ++m) {
       Pole pole = kTruth[m];
       pole.freq_Hz += freq_scatter_Hz * std::sin(7.0 * static_cast<double>(o));

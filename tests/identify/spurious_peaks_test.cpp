@@ -27,14 +27,14 @@ FrfDataset survey(double low_Hz, std::uint64_t seed) {
     return value[0];
   };
   for (std::size_t p = 0; p < 9; ++p) {
-    set.outputs[p].point = p;
-    set.outputs[p].channel = 0;
+    set.channels[p].point = p;
+    set.channels[p].channel = 0;
     for (std::size_t m = 0; m < kModes_Hz.size(); ++m) {
       const double shape = std::cos(static_cast<double>((m + 1) * p) * 0.4 + 0.3);
       const Pole pole{kModes_Hz[m] + 0.2e-4 * kModes_Hz[m] * normal(), 1e-4};
       test::add_mode(set, p, pole, 0.1 * shape);
     }
-    for (Complex& line : set.outputs[p].frf) line *= Complex(1 + kGainNoise * normal(), kGainNoise * normal());
+    for (Complex& line : set.channels[p].frf) line *= Complex(1 + kGainNoise * normal(), kGainNoise * normal());
   }
   test::add_frf_noise(set, kLineNoise, seed);
   return set;

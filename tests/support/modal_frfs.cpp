@@ -42,7 +42,7 @@ identify::FrfDataset frf_set_of(const acquire::Record& record, double low_Hz, do
         }
       }
       for (std::size_t k = 0; k < h.size(); ++k) h[k] /= power[k];
-      set.outputs.push_back({.point = set.points.size(), .channel = c, .frf = h});
+      set.channels.push_back({.point = set.points.size(), .channel = c, .frf = h});
     }
     set.points.push_back(identify::point_force(blocks, force, set.lines, 0));
   }
@@ -54,7 +54,7 @@ identify::FrfDataset empty_set(double fs_Hz, std::size_t samples, double low_Hz,
   const frf::Spectrum flat = frf::shared(std::vector<Complex>(set.lines.count, Complex(1, 0)));
   set.points.push_back(identify::point_force({{.force_N = {1}}}, {flat}, set.lines, 0));
   for (std::size_t c = 0; c < channels; ++c)
-    set.outputs.push_back({.point = 0, .channel = c, .frf = std::vector<Complex>(set.lines.count)});
+    set.channels.push_back({.point = 0, .channel = c, .frf = std::vector<Complex>(set.lines.count)});
   return set;
 }
 
@@ -65,14 +65,14 @@ Complex mode_accelerance(const identify::Pole& pole, Complex s) {
 
 void add_mode(identify::FrfDataset& set, std::size_t output, const identify::Pole& pole, Complex residue) {
   for (std::size_t k = 0; k < set.lines.count; ++k)
-    set.outputs[output].frf[k] += residue * mode_accelerance(pole, Complex(0, kTwoPi * set.lines.freq_Hz(k)));
+    set.channels[output].frf[k] += residue * mode_accelerance(pole, Complex(0, kTwoPi * set.lines.freq_Hz(k)));
 }
 
 void add_frf_noise(identify::FrfDataset& set, double deviation, std::uint64_t seed) {
-  for (std::size_t o = 0; o < set.outputs.size(); ++o) {
+  for (std::size_t o = 0; o < set.channels.size(); ++o) {
     std::vector<double> noise(2 * set.lines.count);
     synth::RandomStream({seed, o}).add_normal(deviation, noise);
-    for (std::size_t k = 0; k < set.lines.count; ++k) set.outputs[o].frf[k] += Complex(noise[2 * k], noise[2 * k + 1]);
+    for (std::size_t k = 0; k < set.lines.count; ++k) set.channels[o].frf[k] += Complex(noise[2 * k], noise[2 * k + 1]);
   }
 }
 

@@ -11,7 +11,7 @@ namespace percuss::test {
 /// known in full: no gate, no baseline. With `decay_per_s` an exponential window of that decay.
 identify::FrfDataset frf_set_of(const acquire::Record& record, double low_Hz, double high_Hz, double decay_per_s = 0);
 
-/// A set of one point and `channels` outputs, all zero, from a force of one sample: lines of a record so long that a
+/// A set of one point and `channels` FRF channels, all zero, from a force of one sample: lines of a record so long that a
 /// mode of more than 5 bandwidths per hertz has gone at its end.
 identify::FrfDataset empty_set(double fs_Hz, std::size_t samples, double low_Hz, double high_Hz, std::size_t channels);
 

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "core/math/levenberg_marquardt.hpp"
 #include "core/math/linear_algebra.hpp"
 #include "core/parallel/parallel.hpp"
 #include "identify/fit/joint_projection.hpp"
@@ -19,33 +21,40 @@ using Eigen::VectorXd;
 constexpr double kSpill = 0.1;  // of the strongest contradiction: a weaker one may be what that spilt
 constexpr int kRounds = 8;      // of real against complex
 
-// Levenberg–Marquardt from `state`; true when the last step was small enough.
-bool descend(const JointProjection& projection, JointState& state, const JointFitOptions& options) {
-  double lambda = 1e-6;
-  for (int step = 0; step < options.max_steps; ++step) {
-    const JointNormalEquations normal = projection.normal_equations(state);
-    bool better = false;
-    for (int attempt = 0; attempt < 8 && !better; ++attempt) {
-      const VectorXd move = solve_gram(normal.matrix, normal.right, lambda);
-      const double size = normalised_step(move, state.model.poles);
-      JointModel model = state.model;
-      model.poles = updated_poles(std::move(model.poles), move);
-      if (!std::isfinite(size) || size > 1e2 || !poles_in_bounds(model.poles)) {
-        lambda = std::max(lambda * 10, 1e-3);
-        continue;
-      }
-      JointState next = projection.evaluate(std::move(model));
-      better = next.cost <= state.cost;
-      if (size < options.tolerance) {  // as far as rounding lets it go
-        if (better) state = std::move(next);
-        return true;
-      }
-      lambda = better ? lambda * 0.1 : lambda * 10;
-      if (better) state = std::move(next);
-    }
-    if (!better) return false;
+constexpr LevenbergMarquardtOptions kJointSearch{
+    .max_rejections = 8, .initial_damping = 1e-6, .min_damping_outside = 1e-3, .max_step_size = 1e2};
+
+// The poles of the state are the unknowns; residues and background follow from them.
+class JointProblem : public LeastSquaresProblem {
+ public:
+  JointProblem(const JointProjection& projection, JointState& state) : projection_(projection), state_(state) {}
+
+  double cost() const override { return state_.cost; }
+  const NormalEquations& normal_equations() override { return normal_ = projection_.normal_equations(state_); }
+  double step_size(const VectorXd& step) const override { return normalised_step(step, state_.model.poles); }
+  std::optional<double> try_step(const VectorXd& step) override {
+    JointModel model = state_.model;
+    model.poles = updated_poles(std::move(model.poles), step);
+    if (!poles_in_bounds(model.poles)) return std::nullopt;
+    trial_ = {};  // frees its matrices before the next ones are made
+    trial_ = projection_.evaluate(std::move(model));
+    return trial_.cost;
   }
-  return false;
+  void accept() override { state_ = std::move(trial_); }
+
+ private:
+  const JointProjection& projection_;
+  JointState& state_;
+  JointState trial_;
+  NormalEquations normal_;
+};
+
+bool descend(const JointProjection& projection, JointState& state, const JointFitOptions& options) {
+  JointProblem problem(projection, state);
+  LevenbergMarquardtOptions search = kJointSearch;
+  search.max_steps = options.max_steps;
+  search.step_tolerance = options.tolerance;
+  return levenberg_marquardt(problem, search).converged();
 }
 
 class Joint {
@@ -92,9 +101,8 @@ class Joint {
   }
 
   MatrixXd covariance_of(const JointState& state, ForceErrors of = ForceErrors::all) const {
-    const JointNormalEquations normal = projection_.with_force_noise(state, of);
-    const MatrixXd inverse = inverse_gram(normal.matrix);
-    return inverse + inverse * normal.force * inverse;
+    const MatrixXd inverse = inverse_gram(projection_.normal_equations(state).matrix);
+    return inverse + inverse * projection_.force_covariance(state, of) * inverse;
   }
   // Without the ringing that is cut off, of which no more than a likely size is known: counted, it would give up more
   // real residues than it spoils.
@@ -118,12 +126,12 @@ class Joint {
   }
 
   JointFit result(bool converged, const MatrixXd& total) const {
-    const auto outputs = static_cast<Index>(set_.outputs.size());
+    const auto channels = static_cast<Index>(set_.channels.size());
     const auto modes = static_cast<Index>(state_.model.poles.size());
     JointFit fit{.poles = state_.model.poles,
                  .real = state_.model.real,
-                 .residues = Eigen::MatrixXcd::Zero(outputs, modes),
-                 .residue_std = MatrixXd::Zero(outputs, modes),
+                 .residues = Eigen::MatrixXcd::Zero(channels, modes),
+                 .residue_std = MatrixXd::Zero(channels, modes),
                  .freq_std_Hz = VectorXd::Zero(modes),
                  .damping_std = VectorXd::Zero(modes),
                  .residual = projection_.unweighted_residual(state_),
@@ -141,8 +149,8 @@ class Joint {
     const JointPart& part = state_.parts[p];
     const MatrixXd follow = part.inverse * (part.columns.transpose() * part.slopes);  // what moved columns do
     const auto unknowns = static_cast<std::size_t>(part.inverse.rows());
-    parallel_for_cost(part.outputs.size(), 2 * unknowns * unknowns * unknowns, [&](std::size_t i) {
-      const auto o = static_cast<Index>(part.outputs[i]);
+    parallel_for_cost(part.channels.size(), 2 * unknowns * unknowns * unknowns, [&](std::size_t i) {
+      const auto o = static_cast<Index>(part.channels[i]);
       const auto column = static_cast<Index>(i);
       const double noise = projection_.noise()(o);
       MatrixXd moves = MatrixXd::Zero(part.inverse.rows(), covariance.rows());
@@ -185,13 +193,13 @@ Eigen::MatrixXcd residues_at(const FrfDataset& set, const std::vector<Pole>& pol
   const auto modes = static_cast<Index>(poles.size());
   const JointState state =
       JointProjection(set, poles).evaluate({.poles = poles, .real = std::vector<char>(poles.size(), 0)});
-  Eigen::MatrixXcd residues(static_cast<Index>(set.outputs.size()), modes);
+  Eigen::MatrixXcd residues(static_cast<Index>(set.channels.size()), modes);
   for (const JointPart& part : state.parts) {
-    for (std::size_t i = 0; i < part.outputs.size(); ++i) {
+    for (std::size_t i = 0; i < part.channels.size(); ++i) {
       for (Index m = 0; m < modes; ++m) {
         const auto first = static_cast<Index>(part.first[static_cast<std::size_t>(m)]);
         const auto amplitude = part.amplitude.col(static_cast<Index>(i));
-        residues(static_cast<Index>(part.outputs[i]), m) = {amplitude(first), amplitude(first + 1)};
+        residues(static_cast<Index>(part.channels[i]), m) = {amplitude(first), amplitude(first + 1)};
       }
     }
   }

@@ -8,19 +8,19 @@
 
 namespace percuss::identify {
 
-/// All modes fitted together to all lines of all outputs.
+/// All modes fitted together to all lines of all channels.
 struct JointFit {
   std::vector<Pole> poles;                   // in the order of the start; close ones may have changed places
   std::vector<char> real;                    // [modes] the residues are real
-  Eigen::MatrixXcd residues;                 // [outputs, modes], 1/kg
+  Eigen::MatrixXcd residues;                 // [channels, modes], 1/kg
   Eigen::MatrixXd residue_std;               // of real and imaginary part; force gain left out
   Eigen::VectorXd freq_std_Hz, damping_std;  // the force's noise included
-  std::vector<Eigen::VectorXcd> residual;    // [outputs][lines] what the fit leaves, (m/s²)/N
+  std::vector<Eigen::VectorXcd> residual;    // [channels][lines] what the fit leaves, (m/s²)/N
   bool converged = false;
 };
 
 struct JointFitOptions {
-  /// Asked once with what complex residues leave of all lines, [outputs][lines]; false ends the fit as not converged.
+  /// Asked once with what complex residues leave of all lines, [channels][lines]; false ends the fit as not converged.
   std::function<bool(const std::vector<Eigen::VectorXcd>& left)> worth_continuing;
   int max_steps = 20;
   double tolerance = 1e-7;  // step, in units of half the bandwidth
@@ -34,11 +34,11 @@ struct JointFitOptions {
 /// theory (4.8), (4.12), (4.13)
 JointFit fit_jointly(const FrfDataset& set, std::vector<Pole> start, const JointFitOptions& options = {});
 
-/// The residues of all outputs at given poles, complex, with their deviations; `covariance` is the poles', unknowns in
+/// The residues of all channels at given poles, complex, with their deviations; `covariance` is the poles', unknowns in
 /// the order frequency, damping ratio per mode.
 JointFit fit_residues(const FrfDataset& set, const std::vector<Pole>& poles, const Eigen::MatrixXd& covariance);
 
-/// … and without, [outputs, modes]: at a fraction of the work.
+/// … and without, [channels, modes]: at a fraction of the work.
 Eigen::MatrixXcd residues_at(const FrfDataset& set, const std::vector<Pole>& poles);
 
 }  // namespace percuss::identify

@@ -13,8 +13,8 @@ using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// ε·H of one output for each of ε's variables. shapes  response [rows], errors [blocks, variables].
-MatrixXd updated_poles(const MatrixXcd& errors, const VectorXd& response) {
+// ε·H of one channel for each of ε's variables. shapes  response [rows], errors [blocks, variables].
+MatrixXd times_response(const MatrixXcd& errors, const VectorXd& response) {
   const Index blocks = errors.rows();
   const MatrixXd re = errors.real();
   const MatrixXd im = errors.imag();
@@ -28,8 +28,8 @@ MatrixXd updated_poles(const MatrixXcd& errors, const VectorXd& response) {
 
 std::vector<std::vector<std::size_t>> by_point(const FrfDataset& set, const JointPart& part) {
   std::vector<std::vector<std::size_t>> points;
-  for (std::size_t i = 0; i < part.outputs.size(); ++i) {
-    const auto point = [&](std::size_t at) { return set.outputs[part.outputs[at]].point; };
+  for (std::size_t i = 0; i < part.channels.size(); ++i) {
+    const auto point = [&](std::size_t at) { return set.channels[part.channels[at]].point; };
     if (i == 0 || point(i) != point(i - 1)) points.emplace_back();
     points.back().push_back(i);
   }
@@ -39,7 +39,7 @@ std::vector<std::vector<std::size_t>> by_point(const FrfDataset& set, const Join
 }  // namespace
 
 void JointProjection::add_force_noise(const JointState& state, const JointPart& part, ForceErrors of,
-                                      JointNormalEquations& normal) const {
+                                      MatrixXd& covariance) const {
   const MatrixXd follow = part.inverse * (part.columns.transpose() * part.slopes);
   const MatrixXd synthesised = part.columns * part.amplitude;
   const std::vector<std::size_t> lines = blocks_.middles();
@@ -48,21 +48,21 @@ void JointProjection::add_force_noise(const JointState& state, const JointPart& 
   parallel_for_cost(points.size(), kFlopsPerProduct * lines.size() * static_cast<std::size_t>(part.slopes.cols()),
                     [&](std::size_t p) {
                       const MatrixXcd errors =
-                          gain_errors(set_, set_.outputs[part.outputs[points[p].front()]].point, lines, of);
+                          gain_errors(set_, set_.channels[part.channels[points[p].front()]].point, lines, of);
                       for (const std::size_t i : points[p]) {
                         if (errors.size() == 0) break;
                         const auto o = static_cast<Index>(i);
-                        const MatrixXd moved = updated_poles(errors, synthesised.col(o));
+                        const MatrixXd moved = times_response(errors, synthesised.col(o));
                         const MatrixXd score =
                             part.slopes.transpose() * moved - follow.transpose() * (part.columns.transpose() * moved);
-                        const MatrixXd mine =
-                            spread_of(state, part, o).transpose() * score / noise_(static_cast<Index>(part.outputs[i]));
+                        const MatrixXd mine = spread_of(state, part, o).transpose() * score /
+                                              noise_(static_cast<Index>(part.channels[i]));
                         if (pushes[p].size() == 0) pushes[p] = MatrixXd::Zero(mine.rows(), mine.cols());
                         pushes[p] += mine;
                       }
                     });
   for (const MatrixXd& push : pushes) {
-    if (push.size() > 0) normal.force += push * push.transpose();
+    if (push.size() > 0) covariance += push * push.transpose();
   }
 }
 
@@ -73,11 +73,11 @@ void JointProjection::add_residue_variance(const JointState& state, const JointP
   parallel_for_cost(
       points.size(), kFlopsPerProduct * lines.size() * static_cast<std::size_t>(part.columns.cols()),
       [&](std::size_t p) {
-        const MatrixXcd errors = gain_errors(set_, set_.outputs[part.outputs[points[p].front()]].point, lines);
+        const MatrixXcd errors = gain_errors(set_, set_.channels[part.channels[points[p].front()]].point, lines);
         for (const std::size_t i : points[p]) {
           if (errors.size() == 0) break;
           const auto o = static_cast<Index>(i);
-          const MatrixXd moves = part.inverse * (part.columns.transpose() * updated_poles(errors, synthesised.col(o)));
+          const MatrixXd moves = part.inverse * (part.columns.transpose() * times_response(errors, synthesised.col(o)));
           for (std::size_t m = 0; m < state.model.poles.size(); ++m) {
             const auto first = static_cast<Index>(part.first[m]);
             const double line = set_.lines.position(state.model.poles[m].freq_Hz);
@@ -89,7 +89,7 @@ void JointProjection::add_residue_variance(const JointState& state, const JointP
             const Eigen::RowVectorXcd gain = residue * errors.row(at);
             double sum = (moves.row(first) - gain.real()).squaredNorm();
             if (!real) sum = 0.5 * (sum + (moves.row(first + 1) - gain.imag()).squaredNorm());
-            variance(static_cast<Index>(part.outputs[i]), static_cast<Index>(m)) = sum;
+            variance(static_cast<Index>(part.channels[i]), static_cast<Index>(m)) = sum;
           }
         }
       });

@@ -16,7 +16,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-constexpr Index kStrip = 16;  // outputs that are worked on together
+constexpr Index kStrip = 16;  // channels that are worked on together
 
 // A stacked column times j.
 void turn(const Eigen::Ref<const VectorXd>& column, Eigen::Ref<VectorXd> turned) {
@@ -35,32 +35,33 @@ JointProjection::JointProjection(const FrfDataset& set, const std::vector<Pole>&
     : set_(set),
       blocks_(set.lines, poles),
       background_(out_of_band_terms(set.lines)),
-      noise_(VectorXd::Ones(static_cast<Index>(set.outputs.size()))) {
+      noise_(VectorXd::Ones(static_cast<Index>(set.channels.size()))) {
   const bool together = std::all_of(set.points.begin(), set.points.end(), [&](const PointForce& force) {
     return std::all_of(poles.begin(), poles.end(),
                        [&](const Pole& p) { return decays_within_record(p, force, set.lines); });
   });
   parts_.resize(together ? 1 : set.points.size());
-  for (std::size_t o = 0; o < set.outputs.size(); ++o) parts_[together ? 0 : set.outputs[o].point].outputs.push_back(o);
-  std::erase_if(parts_, [](const Plan& plan) { return plan.outputs.empty(); });
+  for (std::size_t o = 0; o < set.channels.size(); ++o)
+    parts_[together ? 0 : set.channels[o].point].channels.push_back(o);
+  std::erase_if(parts_, [](const Plan& plan) { return plan.channels.empty(); });
   for (Plan& plan : parts_) {
     // An H1 line's noise goes down as the force's energy goes up.
     plan.weight = VectorXd::Zero(static_cast<Index>(set.lines.count));
-    for (const std::size_t o : plan.outputs) {
-      const auto& ff = set.points[set.outputs[o].point].ff;
+    for (const std::size_t o : plan.channels) {
+      const auto& ff = set.points[set.channels[o].point].ff;
       plan.weight += ff.empty() ? VectorXd::Ones(plan.weight.size())
                                 : VectorXd(Eigen::Map<const VectorXd>(ff.data(), plan.weight.size()));
     }
-    plan.weight = (plan.weight / static_cast<double>(plan.outputs.size())).cwiseSqrt();
+    plan.weight = (plan.weight / static_cast<double>(plan.channels.size())).cwiseSqrt();
     fill(plan);
   }
 }
 
 void JointProjection::fill(Plan& plan) const {
   const auto lines = static_cast<Index>(set_.lines.count);
-  plan.data.resize(2 * blocks_.count(), static_cast<Index>(plan.outputs.size()));
-  parallel_for_cost(plan.outputs.size(), kFlopsPerProduct * set_.lines.count, [&](std::size_t i) {
-    const Eigen::Map<const VectorXcd> frf(set_.outputs[plan.outputs[i]].frf.data(), lines);
+  plan.data.resize(2 * blocks_.count(), static_cast<Index>(plan.channels.size()));
+  parallel_for_cost(plan.channels.size(), kFlopsPerProduct * set_.lines.count, [&](std::size_t i) {
+    const Eigen::Map<const VectorXcd> frf(set_.channels[plan.channels[i]].frf.data(), lines);
     blocks_.sum(frf, plan.weight, plan.data.col(static_cast<Index>(i)));
   });
   plan.background.resize(2 * blocks_.count(), background_.cols());
@@ -74,8 +75,8 @@ JointState JointProjection::evaluate(JointModel model) const {
   for (const Plan& plan : parts_) {
     state.parts.push_back(solve(plan, state.model, whole));
     const JointPart& part = state.parts.back();
-    for (std::size_t i = 0; i < part.outputs.size(); ++i) {
-      const double noise = noise_(static_cast<Index>(part.outputs[i]));
+    for (std::size_t i = 0; i < part.channels.size(); ++i) {
+      const double noise = noise_(static_cast<Index>(part.channels[i]));
       state.cost += part.residual.col(static_cast<Index>(i)).squaredNorm() / (noise * noise);
     }
   }
@@ -95,13 +96,13 @@ JointPart JointProjection::solve(const Plan& plan, const JointModel& model,
   const Index rows = 2 * blocks_.count();
   const auto modes = static_cast<Index>(model.poles.size());
   JointPart part;
-  part.outputs = plan.outputs;
+  part.channels = plan.channels;
   Index unknowns = 0;
   for (const char real : model.real) {
     part.first.push_back(static_cast<std::size_t>(unknowns));
     unknowns += real ? 1 : 2;
   }
-  const PointForce& force = set_.points[set_.outputs[plan.outputs.front()].point];
+  const PointForce& force = set_.points[set_.channels[plan.channels.front()].point];
   const Index turns = model.all_real() ? 1 : 2;  // real coefficients of the background, or complex ones
   part.columns.resize(rows, unknowns + turns * background_.cols());
   part.slopes.resize(rows, 2 * unknowns);
@@ -131,12 +132,12 @@ JointPart JointProjection::solve(const Plan& plan, const JointModel& model,
   parallel_for_cost(static_cast<std::size_t>(strips), static_cast<std::size_t>(8 * part.columns.size() * kStrip),
                     [&](std::size_t strip) {
                       const Index first = static_cast<Index>(strip) * kStrip;
-                      solve_outputs(plan, first, std::min(kStrip, plan.data.cols() - first), part);
+                      solve_channels(plan, first, std::min(kStrip, plan.data.cols() - first), part);
                     });
   return part;
 }
 
-void JointProjection::solve_outputs(const Plan& plan, Index first, Index count, JointPart& part) {
+void JointProjection::solve_channels(const Plan& plan, Index first, Index count, JointPart& part) {
   auto amplitude = part.amplitude.middleCols(first, count);
   auto residual = part.residual.middleCols(first, count);
   amplitude = part.inverse * (part.columns.transpose() * plan.data.middleCols(first, count));
@@ -147,49 +148,48 @@ void JointProjection::solve_outputs(const Plan& plan, Index first, Index count, 
   residual -= part.columns * correction;
 }
 
-JointNormalEquations JointProjection::normal_equations(const JointState& state) const {
+NormalEquations JointProjection::normal_equations(const JointState& state) const {
   const auto modes = static_cast<Index>(state.model.poles.size());
-  JointNormalEquations out{
-      .matrix = MatrixXd::Zero(2 * modes, 2 * modes), .right = VectorXd::Zero(2 * modes), .force = {}};
+  NormalEquations out{.matrix = MatrixXd::Zero(2 * modes, 2 * modes), .right = VectorXd::Zero(2 * modes)};
   for (const JointPart& part : state.parts) {
     // What the linear part cannot follow of the slopes (Kaufman's Jacobian).
     const MatrixXd cross = part.columns.transpose() * part.slopes;
     const MatrixXd gram = part.slopes.transpose() * part.slopes - cross.transpose() * part.inverse * cross;
     const MatrixXd push = part.slopes.transpose() * part.residual;
-    for (std::size_t i = 0; i < part.outputs.size(); ++i) {
+    for (std::size_t i = 0; i < part.channels.size(); ++i) {
       const auto o = static_cast<Index>(i);
       const MatrixXd spread = spread_of(state, part, o);
       out.matrix += spread.transpose() * gram * spread;
-      out.right += spread.transpose() * push.col(o) / noise_(static_cast<Index>(part.outputs[i]));
+      out.right += spread.transpose() * push.col(o) / noise_(static_cast<Index>(part.channels[i]));
     }
   }
   return out;
 }
 
-MatrixXd JointProjection::spread_of(const JointState& state, const JointPart& part, Index output) const {
-  const double noise = noise_(static_cast<Index>(part.outputs[static_cast<std::size_t>(output)]));
+MatrixXd JointProjection::spread_of(const JointState& state, const JointPart& part, Index channel) const {
+  const double noise = noise_(static_cast<Index>(part.channels[static_cast<std::size_t>(channel)]));
   const auto modes = static_cast<Index>(state.model.poles.size());
   MatrixXd spread = MatrixXd::Zero(part.slopes.cols(), 2 * modes);
   for (Index m = 0; m < modes; ++m) {
     const auto first = static_cast<Index>(part.first[static_cast<std::size_t>(m)]);
     for (Index k = 0; k < (state.model.real[static_cast<std::size_t>(m)] ? 1 : 2); ++k) {
-      spread(2 * (first + k), 2 * m) = part.amplitude(first + k, output) / noise;
-      spread(2 * (first + k) + 1, 2 * m + 1) = part.amplitude(first + k, output) / noise;
+      spread(2 * (first + k), 2 * m) = part.amplitude(first + k, channel) / noise;
+      spread(2 * (first + k) + 1, 2 * m + 1) = part.amplitude(first + k, channel) / noise;
     }
   }
   return spread;
 }
 
-JointNormalEquations JointProjection::with_force_noise(const JointState& state, ForceErrors of) const {
-  JointNormalEquations out = normal_equations(state);
-  out.force = MatrixXd::Zero(out.matrix.rows(), out.matrix.cols());
-  for (const JointPart& part : state.parts) add_force_noise(state, part, of, out);
-  return out;
+MatrixXd JointProjection::force_covariance(const JointState& state, ForceErrors of) const {
+  const auto unknowns = static_cast<Index>(2 * state.model.poles.size());
+  MatrixXd covariance = MatrixXd::Zero(unknowns, unknowns);
+  for (const JointPart& part : state.parts) add_force_noise(state, part, of, covariance);
+  return covariance;
 }
 
 MatrixXd JointProjection::residue_force_variance(const JointState& state) const {
   MatrixXd variance =
-      MatrixXd::Zero(static_cast<Index>(set_.outputs.size()), static_cast<Index>(state.model.poles.size()));
+      MatrixXd::Zero(static_cast<Index>(set_.channels.size()), static_cast<Index>(state.model.poles.size()));
   for (const JointPart& part : state.parts) add_residue_variance(state, part, variance);
   return variance;
 }

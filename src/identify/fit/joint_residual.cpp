@@ -20,11 +20,11 @@ constexpr double kMinNoise = 1e-3;   // of the noise elsewhere: where a fit leav
 }  // namespace
 
 std::vector<VectorXcd> JointProjection::unweighted_residual(const JointState& state) const {
-  std::vector<VectorXcd> left(set_.outputs.size());
+  std::vector<VectorXcd> left(set_.channels.size());
   const auto lines = static_cast<Index>(set_.lines.count);
   const std::vector<ModeColumn> whole = untruncated_columns(state.model, ColumnContent::value);
   for (const JointPart& part : state.parts) {
-    const PointForce& force = set_.points[set_.outputs[part.outputs.front()].point];
+    const PointForce& force = set_.points[set_.channels[part.channels.front()].point];
     MatrixXcd columns(lines, part.columns.cols());
     parallel_for_cost(state.model.poles.size(), kFlopsPerColumnLine * set_.lines.count, [&](std::size_t m) {
       const auto first = static_cast<Index>(part.first[m]);
@@ -42,11 +42,11 @@ std::vector<VectorXcd> JointProjection::unweighted_residual(const JointState& st
   return left;
 }
 
-// What the columns, by their amplitudes, leave of each output of the part.
+// What the columns, by their amplitudes, leave of each channel of the part.
 void JointProjection::subtract_shares(const MatrixXcd& columns, const JointPart& part,
                                       std::vector<VectorXcd>& left) const {
-  for (const std::size_t o : part.outputs) left[o].resize(columns.rows());
-  const auto operations = kFlopsPerProduct * static_cast<std::size_t>(columns.cols()) * part.outputs.size();
+  for (const std::size_t o : part.channels) left[o].resize(columns.rows());
+  const auto operations = kFlopsPerProduct * static_cast<std::size_t>(columns.cols()) * part.channels.size();
   parallel_for_chunks(set_.lines.count, operations, [&](std::size_t from, std::size_t lines) {
     const auto first = static_cast<Index>(from), count = static_cast<Index>(lines);
     // Amplitudes are real: one product for real and imaginary parts.
@@ -54,10 +54,10 @@ void JointProjection::subtract_shares(const MatrixXcd& columns, const JointPart&
     const MatrixXd share =
         Eigen::Map<const MatrixXd>(reinterpret_cast<const double*>(strip.data()), 2 * count, strip.cols()) *
         part.amplitude;
-    for (std::size_t i = 0; i < part.outputs.size(); ++i) {
-      const Eigen::Map<const VectorXcd> frf(set_.outputs[part.outputs[i]].frf.data() + from, count);
+    for (std::size_t i = 0; i < part.channels.size(); ++i) {
+      const Eigen::Map<const VectorXcd> frf(set_.channels[part.channels[i]].frf.data() + from, count);
       const auto* made = reinterpret_cast<const Complex*>(share.col(static_cast<Index>(i)).data());
-      left[part.outputs[i]].segment(first, count) = frf - Eigen::Map<const VectorXcd>(made, count);
+      left[part.channels[i]].segment(first, count) = frf - Eigen::Map<const VectorXcd>(made, count);
     }
   });
 }
@@ -66,19 +66,19 @@ void JointProjection::weight_by_residual(const JointState& state, const std::vec
   const auto lines = static_cast<Index>(set_.lines.count);
   for (std::size_t p = 0; p < parts_.size(); ++p) {
     const JointPart& part = state.parts[p];
-    const double freedom =
-        std::max(1.0, static_cast<double>(2 * lines - part.columns.cols()) -
-                          2 * static_cast<double>(state.model.poles.size()) / static_cast<double>(set_.outputs.size()));
-    std::vector<VectorXd> weighted(part.outputs.size());
+    const double freedom = std::max(
+        1.0, static_cast<double>(2 * lines - part.columns.cols()) -
+                 2 * static_cast<double>(state.model.poles.size()) / static_cast<double>(set_.channels.size()));
+    std::vector<VectorXd> weighted(part.channels.size());
     parallel_for_cost(weighted.size(), kFlopsPerProduct * set_.lines.count, [&](std::size_t i) {
-      weighted[i] = left[part.outputs[i]].cwiseAbs2().cwiseProduct(parts_[p].weight.cwiseAbs2());
+      weighted[i] = left[part.channels[i]].cwiseAbs2().cwiseProduct(parts_[p].weight.cwiseAbs2());
       const double variance = std::max(weighted[i].sum() / freedom, 1e-300);
-      noise_(static_cast<Index>(part.outputs[i])) = std::sqrt(variance);
+      noise_(static_cast<Index>(part.channels[i])) = std::sqrt(variance);
       weighted[i] /= variance;
     });
     VectorXd power = VectorXd::Zero(lines);
     for (const VectorXd& one : weighted) power += one;
-    power /= 2 * static_cast<double>(part.outputs.size());  // about 1 everywhere when the noise is even
+    power /= 2 * static_cast<double>(part.channels.size());  // about 1 everywhere when the noise is even
     VectorXd sum(lines + 1);
     sum(0) = 0;
     for (Index k = 0; k < lines; ++k) sum(k + 1) = sum(k) + power(k);

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
+#include <optional>
 #include <utility>
 
+#include "core/math/levenberg_marquardt.hpp"
 #include "core/math/linear_algebra.hpp"
 #include "core/units.hpp"
 #include "identify/fit/pole_update.hpp"
@@ -20,62 +21,70 @@ using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-constexpr double kUndamped = 1e-4;
+constexpr LevenbergMarquardtOptions kLocalSearch{.max_rejections = 12,
+                                                 .initial_damping = 1e-4,
+                                                 .damping_decrease = 0.2,
+                                                 .min_damping_outside = 1e-3,
+                                                 .max_step_size = 1e3};
 
-struct Reached {
-  ProjectedState state;
-  MatrixXd curvature;  // matrix of its normal equations
+// The poles of a window are the unknowns; residues and polynomial follow from them.
+class LocalProblem : public LeastSquaresProblem {
+ public:
+  LocalProblem(const VariableProjection& projection, std::vector<Pole> poles)
+      : projection_(projection), poles_(std::move(poles)), state_(projection.evaluate(poles_)) {}
+
+  double cost() const override { return state_.cost; }
+  const NormalEquations& normal_equations() override {
+    if (!normal_) normal_ = projection_.normal_equations(state_, poles_.size());
+    return *normal_;
+  }
+  double step_size(const VectorXd& step) const override { return normalised_step(step, poles_); }
+  std::optional<double> try_step(const VectorXd& step) override {
+    trial_poles_ = updated_poles(poles_, step);
+    if (!poles_in_bounds(trial_poles_)) return std::nullopt;
+    trial_ = projection_.evaluate(trial_poles_);
+    return trial_.cost;
+  }
+  void accept() override {
+    poles_ = std::move(trial_poles_);
+    state_ = std::move(trial_);
+    normal_.reset();
+  }
+
+  const std::vector<Pole>& poles() const { return poles_; }
+  const ProjectedState& state() const { return state_; }
+
+ private:
+  const VariableProjection& projection_;
+  std::vector<Pole> poles_, trial_poles_;
+  ProjectedState state_, trial_;
+  std::optional<NormalEquations> normal_;
 };
 
-// Levenberg–Marquardt.
-Reached descend(const VariableProjection& projection, LocalFit& fit, const LocalFitOptions& options) {
-  const std::size_t modes = fit.poles.size();
-  ProjectedState state = projection.evaluate(fit.poles);
-  auto [a, b] = projection.normal_equations(state, modes);
-  double lambda = kUndamped;
-  for (int step = 0; step < options.max_steps && !fit.converged; ++step) {
-    bool better = false;
-    for (int attempt = 0; attempt < 12 && !better; ++attempt) {
-      const VectorXd move = solve_gram(a, b, lambda);
-      const double share = state.cost / static_cast<double>(std::max<std::size_t>(fit.degrees, 1));
-      fit.converged = lambda <= kUndamped && move.dot(b) < options.change * options.change * share;
-      if (fit.converged) break;
-      const double size = normalised_step(move, fit.poles);
-      const auto poles = updated_poles(fit.poles, move);
-      if (!std::isfinite(size) || size > 1e3 || !poles_in_bounds(poles)) {
-        lambda = std::max(lambda * 10, 1e-3);
-        continue;
-      }
-      ProjectedState next = projection.evaluate(poles);
-      better = next.cost <= state.cost;
-      if (!better && size < options.tolerance) break;  // as far as rounding lets it go
-      lambda = better ? lambda * 0.2 : lambda * 10;
-      if (!better) continue;
-      fit.converged = size < options.tolerance;
-      fit.poles = poles;
-      state = std::move(next);
-      std::tie(a, b) = projection.normal_equations(state, modes);
-    }
-    if (!better) break;
-  }
-  return {.state = std::move(state), .curvature = std::move(a)};
+bool descend(LocalProblem& problem, const LocalFitOptions& options, std::size_t degrees) {
+  LevenbergMarquardtOptions search = kLocalSearch;
+  search.max_steps = options.max_steps;
+  search.step_tolerance = options.tolerance;
+  search.cost_tolerance = options.change * options.change / static_cast<double>(std::max<std::size_t>(degrees, 1));
+  const LevenbergMarquardtStop stop = levenberg_marquardt(problem, search).stop;
+  return stop == LevenbergMarquardtStop::small_step || stop == LevenbergMarquardtStop::small_decrease;
 }
 
-void add_uncertainty(LocalFit& fit, const VariableProjection& projection, const Reached& reached,
-                     const VectorXd& weight, const WindowNoise& window) {
-  const auto& [state, curvature] = reached;
+void add_uncertainty(LocalFit& fit, const VariableProjection& projection, LocalProblem& problem, const VectorXd& weight,
+                     const WindowNoise& window) {
+  const ProjectedState& state = problem.state();
   const std::size_t modes = fit.poles.size();
   // Complex data: |residual|² per line is twice the variance of each real part, and so are the weights' squares.
   const double scale = fit.degrees > 0 ? state.cost / static_cast<double>(fit.degrees) : 1;
-  const MatrixXd covariance = inverse_gram(curvature) * scale;
+  const MatrixXd covariance = inverse_gram(problem.normal_equations().matrix) * scale;
   for (Index m = 0; m < static_cast<Index>(modes); ++m) {
     const double common = window.of_pole(fit.poles[static_cast<std::size_t>(m)]);
     fit.freq_std_Hz(m) = std::sqrt(std::max(0.0, common * covariance(2 * m, 2 * m)));
     fit.damping_std(m) = std::sqrt(std::max(0.0, common * covariance(2 * m + 1, 2 * m + 1)));
   }
   for (const ProjectedPart& part : state.parts) {
-    for (std::size_t i = 0; i < part.outputs.size(); ++i) {
-      const auto o = static_cast<Index>(part.outputs[i]);
+    for (std::size_t i = 0; i < part.channels.size(); ++i) {
+      const auto o = static_cast<Index>(part.channels[i]);
       const auto column = static_cast<Index>(i);
       // What a moved pole does to the amplitudes.
       const MatrixXcd moves = projection.residue_moves(part, column);
@@ -98,26 +107,28 @@ void add_uncertainty(LocalFit& fit, const VariableProjection& projection, const 
 
 LocalFit fit_locally(const FrfDataset& set, const std::vector<VectorXcd>& data, const VectorXd& weight,
                      std::vector<Pole> start, const LocalFitOptions& options) {
-  const auto outputs = static_cast<Index>(set.outputs.size());
+  const auto channels = static_cast<Index>(set.channels.size());
   const auto modes = static_cast<Index>(start.size());
   LocalFit fit{.poles = std::move(start),
-               .residues = MatrixXcd::Zero(outputs, modes),
-               .residue_std = MatrixXd::Zero(outputs, modes),
+               .residues = MatrixXcd::Zero(channels, modes),
+               .residue_std = MatrixXd::Zero(channels, modes),
                .freq_std_Hz = VectorXd::Zero(modes),
                .damping_std = VectorXd::Zero(modes),
-               .noise = VectorXd::Zero(outputs)};
+               .noise = VectorXd::Zero(channels)};
   const VariableProjection projection(set, data, weight, options.first, options.count, options.residual_terms);
-  const auto unknowns = 2 * fit.poles.size() + 2 * set.outputs.size() * (fit.poles.size() + options.residual_terms);
-  const std::size_t values = 2 * set.outputs.size() * options.count;
+  const auto unknowns = 2 * fit.poles.size() + 2 * set.channels.size() * (fit.poles.size() + options.residual_terms);
+  const std::size_t values = 2 * set.channels.size() * options.count;
   fit.degrees = values > unknowns ? values - unknowns : 0;
-  const Reached reached = descend(projection, fit, options);
-  fit.cost = reached.state.cost;
-  add_uncertainty(fit, projection, reached, weight, WindowNoise(set));
+  LocalProblem problem(projection, std::move(fit.poles));
+  fit.converged = descend(problem, options, fit.degrees);
+  fit.poles = problem.poles();
+  fit.cost = problem.cost();
+  add_uncertainty(fit, projection, problem, weight, WindowNoise(set));
   return fit;
 }
 
 Pole pole_of_window(const FrfDataset& set, const std::vector<VectorXcd>& data, std::size_t first) {
-  // Per output the unknowns a, b are projected out; what is left is one complex unknown s.
+  // Per channel the unknowns a, b are projected out; what is left is one complex unknown s.
   Complex numerator;
   double denominator = 0;
   const Index size = data.front().size(), half = size / 2;

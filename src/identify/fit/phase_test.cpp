@@ -12,15 +12,15 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 constexpr double kPhaseTest = 4;   // deviations of a common phase: one real mode in 16 000 is called complex
-constexpr double kSpreadTest = 6;  // deviations of a χ² sum over the outputs
+constexpr double kSpreadTest = 6;  // deviations of a χ² sum over the channels
 
 // What a common phase error of the mode's residues would do.
 struct PhaseEffect {
-  double push = 0;         // score of the phase over all outputs
+  double push = 0;         // score of the phase over all channels
   double information = 0;  // of it, the poles known
   VectorXd on_poles;       // [2 modes] cross information with the poles
-  double spread = 0;       // Σ over outputs of score²/information
-  double outputs = 0;
+  double spread = 0;       // Σ over channels of score²/information
+  double channels = 0;
 };
 
 PhaseEffect effect_of(const JointProjection& projection, const JointState& state, std::size_t mode) {
@@ -31,16 +31,16 @@ PhaseEffect effect_of(const JointProjection& projection, const JointState& state
     const VectorXd solved = part.inverse * cross;
     const double gram = q.squaredNorm() - cross.dot(solved);
     const VectorXd with_slopes = part.slopes.transpose() * (q - part.columns * solved);
-    for (std::size_t i = 0; i < part.outputs.size(); ++i) {
+    for (std::size_t i = 0; i < part.channels.size(); ++i) {
       const auto o = static_cast<Index>(i);
-      const double noise = projection.noise()(static_cast<Index>(part.outputs[i]));
+      const double noise = projection.noise()(static_cast<Index>(part.channels[i]));
       const double own = part.amplitude(static_cast<Index>(part.first[mode]), o) / noise;
       const double push = own * q.dot(part.residual.col(o)) / noise;
       const double information = own * own * gram;
       effect.push += push;
       effect.information += information;
       if (information > 0) effect.spread += push * push / information;
-      ++effect.outputs;
+      ++effect.channels;
       effect.on_poles += own * (projection.spread_of(state, part, o).transpose() * with_slopes);
     }
   }
@@ -63,9 +63,9 @@ double phase_test_statistic(const JointProjection& projection, const JointState&
   if (!(information > 1e-12 * effect.information)) return 0;
   const double prior = phase_variance(projection.set(), state.model.poles[mode]);
   const double common = effect.push * effect.push / (information + prior * information * information);
-  const double expected = effect.outputs + prior * effect.information;
+  const double expected = effect.channels + prior * effect.information;
   return std::max(common / (kPhaseTest * kPhaseTest),
-                  effect.spread / (expected * (1 + kSpreadTest * std::sqrt(2 / effect.outputs))));
+                  effect.spread / (expected * (1 + kSpreadTest * std::sqrt(2 / effect.channels))));
 }
 
 }  // namespace percuss::identify

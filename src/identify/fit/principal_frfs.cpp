@@ -16,33 +16,33 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kAboveNoise = 20;   // energy of a line, over the noise of all outputs, from which it tells directions
+constexpr double kAboveNoise = 20;   // energy of a line, over the noise of all channels, from which it tells directions
 constexpr Index kColumns = 16;       // columns
 constexpr std::size_t kCopied = 10;  // operations of a copied line
 constexpr std::size_t kMaxChosen = 1500;  // … the strongest ones
 
-// The outputs over their noise, real parts above imaginary parts of the lines that stand out: [2 lines, outputs].
+// The channels over their noise, real parts above imaginary parts of the lines that stand out: [2 lines, channels].
 MatrixXd lines_above_noise(const FrfDataset& set, const VectorXd& noise) {
   const std::size_t lines = set.lines.count;
   std::vector<std::pair<double, std::size_t>> level(lines);
   for (std::size_t k = 0; k < lines; ++k) level[k].second = k;
-  parallel_for_chunks(lines, kCopied * set.outputs.size(), [&](std::size_t first, std::size_t count) {
-    for (std::size_t o = 0; o < set.outputs.size(); ++o) {
+  parallel_for_chunks(lines, kCopied * set.channels.size(), [&](std::size_t first, std::size_t count) {
+    for (std::size_t o = 0; o < set.channels.size(); ++o) {
       const double n = noise(static_cast<Index>(o)), factor = 1 / (n * n);
-      const std::vector<Complex>& frf = set.outputs[o].frf;
+      const std::vector<Complex>& frf = set.channels[o].frf;
       for (std::size_t k = first; k < first + count; ++k) level[k].first += factor * std::norm(frf[k]);
     }
   });
   const auto strong = level.begin() + static_cast<std::ptrdiff_t>(std::min(lines, kMaxChosen));
   std::partial_sort(level.begin(), strong, level.end(), std::greater<>());
-  const double least = kAboveNoise * static_cast<double>(set.outputs.size());
+  const double least = kAboveNoise * static_cast<double>(set.channels.size());
   std::size_t kept = 0;
-  while (kept < std::min(lines, kMaxChosen) && (kept < 2 * set.outputs.size() || level[kept].first > least)) ++kept;
-  MatrixXd rows(static_cast<Index>(2 * kept), static_cast<Index>(set.outputs.size()));
-  parallel_for_cost(set.outputs.size(), kCopied * kept, [&](std::size_t o) {
+  while (kept < std::min(lines, kMaxChosen) && (kept < 2 * set.channels.size() || level[kept].first > least)) ++kept;
+  MatrixXd rows(static_cast<Index>(2 * kept), static_cast<Index>(set.channels.size()));
+  parallel_for_cost(set.channels.size(), kCopied * kept, [&](std::size_t o) {
     const auto column = static_cast<Index>(o);
     for (std::size_t i = 0; i < kept; ++i) {
-      const Complex line = set.outputs[o].frf[level[i].second] / noise(column);
+      const Complex line = set.channels[o].frf[level[i].second] / noise(column);
       rows(static_cast<Index>(i), column) = line.real();
       rows(static_cast<Index>(kept + i), column) = line.imag();
     }
@@ -69,7 +69,7 @@ MatrixXd gram_of(const MatrixXd& rows) {
 MatrixXd principal_components(const FrfDataset& set, std::size_t most) {
   const VectorXd noise = LineNoise(set).over(0, set.lines.count);
   const MatrixXd directions = eigenvectors(gram_of(lines_above_noise(set, noise)));
-  const auto kept = static_cast<Index>(std::min(set.outputs.size(), most));
+  const auto kept = static_cast<Index>(std::min(set.channels.size(), most));
   return directions.leftCols(kept).array().colwise() / noise.array();
 }
 
@@ -78,21 +78,21 @@ FrfDataset principal_frfs(const FrfDataset& set, const MatrixXd& sums) {
   PointForce force = set.points.front();
   force.noise_N = 0;
   for (Index i = 0; i < sums.cols(); ++i) {
-    FrfChannel& output = mixed.outputs.emplace_back();
-    output.channel = static_cast<std::size_t>(i);
-    output.frf.resize(set.lines.count);
+    FrfChannel& channel = mixed.channels.emplace_back();
+    channel.channel = static_cast<std::size_t>(i);
+    channel.frf.resize(set.lines.count);
   }
-  // A strip of all outputs stays near the processor while every sum is made of it.
-  const std::size_t operations = kFlopsPerProduct * set.outputs.size() * mixed.outputs.size();
+  // A strip of all channels stays near the processor while every sum is made of it.
+  const std::size_t operations = kFlopsPerProduct * set.channels.size() * mixed.channels.size();
   parallel_for_chunks(set.lines.count, operations, [&](std::size_t first, std::size_t count) {
     for (std::size_t p = 1; p < set.points.size() && !force.ff.empty(); ++p) {
       for (std::size_t k = first; k < first + count; ++k) force.ff[k] += set.points[p].ff[k];
     }
     for (Index i = 0; i < sums.cols(); ++i) {
-      Eigen::Map<Eigen::VectorXcd> sum(mixed.outputs[static_cast<std::size_t>(i)].frf.data() + first,
+      Eigen::Map<Eigen::VectorXcd> sum(mixed.channels[static_cast<std::size_t>(i)].frf.data() + first,
                                        static_cast<Index>(count));
       for (Index o = 0; o < sums.rows(); ++o) {
-        const auto& frf = set.outputs[static_cast<std::size_t>(o)].frf;
+        const auto& frf = set.channels[static_cast<std::size_t>(o)].frf;
         sum += sums(o, i) * Eigen::Map<const Eigen::VectorXcd>(frf.data() + first, sum.size());
       }
     }

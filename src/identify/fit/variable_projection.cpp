@@ -22,8 +22,8 @@ VariableProjection::VariableProjection(const FrfDataset& set, const std::vector<
       weight_(std::move(weight)),
       first_(first),
       count_(count) {
-  for (std::size_t o = 0; o < set.outputs.size(); ++o) {
-    const std::size_t point = set.outputs[o].point;
+  for (std::size_t o = 0; o < set.channels.size(); ++o) {
+    const std::size_t point = set.channels[o].point;
     if (by_point_.size() <= point) by_point_.resize(point + 1);
     by_point_[point].push_back(o);
     together_.front().push_back(o);
@@ -38,61 +38,60 @@ void VariableProjection::project(MatrixXcd& columns) const {
 
 ProjectedState VariableProjection::evaluate(const std::vector<Pole>& poles) const {
   ProjectedState state;
-  for (const auto& outputs : outputs_alike(poles)) {
-    if (outputs.empty()) continue;
-    state.parts.push_back(solve(outputs, poles));
+  for (const auto& channels : channels_alike(poles)) {
+    if (channels.empty()) continue;
+    state.parts.push_back(solve(channels, poles));
     const ProjectedPart& part = state.parts.back();
-    for (std::size_t i = 0; i < outputs.size(); ++i) {
-      const double w = weight_(static_cast<Index>(outputs[i]));
+    for (std::size_t i = 0; i < channels.size(); ++i) {
+      const double w = weight_(static_cast<Index>(channels[i]));
       state.cost += part.residual.col(static_cast<Index>(i)).squaredNorm() / (w * w);
     }
   }
   return state;
 }
 
-std::pair<MatrixXd, VectorXd> VariableProjection::normal_equations(const ProjectedState& state,
-                                                                   std::size_t modes) const {
+NormalEquations VariableProjection::normal_equations(const ProjectedState& state, std::size_t modes) const {
   const auto n = static_cast<Index>(2 * modes);
-  MatrixXd matrix = MatrixXd::Zero(n, n);
-  VectorXd right = VectorXd::Zero(n);
+  NormalEquations normal{.matrix = MatrixXd::Zero(n, n), .right = VectorXd::Zero(n)};
   for (const ProjectedPart& part : state.parts) {
     const MatrixXcd poly = transposed_product(polynomial_, part.slopes);
     const MatrixXcd cross = adjoint_product(part.columns, part.slopes);
     const MatrixXcd gram = adjoint_gram(part.slopes) - adjoint_gram(poly) -
                            adjoint_product(cross, part.inverse_gram.lazyProduct(cross).eval());
     const MatrixXcd slope = adjoint_product(part.slopes, part.residual);
-    for (std::size_t i = 0; i < part.outputs.size(); ++i) {
-      const double w = weight_(static_cast<Index>(part.outputs[i]));
+    for (std::size_t i = 0; i < part.channels.size(); ++i) {
+      const double w = weight_(static_cast<Index>(part.channels[i]));
       const auto column = static_cast<Index>(i);
       for (Index r = 0; r < n; ++r) {
         const Complex amplitude = std::conj(part.amplitude(r / 2, column));
-        right(r) += (amplitude * slope(r, column)).real() / (w * w);
+        normal.right(r) += (amplitude * slope(r, column)).real() / (w * w);
         for (Index c = 0; c < n; ++c)
-          matrix(r, c) += (amplitude * gram(r, c) * part.amplitude(c / 2, column)).real() / (w * w);
+          normal.matrix(r, c) += (amplitude * gram(r, c) * part.amplitude(c / 2, column)).real() / (w * w);
       }
     }
   }
-  return {matrix, right};
+  return normal;
 }
 
-MatrixXcd VariableProjection::residue_moves(const ProjectedPart& part, Index output) const {
+MatrixXcd VariableProjection::residue_moves(const ProjectedPart& part, Index channel) const {
   MatrixXcd moves = -part.inverse_gram * adjoint_product(part.columns, part.slopes);
-  for (Index c = 0; c < moves.cols(); ++c) moves.col(c) *= part.amplitude(c / 2, output);
+  for (Index c = 0; c < moves.cols(); ++c) moves.col(c) *= part.amplitude(c / 2, channel);
   return moves;
 }
 
 // Outputs with equal columns: all of them once every mode has decayed within the record, else those of one point.
-const std::vector<std::vector<std::size_t>>& VariableProjection::outputs_alike(const std::vector<Pole>& poles) const {
+const std::vector<std::vector<std::size_t>>& VariableProjection::channels_alike(const std::vector<Pole>& poles) const {
   const bool decayed = std::all_of(poles.begin(), poles.end(), [&](const Pole& pole) {
     return decays_within_record(pole, set_.points.front(), set_.lines);
   });
   return decayed ? together_ : by_point_;
 }
 
-ProjectedPart VariableProjection::solve(const std::vector<std::size_t>& outputs, const std::vector<Pole>& poles) const {
+ProjectedPart VariableProjection::solve(const std::vector<std::size_t>& channels,
+                                        const std::vector<Pole>& poles) const {
   ProjectedPart part;
-  part.outputs = outputs;
-  const PointForce& force = set_.points[set_.outputs[outputs.front()].point];
+  part.channels = channels;
+  const PointForce& force = set_.points[set_.channels[channels.front()].point];
   const auto lines = static_cast<Index>(count_);
   const auto modes = static_cast<Index>(poles.size());
   part.columns.resize(lines, modes);
@@ -105,7 +104,7 @@ ProjectedPart VariableProjection::solve(const std::vector<std::size_t>& outputs,
   }
   project(part.columns);
   part.inverse_gram = inverse_gram(adjoint_gram(part.columns));
-  auto [amplitude, residual] = fit_columns(part.columns, part.inverse_gram, data_, outputs);
+  auto [amplitude, residual] = fit_columns(part.columns, part.inverse_gram, data_, channels);
   part.amplitude = std::move(amplitude);
   part.residual = std::move(residual);
   return part;

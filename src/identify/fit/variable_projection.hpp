@@ -1,22 +1,22 @@
 #pragma once
 #include <Eigen/Core>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
+#include "core/math/levenberg_marquardt.hpp"
 #include "identify/model/frf_dataset.hpp"
 
 namespace percuss::identify {
 
-/// The linear problem of outputs that share their columns, at given poles, and its solution. The polynomial is
+/// The linear problem of channels that share their columns, at given poles, and its solution. The polynomial is
 /// projected out of everything.
 struct ProjectedPart {
-  std::vector<std::size_t> outputs;  // indices into FrfDataset::outputs
-  Eigen::MatrixXcd columns;          // [lines, modes] what the polynomial cannot follow of each mode
-  Eigen::MatrixXcd slopes;           // [lines, 2 modes] of the modes by frequency and damping ratio, not projected
-  Eigen::MatrixXcd inverse_gram;     // (columnsᴴ·columns)⁻¹
-  Eigen::MatrixXcd amplitude;        // [modes, outputs of this part]
-  Eigen::MatrixXcd residual;         // [lines, outputs of this part]
+  std::vector<std::size_t> channels;  // indices into FrfDataset::channels
+  Eigen::MatrixXcd columns;           // [lines, modes] what the polynomial cannot follow of each mode
+  Eigen::MatrixXcd slopes;            // [lines, 2 modes] of the modes by frequency and damping ratio, not projected
+  Eigen::MatrixXcd inverse_gram;      // (columnsᴴ·columns)⁻¹
+  Eigen::MatrixXcd amplitude;         // [modes, channels of this part]
+  Eigen::MatrixXcd residual;          // [lines, channels of this part]
 };
 
 struct ProjectedState {
@@ -28,28 +28,28 @@ struct ProjectedState {
 /// everything linear is eliminated. source  [7] in docs/theory/sources.md.
 class VariableProjection {
  public:
-  /// data[o] holds `count` lines from `first` on; weight [outputs]. set must outlive this object.
+  /// data[o] holds `count` lines from `first` on; weight [channels]. set must outlive this object.
   VariableProjection(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& data, Eigen::VectorXd weight,
                      std::size_t first, std::size_t count, std::size_t polynomial_terms);
 
   ProjectedState evaluate(const std::vector<Pole>& poles) const;
 
-  /// Normal equations (matrix, right-hand side) for a step of the poles, 2 unknowns per mode (Hz, damping ratio), with
+  /// Normal equations for a step of the poles, 2 unknowns per mode (Hz, damping ratio), with
   /// Kaufman's Jacobian: what the linear part cannot follow of each derivative.
   /// theory (4.9)
-  std::pair<Eigen::MatrixXd, Eigen::VectorXd> normal_equations(const ProjectedState& state, std::size_t modes) const;
+  NormalEquations normal_equations(const ProjectedState& state, std::size_t modes) const;
 
-  /// How the residues of an output follow the poles: −(columns⁺)·slopes·residue, [modes, 2 modes].
-  Eigen::MatrixXcd residue_moves(const ProjectedPart& part, Eigen::Index output) const;
+  /// How the residues of a channel follow the poles: −(columns⁺)·slopes·residue, [modes, 2 modes].
+  Eigen::MatrixXcd residue_moves(const ProjectedPart& part, Eigen::Index channel) const;
 
  private:
-  const std::vector<std::vector<std::size_t>>& outputs_alike(const std::vector<Pole>& poles) const;
-  ProjectedPart solve(const std::vector<std::size_t>& outputs, const std::vector<Pole>& poles) const;
+  const std::vector<std::vector<std::size_t>>& channels_alike(const std::vector<Pole>& poles) const;
+  ProjectedPart solve(const std::vector<std::size_t>& channels, const std::vector<Pole>& poles) const;
   void project(Eigen::MatrixXcd& columns) const;
 
   const FrfDataset& set_;
   Eigen::MatrixXd polynomial_;  // [lines, terms] orthonormal
-  Eigen::MatrixXcd data_;       // [lines, outputs] the polynomial projected out
+  Eigen::MatrixXcd data_;       // [lines, channels] the polynomial projected out
   Eigen::VectorXd weight_;
   std::size_t first_, count_;
   std::vector<std::vector<std::size_t>> by_point_, together_{1};

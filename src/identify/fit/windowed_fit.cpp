@@ -34,12 +34,12 @@ void carry_over(const std::vector<FitGroup>& before, FitGroup& group, std::size_
   }
 }
 
-double largest_of(const FrfDataset& set, const FrfChannel& output) {
-  const std::vector<double>& ff = set.points[output.point].ff;
+double largest_of(const FrfDataset& set, const FrfChannel& channel) {
+  const std::vector<double>& ff = set.points[channel.point].ff;
   const double least = ff.empty() ? 0 : kMinForcePower * *std::max_element(ff.begin(), ff.end());
   double largest = 0;
-  for (std::size_t k = 0; k < output.frf.size(); ++k) {
-    if (ff.empty() || ff[k] > least) largest = std::max(largest, std::norm(output.frf[k]));
+  for (std::size_t k = 0; k < channel.frf.size(); ++k) {
+    if (ff.empty() || ff[k] > least) largest = std::max(largest, std::norm(channel.frf[k]));
   }
   return std::sqrt(largest);
 }
@@ -47,9 +47,9 @@ double largest_of(const FrfDataset& set, const FrfChannel& output) {
 }  // namespace
 
 WindowedFit::WindowedFit(const FrfDataset& set, const WindowedFitOptions& options)
-    : set_(set), options_(options), noise_(set), largest_(VectorXd::Zero(static_cast<Index>(set.outputs.size()))) {
-  parallel_for_cost(set.outputs.size(), kFlopsPerPowerLine * set.lines.count,
-                    [&](std::size_t o) { largest_(static_cast<Index>(o)) = largest_of(set, set.outputs[o]); });
+    : set_(set), options_(options), noise_(set), largest_(VectorXd::Zero(static_cast<Index>(set.channels.size()))) {
+  parallel_for_cost(set.channels.size(), kFlopsPerPowerLine * set.lines.count,
+                    [&](std::size_t o) { largest_(static_cast<Index>(o)) = largest_of(set, set.channels[o]); });
 }
 
 std::vector<Pole> WindowedFit::poles() const {
@@ -133,9 +133,9 @@ void WindowedFit::replace(std::vector<Pole> poles) {
     add_groups({poles.data() + first, end - first});
     first = end;
   }
-  const auto outputs = static_cast<Index>(set_.outputs.size());
+  const auto channels = static_cast<Index>(set_.channels.size());
   for (FitGroup& group : groups_) {
-    group.fit.residues = Eigen::MatrixXcd::Zero(outputs, static_cast<Index>(group.fit.poles.size()));
+    group.fit.residues = Eigen::MatrixXcd::Zero(channels, static_cast<Index>(group.fit.poles.size()));
     for (std::size_t m = 0; m < group.fit.poles.size(); ++m) carry_over(before, group, m);
     place_window(group);
   }
@@ -168,7 +168,7 @@ void WindowedFit::fit_all() {
     FitGroup& group = groups_[g];
     auto data = data_without_other_modes(group);
     if (unchanged(g, data)) continue;
-    // A first residual tells each output's noise here, which is not the noise elsewhere.
+    // A first residual tells each channel's noise here, which is not the noise elsewhere.
     if (group.fit.noise.size() == 0) group.fit = fit(group, data, group.fit.poles, noise(group), kTrialTolerance);
     group.fit = fit(group, data, group.fit.poles, weights_from(group));
     fitted_to_[g] = std::move(data);
@@ -190,20 +190,20 @@ void WindowedFit::subtract(const LocalFit& fit, std::size_t mode, const FitGroup
   std::size_t point = set_.points.size();
   ModeColumn column;
   for (std::size_t o = 0; o < data.size(); ++o) {
-    const bool same = point < set_.points.size() && (decayed || set_.outputs[o].point == point);
+    const bool same = point < set_.points.size() && (decayed || set_.channels[o].point == point);
     if (!same) {
-      const PointForce& force = set_.points[set_.outputs[o].point];
+      const PointForce& force = set_.points[set_.channels[o].point];
       column = mode_column(fit.poles[mode], force, set_.lines, window.first, window.count, ColumnContent::value);
     }
-    point = set_.outputs[o].point;
+    point = set_.channels[o].point;
     data[o] -= column.value * fit.residues(static_cast<Index>(o), static_cast<Index>(mode));
   }
 }
 
 std::vector<VectorXcd> WindowedFit::data_without_other_modes(const FitGroup& group) const {
   std::vector<VectorXcd> data;
-  for (const FrfChannel& output : set_.outputs) {
-    data.emplace_back(Eigen::Map<const VectorXcd>(output.frf.data() + group.first, static_cast<Index>(group.count)));
+  for (const FrfChannel& channel : set_.channels) {
+    data.emplace_back(Eigen::Map<const VectorXcd>(channel.frf.data() + group.first, static_cast<Index>(group.count)));
   }
   for (const FitGroup& other : groups_) {
     if (&other == &group || other.fit.residues.isZero(0)) continue;
@@ -213,7 +213,7 @@ std::vector<VectorXcd> WindowedFit::data_without_other_modes(const FitGroup& gro
 }
 
 std::vector<VectorXcd> WindowedFit::residual() const {
-  std::vector<VectorXcd> all(set_.outputs.size(), VectorXcd(static_cast<Index>(set_.lines.count)));
+  std::vector<VectorXcd> all(set_.channels.size(), VectorXcd(static_cast<Index>(set_.lines.count)));
   parallel_for_chunks(set_.lines.count, kFlopsPerColumnLine * poles().size(),
                       [&](std::size_t first, std::size_t count) {
                         // The strip belongs to no group: all of them are subtracted.

@@ -35,10 +35,10 @@ class WindowedFit {
   const std::vector<FitGroup>& groups() const { return groups_; }
   std::vector<Pole> poles() const;
   const FrfDataset& set() const { return set_; }
-  /// Per output: deviation of the noise in the group's window as all lines tell it (LineNoise).
+  /// Per channel: deviation of the noise in the group's window as all lines tell it (LineNoise).
   Eigen::VectorXd noise(const FitGroup& group) const { return noise_.over(group.first, group.count); }
   const LineNoise& line_noise() const { return noise_; }
-  /// Per output: the largest line that the force reached.
+  /// Per channel: the largest line that the force reached.
   const Eigen::VectorXd& largest() const { return largest_; }
   /// Half-power bandwidth, at least half a line.
   double width_Hz(const Pole& pole) const;
@@ -50,14 +50,14 @@ class WindowedFit {
   void sweep();
   /// Fits once more, over a longer window, what began as a narrow resonance and has become a broad one.
   void widen();
-  /// What is left in the group's window when all other groups' shares are subtracted, [outputs][group.count].
+  /// What is left in the group's window when all other groups' shares are subtracted, [channels][group.count].
   std::vector<Eigen::VectorXcd> data_without_other_modes(const FitGroup& group) const;
   /// … and over all lines when every group's share is.
   std::vector<Eigen::VectorXcd> residual() const;
   /// The group's window fitted anew with these poles; for trials.
   LocalFit fit(const FitGroup& group, const std::vector<Eigen::VectorXcd>& data, std::vector<Pole> start,
                const Eigen::VectorXd& weight, double tolerance = LocalFitOptions{}.tolerance) const;
-  /// The noise of each output in the window as the fit's residual tells it.
+  /// The noise of each channel in the window as the fit's residual tells it.
   Eigen::VectorXd weights_from(const FitGroup& group) const;
 
   /// Tolerance that is near enough to see the noise.

@@ -33,7 +33,7 @@ double noise_share(const Eigen::VectorXcd& left) {
   return std::min(1.0, (left.segment(1, n) - 0.5 * (left.head(n) + left.tail(n))).squaredNorm() / (1.5 * energy));
 }
 
-// What the outputs share, and an output's FRF from it.
+// What the channels share, and a channel's FRF from it.
 class Synthesis {
  public:
   Synthesis(const FrfDataset& set, const std::vector<Mode>& modes, const frf::LineRange& band)
@@ -51,16 +51,16 @@ class Synthesis {
 
   // Returns the measured FRF's power.
   double make(std::size_t o, SynthesisedFrf& made) const {
-    const FrfChannel& output = set_.outputs[o];
-    const auto begin = output.frf.begin() + static_cast<std::ptrdiff_t>(first_);
+    const FrfChannel& channel = set_.channels[o];
+    const auto begin = channel.frf.begin() + static_cast<std::ptrdiff_t>(first_);
     const std::vector<Complex> measured(begin, begin + static_cast<std::ptrdiff_t>(count_));
     const auto lines = static_cast<Eigen::Index>(count_);
     Eigen::VectorXcd sum = of_modes(o);
     const Eigen::VectorXcd rest = Eigen::Map<const Eigen::VectorXcd>(measured.data(), lines) - sum;
     const Eigen::VectorXcd fitted = fit_ * rest;
     sum += terms_ * fitted;  // (1)
-    made = {.point = output.point,
-            .channel = output.channel,
+    made = {.point = channel.point,
+            .channel = channel.channel,
             .value = {sum.data(), sum.data() + lines},
             .terms = {fitted.data(), fitted.data() + kTerms}};
     made.frac = frac(measured, made.value);
@@ -72,7 +72,7 @@ class Synthesis {
 
  private:
   Eigen::VectorXcd of_modes(std::size_t o) const {
-    const PointForce& force = set_.points[set_.outputs[o].point];
+    const PointForce& force = set_.points[set_.channels[o].point];
     Eigen::VectorXcd sum = Eigen::VectorXcd::Zero(static_cast<Eigen::Index>(count_));
     for (std::size_t m = 0; m < modes_.size(); ++m) {
       const Residue& residue = modes_[m].residues[o];
@@ -110,7 +110,7 @@ std::vector<SynthesisedFrf> synthesised_frfs(const FrfDataset& set, const std::v
   assert(band.first >= set.lines.first && band.first + band.count <= set.lines.first + set.lines.count);
   if (band.count == 0) return {};
   const Synthesis synthesis(set, modes, band);
-  std::vector<SynthesisedFrf> out(set.outputs.size());
+  std::vector<SynthesisedFrf> out(set.channels.size());
   std::vector<double> power(out.size());
   parallel_for_cost(out.size(), kFlopsPerModeLine * band.count * (modes.size() + 1),
                     [&](std::size_t o) { power[o] = synthesis.make(o, out[o]); });

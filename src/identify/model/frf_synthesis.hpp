@@ -25,7 +25,7 @@ struct SynthesisedFrf {
 ///   Σ|ε(k) − (ε(k−1) + ε(k+1))/2|² / (3/2 Σ|ε|²)                                                         (3)
 /// φ_r as H1 sees it, a truncated decay included (mode_column), with the point's own pole where it has one. r_0 is the
 /// rigid body's line, r_2 and r_4 begin the series of what modes above the band add. shapes  modes' residues in the
-/// order of set.outputs; `band` within set.lines. source  [4] in docs/theory/sources.md.
+/// order of set.channels; `band` within set.lines. source  [4] in docs/theory/sources.md.
 /// theory (5.5)
 std::vector<SynthesisedFrf> synthesised_frfs(const FrfDataset& set, const std::vector<Mode>& modes,
                                              const frf::LineRange& band);

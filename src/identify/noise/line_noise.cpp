@@ -36,23 +36,23 @@ double response_noise(const std::vector<Complex>& frf, const std::vector<double>
 
 }  // namespace
 
-LineNoise::LineNoise(const FrfDataset& set) : set_(set), response_(static_cast<Index>(set.outputs.size())) {
-  blocks_.resize(set.outputs.size());
+LineNoise::LineNoise(const FrfDataset& set) : set_(set), response_(static_cast<Index>(set.channels.size())) {
+  blocks_.resize(set.channels.size());
   const double roughness = WindowNoise(set).roughness();
-  parallel_for_cost(set.outputs.size(), kFlopsPerNoiseLine * set.lines.count, [&](std::size_t o) {
-    const std::vector<Complex>& frf = set.outputs[o].frf;
+  parallel_for_cost(set.channels.size(), kFlopsPerNoiseLine * set.lines.count, [&](std::size_t o) {
+    const std::vector<Complex>& frf = set.channels[o].frf;
     blocks_[o] = block_noise(frf, roughness);
-    response_(static_cast<Index>(o)) = response_noise(frf, set.points[set.outputs[o].point].ff, blocks_[o]);
+    response_(static_cast<Index>(o)) = response_noise(frf, set.points[set.channels[o].point].ff, blocks_[o]);
   });
 }
 
-std::vector<double> LineNoise::local(std::size_t output) const {
-  return local_noise(blocks_[output], set_.outputs[output].frf.size());
+std::vector<double> LineNoise::local(std::size_t channel) const {
+  return local_noise(blocks_[channel], set_.channels[channel].frf.size());
 }
 
-double LineNoise::at(std::size_t output, std::size_t line) const {
-  const std::vector<double>& ff = set_.points[set_.outputs[output].point].ff;
-  return response_(static_cast<Index>(output)) / (ff.empty() ? 1 : std::sqrt(std::max(ff[line], kMinPower)));
+double LineNoise::at(std::size_t channel, std::size_t line) const {
+  const std::vector<double>& ff = set_.points[set_.channels[channel].point].ff;
+  return response_(static_cast<Index>(channel)) / (ff.empty() ? 1 : std::sqrt(std::max(ff[line], kMinPower)));
 }
 
 Eigen::VectorXd LineNoise::over(std::size_t first, std::size_t count) const {
@@ -64,8 +64,8 @@ Eigen::VectorXd LineNoise::over(std::size_t first, std::size_t count) const {
     force(static_cast<Index>(p)) = std::sqrt(std::max(power.mean(), kMinPower));
   });
   Eigen::VectorXd noise = response_;
-  for (std::size_t o = 0; o < set_.outputs.size(); ++o)
-    noise(static_cast<Index>(o)) /= force(static_cast<Index>(set_.outputs[o].point));
+  for (std::size_t o = 0; o < set_.channels.size(); ++o)
+    noise(static_cast<Index>(o)) /= force(static_cast<Index>(set_.channels[o].point));
   return noise;
 }
 

@@ -8,7 +8,7 @@
 
 namespace percuss::identify {
 
-/// Deviation of the noise on each output's lines, (m/s²)/N, from how rough the FRF is between neighbouring lines:
+/// Deviation of the noise on each channel's lines, (m/s²)/N, from how rough the FRF is between neighbouring lines:
 /// |H(k) − (H(k−1) + H(k+1))/2|, median over all lines. The responses' noise is taken as even over the lines; that of
 /// an FRF then goes as one over the force's amplitude. Where the force is not known the FRF's is taken as even.
 class LineNoise {
@@ -16,16 +16,16 @@ class LineNoise {
   /// `set` must outlive this object.
   explicit LineNoise(const FrfDataset& set);
 
-  double at(std::size_t output, std::size_t line) const;
-  /// As if even over the lines first … first + count − 1, [outputs].
+  double at(std::size_t channel, std::size_t line) const;
+  /// As if even over the lines first … first + count − 1, [channels].
   Eigen::VectorXd over(std::size_t first, std::size_t count) const;
   /// Power of an FRF's own noise around each line, whatever the force, as local_noise has it.
-  std::vector<double> local(std::size_t output) const;
+  std::vector<double> local(std::size_t channel) const;
 
  private:
   const FrfDataset& set_;
-  std::vector<std::vector<double>> blocks_;  // [outputs] block_noise
-  Eigen::VectorXd response_;                 // [outputs]: m/s² summed over the samples, or (m/s²)/N without a force
+  std::vector<std::vector<double>> blocks_;  // [channels] block_noise
+  Eigen::VectorXd response_;                 // [channels]: m/s² summed over the samples, or (m/s²)/N without a force
 };
 
 /// Power of the noise of each kNoiseBlock lines (the last block has the rest as well; none of fewer than three lines).

@@ -21,29 +21,29 @@ constexpr double kMisfit =
     2;  // residual's energy over the noise's from which it is asked whether there are two modes …
 constexpr double kMisfitDeviations = 6;  // … or so many deviations of that energy beyond it, where lines are many
 constexpr std::size_t kFlopsPerTrialLine =
-    1000;  // operations of asking for each line of an output whether there are two
+    1000;  // operations of asking for each line of a channel whether there are two
 
-// More than noise is left in these outputs: a second mode could leave a quarter of what is more.
-std::vector<Index> misfitting_outputs(const WindowedFit& all, const FitGroup& group) {
-  std::vector<Index> outputs;
+// More than noise is left in these channels: a second mode could leave a quarter of what is more.
+std::vector<Index> misfitting_channels(const WindowedFit& all, const FitGroup& group) {
+  std::vector<Index> channels;
   const VectorXd expected = all.noise(group);
   const double chance = kMisfitDeviations / std::sqrt(static_cast<double>(group.count));
   for (Index o = 0; o < expected.size(); ++o) {
-    if (std::pow(group.fit.noise(o) / expected(o), 2) > std::min(kMisfit, 1 + chance)) outputs.push_back(o);
+    if (std::pow(group.fit.noise(o) / expected(o), 2) > std::min(kMisfit, 1 + chance)) channels.push_back(o);
   }
-  return outputs;
+  return channels;
 }
 
-// The part of the residual's energy beyond the noise's that is left there, on the average over the outputs: many see
+// The part of the residual's energy beyond the noise's that is left there, on the average over the channels: many see
 // nothing of a mode.
-double residual_energy_ratio(const std::vector<Index>& outputs, const VectorXd& expected, const LocalFit& before,
+double residual_energy_ratio(const std::vector<Index>& channels, const VectorXd& expected, const LocalFit& before,
                              const LocalFit& after) {
   double sum = 0;
-  for (const Index o : outputs) {
+  for (const Index o : channels) {
     const auto beyond = [&](double noise) { return std::max(0.0, noise * noise - expected(o) * expected(o)); };
     sum += beyond(after.noise(o)) / beyond(before.noise(o));
   }
-  return sum / static_cast<double>(outputs.size());
+  return sum / static_cast<double>(channels.size());
 }
 
 // Pole m as two, one on either side of its place.
@@ -56,15 +56,15 @@ std::vector<Pole> split(std::vector<Pole> poles, std::size_t m) {
 
 std::vector<Pole> try_close_mode(const WindowedFit& all, const FitGroup& group, const AcceptanceContext& context) {
   const std::vector<Pole>& now = group.fit.poles;
-  const std::size_t outputs = all.set().outputs.size(), unknowns = 2 + 2 * outputs;
+  const std::size_t channels = all.set().channels.size(), unknowns = 2 + 2 * channels;
   const bool fitted = group.fit.degrees > 2 * unknowns;
   if (!fitted || now.size() >= WindowedFit::kMaxGroupSize) return now;
-  const std::vector<Index> amiss = misfitting_outputs(all, group);
+  const std::vector<Index> amiss = misfitting_channels(all, group);
   if (amiss.empty()) return now;
   const auto data = all.data_without_other_modes(group);
   const VectorXd weight = all.weights_from(group);
   std::vector<LocalFit> fits(now.size() + 1);  // as it is, and with each mode as two
-  parallel_for_cost(fits.size(), kFlopsPerTrialLine * outputs * group.count, [&](std::size_t i) {
+  parallel_for_cost(fits.size(), kFlopsPerTrialLine * channels * group.count, [&](std::size_t i) {
     fits[i] = i == 0 ? all.fit(group, data, now, weight)
                      : all.fit(group, data, split(now, i - 1), weight, WindowedFit::kTrialTolerance);
   });
@@ -97,7 +97,7 @@ std::vector<Pole> CloseModeSearch::next(const WindowedFit& all, const Acceptance
   const std::vector<FitGroup>& groups = all.groups();
   const std::size_t lines = groups.empty() ? 0 : groups.front().count;
   std::vector<std::vector<Pole>> split(groups.size());
-  parallel_for_cost(groups.size(), kFlopsPerTrialLine * all.set().outputs.size() * lines, [&](std::size_t g) {
+  parallel_for_cost(groups.size(), kFlopsPerTrialLine * all.set().channels.size() * lines, [&](std::size_t g) {
     split[g] = tried(groups[g]) ? groups[g].fit.poles : try_close_mode(all, groups[g], context);
   });
   std::vector<Pole> poles;

@@ -22,27 +22,27 @@ constexpr double kMaxScatterWidths = 3;      // bandwidths: further apart they a
 constexpr double kMaxScatterWidthRatio = 6;  // times: poles of so different damping do not stand for one
 constexpr double kMaxPoleOffset = 1;         // bandwidths: a pole that a weak point puts elsewhere is another one
 
-// The outputs of one point as a set of its own; their lines stay with the caller.
+// The channels of one point as a set of its own; their lines stay with the caller.
 struct PointSet {
   FrfDataset set;
-  std::vector<std::size_t> outputs;  // in the whole set
+  std::vector<std::size_t> channels;  // in the whole set
 };
 
 PointSet set_of_point(const FrfDataset& all, std::size_t point) {
   PointSet one{.set = {.lines = all.lines,
                        .usable_bandwidth_Hz = all.usable_bandwidth_Hz,
                        .points = {all.points[point]},
-                       .outputs = {}},
-               .outputs = {}};
-  for (std::size_t o = 0; o < all.outputs.size(); ++o) {
-    if (all.outputs[o].point != point) continue;
-    one.outputs.push_back(o);
-    one.set.outputs.push_back({.point = 0, .channel = all.outputs[o].channel, .frf = {}});
+                       .channels = {}},
+               .channels = {}};
+  for (std::size_t o = 0; o < all.channels.size(); ++o) {
+    if (all.channels[o].point != point) continue;
+    one.channels.push_back(o);
+    one.set.channels.push_back({.point = 0, .channel = all.channels[o].channel, .frf = {}});
   }
   return one;
 }
 
-// The mode whose resonance is the largest, over all outputs.
+// The mode whose resonance is the largest, over all channels.
 std::size_t highest_peak(const LocalFit& fit) {
   const auto height = [&](std::size_t m) {
     return fit.residues.col(static_cast<Index>(m)).norm() / fit.poles[m].damping_ratio;
@@ -54,7 +54,7 @@ std::size_t highest_peak(const LocalFit& fit) {
 
 std::vector<std::size_t> strongest_first(const FrfDataset& set, const std::vector<VectorXcd>& data) {
   std::vector<double> energy(set.points.size());
-  for (std::size_t o = 0; o < data.size(); ++o) energy[set.outputs[o].point] += data[o].squaredNorm();
+  for (std::size_t o = 0; o < data.size(); ++o) energy[set.channels[o].point] += data[o].squaredNorm();
   std::vector<std::size_t> order(energy.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return energy[a] > energy[b]; });
@@ -115,18 +115,18 @@ ScatteredMode scattered_mode(const WindowedFit& all, const FitGroup& group, cons
   }
   const Mean frequency = mean_of(freq_Hz, freq_std_Hz);
   const Mean zeta = mean_of(damping, damping_std);
-  const std::size_t outputs = all.set().outputs.size();
+  const std::size_t channels = all.set().channels.size();
   ScatteredMode out{.pole = {.freq_Hz = frequency.value, .damping_ratio = zeta.value},
                     .freq_std_Hz = frequency.std,
                     .damping_std = zeta.std,
                     .freq_scatter_Hz = frequency.spread,
-                    .residues = std::vector<Complex>(outputs),
-                    .own_poles = std::vector<std::optional<Pole>>(outputs),
-                    .residue_std = std::vector<double>(outputs),
+                    .residues = std::vector<Complex>(channels),
+                    .own_poles = std::vector<std::optional<Pole>>(channels),
+                    .residue_std = std::vector<double>(channels),
                     .noise = group.fit.noise};
   for (std::size_t p = 0; p < points.fits.size(); ++p) {
     const bool own = std::find(seeing.begin(), seeing.end(), p) != seeing.end();
-    const auto members = set_of_point(all.set(), p).outputs;
+    const auto members = set_of_point(all.set(), p).channels;
     for (std::size_t i = 0; i < members.size(); ++i) {
       const auto o = static_cast<Index>(members[i]);
       const auto at = static_cast<Index>(i);
@@ -147,10 +147,10 @@ PointFits fit_each_point(const FrfDataset& set, const WindowData& window, const 
   for (const std::size_t p : strongest_first(set, window.data)) {
     const PointSet one = set_of_point(set, p);
     std::vector<VectorXcd> its_data;
-    VectorXd its_weight(static_cast<Index>(one.outputs.size()));
-    for (std::size_t i = 0; i < one.outputs.size(); ++i) {
-      its_data.push_back(window.data[one.outputs[i]]);
-      its_weight(static_cast<Index>(i)) = window.weight(static_cast<Index>(one.outputs[i]));
+    VectorXd its_weight(static_cast<Index>(one.channels.size()));
+    for (std::size_t i = 0; i < one.channels.size(); ++i) {
+      its_data.push_back(window.data[one.channels[i]]);
+      its_weight(static_cast<Index>(i)) = window.weight(static_cast<Index>(one.channels[i]));
     }
     out.fits[p] =
         fit_locally(one.set, its_data, its_weight, group.fit.poles, {.first = group.first, .count = group.count});
@@ -193,7 +193,7 @@ void subtract_freq_scatter(const FrfDataset& set, const FitGroup& group, std::si
                            std::vector<VectorXcd>& residual) {
   for (std::size_t o = 0; o < residual.size(); ++o) {
     if (!moving.own_poles[o]) continue;
-    const PointForce& force = set.points[set.outputs[o].point];
+    const PointForce& force = set.points[set.channels[o].point];
     const auto share = [&](const Pole& pole, Complex residue) {
       return VectorXcd(residue * mode_column(pole, force, set.lines, 0, set.lines.count, ColumnContent::value).value);
     };

@@ -10,7 +10,7 @@ namespace percuss::identify {
 /// The poles of a group as each impact point alone has them. Resonances move from hit to hit (temperature, the strength
 /// of the blow, the hammer's or a roving sensor's mass), and then no poles common to all points fit.
 struct PointFits {
-  std::vector<LocalFit> fits;  // [points]; residues and noise of that point's outputs, in their order
+  std::vector<LocalFit> fits;  // [points]; residues and noise of that point's channels, in their order
   double cost = 0;             // of all together, as LocalFit has it
   std::size_t degrees = 0;
 };
@@ -18,8 +18,8 @@ struct PointFits {
 /// What a window is fitted to: its lines with all other groups' shares subtracted (WindowedFit::remainder), and the
 /// weights.
 struct WindowData {
-  std::vector<Eigen::VectorXcd> data;  // [outputs][group.count]
-  Eigen::VectorXd weight;              // [outputs]
+  std::vector<Eigen::VectorXcd> data;  // [channels][group.count]
+  Eigen::VectorXd weight;              // [channels]
 };
 
 /// Fits modes to each point by itself, strongest first, over the group's window from the group's poles. Gives up (no
@@ -43,16 +43,16 @@ struct ScatteredMode {
   Pole pole;
   double freq_std_Hz = 0, damping_std = 0;
   double freq_scatter_Hz = 0;                  // standard deviation between the points
-  std::vector<Complex> residues;               // [outputs]
-  std::vector<std::optional<Pole>> own_poles;  // [outputs] of points that see the mode
-  std::vector<double> residue_std;             // [outputs]
-  Eigen::VectorXd noise;                       // [outputs] rms per line of what is left
+  std::vector<Complex> residues;               // [channels]
+  std::vector<std::optional<Pole>> own_poles;  // [channels] of points that see the mode
+  std::vector<double> residue_std;             // [channels]
+  Eigen::VectorXd noise;                       // [channels] rms per line of what is left
 };
 
 /// The group's modes, if its points disagree about their poles beyond doubt; otherwise nothing.
 std::vector<ScatteredMode> scattered_modes(const WindowedFit& all, const FitGroup& group);
 
-/// Takes what a mode's common pole leaves off a residual over all lines, [outputs][lines]: there each point has its
+/// Takes what a mode's common pole leaves off a residual over all lines, [channels][lines]: there each point has its
 /// own.
 void subtract_freq_scatter(const FrfDataset& set, const FitGroup& group, std::size_t mode, const ScatteredMode& moving,
                            std::vector<Eigen::VectorXcd>& residual);

@@ -20,11 +20,11 @@ bool joint_fit_is_as_good(const FittedMode& local, const std::vector<Eigen::Vect
   for (Index o = 0; o < local.noise.size(); ++o) {
     const auto window =
         left[static_cast<std::size_t>(o)].segment(static_cast<Index>(local.first), static_cast<Index>(local.count));
-    const double freedom = 2 * static_cast<double>(local.count) - static_cast<double>(local.unknowns_per_output);
+    const double freedom = 2 * static_cast<double>(local.count) - static_cast<double>(local.unknowns_per_channel);
     const double variance = 0.5 * local.noise(o) * local.noise(o);  // of each real value
     excess += window.squaredNorm() / variance - freedom;
   }
-  const double unknowns = static_cast<double>(local.noise.size()) * static_cast<double>(local.unknowns_per_output);
+  const double unknowns = static_cast<double>(local.noise.size()) * static_cast<double>(local.unknowns_per_channel);
   return excess <= unknowns + kChance * std::sqrt(2 * unknowns);
 }
 
@@ -51,7 +51,7 @@ void refine_jointly(const FrfDataset& set, std::vector<FittedMode>& modes) {
     const double of_pole = std::sqrt(window.of_pole(mode.pole)), of_residue = std::sqrt(window.of_residue(mode.pole));
     mode.freq_std_Hz = std::hypot(of_pole * joint.freq_std_Hz(i), kRounding * mode.pole.freq_Hz);
     mode.damping_std = std::hypot(of_pole * joint.damping_std(i), kRoundingDamping * mode.pole.damping_ratio);
-    for (std::size_t o = 0; o < set.outputs.size(); ++o) {
+    for (std::size_t o = 0; o < set.channels.size(); ++o) {
       mode.residues[o].value = joint.residues(static_cast<Index>(o), i);
       mode.residues[o].std = of_residue * joint.residue_std(static_cast<Index>(o), i);
     }

@@ -15,7 +15,7 @@ using Eigen::Index;
 using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 
-constexpr double kMinRelativeNoise = 1e-6;  // of the largest noise: an output without any weighs no more
+constexpr double kMinRelativeNoise = 1e-6;  // of the largest noise: a channel without any weighs no more
 
 using Together = std::vector<FittedMode*>;  // modes of one window
 
@@ -60,10 +60,10 @@ void add_point(const FrfDataset& set, std::size_t point, const Together& modes, 
   const Index n = slopes.lines.cols();
   const double least = kMinRelativeNoise * modes.front()->noise.maxCoeff();
   MatrixXcd pull = MatrixXcd::Zero(lines, n);  // of an error of the gain at each line
-  for (std::size_t o = 0; o < set.outputs.size(); ++o) {
-    if (set.outputs[o].point != point) continue;
+  for (std::size_t o = 0; o < set.channels.size(); ++o) {
+    if (set.channels[o].point != point) continue;
     const double weight = 1 / std::pow(std::max(modes.front()->noise(static_cast<Index>(o)), least), 2);
-    const Eigen::Map<const Eigen::VectorXcd> frf(set.outputs[o].frf.data() + first, lines);
+    const Eigen::Map<const Eigen::VectorXcd> frf(set.channels[o].frf.data() + first, lines);
     const auto residue = [&](Index r) { return modes[static_cast<std::size_t>(r / 2)]->mode.residues[o].value; };
     for (Index r = 0; r < n; ++r) {
       const Complex back = std::conj(residue(r)) * weight;

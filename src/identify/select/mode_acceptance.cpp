@@ -58,7 +58,7 @@ bool is_resolved_pair(const WindowedFit& all, const FitGroup& group, std::size_t
   return max_misfit(all, group) < kNoiseAlone && std::any_of(group.fit.poles.begin(), group.fit.poles.end(), beside);
 }
 
-// Above the fit's own imperfection at some output.
+// Above the fit's own imperfection at some channel.
 bool above_dynamic_range(const WindowedFit& all, const LocalFit& fit, std::size_t mode) {
   for (Index o = 0; o < fit.residues.rows(); ++o) {
     const double peak = std::abs(fit.residues(o, static_cast<Index>(mode))) / (2 * fit.poles[mode].damping_ratio);
@@ -81,13 +81,13 @@ bool above_force_noise(const WindowedFit& all, const FitGroup& group, std::size_
   const FrfDataset& set = all.set();
   const Pole& pole = group.fit.poles[mode];
   for (Index o = 0; o < group.fit.residues.rows(); ++o) {
-    const FrfChannel& output = set.outputs[static_cast<std::size_t>(o)];
+    const FrfChannel& channel = set.channels[static_cast<std::size_t>(o)];
     const double peak = std::abs(group.fit.residues(o, static_cast<Index>(mode))) / (2 * pole.damping_ratio);
-    const bool known = !set.points[output.point].ff.empty();
-    const double gain = known ? gain_deviation(set, output.point, pole.freq_Hz) : kUnknownGain;
+    const bool known = !set.points[channel.point].ff.empty();
+    const double gain = known ? gain_deviation(set, channel.point, pole.freq_Hz) : kUnknownGain;
     // A gain may waver so as to make a broad mode of the flank of a large one.
     const double reach = pole.half_power_Hz() / set.lines.df_Hz();
-    if (peak > kForceNoise * gain * largest_within(output.frf, set.lines, pole.freq_Hz, reach)) return true;
+    if (peak > kForceNoise * gain * largest_within(channel.frf, set.lines, pole.freq_Hz, reach)) return true;
   }
   return false;
 }

@@ -12,7 +12,7 @@ struct AcceptanceContext {
   bool search_finished = false;  // no more modes will be added: what is left over is misfit
 };
 
-/// How far the mode's own peak stands out of what the window's fit leaves, at the output where it does most.
+/// How far the mode's own peak stands out of what the window's fit leaves, at the channel where it does most.
 double peak_to_residual(const WindowedFit& all, const FitGroup& group, std::size_t mode);
 
 /// A mode is credible when it lies within its window, is determined (deviations below its own width and damping; below

@@ -36,7 +36,7 @@ bool near(const WindowedFit& all, const std::vector<Pole>& list, const Pole& hid
 
 }  // namespace
 
-std::vector<Pole> ResidualModeSearch::next(const WindowedFit& all, SearchPass way) {
+std::vector<Pole> ResidualModeSearch::next(const WindowedFit& all, ResidualSearch which) {
   const std::vector<Pole> known = all.poles();
   std::vector<Eigen::VectorXcd> residual = all.residual();
   const std::vector<Pole> moving = scattered_poles(all, residual);
@@ -50,7 +50,7 @@ std::vector<Pole> ResidualModeSearch::next(const WindowedFit& all, SearchPass wa
       given_up.push_back(hidden);
     }
   }
-  if (way == SearchPass::all && !found.empty()) {
+  if (which == ResidualSearch::all && !found.empty()) {
     tried_.insert(tried_.end(), found.begin(), found.end());
     return found;
   }

@@ -1,11 +1,10 @@
 #include "identify/select/sequential_fit.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 
-#include "identify/fit/windowed_fit.hpp"
-#include "identify/noise/force_noise.hpp"
 #include "identify/select/close_mode_search.hpp"
 #include "identify/select/frequency_scatter.hpp"
 #include "identify/select/mode_acceptance.hpp"
@@ -16,218 +15,190 @@
 namespace percuss::identify {
 namespace {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+constexpr std::size_t kMinFitLines = 16;
 
-constexpr std::size_t kMinFitLines = 16;  // lines
+// A step of the search. The order is the order of a round: windows are split once insignificant modes are out of them,
+// and the residual is searched once no window splits.
+enum class Step { drop_insignificant, split_close, add_residual };
+constexpr std::array kSteps{Step::drop_insignificant, Step::split_close, Step::add_residual};
+
+// The effect of a step on the set of modes.
+enum class Outcome { unchanged, changed };
 
 class SequentialFit {
  public:
   SequentialFit(const FrfDataset& set, const SequentialFitOptions& options)
-      : set_(set), options_(options), all_(set, options.windows) {}
+      : set_(set), options_(options), fit_(set, options.windows) {}
 
   std::vector<FittedMode> run() {
     context_.peak_poles = poles_near(set_, options_.start_Hz);
     context_.peak_poles.insert(context_.peak_poles.end(), options_.start.begin(), options_.start.end());
-    const bool given = !context_.peak_poles.empty();
-    if (!given) context_.peak_poles = candidate_poles(set_, all_.line_noise());
-    if (given) {
+    if (!context_.peak_poles.empty()) {
       start_from(context_.peak_poles);
     } else {
-      start_without_ripples();
-      all_.widen();
-      search_modes();
+      start_from_peaks();
+      search();
     }
-    if (!options_.start.empty()) keep_accepted();
-    return modes();
+    if (!options_.start.empty()) drop_until_accepted();
+    return fitted_modes(fit_, options_.modes);
   }
 
  private:
-  void search_modes() {
-    search_rounds(options_.hidden ? std::optional(ResidualModeSearch::SearchPass::all) : std::nullopt);
-    // A crowd of hidden ones may drive a mode that shows from its place: then they were none, but perhaps one broad
-    // one.
-    const std::vector<Pole> lost = lost_modes(all_.poles());
-    if (!hidden_.has_tried_any() || lost.empty()) return;
-    const std::vector<Pole> found = all_.poles();
-    for (const auto hidden :
-         {std::optional(ResidualModeSearch::SearchPass::alone), std::optional<ResidualModeSearch::SearchPass>()}) {
-      start_from(established_);
-      search_rounds(hidden);
-      if (lost_modes(all_.poles()).size() < lost.size()) return;
-    }
-    start_from(found);
-    keep_accepted();
-  }
-
-  // Where a decay is cut off it leaves ripples on its resonance's flanks that look like peaks: those begin with the
-  // others only if they are still there once it has been fitted.
-  void start_without_ripples() {
-    const std::vector<char> doubtful = find_truncation_ripples(set_, context_.peak_poles);
-    std::vector<Pole> first, later;
-    for (std::size_t p = 0; p < doubtful.size(); ++p) (doubtful[p] ? later : first).push_back(context_.peak_poles[p]);
-    start_from(first);
-    if (later.empty()) return;
-    const auto residual = all_.residual();
-    std::erase_if(later, [&](const Pole& pole) { return !remains_in_residual(set_, pole, residual); });
-    context_.peak_poles = std::move(first);
-    context_.peak_poles.insert(context_.peak_poles.end(), later.begin(), later.end());
-    std::vector<Pole> poles = all_.poles();
-    poles.insert(poles.end(), later.begin(), later.end());
-    if (use(std::move(poles))) all_.sweep();
-  }
-
   void start_from(std::vector<Pole> poles) {
     context_.search_finished = false;
-    all_.replace(std::move(poles));
-    all_.sweep();
+    fit_.replace(std::move(poles));
+    fit_.sweep();
   }
 
-  // The modes that were credible before hidden ones were looked for, and have nothing in their place now.
-  std::vector<Pole> lost_modes(const std::vector<Pole>& now) const {
-    std::vector<Pole> lost;
-    std::copy_if(established_.begin(), established_.end(), std::back_inserter(lost), [&](const Pole& clear) {
+  // A truncated decay leaves ripples beside its resonance that look like peaks. A doubtful peak joins the others only
+  // if the residual still shows it once the resonance is fitted.
+  void start_from_peaks() {
+    const std::vector<Pole> peaks = candidate_poles(set_, fit_.line_noise());
+    const std::vector<char> doubtful = find_truncation_ripples(set_, peaks);
+    std::vector<Pole> clear, later;
+    for (std::size_t p = 0; p < peaks.size(); ++p) (doubtful[p] ? later : clear).push_back(peaks[p]);
+    context_.peak_poles = peaks;
+    start_from(clear);
+    if (!later.empty()) {
+      const auto residual = fit_.residual();
+      std::erase_if(later, [&](const Pole& pole) { return !remains_in_residual(set_, pole, residual); });
+      context_.peak_poles = std::move(clear);
+      context_.peak_poles.insert(context_.peak_poles.end(), later.begin(), later.end());
+      if (add(later) == Outcome::changed) fit_.sweep();
+    }
+    fit_.widen();
+  }
+
+  // Spurious modes from the residual can displace a mode that a peak showed. The search is then repeated with one broad
+  // residual mode, and after that with none.
+  void search() {
+    search_rounds(options_.search_residual ? ResidualSearch::all : ResidualSearch::none);
+    const std::vector<Pole> displaced = displaced_modes();
+    if (displaced.empty()) return;
+    const std::vector<Pole> found = fit_.poles();
+    for (const ResidualSearch which : {ResidualSearch::one_broad, ResidualSearch::none}) {
+      start_from(peak_modes_);
+      search_rounds(which);
+      if (displaced_modes().size() < displaced.size()) return;
+    }
+    start_from(found);
+    drop_until_accepted();
+  }
+
+  // Modes that the peaks showed and that have no pole within their width now.
+  std::vector<Pole> displaced_modes() const {
+    std::vector<Pole> displaced;
+    if (!residual_search_.has_tried_any()) return displaced;
+    const std::vector<Pole> now = fit_.poles();
+    std::copy_if(peak_modes_.begin(), peak_modes_.end(), std::back_inserter(displaced), [&](const Pole& known) {
       return std::none_of(now.begin(), now.end(), [&](const Pole& pole) {
-        return std::abs(pole.freq_Hz - clear.freq_Hz) < all_.width_Hz(clear);
+        return std::abs(pole.freq_Hz - known.freq_Hz) < fit_.width_Hz(known);
       });
     });
-    return lost;
+    return displaced;
   }
 
-  void search_rounds(std::optional<ResidualModeSearch::SearchPass> hidden) {
-    for (int round = 0; round < options_.rounds; ++round) {
-      while (merge_scattered_poles()) all_.sweep();
-      const bool dropped = drop_insignificant();
-      if (!hidden_.has_tried_any()) established_ = all_.poles();
-      // Windows are split when what was dropped is out of them, and hidden modes looked for when no pair is left to be.
-      const bool changed = dropped || use(split_.next(all_, context_)) || (hidden && add_residual_modes(*hidden));
-      if (!changed) break;
-      all_.sweep();
+  void search_rounds(ResidualSearch which) {
+    for (int round = 0; round < options_.max_rounds; ++round) {
+      merge_scattered();
+      if (first_change(which) == Outcome::unchanged) break;
+      fit_.sweep();
     }
-    while (merge_scattered_poles()) all_.sweep();
-    keep_accepted();
+    merge_scattered();
+    drop_until_accepted();
   }
 
-  void keep_accepted() {
+  // Takes the steps in turn up to the first that changes the set of modes.
+  Outcome first_change(ResidualSearch which) {
+    for (const Step step : kSteps) {
+      if (take(step, which) == Outcome::changed) return Outcome::changed;
+    }
+    return Outcome::unchanged;
+  }
+
+  Outcome take(Step step, ResidualSearch which) {
+    switch (step) {
+      case Step::drop_insignificant: {
+        const Outcome outcome = drop_insignificant();
+        if (!residual_search_.has_tried_any()) peak_modes_ = fit_.poles();
+        return outcome;
+      }
+      case Step::split_close:
+        return use(close_search_.next(fit_, context_));
+      case Step::add_residual:
+        return which == ResidualSearch::none ? Outcome::unchanged : add(residual_search_.next(fit_, which));
+    }
+    return Outcome::unchanged;
+  }
+
+  // After the last change: a mode that survives only because another may still be found is dropped as well.
+  void drop_until_accepted() {
     context_.search_finished = true;
-    while (drop_insignificant()) all_.sweep();
+    while (drop_insignificant() == Outcome::changed) fit_.sweep();
   }
 
-  bool drop_insignificant() {
+  Outcome drop_insignificant() {
     std::vector<Pole> kept;
-    for (const FitGroup& group : all_.groups()) {
+    for (const FitGroup& group : fit_.groups()) {
       for (std::size_t m = 0; m < group.fit.poles.size(); ++m) {
         const Pole& pole = group.fit.poles[m];
-        const bool twice =
-            std::any_of(kept.begin(), kept.end(), [&](const Pole& k) { return poles_coincide(all_, k, pole); });
-        if (!twice && accept_mode(all_, group, m, context_)) kept.push_back(pole);
+        const bool repeated =
+            std::any_of(kept.begin(), kept.end(), [&](const Pole& k) { return poles_coincide(fit_, k, pole); });
+        if (!repeated && accept_mode(fit_, group, m, context_)) kept.push_back(pole);
       }
     }
     return use(std::move(kept));
   }
 
-  // Poles of one mode that moves from point to point.
-  bool merge_scattered_poles() {
-    std::vector<Pole> kept;
-    for (const FitGroup& group : all_.groups()) {
-      if (const auto one = merge_if_scattered(all_, group)) {
-        kept.push_back(*one);
-      } else {
-        kept.insert(kept.end(), group.fit.poles.begin(), group.fit.poles.end());
+  // Replaces several poles that stand for one mode, whose frequency scatters between the points, by one.
+  void merge_scattered() {
+    Outcome outcome = Outcome::changed;
+    while (outcome == Outcome::changed) {
+      std::vector<Pole> kept;
+      for (const FitGroup& group : fit_.groups()) {
+        if (const auto one = merge_if_scattered(fit_, group)) {
+          kept.push_back(*one);
+        } else {
+          kept.insert(kept.end(), group.fit.poles.begin(), group.fit.poles.end());
+        }
       }
+      outcome = use(std::move(kept));
+      if (outcome == Outcome::changed) fit_.sweep();
     }
-    return use(std::move(kept));
   }
 
-  // Replaces the poles when their number has changed.
-  bool use(std::vector<Pole> poles) {
-    if (poles.size() == all_.poles().size()) return false;
-    all_.replace(std::move(poles));
-    return true;
-  }
-
-  // Modes that the residual over the whole band shows, away from those known.
-  bool add_residual_modes(ResidualModeSearch::SearchPass way) {
-    std::vector<Pole> poles = all_.poles();
-    const std::vector<Pole> more = hidden_.next(all_, way);
+  Outcome add(const std::vector<Pole>& more) {
+    std::vector<Pole> poles = fit_.poles();
     poles.insert(poles.end(), more.begin(), more.end());
     return use(std::move(poles));
   }
 
-  Mode mode_of(const LocalFit& fit, std::size_t m) const {
-    const auto i = static_cast<Index>(m);
-    const Pole& pole = fit.poles[m];
-    Mode mode{.pole = pole,
-              .freq_std_Hz = std::hypot(fit.freq_std_Hz(i), kRounding * pole.freq_Hz),
-              .damping_std = std::hypot(fit.damping_std(i), kRoundingDamping * pole.damping_ratio)};
-    for (std::size_t o = 0; o < set_.outputs.size(); ++o) {
-      mode.residues.push_back({.point = set_.outputs[o].point,
-                               .channel = set_.outputs[o].channel,
-                               .value = fit.residues(static_cast<Index>(o), i),
-                               .std = fit.residue_std(static_cast<Index>(o), i),
-                               .relative_std = gain_deviation(set_, set_.outputs[o].point, mode.pole.freq_Hz)});
-    }
-    return mode;
-  }
-
-  static void move(FittedMode& found, const ScatteredMode& moving) {
-    found.noise = moving.noise;
-    Mode& mode = found.mode;
-    mode.pole = moving.pole;
-    mode.freq_std_Hz = moving.freq_std_Hz;
-    mode.damping_std = moving.damping_std;
-    mode.freq_scatter_Hz = moving.freq_scatter_Hz;
-    for (std::size_t o = 0; o < mode.residues.size(); ++o) {
-      mode.residues[o].value = moving.residues[o];
-      mode.residues[o].std = moving.residue_std[o];
-      mode.residues[o].own_pole = moving.own_poles[o];
-    }
-  }
-
-  std::vector<FittedMode> modes() const {
-    std::vector<FittedMode> found;
-    for (const FitGroup& group : all_.groups()) {
-      const auto moving = scattered_modes(all_, group);
-      for (std::size_t m = 0; m < group.fit.poles.size(); ++m) {
-        found.push_back({.mode = mode_of(group.fit, m),
-                         .peak_to_residual = peak_to_residual(all_, group, m),
-                         .first = group.first,
-                         .count = group.count,
-                         .noise = group.fit.noise,
-                         .unknowns_per_output = 2 * (group.fit.poles.size() + LocalFitOptions{}.residual_terms)});
-        if (!moving.empty()) move(found.back(), moving[m]);
-      }
-    }
-    if (options_.modes && *options_.modes < found.size()) {
-      std::stable_sort(found.begin(), found.end(), [](const FittedMode& a, const FittedMode& b) {
-        return a.peak_to_residual > b.peak_to_residual;
-      });
-      found.resize(*options_.modes);
-    }
-    // Poles fitted together may have passed each other.
-    std::sort(found.begin(), found.end(),
-              [](const FittedMode& a, const FittedMode& b) { return a.mode.pole.freq_Hz < b.mode.pole.freq_Hz; });
-    return found;
+  // Every step adds or removes poles: an equal number means the same poles.
+  Outcome use(std::vector<Pole> poles) {
+    if (poles.size() == fit_.poles().size()) return Outcome::unchanged;
+    fit_.replace(std::move(poles));
+    return Outcome::changed;
   }
 
   const FrfDataset& set_;
   const SequentialFitOptions& options_;
-  WindowedFit all_;
+  WindowedFit fit_;
   AcceptanceContext context_;
-  CloseModeSearch split_;
-  ResidualModeSearch hidden_;
-  std::vector<Pole> established_;  // modes found before hidden ones were tried
+  CloseModeSearch close_search_;
+  ResidualModeSearch residual_search_;
+  std::vector<Pole> peak_modes_;  // the accepted modes before the residual was first searched
 };
 
 }  // namespace
 
 SequentialFitOptions sequential_fit_options(Effort effort) {
-  if (effort == Effort::quick) return {.rounds = 3, .hidden = false, .windows = {.window_widths = 5, .change = 0.1}};
+  if (effort == Effort::quick)
+    return {.max_rounds = 3, .search_residual = false, .windows = {.window_widths = 5, .change = 0.1}};
   return {};
 }
 
 std::vector<FittedMode> fit_sequentially(const FrfDataset& set, const SequentialFitOptions& options) {
-  if (set.lines.count < kMinFitLines || set.outputs.empty()) return {};
+  if (set.lines.count < kMinFitLines || set.channels.empty()) return {};
   return SequentialFit(set, options).run();
 }
 

@@ -1,40 +1,30 @@
 #pragma once
-#include <Eigen/Core>
 #include <cstddef>
 #include <optional>
 #include <vector>
 
 #include "identify/fit/windowed_fit.hpp"
 #include "identify/model/effort.hpp"
-#include "identify/model/mode.hpp"
+#include "identify/select/fitted_mode.hpp"
 
 namespace percuss::identify {
 
 struct SequentialFitOptions {
-  int rounds = 6;      // of looking for second modes in each window, then for modes that show no peak
-  bool hidden = true;  // look for the latter
+  int max_rounds = 6;           // changes of the set of modes, each followed by a fit
+  bool search_residual = true;  // look for modes without a peak of their own
   WindowedFitOptions windows;
   std::optional<std::size_t> modes;  // keep this many, the most significant ones
-  std::vector<double> start_Hz;      // these and no others
-  std::vector<Pole> start;           // those of these, from an earlier fit, that are credible
+  std::vector<double> start_Hz;      // fit exactly one mode from each of these frequencies
+  std::vector<Pole> start;           // fit from these poles of an earlier fit, and keep the accepted ones
 };
-/// What each effort spends on a peak; see effort.hpp for what that costs and gives.
+/// The search that each effort makes; see effort.hpp for its cost and accuracy.
 SequentialFitOptions sequential_fit_options(Effort effort);
 
-/// A mode as the fit of its own window of lines gives it.
-struct FittedMode {
-  Mode mode;
-  double peak_to_residual = 0;          // its peak over what the window's fit leaves
-  std::size_t first = 0, count = 0;     // the window, common to modes that were fitted together
-  Eigen::VectorXd noise;                // [outputs] rms per line of what the window's fit leaves, (m/s²)/N
-  std::size_t unknowns_per_output = 0;  // real unknowns of the window's fit, its poles aside
-  bool joint = false;                   // taken over from a fit of all modes together
-};
-
-/// Modes from peaks: prominent maxima of the summed FRFs, each fitted over a window of its own lines with what the
-/// other modes contribute subtracted (a few sweeps), close ones together. A second mode is added where one leaves a
-/// residual it explains, and modes too weak to show are looked for in what is left. Deviations are scaled by
-/// each window's residual. Modes in ascending frequency.
+/// Modes from peaks. Each prominent maximum of the summed FRFs is fitted over a window of spectral lines, with the
+/// other modes' contributions subtracted; close modes are fitted together. A search then changes the set of modes until
+/// it settles: insignificant modes are dropped, a group that misfits receives a second mode, and the residual of the
+/// whole band shows modes without a peak. Standard deviations are scaled by each window's residual. Modes in ascending
+/// frequency.
 std::vector<FittedMode> fit_sequentially(const FrfDataset& set, const SequentialFitOptions& options = {});
 
 }  // namespace percuss::identify

@@ -19,7 +19,7 @@ constexpr double kDecibelsPerNeper = 8.6859;
 constexpr double kPointing = 0.005;
 constexpr double kResonanceSpan = 6;  // half-widths on either side that a hidden resonance is looked for over
 constexpr double kMinResidualModeGain =
-    30;  // noise powers, beyond what the outputs' own noise gives: one false alarm in 10^10 lines
+    30;  // noise powers, beyond what the channels' own noise gives: one false alarm in 10^10 lines
 constexpr double kOutOfBandGain =
     1000;  // … where the force does not reach: weaker ones are not credible there, so that none needs to be tried
 constexpr double kModelFloor = 1e-6;            // of the largest line: what a fit leaves of noise-free data is no mode
@@ -36,18 +36,18 @@ double largest_of(std::span<const Complex> h) {
 }
 
 struct Level {
-  std::vector<double> power, noise;  // Σ over outputs of |H|² and of the noise's share
+  std::vector<double> power, noise;  // Σ over channels of |H|² and of the noise's share
 };
 
 Level level_of(const FrfDataset& set, const LineNoise& line_noise) {
   const std::size_t n = set.lines.count;
   Level level{std::vector<double>(n), std::vector<double>(n)};
-  std::vector<std::vector<double>> noise(set.outputs.size());
+  std::vector<std::vector<double>> noise(set.channels.size());
   parallel_for_cost(noise.size(), kFlopsPerLevelLine * n, [&](std::size_t o) { noise[o] = line_noise.local(o); });
   parallel_for_chunks(n, kFlopsPerLevelLine * noise.size(), [&](std::size_t first, std::size_t count) {
     for (std::size_t o = 0; o < noise.size(); ++o) {
       for (std::size_t k = first; k < first + count; ++k) {
-        level.power[k] += std::norm(set.outputs[o].frf[k]);
+        level.power[k] += std::norm(set.channels[o].frf[k]);
         level.noise[k] += noise[o][k];
       }
     }
@@ -68,7 +68,7 @@ Eigen::VectorXcd resonance(double h) {
   return g / g.norm();
 }
 
-// One output's residual at some width of its lines, and the noise's power there.
+// One channel's residual at some width of its lines, and the noise's power there.
 struct ResidualLines {
   Eigen::VectorXcd residual;
   std::vector<double> noise;
@@ -86,17 +86,17 @@ ResidualLines halved(const ResidualLines& lines, double floor) {
   return wide;
 }
 
-// Energy that the resonance explains at each line, over the noise there, summed over the outputs.
-std::vector<double> gain_of(const std::vector<ResidualLines>& outputs, const Eigen::VectorXcd& shape) {
+// Energy that the resonance explains at each line, over the noise there, summed over the channels.
+std::vector<double> gain_of(const std::vector<ResidualLines>& channels, const Eigen::VectorXcd& shape) {
   const auto reach = static_cast<std::size_t>(shape.size() / 2);
-  const auto lines = static_cast<std::size_t>(outputs.front().residual.size());
+  const auto lines = static_cast<std::size_t>(channels.front().residual.size());
   std::vector<double> gain(lines);
-  parallel_for_chunks(lines, 2 * kFlopsPerProduct * reach * outputs.size(), [&](std::size_t first, std::size_t count) {
+  parallel_for_chunks(lines, 2 * kFlopsPerProduct * reach * channels.size(), [&](std::size_t first, std::size_t count) {
     const std::size_t end = std::min(first + count, lines > reach ? lines - reach : 0);
     for (std::size_t k = std::max(first, reach); k < end; ++k) {
       const auto from = static_cast<Eigen::Index>(k - reach);
-      for (const ResidualLines& output : outputs) {
-        if (output.noise[k] > 0) gain[k] += std::norm(adjoint_dot(shape, output.residual, from)) / output.noise[k];
+      for (const ResidualLines& channel : channels) {
+        if (channel.noise[k] > 0) gain[k] += std::norm(adjoint_dot(shape, channel.residual, from)) / channel.noise[k];
       }
     }
   });
@@ -105,8 +105,8 @@ std::vector<double> gain_of(const std::vector<ResidualLines>& outputs, const Eig
 
 std::vector<Eigen::VectorXcd> cut(const FrfDataset& set, std::size_t first, std::size_t count) {
   std::vector<Eigen::VectorXcd> out;
-  for (const FrfChannel& output : set.outputs) {
-    out.emplace_back(Eigen::Map<const Eigen::VectorXcd>(output.frf.data() + first, static_cast<Eigen::Index>(count)));
+  for (const FrfChannel& channel : set.channels) {
+    out.emplace_back(Eigen::Map<const Eigen::VectorXcd>(channel.frf.data() + first, static_cast<Eigen::Index>(count)));
   }
   return out;
 }
@@ -176,13 +176,13 @@ std::vector<Pole> candidate_poles(const FrfDataset& set, const LineNoise& noise,
 std::vector<Resonance> residual_resonances(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& residual) {
   const WindowNoise window(set);
   std::vector<Resonance> found;
-  std::vector<ResidualLines> outputs(residual.size());
+  std::vector<ResidualLines> channels(residual.size());
   std::vector<double> floors(residual.size());
-  parallel_for_cost(outputs.size(), kFlopsPerLevelLine * set.lines.count, [&](std::size_t o) {
+  parallel_for_cost(channels.size(), kFlopsPerLevelLine * set.lines.count, [&](std::size_t o) {
     const std::span lines(residual[o].data(), static_cast<std::size_t>(residual[o].size()));
-    outputs[o] = {residual[o], local_noise(block_noise(lines, window.roughness()), lines.size())};
-    floors[o] = std::pow(kModelFloor * largest_of(set.outputs[o].frf), 2);
-    for (double& power : outputs[o].noise) power = std::max(window.most() * power, floors[o]);
+    channels[o] = {residual[o], local_noise(block_noise(lines, window.roughness()), lines.size())};
+    floors[o] = std::pow(kModelFloor * largest_of(set.channels[o].frf), 2);
+    for (double& power : channels[o].noise) power = std::max(window.most() * power, floors[o]);
   });
   const double threshold = kMinResidualModeGain + 3 * static_cast<double>(residual.size());
   const double top_Hz = set.lines.freq_Hz(set.lines.count - 1);
@@ -190,14 +190,14 @@ std::vector<Resonance> residual_resonances(const FrfDataset& set, const std::vec
   const Eigen::VectorXcd shape = resonance(kMinResonanceLines);
   // Each resonance is looked for on lines so wide that it is as narrow as can be: the work halves at every doubling.
   for (double width = 1; kMinResonanceLines * width < widest; width *= 2) {
-    const auto gain = gain_of(outputs, shape);
+    const auto gain = gain_of(channels, shape);
     for (const std::size_t peak : maxima_above(gain, threshold)) {
       const double line = (static_cast<double>(peak) + 0.5) * width - 0.5;
       found.push_back({line, kMinResonanceLines * width, gain[peak]});
     }
-    const auto lines = static_cast<std::size_t>(outputs.front().residual.size());
-    parallel_for_cost(outputs.size(), kFlopsPerLevelLine * lines,
-                      [&](std::size_t o) { outputs[o] = halved(outputs[o], floors[o]); });
+    const auto lines = static_cast<std::size_t>(channels.front().residual.size());
+    parallel_for_cost(channels.size(), kFlopsPerLevelLine * lines,
+                      [&](std::size_t o) { channels[o] = halved(channels[o], floors[o]); });
   }
   return found;
 }

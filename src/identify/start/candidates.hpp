@@ -12,7 +12,7 @@ struct CandidateOptions {
   double snr = 5;            // amplitude over noise at the peak
 };
 
-/// The prominent maxima of Σ|H|² over the outputs, ascending.
+/// The prominent maxima of Σ|H|² over the channels, ascending.
 std::vector<std::size_t> prominent_lines(const FrfDataset& set, const LineNoise& noise,
                                          const CandidateOptions& options = {});
 
@@ -22,11 +22,11 @@ std::vector<Pole> candidate_poles(const FrfDataset& set, const LineNoise& noise,
 /// A resonance on a straight background that stands out of the lines' own noise.
 struct Resonance {
   double line = 0, half_width = 0;  // lines from the set's first
-  double gain = 0;                  // energy that it explains over the noise's, over the outputs
+  double gain = 0;                  // energy that it explains over the noise's, over the channels
 };
 
-/// Where what is left of the FRFs (residual [outputs][lines], the known modes subtracted) rises so, at every width: one
-/// resonance shows at several of them.
+/// Where what is left of the FRFs (residual [channels][lines], the known modes subtracted) rises so, at every width:
+/// one resonance shows at several of them.
 std::vector<Resonance> residual_resonances(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& residual);
 
 /// First poles of modes too weak or too close to a stronger one to show as a peak of their own: the best width of each

@@ -24,7 +24,7 @@ constexpr std::size_t kMaxModelOrder = 100;
 constexpr std::size_t kLinesPerOrder = 4;
 constexpr double kRidge = 1e-15;      // of the diagonal: sends poles that noise-free lines do not need far out
 constexpr double kRidgeGrowth = 4;    // until the factorisation succeeds
-constexpr double kNoiseFloor = 1e-6;  // of an output's largest line
+constexpr double kNoiseFloor = 1e-6;  // of a channel's largest line
 constexpr double kStartRadius = 0.6;  // of an additional root; those of noise lie there or further in
 constexpr double kGoldenAngle = 2.39996;
 
@@ -93,8 +93,8 @@ MatrixXcd normal_matrix(const FrfDataset& set, const LscfOptions& options, const
   const Eigen::VectorXd noise = LineNoise(set).over(options.first, options.count);
   const auto size = static_cast<Index>(options.max_order + 1);
   MatrixXcd matrix = MatrixXcd::Zero(size, size);
-  for (std::size_t o = 0; o < set.outputs.size(); ++o) {
-    const auto h = std::span(set.outputs[o].frf).subspan(options.first, options.count);
+  for (std::size_t o = 0; o < set.channels.size(); ++o) {
+    const auto h = std::span(set.channels[o].frf).subspan(options.first, options.count);
     const double largest = largest_line_of(h);
     if (!(largest > 0)) continue;
     const double root = 1 / std::max(noise(static_cast<Index>(o)), kNoiseFloor * largest);  // of w_o
@@ -145,7 +145,7 @@ std::vector<LscfOrder> lscf_poles(const FrfDataset& set, const LscfOptions& aske
   const std::size_t left = set.lines.count - options.first;
   options.count = asked.count == 0 ? left : std::min(asked.count, left);
   options.max_order = std::min({asked.max_order, options.count / kLinesPerOrder, kMaxModelOrder});
-  if (options.max_order < 2 || set.outputs.empty()) return {};
+  if (options.max_order < 2 || set.channels.empty()) return {};
   const Circle circle = circle_of(set.lines, options);
   const MatrixXcd matrix = normal_matrix(set, options, circle);
   const auto n = static_cast<Index>(options.max_order);

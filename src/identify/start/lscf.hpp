@@ -18,7 +18,7 @@ struct LscfOrder {
   std::vector<Pole> poles;  // within the lines used and stable, ascending frequency
 };
 
-/// Poles of all model orders from 2 up, common to all outputs: least squares in the frequency domain with a common
+/// Poles of all model orders from 2 up, common to all channels: least squares in the frequency domain with a common
 /// denominator,
 ///   H_o(k) ≈ B_o(z_k)/A(z_k),  A(z) = 1 + Σ_i a_i z^i,  i = 1 … order                                       (1)
 ///   z_k = exp(2πj k/L),  k = 0 … lines − 1, L > lines points on the whole circle                              (2)
@@ -28,9 +28,9 @@ struct LscfOrder {
 /// circle that is left over keeps the band's two ends apart. B_o (of degree max_order at every order) is eliminated;
 /// the normal equations of A are Toeplitz sums made by FFT, and one factorisation serves all orders, whose equations
 /// are nested. Fixing the constant coefficient sends the poles of the noise out of the unit circle, where they are
-/// unstable and left out. w_o is one over the variance of the output's noise as LineNoise tells it.
+/// unstable and left out. w_o is one over the variance of the channel's noise as LineNoise tells it.
 /// An exponential window of the force is taken off the poles. shapes: orders 2 … max_order, ascending; empty with fewer
-/// than 8 lines or no output.
+/// than 8 lines or no channel.
 /// source  [6] in docs/theory/sources.md.
 /// theory (4.3), (4.4), (4.5), (4.6)
 std::vector<LscfOrder> lscf_poles(const FrfDataset& set, const LscfOptions& options = {});

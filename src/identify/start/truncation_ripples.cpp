@@ -45,7 +45,7 @@ std::vector<char> find_truncation_ripples(const FrfDataset& set, const std::vect
 bool remains_in_residual(const FrfDataset& set, const Pole& pole, const std::vector<Eigen::VectorXcd>& residual) {
   const std::size_t line = set.lines.nearest(pole.freq_Hz);
   double left = 0;
-  for (const Eigen::VectorXcd& output : residual) left += std::norm(output(static_cast<Eigen::Index>(line)));
+  for (const Eigen::VectorXcd& channel : residual) left += std::norm(channel(static_cast<Eigen::Index>(line)));
   return left > kMaxRemainingEnergy * power_at(set, line);
 }
 

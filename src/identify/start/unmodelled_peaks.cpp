@@ -18,13 +18,13 @@ constexpr double kNear = 3;            // half-power bandwidths, and lines
 constexpr double kUnexplained = 0.25;  // of a peak's energy: with less left of it, it is the modes' own
 constexpr double kPeakSpan = 6;        // half-widths on either side that a peak's energy is taken over
 
-// What the modes, and what lies outside the band, leave of the FRFs, [outputs][lines].
+// What the modes, and what lies outside the band, leave of the FRFs, [channels][lines].
 std::vector<Eigen::VectorXcd> left_by(const FrfDataset& set, const std::vector<Mode>& modes) {
   std::vector<Eigen::VectorXcd> left;
   const auto made = synthesised_frfs(set, modes, set.lines);
-  for (std::size_t o = 0; o < set.outputs.size(); ++o) {
+  for (std::size_t o = 0; o < set.channels.size(); ++o) {
     const auto lines = static_cast<Index>(set.lines.count);
-    left.emplace_back(Eigen::Map<const Eigen::VectorXcd>(set.outputs[o].frf.data(), lines) -
+    left.emplace_back(Eigen::Map<const Eigen::VectorXcd>(set.channels[o].frf.data(), lines) -
                       Eigen::Map<const Eigen::VectorXcd>(made[o].value.data(), lines));
   }
   return left;
@@ -45,8 +45,8 @@ double energy_around(const Resonance& at, const Lines& lines) {
 // mode's flank, nor a ripple that a decay cut off makes of it.
 bool unexplained(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& left, const Resonance& at) {
   double all = 0, rest = 0;
-  for (std::size_t o = 0; o < set.outputs.size(); ++o) {
-    const Eigen::Map<const Eigen::VectorXcd> frf(set.outputs[o].frf.data(), left[o].size());
+  for (std::size_t o = 0; o < set.channels.size(); ++o) {
+    const Eigen::Map<const Eigen::VectorXcd> frf(set.channels[o].frf.data(), left[o].size());
     all += energy_around(at, frf);
     rest += energy_around(at, left[o]);
   }

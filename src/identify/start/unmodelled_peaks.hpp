@@ -9,7 +9,7 @@ namespace percuss::identify {
 /// A peak that shows and that no mode stands for.
 struct UnmodelledPeak {
   double freq_Hz = 0;
-  double level_dB = 0;  // of Σ|H|² over the outputs, under its largest line
+  double level_dB = 0;  // of Σ|H|² over the channels, under its largest line
 };
 
 /// Prominent peaks (as identification starts from) further than three half-power bandwidths, and three lines, from

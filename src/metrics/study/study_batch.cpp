@@ -57,7 +57,7 @@ std::vector<BatProperties> bats_of_lines(std::string_view text, const std::strin
       if (nests_deeper_than(line, kRowDepth)) throw std::out_of_range("deep");
       take_line(Json::parse(line), bats);
     } catch (const std::exception&) {
-      throw InputError("this is no row of a batch", fmt::format("{}, line {}", where, number + 1),
+      throw InputError("not a row of a batch", fmt::format("{}, line {}", where, number + 1),
                        std::string("give the file as ") + kMerging + " wrote it");
     }
   }
@@ -84,7 +84,7 @@ bool holds_batch(std::string_view text) {
 std::vector<BatProperties> batch_bats(std::string_view text, const std::string& where) {
   if (text.starts_with('{')) return bats_of_lines(text, where);
   std::vector<BatProperties> bats;
-  read_strict_table({.text = text, .where = where, .example = kMerging}, "rows",
+  read_strict_table({.text = text, .where = where, .remedy = "merge the batch again"}, "rows",
                     [&](StrictObject& o) { o.read_list("rows", [&](StrictObject& row) { take_row(row, bats); }); });
   return bats;
 }

@@ -136,7 +136,7 @@ std::vector<FrfCurve> frf_curves(const pipeline::Analysis& analysis) {
   const auto& frfs = analysis.frfs();
   const identify::FrfDataset& set = analysis.fitted_frfs();
   std::vector<identify::SynthesisedFrf> made;
-  if (!analysis.modes().empty() && set.outputs.size() == frfs.size())
+  if (!analysis.modes().empty() && set.channels.size() == frfs.size())
     made = identify::synthesised_frfs(set, analysis.modes(), set.lines);
   std::vector<FrfCurve> curves;
   for (const std::size_t i : strongest_frfs_of(frfs))

@@ -17,10 +17,10 @@ TEST(FrequencyBins, KeepTheEnergyOfWhiteNoiseInEveryBlock) {
   ASSERT_EQ(set.lines.count, kLines.count);
   double energy = 0;
   for (std::uint64_t seed = 0; seed < 4; ++seed) {
-    set.outputs[0].frf.assign(set.lines.count, Complex());
+    set.channels[0].frf.assign(set.lines.count, Complex());
     test::add_frf_noise(set, 1, seed);
     Eigen::VectorXd column(2 * blocks.count());
-    const Eigen::Map<const Eigen::VectorXcd> z(set.outputs[0].frf.data(), static_cast<Eigen::Index>(kLines.count));
+    const Eigen::Map<const Eigen::VectorXcd> z(set.channels[0].frf.data(), static_cast<Eigen::Index>(kLines.count));
     blocks.sum(z, Eigen::VectorXd::Ones(z.size()), column);
     energy += column.squaredNorm() / static_cast<double>(column.size()) / 4;
   }

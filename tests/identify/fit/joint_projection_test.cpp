@@ -15,7 +15,7 @@ FrfDataset three_modes(Complex turn = 1) {
   for (std::size_t o = 0; o < 2; ++o) {
     for (std::size_t m = 0; m < kTruth.size(); ++m)
       test::add_mode(set, o, kTruth[m], turn * (0.3 + 0.2 * static_cast<double>(m) - static_cast<double>(o)));
-    for (std::size_t k = 0; k < set.lines.count; ++k) set.outputs[o].frf[k] += turn * 1.7;
+    for (std::size_t k = 0; k < set.lines.count; ++k) set.channels[o].frf[k] += turn * 1.7;
   }
   return set;
 }
@@ -27,8 +27,8 @@ TEST(JointProjection, LeavesNothingOfLinesThatAreTheModel) {
     const JointProjection projection(set, kTruth);
     const JointState state = projection.evaluate({.poles = kTruth, .real = std::vector<char>(3, real ? 1 : 0)});
     double energy = 0;
-    for (const FrfChannel& output : set.outputs) {
-      for (const Complex& line : output.frf) energy += std::norm(line);
+    for (const FrfChannel& channel : set.channels) {
+      for (const Complex& line : channel.frf) energy += std::norm(line);
     }
     EXPECT_LE(state.cost, kRounding * energy) << real;
   }
@@ -40,7 +40,7 @@ TEST(JointProjection, ItsRightHandSideIsTheSlopeOfTheCost) {
   test::add_frf_noise(set, 0.05, 3);
   const JointProjection projection(set, kTruth);
   const JointModel model{.poles = {{300.5, 0.011}, {305.2, 0.0115}, {420.3, 0.0062}}, .real = {1, 0, 1}};
-  const JointNormalEquations normal = projection.normal_equations(projection.evaluate(model));
+  const NormalEquations normal = projection.normal_equations(projection.evaluate(model));
   for (std::size_t i = 0; i < 6; ++i) {
     const double step = i % 2 == 0 ? 1e-4 : 1e-7;
     const auto cost_at = [&](double by) {
@@ -58,10 +58,10 @@ TEST(JointProjection, FindsEachOutputsNoise) {
   constexpr double kTolerance = 0.05;  // of an rms over 2000 lines, four deviations
   FrfDataset set = three_modes();
   test::add_frf_noise(set, 0.02, 5);
-  std::vector<Complex>& second = set.outputs[1].frf;
+  std::vector<Complex>& second = set.channels[1].frf;
   const FrfDataset clean = three_modes();
   for (std::size_t k = 0; k < second.size(); ++k)
-    second[k] = clean.outputs[1].frf[k] + 5.0 * (second[k] - clean.outputs[1].frf[k]);
+    second[k] = clean.channels[1].frf[k] + 5.0 * (second[k] - clean.channels[1].frf[k]);
   JointProjection projection(set, kTruth);
   const JointModel model{.poles = kTruth, .real = {1, 1, 1}};
   const JointState flat = projection.evaluate(model);

@@ -13,8 +13,8 @@ using Eigen::VectorXd;
 
 std::vector<VectorXcd> lines_of(const FrfDataset& set) {
   std::vector<VectorXcd> data;
-  for (const FrfChannel& output : set.outputs)
-    data.emplace_back(Eigen::Map<const VectorXcd>(output.frf.data(), static_cast<Eigen::Index>(set.lines.count)));
+  for (const FrfChannel& channel : set.channels)
+    data.emplace_back(Eigen::Map<const VectorXcd>(channel.frf.data(), static_cast<Eigen::Index>(set.lines.count)));
   return data;
 }
 
@@ -27,7 +27,7 @@ FrfDataset one_mode() {
     test::add_mode(set, o, {300.37, 0.01}, kResidues[o]);
     for (std::size_t k = 0; k < set.lines.count; ++k) {
       const double x = static_cast<double>(k) / static_cast<double>(set.lines.count);
-      set.outputs[o].frf[k] += Complex(0.5, 2) + Complex(-1, 3) * x + Complex(2, 0.4) * x * x;
+      set.channels[o].frf[k] += Complex(0.5, 2) + Complex(-1, 3) * x + Complex(2, 0.4) * x * x;
     }
   }
   return set;
@@ -82,8 +82,8 @@ TEST(FitLocally, ScalesWithTheDataAndNotWithTheWeights) {
   FrfDataset set = one_mode();
   test::add_frf_noise(set, 0.03, 9);
   const LocalFit a = fit(set, {{300, 0.01}});
-  for (FrfChannel& output : set.outputs) {
-    for (Complex& line : output.frf) line *= Complex(0, -1e6);
+  for (FrfChannel& channel : set.channels) {
+    for (Complex& line : channel.frf) line *= Complex(0, -1e6);
   }
   const LocalFit b = fit(set, {{300, 0.01}}, VectorXd::Constant(2, 40));
   EXPECT_LE(std::abs(a.poles[0].freq_Hz / b.poles[0].freq_Hz - 1), kTolerance);
@@ -141,7 +141,7 @@ TEST(PoleOfWindow, SaysSoWhenThereIsNone) {
   FrfDataset set = test::empty_set(4096, 32768, 290, 310, 1);
   EXPECT_EQ(pole_of_window(set, lines_of(set), 0).freq_Hz, 0);
   test::add_mode(set, 0, {300, 0.01}, {1, 0});
-  for (Complex& line : set.outputs[0].frf) line = std::conj(line);  // grows instead of decaying
+  for (Complex& line : set.channels[0].frf) line = std::conj(line);  // grows instead of decaying
   EXPECT_EQ(pole_of_window(set, lines_of(set), 0).freq_Hz, 0);
 }
 

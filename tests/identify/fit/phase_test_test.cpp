@@ -9,7 +9,7 @@ namespace percuss::identify::phase_evidence_test {
 
 const Pole kPole{300.3, 0.01};
 
-// Two outputs of one mode with these phases, fitted with real residues.
+// Two channels of one mode with these phases, fitted with real residues.
 double evidence(double first_rad, double second_rad, std::uint64_t seed) {
   FrfDataset set = test::empty_set(4096, 32768, 250, 350, 2);
   test::add_mode(set, 0, kPole, std::polar(0.5, first_rad));
@@ -21,7 +21,7 @@ double evidence(double first_rad, double second_rad, std::uint64_t seed) {
   JointState state = projection.evaluate({.poles = {kPole}, .real = {1}});
   Eigen::MatrixXd covariance;
   for (int step = 0; step < 4; ++step) {
-    const JointNormalEquations normal = projection.normal_equations(state);
+    const NormalEquations normal = projection.normal_equations(state);
     covariance = inverse_gram(normal.matrix);
     const Eigen::VectorXd move = covariance * normal.right;
     const Pole& pole = state.model.poles[0];

@@ -11,7 +11,7 @@ namespace percuss::identify::principal_test {
 
 const std::vector<Pole> kTruth{{300.3, 0.01}, {305, 0.012}, {420, 0.006}};
 
-// Forty outputs of three modes: residues as along a beam.
+// Forty channels of three modes: residues as along a beam.
 FrfDataset survey() {
   constexpr std::size_t kOutputs = 40;
   FrfDataset set = test::empty_set(4096, 32768, 250, 500, kOutputs);
@@ -28,11 +28,11 @@ FrfDataset few_of(const FrfDataset& set) { return principal_frfs(set, principal_
 TEST(PrincipalOutputs, HoldAllOfThreeModesInThree) {
   constexpr double kRounding = 1e-9;  // of the energy
   const FrfDataset few = few_of(survey());
-  ASSERT_EQ(few.outputs.size(), 8U);
+  ASSERT_EQ(few.channels.size(), 8U);
   std::vector<double> energy;
-  for (const FrfChannel& output : few.outputs) {
+  for (const FrfChannel& channel : few.channels) {
     energy.push_back(0);
-    for (const Complex& line : output.frf) energy.back() += std::norm(line);
+    for (const Complex& line : channel.frf) energy.back() += std::norm(line);
   }
   for (std::size_t i = 3; i < energy.size(); ++i) EXPECT_LE(energy[i], kRounding * energy[0]) << i;
 }

@@ -18,7 +18,7 @@ Mode mode_of(const Pole& pole, std::vector<Complex> residues) {
   return mode;
 }
 
-// Two outputs of two modes on a rigid-body line.
+// Two channels of two modes on a rigid-body line.
 struct Case {
   FrfDataset set = test::empty_set(8192, 16384, 50, 2000, 2);
   std::vector<Mode> modes{mode_of({300, 0.01}, {1.0, -0.4}), mode_of({1100, 0.004}, {0.5, {0.2, 0.05}})};
@@ -26,7 +26,7 @@ struct Case {
     for (const Mode& mode : modes) {
       for (std::size_t o = 0; o < 2; ++o) test::add_mode(set, o, mode.pole, mode.residues[o].value);
     }
-    for (Complex& h : set.outputs[1].frf) h += 0.7;
+    for (Complex& h : set.channels[1].frf) h += 0.7;
   }
 };
 
@@ -37,7 +37,7 @@ TEST(SynthesisedFrf, IsTheMeasuredOneOfExactModes) {
   for (std::size_t o = 0; o < 2; ++o) {
     EXPECT_NEAR(made[o].frac, 1, kRounding);
     for (std::size_t k = 0; k < c.set.lines.count; ++k)
-      ASSERT_LE(std::abs(made[o].value[k] - c.set.outputs[o].frf[k]), 1e-10) << k;  // of a peak of 50
+      ASSERT_LE(std::abs(made[o].value[k] - c.set.channels[o].frf[k]), 1e-10) << k;  // of a peak of 50
   }
   EXPECT_NEAR(std::abs(made[1].terms[0] - Complex(0.7)), 0, 1e-10);
   EXPECT_NEAR(std::abs(made[1].terms[1]), 0, 1e-10);
@@ -77,7 +77,7 @@ TEST(SynthesisedFrf, TellsNoiseFromModes) {
 
 TEST(SynthesisedFrf, TellsLevelsUnderTheStrongest) {
   Case c;
-  for (std::size_t k = 0; k < c.set.lines.count; ++k) c.set.outputs[1].frf[k] = 0.1 * c.set.outputs[0].frf[k];
+  for (std::size_t k = 0; k < c.set.lines.count; ++k) c.set.channels[1].frf[k] = 0.1 * c.set.channels[0].frf[k];
   const auto made = synthesised_frfs(c.set, c.modes, c.set.lines);
   EXPECT_EQ(made[0].level_dB, 0);
   EXPECT_NEAR(made[1].level_dB, -20, kRounding * 100);
@@ -85,7 +85,7 @@ TEST(SynthesisedFrf, TellsLevelsUnderTheStrongest) {
 
 TEST(SynthesisedFrf, SurvivesADeadChannelAndNoModes) {
   Case c;
-  c.set.outputs[1].frf.assign(c.set.lines.count, Complex());
+  c.set.channels[1].frf.assign(c.set.lines.count, Complex());
   const auto made = synthesised_frfs(c.set, {}, c.set.lines);
   EXPECT_EQ(made[1].frac, 0);
   EXPECT_TRUE(std::isfinite(made[1].level_dB));

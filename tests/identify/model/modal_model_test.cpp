@@ -43,7 +43,7 @@ double error_of_the_sum(double decay_per_s) {
   const FrfDataset set = test::frf_set_of(made.record, 40, 2000, decay_per_s);
   double worst = 0;
   for (std::size_t c = 0; c < 2; ++c) {
-    Eigen::VectorXcd h = vector_of(set.outputs[c].frf);
+    Eigen::VectorXcd h = vector_of(set.channels[c].frf);
     const double size = largest(h);
     h.array() -= made.truth.rigid_per_kg[0][c];
     for (std::size_t m = 0; m < made.truth.spec.modes.size(); ++m) {

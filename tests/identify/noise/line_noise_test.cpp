@@ -34,17 +34,17 @@ double amplitude(std::size_t line) { return 1 / (1 + 1e-3 * static_cast<double>(
 TEST(LineNoise, IsThatOfTheLinesWhateverResonatesAmongThem) {
   const FrfDataset set = noisy_mode();
   const LineNoise noise(set);
-  for (std::size_t output = 0; output < 2; ++output) {
-    EXPECT_NEAR(noise.at(output, 100) / kWhole, 1, kTolerance);
-    EXPECT_NEAR(noise.at(output, 100), noise.at(output, 4000), 1e-12);  // the force of one sample is even
-    EXPECT_NEAR(noise.over(0, set.lines.count)(static_cast<Eigen::Index>(output)), noise.at(output, 0), 1e-12);
+  for (std::size_t channel = 0; channel < 2; ++channel) {
+    EXPECT_NEAR(noise.at(channel, 100) / kWhole, 1, kTolerance);
+    EXPECT_NEAR(noise.at(channel, 100), noise.at(channel, 4000), 1e-12);  // the force of one sample is even
+    EXPECT_NEAR(noise.over(0, set.lines.count)(static_cast<Eigen::Index>(channel)), noise.at(channel, 0), 1e-12);
   }
 }
 
 TEST(LineNoise, GoesAsOneOverTheForce) {
   FrfDataset set = noisy_mode();
   for (std::size_t k = 0; k < set.lines.count; ++k) {
-    for (FrfChannel& output : set.outputs) output.frf[k] /= amplitude(k);
+    for (FrfChannel& channel : set.channels) channel.frf[k] /= amplitude(k);
     set.points[0].ff[k] = std::pow(amplitude(k), 2);
   }
   const LineNoise noise(set);
@@ -68,14 +68,14 @@ TEST(LineNoise, IsNeverZero) {
   test::add_mode(set, 0, kMode, 1);
   const LineNoise noise(set);
   EXPECT_GT(noise.at(0, 100), 0);
-  EXPECT_GT(noise.at(1, 100), 0);  // a dead output
+  EXPECT_GT(noise.at(1, 100), 0);  // a dead channel
 }
 
 std::vector<Complex> noise_of(std::size_t lines, std::uint64_t seed) {
   FrfDataset set = test::empty_set(8192, 16384, 0, 4096, 1);
   test::add_frf_noise(set, std::sqrt(0.5), seed);
-  set.outputs[0].frf.resize(lines);
-  return set.outputs[0].frf;
+  set.channels[0].frf.resize(lines);
+  return set.channels[0].frf;
 }
 
 TEST(BlockNoise, SkipsResonances) {

@@ -12,13 +12,13 @@ constexpr double kNoise = 0.02;  // of lines whose peaks are 1/(2·0.001) = 500 
 
 using Points = std::vector<std::vector<std::pair<Pole, Complex>>>;
 
-// One output per point, the modes of each its own; nothing is known of the force.
+// One channel per point, the modes of each its own; nothing is known of the force.
 FrfDataset set_of(const Points& points, std::uint64_t seed) {
   FrfDataset set = test::empty_set(4096, 65536, 80, 120, points.size());
   set.points.assign(points.size(), {});
   for (std::size_t p = 0; p < points.size(); ++p) {
-    set.outputs[p].point = p;
-    set.outputs[p].channel = 0;
+    set.channels[p].point = p;
+    set.channels[p].channel = 0;
     for (const auto& [pole, residue] : points[p]) test::add_mode(set, p, pole, residue);
   }
   test::add_frf_noise(set, kNoise, seed);

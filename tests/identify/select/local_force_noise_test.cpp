@@ -13,7 +13,7 @@ namespace percuss::identify::local_force_noise_test {
 constexpr double kNoise_N = 1e-3;  // of a pulse of 1 N
 const Pole kPole{500, 0.05};
 
-// A pulse of 9 samples in a gate of 90, and a mode seen by two outputs.
+// A pulse of 9 samples in a gate of 90, and a mode seen by two channels.
 FrfDataset noisy_force() {
   FrfDataset set = test::empty_set(8192, 8192, 60, 2400, 2);
   frf::ForceBlock block{.offset = 100, .force_N = std::vector<double>(90), .ungated_N = {}};
@@ -33,8 +33,8 @@ FrfDataset with_a_gain(FrfDataset set, std::uint64_t seed) {
   std::vector<double> draw(static_cast<std::size_t>(errors.cols()));
   synth::RandomStream({seed, 1}).add_normal(1, draw);
   const Eigen::VectorXcd gain = errors * Eigen::Map<const Eigen::VectorXd>(draw.data(), errors.cols());
-  for (FrfChannel& output : set.outputs) {
-    for (std::size_t k = 0; k < lines.size(); ++k) output.frf[k] *= 1.0 + gain(static_cast<Eigen::Index>(k));
+  for (FrfChannel& channel : set.channels) {
+    for (std::size_t k = 0; k < lines.size(); ++k) channel.frf[k] *= 1.0 + gain(static_cast<Eigen::Index>(k));
   }
   return set;
 }

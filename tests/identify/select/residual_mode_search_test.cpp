@@ -28,11 +28,10 @@ TEST(ResidualModeSearch, GivesTheClearestBroadOneASecondChanceAlone) {
   all.sweep();
   ResidualModeSearch search;
   EXPECT_FALSE(search.has_tried_any());
-  const auto crowd = search.next(all, ResidualModeSearch::SearchPass::all);
+  const auto crowd = search.next(all, ResidualSearch::all);
   EXPECT_FALSE(crowd.empty());
   EXPECT_TRUE(search.has_tried_any());
-  EXPECT_EQ(search.next(all, ResidualModeSearch::SearchPass::all).size(), 1U)
-      << "what was given up, the clearest of it";
+  EXPECT_EQ(search.next(all, ResidualSearch::all).size(), 1U) << "what was given up, the clearest of it";
 }
 
 TEST(ResidualModeSearch, FindsNothingWhereNothingIsLeft) {
@@ -40,7 +39,7 @@ TEST(ResidualModeSearch, FindsNothingWhereNothingIsLeft) {
   WindowedFit all(set);
   all.replace({kNarrow, kBroad});
   all.sweep();
-  EXPECT_TRUE(ResidualModeSearch().next(all, ResidualModeSearch::SearchPass::all).empty());
+  EXPECT_TRUE(ResidualModeSearch().next(all, ResidualSearch::all).empty());
 }
 
 TEST(FitPeaks, FindsAModeTooBroadForAPeak) {

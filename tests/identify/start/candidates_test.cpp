@@ -11,9 +11,9 @@ namespace percuss::identify::candidates_test {
 
 std::vector<Eigen::VectorXcd> lines_of(const FrfDataset& set) {
   std::vector<Eigen::VectorXcd> data;
-  for (const FrfChannel& output : set.outputs) {
+  for (const FrfChannel& channel : set.channels) {
     data.emplace_back(
-        Eigen::Map<const Eigen::VectorXcd>(output.frf.data(), static_cast<Eigen::Index>(set.lines.count)));
+        Eigen::Map<const Eigen::VectorXcd>(channel.frf.data(), static_cast<Eigen::Index>(set.lines.count)));
   }
   return data;
 }
@@ -59,10 +59,10 @@ TEST(CandidatePoles, DoNotDependOnTheUnit) {
   FrfDataset set = three_modes();
   test::add_frf_noise(set, 0.05, 3);
   const auto a = candidate_poles(set, LineNoise(set));
-  for (FrfChannel& output : set.outputs) {
-    for (Complex& line : output.frf) line *= -9.80665e-3;
+  for (FrfChannel& channel : set.channels) {
+    for (Complex& line : channel.frf) line *= -9.80665e-3;
   }
-  std::swap(set.outputs[0], set.outputs[1]);
+  std::swap(set.channels[0], set.channels[1]);
   const auto b = candidate_poles(set, LineNoise(set));
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t m = 0; m < a.size(); ++m) EXPECT_LE(std::abs(a[m].freq_Hz / b[m].freq_Hz - 1), kTolerance);

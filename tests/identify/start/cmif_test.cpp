@@ -15,12 +15,12 @@ FrfDataset two_by_two() {
   FrfDataset set = test::empty_set(4096, 8192, 50, 1000, 2);
   set.points.push_back(set.points.front());
   for (std::size_t c = 0; c < 2; ++c) {
-    set.outputs.push_back(set.outputs[c]);
-    set.outputs.back().point = 1;
+    set.channels.push_back(set.channels[c]);
+    set.channels.back().point = 1;
   }
   const Pole pair{400, 0.01}, alone{700, 0.01};
   for (std::size_t o = 0; o < 4; ++o) {
-    test::add_mode(set, o, pair, set.outputs[o].point == set.outputs[o].channel ? 1.0 : 0.0);
+    test::add_mode(set, o, pair, set.channels[o].point == set.channels[o].channel ? 1.0 : 0.0);
     test::add_mode(set, o, alone, 1.0);
   }
   return set;
@@ -33,10 +33,10 @@ Eigen::Index line_at(const frf::LineRange& lines, double freq_Hz) {
 TEST(Cmif, IsTheRootOfTheSumOfSquaresOfOneChannel) {
   FrfDataset set = test::empty_set(4096, 8192, 50, 1000, 1);
   set.points.push_back(set.points.front());
-  set.outputs.push_back(set.outputs[0]);
-  set.outputs[1].point = 1;
-  set.outputs[0].frf.assign(set.lines.count, Complex(0, 3));
-  set.outputs[1].frf.assign(set.lines.count, Complex(-4, 0));
+  set.channels.push_back(set.channels[0]);
+  set.channels[1].point = 1;
+  set.channels[0].frf.assign(set.lines.count, Complex(0, 3));
+  set.channels[1].frf.assign(set.lines.count, Complex(-4, 0));
   const Eigen::MatrixXd values = cmif(set, set.lines);
   ASSERT_EQ(values.cols(), 1);
   for (Eigen::Index k = 0; k < values.rows(); ++k) EXPECT_NEAR(values(k, 0), 5, kRounding);
@@ -61,7 +61,7 @@ TEST(Cmif, KeepsToTheBand) {
 
 TEST(Cmif, TakesAnOutputThatIsMissingAsZero) {
   FrfDataset set = two_by_two();
-  set.outputs.pop_back();
+  set.channels.pop_back();
   EXPECT_TRUE(cmif(set, set.lines).allFinite());
 }
 

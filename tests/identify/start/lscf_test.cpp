@@ -90,8 +90,8 @@ TEST(LscfPoles, DoNotDependOnUnitsNorOnTheOrderOfOutputs) {
   FrfDataset set = set_of(kThree, 60, 1500);
   test::add_frf_noise(set, 0.05, 3);
   const auto a = lscf_poles(set).back();
-  for (Complex& line : set.outputs[0].frf) line *= -9.80665e-3;  // of one output alone: each is weighed by its noise
-  std::swap(set.outputs[0], set.outputs[1]);
+  for (Complex& line : set.channels[0].frf) line *= -9.80665e-3;  // of one channel alone: each is weighed by its noise
+  std::swap(set.channels[0], set.channels[1]);
   const auto b = lscf_poles(set).back();
   for (const Pole& mode : kThree) {
     const auto nearest = std::min_element(a.poles.begin(), a.poles.end(), [&](const Pole& x, const Pole& y) {
@@ -104,9 +104,9 @@ TEST(LscfPoles, DoNotDependOnUnitsNorOnTheOrderOfOutputs) {
 
 TEST(LscfPoles, AreNotHurtByADeadChannel) {
   FrfDataset set = set_of(kThree, 60, 1500);
-  std::fill(set.outputs[1].frf.begin(), set.outputs[1].frf.end(), Complex());
+  std::fill(set.channels[1].frf.begin(), set.channels[1].frf.end(), Complex());
   for (const Pole& mode : kThree) EXPECT_LE(error_of(lscf_poles(set).back(), mode), kExact);
-  std::fill(set.outputs[0].frf.begin(), set.outputs[0].frf.end(), Complex());
+  std::fill(set.channels[0].frf.begin(), set.channels[0].frf.end(), Complex());
   EXPECT_TRUE(lscf_poles(set).empty());
 }
 

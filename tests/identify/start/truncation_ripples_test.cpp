@@ -35,8 +35,8 @@ TEST(Ripples, RemainOnlyWhereTheResidualDoes) {
   const FrfDataset set = cut_off();
   const auto lines = static_cast<Eigen::Index>(set.lines.count);
   std::vector<Eigen::VectorXcd> residual;
-  for (const FrfChannel& output : set.outputs)
-    residual.emplace_back(Eigen::Map<const Eigen::VectorXcd>(output.frf.data(), lines));
+  for (const FrfChannel& channel : set.channels)
+    residual.emplace_back(Eigen::Map<const Eigen::VectorXcd>(channel.frf.data(), lines));
   EXPECT_TRUE(remains_in_residual(set, {900, 0.005}, residual));
   for (Eigen::VectorXcd& left : residual) left *= 0.1;
   EXPECT_FALSE(remains_in_residual(set, {900, 0.005}, residual));

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "acquire/channels/channel_setup.hpp"
+#include "cli/option_names.hpp"
 #include "core/error.hpp"
 #include "core/io/input_file.hpp"
 #include "report/text/version.hpp"
@@ -71,6 +72,7 @@ batch::RowOptions row_options(const batch::Manifest& manifest, bool trust_input)
   } catch (const UsageError& e) {
     throw InputError(e.what(), head_place(manifest), "plan the batch anew");
   }
+  out.write_option = flag_of;
   out.analysis.threads = 1;  // the records are what threads divide
   if (!manifest.head().setup.empty())
     out.read.read.setup = acquire::parse_channel_setup(manifest.head().setup, manifest.path() + ", line 1, setup");
