@@ -81,6 +81,7 @@ class Analysis {
   std::vector<ModeClassification> classifications() const;
   /// Every mode as each accepted hit alone shows it.
   std::vector<ModeOfHit> modes_per_hit() const;
+  /// Warnings about hits, FRFs and modes, which it computes.
   std::vector<Warning> warnings() const;
 
   /// The document percuss/analysis/1, as `percuss analyze --json` prints it.

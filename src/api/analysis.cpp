@@ -210,6 +210,8 @@ std::vector<ModeOfHit> Analysis::modes_per_hit() const {
 
 std::vector<Warning> Analysis::warnings() const {
   const ThreadLimit limit(data_->analysis.options().threads);
+  data_->analysis.hits();  // warnings are about the results computed so far
+  if (possible()) data_->analysis.classifications();
   return api::warnings_of(data_->analysis.warnings());
 }
 
