@@ -27,8 +27,8 @@ void require_shape(const Frf& frf, std::size_t lines) {
 // InputError unless the sorted FRFs are all channels of every point.
 void require_all_channels(const std::vector<Frf>& frfs, std::size_t channels) {
   for (std::size_t i = 0; i < frfs.size(); ++i) {
-    const bool complete =
-        frfs.size() % channels == 0 && frfs[i].channel == i % channels && frfs[i].point == frfs[i - i % channels].point;
+    const bool begins = i % channels == 0, same_point = i > 0 && frfs[i].point == frfs[i - 1].point;
+    const bool complete = frfs.size() % channels == 0 && frfs[i].channel == i % channels && begins != same_point;
     if (!complete) throw InputError("a point lacks a channel, or has it twice", kFrfArrays, "give each channel once");
   }
 }

@@ -61,6 +61,9 @@ std::vector<Mode> modes_of(const std::vector<identify::Mode>& modes);
 std::vector<ModeClassification> classifications_of(const std::vector<identify::ModeClassification>& classifications);
 std::vector<Warning> warnings_of(const std::vector<pipeline::Warning>& warnings);
 
+/// The survey, with hits, modes and FRFs computed: its warnings are about the results computed so far.
+const pipeline::Survey& computed(const Survey& survey);
+
 /// errors  InputError naming the field unless `value` is above 0.
 void require_above_zero(double value, const char* field, std::vector<OptionId> options = {});
 
