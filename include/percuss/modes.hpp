@@ -77,7 +77,7 @@ struct ModeClassification {
   std::optional<SplitMode> split_mode{};
 };
 
-/// What the reader of a result must know.
+/// A warning about a result.
 struct Warning {
   std::string code, message;
   std::vector<OptionId> options{};  // that the message concerns

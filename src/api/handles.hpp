@@ -13,7 +13,7 @@
 #include "pipeline/impact_test.hpp"
 #include "pipeline/survey.hpp"
 
-// What the public classes hold, and conversions between public and internal data that several files use.
+// The data behind the public classes, and conversions between public and internal data that several files use.
 namespace percuss::api {
 
 struct RecordData {
