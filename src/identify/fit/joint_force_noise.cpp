@@ -1,4 +1,4 @@
-// What the force channel's noise does to a joint fit: a gain error ε(ω) adds ε·H to every response of its point.
+// The effect of the force channel's noise on a joint fit: a gain error ε(ω) adds ε·H to every FRF of its point.
 #include <algorithm>
 
 #include "core/parallel/parallel.hpp"
@@ -13,7 +13,7 @@ using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// ε·H of one channel for each of ε's variables. shapes  response [rows], errors [blocks, variables].
+// ε·H of one FRF for each variable of ε. shapes  response [rows], errors [bins, variables].
 MatrixXd times_response(const MatrixXcd& errors, const VectorXd& response) {
   const Index blocks = errors.rows();
   const MatrixXd re = errors.real();
@@ -42,7 +42,7 @@ void JointProjection::add_force_noise(const JointState& state, const JointPart& 
                                       MatrixXd& covariance) const {
   const MatrixXd follow = part.inverse * (part.columns.transpose() * part.slopes);
   const MatrixXd synthesised = part.columns * part.amplitude;
-  const std::vector<std::size_t> lines = blocks_.middles();
+  const std::vector<std::size_t> lines = bins_.middles();
   const auto points = by_point(set_, part);
   std::vector<MatrixXd> pushes(points.size());
   parallel_for_cost(points.size(), kFlopsPerProduct * lines.size() * static_cast<std::size_t>(part.slopes.cols()),
@@ -68,7 +68,7 @@ void JointProjection::add_force_noise(const JointState& state, const JointPart& 
 
 void JointProjection::add_residue_variance(const JointState& state, const JointPart& part, MatrixXd& variance) const {
   const MatrixXd synthesised = part.columns * part.amplitude;
-  const std::vector<std::size_t> lines = blocks_.middles();
+  const std::vector<std::size_t> lines = bins_.middles();
   const auto points = by_point(set_, part);
   parallel_for_cost(
       points.size(), kFlopsPerProduct * lines.size() * static_cast<std::size_t>(part.columns.cols()),

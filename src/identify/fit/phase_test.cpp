@@ -11,15 +11,15 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr double kPhaseTest = 4;   // deviations of a common phase: one real mode in 16 000 is called complex
-constexpr double kSpreadTest = 6;  // deviations of a χ² sum over the channels
+constexpr double kPhaseTest = 4;   // standard deviations of a common phase: one real mode in 16 000 is called complex
+constexpr double kSpreadTest = 6;  // standard deviations of a χ² sum over the FRFs
 
-// What a common phase error of the mode's residues would do.
+// Score and information of a phase error of the mode's residues.
 struct PhaseEffect {
-  double push = 0;         // score of the phase over all channels
-  double information = 0;  // of it, the poles known
+  double push = 0;         // score of the common phase
+  double information = 0;  // of the common phase, at known poles
   VectorXd on_poles;       // [2 modes] cross information with the poles
-  double spread = 0;       // Σ over channels of score²/information
+  double spread = 0;       // Σ score²/information over the FRFs
   double channels = 0;
 };
 
@@ -47,7 +47,7 @@ PhaseEffect effect_of(const JointProjection& projection, const JointState& state
   return effect;
 }
 
-// Of the phase of the force near a pole, the mean over the points.
+// Variance of the force's phase near a pole, the mean over the points.
 double phase_variance(const FrfDataset& set, const Pole& pole) {
   double sum = 0;
   for (std::size_t p = 0; p < set.points.size(); ++p) sum += std::pow(gain_deviation(set, p, pole.freq_Hz), 2);

@@ -182,7 +182,7 @@ std::vector<Resonance> residual_resonances(const FrfDataset& set, const std::vec
     const std::span lines(residual[o].data(), static_cast<std::size_t>(residual[o].size()));
     channels[o] = {residual[o], local_noise(block_noise(lines, window.roughness()), lines.size())};
     floors[o] = std::pow(kModelFloor * largest_of(set.channels[o].frf), 2);
-    for (double& power : channels[o].noise) power = std::max(window.most() * power, floors[o]);
+    for (double& power : channels[o].noise) power = std::max(window.max_factor() * power, floors[o]);
   });
   const double threshold = kMinResidualModeGain + 3 * static_cast<double>(residual.size());
   const double top_Hz = set.lines.freq_Hz(set.lines.count - 1);

@@ -55,7 +55,7 @@ TEST(WindowNoise, TellsWhatTheWindowsSquareLeavesOfAModesSamples) {
     };
     EXPECT_NEAR(noise.of_residue(pole) / factor(0), 1, 10 * kSampled);
     EXPECT_NEAR(noise.of_pole(pole) / std::max(1.0, factor(2)), 1, 10 * kSampled);
-    EXPECT_GE(noise.most(), noise.of_residue(pole));
+    EXPECT_GE(noise.max_factor(), noise.of_residue(pole));
   }
 }
 
@@ -63,7 +63,7 @@ TEST(WindowNoise, IsWhiteWithoutAWindow) {
   const WindowNoise noise(windowed(0));
   const Pole pole{.freq_Hz = 500, .damping_ratio = 0.004};
   EXPECT_EQ(noise.roughness(), 1.5);
-  EXPECT_EQ(noise.most(), 1);
+  EXPECT_EQ(noise.max_factor(), 1);
   EXPECT_EQ(noise.of_pole(pole), 1);
   EXPECT_EQ(noise.of_residue(pole), 1);
 }
