@@ -16,12 +16,12 @@
 #include <string>
 #include <vector>
 
+#include "acquire/open_measurement.hpp"
 #include "acquire/write_record.hpp"
 #include "batch/plan.hpp"
 #include "batch/run_shard.hpp"
 #include "core/parallel/parallel.hpp"
-#include "frf/formats/sandbox_measurement.hpp"
-#include "pipeline/runs_of_record.hpp"
+#include "pipeline/run_analyses.hpp"
 #include "report/text/version.hpp"
 #include "synth/synthesise.hpp"
 

@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "acquire/open_measurement.hpp"
 #include "fftw_baseline.hpp"
 #include "pipeline/analysis.hpp"
 #include "synth/read_spec.hpp"

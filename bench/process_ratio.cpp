@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include "acquire/open_measurement.hpp"
 #include "acquire/record/record.hpp"
 #include "fftw_baseline.hpp"
 #include "wall_time.hpp"

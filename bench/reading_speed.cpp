@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "acquire/open_measurement.hpp"
 #include "acquire/record/record.hpp"
 #include "wall_time.hpp"
 

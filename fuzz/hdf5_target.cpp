@@ -4,8 +4,8 @@
 #include <numeric>
 
 #include "acquire/formats/hdf5/hdf5_handle.hpp"
+#include "acquire/formats/hdf5/read_frf_hdf5.hpp"
 #include "acquire/formats/hdf5/read_hdf5.hpp"
-#include "frf/formats/read_frf_hdf5.hpp"
 #include "recipe.hpp"
 #include "targets.hpp"
 
@@ -103,7 +103,7 @@ void run_hdf5(std::string_view bytes) {
     write_hdf5_from_recipe(file.path(), bytes);
   }
   accepted([&] {
-    if (auto frfs = frf::read_frf_hdf5(file.path())) frf::to_accelerances(std::move(*frfs), {});
+    if (auto frfs = acquire::read_frf_hdf5(file.path())) acquire::to_accelerances(std::move(*frfs), {});
   });
   for (const acquire::ReadOptions& options : {acquire::ReadOptions{}, acquire::ReadOptions{.fs_Hz = 1000}})
     accepted([&] { read_all(acquire::open_hdf5(file.path(), options)); });

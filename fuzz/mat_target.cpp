@@ -1,8 +1,8 @@
 #include <algorithm>
 
 #include "acquire/formats/mat/mat_file.hpp"
+#include "acquire/formats/mat/read_frf_mat.hpp"
 #include "acquire/formats/mat/read_mat.hpp"
-#include "frf/formats/read_frf_mat.hpp"
 #include "recipe.hpp"
 #include "targets.hpp"
 
@@ -42,8 +42,8 @@ void run_mat(std::string_view bytes) {
   const acquire::ReadOptions insisting = strict_read_options();
   for (const acquire::ReadOptions& options : {acquire::ReadOptions{}, insisting}) {
     accepted([&] {
-      if (auto frfs = frf::read_frf_mat(file, {.read = options, .kind = {}}))
-        frf::to_accelerances(std::move(*frfs), {});
+      if (auto frfs = acquire::read_frf_mat(file, {.read = options, .kind = {}}))
+        acquire::to_accelerances(std::move(*frfs), {});
     });
     accepted([&] { read_all(acquire::open_mat(file, options)); });
   }

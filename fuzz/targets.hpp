@@ -6,7 +6,7 @@
 #include "acquire/record/record.hpp"
 #include "core/error.hpp"
 #include "core/io/input_file.hpp"
-#include "frf/formats/frf_record.hpp"
+#include "frf/frf_record.hpp"
 
 namespace percuss::fuzz {
 

@@ -2,11 +2,11 @@
 #include <cstdlib>
 
 #include "acquire/formats/text/read_csv.hpp"
+#include "acquire/formats/text/read_frf_text.hpp"
 #include "acquire/formats/text/read_lvm.hpp"
+#include "acquire/formats/uff/read_frf_uff.hpp"
 #include "acquire/formats/uff/read_uff.hpp"
 #include "acquire/formats/uff/uff_contents.hpp"
-#include "frf/formats/read_frf_text.hpp"
-#include "frf/formats/read_frf_uff.hpp"
 #include "targets.hpp"
 
 namespace percuss::fuzz {
@@ -20,8 +20,8 @@ void run_record(std::string_view bytes, Open open) {
   accepted([&] { read_all(open(file, strict_read_options())); });
 }
 
-void finish(std::optional<frf::StoredFrfs> found) {
-  if (found) frf::to_accelerances(std::move(*found), {});
+void finish(std::optional<acquire::StoredFrfs> found) {
+  if (found) acquire::to_accelerances(std::move(*found), {});
 }
 
 }  // namespace
@@ -35,7 +35,7 @@ namespace {
 bool read_uff(const FileBytes& file) {
   return accepted([&] {
     const acquire::UffContents contents = acquire::read_uff_contents(file);
-    accepted([&] { finish(frf::read_frf_uff(file, contents, true)); });
+    accepted([&] { finish(acquire::read_frf_uff(file, contents, true)); });
     if (accepted([&] { read_all(acquire::open_uff(file, contents, {})); })) return;
     read_all(acquire::open_uff(file, contents, strict_read_options()));
   });
@@ -54,8 +54,8 @@ void run_uff(std::string_view bytes) {
 
 void run_frf_text(std::string_view bytes) {
   const FileBytes file = as_file(bytes);
-  accepted([&] { finish(frf::read_frf_text(file, false)); });
-  accepted([&] { finish(frf::read_frf_text(file, true)); });
+  accepted([&] { finish(acquire::read_frf_text(file, false)); });
+  accepted([&] { finish(acquire::read_frf_text(file, true)); });
 }
 
 }  // namespace percuss::fuzz

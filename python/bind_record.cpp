@@ -119,9 +119,9 @@ py::array accel_of(const std::shared_ptr<const RecordHandle>& held, std::size_t 
   });
 }
 
-py::list notes_of(const std::vector<std::string>& notes) {
+py::list notes_of(const std::vector<Message>& notes) {
   py::list out;
-  for (const std::string& note : notes) out.append(decoded(note));
+  for (const Message& note : notes) out.append(decoded(note.text));
   return out;
 }
 

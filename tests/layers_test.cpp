@@ -7,32 +7,87 @@
 #include <fstream>
 #include <map>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+// The order of layers and rooms, held against the includes of every source. ARCHITECTURE.md describes the rooms.
 namespace percuss::layers_test {
 
 namespace fs = std::filesystem;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-constexpr std::array<std::string_view, 12> kFloors{"core",  "acquire",  "frf",    "identify", "model", "metrics",
-                                                   "synth", "pipeline", "report", "batch",    "tools", "python"};
+using Level = std::vector<std::string_view>;
+
+/// Lowest first. A room may include itself and the rooms of lower levels; rooms of one level do not include each other.
+const std::vector<Level>& levels() {
+  static const std::vector<Level> kLevels{
+      {"core"},
+      {"core/io", "core/parallel"},
+      {"core/math"},
+      {"acquire/record"},
+      {"acquire/channels", "acquire/geometry"},
+      {"acquire/formats/hdf5", "acquire/formats/sound", "acquire/formats/text", "acquire/formats/uff"},
+      {"acquire/formats/mat"},  // MAT 7.3 is HDF5
+      {"acquire/hits"},
+      {"acquire/sandbox"},
+      {"acquire"},
+      {"frf"},
+      {"identify/model"},
+      {"identify/noise"},
+      {"identify/fit"},
+      {"identify/start"},
+      {"identify/select"},
+      {"identify/classify"},
+      {"identify/shapes"},
+      {"identify"},
+      {"model/math"},
+      {"model/beam", "model/shell", "model/trampoline"},
+      {"model/impact"},
+      {"model/bat"},
+      {"metrics/protocol", "metrics/deflection"},
+      {"metrics/study"},
+      {"metrics"},
+      {"synth"},
+      {"pipeline"},
+      {"report/text"},
+      {"report/json"},
+      {"report/svg"},
+      {"report"},
+      {"report/html"},
+      {"batch"},
+      {"tools/cli"},
+      {"tools/commands"},
+      {"tools/commands/batch", "tools/commands/model"},
+      {"tools"},
+      {"python"},
+  };
+  return kLevels;
+}
+
+/// Includes that the order would allow and the design does not: from a room, to a room.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kForbidden{{
+    {"acquire/hits", "acquire/formats"},       // a hit is graded from samples, whatever file they come from
+    {"identify/select", "identify/classify"},  // modes are found before they are named
+    {"model", "acquire"},                      // models know no files …
+    {"model", "identify"},                     // … and no measurement
+}};
 
 struct Include {
-  std::string name;    // what stands between the quotes or brackets
-  bool quoted = true;  // "ours", not <theirs>
+  std::string name;    // between the quotes or brackets
+  bool quoted = true;  // "ours", not <third party>
 };
 
 struct Source {
-  std::string path;   // from the top of the sources: "src/core/fft.cpp"
-  std::string floor;  // "core"
+  std::string path;  // from the top of the repository: "src/core/math/fft.cpp"
+  std::string room;  // "core/math"
   bool header = false;
   std::vector<Include> includes;
-  std::vector<std::string> types;  // those defined at namespace scope
+  std::vector<std::string> types;  // defined at namespace scope
 };
 
 std::string_view without_blanks(std::string_view text) {
@@ -40,7 +95,7 @@ std::string_view without_blanks(std::string_view text) {
   return text.substr(std::min(first, text.size()));
 }
 
-/// What follows `word` and blanks after it at the start of `text`; nothing when it does not start so.
+/// The rest of `text` after `word` and blanks; nothing when `text` does not start with `word`.
 std::optional<std::string_view> after(std::string_view word, std::string_view text) {
   if (!text.starts_with(word)) return {};
   return without_blanks(text.substr(word.size()));
@@ -70,44 +125,72 @@ void read_source(std::istream& text, Source& source) {
   }
 }
 
-/// "core" of src/core/math/fft.cpp, "tools" of tools/cli/output.cpp.
-std::string layer_of(const fs::path& path) {
-  auto part = path.begin();
-  if (*part == "src") ++part;
-  return part->string();
+/// "core/math" of src/core/math/fft.cpp, "tools/cli" of tools/cli/output.cpp.
+std::string room_of(const fs::path& path) {
+  const std::string folder = path.parent_path().generic_string();
+  return folder.starts_with("src/") ? folder.substr(4) : folder;
 }
 
-std::vector<Source> sources() {
-  const fs::path top = PERCUSS_SOURCE_DIR;
-  std::vector<Source> out;
-  for (const char* folder : {"src", "tools", "python"}) {
-    for (const auto& entry : fs::recursive_directory_iterator(top / folder)) {
-      const fs::path path = fs::relative(entry.path(), top);
-      if (path.extension() != ".hpp" && path.extension() != ".cpp") continue;
-      Source source{.path = path.string(), .floor = layer_of(path), .header = path.extension() == ".hpp"};
-      std::ifstream text(entry.path());
-      read_source(text, source);
-      out.push_back(std::move(source));
+const std::vector<Source>& sources() {
+  static const std::vector<Source> kSources = [] {
+    const fs::path top = PERCUSS_SOURCE_DIR;
+    std::vector<Source> out;
+    for (const char* folder : {"src", "tools", "python"}) {
+      for (const auto& entry : fs::recursive_directory_iterator(top / folder)) {
+        const fs::path path = fs::relative(entry.path(), top);
+        if (path.extension() != ".hpp" && path.extension() != ".cpp") continue;
+        Source source{.path = path.generic_string(), .room = room_of(path), .header = path.extension() == ".hpp"};
+        std::ifstream text(entry.path());
+        read_source(text, source);
+        out.push_back(std::move(source));
+      }
     }
+    return out;
+  }();
+  return kSources;
+}
+
+std::optional<std::size_t> level_of(std::string_view room) {
+  for (std::size_t i = 0; i < levels().size(); ++i) {
+    if (std::find(levels()[i].begin(), levels()[i].end(), room) != levels()[i].end()) return i;
   }
-  return out;
+  return {};
 }
 
-std::ptrdiff_t height(std::string_view floor) {
-  return std::find(kFloors.begin(), kFloors.end(), floor) - kFloors.begin();
+bool within(std::string_view room, std::string_view parent) {
+  return room == parent || (room.starts_with(parent) && room[parent.size()] == '/');
 }
 
-/// The includes of `source` that name a floor above its own, or no floor at all ("fft.hpp" for "core/fft.hpp").
-std::vector<std::string> wrong_floors(const Source& source) {
+/// The room that an include names. The files of the tool are named from its own folder ("cli/output.hpp"), files of the
+/// module plainly.
+std::string included_room(const Source& source, const std::string& name) {
+  const std::string folder = fs::path(name).parent_path().generic_string();
+  if (level_of(folder)) return folder;
+  if (within(source.room, "python") && folder.empty()) {
+    return fs::exists(fs::path(PERCUSS_SOURCE_DIR) / "python" / name) ? "python" : "tools";
+  }
+  return folder.empty() ? "tools" : "tools/" + folder;
+}
+
+/// The rule that an include breaks, for people; nothing where it breaks none.
+std::optional<std::string> broken_rule(const std::string& from, const std::string& to) {
+  if (from == to) return {};
+  for (const auto& [room, target] : kForbidden) {
+    if (within(from, room) && within(to, target)) return std::string(room) + " does not include " + std::string(target);
+  }
+  const auto own = level_of(from), other = level_of(to);
+  if (!other) return to + " is no room";
+  if (*other < *own) return {};
+  if (*other == *own) return from + " and " + to + " are of one level and do not include each other";
+  return to + " stands above " + from;
+}
+
+std::vector<std::string> broken_rules(const Source& source) {
   std::vector<std::string> out;
-  for (const auto& include : source.includes) {
-    if (!include.quoted) continue;
-    const std::size_t slash = include.name.find('/');
-    // The files of the tool and of the module, which is made of it, name each other plainly.
-    const bool beside = slash == std::string::npos && height(source.floor) >= height("tools");
-    if (!beside && height(include.name.substr(0, slash)) > height(source.floor)) {
-      out.push_back(source.path + " includes " + include.name);
-    }
+  for (const Include& include : source.includes) {
+    if (!include.quoted || include.name.starts_with("percuss/")) continue;
+    if (const auto rule = broken_rule(source.room, included_room(source, include.name)))
+      out.push_back(source.path + " includes " + include.name + ": " + *rule);
   }
   return out;
 }
@@ -117,34 +200,44 @@ std::vector<std::string> third_parties(const Source& source) {
   std::vector<std::string> out;
   for (const auto& [name, quoted] : source.includes) {
     const bool standard = name.find_first_of("./") == std::string::npos;
-    if (!quoted && !standard && !name.starts_with("Eigen/")) out.push_back(source.path + " includes " + name);
+    if (!quoted && !standard && !name.starts_with("Eigen/") && !name.starts_with("percuss/"))
+      out.push_back(source.path + " includes " + name);
   }
   return out;
 }
 
-TEST(Floors, AreTheFoldersThatExist) {
-  for (const auto& source : sources()) EXPECT_LT(height(source.floor), std::ssize(kFloors)) << source.path;
+bool of_the_library(const Source& source) { return !within(source.room, "tools") && !within(source.room, "python"); }
+
+TEST(Layers, NameEveryFolder) {
+  for (const auto& source : sources()) EXPECT_TRUE(level_of(source.room)) << source.path;
 }
 
-TEST(Floors, IncludeOnlyWhatLiesBelow) {
+TEST(Layers, NameNoFolderThatIsGone) {
+  std::set<std::string> rooms;
+  for (const auto& source : sources()) rooms.insert(source.room);
+  for (const Level& level : levels()) {
+    for (const std::string_view room : level) EXPECT_TRUE(rooms.contains(std::string(room))) << room;
+  }
+}
+
+TEST(Layers, AreIncludedFromAboveOnly) {
   std::vector<std::string> wrong;
   for (const auto& source : sources()) {
-    for (auto& sentence : wrong_floors(source)) wrong.push_back(std::move(sentence));
+    for (auto& sentence : broken_rules(source)) wrong.push_back(std::move(sentence));
   }
   EXPECT_THAT(wrong, IsEmpty());
 }
 
-TEST(Floors, KeepThirdPartiesOutOfHeaders) {
+TEST(Layers, KeepThirdPartiesOutOfHeaders) {
   std::vector<std::string> wrong;
   for (const auto& source : sources()) {
-    if (!source.header || height(source.floor) >= height("tools"))
-      continue;  // the parser and Python are their own affair
+    if (!source.header || !of_the_library(source)) continue;
     for (auto& sentence : third_parties(source)) wrong.push_back(std::move(sentence));
   }
   EXPECT_THAT(wrong, IsEmpty());
 }
 
-TEST(Floors, IncludeFftwInOneFile) {
+TEST(Layers, IncludeFftwInOneFile) {
   std::vector<std::string> files;
   for (const auto& source : sources()) {
     for (const auto& include : source.includes) {
@@ -154,33 +247,60 @@ TEST(Floors, IncludeFftwInOneFile) {
   EXPECT_THAT(files, ElementsAre("src/core/math/fft.cpp"));
 }
 
-// Two types of one name in one namespace are one type to the linker, whatever they hold.
-TEST(Floors, NameEachTypeOnce) {
+// A layer is a namespace: two types of one name in it are one type to the linker, whatever they hold.
+TEST(Layers, NameEachTypeOnce) {
   std::map<std::string, std::string> home;
   std::vector<std::string> twice;
   for (const auto& source : sources()) {
     if (!source.header) continue;
+    const std::string layer = source.room.substr(0, source.room.find('/'));
     for (const auto& type : source.types) {
-      const auto [known, fresh] = home.emplace(type, source.path);
-      if (!fresh) twice.push_back(type + " in " + known->second + " and " + source.path);
+      const auto [known, fresh] = home.emplace(layer + "::" + type, source.path);
+      if (!fresh) twice.push_back(known->first + " in " + known->second + " and " + source.path);
     }
   }
   EXPECT_GT(home.size(), 0U);
   EXPECT_THAT(twice, IsEmpty());
 }
 
-// The checks above pass on an empty list too, so they are shown to see what they are for.
-TEST(Floors, AreSeenToBeBroken) {
-  Source source{.path = "src/frf/x.hpp", .floor = "frf", .header = true};
+/// A unit is x.hpp with x.cpp.
+TEST(Rooms, HoldAtMost25Units) {
+  std::map<std::string, std::set<std::string>> units;
+  for (const auto& source : sources()) units[source.room].insert(fs::path(source.path).stem().string());
+  for (const auto& [room, names] : units) EXPECT_LE(names.size(), 25U) << room;
+}
+
+TEST(Rooms, OfTestsMirrorTheSources) {
+  std::set<std::string> rooms{"commands", "commands/model", "docs", "hostile", "stress", "support"};
+  for (const auto& source : sources()) {
+    for (std::string room = source.room; !room.empty(); room = fs::path(room).parent_path().generic_string())
+      rooms.insert(room);
+  }
+  const fs::path tests = fs::path(PERCUSS_SOURCE_DIR) / "tests";
+  for (const auto& entry : fs::recursive_directory_iterator(tests)) {
+    if (!entry.path().filename().string().ends_with("_test.cpp")) continue;
+    const std::string room = fs::relative(entry.path().parent_path(), tests).generic_string();
+    EXPECT_TRUE(room == "." || rooms.contains(room)) << entry.path();
+  }
+}
+
+// The checks above pass on an empty list too; here each rule is broken on purpose.
+TEST(Layers, AreSeenToBeBroken) {
+  Source source{.path = "src/frf/x.hpp", .room = "frf", .header = true};
   std::istringstream text(
-      "#pragma once\n#include <vector>\n #  include <hdf5.h>\n#include \"core/fft.hpp\"\n#include \"x.hpp\"\n"
-      "#include \"report/json.hpp\"\n// #include \"model/beam.hpp\"\n"
+      "#pragma once\n#include <vector>\n #  include <hdf5.h>\n#include \"core/math/fft.hpp\"\n#include \"x.hpp\"\n"
+      "#include \"report/json/x.hpp\"\n// #include \"model/beam/beam.hpp\"\n"
       "struct A {\nclass B;\n  struct Inner {};\n};\nenum class C : int { x };\n");
   read_source(text, source);
-  EXPECT_THAT(wrong_floors(source),
-              ElementsAre("src/frf/x.hpp includes x.hpp", "src/frf/x.hpp includes report/json.hpp"));
+  EXPECT_THAT(broken_rules(source),
+              ElementsAre("src/frf/x.hpp includes x.hpp: tools stands above frf",
+                          "src/frf/x.hpp includes report/json/x.hpp: report/json stands above frf"));
   EXPECT_THAT(third_parties(source), ElementsAre("src/frf/x.hpp includes hdf5.h"));
   EXPECT_THAT(source.types, ElementsAre("A", "C"));
+  EXPECT_EQ(broken_rule("acquire/hits", "acquire/formats/text"), "acquire/hits does not include acquire/formats");
+  EXPECT_EQ(broken_rule("acquire/formats/uff", "acquire/formats/text"),
+            "acquire/formats/uff and acquire/formats/text are of one level and do not include each other");
+  EXPECT_EQ(broken_rule("frf", "core/math"), std::nullopt);
 }
 
 }  // namespace percuss::layers_test

@@ -6,11 +6,13 @@
 #include <cmath>
 
 #include "acquire/formats/hdf5/write_hdf5.hpp"
+#include "acquire/open_measurement.hpp"
 #include "core/parallel/parallel.hpp"
 #include "deflection_bound.hpp"
 #include "deflection_truth.hpp"
 #include "fft_read_baseline.hpp"
 #include "pipeline/impact_test.hpp"
+#include "pipeline/run_analyses.hpp"
 #include "scratch_folder.hpp"
 #include "synth/schedule.hpp"
 

@@ -3,10 +3,11 @@
 #include <fmt/format.h>
 
 #include "acquire/formats/hdf5/write_hdf5.hpp"
+#include "acquire/open_measurement.hpp"
 #include "fft_read_baseline.hpp"
 #include "frf_figures.hpp"
 #include "mode_figures.hpp"
-#include "pipeline/analysis.hpp"
+#include "pipeline/run_analyses.hpp"
 #include "scratch_folder.hpp"
 
 namespace percuss::accuracy {

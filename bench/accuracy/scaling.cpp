@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 
+#include "acquire/open_measurement.hpp"
 #include "fft_read_baseline.hpp"
 #include "forked.hpp"
 #include "pipeline/analysis.hpp"

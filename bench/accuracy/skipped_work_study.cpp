@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "acquire/formats/hdf5/write_hdf5.hpp"
+#include "acquire/open_measurement.hpp"
 #include "pipeline/analysis.hpp"
 #include "scratch_folder.hpp"
 #include "synth/synthesise.hpp"

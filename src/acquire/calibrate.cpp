@@ -8,7 +8,7 @@
 namespace percuss::acquire {
 namespace {
 
-constexpr std::size_t kBefore = 8;  // samples before the pulse that tell the offsets
+constexpr std::size_t kBefore = 8;  // samples before the pulse that give the offsets
 constexpr double kCompared = 0.5;   // of the peak
 constexpr double kMinForce = 0.2;   // of the largest hit
 
@@ -48,8 +48,8 @@ CalibrationHit compare(const Record& record, const Hit& hit, double mass_kg) {
 Calibration calibrate(const Record& record, double mass_kg, const HitOptions& options) {
   const std::string where = record.source();
   if (record.accel.size() != 1) {
-    throw InputError("calibration takes one acceleration channel, this has " + std::to_string(record.accel.size()),
-                     where, "name the one on the free mass with --accel-channel");
+    throw InputError("calibration takes one acceleration channel, not " + std::to_string(record.accel.size()), where,
+                     "name the one on the free mass", {"accel_channel"});
   }
   Calibration out;
   double largest = 0;
@@ -68,7 +68,10 @@ Calibration calibrate(const Record& record, double mass_kg, const HitOptions& op
     sum += hit.peak_force * hit.peak_force * hit.scale;
     ++used;
   }
-  if (used == 0) throw NoHitError("no hit on the free mass", where, "check the force channel, or lower --trigger");
+  if (used == 0) {
+    throw NoHitError("no hit on the free mass", where, "check the force channel, or lower the trigger level",
+                     {"trigger"});
+  }
   out.scale = sum / weights;
   for (const CalibrationHit& hit : out.hits) {
     if (hit.used) squares += std::pow(hit.peak_force * (hit.scale - out.scale), 2);

@@ -8,19 +8,19 @@
 
 namespace percuss::acquire {
 
-/// There is nothing to calibrate with: the record is readable, but no hit is in it.
+/// The record is readable but contains no hit.
 class NoHitError : public InputError {
  public:
   using InputError::InputError;
 };
 
-/// What one hit on the free mass says.
+/// The result of one hit on the free mass.
 struct CalibrationHit {
   std::size_t index = 0;
   double time_s = 0;
   double peak_force = 0;  // in the channel's present unit
   double peak_accel_mps2 = 0;
-  std::size_t samples = 0;  // above half of the force's peak: those compared
+  std::size_t samples = 0;  // compared: those above half of the force's peak
   double scale = 0;         // N per present unit
   bool used = false;
 };
@@ -33,8 +33,9 @@ struct Calibration {
 
 /// The force channel's scale from hits on a free mass: force = mass · acceleration. Per hit, least squares over the
 /// samples above half of the force's peak, both signals counted from their mean just before the hit; over hits,
-/// weighted by the square of the force (hits below a fifth of the largest take no part). The sign is chosen such that
-/// the push is positive. errors  InputError when the record has not exactly one acceleration channel; NoHitError.
+/// weighted by the square of the force (hits below a fifth of the largest are left out). The sign makes a push
+/// positive.
+/// errors  InputError when the record has not exactly one acceleration channel; NoHitError.
 /// theory (1.6)
 Calibration calibrate(const Record& record, double mass_kg, const HitOptions& options = {});
 

@@ -4,8 +4,6 @@
 #include <glob.h>
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -13,6 +11,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "acquire/format_registry.hpp"
 #include "core/error.hpp"
 #include "core/io/input_file.hpp"
 #include "report/text/digest.hpp"
@@ -21,18 +20,6 @@ namespace percuss::batch {
 namespace {
 
 namespace fs = std::filesystem;
-
-// Of files that a folder is walked for; a file that is named may have any.
-constexpr std::array<std::string_view, 17> kRecordKinds{".h5",  ".hdf5", ".hdf", ".mat", ".uff", ".unv",
-                                                        ".csv", ".tsv",  ".txt", ".dat", ".asc", ".lvm",
-                                                        ".wav", ".rf64", ".w64", ".uf",  ".bunv"};
-
-bool is_record_kind(const fs::path& path) {
-  std::string kind = path.extension().string();
-  std::transform(kind.begin(), kind.end(), kind.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return std::find(kRecordKinds.begin(), kRecordKinds.end(), kind) != kRecordKinds.end();
-}
 
 bool is_pattern(const std::string& name) { return name.find_first_of("*?[") != std::string::npos; }
 
@@ -50,7 +37,7 @@ class CollectedFiles {
       std::error_code ignored;
       if (hidden && at->is_directory(ignored)) at.disable_recursion_pending();
       if (hidden || !at->is_regular_file(ignored)) continue;
-      if (is_record_kind(at->path())) {
+      if (acquire::has_known_extension(at->path().string())) {
         found.push_back(at->path().string());
       } else {
         ++files_.left_out;

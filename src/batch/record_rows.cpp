@@ -8,10 +8,10 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "acquire/open_measurement.hpp"
 #include "batch/serialized_frf.hpp"
 #include "core/error.hpp"
-#include "frf/formats/sandbox_measurement.hpp"
-#include "pipeline/runs_of_record.hpp"
+#include "pipeline/run_analyses.hpp"
 #include "report/frf_files.hpp"
 #include "report/text/analysis_text.hpp"
 #include "report/text/digest.hpp"

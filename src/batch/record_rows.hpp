@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "batch/manifest.hpp"
-#include "frf/formats/frf_record.hpp"
+#include "frf/frf_record.hpp"
 #include "pipeline/analysis.hpp"
 
 namespace percuss::acquire {

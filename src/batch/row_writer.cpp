@@ -5,11 +5,11 @@
 #include <nlohmann/json.hpp>
 
 #include "acquire/formats/hdf5/hdf5_output.hpp"
+#include "acquire/formats/hdf5/write_frf_hdf5.hpp"
 #include "batch/serialized_frf.hpp"
 #include "batch/sha256_file.hpp"
 #include "core/error.hpp"
 #include "core/io/strict_json.hpp"
-#include "frf/formats/write_frf.hpp"
 #include "metrics/study/batch_columns.hpp"
 #include "metrics/study/csv_cell.hpp"
 
@@ -98,8 +98,8 @@ class FrfFile : public RowWriter {
     with_row(row, where, [&](const Json& json) {
       const std::string id = json.at("id").get<std::string>(), path = json.at("path").get<std::string>();
       const std::string group = fmt::format("{}/run-{}", group_name(id), json.at("run").get<int>());
-      frf::write_frf_group(out_, group, deserialize_frfs(json.at("packed").get<std::string>(), where),
-                           frf::FrfKind::accelerance);
+      acquire::write_frf_group(out_, group, deserialize_frfs(json.at("packed").get<std::string>(), where),
+                               frf::FrfKind::accelerance);
       out_.set_text(group, "id", id);
       out_.set_text(group, "path", path);
       out_.close_sets();

@@ -2,7 +2,7 @@
 #include <string>
 #include <string_view>
 
-#include "frf/formats/frf_record.hpp"
+#include "frf/frf_record.hpp"
 
 namespace percuss::batch {
 

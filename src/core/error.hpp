@@ -2,6 +2,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace percuss::inline core {
@@ -15,11 +16,17 @@ using OptionWriter = std::string (*)(std::string_view id);
 
 /// A sentence for people, and the options that it is about.
 struct Message {
+  Message() = default;
+  Message(std::string what, std::vector<OptionId> concerned = {})
+      : text(std::move(what)), options(std::move(concerned)) {}
+  Message(const char* what, std::vector<OptionId> concerned = {}) : Message(std::string(what), std::move(concerned)) {}
+
   std::string text;
   std::vector<OptionId> options;
 
   /// "text (--fs, --unit)"; the text alone where no option belongs to it.
   std::string written(OptionWriter write) const;
+  bool operator==(const Message&) const = default;
 };
 
 /// Unusable input: a file, an option's value or their combination. what() is one line, "problem (where); remedy",

@@ -2,6 +2,7 @@
 #include <span>
 #include <vector>
 
+#include "acquire/record/frf.hpp"
 #include "frf/spectra.hpp"
 
 namespace percuss::frf {
@@ -25,13 +26,7 @@ struct CrossSpectra {
 CrossSpectra cross_spectra(std::span<const std::span<const Complex>> force,
                            std::span<const std::span<const Complex>> accel);
 
-/// The accelerance between one impact point and one response channel, averaged over hits.
-struct Frf {
-  std::vector<Complex> value;     // (m/s²)/N
-  std::vector<double> std;        // rms of |value − truth|, from the scatter over hits, (m/s²)/N; empty for one hit
-  std::vector<double> coherence;  // ordinary, 0 … 1; empty for one hit
-  std::size_t averages = 0;
-};
+using acquire::Frf;
 
 /// The accelerance from the summed spectra of force and acceleration.
 ///   H1 = G_fa / G_ff                    unbiased by noise on the acceleration                          (1)

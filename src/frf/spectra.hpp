@@ -1,6 +1,4 @@
 #pragma once
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <span>
@@ -8,28 +6,13 @@
 #include <vector>
 
 #include "acquire/hits/hits.hpp"
+#include "acquire/record/line_range.hpp"
 #include "acquire/record/record.hpp"
 #include "core/math/fft.hpp"
 
 namespace percuss::frf {
 
-/// A range of spectral lines, first … first + count − 1, of a discrete Fourier transform of `samples` values.
-struct LineRange {
-  double fs_Hz = 0;
-  std::size_t samples = 0;
-  std::size_t first = 0;
-  std::size_t count = 0;
-  double df_Hz() const { return fs_Hz / static_cast<double>(samples); }
-  double freq_Hz(std::size_t line) const { return static_cast<double>(first + line) * df_Hz(); }
-  double position(double freq_Hz) const {
-    return freq_Hz / df_Hz() - static_cast<double>(first);
-  }  // in lines from the first
-  std::size_t nearest(double freq_Hz) const { return at(position(freq_Hz)); }
-  /// The index of the line nearest to a position, limited to the range.
-  std::size_t at(double position) const {
-    return static_cast<std::size_t>(std::clamp(std::round(position), 0.0, static_cast<double>(count - 1)));
-  }
-};
+using acquire::LineRange;
 
 /// The spectral lines within [low, high] Hz.
 LineRange lines_in_band(double fs_Hz, std::size_t samples, double low_Hz, double high_Hz);

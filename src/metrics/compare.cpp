@@ -47,7 +47,7 @@ ModePair pair_of(const ComparedDocument& a, const ComparedDocument& b, std::size
   return pair;
 }
 
-// The best shape first.
+// Pairs with the best MAC first.
 std::vector<ModePair> by_shape(const ComparedDocument& a, const ComparedDocument& b, const PairOptions& options) {
   std::vector<ModePair> all, chosen;
   for (std::size_t i = 0; i < a.modes.size(); ++i) {
@@ -118,7 +118,7 @@ bool share_shapes(const ComparedDocument& a, const ComparedDocument& b) {
   return !a.modes.empty() && !b.modes.empty() && mac_of(a.modes.front(), b.modes.front()).has_value();
 }
 
-// A document's deflection at a position, from its neighbours' where it has positions enough.
+// The deflection of a document at a position, interpolated between neighbours where possible.
 std::optional<ComparedDeflection> at_position(const ComparedDocument& document, double position_m) {
   const ComparedDeflection *below = nullptr, *above = nullptr;
   for (const ComparedDeflection& d : document.deflections) {
@@ -161,7 +161,7 @@ PairedModes pair_modes(const ComparedDocument& a, const ComparedDocument& b, con
 }
 
 std::vector<DeflectionPair> pair_deflections(const ComparedDocument& a, const ComparedDocument& b) {
-  // What is known at single places only leads; a model answers at each of them.
+  // The document with single places leads; a model has a value at each of them.
   const bool swapped = a.model && !b.model;
   const ComparedDocument &lead = swapped ? b : a, &other = swapped ? a : b;
   std::vector<DeflectionPair> pairs;

@@ -1,160 +1,210 @@
 #include "pipeline/analysis.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <map>
+#include <iterator>
 
 #include "core/error.hpp"
-#include "core/math/statistics.hpp"
+#include "core/parallel/background_tasks.hpp"
 #include "core/parallel/parallel.hpp"
 #include "frf/windows.hpp"
-#include "pipeline/analysis_band.hpp"
+#include "pipeline/hits/hit_consistency.hpp"
+#include "pipeline/hits/hit_grading.hpp"
+#include "pipeline/source/frf_source.hpp"
+#include "pipeline/source/record_source.hpp"
+#include "pipeline/warnings/channel_warnings.hpp"
+#include "pipeline/warnings/hit_warnings.hpp"
+#include "pipeline/warnings/mode_warnings.hpp"
+#include "pipeline/warnings/truncation_warnings.hpp"
 
 namespace percuss::pipeline {
-namespace {
-
-constexpr double kAntiAlias = 0.44;  // of fs: above it a recorder's filter shapes the FRF
-// Samples: a row so long is looked through for the end of its decay first, which costs less than the lines that are
-// saved.
-constexpr std::size_t kLongRow = std::size_t{1} << 17U;
-constexpr double kUsableBandwidthFactor = 1.2;  // of the −20 dB bandwidth: as far as a margin may go
-
-bool listed(const std::vector<std::size_t>& list, std::size_t i) {
-  return std::find(list.begin(), list.end(), i) != list.end();
-}
-
-void check_numbers(const std::vector<std::size_t>& list, std::size_t hits, const char* option) {
-  for (const std::size_t i : list) {
-    if (i < hits) continue;
-    throw InputError(fmt::format("there is no hit {} among {} hits", i, hits), option,
-                     "hits count from 0, as in the report");
-  }
-}
-
-}  // namespace
 
 Analysis::Analysis(acquire::Record record, AnalysisOptions options)
-    : record_(std::move(record)), options_(std::move(options)) {
-  if (record_.accel.empty())
-    throw InputError("no acceleration channel", record_.source(), "name one with --accel-channel");
+    : source_(std::make_shared<RecordSource>(std::move(record))), options_(std::move(options)) {}
+
+Analysis::Analysis(frf::FrfRecord frfs, AnalysisOptions options)
+    : source_(std::make_shared<FrfSource>(std::move(frfs))), options_(std::move(options)) {
+  const auto refuse = [&](const char* choice, const char* option) {
+    throw InputError(std::string(choice) + " needs records in time, not FRFs", record().source(), "leave it out",
+                     {option});
+  };
+  if (options_.exponential_end > 0) refuse("an exponential window", "exponential");
+  if (options_.estimator != frf::Estimator::h1) refuse("another estimator than H1", "estimator");
 }
 
 const std::vector<AnalysedHit>& Analysis::force_hits() const {
-  return force_hits_.get([&] { return trace_.run("hits", [&] { return find(); }); });
+  return force_hits_.get([&] {
+    const ThreadLimit limit(options_.threads);
+    return trace_.run("hits", [&] {
+      const HitDemands demands{.accept = options_.accept_hits,
+                               .reject = options_.reject_hits,
+                               .high_Hz = options_.band_Hz ? std::optional(options_.band_Hz->second) : std::nullopt};
+      return grade_by_force(source_->find_hits(options_.hits), record(), demands);
+    });
+  });
 }
 
-std::vector<AnalysedHit> Analysis::find() const {
-  const ThreadLimit limit(options_.threads);
-  auto found = given_ ? std::vector<acquire::Hit>{} : acquire::find_hits(record_, options_.hits);
-  check_numbers(options_.accept_hits, found.size(), "--accept-hit");
-  check_numbers(options_.reject_hits, found.size(), "--reject-hit");
-  if (options_.band_Hz) acquire::grade_bandwidth(found, options_.band_Hz->second);
-  std::vector<AnalysedHit> hits;
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    const bool usable = !found[i].gated_N.empty();
-    const bool accept = listed(options_.accept_hits, i) && usable;
-    const bool reject = listed(options_.reject_hits, i);
-    AnalysedHit hit{
-        .hit = std::move(found[i]), .point = 0, .accepted = false, .by_user = accept || reject, .responses = {}};
-    hit.point = record_.rows[hit.hit.row].point;
-    hit.accepted = accept || (!reject && !acquire::rejects(hit.hit.findings));
-    hits.push_back(std::move(hit));
-  }
-  return hits;
-}
-
-std::set<int> Analysis::points() const {
-  std::set<int> out = record_.points();
-  if (given_) {
-    for (const frf::PointFrf& frf : given_->frfs) out.insert(frf.point);
-  }
-  return out;
-}
-
-bool Analysis::possible() const {
-  if (given_) return true;
-  const auto& all = hits_.ready() ? hits() : force_hits();
-  return std::any_of(all.begin(), all.end(), [](const AnalysedHit& hit) { return hit.accepted; });
-}
+bool Analysis::possible() const { return source_->has_frfs(hits_.ready() ? hits() : force_hits()); }
 
 std::pair<double, double> Analysis::band_Hz() const {
-  if (options_.band_Hz) return *options_.band_Hz;
-  if (given_) return given_band_Hz();
-  std::vector<double> reach;
-  for (const AnalysedHit& hit : force_hits()) {
-    if (hit.accepted) reach.push_back(hit.hit.bandwidth_Hz);
-  }
-  const double high = reach.empty() ? kAntiAlias * record_.fs_Hz : std::min(median(reach), kAntiAlias * record_.fs_Hz);
-  return {default_low_Hz(high), high};
+  return options_.band_Hz ? *options_.band_Hz : source_->default_band_Hz(force_hits());
 }
 
 const frf::LineRange& Analysis::lines() const {
-  return lines_.get([&] { return given_ ? given_lines() : choose_lines(); });
-}
-
-std::size_t Analysis::block_samples() const {
-  std::size_t samples = 0;
-  for (const AnalysedHit& hit : force_hits()) {
-    if (hit.accepted) samples = samples == 0 ? hit.hit.samples : std::min(samples, hit.hit.samples);
-  }
-  if (samples == 0)
-    throw InputError("no hit can be used", record_.source(), "see the hits' findings; --accept-hit overrules them");
-  const bool searched = record_.continuous || record_.rows.size() == 1;
-  if (!searched && samples < kLongRow) return samples;
-  if (!options_.hits.length_s) samples = std::min(samples, longest_decay());
-  return fast_length_at_most(samples);
-}
-
-frf::LineRange Analysis::choose_lines() const {
-  const std::size_t samples = block_samples();
-  double reach = 0;
-  for (const AnalysedHit& hit : force_hits()) {
-    if (hit.accepted) reach = std::max(reach, hit.hit.bandwidth_Hz);
-  }
-  const auto [low, high] = band_Hz();
-  if (!options_.band_Hz && !(low < high)) {
-    throw InputError("the force shows no bandwidth, from which the band would follow", record_.source(),
-                     "check the force's channel, unit and scale, or give --band LO:HI");
-  }
-  if (!(low < high) || low < 0 || high > record_.fs_Hz / 2) {
-    throw InputError(
-        fmt::format("the band {:.6g}:{:.6g} Hz does not fit a sampling rate of {:.6g} Hz", low, high, record_.fs_Hz),
-        "--band", "give LO:HI with LO < HI <= half the sampling rate");
-  }
-  const auto [from, to] = band_with_margin(low, high);
-  const double top = std::max(high, std::min({to, kUsableBandwidthFactor * reach, kAntiAlias * record_.fs_Hz}));
-  const frf::LineRange range = frf::lines_in_band(record_.fs_Hz, samples, from, top);
-  require_lines(range, low, high, record_.source(), "record longer or widen --band");
-  return range;
+  return lines_.get([&] {
+    const LineRequest request{.band_Hz = band_Hz(),
+                              .band_given = options_.band_Hz.has_value(),
+                              .length_given = options_.hits.length_s.has_value(),
+                              .threads = options_.threads};
+    return source_->choose_lines(request, force_hits(), trace_);
+  });
 }
 
 double Analysis::window_decay_per_s() const {
-  if (given_) return given_->decay_per_s;
-  if (!(options_.exponential_end > 0)) return 0;
-  return frf::decay_for_end(options_.exponential_end, static_cast<double>(lines().samples) / record_.fs_Hz);
+  if (!(options_.exponential_end > 0)) return source_->window_decay_per_s();
+  return frf::decay_for_end(options_.exponential_end, static_cast<double>(lines().samples) / record().fs_Hz);
 }
 
-std::vector<std::size_t> Analysis::accepted_hits() const {
-  std::vector<std::size_t> list;
-  if (given_) return list;
-  for (std::size_t h = 0; h < hits().size(); ++h) {
-    if (hits()[h].accepted) list.push_back(h);
-  }
-  if (!list.empty()) return list;
-  throw InputError("no hit can be used", record_.source(), "see the hits' findings; --accept-hit overrules them");
+TransformOptions Analysis::transform_options() const {
+  return {.lines = lines(), .window_decay_per_s = window_decay_per_s(), .threads = options_.threads};
 }
 
-std::vector<std::pair<int, acquire::Record>> split_runs(const acquire::Record& record) {
-  std::map<int, bool> runs;
-  for (const acquire::RowInfo& row : record.rows) runs[row.run] = true;
-  std::vector<std::pair<int, acquire::Record>> out;
-  out.reserve(runs.size());
-  for (const auto& [run, present] : runs) {
-    out.emplace_back(run,
-                     acquire::select_rows(record, [run = run](const acquire::RowInfo& row) { return row.run == run; }));
+const HitResponses& Analysis::responses() const {
+  return responses_.get([&] { return read_responses(record(), force_hits(), transform_options(), trace_); });
+}
+
+const std::vector<frf::Spectrum>& Analysis::force_spectra() const {
+  return force_spectra_.get([&] { return pipeline::force_spectra(force_hits(), transform_options(), trace_); });
+}
+
+const std::vector<AnalysedHit>& Analysis::hits() const {
+  return hits_.get([&] { return compute_hits(); });
+}
+
+std::vector<AnalysedHit> Analysis::compute_hits() const {
+  std::vector<AnalysedHit> out = force_hits();
+  if (!possible()) return out;
+  grade_by_responses(out, responses());
+  if (!any_accepted(out)) return out;
+  const std::vector<HitSpectra> compared = spectra_of_hits(out, force_spectra(), responses(), lines().count);
+  const ThreadLimit limit(options_.threads);
+  trace_.run("agreement", [&] {
+    grade_agreement(out, compared);
+    vote_first_motion(out);
+  });
+  return out;
+}
+
+TestSpectra Analysis::spectra() const {
+  return {.lines = lines(),
+          .hits = hits(),
+          .force = force_spectra(),
+          .responses = responses(),
+          .window_decay_per_s = window_decay_per_s()};
+}
+
+std::vector<int> Analysis::frf_points() const {
+  std::set<int> points;
+  for (const FrfGroup& group : source_->groups(hits())) points.insert(group.point);
+  return {points.begin(), points.end()};
+}
+
+const std::vector<frf::PointFrf>& Analysis::frfs() const {
+  return frfs_.get([&] {
+    const std::vector<FrfGroup> groups = source_->groups(hits());
+    const TestSpectra from = spectra();
+    const ThreadLimit limit(options_.threads);
+    return trace_.run("frf", [&] {
+      std::vector<frf::PointFrf> frfs(groups.size());
+      const std::size_t hits_per_frf = groups.empty() ? 0 : groups.front().hits.size();
+      parallel_for_cost(groups.size(), average_cost_flops(from.lines.count, hits_per_frf),
+                        [&](std::size_t i) { frfs[i] = source_->frf(groups[i], from, options_.estimator); });
+      return frfs;
+    });
+  });
+}
+
+const identify::FrfDataset& Analysis::fitted_frfs() const {
+  return fitted_frfs_.get([&] {
+    const TestSpectra from = spectra();
+    const bool averaged = frfs_.ready() && options_.estimator == frf::Estimator::h1;
+    const ThreadLimit limit(options_.threads);
+    return source_->dataset(from, accepted_hits(from.hits), averaged ? &frfs() : nullptr);
+  });
+}
+
+const std::vector<identify::Mode>& Analysis::modes() const {
+  return modes_.get([&] {
+    const identify::FrfDataset& set = fitted_frfs();
+    const ThreadLimit limit(options_.threads);
+    return trace_.run("modes", [&] { return modes_in_band(set, frf_points(), band_Hz(), options_.modes); });
+  });
+}
+
+void Analysis::compute_modes_and_frfs() const {
+  if (given_frfs() != nullptr || frfs_.ready() || modes_.ready()) {
+    modes();
+    frfs();
+    return;
   }
+  fitted_frfs();  // Slots are not locked: this thread fills all that the averages read.
+  const std::vector<FrfGroup> groups = source_->groups(hits());
+  const TestSpectra from = spectra();
+  std::vector<frf::PointFrf> frfs(groups.size());
+  const ThreadLimit limit(options_.threads);
+  BackgroundTasks averages(groups.size(), [&](std::size_t i) {
+    trace_.run_part("frf", [&] { frfs[i] = source_->frf(groups[i], from, options_.estimator); });
+  });
+  modes();
+  averages.finish();
+  trace_.add("frf", 1, 0);
+  frfs_.get([&] { return std::move(frfs); });
+}
+
+const std::vector<identify::ModeClassification>& Analysis::classifications() const {
+  return classifications_.get([&] {
+    const std::vector<identify::Mode>& found = modes();
+    const identify::FrfDataset& set = fitted_frfs();
+    return trace_.run("classes", [&] { return classify_modes(found, set, record().accel, options_.classes); });
+  });
+}
+
+const std::vector<HitMode>& Analysis::modes_per_hit() const {
+  return modes_per_hit_.get([&] {
+    const std::vector<identify::Mode>& found = modes();
+    const TestSpectra from = spectra();
+    const auto dataset_of = [&](std::size_t hit) { return source_->dataset(from, {hit}, nullptr); };
+    return trace_.run("modes per hit", [&] {
+      return modes_of_hits(found, accepted_hits(from.hits), dataset_of, options_.modes.effort);
+    });
+  });
+}
+
+const identify::Stabilisation& Analysis::stabilisation() const {
+  return stabilisation_.get([&] {
+    const identify::FrfDataset& set = fitted_frfs();
+    return trace_.run("stabilisation", [&] { return stabilisation_in_band(set, band_Hz()); });
+  });
+}
+
+std::vector<Warning> Analysis::warnings() const {
+  const std::vector<AnalysedHit>& graded = hits_.ready() ? hits() : force_hits();
+  const bool force_known = given_frfs() == nullptr;
+  const bool user_chose_modes = options_.modes.modes.has_value() || !options_.modes.start_Hz.empty();
+  std::vector<Warning> out;
+  const auto add = [&](std::vector<Warning> more) {
+    out.insert(out.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+  };
+  add(input_warnings(record()));
+  if (modes_.ready() && !force_known) add(force_noise_warnings(modes()));
+  add(hit_warnings(record(), graded));
+  add(channel_warnings(record(), graded));
+  if (modes_.ready() && force_known) add(pretrigger_warnings(record(), graded, fitted_frfs()));
+  add(rest_warnings(graded));
+  if (modes_.ready()) {
+    add(freq_scatter_warnings(modes()));
+    add(truncation_warnings(modes(), lines(), window_decay_per_s(), force_known));
+    if (!user_chose_modes) add(unmodelled_peak_warnings(fitted_frfs(), modes(), band_Hz()));
+  }
+  if (classifications_.ready()) add(split_mode_warnings(modes(), classifications()));
   return out;
 }
 

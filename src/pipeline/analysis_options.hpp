@@ -11,16 +11,15 @@
 
 namespace percuss::pipeline {
 
-/// What an Analysis is to do with its record.
 struct AnalysisOptions {
-  std::optional<std::pair<double, double>> band_Hz;  // default: what the hammer excited
+  std::optional<std::pair<double, double>> band_Hz;  // default: the usable bandwidth of the force
   frf::Estimator estimator = frf::Estimator::h1;     // of the FRFs shown; modes are fitted to H1, whose noise is known
   acquire::HitOptions hits;
-  std::vector<std::size_t> accept_hits, reject_hits;  // the user's word on single hits
-  double exponential_end = 0;                         // exponential window falling to this fraction; 0: none
+  std::vector<std::size_t> accept_hits, reject_hits;  // hit numbers; overrule the findings
+  double exponential_end = 0;                         // end value of the exponential window, relative; 0: no window
   identify::IdentifyOptions modes;
   identify::ClassifyOptions classes;
-  std::size_t threads = 0;
+  std::size_t threads = 0;  // 0: all
 };
 
 }  // namespace percuss::pipeline

@@ -12,12 +12,13 @@
 #include "core/error.hpp"
 #include "core/parallel/parallel.hpp"
 #include "core/units.hpp"
+#include "pipeline/warnings/deflection_warnings.hpp"
 
 namespace percuss::pipeline {
 namespace {
 
-constexpr std::size_t kMinRestSamples =
-    16;  // samples before the onset from which a bias can be read beside the ringing
+// Samples before the onset from which a bias can be estimated besides the ringing of the filter.
+constexpr std::size_t kMinRestSamples = 16;
 
 bool usable(const AnalysedHit& hit, const AnalysisOptions& options, std::size_t index) {
   const auto has = [](const std::vector<std::size_t>& list, std::size_t i) {
@@ -29,12 +30,12 @@ bool usable(const AnalysedHit& hit, const AnalysisOptions& options, std::size_t 
                       [](const acquire::Finding& finding) { return finding.code == acquire::FindingCode::no_pulse; });
 }
 
-// Where the contact begins, from the first sample of the hit's stretch.
-double onset_in_stretch_s(const acquire::Hit& hit, double fs_Hz) {
+// The beginning of the contact, from the hit's first sample.
+double onset_from_first_sample_s(const acquire::Hit& hit, double fs_Hz) {
   return std::max(0.0, hit.onset_s - static_cast<double>(hit.first) / fs_Hz);
 }
 
-// Each row is an impact where no force tells of any: it begins where the first accelerometer begins to move.
+// Without a force each row is one impact. It begins when the first accelerometer begins to move.
 std::vector<AnalysedHit> impacts_without_force(const acquire::Record& record) {
   std::vector<AnalysedHit> impacts;
   impacts.reserve(record.rows.size());
@@ -54,21 +55,22 @@ std::vector<AnalysedHit> impacts_without_force(const acquire::Record& record) {
   return impacts;
 }
 
-std::vector<metrics::ModalContribution> shares_of(const Analysis& analysis, int point, std::size_t channel,
-                                                  double corner_Hz) {
-  std::vector<metrics::ModalContribution> shares;
+std::vector<metrics::ModalContribution> modal_contributions(const Analysis& analysis, int point, std::size_t channel,
+                                                            double corner_Hz) {
+  std::vector<metrics::ModalContribution> contributions;
   for (const identify::Mode& mode : analysis.modes()) {
     for (const identify::Residue& residue : mode.residues) {
       if (static_cast<int>(residue.point) != point || residue.channel != channel) continue;
-      // The amplifier's high-pass is in the FRF, and so in the residue: s/(s + ω_c) at the pole.
+      // The residue contains the amplifier's high-pass, s/(s + ω_c) at the pole.
       const double omega = kTwoPi * mode.pole.freq_Hz, zeta = mode.pole.damping_ratio;
       const Complex s = omega * Complex(-zeta, std::sqrt(1 - zeta * zeta));
-      const Complex undone = (s + kTwoPi * corner_Hz) / s;
-      const double std = std::hypot(residue.std, residue.relative_std * std::abs(residue.value)) * std::abs(undone);
-      shares.push_back({.pole = mode.pole, .residue_per_kg = residue.value * undone, .residue_std_per_kg = std});
+      const Complex correction = (s + kTwoPi * corner_Hz) / s;
+      const double std = std::hypot(residue.std, residue.relative_std * std::abs(residue.value)) * std::abs(correction);
+      contributions.push_back(
+          {.pole = mode.pole, .residue_per_kg = residue.value * correction, .residue_std_per_kg = std});
     }
   }
-  return shares;
+  return contributions;
 }
 
 DeflectedHit deflected(const acquire::Record& record, const AnalysedHit& hit, const ImpactTestOptions& options,
@@ -85,7 +87,7 @@ DeflectedHit deflected(const acquire::Record& record, const AnalysedHit& hit, co
   }
   const metrics::ImpactSignal signal{.fs_Hz = record.fs_Hz,
                                      .accel_mps2 = accel,
-                                     .onset_s = onset_in_stretch_s(hit.hit, record.fs_Hz),
+                                     .onset_s = onset_from_first_sample_s(hit.hit, record.fs_Hz),
                                      .force_N = force,
                                      .rigid_per_kg = options.effective_mass_kg ? 1 / *options.effective_mass_kg : 0,
                                      .modes = modes};
@@ -103,21 +105,21 @@ PositionOf positions(const Analysis& analysis, const ImpactTestOptions& options)
   if (options.position_m.empty()) return [](int) { return std::optional<double>(); };
   if (options.position_m.size() != points.size()) {
     throw InputError(fmt::format("{} positions for {} points", options.position_m.size(), points.size()),
-                     analysis.record().source(), "give one position for each point that was struck");
+                     analysis.record().source(), "state one position for each point that was hit", {"positions"});
   }
   std::map<int, double> by_point;
   for (const int point : points) by_point.emplace(point, options.position_m[by_point.size()]);
   return [by_point](int point) { return std::optional<double>(by_point.at(point)); };
 }
 
-// Mean magnitude over repeats that tell one, and its deviation; NaN when none does.
+// Mean magnitude over the repeats that have a value, and its standard deviation; NaN when none has.
 std::pair<double, double> mean_of(const std::vector<const metrics::Deflection*>& members,
-                                  double metrics::Deflection::*value, double metrics::Deflection::*deviation) {
+                                  double metrics::Deflection::*value, double metrics::Deflection::*value_std) {
   double sum = 0, own = 0, scatter = 0, n = 0;
   for (const metrics::Deflection* d : members) {
     if (std::isnan(d->*value)) continue;
     sum += std::abs(d->*value);
-    own += d->*deviation * (d->*deviation);
+    own += d->*value_std * (d->*value_std);
     ++n;
   }
   const double mean = sum / n;
@@ -153,7 +155,7 @@ std::vector<ImpactSpeed> speeds(const Analysis& analysis, const std::vector<Anal
     const double time_s = impacts[h].hit.onset_s - options.beam_time_s;
     if (!(time_s > sample_s)) {
       throw InputError(fmt::format("hit {} comes {:.6g} s after the light beam", h, time_s), analysis.record().source(),
-                       "correct --beam-time, or leave --beam-distance out");
+                       "correct the time of the light beam, or leave out its distance", {"beam_time", "beam_distance"});
     }
     const double speed = *options.beam_distance_m / time_s;
     out.push_back({.hit = h, .speed_mps = speed, .std_mps = speed * sample_s / std::sqrt(12.0) / time_s});
@@ -161,41 +163,21 @@ std::vector<ImpactSpeed> speeds(const Analysis& analysis, const std::vector<Anal
   return out;
 }
 
-bool shows_rest(double fs_Hz, const std::vector<AnalysedHit>& impacts, const std::vector<std::size_t>& hits) {
+bool rest_recorded(double fs_Hz, const std::vector<AnalysedHit>& impacts, const std::vector<std::size_t>& hits) {
   return std::all_of(hits.begin(), hits.end(), [&](std::size_t h) {
-    return onset_in_stretch_s(impacts[h].hit, fs_Hz) * fs_Hz >= static_cast<double>(kMinRestSamples);
+    return onset_from_first_sample_s(impacts[h].hit, fs_Hz) * fs_Hz >= static_cast<double>(kMinRestSamples);
   });
 }
 
-void warn(const ImpactTestOptions& options, std::size_t impacts, std::size_t used, bool rest, ImpactTest& test) {
-  if (used < impacts) {
-    test.warnings.push_back(
-        {"no_pulse", fmt::format("{} of {} hits show no impact and are left out", impacts - used, impacts)});
-  }
-  if (!rest) {
-    test.warnings.push_back({"no_rest",
-                             "a record begins too late to show the rest before the impact, from which a bias is read; "
-                             "record with more pre-trigger"});
-  }
-  const auto untold = std::count_if(test.hits.begin(), test.hits.end(),
-                                    [](const DeflectedHit& hit) { return !hit.deflection.has_peak(); });
-  if (untold > 0) {
-    test.warnings.push_back(
-        {"not_told",
-         fmt::format("{} of {} deflections are nowhere larger than four times their own uncertainty, so that "
-                     "no largest value can be told; record with more pre-trigger, or see --method modal",
-                     untold, test.hits.size())});
-  }
-  const bool drifting = std::any_of(test.hits.begin(), test.hits.end(), [](const DeflectedHit& hit) {
-    return hit.deflection.method == metrics::DeflectionMethod::drift_free && !hit.deflection.held;
-  });
-  if (drifting && !options.deflection.free_body) {
-    test.warnings.push_back(
-        {"drift",
-         "the structure does not swing about where it rested, or the record is too short to tell: late "
-         "deflections drift as their deviation says; --method modal does not drift, --free-body says that it may move "
-         "away"});
-  }
+std::vector<Warning> warnings_of(const ImpactTest& test, const ImpactTestOptions& options, std::size_t impacts,
+                                 std::size_t used, bool rest_recorded) {
+  DeflectionResults results{.impacts = impacts,
+                            .used = used,
+                            .rest_recorded = rest_recorded,
+                            .free_body = options.deflection.free_body,
+                            .deflections = {}};
+  for (const DeflectedHit& hit : test.hits) results.deflections.push_back(&hit.deflection);
+  return deflection_warnings(results);
 }
 
 }  // namespace
@@ -206,26 +188,27 @@ ImpactTest deflect(const Analysis& analysis, const ImpactTestOptions& options) {
   const metrics::DeflectionMethod method = options.deflection.method;
   if (!record.has_force && (method == metrics::DeflectionMethod::modal || options.effective_mass_kg)) {
     throw InputError("no force was recorded", record.source(),
-                     "choose another --method, and leave --effective-mass out, or name the force with --force-channel");
+                     "choose another method and leave out the effective mass, or name the force's channel",
+                     {"method", "effective_mass", "force_channel"});
   }
   const std::vector<AnalysedHit> impacts = record.has_force ? analysis.force_hits() : impacts_without_force(record);
   std::vector<std::size_t> hits;
   for (std::size_t h = 0; h < impacts.size(); ++h) {
     if (usable(impacts[h], analysis.options(), h)) hits.push_back(h);
   }
-  const bool rest = shows_rest(record.fs_Hz, impacts, hits);
+  const bool rest = rest_recorded(record.fs_Hz, impacts, hits);
   const bool modal = method == metrics::DeflectionMethod::modal || (method == metrics::DeflectionMethod::automatic &&
                                                                     !rest && record.has_force && analysis.possible());
   const std::size_t channels = record.accel.size();
-  std::map<std::pair<int, std::size_t>, std::vector<metrics::ModalContribution>> shares;
+  std::map<std::pair<int, std::size_t>, std::vector<metrics::ModalContribution>> contributions;
   for (const std::size_t h : hits) {
     for (std::size_t c = 0; c < channels; ++c) {
-      auto& share = shares[{impacts[h].point, c}];
-      if (modal && share.empty())
-        share = shares_of(analysis, impacts[h].point, c, options.deflection.highpass_corner_Hz);
-      if (method == metrics::DeflectionMethod::modal && share.empty()) {
-        throw InputError("no mode is known at a struck point", fmt::format("hit {}", h),
-                         "choose another --method, or see what percuss analyze says of the hits");
+      auto& contribution = contributions[{impacts[h].point, c}];
+      if (modal && contribution.empty())
+        contribution = modal_contributions(analysis, impacts[h].point, c, options.deflection.highpass_corner_Hz);
+      if (method == metrics::DeflectionMethod::modal && contribution.empty()) {
+        throw InputError("no mode is known at the point of impact", fmt::format("hit {}", h),
+                         "choose another method, or check the findings of the hits", {"method"});
       }
     }
   }
@@ -234,13 +217,13 @@ ImpactTest deflect(const Analysis& analysis, const ImpactTestOptions& options) {
   analysis.trace().run("deflection", [&] {
     parallel_for(test.hits.size(), analysis.options().threads, [&](std::size_t i) {
       const std::size_t h = hits[i / channels], c = i % channels;
-      test.hits[i] = deflected(record, impacts[h], options, h, c, shares.at({impacts[h].point, c}));
+      test.hits[i] = deflected(record, impacts[h], options, h, c, contributions.at({impacts[h].point, c}));
     });
     return 0;
   });
   for (DeflectedHit& hit : test.hits) hit.position_m = position_of(hit.point);
   test.points = averaged(test.hits, position_of);
-  warn(options, impacts.size(), hits.size(), rest, test);
+  test.warnings = warnings_of(test, options, impacts.size(), hits.size(), rest);
   return test;
 }
 

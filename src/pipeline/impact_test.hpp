@@ -10,18 +10,18 @@ namespace percuss::pipeline {
 
 struct ImpactTestOptions {
   metrics::DeflectionOptions deflection;
-  std::optional<double> effective_mass_kg;  // of the free body at the struck point: its own motion is known then
+  std::optional<double> effective_mass_kg;  // of a free body, at the point of impact: gives its rigid motion
   std::optional<double> beam_distance_m;    // from the light beam to the structure
-  double beam_time_s = 0;                   // when the ball broke the beam, from the row's beginning
-  std::vector<double> position_m;           // of the points, in ascending order of their numbers; empty: not known
+  double beam_time_s = 0;                   // when the ball broke the light beam, from the row's beginning
+  std::vector<double> position_m;           // of the points, ascending by number; empty: not known
 };
 
-/// What one accelerometer saw of one impact.
+/// The deflection at one accelerometer after one impact.
 struct DeflectedHit {
   std::size_t hit = 0, channel = 0;
   int point = 0;
   std::optional<double> position_m;
-  double first_s = 0;  // of the samples below, from the row's beginning
+  double first_s = 0;  // time of the first sample below, from the row's beginning
   metrics::Deflection deflection;
 };
 
@@ -31,14 +31,14 @@ struct ImpactSpeed {
   double speed_mps = 0, std_mps = 0;
 };
 
-/// Repeats at one point, one channel.
+/// The mean over the hits of one point, for one channel.
 struct PointDeflection {
   int point = 0;
   std::size_t channel = 0, hits = 0;
   std::optional<double> position_m;
   double peak_m = 0;  // mean magnitude of the hits' peaks
-  double std_m = 0;   // of the mean: from the scatter of two hits or more, no less than from the hits' own deviations
-  double forward_m = 0, forward_std_m = 0;  // likewise of the deflections the way the structure first went
+  double std_m = 0;   // of the mean: from the scatter of two or more hits, at least what the hits' own ± give
+  double forward_m = 0, forward_std_m = 0;  // the same for deflections in the direction of the first motion
 };
 
 struct ImpactTest {
@@ -48,9 +48,9 @@ struct ImpactTest {
   std::vector<Warning> warnings;
 };
 
-/// Deflection at every accelerometer for every impact of the test that shows a pulse; hits that are no good for FRFs (a
-/// second impact, a truncated decay) still have a deflection. Modes are identified only for the method modal, or where
-/// an automatic choice needs them.
+/// Deflection at each accelerometer for each impact with a pulse. Hits rejected for FRFs (a double hit, a truncated
+/// decay) have a deflection, too. Modes are identified only if the method, stated or automatic, needs them.
+/// errors  InputError: no force or no mode where the method needs them; another number of positions than points.
 ImpactTest deflect(const Analysis& analysis, const ImpactTestOptions& options = {});
 
 }  // namespace percuss::pipeline

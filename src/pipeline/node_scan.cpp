@@ -12,7 +12,7 @@
 namespace percuss::pipeline {
 namespace {
 
-// |H| at the mode's peak, point by point as in `at`.
+// |H| at the mode's peak for each point of `at`.
 std::vector<double> peaks_of(const Analysis& analysis, const identify::Mode& mode, const std::vector<int>& at) {
   const std::size_t k = analysis.lines().nearest(mode.pole.freq_Hz);
   std::vector<double> peak(at.size());
@@ -25,30 +25,31 @@ std::vector<double> peaks_of(const Analysis& analysis, const identify::Mode& mod
   return peak;
 }
 
-// Points and their places, without those that no hit was left of.
-struct MeasuredPlaces {
+// Points that have FRFs, and their positions.
+struct MeasuredPoints {
   std::vector<int> point;
   std::vector<double> position_m;
 };
 
-MeasuredPlaces measured(const Analysis& analysis, const ScanPositions& positions, std::vector<Warning>& warnings) {
+MeasuredPoints measured_points(const Analysis& analysis, const ScanPositions& positions,
+                               std::vector<Warning>& warnings) {
   std::set<int> with_frf;
   for (const frf::PointFrf& frf : analysis.frfs()) with_frf.insert(frf.point);
-  MeasuredPlaces places;
+  MeasuredPoints measured;
   std::string missing;
   std::size_t i = 0;
   for (const int point : analysis.points()) {
     const double position_m = positions.at_m(i++);
     if (with_frf.contains(point)) {
-      places.point.push_back(point);
-      places.position_m.push_back(position_m);
+      measured.point.push_back(point);
+      measured.position_m.push_back(position_m);
     } else {
       missing += fmt::format("{}{:.4g} in", missing.empty() ? "" : ", ", position_m / kInch_m);
     }
   }
   if (!missing.empty())
-    warnings.push_back({"missing_position", "no usable hit at " + missing + ": the nodes are found without"});
-  return places;
+    warnings.push_back({"missing_position", "no usable hit at " + missing + ": the nodes are found without it"});
+  return measured;
 }
 
 }  // namespace
@@ -60,14 +61,15 @@ acquire::Record as_scan(acquire::Record record, const ScanPositions& positions) 
   if (points != 1 || rows < positions.count || rows % positions.count != 0 || record.continuous) {
     throw InputError(fmt::format("{} point{} and {} row{} of hits for {} positions", points, points == 1 ? "" : "s",
                                  rows, rows == 1 ? "" : "s", positions.count),
-                     record.source(),
-                     "give --positions START:STEP:END with one position per point, file or row, in their order");
+                     record.source(), "state START:STEP:END with one position per point, file or row, in their order",
+                     {"positions"});
   }
   const std::size_t each = rows / positions.count;
   for (std::size_t row = 0; row < rows; ++row) record.rows[row].point = static_cast<int>(row / each);
   record.notes.push_back(
-      fmt::format("the points of the hits are not stated: {} row{} in turn are taken as one position of the scan", each,
-                  each == 1 ? "" : "s"));
+      fmt::format("the points of the hits are not stated: each position of the scan is assumed to have {} row{}, in "
+                  "order",
+                  each, each == 1 ? "" : "s"));
   return record;
 }
 
@@ -75,20 +77,20 @@ NodeScan scan_nodes(const Analysis& analysis, const ScanPositions& positions, do
   const std::size_t points = analysis.points().size();
   if (points != positions.count) {
     throw InputError(fmt::format("{} points for {} positions", points, positions.count), analysis.record().source(),
-                     "give one position per point");
+                     "state one position per point", {"positions"});
   }
   NodeScan scan{.positions = positions, .modes = {}, .warnings = {}};
-  const MeasuredPlaces places = measured(analysis, positions, scan.warnings);
+  const MeasuredPoints measured = measured_points(analysis, positions, scan.warnings);
   for (std::size_t m = 0; m < analysis.modes().size(); ++m) {
     if (analysis.classifications()[m].family == identify::ModeType::hoop) continue;
     const identify::Mode& mode = analysis.modes()[m];
     ModeAlongScan along{.mode = m,
-                        .shape = identify::shape_along(mode, places.point, places.position_m),
-                        .peak = peaks_of(analysis, mode, places.point),
+                        .shape = identify::shape_along(mode, measured.point, measured.position_m),
+                        .peak = peaks_of(analysis, mode, measured.point),
                         .nodes = {},
                         .rule_m = {}};
     along.nodes = identify::find_nodes(along.shape);
-    along.rule_m = identify::minimum_of_peak(places.position_m, along.peak, resolution_m);
+    along.rule_m = identify::minimum_of_peak(measured.position_m, along.peak, resolution_m);
     scan.modes.push_back(std::move(along));
   }
   return scan;

@@ -8,7 +8,7 @@
 
 namespace percuss::pipeline {
 
-/// The places of a scan of impacts, one per point in ascending order of the points' numbers.
+/// Evenly spaced positions of a scan of impacts, one per point, ascending by the points' numbers.
 struct ScanPositions {
   double start_m = 0, step_m = 0;
   std::size_t count = 0;
@@ -21,22 +21,22 @@ struct ModeAlongScan {
   identify::ScanShape shape;  // the points that have FRFs
   std::vector<double> peak;   // |H| at the mode's peak, the root of the sum of squares over the channels, (m/s²)/N
   std::vector<identify::Node> nodes;  // ascending
-  std::optional<double> rule_m;       // the minimum of `peak`, to the resolution asked for
+  std::optional<double> rule_m;       // position of the minimum of `peak`, to the given resolution
 };
 
 struct NodeScan {
   ScanPositions positions;
-  std::vector<ModeAlongScan> modes;  // those that bend, or may: hoop modes have no node on a line along the barrel
-  std::vector<Warning> warnings;     // on the scan; the analysis has its own
+  std::vector<ModeAlongScan> modes;  // without hoop modes, which have no node on a line along the barrel
+  std::vector<Warning> warnings;     // about the scan; the analysis has its own
 };
 
-/// The record as one scan: where it has one point only but as many rows as the scan has places, or twice, three times …
-/// as many, rows in turn belong to one place after the other. Throws InputError unless there are as many points as
-/// places.
+/// The record with one point per position. A record of one point, whose number of rows is a multiple of the number of
+/// positions, has its rows assigned to the positions in order, and a note says so.
+/// errors  InputError: another number of points than positions.
 acquire::Record as_scan(acquire::Record record, const ScanPositions& positions);
 
-/// Nodes of the modes of a scan, from all FRFs together. Throws InputError as Analysis::modes() does, and unless there
-/// are as many points as places.
+/// Nodes of the modes along a scan, from all FRFs together.
+/// errors  InputError: as Analysis::modes(); another number of points than positions.
 NodeScan scan_nodes(const Analysis& analysis, const ScanPositions& positions, double resolution_m);
 
 }  // namespace percuss::pipeline

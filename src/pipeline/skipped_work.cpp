@@ -10,9 +10,9 @@ namespace {
 
 constexpr double kMinShare = 1e-3;
 
-class Account {
+class SkippedWorkList {
  public:
-  explicit Account(const Analysis& analysis) : analysis_(analysis) {
+  explicit SkippedWorkList(const Analysis& analysis) : analysis_(analysis) {
     for (const auto& stage : analysis.trace().stages()) ran_.insert(stage.name);
   }
 
@@ -36,7 +36,7 @@ class Account {
     double all = 0, within = 0, rejected = 0, tails = 0;
     for (const acquire::RowInfo& row : analysis_.record().rows) all += static_cast<double>(row.samples);
     if (!ran_.contains("read acceleration")) {
-      add("channels", "all accelerations", "only the force was asked for", all, all);
+      add("channels", "all accelerations", "only the force was demanded", all, all);
       return;
     }
     std::size_t out = 0;
@@ -51,10 +51,10 @@ class Account {
         tails += static_cast<double>(hit.hit.samples - block);
       }
     }
-    add("silence", "accelerations between the hits", "nothing was struck there", all - within, all);
+    add("silence", "accelerations between the hits", "no hit is there", all - within, all);
     add("rejected", "accelerations of hits that cannot be used",
-        fmt::format("the force of {} of {} hits says so already", out, analysis_.force_hits().size()), rejected, all);
-    add("tail", "accelerations behind the decay", "they are background alone, or beyond the shortest row", tails, all);
+        fmt::format("the force of {} of {} hits rejects them", out, analysis_.force_hits().size()), rejected, all);
+    add("tail", "accelerations after the decay", "they are noise, or beyond the end of the shortest row", tails, all);
   }
 
   void force_zeros() {
@@ -64,15 +64,15 @@ class Account {
       pulses += static_cast<double>(hit.hit.gated_N.size());
       whole += static_cast<double>(analysis_.lines().samples);
     }
-    add("force_zeros", "the force outside its pulses", "it is zero there, and noise would enter every mode",
+    add("force_zeros", "the force outside its pulses", "it is zero there, and its noise would disturb each mode",
         whole - pulses, whole);
   }
 
   void lines() {
     const double all = static_cast<double>(analysis_.lines().samples) / 2 + 1;
     const auto [low_Hz, high_Hz] = analysis_.band_Hz();
-    add("lines", "lines of the transforms",
-        fmt::format("they lie outside {:.4g} to {:.4g} Hz and its margin, or beyond the force's reach", low_Hz,
+    add("lines", "spectral lines of the transforms",
+        fmt::format("they lie outside {:.4g} to {:.4g} Hz and its margin, or beyond the usable bandwidth", low_Hz,
                     high_Hz),
         all - static_cast<double>(analysis_.lines().count), all);
   }
@@ -86,7 +86,7 @@ class Account {
           Stage{"stabilisation", "stabilisation", "the stabilisation diagram"},
           Stage{"modes per hit", "per_hit", "the modes of each hit alone"}}) {
       if (!ran_.contains(stage.name))
-        out_.push_back({.code = stage.code, .what = stage.what, .why = "nobody asked for it", .share = {}});
+        out_.push_back({.code = stage.code, .what = stage.what, .why = "it was not demanded", .share = {}});
     }
   }
 
@@ -97,6 +97,6 @@ class Account {
 
 }  // namespace
 
-std::vector<SkippedWork> skipped_work(const Analysis& analysis) { return Account(analysis).take(); }
+std::vector<SkippedWork> skipped_work(const Analysis& analysis) { return SkippedWorkList(analysis).take(); }
 
 }  // namespace percuss::pipeline

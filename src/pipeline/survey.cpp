@@ -16,13 +16,12 @@
 namespace percuss::pipeline {
 namespace {
 
-constexpr double kSamePlace_m = 2e-3;               // how near a blow can be set beside a sensor …
+constexpr double kSamePlace_m = 2e-3;               // distance within which a hit and a sensor are at one point …
 constexpr double kSameAngle_rad = 2 * kDegree_rad;  // … and around the tube
-constexpr double kMinSoleProbability = 0.9;         // confidence below which a rival is named
-constexpr double kPoorFrac = 0.99, kStrong_dB = -20;
+constexpr double kMinSoleProbability = 0.9;         // confidence below which an alternative is named
 
-// The family of the second most energetic order.
-std::optional<identify::ModeType> rival_of(const identify::TubeShape& tube) {
+// The mode type of the second most energetic order.
+std::optional<identify::ModeType> second_type(const identify::TubeShape& tube) {
   int second = -1;
   for (int n = 0; n < static_cast<int>(tube.energy.size()); ++n) {
     if (n == tube.order) continue;
@@ -34,14 +33,14 @@ std::optional<identify::ModeType> rival_of(const identify::TubeShape& tube) {
                        : identify::ModeType::unknown;
 }
 
-void classify_by_tube(identify::ModeClassification& verdict, const identify::TubeShape& tube) {
+void classify_by_tube(identify::ModeClassification& classification, const identify::TubeShape& tube) {
   const identify::ModeType family = mode_type_of(tube);
   const bool sure = tube.confidence >= kMinSoleProbability;
-  if (family == identify::ModeType::unknown && !sure && verdict.family != identify::ModeType::unknown)
-    return;  // two sensors know better
-  verdict.family = family;
-  verdict.confidence = tube.confidence;
-  verdict.alternative = sure ? std::nullopt : rival_of(tube);
+  if (family == identify::ModeType::unknown && !sure && classification.family != identify::ModeType::unknown)
+    return;  // the two sensors decided it
+  classification.family = family;
+  classification.confidence = tube.confidence;
+  classification.alternative = sure ? std::nullopt : second_type(tube);
 }
 
 bool same_pattern(const std::optional<identify::TubeShape>& a, const std::optional<identify::TubeShape>& b) {
@@ -69,15 +68,16 @@ void Survey::place_points() {
   std::set<int> known;
   for (const acquire::GeometryPoint& p : geometry_->points) {
     known.insert(p.point);
-    if (geometry_->tube) places_[static_cast<std::size_t>(p.point)] = {p.position_m, p.angle_rad};
+    if (geometry_->tube) tube_places_[static_cast<std::size_t>(p.point)] = {p.position_m, p.angle_rad};
   }
   if (!options_.geometry) return;
   const std::set<int> measured = analysis_.points();
   for (const int point : measured) {
     if (known.contains(point)) continue;
-    throw InputError(fmt::format("point {} was measured but stands nowhere in the geometry", point), "--geometry",
-                     fmt::format("add it, or number the points as the record does: {} to {}", *measured.begin(),
-                                 *measured.rbegin()));
+    throw InputError(
+        fmt::format("point {} was measured, but the geometry lacks it", point), analysis_.record().source(),
+        fmt::format("add it, or number the points as the record does: {} to {}", *measured.begin(), *measured.rbegin()),
+        {"geometry"});
   }
 }
 
@@ -86,13 +86,15 @@ void Survey::find_driving_points() {
   const auto points = analysis_.points();
   for (const identify::DrivingPoint& at : options_.driving) {
     if (points.contains(static_cast<int>(at.point)) && at.channel < accel.size()) continue;
-    throw InputError(fmt::format("point {} with channel {} was not measured", at.point, at.channel), "--driving-point",
-                     fmt::format("give POINT:CHANNEL with points {} to {} and channels 0 to {}", *points.begin(),
-                                 *points.rbegin(), accel.size() - 1));
+    throw InputError(fmt::format("point {} with channel {} was not measured", at.point, at.channel),
+                     analysis_.record().source(),
+                     fmt::format("choose POINT:CHANNEL from points {} to {} and channels 0 to {}", *points.begin(),
+                                 *points.rbegin(), accel.size() - 1),
+                     {"driving_point"});
   }
   driving_ = options_.driving;
   if (!driving_.empty() || options_.roving != identify::Roving::hammer) return;
-  for (const auto& [point, place] : places_) {
+  for (const auto& [point, place] : tube_places_) {
     for (std::size_t c = 0; c < accel.size(); ++c) {
       if (!accel[c].position_m || !accel[c].angle_rad || !points.contains(static_cast<int>(point))) continue;
       const double around = std::remainder(*accel[c].angle_rad - place.angle_rad, 2 * std::numbers::pi);
@@ -118,13 +120,13 @@ const std::vector<identify::ModeShape>& Survey::shapes() const {
 const std::vector<std::optional<identify::TubeShape>>& Survey::tubes() const {
   return tubes_.get([&] {
     std::vector<std::optional<identify::TubeShape>> tubes;
-    for (const identify::ModeShape& shape : shapes()) tubes.push_back(identify::tube_shape(shape, places_));
+    for (const identify::ModeShape& shape : shapes()) tubes.push_back(identify::tube_shape(shape, tube_places_));
     return tubes;
   });
 }
 
 const std::vector<identify::ModeClassification>& Survey::classifications() const {
-  return verdicts_.get([&] { return classify_by_shapes(); });
+  return classifications_.get([&] { return classify_by_shapes(); });
 }
 
 std::vector<identify::ModeClassification> Survey::classify_by_shapes() const {
@@ -201,17 +203,21 @@ std::vector<identify::ReciprocityCheck> Survey::reciprocity() const {
 std::vector<Warning> Survey::warnings() const {
   std::vector<Warning> out = analysis_.warnings();
   if (!analysis_.possible()) return out;
-  std::erase_if(out, [](const Warning& warning) { return warning.code == "double_peak"; });  // as the shapes tell it
-  for (Warning& warning : survey_warnings(*this)) out.push_back(std::move(warning));
+  // The survey's own double_peak adds the planes of the shapes.
+  std::erase_if(out, [](const Warning& warning) { return warning.code == "double_peak"; });
+  const SurveyResults results{.accel = analysis_.record().accel,
+                              .modes = analysis_.modes(),
+                              .has_geometry = geometry_.has_value(),
+                              .roving = options_.roving,
+                              .shapes = shapes(),
+                              .tubes = tubes(),
+                              .classifications = classifications(),
+                              .driving_checks = driving_checks(),
+                              .reciprocity = reciprocity(),
+                              .synthesis = synthesis(),
+                              .frf_points = analysis_.frf_points()};
+  for (Warning& warning : survey_warnings(results)) out.push_back(std::move(warning));
   return out;
-}
-
-bool poorly_explained(const identify::SynthesisedFrf& frf) {
-  return frf.level_dB >= kStrong_dB && !(frf.frac >= kPoorFrac);
-}
-
-bool noise_alone(const identify::SynthesisedFrf& frf) {
-  return (1 - frf.frac) * (1 - frf.noise_share) <= 1 - kPoorFrac;
 }
 
 }  // namespace percuss::pipeline

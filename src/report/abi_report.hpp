@@ -1,6 +1,6 @@
 #pragma once
 #include "metrics/protocol/abi.hpp"
-#include "report/command_report.hpp"
+#include "report/html/command_report.hpp"
 
 namespace percuss::report {
 

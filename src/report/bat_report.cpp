@@ -7,8 +7,8 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "core/math/roots.hpp"
 #include "core/units.hpp"
-#include "model/math/brent_maximum.hpp"
 #include "report/text/version.hpp"
 
 namespace percuss::report {
@@ -27,7 +27,7 @@ struct BatCurve {
       half{.name = "half_modes_exit_speed_mps", .values = {}}, contact{.name = "contact_s", .values = {}},
       contacts{.name = "contacts", .values = {}}, ball{.name = "ball_share", .values = {}},
       vibration{.name = "vibration_share", .values = {}};
-  model::MaximumPoint best, best_rigid;
+  MaximumPoint best, best_rigid;
 };
 
 BatCurve curve_of(const model::BatModes& bat, const model::BatCollision& collision, const std::vector<double>& z_m) {
@@ -46,10 +46,10 @@ BatCurve curve_of(const model::BatModes& bat, const model::BatCollision& collisi
     curve.ball.values.push_back(r.ball_share);
     curve.vibration.values.push_back(r.mode_share.sum());
   }
-  curve.best = model::brent_maximum(
-      [&](double z) { return model::bat_rebound(bat, modes, collision, z).exit_speed_mps; }, z_m, curve.exit.values);
-  curve.best_rigid = model::brent_maximum([&](double z) { return model::exit_speed_mps(rigid, z - bat.inertia.cm_m); },
-                                          z_m, curve.rigid.values);
+  curve.best = bracketed_maximum([&](double z) { return model::bat_rebound(bat, modes, collision, z).exit_speed_mps; },
+                                 z_m, curve.exit.values);
+  curve.best_rigid = bracketed_maximum([&](double z) { return model::exit_speed_mps(rigid, z - bat.inertia.cm_m); },
+                                       z_m, curve.rigid.values);
   return curve;
 }
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "model/bat/bat_collision.hpp"
-#include "report/command_report.hpp"
+#include "report/html/command_report.hpp"
 
 namespace percuss::report {
 

@@ -4,7 +4,7 @@
 
 #include "model/beam/beam.hpp"
 #include "model/beam/beam_fit.hpp"
-#include "report/command_report.hpp"
+#include "report/html/command_report.hpp"
 
 namespace percuss::report {
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "metrics/compare.hpp"
-#include "report/command_report.hpp"
+#include "report/html/command_report.hpp"
 
 namespace percuss::report {
 

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 
-#include "core/error.hpp"
+#include "acquire/formats/hdf5/write_frf_hdf5.hpp"
+#include "acquire/formats/text/write_frf_csv.hpp"
+#include "acquire/write_record.hpp"
 #include "core/io/atomic_file.hpp"
-#include "frf/formats/write_frf.hpp"
 
 namespace percuss::report {
 namespace {
@@ -43,19 +44,11 @@ frf::FrfRecord frf_record_of(const pipeline::Analysis& analysis) {
 }
 
 void write_frfs(const std::string& path, const frf::FrfRecord& record, frf::FrfKind kind, bool force) {
-  if (path.ends_with(".csv")) {
-    write_file(path, frf::frf_record_csv(record, kind), force);
-  } else if (path.ends_with(".mat")) {
-    frf::write_frf_record_mat(path, record, kind, force);
-  } else if (path.ends_with(".uff") || path.ends_with(".unv")) {
-    frf::write_frf_record_uff(path, record, kind, force);
-  } else {
-    frf::write_frf_record_hdf5(path, record, kind, force);
-  }
+  acquire::write_frfs(path, record, kind, force);
 }
 
 std::string frf_csv(const pipeline::Analysis& analysis, frf::FrfKind kind) {
-  return frf::frf_record_csv(frf_record_of(analysis), kind);
+  return acquire::frf_record_csv(frf_record_of(analysis), kind);
 }
 
 void write_frf_csv(const std::string& path, const pipeline::Analysis& analysis, frf::FrfKind kind, bool force) {
@@ -63,7 +56,7 @@ void write_frf_csv(const std::string& path, const pipeline::Analysis& analysis, 
 }
 
 void write_frf_hdf5(const std::string& path, const pipeline::Analysis& analysis, frf::FrfKind kind, bool force) {
-  frf::write_frf_record_hdf5(path, frf_record_of(analysis), kind, force);
+  acquire::write_frf_record_hdf5(path, frf_record_of(analysis), kind, force);
 }
 
 }  // namespace percuss::report

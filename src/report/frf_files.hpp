@@ -1,12 +1,13 @@
 #pragma once
 #include <string>
 
-#include "frf/convert.hpp"
+#include "frf/frf_record.hpp"
 #include "pipeline/analysis.hpp"
 
 namespace percuss::report {
 
-/// The averaged FRFs of an analysis within its band, as a record of FRFs that can be written (frf/write_frf.hpp).
+/// The averaged FRFs of an analysis within its band, as a record of FRFs that can be written
+/// (acquire/write_record.hpp).
 frf::FrfRecord frf_record_of(const pipeline::Analysis& analysis);
 
 /// Writes them as the path's extension says: .csv, .h5, .mat, .uff or .unv. Throws InputError when the file exists

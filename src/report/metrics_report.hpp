@@ -4,7 +4,7 @@
 
 #include "metrics/protocol/bat_metrics.hpp"
 #include "metrics/protocol/resolution.hpp"
-#include "report/command_report.hpp"
+#include "report/html/command_report.hpp"
 
 namespace percuss::report {
 

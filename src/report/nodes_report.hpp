@@ -1,7 +1,7 @@
 #pragma once
 
 #include "pipeline/node_scan.hpp"
-#include "report/command_report.hpp"
+#include "report/html/command_report.hpp"
 
 namespace percuss::report {
 

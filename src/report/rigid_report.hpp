@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "model/bat/rigid_collision.hpp"
-#include "report/command_report.hpp"
+#include "report/html/command_report.hpp"
 
 namespace percuss::report {
 

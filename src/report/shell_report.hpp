@@ -5,7 +5,7 @@
 
 #include "model/shell/shell.hpp"
 #include "model/shell/shell_fit.hpp"
-#include "report/command_report.hpp"
+#include "report/html/command_report.hpp"
 
 namespace percuss::report {
 

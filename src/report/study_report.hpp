@@ -3,7 +3,7 @@
 
 #include "metrics/study/study.hpp"
 #include "metrics/study/study_join.hpp"
-#include "report/command_report.hpp"
+#include "report/html/command_report.hpp"
 
 namespace percuss::report {
 

@@ -5,7 +5,7 @@
 
 #include "model/trampoline/trampoline.hpp"
 #include "model/trampoline/trampoline_fit.hpp"
-#include "report/command_report.hpp"
+#include "report/html/command_report.hpp"
 
 namespace percuss::report {
 

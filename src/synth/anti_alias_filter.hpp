@@ -4,15 +4,16 @@
 
 namespace percuss::synth {
 
-/// Half the support of the anti-alias filter, in samples: a sample feels what happens this far on either side.
+/// Half the support of the anti-alias filter in samples: a sample depends on the signal this far on either side.
 inline constexpr double kFilterHalfWidth = 64;
 
-/// The recorder's anti-alias filter at u samples from its centre, 1/sample: a sinc of cut-off 0.45 fs under a Gaussian
-/// that has fallen to e^−37 at ±kFilterHalfWidth. Linear phase, no delay; 1 to within 2e-12 below 0.30 fs and 0 above
-/// 0.60 fs, so that aliases leave an FRF exact to 1e-11 below 0.40 fs and to 1e-6 at 0.44 fs.
+/// The kernel of the recorder's anti-alias filter at u samples from its centre, 1/sample: a sinc of cut-off 0.45 fs
+/// times a Gaussian that falls to e^−37 at ±kFilterHalfWidth. The filter has linear phase and no delay. Its gain is 1
+/// to within 2e-12 below 0.30 fs and 0 above 0.60 fs. The error of an FRF due to aliases is 1e-11 below 0.40 fs and
+/// 1e-6 at 0.44 fs.
 double anti_alias_kernel(double u);
 
-/// Gauss–Legendre rule on [0, 1]: on panels of one or two samples its error for what passes the filter is far below
+/// Gauss–Legendre rule on [0, 1]. On panels of one or two samples its error for a filtered signal is far below
 /// rounding.
 inline constexpr std::size_t kGaussNodes = 16;
 struct GaussLegendre {

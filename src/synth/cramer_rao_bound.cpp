@@ -16,10 +16,10 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kFreqStep = 1e-6, kDampingStep = 1e-4;     // relative: truncation and rounding both near 1e-9
-constexpr std::size_t kChunkValues = std::size_t{1} << 20;  // at a time: memory does not grow with the record
+constexpr std::size_t kChunkValues = std::size_t{1} << 20;  // per chunk: memory does not grow with the record
 constexpr double kUnseen = 1e99;
 
-/// Poles as they are, then with f up, f down, ζ up, ζ down.
+/// The poles, then the poles with f increased, f decreased, ζ increased, ζ decreased.
 std::vector<SynthPole> poles_and_neighbours(const SynthSpec& spec) {
   std::vector<SynthPole> out;
   for (const auto& [df, dz] :
@@ -52,7 +52,7 @@ void add_columns(const SynthSpec& spec, const Pulse& pulse, std::span<const Synt
   add_to(basis.force_N, 1, offset, column(3 * modes));
 }
 
-/// Inner products of those columns over a row, for the hits [first, last) that share it.
+/// Inner products of these columns over a row, for its hits [first, last).
 MatrixXd row_products(const Truth& truth, std::span<const TrueHit> hits) {
   const auto size = static_cast<Index>(3 * truth.spec.modes.size() + 1);
   const std::vector<SynthPole> poles = poles_and_neighbours(truth.spec);
@@ -85,7 +85,7 @@ MatrixXd scaled_inverse(const MatrixXd& m) {
   return scale.asDiagonal() * unit.inverse() * scale.asDiagonal();
 }
 
-/// What one channel at one point adds to the matrix of (f, ζ), its residues and rigid line eliminated.
+/// The contribution of one channel at one point to the matrix of (f, ζ), with its residues and rigid line eliminated.
 MatrixXd channel_information(const MatrixXd& products, const std::vector<double>& residue_per_kg) {
   const auto modes = static_cast<Index>(residue_per_kg.size());
   const VectorXd residue = Eigen::Map<const VectorXd>(residue_per_kg.data(), modes).replicate(2, 1);
@@ -111,7 +111,7 @@ CramerRaoBound cramer_rao_bound(const Truth& truth, std::size_t threads) {
     for (std::size_t row = 0; row < rows; ++row) {
       if (truth.hits[row].point == p) of_point += products[row];
     }
-    if (of_point.isZero(0)) continue;  // its hits are all missing
+    if (of_point.isZero(0)) continue;  // all its hits are missing
     for (std::size_t c = 0; c < truth.accel_noise_mps2.size(); ++c) {
       information += channel_information(of_point, truth.residue_per_kg[p][c]) / std::pow(truth.accel_noise_mps2[c], 2);
     }

@@ -42,7 +42,7 @@ class PopulationMaker {
     return bat.values.at(static_cast<std::size_t>(q));
   }
 
-  // Drop, MOI and bending of a bat of this length.
+  // Drop, MOI and bending frequencies of a bat of this length.
   metrics::StudyBat body(metrics::BarrelMaterial material, double length_in, double drop, double moi_33_ozin2,
                          double bending_Hz) {
     metrics::StudyBat bat{.length_in = length_in, .material = material};
@@ -74,7 +74,7 @@ class PopulationMaker {
 
   metrics::StudyBat wood() {
     const double length_in = 30 + std::floor(random_.uniform(0, 5));
-    // In an order of their own: arguments are evaluated in any.
+    // Drawn in separate statements, because the order of evaluation of arguments is unspecified.
     const double bending_Hz = 155 + normal(14), drop = random_.uniform(-3, 0.5);
     metrics::StudyBat bat = body(metrics::BarrelMaterial::wood, length_in, drop, 10600, bending_Hz);
     perform(bat, 0.480 + normal(spec_.noise));

@@ -6,20 +6,21 @@
 
 namespace percuss::synth {
 
-/// How many bats of each family, and what goes with what. Families as [8] describes them: wood with a BBCOR near 0.480;
-/// aluminium with hoop frequencies of 1800 to 2400 Hz; composite with 1300 to 2800 Hz, the lower ones broken in.
+/// The number of bats of each family and the relations among their properties. The families follow [8]: wood with a
+/// BBCOR near 0.480; aluminium with hoop frequencies of 1800 to 2400 Hz; composite with 1300 to 2800 Hz, lower when
+/// broken in.
 struct PopulationSpec {
   std::uint64_t seed = 1;
   std::size_t wood = 60, aluminum = 60, composite = 60;
-  bool related = true;      // false: performance of each length is drawn without regard to anything else
-  double hoop_gain = 4e-5;  // of BBCOR per Hz below 2800 Hz
-  double noise = 0.004;     // of BBCOR
-  bool trail = true;        // also one composite bat over its break-in: 1970 → 1354 Hz, then failing
+  bool related = true;      // false: performance does not depend on any property within a length
+  double hoop_gain = 4e-5;  // increase of BBCOR per Hz below 2800 Hz
+  double noise = 0.004;     // standard deviation of BBCOR
+  bool trail = true;        // add one composite bat during its break-in: 1970 → 1354 Hz, then failure
 };
 
-/// A population whose relations are known: BBCOR = 0.480 (+ gain (2800 Hz − hoop) for hollow bats) + noise, with regard
-/// to nothing else; BESR and batted-ball speed at 6 in follow from it by (P9) and (P8), so that BESR rises with MOI.
-/// The same numbers with every compiler.
+/// Draws a population with known relations: BBCOR = 0.480 (+ gain (2800 Hz − hoop) for hollow bats) + noise, without
+/// any other dependence. BESR and batted-ball speed at 6 in follow by (P9) and (P8), so BESR rises with MOI. The
+/// numbers are the same with every compiler.
 std::vector<metrics::StudyBat> synthetic_population(const PopulationSpec& spec = {});
 
 }  // namespace percuss::synth

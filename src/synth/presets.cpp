@@ -18,20 +18,20 @@ SynthSpec synth_preset(std::string_view name) {
 
 std::string_view synth_example() {
   return R"json({
-  // A synthetic hammer test. Positions are metres from the barrel's end, angles degrees around the barrel, the rest is SI as
-  // the key says. Comments like these are allowed. Required: fs_hz, samples or duration_s, modes.
+  // A synthetic hammer test. Positions are metres from the barrel's end, angles degrees around the barrel. The keys name
+  // all other units. Comments are allowed. Required: fs_hz, samples or duration_s, modes.
   "schema": "percuss/synth/1",
   "name": "example",
   "description": "Every key there is",
   "fs_hz": 25600,
   "samples": 25600,            // per row; or "duration_s": 1.0
   "layout": "rows",            // "rows": one hit each; "continuous": one long row, "hit_times_s": [1.0, 3.5, …]
-  "seed": 1,                   // same spec and seed, same samples
+  "seed": 1,                   // equal spec and seed give equal samples
   "band_hz": [60, 3200],       // modes in it are marked in_band in the truth
   "structure": {               // a free bat
     "length_m": 0.84,
-    "barrel_m": 0.33,          // from the end to the taper, where hoop modes live
-    "radius_m": 0.0333,        // for the drawing of points only
+    "barrel_m": 0.33,          // from the end to the taper: the range of hoop modes
+    "radius_m": 0.0333,        // only for the drawing of points
     "mass_kg": 0.85,           // rigid-body line: mass, inertia about the centre of mass, its place
     "inertia_kgm2": 0.045,
     "cm_m": 0.378
@@ -40,19 +40,19 @@ std::string_view synth_example() {
   "modes": [
     {"frequency_hz": 205, "damping_ratio": 0.008, "family": "bending", "order": 1, "angle_deg": 20, "amplitude_per_sqrt_kg": 1.7},
     {"frequency_hz": 2100, "damping_ratio": 0.0025, "family": "hoop", "order": 1, "angle_deg": 12, "amplitude_per_sqrt_kg": 2.7},
-    // residues given directly, sensor by sensor (point by point before that): the shape is not used
+    // residues in place of the shape, sensor by sensor within each point
     {"frequency_hz": 2900, "damping_ratio": 0.003, "family": "hoop", "order": 2, "residue_per_kg": [0.8, -0.8]}
   ],
   "sensors": [
     {"position_m": 0.0508, "angle_deg": 0},
-    {"position_m": 0.0508, "angle_deg": 90, "sign": -1, "gain": 1.0}  // mounted the wrong way round; recorded / true value
+    {"position_m": 0.0508, "angle_deg": 90, "sign": -1, "gain": 1.0}  // opposite direction; recorded / true value
   ],
   "impact": {"position_m": 0.1524, "angle_deg": 20},  // a list of such points: roving hammer
   "pulse": {"kind": "haversine", "width_s": 0.00025, "peak_n": 300, "width_spread": 0.1, "peak_spread": 0.25},  // or halfsine, sine-cubed
   "hits": 5,                   // per point and run
-  "runs": 1,                   // the same hits again with new noise
+  "runs": 1,                   // repetitions of the hits with new noise
   "pretrigger_s": 0.005,       // before the onset; negative: the onset is missed
-  "onset_spread_s": 0.0015,    // added to it at random, so that onsets fall between samples
+  "onset_spread_s": 0.0015,    // random part: onsets fall between samples
   "noise": {"force": 0.0001, "accel": 0.001},  // standard deviations: of the largest force, of each channel's RMS
   "recorder": {
     "force_gain": 1.0,

@@ -14,12 +14,12 @@ namespace {
 
 using Complex = std::complex<double>;
 constexpr double kPi = std::numbers::pi;
-constexpr double kForgotten = 42;  // a decay below e^−42 = 6e-19 is over
+constexpr double kDecayExponent = 42;  // a decay is truncated below e^−42 = 6e-19
 
-/// The pulse's shape as Σ re·cos(m W t) + im·sin(m W t), m counting multiples of W = π/width.
+/// A term of the pulse's shape Σ re·cos(m W t) + im·sin(m W t), W = π/width.
 struct Harmonic {
   double multiple;
-  Complex amplitude;  // of e^{j m W t}; its conjugate partner stands in the list as well
+  Complex amplitude;  // of e^{j m W t}; the list holds its conjugate as well
 };
 
 std::vector<Harmonic> harmonics(PulseKind kind) {
@@ -40,7 +40,7 @@ double unit_pulse(PulseKind kind, double fraction) {
   return kind == PulseKind::halfsine ? s : kind == PulseKind::haversine ? s * s : s * s * s;
 }
 
-/// (e^a − e^b)/(a − b), also where a and b nearly meet.
+/// (e^a − e^b)/(a − b), accurate also for a ≈ b.
 Complex divided_exponential(Complex a, Complex b) {
   const Complex z = a - b;
   if (std::abs(z) > 0.5) return (std::exp(a) - std::exp(b)) / z;
@@ -49,7 +49,7 @@ Complex divided_exponential(Complex a, Complex b) {
   return std::exp(b) * sum;
 }
 
-/// A mode's pole in 1/sample and the factor c of its acceleration's regular part 2 Re(c e^{λt}).
+/// The pole of a mode in 1/sample, and the factor c of the regular part 2 Re(c e^{λt}) of its acceleration.
 struct SampledPole {
   Complex lambda, factor;
   SampledPole(const SynthPole& pole, double fs_Hz) {
@@ -77,7 +77,7 @@ struct SampledPulse {
   }
 };
 
-/// Samples around the pulse, first <= n < last, where the filter sees it.
+/// The samples first <= n < last that depend on the pulse through the filter.
 struct Zone {
   long first, last;
   explicit Zone(const SampledPulse& p)
@@ -85,8 +85,8 @@ struct Zone {
         last(static_cast<long>(std::ceil(p.end + kFilterHalfWidth)) + 1) {}
 };
 
-/// Filtered force (unit peak) and, per pole, the filtered modal response while the pulse acts, for the zone's samples n
-/// in [a, b).
+/// The filtered force (unit peak) and, per pole, the filtered modal response during the pulse, for samples n in [a, b)
+/// of the zone.
 struct DuringPulse {
   std::vector<double> force;
   std::vector<std::vector<Complex>> modal;
@@ -114,15 +114,15 @@ DuringPulse during_pulse(const SampledPulse& pulse, const std::vector<SampledPol
   return out;
 }
 
-/// Z[i] = ∫_{−reach}^{v} b(u) e^{λ(v−u)} du at v = zone.first + i − end: what the filter makes of a decay that starts
-/// at the pulse's end. One panel per sample, carried on by Z(v + 1) = e^λ Z(v) + new panel, which damps its own
-/// rounding errors.
+/// Z[i] = ∫_{−reach}^{v} b(u) e^{λ(v−u)} du at v = zone.first + i − end: the filtered decay that starts at the end of
+/// the pulse. There is one panel per sample. The recursion Z(v + 1) = e^λ Z(v) + new panel damps its own rounding
+/// errors.
 std::vector<std::vector<Complex>> after_pulse(const SampledPulse& pulse, const std::vector<SampledPole>& poles,
                                               const Zone& zone) {
   const auto size = static_cast<std::size_t>(zone.last - zone.first);
   std::vector<std::vector<Complex>> out(poles.size(), std::vector<Complex>(size));
   const auto v_of = [&](std::size_t i) { return static_cast<double>(zone.first) + static_cast<double>(i) - pulse.end; };
-  // A panel spans [from, from + width]: one sample, less where the filter begins and ends.
+  // A panel spans [from, from + width]: one sample, or less where the filter begins and ends.
   const auto from_of = [&](std::size_t i) { return std::max(v_of(i) - 1, -kFilterHalfWidth); };
   const auto width_of = [&](std::size_t i) { return std::max(0.0, std::min(v_of(i), kFilterHalfWidth) - from_of(i)); };
   std::vector<std::array<double, kGaussNodes>> kernel(size);
@@ -134,7 +134,7 @@ std::vector<std::vector<Complex>> after_pulse(const SampledPulse& pulse, const s
   }
   for (std::size_t r = 0; r < poles.size(); ++r) {
     const Complex step = std::exp(poles[r].lambda);
-    std::array<Complex, kGaussNodes> decay;  // from a panel's nodes to its v, the same in all whole panels
+    std::array<Complex, kGaussNodes> decay;  // from the nodes of a panel to its v; the same in all full panels
     double decay_width = -1;
     Complex z = 0;
     for (std::size_t i = 0; i < size; ++i) {
@@ -152,10 +152,10 @@ std::vector<std::vector<Complex>> after_pulse(const SampledPulse& pulse, const s
   return out;
 }
 
-/// Appends Re(start·e^{λ n}) for n = skip, skip + 1, … until it is e^−42 of the peak, at most `most` values; each from
-/// two exponentials, so that errors do not grow with n.
+/// Appends Re(start·e^{λ n}) for n = skip, skip + 1, … until it is e^−42 of the peak, but at most `most` values. Each
+/// value is a product of two exponentials, so errors do not grow with n.
 void append_decay(Complex start, Complex lambda, double skip, double peak, double most, std::vector<double>& to) {
-  const double size = std::log(std::abs(start) / (std::abs(peak) + 1e-300) + 1e-300) + kForgotten;
+  const double size = std::log(std::abs(start) / (std::abs(peak) + 1e-300) + 1e-300) + kDecayExponent;
   const auto count = static_cast<std::size_t>(std::clamp(std::ceil(size / -lambda.real() - skip), 0.0, most));
   constexpr std::size_t kBlock = 256;
   std::array<Complex, kBlock> powers;
@@ -187,7 +187,7 @@ PulseSupport pulse_support(const Pulse& pulse, double fs_Hz, std::span<const Syn
   const Zone zone(SampledPulse(pulse, fs_Hz));
   double longest = 0;
   for (const SynthPole& pole : poles) {
-    longest = std::max(longest, (kForgotten + kLargest) * fs_Hz / (2 * kPi * pole.freq_Hz * pole.damping_ratio));
+    longest = std::max(longest, (kDecayExponent + kLargest) * fs_Hz / (2 * kPi * pole.freq_Hz * pole.damping_ratio));
   }
   return {static_cast<double>(zone.first), static_cast<double>(zone.last) + longest};
 }
@@ -214,7 +214,7 @@ PulseBasis pulse_basis(const Pulse& pulse, double fs_Hz, std::span<const SynthPo
       const Complex filtered_decay = after[r][static_cast<std::size_t>(a - zone.first) + i] * at_end;
       out.regular_N[r].push_back((scale * (during.modal[r][i] + filtered_decay)).real());
     }
-    // From the zone's last sample on: a pure exponential.
+    // From the last sample of the zone on the response is a pure exponential.
     const auto skip = static_cast<double>(b - (zone.last - 1));
     append_decay(scale * after[r].back() * at_end, lines[r].lambda, skip, pulse.peak_N,
                  static_cast<double>(range_last - b), out.regular_N[r]);

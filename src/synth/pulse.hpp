@@ -7,7 +7,7 @@
 
 namespace percuss::synth {
 
-/// A force pulse f(t) = peak·p(t − onset), 0 outside its width.
+/// A force pulse f(t) = peak·p(t − onset), zero outside its width.
 struct Pulse {
   PulseKind kind = PulseKind::haversine;
   double onset_s = 0;
@@ -20,8 +20,8 @@ struct SynthPole {
   double damping_ratio = 0;
 };
 
-/// What one pulse leaves in the samples of a record; element i of an array belongs to sample first + i, beyond its end
-/// is zero.
+/// The contribution of one pulse to the samples of a record. Element i of an array belongs to sample first + i; samples
+/// beyond its end are zero.
 struct PulseBasis {
   std::size_t first = 0;
   std::vector<double> force_N;  // filtered force
@@ -29,21 +29,20 @@ struct PulseBasis {
       regular_N;  // [pole]: acceleration of a mode of residue 1/kg is force + regular, in m/s²
 };
 
-/// The pulse at t seconds after its onset, N; and its integral over all time, N s.
+/// The force at t_s after the onset, and the integral of the force over all time.
 double pulse_force_N(const Pulse& pulse, double t_s);
 double pulse_impulse_Ns(const Pulse& pulse);
 
-/// The samples [first, last) of a record that a pulse touches at all: before and after them its basis is empty. A
-/// bound, cheap.
+/// An inexpensive bound of the samples [first, last) of a record to which a pulse contributes.
 struct PulseSupport {
   double first, last;
 };
 PulseSupport pulse_support(const Pulse& pulse, double fs_Hz, std::span<const SynthPole> poles);
 
-/// Samples first … first + count − 1 of (filter ∗ force) and (filter ∗ modal response ∗ force), from closed forms:
-/// Gauss–Legendre panels over the pulse and the filter's support, where the integrands are entire; one exact
-/// exponential per pole afterwards, cut when it is below e^−42 of the peak. errors  none: frequency in (0, fs], damping
-/// ratio in (0, 0.5], width > 0 are preconditions.
+/// Computes samples first … first + count − 1 of (filter ∗ force) and (filter ∗ modal response ∗ force). Within the
+/// pulse and the filter's support the integrands are entire functions, integrated on Gauss–Legendre panels. After that
+/// each pole has one exact exponential, truncated below e^−42 of the peak. Preconditions: frequency in (0, fs], damping
+/// ratio in (0, 0.5], width > 0. errors  none.
 PulseBasis pulse_basis(const Pulse& pulse, double fs_Hz, std::span<const SynthPole> poles, std::size_t first,
                        std::size_t count);
 

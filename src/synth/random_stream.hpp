@@ -6,10 +6,10 @@
 
 namespace percuss::synth {
 
-/// Random numbers that are the same with every standard library: the 64-bit Mersenne twister (its output is part of the
-/// C++ standard), 53-bit uniforms, and normals by Box and Muller's transform
+/// Random numbers that are the same with every standard library: the 64-bit Mersenne twister (the C++ standard
+/// specifies its output), 53-bit uniforms, and normals by the Box–Muller transform
 ///   √(−2 ln(1 − U₁)) (cos 2πU₂, sin 2πU₂)                                  (1)
-/// A stream is named by integers (seed, purpose, row, channel, …), so that what one row draws never depends on another.
+/// Integers (seed, purpose, row, channel, …) name a stream, so the numbers of one row never depend on another row.
 class RandomStream {
  public:
   explicit RandomStream(std::initializer_list<std::uint64_t> name);

@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kLongestText = std::size_t{4} << 20;
 constexpr int kMaxDepth = 6;
 
-/// A word out of a short list.
+/// Reads a word of a short list.
 template <class Enum>
 void read_word(StrictObject& object, const std::string& key, std::initializer_list<std::pair<const char*, Enum>> words,
                Enum& to) {
@@ -116,7 +116,7 @@ void read_fault(StrictObject& o, SynthFault& to) {
              {"late", Kind::late},
              {"reversed", Kind::reversed}},
             to.kind);
-  // What a kind of fault does not use is an unknown key.
+  // A key that this kind of fault does not use counts as unknown.
   if (to.kind == Kind::double_hit || to.kind == Kind::weak) o.read("ratio", to.ratio);
   if (to.kind == Kind::double_hit || to.kind == Kind::late) o.read("delay_s", to.delay_s);
 }
@@ -134,7 +134,7 @@ void read_length(StrictObject& o, SynthSpec& to) {
   o.read("duration_s", duration_s);
   const double samples = std::round(duration_s * to.fs_Hz);
   if (!(samples >= 0 && samples <= 1e15))
-    o.fail("absurd together with fs_hz", "duration_s", "give a length in seconds");
+    o.fail("too many samples at this fs_hz", "duration_s", "give a length in seconds");
   to.samples = static_cast<std::size_t>(samples);
 }
 
@@ -157,7 +157,7 @@ void read_band(StrictObject& o, SynthSpec& to) {
   to.band_high_Hz = band[1];
 }
 
-/// The items of a list, which replace those that were there.
+/// Reads the items of a list, which replace the previous items.
 template <class Item>
 void read_items(StrictObject& o, const std::string& key, std::vector<Item>& to, void (*read)(StrictObject&, Item&)) {
   if (o.has(key)) to.clear();
@@ -191,7 +191,7 @@ void read_document(StrictObject& o, SynthSpec& spec) {
 
 SynthSpec parse_synth_spec(std::string_view text, std::string_view where) {
   const std::string place(where);
-  if (text.size() > kLongestText) throw InputError("longer than 4 MiB", place, "is this a synth spec?");
+  if (text.size() > kLongestText) throw InputError("longer than 4 MiB", place, "give a synth spec");
   SynthSpec spec;
   read_strict_json({.text = text, .where = place, .max_depth = kMaxDepth},
                    [&](StrictObject& o) { read_document(o, spec); });

@@ -7,8 +7,8 @@
 
 namespace percuss::synth {
 
-/// A spec from JSON (docs/guides/synth.md; comments are allowed), checked. `where` names the text in messages.
-/// errors  InputError for anything but a valid spec: not JSON, too deep or too long, a key unknown, doubled, missing or
+/// Reads and checks a spec from JSON (docs/guides/synth.md; comments are allowed). `where` names the text in messages.
+/// errors  InputError for an invalid spec: not JSON, too deep or too long, a key that is unknown, repeated, missing or
 /// of the wrong kind, a value out of range.
 SynthSpec parse_synth_spec(std::string_view text, std::string_view where);
 
@@ -16,13 +16,13 @@ struct SynthPreset {
   std::string_view name, text;
 };
 
-/// The specs in fixtures/, built into the program, in order of their names.
+/// The specs in fixtures/, compiled into the library, ordered by name.
 std::span<const SynthPreset> synth_presets();
 
-/// A preset by name. InputError lists the names there are.
+/// Reads a preset by name. errors  InputError with the list of names.
 SynthSpec synth_preset(std::string_view name);
 
-/// A spec with every key in use and a comment on each.
+/// A spec with every key and a comment on each.
 std::string_view synth_example();
 
 }  // namespace percuss::synth

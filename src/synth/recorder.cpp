@@ -10,7 +10,7 @@ namespace percuss::synth {
 namespace {
 
 constexpr std::uint64_t kForceNoiseStream = 2, kAccelNoiseStream = 3;
-constexpr double kHeadroom = 1.5;  // of an automatic full scale over the largest value
+constexpr double kHeadroom = 1.5;  // automatic full scale / largest value
 
 double largest(std::span<const double> values) {
   double out = 0;
@@ -26,7 +26,7 @@ void clip_and_round(double limit, double step, std::span<double> values) {
 }
 
 bool touches(double limit, double step, std::span<const double> values) {
-  // Rounding may have moved a clipped value by half a step.
+  // Quantisation may move a clipped value by half a step.
   return std::any_of(values.begin(), values.end(), [&](double v) { return std::abs(v) >= limit - 0.5 * step; });
 }
 

@@ -13,7 +13,7 @@ struct SynthSamples {
   std::vector<std::vector<std::vector<double>>> accel_mps2;
 };
 
-/// What the recorder's channels can hold; infinite where it does not clip, step 0 where it does not quantise.
+/// The range of the recorder's channels: a limit is infinite without clipping, a step is 0 without quantisation.
 struct RecorderRange {
   double force_limit_N, accel_limit_mps2;
   double force_step_N, accel_step_mps2;
@@ -22,13 +22,12 @@ struct RecorderRange {
 /// The range for a run of clean signals.
 RecorderRange recorder_range(const SynthRecorder& recorder, const SynthSamples& clean);
 
-/// Row `row` (of the whole test, for its own noise) through the recorder, in place: noise, bias and drift, clipping,
-/// steps.
+/// Records one row in place: adds noise, bias and drift, then clips and quantises. `row` counts over the whole test and
+/// selects the noise.
 void record_row(const Truth& truth, const RecorderRange& range, std::size_t row, std::vector<double>& force_N,
                 std::vector<std::vector<double>>& accel_mps2);
 
-/// Flags good hits whose stretch (to the next hit of the row or the row's end) touches the recorder's limits as
-/// "clipped".
+/// Flags a good hit as "clipped" if the signal reaches the recorder's limits before the next hit or the end of the row.
 void flag_clipped(const RecorderRange& range, const SynthSamples& recorded, double fs_Hz, std::vector<TrueHit>& hits);
 
 }  // namespace percuss::synth

@@ -11,7 +11,7 @@ double planned_onset_s(const SynthSpec& spec, std::size_t hit, double random) {
   if (spec.layout == SynthLayout::rows) return spec.pretrigger_s + spec.onset_spread_s * random;
   if (!spec.hit_times_s.empty()) return spec.hit_times_s[hit];
   const double spacing_s = static_cast<double>(spec.samples) / spec.fs_Hz / static_cast<double>(spec.hits);
-  return (static_cast<double>(hit) + 0.2 + 0.3 * random) * spacing_s;  // every hit early in its own share of the time
+  return (static_cast<double>(hit) + 0.2 + 0.3 * random) * spacing_s;  // early in the interval of each hit
 }
 
 void apply(const SynthFault& fault, TrueHit& hit) {

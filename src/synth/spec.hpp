@@ -11,9 +11,9 @@
 
 namespace percuss::synth {
 
-/// A synthetic hammer test, described. Plain data with defaults of a bat test: build it with designated initialisers or
-/// read it from JSON (read_spec.hpp; the key of each member is its name in lower case, docs/guides/synth.md). Positions are
-/// from the barrel's end, angles around the barrel.
+/// The description of a synthetic hammer test. The defaults describe a bat test. Build it with designated initialisers
+/// or read it from JSON (read_spec.hpp; the key of each member is its name in lower case, docs/guides/synth.md).
+/// Positions count from the barrel's end, angles around the barrel.
 
 enum class SynthFamily { bending, hoop };
 enum class SynthLayout { rows, continuous };               // one hit per row, or one long row with every hit of a run
@@ -27,14 +27,14 @@ struct SynthMode {
   int order = 1;                         // bending: of the free-free beam; hoop: axial half-waves
   double angle_rad = 0;                  // plane of bending; an antinode of the hoop pattern
   double amplitude_per_sqrt_kg = 1;      // mass-normalised shape: at the tip (bending), at the antinode (hoop)
-  std::vector<double> residue_per_kg{};  // [points × sensors], given directly: wins over the shape
+  std::vector<double> residue_per_kg{};  // [points × sensors]; replaces the shape
 };
 
 struct SynthSensor {
   double position_m = 2 * kInch_m;
   double angle_rad = 0;
-  double sign = 1;  // −1: mounted the wrong way round
-  double gain = 1;  // recorded value over true value: 0.98 reads 2 % low
+  double sign = 1;  // −1: mounted in the opposite direction
+  double gain = 1;  // recorded / true value: 0.98 reads 2 % low
 };
 
 struct SynthPoint {
@@ -42,15 +42,15 @@ struct SynthPoint {
   double angle_rad = 0;
 };
 
-/// A free bat: m, kg and kg m² about the centre of mass.
+/// A free bat. The inertia is about the centre of mass.
 struct SynthStructure {
   double length_m = 0.84;
-  double barrel_m = 13 * kInch_m;  // from the end to the taper: where hoop modes live
-  double radius_m = 0.0333;        // for the drawing of points only
+  double barrel_m = 13 * kInch_m;  // from the end to the taper: the range of the hoop modes
+  double radius_m = 0.0333;        // only for the drawing of points
   double mass_kg = 0.85;
   double inertia_kgm2 = 0.045;
   double cm_m = 0.378;
-  std::vector<double> rigid_line_per_kg{};  // [points × sensors], given directly: wins over mass, inertia and cm
+  std::vector<double> rigid_line_per_kg{};  // [points × sensors]; replaces mass, inertia and cm
 };
 
 struct SynthPulse {
@@ -67,7 +67,7 @@ struct SynthNoise {
   double accel = 0;  // of the channel's RMS over the test
 };
 
-/// What a recorder does to the signals after its filter, in this order: gain, noise, bias and drift, clipping,
+/// The effects of a recorder on the signals after its filter, in this order: gain, noise, bias and drift, clipping,
 /// quantisation.
 struct SynthRecorder {
   double force_gain = 1;  // recorded force over true force
@@ -81,7 +81,7 @@ struct SynthRecorder {
   std::optional<double> accel_range_mps2{};
 };
 
-/// Something wrong with one hit. `hit` counts from 0 over the hits of a run (point by point).
+/// A fault of one hit. `hit` counts from 0 over the hits of a run (point by point).
 struct SynthFault {
   std::size_t hit = 0;
   SynthFaultKind kind = SynthFaultKind::double_hit;
@@ -96,15 +96,15 @@ struct SynthSpec {
   std::size_t samples = 25600;  // per row
   SynthLayout layout = SynthLayout::rows;
   std::uint64_t seed = 0;
-  double band_low_Hz = 60, band_high_Hz = 3200;  // what an analysis is held to
+  double band_low_Hz = 60, band_high_Hz = 3200;  // band of the analysis
   SynthStructure structure{};
   std::vector<SynthMode> modes{};
   std::vector<SynthSensor> sensors{{}, {.angle_rad = std::numbers::pi / 2}};
   std::vector<SynthPoint> points{{}};  // several: roving hammer
   SynthPulse pulse{};
   std::size_t hits = 5;               // per point and run
-  std::size_t runs = 1;               // the same hits again with new noise
-  double pretrigger_s = 0.005;        // from a row's start to the onset; negative: the onset is missed
+  std::size_t runs = 1;               // repetitions of the hits with new noise
+  double pretrigger_s = 0.005;        // from the start of a row to the onset; negative: the row misses the onset
   double onset_spread_s = 0.0015;     // added to it, uniform from 0: onsets fall between samples
   std::vector<double> hit_times_s{};  // continuous: onsets; empty: spread evenly, with jitter
   SynthNoise noise{};
@@ -112,8 +112,8 @@ struct SynthSpec {
   std::vector<SynthFault> faults{};
 };
 
-/// Throws InputError naming the key and `where`, unless the spec can be synthesised: finite, physical, of a size that
-/// fits in memory.
+/// Checks that the spec is finite, physical and small enough for memory.
+/// errors  InputError with the key and `where`.
 void check(const SynthSpec& spec, std::string_view where = "synth spec");
 
 }  // namespace percuss::synth

@@ -5,7 +5,7 @@
 namespace percuss::synth {
 namespace {
 
-/// n-th positive root of cos β = 1/cosh β, by Newton's method from its asymptote (n + 1/2)π.
+/// The n-th positive root of cos β = 1/cosh β, by Newton's method from its asymptote (n + 1/2)π.
 double free_beam_root(int n) {
   double beta = (n + 0.5) * std::numbers::pi;
   for (int i = 0; i < 8; ++i) {
@@ -20,7 +20,7 @@ double free_beam_root(int n) {
 double free_beam_shape(int n, double x) {
   const double beta = free_beam_root(n);
   const double decay = std::exp(-beta);
-  // k = 1 + tip·2e^−β/(1 − e^−2β − 2e^−β sin β), which leaves cosh βx − k sinh βx = e^−βx − (k − 1) sinh βx without
+  // k = 1 + tip·2e^−β/(1 − e^−2β − 2e^−β sin β) gives cosh βx − k sinh βx = e^−βx − (k − 1) sinh βx without
   // cancellation.
   const double tip = decay + std::sin(beta) - std::cos(beta);
   const double scale = 1 / (1 - decay * decay - 2 * decay * std::sin(beta));

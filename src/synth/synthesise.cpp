@@ -29,7 +29,7 @@ Truth planned_truth(const SynthSpec& spec) {
   return truth;
 }
 
-/// Adds what a hit does to its row: force with the recorder's gain, accelerations as (1) of the header says.
+/// Adds the contribution of a hit to its row: the force with the gain of the recorder, and the accelerations by (1).
 void add_hit(const Truth& truth, const TrueHit& hit, std::vector<double>& force_N,
              std::vector<std::vector<double>>& accel_mps2) {
   const SynthSpec& spec = truth.spec;
@@ -85,7 +85,7 @@ void measure_noise(const SynthSamples& clean, Truth& truth) {
   }
 }
 
-/// The clean run as many times as there are runs, each with noise of its own.
+/// Repeats the clean run, each time with its own noise.
 SynthSamples recorded_runs(SynthSamples clean, const Truth& truth, const RecorderRange& range, std::size_t threads) {
   const std::size_t rows = clean.force_N.size();
   SynthSamples out = std::move(clean);

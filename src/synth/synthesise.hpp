@@ -10,11 +10,11 @@
 
 namespace percuss::synth {
 
-/// One hit as it truly was.
+/// The true parameters of one hit.
 struct TrueHit {
   std::size_t row = 0;
   std::size_t point = 0;
-  double onset_s = 0;  // from the row's start
+  double onset_s = 0;  // from the start of the row
   double width_s = 0;
   double peak_N = 0;          // 0: no pulse
   std::string flag = "good";  // good, double, weak, missing, late, reversed, clipped
@@ -23,25 +23,25 @@ struct TrueHit {
   bool reversed = false;  // the force is recorded with the wrong sign
 };
 
-/// Standard deviations that no unbiased estimator beats: known force, white noise on the accelerations, unknown f, ζ,
-/// residues and rigid-body line; all hits of one run.
+/// The smallest standard deviations of an unbiased estimator from all hits of one run. The force is known, the
+/// accelerations have white noise, and f, ζ, residues and rigid-body line are unknown.
 struct CramerRaoBound {
   std::vector<double> freq_std_Hz;
   std::vector<double> damping_ratio_std;
 };
 
-/// What the record was made from. Accelerance, [point][channel]:
+/// The exact parameters of a record. Accelerance, [point][channel]:
 ///   H(ω) = rigid + Σ_r residue_r (−ω²)/(ω_r² − ω² + 2jζ_rω_rω), unit 1/kg                       (1)
-/// Residues and rigid line carry the sensors' signs and all gains, so that (1) is the FRF of the signals as recorded.
+/// Residues and rigid line include the sensors' signs and all gains: (1) is the FRF of the recorded signals.
 struct Truth {
   SynthSpec spec;
   std::vector<std::vector<std::vector<double>>> residue_per_kg;  // [point][channel][mode], modes as in spec.modes
   std::vector<std::vector<double>> rigid_per_kg;                 // [point][channel]
-  std::vector<TrueHit> hits;                                     // of one run; the others repeat them
+  std::vector<TrueHit> hits;                                     // of one run; every run repeats them
   std::vector<double> accel_noise_mps2;                          // [channel], standard deviation
   std::vector<double> accel_clean_rms_mps2;                      // [channel]
   double force_noise_N = 0;
-  std::optional<CramerRaoBound> bound;  // where there is noise on every acceleration
+  std::optional<CramerRaoBound> bound;  // present with noise on every acceleration
 };
 
 struct SyntheticTest {
@@ -49,10 +49,9 @@ struct SyntheticTest {
   Truth truth;
 };
 
-/// The hammer test of `spec` as a record in memory (one row per hit; continuous: one row per run), with exactly known
-/// truth: closed-form modal responses, both signals through one linear-phase anti-alias filter, so that their FRF is
-/// (1) below 0.44 fs. Equal spec and seed give equal samples on any number of threads. Throws InputError as check()
-/// does.
+/// Synthesises the hammer test of `spec` as a record (one row per hit; continuous: one row per run) with exact truth.
+/// The modal responses are closed forms. One linear-phase anti-alias filter acts on both signals, so their FRF is (1)
+/// below 0.44 fs. Equal spec and seed give equal samples on any number of threads. errors  InputError like check().
 SyntheticTest synthesise(const SynthSpec& spec, std::size_t threads = 0);
 
 /// (1) at the given frequencies.

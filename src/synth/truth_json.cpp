@@ -30,7 +30,7 @@ void add_modes(const Truth& truth, ordered_json& out) {
   out["in_band"] = each(
       spec.modes, [&](const SynthMode& m) { return m.freq_Hz > spec.band_low_Hz && m.freq_Hz < spec.band_high_Hz; });
   out["band_hz"] = {spec.band_low_Hz, spec.band_high_Hz};
-  // [channel][mode] for one point, [point][mode] for one sensor, [point][channel][mode] else.
+  // [channel][mode] for one point, [point][mode] for one sensor, [point][channel][mode] otherwise.
   const auto first_of = [](const auto& per_channel) { return per_channel.front(); };
   if (spec.points.size() == 1) {
     out["A"] = truth.residue_per_kg.front();

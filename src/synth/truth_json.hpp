@@ -5,8 +5,7 @@
 
 namespace percuss::synth {
 
-/// The truth as a document "percuss/synth-truth/1" (docs/guides/synth.md): what a record was made from, beside which an
-/// analysis is held.
+/// The truth as a document "percuss/synth-truth/1" (docs/guides/synth.md), for comparison with an analysis.
 std::string truth_json(const Truth& truth);
 
 }  // namespace percuss::synth

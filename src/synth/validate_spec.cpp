@@ -12,7 +12,7 @@ namespace {
 constexpr double kMaxValues = 1U << 28;  // samples of all signals together: 2 GiB
 constexpr double kLarge = 1e12;          // beyond any force, acceleration or ratio of a hammer test
 
-/// A spec under examination and what to call it in messages.
+/// A spec and its name in messages.
 class Checker {
  public:
   Checker(const SynthSpec& checked, std::string_view place) : spec(checked), where(place) {}

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "acquire/formats/hdf5/write_hdf5.hpp"
+#include "acquire/open_measurement.hpp"
 #include "model/impact/ball_on_beam.hpp"
 #include "support/json_schema.hpp"
 #include "support/percuss_process.hpp"

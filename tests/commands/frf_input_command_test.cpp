@@ -184,7 +184,7 @@ TEST_F(FrfInput, IsRefusedWhereARecordIsNeededOrASoundIsWanted) {
   EXPECT_THAT(record.err, HasSubstr("it holds FRFs, and records of time are needed here"));
   const auto sound = run_percuss({"convert", file("accelerance.csv"), file("frfs.wav")});
   EXPECT_EQ(sound.code, 2);
-  EXPECT_THAT(sound.err, HasSubstr("FRFs are no sound"));
+  EXPECT_THAT(sound.err, HasSubstr("cannot hold FRFs"));
 }
 
 }  // namespace percuss::frf_input_command_test

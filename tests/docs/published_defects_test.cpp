@@ -7,9 +7,9 @@
 #include <cmath>
 #include <variant>
 
+#include "acquire/open_measurement.hpp"
 #include "core/units.hpp"
-#include "frf/convert.hpp"
-#include "frf/formats/frf_record.hpp"
+#include "frf/frf_record.hpp"
 #include "frf/windows.hpp"
 #include "identify/start/lscf.hpp"
 #include "pipeline/analysis.hpp"

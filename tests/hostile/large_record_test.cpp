@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "acquire/open_measurement.hpp"
 #include "pipeline/analysis.hpp"
 #include "support/json.hpp"
 #include "support/percuss_process.hpp"

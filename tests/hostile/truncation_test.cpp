@@ -1,8 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "acquire/open_measurement.hpp"
 #include "core/error.hpp"
-#include "frf/formats/frf_record.hpp"
+#include "frf/frf_record.hpp"
 #include "support/scratch_folder.hpp"
 #include "targets.hpp"
 

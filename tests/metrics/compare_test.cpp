@@ -29,20 +29,20 @@ TEST(PairModes, PairsTheNearestInOrder) {
   EXPECT_NEAR(paired.pairs[0].difference_percent, 100 * 5 / 165.0, 1e-9);
 }
 
-TEST(PairModes, PairsMoreRatherThanNearer) {
+TEST(PairModes, MaximisesTheNumberOfPairs) {
   // 108 is nearest to 110, but then 100 has no partner.
   EXPECT_THAT(indices(pair_modes(of({100, 108}), of({110, 125}))),
               ElementsAre(testing::Pair(0, 0), testing::Pair(1, 1)));
 }
 
-TEST(PairModes, LeavesAloneWhatIsTooFarOrOfAnotherFamily) {
+TEST(PairModes, SkipsDistantModesAndOtherFamilies) {
   EXPECT_THAT(indices(pair_modes(of({100}), of({200}))), IsEmpty());
   EXPECT_THAT(indices(pair_modes(of({1900}, "hoop"), of({1905}, "bending"))), IsEmpty());
   EXPECT_THAT(indices(pair_modes(of({1900}, "hoop"), of({1905}, "unknown"))), ElementsAre(testing::Pair(0, 0)));
 }
 
 // Of a double peak the first is quoted: that one is compared, even where the second would be near enough to pair.
-TEST(PairModes, TakesTheQuotedOneOfADoublePeak) {
+TEST(PairModes, PairsTheFirstOfAClosePair) {
   ComparedDocument doublet = of({1900, 1912}, "hoop");
   doublet.modes[1].second = true;
   EXPECT_THAT(indices(pair_modes(doublet, of({2100}, "hoop"))), ElementsAre(testing::Pair(0, 0)));
@@ -52,13 +52,13 @@ TEST(PairModes, TakesTheQuotedOneOfADoublePeak) {
   EXPECT_THAT(indices(pair_modes(doublet, doublet)), ElementsAre(testing::Pair(0, 0), testing::Pair(1, 1)));
 }
 
-TEST(PairModes, LeavesRigidBodiesOut) {
+TEST(PairModes, SkipsRigidBodyModes) {
   const PairedModes paired = pair_modes(of({0, 0, 100}), of({101}));
   EXPECT_THAT(indices(paired), ElementsAre(testing::Pair(2, 0)));
   EXPECT_THAT(paired.unpaired_a, IsEmpty());
 }
 
-TEST(PairModes, GoesByShapeWhereThereIsOne) {
+TEST(PairModes, PairsByShapeWherePossible) {
   ComparedDocument a = of({100, 104}), b = of({101, 103});
   const auto shape = [](double x, double y, double z) {
     return std::map<std::pair<int, int>, ComparedMode::Component>{

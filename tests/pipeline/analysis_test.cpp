@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/error.hpp"
+#include "pipeline/run_analyses.hpp"
 #include "report/json/analysis_json.hpp"
 #include "support/input_error.hpp"
 #include "synth/synthesise.hpp"

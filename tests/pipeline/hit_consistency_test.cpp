@@ -1,4 +1,4 @@
-#include "pipeline/hit_consistency.hpp"
+#include "pipeline/hits/hit_consistency.hpp"
 
 #include <gtest/gtest.h>
 

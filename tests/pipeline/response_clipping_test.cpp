@@ -1,4 +1,4 @@
-#include "pipeline/response_clipping.hpp"
+#include "pipeline/hits/response_clipping.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "acquire/open_measurement.hpp"
 #include "acquire/write_record.hpp"
 #include "cell.hpp"
 #include "support/scratch_folder.hpp"

@@ -19,7 +19,7 @@ SynthSpec single_mode() {
   return spec;
 }
 
-TEST(CramerRaoBound, OfOneLightlyDampedModeIsTheTextbookOne) {
+TEST(CramerRaoBound, MatchesTheTextbookForOneLightlyDampedMode) {
   // A decay a e^−σt cos(ωt + φ), φ known, seen until it is over in white noise s at interval Δ: the Fisher matrix of
   // (a, σ, ω) gives
   //   var ω = 8σ³ s²Δ/a²,  var σ = 16σ³ s²Δ/a²
@@ -37,7 +37,7 @@ TEST(CramerRaoBound, OfOneLightlyDampedModeIsTheTextbookOne) {
   EXPECT_LE(std::abs(test.truth.bound->damping_ratio_std[0] / (scale * std::sqrt(2) / omega) - 1), kTolerance);
 }
 
-TEST(CramerRaoBound, FallsWithTheRootOfHits) {
+TEST(CramerRaoBound, FallsWithTheRootOfTheNumberOfHits) {
   SynthSpec spec = single_mode();
   spec.pulse.peak_spread = 0;
   spec.pulse.width_spread = 0;
@@ -48,7 +48,7 @@ TEST(CramerRaoBound, FallsWithTheRootOfHits) {
   EXPECT_LE(std::abs(synthesise(spec).truth.bound->freq_std_Hz[0] * 2 / one - 1), kTolerance);
 }
 
-TEST(CramerRaoBound, OfPointsAddsLikeThatOfHits) {
+TEST(CramerRaoBound, CombinesPointsLikeHits) {
   SynthSpec spec = single_mode();
   spec.pulse = {.width_spread = 0, .peak_spread = 0};
   spec.onset_spread_s = 0;
@@ -59,7 +59,7 @@ TEST(CramerRaoBound, OfPointsAddsLikeThatOfHits) {
   EXPECT_LE(std::abs(synthesise(spec).truth.bound->freq_std_Hz[0] * std::sqrt(2) / one - 1), kTolerance);
 }
 
-TEST(CramerRaoBound, SaysSoWhereAModeIsNotSeen) {
+TEST(CramerRaoBound, IsHugeForAModeThatNoSensorMeasures) {
   SynthSpec spec = single_mode();
   spec.modes.push_back({.freq_Hz = 1500, .damping_ratio = 0.002, .residue_per_kg = {0}});
   const CramerRaoBound bound = *synthesise(spec).truth.bound;

@@ -39,7 +39,7 @@ double largest(const std::vector<double>& x) {
   return out;
 }
 
-TEST(DoubleHit, AddsASecondPulseAtTheDelayAskedFor) {
+TEST(DoubleHit, AddsASecondPulseAfterTheDelay) {
   SynthSpec spec = bat();
   const SyntheticTest good = synthesise(spec);
   spec.faults = {{.hit = 1, .kind = SynthFaultKind::double_hit, .ratio = 0.35, .delay_s = 0.0121}};
@@ -89,7 +89,7 @@ TEST(LateTrigger, StartsTheRowAfterTheOnset) {
   EXPECT_GT(largest(accel(test, 1)), 10);
 }
 
-TEST(ReversedHit, TurnsTheForceButNotTheResponse) {
+TEST(ReversedHit, ReversesOnlyTheForce) {
   SynthSpec spec = bat();
   const SyntheticTest good = synthesise(spec);
   spec.faults = {{.hit = 1, .kind = SynthFaultKind::reversed}};
@@ -98,7 +98,7 @@ TEST(ReversedHit, TurnsTheForceButNotTheResponse) {
   EXPECT_DOUBLE_EQ(force(test, 1)[140], -force(good, 1)[140]);
 }
 
-TEST(Recorder, ClipsAtItsLevelAndFlagsTheHit) {
+TEST(Recorder, ClipsAtItsLimitAndFlagsTheHit) {
   SynthSpec spec = bat();
   spec.pulse.peak_spread = 0;
   spec.faults = {{.hit = 1, .kind = SynthFaultKind::weak, .ratio = 0.5}};
@@ -145,7 +145,7 @@ TEST(Schedule, JittersWithinItsBounds) {
   }
 }
 
-TEST(RandomStream, IsTheSameForTheSameNameOnly) {
+TEST(RandomStream, DependsOnItsNameOnly) {
   RandomStream a{1, 2}, again{1, 2}, swapped{2, 1};
   const double first = a.uniform();
   EXPECT_EQ(first, again.uniform());

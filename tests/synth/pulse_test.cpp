@@ -53,7 +53,7 @@ TEST_P(EveryPulse, ImpulseIsTheIntegralOfItsForce) {
   EXPECT_EQ(pulse_force_N(pulse, 10.001), 0);
 }
 
-TEST_P(EveryPulse, KeepsItsImpulseThroughTheFilter) {
+TEST_P(EveryPulse, KeepsItsImpulseInTheFilter) {
   const Pulse pulse{GetParam(), 0.0051337, 0.35e-3, 250};
   const PulseBasis basis = pulse_basis(pulse, kFs_Hz, {}, 0, 1024);
   const double sum = std::accumulate(basis.force_N.begin(), basis.force_N.end(), 0.0) / kFs_Hz;
@@ -62,7 +62,7 @@ TEST_P(EveryPulse, KeepsItsImpulseThroughTheFilter) {
   EXPECT_LE(std::abs(sum / pulse_impulse_Ns(pulse) - 1), kTolerance);
 }
 
-TEST_P(EveryPulse, IsWhatBruteForceConvolutionGives) {
+TEST_P(EveryPulse, MatchesANumericalConvolution) {
   const double onset = 130.37, width = 7.7;  // samples
   const Pulse pulse{GetParam(), onset / kFs_Hz, width / kFs_Hz, 1};
   const SynthPole pole{1900, 0.02};
@@ -99,7 +99,7 @@ std::string name_of(const testing::TestParamInfo<PulseKind>& parameter) {
 INSTANTIATE_TEST_SUITE_P(Pulse, EveryPulse,
                          testing::Values(PulseKind::halfsine, PulseKind::haversine, PulseKind::sine_cubed), name_of);
 
-TEST(Pulse, LeavesPureExponentialsBehind) {
+TEST(Pulse, LeavesPureExponentials) {
   const SynthPole pole{575, 0.006};
   const PulseBasis basis = pulse_basis({PulseKind::halfsine, 0.005, 0.4e-3, 300}, kFs_Hz, std::array{pole}, 0, 20000);
   const double omega = kTwoPi * pole.freq_Hz / kFs_Hz, decay = std::exp(-pole.damping_ratio * omega);
@@ -111,7 +111,7 @@ TEST(Pulse, LeavesPureExponentialsBehind) {
   }
 }
 
-TEST(Pulse, CutsADecayOnlyWhereNothingIsLeft) {
+TEST(Pulse, TruncatesADecayOnlyBelowRounding) {
   const PulseBasis basis =
       pulse_basis({PulseKind::halfsine, 0.005, 0.4e-3, 300}, kFs_Hz, std::array{SynthPole{2000, 0.05}}, 0, 20000);
   EXPECT_LT(basis.regular_N[0].size(), 5000U);
@@ -119,7 +119,7 @@ TEST(Pulse, CutsADecayOnlyWhereNothingIsLeft) {
   EXPECT_LE(std::abs(basis.regular_N[0].back()), kForgotten * peak(basis.regular_N[0]));
 }
 
-TEST(Pulse, DoesNotDependOnTheStretchAskedFor) {
+TEST(Pulse, DoesNotDependOnTheRangeOfSamples) {
   const Pulse pulse{PulseKind::haversine, 0.005, 0.3e-3, 300};
   const std::array poles{SynthPole{169, 0.01}, SynthPole{1900, 0.003}};
   const PulseBasis whole = pulse_basis(pulse, kFs_Hz, poles, 0, 4096);
@@ -136,7 +136,7 @@ TEST(Pulse, DoesNotDependOnTheStretchAskedFor) {
   }
 }
 
-TEST(Pulse, BeforeTheFirstSampleStillRings) {
+TEST(Pulse, RingsAfterAnOnsetBeforeTheFirstSample) {
   const std::array poles{SynthPole{169, 0.01}};
   const PulseBasis late = pulse_basis({PulseKind::haversine, -0.02, 0.3e-3, 300}, kFs_Hz, poles, 0, 1024);
   const PulseBasis early = pulse_basis({PulseKind::haversine, 0.02, 0.3e-3, 300}, kFs_Hz, poles, 0, 4096);

@@ -30,7 +30,7 @@ std::string refusal(const std::string& text) {
 
 std::string rejection_of(const std::string& rest) { return refusal(kStart + ", " + rest + "}"); }
 
-TEST(SynthSpec, ReadsWhatItWasTold) {
+TEST(SynthSpec, ReadsEveryKey) {
   const SynthSpec spec = parse_synth_spec(synth_example(), "example");
   EXPECT_EQ(spec.samples, 25600U);
   EXPECT_EQ(spec.modes[1].family, SynthFamily::hoop);
@@ -43,7 +43,7 @@ TEST(SynthSpec, ReadsWhatItWasTold) {
   EXPECT_DOUBLE_EQ(*spec.recorder.force_clip_N, 1000);
 }
 
-TEST(SynthSpec, NamesTheKeyItDoesNotKnow) {
+TEST(SynthSpec, NamesAnUnknownKey) {
   EXPECT_THAT(rejection_of(R"("modes": [], "sampels": 3)"),
               AllOf(HasSubstr("unknown key"), HasSubstr("sampels"), HasSubstr("spec.json")));
   EXPECT_THAT(rejection_of(R"("modes": [{"frequency_hz": 10, "damping_ratio": 0.1, "zeta": 1}])"),
@@ -52,7 +52,7 @@ TEST(SynthSpec, NamesTheKeyItDoesNotKnow) {
               HasSubstr("faults[0].ratio"));
 }
 
-TEST(SynthSpec, RefusesAbsurdValues) {
+TEST(SynthSpec, RefusesImpossibleValues) {
   EXPECT_THAT(refusal(R"({"fs_hz": 1e300, "samples": 1000, "modes": []})"), HasSubstr("fs_hz"));
   EXPECT_THAT(refusal(R"({"fs_hz": 1000, "samples": 1e12, "modes": []})"), HasSubstr("samples"));
   EXPECT_THAT(refusal(R"({"fs_hz": 1000, "samples": -1, "modes": []})"), HasSubstr("samples"));
@@ -73,7 +73,7 @@ TEST(SynthSpec, RefusesAbsurdValues) {
   EXPECT_THAT(rejection_of(R"("modes": [], "hit_times_s": [0.1])"), HasSubstr("hit_times_s"));
 }
 
-TEST(SynthSpec, RefusesWhatIsNotItsKindOfDocument) {
+TEST(SynthSpec, RefusesOtherDocuments) {
   EXPECT_THAT(refusal(""), HasSubstr("not JSON"));
   EXPECT_THAT(refusal("[]"), HasSubstr("not an object"));
   EXPECT_THAT(refusal(R"({"fs_hz": 1)"), AllOf(HasSubstr("not JSON"), HasSubstr("byte")));
@@ -120,7 +120,7 @@ TEST(Presets, AreListedWhenTheNameIsWrong) {
   }
 }
 
-TEST(TruthDocument, HoldsWhatAnAnalysisIsHeldAgainst) {
+TEST(TruthDocument, HoldsTheTrueModes) {
   const SyntheticTest test = synthesise(synth_preset("composite-bat"));
   const auto truth = test::parse_json(truth_json(test.truth));
   EXPECT_EQ(truth["schema"], "percuss/synth-truth/1");
@@ -137,7 +137,7 @@ TEST(TruthDocument, HoldsWhatAnAnalysisIsHeldAgainst) {
   EXPECT_EQ(truth["A"][0][3].get<double>(), test.truth.residue_per_kg[0][0][3]);
 }
 
-TEST(TruthDocument, OfARovingHammerGoesByPoint) {
+TEST(TruthDocument, ListsResiduesByPointForARovingHammer) {
   SynthSpec spec = synth_preset("roving-barrel");
   spec.samples = 1024;
   const auto truth = test::parse_json(truth_json(synthesise(spec).truth));

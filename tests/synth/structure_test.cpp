@@ -18,7 +18,7 @@ TEST(FreeBeam, IsOneAtBothEndsUpToItsSymmetry) {
   }
 }
 
-TEST(FreeBeam, HasItsFirstNodesWhereTextbooksSay) {
+TEST(FreeBeam, HasTheTextbookNodes) {
   constexpr double kTolerance = 5.5e-4;  // half of the fourth digit times a slope of up to β = 11
   EXPECT_LE(std::abs(free_beam_shape(1, 0.2242)), kTolerance);
   EXPECT_LE(std::abs(free_beam_shape(2, 0.1321)), kTolerance);
@@ -54,7 +54,7 @@ SynthSpec bat() {
   return spec;
 }
 
-TEST(Residue, OfTwoSensorsAtARightAngleIsOppositeForHoopAndTangentForBending) {
+TEST(Residue, HasTheRatioOfItsModeTypeForSensorsAtARightAngle) {
   const SynthSpec spec = bat();
   constexpr double kTolerance = 1e-14;
   EXPECT_LE(std::abs(residue_per_kg(spec, 1, 0, 1) / residue_per_kg(spec, 1, 0, 0) + 1), kTolerance);
@@ -72,7 +72,7 @@ TEST(Residue, IsReciprocal) {
   EXPECT_DOUBLE_EQ(rigid_line_per_kg(spec, 0, 0), rigid);
 }
 
-TEST(Residue, CarriesSignAndGainsOfTheRecording) {
+TEST(Residue, IncludesSignAndGains) {
   SynthSpec spec = bat();
   const double plain = residue_per_kg(spec, 0, 0, 0);
   spec.sensors[0].sign = -1;
@@ -89,7 +89,7 @@ TEST(HoopShape, VanishesAtTheEndCapAndBeyondTheBarrel) {
   EXPECT_DOUBLE_EQ(mode_shape_per_sqrt_kg(spec.structure, spec.modes[1], spec.structure.barrel_m / 2, 0.2), 1);
 }
 
-TEST(RigidLine, AtTheCentreOfMassIsOneOverMass) {
+TEST(RigidLine, IsOneOverTheMassAtTheCentreOfMass) {
   SynthSpec spec = bat();
   spec.points = {{.position_m = spec.structure.cm_m, .angle_rad = 0.1}};
   EXPECT_DOUBLE_EQ(rigid_line_per_kg(spec, 0, 0), 1 / spec.structure.mass_kg);

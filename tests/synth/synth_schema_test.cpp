@@ -23,7 +23,7 @@ TEST(SynthSchema, AcceptsEveryPresetAndTheExample) {
   EXPECT_THAT(schema_violations(with_comments(synth_example()), schema), IsEmpty());
 }
 
-TEST(SynthSchema, KnowsTheKeysThatTheReaderKnows) {
+TEST(SynthSchema, HasTheKeysOfTheReader) {
   // A key of the schema that the reader does not know would be refused as unknown; the reverse is in the example, which
   // has them all.
   const json schema = schema_named("synth");

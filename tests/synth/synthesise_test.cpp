@@ -47,7 +47,7 @@ double rms(const std::vector<double>& x) {
   return std::sqrt(std::inner_product(x.begin(), x.end(), x.begin(), 0.0) / static_cast<double>(x.size()));
 }
 
-TEST(Synthesise, RatioOfSpectraIsTheExactAccelerance) {
+TEST(Synthesise, HasTheExactAcceleranceAsItsRatioOfSpectra) {
   const SyntheticTest test = synthesise(bat());
   const auto lines = static_cast<std::size_t>(3500.0 / test.record.fs_Hz * 65536);
   std::vector<double> freq_Hz(lines);
@@ -85,7 +85,7 @@ TEST(Synthesise, DoesNotDependOnThreadsButOnTheSeed) {
   EXPECT_EQ(one.truth.bound->freq_std_Hz, many.truth.bound->freq_std_Hz);
 }
 
-TEST(Synthesise, NoiseHasTheLevelAskedForAndIsWhite) {
+TEST(Synthesise, AddsWhiteNoiseOfTheGivenLevel) {
   SynthSpec spec = bat();
   const SyntheticTest clean = synthesise(spec);
   spec.noise = {.force = 2e-3, .accel = 1e-2};
@@ -159,7 +159,7 @@ TEST(Synthesise, SensorsAreDescribedInTheRecord) {
   EXPECT_DOUBLE_EQ(*record.accel[1].position_m, 0.0508);
 }
 
-TEST(Synthesise, AFreeMassNeedsNoModes) {
+TEST(Synthesise, AcceptsAFreeMassWithoutModes) {
   SynthSpec spec;
   spec.samples = 1024;
   spec.sensors = {{}};

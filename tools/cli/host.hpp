@@ -7,10 +7,10 @@
 #include <variant>
 #include <vector>
 
-#include "frf/formats/frf_record.hpp"
+#include "frf/frf_record.hpp"
 #include "pipeline/impact_test.hpp"
 #include "pipeline/survey.hpp"
-#include "report/command_report.hpp"
+#include "report/html/command_report.hpp"
 #include "synth/synthesise.hpp"
 
 namespace percuss::tools {

@@ -8,10 +8,10 @@
 #include <optional>
 #include <set>
 
+#include "acquire/open_measurement.hpp"
 #include "cli/output.hpp"
 #include "core/error.hpp"
 #include "core/parallel/parallel.hpp"
-#include "frf/formats/sandbox_measurement.hpp"
 
 namespace percuss::tools {
 namespace {

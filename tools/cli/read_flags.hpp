@@ -7,7 +7,7 @@
 #include "acquire/record/record.hpp"
 #include "cli/command_line.hpp"
 #include "cli/host.hpp"
-#include "frf/formats/frf_record.hpp"
+#include "frf/frf_record.hpp"
 
 namespace percuss::tools {
 

@@ -4,7 +4,7 @@
 
 #include "cli/output.hpp"
 #include "pipeline/analysis.hpp"
-#include "report/command_report.hpp"
+#include "report/html/command_report.hpp"
 
 namespace percuss::tools {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "commands/analyze_tests.hpp"
-#include "report/command_report.hpp"
+#include "report/html/command_report.hpp"
 
 namespace percuss::tools {
 

@@ -1,10 +1,17 @@
 #include "commands/analyze_tests.hpp"
 
 #include "core/parallel/parallel.hpp"
-#include "pipeline/runs_of_record.hpp"
+#include "pipeline/run_analyses.hpp"
 
 namespace percuss::tools {
 namespace {
+
+std::vector<Test> tests_of_runs(std::vector<pipeline::RunAnalysis> runs) {
+  std::vector<Test> tests;
+  tests.reserve(runs.size());
+  for (auto& [run, analysis] : runs) tests.push_back({.run = run, .analysis = std::move(analysis)});
+  return tests;
+}
 
 std::vector<Test> tests_of_frfs(const AnalyzeFlags& flags, std::vector<frf::FrfRecord> frfs) {
   if (flags.read.files != acquire::FileGrouping::tests) {
@@ -12,14 +19,7 @@ std::vector<Test> tests_of_frfs(const AnalyzeFlags& flags, std::vector<frf::FrfR
     frfs.clear();
     frfs.push_back(std::move(joined));
   }
-  std::vector<Test> tests;
-  for (frf::FrfRecord& record : frfs) {
-    pipeline::assume_angles(record);
-    tests.push_back(
-        {.run = static_cast<int>(tests.size()),
-         .analysis = std::make_unique<pipeline::Analysis>(std::move(record), analysis_options(flags.analysis))});
-  }
-  return tests;
+  return tests_of_runs(pipeline::analyses_of_runs(std::move(frfs), analysis_options(flags.analysis)));
 }
 
 }  // namespace
@@ -33,17 +33,7 @@ std::vector<Test> tests_of(const AnalyzeFlags& flags) {
     records.clear();
     records.push_back(std::move(joined));
   }
-  std::vector<Test> tests;
-  for (acquire::Record& record : records) {
-    pipeline::assume_angles(record);
-    for (auto& [run, part] : pipeline::split_runs(record)) {
-      const int number = records.size() > 1 ? static_cast<int>(tests.size()) : run;
-      tests.push_back(
-          {.run = number,
-           .analysis = std::make_unique<pipeline::Analysis>(std::move(part), analysis_options(flags.analysis))});
-    }
-  }
-  return tests;
+  return tests_of_runs(pipeline::analyses_of_runs(std::move(records), analysis_options(flags.analysis)));
 }
 
 void compute(const std::vector<Test>& tests, const std::set<report::ReportSection>& sections) {

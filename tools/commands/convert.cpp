@@ -1,14 +1,15 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iostream>
 #include <memory>
 
 #include "acquire/write_record.hpp"
 #include "cli/open_files.hpp"
+#include "cli/option_names.hpp"
 #include "cli/output.hpp"
 #include "commands/commands.hpp"
 #include "core/error.hpp"
-#include "report/frf_files.hpp"
 
 namespace percuss::tools {
 namespace {
@@ -33,14 +34,14 @@ std::string take_output(ConvertFlags& flags) {
 
 void convert_frfs(const ConvertFlags& flags, const std::string& to, std::vector<frf::FrfRecord> frfs) {
   const frf::FrfRecord record = join_frfs_of(flags.read, std::move(frfs));
-  for (const std::string& note : record.notes) tell(flags, note);
-  const std::string kind = extension_of(to);
-  if (kind == ".wav" || kind == ".rf64" || kind == ".w64")
-    throw UsageError("FRFs are no sound: '" + one_line(to, 80) + "' cannot hold them", "use .h5, .csv, .mat or .uff");
-  const bool keeps_geometry = kind == ".uff" || kind == ".unv";
-  if (!record.geometry.empty() && !keeps_geometry) tell(flags, "not kept: the geometry");
-  if (!record.trace_lines.empty() && !keeps_geometry) tell(flags, "not kept: the lines between points");
-  report::write_frfs(to, record, flags.read.frf_kind.value_or(record.kind), flags.output.force);
+  for (const Message& note : record.notes) tell(flags, note.written(flag_of));
+  const auto& known = acquire::frf_extensions();
+  if (std::find(known.begin(), known.end(), extension_of(to)) == known.end()) {
+    throw UsageError("'" + one_line(to, 80) + "' cannot hold FRFs",
+                     fmt::format("use a name that ends in {}", fmt::join(known, ", ")));
+  }
+  for (const std::string& loss : acquire::losses_of(to, record)) tell(flags, "not kept: " + loss);
+  acquire::write_frfs(to, record, flags.read.frf_kind.value_or(record.kind), flags.output.force);
 }
 
 int convert(ConvertFlags flags) {
@@ -51,7 +52,7 @@ int convert(ConvertFlags flags) {
     return kOk;
   }
   const acquire::Record record = acquire::join_records(std::move(opened.records), flags.read.files);
-  for (const std::string& note : record.notes) tell(flags, note);
+  for (const Message& note : record.notes) tell(flags, note.written(flag_of));
   for (const std::string& loss : acquire::losses_of(to, record)) tell(flags, "not kept: " + loss);
   acquire::write_record(to, record, flags.output.force);
   return kOk;
@@ -72,7 +73,7 @@ void add_convert(CommandLine& line) {
       "percuss convert hits.csv hits.h5 --force-channel CH8 --force-unit lbf --quiet",
       "A table whose force is in pounds, as HDF5 in SI units; the columns' own names are lost without a word");
   add_read_flags(command, flags->read);
-  add_output_flags(command, flags->output, ".h5, .hdf5, .csv, .mat, .uff, .unv, .wav, .rf64, .w64");
+  add_output_flags(command, flags->output, fmt::format("{}", fmt::join(acquire::record_extensions(), ", ")).c_str());
 }
 
 }  // namespace percuss::tools

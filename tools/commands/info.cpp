@@ -9,6 +9,7 @@
 #include "acquire/channels/channel_setup.hpp"
 #include "acquire/channels/csv_columns.hpp"
 #include "cli/open_files.hpp"
+#include "cli/option_names.hpp"
 #include "cli/output.hpp"
 #include "commands/commands.hpp"
 #include "commands/info_frfs.hpp"
@@ -79,7 +80,7 @@ Json record_json(const acquire::Record& record) {
           {"channels", channels},
           {"geometry_points", record.geometry.size()},
           {"trace_lines", record.trace_lines.size()},
-          {"notes", record.notes}};
+          {"notes", note_texts(record.notes)}};
 }
 
 std::string plural(std::size_t count, const char* what) {
@@ -114,7 +115,7 @@ std::string record_text(const acquire::Record& record, std::size_t width) {
   for (const auto& signal : record.accel) add(signal, "acceleration", "m/s^2");
   text += table.text(width);
   for (const auto& note : record.notes)
-    text += "  " + report::wrapped("note: " + one_line(note, 2000), width, 2) + '\n';
+    text += "  " + report::wrapped("note: " + one_line(note.written(flag_of), 2000), width, 2) + '\n';
   return text;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "cli/option_names.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
 #include "report/text/text_table.hpp"
@@ -28,6 +29,12 @@ Json optional_json(const std::optional<double>& value, double factor) {
   return value ? Json(*value * factor) : Json(nullptr);
 }
 
+Json note_texts(const std::vector<Message>& notes) {
+  Json texts = Json::array();
+  for (const Message& note : notes) texts.push_back(note.text);
+  return texts;
+}
+
 Json frfs_json(const frf::FrfRecord& record) {
   Json channels = Json::array();
   for (const acquire::SignalInfo& signal : record.accel) {
@@ -47,7 +54,7 @@ Json frfs_json(const frf::FrfRecord& record) {
           {"points", record.frfs.size() / record.accel.size()},
           {"coherence", has_coherence(record)},
           {"channels", channels},
-          {"notes", record.notes}};
+          {"notes", note_texts(record.notes)}};
 }
 
 std::string frfs_text(const frf::FrfRecord& record, std::size_t width) {
@@ -66,7 +73,7 @@ std::string frfs_text(const frf::FrfRecord& record, std::size_t width) {
   }
   text += table.text(width);
   for (const auto& note : record.notes)
-    text += "  " + report::wrapped("note: " + one_line(note, 2000), width, 2) + '\n';
+    text += "  " + report::wrapped("note: " + one_line(note.written(flag_of), 2000), width, 2) + '\n';
   return text;
 }
 

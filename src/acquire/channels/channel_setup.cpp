@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::uint64_t kLargestSetup_bytes = std::uint64_t{1} << 20U;
+constexpr std::uint64_t kMaxSetup_bytes = std::uint64_t{1} << 20U;
 constexpr int kMaxDepth = 16;
 constexpr std::size_t kMaxChannels = 4096;
 
@@ -27,13 +27,12 @@ constexpr std::array<std::string_view, 9> kSetupKeys = {
     "name", "role", "sign", "direction", "angle_deg", "position_m", "sensitivity", "sensitivity_unit", "unit"};
 
 Json parse_json(std::string_view text, const std::string& where) {
-  if (text.size() > kLargestSetup_bytes)
-    throw InputError("longer than 1 MiB", where, "keep only the channels' entries");
-  check_json({.text = text, .where = where, .remedy = "see percuss info --example", .max_depth = kMaxDepth});
+  if (text.size() > kMaxSetup_bytes) throw InputError("longer than 1 MiB", where, "keep only the channels' entries");
+  check_json({.text = text, .where = where, .remedy = "write a set-up like the example", .max_depth = kMaxDepth});
   return Json::parse(text.begin(), text.end());
 }
 
-// One entry, with its place for messages: "[2].sign".
+// One entry, and its place in messages: "[2].sign".
 class Entry {
  public:
   Entry(const Json& json, std::size_t index, const std::string& file)
@@ -96,7 +95,7 @@ double read_sign(const Entry& entry) {
   throw InputError(fmt::format("{:g} is no sign", sign), entry.where("sign"), "give 1 or -1");
 }
 
-// "mV/N" → 1e-3 V/N; "V/(m/s^2)", "mV/g". Charge needs the amplifier's gain, which is not in the sensor's data sheet.
+// "mV/N" → 1e-3 V/N; "V/(m/s^2)", "mV/g". Charge is refused: its amplifier's gain is not in the sensor's data sheet.
 double volts_per_SI(const std::string& unit, const std::string& role, const std::string& where) {
   if (unit.substr(0, 2) == "pC") {
     throw InputError("charge is not volts", where, "give the amplifier's output, such as mV/N");
@@ -117,12 +116,12 @@ double volts_per_SI(const std::string& unit, const std::string& role, const std:
 }
 
 std::optional<double> read_sensitivity(const Entry& entry, const std::string& role) {
-  constexpr double kLargest = 1e9;
-  const auto value = entry.number("sensitivity", -kLargest, kLargest);
+  constexpr double kMaxValue = 1e9;
+  const auto value = entry.number("sensitivity", -kMaxValue, kMaxValue);
   const auto unit = entry.text("sensitivity_unit");
   if (!value && !unit) return std::nullopt;
   if (!value || !unit) throw InputError("sensitivity without its unit, or the reverse", entry.where(), "give both");
-  if (std::abs(*value) < 1 / kLargest)
+  if (std::abs(*value) < 1 / kMaxValue)
     throw InputError("a sensitivity of zero", entry.where("sensitivity"), "see the sensor's data sheet");
   return *value * volts_per_SI(*unit, role, entry.where("sensitivity_unit"));
 }
@@ -170,7 +169,7 @@ std::vector<ChannelSetup> parse_channel_setup(std::string_view json, const std::
 }
 
 std::vector<ChannelSetup> read_channel_setup(const std::string& path) {
-  return parse_channel_setup(read_input(path, kLargestSetup_bytes).view(), input_name(path));
+  return parse_channel_setup(read_input(path, kMaxSetup_bytes).view(), input_name(path));
 }
 
 std::string channel_setup_example() {

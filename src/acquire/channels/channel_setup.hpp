@@ -7,7 +7,8 @@
 
 namespace percuss::acquire {
 
-/// Reads a reusable channel set-up: a JSON array with one object per channel (docs/reference/formats.md, "Channel set-up").
+/// Reads a channel set-up: a JSON array with one object per channel (docs/reference/formats.md, "Channel
+/// set-up").
 ///   name (required)          the column's name or 1-based number, or the data set's channel ("accel 1")
 ///   role                     "force", "acceleration" or "ignore"
 ///   sign                     1 or -1;  or  direction  "+x", "-x", … "-z": −1 for a minus
@@ -21,7 +22,7 @@ std::vector<ChannelSetup> read_channel_setup(const std::string& path);
 /// As read_channel_setup, for a document in memory; `where` names it.
 std::vector<ChannelSetup> parse_channel_setup(std::string_view json, const std::string& where);
 
-/// A set-up of a hammer and two accelerometers, as a user may start from.
+/// An example: a hammer and two accelerometers.
 std::string channel_setup_example();
 
 }  // namespace percuss::acquire

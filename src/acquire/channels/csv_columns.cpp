@@ -80,9 +80,9 @@ class Finder {
     return std::nullopt;
   }
 
-  // A name that is spelt otherwise would lose its sensor without a word.
+  // A misspelt name must not lose its sensor silently.
   void check_setup() const {
-    if (!options_.accel_channels.empty()) return;  // the user knows which there are
+    if (!options_.accel_channels.empty()) return;  // the user has chosen
     for (const auto& entry : options_.setup) {
       if (entry.role == "ignore") continue;
       const bool known = std::any_of(header_.columns.begin(), header_.columns.end(), [&](const CsvColumn& column) {
@@ -110,8 +110,8 @@ class Finder {
     return is(columns_.time) || is(columns_.hit) || is(columns_.point) || is(columns_.run);
   }
 
-  // The column that the user named; `option` is for the message.
-  CsvColumn named_by_user(const std::string& name, const std::string& option) const {
+  // The column that the user named in `option`.
+  CsvColumn named_by_user(const std::string& name, const OptionId& option) const {
     std::vector<CsvColumn> found;
     for (const auto matches :
          {+[](const CsvColumn&c, const std::string&n) { return lower_case(c.name) == lower_case(n); }, &is_named,
@@ -125,13 +125,14 @@ class Finder {
     }
     const std::string shown = "\"" + one_line(name, 40) + "\"";
     if (found.empty())
-      throw InputError("no column " + shown + " among " + list_of(header_.columns), where_, "correct " + option);
+      throw InputError("no column " + shown + " among " + list_of(header_.columns), where_, "name one of these",
+                       {option});
     if (found.size() > 1) {
       throw InputError("several columns are called " + shown, where_,
-                       fmt::format("give its number: {} {}", option, found.front().index + 1));
+                       fmt::format("give its number, for instance {}", found.front().index + 1), {option});
     }
     if (!found.front().has_numbers)
-      throw InputError("column " + shown + " holds no numbers", where_, "name another with " + option);
+      throw InputError("column " + shown + " holds no numbers", where_, "name another", {option});
     return found.front();
   }
 
@@ -147,7 +148,7 @@ class Finder {
       if (*measured == quantity) return true;
       if (*measured != Quantity::voltage) return false;
     }
-    // A word counts only where the file has names at all, and the other kind's word does not stand there as well.
+    // A word counts only in a file with names, and only without a word of the other kind beside it.
     const std::string name = lower_case(column.base);
     const Words& other = quantity == Quantity::force ? kAccelWords : Words{};
     return header_.named && has_one_of(name, words) && !has_one_of(name, other);
@@ -164,7 +165,7 @@ class Finder {
   }
 
   CsvColumn find_force() {
-    if (!options_.force_channel.empty()) return named_by_user(options_.force_channel, "--force-channel");
+    if (!options_.force_channel.empty()) return named_by_user(options_.force_channel, "force_channel");
     const auto found = candidates(Quantity::force, kForceWords, "force");
     if (found.size() == 1) return found.front();
     if (found.empty() && options_.force_optional) {
@@ -172,16 +173,16 @@ class Finder {
       return {.index = std::numeric_limits<std::size_t>::max()};
     }
     if (found.empty()) {
-      throw AmbiguousColumns("no force column found among " + list_of(header_.columns), where_,
-                             "name it with --force-channel", header_);
+      throw AmbiguousColumns("no force column found among " + list_of(header_.columns), where_, "name the force",
+                             header_, {"force_channel"});
     }
     throw AmbiguousColumns(fmt::format("{} columns could be the force: {}", found.size(), list_of(found)), where_,
-                           "name it with --force-channel", header_);
+                           "name the force", header_, {"force_channel"});
   }
 
   void find_accel() {
     for (const auto& name : options_.accel_channels) {
-      const auto column = named_by_user(name, "--accel-channel");
+      const auto column = named_by_user(name, "accel_channel");
       const bool twice =
           std::any_of(columns_.accel.begin(), columns_.accel.end(), [&](auto& c) { return c.index == column.index; });
       if (twice || column.index == columns_.force.index) {
@@ -196,7 +197,7 @@ class Finder {
     }
     if (columns_.accel.empty()) {
       throw AmbiguousColumns("no acceleration column found among " + list_of(header_.columns), where_,
-                             "name it with --accel-channel", header_);
+                             "name the accelerations", header_, {"accel_channel"});
     }
   }
 

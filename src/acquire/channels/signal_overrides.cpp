@@ -7,21 +7,22 @@
 namespace percuss::acquire {
 namespace {
 
-/// The entry of a list that holds one for all or one for each.
-std::optional<double> entry(const std::vector<double>& list, std::size_t index, std::size_t count, const char* option) {
+/// The entry of a list with one value for all channels or one value per channel.
+std::optional<double> entry(const std::vector<double>& list, std::size_t index, std::size_t count,
+                            const OptionId& option) {
   if (list.empty()) return std::nullopt;
   if (list.size() == 1) return list.front();
   if (list.size() == count) return list[index];
   throw InputError(std::to_string(list.size()) + " values for " + std::to_string(count) + " acceleration channels",
-                   option, "give one for all or one per channel");
+                   option, "give one for all or one per channel", {option});
 }
 
-/// As entry, for what cannot be the same for all.
+/// As entry, for a quantity that differs between channels.
 std::optional<double> entry_of_each(const std::vector<double>& list, std::size_t index, std::size_t count,
-                                    const char* option) {
+                                    const OptionId& option) {
   if (list.empty() || list.size() == count) return list.empty() ? std::nullopt : std::optional(list[index]);
   throw InputError(std::to_string(list.size()) + " values for " + std::to_string(count) + " acceleration channels",
-                   option, "give one per channel");
+                   option, "give one per channel", {option});
 }
 
 SignalOverrides from_setup(const ChannelSetup* setup) {
@@ -58,9 +59,10 @@ double unit_to_SI(const std::string& unit, Quantity measures, const std::string&
   if (unit.empty()) return 1;
   const auto stored = parse_unit(unit);
   if (stored && stored->quantity == Quantity::voltage) {
-    throw InputError("the numbers are in " + unit, where,
-                     measures == Quantity::force ? "give --force-sensitivity or --force-scale"
-                                                 : "give --accel-sensitivity or --accel-scale");
+    using Ids = std::vector<OptionId>;
+    throw InputError("the numbers are in " + unit, where, "give the sensitivity or the scale",
+                     measures == Quantity::force ? Ids{"force_sensitivity", "force_scale"}
+                                                 : Ids{"accel_sensitivity", "accel_scale"});
   }
   return require_unit(unit, measures, where).to_SI;
 }
@@ -78,9 +80,9 @@ SignalOverrides force_overrides(const ReadOptions& options, const ChannelSetup* 
 SignalOverrides accel_overrides(const ReadOptions& options, const ChannelSetup* setup, std::size_t index,
                                 std::size_t count) {
   SignalOverrides choice = from_setup(setup);
-  choice.scale = entry(options.accel_scale, index, count, "accel-scale");
+  choice.scale = entry(options.accel_scale, index, count, "accel_scale");
   apply_over_setup(choice.sensitivity_V_per_SI,
-                   entry(options.accel_sensitivity_V_per_mps2, index, count, "acceleration sensitivity"));
+                   entry(options.accel_sensitivity_V_per_mps2, index, count, "accel_sensitivity"));
   if (!options.accel_unit.empty()) choice.unit = options.accel_unit;
   apply_over_setup(choice.angle_rad, entry_of_each(options.angle_rad, index, count, "angle"));
   apply_over_setup(choice.position_m, entry(options.position_m, index, count, "position"));
@@ -102,15 +104,15 @@ void apply_overrides(SignalInfo& signal, const SignalOverrides& choice, Quantity
 }
 
 void apply_force_overrides(SignalInfo& signal, const SignalOverrides& choice, const std::string& where,
-                           std::vector<std::string>& notes) {
+                           std::vector<Message>& notes) {
   const auto known = parse_unit(choice.unit.empty() ? signal.unit : choice.unit);
   SignalOverrides completed = choice;
   if (known && known->quantity == Quantity::voltage && !choice.scale && !choice.sensitivity_V_per_SI) {
     completed.scale = known->to_SI;
-    notes.push_back(
-        "the force " + one_line(signal.name, 40) +
-        " is in volts and not calibrated: 1 V counts as 1 N, so that FRFs are per volt; give --force-scale or "
-        "--force-sensitivity");
+    notes.emplace_back("the force " + one_line(signal.name, 40) +
+                           " is in volts and not calibrated: 1 V counts as 1 N, so that FRFs are per volt; give its "
+                           "scale or sensitivity",
+                       std::vector<OptionId>{"force_scale", "force_sensitivity"});
   }
   apply_overrides(signal, completed, Quantity::force, where);
 }

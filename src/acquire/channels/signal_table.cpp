@@ -20,7 +20,7 @@ std::string table_name(const SignalTable& table) {
   return table.files.empty() ? table.format : input_name(table.files.front().path);
 }
 
-// "g" of "acc_g"; nothing for brackets that hold something else, as those of "data(:,2)" do.
+// "g" of "acc_g"; nothing for brackets without a unit, as in "data(:,2)".
 std::string unit_in_name(const std::string& name) {
   std::string unit = split_name(name).unit;
   return parse_unit(unit) ? unit : "";
@@ -61,16 +61,15 @@ SignalInfo described_signal(const SignalTable& table, std::size_t index) {
   return {.name = signal.name, .unit = unit, .angle_rad = signal.angle_rad, .position_m = signal.position_m};
 }
 
-// What nobody says is as the file's own system of units has it, else SI.
+// A unit that nobody states follows the file's own system of units, else SI.
 void complete_unit(const SignalInfo& signal, const TableSignal& stored, SignalOverrides& choice, const char* si_unit,
-                   std::vector<std::string>& notes) {
-  const bool told = !signal.unit.empty() || !choice.unit.empty() || choice.scale || choice.sensitivity_V_per_SI;
-  if (told) return;
+                   std::vector<Message>& notes) {
+  const bool stated = !signal.unit.empty() || !choice.unit.empty() || choice.scale || choice.sensitivity_V_per_SI;
+  if (stated) return;
   choice.scale = stored.to_SI;
   if (stored.to_SI) return;
-  notes.push_back(fmt::format("the unit of {} is not stated; taken as {} ({} says otherwise)",
-                              one_line(signal.name, 40), si_unit,
-                              si_unit == std::string("N") ? "--force-unit" : "--unit"));
+  notes.emplace_back(fmt::format("the unit of {} is not stated; taken as {}", one_line(signal.name, 40), si_unit),
+                     std::vector<OptionId>{si_unit == std::string("N") ? "force_unit" : "unit"});
 }
 
 void describe_table(Scaled& open, const ReadOptions& options, Record& record) {
@@ -89,9 +88,9 @@ void describe_table(Scaled& open, const ReadOptions& options, Record& record) {
   for (std::size_t c = 0; c < count; ++c) {
     const std::size_t index = open.roles.accel[c];
     SignalInfo signal = described_signal(table, index);
-    SignalOverrides its = accel_overrides(options, setup_of(column_of(table, index), options), c, count);
-    complete_unit(signal, table.signals[index], its, "m/s^2", record.notes);
-    apply_overrides(signal, its, Quantity::acceleration, place(signal));
+    SignalOverrides choice = accel_overrides(options, setup_of(column_of(table, index), options), c, count);
+    complete_unit(signal, table.signals[index], choice, "m/s^2", record.notes);
+    apply_overrides(signal, choice, Quantity::acceleration, place(signal));
     open.accel_to_mps2.push_back(signal.to_SI);
     record.accel.push_back(std::move(signal));
   }
@@ -111,8 +110,8 @@ SignalRoles find_roles(const SignalTable& table, const ReadOptions& options) {
     SignalRoles roles{.force = found.force.index, .has_force = found.has_force, .accel = {}};
     for (const CsvColumn& column : found.accel) roles.accel.push_back(column.index);
     return roles;
-  } catch (AmbiguousColumns& unclear) {
-    unclear.format = table.format;
+  } catch (AmbiguousColumns& error) {
+    error.format = table.format;
     throw;
   }
 }

@@ -11,19 +11,19 @@
 
 namespace percuss::acquire {
 
-/// One signal as a file describes it, before anybody has said what it is.
+/// One signal as a file describes it, before its role is known.
 struct TableSignal {
   std::string name;
   std::string unit;  // empty: not stated
   std::optional<double> angle_rad, position_m;
-  std::string shape;  // for people, where the file holds arrays: "4096x1"
-  // Where the file says so by other means than a unit.
+  std::string shape;  // for messages, where the file holds arrays: "4096x1"
+  // Where the file states them by other means than a unit.
   std::optional<Quantity> measures{};
   std::optional<double> to_SI{};
 };
 
-/// Signals sampled together, as the reader of a format other than text found them: which of them is the force and which
-/// are accelerations is found out here, in one way for all formats.
+/// Signals sampled together, from the reader of any format. find_roles assigns the force and the accelerations by the
+/// same rules for every format.
 struct SignalTable {
   std::vector<InputFile> files;
   std::string format;
@@ -33,7 +33,7 @@ struct SignalTable {
   bool continuous = false;
   std::vector<std::vector<double>> geometry;
   std::vector<TraceLine> trace_lines;
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
   /// Stored numbers first … first + out.size() − 1 of a row's signal. Several threads may call at once.
   std::function<void(std::size_t row, std::size_t signal, std::size_t first, std::span<double> out)> read;
 };
@@ -41,15 +41,15 @@ struct SignalTable {
 /// Indices of the signals that are the force and the accelerations.
 struct SignalRoles {
   std::size_t force = 0;
-  bool has_force = true;  // false: `force` is no signal
+  bool has_force = true;  // false: `force` is not a signal
   std::vector<std::size_t> accel;
 };
 
-/// Finds them as find_csv_columns does: by the options' names or numbers, the set-up, the unit, words in the name.
+/// Finds the roles as find_csv_columns does: by the options' names or numbers, the set-up, the unit, words in the name.
 /// errors  AmbiguousColumns, InputError: as there.
 SignalRoles find_roles(const SignalTable& table, const ReadOptions& options);
 
-/// The record of these signals: units, signs, sensitivities and places as file, set-up and options say.
+/// The record of these signals: units, signs, sensitivities and places by file, set-up and options.
 /// errors  InputError: unusable units or rate, no rows, fewer than two samples in a row; the read functions throw it
 /// for samples that are not finite.
 Record record_of_table(SignalTable table, const SignalRoles& roles, const ReadOptions& options);

@@ -16,10 +16,10 @@
 namespace percuss::acquire {
 namespace {
 
-constexpr std::uint64_t kLargestGeometry_bytes = std::uint64_t{16} << 20U;
+constexpr std::uint64_t kMaxGeometry_bytes = std::uint64_t{16} << 20U;
 constexpr std::size_t kMaxGeometryPoints = 100'000;
-constexpr double kMaxCoordinate_m = 1e4;  // m or rad: no structure is larger
-constexpr const char* kGeometryRemedy = "see percuss survey --example";
+constexpr double kMaxCoordinate_m = 1e4;  // m or rad: larger than any structure
+constexpr const char* kGeometryRemedy = "write a table like the example";
 
 enum Field : std::size_t { kPoint, kX, kY, kZ, kPosition, kAngle, kRadius, kFields };
 
@@ -42,7 +42,7 @@ constexpr std::array<std::string_view, kFields> kTitles = {"point",      "x_m", 
 
 Quantity quantity_of(std::size_t field) { return field == kAngle ? Quantity::angle : Quantity::length; }
 
-// The file's lines that say something, with their numbers.
+// The file's lines with content, and their numbers.
 struct Line {
   std::size_t number = 0;  // from 1
   std::string_view text;
@@ -82,7 +82,7 @@ Columns columns_of(const std::vector<std::string_view>& names, const std::string
     }
   }
   const auto has = [&](Field field) { return columns[field].index.has_value(); };
-  if (!has(kPoint)) throw InputError("no column of points", where, kGeometryRemedy);
+  if (!has(kPoint)) throw InputError("no column of points", where, kGeometryRemedy, {"survey.example"});
   if (has(kX) != has(kY) || has(kX) != has(kZ) || has(kPosition) != has(kAngle) || has(kX) == has(kPosition)) {
     throw InputError("neither x, y and z nor position and angle", where,
                      "name the columns point,x_m,y_m,z_m or point,position_m,angle_deg");
@@ -90,7 +90,7 @@ Columns columns_of(const std::vector<std::string_view>& names, const std::string
   return columns;
 }
 
-// A line of units below the names: nothing in it is a number.
+// Takes a line of units below the names: a line without numbers.
 bool take_units(Columns& columns, const std::vector<std::string_view>& cells, const CsvDialect& dialect,
                 const std::string& where) {
   for (const std::string_view cell : cells) {
@@ -169,12 +169,13 @@ CsvDialect dialect_of(const std::vector<Line>& lines, char line_end) {
 }  // namespace
 
 Geometry parse_geometry(std::string_view text, const std::string& where) {
-  if (text.size() > kLargestGeometry_bytes) throw InputError("longer than 16 MiB", where, "keep one line per point");
+  if (text.size() > kMaxGeometry_bytes) throw InputError("longer than 16 MiB", where, "keep one line per point");
   if (text.substr(0, 3) == "\xEF\xBB\xBF") text.remove_prefix(3);
-  if (text.find('\0') != std::string_view::npos) throw InputError("this is no text", where, kGeometryRemedy);
+  if (text.find('\0') != std::string_view::npos)
+    throw InputError("this is no text", where, kGeometryRemedy, {"survey.example"});
   const char line_end = find_line_end(text);
   const std::vector<Line> lines = lines_of(text, line_end);
-  if (lines.size() < 2) throw InputError("no points", where, kGeometryRemedy);
+  if (lines.size() < 2) throw InputError("no points", where, kGeometryRemedy, {"survey.example"});
   const CsvDialect dialect = dialect_of(lines, line_end);
   Columns columns = columns_of(split_cells(lines.front().text, dialect), place(where, lines.front().number));
   Geometry geometry;
@@ -190,14 +191,14 @@ Geometry parse_geometry(std::string_view text, const std::string& where) {
     if (!seen.insert(geometry.points.back().point).second)
       throw InputError(fmt::format("point {} stands twice", geometry.points.back().point), at, "keep one");
   }
-  if (geometry.points.empty()) throw InputError("no points", where, kGeometryRemedy);
+  if (geometry.points.empty()) throw InputError("no points", where, kGeometryRemedy, {"survey.example"});
   geometry.tube = columns[kPosition].index.has_value();
   if (!geometry.tube) tube_from_coordinates(geometry);
   return geometry;
 }
 
 Geometry read_geometry(const std::string& path) {
-  return parse_geometry(read_input(path, kLargestGeometry_bytes).view(), input_name(path));
+  return parse_geometry(read_input(path, kMaxGeometry_bytes).view(), input_name(path));
 }
 
 std::optional<Geometry> geometry_of_record(const std::vector<std::vector<double>>& rows) {
@@ -205,7 +206,7 @@ std::optional<Geometry> geometry_of_record(const std::vector<std::vector<double>
   Geometry geometry;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     GeometryPoint point{.point = static_cast<int>(i)};
-    // Numbers that no point has, in formats that name their points.
+    // A row of NaN: a number without a point, in formats that number their points.
     if (std::any_of(rows[i].begin(), rows[i].end(), [](double x) { return std::isnan(x); })) continue;
     if (rows[i].size() == 3) {
       point.xyz_m = {rows[i][0], rows[i][1], rows[i][2]};

@@ -7,7 +7,7 @@
 
 namespace percuss::acquire {
 
-/// A point of a survey: its number in the records, and where it lies. Either coordinates, or a place on a tube.
+/// A point of a survey: its number in the records and its place, as coordinates or on a tube.
 struct GeometryPoint {
   int point = 0;
   std::optional<std::array<double, 3>> xyz_m;
@@ -21,10 +21,10 @@ struct Geometry {
   bool tube = false;                  // position and angle are known for every point
 };
 
-/// Reads where the points of a survey lie from a text of one line per point (docs/reference/formats.md, "Geometry"):
+/// Reads the places of a survey's points from a text with one line per point (docs/reference/formats.md, "Geometry"):
 ///   point, x_m, y_m, z_m                      or
 ///   point, position_m, angle_deg[, radius_m]
-/// Names of columns in any order; units m, mm, cm, in and deg, rad as in "x_mm" or "angle (rad)", or in a line of
+/// Columns in any order; units m, mm, cm, in and deg, rad as in "x_mm" or "angle (rad)", or in a line of
 /// units; delimiters, quotes and comments as in records. Coordinates of points around an axis are turned into position
 /// and angle (tube_from_coordinates). errors  InputError with file, line and remedy: no such columns, a cell that is no
 /// number, a point twice, no unit, too long.
@@ -37,12 +37,12 @@ Geometry parse_geometry(std::string_view text, const std::string& where);
 /// row i is point i. Nothing for an empty one.
 std::optional<Geometry> geometry_of_record(const std::vector<std::vector<double>>& rows);
 
-/// Fills position, angle and radius of points that have coordinates, when these lie in rings around one of the axes x,
-/// y or z (through the middle of the points): position is the coordinate along the axis, the angle counts from the next
-/// axis (y for x, z for y, x for z) towards the one after. Otherwise leaves them and `tube` alone.
+/// Fills position, angle and radius of points whose coordinates lie in rings around an axis parallel to x, y or z
+/// through their mean. The position is the coordinate along the axis. The angle counts from the next axis (y for x, z
+/// for y, x for z) towards the one after. Changes nothing otherwise.
 void tube_from_coordinates(Geometry& geometry);
 
-/// A grid of a barrel, as a user may start from.
+/// An example: a grid on a barrel.
 std::string geometry_example();
 
 }  // namespace percuss::acquire

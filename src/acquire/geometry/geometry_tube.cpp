@@ -7,21 +7,21 @@
 namespace percuss::acquire {
 namespace {
 
-constexpr double kRound = 0.1;                  // of the mean radius: how far the points of one ring may differ
+constexpr double kRound = 0.1;                  // of the mean radius: largest deviation within a ring
 constexpr double kSameRing = 2e-3;              // of the length along the axis
-constexpr std::size_t kMinTubePoints = 3;       // points of a ring that tell a circle, where there are several …
-constexpr std::size_t kMinPointsOnOneRing = 5;  // … and alone: a plate has four corners
+constexpr std::size_t kMinTubePoints = 3;       // fewest points of a ring where there are several rings …
+constexpr std::size_t kMinPointsOnOneRing = 5;  // … and of a single ring: a plate has four corners
 
 struct Tube {
   std::size_t axis = 0;
-  double off = 0;                  // of the rings' radii, largest deviation over the mean
-  std::array<double, 2> middle{};  // of the circle, across the axis
+  double off = 0;                  // largest deviation of a radius from its ring's mean, relative
+  std::array<double, 2> middle{};  // centre, across the axis
 };
 
-// Coordinates across the axis, in the order that turns right-handed about it.
+// The two coordinates across the axis, in right-handed order.
 std::array<std::size_t, 2> across(std::size_t axis) { return {(axis + 1) % 3, (axis + 2) % 3}; }
 
-// The points by rings, as indices.
+// Groups the points into rings, as indices.
 std::vector<std::vector<std::size_t>> rings_along(const std::vector<GeometryPoint>& points, std::size_t axis) {
   std::vector<std::size_t> order(points.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -41,7 +41,7 @@ double radius_about(const GeometryPoint& point, const Tube& tube) {
   return std::hypot((*point.xyz_m)[u] - tube.middle[0], (*point.xyz_m)[v] - tube.middle[1]);
 }
 
-// How round the rings about this axis are; nothing when they are no rings.
+// The tube about this axis; nothing when the points do not form rings.
 std::optional<Tube> tube_about(const std::vector<GeometryPoint>& points, std::size_t axis) {
   Tube tube{.axis = axis};
   const auto [u, v] = across(axis);

@@ -17,7 +17,7 @@ namespace percuss::acquire {
 namespace {
 
 constexpr std::size_t kPiece = std::size_t{1}
-                               << 14U;  // numbers at a time: 128 KiB are scaled while they are in the cache
+                               << 14U;  // numbers at a time: 128 KiB stay in the cache while they are scaled
 
 class OpenFile {
  public:
@@ -29,7 +29,8 @@ class OpenFile {
     if (good()) ::close(descriptor_);
   }
   bool good() const { return descriptor_ >= 0; }
-  // The samples were seen to lie within the file: when they no longer do, a library may take what is missing for zeros.
+  // The samples lay within the file when it was opened. A library could read the missing part of a truncated file as
+  // zeros.
   void read(void* to, std::size_t bytes, std::uint64_t offset) const {
     auto* at = static_cast<char*>(to);
     while (bytes > 0) {
@@ -47,11 +48,11 @@ class OpenFile {
   int descriptor_;
 };
 
-// False when a number is none that a measurement could give.
+// False when a number is not a plausible sample.
 bool scale(std::span<double> values, double factor) {
   Eigen::Map<Eigen::ArrayXd> all(values.data(), static_cast<Eigen::Index>(values.size()));
   if (factor != 1) all *= factor;
-  if (all.abs().sum() <= kMaxSample) return true;  // no number can be larger than all together
+  if (all.abs().sum() <= kMaxSample) return true;  // no number exceeds the sum of all
   return std::all_of(values.begin(), values.end(), [](double value) { return std::abs(value) <= kMaxSample; });
 }
 
@@ -67,7 +68,7 @@ void read_piece(const OpenFile& file, std::uint64_t offset, std::span<double> ou
   }
 }
 
-// False when a number is none that a measurement could give.
+// False when a number is not a plausible sample.
 bool read_samples(const OpenFile& file, const ContiguousSignal& signal, std::size_t row, std::size_t first,
                   std::span<double> out) {
   const std::uint64_t start = signal.offset_bytes + row * signal.row_step_bytes + first * signal.number_bytes;

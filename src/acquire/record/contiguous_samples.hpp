@@ -3,9 +3,10 @@
 
 namespace percuss::acquire {
 
-/// The record of one file with readers that take its plain signals (Record::plain) straight from the file, which is
-/// several times faster than through a library in a process of its own. Numbers that are not finite they leave to the
-/// readers the record had, and so to their messages. errors (of the readers)  InputError: the file was cut meanwhile.
+/// The record with readers that read its contiguous signals (Record::contiguous) directly from the file. That is
+/// several times faster than a library in a child process. For numbers that are not finite, the new readers call the
+/// record's former readers, whose messages name the sample.
+/// errors  (of the readers)  InputError: the file was truncated meanwhile.
 Record with_contiguous_readers(Record record);
 
 }  // namespace percuss::acquire

@@ -18,7 +18,7 @@ void require_alike(const Record& first, const Record& other) {
   if (!(std::abs(other.fs_Hz / first.fs_Hz - 1) <= kSameRate)) {
     throw InputError(
         fmt::format("sampling rate {:.10g} Hz where {} has {:.10g} Hz", other.fs_Hz, first.source(), first.fs_Hz),
-        other.source(), "analyse it by itself, or give --files tests");
+        other.source(), "analyse it by itself, or as a test of its own", {"files"});
   }
   if (other.has_force != first.has_force) {
     throw InputError(fmt::format("{} force where {} has {}", other.has_force ? "a" : "no", first.source(),
@@ -28,11 +28,11 @@ void require_alike(const Record& first, const Record& other) {
   if (other.accel.size() != first.accel.size()) {
     throw InputError(
         fmt::format("{} acceleration channels where {} has {}", other.accel.size(), first.source(), first.accel.size()),
-        other.source(), "choose the same ones with --accel-channel");
+        other.source(), "choose the same ones", {"accel_channel"});
   }
 }
 
-void note_other_names(const Record& first, const Record& other, std::vector<std::string>& notes) {
+void note_other_names(const Record& first, const Record& other, std::vector<Message>& notes) {
   const auto compare = [&](const SignalInfo& a, const SignalInfo& b) {
     if (a.name == b.name) return;
     notes.push_back(fmt::format("{} of {} is taken as the same channel as {} of {}", b.name, other.source(), a.name,
@@ -42,7 +42,7 @@ void note_other_names(const Record& first, const Record& other, std::vector<std:
   for (std::size_t c = 0; c < first.accel.size(); ++c) compare(first.accel[c], other.accel[c]);
 }
 
-// A file without points of its own is one point; the next one starts behind those of the files before it.
+// A file without point numbers is one point. The next file's points follow the points of the files before it.
 int number_of_points(const Record& record) {
   int last = 0;
   for (const auto& row : record.rows) last = std::max(last, row.point);
@@ -84,7 +84,7 @@ Record join_records(std::vector<Record> records, FileGrouping mean) {
     points += number_of_points(record);
     out.files.insert(out.files.end(), record.files.begin(), record.files.end());
     if (record.files.empty()) out.files.push_back({.path = record.source()});
-    for (const auto& note : record.notes) out.notes.push_back(record.source() + ": " + note);
+    for (const Message& note : record.notes) out.notes.emplace_back(record.source() + ": " + note.text, note.options);
     out.continuous = out.continuous && (record.rows.size() == 1 || record.continuous);
     if (record.format != out.format) out.format = "several";
   }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "acquire/record/sample_reader.hpp"
+#include "core/error.hpp"
 
 namespace percuss::acquire {
 
@@ -18,50 +19,50 @@ struct InputFile {
   std::uint64_t bytes = 0;
 };
 
-/// One measured signal: how it is named and stored, and where its sensor sits.
+/// One measured signal: its name, its unit as stored, and the place of its sensor.
 struct SignalInfo {
-  std::string name;                  // column or data set, or the name given in a channel set-up
+  std::string name;                  // of the column, the data set or the channel set-up's entry
   std::string unit;                  // as stored, for people ("g", "cm/s2"); empty: not stated
   double to_SI = 1;                  // stored value × to_SI = value in N or m/s²; carries sign and calibration
   std::optional<double> angle_rad;   // around the barrel
   std::optional<double> position_m;  // from the barrel's end
 };
 
-/// One stretch of continuously sampled time, all signals alike.
+/// A range of time that all signals were sampled in without a gap.
 struct RowInfo {
   std::size_t samples = 0;
   std::size_t file = 0;  // index into Record::files
-  int point = 0;         // which point was hit (or where the roving sensor sat)
+  int point = 0;         // the point that was hit, or the place of a roving sensor
   int run = 0;           // repeated test in one file
 };
 
-/// Where a signal's numbers lie in its file, one after the other: IEEE floats of 4 or 8 bytes, the lowest byte first.
+/// The storage of a signal whose numbers are contiguous in its file: little-endian IEEE floats of 4 or 8 bytes.
 struct ContiguousSignal {
-  std::uint64_t offset_bytes = 0;    // of the first row's first number
+  std::uint64_t offset_bytes = 0;    // of the first number of the first row
   std::uint64_t row_step_bytes = 0;  // from row to row
   std::uint64_t number_bytes = 8;
   double to_SI = 1;
 };
 
-/// Two points that a drawing of the structure connects.
+/// Two points that drawings of the structure connect by a line.
 using TraceLine = std::array<int, 2>;
 
-/// What was recorded, described without its samples: those are read when asked for, so that what nobody asks for is
-/// never read. A row is one hit, unless there is just one row or `continuous` is set: then hits are searched within it.
+/// The description of a measurement over time. Samples are read on request only. A row is one hit, unless there is only
+/// one row or `continuous` is set: then each row is searched for hits.
 struct Record {
   std::vector<InputFile> files;
   std::string format;  // for people: "HDF5", "CSV"
   double fs_Hz = 0;
   SignalInfo force;
-  bool has_force = true;  // false: none was recorded, and read_force_N gives zeros
+  bool has_force = true;  // false: no force was recorded, and read_force_N gives zeros
   std::vector<SignalInfo> accel;
   std::vector<RowInfo> rows;
   bool continuous = false;                    // every row may hold several hits
-  std::vector<std::vector<double>> geometry;  // [points][2 or 3], as stored, NaN for points without; may be empty
+  std::vector<std::vector<double>> geometry;  // [points][2 or 3], as stored; NaN where not known; may be empty
   std::vector<TraceLine> trace_lines;         // may be empty
-  std::vector<ContiguousSignal> contiguous;   // the force and each channel, where all lie plainly in one file
-  std::vector<std::string> notes;             // what was assumed or could not be read, one line each
-  /// The (first) file's path, or what it is where there is no file: names the record in messages.
+  std::vector<ContiguousSignal> contiguous;   // the force and each channel, where all are contiguous; else empty
+  std::vector<Message> notes;                 // assumptions, and parts that could not be read
+  /// The first file's path, or the format where there is no file: the record's name in messages.
   std::string source() const { return files.empty() ? format : files.front().path; }
   std::set<int> points() const;
 
@@ -71,9 +72,9 @@ struct Record {
   SampleReader<std::size_t, std::size_t> read_accel_mps2;  // (row, channel, first, out)
 };
 
-/// How one channel is connected, from a set-up file; empty members leave what the file says.
+/// An entry of a channel set-up. Empty members leave what the record's file states.
 struct ChannelSetup {
-  std::string name;  // the column's name or 1-based number, or the data set's channel ("accel 1")
+  std::string name;  // name or 1-based number of the column, or "accel 1", "force"
   std::string role;  // "force", "acceleration" or "ignore"
   double sign = 1;   // −1 when the sensor points against its axis
   std::optional<double> angle_rad;
@@ -82,45 +83,42 @@ struct ChannelSetup {
   std::optional<std::string> unit;             // of the stored numbers
 };
 
-/// What the user says about a file; everything is optional and wins over what the file says.
+/// The user's statements about a file. Each is optional and overrides the file's own.
 struct ReadOptions {
   std::optional<double> fs_Hz;
-  std::string fs_variable;                           // the rate's own variable, in files that name them (MAT)
-  std::optional<double> df_Hz;                       // spacing of FRFs' lines, where the file does not state it
-  std::string force_channel;                         // name or 1-based number of the column
-  std::vector<std::string> accel_channels;           // likewise, in the order wanted
-  std::vector<double> force_scale;                   // N per stored unit; one for all files or one per file
-  std::vector<double> accel_scale;                   // m/s² per stored unit; one for all or one per channel
+  std::string fs_variable;                  // the variable that holds the rate, in formats with named variables (MAT)
+  std::optional<double> df_Hz;              // spacing of the FRFs' lines, where the file does not state it
+  std::string force_channel;                // name or 1-based number of the column
+  std::vector<std::string> accel_channels;  // likewise, in the order wanted
+  std::vector<double> force_scale;          // N per stored unit; one for all files or one per file
+  std::vector<double> accel_scale;          // m/s² per stored unit; one for all or one per channel
   std::optional<double> force_sensitivity_V_per_N;   // stored numbers are V (or mV by their unit)
   std::vector<double> accel_sensitivity_V_per_mps2;  // one for all or one per channel
   std::string force_unit, accel_unit;                // of the stored numbers
   std::vector<double> angle_rad, position_m;         // per acceleration channel
   std::vector<ChannelSetup> setup;
-  bool force_optional = false;  // a file without a force is no error (MAT files excepted)
-  bool sandboxed = false;       // read binary files of others' libraries in a process of its own (confined_process.hpp)
+  bool force_optional = false;  // accept a file without a force (except MAT files)
+  bool sandboxed = false;       // decode foreign binary files in a child process (sandbox_process.hpp)
 };
 
 enum class FileGrouping { automatic, hits, points, tests };
 
-/// Opens one file of any kind that percuss reads ("-" is standard input) and describes it. Throws InputError.
-Record open_record(const std::string& path, const ReadOptions& options = {});
-
-/// Several files as one record: more hits of one test (same point), or one point each. Automatic is hits. Sampling
-/// rates and the number and order of channels must agree. InputError names the file that differs. A single record
-/// passes through unchanged.
+/// Joins several files to one record: as hits of one point, or as one point per file. Automatic means hits. A single
+/// record is returned unchanged.
+/// errors  InputError: sampling rates, channel counts or forces differ; names the file.
 Record join_records(std::vector<Record> records, FileGrouping mean);
 
-/// The rows of `record` for which keep(row) holds, as a record of its own.
+/// A record of the rows for which keep(row) is true.
 Record select_rows(const Record& record, const std::function<bool(const RowInfo&)>& keep);
 
-/// Lines from numbers two by two: points from 0 up to `points` − 1.
-/// errors  InputError at `where`: another count, or numbers that are no such points.
+/// Lines from pairs of point numbers, 0 … `points` − 1.
+/// errors  InputError at `where`: an odd count, or a number that is not a point's.
 std::vector<TraceLine> trace_lines_of(const std::vector<double>& numbers, std::size_t points, const std::string& where);
 
-/// What read_force_N is of a record without a force: zeros.
+/// A reader of zeros: the force of a record without one.
 SampleReader<std::size_t> no_force();
 
-/// A record whose samples are in memory: force [row][sample] in N, accel [row][channel][sample] in m/s².
+/// A record of samples in memory: force [row][sample] in N, accel [row][channel][sample] in m/s².
 Record record_in_memory(double fs_Hz, std::vector<std::vector<double>> force_N,
                         std::vector<std::vector<std::vector<double>>> accel_mps2);
 

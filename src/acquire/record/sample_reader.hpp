@@ -8,8 +8,8 @@
 
 namespace percuss::acquire {
 
-/// Reads stretches of one signal. Where the samples lie in memory they can be looked at without a copy. `Place` names
-/// the row, or the row and the channel.
+/// Reads ranges of one signal's samples. Samples in memory can be viewed without a copy. `Place` is the row, or the row
+/// and the channel.
 template <class... Place>
 class SampleReader {
  public:
@@ -19,12 +19,12 @@ class SampleReader {
   SampleReader() = default;
   template <class Callable>
   requires(!std::same_as<Callable, SampleReader>) SampleReader(Callable read) : read_(std::move(read)) {}
-  /// `view` gives the whole row, which lives as long as the reader.
+  /// `view` returns the whole row, valid during the reader's lifetime.
   SampleReader(Read read, View view) : read_(std::move(read)), view_(std::move(view)) {}
 
   /// Fills `out` with the samples first … first + out.size() − 1.
   void operator()(Place... place, std::size_t first, std::span<double> out) const { read_(place..., first, out); }
-  /// Samples first … first + count − 1 where they lie, or read into `buffer`.
+  /// A view of the samples first … first + count − 1: of the memory they lie in, or of `buffer`, filled with them.
   std::span<const double> view_or_read(Place... place, std::size_t first, std::size_t count,
                                        std::vector<double>& buffer) const {
     if (view_) return view_(place...).subspan(first, count);

@@ -3,8 +3,8 @@
 
 namespace percuss::acquire {
 
-/// fs_Hz, if anything that is hit can ring between its limits, a thousandth of a Hz and a GHz; InputError at `where` if
-/// not.
+/// Returns fs_Hz.
+/// errors  InputError at `where`: fs_Hz is not between 1e-3 and 1e9 Hz.
 double checked_rate_Hz(double fs_Hz, std::string_view where);
 
 }  // namespace percuss::acquire

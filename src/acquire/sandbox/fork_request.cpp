@@ -14,18 +14,18 @@ constexpr std::size_t kDescriptors = std::tuple_size_v<decltype(ForkRequest::des
 constexpr std::size_t kLongestPath = PATH_MAX;
 
 // A message in the form the kernel wants it in, with room for the descriptors.
-struct Message {
+struct SocketMessage {
   std::array<iovec, 2> parts{};
   alignas(cmsghdr) std::array<char, CMSG_SPACE(kDescriptors * sizeof(int))> control{};
   msghdr header{};
 
-  Message(ForkCommand& command, char* path, std::size_t path_bytes) {
+  SocketMessage(ForkCommand& command, char* path, std::size_t path_bytes) {
     parts = {iovec{&command, sizeof command}, iovec{path, path_bytes}};
     header.msg_iov = parts.data();
     header.msg_iovlen = parts.size();
   }
-  Message(const Message&) = delete;
-  Message& operator=(const Message&) = delete;
+  SocketMessage(const SocketMessage&) = delete;
+  SocketMessage& operator=(const SocketMessage&) = delete;
   void attach_control_buffer() {
     header.msg_control = control.data();
     header.msg_controllen = control.size();
@@ -37,7 +37,7 @@ struct Message {
 bool send_fork_request(int socket, const ForkRequest& request) {
   if (request.path.size() > kLongestPath) return false;
   ForkRequest copy = request;
-  Message message(copy.command, copy.path.data(), copy.path.size());
+  SocketMessage message(copy.command, copy.path.data(), copy.path.size());
   if (copy.descriptors.front() >= 0) {
     message.attach_control_buffer();
     cmsghdr* const first = CMSG_FIRSTHDR(&message.header);
@@ -51,7 +51,7 @@ bool send_fork_request(int socket, const ForkRequest& request) {
 
 std::optional<ForkRequest> receive_fork_request(int socket) {
   ForkRequest request{.command = {}, .path = std::string(kLongestPath, '\0')};
-  Message message(request.command, request.path.data(), request.path.size());
+  SocketMessage message(request.command, request.path.data(), request.path.size());
   message.attach_control_buffer();
   ssize_t got = -1;
   do {

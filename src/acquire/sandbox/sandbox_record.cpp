@@ -31,7 +31,7 @@ void serialize_description(Serializer& out, const Record& record) {
   serialize_geometry(out, record.geometry);
   out.put_all(record.trace_lines);
   out.put_all(record.contiguous);
-  serialize_strings(out, record.notes);
+  serialize_notes(out, record.notes);
 }
 
 Record deserialize_description(Deserializer& in) {
@@ -52,7 +52,7 @@ Record deserialize_description(Deserializer& in) {
   record.geometry = deserialize_geometry(in);
   record.trace_lines = in.all<TraceLine>();
   record.contiguous = in.all<ContiguousSignal>();
-  record.notes = deserialize_strings(in);
+  record.notes = deserialize_notes(in);
   return record;
 }
 
@@ -96,6 +96,24 @@ std::vector<std::string> deserialize_strings(Deserializer& in) {
   return texts;
 }
 
+void serialize_notes(Serializer& out, const std::vector<Message>& notes) {
+  out.put(static_cast<std::uint64_t>(notes.size()));
+  for (const Message& note : notes) {
+    out.put(note.text);
+    serialize_strings(out, note.options);
+  }
+}
+
+std::vector<Message> deserialize_notes(Deserializer& in) {
+  std::vector<Message> notes;
+  const std::size_t count = in.count(2 * sizeof(std::uint64_t));
+  for (std::size_t i = 0; i < count; ++i) {
+    std::string text = in.text();
+    notes.emplace_back(std::move(text), deserialize_strings(in));
+  }
+  return notes;
+}
+
 void serialize_geometry(Serializer& out, const std::vector<std::vector<double>>& geometry) {
   out.put(static_cast<std::uint64_t>(geometry.size()));
   for (const auto& point : geometry) out.put_all(point);
@@ -137,12 +155,6 @@ Record sandboxed_record(Deserializer& in, const std::shared_ptr<SandboxProcess>&
     process->read(row, channel + 1, first, out);
   };
   return with_contiguous_readers(std::move(record));
-}
-
-Record open_in_sandbox(const std::string& path, const std::function<Record()>& open) {
-  auto process = std::make_shared<SandboxProcess>(path, [&] { return record_service(open()); });
-  Deserializer in(process->description());
-  return sandboxed_record(in, process);
 }
 
 }  // namespace percuss::acquire

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "core/math/linear_algebra.hpp"
+#include "core/math/roots.hpp"
 
 namespace percuss::identify {
 namespace {
@@ -16,7 +17,6 @@ using Eigen::VectorXd;
 
 constexpr double kNodeCertain = 3;       // deviations from zero that make a sign
 constexpr double kMinNodeNoise = 1e-12;  // of the largest amplitude: no point is better than that
-constexpr int kBisections = 60;          // to the last digit of a position within its bracket
 
 // A polynomial of one degree fitted to the points near a crossing.
 struct PolynomialFit {
@@ -47,13 +47,8 @@ struct PolynomialFit {
 };
 
 std::optional<double> root_within(const PolynomialFit& fit, double low, double high) {
-  const double at_low = fit.at(low);
-  if (!(at_low * fit.at(high) < 0)) return std::nullopt;
-  for (int i = 0; i < kBisections; ++i) {
-    const double middle = 0.5 * (low + high);
-    (fit.at(middle) * at_low > 0 ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
+  if (!(fit.at(low) * fit.at(high) < 0)) return std::nullopt;
+  return bracketed_root([&](double u) { return fit.at(u); }, low, high);
 }
 
 PolynomialFit fit_polynomial(const VectorXd& u, const VectorXd& y, const VectorXd& std, int degree) {

@@ -15,11 +15,11 @@ using Eigen::Vector2d;
 
 constexpr std::size_t kMinRest = 8;    // samples that a line and its scatter take
 constexpr double kUnknownBias = 0.1;   // of the signal: a sensor worse than that is broken
-constexpr double kMinCycles = 3;       // of the slowest oscillation within a window for its mean to be near zero
+constexpr double kMinCycles = 3;       // of the slowest oscillation within a window, for a mean near zero
 constexpr double kContradiction = 30;  // χ² of two means: one in three million
 constexpr double kLeakageMargin = 2;   // the oscillation's amplitude and phase are only estimated
 
-// ∫K·w and what of it noise and bias cause, for one window.
+// ∫K·w for one window, and the contributions of noise and bias to it.
 struct WindowMean {
   double mean_m = 0, leaks_m = 0;
   Vector2d by_bias;

@@ -22,7 +22,7 @@ constexpr double kHalf = 0.5;          // of the frequency of the strongest line
 
 double largest_magnitude(std::span<const double> x) { return extremes_of(x).max_distance_from(0); }
 
-// Samples before the filter's ringing begins: those at rest.
+// Samples before the ringing of the filter begins: those at rest.
 std::size_t samples_at_rest(const ImpactSignal& signal) {
   const auto onset = static_cast<std::size_t>(std::max(0.0, signal.onset_s * signal.fs_Hz));
   return onset - std::min(kRinging, onset / 2);
@@ -82,7 +82,7 @@ double strongest_line_Hz(std::span<const double> accel_mps2, double fs_Hz) {
   const auto lines = real_dft(accel_mps2);
   std::size_t best = 1;
   double largest = 0;
-  // The first two lines hold what drifts.
+  // The first two lines contain the drift.
   for (std::size_t k = 3; k < lines.size(); ++k) {
     const double deflection = std::abs(lines[k]) / std::pow(static_cast<double>(k), 2);
     if (deflection > largest) best = k;
@@ -113,7 +113,7 @@ Deflection by_lines(const ImpactSignal& signal, const DeflectionOptions& options
 Deflection by_modes(const ImpactSignal& signal) {
   assert(!signal.force_N.empty());
   ModalDeflection modal = modal_deflection(signal.force_N, signal.fs_Hz, signal.modes, signal.rigid_per_kg);
-  // What the modes leave of the acceleration, as a part of it, may be missing from the deflection as well.
+  // The relative residual of the acceleration without the modes may be missing from the deflection as well.
   double left = 0, all = 0;
   for (std::size_t i = 0; i < signal.accel_mps2.size(); ++i) {
     left += std::pow(signal.accel_mps2[i] - modal.accel_mps2[i], 2);

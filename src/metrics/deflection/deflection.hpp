@@ -14,50 +14,57 @@ namespace percuss::metrics {
 enum class DeflectionMethod { automatic, small_interval, drift_free, frequency, modal };
 const char* name_of(DeflectionMethod method);
 
-/// One impact as one accelerometer saw it.
+/// One impact, measured by one accelerometer.
 struct ImpactSignal {
   double fs_Hz = 0;
   std::span<const double> accel_mps2;  // [samples]
-  double onset_s = 0;                  // of the contact, from the first sample: until then the structure rests
-  // What is known of the excitation, for the modal method and for a free body:
+  double onset_s = 0;                  // start of the contact, from the first sample; the structure rests before it
+  // The excitation, for the modal method and for a free body:
   std::span<const double> force_N;  // [samples]; empty: not measured
-  double rigid_per_kg = 0;          // accelerance of the free body at the point; 0: held, or not known
+  double rigid_per_kg = 0;          // rigid-body accelerance of a free body at the point; 0: held or unknown
   std::vector<ModalContribution> modes;
 };
 
 struct DeflectionOptions {
   DeflectionMethod method = DeflectionMethod::automatic;
   double highpass_corner_Hz = 0;    // first-order corner of the charge amplifier; 0: none
-  std::optional<double> lowest_Hz;  // of the method frequency; default: half of the strongest line of the deflection
-  bool free_body = false;           // the structure may drift away: it need not return to where it rested
+  std::optional<double> lowest_Hz;  // for `frequency`; default: half the frequency of the largest spectral line
+  bool free_body = false;           // the structure may move away and need not return to its position of rest
 };
 
 struct Deflection {
   DeflectionMethod method = DeflectionMethod::drift_free;
   std::vector<double> velocity_mps, deflection_m;
-  std::vector<double> std_m;  // of the deflection; empty where the method knows none
-  double bias_mps2 = 0;       // that was taken away
-  bool held = false;          // the mean late deflection was used to take drift away
-  std::size_t peak = 0;       // sample of the largest deflection that the deviation allows to tell
-  double peak_m = 0;          // signed; NaN, as its deviation and forward_m, where nothing stands out of the noise
+  std::vector<double> std_m;  // of the deflection; empty where the method has none
+  double bias_mps2 = 0;       // subtracted from the acceleration
+  bool held = false;          // the drift was corrected with the mean late deflection
+  std::size_t peak = 0;       // sample of the largest significant deflection
+  double peak_m = 0;          // signed; NaN, like peak_std_m and forward_m, where no deflection is significant
   double peak_std_m = 0;
-  double forward_m = 0, forward_std_m = 0;  // the same of deflections the way the structure first went; signed
-  double drift_m = 0;                       // deviation that bias and drift have at the last sample
+  double forward_m = 0, forward_std_m = 0;  // the peak in the direction of the first motion; signed
+  double drift_m = 0;                       // standard deviation due to bias and drift at the last sample
 
   bool has_peak() const { return !std::isnan(peak_m); }
 };
 
-/// Deflection of the struck structure from its acceleration (and force). drift_free: bias of the samples before the
-/// impact, rest until then, integration without error (integrate_twice), and the place around which a held structure
-/// swings; deviation of the double integral of white noise, σ_w² = σ_a² Δt t³/3, and of the bias. small_interval: the
-/// source's sums, from the impact, nothing taken away. frequency: line by line. modal: the modes and the force.
-/// Automatic: drift_free where the record shows the rest before the impact, else modal where force and modes are known.
-/// Needs force and modes for modal (a precondition). shapes [samples].
+/// Computes the deflection of the struck structure from its acceleration (and force).
+///   drift_free      subtracts the bias before the impact, integrates without error (integrate_twice), and centres a
+///   held
+///                   structure on its position of rest. Its standard deviation includes the bias and the double
+///                   integral of white noise, σ_w² = σ_a² Δt t³/3.
+///   small_interval  the source's sums from the impact on, without any correction
+///   frequency       division in the frequency domain, line by line
+///   modal           the response of the modes to the force
+///   automatic       drift_free where the record shows the rest before the impact, otherwise modal where force and
+///   modes
+///                   are known
+/// Precondition: modal needs force and modes. shapes [samples].
 /// theory (7.4)
 Deflection deflection_of(const ImpactSignal& signal, const DeflectionOptions& options = {});
 
-/// Where the structure starts to move, from the first sample: the first that leaves the noise of the first fiftieth of
-/// the record by eight deviations and a thousandth of the largest. For records without force.
+/// The time from the first sample at which the structure starts to move, for records without force. It is the first
+/// sample beyond eight standard deviations of the noise (from the first fiftieth of the record) and beyond a thousandth
+/// of the largest sample.
 double motion_onset_s(std::span<const double> accel_mps2, double fs_Hz);
 
 }  // namespace percuss::metrics

@@ -7,7 +7,7 @@
 namespace percuss::metrics {
 namespace {
 
-// Natural logarithm of what is left of the first sample where the transform wraps around: below rounding, while the
+// Natural logarithm of the remainder of the first sample where the transform wraps around: below rounding, while the
 // rounding that dividing by the window raises at the last sample stays below 1e-9.
 constexpr double kWindowEnd = 30;
 

@@ -7,9 +7,9 @@
 
 namespace percuss::metrics {
 
-/// A sequence's transform on the line s = σ + jω right of the origin: what a causal filter makes of it comes back
-/// without wrapping around, and poles on the imaginary axis (integrators) do no harm. The sequence is taken as
-/// band-limited and as zero before its first sample; 1e-9 of the largest value is what rounding leaves at the last.
+/// The transform of a sequence on the line s = σ + jω right of the origin. The response of a causal filter does not
+/// wrap around, and the filter may have poles on the imaginary axis (integrators). The sequence must be band-limited,
+/// and is zero before its first sample. The rounding error at the last sample is 1e-9 of the largest value.
 ///   y = L⁻¹[H(s)·X(s)],  X(s) = Δt Σ x(n) exp(−s n Δt)                              (1)
 /// theory (7.2)
 class LaplaceTransform {

@@ -28,7 +28,7 @@ const char* kind_of(const AbiEntry& entry) {
   return std::holds_alternative<AbiRoll>(entry.what) ? "a rolling" : "a performance test";
 }
 
-// One log being followed.
+// The evaluation of one log.
 class AbiEvaluation {
  public:
   AbiEvaluation(const AbiLog& log, const AbiRules& rules) : log_(log), rules_(rules) {}
@@ -61,7 +61,7 @@ class AbiEvaluation {
     if (const What* what = std::get_if<What>(&entry_->what)) return *what;
     throw InputError(fmt::format("step {} comes next ({}), not {}", static_cast<int>(run_.next),
                                  what_is_done(run_.next), kind_of(*entry_)),
-                     entry_->place, "enter what was done in the procedure's order");
+                     entry_->place, "enter the steps in the order of the procedure");
   }
 
   void compressed(double mean_lbf) {
@@ -71,7 +71,7 @@ class AbiEvaluation {
       run_.next = AbiStep::first_performance;
       return;
     }
-    // Rolling is held against the state before it, BC_i,0; a test against the last state before the test.
+    // The reference of a rolling is the state before it, BC_i,0; the reference of a test is the last state before it.
     const bool after_roll = run_.next == AbiStep::compression_after_roll;
     const double before_lbf = after_roll ? unrolled_lbf_ : run_.compressions.back().mean_lbf;
     const double reduction = (before_lbf - mean_lbf) / before_lbf;  // (P14)
@@ -141,7 +141,7 @@ class AbiEvaluation {
     if (run_.cycle >= rules_.max_cycles) end(AbiVerdict::undecided, "its performance does not fall");
   }
 
-  // A failure stays one.
+  // A failure is final.
   void end(AbiVerdict verdict, const std::string& why) {
     if (verdict == AbiVerdict::pass && !log_.limit) verdict = AbiVerdict::undecided;
     if (run_.verdict != AbiVerdict::fail) {
@@ -184,7 +184,7 @@ AbiRun evaluate_abi(const AbiLog& log, const AbiRules& rules) {
   AbiRun run = AbiEvaluation(log, rules).run();
   if (!log.material.empty() && log.material != "composite") {
     run.remarks.push_back(
-        {"material", "the procedure is for barrels of composite, not of " + one_line(log.material, 40)});
+        {"material", "the procedure applies to composite barrels, not to " + one_line(log.material, 40)});
   }
   if (!log.limit) run.remarks.push_back({"no_limit", "no limit is given: the bat cannot pass, nor fail by it"});
   return run;

@@ -8,17 +8,17 @@
 
 namespace percuss::metrics {
 
-/// Gates of the break-in, [8] in docs/theory/sources.md, appendix E, and where a run that leads nowhere is given up.
+/// Limits of the accelerated break-in (ABI), [8] in docs/theory/sources.md, appendix E, and the limits that end a run.
 struct AbiRules {
-  double min_reduction = 0.05;   // that rolling is to reach
-  double skip_reduction = 0.15;  // above it the barrel is not rolled before the next test
+  double min_reduction = 0.05;   // rolling must reach it
+  double skip_reduction = 0.15;  // above it the next test follows without rolling
   double pass_drop_besr = 0.014, pass_drop_bbcor = 0.018;
   double first_depth_in = 0.10, depth_step_in = 0.0125, depth_tolerance_in = 0.00625;
-  double max_depth_in = 0.5;  // no barrel is a barrel beyond
+  double max_depth_in = 0.5;  // beyond it no barrel keeps its form
   int max_cycles = 50;
 };
 
-/// The procedure's steps by their printed numbers; 6 and 8 are decisions, not things to do.
+/// The steps of the procedure by their printed numbers; 6 and 8 are decisions, not actions.
 enum class AbiStep {
   initial_compression = 1,
   first_performance = 2,
@@ -30,7 +30,7 @@ enum class AbiStep {
   done = 0
 };
 
-/// A compression as measured, and how much it fell since the state it is held against:
+/// A measured compression, and its reduction from the state to which it is compared:
 ///   Δ = (BC_before − BC)/BC_before                                                             (P14)
 struct AbiReduction {
   AbiStep step = AbiStep::initial_compression;
@@ -48,28 +48,28 @@ struct AbiCycle {
 enum class AbiVerdict { in_progress, pass, fail, undecided };
 const char* name_of(AbiVerdict verdict);
 
-/// How far a bat has come.
+/// The progress of a bat in the procedure.
 struct AbiRun {
   AbiStep next = AbiStep::initial_compression;
   int cycle = 0, roll = 0;
-  std::optional<double> depth_in;  // of the last rolling
+  std::optional<double> depth_in;  // depth of the last rolling
   AbiVerdict verdict = AbiVerdict::in_progress;
-  std::string why;  // the verdict, in words
+  std::string why;  // the reason of the verdict
   std::vector<AbiReduction> compressions;
   std::vector<AbiCycle> cycles;
   std::vector<ProtocolFinding> remarks;
 };
 
-/// Follows a log from its start; every entry must be what the procedure asks for. Step 9 is followed as steps 3 and 5
-/// are written, (P14): in print its sign and denominator are reversed. errors  InputError naming entry and step:
-/// another thing was done than comes next, something was done after the end, the rollers were brought in less than
+/// Evaluates a log from its start. Every entry must be the next step of the procedure. Step 9 uses (P14) like steps 3
+/// and 5: its sign and denominator are reversed in print.
+/// errors  InputError with entry and step: an entry out of order, an entry after the end, rollers less deep than
 /// before.
 AbiRun evaluate_abi(const AbiLog& log, const AbiRules& rules = {});
 
-/// The rollers' next depth.
+/// The next depth of the rollers.
 double next_depth_in(const AbiRun& run, const AbiRules& rules = {});
 
-/// What comes next in words: "step 4: roll the barrel, rollers 0.1125 in in".
+/// The next step as text: "step 4: roll the barrel, rollers 0.1125 in in".
 std::string next_step_text(const AbiRun& run, const AbiRules& rules = {});
 
 }  // namespace percuss::metrics

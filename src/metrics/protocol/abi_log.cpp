@@ -22,10 +22,10 @@ AbiEntry read_abi_entry(StrictObject& o) {
     o.need("force_lbf");
     o.read("force_lbf", compression.force_lbf);
     if (compression.force_lbf.size() != 4)
-      o.fail("not four forces", "force_lbf", "give those at 0, 90, 45 and -45 degrees");
+      o.fail("not four forces", "force_lbf", "give the forces at 0, 90, 45 and -45 degrees");
     for (const double force : compression.force_lbf) {
       if (!(force > 0 && force <= kLoadFrame_lbf))
-        o.fail("a force that the load frame cannot show", "force_lbf", "give 0 to 1000 lbf");
+        o.fail("a force beyond the load frame", "force_lbf", "give 0 to 1000 lbf");
     }
     entry.what = compression;
   } else if (kind == "roll") {
@@ -42,7 +42,7 @@ AbiEntry read_abi_entry(StrictObject& o) {
     o.read_within("hoop_hz", 1, 1e6, test.hoop_Hz);
     entry.what = test;
   } else {
-    o.fail("\"" + one_line(kind, 40) + "\" is nothing that is done", "do", "give compression, roll or performance");
+    o.fail("\"" + one_line(kind, 40) + "\" is no step", "do", "give compression, roll or performance");
   }
   return entry;
 }
@@ -50,7 +50,7 @@ AbiEntry read_abi_entry(StrictObject& o) {
 void read_abi_document(StrictObject& o, AbiLog& log) {
   std::string schema = "percuss/abi-log/1", metric = "besr";
   o.read("schema", schema);
-  if (schema != "percuss/abi-log/1") o.fail("no log of a break-in", "schema", "percuss/abi-log/1 is what abi reads");
+  if (schema != "percuss/abi-log/1") o.fail("no log of a break-in", "schema", "give percuss/abi-log/1");
   for (const char* key : {"bat", "entries"}) o.need(key);
   o.read_part("bat", [&](StrictObject& bat) {
     bat.need("id");

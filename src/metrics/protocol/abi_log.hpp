@@ -14,7 +14,7 @@ struct AbiCompression {
   double mean_lbf() const;
 };
 
-/// The rollers brought this far in, over all four orientations.
+/// One rolling over all four orientations, with the rollers at this depth.
 struct AbiRoll {
   double depth_in = 0;
 };
@@ -23,7 +23,7 @@ struct AbiRoll {
 struct AbiPerformance {
   double value = 0;
   bool damage = false;  // visible damage, or failed the ring test
-  bool broken = false;  // further testing cannot reasonably be done
+  bool broken = false;  // further tests make no sense
   std::optional<double> hoop_Hz;
 };
 
@@ -32,7 +32,7 @@ struct AbiEntry {
   std::variant<AbiCompression, AbiRoll, AbiPerformance> what;
 };
 
-/// What was done to a bat, in its order.
+/// The steps carried out on a bat, in their order.
 struct AbiLog {
   std::string bat, material;
   bool bbcor = false;  // judged by BBCOR, else by BESR
@@ -41,12 +41,12 @@ struct AbiLog {
   std::vector<AbiEntry> entries;
 };
 
-/// Reads percuss/abi-log/1 (docs/schema/abi-log.schema.json). InputError with file and key: not such a document, a
-/// force beyond the load frame, a number that cannot be.
+/// Reads percuss/abi-log/1 (docs/schema/abi-log.schema.json).
+/// errors  InputError with file and key: another document, a force beyond the load frame, an impossible number.
 AbiLog parse_abi_log(std::string_view text, const std::string& where);
 AbiLog read_abi_log(const std::string& path);
 
-/// A log as an operator may start from.
+/// An example log to start from.
 std::string abi_log_example();
 
 }  // namespace percuss::metrics

@@ -3,10 +3,10 @@
 
 namespace percuss::metrics {
 
-/// Mean of at least one value.
+/// The mean of at least one value.
 double mean_of(const std::vector<double>& values);
 
-/// Standard error of their mean, from their scatter; 0 for one value, whose scatter is not known.
+/// The standard error of the mean, from the scatter of the values; 0 for a single value.
 double standard_error_of(const std::vector<double>& values);
 
 }  // namespace percuss::metrics

@@ -10,7 +10,7 @@ namespace {
 constexpr double kMinBelow = 2.1, kMaxBelow = 3.0;  // ounces of class −3
 constexpr double kMinExponent = 0.08, kMaxExponent = 0.37;
 
-// f(the numbers), or nothing when one of them is absent.
+// f(numbers), or nothing when a number is absent.
 template <class F, class... T>
 std::optional<UncertainValue> given(F&& f, const std::optional<T>&... numbers) {
   if (!(numbers.has_value() && ...)) return std::nullopt;
@@ -66,20 +66,24 @@ std::vector<MetricsWarning> metrics_warnings(const BatReadings& r, const BatMetr
   std::vector<MetricsWarning> out;
   const SwingModel standard;
   if (m.swing_mps && !r.swing_mps && r.swing.v0_mps == standard.v0_mps) {
-    out.push_back({"swing_speed_constant",
-                   "the swing model's v0 is 60 mph: the 40 mph that the source prints would make 44 mph of the 66 mph "
-                   "that it states for the barrel (--v0-mph)"});
+    out.push_back(
+        {"swing_speed_constant",
+         "the swing model uses v0 = 60 mph: the source prints 40 mph, which gives 44 mph at the barrel in place of "
+         "its 66 mph",
+         {"v0_mph"}});
   }
   if (r.swing.exponent < kMinExponent || r.swing.exponent > kMaxExponent) {
-    out.push_back({"swing_exponent", fmt::format("players' exponents range from {} to {}, not {:g}", kMinExponent,
-                                                 kMaxExponent, r.swing.exponent)});
+    out.push_back({"swing_exponent",
+                   fmt::format("exponents of players range from {} to {}; the exponent is {:g}", kMinExponent,
+                               kMaxExponent, r.swing.exponent),
+                   {"swing_exponent"}});
   }
   if (m.drop && !m.drop_class) {
     out.push_back({"drop_class", fmt::format("a drop of {:.3f} is not in class -3 (2.1 to 3.0 oz below the length)",
                                              m.drop->value())});
   }
   if (r.in_mps && r.out_mps && r.out_mps->value() > r.in_mps->value())
-    out.push_back({"rebound_speed", "the ball leaves faster than it came: are inbound and rebound exchanged?"});
+    out.push_back({"rebound_speed", "the rebound is faster than the inbound ball: are the two speeds exchanged?"});
   return out;
 }
 

@@ -3,20 +3,21 @@
 #include <string>
 #include <vector>
 
+#include "core/error.hpp"
 #include "metrics/protocol/performance.hpp"
 #include "metrics/protocol/uncertain_value.hpp"
 
 namespace percuss::metrics {
 
-/// What was read of one bat and one impact, each with the standard deviation of its reading; SI. What was not read is
-/// absent, and so is every result that needs it.
+/// The readings of one bat and one impact in SI units, each with its standard deviation. A result that needs an absent
+/// reading is absent as well.
 struct BatReadings {
   std::optional<UncertainValue> length_m, mass_kg, cg_m, period_s;
-  std::optional<UncertainValue> moi_kgm2;      // in place of the pendulum's
+  std::optional<UncertainValue> moi_kgm2;      // replaces the pendulum
   std::optional<UncertainValue> ball_kg, z_m;  // z from the barrel's tip
   std::optional<UncertainValue> in_mps, out_mps;
-  std::optional<UncertainValue> besr, bbcor;  // in place of the speeds'
-  std::optional<UncertainValue> swing_mps;    // in place of the swing model's
+  std::optional<UncertainValue> besr, bbcor;  // replace the speeds
+  std::optional<UncertainValue> swing_mps;    // replaces the swing model
   double pitch_mps = kPitchSpeed_mps;
   double nominal_mps = kNominalSpeed_mps;
   double gravity_mps2 = kProtocolGravity_mps2;
@@ -24,23 +25,25 @@ struct BatReadings {
   SwingModel swing;
 };
 
-/// The results, (P1) to (P10); absent where the readings do not allow them.
+/// The results (P1) to (P10); absent where a reading is missing.
 struct BatMetrics {
   std::optional<UncertainValue> drop, moi_kgm2, besr, ncaa_besr, bbs_mps, bbcor, contact_mps, swing_mps, k;
   std::optional<int> drop_class;
 };
 
-/// All that the readings allow. BESR comes from the speeds, from its own reading, or from BBCOR, in this order.
+/// Computes all results that the readings allow. BESR comes from the speeds, else from its own reading, else from
+/// BBCOR.
 BatMetrics bat_metrics(const BatReadings& readings);
 
-/// The class that the rules name: −3 for bats 2.1 to 3.0 oz below their length in inches; none for others.
+/// The class of a drop in the rules: −3 for 2.1 to 3.0 oz below the length in inches, none otherwise.
 std::optional<int> drop_class_of(double drop);
 
 struct MetricsWarning {
   std::string code, message;
+  std::vector<OptionId> options = {};  // that the message is about
 };
 
-/// What a reader of the results must know: constants of the source that do not agree, readings that make no sense.
+/// Warns of inconsistent constants of the source and of implausible readings.
 std::vector<MetricsWarning> metrics_warnings(const BatReadings& readings, const BatMetrics& metrics);
 
 }  // namespace percuss::metrics

@@ -96,7 +96,7 @@ void search(const Session& s, const ProtocolLimits& limits, Certification& out) 
   // The margin is in BESR: (P9) stretches it.
   if (s.metric == PerformanceMetric::bbcor) rules.margin *= 1 + inertia_ratio(s, 6, limits.ball_g);
   out.search = next_location(tested, rules);
-  // A location begun that does better so far is finished before anything is concluded.
+  // A started location with a better mean so far is completed before any conclusion.
   for (const TestedLocation& location : out.locations) {
     if (out.search.state != SearchState::shoot && !location.complete && location.mean > out.best)
       out.search = {.at = static_cast<HalfInches>(std::lround(2 * location.z_in))};
@@ -121,7 +121,7 @@ CertifyVerdict verdict_of(const Session& s, const Certification& c) {
   return s.limit ? CertifyVerdict::pass : CertifyVerdict::no_limit;
 }
 
-// A ball that may be fired again, the least used one first.
+// The usable ball with the fewest impacts.
 std::string ball_to_use(const Certification& c) {
   const BallUse* least = nullptr;
   std::string name;
@@ -226,7 +226,8 @@ const char* name_of(CertifyVerdict verdict) {
 
 Certification certify(const Session& session, const ProtocolLimits& limits) {
   if (session.metric == PerformanceMetric::bbcor && !session.bat.moi_ozin2)
-    throw InputError("BBCOR needs the bat's moment of inertia", "bat.moi_oz_in2", "percuss metrics computes it");
+    throw InputError("BBCOR needs the bat's moment of inertia", "bat.moi_oz_in2", "compute it from the pendulum",
+                     {"metrics.period_s"});
   Certification out{.conditions = condition_findings(session, limits)};
   judge_lot(session, limits, out);
   judge_shots(session, limits, out);

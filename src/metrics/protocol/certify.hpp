@@ -10,7 +10,7 @@
 
 namespace percuss::metrics {
 
-/// The protocol's limits, [8] in docs/theory/sources.md, sections 3.3 to 3.5.
+/// The limits of the protocol, [8] in docs/theory/sources.md, sections 3.3 to 3.5.
 struct ProtocolLimits {
   double temperature_F = 72, temperature_tolerance_F = 4;
   double humidity_percent = 50, humidity_tolerance_percent = 5;
@@ -21,17 +21,17 @@ struct ProtocolLimits {
   std::size_t shots = 6, lot_hits = 30;
   double lot_ratio = 0.231;  // v_out/v_in of the standard bat
   double margin_besr = 0.003;
-  bool accept_plateau = false;  // the best of a plateau is the sweet spot, in place of no verdict
+  bool accept_plateau = false;  // take the best location of a plateau as the sweet spot, instead of no verdict
 };
 
-/// Something that does not hold, as a word for programs and a sentence for people.
+/// A limit that does not hold: a code for programs and a sentence for people.
 struct ProtocolFinding {
   std::string code, message;
 };
 
 struct JudgedShot {
-  double in_mph = 0, out_mph = 0, target_mph = 0, value = 0;  // value: of the metric, without the lot's correction
-  bool counted = false;                                       // one of a location's first six
+  double in_mph = 0, out_mph = 0, target_mph = 0, value = 0;  // value: of the metric, without the correction of the lot
+  bool counted = false;                                       // one of the first six of its location
   std::vector<ProtocolFinding> reasons;                       // none: valid
   bool valid() const { return reasons.empty(); }
 };
@@ -39,15 +39,15 @@ struct JudgedShot {
 struct BallUse {
   int impacts = 0;
   std::array<int, 5> ears{};  // by ear; [0]: not stated
-  double ball_g = 0;          // as last weighed
-  std::string spent;          // why it may not be used again; empty: it may
+  double ball_g = 0;          // at the last weighing
+  std::string spent;          // the reason not to use it again; empty: usable
 };
 
 struct TestedLocation {
   double z_in = 0;
   std::size_t valid = 0;
   bool complete = false;
-  double mean = 0, std_error = 0;  // of the shots counted so far, correction included
+  double mean = 0, std_error = 0;  // of the shots counted so far, with the correction
 };
 
 enum class CertifyVerdict { in_progress, pass, fail, undecided, no_limit };
@@ -56,13 +56,13 @@ const char* name_of(CertifyVerdict verdict);
 struct NextAction {
   std::string code;  // condition_bat, condition_balls, restore_climate, lot_hit, shoot, stop
   std::optional<double> z_in, target_mph;
-  std::size_t left = 0;  // hits or shots
-  std::string ball;      // the least used of those known that may be used; empty: a new one
+  std::size_t left = 0;  // remaining hits or shots
+  std::string ball;      // the least used of the usable balls; empty: a new one
   std::string message;
 };
 
 struct Certification {
-  std::vector<ProtocolFinding> conditions;  // that do not hold
+  std::vector<ProtocolFinding> conditions;  // violated
   std::optional<double> correction, correction_std;
   std::size_t valid_lot_hits = 0;
   std::vector<JudgedShot> lot_hits, shots;
@@ -75,16 +75,16 @@ struct Certification {
   NextAction next;
 };
 
-/// Judges a session as far as it has gone, and says what comes next. Shots are judged in their order: later ones never
-/// change what was said of earlier ones, and a location's mean is that of its first six valid shots.
-/// A bat fails as soon as a complete location exceeds the limit or damage is seen; it passes only when the sweet spot
-/// is found and the limit held there and at every location tested.
+/// Judges a session at any stage and states the next action. Shots are judged in their order, and a later shot never
+/// changes the judgement of an earlier one. The mean of a location is the mean of its first six valid shots.
+/// A bat fails as soon as a complete location exceeds the limit or damage is seen. It passes only when the sweet spot
+/// is found and every tested location keeps the limit.
 Certification certify(const Session& session, const ProtocolLimits& limits = {});
 
-/// The laboratory's and the conditioning limits that do not hold.
+/// Violated limits of the laboratory and of conditioning.
 std::vector<ProtocolFinding> condition_findings(const Session& session, const ProtocolLimits& limits = {});
 
-/// The shots judged one by one with the balls' books kept; `conditions` that do not hold make all of them invalid.
+/// Judges one shot and counts the impact of its ball. A violated condition makes every shot invalid.
 JudgedShot judge_shot(const Session& session, const SessionShot& shot, double target_mph, BallUse& ball,
                       const ProtocolLimits& limits);
 

@@ -5,12 +5,13 @@
 
 namespace percuss::metrics {
 
-// The bat's performance in numbers, (P1) and (P3) to (P10) of docs/theory/performance.md, after [8] in docs/theory/sources.md. SI;
-// positions as the laboratory measures them: locations z and the centre of gravity from the barrel's tip, the pivot
-// from the knob. T is double, or Measured for the uncertainty along with the value.
+// The performance of a bat, (P1) and (P3) to (P10) of docs/theory/performance.md, after [8] in docs/theory/sources.md.
+// SI units. Positions as in the laboratory: locations z and the centre of gravity from the barrel's tip, the pivot from
+// the knob. T is double, or UncertainValue for a value with its uncertainty.
 
-inline constexpr double kPivot_m = 6 * kInch_m;                      // of every test, from the base of the knob
-inline constexpr double kProtocolGravity_mps2 = 386.4 * kInch_m;     // as the protocol prints it: 0.08 % above standard
+inline constexpr double kPivot_m = 6 * kInch_m;  // of every test, from the base of the knob
+inline constexpr double kProtocolGravity_mps2 =
+    386.4 * kInch_m;  // as printed in the protocol: 0.08 % above standard gravity
 inline constexpr double kNominalSpeed_mps = 136 * kMilePerHour_mps;  // swing and pitch together, 6 in from the tip
 inline constexpr double kBarrelSpeed_mps = 66 * kMilePerHour_mps;    // of the swing there
 inline constexpr double kPitchSpeed_mps = 70 * kMilePerHour_mps;     // where the ball crosses the plate
@@ -30,8 +31,8 @@ T pendulum_moi_kgm2(const T& period_s, const T& mass_kg, const T& length_m, cons
   return period_s * period_s * T(gravity_mps2) * mass_kg * arm_m / T(kTwoPi * kTwoPi);
 }
 
-/// Constants of the swing: a player's speed with a standard bat, and how he slows with a heavier one. v0 is printed as
-/// 40 mph, which would make 44 mph of the 66 at the barrel; 60 gives the 66.
+/// The swing model: a player's speed with a standard bat, and its decrease with the moment of inertia. The source
+/// prints v0 = 40 mph, which gives 44 mph at the barrel; 60 mph gives the 66 mph that the source states there.
 struct SwingModel {
   double v0_mps = 60 * kMilePerHour_mps;
   double length_m = 28 * kInch_m;
@@ -39,14 +40,14 @@ struct SwingModel {
   double exponent = 0.3;  // 0.08 to 0.37 by player
 };
 
-/// Speed of the swing at location z: v = v0 (L − z)/L0 (MOI0/MOI)^e. The lever is from the knob, as printed.  (P4)
+/// Swing speed at location z: v = v0 (L − z)/L0 (MOI0/MOI)^e. The lever arm is from the knob, as printed.     (P4)
 template <class T>
 T swing_speed_mps(const T& length_m, const T& z_m, const T& moi_kgm2, const SwingModel& swing = {}) {
   using std::pow;
   return T(swing.v0_mps / swing.length_m) * (length_m - z_m) * pow(T(swing.moi_kgm2) / moi_kgm2, swing.exponent);
 }
 
-/// Speed at which the ball is to meet the bat: V_c = 66 mph (L − 6 in − z)/(L − 12 in) + 70 mph.               (P5)
+/// Required speed of the ball at the bat: V_c = 66 mph (L − 6 in − z)/(L − 12 in) + 70 mph.                    (P5)
 template <class T>
 T contact_speed_mps(const T& length_m, const T& z_m) {
   return T(kBarrelSpeed_mps) * (length_m - T(kPivot_m) - z_m) / (length_m - T(2 * kPivot_m)) + T(kPitchSpeed_mps);
@@ -58,7 +59,7 @@ T besr_of(const T& out_mps, const T& in_mps) {
   return out_mps / in_mps + T(0.5);
 }
 
-/// (v_out − δ)/(v_in + δ) + 1/2, δ = V − V_c: what it would be at V, the nominal speed.                        (P7)
+/// (v_out − δ)/(v_in + δ) + 1/2, δ = V − V_c: BESR at the nominal speed V.                                     (P7)
 template <class T>
 T ncaa_besr_of(const T& out_mps, const T& in_mps, const T& contact_mps, double nominal_mps = kNominalSpeed_mps) {
   const T delta = T(nominal_mps) - contact_mps;
@@ -78,7 +79,7 @@ T ball_to_bat_inertia(const T& ball_kg, const T& length_m, const T& z_m, const T
   return ball_kg * x_m * x_m / moi_kgm2;
 }
 
-/// BBCOR = (BESR − 1/2)(1 + k) + k, and back.                                                                 (P9)
+/// BBCOR = (BESR − 1/2)(1 + k) + k, and its inverse.                                                          (P9)
 template <class T>
 T bbcor_of(const T& besr, const T& k) {
   return (besr - T(0.5)) * (T(1) + k) + k;

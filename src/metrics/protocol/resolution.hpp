@@ -2,18 +2,18 @@
 
 namespace percuss::metrics {
 
-/// Standard deviation of a reading taken to the nearest `step`: its error is anywhere within half a step either way.
+/// The standard deviation of a reading to the nearest `step`: its error is uniform within half a step either way.
 ///   σ = step/√12                                                                               (P0)
 double reading_std(double step);
 
-/// `value` as it is recorded: to the nearest whole number of steps, halves away from zero. A step of 0 changes nothing.
+/// Rounds a value to the nearest multiple of `step`, halves away from zero. A step of 0 changes nothing.
 double recorded(double value, double step);
 
-/// What limits on readings leave to the binary form of decimal numbers: 146.4 − 145.4 is a little more than 1.
+/// Tolerance for the binary form of decimal readings at a limit: 146.4 − 145.4 is slightly more than 1.
 inline constexpr double kReadingTolerance = 1e-9;
 
-/// The steps to which a bat and a ball are read, [8] in docs/theory/sources.md, sections 3.2 and 3.4. In the units of the
-/// instruments, as the protocol says them.
+/// The resolutions of the readings of bat and ball, [8] in docs/theory/sources.md, sections 3.2 and 3.4, in the units
+/// of the protocol.
 struct ProtocolSteps {
   double length_in = 0.0625, diameter_in = 0.001, weight_oz = 0.005, cg_in = 0.0625, ball_g = 0.1;
 };

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint64_t kLargestSession_bytes = std::uint64_t{16} << 20U;
 constexpr std::size_t kMaxShots = 100'000;
-constexpr double kFastest_mph = 400;  // no cannon is faster
+constexpr double kFastest_mph = 400;  // faster than any cannon
 constexpr const char* kSessionExample = "percuss certify --example";
 
 constexpr std::array<std::pair<const char*, PerformanceMetric>, 3> kMetricNames{
@@ -27,7 +27,7 @@ constexpr std::array<std::pair<const char*, PerformanceMetric>, 3> kMetricNames{
 std::vector<double> pair_speeds_mph(const StrictObject& o, const std::string& key, const std::vector<double>& times_s,
                                     double spacing_in) {
   if (times_s.size() != 6 && times_s.size() != 4)
-    o.fail("neither six times nor four", key, "give two per pair of gates, or one per gate of four in a row");
+    o.fail("neither four nor six times", key, "give two per pair of gates, or one per gate of four in a row");
   for (std::size_t i = 1; i < times_s.size(); ++i) {
     if (!(times_s[i] > times_s[i - 1])) o.fail("the times do not rise", key, "give them in the order of the gates");
   }
@@ -38,7 +38,7 @@ std::vector<double> pair_speeds_mph(const StrictObject& o, const std::string& ke
   return speeds;
 }
 
-// A speed from its pairs' times, its pairs' speeds, or as given.
+// A speed from the times of gate pairs, from the speeds of the pairs, or as given.
 void read_speed(StrictObject& o, const std::string& side, double spacing_in, double& speed_mph,
                 std::vector<double>& pairs_mph) {
   const std::string times = "gates_" + side + "_s", pairs = "pairs_" + side + "_mph", whole = "v_" + side + "_mph";
@@ -69,7 +69,8 @@ SessionShot read_session_shot(StrictObject& o, double spacing_in, bool of_lot) {
   SessionShot shot{.place = o.place()};
   for (const char* key : {"ball", "ball_g", "angle_deg"}) o.need(key);
   o.read("ball", shot.ball);
-  if (shot.ball.empty() || shot.ball.size() > 80) o.fail("no number of the ball", "ball", "give what is written on it");
+  if (shot.ball.empty() || shot.ball.size() > 80)
+    o.fail("no number of the ball", "ball", "give the number on the ball");
   if (!of_lot) o.need("z_in");
   if (!of_lot) o.read_within("z_in", 0, 60, shot.z_in);
   o.read("ear", shot.ear);
@@ -110,7 +111,7 @@ void read_range(StrictObject& o, Session& s) {
   o.read("range_in", range);
   const bool fits = range.size() == 2 && range[0] > 0 && range[0] <= 5 && range[1] >= 7;
   if (!fits || range[1] >= s.bat.length_in - 12)
-    o.fail("no range of locations", "range_in", "give [low, high] that hold 5 and 7 in and leave the handle out");
+    o.fail("no range of locations", "range_in", "give [low, high] with 5 and 7 in inside and the handle outside");
   s.low_in = range[0];
   s.high_in = range[1];
 }
@@ -118,7 +119,7 @@ void read_range(StrictObject& o, Session& s) {
 void read_session_document(StrictObject& o, Session& s) {
   std::string schema = "percuss/session/1", metric = name_of(s.metric);
   o.read("schema", schema);
-  if (schema != "percuss/session/1") o.fail("no session", "schema", "percuss/session/1 is what certify reads");
+  if (schema != "percuss/session/1") o.fail("no session", "schema", "give percuss/session/1");
   for (const char* key : {"bat", "ball_lot", "lab", "shots"}) o.need(key);
   double spacing_in = 6;
   o.read_within("gate_spacing_in", 0.1, 100, spacing_in);
@@ -153,7 +154,7 @@ std::optional<PerformanceMetric> performance_metric_named(std::string_view name)
 }
 
 Session parse_session(std::string_view text, const std::string& where) {
-  if (text.size() > kLargestSession_bytes) throw InputError("longer than 16 MiB", where, "is this a session?");
+  if (text.size() > kLargestSession_bytes) throw InputError("longer than 16 MiB", where, "give a session");
   Session session;
   const StrictText input{.text = text, .where = where, .example = kSessionExample};
   const auto read = [&](StrictObject& o) { read_session_document(o, session); };

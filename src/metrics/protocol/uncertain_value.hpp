@@ -5,7 +5,7 @@
 
 namespace percuss::metrics {
 
-/// The readings that results are made of; each has an error of its own.
+/// The readings from which results are computed; each has its own error.
 enum class Reading : std::size_t {
   length,
   weight,
@@ -22,14 +22,14 @@ enum class Reading : std::size_t {
 };
 inline constexpr std::size_t kReadings = 12;
 
-/// A number and what each reading's error does to it, to first order, errors of different readings independent:
+/// A value with first-order error propagation; the errors of different readings are independent:
 ///   f(x + δ) = f(x) + Σ_i ∂f/∂x_i δ_i,   σ_f² = Σ_i (∂f/∂x_i σ_i)²                            (P0)
-/// What two numbers have from the same reading is added before it is squared, so that it may cancel.
+/// Contributions of the same reading add before they are squared, so they may cancel.
 class UncertainValue {
  public:
   UncertainValue() = default;
   UncertainValue(double exact) : value_(exact) {}  // NOLINT(google-explicit-constructor): constants of the equations
-  /// A standard deviation of 0 is one that is not known.
+  /// A standard deviation of 0 means that it is unknown.
   UncertainValue(double value, double std, Reading reading) : value_(value) {
     parts_.at(static_cast<std::size_t>(reading)) = std;
     if (std == 0) unknown_ = 1U << static_cast<unsigned>(reading);
@@ -43,7 +43,7 @@ class UncertainValue {
   }
   double part(Reading reading) const { return parts_.at(static_cast<std::size_t>(reading)); }
 
-  /// Whether the number rests on a reading whose error is not known and so not in std().
+  /// Whether the value depends on a reading of unknown error, which std() does not include.
   bool unknown(Reading reading) const { return ((unknown_ >> static_cast<unsigned>(reading)) & 1U) != 0; }
 
   friend UncertainValue operator+(const UncertainValue& a, const UncertainValue& b) {

@@ -16,7 +16,7 @@ constexpr double kNormal95 = 1.959963984540054;
 constexpr double kFarOut = 3.5;
 constexpr std::size_t kMinForOutliers = 6;
 
-// Ranks over size plus one, so that classes of different sizes weigh alike; ties share the mean of their ranks.
+// Ranks divided by size plus one: classes of different sizes have equal weight. Ties share the mean of their ranks.
 std::vector<double> relative_ranks(const std::vector<double>& values) {
   std::vector<std::size_t> order(values.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -47,7 +47,7 @@ struct Products {
 
 // (P15)
 Correlation with_interval(double value, double spread) {
-  constexpr double kAlmostOne = 1 - 1e-15;  // where artanh still is a number
+  constexpr double kAlmostOne = 1 - 1e-15;  // largest argument with a finite artanh
   const double middle = std::atanh(std::clamp(value, -kAlmostOne, kAlmostOne));
   return {.value = value,
           .low = std::min(value, std::tanh(middle - kNormal95 * spread)),

@@ -4,8 +4,8 @@
 
 namespace percuss::metrics {
 
-/// The columns of the table that percuss batch merge writes and percuss study reads, in the order of writing; in the
-/// rows as JSON they are the keys. "row" says what a row is of, a "record" or a "mode"; the first four are of both.
+/// The columns of a merged batch table, in the order of writing; rows as JSON have them as keys. The column "row" is
+/// "record" or "mode"; both kinds of row have the first four columns.
 const std::vector<std::string>& batch_columns();
 
 inline constexpr const char* kBatchSchema = "percuss/batch/1";

@@ -20,7 +20,7 @@ ClassPoints points_of(const Study& study, StudyQuantity x, StudyQuantity y, cons
   return points;
 }
 
-// States of one bat are no independent bats: the first one counts.
+// States of one bat are not independent bats: the first one counts.
 std::vector<std::size_t> counted_of(const Study& study, const std::vector<std::size_t>& members) {
   std::vector<std::size_t> out;
   for (const std::size_t b : members) {

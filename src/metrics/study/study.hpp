@@ -8,30 +8,30 @@
 
 namespace percuss::metrics {
 
-/// The families of bats that the figures keep apart.
+/// The groups of bats that have figures of their own.
 enum class StudyFamily { wood, nonwood };
 
 /// Bats of one length in a figure.
 struct StudyClass {
-  int length_class = 0;           // in; 0: all lengths, with what lengths differ by taken off
+  int length_class = 0;           // in; 0: all lengths, without the differences between lengths
   std::vector<std::size_t> bats;  // of Study::bats
   std::optional<Association> association;
   std::optional<TrendLine> trend;     // of one length only
   std::vector<std::size_t> outliers;  // of Study::bats
 };
 
-/// One of the source's figures, as far as there are bats for it.
+/// One of the figures of the source, with the bats that belong to it.
 struct StudyFigure {
   std::string name;    // "besr-moi-nonwood-33"
   std::string title;   // "BESR vs. MOI, 33-in. nonwood bats"
-  std::string source;  // the figure of [8] it is: "24"; empty: none
+  std::string source;  // number of the figure in [8]: "24"; empty: none
   StudyQuantity x = StudyQuantity::moi, y = StudyQuantity::besr;
   StudyFamily family = StudyFamily::wood;
   int length_class = 0;             // 0: all
-  std::vector<StudyClass> classes;  // by length; of figures of all lengths the last is the one of all
+  std::vector<StudyClass> classes;  // by length; in a figure of all lengths the last holds all bats
 };
 
-/// One bat's states in their order, as it is broken in.
+/// The states of one bat during its break-in, in their order.
 struct StudyHistory {
   std::string bat;
   std::vector<std::size_t> states;              // of Study::bats
@@ -41,10 +41,10 @@ struct StudyHistory {
 enum class StatementVerdict { supported, not_supported, contradicted };
 const char* name_of(StatementVerdict verdict);
 
-/// What the source says of bats, held against these. `sign` is that of the relation, 0 for none. A relation is
-/// supported when Spearman's ρ within lengths has its sign and its p, adjusted for all statements of the study, is
-/// below 5 %: in a study without any relation the chance of one false statement is at most that. That there is none is
-/// contradicted by such a p, and never supported: not finding is no proof.
+/// A statement of the source, tested with these bats. `sign` is the sign of the relation, 0 for no relation. A relation
+/// is supported when Spearman's ρ within lengths has its sign and its p, adjusted for all statements of the study, is
+/// below 5 %. In a study without any relation the chance of one false statement is then at most 5 %. Such a p
+/// contradicts a statement of no relation. Nothing supports one, because failing to find a relation is no proof.
 struct StudyStatement {
   std::string text;  // "BESR of wood bats rises with MOI"
   StudyQuantity x = StudyQuantity::moi, y = StudyQuantity::besr;
@@ -57,13 +57,13 @@ struct StudyStatement {
 
 struct Study {
   std::vector<StudyBat> bats;
-  std::vector<bool> repeated;  // [bats]: a later state of a bat that stands above; shown, but not counted again
+  std::vector<bool> repeated;  // [bats]: a later state of a bat already listed; shown, but not counted again
   std::vector<StudyFigure> figures;
-  std::vector<StudyHistory> trails;  // of bats with two states or more whose hoop frequency is known
+  std::vector<StudyHistory> trails;  // of bats with at least two states of known hoop frequency
   std::vector<StudyStatement> statements;
 };
 
-/// Every figure that has a bat, with its statistics, and every statement.
+/// Computes every figure with at least one bat, its statistics, and every statement.
 Study study_of(std::vector<StudyBat> bats);
 
 }  // namespace percuss::metrics

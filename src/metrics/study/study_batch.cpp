@@ -57,7 +57,7 @@ std::vector<BatProperties> bats_of_lines(std::string_view text, const std::strin
       if (nests_deeper_than(line, kRowDepth)) throw std::out_of_range("deep");
       take_line(Json::parse(line), bats);
     } catch (const std::exception&) {
-      throw InputError("this is no row of a batch", fmt::format("{}, line {}", where, number + 1),
+      throw InputError("not a row of a batch", fmt::format("{}, line {}", where, number + 1),
                        std::string("give the file as ") + kMerging + " wrote it");
     }
   }

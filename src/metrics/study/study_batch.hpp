@@ -8,15 +8,15 @@
 
 namespace percuss::metrics {
 
-/// Keeps the frequency of a mode as the bat's "hoop1_hz" where a study has such a column, and none of that name before
-/// it: of a double peak the first counts.
+/// Sets the bat's "hoop1_hz" (or a similar column of a study) to the frequency of a mode. An earlier value stays: the
+/// first of a close pair counts.
 void add_frequency(BatProperties& bat, const std::string& family, std::int64_t order, double freq_Hz);
 
-/// Whether a text is what percuss batch merge writes, as lines of JSON or as a table.
+/// Whether a text is a merged batch, as lines of JSON or as a table.
 bool holds_batch(std::string_view text);
 
-/// Ids and frequencies of the records in it that have modes, in their order.
-/// errors  InputError: lines that no batch has.
+/// The ids and frequencies of the records with modes, in their order.
+/// errors  InputError: a line that is not a row of a batch.
 std::vector<BatProperties> batch_bats(std::string_view text, const std::string& where);
 
 }  // namespace percuss::metrics

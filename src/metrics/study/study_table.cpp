@@ -62,7 +62,7 @@ BarrelMaterial material_of(const BatProperties& p, const std::string& id) {
   if (word == "aluminum" || word == "aluminium") return BarrelMaterial::aluminum;
   if (word == "composite") return BarrelMaterial::composite;
   throw InputError(word.empty() ? "no material" : "no such material: " + one_line(word, 40), "bat " + one_line(id, 60),
-                   "give wood, aluminum or composite, of the barrel");
+                   "give the barrel's material: wood, aluminum or composite");
 }
 
 bool broken_in(const BatProperties& p, const std::string& id) {
@@ -72,7 +72,7 @@ bool broken_in(const BatProperties& p, const std::string& id) {
   throw InputError("no such condition: " + one_line(word, 40), "bat " + one_line(id, 60), "give new, abi or used");
 }
 
-// What follows from the columns that are there.
+// Computes quantities from the given columns.
 void derive_quantities(StudyBat& bat, const std::optional<double>& weight_oz, const std::optional<double>& z_in) {
   const auto at = [&](StudyQuantity q) -> std::optional<double>& { return bat.values.at(static_cast<std::size_t>(q)); };
   if (!at(StudyQuantity::drop) && weight_oz) at(StudyQuantity::drop) = *weight_oz - bat.length_in;  // (P1)
@@ -108,7 +108,7 @@ std::string shortest(const Json& value) {
   return value.is_string() ? value.get<std::string>() : fmt::format("{}", value.get<double>());
 }
 
-// The first and second frequency of each family, of the modes that are the first of their pair.
+// The first and second frequency of each family, without the second modes of close pairs.
 void take_frequencies(const Json& analysis, BatProperties& p) {
   const auto modes = analysis.find("modes");
   if (modes == analysis.end() || !modes->is_array()) return;
@@ -124,7 +124,8 @@ void take_frequencies(const Json& analysis, BatProperties& p) {
 BatProperties properties_in(const Json& analysis, const std::string& where) {
   const auto bat = analysis.find("bat");
   if (bat == analysis.end() || !bat->is_object() || !bat->contains("id") || !(*bat)["id"].is_string())
-    throw InputError("the analysis does not say of which bat it is", where, "percuss analyze --bat-id ID");
+    throw InputError("the analysis does not name its bat", where, "analyse the record with the id of its bat",
+                     {"analyze.bat_id"});
   BatProperties p{{"id", (*bat)["id"].get<std::string>()}};
   const auto properties = bat->find("properties");
   if (properties != bat->end() && properties->is_object()) {
@@ -207,7 +208,7 @@ void StudyRows::add(std::string_view text, const std::string& where) {
 }
 
 std::vector<StudyBat> StudyRows::bats() const {
-  if (order_.empty()) throw InputError("no bats", "the tables", "add a row per bat; percuss study --example");
+  if (order_.empty()) throw InputError("no bats", "the tables", "add a row per bat", {"study.example"});
   std::vector<StudyBat> out;
   out.reserve(order_.size());
   for (const std::string& id : order_) out.push_back(bat_of(by_id_.at(id)));

@@ -10,21 +10,21 @@ namespace percuss::metrics {
 
 enum class BarrelMaterial { wood, aluminum, composite };
 
-/// What a study compares, in the units of the source's figures.
+/// The quantities of a study, in the units of the source's figures.
 enum class StudyQuantity { moi, drop, bending1, bending2, hoop1, hoop2, besr, bbs, bbcor };
 inline constexpr std::size_t kStudyQuantities = 9;
 
-/// The name of a quantity's column, its axis with the unit, and its name in sentences.
+/// The column of a quantity, its axis title with the unit, and its name in sentences.
 const char* column_of(StudyQuantity quantity);
 const char* axis_of(StudyQuantity quantity);
 const char* phrase_of(StudyQuantity quantity);
 
-/// One state of one bat: new, or as broken in as it was when tested.
+/// One state of one bat: new, or partly broken in.
 struct StudyBat {
-  std::string id;            // of the state: each occurs once
-  std::string bat;           // the bat itself where several rows are states of it, in their order
-  std::string maker, model;  // never shown; --blind takes them out
-  std::string program;       // what the bat was submitted for, as "bbcor"
+  std::string id;            // of the state; unique
+  std::string bat;           // the bat, where several rows are its states, in their order
+  std::string maker, model;  // never shown; anonymise_bats removes them
+  std::string program;       // certification program, such as "bbcor"
   double length_in = 0;
   BarrelMaterial material = BarrelMaterial::wood;
   bool broken_in = false;
@@ -34,18 +34,18 @@ struct StudyBat {
   int length_class() const;  // whole inches
 };
 
-/// Properties of a bat by column name, as tables and analyses carry them.
+/// Properties of a bat by column name, as in tables and analyses.
 using BatProperties = std::map<std::string, std::string>;
 
-/// Rows gathered from tables and analyses, joined by id: what two of them say of one bat must agree.
+/// Rows of tables and analyses, joined by id. Two rows of one bat must agree.
 class StudyRows {
  public:
-  /// A table (docs/schema/study-table.schema.json, or the same as CSV), a document percuss/analysis/1 with "bat", or
-  /// the rows of a batch, of which ids and frequencies count.
-  /// errors  InputError: neither, an unknown column, a value that cannot be, two different values for one id.
+  /// Adds a table (docs/schema/study-table.schema.json, or the same as CSV), a document percuss/analysis/1 with "bat",
+  /// or the ids and frequencies of a batch. errors  InputError: another document, an unknown column, an impossible
+  /// value, two values for one id, more than 2000 bats.
   void add(std::string_view text, const std::string& where);
-  /// All bats, with drop, BBS and BBCOR worked out where their parts are known ((P1), (P8), (P9), a ball of 145.4 g).
-  /// errors  InputError: no bats, no length or material of one; in add: more than 2000.
+  /// All bats, with drop, BBS and BBCOR computed where possible ((P1), (P8), (P9), a ball of 145.4 g).
+  /// errors  InputError: no bats, a bat without length or material.
   std::vector<StudyBat> bats() const;
 
  private:
@@ -55,7 +55,7 @@ class StudyRows {
   std::map<std::string, BatProperties> by_id_;
 };
 
-/// The columns a table may have, in the order of writing.
+/// The permitted columns of a table, in the order of writing.
 const std::vector<std::string>& study_columns();
 
 }  // namespace percuss::metrics

@@ -18,7 +18,7 @@ double LossyBall::force_N(double u_m, double largest_m) const {
 BatRebound bat_rebound(const BatModes& bat, std::size_t modes, const BatCollision& collision, double z_m,
                        const BatCollisionOptions& options) {
   const double swing_mps = swing_speed_mps(rigid_collision(bat.inertia, collision), z_m - bat.inertia.cm_m);
-  if (!(collision.ball_speed_mps + swing_mps > 0)) {  // the bat runs away from it
+  if (!(collision.ball_speed_mps + swing_mps > 0)) {  // the bat moves away from the ball
     return {.exit_speed_mps = -collision.ball_speed_mps,
             .contacts = 0,
             .mode_share = Eigen::VectorXd::Zero(std::min(static_cast<Eigen::Index>(modes), bat.freq_Hz.size()))};
@@ -29,13 +29,15 @@ BatRebound bat_rebound(const BatModes& bat, std::size_t modes, const BatCollisio
   const BatRebound coarse = BatImpact(bat, modes, collision, z_m, halved).run();
   BatRebound fine = BatImpact(bat, modes, collision, z_m, options).run();
   if (!std::isfinite(fine.exit_speed_mps))
-    throw InputError("the collision has no solution in numbers", "bat model", "check the options of ball and bat");
+    throw InputError("the collision has no finite solution", "bat model", "check the values of ball and bat");
   if (fine.contacts != coarse.contacts) return fine;
-  // The error falls with the square of the step, so that two steps tell most of it.
-  const auto better = [&](auto& value, const auto& rough) { value += (value - rough) / (ratio * ratio - 1); };
-  better(fine.exit_speed_mps, coarse.exit_speed_mps);
-  better(fine.ball_share, coarse.ball_share);
-  better(fine.mode_share, coarse.mode_share);
+  // The error falls with the square of the step: Richardson extrapolation from two steps removes most of it.
+  const auto extrapolate = [&](auto& value, const auto& coarse_value) {
+    value += (value - coarse_value) / (ratio * ratio - 1);
+  };
+  extrapolate(fine.exit_speed_mps, coarse.exit_speed_mps);
+  extrapolate(fine.ball_share, coarse.ball_share);
+  extrapolate(fine.mode_share, coarse.mode_share);
   return fine;
 }
 

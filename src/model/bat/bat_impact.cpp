@@ -50,7 +50,8 @@ void BatImpact::step() {
   const double free_rate = ball_mps_ - h / 2 * force_N_ / ball_.mass_kg - (contact_.phi * bat_.rate).sum();
   const double before_N = force_N_;
   force_N_ = end_force(free_u);
-  if (free_u > 0 && u_m_ >= largest_m_ && free_rate < compliance_rate_ * force_N_) {  // it turns within this step
+  const bool turns = free_u > 0 && u_m_ >= largest_m_ && free_rate < compliance_rate_ * force_N_;
+  if (turns) {
     largest_m_ = std::max(u_m_, turning_point(free_u, free_rate));
     force_N_ = end_force(free_u);
   }
@@ -72,7 +73,7 @@ Eigen::VectorXd BatImpact::amplitudes_at(double time_s) {
     if (!(u_m_ > 0)) largest_m_ = 0;
   }
   if (time_s_ == 0) return bat_.q;
-  // The last step again as far as the time wanted, under the same force.
+  // Repeats the last step under the same force, but only up to time_s.
   const double part = 1 - (time_s_ - time_s) / contact_.step_s;
   const ModalStepper shorter(omega_, contact_.phi, part * contact_.step_s);
   ModalState then = earlier_;
@@ -84,7 +85,7 @@ Eigen::VectorXd BatImpact::amplitudes_at(double time_s) {
 BatRebound BatImpact::run() {
   BatRebound result;
   for (result.contacts = 0;; ++result.contacts) {
-    const double touch_by_s = time_s_ + 2 * free_.step_s;  // a touch that was rounding only is none
+    const double touch_by_s = time_s_ + 2 * free_.step_s;  // later there is no touch: rounding suggested one
     do {
       step();
     } while (u_m_ > 0 || (largest_m_ == 0 && time_s_ < touch_by_s));
@@ -97,10 +98,10 @@ BatRebound BatImpact::run() {
   result.exit_speed_mps = swing_mps_ - ball_mps_;
   const double ball_J = ball_.mass_kg / 2 * closing_mps_ * closing_mps_;
   const double shared_mass = contact_.phi.head(kRigidMotions).square().sum();  // 1/M_e
-  const double to_spend_J = ball_J / (1 + ball_.mass_kg * shared_mass);
+  const double collision_J = ball_J / (1 + ball_.mass_kg * shared_mass);
   const Eigen::ArrayXd energy_J = (bat_.rate.square() + (omega_ * bat_.q).square()) / 2;
-  result.mode_share = (energy_J.tail(count_) / to_spend_J).matrix();
-  result.ball_share = (ball_J - ball_.mass_kg / 2 * ball_mps_ * ball_mps_ - energy_J.sum()) / to_spend_J;
+  result.mode_share = (energy_J.tail(count_) / collision_J).matrix();
+  result.ball_share = (ball_J - ball_.mass_kg / 2 * ball_mps_ * ball_mps_ - energy_J.sum()) / collision_J;
   return result;
 }
 
@@ -108,7 +109,7 @@ double BatImpact::turning_point(double free_u, double free_rate) const {
   const double h = contact_.step_s, a = u_m_, ra = h * rate_mps_, b = free_u - compliance_ * force_N_;
   const double rb = h * (free_rate - compliance_rate_ * force_N_), c = 3 * (b - a) - 2 * ra - rb,
                d = 2 * (a - b) + ra + rb;
-  const double at = ra / (std::sqrt(std::max(0.0, c * c - 3 * d * ra)) - c);  // where its slope falls through zero
+  const double at = ra / (std::sqrt(std::max(0.0, c * c - 3 * d * ra)) - c);  // zero of the falling slope
   return at > 0 && at < 1 ? a + at * (ra + at * (c + at * d)) : std::max(a, b);
 }
 

@@ -6,11 +6,11 @@
 
 namespace percuss::model {
 
-/// Amplitudes of the two rigid motions, then of the first `modes` elastic ones. shape [2 + modes].
+/// Amplitudes of the two rigid-body modes, then of the first `modes` elastic modes. shape [2 + modes].
 Eigen::ArrayXd rigid_and_elastic(const Eigen::Vector2d& rigid, const Eigen::VectorXd& elastic, Eigen::Index modes);
 
-/// One collision of a ball with a bat under way, seen by one who moves with the bat as it came. The closing speed is
-/// above zero.
+/// A collision of a ball with a bat, step by step, in the frame of the bat's initial motion.
+/// Precondition: the closing speed is above zero.
 class BatImpact {
  public:
   BatImpact(const BatModes& bat, std::size_t modes, const BatCollision& collision, double z_m,
@@ -18,26 +18,27 @@ class BatImpact {
 
   const ModalState& bat() const { return bat_; }
 
-  // A step with the ball on the bat, or about to be.
+  // Advances by one step during the contact or just before it.
   void step();
 
-  // Of the rigid motions and the modes; times must not go back.
+  // Advances to time_s and returns the amplitudes of all modes there. Times must not decrease from call to call.
   Eigen::VectorXd amplitudes_at(double time_s);
 
   BatRebound run();
 
  private:
-  // The largest compression between the step's ends, by the cubic with their values and slopes.
+  // The largest compression within the step, from the cubic through the values and slopes at its ends.
   double turning_point(double free_u, double free_rate) const;
 
-  // u + give · F(u) = free_u, whose left side rises: Newton's method within a bracket.
+  // Solves u + compliance · F(u) = free_u for F. The left side rises with u, so Newton's method within a bracket
+  // converges. It needs about three evaluations, and bracketed_root needs ten: most of the time of a step goes here.
   double end_force(double free_u) const;
   double power_at(double u) const;
 
-  // Whether the bat catches up with the ball; if so, stands just before it does.
+  // Whether the bat catches up with the ball. If it does, the state is the one just before the touch.
   bool will_recontact();
 
-  // The ball goes away from the rigid bat, and no vibration reaches that far.
+  // Whether the ball moves away from the rigid bat and lies beyond the reach of its vibration.
   bool has_separated() const;
 
   LossyBall ball_;
@@ -45,9 +46,9 @@ class BatImpact {
   Eigen::Index count_;
   Eigen::ArrayXd omega_;
   ModalStepper contact_, free_;
-  double compliance_, compliance_rate_;  // what a newton at a step's end takes from the compression and from its rate
+  double compliance_, compliance_rate_;  // reduction of the compression and of its rate per newton at a step's end
   double recontact_window_s_;
-  ModalState bat_, earlier_;  // now, and a step ago
+  ModalState bat_, earlier_;  // now, and one step earlier
   double earlier_N_ = 0;
   double ball_m_ = 0, ball_mps_, force_N_ = 0, time_s_ = 0;
   double u_m_ = 0, rate_mps_, largest_m_ = 0, deepest_m_ = 0;  // of the ball's compression

@@ -4,17 +4,16 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/math/roots.hpp"
 #include "core/units.hpp"
-#include "model/math/illinois_root.hpp"
 #include "model/math/lowest_modes.hpp"
 
 namespace percuss::model {
 namespace {
 
-constexpr int kLooksPerElement = 4;      // for a change of sign
-constexpr double kNodeAccuracy = 1e-12;  // of the element's length
+constexpr int kIntervalsPerElement = 4;  // each is searched for a change of sign
 
-// The rigid-body motions in the beam's unknowns. shape [unknowns, 2].
+// The rigid-body modes in the unknowns of the beam. shape [unknowns, 2].
 Eigen::MatrixXd rigid_shapes(const BatModes& modes) {
   Eigen::MatrixXd rigid = Eigen::MatrixXd::Zero(modes.beam.mass.rows(), 2);
   Eigen::Index row = 0;
@@ -26,11 +25,11 @@ Eigen::MatrixXd rigid_shapes(const BatModes& modes) {
   return rigid;
 }
 
-// About ω² of the lowest mode: that of a uniform beam with the mean of 1/EI.
+// An estimate of the lowest ω²: a uniform beam with the mean of 1/EI.
 double lowest_square_estimate(const BatModes& modes) {
-  double give = 0;
-  for (const BeamElement& e : modes.beam.elements) give += e.element_length_m / e.bending_Nm2;
-  return 500 / (give * modes.inertia.mass_kg * modes.length_m * modes.length_m);  // 4.73⁴ = 500.6
+  double compliance = 0;
+  for (const BeamElement& e : modes.beam.elements) compliance += e.element_length_m / e.bending_Nm2;
+  return 500 / (compliance * modes.inertia.mass_kg * modes.length_m * modes.length_m);  // 4.73⁴ = 500.6
 }
 
 }  // namespace
@@ -67,10 +66,10 @@ std::vector<double> nodes_of(const BatModes& modes, std::size_t mode) {
     const ElementVector unknowns = shape.segment<6>(first);
     first += kUnknownsPerElement;
     const auto at = [&](double x) { return e.deflection(x).dot(unknowns); };
-    for (int look = 0; look < kLooksPerElement; ++look) {
-      const double low = static_cast<double>(look) / kLooksPerElement, high = (look + 1.0) / kLooksPerElement;
+    for (int i = 0; i < kIntervalsPerElement; ++i) {
+      const double low = static_cast<double>(i) / kIntervalsPerElement, high = (i + 1.0) / kIntervalsPerElement;
       if ((at(low) < 0) == (at(high) < 0)) continue;
-      nodes.push_back(e.start_m + e.element_length_m * illinois_root(at, low, high, kNodeAccuracy));
+      nodes.push_back(e.start_m + e.element_length_m * bracketed_root(at, low, high));
     }
   }
   return nodes;

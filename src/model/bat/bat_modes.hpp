@@ -8,32 +8,33 @@
 namespace percuss::model {
 
 struct BatModesOptions {
-  std::size_t modes = 40;  // elastic ones, from the lowest; as many as the elements give if there are fewer
-  double max_element_fraction = 1.0 / 84;  // of an element, of the bat's length
+  std::size_t modes = 40;                  // lowest elastic modes; all of them where there are fewer
+  double max_element_fraction = 1.0 / 84;  // longest element, as a fraction of the bat's length
 };
 
-/// A free bat's elastic modes: solutions of (1) in timoshenko_elements.hpp with ω > 0, orthonormal in the full mass
-/// matrix,
+/// The elastic modes of a free bat: the solutions of (1) in timoshenko_elements.hpp with ω > 0. They are orthonormal in
+/// the full mass matrix,
 ///   shape_r · M · shape_s = 1 for r = s, else 0,                                                        (1)
-/// and orthogonal in it to the bat's two motions as a rigid body.
+/// and orthogonal in it to the two rigid-body modes.
 /// theory (12.2)
 struct BatModes {
   TimoshenkoBeam beam;
   BatInertia inertia;
   double length_m = 0;
   Eigen::VectorXd freq_Hz;  // ascending
-  Eigen::MatrixXd shape;    // [2 nodes, modes], 1/√kg and its slope
+  Eigen::MatrixXd shape;    // [unknowns, modes], 1/√kg and its slope
 
-  /// The modes' deflections at z_m from the knob, 1/√kg. shape [modes].
+  /// Deflections of the elastic modes at z_m from the knob, 1/√kg. shape [modes].
   Eigen::VectorXd deflection(double z_m) const;
-  /// … those of the two rigid-body motions: 1/√M and (z − cm)/√I.
+  /// Deflections of the two rigid-body modes: 1/√M and (z − cm)/√I.
   Eigen::Vector2d rigid_deflection(double z_m) const;
 };
 
-/// errors  InputError: numbers so far apart that no mode can be told from rounding.
+/// Computes the elastic modes with the lowest frequencies.
+/// errors  InputError where the values differ by so many decades that rounding hides the modes.
 BatModes bat_modes(const BatProfile& profile, const BatMaterial& material, const BatModesOptions& options = {});
 
-/// Where a mode's deflection is zero, from the knob: found within each element by its own shapes.
+/// The nodes of a mode, from the knob, from the shape functions of each element.
 std::vector<double> nodes_of(const BatModes& modes, std::size_t mode);
 
 }  // namespace percuss::model

@@ -3,7 +3,7 @@
 
 namespace percuss::model {
 
-/// A bat of round slices, from the knob's end (0) on. shapes: both alike long, at least one.
+/// A bat of round slices, from the end of the knob (0) on. shapes: both of the same length, at least one.
 struct BatProfile {
   std::vector<double> end_m;       // far end of each slice, ascending
   std::vector<double> diameter_m;  // above zero
@@ -17,11 +17,11 @@ struct BatMaterial {
   double shear_Pa = 1.05e9;  // shear modulus × shape factor
 };
 
-/// What a bat is when it does not bend.
+/// The rigid-body properties of a bat.
 struct BatInertia {
   double mass_kg = 0;
-  double cm_m = 0;          // its centre of mass, from the knob's end
-  double inertia_kgm2 = 0;  // about an axis across it through the centre of mass, thickness included
+  double cm_m = 0;          // centre of mass, from the end of the knob
+  double inertia_kgm2 = 0;  // about a transverse axis through the centre of mass, with the slices' thickness
 };
 
 BatInertia inertia_of(const BatProfile& profile, const BatMaterial& material);

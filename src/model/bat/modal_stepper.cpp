@@ -5,7 +5,8 @@
 namespace percuss::model {
 namespace {
 
-constexpr double kSmallAngle = 0.1;  // below it 1 − sin(x)/x cancels, and four terms of its series are exact
+constexpr double kSmallAngle =
+    0.1;  // below it 1 − sin(x)/x cancels, and four terms of its series are exact to rounding
 
 }  // namespace
 

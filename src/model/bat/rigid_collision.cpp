@@ -20,8 +20,8 @@ double exit_speed_mps(const RigidCollision& c, double z_m) {
 }
 
 BestImpact best_impact(const RigidCollision& c, double low_m, double high_m) {
-  // With (1) in (3), both sides of the fraction times 1 + M z²/I: (n0 + n1 z + n2 z²) / (d0 + d2 z²). Its derivative's
-  // cubic terms cancel: a z² + 2 b z + f = 0.
+  // (1) in (3), with the fraction expanded by 1 + M z²/I, is (n0 + n1 z + n2 z²) / (d0 + d2 z²). In its derivative the
+  // cubic terms cancel, which leaves a z² + 2 b z + f = 0.
   const double mi = c.bat_mass_kg * c.inertia_kgm2, mm = c.ball_mass_kg * c.bat_mass_kg;
   const double n0 = c.ball_speed_mps * (c.restitution * mi - c.ball_mass_kg * c.inertia_kgm2) +
                     c.bat_speed_mps * mi * (1 + c.restitution);
@@ -30,14 +30,14 @@ BestImpact best_impact(const RigidCollision& c, double low_m, double high_m) {
   const double a = -n1 * d2, b = n2 * d0 - n0 * d2, f = n1 * d0;
   BestImpact best{.z_m = low_m, .exit_speed_mps = exit_speed_mps(c, low_m)};
   const auto offer = [&](double z_m) {
-    if (!(z_m >= low_m && z_m <= high_m)) return;  // also the roots of no quadratic, which are no numbers
+    if (!(z_m >= low_m && z_m <= high_m)) return;  // also false for NaN, where there is no root
     const double speed = exit_speed_mps(c, z_m);
     if (speed > best.exit_speed_mps) best = {.z_m = z_m, .exit_speed_mps = speed};
   };
   offer(high_m);
   if (a == 0) offer(b == 0 ? low_m : -f / (2 * b));
-  const double root = std::sqrt(b * b - a * f);  // real: a and f differ in sign
-  // The sum that does not cancel, and the other root from the product of both.
+  const double root = std::sqrt(b * b - a * f);  // real, because a and f differ in sign
+  // Both roots without cancellation: one from the sum of like signs, the other from the product of the roots.
   const double sum = -(b + std::copysign(root, b));
   offer(sum / a);
   offer(f / sum);

@@ -2,7 +2,7 @@
 
 namespace percuss::model {
 
-/// A ball against a rigid bat that turns about its centre of mass and moves with it.
+/// A ball that hits a rigid bat. The bat rotates about its centre of mass, which moves as well.
 struct RigidCollision {
   double ball_mass_kg = 0.145;
   double bat_mass_kg = 0.83;
@@ -13,16 +13,16 @@ struct RigidCollision {
   double restitution = 0.55;     // relative speed after / before, at the point of impact
 };
 
-/// The mass that the ball feels, z_m from the bat's centre of mass:
+/// The effective mass of the bat at z_m from its centre of mass:
 ///   M_e = M / (1 + M z²/I)                                   (1)
 /// theory (11.1)
 double effective_mass_kg(const RigidCollision& collision, double z_m);
 
-/// Speed of the bat's surface there, towards the ball: u = V + |ω| z.                                    (2)
+/// The speed of the bat at z_m, towards the ball: u = V + |ω| z.                                         (2)
 /// theory (11.2)
 double swing_speed_mps(const RigidCollision& collision, double z_m);
 
-/// Speed of the ball after the impact, back where it came from:
+/// The speed of the ball after the impact, against its initial direction:
 ///   v' = [v (e M_e − m) + u M_e (1 + e)] / (m + M_e)         (3)
 /// source  [10] in docs/theory/sources.md
 /// theory (11.3)
@@ -32,8 +32,8 @@ struct BestImpact {
   double z_m = 0, exit_speed_mps = 0;
 };
 
-/// Where between low_m and high_m (from the centre of mass) the ball leaves fastest: the root of (3)'s derivative, or
-/// an end.
+/// The position between low_m and high_m (from the centre of mass) with the largest exit speed: the root of the
+/// derivative of (3), or an end.
 BestImpact best_impact(const RigidCollision& collision, double low_m, double high_m);
 
 }  // namespace percuss::model

@@ -12,18 +12,18 @@ using Eigen::Index;
 using ElementMatrix = Eigen::Matrix<double, 6, 6>;
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
-// Gauss and Legendre's points on 0 … 1: four are exact to degree 7, the shapes' squares have 6.
+// Gauss–Legendre points on 0 … 1: four are exact to degree 7, and the squared shape functions have degree 6.
 constexpr std::array<double, 4> kGaussAt{0.0694318442029737, 0.3300094782075719, 0.6699905217924281,
                                          0.9305681557970263};
 constexpr std::array<double, 4> kGaussWeight{0.1739274225687269, 0.3260725774312731, 0.3260725774312731,
                                              0.1739274225687269};
 
-// Bending against shear: 12 EI / (κGA h²).
+// The ratio of bending to shear stiffness: 12 EI / (κGA h²).
 double shear_parameter(const BeamElement& e) {
   return 12 * e.bending_Nm2 / (e.shear_N * e.element_length_m * e.element_length_m);
 }
 
-// Σ over Gauss's points of (factor · shape shapeᵀ): an integral over the element.
+// Adds factor · shape shapeᵀ: one Gauss point of an integral over the element.
 void add_square(ElementMatrix& sum, double factor, const ElementVector& shape) {
   sum += factor * shape * shape.transpose();
 }

@@ -8,10 +8,10 @@
 
 namespace percuss::model {
 
-/// The unknowns of an element: w (m) and θ (rad) of its start, of the bubbles within, of its end.
+/// The unknowns of an element: w (m) and θ (rad) at its start, of its bubble functions, and at its end.
 using ElementVector = Eigen::Matrix<double, 6, 1>;
 
-/// A piece of a beam with the same section all along.
+/// An element with a constant section.
 struct BeamElement {
   double start_m = 0, element_length_m = 0;
   double bending_Nm2 = 0;  // EI
@@ -19,16 +19,16 @@ struct BeamElement {
   double mass_kgpm = 0;    // ρA
   double rotary_kgm = 0;   // ρI
 
-  // What the unknowns add to deflection w, rotation θ of the section, w′ − θ and θ′ at a share x of the length.
+  // Shape functions of deflection w, rotation θ of the section, shear w′ − θ and curvature θ′, at x = 0 … 1.
   ElementVector deflection(double x) const;
   ElementVector rotation(double x) const;
   ElementVector shear(double x) const;
   ElementVector curvature(double x) const;
 };
 
-/// A beam by finite elements after Timoshenko, with rotary inertia. The shapes of an element's ends are those of a
-/// static one loaded there (w cubic, θ quadratic, w′ − θ constant), so that thin elements do not lock; a parabola
-/// within for w and one for θ make the error of a frequency fall with the fourth power of the element's length.
+/// A Timoshenko beam of finite elements, with rotary inertia. The shape functions of an element's ends are its static
+/// deflections under loads there (w cubic, θ quadratic, w′ − θ constant), so thin elements do not lock. A parabolic
+/// bubble function each for w and θ makes the error of a frequency fall with the fourth power of the element length.
 ///   K q = ω² M q                                                                                        (1)
 /// theory (12.1)
 struct TimoshenkoBeam {
@@ -36,15 +36,15 @@ struct TimoshenkoBeam {
   Eigen::SparseMatrix<double> stiffness, mass;  // [unknowns, unknowns]
 };
 
-inline constexpr Eigen::Index kUnknownsPerElement = 4;  // and two more at the beam's end
+inline constexpr Eigen::Index kUnknownsPerElement = 4;  // plus two at the end of the beam
 
-/// The bat with free ends; slices longer than max_element_length_m are cut into equal elements.
+/// Builds a bat with free ends. A slice longer than max_element_length_m becomes several equal elements.
 TimoshenkoBeam timoshenko_beam(const BatProfile& profile, const BatMaterial& material, double max_element_length_m);
 
-/// Where each element starts, and the beam's end. shape [elements + 1].
+/// The start of each element, and the end of the beam. shape [elements + 1].
 std::vector<double> positions_of(const TimoshenkoBeam& beam);
 
-/// The element around z_m, by its index; the last one for the beam's end.
+/// The index of the element that contains z_m; the last one for the end of the beam.
 std::size_t element_at(const TimoshenkoBeam& beam, double z_m);
 
 }  // namespace percuss::model

@@ -4,16 +4,16 @@
 #include <numbers>
 
 #include "core/error.hpp"
+#include "core/math/roots.hpp"
 #include "core/units.hpp"
 #include "model/beam/timoshenko_mode.hpp"
-#include "model/math/ridders_root.hpp"
 
 namespace percuss::model {
 namespace {
 
 constexpr double kHalfTurn_rad = std::numbers::pi;
 
-// The beam's functions times 2 e^(−λ), in which nothing grows.
+// The beam functions times 2 e^(−λ): none of them grows with λ.
 struct Scaled {
   double e, s, c, ch, sh;
   explicit Scaled(double lambda)
@@ -22,7 +22,7 @@ struct Scaled {
   double one_minus_cc() const { return 2 * e - c * ch; }
 };
 
-// s ch − c sh: for small λ by its series Σ (−1)^k 2^(2k+2) λ^(4k+3)/(4k+3)!, where the difference would cancel.
+// s ch − c sh. For small λ the difference would cancel: there its series Σ (−1)^k 2^(2k+2) λ^(4k+3)/(4k+3)!.
 double turning(double lambda, const Scaled& of) {
   if (lambda >= 1) return of.s * of.ch - of.c * of.sh;
   const double fourth = lambda * lambda * lambda * lambda;
@@ -38,17 +38,17 @@ double turning(double lambda, const Scaled& of) {
 // Elastic modes count from 1.
 double pinned_lambda(std::size_t mode) {
   const double from = static_cast<double>(mode) * kHalfTurn_rad;
-  return ridders_root(from, from + kHalfTurn_rad / 2, [](double x) { return turning(x, Scaled(x)); });  // (4)
+  return bracketed_root([](double x) { return turning(x, Scaled(x)); }, from, from + kHalfTurn_rad / 2);  // (4)
 }
 
 double clamped_lambda(std::size_t mode) {
   const double to = static_cast<double>(mode) * kHalfTurn_rad;
-  return ridders_root(to - kHalfTurn_rad, to, [](double x) { return Scaled(x).one_plus_cc(); });  // (3)
+  return bracketed_root([](double x) { return Scaled(x).one_plus_cc(); }, to - kHalfTurn_rad, to);  // (3)
 }
 
 double free_lambda(std::size_t mode) {
   const double from = static_cast<double>(mode) * kHalfTurn_rad;
-  return ridders_root(from, from + kHalfTurn_rad, [](double x) { return Scaled(x).one_minus_cc(); });  // (3)
+  return bracketed_root([](double x) { return Scaled(x).one_minus_cc(); }, from, from + kHalfTurn_rad);  // (3)
 }
 
 double torsion_lambda(std::size_t mode, double relative_torsion) {
@@ -57,7 +57,7 @@ double torsion_lambda(std::size_t mode, double relative_torsion) {
     const Scaled of(x);
     return hinge * x * turning(x, of) - spring * of.one_plus_cc();  // (2)
   };
-  return ridders_root(mode == 1 ? 0 : pinned_lambda(mode - 1), clamped_lambda(mode), difference);
+  return bracketed_root(difference, mode == 1 ? 0 : pinned_lambda(mode - 1), clamped_lambda(mode));
 }
 
 BeamMode supported_mode(double lambda) {
@@ -80,7 +80,7 @@ BeamMode free_mode(double lambda) {
           .near = (1 - of.e * (of.s + of.c)) / d};
 }
 
-// The support itself, where a spring of no stiffness or of stiffness without bound stands for another.
+// A spring of zero or infinite stiffness is a pin or a clamp.
 BeamSupport support_of(const UniformBeam& beam) {
   if (beam.support != BeamSupport::torsion) return beam.support;
   const double relative = beam.relative_torsion();
@@ -142,9 +142,9 @@ double BeamMode::slope_1pm(double x_m) const {
 
 double BeamMode::freq_Hz() const { return omega_radps / kTwoPi; }
 
-std::vector<BeamMode> beam_modes(const UniformBeam& asked, std::size_t count) {
-  UniformBeam beam = asked;
-  beam.support = support_of(asked);
+std::vector<BeamMode> beam_modes(const UniformBeam& given, std::size_t count) {
+  UniformBeam beam = given;
+  beam.support = support_of(given);
   std::vector<BeamMode> modes = rigid_modes(beam);
   modes.resize(std::min(modes.size(), count));
   modes.reserve(count);
@@ -152,8 +152,8 @@ std::vector<BeamMode> beam_modes(const UniformBeam& asked, std::size_t count) {
     modes.push_back(beam.is_timoshenko() ? timoshenko_mode(beam, elastic) : elastic_mode(beam, elastic));
     const double omega = modes.back().omega_radps;
     if (!(std::isfinite(omega) && omega > 0)) {
-      throw InputError("the beam's frequencies are beyond what numbers hold", "stiffness, mass and length",
-                       "look at --ei, --rho-a and --length: N·m², kg/m and m");
+      throw InputError("the beam's frequencies exceed the range of numbers", "stiffness, mass and length",
+                       "check EI in N·m², ρA in kg/m and the length in m", {"ei", "rho_a", "length"});
     }
   }
   return modes;
@@ -164,7 +164,7 @@ std::size_t rigid_body_modes(BeamSupport support) {
 }
 
 std::vector<double> beam_nodes_m(const BeamMode& mode) {
-  // A half wave is π/λ long, and no two nodes are nearer than most of that.
+  // A half wave is π/λ long, and two nodes lie almost that far apart.
   constexpr double kPerHalfWave = 8;
   const auto steps = static_cast<std::size_t>(std::ceil(kPerHalfWave * (mode.lambda / kHalfTurn_rad + 1)));
   const auto at = [&](std::size_t i) { return mode.length_m * static_cast<double>(i) / static_cast<double>(steps); };
@@ -172,7 +172,7 @@ std::vector<double> beam_nodes_m(const BeamMode& mode) {
   std::vector<double> nodes;
   for (std::size_t i = at_support > 1e-9 ? 0 : 1; i < steps; ++i) {
     if ((mode.shape(at(i)) > 0) != (mode.shape(at(i + 1)) > 0))
-      nodes.push_back(ridders_root(at(i), at(i + 1), [&](double x_m) { return mode.shape(x_m); }));
+      nodes.push_back(bracketed_root([&](double x_m) { return mode.shape(x_m); }, at(i), at(i + 1)));
   }
   return nodes;
 }

@@ -7,16 +7,16 @@
 #include <limits>
 
 #include "core/error.hpp"
+#include "core/math/levenberg_marquardt.hpp"
 #include "core/math/linear_algebra.hpp"
 
 namespace percuss::model {
 namespace {
 
-constexpr double kMinTorsion = 1e-6, kMaxTorsion = 1e6;  // of T*: beyond, frequencies no longer tell
+constexpr double kMinTorsion = 1e-6, kMaxTorsion = 1e6;  // of T*: beyond them frequencies do not depend on it
 constexpr double kNearLimit = 10;
-constexpr int kMaxFitRounds = 200;
-constexpr double kFitSettled = 1e-12;    // of the parameters' logarithms
-constexpr double kFitDifference = 1e-5;  // of a logarithm, for the derivatives: 1e-10 of them is left out
+constexpr LevenbergMarquardtOptions kBeamFitOptions{.max_steps = 200, .max_damping = 1e15, .step_tolerance = 1e-12};
+constexpr double kFitDifference = 1e-5;  // of a logarithm, for central differences: their relative error is 1e-10
 
 double& value_of(UniformBeam& beam, BeamParameter which) {
   return which == BeamParameter::stiffness ? beam.stiffness_Nm2
@@ -26,9 +26,9 @@ double& value_of(UniformBeam& beam, BeamParameter which) {
 
 class FrequencyFit {
  public:
-  FrequencyFit(const UniformBeam& beam, const std::vector<BeamParameter>& asked,
+  FrequencyFit(const UniformBeam& beam, const std::vector<BeamParameter>& parameters,
                const std::vector<MeasuredFrequency>& measured)
-      : start_(beam), asked_(asked), measured_(measured) {
+      : start_(beam), parameters_(parameters), measured_(measured) {
     highest_ = 0;
     for (const MeasuredFrequency& one : measured) highest_ = std::max(highest_, one.mode);
     log_f_ = Eigen::VectorXd(rows());
@@ -42,14 +42,14 @@ class FrequencyFit {
 
   UniformBeam beam_at(const Eigen::VectorXd& logs) const {
     UniformBeam beam = start_;
-    for (std::size_t i = 0; i < asked_.size(); ++i)
-      value_of(beam, asked_[i]) = std::exp(logs(static_cast<Eigen::Index>(i)));
+    for (std::size_t i = 0; i < parameters_.size(); ++i)
+      value_of(beam, parameters_[i]) = std::exp(logs(static_cast<Eigen::Index>(i)));
     return beam;
   }
   Eigen::VectorXd logs_of(UniformBeam beam) const {
-    Eigen::VectorXd logs(static_cast<Eigen::Index>(asked_.size()));
-    for (std::size_t i = 0; i < asked_.size(); ++i)
-      logs(static_cast<Eigen::Index>(i)) = std::log(value_of(beam, asked_[i]));
+    Eigen::VectorXd logs(static_cast<Eigen::Index>(parameters_.size()));
+    for (std::size_t i = 0; i < parameters_.size(); ++i)
+      logs(static_cast<Eigen::Index>(i)) = std::log(value_of(beam, parameters_[i]));
     return logs;
   }
 
@@ -60,33 +60,33 @@ class FrequencyFit {
       logs(i) = std::log(modes[measured_[static_cast<std::size_t>(i)].mode].freq_Hz());
     return logs;
   }
-  Eigen::VectorXd misfit(const Eigen::VectorXd& logs) const {
+  Eigen::VectorXd residual(const Eigen::VectorXd& logs) const {
     return (log_f_ - model_logs(beam_at(logs))).cwiseProduct(weight_);
   }
-  bool allowed(const Eigen::VectorXd& logs) const {
+  bool is_within_limits(const Eigen::VectorXd& logs) const {
     if (!logs.allFinite()) return false;
     const double relative = beam_at(logs).relative_torsion();
     return start_.support != BeamSupport::torsion || (relative >= kMinTorsion && relative <= kMaxTorsion);
   }
-  Eigen::MatrixXd derivatives(const Eigen::VectorXd& logs) const {
+  Eigen::MatrixXd jacobian(const Eigen::VectorXd& logs) const {
     Eigen::MatrixXd columns(rows(), logs.size());
     for (Eigen::Index i = 0; i < logs.size(); ++i) {
       const Eigen::VectorXd step = kFitDifference * Eigen::VectorXd::Unit(logs.size(), i);
-      columns.col(i) = (misfit(logs - step) - misfit(logs + step)) / (2 * kFitDifference);
+      columns.col(i) = (residual(logs + step) - residual(logs - step)) / (2 * kFitDifference);
     }
     return columns;
   }
 
-  // Over the range of T* the beam that fits best, as far as the parameters asked for leave it free.
+  // The best of a range of T*, with only the fitted parameters changed.
   Eigen::VectorXd best_start() const {
     Eigen::VectorXd best = logs_of(start_);
     double least = std::numeric_limits<double>::infinity();
-    constexpr int kPlaces = 61;
-    for (int i = 0; i < kPlaces; ++i) {
-      const double relative = std::pow(10, -5 + 10.0 * i / (kPlaces - 1));
+    constexpr int kCandidates = 61;
+    for (int i = 0; i < kCandidates; ++i) {
+      const double relative = std::pow(10, -5 + 10.0 * i / (kCandidates - 1));
       const Eigen::VectorXd logs = logs_of(scaled(with_torsion(relative)));
-      if (!allowed(logs)) continue;
-      const double chi2 = misfit(logs).squaredNorm();
+      if (!is_within_limits(logs)) continue;
+      const double chi2 = residual(logs).squaredNorm();
       if (chi2 < least) {
         least = chi2;
         best = logs;
@@ -97,29 +97,20 @@ class FrequencyFit {
 
   Eigen::VectorXd solve() const {
     Eigen::VectorXd logs = best_start();
-    double chi2 = misfit(logs).squaredNorm(), damping = 1e-3;
-    for (int round = 0; round < kMaxFitRounds; ++round) {
-      const Eigen::MatrixXd columns = derivatives(logs);
-      const Eigen::VectorXd step =
-          solve_gram(columns.transpose() * columns, columns.transpose() * misfit(logs), damping);
-      if (!step.allFinite()) break;
-      const Eigen::VectorXd next = logs + step;
-      const double next_chi2 = allowed(next) ? misfit(next).squaredNorm() : std::numeric_limits<double>::infinity();
-      if (next_chi2 <= chi2) {
-        logs = next;
-        chi2 = next_chi2;
-        damping /= 10;
-      } else {
-        damping *= 10;
-      }
-      if (step.norm() <= kFitSettled || damping > 1e15) break;
-    }
+    if (!is_within_limits(logs)) return logs;
+    const auto within_limits = [&](const Eigen::VectorXd& at) {
+      return is_within_limits(at) ? std::optional(residual(at)) : std::nullopt;
+    };
+    const auto jacobian_at = [&](const Eigen::VectorXd& at) { return jacobian(at); };
+    levenberg_marquardt(logs, within_limits, jacobian_at, kBeamFitOptions);
     return logs;
   }
 
  private:
   Eigen::Index rows() const { return static_cast<Eigen::Index>(measured_.size()); }
-  bool fits(BeamParameter which) const { return std::find(asked_.begin(), asked_.end(), which) != asked_.end(); }
+  bool fits(BeamParameter which) const {
+    return std::find(parameters_.begin(), parameters_.end(), which) != parameters_.end();
+  }
 
   UniformBeam with_torsion(double relative) const {
     UniformBeam beam = start_;
@@ -131,7 +122,7 @@ class FrequencyFit {
     }
     return beam;
   }
-  // EI/ρA moved to where the frequencies fit on the whole, at the same T*.
+  // EI/ρA scaled so that the frequencies fit on average, at the same T*.
   UniformBeam scaled(UniformBeam beam) const {
     const double squares = weight_.squaredNorm();
     const double factor = std::exp(2 * (log_f_ - model_logs(beam)).cwiseProduct(weight_.cwiseAbs2()).sum() / squares);
@@ -146,7 +137,7 @@ class FrequencyFit {
   }
 
   UniformBeam start_;
-  const std::vector<BeamParameter>& asked_;
+  const std::vector<BeamParameter>& parameters_;
   const std::vector<MeasuredFrequency>& measured_;
   std::size_t highest_;
   Eigen::VectorXd log_f_, weight_;
@@ -156,27 +147,28 @@ class FrequencyFit {
 
 std::size_t max_beam_parameters(BeamSupport support) { return support == BeamSupport::torsion ? 2 : 1; }
 
-BeamFit fit_beam(const UniformBeam& beam, const std::vector<BeamParameter>& asked,
+BeamFit fit_beam(const UniformBeam& beam, const std::vector<BeamParameter>& parameters,
                  const std::vector<MeasuredFrequency>& measured) {
-  assert(!asked.empty() && asked.size() <= max_beam_parameters(beam.support) && measured.size() >= asked.size());
-  const FrequencyFit problem(beam, asked, measured);
+  assert(!parameters.empty() && parameters.size() <= max_beam_parameters(beam.support) &&
+         measured.size() >= parameters.size());
+  const FrequencyFit problem(beam, parameters, measured);
   const Eigen::VectorXd logs = problem.solve();
-  BeamFit fit{.beam = problem.beam_at(logs), .chi2 = problem.misfit(logs).squaredNorm()};
+  BeamFit fit{.beam = problem.beam_at(logs), .chi2 = problem.residual(logs).squaredNorm()};
   const double relative = fit.beam.relative_torsion();
   fit.at_limit = beam.support == BeamSupport::torsion &&
                  (relative < kNearLimit * kMinTorsion || relative > kMaxTorsion / kNearLimit);
   const Eigen::VectorXd model = problem.model_logs(fit.beam).array().exp();
   fit.model_Hz.assign(model.begin(), model.end());
-  const Eigen::MatrixXd columns = problem.derivatives(logs);
+  const Eigen::MatrixXd columns = problem.jacobian(logs);
   const Eigen::MatrixXd gram = columns.transpose() * columns;
   const Eigen::MatrixXd covariance = inverse_gram(gram);
   const bool known = std::all_of(measured.begin(), measured.end(), [](const auto& one) { return one.std_Hz > 0; });
-  const std::size_t spare = measured.size() - asked.size();
+  const std::size_t spare = measured.size() - parameters.size();
   const double variance = known ? 1 : spare > 0 ? fit.chi2 / static_cast<double>(spare) : 0;
-  fit.parameters.reserve(asked.size());
-  for (std::size_t i = 0; i < asked.size(); ++i) {
+  fit.parameters.reserve(parameters.size());
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
-    FittedParameter parameter{.which = asked[i], .value = value_of(fit.beam, asked[i])};
+    FittedParameter parameter{.which = parameters[i], .value = value_of(fit.beam, parameters[i])};
     const double std = parameter.value * std::sqrt(variance * covariance(at, at));
     if ((known || spare > 0) && std::isfinite(std)) parameter.std = std;
     fit.parameters.push_back(parameter);
@@ -187,26 +179,26 @@ BeamFit fit_beam(const UniformBeam& beam, const std::vector<BeamParameter>& aske
 TorsionFit fit_torsion(const std::vector<StaticReading>& readings, double stiffness_Nm2) {
   assert(!readings.empty());
   double xx = 0, xy = 0;
-  const auto turn = [](const StaticReading& r) { return r.load_N * r.lever_m * r.lever_m; };
-  const auto turned_m = [&](const StaticReading& r) {
-    return r.deflection_m - turn(r) * r.lever_m / (3 * stiffness_Nm2);  // (1)
+  const auto x_of = [](const StaticReading& r) { return r.load_N * r.lever_m * r.lever_m; };
+  const auto y_of = [&](const StaticReading& r) {
+    return r.deflection_m - x_of(r) * r.lever_m / (3 * stiffness_Nm2);  // (1)
   };
   for (const StaticReading& reading : readings) {
-    xx += turn(reading) * turn(reading);
-    xy += turn(reading) * turned_m(reading);
+    xx += x_of(reading) * x_of(reading);
+    xy += x_of(reading) * y_of(reading);
   }
-  const double shear_parameter = xy / xx;  // 1/T
-  if (!(shear_parameter > 0 && std::isfinite(shear_parameter))) {
-    throw InputError("the beam's own bending would already deflect more than was read", "static readings",
-                     "look at --ei and at the readings (--static) and their units: N, m, m");
+  const double compliance = xy / xx;  // 1/T
+  if (!(compliance > 0 && std::isfinite(compliance))) {
+    throw InputError("bending of the beam alone exceeds the measured deflection", "static readings",
+                     "check EI, and the readings in N, m, m", {"ei", "static"});
   }
-  TorsionFit fit{.torsion_Nmprad = 1 / shear_parameter};
+  TorsionFit fit{.torsion_Nmprad = 1 / compliance};
   if (readings.size() < 2) return fit;
-  double left = 0;
+  double residual_square = 0;
   for (const StaticReading& reading : readings)
-    left += std::pow(turned_m(reading) - shear_parameter * turn(reading), 2);
-  const double variance = left / static_cast<double>(readings.size() - 1) / xx;
-  fit.std_Nmprad = std::sqrt(variance) / (shear_parameter * shear_parameter);
+    residual_square += std::pow(y_of(reading) - compliance * x_of(reading), 2);
+  const double variance = residual_square / static_cast<double>(readings.size() - 1) / xx;
+  fit.std_Nmprad = std::sqrt(variance) / (compliance * compliance);
   return fit;
 }
 

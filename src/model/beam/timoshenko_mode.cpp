@@ -10,8 +10,8 @@
 #include <optional>
 
 #include "core/error.hpp"
+#include "core/math/roots.hpp"
 #include "core/units.hpp"
-#include "model/math/ridders_root.hpp"
 
 namespace percuss::model {
 namespace {
@@ -19,7 +19,7 @@ namespace {
 constexpr double kHalfWave_rad = std::numbers::pi;
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
-// One frequency's waves, lengths in units of the beam's.
+// The waves at one frequency; lengths in units of the beam's length.
 struct Waves {
   double omega_radps = 0;
   double b = 0, a = 0;  // λ and δ; a² below zero gives a = NaN
@@ -43,7 +43,7 @@ Waves waves_of(const UniformBeam& beam, double lambda) {
   return waves;
 }
 
-// The λ at which (3) is zero, less a hair.
+// The λ at which (3) is zero, reduced by 1e-9 of itself.
 double last_lambda(const UniformBeam& beam) {
   if (!(beam.gyration_m > 0 && beam.shear_stiffness_N > 0)) return kNoLimit;
   const double length2 = beam.length_m * beam.length_m;
@@ -52,13 +52,13 @@ double last_lambda(const UniformBeam& beam) {
   return (1 - 1e-9) * std::sqrt((shear + inertia) / (shear * inertia));
 }
 
-// Free at both ends, split into modes that are even and odd about the middle, where each lies on a branch of its own.
+// The free-free condition for modes that are even or odd about the middle: each root lies on its own branch.
 double free_condition(const Waves& w, bool even) {
   const double t = std::tanh(w.a / 2), s = std::sin(w.b / 2), c = std::cos(w.b / 2);
   return even ? w.a * w.lean * s + w.b * w.bend * c * t : w.a * w.lean * c * t - w.b * w.bend * s;
 }
 
-// The determinant times 2 e^(−δ), its spring's part and its hinge's.
+// The determinant times 2 e^(−δ): the sum of a term for the spring and a term for the hinge.
 double boundary_condition(const Waves& w, double spring, double hinge) {
   const double e = std::exp(-w.a), ch = 1 + e * e, sh = 1 - e * e, s = std::sin(w.b), c = std::cos(w.b);
   const double ka = w.lean / w.a, kb = w.bend / w.b;
@@ -68,13 +68,13 @@ double boundary_condition(const Waves& w, double spring, double hinge) {
   return spring * holding + hinge * (w.a * w.a + w.b * w.b) * turning;
 }
 
-// The root between, which there is one of at most; none when it lies beyond the last λ.
+// The only root between low and high, or none when it lies beyond the last λ.
 template <class Condition>
 std::optional<double> lambda_between(const UniformBeam& beam, double low, double high, const Condition& condition) {
   const auto f = [&](double lambda) { return condition(waves_of(beam, lambda)); };
   const double end = std::min(high, last_lambda(beam));
   if (!(low < end) || (end < high && (f(low) > 0) == (f(end) > 0))) return {};
-  return ridders_root(low, end, f);
+  return bracketed_root(f, low, end);
 }
 
 std::optional<double> pinned_timoshenko(const UniformBeam& beam, std::size_t elastic) {
@@ -106,9 +106,9 @@ std::optional<double> timoshenko_lambda(const UniformBeam& beam, std::size_t ela
 BeamMode timoshenko_mode(const UniformBeam& beam, std::size_t elastic) {
   const std::optional<double> lambda = timoshenko_lambda(beam, elastic);
   if (!lambda) {
-    throw InputError("more modes than lie below the frequency from where Timoshenko's beam carries two kinds of wave",
+    throw InputError("too many modes: above its cut-off frequency a Timoshenko beam carries two kinds of wave",
                      fmt::format("{:.6g} Hz", waves_of(beam, last_lambda(beam)).omega_radps / kTwoPi),
-                     "ask for fewer --modes");
+                     "ask for fewer modes", {"modes"});
   }
   const Waves w = waves_of(beam, *lambda);
   const double e = std::exp(-w.a), s = std::sin(w.b), c = std::cos(w.b);

@@ -94,7 +94,7 @@ void BallOnBeam::drift(BallOnBeamState& state, const ModalRotation& turn) {
   state.ball_m += state.ball_mps * turn.dt_s;
 }
 
-// The approach stands still and α̇ falls as (1 + χα̇)′ = −μ χ k₂ α^(3/2) (1 + χα̇), μ the mobility: solved exactly.
+// The approach is constant and α̇ falls: (1 + χα̇)′ = −μ χ k₂ α^(3/2) (1 + χα̇), μ the mobility, is solved exactly.
 void BallOnBeam::kick(BallOnBeamState& state, double dt_s) const {
   const double elastic = hertz_ * pow_3_2(state.ball_m - weighted_sum(y_, state.eta));
   double impulse = elastic * dt_s;
@@ -104,7 +104,7 @@ void BallOnBeam::kick(BallOnBeamState& state, double dt_s) const {
     const double fall = mobility_ * hysteresis_ * elastic * dt_s;  // of ln(1 + χα̇)
     const double gone = -std::expm1(-fall);
     impulse = scale * gone / (mobility_ * hysteresis_);
-    // ∫ k₂ α^(3/2) χ α̇ (1 + χα̇) dt − ∫ k₂ α^(3/2) α̇ dt, the work of (2) that does not come back.
+    // ∫ k₂ α^(3/2) χ α̇ (1 + χα̇) dt − ∫ k₂ α^(3/2) α̇ dt: the work that (2) dissipates.
     state.lost_J += (-scale * scale * std::expm1(-2 * fall) / 2 - 2 * scale * gone + fall) /
                     (mobility_ * hysteresis_ * hysteresis_);
   }

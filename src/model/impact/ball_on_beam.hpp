@@ -6,34 +6,34 @@
 
 namespace percuss::model {
 
-/// Where ball and beam are, in the variables of (1) of impact.hpp.
+/// The state of ball and beam, in the variables of (1) of impact.hpp.
 struct BallOnBeamState {
   std::vector<double> eta, rate;  // [modes]
   double ball_m = 0, ball_mps = 0;
   double lost_J = 0;  // in the contact, so far
 };
 
-/// What can be read from a state.
+/// Quantities derived from a state.
 struct BallOnBeamReading {
   double beam_m = 0, beam_mps = 0;
   double approach_m = 0;
-  double contact_event_m = 0;  // approach times 1 + χα̇ where they overlap: not above 0 when the contact has ended
+  double contact_event_m = 0;  // approach times 1 + χα̇ while they overlap; not above 0 after the contact
   double force_N = 0, force_rate_Nps = 0;
-  double energy_J = 0;  // kinetic, of the modes, of the contact, and lost
+  double energy_J = 0;  // of the ball, of the modes, in the contact, and lost
 };
 
-/// The moves that a motion by (1), (2) of impact.hpp is made of.
+/// Integrates (1), (2) of impact.hpp step by step.
 class BallOnBeam {
  public:
   explicit BallOnBeam(const Impact& impact);
 
-  /// First touch, the beam at rest.
+  /// The state at the first touch, with the beam at rest.
   BallOnBeamState start(double speed_mps) const;
   BallOnBeamReading read(const BallOnBeamState& state) const;
 
-  /// One symmetric fourth-order step.
+  /// Advances by one symmetric fourth-order step.
   void step(BallOnBeamState& state, double dt_s);
-  /// One step in which the force stays as it is at its start.
+  /// Advances by one step with the force at its start.
   void small_increment(BallOnBeamState& state, double dt_s);
 
   std::size_t modes() const { return omega_.size(); }
@@ -41,7 +41,7 @@ class BallOnBeam {
   const std::vector<double>& weight() const { return y_; }  // yᵢ
 
  private:
-  /// How the modes turn in free motion for one length of time.
+  /// The rotation of the modes in free motion over dt_s.
   struct ModalRotation {
     double dt_s = 0;
     std::vector<double> c, s_over_omega, omega_s;

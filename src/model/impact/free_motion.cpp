@@ -3,17 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/roots.hpp"
 #include "core/units.hpp"
-#include "model/math/ridders_root.hpp"
 
 namespace percuss::model {
 namespace {
 
 constexpr double kPeakStepsPerPeriod = 20;  // steps of the search for the peak
-constexpr double kMaxPeakSteps = 20000;     // … at most: what moves faster moves too little to matter
-constexpr double kTouched = 1e-7;           // of the first hop: the gap closes in less
+constexpr double kMaxPeakSteps = 20000;     // limit of the steps: faster modes contribute too little to matter
+constexpr double kTouched = 1e-7;           // of the first step: a shorter step means that the gap is closed
 
-// How long x + x′t − bound t²/2 stays above zero.
+// The time for which x + x′t − bound t²/2 stays above zero.
 double positive_until_s(double x, double rate, double bound) {
   const double root = std::sqrt(rate * rate + 2 * bound * x);
   return rate > 0 ? (rate + root) / bound : 2 * x / (root - rate);
@@ -58,14 +58,14 @@ FreeMotion::Point FreeMotion::gap_at(double time_s) const {
 std::optional<double> FreeMotion::next_contact_s(double until_s) const {
   const auto [closed_m, opening] = gap_at(0);
   if (!(opening > 0) || !(bound_mps2_ > 0)) return {};
-  double time_s = opening / bound_mps2_;  // half of the first hop: past the touch that has just ended
-  const double least_s = std::max(kTouched * time_s, 1e-12 * until_s);
+  double time_s = opening / bound_mps2_;  // half of the first step: past the touch that has just ended
+  const double min_step_s = std::max(kTouched * time_s, 1e-12 * until_s);
   while (time_s < until_s) {
     const Point gap = gap_at(time_s);
     const double open_m = gap.value - closed_m;
-    const double hop_s = open_m > 0 ? positive_until_s(open_m, gap.rate, bound_mps2_) : 0;
-    if (hop_s < least_s) return time_s;
-    time_s += hop_s;
+    const double step_s = open_m > 0 ? positive_until_s(open_m, gap.rate, bound_mps2_) : 0;
+    if (step_s < min_step_s) return time_s;
+    time_s += step_s;
   }
   return {};
 }
@@ -75,19 +75,19 @@ std::optional<FreeMotion::Peak> FreeMotion::peak(double until_s, double floor_m)
   const auto offer = [&](double time_s, double value_m) {
     if (value_m > (best ? best->value_m : floor_m)) best = {.value_m = value_m, .time_s = time_s};
   };
-  const double least_s =
+  const double min_step_s =
       std::max(until_s / kMaxPeakSteps, kTwoPi / (kPeakStepsPerPeriod * std::max(fastest_radps_, 1e-300)));
   Point here = beam_at(0);
   for (double time_s = 0; time_s < until_s;) {
     offer(time_s, here.value);
     const double below = (best ? best->value_m : floor_m) - here.value;
-    double hop_s = until_s;
+    double step_s = until_s;
     if (bound_mps2_ > 0)
-      hop_s = below > 0 || here.rate <= 0 ? positive_until_s(below, -here.rate, bound_mps2_) : here.rate / bound_mps2_;
-    const double next_s = std::min(until_s, time_s + std::max(least_s, hop_s));
+      step_s = below > 0 || here.rate <= 0 ? positive_until_s(below, -here.rate, bound_mps2_) : here.rate / bound_mps2_;
+    const double next_s = std::min(until_s, time_s + std::max(min_step_s, step_s));
     const Point next = beam_at(next_s);
     if (here.rate > 0 && next.rate < 0) {
-      const double top_s = ridders_root(time_s, next_s, [&](double t) { return beam_at(t).rate; });
+      const double top_s = bracketed_root([&](double t) { return beam_at(t).rate; }, time_s, next_s);
       offer(top_s, beam_at(top_s).value);
     }
     time_s = next_s;

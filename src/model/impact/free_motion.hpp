@@ -5,7 +5,7 @@
 
 namespace percuss::model {
 
-/// Ball and beam after their separation, each by itself: closed forms, times from the separation.
+/// The motion of ball and beam after their separation, in closed form. Times count from the separation.
 class FreeMotion {
  public:
   FreeMotion(const BallOnBeam& system, const BallOnBeamState& separated);
@@ -17,23 +17,24 @@ class FreeMotion {
   double ball_mps() const { return ball_mps_; }
   double ball_at(double time_s) const { return ball_m_ + ball_mps_ * time_s; }
 
-  /// When the gap closes again, within `until_s`: time goes on by what the gap, its rate and the largest acceleration
-  /// that the modes' amplitudes allow leave certainly open, so that no touch is stepped over.
+  /// The time at which the gap closes again, within `until_s`. The gap, its rate and a bound of the acceleration (from
+  /// the modes' amplitudes) give an interval in which the gap stays open. Each step is that interval, so none can miss
+  /// a touch.
   std::optional<double> next_contact_s(double until_s) const;
 
   struct Peak {
     double value_m = 0, time_s = 0;
   };
-  /// The beam's largest deflection within `until_s`, if above `floor_m`.
+  /// The beam's largest deflection within `until_s`, if it exceeds `floor_m`.
   std::optional<Peak> peak(double until_s, double floor_m) const;
 
  private:
   Point gap_at(double time_s) const;
 
-  std::vector<double> omega_, cosine_, sine_;  // of each mode's share of the deflection
+  std::vector<double> omega_, cosine_, sine_;  // of each mode's contribution to the deflection
   double ball_m_, ball_mps_;
   double steady_mps_ = 0;  // of modes of frequency 0
-  double bound_mps2_ = 0;  // of the deflection's acceleration
+  double bound_mps2_ = 0;  // of the acceleration of the deflection
   double fastest_radps_ = 0;
 };
 

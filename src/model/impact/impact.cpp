@@ -7,17 +7,17 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/math/roots.hpp"
 #include "model/impact/ball_on_beam.hpp"
 #include "model/impact/free_motion.hpp"
-#include "model/math/ridders_root.hpp"
 
 namespace percuss::model {
 namespace {
 
 constexpr double kFirstPassSteps = 32;            // to the Hertz time
-constexpr double kSettledImpact = 5e-10;          // error of the coefficient of restitution, and of the energy
-constexpr double kAimedImpact = 2e-10;            // … at which a shorter step is aimed
-constexpr std::size_t kMaxModeSteps = 5'000'000;  // in one pass: less than a second
+constexpr double kMaxImpactError = 5e-10;         // of the coefficient of restitution, and of the energy
+constexpr double kTargetImpactError = 2e-10;      // for the choice of a shorter step
+constexpr std::size_t kMaxModeSteps = 5'000'000;  // modes times steps in one pass: less than a second
 constexpr double kClassicStep_s = 1e-5;
 constexpr std::size_t kSeriesContact = 400, kSeriesFree = 4000;
 
@@ -25,26 +25,27 @@ double hertz_approach_m(const Impact& impact) {
   return std::pow(1.25 * impact.ball_mass_kg * impact.speed_mps * impact.speed_mps / impact.hertz_Npm15, 0.4);
 }
 
-// The largest value of the cubic through two points with these rates, and where (0 to 1).
-struct CubicTop {
+// The maximum of the cubic through two points with these rates, and its position from 0 to 1.
+struct CubicMaximum {
   double value = 0, at = 0;
 };
-CubicTop top_of_cubic(double from, double from_rate, double to, double to_rate, double width) {
+CubicMaximum maximum_of_cubic(double from, double from_rate, double to, double to_rate, double width) {
   const auto cubic = [&](double t) {
     const double u = 1 - t;
     return u * u * ((1 + 2 * t) * from + t * width * from_rate) + t * t * ((3 - 2 * t) * to - u * width * to_rate);
   };
-  CubicTop top{.value = std::max(from, to), .at = to > from ? 1.0 : 0.0};
-  if (!(from_rate > 0 && to_rate < 0)) return top;
+  CubicMaximum largest{.value = std::max(from, to), .at = to > from ? 1.0 : 0.0};
+  if (!(from_rate > 0 && to_rate < 0)) return largest;
   const double chord = (to - from) / width;
-  const double at = ridders_root(0, 1, [&](double t) {
+  const auto rate = [&](double t) {
     const double u = 1 - t;
     return u * u * from_rate + t * t * to_rate + 2 * t * u * (3 * chord - from_rate - to_rate);
-  });
-  return cubic(at) > top.value ? CubicTop{.value = cubic(at), .at = at} : top;
+  };
+  const double at = bracketed_root(rate, 0, 1);
+  return cubic(at) > largest.value ? CubicMaximum{.value = cubic(at), .at = at} : largest;
 }
 
-// One pass through the contact with steps of one nominal length.
+// Integrates the contact once, with one nominal step.
 class ContactPass {
  public:
   ContactPass(BallOnBeam& system, const Impact& impact, ImpactMethod method, double step_s)
@@ -56,24 +57,24 @@ class ContactPass {
 
   ImpactResult run(bool series) {
     const double energy_J = now_.energy_J, speed_mps = state_.ball_mps;
-    remember(series);
-    for (bool touching = true; touching; remember(series)) {
+    append_moment(series);
+    for (bool touching = true; touching; append_moment(series)) {
       if (++result_.steps * system_.modes() > kMaxModeSteps) {
-        throw InputError("ball and beam do not separate", "the contact, after as many steps as are reasonable",
-                         "look for a value far off (--hertz, --ball-mass, --speed, --ei, --rho-a), or take a longer "
-                         "--step or fewer --modes");
+        throw InputError("ball and beam do not separate", "the contact, at the limit of steps",
+                         "check ball and beam for a wrong value, or use a longer step or fewer modes",
+                         {"hertz", "ball_mass", "speed", "ei", "rho_a", "step", "modes"});
       }
       const BallOnBeamReading before = now_;
       double dt_s = next_step_s();
-      kept_ = state_;
+      saved_ = state_;
       move_to(dt_s);
       touching = now_.contact_event_m > 0;
       if (!touching) {
-        const double inside_m = std::max(before.contact_event_m, std::numeric_limits<double>::min());
-        dt_s = ridders_root(0.0, dt_s, [&](double t) { return t == 0 ? inside_m : move_to(t); });
+        const double start_event_m = std::max(before.contact_event_m, std::numeric_limits<double>::min());
+        dt_s = bracketed_root([&](double t) { return t == 0 ? start_event_m : move_to(t); }, 0, dt_s);
         move_to(dt_s);
       }
-      watch(before, dt_s);
+      update_peaks(before, dt_s);
       result_.energy_error = std::max(result_.energy_error, std::abs(now_.energy_J / energy_J - 1));
     }
     result_.contact_s = time_s_;
@@ -89,9 +90,9 @@ class ContactPass {
     if (method_ == ImpactMethod::small_increment) return step_s_;
     return step_s_ * std::min(1.0, std::sqrt((std::max(0.0, now_.approach_m) + first_m_) / scale_m_));
   }
-  // From the kept state; returns the grip there.
+  // Moves from the saved state by dt_s and returns the contact event there.
   double move_to(double dt_s) {
-    state_ = kept_;
+    state_ = saved_;
     if (method_ == ImpactMethod::small_increment) {
       system_.small_increment(state_, dt_s);
     } else {
@@ -100,18 +101,19 @@ class ContactPass {
     now_ = system_.read(state_);
     return now_.contact_event_m;
   }
-  // Force and deflection may be largest within the step.
-  void watch(const BallOnBeamReading& before, double dt_s) {
-    const CubicTop force = top_of_cubic(before.force_N, before.force_rate_Nps, now_.force_N, now_.force_rate_Nps, dt_s);
+  // Updates the largest force and deflection, which may lie within the step.
+  void update_peaks(const BallOnBeamReading& before, double dt_s) {
+    const CubicMaximum force =
+        maximum_of_cubic(before.force_N, before.force_rate_Nps, now_.force_N, now_.force_rate_Nps, dt_s);
     result_.peak_force_N = std::max(result_.peak_force_N, force.value);
-    const CubicTop bent = top_of_cubic(before.beam_m, before.beam_mps, now_.beam_m, now_.beam_mps, dt_s);
+    const CubicMaximum bent = maximum_of_cubic(before.beam_m, before.beam_mps, now_.beam_m, now_.beam_mps, dt_s);
     if (bent.value > result_.peak_deflection_m) {
       result_.peak_deflection_m = bent.value;
       result_.peak_deflection_time_s = time_s_ + bent.at * dt_s;
     }
     time_s_ += dt_s;
   }
-  void remember(bool wanted) {
+  void append_moment(bool wanted) {
     if (!wanted) return;
     result_.series.push_back({.time_s = time_s_,
                               .beam_m = now_.beam_m,
@@ -123,21 +125,21 @@ class ContactPass {
   BallOnBeam& system_;
   ImpactMethod method_;
   double step_s_, scale_m_, first_m_ = 0, time_s_ = 0;
-  BallOnBeamState state_, kept_;
+  BallOnBeamState state_, saved_;
   BallOnBeamReading now_;
   ImpactResult result_;
 };
 
 [[noreturn]] void refuse_values(const char* what) {
-  throw InputError(std::string(what) + " beyond what numbers hold", "ball and beam",
-                   "look at --ball-mass, --speed, --hertz, --ei and --rho-a");
+  throw InputError(std::string(what) + " beyond the range of numbers", "ball and beam",
+                   "check the values of ball and beam", {"ball_mass", "speed", "hertz", "ei", "rho_a"});
 }
 
 double worst_impact_error(const ImpactResult& result) {
   return std::max(result.cor_uncertainty.value_or(1), result.energy_error);
 }
 
-bool settled_impact(const ImpactResult& result) { return worst_impact_error(result) <= kSettledImpact; }
+bool has_converged(const ImpactResult& result) { return worst_impact_error(result) <= kMaxImpactError; }
 
 void thin_series(std::vector<ImpactMoment>& series) {
   const std::size_t every = std::max<std::size_t>(1, series.size() / kSeriesContact);
@@ -156,7 +158,7 @@ void follow_free_motion(const FreeMotion& free, ImpactResult& result, bool serie
   }
   if (!series) return;
   thin_series(result.series);
-  result.series.back().force_N = 0;  // what rounding leaves of it
+  result.series.back().force_N = 0;  // not zero only by rounding
   for (std::size_t i = 1; i <= kSeriesFree; ++i) {
     const double time_s = kFollowUp_s * static_cast<double>(i) / static_cast<double>(kSeriesFree);
     result.series.push_back({.time_s = result.contact_s + time_s,
@@ -174,9 +176,9 @@ double hysteresis_for_spm(double restitution, double speed_mps) {
   if (restitution >= 1) return 0;
   const double e = restitution;
   const auto difference = [&](double d) { return std::log1p(d) - std::log1p(-e * d) - d * (1 + e); };  // (3)
-  // Below zero for small d, where the terms cancel up to −d² (1 − e²)/2; without bound towards 1/e.
+  // For small d the difference is −d² (1 − e²)/2, below zero; towards 1/e it grows without bound.
   const double low = 0.75 * (1 - e * e) / (1 + e * e * e);
-  return ridders_root(low, (1 - 1e-15) / e, difference) / speed_mps;
+  return bracketed_root(difference, low, (1 - 1e-15) / e) / speed_mps;
 }
 
 ImpactResult simulate_impact(const Impact& impact, const ImpactOptions& options) {
@@ -189,7 +191,7 @@ ImpactResult simulate_impact(const Impact& impact, const ImpactOptions& options)
   ContactPass first(system, impact, options.method, step_s);
   ImpactResult result = first.run(options.series);
   BallOnBeamState end = first.end();
-  for (double shorter = 2; controlled && !settled_impact(result);) {
+  for (double shorter = 2; controlled && !has_converged(result);) {
     step_s /= shorter;
     ContactPass finer(system, impact, options.method, step_s);
     const double before = result.cor;
@@ -197,7 +199,7 @@ ImpactResult simulate_impact(const Impact& impact, const ImpactOptions& options)
     end = finer.end();
     if (!std::isfinite(result.cor + result.energy_error)) refuse_values("the motion is");
     result.cor_uncertainty = std::abs(result.cor - before) / (std::pow(shorter, 4) - 1);
-    shorter = std::clamp(std::pow(worst_impact_error(result) / kAimedImpact, 0.25), 1.5, 16.0);
+    shorter = std::clamp(std::pow(worst_impact_error(result) / kTargetImpactError, 0.25), 1.5, 16.0);
   }
   result.omega_radps = system.omega_radps();
   follow_free_motion(FreeMotion(system, end), result, options.series);

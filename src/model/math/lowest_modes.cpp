@@ -17,16 +17,16 @@ using Sparse = Eigen::SparseMatrix<double>;
 using Factors = Eigen::SimplicialLDLT<Sparse, Eigen::Lower, Eigen::NaturalOrdering<int>>;
 
 constexpr double kSettledResidual = 1e-12;  // of a mode's own 1/(ω² + shift)
-constexpr double kExhausted = 1e-14;        // a new direction as short as this is none
-constexpr Index kFirstVectors = 40;         // and two for each mode wanted
+constexpr double kExhausted = 1e-14;        // a shorter new direction is rounding
+constexpr Index kFirstVectors = 40;         // plus two per mode
 constexpr const char* kRemedyForNumbers = "check the units of profile and material";
 
-// Krylov vectors and the tridiagonal matrix that the operator is among them.
+// Krylov vectors, and the operator projected on them: a tridiagonal matrix.
 class Lanczos {
  public:
   Lanczos(const Factors& factors, const Sparse& mass, const MatrixXd& rigid)
       : factors_(factors), mass_(mass), rigid_(rigid), mass_rigid_(mass * rigid), most_(mass.rows() - rigid.cols()) {
-    // Any start that no mode is orthogonal to will do; this one has no symmetry.
+    // The start must not be orthogonal to any mode: this one has no symmetry.
     VectorXd start(mass.rows());
     for (Index i = 0; i < start.size(); ++i) start[i] = 1 + std::sin(1.7 * static_cast<double>(i * i));
     next_ = orthogonal_to_known(start);
@@ -42,7 +42,7 @@ class Lanczos {
     vectors_.conservativeResize(mass_.rows(), wanted);
     mass_vectors_.conservativeResize(mass_.rows(), wanted);
     diagonal_.conservativeResize(wanted);
-    beside_.conservativeResize(wanted);
+    off_diagonal_.conservativeResize(wanted);
     for (; at < wanted && !exhausted_; ++at) {
       known_ = at + 1;
       vectors_.col(at) = next_;
@@ -50,23 +50,23 @@ class Lanczos {
       const VectorXd image = factors_.solve(mass_vectors_.col(at));
       diagonal_[at] = image.dot(mass_vectors_.col(at));
       next_ = orthogonal_to_known(image);
-      beside_[at] = std::sqrt(next_.dot(mass_ * next_));
-      exhausted_ = !(beside_[at] > kExhausted * diagonal_.head(known_).maxCoeff());
-      next_ /= beside_[at];
+      off_diagonal_[at] = std::sqrt(next_.dot(mass_ * next_));
+      exhausted_ = !(off_diagonal_[at] > kExhausted * diagonal_.head(known_).maxCoeff());
+      next_ /= off_diagonal_[at];
     }
     vectors_.conservativeResize(Eigen::NoChange, at);
     diagonal_.conservativeResize(at);
-    beside_.conservativeResize(at);
+    off_diagonal_.conservativeResize(at);
   }
 
-  // The `count` modes as far as the vectors span them; none when a residual is too large.
+  // Solves for the lowest `count` modes in the span of the vectors. False when a residual is too large.
   bool solve(Index count, double shift, LowestModes& modes) const {
     Eigen::SelfAdjointEigenSolver<MatrixXd> solver;
-    solver.computeFromTridiagonal(diagonal_, beside_.head(size() - 1));
+    solver.computeFromTridiagonal(diagonal_, off_diagonal_.head(size() - 1));
     count = std::min(count, size());
     const VectorXd values = solver.eigenvalues().tail(count).reverse();
     const MatrixXd mixes = solver.eigenvectors().rightCols(count).rowwise().reverse();
-    if (!is_complete() && !((mixes.bottomRows(1).transpose().array().abs() * beside_[size() - 1]) <=
+    if (!is_complete() && !((mixes.bottomRows(1).transpose().array().abs() * off_diagonal_[size() - 1]) <=
                             kSettledResidual * values.array().abs())
                                .all()) {
       return false;
@@ -77,7 +77,7 @@ class Lanczos {
   }
 
  private:
-  // Twice: what rounding leaves after the first time is gone after the second.
+  // Orthogonalises twice: the second pass removes the rounding errors of the first.
   VectorXd orthogonal_to_known(VectorXd x) const {
     for (int i = 0; i < 2; ++i) {
       x -= rigid_ * (mass_rigid_.transpose() * x);
@@ -90,7 +90,7 @@ class Lanczos {
   const Sparse& mass_;
   const MatrixXd& rigid_;
   MatrixXd mass_rigid_, vectors_, mass_vectors_;
-  VectorXd diagonal_, beside_, next_;
+  VectorXd diagonal_, off_diagonal_, next_;
   Index most_, known_ = 0;
   bool exhausted_ = false;
 };
@@ -101,7 +101,7 @@ LowestModes lowest_modes(const Sparse& stiffness, const Sparse& mass, const Matr
                          Index count) {
   const Factors factors(stiffness + shift * mass);
   if (factors.info() != Eigen::Success || !(factors.vectorD().minCoeff() > 0))
-    throw InputError("stiffness and mass are too far apart", "finite elements", kRemedyForNumbers);
+    throw InputError("stiffness and mass differ by too many decades", "finite elements", kRemedyForNumbers);
   Lanczos lanczos(factors, mass, rigid);
   LowestModes modes;
   for (Index size = 2 * count + kFirstVectors;; size *= 2) {
@@ -109,7 +109,7 @@ LowestModes lowest_modes(const Sparse& stiffness, const Sparse& mass, const Matr
     if (lanczos.solve(count, shift, modes)) break;
   }
   if (!modes.shape.allFinite() || !(modes.square.minCoeff() > 0))
-    throw InputError("the modes cannot be told from rounding", "finite elements", kRemedyForNumbers);
+    throw InputError("rounding hides the modes", "finite elements", kRemedyForNumbers);
   return modes;
 }
 

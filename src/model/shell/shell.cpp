@@ -48,7 +48,8 @@ double flugge_Hz(const TubeShell& s, std::size_t waves, std::size_t half_waves) 
       -(1 + nu) / 2 * n * l, n2 + (1 - nu) / 2 * l2 * (1 + 3 * k), 0,             //
       -nu * l - k * l * (l2 - (1 - nu) / 2 * n2), n + k * (3 - nu) / 2 * l2 * n,  //
       1 + k * (std::pow(l2 + n2, 2) - 2 * n2 + 1);
-  // The lowest of three far apart: as the largest of the inverse it keeps its digits for thin walls.
+  // The three eigenvalues lie far apart. Computed as the largest of the inverse, the lowest stays accurate for thin
+  // walls.
   const double lowest =
       1 / Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(
               Eigen::Matrix3d(matrix.selfadjointView<Eigen::Lower>()).inverse(), Eigen::EigenvaluesOnly)

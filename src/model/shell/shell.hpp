@@ -3,7 +3,7 @@
 
 namespace percuss::model {
 
-/// A barrel as a tube of even wall. R = (outer diameter − wall)/2 is its middle radius.
+/// A barrel as a tube of constant wall thickness. R = (outer diameter − wall)/2 is its mean radius.
 struct TubeShell {
   double outer_diameter_m = 0.066675;  // 2.625 in
   double wall_m = 0.00254;             // 0.100 in; below half the diameter
@@ -15,36 +15,36 @@ struct TubeShell {
   double radius_m() const { return (outer_diameter_m - wall_m) / 2; }
 };
 
-// Natural frequencies of the pattern with n waves around, n from 2 up. With h the wall, k = h²/(12 R²), Ω = ωR√(ρ(1 −
-// ν²)/E):
+// Natural frequencies of the pattern with n >= 2 waves around the tube.
+// h is the wall, k = h²/(12 R²), Ω = ωR√(ρ(1 − ν²)/E).
 
-/// A ring of the tube's section, bent in its plane:
+/// Ring: the tube's section bends in its plane.
 ///   ω² = E h²/(12 ρ R⁴) · n²(n² − 1)²/(n² + 1)                                                  (1)
 /// theory (13.1)
 double ring_Hz(const TubeShell& shell, std::size_t n);
 
-/// Rayleigh: a tube with free ends that bends without stretching, alike all along:
+/// Rayleigh: a tube with free ends bends without stretching, with the same deflection along its length.
 ///   Ω² = k n²(n² − 1)²/(n² + 1)                                                                 (2)
 /// theory (13.2)
 double rayleigh_Hz(const TubeShell& shell, std::size_t n);
 
-/// Love: … whose deflection grows from its middle to opposite sides:
+/// Love: the same, with a deflection that is odd about the middle and grows linearly from it.
 ///   Ω² = (2) · [1 + 24(1 − ν) R²/(n² L²)] / [1 + 12 R²/(n²(n² + 1) L²)]                         (3)
 /// theory (13.3)
 double love_Hz(const TubeShell& shell, std::size_t n);
 
-/// Flügge: the thin shell between ends that keep it round and free to slide (shear diaphragms), m half-waves along it:
-/// the lowest Ω² of the symmetric matrix S, λ = mπR/L,
+/// Flügge: a thin shell on shear diaphragms (its ends stay round and slide axially), with m half-waves along it.
+/// The result is the lowest Ω², an eigenvalue of the symmetric matrix S with λ = mπR/L:
 ///   S11 = λ² + (1 − ν)/2 n²(1 + k)          S12 = −(1 + ν)/2 nλ
 ///   S13 = −νλ − k(λ³ − (1 − ν)/2 n²λ)       S22 = n² + (1 − ν)/2 λ²(1 + 3k)
 ///   S23 = n + k (3 − ν)/2 λ²n               S33 = 1 + k((λ² + n²)² − 2n² + 1)                   (4)
-/// For a long tube it becomes (2). Against three-dimensional elasticity it is high by 0.5 % (n = 2) and 1 % (n = 3) for
-/// a wall of a thirteenth of R, by a quarter of that for half the wall.
+/// For a long tube (4) becomes (2). It exceeds three-dimensional elasticity by 0.5 % (n = 2) and 1 % (n = 3) for a wall
+/// of R/13, and by a quarter of these for half that wall.
 /// source  [15] in docs/theory/sources.md
 /// theory (13.4)
 double flugge_Hz(const TubeShell& shell, std::size_t n, std::size_t m);
 
-/// What the tube weighs, which the source takes for a barrel's effective mass m₂: ρ π (D − h) h L.
+/// The mass of the tube, ρ π (D − h) h L. The source uses it as the barrel's effective mass m₂.
 double tube_mass_kg(const TubeShell& shell);
 
 }  // namespace percuss::model

@@ -4,16 +4,15 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/math/levenberg_marquardt.hpp"
 #include "core/math/linear_algebra.hpp"
 
 namespace percuss::model {
 namespace {
 
-constexpr double kShellNudge = 1e-6;  // of ln E or ln h, for differences
-constexpr double kShellSettled = 1e-12;
-constexpr double kToldApart = 0.5;  // the largest deviation of ln E or ln h that still says something
-constexpr double kMaxShellDamping = 1e12;
-constexpr int kMaxShellSteps = 100;
+constexpr double kShellDifference = 1e-6;  // of ln E or ln h, for central differences
+constexpr double kMaxShellStd = 0.5;       // of ln E or ln h: a larger one means that they are not determined
+constexpr LevenbergMarquardtOptions kShellFitOptions{.max_damping = 1e12, .step_tolerance = 1e-12};
 constexpr const char* kHoops = "the measured hoop frequencies";
 constexpr const char* kHoopRemedy = "fit only E or only the wall, or add patterns with other n and m";
 
@@ -24,7 +23,7 @@ class HoopFit {
 
   Eigen::Index count() const { return unknowns_ == ShellUnknowns::both ? 2 : 1; }
 
-  // The shell after changes of the logarithms of what is unknown.
+  // The shell with changes x of the logarithms of the unknowns.
   TubeShell shell(const Eigen::VectorXd& x) const {
     TubeShell shell = start_;
     if (unknowns_ != ShellUnknowns::wall) shell.young_Pa *= std::exp(x[0]);
@@ -36,7 +35,7 @@ class HoopFit {
     return x.allFinite() && shell(x).wall_m < start_.outer_diameter_m / 2 && shell(x).wall_m > 0;
   }
 
-  Eigen::VectorXd misfit(const Eigen::VectorXd& x) const {
+  Eigen::VectorXd residual(const Eigen::VectorXd& x) const {
     const TubeShell now = shell(x);
     Eigen::VectorXd out(std::ssize(measured_));
     for (Eigen::Index i = 0; i < out.size(); ++i) {
@@ -46,35 +45,27 @@ class HoopFit {
     return out;
   }
 
-  Eigen::MatrixXd slopes(const Eigen::VectorXd& x) const {
+  Eigen::MatrixXd jacobian(const Eigen::VectorXd& x) const {
     Eigen::MatrixXd out(std::ssize(measured_), count());
     for (Eigen::Index k = 0; k < count(); ++k) {
       Eigen::VectorXd up = x, down = x;
-      up[k] += kShellNudge;
-      down[k] -= kShellNudge;
-      out.col(k) = (misfit(down) - misfit(up)) / (2 * kShellNudge);
+      up[k] += kShellDifference;
+      down[k] -= kShellDifference;
+      out.col(k) = (residual(up) - residual(down)) / (2 * kShellDifference);
     }
     return out;
   }
 
   Eigen::VectorXd solve() const {
-    Eigen::VectorXd now = Eigen::VectorXd::Zero(count()), rest = misfit(now);
-    double damping = 1e-3;
-    for (int i = 0; i < kMaxShellSteps; ++i) {
-      const Eigen::MatrixXd j = slopes(now);
-      const Eigen::VectorXd step = solve_gram(j.transpose() * j, j.transpose() * rest, damping), next = now + step;
-      const bool usable = is_usable(next);
-      const Eigen::VectorXd left = usable ? misfit(next) : rest;
-      if (usable && left.squaredNorm() <= rest.squaredNorm()) {
-        now = next;
-        rest = left;
-        damping /= 10;
-      } else {
-        damping *= 10;
-      }
-      if (step.norm() < kShellSettled || damping > kMaxShellDamping) return now;
-    }
-    throw InputError("no shell explains them", kHoops, kHoopRemedy);
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(count());
+    const auto if_usable = [&](const Eigen::VectorXd& at) {
+      return is_usable(at) ? std::optional(residual(at)) : std::nullopt;
+    };
+    const auto jacobian_at = [&](const Eigen::VectorXd& at) { return jacobian(at); };
+    const auto summary = levenberg_marquardt(x, if_usable, jacobian_at, kShellFitOptions);
+    if (summary.stop == LevenbergMarquardtStop::max_steps)
+      throw InputError("no shell fits the frequencies", kHoops, kHoopRemedy, {"measured"});
+    return x;
   }
 
  private:
@@ -87,18 +78,19 @@ class HoopFit {
 
 ShellFit fit_shell(const TubeShell& shell, const std::vector<MeasuredHoop>& measured, ShellUnknowns unknowns) {
   const HoopFit fit(shell, measured, unknowns);
-  if (std::ssize(measured) < fit.count()) throw InputError("E and wall need two frequencies", kHoops, kHoopRemedy);
+  if (std::ssize(measured) < fit.count())
+    throw InputError("E and wall need two frequencies", kHoops, kHoopRemedy, {"fit", "measured"});
   const Eigen::VectorXd best = fit.solve();
-  const Eigen::MatrixXd j = fit.slopes(best);
+  const Eigen::MatrixXd j = fit.jacobian(best);
   const Eigen::MatrixXd covariance = inverse_gram(Eigen::MatrixXd(j.transpose() * j));
-  const Eigen::VectorXd deviation = covariance.diagonal().cwiseSqrt();
-  if (!(deviation.maxCoeff() < kToldApart))
-    throw InputError("E and wall cannot be told from each other by these patterns", kHoops, kHoopRemedy);
+  const Eigen::VectorXd sigma = covariance.diagonal().cwiseSqrt();
+  if (!(sigma.maxCoeff() < kMaxShellStd))
+    throw InputError("these patterns do not separate E from the wall", kHoops, kHoopRemedy, {"fit", "measured"});
   ShellFit result{.shell = fit.shell(best), .model_Hz = {}};
-  if (unknowns != ShellUnknowns::wall) result.young_std_Pa = deviation[0] * result.shell.young_Pa;
-  if (unknowns != ShellUnknowns::young) result.wall_std_m = deviation[fit.count() - 1] * result.shell.wall_m;
-  if (unknowns == ShellUnknowns::both) result.correlation = covariance(0, 1) / (deviation[0] * deviation[1]);
-  result.chi2 = fit.misfit(best).squaredNorm();
+  if (unknowns != ShellUnknowns::wall) result.young_std_Pa = sigma[0] * result.shell.young_Pa;
+  if (unknowns != ShellUnknowns::young) result.wall_std_m = sigma[fit.count() - 1] * result.shell.wall_m;
+  if (unknowns == ShellUnknowns::both) result.correlation = covariance(0, 1) / (sigma[0] * sigma[1]);
+  result.chi2 = fit.residual(best).squaredNorm();
   result.model_Hz.reserve(measured.size());
   for (const MeasuredHoop& hoop : measured) result.model_Hz.push_back(flugge_Hz(result.shell, hoop.n, hoop.m));
   return result;

@@ -7,7 +7,7 @@ namespace percuss::model {
 OscillatorState DampedOscillator::after(const OscillatorState& start, double time_s) const {
   const double square = (omega_radps - decay_radps) * (omega_radps + decay_radps);
   const double rate = std::sqrt(std::abs(square));
-  double cosine = 0, sine = 0;  // both times exp(−σt), the sine over the rate
+  double cosine = 0, sine = 0;  // both multiplied by exp(−σt), the sine divided by the rate
   if (rate * time_s == 0) {
     cosine = std::exp(-decay_radps * time_s);
     sine = time_s * cosine;
@@ -15,7 +15,7 @@ OscillatorState DampedOscillator::after(const OscillatorState& start, double tim
     const double envelope = std::exp(-decay_radps * time_s);
     cosine = envelope * std::cos(rate * time_s);
     sine = envelope * std::sin(rate * time_s) / rate;
-  } else {  // cosh and sinh by the slower exponential, which does not overflow
+  } else {  // cosh and sinh from the slower exponential, which cannot overflow
     const double slow = std::exp((rate - decay_radps) * time_s), gap = std::expm1(-2 * rate * time_s);
     cosine = slow * (1 + gap / 2);
     sine = -slow * gap / (2 * rate);

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "core/math/roots.hpp"
 #include "core/parallel/parallel.hpp"
-#include "model/math/brent_maximum.hpp"
 
 namespace percuss::model {
 Trampoline baseball_on_barrel() { return {}; }
@@ -29,7 +29,7 @@ HoopPeak optimal_hoop_frequency(const Trampoline& model, const std::vector<doubl
   std::vector<double> cor;
   cor.reserve(sweep.size());
   for (const Rebound& r : sweep) cor.push_back(r.cor);
-  const MaximumPoint peak = brent_maximum([&](double at_Hz) { return rebound(model, at_Hz).cor; }, hoop_Hz, cor);
+  const MaximumPoint peak = bracketed_maximum([&](double at_Hz) { return rebound(model, at_Hz).cor; }, hoop_Hz, cor);
   return {.hoop_Hz = peak.x, .cor = peak.y};
 }
 

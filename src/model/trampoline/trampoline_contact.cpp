@@ -8,29 +8,28 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "model/math/illinois_root.hpp"
+#include "core/math/roots.hpp"
 
 namespace percuss::model {
 namespace {
 
 constexpr std::size_t kContactStates = 4;
-constexpr double kScale_s = 1e-3;                      // τ of (1): a contact lasts about that
-constexpr double kContactTolerance = 1e-10;            // of the ball's speed, in a step
+constexpr double kScale_s = 1e-3;                      // τ of (1): about the duration of a contact
+constexpr double kContactTolerance = 1e-10;            // error of a step, relative to the ball's speed
 constexpr double kFirstStep = 0.05, kShortest = 1e-9;  // of s
-constexpr double kUnderWay = 0.1;                      // of s: a touch that begins without force has some by then
+constexpr double kStarted = 0.1;                       // of s: by then a touch without initial force has some
 constexpr double kMaxContactSteps = 1e6;
 using ContactState = std::array<double, kContactStates>;  // ball, its speed, barrel, its speed
 
-// Equations (1) and (2) of trampoline.hpp with s of (1) for the time.
+// Equations (1) and (2) of trampoline.hpp as derivatives with respect to s.
 int contact_rates(double s, const double* y, double* dy, void* forces) {
   const auto& f = *static_cast<const TrampolineForces*>(forces);
-  const double slowing = 4 * kScale_s * s * s * s;
+  const double dt_ds = 4 * kScale_s * s * s * s;
   const double force_N = f.contact_N(y[0] - y[2], y[1] - y[3]);
-  dy[0] = slowing * y[1];
-  dy[1] = -slowing * force_N / f.model.ball_mass_kg;
-  dy[2] = slowing * y[3];
-  dy[3] =
-      slowing * f.barrel_compliance * (force_N - f.barrel_stiffness_Npm * y[2] - f.model.barrel_damping_Nspm * y[3]);
+  dy[0] = dt_ds * y[1];
+  dy[1] = -dt_ds * force_N / f.model.ball_mass_kg;
+  dy[2] = dt_ds * y[3];
+  dy[3] = dt_ds * f.barrel_compliance * (force_N - f.barrel_stiffness_Npm * y[2] - f.model.barrel_damping_Nspm * y[3]);
   return GSL_SUCCESS;
 }
 
@@ -38,7 +37,7 @@ int contact_rates(double s, const double* y, double* dy, void* forces) {
 
 double TrampolineForces::contact_N(double overlap_m, double closing_mps) const {
   if (overlap_m == 0) return 0;
-  const double log = std::log(std::abs(overlap_m));  // once for both powers: this is where the time goes
+  const double log = std::log(std::abs(overlap_m));  // once for both powers: they take most of the time
   return model.stiffness * overlap_m * std::exp(model.stiffness_exponent * log) +
          model.damping * closing_mps * std::exp(model.damping_exponent * log);
 }
@@ -72,7 +71,7 @@ class ContactSolver::Stepper {
     return moment;
   }
 
-  // One step of length h; its error in units of the tolerance.
+  // Takes one step of length h and returns its error in units of the tolerance.
   double take(const Moment& from, double h, Moment& to) {
     ContactState error{};
     to = from;
@@ -82,41 +81,41 @@ class ContactSolver::Stepper {
     double worst = 0;
     for (std::size_t i = 0; i < kContactStates; ++i) {
       const double size = std::abs(error.at(i)) / (i % 2 == 0 ? speed * kScale_s : speed);
-      worst = size <= worst ? worst : size;  // no number is the worst of all
+      worst = size <= worst ? worst : size;  // NaN counts as the largest error
     }
     return worst;
   }
 
   double contact_event(const Moment& m) const { return forces_.contact_event(m.y[0] - m.y[2], m.y[1] - m.y[3]); }
 
-  // Whether the grip falls below zero and comes back between two moments at which it holds: by the cubic through both.
+  // Whether the contact event may fall below zero between two moments where it is above: by the cubic through both.
   bool may_separate(const Moment& a, const Moment& b) const {
     const double h = b.s - a.s, ga = contact_event(a), gb = contact_event(b), ra = h * contact_event_rate(a),
                  rb = h * contact_event_rate(b);
     if (!(ra < 0 && rb > 0)) return false;
     const double c = 3 * (gb - ga) - 2 * ra - rb, d = 2 * (ga - gb) + ra + rb;
     const double root = std::sqrt(std::max(0.0, c * c - 3 * d * ra));
-    const double at = -ra / (c + root);  // where the cubic's derivative vanishes and rises
+    const double at = -ra / (c + root);  // the minimum of the cubic
     return at > 0 && at < 1 && ga + at * (ra + at * (c + at * d)) < 0;
   }
 
-  // The last step again, shorter, so that the grip is zero at its end.
+  // Repeats the last step with the length at which the contact event is zero.
   Moment separation_state(const Moment& from, const Moment& past) {
     Moment to = past;
-    const auto grip_after = [&](double h) {
+    const auto event_after = [&](double h) {
       if (h == 0) return contact_event(from);
       take(from, h, to);
       return contact_event(to);
     };
-    take(from, illinois_root(grip_after, 0, past.s - from.s, kContactTolerance * past.s), to);
+    take(from, bracketed_root(event_after, 0, past.s - from.s), to);
     return to;
   }
 
  private:
   double contact_event_rate(const Moment& m) const {
-    const double slowing = 4 * kScale_s * m.s * m.s * m.s;
-    if (slowing == 0) return 0;
-    return slowing * forces_.contact_event_rate(m.y[0] - m.y[2], m.y[1] - m.y[3], (m.dy[1] - m.dy[3]) / slowing);
+    const double dt_ds = 4 * kScale_s * m.s * m.s * m.s;
+    if (dt_ds == 0) return 0;
+    return dt_ds * forces_.contact_event_rate(m.y[0] - m.y[2], m.y[1] - m.y[3], (m.dy[1] - m.dy[3]) / dt_ds);
   }
 
   TrampolineForces& forces_;
@@ -135,14 +134,14 @@ BallAndBarrel ContactSolver::follow(const BallAndBarrel& start) {
   double h = kFirstStep, steps = 0;
   for (bool holds = true; holds;) {
     if (++steps > kMaxContactSteps)
-      throw InputError("the contact does not come to an end", "trampoline model", "use a higher hoop frequency");
+      throw InputError("the contact does not end", "trampoline model", "use a higher hoop frequency", {"hoop"});
     const double error = stepper_->take(now, h, next);
     if (!(error <= 1) && h > kShortest) {
       h *= std::isfinite(error) ? std::clamp(0.9 * std::pow(error, -0.125), 0.1, 0.9) : 0.1;
       continue;
     }
-    // A touch with an overlap begins where the grip is zero to rounding: only what has held can let go.
-    const bool settling = stepper_->contact_event(now) <= 0 && now.s < kUnderWay;
+    // A touch begins with an event of zero to within rounding. Only a contact that has had force can end.
+    const bool settling = stepper_->contact_event(now) <= 0 && now.s < kStarted;
     holds = stepper_->contact_event(next) >= 0 || settling;
     if (holds && !settling && stepper_->may_separate(now, next) && h > kShortest) {
       h /= 2;

@@ -5,7 +5,7 @@
 
 namespace percuss::model {
 
-/// Ball and barrel at one moment; x and v positive towards the barrel.
+/// The state of ball and barrel at one time; positions and speeds are positive towards the barrel.
 struct BallAndBarrel {
   double ball_m = 0, ball_mps = 0, barrel_m = 0, barrel_mps = 0;
   double time_s = 0;
@@ -14,22 +14,23 @@ struct BallAndBarrel {
   double closing_mps() const { return ball_mps - barrel_mps; }
 };
 
-/// What of the trampoline's equations (1) and (2) holds at one hoop frequency.
+/// The forces of equations (1) and (2) of trampoline.hpp at one hoop frequency.
 struct TrampolineForces {
   Trampoline model;
   double barrel_stiffness_Npm = 0;  // (3)
-  double barrel_compliance = 1;     // 1/(m₂ + Δm); 0: a wall
+  double barrel_compliance = 1;     // 1/(m₂ + Δm); 0: a rigid wall
 
-  double contact_N(double overlap_m, double closing_mps) const;  // (2) without its "where positive"
-  /// The contact force over |δ|ᵇ, in N/m^b: of the same sign, but with a simple root where it ends.
+  double contact_N(double overlap_m, double closing_mps) const;  // (2), also where it is negative
+  /// The contact force divided by |δ|ᵇ, in N/m^b: it has the same sign, and a simple root at the end of the contact.
   double contact_event(double overlap_m, double closing_mps) const;
-  double contact_event_rate(double overlap_m, double closing_mps, double acceleration_mps2) const;  // its rate per s
+  double contact_event_rate(double overlap_m, double closing_mps,
+                            double acceleration_mps2) const;  // its time derivative
 };
 
-/// Follows contacts from their start to their end with an eighth-order Runge–Kutta method.
+/// Integrates a contact from its start to its end with an eighth-order Runge–Kutta method. It steps in s, where
 ///   t = t₀ + τ s⁴    (1)
-/// is the time it steps in: the force sets in like tᵇ, which has no derivatives at t₀ but several in s. The end is
-/// found by taking the last step again with other lengths.
+/// The force starts like tᵇ, which has no derivatives at t₀ but several in s. The end of the contact is found by
+/// repeating the last step with other lengths.
 class ContactSolver {
  public:
   explicit ContactSolver(const TrampolineForces& forces);
@@ -37,7 +38,7 @@ class ContactSolver {
   ContactSolver(const ContactSolver&) = delete;
   ContactSolver& operator=(const ContactSolver&) = delete;
 
-  /// From a touch to the moment when the force has fallen to zero. errors  InputError after a million steps.
+  /// Integrates from a touch until the force is zero. errors  InputError after a million steps.
   BallAndBarrel follow(const BallAndBarrel& start);
 
  private:

@@ -2,17 +2,16 @@
 #include <optional>
 
 #include "core/error.hpp"
+#include "core/math/roots.hpp"
 #include "core/units.hpp"
-#include "model/math/illinois_root.hpp"
 #include "model/trampoline/damped_oscillator.hpp"
 #include "model/trampoline/trampoline_contact.hpp"
 
 namespace percuss::model {
 namespace {
 
-constexpr double kLooksPerPeriod = 40;  // for the next touch
-constexpr double kSame = 1e-14;         // of the time between two looks
-constexpr int kMaxLooks = 100'000;
+constexpr double kIntervalsPerPeriod = 40;  // each is searched for the next touch
+constexpr int kMaxIntervals = 100'000;
 constexpr std::size_t kMaxContacts = 1000;
 
 TrampolineForces forces_at(const Trampoline& model, double hoop_Hz) {
@@ -22,7 +21,7 @@ TrampolineForces forces_at(const Trampoline& model, double hoop_Hz) {
           .barrel_compliance = 1 / (model.barrel_mass_kg + model.extra_mass_kg)};
 }
 
-// Ball and barrel apart from each other: both known in closed form.
+// Ball and barrel after a separation; both move in closed form.
 class FreeFlight {
  public:
   FreeFlight(const TrampolineForces& forces, const BallAndBarrel& start)
@@ -31,15 +30,15 @@ class FreeFlight {
         barrel_{.omega_radps = std::sqrt(forces.barrel_stiffness_Npm * forces.barrel_compliance),
                 .decay_radps = forces.model.barrel_damping_Nspm * forces.barrel_compliance / 2} {}
 
-  /// The next touch; none when the ball has gone for good.
+  /// The next touch, or none when the barrel cannot reach the ball.
   std::optional<BallAndBarrel> next_touch() const {
-    const double recontact_window_s = kTwoPi / barrel_.omega_radps / kLooksPerPeriod;
+    const double interval_s = kTwoPi / barrel_.omega_radps / kIntervalsPerPeriod;
     const double amplitude_bound_m = barrel_.amplitude_bound_m({.x_m = start_.barrel_m, .v_mps = start_.barrel_mps});
-    for (int look = 1; look < kMaxLooks; ++look) {
-      const double time_s = look * recontact_window_s;
+    for (int i = 1; i < kMaxIntervals; ++i) {
+      const double time_s = i * interval_s;
       if (separation_margin(time_s) > 0) {
         const auto crossing = [&](double t) { return separation_margin(t); };
-        return after(illinois_root(crossing, time_s - recontact_window_s, time_s, kSame * recontact_window_s));
+        return after(bracketed_root(crossing, time_s - interval_s, time_s));
       }
       if (start_.ball_mps < 0 && start_.ball_m + time_s * start_.ball_mps < -amplitude_bound_m) break;
     }
@@ -56,7 +55,7 @@ class FreeFlight {
             .time_s = start_.time_s + time_s};
   }
 
-  // Above zero where they overlap and the force would push; continuous, so that it can be searched for zeros.
+  // Above zero where they overlap and the force would be positive. It is continuous, so its sign changes are roots.
   double separation_margin(double time_s) const {
     const BallAndBarrel then = after(time_s);
     const double overlap_m = then.overlap_m();
@@ -85,7 +84,8 @@ Rebound rebound(const Trampoline& model, double hoop_Hz) {
   result.cor = -now.ball_mps / speed;
   result.contact_s = now.time_s;
   if (!std::isfinite(result.cor))
-    throw InputError("the contact has no solution in numbers", "trampoline model", "check its constants");
+    throw InputError("the contact has no finite solution", "trampoline model",
+                     "check the constants of ball and barrel");
   return result;
 }
 

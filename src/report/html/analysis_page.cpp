@@ -4,11 +4,12 @@
 
 #include <algorithm>
 
-#include "report/deflection_report.hpp"
 #include "report/html/analysis_plot_data.hpp"
 #include "report/html/html_page.hpp"
+#include "report/svg/deflection_chart.hpp"
 #include "report/text/analysis_summary.hpp"
 #include "report/text/analysis_tables.hpp"
+#include "report/text/deflection_text.hpp"
 #include "report/text/html_escape.hpp"
 
 namespace percuss::report {

@@ -4,7 +4,7 @@
 
 #include "pipeline/analysis.hpp"
 #include "pipeline/impact_test.hpp"
-#include "report/command_report.hpp"
+#include "report/html/command_report.hpp"
 #include "report/html/page_elements.hpp"
 #include "report/text/report_sections.hpp"
 

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "report/command_report.hpp"
+#include "report/html/command_report.hpp"
 #include "report/html/page_elements.hpp"
 
 namespace percuss::report {

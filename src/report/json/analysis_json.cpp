@@ -5,7 +5,7 @@
 #include "core/io/parse_number.hpp"
 #include "core/parallel/parallel.hpp"
 #include "pipeline/skipped_work.hpp"
-#include "report/deflection_report.hpp"
+#include "report/json/deflection_json.hpp"
 #include "report/json/result_json.hpp"
 #include "report/text/version.hpp"
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "pipeline/analysis.hpp"
-#include "report/json/analysis_json.hpp"
+#include "report/text/report_sections.hpp"
 
 namespace percuss::report {
 

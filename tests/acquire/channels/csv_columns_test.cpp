@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "support/input_error.hpp"
+#include "support/messages.hpp"
 
 namespace percuss::acquire::csv_columns_test {
 
@@ -74,7 +75,7 @@ TEST(CsvColumns, NameThoseSeenWhenNoneFits) {
   EXPECT_EQ(input_error_of([] {
               columns_of({"t_s", "CH2 [cm/s2]", "CH8 [V]"});
             }),
-            "no force column found among t_s, CH2 [cm/s2], CH8 [V] (x.csv: header); name it with --force-channel");
+            "no force column found among t_s, CH2 [cm/s2], CH8 [V] (x.csv: header); name the force");
   EXPECT_THAT(input_error_of([] {
                 columns_of({"t_s", "force_N", "CH8"});
               }),
@@ -90,8 +91,9 @@ TEST(CsvColumns, RefuseNamesThatAreNotThereOrTwice) {
   EXPECT_THAT(input_error_of([&] { columns_of(names, {.force_channel = "x"}); }),
               HasSubstr("no column \"x\" among t_s, f, a, A"));
   EXPECT_THAT(input_error_of([&] { columns_of(names, {.force_channel = "5"}); }), HasSubstr("no column \"5\""));
-  EXPECT_THAT(input_error_of([&] { columns_of(names, {.force_channel = "f", .accel_channels = {"a"}}); }),
-              HasSubstr("--accel-channel 3"));
+  const auto ambiguous = [&] { columns_of(names, {.force_channel = "f", .accel_channels = {"a"}}); };
+  EXPECT_THAT(input_error_of(ambiguous), HasSubstr("give its number, for instance 3"));
+  EXPECT_THAT(test::options_of_error(ambiguous), ElementsAre("accel_channel"));
   EXPECT_THAT(input_error_of([&] { columns_of(names, {.force_channel = "f", .accel_channels = {"2"}}); }),
               HasSubstr("named twice"));
   EXPECT_THAT(input_error_of([&] {

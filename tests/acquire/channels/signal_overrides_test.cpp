@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "support/input_error.hpp"
+#include "support/messages.hpp"
 
 namespace percuss::acquire::signal_choice_test {
 
@@ -41,13 +42,13 @@ TEST(SignalOverrides, DividesVoltsBySensitivity) {
 TEST(SignalOverrides, KeepsAForceInVoltsWithANote) {
   const auto force_of = [](const SignalOverrides& choice, const char* unit, std::size_t notes_expected) {
     SignalInfo signal{.name = "hammer", .unit = unit};
-    std::vector<std::string> notes;
+    std::vector<Message> notes;
     apply_force_overrides(signal, choice, "here", notes);
     EXPECT_EQ(notes.size(), notes_expected);
     if (!notes.empty()) {
-      EXPECT_THAT(notes[0], HasSubstr("hammer"));
-      EXPECT_THAT(notes[0], HasSubstr("per volt"));
-      EXPECT_THAT(notes[0], HasSubstr("--force-sensitivity"));
+      EXPECT_THAT(notes[0].text, HasSubstr("hammer"));
+      EXPECT_THAT(notes[0].text, HasSubstr("per volt"));
+      EXPECT_THAT(notes[0].options, ElementsAre("force_scale", "force_sensitivity"));
     }
     return signal.to_SI;
   };

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 
+#include "acquire/open_measurement.hpp"
 #include "support/hdf5_builder.hpp"
 #include "support/input_error.hpp"
 #include "support/scratch_folder.hpp"

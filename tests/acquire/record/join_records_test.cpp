@@ -4,6 +4,7 @@
 #include "acquire/record/record.hpp"
 #include "support/csv_text.hpp"
 #include "support/input_error.hpp"
+#include "support/messages.hpp"
 
 namespace percuss::acquire::join_records_test {
 
@@ -83,7 +84,7 @@ TEST(JoinRecords, NotesChannelsThatAreCalledOtherwise) {
   Record other = record_at("b", {{1}});
   other.accel.front().name = "top";
   other.notes = {"mind this"};
-  EXPECT_THAT(join_records({record_at("a", {{1}}), other}, FileGrouping::hits).notes,
+  EXPECT_THAT(test::texts(join_records({record_at("a", {{1}}), other}, FileGrouping::hits).notes),
               ElementsAre(HasSubstr("top of b"), "b: mind this"));
 }
 

@@ -6,10 +6,10 @@
 #include <csignal>
 #include <variant>
 
+#include "acquire/open_measurement.hpp"
 #include "acquire/sandbox/sandbox_process.hpp"
 #include "core/error.hpp"
 #include "core/parallel/parallel.hpp"
-#include "frf/formats/sandbox_measurement.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/synthetic_files.hpp"
 

@@ -15,10 +15,11 @@
 #include "acquire/formats/hdf5/hdf5_handle.hpp"
 #include "acquire/formats/hdf5/write_hdf5.hpp"
 #include "acquire/formats/mat/write_mat.hpp"
+#include "acquire/open_measurement.hpp"
+#include "acquire/sandbox/sandbox_measurement.hpp"
 #include "acquire/sandbox/sandbox_process.hpp"
-#include "acquire/sandbox/sandbox_record.hpp"
 #include "core/error.hpp"
-#include "frf/formats/frf_record.hpp"
+#include "frf/frf_record.hpp"
 #include "support/csv_text.hpp"
 #include "support/input_error.hpp"
 #include "support/mat_builder.hpp"
@@ -49,6 +50,7 @@ class Confined : public testing::Test {
       });
     });
   }
+  Record sandboxed(const std::function<Record()>& open) const { return std::get<Record>(open_in_sandbox(path_, open)); }
   test::ScratchFolder folder_;
   std::string path_ = folder_.file("r.mat");
 };
@@ -77,7 +79,7 @@ TEST_F(Confined, ServesMoreThanGoesOverAtOnce) {
     force[i] = static_cast<double>(i);
     accel[i] = -static_cast<double>(i);
   }
-  const Record record = open_in_sandbox(path_, [&] { return record_in_memory(1000, {force}, {{accel}}); });
+  const Record record = sandboxed([&] { return record_in_memory(1000, {force}, {{accel}}); });
   EXPECT_EQ(force_N(record), force);
   EXPECT_EQ(accel_mps2(record), accel);
 }
@@ -93,7 +95,7 @@ TEST_F(Confined, PassesOnWhatTheReaderRefuses) {
     EXPECT_EQ(unclear.format, "MAT");
     EXPECT_EQ(unclear.fs_Hz, 9);
   }
-  const Record record = open_in_sandbox(path_, [] {
+  const Record record = sandboxed([] {
     Record bad = small_record();
     bad.read_force_N = [](std::size_t, std::size_t, std::span<double>) { throw InputError("bad sample", "x", "y"); };
     return bad;
@@ -105,7 +107,7 @@ TEST_F(Confined, PassesOnWhatTheReaderRefuses) {
 TEST_F(Confined, TurnsACrashIntoOneLine) {
   EXPECT_THAT(message_when([] { std::raise(SIGSEGV); }), AllOf(HasSubstr("crash"), HasSubstr(path_)));
   EXPECT_THAT(message_when([] { ::_exit(7); }), HasSubstr("crash"));
-  const Record record = open_in_sandbox(path_, [] {
+  const Record record = sandboxed([] {
     Record bad = small_record();
     bad.read_force_N = [](std::size_t, std::size_t, std::span<double>) { std::raise(SIGABRT); };
     return bad;

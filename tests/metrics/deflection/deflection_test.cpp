@@ -70,7 +70,7 @@ double largest(const std::vector<double>& x) {
 constexpr double kFine_Hz = 200000;
 constexpr double kFolded = 2.5e-6;
 
-TEST(Deflection, OfACleanRecordIsExact) {
+TEST(Deflection, IsExactForACleanRecord) {
   const Impact test = impact(kFine_Hz, 0.02, 0.3);
   const Deflection found = deflection_of(signal_of(test));
   EXPECT_EQ(found.method, DeflectionMethod::drift_free);
@@ -106,7 +106,7 @@ TEST(Deflection, IsBandLimitedAtEverySamplingRate) {
   }
 }
 
-TEST(Deflection, TakesBiasAndDriftAwayWithinItsDeviation) {
+TEST(Deflection, RemovesBiasAndDriftWithinItsStandardDeviation) {
   const Impact clean = impact();
   std::mt19937 random(5);
   std::normal_distribution<double> gauss;
@@ -132,7 +132,7 @@ TEST(Deflection, TakesBiasAndDriftAwayWithinItsDeviation) {
 }
 
 // A short rest tells little of the bias: its parabola leaves the swing far behind before the record ends.
-TEST(Deflection, TakesNoWalkForThePeak) {
+TEST(Deflection, DoesNotReportARandomWalkAsThePeak) {
   const Impact clean = impact(20000, 0.005);
   std::mt19937 random(7);
   std::normal_distribution<double> gauss;
@@ -147,7 +147,7 @@ TEST(Deflection, TakesNoWalkForThePeak) {
   }
 }
 
-TEST(Deflection, TellsNoPeakOfNoiseAlone) {
+TEST(Deflection, HasNoPeakInNoise) {
   std::mt19937 random(8);
   std::normal_distribution<double> gauss;
   int told = 0;
@@ -163,7 +163,7 @@ TEST(Deflection, TellsNoPeakOfNoiseAlone) {
                        // of two hundred
 }
 
-TEST(Deflection, KeepsAFreeBodysOwnMotion) {
+TEST(Deflection, KeepsTheRigidBodyMotionOfAFreeBody) {
   Impact test = impact();
   const double mass_kg = 0.9;
   double v = 0, w = 0;
@@ -195,7 +195,7 @@ TEST(Deflection, FromModesNeedsNoRestBeforeTheImpact) {
   EXPECT_NEAR(std::abs(found.peak_m), largest(test.deflection_m), 1e-3 * largest(test.deflection_m));
 }
 
-TEST(Deflection, BySmallIntervalsIsTheSourcesAndOfFirstOrder) {
+TEST(Deflection, ConvergesAtFirstOrderBySmallIntervals) {
   std::vector<double> errors;
   for (const double fs_Hz : {5000.0, 10000.0, 20000.0}) {
     const Impact test = impact(fs_Hz);
@@ -206,7 +206,7 @@ TEST(Deflection, BySmallIntervalsIsTheSourcesAndOfFirstOrder) {
   EXPECT_GT(errors[1], 1.6 * errors[2]);
 }
 
-TEST(Deflection, ByLinesIsRightForARecordThatComesToRest) {
+TEST(Deflection, IsRightInTheFrequencyDomainForARecordThatComesToRest) {
   const Impact test = impact(4000, 2, 10);
   const Deflection found = deflection_of(signal_of(test), {.method = DeflectionMethod::frequency, .lowest_Hz = 0.4});
   // What is slower than the lowest line is lost: of a decay by ζω = 1.1/s, a few per cent.
@@ -218,7 +218,7 @@ TEST(MotionOnset, IsWhereTheNoiseEnds) {
   EXPECT_NEAR(motion_onset_s(test.accel_mps2, test.fs_Hz), test.onset_s, 5 / test.fs_Hz);
 }
 
-TEST(BaselineEstimate, ReadsBiasDriftAndNoise) {
+TEST(BaselineEstimate, RecoversBiasDriftAndNoise) {
   std::vector<double> before(400);
   for (int i = 0; i < 400; ++i)
     before[static_cast<std::size_t>(i)] = 2 + 0.5 * (i - 400) / 1000.0 + (i % 2 == 0 ? 0.1 : -0.1);
@@ -228,7 +228,7 @@ TEST(BaselineEstimate, ReadsBiasDriftAndNoise) {
   EXPECT_NEAR(rest.noise_mps2, 0.1, 0.001);
 }
 
-TEST(BaselineEstimate, KnowsNothingFromAFewSamples) {
+TEST(BaselineEstimate, IsZeroForFewSamples) {
   const BaselineEstimate rest = baseline_estimate(std::vector<double>(5, 7.0), 1000, 20);
   EXPECT_EQ(rest.bias(0), 0);
   EXPECT_NEAR(std::sqrt(rest.covariance(0, 0)), 2, 1e-12);

@@ -49,7 +49,7 @@ TEST(IntegrateTwice, IsExactForABandLimitedMotion) {
   EXPECT_LE(furthest(motion.velocity_mps, t.velocity), kRounding * kTwoPi * kFreq_Hz);
 }
 
-TEST(IntegrateTwice, UndoesAChargeAmplifiersHighPass) {
+TEST(IntegrateTwice, CompensatesTheHighPassOfAChargeAmplifier) {
   // First order, corner 5 Hz: y' + ω_c y = a'. With the closed form's w'': y = a − ω_c·(w' − ω_c·(w − ω_c·∫…)), taken
   // here by the exact step of the differential equation over samples so fine that its error does not count.
   const double corner_Hz = 5, corner = kTwoPi * corner_Hz;
@@ -82,7 +82,7 @@ TEST(IntegrateTwice, UndoesAChargeAmplifiersHighPass) {
             0.05);  // left alone it costs some per cent
 }
 
-TEST(IntegrateTwice, MakesAParabolaOfAStep) {
+TEST(IntegrateTwice, TurnsAStepIntoAParabola) {
   // Of a step the band limit takes the corners off: the sum of its samples is the integral but for half of the first
   // one.
   const std::vector<double> ones(1000, 1.0);
@@ -91,7 +91,7 @@ TEST(IntegrateTwice, MakesAParabolaOfAStep) {
   EXPECT_NEAR(motion.deflection_m[500], 0.125, 1e-3);
 }
 
-TEST(SmallIntervalSums, ComeCloserAtFirstOrder) {
+TEST(SmallIntervalSums, ConvergeAtFirstOrder) {
   std::vector<double> errors;
   for (const double fs_Hz : {1000.0, 2000.0, 4000.0}) {
     std::vector<double> accel;
@@ -104,7 +104,7 @@ TEST(SmallIntervalSums, ComeCloserAtFirstOrder) {
   EXPECT_NEAR(errors[1] / errors[2], 2, 0.05);
 }
 
-TEST(IntegrateByLines, IsExactForWhatIsPeriodicInTheRecord) {
+TEST(IntegrateByLines, IsExactForASignalPeriodicInTheRecord) {
   std::vector<double> accel, deflection;
   const double omega = kTwoPi * 8;
   for (std::size_t i = 0; i < 1000; ++i) {

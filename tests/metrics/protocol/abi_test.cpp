@@ -33,19 +33,19 @@ std::vector<AbiEntry> with(std::vector<AbiEntry> entries, const std::vector<AbiE
   return entries;
 }
 
-TEST(Abi, BeginsWithTheCompressionAndAFirstTest) {
+TEST(Abi, StartsWithTheCompressionAndATest) {
   EXPECT_EQ(run_of({}).next, AbiStep::initial_compression);
   EXPECT_EQ(run_of({compression(600)}).next, AbiStep::first_performance);
   EXPECT_EQ(run_of({compression(600), performance(0.7)}).next, AbiStep::compression_after_first);
 }
 
-TEST(Abi, MeansTheFourOrientations) {
+TEST(Abi, AveragesTheFourOrientations) {
   AbiCompression forces{{600, 610, 590, 620}};
   EXPECT_EQ(forces.mean_lbf(), 605);
   EXPECT_EQ(run_of({compression(600)}).compressions.at(0).mean_lbf, 600);
 }
 
-TEST(Abi, RollsUnlessTheFirstTestAloneSoftenedTheBarrelByMoreThanFifteenPercent) {
+TEST(Abi, SkipsRollingAboveFifteenPercent) {
   EXPECT_EQ(run_of(start(600)).next, AbiStep::roll);
   EXPECT_EQ(run_of(start(510)).next, AbiStep::roll);  // 15 % is not more than 15 %
   EXPECT_EQ(run_of(start(509)).next, AbiStep::performance);
@@ -65,7 +65,7 @@ TEST(Abi, RollsDeeperUntilFivePercentOfTheStateBeforeRolling) {
   EXPECT_EQ(run.next, AbiStep::performance);
 }
 
-TEST(Abi, HoldsTheCompressionAfterATestAgainstTheLastBeforeIt) {
+TEST(Abi, ComparesTheCompressionAfterATestWithTheLastBeforeIt) {
   // Step 9 as printed would be (BC_2,0 − BC_1,1)/BC_2,0, below zero for a barrel that softens.
   const auto cycle = with(start(600), {roll(0.1), compression(560), performance(0.72)});
   EXPECT_EQ(run_of(cycle).next, AbiStep::compression_after_performance);
@@ -108,20 +108,20 @@ TEST(Abi, PassesWhenThePerformanceFellEnough) {
   EXPECT_EQ(run_of(risen).cycles.back().best, 0.725);
 }
 
-TEST(Abi, WithoutALimitNothingPasses) {
+TEST(Abi, PassesNothingWithoutALimit) {
   AbiLog log = log_of(with(start(500), {performance(0.65)}));
   log.limit.reset();
   EXPECT_EQ(evaluate_abi(log).verdict, AbiVerdict::undecided);
 }
 
-TEST(Abi, BreaksWithoutVerdict) {
+TEST(Abi, GivesNoVerdictOnABrokenBat) {
   AbiEntry broken = performance(0.71);
   std::get<AbiPerformance>(broken.what).broken = true;
   EXPECT_EQ(run_of(with(start(500), {broken})).verdict, AbiVerdict::undecided);
   EXPECT_EQ(run_of({compression(600), broken}).verdict, AbiVerdict::fail);
 }
 
-TEST(Abi, GoesOnAtTheSponsorsRequestButStaysFailed) {
+TEST(Abi, ContinuesAfterAFailureWithTheSameVerdict) {
   AbiLog log = log_of(with(start(500), {performance(0.74), compression(400), performance(0.72)}));
   EXPECT_THAT(input_error_of([&] { evaluate_abi(log); }), HasSubstr("after the procedure's end"));
   log.continued = true;
@@ -132,7 +132,7 @@ TEST(Abi, GoesOnAtTheSponsorsRequestButStaysFailed) {
   EXPECT_THAT(evaluate_abi(log).why, HasSubstr("cycle 2"));  // the first reason is the one
 }
 
-TEST(Abi, GivesUpAfterManyCycles) {
+TEST(Abi, EndsAfterManyCycles) {
   const auto entries = with(start(500), {performance(0.72)});
   AbiRules rules;
   rules.max_cycles = 2;
@@ -141,7 +141,7 @@ TEST(Abi, GivesUpAfterManyCycles) {
   EXPECT_THAT(run.why, HasSubstr("does not fall"));
 }
 
-TEST(Abi, RefusesWhatDoesNotFollowAndNamesTheStep) {
+TEST(Abi, RefusesStepsOutOfOrderAndNamesTheStep) {
   const auto message = [](std::vector<AbiEntry> entries) {
     return input_error_of([&] { run_of(std::move(entries)); });
   };
@@ -168,7 +168,7 @@ TEST(Abi, RemarksOnDepthsOvershootAndMaterial) {
   EXPECT_TRUE(evaluate_abi(aluminium).remarks.empty());
 }
 
-TEST(Abi, SaysWhatIsNext) {
+TEST(Abi, StatesTheNextStep) {
   EXPECT_EQ(next_step_text(run_of({})), "step 1: measure the barrel's compression");
   EXPECT_THAT(next_step_text(run_of(start(600))), HasSubstr("roll the barrel, rollers about 0.1 in in"));
   EXPECT_THAT(next_step_text(run_of(start(509))), HasSubstr("test the performance"));
@@ -184,7 +184,7 @@ TEST(Abi, NamesItsVerdicts) {
   EXPECT_STREQ(name_of(AbiVerdict::in_progress), "in_progress");
 }
 
-TEST(Abi, GivesUpOnABarrelThatDoesNotSoften) {
+TEST(Abi, EndsForABarrelThatDoesNotSoften) {
   auto entries = start(600);
   AbiRun run = run_of(entries);
   for (int i = 0; run.next == AbiStep::roll; ++i) {

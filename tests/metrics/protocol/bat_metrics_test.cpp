@@ -32,7 +32,7 @@ BatReadings readings_of(const Numbers& n, double relative_std) {
 
 using Result = std::function<double(const BatMetrics&)>;
 
-TEST(BatMetrics, UncertaintyIsWhatMovingEveryReadingByItsOwnShows) {
+TEST(BatMetrics, PropagatesTheErrorOfEveryReading) {
   constexpr double kRelative = 1e-5;
   constexpr double kSecondOrder = 1e-3;  // of the deviation: kRelative times derivatives' own size
   const std::array<std::pair<const char*, std::optional<UncertainValue> BatMetrics::*>, 9> results{
@@ -63,7 +63,7 @@ TEST(BatMetrics, UncertaintyIsWhatMovingEveryReadingByItsOwnShows) {
   }
 }
 
-TEST(BatMetrics, LeavesOutWhatTheReadingsDoNotAllow) {
+TEST(BatMetrics, OmitsResultsWithoutReadings) {
   BatReadings r;
   BatMetrics m = bat_metrics(r);
   EXPECT_FALSE(m.drop || m.moi_kgm2 || m.besr || m.ncaa_besr || m.bbs_mps || m.bbcor || m.contact_mps || m.swing_mps ||
@@ -86,7 +86,7 @@ TEST(BatMetrics, LeavesOutWhatTheReadingsDoNotAllow) {
   EXPECT_TRUE(bat_metrics(r).bbcor);
 }
 
-TEST(BatMetrics, TakesBesrFromBbcor) {
+TEST(BatMetrics, ComputesBesrFromBbcor) {
   BatReadings r = readings_of({}, 0);
   const BatMetrics there = bat_metrics(r);
   r.in_mps.reset();
@@ -105,7 +105,7 @@ TEST(BatMetrics, AddsTheLotsCorrectionToTheRatioOfSpeeds) {
   EXPECT_NEAR(corrected.ncaa_besr->value() - plain.ncaa_besr->value(), 0.004, kRounding);
 }
 
-TEST(BatMetrics, KnowsWhichErrorsItDoesNotKnow) {
+TEST(BatMetrics, ListsReadingsOfUnknownError) {
   const UncertainValue known(2, 0.1, Reading::length), unknown(3, 0, Reading::period);
   const UncertainValue product = known * unknown;
   EXPECT_TRUE(product.unknown(Reading::period));
@@ -114,7 +114,7 @@ TEST(BatMetrics, KnowsWhichErrorsItDoesNotKnow) {
   EXPECT_EQ((known - known).std(), 0);  // one reading's error cancels
 }
 
-TEST(BatMetrics, WarnsOfWhatTheSourceContradicts) {
+TEST(BatMetrics, WarnsOfInconsistentConstants) {
   BatReadings r = readings_of({}, 0);
   const auto codes = [&] {
     std::vector<std::string> all;

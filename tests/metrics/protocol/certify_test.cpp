@@ -62,7 +62,7 @@ Certification run_session(Session& s, const std::function<double(double)>& barre
 
 double peak(double z_in) { return 0.72 - 0.01 * std::abs(z_in - 5.5); }
 
-TEST(Certify, LeadsTheOperatorToTheSweetSpotAndPassesWhatKeepsTheLimit) {
+TEST(Certify, FindsTheSweetSpotAndPassesABatWithinTheLimit) {
   Session s = fresh_session();
   const Certification c = run_session(s, peak);
   EXPECT_EQ(c.verdict, CertifyVerdict::pass);
@@ -91,7 +91,7 @@ TEST(Certify, StopsAsSoonAsALocationExceedsTheLimit) {
   EXPECT_THAT(c.next.message, HasSubstr("exceeds the limit"));
 }
 
-TEST(Certify, FailsWhatIsDamaged) {
+TEST(Certify, FailsADamagedBat) {
   Session s = fresh_session();
   s.shots.push_back(shot_with(s, 6, 0.7));
   s.shots.back().damage = "crack";
@@ -193,7 +193,7 @@ TEST(Certify, RefusesLocationsThatCannotBeHit) {
   EXPECT_THAT(codes_of(c.shots[1].reasons), ElementsAre("location"));
 }
 
-TEST(Certify, KeepsTheBallsBooks) {
+TEST(Certify, CountsTheImpactsOfEachBall) {
   Session s = fresh_session();
   for (int i = 0; i < 9; ++i) {
     s.shots.push_back(shot_with(s, 6, 0.7));
@@ -215,7 +215,7 @@ TEST(Certify, KeepsTheBallsBooks) {
   EXPECT_EQ(certify(s).next.ball, "ball 2");  // used less
 }
 
-TEST(Certify, CountsTheFirstSixAndNoMore) {
+TEST(Certify, CountsOnlyTheFirstSixShots) {
   Session s = fresh_session();
   for (int i = 0; i < 6; ++i) s.shots.push_back(shot_with(s, 6, 0.7, i));
   const double before = certify(s).locations[0].mean;
@@ -227,7 +227,7 @@ TEST(Certify, CountsTheFirstSixAndNoMore) {
   EXPECT_EQ(c.next.z_in, 5);
 }
 
-TEST(Certify, FinishesALocationBegunThatDoesBetter) {
+TEST(Certify, CompletesABetterLocationThatHasStarted) {
   Session s = fresh_session();
   s.shots.push_back(shot_with(s, 8, 0.727));
   Certification c = run_session(s, peak);

@@ -21,7 +21,7 @@ std::vector<double> crossings(std::size_t count, double aside) {
   return times;
 }
 
-TEST(Pendulum, PeriodOfExactCrossings) {
+TEST(Pendulum, RecoversThePeriodFromExactCrossings) {
   for (const double aside : {0.0, 0.1, -0.2}) {
     for (const std::size_t count : {3U, 4U, 21U}) {
       const PeriodEstimate got = period_of_crossings(crossings(count, aside));
@@ -32,11 +32,11 @@ TEST(Pendulum, PeriodOfExactCrossings) {
   }
 }
 
-TEST(Pendulum, OneCrossingPerPeriod) {
+TEST(Pendulum, AcceptsOneCrossingPerPeriod) {
   EXPECT_NEAR(period_of_crossings({0.1, 0.1 + kPeriod_s, 0.1 + 2 * kPeriod_s}, 1).period_s, kPeriod_s, kRounding);
 }
 
-TEST(Pendulum, ErrorIsTheScatterOfManySeries) {
+TEST(Pendulum, StatesTheScatterOfManySeries) {
   constexpr double kNoise_s = 1e-3;
   double squares = 0, stated = 0;
   const int series = 2000;
@@ -53,20 +53,20 @@ TEST(Pendulum, ErrorIsTheScatterOfManySeries) {
   EXPECT_NEAR(stated / squares, 1, kFiveDeviations);
 }
 
-TEST(Pendulum, ErrorIsNotBelowThatOfReadingTheTimes) {
+TEST(Pendulum, StatesAtLeastTheErrorOfReading) {
   const PeriodEstimate coarse = period_of_crossings(crossings(3, 0), 2, 0.01);
   // Two times of one direction: σ_T = √2 σ_t, σ_t = 0.01/√12; the third time tells nothing.
   EXPECT_NEAR(coarse.std_s, std::sqrt(2.0) * 0.01 / std::sqrt(12.0), kRounding);
 }
 
-TEST(Pendulum, MeanOfReadings) {
+TEST(Pendulum, AveragesReadings) {
   const PeriodEstimate got = mean_period({1.40, 1.44, 1.42});
   EXPECT_NEAR(got.period_s, 1.42, kRounding);
   EXPECT_NEAR(got.std_s, 0.02 / std::sqrt(3.0), kRounding);
   EXPECT_NEAR(mean_period({1.4}, 0.01).std_s, 0.01 / std::sqrt(12.0), kRounding);
 }
 
-TEST(Pendulum, SaysWhyThereIsNone) {
+TEST(Pendulum, StatesTheReasonForNoPeriod) {
   using testing::HasSubstr;
   EXPECT_THAT(mean_period({}).problem, HasSubstr("no period"));
   EXPECT_THAT(period_of_crossings({1, 2}).problem, HasSubstr("fewer than the 3"));

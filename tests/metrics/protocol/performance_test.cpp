@@ -11,7 +11,7 @@ namespace percuss::metrics::performance_test {
 constexpr double kRounding = 1e-12;  // relative: a few operations in double
 constexpr double kMph = kMilePerHour_mps, kOzIn2 = kOunceInch2_kgm2;
 
-TEST(LabUnits, AreThoseOfAnIndependentSource) {
+TEST(LabUnits, MatchAnIndependentSource) {
   constexpr double kPrinted = 1e-8;  // GSL prints its constants with nine digits or more
   EXPECT_NEAR(kInch_m / GSL_CONST_MKSA_INCH, 1, kPrinted);
   EXPECT_NEAR(kOunce_kg / GSL_CONST_MKSA_OUNCE_MASS, 1, kPrinted);
@@ -33,7 +33,7 @@ TEST(Performance, ContactSpeedOfThirtyThreeInchBat) {
   EXPECT_NEAR(contact_speed_mps(33 * kInch_m, 7 * kInch_m) / kMph, 132.857, kPrinted);
 }
 
-TEST(Performance, ContactSpeedIsTheNominalSixInchesFromTheTipOfAnyBat) {
+TEST(Performance, HasTheNominalContactSpeedSixInchesFromTheTip) {
   for (const double length_in : {30.0, 31.5, 34.0})
     EXPECT_NEAR(contact_speed_mps(length_in * kInch_m, 6 * kInch_m), kNominalSpeed_mps, 61 * kRounding);
 }
@@ -45,7 +45,7 @@ TEST(Performance, InertiaRatioAndBbcorOfTheWorkedExample) {
   EXPECT_NEAR(bbcor_of(0.728, k), 0.519706, kPrinted);
 }
 
-TEST(Performance, BbcorGoesBackToBesr) {
+TEST(Performance, InvertsBbcor) {
   for (const double besr : {0.5, 0.65, 0.728, 0.9}) {
     for (const double k : {0.05, 0.237546, 1.0}) EXPECT_NEAR(besr_from_bbcor(bbcor_of(besr, k), k), besr, kRounding);
   }
@@ -69,7 +69,7 @@ TEST(Performance, NcaaBesrIsBesrAtTheNominalSpeed) {
               (30 - delta) / (139 + delta) + 0.5, kRounding);
 }
 
-TEST(Performance, SwingModelGivesTheBarrelSpeedItIsToGive) {
+TEST(Performance, ReproducesTheBarrelSpeedOfTheSwingModel) {
   // A standard bat with v0 = 60 mph at its lever arm of 28 in, 66 mph at about 31 in.
   EXPECT_NEAR(swing_speed_mps(34 * kInch_m, 6 * kInch_m, 15000 * kOzIn2) / kMph, 60, 60 * kRounding);
   EXPECT_NEAR(swing_speed_mps(34 * kInch_m, 6 * kInch_m, 15000 * kOzIn2, {.v0_mps = 40 * kMph}) / kMph, 40,
@@ -93,7 +93,7 @@ TEST(Performance, PendulumInTheLaboratorysUnits) {
               period_s * period_s * 386.4 * weight_oz * arm_in / (kTwoPi * kTwoPi), 1e4 * kRounding);
 }
 
-TEST(DropClass, IsThatOfTheRules) {
+TEST(DropClass, FollowsTheRules) {
   const auto drop = [](double weight_oz, double length_in) {
     return drop_of(weight_oz * kOunce_kg, length_in * kInch_m);
   };
@@ -105,7 +105,7 @@ TEST(DropClass, IsThatOfTheRules) {
   EXPECT_EQ(drop_class_of(drop(31.905, 34)), std::nullopt);
 }
 
-TEST(RecordedReadings, AreRoundedAsTheProtocolSays) {
+TEST(RecordedReadings, AreRoundedByTheProtocol) {
   EXPECT_EQ(recorded(33.96, 0.0625), 33.9375);
   EXPECT_EQ(recorded(33.97, 0.0625), 34);
   EXPECT_EQ(recorded(31.0524, 0.005), 31.05);
@@ -116,7 +116,7 @@ TEST(RecordedReadings, AreRoundedAsTheProtocolSays) {
   EXPECT_EQ(recorded(7.3, 2), 8);
 }
 
-TEST(RecordedReadings, ErrFlatlyWithinHalfAStep) {
+TEST(RecordedReadings, HaveUniformErrorsWithinHalfAStep) {
   // Variance of a flat density of width w: ∫ x² dx/w over it = w²/12.
   const int parts = 100000;
   double sum = 0;

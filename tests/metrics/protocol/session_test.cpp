@@ -37,7 +37,7 @@ TEST(Session, ExampleReadsBackAndFollowsItsSchema) {
               testing::IsEmpty());
 }
 
-TEST(Session, TableSaysTheSame) {
+TEST(Session, ReadsTheSameFromATable) {
   const Session table = parse_session(session_table_example(), "s.csv");
   const Session s = parse_session(session_example(), "s.json");
   ASSERT_EQ(table.shots.size(), 2U);
@@ -65,7 +65,7 @@ TEST(Session, FourGatesInARowMakeThreePairs) {
   EXPECT_EQ(s.shots[2].pairs_in_mph.size(), 3U);
 }
 
-TEST(Session, TheLotsHitsAreShotsWithoutALocation) {
+TEST(Session, ReadsHitsOfTheLotWithoutALocation) {
   const Session s = parse_session(
       replaced(
           session_example(), "\"correction\": ",
@@ -114,7 +114,7 @@ TEST(Session, NamesTheLineOfATable) {
               HasSubstr("given twice"));
 }
 
-TEST(Session, RefusesWhatIsNone) {
+TEST(Session, RefusesOtherDocuments) {
   for (const char* text :
        {"", "{", "[]", "{}", "3", "a,b\n1,2\n", "{\"shots\": 3}", "\xFF\xFE", "# shots = 3\nz_in\n1\n"})
     EXPECT_THAT(refusal(text), HasSubstr("s.json")) << text;

@@ -70,7 +70,7 @@ TEST(SweetSpot, NeedsTheMarginOnBothSides) {
   EXPECT_THAT(end.plateau, ElementsAre(11, 12));
 }
 
-TEST(SweetSpot, LooksAllAroundAPlateau) {
+TEST(SweetSpot, TestsBothSidesOfAPlateau) {
   const auto flat = search_on([](HalfInches at) { return at >= 9 && at <= 12 ? 0.72 : 0.70; });
   EXPECT_EQ(flat.end.state, SearchState::plateau);
   EXPECT_EQ(flat.end.at, 12);  // of equals the one nearest 6 in
@@ -78,7 +78,7 @@ TEST(SweetSpot, LooksAllAroundAPlateau) {
   EXPECT_THAT(flat.order, testing::Contains(8));
 }
 
-TEST(SweetSpot, SaysWhenTheBestLiesAtTheEnd) {
+TEST(SweetSpot, StatesThatTheBestLiesAtAnEdge) {
   EXPECT_EQ(search_on(peak_at(0)).end.state, SearchState::edge);
   EXPECT_EQ(search_on(peak_at(0)).end.at, 6);
   EXPECT_EQ(search_on(peak_at(30)).end.state, SearchState::edge);
@@ -87,7 +87,7 @@ TEST(SweetSpot, SaysWhenTheBestLiesAtTheEnd) {
 
 // Whatever the barrel does: it ends, asks only for what can be hit and once (search_on watches), and what it calls
 // found stands out on both sides and above all else.
-TEST(SweetSpot, EndsOnEveryBarrelAndFindsNothingThatIsNotThere) {
+TEST(SweetSpot, EndsOnEveryBarrelWithoutFalseSweetSpots) {
   int found = 0;
   for (std::uint64_t seed = 0; seed < 3000; ++seed) {
     synth::RandomStream random{11, seed};

@@ -25,7 +25,7 @@ ClassPoints normal_pairs(std::uint64_t seed, std::size_t n, double rho) {
   return out;
 }
 
-TEST(Association, OfPointsOnALineIsOne) {
+TEST(Association, IsOneForPointsOnALine) {
   const auto a = association_of({{{1, 2, 3, 4, 5}, {3, 5, 7, 9, 11}}});
   ASSERT_TRUE(a);
   EXPECT_NEAR(a->pearson.value, 1, kRounding);
@@ -33,14 +33,14 @@ TEST(Association, OfPointsOnALineIsOne) {
   EXPECT_LT(a->p, 1e-10);
 }
 
-TEST(Association, SpearmanSeesOnlyTheOrder) {
+TEST(Association, DependsOnlyOnRanksForSpearman) {
   const auto a = association_of({{{1, 2, 3, 4, 5, 6}, {1, 8, 27, 64, 125, 1e9}}});
   EXPECT_NEAR(a->spearman.value, 1, kRounding);
   EXPECT_LT(a->pearson.value, 0.8);
 }
 
 // By hand: x 1 2 3 4 5, y 2 1 4 3 5: Σd² = 4, ρ = 1 − 6·4/(5·24) = 0.8; on ranks r is the same.
-TEST(Association, ByHand) {
+TEST(Association, MatchesAHandComputation) {
   const auto a = association_of({{{1, 2, 3, 4, 5}, {2, 1, 4, 3, 5}}});
   EXPECT_NEAR(a->spearman.value, 0.8, kRounding);
   EXPECT_NEAR(a->pearson.value, 0.8, kRounding);
@@ -50,13 +50,13 @@ TEST(Association, ByHand) {
   EXPECT_NEAR(a->pearson.high, std::tanh(std::atanh(0.8) + 1.959963984540054 / std::sqrt(2.0)), kRounding);
 }
 
-TEST(Association, TiesShareTheirRanks) {
+TEST(Association, UsesMidranksForTies) {
   // Ranks of y: 1.5 1.5 3 4; Σxy about means: 4.5 of Σx² = 5 and Σy² = 4.5.
   const auto a = association_of({{{1, 2, 3, 4}, {7, 7, 8, 9}}});
   EXPECT_NEAR(a->spearman.value, 4.5 / std::sqrt(5 * 4.5), kRounding);
 }
 
-TEST(Association, WithinClassesDoesNotSeeWhatClassesDifferBy) {
+TEST(Association, IgnoresDifferencesBetweenClasses) {
   // Each class falls, the classes rise.
   const ClassPoints low{{1, 2, 3, 4}, {4, 3, 2, 1}}, high{{11, 12, 13, 14}, {14, 13, 12, 11}};
   const auto a = association_of({low, high});
@@ -94,7 +94,7 @@ Coverage coverage_of(double rho, std::size_t n, std::size_t classes, int runs) {
   return out;
 }
 
-TEST(Association, IntervalsHoldTheTruthAsOftenAsTheySay) {
+TEST(Association, HasIntervalsOfTheStatedCoverage) {
   // 2000 runs: 0.95 ± 0.0049; four deviations, and 0.01 for Fisher's z being an approximation.
   constexpr double kAllowed = 0.03;
   for (const double rho : {0.0, 0.5, -0.8}) {
@@ -106,7 +106,7 @@ TEST(Association, IntervalsHoldTheTruthAsOftenAsTheySay) {
   EXPECT_NEAR(classes.pearson, 0.95, kAllowed);
 }
 
-TEST(Association, FindsNothingWhereNothingIsAsOftenAsItSays) {
+TEST(Association, HasTheStatedFalsePositiveRate) {
   constexpr double kAllowed = 0.02;  // four deviations of 0.05 in 2000 runs
   EXPECT_NEAR(coverage_of(0, 12, 1, 2000).false_positives, 0.05, kAllowed);
   EXPECT_NEAR(coverage_of(0, 8, 4, 2000).false_positives, 0.05, kAllowed);
@@ -133,7 +133,7 @@ TEST(TrendLine, NeedsThreeValuesOfX) {
   EXPECT_FALSE(trend_line_of({{1, 1, 2, 2}, {1, 2, 3, 4}}));
 }
 
-TEST(TrendLine, IntervalHoldsTheSlopeAsOftenAsItSays) {
+TEST(TrendLine, HasAnIntervalOfTheStatedCoverage) {
   int held = 0;
   const int runs = 1000;
   for (int run = 0; run < runs; ++run) {
@@ -144,14 +144,14 @@ TEST(TrendLine, IntervalHoldsTheSlopeAsOftenAsItSays) {
   EXPECT_NEAR(held / static_cast<double>(runs), 0.95, kAllowed);
 }
 
-TEST(Outliers, AreThoseFarFromTheLine) {
+TEST(Outliers, LieFarFromTheLine) {
   ClassPoints points = normal_pairs(5, 40, 0.9);
   points.y[13] += 8;
   EXPECT_THAT(outliers_of(points, *trend_line_of(points)), testing::ElementsAre(13));
   EXPECT_THAT(outliers_of({{1, 2, 3, 4, 5}, {1, 2, 3, 4, 50}}, {.slope = 1}), testing::IsEmpty());
 }
 
-TEST(AdjustedForAll, FollowsHolm) {
+TEST(AdjustedForAll, MatchesHolm) {
   EXPECT_THAT(holm_adjusted({0.01, 0.04, 0.03, 0.005}),
               testing::ElementsAre(testing::DoubleNear(0.03, kRounding), testing::DoubleNear(0.06, kRounding),
                                    testing::DoubleNear(0.06, kRounding), testing::DoubleNear(0.02, kRounding)));

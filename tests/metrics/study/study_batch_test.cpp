@@ -28,7 +28,7 @@ TEST(StudyBatch, TakesTheFirstFrequencyOfEachKind) {
                           ElementsAre(Pair("bending2_hz", "600"), Pair("id", "b"))));
 }
 
-TEST(StudyBatch, ReadsTheTableAlike) {
+TEST(StudyBatch, ReadsTheSameFromATable) {
   const std::string text =
       "row,id,path,family,order,frequency_hz,reason\nrecord,a,p,,,,\"no, \"\"x\"\"\"\nmode,a,p,hoop,1,1900.25,\n"
       "mode,a,p,unknown,,2000,\n";
@@ -36,14 +36,14 @@ TEST(StudyBatch, ReadsTheTableAlike) {
   EXPECT_THAT(batch_bats(text, "t"), ElementsAre(ElementsAre(Pair("hoop1_hz", "1900.25"), Pair("id", "a"))));
 }
 
-TEST(StudyBatch, LeavesOtherTextsToOthers) {
+TEST(StudyBatch, DoesNotRecogniseOtherTexts) {
   EXPECT_FALSE(holds_batch("id,length_in\na,33\n"));
   EXPECT_FALSE(holds_batch("{\"schema\": \"percuss/analysis/1\"}"));
   EXPECT_FALSE(holds_batch(""));
   EXPECT_FALSE(holds_batch("{"));
 }
 
-TEST(StudyBatch, NamesTheLineThatIsNone) {
+TEST(StudyBatch, NamesTheInvalidLine) {
   for (const std::string& line : {std::string("nonsense"), std::string("{}"), std::string("[[[[1]]]]"),
                                   std::string(R"({"row":"mode","id":3,"order":1})")}) {
     try {

@@ -20,7 +20,7 @@ const StudyStatement& statement_of(const Study& study, StudyFamily family, Study
                        [&](const auto& s) { return s.family == family && s.y == y && s.x == x; });
 }
 
-TEST(Study, FindsTheRelationsThatWerePlanted) {
+TEST(Study, FindsKnownRelations) {
   using enum StudyQuantity;
   int found = 0, all = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
@@ -41,7 +41,7 @@ TEST(Study, FindsTheRelationsThatWerePlanted) {
 
 // Wood's BBCOR is 0.48 plus noise; hollow bats' correlation with the hoop frequency follows from gain, range and noise:
 // r = −g σ_h/√(g² σ_h² + σ²), with σ_h the hoop frequencies' own deviation in this population.
-TEST(Study, IntervalsHoldThePlantedCorrelation) {
+TEST(Study, HasIntervalsThatCoverTheCorrelation) {
   int held = 0;
   const int populations = 200;
   for (int seed = 0; seed < populations; ++seed) {
@@ -63,7 +63,7 @@ TEST(Study, IntervalsHoldThePlantedCorrelation) {
   EXPECT_GE(held, 178);
 }
 
-TEST(Study, FindsNothingWhereNothingWasPlanted) {
+TEST(Study, FindsNoRelationInUnrelatedBats) {
   int false_studies = 0;
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     const Study study = study_of(synth::synthetic_population({.seed = seed, .related = false, .trail = false}));
@@ -91,7 +91,7 @@ TEST(Study, MakesEveryFigureOfTheSource) {
   EXPECT_TRUE(study.trails[0].besr);
 }
 
-TEST(Study, CountsABatOnceHoweverManyOfItsStatesAreShown) {
+TEST(Study, CountsEachBatOnce) {
   const auto bats = synth::synthetic_population({.wood = 0, .aluminum = 0, .composite = 20});
   const Study study = study_of(bats);
   const auto& hoop = statement_of(study, StudyFamily::nonwood, StudyQuantity::besr, StudyQuantity::hoop1);
@@ -113,7 +113,7 @@ TEST(Study, NamesOutliers) {
   EXPECT_THAT(named, testing::Contains(bats[7].id));
 }
 
-TEST(Population, IsAsTheSourceDescribesIt) {
+TEST(Population, FollowsTheDescriptionOfTheSource) {
   double sum = 0, wood = 0;
   for (const StudyBat& bat : synth::synthetic_population({.wood = 400})) {
     const auto hoop = bat.value(StudyQuantity::hoop1);
@@ -161,7 +161,7 @@ TEST(StudyTable, JoinsAnalysesById) {
   EXPECT_EQ(bats[0].maker, "M");
 }
 
-TEST(StudyTable, WorksOutWhatFollows) {
+TEST(StudyTable, ComputesDerivedQuantities) {
   const auto bats =
       rows_of("id,length_in,material,weight_oz,moi_oz_in2,besr,z_in\na,34,aluminum,31,10450,0.728,6\n").bats();
   EXPECT_EQ(bats[0].value(StudyQuantity::drop), -3);
@@ -169,7 +169,7 @@ TEST(StudyTable, WorksOutWhatFollows) {
   EXPECT_TRUE(bats[0].value(StudyQuantity::bbs));
 }
 
-TEST(StudyTable, RefusesWhatItCannotUse) {
+TEST(StudyTable, RefusesInvalidValues) {
   const auto refusal = [](const std::string& text, const std::string& more = {}) {
     return input_error_of([&] { rows_of(text, more).bats(); });
   };
@@ -191,7 +191,7 @@ TEST(StudyTable, RefusesWhatItCannotUse) {
               HasSubstr("nested deeper"));
 }
 
-TEST(Blinding, TakesOutNamesAndKeepsTheKeyApart) {
+TEST(Blinding, RemovesNamesAndReturnsTheKey) {
   std::vector<StudyBat> bats{{.id = "Slug 5", .bat = "Slug", .maker = "Acme, Inc.", .model = "X\"5", .length_in = 33},
                              {.id = "Slug 6", .bat = "Slug", .maker = "Acme, Inc.", .length_in = 33},
                              {.id = "Twig", .length_in = 34}};

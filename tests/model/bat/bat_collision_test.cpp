@@ -33,7 +33,7 @@ TEST(BatCollision, ReproducesIndependentFigures) {
 }
 
 // Without elastic modes e₀ of the ball is the coefficient of restitution, whatever its spring.
-TEST(BatCollision, IsTheRigidBatsWithoutModes) {
+TEST(BatCollision, MatchesTheRigidBatWithoutModes) {
   const BatModes bat = bat_modes(kStepped, {});
   constexpr double kSteps = 1e-5;  // of the speed: what 200 steps leave
   for (const double e0 : {0.3, 0.5, 0.8, 1.0}) {
@@ -45,14 +45,14 @@ TEST(BatCollision, IsTheRigidBatsWithoutModes) {
   }
 }
 
-TEST(BatCollision, KeepsTheEnergyOfAPerfectBall) {
+TEST(BatCollision, ConservesEnergyWithAnElasticBall) {
   const BatModes bat = bat_modes(kStepped, {});
   const BatCollision elastic{.ball = {.restitution = 1}};
   for (const double z_m : {0.3, 0.6, 0.8}) EXPECT_NEAR(bat_rebound(bat, 40, elastic, z_m).ball_share, 0, 1e-6) << z_m;
 }
 
 // The ball keeps 1 − e₀² of what it took: k₁ u^(α + 1)/(α + 1) at the deepest.
-TEST(BatCollision, LosesInTheBallWhatItsSpringKeeps) {
+TEST(BatCollision, LosesTheEnergyThatTheSpringKeeps) {
   const BatModes bat = bat_modes(kStepped, {});
   const BatCollision c;
   const double z_m = 0.65;
@@ -86,7 +86,7 @@ TEST(BatCollision, ConvergesSlowlyWithTheModes) {
   EXPECT_GT(first, std::abs(exit(40, 0.6) - exit(20, 0.6)));  // and slowest at the end
 }
 
-TEST(BatCollision, LeavesABallThatTheBatRunsAwayFrom) {
+TEST(BatCollision, DoesNotTouchABallThatTheBatMovesAwayFrom) {
   const BatModes bat = bat_modes(kStepped, {});
   const BatRebound found = bat_rebound(bat, 10, {.ball_speed_mps = 10, .bat_speed_mps = -20}, 0.5);
   EXPECT_EQ(found.contacts, 0U);
@@ -95,7 +95,7 @@ TEST(BatCollision, LeavesABallThatTheBatRunsAwayFrom) {
 
 // A ball that hits a rod 10 cm from its end: the end's reflection comes back with the pulse's own sign where it is
 // free, with the other where it is held (here by half a ton), as against a rod without an end near by.
-TEST(BatWave, ReturnsWithItsSignFromAFreeEndOnly) {
+TEST(BatWave, KeepsItsSignOnlyAtAFreeEnd) {
   constexpr double kRod_m = 2, kThick_m = 0.04, kFromEnd_m = 0.1;
   const BatProfile free{.end_m = {kRod_m}, .diameter_m = {kThick_m}};
   const BatProfile held{.end_m = {kRod_m, kRod_m + 1}, .diameter_m = {kThick_m, 1}};
@@ -122,7 +122,7 @@ TEST(BatWave, ReturnsWithItsSignFromAFreeEndOnly) {
 }
 
 // The wave's far field is the rigid motion and modes that bat_rebound's energies stand for: momentum of the ball.
-TEST(BatWave, MovesTheBatsCentreByTheBallsImpulse) {
+TEST(BatWave, GivesTheCentreOfMassTheImpulseOfTheBall) {
   const BatModes bat = bat_modes(kStepped, {});
   const BatCollision c;
   const std::vector<double> time_s{4e-3, 5e-3};

@@ -38,7 +38,7 @@ TEST(BatModes, ReproducesTheExactNodes) {
   }
 }
 
-TEST(BatModes, WeighsWhatItsSlicesWeigh) {
+TEST(BatModes, HaveTheMassOfTheSlices) {
   const BatInertia inertia = inertia_of(kStepped, {});
   constexpr double kRounding = 1e-14;
   EXPECT_NEAR(inertia.mass_kg, 0.864980234515948, kRounding);
@@ -47,7 +47,7 @@ TEST(BatModes, WeighsWhatItsSlicesWeigh) {
 }
 
 // The same reference for a rod of 40 mm: shear and rotary inertia lower the first mode by 3 %, the tenth by half.
-TEST(BatModes, AreTimoshenkosForAUniformRod) {
+TEST(BatModes, MatchTimoshenkoForAUniformRod) {
   const BatModes modes = bat_modes(rod(0.84, 0.040), {});
   const std::vector<double> exact_Hz{262.00417315568757, 692.7111230780149,  1281.977688907523, 1978.4243100382364,
                                      2742.470595645941,  3545.5726138198615, 4369.083592510567};
@@ -57,7 +57,7 @@ TEST(BatModes, AreTimoshenkosForAUniformRod) {
 
 // A wire does not lock: Euler and Bernoulli's roots of cos λ cosh λ = 1, ω = λ²/L² √(EI/ρA). Rotary inertia and shear
 // take (λ d/4L)² (1 + E/κG)/2 and less.
-TEST(BatModes, AreEulersForAThinRod) {
+TEST(BatModes, MatchEulerBernoulliForAThinRod) {
   const BatMaterial material;
   const double diameter_m = 1e-3;
   const BatModes modes = bat_modes(rod(1, diameter_m), material);
@@ -83,7 +83,7 @@ TEST(BatModes, ConvergeWithTheFourthPowerOfTheElements) {
 constexpr double kOrthogonal = 1e-12;
 
 // The source's dispute: the modes are orthogonal, in the mass matrix with rotary inertia. Without it they are not.
-TEST(BatModes, AreOrthogonalInTheFullMass) {
+TEST(BatModes, AreOrthogonalInTheFullMassMatrix) {
   const BatModes modes = bat_modes(kStepped, {}, {.modes = 200});
   const Eigen::MatrixXd product = modes.shape.transpose() * (modes.beam.mass * modes.shape);
   EXPECT_LE((product - Eigen::MatrixXd::Identity(product.rows(), product.cols())).cwiseAbs().maxCoeff(), kOrthogonal);
@@ -100,7 +100,7 @@ TEST(BatModes, AreOrthogonalInTheFullMass) {
   EXPECT_GT(plain.cwiseAbs().maxCoeff(), 0.005);
 }
 
-TEST(BatModes, AreOrthogonalToTheRigidMotions) {
+TEST(BatModes, AreOrthogonalToTheRigidBodyModes) {
   const BatModes modes = bat_modes(kStepped, {});
   Eigen::MatrixXd rigid = Eigen::MatrixXd::Zero(modes.shape.rows(), 2);
   Eigen::Index row = 0;
@@ -114,7 +114,7 @@ TEST(BatModes, AreOrthogonalToTheRigidMotions) {
 }
 
 // The answer put back: K q − ω² M q.
-TEST(BatModes, SolveTheirEquation) {
+TEST(BatModes, SolveTheEigenvalueProblem) {
   const BatModes modes = bat_modes(kStepped, {}, {.modes = 60});
   for (Eigen::Index i = 0; i < modes.freq_Hz.size(); ++i) {
     const double square = std::pow(2 * std::numbers::pi * modes.freq_Hz[i], 2);
@@ -123,7 +123,7 @@ TEST(BatModes, SolveTheirEquation) {
   }
 }
 
-TEST(BatModes, GiveAllThereAreWhenAskedForMore) {
+TEST(BatModes, AreLimitedByTheElements) {
   const BatModes modes = bat_modes(rod(0.84, 0.04), {}, {.modes = 200, .max_element_fraction = 0.25});
   EXPECT_EQ(modes.freq_Hz.size(), 16);  // four elements: 18 unknowns, two of them rigid
 }

@@ -15,7 +15,7 @@ TEST(RigidBat, ReproducesThePublishedSweetSpot) {
   EXPECT_NEAR(best.exit_speed_mps, 26.7, 0.5e-1);  // …; the source says 27 m/s at 13 cm
 }
 
-TEST(RigidBat, LosesLittleWithinFiveCentimetres) {
+TEST(RigidBat, HasABroadSweetSpot) {
   // The source prints 11 m/s, which its own formula contradicts.
   const BestImpact best = best_impact(kPublished, 0, 0.42);
   const double loss = best.exit_speed_mps - std::min(exit_speed_mps(kPublished, best.z_m - 0.05),
@@ -23,7 +23,7 @@ TEST(RigidBat, LosesLittleWithinFiveCentimetres) {
   EXPECT_NEAR(loss, 0.73, 0.5e-2);
 }
 
-TEST(RigidBat, FeelsLighterOutwards) {
+TEST(RigidBat, HasLessEffectiveMassOutwards) {
   EXPECT_EQ(effective_mass_kg(kPublished, 0), kPublished.bat_mass_kg);
   for (double z_m = 0; z_m < 0.4; z_m += 0.05)
     EXPECT_GT(effective_mass_kg(kPublished, z_m), effective_mass_kg(kPublished, z_m + 0.05));
@@ -32,7 +32,7 @@ TEST(RigidBat, FeelsLighterOutwards) {
 constexpr double kRounding = 1e-12;  // a dozen operations on numbers of some tens
 
 // Momentum, spin and the coefficient of restitution, written out for the three bodies' speeds.
-TEST(RigidBat, KeepsMomentumAndSpin) {
+TEST(RigidBat, ConservesMomentumAndAngularMomentum) {
   const RigidCollision c{.bat_speed_mps = 4};
   for (const double z_m : {-0.3, 0.0, 0.1, 0.4}) {
     const double out = exit_speed_mps(c, z_m);
@@ -44,7 +44,7 @@ TEST(RigidBat, KeepsMomentumAndSpin) {
   }
 }
 
-TEST(RigidBat, HasNoFasterImpactThanTheBest) {
+TEST(RigidBat, HasItsFastestImpactAtTheBest) {
   for (const double bat_speed : {-5.0, 0.0, 10.0}) {
     for (const double rate : {0.0, 20.0, 60.0}) {
       const RigidCollision c{.swing_rate_radps = rate, .bat_speed_mps = bat_speed};
@@ -55,7 +55,7 @@ TEST(RigidBat, HasNoFasterImpactThanTheBest) {
   }
 }
 
-TEST(RigidBat, WithoutSpinIsBestAtItsCentre) {
+TEST(RigidBat, IsBestAtItsCentreOfMassWithoutRotation) {
   const BestImpact best = best_impact({.swing_rate_radps = 0}, -0.4, 0.4);
   EXPECT_NEAR(best.z_m, 0, kRounding);
 }

@@ -22,7 +22,7 @@ std::vector<MeasuredFrequency> measured(const UniformBeam& beam, std::size_t fro
 
 constexpr double kFound = 1e-8;  // relative: frequencies rounded to 1e-15, seen through small sensitivities
 
-TEST(BeamFit, FindsWhatMadeTheFrequencies) {
+TEST(BeamFit, RecoversTheParametersOfItsFrequencies) {
   for (const auto& asked : std::vector<std::vector<BeamParameter>>{{stiffness},
                                                                    {torsion},
                                                                    {mass_per_length},
@@ -42,7 +42,7 @@ TEST(BeamFit, FindsWhatMadeTheFrequencies) {
   }
 }
 
-TEST(BeamFit, FindsTheStiffnessOfFreeAndTimoshenkoBeams) {
+TEST(BeamFit, RecoversTheStiffnessOfFreeAndTimoshenkoBeams) {
   UniformBeam beam = kTruth;
   beam.support = BeamSupport::free;
   beam.gyration_m = 0.01;
@@ -55,21 +55,21 @@ TEST(BeamFit, FindsTheStiffnessOfFreeAndTimoshenkoBeams) {
   EXPECT_NEAR(fit_beam(start, {mass_per_length}, measured(beam, 2, 3)).beam.mass_per_length_kgpm / 1.7, 1, kFound);
 }
 
-TEST(BeamFit, PassesExactlyThroughAsManyFrequenciesAsUnknowns) {
+TEST(BeamFit, ReproducesAsManyFrequenciesAsUnknowns) {
   const BeamFit fit = fit_beam(kTruth, {stiffness, torsion}, {{.mode = 0, .freq_Hz = 20}, {.mode = 1, .freq_Hz = 300}});
   EXPECT_NEAR(fit.model_Hz[0], 20, 1e-8);
   EXPECT_NEAR(fit.model_Hz[1], 300, 1e-7);
   EXPECT_FALSE(fit.parameters[0].std.has_value());
 }
 
-TEST(BeamFit, SaysThatASpringIsAsGoodAsAClamp) {
+TEST(BeamFit, FlagsASpringThatActsAsAClamp) {
   const double clamped_Hz = beam_modes({.support = BeamSupport::clamped}, 1)[0].freq_Hz();
   EXPECT_TRUE(fit_beam({}, {torsion}, {{.mode = 0, .freq_Hz = 2 * clamped_Hz}}).at_limit);
   EXPECT_FALSE(fit_beam({}, {torsion}, {{.mode = 0, .freq_Hz = 0.5 * clamped_Hz}}).at_limit);
 }
 
 // Noise of known size: deviations of the fitted values must be those stated.
-TEST(BeamFit, StatesTrueDeviations) {
+TEST(BeamFit, StatesTheStandardDeviationsOfItsScatter) {
   constexpr int kRuns = 400;
   constexpr double kRelative = 1e-3;
   const auto truth = measured(kTruth, 0, 4);
@@ -91,7 +91,7 @@ TEST(BeamFit, StatesTrueDeviations) {
   EXPECT_NEAR(std::sqrt(from_rest) / (known / kTruth.torsion_Nmprad), 1, kSpread);
 }
 
-TEST(StaticTorsion, AccountsForTheBeamsBending) {
+TEST(StaticTorsion, IncludesTheBendingOfTheBeam) {
   // d = P a²/T + P a³/(3 EI), written out.
   const auto read = [](double load_N, double lever_m) {
     return StaticReading{load_N, lever_m,
@@ -105,7 +105,7 @@ TEST(StaticTorsion, AccountsForTheBeamsBending) {
   EXPECT_NEAR(*several.std_Nmprad, 0, 1e-6);
 }
 
-TEST(StaticTorsion, StatesTrueDeviations) {
+TEST(StaticTorsion, StatesTheStandardDeviationOfItsScatter) {
   std::mt19937 random(3);
   std::normal_distribution<double> normal;
   constexpr int kRuns = 2000;
@@ -123,7 +123,7 @@ TEST(StaticTorsion, StatesTrueDeviations) {
   EXPECT_NEAR(stated / spread, 1, 0.15);  // 3.5 deviations of two such means
 }
 
-TEST(StaticTorsion, RefusesLessThanTheBending) {
+TEST(StaticTorsion, RefusesDeflectionsBelowTheBending) {
   EXPECT_THROW(fit_torsion({{.load_N = 10, .lever_m = 0.5, .deflection_m = 1e-5}}, 4000), InputError);
 }
 

@@ -26,7 +26,7 @@ TEST(Beam, ReproducesTheCompositeBatOfKnowles) {
 }
 
 // Roots of the limits' equations by scipy.optimize.brentq on cos x + 1/cosh x, cos x − 1/cosh x and tan x − tanh x.
-TEST(Beam, HasTheRootsOfItsLimits) {
+TEST(Beam, HasThePublishedRootsInItsLimits) {
   const auto lambda = [](BeamSupport support, std::size_t mode) {
     return beam_modes(held(support), mode + 1)[mode].lambda;
   };
@@ -38,7 +38,7 @@ TEST(Beam, HasTheRootsOfItsLimits) {
 }
 
 // The equation as published, where its terms do not overflow.
-TEST(Beam, PutsItsRootsBackIntoTheEquation) {
+TEST(Beam, SolvesItsCharacteristicEquation) {
   for (const double relative : {1e-6, 1e-3, 0.171, 1.0, 30.0, 1e6}) {
     for (const BeamMode& mode : beam_modes(sprung(relative), 6)) {
       const double x = mode.lambda, c = std::cos(x), s = std::sin(x), ch = std::cosh(x), sh = std::sinh(x);
@@ -63,7 +63,7 @@ TEST(Beam, RootsInterlaceForEverySpring) {
   }
 }
 
-TEST(Beam, ReachesItsLimitsAtNoAndBoundlessStiffness) {
+TEST(Beam, BecomesPinnedOrClampedAtTheLimitsOfStiffness) {
   EXPECT_EQ(beam_modes(sprung(0), 4)[3].lambda, beam_modes(held(BeamSupport::pinned), 4)[3].lambda);
   EXPECT_EQ(beam_modes({.torsion_Nmprad = std::numeric_limits<double>::infinity()}, 4)[3].lambda,
             beam_modes(held(BeamSupport::clamped), 4)[3].lambda);
@@ -96,7 +96,7 @@ TEST(Beam, HasOrthogonalShapesToModeFifty) {
   }
 }
 
-TEST(Beam, KnowsTheIntegralOfItsShapeSquared) {
+TEST(Beam, HasTheIntegralOfItsSquaredShape) {
   constexpr double kSimpson = 1e-8;  // of the integration above, at mode 50
   for (const double relative : {1e-6, 0.171, 50.0}) {
     const UniformBeam beam = sprung(relative);
@@ -110,7 +110,7 @@ TEST(Beam, KnowsTheIntegralOfItsShapeSquared) {
   }
 }
 
-TEST(Beam, HoldsItsShapesAtTheSupport) {
+TEST(Beam, MeetsTheBoundaryConditionsAtTheSupport) {
   for (const BeamMode& mode : beam_modes({}, 50)) {
     EXPECT_NEAR(mode.shape(0), 0, 1e-11);
     EXPECT_NEAR(mode.shape(0.57), 1, kRounding);
@@ -133,14 +133,14 @@ TEST(Beam, HasAsManyNodesAsItsNumber) {
   }
 }
 
-TEST(Beam, HasTheNodesOfAFreeBeam) {
+TEST(Beam, HasTheTextbookNodesWhenFree) {
   // A free beam's first elastic mode rests at 0.224157 of its length; cos x cosh x = 1 solved by scipy.
   const auto nodes = beam_nodes_m(beam_modes(held(BeamSupport::free), 3)[2]);
   EXPECT_NEAR(nodes[0] / 0.57, 0.2241575227, 1e-10);
   EXPECT_NEAR(nodes[0] + nodes[1], 0.57, kRounding);
 }
 
-TEST(Beam, ScalesAsItsDimensions) {
+TEST(Beam, ScalesWithItsDimensions) {
   const UniformBeam beam{.stiffness_Nm2 = 8000, .mass_per_length_kgpm = 1.12, .torsion_Nmprad = 2400, .length_m = 0.57};
   for (std::size_t i = 0; i < 5; ++i)
     EXPECT_NEAR(beam_modes(beam, 5)[i].omega_radps / beam_modes({}, 5)[i].omega_radps, 2, kRounding);
@@ -168,7 +168,7 @@ TEST(TimoshenkoBeam, AgreesWithRitz) {
   }
 }
 
-TEST(TimoshenkoBeam, BecomesEulersWhenSlender) {
+TEST(TimoshenkoBeam, BecomesAnEulerBernoulliBeamWhenSlender) {
   for (const BeamSupport support : kAll) {
     UniformBeam beam = held(support);
     const auto euler = beam_modes(beam, 12);
@@ -182,7 +182,7 @@ TEST(TimoshenkoBeam, BecomesEulersWhenSlender) {
   }
 }
 
-TEST(Laminate, SumsItsLayersAboutTheCommonAxis) {
+TEST(Laminate, SumsItsLayersAboutTheNeutralAxis) {
   // One material in layers is the solid section E b h³/12.
   const auto solid = laminate_section({{.young_Pa = 7e10, .width_m = 0.1, .height_m = 0.002, .density_kgpm3 = 2700},
                                        {.young_Pa = 7e10, .width_m = 0.1, .height_m = 0.005, .density_kgpm3 = 2700},

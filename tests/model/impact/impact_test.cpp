@@ -61,7 +61,7 @@ TEST(BeamImpact, AgreesWithFiniteElementsAndRungeKutta) {
   }
 }
 
-TEST(BeamImpact, ClosesItsEnergy) {
+TEST(BeamImpact, ConservesEnergy) {
   constexpr double kClosed = 1e-9;  // of the ball's energy, at every step
   for (const double mass : {0.6, 1.0, 2.24, 3.0}) EXPECT_LE(simulate_impact(with_mass(mass)).energy_error, kClosed);
   Impact impact;
@@ -89,7 +89,7 @@ TEST(BeamImpact, IsOfFourthOrder) {
   for (const double mass : {1.0, 2.24}) EXPECT_GE(gain(with_mass(mass), ImpactMethod::modal, 2e-5), 12) << mass;
 }
 
-TEST(BeamImpact, BySmallIncrementsConvergesToTheSameAtFirstOrder) {
+TEST(BeamImpact, ConvergesBySmallIncrementsAtFirstOrder) {
   const double gained = gain({}, ImpactMethod::small_increment, 1e-5);
   EXPECT_GE(gained, 1.9);
   EXPECT_LE(gained, 2.2);
@@ -99,12 +99,12 @@ TEST(BeamImpact, BySmallIncrementsConvergesToTheSameAtFirstOrder) {
   EXPECT_LE(std::abs(classic - truth), 1e-2);
 }
 
-TEST(BeamImpact, DoesNotMissItsOwnAccuracy) {
+TEST(BeamImpact, MeetsItsStatedAccuracy) {
   const double truth = simulate_impact({}, {.step_s = 1e-6}).cor;
   EXPECT_NEAR(simulate_impact({}).cor, truth, 1e-9);
 }
 
-TEST(BeamImpact, KnowlesHandleStiffnessHardlyMatters) {
+TEST(BeamImpact, HardlyDependsOnTheHandleStiffness) {
   for (int i = 1; i <= 6; ++i) {
     const double cor = simulate_impact(with_torsion(500 * i)).cor;
     EXPECT_GE(cor, 0.465);
@@ -117,13 +117,13 @@ void expect_rise_and_saturation(const std::vector<double>& cor) {
   for (std::size_t i = 2; i < cor.size(); ++i) EXPECT_LT(cor[i] - cor[i - 1], cor[i - 1] - cor[i - 2]) << i;
 }
 
-TEST(BeamImpact, KnowlesStiffnessRisesAndSaturates) {
+TEST(BeamImpact, RisesAndSaturatesWithStiffness) {
   std::vector<double> cor;
   for (int i = 1; i <= 6; ++i) cor.push_back(simulate_impact(with_stiffness(1000 * i)).cor);
   expect_rise_and_saturation(cor);
 }
 
-TEST(BeamImpact, KnowlesMassRisesAndSaturates) {
+TEST(BeamImpact, RisesAndSaturatesWithMass) {
   std::vector<double> cor;
   for (int i = 0; i <= 12; ++i) cor.push_back(simulate_impact(with_mass(0.6 + 0.2 * i)).cor);
   expect_rise_and_saturation(cor);
@@ -139,7 +139,7 @@ TEST(BeamImpact, TouchesALightBeamAgain) {
   for (const double mass : {1.2, 2.24, 3.0}) EXPECT_FALSE(simulate_impact(with_mass(mass)).recontact_s.has_value());
 }
 
-TEST(BeamImpact, OnAWallIsHertzs) {
+TEST(BeamImpact, MatchesHertzOnAWall) {
   const ImpactResult r = simulate_impact(wall());
   EXPECT_NEAR(r.cor, 1, 1e-9);
   EXPECT_NEAR(r.contact_s / hertz_contact_s(wall()), 1, 1e-6);  // its constant has seven digits
@@ -148,7 +148,7 @@ TEST(BeamImpact, OnAWallIsHertzs) {
 }
 
 // The closed form that defines χ knows nothing of the time steps.
-TEST(BeamImpact, LosesWhatAWallTakes) {
+TEST(BeamImpact, HasTheStatedRestitutionOnAWall) {
   for (const double restitution : {0.99, 0.9, 0.5, 0.1, 0.01}) {
     Impact impact = wall();
     impact.hysteresis_spm = hysteresis_for_spm(restitution, impact.speed_mps);
@@ -182,7 +182,7 @@ TEST(BeamImpact, ScalesWithItsUnits) {
   EXPECT_NEAR(simulate_impact(impact).cor, simulate_impact({}).cor, 1e-9);
 }
 
-TEST(BeamImpact, GivesASeriesThatIsItsResult) {
+TEST(BeamImpact, WritesASeriesThatMatchesItsResult) {
   const ImpactResult r = simulate_impact({}, {.series = true});
   ASSERT_GT(r.series.size(), 1000U);
   EXPECT_EQ(r.series.front().ball_speed_mps, 5);
@@ -203,7 +203,7 @@ TEST(BeamImpact, GivesASeriesThatIsItsResult) {
 }
 
 // A rigid beam that is free: a mass and an inertia, whose bounce has a closed form by momentum and energy.
-TEST(BeamImpact, OnAFreeRigidBeamKeepsMomentum) {
+TEST(BeamImpact, ConservesMomentumOnAFreeRigidBeam) {
   Impact impact;
   impact.beam.support = BeamSupport::free;
   impact.beam.stiffness_Nm2 = 1e9;
@@ -215,13 +215,13 @@ TEST(BeamImpact, OnAFreeRigidBeamKeepsMomentum) {
   EXPECT_FALSE(r.recontact_s.has_value());
 }
 
-TEST(BeamImpact, GivesUpWhereThereIsNoEnd) {
+TEST(BeamImpact, RefusesAContactWithoutEnd) {
   Impact impact;
   impact.hertz_Npm15 = 1e-200;
   EXPECT_THROW(simulate_impact(impact), InputError);
 }
 
-TEST(BeamImpact, RefusesWhatNumbersDoNotHold) {
+TEST(BeamImpact, RefusesValuesBeyondTheRangeOfNumbers) {
   for (const double speed_mps : {1e-300, 1e300}) {
     Impact impact;
     impact.speed_mps = speed_mps;

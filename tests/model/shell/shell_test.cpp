@@ -50,7 +50,7 @@ TEST(Shell, IsNearThreeDimensionalElasticity) {
   EXPECT_NEAR(flugge_Hz(thin, 3, 1), 505.8012237, 5e-4 * 506);
 }
 
-TEST(Shell, IsRayleighsAndLovesWhenLong) {
+TEST(Shell, AgreesWithRayleighAndLoveWhenLong) {
   TubeShell tube = kAluminium;
   tube.length_m = 1000;
   constexpr double kLong = 1e-6, kThin = 5.3e-4;  // h²/12R²: Rayleigh's tube does not stretch at all
@@ -63,20 +63,20 @@ TEST(Shell, IsRayleighsAndLovesWhenLong) {
 }
 
 // Donnell's shell is 30 % high for n = 2, as k n⁴ stands where k (n² − 1)² n²/(n² + 1) should: not this one.
-TEST(Shell, IsNotDonnells) {
+TEST(Shell, DiffersFromDonnell) {
   TubeShell tube = kAluminium;
   tube.length_m = 1000;
   EXPECT_LT(flugge_Hz(tube, 2, 1), 1.01 * rayleigh_Hz(tube, 2));
 }
 
-TEST(Shell, GoesWithTheRootOfItsModulus) {
+TEST(Shell, IsProportionalToTheRootOfItsModulus) {
   TubeShell stiff = kAluminium;
   stiff.young_Pa *= 4;
   EXPECT_NEAR(flugge_Hz(stiff, 3, 2), 2 * flugge_Hz(kAluminium, 3, 2), 1e-9);
 }
 
 // Outer less inner cylinder.
-TEST(Shell, WeighsWhatItsMaterialWeighs) {
+TEST(Shell, HasTheMassOfItsMaterial) {
   const double outer = kAluminium.outer_diameter_m, inner = outer - 2 * kAluminium.wall_m;
   EXPECT_NEAR(tube_mass_kg(kAluminium),
               kAluminium.density_kgpm3 * M_PI / 4 * (outer * outer - inner * inner) * kAluminium.length_m, 1e-12);
@@ -90,7 +90,7 @@ std::vector<MeasuredHoop> measured_on(const TubeShell& shell, std::vector<Measur
   return patterns;
 }
 
-TEST(ShellFit, FindsTheModulus) {
+TEST(ShellFit, RecoversTheModulus) {
   TubeShell truth = kAluminium;
   truth.young_Pa = 61e9;
   const ShellFit fit = fit_shell(kAluminium, measured_on(truth, {{.n = 2, .m = 1}}), ShellUnknowns::young);
@@ -99,7 +99,7 @@ TEST(ShellFit, FindsTheModulus) {
   EXPECT_EQ(fit.wall_std_m, 0);
 }
 
-TEST(ShellFit, FindsTheWall) {
+TEST(ShellFit, RecoversTheWall) {
   TubeShell truth = kAluminium;
   truth.wall_m = 0.0021;
   const ShellFit fit =
@@ -108,7 +108,7 @@ TEST(ShellFit, FindsTheWall) {
   EXPECT_GT(fit.wall_std_m, 0);
 }
 
-TEST(ShellFit, FindsBothWherePatternsStretchTheWallDifferently) {
+TEST(ShellFit, RecoversBothFromPatternsThatStretchTheWallDifferently) {
   TubeShell truth = kAluminium;
   truth.wall_m = 0.0021;
   truth.young_Pa = 61e9;
@@ -121,7 +121,7 @@ TEST(ShellFit, FindsBothWherePatternsStretchTheWallDifferently) {
 }
 
 // Of a long tube every frequency goes like h √E.
-TEST(ShellFit, SaysWhenBothCannotBeTold) {
+TEST(ShellFit, RefusesPatternsThatDoNotSeparateTheUnknowns) {
   TubeShell tube = kAluminium;
   tube.length_m = 5;
   const auto alike = measured_on(tube, {{.n = 2, .m = 1}, {.n = 3, .m = 1}});

@@ -28,7 +28,7 @@ Trampoline away() {
   return start;
 }
 
-TEST(TrampolineFit, FindsTheExponentsThatMadeTheFigures) {
+TEST(TrampolineFit, RecoversTheExponents) {
   const ExponentFit fit = fit_exponents(away(), exact());
   constexpr double kSettled = 1e-7;  // figures to 1e-13, an ill-conditioned pair
   EXPECT_NEAR(fit.stiffness_exponent, 0.6495, kSettled);
@@ -38,7 +38,7 @@ TEST(TrampolineFit, FindsTheExponentsThatMadeTheFigures) {
 }
 
 // Over these speeds a and b move the COR almost alike: half a percent of it leaves a unknown, but b for each a known.
-TEST(TrampolineFit, SaysThatTheExponentsAreOnlyKnownTogether) {
+TEST(TrampolineFit, StatesTheCorrelationOfTheExponents) {
   const ExponentFit fit = fit_exponents(baseball_on_barrel(), exact());
   EXPECT_GT(fit.stiffness_exponent_std, 1);
   EXPECT_GT(fit.correlation, 0.99999);
@@ -48,7 +48,7 @@ TEST(TrampolineFit, SaysThatTheExponentsAreOnlyKnownTogether) {
 }
 
 // 100 measurements with normal errors: the mean of the squared deviations over the stated variance is 1 ± √(2/100).
-TEST(TrampolineFit, StatesTheDeviationItHas) {
+TEST(TrampolineFit, StatesTheStandardDeviationsOfItsScatter) {
   std::mt19937_64 random(7);
   std::normal_distribution<double> normal;
   constexpr int kRuns = 100;
@@ -67,7 +67,7 @@ TEST(TrampolineFit, StatesTheDeviationItHas) {
   EXPECT_NEAR(chi2, 3, 3 * std::sqrt(6.0 / kRuns));  // five points, two unknowns
 }
 
-TEST(TrampolineFit, SaysWhenTheSpeedsCannotTell) {
+TEST(TrampolineFit, RefusesSpeedsThatDoNotSeparateTheExponents) {
   auto same = exact();
   for (auto& m : same) m.speed_mps = 40;
   EXPECT_THAT(test::input_error_of([&] { fit_exponents(away(), same); }), testing::HasSubstr("two different speeds"));

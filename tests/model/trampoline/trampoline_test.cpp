@@ -57,7 +57,7 @@ TEST(Trampoline, ReproducesIndependentFigures) {
 TEST(Trampoline, ReproducesTheSourcesReference) { EXPECT_NEAR(rebound(kBaseball, 10e3).cor, 0.4892, 0.5e-4); }
 
 // The source: 1100 to 1300 Hz. Its script's damping of the barrel, 90.5, gives 1255.2 Hz; its table's, 100, 1275.6 Hz.
-TEST(Trampoline, HasTheBaseballsOptimumWhereTheSourceHasIt) {
+TEST(Trampoline, HasThePublishedOptimumForABaseball) {
   const HoopPeak peak = peak_of(kBaseball);
   EXPECT_GE(peak.hoop_Hz, 1100);
   EXPECT_LE(peak.hoop_Hz, 1300);
@@ -68,7 +68,7 @@ TEST(Trampoline, HasTheBaseballsOptimumWhereTheSourceHasIt) {
   EXPECT_NEAR(peak_of(table).hoop_Hz, 1275.621, 0.01);  // scipy's minimize_scalar on the reference
 }
 
-TEST(Trampoline, HasTheSoftballsOptimumWhereTheSourceHasIt) {
+TEST(Trampoline, HasThePublishedOptimumForASoftball) {
   for (const auto& [barrel_kg, hoop_Hz] : std::vector<std::pair<double, double>>{{0.150, 953.204}, {0.160, 955.777}}) {
     Trampoline softball = softball_on_barrel();
     softball.barrel_mass_kg = barrel_kg;
@@ -79,7 +79,7 @@ TEST(Trampoline, HasTheSoftballsOptimumWhereTheSourceHasIt) {
   }
 }
 
-TEST(Trampoline, TouchesAgainBelowTheFrequencyWhereItNeedNot) {
+TEST(Trampoline, TouchesAgainAtLowHoopFrequencies) {
   const Rebound slow = rebound(kBaseball, 150);
   EXPECT_EQ(slow.contacts, 2U);
   EXPECT_LT(slow.first_cor, 0);  // the ball was still going in
@@ -87,12 +87,12 @@ TEST(Trampoline, TouchesAgainBelowTheFrequencyWhereItNeedNot) {
   EXPECT_EQ(rebound(kBaseball, 180).contacts, 1U);
 }
 
-TEST(Trampoline, OutlastsTheScriptsTwoMilliseconds) {
+TEST(Trampoline, FollowsContactsBeyondTwoMilliseconds) {
   EXPECT_GT(rebound(kBaseball, 400).contact_s, 2e-3);
   EXPECT_LT(rebound(kBaseball, 425).contact_s, 2e-3);
 }
 
-TEST(Trampoline, LosesNothingWithoutDampers) {
+TEST(Trampoline, ConservesEnergyWithoutDampers) {
   Trampoline elastic = kBaseball;
   elastic.damping = elastic.barrel_damping_Nspm = 0;
   EXPECT_NEAR(rigid_wall_rebound(elastic).cor, 1, kPromised);
@@ -104,7 +104,7 @@ TEST(Trampoline, LosesNothingWithoutDampers) {
 
 // Without the ball's own damper the contact on a wall lasts T = 2 (δ_max/v) ∫₀¹ dx/√(1 − x^(a+2)), a closed form:
 // δ_max = ((a + 2) m v²/(2 k))^(1/(a+2)), the integral √π Γ(1 + 1/n)/Γ(1/2 + 1/n) with n = a + 2.
-TEST(Trampoline, StaysOnTheWallAsLongAsTheClosedFormSays) {
+TEST(Trampoline, HasTheClosedFormContactTimeOnAWall) {
   Trampoline elastic = kBaseball;
   elastic.damping = 0;
   const double n = elastic.stiffness_exponent + 2, v = elastic.ball_speed_mps;
@@ -113,7 +113,7 @@ TEST(Trampoline, StaysOnTheWallAsLongAsTheClosedFormSays) {
   EXPECT_NEAR(rigid_wall_rebound(elastic).contact_s, 2 * deepest_m / v * integral, 1e-7 * deepest_m / v);
 }
 
-TEST(Trampoline, ComesToAnEndWhateverTheFrequency) {
+TEST(Trampoline, EndsAtEveryHoopFrequency) {
   for (double hoop_Hz = 1; hoop_Hz < 1e6; hoop_Hz *= 3.7) {
     const Rebound found = rebound(kBaseball, hoop_Hz);
     EXPECT_GE(found.cor, 0) << hoop_Hz;
@@ -122,7 +122,7 @@ TEST(Trampoline, ComesToAnEndWhateverTheFrequency) {
   EXPECT_NEAR(rebound(kBaseball, 1e6).cor, rigid_wall_rebound(kBaseball).cor, 1e-5);
 }
 
-TEST(Trampoline, IsTheSameWithAnyNumberOfThreads) {
+TEST(Trampoline, DoesNotDependOnTheNumberOfThreads) {
   const auto hoop_Hz = published_sweep();
   const auto one = hoop_sweep(kBaseball, hoop_Hz, 1), many = hoop_sweep(kBaseball, hoop_Hz, 4);
   for (std::size_t i = 0; i < one.size(); ++i) EXPECT_EQ(one[i].cor, many[i].cor);
@@ -141,7 +141,7 @@ TEST(Trampoline, LowersTheHoopFrequencyWithTheBallOnTheBarrel) {
 }
 
 // Against its own differential equation, by central differences, in each of the three ranges of damping.
-TEST(DampedOscillator, ObeysItsEquation) {
+TEST(DampedOscillator, SolvesItsDifferentialEquation) {
   for (const double decay : {0.0, 0.3, 2.0, 2.5}) {
     const DampedOscillator oscillator{.omega_radps = 2, .decay_radps = decay};
     const OscillatorState start{.x_m = 0.7, .v_mps = -1.1};

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "acquire/open_measurement.hpp"
 #include "acquire/write_record.hpp"
 #include "report/html/html_page.hpp"
 #include "report/json/quantised_curve.hpp"

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "acquire/open_measurement.hpp"
 #include "batch/part.hpp"
 #include "batch/run_shard.hpp"
 #include "cli/output.hpp"
@@ -16,7 +17,6 @@
 #include "commands/batch/batch_options.hpp"
 #include "commands/commands.hpp"
 #include "core/error.hpp"
-#include "frf/formats/sandbox_measurement.hpp"
 #include "report/text/version.hpp"
 
 namespace percuss::tools {

@@ -10,9 +10,9 @@
 namespace percuss::acquire::hdf5 {
 namespace {
 
-constexpr std::size_t kTextBytes = 4096;  // longer is no unit
+constexpr std::size_t kTextBytes = 4096;  // longer texts are not units
 
-/// The attribute, or none when the object has no such.
+/// The attribute; invalid when the object does not have it.
 Handle open_attribute(hid_t object, const std::string& name, const std::string& where) {
   const htri_t exists = H5Aexists(object, name.c_str());
   if (exists == 0) return Handle();

@@ -12,10 +12,11 @@
 namespace percuss::acquire::hdf5 {
 namespace {
 
-// gzip rarely packs measured samples better than 4:1; a claim far beyond that is a small file meant to fill the memory.
+// gzip rarely packs measured samples better than 4:1. A claim far beyond that is a small file that would fill the
+// memory.
 constexpr std::uint64_t kClaimPerFileByte = 64, kClaimSpare = std::uint64_t{64} << 20;
-constexpr std::size_t kDefaultCacheBytes = std::size_t{1} << 20, kLargestCacheBytes = std::size_t{64} << 20;
-constexpr std::uint64_t kChunksCounted = 200'000;  // counting walks their index
+constexpr std::size_t kDefaultCacheBytes = std::size_t{1} << 20, kMaxCache_bytes = std::size_t{64} << 20;
+constexpr std::uint64_t kChunksCounted = 200'000;  // counting them walks an index
 constexpr int kMaxDimensions = 3;
 const char* const kWriteAnew = "copy the file again or write it anew";
 
@@ -24,7 +25,7 @@ herr_t refuse_other_file(const char* /*file*/, const char* /*group*/, const char
   return -1;
 }
 
-/// What `name` leads to within this file, or none.
+/// The object that `name` leads to within this file; invalid when there is none.
 Handle open_object(hid_t file, const std::string& name) {
   const Handle access(H5Pcreate(H5P_LINK_ACCESS));
   H5Pset_elink_cb(access.get(), refuse_other_file, nullptr);
@@ -51,7 +52,7 @@ bool is_plain_number(hid_t type) {
   return std::any_of(known.begin(), known.end(), [type](hid_t one) { return H5Tequal(type, one) > 0; });
 }
 
-/// The library's own text, freed.
+/// A copy of the library's text, which is freed.
 std::string member_name(hid_t type, unsigned member) {
   char* const name = H5Tget_member_name(type, member);
   std::string copy = name == nullptr ? "" : name;
@@ -176,14 +177,14 @@ void InputDataSet::check_chunks(const InputHdf5& file, const std::string& name, 
   }
   if (chunk_bytes > claim_limit) throw InputError("claims chunks larger than the file", where_, kWriteAnew);
   hsize_t present = 0;
-  const Handle space(H5Dget_space(set_.get()));  // this library does not take H5S_ALL here
+  const Handle space(H5Dget_space(set_.get()));  // this version of the library refuses H5S_ALL here
   if (expected <= kChunksCounted && H5Dget_num_chunks(set_.get(), space.get(), &present) < 0) damaged();
   if (expected <= kChunksCounted && present < expected) {
     throw InputError("holds " + std::to_string(present) + " of its " + std::to_string(expected) + " chunks", where_,
                      "record it again: it was never completed");
   }
-  if (chunk_bytes <= kDefaultCacheBytes || chunk_bytes > kLargestCacheBytes) return;
-  // A chunk that the cache cannot hold would be unpacked again for every row in it.
+  if (chunk_bytes <= kDefaultCacheBytes || chunk_bytes > kMaxCache_bytes) return;
+  // A chunk larger than the cache would be unpacked again for each of its rows.
   set_.close();
   set_ = open_set(file.id(), name, chunk_bytes);
   if (!set_) damaged();

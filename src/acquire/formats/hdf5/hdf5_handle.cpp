@@ -17,7 +17,7 @@ std::mutex& library_mutex() {
   return mutex;
 }
 
-// Locks of this thread within one another. A recursive mutex would know its owner by a number that a fork changes.
+// Number of nested locks of this thread. A recursive mutex would know its owner by a number that changes with a fork.
 thread_local int depth = 0;
 
 }  // namespace
@@ -32,10 +32,11 @@ ExclusiveAccess::~ExclusiveAccess() {
 }
 
 Lock::Lock() {
-  // Once, before the library starts. Its own clean-up at exit crashes after a disk was full; ours leaves nothing to do.
+  // Once, before the library starts. The library's clean-up at exit crashes after a disk was full; all objects are
+  // closed by then anyway.
   static const bool ready = H5dont_atexit() >= 0 && H5PLset_loading_state(0) >= 0;
   static_cast<void>(ready);
-  // The library keeps one error stack, and with it the handler that prints, per thread.
+  // The library keeps one error stack with its printing handler per thread.
   thread_local const bool silent = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0;
   static_cast<void>(silent);
 }
@@ -55,7 +56,7 @@ Handle& Handle::operator=(Handle&& other) noexcept {
 
 bool Handle::close() {
   if (id_ < 0) return true;
-  // Closes whatever the identifier stands for, as H5Fclose, H5Dclose, … do.
+  // Closes an identifier of any kind, like H5Fclose, H5Dclose, …
   return H5Idec_ref(release()) >= 0;
 }
 

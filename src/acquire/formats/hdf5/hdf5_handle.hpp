@@ -3,11 +3,11 @@
 
 namespace percuss::acquire::hdf5 {
 
-/// The library's hid_t, so that hdf5.h stays in .cpp files; negative for none.
+/// The library's hid_t (hdf5.h stays in .cpp files); negative for none.
 using Id = std::int64_t;
 
-/// While it is held no other thread is within the library. One thread may hold several, and a process that is forked
-/// under one holds it too.
+/// During its lifetime no other thread uses the library. One thread may hold several. A process forked under it holds
+/// it as well.
 class ExclusiveAccess {
  public:
   ExclusiveAccess();
@@ -16,8 +16,8 @@ class ExclusiveAccess {
   ExclusiveAccess& operator=(const ExclusiveAccess&) = delete;
 };
 
-/// Held around all use of the library, closing included: it may not be used from several threads at once. Also sees to
-/// it that the library prints nothing and loads no plug-ins.
+/// Guards all use of the library, including closing: the library is not thread-safe. Also keeps the library from
+/// printing and from loading plug-ins.
 class Lock {
  public:
   Lock();
@@ -26,10 +26,10 @@ class Lock {
   ExclusiveAccess access_;
 };
 
-/// Readies the library now, which takes it a millisecond: before processes are forked, each of which would need it.
+/// Initialises the library (1 ms). Call it before forking, so that the children need not.
 void start_library();
 
-/// Owns an identifier of any kind (file, data set, type, property list …); false when there is none.
+/// Owns an identifier of any kind (file, data set, type, property list …); false without one.
 class Handle {
  public:
   explicit Handle(Id id = -1) : id_(id) {}
@@ -41,7 +41,7 @@ class Handle {
 
   Id get() const { return id_; }
   explicit operator bool() const { return id_ >= 0; }
-  /// False when the library could not finish what it had still to write.
+  /// False when the library could not complete pending writes.
   bool close();
 
  private:

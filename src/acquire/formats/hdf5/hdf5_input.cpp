@@ -79,8 +79,8 @@ bool is_hdf5(const std::string& path) {
   std::array<char, kSignature.size()> bytes{};
   // A user block of 512 bytes times a power of two may come first; a device that gives bytes without end has no last
   // one.
-  constexpr off_t kFarthestSignature = off_t{1} << 40;
-  for (off_t at = 0; !found && at <= kFarthestSignature; at = at == 0 ? 512 : 2 * at) {
+  constexpr off_t kMaxSignature_offset = off_t{1} << 40;
+  for (off_t at = 0; !found && at <= kMaxSignature_offset; at = at == 0 ? 512 : 2 * at) {
     if (::pread(descriptor, bytes.data(), bytes.size(), at) != static_cast<ssize_t>(bytes.size())) break;
     found = std::string_view(bytes.data(), bytes.size()) == kSignature;
   }

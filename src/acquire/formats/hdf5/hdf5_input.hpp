@@ -11,9 +11,9 @@
 
 namespace percuss::acquire::hdf5 {
 
-// The caller holds a Lock around all of this.
+// The caller holds a Lock.
 
-/// A file that may come from anywhere, open for reading. Every message names its path.
+/// An untrusted file, open for reading. Each message names its path.
 /// errors  InputError: it cannot be opened, is not HDF5, is truncated or damaged.
 class InputHdf5 {
  public:
@@ -36,14 +36,13 @@ class InputHdf5 {
   Handle file_;
 };
 
-/// What the elements of a data set must be: integers and floats, or complex numbers as h5py writes them (a compound of
-/// two floats, r and i).
+/// The required elements of a data set: integers and floats, or complex numbers as h5py writes them (a compound of two
+/// floats, r and i).
 enum class Elements { real, complex };
 
-/// A numeric data set of the root group, known to lie wholly in its file before any sample is read.
+/// A numeric data set of the root group, checked to lie within its file before any sample is read.
 /// errors  InputError: links to other files, groups, other types than integers and IEEE floats, sizes that the file
-/// cannot hold,
-///         compression other than gzip.
+/// cannot hold, compression other than gzip.
 class InputDataSet {
  public:
   InputDataSet(const InputHdf5& file, const std::string& name, Elements elements = Elements::real);
@@ -53,8 +52,7 @@ class InputDataSet {
   std::size_t elements() const { return elements_; }
   Id id() const { return set_.get(); }
 
-  /// Where the numbers lie, one after the other in C order, when they do and are IEEE floats with the lowest byte
-  /// first.
+  /// The place of the numbers in the file, when they are contiguous in C order and little-endian IEEE floats.
   struct ContiguousStorage {
     std::uint64_t offset_bytes, number_bytes;
   };
@@ -65,7 +63,7 @@ class InputDataSet {
   void read(std::span<const std::size_t> at, std::size_t first, std::span<double> out) const;
   /// The same for a set of complex numbers.
   void read(std::span<const std::size_t> at, std::size_t first, std::span<std::complex<double>> out) const;
-  /// All of it, in C order; for small sets.
+  /// All elements, in C order; for small sets.
   std::vector<double> read_all() const;
 
  private:

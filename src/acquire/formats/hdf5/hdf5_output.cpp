@@ -27,7 +27,7 @@ OutputHdf5::OutputHdf5(const std::string& path, bool force)
     : path_(path), atomic_file_(path, force, AtomicFile::Temporary::named) {
   const Lock lock;
   const Handle access(H5Pcreate(H5P_FILE_ACCESS));
-  H5Pset_file_locking(access.get(), false, true);  // as for reading; nobody else knows this file yet
+  H5Pset_file_locking(access.get(), false, true);  // as for reading; no other process knows this file yet
   file_ = Handle(H5Fcreate(atomic_file_.temporary_path().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()));
   check(static_cast<bool>(file_));
 }
@@ -54,7 +54,7 @@ void OutputHdf5::create_set(const std::string& name, std::span<const std::size_t
   const Handle space(H5Screate_simple(static_cast<int>(extent.size()), extent.data(), nullptr));
   const Handle creation(H5Pcreate(H5P_DATASET_CREATE));
   H5Pset_obj_track_times(creation.get(), false);
-  H5Pset_fill_time(creation.get(), H5D_FILL_TIME_NEVER);  // every element is written anyway
+  H5Pset_fill_time(creation.get(), H5D_FILL_TIME_NEVER);  // each element is written anyway
   const Handle stored = file_type(type);
   Handle set(
       H5Dcreate2(file_.get(), name.c_str(), stored.get(), space.get(), H5P_DEFAULT, creation.get(), H5P_DEFAULT));
@@ -100,7 +100,7 @@ void OutputHdf5::set_numbers(const std::string& set, const std::string& name, st
 
 void OutputHdf5::set_text(const std::string& set, const std::string& name, const std::string& text) {
   const Lock lock;
-  // Of variable length: h5py and MATLAB show such text as text, one of fixed length as bytes.
+  // Variable length: h5py and MATLAB show such a text as text, but a text of fixed length as bytes.
   const Handle type(H5Tcopy(H5T_C_S1));
   H5Tset_size(type.get(), H5T_VARIABLE);
   H5Tset_cset(type.get(), H5T_CSET_UTF8);

@@ -14,8 +14,8 @@ namespace percuss::acquire::hdf5 {
 enum class Stored { float64, int32, complex128 };
 
 /// An HDF5 file that appears whole under its name, or not at all. Equal calls give equal bytes: no clocks, little
-/// endian. Locks the library itself, and only while it is used. errors  InputError from every member when the file
-/// exists and `force` is not set, or when it cannot be written.
+/// endian. Each member locks the library for its own duration.
+/// errors  InputError from every member: the file exists (without `force`) or cannot be written.
 class OutputHdf5 {
  public:
   OutputHdf5(const std::string& path, bool force);
@@ -23,7 +23,7 @@ class OutputHdf5 {
   OutputHdf5(const OutputHdf5&) = delete;
   OutputHdf5& operator=(const OutputHdf5&) = delete;
 
-  /// Where the names of sets and attributes may begin: "bat-1/run-0", with the groups it lies in.
+  /// Creates a group, "bat-1/run-0", and its parents. Names of sets and attributes may begin with it.
   void create_group(const std::string& name);
   void create_set(const std::string& name, std::span<const std::size_t> shape, Stored type = Stored::float64);
   /// Elements first … first + values.size() − 1 along the last dimension, at index `at` of the others.
@@ -35,9 +35,9 @@ class OutputHdf5 {
   /// set.
   void set_numbers(const std::string& set, const std::string& name, std::span<const double> values, bool array);
   void set_text(const std::string& set, const std::string& name, const std::string& text);
-  /// Ends with the sets and groups made so far: what is open costs memory.
+  /// Closes the sets and groups made so far: open objects cost memory.
   void close_sets();
-  /// Puts the file in its place. Once, last.
+  /// Moves the file to its place. Call it once, last.
   void commit();
 
  private:

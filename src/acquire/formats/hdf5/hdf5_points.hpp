@@ -7,9 +7,9 @@
 
 namespace percuss::acquire::hdf5 {
 
-// The caller holds a Lock around all of this. errors  InputError: shapes and values that cannot be.
+// The caller holds a Lock. errors  InputError: impossible shapes and values.
 
-/// A data set of one whole number per row; zeros when it is absent.
+/// One whole number per row; zeros when the set is absent.
 std::vector<int> numbers_per_row(const InputHdf5& file, const std::string& name, std::size_t rows);
 
 /// Coordinates of the points, [points][2 or 3], NaN for points without; nothing when absent.

@@ -11,6 +11,7 @@
 #include <optional>
 #include <utility>
 
+#include "acquire/channels/named_channels.hpp"
 #include "acquire/channels/signal_overrides.hpp"
 #include "acquire/formats/hdf5/hdf5_layout.hpp"
 #include "acquire/formats/hdf5/hdf5_points.hpp"
@@ -29,7 +30,7 @@ constexpr std::size_t kMaxChannels = 100'000;
 constexpr std::size_t kNamesShown = 12, kNameBytesShown = 40;
 constexpr std::array kKnownNames{"force", "accel", "point", "run", "geometry", "trace_lines"};
 
-/// What the read functions of a record share.
+/// The data shared by the read functions of a record.
 struct OpenRecord {
   InputHdf5 file;
   std::optional<InputDataSet> force;
@@ -53,7 +54,7 @@ InputDataSet open_required(const InputHdf5& file, const std::string& name) {
 }
 
 double read_rate_Hz(const OpenRecord& open, const ReadOptions& options) {
-  if (options.fs_Hz) return checked_rate_Hz(*options.fs_Hz, "--fs");
+  if (options.fs_Hz) return checked_rate_Hz(*options.fs_Hz, "the rate stated");
   const InputHdf5& file = open.file;
   std::vector<std::pair<hdf5::Id, std::string>> places{{file.id(), file.path() + ": attribute fs"},
                                                        {open.accel.id(), file.where("accel attribute fs")}};
@@ -64,15 +65,17 @@ double read_rate_Hz(const OpenRecord& open, const ReadOptions& options) {
     if (!values) continue;
     const double fs_Hz = checked_rate_Hz(values->front(), where);
     if (found_Hz && *found_Hz != fs_Hz) {
-      throw InputError(fmt::format("two sampling rates: {} and {} Hz", *found_Hz, fs_Hz), where, "give --fs in Hz");
+      throw InputError(fmt::format("two sampling rates: {} and {} Hz", *found_Hz, fs_Hz), where, "state the right one",
+                       {"fs"});
     }
     found_Hz = fs_Hz;
   }
   if (found_Hz) return *found_Hz;
-  throw InputError("no sampling rate: attribute fs is missing", file.path(), "store it in Hz, or give --fs");
+  throw InputError("no sampling rate: attribute fs is missing", file.path(), "store it, or state the rate, in Hz",
+                   {"fs"});
 }
 
-/// An attribute of /accel with one number per channel; NaN there means not known.
+/// An attribute of /accel with one number per channel; NaN: not known.
 std::vector<std::optional<double>> per_channel(const OpenRecord& open, const std::string& name) {
   std::vector<std::optional<double>> out(open.layout.channels);
   const std::string where = open.file.where("accel");
@@ -97,19 +100,19 @@ void describe_signals(OpenRecord& open, const ReadOptions& options, Record& reco
   if (open.force) {
     record.force.name = "force";
     record.force.unit = hdf5::text_attribute(open.force->id(), "unit_str", file.where("force")).value_or("");
-    apply_force_overrides(record.force, force_overrides(options, hdf5::force_setup(options)), file.where("force"),
+    apply_force_overrides(record.force, force_overrides(options, force_setup(options)), file.where("force"),
                           record.notes);
     open.force_to_N = record.force.to_SI;
   }
 
   const std::string unit = hdf5::text_attribute(open.accel.id(), "unit_str", file.where("accel")).value_or("");
   const auto angle_deg = per_channel(open, "angle_deg"), position_m = per_channel(open, "position_m");
-  open.channels = hdf5::chosen_channels(options, open.layout.channels, file.path());
+  open.channels = chosen_channels(options, open.layout.channels, file.path());
   for (std::size_t i = 0; i < open.channels.size(); ++i) {
     const std::size_t c = open.channels[i];
-    SignalInfo signal{.name = hdf5::channel_name(c), .unit = unit, .position_m = position_m[c]};
+    SignalInfo signal{.name = channel_name(c), .unit = unit, .position_m = position_m[c]};
     if (angle_deg[c]) signal.angle_rad = *angle_deg[c] * kDegree_rad;
-    const ChannelSetup* const setup = hdf5::accel_setup(options, c, open.layout.channels);
+    const ChannelSetup* const setup = accel_setup(options, c, open.layout.channels);
     apply_overrides(signal, accel_overrides(options, setup, i, open.channels.size()), Quantity::acceleration,
                     file.where("accel") + ", " + signal.name);
     open.to_mps2.push_back(signal.to_SI);
@@ -137,7 +140,7 @@ void note_unused(const InputHdf5& file, Record& record) {
   if (!unused.empty()) record.notes.push_back("not used: " + list(unused));
 }
 
-/// Scales in place. InputError names the first sample that is not finite, as h5py would index it.
+/// Scales in place. errors  InputError: names the first sample that is not finite, with its index in h5py.
 void to_SI(std::span<double> samples, double factor, const std::string& where, std::span<const std::size_t> at,
            std::size_t first) {
   for (double& sample : samples) {
@@ -175,7 +178,7 @@ void read_accel(const OpenRecord& open, std::size_t row, std::size_t channel, st
   to_SI(out_mps2, open.to_mps2[channel], open.file.where("accel"), index, first);
 }
 
-// Nothing where any signal does not lie plainly in the file.
+// Nothing when a signal is not contiguous in the file.
 std::vector<ContiguousSignal> contiguous_signals(const OpenRecord& open) {
   const auto accel = open.accel.contiguous();
   const auto force = open.force ? open.force->contiguous() : accel;
@@ -220,7 +223,7 @@ Record open_hdf5(const std::string& path, const ReadOptions& options) {
   record.trace_lines = hdf5::read_trace_lines(opened->file, record.geometry.size());
   note_unused(opened->file, record);
   record.contiguous = contiguous_signals(*opened);
-  // Closing is a use of the library as well.
+  // Closing uses the library as well.
   const std::shared_ptr<const OpenRecord> open(opened.release(), [](const OpenRecord* last) {
     const hdf5::Lock closing;
     delete last;

@@ -12,7 +12,7 @@
 namespace percuss::acquire {
 namespace {
 
-constexpr std::size_t kBlockSamples = std::size_t{1} << 17;  // 1 MiB at a time, however long the record
+constexpr std::size_t kBlockSamples = std::size_t{1} << 17;  // 1 MiB at a time
 
 void check_writable(const std::string& path, const Record& record) {
   if (record.rows.empty()) throw InputError("no hits to write", path, "keep at least one");

@@ -5,12 +5,12 @@
 
 namespace percuss::acquire {
 
-/// Writes a record in percuss's own HDF5 layout (docs/reference/formats.md), such that open_hdf5 gives the same record. Memory
-/// does not grow with the record; equal input gives equal bytes; an interrupted writer leaves the old file or none.
+/// Writes a record in percuss's own HDF5 layout (docs/reference/formats.md), from which open_hdf5 gives the same
+/// record. Memory does not grow with the record. Equal input gives equal bytes. An interrupted writer leaves the old
+/// file or none.
 /// shapes  every row must have the same number of samples (the layout's arrays are rectangular).
 /// units   float64 in N and m/s², whatever the record was read from.
-/// errors  InputError when the file exists and `force` is not set, when it cannot be written, when rows differ in
-/// length.
+/// errors  InputError: the file exists (without `force`) or cannot be written; rows differ in length.
 void write_hdf5(const std::string& path, const Record& record, bool force);
 
 }  // namespace percuss::acquire

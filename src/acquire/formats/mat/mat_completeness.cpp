@@ -17,7 +17,7 @@ constexpr std::uint64_t kHeader5_bytes = 128, kVersion5_at = 124;
 constexpr std::uint32_t kMatrix5 = 14, kCompressed5 = 15;
 constexpr std::uint32_t kOtherOrder = 0x494DU;  // the letters IM, read the other way round
 constexpr std::size_t kTag5 = 2, kTag4 = 5;
-constexpr std::size_t kMaxVariables4 = 100'000;  // more are refused elsewhere
+constexpr std::size_t kMaxVariables4 = 100'000;  // the reader refuses more
 // By the tens of a level 4 type: double, single, int32, int16, uint16, uint8.
 constexpr std::array<std::uint64_t, 6> kBytes4{8, 4, 4, 2, 2, 1};
 
@@ -36,7 +36,7 @@ class Walk {
     const bool swapped = words<1>(kVersion5_at, false)[0] >> 16U == kOtherOrder;
     for (std::uint64_t at = kHeader5_bytes; holds_tag(at, kTag5);) {
       const auto [type, bytes] = words<kTag5>(at, swapped);
-      if (type != kMatrix5 && type != kCompressed5) return;  // the library's affair
+      if (type != kMatrix5 && type != kCompressed5) return;  // left to the library
       at = next(at, sizeof(std::uint32_t) * kTag5 + std::uint64_t{bytes});
     }
   }
@@ -49,7 +49,7 @@ class Walk {
       if (tag[0] >= 0x1000000U || tag[4] >= 0x1000000U) tag = words<kTag4>(at, true);
       const std::uint64_t kind = tag[0] % 100 / 10, parts = tag[3] == 1 ? 2 : 1;
       const std::uint64_t count = std::uint64_t{tag[1]} * tag[2];
-      if (kind >= kBytes4.size()) return;  // the library's affair
+      if (kind >= kBytes4.size()) return;  // left to the library
       if (count > size_) cut();
       at = next(at, sizeof(std::uint32_t) * kTag4 + tag[4] + count * parts * kBytes4.at(kind));
     }
@@ -57,7 +57,7 @@ class Walk {
 
  private:
   [[noreturn]] void cut() const { throw InputError("the file ends within a variable", path_, "copy or save it again"); }
-  // A few bytes behind the last variable are none.
+  // A few bytes behind the last variable are not another one.
   bool holds_tag(std::uint64_t at, std::size_t words) const { return at + words * sizeof(std::uint32_t) <= size_; }
   std::uint64_t next(std::uint64_t at, std::uint64_t bytes) const {
     if (bytes > size_ - at) cut();

@@ -69,7 +69,7 @@ class Flattener {
  public:
   Flattener(MatFile& out, std::uint64_t limit_bytes) : out_(out), left_bytes_(limit_bytes) {}
 
-  // Before any number is read: what the headers claim.
+  // Checks the headers' claims before any number is read.
   void claim(const matvar_t* variable, std::size_t depth = 0) {
     if (variable == nullptr || variable->dims == nullptr) return;
     if (depth > kMaxDepth) refuse("structures within structures more than 8 deep");
@@ -161,7 +161,7 @@ class Flattener {
     const std::size_t each = wide ? 2 : 1;
     if (variable->data != nullptr && variable->nbytes >= count * each) {
       const auto* const bytes = static_cast<const char*>(variable->data);
-      for (std::uint64_t i = 0; i < count; ++i) out.text += bytes[i * each];  // ASCII is all that units need
+      for (std::uint64_t i = 0; i < count; ++i) out.text += bytes[i * each];  // units need ASCII only
     }
     out_.variables.push_back(std::move(out));
   }
@@ -179,7 +179,7 @@ class Flattener {
     }
   }
 
-  // The same thing of several elements: one matrix where they are vectors of one length.
+  // The same field of several elements: one matrix where they are vectors of equal length.
   void add_elements(const std::string& name, const std::vector<const matvar_t*>& elements_of, char open, char close) {
     if (elements_of.size() == 1) return add(name, elements_of.front());
     if (elements_of.size() > kMaxElements) refuse("more than 4096 elements in " + one_line(name, kNameShown));
@@ -215,11 +215,11 @@ class Flattener {
 std::string shape_name(const std::vector<std::size_t>& shape) { return fmt::format("{}", fmt::join(shape, "x")); }
 
 MatFile read_mat_file(const std::string& path) {
-  first_bytes(path, 1);  // refuses what is no regular file
+  first_bytes(path, 1);  // refuses anything but a regular file
   MatFile out{.path = path};
   struct stat status {};
   if (::stat(path.c_str(), &status) == 0) out.bytes = static_cast<std::uint64_t>(status.st_size);
-  const hdf5::Lock lock;  // of all that matio keeps as well: level 7.3 is HDF5
+  const hdf5::Lock lock;  // also for matio's own state: level 7.3 is HDF5
   Mat_LogInitFunc("percuss", ignore_log);
   const std::unique_ptr<mat_t, CloseMat> file(Mat_Open(path.c_str(), MAT_ACC_RDONLY));
   if (!file) throw InputError("the MAT file cannot be read", path, "is it damaged? Save it again");

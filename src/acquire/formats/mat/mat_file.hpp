@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/error.hpp"
+
 namespace percuss::acquire {
 
 /// A variable of a MAT file, or a field of a structure in it ("test.force").
@@ -24,16 +26,16 @@ struct MatFile {
   std::string path;
   std::uint64_t bytes = 0;
   std::vector<MatVariable> variables;
-  std::vector<std::string> notes;  // what could not be read, one line each
+  std::vector<Message> notes;  // parts that could not be read
 };
 
-/// Whether a file that begins so is a MAT file of version 4, 5 or 7.3.
+/// Whether these first bytes are the start of a MAT file of version 4, 5 or 7.3.
 bool is_mat(std::string_view head);
 
-/// All variables of numbers and texts, fields of structures and cells as variables of their own. Of a structure array
-/// (or cell array) fields that are vectors of one length become a matrix [elements, length]. Sparse arrays, functions
-/// and objects are named in the notes.
-/// errors  InputError: damaged, or more numbers than such a file can hold (64 times its size and 64 MiB).
+/// Reads all variables of numbers and texts; fields of structures and cells become variables. In a structure array or
+/// cell array, fields that are vectors of equal length become a matrix [elements, length]. The notes name sparse
+/// arrays, functions and objects.
+/// errors  InputError: damaged, or more numbers than the file can hold (64 times its size plus 64 MiB).
 MatFile read_mat_file(const std::string& path);
 
 /// The variable of this name (letter case aside), else nullptr.

@@ -50,7 +50,7 @@ std::vector<MatSignal> accel_layout(const MatVariable& variable, const MatLayout
   const auto disagree = [&] {
     refuse_shape(variable, file, fmt::format("the force has {} hits of {} samples", force.rows, force.samples));
   };
-  // Where two dimensions are as long, time is the one that it is in the force.
+  // Where two dimensions are equally long, time is the same dimension as in the force.
   auto time = force.time_last ? std::find_if(axes.rbegin(), axes.rend(), is_time).base()
                               : std::find_if(axes.begin(), axes.end(), is_time);
   if (force.time_last && time != axes.begin()) --time;

@@ -6,7 +6,7 @@
 
 namespace percuss::acquire {
 
-/// Where a signal's samples lie in a variable's numbers: number offset + row · row_stride + i · sample_stride.
+/// The place of a signal's samples in a variable's numbers: number offset + row · row_stride + i · sample_stride.
 struct MatSignal {
   std::size_t offset = 0, row_stride = 0, sample_stride = 1;
 };
@@ -17,10 +17,12 @@ struct MatLayout {
   MatSignal signal;
 };
 
-/// A force: a vector, or a matrix whose longer side is time. InputError for other shapes, and for a square.
+/// The layout of a force: a vector, or a matrix whose longer side is time.
+/// errors  InputError: another shape, or a square.
 MatLayout force_layout(const MatVariable& variable, const std::string& file);
 
-/// The channels of an acceleration that was sampled with a force of that layout. InputError when the sizes disagree.
+/// The channels of an acceleration sampled with a force of layout `force`.
+/// errors  InputError: the sizes disagree.
 std::vector<MatSignal> accel_layout(const MatVariable& variable, const MatLayout& force, const std::string& file);
 
 }  // namespace percuss::acquire

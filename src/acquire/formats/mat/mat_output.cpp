@@ -12,10 +12,10 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "numbers are written as they lie in memory");
 
-// Types of elements and classes of arrays, as the format numbers them.
+// Types of elements and classes of arrays, by the numbers of the format.
 constexpr std::uint32_t kInt8 = 1, kUint16 = 4, kInt32 = 5, kUint32 = 6, kDouble = 9, kMatrix = 14;
 constexpr unsigned kCharClass = 4, kDoubleClass = 6, kComplexFlag = 0x800;
-constexpr std::uint64_t kLongest_bytes = std::uint64_t{1} << 31U;
+constexpr std::uint64_t kMaxBytes = std::uint64_t{1} << 31U;
 constexpr std::size_t kTag_bytes = 8;
 
 std::size_t padded(std::size_t bytes) { return (bytes + 7) / 8 * 8; }
@@ -37,7 +37,7 @@ void pad(std::string& text) { text.append(padded(text.size()) - text.size(), '\0
 MatOutput::MatOutput(const std::string& path, bool force) : path_(path), file_(path, force) {
   std::string head = "MATLAB 5.0 MAT-file, written by percuss";
   head.resize(116, ' ');
-  head.append(8, '\0');  // no subsystem data
+  head.append(8, '\0');  // subsystem data: none
   head += std::string("\x00\x01IM", 4);
   file_.write(head);
 }
@@ -55,7 +55,7 @@ void MatOutput::header(std::string_view name, std::span<const std::size_t> shape
   body += name;
   pad(body);
   const std::uint64_t bytes = body.size() + (complex ? 2U : 1U) * (kTag_bytes + padded(data_bytes));
-  if (bytes >= kLongest_bytes) {
+  if (bytes >= kMaxBytes) {
     throw InputError("variable " + std::string(name) + " does not fit a MAT file of level 5 (2 GiB)", path_,
                      "write HDF5, or fewer hits to a file");
   }

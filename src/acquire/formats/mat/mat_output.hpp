@@ -9,7 +9,7 @@
 namespace percuss::acquire {
 
 /// A MAT file of level 5 that appears whole under its name, or not at all. Equal calls give equal bytes: the text of
-/// the header is fixed, nothing is compressed. A variable is begun with its shape and then filled in MATLAB's order.
+/// the header is fixed, nothing is compressed. begin() states a variable's shape; append() fills it in MATLAB's order.
 ///   MatOutput out("x.mat", force);
 ///   out.begin("force", std::array<std::size_t, 2>{2, 3});
 ///   out.append(six_numbers);
@@ -33,7 +33,7 @@ class MatOutput {
 
   std::string path_;
   AtomicFile file_;
-  std::size_t part_ = 0, left_ = 0;  // numbers of a part, and to come in this one
+  std::size_t part_ = 0, left_ = 0;  // numbers of a part, and still missing in the current part
   bool imaginary_to_come_ = false;
 };
 

@@ -18,7 +18,7 @@ namespace {
 constexpr double kSingleEpsilon = static_cast<double>(std::numeric_limits<float>::epsilon());
 constexpr double kSameRates = 1e-6;  // relative: single precision
 
-// Lower case without underscores, so that Sample_Rate and SampleRate are one.
+// Lower case without underscores: Sample_Rate and SampleRate are equal.
 std::string bare_name(std::string_view name) {
   std::string out = lower_case(name);
   std::erase(out, '_');
@@ -36,13 +36,14 @@ double rate_of_times_Hz(const MatFile& file, const MatVariable& variable) {
   const std::string where = file.path + ": " + variable.name;
   double largest = 0;
   for (const double t_s : variable.real) largest = std::max(largest, std::abs(t_s));
-  // Times may have gone through single precision.
+  // Times may have been stored in single precision.
   const double resolution_s = 2 * largest * kSingleEpsilon;
   StampProblem problem;
   const std::vector<TimeStamps> rows{{.time_s = variable.real, .resolution_s = resolution_s}};
   const auto rate = rate_of_time_stamps(rows, problem);
   if (rate) return rate->fs_Hz;
-  throw InputError(problem.text, fmt::format("{}, number {}", where, problem.at + 1), "give --fs in Hz");
+  throw InputError(problem.text, fmt::format("{}, number {}", where, problem.at + 1), "state the sampling rate",
+                   {"fs"});
 }
 
 }  // namespace
@@ -74,13 +75,13 @@ std::string mat_text(const MatFile& file, std::string_view name) {
 }
 
 std::optional<double> mat_rate_Hz(const MatFile& file, const ReadOptions& options) {
-  if (options.fs_Hz) return checked_rate_Hz(*options.fs_Hz, "--fs");
+  if (options.fs_Hz) return checked_rate_Hz(*options.fs_Hz, "the rate stated");
   if (!options.fs_variable.empty()) {
     const MatVariable* const named = find_variable(file, options.fs_variable);
     const std::string where = file.path + ": " + options.fs_variable;
-    if (named == nullptr) throw InputError("no such variable", where, "name another, or give --fs in Hz");
+    if (named == nullptr) throw InputError("no such variable", where, "name another, or state the rate in Hz", {"fs"});
     if (named->is_text || named->is_complex() || named->size() == 0)
-      throw InputError("not a number", where, "give --fs in Hz");
+      throw InputError("not a number", where, "name another, or state the rate in Hz", {"fs"});
     return checked_rate_Hz(named->size() > 1 ? rate_of_times_Hz(file, *named) : named->real.front(), where);
   }
   std::optional<double> found_Hz = mat_number(file, {"fs", "fshz", "samplerate", "samplingrate", "samplefrequency",
@@ -90,7 +91,7 @@ std::optional<double> mat_rate_Hz(const MatFile& file, const ReadOptions& option
   if (found_Hz) checked_rate_Hz(*found_Hz, file.path);
   if (found_Hz && dt_s && !(std::abs(*found_Hz * *dt_s - 1) <= kSameRates)) {
     throw InputError(fmt::format("a rate of {} Hz, and {} s between samples", *found_Hz, *dt_s), file.path,
-                     "give --fs in Hz");
+                     "state the right one", {"fs"});
   }
   if (found_Hz) return found_Hz;
   for (const MatVariable& variable : file.variables) {

@@ -7,15 +7,16 @@
 
 namespace percuss::acquire {
 
-/// What follows the last dot of a variable's name: "force" of "test.force".
+/// The part of a variable's name after its last dot: "force" of "test.force".
 std::string_view field_name(std::string_view name);
 
 /// Whether the variable is a vector: all but one dimension are 1, and it holds two numbers or more.
 bool is_mat_vector(const MatVariable& variable);
 
-/// The sampling rate in Hz as the options say it, a number of the file named fs, sample_rate, dt and the like, or a
-/// time vector; nothing when there is none. errors  InputError: the variable that --fs names is no number, rates that
-/// disagree, a time vector that is uneven.
+/// The sampling rate: by the options, else a number named fs, sample_rate, dt and the like, else a time vector. Nothing
+/// when there is none.
+/// errors  InputError: the variable that options.fs_variable names is not a number, rates disagree, a time vector is
+/// uneven.
 std::optional<double> mat_rate_Hz(const MatFile& file, const ReadOptions& options);
 
 /// The number in a variable of one number whose name is among `names` (letter case and underscores aside, also as the

@@ -18,7 +18,7 @@
 namespace percuss::acquire {
 namespace {
 
-// Names of percuss's own layout that are no signals.
+// Names of percuss's own layout that are not signals.
 bool is_description(const std::string& name) {
   static const std::vector<std::string> kNames{"point",     "run",        "geometry",   "trace_lines",
                                                "angle_deg", "position_m", "continuous", "fs"};
@@ -31,13 +31,13 @@ bool may_be_signal(const MatVariable& variable) {
 
 std::string unit_in(const MatFile& file, const std::string& name) {
   for (const char* ending : {"_unit", "_units", "_unit_str"}) {
-    const MatVariable* const said = find_variable(file, name + ending);
-    if (said != nullptr && said->is_text) return said->text;
+    const MatVariable* const stated = find_variable(file, name + ending);
+    if (stated != nullptr && stated->is_text) return stated->text;
   }
   return {};
 }
 
-// Every variable as a signal, to choose among; channels come later.
+// Each variable as a signal to choose from; channels come later.
 SignalTable variables_of(const MatFile& file, std::vector<std::size_t>& index) {
   SignalTable table;
   table.files.push_back({.path = file.path, .bytes = file.bytes});
@@ -71,10 +71,10 @@ void add_named_columns(MatFile& file, const ReadOptions& options) {
   }
 }
 
-// Of what the options name, the variables; the rest are channels within them.
+// Keeps the options' names of variables; other names are channels within them.
 ReadOptions naming_variables(const MatFile& file, const ReadOptions& options) {
   ReadOptions out = options;
-  out.force_optional = false;  // the force's array says what the dimensions of the others mean
+  out.force_optional = false;  // the force's array defines the dimensions of the others
   std::erase_if(out.accel_channels, [&](const auto& name) { return find_variable(file, name) == nullptr; });
   return out;
 }
@@ -126,7 +126,7 @@ std::vector<TraceLine> trace_lines_in(const MatFile& file, std::size_t points) {
   return trace_lines_of(numbers, points, file.path + ": trace_lines");
 }
 
-// Drawings are no reason to refuse what was measured: the name may mean something else in another's file.
+// An unreadable drawing must not refuse a measurement: the name may mean something else in another program's file.
 void take_trace_lines(const MatFile& file, SignalTable& table) {
   try {
     table.trace_lines = trace_lines_in(file, table.geometry.size());
@@ -135,7 +135,7 @@ void take_trace_lines(const MatFile& file, SignalTable& table) {
   }
 }
 
-// The force is signal 0, then every channel of every acceleration.
+// Signal 0 is the force; the channels of each acceleration follow.
 void lay_out(OpenMat& open, const SignalRoles& roles, const std::vector<std::size_t>& index, SignalTable& table) {
   const MatVariable& force = open.file.variables[index[roles.force]];
   const MatLayout layout = force_layout(force, open.file.path);
@@ -169,7 +169,7 @@ void lay_out(OpenMat& open, const SignalRoles& roles, const std::vector<std::siz
   table.continuous = mat_number(open.file, {"continuous"}).value_or(layout.rows == 1 ? 1 : 0) != 0;
 }
 
-// The channels asked for by number or as "accel 2", among the signals laid out.
+// The channels requested by number or as "accel 2".
 SignalRoles chosen_roles(const SignalTable& table, const MatFile& file, const ReadOptions& options) {
   SignalRoles roles;
   const bool variables_only = std::all_of(options.accel_channels.begin(), options.accel_channels.end(),
@@ -213,7 +213,8 @@ Record open_mat(MatFile file, const ReadOptions& options) {
     throw InputError("no arrays of numbers", open->file.path, "save force and accelerations as arrays");
   const SignalRoles variables = find_roles(table, naming_variables(open->file, options));
   if (!rate_Hz)
-    throw InputError("no sampling rate among the variables", open->file.path, "give --fs in Hz, or its variable");
+    throw InputError("no sampling rate among the variables", open->file.path, "state it in Hz, or name its variable",
+                     {"fs"});
   lay_out(*open, variables, index, table);
   table.geometry = geometry_in(open->file);
   take_trace_lines(open->file, table);

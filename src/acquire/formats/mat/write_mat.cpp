@@ -10,7 +10,7 @@
 namespace percuss::acquire {
 namespace {
 
-constexpr std::size_t kNumbersAtOnce = std::size_t{1} << 19U;  // 4 MiB of samples, turned so that hits run fastest
+constexpr std::size_t kNumbersAtOnce = std::size_t{1} << 19U;  // 4 MiB of samples, transposed so that hits run fastest
 
 void check_rows(const std::string& path, const Record& record) {
   if (record.rows.empty() || record.accel.empty())
@@ -21,7 +21,7 @@ void check_rows(const std::string& path, const Record& record) {
   }
 }
 
-// Columns of a matrix [lanes, samples]: lane l's samples first … are got by read(l, first, out).
+// Appends the columns of a matrix [lanes, samples]; read(l, first, out) reads samples of lane l.
 template <class Read>
 void write_interleaved(MatOutput& out, std::size_t series_count, std::size_t samples, Read&& read) {
   const std::size_t at_once = std::max<std::size_t>(1, std::min(samples, kNumbersAtOnce / series_count));
@@ -81,7 +81,7 @@ void write_mat(const std::string& path, const Record& record, bool force) {
     record.read_force_N(row, first, part);
   });
   out.text("force_unit", "N");
-  // A trailing dimension of 1 would be dropped: there is none, time is last.
+  // Time is last: MATLAB would drop a trailing dimension of 1.
   out.begin("accel", std::array{rows, channels, samples});
   write_interleaved(out, rows * channels, samples, [&](std::size_t series, std::size_t first, std::span<double> part) {
     record.read_accel_mps2(series % rows, series / rows, first, part);

@@ -26,16 +26,16 @@ void describe_uncalibrated(const SoundInput& sound, const ReadOptions& options, 
   table.continuous = true;
   for (std::size_t c = 0; c < sound.channels(); ++c) {
     table.signals.push_back({.name = fmt::format("channel {}", c + 1)});
-    // Once the hammer is named, what else was recorded are its sensors.
+    // When the user names the force, the other channels are accelerations.
     if (!options.force_channel.empty()) table.signals.back().measures = Quantity::acceleration;
   }
   if (!apply_full_scale(options)) {
-    table.notes.emplace_back(
-        "stored numbers are parts of full scale: give N and m/s^2 at full scale with --force-scale and --accel-scale");
+    table.notes.emplace_back("stored numbers are parts of full scale: give N and m/s^2 at full scale",
+                             std::vector<OptionId>{"force_scale", "accel_scale"});
   }
 }
 
-// Rows end to end; a file that ends early keeps what is there.
+// Rows end to end; a truncated file keeps the samples that it has.
 void take_rows(const SoundCalibration& calibration, std::size_t frames, SignalTable& table) {
   std::size_t left = frames;
   for (RowInfo row : calibration.rows) {

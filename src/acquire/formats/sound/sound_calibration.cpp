@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kLargestScale = 1e15;
+constexpr double kMaxScale = 1e15;
 
 void read_calibrated(StrictObject& o, SoundCalibration::Signal& signal) {
   std::string measures = "acceleration";
@@ -25,7 +25,7 @@ void read_calibrated(StrictObject& o, SoundCalibration::Signal& signal) {
     o.fail(R"(neither "force" nor "acceleration")", "measures", "write one of them");
   }
   o.need("si_at_full_scale");
-  o.read_within("si_at_full_scale", -kLargestScale, kLargestScale, signal.to_SI);
+  o.read_within("si_at_full_scale", -kMaxScale, kMaxScale, signal.to_SI);
   o.read("angle_rad", signal.angle_rad);
   o.read("position_m", signal.position_m);
 }
@@ -38,7 +38,7 @@ void read_whole(StrictObject& o, const char* key, int& to) {
   to = static_cast<int>(value);
 }
 
-// Points without a place are rows of their own: memory follows what is there.
+// Points without a place are rows as well: the limit keeps memory in proportion to the file.
 std::size_t most_rows(std::size_t known) { return 4 * known + 1000; }
 
 void read_geometry(StrictObject& o, SoundCalibration& out) {

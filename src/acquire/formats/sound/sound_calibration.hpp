@@ -11,7 +11,7 @@ namespace percuss::acquire {
 
 inline constexpr std::string_view kCalibrationChunk = "CAL1";
 
-/// What the chunk CAL1 of a sound file says, which the format itself has no place for (docs/reference/formats.md).
+/// The content of a sound file's chunk CAL1, for which the format has no place (docs/reference/formats.md).
 struct SoundCalibration {
   struct Signal {
     std::string name;
@@ -23,16 +23,16 @@ struct SoundCalibration {
   std::vector<Signal> signals;  // [channels]
   std::vector<RowInfo> rows;    // end to end
   bool continuous = false;
-  std::vector<std::vector<double>> geometry;  // rows of NaN for points without
+  std::vector<std::vector<double>> geometry;  // rows of NaN where not known
   std::vector<TraceLine> trace_lines;
 };
 
-/// Whether the points are numbered densely enough for it; else geometry and lines are left out.
+/// Whether the points are numbered densely enough. Otherwise geometry and lines are not written.
 bool calibration_holds_geometry(const std::vector<std::vector<double>>& geometry);
 
 /// JSON text. Equal calibrations give equal texts, every number is kept exactly.
 std::string calibration_text(const SoundCalibration& calibration);
-/// errors  InputError at `where`: not such a text.
+/// errors  InputError at `where`: invalid text.
 SoundCalibration parse_calibration(std::string_view text, const std::string& where);
 
 }  // namespace percuss::acquire

@@ -15,10 +15,10 @@ namespace percuss::acquire {
 namespace {
 
 constexpr std::string_view kW64 = "riff\x2E\x91\xCF\x11";
-constexpr std::size_t kLongestChunk_bytes = std::size_t{16} << 20U;
+constexpr std::size_t kMaxChunk_bytes = std::size_t{16} << 20U;
 constexpr std::size_t kFramesAtOnce = 16384;
 
-// Bytes of a sample, as stored; 0 for what is compressed.
+// Bytes of a stored sample; 0 for compressed formats.
 std::size_t sample_bytes(int format) {
   switch (format & SF_FORMAT_SUBMASK) {
     case SF_FORMAT_PCM_U8:
@@ -57,7 +57,7 @@ struct SoundInput::Impl {
   std::string path;
   SF_INFO info{};
   SNDFILE* file = nullptr;
-  mutable std::mutex mutex;  // the library has one place in the file
+  mutable std::mutex mutex;  // the library has one position in the file
 
   [[noreturn]] void fail(const std::string& problem) const { throw InputError(problem, path, "export the file again"); }
 };
@@ -65,7 +65,7 @@ struct SoundInput::Impl {
 SoundInput::SoundInput(const std::string& path) : impl_(std::make_unique<Impl>()) {
   Impl& i = *impl_;
   i.path = path;
-  // The library guesses formats from less than their names: only these may come as far.
+  // The library guesses formats from little evidence: it only sees files of these formats.
   if (!is_sound(first_bytes(path, 64))) i.fail("not a WAV, RF64 or W64 file");
   i.file = sf_open(path.c_str(), SFM_READ, &i.info);
   if (i.file == nullptr) i.fail(std::string("damaged: ") + sf_strerror(nullptr));
@@ -99,7 +99,7 @@ std::optional<std::string> SoundInput::chunk(std::string_view id) const {
   SF_CHUNK_INFO info = chunk_named(id);
   SF_CHUNK_ITERATOR* const at = sf_get_chunk_iterator(impl_->file, &info);
   if (at == nullptr || sf_get_chunk_size(at, &info) != SF_ERR_NO_ERROR) return std::nullopt;
-  if (info.datalen > kLongestChunk_bytes || info.datalen > std::filesystem::file_size(impl_->path))
+  if (info.datalen > kMaxChunk_bytes || info.datalen > std::filesystem::file_size(impl_->path))
     impl_->fail("a description that is too long");
   std::string text(info.datalen, '\0');
   info.data = text.data();
@@ -126,7 +126,7 @@ struct SoundOutput::Impl {
   std::string path;
   AtomicFile target;
   SNDFILE* file = nullptr;
-  std::string chunk;  // the library reads it when the file is closed
+  std::string chunk;  // read by the library when it closes the file
   std::size_t channels = 1;
 
   [[noreturn]] void fail() const {
@@ -150,10 +150,10 @@ SoundOutput::SoundOutput(const std::string& path, bool force, SoundKind kind, st
   }
   i.file = sf_open(i.target.temporary_path().c_str(), SFM_WRITE, &info);
   if (i.file == nullptr) i.fail();
-  sf_command(i.file, SFC_SET_ADD_PEAK_CHUNK, nullptr, SF_FALSE);  // it holds the time of day; see clear_time_stamp
+  sf_command(i.file, SFC_SET_ADD_PEAK_CHUNK, nullptr, SF_FALSE);  // it contains the time of day; see clear_time_stamp
   if (kind == SoundKind::w64) return;
   if (!cues.empty()) {
-    // As SF_CUES, for any number: a count and the cues.
+    // As SF_CUES, for any number of cues: a count, then the cues.
     std::vector<std::uint32_t> block(1 + cues.size() * sizeof(SF_CUE_POINT) / sizeof(std::uint32_t));
     block[0] = static_cast<std::uint32_t>(cues.size());
     for (std::size_t c = 0; c < cues.size(); ++c) {
@@ -169,10 +169,10 @@ SoundOutput::SoundOutput(const std::string& path, bool force, SoundKind kind, st
   if (!chunk) return;
   i.chunk = chunk->text;
   i.chunk.resize((i.chunk.size() + 3) / 4 * 4, ' ');
-  SF_CHUNK_INFO its = chunk_named(chunk->id);
-  its.data = i.chunk.data();
-  its.datalen = static_cast<unsigned>(i.chunk.size());
-  if (sf_set_chunk(i.file, &its) != SF_ERR_NO_ERROR) i.fail();
+  SF_CHUNK_INFO info = chunk_named(chunk->id);
+  info.data = i.chunk.data();
+  info.datalen = static_cast<unsigned>(i.chunk.size());
+  if (sf_set_chunk(i.file, &info) != SF_ERR_NO_ERROR) i.fail();
 }
 
 SoundOutput::~SoundOutput() { sf_close(impl_->file); }
@@ -184,7 +184,7 @@ void SoundOutput::append(std::span<const double> values) {
 
 namespace {
 
-// The library writes the time of day into the chunk PEAK, which it cannot be told to leave out of RF64.
+// The library writes the time of day into the chunk PEAK and cannot omit this chunk in RF64.
 void clear_time_stamp(const std::string& path) {
   constexpr std::size_t kFirstChunk = 12, kChunkHead = 8, kTime = 4, kLooked = std::size_t{1} << 16U;
   std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);

@@ -13,12 +13,12 @@
 
 namespace percuss::acquire {
 
-/// Whether a file that begins so is a WAV, RF64 or W64 file.
+/// Whether these first bytes are the start of a WAV, RF64 or W64 file.
 bool is_sound(std::string_view head);
 
 /// The samples of a WAV, RF64 or W64 file: uncompressed numbers, channels interleaved. Integers are parts of full
 /// scale, −1 … 1; floating-point numbers are as stored.
-/// errors  InputError: damaged, compressed, more samples than the file has bytes for; from read also.
+/// errors  InputError, also from read: damaged, compressed, more samples than the file's bytes allow.
 class SoundInput {
  public:
   explicit SoundInput(const std::string& path);
@@ -30,9 +30,9 @@ class SoundInput {
   std::size_t frames() const;
   int rate_Hz() const;
   std::string format() const;  // for people: "WAV", "RF64", "W64"
-  /// A chunk of the file's own, by its four letters.
+  /// A custom chunk, by its four letters.
   std::optional<std::string> chunk(std::string_view id) const;
-  /// Samples first … first + out.size() − 1 of a channel. Several threads may call at once.
+  /// Samples first … first + out.size() − 1 of a channel. Several threads may call at the same time.
   void read(std::size_t channel, std::size_t first, std::span<double> out) const;
 
  private:
@@ -43,13 +43,14 @@ class SoundInput {
 enum class SoundKind { wav, rf64, w64 };
 
 /// A sound file of 64-bit floating-point numbers that appears whole under its name, or not at all; equal calls give
-/// equal bytes. errors  InputError: as AtomicFile; a rate or a length that such a file cannot hold.
+/// equal bytes.
+/// errors  InputError: as AtomicFile; a rate or a length beyond the format's limits.
 class SoundOutput {
  public:
   struct Chunk {
     std::string id, text;
   };
-  /// `cues` are frames that are marked, `chunk` goes before the samples; W64 has neither.
+  /// `cues` are marked frames; `chunk` precedes the samples. W64 has neither.
   SoundOutput(const std::string& path, bool force, SoundKind kind, std::size_t channels, int rate_Hz,
               const std::vector<std::uint32_t>& cues, const std::optional<Chunk>& chunk);
   ~SoundOutput();

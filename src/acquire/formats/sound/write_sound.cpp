@@ -13,7 +13,7 @@ namespace percuss::acquire {
 namespace {
 
 constexpr std::size_t kPieceFrames = 16384;
-constexpr double kLongestWav_bytes = 4e9;
+constexpr double kMaxWav_bytes = 4e9;
 
 // Force first, if there is one.
 std::size_t signals_of(const Record& record) { return record.accel.size() + (record.has_force ? 1 : 0); }
@@ -23,7 +23,7 @@ void read_signal(const Record& record, std::size_t row, std::size_t signal, std:
   record.read_accel_mps2(row, signal - (record.has_force ? 1 : 0), first, out);
 }
 
-// work(row, first, count), in pieces.
+// Calls work(row, first, count) block by block.
 template <class Work>
 void in_pieces(const Record& record, Work&& work) {
   for (std::size_t row = 0; row < record.rows.size(); ++row) {
@@ -33,7 +33,7 @@ void in_pieces(const Record& record, Work&& work) {
   }
 }
 
-// The least power of two that no sample exceeds: to divide by it rounds nothing.
+// The smallest power of two that no sample exceeds: division by it does not round.
 std::vector<double> full_scales(const Record& record) {
   std::vector<double> largest(signals_of(record)), part(kPieceFrames);
   in_pieces(record, [&](std::size_t row, std::size_t first, std::size_t count) {
@@ -83,7 +83,7 @@ void write_sound(const std::string& path, const Record& record, bool force) {
     cues.push_back(static_cast<std::uint32_t>(std::min(frames, 4294967295.0)));
     frames += static_cast<double>(row.samples);
   }
-  if (kind == SoundKind::wav && frames * static_cast<double>(signals * sizeof(double)) > kLongestWav_bytes)
+  if (kind == SoundKind::wav && frames * static_cast<double>(signals * sizeof(double)) > kMaxWav_bytes)
     throw InputError("longer than a WAV file can be", path, "name it .rf64");
   const bool calibrated = kind != SoundKind::w64;
   const auto scales = calibrated ? full_scales(record) : std::vector<double>(signals, 1);

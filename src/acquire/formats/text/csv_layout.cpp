@@ -1,6 +1,6 @@
 #include "acquire/formats/text/csv_layout.hpp"
 
-#include "acquire/formats/text/read_csv.hpp"
+#include "acquire/formats/text/text_check.hpp"
 #include "core/error.hpp"
 
 namespace percuss::acquire {

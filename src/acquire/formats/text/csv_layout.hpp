@@ -8,7 +8,7 @@
 
 namespace percuss::acquire {
 
-/// How a text of columns is laid out: found from its header and its last lines, without reading what lies between.
+/// The layout of a text of columns, found from its header and its last lines without reading the lines between.
 struct CsvLayout {
   CsvDialect dialect;
   std::vector<std::size_t> number_columns;

@@ -18,16 +18,16 @@ namespace {
 using Labels = std::array<int, 3>;  // hit, point, run
 
 int whole_number(std::string_view cell, const CsvTable& table, std::size_t line, std::size_t index) {
-  constexpr double kLargest = 1e9;
+  constexpr double kMaxValue = 1e9;
   const auto number = parse_number(cell, table.dialect().decimal_comma);
-  const bool usable = number.problem == NumberProblem::none && std::abs(number.value) <= kLargest &&
+  const bool usable = number.problem == NumberProblem::none && std::abs(number.value) <= kMaxValue &&
                       std::rint(number.value) == number.value;
   if (usable) return static_cast<int>(number.value);
   throw InputError("\"" + one_line(to_utf8(trimmed(cell)), 40) + "\" is not a whole number", table.place(line, index),
                    "number the hits, points and runs from 0");
 }
 
-// Lines where the column's value changes, and the value from there on.
+// A line where the column's value changes, and the new value.
 struct Change {
   std::size_t line;
   int value;
@@ -57,12 +57,13 @@ void end_row(std::vector<CsvRow>& rows, std::size_t line) {
 [[noreturn]] void refuse_stamps(const CsvTable& table, std::size_t index, const std::vector<CsvRow>& rows,
                                 const StampProblem& problem) {
   const std::size_t line = rows[problem.row].first_line + problem.at;
-  throw InputError(problem.text, table.place(line, index), "give --fs in Hz to go by the number of samples alone");
+  throw InputError(problem.text, table.place(line, index),
+                   "state the sampling rate, then only the number of samples counts", {"fs"});
 }
 
 std::optional<StampedRate> stamped_rate(const CsvTable& table, const CsvColumn& time, const std::vector<CsvRow>& rows,
                                         StampProblem& problem, bool& steps_of_one) {
-  // Trailing zeros may have been dropped, so that the most digits among the last stamps tell the rounding.
+  // Trailing zeros may have been dropped: the longest of the last stamps shows the rounding.
   constexpr std::size_t kLast = 64;
   const double to_s = parse_unit(time.unit) ? parse_unit(time.unit)->to_SI : 1;
   std::vector<double> time_s(table.lines());
@@ -72,7 +73,7 @@ std::optional<StampedRate> stamped_rate(const CsvTable& table, const CsvColumn& 
     const auto number = parse_number(cell, table.dialect().decimal_comma);
     if (number.problem != NumberProblem::none) {
       throw InputError("the time is " + std::string(describe(number.problem)), table.place(line, time.index),
-                       "fill the gap or give --fs");
+                       "fill the gap, or state the sampling rate", {"fs"});
     }
     time_s[line] = number.value * to_s;
     while (line >= rows[row].first_line + rows[row].info.samples) ++row;
@@ -90,15 +91,15 @@ std::optional<StampedRate> stamped_rate(const CsvTable& table, const CsvColumn& 
   return rate;
 }
 
-// Header and time column together; the header's number is exact where it lies within what rounded stamps leave open.
+// The rate by header and time column. The header's rate is exact where rounded stamps allow it.
 double agreed_rate_Hz(const CsvHeader& header, const StampedRate& stamped, const CsvColumn& time,
-                      const std::string& file, std::vector<std::string>& notes) {
-  constexpr double kSame = 1e-3;  // a nominal rate in the header and a measured clock may differ by so much
+                      const std::string& file, std::vector<Message>& notes) {
+  constexpr double kSame = 1e-3;  // allowed between a header's nominal rate and a measured clock
   if (header.fs_Hz && *header.fs_Hz >= stamped.lowest_Hz && *header.fs_Hz <= stamped.highest_Hz) return *header.fs_Hz;
   if (header.fs_Hz && !(std::abs(*header.fs_Hz / stamped.fs_Hz - 1) <= kSame)) {
     throw InputError(fmt::format("two sampling rates: {:.6g} Hz by \"{}\" and {:.6g} Hz by the column {}",
                                  *header.fs_Hz, header.fs_line, stamped.fs_Hz, time.name),
-                     file + ": header", "give the right one with --fs");
+                     file + ": header", "state the right one", {"fs"});
   }
   if (header.fs_Hz) {
     notes.push_back(fmt::format("sampling rate {:.10g} Hz by the time column; the header says {:.10g} Hz",
@@ -140,23 +141,23 @@ std::vector<CsvRow> find_csv_rows(const CsvTable& table, const CsvColumns& colum
 }
 
 double find_csv_rate_Hz(const CsvTable& table, const CsvColumns& columns, const std::vector<CsvRow>& rows,
-                        const ReadOptions& options, std::vector<std::string>& notes) {
+                        const ReadOptions& options, std::vector<Message>& notes) {
   const CsvHeader& header = table.header();
   const std::string file = input_name(table.path());
-  if (options.fs_Hz) return checked_rate_Hz(*options.fs_Hz, "--fs");
+  if (options.fs_Hz) return checked_rate_Hz(*options.fs_Hz, "the rate stated");
   const bool guessed = !columns.time && may_be_time(header.columns.front(), columns);
   if (!columns.time && !guessed) {
     if (header.fs_Hz) return checked_rate_Hz(*header.fs_Hz, file + ": " + header.fs_line);
-    throw InputError("no sampling rate: no time column and no line that states it", file, "give --fs in Hz");
+    throw InputError("no sampling rate: no time column and no line that states it", file, "state it in Hz", {"fs"});
   }
   const CsvColumn& time = guessed ? header.columns.front() : *columns.time;
   StampProblem problem;
   bool counts = false;
   const auto stamped = stamped_rate(table, time, rows, problem, counts);
   if (guessed && (!stamped || counts)) {
-    // A first column that is no time after all: a count of samples or a signal.
+    // The first column is not the time: it is a count of samples or a signal.
     if (header.fs_Hz) return checked_rate_Hz(*header.fs_Hz, file + ": " + header.fs_line);
-    throw InputError("no sampling rate: no time column and no line that states it", file, "give --fs in Hz");
+    throw InputError("no sampling rate: no time column and no line that states it", file, "state it in Hz", {"fs"});
   }
   if (!stamped) refuse_stamps(table, time.index, rows, problem);
   if (guessed) notes.push_back(fmt::format("the first column ({}) rises evenly and is taken as time in s", time.name));

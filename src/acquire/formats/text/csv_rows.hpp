@@ -17,13 +17,14 @@ struct CsvRow {
 };
 
 /// Rows by the columns hit, point and run, where there are any: a row ends where one of them changes.
-/// errors  InputError: a cell that is no whole number, a combination that comes back after another, too many rows.
+/// errors  InputError: a cell is not a whole number, a combination returns after another one, more than a million rows.
 std::vector<CsvRow> find_csv_rows(const CsvTable& table, const CsvColumns& columns);
 
-/// The sampling rate: as the user says, else by the time column and the header, which must agree. Adds to `notes` what
-/// was taken for granted. errors  InputError: none is stated, two disagree, uneven or coarse time stamps, a rate that
-/// nobody samples with.
+/// The sampling rate: the user's, else by the time column and the header, which must agree. Adds assumptions to
+/// `notes`.
+/// errors  InputError: no rate is stated, two rates disagree, time stamps are uneven or coarse, the rate is
+/// implausible.
 double find_csv_rate_Hz(const CsvTable& table, const CsvColumns& columns, const std::vector<CsvRow>& rows,
-                        const ReadOptions& options, std::vector<std::string>& notes);
+                        const ReadOptions& options, std::vector<Message>& notes);
 
 }  // namespace percuss::acquire

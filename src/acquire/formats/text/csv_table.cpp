@@ -15,7 +15,7 @@ namespace percuss::acquire {
 namespace {
 
 constexpr std::size_t kBlock_lines = 4096;
-constexpr std::size_t kLongestLine_bytes = std::size_t{1} << 20U;
+constexpr std::size_t kMaxLine_bytes = std::size_t{1} << 20U;
 
 std::size_t count_cells(std::string_view line, const CsvDialect& dialect) {
   if (dialect.delimiter != ' ' && !dialect.quoted) {
@@ -26,14 +26,14 @@ std::size_t count_cells(std::string_view line, const CsvDialect& dialect) {
   return count;
 }
 
-// Cells behind the last one with something in it do not count: spreadsheets pad lines with delimiters.
+// Empty cells at a line's end do not count: spreadsheets pad lines with delimiters.
 std::size_t count_used_cells(std::string_view line, const CsvDialect& dialect) {
   auto cells = split_cells(line, dialect);
   while (!cells.empty() && cells.back().empty()) cells.pop_back();
   return cells.size();
 }
 
-// Most lines start with a digit or sign, which settles that they are data.
+// Fast path: a line that starts with a digit or a minus sign is data.
 bool is_data(std::string_view line, const CsvDialect& dialect) {
   if (line.empty()) return false;
   const char c = line.front();
@@ -48,7 +48,7 @@ std::string_view cell_at(std::string_view line, std::size_t index, const CsvDial
   return cell;
 }
 
-// from_chars at the cell's start, which is right for all numbers but the unusual; those go the long way.
+// Fast path: from_chars at the cell's start. Unusual numbers take the general parser.
 ParsedNumber parse_cell(std::string_view line, std::size_t index, const CsvDialect& dialect) {
   if (!dialect.quoted && !dialect.decimal_comma && dialect.delimiter != ' ') {
     const char* at = line.data();
@@ -71,7 +71,7 @@ CsvTable::CsvTable(FileBytes bytes, CsvDialect dialect, CsvHeader header,
                    const std::vector<std::size_t>& number_columns)
     : bytes_(std::move(bytes)), dialect_(dialect), header_(std::move(header)) {
   assert(!number_columns.empty());
-  // As many cells as the header has, or as the first line of data where text stands beside the numbers.
+  // At most as many cells as the header, or as the first line of data where text stands beside the numbers.
   std::string_view rest = data();
   const std::size_t first = count_used_cells(take_line(rest, dialect_.line_end), dialect_);
   const std::size_t most = std::max({number_columns.back() + 1, header_.width, first});
@@ -89,7 +89,7 @@ void CsvTable::count_lines(std::size_t fewest, std::size_t most) {
     std::size_t cells = count_cells(line, dialect_);
     if (cells > most) cells = count_used_cells(line, dialect_);
     ++lines_;
-    if (line.size() > kLongestLine_bytes) {
+    if (line.size() > kMaxLine_bytes) {
       throw InputError("a line of more than 1 MiB", place(lines_ - 1), "save one line per sample");
     }
     if (cells < fewest || cells > most) {
@@ -153,7 +153,7 @@ void CsvTable::for_each_cell(std::size_t index,
 }
 
 std::string CsvTable::place(std::size_t line, std::optional<std::size_t> index) const {
-  // Lines of the file are counted only now that a message needs it.
+  // Counts the file's lines only when a message needs the number.
   std::string_view rest = data();
   std::size_t file_line = header_.lines;
   for (std::size_t n = 0; !rest.empty();) {

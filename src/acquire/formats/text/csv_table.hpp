@@ -18,11 +18,11 @@
 
 namespace percuss::acquire {
 
-/// The lines of numbers of a text file. Opening counts the lines and their cells; a number is parsed when its column is
-/// read for the first time, in blocks of lines, and kept: columns and stretches that nobody asks for cost nothing.
+/// The lines of numbers of a text file. Opening counts the lines and their cells. Numbers are parsed when their column
+/// is first read, in blocks of lines, and kept: other columns and blocks cost nothing.
 class CsvTable {
  public:
-  /// `header` says where the data starts; every line from there on is data, blank or a comment.
+  /// `header` states where the data starts; each line from there on is data, blank or a comment.
   /// errors  InputError: a line with too few or too many cells, a line too long.
   CsvTable(FileBytes bytes, CsvDialect dialect, CsvHeader header, const std::vector<std::size_t>& number_columns);
   CsvTable(FileBytes bytes, CsvLayout layout)
@@ -34,10 +34,11 @@ class CsvTable {
   const std::string& path() const { return bytes_.path; }
 
   /// Numbers of data lines first … first + out.size() − 1, as stored. `index` as in CsvColumn. Several threads may call
-  /// at once. errors  InputError naming line and column of a cell that is no finite number.
+  /// at the same time.
+  /// errors  InputError: a cell is not a finite number; names line and column.
   void read(std::size_t index, std::size_t first, std::span<double> out) const;
 
-  /// Calls see(n, cell) for every data line n, with the column's cell as written, quotes and blanks on.
+  /// Calls see(n, cell) for every data line n, with the column's cell as written, including quotes and blanks.
   void for_each_cell(std::size_t index, const std::function<void(std::size_t line, std::string_view cell)>& see) const;
 
   /// "x.csv: line 12, column 3 (force_N)".

@@ -18,7 +18,7 @@
 namespace percuss::acquire {
 namespace {
 
-// What the read functions of a record share.
+// The data shared by the read functions of a record.
 struct OpenCsv {
   explicit OpenCsv(const FileBytes& bytes) : table(bytes, layout_of_text(bytes, CsvContent::time_record)) {}
   CsvTable table;
@@ -30,27 +30,29 @@ struct OpenCsv {
 };
 
 SignalInfo describe_force(const CsvColumn& column, const ReadOptions& options, const std::string& file,
-                          std::vector<std::string>& notes) {
+                          std::vector<Message>& notes) {
   SignalInfo signal{.name = column.name, .unit = column.unit};
   const SignalOverrides choice = force_overrides(options, setup_of(column, options));
   const bool assumed = column.unit.empty() && choice.unit.empty() && !choice.scale && !choice.sensitivity_V_per_SI;
   apply_force_overrides(signal, choice, file + ": column " + column.name, notes);
   if (assumed) {
     signal.unit = "N";
-    notes.push_back(fmt::format("the unit of {} is not stated; taken as N (--force-unit says otherwise)", column.name));
+    notes.emplace_back(fmt::format("the unit of {} is not stated; taken as N", column.name),
+                       std::vector<OptionId>{"force_unit"});
   }
   return signal;
 }
 
 SignalInfo describe_accel(const CsvColumn& column, const ReadOptions& options, std::size_t index, std::size_t count,
-                          const std::string& file, std::vector<std::string>& notes) {
+                          const std::string& file, std::vector<Message>& notes) {
   SignalInfo signal{.name = column.name, .unit = column.unit};
   const SignalOverrides choice = accel_overrides(options, setup_of(column, options), index, count);
   const bool assumed = column.unit.empty() && choice.unit.empty() && !choice.scale && !choice.sensitivity_V_per_SI;
   apply_overrides(signal, choice, Quantity::acceleration, file + ": column " + column.name);
   if (assumed) {
     signal.unit = "m/s^2";
-    notes.push_back(fmt::format("the unit of {} is not stated; taken as m/s^2 (--unit says otherwise)", column.name));
+    notes.emplace_back(fmt::format("the unit of {} is not stated; taken as m/s^2", column.name),
+                       std::vector<OptionId>{"unit"});
   }
   return signal;
 }
@@ -95,18 +97,6 @@ void read_scaled(const OpenCsv& open, std::size_t row, std::size_t column, doubl
 }
 
 }  // namespace
-
-void require_text(std::string_view head, const std::string& name) {
-  if (head.empty()) throw InputError("the file is empty", name, "record or export it again");
-  const auto starts = [&](std::string_view bytes) { return head.substr(0, bytes.size()) == bytes; };
-  if (starts("\xFF\xFE") || starts("\xFE\xFF")) throw InputError("this is UTF-16 text", name, "save it as UTF-8");
-  const auto control = std::count_if(head.begin(), head.end(), [](char c) {
-    const auto byte = static_cast<unsigned char>(c);
-    return byte < 0x20 && c != '\n' && c != '\r' && c != '\t' && c != '\f' && c != '\v' && c != 0x1A;
-  });
-  if (control > 0)
-    throw InputError("this is neither text nor a format that percuss knows", name, "save it as CSV or HDF5");
-}
 
 Record open_csv(const FileBytes& bytes, const ReadOptions& options) {
   auto open = std::make_shared<OpenCsv>(bytes);

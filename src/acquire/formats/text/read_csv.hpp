@@ -6,21 +6,11 @@
 
 namespace percuss::acquire {
 
-/// Opens a text file of columns (docs/reference/formats.md) and describes it: layout, channels and rate are known, of the numbers
-/// only the columns time, hit, point and run have been parsed. The text stays in memory while the record or a copy of
-/// it lives. errors  InputError, one line with file, line and column: no columns of numbers, no force or acceleration
-/// among them, no sampling rate, uneven time, fewer than two samples in a row; the read functions throw it for gaps and
-/// for texts that are no finite number.
+/// Opens a text file of columns (docs/reference/formats.md) and describes it. Of the numbers, only the columns time,
+/// hit, point and run have been parsed. The text stays in memory during the lifetime of the record and its copies.
+/// errors  InputError with file, line and column: no columns of numbers, no force or acceleration among them, no
+/// sampling rate, uneven time, fewer than two samples in a row. The read functions throw it for gaps and for texts that
+/// are not finite numbers.
 Record open_csv(const FileBytes& bytes, const ReadOptions& options = {});
-
-/// The whole of a text file, or of standard input for "-". errors  InputError: not readable, too long, no text, or a
-/// kind of file that percuss does not read.
-FileBytes read_text(const std::string& path);
-
-/// The record in bytes that read_text returned: a universal file, a LabVIEW file or text in columns.
-Record open_text(const FileBytes& bytes, const ReadOptions& options = {});
-
-/// Throws InputError unless these first bytes of the file `name` can be those of a text in ASCII, UTF-8 or Latin-1.
-void require_text(std::string_view head, const std::string& name);
 
 }  // namespace percuss::acquire

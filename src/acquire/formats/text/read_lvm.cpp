@@ -26,7 +26,7 @@ constexpr double kSameLvmStep = 1e-6;  // relative
 using LvmCells = std::vector<std::string_view>;
 using Tags = std::map<std::string, std::vector<std::string>>;
 
-// A segment: samples [channel][sample] under names and units.
+// A segment: samples [channel][sample] with names and units.
 struct Segment {
   std::vector<std::string> names, units;
   double step_s = 0;
@@ -70,7 +70,7 @@ class LvmParser {
     return out;
   }
 
-  // The tag Separator names what follows it.
+  // The tag Separator names the character that follows it.
   void find_separator() {
     const auto at = file_.view().find("Separator");
     const bool comma =
@@ -191,7 +191,7 @@ Record open_lvm(const FileBytes& file, const ReadOptions& options) {
   table.continuous = segments->size() == 1;
   if (first.step_s > 0) table.fs_Hz = 1 / first.step_s;
   if (!(first.step_s > 0) && !options.fs_Hz)
-    throw InputError("neither Delta_X nor a column of times", name, "give --fs in Hz");
+    throw InputError("neither Delta_X nor a column of times", name, "state the sampling rate", {"fs"});
   table.read = [segments](std::size_t row, std::size_t signal, std::size_t start, std::span<double> out) {
     std::copy_n((*segments)[row].samples[signal].begin() + static_cast<std::ptrdiff_t>(start), out.size(), out.begin());
   };

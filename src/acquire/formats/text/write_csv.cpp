@@ -10,7 +10,7 @@
 namespace percuss::acquire {
 namespace {
 
-constexpr std::size_t kRowsAtOnce = 8192;  // text of a block is written at once
+constexpr std::size_t kRowsAtOnce = 8192;  // a block's text is written in one call
 
 template <class Number>
 void append(std::string& text, Number number) {
@@ -32,7 +32,7 @@ std::string header(const Record& record) {
   return text + "\n";
 }
 
-/// What ends every line of a row.
+/// The end of each line of a row.
 std::string row_end(const Record& record, const RowInfo& row) {
   std::string text;
   if (varies(record, &RowInfo::point)) text += "," + std::to_string(row.point);

@@ -21,7 +21,7 @@ namespace percuss::acquire {
 namespace {
 
 struct OpenUff {
-  FileBytes file;  // what binary functions point into
+  FileBytes file;  // the memory of binary functions
   UffContents contents;
   std::vector<UffRow> rows;
 };
@@ -34,7 +34,7 @@ std::optional<Quantity> quantity_of_axis(const UffAxis& axis) {
   return std::nullopt;
 }
 
-// Names of a row's functions, told apart where they are the same.
+// Names of a row's functions, made unique.
 std::vector<std::string> names_of_row(const UffRow& row) {
   std::vector<std::string> names;
   std::set<std::string> seen;
@@ -68,7 +68,7 @@ TableSignal signal_of(const UffFunction& function, const std::string& name, cons
   return out;
 }
 
-// Which point was hit: the reference, else where the force was measured, else where a roving sensor sat.
+// The point that was hit: the reference, else the force's node, else the node of a roving sensor.
 int point_of_row(const UffRow& row, bool sensor_roves) {
   const int offset = uff_annotation(*row.front()).node_offset;
   const UffFunction& last = *row.back();
@@ -92,7 +92,7 @@ double rate_of_function_Hz(const UffFunction& function, const std::string& where
   if (function.even) {
     const double dt_s = uff_step(function, false, note);
     if (dt_s > 0 && std::isfinite(dt_s)) return 1 / dt_s;
-    throw InputError(fmt::format("a time step of {} s", function.dx), where, "give --fs in Hz");
+    throw InputError(fmt::format("a time step of {} s", function.dx), where, "state the sampling rate", {"fs"});
   }
   std::vector<double> times(function.count);
   double largest = 0;
@@ -106,7 +106,9 @@ double rate_of_function_Hz(const UffFunction& function, const std::string& where
       largest * (function.bytes.empty() ? 1e-5 : 2 * static_cast<double>(std::numeric_limits<float>::epsilon()));
   const std::vector<TimeStamps> rows{{.time_s = times, .resolution_s = resolution_s}};
   const auto rate = rate_of_time_stamps(rows, problem);
-  if (!rate) throw InputError(fmt::format("{}, value {}", problem.text, problem.at + 1), where, "give --fs in Hz");
+  if (!rate)
+    throw InputError(fmt::format("{}, value {}", problem.text, problem.at + 1), where, "state the sampling rate",
+                     {"fs"});
   note = rate->note;
   return rate->fs_Hz;
 }

@@ -5,14 +5,14 @@
 
 namespace percuss::acquire {
 
-/// The record of time in a universal file: its functions 58 of type 1 (docs/reference/formats.md, "UFF"). Every force begins a
-/// row, the functions up to the next force are its channels; or forces and responses stand in groups of their own.
-/// errors  InputError with file and line: damaged sets, no records of time, functions of one row with different
-/// lengths or rates; AmbiguousColumns: nothing says which function is the force.
+/// The record of time in a universal file: its functions 58 of type 1 (docs/reference/formats.md, "UFF"). Each force
+/// begins a row, and the functions up to the next force are its channels; or forces and responses are separate groups.
+/// errors  InputError with file and line: damaged sets, no records of time, functions of one row with different lengths
+/// or rates; AmbiguousColumns: no function is recognisable as the force.
 Record open_uff(const FileBytes& file, const ReadOptions& options = {});
 Record open_uff(const FileBytes& file, UffContents contents, const ReadOptions& options);
 
-/// Whether a function is a record of time; an FRF.
+/// Whether a function is a record of time; whether it is an FRF.
 bool is_time_record(const UffFunction& function);
 bool is_uff_frf(const UffFunction& function);
 

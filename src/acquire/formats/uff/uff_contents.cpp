@@ -46,9 +46,9 @@ UffContents read_uff_contents(const FileBytes& file) {
   return out;
 }
 
-std::vector<std::string> uff_notes(const UffContents& contents) {
+std::vector<Message> uff_notes(const UffContents& contents) {
   static const std::set<int> kRead{15, 18, 55, 58, 82, 151, 164, 2411, 2412, 2414};
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
   std::string unused;
   for (const auto& [number, count] : contents.sets) {
     if (!kRead.contains(number)) unused += fmt::format("{}{} ({})", unused.empty() ? "" : ", ", number, count);
@@ -63,8 +63,7 @@ std::vector<std::string> uff_notes(const UffContents& contents) {
   return notes;
 }
 
-std::vector<std::vector<double>> uff_geometry(const UffContents& contents, int offset,
-                                              std::vector<std::string>& notes) {
+std::vector<std::vector<double>> uff_geometry(const UffContents& contents, int offset, std::vector<Message>& notes) {
   if (contents.nodes_m.empty()) return {};
   const auto last = static_cast<std::int64_t>(contents.nodes_m.rbegin()->first) - offset;
   const auto most = static_cast<std::int64_t>(4 * contents.nodes_m.size() + 1000);

@@ -15,29 +15,29 @@ struct UffUnits {
   double length = 1, force = 1;
 };
 
-/// What a universal file holds, read as far as percuss reads it.
+/// The content of a universal file, as far as percuss reads it.
 struct UffContents {
   std::vector<UffFunction> functions;  // data sets 58
   std::optional<UffUnits> units;
   std::map<int, std::array<double, 3>> nodes_m;  // data sets 15 and 2411, in global coordinates
   UffTraceLines connections;                     // data sets 82 and 2412, by node
-  std::map<int, std::size_t> sets;               // how many there are of each number
+  std::map<int, std::size_t> sets;               // count of data sets by number
   std::size_t shapes = 0;                        // of sets 55 and 2414
 };
 
-/// errors  InputError with file and line: a set of a number above that does not follow its layout.
+/// errors  InputError with file and line: a set with one of these numbers does not follow its layout.
 UffContents read_uff_contents(const FileBytes& file);
 
-/// What else is in the file and not used, for people: "data sets not used: 2467 (1), 773 (2)", mode shapes.
-std::vector<std::string> uff_notes(const UffContents& contents);
+/// The unused content of the file, for people: "data sets not used: 2467 (1), 773 (2)", mode shapes.
+std::vector<Message> uff_notes(const UffContents& contents);
 
-/// Coordinates by point: row i is point i = node − `offset`, three NaN where there is no such point. Nothing, and a
-/// note, when the numbers are too far apart for that.
-std::vector<std::vector<double>> uff_geometry(const UffContents& contents, int offset, std::vector<std::string>& notes);
+/// Coordinates by point: row i is point i = node − `offset`, three NaN without such a point. Empty, with a note, when
+/// the numbers are too far apart.
+std::vector<std::vector<double>> uff_geometry(const UffContents& contents, int offset, std::vector<Message>& notes);
 /// The lines between points that the file has nodes of.
 std::vector<TraceLine> uff_trace_lines(const UffContents& contents, int offset);
 
-/// What percuss writes into the fifth line of a function: "percuss; node = point + 1; dx = 3.90625e-05".
+/// The statements of percuss in the fifth line of a function: "percuss; node = point + 1; dx = 3.90625e-05".
 struct UffAnnotation {
   bool by_percuss = false;
   bool continuous = false;
@@ -47,9 +47,9 @@ struct UffAnnotation {
 };
 UffAnnotation uff_annotation(const UffFunction& function);
 
-/// The step of an even abscissa, freed of the rounding of its 13 columns: percuss's own statement; else, of the steps
-/// that are written so, the one whose inverse (or which itself, for a frequency) is the roundest number.
-/// `note` says so where that changes it.
+/// The step of an even abscissa without the rounding of its 13 columns: percuss's own statement, else the step with the
+/// same text whose inverse (for a frequency: which itself) is the roundest number. Sets `note` where that changes the
+/// step.
 double uff_step(const UffFunction& function, bool frequency, std::string& note);
 
 }  // namespace percuss::acquire

@@ -9,7 +9,7 @@
 namespace percuss::acquire {
 namespace {
 
-// Fortran leaves the letter out where the exponent takes three digits: "1.5-101".
+// Fortran omits the letter where the exponent has three digits: "1.5-101".
 std::string with_exponent_letter(std::string_view text) {
   std::string out;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -75,7 +75,7 @@ std::optional<std::uint64_t> uff_data_bytes(std::string_view record7) {
   if (*type != 2 && *type != 4 && *type != 5 && *type != 6) return std::nullopt;
   const std::uint64_t number = *type == 2 || *type == 5 ? 4 : 8;
   const std::uint64_t parts = *type >= 5 ? 2 : 1;
-  const std::uint64_t abscissa = *spacing == 0 ? 4 : 0;  // single, whatever the ordinate is
+  const std::uint64_t abscissa = *spacing == 0 ? 4 : 0;  // single precision for every ordinate
   return static_cast<std::uint64_t>(*values) * (abscissa + parts * number);
 }
 

@@ -20,13 +20,13 @@ bool is_delimiter(std::string_view line) {
   return line.substr(0, 6) == "    -1" && line.find_first_not_of(" \t\r", 6) == std::string_view::npos;
 }
 
-// The delimiter that stands at the beginning of `rest`, perhaps after the end of a line.
+// The delimiter at the beginning of `rest`, perhaps after a line end.
 bool delimiter_follows(std::string_view rest) {
   while (!rest.empty() && (rest.front() == '\r' || rest.front() == '\n')) rest.remove_prefix(1);
   return is_delimiter(take_uff_line(rest));
 }
 
-// Loads a file ahead of whoever looks at it.
+// Loads a lazy file before its bytes are used.
 class LazyLoader {
  public:
   explicit LazyLoader(const FileBytes& file) : file_(file), end_(file.lazy ? 0 : file.size) {}
@@ -37,7 +37,7 @@ class LazyLoader {
     file_.lazy->load(end_, end);
     end_ = std::min(end, file_.size);
   }
-  // At least the whole line that begins at `first`, each byte looked at once.
+  // Loads at least the line that begins at `first`; looks at each byte once.
   void load_line(std::size_t first) {
     constexpr std::size_t kStep_bytes = std::size_t{1} << 16U;
     std::size_t looked = first;
@@ -47,12 +47,12 @@ class LazyLoader {
       load_to(end_ + kStep_bytes);
     }
   }
-  // What lies before `first` stays where it is.
+  // Keeps the bytes before `first`.
   void skip_to(std::size_t first) { end_ = std::max(end_, first); }
 
  private:
   const FileBytes& file_;
-  std::size_t end_;  // what comes after is still to be loaded
+  std::size_t end_;  // the bytes after it are not loaded yet
 };
 
 class Splitter {
@@ -81,7 +81,7 @@ class Splitter {
     return take_uff_line(rest_);
   }
 
-  // Skips what stands between data sets; false at the end of the file.
+  // Skips lines between data sets; false at the end of the file.
   bool next_delimiter() {
     while (!rest_.empty()) {
       if (is_delimiter(take_line())) return true;
@@ -146,7 +146,7 @@ class Splitter {
     take_line();  // the delimiter
   }
 
-  // Whether so many bytes are many, evenly spaced, and followed by a delimiter, without reading them.
+  // Whether the data are long, evenly spaced and followed by a delimiter; does not read them.
   bool stays_in_file(std::uint64_t bytes, std::string_view record7) {
     const auto even = UffFields(record7.substr(std::min<std::size_t>(kSpacingColumn, record7.size()))).integer(10);
     if (bytes < kManyBytes || bytes > rest_.size() || even != 1) return false;
@@ -157,7 +157,7 @@ class Splitter {
     return true;
   }
 
-  // Up to where a delimiter follows: by the values, with padding, or as the first line says.
+  // The length up to a delimiter: by record 7, with padding, or by the first line.
   std::size_t length_of(std::optional<std::uint64_t> claimed, std::uint64_t stated, std::string_view start) const {
     const auto ends = [&](std::uint64_t bytes) {
       return bytes <= rest_.size() && delimiter_follows(rest_.substr(bytes));

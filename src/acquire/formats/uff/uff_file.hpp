@@ -12,33 +12,33 @@ namespace percuss::acquire {
 /// One data set of a universal file, still as text or bytes.
 struct UffSet {
   int number = 0;
-  std::string_view text;  // its lines after the one with its number; of a binary set those before the bytes
+  std::string_view text;  // the lines after the set's number; in a binary set up to the bytes
   std::string_view data;  // the bytes of a binary set …
   bool unread = false;    // … which are still in the file (FileBytes::sparse)
   bool binary = false;
   bool big_endian = false;
 };
 
-/// Whether a file that begins so is a universal file: a line of "    -1" (columns 1 to 6) and blanks, after blank
-/// lines.
+/// Whether these first bytes are the start of a universal file: after blank lines, a line of "    -1" (columns 1 to 6)
+/// and blanks.
 bool is_universal_file(std::string_view head);
 
-/// The data sets of a universal file, in order. A delimiter is a whole line, never a text within one. The length of a
-/// binary set 58 is what its record 7 says, as long as a delimiter follows there; only then what its first line says.
-/// Of a sparse file everything is loaded but the bytes of long, evenly spaced sets 58.
-/// errors  InputError with file and line: a set that is not closed, or whose number or length cannot be read.
+/// The data sets of a universal file, in order. A delimiter is a whole line, never a part of one. Record 7 states the
+/// length of a binary set 58, provided that a delimiter follows there; otherwise its first line does. A lazy file is
+/// loaded except for the bytes of long, evenly spaced sets 58.
+/// errors  InputError with file and line: a set is not closed, or its number or length cannot be read.
 std::vector<UffSet> split_uff(const FileBytes& file);
 
-/// "file: line 12", for a place within `file`.
+/// "file: line 12", for a position within `file`.
 std::string uff_location(const FileBytes& file, std::string_view at);
 
-/// Cells of fixed width, taken off the front of a line; beyond its end they are blank.
+/// Takes cells of fixed width off the front of a line; beyond its end they are blank.
 class UffFields {
  public:
   explicit UffFields(std::string_view line) : rest_(line) {}
   std::string_view take(std::size_t width);
-  std::string text(std::size_t width);                     // without blanks around, "NONE" as nothing, UTF-8
-  std::optional<std::int64_t> integer(std::size_t width);  // blank is 0; nothing when it is no whole number
+  std::string text(std::size_t width);                     // without surrounding blanks, "NONE" as nothing, UTF-8
+  std::optional<std::int64_t> integer(std::size_t width);  // blank is 0; nothing when it is not a whole number
   std::optional<double> number(std::size_t width);         // likewise; also 1.5D+3 and 1.5-101
   bool blank() const { return rest_.find_first_not_of(" \t\r") == std::string_view::npos; }
 
@@ -46,7 +46,7 @@ class UffFields {
   std::string_view rest_;
 };
 
-/// Takes the next line off, without its end in "\n" or "\r\n".
+/// Takes the next line off, without its "\n" or "\r\n".
 std::string_view take_uff_line(std::string_view& rest);
 
 /// Bytes that record 7 of a set 58 claims for its binary data; nothing when it cannot be read.

@@ -107,7 +107,7 @@ class FunctionParser {
     return out;
   }
 
-  // Columns of a line of numbers, one line after the other the same.
+  // The widths of the columns of each line of numbers.
   std::vector<std::size_t> columns() const {
     if (out_.single) return {kSingle, kSingle, kSingle, kSingle, kSingle, kSingle};
     if (out_.even) return {kDouble, kDouble, kDouble, kDouble};
@@ -118,7 +118,7 @@ class FunctionParser {
   void read_values() {
     const std::vector<std::size_t> widths = columns();
     const std::size_t wanted = out_.count * ((out_.even ? 0U : 1U) + (out_.complex ? 2U : 1U));
-    // A full line of six takes 66 characters and more.
+    // A full line of six numbers has at least 66 characters.
     if (wanted > rest_.size() / 11 + 6) fail("fewer numbers than record 7 says");
     out_.values.reserve(wanted);
     while (out_.values.size() < wanted) {
@@ -182,7 +182,7 @@ void UffFunction::read(std::size_t part, std::size_t first, std::span<double> ou
   }
 }
 
-// Every `stride` bytes a number.
+// Decodes a number every `stride` bytes.
 void UffFunction::decode(const char* from, std::size_t stride, std::span<double> out) const {
   const bool swap = big_endian != (std::endian::native == std::endian::big);
   for (double& value : out) {

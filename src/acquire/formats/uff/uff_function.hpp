@@ -12,7 +12,7 @@
 
 namespace percuss::acquire {
 
-/// Numbers that data set 58 uses.
+/// Codes of data set 58.
 struct Uff58 {
   enum Function { time_response = 1, auto_spectrum = 2, cross_spectrum = 3, frequency_response = 4, coherence = 6 };
   enum Quantity {
@@ -25,7 +25,7 @@ struct Uff58 {
   };
 };
 
-/// A point and direction of the structure, as record 6 names them.
+/// A point and direction of the structure, as in record 6.
 struct UffDof {
   std::string name;
   int node = 0;
@@ -39,7 +39,7 @@ struct UffAxis {
   std::string label, unit;
 };
 
-/// One function of data set 58 or 58b: its description, and where its numbers are.
+/// One function of data set 58 or 58b: its description and the place of its numbers.
 struct UffFunction {
   std::array<std::string, 5> id;
   int type = 0, version = 0, load_case = 0;
@@ -47,18 +47,18 @@ struct UffFunction {
   std::size_t count = 0;
   bool even = true, complex = false, single = false;
   double x0 = 0, dx = 0;
-  std::string dx_text;  // as written, for its rounding
+  std::string dx_text;  // as written, which shows its rounding
   UffAxis abscissa, ordinate, denominator;
 
   std::string_view at;         // the set's place in the file
   std::vector<double> values;  // of a text: abscissa (if uneven), real, imaginary part (if complex), value by value
   std::string_view bytes;      // of a binary set, in the same order …
-  std::shared_ptr<const LazyFile> file{};  // … and where they still are in the file, if anywhere
+  std::shared_ptr<const LazyFile> file{};  // … and their place in the file while they are not loaded
   std::size_t file_offset = 0;
   bool big_endian = false;
 
-  /// Real parts (part 0) or imaginary parts (part 1) of values first … first + out.size() − 1. errors  InputError: the
-  /// file has changed meanwhile.
+  /// Real parts (part 0) or imaginary parts (part 1) of values first … first + out.size() − 1.
+  /// errors  InputError: the file has changed meanwhile.
   void read(std::size_t part, std::size_t first, std::span<double> out) const;
   /// Value i's abscissa.
   double x(std::size_t i) const;
@@ -67,8 +67,8 @@ struct UffFunction {
   void decode(const char* from, std::size_t stride, std::span<double> out) const;
 };
 
-/// errors  InputError with file and line: a record that cannot be read, fewer numbers than record 7 says, another type
-/// of ordinate than 2, 4, 5, 6.
+/// errors  InputError with file and line: a record cannot be read, there are fewer numbers than record 7 states, the
+/// type of ordinate is not 2, 4, 5 or 6.
 UffFunction parse_uff_function(const UffSet& set, const FileBytes& file);
 
 }  // namespace percuss::acquire

@@ -15,7 +15,7 @@ namespace {
 
 enum class System { cartesian = 0, cylindrical = 1, spherical = 2 };
 
-// A coordinate system: origin and axes (columns) in the one it refers to.
+// A coordinate system: origin and axes (columns) in its reference system.
 struct Frame {
   System kind = System::cartesian;
   int refers_to = 0;
@@ -32,7 +32,7 @@ class NodeReader {
     std::string_view rest = set.text;
     while (!rest.empty()) {
       Fields head = next(rest);
-      const int number = whole(head, 10), kind = whole(head, 10), reference = whole(head, 10);
+      const int number = whole_number(head, 10), kind = whole_number(head, 10), reference = whole_number(head, 10);
       take_uff_line(rest);
       Fields first = next(rest);
       Frame frame{.kind = static_cast<System>(kind), .refers_to = reference};
@@ -54,9 +54,9 @@ class NodeReader {
     while (!rest.empty()) {
       Fields fields = next(rest);
       if (fields.cells.blank()) continue;
-      const int label = whole(fields, 10), system = whole(fields, 10);
-      whole(fields, 10);
-      whole(fields, 10);
+      const int label = whole_number(fields, 10), system = whole_number(fields, 10);
+      whole_number(fields, 10);
+      whole_number(fields, 10);
       Eigen::Vector3d at;
       if (set.number == 15) {
         at = vector(fields, 13);
@@ -87,7 +87,7 @@ class NodeReader {
     throw InputError(fmt::format("{}: {}", what, problem), uff_location(file_, at), "export the file again");
   }
 
-  int whole(Fields& fields, std::size_t width) const {
+  int whole_number(Fields& fields, std::size_t width) const {
     const auto value = fields.cells.integer(width);
     if (!value || std::abs(*value) > std::numeric_limits<int>::max() / 2)
       fail(0, fields.line, "cannot read a whole number");
@@ -114,13 +114,13 @@ class NodeReader {
     return at;
   }
 
-  // Systems may refer to one another, though not in circles.
+  // Systems may refer to one another, but not in circles.
   Eigen::Vector3d global(Eigen::Vector3d at, int system, std::string_view line, int set) const {
     constexpr int kMaxNested = 16;
     for (int depth = 0; depth < kMaxNested; ++depth) {
       const auto frame = frames_.find(system);
       if (frame == frames_.end()) {
-        // 0 is the global system, and so is 1 where nobody defines it.
+        // 0 is the global system; so is 1 unless the file defines it.
         if (system <= 1) return at;
         fail(set, line, "a node in a coordinate system that is not there");
       }

@@ -14,7 +14,7 @@ static_assert(std::endian::native == std::endian::little, "numbers are written a
 constexpr const char* kDelimiter = "    -1\n";
 constexpr std::size_t kHeaderLines = 11;
 
-// As it may stand in columns that others cut by byte: ASCII, `width` at most.
+// The text for columns that other programs cut by byte: ASCII, at most `width` characters.
 std::string ascii(std::string_view text, std::size_t width) {
   std::string out;
   for (const char c : text) {
@@ -46,7 +46,7 @@ std::string header_text(const UffFunction& f) {
 }  // namespace
 
 std::string uff_e13(double value) { return fmt::format("{:13.5E}", value); }
-// Numbers below 1e-99 take a digit more in the exponent, which the column then takes from the digits.
+// Numbers below 1e-99 need one more digit in the exponent and have one fewer in the mantissa.
 std::string uff_e20(double value) { return fmt::format("{:20.12E}", value); }
 std::string uff_d25(double value) {
   std::string out = fmt::format("{:25.16E}", value);
@@ -63,7 +63,7 @@ void UffOutput::set(int number, std::string_view lines) {
 }
 
 void UffOutput::header() {
-  // Name, description, program; dates and versions as nothing.
+  // Name, description, program; dates and versions are empty.
   set(151, "percuss\nNONE\npercuss\nNONE\nNONE\npercuss\nNONE\n");
   set(164, fmt::format("{:10}{:<20}{:10}\n{}{}{}\n{}\n", 1, "SI: Meter (newton)", 2, uff_d25(1), uff_d25(1), uff_d25(1),
                        uff_d25(273.15)));

@@ -12,20 +12,20 @@ namespace percuss::acquire {
 
 enum class UffData { binary, text };
 
-/// A number in 13 columns as E13.5 has it; in 20 and 25 columns as E20.12 and D25.16.
+/// A number in the Fortran formats E13.5, E20.12 and D25.16.
 std::string uff_e13(double value);
 std::string uff_e20(double value);
 std::string uff_d25(double value);
 
-/// A universal file that appears whole under its name, or not at all; equal calls give equal bytes: dates are left
-/// empty. Lines end in "\n".
+/// A universal file that appears whole under its name, or not at all; equal calls give equal bytes (dates are left
+/// empty). Lines end in "\n".
 class UffOutput {
  public:
   UffOutput(const std::string& path, bool force, UffData data = UffData::binary);
 
-  /// Sets 151 (who wrote it) and 164 (SI).
+  /// Sets 151 (program) and 164 (SI).
   void header();
-  /// A data set of lines that are complete, ends included.
+  /// A data set of complete lines with their line ends.
   void set(int number, std::string_view lines);
   /// Data set 58 in double precision: `description` without its numbers; `values` real, or real and imaginary in turn.
   void function(const UffFunction& description, std::span<const double> values);

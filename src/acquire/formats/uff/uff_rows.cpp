@@ -16,7 +16,7 @@ constexpr double kSameStep = 1e-4;  // relative: the columns round
 
 using Functions = std::vector<const UffFunction*>;
 
-// Rows that begin with a force, or with `forward` unset end with one; nothing when they differ in their channels.
+// Rows that begin with a force (with `forward` unset: end with one); nothing when their channels differ.
 std::vector<UffRow> rows_in_order(Functions functions, std::vector<bool> is_force, bool forward) {
   if (!forward) {
     std::reverse(functions.begin(), functions.end());

@@ -9,10 +9,10 @@ namespace percuss::acquire {
 /// Functions of one row; the first is the force where one is known.
 using UffRow = std::vector<const UffFunction*>;
 
-/// Puts records of time together that were sampled together. `is_force[i]` belongs to functions[i].
-///   Every force begins a row, or ends one; or the k-th force goes with the k-th response of each name and place.
+/// Groups records of time that were sampled together. `is_force[i]` belongs to functions[i].
+///   Each force begins a row, or ends one; or the k-th force belongs to the k-th response of each name and place.
 /// Without forces all functions are one row.
-/// errors  InputError: the responses do not go evenly with the forces, or differ in length or step within a row.
+/// errors  InputError: the responses do not divide evenly among the forces, or differ in length or step within a row.
 std::vector<UffRow> uff_rows(const std::vector<const UffFunction*>& functions, const std::vector<bool>& is_force,
                              const std::string& file);
 

@@ -22,7 +22,7 @@ constexpr std::array<std::array<int, 2>, 9> kWedge{
 constexpr std::array<std::array<int, 2>, 12> kBrick{
     {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
 
-// Elements have two lines or three: those of beams name their orientation in between.
+// Elements have two lines. Beams have three: the second one states the orientation.
 bool is_beam(std::int64_t kind) { return kind == 11 || (kind >= 21 && kind <= 24); }
 // Plane stress and strain, plates, membranes, axisymmetric solids, thin and thick shells: nodes go around.
 bool is_face(std::int64_t kind) { return kind >= 41 && kind <= 96; }
@@ -38,7 +38,7 @@ class LineReader {
  public:
   explicit LineReader(const FileBytes& file) : file_(file) {}
 
-  // A line with number, how many nodes, and colour; a name; nodes, eight a line.
+  // Lines: number, count of nodes and colour; a name; nodes, eight per line.
   void trace_lines(const UffSet& set) {
     each_part(set, [this](UffFields& fields, std::string_view head, std::string_view& rest) {
       const std::size_t count = how_many(fields, head);
@@ -51,10 +51,10 @@ class LineReader {
     });
   }
 
-  // A line with number, kind, three that do not matter, and how many nodes; for beams their orientation; nodes.
+  // Lines: number, kind, three unused fields and the count of nodes; for beams their orientation; nodes.
   void elements(const UffSet& set) {
     each_part(set, [this](UffFields& fields, std::string_view head, std::string_view& rest) {
-      const int kind = whole(fields, head);
+      const int kind = whole_number(fields, head);
       fields.take(3 * kNodeWidth);
       const std::size_t count = how_many(fields, head);
       if (is_beam(kind)) take_uff_line(rest);
@@ -76,16 +76,16 @@ class LineReader {
       const std::string_view head = take_uff_line(rest);
       UffFields fields(head);
       if (fields.blank()) return;
-      whole(fields, head);
+      whole_number(fields, head);
       take(fields, head, rest);
     }
   }
 
   std::size_t how_many(UffFields& fields, std::string_view line) const {
-    return static_cast<std::size_t>(std::max(0, whole(fields, line)));
+    return static_cast<std::size_t>(std::max(0, whole_number(fields, line)));
   }
 
-  int whole(UffFields& fields, std::string_view line) const {
+  int whole_number(UffFields& fields, std::string_view line) const {
     const auto value = fields.integer(kNodeWidth);
     if (value && *value >= std::numeric_limits<int>::min() / 2 && *value <= std::numeric_limits<int>::max() / 2)
       return static_cast<int>(*value);
@@ -98,7 +98,7 @@ class LineReader {
     while (out.size() < count && !rest.empty()) {
       const std::string_view line = take_uff_line(rest);
       UffFields fields(line);
-      for (std::size_t i = 0; i < kNodesPerLine && out.size() < count; ++i) out.push_back(whole(fields, line));
+      for (std::size_t i = 0; i < kNodesPerLine && out.size() < count; ++i) out.push_back(whole_number(fields, line));
     }
     return out;
   }

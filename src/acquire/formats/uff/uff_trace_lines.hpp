@@ -8,20 +8,20 @@
 
 namespace percuss::acquire {
 
-/// What a universal file says of how its nodes are connected.
+/// The connections between nodes of a universal file.
 struct UffTraceLines {
-  std::vector<TraceLine> lines;    // by node, as they come; none twice
-  std::size_t other_elements = 0;  // of kinds whose edges are not known here
-  std::string unreadable;          // where a set could not be read to its end; empty: nowhere
+  std::vector<TraceLine> lines;    // by node, in the file's order, without duplicates
+  std::size_t other_elements = 0;  // of kinds whose edges are not known
+  std::string unreadable;          // the place where a set could not be read to its end; empty: none
 };
 
 /// The lines of the sets 82 (through nodes one after the other, 0 lifts the pen) and the edges of the elements of the
 /// sets 2412: rods and beams, triangles and quadrilaterals, tetrahedra, wedges and bricks.
-/// A set is read as far as it can be: drawings are no reason to refuse what was measured.
+/// A set is read as far as possible: an unreadable drawing must not refuse a measurement.
 UffTraceLines read_uff_trace_lines(const std::vector<UffSet>& sets, const FileBytes& file);
 
-/// The bodies of sets 82 that draw these lines (by point; node = point + offset): each as long as one line goes on
-/// where the one before ended.
+/// The bodies of sets 82 that draw these lines (by point; node = point + offset). A set continues while each line
+/// starts at the end of the previous one.
 std::vector<std::string> uff_trace_line_sets(const std::vector<TraceLine>& lines, int offset);
 
 }  // namespace percuss::acquire

@@ -57,6 +57,6 @@ const bendingPlots = () => {
         }
       }
     });
-    made("figcaption", figure, `${bending.ends} Exaggerated; drawVerticalLine: nodes, as wide as their deviation.`);
+    made("figcaption", figure, `${bending.ends} Exaggerated; vertical lines: nodes, as wide as their ±.`);
   }
 };

@@ -8,6 +8,7 @@
 #include "core/units.hpp"
 #include "support/hdf5_builder.hpp"
 #include "support/input_error.hpp"
+#include "support/messages.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace percuss::acquire::hdf5_read_test {
@@ -74,7 +75,7 @@ TEST_F(Hdf5Read, DescribesHitsAndChannelsAndReadsThem) {
   EXPECT_EQ(record.rows[2].point, 7);
   EXPECT_EQ(record.rows[1].run, 1);
   EXPECT_EQ(record.geometry, (std::vector<std::vector<double>>{{0, 1, 2}, {3, 4, 5}}));
-  EXPECT_THAT(record.notes, testing::ElementsAre("not used: /deflection"));
+  EXPECT_THAT(test::texts(record.notes), testing::ElementsAre("not used: /deflection"));
   expect_ramps(record);
 }
 
@@ -185,7 +186,7 @@ TEST_F(Hdf5Read, KeepsAForceInVoltsAndSaysThatFrfsArePerVolt) {
       .text("force", "unit_str", "mV");
   const Record record = open_hdf5(path_, {});
   ASSERT_EQ(record.notes.size(), 1u);
-  EXPECT_THAT(record.notes[0], HasSubstr("FRFs are per volt"));
+  EXPECT_THAT(record.notes[0].text, HasSubstr("FRFs are per volt"));
   EXPECT_EQ(record.force.to_SI, 1e-3);
   EXPECT_TRUE(open_hdf5(path_, {.force_sensitivity_V_per_N = 0.01}).notes.empty());
 }

@@ -8,10 +8,12 @@
 #include "acquire/channels/csv_columns.hpp"
 #include "acquire/formats/sound/sound_calibration.hpp"
 #include "acquire/formats/sound/sound_file.hpp"
+#include "acquire/open_measurement.hpp"
 #include "acquire/record/record.hpp"
 #include "acquire/write_record.hpp"
 #include "support/csv_text.hpp"
 #include "support/input_error.hpp"
+#include "support/messages.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/synthetic_files.hpp"
 
@@ -101,7 +103,7 @@ TEST_F(SoundRecord, KeepsFloatingPointNumbersAsTheyAre) {
 TEST_F(SoundRecord, IsCalibratedByOptions) {
   ReadOptions options = kHammerOnOne;
   const std::string bytes = wav({}, integers({1 << 14, 1 << 14, 0, 0}, 2));
-  EXPECT_THAT(opened(bytes, options).notes, Contains(HasSubstr("--force-scale")));
+  EXPECT_THAT(test::texts(opened(bytes, options).notes), Contains(HasSubstr("full scale")));
   options.force_scale = {1000};
   options.accel_scale = {98.0665};
   const Record record = opened(bytes, options);
@@ -147,7 +149,7 @@ TEST_F(SoundRecord, ReadsWhatIsThereOfARecordingThatWasCutOff) {
       R"( "rows": [{"samples": 2}, {"samples": 2}]})");
   const Record record = opened(wav({.before = chunk}, samples));
   EXPECT_EQ(record.rows.size(), 1U);
-  EXPECT_THAT(record.notes, Contains(HasSubstr("ends early: 1 of 2 rows")));
+  EXPECT_THAT(test::texts(record.notes), Contains(HasSubstr("ends early: 1 of 2 rows")));
 }
 
 TEST_F(SoundRecord, RefusesWhatIsNoMeasurement) {

@@ -5,6 +5,7 @@
 
 #include "support/csv_text.hpp"
 #include "support/input_error.hpp"
+#include "support/messages.hpp"
 
 namespace percuss::acquire::csv_rows_test {
 
@@ -64,7 +65,8 @@ TEST(CsvRate, IsTheUsersWhateverTheFileSays) {
   EXPECT_EQ(csv_record("t_s,force_N,acc_g\n0,1,2\n0.1,1,2\n7,1,2\n", {.fs_Hz = 25600}).fs_Hz, 25600);
   for (const double fs_Hz :
        {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e12}) {
-    EXPECT_THAT(input_error_of([&] { csv_record("force_N,acc_g\n1,2\n1,2\n", {.fs_Hz = fs_Hz}); }), HasSubstr("--fs"))
+    EXPECT_THAT(test::options_of_error([&] { csv_record("force_N,acc_g\n1,2\n1,2\n", {.fs_Hz = fs_Hz}); }),
+                ElementsAre("fs"))
         << fs_Hz;
   }
 }
@@ -91,21 +93,22 @@ TEST(CsvRate, NamesBothWhenTwoDisagree) {
 TEST(CsvRate, IsMissedWithARemedy) {
   EXPECT_THAT(input_error_of([] { csv_record("force_N,acc_g\n1,2\n1,2\n"); }), HasSubstr("no sampling rate"));
   EXPECT_THAT(input_error_of([] { csv_record("sample,force_N,acc_g\n0,1,2\n1,1,2\n2,1,2\n"); }),
-              HasSubstr("give --fs"));
+              HasSubstr("state it in Hz"));
   EXPECT_THAT(input_error_of([] { csv_record("CH No.,force_N,acc_g\n0,1,2\n1,1,2\n2,1,2\n"); }),
-              HasSubstr("give --fs"));
+              HasSubstr("state it in Hz"));
 }
 
 TEST(CsvRate, TakesAFirstColumnThatRisesEvenlyForTimeAndSaysSo) {
   const Record record = csv_record("CH No.,force_N,acc_g\n0,1,2\n0.02,1,2\n0.04,1,2\n");
   EXPECT_EQ(record.fs_Hz, 50);
-  EXPECT_THAT(record.notes, ElementsAre(HasSubstr("CH No.")));
+  EXPECT_THAT(test::texts(record.notes), ElementsAre(HasSubstr("CH No.")));
 }
 
 TEST(CsvRate, NamesTheLineWhereTimeIsUneven) {
   EXPECT_THAT(
       input_error_of([] { csv_record("t_s,force_N,acc_g\n0,1,2\n0.1,1,2\n0.2,1,2\n0.4,1,2\n0.5,1,2\n0.6,1,2\n"); }),
-      HasSubstr("uneven time: a step of 0.2 s where 0.1 s is usual (x.csv: line 5, column 1 (t_s)); give --fs"));
+      HasSubstr("uneven time: a step of 0.2 s where 0.1 s is usual (x.csv: line 5, column 1 (t_s)); state the sampling "
+                "rate"));
   EXPECT_THAT(input_error_of([] { csv_record("t_s,force_N,acc_g\n0,1,2\n,1,2\n0.2,1,2\n"); }),
               HasSubstr("the time is empty (x.csv: line 3"));
 }

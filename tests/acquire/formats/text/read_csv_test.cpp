@@ -8,6 +8,7 @@
 #include "core/units.hpp"
 #include "support/csv_text.hpp"
 #include "support/input_error.hpp"
+#include "support/messages.hpp"
 
 namespace percuss::acquire::read_csv_test {
 
@@ -48,8 +49,8 @@ TEST(ReadCsv, GivesTheSameNumbersInEveryDialect) {
 
 TEST(ReadCsv, SaysWhatItTookForGranted) {
   const Record record = csv_record("time,force,acc\n0,1,2\n0.1,3,4\n0.2,1,2\n");
-  EXPECT_THAT(record.notes, ElementsAre(HasSubstr("force is not stated; taken as N"),
-                                        HasSubstr("acc is not stated; taken as m/s^2")));
+  EXPECT_THAT(test::texts(record.notes), ElementsAre(HasSubstr("force is not stated; taken as N"),
+                                                     HasSubstr("acc is not stated; taken as m/s^2")));
 }
 
 TEST(ReadCsv, SaysAtOnceThatCommasDoTwoThings) {
@@ -79,7 +80,7 @@ TEST(ReadCsv, TakesWholeNumbersBetweenCommas) {
 TEST(ReadCsv, KeepsAForceInVoltsAndSaysThatItIsNotCalibrated) {
   const std::string text = "t_s,CH2 (cm/s2),CH8 (mV)\n0,100,5\n0.1,100,5\n0.2,100,5\n";
   Record record = csv_record(text, {.force_channel = "CH8"});
-  EXPECT_THAT(record.notes, ElementsAre(HasSubstr("FRFs are per volt")));
+  EXPECT_THAT(test::texts(record.notes), ElementsAre(HasSubstr("FRFs are per volt")));
   EXPECT_EQ(record.force.to_SI, 1e-3);
   record = csv_record(text, {.force_channel = "CH8", .force_sensitivity_V_per_N = 0.002});
   EXPECT_THAT(record.notes, IsEmpty());

@@ -7,6 +7,7 @@
 
 #include "acquire/formats/uff/read_uff.hpp"
 #include "acquire/formats/uff/write_uff.hpp"
+#include "acquire/open_measurement.hpp"
 #include "core/error.hpp"
 #include "core/io/lazy_file.hpp"
 #include "support/csv_text.hpp"

@@ -3,12 +3,13 @@
 
 #include <cmath>
 
+#include "acquire/formats/uff/read_frf_uff.hpp"
 #include "acquire/formats/uff/uff_contents.hpp"
+#include "acquire/formats/uff/write_frf_uff.hpp"
+#include "acquire/open_measurement.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
-#include "frf/formats/frf_record.hpp"
-#include "frf/formats/read_frf_uff.hpp"
-#include "frf/formats/write_frf.hpp"
+#include "frf/frf_record.hpp"
 #include "support/csv_text.hpp"
 #include "support/input_error.hpp"
 #include "support/scratch_folder.hpp"
@@ -36,9 +37,9 @@ std::string frf_text(UffText set, double x) {
 
 frf::FrfRecord read(const std::string& text, const frf::FrfReadOptions& options = {}) {
   const FileBytes bytes = csv_bytes(text);
-  auto stored = frf::read_frf_uff(bytes, read_uff_contents(bytes), options.kind.has_value());
+  auto stored = acquire::read_frf_uff(bytes, read_uff_contents(bytes), options.kind.has_value());
   EXPECT_TRUE(stored.has_value());
-  return frf::to_accelerances(std::move(stored).value(), options);
+  return acquire::to_accelerances(std::move(stored).value(), options);
 }
 
 TEST(UffFrf, MakesPointsOfStruckNodesAndChannelsOfResponses) {
@@ -101,8 +102,8 @@ TEST(UffFrf, RefusesGapsAndOtherLines) {
 TEST(UffFrf, GivesWayToRecordsOfTimeUnlessAskedFor) {
   const UffText time{.values = 2};
   const FileBytes bytes = csv_bytes(frf_text({}, 1) + time.text("  1.00000E+00  2.00000E+00\n"));
-  EXPECT_FALSE(frf::read_frf_uff(bytes, read_uff_contents(bytes), false).has_value());
-  EXPECT_TRUE(frf::read_frf_uff(bytes, read_uff_contents(bytes), true).has_value());
+  EXPECT_FALSE(acquire::read_frf_uff(bytes, read_uff_contents(bytes), false).has_value());
+  EXPECT_TRUE(acquire::read_frf_uff(bytes, read_uff_contents(bytes), true).has_value());
 }
 
 TEST(UffFrf, IsWrittenWithCoherenceAndReadBackExactly) {
@@ -118,7 +119,7 @@ TEST(UffFrf, IsWrittenWithCoherenceAndReadBackExactly) {
   }
   record.geometry = {{0, 0, 0}, {0.25, 0, 0}, {0.5, 0, 1e-9}};
   const test::ScratchFolder folder;
-  frf::write_frf_record_uff(folder.file("f.uff"), record, frf::FrfKind::accelerance, false);
+  acquire::write_frf_record_uff(folder.file("f.uff"), record, frf::FrfKind::accelerance, false);
   const auto again = std::get<frf::FrfRecord>(frf::open_measurement(folder.file("f.uff")));
   ASSERT_EQ(again.frfs.size(), 2U);
   EXPECT_EQ(again.frfs[1].point, 2);

@@ -213,8 +213,8 @@ TEST(UffContents, ReadsNodesOfBothKindsInTheirUnitsAndSystems) {
   EXPECT_THAT(contents.nodes_m.at(5), ElementsAre(-0.001, -0.001, 2));
   EXPECT_THAT(contents.nodes_m.at(12), ElementsAre(1, 0.002, 0)) << "SI is the stored value divided by its factor";
   EXPECT_THAT(uff_trace_lines(contents, 1), ElementsAre(TraceLine{4, 11}));
-  EXPECT_THAT(uff_notes(contents), ElementsAre("data sets not used: 9999 (1)"));
-  std::vector<std::string> notes;
+  EXPECT_THAT(uff_notes(contents), ElementsAre(Message("data sets not used: 9999 (1)")));
+  std::vector<Message> notes;
   const auto geometry = uff_geometry(contents, 0, notes);
   ASSERT_EQ(geometry.size(), 13U);
   EXPECT_EQ(geometry[12][1], 0.002);

@@ -6,11 +6,13 @@
 
 #include "acquire/formats/uff/read_uff.hpp"
 #include "acquire/formats/uff/write_uff.hpp"
+#include "acquire/open_measurement.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
-#include "frf/formats/frf_record.hpp"
+#include "frf/frf_record.hpp"
 #include "support/csv_text.hpp"
 #include "support/input_error.hpp"
+#include "support/messages.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/uff_text.hpp"
 
@@ -88,7 +90,7 @@ TEST(UffRecord, TakesUnitsFromTheFileWhereFunctionsStateNone) {
   EXPECT_EQ(accel_mps2(record)[0], 3e-3);
   EXPECT_THAT(record.notes, IsEmpty());
   const Record bare = opened(function_text(force, 1) + function_text(accel, 3));
-  EXPECT_THAT(bare.notes, ElementsAre(HasSubstr("taken as N"), HasSubstr("taken as m/s^2")));
+  EXPECT_THAT(test::texts(bare.notes), ElementsAre(HasSubstr("taken as N"), HasSubstr("taken as m/s^2")));
 }
 
 TEST(UffRecord, AsksWhichFunctionIsTheForce) {

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "acquire/formats/uff/uff_trace_lines.hpp"
+#include "acquire/open_measurement.hpp"
 #include "acquire/write_record.hpp"
 #include "core/error.hpp"
 #include "support/csv_text.hpp"

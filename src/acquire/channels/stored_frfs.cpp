@@ -1,0 +1,115 @@
+#include "acquire/channels/stored_frfs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "acquire/channels/named_channels.hpp"
+#include "acquire/channels/signal_overrides.hpp"
+#include "acquire/record/sample_limits.hpp"
+#include "core/error.hpp"
+#include "core/io/input_file.hpp"
+#include "core/units.hpp"
+
+namespace percuss::acquire {
+namespace {
+
+void refuse_useless(const ReadOptions& options, const std::string& where) {
+  if (options.fs_Hz) {
+    throw InputError("a sampling rate does not apply to FRFs: the lines say how long the records were", where,
+                     "leave it out", {"fs"});
+  }
+  if (options.force_sensitivity_V_per_N || !options.accel_sensitivity_V_per_mps2.empty()) {
+    throw InputError("a sensitivity does not apply to FRFs: they are no volts", where, "give scales instead",
+                     {"accel_scale", "force_scale"});
+  }
+}
+
+// m/s² or its integrals per stored unit of the response; N per stored unit of the force.
+double response_factor(const SignalOverrides& choice, const StoredFrfs& stored, FrfKind kind,
+                       const std::string& where) {
+  if (choice.scale) return *choice.scale;
+  if (!choice.unit.empty()) return require_unit(choice.unit, Quantity::acceleration, where).to_SI;
+  return stored.unit && stored.unit->kind == kind ? stored.unit->response_to_SI : 1;
+}
+
+double force_factor(const SignalOverrides& choice, const StoredFrfs& stored, const std::string& where) {
+  if (choice.scale) return *choice.scale;
+  if (!choice.unit.empty()) return require_unit(choice.unit, Quantity::force, where).to_SI;
+  return stored.unit ? stored.unit->force_to_SI : 1;
+}
+
+FrfKind frf_kind_of(const StoredFrfs& stored, const FrfReadOptions& options, std::vector<Message>& notes) {
+  const std::optional<FrfKind> stated = stored.unit ? std::optional(stored.unit->kind) : stored.kind;
+  if (options.kind) {
+    if (stated && *stated != *options.kind) {
+      notes.emplace_back(
+          fmt::format("the file calls itself {}; read as {}, as requested", name_of(*stated), name_of(*options.kind)),
+          std::vector<OptionId>{"frf_kind"});
+    }
+    return *options.kind;
+  }
+  if (stated) return *stated;
+  notes.emplace_back("the kind of the FRFs is not stated: taken as accelerance in (m/s^2)/N",
+                     std::vector<OptionId>{"frf_kind", "unit"});
+  return FrfKind::accelerance;
+}
+
+// Turns stored numbers into an accelerance, in place.
+Frf accelerance_of(StoredFrf stored, const FrfRecord& record, double factor, const std::string& where) {
+  Frf frf{.value = std::move(stored.value),
+          .std = std::move(stored.std),
+          .coherence = std::move(stored.coherence),
+          .averages = stored.averages};
+  const int order = record.kind == FrfKind::accelerance ? 0 : record.kind == FrfKind::mobility ? 1 : 2;
+  for (std::size_t k = 0; k < frf.value.size(); ++k) {
+    const Complex s(record.decay_per_s, kTwoPi * record.lines.freq_Hz(k));
+    const Complex by = factor * (order == 0 ? Complex(1) : order == 1 ? s : s * s);
+    frf.value[k] *= by;
+    if (!frf.std.empty()) frf.std[k] *= std::abs(by);
+    if (std::abs(frf.value[k]) <= kMaxSample) continue;
+    throw InputError(fmt::format("the FRF at {:.6g} Hz is too large", record.lines.freq_Hz(k)), where,
+                     "correct the number or the scale");
+  }
+  return frf;
+}
+
+}  // namespace
+
+FrfRecord to_accelerances(StoredFrfs stored, const FrfReadOptions& options) {
+  FrfRecord record = std::move(stored.record);
+  const std::string where = input_name(record.source());
+  refuse_useless(options.read, where);
+  record.kind = frf_kind_of(stored, options, record.notes);
+  const auto channels = chosen_channels(options.read, record.accel.size(), where);
+  const SignalOverrides force = force_overrides(options.read, force_setup(options.read));
+  const double below = force.sign * force_factor(force, stored, where);
+  std::vector<SignalInfo> accel;
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    const ChannelSetup* setup = accel_setup(options.read, channels[i], record.accel.size());
+    const SignalOverrides choice = accel_overrides(options.read, setup, i, channels.size());
+    SignalInfo signal = record.accel[channels[i]];
+    signal.to_SI = choice.sign * response_factor(choice, stored, record.kind, where) / below;
+    if (!std::isfinite(signal.to_SI) || signal.to_SI == 0)
+      throw InputError("a scale of zero or beyond any number", where, "give a usable one");
+    if (choice.angle_rad) signal.angle_rad = choice.angle_rad;
+    if (choice.position_m) signal.position_m = choice.position_m;
+    accel.push_back(std::move(signal));
+  }
+  record.accel = std::move(accel);
+  for (StoredFrf& frf : stored.frfs) {
+    const auto place = std::find(channels.begin(), channels.end(), frf.channel);
+    if (place == channels.end()) continue;
+    const auto channel = static_cast<std::size_t>(place - channels.begin());
+    record.frfs.push_back({.point = frf.point, .channel = channel, .frf = {}});
+    record.frfs.back().frf = accelerance_of(std::move(frf), record, record.accel[channel].to_SI, where);
+  }
+  std::stable_sort(record.frfs.begin(), record.frfs.end(), [](const PointFrf& a, const PointFrf& b) {
+    return a.point != b.point ? a.point < b.point : a.channel < b.channel;
+  });
+  return record;
+}
+
+}  // namespace percuss::acquire

@@ -1,0 +1,32 @@
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "acquire/channels/frf_unit.hpp"
+#include "acquire/record/frf_record.hpp"
+
+namespace percuss::acquire {
+
+/// An FRF as the file's reader found it: stored numbers, nothing applied.
+struct StoredFrf {
+  int point = 0;
+  std::size_t channel = 0;
+  std::vector<Complex> value;
+  std::vector<double> std, coherence;  // empty where the file has none
+  std::size_t averages = 0;            // 0: not stated
+};
+
+/// The content of a file of FRFs, before options are applied.
+struct StoredFrfs {
+  FrfRecord record;  // files, format, lines, notes, decay; accel by name with angle and position where stated
+  std::vector<StoredFrf> frfs;
+  std::optional<FrfUnit> unit;  // as the file states it …
+  std::optional<FrfKind> kind;  // … or a kind without unit
+};
+
+/// Applies unit, kind, channel choice, signs, scales, angles and positions: stored numbers become accelerances.
+/// errors  InputError: options without a meaning for FRFs, channels that are not there, numbers beyond any sensor.
+FrfRecord to_accelerances(StoredFrfs stored, const FrfReadOptions& options);
+
+}  // namespace percuss::acquire

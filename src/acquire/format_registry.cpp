@@ -1,0 +1,65 @@
+#include "acquire/format_registry.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "acquire/formats/hdf5/hdf5_format.hpp"
+#include "acquire/formats/mat/mat_format.hpp"
+#include "acquire/formats/sound/sound_format.hpp"
+#include "acquire/formats/text/text_formats.hpp"
+#include "acquire/formats/uff/uff_format.hpp"
+
+namespace percuss::acquire {
+namespace {
+
+constexpr std::array<const FileFormat*, 6> kFormats{&kHdf5Format,  &kMatFormat, &kUffFormat,
+                                                    &kSoundFormat, &kLvmFormat, &kTextFormat};
+
+template <class Writes>
+std::vector<std::string> extensions_where(const Writes& writes) {
+  std::vector<std::string> out;
+  for (const FileFormat* format : kFormats) {
+    if (writes(*format)) out.insert(out.end(), format->written.begin(), format->written.end());
+  }
+  return out;
+}
+
+bool contains(std::span<const std::string_view> extensions, const std::string& extension) {
+  return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
+}
+
+}  // namespace
+
+std::span<const FileFormat* const> file_formats() { return kFormats; }
+
+const FileFormat& detected_format(const FileHead& head) {
+  return **std::find_if(kFormats.begin(), kFormats.end() - 1,
+                        [&](const FileFormat* format) { return format->detect(head); });
+}
+
+const FileFormat* written_format(const std::string& path) {
+  const std::string extension = file_extension(path);
+  const auto* const found = std::find_if(
+      kFormats.begin(), kFormats.end(), [&](const FileFormat* format) { return contains(format->written, extension); });
+  return found != kFormats.end() ? *found : nullptr;
+}
+
+const std::vector<std::string>& record_extensions() {
+  static const auto kExtensions =
+      extensions_where([](const FileFormat& format) { return format.write_record != nullptr; });
+  return kExtensions;
+}
+
+const std::vector<std::string>& frf_extensions() {
+  static const auto kExtensions =
+      extensions_where([](const FileFormat& format) { return format.write_frfs != nullptr; });
+  return kExtensions;
+}
+
+bool has_known_extension(const std::string& path) {
+  const std::string extension = file_extension(path);
+  return std::any_of(kFormats.begin(), kFormats.end(),
+                     [&](const FileFormat* format) { return contains(format->extensions, extension); });
+}
+
+}  // namespace percuss::acquire

@@ -1,0 +1,213 @@
+#include "acquire/formats/mat/read_frf_mat.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "acquire/channels/csv_columns.hpp"
+#include "acquire/formats/mat/mat_rate.hpp"
+#include "core/error.hpp"
+#include "core/units.hpp"
+
+namespace percuss::acquire {
+namespace {
+
+constexpr std::size_t kMaxMatFrfs = 1'000'000;
+
+// The layout of an array of FRFs: [points, channels, lines], each with its stride.
+struct MatFrfLayout {
+  std::size_t points = 1, channels = 1, lines = 0;
+  std::size_t point_stride = 0, channel_stride = 0, line_stride = 1;
+  std::size_t at(std::size_t point, std::size_t channel, std::size_t line) const {
+    return point * point_stride + channel * channel_stride + line * line_stride;
+  }
+};
+
+bool is_other_spectrum(const std::string& name) {
+  for (const char* word : {"spec", "psd", "csd", "coh", "auto", "cross", "corr"}) {
+    if (name.find(word) != std::string::npos) return true;
+  }
+  return false;
+}
+
+std::vector<const MatVariable*> frf_candidates(const MatFile& file) {
+  std::vector<const MatVariable*> out;
+  for (const MatVariable& variable : file.variables) {
+    const bool fits = variable.is_complex() && variable.size() > 1 && variable.shape.size() <= 3;
+    if (!fits) continue;
+    if (lower_case(field_name(variable.name)) == "frf") return {&variable};
+    if (!is_other_spectrum(lower_case(variable.name))) out.push_back(&variable);
+  }
+  return out;
+}
+
+[[noreturn]] void throw_ambiguous(const MatFile& file, const std::string& problem, const std::string& remedy,
+                                  const OptionId& option) {
+  CsvHeader header{.named = true};
+  std::string names;
+  for (std::size_t i = 0; i < file.variables.size(); ++i) {
+    const MatVariable& variable = file.variables[i];
+    const std::string shape =
+        variable.is_text ? "text" : shape_name(variable.shape) + (variable.is_complex() ? " complex" : "");
+    header.columns.push_back(
+        {.index = i, .name = variable.name, .base = variable.name, .unit = shape, .has_numbers = !variable.is_text});
+    constexpr std::size_t kNamesInMessage = 12;
+    if (i < kNamesInMessage) names += fmt::format("{}{} [{}]", i == 0 ? "" : ", ", one_line(variable.name, 40), shape);
+    if (i == kNamesInMessage) names += fmt::format(", … ({} variables)", file.variables.size());
+  }
+  AmbiguousColumns error(problem + " among " + names, file.path, remedy, header, {option});
+  error.format = "MAT";
+  throw error;
+}
+
+const MatVariable& chosen_frf(const MatFile& file, const std::vector<const MatVariable*>& candidates) {
+  if (candidates.size() == 1) return *candidates.front();
+  throw_ambiguous(file, fmt::format("{} complex arrays could be the FRFs", candidates.size()), "name one",
+                  "accel_channel");
+}
+
+// Three dimensions are points, channels, lines in this order, or lines first; two are FRFs and lines.
+MatFrfLayout frf_layout(const MatVariable& variable, std::size_t frequencies) {
+  std::vector<std::pair<std::size_t, std::size_t>> axes;  // size, stride
+  std::size_t stride = 1;
+  for (const std::size_t size : variable.shape) {
+    axes.emplace_back(size, stride);
+    stride *= size;
+  }
+  auto lines = std::find_if(axes.begin(), axes.end(), [&](const auto& axis) { return axis.first == frequencies; });
+  if (axes.size() == 3 && axes.back().first == frequencies) lines = axes.end() - 1;
+  if (lines == axes.end()) lines = std::max_element(axes.begin(), axes.end());
+  MatFrfLayout out{.lines = lines->first, .line_stride = lines->second};
+  axes.erase(lines);
+  out.points = axes[0].first;
+  out.point_stride = axes[0].second;
+  if (axes.size() > 1) {
+    out.channels = axes[1].first;
+    out.channel_stride = axes[1].second;
+  }
+  return out;
+}
+
+std::vector<double> frequencies_in(const MatFile& file) {
+  for (const char* name : {"frequency_hz", "freq_hz", "frequency", "freq", "f", "freqs", "frequencies", "freq_domain",
+                           "f_hz", "freq_vector", "fvec"}) {
+    for (const MatVariable& variable : file.variables) {
+      if (lower_case(field_name(variable.name)) == name && is_mat_vector(variable) && !variable.is_complex())
+        return variable.real;
+    }
+  }
+  return {};
+}
+
+LineRange lines_in(const MatFile& file, const FrfReadOptions& options, std::size_t lines,
+                   const std::vector<double>& freq_Hz) {
+  if (!options.read.df_Hz && freq_Hz.size() == lines) return lines_from_frequencies(freq_Hz, file.path);
+  auto df_Hz = options.read.df_Hz;
+  if (!df_Hz) df_Hz = mat_number(file, {"df", "dfhz", "deltaf", "freqspacing", "frequencyresolution"});
+  const auto fs_Hz = mat_rate_Hz(file, options.read);
+  if (!df_Hz && fs_Hz) df_Hz = *fs_Hz / 2 / static_cast<double>(lines - 1);
+  if (!df_Hz)
+    throw_ambiguous(file, fmt::format("no frequencies for FRFs of {} lines", lines), "state their spacing in Hz", "df");
+  if (!(*df_Hz > 1e-9) || !(*df_Hz < 1e9))
+    throw InputError(fmt::format("a spacing of {} Hz is not usable", *df_Hz), file.path, "state it in Hz", {"df"});
+  LineRange out{.first = 0, .count = lines};
+  out.samples = 2 * (lines - 1);
+  out.fs_Hz = *df_Hz * static_cast<double>(out.samples);
+  return out;
+}
+
+// A real array of the FRFs' shape (standard deviations, coherence); empty when there is none.
+std::vector<double> companion(const MatFile& file, const MatVariable& frf, const char* name, const MatFrfLayout& layout,
+                              std::size_t point, std::size_t channel) {
+  const MatVariable* const found = find_variable(file, name);
+  if (found == nullptr || found->is_complex() || found->shape != frf.shape) return {};
+  std::vector<double> out(layout.lines);
+  for (std::size_t k = 0; k < layout.lines; ++k) {
+    out[k] = found->real[layout.at(point, channel, k)];
+    if (!std::isfinite(out[k])) throw InputError("not a finite number", file.path + ": " + name, "leave it out");
+  }
+  return out;
+}
+
+void read_frfs(const MatFile& file, const MatVariable& frf, const MatFrfLayout& layout, StoredFrfs& out) {
+  const MatVariable* const numbers = find_variable(file, "point");
+  const bool numbered = numbers != nullptr && numbers->size() == layout.points;
+  const auto averages = mat_number(file, {"averages"}).value_or(0);
+  for (std::size_t p = 0; p < layout.points; ++p) {
+    const double number = numbered ? numbers->real[p] : static_cast<double>(p);
+    if (!(std::abs(number) <= 1e9)) throw InputError("not a whole number", file.path + ": point", "store 0, 1, …");
+    for (std::size_t c = 0; c < layout.channels; ++c) {
+      StoredFrf stored{.point = static_cast<int>(number), .channel = c};
+      stored.value.resize(layout.lines);
+      for (std::size_t k = 0; k < layout.lines; ++k) {
+        const std::size_t at = layout.at(p, c, k);
+        stored.value[k] = {frf.real[at], frf.imaginary[at]};
+      }
+      stored.std = companion(file, frf, "frf_std", layout, p, c);
+      stored.coherence = companion(file, frf, "coherence", layout, p, c);
+      stored.averages = averages > 0 && averages < 1e9 ? static_cast<std::size_t>(averages) : 0;
+      out.frfs.push_back(std::move(stored));
+    }
+  }
+}
+
+void describe_mat_channels(const MatFile& file, std::size_t channels, StoredFrfs& out) {
+  const MatVariable* const angle_deg = find_variable(file, "angle_deg");
+  const MatVariable* const position_m = find_variable(file, "position_m");
+  const auto value = [&](const MatVariable* v, std::size_t c) {
+    const bool known = v != nullptr && v->size() == channels && std::isfinite(v->real[c]);
+    return known ? std::optional(v->real[c]) : std::nullopt;
+  };
+  for (std::size_t c = 0; c < channels; ++c) {
+    SignalInfo signal{.name = "accel " + std::to_string(c + 1), .position_m = value(position_m, c)};
+    if (const auto degrees = value(angle_deg, c)) signal.angle_rad = *degrees * kDegree_rad;
+    out.record.accel.push_back(std::move(signal));
+  }
+}
+
+// Whether other arrays could be a record of time, so that the file is ambiguous.
+bool holds_time(const MatFile& file, std::size_t lines) {
+  return std::any_of(file.variables.begin(), file.variables.end(), [&](const MatVariable& v) {
+    const bool longer = std::any_of(v.shape.begin(), v.shape.end(), [&](std::size_t n) { return n > lines; });
+    return !v.is_text && !v.is_complex() && longer;
+  });
+}
+
+}  // namespace
+
+std::optional<StoredFrfs> read_frf_mat(const MatFile& file, const FrfReadOptions& options) {
+  const ReadOptions& read = options.read;
+  const bool force_named = !read.force_channel.empty() && read.force_channel != "force";
+  const MatVariable* named = nullptr;
+  if (read.accel_channels.size() == 1) named = find_variable(file, read.accel_channels.front());
+  if (named != nullptr && !named->is_complex()) named = nullptr;
+  const auto candidates = named != nullptr ? std::vector{named} : frf_candidates(file);
+  if (candidates.empty() || (force_named && !options.kind)) return std::nullopt;
+  const std::vector<double> freq_Hz = frequencies_in(file);
+  const bool own = field_name(candidates.front()->name) == "frf";
+  const std::size_t lines = frf_layout(*candidates.front(), freq_Hz.size()).lines;
+  if (named == nullptr && !own && !options.kind && holds_time(file, lines)) return std::nullopt;
+  const MatVariable& frf = chosen_frf(file, candidates);
+  const MatFrfLayout layout = frf_layout(frf, freq_Hz.size());
+  if (layout.lines < 2 || layout.points * layout.channels > kMaxMatFrfs)
+    throw InputError("too few lines or too many FRFs: " + shape_name(frf.shape), file.path, "split the file");
+  StoredFrfs out;
+  out.record.files.push_back({.path = file.path, .bytes = file.bytes});
+  out.record.format = "FRF MAT";
+  out.record.notes = file.notes;
+  out.record.lines = lines_in(file, options, layout.lines, freq_Hz);
+  out.record.decay_per_s = std::max(0.0, mat_number(file, {"decaypers"}).value_or(0));
+  describe_mat_channels(file, layout.channels, out);
+  if (layout.points > 1 && !own) {
+    out.record.notes.push_back(fmt::format(
+        "the {} FRFs of {} are taken as points of {}", layout.points * layout.channels, one_line(frf.name, 40),
+        layout.channels == 1 ? "one channel" : fmt::format("{} channels", layout.channels)));
+  }
+  out.unit = parse_frf_unit(mat_text(file, "unit"));
+  out.kind = parse_frf_kind(mat_text(file, "kind"));
+  read_frfs(file, frf, layout, out);
+  return out;
+}
+
+}  // namespace percuss::acquire

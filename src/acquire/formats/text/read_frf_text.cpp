@@ -1,0 +1,230 @@
+#include "acquire/formats/text/read_frf_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "acquire/formats/text/csv_layout.hpp"
+#include "acquire/formats/text/csv_table.hpp"
+#include "core/error.hpp"
+#include "core/io/parse_number.hpp"
+#include "core/units.hpp"
+
+namespace percuss::acquire {
+namespace {
+
+enum class Part { none, real, imaginary, magnitude, phase, std, coherence };
+
+// The columns of one FRF.
+struct Columns {
+  std::size_t first = 0, second = 0;  // real and imaginary, or magnitude and phase
+  bool polar = false, paired = false;
+  bool in_dB = false;
+  std::optional<double> phase_to_rad;
+  std::optional<std::size_t> std, coherence;
+  std::optional<int> point;
+  std::optional<std::size_t> channel;
+};
+
+std::vector<std::string> words_of(std::string_view name) {
+  std::vector<std::string> words(1);
+  for (const char c : lower_case(name)) {
+    const bool letter = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
+    if (letter) {
+      words.back() += c;
+    } else if (!words.back().empty()) {
+      words.emplace_back();
+    }
+  }
+  return words;
+}
+
+Part part_of(const std::vector<std::string>& words) {
+  for (const std::string& word : words) {
+    if (word == "re" || word.starts_with("real")) return Part::real;
+    if (word == "im" || word.starts_with("imag")) return Part::imaginary;
+    if (word.starts_with("mag") || word == "abs") return Part::magnitude;
+    if (word.starts_with("phase") || word == "arg") return Part::phase;
+    if (word.starts_with("coh")) return Part::coherence;
+    if (word == "std") return Part::std;
+  }
+  return Part::none;
+}
+
+// "p12" → 12
+template <class Number>
+std::optional<Number> numbered(const std::vector<std::string>& words, char letter) {
+  for (const std::string& word : words) {
+    Number number = 0;
+    const char* const end = word.data() + word.size();
+    if (word.size() < 2 || word[0] != letter) continue;
+    const auto [stop, error] = std::from_chars(word.data() + 1, end, number);
+    if (error == std::errc{} && stop == end) return number;
+  }
+  return std::nullopt;
+}
+
+[[noreturn]] void refuse_pairs(const std::string& file, const std::string& column) {
+  throw InputError("column " + column + " has no partner", file,
+                   "save frequency, real and imaginary part (or magnitude and phase) of each FRF, in this order");
+}
+
+void start(std::vector<Columns>& out, const CsvColumn& column, const std::vector<std::string>& words, bool polar) {
+  out.push_back({.first = column.index, .polar = polar});
+  out.back().in_dB = polar && lower_case(column.unit) == "db";
+  out.back().point = numbered<int>(words, 'p');
+  out.back().channel = numbered<std::size_t>(words, 'c');
+}
+
+// Nothing when no column is a part of an FRF.
+std::vector<Columns> find_columns(const CsvHeader& header, const std::string& file) {
+  std::vector<Columns> out;
+  for (const CsvColumn& column : header.columns) {
+    if (column.index == 0 || !column.has_numbers) continue;
+    const auto words = words_of(column.name);
+    const Part part = part_of(words);
+    const bool open = !out.empty() && !out.back().paired;
+    if (part == Part::real || part == Part::magnitude) {
+      if (open) refuse_pairs(file, column.name);
+      start(out, column, words, part == Part::magnitude);
+    } else if (part == Part::imaginary || part == Part::phase) {
+      if (!open || out.back().polar != (part == Part::phase)) refuse_pairs(file, column.name);
+      out.back().second = column.index;
+      out.back().paired = true;
+      const auto unit = parse_unit(column.unit);
+      if (unit && unit->quantity == Quantity::angle) out.back().phase_to_rad = unit->to_SI;
+    } else if (part == Part::std && !out.empty()) {
+      out.back().std = column.index;
+    } else if (part == Part::coherence && !out.empty()) {
+      out.back().coherence = column.index;
+    }
+  }
+  if (!out.empty() && !out.back().paired) refuse_pairs(file, header.columns.back().name);
+  return out;
+}
+
+// Columns without names: frequency, real, imaginary, real, imaginary, …
+std::vector<Columns> unnamed_columns(const CsvHeader& header) {
+  std::vector<Columns> out;
+  for (std::size_t i = 1; i + 1 < header.columns.size(); i += 2)
+    out.push_back({.first = header.columns[i].index, .second = header.columns[i + 1].index, .paired = true});
+  return out;
+}
+
+// Reads unit, kind, window and the sensors' angles from the cells before the data.
+void read_statements(std::string_view header, StoredFrfs& out) {
+  std::string previous;
+  std::vector<double> angle_deg;
+  while (!header.empty()) {
+    const auto end = std::min(header.find_first_of("\t\r\n,;# "), header.size());
+    const std::string word = to_utf8(trimmed(header.substr(0, end)));
+    header.remove_prefix(std::min(end + 1, header.size()));
+    if (word.empty()) continue;
+    if (!out.unit) out.unit = parse_frf_unit(word);
+    if (!out.kind) out.kind = parse_frf_kind(word);
+    const ParsedNumber number = parse_number(word, false);
+    const bool is_number = number.problem == NumberProblem::none;
+    if (is_number && previous == "decay_per_s" && number.value >= 0) out.record.decay_per_s = number.value;
+    if (is_number && previous == "angle_deg") {
+      angle_deg.push_back(number.value);
+    } else {
+      previous = lower_case(word);
+    }
+  }
+  for (std::size_t c = 0; c < std::min(angle_deg.size(), out.record.accel.size()); ++c)
+    out.record.accel[c].angle_rad = angle_deg[c] * kDegree_rad;
+}
+
+std::vector<double> read_column(const CsvTable& table, std::size_t index) {
+  std::vector<double> numbers(table.lines());
+  table.read(index, 0, numbers);
+  return numbers;
+}
+
+// A column that may be wholly empty: then the result is empty.
+std::vector<double> read_optional(const CsvTable& table, std::optional<std::size_t> index) {
+  if (!index) return {};
+  bool any = false;
+  table.for_each_cell(*index, [&](std::size_t, std::string_view cell) { any = any || !trimmed(cell).empty(); });
+  return any ? read_column(table, *index) : std::vector<double>{};
+}
+
+std::vector<Complex> read_value(const CsvTable& table, const Columns& columns, std::vector<Message>& notes) {
+  const auto first = read_column(table, columns.first);
+  const auto second = read_column(table, columns.second);
+  std::vector<Complex> value(first.size());
+  double to_rad = columns.phase_to_rad.value_or(kDegree_rad);
+  if (columns.polar && !columns.phase_to_rad) {
+    const Message note = "the unit of the phase is not stated: taken as degrees";
+    if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
+  }
+  for (std::size_t k = 0; k < value.size(); ++k) {
+    if (!columns.polar) {
+      value[k] = {first[k], second[k]};
+    } else {
+      value[k] = std::polar(1.0, second[k] * to_rad) * (columns.in_dB ? std::pow(10.0, first[k] / 20) : first[k]);
+    }
+  }
+  return value;
+}
+
+// Numbers points and channels; without names each FRF is a point.
+void number_columns(std::vector<Columns>& columns, std::vector<Message>& notes, const std::string& file) {
+  const bool named = std::all_of(columns.begin(), columns.end(), [](const Columns& c) { return c.point && c.channel; });
+  if (!named && columns.size() > 1)
+    notes.push_back(fmt::format("the {} FRFs of the file are taken as points of one channel", columns.size()));
+  for (std::size_t i = 0; !named && i < columns.size(); ++i) {
+    columns[i].point = static_cast<int>(i);
+    columns[i].channel = 0;
+  }
+  std::size_t channels = 0, points = 0;
+  std::vector<std::pair<int, std::size_t>> seen;
+  for (const Columns& c : columns) {
+    channels = std::max(channels, std::min(*c.channel, columns.size()) + 1);  // at most the number of columns
+    seen.emplace_back(*c.point, *c.channel);
+  }
+  std::sort(seen.begin(), seen.end());
+  const bool doubled = std::adjacent_find(seen.begin(), seen.end()) != seen.end();
+  for (std::size_t i = 0; i < seen.size(); ++i) points += i == 0 || seen[i].first != seen[i - 1].first ? 1U : 0U;
+  if (doubled || points * channels != columns.size()) {
+    throw InputError("not one FRF of every channel for every point", file,
+                     "name the columns p0_c0_re, p0_c0_im, … for point 0 and channel 0");
+  }
+}
+
+}  // namespace
+
+std::optional<StoredFrfs> read_frf_text(const FileBytes& bytes, bool forced) {
+  const std::string file = input_name(bytes.path);
+  CsvLayout layout = layout_of_text(bytes, CsvContent::frf);
+  if (layout.header.columns.front().index != 0) return std::nullopt;
+  const bool frequency = lower_case(layout.header.columns.front().name).starts_with("freq");
+  auto columns = frequency ? find_columns(layout.header, file) : std::vector<Columns>{};
+  if (columns.empty() && forced) columns = unnamed_columns(layout.header);
+  if (columns.empty()) return std::nullopt;
+  StoredFrfs out;
+  out.record.files.push_back({.path = bytes.path, .bytes = bytes.size});
+  out.record.format = "FRF text";
+  number_columns(columns, out.record.notes, file);
+  std::size_t channels = 0;
+  for (const Columns& c : columns) channels = std::max(channels, *c.channel + 1);
+  for (std::size_t c = 0; c < channels; ++c) out.record.accel.push_back({.name = "accel " + std::to_string(c + 1)});
+  read_statements(bytes.view().substr(0, layout.header.data_start), out);
+  const bool kilohertz = lower_case(layout.header.columns.front().unit) == "khz";
+  const CsvTable table(bytes, std::move(layout));
+  auto freq_Hz = read_column(table, 0);
+  if (kilohertz) std::for_each(freq_Hz.begin(), freq_Hz.end(), [](double& f) { f *= 1000; });
+  out.record.lines = lines_from_frequencies(freq_Hz, file);
+  for (const Columns& c : columns) {
+    out.frfs.push_back({.point = *c.point,
+                        .channel = *c.channel,
+                        .value = read_value(table, c, out.record.notes),
+                        .std = read_optional(table, c.std),
+                        .coherence = read_optional(table, c.coherence)});
+  }
+  return out;
+}
+
+}  // namespace percuss::acquire

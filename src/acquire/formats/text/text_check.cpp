@@ -1,0 +1,43 @@
+#include "acquire/formats/text/text_check.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "core/error.hpp"
+
+namespace percuss::acquire {
+namespace {
+
+struct Magic {
+  std::string_view start, kind;
+};
+
+// Files of instruments and programs that percuss does not read, by their first bytes.
+constexpr std::array kNotReadable = {
+    Magic{"TDSm", "a TDMS file"},
+    Magic{"PK\x03\x04", "a zip archive (xlsx and npz are such)"},
+    Magic{"\xD0\xCF\x11\xE0", "an old Excel file"},
+    Magic{"\x1F\x8B", "a gzip archive"},
+    Magic{"\x93NUMPY", "a NumPy array"},
+    Magic{"%PDF", "a PDF document"},
+};
+
+}  // namespace
+
+void require_text(std::string_view head, const std::string& name) {
+  for (const Magic& magic : kNotReadable) {
+    if (head.starts_with(magic.start))
+      throw InputError(std::string(magic.kind) + " is not readable yet", name, "save it as CSV or HDF5");
+  }
+  if (head.empty()) throw InputError("the file is empty", name, "record or export it again");
+  const auto starts = [&](std::string_view bytes) { return head.substr(0, bytes.size()) == bytes; };
+  if (starts("\xFF\xFE") || starts("\xFE\xFF")) throw InputError("this is UTF-16 text", name, "save it as UTF-8");
+  const auto control = std::count_if(head.begin(), head.end(), [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return byte < 0x20 && c != '\n' && c != '\r' && c != '\t' && c != '\f' && c != '\v' && c != 0x1A;
+  });
+  if (control > 0)
+    throw InputError("this is neither text nor a format that percuss knows", name, "save it as CSV or HDF5");
+}
+
+}  // namespace percuss::acquire

@@ -1,0 +1,11 @@
+#pragma once
+#include <string>
+#include <string_view>
+
+namespace percuss::acquire {
+
+/// Requires that these first bytes of the file `name` can be the start of a text in ASCII, UTF-8 or Latin-1.
+/// errors  InputError: empty, UTF-16, binary; a kind of file that percuss does not read, by its name.
+void require_text(std::string_view head, const std::string& name);
+
+}  // namespace percuss::acquire

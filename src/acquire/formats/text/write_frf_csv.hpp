@@ -1,0 +1,12 @@
+#pragma once
+#include <string>
+
+#include "acquire/record/frf_record.hpp"
+
+namespace percuss::acquire {
+
+/// FRFs as CSV: frequency_hz, then per point and channel re, im, std, coherence (the last two empty where not known).
+/// A `#` comment states kind, unit and estimator. `kind` is the kind to write.
+std::string frf_record_csv(const FrfRecord& record, FrfKind kind);
+
+}  // namespace percuss::acquire

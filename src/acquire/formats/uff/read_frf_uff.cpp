@@ -1,0 +1,208 @@
+#include "acquire/formats/uff/read_frf_uff.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "acquire/formats/uff/read_uff.hpp"
+#include "core/error.hpp"
+#include "core/units.hpp"
+
+namespace percuss::acquire {
+namespace {
+
+using Functions = std::vector<const UffFunction*>;
+
+// A place of a response or of the hammer.
+using PlaceKey = std::tuple<std::string, int, int>;
+PlaceKey key_of(const UffDof& place) { return {place.name, place.node, place.direction}; }
+
+// The assignment of the functions' two places to points and channels.
+struct Grid {
+  bool sensor_roves = false;
+  std::map<PlaceKey, std::size_t> channels;  // with a roving sensor: by name and direction only
+  PlaceKey channel_key(const UffFunction& f) const {
+    return sensor_roves ? PlaceKey{f.response.name, 0, f.response.direction} : key_of(f.response);
+  }
+};
+
+Grid grid_of(const Functions& frfs) {
+  Grid grid;
+  std::set<int> struck, sensed;
+  std::set<std::pair<int, int>> struck_ways;
+  for (const UffFunction* f : frfs) {
+    struck.insert(f->reference.node);
+    struck_ways.emplace(f->reference.node, f->reference.direction);
+    sensed.insert(f->response.node);
+  }
+  grid.sensor_roves = struck.size() == 1 && struck_ways.size() == 1 && sensed.size() > 1;
+  for (const UffFunction* f : frfs) grid.channels.emplace(grid.channel_key(*f), 0);
+  std::size_t next = 0;
+  for (const UffFunction* f : frfs) {  // numbered in the file's order
+    auto& number = grid.channels.at(grid.channel_key(*f));
+    if (number == 0) number = ++next;
+  }
+  return grid;
+}
+
+double length_to_SI(const UffAxis& axis, const UffContents& contents, FrfKind& kind, bool& known) {
+  std::string unit = axis.unit;
+  if (axis.quantity == Uff58::acceleration) kind = FrfKind::accelerance;
+  if (axis.quantity == Uff58::velocity) kind = FrfKind::mobility;
+  if (axis.quantity == Uff58::displacement) kind = FrfKind::receptance;
+  known = known || axis.quantity == Uff58::acceleration || axis.quantity == Uff58::velocity ||
+          axis.quantity == Uff58::displacement;
+  // The label may name the motion only ("m/s^2") or the quotient.
+  for (const std::string& text : {unit, unit + "/N"}) {
+    const auto parsed = parse_frf_unit(text);
+    if (!parsed || unit.empty()) continue;
+    kind = parsed->kind;
+    known = true;
+    return parsed->response_to_SI;
+  }
+  return contents.units ? 1 / contents.units->length : 1;
+}
+
+FrfUnit unit_of_function(const UffFunction& f, const UffContents& contents, bool& known) {
+  FrfUnit out;
+  out.response_to_SI = length_to_SI(f.ordinate, contents, out.kind, known);
+  const auto below = parse_unit(f.denominator.unit);
+  if (below && below->quantity == Quantity::force) {
+    out.force_to_SI = below->to_SI;
+  } else if (const auto quotient = parse_frf_unit(f.ordinate.unit)) {
+    out.force_to_SI = quotient->force_to_SI;
+  } else if (contents.units) {
+    out.force_to_SI = 1 / contents.units->force;
+  }
+  return out;
+}
+
+LineRange lines_of_function(const UffFunction& f, const std::string& where, std::string& note) {
+  std::vector<double> freq_Hz(f.count);
+  if (!f.even) {
+    for (std::size_t k = 0; k < f.count; ++k) freq_Hz[k] = f.x(k);
+    return lines_from_frequencies(freq_Hz, where);
+  }
+  const double df_Hz = uff_step(f, true, note);
+  const double first = std::round(f.x0 / df_Hz);
+  constexpr double kMaxLineOffset = 0.05;  // of the spacing, as for texts
+  const bool fits = df_Hz > 0 && first >= 0 && std::abs(f.x0 / df_Hz - first) <= kMaxLineOffset;
+  if (!fits || f.count < 2) {
+    throw InputError(fmt::format("{} lines from {} Hz in steps of {} Hz", f.count, f.x0, f.dx), where,
+                     "export lines that are multiples of their spacing");
+  }
+  for (std::size_t k = 0; k < f.count; ++k) freq_Hz[k] = (first + static_cast<double>(k)) * df_Hz;
+  return lines_from_frequencies(freq_Hz, where);
+}
+
+void require_same_lines(const Functions& frfs, const FileBytes& file) {
+  const UffFunction& first = *frfs.front();
+  for (const UffFunction* f : frfs) {
+    const bool same = f->count == first.count && f->even == first.even && f->dx == first.dx && f->x0 == first.x0;
+    if (same && (f->complex || f->type != Uff58::frequency_response)) continue;
+    throw InputError(same ? "an FRF that is not complex" : "FRFs with other lines than the first one",
+                     uff_location(file, f->at), "export them with the same lines, as complex numbers");
+  }
+}
+
+StoredFrf stored_frf(const UffFunction& f, int point, std::size_t channel) {
+  StoredFrf out{.point = point, .channel = channel};
+  std::vector<double> real(f.count), imaginary(f.count);
+  f.read(0, 0, real);
+  f.read(1, 0, imaginary);
+  out.value.reserve(f.count);
+  for (std::size_t k = 0; k < f.count; ++k) out.value.emplace_back(real[k], imaginary[k]);
+  out.averages = uff_annotation(f).averages;
+  return out;
+}
+
+// Adds coherence and, where the number of averages is known, the standard deviation of H1 that follows.
+void add_coherence(const UffFunction& coherence, StoredFrf& frf) {
+  if (coherence.count != frf.value.size() || coherence.complex) return;
+  frf.coherence.resize(coherence.count);
+  coherence.read(0, 0, frf.coherence);
+  if (frf.averages < 2) return;
+  const auto freedom = static_cast<double>(frf.averages - 1);
+  for (std::size_t k = 0; k < frf.value.size(); ++k) {
+    const double known = std::clamp(frf.coherence[k], 1e-12, 1.0);
+    frf.std.push_back(std::sqrt((1 - known) / known / freedom) * std::abs(frf.value[k]));
+  }
+}
+
+using FrfPlaces = std::tuple<PlaceKey, PlaceKey>;
+std::map<FrfPlaces, const UffFunction*> coherences_of(const UffContents& contents) {
+  std::map<FrfPlaces, const UffFunction*> out;
+  for (const UffFunction& f : contents.functions) {
+    if (f.type == Uff58::coherence) out.emplace(FrfPlaces{key_of(f.reference), key_of(f.response)}, &f);
+  }
+  return out;
+}
+
+void require_grid(const StoredFrfs& out, const std::string& file) {
+  std::set<std::pair<int, std::size_t>> seen;
+  std::set<int> points;
+  for (const StoredFrf& frf : out.frfs) {
+    points.insert(frf.point);
+    if (!seen.emplace(frf.point, frf.channel).second) {
+      throw InputError(fmt::format("two FRFs of channel {} at point {}", frf.channel + 1, frf.point), file,
+                       "keep one of them");
+    }
+  }
+  if (points.size() * out.record.accel.size() != out.frfs.size()) {
+    throw InputError(fmt::format("{} FRFs, not one of each of {} channels for each of {} points", out.frfs.size(),
+                                 out.record.accel.size(), points.size()),
+                     file, "export the same channels for every point");
+  }
+}
+
+}  // namespace
+
+std::optional<StoredFrfs> read_frf_uff(const FileBytes& file, const UffContents& contents, bool forced) {
+  const auto& all = contents.functions;
+  const bool times = std::any_of(all.begin(), all.end(), is_time_record);
+  Functions frfs;
+  for (const UffFunction& f : all) {
+    if (is_uff_frf(f)) frfs.push_back(&f);
+  }
+  if (frfs.empty() || (times && !forced)) return std::nullopt;
+  require_same_lines(frfs, file);
+  const UffFunction& first = *frfs.front();
+  const std::string name = input_name(file.path);
+  StoredFrfs out;
+  out.record.files.push_back({.path = file.path, .bytes = file.size});
+  out.record.format = "FRF UFF";
+  out.record.notes = uff_notes(contents);
+  std::string note;
+  out.record.lines = lines_of_function(first, uff_location(file, first.at), note);
+  if (!note.empty()) out.record.notes.push_back(note);
+  bool known = false;
+  const FrfUnit unit = unit_of_function(first, contents, known);
+  if (known) out.unit = unit;
+  const UffAnnotation stated = uff_annotation(first);
+  out.record.decay_per_s = std::max(0.0, stated.decay_per_s.value_or(0));
+  out.record.geometry = uff_geometry(contents, stated.node_offset, out.record.notes);
+  if (!out.record.geometry.empty()) out.record.trace_lines = uff_trace_lines(contents, stated.node_offset);
+  const Grid grid = grid_of(frfs);
+  out.record.accel.resize(grid.channels.size());
+  const auto coherences = coherences_of(contents);
+  for (const UffFunction* f : frfs) {
+    const std::size_t channel = grid.channels.at(grid.channel_key(*f)) - 1;
+    SignalInfo& signal = out.record.accel[channel];
+    const UffAnnotation annotation = uff_annotation(*f);
+    signal.name = "accel " + std::to_string(channel + 1);
+    if (annotation.angle_deg) signal.angle_rad = *annotation.angle_deg * kDegree_rad;
+    signal.position_m = annotation.position_m;
+    const int node = (grid.sensor_roves ? f->response.node : f->reference.node) - stated.node_offset;
+    out.frfs.push_back(stored_frf(*f, node, channel));
+    const auto coherence = coherences.find({key_of(f->reference), key_of(f->response)});
+    if (coherence != coherences.end()) add_coherence(*coherence->second, out.frfs.back());
+  }
+  require_grid(out, name);
+  return out;
+}
+
+}  // namespace percuss::acquire

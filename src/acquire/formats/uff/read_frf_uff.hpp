@@ -1,0 +1,17 @@
+#pragma once
+#include <optional>
+
+#include "acquire/channels/stored_frfs.hpp"
+#include "acquire/formats/uff/uff_contents.hpp"
+#include "core/io/input_file.hpp"
+
+namespace percuss::acquire {
+
+/// The FRFs of a universal file: its functions 58 of type 4 (docs/reference/formats.md, "UFF"), with the coherences
+/// (type 6) of the same places. Struck points are points, and responses are channels. With one struck point and many
+/// responses (a roving sensor) the responses are the points. Nothing without FRFs, or beside records of time, unless
+/// `forced`.
+/// errors  InputError: functions differ in length or spacing, or an FRF of a channel is missing at a point.
+std::optional<StoredFrfs> read_frf_uff(const FileBytes& file, const UffContents& contents, bool forced);
+
+}  // namespace percuss::acquire

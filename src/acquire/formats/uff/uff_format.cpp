@@ -1,0 +1,52 @@
+#include "acquire/formats/uff/uff_format.hpp"
+
+#include <array>
+
+#include "acquire/channels/stored_frfs.hpp"
+#include "acquire/formats/uff/read_frf_uff.hpp"
+#include "acquire/formats/uff/read_uff.hpp"
+#include "acquire/formats/uff/write_frf_uff.hpp"
+#include "acquire/formats/uff/write_uff.hpp"
+#include "acquire/record/record_losses.hpp"
+
+namespace percuss::acquire {
+namespace {
+
+constexpr std::uint64_t kMaxUff_bytes = std::uint64_t{16} << 30U;
+constexpr std::array<std::string_view, 4> kUffExtensions{".uff", ".unv", ".uf", ".bunv"};
+
+Measurement open_uff_file(const FormatInput& input, const FrfReadOptions& options, Content content) {
+  const FileBytes file = input.stream != nullptr ? *input.stream : lazy_input(input.path, kMaxUff_bytes);
+  UffContents contents = read_uff_contents(file);
+  if (content == Content::record_or_frfs) {
+    if (auto frfs = read_frf_uff(file, contents, options.kind.has_value()))
+      return to_accelerances(std::move(*frfs), options);
+  }
+  return open_uff(file, std::move(contents), options.read);
+}
+
+std::vector<std::string> uff_losses(const std::string& /*path*/, const Record& record) {
+  std::vector<std::string> losses;
+  const bool coordinates = !record.geometry.empty() && record.geometry.front().size() == 3;
+  if (!record.geometry.empty() && !coordinates)
+    losses.emplace_back("the geometry (positions and angles instead of coordinates)");
+  add_lost_lines(record, coordinates ? uff_drawable_lines(record.geometry, record.trace_lines).size() : 0, losses);
+  add_lost_names(record, losses);
+  return losses;
+}
+
+}  // namespace
+
+const FileFormat kUffFormat{
+    .name = "UFF",
+    .extensions = kUffExtensions,
+    .written = std::span(kUffExtensions).first(2),
+    .detect = [](const FileHead& head) { return is_universal_file(head.bytes); },
+    .open = open_uff_file,
+    .write_record = [](const std::string& path, const Record& record, bool force) { write_uff(path, record, force); },
+    .write_frfs = [](const std::string& path, const FrfRecord& record, FrfKind kind,
+                     bool force) { write_frf_record_uff(path, record, kind, force); },
+    .record_losses = uff_losses,
+    .keeps_frf_geometry = true};
+
+}  // namespace percuss::acquire

@@ -1,0 +1,87 @@
+#include "acquire/open_measurement.hpp"
+
+#include <fmt/format.h>
+
+#include <string_view>
+#include <utility>
+
+#include "acquire/format_registry.hpp"
+#include "acquire/sandbox/fork_server.hpp"
+#include "acquire/sandbox/sandbox_measurement.hpp"
+#include "core/error.hpp"
+
+namespace percuss::acquire {
+namespace {
+
+constexpr std::uint64_t kMaxPipe_bytes = std::uint64_t{4} << 30U;  // a pipe does not state its length
+constexpr std::size_t kHead_bytes = std::size_t{1} << 16U;
+
+void refuse_variable_name(const FrfReadOptions& options, const std::string& path) {
+  if (options.read.fs_variable.empty()) return;
+  throw InputError("the sampling rate is no number: " + one_line(options.read.fs_variable, 40), input_name(path),
+                   "state it in Hz (in MAT files it may be a variable)", {"fs"});
+}
+
+// What cannot come through a pipe is refused by its first bytes.
+Measurement open_standard_input(const FrfReadOptions& options, Content content) {
+  refuse_variable_name(options, "-");
+  const FileBytes stream = read_input("-", kMaxPipe_bytes, [](std::string_view bytes) {
+    const FileHead head{"-", bytes};
+    const FileFormat& format = detected_format(head);
+    if (format.sandboxed) {
+      throw InputError(fmt::format("{} files cannot be read from a pipe", format.name), input_name("-"),
+                       "give the file's name");
+    }
+    if (format.check != nullptr) format.check(head);
+  });
+  const FileFormat& format = detected_format({"-", stream.view()});
+  return format.open({"-", &stream}, options, content);
+}
+
+Measurement open_content(const std::string& path, const FrfReadOptions& options, Content content) {
+  if (path == "-") return open_standard_input(options, content);
+  const std::string bytes = first_bytes(path, kHead_bytes);
+  const FileHead head{path, bytes};
+  const FileFormat& format = detected_format(head);
+  if (!format.names_variables) refuse_variable_name(options, path);
+  if (format.check != nullptr) format.check(head);
+  const auto open = [&] { return format.open({path}, options, content); };
+  return options.read.sandboxed && format.sandboxed ? open_in_sandbox(path, open) : open();
+}
+
+}  // namespace
+
+Measurement open_measurement(const std::string& path, const FrfReadOptions& options) {
+  return open_content(path, options, Content::record_or_frfs);
+}
+
+Record open_record(const std::string& path, const ReadOptions& options) {
+  Measurement opened = open_content(path, {.read = options, .kind = {}}, Content::record);
+  if (auto* record = std::get_if<Record>(&opened)) return std::move(*record);
+  throw InputError("FRFs are no record of time", path, "give force and acceleration");
+}
+
+bool needs_sandbox(const std::string& path) {
+  const std::string bytes = first_bytes(path, kHead_bytes);
+  return detected_format({path, bytes}).sandboxed;
+}
+
+std::shared_ptr<ForkServer> measurement_fork_server(const FrfReadOptions& options) {
+  FrfReadOptions within = options;
+  within.read.sandboxed = false;
+  return std::make_shared<ForkServer>(
+      [within](const std::string& path) { return measurement_service(open_measurement(path, within)); });
+}
+
+Measurement open_measurement_forked(const std::shared_ptr<ForkServer>& fork_server, const std::string& path,
+                                    const FrfReadOptions& options) {
+  if (fork_server->lost() || !needs_sandbox(path)) return open_measurement(path, options);
+  try {
+    return sandboxed_measurement(std::make_shared<SandboxProcess>(path, fork_server));
+  } catch (const InputError&) {
+    if (!fork_server->lost()) throw;
+  }
+  return open_measurement(path, options);
+}
+
+}  // namespace percuss::acquire

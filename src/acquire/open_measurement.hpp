@@ -1,0 +1,30 @@
+#pragma once
+#include <memory>
+#include <string>
+
+#include "acquire/record/frf_record.hpp"
+
+namespace percuss::acquire {
+class ForkServer;
+
+/// Opens a file of any format ("-" is standard input) and describes its content. It holds FRFs where its columns,
+/// variables or data sets are FRFs, else a record.
+/// errors  InputError: not readable, damaged, options that the content contradicts; AmbiguousColumns: nothing says
+/// which signal is the force or an acceleration.
+Measurement open_measurement(const std::string& path, const FrfReadOptions& options = {});
+
+/// As open_measurement, for a record only: FRFs are refused.
+Record open_record(const std::string& path, const ReadOptions& options = {});
+
+/// Whether another project's library decodes the file (MAT, HDF5, sound), so that a process of its own reads it.
+bool needs_sandbox(const std::string& path);
+
+/// A server that forks processes in which files are opened with these options, for open_measurement_forked.
+std::shared_ptr<ForkServer> measurement_fork_server(const FrfReadOptions& options);
+
+/// As open_measurement with the server's options, which `options` must equal. The server forks the process that reads a
+/// foreign file.
+Measurement open_measurement_forked(const std::shared_ptr<ForkServer>& fork_server, const std::string& path,
+                                    const FrfReadOptions& options);
+
+}  // namespace percuss::acquire

@@ -1,0 +1,55 @@
+#pragma once
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "acquire/record/frf_record.hpp"
+#include "core/io/input_file.hpp"
+
+namespace percuss::acquire {
+
+/// The path of an input ("-" is standard input) and its first bytes: 64 KiB, or all where there are fewer.
+struct FileHead {
+  std::string path;
+  std::string_view bytes;
+};
+
+/// Where a reader finds its input: a path, or the bytes of a stream that have been read already.
+struct FormatInput {
+  std::string path;
+  const FileBytes* stream = nullptr;
+};
+
+/// The content that the caller accepts. A file of FRFs is no record: its reader says what is missing.
+enum class Content { record, record_or_frfs };
+
+/// One file format, for records and FRFs alike: an entry of the registry (acquire/format_registry.hpp). Members that a
+/// format has no use for are empty.
+struct FileFormat {
+  std::string_view name;                         // for people: "HDF5", "MAT"
+  std::span<const std::string_view> extensions;  // customary ones, lower case; on reading the content decides
+  std::span<const std::string_view> written{};   // the extensions under which percuss writes it
+  bool sandboxed = false;        // another project's library opens the file by its path: in a process of its own
+  bool names_variables = false;  // ReadOptions::fs_variable has a meaning
+
+  /// Whether the input is of this format. The registry asks in its order.
+  bool (*detect)(const FileHead& head);
+  /// Refuses an input before the rest of it is read.
+  /// errors  InputError.
+  void (*check)(const FileHead& head) = nullptr;
+  /// Opens the input and decides whether it is a record or FRFs.
+  /// errors  InputError.
+  Measurement (*open)(const FormatInput& input, const FrfReadOptions& options, Content content);
+  /// errors  InputError: the file exists (without `force`) or cannot be written, or the format cannot hold the data.
+  void (*write_record)(const std::string& path, const Record& record, bool force) = nullptr;
+  void (*write_frfs)(const std::string& path, const FrfRecord& record, FrfKind kind, bool force) = nullptr;
+  /// The parts of a record that a file of this name would lose, one line each.
+  std::vector<std::string> (*record_losses)(const std::string& path, const Record& record) = nullptr;
+  bool keeps_frf_geometry = false;  // files of FRFs keep points and the lines between them
+};
+
+/// ".h5" of "bat.H5".
+std::string file_extension(const std::string& path);
+
+}  // namespace percuss::acquire

@@ -1,0 +1,29 @@
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "acquire/record/line_range.hpp"
+#include "core/math/fft.hpp"
+
+namespace percuss::acquire {
+
+/// The accelerance between one impact point and one response channel, averaged over hits.
+struct Frf {
+  std::vector<Complex> value;     // (m/s²)/N
+  std::vector<double> std;        // rms of |value − truth|, from the scatter over hits, (m/s²)/N; empty for one hit
+  std::vector<double> coherence;  // ordinary, 0 … 1; empty for one hit
+  std::size_t averages = 0;
+};
+
+enum class FrfKind { accelerance, mobility, receptance };
+
+const char* name_of(FrfKind kind);
+/// (m/s^2)/N, (m/s)/N, m/N
+const char* unit_of(FrfKind kind);
+
+/// Accelerance as mobility (÷ jω) or receptance (÷ (jω)²); value and standard deviation alike. With an exponential
+/// window of decay σ the FRF stands at s = jω + σ, and the divisor is s or s². The line at s = 0 becomes 0.
+/// theory (2.10)
+Frf converted(const Frf& accelerance, const LineRange& lines, FrfKind kind, double decay_per_s = 0);
+
+}  // namespace percuss::acquire

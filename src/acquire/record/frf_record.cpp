@@ -1,0 +1,50 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "acquire/record/frf_record.hpp"
+#include "core/error.hpp"
+#include "core/io/input_file.hpp"
+
+namespace percuss::acquire {
+namespace {
+
+constexpr double kSameSpacing = 1e-6;  // relative, between files
+
+std::string input_name_of(const FrfRecord& record) { return input_name(record.source()); }
+
+}  // namespace
+
+FrfRecord join_frfs(std::vector<FrfRecord> records) {
+  FrfRecord out = std::move(records.front());
+  const std::vector<Message> common = out.notes;  // a note on every file is given once
+  for (std::size_t r = 1; r < records.size(); ++r) {
+    FrfRecord& next = records[r];
+    const bool spaced = std::abs(next.lines.df_Hz() / out.lines.df_Hz() - 1) <= kSameSpacing;
+    if (!spaced || next.lines.first != out.lines.first || next.lines.count != out.lines.count) {
+      throw InputError(fmt::format("{} lines of {:.6g} Hz from {:.6g} Hz where {} has {} of {:.6g} Hz from {:.6g} Hz",
+                                   next.lines.count, next.lines.df_Hz(), next.lines.freq_Hz(0), input_name_of(out),
+                                   out.lines.count, out.lines.df_Hz(), out.lines.freq_Hz(0)),
+                       input_name_of(next), "analyse it by itself, or as a test of its own", {"files"});
+    }
+    if (next.accel.size() != out.accel.size() || next.decay_per_s != out.decay_per_s) {
+      throw InputError(fmt::format("other channels or windows than in {}", input_name_of(out)), input_name_of(next),
+                       "analyse it by itself, or as a test of its own", {"files"});
+    }
+    const int after = out.frfs.back().point + 1 - std::min(0, next.frfs.front().point);
+    for (PointFrf& frf : next.frfs) {
+      frf.point += after;
+      out.frfs.push_back(std::move(frf));
+    }
+    for (const Message& note : next.notes) {
+      if (std::find(common.begin(), common.end(), note) == common.end())
+        out.notes.emplace_back(input_name_of(next) + ": " + note.text, note.options);
+    }
+    out.files.insert(out.files.end(), next.files.begin(), next.files.end());
+    if (next.format != out.format) out.format = "several";
+  }
+  return out;
+}
+
+}  // namespace percuss::acquire

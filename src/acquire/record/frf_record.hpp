@@ -1,0 +1,50 @@
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "acquire/record/frf.hpp"
+#include "acquire/record/record.hpp"
+
+namespace percuss::acquire {
+
+/// An FRF of one point and one channel.
+struct PointFrf {
+  int point = 0;
+  std::size_t channel = 0;  // index into FrfRecord::accel
+  Frf frf;
+};
+
+/// A test of which only the FRFs were stored: no hits, no force.
+struct FrfRecord {
+  std::vector<InputFile> files;
+  std::string format;                   // for people: "FRF text", "FRF HDF5"
+  FrfKind kind = FrfKind::accelerance;  // as stored; `frfs` are accelerances
+  LineRange lines;                // of every FRF; fs_Hz is twice the highest frequency, the true rate is not known
+  std::vector<SignalInfo> accel;  // [channels]; to_SI is the factor applied to the stored FRF: unit and sign
+  std::vector<PointFrf> frfs;     // [points × channels], point by point, ascending
+  std::string estimator = "H1";
+  std::vector<std::vector<double>> geometry;  // [points][3], as in Record; may be empty
+  std::vector<TraceLine> trace_lines;         // likewise
+  double decay_per_s = 0;                     // of the exponential window that the file states for force and response
+  std::vector<Message> notes;                 // what was assumed, one line each
+  /// As Record::source().
+  std::string source() const { return files.empty() ? format : files.front().path; }
+};
+
+/// The content of a file.
+using Measurement = std::variant<Record, FrfRecord>;
+
+/// What the user says about FRF files beyond ReadOptions; wins over what the file says.
+struct FrfReadOptions {
+  ReadOptions read;
+  std::optional<FrfKind> kind;
+};
+
+/// Several files of FRFs as one test: each file's points after the points of the file before.
+/// errors  InputError: lines or channels differ; names the file.
+FrfRecord join_frfs(std::vector<FrfRecord> records);
+
+}  // namespace percuss::acquire

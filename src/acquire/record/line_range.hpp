@@ -1,0 +1,31 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace percuss::acquire {
+
+/// The spectral lines of a transform of `samples` values that are kept: first … first + count − 1.
+struct LineRange {
+  double fs_Hz = 0;
+  std::size_t samples = 0;
+  std::size_t first = 0;
+  std::size_t count = 0;
+  double df_Hz() const { return fs_Hz / static_cast<double>(samples); }
+  double freq_Hz(std::size_t line) const { return static_cast<double>(first + line) * df_Hz(); }
+  double position(double freq_Hz) const { return freq_Hz / df_Hz() - static_cast<double>(first); }  // in lines
+  std::size_t nearest(double freq_Hz) const { return at(position(freq_Hz)); }
+  /// The line nearest to a position; the first or last one for a position beyond them.
+  std::size_t at(double position) const {
+    return static_cast<std::size_t>(std::clamp(std::round(position), 0.0, static_cast<double>(count - 1)));
+  }
+};
+
+/// The lines of evenly spaced frequencies that are multiples of their spacing. Frequencies may be rounded to 5 % of the
+/// spacing.
+/// errors  InputError at `where`: fewer than two, uneven, falling, negative.
+LineRange lines_from_frequencies(const std::vector<double>& freq_Hz, const std::string& where);
+
+}  // namespace percuss::acquire

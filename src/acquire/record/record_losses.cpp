@@ -1,0 +1,28 @@
+#include "acquire/record/record_losses.hpp"
+
+#include <algorithm>
+
+namespace percuss::acquire {
+
+void add_lost_lines(const Record& record, std::size_t kept, std::vector<std::string>& losses) {
+  if (kept >= record.trace_lines.size()) return;
+  losses.emplace_back(kept == 0 ? "the lines between points" : "lines to points without coordinates");
+}
+
+void add_lost_places(const Record& record, std::vector<std::string>& losses) {
+  const auto any = [&](auto place) {
+    return std::any_of(record.accel.begin(), record.accel.end(), [&](const auto& s) { return (s.*place).has_value(); });
+  };
+  if (any(&SignalInfo::angle_rad)) losses.emplace_back("the sensors' angles");
+  if (any(&SignalInfo::position_m)) losses.emplace_back("the sensors' positions");
+}
+
+void add_lost_names(const Record& record, std::vector<std::string>& losses) {
+  for (std::size_t c = 0; c < record.accel.size(); ++c) {
+    if (record.accel[c].name == "accel " + std::to_string(c + 1)) continue;
+    losses.emplace_back("the channels' names");
+    return;
+  }
+}
+
+}  // namespace percuss::acquire

@@ -1,0 +1,18 @@
+#pragma once
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "acquire/record/record.hpp"
+
+namespace percuss::acquire {
+
+// Parts of a record that a format may have no place for. Each function adds a line where the record has the part.
+
+/// The lines between points, of which a file keeps `kept`.
+void add_lost_lines(const Record& record, std::size_t kept, std::vector<std::string>& losses);
+void add_lost_places(const Record& record, std::vector<std::string>& losses);
+/// Names other than "accel 1", "accel 2", …
+void add_lost_names(const Record& record, std::vector<std::string>& losses);
+
+}  // namespace percuss::acquire

@@ -1,0 +1,20 @@
+#pragma once
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "acquire/record/frf_record.hpp"
+#include "acquire/sandbox/sandbox_process.hpp"
+
+namespace percuss::acquire {
+
+/// A measurement as a child process serves it: a record's samples on request, FRFs as a whole.
+SandboxService measurement_service(Measurement opened);
+
+/// The measurement that a child process with measurement_service describes and serves.
+Measurement sandboxed_measurement(const std::shared_ptr<SandboxProcess>& process);
+
+/// The result of `open`, called in a sandboxed child process. errors  InputError: as SandboxProcess.
+Measurement open_in_sandbox(const std::string& path, const std::function<Measurement()>& open);
+
+}  // namespace percuss::acquire

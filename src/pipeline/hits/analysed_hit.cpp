@@ -1,0 +1,19 @@
+#include "pipeline/hits/analysed_hit.hpp"
+
+#include <algorithm>
+
+namespace percuss::pipeline {
+
+std::vector<std::size_t> accepted_hits(const std::vector<AnalysedHit>& hits) {
+  std::vector<std::size_t> accepted;
+  for (std::size_t h = 0; h < hits.size(); ++h) {
+    if (hits[h].accepted) accepted.push_back(h);
+  }
+  return accepted;
+}
+
+bool any_accepted(const std::vector<AnalysedHit>& hits) {
+  return std::any_of(hits.begin(), hits.end(), [](const AnalysedHit& hit) { return hit.accepted; });
+}
+
+}  // namespace percuss::pipeline

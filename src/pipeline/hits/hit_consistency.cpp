@@ -1,0 +1,126 @@
+#include "pipeline/hits/hit_consistency.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "core/math/statistics.hpp"
+#include "core/parallel/parallel.hpp"
+#include "frf/leave_one_out.hpp"
+
+namespace percuss::pipeline {
+namespace {
+
+constexpr std::size_t kMinHits = 4;      // fewer cannot outvote one
+constexpr double kOutlierRatio = 25;     // times the others' disagreement (five times in amplitude)
+constexpr double kOutlierEnergy = 0.05;  // of its own energy: smaller misfits are harmless
+constexpr std::size_t kFlopsPerHit = 50'000;
+constexpr double kLowCoherence = 0.9;
+constexpr double kMaxDissent = 0.2;  // of the hits: above it the direction of the first motion is undecided
+
+std::vector<std::size_t> without(std::vector<std::size_t> members, std::size_t i) {
+  members.erase(members.begin() + static_cast<std::ptrdiff_t>(i));
+  return members;
+}
+
+// The fraction of each member's response that the others do not explain; empty for a single hit.
+std::vector<double> unexplained(const std::vector<HitSpectra>& spectra, const std::vector<std::size_t>& members) {
+  std::vector<std::span<const Complex>> force;
+  std::vector<std::vector<std::span<const Complex>>> accel;
+  for (const std::size_t h : members) {
+    force.push_back(spectra[h].force);
+    accel.push_back(spectra[h].accel);
+  }
+  return frf::leave_one_out_error(force, accel);
+}
+
+void reject_outlier(AnalysedHit& hit, double error, double typical) {
+  hit.hit.findings.push_back(
+      {.code = acquire::FindingCode::outlier,
+       .severity = acquire::Severity::reject,
+       .value = error,
+       .message =
+           fmt::format("outlier: the other hits' FRFs leave {:.0f} % of its response unexplained, and {:.1f} % of each "
+                       "other's",
+                       error * 100, typical * 100)});
+  if (!hit.by_user) hit.accepted = false;
+}
+
+std::string disagreement(double explained) {
+  const std::string how_far = explained > 0 ? fmt::format("explain only {:.0f} % of its response", explained * 100)
+                                            : "do not explain its response at all";
+  return "the other hits " + how_far + ": did the point or the direction change?";
+}
+
+void grade_point(std::vector<AnalysedHit>& hits, const std::vector<HitSpectra>& spectra,
+                 std::vector<std::size_t> members) {
+  std::vector<double> errors = unexplained(spectra, members);
+  while (members.size() >= kMinHits) {
+    // The worst hit spoils the FRFs of the others: their agreement is computed without it.
+    const auto worst = static_cast<std::size_t>(std::max_element(errors.begin(), errors.end()) - errors.begin());
+    if (errors[worst] <= kOutlierEnergy) break;
+    auto others = without(members, worst);
+    auto among_others = unexplained(spectra, others);
+    const double typical = median(among_others);
+    if (errors[worst] <= std::max(kOutlierRatio * typical, kOutlierEnergy)) break;
+    reject_outlier(hits[members[worst]], errors[worst], typical);
+    members = std::move(others);
+    errors = std::move(among_others);
+  }
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    if (1 - errors[i] >= kLowCoherence) continue;
+    hits[members[i]].hit.findings.push_back({.code = acquire::FindingCode::low_coherence,
+                                             .severity = acquire::Severity::warn,
+                                             .value = 1 - errors[i],
+                                             .message = disagreement(1 - errors[i])});
+  }
+}
+
+}  // namespace
+
+std::vector<HitSpectra> spectra_of_hits(const std::vector<AnalysedHit>& hits, const std::vector<frf::Spectrum>& force,
+                                        const HitResponses& responses, std::size_t lines) {
+  std::vector<HitSpectra> spectra(hits.size());
+  for (const std::size_t h : accepted_hits(hits)) {
+    spectra[h].force = {force[h].get(), lines};
+    for (const HitResponse& response : responses.of[h]) spectra[h].accel.push_back(response.spectrum);
+  }
+  return spectra;
+}
+
+void grade_agreement(std::vector<AnalysedHit>& hits, const std::vector<HitSpectra>& spectra) {
+  std::map<int, std::vector<std::size_t>> points;
+  for (std::size_t h = 0; h < hits.size(); ++h) {
+    if (hits[h].accepted && !spectra[h].force.empty()) points[hits[h].point].push_back(h);
+  }
+  std::vector<std::vector<std::size_t>> groups;
+  groups.reserve(points.size());
+  for (auto& [point, members] : points) groups.push_back(std::move(members));
+  parallel_for_cost(groups.size(), kFlopsPerHit * (hits.size() / std::max<std::size_t>(groups.size(), 1)),
+                    [&](std::size_t g) { grade_point(hits, spectra, std::move(groups[g])); });
+}
+
+void vote_first_motion(std::vector<AnalysedHit>& hits) {
+  std::map<std::pair<int, std::size_t>, std::vector<std::size_t>> voters;  // by point and channel
+  for (std::size_t h = 0; h < hits.size(); ++h) {
+    for (std::size_t c = 0; hits[h].accepted && c < hits[h].responses.size(); ++c) {
+      if (hits[h].responses[c].polarity != 0) voters[{hits[h].point, c}].push_back(h);
+    }
+  }
+  for (const auto& [point_and_channel, members] : voters) {
+    const std::size_t channel = point_and_channel.second;
+    const auto with_push = [&](std::size_t h) { return hits[h].responses[channel].polarity * hits[h].hit.peak_N > 0; };
+    const auto with = static_cast<std::size_t>(std::count_if(members.begin(), members.end(), with_push));
+    const std::size_t against = members.size() - with;
+    const bool undecided =
+        static_cast<double>(std::min(with, against)) > kMaxDissent * static_cast<double>(members.size());
+    for (const std::size_t h : members) {
+      if (!undecided && with_push(h) == (with > against)) continue;
+      hits[h].responses[channel].polarity = 0;
+      hits[h].responses[channel].delay_s.reset();
+    }
+  }
+}
+
+}  // namespace percuss::pipeline

@@ -1,0 +1,30 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "core/math/fft.hpp"
+#include "pipeline/hits/analysed_hit.hpp"
+#include "pipeline/hits/hit_spectra.hpp"
+
+namespace percuss::pipeline {
+
+/// Spectra of one hit, [lines]; empty for hits that are not compared.
+struct HitSpectra {
+  std::span<const Complex> force;
+  std::vector<std::span<const Complex>> accel;  // [channels]
+};
+
+/// Spectra of the accepted hits, [hits]; refers to `force` and `responses`.
+std::vector<HitSpectra> spectra_of_hits(const std::vector<AnalysedHit>& hits, const std::vector<frf::Spectrum>& force,
+                                        const HitResponses& responses, std::size_t lines);
+
+/// Compares the accepted hits of each point with one another. Adds `outlier`, and rejects the hit, where one hit
+/// disagrees with the others far more than they do among themselves. Adds `low_coherence` where the others explain less
+/// than 90 % of its response.
+void grade_agreement(std::vector<AnalysedHit>& hits, const std::vector<HitSpectra>& spectra);
+
+/// Takes a vote of each point's accepted hits on the direction in which a channel first moves, relative to the push.
+/// Outvoted hits lose their `polarity` and `delay_s`; all hits do when more than a fifth of them disagree.
+void vote_first_motion(std::vector<AnalysedHit>& hits);
+
+}  // namespace percuss::pipeline

@@ -1,0 +1,26 @@
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "acquire/record/record.hpp"
+#include "pipeline/hits/analysed_hit.hpp"
+#include "pipeline/hits/hit_spectra.hpp"
+
+namespace percuss::pipeline {
+
+/// What the user demands of the hits.
+struct HitDemands {
+  std::vector<std::size_t> accept, reject;  // hit numbers
+  std::optional<double> high_Hz;            // the force must reach this frequency
+};
+
+/// Accepts hits by their force and by the user's demands.
+/// errors  InputError: a hit number that does not exist.
+std::vector<AnalysedHit> grade_by_force(std::vector<acquire::Hit> found, const acquire::Record& record,
+                                        const HitDemands& demands);
+
+/// Adds the responses' grades and findings; rejects hits whose findings demand it, unless the user accepted them.
+void grade_by_responses(std::vector<AnalysedHit>& hits, const HitResponses& responses);
+
+}  // namespace percuss::pipeline

@@ -1,0 +1,46 @@
+#pragma once
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "acquire/record/record.hpp"
+#include "core/math/fft.hpp"
+#include "core/trace.hpp"
+#include "core/uninitialized_array.hpp"
+#include "frf/spectra.hpp"
+#include "pipeline/hits/analysed_hit.hpp"
+
+namespace percuss::pipeline {
+
+/// The spectral lines that the hits are transformed to, and the exponential window applied before.
+struct TransformOptions {
+  frf::LineRange lines;
+  double window_decay_per_s = 0;
+  std::size_t threads = 0;
+};
+
+/// One response to one hit.
+struct HitResponse {
+  acquire::ResponseGrade grade;
+  std::span<const Complex> spectrum;  // [lines]
+};
+
+struct HitResponses {
+  std::vector<std::vector<HitResponse>> of;  // [hits][channels]; empty for hits that are not accepted
+  UninitializedArray<Complex> lines;         // storage of the spectra
+};
+
+/// Reads, grades and transforms the responses to the accepted hits. Stages: "read acceleration", "fft".
+HitResponses read_responses(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
+                            const TransformOptions& options, Trace& trace);
+
+/// Spectra of the forces, [hits]; nullptr for hits that are not accepted. Stage: "fft".
+std::vector<frf::Spectrum> force_spectra(const std::vector<AnalysedHit>& hits, const TransformOptions& options,
+                                         Trace& trace);
+
+/// Samples until the slowest response to an accepted hit has decayed into the noise. Behind them a transform sees noise
+/// only. Stage: "decay".
+std::size_t longest_decay_samples(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
+                                  std::size_t threads, Trace& trace);
+
+}  // namespace percuss::pipeline

@@ -1,0 +1,67 @@
+#include "pipeline/run_analyses.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+namespace percuss::pipeline {
+namespace {
+
+template <class AnyRecord>
+void assume_two_angles(AnyRecord& record) {
+  if (record.accel.size() != 2 || record.accel[0].angle_rad || record.accel[1].angle_rad) return;
+  record.accel[0].angle_rad = 0;
+  record.accel[1].angle_rad = std::numbers::pi / 2;
+  record.notes.emplace_back(
+      "the accelerometers' angles are not stated: 0° and 90° around the barrel are assumed; state them to confirm");
+}
+
+}  // namespace
+
+std::vector<std::pair<int, acquire::Record>> split_runs(const acquire::Record& record) {
+  std::set<int> runs;
+  for (const acquire::RowInfo& row : record.rows) runs.insert(row.run);
+  std::vector<std::pair<int, acquire::Record>> out;
+  out.reserve(runs.size());
+  for (const int run : runs) {
+    out.emplace_back(run, acquire::select_rows(record, [run](const acquire::RowInfo& row) { return row.run == run; }));
+  }
+  return out;
+}
+
+void assume_angles(acquire::Record& record) { assume_two_angles(record); }
+void assume_angles(frf::FrfRecord& frfs) { assume_two_angles(frfs); }
+
+std::vector<RunAnalysis> analyses_of_runs(std::vector<acquire::Record> records, const AnalysisOptions& options) {
+  std::vector<RunAnalysis> analyses;
+  for (acquire::Record& record : records) {
+    assume_angles(record);
+    for (auto& [run, part] : split_runs(record)) {
+      const int number = records.size() > 1 ? static_cast<int>(analyses.size()) : run;
+      analyses.push_back({.run = number, .analysis = std::make_unique<Analysis>(std::move(part), options)});
+    }
+  }
+  return analyses;
+}
+
+std::vector<RunAnalysis> analyses_of_runs(std::vector<frf::FrfRecord> sets, const AnalysisOptions& options) {
+  std::vector<RunAnalysis> analyses;
+  for (frf::FrfRecord& frfs : sets) {
+    assume_angles(frfs);
+    const int number = static_cast<int>(analyses.size());
+    analyses.push_back({.run = number, .analysis = std::make_unique<Analysis>(std::move(frfs), options)});
+  }
+  return analyses;
+}
+
+std::vector<RunAnalysis> analyses_of_runs(std::variant<acquire::Record, frf::FrfRecord> opened,
+                                          const AnalysisOptions& options) {
+  return std::visit(
+      [&](auto& record) {
+        std::vector<std::decay_t<decltype(record)>> all;
+        all.push_back(std::move(record));
+        return analyses_of_runs(std::move(all), options);
+      },
+      opened);
+}
+
+}  // namespace percuss::pipeline

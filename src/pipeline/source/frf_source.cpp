@@ -1,0 +1,105 @@
+#include "pipeline/source/frf_source.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "pipeline/source/band.hpp"
+
+namespace percuss::pipeline {
+namespace {
+
+acquire::Record record_without_rows(const frf::FrfRecord& frfs) {
+  acquire::Record record;
+  record.files = frfs.files;
+  record.format = frfs.format;
+  record.fs_Hz = frfs.lines.fs_Hz;
+  record.accel = frfs.accel;
+  record.notes = frfs.notes;
+  record.geometry = frfs.geometry;
+  record.trace_lines = frfs.trace_lines;
+  return record;
+}
+
+template <class Value>
+std::vector<Value> slice(const std::vector<Value>& all, std::size_t first, std::size_t count) {
+  if (all.empty()) return {};
+  const auto begin = all.begin() + static_cast<std::ptrdiff_t>(first);
+  return {begin, begin + static_cast<std::ptrdiff_t>(count)};
+}
+
+}  // namespace
+
+FrfSource::FrfSource(frf::FrfRecord frfs) : frfs_(std::move(frfs)), record_(record_without_rows(frfs_)) {}
+
+std::set<int> FrfSource::points() const {
+  std::set<int> points;
+  for (const frf::PointFrf& frf : frfs_.frfs) points.insert(frf.point);
+  return points;
+}
+
+std::pair<double, double> FrfSource::default_band_Hz(const std::vector<AnalysedHit>& /*hits*/) const {
+  const frf::LineRange& all = frfs_.lines;
+  const double high_Hz = all.freq_Hz(all.count - 1);
+  return {std::max(all.freq_Hz(0), default_low_Hz(high_Hz)), high_Hz};
+}
+
+frf::LineRange FrfSource::choose_lines(const LineRequest& request, const std::vector<AnalysedHit>& /*hits*/,
+                                       Trace& /*trace*/) const {
+  const frf::LineRange& all = frfs_.lines;
+  const auto [low_Hz, high_Hz] = request.band_Hz;
+  const double top_Hz = all.freq_Hz(all.count - 1);
+  if (!(low_Hz < high_Hz) || low_Hz < 0 || high_Hz > top_Hz + 0.5 * all.df_Hz() || low_Hz > top_Hz) {
+    throw InputError(fmt::format("the band {:.6g}:{:.6g} Hz does not fit FRFs from {:.6g} to {:.6g} Hz", low_Hz,
+                                 high_Hz, all.freq_Hz(0), top_Hz),
+                     record_.source(), "choose LO:HI within them", {"band"});
+  }
+  const auto [from_Hz, to_Hz] = band_with_margin(low_Hz, high_Hz);
+  frf::LineRange lines = frf::lines_in_band(all.fs_Hz, all.samples, from_Hz, std::min(to_Hz, top_Hz));
+  const std::size_t end = std::min(lines.first + lines.count, all.first + all.count);
+  lines.first = std::max(lines.first, all.first);
+  lines.count = end > lines.first ? end - lines.first : 0;
+  require_lines(lines, low_Hz, high_Hz, record_.source(), "widen the band");
+  return lines;
+}
+
+std::vector<FrfGroup> FrfSource::groups(const std::vector<AnalysedHit>& /*hits*/) const {
+  std::vector<FrfGroup> groups;
+  groups.reserve(frfs_.frfs.size());
+  for (const frf::PointFrf& frf : frfs_.frfs)
+    groups.push_back({.index = groups.size(), .point = frf.point, .channel = frf.channel, .hits = {}});
+  return groups;
+}
+
+frf::PointFrf FrfSource::frf(const FrfGroup& group, const TestSpectra& spectra, frf::Estimator /*estimator*/) const {
+  const frf::PointFrf& given = frfs_.frfs[group.index];
+  const std::size_t first = spectra.lines.first - frfs_.lines.first;
+  const std::size_t count = spectra.lines.count;
+  return {.point = group.point,
+          .channel = group.channel,
+          .frf = {.value = slice(given.frf.value, first, count),
+                  .std = slice(given.frf.std, first, count),
+                  .coherence = slice(given.frf.coherence, first, count),
+                  .averages = given.frf.averages}};
+}
+
+identify::FrfDataset FrfSource::dataset(const TestSpectra& spectra, const std::vector<std::size_t>& /*hits*/,
+                                        const std::vector<frf::PointFrf>* /*averages*/) const {
+  const frf::LineRange& lines = spectra.lines;
+  identify::FrfDataset set{.lines = lines};
+  std::optional<int> point;
+  for (const frf::PointFrf& frf : frfs_.frfs) {
+    if (frf.point != point) {
+      set.points.emplace_back();  // the force's window is all that is known of it
+      if (frfs_.decay_per_s > 0) set.points.back().blocks.push_back({.decay_per_s = frfs_.decay_per_s});
+    }
+    point = frf.point;
+    set.channels.push_back({.point = set.points.size() - 1,
+                           .channel = frf.channel,
+                           .frf = slice(frf.frf.value, lines.first - frfs_.lines.first, lines.count)});
+  }
+  return set;
+}
+
+}  // namespace percuss::pipeline

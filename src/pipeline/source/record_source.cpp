@@ -1,0 +1,104 @@
+#include "pipeline/source/record_source.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "core/math/fft.hpp"
+#include "core/math/statistics.hpp"
+#include "pipeline/source/band.hpp"
+
+namespace percuss::pipeline {
+namespace {
+
+constexpr double kAntiAlias = 0.44;  // of fs: above it a recorder's filter shapes the FRF
+// Samples. In longer rows the end of the decay is searched first; that costs less than transforming the whole row.
+constexpr std::size_t kLongRow = std::size_t{1} << 17U;
+constexpr double kUsableBandwidthFactor = 1.2;  // of the −20 dB bandwidth: as far as a margin may go
+
+}  // namespace
+
+RecordSource::RecordSource(acquire::Record record) : record_(std::move(record)) {
+  if (record_.accel.empty())
+    throw InputError("no acceleration channel", record_.source(), "name one", {"accel_channel"});
+}
+
+std::vector<acquire::Hit> RecordSource::find_hits(const acquire::HitOptions& options) const {
+  return acquire::find_hits(record_, options);
+}
+
+void RecordSource::require_accepted(bool any) const {
+  if (any) return;
+  throw InputError("no hit can be used", record_.source(), "see the hits' findings, or accept a hit despite them",
+                   {"accept_hit"});
+}
+
+std::pair<double, double> RecordSource::default_band_Hz(const std::vector<AnalysedHit>& hits) const {
+  std::vector<double> bandwidth_Hz;
+  for (const AnalysedHit& hit : hits) {
+    if (hit.accepted) bandwidth_Hz.push_back(hit.hit.bandwidth_Hz);
+  }
+  double high_Hz = kAntiAlias * record_.fs_Hz;
+  if (!bandwidth_Hz.empty()) high_Hz = std::min(median(bandwidth_Hz), high_Hz);
+  return {default_low_Hz(high_Hz), high_Hz};
+}
+
+// The common length of the hits' transforms.
+std::size_t RecordSource::block_samples(const LineRequest& request, const std::vector<AnalysedHit>& hits,
+                                        Trace& trace) const {
+  const std::vector<std::size_t> used = accepted_hits(hits);
+  require_accepted(!used.empty());
+  std::size_t samples = hits[used.front()].hit.samples;
+  for (const std::size_t h : used) samples = std::min(samples, hits[h].hit.samples);
+  const bool searched = record_.continuous || record_.rows.size() == 1;
+  if (!searched && samples < kLongRow) return samples;
+  if (!request.length_given) samples = std::min(samples, longest_decay_samples(record_, hits, request.threads, trace));
+  return fast_length_at_most(samples);
+}
+
+void RecordSource::require_band(const LineRequest& request) const {
+  const auto [low_Hz, high_Hz] = request.band_Hz;
+  if (!request.band_given && !(low_Hz < high_Hz)) {
+    throw InputError("the force shows no bandwidth, from which the band would follow", record_.source(),
+                     "check the force's channel, unit and scale, or state the band", {"band"});
+  }
+  if (low_Hz < high_Hz && low_Hz >= 0 && high_Hz <= record_.fs_Hz / 2) return;
+  throw InputError(fmt::format("the band {:.6g}:{:.6g} Hz does not fit a sampling rate of {:.6g} Hz", low_Hz, high_Hz,
+                               record_.fs_Hz),
+                   record_.source(), "choose LO:HI with LO < HI <= half the sampling rate", {"band"});
+}
+
+frf::LineRange RecordSource::choose_lines(const LineRequest& request, const std::vector<AnalysedHit>& hits,
+                                          Trace& trace) const {
+  const std::size_t samples = block_samples(request, hits, trace);
+  double bandwidth_Hz = 0;
+  for (const AnalysedHit& hit : hits) {
+    if (hit.accepted) bandwidth_Hz = std::max(bandwidth_Hz, hit.hit.bandwidth_Hz);
+  }
+  require_band(request);
+  const auto [low_Hz, high_Hz] = request.band_Hz;
+  const auto [from_Hz, to_Hz] = band_with_margin(low_Hz, high_Hz);
+  const double top_Hz =
+      std::max(high_Hz, std::min({to_Hz, kUsableBandwidthFactor * bandwidth_Hz, kAntiAlias * record_.fs_Hz}));
+  const frf::LineRange range = frf::lines_in_band(record_.fs_Hz, samples, from_Hz, top_Hz);
+  require_lines(range, low_Hz, high_Hz, record_.source(), "record longer or widen the band");
+  return range;
+}
+
+std::vector<FrfGroup> RecordSource::groups(const std::vector<AnalysedHit>& hits) const {
+  require_accepted(any_accepted(hits));
+  return frf_groups(hits, record_.accel.size());
+}
+
+frf::PointFrf RecordSource::frf(const FrfGroup& group, const TestSpectra& spectra, frf::Estimator estimator) const {
+  return average_frf(group, spectra, estimator);
+}
+
+identify::FrfDataset RecordSource::dataset(const TestSpectra& spectra, const std::vector<std::size_t>& hits,
+                                           const std::vector<frf::PointFrf>* averages) const {
+  require_accepted(!hits.empty());
+  return h1_dataset(spectra, hits, record_.accel.size(), averages);
+}
+
+}  // namespace percuss::pipeline

@@ -1,0 +1,81 @@
+#include "pipeline/stages/mode_stages.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <tuple>
+
+namespace percuss::pipeline {
+namespace {
+
+bool outside(std::pair<double, double> band_Hz, double freq_Hz) {
+  return freq_Hz < band_Hz.first || freq_Hz > band_Hz.second;
+}
+
+// Magnitude of the second sensor's FRFs over the first sensor's at one line; nothing where either is zero.
+std::optional<double> overlay_dB(const identify::FrfDataset& set, const identify::SensorPair& sensors,
+                                 std::size_t line) {
+  double first = 0, second = 0;
+  for (const identify::FrfChannel& output : set.channels) {
+    const double power = std::norm(output.frf[line]);
+    if (output.channel == sensors.first) first += power;
+    if (output.channel == sensors.second) second += power;
+  }
+  if (!(first > 0 && second > 0)) return std::nullopt;
+  return 10 * std::log10(second / first);
+}
+
+}  // namespace
+
+std::vector<identify::Mode> modes_in_band(const identify::FrfDataset& set, const std::vector<int>& points,
+                                          std::pair<double, double> band_Hz, const identify::IdentifyOptions& options) {
+  auto modes = identify::identify_modes(set, options);
+  std::erase_if(modes, [&](const identify::Mode& mode) { return outside(band_Hz, mode.pole.freq_Hz); });
+  for (identify::Mode& mode : modes) {
+    for (identify::Residue& residue : mode.residues) residue.point = static_cast<std::size_t>(points[residue.point]);
+  }
+  return modes;
+}
+
+std::vector<identify::ModeClassification> classify_modes(const std::vector<identify::Mode>& modes,
+                                                         const identify::FrfDataset& set,
+                                                         const std::vector<acquire::SignalInfo>& accel,
+                                                         const identify::ClassifyOptions& options) {
+  std::vector<std::optional<double>> angles_rad;
+  angles_rad.reserve(accel.size());
+  for (const acquire::SignalInfo& signal : accel) angles_rad.push_back(signal.angle_rad);
+  const auto sensors = identify::pair_of_sensors(angles_rad);
+  std::vector<std::optional<double>> overlays_dB(modes.size());
+  for (std::size_t m = 0; sensors && m < modes.size(); ++m)
+    overlays_dB[m] = overlay_dB(set, *sensors, set.lines.nearest(modes[m].pole.freq_Hz));
+  return identify::classify(modes, sensors, overlays_dB, options);
+}
+
+std::vector<HitMode> modes_of_hits(const std::vector<identify::Mode>& modes, const std::vector<std::size_t>& hits,
+                                   const std::function<identify::FrfDataset(std::size_t hit)>& dataset_of,
+                                   identify::Effort effort) {
+  identify::IdentifyOptions options{.effort = effort};
+  for (const identify::Mode& mode : modes) options.start_Hz.push_back(mode.pole.freq_Hz);
+  std::vector<HitMode> out;
+  if (options.start_Hz.empty()) return out;
+  for (const std::size_t h : hits) {
+    const auto found = identify::identify_modes(dataset_of(h), options);
+    for (std::size_t m = 0; m < found.size() && m < modes.size(); ++m) {
+      out.push_back({.hit = h,
+                     .mode = m,
+                     .pole = found[m].pole,
+                     .freq_std_Hz = found[m].freq_std_Hz,
+                     .damping_std = found[m].damping_std});
+    }
+  }
+  return out;
+}
+
+identify::Stabilisation stabilisation_in_band(const identify::FrfDataset& set, std::pair<double, double> band_Hz) {
+  identify::Stabilisation diagram = identify::stabilise(set);
+  std::tie(diagram.low_Hz, diagram.high_Hz) = band_Hz;
+  std::erase_if(diagram.poles, [&](const auto& pole) { return outside(band_Hz, pole.pole.freq_Hz); });
+  return diagram;
+}
+
+}  // namespace percuss::pipeline

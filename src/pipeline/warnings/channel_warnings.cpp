@@ -1,0 +1,64 @@
+#include "pipeline/warnings/channel_warnings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace percuss::pipeline {
+namespace {
+
+// "hits 0, 2", or "every accepted hit"; empty when the channel is dead in no hit.
+std::string dead_hits(const std::vector<AnalysedHit>& hits, std::size_t channel) {
+  std::string numbers;
+  bool alive = false;
+  for (const std::size_t h : accepted_hits(hits)) {
+    if (hits[h].responses.size() <= channel) continue;
+    if (hits[h].responses[channel].dead) {
+      numbers += fmt::format("{}{}", numbers.empty() ? "hits " : ", ", h);
+    } else {
+      alive = true;
+    }
+  }
+  return numbers.empty() || alive ? numbers : "every accepted hit";
+}
+
+// The coarsest step over the accepted hits, as a fraction of the channel's largest response.
+double coarsest_step(const std::vector<AnalysedHit>& hits, std::size_t channel) {
+  double step = 0;
+  for (const AnalysedHit& hit : hits) {
+    if (hit.accepted && hit.responses.size() > channel) step = std::max(step, hit.responses[channel].coarse_step);
+  }
+  return step;
+}
+
+}  // namespace
+
+std::vector<Warning> input_warnings(const acquire::Record& record) {
+  std::vector<Warning> out;
+  for (const Message& note : record.notes) out.push_back({.code = "input", .message = note.text, .options = note.options});
+  return out;
+}
+
+std::vector<Warning> channel_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits) {
+  std::vector<Warning> out;
+  for (std::size_t c = 0; c < record.accel.size(); ++c) {
+    const std::string dead = dead_hits(hits, c);
+    if (dead.empty()) continue;
+    out.push_back({"dead_channel",
+                   fmt::format("{} is constant in {}: check its cable, or choose the other channels",
+                               one_line(record.accel[c].name, kMaxNameBytes), dead),
+                   {"accel_channel"}});
+  }
+  for (std::size_t c = 0; c < record.accel.size(); ++c) {
+    const double step = coarsest_step(hits, c);
+    if (!(step > 0)) continue;
+    out.push_back({"coarse_steps",
+                   fmt::format("{} is quantised in steps of {:.2g} % of its largest response, larger than its noise: "
+                               "modes may be off by more than their ±, and weak ones may be artefacts; use the "
+                               "recorder's full range and resolution",
+                               one_line(record.accel[c].name, kMaxNameBytes), 100 * step)});
+  }
+  return out;
+}
+
+}  // namespace percuss::pipeline

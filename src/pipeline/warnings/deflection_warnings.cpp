@@ -1,0 +1,42 @@
+#include "pipeline/warnings/deflection_warnings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace percuss::pipeline {
+
+std::vector<Warning> deflection_warnings(const DeflectionResults& test) {
+  std::vector<Warning> out;
+  if (test.used < test.impacts) {
+    out.push_back({"no_pulse", fmt::format("{} of {} hits show no impact and are left out", test.impacts - test.used,
+                                           test.impacts)});
+  }
+  if (!test.rest_recorded) {
+    out.push_back({"no_rest",
+                   "a record begins too late to contain the rest before the impact, from which the bias is estimated; "
+                   "record with more pre-trigger"});
+  }
+  const auto unknown = std::count_if(test.deflections.begin(), test.deflections.end(),
+                                     [](const metrics::Deflection* deflection) { return !deflection->has_peak(); });
+  if (unknown > 0) {
+    out.push_back({"not_told",
+                   fmt::format("{} of {} deflections never exceed four times their own uncertainty, so that they have "
+                               "no largest value; record with more pre-trigger, or choose the method modal",
+                               unknown, test.deflections.size()),
+                   {"method"}});
+  }
+  const bool drifts = std::any_of(test.deflections.begin(), test.deflections.end(), [](const auto* deflection) {
+    return deflection->method == metrics::DeflectionMethod::drift_free && !deflection->held;
+  });
+  if (drifts && !test.free_body) {
+    out.push_back({"drift",
+                   "the structure does not return to its rest position, or the record is too short to show that it "
+                   "does: late deflections drift as their ± states; the method modal does not drift, and a free body "
+                   "may be stated as such",
+                   {"method", "free_body"}});
+  }
+  return out;
+}
+
+}  // namespace percuss::pipeline

@@ -1,0 +1,21 @@
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "metrics/deflection/deflection.hpp"
+#include "pipeline/warnings/warning.hpp"
+
+namespace percuss::pipeline {
+
+/// The results that the warnings of an impact test are made from.
+struct DeflectionResults {
+  std::size_t impacts = 0, used = 0;  // found, and with a pulse
+  bool rest_recorded = false;         // every row begins long enough before its impact
+  bool free_body = false;             // as stated by the user
+  std::vector<const metrics::Deflection*> deflections;
+};
+
+/// no_pulse, no_rest, not_told, drift.
+std::vector<Warning> deflection_warnings(const DeflectionResults& test);
+
+}  // namespace percuss::pipeline

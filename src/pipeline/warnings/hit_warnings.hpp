@@ -1,0 +1,16 @@
+#pragma once
+#include <vector>
+
+#include "acquire/record/record.hpp"
+#include "pipeline/hits/analysed_hit.hpp"
+#include "pipeline/warnings/warning.hpp"
+
+namespace percuss::pipeline {
+
+/// rejected_hits, hits_disagree, polarity, low_bandwidth.
+std::vector<Warning> hit_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits);
+
+/// not_at_rest.
+std::vector<Warning> rest_warnings(const std::vector<AnalysedHit>& hits);
+
+}  // namespace percuss::pipeline

@@ -1,0 +1,72 @@
+#include "pipeline/warnings/mode_warnings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/io/significant_digits.hpp"
+#include "identify/start/unmodelled_peaks.hpp"
+
+namespace percuss::pipeline {
+namespace {
+
+constexpr double kPeakRange_dB = 65;       // below the largest line; lower peaks are not reported
+constexpr std::size_t kMaxNamedPeaks = 8;  // in one warning
+
+const char* separator(const std::string& list) { return list.empty() ? "" : ", "; }
+
+}  // namespace
+
+std::vector<Warning> force_noise_warnings(const std::vector<identify::Mode>& modes) {
+  if (modes.empty()) return {};
+  return {{"force_noise_unknown",
+           "FRFs do not contain the noise of the force: each ± includes the response's noise alone, and is too small "
+           "where the force's noise is larger; analyse the records if they exist"}};
+}
+
+std::vector<Warning> freq_scatter_warnings(const std::vector<identify::Mode>& modes) {
+  std::string list;
+  for (const identify::Mode& mode : modes) {
+    if (mode.freq_scatter_Hz > 0)
+      list += fmt::format("{}{:.1f} Hz (by {:.2g} Hz)", separator(list), mode.pole.freq_Hz, mode.freq_scatter_Hz);
+  }
+  if (list.empty()) return {};
+  return {{"moving_modes", "natural frequencies differ from point to point: " + list +
+                               ". The means over the points are quoted, and their ± includes the scatter. Possible "
+                               "causes: temperature, the strength of the hits, a sensor that was moved"}};
+}
+
+std::vector<Warning> unmodelled_peak_warnings(const identify::FrfDataset& set, const std::vector<identify::Mode>& modes,
+                                              std::pair<double, double> band_Hz) {
+  auto peaks = identify::unmodelled_peaks(set, modes, kPeakRange_dB);
+  std::erase_if(peaks, [&](const identify::UnmodelledPeak& peak) {
+    return peak.freq_Hz < band_Hz.first || peak.freq_Hz > band_Hz.second;
+  });
+  if (peaks.empty()) return {};
+  std::stable_sort(peaks.begin(), peaks.end(), [](const auto& a, const auto& b) { return a.level_dB > b.level_dB; });
+  std::string list;
+  for (std::size_t p = 0; p < std::min(peaks.size(), kMaxNamedPeaks); ++p)
+    list += fmt::format("{}{:.6g} Hz ({:.0f} dB)", separator(list), peaks[p].freq_Hz, peaks[p].level_dB);
+  if (peaks.size() > kMaxNamedPeaks) list += fmt::format(" and {} lower ones", peaks.size() - kMaxNamedPeaks);
+  return {{"unclaimed_peaks",
+           "no mode models these peaks: " + list +
+               ". A single decaying oscillation does not fit them beyond doubt; two modes that are one or two spectral "
+               "lines apart may: state a starting frequency for each",
+           {"start"}}};
+}
+
+std::vector<Warning> split_mode_warnings(const std::vector<identify::Mode>& modes,
+                                         const std::vector<identify::ModeClassification>& classifications) {
+  std::string list;
+  for (std::size_t m = 0; m < classifications.size(); ++m) {
+    const auto& pair = classifications[m].split_mode;
+    if (!pair || !pair->first) continue;
+    list += fmt::format("{}{:.1f} Hz ({} Hz apart)", separator(list), modes[m].pole.freq_Hz,
+                        significant(pair->separation_Hz, 3));
+  }
+  if (list.empty()) return {};
+  return {{"double_peak", "split modes (double peaks), of which the first is quoted: " + list +
+                              ". Possible causes: a tuned absorber, a crack or other damage, uneven wall or material"}};
+}
+
+}  // namespace percuss::pipeline

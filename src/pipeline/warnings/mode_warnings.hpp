@@ -1,0 +1,26 @@
+#pragma once
+#include <utility>
+#include <vector>
+
+#include "identify/classify/classify.hpp"
+#include "identify/model/frf_dataset.hpp"
+#include "identify/model/mode.hpp"
+#include "pipeline/warnings/warning.hpp"
+
+namespace percuss::pipeline {
+
+/// force_noise_unknown: modes were fitted to FRFs that were given.
+std::vector<Warning> force_noise_warnings(const std::vector<identify::Mode>& modes);
+
+/// moving_modes: frequencies that differ from point to point.
+std::vector<Warning> freq_scatter_warnings(const std::vector<identify::Mode>& modes);
+
+/// unclaimed_peaks: prominent peaks within the band that no mode models.
+std::vector<Warning> unmodelled_peak_warnings(const identify::FrfDataset& set, const std::vector<identify::Mode>& modes,
+                                              std::pair<double, double> band_Hz);
+
+/// double_peak: split modes, of which the first is quoted.
+std::vector<Warning> split_mode_warnings(const std::vector<identify::Mode>& modes,
+                                         const std::vector<identify::ModeClassification>& classifications);
+
+}  // namespace percuss::pipeline

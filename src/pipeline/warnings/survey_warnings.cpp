@@ -1,0 +1,205 @@
+#include "pipeline/warnings/survey_warnings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "core/units.hpp"
+
+namespace percuss::pipeline {
+namespace {
+
+constexpr double kMaxNoiseRms = 1.6;         // root mean square of residues over their ± up to which they are noise
+constexpr double kMinCertainRms = 5;         // … and from which the mode certainly moves there
+constexpr double kMaxNodeSensitivity = 0.1;  // sensitivity below which a sensor sits on a node
+constexpr double kMaxAsymmetry = 0.1;        // of the frequency: how far asymmetry splits a pair of modes
+constexpr double kMaxDifference = 0.05;      // of reciprocal residues, relative, and
+constexpr double kMaxDeviations = 4;         // … in standard deviations
+constexpr double kPoorFrac = 0.99, kStrong_dB = -20;
+constexpr std::size_t kMaxNamed = 8;
+
+std::string mode_name(const SurveyResults& survey, std::size_t m) {
+  return fmt::format("{} ({:.1f} Hz)", m, survey.modes[m].pole.freq_Hz);
+}
+
+void add_name(std::string& list, const std::string& name) { list += (list.empty() ? "" : ", ") + name; }
+
+// Root mean square of the mode's residues at one channel over their standard deviations.
+double residue_rms(const identify::Mode& mode, std::size_t channel) {
+  double sum = 0, count = 0;
+  for (const identify::Residue& r : mode.residues) {
+    const double std = identify::total_std(r);
+    if (r.channel != channel || !(std > 0)) continue;
+    sum += std::norm(r.value) / (2 * std * std);
+    ++count;
+  }
+  return count > 0 ? std::sqrt(sum / count) : kMinCertainRms;
+}
+
+void warn_of_nodes(const SurveyResults& survey, std::vector<Warning>& out) {
+  const std::vector<identify::Mode>& modes = survey.modes;
+  const std::vector<acquire::SignalInfo>& accel = survey.accel;
+  std::string nowhere;
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    if (survey.shapes[m].significance < kMaxNoiseRms) add_name(nowhere, mode_name(survey, m));
+  }
+  if (!nowhere.empty()) {
+    out.push_back({"sensor_on_node", "the residues of mode " + nowhere +
+                                         " lie within their noise at every point: every sensor may sit on a node of "
+                                         "this mode"});
+  }
+  if (survey.roving != identify::Roving::hammer) return;
+  for (std::size_t c = 0; c < accel.size() && accel.size() > 1; ++c) {
+    std::string blind;
+    for (std::size_t m = 0; m < modes.size(); ++m) {
+      if (survey.shapes[m].significance > kMinCertainRms && residue_rms(modes[m], c) < kMaxNoiseRms)
+        add_name(blind, mode_name(survey, m));
+    }
+    if (blind.empty()) continue;
+    out.push_back(
+        {"sensor_on_node", fmt::format("{} sits on a node of mode {}: only the other sensors measure its shape",
+                                       one_line(accel[c].name, kMaxNameBytes), blind)});
+  }
+}
+
+// The partner has the same circumferential order and pattern, and nearly the same frequency.
+bool has_partner(const SurveyResults& survey, std::size_t m) {
+  const identify::TubeShape& own = *survey.tubes[m];
+  const auto& modes = survey.modes;
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    const auto& other = survey.tubes[i];
+    if (i == m || !other || other->order != own.order || other->sign_changes != own.sign_changes) continue;
+    if (std::abs(modes[i].pole.freq_Hz - modes[m].pole.freq_Hz) <= kMaxAsymmetry * modes[m].pole.freq_Hz) return true;
+  }
+  return false;
+}
+
+// The largest sensitivity of any sensor to the partner, 1 at its antinode; nothing when an angle is not stated.
+std::optional<double> partner_sensitivity(const SurveyResults& survey, const identify::TubeShape& tube) {
+  double largest = 0;
+  for (const acquire::SignalInfo& signal : survey.accel) {
+    if (!signal.angle_rad) return std::nullopt;
+    largest = std::max(largest, std::abs(std::sin(tube.order * (*signal.angle_rad - *tube.plane_rad))));
+  }
+  return largest;
+}
+
+// On a tube every mode with n ≥ 1 has a partner turned by 90°/n. Where one of the two was not found, a sensor on its
+// node would explain that.
+void warn_of_partners(const SurveyResults& survey, std::vector<Warning>& out) {
+  if (survey.roving != identify::Roving::hammer) return;
+  std::string blind, unknown;
+  for (std::size_t m = 0; m < survey.tubes.size(); ++m) {
+    const auto& tube = survey.tubes[m];
+    if (!tube || tube->order < 1 || !tube->plane_rad || has_partner(survey, m)) continue;
+    const auto sensitivity = partner_sensitivity(survey, *tube);
+    if (!sensitivity) {
+      add_name(unknown, mode_name(survey, m));
+    } else if (*sensitivity < kMaxNodeSensitivity) {
+      const double turned_deg = std::fmod(*tube->plane_rad * kRadian_deg + 90.0 / tube->order, 180.0 / tube->order);
+      add_name(blind, mode_name(survey, m) + fmt::format(" (its partner's antinode at {:.0f}°)", turned_deg));
+    }
+  }
+  const std::string pairs =
+      "a tube's modes come in pairs of one pattern, turned by 90°/n, but only one was found for mode ";
+  if (!blind.empty()) {
+    out.push_back({"sensor_on_node", pairs + blind +
+                                         "; the sensors sit on the partner's nodes and cannot measure it: add a sensor "
+                                         "half way between these nodes"});
+  }
+  if (!unknown.empty()) {
+    out.push_back({"sensor_on_node",
+                   pairs + unknown +
+                       "; the partner may have the same frequency, or the sensor may sit on its node: state the "
+                       "sensor's angle to check that",
+                   {"angle"}});
+  }
+}
+
+void warn_of_signs(const SurveyResults& survey, std::vector<Warning>& out) {
+  std::string wrong;
+  for (const identify::DrivingPointCheck& check : survey.driving_checks) {
+    if (check.wrong_sign)
+      add_name(wrong, fmt::format("mode {} at point {}, channel {}", check.mode, check.at.point, check.at.channel));
+  }
+  if (!wrong.empty()) {
+    out.push_back({"driving_point_sign", "a driving point's residue must be positive, and is not for " + wrong +
+                                             ": the sensor or the hammer may point the other way, or they may not be "
+                                             "at the same point"});
+  }
+  std::string broken;
+  for (const identify::ReciprocityCheck& check : survey.reciprocity) {
+    if (check.difference > kMaxDifference && check.deviations > kMaxDeviations) {
+      add_name(broken, fmt::format("mode {}, points {} and {} ({:.0f} %)", check.mode, check.one.point,
+                                   check.other.point, check.difference * 100));
+    }
+  }
+  if (!broken.empty()) {
+    out.push_back({"reciprocity", "residues must be equal when force and response change places, and are not: " +
+                                      broken + "; check the sensors' calibration, direction and position"});
+  }
+}
+
+void warn_of_frac(const SurveyResults& survey, std::vector<Warning>& out) {
+  std::string poor;
+  std::size_t count = 0;
+  for (const identify::SynthesisedFrf& frf : survey.synthesis) {
+    if (!poorly_explained(frf) || ++count > kMaxNamed) continue;
+    add_name(poor, fmt::format("point {} channel {} ({:.4f}{})", survey.frf_points[frf.point], frf.channel, frf.frac,
+                               noise_alone(frf) ? ", the rest is noise" : ""));
+  }
+  if (count == 0) return;
+  if (count > kMaxNamed) poor += fmt::format(" and {} more", count - kMaxNamed);
+  out.push_back({"frac", "the modes explain less than 99 % (FRAC) of the FRF of " + poor +
+                             ": modes may be missing, or hits may be poor; noise changes from line to line, and more "
+                             "averages reduce it"});
+}
+
+void warn_of_pairs(const SurveyResults& survey, std::vector<Warning>& out) {
+  std::string pairs;
+  for (std::size_t m = 0; m < survey.classifications.size(); ++m) {
+    const auto& pair = survey.classifications[m].split_mode;
+    if (!pair || !pair->first) continue;
+    std::string text = fmt::format("{:.1f} Hz ({:.1f} Hz apart", survey.modes[m].pole.freq_Hz, pair->separation_Hz);
+    if (pair->planes) {
+      text += fmt::format(", planes {:.2f} ± {:.2g}° apart", pair->planes->between_rad * kRadian_deg,
+                          pair->planes->between_std_rad * kRadian_deg);
+    }
+    add_name(pairs, text + (pair->quoted ? ")" : "; the second is quoted, which hides the pair)"));
+  }
+  if (!pairs.empty()) {
+    out.push_back({"double_peak", "split modes (double peaks), of which the first is quoted: " + pairs +
+                                      ". Planes turned by 90°/n indicate uneven wall or material; other possible "
+                                      "causes: a tuned absorber, a crack or other damage"});
+  }
+}
+
+}  // namespace
+
+bool poorly_explained(const identify::SynthesisedFrf& frf) {
+  return frf.level_dB >= kStrong_dB && !(frf.frac >= kPoorFrac);
+}
+
+bool noise_alone(const identify::SynthesisedFrf& frf) {
+  return (1 - frf.frac) * (1 - frf.noise_share) <= 1 - kPoorFrac;
+}
+
+std::vector<Warning> survey_warnings(const SurveyResults& survey) {
+  std::vector<Warning> out;
+  if (!survey.has_geometry) {
+    out.push_back({"no_geometry",
+                   "the positions of the points are not known, so that shapes cannot name modes: state the geometry, "
+                   "for which an example can be printed",
+                   {"geometry", "survey.example"}});
+  }
+  warn_of_nodes(survey, out);
+  warn_of_partners(survey, out);
+  warn_of_signs(survey, out);
+  warn_of_frac(survey, out);
+  warn_of_pairs(survey, out);
+  return out;
+}
+
+}  // namespace percuss::pipeline

@@ -1,0 +1,38 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "acquire/record/record.hpp"
+#include "identify/classify/classify.hpp"
+#include "identify/model/frf_synthesis.hpp"
+#include "identify/shapes/circumferential_orders.hpp"
+#include "identify/shapes/mode_shapes.hpp"
+#include "identify/shapes/shape_checks.hpp"
+#include "pipeline/warnings/warning.hpp"
+
+namespace percuss::pipeline {
+
+/// The results that a survey's warnings are made from; [modes] unless stated otherwise.
+struct SurveyResults {
+  const std::vector<acquire::SignalInfo>& accel;  // [channels]
+  const std::vector<identify::Mode>& modes;
+  bool has_geometry = false;
+  identify::Roving roving = identify::Roving::hammer;
+  const std::vector<identify::ModeShape>& shapes;
+  const std::vector<std::optional<identify::TubeShape>>& tubes;
+  const std::vector<identify::ModeClassification>& classifications;
+  std::vector<identify::DrivingPointCheck> driving_checks;
+  std::vector<identify::ReciprocityCheck> reciprocity;
+  const std::vector<identify::SynthesisedFrf>& synthesis;  // [outputs], point as an index into frf_points
+  std::vector<int> frf_points;
+};
+
+/// no_geometry, sensor_on_node, driving_point_sign, reciprocity, frac, double_peak.
+std::vector<Warning> survey_warnings(const SurveyResults& survey);
+
+/// A strong FRF that the modes do not explain: FRAC below 0.99, level within 20 dB of the strongest.
+bool poorly_explained(const identify::SynthesisedFrf& frf);
+/// Noise explains the misfit: less than 1 % remains besides what changes from line to line.
+bool noise_alone(const identify::SynthesisedFrf& frf);
+
+}  // namespace percuss::pipeline

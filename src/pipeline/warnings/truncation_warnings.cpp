@@ -1,0 +1,80 @@
+#include "pipeline/warnings/truncation_warnings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "identify/noise/line_noise.hpp"
+
+namespace percuss::pipeline {
+namespace {
+
+constexpr double kMinPretriggerSamples = 32;  // samples from a record's beginning to the pulse
+constexpr double kMinRingingNoise = 2e-4;     // noise of a sample over the largest response …
+constexpr std::size_t kMinNoiseLines = 512;   // … when there are so many lines
+constexpr double kDecayed = 0.0025;           // six time constants, as for the hits' own finding
+
+// Largest magnitude of a channel over the accepted hits, m/s².
+double largest_response_mps2(const std::vector<AnalysedHit>& hits, std::size_t channel) {
+  double largest = 0;
+  for (const AnalysedHit& hit : hits) {
+    if (!hit.accepted || hit.responses.size() <= channel) continue;
+    const Extremes& seen = hit.responses[channel].extremes;
+    largest = std::max({largest, std::abs(seen.low), std::abs(seen.high)});
+  }
+  return largest;
+}
+
+// Whether some response is so quiet that the cut-off part of the filter's ringing exceeds its noise.
+bool ringing_exceeds_noise(const identify::FrfDataset& set, const std::vector<AnalysedHit>& hits) {
+  if (set.lines.count < kMinNoiseLines) return true;
+  const identify::LineNoise noise(set);
+  const std::size_t line = set.lines.count / 2;
+  for (std::size_t o = 0; o < set.channels.size(); ++o) {
+    const std::vector<double>& ff = set.points[set.channels[o].point].ff;
+    if (ff.empty()) continue;
+    const double noise_mps2 = noise.at(o, line) * std::sqrt(ff[line] / static_cast<double>(set.lines.samples));
+    if (noise_mps2 < kMinRingingNoise * largest_response_mps2(hits, set.channels[o].channel)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::vector<Warning> pretrigger_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
+                                         const identify::FrfDataset& set) {
+  double samples = kMinPretriggerSamples;
+  for (const AnalysedHit& hit : hits) {
+    if (hit.accepted) samples = std::min(samples, hit.hit.onset_s * record.fs_Hz - static_cast<double>(hit.hit.first));
+  }
+  if (samples >= kMinPretriggerSamples || !ringing_exceeds_noise(set, hits)) return {};
+  return {{"short_pretrigger",
+           fmt::format("a record begins {:.0f} samples before its pulse, within the ringing of the recorder's filter: "
+                       "the noise is so low that a mode's true ± may be twice as large; record {:.0f} samples before "
+                       "the pulse",
+                       std::max(0.0, samples), 2 * kMinPretriggerSamples)}};
+}
+
+std::vector<Warning> truncation_warnings(const std::vector<identify::Mode>& modes, const frf::LineRange& lines,
+                                         double window_decay_per_s, bool force_known) {
+  std::string ringing;
+  for (const identify::Mode& mode : modes) {
+    const double remaining = identify::remaining_amplitude(mode.pole, lines, window_decay_per_s);
+    if (remaining > kDecayed)
+      ringing += fmt::format("{}{:.1f} Hz ({:.1f} %)", ringing.empty() ? "" : ", ", mode.pole.freq_Hz, remaining * 100);
+  }
+  if (ringing.empty()) return {};
+  if (force_known) {
+    return {{"truncated_decay", "these modes still ring when the record ends, with this part of their amplitude: " +
+                                    ringing + "; the fit of the damping allows for the missing decay"}};
+  }
+  return {{"truncated_decay",
+           fmt::format("the spacing of the spectral lines corresponds to records of {:.4g} s, at whose end these modes "
+                       "still rang with this part of their amplitude: {}. The fit cannot allow for it without the "
+                       "force: residues may be off by as much, and the damping is too high if the recorder applied an "
+                       "exponential window",
+                       1 / lines.df_Hz(), ringing)}};
+}
+
+}  // namespace percuss::pipeline

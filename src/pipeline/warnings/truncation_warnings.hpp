@@ -1,0 +1,21 @@
+#pragma once
+#include <vector>
+
+#include "acquire/record/record.hpp"
+#include "identify/model/frf_dataset.hpp"
+#include "identify/model/mode.hpp"
+#include "pipeline/hits/analysed_hit.hpp"
+#include "pipeline/warnings/warning.hpp"
+
+namespace percuss::pipeline {
+
+/// short_pretrigger: a row begins within the ringing of the anti-alias filter before its pulse, and the noise is low
+/// enough for that to matter.
+std::vector<Warning> pretrigger_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
+                                         const identify::FrfDataset& set);
+
+/// truncated_decay: modes that still rang when the record ended. `force_known`: false for FRFs that were given.
+std::vector<Warning> truncation_warnings(const std::vector<identify::Mode>& modes, const frf::LineRange& lines,
+                                         double window_decay_per_s, bool force_known);
+
+}  // namespace percuss::pipeline

@@ -1,0 +1,123 @@
+#include "acquire/channels/stored_frfs.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/units.hpp"
+#include "support/input_error.hpp"
+#include "support/messages.hpp"
+
+namespace percuss::acquire::stored_frfs_test {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+constexpr double kRounding = 1e-12;
+
+// Two channels, one point, lines at 0, 1, 2 Hz of value 1.
+StoredFrfs stored(std::optional<FrfUnit> unit = FrfUnit{}) {
+  StoredFrfs frfs;
+  frfs.record.files = {{.path = "x.csv"}};
+  frfs.record.lines = lines_from_frequencies({0, 1, 2}, "x.csv");
+  for (std::size_t c = 0; c < 2; ++c) {
+    frfs.record.accel.push_back({.name = "accel " + std::to_string(c + 1)});
+    frfs.frfs.push_back({.channel = c, .value = std::vector<Complex>(3, Complex(1, 0))});
+  }
+  frfs.unit = unit;
+  return frfs;
+}
+
+Complex line(const FrfRecord& record, std::size_t frf, std::size_t k) { return record.frfs.at(frf).frf.value.at(k); }
+
+TEST(StoredFrfs, TurnsEveryKindIntoAnAccelerance) {
+  const Complex s(0, kTwoPi * 2);
+  EXPECT_EQ(line(to_accelerances(stored(), {}), 0, 2), Complex(1, 0));
+  const auto mobility = to_accelerances(stored(FrfUnit{.kind = FrfKind::mobility}), {});
+  EXPECT_LE(std::abs(line(mobility, 0, 2) - s), kRounding * std::abs(s));
+  const auto receptance = to_accelerances(stored(FrfUnit{.kind = FrfKind::receptance}), {});
+  EXPECT_LE(std::abs(line(receptance, 0, 2) - s * s), kRounding * std::norm(s));
+  EXPECT_EQ(line(receptance, 0, 0), Complex(0, 0));
+}
+
+TEST(StoredFrfs, AppliesTheFilesUnitUnlessTheUserNamesOne) {
+  const FrfUnit g_per_lbf{.response_to_SI = kStandardGravity_mps2, .force_to_SI = kPoundForce_N};
+  EXPECT_EQ(to_accelerances(stored(g_per_lbf), {}).accel[0].to_SI, kStandardGravity_mps2 / kPoundForce_N);
+  EXPECT_EQ(to_accelerances(stored(g_per_lbf), {.read = {.accel_unit = "m/s^2"}}).accel[0].to_SI, 1 / kPoundForce_N);
+  EXPECT_EQ(to_accelerances(stored(g_per_lbf), {.read = {.force_scale = {2}, .accel_scale = {3}}}).accel[0].to_SI, 1.5);
+}
+
+TEST(StoredFrfs, TurnsTheSignOfASensorThatPointsBackwards) {
+  const auto record =
+      to_accelerances(stored(), {.read = {.setup = {{.name = "accel 2", .sign = -1, .angle_rad = 1.0}}}});
+  EXPECT_EQ(line(record, 0, 1), Complex(1, 0));
+  EXPECT_EQ(line(record, 1, 1), Complex(-1, 0));
+  EXPECT_EQ(record.accel[1].angle_rad, 1.0);
+  const auto hammer = to_accelerances(stored(), {.read = {.setup = {{.name = "force", .sign = -1}}}});
+  EXPECT_EQ(line(hammer, 0, 1), Complex(-1, 0));
+}
+
+TEST(StoredFrfs, KeepsTheChannelsAskedFor) {
+  const auto record = to_accelerances(stored(), {.read = {.accel_channels = {"2"}}});
+  ASSERT_THAT(record.frfs, SizeIs(1));
+  EXPECT_EQ(record.accel.at(0).name, "accel 2");
+  EXPECT_EQ(record.frfs[0].channel, 0U);
+}
+
+TEST(StoredFrfs, NotesAnAssumedKindAndAnOverruledOne) {
+  EXPECT_THAT(to_accelerances(stored(), {}).notes, IsEmpty());
+  EXPECT_THAT(test::texts(to_accelerances(stored(std::nullopt), {}).notes),
+              testing::ElementsAre(HasSubstr("taken as accelerance")));
+  const auto overruled = to_accelerances(stored(), {.kind = FrfKind::mobility});
+  EXPECT_EQ(overruled.kind, FrfKind::mobility);
+  EXPECT_THAT(overruled.notes.at(0).options, testing::ElementsAre("frf_kind"));
+}
+
+TEST(StoredFrfs, RefusesOptionsWithoutMeaningAndImplausibleNumbers) {
+  EXPECT_THAT(test::options_of_error([] { to_accelerances(stored(), {.read = {.fs_Hz = 100}}); }),
+              testing::ElementsAre("fs"));
+  EXPECT_THAT(test::input_error_of([] { to_accelerances(stored(), {.read = {.force_sensitivity_V_per_N = 1}}); }),
+              HasSubstr("sensitivity"));
+  EXPECT_THAT(test::input_error_of([] { to_accelerances(stored(), {.read = {.accel_scale = {1e40}}}); }),
+              HasSubstr("too large"));
+  EXPECT_THAT(test::input_error_of([] { to_accelerances(stored(), {.read = {.force_scale = {0}}}); }),
+              HasSubstr("scale"));
+}
+
+TEST(LinesFromFrequencies, FindsSpacingAndFirstLine) {
+  const LineRange lines = lines_from_frequencies({60, 60.5, 61}, "x");
+  EXPECT_EQ(lines.first, 120U);
+  EXPECT_EQ(lines.count, 3U);
+  EXPECT_EQ(lines.df_Hz(), 0.5);
+  EXPECT_EQ(lines.freq_Hz(2), 61.0);
+}
+
+TEST(LinesFromFrequencies, AllowsFrequenciesThatWereRounded) {
+  std::vector<double> freq_Hz(1000);
+  for (std::size_t k = 0; k < freq_Hz.size(); ++k)
+    freq_Hz[k] = std::round(0.1953125 * static_cast<double>(k) * 100) / 100;
+  EXPECT_LE(std::abs(lines_from_frequencies(freq_Hz, "x").df_Hz() / 0.1953125 - 1), 1e-4)
+      << "half a hundredth in 195 Hz";
+}
+
+TEST(JoinFrfs, MakesEveryFileAPoint) {
+  std::vector<FrfRecord> files(3, to_accelerances(stored(std::nullopt), {}));
+  const FrfRecord all = join_frfs(files);
+  ASSERT_THAT(all.frfs, SizeIs(6));
+  EXPECT_EQ(all.frfs[5].point, 2);
+  EXPECT_EQ(all.frfs[5].channel, 1U);
+  EXPECT_THAT(all.notes, SizeIs(1)) << "what holds for all is said once";
+  EXPECT_THAT(all.files, SizeIs(3));
+}
+
+TEST(JoinFrfs, RefusesOtherLinesAndNamesTheFile) {
+  const FrfRecord first = to_accelerances(stored(), {});
+  FrfRecord other = first;
+  other.files[0].path = "other.csv";
+  other.lines = lines_from_frequencies({0, 2, 4}, "other.csv");
+  EXPECT_THAT(test::input_error_of([&] { join_frfs({first, other}); }), HasSubstr("other.csv"));
+}
+
+}  // namespace percuss::acquire::stored_frfs_test

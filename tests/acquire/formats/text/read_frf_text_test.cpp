@@ -1,0 +1,105 @@
+#include "acquire/formats/text/read_frf_text.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "support/csv_text.hpp"
+#include "support/input_error.hpp"
+
+namespace percuss::acquire::read_frf_text_test {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+constexpr double kRounding = 1e-12;
+
+StoredFrfs read(const std::string& text, bool forced = false) {
+  auto frfs = read_frf_text(test::csv_bytes(text), forced);
+  EXPECT_TRUE(frfs);
+  return frfs ? std::move(*frfs) : StoredFrfs{};
+}
+
+// As DataPhysics SignalCalc writes it: Latin-1, an empty last column of units, CR LF.
+TEST(ReadFrfText, ReadsAnAnalysersExport) {
+  const auto frfs = read(
+      "Units: Ratio\r\nRef Chan:Resp Chan\tI0-Z:0-Z\r\nChannel Name\t : \r\n\r\nFrequency\tReal\tImaginary\r\n\r\n"
+      "Units:\r\nHz\t(m/s\xB2)(N)\t \r\n0.0000000000000e+000\t -0.15\t 0\r\n1.9531250000000e-002\t 3e-2\t 0.007\r\n"
+      "3.9062500000000e-002\t -0.1\t -0.006\r\n");
+  ASSERT_THAT(frfs.frfs, SizeIs(1));
+  EXPECT_EQ(frfs.record.lines.first, 0U);
+  EXPECT_EQ(frfs.record.lines.count, 3U);
+  EXPECT_EQ(frfs.record.lines.df_Hz(), 0.01953125);
+  EXPECT_EQ(frfs.frfs[0].value[1], Complex(0.03, 0.007));
+  ASSERT_TRUE(frfs.unit);
+  EXPECT_EQ(frfs.unit->kind, FrfKind::accelerance);
+  EXPECT_THAT(frfs.frfs[0].coherence, IsEmpty());
+  EXPECT_THAT(frfs.record.notes, IsEmpty());
+}
+
+TEST(ReadFrfText, ReadsWhatPercussWrites) {
+  const auto frfs = read(
+      "# mobility (m/s)/N, H1, exp(+jwt), angle_deg 0 90, decay_per_s 4.6\n"
+      "frequency_hz,p3_c0_re,p3_c0_im,p3_c0_std,p3_c0_coherence,p3_c1_re,p3_c1_im,p3_c1_std,p3_c1_coherence\n"
+      "60,1,2,0.1,0.9,3,4,,\n62,5,6,0.2,0.8,7,8,,\n");
+  ASSERT_THAT(frfs.frfs, SizeIs(2));
+  EXPECT_EQ(frfs.frfs[0].point, 3);
+  EXPECT_EQ(frfs.frfs[1].channel, 1U);
+  EXPECT_EQ(frfs.frfs[1].value[1], Complex(7, 8));
+  EXPECT_EQ(frfs.frfs[0].coherence, (std::vector{0.9, 0.8}));
+  EXPECT_THAT(frfs.frfs[1].coherence, IsEmpty());
+  EXPECT_EQ(frfs.unit->kind, FrfKind::mobility);
+  EXPECT_EQ(frfs.record.decay_per_s, 4.6);
+  EXPECT_LE(std::abs(*frfs.record.accel.at(1).angle_rad - std::numbers::pi / 2), kRounding);
+  EXPECT_EQ(frfs.record.lines.first, 30U);
+}
+
+TEST(ReadFrfText, ReadsMagnitudeAndPhase) {
+  const auto frfs = read("Frequency (Hz);Magnitude (dB);Phase (deg)\n0;0;0\n1;20;90\n2;40;-180\n");
+  EXPECT_LE(std::abs(frfs.frfs[0].value[1] - Complex(0, 10)), kRounding * 10);
+  EXPECT_LE(std::abs(frfs.frfs[0].value[2] - Complex(-100, 0)), kRounding * 100);
+}
+
+TEST(ReadFrfText, TakesColumnsWithoutNamesWhenTold) {
+  EXPECT_FALSE(read_frf_text(test::csv_bytes("0 1 2\n1 3 4\n2 5 6\n"), false));
+  EXPECT_EQ(read("0 1 2\n1 3 4\n2 5 6\n", true).frfs.at(0).value[2], Complex(5, 6));
+}
+
+TEST(ReadFrfText, LeavesRecordsOfTimeAlone) {
+  EXPECT_FALSE(read_frf_text(test::csv_bytes("t_s,force_N,acc_m_s2\n0,1,2\n1,3,4\n2,5,6\n"), false));
+  EXPECT_FALSE(read_frf_text(test::csv_bytes("Frequency,Power\n0,1\n1,3\n2,5\n"), false));
+}
+
+std::string refusal(const std::string& text) {
+  return test::input_error_of([&] { read_frf_text(test::csv_bytes(text), false); });
+}
+
+TEST(ReadFrfText, RefusesColumnsWithoutPartner) {
+  EXPECT_THAT(refusal("frequency,a_re,b_re\n0,1,2\n1,1,2\n"), HasSubstr("b_re has no partner"));
+  EXPECT_THAT(refusal("frequency,a_im\n0,1\n1,1\n"), HasSubstr("no partner"));
+  EXPECT_THAT(refusal("frequency,a_re,a_phase\n0,1,2\n1,1,2\n"), HasSubstr("no partner"));
+}
+
+TEST(ReadFrfText, RefusesPointsThatLackAChannel) {
+  const char* const kMany = "not one FRF of every channel for every point";
+  EXPECT_THAT(refusal("frequency,p0_c0_re,p0_c0_im,p1_c1_re,p1_c1_im\n0,1,2,3,4\n1,1,2,3,4\n"), HasSubstr(kMany));
+  EXPECT_THAT(refusal("frequency,p0_c0_re,p0_c0_im,p0_c0_re,p0_c0_im\n0,1,2,3,4\n1,1,2,3,4\n"), HasSubstr(kMany));
+  EXPECT_THAT(refusal("frequency,p0_c0_re,p0_c0_im,p1_c9223372036854775808_re,p1_c9223372036854775808_im\n"
+                      "0,1,2,3,4\n1,1,2,3,4\n"),
+              HasSubstr(kMany));
+}
+
+TEST(ReadFrfText, RefusesGapsAndUnevenFrequencies) {
+  EXPECT_THAT(refusal("frequency,re,im\n0,1,2\n1,,2\n2,3,4\n"), AllOf(HasSubstr("x.csv"), HasSubstr("line 3")));
+  EXPECT_THAT(refusal("frequency,re,im\n0,1,2\n1,1,2\n3,3,4\n"), HasSubstr("not a multiple"));
+  EXPECT_THAT(refusal("frequency,re,im\n3,1,2\n2,1,2\n1,3,4\n"), HasSubstr("do not rise"));
+  EXPECT_THAT(refusal("frequency,re,im\n0,1,2\n0,1,2\n0,3,4\n"), HasSubstr("do not rise"));
+  EXPECT_THAT(refusal("frequency,re,im\n1,1,2\n"), HasSubstr("fewer than two"));
+  EXPECT_THAT(refusal("frequency,re,im\n1e15,1,2\n1000000000000001,1,2\n"), HasSubstr("too close together"));
+}
+
+}  // namespace percuss::acquire::read_frf_text_test
