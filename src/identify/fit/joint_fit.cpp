@@ -147,28 +147,28 @@ class Joint {
 
   void add_residues(JointFit& fit, std::size_t p, const MatrixXd& covariance) const {
     const JointPart& part = state_.parts[p];
-    const MatrixXd follow =
-        part.inverse * (part.columns.transpose() * part.slopes);  // response of the columns to the poles
+    // Of the slopes on the columns.
+    const MatrixXd projection = part.inverse * (part.columns.transpose() * part.slopes);
     const auto unknowns = static_cast<std::size_t>(part.inverse.rows());
     parallel_for_cost(part.channels.size(), 2 * unknowns * unknowns * unknowns, [&](std::size_t i) {
       const auto o = static_cast<Index>(part.channels[i]);
       const auto column = static_cast<Index>(i);
       const double noise = projection_.noise()(o);
-      MatrixXd moves = MatrixXd::Zero(part.inverse.rows(), covariance.rows());
+      MatrixXd derivatives = MatrixXd::Zero(part.inverse.rows(), covariance.rows());
       for (std::size_t m = 0; m < fit.real.size(); ++m) {
         for (Index k = 0; k < (fit.real[m] ? 1 : 2); ++k) {
           const Index at = static_cast<Index>(part.first[m]) + k;
           for (Index d = 0; d < 2; ++d)
-            moves.col(static_cast<Index>(2 * m) + d) -= follow.col(2 * at + d) * part.amplitude(at, column);
+            derivatives.col(static_cast<Index>(2 * m) + d) -= projection.col(2 * at + d) * part.amplitude(at, column);
         }
       }
-      const MatrixXd spread = part.inverse * noise * noise + moves * covariance * moves.transpose();
+      const MatrixXd total = part.inverse * noise * noise + derivatives * covariance * derivatives.transpose();
       for (std::size_t m = 0; m < fit.real.size(); ++m) {
         const auto at = static_cast<Index>(part.first[m]);
         const auto mode = static_cast<Index>(m);
         const double imaginary = fit.real[m] ? 0 : part.amplitude(at + 1, column);
         fit.residues(o, mode) = Complex(part.amplitude(at, column), imaginary);
-        const double variance = fit.real[m] ? spread(at, at) : 0.5 * (spread(at, at) + spread(at + 1, at + 1));
+        const double variance = fit.real[m] ? total(at, at) : 0.5 * (total(at, at) + total(at + 1, at + 1));
         fit.residue_std(o, mode) = std::sqrt(std::max(0.0, variance));
       }
     });

@@ -155,29 +155,29 @@ NormalEquations JointProjection::normal_equations(const JointState& state) const
     // The slopes with their projection on the columns removed (Kaufman's Jacobian).
     const MatrixXd cross = part.columns.transpose() * part.slopes;
     const MatrixXd gram = part.slopes.transpose() * part.slopes - cross.transpose() * part.inverse * cross;
-    const MatrixXd push = part.slopes.transpose() * part.residual;
+    const MatrixXd score = part.slopes.transpose() * part.residual;
     for (std::size_t i = 0; i < part.channels.size(); ++i) {
       const auto o = static_cast<Index>(i);
-      const MatrixXd spread = spread_of(state, part, o);
-      out.matrix += spread.transpose() * gram * spread;
-      out.right += spread.transpose() * push.col(o) / noise_(static_cast<Index>(part.channels[i]));
+      const MatrixXd residues = residue_matrix(state, part, o);
+      out.matrix += residues.transpose() * gram * residues;
+      out.right += residues.transpose() * score.col(o) / noise_(static_cast<Index>(part.channels[i]));
     }
   }
   return out;
 }
 
-MatrixXd JointProjection::spread_of(const JointState& state, const JointPart& part, Index channel) const {
+MatrixXd JointProjection::residue_matrix(const JointState& state, const JointPart& part, Index channel) const {
   const double noise = noise_(static_cast<Index>(part.channels[static_cast<std::size_t>(channel)]));
   const auto modes = static_cast<Index>(state.model.poles.size());
-  MatrixXd spread = MatrixXd::Zero(part.slopes.cols(), 2 * modes);
+  MatrixXd residues = MatrixXd::Zero(part.slopes.cols(), 2 * modes);
   for (Index m = 0; m < modes; ++m) {
     const auto first = static_cast<Index>(part.first[static_cast<std::size_t>(m)]);
     for (Index k = 0; k < (state.model.real[static_cast<std::size_t>(m)] ? 1 : 2); ++k) {
-      spread(2 * (first + k), 2 * m) = part.amplitude(first + k, channel) / noise;
-      spread(2 * (first + k) + 1, 2 * m + 1) = part.amplitude(first + k, channel) / noise;
+      residues(2 * (first + k), 2 * m) = part.amplitude(first + k, channel) / noise;
+      residues(2 * (first + k) + 1, 2 * m + 1) = part.amplitude(first + k, channel) / noise;
     }
   }
-  return spread;
+  return residues;
 }
 
 MatrixXd JointProjection::force_covariance(const JointState& state, ForceErrors of) const {

@@ -55,7 +55,7 @@ class JointProjection {
   Eigen::MatrixXd residue_force_variance(const JointState& state) const;
 
   /// The matrix from the slope columns to the poles' unknowns: residues of one FRF of the part over its noise.
-  Eigen::MatrixXd spread_of(const JointState& state, const JointPart& part, Eigen::Index channel) const;
+  Eigen::MatrixXd residue_matrix(const JointState& state, const JointPart& part, Eigen::Index channel) const;
 
   /// Takes each FRF's noise, and its course over frequency, from the residual of a fit (its unweighted_residual).
   void weight_by_residual(const JointState& state, const std::vector<Eigen::VectorXcd>& residual);

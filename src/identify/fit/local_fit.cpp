@@ -87,12 +87,13 @@ void add_uncertainty(LocalFit& fit, const VariableProjection& projection, LocalP
       const auto o = static_cast<Index>(part.channels[i]);
       const auto column = static_cast<Index>(i);
       // Derivatives of the amplitudes by the poles.
-      const MatrixXcd moves = projection.residue_derivatives(part, column);
+      const MatrixXcd derivatives = projection.residue_derivatives(part, column);
       for (Index m = 0; m < static_cast<Index>(modes); ++m) {
         fit.residues(o, m) = part.amplitude(m, column);
         const double linear =
             part.inverse_gram(m, m).real() * weight(o) * weight(o) * scale;  // variance of the real part
-        const double from_poles = (moves.row(m) * covariance.cast<Complex>() * moves.row(m).adjoint())(0).real();
+        const double from_poles =
+            (derivatives.row(m) * covariance.cast<Complex>() * derivatives.row(m).adjoint())(0).real();
         const Pole& pole = fit.poles[static_cast<std::size_t>(m)];
         fit.residue_std(o, m) =
             std::sqrt(std::max(0.0, window.of_residue(pole) * linear + 0.5 * window.of_pole(pole) * from_poles));

@@ -74,9 +74,9 @@ NormalEquations VariableProjection::normal_equations(const ProjectedState& state
 }
 
 MatrixXcd VariableProjection::residue_derivatives(const ProjectedPart& part, Index channel) const {
-  MatrixXcd moves = -part.inverse_gram * adjoint_product(part.columns, part.slopes);
-  for (Index c = 0; c < moves.cols(); ++c) moves.col(c) *= part.amplitude(c / 2, channel);
-  return moves;
+  MatrixXcd derivatives = -part.inverse_gram * adjoint_product(part.columns, part.slopes);
+  for (Index c = 0; c < derivatives.cols(); ++c) derivatives.col(c) *= part.amplitude(c / 2, channel);
+  return derivatives;
 }
 
 // FRFs with equal columns: all FRFs where every mode decays within the record, else the FRFs of one point.

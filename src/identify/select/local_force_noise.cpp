@@ -42,8 +42,8 @@ Slopes slopes_of(const FrfDataset& set, std::size_t point, const WindowModes& mo
   const MatrixXd polynomial = orthonormal_polynomials(lines, static_cast<Index>(LocalFitOptions{}.residual_terms));
   for (MatrixXcd* const of : {&columns, &slopes.lines})
     subtract_product(*of, polynomial, transposed_product(polynomial, *of));
-  const MatrixXcd follow = inverse_gram(adjoint_gram(columns)) * adjoint_product(columns, slopes.lines);
-  subtract_product(slopes.lines, columns, follow);
+  const MatrixXcd projection = inverse_gram(adjoint_gram(columns)) * adjoint_product(columns, slopes.lines);
+  subtract_product(slopes.lines, columns, projection);
   slopes.gram = adjoint_gram(slopes.lines);
   return slopes;
 }

@@ -106,7 +106,7 @@ std::vector<PoleCluster> cluster_poles(const Stabilisation& diagram, const Stabi
   }
   std::vector<PoleCluster> out;
   for (const Members& cluster : clusters) {
-    if (!cluster.freq_Hz.empty() && cluster.freq_Hz.size() >= options.least_stable) out.push_back(summary_of(cluster));
+    if (!cluster.freq_Hz.empty() && cluster.freq_Hz.size() >= options.min_stable) out.push_back(summary_of(cluster));
   }
   std::sort(out.begin(), out.end(),
             [](const PoleCluster& a, const PoleCluster& b) { return a.pole.freq_Hz < b.pole.freq_Hz; });

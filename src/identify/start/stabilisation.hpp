@@ -16,7 +16,7 @@ struct StabilisationOptions {
   LscfOptions lscf;
   double frequency_bandwidths = 0.1;  // largest change of a stable frequency, in half-power bandwidths
   double damping = 0.1;               // largest relative change of a stable damping ratio
-  std::size_t least_stable = 6;       // a candidate is stable at this many orders or more
+  std::size_t min_stable = 6;         // a candidate is stable at this many orders or more
 };
 
 struct StabilisationPole {
@@ -41,7 +41,7 @@ struct PoleCluster {
 };
 
 /// Clusters of poles over the orders. Each pole joins the nearest cluster within half a bandwidth, one pole per order
-/// and cluster. Only clusters with at least `least_stable` stable members, in ascending frequency. source  [11] in
+/// and cluster. Only clusters with at least `min_stable` stable members, in ascending frequency. source  [11] in
 /// docs/theory/sources.md for the diagram, [2] for the spread.
 std::vector<PoleCluster> cluster_poles(const Stabilisation& diagram, const StabilisationOptions& options = {});
 
