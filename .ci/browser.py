@@ -1,5 +1,5 @@
-"""Reports in headless Chromium: nothing on the console, nothing asked of a network, every picture drawn in pixels, one zoom for
-all FRF pictures, modes that move and can be stopped, text that can be read (WCAG 2.1 AA), quick and small enough."""
+"""Checks reports in headless Chromium: no console messages, no network requests, every chart drawn, a common zoom of all FRF
+charts, animated modes that can be stopped, legible text (WCAG 2.1 AA), loading time and size."""
 
 import io
 import itertools
@@ -42,7 +42,7 @@ def browser(width=1000, height=1400):
 
 
 def opened(driver, path):
-    """Loads a page; what it complained of and what it asked for besides itself."""
+    """Loads a page; returns its console messages and its requests for other files."""
     driver.get_log("browser"), driver.get_log("performance")
     driver.get(path.as_uri())
     time.sleep(0.3)
@@ -52,7 +52,7 @@ def opened(driver, path):
     return complaints, [url for url in asked if url != path.as_uri()]
 
 
-# Colours of the curves of a canvas: enough pixels that are neither ground nor grey.
+# Whether a canvas shows curves: enough pixels that are neither background nor grey.
 DRAWN = """return [...document.querySelectorAll("canvas")].map((canvas) => {
   const pixels = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
   let coloured = 0;
@@ -61,7 +61,7 @@ DRAWN = """return [...document.querySelectorAll("canvas")].map((canvas) => {
   return coloured;
 });"""
 
-# The least contrast of any text on the page with what is behind it, and where; transparent grounds let their parents through.
+# The lowest contrast of a text with its background, and its place. A transparent background shows the parent's.
 CONTRAST = """
 const rgba = (text) => { const n = text.match(/[\\d.]+/g).map(Number); return n.length > 3 ? n : [...n, 1]; };
 const light = (c) => { const f = (v) => (v / 255 <= 0.03928 ? v / 255 / 12.92 : ((v / 255 + 0.055) / 1.055) ** 2.4); return 0.2126 * f(c[0]) + 0.7152 * f(c[1]) + 0.0722 * f(c[2]); };
@@ -101,14 +101,14 @@ def emulate(driver, **features):
 
 
 def painted(driver, element):
-    """Share of an element's picture that is not its ground."""
+    """The fraction of an element's pixels that differ from its background."""
     image = Image.open(io.BytesIO(element.screenshot_as_png)).convert("RGB")
     pixels = list(image.getdata())
     return sum(pixel != pixels[0] for pixel in pixels) / len(pixels)
 
 
 def look(driver, path, canvases=0, charts=0):
-    """What every page must hold."""
+    """Checks that apply to every page."""
     name = path.stem
     complaints, asked = opened(driver, path)
     check(not complaints, f"{name}: console is clean {complaints}")
@@ -161,7 +161,7 @@ def zoom(driver, path):
     check(kinds == 3 and scales(driver)[0] == scales(driver)[2] and min(driver.execute_script(DRAWN)) > 30, "zoom: over the logarithm of the frequency")
     buttons["Logarithmic"].click()
     time.sleep(0.2)
-    buttons["Zoom in"].send_keys("\ue007")  # as the keyboard does it
+    buttons["Zoom in"].send_keys("\ue007")  # the Enter key
     time.sleep(0.2)
     narrow = scales(driver)
     check(all(pair == narrow[0] for pair in narrow) and narrow[0] != before[0], "zoom: by the keyboard")
@@ -192,7 +192,7 @@ def spec(work, name, **keys):
 
 
 def pages(work):
-    """Every kind of page: its command, canvases, charts."""
+    """Checks every kind of page: command, canvases, charts."""
     at = lambda name: str(work / name)
     for preset in ("composite-bat", "aluminium-bat", "wood-bat", "double-hit", "no-pulse", "truncated", "roving-barrel"):
         percuss("synth", preset, "-o", at(preset + ".h5"))
@@ -235,7 +235,7 @@ def pages(work):
 
 
 def sizes(driver, work):
-    """Two accelerometers and 8001 lines each are there within a second; a survey of 120 points fits into 2 MB."""
+    """A page of two accelerometers with 8001 spectral lines each loads within a second; a survey of 120 points has at most 2 MB."""
     modes = [{"frequency_hz": f, "damping_ratio": 0.004, "family": family, "order": n, "amplitude_per_sqrt_kg": 2}
              for f, family, n in ((205, "bending", 1), (690, "bending", 2), (2100, "hoop", 1), (2880, "hoop", 2))]
     bat = spec(work, "lines", duration_s=1, modes=modes, hits=3, pulse={"width_s": 0.0002})

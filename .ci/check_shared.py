@@ -1,4 +1,4 @@
-"""The checks of .ci/check-shared: see there."""
+"""The checks of .ci/check-shared."""
 import argparse
 import importlib.util
 import json
@@ -15,8 +15,8 @@ import numpy
 import scipy.io
 
 PERCUSS = os.environ["PERCUSS"]
-FEW_SIGMA = 4.5  # of the reported deviation: one in 150 000 for a normal distribution
-ROUNDING = 1e-6  # of a damping ratio: where there is no noise, deviations shrink to what arithmetic leaves
+FEW_SIGMA = 4.5  # reported standard deviations: 1 in 150 000 for a normal distribution
+ROUNDING = 1e-6  # of a damping ratio: without noise, standard deviations shrink to rounding errors
 
 results = []
 
@@ -27,7 +27,7 @@ def check(name, passed, shown=""):
 
 
 def percuss(*arguments):
-    """exit code and document of a command"""
+    """The exit code and document of a command."""
     done = subprocess.run([PERCUSS, *map(str, arguments), "--json"], capture_output=True, text=True, timeout=600)
     try:
         return done.returncode, json.loads(done.stdout)
@@ -47,8 +47,8 @@ def nearest(document, frequency_hz):
 def check_pyfrf(data):
     folder = os.path.join(data, "pyfrf_5hits")
     known = [m for m in json.load(open(os.path.join(folder, "independent.json")))["modes"] if m["fit_residual"] < 0.12]
-    # Three independent estimates of each damping. Their pooled relative spread: the root of the mean, over the modes, of the squared
-    # relative standard deviation of the three. A damping may be that far from the median of the three.
+    # Each damping has three independent estimates. The tolerance is their pooled relative spread: the root mean square, over the
+    # modes, of the relative standard deviation of the three. A damping must be within the tolerance of their median.
     three = [[m["zeta_lscf"], m["zeta_sdof"], m["zeta_hp"]] for m in known]
     spread = math.sqrt(statistics.mean(statistics.variance(z) / statistics.mean(z) ** 2 for z in three))
     for file in ("record.h5", "hit1.csv"):
@@ -144,7 +144,7 @@ def check_modelab(data, scratch):
         residues = [complex(r["re"], r["im"]) for r in sorted(nearby.get("residues", []), key=lambda r: r["point"])]
         value = mac(residues, shape["shape"]) if len(residues) == 9 else 0
         check("modelab: %.3f Hz, MAC at least 0.98" % mode["f_sdof"], value >= 0.98, "%.4f" % value)
-        # Turned by the set-up, the driving point (the fourth) is positive.
+        # The set-up inverts the sign, so the driving point (the fourth) is positive.
         check("modelab: %.3f Hz, the driving point is positive" % mode["f_sdof"], len(residues) == 9 and residues[3].real > 0)
 
 
@@ -188,7 +188,7 @@ def check_long(name, truth, path):
 
 
 def separated(truth, i):
-    """more than three half-power bandwidths from every other mode, by the wider of the two"""
+    """Whether a mode is more than three half-power bandwidths (of the wider mode) from every other mode."""
     width = [2 * z * f for f, z in zip(truth["f_hz"], truth["zeta"])]
     return all(abs(f - truth["f_hz"][i]) > 3 * max(width[i], w) for j, (f, w) in enumerate(zip(truth["f_hz"], width)) if j != i)
 

@@ -1,4 +1,4 @@
-"""What .ci/interop runs: see there."""
+"""The checks of .ci/interop."""
 import json
 import os
 import subprocess
@@ -32,7 +32,7 @@ def described(path, *words):
 
 
 def same_samples(path, force, accel, scratch, *words):
-    """Whether percuss reads these samples, exactly: converted to HDF5, which h5py then opens."""
+    """Whether percuss reads exactly these samples: it converts the file to HDF5, which h5py opens."""
     out = os.path.join(scratch, "seen.h5")
     if percuss("convert", path, out, "--force", *words).returncode != 0:
         return False
@@ -56,7 +56,7 @@ def main():
     with tempfile.TemporaryDirectory() as scratch:
         at = lambda name: os.path.join(scratch, name)
 
-        # Theirs to ours.
+        # Files of other software, read by percuss.
         with h5py.File(at("h5py.h5"), "w") as file:
             file.attrs["fs"] = 1000.0
             file["force"] = force
@@ -75,7 +75,7 @@ def main():
         check("SciPy writes FRFs, percuss reads them",
               (seen.get("points"), seen.get("lines"), seen.get("df_hz")) == (4, 50, 2.0))
 
-        # Ours to theirs, from the record that h5py wrote.
+        # Files of percuss, read by other software; the record was written by h5py.
         percuss("convert", at("h5py.h5"), at("ours.mat"))
         ours = scipy.io.loadmat(at("ours.mat"))
         check("percuss writes MAT, SciPy reads it", np.array_equal(ours["force"], force) and np.array_equal(
@@ -93,7 +93,7 @@ def main():
         check("percuss writes FRFs as MAT, SciPy reads them",
               np.array_equal(scipy.io.loadmat(at("again.mat"))["frf"], frf))
 
-        # Sound files: SciPy and SoX, both ways. Numbers of 16 and 32 bits, exactly; the hammer is on the first channel.
+        # Sound files of SciPy and SoX in both directions, exact for 16 and 32 bits. The hammer is on the first channel.
         steps = random.integers(-2**15, 2**15, size=(200, 3))
         roles = ("--force-channel", "1", "--accel-channel", "2,3")
         parts = steps / 2.0**15
@@ -111,12 +111,12 @@ def main():
         subprocess.run(["sox", "-D", at("ours.wav"), "-b", "16", at("back.wav")], check=True)
         check("percuss writes a WAV file, SoX reads it",
               np.array_equal(scipy.io.wavfile.read(at("back.wav"))[1], steps))
-        # SoX takes the numbers of a W64 file for integers.
+        # SoX reads the numbers of a W64 file as integers.
         percuss("convert", at("scipy.wav"), at("ours.w64"), "--quiet", *roles, "--force-scale", str(2**31), "--accel-scale", str(2**31))
         subprocess.run(["sox", "-D", at("ours.w64"), "-b", "16", at("back.wav")], check=True)
         check("percuss writes a W64 file, SoX reads it", np.array_equal(scipy.io.wavfile.read(at("back.wav"))[1], steps))
 
-        # Octave, both ways.
+        # Octave in both directions.
         for level in ("-v7", "-v6", "-v4"):
             octave("load('%s'); force = force(1, :); accel = squeeze(accel(1, :, :)); save('%s', '%s', 'fs', 'force', 'accel');"
                    % (at("ours.mat"), level, at("octave.mat")))

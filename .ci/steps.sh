@@ -1,13 +1,13 @@
 # shellcheck shell=sh
-# Sourced by .ci/run and .ci/full at the top of the repository: the checks themselves, and how a step is shown and timed.
+# Sourced by .ci/run and .ci/full in the root of the repository. Defines the checks, and how a step is shown and timed.
 jobs=$(nproc)
 began=$(date +%s)
 summary=
 current=start
 trap '[ $? -eq 0 ] || echo "== $current: FAILED" >&2' EXIT
 
-# step NAME COMMAND...: runs it under its name; the first that fails ends the run (by set -e: "||" here would switch that off inside
-# the command).
+# step NAME COMMAND...: runs a command under a name. The first failure ends the run through set -e, which "||" would disable
+# inside the command.
 step() {
   current=$1
   shift
@@ -17,18 +17,19 @@ step() {
   echo "== $current: ok, $(($(date +%s) - started)) s"
 }
 
-# tested NAME COMMAND...: a step that ends in ctest, whose total is kept for the end.
+# tested NAME COMMAND...: runs a step that ends in ctest, and stores the total for the summary.
 tested() {
   preset=$1
   shift
   mkdir -p build
   step "$preset: tests" logged "build/$preset-tests.log" "$@"
   tests=$("build/$preset/tests/percuss_tests" --gtest_list_tests | grep -c '^  ')
-  summary="$summary$preset: $(grep 'tests passed' "build/$preset-tests.log"), which hold $tests
+  summary="$summary$preset: $(grep 'tests passed' "build/$preset-tests.log"), with $tests test cases
 "
 }
 
-# Shows a command's output, keeps it in a file, and ends as the command did (a pipe alone would end as tee does).
+# logged FILE COMMAND...: prints the output of a command, stores it in a file, and returns the exit status of the command; a
+# plain pipe would return the status of tee.
 logged() {
   log=$1
   shift
@@ -50,7 +51,7 @@ build() {
 
 all_sources() { git ls-files --cached --others --exclude-standard '*.cpp' '*.hpp'; }
 
-# The .cpp files to look at again: those changed, and those that include a changed header by name.
+# The .cpp files to check again: changed files, and files that include a changed header.
 changed_sources() {
   base=${CI_BASE:-$(git merge-base HEAD '@{upstream}' 2>/dev/null || true)}
   if [ -z "$base" ] || { [ -z "${CI_BASE:-}" ] && [ "$base" = "$(git rev-parse HEAD)" ]; }; then
@@ -65,8 +66,8 @@ changed_sources() {
     done | sort -u
 }
 
-# tidy FILES: clang-tidy on the .cpp files among them that are compiled. Files that the build joins to a unit are looked at
-# together, in a unit of only them: the headers of libraries, read once for all, cost more than our own lines.
+# tidy FILES: runs clang-tidy on the compiled .cpp files of the list. Files of one unity unit are checked together, in a unit
+# of only these files, because parsing the headers of libraries takes most of the time.
 tidy() {
   cmake --preset tidy -B build/tidy-units -DPERCUSS_TOGETHER=ON >/dev/null
   printf '%s\n' "$1" >build/tidy-units/files
@@ -83,7 +84,7 @@ check_layout() { all_sources | xargs clang-format --dry-run -Werror; }
 
 check_scripts() { grep -lE '^#!/bin/(ba)?sh|shellcheck shell=' start .ci/* | xargs shellcheck; }
 
-# The page on accuracy can be made, and README.md shows its table.
+# Makes the accuracy page, and checks that README.md shows its table.
 check_accuracy_page() {
   made=$(mktemp -d)
   build/release/bench/percuss_accuracy --quick "$made" >/dev/null
@@ -93,17 +94,17 @@ check_accuracy_page() {
   rm -rf "$made"
   sed -n '/^| from records with/,/^$/p' README.md | grep . >build/accuracy-rows
   [ "$(grep -cvxFf docs/project/accuracy.md build/accuracy-rows)" -eq 0 ] ||
-    { echo "README.md shows other figures than docs/project/accuracy.md" >&2; return 1; }
+    { echo "README.md and docs/project/accuracy.md show different figures" >&2; return 1; }
 }
 
-# Packs what release built, and runs the tool from the unpacked package.
+# Builds the Debian package from the release build, and runs the tool from the unpacked package.
 check_package() {
   rm -rf build/package
   cpack --config build/release/CPackConfig.cmake -B build/package >/dev/null
   deb=$(ls build/package/percuss_*.deb)
   dpkg-deb -I "$deb" | sed -n '/Package\|Version\|Depends\|Installed-Size/p'
   dpkg-deb -c "$deb" >build/package/list
-  for path in bin/percuss include/percuss/core/fft.hpp 'lib.*/libpercuss_core.a' 'lib.*/percussConfig.cmake' share/doc/percuss/copyright \
+  for path in bin/percuss include/percuss/analysis.hpp 'lib.*/libpercuss_api.a' 'lib.*/percussConfig.cmake' share/doc/percuss/copyright \
     share/man/man1/percuss-model-beam.1 share/bash-completion/completions/percuss share/zsh/site-functions/_percuss share/fish/vendor_completions.d/percuss.fish; do
     grep -q " \./usr/$path\$" build/package/list || { echo "the package lacks /usr/$path" >&2; return 1; }
   done

@@ -1,7 +1,6 @@
-# HDF5 and matio, from their archives where an executable can be linked from those alone. Debian's shared HDF5 can read from Amazon's
-# S3, which brings thirty more libraries (curl, TLS, Kerberos, LDAP ...) into a process before its first line runs: half of the time
-# that `percuss --version` takes. From the archive only what is used is linked. Modules cannot take archives that are not position
-# independent: they have the shared libraries.
+# HDF5 and matio, linked statically into executables where possible. Debian's shared HDF5 supports Amazon's S3 and therefore loads
+# thirty more libraries (curl, TLS, Kerberos, LDAP ...) at start-up: half of the time of `percuss --version`. A static library
+# contributes only the used objects. Modules use the shared libraries, since the static ones are not position independent.
 include(CheckCSourceCompiles)
 find_package(HDF5 REQUIRED COMPONENTS C)
 pkg_check_modules(MATIO REQUIRED IMPORTED_TARGET matio>=1.5.23)
@@ -31,5 +30,5 @@ if(PERCUSS_HDF5_ARCHIVES_LINK)
 else()
   target_link_libraries(percuss_hdf5 INTERFACE ${PERCUSS_HDF5_SHARED})
 endif()
-# What a floor links with; who installs the libraries has the shared ones found for them.
+# The libraries that a layer links with. An installation uses the shared libraries.
 set(PERCUSS_HDF5 $<BUILD_INTERFACE:percuss_hdf5> $<INSTALL_INTERFACE:HDF5::HDF5> $<INSTALL_INTERFACE:PkgConfig::MATIO>)

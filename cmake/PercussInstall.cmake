@@ -1,9 +1,12 @@
-# Installation of the tool, the libraries and their headers, and the Debian package.
+# Installation of the tool, the libraries and the public headers, and the Debian package.
 include(CMakePackageConfigHelpers)
 
 get_property(floors GLOBAL PROPERTY PERCUSS_FLOORS)
+# Programs link percuss::percuss; the other libraries are what it is made of.
+set_target_properties(percuss_api PROPERTIES EXPORT_NAME percuss)
+target_include_directories(percuss_api PUBLIC $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 install(TARGETS ${floors} EXPORT percussTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(DIRECTORY src/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/percuss FILES_MATCHING PATTERN "*.hpp")
+install(DIRECTORY include/percuss DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp")
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/percuss)
 install(EXPORT percussTargets NAMESPACE percuss:: DESTINATION ${package_dir})
@@ -33,5 +36,5 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS
-    "libeigen3-dev, libfftw3-dev, libgsl-dev, libtbb-dev, libfmt-dev, nlohmann-json3-dev, libhdf5-dev, libmatio-dev, libsndfile1-dev, libssl-dev, pkg-config")
+    "libfftw3-dev, libgsl-dev, libtbb-dev, libfmt-dev, libhdf5-dev, libmatio-dev, libsndfile1-dev, libssl-dev, pkg-config")
 include(CPack)

@@ -1,7 +1,7 @@
-# Manual pages and the shells' completion: percuss itself makes them from the declaration of its options, once it is linked.
+# Manual pages and completion scripts, written by percuss itself from the declarations of its options.
 set(manual_dir ${PROJECT_BINARY_DIR}/manual)
 add_custom_command(TARGET percuss POST_BUILD
-  COMMAND ${CMAKE_COMMAND} -E rm -rf ${manual_dir}  # no page of a command that is gone
+  COMMAND ${CMAKE_COMMAND} -E rm -rf ${manual_dir}  # removes the pages of former commands
   COMMAND percuss man --folder ${manual_dir}/man1
   COMMAND percuss completion bash > ${manual_dir}/percuss
   COMMAND percuss completion zsh > ${manual_dir}/_percuss

@@ -1,4 +1,4 @@
-# Builds the parts of the HTML report into percuss_report.
+# Embeds the scripts and styles of the HTML report in percuss_report.
 set(page ${PROJECT_SOURCE_DIR}/src/report/html/page)
 set(PERCUSS_PAGE_STYLE_FILES ${page}/page.css)
 set(PERCUSS_PAGE_PROGRAM_FILES)

@@ -1,4 +1,4 @@
-# Builds the synthetic tests of fixtures/ into percuss_synth, found there by name, and installs them for people to copy.
+# Embeds the specs of fixtures/ in percuss_synth as presets, and installs them as examples.
 file(GLOB fixtures CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/fixtures/*.json)
 set(PERCUSS_PRESETS "")
 foreach(fixture IN LISTS fixtures)

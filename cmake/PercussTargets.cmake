@@ -1,51 +1,53 @@
-# percuss_options(TARGET): the language level, warnings and sanitizers that every target of ours shares.
+# percuss_options(TARGET): the language level, warnings and sanitizers of all targets of percuss.
 function(percuss_options target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_compile_options(${target} PRIVATE
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wdouble-promotion -Wnon-virtual-dtor
     -Wold-style-cast -Wcast-align -Woverloaded-virtual
-    # A designated initialiser that leaves members at their defaults is how options are given here.
+    # Options are designated initialisers, which leave members at their defaults.
     -Wno-missing-field-initializers
-    # g++ 12 sees an overlap in "x" + std::string that is not there (GCC bug 105329).
+    # g++ 12 reports a false overlap in "x" + std::string (GCC bug 105329).
     $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
-    # With precompiled headers g++ 12 forgets that a warning's place is a library's, and reports its own false ones.
+    # With precompiled headers, g++ 12 reports false warnings in library headers.
     $<$<AND:$<CXX_COMPILER_ID:GNU>,$<NOT:$<BOOL:${CMAKE_DISABLE_PRECOMPILE_HEADERS}>>>:-Wno-array-bounds;-Wno-stringop-overflow;-Wno-stringop-overread;-Wno-maybe-uninitialized>
-    # Equal bytes on every machine of one kind: no contraction into fused multiply-add behind our back.
+    # Reproducible results on machines of one kind: no contraction into fused multiply-add.
     -ffp-contract=off
     $<$<BOOL:${PERCUSS_WERROR}>:-Werror>)
-  # The compiler's own memory is cheaper than its garbage collector: a tenth of its time.
+  # Larger heap limits avoid garbage collections of the compiler, a tenth of its time.
   target_compile_options(${target} PRIVATE
     $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-expand=1000;--param=ggc-min-heapsize=1000000>)
-  # Unity builds compile shared template instantiations once.
+  # Unity builds compile common template instantiations once.
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${PERCUSS_TOGETHER} UNITY_BUILD_BATCH_SIZE 24)
   if(PERCUSS_SANITIZE)
     target_compile_options(${target} PUBLIC -fsanitize=${PERCUSS_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
     target_link_options(${target} PUBLIC -fsanitize=${PERCUSS_SANITIZE})
-    # The check of an object's dynamic type opens a pipe to see whether memory can be read, which a confined reader may not.
+    # The vptr check opens a pipe to test whether memory can be read, which the sandbox forbids.
     target_compile_options(${target} PUBLIC -fno-sanitize=vptr)
-    # Of undefined behaviour in headers that are not ours, Eigen's above all, there is nothing to learn that its own
-    # assertions do not tell, and looking for it takes two thirds of the tests' time.
+    # Library headers are excluded: their own assertions, above all Eigen's, find the same errors, and the checks take two
+    # thirds of the tests' time.
     target_compile_options(${target} PUBLIC
       $<$<CXX_COMPILER_ID:Clang>:-fsanitize-ignorelist=${PROJECT_SOURCE_DIR}/cmake/sanitizers.ignore>)
   endif()
 endfunction()
 
-# percuss_code(TARGET): a floor or the tool. What most files include anyway is parsed once for all of them, which are compiled
-# alike, as a precompiled header asks; the preset tidy does without it, so that no include goes missing.
+# percuss_code(TARGET): a layer or the tool. Targets share a precompiled header, which requires equal compiler options. The preset
+# tidy does not use it, so that it detects missing includes.
 add_library(percuss_headers OBJECT ${PROJECT_SOURCE_DIR}/cmake/precompiled.cpp)
 target_precompile_headers(percuss_headers PRIVATE
   <Eigen/Core> <nlohmann/json.hpp> <fmt/format.h> <algorithm> <filesystem> <string> <vector>)
 function(percuss_code target)
   percuss_options(${target})
   target_compile_options(${target} PRIVATE -fPIC)
-  target_link_libraries(${target} PRIVATE Eigen3::Eigen nlohmann_json::nlohmann_json fmt::fmt)
+  # Headers alone: an installation does not need them.
+  target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:Eigen3::Eigen> $<BUILD_INTERFACE:nlohmann_json::nlohmann_json>
+                        fmt::fmt)
   if(NOT target STREQUAL "percuss_headers")
     target_precompile_headers(${target} REUSE_FROM percuss_headers)
   endif()
 endfunction()
 percuss_code(percuss_headers)
 
-# percuss_rooms(TARGET ROOT): one unity unit per folder, so that file-local names must be unique within their folder only.
+# percuss_rooms(TARGET ROOT): one unity unit per folder, so that file-local names must be unique only within a folder.
 function(percuss_rooms target root)
   get_target_property(sources ${target} SOURCES)
   foreach(source IN LISTS sources)
@@ -57,7 +59,7 @@ function(percuss_rooms target root)
   set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
 endfunction()
 
-# percuss_floor(NAME PUBLIC libs PRIVATE libs): one static library per folder of src/, percuss_NAME.
+# percuss_floor(NAME PUBLIC libs PRIVATE libs): the layer src/NAME as a static library, percuss_NAME.
 function(percuss_floor name)
   cmake_parse_arguments(ARG "" "" "PUBLIC;PRIVATE" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/src/${name}/*.cpp)
@@ -65,7 +67,7 @@ function(percuss_floor name)
   add_library(percuss::${name} ALIAS percuss_${name})
   set_target_properties(percuss_${name} PROPERTIES EXPORT_NAME ${name})
   target_include_directories(percuss_${name} PUBLIC
-    $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/src> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/percuss>)
+    $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/src> $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>)
   target_link_libraries(percuss_${name} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
   percuss_code(percuss_${name})
   percuss_rooms(percuss_${name} ${CMAKE_CURRENT_SOURCE_DIR}/src)

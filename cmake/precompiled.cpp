@@ -1,1 +1,1 @@
-// A precompiled header belongs to a target, and a target has a source.
+// The source of the target that builds the precompiled header.

@@ -16,7 +16,7 @@
 namespace percuss::python {
 namespace {
 
-// The function gets a pointer to nothing of the strip's type.
+// Calls the function with a null pointer of the number type.
 template <class Function>
 void with_type(NumberType type, const Function& function) {
   switch (type) {
@@ -43,18 +43,18 @@ void with_type(NumberType type, const Function& function) {
   }
 }
 
-const std::byte* sample_at(const StridedSamples& strip, std::size_t index) {
-  return strip.first + static_cast<std::ptrdiff_t>(index) * strip.step_bytes;
+const std::byte* sample_at(const StridedSamples& signal, std::size_t index) {
+  return signal.first + static_cast<std::ptrdiff_t>(index) * signal.step_bytes;
 }
 
-void read_strided(const StridedSamples& strip, std::size_t first, std::span<double> out) {
-  with_type(strip.type, [&]<class Number>(const Number*) {
-    const std::byte* at = sample_at(strip, first);
+void read_strided(const StridedSamples& signal, std::size_t first, std::span<double> out) {
+  with_type(signal.type, [&]<class Number>(const Number*) {
+    const std::byte* at = sample_at(signal, first);
     for (double& value : out) {
       Number number;
-      std::memcpy(&number, at, sizeof number);  // it need not be aligned
+      std::memcpy(&number, at, sizeof number);  // the source may be unaligned
       value = static_cast<double>(number);
-      at += strip.step_bytes;
+      at += signal.step_bytes;
     }
   });
 }
@@ -65,9 +65,9 @@ const StridedSamples& strided_samples_of(const ArrayTest& test, std::size_t row,
   return signal == 0 ? its.force : its.accel.at(signal - 1);
 }
 
-bool is_contiguous_si(const StridedSamples& strip) {
-  return strip.type == NumberType::float64 && strip.step_bytes == sizeof(double) &&
-         reinterpret_cast<std::uintptr_t>(strip.first) % alignof(double) == 0;
+bool is_contiguous_si(const StridedSamples& signal) {
+  return signal.type == NumberType::float64 && signal.step_bytes == sizeof(double) &&
+         reinterpret_cast<std::uintptr_t>(signal.first) % alignof(double) == 0;
 }
 
 acquire::SignalTable table_of(const std::shared_ptr<const ArrayTest>& test) {
@@ -90,16 +90,16 @@ acquire::SignalTable table_of(const std::shared_ptr<const ArrayTest>& test) {
   return table;
 }
 
-// Rows that were looked at before need not be checked again.
+// Which rows have been checked already.
 struct Checked {
   std::vector<std::atomic<bool>> rows;
   explicit Checked(std::size_t count) : rows(count) {}
 };
 
-// `read` says what is wrong with a number, in its own words.
+// `read` throws the InputError of a sample that is out of range.
 template <class Read>
-std::span<const double> checked_view(const StridedSamples& strip, std::atomic<bool>& checked, const Read& read) {
-  const std::span<const double> all(reinterpret_cast<const double*>(strip.first), strip.samples);
+std::span<const double> checked_view(const StridedSamples& signal, std::atomic<bool>& checked, const Read& read) {
+  const std::span<const double> all(reinterpret_cast<const double*>(signal.first), signal.samples);
   if (checked.load(std::memory_order_relaxed)) return all;
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (std::abs(all[i]) <= acquire::kMaxSample) continue;
@@ -110,7 +110,7 @@ std::span<const double> checked_view(const StridedSamples& strip, std::atomic<bo
   return all;
 }
 
-void plot_forces(acquire::Record& record, const std::shared_ptr<const ArrayTest>& test) {
+void view_forces(acquire::Record& record, const std::shared_ptr<const ArrayTest>& test) {
   const auto checked = std::make_shared<Checked>(test->rows.size());
   const auto read = record.read_force_N;
   record.read_force_N = {read, [test, read, checked](std::size_t row) {
@@ -119,7 +119,7 @@ void plot_forces(acquire::Record& record, const std::shared_ptr<const ArrayTest>
                          }};
 }
 
-void plot_responses(acquire::Record& record, const std::shared_ptr<const ArrayTest>& test) {
+void view_responses(acquire::Record& record, const std::shared_ptr<const ArrayTest>& test) {
   const std::size_t channels = record.accel.size();
   const auto checked = std::make_shared<Checked>(test->rows.size() * channels);
   const auto read = record.read_accel_mps2;
@@ -133,19 +133,19 @@ void plot_responses(acquire::Record& record, const std::shared_ptr<const ArrayTe
 }  // namespace
 
 std::uint64_t sample_checksum(const ArrayTest& test) {
-  constexpr std::size_t kMaxStrips = 64, kNumbers = 512;
+  constexpr std::size_t kMaxSignals = 64, kNumbers = 512;
   constexpr std::uint64_t kOffset = 14695981039346656037ULL, kPrime = 1099511628211ULL;  // FNV-1a, a number at a time
   const std::size_t signals =
       test.rows.empty() ? 0 : test.rows.front().accel.size() + static_cast<std::size_t>(test.has_force);
-  const std::size_t strips = test.rows.size() * signals, looked_at = std::min(strips, kMaxStrips);
+  const std::size_t series = test.rows.size() * signals, sampled = std::min(series, kMaxSignals);
   std::uint64_t sum = kOffset;
-  for (std::size_t i = 0; i < looked_at; ++i) {
-    const std::size_t at = i * strips / looked_at;
-    const StridedSamples& strip = strided_samples_of(test, at / signals, at % signals);
-    const std::size_t numbers = std::min(strip.samples, kNumbers / looked_at);
+  for (std::size_t i = 0; i < sampled; ++i) {
+    const std::size_t at = i * series / sampled;
+    const StridedSamples& signal = strided_samples_of(test, at / signals, at % signals);
+    const std::size_t numbers = std::min(signal.samples, kNumbers / sampled);
     for (std::size_t n = 0; n < numbers; ++n) {
       double value = 0;
-      read_strided(strip, n * strip.samples / numbers, std::span(&value, 1));
+      read_strided(signal, n * signal.samples / numbers, std::span(&value, 1));
       sum = (sum ^ std::bit_cast<std::uint64_t>(value)) * kPrime;
       sum ^= sum >> 32U;
     }
@@ -155,7 +155,7 @@ std::uint64_t sample_checksum(const ArrayTest& test) {
 
 acquire::Record record_of_arrays(const std::shared_ptr<const ArrayTest>& test, const acquire::ReadOptions& options) {
   const acquire::SignalTable table = table_of(test);
-  // Unless the options choose otherwise the arrays are what they were given as.
+  // The arrays keep their roles unless the options choose signals.
   const bool chosen = !options.force_channel.empty() || !options.accel_channels.empty() || !options.setup.empty();
   acquire::SignalRoles roles{.force = 0, .has_force = test->has_force, .accel = {}};
   for (std::size_t i = test->has_force ? 1 : 0; i < table.signals.size(); ++i) roles.accel.push_back(i);
@@ -163,16 +163,16 @@ acquire::Record record_of_arrays(const std::shared_ptr<const ArrayTest>& test, c
     throw InputError("no force", "arrays", "give force and acceleration: percuss.Record(force, accel, fs=...)");
   if (chosen) roles = acquire::find_roles(table, options);
   acquire::Record record = acquire::record_of_table(table, roles, options);
-  bool plain = !chosen;
+  bool contiguous = !chosen;
   for (const ArrayRow& row : test->rows) {
-    plain = plain && (!test->has_force || is_contiguous_si(row.force)) &&
-            std::all_of(row.accel.begin(), row.accel.end(), is_contiguous_si);
+    contiguous = contiguous && (!test->has_force || is_contiguous_si(row.force)) &&
+                 std::all_of(row.accel.begin(), row.accel.end(), is_contiguous_si);
   }
-  plain =
-      plain && std::all_of(record.accel.begin(), record.accel.end(), [](const auto& one) { return one.to_SI == 1; });
-  if (!plain) return record;
-  if (test->has_force && record.force.to_SI == 1) plot_forces(record, test);
-  plot_responses(record, test);
+  contiguous = contiguous &&
+               std::all_of(record.accel.begin(), record.accel.end(), [](const auto& one) { return one.to_SI == 1; });
+  if (!contiguous) return record;
+  if (test->has_force && record.force.to_SI == 1) view_forces(record, test);
+  view_responses(record, test);
   return record;
 }
 

@@ -11,7 +11,7 @@ namespace percuss::python {
 
 enum class NumberType { float64, float32, int8, int16, int32, int64, uint8, uint16, uint32, uint64 };
 
-/// Numbers of one signal in one row, somewhere in memory: `step_bytes` from one to the next, aligned or not.
+/// Samples of one signal in one row of an array, `step_bytes` apart; they need not be aligned.
 struct StridedSamples {
   const std::byte* first = nullptr;
   std::ptrdiff_t step_bytes = 0;
@@ -25,24 +25,23 @@ struct ArrayRow {
   int point = 0;
 };
 
-/// A test whose samples lie in arrays of another program, which `owner` keeps alive. Nothing is copied: numbers are
-/// converted a stretch at a time as they are read, or looked at where they are doubles in SI side by side.
+/// A test whose samples lie in arrays that `owner` keeps alive. Contiguous doubles in SI units are viewed in place;
+/// other numbers are converted in blocks as they are read.
 struct ArrayTest {
   std::vector<ArrayRow> rows;
   bool has_force = true;
   double fs_Hz = 0;
   bool continuous = false;
-  std::vector<std::string> names;  // force first; may be empty
+  std::vector<std::string> names;  // the force first; may be empty
   std::vector<std::vector<double>> geometry;
   std::shared_ptr<void> owner;
 };
 
-/// A sum over some hundred of the numbers, spread over all signals: another one where arrays were filled anew or
-/// scaled.
+/// A checksum of at most 512 numbers, spread over all signals. It differs if the arrays were refilled or scaled.
 std::uint64_t sample_checksum(const ArrayTest& test);
 
-/// As a file of the same content would be opened: units, scales, angles and rate as the options say.
-/// errors  InputError: as record_of_table; the readers throw it for samples that are not finite.
+/// The record of a file with the same content: the options set units, scales, angles and rate. Throws InputError as
+/// record_of_table does; its readers throw InputError for samples that are not finite.
 acquire::Record record_of_arrays(const std::shared_ptr<const ArrayTest>& test, const acquire::ReadOptions& options);
 
 }  // namespace percuss::python

@@ -14,11 +14,12 @@ namespace percuss::python {
 namespace {
 
 namespace py = pybind11;
+
 py::object optional_view(std::span<const double> values, const std::shared_ptr<const void>& owner) {
   return values.empty() ? py::object(py::none()) : py::object(view_of(values, owner));
 }
 
-// The band asked for; the lines beyond it are for the fits.
+// The analysed band; the fits also use spectral lines outside it.
 frf::LineRange band_of(const pipeline::Analysis& analysis) {
   const auto [low_Hz, high_Hz] = analysis.band_Hz();
   return frf::lines_in_band(analysis.lines().fs_Hz, analysis.lines().samples, low_Hz, high_Hz);
@@ -30,7 +31,7 @@ py::array frequencies_of(const SharedResult& held, std::size_t test) {
   return copy_of(std::span<const double>(freq_Hz));
 }
 
-// As they lie in the analysis, or of another kind.
+// Views of the FRFs of the analysis; copies for another kind.
 py::list frfs_of(const SharedResult& held, std::size_t test, const std::string& kind) {
   const auto analysis = analysis_of(held, test);
   const auto& frfs = without_gil(
@@ -46,7 +47,7 @@ py::list frfs_of(const SharedResult& held, std::size_t test, const std::string& 
   return responses_of(*made, first, band.count, made);
 }
 
-// Parts of a mode as columns: [modes], and of its residues [modes][outputs].
+// Columns [modes] of the modal parameters, and residues [modes][outputs].
 py::dict modes_of(const SharedResult& held, std::size_t test) {
   const pipeline::Analysis& analysis = *analysis_of(held, test);
   const auto modes = without_gil(held, [&] { return analysis.modes(); });
@@ -58,13 +59,13 @@ py::dict modes_of(const SharedResult& held, std::size_t test) {
     return copy_of(std::span<const double>(values));
   };
   py::array_t<Complex> residues({modes.size(), outputs});
-  py::array_t<double> deviations({modes.size(), outputs});
+  py::array_t<double> residue_std({modes.size(), outputs});
   py::list places;
   for (std::size_t m = 0; m < modes.size(); ++m) {
     for (std::size_t o = 0; o < outputs; ++o) {
       const identify::Residue& residue = modes[m].residues.at(o);
       residues.mutable_at(m, o) = residue.value;
-      deviations.mutable_at(m, o) =
+      residue_std.mutable_at(m, o) =
           std::hypot(residue.std, residue.relative_std * std::abs(residue.value));  // as the document
       if (m == 0) places.append(py::make_tuple(residue.point, residue.channel));
     }
@@ -75,7 +76,7 @@ py::dict modes_of(const SharedResult& held, std::size_t test) {
   out["damping_ratio"] = column([](const identify::Mode& m) { return m.pole.damping_ratio; });
   out["damping_ratio_std"] = column([](const identify::Mode& m) { return m.damping_std; });
   out["residues"] = read_only(residues);
-  out["residues_std"] = read_only(deviations);
+  out["residues_std"] = read_only(residue_std);
   out["places"] = places;
   return out;
 }
@@ -83,7 +84,7 @@ py::dict modes_of(const SharedResult& held, std::size_t test) {
 // [(hit, channel, point, first_s, velocity, deflection, std or None)]
 py::list deflections_of(const SharedResult& held) {
   const auto& test = held->outcome.deflection;
-  if (!test) throw py::type_error("no deflection was asked for");
+  if (!test) throw py::type_error("the result has no deflection");
   py::list out;
   for (const pipeline::DeflectedHit& hit : test->hits) {
     const auto view = [&](const std::vector<double>& values) { return view_of(std::span<const double>(values), test); };
@@ -118,12 +119,12 @@ py::list opened_of(const SharedResult& held) {
   return out;
 }
 
-// The document was made when the numbers were read, and needs them no more.
+// A .json file holds the document, which does not need the arrays any more.
 void require_same_arrays(const ResultHandle& held, const std::string& path) {
   if (tools::extension_of(path) == ".json") return;
   for (const auto& [test, sum] : held.arrays) {
     if (sample_checksum(*test) != sum)
-      throw InputError("the arrays have changed since", "save", "save before they change, or analyze them again");
+      throw InputError("the arrays have changed since the analysis", "save", "save earlier, or analyze them again");
   }
 }
 
@@ -156,15 +157,10 @@ py::list responses_of(const std::vector<frf::PointFrf>& frfs, std::size_t first,
 }
 
 void bind_outcome(py::module_& module) {
-  py::class_<ResultHandle, SharedResult>(module, "Outcome")
+  py::class_<ResultHandle, SharedResult>(module, "CommandResult")
       .def_property_readonly("code", [](const ResultHandle& held) { return held.code; })
       .def_property_readonly("document", [](const ResultHandle& held) { return decoded(held.outcome.document); })
-      .def_property_readonly("notes",
-                             [](const ResultHandle& held) {
-                               py::list notes;
-                               for (const std::string& note : held.outcome.notes) notes.append(decoded(note));
-                               return notes;
-                             })
+      .def_property_readonly("notes", [](const ResultHandle& held) { return notes_of(held.outcome.notes); })
       .def_property_readonly("tests", [](const ResultHandle& held) { return held.outcome.analyses.size(); })
       .def("text",
            [](const SharedResult& held, std::size_t width) {
@@ -178,7 +174,7 @@ void bind_outcome(py::module_& module) {
            })
       .def("save",
            [](const SharedResult& held, const std::string& path, bool force) {
-             if (!held->outcome.save) throw py::type_error("this result has no file of its own");
+             if (!held->outcome.save) throw py::type_error("this result cannot be saved to a file");
              without_gil(held, [&] {
                require_same_arrays(*held, path);
                held->outcome.save(path, force);

@@ -22,25 +22,26 @@ NumberType type_of(const py::array& array, const std::string& name) {
   const auto found = known.find(text);
   const bool native = py::cast<bool>(type.attr("isnative"));
   if (found != known.end() && native) return found->second;
-  throw InputError("numbers of type " + one_line(py::cast<std::string>(type.attr("__str__")()), 60) + " are no samples",
-                   name, "give real numbers, as array.astype(float) makes them");
+  throw InputError(
+      "numbers of type " + one_line(py::cast<std::string>(type.attr("__str__")()), 60) + " cannot be samples", name,
+      "give real numbers, for example array.astype(float)");
 }
 
 StridedSamples strided_samples_of(const py::array& array, const std::string& name) {
-  if (array.ndim() != 1) throw InputError("not one signal", name, "give a row of samples");
-  StridedSamples strip{.first = static_cast<const std::byte*>(array.data()),
-                       .step_bytes = static_cast<std::ptrdiff_t>(array.strides(0)),
-                       .samples = static_cast<std::size_t>(array.shape(0)),
-                       .type = type_of(array, name)};
-  if (strip.samples > 1 && strip.step_bytes == 0) {
+  if (array.ndim() != 1) throw InputError("not a one-dimensional signal", name, "give a row of samples");
+  StridedSamples signal{.first = static_cast<const std::byte*>(array.data()),
+                        .step_bytes = static_cast<std::ptrdiff_t>(array.strides(0)),
+                        .samples = static_cast<std::size_t>(array.shape(0)),
+                        .type = type_of(array, name)};
+  if (signal.samples > 1 && signal.step_bytes == 0) {
     throw InputError("one number stands for all samples (a broadcast array)", name,
-                     "give samples of its own, as numpy.ascontiguousarray makes them");
+                     "copy the samples, for example with numpy.ascontiguousarray");
   }
-  return strip;
+  return signal;
 }
 
-// Python's objects are let go of under its lock, whichever thread does so.
-std::shared_ptr<void> kept(py::object object) {
+// Any thread may release a Python object, but only under Python's lock.
+std::shared_ptr<void> owner_of(py::object object) {
   auto* const held = new py::object(std::move(object));
   return {held, [](py::object* object_held) {
             const py::gil_scoped_acquire lock;
@@ -48,7 +49,7 @@ std::shared_ptr<void> kept(py::object object) {
           }};
 }
 
-/// Each row: (force or None, [accelerations]), one-dimensional arrays.
+/// Each row is a tuple (force or None, [accelerations]) of one-dimensional arrays.
 std::shared_ptr<const ArrayTest> test_of(const py::list& rows, const std::vector<int>& points, double fs_Hz,
                                          bool continuous, std::vector<std::string> names,
                                          std::vector<std::vector<double>> geometry) {
@@ -65,22 +66,23 @@ std::shared_ptr<const ArrayTest> test_of(const py::list& rows, const std::vector
     const bool has_force = !row[0].is_none();
     if (r == 0) test->has_force = has_force;
     if (has_force) made.force = strided_samples_of(row[0].cast<py::array>(), "force");
-    for (const StridedSamples& strip : made.accel) {
+    for (const StridedSamples& signal : made.accel) {
       const std::size_t wanted = has_force ? made.force.samples : made.accel.front().samples;
-      if (strip.samples == wanted) continue;
-      throw InputError("row " + std::to_string(r) + ": " + std::to_string(strip.samples) +
+      if (signal.samples == wanted) continue;
+      throw InputError("row " + std::to_string(r) + ": " + std::to_string(signal.samples) +
                            " samples of acceleration for " + std::to_string(wanted) + " of force",
-                       "arrays", "give as many of each: force (hits, samples), accel (hits, channels, samples)");
+                       "arrays",
+                       "give the same number of samples: force (hits, samples), accel (hits, channels, samples)");
     }
     if (has_force != test->has_force || (r > 0 && made.accel.size() != test->rows.front().accel.size()))
       throw InputError("row " + std::to_string(r) + " has other channels than the first", "arrays", "give all or none");
     test->rows.push_back(std::move(made));
   }
-  test->owner = kept(rows);
+  test->owner = owner_of(rows);
   return test;
 }
 
-// Samples where they lie, or read into an array of their own.
+// A view of samples in memory, or a new array of samples from a file.
 template <class Look>
 py::array samples_of(const std::shared_ptr<const RecordHandle>& held, std::size_t samples, const Look& view_or_read) {
   py::array_t<double> own(static_cast<py::ssize_t>(0));
@@ -117,12 +119,6 @@ py::array accel_of(const std::shared_ptr<const RecordHandle>& held, std::size_t 
   return samples_of(held, samples, [&](std::size_t count, std::vector<double>& buffer) {
     return record.read_accel_mps2.view_or_read(row, channel, 0, count, buffer);
   });
-}
-
-py::list notes_of(const std::vector<Message>& notes) {
-  py::list out;
-  for (const Message& note : notes) out.append(decoded(note.text));
-  return out;
 }
 
 py::dict signal_of(const acquire::SignalInfo& signal) {
@@ -177,7 +173,7 @@ RecordHandle record_handle(const std::shared_ptr<const ArrayTest>& test) {
   return {.record = record_of_arrays(test, as_given), .arrays = test};
 }
 
-tools::InMemoryInput given(const std::shared_ptr<const RecordHandle>& held) {
+tools::InMemoryInput in_memory_input(const std::shared_ptr<const RecordHandle>& held) {
   return [held](const frf::FrfReadOptions& options) -> std::variant<acquire::Record, frf::FrfRecord> {
     if (held->arrays) return record_of_arrays(held->arrays, options.read);
     if (!held->record.has_force && !options.read.force_optional)

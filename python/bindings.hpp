@@ -9,33 +9,35 @@
 
 #include "array_record.hpp"
 #include "cli/host.hpp"
+#include "core/error.hpp"
 #include "run_command.hpp"
 
 namespace percuss::python {
 
-/// A record that Python holds: from a file, from `synth`, or of its own arrays, which options may still reinterpret.
+/// A record that Python holds: from a file, from `synth`, or from arrays, to which reading options still apply.
 struct RecordHandle {
   acquire::Record record;
   std::shared_ptr<const ArrayTest> arrays{};
 };
 RecordHandle record_handle(const std::shared_ptr<const ArrayTest>& test);
 
-/// As a command's input.
-tools::InMemoryInput given(const std::shared_ptr<const RecordHandle>& held);
+/// The record as an input of a command.
+tools::InMemoryInput in_memory_input(const std::shared_ptr<const RecordHandle>& held);
 
-/// What a command came to, for Python. What computes more takes the lock, since an analysis is one thread's at a time.
+/// The result of a command. Computing more of it takes the lock, since only one thread at a time may use an Analysis.
 struct ResultHandle {
   int code = 0;
   tools::CommandResult outcome;
-  std::vector<std::pair<std::shared_ptr<const ArrayTest>, std::uint64_t>> arrays{};  // and their sums before it ran
+  std::vector<std::pair<std::shared_ptr<const ArrayTest>, std::uint64_t>>
+      arrays{};  // with their checksums before the run
   std::mutex mutex{};
 };
 using SharedResult = std::shared_ptr<ResultHandle>;
 
-/// The analysis of one of its tests. errors  IndexError.
+/// The analysis of one test. Throws IndexError.
 const std::shared_ptr<const pipeline::Analysis>& analysis_of(const SharedResult& held, std::size_t test);
 
-/// Computes without Python's lock, one thread at a time. What the function returns by reference stays where it is.
+/// Calls the function without Python's lock, one thread at a time. A reference that it returns stays valid.
 template <class Function>
 decltype(auto) without_gil(const SharedResult& held, const Function& function) {
   const pybind11::gil_scoped_release release;
@@ -49,13 +51,26 @@ std::vector<double> freq_Hz_of(const frf::LineRange& lines);
 pybind11::dict stabilisation_of(const SharedResult& held, std::size_t test);
 pybind11::dict shapes_of(const SharedResult& held);
 
-/// Responses as [(point, channel, averages, value, std or None, coherence or None)], views of `count` lines of `frfs`
-/// from `first` on that keep `owner`.
+/// Responses as [(point, channel, averages, value, std or None, coherence or None)]: views of `count` spectral lines of
+/// `frfs` from `first` on, which keep `owner` alive.
 pybind11::list responses_of(const std::vector<frf::PointFrf>& frfs, std::size_t first, std::size_t count,
                             const std::shared_ptr<const void>& owner);
 
-/// Text of files' names and the like, which need not be UTF-8.
+/// Text that need not be UTF-8, such as the name of a file.
 pybind11::str decoded(std::string_view text);
+
+/// Notes as [(text, [option identifiers])], which note_in_python of _errors.py writes.
+template <class Notes>
+pybind11::list notes_of(const Notes& notes) {
+  pybind11::list out;
+  for (const auto& note : notes) {
+    const Message message{note};
+    pybind11::list options;
+    for (const OptionId& option : message.options) options.append(decoded(option));
+    out.append(pybind11::make_tuple(decoded(message.text), options));
+  }
+  return out;
+}
 
 void bind_records(pybind11::module_& module);
 void bind_outcome(pybind11::module_& module);

@@ -9,6 +9,7 @@
 #include "acquire/calibrate.hpp"
 #include "bindings.hpp"
 #include "cli/nearest.hpp"
+#include "cli/option_error.hpp"
 #include "core/error.hpp"
 #include "report/text/version.hpp"
 
@@ -17,56 +18,41 @@ namespace {
 
 namespace py = pybind11;
 
-struct Exceptions {
-  py::object input, usage, no_hit;
-};
-
-// Kept for as long as the interpreter: exceptions may be translated until its end.
-Exceptions& exceptions() {
-  static auto* const all = new Exceptions;  // NOLINT(cppcoreguidelines-owning-memory)
-  return *all;
+py::str part(std::string_view text) {
+  constexpr std::size_t kMaxBytes = 600;  // as in InputError::what()
+  return decoded(one_line(text, kMaxBytes));
 }
 
-// Named as the user finds it, and pickled by that name.
-py::object add_exception(py::module_& module, const std::string& name, const py::object& base, const char* what) {
-  auto made = py::reinterpret_steal<py::object>(
-      PyErr_NewExceptionWithDoc(("percuss." + name).c_str(), what, base.ptr(), nullptr));
-  if (!made) throw py::error_already_set();
-  module.attr(name.c_str()) = made;
-  return made;
+// The exceptions are classes of Python, with the parts of the error as attributes.
+template <class... Parts>
+void raise(const char* name, const Parts&... parts) {
+  const py::object type = py::module_::import("percuss._errors").attr(name);
+  PyErr_SetObject(type.ptr(), type(parts...).ptr());
 }
 
-void raise(const py::object& type, const std::exception& error) {
-  PyErr_SetObject(type.ptr(), decoded(error.what()).ptr());
+void raise_input_error(const char* name, const InputError& error) {
+  raise(name, part(error.problem()), part(error.where()), part(error.remedy()), py::cast(error.options()));
 }
 
-void translate(std::exception_ptr thrown) {  // NOLINT(performance-unnecessary-value-param): as pybind11 has it
+void translate(std::exception_ptr thrown) {  // NOLINT(performance-unnecessary-value-param): pybind11's signature
   try {
     std::rethrow_exception(std::move(thrown));
   } catch (const acquire::NoHitError& error) {
-    raise(exceptions().no_hit, error);
+    raise_input_error("NoHitError", error);
   } catch (const InputError& error) {
-    raise(exceptions().input, error);
+    raise_input_error("InputError", error);
+  } catch (const tools::OptionError& error) {
+    raise("UsageError", part(error.problem()), part(error.remedy()), py::cast(error.options()), decoded(error.value()),
+          py::cast(error.remedy_options()));
   } catch (const UsageError& error) {
-    raise(exceptions().usage, error);
+    raise("UsageError", decoded(error.what()));
   } catch (const std::bad_alloc&) {
     PyErr_SetString(PyExc_MemoryError, kOutOfMemoryMessage);
   }
 }
 
-void add_exceptions(py::module_& module) {
-  Exceptions& all = exceptions();
-  all.input = add_exception(module, "InputError", py::reinterpret_borrow<py::object>(PyExc_ValueError),
-                            "Input that cannot be used, in the words of the command line: problem (where); remedy.");
-  all.usage = add_exception(module, "UsageError", all.input,
-                            "An option's value, or options that contradict each other, in the same form.");
-  all.no_hit =
-      add_exception(module, "NoHitError", all.input, "No hit can be used, so that there are no FRFs and no modes.");
-  py::register_exception_translator(&translate);
-}
-
 tools::InMemoryInput input_of(const py::handle& one) {
-  if (py::isinstance<RecordHandle>(one)) return given(one.cast<std::shared_ptr<RecordHandle>>());
+  if (py::isinstance<RecordHandle>(one)) return in_memory_input(one.cast<std::shared_ptr<RecordHandle>>());
   const auto frfs = one.cast<std::shared_ptr<const frf::FrfRecord>>();
   return [frfs](const frf::FrfReadOptions&) { return *frfs; };
 }
@@ -75,7 +61,7 @@ std::shared_ptr<ResultHandle> run(const std::vector<std::string>& words, const p
                                   const std::map<std::string, std::string>& names) {
   for (const std::string& word : words) {
     if (word.find('\0') != std::string::npos)
-      throw UsageError("a zero byte in '" + one_line(word, 60) + "'", "leave it out");
+      throw UsageError("a zero byte in '" + one_line(word, 60) + "'", "remove it");
   }
   std::vector<tools::InMemoryInput> data;
   auto held = std::make_shared<ResultHandle>();
@@ -92,7 +78,7 @@ std::shared_ptr<ResultHandle> run(const std::vector<std::string>& words, const p
     held->code = ran.code;
     held->outcome = std::move(ran.outcome);
   } catch (const InputError&) {
-    if (PyErr_CheckSignals() != 0) throw py::error_already_set();  // interrupted, and so were the readers of files
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();  // an interrupt ended the readers of files
     throw;
   }
   return held;
@@ -107,7 +93,7 @@ py::str decoded(std::string_view text) {
 }
 
 PYBIND11_MODULE(_percuss, module) {
-  add_exceptions(module);
+  py::register_exception_translator(&translate);
   bind_records(module);
   bind_outcome(module);
   bind_numbers(module);

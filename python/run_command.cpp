@@ -18,14 +18,14 @@ namespace {
 using Json = nlohmann::ordered_json;
 using namespace tools;
 
-// Not among the tool's: its results are no text.
+// A command of Python only, since its results are not text.
 constexpr std::string_view kRead = "read";
 
-// Files are opened and handed over, described but not read.
+// Opens files without reading their samples.
 void add_read(CommandLine& line, Host& host) {
   auto flags = line.values<ReadFlags>();
   Command command =
-      line.command("read", "Opens records or FRFs: what is in them, and their samples when asked for", [flags, &host] {
+      line.command("read", "Open records or FRFs; read the description now and the samples on demand", [flags, &host] {
         Measurements opened = open_measurements(*flags);
         for (acquire::Record& record : opened.records) {
           host.outcome.opened.emplace_back(std::move(record));
@@ -36,34 +36,36 @@ void add_read(CommandLine& line, Host& host) {
   add_read_flags(command, *flags);
 }
 
-std::string as_typed(const std::vector<std::string>& words, const Host& host) {
+std::string command_line_of(const std::vector<std::string>& words, const Host& host) {
   std::string line = "percuss";
   for (const std::string& word : words) line += ' ' + shell_quoted_argument(with_display_names(&host, word));
   return line;
 }
 
 Json json_of(const DeclaredOption& option) {
-  return {{"name", option.name()},   {"value", option.value},       {"help", option.help},
-          {"group", option.group},   {"initial", option.initial},   {"choices", option.choices},
-          {"wanted", option.wanted}, {"required", option.required}, {"repeatable", option.repeatable},
+  return {{"name", option.name()},
+          {"value", option.value},
+          {"help", option.help},
+          {"group", option.group},
+          {"initial", option.initial},
+          {"choices", option.choices},
+          {"requirement", option.requirement},
+          {"required", option.required},
+          {"repeatable", option.repeatable},
           {"list", option.list}};
 }
 
 Json json_of(const DeclaredCommand& command) {
-  Json words = Json::array(), options = Json::array(), examples = Json::array();
-  for (const DeclaredOption& word : command.words) words.push_back(json_of(word));
+  Json arguments = Json::array(), options = Json::array(), examples = Json::array();
+  for (const DeclaredOption& argument : command.arguments) arguments.push_back(json_of(argument));
   for (const DeclaredOption& option : command.options) options.push_back(json_of(option));
   for (const DeclaredExample& one : command.examples)
     examples.push_back({{"line", one.line}, {"meaning", one.meaning}});
-  return {{"name", command.name}, {"summary", command.summary}, {"about", command.about},
-          {"words", words},       {"options", options},         {"examples", examples}};
+  return {{"name", command.name},   {"summary", command.summary}, {"about", command.about},
+          {"arguments", arguments}, {"options", options},         {"examples", examples}};
 }
 
-}  // namespace
-
-namespace {
-
-// A declared command line, which takes longer to declare than many a command does to run.
+// A declared command line. Declaring one takes longer than running many of the commands.
 struct Session {
   Host host;
   CommandLine line{"percuss", "", report::version(), &host};
@@ -77,10 +79,10 @@ struct Session {
   }
 };
 
-// Those that are not in use, by the first word.
+// Idle sessions by the first word of their command.
 class SessionPool {
  public:
-  std::unique_ptr<Session> take(const std::string& first_word) {
+  std::unique_ptr<Session> acquire_session(const std::string& first_word) {
     {
       const std::scoped_lock lock(mutex_);
       auto& idle = idle_[first_word];
@@ -92,8 +94,8 @@ class SessionPool {
     }
     return std::make_unique<Session>(first_word);
   }
-  void release_session(const std::string& first_word, std::unique_ptr<Session> session) {
-    constexpr std::size_t kMaxIdle = 8;  // of a command; more threads than that declare anew
+  void release(const std::string& first_word, std::unique_ptr<Session> session) {
+    constexpr std::size_t kMaxIdle = 8;  // per command
     session->host = {};
     const std::scoped_lock lock(mutex_);
     auto& idle = idle_[first_word];
@@ -112,20 +114,20 @@ SessionPool& session_pool() {
 
 }  // namespace
 
-RunResult run_command(const std::vector<std::string>& words, std::vector<InMemoryInput> inputs,
+RunResult run_command(const std::vector<std::string>& arguments, std::vector<InMemoryInput> inputs,
                       const std::map<std::string, std::string>& names) {
-  const std::string first = words.empty() ? std::string() : words.front();
-  auto session = session_pool().take(first);  // not given back when an error leaves it half way
+  const std::string first = arguments.empty() ? std::string() : arguments.front();
+  auto session = session_pool().acquire_session(first);  // an exception drops the session, which may be half parsed
   session->host.names = {names.begin(), names.end()};
-  session->host.equivalent_command = as_typed(words, session->host);
+  session->host.equivalent_command = command_line_of(arguments, session->host);
   session->host.inputs = std::move(inputs);
-  std::vector<const char*> typed{"percuss"};
-  for (const std::string& word : words) typed.push_back(word.c_str());
-  RunResult ran;
-  ran.code = session->line.run(static_cast<int>(typed.size()), typed.data());
-  ran.outcome = std::move(session->host.outcome);
-  session_pool().release_session(first, std::move(session));
-  return ran;
+  std::vector<const char*> argv{"percuss"};
+  for (const std::string& argument : arguments) argv.push_back(argument.c_str());
+  RunResult result;
+  result.code = session->line.run(static_cast<int>(argv.size()), argv.data());
+  result.outcome = std::move(session->host.outcome);
+  session_pool().release(first, std::move(session));
+  return result;
 }
 
 std::string declared_commands() {

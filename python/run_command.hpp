@@ -7,19 +7,19 @@
 
 namespace percuss::python {
 
-/// What a command ended with and what it found.
+/// The exit code of a command and its result.
 struct RunResult {
   int code = 0;
   tools::CommandResult outcome;
 };
 
-/// Runs a command as the command line would: the same words, declarations, checks and messages. `inputs` stand in place
-/// of files, `names` in place of the paths of documents in memory. Beside the tool's commands there is "read", which
-/// opens and hands over. Several threads may call at once. errors  UsageError, InputError, NoHitError: as the tool.
-RunResult run_command(const std::vector<std::string>& words, std::vector<tools::InMemoryInput> inputs,
+/// Runs a command with the declarations and checks of the command line. `arguments` are its words, `inputs` replace
+/// files, and `names` map the paths of documents in memory to display names. "read" opens files and returns them.
+/// Several threads may call at once. Throws UsageError, InputError and NoHitError as the tool does.
+RunResult run_command(const std::vector<std::string>& arguments, std::vector<tools::InMemoryInput> inputs,
                       const std::map<std::string, std::string>& names);
 
-/// Every command with its options as JSON: {"commands": [{name, summary, about, words, options, examples}]}.
+/// All commands and their options as JSON: {"commands": [{name, summary, about, arguments, options, examples}]}.
 std::string declared_commands();
 
 }  // namespace percuss::python

@@ -33,20 +33,20 @@ py::dict stabilisation_of(const SharedResult& held, std::size_t test) {
 
 py::dict shapes_of(const SharedResult& held) {
   const pipeline::Survey* const survey = held->outcome.survey.get();
-  if (survey == nullptr) throw py::type_error("only a survey has shapes");
+  if (survey == nullptr) throw py::type_error("only the result of a survey has shapes");
   const auto& shapes = without_gil(
       held, [&]() -> const auto& { return survey->shapes(); });
   const auto& macs = without_gil(
       held, [&]() -> const auto& { return survey->macs(); });
   const std::size_t places = shapes.empty() ? 0 : shapes.front().places.size();
   py::array_t<Complex> values({shapes.size(), places});
-  py::array_t<double> deviations({shapes.size(), places});
+  py::array_t<double> value_std({shapes.size(), places});
   py::list points, channels;
   for (std::size_t m = 0; m < shapes.size(); ++m) {
     for (std::size_t p = 0; p < places; ++p) {
       const identify::ShapePlace& place = shapes[m].places.at(p);
       values.mutable_at(m, p) = place.value;
-      deviations.mutable_at(m, p) = place.std;
+      value_std.mutable_at(m, p) = place.std;
       if (m == 0) points.append(place.point);
       if (m == 0) channels.append(place.channel);
     }
@@ -65,7 +65,7 @@ py::dict shapes_of(const SharedResult& held) {
   const std::vector<double> freq_Hz = freq_Hz_of(band);
   py::dict out;
   out["shapes"] = read_only(values);
-  out["shapes_std"] = read_only(deviations);
+  out["shapes_std"] = read_only(value_std);
   out["points"] = points;
   out["channels"] = channels;
   out["mac"] = read_only(mac);

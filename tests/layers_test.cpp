@@ -60,6 +60,7 @@ const std::vector<Level>& levels() {
       {"report"},
       {"report/html"},
       {"batch"},
+      {"api"},  // include/percuss
       {"tools/cli"},
       {"tools/commands"},
       {"tools/commands/batch", "tools/commands/model"},

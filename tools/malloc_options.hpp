@@ -2,9 +2,8 @@
 
 namespace percuss::tools {
 
-/// Makes malloc serve a program that asks for tens of MiB again and again and then ends: it keeps what is freed, and
-/// has pages of 2 MiB, where the system has such. To be called before other threads are. Does nothing to other
-/// allocators than glibc's.
+/// Configures malloc for a short program that allocates tens of MiB again and again: it keeps freed memory, and its
+/// heaps use pages of 2 MiB where the system has them. Call it before other threads start. Affects only glibc's malloc.
 void configure_malloc();
 
 }  // namespace percuss::tools

@@ -7,6 +7,7 @@
 #include <new>
 
 #include "acquire/calibrate.hpp"
+#include "cli/option_error.hpp"
 #include "cli/option_names.hpp"
 #include "commands/commands.hpp"
 #include "core/error.hpp"
@@ -25,7 +26,8 @@ int print_error(const std::string& what, int code) {
 }
 
 int parse_and_run(int argc, char** argv) {
-  CommandLine line("percuss", "Modes of a structure from hammer tests, with error bars", report::version());
+  CommandLine line("percuss", "Identify the modes of a structure from hammer tests, with standard deviations",
+                   report::version());
   add_program(line);
   add_commands(line, argc > 1 ? argv[1] : "");
   const int code = line.run(argc, argv);
@@ -36,7 +38,7 @@ int parse_and_run(int argc, char** argv) {
 
 }  // namespace
 
-// Memory may run out where nothing may be thrown: within the JSON library, or while another error is on its way up.
+// Memory may run out where no exception may escape: in the JSON library, or during stack unwinding.
 [[noreturn]] static void end_at_once() {
   percuss::remove_temporary_files();
   try {
@@ -49,7 +51,7 @@ int parse_and_run(int argc, char** argv) {
   std::abort();
 }
 
-// Every file of a test stays open while it is analysed, and so does the talk with its reader.
+// During an analysis every file stays open, and a connection to its sandbox.
 static void allow_many_files() {
   rlimit files{};
   if (::getrlimit(RLIMIT_NOFILE, &files) != 0) return;
@@ -58,7 +60,7 @@ static void allow_many_files() {
 }
 
 extern "C" void clean_up_and_die(int signal) {
-  percuss::remove_temporary_files();  // safe within a signal handler
+  percuss::remove_temporary_files();  // async-signal-safe
   std::signal(signal, SIG_DFL);
   std::raise(signal);
 }
@@ -70,6 +72,8 @@ int main(int argc, char** argv) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, clean_up_and_die);
   try {
     return parse_and_run(argc, argv);
+  } catch (const OptionError& e) {
+    return print_error(e.written(flag_of), kUsage);
   } catch (const UsageError& e) {
     return print_error(e.what(), kUsage);
   } catch (const acquire::NoHitError& e) {

@@ -1,9 +1,9 @@
-"""Hammer tests of structures: natural frequencies, damping and mode shapes, each with its standard deviation.
+"""Modal analysis of hammer tests: natural frequencies, damping and mode shapes, with standard deviations.
 
-Start with a test whose modes are known, and find them:
+Make a synthetic test with known modes, and find them:
 
     >>> import percuss
-    >>> test = percuss.synth("wood-bat")                       # made up, with its truth
+    >>> test = percuss.synth("wood-bat")                       # synthetic, with its truth
     >>> found = percuss.analyze(test.record, band=(60, 3200))
     >>> for f, s, z in zip(found.frequency_hz, found.frequency_std_hz, found.damping_ratio):
     ...     print(f"{f:8.2f} Hz, known to {s:.0e} Hz, damping {100 * z:.2f} %")
@@ -11,54 +11,54 @@ Start with a test whose modes are known, and find them:
       568.00 Hz, known to 4e-05 Hz, damping 0.70 %
      1177.00 Hz, known to 4e-05 Hz, damping 0.60 %
 
-Your own data come from a file, or from arrays in memory, which are not copied:
+Analyse your own data from a file, or from arrays in memory, which are not copied:
 
     found = percuss.analyze("bat.h5", band=(60, 3200))
     found = percuss.analyze(force, accel, fs=25600.0)          # N and m/s²; (hits, samples), (hits, channels, samples)
 
-What a result holds is arrays and a document:
+A result holds arrays and a JSON document:
 
     found.frequency_hz, found.damping_ratio     (modes,)
-    found.table                                 the same and more, a row per mode: pandas.DataFrame(found.table)
+    found.table                                 columns with a row per mode: pandas.DataFrame(found.table)
     found.residues                              (modes, points, channels) complex, 1/kg
     found.frf, found.frf_frequency_hz           (points, channels, lines) complex (m/s²)/N, and (lines,) Hz
     found.hits, found.modes, found.warnings     lists of dictionaries
-    found.to_dict()                             exactly what `percuss analyze … --json` prints
-    found.report("bat.html")                    the page; found.save("modes.uff") and others by extension
+    found.to_dict()                             the document that `percuss analyze … --json` prints
+    found.report("bat.html")                    writes the HTML page; found.save("modes.uff") writes other formats
 
-What there is:
+Functions:
 
-    read, info, write          records and FRFs: HDF5, MAT, UFF, LabVIEW, sound, CSV
-    Record                     arrays as a record: points, names, geometry
-    analyze, frf, survey       modes, frequency responses, shapes of many points
-    nodes, deflect, calibrate  nodes along a scan, deflection under an impact, a hammer's calibration
-    synth, presets             made-up tests
+    read, info, write          read and write records and FRFs: HDF5, MAT, UFF, LabVIEW, sound, CSV
+    Record                     make a record from arrays, with points, names and geometry
+    analyze, frf, survey       identify modes, average FRFs, identify mode shapes
+    nodes, deflect, calibrate  locate nodes, compute deflection under an impact, calibrate a hammer
+    synth, presets             make synthetic tests
     models                     beam, impact, rigid, trampoline, bat, shell
     metrics                    performance, certify, abi, study, mac
-    compare                    tests and models side by side
-    example                    texts to start from
+    compare                    compare tests and models side by side
+    example                    return example input files
 
 Keywords are the options of the command line with underscores (`--accel-channel` is accel_channel), with the same
-defaults and checks; bands are tuples, lists are lists. help(percuss.analyze) shows those of analyze. Unusable data raise
-percuss.InputError, which is a ValueError, in the words of the command line: problem (where); remedy.
+defaults and checks. Bands are tuples, lists are sequences. help(percuss.analyze) lists the keywords of analyze. Unusable
+data raise percuss.InputError, a ValueError with the attributes problem, where, remedy and options.
 
-Functions release Python's lock and may be called by several threads. Files of MAT, HDF5 and sound are read in small
-processes of their own, which hostile files cannot leave.
+Functions release Python's lock and may be called by several threads. MAT, HDF5 and sound files are read in sandboxed
+processes, so a hostile file cannot harm this one.
 """
 
 from __future__ import annotations
 
-from ._percuss import InputError, NoHitError, UsageError
 from ._percuss import version as __version__
 
 from . import _commands
 from ._analyses import Analysis, Survey
 from ._commands import compare, info, write
+from ._errors import InputError, NoHitError, UsageError
+from ._examples import example, presets
 from ._frf import Frf
 from ._measured import MeasuredFrf
 from ._records import Record
 from ._results import Deflection, Nodes, Result, Synthetic
-from ._texts import example, presets
 from . import metrics, models
 
 analyze = _commands.FUNCTIONS["analyze"]
@@ -76,6 +76,9 @@ __all__ = [
     "nodes", "presets", "read", "survey", "synth", "write",
 ]  # fmt: skip
 
-for _one in (Analysis, Deflection, Frf, MeasuredFrf, Nodes, Record, Result, Survey, Synthetic, compare, example, info, presets, write):
-    _one.__module__ = "percuss"  # where users find them
+for _one in (
+    Analysis, Deflection, Frf, InputError, MeasuredFrf, NoHitError, Nodes, Record, Result, Survey, Synthetic, UsageError,
+    compare, example, info, presets, write,
+):  # fmt: skip
+    _one.__module__ = "percuss"  # the public name
 del _one

@@ -1,4 +1,4 @@
-"""Results that are made of an analysis: modes, shapes."""
+"""Results of modal analysis: modes and mode shapes."""
 
 from __future__ import annotations
 
@@ -14,16 +14,18 @@ from ._results import curves_of
 class Analysis(Frf):
     """Hits, FRFs and modes of a test.
 
-    frequency_hz, frequency_std_hz, damping_ratio, damping_ratio_std (modes,): every mode with one standard deviation.
-    residues, residues_std (modes, points, channels): complex, 1/kg. family, a list, and order (modes,): "bending" or "hoop"
-    and its number. table: all of these but the residues, a row per mode.
-    frf, frf_std, coherence (points, channels, lines) over frf_frequency_hz (lines,). hits: what was found about each.
-    runs: the tests, where the files were several (files="tests").
+    frequency_hz, damping_ratio          (modes,), with frequency_std_hz and damping_ratio_std
+    residues, residues_std               (modes, points, channels), 1/kg; residues are complex
+    family, order                        "bending", "hoop" or "unknown" per mode, and its number within the family
+    table                                the columns above except residues, a row per mode
+    frf, frf_std, coherence              (points, channels, lines) over frf_frequency_hz (lines,)
+    hits                                 a dictionary per hit, with its findings
+    runs                                 the separate tests of files="tests"
     """
 
     @property
     def runs(self) -> list[Analysis]:
-        """Each test as a result of its own; of one test it alone."""
+        """A result per test; a list of one if there is a single test."""
         return [type(self)(self._outcome, test) for test in range(self._outcome.tests)]
 
     def _of_test(self, test: int) -> list[tuple[Any, ...]]:
@@ -36,17 +38,17 @@ class Analysis(Frf):
 
     @property
     def hits(self) -> list[dict[str, Any]]:
-        """What was found out about each hit, as in the document."""
+        """A dictionary per hit, as in the document: time, peak force, findings."""
         return self._own().get("hits", [])
 
     @property
     def modes(self) -> list[dict[str, Any]]:
-        """Each mode as in the document: frequency, damping, family, double peaks, residues."""
+        """A dictionary per mode, as in the document: frequency, damping, family, double peak, residues."""
         return self._own().get("modes", [])
 
     @property
     def warnings(self) -> list[dict[str, str]]:
-        """What to be aware of: code and message."""
+        """Warnings about the test and its results: code and message."""
         return self._own().get("warnings", [])
 
     def _column(self, name: str) -> np.ndarray:
@@ -55,37 +57,37 @@ class Analysis(Frf):
 
     @property
     def frequency_hz(self) -> np.ndarray:
-        """(modes,) natural frequencies, Hz."""
+        """(modes,) natural frequencies in Hz."""
         return self._column("frequency_hz")
 
     @property
     def frequency_std_hz(self) -> np.ndarray:
-        """(modes,) standard deviation, Hz."""
+        """(modes,) standard deviation of the natural frequencies in Hz."""
         return self._column("frequency_std_hz")
 
     @property
     def damping_ratio(self) -> np.ndarray:
-        """(modes,) of critical damping, 0 … 1."""
+        """(modes,) damping ratios, fractions of critical damping."""
         return self._column("damping_ratio")
 
     @property
     def damping_ratio_std(self) -> np.ndarray:
-        """(modes,) standard deviation."""
+        """(modes,) standard deviation of the damping ratios."""
         return self._column("damping_ratio_std")
 
     @property
     def residues(self) -> np.ndarray:
-        """(modes, points, channels) complex, 1/kg."""
+        """(modes, points, channels) complex residues in 1/kg."""
         return self._by_place("residues")
 
     @property
     def residues_std(self) -> np.ndarray:
-        """(modes, points, channels) of real and imaginary part, 1/kg."""
+        """(modes, points, channels) standard deviation of the real and of the imaginary part in 1/kg."""
         return self._by_place("residues_std")
 
     @property
     def frf_std(self) -> np.ndarray | None:
-        """(points, channels, lines) (m/s²)/N, or None."""
+        """(points, channels, lines) standard deviation of the FRFs in (m/s²)/N, or None."""
         return self._responses.std
 
     def _by_place(self, name: str) -> np.ndarray:
@@ -95,18 +97,18 @@ class Analysis(Frf):
 
     @property
     def frf_frequency_hz(self) -> np.ndarray:
-        """(lines,) frequencies of the FRFs, Hz."""
+        """(lines,) frequencies of the FRFs in Hz."""
         self._require_hits()
         return self._computed("frequency_hz")
 
     @property
     def family(self) -> list[str]:
-        """A list, for each mode "bending", "hoop" or "unknown"."""
+        """A list: "bending", "hoop" or "unknown" for each mode."""
         return [mode["family"] for mode in self.modes]
 
     @property
     def order(self) -> np.ndarray:
-        """(modes,) counts from 1 within the family; 0 where the family is unknown."""
+        """(modes,) number within the family, from 1; 0 if the family is unknown."""
         return frozen(np.array([mode["order"] or 0 for mode in self.modes], dtype=int))
 
     @property
@@ -116,8 +118,8 @@ class Analysis(Frf):
 
     @property
     def table(self) -> dict[str, np.ndarray]:
-        """A row per mode: frequency_hz, damping_ratio, their std, and where the document has them family, order, confidence,
-        (modes,) each. pandas.DataFrame takes it."""
+        """Columns (modes,): frequency_hz, damping_ratio and their standard deviations; also family, order and confidence if the
+        document holds them. pandas.DataFrame accepts it."""
         names = ("frequency_hz", "frequency_std_hz", "damping_ratio", "damping_ratio_std")
         out = {name: self._column(name) for name in names}
         if len(self.modes) == len(self.frequency_hz) and all("family" in mode for mode in self.modes):
@@ -125,20 +127,23 @@ class Analysis(Frf):
         return out
 
     def stabilisation(self) -> dict[str, Any]:
-        """The stabilisation diagram: order, frequency_hz and damping_ratio (poles,) and stability, a word for each."""
+        """The stabilisation diagram: order, frequency_hz and damping_ratio (poles,), and stability as a list of texts."""
         self._require_hits()
         return self._computed("stabilisation")
 
     def deflections(self) -> list[dict[str, Any]]:
-        """With deflection among the sections: as Deflection.curves()."""
+        """Deflection over time as Deflection.curves(), if only= includes deflection."""
         return curves_of(self._outcome)
 
 
 class Survey(Analysis):
-    """A test of many points: as Analysis, and the modes' shapes.
+    """A test of many points: an Analysis with mode shapes.
 
-    shapes, shapes_std (modes, places), complex: 1/√kg where a driving point is known, else 1 at the largest; the places
-    are shape_points and shape_channels (places,). mac (modes, modes). cmif (lines, values) over cmif_frequency_hz.
+    shapes, shapes_std             (modes, places): complex shapes in 1/√kg if a driving point is known, otherwise scaled
+                                   to a largest value of 1
+    shape_points, shape_channels   (places,)
+    mac                            (modes, modes)
+    cmif                           (lines, values) over cmif_frequency_hz
     """
 
     def _of_test(self, test: int) -> list[tuple[Any, ...]]:
@@ -146,18 +151,18 @@ class Survey(Analysis):
 
     def _shape(self, name: str) -> Any:
         self._require_hits()
-        if "shapes" not in self._kept:
-            self._kept["shapes"] = self._outcome.shapes()
-        return self._kept["shapes"][name]
+        if "shapes" not in self._cache:
+            self._cache["shapes"] = self._outcome.shapes()
+        return self._cache["shapes"][name]
 
     @property
     def shapes(self) -> np.ndarray:
-        """(modes, places) complex."""
+        """(modes, places) complex mode shapes."""
         return self._shape("shapes")
 
     @property
     def shapes_std(self) -> np.ndarray:
-        """(modes, places) of real and imaginary part."""
+        """(modes, places) standard deviation of the real and of the imaginary part."""
         return self._shape("shapes_std")
 
     @property
@@ -167,20 +172,20 @@ class Survey(Analysis):
 
     @property
     def shape_channels(self) -> np.ndarray:
-        """(places,) the channel, from 0."""
+        """(places,) index of the channel, from 0."""
         return frozen(np.array(self._shape("channels")))
 
     @property
     def mac(self) -> np.ndarray:
-        """(modes, modes) how alike the shapes are, 0 … 1."""
+        """(modes, modes) modal assurance criterion between the shapes, 0 … 1."""
         return self._shape("mac")
 
     @property
     def cmif(self) -> np.ndarray:
-        """(lines, values) singular values of the FRFs, (m/s²)/N."""
+        """(lines, values) complex mode indicator function: singular values of the FRFs in (m/s²)/N."""
         return self._shape("cmif")
 
     @property
     def cmif_frequency_hz(self) -> np.ndarray:
-        """(lines,) Hz."""
+        """(lines,) frequencies of cmif in Hz."""
         return self._shape("cmif_frequency_hz")

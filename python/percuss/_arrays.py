@@ -1,4 +1,4 @@
-"""Arrays as they are given, hit by hit, and as they are handed out."""
+"""Checks of the arrays that users give, and the arrays that results return."""
 
 from __future__ import annotations
 
@@ -8,20 +8,20 @@ from typing import Any
 
 import numpy as np
 
-from . import _percuss
+from ._errors import InputError
 
 _MAX_ROWS = 1_000_000
-_MIN_SAMPLES_PER_HIT = 8  # hits to a sample: no test has so many, unless its samples are these
+_MAX_ROWS_PER_SAMPLE = 8  # an array with more rows per sample is transposed
 
 
 def frozen(array: np.ndarray) -> np.ndarray:
-    """The array, which nobody can write to any more: what a result holds is shared by all who look at it."""
+    """Makes the array read-only: all users of a result share its arrays."""
     array.flags.writeable = False
     return array
 
 
 class Responses:
-    """FRFs by point and channel; stacked only when asked for."""
+    """FRFs by point and channel, stacked on first use."""
 
     def __init__(self, responses: list[tuple[Any, ...]]) -> None:
         self._all = {(one[0], one[1]): one for one in responses}
@@ -52,7 +52,7 @@ class Responses:
 
 def _signals(values: Any, name: str) -> np.ndarray:
     if isinstance(values, np.ma.MaskedArray) and np.ma.is_masked(values):
-        raise _percuss.InputError(f"masked samples ({name}); repair or leave out the hits that have them")
+        raise InputError("masked samples", name, "repair or leave out the hits that have them")
     if isinstance(values, Iterator):
         raise TypeError(f"{name} cannot be a {type(values).__name__}: give an array or a list")
     return np.asarray(values)
@@ -63,7 +63,7 @@ def _is_ragged(values: Any) -> bool:
 
 
 def rows_of(force: Any, accel: Any) -> list[tuple[Any, list[np.ndarray]]]:
-    """[(force or None, [accelerations])] of views, hit by hit."""
+    """Views of the arrays, a pair (force or None, [accelerations]) per hit."""
     several = several_lists = _is_ragged(force)
     forces = [_signals(one, "force") for one in force] if several else None if force is None else _signals(force, "force")
     if forces is None:
@@ -73,14 +73,14 @@ def rows_of(force: Any, accel: Any) -> list[tuple[Any, list[np.ndarray]]]:
     if not several:
         return _checked([(forces, _channels(_signals(accel, "accel")))])
     if not several_lists and _is_transposed(forces.shape):
-        raise _percuss.InputError(f"{forces.shape[0]} hits of {forces.shape[1]} samples (force); is it (hits, samples)? Give force.T")
+        raise InputError(f"{forces.shape[0]} hits of {forces.shape[1]} samples", "force", "is it (hits, samples)? Give force.T")
     hits = list(accel) if _is_ragged(accel) else _signals(accel, "accel")
     if len(forces) > _MAX_ROWS:
-        raise _percuss.InputError(f"{len(forces)} hits (force); give at most a million at a time")
+        raise InputError(f"{len(forces)} hits", "force", "give at most a million at a time")
     if len(hits) != len(forces):
-        raise _percuss.InputError(f"accelerations of {len(hits)} hits for forces of {len(forces)} (accel); give as many of each")
+        raise InputError(f"{len(hits)} hits of acceleration for {len(forces)} of force", "accel", "give the same number of hits")
     if isinstance(forces, np.ndarray) and forces.size > 0 and len(forces) > 1 and forces.strides[0] == 0:
-        raise _percuss.InputError("one hit stands for all (force: a broadcast array); give each hit its own samples")
+        raise InputError("one row stands for all hits (a broadcast array)", "force", "give each hit its own samples")
     return _checked([(one, _channels(_signals(hit, "accel"))) for one, hit in zip(forces, hits)])
 
 
@@ -88,35 +88,35 @@ def _channels(hit: np.ndarray) -> list[np.ndarray]:
     if hit.ndim == 1:
         return [hit]
     if hit.ndim != 2:
-        raise _percuss.InputError(f"{hit.ndim} dimensions (accel); give (samples,), (channels, samples) or (hits, channels, samples)")
+        raise InputError(f"{hit.ndim} dimensions", "accel", "give (samples,), (channels, samples) or (hits, channels, samples)")
     if len(hit) > _MAX_ROWS:
-        raise _percuss.InputError(f"{len(hit)} channels (accel); is it (channels, samples)?")
+        raise InputError(f"{len(hit)} channels", "accel", "is it (channels, samples)?")
     if hit.size == 0:
-        raise _percuss.InputError("no samples (accel); record at least one hit with one acceleration")
+        raise InputError("no samples", "accel", "record at least one hit with one acceleration")
     if _is_transposed(hit.shape):
-        raise _percuss.InputError(f"{hit.shape[0]} channels of {hit.shape[1]} samples (accel); is it (channels, samples)? Give accel.T")
+        raise InputError(f"{hit.shape[0]} channels of {hit.shape[1]} samples", "accel", "is it (channels, samples)? Give accel.T")
     return list(hit)
 
 
 def _is_transposed(shape: tuple[int, ...]) -> bool:
-    """Whether there is more of what is few than of samples."""
-    return shape[1] > 0 and shape[0] > _MIN_SAMPLES_PER_HIT * shape[1]
+    """Whether an array (rows, samples) has far more rows than samples."""
+    return shape[1] > 0 and shape[0] > _MAX_ROWS_PER_SAMPLE * shape[1]
 
 
 def _checked(rows: list[tuple[Any, list[np.ndarray]]]) -> list[tuple[Any, list[np.ndarray]]]:
     if not rows or not rows[0][1]:
-        raise _percuss.InputError("no samples (arrays); record at least one hit with one acceleration")
+        raise InputError("no samples", "arrays", "record at least one hit with one acceleration")
     for force, accel in rows:
         for name, one in [("force", force)] * (force is not None) + [("accel", part) for part in accel]:
             if one.ndim != 1:
-                raise _percuss.InputError(f"{one.ndim} dimensions ({name}); give (samples,) or (hits, samples)")
+                raise InputError(f"{one.ndim} dimensions", name, "give (samples,) or (hits, samples)")
             if one.size == 0:
-                raise _percuss.InputError(f"no samples ({name}); record at least one hit with one acceleration")
+                raise InputError("no samples", name, "record at least one hit with one acceleration")
     return rows
 
 
 def rate_of(fs: Any) -> float:
-    """A sampling rate in Hz, also out of the arrays of one number that files of HDF5 and MAT have."""
+    """A sampling rate in Hz, from a number or from an array of one number, as HDF5 and MAT files store it."""
     one = fs.item() if isinstance(fs, np.ndarray) and fs.size == 1 else fs
     if isinstance(one, (bool, np.bool_)) or not isinstance(one, numbers.Real):
         raise TypeError(f"fs is a number in Hz, not {fs!r}")
@@ -129,18 +129,18 @@ def points_of(points: Any, hits: int) -> list[int]:
     array = np.asarray(points)
     whole = array.ndim == 1 and array.dtype.kind in "iuf" and bool(np.all(array == np.floor(array)))
     if not whole or len(array) != hits or array.min(initial=0) < 0 or array.max(initial=0) >= _MAX_ROWS:
-        told = f"{array.size} points" if whole else "points that are no list of whole numbers"
-        raise _percuss.InputError(f"{told} for {hits} hits (points); give one from 0 up for each hit")
+        count = f"{array.size} points" if whole else "points that are not a list of whole numbers"
+        raise InputError(f"{count} for {hits} hits", "points", "give a number from 0 up for each hit")
     return [int(one) for one in array]
 
 
 def names_of(names: Any, signals: int, has_force: bool) -> list[str]:
     if isinstance(names, (str, bytes)) or not all(isinstance(one, str) for one in names):
-        raise _percuss.InputError(f"{one_line(names)} is no list of names (names); give a list of texts")
+        raise InputError(f"{one_line(names)} is not a list of names", "names", "give a list of texts")
     given = list(names)
     if given and len(given) != signals:
         wanted = "one for the force and one for each acceleration" if has_force else "one for each acceleration"
-        raise _percuss.InputError(f"{len(given)} names for {signals} signals (names); give {wanted}")
+        raise InputError(f"{len(given)} names for {signals} signals", "names", f"give {wanted}")
     return given
 
 
@@ -150,22 +150,22 @@ def one_line(value: Any) -> str:
 
 
 def geometry_of(geometry: Any, points: list[int], channels: int) -> list[list[float]]:
-    """Where each point lies; where one point was struck the places may be those of the accelerometers."""
+    """Coordinates of each point. If all hits are at one point, the rows may belong to the accelerometers instead."""
     if geometry is None:
         return []
     try:
         array = np.asarray(geometry, dtype=float)
     except (TypeError, ValueError):
-        raise _percuss.InputError("rows that are not alike, or no numbers (geometry); give an array (points, 3) in m") from None
+        raise InputError("rows of different lengths, or no numbers", "geometry", "give an array (points, 3) in m") from None
     if array.ndim != 2 or array.shape[1] not in (2, 3):
-        told = " × ".join(str(one) for one in array.shape) or "one number"
-        raise _percuss.InputError(f"an array of {told} (geometry); give (points, 3) in m, or (points, 2): m along a tube and degrees")
+        shape = " × ".join(str(one) for one in array.shape) or "one number"
+        raise InputError(f"an array of {shape}", "geometry", "give (points, 3) in m, or (points, 2): m along a tube and degrees")
     if not np.isfinite(array).all():
         where = np.flatnonzero(~np.isfinite(array).all(axis=1))[0]
-        raise _percuss.InputError(f"row {where} is not finite (geometry); give every point its place, points numbered from 0")
+        raise InputError(f"row {where} is not finite", "geometry", "give coordinates for every point, numbered from 0")
     struck = max(points, default=0) + 1
     if len(array) not in ({struck} if struck > 1 else {1, channels}):
-        told = f"{len(array)} places for {struck} point{'s' if struck > 1 else ''} struck (geometry)"
+        problem = f"{len(array)} places for {struck} point{'s' if struck > 1 else ''} struck"
         remedy = "give a row for each point from 0 up" if points else "say which point each hit struck: points="
-        raise _percuss.InputError(f"{told}; {remedy}")
+        raise InputError(problem, "geometry", remedy)
     return array.tolist()

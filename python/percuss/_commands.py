@@ -1,4 +1,4 @@
-"""The functions of the package, made from what the commands of the tool declare."""
+"""The functions of the package, made from the declarations of the commands."""
 
 from __future__ import annotations
 
@@ -8,14 +8,15 @@ from typing import Any, Callable
 
 from . import _percuss
 from ._analyses import Analysis, Survey
+from ._argv import declared
 from ._arrays import rate_of
+from ._docs import READS_DATA, docstring, signature
+from ._errors import note_in_python
 from ._frf import Frf
-from ._inputs import handles_of, reject_single_point, reject_reading_options
+from ._arguments import handles_of, reject_reading_options, reject_single_point
 from ._measured import MeasuredFrf
 from ._records import Record
 from ._results import Deflection, Nodes, Result, Synthetic
-from ._told import READS_DATA, docstring, signature
-from ._words import Command, declared, in_python_terms
 
 COMMANDS = declared()
 
@@ -27,7 +28,7 @@ def _given(options: dict[str, Any]) -> dict[str, Any]:
 def make(
     name: str, command: str, result: Callable[..., Any], intro: str, example: str, leading: list[inspect.Parameter]
 ) -> Callable[..., Any]:
-    """A function that runs a command. The words before its options are `leading`."""
+    """Makes the function that runs a command. `leading` are its positional parameters."""
     made = COMMANDS[command]
     reads_data = command in READS_DATA
 
@@ -105,14 +106,14 @@ Example:
         "nodes",
         Nodes,
         [_positional("data", True)],
-        "Returns a Result with the keys of percuss nodes --json.",
+        "Returns a Nodes result with the keys of the document of percuss nodes.",
         "",
     ),
     "deflect": (
         "deflect",
         Deflection,
         [_positional("data", True)],
-        "Returns a Deflection: hits with peak_m and its deviation; curves() over time. Without a force give None for it.",
+        "Returns a Deflection: hits with peak_m and its standard deviation; curves() over time. Without a force, pass None for it.",
         """
 Example:
 
@@ -132,7 +133,7 @@ Example:
         "synth",
         Synthetic,
         [_positional("spec", False)],
-        "spec is the name of a preset, a path, or a dictionary as docs/guides/synth.md describes it.\n"
+        "spec is the name of a preset, a path, or a dictionary; docs/guides/synth.md describes its keys.\n"
         "Returns a Synthetic: record, a Record; to_dict() is the truth.",
         """
 Example:
@@ -156,7 +157,7 @@ def _read(*paths: Any, **options: Any) -> Any:
     command = COMMANDS["read"]
     flat = paths[0] if len(paths) == 1 and isinstance(paths[0], (list, tuple)) else paths
     outcome = command.run("read", list(flat), [], _given(options))
-    opened = [Record._of(one) if isinstance(one, _percuss.RecordHandle) else MeasuredFrf(one) for one in outcome.opened()]
+    opened = [Record._from_handle(one) if isinstance(one, _percuss.RecordHandle) else MeasuredFrf(one) for one in outcome.opened()]
     return opened[0] if len(opened) == 1 else opened
 
 
@@ -165,21 +166,21 @@ _read.__module__ = "percuss"
 _read.__signature__ = signature(COMMANDS["read"], [_positional("paths", True)])  # type: ignore[attr-defined]
 _read.__doc__ = docstring(
     COMMANDS["read"],
-    "paths: HDF5, MAT, UFF, LabVIEW, sound, CSV or text. Returns a Record or a MeasuredFrf, as the file has it; of several files a list. Samples are read when asked for.",
+    "paths: HDF5, MAT, UFF, LabVIEW, sound, CSV or text. Returns a Record or a MeasuredFrf, depending on the file; for several files a list. Samples are read on demand.",
     "",
 )
 FUNCTIONS["read"] = _read
 
 
 def write(path: str | os.PathLike[str], data: Any, *, force: bool = False) -> list[str]:
-    """Writes a record or FRFs as the path's extension says.
+    """Write a record or FRFs in the format of the path's extension.
 
     path   .h5, .hdf5, .csv, .mat, .uff, .unv; records also .wav, .rf64, .w64.
     data   a Record, a MeasuredFrf, or a Synthetic (its record).
-    force  overwrite a file that exists.
+    force  overwrite an existing file.
 
-    Returns what the format cannot keep, a line each. Raises InputError where the file exists or cannot be written,
-    UsageError for unknown extensions. The file is whole or absent.
+    Returns the information that the format cannot store, one line each. Raises InputError if the file exists or cannot be
+    written, UsageError for an unknown extension. The file is written completely or not at all.
 
     >>> import os, tempfile, percuss
     >>> with tempfile.TemporaryDirectory() as folder:
@@ -191,19 +192,17 @@ def write(path: str | os.PathLike[str], data: Any, *, force: bool = False) -> li
     if not isinstance(one, (Record, MeasuredFrf)):
         raise TypeError(f"data cannot be {type(data).__name__}: give a Record, a MeasuredFrf or a Synthetic")
     words = ["convert", "--quiet", f"--output={os.fsdecode(path)}"] + (["--force"] if force else [])
-    try:
-        return _percuss.run([os.fsencode(word) for word in words], [one._handle]).notes
-    except _percuss.InputError as error:
-        raise in_python_terms(error) from None
+    return [note_in_python(note) for note in _percuss.run([os.fsencode(word) for word in words], [one._handle]).notes]
 
 
 def info(*paths: Any, **options: Any) -> Result:
-    """What is in a file: kind, channels, units, rate, hits, what could not be read.
+    """Describe files: kind, channels, units, rate, hits, and parts that cannot be read.
 
-    paths    files of any kind that read() knows.
-    options  those of read().
+    paths    files of any kind that read() accepts.
+    options  the keywords of read().
 
-    Returns a Result; files lists what each file holds. Reads no more than tells that. Raises UsageError for no file. A file that cannot be read stands there with its error; nothing is raised for it.
+    Returns a Result; files describes each file. A file that cannot be read is listed with its error, without an
+    exception. Only the descriptions of the files are read. Raises UsageError if no file is given.
 
     >>> import os, tempfile, percuss
     >>> with tempfile.TemporaryDirectory() as folder:
@@ -215,13 +214,13 @@ def info(*paths: Any, **options: Any) -> Result:
 
 
 def compare(*documents: Any, **options: Any) -> Result:
-    """Modes or deflections of tests and models, side by side.
+    """Compare modes or deflections of tests and models side by side.
 
-    documents  two or more: results of analyze, survey, deflect or models, their dictionaries, or paths of such documents.
-    options    furthest: frequencies further apart than this, in %, are not of the same mode; least_mac: shapes that agree
-               less are not of the same mode.
+    documents  two or more results of analyze, survey, deflect or models, their dictionaries, or paths of such documents.
+    options    furthest: pair modes only if their frequencies differ by at most this many percent; least_mac: pair modes
+               only if their MAC is at least this.
 
-    Returns a Result: pairs, unpaired_a, unpaired_b.
+    Returns a Result: pairs, unpaired_a, unpaired_b. Raises UsageError for fewer than two documents.
 
     >>> import percuss
     >>> a = percuss.models.beam(support="free", length=0.84, modes=4)

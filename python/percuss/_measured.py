@@ -1,4 +1,4 @@
-"""FRFs that other programs measured, as Python sees them."""
+"""FRFs that another program measured."""
 
 from __future__ import annotations
 
@@ -7,13 +7,17 @@ from typing import Any
 import numpy as np
 
 from ._arrays import Responses
+from ._errors import note_in_python
 
 
 class MeasuredFrf:
-    """FRFs that were measured elsewhere and read from a file; `analyze` takes them in place of a record.
+    """FRFs that were read from a file; analyze() accepts them in place of a record.
 
-    frequency_hz (lines,) in Hz; frf (points, channels, lines), complex, in (m/s²)/N whatever the file has; std and
-    coherence (points, channels, lines), or None where the file has none. frf_at() shows one without a copy.
+    frequency_hz    (lines,) Hz
+    frf             (points, channels, lines) complex, converted to (m/s²)/N
+    std, coherence  (points, channels, lines), or None if the file has none
+
+    frf_at() returns one response without a copy.
     """
 
     def __init__(self, handle: Any) -> None:
@@ -28,28 +32,28 @@ class MeasuredFrf:
 
     @property
     def format(self) -> str:
-        """What was read: "FRF HDF5" ..."""
+        """Format of the file: "FRF HDF5" ..."""
         return self._description["format"]
 
     @property
     def source(self) -> str:
-        """The file."""
+        """Path of the file."""
         return self._description["source"]
 
     @property
     def kind(self) -> str:
-        """As the file has it: accelerance, mobility or receptance."""
+        """Kind of FRF that the file stores: accelerance, mobility or receptance."""
         return self._description["kind"]
 
     @property
     def estimator(self) -> str:
-        """"H1" ..."""
+        """FRF estimator, "H1" ..."""
         return self._description["estimator"]
 
     @property
     def notes(self) -> list[str]:
-        """What was assumed, one line each."""
-        return self._description["notes"]
+        """Assumptions of the reader, one line each."""
+        return [note_in_python(note) for note in self._description["notes"]]
 
     @property
     def signals(self) -> list[dict[str, Any]]:
@@ -58,7 +62,7 @@ class MeasuredFrf:
 
     @property
     def points(self) -> np.ndarray:
-        """(points,) numbers of the points."""
+        """(points,) indices of the points."""
         return self._responses.points
 
     @property
@@ -77,7 +81,7 @@ class MeasuredFrf:
         return self._responses.coherence
 
     def __reduce__(self) -> Any:
-        raise TypeError(f"FRFs read from {self.source} are not copied to other processes; give them its path")
+        raise TypeError(f"FRFs read from {self.source} are not copied to other processes; pass the path")
 
     def __copy__(self) -> MeasuredFrf:
         return self
@@ -86,7 +90,7 @@ class MeasuredFrf:
         return self
 
     def frf_at(self, point: int = 0, channel: int = 0) -> np.ndarray:
-        """(lines,) complex, (m/s²)/N: one response where it lies, without a copy; `point` is its number."""
+        """(lines,) complex, (m/s²)/N: a read-only view of one response, without a copy; `point` is the index of the point."""
         return self._responses.at(point, channel)
 
     def __repr__(self) -> str:

@@ -1,13 +1,9 @@
-# What the compiled part offers to the package; users find it under percuss.
+# The compiled part of the package, for its own modules.
 from typing import Any
 
 import numpy as np
 
 version: str
-
-class InputError(ValueError): ...
-class UsageError(InputError): ...
-class NoHitError(InputError): ...
 
 class RecordHandle:
     from_arrays: bool
@@ -31,7 +27,7 @@ class FrfHandle:
 class CommandResult:
     code: int
     document: str
-    notes: list[str]
+    notes: list[tuple[str, list[str]]]
     tests: int
     def text(self, width: int) -> str: ...
     def html(self) -> str: ...

@@ -1,4 +1,4 @@
-"""Records of force and acceleration, as Python sees them."""
+"""Records of force and acceleration."""
 
 from __future__ import annotations
 
@@ -9,29 +9,29 @@ import numpy as np
 
 from . import _percuss
 from ._arrays import geometry_of, names_of, points_of, rate_of, rows_of
-from ._words import in_python_terms
+from ._errors import InputError, note_in_python
 
 
 class Record:
-    """A hammer test: one force and any number of accelerations, hit by hit.
+    """A hammer test: the force and any number of accelerations of each hit.
 
-    Record(force, accel, fs=25600.0) takes arrays as they are, without a copy:
+    Record(force, accel, fs=25600.0) uses arrays without a copy:
 
-    force   (samples,) one hit, or a long record in which hits are searched; (hits, samples) one hit per row;
-            or a list of hits of different lengths; None where only accelerations were recorded. In N.
-    accel   (samples,) or (channels, samples) beside one force; (hits, samples) or (hits, channels, samples) beside
-            several; or a list like force's. In m/s². Other units: unit= and force_unit= of analyze and the others.
-    fs      Hz; also an array of one number.
-    points  (hits,) which point was struck, from 0; all at point 0 unless given.
-    names   of the force and of each acceleration; "force", "accel 1" ... unless given.
-    geometry  (points, 3) in m, or (points, 2): position along a tube in m and angle around it in degrees; a row for
-            each point from 0 up, or, where one point was struck, for each acceleration.
-    continuous  every row may hold several hits.
+    force       N. (samples,): one hit, or a long record that is searched for hits; (hits, samples): one hit per row; a
+                list of hits of different lengths; None if only accelerations were recorded.
+    accel       m/s². (samples,) or (channels, samples) for one force; (hits, samples) or (hits, channels, samples) for
+                several; a list for a list. For other units, pass unit= and force_unit= to analyze().
+    fs          Hz; also an array of one number.
+    points      (hits,): index of the struck point, from 0; 0 for all hits unless given.
+    names       names of the force and of each acceleration; "force", "accel 1" ... unless given.
+    geometry    (points, 3) in m, or (points, 2): position along a tube in m and angle around it in degrees. One row per
+                point from 0 up; if all hits are at one point, one row per acceleration.
+    continuous  whether each row may hold several hits.
 
-    Numbers may be float64, float32 or integers, in any strides. The arrays are read when a result is computed, perhaps
-    in other threads, so leave them alone until then: what is computed from numbers that change is anybody's guess.
-    Records of arrays are pickled with their samples; of those that were read, give the path to other processes.
-    Raises InputError for arrays that fit no test; for NaN and infinity when they are read.
+    The numbers may be float64, float32 or integers, with any strides. A result reads the arrays when it is computed,
+    possibly in other threads: do not change them before that. Records of arrays are pickled with their samples; for a
+    record that was read from a file, pass the path to other processes. Raises InputError for arrays that do not form a
+    test, and for NaN and infinity when the samples are read.
 
     >>> import numpy as np, percuss
     >>> record = percuss.Record(np.zeros(256), np.zeros((2, 256)), fs=4096.0)
@@ -57,14 +57,11 @@ class Record:
         texts = names_of(names, channels + has_force, has_force)
         places = geometry_of(geometry, struck, channels)
         self._given: tuple[Any, ...] | None = (rows, struck, rate, bool(continuous), texts, places)
-        try:
-            self._handle = _percuss.RecordHandle(*self._given)
-        except _percuss.InputError as error:
-            raise in_python_terms(error) from None
+        self._handle = _percuss.RecordHandle(*self._given)
         self._description = self._handle.describe()
 
     @classmethod
-    def _of(cls, handle: Any) -> Record:
+    def _from_handle(cls, handle: Any) -> Record:
         made = cls.__new__(cls)
         made._given = None
         made._handle = handle
@@ -72,21 +69,21 @@ class Record:
         return made
 
     @classmethod
-    def _again(cls, *given: Any) -> Record:
-        made = cls._of(_percuss.RecordHandle(*given))
+    def _from_arrays(cls, *given: Any) -> Record:
+        made = cls._from_handle(_percuss.RecordHandle(*given))
         made._given = given
         return made
 
     def __reduce__(self) -> Any:
         if self._given is None:
-            raise TypeError(f"a record read from {self.source} is not copied to other processes; give them its path, or arrays")
-        return type(self)._again, self._given
+            raise TypeError(f"a record read from {self.source} is not copied to other processes; pass its path, or arrays")
+        return type(self)._from_arrays, self._given
 
     def __copy__(self) -> Record:
-        return self  # nothing of it changes
+        return self  # immutable
 
     def __deepcopy__(self, memo: Any) -> Record:
-        return self if self._given is None else type(self)._again(*copy.deepcopy(self._given, memo))
+        return self if self._given is None else type(self)._from_arrays(*copy.deepcopy(self._given, memo))
 
     def __getattr__(self, name: str) -> Any:
         if name.startswith("_"):
@@ -101,72 +98,72 @@ class Record:
 
     @property
     def format(self) -> str:
-        """What it was read from: "HDF5", "CSV" ...; "arrays"."""
+        """Format of the file, "HDF5", "CSV" ..., or "arrays"."""
         return self._description["format"]
 
     @property
     def source(self) -> str:
-        """The file it was read from; the format where there is none."""
+        """Path of the file; the format if there is no file."""
         return self._description["source"]
 
     @property
     def rows(self) -> int:
-        """How many rows: hits, or long records in which hits are searched."""
+        """Number of rows: hits, or long records that are searched for hits."""
         return len(self._description["rows"])
 
     @property
     def channels(self) -> int:
-        """How many accelerations."""
+        """Number of accelerations."""
         return len(self._description["accel"])
 
     @property
     def samples(self) -> np.ndarray:
-        """(rows,) how many samples each row has."""
+        """(rows,) number of samples of each row."""
         return np.array([row[0] for row in self._description["rows"]])
 
     @property
     def points(self) -> np.ndarray:
-        """(rows,) which point was struck."""
+        """(rows,) index of the struck point."""
         return np.array([row[1] for row in self._description["rows"]])
 
     @property
     def signals(self) -> list[dict[str, Any]]:
-        """The force, unless there is none, and each acceleration: name, unit, to_si, angle_rad, position_m."""
+        """The force, if recorded, and each acceleration: name, unit, to_si, angle_rad, position_m."""
         force = self._description["force"]
         return ([] if force is None else [force]) + self._description["accel"]
 
     @property
     def geometry(self) -> np.ndarray | None:
-        """(points, 3) or (points, 2), as the file has it."""
+        """(points, 3) or (points, 2), as stored in the file, or None."""
         places = self._description["geometry"]
         return np.array(places) if places else None
 
     @property
     def notes(self) -> list[str]:
-        """What was assumed, or could not be read."""
-        return self._description["notes"]
+        """Assumptions of the reader, and parts of the file that it could not read."""
+        return [note_in_python(note) for note in self._description["notes"]]
 
     def force(self, row: int = 0) -> np.ndarray:
-        """(samples,) the force of a row in N: where it lies, if it lies in memory, else read from the file now."""
+        """(samples,) the force of a row in N: a view if it is in memory, otherwise read from the file now."""
         return self._handle.force(_index(row, self.rows, "row"))
 
     def accel(self, row: int = 0, channel: int = 0) -> np.ndarray:
-        """(samples,) an acceleration of a row in m/s², as force()."""
+        """(samples,) an acceleration of a row in m/s²; a view as for force()."""
         return self._handle.accel(_index(row, self.rows, "row"), _index(channel, self.channels, "channel"))
 
     @property
     def force_n(self) -> np.ndarray:
-        """(rows, samples) the whole force in N, as a new array. InputError where rows differ in length."""
+        """(rows, samples) the force of all rows in N, as a new array. Raises InputError if rows differ in length."""
         return np.stack([self.force(row) for row in range(self._same_length())])
 
     @property
     def accel_mps2(self) -> np.ndarray:
-        """(rows, channels, samples) all accelerations in m/s², as a new array. InputError as force_n."""
+        """(rows, channels, samples) all accelerations in m/s², as a new array. Raises InputError as force_n."""
         return np.stack([[self.accel(row, c) for c in range(self.channels)] for row in range(self._same_length())])
 
     def _same_length(self) -> int:
         if len(set(self.samples.tolist())) != 1:
-            raise _percuss.InputError(f"rows of different lengths ({self.source}); take them one by one: force(row)")
+            raise InputError("rows of different lengths", self.source, "read them one by one: force(row)")
         return self.rows
 
     def __repr__(self) -> str:

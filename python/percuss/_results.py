@@ -1,4 +1,4 @@
-"""What the functions return."""
+"""Results of the functions."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ import numpy as np
 
 from . import _percuss
 from ._arrays import frozen
-from ._kept import PickledOutcome
+from ._errors import UsageError
+from ._pickle import PickledResult
 from ._records import Record
-from ._words import in_python_terms
 
 _WIDTH = 100
 _STYLE = (
@@ -27,13 +27,18 @@ _STYLE = (
 
 
 class Result(Mapping[str, Any]):
-    """What a function found: the document that the command line's --json prints, and more.
+    """The result of a function: the JSON document of the command, its table, its files.
 
-    to_dict() is that document, json its text; a result is a mapping as well: result["key"], which is result.key too, "key"
-    in result, items() and so on are its entries, lists of numbers as read-only arrays, with NaN where the document has
-    none. Curves are lists of dictionaries there, and columns in table. A result is equal to itself alone.
-    save(path) writes what the command's -o writes, by the path's extension; report(path) is its page. In Jupyter the
-    main table is shown, elsewhere what a terminal would show. exit_code is what the command would have ended with.
+    to_dict()     the document that the command line prints with --json; json is its text
+    result[key]   an entry of the document, also result.key. A list of numbers becomes a read-only array, with NaN for null.
+                  A curve is a list of dictionaries here, and columns in table.
+    table         the columns of the command's .csv
+    save(path)    writes the file that -o of the command writes, by the extension of the path
+    report(path)  writes the HTML page
+    exit_code     the exit code of the command
+
+    A result is a read-only mapping and equal to itself only. Jupyter shows its main table; str() is the text that a
+    terminal shows.
     """
 
     def __init__(self, outcome: Any) -> None:
@@ -42,11 +47,11 @@ class Result(Mapping[str, Any]):
 
     @property
     def json(self) -> str:
-        """The document as the command line prints it with --json, to the byte."""
+        """The document, byte for byte as the command line prints it with --json."""
         return self._outcome.document
 
     def to_dict(self) -> dict[str, Any]:
-        """The document as a dictionary of its own."""
+        """The document as a new dictionary."""
         return json.loads(self.json)
 
     def _parsed(self) -> dict[str, Any]:
@@ -60,7 +65,7 @@ class Result(Mapping[str, Any]):
     def __len__(self) -> int:
         return len(self._parsed())
 
-    __hash__ = object.__hash__  # a result is equal to itself: arrays know no better
+    __hash__ = object.__hash__  # equality is identity, since arrays do not compare to one truth value
 
     def __eq__(self, other: object) -> bool:
         return self is other
@@ -69,11 +74,11 @@ class Result(Mapping[str, Any]):
         return True
 
     def _calls(self) -> list[tuple[Any, ...]]:
-        """What to ask of the outcome before it stays behind."""
+        """Calls of the CommandResult whose values are pickled."""
         return [("text", _WIDTH), ("html",), ("columns",)]
 
     def __getstate__(self) -> dict[str, Any]:
-        return {**self.__dict__, "_outcome": PickledOutcome(self._outcome, self._calls())}
+        return {**self.__dict__, "_outcome": PickledResult(self._outcome, self._calls())}
 
     def __copy__(self) -> Any:
         made = type(self).__new__(type(self))
@@ -100,32 +105,30 @@ class Result(Mapping[str, Any]):
 
     @property
     def exit_code(self) -> int:
-        """0; 4 where no hit can be used; 5 where a bat exceeds its limit."""
+        """0; 4 if no hit can be used; 5 if a bat exceeds its limit."""
         return self._outcome.code
 
     @property
     def table(self) -> dict[str, np.ndarray]:
-        """The columns of the command's .csv by name, (rows,) each; empty where it has none. pandas.DataFrame takes it."""
+        """The columns of the command's .csv by name, (rows,) each; empty if it has none. pandas.DataFrame accepts it."""
         return self._outcome.columns()
 
     def save(self, path: str | os.PathLike[str], force: bool = False) -> None:
-        """Writes the result as the path's extension says, as -o of the command does.
+        """Write the result in the format of the path's extension, as -o of the command does.
 
-        Raises InputError where the file exists, unless force; UsageError for extensions that the command does not know.
-        What the file shows of the samples is read now: where they were given as arrays, these must be as they were.
-        InputError where a few hundred of their numbers, looked at again, have changed; it cannot see every change. .json
-        needs no samples, nor do results of files. A result that was pickled writes no files.
+        Raises InputError if the file exists and force is False, UsageError for an extension that the command does not
+        write. Files other than .json contain samples, which are read now. Arrays must not have changed since the call:
+        save() compares a few hundred of their numbers and raises InputError if one differs; it cannot detect every
+        change. A result that was pickled writes no files.
         """
-        try:
-            self._outcome.save(os.fsencode(path), force)
-        except _percuss.InputError as error:
-            raise in_python_terms(error) from None
+        self._outcome.save(os.fsencode(path), force)
 
     def report(self, path: str | os.PathLike[str], force: bool = False) -> None:
-        """Writes the page: one .html file, the one that the command line writes. It shows the
-        samples, so that arrays must be as they were. Raises as save()."""
+        """Write the page of the command line: one .html file. It shows the samples, so arrays must not have changed.
+
+        Raises as save()."""
         if os.path.splitext(os.fspath(path))[1].lower() != ".html":
-            raise _percuss.UsageError(f"a page is not written to '{os.fspath(path)}'; use a name that ends in .html")
+            raise UsageError(f"cannot write a page to '{os.fspath(path)}'", "use a name that ends in .html")
         self.save(path, force)
 
     def __str__(self) -> str:
@@ -140,15 +143,15 @@ class Result(Mapping[str, Any]):
 
 
 class Synthetic(Result):
-    """A made-up test and its truth: to_dict() is the truth, record what was measured."""
+    """A synthetic test: record holds the measured signals, to_dict() the exact truth."""
 
     @property
     def record(self) -> Record:
         """The samples as a Record."""
-        return Record._of(self._outcome.record())
+        return Record._from_handle(self._outcome.record())
 
     def __reduce__(self) -> Any:
-        raise TypeError("a made-up test is not pickled: make it again from its spec and seed, or give the arrays of its record")
+        raise TypeError("a synthetic test is not pickled: make it again from its spec and seed, or pass the arrays of its record")
 
     def __str__(self) -> str:
         modes = ", ".join(f"{freq_hz:g}" for freq_hz in self._parsed()["f_hz"])
@@ -156,21 +159,21 @@ class Synthetic(Result):
 
 
 class Deflection(Result):
-    """Deflection under each impact: hits as in the document, curves() over time."""
+    """Deflection under each impact: hits holds the peaks, curves() the time series."""
 
     def _calls(self) -> list[tuple[Any, ...]]:
         return [*super()._calls(), ("deflections",)]
 
     def curves(self) -> list[dict[str, Any]]:
-        """For each hit and channel: hit, channel, point, first_s, velocity_mps, deflection_m (samples,), std_m or None.
+        """A dictionary per hit and channel: hit, channel, point, first_s, velocity_mps and deflection_m (samples,), std_m or None.
 
-        The arrays are views of what was computed. Times: first_s + i / fs.
+        The arrays are read-only views of the result. Sample i lies at the time first_s + i / fs.
         """
         return curves_of(self._outcome)
 
 
 class Nodes(Result):
-    """Where bending modes have their nodes, along a scan of impacts."""
+    """Nodes of the bending modes along a scan of impacts."""
 
 
 def curves_of(outcome: Any) -> list[dict[str, Any]]:
@@ -183,7 +186,7 @@ def _is_number(one: Any) -> bool:
 
 
 def _array_or_same(value: Any) -> Any:
-    """Lists of numbers as arrays, None among them as NaN; tables of equal rows as arrays of two dimensions."""
+    """A list of numbers as an array, None as NaN; a list of equally long lists as a two-dimensional array."""
     if not isinstance(value, list) or not value:
         return value
     if all(_is_number(one) or one is None for one in value):

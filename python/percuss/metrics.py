@@ -1,6 +1,7 @@
-"""A bat's performance in numbers, its certification, and comparison of shapes.
+"""Performance of bats, their certification, and comparison of mode shapes.
 
-performance() computes what the readings allow; certify(), abi() and study() follow the protocols; mac() compares shapes.
+performance() computes every metric that the readings allow. certify(), abi() and study() follow the test protocols.
+mac() compares mode shapes.
 
 >>> import percuss
 >>> bat = percuss.metrics.performance(length_in=34, weight_oz=31)
@@ -17,6 +18,7 @@ import numpy as np
 from . import _percuss
 from ._arrays import frozen
 from ._commands import _positional, make as _make
+from ._errors import InputError
 from ._results import Result as _Result
 
 __all__ = ["performance", "certify", "abi", "study", "mac"]
@@ -25,7 +27,7 @@ performance = _make(
     "metrics.performance",
     "metrics",
     _Result,
-    "Returns a Result: drop, moi_oz_in2, besr, bbs_mph, bbcor ...; what the readings do not allow is None.",
+    "Returns a Result: drop, moi_oz_in2, besr, bbs_mph, bbcor ... A metric that the readings do not allow is None.",
     "",
     [],
 )
@@ -33,8 +35,8 @@ certify = _make(
     "metrics.certify",
     "certify",
     _Result,
-    "session is a path or a dictionary as percuss.example('certify') shows it. Returns a Result: verdict, sweet spot, shots, next;\n"
-    "exit_code is 5 where the bat exceeds its limit.",
+    "session is a path or a dictionary; percuss.example('certify') shows its keys. Returns a Result: verdict, sweet spot, shots, next.\n"
+    "exit_code is 5 if the bat exceeds its limit.",
     "",
     [_positional("session", False)],
 )
@@ -42,7 +44,7 @@ abi = _make(
     "metrics.abi",
     "abi",
     _Result,
-    "log is a path or a dictionary as percuss.example('abi') shows it. Returns a Result; exit_code is 5 where the bat fails.",
+    "log is a path or a dictionary; percuss.example('abi') shows its keys. Returns a Result. exit_code is 5 if the bat fails.",
     "",
     [_positional("log", False)],
 )
@@ -50,7 +52,7 @@ study = _make(
     "metrics.study",
     "study",
     _Result,
-    "tables are paths of tables, or analyses made with bat_id=. Returns a Result with every statement and its statistics.",
+    "tables are paths of tables, or analyses that were computed with bat_id=. Returns a Result: every hypothesis with its statistics.",
     "",
     [_positional("tables", True)],
 )
@@ -59,10 +61,11 @@ study = _make(
 def mac(a: Any, b: Any = None) -> np.ndarray:
     """Modal assurance criterion |aᴴb|² / (aᴴa · bᴴb): 1 for the same shape, 0 for orthogonal ones.
 
-    a, b  (modes, places), real or complex, of the same places in the same order; b is a unless given. Blind to scale.
-    Returns (modes of a, modes of b). 0 where a shape is zero everywhere. Raises InputError for other shapes of arrays, none
-    at all, NaN and infinity; TypeError for what is no number.
-    Source: theory (5.4).
+    a, b  (modes, places), real or complex; both of the same places in the same order. b is a unless given.
+
+    Returns an array (modes of a, modes of b), independent of the scale of each shape; 0 if a shape is zero everywhere.
+    Raises InputError for arrays of other dimensions, empty arrays, NaN and infinity; TypeError for values that are not
+    numbers. Source: theory (5.4).
 
     >>> from percuss import metrics
     >>> metrics.mac([[1, 2, 3]], [[2, 4, 6], [3, 0, -1]]).round(3).tolist()
@@ -73,19 +76,19 @@ def mac(a: Any, b: Any = None) -> np.ndarray:
 
 
 def _shapes(values: Any, name: str) -> np.ndarray:
-    """(modes, places), each mode with 1 as its largest part: what MAC is blind to, and squares would not hold."""
+    """(modes, places), each shape scaled to a largest part of 1. MAC is independent of scale, and squares cannot overflow."""
     try:
         array = np.atleast_2d(np.asarray(values))
     except ValueError:
-        raise _percuss.InputError(f"rows of different lengths ({name}); give an array (modes, places)") from None
+        raise InputError("rows of different lengths", name, "give an array (modes, places)") from None
     if array.dtype.kind not in "biufc":
         raise TypeError(f"{name} holds no numbers: give an array (modes, places), real or complex")
     if array.ndim != 2 or array.size == 0:
-        told = " × ".join(str(one) for one in array.shape)
-        raise _percuss.InputError(f"shapes of {told} ({name}); give an array (modes, places) of one or more")
+        dimensions = " × ".join(str(one) for one in array.shape)
+        raise InputError(f"shapes of {dimensions}", name, "give an array (modes, places) with at least one mode and one place")
     bad = np.argwhere(~np.isfinite(array))
     if len(bad):
-        raise _percuss.InputError(f"not a finite number ({name}, mode {bad[0][0]}, place {bad[0][1]}); leave the place out of every shape")
+        raise InputError("not a finite number", f"{name}, mode {bad[0][0]}, place {bad[0][1]}", "remove the place from every shape")
     parts = np.ascontiguousarray(array, dtype=complex).view(float)
     largest = abs(parts).max(axis=1, keepdims=True)
     return (parts / np.where(largest > 0, largest, 1)).view(complex)

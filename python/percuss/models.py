@@ -1,7 +1,7 @@
-"""Predictions: beams, bats, barrels and what a ball does to them.
+"""Models of beams, bats and barrels, and of a ball that strikes them.
 
-Each function takes the options of `percuss model NAME` as keywords, in SI unless a keyword's name says otherwise, and
-returns a Result: its keys are those of the document, lists of numbers are arrays, table holds the columns of the .csv.
+Each function takes the options of `percuss model NAME` as keywords, in SI units unless the name of a keyword states
+another unit. It returns a Result with the keys of the document; table holds the columns of the .csv.
 
 >>> import percuss
 >>> beam = percuss.models.beam(support="free", length=0.84, modes=4)
@@ -16,19 +16,19 @@ from ._results import Result as _Result
 
 __all__ = ["beam", "impact", "rigid", "trampoline", "bat", "shell"]
 
-_SAYS = "Returns a Result with the keys of the document, e.g. {keys}."
+_RETURNS = "Returns a Result with the keys of the document, such as {keys}."
 
-beam = _make("models.beam", "model beam", _Result, _SAYS.format(keys="frequency_hz (modes,), lambda, node_m"), "", [])
-impact = _make("models.impact", "model impact", _Result, _SAYS.format(keys="cor, contact_s, peak_force_n, sweep"), "", [])
-rigid = _make("models.rigid", "model rigid", _Result, _SAYS.format(keys="best, curve"), "", [])
-trampoline = _make("models.trampoline", "model trampoline", _Result, _SAYS.format(keys="wall_cor, peak, curve"), "", [])
+beam = _make("models.beam", "model beam", _Result, _RETURNS.format(keys="frequency_hz (modes,), lambda, node_m"), "", [])
+impact = _make("models.impact", "model impact", _Result, _RETURNS.format(keys="cor, contact_s, peak_force_n, sweep"), "", [])
+rigid = _make("models.rigid", "model rigid", _Result, _RETURNS.format(keys="best, curve"), "", [])
+trampoline = _make("models.trampoline", "model trampoline", _Result, _RETURNS.format(keys="wall_cor, peak, curve"), "", [])
 bat = _make(
     "models.bat",
     "model bat",
     _Result,
-    _SAYS.format(keys="frequency_hz (modes,), node_m, mass_kg, curve")
-    + " profile may be an array (slices, 2): far end from the knob, diameter, in the units of profile_unit.",
+    _RETURNS.format(keys="frequency_hz (modes,), node_m, mass_kg, curve")
+    + " profile may be an array (slices, 2): far end from the knob and diameter, in the units of profile_unit.",
     "",
     [],
 )
-shell = _make("models.shell", "model shell", _Result, _SAYS.format(keys="ring_hz, rayleigh_hz, love_hz, flugge_hz (modes,)"), "", [])
+shell = _make("models.shell", "model shell", _Result, _RETURNS.format(keys="ring_hz, rayleigh_hz, love_hz, flugge_hz (modes,)"), "", [])

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""What the Python module adds to a call of the library, in microseconds: the same small record, the same result.
+"""The overhead of the Python module over the library in microseconds, for the same small record and result.
 
-Prints the quickest of many calls each; the tests hold the difference against 100 µs.
+Prints the shortest of many calls each. A test limits the difference to 100 µs.
 """
 
 import time
@@ -21,8 +21,8 @@ def small_record():
     return percuss.Record(force, accel, fs=25600.0)
 
 
-def quickest(call, repeats=REPEATS):
-    """Seconds."""
+def shortest_s(call, repeats=REPEATS):
+    """The shortest time of a call in seconds."""
     least = float("inf")
     for _ in range(repeats):
         start = time.perf_counter()
@@ -32,14 +32,14 @@ def quickest(call, repeats=REPEATS):
 
 
 def measured(repeats=REPEATS):
-    """Seconds: of the library alone, and of the module's call."""
+    """Seconds of the library alone, and of the module's call."""
     record = small_record()
     library = _percuss.library_seconds(record._handle, repeats)
-    return library, quickest(lambda: percuss.analyze(record, only="hits", threads=1), repeats)
+    return library, shortest_s(lambda: percuss.analyze(record, only="hits", threads=1), repeats)
 
 
 if __name__ == "__main__":
     library_s, module_s = measured()
     print(f"library {1e6 * library_s:.1f} µs, percuss.analyze {1e6 * module_s:.1f} µs, overhead {1e6 * (module_s - library_s):.1f} µs")
-    print(f"percuss.metrics.performance {1e6 * quickest(lambda: percuss.metrics.performance(length_in=34, weight_oz=31)):.1f} µs in all")
-    print(f"percuss.models.shell {1e6 * quickest(percuss.models.shell):.1f} µs in all")
+    print(f"percuss.metrics.performance {1e6 * shortest_s(lambda: percuss.metrics.performance(length_in=34, weight_oz=31)):.1f} µs in all")
+    print(f"percuss.models.shell {1e6 * shortest_s(percuss.models.shell):.1f} µs in all")

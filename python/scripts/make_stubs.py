@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Writes the stubs of the functions that are made from the commands' declarations, so that editors know their keywords.
+"""Writes type stubs for the functions that are made from the declarations of the commands, for editors.
 
-make_stubs.py [FOLDER]: into the folder, python/percuss unless named. The tests hold the stubs against the module.
+make_stubs.py [FOLDER]: writes to the folder, by default python/percuss. The tests compare the stubs with the module.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ import sys
 
 import percuss
 from percuss import _commands, metrics, models
-from percuss._words import Option
+from percuss._argv import Option
 
 _HEAD = """# Made by python/scripts/make_stubs.py from the declarations of the command line.
 from os import PathLike
@@ -28,7 +28,7 @@ _Numbers = float | Sequence[float] | np.ndarray
 
 
 def type_of(option: Option) -> str:
-    """What a keyword may be, besides None for not given."""
+    """The type of a keyword, apart from None for not given."""
     if option.is_flag:
         return "bool"
     if option.is_file:
@@ -36,9 +36,9 @@ def type_of(option: Option) -> str:
     if option.choices:
         choices = "Literal[" + ", ".join(repr(one) for one in option.choices) + "]"
         return f"{choices} | Sequence[{choices}]" if option.list else choices
-    if option.wanted.startswith("a whole number"):
+    if option.requirement.startswith("a whole number"):
         return "int | Sequence[int]" if option.list else "int"
-    if option.wanted.startswith("a number"):
+    if option.requirement.startswith("a number"):
         return "_Numbers" if option.list else "float"
     return "_Text"
 
@@ -67,8 +67,8 @@ def package_stub() -> str:
     text = text.replace("\nimport numpy as np\n", "\nimport numpy as np\n\nfrom ._commands import compare as compare, "
                         "info as info, write as write\n"
                         "from ._frf import Frf as Frf\n"
-                        "from ._texts import example as example, presets as presets\n"
-                        "from ._percuss import InputError as InputError, NoHitError as NoHitError, UsageError as UsageError\n"
+                        "from ._examples import example as example, presets as presets\n"
+                        "from ._errors import InputError as InputError, NoHitError as NoHitError, UsageError as UsageError\n"
                         "from ._measured import MeasuredFrf as MeasuredFrf\n"
                         "from ._records import Record as Record\n"
                         f"from ._analyses import {', '.join(f'{one} as {one}' for one in analyses)}\n"
@@ -85,7 +85,7 @@ def module_stub(module: object, commands: dict[str, str]) -> str:
 
 
 def stubs() -> dict[str, str]:
-    """Every stub by the name of its file."""
+    """All stubs by file name."""
     return {
         "__init__.pyi": package_stub(),
         "models.pyi": module_stub(models, {name: f"model {name}" for name in models.__all__}),

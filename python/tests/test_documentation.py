@@ -1,4 +1,4 @@
-"""Stubs, docstrings and the tutorial say what the module does."""
+"""Stubs, docstrings and the tutorial agree with the module."""
 
 import ast
 import contextlib
@@ -25,12 +25,12 @@ FUNCTIONS = [(name, one) for module in MODULES.values() for name, one in vars(mo
 
 
 @pytest.mark.parametrize("name", MODULES)
-def test_stubs_are_those_of_the_declarations(name):
+def test_stubs_agree_with_the_declarations(name):
     assert (PACKAGE / f"{name}.pyi").read_text() == make_stubs.stubs()[f"{name}.pyi"], "run python/scripts/make_stubs.py"
 
 
 @pytest.mark.parametrize("name", MODULES)
-def test_stubs_name_what_the_module_has(name):
+def test_stubs_declare_all_functions(name):
     tree = ast.parse((PACKAGE / f"{name}.pyi").read_text())
     functions = {one.name: one for one in tree.body if isinstance(one, ast.FunctionDef)}
     imported = {alias.asname for one in tree.body if isinstance(one, ast.ImportFrom) for alias in one.names if alias.asname}
@@ -42,7 +42,7 @@ def test_stubs_name_what_the_module_has(name):
         assert stubbed == list(inspect.signature(getattr(MODULES[name], function)).parameters), function
 
 
-def test_the_compiled_part_has_what_its_stub_names():
+def test_the_compiled_part_agrees_with_its_stub():
     from percuss import _percuss
 
     tree = ast.parse((PACKAGE / "_percuss.pyi").read_text())
@@ -64,7 +64,7 @@ def test_docstrings_name_every_keyword(name, function):
     assert "Returns" in text and "Raises" in text or ">>>" in text, name
 
 
-def test_help_teaches():
+def test_help_introduces_the_package():
     with contextlib.redirect_stdout(io.StringIO()) as shown:
         help(percuss)
     text = shown.getvalue()
@@ -72,7 +72,7 @@ def test_help_teaches():
         assert word in text
 
 
-def test_examples_in_docstrings_print_what_they_show():
+def test_examples_in_docstrings_are_correct():
     finder, runner = doctest.DocTestFinder(), doctest.DocTestRunner(verbose=False)
     tests = [test for name, one in [("percuss", percuss), ("models", percuss.models), ("metrics", percuss.metrics)]
              for test in finder.find(one, name, extraglobs={"percuss": percuss})]  # fmt: skip
@@ -84,8 +84,8 @@ def test_examples_in_docstrings_print_what_they_show():
     assert runner.failures == 0 and examples > 40
 
 
-def test_the_tutorial_prints_what_it_shows(tmp_path, monkeypatch):
-    """Its blocks of >>> in their order, in an empty folder."""
+def test_the_tutorial_is_correct(tmp_path, monkeypatch):
+    """Runs its >>> blocks in order in an empty folder."""
     monkeypatch.chdir(tmp_path)
     blocks = re.findall(r"^```python\n(.*?)^```", TUTORIAL.read_text(), re.S | re.M)
     assert len(blocks) >= 12 and all(block.startswith(">>> ") for block in blocks)
@@ -95,7 +95,7 @@ def test_the_tutorial_prints_what_it_shows(tmp_path, monkeypatch):
     assert runner.failures == 0
 
 
-def test_notebooks_show_a_table_without_programs(bat):
+def test_notebooks_show_a_table_without_scripts(bat):
     html = percuss.analyze(bat.record, band=(60, 3200))._repr_html_()
     assert html.count("<tr>") == 4 and "±" in html and "bending 1" in html
     assert "<script" not in html and "http" not in html
@@ -103,5 +103,5 @@ def test_notebooks_show_a_table_without_programs(bat):
     assert percuss.survey(percuss.synth("roving-barrel").record, band=(60, 3200), effort="quick")._repr_html_()
 
 
-def test_the_package_says_that_it_has_types():
+def test_the_package_is_marked_as_typed():
     assert (pathlib.Path(percuss.__file__).parent / "py.typed").exists()

@@ -1,4 +1,4 @@
-"""What the module gives is what the command line prints, to the byte."""
+"""Results of the module equal the output of the command line byte for byte."""
 
 import json
 
@@ -12,7 +12,7 @@ BAND = (60, 3200)
 
 
 def options_of(words):
-    """Keywords for the words of a command line."""
+    """The keywords for the options of a command line."""
     kept = {}
     for flag, value in words:
         keyword = flag.lstrip("-").replace("-", "_")
@@ -68,7 +68,7 @@ def test_several_files_are_runs_or_hits(tool, bat):
 
 
 def test_records_in_memory_are_joined_as_files_are(tool, bat):
-    """But for their names."""
+    """Apart from the names of the files."""
     bat.save("a.h5")
     bat.save("b.h5")
     joined = percuss.analyze(percuss.read("a.h5"), bat.record, percuss.Record(bat.record.force_n, bat.record.accel_mps2, 25600.0), band=BAND)
@@ -90,7 +90,7 @@ def test_arrays_of_a_document_have_its_bits(tool, bat):
 
 
 def test_arrays_in_memory_give_the_document_of_the_file(tool, bat):
-    """But for the file's name and size, which arrays have not."""
+    """Apart from the name and size of the file."""
     bat.save("bat.h5")
     record = percuss.read("bat.h5")
     for form in (float, np.float32):
@@ -122,8 +122,8 @@ def test_measured_frfs_are_analysed_alike(tool, bat):
     assert percuss.analyze(percuss.read("frfs.h5"), band=BAND).to_dict() == printed
 
 
-def test_one_call_leaves_nothing_to_the_next(bat):
-    """Declared command lines are used again; the order of calls and refusals between them change nothing."""
+def test_calls_are_independent(bat):
+    """Sessions are reused; neither the order of calls nor errors between them change a result."""
     calls = [dict(options_of(words), effort="quick") for words in ANALYSES if ("--fs", "12800") not in words]
     first = [percuss.analyze(bat.record.force_n, bat.record.accel_mps2, **{"fs": 25600.0, **options}).json for options in calls]
     for options, wanted in reversed(list(zip(calls, first))):
@@ -243,8 +243,8 @@ def test_info_and_truth_print_the_same_document(tool):
     assert percuss.info("bat.h5", "none.csv").json == tool("info", "bat.h5", "none.csv", "--json").stdout
 
 
-def test_reports_are_those_of_the_command_line(tool, bat, monkeypatch):
-    """But for the words of the command, of which the options are written with an equals sign."""
+def test_reports_equal_the_reports_of_the_command_line(tool, bat, monkeypatch):
+    """Apart from the command line, in which Python writes options with an equals sign."""
     monkeypatch.setenv("SOURCE_DATE_EPOCH", "0")
     bat.save("bat.h5")
     percuss.analyze("bat.h5", band=BAND).report("saved.html")

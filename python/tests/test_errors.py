@@ -1,4 +1,4 @@
-"""What cannot be used is refused, in the words of the command line."""
+"""Errors in Python: the message of the command line with keywords in place of flags, and its parts as attributes."""
 
 import pickle
 
@@ -7,7 +7,7 @@ import pytest
 
 import percuss
 
-REFUSED = [
+INVALID = [
     (["--band", "3200:60"], {"band": (3200, 60)}),
     (["--band", "a:b"], {"band": ("a", "b")}),
     (["--effort", "bst"], {"effort": "bst"}),
@@ -27,39 +27,69 @@ REFUSED = [
 ]
 
 
-@pytest.mark.parametrize("words, options", REFUSED, ids=lambda one: " ".join(one) if isinstance(one, list) else "")
-def test_options_are_refused_in_the_same_words(tool, bat, words, options):
+@pytest.mark.parametrize("words, options", INVALID, ids=lambda one: " ".join(one) if isinstance(one, list) else "")
+def test_invalid_options_raise_the_error_of_the_command_line(tool, bat, words, options):
     bat.save("bat.csv")
-    complaint = tool.complaint("analyze", "bat.csv", *words)
-    with pytest.raises(percuss.InputError) as refused:
+    message = tool.error("analyze", "bat.csv", *words)
+    with pytest.raises(percuss.InputError) as raised:
         percuss.analyze("bat.csv", **options)
-    assert str(refused.value) == complaint
+    assert str(raised.value) == message
+    assert "--" not in message
 
 
 @pytest.mark.parametrize("content", [b"", b"lunch order\n", b"\x89HDF\r\n\x1a\n" + b"\0" * 100, b"MATLAB 5.0 MAT-file" + b"\0" * 200, b"TDSm"])
-def test_files_are_refused_in_the_same_words(tool, content):
+def test_invalid_files_raise_the_error_of_the_command_line(tool, content):
     open("file", "wb").write(content)
-    complaint = tool.complaint("analyze", "file")
-    with pytest.raises(percuss.InputError) as refused:
+    message = tool.error("analyze", "file")
+    with pytest.raises(percuss.InputError) as raised:
         percuss.analyze("file")
-    assert str(refused.value) == complaint
-    assert str(refused.value) == str(pytest.raises(percuss.InputError, percuss.read, "file").value)
+    assert str(raised.value) == message
+    assert str(raised.value) == str(pytest.raises(percuss.InputError, percuss.read, "file").value)
 
 
-def test_missing_files_and_options_are_named(tool):
+def test_missing_files_are_named(tool):
     for call, words in [
         (lambda: percuss.analyze("none.h5"), ["analyze", "none.h5"]),
         (lambda: percuss.analyze("a b.h5", "a b.h5"), ["analyze", "a b.h5", "a b.h5"]),
-        (lambda: percuss.nodes("none.h5"), ["nodes", "none.h5"]),
         (lambda: percuss.synth("wod-bat"), ["synth", "wod-bat"]),
-        (lambda: percuss.models.bat(), ["model", "bat"]),
         (lambda: percuss.models.beam(length=-1), ["model", "beam", "--length=-1"]),
         (lambda: percuss.metrics.performance(length_in=3), ["metrics", "--length-in=3"]),
         (lambda: percuss.metrics.certify("none.json"), ["certify", "none.json"]),
     ]:
-        with pytest.raises(percuss.InputError) as refused:
+        with pytest.raises(percuss.InputError) as raised:
             call()
-        assert str(refused.value) == tool.complaint(*words)
+        assert str(raised.value) == tool.error(*words)
+
+
+def test_missing_keywords_are_named():
+    for call, keyword, form in [
+        (lambda: percuss.nodes("none.h5"), "positions", "START:STEP:END[UNIT]"),
+        (lambda: percuss.models.bat(), "profile", "FILE"),
+        (lambda: percuss.calibrate("none.h5"), "mass", "KG"),
+    ]:
+        with pytest.raises(percuss.UsageError) as raised:
+            call()
+        assert str(raised.value) == f"{keyword}= is missing; give {form}"
+        assert raised.value.options == (keyword,)
+
+
+def test_errors_hold_their_parts(tool, bat):
+    error = pytest.raises(percuss.UsageError, percuss.analyze, bat.record, effort="bst").value
+    assert (error.problem, error.where, error.remedy) == ("effort= cannot be 'bst'", "", "did you mean best?")
+    assert (error.options, error.value) == (("effort",), "bst")
+    error = pytest.raises(percuss.UsageError, percuss.analyze, bat.record, start=5000, band=(60, 3200)).value
+    assert str(error) == "start= cannot be '5000': it lies outside the band 60:3200 Hz; widen the band or omit it (band=)"
+    error = pytest.raises(percuss.UsageError, percuss.metrics.performance, period_s=1, gate_times_s=[1, 2]).value
+    assert str(error) == "period_s= and gate_times_s= exclude each other; give one of them"
+    assert (error.options, error.value) == (("period_s", "gate_times_s"), "")
+    bat.save("bat.csv")
+    error = pytest.raises(percuss.InputError, percuss.write, "bat.csv", bat).value
+    assert (error.problem, error.where, error.options) == ("file exists", "bat.csv", ("force",))
+    assert str(error).endswith("(force=True)")
+    error = pytest.raises(percuss.InputError, percuss.analyze, "bat.csv", unit="furlong").value
+    assert error.options == ("unit",) and str(error).endswith(" (unit=)")
+    error = pytest.raises(percuss.UsageError, percuss.metrics.study).value
+    assert str(error).endswith("(percuss.analyze(bat_id=))")
 
 
 def test_unknown_keywords_name_the_nearest():
@@ -70,12 +100,12 @@ def test_unknown_keywords_name_the_nearest():
         (lambda: percuss.analyze("x", zzzzzzzzzzz=1), "help(percuss.analyze) lists them"),
         (lambda: percuss.analyze("x", output="y.json"), "analyze() has no keyword 'output'"),
     ]:
-        with pytest.raises(TypeError) as refused:
+        with pytest.raises(TypeError) as raised:
             call()
-        assert wanted in str(refused.value)
+        assert wanted in str(raised.value)
 
 
-def test_values_of_other_types_are_refused(bat):
+def test_values_of_another_type_raise_type_errors(bat):
     for options in ({"modes": object()}, {"per_hit": "yes"}, {"band": True}, {"band": {1, 2}}, {"fs": b"1"}, {"angle": [None, 1]}):
         with pytest.raises(TypeError):
             percuss.analyze(bat.record, **options)
@@ -86,16 +116,16 @@ def test_values_of_other_types_are_refused(bat):
         percuss.analyze(bat.record, unit="g")
 
 
-def test_what_is_in_memory_is_named_by_its_keyword(bat):
-    with pytest.raises(percuss.InputError) as refused:
+def test_data_in_memory_are_named_by_their_keyword(bat):
+    with pytest.raises(percuss.InputError) as raised:
         percuss.analyze(bat.record.force_n, bat.record.accel_mps2, fs=25600.0, setup={"chanels": []})
-    assert "setup" in str(refused.value) and "/proc" not in str(refused.value)
-    with pytest.raises(percuss.InputError) as refused:
+    assert "setup" in str(raised.value) and "/proc" not in str(raised.value)
+    with pytest.raises(percuss.InputError) as raised:
         percuss.synth({"name": "x"})
-    assert "spec" in str(refused.value) and "/proc" not in str(refused.value)
+    assert "spec" in str(raised.value) and "/proc" not in str(raised.value)
 
 
-def test_no_usable_hit_is_a_result():
+def test_a_test_without_a_usable_hit_gives_a_result():
     rest = percuss.Record(np.zeros((2, 512)), np.random.default_rng(0).normal(size=(2, 1, 512)), fs=4096.0)
     found = percuss.analyze(rest)
     assert not found.possible and found.exit_code == 4 and len(found.hits) == 2
@@ -141,7 +171,8 @@ def test_names_of_files_may_be_any_bytes(tool, bat):
 def test_errors_are_ordinary_exceptions():
     error = pytest.raises(percuss.UsageError, percuss.analyze).value
     assert isinstance(error, percuss.InputError) and isinstance(error, ValueError)
-    again = pickle.loads(pickle.dumps(error))
-    assert type(again) is percuss.UsageError and str(again) == str(error)
+    for one in (error, percuss.InputError("no force", "a.csv", "name it", ["force_channel"])):
+        again = pickle.loads(pickle.dumps(one))
+        assert type(again) is type(one) and str(again) == str(one) and again.options == one.options
     assert issubclass(percuss.NoHitError, percuss.InputError)
     assert percuss.InputError.__module__ == "percuss"

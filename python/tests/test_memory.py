@@ -1,4 +1,4 @@
-"""A large survey passes through without a second copy of its samples."""
+"""A large survey is analysed without a second copy of its samples."""
 
 import subprocess
 import sys
@@ -9,7 +9,7 @@ ROWS, CHANNELS, SAMPLES = 120, 1, 81920  # 157 MB with the force
 
 MAKE = f"""
 import numpy as np, percuss
-def peak_mb():  # of this program alone: what getrusage tells begins with the size of who started it
+def peak_mb():  # of this program only; getrusage includes the size of its parent
     return next(int(line.split()[1]) for line in open("/proc/self/status") if line.startswith("VmHWM")) / 1024
 rows, channels, samples = {ROWS}, {CHANNELS}, {SAMPLES}
 fs = 25600.0
@@ -69,14 +69,14 @@ def test_a_survey_of_157_mb_is_not_copied(tool, record_property):
     )
     print(text)
     record_property("peak", text)
-    slack_mb = 40  # of the allocator, and what Python makes of the results
+    slack_mb = 40  # allocator overhead and the Python objects of the results
     assert file_mb - file_before_mb <= tool_mb + slack_mb
     assert peak_mb - before_mb <= tool_mb + slack_mb
     assert peak_mb - before_mb < 0.9 * data_mb + slack_mb
 
 
-def test_memory_is_given_back(bat):
-    """A thousand analyses take no more than the first hundred."""
+def test_memory_is_released(bat):
+    """Five hundred analyses need no more memory than the first hundred."""
     script = MAKE + (
         "test = percuss.synth('wood-bat').record\n"
         "def work(n):\n"

@@ -1,4 +1,4 @@
-"""Arrays that fit no test are refused with what to give instead."""
+"""Errors for arrays that do not form a test, with what to give instead."""
 
 import numpy as np
 import pytest
@@ -13,7 +13,7 @@ def signals(bat):
     return bat.record.force_n, bat.record.accel_mps2
 
 
-def refused(kind, call):
+def message_of(kind, call):
     with pytest.raises(kind) as error:
         call()
     assert "\n" not in str(error.value)
@@ -32,7 +32,7 @@ def refused(kind, call):
         ({"names": ["force", "a"]}, "2 names for 3 signals.*one for the force"),
         ({"names": ["force", 1, 2]}, "give a list of texts"),
         ({"geometry": [1, 2, 3]}, "array of 3 .*points, 3"),
-        ({"geometry": [[1, 2, 3], [1, 2]]}, "rows that are not alike"),
+        ({"geometry": [[1, 2, 3], [1, 2]]}, "rows of different lengths"),
         ({"geometry": np.eye(4)}, "4 × 4"),
         ({"geometry": np.zeros((9, 3))}, "9 places for 1 point struck.*points="),
         ({"geometry": np.zeros((2, 3)), "points": [0, 1, 2, 0, 0]}, "2 places for 3 points"),
@@ -41,29 +41,29 @@ def refused(kind, call):
     ],
     ids=str,
 )
-def test_what_is_said_of_records_must_fit_them(signals, keywords, wanted):
+def test_points_names_and_geometry_must_fit_the_record(signals, keywords, wanted):
     with pytest.raises(percuss.InputError, match=wanted):
         percuss.Record(*signals, FS, **keywords)
 
 
-def test_places_may_be_the_accelerometers(signals):
+def test_geometry_may_belong_to_the_accelerometers(signals):
     assert percuss.Record(*signals, FS, geometry=np.eye(3)[:2]).geometry.shape == (2, 3)
 
 
-def test_surveys_of_bare_arrays_say_how_to_tell_the_points(signals):
-    message = refused(percuss.InputError, lambda: percuss.survey(*signals, fs=FS, geometry=np.zeros((9, 3))))
+def test_surveys_of_plain_arrays_ask_for_points(signals):
+    message = message_of(percuss.InputError, lambda: percuss.survey(*signals, fs=FS, geometry=np.zeros((9, 3))))
     assert "percuss.Record(force, accel, fs, points=" in message
 
 
-def test_records_have_their_rate(signals):
+def test_records_keep_their_sampling_rate(signals):
     record = percuss.Record(*signals, FS)
-    assert "percuss.read() or percuss.Record()" in refused(TypeError, lambda: percuss.analyze(record, fs=1.0))
-    assert "did you mean 'fs_hz'?" in refused(AttributeError, lambda: record.fs)
-    assert "did you mean 'channels'?" in refused(AttributeError, lambda: record.chanels)
+    assert "percuss.read() or percuss.Record()" in message_of(TypeError, lambda: percuss.analyze(record, fs=1.0))
+    assert "did you mean 'fs_hz'?" in message_of(AttributeError, lambda: record.fs)
+    assert "did you mean 'channels'?" in message_of(AttributeError, lambda: record.chanels)
 
 
 @pytest.mark.parametrize("fs", [np.array(FS), np.array([[FS]]), np.float32(FS), np.array([25600])])
-def test_rates_come_as_files_have_them(signals, fs):
+def test_sampling_rates_may_be_arrays_of_one_number(signals, fs):
     assert percuss.Record(*signals, fs).fs_hz == FS
     assert percuss.frf(*signals, fs=fs, band=(60, 3200)).json == percuss.frf(*signals, fs=FS, band=(60, 3200)).json
     for wrong in (np.array([FS, FS]), "25600", True, None, np.array([True])):
@@ -71,9 +71,9 @@ def test_rates_come_as_files_have_them(signals, fs):
             percuss.Record(*signals, wrong)
 
 
-def test_seeds_beyond_64_bits_are_refused(tool):
-    message = refused(percuss.UsageError, lambda: percuss.synth("wood-bat", seed=2**70))
-    assert "--seed" in message and message == tool.complaint("synth", "wood-bat", f"--seed={2**70}")
+def test_seeds_beyond_64_bits_are_rejected(tool):
+    message = message_of(percuss.UsageError, lambda: percuss.synth("wood-bat", seed=2**70))
+    assert "seed=" in message and message == tool.error("synth", "wood-bat", f"--seed={2**70}")
     assert percuss.synth("wood-bat", seed=2**64 - 1).record.rows == 5
 
 
@@ -85,18 +85,18 @@ def test_messages_say_what_to_give(signals):
         (lambda: percuss.Record(np.zeros((5, 0)), np.zeros((5, 1, 0)), FS), "no samples"),
         (lambda: percuss.analyze(), "give paths, arrays or Records"),
     ]:
-        assert wanted in refused(percuss.InputError, call)
+        assert wanted in message_of(percuss.InputError, call)
     generator = (one for one in force)
-    assert "give an array or a list" in refused(TypeError, lambda: percuss.analyze(generator, accel, fs=FS))
+    assert "give an array or a list" in message_of(TypeError, lambda: percuss.analyze(generator, accel, fs=FS))
 
 
-def test_shapes_for_mac():
+def test_mac_accepts_any_scale_and_rejects_other_arrays():
     mac = percuss.metrics.mac
     assert mac([[1e-200, 2e-200]], [[3e200, 6e200]]).tolist() == [[1.0]]
     assert mac([[5e-324, 0]], [[1e308 * (1 + 1j), 0]])[0, 0] == pytest.approx(1, abs=1e-15)
     assert mac([[0, 0]], [[1, 2]]).tolist() == [[0.0]]
     for bad, wanted in [([[1, 2], [3, np.nan]], "a, mode 1, place 1"), ([[np.inf, 1]], "mode 0, place 0"), ([], "shapes of 1 × 0"),
                         (np.zeros((0, 3)), "shapes of 0 × 3"), ([[1, 2], [3]], "different lengths")]:  # fmt: skip
-        assert wanted in refused(percuss.InputError, lambda: mac(bad))
+        assert wanted in message_of(percuss.InputError, lambda: mac(bad))
     for bad in (["a", "b"], [None, 1], [[object()]]):
-        assert "holds no numbers" in refused(TypeError, lambda: mac(bad))
+        assert "holds no numbers" in message_of(TypeError, lambda: mac(bad))

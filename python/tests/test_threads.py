@@ -1,4 +1,4 @@
-"""Several threads of Python may use the module at once: nothing hangs, leaks or mixes."""
+"""Several Python threads may use the module at once, without deadlocks, leaks or mixed results."""
 
 import os
 import signal
@@ -27,7 +27,7 @@ def children():
 
 
 def test_four_threads_read_foreign_files(tool, bat):
-    """Foreign files are read in forked processes; a lock that another thread held at the fork would never open there."""
+    """Sandboxed files are read in forked processes; a lock that another thread holds at the fork stays locked there."""
     kinds = ["h5", "csv", "uff", "mat"]
     short = percuss.Record(bat.record.force_n[:2, :4096], bat.record.accel_mps2[:2, :, :4096], bat.record.fs_hz)
     for kind in kinds:
@@ -39,7 +39,7 @@ def test_four_threads_read_foreign_files(tool, bat):
         for i in range(ROUNDS):
             kind = kinds[(first + i) % len(kinds)]
             assert percuss.analyze(f"bat.{kind}", band=BAND, effort="quick").json == wanted[kind]
-            np.linalg.norm(np.random.default_rng(i).normal(size=1000))  # its own memory and locks
+            np.linalg.norm(np.random.default_rng(i).normal(size=1000))  # uses memory and locks of its own
         return first
 
     with ThreadPoolExecutor(4) as pool:
@@ -48,7 +48,7 @@ def test_four_threads_read_foreign_files(tool, bat):
     assert children() == readers
 
 
-def test_one_result_is_asked_by_several_threads(bat):
+def test_several_threads_may_share_a_result(bat):
     found = percuss.analyze(bat.record, band=BAND, only="hits")
     with ThreadPoolExecutor(4) as pool:
         many = list(pool.map(lambda _: (found.frf_at(0, 0).sum(), found.frequency_hz.tolist(), found.confidence.tolist() == []), range(40)))
@@ -56,7 +56,7 @@ def test_one_result_is_asked_by_several_threads(bat):
 
 
 def test_the_lock_is_released(bat):
-    """Another thread goes on counting while one computes."""
+    """Another thread keeps counting during a computation."""
     counted, done = [0], threading.Event()
 
     def count():
@@ -76,7 +76,7 @@ def test_the_lock_is_released(bat):
     assert steps >= 20 * seconds, f"{steps} steps in {seconds:.2f} s"
 
 
-def test_processes_forked_by_python_compute_as_well(tool, bat):
+def test_processes_forked_by_python_compute(tool, bat):
     bat.save("bat.h5")
     wanted = percuss.analyze("bat.h5", band=BAND, threads=1, effort="quick").json
     script = (
@@ -92,7 +92,7 @@ def test_processes_forked_by_python_compute_as_well(tool, bat):
 
 
 @pytest.mark.parametrize("delay_s", [0.02, 0.1, 0.3])
-def test_interruption_is_an_interruption(tool, bat, delay_s):
+def test_an_interrupt_raises_keyboard_interrupt(tool, bat, delay_s):
     bat.save("bat.h5")
     script = (
         "import percuss, signal\n"

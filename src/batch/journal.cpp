@@ -20,9 +20,9 @@
 namespace percuss::batch {
 namespace {
 
-constexpr std::size_t kLongestLine_bytes = std::size_t{1} << 30U;  // the FRFs of a survey
-constexpr std::size_t kDigits = 16;                                // of the digest that are kept
-constexpr char kBetweenRows = '\t';                                // JSON escapes it, so that it is in no row
+constexpr std::size_t kLongestLine_bytes = std::size_t{1} << 30U;  // holds the FRFs of a survey
+constexpr std::size_t kDigits = 16;                                // kept of the digest
+constexpr char kBetweenRows = '\t';                                // rows do not contain it: JSON escapes it
 constexpr std::string_view kBegun = "begun ", kDone = "done ";
 
 std::string digits_of(std::string_view rows) { return report::hexadecimal(report::sha256(rows)).substr(0, kDigits); }
@@ -76,18 +76,18 @@ Journal::Journal(std::string path, const ShardLabel& label, ShardRange range, bo
 
 Journal::~Journal() { ::close(descriptor_); }
 
-// A lock of this process's own, which goes with it however it ends, and which no child of it keeps.
+// A lock of this process: it ends with the process, and no child inherits it.
 void Journal::lock() const {
   struct flock whole {};
   whole.l_type = F_WRLCK;
   whole.l_whence = SEEK_SET;
   if (::fcntl(descriptor_, F_SETLK, &whole) == 0 || (errno != EACCES && errno != EAGAIN)) return;
-  throw InputError("another process is at this shard", path_, "wait for it, or end it first");
+  throw InputError("another process analyses this shard", path_, "wait for it, or end it first");
 }
 
 void Journal::load(const ShardLabel& label, bool anew) {
   bool known = false;
-  LineReader lines(descriptor_, path_, kLongestLine_bytes);  // closing another would give the lock back
+  LineReader lines(descriptor_, path_, kLongestLine_bytes);  // closing another descriptor would release the lock
   while (!anew && lines.next() && lines.ended()) {
     if (lines.number() == 1) {
       require_same_shard(parse_label(lines.line(), path_), label, path_);
@@ -97,7 +97,7 @@ void Journal::load(const ShardLabel& label, bool anew) {
     }
     end_ = lines.end();
   }
-  // What a writer that was killed left of its last line.
+  // Removes the incomplete last line of a killed writer.
   if (::ftruncate(descriptor_, static_cast<off_t>(end_)) != 0) fail_to("cannot write", path_);
   if (!known) append(label_line(label) + "\n");
 }
@@ -118,7 +118,7 @@ void Journal::append(const std::string& line) {
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) {
       const int error = errno;
-      static_cast<void>(::ftruncate(descriptor_, static_cast<off_t>(end_)));  // no half line before those of others
+      static_cast<void>(::ftruncate(descriptor_, static_cast<off_t>(end_)));  // removes the incomplete line
       errno = error;
       fail_to("cannot write", path_);
     }
@@ -154,7 +154,7 @@ std::string Journal::rows(std::size_t index) const {
 void Journal::remove() { ::unlink(path_.c_str()); }
 
 JournalState journal_state(const std::string& path) {
-  std::map<std::size_t, std::size_t> begun;  // and not finished: how often
+  std::map<std::size_t, std::size_t> begun;  // how often, of unfinished records
   JournalState state;
   LineReader lines(path, kLongestLine_bytes);
   while (lines.next() && lines.ended()) {

@@ -9,14 +9,15 @@
 
 namespace percuss::batch {
 
-/// A shard's finished records while it runs: a file that lines are appended to, each with one call of the system, so
-/// that a process that is killed at any moment leaves whole lines and at most one that is torn at the end, which the
-/// next one cuts off. What was finished is kept; each thread loses the record it was at, and nothing else.
-///   first line   the shard's label
+/// The finished records of a running shard: a file with one system call per appended line. A killed process leaves
+/// whole lines and at most one incomplete last line, which the next process cuts off. Finished records are kept; each
+/// thread loses at most the record that it was analysing.
+///   first line   the label of the shard
 ///   begun 17     record 17 is being analysed
-///   done 17 …    its rows, with a digest: a line that a crash of the whole system has damaged counts as absent
-/// Several threads may call begin() and finish() at once. errors  InputError: another process is at this shard, the
-/// file is of another plan or version (unless `anew`), the disk is full.
+///   done 17 …    its rows, with a digest: a line damaged by a system crash counts as absent
+/// Several threads may call begin() and finish() at the same time.
+/// errors  InputError: another process analyses this shard; the file is from another plan or version (unless `anew`);
+/// the disk is full
 class Journal {
  public:
   Journal(std::string path, const ShardLabel& label, ShardRange range, bool anew);
@@ -29,9 +30,9 @@ class Journal {
   std::size_t failed() const { return failed_; }
   void begin(std::size_t index);
   void finish(std::size_t index, bool failed, const std::vector<std::string>& lines);
-  /// The rows of a finished record, each with its line's end.
+  /// The rows of a finished record, each with its line end.
   std::string rows(std::size_t index) const;
-  /// Removes the file, when the shard's rows stand where they belong.
+  /// Removes the file after the rows of the shard have been written.
   void remove();
 
  private:
@@ -46,14 +47,14 @@ class Journal {
 
   std::string path_;
   ShardRange range_;
-  std::vector<Entry> entries_;  // of the rows in the file
+  std::vector<Entry> entries_;  // the rows of each record in the file
   std::size_t finished_ = 0, failed_ = 0;
   std::uint64_t end_ = 0;
   std::mutex mutex_;
   int descriptor_ = -1;
 };
 
-/// How far the process came that left this journal: records finished, and those begun twice or more and never finished.
+/// The progress in a journal: the finished records, and the records begun at least twice and never finished.
 struct JournalState {
   std::size_t finished = 0;
   std::vector<std::size_t> stuck;  // indices, ascending

@@ -31,7 +31,7 @@ LineReader::~LineReader() {
   if (owned_) ::close(descriptor_);
 }
 
-// Appends what comes next to the buffer, from which the lines before this one are taken; false at the file's end.
+// Removes the previous lines from the buffer and appends the next bytes; false at the end of the file.
 bool LineReader::fill() {
   buffer_.erase(0, std::exchange(start_, 0));
   const std::size_t had = buffer_.size();
@@ -60,7 +60,7 @@ bool LineReader::next() {
   length_ = (ended_ ? found : buffer_.size()) - start_;
   if (length_ > longest_bytes_) {
     throw InputError(fmt::format("line {} is longer than {} bytes", number_ + 1, longest_bytes_), path_,
-                     "give the file as percuss wrote it");
+                     "use the file as percuss wrote it");
   }
   if (!ended_ && length_ == 0) return false;
   ++number_;
@@ -73,7 +73,7 @@ std::string bytes_at(int descriptor, std::uint64_t offset, std::size_t count, co
   while (done < count) {
     const ssize_t got = ::pread(descriptor, out.data() + done, count - done, static_cast<off_t>(offset + done));
     if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) throw InputError("the file was changed while it was read", path, "leave it alone and run again");
+    if (got <= 0) throw InputError("the file changed while it was read", path, "run again without changing it");
     done += static_cast<std::size_t>(got);
   }
   return out;

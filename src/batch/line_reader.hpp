@@ -6,24 +6,24 @@
 
 namespace percuss::batch {
 
-/// A file's lines one after the other, in memory that does not grow with the file.
+/// Reads a file line by line, in memory that does not grow with the file.
 ///   LineReader lines(path, 65536);
 ///   while (lines.next()) use(lines.line());
-/// errors  InputError: as first_bytes; a line longer than `longest_bytes`.
+/// errors  InputError: as first_bytes; a line longer than `longest_bytes`
 class LineReader {
  public:
   LineReader(std::string path, std::size_t longest_bytes);
-  /// Of a file that is open and stays so, from where it stands.
+  /// Reads from the current position of an open file, which stays open.
   LineReader(int descriptor, std::string path, std::size_t longest_bytes);
   ~LineReader();
   LineReader(const LineReader&) = delete;
   LineReader& operator=(const LineReader&) = delete;
 
-  /// Goes to the next line; false after the last.
+  /// Reads the next line; false after the last.
   bool next();
-  /// Without its end; until the next call of next().
+  /// The line without its end; valid until the next call of next().
   std::string_view line() const { return std::string_view(buffer_).substr(start_, length_); }
-  /// False for a last line without its end, as a writer that was killed leaves it.
+  /// False for a last line without its end, as a killed writer leaves it.
   bool ended() const { return ended_; }
   std::size_t number() const { return number_; }    // of the line, from 1
   std::uint64_t offset() const { return offset_; }  // of its first byte in the file
@@ -39,8 +39,8 @@ class LineReader {
   int descriptor_ = -1;
 };
 
-/// `count` bytes of an open file from `offset` on; several threads may read at once. errors  InputError naming `path`:
-/// the file has become shorter, or cannot be read.
+/// `count` bytes of an open file from `offset`. Several threads may read at the same time.
+/// errors  InputError naming `path`: the file became shorter, or cannot be read
 std::string bytes_at(int descriptor, std::uint64_t offset, std::size_t count, const std::string& path);
 
 }  // namespace percuss::batch

@@ -21,9 +21,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kManifestSchema = "percuss/batch-manifest/1";
-constexpr const char* kPlanner = "percuss batch plan";
-constexpr std::size_t kLongestEntry_bytes = std::size_t{4} << 20U;  // a channel set-up stands in the first
-constexpr std::size_t kLongestId_bytes = 4096;                      // a path at the longest
+constexpr const char* kPlanAgain = "plan the batch again";
+constexpr std::size_t kLongestEntry_bytes = std::size_t{4} << 20U;  // the first line may hold a channel set-up
+constexpr std::size_t kLongestId_bytes = 4096;                      // the longest path
 constexpr std::size_t kMaxRecords = 20'000'000;
 
 Json head_json(const BatchHeader& head, std::size_t records, std::uint64_t bytes) {
@@ -43,12 +43,12 @@ Json record_json(const BatchRecord& record) {
 }
 
 StrictText line_text(std::string_view line, const std::string& path, std::size_t number) {
-  return {.text = line, .where = fmt::format("{}, line {}", path, number), .example = kPlanner};
+  return {.text = line, .where = fmt::format("{}, line {}", path, number), .remedy = kPlanAgain};
 }
 
 void require_name(const StrictObject& o, const std::string& text, const char* key) {
   const bool fits = !text.empty() && text.size() <= kLongestId_bytes && text.find('\0') == std::string::npos;
-  if (!fits) o.fail("empty, too long or not a name", key, std::string("plan anew with ") + kPlanner);
+  if (!fits) o.fail("empty, too long or not a name", key, kPlanAgain);
 }
 
 BatchHeader parse_head(const StrictText& text, std::size_t& records) {
@@ -59,7 +59,7 @@ BatchHeader parse_head(const StrictText& text, std::size_t& records) {
     for (const char* key : {"schema", "version", "records", "shards", "options", "options_sha256"}) o.need(key);
     o.read("schema", schema);
     if (schema != kManifestSchema)
-      o.fail("not the manifest of a batch", "schema", std::string("give one of ") + kPlanner);
+      o.fail("not the manifest of a batch", "schema", "give the manifest of a planned batch");
     o.read("version", head.version);
     o.read("records", records);
     o.read("bytes", bytes);
@@ -70,7 +70,7 @@ BatchHeader parse_head(const StrictText& text, std::size_t& records) {
     o.read("options", head.options);
     o.read("setup", head.setup);
     o.read("options_sha256", digest);
-    if (digest != options_sha256(head)) o.fail("of other options than stand here", "options_sha256", "plan anew");
+    if (digest != options_sha256(head)) o.fail("does not match the options", "options_sha256", kPlanAgain);
   });
   return head;
 }
@@ -109,7 +109,7 @@ void write_manifest(const std::string& path, const BatchHeader& head, const std:
 
 Manifest::Manifest(std::string path) : path_(std::move(path)) {
   LineReader lines(path_, kLongestEntry_bytes);
-  if (!lines.next()) throw InputError("the file is empty", path_, std::string("give a manifest of ") + kPlanner);
+  if (!lines.next()) throw InputError("the file is empty", path_, "give the manifest of a planned batch");
   std::size_t records = 0;
   head_ = parse_head(line_text(lines.line(), path_, 1), records);
   if (records > kMaxRecords) throw InputError("more than 20 million records", path_, "plan several batches");
@@ -128,22 +128,22 @@ Manifest::Manifest(std::string path) : path_(std::move(path)) {
   }
   if (ends_.size() != records) {
     throw InputError(fmt::format("{} records where the first line says {}", ends_.size(), records), path_,
-                     "the file is not whole; copy it again, or plan anew");
+                     "the file is incomplete: copy it again, or plan the batch again");
   }
   sha256_ = report::hexadecimal(digest.result());
   std::uint64_t size_bytes = 0;
   descriptor_ = open_regular_file(path_, std::numeric_limits<std::uint64_t>::max(), size_bytes);
 }
 
-// That its id follows the one before it, and that sizes can be added up.
+// Checks that the ids ascend and that the sum of the sizes cannot overflow.
 void Manifest::require_next(const BatchRecord& record, const std::string& id_before) const {
   const std::string where = fmt::format("{}, line {}", path_, ends_.size() + 2);
   if (!id_before.empty() && record.id <= id_before) {
-    throw InputError(fmt::format("record \"{}\" is out of order, or there twice", one_line(record.id, 80)), where,
-                     std::string("plan anew with ") + kPlanner);
+    throw InputError(fmt::format("record \"{}\" is out of order or named twice", one_line(record.id, 80)), where,
+                     kPlanAgain);
   }
   if (record.bytes > std::numeric_limits<std::uint64_t>::max() / kMaxRecords)
-    throw InputError("a record of absurd size", where, "plan anew");
+    throw InputError("the size of a record is impossible", where, kPlanAgain);
 }
 
 Manifest::~Manifest() {
@@ -156,7 +156,7 @@ BatchRecord Manifest::record(std::size_t index) const {
   return parse_record(line_text(line, path_, index + 2));
 }
 
-// Those whose middle lies before the boundary: the boundaries rise with i, so that the shards follow one another.
+// Counts the records whose middle byte lies before the boundary. Boundaries rise with i, so the shards do not overlap.
 std::size_t Manifest::records_before(std::size_t i, std::size_t shards) const {
   const double boundary = static_cast<double>(bytes()) / static_cast<double>(shards) * static_cast<double>(i);
   if (i == shards || bytes() == 0) return size() * i / shards;

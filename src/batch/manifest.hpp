@@ -6,28 +6,28 @@
 
 namespace percuss::batch {
 
-/// One record of a batch, as it was when the batch was planned.
+/// A record of a batch at the time of planning.
 struct BatchRecord {
-  std::string id;    // its rows are ordered by it
-  std::string path;  // absolute, or from the manifest's folder
+  std::string id;    // orders the rows
+  std::string path;  // absolute, or relative to the folder of the manifest
   std::uint64_t bytes = 0;
-  std::string sha256{};  // of its bytes; empty: only their number is known
+  std::string sha256{};  // of its bytes; empty: only `bytes` is checked
 };
 
-/// What holds for a whole batch: the first line of its manifest.
+/// The data of a whole batch: the first line of its manifest.
 struct BatchHeader {
-  std::string version;               // of the percuss that planned it
+  std::string version;               // of percuss at the time of planning
   std::vector<std::string> options;  // as percuss analyze takes them: "--band", "60:3200"
-  std::string setup;                 // a channel set-up's text; empty: none
-  bool frf = false;                  // FRFs are kept as well
-  std::size_t shards = 1;            // as many as the batch is divided into unless somebody says otherwise
+  std::string setup;                 // text of a channel set-up; empty: none
+  bool frf = false;                  // also keep FRFs
+  std::size_t shards = 1;            // default number of shards
 };
 
-/// What tells one way of analysing from another: the SHA-256 of options, set-up and frf.
+/// Identifies the way of analysing: the SHA-256 of options, set-up and frf.
 std::string options_sha256(const BatchHeader& head);
 
-/// Writes a manifest: the head, then a line of JSON per record (docs/schema/batch-manifest.schema.json). `records` are
-/// ordered by id, which are distinct. The file is whole or absent. errors  InputError as AtomicFile.
+/// Writes a manifest: the head, then a line of JSON per record (docs/schema/batch-manifest.schema.json). `records` have
+/// distinct ids in ascending order. The file is whole or absent. errors  InputError as AtomicFile
 void write_manifest(const std::string& path, const BatchHeader& head, const std::vector<BatchRecord>& records,
                     bool force);
 
@@ -37,12 +37,11 @@ struct ShardRange {
   std::size_t size() const { return last - first; }
 };
 
-/// A manifest that was read and found in order. Its records stay in the file until they are asked for: 16 bytes of
-/// memory for each.
+/// A valid manifest. Its records stay in the file until they are read: 16 bytes of memory for each.
 class Manifest {
  public:
-  /// errors  InputError naming the line: not a manifest, records out of order or named twice, lines too long, another
-  /// count of records than the head says.
+  /// errors  InputError naming the line: not a manifest, records out of order or named twice, lines too long, a number
+  /// of records that differs from the head
   explicit Manifest(std::string path);
   ~Manifest();
   Manifest(const Manifest&) = delete;
@@ -54,11 +53,11 @@ class Manifest {
   std::size_t size() const { return ends_.size(); }
   std::uint64_t bytes() const { return bytes_.empty() ? 0 : bytes_.back(); }
 
-  /// Several threads may call at once.
+  /// Several threads may call at the same time.
   BatchRecord record(std::size_t index) const;
 
-  /// Shard `i` of `shards`, of about as many bytes as the others; all shards together are all records, in order. One
-  /// may be empty.
+  /// Shard `i` of `shards`. Shards have about the same number of bytes, follow one another and together hold all
+  /// records. A shard may be empty.
   ShardRange shard(std::size_t i, std::size_t shards) const;
 
  private:
@@ -68,8 +67,8 @@ class Manifest {
   std::string path_, sha256_;
   BatchHeader head_;
   std::uint64_t head_end_ = 0;
-  std::vector<std::uint64_t> ends_;   // of each record's line in the file
-  std::vector<std::uint64_t> bytes_;  // of all records up to and with each
+  std::vector<std::uint64_t> ends_;   // end of the line of each record in the file
+  std::vector<std::uint64_t> bytes_;  // total size up to and including each record
   int descriptor_ = -1;
 };
 

@@ -20,10 +20,10 @@ namespace {
 constexpr std::size_t kLongestRow_bytes = std::size_t{1} << 30U;
 
 [[noreturn]] void refuse_changed(const std::string& path) {
-  throw InputError("the part is not as it was finished", path, "run its shard again with --force");
+  throw InputError("the part changed after it was finished", path, "run its shard again", {"batch.run.force"});
 }
 
-// Every shard's own word, held against the plan and against the others'.
+// The completion markers of all shards, checked against the plan and against each other.
 std::vector<FinishedShard> finished_parts(const Manifest& manifest, const std::string& folder) {
   const std::size_t shards = shard_count_in(folder).value_or(manifest.head().shards);
   std::vector<FinishedShard> parts;
@@ -42,7 +42,7 @@ std::vector<FinishedShard> finished_parts(const Manifest& manifest, const std::s
   if (missing.empty()) return parts;
   throw InputError(
       fmt::format("{} of {} shards are not finished: {}", missing.size(), shards, one_line(array_list(missing), 80)),
-      folder, "run them with percuss batch run");
+      folder, "run these shards");
 }
 
 void copy_rows(const std::string& folder, const FinishedShard& part,

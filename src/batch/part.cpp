@@ -29,8 +29,8 @@ Json label_json(const ShardLabel& label) {
           {"shards", label.shards}};
 }
 
-StrictText own_text(std::string_view text, const std::string& where) {
-  return {.text = text, .where = where, .example = "percuss batch run"};
+StrictText strict_text(std::string_view text, const std::string& where) {
+  return {.text = text, .where = where, .remedy = "run the batch again"};
 }
 
 ShardLabel read_label(StrictObject& o) {
@@ -45,12 +45,12 @@ ShardLabel read_label(StrictObject& o) {
   o.read("shard", label.shard);
   o.read("shards", label.shards);
   if (label.shards < 1 || label.shards > kMaxShards || label.shard >= label.shards)
-    o.fail("out of range", "shards", "run the shard again with --force");
+    o.fail("out of range", "shards", "run the shard again", {"batch.run.force"});
   return label;
 }
 
-// The division that a file of a shard tells of; nothing for one that was cut off before it could.
-std::optional<std::size_t> division_told(const fs::path& path) {
+// The number of shards in the label of a file; nothing for a file without a complete label.
+std::optional<std::size_t> shards_of_label(const fs::path& path) {
   const std::string name = path.filename().string(), kind = path.extension().string();
   if (!name.starts_with("part-")) return std::nullopt;
   if (kind == ".ok") {
@@ -91,13 +91,13 @@ std::string finished_line(const FinishedShard& part) {
 
 ShardLabel parse_label(std::string_view line, const std::string& where) {
   ShardLabel label;
-  read_strict_json(own_text(line, where), [&](StrictObject& o) { label = read_label(o); });
+  read_strict_json(strict_text(line, where), [&](StrictObject& o) { label = read_label(o); });
   return label;
 }
 
 FinishedShard parse_finished(std::string_view text, const std::string& where) {
   FinishedShard part;
-  read_strict_json(own_text(text, where), [&](StrictObject& o) {
+  read_strict_json(strict_text(text, where), [&](StrictObject& o) {
     part.label = read_label(o);
     for (const char* key : {"records", "failed", "bytes", "sha256"}) o.need(key);
     o.read("records", part.records);
@@ -120,19 +120,19 @@ std::optional<FinishedShard> finished_part(const std::string& folder, std::size_
 std::optional<std::size_t> shard_count_in(const std::string& folder) {
   std::error_code absent;
   for (const auto& entry : fs::directory_iterator(folder, absent)) {
-    if (const auto shards = division_told(entry.path())) return shards;
+    if (const auto shards = shards_of_label(entry.path())) return shards;
   }
   return std::nullopt;
 }
 
 void require_same_shard(const ShardLabel& found, const ShardLabel& wanted, const std::string& path) {
   const auto refuse = [&](const std::string& problem) {
-    throw InputError(problem, path, "name another folder for the results, or run with --force");
+    throw InputError(problem, path, "name another folder for the results, or overwrite them", {"batch.run.force"});
   };
   if (found.shards != wanted.shards || found.shard != wanted.shard)
     refuse(fmt::format("shard {} of {}, not {} of {}", found.shard, found.shards, wanted.shard, wanted.shards));
-  if (found.options_sha256 != wanted.options_sha256) refuse("made with other options than the manifest's");
-  if (found.manifest_sha256 != wanted.manifest_sha256) refuse("made after another manifest");
+  if (found.options_sha256 != wanted.options_sha256) refuse("made with options that differ from the manifest");
+  if (found.manifest_sha256 != wanted.manifest_sha256) refuse("made from another manifest");
   if (found.version != wanted.version)
     refuse(fmt::format("made by percuss {}, not {}", one_line(found.version, 40), wanted.version));
 }

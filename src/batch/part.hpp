@@ -7,15 +7,15 @@
 
 namespace percuss::batch {
 
-// A shard's files in the folder of results:
-//   part-3.partial   its finished records so far, while it runs (journal.hpp)
-//   part-3.jsonl     its rows, ordered by id, once all of its records are finished
-//   part-3.ok        what part-3.jsonl must be: written last
+// The files of a shard in the folder of results:
+//   part-3.partial   the journal of a running shard (journal.hpp)
+//   part-3.jsonl     the rows of a finished shard, ordered by id
+//   part-3.ok        the label, size and digest of part-3.jsonl; written last
 std::string part_path(const std::string& folder, std::size_t shard, const char* extension);
 
-/// Which part of which batch, made how.
+/// Identifies a shard, its batch and the way of analysing.
 struct ShardLabel {
-  std::string version;          // of the percuss that analyses
+  std::string version;          // of percuss at the time of the analysis
   std::string manifest_sha256;  // of the plan
   std::string options_sha256;
   std::size_t shard = 0, shards = 1;
@@ -29,23 +29,23 @@ ShardLabel label_of(const Manifest& manifest, std::size_t shard, std::size_t sha
 struct FinishedShard {
   ShardLabel label;
   std::size_t records = 0, failed = 0;
-  std::uint64_t bytes = 0;  // of part-i.jsonl …
-  std::string sha256;       // … and their digest
+  std::uint64_t bytes = 0;  // of part-i.jsonl
+  std::string sha256;       // of part-i.jsonl
 };
 
-/// The label as the first line of part-i.partial and, with counts, as all of part-i.ok; without a line's end.
+/// The first line of part-i.partial, and the content of part-i.ok, both without a line end.
 std::string label_line(const ShardLabel& label);
 std::string finished_line(const FinishedShard& part);
 
-/// Nothing when there is no part-i.ok. errors  InputError: it is not one.
+/// Nothing when part-i.ok is absent. errors  InputError: the file is invalid
 std::optional<FinishedShard> finished_part(const std::string& folder, std::size_t shard);
 ShardLabel parse_label(std::string_view line, const std::string& where);
 FinishedShard parse_finished(std::string_view text, const std::string& where);
 
-/// Into how many shards the results in a folder are divided; nothing where there are none.
+/// The number of shards of the results in a folder; nothing for a folder without results.
 std::optional<std::size_t> shard_count_in(const std::string& folder);
 
-/// InputError when a part in `folder` is of another plan, of other options, or of another version of percuss.
+/// errors  InputError: `found` is of another plan, of other options, or of another version of percuss than `wanted`
 void require_same_shard(const ShardLabel& found, const ShardLabel& wanted, const std::string& path);
 
 }  // namespace percuss::batch

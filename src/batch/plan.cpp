@@ -51,8 +51,7 @@ class CollectedFiles {
     glob_t matches{};
     const std::unique_ptr<glob_t, decltype(&::globfree)> owner(&matches, &::globfree);
     if (::glob(pattern.c_str(), GLOB_ERR, nullptr, &matches) != 0) {
-      throw InputError("no file fits the pattern", pattern,
-                       "check the path; a folder is walked when it is named itself");
+      throw InputError("no file matches the pattern", pattern, "check the path, or name the folder");
     }
     for (std::size_t i = 0; i < matches.gl_pathc; ++i) add_named(matches.gl_pathv[i]);
   }
@@ -63,7 +62,7 @@ class CollectedFiles {
     } else if (!fs::exists(name, ignored) && is_pattern(name)) {
       add_pattern(name);
     } else {
-      first_bytes(name, 0);  // it is there, and can be read
+      first_bytes(name, 0);  // checks that the file exists and can be read
       add(name);
     }
   }
@@ -93,8 +92,7 @@ bool is_utf8(const std::string& text) {
   return more == 0;
 }
 
-// As it was named, seen from the folder; through the folders that it really lies in where a link makes that another
-// file.
+// The path as named, relative to the folder. Where a symbolic link makes that another file, the real path.
 std::string path_from(const std::string& path, const fs::path& folder) {
   const fs::path given(path);
   if (given.is_absolute()) return given.lexically_normal().string();
@@ -128,7 +126,7 @@ std::vector<BatchRecord> records_of_files(const std::vector<std::string>& paths,
                                           bool hashed) {
   const fs::path folder = (fs::absolute(manifest_folder) / "").lexically_normal();
   std::map<std::string, BatchRecord> by_path;
-  std::map<std::string, std::size_t> times;  // each name without extension
+  std::map<std::string, std::size_t> times;  // how often each name without extension occurs
   for (const std::string& path : paths) {
     if (!is_utf8(path)) throw InputError("the file's name is not UTF-8", path, "rename it");
     BatchRecord record{.id = fs::path(path).stem().string(), .path = path_from(path, folder)};

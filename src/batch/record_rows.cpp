@@ -29,33 +29,33 @@ std::string line_of(const Json& row) { return row.dump(-1, ' ', false, Json::err
 void require_unchanged(const BatchRecord& record) {
   std::error_code absent;
   const std::uint64_t bytes = std::filesystem::file_size(record.path, absent);
-  if (absent) return;  // whoever opens it says so
+  if (absent) return;  // opening the file reports it
   if (bytes != record.bytes) {
-    throw InputError(fmt::format("the file has {} bytes, and had {} when the batch was planned", bytes, record.bytes),
-                     record.path, "put it back, or plan anew");
+    throw InputError(fmt::format("the file has {} bytes; it had {} when the batch was planned", bytes, record.bytes),
+                     record.path, "restore it, or plan the batch again");
   }
   if (!record.sha256.empty() && report::sha256_of_file(record.path) != record.sha256) {
-    throw InputError("the file is not the one that the batch was planned with: its SHA-256 is another", record.path,
-                     "put it back, or plan anew");
+    throw InputError("the file changed after the batch was planned: its SHA-256 differs", record.path,
+                     "restore it, or plan the batch again");
   }
 }
 
-/// What is told of a record, gathered over its runs.
+/// The contents of the rows of a record, collected over its runs.
 struct RowDiagnostics {
   int code = 0;
   std::string reason;
   Json fs_Hz, band_Hz{Json(), Json()};
   std::size_t accepted = 0, rejected = 0;
   std::set<acquire::FindingCode> findings;
-  std::vector<std::string> warnings;  // in the order in which they came
+  std::vector<std::string> warnings;  // in order of appearance
   std::vector<Json> modes;
   std::vector<Json> frfs;
 };
 
-void add_hits(RowDiagnostics& told, const pipeline::Analysis& analysis) {
+void add_hits(RowDiagnostics& rows, const pipeline::Analysis& analysis) {
   for (const pipeline::AnalysedHit& hit : analysis.hits()) {
-    ++(hit.accepted ? told.accepted : told.rejected);
-    for (const acquire::Finding& finding : hit.hit.findings) told.findings.insert(finding.code);
+    ++(hit.accepted ? rows.accepted : rows.rejected);
+    for (const acquire::Finding& finding : hit.hit.findings) rows.findings.insert(finding.code);
   }
 }
 
@@ -79,7 +79,7 @@ Json row_start(const char* kind, const BatchRecord& record) {
   return {{"row", kind}, {"id", record.id}, {"path", record.path}};
 }
 
-void add_modes(RowDiagnostics& told, const BatchRecord& record, int run, const pipeline::Analysis& analysis) {
+void add_modes(RowDiagnostics& rows, const BatchRecord& record, int run, const pipeline::Analysis& analysis) {
   for (std::size_t m = 0; m < analysis.modes().size(); ++m) {
     const identify::Mode& mode = analysis.modes()[m];
     Json row = row_start("mode", record);
@@ -90,37 +90,37 @@ void add_modes(RowDiagnostics& told, const BatchRecord& record, int run, const p
     row["damping_ratio"] = mode.pole.damping_ratio;
     row["damping_ratio_std"] = mode.damping_std;
     add_verdict(row, analysis.classifications()[m]);
-    told.modes.push_back(std::move(row));
+    rows.modes.push_back(std::move(row));
   }
 }
 
-void add_run(RowDiagnostics& told, const BatchRecord& record, const pipeline::RunAnalysis& test,
+void add_run(RowDiagnostics& rows, const BatchRecord& record, const pipeline::RunAnalysis& test,
              const RowOptions& options) {
   const pipeline::Analysis& analysis = *test.analysis;
-  const bool given = analysis.given_frfs() != nullptr;  // FRFs do not tell the rate
-  told.fs_Hz = given ? Json() : Json(analysis.record().fs_Hz);
-  add_hits(told, analysis);
+  const bool given = analysis.given_frfs() != nullptr;  // FRFs have no sampling rate
+  rows.fs_Hz = given ? Json() : Json(analysis.record().fs_Hz);
+  add_hits(rows, analysis);
   if (analysis.possible()) {
-    told.band_Hz = {analysis.band_Hz().first, analysis.band_Hz().second};
-    add_modes(told, record, test.run, analysis);
+    rows.band_Hz = {analysis.band_Hz().first, analysis.band_Hz().second};
+    add_modes(rows, record, test.run, analysis);
   } else {
-    told.code = kNoHit;
-    told.reason = report::kNoUsableHit;
+    rows.code = kNoHit;
+    rows.reason = report::kNoUsableHit;
   }
   for (const pipeline::Warning& warning : analysis.warnings()) {
-    auto& known = told.warnings;
+    auto& known = rows.warnings;
     if (std::find(known.begin(), known.end(), warning.code) == known.end()) known.push_back(warning.code);
   }
   if (!options.frf || !analysis.possible()) return;
   Json row = row_start("frf", record);
   row["run"] = test.run;
   row["packed"] = serialize_frfs(report::frf_record_of(analysis));
-  told.frfs.push_back(std::move(row));
+  rows.frfs.push_back(std::move(row));
 }
 
-// The codes and words with which the program would end.
+// The codes and messages of the command `analyze`.
 RowDiagnostics row_diagnostics_of(const BatchRecord& record, const RowOptions& options) {
-  RowDiagnostics told;
+  RowDiagnostics rows;
   const auto refused = [](int code, const std::string& reason) {
     return RowDiagnostics{.code = code, .reason = reason};
   };
@@ -130,12 +130,12 @@ RowDiagnostics row_diagnostics_of(const BatchRecord& record, const RowOptions& o
                       ? frf::open_measurement_forked(options.fork_server, record.path, options.read)
                       : frf::open_measurement(record.path, options.read);
     for (const pipeline::RunAnalysis& test : pipeline::analyses_of_runs(std::move(opened), options.analysis))
-      add_run(told, record, test, options);
-    return told;
+      add_run(rows, record, test, options);
+    return rows;
   } catch (const UsageError& e) {
     return refused(kNotOffered, e.what());
   } catch (const InputError& e) {
-    return refused(kUnusable, e.what());
+    return refused(kUnusable, options.write_option != nullptr ? e.written(options.write_option) : e.what());
   } catch (const std::bad_alloc&) {
     return refused(kWentWrong, kOutOfMemoryMessage);
   } catch (const std::exception& e) {
@@ -143,30 +143,30 @@ RowDiagnostics row_diagnostics_of(const BatchRecord& record, const RowOptions& o
   }
 }
 
-Json record_row(const BatchRecord& record, const RowDiagnostics& told) {
+Json record_row(const BatchRecord& record, const RowDiagnostics& rows) {
   Json row = row_start("record", record);
   row["bytes"] = record.bytes;
-  row["code"] = told.code;
-  row["reason"] = told.code == 0 ? Json() : Json(told.reason);
-  row["fs_hz"] = told.fs_Hz;
-  row["band_low_hz"] = told.band_Hz[0];
-  row["band_high_hz"] = told.band_Hz[1];
-  row["hits_accepted"] = told.accepted;
-  row["hits_rejected"] = told.rejected;
-  row["modes"] = told.modes.size();
+  row["code"] = rows.code;
+  row["reason"] = rows.code == 0 ? Json() : Json(rows.reason);
+  row["fs_hz"] = rows.fs_Hz;
+  row["band_low_hz"] = rows.band_Hz[0];
+  row["band_high_hz"] = rows.band_Hz[1];
+  row["hits_accepted"] = rows.accepted;
+  row["hits_rejected"] = rows.rejected;
+  row["modes"] = rows.modes.size();
   row["findings"] = Json::array();
-  for (const acquire::FindingCode code : told.findings) row["findings"].push_back(name_of(code));
-  row["warnings"] = told.warnings;
+  for (const acquire::FindingCode code : rows.findings) row["findings"].push_back(name_of(code));
+  row["warnings"] = rows.warnings;
   return row;
 }
 
 }  // namespace
 
 RecordRows rows_of(const BatchRecord& record, const RowOptions& options) {
-  const RowDiagnostics told = row_diagnostics_of(record, options);
-  RecordRows out{.lines = {line_of(record_row(record, told))}, .failed = told.code != 0};
-  for (const auto* rows : {&told.modes, &told.frfs}) {
-    for (const Json& row : *rows) out.lines.push_back(line_of(row));
+  const RowDiagnostics diagnostics = row_diagnostics_of(record, options);
+  RecordRows out{.lines = {line_of(record_row(record, diagnostics))}, .failed = diagnostics.code != 0};
+  for (const auto* kind : {&diagnostics.modes, &diagnostics.frfs}) {
+    for (const Json& row : *kind) out.lines.push_back(line_of(row));
   }
   return out;
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "batch/manifest.hpp"
+#include "core/error.hpp"
 #include "frf/frf_record.hpp"
 #include "pipeline/analysis.hpp"
 
@@ -13,22 +14,24 @@ class ForkServer;
 
 namespace percuss::batch {
 
-/// How every record of a batch is read and analysed.
+/// The options for reading and analysing every record of a batch.
 struct RowOptions {
   frf::FrfReadOptions read;
   pipeline::AnalysisOptions analysis;
-  bool frf = false;                                    // a row per run with its FRFs as well
-  std::shared_ptr<acquire::ForkServer> fork_server{};  // forks the confined readers, where there is one
+  bool frf = false;                                    // also a row per run with its FRFs
+  std::shared_ptr<acquire::ForkServer> fork_server{};  // forks the sandboxed readers, if set
+  OptionWriter write_option = nullptr;                 // notation of options in reasons; nullptr: without options
 };
 
-/// What a record came to, as lines of JSON without their ends: a "record", its "mode"s in ascending order, its "frf"s.
+/// The result of a record as lines of JSON without line ends: a "record", its "mode"s in ascending order, its "frf"s.
 struct RecordRows {
   std::vector<std::string> lines;
-  bool failed = false;  // the record's row says why
+  bool failed = false;  // the row of the record states the reason
 };
 
-/// Reads and analyses one record. What percuss analyze would refuse is a row with the same words as its `reason` and
-/// the same exit code as its `code`: nothing about the record is thrown. Text that is not UTF-8 is replaced.
+/// Reads and analyses one record. A record that cannot be analysed gives a row with the message of the command
+/// `analyze` as `reason` and its exit code as `code`. No error of a record is thrown. Text that is not UTF-8 is
+/// replaced.
 RecordRows rows_of(const BatchRecord& record, const RowOptions& options);
 
 }  // namespace percuss::batch

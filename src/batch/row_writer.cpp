@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Calls use(row's values), which may find them to be others than rows have.
+// Calls use(values of the row). Values of a wrong kind are an InputError.
 template <class Use>
 void with_row(std::string_view row, const std::string& where, Use&& use) {
   constexpr int kRowDepth = 2;
@@ -27,7 +27,7 @@ void with_row(std::string_view row, const std::string& where, Use&& use) {
     if (json.is_object()) return use(json);
   } catch (const Json::exception&) {
   }
-  throw InputError("this is no row", where, "run the shard again with --force");
+  throw InputError("this is not a row", where, "run the shard again", {"batch.run.force"});
 }
 
 class JsonLines : public RowWriter {
@@ -79,7 +79,7 @@ class CsvTable : public RowWriter {
   Sha256File file_;
 };
 
-// A name of one group for every id: a slash would make it two.
+// A group name for an id: a slash would make two groups.
 std::string group_name(const std::string& id) {
   std::string name;
   for (const char c : id) name += c == '/' ? std::string("%2F") : c == '%' ? std::string("%25") : std::string(1, c);
@@ -128,7 +128,7 @@ std::unique_ptr<RowWriter> row_writer(const std::string& path, const BatchTotals
   if (path.ends_with(".csv")) return std::make_unique<CsvTable>(path, force);
   if (!path.ends_with(".h5")) return std::make_unique<JsonLines>(path, totals, force);
   if (totals.head.frf) return std::make_unique<FrfFile>(path, totals, force);
-  throw InputError("the batch was planned without FRFs", path, "plan it with --frf");
+  throw InputError("the batch was planned without FRFs", path, "plan the batch with FRFs", {"batch.plan.frf"});
 }
 
 }  // namespace percuss::batch

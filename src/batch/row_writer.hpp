@@ -7,35 +7,34 @@
 
 namespace percuss::batch {
 
-/// How the row of a record, and of its FRFs, begins.
+/// The first bytes of the row of a record, and of a row of FRFs.
 inline constexpr std::string_view kRecordRow = R"({"row":"record")";
 inline constexpr std::string_view kFrfRow = R"({"row":"frf")";
 
-/// What holds for all rows.
+/// The data of all rows.
 struct BatchTotals {
-  std::string version;  // of the percuss that analysed
+  std::string version;  // of percuss at the time of the analysis
   BatchHeader head;
   std::size_t records = 0, failed = 0;
 };
 
-/// A file of a batch's results, filled row by row; it is in its place after commit() and not before.
+/// Writes the results of a batch row by row. The file appears with commit().
 class RowWriter {
  public:
   RowWriter() = default;
   virtual ~RowWriter() = default;
   RowWriter(const RowWriter&) = delete;
   RowWriter& operator=(const RowWriter&) = delete;
-  /// A row as rows_of gives it; `where` it stands, for messages. Rows of a kind that the file does not hold are left
-  /// out.
+  /// Adds a row of rows_of. `where` is its place for messages. Ignores rows of a kind that the file does not hold.
   virtual void add(std::string_view row, const std::string& where) = 0;
   virtual void commit() = 0;
 };
 
-/// By the path's extension: .csv, .h5 or else JSON lines. errors  InputError: it exists (without force), cannot be
-/// written; .h5 of a batch without FRFs.
+/// The writer for an extension: .csv, .h5, otherwise JSON lines.
+/// errors  InputError: the file exists (without force) or cannot be written; .h5 of a batch without FRFs
 std::unique_ptr<RowWriter> row_writer(const std::string& path, const BatchTotals& totals, bool force);
 
-/// The document percuss/batch/1, without its rows: the first line of the JSON lines, with its end.
+/// The first of the JSON lines, with its line end: the document percuss/batch/1 without its rows.
 std::string batch_header_line(const BatchTotals& totals);
 
 }  // namespace percuss::batch

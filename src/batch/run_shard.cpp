@@ -49,7 +49,7 @@ ShardOutcome run_shard(const ShardJob& job) {
   const ShardRange range = job.manifest->shard(job.shard, job.shards);
   if (auto part = finished_shard_before(job, label)) return {.part = *part};
   Journal journal(part_path(job.folder, job.shard, "partial"), label, range, job.force);
-  // Whoever held the journal until now may have come to the end.
+  // The process that held the journal until now may have finished the shard.
   if (auto part = finished_shard_before(job, label)) {
     journal.remove();
     return {.part = *part};

@@ -47,7 +47,7 @@ frf::PointFrf deserialize_frf(acquire::Deserializer& in) {
   return frf;
 }
 
-// Every FRF has the lines and a channel that there are.
+// Checks that every FRF has all lines and a known channel.
 bool fits(const frf::FrfRecord& record) {
   const auto holds = [&](const auto& values) { return values.empty() || values.size() == record.lines.count; };
   return !record.frfs.empty() && std::all_of(record.frfs.begin(), record.frfs.end(), [&](const frf::PointFrf& one) {
@@ -83,7 +83,7 @@ frf::FrfRecord deserialize_frfs(std::string_view text, const std::string& where)
     if (fits(record)) return record;
   } catch (const std::out_of_range&) {
   }
-  throw InputError("these are no FRFs", where, "run the shard again with --force");
+  throw InputError("these are not FRFs", where, "run the shard again", {"batch.run.force"});
 }
 
 }  // namespace percuss::batch

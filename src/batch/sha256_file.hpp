@@ -8,15 +8,14 @@
 
 namespace percuss::batch {
 
-/// A text file written a piece at a time, of which the length and the SHA-256 are known at the end. errors  InputError
-/// as AtomicFile.
+/// Writes a text file in pieces and computes its length and SHA-256. errors  InputError as AtomicFile
 class Sha256File {
  public:
   Sha256File(const std::string& path, bool force) : file_(path, force) {}
   void add(std::string_view text);
-  /// Puts the file in its place. Once, last.
+  /// Renames the file to its path. Call it once, last.
   void commit();
-  // After that:
+  // After commit():
   std::uint64_t bytes() const { return bytes_; }
   const std::string& sha256() const { return sha256_; }
 

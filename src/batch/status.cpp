@@ -36,7 +36,7 @@ BatchStatus batch_status(const Manifest& manifest, const std::string& folder) {
   for (std::size_t i = 0; i < status.shards; ++i) {
     if (const auto part = finished_part(folder, i)) {
       ShardLabel wanted = label_of(manifest, i, status.shards);
-      wanted.version = part->label.version;  // whether all are of one is for who merges them
+      wanted.version = part->label.version;  // merging checks that all versions agree
       require_same_shard(part->label, wanted, part_path(folder, i, "ok"));
       status.finished += part->records;
       status.failed += part->failed;
@@ -64,7 +64,7 @@ std::string status_text(const BatchStatus& status) {
   text += status.failed > 0 ? fmt::format("; {} failed\n", status.failed) : "\n";
   if (!status.missing.empty()) text += "missing: " + array_list(status.missing) + "\n";
   for (std::size_t i = 0; i < std::min(status.stuck.size(), kMaxNamed); ++i)
-    text += fmt::format("begun more than once and never finished: {}\n", one_line(status.stuck[i]));
+    text += fmt::format("begun more than once, never finished: {}\n", one_line(status.stuck[i]));
   if (status.stuck.size() > kMaxNamed) text += fmt::format("... and {} more\n", status.stuck.size() - kMaxNamed);
   return text;
 }

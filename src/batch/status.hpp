@@ -6,25 +6,25 @@
 
 namespace percuss::batch {
 
-/// How far a batch has come, told from the files in the folder of its results and from nothing else.
+/// The progress of a batch, from the files in the folder of its results.
 struct BatchStatus {
   std::size_t shards = 1;
   std::size_t records = 0, bytes = 0;
   std::vector<std::size_t> missing;  // shards without a part-i.ok, ascending
-  std::size_t finished = 0;          // records, those of shards that are not finished included
+  std::size_t finished = 0;          // records, with those of unfinished shards
   std::size_t failed = 0;            // records, of finished shards
-  std::vector<std::string> stuck;    // ids of records begun twice or more and never finished: they may end a worker
+  std::vector<std::string> stuck;    // ids of records begun at least twice and never finished: they may crash a worker
 };
 
-/// errors  InputError: a part in the folder is of another plan, options, division or version.
+/// errors  InputError: a part in the folder has another plan, options, number of shards or version
 BatchStatus batch_status(const Manifest& manifest, const std::string& folder);
 
-/// The document percuss/batch-status/1, indented, with a line's end.
+/// The document percuss/batch-status/1, indented, with a line end.
 std::string status_json(const BatchStatus& status);
-/// The same for people.
+/// The status as text.
 std::string status_text(const BatchStatus& status);
 
-/// Numbers as Slurm takes them: "0,3,4"; empty for none.
+/// Numbers as Slurm reads them: "0,3,4"; empty for none.
 std::string array_list(const std::vector<std::size_t>& shards);
 
 }  // namespace percuss::batch

@@ -8,8 +8,10 @@ namespace percuss::inline core {
 
 namespace {
 
-// The last place up to `limit` that is not inside a UTF-8 character. Where no character starts within the four bytes
-// before it the text is no UTF-8, and is cut where it is.
+constexpr std::size_t kMaxField_bytes = 600;
+
+// The last position up to `limit` that is not inside a UTF-8 character. A text without the start of a character in the
+// four bytes before `limit` is not UTF-8: it is cut at `limit`.
 std::size_t cut_at(std::string_view text, std::size_t limit) {
   const auto continues = [&](std::size_t i) { return (static_cast<unsigned char>(text[i]) & 0xC0U) == 0x80U; };
   if (text.size() <= limit) return text.size();
@@ -36,25 +38,23 @@ std::string Message::written(OptionWriter write) const {
   return list.empty() ? text : fmt::format("{} ({})", text, list);
 }
 
+UsageError::UsageError(std::string_view problem, std::string_view remedy)
+    : std::runtime_error(fmt::format("{}; {}", one_line(problem, kMaxField_bytes), one_line(remedy, kMaxField_bytes))) {
+}
+
+}  // namespace percuss::inline core
+
+namespace percuss {
+
 InputError::InputError(std::string_view problem, std::string_view where, std::string_view remedy,
                        std::vector<OptionId> options)
-    : std::runtime_error(
-          fmt::format("{} ({}); {}", one_line(problem, 600), one_line(where, 600), one_line(remedy, 600))),
-      problem_(problem),
-      where_(where),
-      remedy_(remedy),
+    : std::runtime_error(fmt::format("{} ({}); {}", one_line(problem, kMaxField_bytes),
+                                     one_line(where, kMaxField_bytes), one_line(remedy, kMaxField_bytes))),
+      problem_(one_line(problem, kMaxField_bytes)),
+      where_(one_line(where, kMaxField_bytes)),
+      remedy_(one_line(remedy, kMaxField_bytes)),
       options_(std::move(options)) {}
-
-InputError::InputError(const std::string& message, std::vector<OptionId> options)
-    : std::runtime_error(message), problem_(message), options_(std::move(options)) {}
-
-InputError InputError::with_message(const std::string& message, std::vector<OptionId> options) {
-  return {message, std::move(options)};
-}
 
 std::string InputError::written(OptionWriter write) const { return Message{what(), options_}.written(write); }
 
-UsageError::UsageError(std::string_view problem, std::string_view remedy)
-    : std::runtime_error(fmt::format("{}; {}", one_line(problem, 600), one_line(remedy, 600))) {}
-
-}  // namespace percuss::inline core
+}  // namespace percuss

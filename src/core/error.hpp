@@ -5,16 +5,11 @@
 #include <utility>
 #include <vector>
 
+#include "percuss/error.hpp"
+
 namespace percuss::inline core {
 
-/// An option by its identifier, the same for every interface: "fs", "accel_channel"; "survey.example" is the option
-/// `example` of the command `survey`. The command line writes --accel-channel, Python accel_channel=.
-using OptionId = std::string;
-
-/// How an interface writes an option.
-using OptionWriter = std::string (*)(std::string_view id);
-
-/// A sentence for people, and the options that it is about.
+/// A sentence and the options that it concerns.
 struct Message {
   Message() = default;
   Message(std::string what, std::vector<OptionId> concerned = {})
@@ -24,47 +19,23 @@ struct Message {
   std::string text;
   std::vector<OptionId> options;
 
-  /// "text (--fs, --unit)"; the text alone where no option belongs to it.
+  /// "text (--fs, --unit)"; only the text where `options` is empty.
   std::string written(OptionWriter write) const;
   bool operator==(const Message&) const = default;
 };
 
-/// Unusable input: a file, an option's value or their combination. what() is one line, "problem (where); remedy",
-/// without options: an interface writes those in its own words.
-///   throw InputError("no sampling rate", path, "state it in Hz", {"fs"});
-class InputError : public std::runtime_error {
- public:
-  InputError(std::string_view problem, std::string_view where, std::string_view remedy,
-             std::vector<OptionId> options = {});
-  /// An error that another process reported by its message.
-  static InputError with_message(const std::string& message, std::vector<OptionId> options = {});
-
-  const std::string& problem() const { return problem_; }
-  const std::string& where() const { return where_; }
-  const std::string& remedy() const { return remedy_; }
-  const std::vector<OptionId>& options() const { return options_; }
-  /// what(), and the options as the interface writes them.
-  std::string written(OptionWriter write) const;
-
- private:
-  InputError(const std::string& message, std::vector<OptionId> options);
-
-  std::string problem_, where_, remedy_;
-  std::vector<OptionId> options_;
-};
-
-/// The message where memory ran out.
+/// The message of std::bad_alloc.
 inline constexpr const char* kOutOfMemoryMessage =
     "not enough memory (the whole run); analyse fewer rows or channels at a time";
 
-/// The command line asks for something that percuss does not offer. what() is "problem; remedy".
+/// The command line requests something that percuss does not offer. what() is "problem; remedy".
 class UsageError : public std::runtime_error {
  public:
   UsageError(std::string_view problem, std::string_view remedy);
 };
 
-/// `text` as it may stand inside a one-line message: control characters shown as '?', cut after `limit` bytes at most,
-/// never inside a UTF-8 character, with "...".
+/// `text` for use inside a one-line message: '?' for each control character. A longer text is cut after at most `limit`
+/// bytes, never inside a UTF-8 character, and ends with "...".
 std::string one_line(std::string_view text, std::size_t limit = 200);
 
 }  // namespace percuss::inline core

@@ -6,10 +6,10 @@
 
 namespace percuss::inline core {
 
-/// One result, computed when first asked for and kept.
+/// A result that is computed on first use and kept.
 ///   double fs() const { return fs_.get([&] { return costly(); }); }
-/// A computation that throws leaves the slot empty, so that asking again tries again; one that asks for its own slot
-/// throws std::logic_error. A slot is not locked: demand it before tasks that share it start, or from one task only.
+/// A computation that throws leaves the slot empty, and the next call tries again. A computation that uses its own slot
+/// throws std::logic_error. A slot has no lock: compute it before the tasks that share it start, or in one task only.
 template <class T>
 class Lazy {
  public:

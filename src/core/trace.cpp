@@ -18,7 +18,7 @@ std::vector<Trace::Stage> Trace::stages() const {
 }
 
 Trace::Timer::~Timer() {
-  trace.add(stage, calls, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  trace.add(stage, 1, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
 }
 
 }  // namespace percuss::inline core

@@ -8,7 +8,7 @@
 
 namespace percuss::inline core {
 
-/// What ran: stage names with calls and seconds, ordered by name. Threads may add at once.
+/// The stages that ran, with calls and seconds, ordered by name. Several threads may add at the same time.
 class Trace {
  public:
   struct Stage {
@@ -17,16 +17,10 @@ class Trace {
     double seconds = 0;
   };
 
-  /// Runs `work`, counts one call of `stage` and its wall time, and passes the result on.
+  /// Runs `work`, adds one call of `stage` and its wall time, and returns the result.
   template <class Work>
   auto run(const char* stage, Work&& work) {
     const Timer timer{*this, stage};
-    return std::forward<Work>(work)();
-  }
-  /// The same of a part of a stage: no call is counted.
-  template <class Work>
-  auto run_part(const char* stage, Work&& work) {
-    const Timer timer{*this, stage, 0};
     return std::forward<Work>(work)();
   }
   void add(const char* stage, std::size_t calls, double seconds);
@@ -36,7 +30,6 @@ class Trace {
   struct Timer {
     Trace& trace;
     const char* stage;
-    std::size_t calls = 1;
     std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
     ~Timer();
   };

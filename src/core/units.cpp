@@ -18,8 +18,7 @@ struct Name {
 constexpr double kFoot_m = 12 * kInch_m;
 constexpr double kDegree_rad = std::numbers::pi / 180;
 
-// Names after normalised() below: no spaces or outer brackets, squares as "2", micro as "u", every acceleration as
-// length/s2.
+// Names after normalised(): no spaces or outer brackets, squares as "2", micro as "u", accelerations as length/s2.
 constexpr std::array kNames = {
     Name{"N", {Quantity::force, 1}},
     Name{"mN", {Quantity::force, 1e-3}},
@@ -85,7 +84,7 @@ void remove_outer_brackets(std::string& text) {
   }
 }
 
-// Spellings of one thing become one spelling; UTF-8 before Latin-1, whose single bytes occur inside UTF-8 sequences.
+// Spellings to replace. UTF-8 comes before Latin-1, whose single bytes occur inside UTF-8 sequences.
 std::string normalised(std::string_view name) {
   static constexpr std::array<std::pair<std::string_view, std::string_view>, 21> kSame = {{
       {"\xC2\xB2", "2"},     {"\xC2\xB5", "u"},     {"\xCE\xBC", "u"},   {"\xC2\xB7", "*"}, {"\xE2\x8B\x85", "*"},
@@ -146,7 +145,7 @@ std::string examples(Quantity quantity) {
 }  // namespace
 
 std::optional<Unit> parse_unit(std::string_view name) {
-  constexpr std::size_t kLongest = 24;  // bytes; a longer name is no unit, and is not worth normalising
+  constexpr std::size_t kLongest = 24;  // bytes of the longest name worth normalising
   if (name.empty() || name.size() > kLongest) return std::nullopt;
   const std::string text = normalised(name);
   for (const auto& known : kNames) {

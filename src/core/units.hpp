@@ -18,21 +18,22 @@ inline constexpr double kDegree_rad = std::numbers::pi / 180;
 
 enum class Quantity { force, acceleration, voltage, time, angle, length, mass };
 
-/// A unit's name as found in files: what it measures and what one of it is in SI (V for voltage, rad for angle).
+/// A unit: its quantity, and its size in SI units (V for voltage, rad for angle).
 struct Unit {
   Quantity quantity;
   double to_SI;
 };
 
-/// Reads a unit's name as instruments write it.
+/// Parses the name of a unit as instruments write it.
 ///   force N mN kN lbf lb-f kgf · acceleration m/s^2 mm/s^2 cm/s^2 in/s^2 ft/s^2 g mg · voltage V mV µV · time s ms us
 ///   min angle deg rad · length m mm cm in ft · mass kg lb oz
 /// Squares may be ^2, **2, 2 or ² (UTF-8 or Latin-1), products and quotients m/s/s, m*s^-2, m·s-2, m_s2 or mps2; micro
-/// is u or µ. Case matters where the unit's does (mg is milli-g; Mg is not known); spaces and brackets around it do
-/// not. Plain g is standard gravity, never gram, and mN is millinewton. Returns nothing for an unknown name.
+/// is u or µ. Case matters where it changes the unit (mg is milli-g; Mg is unknown). Surrounding spaces and brackets
+/// are ignored. Plain g is standard gravity, never gram, and mN is millinewton. Returns nothing for an unknown name.
 std::optional<Unit> parse_unit(std::string_view name);
 
-/// As parse_unit, and InputError unless the unit measures `wanted`. `where` names the place for the message.
+/// As parse_unit. `where` is the place for the message.
+/// errors  InputError: unknown, or not a unit of `wanted`
 Unit require_unit(std::string_view name, Quantity wanted, std::string_view where);
 
 /// The SI name of a quantity: N, m/s^2, V, s, rad, m, kg.

@@ -3,7 +3,6 @@
 #include <iterator>
 
 #include "core/error.hpp"
-#include "core/parallel/background_tasks.hpp"
 #include "core/parallel/parallel.hpp"
 #include "frf/windows.hpp"
 #include "pipeline/hits/hit_consistency.hpp"
@@ -140,23 +139,8 @@ const std::vector<identify::Mode>& Analysis::modes() const {
 }
 
 void Analysis::compute_modes_and_frfs() const {
-  if (given_frfs() != nullptr || frfs_.ready() || modes_.ready()) {
-    modes();
-    frfs();
-    return;
-  }
-  fitted_frfs();  // Slots are not locked: this thread fills all that the averages read.
-  const std::vector<FrfGroup> groups = source_->groups(hits());
-  const TestSpectra from = spectra();
-  std::vector<frf::PointFrf> frfs(groups.size());
-  const ThreadLimit limit(options_.threads);
-  BackgroundTasks averages(groups.size(), [&](std::size_t i) {
-    trace_.run_part("frf", [&] { frfs[i] = source_->frf(groups[i], from, options_.estimator); });
-  });
+  frfs();  // first: the fit reuses the H1 estimates
   modes();
-  averages.finish();
-  trace_.add("frf", 1, 0);
-  frfs_.get([&] { return std::move(frfs); });
 }
 
 const std::vector<identify::ModeClassification>& Analysis::classifications() const {

@@ -57,7 +57,7 @@ class Analysis {
   const identify::FrfDataset& fitted_frfs() const;
   /// Modes within the band, ascending.
   const std::vector<identify::Mode>& modes() const;
-  /// Computes modes() and frfs(); threads that the fits leave idle average the FRFs.
+  /// Computes modes() and frfs() in the order that takes less time.
   void compute_modes_and_frfs() const;
   const std::vector<identify::ModeClassification>& classifications() const;
   /// Each mode fitted to each accepted hit alone: repeatability, drift, dependence on the force.

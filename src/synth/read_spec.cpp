@@ -193,7 +193,7 @@ SynthSpec parse_synth_spec(std::string_view text, std::string_view where) {
   const std::string place(where);
   if (text.size() > kLongestText) throw InputError("longer than 4 MiB", place, "give a synth spec");
   SynthSpec spec;
-  read_strict_json({.text = text, .where = place, .max_depth = kMaxDepth},
+  read_strict_json({.text = text, .where = place, .options = {"synth.example"}, .max_depth = kMaxDepth},
                    [&](StrictObject& o) { read_document(o, spec); });
   check(spec, where);
   return spec;

@@ -9,7 +9,7 @@
 #include "support/scratch_folder.hpp"
 #include "support/synthetic_files.hpp"
 
-// The user's word over the program's: percuss analyze with every choice, and what it says to a wrong one.
+// Options of percuss analyze that override its choices, and the errors of invalid ones.
 namespace percuss::analyze_choices_test {
 
 using nlohmann::json;
@@ -47,7 +47,7 @@ class AnalyzeChoices : public testing::Test {
   inline static std::unique_ptr<test::ScratchFolder> folder_;
 };
 
-TEST_F(AnalyzeChoices, WithoutAnyNoneIsRecorded) {
+TEST_F(AnalyzeChoices, RecordsNoChoiceWithoutAny) {
   const json document = document_of({});
   EXPECT_FALSE(document.contains("options"));
   EXPECT_EQ(document["hits"][1]["accepted"], false);
@@ -59,7 +59,7 @@ TEST_F(AnalyzeChoices, WithoutAnyNoneIsRecorded) {
   EXPECT_NEAR(finding["delay_s"], 0.02, 0.001);
 }
 
-TEST_F(AnalyzeChoices, AcceptsAndRejectsHitsAgainstTheFindings) {
+TEST_F(AnalyzeChoices, AcceptsAndRejectsHitsAgainstTheirFindings) {
   const json document = document_of({"--accept-hit", "1", "--reject-hit", "0"});
   EXPECT_EQ(document["options"]["accept_hits"], (json{1}));
   EXPECT_EQ(document["options"]["reject_hits"], (json{0}));
@@ -72,7 +72,7 @@ TEST_F(AnalyzeChoices, AcceptsAndRejectsHitsAgainstTheFindings) {
   EXPECT_FALSE(document["hits"][2].contains("by_user"));
 }
 
-TEST_F(AnalyzeChoices, ReportsAsManyModesAsAskedFor) {
+TEST_F(AnalyzeChoices, ReportsTheRequestedNumberOfModes) {
   const json document = document_of({"--modes", "1"});
   EXPECT_EQ(document["options"]["modes"], 1);
   EXPECT_EQ(document["modes"].size(), 1U);
@@ -90,7 +90,7 @@ TEST_F(AnalyzeChoices, FitsAFrequencyGivenTwiceOnce) {
   EXPECT_EQ(document_of({"--start", "702,199,702"})["modes"].size(), 2U);
 }
 
-TEST_F(AnalyzeChoices, CutsWhereItIsTold) {
+TEST_F(AnalyzeChoices, CutsHitsAsRequested) {
   const json document =
       document_of({"--from", "0.02", "--to", "0.9", "--trigger", "50", "--pretrigger", "0.01", "--length", "0.7"});
   const json& options = document["options"];
@@ -103,7 +103,7 @@ TEST_F(AnalyzeChoices, CutsWhereItIsTold) {
   EXPECT_NEAR(document["modes"][0]["frequency_hz"], 200, 0.05);
 }
 
-TEST_F(AnalyzeChoices, CorrectsTheDampingForTheExponentialWindow) {
+TEST_F(AnalyzeChoices, CorrectsDampingForTheExponentialWindow) {
   const json document = document_of({"--exponential", "0.001"});
   EXPECT_EQ(document["options"]["exponential_end"], 0.001);
   ASSERT_EQ(document["modes"].size(), 2U);
@@ -112,14 +112,14 @@ TEST_F(AnalyzeChoices, CorrectsTheDampingForTheExponentialWindow) {
   EXPECT_GT(mode["damping_ratio_raw"], 0.012);
 }
 
-TEST_F(AnalyzeChoices, RecordsTheOtherSettingsThatWereChanged) {
+TEST_F(AnalyzeChoices, RecordsChangedSettings) {
   const json document = document_of({"--force-window", "off", "--overlay-db", "0.5", "--estimator", "h2"});
   EXPECT_EQ(document["options"]["force_window"], "off");
   EXPECT_EQ(document["options"]["overlay_db"], 0.5);
   EXPECT_EQ(document["options"]["estimator"], "H2");
 }
 
-TEST_F(AnalyzeChoices, SaysInOneLineWhatIsWrongWithAChoice) {
+TEST_F(AnalyzeChoices, ReportsAnInvalidChoiceInOneLine) {
   EXPECT_THAT(rejection_of({"--band", "60"}, 2), AllOf(HasSubstr("--band"), HasSubstr("LO:HI")));
   EXPECT_THAT(rejection_of({"--band", "900:60"}, 2), HasSubstr("--band"));
   EXPECT_THAT(rejection_of({"--band", "nan:60"}, 2), HasSubstr("--band"));
@@ -127,7 +127,8 @@ TEST_F(AnalyzeChoices, SaysInOneLineWhatIsWrongWithAChoice) {
   EXPECT_THAT(rejection_of({"--band", "60:9000"}, 3), AllOf(HasSubstr("--band"), HasSubstr("4096 Hz")));
   EXPECT_THAT(rejection_of({"--only", "hits,noise"}, 2), AllOf(HasSubstr("'noise'"), HasSubstr("coherence")));
   EXPECT_THAT(rejection_of({"--accept-hit", "7"}, 3), AllOf(HasSubstr("no hit 7"), HasSubstr("count from 0")));
-  EXPECT_THAT(rejection_of({"--accept-hit", "1", "--reject-hit", "1"}, 2), HasSubstr("both accepted and rejected"));
+  EXPECT_THAT(rejection_of({"--accept-hit", "1", "--reject-hit", "1"}, 2),
+              HasSubstr("--accept-hit and --reject-hit both name hit 1"));
   EXPECT_THAT(rejection_of({"--accept-hit", "-1"}, 2), HasSubstr("--accept-hit"));
   EXPECT_THAT(rejection_of({"--modes", "0"}, 2), HasSubstr("--modes"));
   EXPECT_THAT(rejection_of({"--start", "-5"}, 2), HasSubstr("--start"));
@@ -140,7 +141,7 @@ TEST_F(AnalyzeChoices, SaysInOneLineWhatIsWrongWithAChoice) {
   EXPECT_THAT(rejection_of({path()}, 2), HasSubstr("twice"));
 }
 
-TEST_F(AnalyzeChoices, TakesTheChannelsAndUnitsTheUserNames) {
+TEST_F(AnalyzeChoices, UsesTheNamedChannelsAndUnits) {
   test::write_bytes(folder_->file("lab.csv"), [] {
     std::string text = "a;b;c\n";
     for (int i = 0; i < 2000; ++i)
@@ -156,7 +157,7 @@ TEST_F(AnalyzeChoices, TakesTheChannelsAndUnitsTheUserNames) {
   EXPECT_NEAR(document["hits"][0]["peak_force_n"], 0.5 * 4.4482216152605, 0.3);
 }
 
-TEST_F(AnalyzeChoices, TakesAChannelSetUp) {
+TEST_F(AnalyzeChoices, AppliesAChannelSetUp) {
   test::write_bytes(
       folder_->file("setup.json"),
       R"([{"name": "accel 1", "role": "acceleration", "angle_deg": 30}, {"name": "accel 2", "role": "ignore"}])");
@@ -164,13 +165,13 @@ TEST_F(AnalyzeChoices, TakesAChannelSetUp) {
   EXPECT_EQ(document["modes"][0]["residues"].size(), 1U);
 }
 
-TEST_F(AnalyzeChoices, StartsLieWithinTheBand) {
+TEST_F(AnalyzeChoices, RejectsStartsOutsideTheBand) {
   EXPECT_THAT(rejection_of({"--band", "60:1000", "--start", "1500"}, 2),
-              HasSubstr("--start 1500 lies outside --band 60:1000"));
+              HasSubstr("--start cannot be '1500': it lies outside the band 60:1000 Hz"));
 }
 
-// Hits on three bats, taken for one test.
-TEST_F(AnalyzeChoices, FilesOfOtherStructuresAreNotTakenForHitsWithoutAWord) {
+// Hits on three different bats, grouped as one test.
+TEST_F(AnalyzeChoices, WarnsOfFilesOfDifferentStructures) {
   std::vector<std::string> words{"analyze", "--band", "60:3200", "--only", "classes"};
   for (const std::string preset : {"wood-bat", "aluminium-bat", "composite-bat"}) {
     words.push_back(folder_->file(preset + ".h5"));

@@ -22,7 +22,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// Records a … d: a good one, one without a pulse, one that is none, another good one.
+/// Records a … d: a valid one, one without a pulse, an invalid file, another valid one.
 class BatchCommand : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -71,7 +71,7 @@ void expect_lines_of(const std::string& text, const std::string& schema) {
     EXPECT_THAT(test::schema_violations(test::parse_json(line), test::schema_named(schema)), IsEmpty()) << line;
 }
 
-TEST_F(BatchCommand, GoesFromRecordsToRowsThatTheirSchemasDescribe) {
+TEST_F(BatchCommand, WritesRowsThatFitTheirSchemas) {
   plan();
   expect_lines_of(bytes_of(folder_.file("m.jsonl")), "batch-manifest");
   EXPECT_EQ(run().code, 6);
@@ -87,7 +87,7 @@ TEST_F(BatchCommand, GoesFromRecordsToRowsThatTheirSchemasDescribe) {
   EXPECT_EQ(mode["family"], "bending");
 }
 
-TEST_F(BatchCommand, HasTheNumbersOfAnalyze) {
+TEST_F(BatchCommand, AgreesWithAnalyze) {
   plan();
   ASSERT_EQ(run().code, 6);
   const auto mode = test::parse_json(lines_of(merged("r.jsonl")).at(3));
@@ -99,7 +99,7 @@ TEST_F(BatchCommand, HasTheNumbersOfAnalyze) {
   EXPECT_EQ(mode["ratio_re"], analysis["modes"][1]["ratio"]["re"]);
 }
 
-TEST_F(BatchCommand, SaysOfABadRecordWhatAnalyzeSays) {
+TEST_F(BatchCommand, ReportsABadRecordAsAnalyzeDoes) {
   plan();
   ASSERT_EQ(run().code, 6);
   const auto rows = lines_of(merged("r.jsonl"));
@@ -113,7 +113,7 @@ TEST_F(BatchCommand, SaysOfABadRecordWhatAnalyzeSays) {
   EXPECT_EQ("percuss: " + none["reason"].get<std::string>() + "\n", percuss({"analyze", "recs/c.csv"}).err);
 }
 
-TEST_F(BatchCommand, GivesTheSameBytesWhoeverDividesTheWork) {
+TEST_F(BatchCommand, GivesTheSameBytesForAnyDivision) {
   plan({"--frf"});
   ASSERT_EQ(run({"--threads", "1"}).code, 6);
   ASSERT_EQ(batch({"merge", "--manifest", "m.jsonl", "out", "-o", "1.jsonl", "-o", "1.csv", "-o", "1.h5"}).code, 6);
@@ -125,18 +125,18 @@ TEST_F(BatchCommand, GivesTheSameBytesWhoeverDividesTheWork) {
     EXPECT_EQ(bytes_of(folder_.file("1" + std::string(kind))), bytes_of(folder_.file("3" + std::string(kind)))) << kind;
 }
 
-TEST_F(BatchCommand, KeepsTheFrfsThatFrfWrites) {
+TEST_F(BatchCommand, StoresTheFrfsThatFrfWrites) {
   plan({"--frf"});
   ASSERT_EQ(run().code, 6);
   ASSERT_EQ(batch({"merge", "--manifest", "m.jsonl", "out", "-o", "r.h5"}).code, 6);
   ASSERT_EQ(percuss({"frf", "recs/a.h5", "-o", "a.h5"}).code, 0);
-  // What the numbers are stands in both files, one after the other.
+  // Both files store the numbers contiguously.
   const std::string alone = bytes_of(folder_.file("a.h5")), all = bytes_of(folder_.file("r.h5"));
   ASSERT_GT(alone.size(), 20000U);
   EXPECT_THAT(all, HasSubstr(alone.substr(alone.size() / 2, 4096)));
 }
 
-TEST_F(BatchCommand, DoesNothingTwice) {
+TEST_F(BatchCommand, SkipsFinishedRecords) {
   plan({"--shards", "2"});
   const auto first = run({"--json"}), second = run({"--json"});
   EXPECT_EQ(first.code, 6);
@@ -148,7 +148,7 @@ TEST_F(BatchCommand, DoesNothingTwice) {
   EXPECT_EQ(document["shards"][1]["analysed"], 0);
 }
 
-TEST_F(BatchCommand, TellsWhatIsMissing) {
+TEST_F(BatchCommand, ListsMissingShards) {
   plan({"--shards", "3"});
   ASSERT_NE(run({"--shard", "1"}).code, 3);
   EXPECT_EQ(batch({"status", "--manifest", "m.jsonl", "out", "--missing"}).out, "0,2\n");
@@ -161,7 +161,7 @@ TEST_F(BatchCommand, TellsWhatIsMissing) {
   EXPECT_EQ(batch({"status", "--manifest", "m.jsonl", "out", "--missing"}).out, "");
 }
 
-TEST_F(BatchCommand, IsToldItsShardByTheEngine) {
+TEST_F(BatchCommand, TakesItsShardFromTheScheduler) {
   plan({"--shards", "3"});
   EXPECT_THAT(run({}, {"SLURM_ARRAY_TASK_ID=2"}).out, HasSubstr("in shard 2 of 3"));
   EXPECT_THAT(run({}, {"JOB_COMPLETION_INDEX=0"}).out, HasSubstr("in shard 0 of 3"));
@@ -171,7 +171,7 @@ TEST_F(BatchCommand, IsToldItsShardByTheEngine) {
   EXPECT_THAT(run({"--shard", "0"}, {"SLURM_ARRAY_TASK_ID=3"}).out, HasSubstr("in shard 0 of 3"));
 }
 
-TEST_F(BatchCommand, NoticesThatARecordHasChanged) {
+TEST_F(BatchCommand, DetectsAChangedRecord) {
   test::write_small_test(folder_.file("x.csv"), R"("hits": 1)");
   ASSERT_EQ(batch({"plan", "x.csv", "--hash", "-o", "m.jsonl"}).code, 0);
   std::string bytes = bytes_of(folder_.file("x.csv"));
@@ -196,7 +196,7 @@ TEST_F(BatchCommand, MovesWithItsManifest) {
   EXPECT_EQ(batch({"run", "--manifest", "there/m.jsonl", "-o", "out"}).code, 0);
 }
 
-TEST_F(BatchCommand, RefusesOptionsAsAnalyzeDoes) {
+TEST_F(BatchCommand, RejectsOptionsAsAnalyzeDoes) {
   for (const std::vector<std::string>& options : std::vector<std::vector<std::string>>{{"--band", "1"},
                                                                                        {"--effort", "bst"},
                                                                                        {"--trigger", "-1"},
@@ -216,7 +216,7 @@ TEST_F(BatchCommand, RefusesOptionsAsAnalyzeDoes) {
   }
 }
 
-TEST_F(BatchCommand, CarriesOptionsAndTheSetUp) {
+TEST_F(BatchCommand, StoresOptionsAndTheSetUp) {
   test::write_bytes(folder_.file("setup.json"),
                     R"([{"name": "accel 1", "angle_deg": 10}, {"name": "accel 2", "angle_deg": 100}])");
   ASSERT_EQ(batch({"plan", "recs/a.h5", "--setup", "setup.json", "--start", "200,700", "--accel-scale", "-1,2", "-o",
@@ -236,7 +236,7 @@ TEST_F(BatchCommand, CarriesOptionsAndTheSetUp) {
   EXPECT_EQ(test::parse_json(rows.at(2))["ratio_re"], analysis["modes"][0]["ratio"]["re"]);
 }
 
-TEST_F(BatchCommand, RefusesToMixPlans) {
+TEST_F(BatchCommand, RejectsAMixtureOfPlans) {
   plan();
   ASSERT_EQ(run().code, 6);
   plan({"--force", "--band", "100:900"});
@@ -251,7 +251,7 @@ TEST_F(BatchCommand, RefusesToMixPlans) {
   EXPECT_THAT(run().err, HasSubstr("made by percuss 9."));
 }
 
-TEST_F(BatchCommand, NoticesThatAPartHasChanged) {
+TEST_F(BatchCommand, DetectsAChangedPart) {
   plan();
   ASSERT_EQ(run().code, 6);
   std::string part = bytes_of(folder_.file("out/part-0.jsonl"));
@@ -259,11 +259,11 @@ TEST_F(BatchCommand, NoticesThatAPartHasChanged) {
   test::write_bytes(folder_.file("out/part-0.jsonl"), part);
   const auto outcome = batch({"merge", "--manifest", "m.jsonl", "out", "-o", "r.jsonl"});
   EXPECT_EQ(outcome.code, 3);
-  EXPECT_THAT(outcome.err, HasSubstr("the part is not as it was finished"));
+  EXPECT_THAT(outcome.err, HasSubstr("the part changed after it was finished"));
   EXPECT_FALSE(fs::exists(folder_.file("r.jsonl")));
 }
 
-TEST_F(BatchCommand, IsReadByStudy) {
+TEST_F(BatchCommand, WritesTablesThatStudyReads) {
   plan();
   ASSERT_EQ(run().code, 6);
   ASSERT_EQ(batch({"merge", "--manifest", "m.jsonl", "out", "-o", "r.jsonl", "-o", "r.csv"}).code, 6);
@@ -278,7 +278,7 @@ TEST_F(BatchCommand, IsReadByStudy) {
   }
 }
 
-TEST_F(BatchCommand, PrintsAJobArrayOfWhatIsMissing) {
+TEST_F(BatchCommand, PrintsAJobArrayOfMissingShards) {
   plan({"--shards", "3"});
   ASSERT_NE(run({"--shard", "1"}).code, 3);
   const auto script = batch({"submit", "slurm", "--manifest", "m.jsonl", "-o", "out", "--sbatch=--time=5"});
@@ -289,7 +289,7 @@ TEST_F(BatchCommand, PrintsAJobArrayOfWhatIsMissing) {
   EXPECT_EQ(batch({"submit", "pbs", "--manifest", "m.jsonl", "-o", "out"}).code, 2);
 }
 
-TEST_F(BatchCommand, RefusesWhatIsNoManifest) {
+TEST_F(BatchCommand, RejectsAnInvalidManifest) {
   const std::string good = R"({"schema":"percuss/batch-manifest/1","version":"1","records":0,"bytes":0,"shards":1,)"
                            R"("frf":false,"options":[],"options_sha256":")";
   for (const std::string& text : std::vector<std::string>{"", "x\n", "{}\n", "[]\n", std::string(1000, '[') + "\n",

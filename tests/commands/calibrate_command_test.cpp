@@ -47,7 +47,7 @@ class CalibrateCommand : public testing::Test {
   std::string path_ = folder_.file("mass.csv");
 };
 
-TEST_F(CalibrateCommand, FindsWhatOneUnitOfTheForceIs) {
+TEST_F(CalibrateCommand, FindsTheForceScale) {
   const auto outcome = calibrate({"--mass", "1.25", "--json"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const json document = test::parse_json(outcome.out);
@@ -59,7 +59,7 @@ TEST_F(CalibrateCommand, FindsWhatOneUnitOfTheForceIs) {
   EXPECT_NEAR(document["hits"][1]["time_s"], 1.4, 0.005);
 }
 
-TEST_F(CalibrateCommand, TellsPeopleTheOptionToUse) {
+TEST_F(CalibrateCommand, PrintsTheOptionToUse) {
   const auto outcome = calibrate({"--mass", "1.25"});
   EXPECT_EQ(outcome.code, 0);
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("1.25 kg"), HasSubstr("--force-scale 0.008"), HasSubstr(" ± ")));
@@ -76,7 +76,7 @@ TEST_F(CalibrateCommand, WritesTheDocument) {
   EXPECT_EQ(calibrate({"--mass", "1.25", "-o", out, "--force"}).code, 0);
 }
 
-TEST_F(CalibrateCommand, SaysInOneLineWhatIsWrong) {
+TEST_F(CalibrateCommand, ReportsErrorsInOneLine) {
   const auto rejection_of = [this](const std::vector<std::string>& options, int code) {
     const auto outcome = calibrate(options);
     EXPECT_EQ(outcome.code, code) << outcome.err;
@@ -90,7 +90,7 @@ TEST_F(CalibrateCommand, SaysInOneLineWhatIsWrong) {
   EXPECT_THAT(rejection_of({"--mass", "1.25", "-o", "scale.txt"}, 2), HasSubstr(".json"));
 }
 
-TEST_F(CalibrateCommand, CannotCalibrateWithoutAHit) {
+TEST_F(CalibrateCommand, FailsWithoutAHit) {
   const auto outcome = calibrate({"--mass", "1.25", "--trigger", "1e6"});
   EXPECT_EQ(outcome.code, 4);
   EXPECT_EQ(test::lines_of(outcome.err).size(), 1U) << outcome.err;

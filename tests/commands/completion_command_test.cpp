@@ -12,7 +12,7 @@
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
 
-// The completion scripts. That for bash is asked as bash would; .ci/shells asks those for zsh and fish.
+// The completion scripts. The tests run the script for bash; .ci/shells tests the scripts for zsh and fish.
 namespace percuss::completion_command_test {
 
 namespace fs = std::filesystem;
@@ -31,7 +31,7 @@ std::string script_for(const std::string& shell) {
 
 std::string quoted(const std::string& word) { return "'" + word + "'"; }
 
-/// The lines that a shell prints for a program of a few lines, run in `folder`.
+/// The lines that a shell prints when it runs `program` in `folder`.
 std::vector<std::string> lines_from(const std::string& shell, const std::string& program, const std::string& folder) {
   const test::ScratchFolder aside;
   test::write_bytes(aside.file("program"), program);
@@ -52,7 +52,7 @@ class CompletionCommand : public testing::Test {
     fs::create_directory(folder_.file("figures"));
   }
 
-  /// What bash offers for the last of `words`; "=" is a word of its own to bash.
+  /// The completions of bash for the last of `words`; bash treats "=" as a word.
   std::vector<std::string> in_bash(const std::vector<std::string>& words) {
     test::write_bytes(folder_.file(".script"), script_for("bash"));
     std::string line;
@@ -112,7 +112,7 @@ TEST_F(CompletionCommand, KnowsEveryOptionOfEveryCommand) {
   }
 }
 
-TEST_F(CompletionCommand, IsTheSameEachTime) {
+TEST_F(CompletionCommand, IsReproducible) {
   for (const std::string shell : {"bash", "zsh", "fish"}) {
     const std::string script = script_for(shell);
     EXPECT_THAT(test::lines_of(script), Not(IsEmpty()));

@@ -53,7 +53,7 @@ TEST_F(ConvertCommand, KeepsEverySampleThroughEveryFormat) {
   }
 }
 
-TEST_F(ConvertCommand, GivesEqualBytesForWhatWasReadAndWrittenAgain) {
+TEST_F(ConvertCommand, GivesEqualBytesAfterARoundTrip) {
   for (const std::string from : kKinds) {
     ASSERT_EQ(convert("bat.h5", "a." + from).code, 0);
     ASSERT_EQ(convert("frf.h5", "f." + from).code, 0);
@@ -69,7 +69,7 @@ TEST_F(ConvertCommand, GivesEqualBytesForWhatWasReadAndWrittenAgain) {
   }
 }
 
-TEST_F(ConvertCommand, KeepsFrfsTheirScatterAndTheirSensors) {
+TEST_F(ConvertCommand, KeepsFrfsTheirStandardDeviationsAndSensors) {
   const json modes = modes_of("frf.h5");
   ASSERT_EQ(modes.size(), 2U);
   for (const std::string kind : kKinds) {
@@ -86,13 +86,13 @@ TEST_F(ConvertCommand, KeepsFrfsTheirScatterAndTheirSensors) {
   }
 }
 
-TEST_F(ConvertCommand, SaysWhatCannotBeKept) {
+TEST_F(ConvertCommand, ListsLostInformation) {
   EXPECT_EQ(convert("bat.h5", "k.uff").err, "");
   EXPECT_THAT(convert("bat.h5", "k.csv").err, HasSubstr("not kept: the sensors' angles"));
   EXPECT_EQ(convert("bat.h5", "k.csv", {"--quiet"}).err, "");
 }
 
-TEST_F(ConvertCommand, RefusesInOneLine) {
+TEST_F(ConvertCommand, ReportsErrorsInOneLine) {
   EXPECT_EQ(run_percuss({"convert", file("bat.h5")}).code, 2);
   EXPECT_EQ(run_percuss({"convert", file("bat.h5"), file("a.xls")}).code, 2);
   EXPECT_EQ(run_percuss({"convert", file("none.h5"), file("new.mat")}).code, 3);

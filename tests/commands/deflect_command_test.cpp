@@ -14,7 +14,7 @@
 #include "support/rejection.hpp"
 #include "support/scratch_folder.hpp"
 
-// From a struck bat to the model/test ratio, as a user goes.
+// From a measured bat to the ratio of model and test.
 namespace percuss::deflect_command_test {
 
 using nlohmann::json;
@@ -44,7 +44,7 @@ void add_impact(double at_m, std::mt19937& random, std::vector<double>& force_N,
         accel += y * (y * force - omega * omega * state.eta[m]);
       }
       for (int k = 0; k < kSubsteps; ++k) model.step(state, 1 / kFs_Hz / kSubsteps);
-      // Second contacts are left out of the model's figure: the ball is taken away once it has left.
+      // The model ignores second contacts: it removes the ball after the first separation.
       separated = separated || (force > 0 && model.read(state).force_N == 0);
       if (separated) state.ball_m = -1;
     }
@@ -73,7 +73,7 @@ class DeflectCommand : public testing::Test {
   inline static std::unique_ptr<test::ScratchFolder> folder_;
 };
 
-TEST_F(DeflectCommand, GivesADocumentThatItsSchemaDescribes) {
+TEST_F(DeflectCommand, PrintsADocumentThatFitsItsSchema) {
   const auto outcome =
       run_percuss({"deflect", file("bat.h5"), "--positions", "0.155:0.13:0.545", "--beam-distance", "0.1", "--json"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
@@ -85,7 +85,7 @@ TEST_F(DeflectCommand, GivesADocumentThatItsSchemaDescribes) {
   EXPECT_NEAR(document["impact_speeds"][0]["speed_mps"].get<double>(), 0.1 / kRest_s, 0.1);
 }
 
-TEST_F(DeflectCommand, LeadsToTheRatioOfModelAndTest) {
+TEST_F(DeflectCommand, ComparesWithAModel) {
   const test::ScratchFolder out;
   const auto run = [&](std::vector<std::string> arguments, const std::string& name) {
     arguments.insert(arguments.end(), {"-o", name, "--quiet"});
@@ -107,7 +107,7 @@ TEST_F(DeflectCommand, LeadsToTheRatioOfModelAndTest) {
   EXPECT_THAT(text.out, HasSubstr("largest deflection"));
 }
 
-TEST_F(DeflectCommand, NeedsNoForce) {
+TEST_F(DeflectCommand, WorksWithoutAForce) {
   const test::ScratchFolder out;
   const acquire::Record record = acquire::open_record(file("bat.h5"));
   std::vector<double> accel(record.rows[0].samples);
@@ -138,7 +138,7 @@ TEST_F(DeflectCommand, WritesEverySample) {
   EXPECT_THAT(test::bytes_of(out.file("d.svg")), HasSubstr("deflection, mm"));
 }
 
-TEST_F(DeflectCommand, NamesTheOptionThatIsWrong) {
+TEST_F(DeflectCommand, NamesTheInvalidOption) {
   for (const auto& [option, value] : std::vector<std::pair<std::string, std::string>>{{"--highpass-corner", "-1"},
                                                                                       {"--highpass-corner", "nan"},
                                                                                       {"--method", "magic"},
@@ -172,7 +172,7 @@ TEST(CompareCommand, PairsFrequenciesOfModels) {
   EXPECT_EQ(document["others"][0]["document"], 2);
 }
 
-TEST(CompareCommand, RefusesWhatItCannotCompare) {
+TEST(CompareCommand, RejectsDocumentsThatItCannotCompare) {
   const test::ScratchFolder folder;
   const auto refused = [&](const std::string& text) {
     test::write_bytes(folder.file("x.json"), text);

@@ -80,7 +80,7 @@ TEST_F(FrfCommand, ConvertsToMobilityAndReceptance) {
   EXPECT_NEAR(magnitude_of("receptance") / (accelerance / omega / omega), 1, 1e-6);
 }
 
-TEST_F(FrfCommand, WritesTheFilesItIsAskedFor) {
+TEST_F(FrfCommand, WritesTheRequestedFiles) {
   const auto outcome =
       frf({file("bat.h5"), "--estimator", "hv", "-o", file("frf.csv"), "-o", file("frf.h5"), "-o", file("frf.json")});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
@@ -107,7 +107,7 @@ TEST_F(FrfCommand, OverwritesOnlyWhenForced) {
   }
 }
 
-TEST_F(FrfCommand, RefusesKindsOfFileItDoesNotKnow) {
+TEST_F(FrfCommand, RejectsUnknownKindsOfFile) {
   for (const char* name : {"frf.txt", "frf", "frf.csv.gz"}) {
     const auto outcome = frf({file("bat.h5"), "-o", file(name)});
     EXPECT_EQ(outcome.code, 2);
@@ -116,7 +116,7 @@ TEST_F(FrfCommand, RefusesKindsOfFileItDoesNotKnow) {
   EXPECT_EQ(frf({file("bat.h5"), "--kind", "impedance"}).code, 2);
 }
 
-TEST_F(FrfCommand, WritesNothingWhenThereIsNoFrf) {
+TEST_F(FrfCommand, WritesNothingWithoutAnFrf) {
   const auto outcome = frf({file("missing.h5"), "-o", file("none.csv"), "-o", file("none.h5"), "--json"});
   EXPECT_EQ(outcome.code, 4);
   EXPECT_EQ(test::parse_json(outcome.out)["hits"][0]["findings"][0]["code"], "no_pulse");

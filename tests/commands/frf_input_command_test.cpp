@@ -46,7 +46,7 @@ class FrfInput : public testing::Test {
   inline static std::unique_ptr<test::ScratchFolder> folder_;
 };
 
-TEST_F(FrfInput, GivesTheModesOfTheRecordTheFrfsWereMadeFrom) {
+TEST_F(FrfInput, FindsTheModesOfTheRecord) {
   const json record = analysed({file("bat.h5"), "--band", "60:1000"});
   ASSERT_EQ(record["modes"].size(), 2U);
   for (const char* name :
@@ -64,7 +64,7 @@ TEST_F(FrfInput, GivesTheModesOfTheRecordTheFrfsWereMadeFrom) {
   }
 }
 
-TEST_F(FrfInput, GivesADocumentWithoutHitsThatTheSchemaDescribes) {
+TEST_F(FrfInput, PrintsADocumentWithoutHitsThatFitsItsSchema) {
   for (const char* name : {"accelerance.csv", "mobility.h5"}) {
     const json document = analysed({file(name)});
     EXPECT_THAT(test::schema_violations(document, test::schema_named("analysis")), IsEmpty());
@@ -76,7 +76,7 @@ TEST_F(FrfInput, GivesADocumentWithoutHitsThatTheSchemaDescribes) {
   }
 }
 
-TEST_F(FrfInput, KnowsAWindowThatTheFrfsWereMadeWith) {
+TEST_F(FrfInput, CorrectsForTheWindowOfTheFrfs) {
   for (const char* name : {"windowed.csv", "windowed.h5"}) {
     run_percuss({"frf", file("bat.h5"), "--band", "60:1000", "--exponential", "0.01", "-o", file(name)});
     const json document = analysed({file(name)});
@@ -86,7 +86,7 @@ TEST_F(FrfInput, KnowsAWindowThatTheFrfsWereMadeWith) {
   }
 }
 
-TEST_F(FrfInput, TakesSeveralFilesAsPointsAndSensorsSignsFromASetup) {
+TEST_F(FrfInput, TakesFilesAsPointsAndSignsFromASetup) {
   test::write_bytes(file("setup.json"), R"([{"name": "1", "direction": "-x"}])");
   test::write_bytes(file("again.csv"), test::bytes_of(file("accelerance.csv")));
   const json document =
@@ -99,7 +99,7 @@ TEST_F(FrfInput, TakesSeveralFilesAsPointsAndSensorsSignsFromASetup) {
   EXPECT_NEAR(residues[1]["re"].get<double>(), 0.3, 1e-3);
 }
 
-TEST_F(FrfInput, WarnsOfWhatItAssumed) {
+TEST_F(FrfInput, WarnsOfAssumptions) {
   std::string text = test::bytes_of(file("accelerance.csv"));
   test::write_bytes(file("bare.csv"), text.substr(text.find('\n') + 1));
   const json document = analysed({file("bare.csv")});
@@ -110,7 +110,7 @@ TEST_F(FrfInput, WarnsOfWhatItAssumed) {
   EXPECT_EQ(told["modes"], document["modes"]);
 }
 
-TEST_F(FrfInput, IsToldToPeople) {
+TEST_F(FrfInput, IsDescribedInTheText) {
   const auto outcome = run_percuss({"analyze", file("mobility.csv")});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("FRFs (mobility)"), HasSubstr("1 point × 2 accelerometers"),
@@ -136,7 +136,7 @@ TEST_F(FrfInput, IsConvertedByFrf) {
   EXPECT_EQ(lines_of(outcome.out).size(), 943U);
 }
 
-TEST_F(FrfInput, RefusesInOneLineWhatDoesNotGoWithFrfs) {
+TEST_F(FrfInput, RejectsOptionsThatDoNotApplyToFrfs) {
   const std::string frfs = file("accelerance.csv");
   const std::vector<std::pair<std::vector<std::string>, int>> cases{
       {{frfs, "--fs", "100"}, 3},          {{frfs, "--exponential", "0.1"}, 3},
@@ -154,7 +154,7 @@ TEST_F(FrfInput, RefusesInOneLineWhatDoesNotGoWithFrfs) {
   }
 }
 
-TEST_F(FrfInput, SurvivesFrfsWithoutAnythingInThem) {
+TEST_F(FrfInput, AcceptsFrfsOfZeros) {
   std::string text = "# accelerance (m/s^2)/N\nfrequency,re,im\n";
   for (int k = 0; k < 200; ++k) text += std::to_string(k) + ",0,0\n";
   test::write_bytes(file("silent.csv"), text);
@@ -162,8 +162,8 @@ TEST_F(FrfInput, SurvivesFrfsWithoutAnythingInThem) {
   EXPECT_EQ(document["modes"], json::array());
 }
 
-// Many FRFs are fitted by a way of their own, which completes records that were cut off: FRFs have none.
-TEST_F(FrfInput, OfManyPointsGivesTheModesOfTheRecord) {
+// Many FRFs take a separate path that models truncated records; files of FRFs have no truncation.
+TEST_F(FrfInput, FindsTheModesOfTheRecordFromManyPoints) {
   ASSERT_EQ(run_percuss({"synth", "roving-barrel", "-o", file("barrel.h5")}).code, 0);
   ASSERT_EQ(run_percuss({"frf", file("barrel.h5"), "-o", file("frfs.h5")}).code, 0);
   const auto outcome = run_percuss({"analyze", file("frfs.h5"), "--band", "60:3200", "--json"});
@@ -177,7 +177,7 @@ TEST_F(FrfInput, OfManyPointsGivesTheModesOfTheRecord) {
   }
 }
 
-TEST_F(FrfInput, IsRefusedWhereARecordIsNeededOrASoundIsWanted) {
+TEST_F(FrfInput, IsRejectedWhereARecordOrASoundIsRequired) {
   ASSERT_EQ(run_percuss({"convert", file("accelerance.csv"), file("frfs.uff")}).code, 0);
   const auto record = run_percuss({"deflect", file("frfs.uff")});
   EXPECT_EQ(record.code, 3);

@@ -10,13 +10,13 @@
 #include "support/help_pages.hpp"
 #include "support/percuss_process.hpp"
 
-// What --help says, held against what the program does.
+// The text of --help, compared with the behaviour of the program.
 namespace percuss::help_test {
 
 using test::lines_of;
 using testing::HasSubstr;
 
-/// The explanation of an option, its lines joined; "" where the command has no such option.
+/// The help text of an option, its lines joined; "" if the command has no such option.
 std::string explanation(const std::string& help, const std::string& option) {
   std::string text;
   bool within = false;
@@ -29,7 +29,7 @@ std::string explanation(const std::string& help, const std::string& option) {
   return text;
 }
 
-/// The kinds of file that a text names, ".json".
+/// The extensions in a text, ".json".
 std::vector<std::string> kinds_in(const std::string& text) {
   const std::regex kind(R"( (\.[a-z0-9]+)\b)");
   std::vector<std::string> kinds;
@@ -38,12 +38,12 @@ std::vector<std::string> kinds_in(const std::string& text) {
   return kinds;
 }
 
-// Options without which a command does not come as far as its outputs.
+// Options that a command requires before it checks its outputs.
 const std::vector<std::pair<std::string, std::string>> kNeeded{
     {"--mass", "1"}, {"--positions", "3:1:9"}, {"--profile", "x"}, {"--manifest", "x"}};
 
-TEST(Help, TellsTheKindsOfFileThatACommandWrites) {
-  std::size_t told = 0;
+TEST(Help, ListsTheKindsOfFileThatACommandWrites) {
+  std::size_t checked = 0;
   for (const auto& command : test::commands()) {
     const std::string output = explanation(test::help_of(command), "--output");
     if (output.empty()) continue;
@@ -61,9 +61,9 @@ TEST(Help, TellsTheKindsOfFileThatACommandWrites) {
     const std::string kinds = output.substr(0, output.find('('));
     EXPECT_EQ(kinds_in(kinds), kinds_in(outcome.err)) << test::joined(command) << ": " << outcome.err;
     EXPECT_FALSE(kinds_in(kinds).empty()) << output;
-    ++told;
+    ++checked;
   }
-  EXPECT_GT(told, 15U);
+  EXPECT_GT(checked, 15U);
 }
 
 TEST(Help, ExplainsEveryOptionInASentence) {
@@ -79,7 +79,7 @@ TEST(Help, ExplainsEveryOptionInASentence) {
   }
 }
 
-TEST(Help, TellsWhatEachCommandIsAbout) {
+TEST(Help, DescribesEachCommand) {
   for (const auto& command : test::commands()) {
     const auto lines = lines_of(test::help_of(command));
     ASSERT_GT(lines.size(), 6U);
@@ -94,7 +94,7 @@ TEST(Help, IsTheSameByBothNames) {
   EXPECT_EQ(test::run_percuss({"-h"}).out, test::help_of({}));
 }
 
-TEST(Help, IsNoWiderThanATerminalExceptForWhatIsToBeCopied) {
+TEST(Help, FitsATerminalExceptForExampleLines) {
   for (const auto& command : test::commands()) {
     const std::string help = test::help_of(command);
     for (const std::string& line : lines_of(help.substr(0, help.find("\nExamples:\n"))))

@@ -25,14 +25,14 @@ class InfoCommand : public testing::Test {
   test::ScratchFolder folder_;
 };
 
-TEST_F(InfoCommand, DescribesAFileToPeople) {
+TEST_F(InfoCommand, PrintsADescriptionOfAFile) {
   const auto outcome = run({file("a.csv")});
   EXPECT_EQ(outcome.code, 0);
   EXPECT_THAT(outcome.out, HasSubstr("CSV, 1 row of 3 samples, 10 Hz, 0.3 s"));
   EXPECT_THAT(outcome.out, HasSubstr("force_N"));
 }
 
-TEST_F(InfoCommand, DescribesTheOtherFilesWhenOneIsBad) {
+TEST_F(InfoCommand, DescribesTheOtherFilesIfOneIsBad) {
   const auto outcome = run({"--json", file("a.csv"), file("none.csv"), file("b.csv")});
   EXPECT_EQ(outcome.code, 3);
   const auto document = test::parse_json(outcome.out);
@@ -44,7 +44,7 @@ TEST_F(InfoCommand, DescribesTheOtherFilesWhenOneIsBad) {
   EXPECT_THAT(document["files"][2]["needs"], HasSubstr("no force column found among t_s, CH1, CH2"));
 }
 
-TEST_F(InfoCommand, ListsTheColumnsWhenOnlyTheUserCanNameTheChannels) {
+TEST_F(InfoCommand, ListsTheColumnsOfUnknownChannels) {
   test::write_bytes(file("lab.csv"), "Sampling Rate(Hz),50\nCH No.,CH2,CH8\nUnit,cm/s2,V\n0,1,2\n0.02,3,4\n0.04,5,6\n");
   auto outcome = run({file("lab.csv")});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
@@ -58,7 +58,7 @@ TEST_F(InfoCommand, ListsTheColumnsWhenOnlyTheUserCanNameTheChannels) {
   EXPECT_EQ(document["files"][0]["columns"][2]["unit"], "V");
 }
 
-TEST_F(InfoCommand, TakesListsInOneWordSoThatFilesMayFollow) {
+TEST_F(InfoCommand, AcceptsListsBeforeFiles) {
   const auto outcome =
       run({"--json", "--force-channel", "CH1", "--accel-channel", "CH2,t_s", "--angle", "-90,90", "--unit", "mg",
            "--force-sensitivity", "2", "--force-unit", "mV", "--position", "0.5", file("b.csv")});
@@ -77,7 +77,7 @@ TEST_F(InfoCommand, ReadsStandardInput) {
   EXPECT_EQ(test::parse_json(outcome.out)["files"][0]["path"], "-");
 }
 
-TEST_F(InfoCommand, GivesEachFileItsForceScale) {
+TEST_F(InfoCommand, AppliesAForceScalePerFile) {
   auto outcome = run({"--json", "--force-scale", "2,3", file("a.csv"), "--force-channel", "2", "--accel-channel", "3",
                       "--unit", "g", file("b.csv")});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
@@ -95,7 +95,7 @@ TEST_F(InfoCommand, PrintsASetUpThatItReads) {
   EXPECT_EQ(test::parse_json(outcome.out)["files"][0]["channels"][1]["position_m"], 0.15);
 }
 
-TEST_F(InfoCommand, SaysWhatItWasGivenWrong) {
+TEST_F(InfoCommand, NamesTheInvalidValue) {
   EXPECT_EQ(run({}).code, 2);
   EXPECT_EQ(run({"--files", "many", file("a.csv")}).code, 2);
   EXPECT_EQ(run({"--unit", "furlong", file("a.csv")}).code, 3);
@@ -103,7 +103,7 @@ TEST_F(InfoCommand, SaysWhatItWasGivenWrong) {
   EXPECT_EQ(run({"--angle", "0,90", file("a.csv")}).code, 3);
 }
 
-TEST_F(InfoCommand, RefusesASetUpWhoseNamesAreSpeltOtherwise) {
+TEST_F(InfoCommand, RejectsASetUpWithMisspeltNames) {
   test::write_bytes(file("typo.json"),
                     R"([{"name": "CH1", "role": "force"}, {"name": "CH9", "role": "acceleration"}])");
   const auto outcome = run({"--setup", file("typo.json"), file("b.csv")});

@@ -13,7 +13,7 @@
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
 
-// The manual pages: the roff that man reads, made from the declaration of the options.
+// The manual pages in roff, made from the declarations of the commands.
 namespace percuss::man_command_test {
 
 namespace fs = std::filesystem;
@@ -39,7 +39,7 @@ std::vector<std::string> sections_of(const std::string& page) {
   return sections;
 }
 
-/// The text as a reader sees it: escapes undone, requests left out, lines joined by blanks.
+/// The visible text of a page: escapes resolved, requests removed, lines joined by blanks.
 std::string read(const std::string& page) {
   std::string out;
   for (std::string line : lines_of(page)) {
@@ -71,7 +71,7 @@ std::string read(const std::string& page) {
   return out;
 }
 
-/// A text without the places where its lines were broken.
+/// A text with its line breaks replaced by blanks.
 std::string on_one_line(const std::string& text) {
   std::string out;
   for (const char c : text) {
@@ -91,8 +91,8 @@ TEST(ManCommand, GivesEveryCommandAPageWithItsSections) {
   }
 }
 
-// The page says what --help says, in the same words: each option, each explanation, each example.
-TEST(ManCommand, SaysWhatHelpSays) {
+// The page contains each option, help text and example of --help.
+TEST(ManCommand, ContainsTheTextOfHelp) {
   for (const auto& command : test::commands()) {
     const std::string page = on_one_line(read(page_of(command)));
     const std::string help = test::help_of(command);
@@ -120,8 +120,8 @@ TEST(ManCommand, GroupsOptionsAsHelpDoes) {
   }
 }
 
-// A line that begins with a dot or an apostrophe would be taken for a request, a lone backslash for an escape.
-TEST(ManCommand, LeavesNothingToBeMistakenForARequest) {
+// A line that begins with a dot or an apostrophe is a request; a lone backslash begins an escape.
+TEST(ManCommand, EscapesAccidentalRequests) {
   for (const auto& command : test::commands()) {
     for (const std::string& line : lines_of(page_of(command))) {
       EXPECT_THAT(line, testing::Not(testing::StartsWith("'")));
@@ -133,7 +133,7 @@ TEST(ManCommand, LeavesNothingToBeMistakenForARequest) {
   }
 }
 
-TEST(ManCommand, WritesAllPagesAndTheSameBytesEachTime) {
+TEST(ManCommand, WritesAllPagesReproducibly) {
   const test::ScratchFolder folder;
   ASSERT_EQ(run_percuss({"man", "--folder", folder.file("man1")}).code, 0);
   std::size_t pages = 0;
@@ -157,7 +157,7 @@ TEST(ManCommand, OverwritesOnlyWhenForced) {
   EXPECT_EQ(test::bytes_of(folder.file("percuss.1")), page_of({}));
 }
 
-TEST(ManCommand, RefusesWhatHasNoPage) {
+TEST(ManCommand, RejectsUnknownPages) {
   EXPECT_THAT(run_percuss({"man", "anaylze"}).err, HasSubstr("did you mean analyze?"));
   EXPECT_THAT(run_percuss({"man", "model", "baem"}).err, HasSubstr("did you mean beam?"));
   EXPECT_EQ(run_percuss({"man", "beam"}).code, 2);
@@ -165,7 +165,7 @@ TEST(ManCommand, RefusesWhatHasNoPage) {
   EXPECT_EQ(run_percuss({"man", "analyze", "--folder", "x"}).code, 2);
 }
 
-// The pages' table of exit codes is the one that README promises.
+// The exit codes of the pages are those in README.
 TEST(ManCommand, AgreesWithReadmeOnExitCodes) {
   const std::string page = on_one_line(read(page_of({})));
   std::string table;
@@ -177,7 +177,7 @@ TEST(ManCommand, AgreesWithReadmeOnExitCodes) {
   EXPECT_THAT(page, HasSubstr(table + " percuss-"));
 }
 
-// Every command of the tool stands in README's table, so that none is found by chance alone.
+// The table in README lists every command.
 TEST(ManCommand, AgreesWithReadmeOnCommands) {
   const std::string readme = test::bytes_of(std::string(PERCUSS_SOURCE_DIR) + "/README.md");
   for (const auto& command : test::commands()) {

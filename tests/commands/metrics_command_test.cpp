@@ -21,7 +21,7 @@ nlohmann::json metrics_of(std::vector<std::string> options) {
   return document;
 }
 
-TEST(MetricsCommand, GivesTheWorkedExamples) {
+TEST(MetricsCommand, ReproducesTheWorkedExamples) {
   const auto bbs = metrics_of({"--besr", "0.728", "--v-swing-mph", "66"});
   EXPECT_NEAR(bbs["bbs_mph"].get<double>(), 97.008, kRounding);
   EXPECT_TRUE(bbs["bbcor"].is_null() && bbs["drop"].is_null() && bbs["k"].is_null());
@@ -37,7 +37,7 @@ TEST(MetricsCommand, GivesTheWorkedExamples) {
   EXPECT_NEAR(back["besr"].get<double>(), 0.728, 1e-12);
 }
 
-TEST(MetricsCommand, StatesEveryErrorAndWhereItComesFrom) {
+TEST(MetricsCommand, StatesEveryUncertaintyAndItsSources) {
   const auto bat = metrics_of({"--length-in", "34", "--weight-oz", "31", "--cg-in", "12.5", "--period-s", "1.42"});
   const double arm = 34 - 6 - 12.5, step = 0.0625 / std::sqrt(12.0);
   const auto& moi = bat["uncertainty"]["moi_oz_in2"];
@@ -46,14 +46,14 @@ TEST(MetricsCommand, StatesEveryErrorAndWhereItComesFrom) {
   EXPECT_NEAR(bat["uncertainty"]["drop"]["std"].get<double>(), std::hypot(step, 0.005 / std::sqrt(12.0)), kRounding);
 }
 
-TEST(MetricsCommand, TakesTimesOfALightGate) {
+TEST(MetricsCommand, AcceptsTimesOfALightGate) {
   const auto bat = metrics_of(
       {"--length-in", "34", "--weight-oz", "31", "--cg-in", "12.5", "--gate-times-s", "0.10,0.83,1.52,2.25,2.94,3.67"});
   const auto same = metrics_of({"--length-in", "34", "--weight-oz", "31", "--cg-in", "12.5", "--period-s", "1.42"});
   EXPECT_NEAR(bat["moi_oz_in2"].get<double>(), same["moi_oz_in2"].get<double>(), 1e-7);
 }
 
-TEST(MetricsCommand, RecordsTheProfileAndComputesWithItWhereAsked) {
+TEST(MetricsCommand, RecordsTheProfileAndRoundsOnRequest) {
   const std::vector<std::string> options{"--length-in", "33.96",         "--weight-oz",
                                          "31.0524",     "--diameter-in", "2.6254,2.61"};
   const auto plain = metrics_of(options);
@@ -77,13 +77,13 @@ TEST(MetricsCommand, WritesFilesAndATable) {
   EXPECT_EQ(test::parse_json(test::bytes_of(folder.file("a.json")))["profile"]["drop_class"], -3);
 }
 
-TEST(MetricsCommand, SaysWhenNothingFollows) {
+TEST(MetricsCommand, ReportsThatNoMetricFollows) {
   const auto outcome = run_percuss({"metrics"});
   EXPECT_EQ(outcome.code, 0);
   EXPECT_THAT(outcome.out, HasSubstr("allow no number"));
 }
 
-TEST(MetricsCommand, NamesTheOptionThatIsWrong) {
+TEST(MetricsCommand, NamesTheInvalidOption) {
   for (const auto& [named, options] : std::vector<std::pair<std::string, std::vector<std::string>>>{
            {"--length-in", {"--length-in", "-1"}},
            {"--length-in", {"--length-in", "12"}},

@@ -19,7 +19,7 @@ using test::run_percuss;
 using testing::AllOf;
 using testing::HasSubstr;
 
-// Struck every half inch from 6 to 9 in.
+// A beam struck every half inch from 6 to 9 in.
 synth::SynthSpec beam() { return test::roving_beam_spec(6, 0.5, 7); }
 
 class NodesCommand : public testing::Test {
@@ -48,7 +48,7 @@ class NodesCommand : public testing::Test {
 
 constexpr double kNode_in = 0.01;  // noise of a thousandth on a straight line
 
-TEST_F(NodesCommand, GivesADocumentThatItsSchemaDescribes) {
+TEST_F(NodesCommand, PrintsADocumentThatFitsItsSchema) {
   const auto outcome = nodes({file("scan.h5"), "--positions", "6:0.5:9in", "--json"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const json document = test::parse_json(outcome.out);
@@ -59,7 +59,7 @@ TEST_F(NodesCommand, GivesADocumentThatItsSchemaDescribes) {
   EXPECT_EQ(document["modes"][0]["shape"].size(), 7U);
 }
 
-TEST_F(NodesCommand, TakesInchesUnlessAUnitFollows) {
+TEST_F(NodesCommand, ReadsInchesUnlessAUnitFollows) {
   for (const char* positions : {"6:0.5:9", "6:0.5:9in", "0.1524:0.0127:0.2286m", "152.4:12.7:228.6mm"}) {
     const auto outcome = nodes({file("scan.h5"), "--positions", positions, "--json"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
@@ -75,21 +75,21 @@ TEST_F(NodesCommand, TakesSeveralFilesAsPointsInTheirOrder) {
   EXPECT_NEAR(first_node_in(test::parse_json(outcome.out)), 7.5, kNode_in);
 }
 
-TEST_F(NodesCommand, WorksFromFrfsAlone) {
+TEST_F(NodesCommand, WorksFromFrfs) {
   ASSERT_EQ(run_percuss({"frf", file("scan.h5"), "--band", "60:1000", "-o", file("frf.csv")}).code, 0);
   const auto outcome = nodes({file("frf.csv"), "--positions", "6:0.5:9", "--json"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_NEAR(first_node_in(test::parse_json(outcome.out)), 7.5, kNode_in);
 }
 
-TEST_F(NodesCommand, PrintsATableForPeople) {
+TEST_F(NodesCommand, PrintsATable) {
   const auto outcome = nodes({file("scan.h5"), "--positions", "6:0.5:9", "-o", file("nodes.json")});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("7 positions, 6 to 9 in"), HasSubstr("7.500 in"), HasSubstr("±")));
   EXPECT_EQ(test::parse_json(test::bytes_of(file("nodes.json")))["schema"], "percuss/nodes/1");
 }
 
-TEST_F(NodesCommand, RefusesPositionsItCannotRead) {
+TEST_F(NodesCommand, RejectsInvalidPositions) {
   for (const char* positions : {"", "6", "6:9", "6:0.5:9furlongs", "6:0.5:9N", "6:0:9", "9:0.5:6", "6:0.4:9", "6;0.5;9",
                                 "nan:0.5:9", "6:1e-9:9"}) {
     const auto outcome = nodes({file("scan.h5"), "--positions", positions});
@@ -100,7 +100,7 @@ TEST_F(NodesCommand, RefusesPositionsItCannotRead) {
   EXPECT_EQ(nodes({file("scan.h5")}).code, 2) << "no positions at all";
 }
 
-TEST_F(NodesCommand, RefusesAScanOfAnotherLength) {
+TEST_F(NodesCommand, RejectsAScanOfAnotherLength) {
   const auto outcome = nodes({file("scan.h5"), "--positions", "3:0.25:9"});
   EXPECT_EQ(outcome.code, 3);
   EXPECT_EQ(outcome.out, "");

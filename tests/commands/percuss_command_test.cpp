@@ -4,13 +4,13 @@
 #include "report/text/version.hpp"
 #include "support/percuss_process.hpp"
 
-// The program as a whole: its help, its version, and what it says to a wrong command line.
+// The program as a whole: help, version, and errors of the command line.
 namespace percuss::percuss_command_test {
 
 using test::run_percuss;
 using testing::HasSubstr;
 
-TEST(PercussCommand, TellsItsVersion) {
+TEST(PercussCommand, PrintsItsVersion) {
   const auto outcome = run_percuss({"--version"});
   EXPECT_EQ(outcome.code, 0);
   EXPECT_EQ(outcome.out, std::string("percuss ") + report::version() + "\n");
@@ -24,7 +24,7 @@ TEST(PercussCommand, ListsItsCommands) {
     EXPECT_THAT(outcome.out, HasSubstr(command));
 }
 
-TEST(PercussCommand, AnswersAWrongCommandLineInOneLine) {
+TEST(PercussCommand, ReportsAnInvalidCommandLineInOneLine) {
   const std::vector<std::vector<std::string>> wrong{{},
                                                     {"fly"},
                                                     {"--fly"},
@@ -46,7 +46,7 @@ TEST(PercussCommand, AnswersAWrongCommandLineInOneLine) {
   EXPECT_THAT(run_percuss({"fly"}).err, HasSubstr("fly"));
 }
 
-TEST(PercussCommand, SaysWhenStandardOutputTakesNothingMore) {
+TEST(PercussCommand, ReportsThatStandardOutputIsFull) {
   const auto outcome = run_percuss({"synth", "--list"}, {.output = "/dev/full"});
   EXPECT_EQ(outcome.code, 3);
   EXPECT_THAT(outcome.err, HasSubstr("could not write to standard output"));

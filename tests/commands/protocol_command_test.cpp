@@ -34,7 +34,7 @@ TEST(CertifyCommand, PrintsAnExampleThatItReads) {
   }
 }
 
-TEST(CertifyCommand, LeavesWithFiveWhenTheLimitIsExceeded) {
+TEST(CertifyCommand, ExitsWithCode5IfTheLimitIsExceeded) {
   const test::ScratchFolder folder;
   test::write_bytes(folder.file("s.csv"), six_shots("34"));  // 0.252 + 0.5
   const auto failed =
@@ -49,7 +49,7 @@ TEST(CertifyCommand, LeavesWithFiveWhenTheLimitIsExceeded) {
   EXPECT_EQ(test::parse_json(bbcor.out)["metric"], "bbcor");
 }
 
-TEST(CertifyCommand, RefusesWhatItCannotUse) {
+TEST(CertifyCommand, RejectsUnusableInput) {
   const test::ScratchFolder folder;
   test::write_bytes(folder.file("bad.json"), "{\"bat\": 3}");
   test::rejection_of({"certify", folder.file("bad.json")}, {".json", ".csv", ".svg"}, "bad.json");
@@ -71,7 +71,7 @@ TEST(AbiCommand, PrintsAnExampleThatItReads) {
   EXPECT_THAT(run_percuss({"abi", "l.json"}, {.folder = folder.path()}).out, HasSubstr("step 9"));
 }
 
-TEST(AbiCommand, LeavesWithFiveWhenTheBatFails) {
+TEST(AbiCommand, ExitsWithCode5IfTheBatFails) {
   const test::ScratchFolder folder;
   test::write_bytes(folder.file("l.json"), run_percuss({"abi", "--example"}).out);
   const auto outcome = run_percuss({"abi", "l.json", "--limit", "0.719"}, {.folder = folder.path()});
@@ -79,7 +79,7 @@ TEST(AbiCommand, LeavesWithFiveWhenTheBatFails) {
   EXPECT_THAT(outcome.out, HasSubstr("cycle 2: 0.7195 exceeds the limit"));
 }
 
-TEST(AbiCommand, RefusesALogOutOfOrder) {
+TEST(AbiCommand, RejectsALogOutOfOrder) {
   const test::ScratchFolder folder;
   test::write_bytes(folder.file("l.json"), R"({"bat": {"id": "b"}, "entries": [{"do": "roll", "depth_in": 0.1}]})");
   const auto line = test::rejection_of({"abi", folder.file("l.json")}, {".json", ".csv", ".svg"}, "l.json, entries[0]");

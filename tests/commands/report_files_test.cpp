@@ -17,7 +17,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-TEST(ReportText, SaysTheSameOnTerminalAndPage) {
+TEST(ReportText, PrintsTheSameOnTerminalAndPage) {
   report::ReportText text(std::string("first line\n\n  second <line>\n"));
   report::TextTable table({{"n", report::TextTable::Align::right}, {"name"}});
   table.add({"1", "a&b"});
@@ -42,7 +42,7 @@ std::size_t count_of(const std::string& text, const std::string& what) {
   return count;
 }
 
-// A command with all it needs in the folder, and something its page must hold.
+// A command with its input files, and a text that its page must contain.
 struct Reporting {
   const char* name;
   std::vector<std::string> words;
@@ -70,7 +70,7 @@ class ReportFiles : public testing::TestWithParam<Reporting> {
   test::ScratchFolder folder_;
 };
 
-TEST_P(ReportFiles, HoldsAPageThatIsOneFile) {
+TEST_P(ReportFiles, ContainAPageInOneFile) {
   run({"-o", "page.html"});
   const std::string page = test::bytes_of(folder_.file("page.html"));
   EXPECT_THAT(page, AllOf(HasSubstr("<!DOCTYPE html>"), HasSubstr("default-src 'none'"), HasSubstr("class=\"verdict\""),
@@ -84,7 +84,7 @@ TEST_P(ReportFiles, HoldsAPageThatIsOneFile) {
   }
 }
 
-TEST_P(ReportFiles, AreTheSameForTheSameInput) {
+TEST_P(ReportFiles, AreReproducible) {
   for (const char* file : {"page.html", "chart.svg"}) {
     if (std::string(GetParam().name) == "metrics" && std::string(file) == "chart.svg") continue;  // numbers alone
     run({"-o", file});
@@ -127,7 +127,7 @@ class AnalyzeFiles : public testing::Test {
   test::ScratchFolder folder_;
 };
 
-TEST_F(AnalyzeFiles, DrawThePicturesAskedFor) {
+TEST_F(AnalyzeFiles, DrawTheRequestedPictures) {
   ASSERT_EQ(run({"analyze", "bat.h5", "-o", "one.svg", "--picture", "stabilisation"}).code, 0);
   const std::string one = test::bytes_of(folder_.file("one.svg"));
   EXPECT_EQ(count_of(one, "<svg "), 1U);
@@ -140,7 +140,7 @@ TEST_F(AnalyzeFiles, DrawThePicturesAskedFor) {
   EXPECT_EQ(run({"analyze", "bat.h5", "-o", "x.svg", "--picture", "nothing"}).code, 2);
 }
 
-TEST_F(AnalyzeFiles, HoldDeflectionsWhereAskedFor) {
+TEST_F(AnalyzeFiles, ContainDeflectionsOnRequest) {
   const auto outcome = run({"analyze", "bat.h5", "--only", "modes,classes,deflection", "--json"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const auto document = nlohmann::json::parse(outcome.out);
@@ -152,7 +152,7 @@ TEST_F(AnalyzeFiles, HoldDeflectionsWhereAskedFor) {
   EXPECT_FALSE(nlohmann::json::parse(run({"analyze", "bat.h5", "--json"}).out).contains("deflection"));
 }
 
-TEST_F(AnalyzeFiles, ComputeWhatIsAskedForAlone) {
+TEST_F(AnalyzeFiles, ComputeOnlyTheRequestedSections) {
   const auto outcome = run({"analyze", "bat.h5", "--only", "hits", "-o", "hits.html", "--trace"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const std::string page = test::bytes_of(folder_.file("hits.html"));
@@ -160,7 +160,7 @@ TEST_F(AnalyzeFiles, ComputeWhatIsAskedForAlone) {
   EXPECT_THAT(outcome.err, AllOf(Not(HasSubstr("modes")), Not(HasSubstr("stabilisation"))));
 }
 
-TEST_F(AnalyzeFiles, StandBesideOtherDocuments) {
+TEST_F(AnalyzeFiles, CompareWithOtherDocuments) {
   ASSERT_EQ(run({"analyze", "bat.h5", "-o", "test.json"}).code, 0);
   const auto outcome = run({"analyze", "bat.h5", "--compare", "test.json", "-o", "beside.html"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
@@ -168,7 +168,7 @@ TEST_F(AnalyzeFiles, StandBesideOtherDocuments) {
   EXPECT_THAT(test::bytes_of(folder_.file("beside.html")), HasSubstr("id=\"comparison\""));
 }
 
-// Points that nobody connected: their crosses.
+// Points without trace lines are drawn as crosses.
 TEST(SurveyDrawing, ShowsPointsWithoutLines) {
   const test::ScratchFolder folder;
   std::ofstream(folder.file("plate.json"))
@@ -184,7 +184,7 @@ TEST(SurveyDrawing, ShowsPointsWithoutLines) {
   EXPECT_EQ(count_of(svg, "M"), 2 * 2 * 3U + 2) << "two strokes a point, at rest and moved, and the title twice";
 }
 
-TEST(SessionPage, LetsNoNameBecomeMarkup) {
+TEST(SessionPage, EscapesMarkupInNames) {
   const test::ScratchFolder folder;
   std::string session = run_percuss({"certify", "--example"}).out;
   const std::string id = "AS001";

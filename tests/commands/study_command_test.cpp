@@ -24,7 +24,7 @@ class StudyCommand : public testing::Test {
   test::ScratchFolder folder_;
 };
 
-TEST_F(StudyCommand, GivesADocumentThatItsSchemaDescribes) {
+TEST_F(StudyCommand, PrintsADocumentThatFitsItsSchema) {
   const auto outcome = study({"bats.csv", "--json"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const auto document = test::parse_json(outcome.out);
@@ -32,13 +32,13 @@ TEST_F(StudyCommand, GivesADocumentThatItsSchemaDescribes) {
   EXPECT_EQ(document["statements"].size(), 18U);
 }
 
-TEST_F(StudyCommand, SaysWhatIsSupported) {
+TEST_F(StudyCommand, PrintsVerdicts) {
   const auto outcome = study({"bats.csv"});
   EXPECT_THAT(outcome.out, HasSubstr("BBCOR of nonwood bats rises as the first hoop frequency falls"));
   EXPECT_THAT(outcome.out, HasSubstr("supported"));
 }
 
-TEST_F(StudyCommand, WritesEveryFigureTwiceAlike) {
+TEST_F(StudyCommand, WritesEveryFigureReproducibly) {
   ASSERT_EQ(study({"bats.csv", "--figures", "a", "--quiet"}).code, 0);
   ASSERT_EQ(study({"bats.csv", "--figures", "b", "--quiet"}).code, 0);
   std::size_t pictures = 0;
@@ -65,7 +65,7 @@ TEST_F(StudyCommand, DrawsAModelOverTheHoopFigures) {
   EXPECT_EQ(study({"bats.csv", "--hoop-curve", "m.json"}).code, 2);
 }
 
-TEST_F(StudyCommand, BlindsAndKeepsTheKeyApart) {
+TEST_F(StudyCommand, ReplacesIdsAndWritesTheKey) {
   test::write_bytes(folder_.file("t.csv"),
                     "id,maker,length_in,material,besr,moi_oz_in2\nSecret,Acme,33,wood,0.7,11000\n");
   const auto outcome = study({"t.csv", "--blind", "key.csv", "--table", "blind.csv", "--json"});
@@ -76,13 +76,13 @@ TEST_F(StudyCommand, BlindsAndKeepsTheKeyApart) {
   EXPECT_EQ(study({"t.csv", "--blind", "key.csv"}).code, 3);  // a key is not lost by accident
 }
 
-TEST_F(StudyCommand, RefusesWhatItCannotUse) {
+TEST_F(StudyCommand, RejectsUnusableInput) {
   test::write_bytes(folder_.file("bad.csv"), "id,length_in,material\na,33,paper\n");
   test::rejection_of({"study", folder_.file("bad.csv")}, {".json", ".csv"}, "bat a");
   EXPECT_EQ(study({}).code, 2);
 }
 
-TEST_F(StudyCommand, JoinsAnalysesThatSayOfWhichBatTheyAre) {
+TEST_F(StudyCommand, JoinsAnalysesThatNameTheirBat) {
   ASSERT_EQ(run_percuss({"synth", "wood-bat", "-o", "w.h5", "--quiet"}, {.folder = folder_.path()}).code, 0);
   const auto analysis =
       run_percuss({"analyze", "w.h5", "--bat-id", "W1", "--bat", "length_in=33", "--bat", "material=wood", "--bat",

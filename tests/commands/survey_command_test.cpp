@@ -69,7 +69,7 @@ class SurveyCommand : public testing::Test {
   inline static std::unique_ptr<test::ScratchFolder> folder_;
 };
 
-TEST_F(SurveyCommand, TellsPeopleShapesAndNames) {
+TEST_F(SurveyCommand, PrintsShapesAndNames) {
   const auto outcome = survey({file("bare.h5"), "--geometry", file("points.csv")});
   EXPECT_EQ(outcome.code, 0);
   EXPECT_EQ(outcome.err, "");
@@ -77,7 +77,7 @@ TEST_F(SurveyCommand, TellsPeopleShapesAndNames) {
                                  HasSubstr("36 hits"), HasSubstr("FRAC")));
 }
 
-TEST_F(SurveyCommand, GivesTheDocumentWithShapes) {
+TEST_F(SurveyCommand, PrintsTheDocumentWithShapes) {
   const json document = document_of({file("bare.h5"), "--geometry", file("points.csv")});
   EXPECT_EQ(document["roving"], "hammer");
   EXPECT_EQ(document["geometry"]["from"], "file");
@@ -93,7 +93,7 @@ TEST_F(SurveyCommand, GivesTheDocumentWithShapes) {
   EXPECT_EQ(document["frac"].size(), 18U);
 }
 
-TEST_F(SurveyCommand, TakesTheGeometryOfTheRecordAndItsDrivingPoint) {
+TEST_F(SurveyCommand, UsesTheGeometryAndDrivingPointOfTheRecord) {
   const json document = document_of({file("barrel.h5")});
   EXPECT_EQ(document["geometry"]["from"], "record");
   EXPECT_EQ(document["geometry"]["tube"], true);
@@ -105,7 +105,7 @@ TEST_F(SurveyCommand, TakesTheGeometryOfTheRecordAndItsDrivingPoint) {
   EXPECT_TRUE(named["geometry"].is_null());
 }
 
-TEST_F(SurveyCommand, GivesEqualBytesOnAnyNumberOfThreads) {
+TEST_F(SurveyCommand, PrintsEqualBytesForAnyNumberOfThreads) {
   EXPECT_TRUE(survey({file("barrel.h5"), "--json", "--threads", "1"}).out ==
               survey({file("barrel.h5"), "--json", "--threads", "3"}).out);
 }
@@ -127,14 +127,14 @@ TEST_F(SurveyCommand, WritesShapesAndTheIndicator) {
   EXPECT_EQ(test::parse_json(test::bytes_of(file("s.json")))["schema"], "percuss/analysis/1");
 }
 
-TEST_F(SurveyCommand, TakesARovingSensor) {
+TEST_F(SurveyCommand, AcceptsARovingSensor) {
   const json document = document_of({file("barrel.h5"), "--roving", "sensor"});
   EXPECT_EQ(document["roving"], "sensor");
   EXPECT_EQ(document["modes"][0]["shape"]["values"][3]["channel"], 0);
   EXPECT_EQ(document["modes"][1]["family"], "hoop");
 }
 
-TEST_F(SurveyCommand, TakesFrequencyResponsesAsWell) {
+TEST_F(SurveyCommand, AcceptsFrfs) {
   ASSERT_EQ(run_percuss({"frf", file("bare.h5"), "--band", "60:1500", "-o", file("frf.h5"), "--force"}).code, 0);
   const json document = document_of({file("frf.h5"), "--geometry", file("points.csv")});
   ASSERT_EQ(document["modes"].size(), 2U);
@@ -148,7 +148,7 @@ TEST_F(SurveyCommand, PrintsAnExampleThatItReads) {
   EXPECT_EQ(document_of({file("bare.h5"), "--geometry", file("example.csv")})["geometry"]["points"], 24);
 }
 
-TEST_F(SurveyCommand, RefusesWhatItCannotUse) {
+TEST_F(SurveyCommand, RejectsUnusableInput) {
   const auto refusal = [](std::vector<std::string> arguments, const std::string& named) {
     arguments.insert(arguments.begin(), "survey");
     return test::rejection_of(arguments, {".json", ".csv", ".h5"}, named);
@@ -164,7 +164,7 @@ TEST_F(SurveyCommand, RefusesWhatItCannotUse) {
   EXPECT_EQ(survey({file("bare.h5"), "--files", "tests"}).code, 2);
 }
 
-TEST_F(SurveyCommand, StillReportsWhenNothingCanBeAnalysed) {
+TEST_F(SurveyCommand, ReportsWithoutAUsableHit) {
   const json document = document_of({file("missing.h5")}, 4);
   EXPECT_THAT(document["modes"], IsEmpty());
   EXPECT_EQ(survey({file("missing.h5")}).code, 4);

@@ -35,7 +35,7 @@ TEST_F(SynthCommand, WritesTheRecordAndItsTruth) {
   EXPECT_EQ(test::parse_json(bytes_of(path("a.truth.json")))["name"], "truncated");
 }
 
-TEST_F(SynthCommand, GivesEqualBytesForEqualSeedsOnAnyNumberOfThreads) {
+TEST_F(SynthCommand, WritesEqualBytesForEqualSeedsOnAnyNumberOfThreads) {
   synth({"truncated", "--threads", "1", "-o", path("a.h5")});
   synth({"truncated", "--threads", "3", "-o", path("b.h5")});
   synth({"truncated", "--seed", "77", "-o", path("c.h5")});
@@ -81,7 +81,7 @@ TEST_F(SynthCommand, ListsItsPresets) {
   EXPECT_GE(list["presets"].size(), 11U);
 }
 
-TEST_F(SynthCommand, EndsWithTheCodeOfTheMistake) {
+TEST_F(SynthCommand, ExitsWithTheCodeOfTheError) {
   EXPECT_EQ(synth({}).code, 2);
   EXPECT_EQ(synth({"wood-bat"}).code, 2);
   EXPECT_EQ(synth({"wood-bat", "-o", path("a.txt")}).code, 2);

@@ -10,7 +10,7 @@
 #include "support/help_pages.hpp"
 #include "support/percuss_process.hpp"
 
-// What is said to a command line that was not understood: one line that names the word at fault and what to type.
+// Errors of the command line: each message is one line that names the wrong word and what to type instead.
 namespace percuss::usage_test {
 
 using test::run_percuss;
@@ -21,8 +21,8 @@ std::vector<std::string> plus(std::vector<std::string> words, const std::vector<
   return words;
 }
 
-/// The line, without the program's name and the line's end.
-std::string complaint_about(const std::vector<std::string>& arguments) {
+/// The message on standard error, without the name of the program and the newline.
+std::string usage_error_of(const std::vector<std::string>& arguments) {
   SCOPED_TRACE(testing::PrintToString(arguments));
   const auto outcome = run_percuss(arguments);
   EXPECT_EQ(outcome.code, 2) << outcome.err;
@@ -35,7 +35,7 @@ std::string complaint_about(const std::vector<std::string>& arguments) {
 using Case = std::pair<std::vector<std::string>, std::string>;
 
 void expect_lines(const std::vector<Case>& cases) {
-  for (const auto& [arguments, line] : cases) EXPECT_EQ(complaint_about(arguments), line);
+  for (const auto& [arguments, line] : cases) EXPECT_EQ(usage_error_of(arguments), line);
 }
 
 TEST(Usage, NamesTheNearestCommand) {
@@ -62,7 +62,7 @@ TEST(Usage, NamesTheNearestOption) {
                 {{"--verzion"}, "there is no option --verzion; did you mean --version?"}});
 }
 
-TEST(Usage, SuggestsNothingWhereNothingIsNear) {
+TEST(Usage, SuggestsNothingForADistantWord) {
   expect_lines({{{"analyze", "x.h5", "--zebra"}, "analyze has no option --zebra; percuss analyze --help lists them"},
                 {{"analyze", "x.h5", "-z"}, "analyze has no option -z; percuss analyze --help lists them"},
                 {{"--zebra"}, "there is no option --zebra; percuss --help lists them"},
@@ -70,8 +70,8 @@ TEST(Usage, SuggestsNothingWhereNothingIsNear) {
                  "analyze has no option --" + std::string(38, 'b') + "...; percuss analyze --help lists them"}});
 }
 
-// What else is wrong mostly follows from a mistyped option.
-TEST(Usage, NamesTheUnknownOptionBeforeWhatElseIsWrong) {
+// A mistyped option often causes the other errors.
+TEST(Usage, NamesTheUnknownOptionBeforeOtherErrors) {
   expect_lines(
       {{{"calibrate", "x.csv", "--mas", "1"}, "calibrate has no option --mas; did you mean --mass?"},
        {{"compare", "--foce"}, "compare has no option --foce; did you mean --force?"},
@@ -79,7 +79,7 @@ TEST(Usage, NamesTheUnknownOptionBeforeWhatElseIsWrong) {
        {{"model", "beam", "--supprot", "free"}, "model beam has no option --supprot; did you mean --support?"}});
 }
 
-TEST(Usage, TellsWhereAnOptionStands) {
+TEST(Usage, StatesWhereAnOptionBelongs) {
   expect_lines(
       {{{"--json", "analyze", "x.h5"}, "--json stands before the command; give it after: percuss analyze --json"},
        {{"model", "--length", "2", "beam"},
@@ -90,7 +90,7 @@ TEST(Usage, NamesTheNearestValue) {
   expect_lines(
       {{{"analyze", "x.h5", "--effort", "bset"}, "--effort cannot be 'bset'; did you mean best?"},
        {{"analyze", "x.h5", "--effort", "9"}, "--effort cannot be '9'; give quick, standard or best"},
-       {{"analyze", "x.h5", "--effort="}, "--effort has no value after it; give --effort quick|standard|best"},
+       {{"analyze", "x.h5", "--effort="}, "--effort has no value; give quick|standard|best"},
        {{"survey", "x.h5", "--roving", "hmmer"}, "--roving cannot be 'hmmer'; did you mean hammer?"},
        {{"analyze", "x.h5", "--files", "point"}, "--files cannot be 'point'; did you mean points?"},
        {{"analyze", "x.h5", "--frf-kind", "z"}, "--frf-kind cannot be 'z'; give accelerance, mobility or receptance"},
@@ -100,7 +100,7 @@ TEST(Usage, NamesTheNearestValue) {
        {{"completion", "csh"}, "SHELL cannot be 'csh'; did you mean zsh?"}});
 }
 
-TEST(Usage, SaysWhatAValueMustBe) {
+TEST(Usage, StatesTheRuleForAValue) {
   expect_lines(
       {{{"analyze", "x.h5", "--threads", "x"}, "--threads cannot be 'x'; give a whole number from 0 to 1024"},
        {{"analyze", "x.h5", "--threads", "-1"}, "--threads cannot be '-1'; give a whole number from 0 to 1024"},
@@ -118,33 +118,33 @@ TEST(Usage, SaysWhatAValueMustBe) {
         "--seed cannot be '18446744073709551616'; give a whole number below 2^64"}});
 }
 
-TEST(Usage, SaysWhatIsMissing) {
-  expect_lines({{{"analyze", "x.h5", "--band"}, "--band has no value after it; give --band LO:HI"},
-                {{"analyze", "x.h5", "--band", "--json"}, "--band has no value after it; give --band LO:HI"},
-                {{"analyze", "x.h5", "-o", "--json"}, "--output has no value after it; give --output FILE"},
-                {{"analyze", "x.h5", "-o"}, "--output has no value after it; give --output FILE"},
+TEST(Usage, NamesTheMissingArgument) {
+  expect_lines({{{"analyze", "x.h5", "--band"}, "--band has no value; give LO:HI"},
+                {{"analyze", "x.h5", "--band", "--json"}, "--band has no value; give LO:HI"},
+                {{"analyze", "x.h5", "-o", "--json"}, "--output has no value; give FILE"},
+                {{"analyze", "x.h5", "-o"}, "--output has no value; give FILE"},
                 {{"calibrate", "x.csv"}, "calibrate needs --mass; give percuss calibrate --mass KG"},
                 {{"compare"}, "no FILE; give percuss compare FILE"},
                 {{"completion"}, "no SHELL; give percuss completion SHELL: bash, zsh or fish"}});
 }
 
-TEST(Usage, SaysWhatIsTooMuch) {
-  expect_lines(
-      {{{"analyze", "x.h5", "--band", "1:2", "--band", "3:4"}, "--band is given twice; keep one"},
-       {{"synth", "a", "b"}, "synth takes one SPEC, and 'b' is another; leave one out"},
-       {{"model", "beam", "x"}, "model beam takes options only, and 'x' is none; percuss model beam --help lists them"},
-       {{"analyze", "x.h5", "--json=yes"}, "--json takes no value; give it alone, or leave it out"}});
+TEST(Usage, NamesTheSuperfluousArgument) {
+  expect_lines({{{"analyze", "x.h5", "--band", "1:2", "--band", "3:4"}, "--band is given twice; keep one"},
+                {{"synth", "a", "b"}, "synth takes one SPEC, and 'b' is another; omit one"},
+                {{"model", "beam", "x"},
+                 "model beam takes options only, and 'x' is not one; percuss model beam --help lists them"},
+                {{"analyze", "x.h5", "--json=yes"}, "--json takes no value; give it alone, or omit it"}});
 }
 
-// "--" ends the options, so that a file may be called like one.
-TEST(Usage, LetsAFileBeCalledLikeAnOption) {
+// "--" ends the options, so that the name of a file may look like one.
+TEST(Usage, AcceptsAFileNamedLikeAnOption) {
   const auto outcome = run_percuss({"analyze", "--", "--bnad"});
   EXPECT_EQ(outcome.code, 3);
   EXPECT_THAT(outcome.err, HasSubstr("no such file (--bnad)"));
 }
 
-// Two letters swapped, of every option there is.
-TEST(Usage, FindsEveryOptionThatIsMistyped) {
+// Every option, with two letters swapped.
+TEST(Usage, SuggestsEveryMistypedOption) {
   std::set<std::string> tried;
   for (const auto& command : test::commands()) {
     const auto names = test::option_names(command);
@@ -154,7 +154,7 @@ TEST(Usage, FindsEveryOptionThatIsMistyped) {
       if (name.size() < 6 || tried.contains(name)) continue;
       std::swap(typed[3], typed[4]);
       if (known.contains(typed)) continue;
-      EXPECT_THAT(complaint_about(plus(command, {typed})),
+      EXPECT_THAT(usage_error_of(plus(command, {typed})),
                   HasSubstr(fmt::format("no option {}; did you mean {}?", typed, name)));
       tried.insert(name);
     }
@@ -162,12 +162,12 @@ TEST(Usage, FindsEveryOptionThatIsMistyped) {
   EXPECT_GT(tried.size(), 100U);
 }
 
-TEST(Usage, FindsEveryCommandThatIsMistyped) {
+TEST(Usage, SuggestsEveryMistypedCommand) {
   for (auto typed : test::commands()) {
     if (typed.empty() || typed.back().size() < 4) continue;
     const std::string meant = test::joined(typed);
     std::swap(typed.back()[1], typed.back()[2]);
-    EXPECT_EQ(complaint_about(typed), "there is no command '" + test::joined(typed) + "'; did you mean " + meant + "?");
+    EXPECT_EQ(usage_error_of(typed), "there is no command '" + test::joined(typed) + "'; did you mean " + meant + "?");
   }
 }
 

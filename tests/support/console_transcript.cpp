@@ -9,11 +9,11 @@ namespace percuss::test {
 namespace {
 
 constexpr long long kLastDigit = 1;        // units of the last shown digit
-constexpr long long kLastDigitBeside = 2;  // beside a ±
+constexpr long long kLastDigitBeside = 2;  // next to a ±
 
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
-/// What of a text is a number without its sign: digits, decimals, exponent.
+/// A number without its sign: digits, decimals, exponent.
 struct ShownNumber {
   std::string digits;  // without the decimal point
   std::size_t decimals = 0;

@@ -6,20 +6,20 @@
 
 namespace percuss::test {
 
-/// A command that a page shows, and what the page says it prints.
+/// A command on a page, and its output as printed there.
 struct TranscriptCommand {
   std::string script;                 // one or more lines for /bin/sh
   std::vector<std::string> expected;  // lines; "..." stands for any lines, or none
   std::size_t line = 0;               // of the page, from 1
 };
 
-/// The commands of all ```console blocks of a page, in order. A line that starts with "$ " is a command, lines that
-/// start with "> " right after it go on with it, all others are what it prints.
+/// The commands of all ```console blocks of a page, in order. A line that starts with "$ " is a command; directly
+/// following lines that start with "> " continue it; all other lines are its output.
 std::vector<TranscriptCommand> transcript_commands(const std::string& page);
 
-/// Whether what was printed is what is shown. Words, blanks, units, counts (numbers without a decimal point) and the
-/// number of decimals have to be equal. The last shown digit of other numbers may differ by one, beside a ± by two:
-/// compilers, sanitizers and C libraries round differently, and a fit that is iterated ends within its tolerance.
+/// Whether the printed output agrees with the output on the page. Words, blanks, units, counts (numbers without a
+/// decimal point) and the number of decimals must be equal. The last digit of other numbers may differ by one, next to
+/// a ± by two: compilers, sanitizers and C libraries round differently, and an iterative fit ends within its tolerance.
 bool matches_transcript(const std::vector<std::string>& shown, const std::vector<std::string>& printed);
 bool same_line(std::string_view shown, std::string_view printed);
 

@@ -8,7 +8,7 @@
 
 namespace percuss::test {
 
-/// A text as if it had been read from the file x.csv.
+/// A text as if read from the file x.csv.
 inline FileBytes csv_bytes(const std::string& text) {
   const auto kept = std::make_shared<const std::string>(text);
   return {.path = "x.csv", .data = {kept, kept->data()}, .size = kept->size()};

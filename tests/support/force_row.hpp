@@ -11,16 +11,16 @@ namespace percuss::test {
 /// samples.
 void add_haversine(std::vector<double>& x, double onset, double width, double peak);
 
-/// Adds the pulse as a recorder's linear-phase anti-alias filter passes it: with ringing on both sides.
+/// Adds the pulse after a recorder's linear-phase anti-alias filter, with ringing on both sides.
 void add_filtered_haversine(std::vector<double>& x, double onset, double width, double peak);
 
 /// Adds Gaussian noise; equal seeds add equal noise.
 void add_noise(std::vector<double>& x, double deviation, std::uint64_t seed);
 
-/// x through a first-order high-pass of this time constant, as an AC-coupled channel shows it.
+/// x after a first-order high-pass with this time constant, as in an AC-coupled channel.
 std::vector<double> ac_coupled(const std::vector<double>& x, double time_constant_samples);
 
-/// A record in memory of these forces, with one acceleration channel that reads zero.
+/// A record in memory of these forces, with one acceleration channel of zeros.
 acquire::Record force_record(double fs_Hz, const std::vector<std::vector<double>>& force_N);
 
 }  // namespace percuss::test

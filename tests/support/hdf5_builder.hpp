@@ -7,13 +7,13 @@
 namespace percuss::test {
 
 struct Hdf5Storage {
-  hid_t type = H5T_NATIVE_DOUBLE;  // of the file
+  hid_t type = H5T_NATIVE_DOUBLE;  // type in the file
   std::vector<hsize_t> chunk;      // empty: contiguous
   int gzip = -1;                   // level, −1 for none
-  bool written = true;             // false: the set is declared only
+  bool written = true;             // false: the data set is declared only
 };
 
-/// Writes HDF5 files, good and bad, straight through the library.
+/// Writes valid and invalid HDF5 files directly with the HDF5 library.
 ///   Hdf5Builder(path).numbers("", "fs", {1000}).ramp("force", {2, 8}).ramp("accel", {2, 1, 8});
 class Hdf5Builder {
  public:
@@ -22,7 +22,7 @@ class Hdf5Builder {
   Hdf5Builder(const Hdf5Builder&) = delete;
   Hdf5Builder& operator=(const Hdf5Builder&) = delete;
 
-  /// A set whose element i in C order is ramp_value(i).
+  /// A data set whose element i in C order is ramp_value(i).
   Hdf5Builder& ramp(const std::string& name, const std::vector<hsize_t>& shape, const Hdf5Storage& storage = {});
   Hdf5Builder& values(const std::string& name, const std::vector<hsize_t>& shape, const std::vector<double>& values,
                       const Hdf5Storage& storage = {});

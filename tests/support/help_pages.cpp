@@ -7,7 +7,7 @@
 namespace percuss::test {
 namespace {
 
-/// The lines under a heading that begin an entry: two spaces before it, not more.
+/// The lines under a heading that begin an entry, with an indent of exactly two spaces.
 std::vector<std::string> entries(const std::string& help, const std::string& heading) {
   std::vector<std::string> found;
   bool within = false;

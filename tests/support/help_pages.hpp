@@ -4,21 +4,22 @@
 
 namespace percuss::test {
 
-// What the program says of itself, read from its --help as a user reads it.
+// Commands, options and examples, parsed from the output of --help.
 
-/// Every command as its words, {"model", "beam"}; the program itself first, without a word. Groups stand before theirs.
+/// Every command as a list of words, {"model", "beam"}: the program itself first, with an empty list; a group before
+/// its commands.
 std::vector<std::vector<std::string>> commands();
 
 /// "model beam".
 std::string joined(const std::vector<std::string>& words);
 
-/// What `percuss WORDS --help` prints.
+/// The output of `percuss WORDS --help`.
 std::string help_of(const std::vector<std::string>& command);
 
 /// The long names of its options, "--band".
 std::vector<std::string> option_names(const std::vector<std::string>& command);
 
-/// The lines of its examples, as they are to be typed.
+/// The command lines of its examples.
 std::vector<std::string> example_lines(const std::vector<std::string>& command);
 
 }  // namespace percuss::test

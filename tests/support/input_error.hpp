@@ -8,7 +8,7 @@
 
 namespace percuss::test {
 
-/// The message of the InputError that `work` throws; fails the test and returns nothing when it throws none.
+/// The message of the InputError that `work` throws. Fails the test and returns "" if `work` throws none.
 template <class Work>
 std::string input_error_of(Work&& work) {
   try {

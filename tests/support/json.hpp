@@ -5,12 +5,12 @@
 
 namespace percuss::test {
 
-/// nlohmann::json::parse, compiled once; throws what that throws.
+/// nlohmann::json::parse, compiled once. Throws its exceptions.
 nlohmann::json parse_json(std::string_view text);
 
 }  // namespace percuss::test
 
 NLOHMANN_JSON_NAMESPACE_BEGIN
-/// How GoogleTest shows a value; without it every comparison compiles a printer of containers within containers.
+/// GoogleTest's printer of a value. Without it, every comparison compiles a printer for nested containers.
 void PrintTo(const json& value, std::ostream* out);
 NLOHMANN_JSON_NAMESPACE_END

@@ -47,7 +47,7 @@ Lines in_items(const json& value, const json& items, const std::string& place) {
   return out;
 }
 
-/// One keyword of a schema; numbers, lists and objects are held only to the keywords for their kind.
+/// Checks one keyword of a schema; a keyword applies only to values of its kind.
 bool holds(const json& value, const std::string& word, const json& limit) {
   const auto any_of = [&](const auto& test) { return std::any_of(limit.begin(), limit.end(), test); };
   const auto all_of = [&](const auto& test) { return std::all_of(limit.begin(), limit.end(), test); };

@@ -6,10 +6,10 @@
 
 namespace percuss::test {
 
-/// Where and how `document` breaks `schema`, one line each; empty when it is valid. Knows the part of JSON Schema that
+/// The violations of `schema` in `document`, one line each; empty if it is valid. Supports the part of JSON Schema that
 /// docs/schema uses: type, const, enum, anyOf, properties, required, additionalProperties false, items, minItems,
-/// maxItems, minimum, maximum, exclusiveMinimum; any other keyword counts as broken, so that nothing is silently
-/// unchecked.
+/// maxItems, minimum, maximum, exclusiveMinimum; any other keyword is a violation, so that no keyword
+/// is ignored.
 std::vector<std::string> schema_violations(const nlohmann::json& document, const nlohmann::json& schema,
                                            const std::string& place = "$");
 

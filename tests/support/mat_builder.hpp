@@ -7,7 +7,7 @@ namespace percuss::test {
 
 enum class MatLevel { v4, v5, v5_packed, v73 };
 
-/// Writes MAT files through libmatio, which is not what percuss writes them with.
+/// Writes MAT files with libmatio, which percuss does not use for writing.
 class MatBuilder {
  public:
   MatBuilder(const std::string& path, MatLevel level);
@@ -15,7 +15,7 @@ class MatBuilder {
   MatBuilder(const MatBuilder&) = delete;
   MatBuilder& operator=(const MatBuilder&) = delete;
 
-  /// `values` in MATLAB's order, the first index fastest.
+  /// `values` in MATLAB's order: the first index varies fastest.
   MatBuilder& numbers(const std::string& name, const std::vector<std::size_t>& shape,
                       const std::vector<double>& values);
   MatBuilder& singles(const std::string& name, const std::vector<std::size_t>& shape, const std::vector<float>& values);

@@ -8,7 +8,7 @@
 namespace percuss::test {
 namespace {
 
-// The row as one stretch whose force is all of it.
+// The row as one hit whose pulse covers the whole row.
 acquire::Hit whole_row(const acquire::Record& record, std::size_t row) {
   const std::size_t samples = record.rows[row].samples;
   acquire::Hit hit{.row = row, .samples = samples, .gated_N = std::vector<double>(samples)};

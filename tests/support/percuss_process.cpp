@@ -34,12 +34,12 @@ struct Pipe {
   std::array<int, 2> ends{-1, -1};
 };
 
-// From the next exec on permissions hold for root as well. Another user might not even reach the libraries.
+// From the next exec on, permissions apply to root too. Another user might not have access to the libraries.
 bool give_up_root_rights() {
   return ::prctl(PR_CAPBSET_DROP, CAP_DAC_OVERRIDE) == 0 && ::prctl(PR_CAPBSET_DROP, CAP_DAC_READ_SEARCH) == 0;
 }
 
-// A list as exec takes it.
+// A null-terminated list for exec.
 std::vector<char*> c_strings(std::vector<std::string>& texts) {
   std::vector<char*> pointers;
   pointers.reserve(texts.size() + 1);
@@ -48,7 +48,7 @@ std::vector<char*> c_strings(std::vector<std::string>& texts) {
   return pointers;
 }
 
-// Between fork and exec: system calls only.
+// Between fork and exec, only system calls are allowed.
 [[noreturn]] void become_percuss(char* const* arguments, char* const* environment, const ProcessOptions& options,
                                  const Pipe& out, const Pipe& err) {
   const int program = ::open(PERCUSS_EXECUTABLE, O_RDONLY | O_CLOEXEC);
@@ -65,7 +65,7 @@ std::vector<char*> c_strings(std::vector<std::string>& texts) {
   ::_exit(127);
 }
 
-// Takes what there is; false once the writer has closed its end.
+// Reads the available bytes; returns false once the writer has closed its end.
 bool drain(int end, std::string& text) {
   std::array<char, 65536> block{};
   const ssize_t got = ::read(end, block.data(), block.size());
@@ -73,7 +73,7 @@ bool drain(int end, std::string& text) {
   return got > 0;
 }
 
-// Reads both streams until they end; false when the deadline comes first.
+// Reads both streams to their end; returns false if the deadline passes first.
 bool read_both(const Pipe& out, const Pipe& err, ProcessOutcome& outcome, Clock::time_point deadline) {
   std::array<pollfd, 2> streams{{{out.ends[0], POLLIN, 0}, {err.ends[0], POLLIN, 0}}};
   while (streams[0].fd >= 0 || streams[1].fd >= 0) {

@@ -6,30 +6,30 @@
 
 namespace percuss::test {
 
-/// How the percuss program is to be run.
+/// How to run the percuss program.
 struct ProcessOptions {
-  std::string input;                       // the file that is its standard input; empty: none (/dev/null)
-  std::string output;                      // the file that is its standard output; empty: kept in the outcome
-  std::string folder;                      // its working folder; empty: this one
-  std::vector<std::string> environment{};  // NAME=VALUE, beside this process's own
-  bool ordinary_user = false;              // give up root's rights first, where the tests have them
-  std::size_t most_address_bytes = 0;      // that it may have; 0: as this process may
-  std::chrono::seconds limit{110};         // sanitized programs are twenty times slower
+  std::string input;                       // file for standard input; empty: /dev/null
+  std::string output;                      // file for standard output; empty: captured in the outcome
+  std::string folder;                      // working folder; empty: the current one
+  std::vector<std::string> environment{};  // NAME=VALUE, in addition to the current environment
+  bool ordinary_user = false;              // drop root's privileges first
+  std::size_t most_address_bytes = 0;      // limit of the address space; 0: the current limit
+  std::chrono::seconds limit{110};         // sanitizers make programs twenty times slower
 };
 
-/// What it did.
+/// The outcome of a run.
 struct ProcessOutcome {
-  int code = -1;               // exit code; −1 when a signal ended it
-  int signal = 0;              // the signal; 0 when there was none
-  bool timed_out = false;      // killed, as it did not end within the limit
-  std::size_t peak_bytes = 0;  // of its resident memory
+  int code = -1;               // exit code; −1 if a signal ended the process
+  int signal = 0;              // the signal, or 0
+  bool timed_out = false;      // killed after the time limit
+  std::size_t peak_bytes = 0;  // peak of the resident memory
   std::string out, err;
 };
 
-/// Runs the built percuss with these arguments, as a user would, without a shell between.
+/// Runs the built percuss with these arguments, without a shell.
 ProcessOutcome run_percuss(const std::vector<std::string>& arguments, const ProcessOptions& options = {});
 
-/// The lines of a text; a last line without its end counts.
+/// The lines of a text, including a last line without a newline.
 std::vector<std::string> lines_of(const std::string& text);
 
 }  // namespace percuss::test

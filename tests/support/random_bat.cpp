@@ -13,7 +13,7 @@ namespace {
 using std::numbers::pi;
 
 constexpr double kDegree = pi / 180;
-constexpr double kPlaced_rad = 2 * kDegree;  // deviation of the sensors' places
+constexpr double kPlaced_rad = 2 * kDegree;  // standard deviation of the sensor angles
 constexpr double kGain = 0.03;               // … of their gains, relative
 constexpr double kPlanes_rad = 4 * kDegree;  // … of a mode's plane from the bat's
 constexpr double kHighest_Hz = 3000;
@@ -25,7 +25,7 @@ double normal(synth::RandomStream& random, double mean, double deviation) {
   return x[0];
 }
 
-// Where a bat is weakest, from the first sensor: anywhere, half way between the sensors, or at one of them.
+// The angle of the softest plane from the first sensor: anywhere, half way between the sensors, or at a sensor.
 double plane_of_bat(synth::RandomStream& random) {
   const double kind = random.uniform();
   if (kind < 0.6) return random.uniform(0, pi);
@@ -45,9 +45,9 @@ void add_bending(synth::SynthSpec& spec, synth::RandomStream& random) {
                           .order = order,
                           .angle_rad = normal(random, plane, kPlanes_rad),
                           .amplitude_per_sqrt_kg = random.uniform(1.2, 2.4)};
-    if (kind < 0.2) mode.angle_rad = spec.points[0].angle_rad;  // round: it bends the way it is struck
+    if (kind < 0.2) mode.angle_rad = spec.points[0].angle_rad;  // axisymmetric: it bends in the plane of the hit
     spec.modes.push_back(mode);
-    if (kind < 0.5) continue;  // the other plane is not seen
+    if (kind < 0.5) continue;  // the other plane is not excited
     mode.freq_Hz *= 1 + random.uniform(0.004, 0.03);
     mode.angle_rad += pi / 2;
     spec.modes.push_back(mode);

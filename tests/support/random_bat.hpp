@@ -7,11 +7,10 @@
 
 namespace percuss::test {
 
-/// A bat as they come, and its test as it is made: planes of bending at any angle, at ±45° to the sensors and on their
-/// nodes; the two planes of a mode split or one; hoop pairs of any turn and split, single hoop modes; barrels so short
-/// that a hoop mode lies below the second bending mode; sensors and hammer near axial nodes; 0.1 to 2 % of noise, gains
-/// wrong by a few per cent. The sensors stand where they do, about 2° off; with_sensor_angles() puts into the record
-/// where they are believed to be.
+/// A random bat and its test. Bending planes lie at any angle, at ±45° to the sensors or on their nodes; the two planes
+/// of a mode may be split. Hoop pairs have any angle and split, or are single modes. Short barrels have a hoop mode
+/// below the second bending mode. Sensors and hammer may lie near axial nodes. Noise is 0.1 to 2 %, gain errors a few
+/// per cent. The sensors are about 2° off; with_sensor_angles() stores their nominal angles in the record.
 synth::SynthSpec random_bat(std::uint64_t seed);
 acquire::Record with_sensor_angles(acquire::Record record);
 

@@ -10,7 +10,7 @@
 namespace percuss::test {
 namespace {
 
-constexpr std::size_t kMuch_bytes = std::size_t{1} << 30U;
+constexpr std::size_t kMaxMemory_bytes = std::size_t{1} << 30U;
 
 std::vector<std::string> files_in(const std::string& folder) {
   std::vector<std::string> names;
@@ -36,7 +36,7 @@ std::string rejection_of(const std::vector<std::string>& arguments, const std::v
   EXPECT_THAT(outcome.err,
               testing::AllOf(testing::StartsWith("percuss: "), testing::HasSubstr(named), testing::HasSubstr("; ")));
   EXPECT_THAT(outcome.err, testing::Not(testing::AnyOf(testing::HasSubstr("\x1b"), testing::HasSubstr("std::"))));
-  EXPECT_LT(outcome.peak_bytes, kMuch_bytes);
+  EXPECT_LT(outcome.peak_bytes, kMaxMemory_bytes);
   EXPECT_THAT(files_in(folder.path()), testing::IsEmpty());
   return outcome.err;
 }

@@ -3,7 +3,7 @@
 
 namespace percuss::test {
 
-/// A folder of its own for one test, removed with all that is in it.
+/// A temporary folder for one test, removed with its contents.
 class ScratchFolder {
  public:
   ScratchFolder();

@@ -3,12 +3,12 @@
 
 namespace percuss::test {
 
-/// A small hammer test with known truth, quick to make and to analyse: 4096 Hz, rows of 1 s, a bending mode at 200 Hz
+/// A small hammer test with known truth: 4096 Hz, rows of 1 s, a bending mode at 200 Hz
 /// (1 %) and a hoop mode at 700 Hz (0.5 %), accelerometers at 0° and 90°. `more` is added to the spec: R"("hits": 3,
 /// "runs": 2)".
 std::string small_spec(const std::string& more = R"("hits": 3)");
 
-/// That test written as a record, by the extension (write_record).
+/// Writes this test as a record in the format of the extension.
 void write_small_test(const std::string& path, const std::string& more = R"("hits": 3)");
 
 }  // namespace percuss::test

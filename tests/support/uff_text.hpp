@@ -6,7 +6,7 @@
 
 namespace percuss::test {
 
-/// A data set 58 as its specification lays it out, written here by hand and not by percuss.
+/// A data set 58 by its specification, written without the code of percuss.
 struct UffText {
   int type = 1;
   std::string response = "NONE", reference = "NONE";
@@ -32,11 +32,11 @@ struct UffText {
     return out + axis(abscissa, "s") + axis(ordinate, ordinate_unit) + axis(denominator, denominator_unit) +
            axis(0, "NONE");
   }
-  /// Lines of numbers as they are to stand in the file.
+  /// The numbers as lines of the file.
   std::string text(const std::string& numbers) const {
     return "    -1" + end + "    58" + end + header() + numbers + "    -1" + end;
   }
-  /// Bytes as they are to stand in the file. `stated`: what the first line says of their number.
+  /// The numbers as bytes of the file. `stated` is their number in the header line.
   std::string binary(const std::string& bytes, int byte_order, std::size_t stated) const {
     return "    -1" + end +
            fmt::format("    58b{:6}     2          11{:12}     0     0           0           0", byte_order, stated) +
@@ -44,7 +44,7 @@ struct UffText {
   }
 };
 
-/// The bytes of a number, last one first if `big`.
+/// The bytes of a number, in big-endian order if `big`.
 template <class Number>
 std::string number_bytes(Number number, bool big = false) {
   std::string out(reinterpret_cast<const char*>(&number), sizeof number);

@@ -4,11 +4,13 @@
 #include <vector>
 
 #include "cli/command_line.hpp"
+#include "cli/option_error.hpp"
+#include "core/error.hpp"
 #include "pipeline/analysis.hpp"
 
 namespace percuss::tools {
 
-/// The options of the analysis itself, shared by analyze and frf, as typed.
+/// The analysis options as typed, shared by analyze, frf, nodes, survey and deflect.
 struct AnalysisFlags {
   std::string band;
   std::string effort = "best";
@@ -25,14 +27,14 @@ struct AnalysisFlags {
 };
 
 void add_analysis_flags(Command& command, AnalysisFlags& flags);
-/// Those on which the result depends: all but --threads.
+/// The options that change the result: all but --threads.
 void add_analysis_options(Command& command, AnalysisFlags& flags);
 inline constexpr const char* kAnalysisHeading = "Analysis";
 
-/// Throws UsageError for values that contradict each other.
+/// Throws UsageError for contradictory values.
 pipeline::AnalysisOptions analysis_options(const AnalysisFlags& flags);
 
-/// "LO:HI" in Hz; UsageError names `option`.
-std::pair<double, double> parse_band(const std::string& text, const char* option);
+/// Reads "LO:HI" in Hz, the value of `option`. Throws OptionError.
+std::pair<double, double> parse_band(const std::string& text, const OptionId& option);
 
 }  // namespace percuss::tools

@@ -5,7 +5,7 @@
 namespace percuss::tools {
 namespace {
 
-// What comes before: the words that are a command, and what stands before the cursor. bash takes "=" for a word.
+// Finds the command and the word before the cursor. bash treats "=" as a word.
 constexpr const char* kBegin = R"(_percuss() {
   local current=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]}
   COMPREPLY=()
@@ -26,7 +26,7 @@ constexpr const char* kCommands = R"(        command="${command:+$command }${COM
   case "$command" in
 )";
 
-// Where the option before the cursor takes a value, `options` is empty.
+// `options` is empty if the option before the cursor takes a value.
 constexpr const char* kEnd = R"(  esac
   if [[ -n $options && $current == -* ]]; then
     values=$options
@@ -77,9 +77,9 @@ std::string command_case(const Declaration& all, const DeclaredCommand& command)
   std::vector<std::string> options, below;
   for (const DeclaredOption& option : command.options)
     options.insert(options.end(), option.names.begin(), option.names.end());
-  for (const DeclaredCommand* one : commands_of(all, command)) below.push_back(last_name(*one));
+  for (const DeclaredCommand* one : commands_of(all, command)) below.push_back(base_name(*one));
   std::string words = below.empty() ? "" : fmt::format(" values='{}' kind=text", fmt::join(below, " "));
-  if (!command.words.empty()) words = " " + values_of(command.words.front());
+  if (!command.arguments.empty()) words = " " + values_of(command.arguments.front());
   const std::string values = value_cases(command);
   return fmt::format("    '{}')\n      options='{}'{}\n{} ;;\n", command.name, fmt::join(options, " "), words,
                      values.empty() ? "     " : "      case \"$before\" in\n" + values + "      esac");

@@ -12,7 +12,7 @@
 namespace percuss::tools {
 namespace {
 
-// What the words chose, the program first.
+// The program and the chosen command below it.
 std::vector<const CLI::App*> chosen_path(const CLI::App& program) {
   std::vector<const CLI::App*> path{&program};
   while (!path.back()->get_subcommands().empty()) path.push_back(path.back()->get_subcommands().front());
@@ -26,8 +26,8 @@ const DeclaredCommand& declared_of(const Declaration& all, const std::vector<con
   return *find_command(all, name);
 }
 
-// Words that look like options come first: what else is wrong often follows from them.
-void refuse_unknown_options(const Declaration& all, const CLI::App& program) {
+// Checked first, since a mistyped option often causes the other errors.
+void reject_unknown_options(const Declaration& all, const CLI::App& program) {
   const auto path = chosen_path(program);
   const DeclaredCommand& command = declared_of(all, path, path.size());
   for (std::size_t i = 0; i < path.size(); ++i) {
@@ -40,15 +40,15 @@ void refuse_unknown_options(const Declaration& all, const CLI::App& program) {
   }
 }
 
-void refuse_missing(const Declaration& all, const DeclaredCommand& command, const CLI::App& app) {
-  for (const auto* declared : {&command.options, &command.words}) {
+void reject_missing(const Declaration& all, const DeclaredCommand& command, const CLI::App& app) {
+  for (const auto* declared : {&command.options, &command.arguments}) {
     for (const DeclaredOption& one : *declared) {
       if (one.required && app.get_option(one.name())->count() == 0) throw missing_option(all, command, one);
     }
   }
 }
 
-void refuse_mismatch(const DeclaredCommand& command, const CLI::App& app, const std::vector<std::string>& typed) {
+void reject_mismatch(const DeclaredCommand& command, const CLI::App& app, const std::vector<std::string>& typed) {
   for (const std::string& word : typed) {
     const DeclaredOption* const flag = find_option(command, word.substr(0, word.find('=')));
     if (flag != nullptr && flag->is_flag() && word.find('=') != std::string::npos) throw flag_with_value(*flag);
@@ -61,17 +61,17 @@ void refuse_mismatch(const DeclaredCommand& command, const CLI::App& app, const 
   }
 }
 
-// CLI11 says what is wrong in its own words and not where; the declaration and what was typed tell.
-[[noreturn]] void refuse(const Declaration& all, const CLI::App& program, const CLI::ParseError& error,
+// CLI11 does not say where the error is; the declaration and the typed words do.
+[[noreturn]] void reject(const Declaration& all, const CLI::App& program, const CLI::ParseError& error,
                          const std::vector<std::string>& typed) {
-  refuse_unknown_options(all, program);
+  reject_unknown_options(all, program);
   const auto path = chosen_path(program);
   const DeclaredCommand& command = declared_of(all, path, path.size());
-  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) refuse_mismatch(command, *path.back(), typed);
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) reject_mismatch(command, *path.back(), typed);
   if (const auto extra = path.back()->remaining(); !extra.empty()) throw extra_argument(all, command, extra.front());
   if (!commands_of(all, command).empty()) throw missing_command(all, command);
-  refuse_missing(all, command, *path.back());
-  throw UsageError(one_line(error.what()), "see " + called(all, command) + " --help");
+  reject_missing(all, command, *path.back());
+  throw UsageError(one_line(error.what()), "see " + full_name(all, command) + " --help");
 }
 
 }  // namespace
@@ -120,7 +120,7 @@ void CommandLine::exit_code(int code, const char* meaning) {
   declaration_.exits.push_back({.code = code, .meaning = meaning});
 }
 
-// A word that is no command would be called a missing command.
+// CLI11 would report an unknown command as a missing one.
 void CommandLine::check_commands(const std::vector<std::string>& words) const {
   const DeclaredCommand* at = &declaration_.commands.front();
   for (const std::string& word : words) {
@@ -134,7 +134,7 @@ void CommandLine::check_commands(const std::vector<std::string>& words) const {
 int CommandLine::run(int argc, const char* const* argv) {
   const std::vector<std::string> typed(argv + 1, argv + argc);
   check_commands(typed);
-  for (const auto& make_fresh : resets_) make_fresh();
+  for (const auto& reset : resets_) reset();
   try {
     app_->parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
@@ -145,10 +145,10 @@ int CommandLine::run(int argc, const char* const* argv) {
     std::cout << version.what() << '\n';
     return 0;
   } catch (const UsageError&) {
-    refuse_unknown_options(declaration_, *app_);
+    reject_unknown_options(declaration_, *app_);
     throw;
   } catch (const CLI::ParseError& error) {
-    refuse(declaration_, *app_, error, typed);
+    reject(declaration_, *app_, error, typed);
   }
   return chosen_();
 }

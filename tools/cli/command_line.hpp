@@ -9,26 +9,26 @@
 
 namespace percuss::tools {
 
-/// The tool's command line. CLI11 parses it, behind this: it takes seconds to compile wherever it is seen.
+/// The tool's command line. It hides CLI11, whose headers take seconds to compile.
 class CommandLine {
  public:
-  /// `host` is who runs its commands, where that is not a shell.
+  /// `host` is the program that runs the commands in its own process, if any.
   CommandLine(const char* name, const char* description, const char* version, Host* host = nullptr);
   ~CommandLine();
   CommandLine(const CommandLine&) = delete;
   CommandLine& operator=(const CommandLine&) = delete;
 
-  /// The program itself: its options, examples and what it is about.
+  /// The program itself: its options, examples and description.
   Command program();
 
-  /// A command that only gathers others: they are named "GROUP NAME" and declared after it.
+  /// A group of commands; its commands are named "GROUP NAME" and declared after it.
   Command group(const char* name, const char* description);
 
-  /// `run` is called when the command was chosen and its options understood; it returns an exit code.
+  /// `run` executes the command after a successful parse and returns the exit code.
   Command command(const char* name, const char* description, std::function<int()> run);
 
-  /// The variables that a command's options are bound to. Each run finds them as they were declared, so that one
-  /// declaration serves many runs, one after the other.
+  /// The variables of a command's options. Each run starts from their initial values, so one declaration serves many
+  /// runs.
   template <class Values>
   std::shared_ptr<Values> values() {
     auto made = std::make_shared<Values>();
@@ -39,12 +39,12 @@ class CommandLine {
     return made;
   }
 
-  /// What an exit code means, for the manual pages.
+  /// Declares the meaning of an exit code for the manual pages.
   void exit_code(int code, const char* meaning);
 
   const Declaration& declaration() const { return declaration_; }
 
-  /// Runs what the words ask for; 0 after --help and --version. Throws UsageError for words it does not understand.
+  /// Parses and runs a command line; returns 0 after --help and --version. Throws UsageError for an invalid one.
   int run(int argc, const char* const* argv);
 
  private:

@@ -42,8 +42,8 @@ std::vector<std::string> names_in(std::string_view names) {
 
 }  // namespace
 
-Option Option::holds(std::string wanted, const std::function<bool(const std::string&)>& check) {
-  declared_->wanted = std::move(wanted);
+Option Option::holds(std::string requirement, const std::function<bool(const std::string&)>& check) {
+  declared_->requirement = std::move(requirement);
   const DeclaredOption* const declared = declared_;
   option_->check([declared, check](const std::string& text) {
     return check(text) ? std::string() : throw wrong_value(*declared, text);
@@ -89,7 +89,7 @@ Option Option::counted() {
     std::size_t number = 0;
     if (std::from_chars(text.data(), text.data() + text.size(), number).ec == std::errc{}) return true;
     DeclaredOption narrower = *declared;
-    narrower.wanted = "a whole number below 2^64";
+    narrower.requirement = "a whole number below 2^64";
     throw wrong_value(narrower, text);
   });
 }
@@ -105,12 +105,12 @@ Option Option::show_default() {
 }
 
 Option Command::declared(const char* names, const char* value, const char* help, CLI::Option* option) {
-  const bool is_word = names[0] != '-';
-  auto& place = is_word ? declared_->words : declared_->options;
+  const bool is_argument = names[0] != '-';
+  auto& place = is_argument ? declared_->arguments : declared_->options;
   place.push_back({.names = names_in(names), .value = value, .help = help, .group = group_});
   DeclaredOption* const made = &place.back();
-  made->kind = is_word ? ArgumentKind::file : ArgumentKind::text;
-  if (!is_word && !made->is_flag()) {  // an option that was meant to be given is no value
+  made->kind = is_argument ? ArgumentKind::file : ArgumentKind::text;
+  if (!is_argument && !made->is_flag()) {  // an option that was meant to be given is no value
     option->check([made, all = declared_](const std::string& text) {
       return find_option(*all, text) == nullptr ? std::string() : throw missing_value(*made);
     });
@@ -128,10 +128,10 @@ Option Command::listed(const char* names, const char* value, const char* help, C
   return made;
 }
 
-Option Command::word(const char* name, std::string& value, const char* help) {
+Option Command::argument(const char* name, std::string& value, const char* help) {
   return declared(name, "", help, app_->add_option(name, value));
 }
-Option Command::words(const char* name, std::vector<std::string>& values, const char* help) {
+Option Command::arguments(const char* name, std::vector<std::string>& values, const char* help) {
   return repeated(name, "", help, app_->add_option(name, values));
 }
 Option Command::value(const char* names, std::string& value, const char* help) {

@@ -12,11 +12,11 @@ std::string_view parent_name(std::string_view name) {
 
 }  // namespace
 
-std::string called(const Declaration& all, const DeclaredCommand& command) {
+std::string full_name(const Declaration& all, const DeclaredCommand& command) {
   return command.name.empty() ? all.program : all.program + " " + command.name;
 }
 
-std::string last_name(const DeclaredCommand& command) { return command.name.substr(command.name.rfind(' ') + 1); }
+std::string base_name(const DeclaredCommand& command) { return command.name.substr(command.name.rfind(' ') + 1); }
 
 std::vector<const DeclaredCommand*> commands_of(const Declaration& all, const DeclaredCommand& parent) {
   std::vector<const DeclaredCommand*> found;
@@ -40,15 +40,15 @@ const DeclaredOption* find_option(const DeclaredCommand& command, std::string_vi
 }
 
 std::vector<std::string> usage_of(const Declaration& all, const DeclaredCommand& command) {
-  std::vector<std::string> parts{called(all, command)};
+  std::vector<std::string> parts{full_name(all, command)};
   for (const DeclaredOption& option : command.options) {
     if (option.required) parts.push_back(option.name() + " " + option.value);
   }
   parts.emplace_back("[OPTION]...");
   if (!commands_of(all, command).empty()) parts.emplace_back("COMMAND");
-  for (const DeclaredOption& word : command.words) {
-    const std::string shown = word.name() + (word.repeatable ? "..." : "");
-    parts.push_back(word.required ? shown : "[" + shown + "]");
+  for (const DeclaredOption& argument : command.arguments) {
+    const std::string shown = argument.name() + (argument.repeatable ? "..." : "");
+    parts.push_back(argument.required ? shown : "[" + shown + "]");
   }
   return parts;
 }
@@ -65,7 +65,7 @@ std::vector<OptionGroup> groups_of(const DeclaredCommand& command) {
 
 std::string option_help_text(const DeclaredOption& option) {
   std::string text = option.help;
-  if (option.list) {  // the value shown is not all that it may be
+  if (option.list) {  // the placeholder does not list the choices
     for (const std::string& choice : option.choices)
       text += (&choice == &option.choices.front() ? ": " : ", ") + choice;
   }

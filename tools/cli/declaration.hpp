@@ -8,39 +8,39 @@ namespace percuss::tools {
 
 enum class ArgumentKind { text, file, folder };
 
-/// An option, or a word without dashes, as it was declared. The parser's complaints, --help, the manual pages and the
-/// shells' completion all read this and nothing else.
+/// A declared option or positional argument: the one source of usage errors, --help, manual pages, completion scripts
+/// and the keywords of Python.
 struct DeclaredOption {
-  std::vector<std::string> names;        // {"-o", "--output"}; of a word its one name, "FILE"
-  std::string value;                     // how its value is shown, "HZ"; empty: a flag takes none, a word is its own
-  std::vector<std::string> choices;      // all that it may be; empty: more than can be listed
-  std::vector<std::string> suggestions;  // some that it may be, for a shell to complete
-  std::string wanted;                    // what its value must be, "a number above 0"
-  std::string initial;                   // its value where it is not given
+  std::vector<std::string> names;        // {"-o", "--output"}; for an argument {"FILE"}
+  std::string value;                     // placeholder of the value, "HZ"; empty for flags and arguments
+  std::vector<std::string> choices;      // all allowed values; empty: not a fixed list
+  std::vector<std::string> suggestions;  // values for a shell to complete
+  std::string requirement;               // rule for the value, "a number above 0"
+  std::string initial;                   // default value
   std::string help;
-  std::string group;  // the heading it stands under; empty: none of its own
+  std::string group;  // heading in the help; empty: none
   ArgumentKind kind = ArgumentKind::text;
   bool required = false;
   bool repeatable = false;
-  bool list = false;   // one word may be several values: "0,90"
-  bool whole = false;  // its value is a whole number
+  bool list = false;   // the value is a list: "0,90"
+  bool whole = false;  // the value is a whole number
 
-  const std::string& name() const { return names.back(); }  // the long one
+  const std::string& name() const { return names.back(); }  // the long name
   bool is_flag() const { return value.empty() && names.back().front() == '-'; }
 };
 
 struct DeclaredExample {
-  std::string line;     // as it is typed into a shell
-  std::string meaning;  // what it does
+  std::string line;     // as typed into a shell
+  std::string meaning;  // its purpose
 };
 
-/// The program itself (its name is empty), a command, or a group of commands.
+/// The program itself (with an empty name), a command, or a group of commands.
 struct DeclaredCommand {
   std::string name;     // "model beam"
   std::string summary;  // one line
   std::string about;    // a paragraph
   bool is_group = false;
-  std::deque<DeclaredOption> words, options;  // pointers to them stay valid while more are declared
+  std::deque<DeclaredOption> arguments, options;  // a deque keeps pointers to its elements valid
   std::vector<DeclaredExample> examples;
 };
 
@@ -51,27 +51,27 @@ struct DeclaredExit {
 
 struct Declaration {
   std::string program, version;
-  std::deque<DeclaredCommand> commands;  // the program first, a group before its commands
+  std::deque<DeclaredCommand> commands;  // the program first; a group before its commands
   std::vector<DeclaredExit> exits;
 };
 
 /// "percuss model beam".
-std::string called(const Declaration& all, const DeclaredCommand& command);
+std::string full_name(const Declaration& all, const DeclaredCommand& command);
 
-/// The last word of its name, "beam".
-std::string last_name(const DeclaredCommand& command);
+/// The last word of the command's name, "beam".
+std::string base_name(const DeclaredCommand& command);
 
-/// Those named one word longer, in the order of their declaration.
+/// The direct subcommands, in the order of declaration.
 std::vector<const DeclaredCommand*> commands_of(const Declaration& all, const DeclaredCommand& parent);
 
-/// The command of this name, or none.
+/// The command of this name, or nullptr.
 const DeclaredCommand* find_command(const Declaration& all, std::string_view name);
 
-/// The option that is called so, "-o" or "--output", or none.
+/// The option with this name, "-o" or "--output", or nullptr.
 const DeclaredOption* find_option(const DeclaredCommand& command, std::string_view name);
 
-/// "percuss calibrate --mass KG [OPTION]... [FILE...]", in parts: those to be typed as they are start with a dash or
-/// are the first.
+/// The parts of "percuss calibrate --mass KG [OPTION]... [FILE...]". The first part, and parts that start with a dash,
+/// are typed literally.
 std::vector<std::string> usage_of(const Declaration& all, const DeclaredCommand& command);
 
 struct OptionGroup {
@@ -79,10 +79,10 @@ struct OptionGroup {
   std::vector<const DeclaredOption*> options;
 };
 
-/// The options under their headings: those without one of their own first.
+/// The options by heading; options without a heading come first.
 std::vector<OptionGroup> groups_of(const DeclaredCommand& command);
 
-/// The help of an option and its initial value.
+/// The help text of an option, with its choices and default value.
 std::string option_help_text(const DeclaredOption& option);
 
 }  // namespace percuss::tools

@@ -16,7 +16,7 @@ std::string fish_quoted(std::string_view text) {
   return out + "'";
 }
 
-// Whether the words before the cursor choose the command named by the arguments; and values after a comma.
+// One function tests which command the words before the cursor choose; the other completes list values after a comma.
 constexpr const char* kFunctions = R"(function __percuss_command
     set -l words (commandline -opc)
     set -l command
@@ -37,7 +37,7 @@ end
 complete -c percuss -f
 )";
 
-// What completes a value, as options of fish's own command.
+// The completion of a value, as options of the command complete of fish.
 std::string value_flags(const DeclaredOption& option) {
   const auto& names = option.choices.empty() ? option.suggestions : option.choices;
   const std::string all = fmt::format("{}", fmt::join(names, " "));
@@ -55,10 +55,10 @@ std::string option_line(const DeclaredOption& option) {
   return out + (option.is_flag() ? "" : value_flags(option)) + " -d " + fish_quoted(option_help_text(option));
 }
 
-std::string word_line(const DeclaredOption& word) {
-  const auto& names = word.choices.empty() ? word.suggestions : word.choices;
+std::string argument_line(const DeclaredOption& argument) {
+  const auto& names = argument.choices.empty() ? argument.suggestions : argument.choices;
   const std::string listed = names.empty() ? "" : " -a " + fish_quoted(fmt::format("{}", fmt::join(names, " ")));
-  return listed + (word.kind == ArgumentKind::file ? " -F" : "") + " -d " + fish_quoted(word.help);
+  return listed + (argument.kind == ArgumentKind::file ? " -F" : "") + " -d " + fish_quoted(argument.help);
 }
 
 }  // namespace
@@ -77,8 +77,8 @@ std::string fish_completion(const Declaration& all) {
     const std::string here =
         fmt::format("complete -c {} -n {}", all.program, fish_quoted("__percuss_command " + command.name));
     for (const DeclaredCommand* one : commands_of(all, command))
-      out += here + " -a " + last_name(*one) + " -d " + fish_quoted(one->summary) + "\n";
-    for (const DeclaredOption& word : command.words) out += here + word_line(word) + "\n";
+      out += here + " -a " + base_name(*one) + " -d " + fish_quoted(one->summary) + "\n";
+    for (const DeclaredOption& argument : command.arguments) out += here + argument_line(argument) + "\n";
     for (const DeclaredOption& option : command.options) out += here + option_line(option) + "\n";
   }
   return out;

@@ -6,7 +6,7 @@
 
 namespace percuss::tools {
 
-/// What --help prints, at most `width` characters wide where its words allow it.
+/// The output of --help, wrapped to `width` characters except for example lines.
 std::string help_text(const Declaration& all, const DeclaredCommand& command, std::size_t width);
 
 }  // namespace percuss::tools

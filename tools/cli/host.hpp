@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/error.hpp"
 #include "frf/frf_record.hpp"
 #include "pipeline/impact_test.hpp"
 #include "pipeline/survey.hpp"
@@ -15,16 +16,16 @@
 
 namespace percuss::tools {
 
-/// Data in memory where a command would open a file; what the options say of files holds for them too.
+/// Data in memory in place of a file; the reading options apply to it.
 using InMemoryInput = std::function<std::variant<acquire::Record, frf::FrfRecord>(const frf::FrfReadOptions&)>;
 
-/// What a command came to; what it does not have stays empty. The functions may be called for as long as the outcome
-/// or a copy of it lives, by one thread at a time.
+/// The result of a command; parts that the command does not produce stay empty. Only one thread at a time may call the
+/// functions.
 struct CommandResult {
-  std::string document;                                             // what --json prints
-  std::vector<std::string> notes;                                   // what it says on standard error
-  std::function<std::string(std::size_t width)> text;               // what a terminal of that width shows
-  std::function<std::string()> html;                                // the results alone, as elements of HTML
+  std::string document;                                             // the output of --json
+  std::vector<Message> notes;                                       // remarks, of which a shell prints the text
+  std::function<std::string(std::size_t width)> text;               // the text for a terminal of that width
+  std::function<std::string()> html;                                // the main table as HTML elements
   std::function<void(const std::string& path, bool force)> save;    // as -o PATH
   std::vector<std::shared_ptr<const pipeline::Analysis>> analyses;  // of each test
   std::shared_ptr<const pipeline::Survey> survey;
@@ -34,12 +35,11 @@ struct CommandResult {
   std::vector<report::NumericColumn> columns;
 };
 
-/// Another program in whose process a command runs, in place of a terminal: what it gives, and what it gets.
+/// A program that runs a command in its own process: its inputs, and the result.
 struct Host {
-  std::string
-      equivalent_command;  // the command line that would do the same, for who asks later how a result came about
+  std::string equivalent_command;  // the command line with the same result, for provenance
   std::vector<InMemoryInput> inputs;
-  // Of documents in memory, by the paths that stand for them; of two that begin alike the longer first.
+  // Display names of documents in memory by their paths, longer paths before their prefixes.
   std::map<std::string, std::string, std::greater<>> names;
   CommandResult outcome;
 };

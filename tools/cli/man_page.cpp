@@ -17,7 +17,7 @@ struct Character {
   std::size_t bytes = 1;
 };
 
-// The character at the start of a text that is UTF-8, as a declaration is.
+// The first character of a UTF-8 text.
 Character first_of(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned lead = byte(0);
@@ -27,8 +27,8 @@ Character first_of(std::string_view text) {
   return {code, std::min(bytes, text.size())};
 }
 
-// Text as it is to be read: nothing in it is a request, wherever its lines are broken, and what is typed keeps its own
-// characters.
+// Text escaped for roff, so that no word becomes a request at the start of a line, and typed characters such as - and '
+// stay ASCII.
 std::string escaped(std::string_view text) {
   std::string out;
   while (!text.empty()) {
@@ -74,16 +74,16 @@ std::string italic(std::string_view text) { return R"(\fI)" + escaped(text) + R"
 
 std::string section(std::string_view name) { return fmt::format(".SH {}\n", name); }
 
-// The roff of "name - summary" has its own dash.
+// roff requires its own dash in "name - summary".
 std::string name_line(const Declaration& all, const DeclaredCommand& command) {
   return escaped(page_name(all, command)) + " \\-\n" + paragraph(command.summary);
 }
 
-// Capital words are placeholders, the rest is typed: "percuss calibrate --mass KG [OPTION]... [FILE...]".
+// Bold for literal words, italic for placeholders: "percuss calibrate --mass KG [OPTION]... [FILE...]".
 std::string synopsis(const Declaration& all, const DeclaredCommand& command) {
   std::string out = section("SYNOPSIS");
   for (const std::string& part : usage_of(all, command)) {
-    const bool typed = part == called(all, command);
+    const bool typed = part == full_name(all, command);
     const std::size_t blank = part.starts_with('-') ? part.find(' ') : std::string::npos;
     out += (typed                        ? bold(part)
             : blank == std::string::npos ? italic(part)
@@ -97,9 +97,9 @@ std::string item(const std::string& head, const std::string& text) { return ".TP
 
 std::string description(const Declaration& all, const DeclaredCommand& command) {
   std::string out = section("DESCRIPTION") + paragraph(command.about.empty() ? command.summary + "." : command.about);
-  for (const DeclaredCommand* one : commands_of(all, command)) out += item(bold(last_name(*one)), one->summary);
-  for (const DeclaredOption& word : command.words)
-    out += item(italic(word.name() + (word.repeatable ? "..." : "")), option_help_text(word));
+  for (const DeclaredCommand* one : commands_of(all, command)) out += item(bold(base_name(*one)), one->summary);
+  for (const DeclaredOption& argument : command.arguments)
+    out += item(italic(argument.name() + (argument.repeatable ? "..." : "")), option_help_text(argument));
   return out;
 }
 
@@ -135,7 +135,7 @@ std::string exit_status(const Declaration& all) {
   return out;
 }
 
-// The pages above, beside and below.
+// The pages of the parents, siblings and subcommands.
 std::string see_also(const Declaration& all, const DeclaredCommand& command) {
   std::vector<std::string> pages;
   for (const DeclaredCommand& one : all.commands) {
@@ -153,7 +153,7 @@ std::string see_also(const Declaration& all, const DeclaredCommand& command) {
 }  // namespace
 
 std::string page_name(const Declaration& all, const DeclaredCommand& command) {
-  std::string name = called(all, command);
+  std::string name = full_name(all, command);
   std::replace(name.begin(), name.end(), ' ', '-');
   return name;
 }

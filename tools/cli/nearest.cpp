@@ -7,10 +7,10 @@
 namespace percuss::tools {
 namespace {
 
-constexpr std::size_t kLongest = 60;  // what is longer is no name of ours
-constexpr std::size_t kMinShown = 2;  // letters that a beginning must have
+constexpr std::size_t kMaxLetters = 60;  // no option or command is longer
+constexpr std::size_t kMinPrefix = 2;    // letters of a prefix
 
-std::string bare(std::string_view text) {
+std::string normalised(std::string_view text) {
   text.remove_prefix(std::min(text.find_first_not_of('-'), text.size()));
   std::string out(text);
   std::transform(out.begin(), out.end(), out.begin(),
@@ -18,7 +18,7 @@ std::string bare(std::string_view text) {
   return out;
 }
 
-// Damerau's distance, no part of the text changed twice ("optimal string alignment").
+// Optimal string alignment: Damerau's distance in which no part of the text changes twice.
 std::size_t distance(const std::string& a, const std::string& b) {
   std::vector<std::size_t> before, last(b.size() + 1), row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
@@ -38,26 +38,26 @@ std::size_t distance(const std::string& a, const std::string& b) {
 }  // namespace
 
 std::optional<std::string> nearest(std::string_view typed, const std::vector<std::string>& known) {
-  const std::string wanted = bare(typed);
-  if (wanted.empty() || wanted.size() > kLongest) return std::nullopt;
-  std::optional<std::string> best, begun;
-  std::size_t least = SIZE_MAX, beginnings = 0;
+  const std::string wanted = normalised(typed);
+  if (wanted.empty() || wanted.size() > kMaxLetters) return std::nullopt;
+  std::optional<std::string> best, completed;
+  std::size_t fewest = SIZE_MAX, prefixed = 0;
   for (const std::string& one : known) {
-    const std::string name = bare(one);
+    const std::string name = normalised(one);
     const std::size_t changes = distance(wanted, name);
-    // Of two that are as near, the one that begins alike: first letters are seldom mistyped.
-    const bool nearer = changes < least || (changes == least && name.front() == wanted.front() && best &&
-                                            bare(*best).front() != wanted.front());
+    // At equal distance the same first letter decides, since first letters are seldom mistyped.
+    const bool nearer = changes < fewest || (changes == fewest && name.front() == wanted.front() && best &&
+                                             normalised(*best).front() != wanted.front());
     if (changes <= (std::max(wanted.size(), name.size()) + 1) / 3 && nearer) {
-      least = changes;
+      fewest = changes;
       best = one;
     }
-    if (wanted.size() >= kMinShown && name.starts_with(wanted)) {
-      begun = one;
-      ++beginnings;
+    if (wanted.size() >= kMinPrefix && name.starts_with(wanted)) {
+      completed = one;
+      ++prefixed;
     }
   }
-  return beginnings == 1 ? begun : best;
+  return prefixed == 1 ? completed : best;
 }
 
 }  // namespace percuss::tools

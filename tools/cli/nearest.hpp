@@ -6,9 +6,9 @@
 
 namespace percuss::tools {
 
-/// The one of `known` that `typed` was probably meant to be: the fewest letters left out, added, changed or swapped
-/// with their neighbour, but not more than one in three; or the only one that begins so. Case and leading dashes do not
-/// count.
+/// The name that a mistyped word probably means: the known name with the fewest letters omitted, added, changed or
+/// swapped with a neighbour, at most one in three; or the only name that begins with the word. Case and leading dashes
+/// are ignored.
 std::optional<std::string> nearest(std::string_view typed, const std::vector<std::string>& known);
 
 }  // namespace percuss::tools

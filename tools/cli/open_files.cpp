@@ -9,6 +9,7 @@
 #include <set>
 
 #include "acquire/open_measurement.hpp"
+#include "cli/option_error.hpp"
 #include "cli/output.hpp"
 #include "core/error.hpp"
 #include "core/parallel/parallel.hpp"
@@ -16,13 +17,13 @@
 namespace percuss::tools {
 namespace {
 
-constexpr std::size_t kPerFile = 1'000'000;  // operations, or their worth in time
+constexpr std::size_t kFlopsPerFile = 1'000'000;  // cost of opening a file, in floating-point operations
 
 void require_distinct(const std::vector<std::string>& paths) {
   std::set<std::string> seen;
   for (const auto& path : paths) {
     if (!seen.insert(path).second)
-      throw UsageError(fmt::format("\"{}\" is given twice", one_line(path)), "name each file once");
+      throw OptionError({}, fmt::format("\"{}\" is given twice", one_line(path)), "name each file once");
   }
 }
 
@@ -34,33 +35,33 @@ std::size_t input_count(const ReadFlags& flags) {
 
 void require_files(const ReadFlags& flags) {
   if (has_in_memory_inputs(flags)) return;
-  if (flags.paths.empty()) throw UsageError("no file", "name at least one, or - for standard input");
+  if (flags.paths.empty()) throw OptionError({}, "no file is given", "name at least one, or - for standard input");
   require_distinct(flags.paths);
 }
 
-// Of one file nobody asks: it is opened by itself.
+// A single file needs no fork server.
 bool several_with_sandboxed_format(const ReadFlags& flags) {
   return flags.paths.size() > 1 && std::any_of(flags.paths.begin(), flags.paths.end(), [](const std::string& path) {
            return path != "-" && frf::needs_sandbox(path);
          });
 }
 
-// Who forks the readers of several foreign files, so that they can be opened at once: a process with threads at work
-// is not forked. One that belongs to another program has threads of its own at any time.
+// The fork server that starts the sandboxes of several files, since a process with running threads cannot fork safely.
+// A host may have threads of its own at any time.
 std::shared_ptr<acquire::ForkServer> fork_server_for(const ReadFlags& flags, const acquire::ReadOptions& options) {
   const bool alike = options.force_scale.size() <= 1;
   if (flags.host != nullptr || !options.sandboxed || !alike || !several_with_sandboxed_format(flags)) return nullptr;
   return frf::measurement_fork_server({.read = options, .kind = flags.frf_kind});
 }
 
-// Opens all files, texts at once, foreign ones with somebody to fork their readers; of several that cannot be opened
-// the first is complained of.
+// Opens the files in parallel, except sandboxed ones without a fork server. Rethrows the error of the first file that
+// cannot be opened.
 template <class Opened, class Open>
 std::vector<std::optional<Opened>> for_each_file(const ReadFlags& flags, bool fork_server, const Open& open) {
   std::vector<std::optional<Opened>> opened(input_count(flags));
   std::vector<std::exception_ptr> failed(opened.size());
   const bool forks = !fork_server && several_with_sandboxed_format(flags);
-  parallel_for_cost(opened.size(), forks ? 0 : kPerFile, [&](std::size_t i) {
+  parallel_for_cost(opened.size(), forks ? 0 : kFlopsPerFile, [&](std::size_t i) {
     try {
       opened[i].emplace(open(i));
     } catch (...) {
@@ -80,7 +81,7 @@ acquire::Record open_record_at(const ReadFlags& flags, const acquire::ReadOption
   if (!has_in_memory_inputs(flags)) return acquire::open_record(flags.paths[index], its);
   auto given = flags.host->inputs[index]({.read = its, .kind = flags.frf_kind});
   if (auto* record = std::get_if<acquire::Record>(&given)) return std::move(*record);
-  throw InputError("FRFs are no record of time", std::get<frf::FrfRecord>(given).source(),
+  throw InputError("the file holds FRFs, not a record", std::get<frf::FrfRecord>(given).source(),
                    "give force and acceleration");
 }
 
@@ -106,15 +107,16 @@ Measurements open_measurements(const ReadFlags& flags) {
     if (auto* record = std::get_if<acquire::Record>(&*all[i])) out.records.push_back(std::move(*record));
     if (auto* frfs = std::get_if<frf::FrfRecord>(&*all[i])) out.frfs.push_back(std::move(*frfs));
     if (out.records.empty() || out.frfs.empty()) continue;
-    throw InputError("records of time and FRFs cannot be joined",
-                     has_in_memory_inputs(flags) ? "data in memory" : flags.paths[i], "analyse the two kinds apart");
+    throw InputError("records and FRFs cannot be joined",
+                     has_in_memory_inputs(flags) ? "data in memory" : flags.paths[i],
+                     "analyse the two kinds separately");
   }
   return out;
 }
 
 frf::FrfRecord join_frfs_of(const ReadFlags& flags, std::vector<frf::FrfRecord> frfs) {
   if (frfs.size() > 1 && flags.files == acquire::FileGrouping::hits)
-    throw UsageError("several files of FRFs are no hits of one test", "give --files points or tests");
+    throw OptionError({"files"}, "cannot be 'hits' for FRFs, which hold no hits", "give points or tests");
   return frf::join_frfs(std::move(frfs));
 }
 

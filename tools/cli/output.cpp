@@ -10,18 +10,25 @@
 #include <iostream>
 #include <set>
 
+#include "cli/option_error.hpp"
+#include "cli/option_names.hpp"
 #include "core/error.hpp"
 
 namespace percuss::tools {
+namespace {
+
+constexpr std::size_t kMaxNoteBytes = 2000;
+
+}  // namespace
 
 void add_output_flags(Command& command, OutputFlags& flags, const char* kinds) {
   flags.host = command.host();
   const std::string others = command.heading("Output");
-  const std::string help = std::string("Write to this file; its extension says what: ") + kinds + " (repeatable)";
+  const std::string help = std::string("Write this file; its extension sets the kind: ") + kinds + " (repeatable)";
   command.repeatable("-o,--output", flags.paths, help.c_str()).type("FILE");
-  command.flag("--json", flags.json, "One JSON document on standard output");
-  command.flag("--force", flags.force, "Overwrite files that exist");
-  command.flag("--quiet", flags.quiet, "No progress and no warnings on standard error");
+  command.flag("--json", flags.json, "Print one JSON document on standard output");
+  command.flag("--force", flags.force, "Overwrite existing files");
+  command.flag("--quiet", flags.quiet, "Print no progress and no warnings");
   command.heading(others);
 }
 
@@ -47,11 +54,11 @@ void print(const OutputFlags& flags, const std::string& text) {
   }
 }
 
-void print_note(const OutputFlags& flags, const std::string& text) {
+void print_note(const OutputFlags& flags, const Message& note) {
   if (flags.host != nullptr) {
-    flags.host->outcome.notes.push_back(text);
+    flags.host->outcome.notes.push_back(note);
   } else if (!flags.quiet) {
-    std::cerr << "percuss: " << text << '\n';
+    std::cerr << "percuss: " << one_line(note.written(flag_of), kMaxNoteBytes) << '\n';
   }
 }
 
@@ -84,13 +91,14 @@ void check_outputs(const OutputFlags& flags, const std::vector<std::string>& kno
   std::set<std::string> seen;
   for (const std::string& path : flags.paths) {
     if (std::find(known.begin(), known.end(), extension_of(path)) == known.end()) {
-      throw UsageError("cannot tell what to write to '" + path + "'",
-                       fmt::format("use a name that ends in {}", fmt::join(known, ", ")));
+      throw OptionError({}, "cannot tell what to write to '" + path + "'",
+                        fmt::format("use a name that ends in {}", fmt::join(known, ", ")));
     }
-    if (!seen.insert(path).second) throw UsageError("'" + path + "' is to be written twice", "name each file once");
+    if (!seen.insert(path).second)
+      throw OptionError({}, "'" + path + "' is to be written twice", "name each file once");
     std::error_code ignored;
     if (!flags.force && std::filesystem::exists(path, ignored))
-      throw InputError("file exists", path, "give another name or --force");
+      throw InputError("file exists", path, "give another name or overwrite it", {"force"});
   }
 }
 

@@ -4,54 +4,55 @@
 
 #include "cli/command_line.hpp"
 #include "cli/host.hpp"
+#include "core/error.hpp"
 
 namespace percuss::tools {
 
-/// Where results go: flags that every command shares.
+/// The output options that all commands share.
 struct OutputFlags {
   std::vector<std::string> paths;  // -o, repeatable
   bool json = false;
   bool force = false;
   bool quiet = false;
-  Host* host = nullptr;            // gets the results, in place of standard output
-  std::string equivalent_command;  // once the command has run: the host's word for the command line
+  Host* host = nullptr;            // receives the results in place of standard output
+  std::string equivalent_command;  // the host's command line, for files that it saves after the run
 };
 
-/// `kinds` are those that check_outputs will be asked for, in words: ".json, .csv".
+/// `kinds` lists the extensions that the command passes to check_outputs: ".json, .csv".
 void add_output_flags(Command& command, OutputFlags& flags, const char* kinds);
 
-/// The flags for what a host may ask for once the command has run.
+/// The flags for files that a host saves after the command has run.
 OutputFlags captured_output(const OutputFlags& flags);
-/// … for one more file.
+/// `kept` with one path.
 OutputFlags single_output(const OutputFlags& kept, const std::string& path, bool force);
 
-/// What a command has to say in the end, on standard output or to the host.
+/// Prints the result of a command on standard output, or gives it to the host.
 void print(const OutputFlags& flags, const std::string& text);
-/// A remark beside it, on standard error unless --quiet is given.
-void print_note(const OutputFlags& flags, const std::string& text);
+/// Prints a note on standard error unless --quiet is given, or gives it to the host. The note's options become flags.
+void print_note(const OutputFlags& flags, const Message& note);
 
-/// The text with the host's names in place of paths that stand for documents in memory, which nobody has seen.
+/// The text with the host's display names in place of the paths of documents in memory.
 std::string with_display_names(const Host* host, std::string text);
 
-/// The extension of a path in lower case, with its dot; "" for none.
+/// The extension of a path in lower case with its dot, or "".
 std::string extension_of(const std::string& path);
 
-/// Whether the path names a universal file: .uff or .unv.
+/// Whether the path ends in .uff or .unv (universal file).
 bool is_uff(const std::string& path);
 
 bool is_html(const std::string& path);
 
-/// Whether a file is asked for that holds pictures: .svg or .html.
+/// Whether an output file holds charts: .svg or .html.
 bool writes_charts(const OutputFlags& flags);
 
-/// Nothing is read or computed for a file that cannot be written: UsageError when a path's extension is not among
-/// `known` or a path is named twice, InputError when the file exists and --force is not given.
+/// Checks the output paths before anything is computed. Throws UsageError for an extension that is not in `known` or a
+/// path given twice, InputError for an existing file unless --force is given.
 void check_outputs(const OutputFlags& flags, const std::vector<std::string>& known);
 
-/// Whether standard output is a terminal with room for a drawing of characters.
+/// Whether standard output is a terminal wide enough for a plot of characters.
 bool can_plot_in_terminal();
 
-/// Columns of the terminal on standard output; 100 when it is none.
+/// Columns of the terminal on standard output; 100 if it is not a terminal.
 std::size_t terminal_width();
 
 }  // namespace percuss::tools

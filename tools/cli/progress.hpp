@@ -8,17 +8,16 @@
 
 namespace percuss::tools {
 
-/// Says on standard error, if it is a terminal, that work goes on, once it has taken longer than a second; wiped when
-/// done.
+/// A progress line on standard error, if it is a terminal, from the first second on; erased at the end.
 class Progress {
  public:
   Progress(std::string what, bool quiet);
-  /// With more to say than how long it has taken: `text` is called with the seconds that have passed.
+  /// `text` returns the line for the elapsed seconds.
   Progress(std::function<std::string(double seconds)> text, bool quiet);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
-  /// Wipes the line; before anything else is printed. Again does nothing.
+  /// Erases the line. Call it before other output; repeated calls have no effect.
   void stop() const;
 
  private:

@@ -22,7 +22,7 @@ std::string command_line() {
   std::ifstream file("/proc/self/cmdline", std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   std::string out = "percuss";
-  std::size_t at = bytes.find('\0');  // how the program was called is no part of what it did
+  std::size_t at = bytes.find('\0');  // skip the path of the program
   while (at != std::string::npos && at + 1 < bytes.size()) {
     const std::size_t end = bytes.find('\0', at + 1);
     out += ' ' + shell_quoted_argument(bytes.substr(at + 1, end - at - 1));
@@ -40,7 +40,7 @@ std::time_t now() {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   const bool whole = error == std::errc{} && end == text.data() + text.size();
   if (whole && value >= 0 && value <= kLast) return value;
-  throw UsageError("SOURCE_DATE_EPOCH is no time", "give seconds since 1970, or unset it");
+  throw UsageError("SOURCE_DATE_EPOCH is not a time", "give seconds since 1970, or unset it");
 }
 
 }  // namespace

@@ -4,11 +4,10 @@
 
 namespace percuss::tools {
 
-/// The command line, this process's unless another program runs the command, and the time in UTC (that of
-/// SOURCE_DATE_EPOCH where it is set).
+/// The command line of this process or of the host, and the time in UTC (SOURCE_DATE_EPOCH if it is set).
 report::Provenance provenance_now(const OutputFlags& flags);
 
-/// As a shell would take the word again.
+/// The word quoted for a shell, if it needs quotes.
 std::string shell_quoted_argument(const std::string& word);
 
 }  // namespace percuss::tools

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "cli/option_error.hpp"
 #include "core/error.hpp"
 
 namespace percuss::tools {
@@ -11,7 +12,7 @@ namespace {
 
 constexpr double kMaxValues = 10000;
 constexpr double kWholeSteps = 1e-6;  // of a step: how exactly HI must be reached
-constexpr const char* kForm = "give LO:STEP:HI, as 100:25:10000";
+constexpr const char* kForm = "give LO:STEP:HI, such as 100:25:10000";
 
 }  // namespace
 
@@ -21,17 +22,16 @@ std::vector<double> Range::values() const {
   return all;
 }
 
-RangeText parse_range_with_unit(const std::string& option, const std::string& text, const char* remedy, RangeForm may) {
-  const auto refuse = [&](const char* problem) {
-    return UsageError(option + " " + one_line(text, 80) + ": " + problem, remedy);
-  };
+RangeText parse_range_with_unit(const OptionId& option, const std::string& text, const char* remedy, RangeForm may) {
+  const auto refuse = [&](const char* problem) { return OptionError::wrong_value(option, text, remedy, problem); };
   std::array<double, 3> number{};
   const char* at = text.data();
   const char* const end = at + text.size();
   for (std::size_t i = 0; i < number.size(); ++i) {
-    if (i > 0 && (at == end || *at++ != ':')) throw refuse("not three numbers with colons between");
+    if (i > 0 && (at == end || *at++ != ':')) throw refuse("it is not three numbers separated by colons");
     const auto [after, error] = std::from_chars(at, end, number.at(i));
-    if (error != std::errc{} || !std::isfinite(number.at(i))) throw refuse("not three numbers with colons between");
+    if (error != std::errc{} || !std::isfinite(number.at(i)))
+      throw refuse("it is not three numbers separated by colons");
     at = after;
   }
   const auto [low, step, high] = number;
@@ -39,14 +39,15 @@ RangeText parse_range_with_unit(const std::string& option, const std::string& te
   if (!(step > 0) || !spans) throw refuse("the step must be above zero and the end above the start");
   const double steps = (high - low) / step;
   if (!(steps < kMaxValues)) throw refuse("more than 10000 values");
-  if (std::abs(steps - std::round(steps)) > kWholeSteps) throw refuse("the end is not a whole number of steps away");
+  if (std::abs(steps - std::round(steps)) > kWholeSteps)
+    throw refuse("the end is not a whole number of steps from the start");
   return {.range = {.low = low, .step = step, .count = static_cast<std::size_t>(std::lround(steps)) + 1},
           .unit = {at, static_cast<std::size_t>(end - at)}};
 }
 
-Range parse_range(const std::string& option, const std::string& text, RangeForm may) {
+Range parse_range(const OptionId& option, const std::string& text, RangeForm may) {
   const auto [range, unit] = parse_range_with_unit(option, text, kForm, may);
-  if (!unit.empty()) throw UsageError(option + " " + one_line(text, 80) + ": something follows the numbers", kForm);
+  if (!unit.empty()) throw OptionError::wrong_value(option, text, kForm, "something follows the numbers");
   return range;
 }
 

@@ -4,9 +4,12 @@
 #include <string_view>
 #include <vector>
 
+#include "cli/option_error.hpp"
+#include "core/error.hpp"
+
 namespace percuss::tools {
 
-/// Values an equal step apart, as the command line writes them: LO:STEP:HI.
+/// Equally spaced values, written LO:STEP:HI.
 struct Range {
   double low = 0, step = 1;
   std::size_t count = 0;
@@ -18,19 +21,18 @@ struct Range {
 
 struct RangeText {
   Range range;
-  std::string_view unit;  // what follows the numbers, a part of the text
+  std::string_view unit;  // the text after the numbers
 };
 
-/// What a range may come to.
 enum class RangeForm { several_values, single_value_allowed };
 
-/// Reads "3:0.25:9in". `option` names the place for the message ("--positions"), `remedy` is its end. UsageError unless
-/// three finite numbers stand there, the step is above zero, HI above LO (or where it may be one value, equal), HI
-/// reached in whole steps, and there are at most 10000.
-RangeText parse_range_with_unit(const std::string& option, const std::string& text, const char* remedy,
+/// Reads "3:0.25:9in" for the option `option` ("positions"). Throws an OptionError that ends in `remedy` unless the
+/// text holds three finite numbers, the step is above zero, HI is above LO (or equal, where `may` allows a single
+/// value), HI is a whole number of steps from LO, and there are at most 10000 values.
+RangeText parse_range_with_unit(const OptionId& option, const std::string& text, const char* remedy,
                                 RangeForm may = RangeForm::several_values);
 
-/// The same with nothing after the numbers.
-Range parse_range(const std::string& option, const std::string& text, RangeForm may = RangeForm::several_values);
+/// Reads a range that has no unit.
+Range parse_range(const OptionId& option, const std::string& text, RangeForm may = RangeForm::several_values);
 
 }  // namespace percuss::tools

@@ -1,7 +1,7 @@
 #include "cli/report_output.hpp"
 
+#include "cli/exit_code.hpp"
 #include "cli/provenance.hpp"
-#include "commands/commands.hpp"
 #include "core/io/atomic_file.hpp"
 #include "report/html/command_page.hpp"
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "cli/nearest.hpp"
+#include "cli/option_names.hpp"
 
 namespace percuss::tools {
 namespace {
@@ -26,18 +27,20 @@ std::string form(const DeclaredOption& option) {
   return option.value.empty() ? option.name() : option.name() + " " + option.value;
 }
 
-std::string help_of(const Declaration& all, const DeclaredCommand& command) { return called(all, command) + " --help"; }
+std::string help_of(const Declaration& all, const DeclaredCommand& command) {
+  return full_name(all, command) + " --help";
+}
 
 }  // namespace
 
 UsageError missing_command(const Declaration& all, const DeclaredCommand& group) {
-  return {group.name.empty() ? "no command" : "no command after " + called(all, group),
+  return {group.name.empty() ? "no command" : "no command after " + full_name(all, group),
           help_of(all, group) + " lists them"};
 }
 
 UsageError unknown_command(const Declaration& all, const DeclaredCommand& group, const std::string& typed) {
   std::vector<std::string> known;
-  for (const DeclaredCommand* one : commands_of(all, group)) known.push_back(last_name(*one));
+  for (const DeclaredCommand* one : commands_of(all, group)) known.push_back(base_name(*one));
   for (const DeclaredOption& option : group.options) known.push_back(option.name());  // "help" without its dashes
   const std::string place = group.name.empty() ? "" : group.name + " ";
   const auto meant = nearest(typed, known);
@@ -56,41 +59,45 @@ UsageError unknown_option(const Declaration& all, const DeclaredCommand& command
 }
 
 UsageError option_before_command(const Declaration& all, const DeclaredCommand& command, const DeclaredOption& option) {
-  return {option.name() + " stands before the command", "give it after: " + called(all, command) + " " + form(option)};
+  return {option.name() + " stands before the command",
+          "give it after: " + full_name(all, command) + " " + form(option)};
 }
 
 UsageError extra_argument(const Declaration& all, const DeclaredCommand& command, const std::string& typed) {
-  if (command.words.empty()) {
-    return {command.name + " takes options only, and " + typed_word(typed) + " is none",
+  if (command.arguments.empty()) {
+    return {command.name + " takes options only, and " + typed_word(typed) + " is not one",
             help_of(all, command) + " lists them"};
   }
-  return {command.name + " takes one " + command.words.front().name() + ", and " + typed_word(typed) + " is another",
-          "leave one out"};
+  return {
+      command.name + " takes one " + command.arguments.front().name() + ", and " + typed_word(typed) + " is another",
+      "omit one"};
 }
 
 UsageError missing_option(const Declaration& all, const DeclaredCommand& command, const DeclaredOption& option) {
-  const bool is_word = option.name().front() != '-';
-  const std::string what = option.choices.empty() || !is_word ? "" : ": " + one_of_these(option.choices);
-  return {(is_word ? "no " : command.name + " needs ") + option.name(),
-          "give " + called(all, command) + " " + form(option) + what};
+  const bool is_argument = option.name().front() != '-';
+  const std::string what = option.choices.empty() || !is_argument ? "" : ": " + one_of_these(option.choices);
+  return {(is_argument ? "no " : command.name + " needs ") + option.name(),
+          "give " + full_name(all, command) + " " + form(option) + what};
 }
 
-UsageError missing_value(const DeclaredOption& option) {
-  return {option.name() + " has no value after it", "give " + form(option)};
+OptionError missing_value(const DeclaredOption& option) {
+  return {{option_id(option.name())}, "has no value", "give " + option.value};
 }
 
 UsageError flag_with_value(const DeclaredOption& option) {
-  return {option.name() + " takes no value", "give it alone, or leave it out"};
+  return {option.name() + " takes no value", "give it alone, or omit it"};
 }
 
-UsageError given_twice(const DeclaredOption& option) { return {option.name() + " is given twice", "keep one"}; }
+OptionError given_twice(const DeclaredOption& option) {
+  return {{option_id(option.name())}, "is given twice", "keep one"};
+}
 
-UsageError wrong_value(const DeclaredOption& option, const std::string& typed) {
+OptionError wrong_value(const DeclaredOption& option, const std::string& typed) {
   const auto meant = nearest(typed, option.choices);
-  return {option.name() + " cannot be " + typed_word(typed), meant ? "did you mean " + *meant + "?"
-                                                             : option.choices.empty()
-                                                                 ? "give " + option.wanted
-                                                                 : "give " + one_of_these(option.choices)};
+  const std::string remedy = meant                    ? "did you mean " + *meant + "?"
+                             : option.choices.empty() ? "give " + option.requirement
+                                                      : "give " + one_of_these(option.choices);
+  return OptionError::wrong_value(option_id(option.name()), typed, remedy);
 }
 
 }  // namespace percuss::tools

@@ -2,24 +2,25 @@
 #include <string>
 
 #include "cli/declaration.hpp"
+#include "cli/option_error.hpp"
 #include "core/error.hpp"
 
 namespace percuss::tools {
 
-// What is said to a command line that was not understood. Each is one line that names what was typed and what to type
-// instead.
+// Errors of the command line. Each message is one line: it names the wrong word and says what to type instead. An error
+// that Python can meet too is an OptionError.
 
 UsageError missing_command(const Declaration& all, const DeclaredCommand& group);
 UsageError unknown_command(const Declaration& all, const DeclaredCommand& group, const std::string& typed);
 UsageError unknown_option(const Declaration& all, const DeclaredCommand& command, const std::string& typed);
-/// An option of `command` that stands before its name.
+/// An option that stands before the name of its command.
 UsageError option_before_command(const Declaration& all, const DeclaredCommand& command, const DeclaredOption& option);
-/// A word more than the command takes.
+/// An argument beyond those that the command takes.
 UsageError extra_argument(const Declaration& all, const DeclaredCommand& command, const std::string& typed);
 UsageError missing_option(const Declaration& all, const DeclaredCommand& command, const DeclaredOption& option);
-UsageError missing_value(const DeclaredOption& option);
+OptionError missing_value(const DeclaredOption& option);
 UsageError flag_with_value(const DeclaredOption& option);
-UsageError given_twice(const DeclaredOption& option);
-UsageError wrong_value(const DeclaredOption& option, const std::string& typed);
+OptionError given_twice(const DeclaredOption& option);
+OptionError wrong_value(const DeclaredOption& option, const std::string& typed);
 
 }  // namespace percuss::tools

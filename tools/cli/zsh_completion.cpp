@@ -8,7 +8,7 @@
 namespace percuss::tools {
 namespace {
 
-// Within single quotes, where a backslash stands before each of `special`.
+// Single-quoted, with a backslash before each character of `special`.
 std::string zsh_quoted(std::string_view text, std::string_view special) {
   std::string out;
   for (const char c : text) {
@@ -19,12 +19,12 @@ std::string zsh_quoted(std::string_view text, std::string_view special) {
 }
 
 std::string function_of(const Declaration& all, const DeclaredCommand& command) {
-  std::string name = "_" + called(all, command);
+  std::string name = "_" + full_name(all, command);
   std::replace(name.begin(), name.end(), ' ', '_');
   return name;
 }
 
-// What completes a value: "(quick standard best)".
+// The completion of a value: "(quick standard best)".
 std::string action_of(const DeclaredOption& option) {
   if (option.list && !option.choices.empty())
     return fmt::format("_values -s , value {}", fmt::join(option.choices, " "));
@@ -49,21 +49,21 @@ std::string option_specs(const DeclaredOption& option) {
   return out;
 }
 
-std::string word_specs(const DeclaredCommand& command) {
+std::string argument_specs(const DeclaredCommand& command) {
   std::string out;
-  for (const DeclaredOption& word : command.words) {
-    out += fmt::format(" \\\n    '{}:{}:{}'", word.repeatable ? "*" : "1", zsh_quoted(word.name(), ":\\"),
-                       zsh_quoted(action_of(word), ":"));
+  for (const DeclaredOption& argument : command.arguments) {
+    out += fmt::format(" \\\n    '{}:{}:{}'", argument.repeatable ? "*" : "1", zsh_quoted(argument.name(), ":\\"),
+                       zsh_quoted(action_of(argument), ":"));
   }
   return out;
 }
 
-// A command that gathers others hands the words after theirs to them.
+// A group passes the remaining words to the function of its command.
 std::string group_function(const Declaration& all, const DeclaredCommand& command, const std::string& specs) {
   std::string names, calls;
   for (const DeclaredCommand* one : commands_of(all, command)) {
-    names += fmt::format("\n        '{}:{}'", last_name(*one), zsh_quoted(one->summary, ":\\"));
-    calls += fmt::format("\n        {}) {} && found=0 ;;", last_name(*one), function_of(all, *one));
+    names += fmt::format("\n        '{}:{}'", base_name(*one), zsh_quoted(one->summary, ":\\"));
+    calls += fmt::format("\n        {}) {} && found=0 ;;", base_name(*one), function_of(all, *one));
   }
   return fmt::format(R"({}() {{
   local context state state_descr line found=1
@@ -88,7 +88,7 @@ std::string command_function(const Declaration& all, const DeclaredCommand& comm
   std::string specs;
   for (const DeclaredOption& option : command.options) specs += option_specs(option);
   if (command.is_group) return group_function(all, command, specs);
-  return fmt::format("{}() {{\n  _arguments -S{}{}\n}}\n", function_of(all, command), specs, word_specs(command));
+  return fmt::format("{}() {{\n  _arguments -S{}{}\n}}\n", function_of(all, command), specs, argument_specs(command));
 }
 
 }  // namespace
@@ -98,7 +98,7 @@ std::string zsh_completion(const Declaration& all) {
                                 all.program, all.version, all.program);
   for (const DeclaredCommand& command : all.commands) out += command_function(all, command);
   const std::string main = function_of(all, all.commands.front());
-  // Found by its name in fpath, the file is the function's first call; sourced, it only tells zsh about it.
+  // In fpath, the file runs as the first call of the function; when sourced, it only registers the function.
   return out + fmt::format("if [[ $funcstack[1] == {} ]]; then\n  {} \"$@\"\nelse\n  compdef {} {}\nfi\n", main, main,
                            main, all.program);
 }

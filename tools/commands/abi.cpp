@@ -1,6 +1,7 @@
 #include <iostream>
 #include <memory>
 
+#include "cli/option_error.hpp"
 #include "cli/output.hpp"
 #include "cli/report_output.hpp"
 #include "commands/commands.hpp"
@@ -22,7 +23,7 @@ int follow_log(const AbiFlags& flags) {
     print(flags.output, metrics::abi_log_example());
     return kOk;
   }
-  if (flags.log.empty()) throw UsageError("no log", "name its file, or - for standard input");
+  if (flags.log.empty()) throw OptionError({}, "no log is given", "name its file, or - for standard input");
   check_report_outputs(flags.output);
   metrics::AbiLog log = metrics::read_abi_log(flags.log);
   if (flags.limit) log.limit = flags.limit;
@@ -35,19 +36,18 @@ int follow_log(const AbiFlags& flags) {
 
 void add_abi(CommandLine& line) {
   auto flags = line.values<AbiFlags>();
-  Command command = line.command("abi", "The break-in of a composite bat, from its log: what comes next, the verdict",
+  Command command = line.command("abi", "Follow the break-in of a composite bat from its log: next step and verdict",
                                  [flags] { return follow_log(*flags); });
   command.about(
-      "Follows the accelerated break-in of a composite bat by rolling. The log holds compressions, rollings and tests "
-      "in their order; after each, it says what comes next. The bat passes once a test falls clearly below the best "
-      "one, and fails when one exceeds the limit (exit status 5).");
-  command.example("percuss abi --example > log.json; percuss abi log.json",
-                  "A log to start from, explained, and what it says");
+      "Evaluates the accelerated break-in of a composite bat by rolling. The log lists compressions, rollings and "
+      "tests in order; the report names the next step. The bat passes when a test falls clearly below the best one. It "
+      "fails when a test exceeds the limit (exit status 5).");
+  command.example("percuss abi --example > log.json; percuss abi log.json", "Print an example log and evaluate it");
   command.example("percuss abi --example > log.json; percuss abi log.json -o break-in.svg",
-                  "Performance and hoop frequency over the steps");
-  command.word("LOG", flags->log, "What was done so far; - for standard input");
-  command.value("--limit", flags->limit, "What the bat must not exceed, in place of the log's").above_zero();
-  command.flag("--example", flags->example, "Print a log, explained");
+                  "Plot performance and hoop frequency over the steps");
+  command.argument("LOG", flags->log, "Log of the steps so far; - is standard input");
+  command.value("--limit", flags->limit, "Use this limit in place of the log's").above_zero();
+  command.flag("--example", flags->example, "Print an example log with comments");
   add_output_flags(command, flags->output, kReportKinds);
 }
 

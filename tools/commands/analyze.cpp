@@ -4,6 +4,7 @@
 #include <iostream>
 #include <memory>
 
+#include "cli/option_error.hpp"
 #include "cli/progress.hpp"
 #include "cli/report_output.hpp"
 #include "commands/analyze_outputs.hpp"
@@ -39,22 +40,23 @@ report::CommandReport comparison_of(const AnalyzeFlags& flags, const std::string
 }
 
 std::optional<report::BatLabel> bat_label(const AnalyzeFlags& flags) {
-  if (flags.bat_id.empty() && !flags.bat.empty()) throw UsageError("--bat without --bat-id", "say which bat it is");
+  if (flags.bat_id.empty() && !flags.bat.empty())
+    throw OptionError({"bat"}, "is given without an id of the bat", "name the bat", {"bat_id"});
   if (flags.bat_id.empty()) return std::nullopt;
   report::BatLabel label{.id = flags.bat_id};
   for (const std::string& text : flags.bat) {
     const std::size_t equals = text.find('=');
     if (equals == 0 || equals == std::string::npos || equals + 1 == text.size())
-      throw UsageError("--bat " + one_line(text, 60) + ": not KEY=VALUE", "as --bat length_in=33");
+      throw OptionError::wrong_value("bat", text, "give KEY=VALUE, such as length_in=33");
     if (!label.properties.emplace(text.substr(0, equals), text.substr(equals + 1)).second)
-      throw UsageError("--bat " + one_line(text, 60) + ": the key stands twice", "keep one");
+      throw OptionError::wrong_value("bat", text, "keep one", "its key is given twice");
   }
   return label;
 }
 
 pipeline::ImpactTest deflection_of(const pipeline::Analysis& analysis) {
   if (analysis.given_frfs() != nullptr)
-    throw UsageError("FRFs tell no deflection", "give the record of force and acceleration");
+    throw OptionError({}, "FRFs hold no deflection over time", "give the record of force and acceleration");
   return pipeline::deflect(analysis);
 }
 
@@ -65,7 +67,8 @@ int analyze(const AnalyzeFlags& flags) {
   const bool wants_json = flags.output.json || !flags.compared.empty() ||
                           std::any_of(flags.output.paths.begin(), flags.output.paths.end(), is_json);
   if (flags.stabilisation && !wants_json)
-    throw UsageError("--stabilisation goes into the JSON document", "add --json or -o FILE.json");
+    throw OptionError({"stabilisation"}, "needs a JSON document to be written in", "print one, or write a .json file",
+                      {"json", "output"});
   const std::optional<report::BatLabel> bat = bat_label(flags);
   const Progress progress("analysing", flags.output.quiet);
   auto tests = tests_of(flags);
@@ -114,45 +117,45 @@ int analyze(const AnalyzeFlags& flags) {
 
 void add_analyze(CommandLine& line) {
   auto flags = line.values<AnalyzeFlags>();
-  Command command =
-      line.command("analyze", "Modes of a structure from hammer tests: hits, FRFs, modes, bending or hoop",
-                   [flags] { return analyze(*flags); });
+  Command command = line.command("analyze", "Identify modes from hammer tests: hits, FRFs, modes, bending or hoop",
+                                 [flags] { return analyze(*flags); });
   command.about(
-      "Reads records of force and acceleration, cuts them into hits and grades these, averages the good ones to "
-      "frequency responses (FRFs) and fits the modes: frequency in Hz, damping ratio, bending or hoop, each with its "
-      "standard deviation. Give FRFs in place of records to fit those. Two accelerometers are taken to sit at 0° and "
-      "90° around the barrel unless --angle says otherwise.");
-  command.example("percuss analyze bat.h5 --band 60:3200", "Hits and modes between 60 and 3200 Hz as tables");
+      "Reads records of force and acceleration, cuts them into hits and grades the hits. Averages the accepted hits to "
+      "frequency response functions (FRFs) and fits the modes: frequency in Hz, damping ratio, and bending or hoop, "
+      "each with its standard deviation. Files of FRFs are fitted directly. Two accelerometers are assumed at 0° and "
+      "90° around the barrel; --angle sets other angles.");
+  command.example("percuss analyze bat.h5 --band 60:3200", "Print hits and modes from 60 to 3200 Hz as tables");
   command.example("percuss analyze bat.h5 --band 60:3200 -o report.html -o modes.json",
-                  "The same as a page to look at and as a document to compute with");
-  command.example("percuss analyze bat.h5 --only hits",
-                  "The hits alone and what was found against them: fast, before a long session goes on");
+                  "Write the same as an HTML page and as a JSON document");
+  command.example("percuss analyze bat.h5 --only hits", "Check the hits only (fast; use it during a session)");
   command.example("percuss analyze bat.h5 --reject-hit 2 --effort quick --json",
-                  "Without the third hit, roughly, as a JSON document");
-  command.example("percuss analyze frfs.h5", "Modes of frequency responses that were measured or computed elsewhere");
+                  "Reject the third hit, fit quickly, and print a JSON document");
+  command.example("percuss analyze frfs.h5", "Fit FRFs that another program measured or computed");
   add_read_flags(command, flags->read);
   add_analysis_flags(command, flags->analysis);
   add_output_flags(command, flags->output, ".json, .html, .svg, .csv, .h5, .mat, .uff, .unv");
-  command.list("--only", flags->only, "Compute and report these sections only")
+  command.list("--only", flags->only, "Compute and report only these sections")
       .type("SECTION,...")
       .one_of({"hits", "frf", "coherence", "modes", "classes", "deflection"});
-  command.list("--picture", flags->pictures, "What -o FILE.svg shows")
+  command.list("--picture", flags->pictures, "Draw these pictures in a .svg file")
       .type("PICTURE,...")
       .one_of(report::analysis_chart_names());
   command
       .repeatable("--compare", flags->compared,
-                  "Also beside this document, which analyze, survey or model wrote with --json (repeatable)")
+                  "Compare with this document, which analyze, survey or model wrote with --json (repeatable)")
       .type("FILE");
-  command.flag("--per-hit", flags->per_hit, "Also every mode as each hit alone shows it, for how far the hits agree");
-  command.flag("--stabilisation", flags->stabilisation, "Also the poles of all model orders, in the JSON document");
-  command.value("--bat-id", flags->bat_id, "Which bat it is: into the document, where percuss study joins by it")
+  command.flag("--per-hit", flags->per_hit, "Add every mode as fitted to each hit alone");
+  command.flag("--stabilisation", flags->stabilisation, "Add the poles of all model orders to the JSON document");
+  command
+      .value("--bat-id", flags->bat_id, "Store this id of the bat in the document; percuss study joins documents by it")
       .type("ID");
-  command.repeatable("--bat", flags->bat, "What else is known of the bat, as length_in=33 (repeatable)")
+  command
+      .repeatable("--bat", flags->bat, "Store a property of the bat in the document, such as length_in=33 (repeatable)")
       .type("KEY=VALUE");
   command.flag("--trace", flags->trace,
-               "What ran: stages, calls, seconds (on standard error, or in the JSON document)");
+               "Report the stages that ran: calls and seconds (on standard error, or in the JSON document)");
   command.flag("--explain", flags->explain,
-               "What did not have to be done, how much of it, and why (on standard error, or in the JSON document)");
+               "Report the work that was skipped, and the reason (on standard error, or in the JSON document)");
 }
 
 }  // namespace percuss::tools

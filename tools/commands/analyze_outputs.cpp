@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "cli/option_error.hpp"
 #include "cli/provenance.hpp"
 #include "cli/report_output.hpp"
 #include "core/error.hpp"
@@ -61,9 +62,9 @@ void require_one_test(const AnalyzeFlags& flags, const std::set<report::ReportSe
   if (tests < 2) return;
   const char* const remedy = "analyse one file or run at a time";
   if (!std::all_of(flags.output.paths.begin(), flags.output.paths.end(), is_json))
-    throw UsageError("several tests do not fit one file of FRFs or one page", remedy);
+    throw OptionError({}, "several tests cannot be written to one file of FRFs or one page", remedy);
   if (sections.contains(report::ReportSection::deflection) || !flags.compared.empty())
-    throw UsageError("deflections and comparisons are of one test", remedy);
+    throw OptionError({}, "several tests cannot be integrated to deflection or compared", remedy);
 }
 
 std::string text_of(const AnalyzeResults& kept, std::size_t width, bool sketch) {
@@ -88,8 +89,9 @@ void write_outputs(const AnalyzeFlags& flags, const AnalyzeResults& kept) {
     } else if (extension_of(path) == ".svg") {
       write_file(path, drawing_of(flags, analysis), flags.output.force);
     } else if (!analysis.possible()) {
-      print_note(flags.output,
-                 "no hit can be used, so there are no FRFs to write (" + one_line(path) + "); see the hits' findings");
+      print_note(
+          flags.output,
+          {"no hit can be used, so no FRFs are written (" + one_line(path) + "); see the findings of the hits", {}});
     } else if (is_uff(path)) {
       report::write_modes_uff(path, analysis, flags.output.force);
     } else {

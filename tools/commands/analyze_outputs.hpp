@@ -11,7 +11,7 @@
 
 namespace percuss::tools {
 
-/// What was found, also for who runs the command in his own process and asks for the rest later.
+/// The results of analyze. A host keeps them to compute or save more later.
 struct AnalyzeResults {
   AnalyzeFlags flags;
   std::vector<Test> tests;
@@ -20,19 +20,19 @@ struct AnalyzeResults {
   std::optional<report::CommandReport> comparison;
 };
 
-/// UsageError for files that analyze does not write.
+/// Checks the output paths. Throws as check_outputs.
 void check_analyze_outputs(const OutputFlags& output);
 
-/// Before anything is computed: UsageError for what is asked of several tests and can be had of one only.
+/// Rejects, before anything is computed, outputs and sections that allow only one test. Throws UsageError.
 void require_one_test(const AnalyzeFlags& flags, const std::set<report::ReportSection>& sections, std::size_t tests);
 
-/// What a terminal shows; with a sketch of the FRFs where it can draw one.
+/// The text for a terminal; `sketch` adds a plot of the FRFs in characters.
 std::string text_of(const AnalyzeResults& kept, std::size_t width, bool sketch);
 
-/// Every -o of the flags.
+/// Writes all output files of the flags.
 void write_outputs(const AnalyzeFlags& flags, const AnalyzeResults& kept);
 
-/// All of it to the program in whose process the command runs.
+/// Gives the results to the host.
 void give_to_host(const OutputFlags& output, const std::shared_ptr<const AnalyzeResults>& kept);
 
 }  // namespace percuss::tools

@@ -37,9 +37,9 @@ std::vector<Test> tests_of(const AnalyzeFlags& flags) {
 }
 
 void compute(const std::vector<Test>& tests, const std::set<report::ReportSection>& sections) {
-  constexpr std::size_t kPerTest = 1'000'000;  // operations, at the least
+  constexpr std::size_t kFlopsPerTest = 1'000'000;  // minimum cost in floating-point operations
   if (tests.size() < 2) return;
-  parallel_for_cost(tests.size(), kPerTest, [&](std::size_t t) {
+  parallel_for_cost(tests.size(), kFlopsPerTest, [&](std::size_t t) {
     const pipeline::Analysis& analysis = *tests[t].analysis;
     try {
       if (!analysis.possible()) return;

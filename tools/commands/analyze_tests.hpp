@@ -25,21 +25,21 @@ struct AnalyzeFlags {
   std::vector<std::string> pictures{"magnitude", "phase", "coherence"};
   std::vector<std::string> compared;
   std::string bat_id;
-  std::vector<std::string> bat;  // key=value
+  std::vector<std::string> bat;  // KEY=VALUE
 };
 
-/// One test of the command line: all of the files together, or each on its own, or each run of one file.
+/// One test of the command line: all files together, one file, or one run of a file.
 struct Test {
   int run = 0;
   std::unique_ptr<pipeline::Analysis> analysis;
   std::optional<pipeline::ImpactTest> deflection{};
 };
 
-/// What the files hold as the flags have it. errors  as open_measurements
+/// The tests in the files, grouped by the flags. Throws as open_measurements.
 std::vector<Test> tests_of(const AnalyzeFlags& flags);
 
-/// What the sections need of several tests, one beside the other; what fails will fail again where the report asks for
-/// it, in turn.
+/// Computes the sections of several tests in parallel. It ignores errors, which occur again when the report reads the
+/// results.
 void compute(const std::vector<Test>& tests, const std::set<report::ReportSection>& sections);
 
 }  // namespace percuss::tools

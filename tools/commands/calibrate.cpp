@@ -84,25 +84,25 @@ int calibrate_file(const CalibrateFlags& flags) {
 
 void add_calibrate(CommandLine& line) {
   auto flags = line.values<CalibrateFlags>();
-  Command command = line.command("calibrate", "What one unit of the force channel is in N, from hits on a free mass",
+  Command command = line.command("calibrate", "Calibrate the force channel from hits on a free mass",
                                  [flags] { return calibrate_file(*flags); });
   command.about(
-      "A hammer that hits a mass which hangs freely gives it the acceleration force / mass. From that follows what one "
-      "unit of the force channel is in N, with its standard deviation; the last line says which --force-scale to use "
-      "from then on. The force may be stored in any unit, the acceleration as under Reading.");
+      "A freely hanging mass accelerates by force / mass under a hit. From force and acceleration follow the N per "
+      "unit of the force channel and its standard deviation. The last line prints the --force-scale to use. The force "
+      "may be stored in any unit; the options under Reading set the unit of the acceleration.");
   command.example("percuss calibrate hits.csv --mass 1.25 --force-channel CH8",
-                  "Hits on a mass of 1.25 kg, the hammer in column CH8");
+                  "Calibrate with a mass of 1.25 kg; the hammer is in column CH8");
   command.example("percuss calibrate hits.csv --mass 1.25 --force-channel CH8 -o hammer.json",
-                  "The result kept as a document");
+                  "Write the result as a document");
   add_read_flags(command, flags->read, Reads::records);
   add_output_flags(command, flags->output, ".json");
-  command.value("--mass", flags->mass_kg, "The free mass, its accelerometer included")
+  command.value("--mass", flags->mass_kg, "Set the free mass, including its accelerometer")
       .type("KG")
       .required()
       .above_zero();
   command
       .value("--trigger", flags->trigger,
-             "Reading that counts as a hit, in the force channel's own unit (default: from the noise)")
+             "Detect a hit above this reading, in the unit of the force channel (default: from the noise)")
       .above_zero()
       .type("READING");
 }

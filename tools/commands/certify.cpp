@@ -1,6 +1,7 @@
 #include <iostream>
 #include <memory>
 
+#include "cli/option_error.hpp"
 #include "cli/output.hpp"
 #include "cli/report_output.hpp"
 #include "commands/commands.hpp"
@@ -22,7 +23,7 @@ int certify_session(const CertifyFlags& flags) {
     print(flags.output, flags.example_table ? metrics::session_table_example() : metrics::session_example());
     return kOk;
   }
-  if (flags.session.empty()) throw UsageError("no session", "name its file, or - for standard input");
+  if (flags.session.empty()) throw OptionError({}, "no session is given", "name its file, or - for standard input");
   check_report_outputs(flags.output);
   metrics::Session session = metrics::read_session(flags.session);
   if (!flags.metric.empty()) session.metric = *metrics::performance_metric_named(flags.metric);
@@ -36,24 +37,24 @@ int certify_session(const CertifyFlags& flags) {
 
 void add_certify(CommandLine& line) {
   auto flags = line.values<CertifyFlags>();
-  Command command = line.command("certify", "A bat's test session: which shots count, where to shoot next, the verdict",
+  Command command = line.command("certify", "Check a bat's test session: valid shots, next impact position, verdict",
                                  [flags] { return certify_session(*flags); });
   command.about(
-      "Follows a test session against its protocol: checks each shot, says where to shoot next, finds the sweet spot "
-      "and gives the verdict: BESR or BBCOR against the limit. Exit status 5: the bat exceeds it.");
+      "Checks a test session against its protocol: validates each shot, names the next impact position, finds the "
+      "sweet spot and compares BESR or BBCOR with the limit. The exit status is 5 if the bat exceeds the limit.");
   command.example("percuss certify --example > session.json; percuss certify session.json",
-                  "A session to start from, explained, and what it says");
+                  "Print an example session and check it");
   command.example(
       "percuss certify --example-table > session.csv; percuss certify session.csv --metric bbcor --limit 0.5",
-      "The same as a table, judged by BBCOR");
-  command.word("SESSION", flags->session, "The session so far: JSON or a table of shots; - for standard input");
-  command.value("--metric", flags->metric, "Judge by this in place of the session's")
+      "Use a table as the session, and judge by BBCOR");
+  command.argument("SESSION", flags->session, "Session so far: JSON or a table of shots; - is standard input");
+  command.value("--metric", flags->metric, "Judge by this metric in place of the session's")
       .one_of({"besr", "ncaa_besr", "bbcor"});
-  command.value("--limit", flags->limit, "What it must not exceed, in place of the session's").above_zero();
+  command.value("--limit", flags->limit, "Use this limit in place of the session's").above_zero();
   command.flag("--accept-plateau", flags->accept_plateau,
-               "Where no location stands out, take the best of those within the margin for the sweet spot");
-  command.flag("--example", flags->example, "Print a session, explained");
-  command.flag("--example-table", flags->example_table, "Print a session as a table");
+               "If no location stands out, accept the best within the margin as the sweet spot");
+  command.flag("--example", flags->example, "Print an example session with comments");
+  command.flag("--example-table", flags->example_table, "Print an example session as a table");
   add_output_flags(command, flags->output, kReportKinds);
 }
 

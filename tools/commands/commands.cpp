@@ -16,16 +16,6 @@ void add_exit_codes(CommandLine& line) {
   line.exit_code(kPartial, "some records of a batch failed");
 }
 
-void add_models(CommandLine& line) {
-  line.group("model", "Predictions: beams, bats, barrels and what a ball does to them");
-  add_model_beam(line);
-  add_model_impact(line);
-  add_model_rigid(line);
-  add_model_trampoline(line);
-  add_model_bat(line);
-  add_model_shell(line);
-}
-
 struct NamedCommand {
   std::string_view name;
   void (*add)(CommandLine&);
@@ -37,15 +27,15 @@ constexpr std::array kNamedCommands = {
     NamedCommand{"info", add_info},           NamedCommand{"convert", add_convert},
     NamedCommand{"calibrate", add_calibrate}, NamedCommand{"deflect", add_deflect},
     NamedCommand{"compare", add_compare},     NamedCommand{"synth", add_synth},
-    NamedCommand{"model", add_models},        NamedCommand{"metrics", add_metrics},
+    NamedCommand{"model", add_model},         NamedCommand{"metrics", add_metrics},
     NamedCommand{"certify", add_certify},     NamedCommand{"abi", add_abi},
     NamedCommand{"study", add_study},         NamedCommand{"batch", add_batch},
 };
 
 }  // namespace
 
-// Declaring every option of every command takes longer than many a command does, so that only the one named first is,
-// unless all are needed: for help, for what tells of all commands, and for a word that is no command.
+// Declaring all commands takes longer than running many of them. Therefore only the named command is declared, unless
+// the first word is --help, completion, man or an unknown command, which need all.
 void add_commands(CommandLine& line, std::string_view first_word) {
   if (first_word == "--version") return;
   for (const NamedCommand& command : kNamedCommands) {
@@ -59,11 +49,11 @@ void add_commands(CommandLine& line, std::string_view first_word) {
 void add_program(CommandLine& line) {
   Command program = line.program();
   program.about(
-      "percuss turns hammer tests into natural frequencies, damping and mode shapes, each with its standard deviation, "
-      "and predicts what beams, bats and barrels do. Data goes to standard output, progress and warnings to standard "
-      "error. Options follow the command.");
+      "percuss turns hammer tests into natural frequencies, damping ratios and mode shapes, each with its standard "
+      "deviation. It also predicts the modes and impacts of beams, bats and barrels. Data goes to standard output, "
+      "progress and warnings to standard error. Options follow the command.");
   program.example("percuss synth composite-bat -o first.h5; percuss analyze first.h5 --band 60:3200",
-                  "A made-up hammer test whose modes are known, and its analysis");
+                  "Make a synthetic hammer test with known modes, and analyse it");
   add_exit_codes(line);
 }
 

@@ -2,22 +2,12 @@
 #include <string_view>
 
 #include "cli/command_line.hpp"
+#include "cli/exit_code.hpp"
 
 namespace percuss::tools {
 
-/// Exit codes of the tool, a contract with users' scripts.
-enum ExitCode {
-  kOk = 0,
-  kInternalError = 1,
-  kUsage = 2,
-  kBadInput = 3,
-  kImpossible = 4,
-  kQualityGate = 5,
-  kPartial = 6
-};
-
-// Each declares a command: its options, and what to run. Commands write data to stdout, progress and warnings to
-// stderr, and throw InputError or UsageError, which main turns into one line and its exit code.
+// Each function declares a command: its options and the function that runs it. Commands write data to standard output,
+// progress and warnings to standard error. main() prints an InputError or UsageError as one line.
 void add_info(CommandLine& line);
 void add_analyze(CommandLine& line);
 void add_frf(CommandLine& line);
@@ -28,29 +18,19 @@ void add_survey(CommandLine& line);
 void add_compare(CommandLine& line);
 void add_deflect(CommandLine& line);
 void add_synth(CommandLine& line);
-void add_model_beam(CommandLine& line);
-void add_model_impact(CommandLine& line);
-void add_model_rigid(CommandLine& line);
-void add_model_trampoline(CommandLine& line);
-void add_model_bat(CommandLine& line);
-void add_model_shell(CommandLine& line);
+void add_model(CommandLine& line);  // a group: model_commands.hpp
 void add_metrics(CommandLine& line);
 void add_certify(CommandLine& line);
 void add_abi(CommandLine& line);
 void add_study(CommandLine& line);
-void add_batch(CommandLine& line);  // a group: declares those that follow
-void add_batch_plan(CommandLine& line);
-void add_batch_run(CommandLine& line);
-void add_batch_status(CommandLine& line);
-void add_batch_merge(CommandLine& line);
-void add_batch_submit(CommandLine& line);
+void add_batch(CommandLine& line);  // a group: batch_commands.hpp
 void add_completion(CommandLine& line);
-void add_man(CommandLine& line);  // last: it offers the pages of all
+void add_man(CommandLine& line);  // last: it lists the pages of all other commands
 
-/// What the program itself is, and its exit codes.
+/// Declares the program itself and its exit codes.
 void add_program(CommandLine& line);
 
-/// Those of the above that `first_word` may be about.
+/// Declares the command that `first_word` names; all commands where it names none.
 void add_commands(CommandLine& line, std::string_view first_word);
 
 }  // namespace percuss::tools

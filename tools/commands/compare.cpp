@@ -1,5 +1,6 @@
 #include <memory>
 
+#include "cli/option_error.hpp"
 #include "cli/report_output.hpp"
 #include "commands/commands.hpp"
 #include "core/error.hpp"
@@ -27,7 +28,7 @@ int compare(const CompareFlags& flags) {
       documents.push_back(std::move(document));
     }
   }
-  if (documents.size() < 2) throw UsageError("one document cannot be compared", "name two or more");
+  if (documents.size() < 2) throw OptionError({}, "one document cannot be compared", "name two or more");
   return show_report(
       report::compare_report(documents, {.furthest = flags.furthest_percent / kPercent, .min_mac = flags.min_mac}),
       flags.output, flags.paths);
@@ -37,21 +38,23 @@ int compare(const CompareFlags& flags) {
 
 void add_compare(CommandLine& line) {
   auto flags = line.values<CompareFlags>();
-  Command command = line.command("compare", "Modes or deflections of tests and models, side by side",
+  Command command = line.command("compare", "Compare modes or deflections of tests and models side by side",
                                  [flags] { return compare(*flags); });
   command.about(
-      "Pairs the modes of documents by frequency and shape, the first against each other, and shows the differences; "
-      "or the deflections of two. The documents are what analyze, survey, deflect and model write with --json or -o "
-      "FILE.json.");
-  command.example("percuss compare test.json model.json", "A test beside a model");
+      "Pairs the modes of the first document with the modes of each other document, by frequency and shape, and shows "
+      "the differences. Compares the deflections of two documents likewise. analyze, survey, deflect and model write "
+      "such documents with --json or -o FILE.json.");
+  command.example("percuss compare test.json model.json", "Compare a test with a model");
   command.example("percuss compare test.json model.json --furthest 40 -o compared.csv",
-                  "Pairs up to 40 % apart, as a table");
-  command.words("FILE", flags->paths, "Documents that analyze, survey, deflect and model wrote with --json").required();
-  command.value("--furthest", flags->furthest_percent, "Frequencies further apart than this are not of the same mode")
+                  "Pair modes up to 40 % apart, and write a table");
+  command.arguments("FILE", flags->paths, "Documents that analyze, survey, deflect and model wrote with --json")
+      .required();
+  command
+      .value("--furthest", flags->furthest_percent, "Pair modes only if their frequencies differ by at most this much")
       .above_zero()
       .type("PERCENT")
       .show_default();
-  command.value("--least-mac", flags->min_mac, "Shapes that agree less are not of the same mode")
+  command.value("--least-mac", flags->min_mac, "Pair modes only if their MAC is at least this")
       .within(0, 1)
       .type("MAC")
       .show_default();

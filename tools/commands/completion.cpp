@@ -16,16 +16,18 @@ int print_script(const Declaration& all, const std::string& shell) {
 
 void add_completion(CommandLine& line) {
   auto shell = std::make_shared<std::string>();
-  Command command = line.command("completion", "A script that lets a shell complete percuss's commands and options",
-                                 [&line, shell] { return print_script(line.declaration(), *shell); });
+  Command command =
+      line.command("completion", "Print a script that completes percuss's commands and options in a shell",
+                   [&line, shell] { return print_script(line.declaration(), *shell); });
   command.about(
-      "An installed percuss has these scripts in place. Without an installation, put the script where the shell looks: "
-      "source it in ~/.bashrc; save it as _percuss in a folder of zsh's fpath; save it as percuss.fish in "
-      "~/.config/fish/completions.");
-  command.example("percuss completion bash > percuss.bash", "Then, for the bash at hand: source percuss.bash");
+      "An installation of percuss includes these scripts. Without an installation, put the script where the shell "
+      "finds it. bash: source it in ~/.bashrc. zsh: save it as _percuss in a folder of fpath. fish: save it as "
+      "percuss.fish in ~/.config/fish/completions.");
+  command.example("percuss completion bash > percuss.bash",
+                  "Write the script for bash; load it with: source percuss.bash");
   command.example("percuss completion zsh > _percuss");
   command.example("percuss completion fish > percuss.fish");
-  command.word("SHELL", *shell, "Which shell the script is for").one_of({"bash", "zsh", "fish"}).required();
+  command.argument("SHELL", *shell, "Shell to print the script for").one_of({"bash", "zsh", "fish"}).required();
 }
 
 }  // namespace percuss::tools

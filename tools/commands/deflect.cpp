@@ -2,6 +2,7 @@
 
 #include "cli/analysis_flags.hpp"
 #include "cli/open_files.hpp"
+#include "cli/option_error.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
 #include "cli/ranges.hpp"
@@ -34,7 +35,8 @@ metrics::DeflectionMethod method_named(const std::string& name) {
 
 std::unique_ptr<pipeline::Analysis> analysis_of(const DeflectFlags& flags) {
   if (flags.read.files == acquire::FileGrouping::tests)
-    throw UsageError("several tests do not make one", "give --files hits or --files points, or one test at a time");
+    throw OptionError::wrong_value("files", "tests", "give hits or points, or one test at a time",
+                                   "deflect takes one test");
   ReadFlags read = flags.read;
   read.options.force_optional = true;
   return std::make_unique<pipeline::Analysis>(acquire::join_records(open_records(read), read.files),
@@ -65,7 +67,7 @@ int deflect_files(const DeflectFlags& flags) {
   pipeline::ImpactTestOptions options = flags.options;
   options.deflection.method = method_named(flags.method);
   if (!flags.positions.empty())
-    options.position_m = parse_range("--positions", flags.positions, RangeForm::single_value_allowed).values();
+    options.position_m = parse_range("positions", flags.positions, RangeForm::single_value_allowed).values();
   const Progress progress("integrating", flags.output.quiet);
   const std::shared_ptr<const pipeline::Analysis> made = analysis_of(flags);
   const auto deflected = std::make_shared<const pipeline::ImpactTest>(pipeline::deflect(*made, options));
@@ -95,46 +97,47 @@ int deflect_files(const DeflectFlags& flags) {
 
 void add_deflect(CommandLine& line) {
   auto flags = line.values<DeflectFlags>();
-  Command command = line.command("deflect", "Deflection under an impact, from the acceleration at the struck point",
-                                 [flags] { return deflect_files(*flags); });
+  Command command =
+      line.command("deflect", "Compute the deflection under an impact from the acceleration at the struck point",
+                   [flags] { return deflect_files(*flags); });
   command.about(
-      "Integrates the acceleration of the struck point twice, without the drift that plain sums have, and gives the "
-      "largest deflection of each hit in m with its standard deviation; -o writes the curves over time.");
-  command.example("percuss deflect bat.h5 --highpass-corner 1", "An amplifier with a high-pass at 1 Hz, undone");
-  command.example("percuss deflect bat.h5 --method drift-free -o deflection.csv", "Curves over time as a table");
+      "Integrates the acceleration of the struck point twice, without the drift of plain sums. Reports the largest "
+      "deflection of each hit in m with its standard deviation; -o writes the curves over time.");
+  command.example("percuss deflect bat.h5 --highpass-corner 1", "Undo the 1 Hz high-pass of the charge amplifier");
+  command.example("percuss deflect bat.h5 --method drift-free -o deflection.csv",
+                  "Write the curves over time as a table");
   metrics::DeflectionOptions& deflection = flags->options.deflection;
   command
-      .value(
-          "--method", flags->method,
-          "How acceleration becomes deflection; auto integrates without drift where the record shows the rest before "
-          "the impact, else it takes modes and force")
+      .value("--method", flags->method,
+             "Choose the method. auto: integrate without drift if the record shows the rest before the impact, "
+             "otherwise use modes and force")
       .one_of({"auto", "small-interval", "drift-free", "frequency", "modal"})
       .show_default();
   command
       .value("--highpass-corner", deflection.highpass_corner_Hz,
-             "Corner of the charge amplifier's first-order high-pass, which is undone; 0: none")
+             "Undo the first-order high-pass of the charge amplifier with this corner frequency; 0: none")
       .not_negative()
       .type("HZ");
-  command.value("--lowest", deflection.lowest_Hz, "With --method frequency: leave out what is slower than this")
+  command.value("--lowest", deflection.lowest_Hz, "With --method frequency: omit frequencies below this")
       .above_zero()
       .type("HZ");
-  command.flag("--free-body", deflection.free_body,
-               "The structure may move away: it need not swing about where it rested");
+  command.flag("--free-body", deflection.free_body, "Let the structure move away from its rest position");
   command
-      .value("--effective-mass", flags->options.effective_mass_kg,
-             "Mass of the free body at the struck point: its own motion under the force is known then")
+      .value(
+          "--effective-mass", flags->options.effective_mass_kg,
+          "Set the effective mass of the free body at the struck point; its rigid-body motion follows from the force")
       .above_zero()
       .type("KG");
-  command.value("--positions", flags->positions, "Where the points lie along the structure, in m, in their order")
+  command.value("--positions", flags->positions, "Set the positions of the points along the structure in m, in order")
       .type("LO:STEP:HI");
   command
       .value("--beam-distance", flags->options.beam_distance_m,
-             "Distance from the light beam to the structure: tells the ball's speed")
+             "Set the distance from the light beam to the structure; gives the speed of the ball")
       .above_zero()
       .type("M");
   command
       .value("--beam-time", flags->options.beam_time_s,
-             "Time at which the ball broke the beam, from the record's beginning")
+             "Set the time at which the ball crosses the light beam, from the start of the record")
       .finite()
       .type("S");
   add_read_flags(command, flags->read, Reads::records);

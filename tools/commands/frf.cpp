@@ -103,21 +103,22 @@ int frf(const FrfFlags& flags) {
 
 void add_frf(CommandLine& line) {
   auto flags = line.values<FrfFlags>();
-  Command command = line.command("frf", "Averaged FRFs and coherence only, as CSV on standard output or into files",
+  Command command = line.command("frf", "Average FRFs and coherence, as CSV on standard output or into files",
                                  [flags] { return frf(*flags); });
   command.about(
-      "Averages the good hits of records to frequency responses and coherence, and stops there. Accelerance is in "
-      "(m/s²)/N, mobility in (m/s)/N, receptance in m/N. The table has one line per frequency.");
+      "Averages the accepted hits of records to frequency response functions (FRFs) and coherence, without fitting "
+      "modes. Accelerance is in (m/s²)/N, mobility in (m/s)/N, receptance in m/N. The table has one row per "
+      "frequency.");
   command.example("percuss frf bat.h5 --band 60:3200 -o frf.csv",
-                  "Accelerance and coherence from 60 to 3200 Hz as a table");
+                  "Write accelerance and coherence from 60 to 3200 Hz as a table");
   command.example("percuss frf bat.h5 --band 60:3200 --kind mobility > mobility.csv",
-                  "Mobility, by way of standard output");
+                  "Print mobility on standard output");
   command.example("percuss frf bat.h5 --estimator hv -o frf.uff",
-                  "For other software, with noise in force and acceleration allowed for");
+                  "Write a universal file, with an estimator for noise in force and acceleration");
   add_read_flags(command, flags->read);
   add_analysis_flags(command, flags->analysis);
   add_output_flags(command, flags->output, ".csv, .h5, .json, .mat, .uff, .unv, .svg, .html");
-  command.value("--kind", flags->kind, "What the responses are: of acceleration, velocity or deflection")
+  command.value("--kind", flags->kind, "Write FRFs of acceleration, velocity or displacement")
       .one_of({"accelerance", "mobility", "receptance"})
       .show_default();
 }

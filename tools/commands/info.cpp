@@ -9,6 +9,7 @@
 #include "acquire/channels/channel_setup.hpp"
 #include "acquire/channels/csv_columns.hpp"
 #include "cli/open_files.hpp"
+#include "cli/option_error.hpp"
 #include "cli/option_names.hpp"
 #include "cli/output.hpp"
 #include "commands/commands.hpp"
@@ -31,7 +32,7 @@ struct InfoFlags {
   bool example = false;
 };
 
-/// What a record's rows come to.
+/// Totals over the rows of a record.
 struct Extent {
   std::size_t samples = 0, shortest = 0, longest = 0, points = 0, runs = 0;
 };
@@ -114,12 +115,10 @@ std::string record_text(const acquire::Record& record, std::size_t width) {
   add(record.force, "force", "N");
   for (const auto& signal : record.accel) add(signal, "acceleration", "m/s^2");
   text += table.text(width);
-  for (const auto& note : record.notes)
-    text += "  " + report::wrapped("note: " + one_line(note.written(flag_of), 2000), width, 2) + '\n';
-  return text;
+  return text + notes_paragraphs(record.notes, width);
 }
 
-// A text whose channels only the user can name.
+// A text file whose channels only the user can identify.
 Json columns_json(const std::string& path, const acquire::AmbiguousColumns& seen) {
   Json columns = Json::array();
   for (const auto& column : seen.columns) {
@@ -144,8 +143,7 @@ std::string columns_text(const std::string& path, const acquire::AmbiguousColumn
     table.add({fmt::format("{}", column.index + 1), one_line(column.name, 40),
                column.unit.empty() ? "-" : one_line(column.unit, 20), column.has_numbers ? "" : "no numbers"});
   }
-  return text + '\n' + table.text(width) + "  " + report::wrapped(std::string("needed: ") + seen.what(), width, 2) +
-         '\n';
+  return text + '\n' + table.text(width) + "  " + report::wrapped("needed: " + seen.written(flag_of), width, 2) + '\n';
 }
 
 void write_outputs(const OutputFlags& output, const std::string& document) {
@@ -157,7 +155,7 @@ int run_info(const InfoFlags& flags) {
     print(flags.output, acquire::channel_setup_example());
     return kOk;
   }
-  if (flags.read.paths.empty()) throw UsageError("no file", "name at least one, or - for standard input");
+  if (flags.read.paths.empty()) throw OptionError({}, "no file is given", "name at least one, or - for standard input");
   check_outputs(flags.output, {".json"});
   const acquire::ReadOptions options = resolved_read_options(flags.read);
   Json files = Json::array();
@@ -177,8 +175,8 @@ int run_info(const InfoFlags& flags) {
       any = true;
       if (!flags.output.json) fmt::print("{}", columns_text(flags.read.paths[i], seen, terminal_width()));
     } catch (const InputError& error) {
-      // One bad file must not hide what the others hold.
-      if (flags.output.host == nullptr) std::cerr << "percuss: " << error.what() << '\n';
+      // One bad file must not hide the descriptions of the others.
+      if (flags.output.host == nullptr) std::cerr << "percuss: " << error.written(flag_of) << '\n';
       files.push_back({{"path", flags.read.paths[i]}, {"error", error.what()}});
       code = kBadInput;
     }
@@ -194,18 +192,19 @@ int run_info(const InfoFlags& flags) {
 
 void add_info(CommandLine& line) {
   auto flags = line.values<InfoFlags>();
-  Command command = line.command("info", "What is in a file: kind, channels, units, rate, hits, what could not be read",
-                                 [flags] { return run_info(*flags); });
+  Command command =
+      line.command("info", "Describe files: kind, channels, units, rate, hits, and parts that cannot be read",
+                   [flags] { return run_info(*flags); });
   command.about(
-      "Reads no more of a file than tells what it holds, and says what could not be understood. Start here with a new "
-      "file: what is guessed here is what analyze uses, and the options under Reading change it.");
-  command.example("percuss info bat.h5", "Channels, units, rate and hits");
-  command.example("percuss info hits.csv --force-channel CH8 --json",
-                  "The same as a document, with the force in a column of that name");
-  command.example("percuss info --example > channels.json", "A channel set-up to change and to give as --setup");
+      "Reads only the description of a file, and reports parts that cannot be understood. Start here with a new file: "
+      "analyze makes the same assumptions, and the options under Reading change them.");
+  command.example("percuss info bat.h5", "Show channels, units, rate and hits");
+  command.example("percuss info hits.csv --force-channel CH8 --json", "Print a document; the force is in column CH8");
+  command.example("percuss info --example > channels.json",
+                  "Write an example of a channel set-up, to be changed and passed to --setup");
   add_read_flags(command, flags->read);
   add_output_flags(command, flags->output, ".json");
-  command.flag("--example", flags->example, "Print a channel set-up for --setup, to start from");
+  command.flag("--example", flags->example, "Print an example of a channel set-up for --setup");
 }
 
 }  // namespace percuss::tools

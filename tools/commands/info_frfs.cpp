@@ -35,6 +35,16 @@ Json note_texts(const std::vector<Message>& notes) {
   return texts;
 }
 
+std::string notes_paragraphs(const std::vector<Message>& notes, std::size_t width) {
+  constexpr std::size_t kMaxBytes = 2000, kIndent = 2;
+  std::string text;
+  for (const Message& note : notes) {
+    const std::string line = "note: " + one_line(note.written(flag_of), kMaxBytes);
+    text += "  " + report::wrapped(line, width, kIndent) + '\n';
+  }
+  return text;
+}
+
 Json frfs_json(const frf::FrfRecord& record) {
   Json channels = Json::array();
   for (const acquire::SignalInfo& signal : record.accel) {
@@ -71,10 +81,7 @@ std::string frfs_text(const frf::FrfRecord& record, std::size_t width) {
     table.add({"  " + one_line(signal.name, 40), fmt::format("{:.6g}", signal.to_SI),
                optional_text(signal.angle_rad, kRadian_deg), optional_text(signal.position_m, 1), ""});
   }
-  text += table.text(width);
-  for (const auto& note : record.notes)
-    text += "  " + report::wrapped("note: " + one_line(note.written(flag_of), 2000), width, 2) + '\n';
-  return text;
+  return text + table.text(width) + notes_paragraphs(record.notes, width);
 }
 
 }  // namespace percuss::tools

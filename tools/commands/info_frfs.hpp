@@ -2,20 +2,25 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "frf/frf_record.hpp"
+#include "core/error.hpp"
 
 namespace percuss::tools {
 
-/// What percuss info says of a file of FRFs, as JSON and for people.
+/// The description of a file of FRFs, as JSON and as text.
 nlohmann::ordered_json frfs_json(const frf::FrfRecord& record);
 std::string frfs_text(const frf::FrfRecord& record, std::size_t width);
 
-/// The texts of notes.
+/// The texts of a record's notes for a document, which names no options.
 nlohmann::ordered_json note_texts(const std::vector<Message>& notes);
 
-/// `value` × factor, or what stands for nothing: null, "-".
+/// `value` × `factor`; null or "-" if there is no value.
 nlohmann::ordered_json optional_json(const std::optional<double>& value, double factor);
 std::string optional_text(const std::optional<double>& value, double factor);
+
+/// A record's notes for a terminal, a paragraph each, with their options as flags.
+std::string notes_paragraphs(const std::vector<Message>& notes, std::size_t width);
 
 }  // namespace percuss::tools

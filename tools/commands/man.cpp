@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "cli/man_page.hpp"
+#include "cli/option_error.hpp"
 #include "cli/usage_errors.hpp"
 #include "commands/commands.hpp"
 #include "core/io/atomic_file.hpp"
@@ -31,17 +32,17 @@ const DeclaredCommand& command_named(const Declaration& all, const std::vector<s
 void write_pages(const Declaration& all, const ManFlags& flags) {
   std::error_code failed;
   std::filesystem::create_directories(flags.folder, failed);
-  if (failed) throw InputError("cannot make the folder: " + failed.message(), flags.folder, "name another");
+  if (failed) throw InputError("cannot create the folder: " + failed.message(), flags.folder, "name another");
   for (const DeclaredCommand& command : all.commands)
     write_file(flags.folder + "/" + page_name(all, command) + ".1", man_page(all, command), flags.force);
 }
 
 int print_page(const Declaration& all, const ManFlags& flags) {
   if (!flags.folder.empty() && !flags.words.empty())
-    throw UsageError("--folder is for all pages", "leave out the command or --folder");
+    throw OptionError({"folder"}, "writes all pages", "omit the command or the folder");
   if (flags.folder.empty()) {
     std::cout << man_page(all, command_named(all, flags.words));
-    if (isatty(STDOUT_FILENO) == 1) std::cerr << "percuss: this is for the program man: percuss man ... | man -l -\n";
+    if (isatty(STDOUT_FILENO) == 1) std::cerr << "percuss: to read this page, type: percuss man ... | man -l -\n";
   } else {
     write_pages(all, flags);
   }
@@ -52,21 +53,21 @@ int print_page(const Declaration& all, const ManFlags& flags) {
 
 void add_man(CommandLine& line) {
   auto flags = line.values<ManFlags>();
-  Command command = line.command("man", "The manual page of percuss or of one of its commands, or all of them",
+  Command command = line.command("man", "Print the manual page of percuss or of a command, or write all pages",
                                  [&line, flags] { return print_page(line.declaration(), *flags); });
   command.about(
-      "Prints the page in roff, the language that the program man reads. The page is made from the same declaration as "
-      "--help. An installed percuss has its pages in place: man percuss-analyze shows one.");
-  command.example("percuss man model beam > percuss-model-beam.1", "The page of percuss model beam, as man reads it");
-  command.example("percuss man --folder man1", "All pages as files: percuss.1, percuss-analyze.1, ...");
+      "Prints the page in roff, the format of the program man. The page contains the text of --help. An installation "
+      "of percuss includes its pages: man percuss-analyze shows one.");
+  command.example("percuss man model beam > percuss-model-beam.1", "Write the page of percuss model beam");
+  command.example("percuss man --folder man1", "Write all pages: percuss.1, percuss-analyze.1, ...");
   std::vector<std::string> names;
   for (const DeclaredCommand& one : line.declaration().commands) {
-    if (!one.name.empty()) names.push_back(last_name(one));
+    if (!one.name.empty()) names.push_back(base_name(one));
   }
-  command.words("COMMAND", flags->words, "The command, as analyze or model beam (default: percuss itself)")
+  command.arguments("COMMAND", flags->words, "Command, such as analyze or model beam (default: percuss itself)")
       .one_of(names);
-  command.value("--folder", flags->folder, "Write all pages as files into this folder").type("FOLDER");
-  command.flag("--force", flags->force, "Overwrite files that exist");
+  command.value("--folder", flags->folder, "Write all pages into this folder").type("FOLDER");
+  command.flag("--force", flags->force, "Overwrite existing files");
 }
 
 }  // namespace percuss::tools

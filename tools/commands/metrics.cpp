@@ -1,6 +1,7 @@
 #include <cmath>
 #include <memory>
 
+#include "cli/option_error.hpp"
 #include "cli/output.hpp"
 #include "cli/report_output.hpp"
 #include "commands/commands.hpp"
@@ -40,10 +41,10 @@ std::optional<metrics::UncertainValue> period_of(const MetricsFlags& f) {
   const metrics::PeriodEstimate period =
       crossings ? metrics::period_of_crossings(f.crossings_s, f.crossings_per_period, f.period_step_s)
                 : metrics::mean_period(f.periods_s, f.period_step_s);
-  const char* const option = crossings ? "--gate-times-s" : "--period-s";
+  const OptionId option = crossings ? "gate_times_s" : "period_s";
   if (!period.problem.empty())
-    throw UsageError(std::string(option) + ": " + period.problem, "give the times in the order of the crossings");
-  if (!(period.period_s > 0)) throw UsageError(std::string(option) + ": no period above 0", "give seconds");
+    throw OptionError({option}, "gives no period: " + period.problem, "give the times in the order of the crossings");
+  if (!(period.period_s > 0)) throw OptionError({option}, "gives no period above 0", "give seconds");
   return metrics::UncertainValue(period.period_s, period.std_s, metrics::Reading::period);
 }
 
@@ -72,25 +73,28 @@ metrics::BatReadings readings_of(const MetricsFlags& f) {
 }
 
 void require_one_source(const MetricsFlags& f) {
-  const auto both = [](bool a, bool b, const char* options) {
-    if (a && b) throw UsageError(std::string(options) + " are both given", "leave one of them");
+  const auto require_one = [](bool a, bool b, const std::vector<OptionId>& options) {
+    if (a && b) throw OptionError(options, "exclude each other", "give one of them");
   };
-  both(!f.periods_s.empty(), !f.crossings_s.empty(), "--period-s and --gate-times-s");
-  both(f.moi_ozin2.has_value(), !f.periods_s.empty() || !f.crossings_s.empty(), "--moi-oz-in2 and a period");
-  both(f.besr.has_value(), f.bbcor.has_value(), "--besr and --bbcor");
-  both(f.besr || f.bbcor, f.in_mph && f.out_mph, "speeds and --besr or --bbcor");
+  require_one(!f.periods_s.empty(), !f.crossings_s.empty(), {"period_s", "gate_times_s"});
+  require_one(f.moi_ozin2.has_value(), !f.periods_s.empty(), {"moi_oz_in2", "period_s"});
+  require_one(f.moi_ozin2.has_value(), !f.crossings_s.empty(), {"moi_oz_in2", "gate_times_s"});
+  require_one(f.besr.has_value(), f.bbcor.has_value(), {"besr", "bbcor"});
+  if ((f.besr || f.bbcor) && f.in_mph && f.out_mph)
+    throw OptionError({f.besr ? "besr" : "bbcor"}, "follows from the speeds, which are given", "omit it or the speeds",
+                      {"v_in_mph", "v_out_mph"});
   if (f.rings_in.size() > kRings)
-    throw UsageError("--diameter-in: more than 7 rings", "give those 3 to 9 in from the tip");
+    throw OptionError({"diameter_in"}, "has more than 7 values", "give the diameters 3 to 9 in from the tip");
 }
 
 void require_room(const MetricsFlags& f) {
   constexpr double kPivot_in = 6;
   const double length_in = f.length_in.value_or(2 * kPivot_in + 1e6);
-  if (!(length_in > 2 * kPivot_in)) throw UsageError("--length-in: no bat is so short", "give more than 12 in");
+  if (!(length_in > 2 * kPivot_in)) throw OptionError({"length_in"}, "is too short for a bat", "give more than 12 in");
   if (f.z_in && *f.z_in > length_in - kPivot_in)
-    throw UsageError("--z-in lies behind the pivot", "give inches from the barrel's tip");
+    throw OptionError({"z_in"}, "lies behind the pivot", "give inches from the tip of the barrel");
   if (f.cg_in && *f.cg_in > length_in - kPivot_in)
-    throw UsageError("--cg-in lies behind the pivot", "give inches from the barrel's tip");
+    throw OptionError({"cg_in"}, "lies behind the pivot", "give inches from the tip of the barrel");
 }
 
 int metrics(const MetricsFlags& flags) {
@@ -109,96 +113,121 @@ int metrics(const MetricsFlags& flags) {
 
 void add_readings(Command& command, MetricsFlags& f) {
   const std::string before = command.heading("Readings");
-  command.value("--length-in", f.length_in, "Length of the bat").above_zero().type("IN");
-  command.value("--weight-oz", f.weight_oz, "Weight of the bat").above_zero().type("OZ");
-  command.value("--cg-in", f.cg_in, "Balance point, from the barrel's tip").not_negative().type("IN");
-  command.list("--period-s", f.periods_s, "Period of the bat swinging about the pivot, or several readings of it")
+  command.value("--length-in", f.length_in, "Set the length of the bat").above_zero().type("IN");
+  command.value("--weight-oz", f.weight_oz, "Set the weight of the bat").above_zero().type("OZ");
+  command.value("--cg-in", f.cg_in, "Set the balance point, from the tip of the barrel").not_negative().type("IN");
+  command.list("--period-s", f.periods_s, "Set the period of the bat swinging about the pivot; one reading or several")
       .above_zero()
       .type("S,...");
-  command.list("--gate-times-s", f.crossings_s, "Times at which the swinging bat crossed the light gate").type("S,...");
+  command.list("--gate-times-s", f.crossings_s, "Set the times at which the swinging bat crosses the light gate")
+      .type("S,...");
   command
       .value("--crossings-per-period", f.crossings_per_period,
-             "How often the bat crosses the gate in a period: 2 there and back, 1 one way")
+             "Set the crossings of the gate per period: 2 in both directions, 1 in one direction")
       .within(1, 2)
       .type("1|2")
       .show_default();
-  command.value("--moi-oz-in2", f.moi_ozin2, "Moment of inertia about the pivot, where it is known")
+  command.value("--moi-oz-in2", f.moi_ozin2, "Set the moment of inertia about the pivot, if known")
       .above_zero()
       .type("OZIN2");
-  command.value("--ball-g", f.ball_g, "Mass of the ball").above_zero().type("G");
-  command.value("--z-in", f.z_in, "Where the ball hits, from the barrel's tip").not_negative().type("IN");
-  command.value("--v-in-mph", f.in_mph, "Speed of the ball before").above_zero().type("MPH");
-  command.value("--v-out-mph", f.out_mph, "Speed of the ball after, back where it came from").finite().type("MPH");
-  command.value("--besr", f.besr, "BESR, in place of the speeds").finite();
-  command.value("--bbcor", f.bbcor, "BBCOR, in place of the speeds").finite();
-  command.value("--v-swing-mph", f.swing_mph, "Speed of the swing at the impact, in place of the swing model's")
+  command.value("--ball-g", f.ball_g, "Set the mass of the ball").above_zero().type("G");
+  command.value("--z-in", f.z_in, "Set the impact position, from the tip of the barrel").not_negative().type("IN");
+  command.value("--v-in-mph", f.in_mph, "Set the speed of the ball before the impact").above_zero().type("MPH");
+  command.value("--v-out-mph", f.out_mph, "Set the rebound speed of the ball, positive away from the bat")
+      .finite()
+      .type("MPH");
+  command.value("--besr", f.besr, "Set BESR in place of the speeds").finite();
+  command.value("--bbcor", f.bbcor, "Set BBCOR in place of the speeds").finite();
+  command
+      .value("--v-swing-mph", f.swing_mph, "Set the swing speed at the impact position, in place of the swing model's")
       .above_zero()
       .type("MPH");
-  command.list("--diameter-in", f.rings_in, "Barrel diameters 3, 4, ... 9 in from the tip").above_zero().type("IN,...");
-  command.value("--handle-diameter-in", f.handle_in, "Diameter of the handle 6 in from the knob")
+  command.list("--diameter-in", f.rings_in, "Set the barrel diameters 3, 4, ... 9 in from the tip")
+      .above_zero()
+      .type("IN,...");
+  command.value("--handle-diameter-in", f.handle_in, "Set the diameter of the handle 6 in from the knob")
       .above_zero()
       .type("IN");
   command.heading(before);
 }
 
 void add_resolutions(Command& command, MetricsFlags& f) {
-  const std::string before = command.heading("Resolution of the readings (their error: a step over the root of 12)");
-  command.value("--length-resolution-in", f.steps.length_in, "Of the length").not_negative().type("IN").show_default();
-  command.value("--weight-resolution-oz", f.steps.weight_oz, "Of the weight").not_negative().type("OZ").show_default();
-  command.value("--cg-resolution-in", f.steps.cg_in, "Of the balance point").not_negative().type("IN").show_default();
-  command.value("--ball-resolution-g", f.steps.ball_g, "Of the ball's mass").not_negative().type("G").show_default();
-  command.value("--diameter-resolution-in", f.steps.diameter_in, "Of diameters")
+  const std::string before =
+      command.heading("Resolution of the readings (standard deviation: the step divided by √12)");
+  command.value("--length-resolution-in", f.steps.length_in, "Set the resolution of the length")
       .not_negative()
       .type("IN")
       .show_default();
-  command.value("--period-resolution-s", f.period_step_s, "Of periods or gate times; 0: not known")
+  command.value("--weight-resolution-oz", f.steps.weight_oz, "Set the resolution of the weight")
+      .not_negative()
+      .type("OZ")
+      .show_default();
+  command.value("--cg-resolution-in", f.steps.cg_in, "Set the resolution of the balance point")
+      .not_negative()
+      .type("IN")
+      .show_default();
+  command.value("--ball-resolution-g", f.steps.ball_g, "Set the resolution of the ball's mass")
+      .not_negative()
+      .type("G")
+      .show_default();
+  command.value("--diameter-resolution-in", f.steps.diameter_in, "Set the resolution of diameters")
+      .not_negative()
+      .type("IN")
+      .show_default();
+  command.value("--period-resolution-s", f.period_step_s, "Set the resolution of periods or gate times; 0: unknown")
       .not_negative()
       .type("S")
       .show_default();
-  command.value("--moi-resolution-oz-in2", f.moi_step_ozin2, "Of the moment of inertia; 0: not known")
+  command.value("--moi-resolution-oz-in2", f.moi_step_ozin2, "Set the resolution of the moment of inertia; 0: unknown")
       .not_negative()
       .type("OZIN2")
       .show_default();
-  command.value("--z-resolution-in", f.z_step_in, "Of the impact's place; 0: not known")
+  command.value("--z-resolution-in", f.z_step_in, "Set the resolution of the impact position; 0: unknown")
       .not_negative()
       .type("IN")
       .show_default();
-  command.value("--speed-resolution-mph", f.speed_step_mph, "Of speeds; 0: not known")
+  command.value("--speed-resolution-mph", f.speed_step_mph, "Set the resolution of speeds; 0: unknown")
       .not_negative()
       .type("MPH")
       .show_default();
-  command.flag("--round", f.rounded, "Compute with the readings as the protocol records them, rounded to these steps");
+  command.flag("--round", f.rounded, "Round the readings to these steps, as the protocol records them");
   command.heading(before);
 }
 
 void add_constants(Command& command, MetricsFlags& f) {
   const std::string before = command.heading("Constants");
-  command.value("--v-pitch-mph", f.pitch_mph, "Speed of the pitch at the plate")
+  command.value("--v-pitch-mph", f.pitch_mph, "Set the speed of the pitch at the plate")
       .not_negative()
       .type("MPH")
       .show_default();
-  command.value("--nominal-mph", f.nominal_mph, "Speed to which NCAA BESR refers")
+  command.value("--nominal-mph", f.nominal_mph, "Set the reference speed of NCAA BESR")
       .above_zero()
       .type("MPH")
       .show_default();
-  command.value("--v0-mph", f.v0_mph, "Swing model: speed of the standard bat").above_zero().type("MPH").show_default();
-  command.value("--swing-length-in", f.swing_length_in, "Swing model: length of the standard bat")
+  command.value("--v0-mph", f.v0_mph, "Set the speed of the standard bat in the swing model")
+      .above_zero()
+      .type("MPH")
+      .show_default();
+  command.value("--swing-length-in", f.swing_length_in, "Set the length of the standard bat in the swing model")
       .above_zero()
       .type("IN")
       .show_default();
-  command.value("--swing-moi-oz-in2", f.swing_moi_ozin2, "Swing model: moment of inertia of the standard bat")
+  command
+      .value("--swing-moi-oz-in2", f.swing_moi_ozin2,
+             "Set the moment of inertia of the standard bat in the swing model")
       .above_zero()
       .type("OZIN2")
       .show_default();
-  command.value("--swing-exponent", f.readings.swing.exponent, "Swing model: how inertia slows the swing")
+  command.value("--swing-exponent", f.readings.swing.exponent, "Set the exponent of inertia in the swing model")
       .finite()
       .show_default();
-  command.value("--lot-correction", f.readings.lot_correction, "Correction of the ball lot, added to v_out/v_in")
+  command
+      .value("--lot-correction", f.readings.lot_correction, "Set the correction of the ball lot, added to v_out/v_in")
       .finite()
       .show_default();
   command
       .value("--gravity-in-s2", f.gravity_inps2,
-             "Acceleration of gravity, as the protocol prints it; 386.089 is standard")
+             "Set the acceleration of gravity, as printed in the protocol; standard gravity is 386.089")
       .above_zero()
       .type("IN/S2")
       .show_default();
@@ -209,18 +238,17 @@ void add_constants(Command& command, MetricsFlags& f) {
 
 void add_metrics(CommandLine& line) {
   auto flags = line.values<MetricsFlags>();
-  Command command = line.command("metrics", "A bat's performance in numbers: drop, MOI, BESR, BBS, BBCOR and the rest",
+  Command command = line.command("metrics", "Compute a bat's performance: drop, MOI, BESR, BBS, BBCOR",
                                  [flags] { return metrics(*flags); });
   command.about(
-      "Computes what the readings given allow and leaves out the rest: drop, moment of inertia, swing and contact "
-      "speed, BESR, BBS and BBCOR, each with the uncertainty that follows from the resolution of the readings. Units "
-      "are those of the test laboratory and stand in the options' names; cg and z count from the barrel's tip, the "
-      "pivot is 6 in from the knob.");
+      "Computes every metric that the given readings allow: drop, moment of inertia, swing and contact speed, BESR, "
+      "BBS and BBCOR. Each has the uncertainty that follows from the resolution of the readings. The names of the "
+      "options state their units. cg and z are measured from the tip of the barrel; the pivot is 6 in from the knob.");
   command.example(
       "percuss metrics --length-in 34 --moi-oz-in2 10450 --ball-g 145.4 --z-in 6 --v-in-mph 136 --v-out-mph 31",
-      "A bat whose inertia is known, and one shot at it");
+      "Compute all metrics from a known moment of inertia and one shot");
   command.example("percuss metrics --length-in 33 --weight-oz 30 --cg-in 20 --period-s 1.25,1.26",
-                  "Drop and inertia from scale, balance and pendulum");
+                  "Compute drop and moment of inertia from scale, balance and pendulum");
   add_readings(command, *flags);
   add_resolutions(command, *flags);
   add_constants(command, *flags);

@@ -4,6 +4,7 @@
 
 #include "cli/analysis_flags.hpp"
 #include "cli/open_files.hpp"
+#include "cli/option_error.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
 #include "cli/ranges.hpp"
@@ -19,7 +20,7 @@
 namespace percuss::tools {
 namespace {
 
-constexpr double kResolution_m = 0.125 * kInch_m;  // to which the rule of thumb is read
+constexpr double kResolution_m = 0.125 * kInch_m;  // reading resolution of the rule of thumb
 
 struct NodesFlags {
   ReadFlags read;
@@ -31,29 +32,29 @@ struct NodesFlags {
 // "3:0.25:9", "3:0.25:9in", "80:5:250mm"
 pipeline::ScanPositions parse_positions(const std::string& text) {
   const char* const remedy =
-      "give START:STEP:END with a unit (in, m, mm, cm, ft), as 3:0.25:9in; inches where there is none";
-  const auto [range, name] = parse_range_with_unit("--positions", text, remedy);
+      "give START:STEP:END with a unit (in, m, mm, cm, ft), such as 3:0.25:9in; without a unit, inches";
+  const auto [range, name] = parse_range_with_unit("positions", text, remedy);
   double to_m = kInch_m;
   if (!name.empty()) {
     const auto unit = parse_unit(name);
     if (!unit || unit->quantity != Quantity::length)
-      throw UsageError("--positions " + one_line(text, 80) + ": the unit is not one of length", remedy);
+      throw OptionError::wrong_value("positions", text, remedy, "its unit does not measure length");
     to_m = unit->to_SI;
   }
   return {.start_m = range.low * to_m, .step_m = range.step * to_m, .count = range.count};
 }
 
 std::unique_ptr<pipeline::Analysis> analysis_of(const NodesFlags& flags, const pipeline::ScanPositions& positions) {
-  const acquire::FileGrouping mean =
+  const acquire::FileGrouping grouping =
       flags.read.files == acquire::FileGrouping::automatic ? acquire::FileGrouping::points : flags.read.files;
-  if (mean == acquire::FileGrouping::tests)
-    throw UsageError("several tests do not make one scan", "give --files points, or the files of one scan");
+  if (grouping == acquire::FileGrouping::tests)
+    throw OptionError::wrong_value("files", "tests", "give points, or the files of one scan", "a scan is one test");
   const pipeline::AnalysisOptions options = analysis_options(flags.analysis);
   Measurements opened = open_measurements(flags.read);
   if (!opened.frfs.empty())
     return std::make_unique<pipeline::Analysis>(join_frfs_of(flags.read, std::move(opened.frfs)), options);
   return std::make_unique<pipeline::Analysis>(
-      pipeline::as_scan(acquire::join_records(std::move(opened.records), mean), positions), options);
+      pipeline::as_scan(acquire::join_records(std::move(opened.records), grouping), positions), options);
 }
 
 int nodes(const NodesFlags& flags) {
@@ -78,19 +79,18 @@ int nodes(const NodesFlags& flags) {
 
 void add_nodes(CommandLine& line) {
   auto flags = line.values<NodesFlags>();
-  Command command = line.command("nodes", "Where bending modes have their nodes, from a scan of impacts",
+  Command command = line.command("nodes", "Locate the nodes of bending modes from a scan of impacts",
                                  [flags] { return nodes(*flags); });
   command.about(
-      "Finds where along the barrel each bending mode does not move, with its standard deviation: from hits at a row "
-      "of places, one place per point or per file of the record. A node lies where the response of the mode changes "
-      "its sign.");
+      "Locates the nodes of each bending mode along the barrel, with standard deviations, from hits at a row of "
+      "positions. Each point, or each file, is one position. A node lies where the response of the mode changes sign.");
   command.example("percuss nodes scan.h5 --positions 3:0.25:9in --band 60:1500",
-                  "Hits every quarter of an inch from 3 to 9 in from the end of the barrel");
+                  "Use hits every quarter of an inch, from 3 to 9 in from the end of the barrel");
   command.example("percuss nodes scan.h5 --positions 76.2:6.35:228.6mm --band 60:1500 -o nodes.svg",
-                  "The same in millimetres, with the curves drawn");
+                  "State positions in millimetres, and draw the curves");
   command
       .value("--positions", flags->positions,
-             "Where the hits of the scan were, from the barrel's end, in the order of points or files; inches "
+             "Set the positions of the hits from the end of the barrel, in the order of points or files; in inches "
              "unless a unit (in, m, mm) follows")
       .required()
       .type("START:STEP:END[UNIT]");

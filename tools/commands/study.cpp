@@ -2,6 +2,7 @@
 #include <iostream>
 #include <memory>
 
+#include "cli/option_error.hpp"
 #include "cli/output.hpp"
 #include "cli/report_output.hpp"
 #include "commands/commands.hpp"
@@ -15,7 +16,7 @@
 namespace percuss::tools {
 namespace {
 
-constexpr std::uint64_t kLargestTable_bytes = std::uint64_t{16} << 20U;
+constexpr std::uint64_t kMaxTable_bytes = std::uint64_t{16} << 20U;
 
 struct StudyFlags {
   std::vector<std::string> inputs;
@@ -24,13 +25,13 @@ struct StudyFlags {
   OutputFlags output;
 };
 
-std::string text_at(const std::string& path) { return std::string(read_input(path, kLargestTable_bytes).view()); }
+std::string text_at(const std::string& path) { return std::string(read_input(path, kMaxTable_bytes).view()); }
 
-void refuse_existing(const StudyFlags& flags) {
+void reject_existing(const StudyFlags& flags) {
   for (const std::string& path : {flags.key, flags.table}) {
     std::error_code ignored;
     if (!path.empty() && !flags.output.force && std::filesystem::exists(path, ignored))
-      throw InputError("file exists", path, "give another name or --force");
+      throw InputError("file exists", path, "give another name or overwrite it", {"force"});
   }
 }
 
@@ -39,7 +40,7 @@ void write_figures(const StudyFlags& flags, const metrics::Study& study, const r
   if (flags.figures.empty()) return;
   std::error_code problem;
   std::filesystem::create_directories(flags.figures, problem);
-  if (problem) throw InputError("cannot make the folder", flags.figures, "name one that can be written");
+  if (problem) throw InputError("cannot create the folder", flags.figures, "name a folder that can be written");
   for (const report::StudyFile& file : report::study_files(study, curve))
     write_file((std::filesystem::path(flags.figures) / file.name).string(), file.text, flags.output.force);
   write_file((std::filesystem::path(flags.figures) / "statistics.csv").string(), report.csv(), flags.output.force);
@@ -50,11 +51,14 @@ int run_study(const StudyFlags& flags) {
     print(flags.output, metrics::study_table_csv(synth::synthetic_population()));
     return kOk;
   }
-  if (flags.inputs.empty()) throw UsageError("no table", "name a table of bats, or analyses with --bat-id");
+  if (flags.inputs.empty())
+    throw OptionError({}, "no table is given", "name a table of bats, or analyses that name their bat",
+                      {"analyze.bat_id"});
   if (!flags.curve.empty() && flags.figures.empty() && !writes_charts(flags.output))
-    throw UsageError("--hoop-curve goes into the figures", "add --figures FOLDER, -o FILE.svg or -o FILE.html");
+    throw OptionError({"hoop_curve"}, "needs a figure to be drawn in", "write figures, or a .svg or .html file",
+                      {"figures", "output"});
   check_report_outputs(flags.output);
-  refuse_existing(flags);
+  reject_existing(flags);
   metrics::StudyRows rows;
   for (const std::string& path : flags.inputs) rows.add(text_at(path), input_name(path));
   std::vector<metrics::StudyBat> bats = rows.bats();
@@ -72,27 +76,29 @@ int run_study(const StudyFlags& flags) {
 
 void add_study(CommandLine& line) {
   auto flags = line.values<StudyFlags>();
-  Command command = line.command("study", "A population of bats: what goes with performance, in figures and numbers",
+  Command command = line.command("study", "Correlate the properties of a population of bats with their performance",
                                  [flags] { return run_study(*flags); });
   command.about(
-      "Joins tables of bats, analyses made with --bat-id and results of percuss batch merge, and judges what goes with "
-      "performance: for each "
-      "statement a verdict, its p and correlations with their 95 % intervals. --example prints a table with all "
-      "columns that are understood.");
+      "Joins tables of bats, analyses with --bat-id and results of percuss batch merge. Tests which properties go with "
+      "performance: for each hypothesis a verdict, its p-value, and correlations with 95 % intervals. --example prints "
+      "a table with all known columns.");
   command.example("percuss study --example > bats.csv; percuss study bats.csv --figures figures",
-                  "A made-up population, with every figure as picture and table");
+                  "Study a synthetic population, and write every figure as picture and table");
   command.example(
       "percuss study --example > bats.csv; percuss model trampoline --json > model.json; percuss study bats.csv "
       "--hoop-curve model.json -o study.html",
-      "A page, a model drawn over the measured points");
-  command.words("TABLE", flags->inputs,
-                "Tables of bats, analyses (--bat-id), and results of percuss batch merge, joined by id");
+      "Write a page, with a model drawn over the measured points");
+  command.arguments("TABLE", flags->inputs,
+                    "Tables of bats, analyses with --bat-id, and results of percuss batch merge; joined by id");
   command.value("--figures", flags->figures, "Write every figure as picture and table into this folder").type("FOLDER");
-  command.value("--hoop-curve", flags->curve, "Draw this model over the hoop figures: percuss model trampoline --json")
+  command
+      .value("--hoop-curve", flags->curve,
+             "Draw this model over the hoop figures; a document of percuss model trampoline --json")
       .type("FILE");
-  command.value("--blind", flags->key, "Give the bats neutral ids; the key to them goes into this file").type("FILE");
+  command.value("--blind", flags->key, "Replace the ids of the bats by neutral ones, and write the key to this file")
+      .type("FILE");
   command.value("--table", flags->table, "Write the joined table").type("FILE");
-  command.flag("--example", flags->example, "Print a table of bats (a made-up population)");
+  command.flag("--example", flags->example, "Print an example table: a synthetic population");
   add_output_flags(command, flags->output, kReportKinds);
 }
 

@@ -6,6 +6,7 @@
 
 #include "cli/analysis_flags.hpp"
 #include "cli/open_files.hpp"
+#include "cli/option_error.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
 #include "cli/provenance.hpp"
@@ -36,7 +37,7 @@ struct SurveyFlags {
   bool example = false;
 };
 
-// "POINT" or "POINT:CHANNEL".
+// Reads "POINT" or "POINT:CHANNEL".
 identify::DrivingPoint parse_driving(const std::string& text) {
   identify::DrivingPoint at;
   const char* const end = text.data() + text.size();
@@ -48,7 +49,7 @@ identify::DrivingPoint parse_driving(const std::string& text) {
     good = good && channel.ec == std::errc{} && channel.ptr == end;
   }
   if (good) return at;
-  throw UsageError("--driving-point cannot be '" + text + "'", "give POINT:CHANNEL, both counted from 0, as 17:0");
+  throw OptionError::wrong_value("driving_point", text, "give POINT:CHANNEL, both counted from 0, such as 17:0");
 }
 
 pipeline::SurveyOptions survey_options(const SurveyFlags& flags) {
@@ -59,22 +60,22 @@ pipeline::SurveyOptions survey_options(const SurveyFlags& flags) {
   return options;
 }
 
-// Several files are one point each unless the user says otherwise.
+// By default several files are points of one test.
 std::unique_ptr<pipeline::Analysis> analysis_of(const SurveyFlags& flags) {
   if (flags.read.files == acquire::FileGrouping::tests)
-    throw UsageError("a survey is one test", "use --files points or --files hits");
+    throw OptionError::wrong_value("files", "tests", "give points or hits", "a survey is one test");
   Measurements opened = open_measurements(flags.read);
   if (!opened.frfs.empty()) {
     return std::make_unique<pipeline::Analysis>(join_frfs_of(flags.read, std::move(opened.frfs)),
                                                 analysis_options(flags.analysis));
   }
-  const acquire::FileGrouping mean =
+  const acquire::FileGrouping grouping =
       flags.read.files == acquire::FileGrouping::automatic ? acquire::FileGrouping::points : flags.read.files;
-  acquire::Record record = acquire::join_records(std::move(opened.records), mean);
+  acquire::Record record = acquire::join_records(std::move(opened.records), grouping);
   for (const acquire::RowInfo& row : record.rows) {
     if (row.run == record.rows.front().run) continue;
     throw InputError("several runs", record.files.empty() ? record.source() : record.files[row.file].path,
-                     "a survey is one test; put each run in its own file");
+                     "a survey is one test; put each run into a file of its own");
   }
   return std::make_unique<pipeline::Analysis>(std::move(record), analysis_options(flags.analysis));
 }
@@ -95,8 +96,9 @@ void write_outputs(const SurveyFlags& flags, const pipeline::Survey& survey, con
     } else if (extension_of(path) == ".svg") {
       write_file(path, report::svg_document(report::survey_charts(survey, flags.pictures)), flags.output.force);
     } else if (!survey.analysis().possible()) {
-      print_note(flags.output, "no hit can be used, so there are no shapes to write (" + one_line(path) +
-                                   "); see the hits' findings");
+      print_note(
+          flags.output,
+          {"no hit can be used, so no shapes are written (" + one_line(path) + "); see the findings of the hits", {}});
     } else if (kind == ".csv") {
       write_file(path, is_indicator(path) ? report::cmif_csv(survey) : report::shapes_csv(survey), flags.output.force);
     } else if (is_uff(path)) {
@@ -107,7 +109,7 @@ void write_outputs(const SurveyFlags& flags, const pipeline::Survey& survey, con
   }
 }
 
-// What a survey is made of; each refers to the one before.
+// A survey and the analysis that it refers to.
 struct SurveyResults {
   std::shared_ptr<const pipeline::Analysis> analysis;
   pipeline::Survey survey;
@@ -149,7 +151,7 @@ int run_survey(const SurveyFlags& flags) {
       std::make_shared<const SurveyResults>(SurveyResults{.analysis = made, .survey = {analysis, options}});
   const pipeline::Survey& survey = kept->survey;
   analysis.hits();
-  if (analysis.possible()) analysis.compute_modes_and_frfs();  // for text and document
+  if (analysis.possible()) analysis.compute_modes_and_frfs();  // used by both the text and the document
   const bool wants_json = flags.output.json || std::any_of(flags.output.paths.begin(), flags.output.paths.end(),
                                                            [](const auto& p) { return extension_of(p) == ".json"; });
   const std::string document = wants_json ? report::survey_json(survey, {.trace = flags.trace}) : "";
@@ -169,39 +171,40 @@ int run_survey(const SurveyFlags& flags) {
 
 void add_survey(CommandLine& line) {
   auto flags = line.values<SurveyFlags>();
-  Command command = line.command("survey", "Mode shapes from a test of many points: MAC, modal mass, orders",
+  Command command = line.command("survey", "Identify mode shapes from a test of many points: MAC, modal mass, orders",
                                  [flags] { return run_survey(*flags); });
   command.about(
-      "Analyses a test of many points together: mode shapes, their agreement (MAC), modal masses where a driving point "
-      "is known, bending or hoop with the number of waves from the shapes. A file may hold all points, or be one of "
-      "them. A geometry file says where they lie; --example prints one.");
+      "Analyses a test of many points: mode shapes, their MAC, modal masses if a driving point is known, and bending "
+      "or hoop with the circumferential order from the shapes. A file holds all points or one of them. A geometry file "
+      "gives their coordinates; --example prints one.");
   command.example("percuss survey barrel.h5 --band 60:3200",
-                  "Shapes of a barrel whose record says where the points lie");
+                  "Identify the shapes of a barrel whose record holds the geometry");
   command.example(
       "percuss survey --example > points.csv; percuss survey barrel.h5 --geometry points.csv -o shapes.csv -o "
       "modes.cmif.csv",
-      "Points from a file; the shapes and the mode indicator as tables");
-  command.example("percuss survey barrel.h5 --band 60:3200 -o survey.html", "A page on which the shapes move");
+      "Read the geometry from a file, and write shapes and mode indicator as tables");
+  command.example("percuss survey barrel.h5 --band 60:3200 -o survey.html", "Write a page that animates the shapes");
   add_read_flags(command, flags->read);
   add_analysis_flags(command, flags->analysis);
   add_output_flags(command, flags->output, ".json, .html, .svg, .csv, .h5, .uff, .unv");
   command
       .value("--geometry", flags->geometry_path,
-             "Where the points lie, a CSV as --example prints it (default: what the record says)")
+             "Read the geometry from this file, a CSV as --example prints it (default: from the record)")
       .type("FILE");
-  command.value("--roving", flags->roving, "What was moved from point to point")
+  command.value("--roving", flags->roving, "Choose what moved from point to point")
       .one_of({"hammer", "sensor"})
       .show_default();
   command
       .list("--driving-point", flags->driving,
-            "A point struck right beside the sensor of a channel (default: points that lie where a sensor sits)")
+            "Name driving points: a point struck beside the sensor of a channel (default: points at the position of a "
+            "sensor)")
       .type("POINT:CHANNEL,...");
-  command.list("--picture", flags->pictures, "What -o FILE.svg shows")
+  command.list("--picture", flags->pictures, "Draw these pictures in a .svg file")
       .one_of(report::survey_chart_names())
       .type("PICTURE,...");
-  command.flag("--hits", flags->hits, "Also the table of hits");
-  command.flag("--trace", flags->trace, "What ran: stages, calls, seconds");
-  command.flag("--example", flags->example, "Print an example of a geometry file and stop");
+  command.flag("--hits", flags->hits, "Add the table of hits");
+  command.flag("--trace", flags->trace, "Report the stages that ran: calls and seconds");
+  command.flag("--example", flags->example, "Print an example of a geometry file");
 }
 
 }  // namespace percuss::tools

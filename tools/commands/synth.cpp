@@ -6,6 +6,7 @@
 #include <set>
 
 #include "acquire/write_record.hpp"
+#include "cli/option_error.hpp"
 #include "cli/output.hpp"
 #include "commands/commands.hpp"
 #include "core/error.hpp"
@@ -20,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t kLongestSpec_bytes = std::uint64_t{5} << 20U;  // parse_synth_spec is stricter
+constexpr std::uint64_t kMaxSpec_bytes = std::uint64_t{5} << 20U;  // parse_synth_spec has a lower limit
 
 struct SynthFlags {
   std::string spec;
@@ -28,36 +29,37 @@ struct SynthFlags {
   std::optional<std::uint64_t> seed;
   std::size_t threads = 0;
   bool force = false, list = false, example = false, json = false, quiet = false;
-  Host* host = nullptr;  // gets the test, in place of files
+  Host* host = nullptr;  // receives the test in place of files
 };
 
 synth::SynthSpec spec_named(const std::string& name) {
   std::error_code ignored;
   if (name != "-" && !fs::exists(name, ignored) && name.find('/') == std::string::npos)
     return synth::synth_preset(name);
-  const auto bytes = read_input(name, kLongestSpec_bytes);
+  const auto bytes = read_input(name, kMaxSpec_bytes);
   return synth::parse_synth_spec(bytes.view(), input_name(name));
 }
 
 std::string truth_path(const std::string& output) { return fs::path(output).replace_extension(".truth.json").string(); }
 
-/// Outputs that cannot be written are refused before anything is computed.
+/// Checks the output paths before anything is computed.
 void check_outputs(const SynthFlags& flags) {
   std::set<std::string> paths;
   for (const std::string& output : flags.outputs) {
     const std::string kind = fs::path(output).extension().string();
     const auto& known = acquire::record_extensions();
     if (std::find(known.begin(), known.end(), kind) == known.end()) {
-      throw UsageError(fmt::format("unknown kind of output \"{}\"", output),
-                       fmt::format("name a file that ends in {}", fmt::join(known, ", ")));
+      throw OptionError({}, fmt::format("unknown kind of output '{}'", output),
+                        fmt::format("name a file that ends in {}", fmt::join(known, ", ")));
     }
-    if (!paths.insert(output).second) throw UsageError(fmt::format("output \"{}\" twice", output), "leave one of them");
+    if (!paths.insert(output).second)
+      throw OptionError({}, fmt::format("'{}' is to be written twice", output), "name each file once");
     paths.insert(truth_path(output));
   }
   for (const std::string& path : paths) {
     std::error_code ignored;
     if (!flags.force && fs::exists(path, ignored))
-      throw InputError("the file exists", path, "use --force to overwrite it");
+      throw InputError("file exists", path, "give another name or overwrite it", {"force"});
   }
 }
 
@@ -119,8 +121,10 @@ int run_synth(const SynthFlags& flags) {
     print({.host = flags.host}, text);
     return kOk;
   }
-  if (flags.spec.empty()) throw UsageError("no spec", "name a JSON file, a preset (percuss synth --list) or -");
-  if (flags.outputs.empty() && !flags.json) throw UsageError("no output", "give -o FILE.h5 or -o FILE.csv");
+  if (flags.spec.empty())
+    throw OptionError({}, "no spec is given", "name a JSON file, a preset, or - for standard input", {"synth.list"});
+  if (flags.outputs.empty() && !flags.json)
+    throw OptionError({}, "no output is given", "name a file that ends in .h5 or .csv", {"output"});
   check_outputs(flags);
   synth::SynthSpec spec = spec_named(flags.spec);
   spec.seed = flags.seed.value_or(spec.seed);
@@ -142,34 +146,33 @@ int run_synth(const SynthFlags& flags) {
 
 void add_synth(CommandLine& line) {
   auto flags = line.values<SynthFlags>();
-  Command command =
-      line.command("synth", "Synthetic test records with exactly known truth", [flags] { return run_synth(*flags); });
+  Command command = line.command("synth", "Make synthetic test records with exactly known truth",
+                                 [flags] { return run_synth(*flags); });
   flags->host = command.host();
   command.about(
-      "Makes hammer tests of structures whose modes are exactly known, with noise and with the faults that real tests "
-      "have: for learning, and for testing software. Beside each record goes the truth, as JSON. docs/guides/synth.md "
-      "describes the spec.");
-  command.example("percuss synth --list", "The presets");
+      "Makes hammer tests of structures with exactly known modes, with noise and the faults of real tests, to learn "
+      "from and to test software with. Writes the truth beside each record as JSON. docs/guides/synth.md describes the "
+      "spec.");
+  command.example("percuss synth --list", "List the presets");
   command.example("percuss synth composite-bat -o composite.h5",
-                  "A preset as a record, the truth in composite.truth.json");
+                  "Write a preset as a record, with its truth in composite.truth.json");
   command.example("percuss synth --example > spec.json; percuss synth spec.json --seed 7 -o bat.csv",
-                  "A spec to change, and a record of it");
+                  "Print an example spec, and make a record from it");
   std::vector<std::string> presets;
   for (const synth::SynthPreset& preset : synth::synth_presets()) presets.emplace_back(preset.name);
-  command.word("SPEC", flags->spec, "JSON file, name of a preset, or - for standard input").suggest(presets);
+  command.argument("SPEC", flags->spec, "JSON file or name of a preset; - is standard input").suggest(presets);
   command
       .repeatable("-o,--output", flags->outputs,
-                  "Record to write: .h5, .hdf5, .csv, .mat, .uff, .unv, .wav, .rf64, .w64 (repeatable); the truth goes "
-                  "to its stem + "
-                  ".truth.json")
+                  "Write this record: .h5, .hdf5, .csv, .mat, .uff, .unv, .wav, .rf64, .w64 (repeatable); the truth "
+                  "goes to the same name with .truth.json")
       .type("FILE");
-  command.value("--seed", flags->seed, "Use this seed of the noise in place of the spec's").type("N");
-  command.value("--threads", flags->threads, "Threads to use (0: all); the samples do not depend on it").type("N");
-  command.flag("--force", flags->force, "Overwrite files that exist");
+  command.value("--seed", flags->seed, "Use this seed for the noise, in place of the spec's").type("N");
+  command.value("--threads", flags->threads, "Use this many threads (0: all; the samples are the same)").type("N");
+  command.flag("--force", flags->force, "Overwrite existing files");
   command.flag("--list", flags->list, "List the presets");
-  command.flag("--example", flags->example, "Print a spec with every key, explained");
+  command.flag("--example", flags->example, "Print an example spec with every key and comments");
   command.flag("--json", flags->json, "Print the truth (with --list: the presets) as one JSON document");
-  command.flag("--quiet", flags->quiet, "Print nothing but errors");
+  command.flag("--quiet", flags->quiet, "Print only errors");
 }
 
 }  // namespace percuss::tools

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "core/error.hpp"
+
 namespace percuss::acquire {
 
 enum class FindingCode {
@@ -19,20 +21,21 @@ enum class FindingCode {
 };
 enum class Severity { info, warn, reject };
 
-/// One judgement on a hit, with the number that decided it.
+/// A judgement on a hit, and the number that decided it.
 struct Finding {
   FindingCode code;
   Severity severity;
   double value = 0;
-  std::string message;            // one sentence, with units
-  std::optional<double> delay_s;  // double_hit: from the first pulse to the other
+  std::string message;              // one sentence, with units
+  std::vector<OptionId> options{};  // that the message concerns
+  std::optional<double> delay_s{};  // double_hit: from the first pulse to the second
 };
 
 /// The code's name in JSON: "double_hit", …
 const char* name_of(FindingCode code);
 const char* name_of(Severity severity);
 
-/// True when a finding of Severity::reject is among them.
+/// Whether one of the findings has Severity::reject.
 bool rejects(const std::vector<Finding>& findings);
 
 }  // namespace percuss::acquire

@@ -5,10 +5,10 @@
 
 namespace percuss::acquire {
 
-/// A short pulse may touch the recorder's rail with one or two samples, which by themselves look like any peak. Adds
-/// `overload` to the hits that peak exactly where an `overload` of the same file shows the rail, unless another hit of
-/// that file goes further: then that was no rail. Three unlike hits that peak at one number, or two with two samples at
-/// it, show a rail as well.
+/// Adds `overload` to hits whose clipping shows only beside other hits. A short pulse may have one or two clipped
+/// samples, which look like any peak. The clipping level is the peak of an `overload` of the same file and sign, unless
+/// another hit exceeds it. Three different hits with exactly one peak value, or two with two samples at it, also give
+/// the level.
 void grade_force_clipping(std::vector<Hit>& hits, const Record& record);
 
 }  // namespace percuss::acquire

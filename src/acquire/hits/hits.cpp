@@ -17,18 +17,18 @@
 namespace percuss::acquire {
 namespace {
 
-constexpr double kPulseToNoise = 10;      // a pulse stands at least this far out of the noise
-constexpr double kLongestPulse_s = 0.05;  // softer than any hammer tip; longer is drift
-constexpr std::size_t kLongestPulse = 8;  // samples, for records too slow to show a pulse at all
-constexpr double kDoubleScan_s = 0.25;    // bounces come within a few tens of milliseconds
-constexpr std::size_t kMinRead = 256;     // samples: more than any pulse's gate
+constexpr double kPulseToNoise = 10;      // times the noise: the minimum peak of a pulse
+constexpr double kLongestPulse_s = 0.05;  // no hammer tip makes longer pulses; longer is drift
+constexpr std::size_t kLongestPulse = 8;  // samples, for rates too low to resolve a pulse
+constexpr double kDoubleScan_s = 0.25;    // second contacts follow within some tens of milliseconds
+constexpr std::size_t kMinRead = 256;     // samples: longer than the gate of any pulse
 constexpr double kDoubleRejects = 0.01;   // of the main pulse
-constexpr double kWeak = 0.2;             // of the median hit's peak
-constexpr double kLateTrigger = 0.05;     // of the peak already there at the first sample
+constexpr double kWeak = 0.2;             // of the median peak
+constexpr double kLateTrigger = 0.05;     // of the peak, at the first sample
 
 std::size_t scan_samples(double fs_Hz) { return static_cast<std::size_t>(kDoubleScan_s * fs_Hz) + 1; }
 
-// What is read behind a pulse: in slow records its ringing lasts longer than bounces are looked for.
+// The samples read after a pulse. At low rates its ringing lasts longer than the search for second contacts.
 std::size_t read_samples(double fs_Hz) { return std::max(scan_samples(fs_Hz), kMinRead); }
 
 std::vector<double> force_between(const Record& record, std::size_t row, std::size_t first, std::size_t last,
@@ -65,25 +65,25 @@ void grade_pulse(Hit& hit, std::span<const double> x, const PulseShape& pulse) {
   const auto rise = static_cast<std::size_t>(std::max(0.0, pulse.rise));
   const std::size_t fall = std::min(x.size(), static_cast<std::size_t>(pulse.fall) + 2);
   const auto within = x.subspan(rise, fall - rise);
-  const std::size_t rail = count_clipped_samples(within, block_extremes(within, kClippingBlock), x, 0);
-  if (rail > 0) {
+  const std::size_t clipped = count_clipped_samples(within, block_extremes(within, kClippingBlock), x, 0);
+  if (clipped > 0) {
     hit.findings.push_back(
         {.code = FindingCode::overload,
          .severity = Severity::reject,
-         .value = static_cast<double>(rail),
-         .message = fmt::format("force clipped: {} samples at the rail; raise the input range", rail)});
+         .value = static_cast<double>(clipped),
+         .message = fmt::format("force clipped: {} samples at the limit; raise the input range", clipped)});
   }
   if (hit.peak_N < 0) {
     hit.findings.push_back({.code = FindingCode::polarity,
                             .severity = Severity::warn,
                             .value = hit.peak_N,
-                            .message =
-                                "the force pulse is negative, but a hammer only pushes: every FRF has the wrong sign "
-                                "unless --force-scale is negative"});
+                            .message = "the force pulse is negative, but a hammer only pushes: every FRF has the wrong "
+                                       "sign; use a negative force scale",
+                            .options = {"force_scale"}});
   }
 }
 
-// `x` is the stretch with the baseline removed, `peak` the main pulse's sample in it.
+// `x` are the samples of the hit with the baseline removed, `peak` is the sample of the main pulse.
 void describe_pulse(Hit& hit, std::span<const double> x, std::size_t peak, double fs_Hz, const HitOptions& options) {
   const PulseShape pulse = shape_of_pulse(x, peak);
   hit.peak = hit.first + peak;
@@ -99,7 +99,7 @@ void describe_pulse(Hit& hit, std::span<const double> x, std::size_t peak, doubl
   grade_pulse(hit, x, pulse);
 }
 
-// `x` reaches as far as a second pulse is looked for, which may be before the stretch.
+// `x` covers the search for a second pulse and may begin before the samples of the hit.
 void look_for_second(Hit& hit, std::span<const double> x, std::size_t peak, double fs_Hz) {
   const auto end = std::min(x.size(), peak + scan_samples(fs_Hz));
   grade_double(hit, second_pulse(x.first(end), shape_of_pulse(x, peak), hit.noise_N), fs_Hz);
@@ -118,7 +118,7 @@ Hit without_pulse(std::size_t row, const SampleRange& part, const TriggerScan& t
           .samples = part.last - part.first,
           .noise_N = trigger_scan.noise_N,
           .baseline_N = trigger_scan.baseline_N};
-  const std::string remedy = options.trigger_N ? fmt::format("--trigger asks for {:.6g} N", *options.trigger_N)
+  const std::string remedy = options.trigger_N ? fmt::format("the trigger is set to {:.6g} N", *options.trigger_N)
                                                : "check the hammer's cable and channel";
   const double ratio = trigger_scan.noise_N > 0 ? trigger_scan.largest_N / trigger_scan.noise_N : 0;
   hit.findings.push_back(
@@ -126,11 +126,12 @@ Hit without_pulse(std::size_t row, const SampleRange& part, const TriggerScan& t
        .severity = Severity::reject,
        .value = ratio,
        .message = fmt::format("no hammer pulse: the force's largest excursion is {:.2g} N, {:.1f} times its noise; {}",
-                              std::abs(trigger_scan.largest_N), ratio, remedy)});
+                              std::abs(trigger_scan.largest_N), ratio, remedy),
+       .options = options.trigger_N ? std::vector<OptionId>{"trigger"} : std::vector<OptionId>{}});
   return hit;
 }
 
-// Each row is one hit: the whole row belongs to it.
+// The hit of a record whose rows each hold one.
 Hit hit_of_row(const Record& record, std::size_t row, const HitOptions& options) {
   const SampleRange part = select_time_range(record, row, options);
   const TriggerScan trigger_scan =
@@ -153,13 +154,13 @@ Hit hit_of_row(const Record& record, std::size_t row, const HitOptions& options)
   describe_pulse(hit, x, largest, record.fs_Hz, options);
   look_for_second(hit, x, largest, record.fs_Hz);
   const auto length = selected_length(record, options);
-  if (length) hit.samples = std::min(hit.samples, std::max(*length, largest + 1));  // never without the pulse
+  if (length) hit.samples = std::min(hit.samples, std::max(*length, largest + 1));  // the pulse stays inside
   return hit;
 }
 
-// The stretch of a continuous record that belongs to event e: from its pre-trigger to the next one's.
-SampleRange stretch_of(const TriggerScan& trigger_scan, std::size_t e, const SampleRange& part, std::size_t pretrigger,
-                       std::optional<std::size_t> length) {
+// The samples of event e in a continuous record: from its pre-trigger to that of the next event.
+SampleRange range_of_event(const TriggerScan& trigger_scan, std::size_t e, const SampleRange& part,
+                           std::size_t pretrigger, std::optional<std::size_t> length) {
   const auto begin = [&](std::size_t event) {
     return std::max(part.first, event > pretrigger + part.first ? event - pretrigger : part.first);
   };
@@ -170,7 +171,7 @@ SampleRange stretch_of(const TriggerScan& trigger_scan, std::size_t e, const Sam
   return {first, std::max(last, trigger_scan.events[e] + 1)};
 }
 
-// Where to begin looking for a smaller hit before event e: not where the previous one's bounces are looked for.
+// The start of the search for a smaller hit before event e. It leaves out the search range of the previous event.
 std::size_t scan_begin(const TriggerScan& trigger_scan, std::size_t e, const SampleRange& part, std::size_t scan) {
   const std::size_t free = e > 0 ? trigger_scan.events[e - 1] + scan : part.first;
   return std::max({part.first, free, trigger_scan.events[e] > scan ? trigger_scan.events[e] - scan : 0});
@@ -183,18 +184,18 @@ std::vector<Hit> hits_in_row(const Record& record, std::size_t row, const HitOpt
   const auto length = selected_length(record, options);
   std::vector<Hit> hits;
   for (std::size_t e = 0; e < trigger_scan.events.size(); ++e) {
-    const SampleRange stretch = stretch_of(trigger_scan, e, part, pretrigger_samples(record, options), length);
+    const SampleRange range = range_of_event(trigger_scan, e, part, pretrigger_samples(record, options), length);
     const std::size_t scan = scan_samples(record.fs_Hz);
-    const std::size_t begin = std::min(stretch.first, scan_begin(trigger_scan, e, part, scan));
+    const std::size_t begin = std::min(range.first, scan_begin(trigger_scan, e, part, scan));
     const std::size_t end =
-        options.gate_force ? std::min(stretch.last, trigger_scan.events[e] + read_samples(record.fs_Hz)) : stretch.last;
+        options.gate_force ? std::min(range.last, trigger_scan.events[e] + read_samples(record.fs_Hz)) : range.last;
     const auto all = force_between(record, row, begin, end, trigger_scan.baseline_N);
-    const auto x = std::span(all).subspan(stretch.first - begin);
-    const std::size_t peak = trigger_scan.events[e] - stretch.first;
+    const auto x = std::span(all).subspan(range.first - begin);
+    const std::size_t peak = trigger_scan.events[e] - range.first;
     if (!is_pulse(x, peak, trigger_scan.noise_N, record.fs_Hz)) continue;
     Hit hit{.row = row,
-            .first = stretch.first,
-            .samples = stretch.last - stretch.first,
+            .first = range.first,
+            .samples = range.last - range.first,
             .noise_N = trigger_scan.noise_N,
             .baseline_N = trigger_scan.baseline_N};
     describe_pulse(hit, x, peak, record.fs_Hz, options);
@@ -247,8 +248,9 @@ void grade_bandwidth(std::vector<Hit>& hits, double band_high_Hz) {
          .severity = Severity::warn,
          .value = hit.bandwidth_Hz,
          .message = fmt::format("the force reaches {:.0f} Hz (−20 dB), the band ends at {:.0f} Hz: use a harder tip "
-                                "or narrow --band",
-                                hit.bandwidth_Hz, band_high_Hz)});
+                                "or narrow the band",
+                                hit.bandwidth_Hz, band_high_Hz),
+         .options = {"band"}});
   }
 }
 

@@ -8,29 +8,28 @@
 
 namespace percuss::acquire {
 
-/// The main pulse within a stretch of force, baseline removed.
+/// The main pulse of a force signal, baseline removed.
 struct PulseShape {
   std::size_t peak = 0;       // sample
-  double rise = 0, fall = 0;  // where it crosses 5 % of the peak, in samples (interpolated)
-  bool starts_inside = true;  // false: the stretch begins above 5 % of the peak
+  double rise = 0, fall = 0;  // crossings of 5 % of the peak, in samples (interpolated)
+  bool starts_inside = true;  // false: the signal begins above 5 % of the peak
 };
 
 /// Crossings of 5 % of the value at `peak` on either side of it.
 /// theory (1.3)
 PulseShape shape_of_pulse(std::span<const double> force_N, std::size_t peak);
 
-/// The gate [first, end) that holds the pulse and the ringing of the recorder's anti-alias filter: out to the last
-/// sample within 72 of the pulse's feet that stands 4 noise deviations, or 1e-9 of the peak, above zero; eight samples
-/// without one end it.
-/// theory (1.4)
+/// The gate [first, end) holds the pulse and the ringing of the recorder's anti-alias filter. It extends to the last
+/// sample within 72 of the crossings that exceeds 4 standard deviations of the noise and 1e-9 of the peak. Eight
+/// samples in a row below that end it. theory (1.4)
 struct Gate {
   std::size_t first = 0, end = 0;
 };
 Gate gate_around(std::span<const double> force_N, const PulseShape& pulse, double noise_N);
 
-/// A second pulse of the same sign: how far from the main one, and how large beside it.
+/// A second pulse of the same sign: its distance from the main pulse, and its size relative to it.
 struct SecondPulse {
-  double delay_samples = 0;  // negative: before the main one
+  double delay_samples = 0;  // negative: before the main pulse
   double ratio = 0;
 };
 std::optional<SecondPulse> second_pulse(std::span<const double> force_N, const PulseShape& pulse, double noise_N);
@@ -38,7 +37,7 @@ std::optional<SecondPulse> second_pulse(std::span<const double> force_N, const P
 /// Frequency at which the amplitude spectrum of a pulse first falls 20 dB below its largest line.
 /// theory (1.5)
 double bandwidth_Hz(std::span<const double> pulse, double fs_Hz);
-/// Plans the transforms of most pulses: threads that are about to ask for bandwidths do not wait for each other then.
+/// Plans the transforms of common pulse lengths. Call it before a parallel loop, so that threads do not wait for plans.
 void plan_bandwidths();
 
 }  // namespace percuss::acquire

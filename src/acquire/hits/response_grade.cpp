@@ -14,25 +14,25 @@ namespace percuss::acquire {
 namespace {
 
 constexpr double kDecayed_dB = -52;         // six time constants: truncation changes an FRF by less than 0.5 %, [12]
-constexpr double kAboveNoise = 2;           // times the pre-trigger's rms: what is left is ringing
-constexpr std::size_t kMinQuiet = 12;       // samples before the pulse's ringing that can tell noise
-constexpr std::size_t kQuietSamples = 256;  // a deviation good to 7 %: thresholds ask for no more
-constexpr double kOnsetNoise = 6;           // deviations
+constexpr double kAboveNoise = 2;           // times the rms of the pre-trigger: the end rings
+constexpr std::size_t kMinQuiet = 12;       // samples of the pre-trigger that give a noise level
+constexpr std::size_t kQuietSamples = 256;  // give a standard deviation to 7 %, enough for thresholds
+constexpr double kOnsetNoise = 6;           // standard deviations
 constexpr double kOnsetFraction = 0.02;     // of the largest response
 constexpr std::size_t kMinPush = 4;         // samples
 constexpr double kMinOnsetVelocity = 0.25;  // of the largest velocity during two pulses
-constexpr double kMaxOppositeVelocity =
-    0.05;                               // … before that the other way: the modes cancel at first, and noise decides
-constexpr double kRingingBefore = 4;    // times the level at the stretch's end
+// Of the largest velocity, in the other direction before that. Above it the modes cancel at first, and noise decides.
+constexpr double kMaxOppositeVelocity = 0.05;
+constexpr double kRingingBefore = 4;    // times the level at the end
 constexpr double kNegligible = 0.0025;  // of the response: the same −52 dB
 constexpr std::size_t kEnvelopeWindows = 64;
-constexpr double kSteady = 1.5;            // the level one quarter earlier over the last quarter's; backgrounds wander
+constexpr double kSteady = 1.5;            // ratio of the levels of successive quarters; backgrounds vary
 constexpr double kBackgroundFactor = 2;    // times the final level
 constexpr double kStillFalling = 0.9;      // of the rms one window earlier
-constexpr double kCoarseStep = 1e-5;       // of the largest response: at 5e-5 (16 bits) they begin to make modes
-constexpr std::size_t kStepSamples = 512;  // some of them change by a single step
-constexpr std::size_t kUnblurredEnd = 64;  // samples without change, which noise of a third of a step would break
-// An exponential that falls by less than this over the record looks as steady as a background by its last quarters.
+constexpr double kCoarseStep = 1e-5;       // of the largest response; from 5e-5 (16 bits) steps make modes
+constexpr std::size_t kStepSamples = 512;  // some change by a single step
+constexpr std::size_t kUnblurredEnd = 64;  // samples without change; noise of a third of a step would change them
+// An exponential that falls by less than this over the record cannot be told from a background by its last quarters.
 constexpr double kMinDecay = kSteady * kSteady * kSteady * kSteady;
 
 double rms_about_mean(std::span<const double> x) {
@@ -41,7 +41,7 @@ double rms_about_mean(std::span<const double> x) {
   return std::sqrt((values - values.mean()).square().mean());
 }
 
-// The pre-trigger up to where the anti-alias filter's ringing begins.
+// The pre-trigger up to the ringing of the anti-alias filter.
 std::size_t quiet_samples(const Hit& hit, std::size_t samples) {
   return std::min(hit.gate_first > hit.first ? hit.gate_first - hit.first : 0, samples);
 }
@@ -70,8 +70,7 @@ void grade_end(ResponseGrade& grade, const Hit& hit, std::span<const double> acc
   grade.truncated = grade.end_level_dB > kDecayed_dB && above_noise;
 }
 
-// The pre-trigger rings when it stands well above the stretch's end (noise does not decay) and is no mere rounding
-// beside the response.
+// The pre-trigger rings when it is well above the end (noise does not decay) and not negligible beside the response.
 bool rings_before(const Hit& hit, std::span<const double> accel) {
   const auto quiet = quiet_part(hit, accel);
   const std::size_t window = std::max<std::size_t>(8, accel.size() / 20);
@@ -81,8 +80,8 @@ bool rings_before(const Hit& hit, std::span<const double> accel) {
   return before > kRingingBefore * rms_about_mean(accel.last(window)) && before > kNegligible * start;
 }
 
-// Which way a response sets out: the sign of its velocity once that has become large beside what the push makes of it.
-// A sample of acceleration may be the anti-alias filter's ringing, which goes both ways and leaves no velocity.
+// The sign of the velocity once it reaches kMinOnsetVelocity of its largest value. The acceleration itself may be
+// ringing of the anti-alias filter, which has both signs and leaves no velocity.
 int initial_polarity(std::span<const double> accel, double rest, double noise) {
   std::vector<double> velocity(accel.size());
   double sum = 0, largest = 0;
@@ -113,11 +112,11 @@ void grade_onset(ResponseGrade& grade, const Hit& hit, std::span<const double> a
   const std::size_t end = std::min(accel.size(), i + std::max(kMinPush, push));
   grade.polarity = initial_polarity(accel.subspan(i, end - i), rest, noise);
   if (grade.polarity == 0) return;
-  while (i < end && grade.polarity * (accel[i] - rest) < level) ++i;  // past ringing to the other side
+  while (i < end && grade.polarity * (accel[i] - rest) < level) ++i;  // skips ringing of the other sign
   grade.delay_s = std::max(0.0, (static_cast<double>(i) - onset) / fs_Hz);
 }
 
-// The recorder's step over the largest response, where no noise blurs it: the decay ends in a constant.
+// The resolution over the largest response, where noise does not hide it: the decay ends in a constant.
 double coarse_step(std::span<const double> accel, double largest) {
   std::size_t changes = accel.size();
   while (changes > 1 && accel[changes - 1] == accel[changes - 2]) --changes;
@@ -147,7 +146,7 @@ std::size_t decayed_within(const Hit& hit, std::size_t samples, const SampleWind
   return std::min(samples, after + 2 * std::max<std::size_t>(sunk, 1) * window);
 }
 
-// Towards the end, where single steps are left of the changes, or of all of them where nothing changes there.
+// The resolution from the end, where changes are single steps, or from all samples when the end is constant.
 double finest_change(std::span<const double> accel) {
   const double at_end = resolution_of(accel.last(std::min(kStepSamples, accel.size())));
   return at_end > 0 ? at_end : resolution_of(accel);
@@ -179,24 +178,24 @@ std::size_t decayed_length(const Hit& hit, std::size_t samples, const SampleWind
   for (;;) {
     const std::size_t shorter = decayed_within(hit, samples, accel_mps2);
     if (2 * shorter > samples) return std::min(shorter, samples);
-    samples = shorter;  // windows of a length that suits what is left
+    samples = shorter;  // again, with windows that suit the shorter length
   }
 }
 
 void add_response_findings(Hit& hit, const std::vector<ResponseGrade>& channels) {
   const ResponseGrade* worst = nullptr;
-  std::size_t rail = 0;
+  std::size_t clipped = 0;
   for (const ResponseGrade& grade : channels) {
-    rail = std::max(rail, grade.clipped_samples);
+    clipped = std::max(clipped, grade.clipped_samples);
     if (grade.truncated && (worst == nullptr || grade.end_level_dB > worst->end_level_dB)) worst = &grade;
   }
-  if (rail > 0) {
+  if (clipped > 0) {
     hit.findings.push_back(
         {.code = FindingCode::overload,
          .severity = Severity::reject,
-         .value = static_cast<double>(rail),
-         .message = fmt::format("acceleration clipped: {} sample{} at the rail; raise the input range", rail,
-                                rail == 1 ? "" : "s")});
+         .value = static_cast<double>(clipped),
+         .message = fmt::format("acceleration clipped: {} sample{} at the limit; raise the input range", clipped,
+                                clipped == 1 ? "" : "s")});
   }
   if (worst != nullptr) {
     hit.findings.push_back(

@@ -10,33 +10,33 @@
 
 namespace percuss::acquire {
 
-/// What one acceleration channel shows of one hit.
+/// The quality of one acceleration channel at one hit.
 struct ResponseGrade {
-  double end_level_dB = 0;          // level at the stretch's end, below that just after the hit
-  bool truncated = false;           // … and it is ringing, not noise
-  std::size_t clipped_samples = 0;  // at the recorder's rail
+  double end_level_dB = 0;          // level at the end, relative to the level just after the hit
+  bool truncated = false;           // the end still rings above the noise
+  std::size_t clipped_samples = 0;  // at the recorder's limit
   Extremes extremes;                // of the samples, m/s²
   double resolution = 0;            // smallest change from sample to sample, m/s²
-  bool rings_before = false;        // the pre-trigger is not at rest
-  bool dead = false;                // every sample is the same
-  double coarse_step = 0;           // the recorder's, over the largest response; 0: fine, or blurred by noise
-  std::optional<double> delay_s;    // from the force's onset to the response's, not negative; resolution one sample
-  int polarity = 0;                 // sign of the first motion; 0: not seen, or too uneven to tell
+  bool rings_before = false;        // the response rings before the hit
+  bool dead = false;                // all samples are equal
+  double coarse_step = 0;           // resolution over the largest response; 0: fine, or hidden by noise
+  std::optional<double> delay_s;    // from force onset to response onset, not negative, to one sample
+  int polarity = 0;                 // sign of the first motion; 0: unknown
 };
 
-/// Grades one channel's samples, which begin at the hit's first one.
+/// Grades the samples of one channel, which begin at the first sample of the hit.
 ResponseGrade grade_response(const Hit& hit, std::span<const double> accel_mps2, double fs_Hz);
 
 /// Samples first … first + count − 1 of a hit's response.
 using SampleWindow = std::function<std::span<const double>(std::size_t first, std::size_t count)>;
 
-/// Where a response of so many samples has sunk into a steady background: the number of samples from the stretch's
-/// beginning to twice the time after the hit after which it stays within twice its final level. The whole length when
-/// it is still falling at the end, or has fallen too little to tell ringing from a background that the pre-trigger does
-/// not show. What lies beyond holds background alone. Looks at a 64th of the stretch at a time.
+/// The number of samples after which a response holds only a steady background. It ends at twice the time after the hit
+/// from which the response stays within twice its final level. All `samples` when the response still falls at the end,
+/// or falls too little to distinguish ringing from a background that the pre-trigger does not show. Reads a 64th of the
+/// samples at a time.
 std::size_t decayed_length(const Hit& hit, std::size_t samples, const SampleWindow& accel_mps2);
 
-/// Adds `truncated_decay` and `overload` for the worst channel to the hit's findings.
+/// Adds `truncated_decay` and `overload` of the worst channel to the findings of the hit.
 void add_response_findings(Hit& hit, const std::vector<ResponseGrade>& channels);
 
 }  // namespace percuss::acquire

@@ -26,11 +26,11 @@ SampleRange select_time_range(const Record& record, std::size_t row, const HitOp
   };
   const SampleRange part{index(options.from_s), options.to_s ? index(*options.to_s) : samples};
   if (part.first < part.last) return part;
-  throw InputError(fmt::format("nothing lies between --from {} and --to {}: the row is {:.6g} s long", options.from_s,
-                               options.to_s ? fmt::format("{}", *options.to_s) : "the end",
+  throw InputError(fmt::format("no samples between {} s and {}: the row is {:.6g} s long", options.from_s,
+                               options.to_s ? fmt::format("{} s", *options.to_s) : "the end",
                                static_cast<double>(samples) / record.fs_Hz),
                    record.files.empty() ? "record" : record.files[record.rows[row].file].path,
-                   "give a later --to or an earlier --from");
+                   "choose an earlier start or a later end", {"from", "to"});
 }
 
 std::size_t pretrigger_samples(const Record& record, const HitOptions& options) {
@@ -42,8 +42,8 @@ std::optional<std::size_t> selected_length(const Record& record, const HitOption
   if (!options.length_s) return std::nullopt;
   const std::size_t samples = samples_in(*options.length_s, record.fs_Hz);
   if (samples > 1) return samples;
-  throw InputError(fmt::format("--length {} holds no two samples", *options.length_s),
-                   fmt::format("{:.6g} Hz", record.fs_Hz), "give more seconds");
+  throw InputError(fmt::format("a length of {} s holds fewer than two samples", *options.length_s),
+                   fmt::format("{:.6g} Hz", record.fs_Hz), "choose a longer one", {"length"});
 }
 
 }  // namespace percuss::acquire

@@ -12,8 +12,8 @@ struct SampleRange {
   std::size_t first, last;
 };
 
-/// The user's seconds, where there are any, in samples.
-/// errors  InputError when nothing lies between `from_s` and `to_s`, when `length_s` holds fewer than two samples.
+/// The options' seconds in samples.
+/// errors  InputError: no samples between `from_s` and `to_s`; fewer than two samples in `length_s`
 SampleRange select_time_range(const Record& record, std::size_t row, const HitOptions& options);
 std::size_t pretrigger_samples(const Record& record, const HitOptions& options);
 std::optional<std::size_t> selected_length(const Record& record, const HitOptions& options);

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kDescriptors = std::tuple_size_v<decltype(ForkRequest::descriptors)>;
 constexpr std::size_t kLongestPath = PATH_MAX;
 
-// A message in the form the kernel wants it in, with room for the descriptors.
+// The arguments of sendmsg and recvmsg, with room for the descriptors.
 struct SocketMessage {
   std::array<iovec, 2> parts{};
   alignas(cmsghdr) std::array<char, CMSG_SPACE(kDescriptors * sizeof(int))> control{};

@@ -5,34 +5,30 @@
 
 namespace percuss::acquire {
 
-enum ForkCommandKind : int {
-  kStartReader,
-  kPoll,
-  kKillReader,
-  kRelease
-};  // kStartReader and kRelease are not answered
+/// kStartReader and kRelease have no reply.
+enum ForkCommandKind : int { kStartReader, kPoll, kKillReader, kRelease };
 
 struct ForkCommand {
   int kind = 0;
   int reader = 0;
-  int processor = -1;  // kStartReader: of the thread that asks
+  int cpu = -1;  // kStartReader: where the requesting thread runs
 };
 
 struct ForkReply {
   int reader = -1, status = 0;
 };
 
-/// A question and what goes with kStartReader.
+/// A command, and what kStartReader needs.
 struct ForkRequest {
   ForkCommand command;
   std::string path;
-  std::array<int, 2> descriptors{-1, -1};  // for the reader: to talk, and of the memory
+  std::array<int, 2> descriptors{-1, -1};  // for the reader: socket and shared memory
 };
 
-/// Whether it went off; the descriptors go along as copies, where there are any.
+/// False when sending fails. The receiver gets copies of the descriptors.
 bool send_fork_request(int socket, const ForkRequest& request);
 
-/// Waits for the next, whose descriptors the caller closes; nothing when nobody holds the other end any more.
+/// Waits for the next request. The caller closes its descriptors. Nothing once the other end is closed.
 std::optional<ForkRequest> receive_fork_request(int socket);
 
 }  // namespace percuss::acquire

@@ -31,8 +31,8 @@ ForkServer::ForkServer(const Open& open) {
   descriptor_ = paired ? ends[0] : -1;
   if (process_ > 0) return;
   if (paired) ::close(descriptor_);
-  throw InputError("no process can be started to read files in", "batch",
-                   "close other programs, or give --trust-input");
+  throw InputError("no process can be started to read files in", "batch", "close other programs, or trust the input",
+                   {"trust_input"});
 }
 
 ForkServer::~ForkServer() {
@@ -42,30 +42,30 @@ ForkServer::~ForkServer() {
 
 int ForkServer::start(const std::string& path, int descriptor, int memory) {
   const int reader = ++readers_;
-  const bool told = tell({.command = {.kind = kStartReader, .reader = reader, .processor = ::sched_getcpu()},
+  const bool sent = send({.command = {.kind = kStartReader, .reader = reader, .cpu = ::sched_getcpu()},
                           .path = path,
                           .descriptors = {descriptor, memory}});
-  return told ? reader : -1;
+  return sent ? reader : -1;
 }
 
-int ForkServer::ended(int reader, int& status) { return ask({.kind = kPoll, .reader = reader}, status); }
-void ForkServer::end(int reader, int& status) { ask({.kind = kKillReader, .reader = reader}, status); }
-void ForkServer::release(int reader) { tell({.command = {.kind = kRelease, .reader = reader}}); }
+int ForkServer::ended(int reader, int& status) { return send_and_receive({.kind = kPoll, .reader = reader}, status); }
+void ForkServer::end(int reader, int& status) { send_and_receive({.kind = kKillReader, .reader = reader}, status); }
+void ForkServer::release(int reader) { send({.command = {.kind = kRelease, .reader = reader}}); }
 
-bool ForkServer::tell(const ForkRequest& request) {
+bool ForkServer::send(const ForkRequest& request) {
   if (!send_fork_request(descriptor_, request)) lost_ = true;
   return !lost_;
 }
 
-int ForkServer::ask(const ForkCommand& command, int& status) {
+int ForkServer::send_and_receive(const ForkCommand& command, int& status) {
   ForkReply reply;
   const std::lock_guard lock(mutex_);
-  if (!tell({.command = command})) return -1;
-  ssize_t got = -1;
+  if (!send({.command = command})) return -1;
+  ssize_t received = -1;
   do {
-    got = ::recv(descriptor_, &reply, sizeof reply, 0);
-  } while (got < 0 && errno == EINTR);
-  if (got != static_cast<ssize_t>(sizeof reply)) lost_ = true;
+    received = ::recv(descriptor_, &reply, sizeof reply, 0);
+  } while (received < 0 && errno == EINTR);
+  if (received != static_cast<ssize_t>(sizeof reply)) lost_ = true;
   if (lost_) return -1;
   status = reply.status;
   return reply.reader;

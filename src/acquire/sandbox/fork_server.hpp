@@ -11,37 +11,37 @@ namespace percuss::acquire {
 struct ForkRequest;
 struct ForkCommand;
 
-/// A small process that forks confined readers for this one. To fork a process that has threads and much memory slows
-/// down all of its threads; this one is forked once, before there are any, and stays small. It ends with the object, or
-/// with this process however that ends.
+/// A small process that forks sandboxed readers for this process. Forking a process with threads and much memory slows
+/// down all its threads; the server is forked before there are any, and stays small. It ends with this object, or with
+/// this process.
 class ForkServer {
  public:
   using Open = std::function<SandboxService(const std::string& path)>;
-  /// `open` is called in the readers. errors  InputError: no process can be started.
+  /// The readers call `open`. errors  InputError: no process can be started
   explicit ForkServer(const Open& open);
   ~ForkServer();
   ForkServer(const ForkServer&) = delete;
   ForkServer& operator=(const ForkServer&) = delete;
 
-  // For SandboxProcess; several threads may call at once.
-  /// Has a reader started, and does not wait until it is there; it gets copies of the descriptors: to talk, and of the
-  /// memory. The reader's number; −1 when nobody can be asked.
+  // For SandboxProcess. Several threads may call at the same time.
+  /// Requests a reader and does not wait for it. The reader gets copies of the descriptors: its end of a socket, and
+  /// the shared memory. Returns the reader's number; −1 when the server has ended.
   int start(const std::string& path, int descriptor, int memory);
-  /// The reader's number when it has ended, and how, as waitpid tells it; 0 when it has not; −1 when there is none.
+  /// The reader's number when it has ended, with its status as from waitpid; 0 while it runs; −1 for an unknown reader.
   int ended(int reader, int& status);
-  /// Ends a reader, and tells how it ended.
+  /// Kills a reader and waits for its status.
   void end(int reader, int& status);
-  /// Ends a reader without waiting until it has; last.
+  /// Kills a reader without waiting; its last request.
   void release(int reader);
 
-  /// Whether it has ended before its time: nobody answers any more.
+  /// Whether the server has ended unexpectedly: requests get no reply.
   bool lost() const { return lost_; }
 
  private:
-  bool tell(const ForkRequest& request);
-  int ask(const ForkCommand& command, int& status);
+  bool send(const ForkRequest& request);
+  int send_and_receive(const ForkCommand& command, int& status);
 
-  std::mutex mutex_;  // from a question to its answer
+  std::mutex mutex_;  // from a command to its reply
   std::atomic<int> readers_{0};
   std::atomic<bool> lost_{false};
   int descriptor_ = -1;

@@ -25,37 +25,36 @@ int read_for(const ForkServer::Open& open, const std::string& path, int descript
   return serve_in_sandbox(descriptor, static_cast<double*>(shared), bytes, [&] { return open(path); });
 }
 
-// Whoever asks for a reader sleeps until that one answers, so that its processor is free; the kernel often places a
-// reader where another thread is at work instead. While this lives, this process and what it forks are there.
+// The requesting thread sleeps until its reader answers, so its processor is free. The kernel often starts the reader
+// on a processor where another thread works. During its lifetime, this process and its children run on `cpu`.
 class CpuPinning {
  public:
-  explicit CpuPinning(int processor) {
-    if (processor < 0 || processor >= CPU_SETSIZE || ::sched_getaffinity(0, sizeof allowed_, &allowed_) != 0) return;
-    cpu_set_t there;
-    CPU_ZERO(&there);
-    CPU_SET(static_cast<std::size_t>(processor), &there);
-    moved_ = ::sched_setaffinity(0, sizeof there, &there) == 0;
+  explicit CpuPinning(int cpu) {
+    if (cpu < 0 || cpu >= CPU_SETSIZE || ::sched_getaffinity(0, sizeof allowed_, &allowed_) != 0) return;
+    cpu_set_t pinned;
+    CPU_ZERO(&pinned);
+    CPU_SET(static_cast<std::size_t>(cpu), &pinned);
+    pinned_ = ::sched_setaffinity(0, sizeof pinned, &pinned) == 0;
   }
   ~CpuPinning() {
-    if (moved_) ::sched_setaffinity(0, sizeof allowed_, &allowed_);
+    if (pinned_) ::sched_setaffinity(0, sizeof allowed_, &allowed_);
   }
   CpuPinning(const CpuPinning&) = delete;
   CpuPinning& operator=(const CpuPinning&) = delete;
 
  private:
   cpu_set_t allowed_{};
-  bool moved_ = false;
+  bool pinned_ = false;
 };
 
-// The nursery's side. Readers that nobody asks about any more are buried when there is time: to wait for the end of one
-// would keep everybody else waiting.
+// Released readers are reaped before the next start: waiting for one to end would delay the other requests.
 class Readers {
  public:
   Readers(int own, const ForkServer::Open& open) : own_(own), open_(open) {}
 
   void start(const ForkRequest& request) {
     reap();
-    const int process = fork_on_cpu(request.command.processor);
+    const int process = fork_on_cpu(request.command.cpu);
     if (process > 0) processes_[request.command.reader] = process;
     if (process != 0) return;
     ::close(own_);
@@ -85,11 +84,11 @@ class Readers {
   }
 
  private:
-  static int fork_on_cpu(int processor) {
-    const CpuPinning there(processor);
+  static int fork_on_cpu(int cpu) {
+    const CpuPinning pinning(cpu);
     return ::fork();
   }
-  // It is not buried yet, so that the process number is its own.
+  // A reader in `processes_` has not been reaped, so its process number is still its own.
   void kill(int reader) {
     const auto found = processes_.find(reader);
     if (found != processes_.end()) ::kill(found->second, SIGKILL);
@@ -100,22 +99,22 @@ class Readers {
 
   int own_;
   const ForkServer::Open& open_;
-  std::map<int, int> processes_;  // of readers that are not buried
+  std::map<int, int> processes_;  // of readers that have not been reaped
   std::set<int> released_;
 };
 
 }  // namespace
 
 void run_fork_server(int own, const ForkServer::Open& open) {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_IGN);  // its parent's affair
-  hdf5::start_library();                                                            // once for all readers
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_IGN);  // the parent handles them
+  hdf5::start_library();                                                            // once, for all readers
   Readers readers(own, open);
   while (const auto request = receive_fork_request(own)) {
     const ForkCommand& command = request->command;
     const bool has_descriptors = request->descriptors.front() >= 0;
     if (command.kind == kStartReader && has_descriptors) readers.start(*request);
-    for (const int one : request->descriptors) {
-      if (has_descriptors) ::close(one);
+    for (const int descriptor : request->descriptors) {
+      if (has_descriptors) ::close(descriptor);
     }
     if (command.kind == kRelease) readers.release(command.reader);
     if (command.kind != kPoll && command.kind != kKillReader) continue;

@@ -32,8 +32,8 @@ constexpr std::uint64_t kMinTime_s = 20, kBytesPerSecond = 50'000'000;
 constexpr rlim_t kOpenFiles = 64;
 
 void limit(__rlimit_resource resource, rlim_t value) {
-  const rlimit both{value, value};
-  setrlimit(resource, &both);
+  const rlimit soft_and_hard{value, value};
+  setrlimit(resource, &soft_and_hard);
 }
 
 [[maybe_unused]] std::uint64_t memory_now_bytes() {
@@ -56,7 +56,7 @@ void load(Program& program, std::size_t offset) {
   program.push_back(BPF_STMT(BPF_LD | BPF_W | BPF_ABS, static_cast<std::uint32_t>(offset)));
 }
 
-void answer(Program& program, std::uint32_t what) { program.push_back(BPF_STMT(BPF_RET | BPF_K, what)); }
+void return_action(Program& program, std::uint32_t action) { program.push_back(BPF_STMT(BPF_RET | BPF_K, action)); }
 
 // Skips `skip` instructions unless the value loaded equals `wanted`.
 void unless_equal(Program& program, std::uint32_t wanted, std::uint8_t skip) {
@@ -66,7 +66,7 @@ void unless_equal(Program& program, std::uint32_t wanted, std::uint8_t skip) {
 constexpr std::size_t argument_offset(std::size_t index) { return offsetof(seccomp_data, args) + 8 * index; }
 
 void allow_always(Program& program) {
-  // What the C library, matio, HDF5 and libsndfile need to read a file.
+  // The C library, matio, HDF5 and libsndfile need these to read a file.
   static const std::vector<long> kAllowed {
     SYS_read, SYS_pread64, SYS_readv, SYS_preadv, SYS_lseek, SYS_close, SYS_fstat, SYS_newfstatat, SYS_statx, SYS_mmap,
         SYS_munmap, SYS_mremap, SYS_mprotect, SYS_brk, SYS_madvise, SYS_futex, SYS_exit, SYS_exit_group,
@@ -79,26 +79,26 @@ void allow_always(Program& program) {
   };
   for (const long number : kAllowed) {
     unless_equal(program, static_cast<std::uint32_t>(number), 1);
-    answer(program, SECCOMP_RET_ALLOW);
+    return_action(program, SECCOMP_RET_ALLOW);
   }
 }
 
-// Opening is allowed for reading only; flags are argument `index`.
+// Allows opening for reading only. The flags are argument `index`.
 void allow_opening(Program& program, long number, std::size_t index) {
   constexpr std::uint32_t kWriting = O_ACCMODE | O_CREAT | O_TRUNC | O_APPEND;
   unless_equal(program, static_cast<std::uint32_t>(number), 4);
   load(program, argument_offset(index));
   program.push_back(BPF_JUMP(BPF_JMP | BPF_JSET | BPF_K, kWriting, 1, 0));
-  answer(program, SECCOMP_RET_ALLOW);
-  answer(program, SECCOMP_RET_ERRNO | EPERM);
+  return_action(program, SECCOMP_RET_ALLOW);
+  return_action(program, SECCOMP_RET_ERRNO | EPERM);
 }
 
 void allow_writing_to(Program& program, int descriptor) {
   unless_equal(program, static_cast<std::uint32_t>(SYS_write), 4);
   load(program, argument_offset(0));
   unless_equal(program, static_cast<std::uint32_t>(descriptor), 1);
-  answer(program, SECCOMP_RET_ALLOW);
-  answer(program, SECCOMP_RET_ERRNO | EPERM);
+  return_action(program, SECCOMP_RET_ALLOW);
+  return_action(program, SECCOMP_RET_ERRNO | EPERM);
 }
 
 void filter_calls(int descriptor) {
@@ -106,7 +106,7 @@ void filter_calls(int descriptor) {
   load(program, offsetof(seccomp_data, arch));
   unless_equal(program, kArchitecture, 1);
   program.push_back(BPF_JUMP(BPF_JMP | BPF_JA, 1, 0, 0));
-  answer(program, SECCOMP_RET_KILL);
+  return_action(program, SECCOMP_RET_KILL);
   load(program, offsetof(seccomp_data, nr));
   allow_always(program);
 #if defined(__x86_64__)
@@ -114,9 +114,9 @@ void filter_calls(int descriptor) {
 #endif
   allow_opening(program, SYS_openat, 2);
   allow_writing_to(program, descriptor);
-  answer(program, SECCOMP_RET_ERRNO | EPERM);
+  return_action(program, SECCOMP_RET_ERRNO | EPERM);
   const sock_fprog whole{static_cast<unsigned short>(program.size()), program.data()};
-  prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &whole);  // NOLINT: C. Where it fails, the limits above still hold.
+  prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &whole);  // NOLINT: C. If it fails, the limits still apply.
 }
 
 #else
@@ -135,7 +135,7 @@ void enter_sandbox(int descriptor, std::uint64_t file_bytes) {
   limit(RLIMIT_AS, memory_now_bytes() + std::max(kMinMemory_bytes, 4 * file_bytes));
 #endif
   limit(RLIMIT_CPU, processor_limit_s(file_bytes));
-  limit(RLIMIT_NOFILE, static_cast<rlim_t>(descriptor) + kOpenFiles);  // its parent's, opened before, are still there
+  limit(RLIMIT_NOFILE, static_cast<rlim_t>(descriptor) + kOpenFiles);  // the parent's files are still open
   limit(RLIMIT_CORE, 0);
   prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);  // NOLINT: C
   filter_calls(descriptor);

@@ -24,10 +24,12 @@ namespace percuss::acquire {
 namespace {
 
 constexpr int kNoMemoryExit = 11, kFailedExit = 12;
+constexpr const char* kDamaged = "is the file damaged? Save it again";
+constexpr const char* kDamagedOrTrusted = "is the file damaged? If not, trust the input";
 
-// Held by this thread across the fork: half-done work of another thread would stay so in the child for ever.
+// The lock is held across the fork: otherwise the child could inherit a library that another thread was changing.
 int fork_with_libraries_idle() {
-  const hdf5::ExclusiveAccess rest;
+  const hdf5::ExclusiveAccess access;
   return ::fork();
 }
 
@@ -36,24 +38,24 @@ void serve(int descriptor, double* shared, std::uint64_t file_bytes, const std::
   std::signal(SIGPIPE, SIG_IGN);
   enter_sandbox(descriptor, file_bytes);
   SandboxService service;
-  const bool heard = run_and_send_outcome(descriptor, [&] {
+  const bool connected = run_and_send_outcome(descriptor, [&] {
     service = open();
     return service.description;
   });
   SandboxRequest request;
-  while (heard && service.read && receive_bytes(descriptor, &request, sizeof request)) {
+  while (connected && service.read && receive_bytes(descriptor, &request, sizeof request)) {
     const auto out = std::span(shared, std::min<std::size_t>(request.count, kSharedNumbers));
-    const bool told = run_and_send_outcome(descriptor, [&] {
+    const bool sent = run_and_send_outcome(descriptor, [&] {
       service.read(request.row, request.signal, request.first, out);
       return std::string();
     });
-    if (!told) return;
+    if (!sent) return;
   }
 }
 
 }  // namespace
 
-// Nothing may leave the child upwards: above it is what the parent does.
+// No exception may leave the child: the callers are the parent's code.
 int serve_in_sandbox(int descriptor, double* shared, std::uint64_t file_bytes,
                      const std::function<SandboxService()>& open) {
   try {
@@ -83,16 +85,16 @@ SandboxProcess::SandboxProcess(std::string path, std::shared_ptr<ForkServer> for
 }
 
 void SandboxProcess::begin(const std::function<int(int descriptor, int memory)>& start) {
-  constexpr unsigned kClockPerProcessor = 3;  // disks and other programs take their time as well
-  constexpr std::size_t kShared_bytes = kSharedNumbers * sizeof(double);
+  constexpr unsigned kClockPerProcessor = 3;  // the child waits for the disk and for other programs as well
+  constexpr std::size_t kSharedBytes = kSharedNumbers * sizeof(double);
   struct stat status {};
   if (::stat(path_.c_str(), &status) == 0) file_bytes_ = static_cast<std::uint64_t>(status.st_size);
   if (timeout_s_ == 0) timeout_s_ = kClockPerProcessor * processor_limit_s(file_bytes_);
   std::array<int, 2> ends{-1, -1};
   const int memory = ::memfd_create("percuss", MFD_CLOEXEC);
-  const bool sized = memory >= 0 && ::ftruncate(memory, kShared_bytes) == 0;
+  const bool sized = memory >= 0 && ::ftruncate(memory, kSharedBytes) == 0;
   void* const shared =
-      sized ? ::mmap(nullptr, kShared_bytes, PROT_READ | PROT_WRITE, MAP_SHARED, memory, 0) : MAP_FAILED;
+      sized ? ::mmap(nullptr, kSharedBytes, PROT_READ | PROT_WRITE, MAP_SHARED, memory, 0) : MAP_FAILED;
   const bool paired = shared != MAP_FAILED && ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) == 0;
   shared_ = static_cast<double*>(shared);
   descriptor_ = ends[0];
@@ -105,7 +107,7 @@ void SandboxProcess::begin(const std::function<int(int descriptor, int memory)>&
   } catch (...) {
     if (paired) ::close(descriptor_);
     kill_child();
-    if (shared != MAP_FAILED) ::munmap(shared_, kShared_bytes);
+    if (shared != MAP_FAILED) ::munmap(shared_, kSharedBytes);
     throw;
   }
 }
@@ -121,11 +123,11 @@ SandboxProcess::~SandboxProcess() {
   ::munmap(shared_, kSharedNumbers * sizeof(double));
 }
 
-// Bytes of an answer. The child may wait for something that never comes, a library whose memory is in disorder does.
+// A damaged file can make the child wait for ever, hence the timeout. It counts only the seconds in which this process
+// ran: a stopped parent does not blame the child.
 void SandboxProcess::receive(void* to, std::size_t bytes) {
-  pollfd heard{descriptor_, POLLIN, 0};
-  // In seconds that this process was awake for: one that was stopped does not blame the child.
-  for (unsigned s = 0; ::poll(&heard, 1, 1000) <= 0; ++s) {
+  pollfd readable{descriptor_, POLLIN, 0};
+  for (unsigned s = 0; ::poll(&readable, 1, 1000) <= 0; ++s) {
     if (s + 1 < timeout_s_) continue;
     kill_child();
     report_timeout();
@@ -152,82 +154,86 @@ void SandboxProcess::receive_outcome(std::string& payload) {
   const std::uint64_t limit = (std::uint64_t{64} << 20U) + 64 * file_bytes_;
   if (head[1] > limit) report_contradiction();
   std::string bytes;
-  constexpr std::size_t kStep = std::size_t{1} << 24U;  // memory follows what comes, not what is claimed
+  constexpr std::size_t kStep = std::size_t{1} << 24U;  // memory grows with the bytes received, not the size claimed
   while (bytes.size() < head[1]) {
-    const std::size_t had = bytes.size(), more = std::min<std::size_t>(kStep, head[1] - had);
-    bytes.resize(had + more);
-    receive(bytes.data() + had, more);
+    const std::size_t received = bytes.size(), next = std::min<std::size_t>(kStep, head[1] - received);
+    bytes.resize(received + next);
+    receive(bytes.data() + received, next);
   }
   switch (static_cast<SandboxOutcome>(head[0])) {
     case SandboxOutcome::good:
       payload = std::move(bytes);
       return;
     case SandboxOutcome::input_error:
-      throw InputError::with_message(one_line(bytes, 2000));
-    case SandboxOutcome::ambiguous:
-      try {
-        throw_ambiguous_columns(bytes);
-      } catch (const std::out_of_range&) {
-        report_contradiction();
-      }
+    case SandboxOutcome::ambiguous_columns:
+      rethrow(static_cast<SandboxOutcome>(head[0]), bytes);
     case SandboxOutcome::no_memory:
       report_no_memory();
-    case SandboxOutcome::other:
+    case SandboxOutcome::other_error:
       break;
   }
-  throw InputError("it cannot be read: " + one_line(bytes, 200), path_, "is it damaged? Save it again");
+  throw InputError("the file cannot be read: " + one_line(bytes, 200), path_, kDamaged);
+}
+
+void SandboxProcess::rethrow(SandboxOutcome outcome, const std::string& payload) const {
+  try {
+    if (outcome == SandboxOutcome::input_error) throw deserialize_input_error(payload);
+    throw deserialize_ambiguous_columns(payload);
+  } catch (const std::out_of_range&) {
+    report_contradiction();
+  }
 }
 
 void SandboxProcess::report_no_process() const {
-  throw InputError("no process can be started to read it in", path_, "close other programs, or give --trust-input");
+  throw InputError("no process can be started to read the file in", path_, "close other programs, or trust the input",
+                   {"trust_input"});
 }
 
 void SandboxProcess::report_timeout() const {
-  throw InputError("reading it takes longer than any file of its size should", path_,
-                   "is it damaged? Else give --trust-input");
+  throw InputError("reading takes longer than any file of this size should", path_, kDamagedOrTrusted, {"trust_input"});
 }
 
 void SandboxProcess::report_no_memory() const {
-  throw InputError("reading it needs more memory than four times its size", path_,
-                   "is it damaged? Else give --trust-input");
+  throw InputError("reading needs more memory than four times the file's size", path_, kDamagedOrTrusted,
+                   {"trust_input"});
 }
 
 void SandboxProcess::report_crash() {
   int status = 0;
-  int who = 0;
-  for (int i = 0; i < 100 && who != child_; ++i) {  // who stops to answer is about to end, or is ended
-    who = ended(status);
-    if (who < 0 && fork_server_ != nullptr) {
+  int reaped = 0;
+  for (int i = 0; i < 100 && reaped != child_; ++i) {  // a child that stopped answering may need time to end
+    reaped = ended(status);
+    if (reaped < 0 && fork_server_ != nullptr) {
       child_ = -1;
       report_no_process();
     }
-    if (who != child_) ::usleep(10'000);
+    if (reaped != child_) ::usleep(10'000);
   }
-  if (who != child_) status = kill_child();
+  if (reaped != child_) status = kill_child();
   child_ = -1;
   const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
   if (signal == SIGXCPU || signal == SIGKILL) report_timeout();
   if (signal == 0 && WEXITSTATUS(status) == kNoMemoryExit) report_no_memory();
   const std::string how =
       signal != 0 ? fmt::format("signal {}", signal) : fmt::format("exit code {}", WEXITSTATUS(status));
-  throw InputError("it makes the library that reads it crash (" + how + ")", path_,
+  throw InputError("the file crashes the library that reads it (" + how + ")", path_,
                    "it is damaged, or memory ran out: save it again, or export another format");
 }
 
 void SandboxProcess::report_contradiction() const {
-  throw InputError("what its reader says of it contradicts itself", path_, "is it damaged? Save it again");
+  throw InputError("the contents of the file contradict each other", path_, kDamaged);
 }
 
 void SandboxProcess::read(std::size_t row, std::size_t signal, std::size_t first, std::span<double> out) {
   const std::lock_guard lock(mutex_);
   for (std::size_t done = 0; done < out.size();) {
     const std::size_t count = std::min(kSharedNumbers, out.size() - done);
-    if (child_ < 0) throw InputError("its reader has ended", path_, "is it damaged? Save it again");
+    if (child_ < 0) throw InputError("the process that reads the file has ended", path_, kDamaged);
     const SandboxRequest request{row, signal, first + done, count};
     if (::send(descriptor_, &request, sizeof request, MSG_NOSIGNAL) != static_cast<ssize_t>(sizeof request))
       report_crash();
-    std::string nothing;
-    receive_outcome(nothing);
+    std::string no_payload;
+    receive_outcome(no_payload);
     std::copy_n(shared_, count, out.begin() + static_cast<std::ptrdiff_t>(done));
     done += count;
   }

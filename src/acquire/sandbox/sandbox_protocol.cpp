@@ -2,26 +2,58 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <new>
+#include <stdexcept>
 #include <utility>
 
-#include "acquire/channels/csv_columns.hpp"
 #include "acquire/sandbox/serialization.hpp"
-#include "core/error.hpp"
 
 namespace percuss::acquire {
 namespace {
+
+constexpr std::size_t kMaxOptions = 16, kMaxOption_bytes = 60;
 
 bool send_outcome(int descriptor, SandboxOutcome outcome, const std::string& payload) {
   const std::array<std::uint64_t, 2> head{static_cast<std::uint64_t>(outcome), payload.size()};
   return send_bytes(descriptor, head.data(), sizeof head) && send_bytes(descriptor, payload.data(), payload.size());
 }
 
+void serialize_error(Serializer& out, const InputError& error) {
+  for (const std::string& field : {error.problem(), error.where(), error.remedy()}) out.put(field);
+  out.put(static_cast<std::uint64_t>(error.options().size()));
+  for (const OptionId& option : error.options()) out.put(option);
+}
+
+// The child may be compromised: an option's identifier reaches the user's terminal.
+OptionId deserialize_option(Deserializer& in) {
+  OptionId option = in.text();
+  const bool valid = option.size() <= kMaxOption_bytes && std::all_of(option.begin(), option.end(), [](char c) {
+                       return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' || c == '.';
+                     });
+  if (!valid) throw std::out_of_range("not an option");
+  return option;
+}
+
+InputError deserialize_error(Deserializer& in) {
+  const std::string problem = in.text(), where = in.text(), remedy = in.text();
+  std::vector<OptionId> options(in.count(sizeof(std::uint64_t)));
+  if (options.size() > kMaxOptions) throw std::out_of_range("too many options");
+  for (OptionId& option : options) option = deserialize_option(in);
+  return {problem, where, remedy, std::move(options)};
+}
+
+std::string serialized_error(const InputError& error) {
+  Serializer out;
+  serialize_error(out, error);
+  return out.bytes();
+}
+
 std::string serialized_ambiguous_columns(const AmbiguousColumns& error) {
   Serializer out;
-  out.put(std::string_view(error.what()));
+  serialize_error(out, error);
   out.put(error.format);
   out.put(static_cast<std::uint64_t>(error.fs_Hz.has_value()));
   out.put(error.fs_Hz.value_or(0));
@@ -62,10 +94,16 @@ bool receive_bytes(int descriptor, void* to, std::size_t bytes) {
   return true;
 }
 
-void throw_ambiguous_columns(const std::string& payload) {
+InputError deserialize_input_error(const std::string& payload) {
   Deserializer in(payload);
+  return deserialize_error(in);
+}
+
+AmbiguousColumns deserialize_ambiguous_columns(const std::string& payload) {
+  Deserializer in(payload);
+  const InputError problem = deserialize_error(in);
   CsvHeader header{.named = true, .text = false};
-  const std::string message = in.text(), format = in.text();
+  const std::string format = in.text();
   const bool has_rate = in.get<std::uint64_t>() != 0;
   const auto fs_Hz = in.get<double>();
   if (has_rate) header.fs_Hz = fs_Hz;
@@ -78,22 +116,22 @@ void throw_ambiguous_columns(const std::string& payload) {
     column.has_numbers = in.get<std::uint64_t>() != 0;
     header.columns.push_back(std::move(column));
   }
-  AmbiguousColumns error(InputError::with_message(message), header);
+  AmbiguousColumns error(problem, header);
   error.format = format;
-  throw error;
+  return error;
 }
 
 bool run_and_send_outcome(int descriptor, const std::function<std::string()>& work) {
   try {
     return send_outcome(descriptor, SandboxOutcome::good, work());
   } catch (const AmbiguousColumns& error) {
-    return send_outcome(descriptor, SandboxOutcome::ambiguous, serialized_ambiguous_columns(error));
+    return send_outcome(descriptor, SandboxOutcome::ambiguous_columns, serialized_ambiguous_columns(error));
   } catch (const InputError& error) {
-    return send_outcome(descriptor, SandboxOutcome::input_error, error.what());
+    return send_outcome(descriptor, SandboxOutcome::input_error, serialized_error(error));
   } catch (const std::bad_alloc&) {
     return send_outcome(descriptor, SandboxOutcome::no_memory, "");
   } catch (const std::exception& error) {
-    return send_outcome(descriptor, SandboxOutcome::other, error.what());
+    return send_outcome(descriptor, SandboxOutcome::other_error, error.what());
   }
 }
 

@@ -4,27 +4,31 @@
 #include <functional>
 #include <string>
 
+#include "acquire/channels/csv_columns.hpp"
+#include "core/error.hpp"
+
 namespace percuss::acquire {
 
-// What a confined reader and its parent say to each other, over a socket: requests one way, outcomes the other.
+// The protocol between a sandboxed process and its parent, over a socket: requests one way, outcomes the other.
 
-/// Numbers first … first + count − 1 of a row's signal, wanted in the memory that both share.
+/// Asks for numbers first … first + count − 1 of a row's signal, to be written to the shared memory.
 struct SandboxRequest {
   std::uint64_t row = 0, signal = 0, first = 0, count = 0;
 };
 
-/// How a request ended. An outcome is this number, the payload's length and the payload.
-enum class SandboxOutcome : std::uint64_t { good, input_error, ambiguous, no_memory, other };
+/// The result of a request. It is sent as this number, the payload's length and the payload.
+enum class SandboxOutcome : std::uint64_t { good, input_error, ambiguous_columns, no_memory, other_error };
 
-/// All of the bytes, or false when the other side is gone.
+/// Transfers all bytes. False when the other process has closed its end.
 bool send_bytes(int descriptor, const void* from, std::size_t bytes);
 bool receive_bytes(int descriptor, void* to, std::size_t bytes);
 
-/// Runs `work` and tells its result, or the error it threw; false when the parent is gone.
+/// Runs `work` and sends its result, or the error that it threw. False when the parent has closed its end.
 bool run_and_send_outcome(int descriptor, const std::function<std::string()>& work);
 
-/// Throws the AmbiguousColumns that the payload of SandboxOutcome::unclear describes; std::out_of_range when it does
-/// not.
-[[noreturn]] void throw_ambiguous_columns(const std::string& payload);
+/// The error in the payload of SandboxOutcome::input_error or ambiguous_columns.
+/// errors  std::out_of_range: the payload is not such an error
+InputError deserialize_input_error(const std::string& payload);
+AmbiguousColumns deserialize_ambiguous_columns(const std::string& payload);
 
 }  // namespace percuss::acquire

@@ -10,9 +10,9 @@
 namespace percuss::acquire {
 namespace {
 
-constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-std::optional<double> known(double value) { return std::isnan(value) ? std::nullopt : std::optional(value); }
+std::optional<double> if_known(double value) { return std::isnan(value) ? std::nullopt : std::optional(value); }
 
 void serialize_description(Serializer& out, const Record& record) {
   out.put(static_cast<std::uint64_t>(record.files.size()));
@@ -56,12 +56,12 @@ Record deserialize_description(Deserializer& in) {
   return record;
 }
 
-// What the rest of percuss relies on.
+// The invariants that the other layers rely on. The child may be compromised.
 bool plausible(const Record& record) {
-  bool good = record.fs_Hz > 0 && std::isfinite(record.fs_Hz) && !record.rows.empty() && !record.accel.empty();
+  bool valid = record.fs_Hz > 0 && std::isfinite(record.fs_Hz) && !record.rows.empty() && !record.accel.empty();
   for (const RowInfo& row : record.rows)
-    good = good && row.samples >= 2 && (row.file == 0 || row.file < record.files.size());
-  return good;
+    valid = valid && row.samples >= 2 && (row.file == 0 || row.file < record.files.size());
+  return valid;
 }
 
 }  // namespace
@@ -70,8 +70,8 @@ void serialize_signal(Serializer& out, const SignalInfo& signal) {
   out.put(signal.name);
   out.put(signal.unit);
   out.put(signal.to_SI);
-  out.put(signal.angle_rad.value_or(kNotKnown));
-  out.put(signal.position_m.value_or(kNotKnown));
+  out.put(signal.angle_rad.value_or(kUnknown));
+  out.put(signal.position_m.value_or(kUnknown));
 }
 
 SignalInfo deserialize_signal(Deserializer& in) {
@@ -79,8 +79,8 @@ SignalInfo deserialize_signal(Deserializer& in) {
   signal.name = in.text();
   signal.unit = in.text();
   signal.to_SI = in.get<double>();
-  signal.angle_rad = known(in.get<double>());
-  signal.position_m = known(in.get<double>());
+  signal.angle_rad = if_known(in.get<double>());
+  signal.position_m = if_known(in.get<double>());
   return signal;
 }
 
@@ -129,13 +129,13 @@ std::vector<std::vector<double>> deserialize_geometry(Deserializer& in) {
 SandboxService record_service(Record record) {
   Serializer out;
   serialize_description(out, record);
-  const auto kept = std::make_shared<const Record>(std::move(record));
+  const auto shared = std::make_shared<const Record>(std::move(record));
   return {.description = out.bytes(),
-          .read = [kept](std::size_t row, std::size_t signal, std::size_t first, std::span<double> samples) {
+          .read = [shared](std::size_t row, std::size_t signal, std::size_t first, std::span<double> samples) {
             if (signal == 0) {
-              kept->read_force_N(row, first, samples);
+              shared->read_force_N(row, first, samples);
             } else {
-              kept->read_accel_mps2(row, signal - 1, first, samples);
+              shared->read_accel_mps2(row, signal - 1, first, samples);
             }
           }};
 }

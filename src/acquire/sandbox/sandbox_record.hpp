@@ -7,13 +7,13 @@
 
 namespace percuss::acquire {
 
-/// A record's description as bytes, and its samples as a service (signal 0 is the force, 1 … the accelerations).
+/// A service with the record's description and samples. Signal 0 is the force, 1 … are the accelerations.
 SandboxService record_service(Record record);
 
-/// The record that a confined process describes and serves. `in` stands where record_service began.
+/// The record that a sandboxed process describes and serves. `in` is at the start of the bytes of record_service.
 Record sandboxed_record(Deserializer& in, const std::shared_ptr<SandboxProcess>& process);
 
-/// Parts of it, for other descriptions.
+/// Parts of a description, for other descriptions.
 void serialize_signal(Serializer& out, const SignalInfo& signal);
 SignalInfo deserialize_signal(Deserializer& in);
 void serialize_strings(Serializer& out, const std::vector<std::string>& texts);

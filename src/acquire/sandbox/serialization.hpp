@@ -10,7 +10,7 @@
 
 namespace percuss::acquire {
 
-/// Values one after the other as bytes, for another process on this machine.
+/// Appends values as bytes, for another process on this machine.
 class Serializer {
  public:
   template <class Value>
@@ -32,7 +32,8 @@ class Serializer {
   std::string bytes_;
 };
 
-/// The same back. What it reads may be anything: sizes are held against what is there. Throws std::out_of_range.
+/// Reads the values back. The bytes are not trusted: sizes are checked against the bytes left.
+/// errors  std::out_of_range
 class Deserializer {
  public:
   explicit Deserializer(std::string_view bytes) : rest_(bytes) {}
@@ -52,16 +53,16 @@ class Deserializer {
     if (size > 0) std::memcpy(values.data(), bytes.data(), bytes.size());
     return values;
   }
-  /// How many elements follow that take `bytes_each` at least.
+  /// The number of elements that follow, each of at least `bytes_each` bytes.
   std::size_t count(std::size_t bytes_each) {
     const auto size = get<std::uint64_t>();
-    if (size > rest_.size() / bytes_each) throw std::out_of_range("more than there is");
+    if (size > rest_.size() / bytes_each) throw std::out_of_range("size beyond the end");
     return static_cast<std::size_t>(size);
   }
 
  private:
   std::string_view take(std::size_t bytes) {
-    if (bytes > rest_.size()) throw std::out_of_range("more than there is");
+    if (bytes > rest_.size()) throw std::out_of_range("size beyond the end");
     const std::string_view out = rest_.substr(0, bytes);
     rest_.remove_prefix(bytes);
     return out;

@@ -19,7 +19,7 @@ namespace {
 
 constexpr mode_t kMode = 0644;
 constexpr int kNamesTried = 100;             // one process may write the same file from several threads
-constexpr std::size_t kNameBytesKept = 200;  // of a long name, so that the unfinished one stays below NAME_MAX
+constexpr std::size_t kNameBytesKept = 200;  // of a long name, so that the temporary name stays below NAME_MAX
 
 std::string folder_of(const std::string& path) {
   const auto slash = path.rfind('/');
@@ -29,7 +29,7 @@ std::string folder_of(const std::string& path) {
 
 std::string name_of(const std::string& path) { return path.substr(path.rfind('/') + 1); }
 
-/// The file a chain of symbolic links ends at; the path itself when there is none yet.
+/// The target of a chain of symbolic links; `path` itself when it does not exist.
 std::string resolved(const std::string& path) {
   const std::unique_ptr<char, decltype(&std::free)> real(::realpath(path.c_str(), nullptr), &std::free);
   return real ? real.get() : path;
@@ -50,7 +50,7 @@ std::string remedy_for(int error) {
   }
 }
 
-/// What the names of all unfinished files for this target begin with.
+/// The prefix of the temporary names for a target.
 std::string temporary_prefix(const std::string& target) {
   return "." + name_of(target).substr(0, kNameBytesKept) + ".percuss-";
 }
@@ -61,7 +61,7 @@ std::string temporary_name(const std::string& target, int attempt) {
   return name;
 }
 
-/// Calls make(name) with names not in use until one succeeds or fails for another reason than being taken.
+/// Calls make(name) with new names until one succeeds, or fails for another reason than an existing file.
 template <class Make>
 std::string first_free_name(const std::string& target, Make&& make) {
   for (int attempt = 0; attempt < kNamesTried; ++attempt) {
@@ -73,14 +73,14 @@ std::string first_free_name(const std::string& target, Make&& make) {
 }
 
 [[noreturn]] void refuse_existing(const std::string& path) {
-  throw InputError("file exists", path, "give another name or --force");
+  throw InputError("file exists", path, "give another name, or overwrite it", {"force"});
 }
 
-/// rename(2) that leaves an existing target alone; errno is EEXIST then.
+/// rename(2) that keeps an existing target; errno is EEXIST then.
 bool rename_to_new(const std::string& from, const std::string& to) {
   if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return true;
   if (errno != EINVAL && errno != ENOSYS) return false;
-  // This file system cannot do it in one step; a file made in the instant between the two calls would be replaced.
+  // This file system needs two calls; a file created between them is replaced.
   if (::access(to.c_str(), F_OK) == 0) {
     errno = EEXIST;
     return false;
@@ -91,8 +91,7 @@ bool rename_to_new(const std::string& from, const std::string& to) {
 void sync_folder(const std::string& folder) {
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor < 0) return;
-  // The file is complete and in its place: a folder that cannot be synchronised (some network drives) is no reason to
-  // fail.
+  // The file is complete under its name. Some network drives cannot synchronise a folder, which is not an error.
   ::fsync(descriptor);
   ::close(descriptor);
 }
@@ -127,7 +126,7 @@ void AtomicFile::open_unnamed(const std::string& folder) {
   temporary_path_ = "/proc/self/fd/" + std::to_string(descriptor_);
   unnamed_ = ::access(temporary_path_.c_str(), R_OK | W_OK) == 0;
   if (unnamed_) return;
-  ::close(descriptor_);  // without /proc it could never be given a name
+  ::close(descriptor_);  // without /proc, the file cannot get a name
   descriptor_ = -1;
 }
 
@@ -140,7 +139,7 @@ void AtomicFile::open_named() {
     if (named_->still_there()) return true;
     named_.reset();
     ::close(std::exchange(descriptor_, -1));
-    errno = EEXIST;  // as good as taken
+    errno = EEXIST;  // try the next name
     return false;
   });
   if (descriptor_ < 0) fail("cannot write");
@@ -164,7 +163,7 @@ void AtomicFile::link_name() {
     if (errno == EEXIST) refuse_existing(path_);
     fail("cannot write");
   }
-  // A link cannot replace a file, a rename can.
+  // A link cannot replace a file; a rename can.
   const std::string name = first_free_name(target_, link_as);
   if (name.empty()) fail("cannot write");
   if (::rename(name.c_str(), target_.c_str()) == 0) return;

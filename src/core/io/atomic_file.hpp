@@ -7,18 +7,17 @@
 
 namespace percuss::inline core {
 
-/// A file that appears under its name when complete, or not at all: written aside in the same folder, brought to the
-/// disk, then renamed. A writer that is killed leaves the old file or none.
+/// A file that appears under its name only when it is complete. It is written under a temporary name in the same
+/// folder, synchronised to the disk, then renamed. A killed writer leaves the old file, or none.
 ///   AtomicFile file("out.csv", force);
 ///   file.write("hit,t_s\n");
 ///   file.commit();
-/// Where the file system can, the file has no name until then, so that not even SIGKILL leaves anything behind;
-/// elsewhere it is called ".out.csv.percuss-PID". A symbolic link is followed: the file it points to is replaced.
-/// errors  InputError from every member: the file exists and `force` is not set, the folder is missing, the disk is
-/// full, …
+/// Where the file system allows it, the temporary file has no name, so that even SIGKILL leaves nothing behind.
+/// Elsewhere it is called ".out.csv.percuss-PID". A symbolic link is followed: its target is replaced. errors
+/// InputError from every member: the file exists and `force` is not set, the folder is missing, the disk is full, …
 class AtomicFile {
  public:
-  /// How the unfinished file is kept; `named` everywhere if the file system or /proc does not allow otherwise.
+  /// The kind of temporary file. It is `named` wherever the file system or /proc does not support the other kind.
   enum class Temporary { unnamed_if_possible, named };
 
   AtomicFile(std::string path, bool force, Temporary aside = Temporary::unnamed_if_possible);
@@ -28,10 +27,10 @@ class AtomicFile {
 
   /// Appends.
   void write(std::string_view bytes);
-  /// Where libraries that want a name may write instead, until commit; Aside::named for those that do not take
+  /// The path for libraries that need a name, until commit. Use Temporary::named for libraries that do not accept
   /// /proc/self/fd/N.
   const std::string& temporary_path() const { return temporary_path_; }
-  /// Puts the file in its place, with mode 0644 less the umask. Once.
+  /// Renames the file to its path, with mode 0644 less the umask. Call it once.
   void commit();
 
  private:
@@ -46,7 +45,7 @@ class AtomicFile {
   std::optional<TemporaryFile> named_;
 };
 
-/// The whole file at once.
+/// Writes a whole file.
 void write_file(const std::string& path, std::string_view bytes, bool force);
 
 }  // namespace percuss::inline core

@@ -25,7 +25,7 @@ bool take_blank_separated(std::string_view& line, std::string_view& cell) {
   return true;
 }
 
-// Where the cell at the front of `line` ends: the first delimiter that is not inside quotes.
+// The end of the first cell of `line`: the first delimiter outside quotes.
 std::size_t cell_end(std::string_view line, const CsvDialect& dialect) {
   const auto start = line.find_first_not_of(' ');
   if (start == std::string_view::npos || line[start] != '"') return std::min(line.find(dialect.delimiter), line.size());
@@ -48,7 +48,7 @@ bool in_most(const std::vector<std::string_view>& lines, char wanted) {
   return 2 * static_cast<std::size_t>(count) > lines.size();
 }
 
-// Words such as "0,25 -1,5e3" and nothing else: digits on both sides of one comma, no point.
+// Only words such as "0,25 -1,5e3": digits on both sides of one comma, no point.
 bool is_comma_decimals(std::string_view line) {
   std::size_t words = 0, with_comma = 0;
   for (std::string_view cell; take_blank_separated(line, cell); ++words) {
@@ -75,7 +75,7 @@ std::vector<std::string_view> used_cells(std::string_view line, const CsvDialect
   return cells;
 }
 
-// A text's first lines: how many names the last one before the numbers has, and the numbers.
+// The number of names in the last line before the numbers, and the first line of numbers.
 struct Beginning {
   std::size_t names = 0;
   std::vector<std::string_view> numbers;
@@ -97,7 +97,7 @@ Beginning beginning_of(std::string_view text, const CsvDialect& dialect) {
   return out;
 }
 
-// "05", as the part behind a decimal comma may be and a whole number hardly ever is.
+// "05": probably the digits after a decimal comma, hardly ever a whole number.
 bool is_zero_padded(std::string_view cell) {
   return cell.size() > 1 && cell[0] == '0' && cell.find_first_not_of("0123456789") == std::string_view::npos;
 }
@@ -119,7 +119,7 @@ bool take_cell(std::string_view& line, const CsvDialect& dialect, std::string_vi
   if (line.data() == nullptr) return false;
   const std::size_t end = cell_end(line, dialect);
   cell = line.substr(0, end);
-  line = end < line.size() ? line.substr(end + 1) : std::string_view{};  // no data left: the next call finds nothing
+  line = end < line.size() ? line.substr(end + 1) : std::string_view{};  // empty after the last line
   return true;
 }
 

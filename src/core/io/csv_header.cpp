@@ -25,7 +25,7 @@ bool is_number(std::string_view cell, const CsvDialect& dialect) {
   return problem != NumberProblem::empty && problem != NumberProblem::not_a_number;
 }
 
-// Numbers or gaps over all columns of numbers: a gap in the first line of data must not turn that line into a header.
+// Numbers or gaps in all columns of numbers: a gap must not turn the first line of data into a header.
 bool looks_like_data(std::string_view line, const CsvDialect& dialect, const std::vector<std::size_t>& columns) {
   const Cells cells = split_cells(line, dialect, columns.back() + 1);
   std::size_t numbers = 0;
@@ -37,7 +37,7 @@ bool looks_like_data(std::string_view line, const CsvDialect& dialect, const std
   return 2 * numbers >= columns.size();
 }
 
-// Where a column of text comes first, "Range,5,5" looks like data too: then four lines in a row must.
+// After a column of text, a header line such as "Range,5,5" looks like data: then four lines in a row must.
 bool data_starts_here(std::string_view rest, const CsvDialect& dialect, const std::vector<std::size_t>& columns) {
   const int wanted = columns.front() == 0 ? 1 : 4;
   for (int seen = 0; seen < wanted && !rest.empty();) {
@@ -72,7 +72,7 @@ std::vector<HeaderLine> take_header_lines(std::string_view text, const CsvDialec
   throw InputError("no lines of numbers after the header", file, kRemedy);
 }
 
-// Cells of a header line in a file of blank-separated columns, whose names may themselves hold blanks: "Time (s)  Force
+// Cells of a header line in a file with blanks as delimiter. The names may contain single blanks: "Time (s)  Force
 // (N)".
 Cells split_blank_separated(std::string_view line, std::size_t wanted) {
   Cells wide;
@@ -108,7 +108,7 @@ bool is_name_row(const Cells& cells, const CsvDialect& dialect, const std::vecto
   });
 }
 
-// Every column but the first, whose cell often says "Unit", has a unit or nothing; at least one has a unit.
+// Every column except the first has a unit or is empty, and at least one has a unit. The first cell often is "Unit".
 bool is_unit_row(const Cells& cells, const std::vector<std::size_t>& columns) {
   std::size_t units = 0;
   for (const auto c : columns) {
@@ -122,7 +122,7 @@ bool is_unit_row(const Cells& cells, const std::vector<std::size_t>& columns) {
   return units > 0;
 }
 
-// The file's kind is told by words at the columns' heads.
+// The words in the column names give the kind of file.
 void refuse_frf(const std::vector<HeaderLine>& lines, const CsvDialect& dialect, std::size_t columns,
                 const std::string& file) {
   for (const auto& line : lines) {
@@ -164,7 +164,7 @@ void fill_columns(CsvHeader& header, const std::optional<Cells>& names, const st
     auto [base, unit] = named ? split_name(column.name) : NameAndUnit{};
     column.base = std::move(base);
     column.unit = std::move(unit);
-    // The first cell of the row of units may say "Unit" itself.
+    // The first cell of the row of units may be "Unit".
     const bool stated = units && c < units->size() && !(*units)[c].empty();
     if (stated && (c > 0 || parse_unit(to_utf8((*units)[c])))) column.unit = to_utf8((*units)[c]);
     header.columns.push_back(std::move(column));
@@ -207,7 +207,7 @@ NameAndUnit split_name(std::string_view name) {
               std::string(trimmed(text.substr(at + 1, text.size() - at - 2)))};
     }
   }
-  // The longest ending that is a unit: "m_s2" of "acc0_m_s2", not the "s2".
+  // The longest suffix that is a unit: "m_s2" of "acc0_m_s2", not "s2".
   for (std::size_t i = 1; i + 1 < text.size(); ++i) {
     static constexpr std::string_view kSeparators = "_ /:,-";
     if (kSeparators.find(text[i]) == std::string_view::npos) continue;

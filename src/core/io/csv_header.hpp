@@ -9,32 +9,32 @@
 
 namespace percuss::inline core {
 
-/// One column of a text file as its header describes it.
+/// A column of a text file as described by its header.
 struct CsvColumn {
   std::size_t index = 0;  // among the file's columns, from 0
-  std::string name;       // as written, UTF-8; "column 3" where the file has no name
+  std::string name;       // as written, UTF-8; "column 3" for a column without a name
   std::string base;       // the name without its unit: "force" of "force_N" and of "Force (N)"
   std::string unit;       // from a row of units, else from the name; empty: not stated
   bool has_numbers = true;
 };
 
 struct CsvHeader {
-  std::size_t lines = 0;       // lines before the data, of any kind
-  std::size_t data_start = 0;  // byte where the first line of data starts
+  std::size_t lines = 0;       // all lines before the data
+  std::size_t data_start = 0;  // byte offset of the first line of data
   bool named = false;
-  bool text = true;                // of a text in columns; else the columns are signals of a file of another kind
-  std::size_t width = 0;           // cells of the line of names, empty ones too
-  std::vector<CsvColumn> columns;  // every column that has a name or numbers, in the file's order
+  bool text = true;                // false: the columns are signals of a file of another kind
+  std::size_t width = 0;           // cells of the line of names, with the empty ones
+  std::vector<CsvColumn> columns;  // every column with a name or numbers, in the order of the file
   std::optional<double> fs_Hz;     // stated by a line such as "Sampling Rate(Hz),50"
   std::string fs_line;             // that line, for messages
 };
 
-/// What the columns of a text may be.
+/// The possible contents of a text in columns.
 enum class CsvContent { time_record, frf };
 
-/// Reads what stands before the data. Names are the last line with a text over every column of numbers, units the last
-/// one with nothing but units; comment lines count as well, but an ordinary line wins. errors  InputError: no line of
-/// numbers; for a time record, the columns are those of an FRF or a spectrum.
+/// Reads the lines before the data. The names are in the last line with text over every column of numbers, the units in
+/// the last line with nothing but units. Comment lines count as well, but ordinary lines take precedence.
+/// errors  InputError: no line of numbers; for a time record, the columns of an FRF or a spectrum
 CsvHeader read_csv_header(std::string_view text, const CsvDialect& dialect,
                           const std::vector<std::size_t>& number_columns, const std::string& file,
                           CsvContent content = CsvContent::time_record);
@@ -45,7 +45,7 @@ struct NameAndUnit {
 };
 NameAndUnit split_name(std::string_view name);
 
-/// `text` as UTF-8: unchanged if it is that already, else read as Latin-1.
+/// `text` as UTF-8: unchanged if it is valid, otherwise converted from Latin-1.
 std::string to_utf8(std::string_view text);
 
 /// ASCII letters in lower case.

@@ -5,7 +5,7 @@
 namespace percuss::inline core {
 namespace {
 
-// Length of the UTF-8 sequence at the front of `text`, 0 when it is none (overlong forms and surrogates are none).
+// Length of the UTF-8 sequence at the start of `text`; 0 for an invalid one, also for overlong forms and surrogates.
 std::size_t utf8_length(std::string_view text) {
   const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
   const auto follows = [&](std::size_t i) { return (byte(i) & 0xC0U) == 0x80U; };

@@ -19,7 +19,8 @@ namespace percuss::inline core {
 namespace {
 
 constexpr std::size_t kHead_bytes = std::size_t{1} << 16U;
-constexpr std::size_t kLargestFirstGuess_bytes = std::size_t{1} << 30U;  // a claimed size beyond this is grown into
+constexpr std::size_t kLargestFirstGuess_bytes = std::size_t{1}
+                                                 << 30U;  // memory for larger files grows with the bytes read
 
 class Descriptor {
  public:
@@ -52,8 +53,8 @@ std::uint64_t require_regular(const struct stat& status, const std::string& path
   return static_cast<std::uint64_t>(status.st_size);
 }
 
-// Looks before opening, because opening a device can have effects and opening a pipe waits; O_NONBLOCK in case it was
-// swapped.
+// Checks the kind before opening: opening a device can have effects, and opening a pipe waits. O_NONBLOCK in case the
+// file was replaced in between.
 int open_regular(const std::string& path, std::uint64_t& size_bytes) {
   struct stat status {};
   if (::stat(path.c_str(), &status) != 0) fail_to_open(path, errno);
@@ -66,7 +67,7 @@ int open_regular(const std::string& path, std::uint64_t& size_bytes) {
   return number;
 }
 
-// As many bytes as there are, at most `count`.
+// The available bytes, at most `count`.
 std::size_t read_fully(const Descriptor& file, char* to, std::size_t count, const std::string& path) {
   constexpr std::size_t kLargestRead_bytes = std::size_t{1} << 30U;
   std::size_t done = 0;
@@ -158,7 +159,7 @@ FileBytes read_input(const std::string& path, std::uint64_t limit_bytes, const H
   if (path == "-") return read_all(Descriptor{STDIN_FILENO, false}, 0, limit_bytes, check_head, path);
   std::uint64_t size = 0;
   const Descriptor file{open_regular_file(path, limit_bytes, size), true};
-  // One byte more than the file has, so that its end is seen without growing.
+  // One byte more than the file, so that its end is found without growing.
   const auto guess = static_cast<std::size_t>(std::min<std::uint64_t>(size + 1, kLargestFirstGuess_bytes));
   return read_all(file, guess, limit_bytes, check_head, path);
 }

@@ -18,7 +18,7 @@ using nlohmann::json;
 constexpr std::size_t kLargestSheet_bytes = std::size_t{16} << 20U;
 constexpr std::size_t kMaxTableRows = 100'000;
 
-// "# bat.length_in = 34" into document["bat"]["length_in"]; other comments are comments.
+// "# bat.length_in = 34" into document["bat"]["length_in"]; other comments are ignored.
 void take_setting(std::string_view line, json& document, const std::string& place) {
   const std::size_t equals = line.find('=');
   if (equals == std::string_view::npos) return;
@@ -49,7 +49,7 @@ std::vector<TableLine> table_lines(std::string_view text, json& document, const 
   return lines;
 }
 
-// The names divide as all lines do.
+// All lines use the delimiter of the line of names.
 CsvDialect table_dialect(std::string_view names) {
   for (const char delimiter : {';', '\t'}) {
     if (names.find(delimiter) != std::string_view::npos) return {.delimiter = delimiter, .decimal_comma = true};
@@ -64,10 +64,10 @@ std::string json_from_table(const StrictText& input, StrictSource& source) {
   if (text.size() > kLargestSheet_bytes) throw InputError("longer than 16 MiB", input.where, "split the file");
   if (text.substr(0, 3) == "\xEF\xBB\xBF") text.remove_prefix(3);
   if (text.find('\0') != std::string_view::npos)
-    throw InputError("this is no text", input.where, "see " + input.example);
+    throw InputError("this is not text", input.where, input.remedy, input.options);
   json document = json::object();
   const auto lines = table_lines(text, document, input.where);
-  if (lines.empty()) throw InputError("no line of column names", input.where, "see " + input.example);
+  if (lines.empty()) throw InputError("no line of column names", input.where, input.remedy, input.options);
   if (document.contains(source.rows))
     throw InputError("\"" + source.rows + "\" is set above the rows", input.where, "leave one of them");
   const CsvDialect dialect = table_dialect(lines.front().text);

@@ -7,16 +7,17 @@
 
 namespace percuss::inline core {
 
-/// The text that StrictObjects stand in; for a table, also which line each row of the list `rows` is.
+/// The text that contains StrictObjects. For a table, also the line of each row of the list `rows`.
 struct StrictSource {
-  std::string where, example;
+  std::string where, remedy;
+  std::vector<OptionId> options{};
   std::string rows{};
   std::vector<std::size_t> lines{};
-  bool table = false, decimal_comma = false;  // values are texts, and numbers in them may be written so
+  bool table = false, decimal_comma = false;  // all values are texts; numbers may have a decimal comma
 };
 
-/// A table as a JSON document in which every value is a text; adds to `source` what messages need. InputError as
-/// read_strict_table.
+/// A table as a JSON document in which every value is text. Adds to `source` what messages need.
+/// errors  as read_strict_table
 std::string json_from_table(const StrictText& input, StrictSource& source);
 
 }  // namespace percuss::inline core

@@ -6,14 +6,12 @@
 #include <set>
 #include <vector>
 
-#include "core/error.hpp"
-
 namespace percuss::inline core {
 namespace {
 
 using nlohmann::json;
 
-// The library's own callbacks would do while it parses, but search a whole list anew whenever an object in it ends.
+// The callbacks of json::parse could do the same, but search a whole list again at the end of each object in it.
 class JsonValidator : public nlohmann::json_sax<json> {
  public:
   explicit JsonValidator(const JsonText& input) : input_(input) {}
@@ -38,14 +36,14 @@ class JsonValidator : public nlohmann::json_sax<json> {
   bool parse_error(std::size_t byte, const std::string&, const json::exception& problem) override {
     if (dynamic_cast<const json::out_of_range*>(&problem) != nullptr)
       throw InputError("a number too large to hold", input_.where, "give a finite number");
-    throw InputError("not JSON", fmt::format("{}, byte {}", input_.where, byte), input_.remedy);
+    throw InputError("not JSON", fmt::format("{}, byte {}", input_.where, byte), input_.remedy, input_.options);
   }
 
  private:
   bool open() {
     if (keys_.size() >= static_cast<std::size_t>(input_.max_depth)) {
       throw InputError(fmt::format("lists or objects nested deeper than {}", input_.max_depth), input_.where,
-                       input_.remedy);
+                       input_.remedy, input_.options);
     }
     keys_.emplace_back();
     return true;
@@ -56,14 +54,14 @@ class JsonValidator : public nlohmann::json_sax<json> {
   }
 
   const JsonText& input_;
-  std::vector<std::set<std::string>> keys_;  // of each list and object that is open
+  std::vector<std::set<std::string>> keys_;  // of each open list and object
 };
 
 }  // namespace
 
 void check_json(const JsonText& input) {
-  JsonValidator watch(input);
-  json::sax_parse(input.text.begin(), input.text.end(), &watch, json::input_format_t::json, true, input.comments);
+  JsonValidator validator(input);
+  json::sax_parse(input.text.begin(), input.text.end(), &validator, json::input_format_t::json, true, input.comments);
 }
 
 }  // namespace percuss::inline core

@@ -1,20 +1,24 @@
 #pragma once
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "core/error.hpp"
 
 namespace percuss::inline core {
 
-/// A text to be read as JSON, and what is said when it is none.
+/// A text to be read as JSON, and what messages say about it.
 struct JsonText {
   std::string_view text;
-  std::string where;   // its name, for messages
-  std::string remedy;  // "percuss synth --example prints a valid one"
-  int max_depth = 6;   // of lists and objects within each other
+  std::string where;                // its name
+  std::string remedy;               // "compare it with a valid example"
+  std::vector<OptionId> options{};  // of the remedy: {"synth.example"}
+  int max_depth = 6;                // of nested lists and objects
   bool comments = false;
 };
 
-/// Looks a text through before it becomes a value, in time that grows as the text does. errors  InputError: it is not
-/// JSON, nests deeper, gives a key twice, or holds a number beyond double's range.
+/// Checks a text before it is parsed, in time proportional to its length.
+/// errors  InputError: not JSON, nested too deep, a key given twice, a number beyond the range of double
 void check_json(const JsonText& input);
 
 }  // namespace percuss::inline core

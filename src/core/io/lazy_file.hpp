@@ -5,11 +5,10 @@
 
 namespace percuss::inline core {
 
-/// A regular file with a place in memory for all of it, into which its bytes are read only as somebody asks. What has
-/// not been read takes no memory.
+/// A regular file with address space for all its bytes, which are read on request. Unread bytes take no memory.
 class LazyFile {
  public:
-  /// errors  InputError: as read_input; no address space for so long a file.
+  /// errors  InputError: as read_input; no address space for a file of this size
   LazyFile(const std::string& path, std::uint64_t limit_bytes);
   ~LazyFile();
   LazyFile(const LazyFile&) = delete;
@@ -17,10 +16,10 @@ class LazyFile {
 
   const char* data() const { return data_; }
   std::size_t size() const { return size_; }
-  /// Reads bytes first … end − 1 (as far as there are any) into their places. One thread at a time.
+  /// Loads bytes first … end − 1, up to the end of the file. One thread at a time.
   void load(std::size_t first, std::size_t end);
-  /// Reads bytes first … first + count − 1 to `to`, and not into their places. Several threads may call at once.
-  /// errors  InputError: the file has become shorter, or cannot be read.
+  /// Copies bytes first … first + count − 1 to `to` without loading them. Several threads may call at the same time.
+  /// errors  InputError: the file became shorter, or cannot be read
   void copy(std::size_t first, std::size_t count, char* to) const;
 
  private:

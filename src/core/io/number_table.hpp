@@ -6,22 +6,23 @@
 
 namespace percuss::inline core {
 
-/// A line of a small table of numbers, and where it stood, for messages about what the numbers mean.
+/// A line of a small table of numbers, with its place for messages.
 struct NumberTableRow {
   std::string place;  // "bat.dat: line 12"
   std::vector<double> values;
 };
 
-/// What is wanted of such a table.
+/// The required form of such a table.
 struct NumberTableSpec {
-  std::size_t columns = 2;  // that every line must have, neither more nor fewer
+  std::size_t columns = 2;  // in every line
   std::size_t max_rows = 10'000;
-  std::string remedy;  // the end of messages: what the lines should be
+  std::string remedy;  // of messages: the expected lines
 };
 
-/// Reads a text of numbers: delimiters, quotes, comments and decimal marks as in records; lines of names may come
-/// first. `path` as in read_input. errors  InputError with file and line: no numbers, a cell that is none or is not
-/// finite, too few or too many cells, too many lines, too long.
+/// Reads a text of numbers, with delimiters, quotes, comments and decimal marks as in records. Lines of names may come
+/// first. `path` as in read_input.
+/// errors  InputError with file and line: no numbers, a cell without a finite number, too few or too many cells, too
+/// many lines, too many bytes
 std::vector<NumberTableRow> read_number_table(const std::string& path, const NumberTableSpec& wanted);
 
 /// As read_number_table, for a text in memory; `where` names it.

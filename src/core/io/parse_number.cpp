@@ -9,13 +9,12 @@
 namespace percuss::inline core {
 namespace {
 
-constexpr std::size_t kLongestRewritten = 64;  // characters; a longer number with comma or D exponent is no number
+constexpr std::size_t kLongestRewritten = 64;  // characters of a number with decimal comma or D exponent
 
 bool is_padding(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-// from_chars says "out of range" for too large and too small alike and leaves the value alone: tell them apart by the
-// text.
+// from_chars reports "out of range" for numbers too large and too small: the text distinguishes them.
 ParsedNumber out_of_range(std::string_view text) {
   const auto exponent = text.find_first_of("eE");
   const bool tiny = exponent == std::string_view::npos ? text.substr(0, 3).find("0.") != std::string_view::npos ||
@@ -34,7 +33,7 @@ ParsedNumber parse_plain(std::string_view text) {
   return {value, NumberProblem::none};
 }
 
-// Decimal comma to point, exponent letters to e; from_chars stops at D.
+// Replaces decimal comma by point and exponent letters by e: from_chars stops at D.
 ParsedNumber parse_rewritten(std::string_view text, bool decimal_comma) {
   std::array<char, kLongestRewritten> plain{};
   if (text.size() > plain.size()) return {0, NumberProblem::not_a_number};
@@ -74,7 +73,7 @@ std::string_view trimmed(std::string_view text) {
 ParsedNumber parse_number(std::string_view cell, bool decimal_comma) {
   std::string_view text = trimmed(cell);
   if (text.empty()) return {0, NumberProblem::empty};
-  // from_chars refuses a leading '+'; "+-1" must stay refused.
+  // from_chars rejects a leading '+'; "+-1" must stay an error.
   if (text.size() > 1 && text.front() == '+' && (is_digit(text[1]) || text[1] == '.' || text[1] == ','))
     text.remove_prefix(1);
   const bool rewrite = decimal_comma || text.find_first_of("dD") != std::string_view::npos;

@@ -3,7 +3,7 @@
 
 namespace percuss::inline core {
 
-/// `value` with this many significant digits, never rounded to zero: 12.0, 0.0432, 1520 and 1.20e-07 with 3.
+/// `value` with `digits` significant digits, never rounded to zero. Examples with 3: 12.0, 0.0432, 1520 and 1.20e-07.
 std::string significant(double value, int digits);
 
 }  // namespace percuss::inline core

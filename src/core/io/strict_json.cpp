@@ -30,7 +30,7 @@ ParsedNumber cell_number(std::string_view cell, bool decimal_comma) {
   return decimal_comma && number.problem != NumberProblem::none ? parse_number(cell, true) : number;
 }
 
-// What a cell says where no text is asked for: a number, a list of them, a truth value; else its text.
+// The value of a cell that is not read as text: a number, a list of numbers, a Boolean; otherwise its text.
 json cell_value(const std::string& cell, bool decimal_comma) {
   if (cell == "yes" || cell == "true") return true;
   if (cell == "no" || cell == "false") return false;
@@ -48,8 +48,9 @@ json cell_value(const std::string& cell, bool decimal_comma) {
 struct StrictObject::Impl {
   const json& object;
   const StrictSource& source;
-  std::string where, path;  // of the text; of the object in it ("modes[2]", "" for the document)
-  std::set<std::string> asked{};
+  std::string where;  // of the text
+  std::string path;   // of the object in it: "modes[2]"; "" for the document
+  std::set<std::string> known{};
 
   Impl(const json& value, const StrictSource& text, std::string name)
       : object(value), source(text), where(text.where), path(std::move(name)) {
@@ -57,11 +58,11 @@ struct StrictObject::Impl {
     throw InputError("not an object", path.empty() ? where : where + ", " + path, "give { \"key\": value, … }");
   }
   const json* find(const std::string& key) {
-    asked.insert(key);
+    known.insert(key);
     const auto it = object.find(key);
     return it == object.end() ? nullptr : &*it;
   }
-  // As find, for what is no text: a table's cells are taken for what they say.
+  // As find, for values other than text: the cells of a table are texts and are parsed.
   const json* find_value(const std::string& key, json& scratch) {
     const json* value = find(key);
     if (value == nullptr || !source.table || !value->is_string()) return value;
@@ -73,7 +74,7 @@ struct StrictObject::Impl {
 
 namespace {
 
-constexpr double kLargestWhole = 9007199254740992;  // 2^53: beyond it a double no longer counts
+constexpr double kLargestWhole = 9007199254740992;  // 2^53: a double does not hold all larger whole numbers
 
 void append_numbers(const json& value, std::vector<double>& to, const StrictObject& object, const std::string& key) {
   if (value.is_number()) {
@@ -88,7 +89,8 @@ void append_numbers(const json& value, std::vector<double>& to, const StrictObje
 json json_of(const StrictText& input) {
   check_json({.text = input.text,
               .where = input.where,
-              .remedy = input.example + " prints a valid one",
+              .remedy = input.remedy,
+              .options = input.options,
               .max_depth = input.max_depth,
               .comments = true});
   return json::parse(input.text.begin(), input.text.end(), nullptr, true, true);
@@ -102,7 +104,7 @@ StrictObject::~StrictObject() = default;
 bool StrictObject::has(const std::string& key) { return impl_->find(key) != nullptr; }
 
 void StrictObject::need(const std::string& key) {
-  if (!has(key)) fail("missing", key, "add it; " + impl_->source.example + " shows how");
+  if (!has(key)) fail("missing", key, "add it; " + impl_->source.remedy, impl_->source.options);
 }
 
 void StrictObject::read(const std::string& key, double& to) {
@@ -145,7 +147,7 @@ void StrictObject::read(const std::string& key, std::size_t& to) {
   }
   const double number = value->is_number() ? value->get<double>() : -1;
   if (!(number >= 0 && number <= kLargestWhole && number == std::floor(number))) {
-    fail(fmt::format("{} is no count", one_line(value->dump(), 40)), key, "give a whole number");
+    fail(fmt::format("{} is not a whole number", one_line(value->dump(), 40)), key, "give a whole number");
   }
   to = static_cast<std::size_t>(number);
 }
@@ -160,7 +162,7 @@ void StrictObject::read(const std::string& key, int& to) {
 void StrictObject::read(const std::string& key, std::string& to) {
   const json* value = impl_->find(key);
   if (value == nullptr) return;
-  if (!value->is_string()) fail("not a text", key, "give it in quotes");
+  if (!value->is_string()) fail("not text", key, "give it in quotes");
   to = value->get<std::string>();
 }
 
@@ -178,7 +180,7 @@ void StrictObject::read(const std::string& key, std::vector<std::string>& to) {
   if (value == nullptr) return;
   const auto is_text = [](const json& item) { return item.is_string(); };
   if (!value->is_array() || !std::all_of(value->begin(), value->end(), is_text))
-    fail("not a list of texts", key, R"(give [ "…", … ])");
+    fail("not a list of text", key, R"(give [ "…", … ])");
   to = value->get<std::vector<std::string>>();
 }
 
@@ -205,14 +207,15 @@ void StrictObject::read_list(const std::string& key, const Reader& read) {
 
 void StrictObject::finish() const {
   for (const auto& [key, value] : impl_->object.items()) {
-    if (impl_->asked.count(key) == 0) {
-      fail("unknown key", one_line(key, 60), fmt::format("known here: {}", fmt::join(impl_->asked, ", ")));
+    if (impl_->known.count(key) == 0) {
+      fail("unknown key", one_line(key, 60), fmt::format("use one of: {}", fmt::join(impl_->known, ", ")));
     }
   }
 }
 
-void StrictObject::fail(const std::string& problem, const std::string& key, const std::string& remedy) const {
-  throw InputError(problem, fmt::format("{}, {}", impl_->where, impl_->path_of(key)), remedy);
+void StrictObject::fail(const std::string& problem, const std::string& key, const std::string& remedy,
+                        std::vector<OptionId> options) const {
+  throw InputError(problem, fmt::format("{}, {}", impl_->where, impl_->path_of(key)), remedy, std::move(options));
 }
 
 std::string StrictObject::place() const {
@@ -221,14 +224,14 @@ std::string StrictObject::place() const {
 
 void read_strict_json(const StrictText& text, const StrictObject::Reader& read) {
   const json document = json_of(text);
-  const StrictSource source{.where = text.where, .example = text.example};
+  const StrictSource source{.where = text.where, .remedy = text.remedy, .options = text.options};
   StrictObject object(std::make_unique<StrictObject::Impl>(document, source, ""));
   read(object);
   object.finish();
 }
 
 void read_strict_table(const StrictText& text, const std::string& rows, const StrictObject::Reader& read) {
-  StrictSource source{.where = text.where, .example = text.example, .rows = rows};
+  StrictSource source{.where = text.where, .remedy = text.remedy, .options = text.options, .rows = rows};
   const std::string as_json = json_from_table(text, source);
   const json document = json_of({.text = as_json, .where = text.where});
   StrictObject object(std::make_unique<StrictObject::Impl>(document, source, ""));

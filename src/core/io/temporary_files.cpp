@@ -15,8 +15,7 @@
 namespace percuss::inline core {
 namespace {
 
-// A plain array of atomics: a signal handler may use nothing that allocates or locks. Beyond it files are written all
-// the same.
+// An array of atomics: a signal handler may neither allocate nor lock. Files beyond its size are not removed there.
 constexpr std::size_t kFilesKnown = 64;
 std::array<std::atomic<const char*>, kFilesKnown>& known_files() {
   static std::array<std::atomic<const char*>, kFilesKnown> files{};
@@ -26,7 +25,7 @@ std::array<std::atomic<const char*>, kFilesKnown>& known_files() {
 }  // namespace
 
 TemporaryFile::TemporaryFile(std::string path, int descriptor) : path_(std::move(path)), descriptor_(descriptor) {
-  ::flock(descriptor, LOCK_EX);  // waits for whoever is just looking whether it is abandoned
+  ::flock(descriptor, LOCK_EX);  // waits for a process that checks whether the file is abandoned
   for (auto& slot : known_files()) {
     const char* empty = nullptr;
     if (slot.compare_exchange_strong(empty, path_.c_str())) return;
@@ -55,7 +54,7 @@ void remove_temporary_files() noexcept {
 void remove_abandoned_files(const std::string& folder, const std::string& prefix) {
   const std::unique_ptr<DIR, int (*)(DIR*)> listing(::opendir(folder.c_str()), ::closedir);
   if (!listing) return;
-  while (const dirent* const entry = ::readdir(listing.get())) {  // NOLINT(concurrency-mt-unsafe): a listing of our own
+  while (const dirent* const entry = ::readdir(listing.get())) {  // NOLINT(concurrency-mt-unsafe): not shared
     if (!std::string_view(entry->d_name).starts_with(prefix)) continue;
     const std::string path = folder + "/" + entry->d_name;
     const int descriptor = ::open(path.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);

@@ -3,17 +3,17 @@
 
 namespace percuss::inline core {
 
-/// A file under a temporary name, known to remove_temporary_files() as long as this object lives. Marks the file
-/// (flock) so that another process can tell it from one that a killed process left behind.
+/// Registers a file under a temporary name with remove_temporary_files() during the lifetime of this object. A lock
+/// (flock) distinguishes the file from those that a killed process left behind.
 class TemporaryFile {
  public:
-  /// `descriptor` is open for the file at `path`. The mark fails silently where the file system has no locks.
+  /// `descriptor` is open for the file at `path`. On a file system without locks, the file stays unlocked.
   TemporaryFile(std::string path, int descriptor);
   ~TemporaryFile();
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
 
-  /// False when another process took it for abandoned before it was marked.
+  /// False when another process removed the file as abandoned before it was locked.
   bool still_there() const;
 
  private:
@@ -21,11 +21,11 @@ class TemporaryFile {
   int descriptor_;
 };
 
-/// Removes the temporary files of this process. For handlers of signals that end it (SIGINT, SIGTERM, SIGHUP), and safe
-/// there; whoever uses the files afterwards fails.
+/// Removes the temporary files of this process. Safe in handlers of signals that end it (SIGINT, SIGTERM, SIGHUP).
+/// Later use of the files fails.
 void remove_temporary_files() noexcept;
 
-/// Removes the files in `folder` whose names start with `prefix` and that no living process marks as its own.
+/// Removes the files in `folder` whose names start with `prefix`, except those that a running process has locked.
 void remove_abandoned_files(const std::string& folder, const std::string& prefix);
 
 }  // namespace percuss::inline core

@@ -53,7 +53,7 @@ double unit_factor(std::string_view text, bool interval) {
   return ends("ms") || ends("msec") ? 1e-3 : ends("us") || ends("usec") ? 1e-6 : 1;
 }
 
-// "50", "50 Hz" and "25.6kHz": number and what follows it.
+// "50", "50 Hz" and "25.6kHz": the number and the text after it.
 std::optional<std::pair<double, std::string_view>> leading_number(std::string_view text, bool decimal_comma) {
   text = trimmed(text);
   std::size_t end = 0;
@@ -64,15 +64,15 @@ std::optional<std::pair<double, std::string_view>> leading_number(std::string_vi
 }
 
 std::string uneven_text(double gap_s, double step_s) {
-  if (gap_s <= 0) return fmt::format("the time does not rise but changes by {:.6g} s", gap_s);
+  if (gap_s <= 0) return fmt::format("the time does not rise: it changes by {:.6g} s", gap_s);
   return fmt::format("uneven time: a step of {:.6g} s where {:.6g} s is usual", gap_s, step_s);
 }
 
 double mean_step_s(std::span<const double> t) { return (t.back() - t.front()) / static_cast<double>(t.size() - 1); }
 
 struct Deviation {
-  double stamp_s = 0;  // of a stamp from even spacing between first and last, at most
-  double step_s = 0;   // of a step from the mean step, at most
+  double stamp_s = 0;  // largest distance of a stamp from even spacing between first and last
+  double step_s = 0;   // largest difference of a step from the mean step
 };
 
 Deviation largest_deviation(std::span<const double> t) {
@@ -85,29 +85,28 @@ Deviation largest_deviation(std::span<const double> t) {
   return largest;
 }
 
-// Stamps that all lie on even spacing far within their rounding were not rounded at all: the step is a whole number of
-// the last digit's units, as in 0.001, 0.002.
+// Stamps on even spacing far within their rounding were not rounded: the step is a whole number of units of the last
+// digit, as in 0.001, 0.002.
 bool is_exact(const TimeStamps& row, const Deviation& deviation) {
   return deviation.stamp_s <= 0.01 * row.resolution_s;
 }
 
-// Whether rounding explains how uneven the stamps are.
+// Whether rounding explains the uneven steps.
 bool is_even(const TimeStamps& row, const Deviation& deviation) {
   constexpr double kSinglePrecision = 0x1p-23;
   const auto t = row.time_s;
   const double step_s = mean_step_s(t);
   if (!(step_s > 0)) return false;
   if (is_exact(row, deviation)) return true;
-  // Steps of one unit with a few of two are lost samples more likely than a rate that is odd by so little.
+  // Steps of one unit with a few of two are probably lost samples, not a rate just off the unit.
   if (std::abs(step_s / row.resolution_s - 1) < 0.25) return false;
-  // Stamps that went through single precision carry its rounding, but never as much as a sample that is lost.
+  // Stamps may carry the rounding of single precision, but never as much as a lost sample.
   const double largest_s = std::max(std::abs(t.front()), std::abs(t.back()));
   const double tolerance_s = 1.001 * row.resolution_s + std::min(kSinglePrecision * largest_s, 0.4 * step_s);
   return deviation.stamp_s <= tolerance_s && deviation.step_s <= tolerance_s;
 }
 
-// The largest departure from the usual step, near which the stamps went wrong: that names the place better than
-// first_uneven.
+// The stamp after the step that differs most from the usual step: the place to report.
 std::size_t oddest_step(const TimeStamps& row, double& step_s) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < row.time_s.size(); ++i) steps.push_back(row.time_s[i] - row.time_s[i - 1]);
@@ -149,7 +148,7 @@ std::optional<double> stated_rate_Hz(std::string_view line, const CsvDialect& di
 }
 
 std::optional<StampedRate> rate_of_time_stamps(std::span<const TimeStamps> rows, StampProblem& problem) {
-  constexpr double kCoarsest = 5e-4;  // relative; a rate as wrong as that would shift every frequency by as much
+  constexpr double kCoarsest = 5e-4;  // relative; an error of the rate shifts every frequency by the same ratio
   double steps = 0, length_s = 0, off_s = 0;
   for (std::size_t r = 0; r < rows.size(); ++r) {
     if (rows[r].time_s.size() < 2) continue;
@@ -175,14 +174,14 @@ std::optional<StampedRate> rate_of_time_stamps(std::span<const TimeStamps> rows,
   }
   StampedRate rate{
       .fs_Hz = steps / length_s, .lowest_Hz = steps / (length_s + off_s), .highest_Hz = steps / (length_s - off_s)};
-  // Sums of doubles are off by their own rounding even where the digits are exact.
+  // Sums of doubles have rounding errors even where the digits are exact.
   rate.lowest_Hz *= 1 - 1e-12;
   rate.highest_Hz *= 1 + 1e-12;
   const double round_Hz = roundest_between(rate.lowest_Hz, rate.highest_Hz);
-  constexpr double kWorthANote = 1e-6;  // no clock of a recorder is better
-  if (std::abs(round_Hz / rate.fs_Hz - 1) > kWorthANote) {
+  constexpr double kNotedDifference = 1e-6;  // recorder clocks are not better
+  if (std::abs(round_Hz / rate.fs_Hz - 1) > kNotedDifference) {
     rate.note = fmt::format(
-        "the time stamps are rounded: the sampling rate is taken as {:.10g} Hz, not {:.10g} (--fs says otherwise)",
+        "the time stamps are rounded: the sampling rate is taken as {:.10g} Hz, not {:.10g}; state it if it is another",
         round_Hz, rate.fs_Hz);
   }
   rate.fs_Hz = round_Hz;
@@ -192,7 +191,7 @@ std::optional<StampedRate> rate_of_time_stamps(std::span<const TimeStamps> rows,
 double roundest_between(double low, double high) {
   const int leading = static_cast<int>(std::floor(std::log10(high)));
   for (int digit = leading; digit > leading - 17; --digit) {
-    // Powers of ten as exact as can be: 10^k for k >= 0 is multiplied by, for k < 0 divided by.
+    // Only powers 10^k with k >= 0 are exact: for negative exponents the code divides by them.
     const double unit = std::pow(10.0, std::abs(digit));
     const double count = digit >= 0 ? std::floor(high / unit) : std::floor(high * unit);
     const double value = digit >= 0 ? count * unit : count / unit;

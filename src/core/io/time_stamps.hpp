@@ -10,27 +10,27 @@
 
 namespace percuss::inline core {
 
-/// The rate in Hz that a header line states: "Sampling Rate(Hz),50" → 50, "fs = 25.6 kHz" → 25600, "dt [ms];0,5" →
+/// The sampling rate in Hz in a header line: "Sampling Rate(Hz),50" → 50, "fs = 25.6 kHz" → 25600, "dt [ms];0,5" →
 /// 2000.
 std::optional<double> stated_rate_Hz(std::string_view line, const CsvDialect& dialect);
 
 /// Time stamps of one row, as written.
 struct TimeStamps {
   std::span<const double> time_s;
-  double resolution_s = 0;  // one unit of the last digit written
+  double resolution_s = 0;  // one unit of the last written digit
 };
 
 struct StampedRate {
   double fs_Hz = 0;
-  double lowest_Hz = 0, highest_Hz = 0;  // what the rounding of the stamps leaves open
-  std::string note;                      // empty when the stamps give the rate exactly
+  double lowest_Hz = 0, highest_Hz = 0;  // limits from the rounding of the stamps
+  std::string note;                      // empty when the stamps give the rate exactly; it concerns the option "fs"
 };
 
 /// The rate of evenly spaced stamps:
 ///   fs = Σ (n − 1) / Σ (t_last − t_first)   over rows                              (1)
-/// and then the roundest number between what the rounding of the stamps leaves open.
-/// errors  std::optional is empty and `problem` says why: stamps that are uneven beyond their rounding, do not rise,
-/// are too coarse to tell the rate to 5e-4, or are fewer than two. `at` is the offending stamp, counted over all rows.
+/// then the number with the fewest digits within the limits from the rounding of the stamps.
+/// errors  nothing, with the reason in `problem`: stamps that are uneven beyond their rounding, do not rise, are too
+/// coarse to give the rate to 5e-4, or are fewer than two. `at` is the index of the wrong stamp in its row.
 struct StampProblem {
   std::string text;
   std::size_t row = 0, at = 0;

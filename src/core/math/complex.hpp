@@ -3,7 +3,7 @@
 
 namespace percuss::inline core {
 
-// std::complex's own product and quotient look after infinities: ten times the work, and loops that do not vectorise.
+// The product and quotient of std::complex handle infinities: ten times the work, and loops that do not vectorise.
 
 inline std::complex<double> times(std::complex<double> a, std::complex<double> b) {
   return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};

@@ -14,7 +14,7 @@ using Eigen::SelfAdjointEigenSolver;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-// AᴴA as a real matrix, in which every eigenvalue stands twice: complex decompositions take half a minute to compile.
+// AᴴA as a real matrix, which has every eigenvalue twice. Complex decompositions take half a minute to compile.
 MatrixXd real_gram(const MatrixXcd& a) {
   const MatrixXcd gram = a.adjoint() * a;
   MatrixXd out(2 * gram.rows(), 2 * gram.rows());

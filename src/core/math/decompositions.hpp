@@ -3,14 +3,14 @@
 
 namespace percuss::inline core {
 
-/// Eigenvectors of a real symmetric matrix, that of the largest eigenvalue first. shape [n, n], in columns.
+/// Eigenvectors of a real symmetric matrix by descending eigenvalue. shape [n, n], in columns.
 Eigen::MatrixXd eigenvectors(const Eigen::MatrixXd& symmetric);
 
-/// Singular values, largest first: square roots of eigenvalues, so that nothing below 1e-8 of the largest is told from
-/// rounding. shape [min(rows, columns)].
+/// Singular values, largest first. They are square roots of eigenvalues: values below 1e-8 of the largest are rounding
+/// errors. shape [min(rows, columns)].
 Eigen::VectorXd singular_values(const Eigen::MatrixXcd& matrix);
 
-/// Right singular vector of the largest singular value, its phase any. shape [columns], norm 1.
+/// Right singular vector of the largest singular value, with arbitrary phase. shape [columns], norm 1.
 Eigen::VectorXcd leading_right_vector(const Eigen::MatrixXcd& matrix);
 
 }  // namespace percuss::inline core

@@ -25,8 +25,8 @@ struct Buffers {
   fftw_complex* complex;
 };
 
-// Plans of one kind, which live as long as the process. FFTW's planner is not thread-safe, its execution is; who asks
-// for a plan that is there does not wait for another one in the making.
+// Plans of one kind, kept until the process ends. FFTW's execution is thread-safe, its planner is not. A request for an
+// existing plan does not wait for a plan in the making.
 class Plans {
  public:
   explicit Plans(fftw_plan (*make)(std::size_t)) : make_(make) {}
@@ -53,7 +53,7 @@ class Plans {
   std::map<std::size_t, fftw_plan> plans_;
 };
 
-// Only 16-byte alignment is promised by std::vector and only that is assumed: UNALIGNED would cost the vector units.
+// std::vector guarantees only 16-byte alignment, and plans assume no more. UNALIGNED would disable vector instructions.
 fftw_plan forward_plan(std::size_t n) {
   static auto& plans = *new Plans([](std::size_t length) {
     const Buffers buffers(length);
@@ -103,7 +103,7 @@ std::vector<Complex> real_dft(std::span<const double> x) {
 }
 
 std::span<const Complex> real_dft_in_scratch(std::span<const double> x) {
-  thread_local std::unique_ptr<Complex, decltype(&fftw_free)> scratch(nullptr, fftw_free);  // aligned as FFTW likes it
+  thread_local std::unique_ptr<Complex, decltype(&fftw_free)> scratch(nullptr, fftw_free);  // aligned for FFTW
   thread_local std::size_t room = 0;
   const std::size_t lines = x.size() / 2 + 1;
   if (room < lines) {

@@ -12,7 +12,7 @@ using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// What scales the diagonal to ones; an unknown that nothing depends on stays as it is.
+// The factors that scale the diagonal to ones; 1 for an unknown without influence.
 template <class Matrix>
 VectorXd unit_diagonal_scaling(const Matrix& gram) {
   return gram.diagonal().real().unaryExpr([](double d) { return d > 0 ? 1 / std::sqrt(d) : 1; });
@@ -20,7 +20,7 @@ VectorXd unit_diagonal_scaling(const Matrix& gram) {
 
 template <class Matrix>
 Matrix inverse_of(const Matrix& gram) {
-  if (gram.size() == 1) return gram.cwiseInverse();  // the most frequent, in each step of each fit of one mode
+  if (gram.size() == 1) return gram.cwiseInverse();  // the most frequent size: each step of a fit of one mode
   const VectorXd scale = unit_diagonal_scaling(gram);
   const Matrix even = scale.asDiagonal() * gram * scale.asDiagonal();
   const Matrix solved = even.ldlt().solve(Matrix::Identity(gram.rows(), gram.cols()));
@@ -43,7 +43,7 @@ MatrixXd orthonormal_polynomials(Index points, Index terms) {
   const VectorXd x = VectorXd::LinSpaced(points, -1, 1);
   MatrixXd q(points, terms);
   for (Index term = 0; term < terms; ++term) {
-    // x times the one before is nearly square to all of them already: nothing cancels.
+    // x times the previous polynomial is nearly orthogonal to all of them, so nothing cancels.
     const VectorXd next = term == 0 ? VectorXd::Ones(points) : VectorXd(x.cwiseProduct(q.col(term - 1)));
     const auto before = q.leftCols(term);
     q.col(term) = (next - before * (before.transpose() * next)).normalized();

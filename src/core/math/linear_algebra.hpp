@@ -4,12 +4,12 @@
 
 namespace percuss::inline core {
 
-/// Inverse of a symmetric (Hermitian) positive matrix whose diagonal may span many decades: scaled to ones on the
-/// diagonal first. shape [n, n].
+/// Inverse of a symmetric (Hermitian) positive matrix. It is scaled to ones on the diagonal first, because the diagonal
+/// may span many decades. shape [n, n].
 Eigen::MatrixXd inverse_gram(const Eigen::MatrixXd& gram);
 Eigen::MatrixXcd inverse_gram(const Eigen::MatrixXcd& gram);
 
-/// Solution x of gram·x = right with the diagonal raised by the factor 1 + damping (Marquardt), scaled likewise.
+/// Solution x of gram·x = right with the diagonal multiplied by 1 + damping (Marquardt), scaled in the same way.
 /// shapes: gram [n, n], right and result [n].
 /// theory (4.10)
 Eigen::VectorXd solve_gram(const Eigen::MatrixXd& gram, const Eigen::VectorXd& right, double damping = 0);
@@ -20,8 +20,8 @@ Eigen::MatrixXd orthonormal_polynomials(Eigen::Index points, Eigen::Index terms)
 /// The x that minimises |columns·x − right|, by QR with column pivoting. shapes: columns [n, m], right [n], result [m].
 Eigen::VectorXd least_squares(const Eigen::MatrixXd& columns, const Eigen::VectorXd& right);
 
-/// The pseudo-inverse, whose product with any `right` is the above; none when a pivot falls below `min_pivot` of the
-/// largest. shapes: columns [n, m], result [m, n]: for small n.
+/// The pseudo-inverse: its product with `right` is the least-squares solution. Nothing when a pivot is below
+/// `min_pivot` of the largest. For small n. shapes: columns [n, m], result [m, n].
 std::optional<Eigen::MatrixXd> left_inverse(const Eigen::MatrixXd& columns, double min_pivot);
 
 }  // namespace percuss::inline core

@@ -6,9 +6,9 @@
 namespace percuss::inline core {
 namespace {
 
-constexpr double kGaussian = 1.4826022185056018;  // deviations per median absolute deviation
+constexpr double kGaussian = 1.4826022185056018;  // standard deviation over median absolute deviation
 
-// Of at least one value, whose order it changes.
+// Median of at least one value; changes their order.
 double median_within(std::vector<double>& values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
@@ -38,7 +38,7 @@ std::vector<double> subsampled(std::span<const double> values, std::size_t enoug
 
 Extremes extremes_of(std::span<const double> values) {
   if (values.empty()) return {};
-  // Eight beside each other, so that no comparison waits for the one before it.
+  // Eight independent comparisons at a time, so that none waits for the previous one.
   using Row = Eigen::Array<double, 8, 1>;
   Row low = Row::Constant(values.front());
   Row high = low;

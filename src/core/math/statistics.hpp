@@ -8,19 +8,19 @@ namespace percuss::inline core {
 /// Median of the values (mean of the middle two for an even count); 0 for none.
 double median(std::vector<double> values);
 
-/// Standard deviation of Gaussian noise as the median absolute deviation from the median tells it (× 1.4826, [2] in
-/// docs/theory/sources.md): unmoved by pulses that fill less than half of the samples. 0 for none.
+/// Standard deviation of Gaussian noise from the median absolute deviation (× 1.4826, [2] in docs/theory/sources.md).
+/// Pulses in less than half of the samples do not change it. 0 for none.
 /// theory (1.1)
 double robust_std(std::vector<double> values);
 
-/// Both at once, for the price of the second.
+/// Median and robust_std in the time of robust_std.
 struct Spread {
   double median = 0, robust_std = 0;
 };
 Spread spread_of(std::vector<double> values);
 
-/// Every n-th value, n so large that no more than twice `enough` are left: their medians are as unmoved by what is rare
-/// as those of all values, and cost nothing.
+/// Every n-th value, with n such that at most 2·`enough` values remain. Their median resists rare values like the
+/// median of all values.
 std::vector<double> subsampled(std::span<const double> values, std::size_t enough);
 
 /// Smallest and largest value; both 0 for none.
@@ -29,7 +29,7 @@ struct Extremes {
   double max_distance_from(double centre) const { return std::max(high - centre, centre - low); }
 };
 Extremes extremes_of(std::span<const double> values);
-/// Those of each `block` values; the last block may be shorter.
+/// The extremes of each block of `block` values; the last block may be shorter.
 std::vector<Extremes> block_extremes(std::span<const double> values, std::size_t block);
 Extremes extremes_of(std::span<const Extremes> blocks);
 

@@ -12,7 +12,7 @@ using Eigen::Map;
 using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 
-// Σ conj(a)·b. Two sums of its own for every other element: a sum waits for the one before it.
+// Σ conj(a)·b in two independent sums over alternate elements: each addition waits for the previous one.
 Complex dot_conj(const Complex* a, const Complex* b, Index n) {
   const auto at = [](const Complex* z, Index i) { return Map<const Array2d>(reinterpret_cast<const double*>(z + i)); };
   Array2d straight = Array2d::Zero(), crossed = Array2d::Zero(), straight2 = Array2d::Zero(),
@@ -47,10 +47,10 @@ Complex dot_real(const double* a, const Complex* b, Index n) {
   return {sum[0], sum[1]};
 }
 
-// task(j) for every column of `matrix`, each against `others` columns.
+// task(j) for every column of `matrix`; `others` columns are multiplied with each.
 template <class Task>
 void over_columns(const MatrixXcd& matrix, Index others, const Task& task) {
-  constexpr Index kPerElement = 8;  // operations of a product of complex numbers and a sum
+  constexpr Index kPerElement = 8;  // flops of a complex product and a sum
   parallel_for_cost(static_cast<std::size_t>(matrix.cols()),
                     static_cast<std::size_t>(kPerElement * matrix.rows() * others),
                     [&](std::size_t j) { task(static_cast<Index>(j)); });
@@ -109,7 +109,7 @@ void subtract_product(MatrixXcd& from, const MatrixXd& columns, const MatrixXcd&
 
 ColumnFit fit_columns(const MatrixXcd& columns, const MatrixXcd& inverse_gram, const MatrixXcd& data,
                       const std::vector<std::size_t>& outputs) {
-  constexpr Index kPasses = 2;  // the normal equations alone lose half of the digits
+  constexpr Index kPasses = 2;  // the normal equations alone lose half the digits
   const auto count = static_cast<Index>(outputs.size());
   ColumnFit fit{.amplitude = MatrixXcd::Zero(columns.cols(), count), .residual = MatrixXcd(columns.rows(), count)};
   over_columns(fit.residual, 2 * kPasses * columns.cols(), [&](Index j) {

@@ -6,8 +6,8 @@
 
 namespace percuss::inline core {
 
-// Products of tall matrices with few columns. A general product is made for large matrices: it copies both sides into
-// blocks first, which here costs more than the product itself.
+// Products of tall matrices with few columns. Eigen's general product copies both factors into blocks first, which
+// takes longer than the product of such matrices.
 
 /// leftᴴ·right. shapes: left [n, a], right [n, b], result [a, b].
 Eigen::MatrixXcd adjoint_product(const Eigen::MatrixXcd& left, const Eigen::MatrixXcd& right);
@@ -30,8 +30,8 @@ struct ColumnFit {
   Eigen::MatrixXcd residual;   // [n, outputs]
 };
 
-/// Least squares by `columns` of those columns of `data` that `outputs` names, one after the other while it is near the
-/// processor. shapes: columns [n, a], inverse_gram (columnsᴴ·columns)⁻¹, data [n, …].
+/// Least-squares fit of `columns` to the columns `outputs` of `data`, one at a time while it is in the cache.
+/// shapes: columns [n, a], inverse_gram (columnsᴴ·columns)⁻¹, data [n, …].
 ColumnFit fit_columns(const Eigen::MatrixXcd& columns, const Eigen::MatrixXcd& inverse_gram,
                       const Eigen::MatrixXcd& data, const std::vector<std::size_t>& outputs);
 

@@ -11,46 +11,35 @@ namespace {
 
 using Task = std::function<void(std::size_t)>;
 
-constexpr std::size_t kMinParallelFlops =
-    400'000;  // operations, about 0.1 ms: waking another thread takes a third of that
+constexpr std::size_t kMinParallelFlops = 400'000;  // about 0.1 ms; waking another thread takes a third of that
 constexpr std::size_t kChunkSize = 512;
 
-thread_local std::size_t allowed_threads = 0;
-thread_local LoopObserver* loop_observer = nullptr;
+thread_local std::size_t thread_limit = 0;
 
 std::atomic<void (*)()> thread_initialiser{nullptr};
 thread_local bool thread_initialised = false;
 
 void initialise_this_thread() {
   thread_initialised = true;
-  if (const auto call = thread_initialiser.load()) call();
+  if (const auto initialise = thread_initialiser.load()) initialise();
 }
 
-// oneTBB orders a task after what came before parallel_for, and what follows after the task. These say so once more, to
-// a thread sanitizer, which does not see into the library.
-std::atomic<std::size_t> begun{0}, ended{0};
+// oneTBB orders tasks after the code before parallel_for, and the code after it after the tasks. The thread sanitizer
+// does not see that order in the library; these counters state it again.
+std::atomic<std::size_t> loops_begun{0}, tasks_ended{0};
 
-struct AtEnd {  // also of a task that throws
-  void (*say)();
-  ~AtEnd() { say(); }
+// Also counts a task that throws.
+struct TaskEnd {
+  ~TaskEnd() { tasks_ended.fetch_add(1, std::memory_order_release); }
+};
+struct LoopEnd {
+  ~LoopEnd() { tasks_ended.load(std::memory_order_acquire); }
 };
 
-struct ObservedLoop {
-  LoopObserver* observer;
-  explicit ObservedLoop(LoopObserver* by) : observer(by) {
-    if (observer != nullptr) observer->loop_started();
-  }
-  ~ObservedLoop() {
-    if (observer != nullptr) observer->loop_finished();
-  }
-  ObservedLoop(const ObservedLoop&) = delete;
-  ObservedLoop& operator=(const ObservedLoop&) = delete;
-};
-
-void call_in_order(const void* task, std::size_t i) {
-  begun.load(std::memory_order_acquire);
+void run_task(const void* task, std::size_t i) {
+  loops_begun.load(std::memory_order_acquire);
   if (!thread_initialised) initialise_this_thread();
-  const AtEnd end{[] { ended.fetch_add(1, std::memory_order_release); }};
+  const TaskEnd end{};
   (*static_cast<const Task*>(task))(i);
 }
 
@@ -61,34 +50,30 @@ void parallel_for(std::size_t count, std::size_t threads, const Task& task) {
     for (std::size_t i = 0; i < count; ++i) task(i);
     return;
   }
-  const ObservedLoop watched{loop_observer};
-  begun.fetch_add(1, std::memory_order_release);
-  const AtEnd end{[] { ended.load(std::memory_order_acquire); }};
-  run_in_arena(count, threads, call_in_order, &task);
+  loops_begun.fetch_add(1, std::memory_order_release);
+  const LoopEnd end{};
+  run_in_arena(count, threads, run_task, &task);
 }
 
-ThreadLimit::ThreadLimit(std::size_t threads) : before_(std::exchange(allowed_threads, threads)) {}
-ThreadLimit::~ThreadLimit() { allowed_threads = before_; }
-std::size_t ThreadLimit::here() { return allowed_threads; }
+ThreadLimit::ThreadLimit(std::size_t threads) : before_(std::exchange(thread_limit, threads)) {}
+ThreadLimit::~ThreadLimit() { thread_limit = before_; }
 
-void set_thread_initialiser(void (*call)()) {
+void set_thread_initialiser(void (*initialise)()) {
   thread_initialised = true;
-  thread_initialiser = call;
+  thread_initialiser = initialise;
 }
 
-LoopObserver* set_loop_observer(LoopObserver* observer) { return std::exchange(loop_observer, observer); }
-
-void parallel_for_cost(std::size_t count, std::size_t operations, const Task& task) {
-  const bool worth_it = count > 1 && operations > kMinParallelFlops / count;
-  parallel_for(count, worth_it ? allowed_threads : 1, [limit = allowed_threads, &task](std::size_t i) {
-    const ThreadLimit same(limit);  // for what the task shares out in its turn
+void parallel_for_cost(std::size_t count, std::size_t flops, const Task& task) {
+  const bool parallel = count > 1 && flops > kMinParallelFlops / count;
+  parallel_for(count, parallel ? thread_limit : 1, [limit = thread_limit, &task](std::size_t i) {
+    const ThreadLimit same(limit);  // of loops within the task
     task(i);
   });
 }
 
-void parallel_for_chunks(std::size_t size, std::size_t operations,
+void parallel_for_chunks(std::size_t size, std::size_t flops,
                          const std::function<void(std::size_t, std::size_t)>& task) {
-  parallel_for_cost((size + kChunkSize - 1) / kChunkSize, operations * kChunkSize, [&](std::size_t chunk) {
+  parallel_for_cost((size + kChunkSize - 1) / kChunkSize, flops * kChunkSize, [&](std::size_t chunk) {
     const std::size_t first = chunk * kChunkSize;
     task(first, std::min(kChunkSize, size - first));
   });

@@ -74,7 +74,7 @@ double AbiCompression::mean_lbf() const { return mean_of(force_lbf); }
 
 AbiLog parse_abi_log(std::string_view text, const std::string& where) {
   AbiLog log;
-  read_strict_json({.text = text, .where = where, .example = "percuss abi --example"},
+  read_strict_json({.text = text, .where = where, .options = {"abi.example"}},
                    [&](StrictObject& o) { read_abi_document(o, log); });
   return log;
 }

@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::uint64_t kLargestSession_bytes = std::uint64_t{16} << 20U;
 constexpr std::size_t kMaxShots = 100'000;
-constexpr double kFastest_mph = 400;  // faster than any cannon
-constexpr const char* kSessionExample = "percuss certify --example";
+constexpr double kFastest_mph = 400;  // no cannon is faster
+constexpr const char* kSessionExample = "certify.example";
 
 constexpr std::array<std::pair<const char*, PerformanceMetric>, 3> kMetricNames{
     {{"besr", PerformanceMetric::besr},
@@ -156,7 +156,7 @@ std::optional<PerformanceMetric> performance_metric_named(std::string_view name)
 Session parse_session(std::string_view text, const std::string& where) {
   if (text.size() > kLargestSession_bytes) throw InputError("longer than 16 MiB", where, "give a session");
   Session session;
-  const StrictText input{.text = text, .where = where, .example = kSessionExample};
+  const StrictText input{.text = text, .where = where, .options = {kSessionExample}};
   const auto read = [&](StrictObject& o) { read_session_document(o, session); };
   looks_like_json(text) ? read_strict_json(input, read) : read_strict_table(input, "shots", read);
   return session;

@@ -84,7 +84,7 @@ bool holds_batch(std::string_view text) {
 std::vector<BatProperties> batch_bats(std::string_view text, const std::string& where) {
   if (text.starts_with('{')) return bats_of_lines(text, where);
   std::vector<BatProperties> bats;
-  read_strict_table({.text = text, .where = where, .example = kMerging}, "rows",
+  read_strict_table({.text = text, .where = where, .remedy = "merge the batch again"}, "rows",
                     [&](StrictObject& o) { o.read_list("rows", [&](StrictObject& row) { take_row(row, bats); }); });
   return bats;
 }

@@ -19,7 +19,7 @@ using Json = nlohmann::json;
 
 constexpr std::size_t kMaxBats = 2000;
 constexpr double kBall_kg = 0.1454;
-constexpr const char* kStudyExample = "percuss study --example";
+constexpr const char* kStudyExample = "study.example";
 
 struct QuantityNames {
   const char *column, *axis, *words;
@@ -196,7 +196,7 @@ void StudyRows::add(std::string_view text, const std::string& where) {
     }
     merge(p, row.place());
   };
-  const StrictText input{.text = text, .where = where, .example = kStudyExample};
+  const StrictText input{.text = text, .where = where, .options = {kStudyExample}};
   const auto read = [&](StrictObject& o) {
     std::string schema = "percuss/study-table/1";
     o.read("schema", schema);

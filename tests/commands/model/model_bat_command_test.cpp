@@ -25,7 +25,7 @@ class ModelBatCommand : public testing::Test {
   test::ScratchFolder folder_;
 };
 
-TEST_F(ModelBatCommand, GivesADocumentThatItsSchemaDescribes) {
+TEST_F(ModelBatCommand, PrintsADocumentThatFitsItsSchema) {
   for (const auto& options : std::vector<std::vector<std::string>>{{"--json"}, {"--json", "--wave", "0.6"}}) {
     const auto outcome = run(options);
     ASSERT_EQ(outcome.code, 0) << outcome.err;
@@ -48,7 +48,7 @@ TEST_F(ModelBatCommand, WritesTableAndPictureOfSpeedsOrWave) {
             "z_m,deflection_m_0_s,deflection_m_0.001_s,deflection_m_0.002_s");
 }
 
-TEST_F(ModelBatCommand, NamesTheOptionThatIsWrong) {
+TEST_F(ModelBatCommand, NamesTheInvalidOption) {
   for (const auto& [option, value] : std::vector<std::pair<std::string, std::string>>{{"--density", "-1"},
                                                                                       {"--young", "0"},
                                                                                       {"--shear", "nan"},
@@ -65,7 +65,7 @@ TEST_F(ModelBatCommand, NamesTheOptionThatIsWrong) {
   }
 }
 
-TEST_F(ModelBatCommand, NamesTheProfilesLineThatIsWrong) {
+TEST_F(ModelBatCommand, NamesTheInvalidLineOfTheProfile) {
   for (const auto& [text, named] : std::vector<std::pair<std::string, std::string>>{{"", "bat.csv"},
                                                                                     {"# nothing\n", "bat.csv"},
                                                                                     {"2,50\n1,40\n", "line 2"},
@@ -86,7 +86,7 @@ TEST_F(ModelBatCommand, NamesTheProfilesLineThatIsWrong) {
   }
 }
 
-TEST_F(ModelBatCommand, RefusesMoreSlicesThanABatHas) {
+TEST_F(ModelBatCommand, RejectsTooManySlices) {
   std::string text;
   for (int i = 1; i <= 1001; ++i) text += std::to_string(0.05 * i) + ",40\n";
   test::write_bytes(folder_.file("bat.csv"), text);

@@ -20,7 +20,7 @@ nlohmann::json document(std::vector<std::string> arguments) {
   return out;
 }
 
-TEST(ModelBeamCommand, GivesADocumentThatItsSchemaDescribes) {
+TEST(ModelBeamCommand, PrintsADocumentThatFitsItsSchema) {
   const auto all = document({});
   ASSERT_EQ(all["frequency_hz"].size(), 10U);
   EXPECT_NEAR(all["frequency_hz"][1].get<double>(), 322.433, 0.5e-3);
@@ -38,7 +38,7 @@ TEST(ModelBeamCommand, ListsRigidBodyModesAtZero) {
   EXPECT_TRUE(free["beam"]["torsion_nmprad"].is_null());
 }
 
-TEST(ModelBeamCommand, TakesShearRotaryInertiaAndLayers) {
+TEST(ModelBeamCommand, AcceptsShearRotaryInertiaAndLayers) {
   const auto stubby =
       document({"--support", "free", "--gyration", "0.05", "--shear-stiffness", "2e6", "--modes", "3", "--ei", "4000"});
   EXPECT_NEAR(stubby["frequency_hz"][2].get<double>(), 386.1276095, 1e-6);
@@ -60,7 +60,7 @@ TEST(ModelBeamCommand, FitsMeasuredFrequencies) {
   EXPECT_TRUE(free["fit"]["parameters"][0]["std"].is_null());
 }
 
-TEST(ModelBeamCommand, TakesTheSpringFromStaticReadings) {
+TEST(ModelBeamCommand, ComputesTheSpringFromStaticReadings) {
   // 10 N and 20 N at 0.5 m: P a²/T + P a³/(3 EI) with T = 1200, EI = 4000.
   const auto fit = document({"--static", "10:0.5:0.0021875", "--static", "20:0.5:0.004375"});
   EXPECT_NEAR(fit["beam"]["torsion_nmprad"].get<double>(), 1200, 1e-6);
@@ -77,7 +77,7 @@ TEST(ModelBeamCommand, WritesShapesAsTableAndPicture) {
   EXPECT_THAT(test::bytes_of(folder.file("a.svg")), testing::StartsWith("<svg "));
 }
 
-TEST(ModelBeamCommand, NamesTheOptionThatIsWrong) {
+TEST(ModelBeamCommand, NamesTheInvalidOption) {
   using Words = std::vector<std::string>;
   for (const Words& words : std::vector<Words>{{"--length", "0"},
                                                {"--ei", "-4000"},

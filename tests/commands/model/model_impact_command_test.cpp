@@ -20,7 +20,7 @@ nlohmann::json document(std::vector<std::string> arguments) {
   return out;
 }
 
-TEST(ModelImpactCommand, GivesADocumentThatItsSchemaDescribes) {
+TEST(ModelImpactCommand, PrintsADocumentThatFitsItsSchema) {
   const auto all = document({});
   EXPECT_NEAR(all["cor"].get<double>(), 0.4699495, 1e-6);  // impact_test.cpp says where from
   EXPECT_EQ(all["recontact"], false);
@@ -41,7 +41,7 @@ TEST(ModelImpactCommand, SweepsEachOfItsParameters) {
   EXPECT_EQ(sweep[25]["at"], 0.025);
 }
 
-TEST(ModelImpactCommand, IsTheSameOnOneThread) {
+TEST(ModelImpactCommand, GivesTheSameResultOnOneThread) {
   const std::vector<std::string> words{"model", "impact", "--sweep", "ei=1000:500:6000", "--json", "--threads"};
   auto one = words, four = words;
   one.emplace_back("1");
@@ -49,7 +49,7 @@ TEST(ModelImpactCommand, IsTheSameOnOneThread) {
   EXPECT_EQ(run_percuss(one).out, run_percuss(four).out);
 }
 
-TEST(ModelImpactCommand, OffersTheSourcesMethodAndALossyContact) {
+TEST(ModelImpactCommand, OffersTheMethodOfTheSourceAndALossyContact) {
   const auto classic = document({"--method", "small-increment", "--step", "1e-6"});
   EXPECT_NEAR(classic["cor"].get<double>(), 0.46995, 2e-3);
   EXPECT_TRUE(classic["cor_uncertainty"].is_null());
@@ -74,7 +74,7 @@ TEST(ModelImpactCommand, WritesSeriesAndCurves) {
   EXPECT_THAT(test::bytes_of(folder.file("b.svg")), HasSubstr("coefficient of restitution"));
 }
 
-TEST(ModelImpactCommand, NamesTheOptionThatIsWrong) {
+TEST(ModelImpactCommand, NamesTheInvalidOption) {
   using Words = std::vector<std::string>;
   for (const Words& words : std::vector<Words>{{"--ball-mass", "-0.1"},
                                                {"--speed", "0"},

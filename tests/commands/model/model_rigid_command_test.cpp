@@ -10,7 +10,7 @@ namespace percuss::model_rigid_command_test {
 using test::run_percuss;
 using testing::HasSubstr;
 
-TEST(ModelRigidCommand, GivesADocumentThatItsSchemaDescribes) {
+TEST(ModelRigidCommand, PrintsADocumentThatFitsItsSchema) {
   const auto outcome = run_percuss({"model", "rigid", "--json"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const auto document = test::parse_json(outcome.out);
@@ -36,7 +36,7 @@ TEST(ModelRigidCommand, WritesTableAndPicture) {
   EXPECT_THAT(test::bytes_of(folder.file("a.svg")), testing::StartsWith("<svg "));
 }
 
-TEST(ModelRigidCommand, NamesTheOptionThatIsWrong) {
+TEST(ModelRigidCommand, NamesTheInvalidOption) {
   for (const auto& [option, value] : std::vector<std::pair<std::string, std::string>>{{"--ball-mass", "-1"},
                                                                                       {"--bat-mass", "0"},
                                                                                       {"--inertia", "nan"},
@@ -52,7 +52,7 @@ TEST(ModelRigidCommand, NamesTheOptionThatIsWrong) {
   }
 }
 
-TEST(ModelCommand, SaysWhichModelsThereAre) {
+TEST(ModelCommand, ListsTheModels) {
   EXPECT_EQ(run_percuss({"model"}).code, 2);
   const auto outcome = run_percuss({"model", "fly"});
   EXPECT_EQ(outcome.code, 2);

@@ -19,7 +19,7 @@ nlohmann::json document_of(std::vector<std::string> options) {
   return document;
 }
 
-TEST(ModelShellCommand, GivesADocumentThatItsSchemaDescribes) {
+TEST(ModelShellCommand, PrintsADocumentThatFitsItsSchema) {
   const auto document = document_of({"--modes", "2"});
   EXPECT_NEAR(document["ring_hz"].get<double>(), 1550, 0.5);
   EXPECT_NEAR(document["flugge_hz"][0].get<double>(), 1756, 0.5);
@@ -43,7 +43,7 @@ TEST(ModelShellCommand, WritesTableAndPicture) {
   EXPECT_THAT(test::bytes_of(folder.file("a.svg")), testing::StartsWith("<svg "));
 }
 
-TEST(ModelShellCommand, NamesTheOptionThatIsWrong) {
+TEST(ModelShellCommand, NamesTheInvalidOption) {
   for (const auto& [option, value] : std::vector<std::pair<std::string, std::string>>{{"--outer-diameter", "-1"},
                                                                                       {"--wall", "0.04"},
                                                                                       {"--length", "0"},

@@ -19,7 +19,7 @@ nlohmann::json document_of(std::vector<std::string> options) {
   return document;
 }
 
-TEST(ModelTrampolineCommand, GivesADocumentThatItsSchemaDescribes) {
+TEST(ModelTrampolineCommand, PrintsADocumentThatFitsItsSchema) {
   const auto document = document_of({});
   EXPECT_NEAR(document["wall_cor"].get<double>(), 0.48359, 0.5e-5);
   EXPECT_NEAR(document["peak"]["hoop_hz"].get<double>(), 1255.2, 0.05);
@@ -33,7 +33,7 @@ TEST(ModelTrampolineCommand, KnowsTheSoftball) {
   EXPECT_EQ(document["constants"]["c2"], 100.5);
 }
 
-TEST(ModelTrampolineCommand, TellsTheModalMassFromAShift) {
+TEST(ModelTrampolineCommand, ComputesTheModalMassFromAFrequencyShift) {
   const auto document =
       document_of({"--extra-mass", "0.145", "--free-hoop", "2300", "--loaded-hoop", "1600", "--hoop", "2200:100:2400"});
   EXPECT_NEAR(document["modal_mass_kg"].get<double>(), 0.136, 0.5e-3);
@@ -62,7 +62,7 @@ TEST(ModelTrampolineCommand, WritesTableAndPicture) {
   EXPECT_THAT(test::bytes_of(folder.file("a.svg")), testing::StartsWith("<svg "));
 }
 
-TEST(ModelTrampolineCommand, NamesTheOptionThatIsWrong) {
+TEST(ModelTrampolineCommand, NamesTheInvalidOption) {
   for (const auto& [option, value] : std::vector<std::pair<std::string, std::string>>{{"--ball", "golf"},
                                                                                       {"--speed", "0"},
                                                                                       {"--m1", "-1"},
@@ -82,7 +82,7 @@ TEST(ModelTrampolineCommand, NamesTheOptionThatIsWrong) {
   }
 }
 
-TEST(ModelTrampolineCommand, NamesTheLineThatIsWrong) {
+TEST(ModelTrampolineCommand, NamesTheInvalidLine) {
   const test::ScratchFolder folder;
   test::write_bytes(folder.file("ccor.csv"), "26.8,0.519,0.004\n51.4,nan,0.004\n");
   const auto outcome = run_percuss({"model", "trampoline", "--fit-ccor", folder.file("ccor.csv")});

@@ -79,7 +79,7 @@ TEST_P(AtomicFiles, HaveTheModeOfOrdinaryFiles) {
 
 TEST_P(AtomicFiles, ReplaceOnlyWhenForced) {
   test::write_bytes(path_, "old");
-  EXPECT_EQ(input_error_of([&] { write("new", false); }), "file exists (" + path_ + "); give another name or --force");
+  EXPECT_EQ(input_error_of([&] { write("new", false); }), "file exists (" + path_ + "); give another name, or overwrite it");
   EXPECT_EQ(test::bytes_of(path_), "old");
   write("new", true);
   EXPECT_EQ(test::bytes_of(path_), "new");

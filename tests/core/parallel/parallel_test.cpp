@@ -26,8 +26,8 @@ TEST(ParallelFor, CallsEachTaskOnceOnAnyNumberOfThreads) {
   }
 }
 
-TEST(ParallelFor, RunsHereAndInOrderOnOneThread) {
-  std::vector<std::size_t> order;  // unguarded: a second thread would be a race
+TEST(ParallelFor, RunsInOrderOnTheCallingThreadWithOneThread) {
+  std::vector<std::size_t> order;  // without a lock: a second thread would be a data race
   const auto here = std::this_thread::get_id();
   parallel_for(50, 1, [&](std::size_t i) {
     EXPECT_EQ(std::this_thread::get_id(), here);
@@ -38,7 +38,7 @@ TEST(ParallelFor, RunsHereAndInOrderOnOneThread) {
   EXPECT_EQ(order, expected);
 }
 
-TEST(ParallelFor, PassesATasksExceptionOn) {
+TEST(ParallelFor, RethrowsTheExceptionOfATask) {
   for (const std::size_t threads : kAnyThreads) {
     const auto work = [&] {
       parallel_for(20, threads, [](std::size_t i) {
@@ -60,8 +60,8 @@ TEST(ParallelFor, MayBeNested) {
   for (const auto& number : calls) EXPECT_EQ(number, 1);
 }
 
-// Else it would return with its work undone, as if all were well.
-TEST(ParallelFor, FinishesALoopWithinOneThatFailsMeanwhile) {
+// Otherwise it would return with its work undone, without an error.
+TEST(ParallelFor, FinishesANestedLoopWhenTheOuterLoopFails) {
   std::atomic<bool> begun{false}, failed{false};
   std::size_t calls = 0;
   const auto work = [&] {
@@ -73,7 +73,7 @@ TEST(ParallelFor, FinishesALoopWithinOneThatFailsMeanwhile) {
       }
       begun = true;
       while (!failed) std::this_thread::yield();
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));  // until the library has heard of it
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));  // until the library has cancelled the outer loop
       std::atomic<std::size_t> inner{0};
       parallel_for(1000, 2, [&](std::size_t) { ++inner; });
       calls = inner;
@@ -83,7 +83,7 @@ TEST(ParallelFor, FinishesALoopWithinOneThatFailsMeanwhile) {
   EXPECT_EQ(calls, begun ? 1000U : 0U);
 }
 
-TEST(ShareOutStrips, CoverEachValueOnce) {
+TEST(ParallelForChunks, CoversEachIndexOnce) {
   for (const std::size_t size : {0U, 1U, 511U, 512U, 513U, 5000U}) {
     std::vector<int> calls(size);
     parallel_for_chunks(size, 1'000'000, [&](std::size_t first, std::size_t count) {
@@ -93,17 +93,17 @@ TEST(ShareOutStrips, CoverEachValueOnce) {
   }
 }
 
-TEST(ShareOut, StaysHereWhereItWouldNotPayOrIsNotAllowed) {
+TEST(ParallelForCost, RunsShortOrLimitedLoopsOnTheCallingThread) {
   const auto here = std::this_thread::get_id();
-  const auto stays = [&](std::size_t operations) {
-    parallel_for_cost(100, operations, [&](std::size_t) { EXPECT_EQ(std::this_thread::get_id(), here); });
+  const auto expect_calling_thread = [&](std::size_t flops) {
+    parallel_for_cost(100, flops, [&](std::size_t) { EXPECT_EQ(std::this_thread::get_id(), here); });
   };
-  stays(10);
+  expect_calling_thread(10);
   const ThreadLimit limit(1);
-  stays(1'000'000'000);
+  expect_calling_thread(1'000'000'000);
 }
 
-TEST(ShareOut, KeepsItsLimitWithinTasksAndGivesItBack) {
+TEST(ParallelForCost, KeepsTheThreadLimitWithinTasksAndRestoresIt) {
   std::vector<std::atomic<int>> calls(64);
   {
     const ThreadLimit limit(2);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "acquire/channels/channel_setup.hpp"
+#include "cli/option_names.hpp"
 #include "core/error.hpp"
 #include "core/io/input_file.hpp"
 #include "report/text/version.hpp"
@@ -10,12 +11,12 @@
 namespace percuss::tools {
 namespace {
 
-constexpr std::uint64_t kLargestSetup_bytes = std::uint64_t{1} << 20U;
-constexpr const char* kSetup = "--setup=";  // its text is kept, not its path
+constexpr std::uint64_t kMaxSetup_bytes = std::uint64_t{1} << 20U;
+constexpr const char* kSetup = "--setup=";  // the manifest stores the text of the file, not its path
 
 std::string head_place(const batch::Manifest& manifest) { return manifest.path() + ", line 1, options"; }
 
-// Only options that say how records are analysed: --help is none.
+// Accepts only analysis and reading options, which stand under a heading; --help does not.
 void require_known(const CommandLine& line, const batch::Manifest& manifest) {
   const DeclaredCommand& command = *find_command(line.declaration(), "analyze");
   for (const std::string& word : manifest.head().options) {
@@ -27,7 +28,7 @@ void require_known(const CommandLine& line, const batch::Manifest& manifest) {
   }
 }
 
-// Parsed as they were when somebody typed them, with the same checks.
+// Parses the stored options with the checks of the command line.
 void parse_options(const batch::Manifest& manifest, BatchOptions& options) {
   CommandLine line("percuss", "", report::version());
   Command command = line.command("analyze", "", [] { return 0; });
@@ -57,7 +58,7 @@ void store_batch_options(const Command& command, const BatchOptions& options, ba
   }
   std::erase_if(head.options, [](const std::string& word) { return word.starts_with(kSetup); });
   if (!options.read.setup_path.empty())
-    head.setup = std::string(read_input(options.read.setup_path, kLargestSetup_bytes).view());
+    head.setup = std::string(read_input(options.read.setup_path, kMaxSetup_bytes).view());
 }
 
 batch::RowOptions row_options(const batch::Manifest& manifest, bool trust_input) {
@@ -69,9 +70,10 @@ batch::RowOptions row_options(const batch::Manifest& manifest, bool trust_input)
     out.read = per_file_read_options(options.read);
     out.analysis = analysis_options(options.analysis);
   } catch (const UsageError& e) {
-    throw InputError(e.what(), head_place(manifest), "plan the batch anew");
+    throw InputError(e.what(), head_place(manifest), "plan the batch again");
   }
-  out.analysis.threads = 1;  // the records are what threads divide
+  out.write_option = flag_of;
+  out.analysis.threads = 1;  // threads divide the records
   if (!manifest.head().setup.empty())
     out.read.read.setup = acquire::parse_channel_setup(manifest.head().setup, manifest.path() + ", line 1, setup");
   return out;

@@ -9,7 +9,7 @@
 
 namespace percuss::tools {
 
-/// The options of percuss analyze on which a record's rows depend.
+/// The options of percuss analyze that change the rows of a record.
 struct BatchOptions {
   ReadFlags read;
   AnalysisFlags analysis;
@@ -17,11 +17,11 @@ struct BatchOptions {
 
 void add_batch_options(Command& command, BatchOptions& options);
 
-/// What was given of them, as the manifest holds it. `command` is the one that add_batch_options was called for; in
+/// Stores the given options in the header of the manifest. `command` is the argument of add_batch_options;
 /// `options.read.paths` are the records. Throws UsageError and InputError as percuss analyze does.
 void store_batch_options(const Command& command, const BatchOptions& options, batch::BatchHeader& head);
 
-/// The same back, from a manifest that may hold anything. errors  InputError naming the manifest.
+/// Reads the options from a manifest, which may hold anything. Throws InputError with the path of the manifest.
 batch::RowOptions row_options(const batch::Manifest& manifest, bool trust_input);
 
 }  // namespace percuss::tools

@@ -7,10 +7,12 @@
 #include <optional>
 
 #include "batch/plan.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/option_error.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
+#include "commands/batch/batch_commands.hpp"
 #include "commands/batch/batch_options.hpp"
-#include "commands/commands.hpp"
 #include "core/error.hpp"
 #include "core/io/input_file.hpp"
 #include "report/text/version.hpp"
@@ -18,12 +20,12 @@
 namespace percuss::tools {
 namespace {
 
-constexpr std::uint64_t kLongestList_bytes = std::uint64_t{4} << 30U;
+constexpr std::uint64_t kMaxList_bytes = std::uint64_t{4} << 30U;
 
 struct PlanFlags {
   std::vector<std::string> inputs;
   BatchOptions options;
-  std::optional<Command> command;  // which tells what was given of them
+  std::optional<Command> command;  // knows which options are given
   OutputFlags output;
   std::size_t shards = 1;
   bool frf = false, hash = false;
@@ -31,11 +33,12 @@ struct PlanFlags {
 
 batch::RecordFiles files_of(const PlanFlags& flags) {
   if (flags.inputs.empty())
-    throw UsageError("no record", "name files, folders or patterns in quotes, or - for a list on standard input");
+    throw OptionError({}, "no record is given",
+                      "name files, folders or patterns in quotes, or - for a list on standard input");
   std::vector<std::string> names;
   for (const std::string& input : flags.inputs) {
-    const auto listed = input == "-" ? batch::parse_path_list(read_input("-", kLongestList_bytes).view())
-                                     : std::vector<std::string>{input};
+    const auto listed =
+        input == "-" ? batch::parse_path_list(read_input("-", kMaxList_bytes).view()) : std::vector<std::string>{input};
     names.insert(names.end(), listed.begin(), listed.end());
   }
   batch::RecordFiles files = batch::record_files(names);
@@ -66,7 +69,8 @@ std::string summary_json(const batch::BatchHeader& head, std::size_t records, st
 
 int plan(PlanFlags& flags) {
   check_outputs(flags.output, {".jsonl"});
-  if (flags.output.paths.size() != 1) throw UsageError("batch plan writes one manifest", "give -o FILE.jsonl");
+  if (flags.output.paths.size() != 1)
+    throw OptionError({}, "batch plan writes one manifest", "name one file that ends in .jsonl", {"output"});
   const std::string& path = flags.output.paths.front();
   const Progress progress("planning", flags.output.quiet);
   batch::RecordFiles files = files_of(flags);
@@ -83,7 +87,7 @@ int plan(PlanFlags& flags) {
   std::uint64_t bytes = 0;
   for (const batch::BatchRecord& record : records) bytes += record.bytes;
   if (files.left_out > 0 && !flags.output.quiet)
-    std::cerr << fmt::format("percuss: {} files of other kinds were left out\n", files.left_out);
+    std::cerr << fmt::format("percuss: {} files of other kinds were skipped\n", files.left_out);
   if (flags.output.json) {
     std::cout << summary_json(head, records.size(), bytes, files.left_out);
   } else if (!flags.output.quiet) {
@@ -98,28 +102,28 @@ int plan(PlanFlags& flags) {
 
 void add_batch_plan(CommandLine& line) {
   auto flags = line.values<PlanFlags>();
-  Command command = line.command("batch plan", "Lists many records and how they are to be analysed, in a manifest",
+  Command command = line.command("batch plan", "Plan a batch: write the records and the analysis options to a manifest",
                                  [flags] { return plan(*flags); });
   flags->command = command;
   command.about(
-      "Writes a manifest: a line of JSON for the options, which are those of percuss analyze, and one per record with "
-      "its id, path and size. An id is the file's name without extension, or its path where several have that name. "
-      "Paths that are not absolute are those from the manifest's folder, so that manifest and records can be moved "
-      "together, as to a cluster. A record that has changed when its turn comes is reported, not analysed.");
-  command.example("percuss batch plan bat.h5 barrel.h5 --band 60:3200 -o manifest.jsonl", "Two records");
+      "Writes a manifest: a line of JSON for the options of percuss analyze, and a line per record with its id, path "
+      "and size. The id is the name of the file without extension, or its path if several files share the name. "
+      "Relative paths start from the folder of the manifest, so manifest and records can be moved together, for "
+      "example to a cluster. A record that has changed since the plan is reported and not analysed.");
+  command.example("percuss batch plan bat.h5 barrel.h5 --band 60:3200 -o manifest.jsonl", "Plan two records");
   command.example("percuss batch plan '*.h5' --effort quick --shards 4 -o manifest.jsonl",
-                  "All files that fit the pattern, for four workers");
+                  "Plan all files that match the pattern, for four workers");
   command.example("ls bat.h5 bat.mat | percuss batch plan - --frf --hash -o manifest.jsonl",
-                  "A list of files; FRFs are kept as well, and changed contents are noticed");
-  command.words("INPUT", flags->inputs,
-                "Records or FRFs: files; folders, of which all such files below are taken; patterns in quotes; - is a "
-                "list on standard input, a path per line");
-  command.value("--shards", flags->shards, "Into how many parts of about equal bytes the work may be divided")
+                  "Plan a list of files, keep FRFs, and detect changed contents");
+  command.arguments("INPUT", flags->inputs,
+                    "Records or FRFs: files; folders, searched recursively; patterns in quotes; - is a list on "
+                    "standard input, one path per line");
+  command.value("--shards", flags->shards, "Divide the work into this many shards of about equal bytes")
       .within(1, static_cast<double>(batch::kMaxShards))
       .show_default();
-  command.flag("--frf", flags->frf, "Keep the FRFs as well, for percuss batch merge -o FILE.h5");
+  command.flag("--frf", flags->frf, "Keep the FRFs, for percuss batch merge -o FILE.h5");
   command.flag("--hash", flags->hash,
-               "Note every record's SHA-256, not only its size: reads them all, now and when they are analysed");
+               "Store the SHA-256 of every record in addition to its size; reads every record twice");
   add_batch_options(command, flags->options);
   add_setup_option(command, flags->options.read);
   add_output_flags(command, flags->output, ".jsonl");

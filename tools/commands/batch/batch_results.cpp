@@ -6,9 +6,11 @@
 
 #include "batch/merge.hpp"
 #include "batch/status.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/option_error.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
-#include "commands/commands.hpp"
+#include "commands/batch/batch_commands.hpp"
 #include "core/error.hpp"
 #include "report/text/version.hpp"
 
@@ -22,8 +24,8 @@ struct ResultFlags {
 };
 
 void add_places(Command& command, ResultFlags& flags) {
-  command.word("FOLDER", flags.folder, "Folder of the results: -o of percuss batch run").type("FOLDER").required();
-  command.value("--manifest", flags.manifest, "What percuss batch plan wrote").type("FILE").required();
+  command.argument("FOLDER", flags.folder, "Folder of the results: -o of percuss batch run").type("FOLDER").required();
+  command.value("--manifest", flags.manifest, "Read the manifest of percuss batch plan").type("FILE").required();
 }
 
 int status(const ResultFlags& flags) {
@@ -40,7 +42,8 @@ int status(const ResultFlags& flags) {
 
 int merge(const ResultFlags& flags) {
   check_outputs(flags.output, {".jsonl", ".csv", ".h5"});
-  if (flags.output.paths.empty()) throw UsageError("nothing to write", "give -o FILE.jsonl, FILE.csv or FILE.h5");
+  if (flags.output.paths.empty())
+    throw OptionError({}, "no output is given", "name a file that ends in .jsonl, .csv or .h5", {"output"});
   const batch::Manifest manifest(flags.manifest);
   const Progress progress("merging", flags.output.quiet);
   const batch::MergedBatch merged = batch::merge_batch(manifest, flags.folder, flags.output.paths, flags.output.force);
@@ -61,36 +64,33 @@ int merge(const ResultFlags& flags) {
 
 void add_batch_status(CommandLine& line) {
   auto flags = line.values<ResultFlags>();
-  Command command = line.command("batch status", "How far a batch has come, and which shards are missing",
+  Command command = line.command("batch status", "Show the progress of a batch and its missing shards",
                                  [flags] { return status(*flags); });
   command.about(
-      "Tells from the files in the folder of results, not from an engine, which shards are finished, which are "
-      "missing, "
-      "and which records were begun more than once and never finished: such a record may be what ends the worker.");
+      "Lists finished and missing shards from the files in the folder of results, without asking a scheduler. Also "
+      "lists records that were begun more than once and never finished: such a record may crash the worker.");
   command.example(
       "percuss batch plan bat.h5 --shards 3 -o manifest.jsonl; percuss batch run --manifest manifest.jsonl --shard 0 "
-      "-o "
-      "results; percuss batch status --manifest manifest.jsonl results --missing",
-      "Prints 1,2: for sbatch --array");
+      "-o results; percuss batch status --manifest manifest.jsonl results --missing",
+      "Print 1,2, for sbatch --array");
   add_places(command, *flags);
-  command.flag("--missing", flags->missing, "Print the numbers of the missing shards alone: 0,3,4");
-  command.flag("--json", flags->json, "One JSON document on standard output");
+  command.flag("--missing", flags->missing, "Print only the numbers of the missing shards: 0,3,4");
+  command.flag("--json", flags->json, "Print one JSON document on standard output");
 }
 
 void add_batch_merge(CommandLine& line) {
   auto flags = line.values<ResultFlags>();
-  Command command =
-      line.command("batch merge", "One file of all shards' rows, ordered by id", [flags] { return merge(*flags); });
+  Command command = line.command("batch merge", "Merge the rows of all shards into one file, ordered by id",
+                                 [flags] { return merge(*flags); });
   command.about(
-      "Puts the rows of all shards into one file, a row per record and per mode, as lines of JSON or as a table that "
-      "percuss study reads; FRFs into HDF5, where they were planned. The bytes do not depend on the number of shards, "
-      "threads or machines of one kind. Shards that are missing, or were made with other options or versions of "
-      "percuss "
-      "than the rest, are refused. Exit code 6 tells that some records failed.");
+      "Writes the rows of all shards to one file, a row per record and mode, as lines of JSON or as a table for "
+      "percuss study. Writes FRFs to HDF5 if the plan keeps them. The bytes do not depend on the number of shards, "
+      "threads or machines of one kind. Missing shards, and shards with other options or another version of percuss, "
+      "are an error. The exit code is 6 if some records failed.");
   command.example(
       "percuss batch plan bat.h5 barrel.h5 -o manifest.jsonl; percuss batch run --manifest manifest.jsonl -o results; "
       "percuss batch merge --manifest manifest.jsonl results -o bats.jsonl -o bats.csv",
-      "From records to a table");
+      "Turn records into a table");
   add_places(command, *flags);
   add_output_flags(command, flags->output, ".jsonl, .csv, .h5");
 }

@@ -12,10 +12,12 @@
 #include "acquire/open_measurement.hpp"
 #include "batch/part.hpp"
 #include "batch/run_shard.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/option_error.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
+#include "commands/batch/batch_commands.hpp"
 #include "commands/batch/batch_options.hpp"
-#include "commands/commands.hpp"
 #include "core/error.hpp"
 #include "report/text/version.hpp"
 
@@ -30,10 +32,10 @@ struct RunFlags {
   bool trust_input = false, force = false, json = false, quiet = false;
 };
 
-// Which shards are to be run, of how many.
+// The shards to run, and the number of shards.
 struct ShardSelection {
   std::optional<std::size_t> shard;   // none: all
-  std::optional<std::size_t> shards;  // none: as the folder or the manifest says
+  std::optional<std::size_t> shards;  // none: from the folder or the manifest
 };
 
 std::optional<std::size_t> whole_number(std::string_view text) {
@@ -49,13 +51,13 @@ ShardSelection parse_shard_selection(const std::string& text) {
   const auto shard = whole_number(std::string_view(text).substr(0, slash));
   const auto shards = slash < text.size() ? whole_number(std::string_view(text).substr(slash + 1)) : std::nullopt;
   if (!shard || (slash < text.size() && (!shards || *shards < 1 || *shards > batch::kMaxShards))) {
-    throw UsageError("--shard cannot be '" + one_line(text, 40) + "'",
-                     "give I/N, as 0/7 to 6/7; or I alone, of as many as were planned; or all");
+    throw OptionError::wrong_value("shard", text,
+                                   "give I/N, such as 0/7 to 6/7; or I, for the planned number of shards; or all");
   }
   return {.shard = shard, .shards = shards};
 }
 
-// What an engine tells its workers. GNU parallel counts from 1.
+// The shard number that a scheduler passes to its workers. GNU parallel counts from 1.
 ShardSelection shard_selection_of_scheduler() {
   for (const auto& [name, first] :
        {std::pair{"SLURM_ARRAY_TASK_ID", 0U}, {"JOB_COMPLETION_INDEX", 0U}, {"PARALLEL_SEQ", 1U}}) {
@@ -63,18 +65,18 @@ ShardSelection shard_selection_of_scheduler() {
     if (text == nullptr) continue;
     const auto number = whole_number(text);
     if (number && *number >= first) return {.shard = *number - first, .shards = std::nullopt};
-    throw UsageError(fmt::format("{} is '{}', which is no shard", name, one_line(text, 40)),
-                     "give --shard I/N, or all");
+    throw OptionError({}, fmt::format("{} is '{}', which is not the number of a shard", name, one_line(text, 40)),
+                      "give I/N, or all", {"shard"});
   }
   return {};
 }
 
-std::vector<std::size_t> shards_to_run(const ShardSelection& share, std::size_t shards) {
-  if (share.shard && *share.shard >= shards) {
-    throw UsageError(fmt::format("there is no shard {} of {}", *share.shard, shards),
-                     "they count from 0; percuss batch plan --shards N says how many there are");
+std::vector<std::size_t> shards_to_run(const ShardSelection& selection, std::size_t shards) {
+  if (selection.shard && *selection.shard >= shards) {
+    throw OptionError({}, fmt::format("there is no shard {} of {}", *selection.shard, shards),
+                      "count from 0; the plan sets the number of shards", {"batch.plan.shards"});
   }
-  if (share.shard) return {*share.shard};
+  if (selection.shard) return {*selection.shard};
   std::vector<std::size_t> all(shards);
   for (std::size_t i = 0; i < shards; ++i) all[i] = i;
   return all;
@@ -114,35 +116,36 @@ void print(const RunFlags& flags, const std::vector<batch::ShardOutcome>& outcom
   std::cout << fmt::format("{} records {}, {} of them now; {} failed\n", records, which, analysed, failed);
 }
 
-// Results stay where they were meant to be when the working folder changes.
+// Absolute, since run() changes the working folder.
 std::string results_folder(const std::string& folder) {
   std::error_code problem;
   fs::create_directories(folder, problem);
-  if (problem) throw InputError("cannot make the folder: " + problem.message(), folder, "name one that can be written");
+  if (problem)
+    throw InputError("cannot create the folder: " + problem.message(), folder, "name a folder that can be written");
   return fs::canonical(folder).string();
 }
 
-// Of the shards in the folder there is one division, so that all of them fit together.
-std::size_t division(const RunFlags& flags, const ShardSelection& share, const batch::Manifest& manifest,
+// All shards in a folder must have the same division, so that they can be merged.
+std::size_t division(const RunFlags& flags, const ShardSelection& selection, const batch::Manifest& manifest,
                      const std::string& folder) {
   const auto found = batch::shard_count_in(folder);
-  const std::size_t wanted = share.shards.value_or(found.value_or(manifest.head().shards));
+  const std::size_t wanted = selection.shards.value_or(found.value_or(manifest.head().shards));
   if (!found || *found == wanted) return wanted;
   throw InputError(fmt::format("holds shards of a division into {}, not into {}", *found, wanted), flags.folder,
-                   "keep to that, or name another folder");
+                   "use that number, or name another folder");
 }
 
 int run(const RunFlags& flags) {
-  const ShardSelection share =
+  const ShardSelection selection =
       flags.shard.empty() ? shard_selection_of_scheduler() : parse_shard_selection(flags.shard);
   const batch::Manifest manifest(flags.manifest);
   batch::RowOptions options = row_options(manifest, flags.trust_input);
   const std::string folder = results_folder(flags.folder);
-  const std::size_t shards = division(flags, share, manifest, folder);
-  const auto wanted = shards_to_run(share, shards);
-  // Records are named, in messages too, as they are from the manifest's folder.
+  const std::size_t shards = division(flags, selection, manifest, folder);
+  const auto wanted = shards_to_run(selection, shards);
+  // Paths of records, also in messages, are relative to the folder of the manifest.
   if (const fs::path parent = fs::path(flags.manifest).parent_path(); !parent.empty()) fs::current_path(parent);
-  // Before there are threads, and from the folder that the records are read from.
+  // Started before any thread, and in the folder of the records.
   if (options.read.read.sandboxed) options.fork_server = frf::measurement_fork_server(options.read);
   std::atomic<std::size_t> done{0};
   std::size_t total = 0;
@@ -170,34 +173,32 @@ int run(const RunFlags& flags) {
 
 void add_batch_run(CommandLine& line) {
   auto flags = line.values<RunFlags>();
-  Command command =
-      line.command("batch run", "Analyses a manifest's records, or one shard of them", [flags] { return run(*flags); });
+  Command command = line.command("batch run", "Analyse the records of a manifest, or one shard of them",
+                                 [flags] { return run(*flags); });
   command.about(
-      "Analyses the records of a manifest, each in one thread, and writes their rows to a folder. Without --shard it "
-      "is "
-      "told its shard by Slurm (SLURM_ARRAY_TASK_ID), Kubernetes (JOB_COMPLETION_INDEX) or GNU parallel (PARALLEL_SEQ, "
-      "less one), and runs all shards where none of them speaks. What is finished is kept at once: run again after a "
-      "kill at any moment, it goes on where it was. A record that cannot be analysed is a row with the reason, and the "
-      "exit code is 6 then.");
+      "Analyses the records of a manifest, each in one thread, and writes their rows to a folder. Without --shard, "
+      "Slurm (SLURM_ARRAY_TASK_ID), Kubernetes (JOB_COMPLETION_INDEX) or GNU parallel (PARALLEL_SEQ, less one) sets "
+      "the shard; without a scheduler all shards run. Finished records are stored at once: a run that was killed "
+      "continues where it stopped. A record that cannot be analysed becomes a row with the reason, and the exit code "
+      "is 6.");
   command.example("percuss batch plan bat.h5 -o manifest.jsonl; percuss batch run --manifest manifest.jsonl -o results",
-                  "All records, on all processors of this machine");
+                  "Analyse all records on all processors of this machine");
   command.example(
       "percuss batch plan bat.h5 barrel.h5 -o manifest.jsonl; percuss batch run --manifest manifest.jsonl --shard 1/2 "
-      "-o "
-      "results",
-      "The second of two shards");
-  command.value("--manifest", flags->manifest, "What percuss batch plan wrote").type("FILE").required();
-  command.value("-o,--folder", flags->folder, "Folder of the results; made where there is none")
+      "-o results",
+      "Analyse the second of two shards");
+  command.value("--manifest", flags->manifest, "Read the manifest of percuss batch plan").type("FILE").required();
+  command.value("-o,--folder", flags->folder, "Write the results to this folder; it is created if necessary")
       .type("FOLDER")
       .required();
-  command.value("--shard", flags->shard, "Run shard I of N, counted from 0; or I of as many as were planned; or all")
+  command.value("--shard", flags->shard, "Run shard I of N, counted from 0; or shard I of the planned number; or all")
       .type("I/N");
-  command.value("--threads", flags->threads, "Threads to use (default: all; the result is the same)").within(0, 1024);
-  command.flag("--trust-input", flags->trust_input,
-               "Read MAT and HDF5 files in this process, not in a confined one of their own");
-  command.flag("--json", flags->json, "One JSON document on standard output");
-  command.flag("--force", flags->force, "Analyse anew what was finished, whatever plan it was of");
-  command.flag("--quiet", flags->quiet, "No progress and no summary");
+  command.value("--threads", flags->threads, "Use this many threads (default: all; the result is the same)")
+      .within(0, 1024);
+  command.flag("--trust-input", flags->trust_input, "Read MAT and HDF5 files in this process, without a sandbox");
+  command.flag("--json", flags->json, "Print one JSON document on standard output");
+  command.flag("--force", flags->force, "Analyse finished records again, whatever their plan");
+  command.flag("--quiet", flags->quiet, "Print no progress and no summary");
 }
 
 }  // namespace percuss::tools

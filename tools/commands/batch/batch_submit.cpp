@@ -10,7 +10,9 @@
 #include "batch/part.hpp"
 #include "batch/slurm.hpp"
 #include "batch/status.hpp"
-#include "commands/commands.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/option_error.hpp"
+#include "commands/batch/batch_commands.hpp"
 #include "core/error.hpp"
 
 namespace percuss::tools {
@@ -27,8 +29,8 @@ struct SubmitFlags {
 
 using Pipe = std::unique_ptr<FILE, int (*)(FILE*)>;
 
-// What a command prints; nothing where it cannot be run.
-std::string printed_by(const char* command) {
+// The output of a shell command; "" if it cannot run.
+std::string output_of_command(const char* command) {
   const Pipe pipe(::popen(command, "r"), ::pclose);
   std::string text;
   std::array<char, 4096> block{};
@@ -38,32 +40,32 @@ std::string printed_by(const char* command) {
 }
 
 void require_size(const batch::SlurmJob& job) {
-  const std::size_t largest = batch::largest_array_index(printed_by("scontrol show config 2>/dev/null"));
+  const std::size_t largest = batch::largest_array_index(output_of_command("scontrol show config 2>/dev/null"));
   if (job.tasks.back() <= largest) return;
   throw InputError(fmt::format("shard {} is beyond Slurm's largest array index, {}", job.tasks.back(), largest),
                    "MaxArraySize", fmt::format("plan at most {} shards", largest + 1));
 }
 
-int give_to_host(const batch::SlurmJob& job) {
+int submit_to_slurm(const batch::SlurmJob& job) {
   require_size(job);
-  fs::create_directories(job.folder);  // Slurm makes the logs, not the folder
-  std::cout << std::flush;             // sbatch prints the job's number
+  fs::create_directories(job.folder);  // Slurm creates the logs, but not their folder
+  std::cout << std::flush;             // before the output of sbatch
   Pipe pipe(::popen("sbatch", "w"), ::pclose);
   const std::string script = batch::slurm_script(job);
   const bool taken = pipe && std::fwrite(script.data(), 1, script.size(), pipe.get()) == script.size();
   const int status = pipe ? ::pclose(pipe.release()) : -1;
   if (taken && status == 0) return kOk;
-  throw InputError("sbatch did not take the job", "Slurm", "see above; without --go the script is printed");
+  throw InputError("sbatch did not accept the job", "Slurm", "see its message; or print the script and omit --go");
 }
 
 int submit(const SubmitFlags& flags) {
   for (const std::string& directive : flags.directives) {
     if (!directive.starts_with("--") || directive.find('\n') != std::string::npos)
-      throw UsageError("--sbatch cannot be '" + one_line(directive, 40) + "'", "give an option of sbatch: --time=60");
+      throw OptionError::wrong_value("sbatch", directive, "give an option of sbatch, such as --time=60");
   }
   const batch::BatchStatus found = batch::batch_status(batch::Manifest(flags.manifest), flags.folder);
   if (found.missing.empty()) {
-    std::cerr << "percuss: all shards are finished, and nothing is left to submit\n";
+    std::cerr << "percuss: all shards are finished; there is nothing to submit\n";
     return kOk;
   }
   const batch::SlurmJob job{.program = fs::read_symlink("/proc/self/exe").string(),
@@ -73,7 +75,7 @@ int submit(const SubmitFlags& flags) {
                             .tasks = found.missing,
                             .threads = flags.threads,
                             .directives = flags.directives};
-  if (flags.go) return give_to_host(job);
+  if (flags.go) return submit_to_slurm(job);
   std::cout << batch::slurm_script(job);
   return kOk;
 }
@@ -82,33 +84,29 @@ int submit(const SubmitFlags& flags) {
 
 void add_batch_submit(CommandLine& line) {
   auto flags = line.values<SubmitFlags>();
-  Command command =
-      line.command("batch submit", "The missing shards as a job array of Slurm", [flags] { return submit(*flags); });
+  Command command = line.command("batch submit", "Submit the missing shards to Slurm as a job array",
+                                 [flags] { return submit(*flags); });
   command.about(
-      "Prints a script for sbatch that runs the shards that are not finished, one task each; with --go Slurm gets it. "
-      "After tasks that were killed the same command submits what is missing.");
+      "Prints a script for sbatch that runs the missing shards, one task each. --go passes the script to sbatch. "
+      "Repeat the command after killed tasks to submit their shards again.");
   command.example(
       "percuss batch plan bat.h5 barrel.h5 --shards 2 -o manifest.jsonl; percuss batch submit slurm --manifest "
       "manifest.jsonl -o results --sbatch=--time=60",
-      "The script, to be looked at");
-  command.word("ENGINE", flags->engine, "What runs the shards").one_of({"slurm"}).required();
-  command.value("--manifest", flags->manifest, "What percuss batch plan wrote, with --shards").type("FILE").required();
-  command.value("-o,--folder", flags->folder, "Folder of the results, which all nodes reach under this name")
+      "Print the script for inspection");
+  command.argument("ENGINE", flags->engine, "Scheduler that runs the shards").one_of({"slurm"}).required();
+  command.value("--manifest", flags->manifest, "Read the manifest of percuss batch plan --shards")
+      .type("FILE")
+      .required();
+  command
+      .value("-o,--folder", flags->folder, "Write the results to this folder, which all nodes must reach by this name")
       .type("FOLDER")
       .required();
-  command.value("--threads", flags->threads, "Threads, and so processors, of each task").within(1, 1024).show_default();
-  command.repeatable("--sbatch", flags->directives, "A further option for sbatch, as --partition=long (repeatable)")
+  command.value("--threads", flags->threads, "Use this many threads, and processors, per task")
+      .within(1, 1024)
+      .show_default();
+  command.repeatable("--sbatch", flags->directives, "Add an option of sbatch, such as --partition=long (repeatable)")
       .type("OPTION");
-  command.flag("--go", flags->go, "Hand it to sbatch");
-}
-
-void add_batch(CommandLine& line) {
-  line.group("batch", "Many records, on one machine or as shards on a cluster");
-  add_batch_plan(line);
-  add_batch_run(line);
-  add_batch_status(line);
-  add_batch_merge(line);
-  add_batch_submit(line);
+  command.flag("--go", flags->go, "Submit the script to sbatch");
 }
 
 }  // namespace percuss::tools

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/option_error.hpp"
 #include "core/error.hpp"
 #include "core/io/number_table.hpp"
 #include "core/units.hpp"
@@ -10,16 +11,14 @@ namespace percuss::tools {
 namespace {
 
 constexpr std::size_t kMaxSlices = 1000;
-constexpr double kLongest_m = 10, kThickest_m = 1;
-constexpr double kThinnest_m = 1e-4;
-constexpr const char* kProfileForm =
-    "a line is the far end of a slice from the knob and its diameter; see --profile-unit";
+constexpr double kMaxEnd_m = 10, kMaxDiameter_m = 1;
+constexpr double kMinDiameter_m = 1e-4;
+constexpr const char* kProfileForm = "write the far end of a slice from the knob and its diameter in each line";
 
 double metres_of(const std::string& unit, const std::string& units) {
   const auto known = parse_unit(unit);
   if (!known || known->quantity != Quantity::length) {
-    throw UsageError("--profile-unit " + one_line(units, 40) + ": not two units of length",
-                     "give END:DIAMETER, as cm:mm");
+    throw OptionError::wrong_value("profile_unit", units, "give two units of length END:DIAMETER, such as cm:mm");
   }
   return known->to_SI;
 }
@@ -35,10 +34,12 @@ model::BatProfile read_bat_profile(const std::string& path, const std::string& u
   for (const NumberTableRow& row :
        read_number_table(path, {.columns = 2, .max_rows = kMaxSlices, .remedy = kProfileForm})) {
     const double end_m = row.values[0] * end_to_m, diameter_m = row.values[1] * diameter_to_m;
-    const auto refuse = [&](const std::string& problem) { return InputError(problem, row.place, kProfileForm); };
+    const auto refuse = [&](const std::string& problem) {
+      return InputError(problem, row.place, kProfileForm, {"profile_unit"});
+    };
     if (!(end_m > last_m)) throw refuse("the slice ends where the one before does, or earlier");
-    if (!(end_m <= kLongest_m)) throw refuse(fmt::format("a slice ends {:g} m from the knob", end_m));
-    if (!(diameter_m >= kThinnest_m && diameter_m <= kThickest_m))
+    if (!(end_m <= kMaxEnd_m)) throw refuse(fmt::format("a slice ends {:g} m from the knob", end_m));
+    if (!(diameter_m >= kMinDiameter_m && diameter_m <= kMaxDiameter_m))
       throw refuse(fmt::format("a diameter of {:g} m", diameter_m));
     profile.end_m.push_back(end_m);
     profile.diameter_m.push_back(diameter_m);

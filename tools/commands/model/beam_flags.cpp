@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "cli/option_error.hpp"
 #include "core/error.hpp"
 #include "model/beam/laminate.hpp"
 #include "report/beam_report.hpp"
@@ -13,67 +14,67 @@ namespace {
 
 constexpr const char* kLayerForm = "give YOUNG:WIDTH:HEIGHT or YOUNG:WIDTH:HEIGHT:DENSITY, in Pa, m, m and kg/m³";
 
-// Stiffness from the layers, and the mass where all of them have a density.
+// Sets the stiffness from the layers, and the mass if all layers have a density.
 void use_layers(const BeamFlags& flags, model::UniformBeam& beam) {
-  if (flags.stiffness_Nm2) throw UsageError("--ei and --layer both say how stiff the beam is", "leave one out");
+  if (flags.stiffness_Nm2) throw OptionError({"ei", "layer"}, "both give the stiffness of the beam", "omit one");
   std::vector<model::LaminateLayer> layers;
   layers.reserve(flags.layers.size());
-  std::size_t weighed = 0;
+  std::size_t with_density = 0;
   for (const std::string& text : flags.layers) {
-    const std::vector<double> number = parse_colon_list("--layer", text, 3, 4, kLayerForm);
+    const std::vector<double> number = parse_colon_list("layer", text, 3, 4, kLayerForm);
     layers.push_back({.young_Pa = number[0], .width_m = number[1], .height_m = number[2]});
-    if (number.size() == 4) layers.back().density_kgpm3 = number[3], ++weighed;
+    if (number.size() == 4) layers.back().density_kgpm3 = number[3], ++with_density;
   }
-  if (weighed > 0 && weighed < layers.size())
-    throw UsageError("--layer: some layers have a density and some have none", "give it for all, or --rho-a for none");
-  if (weighed > 0 && flags.mass_per_length_kgpm)
-    throw UsageError("--rho-a and the densities of --layer both say how heavy the beam is", "leave one out");
+  if (with_density > 0 && with_density < layers.size())
+    throw OptionError({"layer"}, "has a density in some layers only", "give it for all layers, or the mass per length",
+                      {"rho_a"});
+  if (with_density > 0 && flags.mass_per_length_kgpm)
+    throw OptionError({"rho_a", "layer"}, "both give the mass of the beam", "omit one");
   const model::LaminateSection section = model::laminate_section(layers);
   beam.stiffness_Nm2 = section.stiffness_Nm2;
-  if (weighed > 0) beam.mass_per_length_kgpm = section.mass_per_length_kgpm;
+  if (with_density > 0) beam.mass_per_length_kgpm = section.mass_per_length_kgpm;
   if (!(section.stiffness_Nm2 > 0 && std::isfinite(section.stiffness_Nm2)))
-    throw UsageError("--layer: the stiffness of these layers is beyond what numbers hold", kLayerForm);
+    throw OptionError({"layer"}, "gives a stiffness that is not a finite number above 0", kLayerForm);
 }
 
 }  // namespace
 
-std::vector<double> parse_colon_list(const std::string& option, const std::string& text, std::size_t least,
+std::vector<double> parse_colon_list(const OptionId& option, const std::string& text, std::size_t least,
                                      std::size_t most, const char* remedy) {
-  const auto refuse = [&](const char* problem) {
-    return UsageError(option + " " + one_line(text, 80) + ": " + problem, remedy);
-  };
+  const auto refuse = [&](const char* problem) { return OptionError::wrong_value(option, text, remedy, problem); };
   std::vector<double> numbers;
   const char* at = text.data();
   const char* const end = at + text.size();
   for (bool more = true; more;) {
     double number = 0;
     const auto [after, error] = std::from_chars(at, end, number);
-    if (error != std::errc{} || (after != end && *after != ':')) throw refuse("not numbers with colons between");
+    if (error != std::errc{} || (after != end && *after != ':')) throw refuse("it is not numbers separated by colons");
     if (!(number > 0 && std::isfinite(number))) throw refuse("every number must be above zero");
     numbers.push_back(number);
     more = after != end;
     at = after + (more ? 1 : 0);
-    if (numbers.size() > most) throw refuse("too many numbers");
+    if (numbers.size() > most) throw refuse("it has too many numbers");
   }
-  if (numbers.size() < least) throw refuse("too few numbers");
+  if (numbers.size() < least) throw refuse("it has too few numbers");
   return numbers;
 }
 
 void add_beam_flags(Command& command, BeamFlags& flags) {
-  command.value("--support", flags.support, "How the beam is held at x = 0; its other end is free")
+  command.value("--support", flags.support, "Choose the support at x = 0; the other end is free")
       .one_of({"torsion", "pinned", "clamped", "free"})
       .show_default();
-  command.value("--ei", flags.stiffness_Nm2, "Bending stiffness EI (default: 4000)").above_zero().type("N*M2");
-  command.value("--rho-a", flags.mass_per_length_kgpm, "Mass per length (default: 2.24)").above_zero().type("KG/M");
-  command.value("--torsion", flags.torsion_Nmprad, "Stiffness of the torsion spring at x = 0 (default: 1200)")
+  command.value("--ei", flags.stiffness_Nm2, "Set the bending stiffness EI (default: 4000)").above_zero().type("N*M2");
+  command.value("--rho-a", flags.mass_per_length_kgpm, "Set the mass per length (default: 2.24)")
+      .above_zero()
+      .type("KG/M");
+  command.value("--torsion", flags.torsion_Nmprad, "Set the stiffness of the torsion spring at x = 0 (default: 1200)")
       .not_negative()
       .type("N*M/RAD");
-  command.value("--length", flags.length_m, "Length of the beam").above_zero().type("M").show_default();
+  command.value("--length", flags.length_m, "Set the length of the beam").above_zero().type("M").show_default();
   command
-      .repeatable(
-          "--layer", flags.layers,
-          "In place of --ei, a layer of the section from the underside up, in Pa, m, m and kg/m³ (repeatable); with "
-          "densities also in place of --rho-a")
+      .repeatable("--layer", flags.layers,
+                  "Add a layer of the section, from the underside up, in Pa, m, m and kg/m³ (repeatable); replaces "
+                  "--ei, and with densities --rho-a")
       .type("YOUNG:WIDTH:HEIGHT[:DENSITY]");
 }
 
@@ -86,7 +87,8 @@ model::UniformBeam beam_of(const BeamFlags& flags) {
   beam.length_m = flags.length_m;
   if (!flags.layers.empty()) use_layers(flags, beam);
   if (flags.torsion_Nmprad && beam.support != model::BeamSupport::torsion)
-    throw UsageError("--torsion: a beam with --support " + flags.support + " has no spring", "leave one of them out");
+    throw OptionError({"torsion"}, "needs a torsion spring, and the support is " + flags.support, "omit one",
+                      {"support"});
   return beam;
 }
 

@@ -4,11 +4,12 @@
 #include <vector>
 
 #include "cli/command_line.hpp"
+#include "core/error.hpp"
 #include "model/beam/beam.hpp"
 
 namespace percuss::tools {
 
-/// The beam's options, which `model beam` and `model impact` share.
+/// The options of the beam, shared by `model beam` and `model impact`.
 struct BeamFlags {
   std::string support = "torsion";
   std::optional<double> stiffness_Nm2, mass_per_length_kgpm, torsion_Nmprad;
@@ -18,12 +19,12 @@ struct BeamFlags {
 
 void add_beam_flags(Command& command, BeamFlags& flags);
 
-/// The beam that they describe, the composite bat where they say nothing. UsageError where they contradict each other.
+/// The beam of the options; by default the composite bat. Throws UsageError for contradictory options.
 model::UniformBeam beam_of(const BeamFlags& flags);
 
-/// "1200:0.5:3e-3": least to most finite numbers above zero, with colons between. UsageError names option and text, and
+/// Reads "1200:0.5:3e-3": `least` to `most` finite numbers above zero, separated by colons. Throws an OptionError that
 /// ends in `remedy`.
-std::vector<double> parse_colon_list(const std::string& option, const std::string& text, std::size_t least,
+std::vector<double> parse_colon_list(const OptionId& option, const std::string& text, std::size_t least,
                                      std::size_t most, const char* remedy);
 
 }  // namespace percuss::tools

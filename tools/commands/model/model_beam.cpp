@@ -2,9 +2,10 @@
 #include <cmath>
 #include <memory>
 
+#include "cli/option_error.hpp"
 #include "cli/report_output.hpp"
-#include "commands/commands.hpp"
 #include "commands/model/beam_flags.hpp"
+#include "commands/model/model_commands.hpp"
 #include "core/error.hpp"
 #include "report/beam_report.hpp"
 
@@ -27,42 +28,46 @@ struct ModelBeamFlags {
 struct FitName {
   const char* name;
   model::BeamParameter which;
-  bool given;  // its own option as well
+  bool given;  // whether its own option is given
 };
 
-std::vector<model::BeamParameter> asked_parameters(const ModelBeamFlags& flags) {
+std::vector<model::BeamParameter> fitted_parameters(const ModelBeamFlags& flags) {
   const BeamFlags& b = flags.beam;
   const std::vector<FitName> names{
       {"ei", model::BeamParameter::stiffness, b.stiffness_Nm2.has_value() || !b.layers.empty()},
       {"torsion", model::BeamParameter::torsion, b.torsion_Nmprad.has_value() || !flags.readings.empty()},
       {"rho-a", model::BeamParameter::mass_per_length, b.mass_per_length_kgpm.has_value()}};
-  std::vector<model::BeamParameter> asked;
-  for (const std::string& word : flags.fit) {
-    const auto found = std::find_if(names.begin(), names.end(), [&](const FitName& one) { return word == one.name; });
-    if (found->given) throw UsageError("--fit " + word + ": its value is given as well", "leave one out");
-    if (std::find(asked.begin(), asked.end(), found->which) != asked.end())
-      throw UsageError("--fit " + word + ": named twice", "name each once");
-    asked.push_back(found->which);
+  std::vector<model::BeamParameter> fitted;
+  for (const std::string& name : flags.fit) {
+    const auto found = std::find_if(names.begin(), names.end(), [&](const FitName& one) { return name == one.name; });
+    if (found->given) throw OptionError::wrong_value("fit", name, "omit one", "its value is given as well");
+    if (std::find(fitted.begin(), fitted.end(), found->which) != fitted.end())
+      throw OptionError::wrong_value("fit", name, "name each parameter once", "it is named twice");
+    fitted.push_back(found->which);
   }
-  return asked;
+  return fitted;
 }
 
-// What frequencies cannot tell is not fitted.
+// Rejects parameters that frequencies do not determine.
 void check_fit(const ModelBeamFlags& flags, model::BeamSupport support,
-               const std::vector<model::BeamParameter>& asked) {
-  if (asked.empty()) throw UsageError("--measured: nothing is to be fitted to it", "say what, as --fit ei,torsion");
+               const std::vector<model::BeamParameter>& fitted) {
+  if (fitted.empty())
+    throw OptionError({"measured"}, "is given, but no parameter to fit", "name parameters, such as ei,torsion",
+                      {"fit"});
   const bool spring = support == model::BeamSupport::torsion;
-  if (!spring && std::find(asked.begin(), asked.end(), model::BeamParameter::torsion) != asked.end()) {
-    throw UsageError("--fit torsion: a beam with --support " + flags.beam.support + " has no spring",
-                     "fit ei or rho-a");
+  if (!spring && std::find(fitted.begin(), fitted.end(), model::BeamParameter::torsion) != fitted.end()) {
+    throw OptionError::wrong_value("fit", "torsion", "fit ei or rho-a",
+                                   "the support is " + flags.beam.support + ", without a spring", {"support"});
   }
-  if (asked.size() > model::max_beam_parameters(support)) {
-    throw UsageError(spring ? "--fit: frequencies tell EI/ρA and T·L/EI only, not all three"
-                            : "--fit: without a spring frequencies tell EI/ρA only, not both",
-                     "leave one out and give its value (--ei, --rho-a or --torsion)");
+  if (fitted.size() > model::max_beam_parameters(support)) {
+    throw OptionError({"fit"},
+                      spring ? "has three parameters, but frequencies determine EI/ρA and T·L/EI only"
+                             : "has two parameters, but without a spring frequencies determine EI/ρA only",
+                      "omit one and give its value", {"ei", "rho_a", "torsion"});
   }
-  if (flags.measured_Hz.size() < asked.size())
-    throw UsageError("--fit: more unknowns than frequencies", "give as many in --measured, or more");
+  if (flags.measured_Hz.size() < fitted.size())
+    throw OptionError({"fit"}, "has more parameters than there are frequencies", "measure at least as many frequencies",
+                      {"measured"});
 }
 
 std::vector<model::MeasuredFrequency> measured_frequencies(const ModelBeamFlags& flags, model::BeamSupport support) {
@@ -70,17 +75,20 @@ std::vector<model::MeasuredFrequency> measured_frequencies(const ModelBeamFlags&
   const std::size_t count = flags.measured_Hz.size();
   const auto& std_Hz = flags.measured_std_Hz;
   if (!flags.measured_modes.empty() && flags.measured_modes.size() != count)
-    throw UsageError("--measured-modes: not as many as frequencies in --measured", "give one each");
+    throw OptionError({"measured_modes"}, "has not one number per frequency", "give one for each frequency",
+                      {"measured"});
   if (std_Hz.size() > 1 && std_Hz.size() != count)
-    throw UsageError("--measured-std: not as many as frequencies in --measured", "give one each, or one for all");
+    throw OptionError({"measured_std"}, "has not one value per frequency",
+                      "give one for each frequency, or one for all", {"measured"});
   std::vector<model::MeasuredFrequency> measured;
   measured.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t mode = flags.measured_modes.empty() ? rigid + i : flags.measured_modes[i];
     if (mode < rigid || mode >= kMaxBeamModes)
-      throw UsageError("--measured-modes: a rigid-body mode, or not below 200", "use the numbers of the table");
+      throw OptionError({"measured_modes"}, "names a rigid-body mode, or one not below 200",
+                        "use the numbers of the table");
     if (i > 0 && !(flags.measured_Hz[i] > flags.measured_Hz[i - 1] && mode > measured.back().mode))
-      throw UsageError("--measured: frequencies and their modes must rise", "sort them");
+      throw OptionError({"measured", "measured_modes"}, "must rise", "sort the frequencies and their modes");
     measured.push_back({.mode = mode,
                         .freq_Hz = flags.measured_Hz[i],
                         .std_Hz = std_Hz.empty() ? 0 : std_Hz[std::min(i, std_Hz.size() - 1)]});
@@ -90,14 +98,16 @@ std::vector<model::MeasuredFrequency> measured_frequencies(const ModelBeamFlags&
 
 model::TorsionFit static_torsion(const ModelBeamFlags& flags, const model::UniformBeam& beam) {
   if (beam.support != model::BeamSupport::torsion)
-    throw UsageError("--static: a beam with --support " + flags.beam.support + " has no spring", "leave one out");
-  if (flags.beam.torsion_Nmprad) throw UsageError("--static and --torsion both say the same", "leave one out");
+    throw OptionError({"static"}, "needs a torsion spring, and the support is " + flags.beam.support, "omit one",
+                      {"support"});
+  if (flags.beam.torsion_Nmprad)
+    throw OptionError({"static", "torsion"}, "both give the stiffness of the spring", "omit one");
   std::vector<model::StaticReading> readings;
   readings.reserve(flags.readings.size());
   for (const std::string& text : flags.readings) {
-    const std::vector<double> number = parse_colon_list("--static", text, 3, 3, kStaticForm);
+    const std::vector<double> number = parse_colon_list("static", text, 3, 3, kStaticForm);
     if (number[1] > beam.length_m)
-      throw UsageError("--static " + one_line(text, 80) + ": the lever is longer than the beam", kStaticForm);
+      throw OptionError::wrong_value("static", text, kStaticForm, "the lever is longer than the beam");
     readings.push_back({.load_N = number[0], .lever_m = number[1], .deflection_m = number[2]});
   }
   return model::fit_torsion(readings, beam.stiffness_Nm2);
@@ -109,17 +119,18 @@ int model_beam(const ModelBeamFlags& flags) {
   beam.gyration_m = flags.gyration_m.value_or(0);
   beam.shear_stiffness_N = flags.shear_stiffness_N.value_or(0);
   report::BeamOrigin origin;
-  const std::vector<model::BeamParameter> asked = asked_parameters(flags);
+  const std::vector<model::BeamParameter> fitted = fitted_parameters(flags);
   if (!flags.readings.empty()) {
-    if (std::find(asked.begin(), asked.end(), model::BeamParameter::stiffness) != asked.end())
-      throw UsageError("--static needs the EI that --fit ei is to find", "fit rho-a, or give --ei");
+    if (std::find(fitted.begin(), fitted.end(), model::BeamParameter::stiffness) != fitted.end())
+      throw OptionError({"static"}, "needs EI, which is to be fitted", "fit rho-a, or give EI", {"ei"});
     origin.torsion = static_torsion(flags, beam);
     beam.torsion_Nmprad = origin.torsion->torsion_Nmprad;
   }
-  if (!asked.empty() || !flags.measured_Hz.empty() || !flags.measured_std_Hz.empty() || !flags.measured_modes.empty()) {
-    check_fit(flags, beam.support, asked);
+  if (!fitted.empty() || !flags.measured_Hz.empty() || !flags.measured_std_Hz.empty() ||
+      !flags.measured_modes.empty()) {
+    check_fit(flags, beam.support, fitted);
     origin.measured = measured_frequencies(flags, beam.support);
-    origin.fit = model::fit_beam(beam, asked, origin.measured);
+    origin.fit = model::fit_beam(beam, fitted, origin.measured);
     beam = origin.fit->beam;
   }
   return show_report(report::beam_report(beam, model::beam_modes(beam, flags.modes), origin), flags.output);
@@ -129,42 +140,48 @@ int model_beam(const ModelBeamFlags& flags) {
 
 void add_model_beam(CommandLine& line) {
   auto flags = line.values<ModelBeamFlags>();
-  Command command = line.command("model beam", "Natural frequencies, nodes and shapes of a uniform beam",
+  Command command = line.command("model beam", "Predict natural frequencies, nodes and shapes of a uniform beam",
                                  [flags] { return model_beam(*flags); });
   command.about(
-      "A uniform beam held at one end, at first by a torsion spring as a bat in its clamp: frequencies in Hz, nodes in "
-      "m from the held end, shapes. With --fit the stiffness, the spring or the mass follow from measured frequencies, "
-      "with standard deviations.");
-  command.example("percuss model beam --support free --length 0.84 --modes 6", "A free beam of 0.84 m");
+      "Models a uniform beam held at one end; the default support is a torsion spring, as for a clamped bat. Reports "
+      "frequencies in Hz, nodes in m from the held end, and shapes. --fit finds the stiffness, the spring or the mass "
+      "from measured frequencies, with standard deviations.");
+  command.example("percuss model beam --support free --length 0.84 --modes 6", "Model a free beam of 0.84 m");
   command.example("percuss model beam --fit ei,torsion --measured 14.5,322,1038 --measured-std 0.1,1,4",
-                  "Stiffness and spring from three measured frequencies");
+                  "Fit stiffness and spring to three measured frequencies");
   command.example("percuss model beam --layer 70e9:0.03:0.002:2700 --layer 10e9:0.03:0.02:700 -o beam.html",
-                  "A section of two layers, drawn on a page");
+                  "Model a section of two layers, and write a page");
   add_beam_flags(command, flags->beam);
-  command.value("--modes", flags->modes, "Modes to list, rigid-body modes (0 Hz) included")
+  command.value("--modes", flags->modes, "List this many modes, including rigid-body modes (0 Hz)")
       .within(1, kMaxBeamModes)
       .type("N")
       .show_default();
-  command.value("--gyration", flags->gyration_m, "Radius of gyration √(I/A): with rotary inertia (Timoshenko)")
+  command.value("--gyration", flags->gyration_m, "Add rotary inertia (Timoshenko) with this radius of gyration √(I/A)")
       .above_zero()
       .type("M");
-  command.value("--shear-stiffness", flags->shear_stiffness_N, "Shear stiffness κGA: with shear (Timoshenko)")
+  command.value("--shear-stiffness", flags->shear_stiffness_N, "Add shear (Timoshenko) with this shear stiffness κGA")
       .above_zero()
       .type("NEWTON");
-  const std::string before = command.heading("The beam from measurements");
-  command.list("--fit", flags->fit, "Find these from --measured").type("NAME,...").one_of({"ei", "torsion", "rho-a"});
-  command.list("--measured", flags->measured_Hz, "Measured frequencies, lowest first").above_zero().type("HZ,...");
-  command.list("--measured-std", flags->measured_std_Hz, "Their standard deviations, or one for all")
+  const std::string before = command.heading("Fit to measurements");
+  command.list("--fit", flags->fit, "Fit these parameters to --measured")
+      .type("NAME,...")
+      .one_of({"ei", "torsion", "rho-a"});
+  command.list("--measured", flags->measured_Hz, "Set the measured frequencies, lowest first")
+      .above_zero()
+      .type("HZ,...");
+  command
+      .list("--measured-std", flags->measured_std_Hz,
+            "Set the standard deviations of the measured frequencies; one each, or one for all")
       .above_zero()
       .type("HZ,...");
   command
       .list("--measured-modes", flags->measured_modes,
-            "Which modes they are, by the table's numbers (default: the lowest elastic ones)")
+            "Set the mode numbers of the measured frequencies, as in the table (default: the lowest elastic modes)")
       .type("N,...");
   command
       .repeatable("--static", flags->readings,
-                  "The spring's stiffness from a load across the beam in N, its distance from the spring in m, and the "
-                  "deflection there in m (repeatable)")
+                  "Compute the spring's stiffness from a transverse load in N, its distance from the spring in m, and "
+                  "the deflection there in m (repeatable)")
       .type("LOAD:LEVER:DEFLECTION");
   command.heading(before);
   add_output_flags(command, flags->output, kReportKinds);

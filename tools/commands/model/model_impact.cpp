@@ -1,10 +1,13 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <memory>
 
+#include "cli/option_error.hpp"
 #include "cli/ranges.hpp"
 #include "cli/report_output.hpp"
-#include "commands/commands.hpp"
 #include "commands/model/beam_flags.hpp"
+#include "commands/model/model_commands.hpp"
 #include "core/error.hpp"
 #include "core/parallel/parallel.hpp"
 #include "report/impact_report.hpp"
@@ -14,7 +17,7 @@ namespace {
 
 constexpr std::size_t kMaxImpactModes = 100;
 constexpr std::size_t kMaxSwept = 10000;
-constexpr double kShortestStep = 1e-6, kLongestStep = 0.1;  // of the contact with a wall
+constexpr double kMinStep = 1e-6, kMaxStep = 0.1;  // relative to the contact time with a wall
 constexpr const char* kSweepForm = "give NAME=LO:STEP:HI with one of ei, torsion, rho-a, at, speed";
 
 struct ModelImpactFlags {
@@ -28,9 +31,10 @@ struct ModelImpactFlags {
   OutputFlags output;
 };
 
-void check_impact_position(const std::string& option, double at_m, const model::UniformBeam& beam) {
+void check_impact_position(const OptionId& option, double at_m, const model::UniformBeam& beam) {
   if (!(at_m >= 0 && at_m <= beam.length_m))
-    throw UsageError(option + ": the ball would miss the beam", "strike from 0 to --length");
+    throw OptionError::wrong_value(option, fmt::format("{:g}", at_m), "strike from 0 to the length of the beam",
+                                   "the ball misses the beam", {"length"});
 }
 
 report::ImpactSweep parse_sweep(const std::string& text, const model::Impact& impact) {
@@ -39,16 +43,17 @@ report::ImpactSweep parse_sweep(const std::string& text, const model::Impact& im
   std::replace(sweep.parameter.begin(), sweep.parameter.end(), '-', '_');
   model::Impact trial = impact;
   if (equals == std::string::npos || report::swept_value(trial, sweep.parameter) == nullptr)
-    throw UsageError("--sweep " + one_line(text, 80) + ": not a known name and a range", kSweepForm);
+    throw OptionError::wrong_value("sweep", text, kSweepForm, "it is not a known name and a range");
   if (sweep.parameter == "torsion" && impact.beam.support != model::BeamSupport::torsion)
-    throw UsageError("--sweep torsion: a beam without a spring", "leave --support as it is");
-  const Range range = parse_range("--sweep", text.substr(equals + 1));
+    throw OptionError::wrong_value("sweep", text, "choose the torsion support", "the beam has no torsion spring",
+                                   {"support"});
+  const Range range = parse_range("sweep", text.substr(equals + 1));
   const bool from_zero = sweep.parameter == "at" || sweep.parameter == "torsion";
   if (range.low < 0 || (range.low == 0 && !from_zero))
-    throw UsageError("--sweep " + one_line(text, 80) + ": the values must be above zero", kSweepForm);
+    throw OptionError::wrong_value("sweep", text, kSweepForm, "the values must be above zero");
   sweep.values = range.values();
   if (sweep.parameter == "at") {
-    for (const double at_m : sweep.values) check_impact_position("--sweep at", at_m, impact.beam);
+    for (const double at_m : sweep.values) check_impact_position("sweep", at_m, impact.beam);
   }
   return sweep;
 }
@@ -68,9 +73,9 @@ model::ImpactOptions impact_options(const ModelImpactFlags& flags, const model::
   if (flags.method == "small-increment") options.method = model::ImpactMethod::small_increment;
   if (flags.step_s) {
     const double wall_s = model::hertz_contact_s(impact);
-    if (!(*flags.step_s >= kShortestStep * wall_s && *flags.step_s <= kLongestStep * wall_s)) {
-      throw UsageError("--step: not between a millionth and a tenth of the contact's duration",
-                       "the same ball's contact with a wall takes " + std::to_string(1e6 * wall_s) + " µs");
+    if (!(*flags.step_s >= kMinStep * wall_s && *flags.step_s <= kMaxStep * wall_s)) {
+      throw OptionError({"step"}, "is not between a millionth and a tenth of the contact time",
+                        "compare the contact time of this ball with a wall: " + std::to_string(1e6 * wall_s) + " µs");
     }
     options.step_s = *flags.step_s;
   }
@@ -83,7 +88,7 @@ int model_impact(const ModelImpactFlags& flags) {
   check_report_outputs(flags.output);
   model::Impact impact = flags.impact;
   impact.beam = beam_of(flags.beam);
-  check_impact_position("--at", impact.at_m, impact.beam);
+  check_impact_position("at", impact.at_m, impact.beam);
   impact.hysteresis_spm = model::hysteresis_for_spm(flags.contact_cor, impact.speed_mps);
   std::vector<report::ImpactSweep> sweeps;
   sweeps.reserve(flags.sweeps.size());
@@ -92,7 +97,7 @@ int model_impact(const ModelImpactFlags& flags) {
     sweeps.push_back(parse_sweep(text, impact));
     swept += sweeps.back().values.size();
   }
-  if (swept > kMaxSwept) throw UsageError("--sweep: more than 10000 values in all", "take fewer");
+  if (swept > kMaxSwept) throw OptionError({"sweep"}, "has more than 10000 values in all", "take fewer");
   const model::ImpactOptions options = impact_options(flags, impact);
   const model::ImpactResult result = model::simulate_impact(impact, options);
   for (report::ImpactSweep& sweep : sweeps) run_sweep(impact, options, flags.threads, sweep);
@@ -103,49 +108,51 @@ int model_impact(const ModelImpactFlags& flags) {
 
 void add_model_impact(CommandLine& line) {
   auto flags = line.values<ModelImpactFlags>();
-  Command command = line.command("model impact", "A ball against a beam: restitution, force and deflection",
-                                 [flags] { return model_impact(*flags); });
+  Command command =
+      line.command("model impact", "Predict the impact of a ball on a beam: restitution, force and deflection",
+                   [flags] { return model_impact(*flags); });
   command.about(
-      "A ball flies against the beam of percuss model beam and leaves it: what fraction of its speed returns (COR), "
-      "the force and its duration, the deflection of the beam. With --sweep over ranges of the beam's constants, the "
-      "place and the speed.");
-  command.example("percuss model impact --at 0.5 --speed 6", "One impact, 0.5 m from the spring at 6 m/s");
+      "Simulates the impact of a ball on the beam of percuss model beam: coefficient of restitution (COR), force, "
+      "contact time and deflection of the beam. --sweep varies constants of the beam, the impact position or the "
+      "speed.");
+  command.example("percuss model impact --at 0.5 --speed 6", "Simulate one impact, 0.5 m from the spring at 6 m/s");
   command.example("percuss model impact --sweep ei=1000:1000:6000 --sweep rho-a=0.6:0.2:3 -o curves.svg",
-                  "COR over stiffness and mass, drawn");
+                  "Draw COR over stiffness and mass");
   add_beam_flags(command, flags->beam);
   model::Impact& impact = flags->impact;
-  command.value("--at", impact.at_m, "Where the ball strikes, from x = 0").not_negative().type("M").show_default();
-  command.value("--ball-mass", impact.ball_mass_kg, "Mass of the ball").above_zero().type("KG").show_default();
-  command.value("--speed", impact.speed_mps, "Speed of the ball").above_zero().type("M/S").show_default();
-  command.value("--hertz", impact.hertz_Npm15, "Hertz constant: force over approach^(3/2)")
+  command.value("--at", impact.at_m, "Set the impact position, from x = 0").not_negative().type("M").show_default();
+  command.value("--ball-mass", impact.ball_mass_kg, "Set the mass of the ball").above_zero().type("KG").show_default();
+  command.value("--speed", impact.speed_mps, "Set the speed of the ball").above_zero().type("M/S").show_default();
+  command.value("--hertz", impact.hertz_Npm15, "Set the Hertz constant: force over approach^(3/2)")
       .above_zero()
       .type("N/M^1.5")
       .show_default();
   command
       .value("--contact-cor", flags->contact_cor,
-             "What a rigid wall would return of the ball's speed, at --speed: below 1 the contact loses energy "
-             "(hysteresis)")
+             "Set the COR of the ball on a rigid wall at --speed; below 1 the contact loses energy (hysteresis)")
       .within(0.01, 1)
       .show_default();
-  command.value("--modes", impact.modes, "Modes of the beam, rigid-body modes included")
+  command.value("--modes", impact.modes, "Use this many modes of the beam, including rigid-body modes")
       .within(1, kMaxImpactModes)
       .type("N")
       .show_default();
-  command.value("--method", flags->method, "modal: exact between pushes; small-increment: as the source computes")
+  command
+      .value("--method", flags->method,
+             "Choose the integration. modal: exact between force steps; small-increment: as in the source")
       .one_of({"modal", "small-increment"})
       .show_default();
   command
       .value("--step", flags->step_s,
-             "Time step (default: for modal controlled, so that restitution and energy are right to 1e-9; for "
+             "Set the time step (default: for modal adaptive, with restitution and energy accurate to 1e-9; for "
              "small-increment 1e-5)")
       .above_zero()
       .type("S");
   command
       .repeatable(
           "--sweep", flags->sweeps,
-          "Vary ei, torsion, rho-a, at or speed in the unit of that option, the others as they are (repeatable)")
+          "Vary ei, torsion, rho-a, at or speed, in the unit of the option, with the others constant (repeatable)")
       .type("NAME=LO:STEP:HI");
-  command.value("--threads", flags->threads, "Threads to use (default: all; the result is the same)")
+  command.value("--threads", flags->threads, "Use this many threads (default: all; the result is the same)")
       .within(0, 1024)
       .type("N");
   add_output_flags(command, flags->output, kReportKinds);

@@ -2,7 +2,7 @@
 
 #include "cli/ranges.hpp"
 #include "cli/report_output.hpp"
-#include "commands/commands.hpp"
+#include "commands/model/model_commands.hpp"
 #include "core/error.hpp"
 #include "report/rigid_report.hpp"
 
@@ -35,43 +35,49 @@ int model_rigid(const RigidFlags& flags) {
 
 void add_model_rigid(CommandLine& line) {
   auto flags = line.values<RigidFlags>();
-  Command command = line.command("model rigid", "Exit speed of a ball against a rigid bat, over the impact's position",
-                                 [flags] { return model_rigid(*flags); });
+  Command command =
+      line.command("model rigid", "Predict the exit speed of a ball from a rigid bat over the impact position",
+                   [flags] { return model_rigid(*flags); });
   command.about(
-      "A ball against a bat that does not bend: conservation of momentum alone. Positions count from the centre of "
-      "mass, in m, positive towards the barrel.");
-  command.example("percuss model rigid --swing-rate 50", "Exit speed along the bat at 50 rad/s");
-  command.example("percuss model rigid --at 0:0.02:0.3 --cor 0.5 -o exit.csv", "At chosen places, as a table");
+      "Computes the impact of a ball on a rigid bat from conservation of momentum. Positions are in m from the centre "
+      "of mass, positive towards the barrel.");
+  command.example("percuss model rigid --swing-rate 50", "Compute exit speeds along the bat at 50 rad/s");
+  command.example("percuss model rigid --at 0:0.02:0.3 --cor 0.5 -o exit.csv",
+                  "Choose the impact positions, and write a table");
   model::RigidCollision& c = flags->collision;
-  command.value("--ball-mass", c.ball_mass_kg, "Mass of the ball").above_zero().type("KG").show_default();
-  command.value("--bat-mass", c.bat_mass_kg, "Mass of the bat").above_zero().type("KG").show_default();
-  command.value("--inertia", c.inertia_kgm2, "Moment of inertia of the bat about its centre of mass")
+  command.value("--ball-mass", c.ball_mass_kg, "Set the mass of the ball").above_zero().type("KG").show_default();
+  command.value("--bat-mass", c.bat_mass_kg, "Set the mass of the bat").above_zero().type("KG").show_default();
+  command.value("--inertia", c.inertia_kgm2, "Set the moment of inertia of the bat about its centre of mass")
       .above_zero()
       .type("KG*M2")
       .show_default();
-  command.value("--length", flags->length_m, "Length of the bat: positions go to half of it from the centre of mass")
+  command
+      .value("--length", flags->length_m,
+             "Set the length of the bat; positions reach half of it from the centre of mass")
       .above_zero()
       .type("M")
       .show_default();
-  command.value("--at", flags->at, "Positions of the impact in m from the centre of mass, positive towards the barrel")
+  command.value("--at", flags->at, "Set the impact positions in m from the centre of mass, positive towards the barrel")
       .type("LO:STEP:HI");
-  command.value("--ball-speed", c.ball_speed_mps, "Speed of the ball towards the bat")
+  command.value("--ball-speed", c.ball_speed_mps, "Set the speed of the ball towards the bat")
       .not_negative()
       .type("M/S")
       .show_default();
-  command.value("--swing-rate", c.swing_rate_radps, "Rate of the bat's rotation").finite().type("RAD/S").show_default();
-  command.value("--bat-speed", c.bat_speed_mps, "Speed of the bat's centre of mass towards the ball")
+  command.value("--swing-rate", c.swing_rate_radps, "Set the rotation rate of the bat")
+      .finite()
+      .type("RAD/S")
+      .show_default();
+  command.value("--bat-speed", c.bat_speed_mps, "Set the speed of the bat's centre of mass towards the ball")
       .finite()
       .type("M/S")
       .show_default();
   command
-      .value(
-          "--pivot", flags->pivot_m,
-          "The bat turns about a point this far from its centre of mass, towards the knob: adds rate times distance to "
-          "the speed of its centre")
+      .value("--pivot", flags->pivot_m,
+             "Set the distance of the pivot from the centre of mass, towards the knob; adds rate times distance to the "
+             "speed of the centre of mass")
       .finite()
       .type("M");
-  command.value("--cor", c.restitution, "Coefficient of restitution").within(0, 1).show_default();
+  command.value("--cor", c.restitution, "Set the coefficient of restitution").within(0, 1).show_default();
   add_output_flags(command, flags->output, kReportKinds);
 }
 

@@ -1,8 +1,9 @@
 #include <cmath>
 #include <memory>
 
+#include "cli/option_error.hpp"
 #include "cli/report_output.hpp"
-#include "commands/commands.hpp"
+#include "commands/model/model_commands.hpp"
 #include "core/error.hpp"
 #include "core/io/parse_number.hpp"
 #include "report/shell_report.hpp"
@@ -11,7 +12,7 @@ namespace percuss::tools {
 namespace {
 
 constexpr std::size_t kMaxPattern = 100;  // waves around, half-waves along
-constexpr const char* kHoopForm = "give N:M:HZ:STD, as 2:1:1756:2,2:2:2624:3 (n waves around, m half-waves along)";
+constexpr const char* kHoopForm = "give N:M:HZ:STD, such as 2:1:1756:2,2:2:2624:3 (n waves around, m half-waves along)";
 
 struct ShellFlags {
   model::TubeShell shell;
@@ -22,7 +23,7 @@ struct ShellFlags {
 };
 
 model::MeasuredHoop measured_hoop(const std::string& text) {
-  const auto refuse = [&] { return UsageError("--measured " + one_line(text, 80) + ": not understood", kHoopForm); };
+  const auto refuse = [&] { return OptionError::wrong_value("measured", text, kHoopForm); };
   std::vector<double> values;
   for (std::size_t from = 0; from <= text.size();) {
     const std::size_t to = std::min(text.find(':', from), text.size());
@@ -43,13 +44,14 @@ model::MeasuredHoop measured_hoop(const std::string& text) {
 int model_shell(const ShellFlags& flags) {
   check_report_outputs(flags.output);
   if (!(flags.shell.wall_m < flags.shell.outer_diameter_m / 2))
-    throw UsageError("--wall is half of --outer-diameter or more", "give the wall's thickness in m");
+    throw OptionError({"wall"}, "is half of the outer diameter or more", "give the thickness of the wall in m",
+                      {"outer_diameter"});
   model::TubeShell shell = flags.shell;
   std::optional<report::FittedShell> fitted;
   if (!flags.measured.empty()) {
     fitted.emplace();
     fitted->measured.reserve(flags.measured.size());
-    for (const std::string& word : flags.measured) fitted->measured.push_back(measured_hoop(word));
+    for (const std::string& text : flags.measured) fitted->measured.push_back(measured_hoop(text));
     fitted->fit = model::fit_shell(shell, fitted->measured,
                                    flags.unknowns == "both"   ? model::ShellUnknowns::both
                                    : flags.unknowns == "wall" ? model::ShellUnknowns::wall
@@ -63,36 +65,39 @@ int model_shell(const ShellFlags& flags) {
 
 void add_model_shell(CommandLine& line) {
   auto flags = line.values<ShellFlags>();
-  Command command = line.command("model shell", "Hoop frequencies of a barrel as a tube: ring, Rayleigh, Love, Flügge",
-                                 [flags] { return model_shell(*flags); });
+  Command command =
+      line.command("model shell", "Predict hoop frequencies of a barrel as a tube: ring, Rayleigh, Love, Flügge",
+                   [flags] { return model_shell(*flags); });
   command.about(
-      "The barrel as a tube: hoop frequencies in Hz with n waves around, after four theories: ring, Rayleigh and Love "
-      "are alike all along, Flügge counts half-waves along. With --measured, Young's modulus or the wall follow from "
-      "measured frequencies.");
-  command.example("percuss model shell --outer-diameter 0.0667 --wall 0.0025", "A barrel of aluminium");
+      "Models the barrel as a tube. Reports hoop frequencies in Hz with n waves around after four theories: ring, "
+      "Rayleigh and Love are constant along the tube; Flügge has m half-waves along it. --measured fits Young's "
+      "modulus or the wall to measured frequencies.");
+  command.example("percuss model shell --outer-diameter 0.0667 --wall 0.0025", "Model a barrel of aluminium");
   command.example("percuss model shell --wall 0.0025 --measured 2:1:1700:5 --fit young",
-                  "The modulus that explains 1700 ± 5 Hz");
+                  "Fit Young's modulus to 1700 ± 5 Hz");
   model::TubeShell& s = flags->shell;
-  command.value("--outer-diameter", s.outer_diameter_m, "Outer diameter of the tube")
+  command.value("--outer-diameter", s.outer_diameter_m, "Set the outer diameter of the tube")
       .above_zero()
       .type("M")
       .show_default();
-  command.value("--wall", s.wall_m, "Thickness of its wall").above_zero().type("M").show_default();
-  command.value("--length", s.length_m, "Length of the tube").above_zero().type("M").show_default();
-  command.value("--young", s.young_Pa, "Young's modulus of the wall").above_zero().type("PA").show_default();
-  command.value("--density", s.density_kgpm3, "Density of the wall").above_zero().type("KG/M3").show_default();
-  command.value("--poisson", s.poisson, "Poisson's ratio").within(0, 0.499).show_default();
-  command.value("--n", flags->n, "Waves around the tube, n").within(2, kMaxPattern).type("N").show_default();
-  command.value("--modes", flags->modes, "Half-waves along the tube, m: from 1 to this")
+  command.value("--wall", s.wall_m, "Set the thickness of the wall").above_zero().type("M").show_default();
+  command.value("--length", s.length_m, "Set the length of the tube").above_zero().type("M").show_default();
+  command.value("--young", s.young_Pa, "Set Young's modulus of the wall").above_zero().type("PA").show_default();
+  command.value("--density", s.density_kgpm3, "Set the density of the wall").above_zero().type("KG/M3").show_default();
+  command.value("--poisson", s.poisson, "Set Poisson's ratio").within(0, 0.499).show_default();
+  command.value("--n", flags->n, "Set the number n of waves around the tube")
+      .within(2, kMaxPattern)
+      .type("N")
+      .show_default();
+  command.value("--modes", flags->modes, "List modes with m from 1 to this many half-waves along the tube")
       .within(1, kMaxPattern)
       .type("N")
       .show_default();
   command
       .list("--measured", flags->measured,
-            "Measured hoop frequencies to fit the shell to: waves around, half-waves along, frequency and its "
-            "standard deviation")
+            "Fit to measured hoop frequencies: waves around, half-waves along, frequency and its standard deviation")
       .type("N:M:HZ:STD,...");
-  command.value("--fit", flags->unknowns, "What the fit to --measured changes")
+  command.value("--fit", flags->unknowns, "Choose the parameters to fit to --measured")
       .one_of({"young", "wall", "both"})
       .show_default();
   add_output_flags(command, flags->output, kReportKinds);

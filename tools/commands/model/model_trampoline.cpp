@@ -2,9 +2,10 @@
 #include <cmath>
 #include <memory>
 
+#include "cli/option_error.hpp"
 #include "cli/ranges.hpp"
 #include "cli/report_output.hpp"
-#include "commands/commands.hpp"
+#include "commands/model/model_commands.hpp"
 #include "core/error.hpp"
 #include "core/io/number_table.hpp"
 #include "core/io/parse_number.hpp"
@@ -13,7 +14,7 @@
 namespace percuss::tools {
 namespace {
 
-constexpr const char* kCcorForm = "give SPEED:COR:STD in m/s, as 26.8:0.519:0.004,35.8:0.507:0.004, or a file";
+constexpr const char* kCcorForm = "give SPEED:COR:STD in m/s, such as 26.8:0.519:0.004,35.8:0.507:0.004, or a file";
 
 struct TrampolineFlags {
   std::string ball = "baseball", hoop = "100:25:10000";
@@ -37,19 +38,20 @@ model::Trampoline model_of(const TrampolineFlags& flags) {
   m.ball_speed_mps = flags.speed_mps;
   m.extra_mass_kg = flags.extra_mass_kg;
   if (!(m.damping_exponent < 1 + m.stiffness_exponent))
-    throw UsageError("--b must be below 1 + a", "else the ball's damping would hold it for ever");
+    throw OptionError({"b"}, "is not below 1 + a",
+                      "give a smaller exponent; with this one the ball never leaves the barrel");
   return m;
 }
 
 model::MeasuredCor measured_cor(const std::vector<double>& values, const std::string& place) {
   const model::MeasuredCor m{.speed_mps = values[0], .cor = values[1], .cor_std = values[2]};
   if (!(m.speed_mps > 0 && m.cor > 0 && m.cor <= 1 && m.cor_std > 0))
-    throw InputError("a speed, a COR up to 1 and a deviation above 0 are wanted", place, kCcorForm);
+    throw InputError("not a speed, a COR up to 1 and a standard deviation above 0", place, kCcorForm);
   return m;
 }
 
 model::MeasuredCor measured_cor(const std::string& text) {
-  const auto refuse = [&] { return UsageError("--fit-ccor " + one_line(text, 80) + ": not understood", kCcorForm); };
+  const auto refuse = [&] { return OptionError::wrong_value("fit_ccor", text, kCcorForm); };
   std::vector<double> values;
   std::size_t from = 0;
   while (from <= text.size()) {
@@ -70,8 +72,8 @@ model::MeasuredCor measured_cor(const std::string& text) {
 std::vector<model::MeasuredCor> measured_of(const std::vector<std::string>& words) {
   std::vector<model::MeasuredCor> all;
   if (words.size() == 1 && words[0].find(':') == std::string::npos) {
-    const auto rows =
-        read_number_table(words[0], {.columns = 3, .remedy = "a line is speed in m/s, COR and deviation"});
+    const auto rows = read_number_table(
+        words[0], {.columns = 3, .remedy = "write speed in m/s, COR and standard deviation in each line"});
     all.reserve(rows.size());
     for (const NumberTableRow& row : rows) all.push_back(measured_cor(row.values, row.place));
     return all;
@@ -83,19 +85,19 @@ std::vector<model::MeasuredCor> measured_of(const std::vector<std::string>& word
 
 std::optional<double> mass_from_shift(const TrampolineFlags& flags) {
   if (!flags.loaded_from_Hz && !flags.loaded_to_Hz) return {};
-  const char* remedy = "give --free-hoop above --loaded-hoop, and the --extra-mass that made the difference";
+  const char* remedy = "give both frequencies, the loaded one lower, and the extra mass";
   if (!flags.loaded_from_Hz || !flags.loaded_to_Hz)
-    throw UsageError("--free-hoop and --loaded-hoop go together", remedy);
+    throw OptionError({"free_hoop", "loaded_hoop"}, "must be given together", remedy, {"extra_mass"});
   if (!(*flags.loaded_from_Hz > *flags.loaded_to_Hz && flags.extra_mass_kg > 0))
-    throw UsageError("--loaded-hoop: no mass brings the frequency up", remedy);
+    throw OptionError({"loaded_hoop"}, "is not lower because of an extra mass", remedy, {"extra_mass"});
   return model::modal_mass_kg(flags.extra_mass_kg, *flags.loaded_from_Hz, *flags.loaded_to_Hz);
 }
 
 int model_trampoline(const TrampolineFlags& flags) {
   check_report_outputs(flags.output);
   model::Trampoline model = model_of(flags);
-  const Range hoop = parse_range("--hoop", flags.hoop);
-  if (!(hoop.low >= 1)) throw UsageError("--hoop starts below 1 Hz", "give LO:STEP:HI, as 100:25:10000");
+  const Range hoop = parse_range("hoop", flags.hoop);
+  if (!(hoop.low >= 1)) throw OptionError({"hoop"}, "starts below 1 Hz", "give LO:STEP:HI, such as 100:25:10000");
   report::TrampolineExtras extras{.fitted = {}, .modal_mass_kg = mass_from_shift(flags)};
   if (!flags.ccor.empty()) {
     report::FittedExponents fitted{.measured = measured_of(flags.ccor), .fit = {}};
@@ -108,16 +110,18 @@ int model_trampoline(const TrampolineFlags& flags) {
 }
 
 void add_constants(Command& command, TrampolineFlags& flags) {
-  const std::string before = command.heading("Constants, where they are not those of the ball named");
-  command.value("--m1", flags.ball_mass, "Mass of the ball").above_zero().type("KG");
-  command.value("--k1", flags.stiffness, "Stiffness of the ball, N/m^(1+a)").above_zero().type("K1");
-  command.value("--c1", flags.damping, "Damping of the ball, N s/m^(1+b)").not_negative().type("C1");
-  command.value("--a", flags.stiffness_exponent, "Exponent of the ball's stiffness").not_negative().type("A");
-  command.value("--b", flags.damping_exponent, "Exponent of the ball's damping, below 1 + a").not_negative().type("B");
-  command.value("--m2", flags.barrel_mass, "Effective mass of the barrel").above_zero().type("KG");
+  const std::string before = command.heading("Constants (default: from --ball)");
+  command.value("--m1", flags.ball_mass, "Set the mass of the ball").above_zero().type("KG");
+  command.value("--k1", flags.stiffness, "Set the stiffness of the ball, N/m^(1+a)").above_zero().type("K1");
+  command.value("--c1", flags.damping, "Set the damping of the ball, N s/m^(1+b)").not_negative().type("C1");
+  command.value("--a", flags.stiffness_exponent, "Set the exponent of the ball's stiffness").not_negative().type("A");
+  command.value("--b", flags.damping_exponent, "Set the exponent of the ball's damping, below 1 + a")
+      .not_negative()
+      .type("B");
+  command.value("--m2", flags.barrel_mass, "Set the effective mass of the barrel").above_zero().type("KG");
   command
       .value("--c2", flags.barrel_damping,
-             "Damping of the barrel: 90.5 for a baseball as in the source's script, its table says 100")
+             "Set the damping of the barrel; for a baseball 90.5 as in the script of the source, 100 in its table")
       .not_negative()
       .type("N*S/M");
   command.heading(before);
@@ -128,29 +132,34 @@ void add_constants(Command& command, TrampolineFlags& flags) {
 void add_model_trampoline(CommandLine& line) {
   auto flags = line.values<TrampolineFlags>();
   Command command =
-      line.command("model trampoline", "COR of a ball on a hollow barrel, over the barrel's hoop frequency",
+      line.command("model trampoline", "Predict the COR of a ball on a hollow barrel over its hoop frequency",
                    [flags] { return model_trampoline(*flags); });
   command.about(
-      "The ball and the wall of a hollow barrel as two masses, springs and dampers: the COR over the barrel's hoop "
-      "frequency, and at which frequency it is best.");
-  command.example("percuss model trampoline --c2 100 -o cor.svg", "COR over the hoop frequency, drawn");
-  command.example("percuss model trampoline --ball softball --speed 49 --hoop 500:50:3000", "A softball at 49 m/s");
-  command.value("--ball", flags->ball, "Which ball's constants").one_of({"baseball", "softball"}).show_default();
-  command.value("--speed", flags->speed_mps, "Speed of the ball towards the barrel")
+      "Models the ball and the wall of a hollow barrel as two masses with springs and dampers. Reports the COR over "
+      "the hoop frequency of the barrel, and the frequency of the largest COR.");
+  command.example("percuss model trampoline --c2 100 -o cor.svg", "Draw the COR over the hoop frequency");
+  command.example("percuss model trampoline --ball softball --speed 49 --hoop 500:50:3000",
+                  "Model a softball at 49 m/s");
+  command.value("--ball", flags->ball, "Use the constants of this ball")
+      .one_of({"baseball", "softball"})
+      .show_default();
+  command.value("--speed", flags->speed_mps, "Set the speed of the ball towards the barrel")
       .above_zero()
       .type("M/S")
       .show_default();
-  command.value("--hoop", flags->hoop, "Hoop frequencies, in Hz").type("LO:STEP:HI").show_default();
-  command.value("--extra-mass", flags->extra_mass_kg, "Mass that moves with the barrel and does not stiffen it")
+  command.value("--hoop", flags->hoop, "Set the hoop frequencies in Hz").type("LO:STEP:HI").show_default();
+  command
+      .value("--extra-mass", flags->extra_mass_kg, "Set an extra mass that moves with the barrel without stiffening it")
       .not_negative()
       .type("KG")
       .show_default();
-  command.value("--free-hoop", flags->loaded_from_Hz, "With --loaded-hoop: the hoop frequency without the extra mass")
+  command
+      .value("--free-hoop", flags->loaded_from_Hz, "With --loaded-hoop: set the hoop frequency without the extra mass")
       .above_zero()
       .type("HZ");
   command
       .value("--loaded-hoop", flags->loaded_to_Hz,
-             "With --free-hoop: the hoop frequency with the extra mass; tells which modal mass explains the shift")
+             "With --free-hoop: set the hoop frequency with the extra mass; the modal mass follows from the shift")
       .above_zero()
       .type("HZ");
   command

@@ -131,7 +131,7 @@ std::string calibration_text(const SoundCalibration& calibration) {
 
 SoundCalibration parse_calibration(std::string_view text, const std::string& where) {
   SoundCalibration out;
-  const StrictText strict{.text = text, .where = where, .example = "percuss convert RECORD x.wav"};
+  const StrictText strict{.text = text, .where = where, .remedy = "convert the record again"};
   read_strict_json(strict, [&](StrictObject& o) {
     o.read("fs_hz", out.fs_Hz);
     o.read("continuous", out.continuous);

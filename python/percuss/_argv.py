@@ -1,24 +1,24 @@
-"""How keywords become the words of a command line, so that both are understood by the same code."""
+"""Conversion of keywords to a command line, so that the same code checks both interfaces."""
 
 from __future__ import annotations
 
 import json
 import numbers
 import os
-import re
 from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 
 from . import _percuss
+from ._errors import InputError, UsageError, keyword_of
 
-# What a shell needs and Python does not: results are returned, and saved when asked for.
+# Options of the shell only: Python returns results, and save() writes them.
 _SHELL_ONLY = {"help", "output", "json", "force", "quiet", "example", "example_table", "list"}
 
 
 class Option:
-    """An option as it was declared for the command line."""
+    """An option, as the command line declares it."""
 
     def __init__(self, declared: dict[str, Any]) -> None:
         self.flag = declared["name"]
@@ -27,12 +27,12 @@ class Option:
         self.group = declared["group"]
         self.initial = declared["initial"]
         self.choices = declared["choices"]
-        self.wanted = declared["wanted"]
+        self.requirement = declared["requirement"]
         self.required = declared["required"]
         self.list = declared["list"]
         self.repeatable = declared["repeatable"]
-        keyword = self.flag.lstrip("-").replace("-", "_")
-        self.keyword = keyword + "_" if keyword in ("from", "lambda") else keyword
+        self.id = self.flag.lstrip("-").replace("-", "_")
+        self.keyword = keyword_of(self.id)
 
     @property
     def is_flag(self) -> bool:
@@ -43,26 +43,26 @@ class Option:
         return self.shown in ("FILE", "FOLDER")
 
     def words(self, value: Any, files: MemoryFiles) -> list[str]:
-        """The words that give it this value; none for None, which stands for not given."""
+        """The command-line words that set this value; none for None, which means not given."""
         if value is None:
             return []
         if self.is_flag:
             if not isinstance(value, (bool, np.bool_)):
-                raise TypeError(f"{self.keyword} is on or off: give True or False, not {value!r}")
+                raise TypeError(f"{self.keyword} must be True or False, not {value!r}")
             return [self.flag] if value else []
         if self.is_file:
             several = value if self.repeatable and isinstance(value, (list, tuple)) else [value]
             return [f"{self.flag}={files.path(one, self.keyword)}" for one in several]
-        return [f"{self.flag}={text}" for text in self._texts(value)]
+        return [f"{self.flag}={text}" for text in self._examples(value)]
 
-    def _texts(self, value: Any) -> list[str]:
+    def _value_texts(self, value: Any) -> list[str]:
         if isinstance(value, dict):
             return [f"{key}={_text(self.keyword, one)}" for key, one in value.items()]
         if isinstance(value, np.ndarray):
             value = value.tolist()
         if not isinstance(value, (list, tuple, range)):
             return [_text(self.keyword, value)]
-        if ":" in self.shown:  # (60, 3200) is 60:3200, and a list holds several such
+        if ":" in self.shown:  # (60, 3200) becomes 60:3200; a list may hold several ranges
             parts = list(value)
             if self.repeatable and parts and all(isinstance(part, (list, tuple, str)) for part in parts):
                 whole = [part if isinstance(part, str) else _joined(self.keyword, part, ":") for part in parts]
@@ -78,7 +78,7 @@ def _joined(keyword: str, values: Any, between: str) -> str:
 
 
 def _text(keyword: str, value: Any) -> str:
-    """A number with all its digits; a text as it stands."""
+    """A number with all its digits; a text unchanged."""
     if isinstance(value, str):
         return value
     if isinstance(value, os.PathLike):
@@ -88,16 +88,8 @@ def _text(keyword: str, value: Any) -> str:
     return str(int(value)) if isinstance(value, numbers.Integral) else repr(float(value))
 
 
-def in_python_terms(error: Exception) -> Exception:
-    """The error with keywords where the remedy names options that save(), write() and Record() have as such."""
-    problem, semicolon, remedy = str(error).rpartition("; ")
-    for option, keyword in {"--force": "force=True", "--fs": "fs="}.items():
-        remedy = re.sub(option + r"(?![\w-])", keyword, remedy)
-    return type(error)(problem + semicolon + remedy)
-
-
 class MemoryFiles:
-    """Dictionaries, tables and results where the command line has files; gone when the command has run."""
+    """Temporary files in memory for dictionaries, tables and results; closed when the command has run."""
 
     def __init__(self) -> None:
         self._open: dict[str, tuple[int, str]] = {}
@@ -106,16 +98,16 @@ class MemoryFiles:
     def path(self, value: Any, name: str) -> str:
         if isinstance(value, (str, bytes, os.PathLike)):
             return os.fsdecode(value)
-        path = self._kept(_file_text(value, name), name)
+        path = self._memory_file(_file_text(value, name), name)
         self.names[path] = self._named_as(_label(value, name))
         return path
 
     def _named_as(self, label: str) -> str:
-        """The label, numbered from the second of its kind on."""
+        """The label, with a number from its second use on."""
         taken = set(self.names.values())
         return label if label not in taken else next(one for i in range(2, len(taken) + 2) if (one := f"{label} ({i})") not in taken)
 
-    def _kept(self, text: str, name: str) -> str:
+    def _memory_file(self, text: str, name: str) -> str:
         descriptor = os.memfd_create(f"percuss-{name}", os.MFD_CLOEXEC)
         with open(descriptor, "w", encoding="utf-8", closefd=False) as file:
             file.write(text)
@@ -124,7 +116,7 @@ class MemoryFiles:
         return path
 
     def named(self, message: str) -> str:
-        """A message with the keyword's name where it has a path that nobody has seen."""
+        """The message with each temporary path replaced by the name of its keyword."""
         for path in sorted(self._open, key=len, reverse=True):
             message = message.replace(path, self._open[path][1])
         return message
@@ -139,7 +131,7 @@ class MemoryFiles:
 
 
 def _label(value: Any, name: str) -> str:
-    """What a document in memory is of: the first file that was read for it, else the kind of result."""
+    """A display name for a document: the first file that was read for it, or the kind of result."""
     if not isinstance(value, Mapping):
         return name
     inputs = value.get("inputs")
@@ -174,32 +166,35 @@ def _is_table(value: Any) -> bool:
 
 
 class Command:
-    """A command of the tool and its options by keyword."""
+    """A command of the tool, with its options by keyword."""
 
     def __init__(self, declared: dict[str, Any]) -> None:
         self.name = declared["name"]
         self.summary = declared["summary"]
         self.about = declared["about"]
-        self.words = [word["name"] for word in declared["words"]]
+        self.arguments = [word["name"] for word in declared["arguments"]]
         options = [Option(one) for one in declared["options"]]
         self.options = {one.keyword: one for one in options if one.keyword not in _SHELL_ONLY}
         self._shell = {one.keyword for one in options}
 
     def run(self, function: str, data: Any, inputs: list[Any], options: dict[str, Any]) -> _percuss.CommandResult:
-        """Runs it on files (`data`) or on what is in memory (`inputs`)."""
+        """Runs the command on files (`data`) or on data in memory (`inputs`)."""
+        for option in self.options.values():
+            if option.required and option.keyword not in options:
+                raise UsageError("is missing", f"give {option.shown}", [option.id])
         files = MemoryFiles()
         try:
             words = self.name.split()
             words += [word for key, value in options.items() for word in self._option(function, key).words(value, files)]
             words += [flag for flag in ("--json", "--quiet") if flag[2:] in self._shell]
             for i, one in enumerate(data):
-                word = self.words[0].lower()
+                word = self.arguments[0].lower()
                 words.append(_word(files.path(one, word if len(data) == 1 else f"{word} {i + 1}")))
             return _percuss.run([os.fsencode(word) for word in words], inputs, files.names)
-        except _percuss.InputError as error:
+        except InputError as error:
             if not files:
                 raise
-            raise type(error)(files.named(str(error))) from None
+            raise type(error)(*(files.named(part) if isinstance(part, str) else part for part in error.args)) from None
         finally:
             files.close()
 
@@ -218,5 +213,5 @@ def _word(path: str) -> str:
 
 
 def declared() -> dict[str, Command]:
-    """Every command, by its name."""
+    """All commands by name."""
     return {one["name"]: Command(one) for one in json.loads(_percuss.declared_commands())["commands"] if one["name"]}

@@ -1,4 +1,4 @@
-"""What of a result goes to other processes and into files: all that was found, and no samples."""
+"""Pickling of results: everything that was computed, without the samples."""
 
 from __future__ import annotations
 
@@ -6,34 +6,34 @@ from typing import Any
 
 import numpy as np
 
-from . import _percuss
 from ._arrays import frozen
+from ._errors import UsageError
 
 
-class PickledOutcome:
-    """Stands where the compiled outcome stood, with its answers to the calls that were asked."""
+class PickledResult:
+    """Replaces a CommandResult in a pickled result. It stores the return value of each call in `calls`."""
 
     def __init__(self, outcome: Any, calls: list[tuple[Any, ...]]) -> None:
         self.code, self.document, self.tests = outcome.code, outcome.document, outcome.tests
         self.notes = list(outcome.notes)
-        self._answers = {call: getattr(outcome, call[0])(*call[1:]) for call in calls}
+        self._values = {call: getattr(outcome, call[0])(*call[1:]) for call in calls}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         self.__dict__.update(state)
-        _freeze(self._answers)
+        _freeze(self._values)
 
     def __getattr__(self, name: str) -> Any:
         if name.startswith("_"):
             raise AttributeError(name)
-        return lambda *arguments: self._answer(name, *arguments)
+        return lambda *arguments: self._value(name, *arguments)
 
-    def _answer(self, *call: Any) -> Any:
-        if call not in self._answers:
-            raise _percuss.UsageError(f"{call[0]} did not go with the result when it was pickled; ask for it before, or analyze again")
-        return self._answers[call]
+    def _value(self, *call: Any) -> Any:
+        if call not in self._values:
+            raise UsageError(f"{call[0]} was not pickled with the result", "read it before pickling, or analyze again")
+        return self._values[call]
 
     def save(self, path: bytes, force: bool) -> None:
-        raise _percuss.UsageError("a result that was pickled writes no files; save() before, or write its to_dict() or json")
+        raise UsageError("a result that was pickled cannot write this file", "call save() before pickling, or write its to_dict() or json")
 
 
 def _freeze(value: Any) -> None:

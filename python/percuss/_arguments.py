@@ -1,19 +1,19 @@
-"""What a command is given to read, and what of it contradicts the keywords."""
+"""The data arguments of a command, and checks against its keywords."""
 
 from __future__ import annotations
 
 import os
 from typing import Any
 
-from . import _percuss
+from ._argv import Command
+from ._errors import InputError, UsageError
 from ._measured import MeasuredFrf
 from ._records import Record
 from ._results import Synthetic
-from ._words import Command
 
 
 def handles_of(data: tuple[Any, ...], fs: Any) -> tuple[list[str], list[Any]]:
-    """What a command is given: paths, or handles of what is in memory."""
+    """Paths, or handles of data in memory; one of the two lists is empty."""
     given: list[Any] = list(data[0]) if len(data) == 1 and _is_several(data[0]) else list(data)
     flat = [one.record if isinstance(one, Synthetic) else one for one in given]
     if flat and all(isinstance(one, (str, bytes, os.PathLike)) for one in flat):
@@ -23,7 +23,7 @@ def handles_of(data: tuple[Any, ...], fs: Any) -> tuple[list[str], list[Any]]:
     if any(isinstance(one, (str, bytes, os.PathLike, Record, MeasuredFrf)) for one in flat):
         raise TypeError("give files, records or arrays, not some of each")
     if not data:
-        raise _percuss.UsageError("no data; give paths, arrays or Records")
+        raise UsageError("no data is given", "give paths, arrays or Records")
     if len(data) != 2:
         raise TypeError("give two arrays, force and accel, with fs=; or paths; or records")
     if fs is None:
@@ -37,22 +37,23 @@ def _is_several(value: Any) -> bool:
 
 
 def reject_reading_options(name: str, command: Command, handles: list[Any], options: dict[str, Any], are_records: bool) -> None:
-    """How a file is read was settled when it was read, and the rate of arrays when they became a record."""
+    """Rejects reading options for a record in memory: they took effect when the record was read or made."""
     if are_records and options.get("fs") is not None:
-        raise TypeError(f"{name}() cannot give a record another rate with 'fs'; give it to percuss.read() or percuss.Record()")
+        raise TypeError(f"{name}() cannot change the sampling rate of a record with 'fs'; give it to percuss.read() or percuss.Record()")
     if all(getattr(one, "from_arrays", False) for one in handles):
         return
-    settled = [key for key in options if key in command.options and command.options[key].group == "Reading" and key != "files"]
-    if settled:
-        raise TypeError(f"{name}() cannot read a record again with {settled[0]!r}; give it to percuss.read()")
+    reading = [key for key in options if key in command.options and command.options[key].group == "Reading" and key != "files"]
+    if reading:
+        raise TypeError(f"{name}() cannot read a record again with {reading[0]!r}; give it to percuss.read()")
 
 
 def reject_single_point(handle: Any, geometry: Any) -> None:
-    """Arrays by themselves do not say which points were struck."""
-    told = handle.describe()
+    """Rejects a geometry of several points for plain arrays, which do not say which point each hit struck."""
+    description = handle.describe()
     places = 0 if geometry is None or isinstance(geometry, (str, bytes, os.PathLike, dict)) else len(geometry)
-    if len(told["rows"]) > 1 and places > max(1, len(told["accel"])):
-        raise _percuss.InputError(
-            f"{len(told['rows'])} hits are all at one point, and the geometry has {places} (arrays); "
-            "say which point each struck: percuss.survey(percuss.Record(force, accel, fs, points=...), geometry=...)"
+    if len(description["rows"]) > 1 and places > max(1, len(description["accel"])):
+        raise InputError(
+            f"all {len(description['rows'])} hits are at one point, but the geometry has {places} points",
+            "arrays",
+            "say which point each hit struck: percuss.survey(percuss.Record(force, accel, fs, points=...), geometry=...)",
         )

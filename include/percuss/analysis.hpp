@@ -1,0 +1,98 @@
+#pragma once
+/// One test from record to named modes. Each accessor computes what it needs, once.
+///
+/// @code
+/// #include <iostream>
+/// #include <percuss/analysis.hpp>
+/// #include <percuss/synth.hpp>
+/// #include <percuss/write.hpp>
+///
+/// int main(int argc, char** argv) {
+///   const percuss::Record record =
+///       argc > 1 ? percuss::open_record(argv[1]) : percuss::synthesise_preset("composite-bat").record;
+///   const percuss::Analysis analysis(record, {.band_Hz = percuss::Band{60, 3200}});
+///   if (!analysis.possible()) return 1;  // hits() says why
+///   for (const percuss::Mode& mode : analysis.modes())
+///     std::cout << mode.freq_Hz << " ± " << mode.freq_std_Hz << " Hz\n";
+///   for (const percuss::Warning& warning : analysis.warnings()) std::cout << warning.message << '\n';
+///   percuss::write("report.html", analysis, {.overwrite = true});
+/// }
+/// @endcode
+#include <percuss/frf.hpp>
+#include <percuss/hits.hpp>
+#include <percuss/modes.hpp>
+#include <percuss/record.hpp>
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace percuss {
+
+namespace api {
+struct AnalysisData;
+}
+
+/// quick: modes that show a peak; standard: also modes without a peak; best: all modes together, at the statistical
+/// limit.
+enum class Effort { quick, standard, best };
+
+struct AnalysisOptions {
+  std::optional<Band> band_Hz{};  // default: what the hammer excited
+  Effort effort = Effort::best;
+  Estimator estimator = Estimator::h1;  // of frfs(); modes are fitted to H1
+  HitOptions hits{};
+  std::optional<std::size_t> modes{};  // report this many, the clearest ones
+  std::vector<double> start_Hz{};      // fit modes near these frequencies and no others
+  double exponential = 0;              // exponential window that falls to this fraction at the end; 0: none
+  double overlay_dB = 1;               // FRFs that differ by no more at a peak count as overlaid
+  std::size_t threads = 0;             // 0: all; the result is the same
+};
+
+/// What Analysis::json() holds beside hits, modes and warnings.
+struct JsonOptions {
+  bool per_hit = false;        // every mode as each hit alone shows it
+  bool stabilisation = false;  // the poles of all model orders
+};
+
+/// Copies share the results. Accessors of one analysis, and of its copies, are for one thread at a time.
+/// errors  InputError, of the constructors: contradicting options, several runs (see Record::runs), no acceleration.
+///         InputError, of the accessors: the file cannot be read; no hit can be used (where possible() is false).
+class Analysis {
+ public:
+  explicit Analysis(const Record& record, const AnalysisOptions& options = {});
+  explicit Analysis(const FrfSet& frfs, const AnalysisOptions& options = {});
+
+  /// False when no hit can be used: there are no FRFs and modes then.
+  bool possible() const;
+  /// Hits graded by force, responses and agreement. Empty for FRFs.
+  std::vector<Hit> hits() const;
+  Band band_Hz() const;
+  /// Averaged FRFs within the band.
+  FrfSet frfs() const;
+  /// The numbers of the points that have FRFs, ascending.
+  std::vector<int> points() const;
+  /// Modes within the band, ascending in frequency.
+  std::vector<Mode> modes() const;
+  /// Bending or hoop, one per mode.
+  std::vector<ModeClassification> classifications() const;
+  /// Every mode as each accepted hit alone shows it.
+  std::vector<ModeOfHit> modes_per_hit() const;
+  std::vector<Warning> warnings() const;
+
+  /// The document percuss/analysis/1, as `percuss analyze --json` prints it.
+  std::string json(const JsonOptions& options = {}) const;
+  /// Tables for people, as `percuss analyze` prints them.
+  std::string text(std::size_t width = 100) const;
+
+  explicit Analysis(std::shared_ptr<const api::AnalysisData> data) : data_(std::move(data)) {}
+  const api::AnalysisData& data() const { return *data_; }
+
+ private:
+  std::shared_ptr<const api::AnalysisData> data_;
+};
+
+}  // namespace percuss

@@ -1,0 +1,89 @@
+#pragma once
+/// Deflection under an impact, from the acceleration.
+///
+/// @code
+/// #include <iostream>
+/// #include <percuss/deflection.hpp>
+/// #include <percuss/synth.hpp>
+///
+/// int main() {
+///   const percuss::Record record = percuss::synthesise_preset("wood-bat").record;
+///   const percuss::Deflections deflections(record, {.free_body = true});
+///   for (const percuss::PointDeflection& at : deflections.points())
+///     std::cout << "point " << at.point << ": " << at.peak_m << " ± " << at.std_m << " m\n";
+/// }
+/// @endcode
+#include <percuss/analysis.hpp>
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace percuss {
+
+namespace api {
+struct DeflectionData;
+}
+
+/// Automatic: drift_free where the record shows the rest before the impact, else modal where force and modes are known.
+enum class DeflectionMethod { automatic, small_interval, drift_free, frequency, modal };
+
+struct DeflectionOptions {
+  AnalysisOptions analysis{};
+  DeflectionMethod method = DeflectionMethod::automatic;
+  double highpass_corner_Hz = 0;              // of the charge amplifier, first order; 0: none
+  std::optional<double> lowest_Hz{};          // of the method frequency
+  bool free_body = false;                     // the structure may move away
+  std::optional<double> effective_mass_kg{};  // of the free body at the struck point
+  std::optional<double> beam_distance_m{};    // from the light beam to the structure: gives the ball's speed
+  double beam_time_s = 0;                     // when the ball broke the beam, from the row's beginning
+  std::vector<double> positions_m{};          // of the points, in ascending order of their numbers
+};
+
+/// One impact as one accelerometer saw it.
+struct HitDeflection {
+  std::size_t hit = 0, channel = 0;
+  int point = 0;
+  double first_s = 0;  // of the samples, from the row's beginning
+  std::vector<double> velocity_mps, deflection_m;
+  std::vector<double> std_m;          // of the deflection; empty where the method gives none
+  double peak_m = 0, peak_std_m = 0;  // signed; NaN where nothing rises out of the noise
+  double peak_time_s = 0;             // from the row's beginning
+};
+
+/// Repeats at one point, one channel.
+struct PointDeflection {
+  int point = 0;
+  std::size_t channel = 0, hits = 0;
+  std::optional<double> position_m{};
+  double peak_m = 0, std_m = 0;  // mean magnitude of the peaks
+};
+
+/// The ball's speed, from the light beam to the structure.
+struct ImpactSpeed {
+  std::size_t hit = 0;
+  double speed_mps = 0, std_mps = 0;
+};
+
+/// Copies share the results. errors  InputError, of the constructor: options that contradict each other, samples that
+/// cannot be read.
+class Deflections {
+ public:
+  explicit Deflections(const Record& record, const DeflectionOptions& options = {});
+
+  std::vector<HitDeflection> hits() const;  // hit by hit, channel by channel
+  std::vector<PointDeflection> points() const;
+  std::vector<ImpactSpeed> speeds() const;
+  std::vector<Warning> warnings() const;
+  /// The document percuss/deflection/1, as `percuss deflect --json` prints it.
+  std::string json() const;
+
+  const api::DeflectionData& data() const { return *data_; }
+
+ private:
+  std::shared_ptr<const api::DeflectionData> data_;
+};
+
+}  // namespace percuss

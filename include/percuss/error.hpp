@@ -1,0 +1,63 @@
+#pragma once
+/// Errors as data: every function throws InputError for input that cannot be used.
+///
+/// what() is one line, "problem (where); remedy". options() holds the identifiers of the options concerned; they are
+/// the same for the command line (--accel-channel), Python (accel_channel=) and C++. The rule for C++: the field of an
+/// options aggregate has the identifier as its name, followed by its unit where it has one: "fs" is ReadOptions::fs_Hz.
+/// The one exception is "force" (overwrite files), which is WriteOptions::overwrite: in C++ a force is a signal.
+/// option_field() applies the rule, written() appends the fields to the message.
+///
+/// @code
+/// #include <iostream>
+/// #include <percuss/error.hpp>
+/// #include <percuss/record.hpp>
+///
+/// int main() {
+///   try {
+///     percuss::open_record("missing.h5", {.fs_Hz = 25600});
+///   } catch (const percuss::InputError& error) {
+///     std::cout << error.problem() << " | " << error.where() << " | " << error.remedy() << '\n';
+///     std::cout << error.written(percuss::option_field) << '\n';
+///   }
+/// }
+/// @endcode
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace percuss {
+
+/// An option by its identifier, the same for every interface: "fs", "accel_channel"; "survey.example" is the option
+/// `example` of the command `survey`. The command line writes --accel-channel, Python accel_channel=.
+using OptionId = std::string;
+
+/// How an interface writes an option.
+using OptionWriter = std::string (*)(std::string_view id);
+
+/// The field of a C++ options aggregate: "fs" gives "ReadOptions::fs_Hz". An identifier that no field has is returned
+/// unchanged: the option belongs to a command of the tool.
+std::string option_field(std::string_view id);
+
+/// Unusable input: a file, an option's value or their combination. what() is one line, "problem (where); remedy",
+/// without options: an interface writes those in its own words. No field holds control characters or more than 600
+/// bytes.
+///   throw InputError("no sampling rate", path, "state it in Hz", {"fs"});
+class InputError : public std::runtime_error {
+ public:
+  InputError(std::string_view problem, std::string_view where, std::string_view remedy,
+             std::vector<OptionId> options = {});
+
+  const std::string& problem() const { return problem_; }
+  const std::string& where() const { return where_; }
+  const std::string& remedy() const { return remedy_; }
+  const std::vector<OptionId>& options() const { return options_; }
+  /// what(), and the options as the interface writes them.
+  std::string written(OptionWriter write) const;
+
+ private:
+  std::string problem_, where_, remedy_;
+  std::vector<OptionId> options_;
+};
+
+}  // namespace percuss

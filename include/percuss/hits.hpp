@@ -1,0 +1,64 @@
+#pragma once
+/// Hammer hits: found in the force, graded, each with its findings.
+///
+/// @code
+/// #include <iostream>
+/// #include <percuss/hits.hpp>
+/// #include <percuss/synth.hpp>
+///
+/// int main() {
+///   const percuss::Record record = percuss::synthesise_preset("double-hit").record;
+///   for (const percuss::Hit& hit : percuss::find_hits(record)) {
+///     std::cout << hit.index << ": " << hit.peak_force_N << " N" << (hit.accepted ? "" : ", rejected") << '\n';
+///     for (const percuss::Finding& finding : hit.findings) std::cout << "   " << finding.message << '\n';
+///   }
+/// }
+/// @endcode
+#include <percuss/record.hpp>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace percuss {
+
+enum class Severity { info, warn, reject };
+
+/// One judgement on a hit, with the number that decided it.
+struct Finding {
+  std::string code;  // "double_hit", "overload", "late_trigger", …; docs/reference/conventions.md lists them
+  Severity severity = Severity::info;
+  double value = 0;
+  std::string message;
+  std::optional<double> delay_s{};  // double_hit: from the first pulse to the other
+};
+
+struct Hit {
+  std::size_t index = 0;  // the number that accept_hit and reject_hit take
+  std::size_t row = 0;
+  int point = 0;
+  double onset_s = 0;       // where the pulse leaves 5 % of its peak, from the row's beginning
+  double peak_force_N = 0;  // signed
+  double pulse_s = 0;       // time above 5 % of the peak
+  double bandwidth_Hz = 0;  // where the force spectrum has fallen by 20 dB
+  bool accepted = false;
+  bool by_user = false;  // accept_hit or reject_hit decided
+  std::vector<Finding> findings;
+};
+
+struct HitOptions {
+  std::optional<double> trigger_N{};                    // default: from the noise
+  std::optional<double> pretrigger_s{};                 // default: 128 samples or 5 ms, whichever is longer
+  std::optional<double> length_s{};                     // of the stretch, pre-trigger included
+  double from_s = 0;                                    // hits after this time of each row only
+  std::optional<double> to_s{};                         // hits before this time only
+  bool force_window = true;                             // the pulse alone enters the FRF; false: the whole force record
+  std::vector<std::size_t> accept_hit{}, reject_hit{};  // overrule the findings
+};
+
+/// Hits graded by their force; no acceleration is read. Analysis::hits() grades the responses too.
+/// errors  InputError: no such hit in accept_hit or reject_hit, an empty time range.
+std::vector<Hit> find_hits(const Record& record, const HitOptions& options = {});
+
+}  // namespace percuss

@@ -1,0 +1,144 @@
+#pragma once
+/// Models: a uniform beam, a ball on that beam, rigid and bending bats, a hollow barrel (trampoline), a tube (shell).
+/// The equations and their sources stand in docs/theory/theory.md.
+///
+/// @code
+/// #include <iostream>
+/// #include <percuss/models.hpp>
+///
+/// int main() {
+///   const percuss::Beam beam{.support = percuss::BeamSupport::clamped, .length_m = 0.6};
+///   for (const percuss::BeamMode& mode : percuss::beam_modes(beam)) std::cout << mode.freq_Hz << " Hz\n";
+///   std::cout << "COR " << percuss::beam_impact({.beam = beam, .at_m = 0.5}).cor << '\n';
+///   std::cout << percuss::hoop_Hz({.wall_m = 0.003}, 2, 1) << " Hz\n";
+/// }
+/// @endcode
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace percuss {
+
+/// How a beam is held at x = 0; the other end is free.
+enum class BeamSupport { torsion, pinned, clamped, free };
+
+struct Beam {
+  BeamSupport support = BeamSupport::torsion;
+  double ei_Nm2 = 4000;
+  double rho_a_kgpm = 2.24;
+  double torsion_Nmprad = 1200;  // of the spring
+  double length_m = 0.57;
+  double gyration_m = 0;         // √(I/A), rotary inertia; 0: none
+  double shear_stiffness_N = 0;  // κGA; 0: without bound
+};
+
+struct BeamMode {
+  double freq_Hz = 0;  // 0 for a rigid-body mode
+  double lambda = 0;   // βL
+  std::vector<double> node_m;
+  std::vector<double> shape;  // at BeamModeOptions::x_m; 1 at the free end
+};
+
+struct BeamModeOptions {
+  std::size_t modes = 5;
+  std::vector<double> x_m{};  // where the shapes are wanted
+};
+
+/// The lowest modes, rigid-body modes first. errors  InputError: values not above 0; frequencies beyond a double.
+std::vector<BeamMode> beam_modes(const Beam& beam, const BeamModeOptions& options = {});
+
+/// A ball against a beam at rest.
+struct BeamImpact {
+  Beam beam{};
+  double at_m = 0.51;  // from the spring's end
+  double ball_mass_kg = 0.16, speed_mps = 5;
+  double hertz_Npm15 = 3.2e6;
+  double hysteresis_spm = 0;
+  std::size_t modes = 10;
+  double step_s = 0;  // 0: chosen by halving
+};
+
+struct BeamImpactResult {
+  double cor = 0;  // at the first separation
+  double contact_s = 0, peak_force_N = 0;
+  double peak_deflection_m = 0, peak_deflection_time_s = 0;
+  std::optional<double> recontact_s{};
+  double energy_error = 0;
+};
+
+/// errors  InputError: the two do not separate; values not above 0.
+BeamImpactResult beam_impact(const BeamImpact& impact);
+
+/// A ball against a rigid bat; z from the bat's centre of mass.
+struct RigidBat {
+  double ball_mass_kg = 0.145, bat_mass_kg = 0.83;
+  double inertia_kgm2 = 0.039;  // about the centre of mass
+  double ball_speed_mps = 67, bat_speed_mps = 0;
+  double swing_rate_radps = 60;
+  double cor = 0.55;
+};
+
+double effective_mass_kg(const RigidBat& bat, double z_m);
+double exit_speed_mps(const RigidBat& bat, double z_m);
+/// Where between low_m and high_m the ball leaves fastest.
+double best_impact_m(const RigidBat& bat, double low_m, double high_m);
+
+/// A ball against a hollow barrel at rest, one degree of freedom each.
+struct Trampoline {
+  double ball_mass_kg = 0.145;
+  double stiffness = 60e6;  // N/m^(1 + stiffness_exponent)
+  double damping = 5000;    // N s/m^(1 + damping_exponent)
+  double stiffness_exponent = 0.6495, damping_exponent = 0.5202;
+  double barrel_mass_kg = 0.090, barrel_damping_Nspm = 90.5;
+  double ball_speed_mps = 60.80;
+};
+
+struct TrampolineRebound {
+  double cor = 0, contact_s = 0;
+  std::size_t contacts = 1;
+};
+
+/// errors  InputError: constants too far apart.
+TrampolineRebound trampoline_rebound(const Trampoline& model, double hoop_Hz);
+/// Off a barrel that does not give way.
+TrampolineRebound rigid_wall_rebound(const Trampoline& model);
+
+/// A bat of round slices from the knob on. shapes  end_m and diameter_m alike long, end_m ascending.
+struct BatProfile {
+  std::vector<double> end_m, diameter_m;
+  double density_kgpm3 = 649, young_Pa = 1.814e10;
+  double shear_Pa = 1.05e9;  // shear modulus × shape factor
+};
+
+struct BatModes {
+  double mass_kg = 0, cm_m = 0, inertia_kgm2 = 0;  // inertia about the centre of mass; positions from the knob
+  std::vector<double> freq_Hz;
+  std::vector<std::vector<double>> node_m;  // [modes]
+};
+
+/// Elastic modes of a free bat. errors  InputError: shapes that do not agree, values not above 0.
+BatModes bat_modes(const BatProfile& profile, std::size_t modes = 5);
+
+struct BatCollision {
+  double ball_mass_kg = 0.145, ball_speed_mps = 67;
+  double bat_speed_mps = 0, swing_rate_radps = 60;
+  double cor = 0.5;  // of the ball itself
+  std::size_t modes = 40;
+};
+
+/// Exit speed of the ball for impacts at z_m from the knob. errors  as bat_modes; a place that is not on the bat.
+std::vector<double> bat_exit_speeds_mps(const BatProfile& profile, const std::vector<double>& z_m,
+                                        const BatCollision& collision = {});
+
+/// A barrel as a tube of even wall.
+struct Tube {
+  double outer_diameter_m = 0.066675, wall_m = 0.00254, length_m = 0.3302;
+  double young_Pa = 70e9, density_kgpm3 = 2700, poisson = 0.33;
+};
+
+/// Flügge's frequency with n waves around (2 and above) and m half-waves along. errors  InputError: not a tube.
+double hoop_Hz(const Tube& tube, std::size_t n, std::size_t m);
+/// The same for a long tube (Rayleigh).
+double long_hoop_Hz(const Tube& tube, std::size_t n);
+
+}  // namespace percuss

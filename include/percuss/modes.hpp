@@ -1,0 +1,83 @@
+#pragma once
+/// Modes and their classification, as plain data. Analysis::modes() and Survey::classifications() make them.
+///
+/// @code
+/// #include <iostream>
+/// #include <percuss/analysis.hpp>
+/// #include <percuss/modes.hpp>
+/// #include <percuss/synth.hpp>
+///
+/// int main() {
+///   const percuss::Record record = percuss::synthesise_preset("composite-bat").record;
+///   const percuss::Analysis analysis(record, {.band_Hz = percuss::Band{60, 3200}});
+///   const std::vector<percuss::ModeClassification> types = analysis.classifications();
+///   for (const percuss::Mode& mode : analysis.modes()) {
+///     const percuss::ModeClassification& type = types[mode.index];
+///     std::cout << percuss::name_of(type.type) << ' ' << type.order << ": " << mode.freq_Hz << " ± "
+///               << mode.freq_std_Hz << " Hz, damping " << 100 * mode.damping_ratio << " %\n";
+///   }
+/// }
+/// @endcode
+#include <complex>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace percuss {
+
+/// A mode's residue A at one point and channel: accelerance H(ω) = … + A·(jω)²/((jω)² + 2ζω_r jω + ω_r²).
+struct Residue {
+  std::size_t point = 0;    // index into Analysis::points()
+  std::size_t channel = 0;  // acceleration channel
+  std::complex<double> value_per_kg;
+  double std_per_kg = 0;  // of the real and of the imaginary part
+};
+
+/// A mode. Every ± is one standard deviation.
+struct Mode {
+  std::size_t index = 0;
+  double freq_Hz = 0, freq_std_Hz = 0;  // undamped natural frequency
+  double damping_ratio = 0, damping_ratio_std = 0;
+  double freq_scatter_Hz = 0;  // standard deviation between points, where these disagree beyond doubt
+  std::vector<Residue> residues;
+};
+
+/// A mode as one hit alone shows it.
+struct ModeOfHit {
+  std::size_t hit = 0, mode = 0;
+  double freq_Hz = 0, freq_std_Hz = 0;
+  double damping_ratio = 0, damping_ratio_std = 0;
+};
+
+enum class ModeType { bending, hoop, unknown };
+/// "bending", "hoop", "unknown"
+const char* name_of(ModeType type);
+
+/// Two peaks so close that they count as one split mode.
+struct SplitMode {
+  std::size_t partner = 0;  // index of the other mode
+  double separation_Hz = 0, separation_std_Hz = 0;
+  bool first = false;   // this one is the lower one
+  bool quoted = false;  // this one's frequency is the one to quote
+};
+
+/// Bending or hoop, of a tube.
+struct ModeClassification {
+  ModeType type = ModeType::unknown;
+  int order = 0;                                // counts from 1 within the type; 0 when unknown
+  double confidence = 0;                        // posterior probability of the type
+  std::optional<ModeType> alternative{};        // the rival, where it is credible
+  std::optional<double> overlay_dB{};           // magnitude of the second FRF over the first at the peak
+  bool overlaid = false;                        // |overlay_dB| is within the threshold
+  std::optional<std::complex<double>> ratio{};  // residue of the second sensor over that of the first
+  double ratio_std = 0;
+  std::optional<SplitMode> split_mode{};
+};
+
+/// What the reader of a result must know.
+struct Warning {
+  std::string code, message;
+};
+
+}  // namespace percuss

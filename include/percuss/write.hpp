@@ -1,0 +1,50 @@
+#pragma once
+/// Files. The extension of the path chooses the kind; a file is whole or absent.
+///
+/// @code
+/// #include <percuss/analysis.hpp>
+/// #include <percuss/synth.hpp>
+/// #include <percuss/write.hpp>
+///
+/// int main() {
+///   const percuss::Record record = percuss::synthesise_preset("wood-bat").record;
+///   percuss::write("bat.h5", record, {.overwrite = true});
+///   const percuss::Analysis analysis(record, {.band_Hz = percuss::Band{60, 1000}});
+///   percuss::write("mobility.csv", analysis.frfs(), {.overwrite = true, .kind = percuss::FrfKind::mobility});
+///   percuss::write("report.html", analysis, {.overwrite = true});
+/// }
+/// @endcode
+#include <percuss/analysis.hpp>
+#include <percuss/deflection.hpp>
+#include <percuss/record.hpp>
+#include <percuss/survey.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace percuss {
+
+struct WriteOptions {
+  bool overwrite = false;         // replace a file that exists (option "force")
+  std::optional<FrfKind> kind{};  // what FRFs become; default: what the set holds
+  std::vector<std::string>
+      picture{};  // of .svg: "magnitude", "phase", "coherence", "shapes", …; default: the first ones
+  std::string produced_by = "percuss (C++)";  // stated in .html
+  std::string produced_at{};                  // stated in .html; default: now, UTC, "2026-11-22 21:45"
+};
+
+/// errors (of all)  InputError: the file exists, or cannot be written; the kind is not known, or cannot hold this.
+
+/// .h5 .hdf5 .csv .mat .uff .unv .wav .rf64 .w64
+void write(const std::string& path, const Record& record, const WriteOptions& options = {});
+/// .h5 .csv .mat .uff .unv
+void write(const std::string& path, const FrfSet& frfs, const WriteOptions& options = {});
+/// .json .html .svg; .csv .h5 .mat: FRFs; .uff .unv: modes
+void write(const std::string& path, const Analysis& analysis, const WriteOptions& options = {});
+/// .json .html .svg; .csv .h5 .uff .unv: mode shapes; .cmif.csv: the mode indicator
+void write(const std::string& path, const Survey& survey, const WriteOptions& options = {});
+/// .json; .csv .h5: curves over time
+void write(const std::string& path, const Deflections& deflections, const WriteOptions& options = {});
+
+}  // namespace percuss

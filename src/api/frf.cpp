@@ -1,0 +1,139 @@
+#include "percuss/frf.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "api/handles.hpp"
+#include "core/error.hpp"
+#include "report/frf_files.hpp"
+
+namespace percuss {
+namespace api {
+namespace {
+
+constexpr const char* kFrfArrays = "arrays of FRFs";
+
+bool in_order(const Frf& a, const Frf& b) { return std::pair(a.point, a.channel) < std::pair(b.point, b.channel); }
+
+void require_shape(const Frf& frf, std::size_t lines) {
+  const auto fits = [&](std::size_t size) { return size == 0 || size == lines; };
+  if (frf.value.size() != lines || !fits(frf.std.size()) || !fits(frf.coherence.size()))
+    throw InputError("an FRF and the frequencies differ in length", kFrfArrays, "give one value per frequency");
+}
+
+// InputError unless the sorted FRFs are all channels of every point.
+void require_all_channels(const std::vector<Frf>& frfs, std::size_t channels) {
+  for (std::size_t i = 0; i < frfs.size(); ++i) {
+    const bool complete =
+        frfs.size() % channels == 0 && frfs[i].channel == i % channels && frfs[i].point == frfs[i - i % channels].point;
+    if (!complete) throw InputError("a point lacks a channel, or has it twice", kFrfArrays, "give each channel once");
+  }
+}
+
+acquire::SignalInfo signal_of(const FrfArrays& arrays, std::size_t channel) {
+  acquire::SignalInfo signal{.name = "accel " + std::to_string(channel + 1)};
+  if (!arrays.angle_rad.empty()) signal.angle_rad = arrays.angle_rad.at(channel);
+  if (!arrays.position_m.empty()) signal.position_m = arrays.position_m.at(channel);
+  return signal;
+}
+
+}  // namespace
+
+frf::FrfKind frf_kind(FrfKind kind) {
+  if (kind == FrfKind::mobility) return frf::FrfKind::mobility;
+  return kind == FrfKind::receptance ? frf::FrfKind::receptance : frf::FrfKind::accelerance;
+}
+
+std::optional<frf::FrfKind> frf_kind(const std::optional<FrfKind>& kind) {
+  return kind ? std::optional(frf_kind(*kind)) : std::nullopt;
+}
+
+FrfKind public_kind(frf::FrfKind kind) {
+  if (kind == frf::FrfKind::mobility) return FrfKind::mobility;
+  return kind == frf::FrfKind::receptance ? FrfKind::receptance : FrfKind::accelerance;
+}
+
+FrfSet make_frf_set(frf::FrfRecord record, FrfKind kind) {
+  FrfData data{.record = std::move(record), .kind = kind, .freq_Hz = {}, .frfs = {}};
+  const frf::LineRange& lines = data.record.lines;
+  for (std::size_t k = 0; k < lines.count; ++k) data.freq_Hz.push_back(lines.freq_Hz(k));
+  for (const frf::PointFrf& from : data.record.frfs) {
+    frf::Frf its = kind == FrfKind::accelerance
+                       ? from.frf
+                       : frf::converted(from.frf, lines, frf_kind(kind), data.record.decay_per_s);
+    data.frfs.push_back({.point = from.point,
+                         .channel = from.channel,
+                         .value = std::move(its.value),
+                         .std = std::move(its.std),
+                         .coherence = std::move(its.coherence),
+                         .averages = its.averages});
+  }
+  return FrfSet(std::make_shared<const FrfData>(std::move(data)));
+}
+
+}  // namespace api
+
+FrfKind FrfSet::kind() const { return data_->kind; }
+std::string FrfSet::unit() const { return frf::unit_of(api::frf_kind(data_->kind)); }
+std::string FrfSet::estimator() const { return data_->record.estimator; }
+const std::vector<double>& FrfSet::freq_Hz() const { return data_->freq_Hz; }
+const std::vector<Frf>& FrfSet::frfs() const { return data_->frfs; }
+
+std::vector<Channel> FrfSet::channels() const {
+  std::vector<Channel> out;
+  for (const acquire::SignalInfo& signal : data_->record.accel) out.push_back(api::channel_of(signal));
+  return out;
+}
+
+FrfSet FrfSet::converted(FrfKind kind) const { return api::make_frf_set(data_->record, kind); }
+
+FrfSet estimate_frfs(const Record& record, const FrfOptions& options) {
+  const pipeline::Analysis analysis(record.data().record, api::analysis_options({.band_Hz = options.band_Hz,
+                                                                                 .estimator = options.estimator,
+                                                                                 .hits = options.hits,
+                                                                                 .exponential = options.exponential,
+                                                                                 .threads = options.threads}));
+  return api::make_frf_set(report::frf_record_of(analysis), FrfKind::accelerance);
+}
+
+FrfSet open_frfs(const std::string& path, const ReadOptions& options) {
+  auto opened =
+      frf::open_measurement(path, {.read = api::read_options(options), .kind = api::frf_kind(options.frf_kind)});
+  auto* const frfs = std::get_if<frf::FrfRecord>(&opened);
+  if (frfs == nullptr) throw InputError("a record of time, not FRFs", path, "use open_record");
+  const FrfKind kind = api::public_kind(frfs->kind);
+  return api::make_frf_set(std::move(*frfs), kind);
+}
+
+FrfSet frfs_from_arrays(const FrfArrays& arrays) {
+  std::vector<Frf> frfs = arrays.frfs;
+  if (frfs.empty()) throw InputError("no FRF", api::kFrfArrays, "give one or more");
+  std::stable_sort(frfs.begin(), frfs.end(), api::in_order);
+  const std::size_t channels = 1 + std::max_element(frfs.begin(), frfs.end(), [](const Frf& a, const Frf& b) {
+                                     return a.channel < b.channel;
+                                   })->channel;
+  api::require_all_channels(frfs, channels);
+  for (const std::vector<double>* places : {&arrays.angle_rad, &arrays.position_m}) {
+    if (!places->empty() && places->size() != channels)
+      throw InputError("places and channels differ in number", api::kFrfArrays, "give one place per channel");
+  }
+  frf::StoredFrfs stored;
+  stored.record.format = "arrays";
+  stored.record.kind = api::frf_kind(arrays.kind);
+  stored.kind = stored.record.kind;
+  stored.record.lines = frf::lines_from_frequencies(arrays.freq_Hz, api::kFrfArrays);
+  for (std::size_t c = 0; c < channels; ++c) stored.record.accel.push_back(api::signal_of(arrays, c));
+  for (Frf& frf : frfs) {
+    api::require_shape(frf, arrays.freq_Hz.size());
+    stored.frfs.push_back({.point = frf.point,
+                           .channel = frf.channel,
+                           .value = std::move(frf.value),
+                           .std = std::move(frf.std),
+                           .coherence = std::move(frf.coherence),
+                           .averages = frf.averages});
+  }
+  return api::make_frf_set(frf::to_accelerances(std::move(stored), {}), arrays.kind);
+}
+
+}  // namespace percuss

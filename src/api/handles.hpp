@@ -1,0 +1,67 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "frf/formats/frf_record.hpp"
+#include "percuss/analysis.hpp"
+#include "percuss/deflection.hpp"
+#include "percuss/error.hpp"
+#include "percuss/survey.hpp"
+#include "pipeline/analysis.hpp"
+#include "pipeline/impact_test.hpp"
+#include "pipeline/survey.hpp"
+
+// What the public classes hold, and conversions between public and internal data that several files use.
+namespace percuss::api {
+
+struct RecordData {
+  acquire::Record record;
+};
+
+struct FrfData {
+  frf::FrfRecord record;  // accelerances, whatever the kind
+  FrfKind kind = FrfKind::accelerance;
+  std::vector<double> freq_Hz;
+  std::vector<Frf> frfs;  // of the kind
+};
+
+struct AnalysisData {
+  pipeline::Analysis analysis;
+};
+
+struct SurveyData {
+  std::shared_ptr<const AnalysisData> analysis;
+  pipeline::Survey survey;  // refers to `analysis`
+};
+
+struct DeflectionData {
+  std::shared_ptr<const AnalysisData> analysis;
+  pipeline::ImpactTest test;
+};
+
+Record make_record(acquire::Record record);
+FrfSet make_frf_set(frf::FrfRecord record, FrfKind kind);
+
+/// errors  InputError: the set-up file cannot be read.
+acquire::ReadOptions read_options(const ReadOptions& options);
+std::optional<frf::FrfKind> frf_kind(const std::optional<FrfKind>& kind);
+frf::FrfKind frf_kind(FrfKind kind);
+FrfKind public_kind(frf::FrfKind kind);
+
+/// errors  InputError: options that contradict each other.
+pipeline::AnalysisOptions analysis_options(const AnalysisOptions& options);
+/// The record of one test. errors  InputError: several runs.
+acquire::Record record_of_one_run(const Record& record);
+
+Channel channel_of(const acquire::SignalInfo& signal);
+std::vector<Hit> hits_of(const std::vector<pipeline::AnalysedHit>& hits);
+std::vector<Mode> modes_of(const std::vector<identify::Mode>& modes);
+std::vector<ModeClassification> classifications_of(const std::vector<identify::ModeClassification>& classifications);
+std::vector<Warning> warnings_of(const std::vector<pipeline::Warning>& warnings);
+
+/// errors  InputError naming the field unless `value` is above 0.
+void require_above_zero(double value, const char* field, std::vector<OptionId> options = {});
+
+}  // namespace percuss::api

@@ -1,0 +1,192 @@
+#include "percuss/models.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "api/handles.hpp"
+#include "core/error.hpp"
+#include "model/bat/bat_collision.hpp"
+#include "model/bat/rigid_collision.hpp"
+#include "model/impact/impact.hpp"
+#include "model/shell/shell.hpp"
+#include "model/trampoline/trampoline.hpp"
+
+namespace percuss {
+namespace api {
+namespace {
+
+model::UniformBeam uniform_beam(const Beam& beam) {
+  require_above_zero(beam.ei_Nm2, "Beam::ei_Nm2");
+  require_above_zero(beam.rho_a_kgpm, "Beam::rho_a_kgpm");
+  require_above_zero(beam.length_m, "Beam::length_m");
+  model::UniformBeam out{.support = model::BeamSupport::free,
+                         .stiffness_Nm2 = beam.ei_Nm2,
+                         .mass_per_length_kgpm = beam.rho_a_kgpm,
+                         .torsion_Nmprad = beam.torsion_Nmprad,
+                         .length_m = beam.length_m,
+                         .gyration_m = beam.gyration_m,
+                         .shear_stiffness_N = beam.shear_stiffness_N};
+  if (beam.support == BeamSupport::torsion) {
+    require_above_zero(beam.torsion_Nmprad, "Beam::torsion_Nmprad");
+    out.support = model::BeamSupport::torsion;
+  }
+  if (beam.support == BeamSupport::pinned) out.support = model::BeamSupport::pinned;
+  if (beam.support == BeamSupport::clamped) out.support = model::BeamSupport::clamped;
+  return out;
+}
+
+model::RigidCollision rigid_collision(const RigidBat& bat) {
+  return {.ball_mass_kg = bat.ball_mass_kg,
+          .bat_mass_kg = bat.bat_mass_kg,
+          .inertia_kgm2 = bat.inertia_kgm2,
+          .ball_speed_mps = bat.ball_speed_mps,
+          .swing_rate_radps = bat.swing_rate_radps,
+          .bat_speed_mps = bat.bat_speed_mps,
+          .restitution = bat.cor};
+}
+
+model::Trampoline trampoline(const Trampoline& model) {
+  require_above_zero(model.ball_mass_kg, "Trampoline::ball_mass_kg");
+  require_above_zero(model.barrel_mass_kg, "Trampoline::barrel_mass_kg");
+  require_above_zero(model.ball_speed_mps, "Trampoline::ball_speed_mps");
+  return {.ball_mass_kg = model.ball_mass_kg,
+          .stiffness = model.stiffness,
+          .damping = model.damping,
+          .stiffness_exponent = model.stiffness_exponent,
+          .damping_exponent = model.damping_exponent,
+          .barrel_mass_kg = model.barrel_mass_kg,
+          .barrel_damping_Nspm = model.barrel_damping_Nspm,
+          .extra_mass_kg = 0,
+          .ball_speed_mps = model.ball_speed_mps};
+}
+
+TrampolineRebound rebound_of(const model::Rebound& rebound) {
+  return {.cor = rebound.cor, .contact_s = rebound.contact_s, .contacts = rebound.contacts};
+}
+
+model::BatModes modes_of_profile(const BatProfile& profile, std::size_t modes) {
+  if (profile.end_m.empty() || profile.end_m.size() != profile.diameter_m.size())
+    throw InputError("ends and diameters differ in number", "BatProfile", "give one diameter per slice");
+  double start_m = 0;
+  for (const double end_m : profile.end_m) {
+    if (!(end_m > start_m && std::isfinite(end_m)))
+      throw InputError("the ends of the slices do not ascend", "BatProfile::end_m", "count from the knob");
+    start_m = end_m;
+  }
+  for (const double diameter_m : profile.diameter_m) require_above_zero(diameter_m, "BatProfile::diameter_m");
+  require_above_zero(profile.density_kgpm3, "BatProfile::density_kgpm3");
+  require_above_zero(profile.young_Pa, "BatProfile::young_Pa");
+  require_above_zero(profile.shear_Pa, "BatProfile::shear_Pa");
+  return model::bat_modes(
+      {.end_m = profile.end_m, .diameter_m = profile.diameter_m},
+      {.density_kgpm3 = profile.density_kgpm3, .young_Pa = profile.young_Pa, .shear_Pa = profile.shear_Pa},
+      {.modes = modes});
+}
+
+model::TubeShell shell_of(const Tube& tube, std::size_t n) {
+  require_above_zero(tube.wall_m, "Tube::wall_m");
+  require_above_zero(tube.length_m, "Tube::length_m");
+  require_above_zero(tube.young_Pa, "Tube::young_Pa");
+  require_above_zero(tube.density_kgpm3, "Tube::density_kgpm3");
+  if (!(tube.wall_m < tube.outer_diameter_m / 2))
+    throw InputError("the wall is not thinner than the radius", "Tube::wall_m", "give a smaller one");
+  if (!(tube.poisson >= 0 && tube.poisson < 0.5))
+    throw InputError("not a Poisson's ratio", "Tube::poisson", "give a number from 0 to below 0.5");
+  if (n < 2) throw InputError("a hoop mode has two waves around or more", "n", "give 2 or more");
+  return {.outer_diameter_m = tube.outer_diameter_m,
+          .wall_m = tube.wall_m,
+          .length_m = tube.length_m,
+          .young_Pa = tube.young_Pa,
+          .density_kgpm3 = tube.density_kgpm3,
+          .poisson = tube.poisson};
+}
+
+}  // namespace
+}  // namespace api
+
+std::vector<BeamMode> beam_modes(const Beam& beam, const BeamModeOptions& options) {
+  std::vector<BeamMode> out;
+  for (const model::BeamMode& mode : model::beam_modes(api::uniform_beam(beam), options.modes)) {
+    out.push_back({.freq_Hz = mode.freq_Hz(), .lambda = mode.lambda, .node_m = model::beam_nodes_m(mode), .shape = {}});
+    for (const double x_m : options.x_m) out.back().shape.push_back(mode.shape(x_m));
+  }
+  return out;
+}
+
+BeamImpactResult beam_impact(const BeamImpact& impact) {
+  api::require_above_zero(impact.ball_mass_kg, "BeamImpact::ball_mass_kg");
+  api::require_above_zero(impact.speed_mps, "BeamImpact::speed_mps");
+  api::require_above_zero(impact.hertz_Npm15, "BeamImpact::hertz_Npm15");
+  if (!(impact.at_m >= 0 && impact.at_m <= impact.beam.length_m))
+    throw InputError("the impact is not on the beam", "BeamImpact::at_m", "give a position from the spring's end");
+  const model::ImpactResult result = model::simulate_impact({.beam = api::uniform_beam(impact.beam),
+                                                             .at_m = impact.at_m,
+                                                             .ball_mass_kg = impact.ball_mass_kg,
+                                                             .speed_mps = impact.speed_mps,
+                                                             .hertz_Npm15 = impact.hertz_Npm15,
+                                                             .hysteresis_spm = impact.hysteresis_spm,
+                                                             .modes = impact.modes},
+                                                            {.step_s = impact.step_s});
+  return {.cor = result.cor,
+          .contact_s = result.contact_s,
+          .peak_force_N = result.peak_force_N,
+          .peak_deflection_m = result.peak_deflection_m,
+          .peak_deflection_time_s = result.peak_deflection_time_s,
+          .recontact_s = result.recontact_s,
+          .energy_error = result.energy_error};
+}
+
+double effective_mass_kg(const RigidBat& bat, double z_m) {
+  return model::effective_mass_kg(api::rigid_collision(bat), z_m);
+}
+
+double exit_speed_mps(const RigidBat& bat, double z_m) { return model::exit_speed_mps(api::rigid_collision(bat), z_m); }
+
+double best_impact_m(const RigidBat& bat, double low_m, double high_m) {
+  return model::best_impact(api::rigid_collision(bat), low_m, high_m).z_m;
+}
+
+TrampolineRebound trampoline_rebound(const Trampoline& model, double hoop_Hz) {
+  api::require_above_zero(hoop_Hz, "hoop_Hz");
+  return api::rebound_of(model::rebound(api::trampoline(model), hoop_Hz));
+}
+
+TrampolineRebound rigid_wall_rebound(const Trampoline& model) {
+  return api::rebound_of(model::rigid_wall_rebound(api::trampoline(model)));
+}
+
+BatModes bat_modes(const BatProfile& profile, std::size_t modes) {
+  const model::BatModes bat = api::modes_of_profile(profile, modes);
+  BatModes out{.mass_kg = bat.inertia.mass_kg,
+               .cm_m = bat.inertia.cm_m,
+               .inertia_kgm2 = bat.inertia.inertia_kgm2,
+               .freq_Hz = {bat.freq_Hz.data(), bat.freq_Hz.data() + bat.freq_Hz.size()},
+               .node_m = {}};
+  for (std::size_t m = 0; m < out.freq_Hz.size(); ++m) out.node_m.push_back(model::nodes_of(bat, m));
+  return out;
+}
+
+std::vector<double> bat_exit_speeds_mps(const BatProfile& profile, const std::vector<double>& z_m,
+                                        const BatCollision& collision) {
+  const model::BatModes bat = api::modes_of_profile(profile, collision.modes);
+  for (const double z : z_m) {
+    if (!(z >= 0 && z <= bat.length_m))
+      throw InputError("the impact is not on the bat", "z_m", "give positions from the knob");
+  }
+  const model::BatCollision its{.ball = {.mass_kg = collision.ball_mass_kg, .restitution = collision.cor},
+                                .ball_speed_mps = collision.ball_speed_mps,
+                                .bat_speed_mps = collision.bat_speed_mps,
+                                .swing_rate_radps = collision.swing_rate_radps};
+  std::vector<double> out;
+  for (const model::BatRebound& rebound : model::bat_sweep(bat, static_cast<std::size_t>(bat.freq_Hz.size()), its, z_m))
+    out.push_back(rebound.exit_speed_mps);
+  return out;
+}
+
+double hoop_Hz(const Tube& tube, std::size_t n, std::size_t m) {
+  return model::flugge_Hz(api::shell_of(tube, n), n, std::max<std::size_t>(m, 1));
+}
+
+double long_hoop_Hz(const Tube& tube, std::size_t n) { return model::rayleigh_Hz(api::shell_of(tube, n), n); }
+
+}  // namespace percuss

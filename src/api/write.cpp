@@ -1,0 +1,141 @@
+#include "percuss/write.hpp"
+
+#include <fmt/chrono.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+#include "acquire/write_record.hpp"
+#include "api/handles.hpp"
+#include "core/error.hpp"
+#include "core/io/atomic_file.hpp"
+#include "report/deflection_report.hpp"
+#include "report/frf_files.hpp"
+#include "report/html/analysis_page.hpp"
+#include "report/html/survey_page.hpp"
+#include "report/json/analysis_json.hpp"
+#include "report/json/survey_json.hpp"
+#include "report/modes_uff.hpp"
+#include "report/survey_files.hpp"
+#include "report/svg/analysis_charts.hpp"
+#include "report/svg/survey_charts.hpp"
+
+namespace percuss {
+namespace api {
+namespace {
+
+std::string extension_of(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+/// The extension, if it is one of `known`. errors  InputError: another one; the file exists.
+std::string checked_extension(const std::string& path, const std::vector<std::string>& known,
+                              const WriteOptions& options) {
+  const std::string extension = extension_of(path);
+  if (std::find(known.begin(), known.end(), extension) == known.end())
+    throw InputError("the kind of the file is not known", path,
+                     fmt::format("use a name that ends in {}", fmt::join(known, ", ")));
+  std::error_code ignored;
+  if (!options.overwrite && std::filesystem::exists(path, ignored))
+    throw InputError("the file exists", path, "give another name, or overwrite it", {"force"});
+  return extension;
+}
+
+bool is_uff(const std::string& extension) { return extension == ".uff" || extension == ".unv"; }
+
+report::Provenance provenance(const WriteOptions& options) {
+  const std::string now = fmt::format("{:%Y-%m-%d %H:%M}", fmt::gmtime(std::time(nullptr)));
+  return {.command = options.produced_by, .made_at = options.produced_at.empty() ? now : options.produced_at};
+}
+
+std::vector<std::string> pictures(const WriteOptions& options, const std::vector<std::string>& known,
+                                  std::vector<std::string> otherwise) {
+  for (const std::string& name : options.picture) {
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      throw InputError("there is no picture " + name, "WriteOptions::picture",
+                       fmt::format("choose from {}", fmt::join(known, ", ")), {"picture"});
+  }
+  return options.picture.empty() ? otherwise : options.picture;
+}
+
+void require_possible(const pipeline::Analysis& analysis) {
+  if (!analysis.possible())
+    throw InputError("no hit can be used, so there are no FRFs and modes", analysis.record().source(),
+                     "see the findings of the hits", {"accept_hit"});
+}
+
+}  // namespace
+}  // namespace api
+
+void write(const std::string& path, const Record& record, const WriteOptions& options) {
+  api::checked_extension(path, acquire::record_extensions(), options);
+  acquire::write_record(path, record.data().record, options.overwrite);
+}
+
+void write(const std::string& path, const FrfSet& frfs, const WriteOptions& options) {
+  api::checked_extension(path, {".csv", ".h5", ".mat", ".uff", ".unv"}, options);
+  report::write_frfs(path, frfs.data().record, api::frf_kind(options.kind.value_or(frfs.kind())), options.overwrite);
+}
+
+void write(const std::string& path, const Analysis& analysis, const WriteOptions& options) {
+  const std::string kind =
+      api::checked_extension(path, {".json", ".html", ".svg", ".csv", ".h5", ".mat", ".uff", ".unv"}, options);
+  const pipeline::Analysis& its = analysis.data().analysis;
+  if (kind == ".json") {
+    write_file(path, report::analysis_json(its), options.overwrite);
+  } else if (kind == ".html") {
+    write_file(path, report::analysis_page(its, {}, api::provenance(options)), options.overwrite);
+  } else if (kind == ".svg") {
+    const auto names = api::pictures(options, report::analysis_chart_names(), {"magnitude", "phase", "coherence"});
+    const auto types = its.possible() ? its.classifications() : std::vector<identify::ModeClassification>();
+    write_file(path, report::svg_document(report::analysis_charts(its, types, names)), options.overwrite);
+  } else {
+    api::require_possible(its);
+    if (api::is_uff(kind)) {
+      report::write_modes_uff(path, its, options.overwrite);
+    } else {
+      write(path, analysis.frfs(), options);
+    }
+  }
+}
+
+void write(const std::string& path, const Survey& survey, const WriteOptions& options) {
+  const std::string kind =
+      api::checked_extension(path, {".json", ".html", ".svg", ".csv", ".h5", ".uff", ".unv"}, options);
+  const pipeline::Survey& its = survey.data().survey;
+  if (kind == ".json") {
+    write_file(path, report::survey_json(its), options.overwrite);
+  } else if (kind == ".html") {
+    write_file(path, report::survey_page(its, api::provenance(options)), options.overwrite);
+  } else if (kind == ".svg") {
+    const auto names = api::pictures(options, report::survey_chart_names(), {"shapes"});
+    write_file(path, report::svg_document(report::survey_charts(its, names)), options.overwrite);
+  } else {
+    api::require_possible(its.analysis());
+    if (kind == ".csv") {
+      write_file(path, path.ends_with(".cmif.csv") ? report::cmif_csv(its) : report::shapes_csv(its),
+                 options.overwrite);
+    } else if (api::is_uff(kind)) {
+      report::write_modes_uff(path, its, options.overwrite);
+    } else {
+      report::write_survey_hdf5(path, its, options.overwrite);
+    }
+  }
+}
+
+void write(const std::string& path, const Deflections& deflections, const WriteOptions& options) {
+  const std::string kind = api::checked_extension(path, {".json", ".csv", ".h5"}, options);
+  const pipeline::Analysis& analysis = deflections.data().analysis->analysis;
+  const pipeline::ImpactTest& test = deflections.data().test;
+  if (kind == ".h5") {
+    report::write_deflection_hdf5(path, analysis, test, options.overwrite);
+  } else {
+    write_file(path, kind == ".csv" ? report::deflection_csv(analysis, test) : deflections.json(), options.overwrite);
+  }
+}
+
+}  // namespace percuss

@@ -1,0 +1,127 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "percuss/analysis.hpp"
+#include "percuss/batch.hpp"
+#include "percuss/error.hpp"
+#include "percuss/metrics.hpp"
+#include "percuss/models.hpp"
+#include "percuss/survey.hpp"
+#include "percuss/synth.hpp"
+#include "percuss/write.hpp"
+#include "support/input_error.hpp"
+#include "support/scratch_folder.hpp"
+
+namespace percuss::api_errors_test {
+
+using test::input_error_of;
+using testing::HasSubstr;
+
+template <class Work>
+std::string field_message(Work&& work) {
+  try {
+    work();
+  } catch (const InputError& error) {
+    return error.written(option_field);
+  }
+  return "no InputError";
+}
+
+TEST(OptionFields, AreTheIdentifierAndItsUnit) {
+  const std::vector<std::pair<std::string, std::string>> expected{
+      {"fs", "ReadOptions::fs_Hz"},
+      {"accel_channel", "ReadOptions::accel_channel"},
+      {"unit", "ReadOptions::unit"},
+      {"angle", "ReadOptions::angle_rad"},
+      {"band", "AnalysisOptions::band_Hz"},
+      {"overlay_db", "AnalysisOptions::overlay_dB"},
+      {"from", "HitOptions::from_s"},
+      {"driving_point", "SurveyOptions::driving_point"},
+      {"force", "WriteOptions::overwrite"},
+      {"force_sensitivity", "ReadOptions::force_sensitivity_VpN"},
+      {"lowest", "DeflectionOptions::lowest_Hz"},
+      {"survey.example", "survey.example"}};
+  for (const auto& [id, field] : expected) EXPECT_EQ(option_field(id), field);
+}
+
+TEST(PublicErrors, NameTheFieldOfTheOption) {
+  const Record record = synthesise_preset("wood-bat").record;
+  EXPECT_THAT(field_message([&] { Analysis(record, {.band_Hz = Band{.low_Hz = 10, .high_Hz = 5}}); }),
+              HasSubstr("(AnalysisOptions::band_Hz)"));
+  EXPECT_THAT(field_message([&] { find_hits(record, {.from_s = 2, .to_s = 1}); }),
+              HasSubstr("(HitOptions::from_s, HitOptions::to_s)"));
+  EXPECT_THAT(field_message([&] { Analysis(record, {.hits = {.accept_hit = {1}, .reject_hit = {1}}}); }),
+              HasSubstr("HitOptions::accept_hit, HitOptions::reject_hit"));
+}
+
+TEST(PublicErrors, RefuseArraysThatDoNotFitTogether) {
+  const std::vector<double> four(4), three(3);
+  const std::vector<RecordArrays> bad{{},
+                                      {.fs_Hz = 100, .force_N = {four}, .accel_mps2 = {{three}}},
+                                      {.fs_Hz = 100, .force_N = {four, four}, .accel_mps2 = {{four}}},
+                                      {.fs_Hz = 100, .force_N = {four, four}, .accel_mps2 = {{four}, {four, four}}},
+                                      {.fs_Hz = 0, .force_N = {four}, .accel_mps2 = {{four}}},
+                                      {.fs_Hz = 100, .force_N = {{0, 0, std::nan(""), 0}}, .accel_mps2 = {{four}}},
+                                      {.fs_Hz = 100, .force_N = {four}, .accel_mps2 = {{four}}, .point = {1, 2}},
+                                      {.fs_Hz = 100, .force_N = {four}, .accel_mps2 = {{four}}, .angle_rad = {0, 1}}};
+  for (const RecordArrays& arrays : bad) input_error_of([&] { record_from_arrays(arrays); });
+}
+
+TEST(PublicErrors, RefuseFrfsThatDoNotFitTogether) {
+  const Frf two{.value = {1, 1}}, one{.value = {1}};
+  const std::vector<FrfArrays> bad{{},
+                                   {.freq_Hz = {1, 2}, .frfs = {one}},
+                                   {.freq_Hz = {1, 2}, .frfs = {two, two}},
+                                   {.freq_Hz = {1, 2.5}, .frfs = {two}},
+                                   {.freq_Hz = {1, 2}, .frfs = {{.channel = 1, .value = {1, 1}}}},
+                                   {.freq_Hz = {1, 2}, .frfs = {two}, .angle_rad = {0, 1}}};
+  for (const FrfArrays& arrays : bad) input_error_of([&] { frfs_from_arrays(arrays); });
+}
+
+TEST(PublicErrors, RefusePlacesThatAreNotThere) {
+  const Record record = synthesise_preset("wood-bat").record;
+  input_error_of([&] { record.force_N(5); });
+  input_error_of([&] { record.accel_mps2(0, 2); });
+  std::vector<double> out(2);
+  input_error_of([&] { record.read_force_N(0, 25599, 2, out.data()); });
+  constexpr std::size_t kLast = std::numeric_limits<std::size_t>::max();
+  input_error_of([&] { record.read_force_N(0, kLast, 2, out.data()); });
+}
+
+TEST(PublicErrors, RefuseSeveralRunsInOneAnalysis) {
+  const Record record =
+      synthesise_json(R"({"schema": "percuss/synth/1", "name": "two", "fs_hz": 5000, "duration_s": 0.5,
+    "modes": [{"frequency_hz": 200, "damping_ratio": 0.02, "family": "bending", "order": 1}], "hits": 2, "runs": 2})")
+          .record;
+  EXPECT_THAT(input_error_of([&] { Analysis analysis(record); }), HasSubstr("several runs"));
+  ASSERT_EQ(record.runs().size(), 2U);
+  EXPECT_EQ(Analysis(record.runs()[1]).hits().size(), 2U);
+  EXPECT_EQ(analyze_batch(std::vector<Record>{record}).size(), 2U);
+}
+
+TEST(PublicErrors, KeepFilesThatExist) {
+  const test::ScratchFolder folder;
+  const Record record = synthesise_preset("wood-bat").record;
+  test::write_bytes(folder.file("bat.h5"), "kept");
+  EXPECT_THAT(field_message([&] { write(folder.file("bat.h5"), record); }), HasSubstr("(WriteOptions::overwrite)"));
+  EXPECT_EQ(test::bytes_of(folder.file("bat.h5")), "kept");
+  EXPECT_THAT(input_error_of([&] { write(folder.file("bat.xyz"), record); }), HasSubstr(".h5"));
+}
+
+TEST(PublicErrors, NameTheFieldOfAModel) {
+  EXPECT_THAT(input_error_of([] { beam_modes({.ei_Nm2 = 0}); }), HasSubstr("Beam::ei_Nm2"));
+  EXPECT_THAT(input_error_of([] { hoop_Hz({.wall_m = 1}, 2, 1); }), HasSubstr("Tube::wall_m"));
+  EXPECT_THAT(input_error_of([] {
+                bat_modes({.end_m = {0.4, 0.2}, .diameter_m = {0.03, 0.06}});
+              }),
+              HasSubstr("BatProfile::end_m"));
+  EXPECT_THAT(input_error_of([] { bat_performance({.length_m = Measured{0.2}}); }), HasSubstr("length_m"));
+}
+
+}  // namespace percuss::api_errors_test
