@@ -86,7 +86,7 @@ void settle_axis(report::ChartAxis& axis, const std::vector<report::ChartCurve>&
 
 report::LineChart sweep_chart(const Family& family, const Sweep& sweep) {
   report::LineChart chart{
-      .title = fmt::format("{}: error against time, by {}; lines: what nothing beats", family.title, sweep.over),
+      .title = fmt::format("{}: error against time, by {}; line: Pareto-optimal", family.title, sweep.over),
       .x = {.label = fmt::format("time, multiples of {}", family.time), .logarithmic = true},
       .y = {.label = family.error, .logarithmic = true},
       .curves = {}};

@@ -165,7 +165,7 @@ Family study_deflection(Extent extent, const TimingOptions& turns) {
                 .title = "Largest deflection",
                 .error = "error of the largest deflection, %",
                 .time = "bare FFTW + reading",
-                .more = {"95 % intervals right, %", "told, %"},
+                .more = {"coverage, %", "detected, %"},
                 .sweeps = {}};
   for (const auto& [over, cases] : beam_cases()) {
     family.sweeps.push_back({over, {}});

@@ -48,19 +48,18 @@ void measure_times(const acquire::Record& run, const synth::SynthSpec& spec, con
 }  // namespace
 
 RecordStudy study_records(Extent extent, const TimingOptions& turns) {
-  RecordStudy study{
-      .frfs = {.name = "frf",
-               .title = "Frequency responses",
-               .error = "error of the FRF, %",
-               .time = kTime,
-               .more = {"worst at a resonance, dB"},
-               .sweeps = {}},
-      .modes = {.name = "modes",
-                .title = "Modes",
-                .error = "error of the frequency, ppm",
-                .time = kTime,
-                .more = {"damping, %", "over its bound", "95 % intervals right, %", "found, %", "besides, per run"},
-                .sweeps = {}}};
+  RecordStudy study{.frfs = {.name = "frf",
+                             .title = "Frequency responses",
+                             .error = "error of the FRF, %",
+                             .time = kTime,
+                             .more = {"worst at a resonance, dB"},
+                             .sweeps = {}},
+                    .modes = {.name = "modes",
+                              .title = "Modes",
+                              .error = "error of the frequency, ppm",
+                              .time = kTime,
+                              .more = {"damping, %", "over the bound", "coverage, %", "found, %", "spurious, per run"},
+                              .sweeps = {}}};
   for (const RecordSweep& sweep : record_sweeps(extent)) {
     study.frfs.sweeps.push_back({sweep.over, {}});
     study.modes.sweeps.push_back({sweep.over, {}});

@@ -84,17 +84,17 @@ std::vector<Saving> study_skips(Extent extent, const TimingOptions& turns) {
           analysis_of(many, plain, frfs, one_channel));
   compare("accelerations", "`--only hits`: their bytes are not read", analysis_of(many, plain, frfs),
           analysis_of(many, plain, hits));
-  compare("modes", "`--only frf`: the report has no section that asks for them", analysis_of(two, plain, modes),
+  compare("modes", "`--only frf`: no section of the report needs them", analysis_of(two, plain, modes),
           analysis_of(two, plain, frfs));
-  compare("hidden modes and the fit of all together", "`--effort quick`", analysis_of(two, plain, modes),
+  compare("the search for modes without a peak and the joint fit", "`--effort quick`", analysis_of(two, plain, modes),
           analysis_of(two, quick, modes));
-  compare("lines outside a narrow band", "`--band 60:700`: not kept, not averaged, not fitted",
+  compare("lines outside a narrow band", "`--band 60:700`: not stored, not averaged, not fitted",
           analysis_of(two, plain, modes), analysis_of(two, narrow, modes));
   compare("eight of ten hits", "rejected: their accelerations are not read", analysis_of(two, plain, frfs),
           analysis_of(two, rejecting, frfs));
-  compare("the force outside its pulse", "nothing but noise: a pulse of few samples is transformed by itself",
+  compare("the force outside its pulse", "only noise: a short pulse is transformed alone",
           analysis_of(two, ungated, frfs), analysis_of(two, plain, frfs));
-  compare("silence and decayed tails of a long record", "by itself: what follows a decay is background",
+  compare("silence and decayed tails of a long record", "always: only background follows a decay",
           analysis_of(row, whole_rows, modes), analysis_of(row, plain, modes));
   return savings;
 }
