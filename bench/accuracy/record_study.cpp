@@ -18,7 +18,7 @@ pipeline::AnalysisOptions options_for(const synth::SynthSpec& spec) {
   return {.band_Hz = {{spec.band_low_Hz, spec.band_high_Hz}}, .threads = 1};
 }
 
-// Fills in the times of both sets of figures, all by turns with the limit.
+// Measures the times of both sets of figures, in alternation with the baseline.
 void measure_times(const acquire::Record& run, const synth::SynthSpec& spec, const TimingOptions& turns,
                    std::vector<Figure>& frfs, std::vector<Figure>& modes) {
   const TemporaryFolder folder;

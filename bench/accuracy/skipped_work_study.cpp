@@ -14,7 +14,7 @@ constexpr double kFs_Hz = 25600;
 constexpr std::pair<double, double> kBand_Hz{60, 3200}, kNarrow_Hz{60, 700};
 constexpr std::size_t kHits = 10, kChannels = 8;
 
-// Ten hits of one second; all of the decay is over after a quarter of it, but for 0.1 % of noise.
+// Ten hits of one second with 0.1 % of noise; each decay ends after a quarter of a second.
 synth::SynthSpec plain_test(std::size_t channels) {
   synth::SynthSpec spec = spread_structure(3, channels);
   spec.fs_Hz = kFs_Hz;
@@ -24,7 +24,7 @@ synth::SynthSpec plain_test(std::size_t channels) {
   return spec;
 }
 
-// The same hits in one record, with as much silence after each decay as it takes to walk round a table.
+// The same hits in one long record, with silence after each decay.
 synth::SynthSpec long_record(double seconds) {
   synth::SynthSpec spec = plain_test(2);
   spec.layout = synth::SynthLayout::continuous;

@@ -39,7 +39,7 @@ Row cells_of(const Figure& figure, bool bound) {
   return cells;
 }
 
-std::string folded(const std::string& summary, const std::string& table) {
+std::string collapsed(const std::string& summary, const std::string& table) {
   return fmt::format("<details>\n<summary>{}</summary>\n\n{}\n</details>\n", summary, table);
 }
 
@@ -73,7 +73,7 @@ std::string all_figures(const Family& family) {
       }
     }
   }
-  return folded("All figures of " + family.title, markdown_table(heads, rows));
+  return collapsed("All figures of " + family.title, markdown_table(heads, rows));
 }
 
 std::string scaling_table(const std::vector<Scaling>& scalings) {
@@ -100,8 +100,8 @@ std::string all_scaling(const std::vector<Scaling>& scalings) {
                       fmt::format("{} of {}", point.modes, point.modes_sought)});
     }
   }
-  return folded("All figures of growth",
-                markdown_table({"growing", "n", "time, ms", "× baseline", "memory, MB", "modes found"}, rows));
+  return collapsed("All figures of growth",
+                   markdown_table({"growing", "n", "time, ms", "× baseline", "memory, MB", "modes found"}, rows));
 }
 
 }  // namespace percuss::accuracy
