@@ -29,7 +29,9 @@ void print_report(const report::CommandReport& report, const OutputFlags& flags)
   if (flags.host != nullptr) {
     CommandResult& outcome = flags.host->outcome;
     outcome.columns = report.columns;
-    outcome.text = [text = report.text](std::size_t width) { return text.text(width); };
+    outcome.text = [text = report.text](std::size_t width, OptionWriter write_option) {
+      return text.text(width, write_option);
+    };
     outcome.html = [text = report.text] { return text.html(); };
   }
   if (flags.json) {

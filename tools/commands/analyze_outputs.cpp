@@ -108,7 +108,9 @@ void give_to_host(const OutputFlags& output, const std::shared_ptr<const Analyze
   CommandResult& outcome = output.host->outcome;
   for (const Test& test : kept->tests) outcome.analyses.emplace_back(kept, test.analysis.get());
   if (const auto& deflection = kept->tests.front().deflection) outcome.deflection = {kept, &*deflection};
-  outcome.text = [kept](std::size_t width) { return text_of(*kept, width, false); };
+  outcome.text = [kept](std::size_t width, OptionWriter write_option) {
+    return text_of(*kept, width, false, write_option);
+  };
   outcome.html = [kept] { return html_of(*kept); };
   outcome.save = [kept, its = captured_output(output)](const std::string& path, bool force) {
     AnalyzeFlags flags = kept->flags;

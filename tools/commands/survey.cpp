@@ -121,8 +121,8 @@ void give_to_host(const SurveyFlags& flags, const std::shared_ptr<const SurveyRe
   CommandResult& outcome = flags.output.host->outcome;
   outcome.analyses = {kept->analysis};
   outcome.survey = {kept, &kept->survey};
-  outcome.text = [kept, hits = flags.hits](std::size_t width) {
-    return report::survey_text(kept->survey, hits, width);
+  outcome.text = [kept, hits = flags.hits](std::size_t width, OptionWriter write_option) {
+    return report::survey_text(kept->survey, hits, width, write_option);
   };
   outcome.html = [kept] {
     return kept->analysis->possible() ? report::survey_modes_table(kept->survey).html()
