@@ -15,7 +15,7 @@ namespace {
 constexpr double kAntiAlias = 0.44;  // of fs: above it a recorder's filter shapes the FRF
 // Samples. In longer rows the end of the decay is searched first; that costs less than transforming the whole row.
 constexpr std::size_t kLongRow = std::size_t{1} << 17U;
-constexpr double kUsableBandwidthFactor = 1.2;  // of the −20 dB bandwidth: as far as a margin may go
+constexpr double kUsableBandwidthFactor = 1.2;  // of the −20 dB bandwidth: limit of the margin
 
 }  // namespace
 

@@ -39,7 +39,7 @@ class Source {
   virtual bool has_frfs(const std::vector<AnalysedHit>& hits) const = 0;
   /// The band of an analysis whose user names none.
   virtual std::pair<double, double> default_band_Hz(const std::vector<AnalysedHit>& hits) const = 0;
-  /// The band with a margin for modes just outside, as far as the data reach. Hits are graded by their force.
+  /// The band with a margin for modes just outside, limited by the bandwidth of the data. `hits` are graded by force.
   /// errors  InputError: no accepted hit, or a band that does not fit the data.
   virtual frf::LineRange choose_lines(const LineRequest& request, const std::vector<AnalysedHit>& hits,
                                       Trace& trace) const = 0;
