@@ -84,7 +84,7 @@ TEST_F(FormatRegistry, ReadsBackEveryFrfThatItWrites) {
     ASSERT_TRUE(std::holds_alternative<FrfRecord>(opened)) << extension;
     const FrfRecord& read = std::get<FrfRecord>(opened);
     EXPECT_EQ(read.kind, FrfKind::mobility) << extension;
-    const auto& expected = small_frfs().frfs[0].frf.value;
+    const auto expected = small_frfs().frfs[0].frf.value;
     for (std::size_t k = 0; k < expected.size(); ++k)
       EXPECT_LE(std::abs(read.frfs.at(0).frf.value.at(k) - expected[k]), kRounding * std::abs(expected[k]))
           << extension;

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "support/input_error.hpp"
+#include "support/messages.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace percuss::acquire::write_csv_test {
@@ -65,7 +65,7 @@ TEST_F(WriteCsv, GivesBackEverySampleExactly) {
 TEST_F(WriteCsv, ReplacesOnlyWhenForced) {
   const Record record = record_in_memory(1000, {{1}}, {{{3}}});
   write_record_csv(path_, record, false);
-  EXPECT_THAT(test::input_error_of([&] { write_record_csv(path_, record, false); }), testing::HasSubstr("--force"));
+  EXPECT_THAT(test::options_of_error([&] { write_record_csv(path_, record, false); }), testing::ElementsAre("force"));
 }
 
 }  // namespace percuss::acquire::write_csv_test
