@@ -68,8 +68,14 @@ SphinxRenderer.visit_namespace = _visit_namespace
 _TERM = re.compile(r"    (\S+(?: \[[^\]]*\])?)  +(\S.*)")  # "    band [LO:HI]  Analyse this band"
 
 
+_COLUMNS = re.compile(r"\S.*?\S {2,}\S.*")  # "frequency_hz, damping_ratio    (modes,)"
+
+
 def _escaped(text):
-    return re.sub(r"([\\*`|_])", r"\\\1", text)
+    """Plain text, with `code` as code."""
+    parts = re.split(r"`([^`]+)`", text)
+    parts[::2] = [re.sub(r"([\\*`|_])", r"\\\1", part) for part in parts[::2]]
+    return "".join(f"``{part}``" if i % 2 else part for i, part in enumerate(parts))
 
 
 def _definitions(lines):
@@ -84,6 +90,8 @@ def _definitions(lines):
 def _as_rst(block):
     """A paragraph of a plain docstring. Examples stay; lists of "name  explanation" become definitions."""
     lines = block.splitlines()
+    if all(_COLUMNS.fullmatch(line) for line in lines):
+        lines = ["    " + line for line in lines]
     indented = [line for line in lines if line.startswith(" ")]
     if lines[0].lstrip().startswith(">>>"):
         return textwrap.dedent(block).splitlines()

@@ -16,10 +16,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr Eigen::Index kModesShown = 8;  // whose shares of the energy are listed one by one
+constexpr Eigen::Index kModesShown = 8;  // whose shares of the energy are listed
 constexpr std::size_t kModesInText = 5;
 
-// Exit speeds over the place, each with its own account.
+// Exit speeds over the position of impact, each with its energy balance.
 struct BatCurve {
   std::vector<double> z_m;
   std::vector<model::BatRebound> flexible;
@@ -105,15 +105,13 @@ std::string curve_text(const model::BatModes& bat, const BatCurve& curve) {
   }
   return fmt::format(
       "the ball leaves fastest, with {:.2f} m/s, {:.1f} mm from the knob ({:.2f} in from the barrel's end); a rigid "
-      "bat: "
-      "{:.2f} m/s at {:.1f} mm\nmodes: {}; half of them would change the exit speed by up to {:.3f} m/s (at {:.0f} "
-      "mm): "
-      "those left out, by about as much again\n",
+      "bat: {:.2f} m/s at {:.1f} mm\nmodes: {}; with half of them the exit speed changes by up to {:.3f} m/s (at "
+      "{:.0f} mm); higher modes may change it by about as much\n",
       curve.best.y, 1000 * curve.best.x, (bat.length_m - curve.best.x) / kInch_m, curve.best_rigid.y,
       1000 * curve.best_rigid.x, bat.freq_Hz.size(), most, 1000 * most_at);
 }
 
-// The deflections take the place of the table and stand before the chart.
+// The deflections replace the table and precede the chart.
 Json show_wave(const model::BatModes& bat, const model::BatCollision& collision, const BatWaveRequest& wanted,
                CommandReport& report) {
   const Eigen::MatrixXd wave =
@@ -121,7 +119,7 @@ Json show_wave(const model::BatModes& bat, const model::BatCollision& collision,
   const std::vector<double> at_m = model::positions_of(bat.beam);
   Json json{{"z_m", wanted.z_m}, {"time_s", wanted.time_s}, {"largest_m", Json::array()}, {"at_m", Json::array()}};
   report.columns = {{"z_m", at_m}};
-  LineChart chart{.title = fmt::format("Bat struck {:.0f} mm from the knob", 1000 * wanted.z_m),
+  LineChart chart{.title = fmt::format("Impact {:.0f} mm from the knob", 1000 * wanted.z_m),
                   .x = {.label = "from the knob, m"},
                   .y = {.label = "deflection, mm"},
                   .curves = {}};
@@ -142,10 +140,10 @@ Json show_wave(const model::BatModes& bat, const model::BatCollision& collision,
 }
 
 BendingPlot bending_of(const model::BatModes& bat, const model::BatProfile& profile) {
-  BendingPlot picture{.ends = "Left: the knob."};
+  BendingPlot plot{.ends = "Left: the knob."};
   double begin_m = 0;
   for (std::size_t i = 0; i < profile.end_m.size(); ++i) {
-    for (const double z_m : {begin_m, profile.end_m[i]}) picture.outline_m.emplace_back(z_m, profile.diameter_m[i] / 2);
+    for (const double z_m : {begin_m, profile.end_m[i]}) plot.outline_m.emplace_back(z_m, profile.diameter_m[i] / 2);
     begin_m = profile.end_m[i];
   }
   for (std::size_t m = 0; m < std::min(kModesInText, static_cast<std::size_t>(bat.freq_Hz.size())); ++m) {
@@ -157,9 +155,9 @@ BendingPlot bending_of(const model::BatModes& bat, const model::BatProfile& prof
     for (const double y : line.y) largest = std::max(largest, std::abs(y));
     for (double& y : line.y) y /= largest;
     for (const double z_m : model::nodes_of(bat, m)) line.nodes.push_back({z_m, 0, inches_and_mm(z_m, 0)});
-    picture.modes.push_back(std::move(line));
+    plot.modes.push_back(std::move(line));
   }
-  return picture;
+  return plot;
 }
 
 }  // namespace
@@ -173,7 +171,7 @@ CommandReport bat_report(const model::BatModes& bat, const model::BatProfile& pr
   json["best"] = {{"z_m", curve.best.x}, {curve.exit.name, curve.best.y}};
   json["curve"] = curve_json(curve);
   CommandReport report;
-  report.charts = {{.title = "Bat that bends",
+  report.charts = {{.title = "Flexible bat",
                     .x = {.label = "impact from the knob, m"},
                     .y = {.label = "exit speed, m/s"},
                     .curves = {{"bending", z_m, curve.exit.values}, {"rigid", z_m, curve.rigid.values}}}};

@@ -21,7 +21,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kMaxNamed = 8;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-// One document against the first.
+// The comparison of one document with the first.
 struct Comparison {
   const metrics::ComparedDocument& a;
   const metrics::ComparedDocument& b;
@@ -95,7 +95,7 @@ const metrics::ModePair* pair_at(const Comparison& c, std::size_t mode) {
   return nullptr;
 }
 
-// Without a sign where nothing is shown of it.
+// Without a sign where the value rounds to zero.
 std::string signed_percent(double percent) {
   std::string text = fmt::format("{:+.2f}", percent);
   return text == "-0.00" || text == "+0.00" ? "0.00" : text;
@@ -143,7 +143,7 @@ ReportText modes_text(const std::vector<metrics::ComparedDocument>& documents,
 
 ReportText deflections_text(const Comparison& c) {
   const bool inverted = c.a.model && !c.b.model;
-  TextTable table({{"place", TextTable::Align::right},
+  TextTable table({{"position", TextTable::Align::right},
                    {one_line(c.a.name, 40), TextTable::Align::right},
                    {one_line(c.b.name, 40), TextTable::Align::right},
                    {inverted ? "first/second" : "second/first", TextTable::Align::right},

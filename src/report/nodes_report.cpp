@@ -12,6 +12,7 @@
 #include "report/text/number_format.hpp"
 #include "report/text/text_table.hpp"
 #include "report/text/version.hpp"
+#include "report/text/warnings_text.hpp"
 
 namespace percuss::report {
 namespace {
@@ -20,14 +21,14 @@ using Json = nlohmann::ordered_json;
 
 Json mode_json(const pipeline::Analysis& analysis, const pipeline::ModeAlongScan& along) {
   const identify::Mode& mode = analysis.modes()[along.mode];
-  const identify::ModeClassification& verdict = analysis.classifications()[along.mode];
+  const identify::ModeClassification& classification = analysis.classifications()[along.mode];
   Json json{{"index", along.mode},
             {"frequency_hz", mode.pole.freq_Hz},
             {"frequency_std_hz", mode.freq_std_Hz},
             {"damping_ratio", mode.pole.damping_ratio},
             {"damping_ratio_std", mode.damping_std},
-            {"family", name_of(verdict.family)},
-            {"order", verdict.order > 0 ? Json(verdict.order) : Json()},
+            {"family", name_of(classification.family)},
+            {"order", classification.order > 0 ? Json(classification.order) : Json()},
             {"nodes", Json::array()}};
   for (const identify::Node& node : along.nodes) {
     json["nodes"].push_back({{"position_m", node.position_m},
@@ -91,34 +92,34 @@ ReportText nodes_text(const pipeline::Analysis& analysis, const pipeline::NodeSc
                    {"family"},
                    {"frequency", TextTable::Align::right},
                    {"node from the barrel's end", TextTable::Align::right},
-                   {"peak's minimum", TextTable::Align::right},
+                   {"minimum of the peak", TextTable::Align::right},
                    {""}});
   for (const pipeline::ModeAlongScan& along : scan.modes) {
     const identify::Mode& mode = analysis.modes()[along.mode];
-    const identify::ModeClassification& verdict = analysis.classifications()[along.mode];
+    const identify::ModeClassification& classification = analysis.classifications()[along.mode];
     std::vector<std::string> nodes;
     for (const identify::Node& node : along.nodes)
       nodes.push_back(value_with_std(node.position_m / kInch_m, node.std_m / kInch_m) + " in");
     table.add({fmt::format("{}", along.mode),
-               verdict.order > 0 ? fmt::format("{} {}", name_of(verdict.family), verdict.order)
-                                 : std::string(name_of(verdict.family)),
+               classification.order > 0 ? fmt::format("{} {}", name_of(classification.family), classification.order)
+                                        : std::string(name_of(classification.family)),
                value_with_std(mode.pole.freq_Hz, mode.freq_std_Hz) + " Hz", joined(nodes),
                along.rule_m ? fmt::format("{:.3f} in", *along.rule_m / kInch_m) : "–", ""});
   }
   ReportText text = heading(analysis, scan) + "\n";
   if (scan.modes.empty()) {
-    text += "no bending mode stands out of the noise in the band\n";
+    text += "no bending mode rises above the noise in the band\n";
   } else {
     text += table;
   }
   const std::vector<pipeline::Warning> warnings = all_warnings(analysis, scan);
   if (!warnings.empty()) text += "\n";
-  for (const pipeline::Warning& warning : warnings) text.warn(warning.message);
+  text += warnings_text(warnings);
   return text;
 }
 
 BendingPlot bending_of(const pipeline::Analysis& analysis, const pipeline::NodeScan& scan) {
-  BendingPlot picture{.ends = "Right: towards the barrel's end.", .from_right = true};
+  BendingPlot plot{.ends = "Right: towards the barrel's end.", .from_right = true};
   for (const pipeline::ModeAlongScan& along : scan.modes) {
     double largest = 1e-300;
     for (const double value : along.shape.amplitude) largest = std::max(largest, std::abs(value));
@@ -128,16 +129,16 @@ BendingPlot bending_of(const pipeline::Analysis& analysis, const pipeline::NodeS
     for (const double value : along.shape.amplitude) line.y.push_back(value / largest);
     for (const identify::Node& node : along.nodes)
       line.nodes.push_back({node.position_m, node.std_m, inches_and_mm(node.position_m, node.std_m)});
-    picture.modes.push_back(std::move(line));
+    plot.modes.push_back(std::move(line));
   }
-  return picture;
+  return plot;
 }
 
-// Each mode's residues along the scan, 1 at their largest, and where they are nothing.
+// Each mode's residues along the scan, 1 at their largest, and its nodes.
 LineChart shapes_chart(const BendingPlot& bending) {
   LineChart chart{.title = "Bending along the scan; diamonds: nodes",
                   .x = {.label = "from the barrel's end, in"},
-                  .y = {.label = "movement, 1 at the largest"}};
+                  .y = {.label = "residue, 1 at its largest"}};
   for (std::size_t m = 0; m < bending.modes.size(); ++m) {
     const BendingShape& line = bending.modes[m];
     ChartCurve curve{

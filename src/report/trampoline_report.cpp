@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kReference_Hz = 10e3;  // what the source calls rigid
+constexpr double kReference_Hz = 10e3;  // the barrel that the source calls rigid
 
 Json constants_json(const model::Trampoline& m) {
   return {{"m1_kg", m.ball_mass_kg},
@@ -49,8 +49,8 @@ Json fit_json(const FittedExponents& fitted) {
 std::string fit_text(const FittedExponents& fitted) {
   const model::ExponentFit& fit = fitted.fit;
   return fmt::format(
-      "fit to measured CCOR: a = {}, b = {}, correlation {:.6f}: were a known, b would be ± {:.2g}; chi2 {:.2f} of {} "
-      "points, {} missed by more than their deviation\n",
+      "fit to measured CCOR: a = {}, b = {}, correlation {:.6f}: b for a known a: ± {:.2g}; chi2 {:.2f} of {} "
+      "points, {} with residuals above their ±\n",
       value_with_std(fit.stiffness_exponent, fit.stiffness_exponent_std),
       value_with_std(fit.damping_exponent, fit.damping_exponent_std), fit.correlation, fit.damping_exponent_std_given_a,
       fit.chi2, fitted.measured.size(), fit.beyond_std);
@@ -62,7 +62,8 @@ std::string extras_text(const model::Trampoline& model, const model::HoopPeak& p
     text += fmt::format("with {:g} kg on the barrel a hoop frequency of {:.1f} Hz falls to {:.1f} Hz\n",
                         model.extra_mass_kg, peak.hoop_Hz, model::loaded_hoop_Hz(model, peak.hoop_Hz));
   }
-  if (extras.modal_mass_kg) text += fmt::format("the shift means a modal mass of {:.4f} kg\n", *extras.modal_mass_kg);
+  if (extras.modal_mass_kg)
+    text += fmt::format("the shift corresponds to a modal mass of {:.4f} kg\n", *extras.modal_mass_kg);
   if (extras.fitted) text += fit_text(*extras.fitted);
   return text;
 }

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <regex>
@@ -18,7 +19,9 @@ namespace fs = std::filesystem;
 using testing::IsEmpty;
 
 std::vector<std::string> pages() {
-  std::vector<std::string> out{PERCUSS_SOURCE_DIR "/README.md"};
+  std::vector<std::string> out;
+  for (const char* name : {"README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md"})
+    out.push_back(std::string(PERCUSS_SOURCE_DIR "/") + name);
   for (const auto& entry : fs::recursive_directory_iterator(PERCUSS_SOURCE_DIR "/docs")) {
     if (entry.path().extension() == ".md") out.push_back(entry.path().string());
   }
@@ -135,6 +138,44 @@ TEST(Pages, LinkToFilesThatExist) {
       if (target.find("://") != std::string::npos) continue;
       EXPECT_TRUE(fs::exists(fs::path(page).parent_path() / target)) << page << ": " << target;
     }
+  }
+}
+
+// docs/index.md is where the navigation of the HTML pages comes from, so an unlisted page could not be found.
+TEST(Pages, AreListedInTheIndex) {
+  const fs::path index = PERCUSS_SOURCE_DIR "/docs/index.md";
+  const std::string text = test::bytes_of(index.string());
+  for (const std::string& page : pages()) {
+    if (page == index) continue;
+    const std::string link = "](" + fs::relative(page, index.parent_path()).string() + ")";
+    EXPECT_NE(text.find(link), std::string::npos) << page;
+  }
+}
+
+// Characters, not bytes: each but the continuation bytes of UTF-8.
+std::size_t width_of(const std::string& line) {
+  return static_cast<std::size_t>(
+      std::count_if(line.begin(), line.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
+/// Lines of prose: no tables, blocks of code or equations, and nothing that percuss_stress writes.
+std::vector<std::string> prose_lines(const std::string& page) {
+  std::vector<std::string> out;
+  bool fenced = false;
+  for (const std::string& line : test::lines_of(test::bytes_of(page))) {
+    if (line == "<!-- measured -->") break;
+    if (line.starts_with("```")) fenced = !fenced;
+    if (!fenced && !line.starts_with("|") && !line.starts_with("    ")) out.push_back(line);
+  }
+  return out;
+}
+
+TEST(Pages, HaveLinesOfAtMost120Characters) {
+  constexpr std::size_t kMaxWidth = 120;
+  const std::string generated = "accuracy.md";  // the benchmark writes it
+  for (const std::string& page : pages()) {
+    if (page.ends_with(generated)) continue;
+    for (const std::string& line : prose_lines(page)) EXPECT_LE(width_of(line), kMaxWidth) << page << ": " << line;
   }
 }
 

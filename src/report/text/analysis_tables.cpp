@@ -14,22 +14,22 @@
 namespace percuss::report {
 namespace {
 
-constexpr std::size_t kMaxHits = 40;  // rows of hits shown when all is well; rejected ones always are
+constexpr std::size_t kMaxHits = 40;  // rows of accepted hits; rejected hits are always shown
 
-// What does not reject is said in full once, among the warnings; beside the hit its name and number do.
+// Findings that do not reject a hit are abbreviated here: the warnings state them in full.
 std::string brief(const acquire::Finding& finding) {
   switch (finding.code) {
     case acquire::FindingCode::weak:
       return fmt::format("weak ({:.0f} %)", finding.value * 100);
     case acquire::FindingCode::truncated_decay:
-      return fmt::format("rings on ({:.0f} dB)", finding.value);
+      return fmt::format("still rings at the end ({:.0f} dB)", finding.value);
     case acquire::FindingCode::low_bandwidth:
-      return "soft";
+      return "low bandwidth";
     case acquire::FindingCode::low_coherence:
-      return finding.value > 0 ? fmt::format("agrees {:.0f} % with the others", finding.value * 100)
-                               : "does not agree with the others";
+      return finding.value > 0 ? fmt::format("{:.0f} % coherent with the others", finding.value * 100)
+                               : "not coherent with the others";
     case acquire::FindingCode::polarity:
-      return "negative";
+      return "negative force";
     default:
       return finding.message;
   }
@@ -37,7 +37,7 @@ std::string brief(const acquire::Finding& finding) {
 
 std::string hit_verdict(const pipeline::AnalysedHit& hit) {
   std::string text = hit.accepted ? "ok" : "rejected";
-  if (hit.by_user) text += hit.accepted ? " (kept by --accept-hit)" : " (taken out by --reject-hit)";
+  if (hit.by_user) text += hit.accepted ? " (accepted by the user)" : " (rejected by the user)";
   std::string reasons;
   for (const acquire::Finding& finding : hit.hit.findings) {
     reasons += (reasons.empty() ? ": " : "; ") +
@@ -86,17 +86,17 @@ HitsTable hits_table(const pipeline::Analysis& analysis, const std::vector<pipel
 namespace {
 
 std::string note_of(const pipeline::Analysis& analysis, std::size_t m) {
-  const identify::ModeClassification& verdict = analysis.classifications()[m];
+  const identify::ModeClassification& classification = analysis.classifications()[m];
   std::string note;
   const auto add = [&](const std::string& text) { note += (note.empty() ? "" : "; ") + text; };
-  if (verdict.split_mode) {
-    add(verdict.split_mode->first ? fmt::format("double peak, {} Hz apart: this one is quoted",
-                                                significant(verdict.split_mode->separation_Hz, 3))
-                                  : "second of the double peak");
+  if (classification.split_mode) {
+    add(classification.split_mode->first ? fmt::format("double peak, {} Hz apart: this one is quoted",
+                                                       significant(classification.split_mode->separation_Hz, 3))
+                                         : "second of the double peak");
   }
-  if (verdict.family != identify::ModeType::unknown && verdict.confidence < 0.95)
-    add(fmt::format("{:.0f} % sure", verdict.confidence * 100));
-  if (verdict.alternative) add(fmt::format("could be {}", name_of(*verdict.alternative)));
+  if (classification.family != identify::ModeType::unknown && classification.confidence < 0.95)
+    add(fmt::format("{:.0f} % sure", classification.confidence * 100));
+  if (classification.alternative) add(fmt::format("could be {}", name_of(*classification.alternative)));
   return note;
 }
 
@@ -133,8 +133,9 @@ TextTable modes_table(const pipeline::Analysis& analysis, bool classes) {
   return table;
 }
 
-std::string mode_type_of(const identify::ModeClassification& verdict) {
-  return verdict.order > 0 ? fmt::format("{} {}", name_of(verdict.family), verdict.order) : name_of(verdict.family);
+std::string mode_type_of(const identify::ModeClassification& classification) {
+  return classification.order > 0 ? fmt::format("{} {}", name_of(classification.family), classification.order)
+                                  : name_of(classification.family);
 }
 
 std::string test_conditions(const pipeline::Analysis& analysis, std::size_t hits) {
@@ -159,8 +160,8 @@ std::string test_conditions(const pipeline::Analysis& analysis, std::size_t hits
   return text;
 }
 
-std::string mode_name(const identify::ModeClassification& verdict, std::size_t number) {
-  return verdict.order > 0 ? mode_type_of(verdict) : fmt::format("mode {}", number);
+std::string mode_name(const identify::ModeClassification& classification, std::size_t number) {
+  return classification.order > 0 ? mode_type_of(classification) : fmt::format("mode {}", number);
 }
 
 std::string source_name(const pipeline::Analysis& analysis) {

@@ -10,25 +10,26 @@
 #include "report/text/analysis_text.hpp"
 #include "report/text/number_format.hpp"
 #include "report/text/text_table.hpp"
+#include "report/text/warnings_text.hpp"
 
 namespace percuss::report {
 namespace {
 
-constexpr double kAlike = 0.2;  // a MAC between two modes that is worth a word
+constexpr double kMinMac = 0.2;  // between two modes; lower values are not reported
 
 std::string plane_cell(const std::optional<identify::TubeShape>& tube) {
   if (!tube || !tube->plane_rad) return "–";
   return value_with_std(*tube->plane_rad * kRadian_deg, tube->plane_std_rad * kRadian_deg) + "°";
 }
 
-std::string note_cell(const identify::ModeClassification& verdict) {
+std::string note_cell(const identify::ModeClassification& classification) {
   std::string note;
-  if (verdict.split_mode) {
-    note = fmt::format("double peak, {:.3g} Hz apart{}", verdict.split_mode->separation_Hz,
-                       verdict.split_mode->quoted ? ": this one is quoted" : "");
+  if (classification.split_mode) {
+    note = fmt::format("double peak, {:.3g} Hz apart{}", classification.split_mode->separation_Hz,
+                       classification.split_mode->quoted ? ": this one is quoted" : "");
   }
-  if (verdict.alternative)
-    note += fmt::format("{}could be {}", note.empty() ? "" : "; ", name_of(*verdict.alternative));
+  if (classification.alternative)
+    note += fmt::format("{}could be {}", note.empty() ? "" : "; ", name_of(*classification.alternative));
   return note;
 }
 
@@ -74,7 +75,7 @@ TextTable survey_modes_table(const pipeline::Survey& survey) {
 namespace {
 
 std::string modes_text(const pipeline::Survey& survey, std::size_t width) {
-  if (survey.analysis().modes().empty()) return "no mode stands out of the noise in the band\n";
+  if (survey.analysis().modes().empty()) return "no mode rises above the noise in the band\n";
   return survey_modes_table(survey).text(width);
 }
 
@@ -83,12 +84,13 @@ std::string scale_text(const pipeline::Survey& survey) {
   const auto unit = std::count_if(shapes.begin(), shapes.end(), [](const identify::ModeShape& s) {
     return s.normalisation == identify::Normalisation::unit_modal_mass;
   });
-  if (unit == 0) return "shapes: 1 at their largest, as no driving point was measured\n";
+  if (unit == 0) return "shapes: scaled to 1 at their largest, because no driving point was measured\n";
   std::string points;
   for (const identify::DrivingPoint& at : survey.driving_points())
     points += fmt::format("{}point {} (channel {})", points.empty() ? "" : ", ", at.point, at.channel);
-  return fmt::format("shapes: unit modal mass, from the driving {}{}\n", points,
-                     static_cast<std::size_t>(unit) < shapes.size() ? "; the others 1 at their largest" : "");
+  return fmt::format(
+      "shapes: unit modal mass, from the driving {}{}\n", points,
+      static_cast<std::size_t>(unit) < shapes.size() ? "; the others are scaled to 1 at their largest" : "");
 }
 
 std::string mac_text(const pipeline::Survey& survey) {
@@ -98,13 +100,13 @@ std::string mac_text(const pipeline::Survey& survey) {
     for (std::size_t j = 0; j < i; ++j) {
       const identify::Mac& mac = survey.macs()[i][j];
       most = std::max(most, mac.value);
-      if (mac.value > kAlike)
+      if (mac.value > kMinMac)
         text += fmt::format("{}{} and {} ({})", text.empty() ? "" : ", ", j, i, value_with_std(mac.value, mac.std));
     }
   }
   if (survey.macs().size() < 2) return "";
   return text.empty() ? fmt::format("MAC between different modes: {:.4f} at most\n", most)
-                      : "shapes alike on these points (MAC): modes " + text + "\n";
+                      : "similar shapes on these points (MAC): modes " + text + "\n";
 }
 
 std::string frac_text(const pipeline::Survey& survey) {
@@ -115,13 +117,13 @@ std::string frac_text(const pipeline::Survey& survey) {
                                         return a_strong != b_strong ? a_strong : a.frac < b.frac;
                                       });
   const auto poor = std::count_if(survey.synthesis().begin(), survey.synthesis().end(), pipeline::poorly_explained);
-  return fmt::format("modes against FRFs: FRAC {:.4f} at the worst of the strong ones{}\n", worst->frac,
+  return fmt::format("FRFs synthesised from the modes: lowest FRAC of the strong FRFs {:.4f}{}\n", worst->frac,
                      poor > 0 ? fmt::format("; {} below 0.99", poor) : "");
 }
 
 }  // namespace
 
-std::string survey_text(const pipeline::Survey& survey, bool hits, std::size_t width) {
+std::string survey_text(const pipeline::Survey& survey, bool hits, std::size_t width, OptionWriter write_option) {
   std::set<ReportSection> sections{ReportSection::frf, ReportSection::coherence};
   if (hits || !survey.analysis().possible()) sections.insert(ReportSection::hits);
   std::string text = analysis_text(survey.analysis(), {.sections = sections, .width = width, .warnings = false});
@@ -131,8 +133,7 @@ std::string survey_text(const pipeline::Survey& survey, bool hits, std::size_t w
     text += mac_text(survey) + frac_text(survey);
   }
   text += "\n";
-  for (const pipeline::Warning& warning : survey.warnings())
-    text += wrapped("! " + one_line(warning.message, 4000), width, 2) + "\n";
+  text += warnings_text(survey.warnings()).text(width, write_option);
   while (text.ends_with("\n\n")) text.pop_back();
   return text;
 }
