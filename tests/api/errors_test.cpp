@@ -1,8 +1,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,6 +17,7 @@
 #include "percuss/survey.hpp"
 #include "percuss/synth.hpp"
 #include "percuss/write.hpp"
+#include "support/help_pages.hpp"
 #include "support/input_error.hpp"
 #include "support/scratch_folder.hpp"
 
@@ -48,6 +51,20 @@ TEST(OptionFields, AreTheIdentifierAndItsUnit) {
       {"lowest", "DeflectionOptions::lowest_Hz"},
       {"survey.example", "survey.example"}};
   for (const auto& [id, field] : expected) EXPECT_EQ(option_field(id), field);
+}
+
+// Options of the terminal, of its files, and of documents that json() does not hold.
+const std::set<std::string> kOfTheCommandLine{"bat",  "bat_id", "compare", "example", "explain", "help",
+                                              "hits", "json",   "only",    "output",  "quiet",   "trace"};
+
+TEST(OptionFields, ExistForTheOptionsOfTheCommandLine) {
+  for (const char* const command : {"analyze", "frf", "survey", "deflect"}) {
+    for (std::string id : test::option_names({command})) {
+      id.erase(0, id.find_first_not_of('-'));
+      std::replace(id.begin(), id.end(), '-', '_');
+      EXPECT_EQ(option_field(id) == id, kOfTheCommandLine.contains(id)) << command << ' ' << id;
+    }
+  }
 }
 
 TEST(PublicErrors, NameTheFieldOfTheOption) {
