@@ -91,8 +91,8 @@ TEST(Trampoline, TouchesAgainAtLowHoopFrequencies) {
 TEST(Trampoline, HasNoContactFromRounding) {
   for (double hoop_Hz = 150; hoop_Hz <= 200; hoop_Hz += 0.25) {
     const std::size_t contacts = rebound(kBaseball, hoop_Hz).contacts;
-    if (hoop_Hz <= 177.5) EXPECT_EQ(contacts, 2U) << hoop_Hz;
-    if (hoop_Hz >= 180) EXPECT_EQ(contacts, 1U) << hoop_Hz;
+    EXPECT_LE(contacts, hoop_Hz < 180 ? 2U : 1U) << hoop_Hz;
+    EXPECT_GE(contacts, hoop_Hz > 177.5 ? 1U : 2U) << hoop_Hz;
   }
 }
 
