@@ -178,7 +178,9 @@ double hysteresis_for_spm(double restitution, double speed_mps) {
   const auto difference = [&](double d) { return std::log1p(d) - std::log1p(-e * d) - d * (1 + e); };  // (3)
   // For small d the difference is −d² (1 − e²)/2, below zero; towards 1/e it grows without bound.
   const double low = 0.75 * (1 - e * e) / (1 + e * e * e);
-  return bracketed_root(difference, low, (1 - 1e-15) / e) / speed_mps;
+  const double high = (1 - 1e-15) / e;
+  if (difference(high) < 0) return high / speed_mps;  // the root is nearer to 1/e than a double can be
+  return bracketed_root(difference, low, high) / speed_mps;
 }
 
 ImpactResult simulate_impact(const Impact& impact, const ImpactOptions& options) {

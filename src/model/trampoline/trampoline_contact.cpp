@@ -17,6 +17,7 @@ constexpr std::size_t kContactStates = 4;
 constexpr double kScale_s = 1e-3;                      // τ of (1): about the duration of a contact
 constexpr double kContactTolerance = 1e-10;            // error of a step, relative to the ball's speed
 constexpr double kFirstStep = 0.05, kShortest = 1e-9;  // of s
+constexpr double kRootMargin = 1e-12;                  // of s: above the rounding of the separation
 constexpr double kStarted = 0.1;                       // of s: by then a touch without initial force has some
 constexpr double kMaxContactSteps = 1e6;
 using ContactState = std::array<double, kContactStates>;  // ball, its speed, barrel, its speed
@@ -99,7 +100,8 @@ class ContactSolver::Stepper {
     return at > 0 && at < 1 && ga + at * (ra + at * (c + at * d)) < 0;
   }
 
-  // Repeats the last step with the length at which the contact event is zero.
+  // Repeats the last step with the length at which the contact event is zero. The end lies just beyond that root:
+  // before it, rounding would look like another touch.
   Moment separation_state(const Moment& from, const Moment& past) {
     Moment to = past;
     const auto event_after = [&](double h) {
@@ -107,7 +109,7 @@ class ContactSolver::Stepper {
       take(from, h, to);
       return contact_event(to);
     };
-    take(from, bracketed_root(event_after, 0, past.s - from.s), to);
+    take(from, bracketed_root(event_after, 0, past.s - from.s) + kRootMargin * past.s, to);
     return to;
   }
 

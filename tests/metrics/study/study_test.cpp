@@ -181,7 +181,7 @@ TEST(StudyTable, RefusesInvalidValues) {
   EXPECT_THAT(refusal("id,length_in,material\n,33,wood\n"), HasSubstr("without an id"));
   EXPECT_THAT(refusal("id,length_in,material\na,33,wood\na,34,wood\n"), HasSubstr("two values of length_in"));
   EXPECT_THAT(refusal("id,length_in,material,condition\na,33,wood,old\n"), HasSubstr("condition"));
-  EXPECT_THAT(refusal("{\"schema\": \"percuss/analysis/1\"}"), HasSubstr("does not say of which bat"));
+  EXPECT_THAT(refusal("{\"schema\": \"percuss/analysis/1\"}"), HasSubstr("does not name its bat"));
   EXPECT_THAT(refusal("{\"schema\": \"percuss/analysis/1\", \"runs\": []}"), HasSubstr("several tests"));
   EXPECT_THAT(refusal("{\"schema\": \"percuss/info/1\"}"), HasSubstr("no table of bats"));
   EXPECT_THAT(refusal("{\"bats\": " + std::string(100000, '[')), HasSubstr("nested deeper"));

@@ -38,6 +38,17 @@ TEST(BatModes, ReproducesTheExactNodes) {
   }
 }
 
+TEST(BatModes, HaveNodesWhereTheDeflectionIsZero) {
+  const BatModes modes = bat_modes(kStepped, {});
+  constexpr double kRounding = 1e-13;  // of the largest deflection: six shape functions at a rounded position
+  for (std::size_t mode = 0; mode < 10; ++mode) {
+    const auto column = static_cast<Eigen::Index>(mode);
+    const double tip = std::abs(modes.deflection(modes.length_m)[column]);
+    for (const double node_m : nodes_of(modes, mode))
+      EXPECT_LE(std::abs(modes.deflection(node_m)[column]), kRounding * tip) << mode << " at " << node_m;
+  }
+}
+
 TEST(BatModes, HaveTheMassOfTheSlices) {
   const BatInertia inertia = inertia_of(kStepped, {});
   constexpr double kRounding = 1e-14;

@@ -147,7 +147,7 @@ TEST(BeamImpact, MatchesHertzOnAWall) {
   EXPECT_NEAR(r.peak_force_N / (3.2e6 * std::pow(approach_m, 1.5)), 1, 1e-8);
 }
 
-// The closed form that defines χ knows nothing of the time steps.
+// The closed form that defines χ does not depend on the time steps.
 TEST(BeamImpact, HasTheStatedRestitutionOnAWall) {
   for (const double restitution : {0.99, 0.9, 0.5, 0.1, 0.01}) {
     Impact impact = wall();

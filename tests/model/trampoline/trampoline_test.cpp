@@ -87,6 +87,15 @@ TEST(Trampoline, TouchesAgainAtLowHoopFrequencies) {
   EXPECT_EQ(rebound(kBaseball, 180).contacts, 1U);
 }
 
+// The second contact disappears between 177.5 and 180 Hz; a further one would be rounding at a separation.
+TEST(Trampoline, HasNoContactFromRounding) {
+  for (double hoop_Hz = 150; hoop_Hz <= 200; hoop_Hz += 0.25) {
+    const std::size_t contacts = rebound(kBaseball, hoop_Hz).contacts;
+    EXPECT_LE(contacts, hoop_Hz < 180 ? 2U : 1U) << hoop_Hz;
+    EXPECT_GE(contacts, hoop_Hz > 177.5 ? 1U : 2U) << hoop_Hz;
+  }
+}
+
 TEST(Trampoline, FollowsContactsBeyondTwoMilliseconds) {
   EXPECT_GT(rebound(kBaseball, 400).contact_s, 2e-3);
   EXPECT_LT(rebound(kBaseball, 425).contact_s, 2e-3);
