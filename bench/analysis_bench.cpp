@@ -10,8 +10,8 @@
 #include "synth/read_spec.hpp"
 #include "synth/synthesise.hpp"
 
-// What an analysis costs, stage by stage, on the bundled bat with its samples in memory and on one thread. The counter
-// x_fftw is the time as a multiple of what cannot be avoided: one bare FFTW transform per channel and hit.
+// The time of each stage of an analysis, on the bundled bat with its samples in memory and on one thread. The counter
+// x_fftw is the time as a multiple of one bare FFTW transform per channel and hit.
 namespace percuss {
 namespace {
 
@@ -24,7 +24,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// The best of many, so that a disturbed run does not flatter us.
+// The best of many runs: a disturbed run would make the ratio look better.
 double fft_baseline_s() {
   const acquire::Record& record = bat();
   const std::size_t samples = record.rows.front().samples;

@@ -1,7 +1,8 @@
-// percuss_batch_throughput [RECORDS]: what a batch costs over the bare library. In one run, by turns, the best of
-// three: records/s of a loop that opens and analyses one record after the other and keeps nothing; of run_shard on one
-// thread, which also writes rows and journal; and of run_shard on two. Then the largest memory of processes that run
-// 100 records and RECORDS (default 10 000). The records are fifty different ones of 512 samples under many names.
+// percuss_batch_throughput [RECORDS]
+// Compares a batch with the bare library. In one run, in alternation, the best of three, it measures records/s of a
+// loop that opens and analyses each record and keeps nothing; of run_shard on one thread, which also writes rows and
+// journal; and of run_shard on two threads. Then it measures the peak memory of processes that run 100 and RECORDS
+// (default 10 000) records. The records are fifty different ones of 512 samples under many names.
 #include <fmt/format.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -69,7 +70,7 @@ class Folder {
   std::string path_;
 };
 
-// A manifest of so many records of one kind.
+// Writes a manifest of records of one kind.
 std::string planned(const Folder& folder, const std::string& kind, std::size_t records) {
   const std::string seeds = folder.made("seeds"), place = folder.made(fmt::format("{}-{}", kind, records));
   std::vector<std::string> paths;
@@ -112,7 +113,7 @@ void batch(const batch::Manifest& manifest, std::size_t threads, const std::stri
   batch::run_shard({.manifest = &manifest, .folder = results, .options = how, .threads = threads});
 }
 
-// How long something took at its best: by the clock, and the processors' time, that of child processes included.
+// The best wall-clock and processor times; processor time includes child processes.
 struct ElapsedTime {
   double clock_s = 1e9, processor_s = 1e9;
 
@@ -138,9 +139,9 @@ struct ElapsedTime {
   }
 };
 
-// Two equal pieces of work without memory, one after the other or side by side.
+// Two equal tasks without memory access, in sequence or in parallel.
 void arithmetic(std::size_t threads) {
-  static std::array<volatile double, 2> sums{};  // so that the work is done
+  static std::array<volatile double, 2> sums{};  // prevents removal by the optimiser
   parallel_for(2, threads, [](std::size_t i) {
     double x = 0.5;
     for (int n = 0; n < 50'000'000; ++n) x = 3.9 * x * (1 - x);
@@ -169,7 +170,7 @@ void compare(const Folder& folder, const std::string& kind) {
              on_one.processor_s / on_two.processor_s);
 }
 
-// Of a process of its own.
+// The peak memory of a process of its own.
 double largest_memory_MB(const Folder& folder, const std::string& manifest) {
   const pid_t child = ::fork();
   if (child == 0) {
@@ -196,7 +197,7 @@ int main(int count, char** arguments) {
   using namespace percuss;
   try {
     const Folder folder;
-    // First: a process that has started threads is not to be forked.
+    // First, because a process with threads must not fork.
     compare_memory(folder, count > 1 ? std::strtoul(arguments[1], nullptr, 10) : 10000);
     for (const char* kind : {"csv", "uff", "h5"}) compare(folder, kind);
     return EXIT_SUCCESS;

@@ -3,7 +3,7 @@
 #include "model/beam/beam.hpp"
 #include "model/impact/impact.hpp"
 
-// The limit for the three sweeps of the composite bat together: 100 ms on one core.
+// The limit of the three sweeps of the composite bat together: 100 ms on one core.
 namespace percuss {
 namespace {
 

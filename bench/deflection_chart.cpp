@@ -1,7 +1,8 @@
-// percuss_deflection_chart [FILE.svg]: run time against error of every method of deflection_of, over the sampling rate:
-// a held beam of three modes struck for 2.5 ms, recorded through an anti-alias filter with noise of a thousandth of the
-// acceleration's rms, a bias and a drift; the worst of a dozen noises; the method modal is given residues a thousandth
-// off. Truth is the band-limited deflection, from the filtered force. Prints a table, and draws it.
+// percuss_deflection_chart [FILE.svg]
+// Prints and draws run time against error of every method of deflection_of, over the sampling rate. A held beam of
+// three modes has a hit of 2.5 ms. The record passes an anti-alias filter and has a bias, a drift and noise of a
+// thousandth of the acceleration's RMS. The error is the largest of a dozen noises. The residues for `modal` have
+// errors of a thousandth. Truth is the band-limited deflection from the filtered force.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,7 +24,7 @@ namespace {
 
 constexpr double kRest_s = 0.1, kLength_s = 1.2;
 constexpr int kNoises = 12;
-constexpr double kResidueError = 1e-3;  // of the modes that the method modal is given
+constexpr double kResidueError = 1e-3;  // of the modes for the method modal
 
 struct Test {
   std::vector<double> force_N, accel_mps2, truth_m;

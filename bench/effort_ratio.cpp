@@ -1,8 +1,8 @@
-// percuss_effort_ratio [LO:HI FILE]...: what FRFs and each effort cost as a multiple of bare FFTW transforms of the
-// same records in memory (one per channel and hit, planned with FFTW_MEASURE, one thread, same run), and where the time
-// goes; in brackets, as a multiple of transforms of a record that stays in the cache. Without files: the bundled bat
-// with a hoop doublet. Every time is the best of several, taken by turns, so that a disturbed moment neither flatters
-// nor blames.
+// percuss_effort_ratio [LO:HI FILE]...
+// Prints the time of FRFs and of each effort as a multiple of bare FFTW transforms of the same records in memory (one
+// per channel and hit, planned with FFTW_MEASURE, one thread, same run), and the time of each stage. In brackets: the
+// multiple of transforms of a record that stays in the cache. Without files it uses the bundled bat with a hoop
+// doublet. Each time is the best of several in alternation, so a disturbance affects all alike.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@
 namespace percuss {
 namespace {
 
-constexpr double kMin_s = 3;  // everything is measured by turns for so long, three times at the least
+constexpr double kMin_s = 3;  // total time of the alternating measurements, at least three each
 
 acquire::Record in_memory(const acquire::Record& record) {
   std::vector<std::vector<double>> force;
@@ -45,7 +45,7 @@ acquire::Record in_memory(const acquire::Record& record) {
   return copy;
 }
 
-// The record's force and accelerations, each in its place in memory, and their transforms.
+// The force and the accelerations of the record in memory, and their transforms.
 class Bare {
  public:
   explicit Bare(const acquire::Record& record) : fftw_(record.rows.front().samples, FFTW_MEASURE) {
@@ -58,7 +58,7 @@ class Bare {
   void run() {
     for (const auto& values : values_) fftw_.transform(values.get());
   }
-  // As many of one that stays in the cache: what they take without the memory.
+  // The same number of transforms of one signal that stays in the cache.
   void run_cached() {
     for (std::size_t n = 0; n < values_.size(); ++n) fftw_.transform(values_.front().get());
   }
@@ -74,7 +74,7 @@ class Bare {
 };
 
 struct Measured {
-  std::optional<identify::Effort> effort;  // none: FRFs alone
+  std::optional<identify::Effort> effort;  // none: only FRFs
   double best_s = 1e9;
   std::size_t modes = 0;
   std::string stages;

@@ -8,11 +8,11 @@
 
 namespace percuss {
 
-/// Memory for samples, aligned as FFTW likes it.
+/// Memory for samples with the alignment of FFTW.
 using FftwSamples = std::unique_ptr<double, decltype(&fftw_free)>;
 inline FftwSamples fftw_samples(std::size_t samples) { return {fftw_alloc_real(samples), fftw_free}; }
 
-/// FFTW called by hand on memory of its own, planned once: what every other time is compared with.
+/// A bare FFTW transform on its own memory, planned once: the baseline of all other times.
 class FftwBaseline {
  public:
   explicit FftwBaseline(std::size_t samples, unsigned planning = FFTW_ESTIMATE)
@@ -28,7 +28,7 @@ class FftwBaseline {
   }
   void fill(const std::vector<double>& x) { std::copy(x.begin(), x.end(), in_); }
   void transform() { fftw_execute(plan_); }
-  /// Of values elsewhere, which are FftwSamples.
+  /// Transforms other FftwSamples.
   void transform(double* values) { fftw_execute_dft_r2c(plan_, values, out_); }
 
  private:

@@ -1,7 +1,7 @@
-// percuss_process_ratio TOOL LO:HI FILE: what whole processes of the tool take, by the clock, on a record that is in
-// the page cache: its start, hits, FRFs and modes, with one thread and with all, as multiples of bare FFTW transforms
-// of the record in memory (one thread, FFTW_MEASURE) and of reading the same bytes. All take turns in one run, and the
-// best time of each counts.
+// percuss_process_ratio TOOL LO:HI FILE
+// Prints wall-clock times of whole processes of the tool on a record in the page cache: start, hits, FRFs and modes,
+// with one thread and with all. They are multiples of bare FFTW transforms of the record in memory (one thread,
+// FFTW_MEASURE) and of reading the same bytes. All alternate in one run, and the best time of each counts.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <spawn.h>
@@ -28,7 +28,7 @@ namespace {
 constexpr int kTurns = 12;
 constexpr std::size_t kBlock_bytes = std::size_t{1} << 18U;
 
-// Runs a command without its output; it must end well.
+// Runs a command without its output. Throws unless it succeeds.
 void run(std::vector<std::string> words) {
   std::vector<char*> arguments;
   arguments.reserve(words.size() + 1);
@@ -44,7 +44,7 @@ void run(std::vector<std::string> words) {
   if (error != 0 || ::waitpid(child, &status, 0) != child || status != 0) throw std::runtime_error("the tool failed");
 }
 
-// As many bytes of the file as the part of the record takes that is asked for.
+// Reads the given number of bytes of the file.
 void read_bytes(const std::string& path, std::size_t bytes) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   std::vector<char> block(kBlock_bytes);

@@ -1,6 +1,6 @@
-// percuss_reading_speed FILE...: how fast every sample of a record comes out of its file, against how fast the same
-// bytes come from the system (read() in blocks of 128 KiB, as cat does), both from the page cache and in the same run.
-// Every time is the best of several, taken by turns.
+// percuss_reading_speed FILE...
+// Compares the speed of reading all samples of a record with the speed of reading its bytes (read() in blocks of 128
+// KiB, like cat), both from the page cache and in the same run. Each time is the best of several in alternation.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
@@ -19,7 +19,7 @@
 namespace percuss {
 namespace {
 
-constexpr double kMin_s = 3;  // for each file, by turns
+constexpr double kMin_s = 3;  // for each file
 constexpr std::size_t kBlock_bytes = std::size_t{1} << 17U;
 constexpr std::size_t kBlock_samples = std::size_t{1} << 15U;
 
@@ -31,7 +31,7 @@ void cat(const std::string& path) {
   ::close(descriptor);
 }
 
-// Every signal, a block at a time, as what looks at a record does.
+// Reads every signal block by block, like an analysis.
 void read_all(const std::string& path) {
   static std::vector<double> block(kBlock_samples);
   const acquire::Record record = acquire::open_record(path);

@@ -3,7 +3,7 @@
 
 namespace percuss {
 
-/// By the clock.
+/// Wall-clock time.
 template <class Work>
 double seconds_of(const Work& work) {
   const auto start = std::chrono::steady_clock::now();

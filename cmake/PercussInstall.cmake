@@ -1,11 +1,11 @@
 # Installation of the tool, the libraries and the public headers, and the Debian package.
 include(CMakePackageConfigHelpers)
 
-get_property(floors GLOBAL PROPERTY PERCUSS_FLOORS)
+get_property(layers GLOBAL PROPERTY PERCUSS_LAYERS)
 # Programs link percuss::percuss; the other libraries are what it is made of.
 set_target_properties(percuss_api PROPERTIES EXPORT_NAME percuss)
 target_include_directories(percuss_api PUBLIC $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
-install(TARGETS ${floors} EXPORT percussTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS ${layers} EXPORT percussTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY include/percuss DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp")
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/percuss)

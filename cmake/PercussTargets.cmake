@@ -59,8 +59,8 @@ function(percuss_rooms target root)
   set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
 endfunction()
 
-# percuss_floor(NAME PUBLIC libs PRIVATE libs): the layer src/NAME as a static library, percuss_NAME.
-function(percuss_floor name)
+# percuss_layer(NAME PUBLIC libs PRIVATE libs): the layer src/NAME as a static library, percuss_NAME.
+function(percuss_layer name)
   cmake_parse_arguments(ARG "" "" "PUBLIC;PRIVATE" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/src/${name}/*.cpp)
   add_library(percuss_${name} STATIC ${sources})
@@ -71,5 +71,5 @@ function(percuss_floor name)
   target_link_libraries(percuss_${name} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
   percuss_code(percuss_${name})
   percuss_rooms(percuss_${name} ${CMAKE_CURRENT_SOURCE_DIR}/src)
-  set_property(GLOBAL APPEND PROPERTY PERCUSS_FLOORS percuss_${name})
+  set_property(GLOBAL APPEND PROPERTY PERCUSS_LAYERS percuss_${name})
 endfunction()

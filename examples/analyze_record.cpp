@@ -15,7 +15,7 @@ int main(int argc, char** argv) try {
       argc > 1 ? percuss::open_record(argv[1]) : percuss::synthesise_preset("composite-bat").record;
   const percuss::Analysis analysis(record, {.band_Hz = percuss::Band{60, 3200}});
 
-  // Each hit says what was found against it; a rejected hit takes no part.
+  // Findings explain why a hit is rejected; FRFs and modes use the accepted hits.
   for (const percuss::Hit& hit : analysis.hits()) {
     std::printf("hit %zu: %5.0f N, %s\n", hit.index, hit.peak_force_N, hit.accepted ? "accepted" : "rejected");
     for (const percuss::Finding& finding : hit.findings) std::printf("  %s\n", finding.message.c_str());

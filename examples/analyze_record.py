@@ -12,7 +12,7 @@ import percuss
 record = sys.argv[1] if len(sys.argv) > 1 else percuss.synth("composite-bat").record
 found = percuss.analyze(record, band=(60, 3200))
 
-# Each hit says what was found against it; a rejected hit takes no part.
+# Findings explain why a hit is rejected; FRFs and modes use the accepted hits.
 for hit in found["hits"]:
     print(f"hit {hit['index']}: {hit['peak_force_n']:5.0f} N, {'accepted' if hit['accepted'] else 'rejected'}")
     for finding in hit["findings"]:

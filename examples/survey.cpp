@@ -27,7 +27,7 @@ int main(int argc, char** argv) try {
     std::printf("\n");
   }
 
-  // Off the diagonal a MAC near 1 tells that two modes have one shape.
+  // Off the diagonal, a MAC near 1 means that two modes have the same shape.
   for (const auto& row : survey.macs()) {
     for (const percuss::Mac& mac : row) std::printf("%6.3f", mac.value);
     std::printf("\n");

@@ -18,7 +18,7 @@ if not found.possible:
 for frequency_hz, shape in zip(found.frequency_hz, found.shapes):
     print(f"{frequency_hz:9.3f} Hz at {len(shape)} places, largest component {max(abs(shape)):.3f}")
 
-# Off the diagonal a MAC near 1 tells that two modes have one shape.
+# Off the diagonal, a MAC near 1 means that two modes have the same shape.
 for row in found.mac:
     print(" ".join(f"{mac:6.3f}" for mac in row))
 if len(sys.argv) > 3:

@@ -2,7 +2,7 @@
 
 namespace percuss::fuzz {
 
-// MAT, HDF5 and sound files as they come, decoded by libraries that may crash in the process that is made for them.
+// Whole MAT, HDF5 and sound files. The libraries that decode them may crash, in their sandboxed process.
 void run_binary_formats(std::string_view bytes) {
   const MemfdFile file(bytes);
   accepted([&] { read_all(frf::open_measurement(file.path(), {.read = {.sandboxed = true}, .kind = {}})); });

@@ -3,7 +3,7 @@
 
 #include "targets.hpp"
 
-// What libFuzzer calls; which target, CMake says.
+// The function that libFuzzer calls. CMake sets the target.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const auto* const kTarget = [] {
     const auto all = percuss::fuzz::targets();

@@ -39,7 +39,7 @@ Handle space_of(const std::vector<std::size_t>& shape) {
                               : H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), nullptr));
 }
 
-//   set NAME TYPE SHAPE [chunk] [gzip] [nan] [claimed]: claimed sets have a size and no samples
+//   set NAME TYPE SHAPE [chunk] [gzip] [nan] [claimed]: claimed sets have a size but no values
 void add_set(hid_t file, const RecipeLine& line) {
   const std::vector<std::size_t> shape = line.sizes(3, kLargestClaim);
   std::size_t count = 1;
@@ -95,7 +95,7 @@ void write_hdf5_from_recipe(const std::string& path, std::string_view recipe) {
 
 }  // namespace
 
-// What an HDF5 file's sets and attributes mean, whatever they are.
+// The meaning of the data sets and attributes of an HDF5 file.
 void run_hdf5(std::string_view bytes) {
   const MemfdFile file("");
   {

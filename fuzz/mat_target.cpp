@@ -35,12 +35,12 @@ acquire::MatVariable variable_of(const RecipeLine& line) {
 
 }  // namespace
 
-// What a MAT file's variables mean, whatever they are.
+// The meaning of the variables of a MAT file.
 void run_mat(std::string_view bytes) {
   acquire::MatFile file{.path = "fuzzed", .bytes = bytes.size(), .variables = {}, .notes = {}};
   for (const RecipeLine& line : recipe_lines(bytes)) file.variables.push_back(variable_of(line));
-  const acquire::ReadOptions insisting = strict_read_options();
-  for (const acquire::ReadOptions& options : {acquire::ReadOptions{}, insisting}) {
+  const acquire::ReadOptions strict = strict_read_options();
+  for (const acquire::ReadOptions& options : {acquire::ReadOptions{}, strict}) {
     accepted([&] {
       if (auto frfs = acquire::read_frf_mat(file, {.read = options, .kind = {}}))
         acquire::to_accelerances(std::move(*frfs), {});

@@ -6,14 +6,14 @@
 
 namespace percuss::fuzz {
 
-inline constexpr std::size_t kMaxElements = 1U << 14U;  // of a part that is filled
+inline constexpr std::size_t kMaxElements = 1U << 14U;  // of a part with values
 
-/// What a file of a library's format is to hold, as text that people and mutations can write: a line per part, words
-/// between blanks, lists with commas ("set accel f8 2,1,16").
+/// A line of a recipe: the contents of a binary file as text, which mutations can change. Each line is a part, with
+/// words separated by blanks and lists separated by commas ("set accel f8 2,1,16").
 struct RecipeLine {
   std::vector<std::string> words;
 
-  /// A word by its place; empty beyond the end.
+  /// The word at an index; empty beyond the end.
   std::string word(std::size_t at) const { return at < words.size() ? words[at] : std::string(); }
   bool has(std::string_view option) const;
   std::vector<double> numbers(std::size_t at) const;
@@ -24,7 +24,7 @@ struct RecipeLine {
 /// The lines of a recipe, at most 24.
 std::vector<RecipeLine> recipe_lines(std::string_view text);
 
-/// Values for a part of so many elements: a pulse and a decay, or one that is not finite among them.
+/// `count` values of a part: a pulse and a decay, with a NaN if `with_nan`.
 std::vector<double> recipe_values(std::size_t count, bool with_nan);
 
 }  // namespace percuss::fuzz

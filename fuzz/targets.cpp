@@ -54,7 +54,7 @@ acquire::ReadOptions strict_read_options() {
 }
 
 void read_all(const acquire::Record& record) {
-  constexpr std::size_t kBlock = 1000;  // no multiple of the readers' own
+  constexpr std::size_t kBlock = 1000;  // not a multiple of the readers' block sizes
   std::vector<double> block;
   for (std::size_t row = 0; row < record.rows.size(); ++row) {
     for (std::size_t first = 0; first < record.rows[row].samples; first += kBlock) {

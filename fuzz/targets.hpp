@@ -10,39 +10,39 @@
 
 namespace percuss::fuzz {
 
-/// What reads bytes that may be anything. run() returns whatever they are; what it must not do is crash, hang, take
-/// memory that the bytes do not explain, or say more than one clean line (it aborts then).
+/// A reader of arbitrary bytes. run() must return for all of them. It must not crash, hang or take memory without
+/// bound, and aborts when an error message is not one clean line.
 struct Target {
-  const char* name;  // also the folder of its corpus, and the end of percuss_fuzz_NAME
+  const char* name;  // also the folder of its corpus, and part of the program name percuss_fuzz_NAME
   void (*run)(std::string_view bytes);
 };
 
 std::span<const Target> targets();
 
-// One for every reader of percuss's own: texts …
+// Readers of texts.
 void run_csv(std::string_view bytes);
 void run_lvm(std::string_view bytes);
 void run_uff(std::string_view bytes);
 void run_frf_text(std::string_view bytes);
-// … what is found in files that a library decodes, without that library …
+// Contents of files that libraries decode, without the libraries.
 void run_mat(std::string_view bytes);
 void run_hdf5(std::string_view bytes);
 void run_sound_calibration(std::string_view bytes);
-// … such files as they are, in a confined process …
+// Whole files of these formats, in a sandboxed process.
 void run_binary_formats(std::string_view bytes);
-// … and what options name.
+// Files that options name.
 void run_channel_setup(std::string_view bytes);
 void run_synth_spec(std::string_view bytes);
 void run_bats(std::string_view bytes);
 void run_tables(std::string_view bytes);
 void run_document(std::string_view bytes);
-// What workers of a batch leave for each other.
+// Files that the workers of a batch exchange.
 void run_batch(std::string_view bytes);
 
-/// The bytes as a file that was read, in memory of exactly their length.
+/// The bytes as a file in memory of exactly their length.
 FileBytes as_file(std::string_view bytes);
 
-/// A file of these bytes without a name, for readers that want a path.
+/// A file of these bytes without a name, for readers that need a path.
 class MemfdFile {
  public:
   explicit MemfdFile(std::string_view bytes);
@@ -55,17 +55,17 @@ class MemfdFile {
   int descriptor_;
 };
 
-/// What somebody says about a file who was told that it is unclear: a rate, and which columns are which.
+/// Options that resolve every ambiguity: a rate, and the roles of the columns.
 acquire::ReadOptions strict_read_options();
 
-/// Every sample of a record, as an analysis reads them.
+/// Reads every sample of a record, as an analysis does.
 void read_all(const acquire::Record& record);
 void read_all(const std::variant<acquire::Record, frf::FrfRecord>& measurement);
 
-/// Aborts unless the message is one line without control characters, not longer than a screen.
+/// Aborts unless the message is one line of at most 2000 bytes without control characters.
 void require_clean(const std::exception& refusal);
 
-/// Runs `read`; an InputError is an answer as good as any, if it is one clean line. Whether there was none.
+/// Runs `read`. Returns false for an InputError, whose message must be one clean line.
 template <class Read>
 bool accepted(Read&& read) {
   try {

@@ -9,6 +9,7 @@
 #include "cli/output.hpp"
 #include "core/error.hpp"
 #include "numpy_views.hpp"
+#include "option_names.hpp"
 
 namespace percuss::python {
 namespace {
@@ -164,8 +165,9 @@ void bind_outcome(py::module_& module) {
       .def_property_readonly("tests", [](const ResultHandle& held) { return held.outcome.analyses.size(); })
       .def("text",
            [](const SharedResult& held, std::size_t width) {
-             return decoded(held->outcome.text ? without_gil(held, [&] { return held->outcome.text(width); })
-                                               : std::string());
+             return decoded(held->outcome.text
+                                ? without_gil(held, [&] { return held->outcome.text(width, option_in_python); })
+                                : std::string());
            })
       .def("html",
            [](const SharedResult& held) {

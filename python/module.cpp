@@ -11,6 +11,7 @@
 #include "cli/nearest.hpp"
 #include "cli/option_error.hpp"
 #include "core/error.hpp"
+#include "option_names.hpp"
 #include "report/text/version.hpp"
 
 namespace percuss::python {
@@ -102,6 +103,7 @@ PYBIND11_MODULE(_percuss, module) {
   module.def("run", &run, py::arg("words"), py::arg("inputs"), py::arg("names") = py::dict());
   module.def("declared_commands", &declared_commands);
   module.def("nearest", &tools::nearest);
+  module.def("option_in_python", &option_in_python);
 }
 
 }  // namespace percuss::python

@@ -1,6 +1,7 @@
-// percuss_accuracy [--quick] FOLDER: how near percuss's results come to exact truth and what that costs, measured anew
-// and written to FOLDER: accuracy.md and its charts, accuracy-*.svg. Five minutes; --quick tries as little as shows
-// that everything runs, in seconds. Files that exist are written anew. The table for README.md goes to standard output.
+// percuss_accuracy [--quick] FOLDER
+// Measures the errors of percuss against exact truth and their cost in time. Writes accuracy.md and its charts
+// (accuracy-*.svg) to FOLDER, over existing files, and the table for README.md to standard output. It takes five
+// minutes. --quick runs a minimum of cases in seconds.
 #include <fftw3.h>
 #include <fmt/format.h>
 
@@ -24,7 +25,7 @@ constexpr TimingOptions kTurns, kQuickTurns{.least = 1, .least_s = 0, .each_s = 
 constexpr double kScalingBudget_s = 125;
 
 void measure_all(Extent extent, const std::string& folder) {
-  if (extent == Extent::quick) fftw_set_timelimit(0);  // of planning by measuring
+  if (extent == Extent::quick) fftw_set_timelimit(0);  // of planning by measurement
   const TimingOptions turns = extent == Extent::quick ? kQuickTurns : kTurns;
   Measured all;
   all.scalings = study_scaling(extent, turns, kScalingBudget_s);

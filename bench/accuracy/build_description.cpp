@@ -24,7 +24,7 @@ std::string processor() {
     const std::size_t colon = line.find(": ");
     if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
   }
-  return "a processor that does not say its name";
+  return "unknown processor";
 }
 
 }  // namespace
@@ -33,7 +33,7 @@ std::string build_description() {
 #ifdef NDEBUG
   const char* build = "release build";
 #else
-  const char* build = "debugging build: times mean little";
+  const char* build = "debug build: times mean little";
 #endif
   return fmt::format("percuss {}, {}, {}, {}; {}", report::version(), compiler(), build, fftw_version, processor());
 }

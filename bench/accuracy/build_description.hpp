@@ -3,7 +3,7 @@
 
 namespace percuss::accuracy {
 
-/// What the figures were measured with: "percuss 0.1.0, g++ 12.2.0, release, on Intel(R) …".
+/// The software and the processor of the measurement: "percuss 0.1.0, g++ 12.2.0, release, on Intel(R) …".
 std::string build_description();
 
 }  // namespace percuss::accuracy

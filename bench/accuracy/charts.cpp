@@ -16,13 +16,13 @@ constexpr std::array kMarks{report::ChartMark::circle, report::ChartMark::square
                             report::ChartMark::diamond};
 constexpr std::size_t kBlack = 4;  // among the styles of a chart
 constexpr double kMega = 1e6;
-constexpr double kMuchTheSame = 2.5;  // factor
+constexpr double kNearlyEqual = 2.5;  // factor
 
 bool is_plottable(const Figure& figure) {
   return std::isfinite(figure.error) && figure.error > 0 && figure.time_ratio > 0;
 }
 
-// Methods are told by their marks, in the order in which they come.
+// A symbol marks each method, in order of appearance.
 std::vector<std::string> methods_of(const Sweep& sweep) {
   std::vector<std::string> names;
   for (const Case& one : sweep.cases) {
@@ -33,7 +33,7 @@ std::vector<std::string> methods_of(const Sweep& sweep) {
   return names;
 }
 
-// Cases are told by colour. A case in which a method comes several times has labels at its points.
+// A colour marks each case. A case with several points of one method has labels at its points.
 report::ChartCurve points_of(const Case& one, std::size_t style, const std::string& method, report::ChartMark mark) {
   report::ChartCurve curve{.name = {}, .x = {}, .y = {}, .line = false, .mark = mark, .style = style};
   for (const Figure& figure : one.figures) {
@@ -46,7 +46,7 @@ report::ChartCurve points_of(const Case& one, std::size_t style, const std::stri
   return curve;
 }
 
-// What nothing else of the case beats, from the fastest on.
+// The Pareto-optimal figures, fastest first.
 report::ChartCurve front_of(const Case& one, std::size_t style) {
   std::vector<const Figure*> front;
   for (const Figure& figure : one.figures) {
@@ -61,7 +61,7 @@ report::ChartCurve front_of(const Case& one, std::size_t style) {
   return curve;
 }
 
-// A decade at least, so that small differences look small, and round numbers enough to read it by.
+// At least a decade, so small differences look small, with enough round numbers for the axis.
 void settle_axis(report::ChartAxis& axis, const std::vector<report::ChartCurve>& curves,
                  std::vector<double> report::ChartCurve::*values) {
   double low = std::numeric_limits<double>::infinity(), high = 0;
@@ -86,7 +86,7 @@ void settle_axis(report::ChartAxis& axis, const std::vector<report::ChartCurve>&
 
 report::LineChart sweep_chart(const Family& family, const Sweep& sweep) {
   report::LineChart chart{
-      .title = fmt::format("{}: error against time, by {}; lines: what nothing beats", family.title, sweep.over),
+      .title = fmt::format("{}: error against time, by {}; line: Pareto-optimal", family.title, sweep.over),
       .x = {.label = fmt::format("time, multiples of {}", family.time), .logarithmic = true},
       .y = {.label = family.error, .logarithmic = true},
       .curves = {}};
@@ -106,7 +106,7 @@ report::LineChart sweep_chart(const Family& family, const Sweep& sweep) {
   return chart;
 }
 
-// Where all figures are much the same there is nothing to see.
+// Nearly equal figures need no chart.
 bool worth_a_chart(const Sweep& sweep) {
   std::vector<double> errors, times;
   for (const Case& one : sweep.cases) {
@@ -118,7 +118,7 @@ bool worth_a_chart(const Sweep& sweep) {
   }
   const auto differ = [](const std::vector<double>& values) {
     const auto [low, high] = std::minmax_element(values.begin(), values.end());
-    return *high > kMuchTheSame * *low;
+    return *high > kNearlyEqual * *low;
   };
   return !errors.empty() && (differ(errors) || differ(times));
 }

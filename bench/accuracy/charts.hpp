@@ -7,12 +7,11 @@
 
 namespace percuss::accuracy {
 
-/// Error against time of every sweep, one chart under the other, as an SVG document: a colour for each case, a mark for
-/// each method, and a line through the figures of a case that no other beats in both (Pareto's front). A sweep whose
-/// figures are all much the same has no chart.
+/// Charts of error against time, one per sweep, as an SVG document. A colour marks a case, a symbol a method, and a
+/// line joins the Pareto-optimal figures of a case. A sweep with nearly equal figures has no chart.
 std::string family_svg(const Family& family);
 
-/// Time and memory over size, a chart each.
+/// Charts of time and of memory against size.
 std::string scaling_svg(const std::vector<Scaling>& scalings);
 
 }  // namespace percuss::accuracy

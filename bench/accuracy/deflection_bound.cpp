@@ -21,7 +21,7 @@ std::vector<synth::SynthPole> poles_of(const synth::Truth& truth) {
   return poles;
 }
 
-// Parameter p of f and ζ, mode by mode, moved by so many of its steps; the step.
+// Changes parameter p (f and ζ of each mode in turn) by `steps` of its steps, and returns the step.
 double move(std::vector<synth::SynthPole>& poles, Index p, double steps) {
   synth::SynthPole& pole = poles[static_cast<std::size_t>(p / 2)];
   double& value = p % 2 == 0 ? pole.freq_Hz : pole.damping_ratio;
@@ -34,7 +34,7 @@ synth::Pulse pulse_of(const synth::Truth& truth, std::size_t hit) {
   return synth::pulses_of(truth.spec, truth.hits[hit]).front();
 }
 
-// One mode's acceleration for residue 1, a whole row.
+// The acceleration of one mode with residue 1 over a row.
 VectorXd row_of_mode(const synth::Truth& truth, const synth::Pulse& pulse, const synth::SynthPole& pole) {
   const synth::PulseBasis basis =
       synth::pulse_basis(pulse, truth.spec.fs_Hz, std::span(&pole, 1), 0, truth.spec.samples);
@@ -47,7 +47,7 @@ VectorXd row_of_mode(const synth::Truth& truth, const synth::Pulse& pulse, const
   return row;
 }
 
-// Columns of one row: by f and ζ for residue 1, by residue, bias, drift.
+// Columns of the Jacobian of one row: f and ζ for residue 1, residue, bias, drift.
 MatrixXd columns_of(const synth::Truth& truth, std::size_t hit) {
   const std::vector<synth::SynthPole> poles = poles_of(truth);
   const auto modes = static_cast<Index>(poles.size()), samples = static_cast<Index>(truth.spec.samples);
@@ -73,14 +73,14 @@ MatrixXd inverse_of(const MatrixXd& m) {
   return scale.asDiagonal() * unit.inverse() * scale.asDiagonal();
 }
 
-// `m` without what its last rows and columns, from `kept` on, know of.
+// The Schur complement of `m` without its rows and columns from `kept` on.
 MatrixXd eliminated(const MatrixXd& m, Index kept) {
   const Index gone = m.rows() - kept;
   return m.topLeftCorner(kept, kept) -
          m.topRightCorner(kept, gone) * inverse_of(m.bottomRightCorner(gone, gone)) * m.bottomLeftCorner(gone, kept);
 }
 
-// Of one channel on f, ζ and its own residues, all rows.
+// The information of one channel on f, ζ and its own residues, from all rows.
 MatrixXd channel_knowledge(const synth::Truth& truth, const std::vector<MatrixXd>& products, std::size_t channel) {
   const auto modes = static_cast<Index>(truth.spec.modes.size());
   VectorXd scale = VectorXd::Ones(3 * modes + 2);
@@ -91,7 +91,7 @@ MatrixXd channel_knowledge(const synth::Truth& truth, const std::vector<MatrixXd
   return sum / std::pow(truth.accel_noise_mps2[channel], 2);
 }
 
-// ∂w/∂(f, ζ, A) at the peak of hit 0, in parts of it: its time does not matter, as w stands still there.
+// ∂w/∂(f, ζ, A) at the peak of hit 0, relative to it. The time of the peak does not matter, because dw/dt = 0 there.
 VectorXd gradient(const synth::Truth& truth, std::size_t channel) {
   const std::vector<synth::SynthPole> poles = poles_of(truth);
   const std::vector<double>& residues = truth.residue_per_kg[0][channel];
@@ -125,7 +125,7 @@ std::vector<double> deflection_bound(const synth::Truth& truth) {
     const MatrixXd columns = columns_of(truth, hit);
     products.emplace_back(columns.transpose() * columns);
   }
-  MatrixXd shared = MatrixXd::Zero(poles, poles);  // what all channels know of f and ζ
+  MatrixXd shared = MatrixXd::Zero(poles, poles);  // information of all channels on f and ζ
   for (std::size_t c = 0; c < truth.accel_noise_mps2.size(); ++c) {
     knowledge.push_back(channel_knowledge(truth, products, c));
     shared += eliminated(knowledge.back(), poles);

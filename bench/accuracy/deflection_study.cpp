@@ -47,7 +47,7 @@ synth::SynthSpec held_beam(const BeamCase& one) {
   spec.sensors.assign(one.channels, {});
   for (std::size_t m = 0; m < one.modes; ++m) {
     synth::SynthMode mode{.freq_Hz = poles.at(m).freq_Hz, .damping_ratio = poles.at(m).damping_ratio};
-    for (std::size_t c = 0; c < one.channels; ++c) {  // along the beam, nearer and nearer to where it is held
+    for (std::size_t c = 0; c < one.channels; ++c) {  // along the beam, towards its support
       mode.residue_per_kg.push_back(residues.at(m) *
                                     (1 - 0.6 * static_cast<double>(c) / static_cast<double>(one.channels)));
     }
@@ -167,7 +167,7 @@ Family study_deflection(Extent extent, const TimingOptions& turns) {
                 .title = "Largest deflection",
                 .error = "error of the largest deflection, %",
                 .time = "bare FFTW + reading",
-                .more = {"95 % intervals right, %", "told, %"},
+                .more = {"coverage, %", "detected, %"},
                 .sweeps = {}};
   for (const auto& [over, cases] : beam_cases()) {
     family.sweeps.push_back({over, {}});

@@ -11,8 +11,8 @@ namespace percuss::accuracy {
 namespace {
 
 constexpr int kPanels = 64;
-constexpr double kGrid = 100;   // points to the highest mode's period
-constexpr double kPeriods = 2;  // of the lowest mode: the largest deflection comes within the first
+constexpr double kGrid = 100;   // points per period of the highest mode
+constexpr double kPeriods = 2;  // of the lowest mode: the largest deflection lies within the first
 
 }  // namespace
 
@@ -60,7 +60,7 @@ TrueDeflection::Peak TrueDeflection::peak(const std::vector<double>& residue_per
     const double value = at_m(t, residue_per_kg);
     if (std::abs(value) > std::abs(top.value_m)) top = {value, t};
   }
-  // The parabola through three points, again and again on a finer grid.
+  // Repeats the vertex of the parabola through three points on finer grids.
   for (double width_s = step_s; width_s > 1e-9; width_s /= 10) {
     const double a = at_m(top.time_s - width_s, residue_per_kg), b = top.value_m,
                  c = at_m(top.time_s + width_s, residue_per_kg);

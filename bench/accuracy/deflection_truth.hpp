@@ -7,16 +7,16 @@
 
 namespace percuss::accuracy {
 
-/// The deflection that a pulse makes of a held structure's modes, at times t after the record's beginning:
+/// The exact deflection of a held structure under a pulse, at times t from the start of the record:
 ///   w(t) = Σ_r A_r/ω_dr · Im z_r(t),  z_r(t) = ∫ f(τ) exp(s_r (t − τ)) dτ,  s_r = −ζω + jω_d          (1)
-/// The integral by Gauss and Legendre's rule on 64 panels of the pulse; no sample, no transform and no filter comes in.
-/// (The filter passes what moves: at a few hundred Hz it is 1 to 2e-12.)
+/// The integral uses a Gauss–Legendre rule on 64 panels of the pulse, and no sample, transform or filter. (The gain of
+/// the filter is 1 to within 2e-12 at a few hundred Hz.)
 class TrueDeflection {
  public:
   TrueDeflection(const synth::Pulse& pulse, const std::vector<synth::SynthPole>& poles);
   double at_m(double t_s, const std::vector<double>& residue_per_kg) const;
-  /// Its largest magnitude after the pulse, and when: on a grid of a hundredth of the highest mode's period, over two
-  /// periods of the lowest, then between its points.
+  /// The largest magnitude after the pulse and its time: on a grid of a hundredth of the highest mode's period, over
+  /// two periods of the lowest, then between grid points.
   struct Peak {
     double value_m = 0, time_s = 0;
   };
@@ -25,7 +25,7 @@ class TrueDeflection {
  private:
   struct Swing {
     double decay_per_s, omega_radps;
-    double re, im;  // z at the pulse's end
+    double re, im;  // z at the end of the pulse
   };
   double end_s_;
   std::vector<Swing> swings_;

@@ -12,7 +12,8 @@ namespace percuss::accuracy {
 namespace {
 
 constexpr std::size_t kBlock_bytes = std::size_t{1} << 17U;
-constexpr std::size_t kMaxMeasured = std::size_t{1} << 17U;  // samples; measuring longer plans takes seconds
+constexpr std::size_t kMaxMeasured = std::size_t{1}
+                                     << 17U;  // samples; planning longer lengths by measurement takes seconds
 
 void read_bytes_of(const std::string& path) {
   static std::vector<char> block(kBlock_bytes);
@@ -22,8 +23,8 @@ void read_bytes_of(const std::string& path) {
   ::close(descriptor);
 }
 
-// Planned once for each length. What measuring has found is forgotten again: percuss's own plans, which are made
-// without measuring, would use it otherwise.
+// Plans each length once, and forgets FFTW's wisdom afterwards. Otherwise percuss's own plans, made without
+// measurement, would use it.
 FftwBaseline& planned(std::size_t samples) {
   static std::map<std::size_t, std::unique_ptr<FftwBaseline>> plans;
   auto& plan = plans[samples];

@@ -10,7 +10,7 @@ namespace percuss::accuracy {
 
 namespace {
 
-constexpr double kSameTime = 1.1, kSameError = 1.01;  // factors within which figures are taken as equal
+constexpr double kSameTime = 1.1, kSameError = 1.01;  // factors within which figures count as equal
 
 bool beats(const Figure& one, const Figure& other) {
   const bool no_worse = one.error <= other.error * kSameError && one.time_ratio <= other.time_ratio * kSameTime;
@@ -46,7 +46,7 @@ const Figure& figure_of(const Case& one, const std::string& method) {
 
 std::string shown_figure(double value) {
   if (!std::isfinite(value) || value == 0) return "–";
-  // Neither 1.2e+03 nor 123.45: digits where they are read, zeros where they only hold a place.
+  // Writes neither 1.2e+03 nor 123.45: digits beyond the third become zeros or are dropped.
   const int decimals = std::max(0, 2 - static_cast<int>(std::floor(std::log10(std::abs(value)))));
   if (decimals > 6) return fmt::format("{:.1e}", value);
   const double round = std::pow(10, std::floor(std::log10(std::abs(value))) - 2);

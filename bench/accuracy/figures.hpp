@@ -4,20 +4,20 @@
 
 namespace percuss::accuracy {
 
-/// One method in one case: what it missed the truth by, and what that took.
+/// The error and the time of one method in one case.
 struct Figure {
   std::string method;
-  std::string label;              // beside its point in the chart
+  std::string label;              // of its point in the chart
   double error = 0;               // RMS, in the unit of the family
   double over_bound = 0;          // RMS of error/bound; 0: there is no bound
-  double time_ratio = 0;          // over bare transforms and reading in the same run
+  double time_ratio = 0;          // multiple of the baseline in the same run
   std::vector<std::string> more;  // cells under Family::more
-  bool on_pareto_front = false;   // nothing else of the case beats it
+  bool on_pareto_front = false;   // no other figure of the case dominates it
 };
 
-/// One set of records, or one model, on which all methods were tried.
+/// One set of records, or one model, with the figures of all methods.
 struct Case {
-  std::string value;  // of what the sweep goes over: "0.5 s"
+  std::string value;  // of the swept quantity: "0.5 s"
   std::vector<Figure> figures;
 };
 
@@ -26,27 +26,27 @@ struct Sweep {
   std::vector<Case> cases;
 };
 
-/// All that was tried of one task.
+/// All measurements of one task.
 struct Family {
-  std::string name;               // of its chart's file: accuracy-NAME.svg
+  std::string name;               // in the file name of its chart: accuracy-NAME.svg
   std::string title;              // of its charts
-  std::string error;              // what `error` is, with its unit
-  std::string time;               // what `time_ratio` is over
-  std::vector<std::string> more;  // heads of further columns
+  std::string error;              // name of `error`, with its unit
+  std::string time;               // baseline of `time_ratio`
+  std::vector<std::string> more;  // headings of further columns
   std::vector<Sweep> sweeps;
 };
 
-/// Sets on_pareto_front. One figure beats another when it is no worse in error and in time, and better in one of them;
-/// times within a tenth and errors within a hundredth count as the same.
+/// Sets on_pareto_front. A figure dominates another when it is no worse in error and in time, and better in one of
+/// them. Times within a tenth and errors within a hundredth count as equal.
 void mark_pareto_front(std::vector<Figure>& figures);
 
-/// The case of a sweep by its names; it must be there.
+/// The case of a sweep by its names. Precondition: it exists.
 const Case& case_of(const Family& family, const std::string& over, const std::string& value);
 
-/// The figure of a method; it must be there.
+/// The figure of a method. Precondition: it exists.
 const Figure& figure_of(const Case& one, const std::string& method);
 
-/// A figure for people: three significant digits, "–" for what was not measured (0, NaN or infinite).
+/// A figure as text: three significant digits, or "–" where there is none (0, NaN or infinite).
 std::string shown_figure(double value);
 
 }  // namespace percuss::accuracy

@@ -13,21 +13,21 @@
 
 namespace percuss::accuracy {
 
-/// The largest memory this process has had, bytes; right after a fork, what it has now.
+/// The peak memory of this process in bytes; right after a fork, its current memory.
 inline double peak_memory_bytes() {
   rusage usage{};
   ::getrusage(RUSAGE_SELF, &usage);
   return 1024.0 * static_cast<double>(usage.ru_maxrss);
 }
 
-/// What `work` returns in a process of its own, forked for it: its memory is no one else's. Nothing when it ended
-/// otherwise than by returning.
+/// Runs `work` in a forked process, so its memory can be measured alone, and returns its result. None when the process
+/// did not end normally.
 template <class Result>
 std::optional<Result> forked(const std::function<Result()>& work) {
   static_assert(std::is_trivially_copyable_v<Result>);
   std::array<int, 2> ends{};
   if (::pipe(ends.data()) != 0) return std::nullopt;
-  ::malloc_trim(0);  // what is free here would be used there, and not counted
+  ::malloc_trim(0);  // otherwise the child would use free memory of the parent uncounted
   const pid_t child = ::fork();
   if (child == 0) {
     int status = 1;

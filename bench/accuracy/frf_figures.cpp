@@ -28,7 +28,7 @@ std::vector<double> frequencies(const frf::LineRange& lines) {
   return freq_Hz;
 }
 
-// What one FRF misses; at a resonance in dB as well, where it is read off.
+// The error of one FRF; at a resonance also in dB.
 Sums missed(const frf::PointFrf& found, const std::vector<Complex>& exact, const std::vector<double>& ff,
             const frf::LineRange& lines, const synth::Truth& truth) {
   Sums sums;

@@ -9,10 +9,10 @@
 
 namespace percuss::accuracy {
 
-/// Errors of H1, H2 and Hv over the band's lines, all channels and all runs, in that order; times are left out.
+/// The errors of H1, H2 and Hv, in this order, over the lines of the band, all channels and all runs, without times.
 ///   error       √(Σ|Ĥ − H|²/Σ|H|²)
-///   over_bound  √(mean |Ĥ − H|²/σ²),  σ² = N σ_a²/Σ_hits|F|²: of a line by itself, the force known       (1)
-/// H is exact (synth/record.hpp).
+///   over_bound  √(mean |Ĥ − H|²/σ²),  σ² = N σ_a²/Σ_hits|F|²: of a single line with a known force        (1)
+/// H is exact (synth/synthesise.hpp).
 std::vector<Figure> frf_errors(const std::vector<std::pair<int, acquire::Record>>& runs, const synth::Truth& truth);
 
 }  // namespace percuss::accuracy

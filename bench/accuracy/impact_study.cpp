@@ -15,7 +15,7 @@ constexpr double kFloor = 1e-13;  // errors below it are rounding
 
 struct Variant {
   model::ImpactMethod method;
-  double step_s;  // 0: the method's own choice
+  double step_s;  // 0: chosen by the method
 };
 
 const char* method_name(model::ImpactMethod method) {

@@ -5,8 +5,8 @@
 
 namespace percuss::accuracy {
 
-/// The ball on the beam (model/impact.hpp, its defaults) by both methods, over their step and over the number of modes;
-/// errors of the coefficient of restitution against exact_cor(). A model has no records: times are over one bare
+/// Measures the default impact of model/impact/impact.hpp by both methods, over the step and over the number of modes.
+/// The error is the one of the coefficient of restitution against exact_cor(). Times are multiples of one bare
 /// transform of kUnit_samples values.
 inline constexpr std::size_t kUnit_samples = 65536;
 Family study_impact(Extent extent, const TimingOptions& turns);

@@ -14,7 +14,7 @@ namespace {
 constexpr double kTolerance = 1e-14;
 constexpr double kFirstStep_s = 1e-9;
 
-// Unknowns: η and η̇ of each mode, then the ball's place and speed.
+// Unknowns: η and η̇ of each mode, then the position and the speed of the ball.
 struct Motion {
   std::vector<double> omega2, weight;  // [modes] ωᵢ², yᵢ
   double hertz_Npm15, ball_mass_kg;
@@ -78,8 +78,8 @@ double exact_cor(const model::Impact& impact) {
     before_s = t_s;
     go_to(t_s, t_s + hop_s);
   } while (motion.approach_m(y.data()) > 0);
-  // The ball's speed changes like the approach to the power of 5/2 near the end: from the last place inside, a few
-  // steps of Newton's method reach it.
+  // Near the end the speed of the ball changes like the approach to the power of 5/2: Newton's method converges in a
+  // few steps from the last point inside.
   y = before;
   t_s = before_s;
   gsl_odeiv2_driver_reset_hstart(driver.get(), kFirstStep_s);

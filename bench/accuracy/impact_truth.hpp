@@ -3,9 +3,9 @@
 
 namespace percuss::accuracy {
 
-/// The coefficient of restitution of an impact without hysteresis, by another way than model/impact.cpp's: Runge and
-/// Kutta's eighth-order method (Prince and Dormand's, of GSL), held to 1e-14, on the equations of motion of ball and
-/// modes, the modes' motion included; the end of the contact by Newton's method. Good to some 1e-12.
+/// The coefficient of restitution of an impact without hysteresis, independent of model/impact/impact.cpp. GSL's
+/// eighth-order Runge–Kutta method (Prince and Dormand) integrates the equations of motion of ball and modes with a
+/// tolerance of 1e-14. Newton's method finds the end of the contact. The error is about 1e-12.
 double exact_cor(const model::Impact& impact);
 
 }  // namespace percuss::accuracy

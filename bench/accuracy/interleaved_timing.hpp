@@ -9,14 +9,14 @@
 
 namespace percuss::accuracy {
 
-/// How long works that are compared take their turns: at least so many times each, and for so long.
+/// The least number of repetitions of each compared task, and the least total time.
 struct TimingOptions {
   int least = 4;
   double least_s = 0.5;
-  double each_s = 0.002;  // a short work is done again within its turn until so much has passed
+  double each_s = 0.002;  // a short task repeats within its turn until this time has passed
 };
 
-/// This process's processor time: other work on the machine takes turns with it, and does not count.
+/// The processor time of this process: other work on the machine does not count.
 inline double processor_s() {
   timespec now{};
   ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
@@ -29,9 +29,8 @@ inline double processor_s_of(const std::function<void()>& work) {
   return processor_s() - start_s;
 }
 
-/// The best time of each of several works done by turns, so that a disturbed moment neither flatters nor blames; each
-/// turn has another order, as what ran before leaves caches and memory in one state or another. shapes: result as
-/// `works`.
+/// Runs several tasks in alternation and returns the best time of each, so a disturbance affects all alike. The order
+/// changes in each turn, because a task depends on the caches that its predecessor leaves. shapes: result as `works`.
 inline std::vector<double> best_interleaved_s(const std::vector<std::function<void()>>& works,
                                               const TimingOptions& turns) {
   std::vector<double> best_s(works.size(), std::numeric_limits<double>::infinity());

@@ -19,22 +19,22 @@ std::string picture(const Family& family) {
   return fmt::format("![{}: error against time](accuracy-{}.svg)\n", family.title, family.name);
 }
 
-// How often a method is beaten, over how many cases.
-std::string beaten(const Family& family, const std::string& method) {
-  std::size_t all = 0, lost = 0;
+// In how many of all cases a method is not Pareto-optimal: "17 of 21".
+std::string not_optimal(const Family& family, const std::string& method) {
+  std::size_t all = 0, count = 0;
   for (const Sweep& sweep : family.sweeps) {
     for (const Case& one : sweep.cases) {
       for (const Figure& figure : one.figures) {
         if (figure.method != method) continue;
         ++all;
-        lost += figure.on_pareto_front ? 0 : 1;
+        count += figure.on_pareto_front ? 0 : 1;
       }
     }
   }
-  return fmt::format("{} of {}", lost, all);
+  return fmt::format("{} of {}", count, all);
 }
 
-// The least and the largest error over the bound of a method, of all cases of a sweep.
+// The smallest and the largest error over the bound of a method in a sweep.
 std::string range_over_bound(const Family& family, const std::string& over, const std::string& method) {
   double least = 1e99, most = 0;
   for (const Sweep& sweep : family.sweeps) {
@@ -47,7 +47,7 @@ std::string range_over_bound(const Family& family, const std::string& over, cons
   return fmt::format("{} to {}", shown_figure(least), shown_figure(most));
 }
 
-// Where the stated intervals hold the truth least often: "quick and 30 modes, 86.7 %".
+// The lowest coverage of the stated intervals: "`quick` (modes: 30 modes), 86.7 %".
 std::string least_covered(const Family& family) {
   double least = 1e99;
   std::string where;
@@ -57,7 +57,7 @@ std::string least_covered(const Family& family) {
         const double covered = std::strtod(figure.more.at(2).c_str(), nullptr);
         if (covered >= least) continue;
         least = covered;
-        where = fmt::format("`{}` ({}: {}), in {} %", figure.method, sweep.over, one.value, figure.more.at(2));
+        where = fmt::format("`{}` ({}: {}), {} %", figure.method, sweep.over, one.value, figure.more.at(2));
       }
     }
   }
@@ -67,8 +67,8 @@ std::string least_covered(const Family& family) {
 std::string opening(const Measured& measured, const std::string& build_description) {
   return fmt::format(R"(# Accuracy and speed
 
-How do you know that percuss's figures are right, and what does it cost to have them? This page is the answer, and one command makes it anew, tables, charts and
-every number in its sentences:
+How accurate are the results of percuss, and how long do they take? One command measures both and writes this page, with its tables, its charts and the
+numbers in its sentences:
 
 ```
 build/release/bench/percuss_accuracy docs/project
@@ -79,21 +79,21 @@ Measured with {}.
 ## In short
 
 {}
-"Over the bound" is the RMS error over the Cramér–Rao bound, which no unbiased method can beat: 1 is as good as can be. "Time" is a multiple of what cannot be
-avoided: reading the file's bytes, and one bare FFTW transform per channel and hit.
+"Over the bound" is the RMS error divided by the Cramér–Rao bound. No unbiased method can go below 1. "Time" is a multiple of the unavoidable work: reading the
+bytes of the file, and one bare FFTW transform per channel and hit.
 
-## How it was measured
+## Method
 
-- **Truth.** The records are made (`percuss synth`), from closed forms, so that frequencies, damping ratios, residues, FRFs and deflections are known exactly. Force and response
-  pass one and the same anti-alias filter; then noise is added. The methods that are measured have no part in it.
-- **Error.** The RMS over all noisy runs, modes and channels: 64 runs in the main case, 16 in the others. Over six modes an RMS from so many runs is itself known to
-  4 and to 7 %.
-- **Bound.** From the Fisher information of the exact signals, for somebody who knows the force: [theory.md](theory.md), (4.16).
-- **Time.** From an HDF5 file in the page cache to the result, on one thread, as processor time, so that other work on the machine matters little. All methods and the bare limit
-  take turns in the same run, in a changing order, and the best time of each counts. The limit's transforms are planned by measuring and stay in the cache: it is a hard limit. ([decisions.md](decisions.md), 30,
-  compares with transforms of records in memory, a softer one.)
-- **Beaten by none.** Nothing else in the same case is as near to the truth and as fast, and better in one of the two. Times within a tenth and errors within a hundredth count as
-  the same. In the charts a line joins what nothing beats (Pareto's front).
+- **Truth.** `percuss synth` computes the records from closed forms, so frequencies, damping ratios, residues, FRFs and deflections are known exactly. Force and
+  response pass the same anti-alias filter; then noise is added. The measured methods take no part in it.
+- **Error.** The RMS over all noisy runs, modes and channels: 64 runs in the main case, 16 in the others. With six modes the uncertainty of such an RMS is 4 % and
+  7 %.
+- **Bound.** The Cramér–Rao bound follows from the Fisher information of the exact signals, with a known force: [theory.md](../theory/theory.md), (4.16).
+- **Time.** The processor time on one thread from an HDF5 file in the page cache to the result, so other work on the machine matters little. All methods and the
+  baseline alternate in one run, in a changing order, and the best time of each counts. The baseline is a hard limit: its transforms are planned by measurement and
+  stay in the cache. ([decisions.md](decisions.md), 30, compares with transforms of records in memory, a softer limit.)
+- **Pareto-optimal.** No other method in the same case is at least as accurate and as fast, and better in one of the two. Times within a tenth and errors within a
+  hundredth count as equal. In the charts a line joins the Pareto-optimal methods.
 )",
                      build_description, short_table(measured));
 }
@@ -103,20 +103,22 @@ std::string frf_part(const Family& family) {
   return fmt::format(R"(
 ## Frequency responses
 
-The main case: the bundled composite bat (six modes between 182 and 2650 Hz, two of them 12 Hz apart), two accelerometers, five hits of one second at 25.6 kHz, 1 % of noise on the
-accelerations, an exact force; lines from 60 to 3200 Hz. The error is that of all lines together, over the RMS of the exact FRF. The bound is that of a line taken by itself.
+The main case is the bundled composite bat: six modes between 182 and 2650 Hz, two of them 12 Hz apart. It has two accelerometers, five hits of one second at
+25.6 kHz, 1 % of noise on the accelerations, and an exact force. The lines go from 60 to 3200 Hz. The error is the RMS over all spectral lines, relative to the RMS of
+the exact FRF. The bound treats each line separately.
 
 {}
 {}
-H1 meets the bound of a line by itself ({}) wherever the record holds the whole decay. Where it does not, the FRF lacks what came after the record's end: {} times the bound with
-0.125 s of record, of which the error is nearly all leakage. `percuss frf` shows the FRF as it is; the modes below are fitted with the missing part allowed for, and do not suffer.
+H1 reaches the bound of single lines ({}) where the record contains the whole decay. A record that ends earlier truncates the FRF: the error is {} times the bound with
+0.125 s of record, and nearly all of it is leakage. `percuss frf` does not correct the FRF. The fit of the modes below includes the truncation, so it has no such error.
 
-H2 is beaten in {} cases, and never nearer than H1 here, because percuss takes the force as its pulse, which leaves hardly any noise of the force for it to be
-unbiased by. It stays for comparison with results that were made with it, and because a gap between H1 and H2 tells of noise that nobody expected. Hv is as near as H1 and costs the same; it
-stays for the same reason.
+H2 is not Pareto-optimal in {} cases, and is never more accurate than H1 here: percuss uses only the pulse of the force, so hardly any noise of the force remains. H2 stays
+for comparison with published results, and because a difference between H1 and H2 shows unexpected noise. Hv is as accurate as H1 and costs the same; it stays for the
+same reason.
 )",
                      case_table(family, main), picture(family), times_bound(figure_of(main, "H1")),
-                     times_bound(figure_of(case_of(family, "record length", "0.125 s"), "H1")), beaten(family, "H2"));
+                     times_bound(figure_of(case_of(family, "record length", "0.125 s"), "H1")),
+                     not_optimal(family, "H2"));
 }
 
 std::string modes_part(const Family& family) {
@@ -127,23 +129,24 @@ std::string modes_part(const Family& family) {
   return fmt::format(R"(
 ## Modes
 
-The same records; from the file to modes with names and error bars. Records with other numbers of modes and channels are of a plainer structure: modes spread over 150 to 3000 Hz, three hits of
-one second at 8192 Hz. "95 % intervals right" counts the stated intervals of frequency and damping that hold the truth; "besides" are modes that are not there.
+The records are the same. The time is from the file to modes with classification and standard deviations. Other numbers of modes and channels use a simpler structure: modes spread
+over 150 to 3000 Hz, three hits of one second at 8192 Hz. "Coverage" is the part of the stated 95 % intervals of frequency and damping that contain the truth.
+"Spurious" modes do not exist in the structure.
 
 {}
 {}
-- `best`, the default, comes to {} times the bound in frequency and {} times in damping. From the shortest record to the longest it stays at {} times: a record that
-  ends before the decay does costs what it lacks, not more.
-- `standard` ({}) and `quick` ({}) fit each mode over its own lines, with a free phase of its residue and a free background: the phase alone costs a factor of 1.4 to 2, the
-  background the rest. `quick` takes fewer lines, and does not search for modes that show no peak. They stay because each is faster than what is nearer
-  to the truth: `quick` is beaten in {} cases, `standard` in {}.
-- The bound is for a known force. A hammer with 0.1 % of noise cannot be known so well: `best` then comes to {} times it, and its error bars say so.
-- Error bars: stated intervals of 95 % hold the truth least often with {}.
+- `best`, the default, reaches {} times the bound in frequency and {} times in damping. From the shortest record to the longest it stays at {} times: a record that
+  ends before the decay only costs the missing information.
+- `standard` ({}) and `quick` ({}) fit each mode over its own lines, with a free phase of its residue and a free background. The phase alone costs a factor of 1.4 to 2, and the
+  background the rest. `quick` uses fewer lines, and does not search for modes without a peak. Both stay because they are faster than every more accurate method:
+  `quick` is not Pareto-optimal in {} cases, `standard` in {}.
+- The bound assumes a known force. With 0.1 % of noise on the hammer signal `best` reaches {} times the bound, and its stated standard deviations include this.
+- The coverage of the stated 95 % intervals is lowest with {}.
 )",
                      case_table(family, main), picture(family), times_bound(best), best.more.at(1),
                      range_over_bound(family, "record length", "best"), times_bound(standard), times_bound(quick),
-                     beaten(family, "quick"), beaten(family, "standard"), times_bound(figure_of(noisy, "best")),
-                     least_covered(family));
+                     not_optimal(family, "quick"), not_optimal(family, "standard"),
+                     times_bound(figure_of(noisy, "best")), least_covered(family));
 }
 
 std::string deflection_part(const Family& family) {
@@ -153,17 +156,18 @@ std::string deflection_part(const Family& family) {
   return fmt::format(R"(
 ## Largest deflection
 
-A held beam (14.5, 90 and 322 Hz) struck for 2.5 ms, three hits of 1.2 s at 10 kHz with 0.1 s of rest before each; noise of 0.1 % of the RMS acceleration, a bias of 0.3 m/s² and a drift of
-0.1 m/s³. Truth is the integral of the pulse against each mode's closed form. From the file to deflections, modes included where `modal` needs them.
+The structure is a held beam (14.5, 90 and 322 Hz). It has three hits of 2.5 ms, 1.2 s each at 10 kHz, with 0.1 s of rest before each. The noise is 0.1 % of the RMS
+acceleration; a bias of 0.3 m/s² and a drift of 0.1 m/s³ are added. Truth is the convolution of the pulse with the closed form of each mode. The time is from the file to
+deflections, with the modes where `modal` needs them.
 
 {}
 {}
-- The bound is for somebody who knows the force and how many modes there are, though not their parameters, nor bias and drift. `drift-free` ({}) uses neither force nor modes: that
-  is the price of assuming nothing. `modal` ({}) uses both.
-- With less noise neither gets nearer than 0.003 %: the largest deflection is told at a sample, and the true one lies between two. The stated deviation does not count that, so that with
-  0.01 % of noise `drift-free` is right in only {} % of the intervals of 95 %. `modal` states too much ({} % in the main case).
-- `small-interval` integrates the bias with everything else, and `frequency` gives up what lies below its lowest line. Both are faster, and worthless for the largest deflection of such records. They stay because published
-  results were made with them, and can be compared with nothing else.
+- The bound assumes a known force and a known number of modes, but unknown modal parameters, bias and drift. `drift-free` ({}) uses neither force nor modes, hence its distance from
+  the bound. `modal` ({}) uses both.
+- With less noise the error of both stays above 0.003 %: the largest deflection is stated at a sample, and the true maximum lies between two samples. The stated standard deviation
+  does not include this: with 0.01 % of noise the coverage of `drift-free` is only {} %. `modal` states too large a deviation (coverage {} % in the main case).
+- `small-interval` integrates the bias together with the signal, and `frequency` omits all motion below its lowest line. Both are faster, but useless for the largest deflection of
+  such records. They stay for comparison with published results.
 )",
                      case_table(family, main), picture(family), times_bound(drift_free), times_bound(modal),
                      figure_of(clean, "drift-free").more.front(), modal.more.front());
@@ -174,16 +178,17 @@ std::string impact_part(const Family& family) {
   return fmt::format(R"(
 ## Ball on a beam
 
-`percuss model impact` by both methods, over the step (0.25 to 64 µs) and over the number of modes; the ball and the cricket bat are the defaults. There is no noise, and so no bound. Truth is
-another way to the same end: Runge and Kutta's eighth-order method (GSL's `rk8pd`) on the equations of the ball and the same modes, held to 1e-14. Times are multiples of one bare transform of 65 536 values.
+`percuss model impact` runs with both methods, over the step (0.25 to 64 µs) and over the number of modes, with the default ball and cricket bat. There is no noise, so there is no
+bound. Truth is an independent solution: an eighth-order Runge–Kutta method (GSL's `rk8pd`) on the equations of the ball and the same modes, with a tolerance of 1e-14. Times are
+multiples of one bare transform of 65 536 values.
 
 {}
 {}
-`modal` moves the modes exactly between pushes of the contact force, to fourth order in the step; left to itself it chooses a step with which the restitution settles to 1e-9. The
-source's `small-increment` holds the force over each step and is of first order. It is the faster one only where an error of a hundredth will do: its longest steps are on the front, its shorter
-ones are beaten by `modal` with long ones ({} in all). It stays because the source's figures were made with it.
+`modal` moves the modes exactly between impulses of the contact force and has fourth order in the step. By default it chooses a step with which the restitution converges to 1e-9. The
+source's `small-increment` keeps the force constant in each step and has first order. It is faster only for errors of a hundredth: its longest steps are Pareto-optimal, its shorter ones
+are not ({} in all). It stays for comparison with the figures of the source.
 )",
-                     case_table(family, main), picture(family), beaten(family, "small-increment"));
+                     case_table(family, main), picture(family), not_optimal(family, "small-increment"));
 }
 
 }  // namespace

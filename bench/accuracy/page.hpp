@@ -9,7 +9,7 @@
 
 namespace percuss::accuracy {
 
-/// All that was measured.
+/// All measurements.
 struct Measured {
   RecordStudy records;
   Family deflection, impact;
@@ -17,11 +17,10 @@ struct Measured {
   std::vector<Saving> savings;
 };
 
-/// docs/project/accuracy.md: what was measured, how, the figures and what they mean. Its sentences take their numbers from the
-/// figures.
+/// docs/project/accuracy.md: method, figures and their meaning. The numbers in its sentences come from the figures.
 std::string page_of(const Measured& measured, const std::string& build_description);
 
-/// The table at its top, whose rows README.md shows as well.
+/// The table at its top; README.md shows the same rows.
 std::string short_table(const Measured& measured);
 
 }  // namespace percuss::accuracy

@@ -7,7 +7,7 @@
 namespace percuss::accuracy {
 namespace {
 
-constexpr double kEven = 1.2;  // exponent of what grows in proportion, or nearly
+constexpr double kProportional = 1.2;  // largest exponent of nearly proportional growth
 
 }  // namespace
 
@@ -15,12 +15,11 @@ std::string scaling_section(const std::vector<Scaling>& scalings) {
   std::string stopped, lost, even, steep;
   for (const Scaling& scaling : scalings) {
     if (scaling.points.empty()) continue;
-    std::string& list = scaling.time_exponent <= kEven ? even : steep;
+    std::string& list = scaling.time_exponent <= kProportional ? even : steep;
     list += (list.empty() ? "" : ", ") + scaling.of;
     const ScalePoint& last = scaling.points.back();
     if (last.n < static_cast<double>(scaling.asked)) {
-      stopped +=
-          fmt::format("\n- {}: up to {:.0f} of {} in the time that was allowed", scaling.of, last.n, scaling.asked);
+      stopped += fmt::format("\n- {}: up to {:.0f} of {} in the time limit", scaling.of, last.n, scaling.asked);
     }
     for (const ScalePoint& point : scaling.points) {
       if (point.modes == point.modes_sought) continue;
@@ -30,21 +29,21 @@ std::string scaling_section(const std::vector<Scaling>& scalings) {
   return fmt::format(R"(
 ## Growth
 
-A whole analysis (files to named modes, `best`, one thread) while one thing grows. Memory is what the process grows by, in a process of its own. Exponents are the slopes of the upper half of
-each line in the chart: 1 is in proportion.
+The time and the memory of a whole analysis (files to classified modes, `best`, one thread) while one size grows. Each analysis runs in its own process; its memory is the growth of
+that process. An exponent is the slope of the upper half of a line in the chart: 1 means proportional growth.
 
 {}
 ![time and memory over size](accuracy-scaling.svg)
 
-- In proportion, or nearly (exponent of time up to 1.2): {}.
-- Faster than that: {}. Where many modes are fitted together (`best`), every mode is fitted with all others. Many channels have many lines to fit. Rows of 2^17 samples and more
-  are cut where their decay has ended, as continuous records are.
-- Memory grows in proportion to what is held at a time, or slower.
+- Proportional or nearly so (exponent of time up to 1.2): {}.
+- Faster: {}. `best` fits every mode together with all others. Many channels have many lines to fit. Rows of 2^17 samples and more are cut at the end of their decay, like
+  continuous records.
+- Memory grows at most in proportion to the data held at a time.
 {}{}
 )",
                      scaling_table(scalings), even.empty() ? "nothing" : even, steep.empty() ? "nothing" : steep,
-                     stopped.empty() ? "" : "\nNot measured to the end:\n" + stopped + "\n",
-                     lost.empty() ? "" : "\nNot all modes were found at\n" + lost + "\n");
+                     stopped.empty() ? "" : "\nMeasured up to the time limit:\n" + stopped + "\n",
+                     lost.empty() ? "" : "\nMissing modes:\n" + lost + "\n");
 }
 
 std::string skipped_work_section(const std::vector<Saving>& savings) {
@@ -55,14 +54,14 @@ std::string skipped_work_section(const std::vector<Saving>& savings) {
                     shown_figure(saving.factor())});
   }
   return fmt::format(R"(
-## What is left out
+## Skipped work
 
-From a file to a result, with and without what nobody asked for or what tells nothing (ten hits of one second at 25.6 kHz, or the same within a minute; one thread). `--explain` says of any
-analysis what was left out and why.
+Processor times from a file to a result, with and without work that the result does not need (ten hits of one second at 25.6 kHz, or the same within a minute; one thread). `--explain` lists
+the skipped work of any analysis, with reasons.
 
 {}
 )",
-                     markdown_table({"left out", "when", "with, ms", "without, ms", "times faster"}, rows));
+                     markdown_table({"skipped", "condition", "with, ms", "without, ms", "speed-up"}, rows));
 }
 
 }  // namespace percuss::accuracy

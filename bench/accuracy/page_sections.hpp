@@ -7,10 +7,10 @@
 
 namespace percuss::accuracy {
 
-/// The section on how time and memory grow.
+/// The section on the growth of time and memory.
 std::string scaling_section(const std::vector<Scaling>& scalings);
 
-/// The section on what leaving out saves.
+/// The section on skipped work.
 std::string skipped_work_section(const std::vector<Saving>& savings);
 
 }  // namespace percuss::accuracy

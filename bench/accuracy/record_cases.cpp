@@ -14,8 +14,8 @@ constexpr std::size_t kMainRuns = 64, kRuns = 16, kQuickRuns = 2;
 constexpr double kMainNoise = 0.01;
 constexpr std::uint64_t kPurpose = 0xACC;  // of the random streams
 
-// Noise is stated in parts of the RMS over the record, which falls as the record gets longer: that is made up for, so
-// that the sensor stays the same.
+// The spec states noise relative to the RMS over the record, which falls with the record's length. The correction keeps
+// the noise of the sensor constant.
 synth::SynthSpec main_bat(double length_s = 1, double noise = kMainNoise, double force_noise = 0) {
   synth::SynthSpec spec = synth::synth_preset("composite-bat");
   spec.samples = static_cast<std::size_t>(std::lround(length_s * spec.fs_Hz));
@@ -28,7 +28,7 @@ class Sweeper {
   explicit Sweeper(Extent extent) : extent_(extent) {}
 
   void begin(std::string over) { sweeps_.push_back({std::move(over), {}}); }
-  // Quick: the main case, and one of each sweep.
+  // Quick: the main case and one case of each sweep.
   void add(std::string value, synth::SynthSpec spec, bool main = false) {
     if (extent_ == Extent::quick && !main && !sweeps_.back().cases.empty()) return;
     spec.runs = extent_ == Extent::quick ? kQuickRuns : main ? kMainRuns : kRuns;

@@ -7,13 +7,13 @@
 
 namespace percuss::accuracy {
 
-/// How much is tried: everything, or as little as shows that everything runs.
+/// The extent of a measurement: everything, or a minimum that runs all code.
 enum class Extent { full, quick };
 
-/// A test whose records an analysis is tried on, and what it stands for in its sweep.
+/// A test with records for the analysis, and its value in the sweep.
 struct RecordCase {
   std::string value;
-  synth::SynthSpec spec;  // spec.runs: how many noisy runs
+  synth::SynthSpec spec;  // spec.runs: number of noisy runs
 };
 
 struct RecordSweep {
@@ -22,12 +22,12 @@ struct RecordSweep {
 };
 
 /// The main case is the bundled composite bat (six modes, two of them 12 Hz apart; five hits, two accelerometers, one
-/// second) with 1 % of noise on the accelerations and an exact force, over 64 runs. One thing is changed at a time;
-/// numbers of modes and channels are those of a plainer structure (see spread_structure).
+/// second) with 1 % of noise on the accelerations and an exact force, over 64 runs. Each sweep changes one property.
+/// The numbers of modes and of channels use a simpler structure (see spread_structure).
 std::vector<RecordSweep> record_sweeps(Extent extent);
 
-/// Modes spread evenly over 150 to 3000 Hz, 0.2 to 0.5 % of damping, residues of 0.3 to 1.5 /kg of either sign, for so
-/// many accelerometers; one second at 8192 Hz, three hits, 1 % of noise on the accelerations.
+/// A structure with evenly spaced modes from 150 to 3000 Hz, 0.2 to 0.5 % of damping, and residues of 0.3 to 1.5 /kg of
+/// either sign. The test has three hits of one second at 8192 Hz and 1 % of noise on the accelerations.
 synth::SynthSpec spread_structure(std::size_t modes, std::size_t channels);
 
 }  // namespace percuss::accuracy

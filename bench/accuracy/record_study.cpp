@@ -19,7 +19,7 @@ pipeline::AnalysisOptions options_for(const synth::SynthSpec& spec) {
   return {.band_Hz = {{spec.band_low_Hz, spec.band_high_Hz}}, .threads = 1};
 }
 
-// Fills in the times of both sets of figures, all by turns with the limit.
+// Measures the times of both sets of figures, in alternation with the baseline.
 void measure_times(const acquire::Record& run, const synth::SynthSpec& spec, const TimingOptions& turns,
                    std::vector<Figure>& frfs, std::vector<Figure>& modes) {
   const TemporaryFolder folder;
@@ -49,19 +49,18 @@ void measure_times(const acquire::Record& run, const synth::SynthSpec& spec, con
 }  // namespace
 
 RecordStudy study_records(Extent extent, const TimingOptions& turns) {
-  RecordStudy study{
-      .frfs = {.name = "frf",
-               .title = "Frequency responses",
-               .error = "error of the FRF, %",
-               .time = kTime,
-               .more = {"worst at a resonance, dB"},
-               .sweeps = {}},
-      .modes = {.name = "modes",
-                .title = "Modes",
-                .error = "error of the frequency, ppm",
-                .time = kTime,
-                .more = {"damping, %", "over its bound", "95 % intervals right, %", "found, %", "besides, per run"},
-                .sweeps = {}}};
+  RecordStudy study{.frfs = {.name = "frf",
+                             .title = "Frequency responses",
+                             .error = "error of the FRF, %",
+                             .time = kTime,
+                             .more = {"worst at a resonance, dB"},
+                             .sweeps = {}},
+                    .modes = {.name = "modes",
+                              .title = "Modes",
+                              .error = "error of the frequency, ppm",
+                              .time = kTime,
+                              .more = {"damping, %", "over the bound", "coverage, %", "found, %", "spurious, per run"},
+                              .sweeps = {}}};
   for (const RecordSweep& sweep : record_sweeps(extent)) {
     study.frfs.sweeps.push_back({sweep.over, {}});
     study.modes.sweeps.push_back({sweep.over, {}});

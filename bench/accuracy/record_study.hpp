@@ -5,8 +5,8 @@
 
 namespace percuss::accuracy {
 
-/// What was found on the records of record_sweeps(): FRFs by H1, H2 and Hv, modes by each effort. The errors are those
-/// of all runs; the times those of the first run read from an HDF5 file, to FRFs or to classified modes, on one thread.
+/// The figures for the records of record_sweeps(): FRFs by H1, H2 and Hv, modes by each effort. Errors are over all
+/// runs. Times are from the HDF5 file of the first run to FRFs or to classified modes, on one thread.
 struct RecordStudy {
   Family frfs, modes;
 };

@@ -17,7 +17,7 @@
 namespace percuss::accuracy {
 namespace {
 
-constexpr double kSteeper = 1.2;  // the growth that is reckoned with beforehand
+constexpr double kSteeper = 1.2;  // expected exponent of the growth, for the choice of the last size
 
 struct ScalingCase {
   std::string of, with;
@@ -47,11 +47,11 @@ synth::SynthSpec small_file() {
 
 synth::SynthSpec many_modes(std::size_t modes) {
   synth::SynthSpec spec = spread_structure(modes, 2);
-  for (synth::SynthMode& mode : spec.modes) mode.damping_ratio /= 2;  // so that sixty of them stay apart
+  for (synth::SynthMode& mode : spec.modes) mode.damping_ratio /= 2;  // keeps sixty modes separate
   return spec;
 }
 
-// A test of more than 250 is made of 250, several times with new noise.
+// A test of more than 250 channels repeats 250 channels with new noise.
 synth::SynthSpec many_channels(std::size_t channels) {
   synth::SynthSpec spec = spread_structure(6, std::min<std::size_t>(channels, 250));
   spec.runs = channels / spec.sensors.size();
@@ -91,7 +91,7 @@ struct Cost {
   std::size_t modes;
 };
 
-// In a process of its own: first once for the memory, then by turns with the limit.
+// Runs in its own process: once for the memory, then in alternation with the baseline.
 Cost cost_of(const std::vector<std::string>& paths, const synth::SynthSpec& spec, const TimingOptions& turns) {
   Cost cost{};
   const auto analyse = [&] {
@@ -116,7 +116,7 @@ Cost cost_of(const std::vector<std::string>& paths, const synth::SynthSpec& spec
 
 double wall_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-// Makes the files, measures, and says how long the making took. False when the analysis failed.
+// Writes the files, measures, and returns the time of the writing. False when the analysis failed.
 bool measure_at(std::size_t n, const ScalingCase& question, const TimingOptions& turns, Scaling& scaling,
                 double& making_s) {
   const double start_s = wall_s();

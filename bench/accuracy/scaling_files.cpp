@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kDifferent = 16;
 
-// Runs as further channels: the same hits, each channel with noise of its own.
+// Turns runs into channels: the same hits, each channel with its own noise.
 acquire::Record runs_as_channels(acquire::Record record, std::size_t runs) {
   const std::size_t rows = record.rows.size() / runs, sensors = record.accel.size();
   const auto read = record.read_accel_mps2;

@@ -6,7 +6,7 @@
 
 namespace percuss::accuracy {
 
-/// A folder for records that are made to be read again; gone with all that is in it at the end.
+/// A temporary folder for records; the destructor removes it with its contents.
 class TemporaryFolder {
  public:
   TemporaryFolder() : path_((std::filesystem::temp_directory_path() / "percuss-accuracy-XXXXXX").string()) {

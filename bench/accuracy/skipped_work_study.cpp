@@ -15,7 +15,7 @@ constexpr double kFs_Hz = 25600;
 constexpr std::pair<double, double> kBand_Hz{60, 3200}, kNarrow_Hz{60, 700};
 constexpr std::size_t kHits = 10, kChannels = 8;
 
-// Ten hits of one second; all of the decay is over after a quarter of it, but for 0.1 % of noise.
+// Ten hits of one second with 0.1 % of noise; each decay ends after a quarter of a second.
 synth::SynthSpec plain_test(std::size_t channels) {
   synth::SynthSpec spec = spread_structure(3, channels);
   spec.fs_Hz = kFs_Hz;
@@ -25,7 +25,7 @@ synth::SynthSpec plain_test(std::size_t channels) {
   return spec;
 }
 
-// The same hits in one record, with as much silence after each decay as it takes to walk round a table.
+// The same hits in one long record, with silence after each decay.
 synth::SynthSpec long_record(double seconds) {
   synth::SynthSpec spec = plain_test(2);
   spec.layout = synth::SynthLayout::continuous;
@@ -85,17 +85,17 @@ std::vector<Saving> study_skips(Extent extent, const TimingOptions& turns) {
           analysis_of(many, plain, frfs, one_channel));
   compare("accelerations", "`--only hits`: their bytes are not read", analysis_of(many, plain, frfs),
           analysis_of(many, plain, hits));
-  compare("modes", "`--only frf`: the report has no section that asks for them", analysis_of(two, plain, modes),
+  compare("modes", "`--only frf`: no section of the report needs them", analysis_of(two, plain, modes),
           analysis_of(two, plain, frfs));
-  compare("hidden modes and the fit of all together", "`--effort quick`", analysis_of(two, plain, modes),
+  compare("the search for modes without a peak and the joint fit", "`--effort quick`", analysis_of(two, plain, modes),
           analysis_of(two, quick, modes));
-  compare("lines outside a narrow band", "`--band 60:700`: not kept, not averaged, not fitted",
+  compare("lines outside a narrow band", "`--band 60:700`: not stored, not averaged, not fitted",
           analysis_of(two, plain, modes), analysis_of(two, narrow, modes));
   compare("eight of ten hits", "rejected: their accelerations are not read", analysis_of(two, plain, frfs),
           analysis_of(two, rejecting, frfs));
-  compare("the force outside its pulse", "nothing but noise: a pulse of few samples is transformed by itself",
+  compare("the force outside its pulse", "only noise: a short pulse is transformed alone",
           analysis_of(two, ungated, frfs), analysis_of(two, plain, frfs));
-  compare("silence and decayed tails of a long record", "by itself: what follows a decay is background",
+  compare("silence and decayed tails of a long record", "always: only background follows a decay",
           analysis_of(row, whole_rows, modes), analysis_of(row, plain, modes));
   return savings;
 }

@@ -7,10 +7,10 @@
 
 namespace percuss::accuracy {
 
-/// What leaving something out saves: one test from its file to a result, with it and without.
+/// The saving of skipped work: the time of one test from its file to a result, with that work and without.
 struct Saving {
-  std::string what;   // is left out
-  std::string when;   // … and why that loses nothing, or who says so
+  std::string what;   // the skipped work
+  std::string when;   // the condition or the option, and the reason
   double with_s = 0;  // processor time
   double without_s = 0;
   double factor() const { return with_s / without_s; }

@@ -23,10 +23,10 @@ bool has_bound(const Family& family) {
 
 Row heads_of(const Family& family) {
   Row heads{"method", family.error};
-  if (has_bound(family)) heads.emplace_back("over its bound");
+  if (has_bound(family)) heads.emplace_back("over the bound");
   heads.insert(heads.end(), family.more.begin(), family.more.end());
   heads.emplace_back("time, ×");
-  heads.emplace_back("beaten by none");
+  heads.emplace_back("Pareto-optimal");
   return heads;
 }
 
@@ -39,7 +39,7 @@ Row cells_of(const Figure& figure, bool bound) {
   return cells;
 }
 
-std::string folded(const std::string& summary, const std::string& table) {
+std::string collapsed(const std::string& summary, const std::string& table) {
   return fmt::format("<details>\n<summary>{}</summary>\n\n{}\n</details>\n", summary, table);
 }
 
@@ -73,7 +73,7 @@ std::string all_figures(const Family& family) {
       }
     }
   }
-  return folded("All figures of " + family.title, markdown_table(heads, rows));
+  return collapsed("All figures of " + family.title, markdown_table(heads, rows));
 }
 
 std::string scaling_table(const std::vector<Scaling>& scalings) {
@@ -86,8 +86,8 @@ std::string scaling_table(const std::vector<Scaling>& scalings) {
                     fmt::format("{:.2f}", scaling.time_exponent), megabytes(last.peak_bytes),
                     fmt::format("{:.2f}", scaling.memory_exponent)});
   }
-  return markdown_table({"growing", "fixed", "from … to", "time at the end, s", "× bare", "exponent of time",
-                         "memory at the end, MB", "exponent of memory"},
+  return markdown_table({"growing", "fixed", "range", "largest time, s", "× baseline", "exponent of time",
+                         "largest memory, MB", "exponent of memory"},
                         rows);
 }
 
@@ -100,8 +100,8 @@ std::string all_scaling(const std::vector<Scaling>& scalings) {
                       fmt::format("{} of {}", point.modes, point.modes_sought)});
     }
   }
-  return folded("All figures of growth",
-                markdown_table({"growing", "n", "time, ms", "× bare", "memory, MB", "modes found"}, rows));
+  return collapsed("All figures of growth",
+                   markdown_table({"growing", "n", "time, ms", "× baseline", "memory, MB", "modes found"}, rows));
 }
 
 }  // namespace percuss::accuracy

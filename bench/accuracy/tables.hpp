@@ -7,19 +7,19 @@
 
 namespace percuss::accuracy {
 
-/// A table of Markdown. rows [rows][heads]; all columns but the first are to the right.
+/// A Markdown table with all columns but the first right-aligned. shapes: rows [rows][heads].
 std::string markdown_table(const std::vector<std::string>& heads, const std::vector<std::vector<std::string>>& rows);
 
-/// The figures of one case, a row each.
+/// A table of the figures of one case.
 std::string case_table(const Family& family, const Case& one);
 
-/// Every figure of the family, folded away.
+/// A collapsed table of every figure of the family.
 std::string all_figures(const Family& family);
 
-/// A row for each size range, with exponents.
+/// A table of each size range, with exponents.
 std::string scaling_table(const std::vector<Scaling>& scalings);
 
-/// Every point, folded away.
+/// A collapsed table of every point.
 std::string all_scaling(const std::vector<Scaling>& scalings);
 
 }  // namespace percuss::accuracy

@@ -1,5 +1,5 @@
 #pragma once
-/// One test from record to named modes. Each accessor computes what it needs, once.
+/// One test from record to named modes. Each accessor runs the stages that it needs and keeps their results.
 ///
 /// @code
 /// #include <iostream>
@@ -41,7 +41,7 @@ struct AnalysisData;
 enum class Effort { quick, standard, best };
 
 struct AnalysisOptions {
-  std::optional<Band> band_Hz{};  // default: what the hammer excited
+  std::optional<Band> band_Hz{};  // default: the range that the hammer excited
   Effort effort = Effort::best;
   Estimator estimator = Estimator::h1;  // of frfs(); modes are fitted to H1
   HitOptions hits{};
@@ -52,7 +52,7 @@ struct AnalysisOptions {
   std::size_t threads = 0;             // 0: all; the result is the same
 };
 
-/// What Analysis::json() holds beside hits, modes and warnings.
+/// Optional parts of the document of Analysis::json().
 struct JsonOptions {
   bool per_hit = false;        // every mode as each hit alone shows it
   bool stabilisation = false;  // the poles of all model orders
@@ -81,6 +81,7 @@ class Analysis {
   std::vector<ModeClassification> classifications() const;
   /// Every mode as each accepted hit alone shows it.
   std::vector<ModeOfHit> modes_per_hit() const;
+  /// Warnings about hits, FRFs and modes, which it computes.
   std::vector<Warning> warnings() const;
 
   /// The document percuss/analysis/1, as `percuss analyze --json` prints it.

@@ -31,7 +31,7 @@
 
 namespace percuss {
 
-/// What one test came to.
+/// The results of one test.
 struct BatchResult {
   std::size_t index = 0;  // of the path or record
   int run = 0;            // the number of the repeated test in that record
@@ -40,7 +40,7 @@ struct BatchResult {
   std::vector<Mode> modes{};
   std::vector<ModeClassification> classifications{};  // one per mode
   std::vector<Warning> warnings{};
-  std::optional<InputError> error{};  // why there is no more; other exceptions are passed on
+  std::optional<InputError> error{};  // why results are missing; other exceptions are passed on
 };
 
 struct BatchOptions {

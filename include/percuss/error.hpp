@@ -24,12 +24,13 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace percuss {
 
-/// An option by its identifier, the same for every interface: "fs", "accel_channel"; "survey.example" is the option
-/// `example` of the command `survey`. The command line writes --accel-channel, Python accel_channel=.
+/// An option's identifier, the same in every interface: "fs", "accel_channel". "survey.example" is the option `example`
+/// of the command `survey`. The command line writes --accel-channel, Python accel_channel=.
 using OptionId = std::string;
 
 /// How an interface writes an option.
@@ -39,8 +40,23 @@ using OptionWriter = std::string (*)(std::string_view id);
 /// unchanged: the option belongs to a command of the tool.
 std::string option_field(std::string_view id);
 
-/// Unusable input: a file, an option's value or their combination. what() is one line, "problem (where); remedy",
-/// without options: an interface writes those in its own words. No field holds control characters or more than 600
+/// A sentence and the options that it concerns.
+struct Message {
+  Message() = default;
+  Message(std::string what, std::vector<OptionId> concerned = {})
+      : text(std::move(what)), options(std::move(concerned)) {}
+  Message(const char* what, std::vector<OptionId> concerned = {}) : Message(std::string(what), std::move(concerned)) {}
+
+  std::string text;
+  std::vector<OptionId> options;
+
+  /// "text (--fs, --unit)"; only the text where `options` is empty.
+  std::string written(OptionWriter write) const;
+  bool operator==(const Message&) const = default;
+};
+
+/// Unusable input: a file, an option's value or their combination. what() is one line, "problem (where); remedy". It
+/// names no options: each interface adds them in its own notation. No field holds control characters or more than 600
 /// bytes.
 ///   throw InputError("no sampling rate", path, "state it in Hz", {"fs"});
 class InputError : public std::runtime_error {
@@ -52,7 +68,7 @@ class InputError : public std::runtime_error {
   const std::string& where() const { return where_; }
   const std::string& remedy() const { return remedy_; }
   const std::vector<OptionId>& options() const { return options_; }
-  /// what(), and the options as the interface writes them.
+  /// what() and the options in the interface's notation.
   std::string written(OptionWriter write) const;
 
  private:

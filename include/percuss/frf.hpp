@@ -70,7 +70,7 @@ class FrfSet {
 };
 
 struct FrfOptions {
-  std::optional<Band> band_Hz{};  // default: what the hammer excited
+  std::optional<Band> band_Hz{};  // default: the range that the hammer excited
   Estimator estimator = Estimator::h1;
   HitOptions hits{};
   double exponential = 0;   // exponential window that falls to this fraction at the end; 0: none

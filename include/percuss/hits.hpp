@@ -31,6 +31,7 @@ struct Finding {
   Severity severity = Severity::info;
   double value = 0;
   std::string message;
+  std::vector<OptionId> options{};  // that the message concerns
   std::optional<double> delay_s{};  // double_hit: from the first pulse to the other
 };
 

@@ -27,7 +27,7 @@ struct Measured {
   double value = 0, std = 0;
 };
 
-/// What was read of one bat and one impact. A result whose reading is absent is absent too.
+/// Readings of one bat and one impact. Results without their readings are absent.
 struct BatReadings {
   std::optional<Measured> length_m{}, mass_kg{};
   std::optional<Measured> cg_m{};      // from the barrel's tip

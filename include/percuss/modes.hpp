@@ -18,6 +18,8 @@
 ///   }
 /// }
 /// @endcode
+#include <percuss/error.hpp>
+
 #include <complex>
 #include <cstddef>
 #include <optional>
@@ -75,9 +77,10 @@ struct ModeClassification {
   std::optional<SplitMode> split_mode{};
 };
 
-/// What the reader of a result must know.
+/// A warning about a result.
 struct Warning {
   std::string code, message;
+  std::vector<OptionId> options{};  // that the message concerns
 };
 
 }  // namespace percuss

@@ -19,6 +19,8 @@
 ///   std::cout << "largest force " << record.force_N(0).at(3) << " N\n";
 /// }
 /// @endcode
+#include <percuss/error.hpp>
+
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -56,16 +58,16 @@ struct RecordDescription {
   Channel force;
   std::vector<Channel> accel;
   std::vector<RecordRow> rows;
-  bool continuous = false;         // each row may hold several hits
-  std::vector<std::string> notes;  // what was assumed or could not be read
+  bool continuous = false;     // each row may hold several hits
+  std::vector<Message> notes;  // assumptions, and parts that could not be read
 };
 
-/// What several files are: hits of one test, or one point each. Automatic is hits.
+/// The meaning of several files: hits of one test, or one point each. Automatic is hits.
 enum class FileGrouping { automatic, hits, points };
 
 enum class FrfKind { accelerance, mobility, receptance };
 
-/// Statements about a file. Each wins over what the file says.
+/// Statements about a file. Each overrides the file.
 struct ReadOptions {
   std::optional<double> fs_Hz{};
   std::string fs_variable{};                       // the variable of a MAT file that holds the rate
@@ -80,7 +82,7 @@ struct ReadOptions {
   std::vector<double> accel_sensitivity_Vpmps2{};  // for accelerations in volts; one for all or one per channel
   std::vector<double> angle_rad{}, position_m{};   // per acceleration channel
   std::string setup{};                             // path of a channel set-up, JSON
-  std::optional<FrfKind> frf_kind{};               // what a file of FRFs holds
+  std::optional<FrfKind> frf_kind{};               // of a file of FRFs
   FileGrouping files = FileGrouping::automatic;
   bool force_optional = false;  // accept a file without force, for deflections
   bool trust_input = false;     // read MAT, HDF5 and sound files in this process, not in a sandbox
@@ -97,7 +99,7 @@ struct RecordArrays {
   bool continuous = false;                        // each row may hold several hits
 };
 
-/// A test as it was recorded. Copies are cheap and share the samples. Several threads may read at once.
+/// A recorded test. Copies are cheap and share the samples. Several threads may read at once.
 class Record {
  public:
   RecordDescription description() const;

@@ -52,7 +52,7 @@ struct Geometry {
 /// tube. errors  InputError: not such a file.
 Geometry read_geometry(const std::string& path);
 
-/// What was moved from point to point.
+/// The part that moves from point to point; the other one stays.
 enum class Roving { hammer, sensor };
 
 /// A struck point right beside the sensor of a channel.

@@ -27,7 +27,7 @@ namespace percuss {
 
 struct WriteOptions {
   bool overwrite = false;         // replace a file that exists (option "force")
-  std::optional<FrfKind> kind{};  // what FRFs become; default: what the set holds
+  std::optional<FrfKind> kind{};  // of FRFs; default: the kind of the set
   std::vector<std::string>
       picture{};  // of .svg: "magnitude", "phase", "coherence", "shapes", …; default: the first ones
   std::string produced_by = "percuss (C++)";  // stated in .html

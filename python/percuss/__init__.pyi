@@ -7,7 +7,7 @@ import numpy as np
 from ._commands import compare as compare, info as info, write as write
 from ._frf import Frf as Frf
 from ._examples import example as example, presets as presets
-from ._percuss import InputError as InputError, NoHitError as NoHitError, UsageError as UsageError
+from ._errors import InputError as InputError, NoHitError as NoHitError, UsageError as UsageError
 from ._measured import MeasuredFrf as MeasuredFrf
 from ._records import Record as Record
 from ._analyses import Analysis as Analysis, Survey as Survey

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from . import _percuss
-from ._errors import InputError, UsageError, keyword_of
+from ._errors import InputError, UsageError
 
 # Options of the shell only: Python returns results, and save() writes them.
 _SHELL_ONLY = {"help", "output", "json", "force", "quiet", "example", "example_table", "list"}
@@ -32,7 +32,7 @@ class Option:
         self.list = declared["list"]
         self.repeatable = declared["repeatable"]
         self.id = self.flag.lstrip("-").replace("-", "_")
-        self.keyword = keyword_of(self.id)
+        self.keyword = self.id + "_" if self.id in ("from", "lambda") else self.id
 
     @property
     def is_flag(self) -> bool:
@@ -175,17 +175,18 @@ class Command:
         self.arguments = [word["name"] for word in declared["arguments"]]
         options = [Option(one) for one in declared["options"]]
         self.options = {one.keyword: one for one in options if one.keyword not in _SHELL_ONLY}
+        self._required = [one for one in options if one.required]
         self._shell = {one.keyword for one in options}
 
     def run(self, function: str, data: Any, inputs: list[Any], options: dict[str, Any]) -> _percuss.CommandResult:
         """Runs the command on files (`data`) or on data in memory (`inputs`)."""
-        for option in self.options.values():
-            if option.required and option.keyword not in options:
-                raise UsageError("is missing", f"give {option.shown}", [option.id])
         files = MemoryFiles()
         try:
             words = self.name.split()
             words += [word for key, value in options.items() for word in self._option(function, key).words(value, files)]
+            for option in self._required:
+                if option.keyword not in options:
+                    raise UsageError("is missing", f"give {option.shown}", [option.id])
             words += [flag for flag in ("--json", "--quiet") if flag[2:] in self._shell]
             for i, one in enumerate(data):
                 word = self.arguments[0].lower()

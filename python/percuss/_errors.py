@@ -4,32 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-_PYTHON_KEYWORDS = ("from", "lambda")
-# Options of the command line that are something else than a keyword in Python.
-_CALLS = {"force": "force=True", "json": "to_dict()", "output": "save()", "synth.list": "percuss.presets()"}
-_METRICS = {"metrics": "metrics.performance", "certify": "metrics.certify", "abi": "metrics.abi", "study": "metrics.study"}
-
-
-def keyword_of(option: str) -> str:
-    """The keyword of an option: accel_channel for "accel_channel", from_ for "from"."""
-    return option + "_" if option in _PYTHON_KEYWORDS else option
-
-
-def option_in_python(option: str) -> str:
-    """An option as Python writes it: "band=" for "band", "percuss.example('survey')" for "survey.example"."""
-    if option in _CALLS:
-        return _CALLS[option]
-    command, dot, name = option.rpartition(".")
-    if not dot:
-        return option.lower() if option.isupper() and len(option) > 1 else f"{keyword_of(name)}="
-    if name == "example":
-        return f"percuss.example('{command}')"
-    group, _, model = command.partition(".")
-    if group == "batch":
-        return f"percuss {command.replace('.', ' ')} --{name.replace('_', '-')}"  # the command line only
-    function = f"models.{model}" if group == "model" else _METRICS.get(command, command)
-    return f"percuss.{function}({'' if name == 'json' else f'{keyword_of(name)}='})"
-
+from ._percuss import option_in_python
 
 def _listed(text: str, options: Sequence[str]) -> str:
     """The text, followed by options in parentheses."""

@@ -92,6 +92,36 @@ def test_errors_hold_their_parts(tool, bat):
     assert str(error).endswith("(percuss.analyze(bat_id=))")
 
 
+def test_notes_name_keywords(tool):
+    with open("plain.csv", "w") as file:
+        file.write("t_s,hammer,sensor\n0,1,2\n0.1,3,4\n0.2,5,6\n")
+    record = percuss.read("plain.csv", force_channel="hammer", accel_channel="sensor")
+    assert record.notes[:2] == [
+        "the unit of hammer is not stated; taken as N (force_unit=)",
+        "the unit of sensor is not stated; taken as m/s^2 (unit=)",
+    ]
+
+
+@pytest.mark.parametrize(
+    "option, shown",
+    [
+        ("accel_channel", "accel_channel="),
+        ("from", "from_="),
+        ("force", "force=True"),
+        ("survey.example", "percuss.example('survey')"),
+        ("synth.list", "percuss.presets()"),
+        ("analyze.bat_id", "percuss.analyze(bat_id=)"),
+        ("model.trampoline.json", "percuss.models.trampoline()"),
+        ("certify.limit", "percuss.metrics.certify(limit=)"),
+        ("batch.run.force", "percuss batch run --force"),
+        ("SPEC", "spec"),
+    ],
+)
+def test_options_are_written_as_python(option, shown):
+    assert percuss.InputError("problem", "place", "remedy", [option]).args[3] == (option,)
+    assert str(percuss.InputError("problem", "place", "remedy", [option])) == f"problem (place); remedy ({shown})"
+
+
 def test_unknown_keywords_name_the_nearest():
     for call, wanted in [
         (lambda: percuss.analyze("x", bnd=(1, 2)), "analyze() has no keyword 'bnd'; did you mean 'band'?"),

@@ -7,7 +7,7 @@
 #include "api/handles.hpp"
 #include "core/error.hpp"
 #include "core/parallel/parallel.hpp"
-#include "pipeline/runs_of_record.hpp"
+#include "pipeline/run_analyses.hpp"
 #include "report/frf_files.hpp"
 #include "report/json/analysis_json.hpp"
 #include "report/text/analysis_text.hpp"
@@ -64,7 +64,7 @@ acquire::Record with_angles(acquire::Record record) {
   return record;
 }
 
-frf::FrfRecord with_angles(frf::FrfRecord frfs) {
+acquire::FrfRecord with_angles(acquire::FrfRecord frfs) {
   pipeline::assume_angles(frfs);
   return frfs;
 }
@@ -149,7 +149,8 @@ std::vector<ModeClassification> classifications_of(const std::vector<identify::M
 
 std::vector<Warning> warnings_of(const std::vector<pipeline::Warning>& warnings) {
   std::vector<Warning> out;
-  for (const pipeline::Warning& warning : warnings) out.push_back({.code = warning.code, .message = warning.message});
+  for (const pipeline::Warning& warning : warnings)
+    out.push_back({.code = warning.code, .message = warning.message, .options = warning.options});
   return out;
 }
 
@@ -209,6 +210,8 @@ std::vector<ModeOfHit> Analysis::modes_per_hit() const {
 
 std::vector<Warning> Analysis::warnings() const {
   const ThreadLimit limit(data_->analysis.options().threads);
+  data_->analysis.hits();  // warnings are about the results computed so far
+  if (possible()) data_->analysis.classifications();
   return api::warnings_of(data_->analysis.warnings());
 }
 

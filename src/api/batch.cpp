@@ -2,18 +2,15 @@
 
 #include <mutex>
 #include <utility>
-#include <variant>
 
+#include "acquire/open_measurement.hpp"
 #include "api/handles.hpp"
 #include "core/parallel/parallel.hpp"
-#include "frf/formats/sandbox_measurement.hpp"
-#include "pipeline/runs_of_record.hpp"
+#include "pipeline/run_analyses.hpp"
 
 namespace percuss {
 namespace api {
 namespace {
-
-using Measurement = std::variant<acquire::Record, frf::FrfRecord>;
 
 BatchResult result_of(const pipeline::RunAnalysis& test, BatchResult result) {
   const pipeline::Analysis& analysis = *test.analysis;
@@ -68,21 +65,22 @@ std::vector<BatchResult> batch_of(std::size_t count, const BatchOptions& options
 }  // namespace api
 
 std::vector<BatchResult> analyze_batch(const std::vector<std::string>& paths, const BatchOptions& options) {
-  const frf::FrfReadOptions read{.read = api::read_options(options.read), .kind = api::frf_kind(options.read.frf_kind)};
+  const acquire::FrfReadOptions read{.read = api::read_options(options.read),
+                                     .kind = api::frf_kind(options.read.frf_kind)};
   std::mutex one_fork;  // a sandbox is a fork of this process: one at a time
   return api::batch_of(
       paths.size(), options, [&](std::size_t i) { return paths[i]; },
-      [&](std::size_t i) -> api::Measurement {
+      [&](std::size_t i) -> acquire::Measurement {
         std::unique_lock lock(one_fork, std::defer_lock);
-        if (read.read.sandboxed && frf::needs_sandbox(paths[i])) lock.lock();
-        return frf::open_measurement(paths[i], read);
+        if (read.read.sandboxed && acquire::needs_sandbox(paths[i])) lock.lock();
+        return acquire::open_measurement(paths[i], read);
       });
 }
 
 std::vector<BatchResult> analyze_batch(const std::vector<Record>& records, const BatchOptions& options) {
   return api::batch_of(
       records.size(), options, [&](std::size_t i) { return records[i].data().record.source(); },
-      [&](std::size_t i) -> api::Measurement { return records[i].data().record; });
+      [&](std::size_t i) -> acquire::Measurement { return records[i].data().record; });
 }
 
 }  // namespace percuss

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "acquire/channels/stored_frfs.hpp"
+#include "acquire/open_measurement.hpp"
 #include "api/handles.hpp"
 #include "core/error.hpp"
 #include "report/frf_files.hpp"
@@ -25,8 +27,8 @@ void require_shape(const Frf& frf, std::size_t lines) {
 // InputError unless the sorted FRFs are all channels of every point.
 void require_all_channels(const std::vector<Frf>& frfs, std::size_t channels) {
   for (std::size_t i = 0; i < frfs.size(); ++i) {
-    const bool complete =
-        frfs.size() % channels == 0 && frfs[i].channel == i % channels && frfs[i].point == frfs[i - i % channels].point;
+    const bool begins = i % channels == 0, same_point = i > 0 && frfs[i].point == frfs[i - 1].point;
+    const bool complete = frfs.size() % channels == 0 && frfs[i].channel == i % channels && begins != same_point;
     if (!complete) throw InputError("a point lacks a channel, or has it twice", kFrfArrays, "give each channel once");
   }
 }
@@ -40,28 +42,28 @@ acquire::SignalInfo signal_of(const FrfArrays& arrays, std::size_t channel) {
 
 }  // namespace
 
-frf::FrfKind frf_kind(FrfKind kind) {
-  if (kind == FrfKind::mobility) return frf::FrfKind::mobility;
-  return kind == FrfKind::receptance ? frf::FrfKind::receptance : frf::FrfKind::accelerance;
+acquire::FrfKind frf_kind(FrfKind kind) {
+  if (kind == FrfKind::mobility) return acquire::FrfKind::mobility;
+  return kind == FrfKind::receptance ? acquire::FrfKind::receptance : acquire::FrfKind::accelerance;
 }
 
-std::optional<frf::FrfKind> frf_kind(const std::optional<FrfKind>& kind) {
+std::optional<acquire::FrfKind> frf_kind(const std::optional<FrfKind>& kind) {
   return kind ? std::optional(frf_kind(*kind)) : std::nullopt;
 }
 
-FrfKind public_kind(frf::FrfKind kind) {
-  if (kind == frf::FrfKind::mobility) return FrfKind::mobility;
-  return kind == frf::FrfKind::receptance ? FrfKind::receptance : FrfKind::accelerance;
+FrfKind public_kind(acquire::FrfKind kind) {
+  if (kind == acquire::FrfKind::mobility) return FrfKind::mobility;
+  return kind == acquire::FrfKind::receptance ? FrfKind::receptance : FrfKind::accelerance;
 }
 
-FrfSet make_frf_set(frf::FrfRecord record, FrfKind kind) {
+FrfSet make_frf_set(acquire::FrfRecord record, FrfKind kind) {
   FrfData data{.record = std::move(record), .kind = kind, .freq_Hz = {}, .frfs = {}};
-  const frf::LineRange& lines = data.record.lines;
+  const acquire::LineRange& lines = data.record.lines;
   for (std::size_t k = 0; k < lines.count; ++k) data.freq_Hz.push_back(lines.freq_Hz(k));
-  for (const frf::PointFrf& from : data.record.frfs) {
-    frf::Frf its = kind == FrfKind::accelerance
-                       ? from.frf
-                       : frf::converted(from.frf, lines, frf_kind(kind), data.record.decay_per_s);
+  for (const acquire::PointFrf& from : data.record.frfs) {
+    acquire::Frf its = kind == FrfKind::accelerance
+                           ? from.frf
+                           : acquire::converted(from.frf, lines, frf_kind(kind), data.record.decay_per_s);
     data.frfs.push_back({.point = from.point,
                          .channel = from.channel,
                          .value = std::move(its.value),
@@ -75,7 +77,7 @@ FrfSet make_frf_set(frf::FrfRecord record, FrfKind kind) {
 }  // namespace api
 
 FrfKind FrfSet::kind() const { return data_->kind; }
-std::string FrfSet::unit() const { return frf::unit_of(api::frf_kind(data_->kind)); }
+std::string FrfSet::unit() const { return acquire::unit_of(api::frf_kind(data_->kind)); }
 std::string FrfSet::estimator() const { return data_->record.estimator; }
 const std::vector<double>& FrfSet::freq_Hz() const { return data_->freq_Hz; }
 const std::vector<Frf>& FrfSet::frfs() const { return data_->frfs; }
@@ -99,8 +101,8 @@ FrfSet estimate_frfs(const Record& record, const FrfOptions& options) {
 
 FrfSet open_frfs(const std::string& path, const ReadOptions& options) {
   auto opened =
-      frf::open_measurement(path, {.read = api::read_options(options), .kind = api::frf_kind(options.frf_kind)});
-  auto* const frfs = std::get_if<frf::FrfRecord>(&opened);
+      acquire::open_measurement(path, {.read = api::read_options(options), .kind = api::frf_kind(options.frf_kind)});
+  auto* const frfs = std::get_if<acquire::FrfRecord>(&opened);
   if (frfs == nullptr) throw InputError("a record of time, not FRFs", path, "use open_record");
   const FrfKind kind = api::public_kind(frfs->kind);
   return api::make_frf_set(std::move(*frfs), kind);
@@ -118,11 +120,11 @@ FrfSet frfs_from_arrays(const FrfArrays& arrays) {
     if (!places->empty() && places->size() != channels)
       throw InputError("places and channels differ in number", api::kFrfArrays, "give one place per channel");
   }
-  frf::StoredFrfs stored;
+  acquire::StoredFrfs stored;
   stored.record.format = "arrays";
   stored.record.kind = api::frf_kind(arrays.kind);
   stored.kind = stored.record.kind;
-  stored.record.lines = frf::lines_from_frequencies(arrays.freq_Hz, api::kFrfArrays);
+  stored.record.lines = acquire::lines_from_frequencies(arrays.freq_Hz, api::kFrfArrays);
   for (std::size_t c = 0; c < channels; ++c) stored.record.accel.push_back(api::signal_of(arrays, c));
   for (Frf& frf : frfs) {
     api::require_shape(frf, arrays.freq_Hz.size());
@@ -133,7 +135,7 @@ FrfSet frfs_from_arrays(const FrfArrays& arrays) {
                            .coherence = std::move(frf.coherence),
                            .averages = frf.averages});
   }
-  return api::make_frf_set(frf::to_accelerances(std::move(stored), {}), arrays.kind);
+  return api::make_frf_set(acquire::to_accelerances(std::move(stored), {}), arrays.kind);
 }
 
 }  // namespace percuss

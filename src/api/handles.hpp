@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "frf/formats/frf_record.hpp"
+#include "acquire/record/frf_record.hpp"
 #include "percuss/analysis.hpp"
 #include "percuss/deflection.hpp"
 #include "percuss/error.hpp"
@@ -13,7 +13,7 @@
 #include "pipeline/impact_test.hpp"
 #include "pipeline/survey.hpp"
 
-// What the public classes hold, and conversions between public and internal data that several files use.
+// The data behind the public classes, and conversions between public and internal data that several files use.
 namespace percuss::api {
 
 struct RecordData {
@@ -21,7 +21,7 @@ struct RecordData {
 };
 
 struct FrfData {
-  frf::FrfRecord record;  // accelerances, whatever the kind
+  acquire::FrfRecord record;  // accelerances, whatever the kind
   FrfKind kind = FrfKind::accelerance;
   std::vector<double> freq_Hz;
   std::vector<Frf> frfs;  // of the kind
@@ -42,13 +42,13 @@ struct DeflectionData {
 };
 
 Record make_record(acquire::Record record);
-FrfSet make_frf_set(frf::FrfRecord record, FrfKind kind);
+FrfSet make_frf_set(acquire::FrfRecord record, FrfKind kind);
 
 /// errors  InputError: the set-up file cannot be read.
 acquire::ReadOptions read_options(const ReadOptions& options);
-std::optional<frf::FrfKind> frf_kind(const std::optional<FrfKind>& kind);
-frf::FrfKind frf_kind(FrfKind kind);
-FrfKind public_kind(frf::FrfKind kind);
+std::optional<acquire::FrfKind> frf_kind(const std::optional<FrfKind>& kind);
+acquire::FrfKind frf_kind(FrfKind kind);
+FrfKind public_kind(acquire::FrfKind kind);
 
 /// errors  InputError: options that contradict each other.
 pipeline::AnalysisOptions analysis_options(const AnalysisOptions& options);
@@ -60,6 +60,9 @@ std::vector<Hit> hits_of(const std::vector<pipeline::AnalysedHit>& hits);
 std::vector<Mode> modes_of(const std::vector<identify::Mode>& modes);
 std::vector<ModeClassification> classifications_of(const std::vector<identify::ModeClassification>& classifications);
 std::vector<Warning> warnings_of(const std::vector<pipeline::Warning>& warnings);
+
+/// The survey, with hits, modes and FRFs computed: its warnings are about the results computed so far.
+const pipeline::Survey& computed(const Survey& survey);
 
 /// errors  InputError naming the field unless `value` is above 0.
 void require_above_zero(double value, const char* field, std::vector<OptionId> options = {});

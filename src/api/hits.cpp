@@ -31,6 +31,7 @@ std::vector<Hit> hits_of(const std::vector<pipeline::AnalysedHit>& hits) {
                                      .severity = severity_of(finding.severity),
                                      .value = finding.value,
                                      .message = finding.message,
+                                     .options = finding.options,
                                      .delay_s = finding.delay_s});
     }
   }

@@ -6,9 +6,11 @@
 #include <utility>
 
 #include "acquire/channels/channel_setup.hpp"
+#include "acquire/open_measurement.hpp"
 #include "acquire/record/sample_limits.hpp"
 #include "api/handles.hpp"
 #include "core/error.hpp"
+#include "pipeline/run_analyses.hpp"
 
 namespace percuss {
 namespace api {

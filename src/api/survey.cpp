@@ -74,6 +74,14 @@ TubeShape tube_of(const identify::TubeShape& shape) {
 }
 
 }  // namespace
+
+const pipeline::Survey& computed(const Survey& survey) {
+  const pipeline::Analysis& analysis = survey.data().analysis->analysis;
+  analysis.hits();
+  if (analysis.possible()) analysis.compute_modes_and_frfs();
+  return survey.data().survey;
+}
+
 }  // namespace api
 
 Geometry read_geometry(const std::string& path) { return api::public_geometry(acquire::read_geometry(path)); }
@@ -125,8 +133,8 @@ std::vector<std::vector<Mac>> Survey::macs() const {
   return out;
 }
 
-std::vector<Warning> Survey::warnings() const { return api::warnings_of(data_->survey.warnings()); }
-std::string Survey::json() const { return report::survey_json(data_->survey); }
-std::string Survey::text(std::size_t width) const { return report::survey_text(data_->survey, false, width); }
+std::vector<Warning> Survey::warnings() const { return api::warnings_of(api::computed(*this).warnings()); }
+std::string Survey::json() const { return report::survey_json(api::computed(*this)); }
+std::string Survey::text(std::size_t width) const { return report::survey_text(api::computed(*this), false, width); }
 
 }  // namespace percuss

@@ -106,7 +106,7 @@ void write(const std::string& path, const Analysis& analysis, const WriteOptions
 void write(const std::string& path, const Survey& survey, const WriteOptions& options) {
   const std::string kind =
       api::checked_extension(path, {".json", ".html", ".svg", ".csv", ".h5", ".uff", ".unv"}, options);
-  const pipeline::Survey& its = survey.data().survey;
+  const pipeline::Survey& its = api::computed(survey);
   if (kind == ".json") {
     write_file(path, report::survey_json(its), options.overwrite);
   } else if (kind == ".html") {

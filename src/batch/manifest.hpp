@@ -17,7 +17,7 @@ struct BatchRecord {
 /// The data of a whole batch: the first line of its manifest.
 struct BatchHeader {
   std::string version;               // of percuss at the time of planning
-  std::vector<std::string> options;  // as percuss analyze takes them: "--band", "60:3200"
+  std::vector<std::string> options;  // arguments of the command `analyze`: "--band", "60:3200"
   std::string setup;                 // text of a channel set-up; empty: none
   bool frf = false;                  // also keep FRFs
   std::size_t shards = 1;            // default number of shards

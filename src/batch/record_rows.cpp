@@ -22,7 +22,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // The exit codes of percuss analyze.
-constexpr int kWentWrong = 1, kNotOffered = 2, kUnusable = 3, kNoHit = 4;
+constexpr int kInternalError = 1, kUsageError = 2, kBadInput = 3, kNoUsableHitCode = 4;
 
 std::string line_of(const Json& row) { return row.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
@@ -104,7 +104,7 @@ void add_run(RowDiagnostics& rows, const BatchRecord& record, const pipeline::Ru
     rows.band_Hz = {analysis.band_Hz().first, analysis.band_Hz().second};
     add_modes(rows, record, test.run, analysis);
   } else {
-    rows.code = kNoHit;
+    rows.code = kNoUsableHitCode;
     rows.reason = report::kNoUsableHit;
   }
   for (const pipeline::Warning& warning : analysis.warnings()) {
@@ -133,13 +133,13 @@ RowDiagnostics row_diagnostics_of(const BatchRecord& record, const RowOptions& o
       add_run(rows, record, test, options);
     return rows;
   } catch (const UsageError& e) {
-    return refused(kNotOffered, e.what());
+    return refused(kUsageError, e.what());
   } catch (const InputError& e) {
-    return refused(kUnusable, options.write_option != nullptr ? e.written(options.write_option) : e.what());
+    return refused(kBadInput, options.write_option != nullptr ? e.written(options.write_option) : e.what());
   } catch (const std::bad_alloc&) {
-    return refused(kWentWrong, kOutOfMemoryMessage);
+    return refused(kInternalError, kOutOfMemoryMessage);
   } catch (const std::exception& e) {
-    return refused(kWentWrong, e.what());
+    return refused(kInternalError, e.what());
   }
 }
 

@@ -32,12 +32,6 @@ std::string one_line(std::string_view text, std::size_t limit) {
   return out;
 }
 
-std::string Message::written(OptionWriter write) const {
-  std::string list;
-  for (const OptionId& id : options) list += (list.empty() ? "" : ", ") + write(id);
-  return list.empty() ? text : fmt::format("{} ({})", text, list);
-}
-
 UsageError::UsageError(std::string_view problem, std::string_view remedy)
     : std::runtime_error(fmt::format("{}; {}", one_line(problem, kMaxField_bytes), one_line(remedy, kMaxField_bytes))) {
 }
@@ -45,6 +39,12 @@ UsageError::UsageError(std::string_view problem, std::string_view remedy)
 }  // namespace percuss::inline core
 
 namespace percuss {
+
+std::string Message::written(OptionWriter write) const {
+  std::string list;
+  for (const OptionId& id : options) list += (list.empty() ? "" : ", ") + write(id);
+  return list.empty() ? text : fmt::format("{} ({})", text, list);
+}
 
 InputError::InputError(std::string_view problem, std::string_view where, std::string_view remedy,
                        std::vector<OptionId> options)

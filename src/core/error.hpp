@@ -2,27 +2,10 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <utility>
-#include <vector>
 
 #include "percuss/error.hpp"
 
 namespace percuss::inline core {
-
-/// A sentence and the options that it concerns.
-struct Message {
-  Message() = default;
-  Message(std::string what, std::vector<OptionId> concerned = {})
-      : text(std::move(what)), options(std::move(concerned)) {}
-  Message(const char* what, std::vector<OptionId> concerned = {}) : Message(std::string(what), std::move(concerned)) {}
-
-  std::string text;
-  std::vector<OptionId> options;
-
-  /// "text (--fs, --unit)"; only the text where `options` is empty.
-  std::string written(OptionWriter write) const;
-  bool operator==(const Message&) const = default;
-};
 
 /// The message of std::bad_alloc.
 inline constexpr const char* kOutOfMemoryMessage =

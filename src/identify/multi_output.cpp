@@ -17,13 +17,13 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kMaxRemainingAmplitude = 0.05;  // of a mode's amplitude at a record's end
-constexpr double kCompleted = 1e-9;              // what is missing counts no more
-constexpr double kExplained = 1.5;               // energy around a mode over what noise explains
+constexpr double kMaxRemainingAmplitude = 0.05;  // largest amplitude of a mode at the records' end
+constexpr double kCompleted = 1e-9;              // smaller truncation is negligible
+constexpr double kExplained = 1.5;               // residual energy around a mode over the noise's
 constexpr double kCheckedWidths = 5;             // half-power bandwidths
 constexpr double kMinCheckedLines = 10;          // lines
-constexpr std::size_t kMinFlops = 1'000'000;     // operations, at the least
-constexpr std::size_t kFlopsPerLine = 60;  // operations of what costs most: what is missing of a decay, a gain's errors
+constexpr std::size_t kMinFlops = 1'000'000;     // operations per task, a lower limit
+constexpr std::size_t kFlopsPerLine = 60;        // operations of a truncated decay or of the gain errors
 
 double max_remaining_amplitude(const FrfDataset& set, const std::vector<FittedMode>& modes) {
   double most = 0;
@@ -31,7 +31,7 @@ double max_remaining_amplitude(const FrfDataset& set, const std::vector<FittedMo
   return most;
 }
 
-// Of a close pair it must be asked whether it only stands for one mode that moves from point to point.
+// True where some close pair only describes the frequency scatter of one mode.
 bool any_pair_is_scatter(const FrfDataset& set, const std::vector<Pole>& poles) {
   WindowedFit all(set);
   all.replace(poles);
@@ -60,7 +60,7 @@ std::vector<Pole> poles_of(const std::vector<FittedMode>& modes) {
   return poles;
 }
 
-// The set as records would have given it that hold the whole decay.
+// The FRFs without truncation: the missing decays are added to the measured FRFs.
 class CompletedDecays {
  public:
   explicit CompletedDecays(const FrfDataset& cut)
@@ -76,12 +76,12 @@ class CompletedDecays {
                       [&](std::size_t o) { whole_.channels[o] = cut.channels[o]; });
   }
   const FrfDataset& set() const { return whole_; }
-  // FRFs that came without records do not tell what is missing of them.
+  // Without records the truncation of the FRFs is unknown.
   bool from_records() const {
     return std::all_of(cut_.points.begin(), cut_.points.end(), [](const PointForce& p) { return !p.blocks.empty(); });
   }
 
-  // Residues fitted to a set less complete are off by as much as that lacks; what is added, by as much again.
+  // The relative error of the residues, and so of the added decays, is the truncation of the set they were fitted to.
   void add_missing_decays(const std::vector<Pole>& poles, const Eigen::MatrixXcd& residues) {
     parallel_for_cost(cut_.channels.size(), kFlopsPerProduct * cut_.lines.count,
                       [&](std::size_t o) { whole_.channels[o].frf = cut_.channels[o].frf; });
@@ -100,21 +100,21 @@ class CompletedDecays {
   FrfDataset whole_;
 };
 
-// Turns `few` into the channels of complete records, and fits `found` to them. Each time what is missing is known
-// better, by as much as is missing.
+// Removes the truncation from the FRFs `few`, and fits `found` to them. Each pass reduces the error by the factor of
+// the remaining truncation.
 void complete(CompletedDecays& completed, const Eigen::MatrixXd& sums, FrfDataset& few,
               std::vector<FittedMode>& found) {
-  double left = max_remaining_amplitude(few, found);
-  while (left > kCompleted) {
+  double truncation = max_remaining_amplitude(few, found);
+  while (truncation > kCompleted) {
     const std::vector<Pole> poles = poles_of(found);
     completed.add_missing_decays(poles, residues_at(completed.set(), poles));
     few = principal_frfs(completed.set(), sums);
     found = fit_sequentially(few, {.start = poles});
-    left *= max_remaining_amplitude(few, found);
+    truncation *= max_remaining_amplitude(few, found);
   }
 }
 
-// [lines] the variance of the force's gain error against that at the pole, which the residue takes up.
+// [lines] variance of the force's gain error relative to the error at the pole, which the residue absorbs.
 Eigen::VectorXd gain_variance(const FrfDataset& set, std::size_t point, Index from, Index to, std::size_t pole) {
   std::vector<std::size_t> lines{pole};
   for (Index k = from; k <= to; ++k) lines.push_back(static_cast<std::size_t>(k));
@@ -128,7 +128,7 @@ struct PoleWindow {
   std::size_t pole = 0;    // line
 };
 
-// What a fit leaves of a channel about a pole, in parts of its noise, and what noise would leave.
+// The residual energy of an FRF around a pole over its noise, and its expectation for pure noise.
 struct ResidualEnergy {
   double energy = 0, expected = 0;
 };
@@ -152,7 +152,7 @@ std::vector<ResidualEnergy> residual_energy_near(const FrfDataset& set, const st
   return out;
 }
 
-// Common poles leave the noise alone around every mode: the responses', and what the force's makes of a large FRF.
+// True where the residual around every mode is only noise, of the responses and of the force.
 bool fits_to_noise(const FrfDataset& set, const JointFit& fit) {
   const LineNoise noise(set);
   for (const Pole& pole : fit.poles) {
@@ -192,13 +192,13 @@ std::vector<Mode> modes_of(const FrfDataset& set, const std::vector<FittedMode>&
 }  // namespace
 
 std::optional<std::vector<Mode>> identify_multi_output(const FrfDataset& set, const IdentifyOptions& options) {
-  // An exponential window belongs to the pulse, which mixed channels do not have.
+  // The model of an exponential window needs the pulses, which principal-component FRFs do not have.
   if (set.window_decay_per_s() != 0) return std::nullopt;
   const Eigen::MatrixXd sums = principal_components(set, kMaxPrincipalFrfs);
   FrfDataset few = principal_frfs(set, sums);
   CompletedDecays completed(set);
   std::vector<FittedMode> found;
-  // The clear modes first: what is missing of them after the records' ends would pass for hidden ones.
+  // The strong modes first: their truncation would look like additional modes.
   SequentialFitOptions thorough = sequential_fit_options(options.effort);
   thorough.modes = options.modes;
   for (const SequentialFitOptions& peaks : {SequentialFitOptions{.max_rounds = 0, .modes = options.modes}, thorough}) {
@@ -208,12 +208,12 @@ std::optional<std::vector<Mode>> identify_multi_output(const FrfDataset& set, co
     if (found.size() != before && completed.from_records()) complete(completed, sums, few, found);
   }
   const std::vector<Pole> poles = poles_of(found);
-  bool move = false;  // seen while the rest goes on, which is seldom in vain
+  bool scatters = false;  // tested in parallel with the refinement, which is seldom wasted
   parallel_for_cost(2, kMinFlops, [&](std::size_t task) {
-    if (task == 0) move = any_pair_is_scatter(completed.set(), poles);
+    if (task == 0) scatters = any_pair_is_scatter(completed.set(), poles);
     if (task == 1 && options.effort == Effort::best) refine_jointly(few, found);
   });
-  if (move) return std::nullopt;
+  if (scatters) return std::nullopt;
   const JointFit fit = fit_residues(completed.set(), poles_of(found), covariance_of(found));
   if (!fits_to_noise(completed.set(), fit)) return std::nullopt;
   return modes_of(completed.set(), found, fit);

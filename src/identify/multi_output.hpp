@@ -9,9 +9,9 @@ namespace percuss::identify {
 
 inline constexpr std::size_t kMaxPrincipalFrfs = 16;
 
-/// The modes of a survey with many channels: poles from few principal channels, then the residues of all. Nothing where
-/// this would not do: records that end far too early, exponential windows, or lines that common poles do not explain (a
-/// structure that moves from point to point).
+/// The modes of a survey with many FRFs: poles from a few principal-component FRFs, then the residues of all FRFs.
+/// Nothing where this method does not apply: strongly truncated records, an exponential window, or FRFs that common
+/// poles do not explain (frequency scatter between points).
 std::optional<std::vector<Mode>> identify_multi_output(const FrfDataset& set, const IdentifyOptions& options);
 
 }  // namespace percuss::identify

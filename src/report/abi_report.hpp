@@ -4,8 +4,8 @@
 
 namespace percuss::report {
 
-/// percuss/abi/1 (docs/schema/abi.schema.json); what comes next or the verdict, then the compressions and the tests,
-/// and both as one table; performance over the tests with the limit.
+/// JSON: percuss/abi/1 (docs/schema/abi.schema.json). Text: the next step or the verdict, then compressions and tests.
+/// Table: both. Chart: performance over the tests, with the limit.
 CommandReport abi_report(const metrics::AbiLog& log, const metrics::AbiRun& run);
 
 }  // namespace percuss::report

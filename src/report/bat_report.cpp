@@ -16,10 +16,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr Eigen::Index kModesShown = 8;  // whose shares of the energy are listed one by one
+constexpr Eigen::Index kModesShown = 8;  // whose shares of the energy are listed
 constexpr std::size_t kModesInText = 5;
 
-// Exit speeds over the place, each with its own account.
+// Exit speeds over the position of impact, each with its energy balance.
 struct BatCurve {
   std::vector<double> z_m;
   std::vector<model::BatRebound> flexible;
@@ -113,7 +113,7 @@ std::string curve_text(const model::BatModes& bat, const BatCurve& curve) {
       1000 * curve.best_rigid.x, bat.freq_Hz.size(), most, 1000 * most_at);
 }
 
-// The deflections take the place of the table and stand before the chart.
+// The deflections replace the table and precede the chart.
 Json show_wave(const model::BatModes& bat, const model::BatCollision& collision, const BatWaveRequest& wanted,
                CommandReport& report) {
   const Eigen::MatrixXd wave =
@@ -121,7 +121,7 @@ Json show_wave(const model::BatModes& bat, const model::BatCollision& collision,
   const std::vector<double> at_m = model::positions_of(bat.beam);
   Json json{{"z_m", wanted.z_m}, {"time_s", wanted.time_s}, {"largest_m", Json::array()}, {"at_m", Json::array()}};
   report.columns = {{"z_m", at_m}};
-  LineChart chart{.title = fmt::format("Bat struck {:.0f} mm from the knob", 1000 * wanted.z_m),
+  LineChart chart{.title = fmt::format("Impact {:.0f} mm from the knob", 1000 * wanted.z_m),
                   .x = {.label = "from the knob, m"},
                   .y = {.label = "deflection, mm"},
                   .curves = {}};
@@ -173,7 +173,7 @@ CommandReport bat_report(const model::BatModes& bat, const model::BatProfile& pr
   json["best"] = {{"z_m", curve.best.x}, {curve.exit.name, curve.best.y}};
   json["curve"] = curve_json(curve);
   CommandReport report;
-  report.charts = {{.title = "Bat that bends",
+  report.charts = {{.title = "Flexible bat",
                     .x = {.label = "impact from the knob, m"},
                     .y = {.label = "exit speed, m/s"},
                     .curves = {{"bending", z_m, curve.exit.values}, {"rigid", z_m, curve.rigid.values}}}};

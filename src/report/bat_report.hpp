@@ -7,15 +7,15 @@
 
 namespace percuss::report {
 
-/// Where and when percuss model bat is to show the bat's deflection.
+/// The impact and the times at which the bat's deflection is shown.
 struct BatWaveRequest {
   double z_m = 0;              // of the impact
-  std::vector<double> time_s;  // from the touch on, ascending
+  std::vector<double> time_s;  // after first contact, ascending
 };
 
-/// percuss/model-bat/1: modes, nodes and inertia of a bat, and the exit speed of a ball over the place of impact z_m
-/// (from the knob, ascending), for the bat that bends and for the rigid one. All of bat's modes take part. `profile` is
-/// the bat's. With `wave` the table shows the deflection along the bat instead, and a chart as well.
+/// JSON: percuss/model-bat/1. Modes, nodes and inertia of a bat, and the ball's exit speed over the position of impact
+/// z_m (from the knob, ascending), for the flexible and for the rigid bat. All modes of `bat` take part. With `wave`
+/// the table and a chart show the deflection along the bat instead.
 CommandReport bat_report(const model::BatModes& bat, const model::BatProfile& profile,
                          const model::BatCollision& collision, const std::vector<double>& z_m,
                          const std::optional<BatWaveRequest>& wave = {});

@@ -8,18 +8,18 @@
 
 namespace percuss::report {
 
-/// What the beam's values came from, where not from the user alone.
+/// Measurements that the beam's values were fitted to.
 struct BeamOrigin {
   std::optional<model::BeamFit> fit;
-  std::vector<model::MeasuredFrequency> measured;  // that the fit is to
+  std::vector<model::MeasuredFrequency> measured;  // that the fit used
   std::optional<model::TorsionFit> torsion;        // from static readings
 };
 
-/// percuss/model-beam/1: frequencies, nodes, shapes (as columns and chart), and what was fitted.
+/// JSON: percuss/model-beam/1. Frequencies, nodes, shapes (as columns and chart), and fitted values.
 CommandReport beam_report(const model::UniformBeam& beam, const std::vector<model::BeamMode>& modes,
                           const BeamOrigin& origin = {});
 
-/// "torsion", "pinned", …: as on the command line.
+/// "torsion", "pinned", …
 const char* support_name(model::BeamSupport support);
 std::optional<model::BeamSupport> support_named(const std::string& name);
 

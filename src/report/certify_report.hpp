@@ -4,8 +4,8 @@
 
 namespace percuss::report {
 
-/// percuss/certify/1 (docs/schema/certify.schema.json); what to do next, the locations, the shots that do not count and
-/// why, the balls that are spent; the shots as a table; performance over the location with the limit.
+/// JSON: percuss/certify/1 (docs/schema/certify.schema.json). Text: the next step, the locations, the invalid shots
+/// with their reasons, the spent balls. Table: the shots. Chart: performance over the location, with the limit.
 CommandReport certify_report(const metrics::Session& session, const metrics::Certification& certification);
 
 }  // namespace percuss::report

@@ -21,7 +21,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kMaxNamed = 8;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-// One document against the first.
+// The comparison of one document with the first.
 struct Comparison {
   const metrics::ComparedDocument& a;
   const metrics::ComparedDocument& b;
@@ -95,7 +95,7 @@ const metrics::ModePair* pair_at(const Comparison& c, std::size_t mode) {
   return nullptr;
 }
 
-// Without a sign where nothing is shown of it.
+// Without a sign where the value rounds to zero.
 std::string signed_percent(double percent) {
   std::string text = fmt::format("{:+.2f}", percent);
   return text == "-0.00" || text == "+0.00" ? "0.00" : text;

@@ -7,9 +7,9 @@
 
 namespace percuss::report {
 
-/// percuss/compare/1: every document against the first, modes and deflections side by side; the table's columns are the
-/// documents, its rows the modes of the first, then the places of its deflections. The chart: deflections over position
-/// where there are any, else the frequencies against the first document's. At least two documents.
+/// JSON: percuss/compare/1. Compares each document with the first: modes and deflections side by side. Table: a column
+/// per document, a row per mode of the first, then per position of its deflections. Chart: deflections over position if
+/// there are any, else frequencies relative to the first document. Needs two documents or more.
 CommandReport compare_report(const std::vector<metrics::ComparedDocument>& documents,
                              const metrics::PairOptions& options = {});
 

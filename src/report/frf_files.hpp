@@ -10,8 +10,8 @@ namespace percuss::report {
 /// (acquire/write_record.hpp).
 frf::FrfRecord frf_record_of(const pipeline::Analysis& analysis);
 
-/// Writes them as the path's extension says: .csv, .h5, .mat, .uff or .unv. Throws InputError when the file exists
-/// (without force) or cannot be written; the file is whole or absent.
+/// Writes the FRFs in the format of the path's extension: .csv, .h5, .mat, .uff or .unv. The file is written whole or
+/// not at all. errors  InputError: the file exists (without `force`) or cannot be written.
 void write_frfs(const std::string& path, const frf::FrfRecord& record, frf::FrfKind kind, bool force);
 
 void write_frf_csv(const std::string& path, const pipeline::Analysis& analysis, frf::FrfKind kind, bool force);

@@ -27,7 +27,7 @@ constexpr std::array<SweptName, 5> kSwept{{{"ei", "EI, N·m²"},
 
 Json optional_json(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
-// What the document says of one impact, and of each of a sweep.
+// Members of the document for one impact, and for each impact of a sweep.
 void add_result(Json& json, const model::ImpactResult& r) {
   json["cor"] = r.cor;
   json["contact_s"] = r.contact_s;
@@ -121,7 +121,7 @@ LineChart series_chart(const std::vector<NumericColumn>& columns) {
                      {"ball, m/s", time_ms, columns[3].values}}};
 }
 
-// A row per impact of all sweeps; parameters that a sweep leaves alone at the value they have.
+// A row per impact of all sweeps; parameters that a sweep does not vary keep their value.
 std::vector<NumericColumn> sweep_columns(const model::Impact& impact, const std::vector<ImpactSweep>& sweeps) {
   std::vector<NumericColumn> columns;
   columns.reserve(kSwept.size() + 6);

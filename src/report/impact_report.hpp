@@ -7,18 +7,18 @@
 
 namespace percuss::report {
 
-/// One parameter varied, the others as in the impact reported.
+/// A sweep: one parameter varies, the others are those of the reported impact.
 struct ImpactSweep {
   std::string parameter;  // "ei", "torsion", "rho_a", "at", "speed"
   std::vector<double> values;
   std::vector<model::ImpactResult> results;  // [values]
 };
 
-/// percuss/model-impact/1. Columns and chart show the series, or the sweeps where there are any.
+/// JSON: percuss/model-impact/1. Columns and chart show the time series or, if there are any, the sweeps.
 CommandReport impact_report(const model::Impact& impact, const model::ImpactResult& result,
                             const std::vector<ImpactSweep>& sweeps = {});
 
-/// What a sweep varies: nullptr for a name that is none.
+/// Description of a sweep's parameter; nullptr for an unknown name.
 double* swept_value(model::Impact& impact, const std::string& parameter);
 
 }  // namespace percuss::report

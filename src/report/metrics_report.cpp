@@ -76,13 +76,13 @@ Json profile_json(const BatProfileReadings& p, const metrics::BatMetrics& m) {
   return json;
 }
 
-// Which readings' errors are not in the ±.
+// Readings whose errors are not part of the ±.
 std::string without_words(const metrics::UncertainValue& value) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < metrics::kReadings; ++i) {
     if (value.unknown(static_cast<metrics::Reading>(i))) names.emplace_back(kReadingNames.at(i));
   }
-  return names.empty() ? "" : fmt::format("; error of {} not known", fmt::join(names, ", "));
+  return names.empty() ? "" : fmt::format("; the error of {} is not known", fmt::join(names, ", "));
 }
 
 ReportText text_of_metrics(const std::vector<Line>& lines, const metrics::BatMetrics& m,
@@ -99,12 +99,13 @@ ReportText text_of_metrics(const std::vector<Line>& lines, const metrics::BatMet
   }
   ReportText out;
   if (absent == lines.size()) {
-    out += "the readings allow no number; percuss metrics --help lists them\n";
+    out += "the readings allow no number: no metric follows from them\n";
   } else {
     out += table;
   }
   if (m.drop_class) out += fmt::format("class {}\n", *m.drop_class);
-  if (absent > 0 && absent < lines.size()) out += fmt::format("{} more need readings that were not given\n", absent);
+  if (absent > 0 && absent < lines.size())
+    out += fmt::format("{} more metrics need readings that are missing\n", absent);
   for (const metrics::MetricsWarning& warning : warnings) out.say("note: " + warning.message);
   return out;
 }

@@ -8,15 +8,15 @@
 
 namespace percuss::report {
 
-/// The bat's profile as the laboratory reads it, in its units; what was not read is absent.
+/// The bat's profile in the laboratory's units; empty where it was not measured.
 struct BatProfileReadings {
   std::optional<double> length_in, weight_oz, cg_in, handle_in, ball_g;
-  std::vector<double> rings_in;  // barrel diameters from the ring 3 in from the tip on, an inch apart
+  std::vector<double> rings_in;  // barrel diameters, an inch apart, from 3 in off the tip
   metrics::ProtocolSteps steps;
 };
 
-/// percuss/metrics/1: every metric with its uncertainty, the equation that gave it and what it came from; the profile
-/// as the protocol records it.
+/// JSON: percuss/metrics/1. Each metric with its uncertainty, its equation and its inputs; the profile as the protocol
+/// records it.
 CommandReport metrics_report(const metrics::BatReadings& readings, const BatProfileReadings& profile);
 
 }  // namespace percuss::report

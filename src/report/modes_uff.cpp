@@ -55,7 +55,7 @@ Complex eigenvalue(const identify::Pole& pole) {
   return {-zeta * omega, omega * std::sqrt(std::max(0.0, 1 - zeta * zeta))};
 }
 
-// Modal A of a shape of that modal mass: 2jω√(1 − ζ²)·m                                               (2)
+// Modal A of a shape with modal mass m: 2jω√(1 − ζ²)·m                                               (2)
 Complex modal_a(const PlottedMode& mode) { return Complex(0, 2 * eigenvalue(mode.pole).imag()) * mode.modal_mass_kg; }
 
 std::string numbers_text(std::initializer_list<double> values) {
@@ -92,7 +92,7 @@ std::string set2414(const PlottedMode& mode, const Nodes& nodes) {
   return out + values_text(nodes);
 }
 
-// Which points were written: all, or none where the place of one is not known.
+// The points to write: all, or none if the position of one is not known.
 std::set<int> write_places(acquire::UffOutput& out, const pipeline::Survey& survey, const Nodes& nodes, int offset) {
   std::string old, lines;
   std::set<int> written;
@@ -113,7 +113,7 @@ std::set<int> write_places(acquire::UffOutput& out, const pipeline::Survey& surv
 void write_shapes(const std::string& path, const pipeline::Survey* survey, const pipeline::Analysis& analysis,
                   const std::vector<identify::ModeShape>& shapes, bool sensors, bool force) {
   const auto& modes = analysis.modes();
-  if (modes.empty()) throw InputError("no modes to write", path, "widen --band, or write .json");
+  if (modes.empty()) throw InputError("no modes to write", path, "widen the band, or write .json", {"band"});
   const int offset = acquire::uff_node_offset(analysis.frf_points().front());
   acquire::UffOutput out(path, force);
   out.header();

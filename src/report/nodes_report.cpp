@@ -12,6 +12,7 @@
 #include "report/text/number_format.hpp"
 #include "report/text/text_table.hpp"
 #include "report/text/version.hpp"
+#include "report/text/warnings_text.hpp"
 
 namespace percuss::report {
 namespace {
@@ -91,7 +92,7 @@ ReportText nodes_text(const pipeline::Analysis& analysis, const pipeline::NodeSc
                    {"family"},
                    {"frequency", TextTable::Align::right},
                    {"node from the barrel's end", TextTable::Align::right},
-                   {"peak's minimum", TextTable::Align::right},
+                   {"minimum of the peak", TextTable::Align::right},
                    {""}});
   for (const pipeline::ModeAlongScan& along : scan.modes) {
     const identify::Mode& mode = analysis.modes()[along.mode];
@@ -107,13 +108,13 @@ ReportText nodes_text(const pipeline::Analysis& analysis, const pipeline::NodeSc
   }
   ReportText text = heading(analysis, scan) + "\n";
   if (scan.modes.empty()) {
-    text += "no bending mode stands out of the noise in the band\n";
+    text += "no bending mode rises above the noise in the band\n";
   } else {
     text += table;
   }
   const std::vector<pipeline::Warning> warnings = all_warnings(analysis, scan);
   if (!warnings.empty()) text += "\n";
-  for (const pipeline::Warning& warning : warnings) text.warn(warning.message);
+  text += warnings_text(warnings);
   return text;
 }
 
@@ -133,11 +134,11 @@ BendingPlot bending_of(const pipeline::Analysis& analysis, const pipeline::NodeS
   return picture;
 }
 
-// Each mode's residues along the scan, 1 at their largest, and where they are nothing.
+// Each mode's residues along the scan, 1 at their largest, and its nodes.
 LineChart shapes_chart(const BendingPlot& bending) {
   LineChart chart{.title = "Bending along the scan; diamonds: nodes",
                   .x = {.label = "from the barrel's end, in"},
-                  .y = {.label = "movement, 1 at the largest"}};
+                  .y = {.label = "residue, 1 at its largest"}};
   for (std::size_t m = 0; m < bending.modes.size(); ++m) {
     const BendingShape& line = bending.modes[m];
     ChartCurve curve{

@@ -5,8 +5,8 @@
 
 namespace percuss::report {
 
-/// percuss/nodes/1 (docs/schema/nodes.schema.json); a table of modes with node ± and the rule's reading in inches from
-/// the barrel's end, then warnings in words; every mode along the scan with its nodes.
+/// JSON: percuss/nodes/1 (docs/schema/nodes.schema.json). Text: a table of modes with each node ± and the minimum of
+/// the peak, in inches from the barrel's end, then the warnings. Chart: each mode along the scan with its nodes.
 CommandReport nodes_report(const pipeline::Analysis& analysis, const pipeline::NodeScan& scan);
 
 }  // namespace percuss::report

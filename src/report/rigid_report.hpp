@@ -6,7 +6,7 @@
 
 namespace percuss::report {
 
-/// percuss/model-rigid/1: exit speed, swing speed and effective mass at z_m, and the best of the range they span.
+/// JSON: percuss/model-rigid/1. Exit speed, swing speed and effective mass at z_m, and the best impact of that range.
 CommandReport rigid_report(const model::RigidCollision& collision, const std::vector<double>& z_m);
 
 }  // namespace percuss::report

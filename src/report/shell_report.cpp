@@ -60,10 +60,9 @@ CommandReport shell_report(const model::TubeShell& shell, std::size_t n, std::si
                             model::ring_Hz(shell, n), model::rayleigh_Hz(shell, n), model::love_Hz(shell, n));
   for (std::size_t m = 1; m <= modes; ++m)
     report.text += fmt::format("Flügge, {} half-wave{} along: {:.1f} Hz\n", m, m == 1 ? "" : "s", flugge.values[m - 1]);
-  report.text += fmt::format(
-      "the tube weighs {:.4f} kg, an estimate of a barrel's effective mass (percuss model "
-      "trampoline --m2)\n",
-      model::tube_mass_kg(shell));
+  report.text +=
+      fmt::format("the tube weighs {:.4f} kg, an estimate of a barrel's effective mass m2 in the trampoline model\n",
+                  model::tube_mass_kg(shell));
   if (fitted) report.text += fitted_text(*fitted);
   report.charts = {{.title = fmt::format("Hoop modes of a tube, {} waves around", n),
                     .x = {.label = "half-waves along"},

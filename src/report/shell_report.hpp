@@ -9,13 +9,13 @@
 
 namespace percuss::report {
 
-/// A fit that the shell shown was taken from, and what it was made from.
+/// The fit that gave the shell, and the measurements that it used.
 struct FittedShell {
   std::vector<model::MeasuredHoop> measured;
   model::ShellFit fit;
 };
 
-/// percuss/model-shell/1: hoop frequencies of a tube with n waves around it, Flügge's for 1 … modes half-waves along.
+/// JSON: percuss/model-shell/1. Hoop frequencies of a tube with n waves around it; Flügge's for 1 … modes half-waves.
 CommandReport shell_report(const model::TubeShell& shell, std::size_t n, std::size_t modes,
                            const std::optional<FittedShell>& fitted = {});
 

@@ -7,9 +7,9 @@
 
 namespace percuss::report {
 
-/// percuss/study/1 (docs/schema/study.schema.json); the statements with their statistics, then the outliers; the
-/// statistics of every class of every figure as one table; every figure and every bat's trail, with `curve` over those
-/// of the hoop frequency.
+/// JSON: percuss/study/1 (docs/schema/study.schema.json). Text: the statements with their statistics, then the
+/// outliers. Table: the statistics of each class of each figure. Charts: each figure and each bat's trail; `curve` is
+/// drawn over those of the hoop frequency.
 CommandReport study_report(const metrics::Study& study, const std::optional<metrics::StudyCurve>& curve = {});
 
 }  // namespace percuss::report

@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kReference_Hz = 10e3;  // what the source calls rigid
+constexpr double kReference_Hz = 10e3;  // the barrel that the source calls rigid
 
 Json constants_json(const model::Trampoline& m) {
   return {{"m1_kg", m.ball_mass_kg},
@@ -62,7 +62,8 @@ std::string extras_text(const model::Trampoline& model, const model::HoopPeak& p
     text += fmt::format("with {:g} kg on the barrel a hoop frequency of {:.1f} Hz falls to {:.1f} Hz\n",
                         model.extra_mass_kg, peak.hoop_Hz, model::loaded_hoop_Hz(model, peak.hoop_Hz));
   }
-  if (extras.modal_mass_kg) text += fmt::format("the shift means a modal mass of {:.4f} kg\n", *extras.modal_mass_kg);
+  if (extras.modal_mass_kg)
+    text += fmt::format("the shift corresponds to a modal mass of {:.4f} kg\n", *extras.modal_mass_kg);
   if (extras.fitted) text += fit_text(*extras.fitted);
   return text;
 }

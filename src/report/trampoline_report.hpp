@@ -9,20 +9,20 @@
 
 namespace percuss::report {
 
-/// A fit of the exponents that the sweep was made with, and what it was made from.
+/// The fit of the exponents that the sweep uses, and the measurements that it used.
 struct FittedExponents {
   std::vector<model::MeasuredCor> measured;
   model::ExponentFit fit;
 };
 
-/// What percuss model trampoline shows beside the sweep.
+/// Results shown besides the sweep.
 struct TrampolineExtras {
   std::optional<FittedExponents> fitted;
   std::optional<double> modal_mass_kg;  // from a measured shift of the hoop frequency
 };
 
-/// percuss/model-trampoline/1: COR over the hoop frequency, the best, the wall's, and the one at 10 kHz, which the
-/// source divides by. errors  as rebound.
+/// JSON: percuss/model-trampoline/1. COR over the hoop frequency, its maximum, the rigid wall's, and the one at 10 kHz,
+/// by which the source divides. errors  as rebound.
 CommandReport trampoline_report(const model::Trampoline& model, const std::vector<double>& hoop_Hz,
                                 const TrampolineExtras& extras = {});
 

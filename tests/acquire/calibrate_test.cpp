@@ -90,7 +90,7 @@ TEST(Calibrate, LeavesWeakHitsOut) {
   EXPECT_TRUE(found.hits[2].used);
 }
 
-TEST(Calibrate, LiesWithinItsDeviation) {
+TEST(Calibrate, LiesWithinItsStandardDeviation) {
   const std::vector<double> peaks(20, 300);
   const Calibration found = calibrate(free_mass({.noise = 0.01, .peaks_N = peaks}), kMass_kg);
   // 15 samples a hit above half of the peak, of mean square 0.6; two channels and two offsets of 8 samples.
@@ -101,7 +101,7 @@ TEST(Calibrate, LiesWithinItsDeviation) {
   EXPECT_GE(found.scale_std / 0.0102, expected / kFactor);
 }
 
-TEST(Calibrate, HasNoDeviationForOneHit) {
+TEST(Calibrate, HasNoStandardDeviationForOneHit) {
   const Calibration found = calibrate(free_mass({.noise = 0.01, .peaks_N = {300}}), kMass_kg);
   EXPECT_EQ(found.scale_std, 0);
   EXPECT_EQ(found.hits.size(), 1U);
@@ -117,7 +117,7 @@ TEST(Calibrate, TakesAPulseAtTheVeryStartOrEnd) {
   }
 }
 
-TEST(Calibrate, RefusesRecordsItCannotUse) {
+TEST(Calibrate, RefusesRecordsWithoutOneAccelerationOrAnyHit) {
   using testing::HasSubstr;
   const std::vector<double> x(1000);
   const Record none = record_in_memory(kFs_Hz, {x}, {{}});

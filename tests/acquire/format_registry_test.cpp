@@ -98,7 +98,7 @@ TEST_F(FormatRegistry, DetectsTheContentWhateverTheExtension) {
   EXPECT_EQ(format_of_file(renamed).name, "UFF");
 }
 
-TEST_F(FormatRegistry, TakesWhatNoOtherFormatDetectsForText) {
+TEST_F(FormatRegistry, TakesUndetectedInputAsText) {
   EXPECT_EQ(file_formats().back()->name, "text");
   EXPECT_EQ(detected_format({"-", "anything"}).name, "text");
   EXPECT_EQ(detected_format({"-", ""}).name, "text");

@@ -76,7 +76,7 @@ TEST_F(OpenRecord, ReadsALongTextFromStandardInput) {
   EXPECT_EQ(open_record("-").rows.at(0).samples, 20000U);
 }
 
-TEST_F(OpenRecord, RefusesWhatCannotComeFromStandardInput) {
+TEST_F(OpenRecord, RefusesFormatsThatCannotComeFromStandardInput) {
   {
     const StandardInput input("/dev/zero");
     EXPECT_THAT(input_error_of([] { open_record("-"); }), HasSubstr("standard input"));
@@ -90,7 +90,7 @@ TEST_F(OpenRecord, NamesFormatsThatItCannotRead) {
   EXPECT_THAT(rejection_of("PK\x03\x04 rest"), HasSubstr("zip"));
 }
 
-TEST_F(OpenRecord, KnowsFilesByTheirFirstBytesWhateverTheirName) {
+TEST_F(OpenRecord, DetectsFilesByTheirFirstBytes) {
   EXPECT_THAT(rejection_of("MATLAB 5.0 MAT-file, Platform"), HasSubstr("the MAT file cannot be read"));
   EXPECT_THAT(rejection_of(std::string("\0\0\0\0\2\0\0\0\2\0\0\0\0\0\0\0\2\0\0\0a\0", 22)),
               HasSubstr("ends within a variable"));
@@ -98,7 +98,7 @@ TEST_F(OpenRecord, KnowsFilesByTheirFirstBytesWhateverTheirName) {
   EXPECT_THAT(rejection_of("    -1\n    58\n"), HasSubstr("data set 58 is not closed"));
 }
 
-TEST_F(OpenRecord, RefusesFilesThatAreNone) {
+TEST_F(OpenRecord, RefusesMissingAndIrregularFiles) {
   EXPECT_THAT(rejection_of(""), HasSubstr("empty"));
   EXPECT_THAT(input_error_of([&] { open_record(folder_.file("none.csv")); }), HasSubstr("no such file"));
   EXPECT_THAT(input_error_of([&] { open_record(folder_.path()); }), HasSubstr("folder"));
@@ -109,7 +109,7 @@ TEST_F(OpenRecord, RefusesFilesThatAreNone) {
   EXPECT_THAT(input_error_of([&] { open_record(folder_.file("pipe")); }), HasSubstr("not a regular file"));
 }
 
-TEST_F(OpenRecord, SaysThatItMayNotRead) {
+TEST_F(OpenRecord, ReportsMissingPermission) {
   const std::string path = file_with(kText);
   ASSERT_EQ(chmod(path.c_str(), 0), 0);
   if (geteuid() == 0) {

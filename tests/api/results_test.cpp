@@ -16,7 +16,7 @@
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
 
-// The public face gives what the command line gives: the same documents, and the same numbers in its structures.
+// The public face and the command line: equal documents, and equal numbers in the structures.
 namespace percuss::api_results_test {
 
 const Band kBand{.low_Hz = 60, .high_Hz = 3200};
@@ -195,13 +195,13 @@ TEST_F(PublicResults, FrfsComeBackFromMobility) {
 TEST_F(PublicResults, BatchGivesWhatEachAnalysisGives) {
   const std::string path = file_of("wood-bat");
   const std::vector<std::string> paths{path, folder_.file("missing.h5"), path};
-  std::atomic<int> told = 0;
+  std::atomic<int> called = 0;
   const std::vector<BatchResult> results =
       analyze_batch(paths, {.analysis = {.band_Hz = kBand, .effort = Effort::quick},
                             .threads = 2,
-                            .on_result = [&](const BatchResult&) { ++told; }});
+                            .on_result = [&](const BatchResult&) { ++called; }});
   ASSERT_EQ(results.size(), paths.size());
-  EXPECT_EQ(told, 3);
+  EXPECT_EQ(called, 3);
   ASSERT_TRUE(results[1].error);
   EXPECT_EQ(results[1].error->where(), paths[1]);
   const std::vector<Mode> modes = Analysis(open_record(path), {.band_Hz = kBand, .effort = Effort::quick}).modes();

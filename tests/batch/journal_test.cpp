@@ -10,7 +10,7 @@
 #include "core/parallel/parallel.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace percuss::batch::batch_journal_test {
+namespace percuss::batch::journal_test {
 
 using testing::HasSubstr;
 
@@ -22,7 +22,7 @@ class BatchJournal : public testing::Test {
   ShardLabel label_{.version = "1", .manifest_sha256 = "m", .options_sha256 = "o", .shard = 0, .shards = 2};
 };
 
-TEST_F(BatchJournal, KeepsWhatWasFinished) {
+TEST_F(BatchJournal, KeepsFinishedRecords) {
   {
     Journal journal = open();
     journal.begin(12);
@@ -41,8 +41,8 @@ TEST_F(BatchJournal, KeepsWhatWasFinished) {
   EXPECT_EQ(journal.rows(11), "{\"c\":3}\n");
 }
 
-// A writer that is killed leaves the file cut off anywhere.
-TEST_F(BatchJournal, LosesTheLastLineAtMostWhereverItIsCutOff) {
+// A killed writer may leave the file cut off at any byte.
+TEST_F(BatchJournal, LosesAtMostTheLastLineWhenCutOff) {
   std::vector<std::size_t> ends;
   {
     Journal journal = open();
@@ -65,7 +65,7 @@ TEST_F(BatchJournal, LosesTheLastLineAtMostWhereverItIsCutOff) {
   }
 }
 
-TEST_F(BatchJournal, DoesNotBelieveDamagedLines) {
+TEST_F(BatchJournal, IgnoresDamagedLines) {
   {
     Journal journal = open();
     journal.finish(10, false, {R"({"x":1111})"});
@@ -91,7 +91,7 @@ TEST_F(BatchJournal, BelongsToOnePlanAndVersion) {
   EXPECT_EQ(open(true).finished(), 0U);
 }
 
-TEST_F(BatchJournal, TakesLinesOfSeveralThreads) {
+TEST_F(BatchJournal, AcceptsLinesOfSeveralThreads) {
   Journal journal = open();
   parallel_for(10, 2, [&](std::size_t i) {
     journal.begin(10 + i);
@@ -101,8 +101,8 @@ TEST_F(BatchJournal, TakesLinesOfSeveralThreads) {
   for (std::size_t i = 0; i < 10; ++i) EXPECT_EQ(journal.rows(10 + i), std::string(100 * i + 1, 'x') + "\n");
 }
 
-// Held against another process: a lock does not keep out the one that has it.
-TEST_F(BatchJournal, IsOneProcesssAtATime) {
+// Needs a second process: a lock does not exclude its owner.
+TEST_F(BatchJournal, BelongsToOneProcessAtATime) {
   const auto refused_elsewhere = [&] {
     const pid_t child = ::fork();
     if (child == 0) {
@@ -124,7 +124,7 @@ TEST_F(BatchJournal, IsOneProcesssAtATime) {
   EXPECT_FALSE(refused_elsewhere());
 }
 
-TEST_F(BatchJournal, TellsWhichRecordsWereBegunAndNeverFinished) {
+TEST_F(BatchJournal, ListsRecordsBegunAndNeverFinished) {
   {
     Journal journal = open();
     journal.begin(10);
@@ -141,4 +141,4 @@ TEST_F(BatchJournal, TellsWhichRecordsWereBegunAndNeverFinished) {
   EXPECT_THAT(state.stuck, testing::ElementsAre(12));
 }
 
-}  // namespace percuss::batch::batch_journal_test
+}  // namespace percuss::batch::journal_test

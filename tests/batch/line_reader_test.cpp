@@ -10,7 +10,7 @@
 
 namespace percuss::batch::line_reader_test {
 
-class LineReading : public testing::Test {
+class LineReaderTest : public testing::Test {
  protected:
   std::string written(const std::string& bytes) {
     test::write_bytes(path_, bytes);
@@ -20,7 +20,7 @@ class LineReading : public testing::Test {
   std::string path_ = folder_.file("lines");
 };
 
-TEST_F(LineReading, GivesLinesWithTheirPlaces) {
+TEST_F(LineReaderTest, GivesLinesWithTheirPlaces) {
   LineReader lines(written("one\n\nthree"), 100);
   ASSERT_TRUE(lines.next());
   EXPECT_EQ(lines.line(), "one");
@@ -38,8 +38,8 @@ TEST_F(LineReading, GivesLinesWithTheirPlaces) {
   EXPECT_FALSE(LineReader(written(""), 100).next());
 }
 
-// Lines longer and shorter than what is read at a time.
-TEST_F(LineReading, PutsTogetherWhatItReadsInPieces) {
+// Lines longer and shorter than one read.
+TEST_F(LineReaderTest, JoinsLinesReadInPieces) {
   std::vector<std::string> texts;
   std::string bytes;
   for (std::size_t i = 0; i < 60; ++i) {
@@ -55,7 +55,7 @@ TEST_F(LineReading, PutsTogetherWhatItReadsInPieces) {
   EXPECT_FALSE(lines.next());
 }
 
-TEST_F(LineReading, RefusesLinesThatAreTooLong) {
+TEST_F(LineReaderTest, RejectsLinesThatAreTooLong) {
   LineReader lines(written("short\n" + std::string(400'000, 'x') + "\n"), 1000);
   ASSERT_TRUE(lines.next());
   try {

@@ -7,7 +7,7 @@
 #include "core/error.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace percuss::batch::batch_manifest_test {
+namespace percuss::batch::manifest_test {
 
 class BatchManifest : public testing::Test {
  protected:
@@ -22,7 +22,7 @@ class BatchManifest : public testing::Test {
                    records, true);
     return test::bytes_of(path_);
   }
-  /// The complaint about a manifest with these bytes; "" when it is taken.
+  /// The error of a manifest with these bytes; "" when it is accepted.
   std::string refusal(const std::string& bytes) {
     test::write_bytes(path_, bytes);
     try {
@@ -36,7 +36,7 @@ class BatchManifest : public testing::Test {
   std::string path_ = folder_.file("m.jsonl");
 };
 
-TEST_F(BatchManifest, ComesBackAsItWasWritten) {
+TEST_F(BatchManifest, IsReadAsItWasWritten) {
   write({5, 0, 7});
   const Manifest manifest(path_);
   EXPECT_EQ(manifest.size(), 3U);
@@ -65,7 +65,7 @@ TEST_F(BatchManifest, IsDividedWithoutGapOrOverlap) {
   }
 }
 
-// No shard misses its share by more than a record.
+// A shard differs from its share by at most one record.
 TEST_F(BatchManifest, IsDividedIntoAboutEqualBytes) {
   std::vector<std::uint64_t> bytes(100, 10);
   for (std::size_t i = 0; i < 10; ++i) bytes[i] = 500;
@@ -85,7 +85,7 @@ TEST_F(BatchManifest, OfEmptyFilesIsDividedByTheirNumber) {
   EXPECT_EQ(manifest.shard(1, 2).size(), 5U);
 }
 
-TEST_F(BatchManifest, IsRefusedWithThePlaceThatIsWrong) {
+TEST_F(BatchManifest, IsRejectedWithThePlaceOfTheError) {
   const std::string good = write({5, 6, 7});
   EXPECT_EQ(refusal(good), "");
   const auto changed = [&](const std::string& from, const std::string& to) {
@@ -107,4 +107,4 @@ TEST_F(BatchManifest, IsRefusedWithThePlaceThatIsWrong) {
   EXPECT_THAT(refusal(good + std::string(8 << 20, ' ')), testing::HasSubstr("line 5 is longer"));
 }
 
-}  // namespace percuss::batch::batch_manifest_test
+}  // namespace percuss::batch::manifest_test

@@ -8,7 +8,7 @@
 #include "core/error.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace percuss::batch::batch_plan_test {
+namespace percuss::batch::plan_test {
 
 namespace fs = std::filesystem;
 using testing::ElementsAre;
@@ -30,7 +30,7 @@ class BatchPlan : public testing::Test {
   test::ScratchFolder folder_;
 };
 
-TEST_F(BatchPlan, WalksFoldersInOrder) {
+TEST_F(BatchPlan, ReadsFoldersInOrder) {
   const std::string b = make("b/z.csv"), a = make("a.h5"), c = make("c/d/x.MAT");
   make("notes.md");
   make(".hidden.csv");
@@ -40,27 +40,27 @@ TEST_F(BatchPlan, WalksFoldersInOrder) {
   EXPECT_EQ(files.left_out, 1U);
 }
 
-TEST_F(BatchPlan, TakesPatternsAndEachFileOnce) {
+TEST_F(BatchPlan, AcceptsPatternsAndTakesEachFileOnce) {
   const std::string a = make("a1.csv"), b = make("a2.csv"), c = make("b.csv"), odd = make("[1].csv");
   EXPECT_THAT(record_files({folder_.file("a*.csv"), b, c}).paths, ElementsAre(a, b, c));
-  EXPECT_THAT(record_files({odd}).paths, ElementsAre(odd));  // a file's name wins over a pattern
+  EXPECT_THAT(record_files({odd}).paths, ElementsAre(odd));  // the name of a file takes precedence over a pattern
   EXPECT_THAT(record_files({make("any.name")}).paths, ElementsAre(folder_.file("any.name")));
   EXPECT_THROW(record_files({folder_.file("z*.csv")}), InputError);
   EXPECT_THROW(record_files({folder_.file("none.csv")}), InputError);
 }
 
-TEST_F(BatchPlan, ReadsAListALine) {
+TEST_F(BatchPlan, ReadsOnePathPerLine) {
   EXPECT_THAT(parse_path_list("a b.h5\r\n\nc.h5\nd.h5"), ElementsAre("a b.h5", "c.h5", "d.h5"));
   EXPECT_TRUE(parse_path_list("").empty());
 }
 
-TEST_F(BatchPlan, NamesRecordsByTheirFilesWhereThatIsUnique) {
+TEST_F(BatchPlan, NamesRecordsByTheirFilesWhereUnique) {
   EXPECT_THAT(ids({make("b.h5"), make("a.csv"), make("x/c.csv")}), ElementsAre("a", "b", "c"));
   EXPECT_THAT(ids({make("one/t.h5"), make("two/t.h5"), make("u.h5")}),
               ElementsAre(folder_.file("one/t.h5"), folder_.file("two/t.h5"), "u"));
 }
 
-TEST_F(BatchPlan, SeesPathsFromTheManifest) {
+TEST_F(BatchPlan, StoresPathsRelativeToTheManifest) {
   make("recs/a.csv");
   fs::create_directory(folder_.file("plans"));
   const fs::path before = fs::current_path();
@@ -75,9 +75,9 @@ TEST_F(BatchPlan, SeesPathsFromTheManifest) {
   EXPECT_EQ(records_of_files({folder_.file("recs/a.csv")}, ".", false).at(0).path, folder_.file("recs/a.csv"));
 }
 
-TEST_F(BatchPlan, RefusesNamesThatAreNoText) {
+TEST_F(BatchPlan, RejectsNamesThatAreNotUtf8) {
   EXPECT_THROW(records_of_files({make("a\xff.csv")}, folder_.path(), false), InputError);
   EXPECT_EQ(ids({make("\xc3\xa4.csv")}).at(0), "\xc3\xa4");
 }
 
-}  // namespace percuss::batch::batch_plan_test
+}  // namespace percuss::batch::plan_test

@@ -5,7 +5,7 @@
 #include "core/error.hpp"
 #include "report/text/digest.hpp"
 
-namespace percuss::batch::packed_frf_test {
+namespace percuss::batch::serialized_frf_test {
 
 frf::FrfRecord small_record() {
   frf::FrfRecord record;
@@ -23,7 +23,7 @@ frf::FrfRecord small_record() {
   return record;
 }
 
-TEST(PackedFrf, ComesBackAsItWas) {
+TEST(SerializedFrf, IsRestoredExactly) {
   const frf::FrfRecord record = small_record(), back = deserialize_frfs(serialize_frfs(record), "here");
   EXPECT_EQ(back.lines.fs_Hz, 1000);
   EXPECT_EQ(back.lines.samples, 100U);
@@ -43,7 +43,7 @@ TEST(PackedFrf, ComesBackAsItWas) {
   EXPECT_EQ(serialize_frfs(back), serialize_frfs(record));
 }
 
-TEST(PackedFrf, IsRefusedWhenItIsCutOffOrChanged) {
+TEST(SerializedFrf, IsRejectedWhenCutOffOrChanged) {
   const std::string text = serialize_frfs(small_record());
   for (std::size_t length = 0; length < text.size(); ++length)
     EXPECT_THROW(deserialize_frfs(text.substr(0, length), "here"), InputError) << length;
@@ -55,7 +55,7 @@ TEST(PackedFrf, IsRefusedWhenItIsCutOffOrChanged) {
   EXPECT_THROW(deserialize_frfs(serialize_frfs(record), "here"), InputError);
 }
 
-TEST(Base64, ComesBackAsItWas) {
+TEST(Base64, IsRestoredExactly) {
   std::string bytes;
   for (int i = 0; i < 300; ++i) {
     EXPECT_EQ(report::from_base64(report::base64({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()})),
@@ -67,4 +67,4 @@ TEST(Base64, ComesBackAsItWas) {
     EXPECT_THROW(report::from_base64(bad), std::out_of_range) << bad;
 }
 
-}  // namespace percuss::batch::packed_frf_test
+}  // namespace percuss::batch::serialized_frf_test

@@ -3,9 +3,9 @@
 
 #include "batch/slurm.hpp"
 
-namespace percuss::batch::batch_slurm_test {
+namespace percuss::batch::slurm_test {
 
-TEST(BatchSlurm, WritesAScriptThatAShellTakesApartAsItWasMeant) {
+TEST(BatchSlurm, WritesAScriptThatAShellParsesCorrectly) {
   EXPECT_EQ(slurm_script({.program = "/usr/bin/percuss",
                           .manifest = "/data/it's mine.jsonl",
                           .folder = "/data/out",
@@ -23,10 +23,10 @@ TEST(BatchSlurm, WritesAScriptThatAShellTakesApartAsItWasMeant) {
             "\"$SLURM_ARRAY_TASK_ID/9\" --threads 2 -o /data/out\n");
 }
 
-TEST(BatchSlurm, KnowsHowLongAnArrayMayBe) {
+TEST(BatchSlurm, FindsTheLargestArray) {
   EXPECT_EQ(largest_array_index("MaxDBDMsgs = 20004\nMaxArraySize            = 5001\nMaxJobCount = 1"), 5000U);
   EXPECT_EQ(largest_array_index(""), 1000U);
   EXPECT_EQ(largest_array_index("MaxArraySize = "), 1000U);
 }
 
-}  // namespace percuss::batch::batch_slurm_test
+}  // namespace percuss::batch::slurm_test

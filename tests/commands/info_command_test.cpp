@@ -44,6 +44,25 @@ TEST_F(InfoCommand, DescribesTheOtherFilesIfOneIsBad) {
   EXPECT_THAT(document["files"][2]["needs"], HasSubstr("no force column found among t_s, CH1, CH2"));
 }
 
+TEST_F(InfoCommand, NamesOptionsInTheTextButNotInTheDocument) {
+  test::write_bytes(file("plain.csv"), "t_s,hammer,sensor\n0,1,2\n0.1,3,4\n0.2,5,6\n");
+  const std::vector<std::string> words{"--force-channel", "hammer", "--accel-channel", "sensor", file("plain.csv")};
+  const std::string text = run(words).out;
+  EXPECT_THAT(text, HasSubstr("note: the unit of hammer is not stated; taken as N (--force-unit)"));
+  EXPECT_THAT(text, HasSubstr("note: the unit of sensor is not stated; taken as m/s^2 (--unit)"));
+  auto with_json = words;
+  with_json.emplace_back("--json");
+  const auto document = test::parse_json(run(with_json).out);
+  EXPECT_EQ(document["files"][0]["notes"][0], "the unit of hammer is not stated; taken as N");
+}
+
+TEST_F(InfoCommand, PrintsTheOptionsOfAnErrorOnStandardErrorOnly) {
+  const auto outcome = run({"--json", "--fs", "-5", file("a.csv")});
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, testing::EndsWith(" (--fs)\n"));
+  EXPECT_THAT(test::parse_json(outcome.out)["files"][0]["error"], testing::Not(HasSubstr("--")));
+}
+
 TEST_F(InfoCommand, ListsTheColumnsOfUnknownChannels) {
   test::write_bytes(file("lab.csv"), "Sampling Rate(Hz),50\nCH No.,CH2,CH8\nUnit,cm/s2,V\n0,1,2\n0.02,3,4\n0.04,5,6\n");
   auto outcome = run({file("lab.csv")});

@@ -136,6 +136,20 @@ TEST(Usage, NamesTheSuperfluousArgument) {
                 {{"analyze", "x.h5", "--json=yes"}, "--json takes no value; give it alone, or omit it"}});
 }
 
+TEST(Usage, NamesTheOptionsOfTheRemedy) {
+  expect_lines(
+      {{{"model", "shell", "--wall", "1"},
+        "--wall is half of the outer diameter or more; give the thickness of the wall in m (--outer-diameter)"},
+       {{"metrics", "--period-s", "1", "--gate-times-s", "1,2"},
+        "--period-s and --gate-times-s exclude each other; give one of them"},
+       {{"nodes", "x.h5", "--positions", "3:0.3:9.1"},
+        "--positions cannot be '3:0.3:9.1': the end is not a whole number of steps from the start; give START:STEP:END "
+        "with a unit (in, m, mm, cm, ft), such as 3:0.25:9in; without a unit, inches"},
+       {{"synth"}, "no spec is given; name a JSON file, a preset, or - for standard input (percuss synth --list)"},
+       {{"study"},
+        "no table is given; name a table of bats, or analyses that name their bat (percuss analyze --bat-id)"}});
+}
+
 // "--" ends the options, so that the name of a file may look like one.
 TEST(Usage, AcceptsAFileNamedLikeAnOption) {
   const auto outcome = run_percuss({"analyze", "--", "--bnad"});

@@ -6,22 +6,36 @@
 
 namespace percuss::error_test {
 
-TEST(InputError, NamesProblemPlaceAndRemedy) {
+TEST(InputError, StatesProblemPlaceAndRemedy) {
   EXPECT_STREQ(InputError("no force channel", "x.csv", "name it").what(), "no force channel (x.csv); name it");
 }
 
-TEST(UsageError, NamesProblemAndRemedy) {
+TEST(UsageError, StatesProblemAndRemedy) {
   EXPECT_STREQ(UsageError("unknown option", "see --help").what(), "unknown option; see --help");
 }
 
-TEST(InputError, StaysOnOneLineWhateverTheFileHolds) {
+TEST(InputError, IsOneLineForAnyText) {
   const std::string message = InputError("a\nb", "c\r\td", std::string("e\0f", 3)).what();
   EXPECT_EQ(message, "a?b (c??d); e?f");
 }
 
-TEST(InputError, StaysShortWhateverTheFileHolds) {
+TEST(InputError, IsShortForAnyText) {
   const std::string endless(1 << 20, 'x');
   EXPECT_LE(std::string(InputError(endless, endless, endless).what()).size(), 2000U);
+}
+
+TEST(InputError, HoldsItsFieldsWithoutControlCharacters) {
+  const InputError error("a\nb", "c", std::string(1000, 'x'), {"fs", "survey.example"});
+  EXPECT_EQ(error.problem(), "a?b");
+  EXPECT_EQ(error.where(), "c");
+  EXPECT_EQ(error.remedy(), std::string(600, 'x') + "...");
+  EXPECT_EQ(error.options(), (std::vector<OptionId>{"fs", "survey.example"}));
+}
+
+TEST(InputError, AddsItsOptionsInTheNotationOfAnInterface) {
+  const OptionWriter write = [](std::string_view id) { return "--" + std::string(id); };
+  EXPECT_EQ(InputError("a", "b", "c", {"fs", "unit"}).written(write), "a (b); c (--fs, --unit)");
+  EXPECT_EQ(InputError("a", "b", "c").written(write), "a (b); c");
 }
 
 TEST(OneLine, KeepsPrintableTextAndBytesBeyondAscii) {
@@ -35,7 +49,7 @@ TEST(OneLine, ShowsControlCharactersAsQuestionMarks) {
   EXPECT_EQ(one_line(" ~"), " ~");
 }
 
-TEST(OneLine, CutsWhatIsLongerThanTheLimitOnly) {
+TEST(OneLine, CutsOnlyTextLongerThanTheLimit) {
   EXPECT_EQ(one_line("abcdef", 6), "abcdef");
   EXPECT_EQ(one_line("abcdefg", 6), "abcdef...");
   EXPECT_EQ(one_line("abc", 0), "...");
@@ -48,7 +62,7 @@ TEST(OneLine, CutsBetweenCharactersNotInsideThem) {
   EXPECT_EQ(one_line("\xF0\x9F\x94\xA8 hit", 4), "\xF0\x9F\x94\xA8...");
 }
 
-TEST(OneLine, CutsWhatIsNoUtf8WhereItIs) {
+TEST(OneLine, CutsTextThatIsNotUtf8AtTheLimit) {
   const std::string bytes(20, '\x80');
   EXPECT_EQ(one_line(bytes, 10), bytes.substr(0, 10) + "...");
 }

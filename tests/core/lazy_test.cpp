@@ -22,7 +22,7 @@ TEST(Lazy, StaysEmptyWhenTheComputationThrows) {
   EXPECT_EQ(slot.get([] { return 7; }), 7);
 }
 
-TEST(Lazy, RefusesAStageThatDemandsItself) {
+TEST(Lazy, RejectsAComputationThatUsesItself) {
   Lazy<int> slot;
   const auto self = [&]() -> int { return slot.get([&] { return slot.get([] { return 1; }); }); };
   EXPECT_THROW(self(), std::logic_error);

@@ -19,7 +19,7 @@ struct Case {
 
 class Units : public testing::TestWithParam<Case> {};
 
-TEST_P(Units, AreReadAsInstrumentsWriteThem) {
+TEST_P(Units, AreParsedAsInstrumentsWriteThem) {
   const auto unit = parse_unit(GetParam().name);
   ASSERT_TRUE(unit) << GetParam().name;
   EXPECT_EQ(unit->quantity, GetParam().quantity) << GetParam().name;
@@ -57,14 +57,14 @@ INSTANTIATE_TEST_SUITE_P(Others, Units,
                                          Case{"mm", Quantity::length, 0.001}, Case{"cm", Quantity::length, 0.01},
                                          Case{"in", Quantity::length, 0.0254}, Case{"kg", Quantity::mass, 1}));
 
-TEST(ParseUnit, KnowsNoUnitThatIsNone) {
+TEST(ParseUnit, ReturnsNothingForUnknownUnits) {
   for (const char* name :
        {"", " ", "furlong", "Mg", "MG", "N/m", "()", "m/s^3", "1", "kHz", "s2", "^", "((((((((((((((((((((((((("}) {
     EXPECT_FALSE(parse_unit(name)) << name;
   }
 }
 
-TEST(RequireUnit, SaysWhatAUnitMeasuresInstead) {
+TEST(RequireUnit, NamesTheQuantityOfAWrongUnit) {
   try {
     require_unit("g", Quantity::force, "x.csv: column 2");
     FAIL() << "an acceleration passed for a force";
@@ -73,7 +73,7 @@ TEST(RequireUnit, SaysWhatAUnitMeasuresInstead) {
   }
 }
 
-TEST(SiName, IsReadBackAsFactorOne) {
+TEST(SiName, IsParsedAsFactorOne) {
   for (const auto quantity : {Quantity::force, Quantity::acceleration, Quantity::voltage, Quantity::time,
                               Quantity::angle, Quantity::length, Quantity::mass}) {
     const auto unit = parse_unit(si_name(quantity));

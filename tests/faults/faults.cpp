@@ -1,7 +1,7 @@
-// Preloaded into percuss by the tests: makes what the system does for it fail.
-//   PERCUSS_FAULT_ALLOCATION=N  the N-th allocation of memory gets none (counted from the first, in each process)
-//   PERCUSS_FAULT_WRITE=N       from the N-th on, nothing more can be written: the disk is full
-//   PERCUSS_FAULT_SHORT=N       no write takes more than N bytes
+// Preloaded into percuss by the tests: makes calls of the system fail.
+//   PERCUSS_FAULT_ALLOCATION=N  the N-th allocation of each process fails
+//   PERCUSS_FAULT_WRITE=N       the N-th write and all later ones fail: the disk is full
+//   PERCUSS_FAULT_SHORT=N       no write accepts more than N bytes
 #include <dlfcn.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -12,19 +12,19 @@
 
 namespace {
 
-long wish(const char* name) {
+long environment_number(const char* name) {
   const char* const text = std::getenv(name);
   return text == nullptr ? 0 : std::atol(text);
 }
 
-// The C library's own, which this file stands before.
+// The function of the C library that this file replaces.
 template <class Function>
 Function* real(const char* name) {
   return reinterpret_cast<Function*>(::dlsym(RTLD_NEXT, name));
 }
 
 bool out_of_memory() {
-  static const long kFailing = wish("PERCUSS_FAULT_ALLOCATION");
+  static const long kFailing = environment_number("PERCUSS_FAULT_ALLOCATION");
   static std::atomic<long> count = 0;
   if (kFailing == 0 || ++count != kFailing) return false;
   errno = ENOMEM;
@@ -36,9 +36,10 @@ bool is_file(int descriptor) {
   return ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
 }
 
-// How many bytes may be written; negative: none, the disk is full.
+// The number of bytes to write; negative: the disk is full.
 ssize_t allowed(int descriptor, std::size_t wanted) {
-  static const long kFull = wish("PERCUSS_FAULT_WRITE"), kShort = wish("PERCUSS_FAULT_SHORT");
+  static const long kFull = environment_number("PERCUSS_FAULT_WRITE"),
+                    kShort = environment_number("PERCUSS_FAULT_SHORT");
   static std::atomic<long> count = 0;
   if (!is_file(descriptor)) return static_cast<ssize_t>(wanted);
   if (kFull > 0 && ++count >= kFull) {
@@ -53,7 +54,7 @@ ssize_t allowed(int descriptor, std::size_t wanted) {
 
 extern "C" {
 
-// The C library's own, by the names it gives them.
+// The functions of the C library by their internal names.
 void* __libc_malloc(std::size_t);                 // NOLINT(bugprone-reserved-identifier)
 void* __libc_calloc(std::size_t, std::size_t);    // NOLINT(bugprone-reserved-identifier)
 void* __libc_realloc(void*, std::size_t);         // NOLINT(bugprone-reserved-identifier)

@@ -7,7 +7,7 @@
 #include "support/scratch_folder.hpp"
 #include "support/synthetic_files.hpp"
 
-// What the system does for percuss fails: no memory, a full disk, writes that take less than was asked.
+// Calls of the system fail: no memory, a full disk, short writes.
 namespace percuss::faults_test {
 
 namespace fs = std::filesystem;
@@ -19,7 +19,7 @@ using testing::IsEmpty;
 
 const std::string kCorpus = PERCUSS_SOURCE_DIR "/fuzz/corpus/";
 
-// Before them the libraries are loaded, which nobody can catch.
+// Earlier allocations load the libraries: their failure cannot be caught.
 constexpr long kFirst = 100;
 
 class Faults : public testing::Test {
@@ -36,7 +36,7 @@ class Faults : public testing::Test {
   void clear() const {
     for (const std::string& name : files()) fs::remove(folder_.file(name));
   }
-  /// The command with every `step`-th allocation failing, up to where it makes no more.
+  /// Runs the command with every `step`-th allocation failing, until the failures come after its last allocation.
   void expect_all_or_nothing(std::vector<std::string> arguments, const std::string& output, long step) const {
     const std::string path = folder_.file(output);
     if (!output.empty()) arguments.push_back(path);
@@ -49,7 +49,7 @@ class Faults : public testing::Test {
       clear();
       const ProcessOutcome outcome = run(arguments, "ALLOCATION", n);
       ASSERT_EQ(outcome.signal, 0) << outcome.err;
-      if (outcome.code == 0) {  // it did without
+      if (outcome.code == 0) {  // this allocation is not needed
         ++without;
         ASSERT_EQ(outcome.out, good.out);
         if (!output.empty()) {
@@ -69,8 +69,8 @@ class Faults : public testing::Test {
   test::ScratchFolder folder_;
 };
 
-TEST_F(Faults, OfMemoryEndInOneLineAndNoFile) {
-  constexpr long kStep = 61;  // a prime, so that it is not always the same that fails
+TEST_F(Faults, OfMemoryGiveOneLineAndNoFile) {
+  constexpr long kStep = 61;  // a prime, so that different allocations fail
   expect_all_or_nothing({"info", kCorpus + "csv/record.csv"}, "", kStep);
   expect_all_or_nothing({"info", kCorpus + "foreign/record.mat"}, "", kStep);
   expect_all_or_nothing({"convert", kCorpus + "uff/record.uff"}, "out.csv", kStep);
@@ -78,8 +78,8 @@ TEST_F(Faults, OfMemoryEndInOneLineAndNoFile) {
   expect_all_or_nothing({"convert", kCorpus + "uff/record.uff"}, "out.mat", kStep);
 }
 
-// The heap's large pages want half a GiB of them; without, it is as small as it was.
-TEST_F(Faults, OfAddressesAreNoMatterForASmallTest) {
+// Large pages reserve half a GiB of addresses. Where a limit denies them, the heap grows as before.
+TEST_F(Faults, OfAddressSpaceDoNotChangeASmallTest) {
   const test::ScratchFolder inputs;
   test::write_small_test(inputs.file("record.h5"));
   const std::vector<std::string> arguments{"analyze", inputs.file("record.h5"), "--json", "--threads", "1"};
@@ -124,7 +124,7 @@ TEST_F(Faults, OfTheDiskLeaveTheOldFile) {
   }
 }
 
-TEST_F(Faults, WritesThatTakeLessAreContinued) {
+TEST_F(Faults, OfShortWritesAreHandled) {
   const test::ScratchFolder inputs;
   test::write_small_test(inputs.file("record.h5"));
   for (const char* kind : {".csv", ".h5", ".uff", ".mat", ".wav", ".rf64", ".w64"}) {

@@ -8,7 +8,7 @@
 #include "support/scratch_folder.hpp"
 #include "targets.hpp"
 
-// What the fuzz targets start from and what they once found, run again; and a little of what they would try.
+// Runs the corpora of the fuzz targets, with their former findings, and a few mutations.
 namespace percuss::fuzz_corpus_test {
 
 namespace fs = std::filesystem;
@@ -23,7 +23,7 @@ std::vector<std::string> inputs_of(const fuzz::Target& target) {
   return paths;
 }
 
-// A few bytes overwritten, a stretch taken out, doubled or moved, or another input's end.
+// Overwrites some bytes, removes, doubles or moves a part, or appends the end of another input.
 std::string mutated(const std::string& bytes, const std::string& other, std::mt19937& random) {
   const auto below = [&](std::size_t limit) { return limit == 0 ? 0 : random() % limit; };
   std::string out = bytes;
@@ -52,7 +52,7 @@ class FuzzCorpus : public testing::TestWithParam<fuzz::Target> {};
 INSTANTIATE_TEST_SUITE_P(, FuzzCorpus, testing::ValuesIn(fuzz::targets().begin(), fuzz::targets().end()),
                          [](const auto& one) { return std::string(one.param.name); });
 
-TEST_P(FuzzCorpus, IsReadOrRefused) {
+TEST_P(FuzzCorpus, IsReadOrRejected) {
   const auto inputs = inputs_of(GetParam());
   ASSERT_FALSE(inputs.empty());
   for (const std::string& path : inputs) {
@@ -61,7 +61,7 @@ TEST_P(FuzzCorpus, IsReadOrRefused) {
   }
 }
 
-TEST_P(FuzzCorpus, IsReadOrRefusedWhenChanged) {
+TEST_P(FuzzCorpus, IsReadOrRejectedWhenMutated) {
   const auto inputs = inputs_of(GetParam());
   const std::size_t runs = std::string_view(GetParam().name) == "foreign" ? 40 : 400;  // a process for each
   std::mt19937 random(19);
@@ -71,7 +71,7 @@ TEST_P(FuzzCorpus, IsReadOrRefusedWhenChanged) {
   }
 }
 
-TEST(FuzzTargets, AreThoseThatHaveACorpus) {
+TEST(FuzzTargets, HaveACorpusEach) {
   std::vector<std::string> names, folders;
   for (const fuzz::Target& target : fuzz::targets()) names.emplace_back(target.name);
   for (const auto& entry : fs::directory_iterator(kCorpus)) folders.push_back(entry.path().filename());

@@ -27,7 +27,7 @@ class Hdf5Damage : public testing::Test {
         .values("point", {2}, {3, 4}, {.type = H5T_STD_I32LE});
     good_ = test::bytes_of(path_);
   }
-  /// Reads all there is; the outcome must be a record or an InputError, whatever the bytes.
+  /// Reads everything. The result must be a record or an InputError for any bytes.
   bool readable(const std::string& bytes) const {
     test::write_bytes(path_, bytes);
     try {
@@ -59,7 +59,7 @@ TEST_F(Hdf5Damage, ByTruncationIsAlwaysAnInputError) {
 }
 
 TEST_F(Hdf5Damage, OfCompressedSamplesIsAnInputErrorWhenRead) {
-  // Blot out what stands between the headers, bytes at a time: gzip's own check must tell.
+  // Overwrites bytes between the headers: the checksum of gzip must find it.
   std::string bytes = good_;
   const std::size_t gzip = bytes.find("\x78\x9c");
   ASSERT_NE(gzip, std::string::npos);
@@ -75,7 +75,7 @@ TEST_F(Hdf5Damage, OfCompressedSamplesIsAnInputErrorWhenRead) {
               testing::HasSubstr("/accel"));
 }
 
-TEST_F(Hdf5Damage, OfTheSamplesPlaceIsAnInputError) {
+TEST_F(Hdf5Damage, OfThePositionOfTheSamplesIsAnInputError) {
   Hdf5Builder(path_).numbers("", "fs", {1000}).ramp("force", {2, 200}).ramp("accel", {2, 1, 200});
   std::string bytes = test::bytes_of(path_);
   const hid_t file = H5Fopen(path_.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), set = H5Dopen2(file, "force", H5P_DEFAULT);

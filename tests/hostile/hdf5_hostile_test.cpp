@@ -23,7 +23,7 @@ using Shape = std::vector<hsize_t>;
 
 class Hdf5Hostile : public testing::Test {
  protected:
-  /// A good file but for what `spoil` adds; "force", "accel" and "fs" are left out as asked.
+  /// A valid file, changed by `spoil`. "force", "accel" and "fs" can be left out.
   std::string rejection_of(const std::function<void(Hdf5Builder&)>& spoil, const std::string& without = "",
                            const acquire::ReadOptions& options = {}) const {
     {
@@ -45,7 +45,7 @@ class Hdf5Hostile : public testing::Test {
     test::write_bytes(path_, bytes);
     return input_error_of([&] { acquire::open_hdf5(path_); });
   }
-  /// A set /force of two hits, made with the creation list and type given, nothing written.
+  /// A data set /force of two hits with the given creation list and type, without values.
   static void declare_force(const Hdf5Builder& file, hid_t type, hid_t creation, Shape shape = {2, 9}) {
     const hid_t space = H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr);
     const hid_t set = H5Dcreate2(file.id(), "force", type, space, H5P_DEFAULT, creation, H5P_DEFAULT);
@@ -58,7 +58,7 @@ class Hdf5Hostile : public testing::Test {
   std::string path_ = folder_.file("bad.h5");
 };
 
-TEST_F(Hdf5Hostile, RefusesWhatIsNoHdf5File) {
+TEST_F(Hdf5Hostile, RejectsOtherFiles) {
   EXPECT_THAT(refusal_of_bytes(""), HasSubstr("not an HDF5 file"));
   EXPECT_THAT(refusal_of_bytes("hit,t_s,force_N\n0,0,1\n"), HasSubstr("not an HDF5 file"));
   EXPECT_THAT(refusal_of_bytes(std::string("\x89HDF\r\n\x1a\n", 8) + std::string(100, '\0')), HasSubstr("damaged"));
@@ -68,7 +68,7 @@ TEST_F(Hdf5Hostile, RefusesWhatIsNoHdf5File) {
   EXPECT_THAT(input_error_of([&] { acquire::open_hdf5(folder_.file("pipe")); }), HasSubstr("not a regular file"));
 }
 
-TEST_F(Hdf5Hostile, NamesWhatIsThereInsteadOfADataSet) {
+TEST_F(Hdf5Hostile, NamesTheObjectFoundInsteadOfADataSet) {
   const auto other = [](Hdf5Builder& file) { file.ramp("hammer", {2, 9}); };
   EXPECT_THAT(rejection_of(other, "force"), AllOf(HasSubstr("no data set /force"), HasSubstr("accel, hammer")));
   EXPECT_THAT(rejection_of(other, "accel"), AllOf(HasSubstr("no data set /accel"), HasSubstr("force, hammer")));
@@ -78,7 +78,7 @@ TEST_F(Hdf5Hostile, NamesWhatIsThereInsteadOfADataSet) {
   EXPECT_THAT(rejection_of(group, "force"), HasSubstr("not a data set"));
 }
 
-TEST_F(Hdf5Hostile, RefusesShapesThatMakeNoRecord) {
+TEST_F(Hdf5Hostile, RejectsShapesThatAreNotARecord) {
   EXPECT_THAT(refusal_of_shapes({}, {2, 9}), HasSubstr("[hits, samples]"));
   EXPECT_THAT(refusal_of_shapes({2, 2, 9}, {2, 2, 9}), HasSubstr("[2, 2, 9]"));
   EXPECT_THAT(refusal_of_shapes({2, 9}, {1, 2, 2, 9}), HasSubstr("4 dimensions"));
@@ -93,7 +93,7 @@ TEST_F(Hdf5Hostile, RefusesShapesThatMakeNoRecord) {
   EXPECT_THAT(refusal_of_shapes({5000, 2}, {5000, 1, 2}), HasSubstr("transposed"));
 }
 
-TEST_F(Hdf5Hostile, RefusesUnusableSamplingRates) {
+TEST_F(Hdf5Hostile, RejectsUnusableSamplingRates) {
   EXPECT_THAT(rejection_of([](Hdf5Builder&) {}, "fs"), HasSubstr("fs is missing"));
   for (const double fs_Hz : {0.0, -1000.0, std::nan(""), std::numeric_limits<double>::infinity(), 1e30, 1e-30}) {
     EXPECT_THAT(rejection_of([&](Hdf5Builder& file) { file.numbers("", "fs", {fs_Hz}); }, "fs"),
@@ -110,7 +110,7 @@ TEST_F(Hdf5Hostile, RefusesUnusableSamplingRates) {
   EXPECT_THAT(test::options_of_error([&] { acquire::open_hdf5(path_, {.fs_Hz = -1}); }), testing::ElementsAre("fs"));
 }
 
-TEST_F(Hdf5Hostile, RefusesUnitsItCannotUse) {
+TEST_F(Hdf5Hostile, RejectsUnusableUnits) {
   const auto unit = [this](const std::string& object, const std::string& name) {
     return rejection_of([&](Hdf5Builder& file) { file.text(object, "unit_str", name); });
   };
@@ -121,7 +121,7 @@ TEST_F(Hdf5Hostile, RefusesUnitsItCannotUse) {
   EXPECT_THAT(rejection_of([](Hdf5Builder& file) { file.numbers("accel", "unit_str", {1}); }), HasSubstr("not a text"));
 }
 
-TEST_F(Hdf5Hostile, RefusesNumbersThatDoNotFitTheHits) {
+TEST_F(Hdf5Hostile, RejectsNumbersThatDoNotMatchTheHits) {
   const auto refusal = [this](const std::string& name, const Shape& shape, const std::vector<double>& values) {
     return rejection_of([&](Hdf5Builder& file) { file.values(name, shape, values); });
   };
@@ -141,7 +141,7 @@ TEST_F(Hdf5Hostile, RefusesNumbersThatDoNotFitTheHits) {
   }
 }
 
-TEST_F(Hdf5Hostile, RefusesClaimsThatTheFileCannotHold) {
+TEST_F(Hdf5Hostile, RejectsSizesBeyondTheFile) {
   constexpr hsize_t kHuge = 625'000'000;  // 10 GB as float64 in two hits
   const auto declared = [this](const test::Hdf5Storage& storage, const Shape& shape) {
     return rejection_of([&](Hdf5Builder& file) { file.ramp("force", shape, storage); }, "force");
@@ -153,7 +153,7 @@ TEST_F(Hdf5Hostile, RefusesClaimsThatTheFileCannotHold) {
   EXPECT_THAT(declared({.chunk = {1, 1000}, .gzip = 9, .written = false}, {2, kHuge}), HasSubstr("claims"));
 }
 
-TEST_F(Hdf5Hostile, RefusesCompressedSetsThatWereNeverCompleted) {
+TEST_F(Hdf5Hostile, RejectsIncompleteCompressedSets) {
   const auto first_hit_only = [](Hdf5Builder& file) {
     file.ramp("force", {2, 9}, {.chunk = {1, 9}, .gzip = 1, .written = false});
     const hid_t set = H5Dopen2(file.id(), "force", H5P_DEFAULT), space = H5Dget_space(set);
@@ -169,7 +169,7 @@ TEST_F(Hdf5Hostile, RefusesCompressedSetsThatWereNeverCompleted) {
   EXPECT_THAT(rejection_of(first_hit_only, "force"), HasSubstr("1 of its 2 chunks"));
 }
 
-TEST_F(Hdf5Hostile, RefusesSamplesThatAreNotPlainNumbers) {
+TEST_F(Hdf5Hostile, RejectsSamplesThatAreNotNumbers) {
   const auto refusal = [this](hid_t type) {
     return rejection_of([&](Hdf5Builder& file) { declare_force(file, type, H5P_DEFAULT); }, "force");
   };
@@ -184,7 +184,7 @@ TEST_F(Hdf5Hostile, RefusesSamplesThatAreNotPlainNumbers) {
   H5Tclose(varying);
 }
 
-TEST_F(Hdf5Hostile, RefusesToFollowLinksOutOfTheFile) {
+TEST_F(Hdf5Hostile, RejectsLinksToOtherFiles) {
   const std::string other = folder_.file("other.h5");
   Hdf5Builder(other).ramp("force", {2, 9});
   const auto external = [&](Hdf5Builder& file) {
@@ -203,7 +203,7 @@ TEST_F(Hdf5Hostile, RefusesToFollowLinksOutOfTheFile) {
   EXPECT_THAT(rejection_of(cycle, "force"), HasSubstr("leads nowhere"));
 }
 
-TEST_F(Hdf5Hostile, RefusesStorageInOtherFilesAndUnknownPacking) {
+TEST_F(Hdf5Hostile, RejectsStorageInOtherFilesAndUnknownFilters) {
   const hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
   const auto refusal = [&](Shape shape = {2, 9}) {
     return rejection_of([&](Hdf5Builder& file) { declare_force(file, H5T_IEEE_F64LE, creation, shape); }, "force");

@@ -11,7 +11,7 @@
 #include "support/scratch_folder.hpp"
 #include "support/synthetic_files.hpp"
 
-// What is no record at all, as percuss meets it on a user's disk.
+// Files on a user's disk that are not records.
 namespace percuss::hostile_input_test {
 
 namespace fs = std::filesystem;
@@ -33,27 +33,27 @@ std::string garbage(std::size_t count) {
   return bytes;
 }
 
-TEST_F(HostileInput, RefusesWhatIsMissing) {
+TEST_F(HostileInput, RejectsMissingFiles) {
   expect_every_command_rejects(file("none.h5"), "no such file (" + file("none.h5"));
   expect_every_command_rejects(file("none/none.csv"), file("none/none.csv"));
 }
 
-TEST_F(HostileInput, RefusesEmptyFilesOfAnyName) {
+TEST_F(HostileInput, RejectsEmptyFilesOfAnyName) {
   for (const char* name : {"empty.h5", "empty.csv", "empty"}) {
     test::write_bytes(file(name), "");
     expect_every_command_rejects(file(name), file(name));
   }
 }
 
-TEST_F(HostileInput, RefusesFolders) { expect_every_command_rejects(folder_.path(), folder_.path()); }
+TEST_F(HostileInput, RejectsFolders) { expect_every_command_rejects(folder_.path(), folder_.path()); }
 
-TEST_F(HostileInput, RefusesDevicesAndPipesWithoutWaiting) {
+TEST_F(HostileInput, RejectsDevicesAndPipesWithoutWaiting) {
   ASSERT_EQ(::mkfifo(file("pipe").c_str(), 0666), 0);
   for (const std::string& path : {file("pipe"), std::string("/dev/zero"), std::string("/dev/null")})
     expect_every_command_rejects(path, path, {.limit = std::chrono::seconds(20)});
 }
 
-TEST_F(HostileInput, RefusesWhatMayNotBeRead) {
+TEST_F(HostileInput, RejectsUnreadableFiles) {
   fs::permissions(folder_.path(), fs::perms::all);
   for (const char* name : {"secret.h5", "secret.csv"}) {
     test::write_small_test(file(name), R"("hits": 1)");
@@ -67,7 +67,7 @@ TEST_F(HostileInput, RefusesWhatMayNotBeRead) {
   fs::permissions(file("closed"), fs::perms::all);
 }
 
-TEST_F(HostileInput, RefusesGarbageOfAnyName) {
+TEST_F(HostileInput, RejectsGarbageOfAnyName) {
   for (const char* name : {"garbage.h5", "garbage.csv"}) {
     test::write_bytes(file(name), garbage(100000));
     expect_every_command_rejects(file(name), file(name));
@@ -78,14 +78,14 @@ TEST_F(HostileInput, RefusesGarbageOfAnyName) {
   }
 }
 
-TEST_F(HostileInput, RefusesForeignFilesByTheirKind) {
+TEST_F(HostileInput, RejectsForeignFilesByTheirKind) {
   test::write_bytes(file("lab.mat"), "MATLAB 5.0 MAT-file, Platform: GLNXA64" + std::string(200, ' '));
   expect_every_command_rejects(file("lab.mat"), "MAT file");
   test::write_bytes(file("lab.wav"), "RIFF    WAVEfmt " + std::string(200, '\0'));
   expect_every_command_rejects(file("lab.wav"), "damaged");
 }
 
-TEST_F(HostileInput, RefusesTextThatIsNoTable) {
+TEST_F(HostileInput, RejectsTextThatIsNotATable) {
   for (const auto& text :
        {std::string("hello"), std::string("a,b,c\n"), std::string(300000, 'x'), std::string(300000, ','),
         std::string(300000, '\n'), std::string(300000, '"'), std::string("\xFF\xFEt\0,\0", 6)}) {
@@ -117,7 +117,7 @@ TEST_F(HostileInput, ReportsGoodFilesWithHostileNames) {
   }
 }
 
-TEST_F(HostileInput, RefusesBadStandardInput) {
+TEST_F(HostileInput, RejectsBadStandardInput) {
   test::write_bytes(file("empty"), "");
   test::write_bytes(file("garbage"), garbage(100000));
   test::write_small_test(file("bat.h5"), R"("hits": 1)");
@@ -128,7 +128,7 @@ TEST_F(HostileInput, RefusesBadStandardInput) {
   expect_every_command_rejects("-", "standard input", {.input = folder_.path()});
 }
 
-TEST_F(HostileInput, RefusesABadChannelSetUp) {
+TEST_F(HostileInput, RejectsABadChannelSetUp) {
   test::write_small_test(file("bat.h5"), R"("hits": 1)");
   ASSERT_EQ(::mkfifo(file("pipe").c_str(), 0666), 0);
   test::write_bytes(file("garbage"), garbage(1000));
@@ -139,7 +139,7 @@ TEST_F(HostileInput, RefusesABadChannelSetUp) {
     rejection_of({"analyze", file("bat.h5"), "--setup", setup}, {".json"}, setup, {.limit = std::chrono::seconds(20)});
 }
 
-TEST_F(HostileInput, RefusesOutputsThatCannotBeWritten) {
+TEST_F(HostileInput, RejectsOutputsThatCannotBeWritten) {
   test::write_small_test(file("bat.h5"), R"("hits": 1)");
   for (const char* kind : {".json", ".csv", ".h5"}) {
     rejection_of({"analyze", file("bat.h5"), "-o", file("none") + "/out" + kind}, {}, file("none"));

@@ -10,7 +10,7 @@
 #include "support/rejection.hpp"
 #include "support/scratch_folder.hpp"
 
-// Records that are well formed as files, and no use as measurements.
+// Well-formed files that are not usable measurements.
 namespace percuss::hostile_samples_test {
 
 using test::expect_analyses_reject;
@@ -23,7 +23,7 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t kSamples = 2048;
 
-/// A hit after 100 samples and the decay that follows it, with a little noise.
+/// A hit after 100 samples and its decay, with a little noise.
 double force_at(std::size_t i) {
   return (i >= 100 && i < 105 ? 80.0 : 0) + 1e-3 * std::sin(7.0 * static_cast<double>(i * i));
 }
@@ -45,7 +45,7 @@ class HostileSamples : public testing::Test {
     if (!fs_Hz.empty()) file.numbers("", "fs", fs_Hz);
     file.values("force", {1, kSamples}, force_).values("accel", {1, 1, kSamples}, accel_);
   }
-  /// Lines of time, force and acceleration; `line` may say otherwise for each.
+  /// Lines of time, force and acceleration; `line` can replace each.
   void write_csv(const std::string& header, const std::function<std::string(std::size_t)>& line = {},
                  std::size_t lines = kSamples) {
     std::string text = header;
@@ -62,7 +62,7 @@ class HostileSamples : public testing::Test {
   std::vector<double> force_ = column(force_at), accel_ = column(accel_at);
 };
 
-TEST_F(HostileSamples, AreNoneWhenNothingIsSpoilt) {
+TEST_F(HostileSamples, AreAcceptedUnchanged) {
   write_hdf5({2048});
   write_csv(header_);
   for (const auto& path : {hdf5_, csv_}) {
@@ -76,7 +76,7 @@ TEST_F(HostileSamples, AreNoneWhenNothingIsSpoilt) {
   }
 }
 
-TEST_F(HostileSamples, RefusesWhatIsNotFiniteWithItsPlace) {
+TEST_F(HostileSamples, AreRejectedWithThePlaceOfANonFiniteValue) {
   for (const double bad : {kNan, kInfinity, -kInfinity, 1e308, 9.91e37}) {
     accel_[1500] = bad;
     write_hdf5({2048});
@@ -96,7 +96,7 @@ TEST_F(HostileSamples, RefusesWhatIsNotFiniteWithItsPlace) {
   }
 }
 
-TEST_F(HostileSamples, RefusesSamplingRatesThatCannotBe) {
+TEST_F(HostileSamples, AreRejectedForImpossibleSamplingRates) {
   for (const double fs_Hz : {0.0, -5.0, kNan, kInfinity, 1e300, 1e-300}) {
     write_hdf5({fs_Hz});
     expect_every_command_rejects(hdf5_, "bad.h5");
@@ -112,7 +112,7 @@ TEST_F(HostileSamples, RefusesSamplingRatesThatCannotBe) {
   }
 }
 
-TEST_F(HostileSamples, RefusesTimesThatGiveNoRate) {
+TEST_F(HostileSamples, AreRejectedForTimesWithoutARate) {
   const auto with_time = [&](const std::function<std::string(std::size_t)>& time) {
     write_csv(header_, [&](std::size_t i) { return fmt::format("{},{},{}\n", time(i), force_[i], accel_[i]); });
     expect_every_command_rejects(csv_, "bad.csv");
@@ -130,7 +130,7 @@ TEST_F(HostileSamples, RefusesTimesThatGiveNoRate) {
   expect_every_command_rejects(csv_, "bad.csv");
 }
 
-TEST_F(HostileSamples, RefusesASingleSample) {
+TEST_F(HostileSamples, AreRejectedForASingleSample) {
   Hdf5Builder(hdf5_).numbers("", "fs", {2048}).values("force", {1, 1}, {5}).values("accel", {1, 1, 1}, {2});
   expect_every_command_rejects(hdf5_, "bad.h5");
   write_csv(header_, {}, 1);
@@ -139,7 +139,7 @@ TEST_F(HostileSamples, RefusesASingleSample) {
   expect_every_command_rejects(csv_, "bad.csv");
 }
 
-TEST_F(HostileSamples, RefusesTooFewSamplesForAnFrf) {
+TEST_F(HostileSamples, AreRejectedWithTooFewSamplesForAnFrf) {
   Hdf5Builder(hdf5_)
       .numbers("", "fs", {2048})
       .values("force", {1, 12}, {0, 0, 0, 40, 80, 40, 0, 0, 0, 0, 0, 0})
@@ -147,7 +147,7 @@ TEST_F(HostileSamples, RefusesTooFewSamplesForAnFrf) {
   expect_analyses_reject(hdf5_, "bad.h5");
 }
 
-TEST_F(HostileSamples, RefusesFilesWithoutTheChannels) {
+TEST_F(HostileSamples, AreRejectedWithoutTheChannels) {
   Hdf5Builder(hdf5_).numbers("", "fs", {2048}).values("accel", {1, 1, kSamples}, accel_);
   expect_every_command_rejects(hdf5_, "bad.h5");
   Hdf5Builder(hdf5_).numbers("", "fs", {2048}).values("force", {1, kSamples}, force_);
@@ -168,7 +168,7 @@ TEST_F(HostileSamples, RefusesFilesWithoutTheChannels) {
   EXPECT_THAT(rejection_of({"analyze", csv_, "--accel-channel", "7"}, {".json"}, "bad.csv"), HasSubstr("acc_m_s2"));
 }
 
-TEST_F(HostileSamples, RefusesMixedLengths) {
+TEST_F(HostileSamples, AreRejectedForMixedLengths) {
   Hdf5Builder(hdf5_).numbers("", "fs", {2048}).ramp("force", {2, 64}).ramp("accel", {2, 1, 63});
   expect_every_command_rejects(hdf5_, "bad.h5");
   Hdf5Builder(hdf5_).numbers("", "fs", {2048}).ramp("force", {2, 64}).ramp("accel", {3, 1, 64});
@@ -179,7 +179,7 @@ TEST_F(HostileSamples, RefusesMixedLengths) {
   }
 }
 
-TEST_F(HostileSamples, RefusesFilesThatDoNotGoTogether) {
+TEST_F(HostileSamples, AreRejectedInFilesThatDoNotMatch) {
   write_hdf5({2048});
   const std::string other = folder_.file("other.h5");
   Hdf5Builder(other)

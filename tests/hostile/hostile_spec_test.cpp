@@ -7,7 +7,7 @@
 #include "support/scratch_folder.hpp"
 #include "support/synthetic_files.hpp"
 
-// Specs for percuss synth that are none.
+// Invalid specifications of synthetic tests.
 namespace percuss::hostile_spec_test {
 
 namespace fs = std::filesystem;
@@ -28,7 +28,7 @@ class HostileSpec : public testing::Test {
   std::string path_ = folder_.file("spec.json");
 };
 
-TEST_F(HostileSpec, IsRefusedWhenItIsNoFile) {
+TEST_F(HostileSpec, IsRejectedWhenItIsNotAFile) {
   expect_refusal(folder_.file("none.json"), folder_.file("none.json"));
   expect_refusal(folder_.path(), folder_.path());
   expect_refusal("steel-bat", "steel-bat");
@@ -39,14 +39,14 @@ TEST_F(HostileSpec, IsRefusedWhenItIsNoFile) {
   expect_refusal("-", "standard input", {.input = "/dev/zero", .limit = std::chrono::seconds(20)});
 }
 
-TEST_F(HostileSpec, IsRefusedWhenItMayNotBeRead) {
+TEST_F(HostileSpec, IsRejectedWhenItIsUnreadable) {
   fs::permissions(folder_.path(), fs::perms::all);
   test::write_bytes(path_, test::small_spec());
   fs::permissions(path_, fs::perms::none);
   expect_refusal(path_, path_, {.ordinary_user = true});
 }
 
-TEST_F(HostileSpec, IsRefusedWhenItIsNoSpec) {
+TEST_F(HostileSpec, IsRejectedWhenItIsNotASpecification) {
   for (const char* text : {"", "null", "[]", "7", "{}", "{", "hello", "\xff\xfe", "{\"fs_hz\": }", R"({"fs_hz": 1000})",
                            R"({"fs_hz": 1000, "fs_hz": 2000})"})
     expect_refusal_of_text(text);
@@ -57,7 +57,7 @@ TEST_F(HostileSpec, IsRefusedWhenItIsNoSpec) {
   for (std::size_t part = 1; part < 20; ++part) expect_refusal_of_text(whole.substr(0, part * whole.size() / 20));
 }
 
-TEST_F(HostileSpec, IsRefusedWhenItsNumbersCannotBe) {
+TEST_F(HostileSpec, IsRejectedForImpossibleNumbers) {
   const auto spec = [](const std::string& numbers) {
     return R"({"modes": [{"frequency_hz": 100, "damping_ratio": 0.01}], )" + numbers + "}";
   };

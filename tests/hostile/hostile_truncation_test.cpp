@@ -11,7 +11,7 @@
 #include "support/scratch_folder.hpp"
 #include "support/synthetic_files.hpp"
 
-// Files cut off, damaged, or smaller than they claim.
+// Files that are cut off, damaged, or smaller than they claim.
 namespace percuss::hostile_truncation_test {
 
 using test::expect_every_command_rejects;
@@ -27,7 +27,7 @@ class HostileTruncation : public testing::Test {
   std::string hdf5_ = folder_.file("cut.h5"), csv_ = folder_.file("cut.csv");
 };
 
-TEST_F(HostileTruncation, RefusesAnHdf5FileCutAnywhere) {
+TEST_F(HostileTruncation, RejectsAnHdf5FileCutAnywhere) {
   const std::string whole = folder_.file("whole.h5");
   test::write_small_test(whole, R"("hits": 1)");
   const std::string bytes = test::bytes_of(whole);
@@ -44,8 +44,8 @@ TEST_F(HostileTruncation, RefusesAnHdf5FileCutAnywhere) {
   expect_every_command_rejects(hdf5_, hdf5_);
 }
 
-// Text may end after any whole line and be a shorter record; it may not end within a line unnoticed.
-TEST_F(HostileTruncation, RefusesATextCutWithinALine) {
+// A text cut after a whole line is a shorter record. A cut within a line must be found.
+TEST_F(HostileTruncation, RejectsATextCutWithinALine) {
   const std::string whole = folder_.file("whole.csv");
   test::write_small_test(whole, R"("hits": 1)");
   const std::string bytes = test::bytes_of(whole);
@@ -98,8 +98,8 @@ TEST_F(HostileTruncation, SurvivesSingleBytesDamagedInHdf5) {
   }
 }
 
-TEST_F(HostileTruncation, BelievesNoClaimOfManyBytes) {
-  const hsize_t many = 270000000;  // 5 hits of them are 10.8 GB
+TEST_F(HostileTruncation, RejectsSizesBeyondTheFile) {
+  const hsize_t many = 270000000;  // 10.8 GB in 5 hits
   test::Hdf5Storage contiguous, chunked;
   contiguous.written = chunked.written = false;
   chunked.chunk = {1, 4096};
@@ -122,7 +122,7 @@ TEST_F(HostileTruncation, BelievesNoClaimOfManyBytes) {
   expect_every_command_rejects(hdf5_, hdf5_);
 }
 
-TEST_F(HostileTruncation, TakesNoMemoryForWhatATextClaims) {
+TEST_F(HostileTruncation, TakesNoMemoryForTheSizeThatATextClaims) {
   std::string text =
       "ID No.,PCD-400A,\nSampling Rate(Hz),1000,\nData Nos/CH,1300000000000,\nCH No.,hammer_N,acc\nUnit,N,m/s2\n";
   for (int i = 0; i < 400; ++i) text += std::to_string(i / 1000.0) + (i >= 100 && i < 104 ? ",50,8\n" : ",0.01,0.1\n");

@@ -11,18 +11,18 @@
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
 
-// Two gigabytes: what is asked for decides how much of them is read, and none of it is kept.
+// A record of two gigabytes: commands read only what they need and keep none of it.
 namespace percuss::large_record_test {
 
 constexpr hsize_t kSamples = 89'500'000, kHits = 9, kHitEvery = 9'900'000;
 constexpr double kForce_bytes = kSamples * 8.0;
 #ifdef PERCUSS_SANITIZED
-constexpr std::size_t kMostMemory_bytes = 400'000'000;  // they remember who touched what, and what was given back
+constexpr std::size_t kMostMemory_bytes = 400'000'000;  // sanitizers keep data about accesses and freed memory
 #else
 constexpr std::size_t kMostMemory_bytes = 120'000'000;
 #endif
 
-/// A set of which only what is written takes room on the disk; the rest is zeros.
+/// A data set of zeros; only written values take space on the disk.
 hid_t create_set(hid_t file, const char* name, const std::vector<hsize_t>& shape) {
   const hid_t space = H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr);
   const hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
@@ -66,7 +66,7 @@ void write_record(const std::string& path) {
   H5Fclose(file);
 }
 
-/// Bytes that this process has asked the system for so far.
+/// The bytes that this process has read so far.
 double bytes_read() {
   std::ifstream io("/proc/self/io");
   std::string key;
@@ -82,11 +82,11 @@ class LargeRecord : public testing::Test {
   std::string path_ = folder_.file("two-gigabytes.h5");
 };
 
-TEST_F(LargeRecord, OnlyTheForceIsReadForTheHitsAndOnce) {
+TEST_F(LargeRecord, HitsReadOnlyTheForceAndOnlyOnce) {
   const double before = bytes_read();
   ASSERT_GE(before, 0);
   EXPECT_EQ(pipeline::Analysis(acquire::open_record(path_), {}).force_hits().size(), kHits);
-  // Half a per cent more: around each hit, once it is known where, the force is looked at again.
+  // 0.5 % more: the force around each hit is read again.
   EXPECT_LT(bytes_read() - before, 1.005 * kForce_bytes);
 }
 

@@ -7,14 +7,14 @@
 #include "support/scratch_folder.hpp"
 #include "targets.hpp"
 
-// One file of every format, cut off after every byte: refused, or what is left of it is what stood there.
+// One file of every format, cut off after every byte: it is rejected, or the remaining samples are unchanged.
 namespace percuss::truncation_test {
 
 using test::bytes_of;
 
 const std::string kCorpus = PERCUSS_SOURCE_DIR "/fuzz/corpus/";
 
-/// All samples: the rows' forces and accelerations.
+/// All samples: the forces and accelerations of all rows.
 std::vector<std::vector<double>> samples_of(const acquire::Record& record) {
   std::vector<std::vector<double>> out;
   for (std::size_t row = 0; row < record.rows.size(); ++row) {
@@ -35,7 +35,7 @@ std::vector<std::vector<Complex>> frfs_of(const frf::FrfRecord& record) {
   return out;
 }
 
-/// Whether `part` is how `whole` begins, but for the last `spoilt` numbers of it: a text may end within a number.
+/// Whether `whole` begins with `part`, except for the last `spoilt` numbers: a text may be cut within a number.
 template <class Number>
 bool begins(const std::vector<Number>& part, const std::vector<Number>& whole, std::size_t spoilt) {
   const std::size_t sure = part.size() - std::min(part.size(), spoilt);
@@ -67,7 +67,7 @@ INSTANTIATE_TEST_SUITE_P(, Truncation,
                            return name;
                          });
 
-TEST_P(Truncation, LeavesWhatStoodThereOrIsRefused) {
+TEST_P(Truncation, KeepsTheSamplesOrIsRejected) {
   const std::string bytes = bytes_of(kCorpus + GetParam().file), path = folder_.file("cut");
   const frf::FrfReadOptions options{.read = GetParam().options, .kind = {}};
   test::write_bytes(path, bytes);

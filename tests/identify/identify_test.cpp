@@ -11,7 +11,7 @@
 
 namespace percuss::identify::identify_test {
 
-// Deviations of a fit scaled by its residual scatter themselves; of some hundred values one beyond this is not chance.
+// Standard deviations. One of a few hundred errors beyond this limit is not chance.
 constexpr double kDeviations = 4.5;
 
 struct Pair {
@@ -44,12 +44,12 @@ void expect_modes(const std::vector<Mode>& found, const std::vector<Pair>& truth
   }
 }
 
-TEST(IdentifyModes, FindsSeparateModesWithinTheirDeviations) {
+TEST(IdentifyModes, FindsSeparateModesWithinTheirStandardDeviations) {
   const std::vector<Pair> truth{{180, 0.01}, {600, 0.006}, {1200, 0.004}, {2000, 0.003}};
   for (std::uint64_t seed = 0; seed < 8; ++seed) expect_modes(modes_of(structure(truth, seed, 1e-3)), truth);
 }
 
-TEST(IdentifyModes, FindsBothModesOfADoublet) {
+TEST(IdentifyModes, FindsBothModesOfAClosePair) {
   const std::vector<Pair> truth{{600, 0.006}, {1900, 0.003}, {1912, 0.0033}};
   for (std::uint64_t seed = 0; seed < 4; ++seed) expect_modes(modes_of(structure(truth, seed, 1e-3)), truth);
 }
@@ -59,13 +59,13 @@ TEST(IdentifyModes, SeparatesTwoModesTwoHertzApartAt170Hz) {
   expect_modes(modes_of(structure(truth, 1, 1e-4, 2.56)), truth);
 }
 
-TEST(IdentifyModes, LeavesOneModeOne) {
+TEST(IdentifyModes, FindsNoSecondModeInASingleOne) {
   for (std::uint64_t seed = 0; seed < 8; ++seed)
     EXPECT_EQ(modes_of(structure({{900, 0.004}}, seed, 1e-2)).size(), 1U) << seed;
 }
 
-TEST(IdentifyModes, ReadsNoDampingTooHighFromATruncatedRecord) {
-  // A third of the amplitude is left at the end: a peak's width would read the damping far too high.
+TEST(IdentifyModes, DoesNotOverestimateDampingFromATruncatedRecord) {
+  // A third of the amplitude is left at the end: the half-power bandwidth would give far too much damping.
   const std::vector<Pair> truth{{200, 0.002}, {800, 0.002}};
   const auto found = modes_of(structure(truth, 2, 1e-3, 0.45));
   expect_modes(found, truth);
@@ -78,12 +78,12 @@ TEST(IdentifyModes, IsExactOnNoiseFreeRecordsTruncatedOrNot) {
   for (const double duration_s : {0.45, 2.56}) {
     const auto found = modes_of(structure({{200.3, 0.002}, {800.7, 0.002}}, 0, 0, duration_s));
     ASSERT_EQ(found.size(), 2U);
-    EXPECT_LE(std::abs(found[0].pole.freq_Hz / 200.3 - 1), kRounding);  // between two lines, and read to rounding
+    EXPECT_LE(std::abs(found[0].pole.freq_Hz / 200.3 - 1), kRounding);  // between two lines
     EXPECT_LE(std::abs(found[1].pole.freq_Hz / 800.7 - 1), kRounding);
   }
 }
 
-TEST(IdentifyModes, DoesNotCareWhereTheBandBegins) {
+TEST(IdentifyModes, DoesNotDependOnTheStartOfTheBand) {
   const synth::SynthSpec spec = structure({{100, 0.01}}, 5, 1e-3);
   const auto a = modes_of(spec, 60, 1000);
   const auto b = modes_of(spec, 90, 1000);
@@ -93,7 +93,7 @@ TEST(IdentifyModes, DoesNotCareWhereTheBandBegins) {
   EXPECT_LE(std::abs(a[0].pole.damping_ratio - b[0].pole.damping_ratio), a[0].damping_std);
 }
 
-TEST(IdentifyModes, KeepsTheNumberOfModesAskedFor) {
+TEST(IdentifyModes, KeepsTheRequestedNumberOfModes) {
   const acquire::Record record =
       synth::synthesise(structure({{180, 0.01}, {600, 0.006}, {1200, 0.004}}, 0, 1e-3)).record;
   const pipeline::Analysis two(record, {.band_Hz = std::pair{60.0, 3200.0}, .modes = {.modes = 2}});
@@ -118,14 +118,14 @@ std::vector<Mode> modes_by(Effort effort, const synth::SynthSpec& spec) {
   return analysis.modes();
 }
 
-TEST(IdentifyModes, EveryEffortTellsADoubletFromOnePeak) {
+TEST(IdentifyModes, EveryEffortSeparatesAClosePair) {
   const synth::SynthSpec spec = structure({{600, 0.006}, {1900, 0.003}, {1903, 0.003}}, 2, 1e-3);
   EXPECT_EQ(modes_by(Effort::quick, spec).size(), 3U);
   EXPECT_EQ(modes_by(Effort::standard, spec).size(), 3U);
   EXPECT_EQ(modes_by(Effort::best, spec).size(), 3U);
 }
 
-TEST(IdentifyModes, BestMakesTheDeviationsOfTheFrequencySmaller) {
+TEST(IdentifyModes, BestEffortReducesTheStandardDeviationOfTheFrequency) {
   // A known force and real residues: a free phase costs the frequency the factor √2 to 2.
   synth::SynthSpec spec = structure({{180, 0.01}, {600, 0.006}}, 3, 1e-2);
   spec.noise.force = 0;
@@ -138,8 +138,8 @@ TEST(IdentifyModes, BestMakesTheDeviationsOfTheFrequencySmaller) {
   }
 }
 
-TEST(IdentifyModes, BestLeavesToTheLocalFitWhatTheModelCannotFollow) {
-  // A mode whose frequency falls while it rings is none of the model's: the joint fit must not be believed there.
+TEST(IdentifyModes, BestEffortKeepsTheLocalFitWhereTheModelFails) {
+  // The model excludes a mode whose frequency falls during the decay: the joint fit must be rejected there.
   FrfDataset set = test::empty_set(4096, 32768, 250, 650, 1);
   for (int part = 0; part < 40; ++part)
     test::add_mode(set, 0, {500 + 0.1 * part, 0.01}, Complex(0.02, part % 3 == 0 ? 0.01 : 0));

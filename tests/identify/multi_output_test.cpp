@@ -7,20 +7,20 @@
 #include "support/modal_frfs.hpp"
 #include "synth/synthesise.hpp"
 
-namespace percuss::identify::many_outputs_test {
+namespace percuss::identify::multi_output_test {
 
 constexpr double kDeviations = 4.5;
-constexpr std::size_t kOutputs = 30;
+constexpr std::size_t kChannels = 30;
 const std::vector<Pole> kTruth{{300.3, 0.01}, {306, 0.009}, {420, 0.006}};
 
 double shape(std::size_t channel, std::size_t mode) {
-  return 0.5 * std::cos(3.1 * (static_cast<double>(mode) + 1) * static_cast<double>(channel) / kOutputs + 0.4);
+  return 0.5 * std::cos(3.1 * (static_cast<double>(mode) + 1) * static_cast<double>(channel) / kChannels + 0.4);
 }
 
 FrfDataset survey(double freq_scatter_Hz, std::uint64_t seed) {
-  FrfDataset set = test::empty_set(4096, 32768, 250, 500, kOutputs);
-  set.points.resize(kOutputs, set.points.front());
-  for (std::size_t o = 0; o < kOutputs; ++o) {
+  FrfDataset set = test::empty_set(4096, 32768, 250, 500, kChannels);
+  set.points.resize(kChannels, set.points.front());
+  for (std::size_t o = 0; o < kChannels; ++o) {
     set.channels[o].point = o;
     set.channels[o].channel = 0;
     for (std::size_t m = 0; m < kTruth.size(); ++m) {
@@ -33,7 +33,7 @@ FrfDataset survey(double freq_scatter_Hz, std::uint64_t seed) {
   return set;
 }
 
-TEST(IdentifyMany, FindsPolesAndEveryResidueWithinTheirDeviations) {
+TEST(IdentifyMultiOutput, FindsPolesAndResiduesWithinTheirStandardDeviations) {
   for (const Effort effort : {Effort::standard, Effort::best}) {
     const auto modes = identify_multi_output(survey(0, 3), {.effort = effort});
     ASSERT_TRUE(modes);
@@ -42,8 +42,8 @@ TEST(IdentifyMany, FindsPolesAndEveryResidueWithinTheirDeviations) {
       const Mode& mode = (*modes)[m];
       EXPECT_LE(std::abs(mode.pole.freq_Hz - kTruth[m].freq_Hz), kDeviations * mode.freq_std_Hz) << m;
       EXPECT_LE(std::abs(mode.pole.damping_ratio - kTruth[m].damping_ratio), kDeviations * mode.damping_std) << m;
-      ASSERT_EQ(mode.residues.size(), kOutputs);
-      for (std::size_t o = 0; o < kOutputs; ++o) {
+      ASSERT_EQ(mode.residues.size(), kChannels);
+      for (std::size_t o = 0; o < kChannels; ++o) {
         EXPECT_EQ(mode.residues[o].point, o);
         EXPECT_LE(std::abs(mode.residues[o].value - shape(o, m)), std::sqrt(2) * kDeviations * mode.residues[o].std);
       }
@@ -51,12 +51,12 @@ TEST(IdentifyMany, FindsPolesAndEveryResidueWithinTheirDeviations) {
   }
 }
 
-TEST(IdentifyMany, LeavesAStructureThatMovesToTheFitOfAllOutputs) {
+TEST(IdentifyMultiOutput, DeclinesASurveyWithFrequencyScatter) {
   EXPECT_FALSE(identify_multi_output(survey(0.5, 3), {}));
 }
 
-TEST(IdentifyMany, FitsRecordsThatEndBeforeTheDecay) {
-  // 1 % of the first mode's amplitude is left: completed from the first fit, not forgotten.
+TEST(IdentifyMultiOutput, FitsTruncatedRecords) {
+  // 1 % of the first mode's amplitude is left at the end; the missing decay is added from the first fit.
   synth::SynthSpec spec = test::bat_spec(
       {{.freq_Hz = 180, .damping_ratio = 0.005}, {.freq_Hz = 600, .damping_ratio = 0.004, .order = 2}}, 0.8);
   spec.points.clear();
@@ -71,4 +71,4 @@ TEST(IdentifyMany, FitsRecordsThatEndBeforeTheDecay) {
   EXPECT_LE(std::abs((*modes)[0].pole.damping_ratio - 0.005), kDeviations * (*modes)[0].damping_std);
 }
 
-}  // namespace percuss::identify::many_outputs_test
+}  // namespace percuss::identify::multi_output_test

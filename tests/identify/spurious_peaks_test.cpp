@@ -1,5 +1,5 @@
-// Surveys whose resonances move from point to point and whose noise grows with the response: what common poles leave
-// is full of peaks, and none of them is a mode.
+// Surveys with frequency scatter between points and noise that grows with the response. The residual of common poles
+// has many peaks, none of which is a mode.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ constexpr double kGainNoise = 0.05;
 constexpr double kLineNoise = 0.01;  // of peaks of some hundred
 const std::vector<double> kModes_Hz{112, 307, 596, 974};
 
-// One hit at each of nine points, ζ = 1e-4, lines 0.04 Hz apart; nothing is known of the force.
+// One hit at each of nine points, ζ = 1e-4, lines 0.04 Hz apart; the force is unknown.
 FrfDataset survey(double low_Hz, std::uint64_t seed) {
   FrfDataset set = test::empty_set(2560, 65536, low_Hz, 1000, 9);
   set.points.assign(9, {});
@@ -40,7 +40,7 @@ FrfDataset survey(double low_Hz, std::uint64_t seed) {
   return set;
 }
 
-TEST(IdentifyModes, KeepsTheModesThatShowWhenWhatIsLeftIsFullOfPeaks) {
+TEST(IdentifyModes, KeepsTheModesWithAPeakWhenTheResidualHasManyPeaks) {
   for (const double low_Hz : {70.0, 80.0}) {
     const auto modes = identify_modes(survey(low_Hz, 1));
     for (const double freq_Hz : kModes_Hz) {

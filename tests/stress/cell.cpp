@@ -7,11 +7,11 @@ namespace percuss::stress {
 
 namespace {
 
-// FNV-1a: equal noise in all cells would count one draw many times.
+// FNV-1a. Equal noise in all cells would count one draw many times.
 std::uint64_t own_seed(const std::string& name, std::uint64_t run) {
   std::uint64_t hash = 14695981039346656037U ^ run;
   for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211U;
-  return hash >> 12U;  // as many digits as a JSON number holds
+  return hash >> 12U;  // exact as a JSON number
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 
 namespace percuss::stress {
 
-/// A synthetic test, what else happens to it, and what must come out.
+/// A synthetic test, its further changes, and the expected outcome.
 struct Cell {
   std::string group, name;
   synth::SynthSpec spec;
@@ -23,16 +23,16 @@ struct Cell {
 };
 Check check_of(Cell cell);
 
-/// The test of a cell, altered, with its truth; noise and hits of its own for every cell and run.
+/// The changed test of a cell with its truth. Every cell and run has its own noise and hits.
 synth::SyntheticTest test_of(const Cell& cell, std::uint64_t run);
 pipeline::AnalysisOptions options_of(const synth::SynthSpec& spec, double exponential_end = 0);
 
-/// The cells' common structure: two accelerometers, five hits, one second at 8192 Hz, band 60 to 3000 Hz.
+/// The common structure of the cells: two accelerometers, five hits, one second at 8192 Hz, band 60 to 3000 Hz.
 synth::SynthSpec structure(std::vector<synth::SynthMode> modes);
-/// … with a mode at 400 Hz (1 %) and one at 1100 Hz (0.5 %).
+/// The same with modes at 400 Hz (1 %) and 1100 Hz (0.5 %).
 synth::SynthSpec two_modes();
 
-/// A noise of so many dB below the signal, as spec.noise has it.
+/// Noise at the given level in dB below the signal, in the unit of spec.noise.
 double ratio_of_dB(double snr_dB);
 
 std::vector<Cell> spacing_cells();

@@ -10,34 +10,34 @@
 
 namespace percuss::stress {
 
-/// How far a mode came out from the truth, in its own reported deviations.
+/// The error of a mode in its reported standard deviations.
 struct Miss {
   double freq_sigmas = 0;
   double damping_sigmas = 0;
 };
 
-/// What one run of a check found out.
+/// The result of one run of a check.
 struct Result {
   std::vector<std::string> failures;  // none: as expected
   std::set<std::string> said;         // codes of findings and warnings, "exit 3", "exit 4"
-  std::size_t wanted = 0, found = 0;  // modes that must be found one by one, and those of the truth that were
+  std::size_t wanted = 0, found = 0;  // true modes that must be found, and true modes found
   double freq_relative = 0;           // the largest error over the modes found, relative
   double damping_absolute = 0;        // … of the damping ratio
-  double freq_bound = 0;              // the largest bound on a frequency over half its mode's bandwidth; 0: none
-  std::vector<Miss> misses;           // of the modes found
-  bool calibrated = false;            // the noise is as the deviations assume, so that intervals must cover
+  double freq_bound = 0;              // the largest bound of a frequency / half its bandwidth; 0: none
+  std::vector<Miss> misses;           // of the found modes
+  bool calibrated = false;  // the noise meets the assumptions of the standard deviations, so the intervals must cover
 };
 
 /// One cell of the grid.
 struct Check {
   std::string group, name;
-  std::string expectation;  // in words, for the table
-  std::string defect;       // a known defect by which it fails, in words; it must then fail
-  std::size_t runs = 1;     // with other noise, in the short suite …
+  std::string expectation;  // as text, for the table
+  std::string defect;       // a known defect as text; the check must then fail
+  std::size_t runs = 1;     // with different noise, in the short suite
   std::size_t full_runs = 1;
   std::function<Result(std::uint64_t run)> run;
   std::function<acquire::Record(std::uint64_t run)>
-      record{};  // what is analysed, to be written to a file; may be empty
+      record{};  // the analysed record, for writing to a file; may be empty
 };
 
 }  // namespace percuss::stress

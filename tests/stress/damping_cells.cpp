@@ -18,7 +18,7 @@ std::vector<Cell> damping_cells() {
       cells.push_back(std::move(cell));
     }
   }
-  // Nothing decays: of the slowest mode 94 % are left at the end.
+  // No decay within the record: the slowest mode ends at 94 %.
   for (const double snr_dB : {40.0, 80.0}) {
     Cell cell{.group = "damping",
               .name = fmt::format("no decay within 0.1 s, {:g} dB", snr_dB),
@@ -33,7 +33,7 @@ std::vector<Cell> damping_cells() {
     cell.spec.noise.accel = ratio_of_dB(snr_dB);
     cells.push_back(std::move(cell));
   }
-  // Lines under an exponential window have noise in common, the more so the faster it falls.
+  // An exponential window correlates the noise of neighbouring lines, and more for a faster decay.
   for (const double end : {0.1, 0.01, 1e-3}) {
     for (const double snr_dB : {20.0, 40.0, 60.0}) {
       Cell cell{.group = "damping",

@@ -8,18 +8,18 @@
 namespace percuss::stress {
 namespace {
 
-constexpr double kTold = 0.1;  // bound over damping ratio
-constexpr double kApart = 10;  // distance over its bound
-constexpr double kNear = 3;    // bandwidths within which a reported mode may be meant for a true one
+constexpr double kMaxDampingBound = 0.1;  // bound over damping ratio
+constexpr double kMinSeparation = 10;     // distance over its bound
+constexpr double kNear = 3;               // bandwidths within which a reported mode may stand for a true one
 
 double width_Hz(const identify::Pole& pole) { return 2 * pole.damping_ratio * pole.freq_Hz; }
 
-bool told(const TrueMode& mode) { return mode.damping_bound <= kTold * mode.pole.damping_ratio; }
+bool told(const TrueMode& mode) { return mode.damping_bound <= kMaxDampingBound * mode.pole.damping_ratio; }
 
 bool told_apart(const TrueMode& a, const TrueMode& b) {
   const double apart_Hz = std::abs(a.pole.freq_Hz - b.pole.freq_Hz);
-  // A close pair's middle is known well and its distance badly: the two errors are opposite, and add up.
-  return apart_Hz > kRoundingOfPole * a.pole.freq_Hz && apart_Hz > kApart * (a.freq_bound_Hz + b.freq_bound_Hz);
+  // The centre of a close pair is known well, its distance badly: the two errors are opposite, and add up.
+  return apart_Hz > kRoundingOfPole * a.pole.freq_Hz && apart_Hz > kMinSeparation * (a.freq_bound_Hz + b.freq_bound_Hz);
 }
 
 Miss miss_of(const identify::Mode& mode, const identify::Pole& truth) {
@@ -34,7 +34,7 @@ double worse(const Miss& miss) { return std::max(miss.freq_sigmas, miss.damping_
 
 bool meant_for(const identify::Mode& mode, const identify::Pole& truth) {
   const double off_Hz = std::abs(mode.pole.freq_Hz - truth.freq_Hz);
-  return off_Hz <= std::max(kNear * width_Hz(truth), kMostSigmas * mode.freq_std_Hz);
+  return off_Hz <= std::max(kNear * width_Hz(truth), kMaxSigmas * mode.freq_std_Hz);
 }
 
 std::string words(const identify::Mode& mode) {
@@ -78,7 +78,7 @@ class Judge {
     return !reason.empty() && (outcome_.said.contains(reason) || outcome_.message.find(reason) != std::string::npos);
   }
 
-  // True when nothing is left to judge.
+  // True when the judgement is complete.
   bool refused() {
     if (outcome_.exit_code == 0) return false;
     const bool other = std::any_of(expected_.or_refused.begin(), expected_.or_refused.end(),
@@ -93,7 +93,7 @@ class Judge {
     return expected_.demand == Demand::all;
   }
 
-  // Neighbours of a mode, itself included, that no estimator could tell apart.
+  // A mode and its inseparable neighbours.
   std::pair<std::size_t, std::size_t> cluster(std::size_t t) const {
     std::size_t first = t, last = t;
     while (first > 0 && !told_apart(truth_[first - 1], truth_[first])) --first;
@@ -101,7 +101,7 @@ class Judge {
     return {first, last};
   }
 
-  // One mode for several: within their range, and no wider than all of them together.
+  // One mode in place of several: within their range, and no wider than all of them together.
   bool stands_for_cluster(const identify::Mode& mode, std::size_t t) const {
     const auto [first, last] = cluster(t);
     if (first == last) return false;
@@ -113,7 +113,7 @@ class Judge {
       most = std::max(most, truth_[i].pole.damping_ratio);
     }
     most += (high_Hz - low_Hz) / (2 * low_Hz);
-    const double f = kMostSigmas * mode.freq_std_Hz, d = kMostSigmas * mode.damping_std;
+    const double f = kMaxSigmas * mode.freq_std_Hz, d = kMaxSigmas * mode.damping_std;
     return mode.pole.freq_Hz >= low_Hz - f && mode.pole.freq_Hz <= high_Hz + f &&
            mode.pole.damping_ratio >= least - d && mode.pole.damping_ratio <= most + d;
   }
@@ -167,7 +167,7 @@ class Judge {
     }
   }
 
-  // By the warning of peaks that no mode stands for.
+  // Excused by the warning of unmodelled peaks.
   bool named(const identify::Pole& truth) const {
     const double near_Hz = kNear * std::max(width_Hz(truth), outcome_.df_Hz);
     return std::any_of(outcome_.unclaimed_Hz.begin(), outcome_.unclaimed_Hz.end(),
@@ -183,7 +183,7 @@ class Judge {
     result_.freq_relative = std::max(result_.freq_relative, freq_relative);
     result_.damping_absolute = std::max(result_.damping_absolute, damping_absolute);
     const auto of_truth = fmt::format("{} for {:.9g} Hz, {:.6g}", words(mode), truth.freq_Hz, truth.damping_ratio);
-    if (!warned_ && !(worse(miss) <= kMostSigmas))
+    if (!warned_ && !(worse(miss) <= kMaxSigmas))
       fail(fmt::format("{:.1f} and {:.1f} deviations off: {}", miss.freq_sigmas, miss.damping_sigmas, of_truth));
     if (expected_.freq_relative && !(freq_relative <= *expected_.freq_relative))
       fail(fmt::format("frequency off by {:.2g}: {}", freq_relative, of_truth));
@@ -195,8 +195,8 @@ class Judge {
   const std::vector<TrueMode>& truth_;
   const Expectation& expected_;
   Result result_;
-  bool warned_ = false;                          // that deviations do not hold and that modes may be none
-  std::vector<std::size_t> of_mode_, of_truth_;  // each other's index; the size where there is none
+  bool warned_ = false;                          // that standard deviations do not hold and that modes may be spurious
+  std::vector<std::size_t> of_mode_, of_truth_;  // index of the partner; the size where there is none
 };
 
 }  // namespace

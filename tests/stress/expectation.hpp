@@ -9,47 +9,46 @@
 
 namespace percuss::stress {
 
-/// What rounding is worth: a pole's error as a part of its distance |s| from the origin. Frequency (relative) and
-/// damping ratio (absolute) are its two components in that unit. Synthetic samples are exact to 1e-12 of the peak and
-/// their filter to 1e-11; a pole magnifies that by what its lines tell of it, at worst a hundred times here.
+/// The error of a pole due to rounding, relative to its distance |s| from the origin. Its components are the relative
+/// error of the frequency and the absolute error of the damping ratio. Synthetic samples are exact to 1e-12 of the peak
+/// and their filter to 1e-11. The condition number of a pole multiplies this by at most a hundred here.
 inline constexpr double kRoundingOfPole = 1e-9;
-/// Reported deviations that an answer may be off: beyond, it is wrong and sure of itself.
-inline constexpr double kMostSigmas = 5;
+/// The largest accepted error in reported standard deviations. A larger error without a warning is a failure.
+inline constexpr double kMaxSigmas = 5;
 
 enum class Demand {
-  as_the_bound_allows,  // every mode whose Cramér–Rao bound says that it can be told (Resolvable)
+  as_the_bound_allows,  // every mode that the Cramér–Rao bound makes resolvable (Resolvable)
   all,
-  none  // whatever is reported must be right
+  none  // every reported mode must be right
 };
 
 struct Expectation {
-  std::string text;  // for the table; empty: made from the rest
+  std::string text;  // for the table; empty: composed from the other members
   Demand demand = Demand::as_the_bound_allows;
-  std::vector<std::string> says;  // codes that must be among findings and warnings
-  std::string warns;              // a code that makes up for errors beyond the deviations: they do not hold
+  std::vector<std::string> says;  // codes that findings and warnings must contain
+  std::string warns;              // a code that excuses errors beyond the stated standard deviations
   int exit_code = 0;
-  std::string reason;                   // of another exit code: a finding's code, or part of the message
-  std::vector<std::string> or_refused;  // one of these reasons (exit code 3 or 4) is as good as modes
-  std::optional<double> freq_relative, damping_absolute;  // accuracy that every mode must have, warned or not
+  std::string reason;                   // for another exit code: a finding's code or a part of the message
+  std::vector<std::string> or_refused;  // one of these reasons (exit code 3 or 4) is as acceptable as modes
+  std::optional<double> freq_relative, damping_absolute;  // required accuracy of every mode, with or without a warning
 };
 std::string text_of(const Expectation& expected);
 
-/// A mode of the structure, and what can be known of it.
+/// A mode of the structure, with its Cramér–Rao bounds.
 struct TrueMode {
   identify::Pole pole;
   double freq_bound_Hz = 0, damping_bound = 0;  // Cramér–Rao; 0 without noise
 };
 
-/// Modes in the band that some sensor sees, ascending.
+/// The modes in the band that a sensor measures, ascending.
 std::vector<TrueMode> true_modes(const synth::Truth& truth);
 
-/// Holds an outcome against the truth.
-///   resolvable  a mode can be told when its bound on the damping is a tenth of the damping; two modes can be told
-///   apart
-///               when ten times the bound on their distance lies between them. Where not, one mode within their range
-///               is right as well, and for a mode that cannot be told none.
-///   wrong       more than kMostSigmas off, a mode that is none, one that must be found and is not, unless a warning
-///               of unclaimed peaks names its place.
+/// Compares an outcome with the truth.
+///   resolvable  A mode is resolvable when the bound of its damping is at most a tenth of the damping. Two modes are
+///               separable when their distance is at least ten times its bound. One mode within the range of
+///               inseparable modes is right as well, and so is no mode for one that is not resolvable.
+///   wrong       An error above kMaxSigmas, a spurious mode, or a missing resolvable mode, unless the warning of
+///               unmodelled peaks names its frequency.
 Result judge(const CommandResult& outcome, const std::vector<TrueMode>& truth, const Expectation& expected);
 
 }  // namespace percuss::stress

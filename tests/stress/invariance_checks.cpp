@@ -13,15 +13,15 @@
 namespace percuss::stress {
 namespace {
 
-/// A fit ends where its next step would gain no more than a hundredth of a deviation: two that come from other
-/// rounding may differ by that much on either side.
+/// A fit ends when its next step would be below a hundredth of a standard deviation. Two fits with different rounding
+/// may differ by this on either side.
 constexpr double kSame = 0.02;
 
-/// What a change does to the modes: factors of frequency and residues, and where each channel is now.
+/// The expected effect of a change on the modes: factors of frequency and residues, and the new order of channels.
 struct Change {
   double freq = 1, residue = 1;
   std::map<std::size_t, std::size_t> channel{};
-  double tolerance = kSame;  // deviations; 0: every bit
+  double tolerance = kSame;  // standard deviations; 0: every bit
 };
 
 void compare(const CommandResult& before, const CommandResult& after, const Change& change, Result& result) {
@@ -109,7 +109,7 @@ std::vector<Check> of_samples() {
   return checks;
 }
 
-/// The same blows at another time of their rows, without noise: what is recorded differs in every sample.
+/// The same hits at another time in their rows, without noise: every sample differs.
 Check shifted(double samples) {
   Check check{.group = "invariance",
               .name = fmt::format("blows {:g} samples later", samples),
@@ -136,7 +136,7 @@ Check shifted(double samples) {
   return check;
 }
 
-/// One file, or one for every hit, in every format.
+/// One file, or one file per hit, in every format.
 std::vector<Check> of_files() {
   std::vector<Check> checks;
   for (const char* extension : {".h5", ".mat", ".uff", ".csv"}) {

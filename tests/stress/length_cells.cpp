@@ -5,7 +5,7 @@
 namespace percuss::stress {
 namespace {
 
-constexpr double kHundredth = 0.01;  // of a mode's bandwidth
+constexpr double kHundredth = 0.01;  // of the bandwidth of a mode
 
 Cell row_of(std::size_t samples, double pretrigger_s, Expectation expected) {
   Cell cell{.group = "length",
@@ -21,7 +21,7 @@ Cell row_of(std::size_t samples, double pretrigger_s, Expectation expected) {
   return cell;
 }
 
-// The onset is 16 samples after the row's beginning.
+// The onset is 16 samples after the start of the row.
 std::vector<Cell> short_rows() {
   constexpr double kPretrigger_s = 0.002;
   std::vector<Cell> cells;
@@ -43,11 +43,11 @@ std::vector<Cell> length_cells() {
   for (const std::size_t samples : {509U, 1021U, 2053U, 4093U, 8191U, 8209U, 65537U}) {
     cells.push_back(row_of(samples, 0.02, {.demand = Demand::all}));
     cells.back().calibrated = true;
-    // Shorter than the anti-alias filter's ringing before the pulse.
+    // Shorter than the ringing of the anti-alias filter before the pulse.
     cells.push_back(row_of(samples, 0.002, {.demand = Demand::all}));
     cells.back().name += ", pre-trigger of 16";
     cells.back().expected.says = {"short_pretrigger"};
-    cells.back().expected.warns = "short_pretrigger";  // of its deviations, which may be half of what they should be
+    cells.back().expected.warns = "short_pretrigger";  // its standard deviations may be too small by a factor of two
     cells.back().expected.freq_relative = kHundredth * 2 * 0.005;
     cells.back().expected.damping_absolute = kHundredth * 0.005;
     for (Cell* cell : {&cells.back(), &cells[cells.size() - 2]}) {

@@ -1,9 +1,9 @@
 // percuss_stress [--full] [--only TEXT] [--table FILE.md] [--record RUN FILE]
-//   --full     more runs of every cell
-//   --only     the cell of this "group: name", or those whose name holds the text
-//   --table    replaces what follows the line <!-- measured --> of FILE.md
-//   --record   writes what run RUN of the one cell chosen analyses, and nothing else
-// Exit code 1 where a cell fails without a known defect, or the intervals' coverage is off.
+//   --full     run every cell more often
+//   --only     run the cell of this "group: name", or all cells whose names contain the text
+//   --table    replace the text after the line <!-- measured --> of FILE.md
+//   --record   write the record of run RUN of the chosen cell and exit
+// Exit code 1: a cell fails without a known defect, or the coverage of the intervals is wrong.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,8 +23,8 @@
 namespace percuss::stress {
 namespace {
 
-constexpr double kLeastCoverage = 0.90, kMostCoverage = 0.98;  // of 95 % intervals
-constexpr std::size_t kLeastModes = 300;                       // to say anything about it: ± 1.3 %
+constexpr double kMinCoverage = 0.90, kMaxCoverage = 0.98;  // of 95 % intervals
+constexpr std::size_t kMinModes = 300;                      // for a coverage to within ± 1.3 %
 constexpr const char* kMeasured = "<!-- measured -->\n";
 
 struct Options {
@@ -84,7 +84,7 @@ std::string words(const Coverage& coverage) {
                      100 * coverage.of_freq(), 100 * coverage.of_damping(), coverage.modes);
 }
 
-bool in_range(double part) { return part >= kLeastCoverage && part <= kMostCoverage; }
+bool in_range(double part) { return part >= kMinCoverage && part <= kMaxCoverage; }
 
 int run(const Options& options) {
   std::vector<Check> checks = all_checks();
@@ -115,8 +115,7 @@ int run(const Options& options) {
   std::cout << end << '\n';
   if (!options.table.empty())
     write_table(options.table, "\n" + end + ".\n\n### Known defects\n" + defects_of(summaries) + tables_of(summaries));
-  const bool covered =
-      coverage.modes < kLeastModes || (in_range(coverage.of_freq()) && in_range(coverage.of_damping()));
+  const bool covered = coverage.modes < kMinModes || (in_range(coverage.of_freq()) && in_range(coverage.of_damping()));
   return failed == 0 && covered ? 0 : 1;
 }
 

@@ -9,8 +9,8 @@ constexpr double kNone = 1000;  // dB
 
 std::string words(double snr_dB) { return snr_dB < kNone ? fmt::format("{:g} dB", snr_dB) : "no noise"; }
 
-// Where the pulse barely leaves its noise the FRF's gain is not known to better than 10 %: what is reported must still
-// be right. Under 20 dB there is no pulse to be seen.
+// Where the pulse barely exceeds its noise, the gain of the FRF is uncertain by 10 %, and reported modes must still be
+// right. Below 20 dB no pulse is visible.
 Expectation expected_at(double force_dB) {
   if (force_dB < 20) return {.exit_code = 4, .reason = "no_pulse"};
   if (force_dB < 40) return {.demand = Demand::none, .or_refused = {"no_pulse"}};

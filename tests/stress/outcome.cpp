@@ -11,7 +11,7 @@
 namespace percuss::stress {
 namespace {
 
-// As docs/conventions and the manual promise them.
+// As documented in docs/conventions and the manual.
 constexpr int kInternal = 1, kBadInput = 3, kImpossible = 4;
 
 bool deviation(double x) { return std::isfinite(x) && x > 0; }

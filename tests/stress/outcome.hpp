@@ -9,19 +9,19 @@
 
 namespace percuss::stress {
 
-/// What an analysis says of a record, as the tool would end: with modes, or with an exit code and a reason.
+/// The outcome of an analysis as the tool would report it: modes, or an exit code and a reason.
 struct CommandResult {
   int exit_code = 0;
   std::string message;         // of an error
-  std::set<std::string> said;  // codes of warnings and of the hits' findings
+  std::set<std::string> said;  // codes of warnings and of findings
   std::vector<identify::Mode> modes;
-  std::vector<double> unclaimed_Hz;  // the peaks that the warning of that name names
-  double df_Hz = 0;                  // between lines
+  std::vector<double> unclaimed_Hz;  // peaks of the warning of this name
+  double df_Hz = 0;                  // line spacing
 };
 
 CommandResult analyse(acquire::Record record, const pipeline::AnalysisOptions& options);
 
-/// "frequency of mode 2" where a number of a mode is no number or its deviation none; empty when all are.
+/// "frequency of mode 2" for a mode with NaN or without a standard deviation; empty without such a mode.
 std::string unusable_number(const std::vector<identify::Mode>& modes);
 
 }  // namespace percuss::stress

@@ -27,10 +27,10 @@ std::vector<Cell> offsets() {
     drift.spec.recorder.accel_drift_mps2_per_s = 500 * part;
     cells.push_back(std::move(drift));
   }
-  // Ten times further than the structure moves: modes that are missed must be named.
+  // Ten times the motion of the structure: a warning must name missing modes.
   Cell fast = cell_of("drift over the record, 10 of the peak", {.demand = Demand::all});
   fast.spec.recorder.accel_drift_mps2_per_s = 5000;
-  // What runs away a hundred times further than the structure moves hides it; whoever looks at the hits is told.
+  // A drift of a hundred times the motion of the structure hides it; the findings of the hits must state this.
   Cell faster = cell_of("drift over the record, 100 of the peak", {.demand = Demand::none, .says = {"low_coherence"}});
   faster.spec.recorder.accel_drift_mps2_per_s = 50000;
   for (Cell* drift : {&fast, &faster}) cells.push_back(std::move(*drift));
@@ -66,8 +66,8 @@ std::vector<Cell> limits() {
     Cell rounded =
         cell_of(fmt::format("{} bits", bits), {.warns = "coarse_steps", .or_refused = {"no_pulse", "overload"}});
     rounded.spec.noise = {};
-    // What the steps do goes with the signal, and is no noise: the warning says that deviations do not hold. From 8
-    // bits on both modes must still be told to a tenth of their bandwidth.
+    // Quantisation depends on the signal and is not noise: the warning states that standard deviations do not hold.
+    // From 8 bits on both modes must still be found to a tenth of their bandwidth.
     if (bits >= 8) {
       rounded.expected.freq_relative = kTenth * 2 * 0.005;
       rounded.expected.damping_absolute = kTenth * 0.005;

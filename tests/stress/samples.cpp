@@ -89,7 +89,7 @@ void swap_force_and_first_accel(Samples& samples) {
 void add_hum(Samples& samples, double mains_Hz, double part) {
   const double amplitude = part * largest_accel(samples);
   for (std::size_t row = 0; row < samples.accel_mps2.size(); ++row) {
-    const double phase = 2.4 * static_cast<double>(row);  // about the golden angle: rows never agree
+    const double phase = 2.4 * static_cast<double>(row);  // about the golden angle: no two rows have equal phases
     for (auto& channel : samples.accel_mps2[row]) {
       for (std::size_t n = 0; n < channel.size(); ++n) {
         const double turn = kTwoPi * mains_Hz * static_cast<double>(n) / samples.fs_Hz + phase;

@@ -5,7 +5,7 @@
 
 namespace percuss::stress {
 
-/// A record's samples, to be spoilt in ways that no spec describes.
+/// The samples of a record, for faults that no spec describes.
 struct Samples {
   double fs_Hz = 0;
   std::vector<std::vector<double>> force_N;                  // [row][sample]
@@ -13,17 +13,17 @@ struct Samples {
 };
 
 Samples samples_of(const acquire::Record& record);
-/// As `like` describes it, with these samples.
+/// A record with the description of `like` and these samples.
 acquire::Record record_of(Samples samples, const acquire::Record& like);
 
 void scale(Samples& samples, double force, double accel);
-/// The first `count` samples of every row.
+/// Keeps the first `count` samples of every row.
 void cut(Samples& samples, std::size_t count);
-/// What a file of single-precision numbers keeps.
+/// Rounds to single precision.
 void round_to_float(Samples& samples);
-/// The hammer's cable in the first accelerometer's socket and the other way round.
+/// Exchanges the cables of the hammer and the first accelerometer.
 void swap_force_and_first_accel(Samples& samples);
-/// Mains hum and its odd harmonics up to the fifth, each `part` of the largest acceleration, in step with nothing.
+/// Adds mains hum and its odd harmonics up to the fifth, each `part` of the largest acceleration, with arbitrary phase.
 void add_hum(Samples& samples, double mains_Hz, double part);
 
 }  // namespace percuss::stress

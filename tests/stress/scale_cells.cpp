@@ -6,7 +6,7 @@
 
 namespace percuss::stress {
 
-// Nothing in the analysis has a unit of its own: every scale that doubles hold squared must do.
+// The analysis has no absolute scale: every scale whose square a double can hold must work.
 std::vector<Cell> scale_cells() {
   std::vector<Cell> cells;
   for (const int force : {-30, -12, 0, 12, 30}) {

@@ -7,7 +7,7 @@ namespace {
 
 struct Pair {
   double freq_Hz, damping_ratio, bandwidths;
-  bool alike = false;  // in the ratio of their residues, as two hoop modes seen at one place: poles alone tell them
+  bool alike = false;  // equal ratios of residues, as of two hoop modes at one point: only the poles differ
 };
 
 synth::SynthSpec pair_of(const Pair& pair) {

@@ -36,7 +36,7 @@ std::vector<Cell> many_modes() {
   return cells;
 }
 
-// A sensor on a node sees nothing of the mode; the other one does, or none.
+// One sensor at a node of the mode, or both.
 std::vector<Cell> nodes() {
   Cell one{.group = "structure",
            .name = "one sensor on a node of a mode",
@@ -58,7 +58,7 @@ std::vector<Cell> nodes() {
   return {std::move(one), std::move(both), std::move(near)};
 }
 
-// No mode in the band: the rigid body's line, and the flanks of modes below and above it.
+// No mode in the band: the rigid-body line, and the flanks of modes below and above the band.
 std::vector<Cell> empty_bands() {
   std::vector<Cell> cells;
   for (const double snr_dB : {20.0, 60.0, 0.0}) {

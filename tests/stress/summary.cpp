@@ -10,8 +10,8 @@
 namespace percuss::stress {
 namespace {
 
-constexpr double kInterval = 1.96;        // deviations of 95 %
-constexpr std::size_t kMostFailures = 3;  // shown of a check
+constexpr double kInterval = 1.96;       // standard deviations of 95 %
+constexpr std::size_t kMaxFailures = 3;  // listed per check
 
 void add_run(Summary& all, std::size_t run, const Result& result) {
   if (!result.failures.empty()) ++all.failed_runs;
@@ -73,7 +73,7 @@ std::string lines_of(const Summary& s) {
   const char* const verdict = !s.failed() ? "ok   " : s.known() ? "known" : "FAILS";
   std::string text = fmt::format("{} {}: {} | {}; {} of {} modes; {}; {}\n", verdict, s.check.group, s.check.name,
                                  s.check.expectation, s.found, s.wanted, measured(s), fmt::join(s.said, ", "));
-  for (std::size_t f = 0; f < std::min(kMostFailures, s.failures.size()); ++f)
+  for (std::size_t f = 0; f < std::min(kMaxFailures, s.failures.size()); ++f)
     text += fmt::format("      run {}: {}\n", s.failures[f].first, s.failures[f].second);
   if (s.failed()) text += fmt::format("      {} of {} runs. {}\n", s.failed_runs, s.runs, s.check.defect);
   return text;

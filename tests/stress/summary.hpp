@@ -9,7 +9,7 @@
 
 namespace percuss::stress {
 
-/// Intervals of 1.96 reported deviations that hold the truth, out of all.
+/// The number of intervals of 1.96 reported standard deviations that contain the truth, out of all.
 struct Coverage {
   std::size_t modes = 0, freq = 0, damping = 0;
   double of_freq() const { return static_cast<double>(freq) / static_cast<double>(modes); }
@@ -17,14 +17,14 @@ struct Coverage {
 };
 void add(Coverage& to, const Coverage& more);
 
-/// All runs of a check together.
+/// The results of all runs of a check.
 struct Summary {
   Check check;
   std::size_t runs = 0, failed_runs = 0;
-  std::vector<std::pair<std::size_t, std::string>> failures;  // run and what went wrong
+  std::vector<std::pair<std::size_t, std::string>> failures;  // run and failure
   std::set<std::string> said;
   std::size_t wanted = 0, found = 0;
-  double freq_relative = 0, damping_absolute = 0, freq_bound = 0;  // the largest, as Result
+  double freq_relative = 0, damping_absolute = 0, freq_bound = 0;  // the largest of all runs, as in Result
   Miss largest;
   Coverage coverage;
 
@@ -32,14 +32,14 @@ struct Summary {
   bool known() const { return !check.defect.empty(); }
 };
 
-/// Runs all checks, several runs at once.
+/// Runs all checks in parallel.
 std::vector<Summary> run_all(const std::vector<Check>& checks, bool full);
 
-/// "ok", "FAILS" or "known", the cell, what was measured, and what went wrong.
+/// "ok", "FAILS" or "known", the cell, the measurements and the failures.
 std::string lines_of(const Summary& summary);
-/// The known defects with the cells that show them, as a list in Markdown.
+/// A Markdown list of the known defects with their cells.
 std::string defects_of(const std::vector<Summary>& summaries);
-/// All cells as tables in Markdown, group by group.
+/// Markdown tables of all cells, one per group.
 std::string tables_of(const std::vector<Summary>& summaries);
 
 }  // namespace percuss::stress

@@ -22,9 +22,10 @@ using InMemoryInput = std::function<std::variant<acquire::Record, frf::FrfRecord
 /// The result of a command; parts that the command does not produce stay empty. Only one thread at a time may call the
 /// functions.
 struct CommandResult {
-  std::string document;                                             // the output of --json
-  std::vector<Message> notes;                                       // remarks, of which a shell prints the text
-  std::function<std::string(std::size_t width)> text;               // the text for a terminal of that width
+  std::string document;        // the output of --json
+  std::vector<Message> notes;  // remarks, of which a shell prints the text
+  /// The text for a terminal of that width; `write_option` writes the options of warnings.
+  std::function<std::string(std::size_t width, OptionWriter write_option)> text;
   std::function<std::string()> html;                                // the main table as HTML elements
   std::function<void(const std::string& path, bool force)> save;    // as -o PATH
   std::vector<std::shared_ptr<const pipeline::Analysis>> analyses;  // of each test

@@ -98,7 +98,7 @@ void check_outputs(const OutputFlags& flags, const std::vector<std::string>& kno
       throw OptionError({}, "'" + path + "' is to be written twice", "name each file once");
     std::error_code ignored;
     if (!flags.force && std::filesystem::exists(path, ignored))
-      throw InputError("file exists", path, "give another name or overwrite it", {"force"});
+      throw InputError("file exists", path, "give another name, or overwrite it", {"force"});
   }
 }
 

@@ -1,6 +1,7 @@
 #include "cli/report_output.hpp"
 
 #include "cli/exit_code.hpp"
+#include "cli/option_names.hpp"
 #include "cli/provenance.hpp"
 #include "core/io/atomic_file.hpp"
 #include "report/html/command_page.hpp"
@@ -28,13 +29,15 @@ void print_report(const report::CommandReport& report, const OutputFlags& flags)
   if (flags.host != nullptr) {
     CommandResult& outcome = flags.host->outcome;
     outcome.columns = report.columns;
-    outcome.text = [text = report.text](std::size_t width) { return text.text(width); };
+    outcome.text = [text = report.text](std::size_t width, OptionWriter write_option) {
+      return text.text(width, write_option);
+    };
     outcome.html = [text = report.text] { return text.html(); };
   }
   if (flags.json) {
     print(flags, report.json);
   } else if (!flags.quiet) {
-    print(flags, report.text.text(terminal_width()));
+    print(flags, report.text.text(terminal_width(), flag_of));
   }
 }
 

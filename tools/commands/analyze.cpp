@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "cli/option_error.hpp"
+#include "cli/option_names.hpp"
 #include "cli/progress.hpp"
 #include "cli/report_output.hpp"
 #include "commands/analyze_outputs.hpp"
@@ -97,7 +98,7 @@ int analyze(const AnalyzeFlags& flags) {
                                                                           .sections = sections,
                                                                           .document = std::move(document),
                                                                           .comparison = std::move(comparison)});
-  const std::string text = flags.output.json ? "" : text_of(*kept, terminal_width(), can_plot_in_terminal());
+  const std::string text = flags.output.json ? "" : text_of(*kept, terminal_width(), can_plot_in_terminal(), flag_of);
   progress.stop();
   write_outputs(flags, *kept);
   print(flags.output, flags.output.json ? kept->document : text);

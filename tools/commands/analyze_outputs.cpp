@@ -67,14 +67,18 @@ void require_one_test(const AnalyzeFlags& flags, const std::set<report::ReportSe
     throw OptionError({}, "several tests cannot be integrated to deflection or compared", remedy);
 }
 
-std::string text_of(const AnalyzeResults& kept, std::size_t width, bool sketch) {
+std::string text_of(const AnalyzeResults& kept, std::size_t width, bool sketch, OptionWriter write_option) {
   std::string text;
   for (const Test& test : kept.tests) {
     if (kept.tests.size() > 1) text += fmt::format("{}test {}\n", text.empty() ? "" : "\n", test.run);
-    text += report::analysis_text(
-        *test.analysis, {.sections = kept.sections, .width = width, .per_hit = kept.flags.per_hit, .sketch = sketch});
-    if (test.deflection) text += "\n" + report::deflection_tables(*test.analysis, *test.deflection).text(width);
-    if (kept.comparison) text += "\n" + kept.comparison->text.text(width);
+    text += report::analysis_text(*test.analysis, {.sections = kept.sections,
+                                                   .width = width,
+                                                   .per_hit = kept.flags.per_hit,
+                                                   .sketch = sketch,
+                                                   .write_option = write_option});
+    if (test.deflection)
+      text += "\n" + report::deflection_tables(*test.analysis, *test.deflection).text(width, write_option);
+    if (kept.comparison) text += "\n" + kept.comparison->text.text(width, write_option);
   }
   return text;
 }
@@ -104,7 +108,9 @@ void give_to_host(const OutputFlags& output, const std::shared_ptr<const Analyze
   CommandResult& outcome = output.host->outcome;
   for (const Test& test : kept->tests) outcome.analyses.emplace_back(kept, test.analysis.get());
   if (const auto& deflection = kept->tests.front().deflection) outcome.deflection = {kept, &*deflection};
-  outcome.text = [kept](std::size_t width) { return text_of(*kept, width, false); };
+  outcome.text = [kept](std::size_t width, OptionWriter write_option) {
+    return text_of(*kept, width, false, write_option);
+  };
   outcome.html = [kept] { return html_of(*kept); };
   outcome.save = [kept, its = captured_output(output)](const std::string& path, bool force) {
     AnalyzeFlags flags = kept->flags;

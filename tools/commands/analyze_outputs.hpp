@@ -26,8 +26,9 @@ void check_analyze_outputs(const OutputFlags& output);
 /// Rejects, before anything is computed, outputs and sections that allow only one test. Throws UsageError.
 void require_one_test(const AnalyzeFlags& flags, const std::set<report::ReportSection>& sections, std::size_t tests);
 
-/// The text for a terminal; `sketch` adds a plot of the FRFs in characters.
-std::string text_of(const AnalyzeResults& kept, std::size_t width, bool sketch);
+/// The text for a terminal. `sketch` adds a plot of the FRFs in characters; `write_option` writes the options of
+/// warnings.
+std::string text_of(const AnalyzeResults& kept, std::size_t width, bool sketch, OptionWriter write_option);
 
 /// Writes all output files of the flags.
 void write_outputs(const AnalyzeFlags& flags, const AnalyzeResults& kept);

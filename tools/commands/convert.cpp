@@ -19,6 +19,10 @@ struct ConvertFlags {
   OutputFlags output;
 };
 
+void print_losses(const ConvertFlags& flags, const std::vector<std::string>& losses) {
+  for (const std::string& loss : losses) print_note(flags.output, {"not kept: " + loss, {}});
+}
+
 // The output is the file that -o names, otherwise the last argument, as for cp.
 std::string take_output(ConvertFlags& flags) {
   if (flags.output.paths.empty() && flags.read.paths.size() > 1) {
@@ -39,7 +43,7 @@ void convert_frfs(const ConvertFlags& flags, const std::string& to, std::vector<
     throw OptionError({}, "'" + one_line(to, 80) + "' cannot hold FRFs",
                       fmt::format("use a name that ends in {}", fmt::join(known, ", ")));
   }
-  for (const std::string& loss : acquire::losses_of(to, record)) print_note(flags.output, {"not kept: " + loss, {}});
+  print_losses(flags, acquire::losses_of(to, record));
   acquire::write_frfs(to, record, flags.read.frf_kind.value_or(record.kind), flags.output.force);
 }
 
@@ -52,7 +56,7 @@ int convert(ConvertFlags flags) {
   }
   const acquire::Record record = acquire::join_records(std::move(opened.records), flags.read.files);
   for (const Message& note : record.notes) print_note(flags.output, note);
-  for (const std::string& loss : acquire::losses_of(to, record)) print_note(flags.output, {"not kept: " + loss, {}});
+  print_losses(flags, acquire::losses_of(to, record));
   acquire::write_record(to, record, flags.output.force);
   return kOk;
 }

@@ -60,8 +60,8 @@ void give_to_host(const OutputFlags& output, const std::shared_ptr<const pipelin
                   frf::FrfKind kind) {
   CommandResult& outcome = output.host->outcome;
   outcome.analyses = {analysis};
-  outcome.text = [analysis](std::size_t width) {
-    return report::analysis_text(*analysis, {.sections = kShown, .width = width});
+  outcome.text = [analysis](std::size_t width, OptionWriter write_option) {
+    return report::analysis_text(*analysis, {.sections = kShown, .width = width, .write_option = write_option});
   };
   if (!analysis->possible()) return;
   outcome.save = [output = captured_output(output), analysis, kind, summary = outcome.document](const std::string& path,

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "frf/frf_record.hpp"
 #include "core/error.hpp"
+#include "frf/frf_record.hpp"
 
 namespace percuss::tools {
 
@@ -13,14 +13,14 @@ namespace percuss::tools {
 nlohmann::ordered_json frfs_json(const frf::FrfRecord& record);
 std::string frfs_text(const frf::FrfRecord& record, std::size_t width);
 
-/// The texts of a record's notes for a document, which names no options.
+/// The texts of notes for a document, which names no options.
 nlohmann::ordered_json note_texts(const std::vector<Message>& notes);
+
+/// The notes for a terminal, a paragraph each, with their options as flags.
+std::string notes_paragraphs(const std::vector<Message>& notes, std::size_t width);
 
 /// `value` × `factor`; null or "-" if there is no value.
 nlohmann::ordered_json optional_json(const std::optional<double>& value, double factor);
 std::string optional_text(const std::optional<double>& value, double factor);
-
-/// A record's notes for a terminal, a paragraph each, with their options as flags.
-std::string notes_paragraphs(const std::vector<Message>& notes, std::size_t width);
 
 }  // namespace percuss::tools

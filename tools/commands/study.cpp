@@ -31,7 +31,7 @@ void reject_existing(const StudyFlags& flags) {
   for (const std::string& path : {flags.key, flags.table}) {
     std::error_code ignored;
     if (!path.empty() && !flags.output.force && std::filesystem::exists(path, ignored))
-      throw InputError("file exists", path, "give another name or overwrite it", {"force"});
+      throw InputError("file exists", path, "give another name, or overwrite it", {"force"});
   }
 }
 

@@ -7,6 +7,7 @@
 #include "cli/analysis_flags.hpp"
 #include "cli/open_files.hpp"
 #include "cli/option_error.hpp"
+#include "cli/option_names.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
 #include "cli/provenance.hpp"
@@ -120,8 +121,8 @@ void give_to_host(const SurveyFlags& flags, const std::shared_ptr<const SurveyRe
   CommandResult& outcome = flags.output.host->outcome;
   outcome.analyses = {kept->analysis};
   outcome.survey = {kept, &kept->survey};
-  outcome.text = [kept, hits = flags.hits](std::size_t width) {
-    return report::survey_text(kept->survey, hits, width);
+  outcome.text = [kept, hits = flags.hits](std::size_t width, OptionWriter write_option) {
+    return report::survey_text(kept->survey, hits, width, write_option);
   };
   outcome.html = [kept] {
     return kept->analysis->possible() ? report::survey_modes_table(kept->survey).html()
@@ -155,7 +156,7 @@ int run_survey(const SurveyFlags& flags) {
   const bool wants_json = flags.output.json || std::any_of(flags.output.paths.begin(), flags.output.paths.end(),
                                                            [](const auto& p) { return extension_of(p) == ".json"; });
   const std::string document = wants_json ? report::survey_json(survey, {.trace = flags.trace}) : "";
-  const std::string text = flags.output.json ? "" : report::survey_text(survey, flags.hits, terminal_width());
+  const std::string text = flags.output.json ? "" : report::survey_text(survey, flags.hits, terminal_width(), flag_of);
   progress.stop();
   write_outputs(flags, survey, document);
   print(flags.output, flags.output.json ? document : text);

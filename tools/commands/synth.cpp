@@ -59,7 +59,7 @@ void check_outputs(const SynthFlags& flags) {
   for (const std::string& path : paths) {
     std::error_code ignored;
     if (!flags.force && fs::exists(path, ignored))
-      throw InputError("file exists", path, "give another name or overwrite it", {"force"});
+      throw InputError("file exists", path, "give another name, or overwrite it", {"force"});
   }
 }
 

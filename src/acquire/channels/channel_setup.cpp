@@ -97,7 +97,7 @@ double read_sign(const Entry& entry) {
   }
   const double sign = entry.number("sign", -1, 1).value_or(1);
   if (sign == 1 || sign == -1) return sign;
-  throw InputError(fmt::format("{:g} is no sign", sign), entry.where("sign"), "give 1 or -1");
+  throw InputError(fmt::format("{:g} is not a sign", sign), entry.where("sign"), "give 1 or -1");
 }
 
 // "mV/N" → 1e-3 V/N; "V/(m/s^2)", "mV/g". Charge is refused: its amplifier's gain is not in the sensor's data sheet.

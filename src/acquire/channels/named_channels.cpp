@@ -56,7 +56,7 @@ std::vector<std::size_t> chosen_channels(const ReadOptions& options, std::size_t
     const auto index = channel_named(name, channels);
     if (!index) throw InputError("no acceleration channel " + name, path + ": /accel", names_of(channels));
     if (std::find(chosen.begin(), chosen.end(), *index) != chosen.end()) {
-      throw InputError("acceleration channel " + name + " asked for twice", path + ": /accel", "name it once");
+      throw InputError("acceleration channel " + name + " requested twice", path + ": /accel", "name it once");
     }
     chosen.push_back(*index);
   }

@@ -46,7 +46,7 @@ FrfKind frf_kind_of(const StoredFrfs& stored, const FrfReadOptions& options, std
   if (options.kind) {
     if (stated && *stated != *options.kind) {
       notes.emplace_back(
-          fmt::format("the file calls itself {}; read as {}, as requested", name_of(*stated), name_of(*options.kind)),
+          fmt::format("the file states {}; read as {}, as requested", name_of(*stated), name_of(*options.kind)),
           std::vector<OptionId>{"frf_kind"});
     }
     return *options.kind;

@@ -135,7 +135,7 @@ class Row {
   int point(const Columns& columns) const {
     const double value = number(columns, kPoint);
     if (value >= 0 && value <= 1e9 && std::rint(value) == value) return static_cast<int>(value);
-    throw InputError(fmt::format("{:g} is no point's number", value), where_,
+    throw InputError(fmt::format("{:g} is not a point number", value), where_,
                      "number points as the records do, from 0");
   }
 

@@ -11,19 +11,18 @@
 namespace percuss::acquire {
 namespace {
 
-constexpr double kPulseEdge =
-    0.05;  // of the peak: above the ringing of a brick-wall filter, below any real pulse's flank
-constexpr std::size_t kRinging = 72;       // samples: twice the reach of delta-sigma converters' filters down to 1e-8
-constexpr double kGateNoise = 4;           // deviations
-constexpr std::size_t kGateGap = 8;        // samples without ringing after which it is over
-constexpr double kGateFloor = 1e-9;        // of the peak
-constexpr double kSecondNoise = 6;         // deviations of the smoothed force
-constexpr double kSecondFraction = 0.005;  // of the peak; smaller ones change no FRF by more than 0.04 dB
+constexpr double kPulseEdge = 0.05;   // of the peak: above the ringing of a brick-wall filter, below any pulse's flank
+constexpr std::size_t kRinging = 72;  // samples: twice the length of the filters of delta-sigma converters down to 1e-8
+constexpr double kGateNoise = 4;      // standard deviations
+constexpr std::size_t kGateGap = 8;   // samples without ringing that end the gate
+constexpr double kGateFloor = 1e-9;   // of the peak
+constexpr double kSecondNoise = 6;    // standard deviations of the smoothed force
+constexpr double kSecondFraction = 0.005;  // of the peak; smaller pulses change an FRF by at most 0.04 dB
 constexpr std::size_t kMinPadded = 2048;   // samples
-constexpr std::size_t kPadding = 8;        // times the pulse: between lines its spectrum is nearly straight
+constexpr std::size_t kPadding = 8;        // times the pulse length: the spectrum is nearly straight between lines
 constexpr double kBandwidthDrop = 0.1;     // −20 dB
 
-// Where |x| crosses `level` between samples i and i + 1, as a fractional sample.
+// The fractional sample where |x| crosses `level` between samples i and i + 1.
 double crossing(double a, double b, double level, double i) { return b == a ? i : i + (level - a) / (b - a); }
 
 std::size_t max_of_signed(std::span<const double> x, double sign, std::size_t begin, std::size_t end) {
@@ -34,8 +33,8 @@ std::size_t max_of_signed(std::span<const double> x, double sign, std::size_t be
   return best;
 }
 
-// Running mean over 2h + 1 samples: averages the filter's ringing near fs/2 and the noise, keeps a pulse as long as the
-// main one.
+// Running mean over 2h + 1 samples. It averages noise and the ringing near fs/2, and keeps pulses as long as the main
+// one.
 std::vector<double> smoothed(std::span<const double> x, double sign, std::size_t h) {
   std::vector<double> out(x.size());
   const double share = 1 / static_cast<double>(2 * h + 1);
@@ -62,7 +61,7 @@ double smoothed_peak(std::span<const double> x, double sign, const PulseShape& p
   return *std::max_element(means.begin(), means.end());
 }
 
-// The highest sample at least `guard` samples off the pulse's feet; 0 where there is none above that.
+// The highest sample at least `guard` samples outside the crossings of the pulse, and at least 0.
 double highest_outside(std::span<const double> x, double sign, const PulseShape& pulse, double guard) {
   const auto highest = [&](std::span<const double> part) {
     const Extremes extremes = extremes_of(part);
@@ -73,7 +72,7 @@ double highest_outside(std::span<const double> x, double sign, const PulseShape&
   return std::max(highest(x.first(before)), highest(x.subspan(after)));
 }
 
-// A filter rings by turns to either side; a pulse stands alone.
+// The ringing of a filter alternates in sign; a pulse does not.
 bool looks_like_ringing(std::span<const double> x, std::size_t i) {
   constexpr std::size_t kNear = 3;
   const std::size_t first = i > kNear ? i - kNear : 0;
@@ -104,7 +103,7 @@ Gate gate_around(std::span<const double> force_N, const PulseShape& pulse, doubl
   const auto rise = static_cast<std::size_t>(std::max(0.0, std::floor(pulse.rise)));
   const auto fall = std::min(static_cast<std::size_t>(std::ceil(pulse.fall)), force_N.size() - 1);
   Gate gate{.first = rise, .end = fall + 1};
-  // Outwards, sample after sample: one that stands out far behind the last is noise, and would let in all in between.
+  // Outwards sample by sample: a high sample far behind the last one is noise and would include all noise in between.
   const std::size_t first = rise > kRinging ? rise - kRinging : 0;
   for (std::size_t i = rise; i > first && gate.first - i < kGateGap; --i) {
     if (std::abs(force_N[i - 1]) > level) gate.first = i - 1;
@@ -124,12 +123,12 @@ std::optional<SecondPulse> second_pulse(std::span<const double> force_N, const P
   const double guard = std::max(width, 8.0);
   const auto least_beside = [&](double main) { return std::max(kSecondNoise * noise, kSecondFraction * main); };
   if (highest_outside(force_N, sign, pulse, guard) < least_beside(smoothed_peak(force_N, sign, pulse, half)))
-    return std::nullopt;  // a mean of the samples is no higher, and the highest one no lower than the main pulse's
+    return std::nullopt;  // no running mean can exceed the threshold
   const auto x = smoothed(force_N, sign, half);
   const double main = *std::max_element(x.begin(), x.end());
   const double least = least_beside(main);
 
-  // A second pulse rises from a valley: its height above the lowest point between the two is what counts.
+  // The height of a second pulse counts from the lowest point between the two pulses.
   SecondPulse best;
   const auto scan = [&](std::size_t begin, std::size_t end, bool forward) {
     double valley = std::numeric_limits<double>::infinity();
@@ -138,7 +137,7 @@ std::optional<SecondPulse> second_pulse(std::span<const double> force_N, const P
       valley = std::min(valley, x[i]);
       const double rise = x[i] - std::max(valley, 0.0);
       if (rise < least || rise < 0.5 * x[i] || rise / main <= best.ratio) continue;
-      if (half == 0 && looks_like_ringing(x, i)) continue;  // too short a pulse to be averaged
+      if (half == 0 && looks_like_ringing(x, i)) continue;  // the pulse is too short to average
       best = {.delay_samples = static_cast<double>(i) - static_cast<double>(pulse.peak), .ratio = rise / main};
     }
   };
@@ -146,7 +145,7 @@ std::optional<SecondPulse> second_pulse(std::span<const double> force_N, const P
   if (after < static_cast<double>(x.size())) scan(static_cast<std::size_t>(after), x.size(), true);
   if (pulse.rise > guard) scan(0, static_cast<std::size_t>(pulse.rise - guard), false);
   if (best.ratio <= 0) return std::nullopt;
-  // Between the true peaks, not the smoothed ones: the force itself near the bump found.
+  // The delay is between the peaks of the force, not of the smoothed force.
   const auto near = static_cast<std::size_t>(static_cast<double>(pulse.peak) + best.delay_samples);
   const std::size_t reach = 2 * half + 1;
   const std::size_t peak =
@@ -158,13 +157,13 @@ std::optional<SecondPulse> second_pulse(std::span<const double> force_N, const P
 void plan_bandwidths() { plan_real_dft(kMinPadded); }
 
 double bandwidth_Hz(std::span<const double> pulse, double fs_Hz) {
-  // A power of two: each other length would want a plan of its own.
+  // A power of two: every other length would need its own plan.
   std::vector<double> padded(std::bit_ceil(std::max(kMinPadded, kPadding * pulse.size())));
   std::copy(pulse.begin(), pulse.end(), padded.begin());
   const auto spectrum = real_dft_in_scratch(padded);
   double largest = 0;  // as power
   for (const Complex& line : spectrum) largest = std::max(largest, std::norm(line));
-  // The first crossing, not the last: beyond the first deep zero of the spectrum the side lobes excite nothing evenly.
+  // The first crossing: beyond the first zero of the spectrum, the side lobes do not excite evenly.
   const double level = kBandwidthDrop * std::sqrt(largest);
   std::size_t top = 0;
   while (top + 1 < spectrum.size() && std::norm(spectrum[top]) < largest) ++top;

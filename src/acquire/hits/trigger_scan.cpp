@@ -10,12 +10,12 @@
 namespace percuss::acquire {
 namespace {
 
-constexpr std::size_t kChunk = std::size_t{1} << 18;  // samples: what a thread takes at a time
-constexpr std::size_t kPart = std::size_t{1} << 15;   // … and reads at a time: 256 KiB stay in its cache
-constexpr std::size_t kBlock = 64;                    // resolution of the envelope kept of the whole row
-constexpr std::size_t kNoiseSamples = 1024;           // per chunk: enough for a deviation good to 4 %
-constexpr double kTriggerNoise = 12;                  // deviations: one false alarm in 10^30 samples of Gaussian noise
-constexpr double kTriggerFraction = 0.01;             // of the largest: below it a hit is useless beside the others
+constexpr std::size_t kChunk = std::size_t{1} << 18;  // samples per task
+constexpr std::size_t kPart = std::size_t{1} << 15;   // samples per read: 256 KiB stay in the cache
+constexpr std::size_t kBlock = 64;                    // samples per value of the envelope
+constexpr std::size_t kNoiseSamples = 1024;           // per chunk: give a standard deviation to 4 %
+constexpr double kTriggerNoise = 12;       // standard deviations: one false alarm in 10^30 samples of Gaussian noise
+constexpr double kTriggerFraction = 0.01;  // of the largest: a smaller hit is useless
 
 struct Envelope {
   std::vector<Extremes> blocks;
@@ -23,7 +23,7 @@ struct Envelope {
 };
 
 Envelope envelope_of(const Record& record, std::size_t row, std::size_t first, std::size_t last) {
-  // Chunks of one size, whole blocks each: the median over chunks would give a remainder of a few samples a full vote.
+  // Chunks of one size in whole blocks: a remainder of a few samples would count as much in the median over chunks.
   const std::size_t chunks = (last - first + kChunk - 1) / kChunk;
   const std::size_t size = ((last - first) / chunks / kBlock + 1) * kBlock;
   const std::size_t used = (last - first + size - 1) / size;
@@ -48,7 +48,7 @@ Envelope envelope_of(const Record& record, std::size_t row, std::size_t first, s
   return envelope;
 }
 
-// The envelope knows the block; the sample within it is read again.
+// The envelope gives the block; this reads it again to find the sample.
 std::size_t index_of_max(const Record& record, std::size_t row, std::size_t begin, std::size_t end, double baseline) {
   std::vector<double> buffer;
   const auto x = record.read_force_N.view_or_read(row, begin, end - begin, buffer);
@@ -87,7 +87,7 @@ TriggerScan scan_for_triggers(const Record& record, std::size_t row, const Trigg
     const std::size_t begin_sample = options.first + best * kBlock;
     scan.events.push_back(
         index_of_max(record, row, begin_sample, std::min(begin_sample + kBlock, last), scan.baseline_N));
-    // Go on after the event's own separation, counted from its largest block, so that its decay is not a second event.
+    // Continue after the separation from the largest block, so that the decay is not a second event.
     b = std::max(best + separation, end) - 1;
   }
   return scan;

@@ -36,7 +36,7 @@ class OpenFile {
     while (bytes > 0) {
       const auto got = ::pread(descriptor_, at, bytes, static_cast<off_t>(offset));
       if (got < 0 && errno == EINTR) continue;
-      if (got <= 0) throw InputError("it has changed while it was read", path_, "copy it anew, and read it again");
+      if (got <= 0) throw InputError("the file changed during reading", path_, "copy it anew, and read it again");
       at += got;
       offset += static_cast<std::uint64_t>(got);
       bytes -= static_cast<std::size_t>(got);

@@ -23,7 +23,7 @@ std::vector<TraceLine> trace_lines_of(const std::vector<double>& numbers, std::s
   out.reserve(numbers.size() / 2);
   for (const double number : numbers) {
     if (!(number >= 0 && number < static_cast<double>(points)) || number != std::floor(number))
-      throw InputError("a line to a point that is not there", where, "number points from 0, as the geometry's rows");
+      throw InputError("a line to a missing point", where, "number points from 0, as the geometry's rows");
   }
   for (std::size_t i = 0; i < numbers.size(); i += 2)
     out.push_back({static_cast<int>(numbers[i]), static_cast<int>(numbers[i + 1])});

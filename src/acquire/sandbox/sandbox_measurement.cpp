@@ -62,16 +62,16 @@ FrfRecord deserialize_frf_record(Deserializer& in) {
   return record;
 }
 
-// What the rest of percuss relies on.
+// The invariants that the other layers rely on. The child may be compromised.
 bool plausible_frfs(const FrfRecord& record) {
   const std::size_t lines = record.lines.count;
-  bool good = lines > 1 && !record.frfs.empty() && !record.accel.empty() && record.lines.df_Hz() > 0;
+  bool valid = lines > 1 && !record.frfs.empty() && !record.accel.empty() && record.lines.df_Hz() > 0;
   for (const PointFrf& frf : record.frfs) {
     const auto fits = [&](std::size_t size) { return size == 0 || size == lines; };
-    good = good && frf.channel < record.accel.size() && frf.frf.value.size() == lines && fits(frf.frf.std.size()) &&
-           fits(frf.frf.coherence.size());
+    valid = valid && frf.channel < record.accel.size() && frf.frf.value.size() == lines && fits(frf.frf.std.size()) &&
+            fits(frf.frf.coherence.size());
   }
-  return good && record.frfs.size() % record.accel.size() == 0;
+  return valid && record.frfs.size() % record.accel.size() == 0;
 }
 
 }  // namespace

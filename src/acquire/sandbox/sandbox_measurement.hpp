@@ -8,7 +8,7 @@
 
 namespace percuss::acquire {
 
-/// A measurement as a child process serves it: a record's samples on request, FRFs as a whole.
+/// The service of a measurement: samples of a record on request, FRFs as a whole.
 SandboxService measurement_service(Measurement opened);
 
 /// The measurement that a child process with measurement_service describes and serves.

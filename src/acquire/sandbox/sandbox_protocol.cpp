@@ -9,8 +9,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "acquire/sandbox/serialization.hpp"
-
 namespace percuss::acquire {
 namespace {
 
@@ -23,8 +21,7 @@ bool send_outcome(int descriptor, SandboxOutcome outcome, const std::string& pay
 
 void serialize_error(Serializer& out, const InputError& error) {
   for (const std::string& field : {error.problem(), error.where(), error.remedy()}) out.put(field);
-  out.put(static_cast<std::uint64_t>(error.options().size()));
-  for (const OptionId& option : error.options()) out.put(option);
+  serialize_options(out, error.options());
 }
 
 // The child may be compromised: an option's identifier reaches the user's terminal.
@@ -39,10 +36,7 @@ OptionId deserialize_option(Deserializer& in) {
 
 InputError deserialize_error(Deserializer& in) {
   const std::string problem = in.text(), where = in.text(), remedy = in.text();
-  std::vector<OptionId> options(in.count(sizeof(std::uint64_t)));
-  if (options.size() > kMaxOptions) throw std::out_of_range("too many options");
-  for (OptionId& option : options) option = deserialize_option(in);
-  return {problem, where, remedy, std::move(options)};
+  return {problem, where, remedy, deserialize_options(in)};
 }
 
 std::string serialized_error(const InputError& error) {
@@ -69,6 +63,18 @@ std::string serialized_ambiguous_columns(const AmbiguousColumns& error) {
 }
 
 }  // namespace
+
+void serialize_options(Serializer& out, const std::vector<OptionId>& options) {
+  out.put(static_cast<std::uint64_t>(options.size()));
+  for (const OptionId& option : options) out.put(option);
+}
+
+std::vector<OptionId> deserialize_options(Deserializer& in) {
+  std::vector<OptionId> options(in.count(sizeof(std::uint64_t)));
+  if (options.size() > kMaxOptions) throw std::out_of_range("too many options");
+  for (OptionId& option : options) option = deserialize_option(in);
+  return options;
+}
 
 bool send_bytes(int descriptor, const void* from, std::size_t bytes) {
   const auto* at = static_cast<const char*>(from);

@@ -3,8 +3,10 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "acquire/channels/csv_columns.hpp"
+#include "acquire/sandbox/serialization.hpp"
 #include "core/error.hpp"
 
 namespace percuss::acquire {
@@ -25,6 +27,11 @@ bool receive_bytes(int descriptor, void* to, std::size_t bytes);
 
 /// Runs `work` and sends its result, or the error that it threw. False when the parent has closed its end.
 bool run_and_send_outcome(int descriptor, const std::function<std::string()>& work);
+
+/// The options of an error or a note.
+void serialize_options(Serializer& out, const std::vector<OptionId>& options);
+/// errors  std::out_of_range: too many options, or not an option's identifier
+std::vector<OptionId> deserialize_options(Deserializer& in);
 
 /// The error in the payload of SandboxOutcome::input_error or ambiguous_columns.
 /// errors  std::out_of_range: the payload is not such an error

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "acquire/record/contiguous_samples.hpp"
+#include "acquire/sandbox/sandbox_protocol.hpp"
 #include "core/error.hpp"
 
 namespace percuss::acquire {
@@ -84,23 +85,11 @@ SignalInfo deserialize_signal(Deserializer& in) {
   return signal;
 }
 
-void serialize_strings(Serializer& out, const std::vector<std::string>& texts) {
-  out.put(static_cast<std::uint64_t>(texts.size()));
-  for (const std::string& text : texts) out.put(text);
-}
-
-std::vector<std::string> deserialize_strings(Deserializer& in) {
-  std::vector<std::string> texts;
-  const std::size_t count = in.count(sizeof(std::uint64_t));
-  for (std::size_t i = 0; i < count; ++i) texts.push_back(in.text());
-  return texts;
-}
-
 void serialize_notes(Serializer& out, const std::vector<Message>& notes) {
   out.put(static_cast<std::uint64_t>(notes.size()));
   for (const Message& note : notes) {
     out.put(note.text);
-    serialize_strings(out, note.options);
+    serialize_options(out, note.options);
   }
 }
 
@@ -109,7 +98,7 @@ std::vector<Message> deserialize_notes(Deserializer& in) {
   const std::size_t count = in.count(2 * sizeof(std::uint64_t));
   for (std::size_t i = 0; i < count; ++i) {
     std::string text = in.text();
-    notes.emplace_back(std::move(text), deserialize_strings(in));
+    notes.emplace_back(std::move(text), deserialize_options(in));
   }
   return notes;
 }

@@ -16,8 +16,6 @@ Record sandboxed_record(Deserializer& in, const std::shared_ptr<SandboxProcess>&
 /// Parts of a description, for other descriptions.
 void serialize_signal(Serializer& out, const SignalInfo& signal);
 SignalInfo deserialize_signal(Deserializer& in);
-void serialize_strings(Serializer& out, const std::vector<std::string>& texts);
-std::vector<std::string> deserialize_strings(Deserializer& in);
 void serialize_notes(Serializer& out, const std::vector<Message>& notes);
 std::vector<Message> deserialize_notes(Deserializer& in);
 void serialize_geometry(Serializer& out, const std::vector<std::vector<double>>& geometry);

@@ -45,7 +45,7 @@ std::optional<bool> is_interval_key(std::string_view text) {
   return std::nullopt;
 }
 
-// Factor to Hz or s by the unit in `text`, which is a key or what follows the number.
+// The factor to Hz or s from the unit in `text`, a key or the text after the number.
 double unit_factor(std::string_view text, bool interval) {
   const std::string key = key_of(text);
   const auto ends = [&](std::string_view ending) { return key.size() >= ending.size() && key.ends_with(ending); };

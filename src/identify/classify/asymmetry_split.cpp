@@ -10,11 +10,11 @@ namespace {
 using std::numbers::pi;
 
 constexpr double kMinPlaneSine = 0.2;  // sine of n times the angle between the sensors
-constexpr double kHidden_dB = 20;      // so much lower, the first peak does not show beside the second
-constexpr double kPlacement = 0.0873;  // 5°: real shapes are no pure patterns
+constexpr double kHidden_dB = 20;      // level difference at which the second peak hides the first
+constexpr double kPlacement = 0.0873;  // 5°: error of the pattern cos n(θ − plane) for real shapes
 constexpr double kDeviations = 3;
 
-// Residues at the sensors, over all points hit, in phase with the larger of them.
+// Residues at the two sensors over all impact points, in phase with the larger of them.
 struct SensorAmplitudes {
   double first = 0, second = 0, first_std = 0, second_std = 0;
 };
@@ -42,14 +42,14 @@ double peak_height(const Mode& mode) {
   return std::sqrt(sum) / (2 * std::max(mode.pole.damping_ratio, 1e-12));
 }
 
-// Distance between planes that repeat every π/n: 0 … π/2n.
+// Angle between two planes with period π/n: 0 … π/2n.
 double between(const PatternPlane& a, const PatternPlane& b) {
   return std::abs(std::remainder(a.plane_rad - b.plane_rad, pi / a.order));
 }
 
 SplitCause cause_of(double between_rad, double std_rad, int order) {
   const double wide = std::max(kDeviations * std_rad, kPlacement), apart = pi / (2 * order);
-  if (2 * wide >= apart) return SplitCause::unclear;  // too uncertain to tell the two apart
+  if (2 * wide >= apart) return SplitCause::unclear;  // too uncertain
   if (apart - between_rad <= wide) return SplitCause::asymmetry;
   return between_rad <= wide ? SplitCause::coupled : SplitCause::unclear;
 }
@@ -74,7 +74,7 @@ std::optional<PatternPlane> plane_from_sensors(const Mode& mode, const SensorPai
   const double turn = std::sin(n * (sensors.second_rad - sensors.first_rad));
   const SensorAmplitudes a = amplitudes(mode, sensors);
   if (order < 1 || std::abs(turn) < kMinPlaneSine || !(std::hypot(a.first, a.second) > 0)) return std::nullopt;
-  // A_c = C cos nθ_c + S sin nθ_c, solved for C and S; the plane is where (C, S) points.
+  // Solves A_c = C cos nθ_c + S sin nθ_c for C and S; n times the plane's angle is atan2(S, C).
   const double c1 = std::cos(n * sensors.first_rad), s1 = std::sin(n * sensors.first_rad);
   const double c2 = std::cos(n * sensors.second_rad), s2 = std::sin(n * sensors.second_rad);
   const double c = (a.first * s2 - a.second * s1) / turn, s = (a.second * c1 - a.first * c2) / turn;

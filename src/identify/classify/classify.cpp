@@ -9,21 +9,21 @@
 namespace percuss::identify {
 namespace {
 
-constexpr double kPairSpacing = 0.04;   // of the frequency: the two planes of one bending mode lie closer than this
-constexpr double kSplitSpacing = 0.15;  // of the frequency: the 25 Hz rule is for bats, whose modes lie above 100 Hz
-constexpr double kMinLoneProbability = 0.9;  // below it the rival is named
+constexpr double kPairSpacing = 0.04;        // relative: the two planes of one bending mode are closer
+constexpr double kSplitSpacing = 0.15;       // relative: the 25 Hz rule applies to bats, whose modes are above 100 Hz
+constexpr double kMinLoneProbability = 0.9;  // below it the second type is stated
 constexpr double kMinRivalProbability = 0.03;
-constexpr double kComplex = 0.4;  // imaginary over whole ratio above which no real shape explains it
+constexpr double kComplex = 0.4;  // |Im| over |ratio| above which the shape is not real
 
 struct Ratio {
   Complex value;
   double std = 0;
-  double size = 1;  // of both residues
+  double size = 1;  // of both residues together
   RatioAngle angle;
   bool known = false;
 };
 
-// Least squares over the points hit: every point's pair of residues has the same ratio.
+// Least squares over the impact points, whose pairs of residues have one ratio.
 Ratio ratio_of(const Mode& mode, const SensorPair& sensors) {
   double first_power = 0, second_power = 0, first_noise = 0, second_noise = 0;
   Complex cross;
@@ -44,13 +44,13 @@ Ratio ratio_of(const Mode& mode, const SensorPair& sensors) {
   const double mean_square = std::norm(ratio.value);
   ratio.std = std::sqrt((second_noise + mean_square * first_noise) / first_power);
   ratio.known = true;
-  // As an angle χ = atan(ratio): well behaved when the first sensor sits on a node.
+  // The angle χ = atan(ratio) stays finite where the first sensor is at a node.
   const double size = std::sqrt(first_power + second_power);
   ratio.size = size;
   const double sign = cross.real() < 0 ? -1 : 1;
   ratio.angle.chi_rad = std::atan2(sign * std::sqrt(second_power), std::sqrt(first_power));
   ratio.angle.std_rad = std::sqrt((first_noise * second_power + second_noise * first_power)) / (size * size);
-  // Relative to both: what one sensor sees at its node is noise, of any phase.
+  // Relative to both residues, because a residue at a node is noise of any phase.
   ratio.angle.out_of_phase = 2 * std::abs(cross.imag()) / (size * size);
   return ratio;
 }
@@ -119,7 +119,7 @@ void number_orders(const std::vector<Mode>& modes, std::vector<ModeClassificatio
   for (const ModeType family : {ModeType::bending, ModeType::hoop}) {
     int order = 0;
     std::optional<std::size_t> before;
-    bool paired = false;  // a mode has one partner at most
+    bool paired = false;  // a mode has at most one partner
     for (std::size_t m = 0; m < modes.size(); ++m) {
       if (classifications[m].family != family) continue;
       const bool same = before && !paired && close_pair(modes[*before], modes[m], options);
@@ -131,7 +131,7 @@ void number_orders(const std::vector<Mode>& modes, std::vector<ModeClassificatio
   }
 }
 
-// Bending planes; those of hoop modes where the sensors do not stand at right angles.
+// Planes of bending modes, and of hoop modes where the sensors are not at right angles.
 void find_planes(const std::vector<Mode>& modes, std::vector<ModeClassification>& classifications,
                  const SensorPair& sensors, const ClassifyOptions& options) {
   for (std::size_t m = 0; m < modes.size(); ++m) {
@@ -163,8 +163,8 @@ void assign_orders(const std::vector<Mode>& modes, std::vector<ModeClassificatio
   }
 }
 
-const char* name_of(ModeType family) {
-  switch (family) {
+const char* name_of(ModeType type) {
+  switch (type) {
     case ModeType::bending:
       return "bending";
     case ModeType::hoop:

@@ -10,12 +10,13 @@ namespace {
 using std::numbers::pi;
 using Complex = std::complex<double>;
 
-constexpr double kFloor_rad = 0.035;      // 2°: shapes mix, and barrels are not round
-constexpr double kPlane_rad = 0.14;       // 8°: how far the planes of different bending modes differ
-constexpr double kKnownPlane = 0.7;       // weight of "in the bat's plane", the rest "in any"
-constexpr double kOtherTypePrior = 0.05;  // of neither bending nor n = 2 among the modes of a bat below a few kHz
-constexpr double kMinDensity = 1e-6;      // no density is ever zero
-// The distance's error in deviations, and a Gaussian's weight there.
+constexpr double kFloor_rad = 0.035;  // 2°: error of the pattern, for mixed shapes and barrels that are not round
+constexpr double kPlane_rad = 0.14;   // 8°: difference between the planes of different bending modes
+constexpr double kKnownPlane = 0.7;   // prior of bending in the bat's plane; the rest is bending in any plane
+constexpr double kOtherTypePrior =
+    0.05;                             // prior of modes that are neither bending nor n = 2, for a bat below a few kHz
+constexpr double kMinDensity = 1e-6;  // lower limit of a density
+// Quadrature point of the angle error, in standard deviations, and its Gaussian weight.
 constexpr std::array<double, RatioLikelihood::kPlacements> kNodes{-2.4, -1.6, -0.8, 0, 0.8, 1.6, 2.4};
 constexpr std::array<double, RatioLikelihood::kPlacements> kWeights{0.018, 0.089, 0.232, 0.322, 0.232, 0.089, 0.018};
 
@@ -31,7 +32,7 @@ Complex mean_of(int n, double first_rad, double second_rad) {
 double wrapped_density(double difference_rad, double std_rad) {
   const double d = std::remainder(difference_rad, pi);
   const double near = std::exp(-0.5 * d * d / (std_rad * std_rad)) / (std_rad * std::sqrt(2 * pi));
-  return std_rad > 1 ? 1 / pi : near + kMinDensity / pi;  // so broad a Gaussian is the whole circle
+  return std_rad > 1 ? 1 / pi : near + kMinDensity / pi;  // so broad a Gaussian is uniform
 }
 
 double RatioLikelihood::weight_of(std::size_t placement) { return kWeights[placement]; }
@@ -46,7 +47,7 @@ RatioLikelihood::RatioLikelihood(double first_rad, double second_rad, const SetU
     hoop_mean_[e] = mean_of(2, first_rad, second_rad + kNodes[e] * apart_std_rad_);
 }
 
-// A gain turns χ by its relative error times sin χ cos χ.
+// A relative gain error e changes χ by e sin χ cos χ.
 double RatioLikelihood::deviation(const RatioAngle& ratio) const {
   return std::hypot(ratio.std_rad, kFloor_rad, 0.5 * std::sin(2 * ratio.chi_rad) * gain_std_);
 }
@@ -54,7 +55,7 @@ double RatioLikelihood::deviation(const RatioAngle& ratio) const {
 double RatioLikelihood::density(const RatioAngle& ratio, Complex mean) const {  // (1)
   const double s = deviation(ratio);
   const Complex z = std::polar(1.0, 2 * ratio.chi_rad) * std::conj(mean);
-  const double shrink = std::exp(-4 * s * s);  // from one term's factor to the next
+  const double shrink = std::exp(-4 * s * s);  // ratio of successive factors
   double factor = std::exp(-2 * s * s), step = factor * shrink, sum = 1;
   Complex power = z;
   while (factor * std::abs(power) > kMinDensity) {
@@ -94,7 +95,7 @@ double RatioLikelihood::other(const RatioAngle& ratio) const {
   return kOtherTypePrior * (0.5 * equal + 0.5 / pi);
 }
 
-// The pattern's turn follows from the ratio: |(a, b)|² = sin² nΔ/(1 − sin 2χ cos nΔ), Δ the angle between the sensors.
+// The pattern's angle follows from the ratio: |(a, b)|² = sin² nΔ/(1 − sin 2χ cos nΔ), Δ the angle between the sensors.
 double RatioLikelihood::seen(const RatioAngle& ratio, int n) const {
   const double apart = n * (second_rad_ - first_rad_), blur = n * apart_std_rad_;
   const double sine_2 = std::min(std::pow(std::sin(apart), 2) + blur * blur, 1.0);

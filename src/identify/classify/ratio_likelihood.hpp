@@ -12,25 +12,25 @@ struct RatioAngle {
   double out_of_phase = 0;  // |Im|/| · | of the ratio: 0 for a real shape
 };
 
-/// Density of a Gaussian of deviation `std` on the circle of 180°, per radian.
+/// Density of a wrapped Gaussian of standard deviation `std` with period 180°, per radian.
 double wrapped_density(double difference_rad, double std_rad);
 
-/// How well a test is set up by hand: deviations of one sensor's place and of one channel's gain.
+/// Set-up errors by hand: standard deviations of one sensor's angle and of one channel's gain.
 struct SetUpError {
   double angle_rad = 0.035;  // 2°
   double gain = 0.03;
 };
 
-/// How probable an observed χ is for each kind of shape, per radian, for sensors at two angles. A pattern cos n(θ − θ₀)
-/// of unknown turn θ₀ gives the residues Re(α e^jφ + β e^−jφ) with φ uniform, so that e^2jχ is a Möbius transform of a
-/// uniform phase: its k-th moment is the k-th power of the transform's value μ at the circle's centre (or at infinity,
-/// where |α| < |β|). With a Gaussian of deviation s for noise and gains:
+/// The likelihood of an observed χ for each type of shape, per radian, for sensors at two angles. A pattern
+/// cos n(θ − θ₀) at a uniformly distributed angle θ₀ gives the residues Re(α e^jφ + β e^−jφ) with φ uniform. So e^2jχ
+/// is a Möbius transform of a uniform phase: its k-th moment is the k-th power of the transform's value μ at the
+/// circle's centre (at infinity where |α| < |β|). With a Gaussian of standard deviation s for noise and gains:
 ///   p(χ) = (1 + 2 Re Σ_k z^k exp(−2 k² s²))/π,  z = e^2jχ conj(μ),  μ = β/conj(α) or α/conj(β), |μ| ≤ 1           (1)
 /// Sensors at 90° give |μ| = 0 for bending (any χ) and 1 for n = 2 (χ = −45°); misplaced ones blur the latter.
 /// theory (6.4), (6.5)
 class RatioLikelihood {
  public:
-  /// By how much the sensors' distance is off, as a few values with a Gaussian's weights. All modes of a test share it.
+  /// Quadrature points for the error of the angle between the sensors, which all modes of a test share.
   static constexpr std::size_t kPlacements = 7;
   static double weight_of(std::size_t placement);
 
@@ -38,16 +38,16 @@ class RatioLikelihood {
 
   /// Bending in any plane.
   double bending(const RatioAngle& ratio) const;
-  /// Bending of a bat that is weakest in this plane: most of its modes lie in it or at right angles to it.
+  /// Bending of a bat whose modes mostly lie in this plane or at right angles to it.
   double bending(const RatioAngle& ratio, double plane_rad) const;
-  /// Hoop, n = 2, turned by any angle: for one placement, and over all of them.
+  /// Hoop, n = 2, at any angle: for one placement, and summed over all placements.
   double hoop(const RatioAngle& ratio, std::size_t placement) const;
   double hoop(const RatioAngle& ratio) const;
-  /// Anything else: breathing and n = 4 (equal motion of both sensors), n = 3 and local shapes (any ratio); weighted by
-  /// its rarity.
+  /// Other types: breathing and n = 4 (equal motion of both sensors), n = 3 and local shapes (any ratio). Includes the
+  /// small prior probability of these types.
   double other(const RatioAngle& ratio) const;
 
-  /// What both sensors together see of a pattern of n waves that gives this ratio: 0 on its nodes, √2 at most.
+  /// Amplitude at both sensors of a unit pattern of n waves with this ratio: 0 at its nodes, √2 at most.
   double seen(const RatioAngle& ratio, int n) const;
 
  private:

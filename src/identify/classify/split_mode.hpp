@@ -11,28 +11,28 @@ struct PatternPlane {
   int order = 0;  // n
 };
 
-/// What makes two close peaks: asymmetry turns the two by 90°/n against each other; two resonances in the same plane
-/// are no split ring mode, but something coupled to it (a tuned absorber, a loose part).
+/// The cause of two close peaks. Asymmetry splits a mode into two at planes 90°/n apart. Two resonances in the same
+/// plane come from a coupled part instead (a tuned absorber, a loose part).
 enum class SplitCause { asymmetry, coupled, unclear };
 const char* name_of(SplitCause cause);
 
-/// The planes of the two members of a double peak.
+/// The planes of the two members of a split mode.
 struct SplitPlanes {
   PatternPlane own;
-  double between_rad = 0;  // of both, 0 … π/2n
+  double between_rad = 0;  // angle between the two planes, 0 … π/2n
   double between_std_rad = 0;
   SplitCause cause = SplitCause::unclear;
 };
 
-/// Two peaks so close that they count as one split mode, as one of them sees it.
+/// The other member of a split mode (close pair), for one of its two modes.
 struct SplitMode {
   std::size_t partner = 0;  // index of the other mode
   double separation_Hz = 0;
-  bool first = false;  // the lower one
+  bool first = false;  // this mode is the lower one
   double separation_std_Hz = 0;
-  double first_over_second_dB = 0;    // height of the peaks, over all FRFs
-  bool quoted = false;                // this one's frequency is the one to quote
-  std::optional<SplitPlanes> planes;  // where the planes of both are known
+  double first_over_second_dB = 0;    // level difference of the peaks, over all FRFs
+  bool quoted = false;                // this mode's frequency is the quoted one
+  std::optional<SplitPlanes> planes;  // where both planes are known
 };
 
 }  // namespace percuss::identify

@@ -10,14 +10,14 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr std::size_t kPlanes = 45;  // of the bat: 2° apart over 90°, since the one across is a plane of it as well
-constexpr double kPairKnown = 0.9;   // prior weight of "a close pair is one mode twice"
-constexpr double kPairAngle_rad = 0.1;  // how far the two planes of a mode are from a right angle
-constexpr double kBroader = 2;          // … than tan λ: sizes of modes that are no pair
-constexpr double kMinHoop_Hz = 1000;    // where barrels' hoop modes begin
+constexpr std::size_t kPlanes = 45;     // 2° apart over 90°: the plane at right angles belongs to the bat as well
+constexpr double kPairKnown = 0.9;      // prior probability that a close pair is one mode in two planes
+constexpr double kPairAngle_rad = 0.1;  // standard deviation of the angle between a mode's two planes from 90°
+constexpr double kBroader = 2;          // width of the size ratio of unrelated modes, over that of tan λ
+constexpr double kMinHoop_Hz = 1000;    // lowest hoop frequency of barrels
 
-// Weights before the ratio is seen. The lowest mode of a bat bends, at 100 to 300 Hz; where the lowest one found is
-// higher, the band leaves that out and nothing is known.
+// Prior probabilities of the types. A bat's lowest mode is a bending mode at 100 to 300 Hz. Where the lowest mode found
+// is higher, the band excludes that mode and the prior is uninformative.
 TypePosterior prior_of_lowest(double freq_Hz) {
   const double hoop = std::clamp(std::pow(freq_Hz / kMinHoop_Hz, 2), 0.01, 1.0);
   return {2 - hoop, hoop, 1};
@@ -37,7 +37,7 @@ TypePosterior product_of(TypePosterior a, const TypePosterior& b) {
   return a;
 }
 
-// Likelihoods of one mode's ratio under everything that the modes share.
+// Likelihoods of one mode's ratio for all values of the shared unknowns.
 struct ModeTable {
   std::array<double, kPlanes> bending{};
   std::array<double, RatioLikelihood::kPlacements> hoop{};
@@ -57,16 +57,16 @@ ModeTable table_of(const TypeEvidence& mode, const RatioLikelihood& likelihood) 
   return table;
 }
 
-// Density of the logarithm of two sizes' ratio: of tan λ for the halves of a pair, broader for modes of their own.
+// Density of the logarithm of two sizes' ratio: of tan λ for the members of a pair, broader for unrelated modes.
 double sech(double x) { return 1 / std::cosh(std::min(std::abs(x), 300.0)); }
 double pair_density(double log_ratio) { return sech(log_ratio) / pi; }
 double independent_density(double log_ratio) { return sech(log_ratio / kBroader) / (kBroader * pi); }
 
-// Likelihoods of a close pair that do not depend on what the modes share.
+// Likelihoods of a close pair that do not depend on the shared unknowns.
 struct PairTable {
-  TypePosterior size{1, 1, 1};  // of the halves, as one mode of each family
-  double unrelated_modes = 1;   // … as modes of their own
-  double right_angle = 1;       // of the planes
+  TypePosterior size{1, 1, 1};  // of the members' sizes, as one mode of each type
+  double unrelated_modes = 1;   // of the members' sizes, as unrelated modes
+  double right_angle = 1;       // of the angle between the planes
 };
 
 PairTable table_of(const TypeEvidence& one, const TypeEvidence& two, const RatioLikelihood& likelihood) {
@@ -119,7 +119,7 @@ class JointPosterior {
     return product_of({table.bending[s % kPlanes], table.hoop[placement_of(s)], table.other}, table.prior);
   }
 
-  // Readings of mode m, its partner's summed over: the sum is the same for both partners.
+  // Types of mode m, summed over the partner's types; the total is the same for both partners.
   TypePosterior readings(std::size_t s, std::size_t m) const {
     const TypePosterior own = alone(s, m);
     if (!pairs_[m]) return own;
@@ -146,7 +146,7 @@ class JointPosterior {
 
   const std::vector<TypeEvidence>& modes_;
   std::vector<ModeTable> tables_;
-  std::vector<std::optional<PairTable>> pairs_;  // where both sensors see both halves
+  std::vector<std::optional<PairTable>> pairs_;  // where both sensors observe both members
 };
 
 }  // namespace

@@ -8,24 +8,24 @@
 
 namespace percuss::identify {
 
-/// Probabilities of the readings, in the order bending, hoop, neither.
+/// Posterior probabilities of the types, in the order bending, hoop, other.
 using TypePosterior = std::array<double, 3>;
 
-/// What is known of one mode: its ratio (nothing where no sensor sees it) and the other half of a close pair.
+/// The evidence for one mode: the ratio (none where no sensor observes the mode) and the partner in a close pair.
 struct TypeEvidence {
   double freq_Hz = 0;
-  double size = 1;  // of both sensors' residues together, any unit
+  double size = 1;  // of both sensors' residues together, in any unit
   std::optional<RatioAngle> ratio;
-  std::optional<std::size_t> partner;  // mutual
+  std::optional<std::size_t> partner;  // each names the other
 };
 
-/// The readings of all modes of one test (ascending in frequency), judged together, because they share what is not
-/// known: the plane in which the bat is weakest and how far the sensors' distance is off. With weights w of both, and
-/// of each mode its likelihood L of every reading f under them,
+/// The type posteriors of all modes of one test, in ascending frequency. The modes share two unknowns: the plane in
+/// which the bat is most flexible, and the error of the angle between the sensors. With their prior weights w, and the
+/// likelihood L of each type f of each mode at given unknowns,
 ///   P(f of mode m) ∝ Σ_plane,placement w · L_m(f) Π_others Σ_f' L(f')                                     (1)
-/// So modes that all look like hoop modes may as well all bend at −45° to the sensors, the more so as the lowest mode
-/// of a bat bends. Two planes of one bending mode are at right angles; both halves of a hoop pair have the
-/// hoop ratio; and a hammer at an unknown angle λ to such a pair excites its halves as cos λ : sin λ.
+/// Modes that all look like hoop modes may therefore all bend at −45° to the sensors, especially as a bat's lowest mode
+/// is a bending mode. The two planes of one bending mode are at right angles. Both members of a hoop pair have the hoop
+/// ratio. A hammer at an unknown angle λ to such a pair excites its members as cos λ : sin λ.
 /// theory (6.6)
 std::vector<TypePosterior> type_posteriors(const std::vector<TypeEvidence>& modes, const RatioLikelihood& likelihood);
 

@@ -7,17 +7,17 @@
 
 namespace percuss::identify {
 
-/// Lines taken together: one by one around the poles, and ever more of them the farther away, where an FRF is smooth.
-/// Data and model go through the same sums, so that nothing is approximated, and next to nothing of what the lines know
-/// of the poles is lost (0.3 %), at a fraction of the work.
+/// Bins of neighbouring spectral lines: single lines around the poles, and wider bins farther away, where an FRF is
+/// smooth. Data and model are summed over the same bins, so that the model stays exact. The poles' information falls by
+/// only 0.3 %, at a fraction of the work.
 class FrequencyBins {
  public:
   FrequencyBins(const frf::LineRange& lines, const std::vector<Pole>& poles);
 
   Eigen::Index count() const { return static_cast<Eigen::Index>(begin_.size()) - 1; }
-  /// The line in the middle of each block.
+  /// The middle line of each bin.
   std::vector<std::size_t> middles() const;
-  /// Σ w·z over each block, over the square root of its lines: noise of deviation 1/w keeps the deviation 1. Real parts
+  /// Σ w·z over each bin, divided by √(lines of the bin): noise of standard deviation 1/w becomes 1. Real parts stand
   /// above imaginary parts. shapes  z, w [lines]; column [2 count()].
   void sum(const Eigen::VectorXcd& z, const Eigen::VectorXd& w, Eigen::Ref<Eigen::VectorXd> column) const;
 

@@ -18,8 +18,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kSpill = 0.1;  // of the strongest contradiction: a weaker one may be what that spilt
-constexpr int kRounds = 8;      // of real against complex
+constexpr double kSpill = 0.1;  // of the largest statistic: a smaller one may be caused by the largest
+constexpr int kMaxRounds = 8;   // of releasing real residues
 
 constexpr LevenbergMarquardtOptions kJointSearch{
     .max_rejections = 8, .initial_damping = 1e-6, .min_damping_outside = 1e-3, .max_step_size = 1e2};
@@ -66,16 +66,16 @@ class Joint {
   }
 
   JointFit run() {
-    // Complex residues contradict nothing: what they leave tells the noise.
+    // Complex residues fit any phase: their residual gives the noise.
     const bool settled = descend(projection_, state_, options_);
-    const auto left = projection_.unweighted_residual(state_);
-    if (!settled || (options_.worth_continuing && !options_.worth_continuing(left)))
+    const auto residual = projection_.unweighted_residual(state_);
+    if (!settled || (options_.worth_continuing && !options_.worth_continuing(residual)))
       return {.poles = state_.model.poles};
-    projection_.weight_by_residual(state_, left);
+    projection_.weight_by_residual(state_, residual);
     state_ = projection_.evaluate(state_.model);
     choose_real();
     bool converged = descend(projection_, state_, options_);
-    for (int round = 0; round < kRounds && release(); ++round) converged = descend(projection_, state_, options_);
+    for (int round = 0; round < kMaxRounds && release(); ++round) converged = descend(projection_, state_, options_);
     return result(converged, covariance_of(state_));
   }
 
@@ -86,7 +86,7 @@ class Joint {
   }
 
  private:
-  // Real residues where they leave the smaller deviation of the frequency.
+  // Makes residues real where this gives the smaller standard deviation of the frequency.
   void choose_real() {
     const std::size_t modes = state_.model.poles.size();
     JointModel real_model = state_.model;
@@ -104,12 +104,12 @@ class Joint {
     const MatrixXd inverse = inverse_gram(projection_.normal_equations(state).matrix);
     return inverse + inverse * projection_.force_covariance(state, of) * inverse;
   }
-  // Without the ringing that is cut off, of which no more than a likely size is known: counted, it would give up more
-  // real residues than it spoils.
+  // Without the ringing that the gate cuts off: only its likely size is known, and counting it would make more residues
+  // complex than it disturbs.
   VectorXd variances(const JointState& state) const { return covariance_of(state, ForceErrors::noise).diagonal(); }
 
-  // Real residues that the lines contradict become complex; true when any did. The most contradicted ones first: what
-  // they cannot follow spills over to the others.
+  // Makes real residues complex where the phase test rejects them; true where it rejected any. The largest statistics
+  // go first, because a misfit of one mode raises the statistics of others.
   bool release() {
     const MatrixXd covariance = inverse_gram(projection_.normal_equations(state_).matrix);
     std::vector<double> against(state_.model.real.size());
@@ -147,27 +147,28 @@ class Joint {
 
   void add_residues(JointFit& fit, std::size_t p, const MatrixXd& covariance) const {
     const JointPart& part = state_.parts[p];
-    const MatrixXd follow = part.inverse * (part.columns.transpose() * part.slopes);  // what moved columns do
+    // Of the slopes on the columns.
+    const MatrixXd projection = part.inverse * (part.columns.transpose() * part.slopes);
     const auto unknowns = static_cast<std::size_t>(part.inverse.rows());
     parallel_for_cost(part.channels.size(), 2 * unknowns * unknowns * unknowns, [&](std::size_t i) {
       const auto o = static_cast<Index>(part.channels[i]);
       const auto column = static_cast<Index>(i);
       const double noise = projection_.noise()(o);
-      MatrixXd moves = MatrixXd::Zero(part.inverse.rows(), covariance.rows());
+      MatrixXd derivatives = MatrixXd::Zero(part.inverse.rows(), covariance.rows());
       for (std::size_t m = 0; m < fit.real.size(); ++m) {
         for (Index k = 0; k < (fit.real[m] ? 1 : 2); ++k) {
           const Index at = static_cast<Index>(part.first[m]) + k;
           for (Index d = 0; d < 2; ++d)
-            moves.col(static_cast<Index>(2 * m) + d) -= follow.col(2 * at + d) * part.amplitude(at, column);
+            derivatives.col(static_cast<Index>(2 * m) + d) -= projection.col(2 * at + d) * part.amplitude(at, column);
         }
       }
-      const MatrixXd spread = part.inverse * noise * noise + moves * covariance * moves.transpose();
+      const MatrixXd total = part.inverse * noise * noise + derivatives * covariance * derivatives.transpose();
       for (std::size_t m = 0; m < fit.real.size(); ++m) {
         const auto at = static_cast<Index>(part.first[m]);
         const auto mode = static_cast<Index>(m);
         const double imaginary = fit.real[m] ? 0 : part.amplitude(at + 1, column);
         fit.residues(o, mode) = Complex(part.amplitude(at, column), imaginary);
-        const double variance = fit.real[m] ? spread(at, at) : 0.5 * (spread(at, at) + spread(at + 1, at + 1));
+        const double variance = fit.real[m] ? total(at, at) : 0.5 * (total(at, at) + total(at + 1, at + 1));
         fit.residue_std(o, mode) = std::sqrt(std::max(0.0, variance));
       }
     });

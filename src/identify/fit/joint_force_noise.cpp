@@ -1,4 +1,4 @@
-// What the force channel's noise does to a joint fit: a gain error ε(ω) adds ε·H to every response of its point.
+// The effect of the force channel's noise on a joint fit: a gain error ε(ω) adds ε·H to every FRF of its point.
 #include <algorithm>
 
 #include "core/parallel/parallel.hpp"
@@ -13,17 +13,17 @@ using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// ε·H of one channel for each of ε's variables. shapes  response [rows], errors [blocks, variables].
+// ε·H of one FRF for each variable of ε. shapes  response [rows], errors [bins, variables].
 MatrixXd times_response(const MatrixXcd& errors, const VectorXd& response) {
   const Index blocks = errors.rows();
   const MatrixXd re = errors.real();
   const MatrixXd im = errors.imag();
   const auto h_re = response.head(blocks).asDiagonal();
   const auto h_im = response.tail(blocks).asDiagonal();
-  MatrixXd moved(2 * blocks, errors.cols());
-  moved.topRows(blocks) = h_re * re - h_im * im;
-  moved.bottomRows(blocks) = h_re * im + h_im * re;
-  return moved;
+  MatrixXd response_error(2 * blocks, errors.cols());
+  response_error.topRows(blocks) = h_re * re - h_im * im;
+  response_error.bottomRows(blocks) = h_re * im + h_im * re;
+  return response_error;
 }
 
 std::vector<std::vector<std::size_t>> by_point(const FrfDataset& set, const JointPart& part) {
@@ -40,11 +40,11 @@ std::vector<std::vector<std::size_t>> by_point(const FrfDataset& set, const Join
 
 void JointProjection::add_force_noise(const JointState& state, const JointPart& part, ForceErrors of,
                                       MatrixXd& covariance) const {
-  const MatrixXd follow = part.inverse * (part.columns.transpose() * part.slopes);
+  const MatrixXd projection = part.inverse * (part.columns.transpose() * part.slopes);
   const MatrixXd synthesised = part.columns * part.amplitude;
-  const std::vector<std::size_t> lines = blocks_.middles();
+  const std::vector<std::size_t> lines = bins_.middles();
   const auto points = by_point(set_, part);
-  std::vector<MatrixXd> pushes(points.size());
+  std::vector<MatrixXd> pole_scores(points.size());
   parallel_for_cost(points.size(), kFlopsPerProduct * lines.size() * static_cast<std::size_t>(part.slopes.cols()),
                     [&](std::size_t p) {
                       const MatrixXcd errors =
@@ -52,23 +52,24 @@ void JointProjection::add_force_noise(const JointState& state, const JointPart& 
                       for (const std::size_t i : points[p]) {
                         if (errors.size() == 0) break;
                         const auto o = static_cast<Index>(i);
-                        const MatrixXd moved = times_response(errors, synthesised.col(o));
-                        const MatrixXd score =
-                            part.slopes.transpose() * moved - follow.transpose() * (part.columns.transpose() * moved);
-                        const MatrixXd mine = spread_of(state, part, o).transpose() * score /
-                                              noise_(static_cast<Index>(part.channels[i]));
-                        if (pushes[p].size() == 0) pushes[p] = MatrixXd::Zero(mine.rows(), mine.cols());
-                        pushes[p] += mine;
+                        const MatrixXd response_error = times_response(errors, synthesised.col(o));
+                        const MatrixXd score = part.slopes.transpose() * response_error -
+                                               projection.transpose() * (part.columns.transpose() * response_error);
+                        const MatrixXd contribution = residue_matrix(state, part, o).transpose() * score /
+                                                      noise_(static_cast<Index>(part.channels[i]));
+                        if (pole_scores[p].size() == 0)
+                          pole_scores[p] = MatrixXd::Zero(contribution.rows(), contribution.cols());
+                        pole_scores[p] += contribution;
                       }
                     });
-  for (const MatrixXd& push : pushes) {
-    if (push.size() > 0) covariance += push * push.transpose();
+  for (const MatrixXd& pole_score : pole_scores) {
+    if (pole_score.size() > 0) covariance += pole_score * pole_score.transpose();
   }
 }
 
 void JointProjection::add_residue_variance(const JointState& state, const JointPart& part, MatrixXd& variance) const {
   const MatrixXd synthesised = part.columns * part.amplitude;
-  const std::vector<std::size_t> lines = blocks_.middles();
+  const std::vector<std::size_t> lines = bins_.middles();
   const auto points = by_point(set_, part);
   parallel_for_cost(
       points.size(), kFlopsPerProduct * lines.size() * static_cast<std::size_t>(part.columns.cols()),
@@ -77,7 +78,8 @@ void JointProjection::add_residue_variance(const JointState& state, const JointP
         for (const std::size_t i : points[p]) {
           if (errors.size() == 0) break;
           const auto o = static_cast<Index>(i);
-          const MatrixXd moves = part.inverse * (part.columns.transpose() * times_response(errors, synthesised.col(o)));
+          const MatrixXd residue_errors =
+              part.inverse * (part.columns.transpose() * times_response(errors, synthesised.col(o)));
           for (std::size_t m = 0; m < state.model.poles.size(); ++m) {
             const auto first = static_cast<Index>(part.first[m]);
             const double line = set_.lines.position(state.model.poles[m].freq_Hz);
@@ -87,8 +89,8 @@ void JointProjection::add_residue_variance(const JointState& state, const JointP
             const bool real = state.model.real[m] != 0;
             const Complex residue(part.amplitude(first, o), real ? 0 : part.amplitude(first + 1, o));
             const Eigen::RowVectorXcd gain = residue * errors.row(at);
-            double sum = (moves.row(first) - gain.real()).squaredNorm();
-            if (!real) sum = 0.5 * (sum + (moves.row(first + 1) - gain.imag()).squaredNorm());
+            double sum = (residue_errors.row(first) - gain.real()).squaredNorm();
+            if (!real) sum = 0.5 * (sum + (residue_errors.row(first + 1) - gain.imag()).squaredNorm());
             variance(static_cast<Index>(part.channels[i]), static_cast<Index>(m)) = sum;
           }
         }

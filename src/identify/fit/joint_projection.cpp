@@ -16,7 +16,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-constexpr Index kStrip = 16;  // channels that are worked on together
+constexpr Index kStrip = 16;  // FRFs per block of matrix products
 
 // A stacked column times j.
 void turn(const Eigen::Ref<const VectorXd>& column, Eigen::Ref<VectorXd> turned) {
@@ -33,7 +33,7 @@ bool JointModel::all_real() const {
 
 JointProjection::JointProjection(const FrfDataset& set, const std::vector<Pole>& poles)
     : set_(set),
-      blocks_(set.lines, poles),
+      bins_(set.lines, poles),
       background_(out_of_band_terms(set.lines)),
       noise_(VectorXd::Ones(static_cast<Index>(set.channels.size()))) {
   const bool together = std::all_of(set.points.begin(), set.points.end(), [&](const PointForce& force) {
@@ -45,7 +45,7 @@ JointProjection::JointProjection(const FrfDataset& set, const std::vector<Pole>&
     parts_[together ? 0 : set.channels[o].point].channels.push_back(o);
   std::erase_if(parts_, [](const Plan& plan) { return plan.channels.empty(); });
   for (Plan& plan : parts_) {
-    // An H1 line's noise goes down as the force's energy goes up.
+    // The noise of an H1 estimate falls as the force's energy rises.
     plan.weight = VectorXd::Zero(static_cast<Index>(set.lines.count));
     for (const std::size_t o : plan.channels) {
       const auto& ff = set.points[set.channels[o].point].ff;
@@ -59,14 +59,14 @@ JointProjection::JointProjection(const FrfDataset& set, const std::vector<Pole>&
 
 void JointProjection::fill(Plan& plan) const {
   const auto lines = static_cast<Index>(set_.lines.count);
-  plan.data.resize(2 * blocks_.count(), static_cast<Index>(plan.channels.size()));
+  plan.data.resize(2 * bins_.count(), static_cast<Index>(plan.channels.size()));
   parallel_for_cost(plan.channels.size(), kFlopsPerProduct * set_.lines.count, [&](std::size_t i) {
     const Eigen::Map<const VectorXcd> frf(set_.channels[plan.channels[i]].frf.data(), lines);
-    blocks_.sum(frf, plan.weight, plan.data.col(static_cast<Index>(i)));
+    bins_.sum(frf, plan.weight, plan.data.col(static_cast<Index>(i)));
   });
-  plan.background.resize(2 * blocks_.count(), background_.cols());
+  plan.background.resize(2 * bins_.count(), background_.cols());
   for (Index term = 0; term < background_.cols(); ++term)
-    blocks_.sum(background_.col(term).cast<Complex>(), plan.weight, plan.background.col(term));
+    bins_.sum(background_.col(term).cast<Complex>(), plan.weight, plan.background.col(term));
 }
 
 JointState JointProjection::evaluate(JointModel model) const {
@@ -93,7 +93,7 @@ std::vector<ModeColumn> JointProjection::untruncated_columns(const JointModel& m
 
 JointPart JointProjection::solve(const Plan& plan, const JointModel& model,
                                  const std::vector<ModeColumn>& whole) const {
-  const Index rows = 2 * blocks_.count();
+  const Index rows = 2 * bins_.count();
   const auto modes = static_cast<Index>(model.poles.size());
   JointPart part;
   part.channels = plan.channels;
@@ -103,7 +103,7 @@ JointPart JointProjection::solve(const Plan& plan, const JointModel& model,
     unknowns += real ? 1 : 2;
   }
   const PointForce& force = set_.points[set_.channels[plan.channels.front()].point];
-  const Index turns = model.all_real() ? 1 : 2;  // real coefficients of the background, or complex ones
+  const Index turns = model.all_real() ? 1 : 2;  // columns per term: real or complex coefficients of the background
   part.columns.resize(rows, unknowns + turns * background_.cols());
   part.slopes.resize(rows, 2 * unknowns);
   part.quadrature.resize(rows, modes);
@@ -111,9 +111,9 @@ JointPart JointProjection::solve(const Plan& plan, const JointModel& model,
     const auto m = static_cast<Index>(at);
     const ModeColumn mode = subtract_truncation(whole[at], model.poles[at], force, set_.lines, 0);
     const auto first = static_cast<Index>(part.first[at]);
-    blocks_.sum(mode.value, plan.weight, part.columns.col(first));
-    blocks_.sum(mode.by_freq, plan.weight, part.slopes.col(2 * first));
-    blocks_.sum(mode.by_damping, plan.weight, part.slopes.col(2 * first + 1));
+    bins_.sum(mode.value, plan.weight, part.columns.col(first));
+    bins_.sum(mode.by_freq, plan.weight, part.slopes.col(2 * first));
+    bins_.sum(mode.by_damping, plan.weight, part.slopes.col(2 * first + 1));
     turn(part.columns.col(first), part.quadrature.col(m));
     if (model.real[at]) return;
     part.columns.col(first + 1) = part.quadrature.col(m);
@@ -142,7 +142,7 @@ void JointProjection::solve_channels(const Plan& plan, Index first, Index count,
   auto residual = part.residual.middleCols(first, count);
   amplitude = part.inverse * (part.columns.transpose() * plan.data.middleCols(first, count));
   residual = plan.data.middleCols(first, count) - part.columns * amplitude;
-  // Once more with what is left: the normal equations alone lose half of the digits.
+  // Iterative refinement: the normal equations alone lose half of the digits.
   const MatrixXd correction = part.inverse * (part.columns.transpose() * residual);
   amplitude += correction;
   residual -= part.columns * correction;
@@ -152,32 +152,32 @@ NormalEquations JointProjection::normal_equations(const JointState& state) const
   const auto modes = static_cast<Index>(state.model.poles.size());
   NormalEquations out{.matrix = MatrixXd::Zero(2 * modes, 2 * modes), .right = VectorXd::Zero(2 * modes)};
   for (const JointPart& part : state.parts) {
-    // What the linear part cannot follow of the slopes (Kaufman's Jacobian).
+    // The slopes with their projection on the columns removed (Kaufman's Jacobian).
     const MatrixXd cross = part.columns.transpose() * part.slopes;
     const MatrixXd gram = part.slopes.transpose() * part.slopes - cross.transpose() * part.inverse * cross;
-    const MatrixXd push = part.slopes.transpose() * part.residual;
+    const MatrixXd score = part.slopes.transpose() * part.residual;
     for (std::size_t i = 0; i < part.channels.size(); ++i) {
       const auto o = static_cast<Index>(i);
-      const MatrixXd spread = spread_of(state, part, o);
-      out.matrix += spread.transpose() * gram * spread;
-      out.right += spread.transpose() * push.col(o) / noise_(static_cast<Index>(part.channels[i]));
+      const MatrixXd residues = residue_matrix(state, part, o);
+      out.matrix += residues.transpose() * gram * residues;
+      out.right += residues.transpose() * score.col(o) / noise_(static_cast<Index>(part.channels[i]));
     }
   }
   return out;
 }
 
-MatrixXd JointProjection::spread_of(const JointState& state, const JointPart& part, Index channel) const {
+MatrixXd JointProjection::residue_matrix(const JointState& state, const JointPart& part, Index channel) const {
   const double noise = noise_(static_cast<Index>(part.channels[static_cast<std::size_t>(channel)]));
   const auto modes = static_cast<Index>(state.model.poles.size());
-  MatrixXd spread = MatrixXd::Zero(part.slopes.cols(), 2 * modes);
+  MatrixXd residues = MatrixXd::Zero(part.slopes.cols(), 2 * modes);
   for (Index m = 0; m < modes; ++m) {
     const auto first = static_cast<Index>(part.first[static_cast<std::size_t>(m)]);
     for (Index k = 0; k < (state.model.real[static_cast<std::size_t>(m)] ? 1 : 2); ++k) {
-      spread(2 * (first + k), 2 * m) = part.amplitude(first + k, channel) / noise;
-      spread(2 * (first + k) + 1, 2 * m + 1) = part.amplitude(first + k, channel) / noise;
+      residues(2 * (first + k), 2 * m) = part.amplitude(first + k, channel) / noise;
+      residues(2 * (first + k) + 1, 2 * m + 1) = part.amplitude(first + k, channel) / noise;
     }
   }
-  return spread;
+  return residues;
 }
 
 MatrixXd JointProjection::force_covariance(const JointState& state, ForceErrors of) const {

@@ -1,4 +1,4 @@
-// What a joint fit leaves of the FRFs, and the weights that follow from it.
+// The residual of a joint fit, and the weights that follow from it.
 #include <algorithm>
 #include <cmath>
 
@@ -15,12 +15,12 @@ using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
 constexpr Index kSmoothLines = 100;  // on either side: a variance from 200 lines costs under 1 % of the bound
-constexpr double kMinNoise = 1e-3;   // of the noise elsewhere: where a fit leaves nothing, its weight stays finite
+constexpr double kMinNoise = 1e-3;   // of the noise elsewhere: an FRF without residual keeps a finite weight
 
 }  // namespace
 
 std::vector<VectorXcd> JointProjection::unweighted_residual(const JointState& state) const {
-  std::vector<VectorXcd> left(set_.channels.size());
+  std::vector<VectorXcd> residual(set_.channels.size());
   const auto lines = static_cast<Index>(set_.lines.count);
   const std::vector<ModeColumn> whole = untruncated_columns(state.model, ColumnContent::value);
   for (const JointPart& part : state.parts) {
@@ -37,19 +37,19 @@ std::vector<VectorXcd> JointProjection::unweighted_residual(const JointState& st
       columns.col(at) = background_.col(term).cast<Complex>();
       if (turns == 2) columns.col(at + 1) = Complex(0, 1) * columns.col(at);
     }
-    subtract_shares(columns, part, left);
+    subtract_model(columns, part, residual);
   }
-  return left;
+  return residual;
 }
 
-// What the columns, by their amplitudes, leave of each channel of the part.
-void JointProjection::subtract_shares(const MatrixXcd& columns, const JointPart& part,
-                                      std::vector<VectorXcd>& left) const {
-  for (const std::size_t o : part.channels) left[o].resize(columns.rows());
+// The residual of each FRF of the part.
+void JointProjection::subtract_model(const MatrixXcd& columns, const JointPart& part,
+                                     std::vector<VectorXcd>& residual) const {
+  for (const std::size_t o : part.channels) residual[o].resize(columns.rows());
   const auto operations = kFlopsPerProduct * static_cast<std::size_t>(columns.cols()) * part.channels.size();
   parallel_for_chunks(set_.lines.count, operations, [&](std::size_t from, std::size_t lines) {
     const auto first = static_cast<Index>(from), count = static_cast<Index>(lines);
-    // Amplitudes are real: one product for real and imaginary parts.
+    // The amplitudes are real, so that one product serves real and imaginary parts.
     const MatrixXcd strip = columns.middleRows(first, count);
     const MatrixXd share =
         Eigen::Map<const MatrixXd>(reinterpret_cast<const double*>(strip.data()), 2 * count, strip.cols()) *
@@ -57,12 +57,12 @@ void JointProjection::subtract_shares(const MatrixXcd& columns, const JointPart&
     for (std::size_t i = 0; i < part.channels.size(); ++i) {
       const Eigen::Map<const VectorXcd> frf(set_.channels[part.channels[i]].frf.data() + from, count);
       const auto* made = reinterpret_cast<const Complex*>(share.col(static_cast<Index>(i)).data());
-      left[part.channels[i]].segment(first, count) = frf - Eigen::Map<const VectorXcd>(made, count);
+      residual[part.channels[i]].segment(first, count) = frf - Eigen::Map<const VectorXcd>(made, count);
     }
   });
 }
 
-void JointProjection::weight_by_residual(const JointState& state, const std::vector<VectorXcd>& left) {
+void JointProjection::weight_by_residual(const JointState& state, const std::vector<VectorXcd>& residual) {
   const auto lines = static_cast<Index>(set_.lines.count);
   for (std::size_t p = 0; p < parts_.size(); ++p) {
     const JointPart& part = state.parts[p];
@@ -71,14 +71,14 @@ void JointProjection::weight_by_residual(const JointState& state, const std::vec
                  2 * static_cast<double>(state.model.poles.size()) / static_cast<double>(set_.channels.size()));
     std::vector<VectorXd> weighted(part.channels.size());
     parallel_for_cost(weighted.size(), kFlopsPerProduct * set_.lines.count, [&](std::size_t i) {
-      weighted[i] = left[part.channels[i]].cwiseAbs2().cwiseProduct(parts_[p].weight.cwiseAbs2());
+      weighted[i] = residual[part.channels[i]].cwiseAbs2().cwiseProduct(parts_[p].weight.cwiseAbs2());
       const double variance = std::max(weighted[i].sum() / freedom, 1e-300);
       noise_(static_cast<Index>(part.channels[i])) = std::sqrt(variance);
       weighted[i] /= variance;
     });
     VectorXd power = VectorXd::Zero(lines);
     for (const VectorXd& one : weighted) power += one;
-    power /= 2 * static_cast<double>(part.channels.size());  // about 1 everywhere when the noise is even
+    power /= 2 * static_cast<double>(part.channels.size());  // about 1 everywhere for white noise
     VectorXd sum(lines + 1);
     sum(0) = 0;
     for (Index k = 0; k < lines; ++k) sum(k + 1) = sum(k) + power(k);

@@ -74,7 +74,7 @@ void add_uncertainty(LocalFit& fit, const VariableProjection& projection, LocalP
                      const WindowNoise& window) {
   const ProjectedState& state = problem.state();
   const std::size_t modes = fit.poles.size();
-  // Complex data: |residual|² per line is twice the variance of each real part, and so are the weights' squares.
+  // |residual|² per line is the sum of two equal variances, of real and imaginary part, and so is weight².
   const double scale = fit.degrees > 0 ? state.cost / static_cast<double>(fit.degrees) : 1;
   const MatrixXd covariance = inverse_gram(problem.normal_equations().matrix) * scale;
   for (Index m = 0; m < static_cast<Index>(modes); ++m) {
@@ -86,12 +86,14 @@ void add_uncertainty(LocalFit& fit, const VariableProjection& projection, LocalP
     for (std::size_t i = 0; i < part.channels.size(); ++i) {
       const auto o = static_cast<Index>(part.channels[i]);
       const auto column = static_cast<Index>(i);
-      // What a moved pole does to the amplitudes.
-      const MatrixXcd moves = projection.residue_moves(part, column);
+      // Derivatives of the amplitudes by the poles.
+      const MatrixXcd derivatives = projection.residue_derivatives(part, column);
       for (Index m = 0; m < static_cast<Index>(modes); ++m) {
         fit.residues(o, m) = part.amplitude(m, column);
-        const double linear = part.inverse_gram(m, m).real() * weight(o) * weight(o) * scale;  // of each real part
-        const double from_poles = (moves.row(m) * covariance.cast<Complex>() * moves.row(m).adjoint())(0).real();
+        const double linear =
+            part.inverse_gram(m, m).real() * weight(o) * weight(o) * scale;  // variance of the real part
+        const double from_poles =
+            (derivatives.row(m) * covariance.cast<Complex>() * derivatives.row(m).adjoint())(0).real();
         const Pole& pole = fit.poles[static_cast<std::size_t>(m)];
         fit.residue_std(o, m) =
             std::sqrt(std::max(0.0, window.of_residue(pole) * linear + 0.5 * window.of_pole(pole) * from_poles));
@@ -128,7 +130,7 @@ LocalFit fit_locally(const FrfDataset& set, const std::vector<VectorXcd>& data, 
 }
 
 Pole pole_of_window(const FrfDataset& set, const std::vector<VectorXcd>& data, std::size_t first) {
-  // Per channel the unknowns a, b are projected out; what is left is one complex unknown s.
+  // Projecting out a and b of each FRF leaves one complex unknown, s.
   Complex numerator;
   double denominator = 0;
   const Index size = data.front().size(), half = size / 2;

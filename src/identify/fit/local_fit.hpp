@@ -7,37 +7,37 @@
 
 namespace percuss::identify {
 
-/// Poles that are fitted together, and what the fit says of them.
+/// The fit of a few poles over a window of spectral lines.
 struct LocalFit {
-  std::vector<Pole> poles;      // [modes]
-  Eigen::MatrixXcd residues;    // [channels, modes], 1/kg
-  Eigen::MatrixXd residue_std;  // of |residue − truth|/√2: each of real and imaginary part; force gain left out
+  std::vector<Pole> poles;    // [modes]
+  Eigen::MatrixXcd residues;  // [channels, modes], 1/kg
+  Eigen::MatrixXd residue_std;  // of real and imaginary part, rms |residue − truth|/√2, without the force's gain error
   Eigen::VectorXd freq_std_Hz, damping_std;
   Eigen::VectorXd noise;    // [channels] rms of |residual| per line, (m/s²)/N
-  double cost = 0;          // Σ |residual|²/noise-weight², with the weights given
-  std::size_t degrees = 0;  // real data minus real parameters
+  double cost = 0;          // Σ |residual|²/weight²
+  std::size_t degrees = 0;  // of freedom: real data minus real parameters
   bool converged = false;
 };
 
 struct LocalFitOptions {
-  std::size_t first = 0, count = 0;  // the window of lines
-  std::size_t residual_terms = 3;    // complex polynomial coefficients for what other modes leave
+  std::size_t first = 0, count = 0;  // the window, in lines
+  std::size_t residual_terms = 3;    // complex coefficients of the polynomial that stands for the other modes
   int max_steps = 30;
-  double tolerance = 1e-7;  // step, in units of half the bandwidth
-  double change = 0.01;     // … or what it can still gain, in deviations
+  double tolerance = 1e-7;  // of a step, see normalised_step
+  double change = 0.01;     // or of the poles' expected change, in standard deviations
 };
 
-/// Least squares of the channels' lines in a window by modes with complex residues and a polynomial: poles by
-/// Levenberg–Marquardt with an analytic Jacobian, everything linear eliminated (variable projection). Outputs are
-/// weighted by 1/weight[o] and, in the end, all deviations are scaled by the residual. shapes  data[o] holds
-/// options.count lines (what other modes contribute already subtracted); weight [channels]. source  [7] in
-/// docs/theory/sources.md.
+/// Least squares of all FRFs in a window by modes with complex residues and a polynomial. Poles are found by
+/// Levenberg–Marquardt with an analytic Jacobian; residues and polynomial are eliminated (variable projection). FRF o
+/// has the weight 1/weight[o]. All standard deviations are scaled by the residual.
+/// shapes  data[o] holds options.count lines, the other modes' contributions subtracted; weight [channels].
+/// source  [7] in docs/theory/sources.md.
 /// theory (4.14)
 LocalFit fit_locally(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& data, const Eigen::VectorXd& weight,
                      std::vector<Pole> start, const LocalFitOptions& options);
 
-/// A first pole from the lines of a window by a linear fit: (jω − s) H = a + b(jω), s common, a and b per channel.
-/// freq_Hz is 0 when the lines hold no decaying oscillation.
+/// A first pole by a linear fit over a window: (jω − s) H = a + b(jω), with one s for all FRFs, and a and b per FRF.
+/// freq_Hz is 0 where the window holds no decaying oscillation.
 /// theory (4.2)
 Pole pole_of_window(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& data, std::size_t first);
 

@@ -11,15 +11,15 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr double kPhaseTest = 4;   // deviations of a common phase: one real mode in 16 000 is called complex
-constexpr double kSpreadTest = 6;  // deviations of a χ² sum over the channels
+constexpr double kPhaseTest = 4;   // standard deviations of a common phase: one real mode in 16 000 is called complex
+constexpr double kSpreadTest = 6;  // standard deviations of a χ² sum over the FRFs
 
-// What a common phase error of the mode's residues would do.
+// Score and information of a phase error of the mode's residues.
 struct PhaseEffect {
-  double push = 0;         // score of the phase over all channels
-  double information = 0;  // of it, the poles known
+  double score = 0;        // score of the common phase
+  double information = 0;  // of the common phase, at known poles
   VectorXd on_poles;       // [2 modes] cross information with the poles
-  double spread = 0;       // Σ over channels of score²/information
+  double chi2 = 0;         // Σ score²/information over the FRFs
   double channels = 0;
 };
 
@@ -35,19 +35,19 @@ PhaseEffect effect_of(const JointProjection& projection, const JointState& state
       const auto o = static_cast<Index>(i);
       const double noise = projection.noise()(static_cast<Index>(part.channels[i]));
       const double own = part.amplitude(static_cast<Index>(part.first[mode]), o) / noise;
-      const double push = own * q.dot(part.residual.col(o)) / noise;
+      const double score = own * q.dot(part.residual.col(o)) / noise;
       const double information = own * own * gram;
-      effect.push += push;
+      effect.score += score;
       effect.information += information;
-      if (information > 0) effect.spread += push * push / information;
+      if (information > 0) effect.chi2 += score * score / information;
       ++effect.channels;
-      effect.on_poles += own * (projection.spread_of(state, part, o).transpose() * with_slopes);
+      effect.on_poles += own * (projection.residue_matrix(state, part, o).transpose() * with_slopes);
     }
   }
   return effect;
 }
 
-// Of the phase of the force near a pole, the mean over the points.
+// Variance of the force's mean phase over the points, near a pole.
 double phase_variance(const FrfDataset& set, const Pole& pole) {
   double sum = 0;
   for (std::size_t p = 0; p < set.points.size(); ++p) sum += std::pow(gain_deviation(set, p, pole.freq_Hz), 2);
@@ -62,10 +62,10 @@ double phase_test_statistic(const JointProjection& projection, const JointState&
   const double information = effect.information - effect.on_poles.dot(covariance * effect.on_poles);
   if (!(information > 1e-12 * effect.information)) return 0;
   const double prior = phase_variance(projection.set(), state.model.poles[mode]);
-  const double common = effect.push * effect.push / (information + prior * information * information);
+  const double common = effect.score * effect.score / (information + prior * information * information);
   const double expected = effect.channels + prior * effect.information;
   return std::max(common / (kPhaseTest * kPhaseTest),
-                  effect.spread / (expected * (1 + kSpreadTest * std::sqrt(2 / effect.channels))));
+                  effect.chi2 / (expected * (1 + kSpreadTest * std::sqrt(2 / effect.channels))));
 }
 
 }  // namespace percuss::identify

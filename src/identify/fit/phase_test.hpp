@@ -6,9 +6,9 @@
 
 namespace percuss::identify {
 
-/// How strongly the lines contradict that a mode's residues are real: by a phase common to all channels, or by phases
-/// that differ between them (score tests; the phase that the force's noise may cause is allowed for). Above 1 they do.
-/// The mode is fitted with real residues; `covariance` is that of the poles.
+/// Score test of the hypothesis that a mode's residues are real, against a phase common to all FRFs and against phases
+/// that differ between them. Above 1 the hypothesis is rejected. The phase error from the force's noise is allowed for.
+/// The mode is fitted with real residues; `covariance` belongs to the poles.
 double phase_test_statistic(const JointProjection& projection, const JointState& state, std::size_t mode,
                             const Eigen::MatrixXd& covariance);
 

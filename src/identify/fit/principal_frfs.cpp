@@ -16,12 +16,12 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kAboveNoise = 20;   // energy of a line, over the noise of all channels, from which it tells directions
-constexpr Index kColumns = 16;       // columns
-constexpr std::size_t kCopied = 10;  // operations of a copied line
-constexpr std::size_t kMaxChosen = 1500;  // … the strongest ones
+constexpr double kAboveNoise = 20;        // energy of a line over the noise of all FRFs, from which it takes part
+constexpr Index kColumns = 16;            // columns
+constexpr std::size_t kCopied = 10;       // operations of a copied line
+constexpr std::size_t kMaxChosen = 1500;  // of these lines, the strongest
 
-// The channels over their noise, real parts above imaginary parts of the lines that stand out: [2 lines, channels].
+// The FRFs over their noise at the lines above the noise, real parts above imaginary parts: [2 lines, channels].
 MatrixXd lines_above_noise(const FrfDataset& set, const VectorXd& noise) {
   const std::size_t lines = set.lines.count;
   std::vector<std::pair<double, std::size_t>> level(lines);
@@ -50,7 +50,7 @@ MatrixXd lines_above_noise(const FrfDataset& set, const VectorXd& noise) {
   return rows;
 }
 
-// Columns times columns, a strip of the result's lower half at a time: who takes eigenvectors looks at nothing else.
+// columnsᵀ·columns, the lower triangle only, which the eigenvalue solver reads.
 MatrixXd gram_of(const MatrixXd& rows) {
   MatrixXd gram = MatrixXd::Zero(rows.cols(), rows.cols());
   const Index strips = (rows.cols() + kColumns - 1) / kColumns;
@@ -82,7 +82,7 @@ FrfDataset principal_frfs(const FrfDataset& set, const MatrixXd& sums) {
     channel.channel = static_cast<std::size_t>(i);
     channel.frf.resize(set.lines.count);
   }
-  // A strip of all channels stays near the processor while every sum is made of it.
+  // In chunks of lines, which stay in the cache for all components.
   const std::size_t operations = kFlopsPerProduct * set.channels.size() * mixed.channels.size();
   parallel_for_chunks(set.lines.count, operations, [&](std::size_t first, std::size_t count) {
     for (std::size_t p = 1; p < set.points.size() && !force.ff.empty(); ++p) {

@@ -6,13 +6,13 @@
 
 namespace percuss::identify {
 
-/// Real orthogonal sums of a large set's channels over their noise, those that hold what stands out of it: no more than
-/// `most`. A set of m modes spans m of them, so that next to nothing of what the channels know of the poles is lost.
-/// shape [channels, sums]
-Eigen::MatrixXd principal_components(const FrfDataset& set, std::size_t most);
+/// Principal components of the FRFs over their noise: at most `max_components` real orthogonal combinations that stand
+/// out of the noise. m modes span m components, so that almost no information about the poles is lost.
+/// shape  [channels, components]
+Eigen::MatrixXd principal_components(const FrfDataset& set, std::size_t max_components);
 
-/// The channels of a set mixed by such sums; real residues stay real. The mixed channels count as answers to one point
-/// whose force is without noise and whose records hold the whole decay.
+/// The FRFs of the principal components; real residues stay real. They count as FRFs of one impact point with a
+/// noise-free force and without truncation.
 FrfDataset principal_frfs(const FrfDataset& set, const Eigen::MatrixXd& sums);
 
 }  // namespace percuss::identify

@@ -38,7 +38,7 @@ void VariableProjection::project(MatrixXcd& columns) const {
 
 ProjectedState VariableProjection::evaluate(const std::vector<Pole>& poles) const {
   ProjectedState state;
-  for (const auto& channels : channels_alike(poles)) {
+  for (const auto& channels : channels_with_equal_columns(poles)) {
     if (channels.empty()) continue;
     state.parts.push_back(solve(channels, poles));
     const ProjectedPart& part = state.parts.back();
@@ -73,14 +73,15 @@ NormalEquations VariableProjection::normal_equations(const ProjectedState& state
   return normal;
 }
 
-MatrixXcd VariableProjection::residue_moves(const ProjectedPart& part, Index channel) const {
-  MatrixXcd moves = -part.inverse_gram * adjoint_product(part.columns, part.slopes);
-  for (Index c = 0; c < moves.cols(); ++c) moves.col(c) *= part.amplitude(c / 2, channel);
-  return moves;
+MatrixXcd VariableProjection::residue_derivatives(const ProjectedPart& part, Index channel) const {
+  MatrixXcd derivatives = -part.inverse_gram * adjoint_product(part.columns, part.slopes);
+  for (Index c = 0; c < derivatives.cols(); ++c) derivatives.col(c) *= part.amplitude(c / 2, channel);
+  return derivatives;
 }
 
-// Outputs with equal columns: all of them once every mode has decayed within the record, else those of one point.
-const std::vector<std::vector<std::size_t>>& VariableProjection::channels_alike(const std::vector<Pole>& poles) const {
+// FRFs with equal columns: all FRFs where every mode decays within the record, else the FRFs of one point.
+const std::vector<std::vector<std::size_t>>& VariableProjection::channels_with_equal_columns(
+    const std::vector<Pole>& poles) const {
   const bool decayed = std::all_of(poles.begin(), poles.end(), [&](const Pole& pole) {
     return decays_within_record(pole, set_.points.front(), set_.lines);
   });

@@ -8,12 +8,12 @@
 
 namespace percuss::identify {
 
-/// The linear problem of channels that share their columns, at given poles, and its solution. The polynomial is
-/// projected out of everything.
+/// The linear least-squares problem at given poles, for FRFs that share their columns, and its solution. The polynomial
+/// is projected out of data and columns.
 struct ProjectedPart {
   std::vector<std::size_t> channels;  // indices into FrfDataset::channels
-  Eigen::MatrixXcd columns;           // [lines, modes] what the polynomial cannot follow of each mode
-  Eigen::MatrixXcd slopes;            // [lines, 2 modes] of the modes by frequency and damping ratio, not projected
+  Eigen::MatrixXcd columns;           // [lines, modes] the modes, the polynomial projected out
+  Eigen::MatrixXcd slopes;            // [lines, 2 modes] derivatives by frequency and damping ratio, not projected
   Eigen::MatrixXcd inverse_gram;      // (columnsᴴ·columns)⁻¹
   Eigen::MatrixXcd amplitude;         // [modes, channels of this part]
   Eigen::MatrixXcd residual;          // [lines, channels of this part]
@@ -24,8 +24,8 @@ struct ProjectedState {
   double cost = 0;  // Σ |residual|²/weight²
 };
 
-/// Least squares of FRF lines in a window by modes and a complex polynomial, as a function of the poles alone:
-/// everything linear is eliminated. source  [7] in docs/theory/sources.md.
+/// Least squares of the FRFs in a window by modes and a complex polynomial, as a function of the poles alone: residues
+/// and polynomial are eliminated. source  [7] in docs/theory/sources.md.
 class VariableProjection {
  public:
   /// data[o] holds `count` lines from `first` on; weight [channels]. set must outlive this object.
@@ -34,16 +34,16 @@ class VariableProjection {
 
   ProjectedState evaluate(const std::vector<Pole>& poles) const;
 
-  /// Normal equations for a step of the poles, 2 unknowns per mode (Hz, damping ratio), with
-  /// Kaufman's Jacobian: what the linear part cannot follow of each derivative.
+  /// Normal equations for a step of the poles, two unknowns per mode (Hz, damping ratio). Kaufman's Jacobian: the
+  /// derivatives with their projection on the columns removed.
   /// theory (4.9)
   NormalEquations normal_equations(const ProjectedState& state, std::size_t modes) const;
 
-  /// How the residues of a channel follow the poles: −(columns⁺)·slopes·residue, [modes, 2 modes].
-  Eigen::MatrixXcd residue_moves(const ProjectedPart& part, Eigen::Index channel) const;
+  /// Derivatives of an FRF's residues by the poles: −(columns⁺)·slopes·residue, [modes, 2 modes].
+  Eigen::MatrixXcd residue_derivatives(const ProjectedPart& part, Eigen::Index channel) const;
 
  private:
-  const std::vector<std::vector<std::size_t>>& channels_alike(const std::vector<Pole>& poles) const;
+  const std::vector<std::vector<std::size_t>>& channels_with_equal_columns(const std::vector<Pole>& poles) const;
   ProjectedPart solve(const std::vector<std::size_t>& channels, const std::vector<Pole>& poles) const;
   void project(Eigen::MatrixXcd& columns) const;
 

@@ -13,16 +13,16 @@ using Eigen::Index;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-constexpr double kMinWindowLines = 8;  // … and never fewer lines
+constexpr double kMinWindowLines = 8;  // lines on either side of a pole
 constexpr double kMaxWindowLines =
-    400;  // … nor more: the polynomial follows other modes' tails over a short stretch only
+    400;  // lines on either side: the polynomial follows other modes' tails only over a short window
 constexpr double kMinForcePower =
-    1e-6;  // of the strongest line's power: a pulse's spectrum has zeros, where FRFs mean nothing
-constexpr double kMinWeight = 1e-3;  // of the noise elsewhere: where a fit leaves nothing, its weight stays finite
+    1e-6;  // of the strongest line's power: FRFs are meaningless at the zeros of a pulse's spectrum
+constexpr double kMinWeight = 1e-3;             // of the noise elsewhere: an FRF without residual keeps a finite weight
 constexpr std::size_t kFlopsPerPowerLine = 10;  // operations
-constexpr std::size_t kOutgrown = 2;            // times: a window that is too short
-constexpr int kMaxPasses = 5;                   // of a sweep
-constexpr double kGroupingGap = 4;              // bandwidths (or lines) apart at which two modes are fitted together
+constexpr std::size_t kOutgrown = 2;            // times: a window shorter than needed by this factor is replaced
+constexpr int kMaxPasses = 5;                   // of widening
+constexpr double kGroupingGap = 4;              // bandwidths or lines: closer modes are fitted together
 
 void carry_over(const std::vector<FitGroup>& before, FitGroup& group, std::size_t m) {
   for (const FitGroup& old : before) {
@@ -71,7 +71,7 @@ void WindowedFit::place_window(FitGroup& group) const {
     low = std::min(low, pole.freq_Hz - half);
     high = std::max(high, pole.freq_Hz + half);
   }
-  // Twice as many lines as complex unknowns at the least, also for a group at the band's edge.
+  // At least twice as many lines as complex unknowns, also at the band's edge.
   const auto least = 2 * (group.fit.poles.size() + LocalFitOptions{}.residual_terms) + 2;
   group.first = set_.lines.nearest(low);
   std::size_t last = set_.lines.nearest(high);
@@ -82,7 +82,7 @@ void WindowedFit::place_window(FitGroup& group) const {
   group.count = last - group.first + 1;
 }
 
-// The same poles, and a window that has moved by no more than a tenth of itself.
+// The same poles, and a window that moved by at most a tenth of its width.
 bool WindowedFit::same_window(const FitGroup& before, const FitGroup& group) const {
   const auto apart = [](std::size_t a, std::size_t b) { return a > b ? a - b : b - a; };
   const std::size_t most = before.count / 10;
@@ -107,8 +107,7 @@ double WindowedFit::gap(const Pole& below, const Pole& above) const {
   return (above.freq_Hz - below.freq_Hz) / std::max({width_Hz(below), width_Hz(above), set_.lines.df_Hz()});
 }
 
-// Too many for one group are parted where they are furthest apart: what lies side by side tells itself apart in one fit
-// only.
+// Close modes must be fitted together; a group that is too large is split at its widest gap.
 void WindowedFit::add_groups(std::span<const Pole> poles) {
   if (poles.size() <= kMaxGroupSize) {
     groups_.emplace_back().fit.poles.assign(poles.begin(), poles.end());
@@ -151,7 +150,7 @@ void WindowedFit::replace(std::vector<Pole> poles) {
 
 void WindowedFit::sweep() {
   fit_all();
-  replace(poles());  // poles that moved may belong together now
+  replace(poles());  // poles that moved may now belong to one group
   fit_all();
 }
 
@@ -162,20 +161,20 @@ void WindowedFit::widen() {
   }
 }
 
-// One after the other: fitted side by side without each other's latest shares, crowded resonances lose half of them.
+// In turn: in a parallel fit without the neighbours' latest contributions, half of the modes of a dense group are lost.
 void WindowedFit::fit_all() {
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     FitGroup& group = groups_[g];
     auto data = data_without_other_modes(group);
     if (unchanged(g, data)) continue;
-    // A first residual tells each channel's noise here, which is not the noise elsewhere.
+    // The residual of a first fit gives each FRF's noise in this window, which may differ from its noise elsewhere.
     if (group.fit.noise.size() == 0) group.fit = fit(group, data, group.fit.poles, noise(group), kTrialTolerance);
     group.fit = fit(group, data, group.fit.poles, weights_from(group));
     fitted_to_[g] = std::move(data);
   }
 }
 
-// A pole that began as a narrow one may have found that its resonance is broader than its window.
+// A resonance may turn out broader than the window that its first pole defined.
 bool WindowedFit::has_outgrown_window() const {
   return std::any_of(groups_.begin(), groups_.end(), [&](const FitGroup& group) {
     FitGroup anew{.fit = {.poles = group.fit.poles}};
@@ -216,7 +215,7 @@ std::vector<VectorXcd> WindowedFit::residual() const {
   std::vector<VectorXcd> all(set_.channels.size(), VectorXcd(static_cast<Index>(set_.lines.count)));
   parallel_for_chunks(set_.lines.count, kFlopsPerColumnLine * poles().size(),
                       [&](std::size_t first, std::size_t count) {
-                        // The strip belongs to no group: all of them are subtracted.
+                        // These lines belong to no group, so that all groups are subtracted.
                         const auto part = data_without_other_modes(FitGroup{.fit = {}, .first = first, .count = count});
                         for (std::size_t o = 0; o < all.size(); ++o)
                           all[o].segment(static_cast<Index>(first), static_cast<Index>(count)) = part[o];

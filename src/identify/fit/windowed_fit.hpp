@@ -9,24 +9,23 @@
 
 namespace percuss::identify {
 
-/// Poles fitted together over a window of lines.
+/// Poles that are fitted together over a window of spectral lines.
 struct FitGroup {
   LocalFit fit;
   std::size_t first = 0, count = 0;  // the window
 };
 
 struct WindowedFitOptions {
-  /// Half-power bandwidths on either side of a pole that its window holds: beyond 10 lies under 0.1 % of what the lines
-  /// tell of it.
+  /// Half of a pole's window, in half-power bandwidths. Less than 0.1 % of a pole's information lies beyond 10.
   double window_widths = 10;
-  /// Data that change by less, beside the smooth background that is fitted with them, leave a fit as it is: in
-  /// deviations of what is fitted.
+  /// A group is fitted again where its data changed by more than this, in standard deviations of the fitted values. A
+  /// smooth change is disregarded, because the polynomial follows it.
   double change = LocalFitOptions{}.change;
 };
 
-/// A set of modes fitted piece by piece: close ones together, each piece over a window of its own lines with the shares
-/// of all others subtracted. A few sweeps over the pieces come to the same least-squares solution as one fit over the
-/// whole band, at a fraction of the work.
+/// The fit of a set of modes in groups of close modes. Each group is fitted over its own window of spectral lines, with
+/// the other groups' contributions subtracted. A few sweeps over the groups reach the least-squares solution of one fit
+/// over the whole band, at a fraction of the work.
 class WindowedFit {
  public:
   /// `set` must outlive this object.
@@ -35,38 +34,38 @@ class WindowedFit {
   const std::vector<FitGroup>& groups() const { return groups_; }
   std::vector<Pole> poles() const;
   const FrfDataset& set() const { return set_; }
-  /// Per channel: deviation of the noise in the group's window as all lines tell it (LineNoise).
+  /// [channels] rms noise in the group's window, from the FRFs' roughness (LineNoise).
   Eigen::VectorXd noise(const FitGroup& group) const { return noise_.over(group.first, group.count); }
   const LineNoise& line_noise() const { return noise_; }
-  /// Per channel: the largest line that the force reached.
+  /// [channels] the largest line at which the force has energy.
   const Eigen::VectorXd& largest() const { return largest_; }
-  /// Half-power bandwidth, at least half a line.
+  /// The half-power bandwidth, at least half the line spacing.
   double width_Hz(const Pole& pole) const;
 
-  /// Other poles: residues of those already known stay; new ones count as 0 until the next sweep.
+  /// Replaces the poles. Known poles keep their residues; new poles have none until the next sweep.
   void replace(std::vector<Pole> poles);
-  /// Fits every group in turn, twice over, the second time with the final shares of its neighbours; one whose data have
-  /// not changed since is left alone.
+  /// Fits every group twice, the second time with the final contributions of its neighbours. A group whose data have
+  /// not changed is not fitted again.
   void sweep();
-  /// Fits once more, over a longer window, what began as a narrow resonance and has become a broad one.
+  /// Fits again, over longer windows, the groups whose resonances have become broader than their windows.
   void widen();
-  /// What is left in the group's window when all other groups' shares are subtracted, [channels][group.count].
+  /// The FRFs in the group's window without the other groups' contributions, [channels][group.count].
   std::vector<Eigen::VectorXcd> data_without_other_modes(const FitGroup& group) const;
-  /// … and over all lines when every group's share is.
+  /// The residual over all lines: the FRFs without any group's contribution, [channels][lines].
   std::vector<Eigen::VectorXcd> residual() const;
-  /// The group's window fitted anew with these poles; for trials.
+  /// A trial fit of the group's window from other poles.
   LocalFit fit(const FitGroup& group, const std::vector<Eigen::VectorXcd>& data, std::vector<Pole> start,
                const Eigen::VectorXd& weight, double tolerance = LocalFitOptions{}.tolerance) const;
-  /// The noise of each channel in the window as the fit's residual tells it.
+  /// [channels] rms noise in the window, from the fit's residual.
   Eigen::VectorXd weights_from(const FitGroup& group) const;
 
-  /// Tolerance that is near enough to see the noise.
+  /// Tolerance of a trial fit: the residual is then at the noise.
   static constexpr double kTrialTolerance = 1e-3;
-  /// No more than this many are fitted together.
+  /// The largest number of poles in a group.
   static constexpr std::size_t kMaxGroupSize = 4;
 
  private:
-  double gap(const Pole& below, const Pole& above) const;  // bandwidths, or lines
+  double gap(const Pole& below, const Pole& above) const;  // in bandwidths or lines, the larger
   void add_groups(std::span<const Pole> poles);
   void place_window(FitGroup& group) const;
   bool same_window(const FitGroup& before, const FitGroup& group) const;
@@ -81,7 +80,7 @@ class WindowedFit {
   LineNoise noise_;
   Eigen::VectorXd largest_;
   std::vector<FitGroup> groups_;
-  std::vector<std::vector<Eigen::VectorXcd>> fitted_to_;  // [groups] the data of the last fit; none before it
+  std::vector<std::vector<Eigen::VectorXcd>> fitted_to_;  // [groups] the data of the group's last fit; empty before it
 };
 
 }  // namespace percuss::identify

@@ -2,12 +2,13 @@
 
 namespace percuss::identify {
 
-/// How much work goes into the modes. Run times are those of a whole analysis of five hits with a close pair, over that
-/// of bare transforms of the same records in memory; errors those of frequencies, over the Cramér–Rao bound.
+/// The effort of an identification. The first figure is the run time of a whole analysis of five hits with a close
+/// pair, over the time of the bare transforms of the same records in memory. The second figure is the error of the
+/// frequencies over the Cramér–Rao bound.
 enum class Effort {
-  quick,     // peaks, each over its own lines, and pairs where one does not fit: 2.1 times, 2.0
-  standard,  // … over more lines, and modes that show no peak: 3.0 times, 1.7
-  best,      // … and all of them together: 15 times, 1.0
+  quick,     // each peak fitted over its own spectral lines, pairs where one mode misfits: 2.1 times, 2.0
+  standard,  // … over more lines, and modes without a peak: 3.0 times, 1.7
+  best,      // … and a fit of all modes together: 15 times, 1.0
 };
 const char* name_of(Effort effort);
 

@@ -6,24 +6,24 @@
 
 namespace percuss::identify {
 
-/// One FRF to be fitted: the response `channel` to hits at points[point].
+/// One measured FRF: the response of an acceleration channel to the hits at one impact point.
 struct FrfChannel {
   std::size_t point = 0;     // index into FrfDataset::points
-  std::size_t channel = 0;   // acceleration channel
+  std::size_t channel = 0;   // index of the acceleration channel
   std::vector<Complex> frf;  // H1 [lines]
 };
 
-/// Everything identification works on. All channels share the lines; channels of one point share its hits.
+/// The FRFs of a test. All FRFs share the spectral lines; the FRFs of one impact point share its hits.
 struct FrfDataset {
   frf::LineRange lines;
-  double usable_bandwidth_Hz = 0;  // where the force has fallen by 20 dB; 0: not known
+  double usable_bandwidth_Hz = 0;  // where the force has fallen by 20 dB; 0: unknown
   std::vector<PointForce> points;
   std::vector<FrfChannel> channels;
-  /// Of the exponential window, one for all points; 0 without one.
+  /// Decay of the exponential window, the same for all points; 0 without a window.
   double window_decay_per_s() const { return points.empty() ? 0 : points.front().window_decay_per_s(); }
 };
 
-/// Σ|H|² over all channels at one line, (m/s²)²/N²
+/// Σ|H|² over all FRFs at one spectral line, (m/s²)²/N²
 inline double power_at(const FrfDataset& set, std::size_t line) {
   double power = 0;
   for (const FrfChannel& channel : set.channels) power += std::norm(channel.frf[line]);

@@ -12,7 +12,7 @@ namespace percuss::identify {
 namespace {
 
 constexpr Eigen::Index kTerms = 3;
-constexpr std::size_t kFlopsPerModeLine = 40;  // and mode
+constexpr std::size_t kFlopsPerModeLine = 40;  // operations per spectral line and mode
 
 Eigen::MatrixXcd residual_columns(const frf::LineRange& band, double decay_per_s) {
   Eigen::MatrixXcd out(static_cast<Eigen::Index>(band.count), kTerms);
@@ -33,7 +33,7 @@ double noise_share(const Eigen::VectorXcd& left) {
   return std::min(1.0, (left.segment(1, n) - 0.5 * (left.head(n) + left.tail(n))).squaredNorm() / (1.5 * energy));
 }
 
-// What the channels share, and a channel's FRF from it.
+// The terms common to all FRFs, and the synthesis of one FRF.
 class Synthesis {
  public:
   Synthesis(const FrfDataset& set, const std::vector<Mode>& modes, const frf::LineRange& band)
@@ -115,7 +115,7 @@ std::vector<SynthesisedFrf> synthesised_frfs(const FrfDataset& set, const std::v
   parallel_for_cost(out.size(), kFlopsPerModeLine * band.count * (modes.size() + 1),
                     [&](std::size_t o) { power[o] = synthesis.make(o, out[o]); });
   const double most = power.empty() ? 0 : *std::max_element(power.begin(), power.end());
-  constexpr double kFloor = 1e-30;  // of the strongest's power: a dead channel reads −300 dB
+  constexpr double kFloor = 1e-30;  // of the strongest FRF's power: a dead channel reads −300 dB
   for (std::size_t o = 0; o < out.size() && most > 0; ++o)
     out[o].level_dB = 10 * std::log10(std::max(power[o] / most, kFloor));
   return out;

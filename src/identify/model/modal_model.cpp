@@ -11,7 +11,7 @@ namespace percuss::identify {
 namespace {
 
 constexpr double kNegligibleAmplitude =
-    1e-10;  // what is missing moves a pole by this part of its bandwidth at the most: below any record's noise
+    1e-10;  // the neglected truncation moves a pole by at most this fraction of its bandwidth, below any noise
 
 Eigen::Map<const Eigen::ArrayXcd> array_of(std::span<const Complex> lines) {
   return {lines.data(), static_cast<Eigen::Index>(lines.size())};
@@ -48,16 +48,16 @@ std::pair<Complex, Complex> state_at_end(const frf::ForceBlock& block, Complex s
   return {q, by_s};
 }
 
-// What the part of the decay beyond the record's end takes away, for one sign of the imaginary part; added to `value`
-// and, by the chain rule along ds, to the derivatives.
+// The truncation term of one of the two conjugate poles. It is added to `value` and, by the chain rule along ds, to
+// the derivatives.
 struct Missing {
   Complex windowed;                // s − σ
-  Complex c, c_by_s;               // ω_d counts as constant here; see `chain`
+  Complex c, c_by_s;               // at constant ω_d; see `chain`
   std::vector<Complex> q, q_by_s;  // [hits]
 };
 
 Missing missing_of(Complex s, const PointForce& force, const frf::LineRange& lines) {
-  const Complex two_j_wd(0, 2 * s.imag());  // s.imag() = ±ω_d: the conjugate pole gets the conjugate factor
+  const Complex two_j_wd(0, 2 * s.imag());  // s.imag() = ±ω_d: the conjugate pole has the conjugate factor
   Missing m{.windowed = s - force.window_decay_per_s(),
             .c = s * s / two_j_wd,
             .c_by_s = 2.0 * s / two_j_wd,
@@ -76,7 +76,7 @@ void subtract_missing(ModeColumn& column, const PoleTerms& p, bool conjugate, co
   const double dt_s = 1 / lines.fs_Hz;
   const auto side = [&](Complex z) { return conjugate ? std::conj(z) : z; };
   const Missing m = missing_of(side(p.s), force, lines);
-  // c holds ω_d itself: d(1/ω_d) = −dω_d/ω_d · (1/ω_d).
+  // c contains 1/ω_d: d(1/ω_d) = −dω_d/ω_d · (1/ω_d).
   const Complex by_freq = side(p.by_omega) * kTwoPi;
   const Complex by_damping = side(p.by_zeta);
   const double wd_by_freq = p.by_omega.imag() * kTwoPi / p.s.imag();
@@ -138,7 +138,7 @@ PointForce point_force(std::vector<frf::ForceBlock> blocks, std::vector<frf::Spe
 
 std::vector<Complex> h1_at(const PointForce& force, std::span<const std::span<const Complex>> accel) {
   std::vector<Complex> frf(force.ff.size());
-  constexpr std::size_t kBlock = 256;  // lines whose sum stays in the fastest memory
+  constexpr std::size_t kBlock = 256;  // lines whose sum fits into the first-level cache
   for (std::size_t first = 0; first < frf.size(); first += kBlock) {
     const std::size_t end = std::min(first + kBlock, frf.size());
     for (std::size_t h = 0; h < accel.size(); ++h) {
@@ -159,7 +159,7 @@ bool decays_within_record(const Pole& pole, const PointForce& force, const frf::
   if (force.complete) return true;
   const bool known = std::any_of(force.blocks.begin(), force.blocks.end(),
                                  [](const frf::ForceBlock& block) { return !block.force_N.empty(); });
-  if (!known) return true;  // what follows the record's end is not known without the force
+  if (!known) return true;  // without the force the truncation is unknown
   return remaining_amplitude(pole, lines, force.window_decay_per_s()) < kNegligibleAmplitude;
 }
 

@@ -14,77 +14,80 @@ namespace percuss::identify {
 struct Pole {
   double freq_Hz = 0;
   double damping_ratio = 0;
-  double half_power_Hz() const { return 2 * damping_ratio * freq_Hz; }  // bandwidth, 3 dB down
+  double half_power_Hz() const { return 2 * damping_ratio * freq_Hz; }  // half-power (−3 dB) bandwidth
   bool operator==(const Pole&) const = default;
 };
 
-inline constexpr double kMaxDampingRatio = 0.3;  // a ratio beyond it is the background's
+inline constexpr double kMaxDampingRatio = 0.3;  // a pole with more damping describes the background, not a mode
 
-/// The averaged hits of one impact point, as far as the model of a truncated record needs them. Without blocks, or with
-/// blocks without force, nothing is known of the force: the FRF is taken as it is, `ff` is empty. A block's decay is
-/// that of the exponential window in any case.
+/// The force of the averaged hits of one impact point, for the model of truncated records. Without blocks, or with
+/// blocks without force, the force is unknown: the FRFs count as untruncated, and `ff` is empty. The decay of a block
+/// is always the exponential window's.
 struct PointForce {
   std::vector<frf::ForceBlock> blocks;  // [hits]
   std::vector<frf::Spectrum> spectra;   // F_h [hits]
   std::vector<double> ff;               // Σ |F|² [lines]
-  double noise_N = 0;                   // deviation of the force channel's noise
-  bool complete = false;                // the FRFs are as records would have given them that hold the whole decay
-  double window_decay_per_s() const { return blocks.empty() ? 0 : blocks.front().decay_per_s; }  // 0: none is known of
+  double noise_N = 0;                   // standard deviation of the force channel's noise
+  bool complete = false;                // the FRFs are free of truncation: the missing decay was added
+  double window_decay_per_s() const {
+    return blocks.empty() ? 0 : blocks.front().decay_per_s;
+  }  // 0: no window is known
 };
-/// spectra [hits]: force_spectrum of each block.
-/// errors  InputError when the force never excited one of the lines.
+/// spectra [hits]: the force_spectrum of each block.
+/// errors  InputError: the force has no energy at some spectral line.
 PointForce point_force(std::vector<frf::ForceBlock> blocks, std::vector<frf::Spectrum> spectra,
                        const frf::LineRange& lines, double noise_N);
-/// H1 of a response to that point's hits. shapes  accel [hits] point to [lines]; result [lines], (m/s²)/N
+/// H1 of a response to the hits at this point. shapes  accel [hits] point to [lines]; result [lines], (m/s²)/N
 std::vector<Complex> h1_at(const PointForce& force, std::span<const std::span<const Complex>> accel);
 
-/// A mode's share of an H1 estimate, for residue 1, and its derivatives, at lines first … first + count − 1 of `lines`.
+/// The contribution of a mode with residue 1 to an H1 estimate, and its derivatives, at some spectral lines.
 struct ModeColumn {
   Eigen::VectorXcd value;                // dimensionless
   Eigen::VectorXcd by_freq, by_damping;  // per Hz, per unit of damping ratio
 };
 
-/// What is left of a mode's amplitude when a record of lines.samples ends, as a fraction of its start; with an
-/// exponential window of that decay.
+/// A mode's amplitude at the end of a record of lines.samples, as a fraction of its start. An exponential window of
+/// this decay is included.
 /// theory (3.4)
 double remaining_amplitude(const Pole& pole, const frf::LineRange& lines, double window_decay_per_s = 0);
 
-/// True when nothing is missing of the mode: it has decayed by the record's end, the FRFs were completed, or nothing is
-/// known of the force. Then its column is H(jω) itself, the same for every point.
+/// True where truncation does not change the mode's column: the mode has decayed by the record's end, the FRFs are
+/// complete, or the force is unknown. The column is then H(jω), the same for every point.
 bool decays_within_record(const Pole& pole, const PointForce& force, const frf::LineRange& lines);
 
-/// Operations of one line of such a column, about, for parallel_for_cost.
+/// Approximate operations per spectral line of such a column, for parallel_for_cost.
 inline constexpr std::size_t kFlopsPerColumnLine = 40;
 
-/// The accelerance of one mode as H1 sees it when the structure was at rest before each hit and the record ends before
-/// the decay:
+/// ColumnContent::value leaves the derivatives empty, at half the work.
+enum class ColumnContent { value, derivatives };
+
+/// The accelerance of one mode in an H1 estimate from truncated records, at lines first … first + count − 1 of
+/// `lines`. The structure was at rest before each hit:
 ///   φ(k) = H(jω) − Σ_h conj(F_h(k)) [c q_h D(k) + conj(c q_h) D̃(k)] / Σ_h |F_h(k)|²                        (1)
 ///   H(jω) = (jω)² / ((jω)² + 2ζω_r jω + ω_r²),  c = s²/(2jω_d),  q_h = Δ Σ_n f_h[n] exp(s(N − n)Δ)
 ///   D = 1/(1 − exp((s − jω)Δ)),  D̃ the same with conj(s)
-/// With an exponential window of decay σ, jω + σ stands for jω in H, s − σ for s in q and D.
-/// What is missing after the record's end is thereby part of the model: no leakage, no bias of the damping.
+/// An exponential window of decay σ replaces jω by jω + σ in H, and s by s − σ in q and D.
+/// The model contains the truncation, so that there is no leakage and no bias of the damping.
 /// source  [5], [6] in docs/theory/sources.md.
 /// theory (3.3), (3.5)
-/// Need::value leaves the derivatives empty, at half the work.
-enum class ColumnContent { value, derivatives };
 ModeColumn mode_column(const Pole& pole, const PointForce& force, const frf::LineRange& lines, std::size_t first,
                        std::size_t count, ColumnContent need = ColumnContent::derivatives);
 
-/// H of (1) alone: what the columns of all points have in common.
+/// H of (1), which is common to all points.
 ModeColumn untruncated_column(const Pole& pole, double window_decay_per_s, const frf::LineRange& lines,
                               std::size_t first, std::size_t count, ColumnContent need = ColumnContent::derivatives);
 
-/// φ of (1) from H.
+/// φ of (1) from H, for one point.
 ModeColumn subtract_truncation(ModeColumn whole, const Pole& pole, const PointForce& force, const frf::LineRange& lines,
                                std::size_t first);
 
-/// H − φ of (1) at lines first … first + count − 1: what a mode's decay lacks of what comes after the records' end.
-/// What all points have in common of it is worked out once.
+/// H − φ of (1): the part of a mode's decay after the records' end, at lines first … first + count − 1. The terms
+/// common to all points are computed once.
 class TruncatedDecay {
  public:
   TruncatedDecay(const Pole& pole, double window_decay_per_s, const frf::LineRange& lines, std::size_t first,
                  std::size_t count);
-  /// Adds residue·(H − φ) of hits at that point. shape  sum [count]
+  /// Adds residue·(H − φ) for the hits at one point. shape  sum [count]
   void add_to(std::span<Complex> sum, Complex residue, const PointForce& force) const;
 
  private:

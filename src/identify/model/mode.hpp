@@ -7,32 +7,31 @@
 
 namespace percuss::identify {
 
-/// What transforms and fits in double precision are good for: of a frequency, and of a damping ratio.
+/// Relative accuracy of transforms and fits in double precision, of a frequency and of a damping ratio.
 inline constexpr double kRounding = 1e-12;
 inline constexpr double kRoundingDamping = 1e-9;
 
-/// Deviations from which a residue is told from nothing.
+/// A residue is significant from this many standard deviations on.
 inline constexpr double kSignificant = 3;
 
-/// A mode's residue at one channel: accelerance H(ω) = … + A·(jω)²/((jω)² + 2ζω_r jω + ω_r²), 1/kg.
+/// A mode's residue in one FRF: accelerance H(ω) = … + A·(jω)²/((jω)² + 2ζω_r jω + ω_r²), 1/kg.
 /// theory (3.2)
 struct Residue {
   std::size_t point = 0;
   std::size_t channel = 0;
   Complex value;
-  double std = 0;           // of the real and of the imaginary part
-  double relative_std = 0;  // of what all channels of the point share (the force's own noise), as a fraction of |value|
-  std::optional<Pole> own_pole;  // the point's, where points disagree beyond doubt and this one sees the mode
+  double std = 0;                // of the real part and of the imaginary part
+  double relative_std = 0;       // of the gain error common to the point's FRFs (the force's noise), over |value|
+  std::optional<Pole> own_pole;  // the pole at this point, where the frequency scatters between the points
 };
 
-/// An identified mode with one standard deviation on everything.
+/// An identified mode, with one standard deviation of each value.
 struct Mode {
   Pole pole;
   double freq_std_Hz = 0;
   double damping_std = 0;
-  double freq_scatter_Hz =
-      0;  // standard deviation of the frequency between impact points, where they disagree beyond doubt
-  std::vector<Residue> residues;  // [channels], in the order of FrfDataset::channels
+  double freq_scatter_Hz = 0;     // standard deviation of the frequency between impact points; 0: not significant
+  std::vector<Residue> residues;  // [channels] in the order of FrfDataset::channels
 };
 
 }  // namespace percuss::identify

@@ -6,7 +6,7 @@
 namespace percuss::identify {
 namespace {
 
-// The highest line over a guard mode's frequency, squared; 0 is the mass line.
+// (Highest line over a guard mode's frequency)²; 0 is the mass line.
 constexpr std::array<double, 5> kGuardModes{0, 0.87, 0.6, 0.3, 0.1};
 
 }  // namespace

@@ -5,9 +5,9 @@
 
 namespace percuss::identify {
 
-/// What lies beyond the lines, as real accelerances: the mass line, undamped guard modes at fixed places above the
-/// lines and one below them. Combinations of these follow the tails of any modes out there. shape  [lines.count,
-/// terms].
+/// Residual terms: real accelerances that stand for the modes outside the spectral lines. They are the mass line,
+/// undamped guard modes at fixed frequencies above the lines, and one below. Their linear combinations follow the tails
+/// of any modes outside. shape  [lines.count, terms].
 /// theory (3.6)
 Eigen::MatrixXd out_of_band_terms(const frf::LineRange& lines);
 

@@ -10,15 +10,16 @@ namespace {
 
 using Eigen::Index;
 
-// Between delays, in periods of the highest line: its square turns by four radians at the most, so that the variables'
-// noise is neither more nor less real than that of all samples.
+// Spacing of the delays, in periods of the highest line. Its square turns by four radians at most from one delay to
+// the next, so that real and imaginary parts share the noise as with all samples.
 constexpr double kDelay = 0.32;
 
-constexpr double kNarrow = 0.2;  // half of a band over its highest line
+constexpr double kNarrow = 0.2;  // half of a band's width over its highest line
 constexpr double kMinStretches = 16;
 
-// Deviations of the noise: ringing of up to four is cut off where the gate ends. It changes its sign from sample to
-// sample, about, so that at low frequencies all of it acts as half its first one, and as more towards half the rate.
+// Standard deviations of the noise: the gate ends where the ringing is below four. The ringing roughly alternates in
+// sign from sample to sample: at low frequencies its sum is half its first sample, and more near half the sampling
+// rate.
 constexpr double kCutRinging = 1;
 constexpr double kMaxCutRinging = 5;
 
@@ -30,7 +31,7 @@ double gated_samples(const PointForce& force) {
   return gated / static_cast<double>(force.blocks.size());
 }
 
-// Of the pulse within its gate, samples.
+// Centre of the pulse within its gate, in samples.
 double centre_of(const frf::ForceBlock& block) {
   const auto& f = block.force_N;
   double moment = 0, sum = 0;
@@ -41,12 +42,12 @@ double centre_of(const frf::ForceBlock& block) {
   return sum > 0 ? moment / sum : 0;
 }
 
-// A stretch of samples as one: where it lies from the pulse's centre, and how often a sample's variance.
+// A group of samples as one: its delay from the pulse's centre, and its variance over a sample's.
 struct Delay {
   double samples, variance;
 };
 
-// The gate in so many stretches.
+// The gate, divided into groups of samples.
 std::vector<Delay> delays_of(const PointForce& force, double stretches) {
   const double step = gated_samples(force) / stretches;
   const double centre = centre_of(force.blocks.front());
@@ -56,7 +57,7 @@ std::vector<Delay> delays_of(const PointForce& force, double stretches) {
   return delays;
 }
 
-// Deviation of the ringing that is cut off on one side of the gate, the same in all hits, N.
+// Standard deviation of the ringing cut off on one side of the gate, the same in all hits, N.
 double cut_ringing_N(const PointForce& force, double turns) {
   if (!force.blocks.front().ungated_N.empty()) return 0;
   const double rise = 1 / std::max(std::cos(0.5 * kTwoPi * turns), 1 / kMaxCutRinging);
@@ -67,8 +68,8 @@ double one_over_force(const PointForce& force, std::size_t line) {
   return 1 / std::sqrt(std::max(force.ff[line], 1e-300));
 }
 
-// [lines, delays and 2] what the noise around each delay, and the ringing cut off on either side, make of the force,
-// over the force.
+// [lines, delays + 2] relative error of the force's spectrum from the noise around each delay and from the ringing cut
+// off on either side.
 Eigen::MatrixXcd over_force(const FrfDataset& set, const PointForce& force, const std::vector<std::size_t>& lines,
                             const std::vector<Delay>& delays) {
   const auto count = static_cast<Index>(delays.size());
@@ -108,7 +109,7 @@ Eigen::MatrixXcd gain_errors(const FrfDataset& set, std::size_t point, const std
     const Eigen::MatrixXcd errors = over_force(set, force, lines, delays);
     return of == ForceErrors::all ? errors : errors.leftCols(static_cast<Index>(delays.size()));
   }
-  // Over few lines stretches of many periods do, each with a variable in phase and one in quadrature.
+  // A narrow band allows groups of many periods, each with an in-phase and a quadrature variable.
   const double stretches = std::max(kMinStretches, std::ceil(gated * half / kDelay));
   Eigen::MatrixXcd in_phase = over_force(set, force, lines, delays_of(force, stretches));
   if (of == ForceErrors::noise) in_phase = in_phase.leftCols(in_phase.cols() - 2).eval();
@@ -119,7 +120,7 @@ Eigen::MatrixXcd gain_errors(const FrfDataset& set, std::size_t point, const std
 
 double gain_deviation(const FrfDataset& set, std::size_t point, double freq_Hz) {
   const PointForce& force = set.points[point];
-  if (force.blocks.empty() || force.ff.empty()) return 0;  // nothing is known of the force
+  if (force.blocks.empty() || force.ff.empty()) return 0;  // the force is unknown
   const std::size_t line = set.lines.nearest(freq_Hz);
   const double cut_N = cut_ringing_N(force, set.lines.freq_Hz(line) / set.lines.fs_Hz);
   const double of_gate_N = force.noise_N * std::sqrt(gated_samples(force));

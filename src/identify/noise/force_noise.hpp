@@ -7,19 +7,19 @@
 
 namespace percuss::identify {
 
-/// What makes the force's spectrum wrong: the noise within the gate, or also the ringing that the gate cuts off.
+/// Errors of the force's spectrum: the noise within the gate, or also the ringing that the gate cuts off.
 enum class ForceErrors { noise, all };
 
-/// What the force channel's noise within the gate does to the FRFs of a point, and the ringing that drowned in it and
-/// was cut off: a gain 1 + ε(ω), common to all responses, smooth over frequency because the gate is short. Column i is
-/// ε at the lines given for the i-th of independent standard normal variables; Σ over columns of |ε|² is its variance.
-/// Empty where the noise is not known.
+/// The gain error ε(ω) of a point's FRFs, from the force channel's noise within the gate and from the ringing that the
+/// gate cuts off. The gain 1 + ε(ω) is common to all responses, and smooth over frequency because the gate is short.
+/// Column i is ε at `lines` for the i-th of independent standard normal variables, so that Σ|ε|² over the columns is
+/// the variance. Empty where the noise is unknown.
 /// shape  [lines.size(), variables].
 /// theory (4.11)
 Eigen::MatrixXcd gain_errors(const FrfDataset& set, std::size_t point, const std::vector<std::size_t>& lines,
                              ForceErrors of = ForceErrors::all);
 
-/// Deviation of that gain near a frequency, of real and imaginary part each.
+/// Standard deviation of this gain near a frequency, of its real part and of its imaginary part.
 double gain_deviation(const FrfDataset& set, std::size_t point, double freq_Hz);
 
 }  // namespace percuss::identify

@@ -13,22 +13,23 @@ namespace {
 using Eigen::Index;
 
 constexpr double kMedianOfNoise = 0.693147;  // median of an exponential distribution: |complex Gaussian|²
-constexpr double kRounding = 1e-12;  // of the largest line: a noise-free FRF still has it; a weight of zero is none
+constexpr double kRounding =
+    1e-12;  // of the largest line: rounding noise of a noise-free FRF, so that no weight is infinite
 constexpr double kMinPower = 1e-300;
 constexpr std::size_t kMinNoiseSegment = 8;  // lines
 constexpr std::size_t kFlopsPerNoiseLine = 20;
 
-// The middle of a block that `blocks` of them make of the lines.
+// The middle line of a block, when the lines make `blocks` blocks.
 std::size_t middle_of(std::size_t block, std::size_t blocks, std::size_t lines) {
   const std::size_t end = block + 1 < blocks ? (block + 1) * kNoiseBlock : lines;
   return (block * kNoiseBlock + end) / 2;
 }
 
 double response_noise(const std::vector<Complex>& frf, const std::vector<double>& ff, std::vector<double> blocks) {
-  double largest = 0;  // or nearly: what rounding leaves is only known by its order of magnitude
+  double largest = 0;  // approximate: rounding noise is known only to its order of magnitude
   for (std::size_t k = 0; k < frf.size(); k += kMinNoiseSegment)
     largest = std::max(largest, std::norm(frf[k]) * (ff.empty() ? 1 : ff[k]));
-  // The force is smooth: over a block it is even.
+  // The force is smooth, so constant over a block.
   for (std::size_t b = 0; b < blocks.size() && !ff.empty(); ++b)
     blocks[b] *= ff[middle_of(b, blocks.size(), ff.size())];
   return std::sqrt(std::max({median(std::move(blocks)), kRounding * kRounding * largest, kMinPower}));

@@ -8,18 +8,18 @@
 
 namespace percuss::identify {
 
-/// Deviation of the noise on each channel's lines, (m/s²)/N, from how rough the FRF is between neighbouring lines:
-/// |H(k) − (H(k−1) + H(k+1))/2|, median over all lines. The responses' noise is taken as even over the lines; that of
-/// an FRF then goes as one over the force's amplitude. Where the force is not known the FRF's is taken as even.
+/// Standard deviation of each FRF's noise, (m/s²)/N, from the FRF's roughness between neighbouring spectral lines: the
+/// median of |H(k) − (H(k−1) + H(k+1))/2|. The response's noise is assumed white, so that the FRF's noise is inversely
+/// proportional to the force's amplitude. Where the force is unknown, the FRF's noise is assumed white.
 class LineNoise {
  public:
   /// `set` must outlive this object.
   explicit LineNoise(const FrfDataset& set);
 
   double at(std::size_t channel, std::size_t line) const;
-  /// As if even over the lines first … first + count − 1, [channels].
+  /// The noise over the lines first … first + count − 1, at the mean power of the force there, [channels].
   Eigen::VectorXd over(std::size_t first, std::size_t count) const;
-  /// Power of an FRF's own noise around each line, whatever the force, as local_noise has it.
+  /// Noise power of an FRF around each spectral line, from the FRF alone; see local_noise.
   std::vector<double> local(std::size_t channel) const;
 
  private:
@@ -28,15 +28,15 @@ class LineNoise {
   Eigen::VectorXd response_;                 // [channels]: m/s² summed over the samples, or (m/s²)/N without a force
 };
 
-/// Power of the noise of each kNoiseBlock lines (the last block has the rest as well; none of fewer than three lines).
-/// Where an FRF is smooth its second difference is noise alone, which scatters as a single line does; the median skips
-/// resonances. Every second line tells nearly as much as all, neighbours having theirs in common.
+/// Noise power of each block of kNoiseBlock spectral lines; the last block holds the rest as well. Empty for fewer than
+/// three lines. The second difference of a smooth FRF is pure noise, and the median excludes resonances. Every second
+/// line suffices, because neighbouring differences share lines.
 /// theory (4.1)
-/// `roughness` is that of a second difference over that of a line, as the lines have their noise in common.
+/// `roughness` is the variance of a second difference over the variance of a line (WindowNoise::roughness).
 std::vector<double> block_noise(std::span<const Complex> lines, double roughness);
 inline constexpr std::size_t kNoiseBlock = 64;
 
-/// Power of the noise on each line: of three blocks around it, the one in the middle. shape  [lines]
+/// Noise power at each line: the median of the three blocks around it. shape  [lines]
 std::vector<double> local_noise(std::span<const double> blocks, std::size_t lines);
 
 }  // namespace percuss::identify

@@ -3,22 +3,22 @@
 
 namespace percuss::identify {
 
-/// Variance of x(k) − (x(k−1) + x(k+1))/2 over that of x, of independent lines.
+/// Variance of x(k) − (x(k−1) + x(k+1))/2 over the variance of x, for independent lines.
 inline constexpr double kWhiteRoughness = 1.5;
 
-/// What an exponential window makes of white noise. It leaves the noise of a record's beginning, so that lines have
-/// part of theirs in common: they differ less from their neighbours than their noise is large, and tell less than as
-/// many independent ones would. Factors of variances, 1 without a window.
+/// The correlation that an exponential window causes between the noise of neighbouring spectral lines. Correlated lines
+/// differ less from their neighbours than independent ones, and carry less information. All factors apply to
+/// variances; they are 1 without a window.
 /// theory (4.17), (4.18)
 class WindowNoise {
  public:
   explicit WindowNoise(const FrfDataset& set);
 
-  /// Of x(k) − (x(k−1) + x(k+1))/2 over that of x.
+  /// Variance of x(k) − (x(k−1) + x(k+1))/2 over the variance of x.
   double roughness() const;
-  /// What independent lines would tell over what these do, of a feature as broad as can be.
-  double most() const;
-  /// … of a mode's residue, and of its frequency and damping ratio, as lines of equal weight tell them.
+  /// The largest factor: for a feature much broader than the correlation.
+  double max_factor() const;
+  /// The factor for a mode's residue, and for its frequency and damping ratio, with equal weights of the lines.
   double of_residue(const Pole& pole) const;
   double of_pole(const Pole& pole) const;
 
@@ -26,7 +26,7 @@ class WindowNoise {
   double share(const Pole& pole) const;
 
   double decay_per_s_;
-  double fall_;  // of the window's power over the record, in nepers
+  double fall_;  // decay of the window's power over the record, in nepers
 };
 
 }  // namespace percuss::identify

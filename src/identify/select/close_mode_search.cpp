@@ -14,16 +14,15 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 constexpr double kSplitGain =
-    0.25;  // a second mode must leave at most this part of the residual's energy where one misfits
-constexpr double kSplitTest = 25;    // F statistic
-constexpr double kSplitStart = 0.4;  // bandwidths to either side
-constexpr double kMisfit =
-    2;  // residual's energy over the noise's from which it is asked whether there are two modes …
-constexpr double kMisfitDeviations = 6;  // … or so many deviations of that energy beyond it, where lines are many
-constexpr std::size_t kFlopsPerTrialLine =
-    1000;  // operations of asking for each line of a channel whether there are two
+    0.25;                          // a close mode must reduce the residual energy above the noise to this part or less
+constexpr double kSplitTest = 25;  // F statistic
+constexpr double kSplitStart = 0.4;  // half-power bandwidths from the single pole to either start pole
+constexpr double kMisfit = 2;        // residual energy over the noise's from which a group is searched …
+constexpr double kMisfitDeviations =
+    6;  // … or this many standard deviations of that energy above the noise, if that is less
+constexpr std::size_t kFlopsPerTrialLine = 1000;  // operations of a trial per line and FRF
 
-// More than noise is left in these channels: a second mode could leave a quarter of what is more.
+// The FRFs whose residual in the group's window is significantly above the noise.
 std::vector<Index> misfitting_channels(const WindowedFit& all, const FitGroup& group) {
   std::vector<Index> channels;
   const VectorXd expected = all.noise(group);
@@ -34,8 +33,8 @@ std::vector<Index> misfitting_channels(const WindowedFit& all, const FitGroup& g
   return channels;
 }
 
-// The part of the residual's energy beyond the noise's that is left there, on the average over the channels: many see
-// nothing of a mode.
+// The residual energy above the noise, after over before, the mean over these FRFs. A mean of ratios, because many
+// FRFs see little of a mode.
 double residual_energy_ratio(const std::vector<Index>& channels, const VectorXd& expected, const LocalFit& before,
                              const LocalFit& after) {
   double sum = 0;
@@ -46,7 +45,7 @@ double residual_energy_ratio(const std::vector<Index>& channels, const VectorXd&
   return sum / static_cast<double>(channels.size());
 }
 
-// Pole m as two, one on either side of its place.
+// Replaces pole m by two poles, one on either side.
 std::vector<Pole> split(std::vector<Pole> poles, std::size_t m) {
   const double apart_Hz = kSplitStart * poles[m].half_power_Hz();
   poles.push_back({.freq_Hz = poles[m].freq_Hz + apart_Hz, .damping_ratio = poles[m].damping_ratio});
@@ -59,11 +58,11 @@ std::vector<Pole> try_close_mode(const WindowedFit& all, const FitGroup& group, 
   const std::size_t channels = all.set().channels.size(), unknowns = 2 + 2 * channels;
   const bool fitted = group.fit.degrees > 2 * unknowns;
   if (!fitted || now.size() >= WindowedFit::kMaxGroupSize) return now;
-  const std::vector<Index> amiss = misfitting_channels(all, group);
-  if (amiss.empty()) return now;
+  const std::vector<Index> misfitting = misfitting_channels(all, group);
+  if (misfitting.empty()) return now;
   const auto data = all.data_without_other_modes(group);
   const VectorXd weight = all.weights_from(group);
-  std::vector<LocalFit> fits(now.size() + 1);  // as it is, and with each mode as two
+  std::vector<LocalFit> fits(now.size() + 1);  // the present poles, and each mode split in turn
   parallel_for_cost(fits.size(), kFlopsPerTrialLine * channels * group.count, [&](std::size_t i) {
     fits[i] = i == 0 ? all.fit(group, data, now, weight)
                      : all.fit(group, data, split(now, i - 1), weight, WindowedFit::kTrialTolerance);
@@ -79,8 +78,8 @@ std::vector<Pole> try_close_mode(const WindowedFit& all, const FitGroup& group, 
   }
   const double gained = (one.cost - best.fit.cost) / static_cast<double>(unknowns);
   const double left = best.fit.cost / static_cast<double>(best.fit.degrees);
-  if (residual_energy_ratio(amiss, all.noise(group), one, best.fit) >= kSplitGain ||
-      gained <= kSplitTest * WindowNoise(all.set()).most() * left)
+  if (residual_energy_ratio(misfitting, all.noise(group), one, best.fit) >= kSplitGain ||
+      gained <= kSplitTest * WindowNoise(all.set()).max_factor() * left)
     return now;
   return explained_by_freq_scatter(all.set(), {.data = data, .weight = weight}, group, best) ? now : best.fit.poles;
 }

@@ -7,11 +7,11 @@
 
 namespace percuss::identify {
 
-/// Second modes beside known ones, where a group's residual asks for one. What was tried with no success is not tried
-/// again before the group's own fit has changed.
+/// A search for a second mode close to a known one, in groups whose residual is above the noise. A trial without
+/// success is not repeated before the group's fit has changed.
 class CloseModeSearch {
  public:
-  /// The poles of all groups, with one more where a second mode is found.
+  /// The poles of all groups, with one more in each group where a close mode was found.
   std::vector<Pole> next(const WindowedFit& all, const AcceptanceContext& context);
 
  private:

@@ -12,20 +12,20 @@ using Eigen::Index;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-constexpr std::size_t kMinPoints = 3;      // two may see one mode of an orthogonal pair each
-constexpr double kMinScatterEnergy = 2;    // energy left over the noise's: below it the points agree
-constexpr double kScatterFStatistic = 25;  // F statistic of poles of their own
-// Energy left over that of common poles: what moves from hit to hit also bends while it decays, which a further mode
-// follows better than a single one. Of a true pair a single mode leaves tens to thousands of times as much.
+constexpr std::size_t kMinPoints = 3;      // each of two points may observe one mode of an orthogonal pair
+constexpr double kMinScatterEnergy = 2;    // residual energy over the noise's: below it there is no scatter
+constexpr double kScatterFStatistic = 25;  // F statistic of separate poles
+// Cost of separate poles over the cost of common ones. A frequency that scatters between hits also drifts during the
+// decay, which a further common mode follows better. For a true pair this ratio is tens to thousands.
 constexpr double kMaxScatterCostRatio = 15;
-constexpr double kMaxScatterWidths = 3;      // bandwidths: further apart they are modes of their own
-constexpr double kMaxScatterWidthRatio = 6;  // times: poles of so different damping do not stand for one
-constexpr double kMaxPoleOffset = 1;         // bandwidths: a pole that a weak point puts elsewhere is another one
+constexpr double kMaxScatterWidths = 3;      // bandwidths: poles farther apart are separate modes
+constexpr double kMaxScatterWidthRatio = 6;  // of the half-power bandwidths: beyond it the poles are separate modes
+constexpr double kMaxPoleOffset = 1;         // bandwidths: a separate pole farther away is another mode
 
-// The channels of one point as a set of its own; their lines stay with the caller.
+// The FRFs of one point as a data set, without their spectral lines.
 struct PointSet {
   FrfDataset set;
-  std::vector<std::size_t> channels;  // in the whole set
+  std::vector<std::size_t> channels;  // indices into the whole set
 };
 
 PointSet set_of_point(const FrfDataset& all, std::size_t point) {
@@ -42,7 +42,7 @@ PointSet set_of_point(const FrfDataset& all, std::size_t point) {
   return one;
 }
 
-// The mode whose resonance is the largest, over all channels.
+// The mode with the largest peak, over all FRFs.
 std::size_t highest_peak(const LocalFit& fit) {
   const auto height = [&](std::size_t m) {
     return fit.residues.col(static_cast<Index>(m)).norm() / fit.poles[m].damping_ratio;
@@ -61,7 +61,7 @@ std::vector<std::size_t> strongest_first(const FrfDataset& set, const std::vecto
   return order;
 }
 
-// A mean of values that scatter more than their deviations say (random effects, by moments).
+// The mean of values that scatter more than their standard deviations (random effects, method of moments).
 struct Mean {
   double value = 0, std = 0, spread = 0;
 };
@@ -87,7 +87,7 @@ Mean mean_of(const std::vector<double>& value, const std::vector<double>& std) {
   return {.value = mean, .std = 1 / std::sqrt(certainty), .spread = std::sqrt(spread2)};
 }
 
-// The points whose own pole is that mode's.
+// The points whose separate fit determines this mode.
 std::vector<std::size_t> points_observing(const PointFits& points, const FitGroup& group, std::size_t mode,
                                           double width_Hz) {
   std::vector<std::size_t> seeing;
@@ -141,7 +141,7 @@ ScatteredMode scattered_mode(const WindowedFit& all, const FitGroup& group, cons
 
 }  // namespace
 
-PointFits fit_each_point(const FrfDataset& set, const WindowData& window, const FitGroup& group, double most) {
+PointFits fit_each_point(const FrfDataset& set, const WindowData& window, const FitGroup& group, double max_cost) {
   PointFits out;
   out.fits.resize(set.points.size());
   for (const std::size_t p : strongest_first(set, window.data)) {
@@ -156,7 +156,7 @@ PointFits fit_each_point(const FrfDataset& set, const WindowData& window, const 
         fit_locally(one.set, its_data, its_weight, group.fit.poles, {.first = group.first, .count = group.count});
     out.cost += out.fits[p].cost;
     out.degrees += out.fits[p].degrees;
-    if (out.cost > most) return {};
+    if (out.cost > max_cost) return {};
   }
   return out;
 }
@@ -164,9 +164,9 @@ PointFits fit_each_point(const FrfDataset& set, const WindowData& window, const 
 bool explained_by_freq_scatter(const FrfDataset& set, const WindowData& window, const FitGroup& one,
                                const FitGroup& more) {
   if (set.points.size() < kMinPoints || more.fit.degrees == 0) return false;
-  // Poles of their own have as many degrees as common ones of one mode more, or fewer.
-  const double most = kMaxScatterCostRatio * more.fit.cost;
-  return !fit_each_point(set, window, one, most).fits.empty();
+  // Separate poles leave at most as many degrees of freedom as one more common mode.
+  const double max_cost = kMaxScatterCostRatio * more.fit.cost;
+  return !fit_each_point(set, window, one, max_cost).fits.empty();
 }
 
 std::optional<Pole> merge_if_scattered(const WindowedFit& all, const FitGroup& group) {
@@ -189,16 +189,17 @@ std::optional<Pole> merge_if_scattered(const WindowedFit& all, const FitGroup& g
   return one.fit.poles.front();
 }
 
-void subtract_freq_scatter(const FrfDataset& set, const FitGroup& group, std::size_t mode, const ScatteredMode& moving,
-                           std::vector<VectorXcd>& residual) {
+void subtract_freq_scatter(const FrfDataset& set, const FitGroup& group, std::size_t mode,
+                           const ScatteredMode& scattered, std::vector<VectorXcd>& residual) {
   for (std::size_t o = 0; o < residual.size(); ++o) {
-    if (!moving.own_poles[o]) continue;
+    if (!scattered.own_poles[o]) continue;
     const PointForce& force = set.points[set.channels[o].point];
-    const auto share = [&](const Pole& pole, Complex residue) {
+    const auto contribution = [&](const Pole& pole, Complex residue) {
       return VectorXcd(residue * mode_column(pole, force, set.lines, 0, set.lines.count, ColumnContent::value).value);
     };
-    residual[o] += share(group.fit.poles[mode], group.fit.residues(static_cast<Index>(o), static_cast<Index>(mode))) -
-                   share(*moving.own_poles[o], moving.residues[o]);
+    residual[o] +=
+        contribution(group.fit.poles[mode], group.fit.residues(static_cast<Index>(o), static_cast<Index>(mode))) -
+        contribution(*scattered.own_poles[o], scattered.residues[o]);
   }
 }
 

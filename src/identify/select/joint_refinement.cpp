@@ -11,17 +11,17 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kChance = 6;  // deviations of χ²: the joint fit is refused where it leaves more than a local one
+constexpr double kChance = 6;  // standard deviations of χ²: beyond it the joint fit is worse than the local one
 
-// What the joint fit leaves in a mode's window beyond the local fit, in the noise's energy: χ² of the unknowns that the
-// local fit has and the joint one lacks.
-bool joint_fit_is_as_good(const FittedMode& local, const std::vector<Eigen::VectorXcd>& left) {
+// The excess of the joint fit's residual over the local fit's in a mode's window is χ² distributed, with the unknowns
+// that only the local fit has as its degrees of freedom.
+bool joint_fit_is_as_good(const FittedMode& local, const std::vector<Eigen::VectorXcd>& residual) {
   double excess = 0;
   for (Index o = 0; o < local.noise.size(); ++o) {
     const auto window =
-        left[static_cast<std::size_t>(o)].segment(static_cast<Index>(local.first), static_cast<Index>(local.count));
+        residual[static_cast<std::size_t>(o)].segment(static_cast<Index>(local.first), static_cast<Index>(local.count));
     const double freedom = 2 * static_cast<double>(local.count) - static_cast<double>(local.unknowns_per_channel);
-    const double variance = 0.5 * local.noise(o) * local.noise(o);  // of each real value
+    const double variance = 0.5 * local.noise(o) * local.noise(o);  // of the real and of the imaginary part
     excess += window.squaredNorm() / variance - freedom;
   }
   const double unknowns = static_cast<double>(local.noise.size()) * static_cast<double>(local.unknowns_per_channel);
@@ -34,12 +34,12 @@ void refine_jointly(const FrfDataset& set, std::vector<FittedMode>& modes) {
   std::vector<Pole> start;
   start.reserve(modes.size());
   for (const FittedMode& mode : modes) start.push_back(mode.mode.pole);
-  // Where it cannot follow a single mode, its real residues and deviations need not be worked out.
-  const auto follows_any = [&](const std::vector<Eigen::VectorXcd>& left) {
+  // A joint fit that is worse for every mode needs no real residues and no standard deviations.
+  const auto is_good_for_any = [&](const std::vector<Eigen::VectorXcd>& residual) {
     return std::any_of(modes.begin(), modes.end(),
-                       [&](const FittedMode& mode) { return joint_fit_is_as_good(mode, left); });
+                       [&](const FittedMode& mode) { return joint_fit_is_as_good(mode, residual); });
   };
-  const JointFit joint = fit_jointly(set, std::move(start), {.worth_continuing = follows_any});
+  const JointFit joint = fit_jointly(set, std::move(start), {.worth_continuing = is_good_for_any});
   if (!joint.converged) return;
   const WindowNoise window(set);
   for (std::size_t m = 0; m < modes.size(); ++m) {
@@ -56,7 +56,7 @@ void refine_jointly(const FrfDataset& set, std::vector<FittedMode>& modes) {
       mode.residues[o].std = of_residue * joint.residue_std(static_cast<Index>(o), i);
     }
   }
-  // A step may have exchanged close poles.
+  // The fit may have exchanged close poles.
   std::stable_sort(modes.begin(), modes.end(),
                    [](const FittedMode& a, const FittedMode& b) { return a.mode.pole.freq_Hz < b.mode.pole.freq_Hz; });
 }

@@ -6,8 +6,8 @@
 
 namespace percuss::identify {
 
-/// Fits all modes together and takes that over for each mode whose window it explains as well as the local fit did:
-/// where the model of the whole band does not hold (a mode that moves, one too many or too few), the local fit stands.
+/// Fits all modes together. Each mode takes over the joint fit where its window is fitted as well as by the local fit.
+/// It keeps the local fit where the model of the whole band fails: frequency scatter, a mode too many or too few.
 void refine_jointly(const FrfDataset& set, std::vector<FittedMode>& modes);
 
 }  // namespace percuss::identify

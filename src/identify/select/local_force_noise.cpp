@@ -15,19 +15,19 @@ using Eigen::Index;
 using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 
-constexpr double kMinRelativeNoise = 1e-6;  // of the largest noise: a channel without any weighs no more
+constexpr double kMinRelativeNoise = 1e-6;  // of the largest noise: limits the weight of a noise-free FRF
 
-using Together = std::vector<FittedMode*>;  // modes of one window
+using WindowModes = std::vector<FittedMode*>;  // modes that were fitted together
 
 bool local(const FittedMode& mode) { return !mode.joint && !(mode.mode.freq_scatter_Hz > 0); }
 
-// How modes that were fitted together, and a polynomial, would follow their poles.
+// Derivatives of a window's FRFs by the poles, the linear part (modes and polynomial) projected out.
 struct Slopes {
-  MatrixXcd lines;  // [lines, 2 modes] by frequency and damping ratio, what the linear part cannot follow
+  MatrixXcd lines;  // [lines, 2 modes] by frequency and damping ratio
   MatrixXcd gram;
 };
 
-Slopes slopes_of(const FrfDataset& set, std::size_t point, const Together& modes) {
+Slopes slopes_of(const FrfDataset& set, std::size_t point, const WindowModes& modes) {
   const auto lines = static_cast<Index>(modes.front()->count);
   const auto count = static_cast<Index>(modes.size());
   MatrixXcd columns(lines, count);
@@ -42,24 +42,24 @@ Slopes slopes_of(const FrfDataset& set, std::size_t point, const Together& modes
   const MatrixXd polynomial = orthonormal_polynomials(lines, static_cast<Index>(LocalFitOptions{}.residual_terms));
   for (MatrixXcd* const of : {&columns, &slopes.lines})
     subtract_product(*of, polynomial, transposed_product(polynomial, *of));
-  const MatrixXcd follow = inverse_gram(adjoint_gram(columns)) * adjoint_product(columns, slopes.lines);
-  subtract_product(slopes.lines, columns, follow);
+  const MatrixXcd projection = inverse_gram(adjoint_gram(columns)) * adjoint_product(columns, slopes.lines);
+  subtract_product(slopes.lines, columns, projection);
   slopes.gram = adjoint_gram(slopes.lines);
   return slopes;
 }
 
-// Fisher information of the poles, and the covariance of its right-hand side that the gain's errors cause.
+// Fisher information of the poles, and the covariance of the score from the errors of the gain.
 struct PoleInformation {
   MatrixXd fisher, force;
 };
 
-void add_point(const FrfDataset& set, std::size_t point, const Together& modes, const Slopes& slopes,
+void add_point(const FrfDataset& set, std::size_t point, const WindowModes& modes, const Slopes& slopes,
                PoleInformation& sum) {
   const std::size_t first = modes.front()->first;
   const auto lines = static_cast<Index>(modes.front()->count);
   const Index n = slopes.lines.cols();
   const double least = kMinRelativeNoise * modes.front()->noise.maxCoeff();
-  MatrixXcd pull = MatrixXcd::Zero(lines, n);  // of an error of the gain at each line
+  MatrixXcd score = MatrixXcd::Zero(lines, n);  // effect of a gain error at each line
   for (std::size_t o = 0; o < set.channels.size(); ++o) {
     if (set.channels[o].point != point) continue;
     const double weight = 1 / std::pow(std::max(modes.front()->noise(static_cast<Index>(o)), least), 2);
@@ -67,7 +67,7 @@ void add_point(const FrfDataset& set, std::size_t point, const Together& modes, 
     const auto residue = [&](Index r) { return modes[static_cast<std::size_t>(r / 2)]->mode.residues[o].value; };
     for (Index r = 0; r < n; ++r) {
       const Complex back = std::conj(residue(r)) * weight;
-      pull.col(r) += back * slopes.lines.col(r).conjugate().cwiseProduct(frf);
+      score.col(r) += back * slopes.lines.col(r).conjugate().cwiseProduct(frf);
       for (Index c = 0; c < n; ++c) sum.fisher(r, c) += (back * slopes.gram(r, c) * residue(c)).real();
     }
   }
@@ -75,11 +75,11 @@ void add_point(const FrfDataset& set, std::size_t point, const Together& modes, 
   std::iota(window.begin(), window.end(), first);
   const MatrixXcd errors = gain_errors(set, point, window);
   if (errors.size() == 0) return;
-  const MatrixXd push = (pull.transpose() * errors).real();
+  const MatrixXd push = (score.transpose() * errors).real();
   sum.force += push * push.transpose();
 }
 
-void add_to_window(const FrfDataset& set, const Together& modes) {
+void add_to_window(const FrfDataset& set, const WindowModes& modes) {
   const auto n = static_cast<Index>(2 * modes.size());
   PoleInformation sum{.fisher = MatrixXd::Zero(n, n), .force = MatrixXd::Zero(n, n)};
   const bool decayed = std::all_of(modes.begin(), modes.end(), [&](const FittedMode* mode) {
@@ -107,7 +107,7 @@ void add_force_noise(const FrfDataset& set, std::vector<FittedMode>& modes) {
   std::vector<char> done(modes.size(), 0);
   for (std::size_t m = 0; m < modes.size(); ++m) {
     if (done[m] || !local(modes[m])) continue;
-    Together together;
+    WindowModes together;
     for (std::size_t i = 0; i < modes.size(); ++i) {
       if (modes[i].first != modes[m].first || modes[i].count != modes[m].count) continue;
       together.push_back(&modes[i]);

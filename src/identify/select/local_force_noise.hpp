@@ -6,9 +6,9 @@
 
 namespace percuss::identify {
 
-/// Adds what the force's noise does to the poles to the deviations that a window's residual gave: a gain that wavers
-/// with frequency is no noise from line to line, and moves all lines of a resonance together. Modes that the joint fit
-/// gave have it already; of those that move from point to point the spread between the points tells.
+/// Adds the effect of the force's noise to the poles' standard deviations from a window's residual. The gain error
+/// varies smoothly over frequency, so that the residual does not show it. Excluded are modes from the joint fit, which
+/// includes the effect, and modes with frequency scatter, where the scatter between the points includes it.
 /// theory (4.12)
 void add_force_noise(const FrfDataset& set, std::vector<FittedMode>& modes);
 

@@ -10,29 +10,28 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kMinSignificance = 6;      // deviations of a residue
-constexpr double kPair = 0.3;               // bandwidths between two so close that they share it …
-constexpr double kMinPairSignificance = 3;  // … and then this many
+constexpr double kMinSignificance = 6;      // standard deviations of a residue
+constexpr double kMinPairSignificance = 3;  // … of one mode of a resolved close pair
 constexpr double kMinPeakToResidual = 3;    // a mode's peak over the rms residual of its window
-constexpr double kMaxMisfit = 8;            // times: a mode 24 times the residual is one however poor the fit
-constexpr double kBroadDamping = 0.05;      // … unless it is broader than this
-constexpr double kOutOfBandFactor = 12;  // times: in the side lobes of the force's spectrum small peaks are not modes
-constexpr double kMaxModeWidth =
-    0.25;  // of all lines: a wider half-power bandwidth is not told from what lies between modes
-constexpr double kForceNoise = 8;  // deviations of the gain that the force's noise causes
-constexpr double kUnknownGain =
-    1e-3;  // its deviation where the force is not known: a good hammer's, near its bandwidth
-constexpr double kDynamicRange =
-    1e-5;                          // of the largest line: smaller peaks cannot be told from what the polynomial leaves
-constexpr double kMinSplit = 0.5;  // bandwidths between two modes when one is split …
-constexpr double kMinResolvedSplit = 0.05;  // … and when the two leave nothing but noise
-constexpr double kNoiseAlone = 1.5;         // times the lines' roughness, which a resonance that moves never comes near
-constexpr double kCoincide = 0.05;          // … below which a fit has pushed two into one
-constexpr double kUndecayedAmplitude = 0.5;    // of the amplitude, at the record's end: hum is there with all of it
-constexpr double kMinDampingSignificance = 3;  // deviations of the damping of what is still there: that of hum is none
-constexpr double kPreciseDamping = 0.05;       // deviation of a damping ratio over it …
-constexpr double kDampingMargin = 2;           // … and how many of them a broad mode's may read too high
-constexpr double kInfiniteRatio = 1e9;         // a quotient over no noise at all
+constexpr double kMaxMisfit =
+    8;  // limit of the misfit's factor: a peak 24 times the residual is accepted at any misfit
+constexpr double kBroadDamping = 0.05;  // damping ratio from which that limit does not apply
+constexpr double kOutOfBandFactor =
+    12;  // above the force's bandwidth: small peaks in the side lobes of its spectrum are not modes
+constexpr double kMaxModeWidth = 0.25;  // of the band: a wider resonance cannot be distinguished from the background
+constexpr double kForceNoise = 8;       // standard deviations of the gain error from the force's noise
+constexpr double kUnknownGain = 1e-3;   // gain error where the force is unknown: a good hammer's near its bandwidth
+constexpr double kDynamicRange = 1e-5;  // of the largest line: smaller peaks are within the polynomial's error
+constexpr double kMinSplit = 0.5;       // bandwidths between two modes after a split …
+constexpr double kMinResolvedSplit = 0.05;  // … where their residual is only noise
+constexpr double kNoiseAlone =
+    1.5;  // residual over the noise: below it the residual is only noise, without frequency scatter
+constexpr double kCoincide = 0.05;             // bandwidths between two poles that a fit has merged
+constexpr double kUndecayedAmplitude = 0.5;    // amplitude left at the record's end: mains hum keeps all of it
+constexpr double kMinDampingSignificance = 3;  // standard deviations of the damping of such a mode; hum has none
+constexpr double kPreciseDamping = 0.05;       // relative standard deviation of a precise damping ratio …
+constexpr double kDampingMargin = 2;           // … which may exceed the limit by this many standard deviations
+constexpr double kInfiniteRatio = 1e9;         // a quotient with zero noise
 
 double max_misfit(const WindowedFit& all, const FitGroup& group) {
   return group.fit.noise.cwiseQuotient(all.noise(group)).maxCoeff();
@@ -47,8 +46,8 @@ double significance(const LocalFit& fit, std::size_t mode) {
   return best;
 }
 
-// One of a close pair that leaves nothing but noise: each residue is known badly, because the other can stand for most
-// of it; that there are two is known better.
+// One of a close pair whose residual is only noise. Its residue is uncertain, because the other mode can replace most
+// of it; that there are two modes is more certain.
 bool is_resolved_pair(const WindowedFit& all, const FitGroup& group, std::size_t mode) {
   const Pole& pole = group.fit.poles[mode];
   const auto beside = [&](const Pole& other) {
@@ -58,7 +57,7 @@ bool is_resolved_pair(const WindowedFit& all, const FitGroup& group, std::size_t
   return max_misfit(all, group) < kNoiseAlone && std::any_of(group.fit.poles.begin(), group.fit.poles.end(), beside);
 }
 
-// Above the fit's own imperfection at some channel.
+// True where the mode's peak in some FRF is above the fit's model error.
 bool above_dynamic_range(const WindowedFit& all, const LocalFit& fit, std::size_t mode) {
   for (Index o = 0; o < fit.residues.rows(); ++o) {
     const double peak = std::abs(fit.residues(o, static_cast<Index>(mode))) / (2 * fit.poles[mode].damping_ratio);
@@ -67,7 +66,7 @@ bool above_dynamic_range(const WindowedFit& all, const LocalFit& fit, std::size_
   return false;
 }
 
-// Of an FRF, within so many lines of a frequency.
+// The largest |H| within `reach` lines of a frequency.
 double largest_within(const std::vector<Complex>& frf, const frf::LineRange& lines, double freq_Hz, double reach) {
   const double at = lines.position(freq_Hz);
   double largest = 0;  // as power
@@ -76,7 +75,8 @@ double largest_within(const std::vector<Complex>& frf, const frf::LineRange& lin
   return std::sqrt(largest);
 }
 
-// Above what the force channel's own noise makes of the response there: a gain that wavers with frequency.
+// True where the mode's peak in some FRF is above the error from the force channel's noise, a gain that varies with
+// frequency.
 bool above_force_noise(const WindowedFit& all, const FitGroup& group, std::size_t mode) {
   const FrfDataset& set = all.set();
   const Pole& pole = group.fit.poles[mode];
@@ -85,7 +85,7 @@ bool above_force_noise(const WindowedFit& all, const FitGroup& group, std::size_
     const double peak = std::abs(group.fit.residues(o, static_cast<Index>(mode))) / (2 * pole.damping_ratio);
     const bool known = !set.points[channel.point].ff.empty();
     const double gain = known ? gain_deviation(set, channel.point, pole.freq_Hz) : kUnknownGain;
-    // A gain may waver so as to make a broad mode of the flank of a large one.
+    // A varying gain can make a broad peak of the flank of a strong mode.
     const double reach = pole.half_power_Hz() / set.lines.df_Hz();
     if (peak > kForceNoise * gain * largest_within(channel.frf, set.lines, pole.freq_Hz, reach)) return true;
   }
@@ -94,14 +94,14 @@ bool above_force_noise(const WindowedFit& all, const FitGroup& group, std::size_
 
 bool is_broad(const Pole& pole) { return pole.damping_ratio > kBroadDamping; }
 
-// It began as a peak of its own. One broader than the distance between peaks has those of others within its width.
+// True where a peak belongs to this mode: within its width, and for a broad mode closer to no other mode.
 bool began_as_peak(const WindowedFit& all, const Pole& pole, const AcceptanceContext& context) {
   const std::vector<Pole> poles = is_broad(pole) ? all.poles() : std::vector<Pole>{};
   return std::any_of(context.peak_poles.begin(), context.peak_poles.end(), [&](const Pole& peak) {
     const auto apart_Hz = [&](const Pole& from) { return std::abs(peak.freq_Hz - from.freq_Hz); };
-    const bool anothers =
+    const bool belongs_to_other =
         std::any_of(poles.begin(), poles.end(), [&](const Pole& other) { return apart_Hz(other) < apart_Hz(pole); });
-    return apart_Hz(pole) < all.width_Hz(pole) && !anothers;
+    return apart_Hz(pole) < all.width_Hz(pole) && !belongs_to_other;
   });
 }
 
@@ -110,14 +110,14 @@ double min_peak_to_residual(const WindowedFit& all, const FitGroup& group, std::
   const Pole& pole = group.fit.poles[mode];
   const double misfit = std::max(1.0, max_misfit(all, group));
   const bool reached = all.set().usable_bandwidth_Hz <= 0 || pole.freq_Hz <= all.set().usable_bandwidth_Hz;
-  // A broad one bends to whatever strong modes leave for a hundred lines around them.
-  const double counted = is_broad(pole) ? misfit : std::min(misfit, kMaxMisfit);
-  // Before the set of modes has settled a misfit may be another mode's, still to be found.
-  return kMinPeakToResidual * (context.search_finished && !began_as_peak(all, pole, context) ? counted : 1) *
+  // A broad mode can fit the misfit of strong modes over a hundred lines around them.
+  const double factor = is_broad(pole) ? misfit : std::min(misfit, kMaxMisfit);
+  // During the search, a misfit may belong to a mode that is still to be found.
+  return kMinPeakToResidual * (context.search_finished && !began_as_peak(all, pole, context) ? factor : 1) *
          (reached ? 1 : kOutOfBandFactor);
 }
 
-// What rings on as it began may be hum, which leaves a line but no decay.
+// An undecayed oscillation may be mains hum, which has a peak but no damping.
 bool decays_significantly(const WindowedFit& all, const FitGroup& group, std::size_t mode) {
   const Pole& pole = group.fit.poles[mode];
   const double left = remaining_amplitude(pole, all.set().lines, all.set().window_decay_per_s());
@@ -125,19 +125,19 @@ bool decays_significantly(const WindowedFit& all, const FitGroup& group, std::si
          pole.damping_ratio;
 }
 
-// Not too broad for a mode, or not beyond doubt.
+// The damping ratio is below the limit, or exceeds it by less than its uncertainty.
 bool has_plausible_damping(const FitGroup& group, std::size_t mode) {
   const double damping_ratio = group.fit.poles[mode].damping_ratio;
   const double std = group.fit.damping_std(static_cast<Index>(mode));
-  const double doubt = std < kPreciseDamping * damping_ratio ? kDampingMargin * std : 0;
-  return damping_ratio < kMaxDampingRatio + doubt;
+  const double margin = std < kPreciseDamping * damping_ratio ? kDampingMargin * std : 0;
+  return damping_ratio < kMaxDampingRatio + margin;
 }
 
 }  // namespace
 
 double peak_to_residual(const WindowedFit& all, const FitGroup& group, std::size_t mode) {
   const LocalFit& fit = group.fit;
-  // The peak's height, or what a single line sees of a mode narrower than that.
+  // The peak's height, or its height on a single line for a mode narrower than the line spacing.
   const double width = std::max(2 * fit.poles[mode].damping_ratio, all.set().lines.df_Hz() / fit.poles[mode].freq_Hz);
   double best = 0;
   for (Index o = 0; o < fit.residues.rows(); ++o) {

@@ -9,19 +9,19 @@
 namespace percuss::identify {
 namespace {
 
-constexpr double kScatterExclusion = 10;   // bandwidths from one that moves: as far as its window reaches
-constexpr double kKnownModeExclusion = 2;  // … from a known mode: closer ones are found by splitting
-constexpr double kBroad = 0.02;            // half-power bandwidth, of the highest line: peaks are a tenth as broad
+constexpr double kScatterExclusion = 10;   // bandwidths from a mode with frequency scatter: half of its window
+constexpr double kKnownModeExclusion = 2;  // … from any known mode: CloseModeSearch finds closer modes
+constexpr double kBroad =
+    0.02;  // half-power bandwidth of a broad mode, over the highest line's frequency: ten times a peak's
 
-// Modes that no common pole fits: what is left around them is no mode, and what they leave elsewhere is taken off the
-// residual.
+// The poles with frequency scatter. Their residual is not a mode; it is removed from `residual`.
 std::vector<Pole> scattered_poles(const WindowedFit& all, std::vector<Eigen::VectorXcd>& residual) {
   std::vector<Pole> poles;
   for (const FitGroup& group : all.groups()) {
     if (group.fit.degrees == 0) continue;
-    const auto moving = scattered_modes(all, group);
-    for (std::size_t m = 0; m < moving.size(); ++m) {
-      subtract_freq_scatter(all.set(), group, m, moving[m], residual);
+    const auto scattered = scattered_modes(all, group);
+    for (std::size_t m = 0; m < scattered.size(); ++m) {
+      subtract_freq_scatter(all.set(), group, m, scattered[m], residual);
       poles.push_back(group.fit.poles[m]);
     }
   }
@@ -39,24 +39,24 @@ bool near(const WindowedFit& all, const std::vector<Pole>& list, const Pole& hid
 std::vector<Pole> ResidualModeSearch::next(const WindowedFit& all, ResidualSearch which) {
   const std::vector<Pole> known = all.poles();
   std::vector<Eigen::VectorXcd> residual = all.residual();
-  const std::vector<Pole> moving = scattered_poles(all, residual);
+  const std::vector<Pole> scattered = scattered_poles(all, residual);
   const double broad_Hz = kBroad * all.set().lines.freq_Hz(all.set().lines.count - 1);
-  std::vector<Pole> found, given_up;
+  std::vector<Pole> found, rejected;
   for (const Pole& hidden : residual_mode_poles(all.set(), residual)) {
-    if (near(all, known, hidden, kKnownModeExclusion) || near(all, moving, hidden, kScatterExclusion)) continue;
+    if (near(all, known, hidden, kKnownModeExclusion) || near(all, scattered, hidden, kScatterExclusion)) continue;
     if (!near(all, tried_, hidden, 1)) {
       found.push_back(hidden);
     } else if (hidden.half_power_Hz() > broad_Hz && !near(all, alone_, hidden, 1)) {
-      given_up.push_back(hidden);
+      rejected.push_back(hidden);
     }
   }
   if (which == ResidualSearch::all && !found.empty()) {
     tried_.insert(tried_.end(), found.begin(), found.end());
     return found;
   }
-  given_up.resize(std::min<std::size_t>(given_up.size(), 1));  // the clearest
-  alone_.insert(alone_.end(), given_up.begin(), given_up.end());
-  return given_up;
+  rejected.resize(std::min<std::size_t>(rejected.size(), 1));  // the most significant
+  alone_.insert(alone_.end(), rejected.begin(), rejected.end());
+  return rejected;
 }
 
 }  // namespace percuss::identify

@@ -8,12 +8,12 @@ namespace percuss::identify {
 /// Which modes the search may add: none, all that the residual shows, or one broad mode.
 enum class ResidualSearch { none, all, one_broad };
 
-/// Modes that show no peak of their own, each to be tried once among all that the residual shows, and broad ones once
-/// more by themselves: a mode as broad as a dozen peaks looks like a dozen narrow ones, which are given up together.
+/// A search of the residual for modes without a peak of their own. Each is tried once together with all others. A broad
+/// mode is tried once more alone: it looks like a dozen narrow modes, which are rejected together.
 class ResidualModeSearch {
  public:
-  /// Poles to be tried next beside those known; none: there are no more. Not near known modes, whose close companions
-  /// are found by splitting, nor near those that move from point to point.
+  /// The next poles to add; empty where the search is complete. None is near a known mode, whose close modes
+  /// CloseModeSearch finds, nor near a mode with frequency scatter.
   std::vector<Pole> next(const WindowedFit& all, ResidualSearch which);
   bool has_tried_any() const { return !tried_.empty(); }
 

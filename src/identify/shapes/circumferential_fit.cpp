@@ -10,17 +10,17 @@
 namespace percuss::identify {
 namespace {
 
-constexpr double kSameRing = 2e-3;           // of the survey's length
-constexpr double kSameAngle = 0.01;          // rad
-constexpr std::size_t kMinRingAngles = 4;    // angles that tell n = 1 from n = 2
+constexpr double kSameRing = 2e-3;           // axial distance within a ring, over the survey's length
+constexpr double kSameAngle = 0.01;          // rad between two equal angles
+constexpr std::size_t kMinRingAngles = 4;    // distinguish n = 1 from n = 2
 constexpr int kMaxCircumferentialOrder = 8;  // n
-constexpr double kResolved = 0.05;           // pivot over the largest, below which a ring does not see a pattern
+constexpr double kResolved = 0.05;           // smallest pivot over the largest of a pattern that a ring resolves
 
 struct Point {
   double position_m = 0, angle_rad = 0, value = 0, std = 0;
 };
 
-// The shape, turned to be real, where the geometry knows the point; ascending along the axis.
+// The real shape at the points with a known place, ascending along the axis.
 std::vector<Point> placed(const ModeShape& shape, const TubeGeometry& geometry) {
   Complex squares;
   for (const ShapePlace& place : shape.places) squares += place.value * place.value;
@@ -76,8 +76,7 @@ Eigen::MatrixXd patterns(const Ring& ring, int highest) {
   return out;
 }
 
-// Twice as many angles as the highest order show one combination of its cosine and sine only: the one that is largest
-// at them.
+// 2n equal angles show only one combination of the cosine and sine of order n, which is used here.
 Eigen::Vector2d largest_turn(const Ring& ring, int n) {
   std::complex<double> sum;
   for (const Point& p : ring) sum += std::polar(1.0, 2 * n * p.angle_rad);
@@ -103,7 +102,7 @@ bool resolves(const Ring& ring, int highest, bool half, CircumferentialFit& fit)
   return true;
 }
 
-// As many orders as every ring resolves; none when some ring's angles stand too close together.
+// The highest order that every ring resolves; 0 where a ring's angles are too close together.
 int fit_all(const std::vector<Ring>& rings, std::size_t angles, std::vector<CircumferentialFit>& fits) {
   for (int highest = std::min(kMaxCircumferentialOrder, static_cast<int>(angles) / 2); highest >= 1; --highest) {
     const bool half = 2 * highest == static_cast<int>(angles);

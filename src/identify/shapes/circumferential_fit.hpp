@@ -7,22 +7,22 @@
 
 namespace percuss::identify {
 
-/// A ring's points and their least-squares solution by 1, cos θ, sin θ, cos 2θ, …: coefficients = inverse · value.
+/// The least-squares fit of a ring of points by 1, cos θ, sin θ, cos 2θ, …: coefficients = inverse · value.
 struct CircumferentialFit {
-  Eigen::MatrixXd pattern;          // [points, 1 + 2 highest]
+  Eigen::MatrixXd pattern;          // [points, 1 + 2 highest], 1, cos θ, sin θ, …
   Eigen::MatrixXd inverse;          // its pseudo-inverse
-  Eigen::VectorXd value, variance;  // [points] of the shape, turned to be real
+  Eigen::VectorXd value, variance;  // [points] of the real shape
   double position_m = 0;
-  bool half = false;  // of the highest order one combination only is seen
+  bool half = false;  // only one combination of the highest order's cosine and sine is observable
 };
 
 struct CircumferentialFits {
-  std::vector<CircumferentialFit> rings;  // along the axis; empty: none resolves anything
-  int highest = 0;                        // circumferential order
-  std::size_t angles = 0;                 // of the ring with the fewest
+  std::vector<CircumferentialFit> rings;  // along the axis; empty where the points resolve no order
+  int highest = 0;                        // highest circumferential order
+  std::size_t angles = 0;                 // of the ring with the fewest angles
 };
 
-/// Rings of four angles or more, as many orders as each of them resolves. See tube_shape.
+/// Fits the rings of four angles or more, up to the highest order that every ring resolves. See tube_shape.
 CircumferentialFits fit_circumferential(const ModeShape& shape, const TubeGeometry& geometry);
 
 }  // namespace percuss::identify

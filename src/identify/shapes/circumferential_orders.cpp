@@ -10,16 +10,16 @@
 namespace percuss::identify {
 namespace {
 
-constexpr double kMixing = 0.1;          // of the energy: real shapes are no pure harmonics
-constexpr double kMinAxialValue = 0.05;  // of the largest: smaller axial values tell no sign
-constexpr double kAliasFour = 0.99;      // that a pattern is not its alias of n ≥ 4, or of n = 3
+constexpr double kMixing = 0.1;          // of the energy: mixing of orders in real shapes
+constexpr double kMinAxialValue = 0.05;  // of the largest: smaller axial values have no significant sign
+constexpr double kAliasFour = 0.99;      // probability that a pattern is not its alias of n ≥ 4, or of n = 3
 constexpr double kAliasThree = 0.95;
 
 struct Energy {
   double value = 0, variance = 0;
 };
 
-// Energy over the points that order n explains, with what noise adds taken off.
+// The energy over the points of order n, without the noise's energy.
 Energy energy_of(const std::vector<CircumferentialFit>& fits, int n) {
   Energy energy;
   const Eigen::Index first = n == 0 ? 0 : 2 * n - 1, count = n == 0 ? 1 : 2;
@@ -46,7 +46,7 @@ double total_of(const std::vector<CircumferentialFit>& fits) {
   return sum;
 }
 
-// The energies' order, and how sure it is.
+// The order with the largest energy, and its probability.
 void choose_order(TubeShape& shape, const std::vector<Energy>& energies, double rest, double total,
                   std::size_t angles) {
   const auto by_value = [](const Energy& a, const Energy& b) { return a.value < b.value; };
@@ -66,7 +66,7 @@ void choose_order(TubeShape& shape, const std::vector<Energy>& energies, double 
   shape.confidence *= shape.alias >= 4 ? kAliasFour : kAliasThree;
 }
 
-// The axial function of the chosen order and the plane it lies in: the main axis of its cosine and sine amplitudes.
+// The axial function of the chosen order and its plane, the principal axis of the cosine and sine amplitudes.
 void find_axial(TubeShape& shape, const std::vector<CircumferentialFit>& fits) {
   const Eigen::Index first = shape.order == 0 ? 0 : 2 * shape.order - 1;
   Eigen::Vector2d along(1, 0);

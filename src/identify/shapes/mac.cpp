@@ -36,7 +36,7 @@ double first_order(const ShapeValues& a, const ShapeValues& b, const Products& p
   return variance;
 }
 
-// Noise across a shape lowers a MAC of 1 by its energy relative to the shape's.
+// Noise orthogonal to a shape lowers a MAC of 1 by its energy over the shape's energy.
 double lost_to_noise(const ShapeValues& shape, double energy) {
   double lost = 0;
   for (std::size_t i = 0; i < shape.value.size(); ++i)
@@ -44,7 +44,7 @@ double lost_to_noise(const ShapeValues& shape, double energy) {
   return lost / energy;
 }
 
-// Noise along the other shape raises a MAC of 0: exponentially distributed, so that its root mean square is √2 means.
+// Noise parallel to the other shape raises a MAC of 0. The rise is exponentially distributed: its rms is √2 means.
 double gained_by_noise(const ShapeValues& a, const ShapeValues& b, const Products& p) {
   double gained = 0;
   for (std::size_t i = 0; i < a.value.size(); ++i) {
@@ -53,7 +53,7 @@ double gained_by_noise(const ShapeValues& a, const ShapeValues& b, const Product
   return std::sqrt(2.0) * gained / (p.aa * p.bb);
 }
 
-// The values of both at the places that both have.
+// The values of both shapes at their common places.
 void common_places(const ModeShape& a, const ModeShape& b, ShapeValues& a_out, ShapeValues& b_out) {
   for (const ShapePlace& place : a.places) {
     const auto other = std::find_if(b.places.begin(), b.places.end(), [&](const ShapePlace& p) {

@@ -9,14 +9,14 @@
 namespace percuss::identify {
 namespace {
 
-constexpr int kShapeSweeps = 20;  // of the rank-one fit; a few suffice, as the start is the singular vector
+constexpr int kShapeSweeps = 20;  // of the rank-one fit; a few suffice from the singular vector
 
-// Residues as a matrix with weights 1/σ², 0 where nothing was measured.
+// The residues as a matrix with weights 1/σ²; 0 where not measured.
 struct Grid {
   std::vector<std::size_t> points, channels;
   Eigen::MatrixXcd value;
   Eigen::MatrixXd weight;
-  Eigen::VectorXd relative_std;  // [points] of what a point's residues share
+  Eigen::VectorXd relative_std;  // [points] of the gain common to a point's residues
 };
 
 Grid grid_of(const Mode& mode) {
@@ -32,7 +32,7 @@ Grid grid_of(const Mode& mode) {
   grid.value = Eigen::MatrixXcd::Zero(rows, columns);
   grid.weight = Eigen::MatrixXd::Zero(rows, columns);
   grid.relative_std = Eigen::VectorXd::Zero(rows);
-  const double least = 1e-12 * largest;  // exact residues weigh alike
+  const double least = 1e-12 * largest;  // exact residues have equal weights
   for (const Residue& r : mode.residues) {
     const auto row = std::distance(points.begin(), points.find(r.point));
     const auto column = std::distance(channels.begin(), channels.find(r.channel));
@@ -81,7 +81,7 @@ RankOne rank_one(const Grid& grid) {
     fit.b_std /= size;
     fit.a = solve_side(grid.value, grid.weight, fit.b, fit.a_std);
   }
-  if (grid.channels.size() == 1) {  // the scale's own deviation is not the sensor's
+  if (grid.channels.size() == 1) {  // one sensor carries only the scale's error
     fit.b_std = Eigen::VectorXd::Zero(1);
   }
   return fit;
@@ -105,7 +105,7 @@ double collinearity(const std::vector<ShapePlace>& places) {
   return sum > 0 ? ((xx - yy) * (xx - yy) + 4 * xy * xy) / (sum * sum) : 0;
 }
 
-// The turn that makes Σφ² real and positive, and with it the shape as real as it can be.
+// The phase factor that makes Σφ² real and positive, and so the shape as real as possible.
 Complex turn_of(const std::vector<ShapePlace>& places) {
   Complex squares;
   for (const ShapePlace& place : places) squares += place.value * place.value;
@@ -123,7 +123,7 @@ void normalise_largest(ModeShape& shape) {
   shape.normalisation = Normalisation::largest_one;
   const Complex turn = turn_of(shape.places);
   scale(shape.places, turn);
-  scale(shape.sensors, 1.0 / turn);  // A_pc = φ_p φ_c still
+  scale(shape.sensors, 1.0 / turn);  // keeps A_pc = φ_p φ_c
   const ShapePlace* most = largest_of(shape.places);
   if (most == nullptr || most->value.real() == 0) return;
   const double by = 1 / most->value.real();
@@ -131,7 +131,7 @@ void normalise_largest(ModeShape& shape) {
   scale(shape.sensors, 1 / by);
 }
 
-// Unit modal mass from the driving point whose residue is the most significant; false when none is positive.
+// Scales to unit modal mass by the driving point with the most significant residue; false where none is positive.
 bool normalise_mass(ModeShape& shape, const Mode& mode, const ShapeOptions& options) {
   const Residue* best = nullptr;
   for (const DrivingPoint& at : options.driving) {
@@ -160,7 +160,7 @@ double significance(const Mode& mode) {
   double sum = 0;
   for (const Residue& r : mode.residues) {
     const double std = total_std(r);
-    sum += std > 0 ? std::norm(r.value) / (2 * std * std) : 1e12;  // 2: real and imaginary part
+    sum += std > 0 ? std::norm(r.value) / (2 * std * std) : 1e12;  // two real values
   }
   return mode.residues.empty() ? 0 : std::sqrt(sum / static_cast<double>(mode.residues.size()));
 }

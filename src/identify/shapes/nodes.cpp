@@ -15,16 +15,16 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kNodeCertain = 3;       // deviations from zero that make a sign
-constexpr double kMinNodeNoise = 1e-12;  // of the largest amplitude: no point is better than that
+constexpr double kNodeCertain = 3;       // standard deviations from zero of a significant sign
+constexpr double kMinNodeNoise = 1e-12;  // of the largest amplitude: lower limit of a standard deviation
 
 // A polynomial of one degree fitted to the points near a crossing.
 struct PolynomialFit {
   VectorXd coefficient;  // ascending powers of u = (x − middle)/scale
-  MatrixXd covariance;   // for deviations as stated
+  MatrixXd covariance;   // with the stated standard deviations
   double chi2 = 0;
   std::size_t degrees_of_freedom = 0;
-  std::optional<double> root_u;  // within the bracket
+  std::optional<double> root_u;  // the root within the bracket
 
   double at(double u) const {
     double value = 0;
@@ -64,7 +64,7 @@ PolynomialFit fit_polynomial(const VectorXd& u, const VectorXd& y, const VectorX
   return fit;
 }
 
-// What a crossing is fitted to, in units of half the window's width.
+// The data of one crossing; positions in units of half the window's width.
 struct Window {
   VectorXd u, y, std;
   double middle_m = 0, scale_m = 1;
@@ -114,7 +114,7 @@ Node node_between(const ScanShape& shape, std::size_t below, std::size_t above, 
       least = score;
     }
   }
-  // Where no polynomial crosses between the two, all that is known is that the shape does.
+  // No polynomial crosses zero between the two points: the node is only known to lie between them.
   const double width_m = (w.high_u - w.low_u) * w.scale_m;
   if (best == fits.size()) return {.position_m = w.middle_m, .std_m = width_m / std::sqrt(12.0), .points = points};
   const PolynomialFit& fit = fits[best];
@@ -123,7 +123,7 @@ Node node_between(const ScanShape& shape, std::size_t below, std::size_t above, 
   const double model_m = higher || lower
                              ? std::abs(*fits[higher ? best + 1 : best - 1].root_u - *fit.root_u) * w.scale_m
                              : width_m / std::sqrt(12.0);
-  // What the next degree would add may be there without showing: its deviation is the honest one.
+  // The next degree's term may be present without being significant, so that its standard deviation is stated.
   const PolynomialFit& wider = higher ? fits[best + 1] : fit;
   const double fit_m = wider.root_std(std::max(scale2, wider.scale2())) * w.scale_m;
   return {.position_m = w.middle_m + *fit.root_u * w.scale_m,
@@ -136,7 +136,7 @@ Node node_between(const ScanShape& shape, std::size_t below, std::size_t above, 
 
 std::vector<Node> find_nodes(const ScanShape& shape, const NodeOptions& options) {
   std::vector<Node> nodes;
-  std::optional<std::size_t> last;  // the last point of certain sign
+  std::optional<std::size_t> last;  // the last point with a significant sign
   for (std::size_t i = 0; i < shape.amplitude.size(); ++i) {
     if (!(std::abs(shape.amplitude[i]) > kNodeCertain * shape.std[i])) continue;
     if (last && shape.amplitude[*last] * shape.amplitude[i] < 0)
@@ -155,8 +155,8 @@ std::optional<double> minimum_of_peak(std::span<const double> position_m, std::s
   if (low == 0 || low + 1 == n) {
     next = low == 0 ? 1 : n - 2;
     const std::size_t after = low == 0 ? 2 : n - 3;
-    // One leg of the V rises from `next` to `after`. If the bottom lies between, the other leg is as steep; if it lies
-    // outside, all three are on one leg.
+    // One side of the V rises from `next` to `after`. The other side has the same slope. If the bottom lies outside the
+    // two lowest points, all three points are on one side.
     const double steep = (peak[after] - peak[next]) / std::abs(position_m[after] - position_m[next]) *
                          std::abs(position_m[next] - position_m[low]);
     if (std::abs(peak[low] + peak[next] - steep) >= std::abs(peak[next] - peak[low] - steep)) return std::nullopt;

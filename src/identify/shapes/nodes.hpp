@@ -8,28 +8,29 @@
 
 namespace percuss::identify {
 
+/// A node of a mode shape along a scan.
 struct Node {
   double position_m = 0;
   double std_m = 0;
-  int degree = 0;          // of the polynomial whose root it is
-  std::size_t points = 0;  // that it was fitted to
+  int degree = 0;          // of the fitted polynomial
+  std::size_t points = 0;  // in the fit
 };
 
 struct NodeOptions {
-  std::size_t points = 17;  // nearest to a crossing that are fitted
-  int highest_degree = 5;   // of a polynomial: fourth powers follow a beam over half a wavelength to 1e-3 of its height
+  std::size_t points = 17;  // in a fit, the nearest to the crossing
+  int highest_degree = 5;   // fourth powers follow a beam over half a wavelength to 1e-3 of its height
 };
 
-/// Where the shape passes through zero: between neighbouring points of opposite sign, both three deviations from zero,
-/// the root of a polynomial in the position fitted to the points around by weighted least squares. Its degree is the
-/// one with the least χ² + k ln n. The deviation is that of the next higher degree's root, scaled by its χ² where that
-/// is larger than it should be, and, squares added, the distance to that root, which stands for the model's error.
+/// The nodes: zero crossings of the shape. A crossing lies between neighbouring points of opposite sign, both three
+/// standard deviations from zero. The node is the root of a polynomial in the position, fitted to the points around by
+/// weighted least squares. Its degree minimises χ² + k ln n. The variance is the sum of the next higher degree's
+/// variance, scaled by its χ² where that is too large, and of the squared distance to its root, the model error.
 /// theory (5.8)
 std::vector<Node> find_nodes(const ScanShape& shape, const NodeOptions& options = {});
 
-/// The rule of thumb [8], section 3.6: where the mode's peak passes through its minimum, to the nearest multiple of
-/// `resolution_m`. The bottom of the V that |shape| forms between the lowest point and its lower neighbour. Nothing for
-/// fewer than three points, or when the lowest one is at an end and the peak still falls towards it.
+/// The node by the rule of thumb of [8], section 3.6: the position of the minimum of the mode's peak, rounded to
+/// `resolution_m`. The minimum is the bottom of the V of |shape| between the lowest point and its lower neighbour.
+/// Nothing for fewer than three points, or where the lowest point is at an end and the peak still falls towards it.
 std::optional<double> minimum_of_peak(std::span<const double> position_m, std::span<const double> peak,
                                       double resolution_m);
 

@@ -16,10 +16,10 @@ using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-constexpr double kMinScanNoise = 1e-12;  // of the largest residue: none is better than that
+constexpr double kMinScanNoise = 1e-12;  // of the largest residue: lower limit of a standard deviation
 
-// A mode's residues over [points, channels] and their deviations: with force noise, which all channels of a point
-// share.
+// A mode's residues over [points, channels] with their standard deviations, and the gain error common to a point's
+// channels.
 struct ResidueTable {
   std::vector<double> position_m;
   MatrixXcd value;
@@ -77,7 +77,7 @@ ScanShape shape_along(const Mode& mode, std::span<const int> point, std::span<co
   const MatrixXcd scaled = table.value * weight.cast<Complex>().asDiagonal();
   const VectorXcd sees = leading_right_vector(scaled);
   const VectorXcd along = scaled * sees;
-  // Σ a² has twice the phase of a line through the a.
+  // Σ a² has twice the phase of the best line through the values a.
   Complex turn = std::polar(1.0, -0.5 * std::arg((along.array() * along.array()).sum()));
   if ((turn * along(0)).real() < 0) turn = -turn;
   Index channel = 0;

@@ -6,16 +6,16 @@
 
 namespace percuss::identify {
 
-/// A mode's shape along a line of impact points: one signed number each, positive at the first.
+/// A mode's shape along a line of impact points: one real value per point, positive at the first point.
 struct ScanShape {
   std::vector<double> position_m;  // ascending
-  std::vector<double> amplitude;   // 1/kg, the residue as the channel that sees the mode best has it
+  std::vector<double> amplitude;   // 1/kg, on the scale of the channel with the most significant residues
   std::vector<double> std;
 };
 
-/// The residues of a mode at the points of a scan, all channels joined: the first singular vector of [points ×
-/// channels] with every channel in units of its own deviation, turned to be as real as it gets. point[i] lies at
-/// position_m[i]; points without residues are left out, residues of other points too.
+/// The shape from the residues of all channels at the points of a scan: the first singular vector of [points ×
+/// channels], rotated to be as real as possible. Each channel is divided by its standard deviation. point[i] lies at
+/// position_m[i]. Points without residues are omitted, and so are residues of other points.
 ScanShape shape_along(const Mode& mode, std::span<const int> point, std::span<const double> position_m);
 
 }  // namespace percuss::identify

@@ -14,20 +14,20 @@
 namespace percuss::identify {
 namespace {
 
-constexpr double kNoiseProminence = 6;  // deviations of the level's own fluctuation
+constexpr double kNoiseProminence = 6;  // standard deviations of the level's fluctuation
 constexpr double kDecibelsPerNeper = 8.6859;
 constexpr double kPointing = 0.005;
-constexpr double kResonanceSpan = 6;  // half-widths on either side that a hidden resonance is looked for over
+constexpr double kResonanceSpan =
+    6;  // half-widths on either side, over which a resonance is compared with the residual
 constexpr double kMinResidualModeGain =
-    30;  // noise powers, beyond what the channels' own noise gives: one false alarm in 10^10 lines
-constexpr double kOutOfBandGain =
-    1000;  // … where the force does not reach: weaker ones are not credible there, so that none needs to be tried
-constexpr double kModelFloor = 1e-6;            // of the largest line: what a fit leaves of noise-free data is no mode
-constexpr double kFlank = 20;                   // half-widths that a resonance's flanks reach on either side …
-constexpr double kFlankGain = 0.1;              // … and the part of its gain that may be theirs
-constexpr double kMinResonanceLines = 1.5;      // lines
-constexpr double kMaxResidualModeWidth = 0.03;  // half-width over frequency of the broadest hidden mode
-constexpr std::size_t kFlopsPerLevelLine = 20;  // operations of a line's noise, or of its weight
+    30;  // noise powers above the expected sum over the FRFs: one false alarm in 10^10 lines
+constexpr double kOutOfBandGain = 1000;     // … above the force's bandwidth, where weaker modes are never accepted
+constexpr double kModelFloor = 1e-6;        // of the largest line: the residual of a fit to noise-free data
+constexpr double kFlank = 20;               // half-widths of a resonance's flanks on either side …
+constexpr double kFlankGain = 0.1;          // … and the part of its gain that the flanks may show
+constexpr double kMinResonanceLines = 1.5;  // lines
+constexpr double kMaxResidualModeWidth = 0.03;  // half-width over frequency of the broadest mode searched for
+constexpr std::size_t kFlopsPerLevelLine = 20;  // operations of the noise or weight of one line
 
 double largest_of(std::span<const Complex> h) {
   double largest = 0;  // as power
@@ -36,7 +36,7 @@ double largest_of(std::span<const Complex> h) {
 }
 
 struct Level {
-  std::vector<double> power, noise;  // Σ over channels of |H|² and of the noise's share
+  std::vector<double> power, noise;  // Σ over the FRFs of |H|² and of the noise power
 };
 
 Level level_of(const FrfDataset& set, const LineNoise& line_noise) {
@@ -55,8 +55,7 @@ Level level_of(const FrfDataset& set, const LineNoise& line_noise) {
   return level;
 }
 
-// A resonance of half-width h (in lines) on a straight background: its shape with the background projected out, over
-// ±kResonanceSpan·h.
+// The shape of a resonance of half-width h (in lines) over ±kResonanceSpan·h, a straight background projected out.
 Eigen::VectorXcd resonance(double h) {
   const auto reach = static_cast<Eigen::Index>(std::ceil(kResonanceSpan * h));
   const Eigen::VectorXd x =
@@ -68,13 +67,13 @@ Eigen::VectorXcd resonance(double h) {
   return g / g.norm();
 }
 
-// One channel's residual at some width of its lines, and the noise's power there.
+// The residual of one FRF at some line width, and its noise power.
 struct ResidualLines {
   Eigen::VectorXcd residual;
   std::vector<double> noise;
 };
 
-// Lines twice as wide: the mean of two, whose noise has half the power; what a model leaves does not average out.
+// Doubles the line width: the mean of two lines has half the noise power, but the full model error.
 ResidualLines halved(const ResidualLines& lines, double floor) {
   const Eigen::Index n = lines.residual.size() / 2;
   ResidualLines wide{Eigen::VectorXcd(n), std::vector<double>(static_cast<std::size_t>(n))};
@@ -86,7 +85,7 @@ ResidualLines halved(const ResidualLines& lines, double floor) {
   return wide;
 }
 
-// Energy that the resonance explains at each line, over the noise there, summed over the channels.
+// The energy that the resonance explains at each line over the noise power, Σ over the FRFs.
 std::vector<double> gain_of(const std::vector<ResidualLines>& channels, const Eigen::VectorXcd& shape) {
   const auto reach = static_cast<std::size_t>(shape.size() / 2);
   const auto lines = static_cast<std::size_t>(channels.front().residual.size());
@@ -111,14 +110,14 @@ std::vector<Eigen::VectorXcd> cut(const FrfDataset& set, std::size_t first, std:
   return out;
 }
 
-// As narrow as lines can tell.
+// The narrowest resonance that the lines resolve.
 Pole narrowest_pole(const FrfDataset& set, double asked_Hz) {
   const double freq_Hz = std::max(asked_Hz, set.lines.df_Hz());
   return {.freq_Hz = freq_Hz, .damping_ratio = std::min(0.1, set.lines.df_Hz() / freq_Hz)};
 }
 
 Pole pole_at_line(const FrfDataset& set, std::size_t line) {
-  // First a narrow window, then one as wide as the pole it found: the linear fit is best over a few bandwidths.
+  // A narrow window first, then one of a few bandwidths of the pole found, where the linear fit is best.
   Pole pole;
   std::size_t half = 4;
   for (int pass = 0; pass < 3; ++pass) {
@@ -134,7 +133,7 @@ Pole pole_at_line(const FrfDataset& set, std::size_t line) {
   return pole.freq_Hz > 0 ? pole : narrowest_pole(set, set.lines.freq_Hz(line));
 }
 
-// What a person points at is the highest line within half a per cent, or four lines.
+// A given frequency stands for the highest line within half a per cent, or within four lines.
 Pole peak_near(const FrfDataset& set, double freq_Hz) {
   const double at = set.lines.position(freq_Hz);
   const double reach = std::max(4.0, kPointing * freq_Hz / set.lines.df_Hz());
@@ -182,13 +181,13 @@ std::vector<Resonance> residual_resonances(const FrfDataset& set, const std::vec
     const std::span lines(residual[o].data(), static_cast<std::size_t>(residual[o].size()));
     channels[o] = {residual[o], local_noise(block_noise(lines, window.roughness()), lines.size())};
     floors[o] = std::pow(kModelFloor * largest_of(set.channels[o].frf), 2);
-    for (double& power : channels[o].noise) power = std::max(window.most() * power, floors[o]);
+    for (double& power : channels[o].noise) power = std::max(window.max_factor() * power, floors[o]);
   });
   const double threshold = kMinResidualModeGain + 3 * static_cast<double>(residual.size());
   const double top_Hz = set.lines.freq_Hz(set.lines.count - 1);
   const double widest = kMaxResidualModeWidth * top_Hz / set.lines.df_Hz();
   const Eigen::VectorXcd shape = resonance(kMinResonanceLines);
-  // Each resonance is looked for on lines so wide that it is as narrow as can be: the work halves at every doubling.
+  // A resonance of each width is searched on the widest lines that resolve it: the work halves at every doubling.
   for (double width = 1; kMinResonanceLines * width < widest; width *= 2) {
     const auto gain = gain_of(channels, shape);
     for (const std::size_t peak : maxima_above(gain, threshold)) {
@@ -203,8 +202,8 @@ std::vector<Resonance> residual_resonances(const FrfDataset& set, const std::vec
 }
 
 std::vector<Pole> residual_mode_poles(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& residual) {
-  // The best width at each place; what lies within its resonance is the same one seen at another width, and the weak
-  // ones around it may be its flanks, which bend as well.
+  // Keeps the best width at each place. Resonances within its width are the same one at another width, and weak
+  // resonances around it may be its flanks.
   std::vector<Resonance> found = residual_resonances(set, residual);
   std::sort(found.begin(), found.end(), [](const Resonance& a, const Resonance& b) { return a.gain > b.gain; });
   std::vector<Resonance> kept;

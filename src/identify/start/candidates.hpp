@@ -8,33 +8,32 @@
 namespace percuss::identify {
 
 struct CandidateOptions {
-  double prominence_dB = 3;  // above the saddles, before noise is allowed for
-  double snr = 5;            // amplitude over noise at the peak
+  double prominence_dB = 3;  // above the saddles; more where the noise demands it
+  double snr = 5;            // amplitude over noise
 };
 
-/// The prominent maxima of Σ|H|² over the channels, ascending.
+/// The spectral lines of the prominent maxima of Σ|H|² over the FRFs, ascending.
 std::vector<std::size_t> prominent_lines(const FrfDataset& set, const LineNoise& noise,
                                          const CandidateOptions& options = {});
 
-/// First poles from them, in ascending frequency.
+/// First poles from these maxima, in ascending frequency.
 std::vector<Pole> candidate_poles(const FrfDataset& set, const LineNoise& noise, const CandidateOptions& options = {});
 
-/// A resonance on a straight background that stands out of the lines' own noise.
+/// A resonance on a straight background that stands out of the noise.
 struct Resonance {
-  double line = 0, half_width = 0;  // lines from the set's first
-  double gain = 0;                  // energy that it explains over the noise's, over the channels
+  double line = 0, half_width = 0;  // in lines from the first
+  double gain = 0;                  // energy that it explains over the noise's, Σ over the FRFs
 };
 
-/// Where what is left of the FRFs (residual [channels][lines], the known modes subtracted) rises so, at every width:
-/// one resonance shows at several of them.
+/// The resonances in a residual, [channels][lines], at every width. One resonance appears at several widths.
 std::vector<Resonance> residual_resonances(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& residual);
 
-/// First poles of modes too weak or too close to a stronger one to show as a peak of their own: the best width of each
-/// hidden resonance. The clearest first.
+/// First poles of modes without a peak of their own, weak or close to a stronger mode: each resonance of the residual
+/// at its best width. The most significant first.
 std::vector<Pole> residual_mode_poles(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& residual);
 
-/// A first pole for each frequency a person points at: that of the nearest peak, unless another frequency is nearer to
-/// it; then one of the frequency itself. In the order of the frequencies.
+/// A first pole for each given frequency, in their order: the nearest peak's, unless another frequency is nearer to
+/// that peak; then a pole at the frequency itself.
 std::vector<Pole> poles_near(const FrfDataset& set, const std::vector<double>& freq_Hz);
 
 }  // namespace percuss::identify

@@ -5,9 +5,9 @@
 
 namespace percuss::identify {
 
-/// Complex mode indicator: the singular values of the matrix of FRFs [points × channels], line by line, largest first.
-/// A mode is a peak of the first; where the second peaks as well, two modes share a frequency. A channel that was not
-/// measured counts as zero. With one channel there is one value: √Σ|H|².
+/// Complex mode indicator function: the singular values of the FRF matrix [points × channels] at each spectral line,
+/// largest first. A mode is a peak of the first value; two modes share a frequency where the second peaks as well. An
+/// FRF that was not measured counts as zero. With one channel there is one value: √Σ|H|².
 /// shapes  result [band.count, min(points, channels)]; `band` within set.lines.
 /// units   (m/s²)/N.
 /// theory (5.6)

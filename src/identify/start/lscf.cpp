@@ -16,19 +16,20 @@ using Eigen::Index;
 using Eigen::MatrixXcd;
 using Eigen::VectorXcd;
 
-// Points of the circle left free, times the order: fewer leave no room for the band's ends to differ, more leave the
-// powers of z indistinguishable from one another on the lines.
+// Free points of the circle per order. With fewer, the two ends of the band cannot differ; with more, the powers of z
+// become nearly dependent on the lines.
 constexpr double kGap = 8;
 constexpr double kMaxGap = 0.3;
 constexpr std::size_t kMaxModelOrder = 100;
 constexpr std::size_t kLinesPerOrder = 4;
-constexpr double kRidge = 1e-15;      // of the diagonal: sends poles that noise-free lines do not need far out
-constexpr double kRidgeGrowth = 4;    // until the factorisation succeeds
-constexpr double kNoiseFloor = 1e-6;  // of a channel's largest line
-constexpr double kStartRadius = 0.6;  // of an additional root; those of noise lie there or further in
+constexpr double kRidge =
+    1e-15;  // of the diagonal: moves the superfluous poles of noise-free data far outside the circle
+constexpr double kRidgeGrowth = 4;    // factor of the ridge after a failed factorisation
+constexpr double kNoiseFloor = 1e-6;  // of an FRF's largest line
+constexpr double kStartRadius = 0.6;  // radius of the start of each new root; noise roots lie there or further inside
 constexpr double kGoldenAngle = 2.39996;
 
-// Where on the circle the lines lie: z = exp((s − j·first)·step).
+// The map from the lines to the circle: z = exp((s − j·first)·step).
 struct Circle {
   std::size_t points = 0;
   std::size_t lines = 0;
@@ -56,7 +57,7 @@ class PowerSums {
 
   template <class Value>
   VectorXcd of(Value&& value) {
-    for (std::size_t k = 0; k < lines_; ++k) values_[k] = value(k);  // what follows the lines stays 0
+    for (std::size_t k = 0; k < lines_; ++k) values_[k] = value(k);  // zero beyond the lines
     real_dft(values_, transform_);
     VectorXcd sums(2 * degree_ + 1);
     for (Index m = 0; m <= degree_; ++m) {
@@ -86,7 +87,7 @@ double largest_line_of(std::span<const Complex> lines) {
   return largest;
 }
 
-// (3) as a form in the coefficients of A, the numerators at their best: lower triangle of [max_order + 1]².
+// (3) as a quadratic form of the coefficients of A, with B_o eliminated: lower triangle of [max_order + 1]².
 MatrixXcd normal_matrix(const FrfDataset& set, const LscfOptions& options, const Circle& circle) {
   PowerSums sums(circle, options.max_order);
   const Eigen::LLT<MatrixXcd> powers(sums.toeplitz(sums.of([](std::size_t) { return 1.0; })));
@@ -97,7 +98,7 @@ MatrixXcd normal_matrix(const FrfDataset& set, const LscfOptions& options, const
     const auto h = std::span(set.channels[o].frf).subspan(options.first, options.count);
     const double largest = largest_line_of(h);
     if (!(largest > 0)) continue;
-    const double root = 1 / std::max(noise(static_cast<Index>(o)), kNoiseFloor * largest);  // of w_o
+    const double root = 1 / std::max(noise(static_cast<Index>(o)), kNoiseFloor * largest);  // √w_o
     const VectorXcd real = sums.of([&](std::size_t k) { return root * h[k].real(); });
     const VectorXcd imag = sums.of([&](std::size_t k) { return root * h[k].imag(); });
     MatrixXcd numerator = sums.toeplitz(real + Complex(0, 1) * imag);
@@ -151,7 +152,7 @@ std::vector<LscfOrder> lscf_poles(const FrfDataset& set, const LscfOptions& aske
   const auto n = static_cast<Index>(options.max_order);
   const MatrixXcd factor = factor_of(matrix.bottomRightCorner(n, n));
   if (factor.size() == 0) return {};
-  // The leading block of the factor is the factor of the leading block: of the equations of a lower order.
+  // The leading block of the factor is the factor of the leading block, the equations of a lower order.
   const VectorXcd right = factor.triangularView<Eigen::Lower>().solve(-matrix.col(0).tail(n));
   std::vector<LscfOrder> out;
   VectorXcd w(1);

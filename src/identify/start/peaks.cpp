@@ -6,9 +6,8 @@
 namespace percuss::identify {
 namespace {
 
-// For each maximum (top), ascending: the lowest value between it and the nearest higher one before it (or the
-// beginning). dips[i] is the lowest value between the top before and top i. A stack of falling tops, each with the
-// lowest value met since it was put there, gives all of them in one pass.
+// The lowest value between each maximum and the nearest higher maximum before it (or the beginning). dips[i] is the
+// lowest value between top i − 1 and top i. One pass with a stack of descending tops, each with the lowest value since.
 std::vector<double> saddles_before(std::span<const double> tops, std::span<const double> dips) {
   struct Entry {
     double value, lowest;
@@ -27,17 +26,17 @@ std::vector<double> saddles_before(std::span<const double> tops, std::span<const
   return saddle;
 }
 
-// Equal samples of which none beside them is as high; the whole sequence is none.
+// The runs of equal values that are higher than both neighbours. A constant sequence has none.
 struct Plateau {
   std::size_t begin, end;
   std::size_t middle() const { return (begin + end - 1) / 2; }
 };
 
-std::vector<Plateau> plateaus_above(std::span<const double> x, double least) {
+std::vector<Plateau> plateaus_above(std::span<const double> x, double min_level) {
   std::vector<Plateau> found;
   for (std::size_t i = 0; i < x.size();) {
     std::size_t end = i + 1;
-    if (x[i] > least) {
+    if (x[i] > min_level) {
       while (end < x.size() && x[end] == x[i]) ++end;
       const bool above_left = i == 0 || x[i - 1] < x[i];
       const bool above_right = end == x.size() || x[end] < x[i];
@@ -52,7 +51,7 @@ std::vector<Plateau> plateaus_above(std::span<const double> x, double least) {
 
 std::vector<Peak> find_peaks(std::span<const double> level) {
   const auto plateaus = plateaus_above(level, -std::numeric_limits<double>::infinity());
-  // Between maxima only the lowest value counts.
+  // Only the lowest value between two maxima matters.
   std::vector<double> tops, dips;  // dips[i] before top i, one more after the last
   const auto at = [&](std::size_t line) { return level.begin() + static_cast<std::ptrdiff_t>(line); };
   std::size_t from = 0;
@@ -75,9 +74,9 @@ std::vector<Peak> find_peaks(std::span<const double> level) {
   return peaks;
 }
 
-std::vector<std::size_t> maxima_above(std::span<const double> level, double least) {
+std::vector<std::size_t> maxima_above(std::span<const double> level, double min_level) {
   std::vector<std::size_t> lines;
-  for (const Plateau& p : plateaus_above(level, least)) lines.push_back(p.middle());
+  for (const Plateau& p : plateaus_above(level, min_level)) lines.push_back(p.middle());
   return lines;
 }
 

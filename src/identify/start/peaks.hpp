@@ -5,17 +5,17 @@
 
 namespace percuss::identify {
 
-/// A local maximum and how far it stands above the higher of the two saddles that part it from anything higher.
+/// A local maximum. Its prominence is its height above the higher of the two saddles to the next higher maxima.
 struct Peak {
   std::size_t line = 0;
   double prominence = 0;
 };
 
-/// Every local maximum of `level` (the middle of a flat one), in ascending order, in linear time. A maximum at either
-/// end counts when it stands above its only neighbour. The ends are saddles of their own height.
+/// All local maxima of `level` in ascending order, in linear time. A flat maximum is represented by its middle. An end
+/// is a maximum where it is above its only neighbour. Both ends are saddles of their own height.
 std::vector<Peak> find_peaks(std::span<const double> level);
 
-/// Those of the same maxima that are higher than `least`, whatever their prominence.
-std::vector<std::size_t> maxima_above(std::span<const double> level, double least);
+/// The same maxima where they are higher than `min_level`, at any prominence.
+std::vector<std::size_t> maxima_above(std::span<const double> level, double min_level);
 
 }  // namespace percuss::identify

@@ -9,8 +9,8 @@
 namespace percuss::identify {
 namespace {
 
-constexpr double kSame = 0.5;               // bandwidths between poles of one cluster
-constexpr std::size_t kStretchLines = 512;  // for candidates; each stretch is twice as long and overlaps by half
+constexpr double kSame = 0.5;                   // half-power bandwidths within a cluster
+constexpr std::size_t kHalfSegmentLines = 512;  // half of a segment; segments overlap by half
 constexpr std::size_t kStretchOrder = 32;
 constexpr double kDeviationOfMedian = 1.4826022185056;  // [2]
 
@@ -37,9 +37,9 @@ double spread(std::vector<double> values) {
 }
 
 struct Members {
-  Pole last;                    // of the order last seen
-  std::size_t order = 0;        // … which that is
-  std::vector<double> freq_Hz;  // of the stable ones
+  Pole last;                    // pole of the last order
+  std::size_t order = 0;        // the last order
+  std::vector<double> freq_Hz;  // of the stable poles
   std::vector<double> damping;
 };
 
@@ -50,7 +50,7 @@ PoleCluster summary_of(const Members& members) {
           .damping_spread = spread(members.damping)};
 }
 
-// The cluster that a pole continues: the nearest that has none of this order.
+// The nearest cluster without a pole of this order.
 Members& cluster_of(std::vector<Members>& clusters, const StabilisationPole& pole) {
   Members* nearest = nullptr;
   for (Members& cluster : clusters) {
@@ -106,7 +106,7 @@ std::vector<PoleCluster> cluster_poles(const Stabilisation& diagram, const Stabi
   }
   std::vector<PoleCluster> out;
   for (const Members& cluster : clusters) {
-    if (!cluster.freq_Hz.empty() && cluster.freq_Hz.size() >= options.least_stable) out.push_back(summary_of(cluster));
+    if (!cluster.freq_Hz.empty() && cluster.freq_Hz.size() >= options.min_stable) out.push_back(summary_of(cluster));
   }
   std::sort(out.begin(), out.end(),
             [](const PoleCluster& a, const PoleCluster& b) { return a.pole.freq_Hz < b.pole.freq_Hz; });
@@ -116,13 +116,13 @@ std::vector<PoleCluster> cluster_poles(const Stabilisation& diagram, const Stabi
 std::vector<Pole> stabilised_candidates(const FrfDataset& set) {
   std::vector<Pole> poles;
   const std::size_t count = set.lines.count;
-  for (std::size_t begin = 0; begin < count; begin += kStretchLines) {
-    const std::size_t margin = std::min(begin, kStretchLines / 2);
+  for (std::size_t begin = 0; begin < count; begin += kHalfSegmentLines) {
+    const std::size_t margin = std::min(begin, kHalfSegmentLines / 2);
     const std::size_t first = begin - margin;
-    const std::size_t end = std::min(count, begin + kStretchLines + kStretchLines / 2);
+    const std::size_t end = std::min(count, begin + kHalfSegmentLines + kHalfSegmentLines / 2);
     const StabilisationOptions options{.lscf = {.max_order = kStretchOrder, .first = first, .count = end - first}};
     const double low_Hz = begin == 0 ? 0 : set.lines.freq_Hz(begin);
-    const double high_Hz = set.lines.freq_Hz(std::min(count, begin + kStretchLines));
+    const double high_Hz = set.lines.freq_Hz(std::min(count, begin + kHalfSegmentLines));
     for (const PoleCluster& cluster : cluster_poles(stabilise(set, options), options)) {
       if (cluster.pole.freq_Hz >= low_Hz && cluster.pole.freq_Hz < high_Hz) poles.push_back(cluster.pole);
     }

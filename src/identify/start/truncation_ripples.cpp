@@ -8,12 +8,13 @@
 namespace percuss::identify {
 namespace {
 
-constexpr double kMinTruncation = 0.1;                  // of the amplitude, at the record's end
-constexpr std::size_t kFlankFrom = 4, kFlankUpTo = 16;  // lines from the peak: beyond its top, before most others
-constexpr double kMaxRippleFactor = 2;                  // times the flank
-constexpr double kMaxRemainingEnergy = 0.25;            // of the energy
+constexpr double kMinTruncation = 0.1;  // amplitude at the record's end over its start
+constexpr std::size_t kFlankFrom = 4,
+                      kFlankUpTo = 16;        // lines from the peak: beyond its top, but mostly before other peaks
+constexpr double kMaxRippleFactor = 2;        // height of a ripple over the flank's
+constexpr double kMaxRemainingEnergy = 0.25;  // residual energy over the FRFs' energy
 
-// Its height times the distance in lines: the same everywhere on a flank.
+// Height times distance in lines, which is constant along a flank.
 double flank_height(const FrfDataset& set, std::size_t line) {
   std::vector<double> heights;
   for (std::size_t k = kFlankFrom; k <= kFlankUpTo; ++k) {

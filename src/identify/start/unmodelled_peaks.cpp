@@ -14,11 +14,11 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kNear = 3;            // half-power bandwidths, and lines
-constexpr double kUnexplained = 0.25;  // of a peak's energy: with less left of it, it is the modes' own
-constexpr double kPeakSpan = 6;        // half-widths on either side that a peak's energy is taken over
+constexpr double kNear = 3;            // half-power bandwidths, and lines, around a mode
+constexpr double kUnexplained = 0.25;  // residual energy over a peak's energy: below it the modes explain the peak
+constexpr double kPeakSpan = 6;        // half-widths on either side, for a peak's energy
 
-// What the modes, and what lies outside the band, leave of the FRFs, [channels][lines].
+// The residual of the synthesised FRFs, [channels][lines].
 std::vector<Eigen::VectorXcd> left_by(const FrfDataset& set, const std::vector<Mode>& modes) {
   std::vector<Eigen::VectorXcd> left;
   const auto made = synthesised_frfs(set, modes, set.lines);
@@ -30,7 +30,7 @@ std::vector<Eigen::VectorXcd> left_by(const FrfDataset& set, const std::vector<M
   return left;
 }
 
-// Of lines around a resonance, a straight background taken off.
+// Energy of the lines around a resonance, a straight background removed.
 template <class Lines>
 double energy_around(const Resonance& at, const Lines& lines) {
   const double reach = kPeakSpan * at.half_width;
@@ -41,8 +41,8 @@ double energy_around(const Resonance& at, const Lines& lines) {
   return (part - straight * (straight.transpose() * part)).squaredNorm();
 }
 
-// A peak of the FRFs is its own when enough of it is left once the modes are subtracted: not the noise on another
-// mode's flank, nor a ripple that a decay cut off makes of it.
+// True where enough of the peak's energy remains in the residual. The peak is then not noise on a mode's flank or a
+// truncation ripple.
 bool unexplained(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& left, const Resonance& at) {
   double all = 0, rest = 0;
   for (std::size_t o = 0; o < set.channels.size(); ++o) {

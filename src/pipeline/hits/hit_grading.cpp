@@ -19,7 +19,7 @@ void require_hits(const std::vector<std::size_t>& numbers, std::size_t hits, con
   for (const std::size_t i : numbers) {
     if (i < hits) continue;
     throw InputError(fmt::format("there is no hit {} among {} hits", i, hits), record.source(),
-                     "number hits from 0, as in the report", {option});
+                     "hits count from 0, as in the report", {option});
   }
 }
 

@@ -17,18 +17,18 @@ namespace percuss::report {
 std::string frf_section(const std::string& verdict) {
   return page_section(
       "frf", "Frequency responses",
-      page_paragraph("Drag to enlarge a stretch of frequencies in all three pictures, double-click to see all again.") +
+      page_paragraph("Drag to zoom in on a frequency range in all three plots; double-click to see the whole band.") +
           page_picture("magnitude", "Magnitude of the frequency responses in decibels over frequency. " + verdict) +
           page_picture("phase", "Phase of the frequency responses over frequency.") +
           page_picture("coherence", "Coherence over frequency, 0 to 1."));
 }
 
 std::string hits_section(const pipeline::Analysis& analysis) {
-  constexpr std::size_t kMaxListed = 20;  // beyond that the table is folded
+  constexpr std::size_t kMaxListed = 20;  // longer tables are folded
   using enum acquire::FindingCode;
   const HitsTable table = hits_table(analysis, analysis.hits());
   const std::string more =
-      table.left_out > 0 ? page_paragraph(fmt::format("… and {} more hits in order.", table.left_out)) : "";
+      table.left_out > 0 ? page_paragraph(fmt::format("… and {} more accepted hits.", table.left_out)) : "";
   std::string shown = table.shown.html() + more;
   if (analysis.hits().size() > kMaxListed) {
     shown =
@@ -48,7 +48,7 @@ std::string hits_section(const pipeline::Analysis& analysis) {
 namespace {
 
 std::string frf_sentence(const pipeline::Analysis& analysis) {
-  return fmt::format("{} frequency responses of {} lines, {:.4g} Hz apart.", analysis.frfs().size(),
+  return fmt::format("{} frequency responses of {} spectral lines, {:.4g} Hz apart.", analysis.frfs().size(),
                      analysis.lines().count, analysis.lines().df_Hz());
 }
 
@@ -67,7 +67,7 @@ std::string deflection_section(const pipeline::Analysis& analysis, const pipelin
 std::string comparison_section(const CommandReport& comparison) {
   std::string charts;
   for (const LineChart& chart : comparison.charts) charts += page_chart(chart);
-  return page_section("comparison", "Beside other documents", comparison.text.html() + charts);
+  return page_section("comparison", "Comparison with other documents", comparison.text.html() + charts);
 }
 
 }  // namespace
@@ -94,12 +94,12 @@ std::string analysis_page(const pipeline::Analysis& analysis, const PageOptions&
   if (with_hits) body += hits_section(analysis);
   if (options.deflection != nullptr) body += deflection_section(analysis, *options.deflection);
   if (possible && modes) {
-    body += page_section("movement", "How the barrel moves",
+    body += page_section("movement", "Cross-section of the barrel",
                          page_picture("movement", "Cross-section of the barrel in each mode."));
     body += page_section("stabilisation", "Stabilisation",
                          page_picture("stabilisation", "Poles of every model order over frequency."));
   }
-  body += page_section("provenance", "How this came about", page_provenance(analysis.record().files, provenance)) +
+  body += page_section("provenance", "Method and provenance", page_provenance(analysis.record().files, provenance)) +
           "</main>\n";
   const PlotSelection wanted{.hits = with_hits, .frfs = frfs, .stabilisation = modes};
   return HtmlPage{.title = title + " – percuss",

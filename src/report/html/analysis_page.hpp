@@ -11,16 +11,16 @@
 namespace percuss::report {
 
 struct PageOptions {
-  std::set<ReportSection> sections = default_sections();  // nothing else is computed
+  std::set<ReportSection> sections = default_sections();  // only these are computed
   const pipeline::ImpactTest* deflection = nullptr;
   const CommandReport* comparison = nullptr;  // with other documents
 };
 
-/// The analysis as a page of one file: what was found in a sentence, the modes with their deviations, warnings, then
-/// FRFs, hits, the stabilisation diagram and the barrel's movement as pictures, and how it came about.
+/// The analysis as a self-contained page: the result in a sentence, the modes with ±, the warnings, then plots of FRFs,
+/// hits, stabilisation and the barrel's cross-section, and the provenance.
 std::string analysis_page(const pipeline::Analysis& analysis, const PageOptions& options, const Provenance& provenance);
 
-/// The section of the FRFs, and that of the hits, which other pages show as well.
+/// The sections of the FRFs and of the hits, which other pages use, too.
 std::string frf_section(const std::string& verdict);
 std::string hits_section(const pipeline::Analysis& analysis);
 

@@ -32,14 +32,14 @@ std::string command_page(const CommandReport& report, const std::vector<std::str
   std::string body = page_header(title, "") + "<main>\n" + page_section("found", "Result", report.text.html());
   const bool bends = !report.bending.modes.empty();
   if (bends) {
-    body +=
-        page_section("bending", "How the bat bends", page_picture("bending", "The bat in each of its bending modes."));
+    body += page_section("bending", "Bending modes of the bat",
+                         page_picture("bending", "The bat in each of its bending modes."));
   }
   std::string charts;
   for (const LineChart& chart : report.charts) charts += page_chart(chart);
-  if (!charts.empty()) body += page_section("charts", "Pictures", charts);
+  if (!charts.empty()) body += page_section("charts", "Charts", charts);
   body +=
-      page_section("provenance", "How this came about", page_provenance(files_of(inputs), provenance)) + "</main>\n";
+      page_section("provenance", "Method and provenance", page_provenance(files_of(inputs), provenance)) + "</main>\n";
   return HtmlPage{
       .title = title + " – percuss", .body = body, .data = bends ? "[" + bending_plot_json(report.bending) + "]" : ""}
       .text();

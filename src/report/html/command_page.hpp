@@ -7,7 +7,7 @@
 
 namespace percuss::report {
 
-/// A command's report as a page of one file: what it says, its charts, and how it came about from the files `inputs`.
+/// A command's report as a self-contained page: its text, its charts, and its provenance from the files `inputs`.
 std::string command_page(const CommandReport& report, const std::vector<std::string>& inputs,
                          const Provenance& provenance);
 

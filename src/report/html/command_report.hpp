@@ -9,12 +9,12 @@
 
 namespace percuss::report {
 
-/// What a command has to show, in each of the forms it may be asked for.
+/// The results of a command in each output format.
 struct CommandReport {
   std::string json;                    // the document
   ReportText text;                     // for the terminal, and for the page
   std::vector<NumericColumn> columns;  // for .csv
-  std::string table;                   // … in place of them where it holds words
+  std::string table;                   // in place of `columns` for a table that contains words
   std::vector<LineChart> charts;       // for .svg, and for the page
   BendingPlot bending;                 // for the page
 

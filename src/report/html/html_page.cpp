@@ -11,7 +11,7 @@ namespace {
 
 std::string source_of(const std::string& text) { return "'sha256-" + base64(sha256(text)) + "'"; }
 
-// JSON within a script element: no "<" may end it.
+// JSON within a script element must not contain "<", which could end the element.
 std::string data_text(const std::string& json) {
   std::string out;
   for (const char c : json) {

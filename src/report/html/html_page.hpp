@@ -3,15 +3,14 @@
 
 namespace percuss::report {
 
-/// A page that is one file: its style, its programs and its data within it, nothing from anywhere else. A
-/// content-security policy names the programs and styles by their SHA-256: nothing else on the page can run, whatever
-/// the data hold.
+/// A self-contained page: style, scripts and data are part of the file. A content-security policy names the scripts and
+/// styles by their SHA-256, so that nothing else can run, whatever the data contain.
 struct HtmlPage {
   std::string title;  // plain text
-  std::string body;   // HTML; texts in it have gone through html_escape
-  std::string data;   // JSON in ASCII: what src/report/page draws; none: no program on the page
+  std::string body;   // HTML; its texts are escaped already
+  std::string data;   // JSON in ASCII for the scripts in src/report/html/page; empty: no scripts
 
-  /// The whole document.
+  /// The document.
   std::string text() const;
 };
 

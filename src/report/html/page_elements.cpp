@@ -17,7 +17,7 @@
 namespace percuss::report {
 namespace {
 
-// Of what was read; nothing of standard input, and of a file that has another length by now.
+// The SHA-256 of an input; empty for standard input, and for a file whose length has changed since.
 std::string digest_of(const acquire::InputFile& file) {
   std::error_code error;
   const bool same = file.path != "-" && std::filesystem::file_size(file.path, error) == file.bytes && !error;

@@ -7,30 +7,30 @@
 
 namespace percuss::report {
 
-/// What a page says of how it came about; nothing else on it depends on when and where.
+/// The provenance of a page. Nothing else on the page depends on time or machine.
 struct Provenance {
   std::string command;  // the command line
   std::string made_at;  // UTC, "2026-11-22 21:45"
 };
 
-// Pieces of a page's body, as HTML. Texts are plain, and escaped here.
+// Elements of a page's body, as HTML. Plain texts are escaped here.
 
 /// A section under a heading; `content` is HTML.
 std::string page_section(const char* id, const char* heading, const std::string& content);
 std::string page_paragraph(const std::string& text);
-/// A place for src/report/page to draw in, and what it shows in words for those who do not see it.
+/// A figure for the scripts in src/report/html/page to draw in, with a text for screen readers.
 std::string page_picture(const char* kind, const std::string& description);
-/// A chart that is drawn already.
+/// A figure with a chart.
 std::string page_chart(const LineChart& chart);
-/// What the page is of, and under which conditions.
+/// The title of the page, and the conditions of the test.
 std::string page_header(const std::string& title, const std::string& conditions);
 std::string page_warnings(const std::vector<pipeline::Warning>& warnings);
-/// Findings of these kinds, hit by hit, to stand beside the picture that shows them.
+/// Findings with these codes, hit by hit, for the plot that shows them.
 std::string page_findings(const pipeline::Analysis& analysis, const std::vector<acquire::FindingCode>& codes);
 std::string page_provenance(const std::vector<acquire::InputFile>& files, const Provenance& provenance);
-/// Files for a heading: the name of the first without its folder, "and 3 more" with it.
+/// A heading for files: the name of the first without its folder, with "and 3 more".
 std::string file_list_title(const std::vector<std::string>& paths);
-/// The same of what was read.
+/// The same for the files of a record.
 std::string title_of(const std::vector<acquire::InputFile>& files);
 
 }  // namespace percuss::report

@@ -21,7 +21,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Six digits are more than a picture shows.
+// Six digits exceed the resolution of a plot.
 double shown(double value) { return std::isfinite(value) ? std::stod(fmt::format("{:.6g}", value)) : 0; }
 
 Json shapes_plot_json(const Wireframe& frame) {
@@ -87,7 +87,7 @@ std::string survey_page(const pipeline::Survey& survey, const Provenance& proven
     found += survey_modes_table(survey).html();
     data += "," + ascii_text(Json{{"shapes", shapes_plot_json(wireframe(survey))}});
     shapes = page_section("shapes", "Mode shapes",
-                          page_picture("shapes", "The structure's points moving in each mode.") + mac_html(survey));
+                          page_picture("shapes", "Animated points of the structure in each mode.") + mac_html(survey));
   }
   std::string body = page_header(title_of(analysis.record().files),
                                  test_conditions(analysis, with_hits ? analysis.hits().size() : 0)) +
@@ -95,13 +95,13 @@ std::string survey_page(const pipeline::Survey& survey, const Provenance& proven
   if (possible) {
     data += "," + ascii_text(Json{{"indicator", indicator_plot_json(survey)}});
     body += page_section("indicator", "Mode indicator",
-                         page_paragraph("Singular values of the FRFs: where the second peaks with the first, two modes "
+                         page_paragraph("Singular values of the FRFs: if the second peaks with the first, two modes "
                                         "share a frequency.") +
                              page_picture("indicator", "Singular values of the FRFs in decibels over frequency."));
     body += frf_section(verdict);
   }
   if (with_hits) body += hits_section(analysis);
-  body += page_section("provenance", "How this came about", page_provenance(analysis.record().files, provenance)) +
+  body += page_section("provenance", "Method and provenance", page_provenance(analysis.record().files, provenance)) +
           "</main>\n";
   return HtmlPage{.title = title_of(analysis.record().files) + " – percuss", .body = body, .data = data + "]"}.text();
 }

@@ -42,7 +42,7 @@ Json bat_json(const BatLabel& bat) {
   return json;
 }
 
-// What the document of its own says but for the file.
+// The deflection document without the members that the analysis has already.
 Json deflection_in(const pipeline::Analysis& analysis, const pipeline::ImpactTest& test) {
   Json json = Json::parse(deflection_json(analysis, test));
   for (const char* key : {"schema", "version", "inputs", "fs_hz"}) json.erase(key);
@@ -99,7 +99,7 @@ void add_frfs(JsonDocument& document, const pipeline::Analysis& analysis, const 
   if (coherence) document.add("coherence", [&] { return coherence_json(analysis); });
 }
 
-// Values are made when the document is written, by several threads: the stages that they ask for are done before.
+// Several threads make the values when the document is written: the stages must run before.
 void add_found(JsonDocument& document, const pipeline::Analysis& analysis, const JsonOptions& options) {
   const bool modes =
       options.sections.contains(ReportSection::modes) || options.sections.contains(ReportSection::classes);
@@ -126,7 +126,7 @@ JsonDocument analysis_document(const pipeline::Analysis& analysis, const JsonOpt
   document.add_written("version", Json(version()));
   document.add_written("inputs", inputs_json(analysis));
   if (options.bat) document.add_written("bat", bat_json(*options.bat));
-  // FRFs do not tell it.
+  // FRFs do not contain the sampling rate.
   document.add_written("fs_hz", analysis.given_frfs() != nullptr ? Json() : Json(analysis.record().fs_Hz));
   const auto& hits = force_only ? analysis.force_hits() : analysis.hits();
   if (analysis.possible()) {

@@ -13,7 +13,7 @@
 
 namespace percuss::report {
 
-/// The bat that a test is of: its id and what else is known of it, by key; values that are numbers stand as such.
+/// The bat under test: its id and its properties by key. Numeric values are written as numbers.
 struct BatLabel {
   std::string id;
   std::map<std::string, std::string> properties;
@@ -22,30 +22,30 @@ struct BatLabel {
 struct JsonOptions {
   std::set<ReportSection> sections = default_sections();
   bool trace = false;
-  bool explain = false;  // what was skipped
+  bool explain = false;  // the skipped work
   bool per_hit = false;
-  bool stabilisation = false;  // the diagram: the demand that computes it
-  const std::vector<identify::ModeClassification>* classifications =
-      nullptr;  // of the modes, in place of the analysis' own
+  bool stabilisation = false;  // computes the diagram
+  // In place of the analysis's own:
+  const std::vector<identify::ModeClassification>* classifications = nullptr;
   const std::vector<pipeline::Warning>* warnings = nullptr;
-  std::function<std::string(std::size_t mode)> shape;  // a member of each mode, as JSON text
+  std::function<std::string(std::size_t mode)> shape;  // value of each mode's member "shape", as JSON text
   std::optional<BatLabel> bat;
-  const pipeline::ImpactTest* deflection = nullptr;  // of the one test that there is
+  const pipeline::ImpactTest* deflection = nullptr;  // for a single test
 };
 
-/// One of several tests: its run number (or place on the command line) and its analysis.
+/// One of several tests: its analysis and its run number, or its place among the files.
 struct NumberedAnalysis {
   int run = 0;
   const pipeline::Analysis* analysis = nullptr;
 };
 
-/// The document percuss/analysis/1 with the sections asked for, indented, with a line end. Several tests stand in an
-/// array "runs". Text that is not UTF-8 (file names) is shown with replacement characters.
+/// The document percuss/analysis/1 with the chosen sections, indented, with a line end. Several tests form an array
+/// "runs". Bytes that are not UTF-8 (in file names) become replacement characters.
 std::string analysis_json(const std::vector<NumberedAnalysis>& tests, const JsonOptions& options = {});
 std::string analysis_json(const pipeline::Analysis& analysis, const JsonOptions& options = {});
 
-/// What analysis_json writes out, for documents that add to it; `analysis` and what `options` refers to must outlive
-/// it.
+/// The document that analysis_json writes, for documents that add to it. `analysis` and the objects that `options`
+/// refers to must outlive it.
 JsonDocument analysis_document(const pipeline::Analysis& analysis, const JsonOptions& options);
 
 }  // namespace percuss::report

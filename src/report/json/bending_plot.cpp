@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Five digits are more than a picture shows.
+// Five digits exceed the resolution of a plot.
 double shown_digits(double value) { return std::stod(fmt::format("{:.5g}", value)); }
 
 Json shown_all_values(const std::vector<double>& values) {

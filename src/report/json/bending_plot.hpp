@@ -5,13 +5,13 @@
 
 namespace percuss::report {
 
-/// A place where a bent bat does not move.
+/// A node of a bending mode.
 struct BendingNode {
   double z_m = 0, std_m = 0;
   std::string text;  // "6.31 ± 0.02 in, 160.3 ± 0.5 mm"
 };
 
-/// One bending mode along a bat: y at z_m, 1 at its largest.
+/// One bending mode along a bat: deflection y at z_m, 1 at its largest.
 struct BendingShape {
   std::string name;
   double freq_Hz = 0;
@@ -19,19 +19,19 @@ struct BendingShape {
   std::vector<BendingNode> nodes;
 };
 
-/// Bending modes that a page shows in motion.
+/// Bending modes that a page animates.
 struct BendingPlot {
-  std::vector<std::pair<double, double>> outline_m;  // place and radius; empty: not known
+  std::vector<std::pair<double, double>> outline_m;  // position and radius; empty: not known
   std::vector<BendingShape> modes;
-  std::string ends;         // which end is where: "Left: the knob."
-  bool from_right = false;  // z counts from the right end
+  std::string ends;         // caption of the ends: "Left: the knob."
+  bool from_right = false;  // z is measured from the right end
 };
 
-/// What src/report/page/bending.js draws, as JSON in ASCII: {"bending": {outline, modes: [{name, hz, z_m, y, nodes}],
-/// ends}}.
+/// The data of src/report/html/page/bending.js, as JSON in ASCII: {"bending": {outline, modes: [{name, hz, z_m, y,
+/// nodes}], ends}}.
 std::string bending_plot_json(const BendingPlot& picture);
 
-/// `value_m ± std_m` in inches and in millimetres; without the deviation where it is 0.
+/// `value_m ± std_m` in inches and in millimetres; without the ± where std_m is 0.
 std::string inches_and_mm(double value_m, double std_m);
 
 }  // namespace percuss::report

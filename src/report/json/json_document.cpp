@@ -7,7 +7,7 @@
 namespace percuss::report {
 namespace {
 
-constexpr std::size_t kPerValue = 20'000;  // operations, of an object with a few numbers
+constexpr std::size_t kFlopsPerValue = 20'000;  // of an object with a few numbers
 
 void append_line_begin(std::string& out, std::size_t indent) {
   out += '\n';
@@ -19,7 +19,7 @@ void append_key(std::string& out, const std::string& key) {
   out += '"' + key + "\": ";
 }
 
-// Line ends within strings are escaped: those here are the layout's.
+// Line ends within strings are escaped: all line ends are the layout's.
 void append_indented(std::string& out, std::string_view text, std::size_t indent) {
   for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {
     out += text.substr(0, end);
@@ -59,7 +59,7 @@ std::string JsonDocument::text() const {
     for (std::size_t i = 0; i < member.count; ++i) places.emplace_back(&member, i);
   }
   std::vector<std::string> texts(places.size());
-  parallel_for_cost(places.size(), kPerValue,
+  parallel_for_cost(places.size(), kFlopsPerValue,
                     [&](std::size_t p) { texts[p] = places[p].first->element(places[p].second); });
 
   std::string out = "{";
@@ -80,7 +80,7 @@ std::string JsonDocument::text() const {
 
 std::string with_member(std::string object, const std::string& key, const std::string& value) {
   const bool first = object == "{}";
-  object.resize(object.size() - (first ? 1 : 2));  // without its end
+  object.resize(object.size() - (first ? 1 : 2));  // without the closing brace
   if (!first) object += ',';
   append_key(object, key);
   append_indented(object, value, 2);

@@ -7,21 +7,21 @@
 
 namespace percuss::report {
 
-/// The text of a document of the JSON library's, indented by 2 spaces, without a line end. What is not UTF-8 (file
-/// names) is shown with replacement characters.
+/// A value of the JSON library as text, indented by 2 spaces, without a line end. Bytes that are not UTF-8 (in file
+/// names) become replacement characters.
 template <class Json>
 std::string indented_text(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
-/// The same on one line and in ASCII, for a script within a page.
+/// The value on one line and in ASCII, for a script in a page.
 template <class Json>
 std::string ascii_text(const Json& json) {
   return json.dump(-1, ' ', true, Json::error_handler_t::replace);
 }
 
-/// A JSON object that may be long: its values and its arrays' elements are made, written out and dropped one by one, by
-/// several threads at once. Each is text as of a document of its own, indented by 2 spaces.
+/// A JSON object that may be long: several threads make its values and its arrays' elements when it is written, so that
+/// they need not exist at once. Each value is the text of a document, indented by 2 spaces.
 class JsonDocument {
  public:
   using Value = std::function<std::string()>;
@@ -29,13 +29,13 @@ class JsonDocument {
 
   void add(std::string key, Value value);
   void add(std::string key, std::size_t count, Element element);  // an array
-  /// What is there already, a document of the JSON library's.
+  /// Adds a value of the JSON library.
   template <class Json>
   void add_written(std::string key, const Json& json) {
     add(std::move(key), [text = indented_text(json)] { return text; });
   }
 
-  /// On the threads that the ThreadLimit here allows; without a line end.
+  /// The whole object, without a line end. Uses the threads that the current ThreadLimit allows.
   std::string text() const;
 
  private:
@@ -48,7 +48,7 @@ class JsonDocument {
   std::vector<Member> members_;
 };
 
-/// The text of an object with one more member, as its last.
+/// The text of an object with one more member at its end.
 std::string with_member(std::string object, const std::string& key, const std::string& value);
 
 }  // namespace percuss::report

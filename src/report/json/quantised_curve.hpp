@@ -4,13 +4,14 @@
 
 namespace percuss::report {
 
-/// Numbers for a picture: from + step · k with k the little-endian 16-bit numbers in base64; 65535 is not a number.
+/// Quantised values of a plotted curve: from + step · k, where u16 holds k as little-endian 16-bit numbers in base64.
+/// k = 65535 stands for NaN.
 struct QuantisedCurve {
   double from = 0, step = 0;
   std::string u16;
 };
 
-/// `step` is the range over 65534, or `coarsest` where that is finer than anybody sees.
+/// `step` is the range over 65534, but at least `coarsest`, which is below the resolution of the plot.
 QuantisedCurve quantised_curve(std::span<const double> values, double coarsest);
 
 }  // namespace percuss::report

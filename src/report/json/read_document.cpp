@@ -16,18 +16,18 @@ namespace {
 constexpr std::uint64_t kLargest_bytes = std::uint64_t{256} << 20U;
 constexpr int kMaxDepth = 16;
 
-// A value of a document, and where it stands, for messages.
+// A value of a document, and its location for messages.
 class Part {
  public:
   Part(const nlohmann::json& value, std::string where) : value_(value), where_(std::move(where)) {}
 
   bool has(const char* key) const { return value_.is_object() && value_.contains(key) && !value_[key].is_null(); }
   Part at(const char* key) const {
-    if (!has(key)) throw InputError(fmt::format("no \"{}\"", key), where_, "give a document that percuss wrote");
+    if (!has(key)) throw InputError(fmt::format("no \"{}\"", key), where_, "read a document that percuss wrote");
     return {value_[key], where_ + ", " + key};
   }
   std::vector<Part> list() const {
-    if (!value_.is_array()) throw InputError("not a list", where_, "give a document that percuss wrote");
+    if (!value_.is_array()) throw InputError("not a list", where_, "read a document that percuss wrote");
     std::vector<Part> parts;
     parts.reserve(value_.size());
     for (const nlohmann::json& item : value_) parts.emplace_back(item, fmt::format("{}[{}]", where_, parts.size()));
@@ -35,13 +35,13 @@ class Part {
   }
   double number() const {
     const double number = value_.is_number() ? value_.get<double>() : std::nan("");
-    if (!std::isfinite(number)) throw InputError("not a number", where_, "give a document that percuss wrote");
+    if (!std::isfinite(number)) throw InputError("not a number", where_, "read a document that percuss wrote");
     return number;
   }
   bool is_false(const char* key) const { return has(key) && value_[key] == false; }
   double number_or(const char* key, double otherwise) const { return has(key) ? at(key).number() : otherwise; }
   std::string text() const {
-    if (!value_.is_string()) throw InputError("not a text", where_, "give a document that percuss wrote");
+    if (!value_.is_string()) throw InputError("not a text", where_, "read a document that percuss wrote");
     return value_.get<std::string>();
   }
 
@@ -75,7 +75,7 @@ std::vector<metrics::ComparedMode> frequencies_in(const Part& list, const char* 
 
 void add_deflections(const Part& part, metrics::ComparedDocument& document) {
   for (const Part& point : part.at("points").list()) {
-    if (!point.has("peak_m")) continue;  // nothing stood out of the noise there
+    if (!point.has("peak_m")) continue;  // no deflection above the noise
     metrics::ComparedDeflection d{.point = whole(point.at("point").number()),
                                   .peak_m = point.at("peak_m").number(),
                                   .std_m = point.number_or("peak_std_m", 0),
@@ -114,10 +114,8 @@ std::vector<metrics::ComparedDocument> read_documents(const std::string& path) {
 
 std::vector<metrics::ComparedDocument> parse_documents(std::string_view text, const std::string& where) {
   if (text.empty()) throw InputError("the file is empty", where, "write it again");
-  check_json({.text = text,
-              .where = where,
-              .remedy = "give a document that percuss wrote with --json",
-              .max_depth = kMaxDepth});
+  check_json(
+      {.text = text, .where = where, .remedy = "read a JSON document that percuss wrote", .max_depth = kMaxDepth});
   const nlohmann::json value = nlohmann::json::parse(text.begin(), text.end());
   const Part top(value, where);
   const std::string schema = top.at("schema").text();
@@ -139,8 +137,9 @@ std::vector<metrics::ComparedDocument> parse_documents(std::string_view text, co
   } else if (schema == "percuss/model-shell/1") {
     document.modes = frequencies_in(top.at("flugge_hz"), "hoop");
   } else {
-    throw InputError("a " + one_line(schema, 60) + " has neither modes nor deflections", where,
-                     "give what analyze, survey, deflect, or model beam, impact, bat or shell wrote with --json");
+    throw InputError(
+        "a " + one_line(schema, 60) + " has neither modes nor deflections", where,
+        "read a JSON document of analyze, survey, deflect, or of a model of a beam, an impact, a bat or a shell");
   }
   return {document};
 }

@@ -61,7 +61,7 @@ void add_verdict(Json& json, const identify::ModeClassification& verdict) {
   }
 }
 
-// What the damping would read from the windowed FRF as it stands: the pole shifted by the window's decay.
+// The damping ratio of the windowed FRF: the pole shifted by the window's decay.
 double raw_damping(const identify::Pole& pole, double decay_per_s) {
   const double omega = kTwoPi * pole.freq_Hz;
   const double real = pole.damping_ratio * omega + decay_per_s;

@@ -5,11 +5,11 @@
 
 namespace percuss::report {
 
-// Members of the document percuss/analysis/1, each as JSON text of its own. What they are of has been computed.
+// Members of the document percuss/analysis/1, each as JSON text. The results that they need are computed already.
 
-/// `i` counts the hits.
+/// Hit number `i`.
 std::string hit_json(const acquire::Record& record, std::size_t i, const pipeline::AnalysedHit& hit);
-/// `verdict`: nullptr where modes are not named.
+/// `verdict`: nullptr for modes that are not classified.
 std::string mode_json(const identify::Mode& mode, std::size_t m, double window_decay_per_s,
                       const identify::ModeClassification* verdict);
 std::string frf_json(const pipeline::Analysis& analysis);

@@ -16,7 +16,7 @@ namespace percuss::report {
 namespace {
 
 constexpr double kTurn_deg = 360, kJump_deg = 300;
-constexpr double kMinAmplitude = 0.01;  // of a curve, where its band's lower side would have none
+constexpr double kMinAmplitude = 0.01;  // of a curve, as a lower limit where the ± band reaches zero
 const ChartAxis kFrequency{.label = "frequency, Hz"};
 
 std::vector<double> line_frequencies(const pipeline::Analysis& analysis) {
@@ -33,7 +33,7 @@ std::vector<ChartAnnotation> mode_flags(const pipeline::Analysis& analysis,
   return flags;
 }
 
-// One standard deviation: as far below as above in amplitude, not in decibels.
+// One standard deviation up and down, symmetric in amplitude, not in decibels.
 ChartBand band_of(const FrfCurve& curve, const std::vector<double>& x, std::size_t style) {
   ChartBand band{.x = x, .low = curve.level_dB, .high = curve.level_dB, .style = style};
   for (std::size_t k = 0; k < x.size(); ++k) {
@@ -58,7 +58,7 @@ LineChart magnitude_chart(const pipeline::Analysis& analysis, const std::vector<
   return chart;
 }
 
-// Where a phase leaps from one end of its circle to the other there is no line.
+// The curve is interrupted where the phase wraps.
 std::vector<double> unwrapped_phase(std::vector<double> phase_deg) {
   const std::vector<double> given = phase_deg;
   for (std::size_t k = 1; k < given.size(); ++k) {
@@ -169,7 +169,7 @@ std::vector<SvgFragment> analysis_charts(const pipeline::Analysis& analysis,
   if (wants({"spectrum"})) {
     charts.push_back(
         hits_chart(hits, &HitCurves::spectrum_dB, 1,
-                   {.title = "Spectrum of the force", .x = kFrequency, .y = {.label = "dB under the largest line"}}));
+                   {.title = "Spectrum of the force", .x = kFrequency, .y = {.label = "dB below the largest line"}}));
     if (possible) {
       const auto [low_Hz, high_Hz] = analysis.band_Hz();
       charts.back().flags = {{.x = low_Hz, .name = "band"}, {.x = high_Hz, .name = "band's end"}};
@@ -179,7 +179,7 @@ std::vector<SvgFragment> analysis_charts(const pipeline::Analysis& analysis,
     charts.push_back(hits_chart(hits, &HitCurves::decay_dB, 1,
                                 {.title = "Decay of the response",
                                  .x = {.label = "time after the peak, s"},
-                                 .y = {.label = "dB under the largest"}}));
+                                 .y = {.label = "dB below the largest"}}));
   }
   if (wants({"stabilisation"}) && possible) charts.push_back(stabilisation_chart(analysis, classifications));
   std::vector<SvgFragment> pieces;
@@ -188,7 +188,7 @@ std::vector<SvgFragment> analysis_charts(const pipeline::Analysis& analysis,
   }
   if (wants({"movement"}) && possible) {
     const auto barrels = barrel_cross_sections(analysis, classifications);
-    if (!barrels.empty()) pieces.push_back(shape_svg("How the barrel moves", barrels));
+    if (!barrels.empty()) pieces.push_back(shape_svg("Cross-section of the barrel", barrels));
   }
   return pieces;
 }

@@ -7,11 +7,11 @@
 
 namespace percuss::report {
 
-/// Names of the pictures of an analysis: magnitude, phase, coherence, force, response, spectrum, decay, stabilisation,
+/// Names of the charts of an analysis: magnitude, phase, coherence, force, response, spectrum, decay, stabilisation,
 /// movement.
 const std::vector<std::string>& analysis_chart_names();
 
-/// The pictures asked for, in that order; those there is nothing for are left out.
+/// The chosen charts in that order; charts without data are left out.
 std::vector<SvgFragment> analysis_charts(const pipeline::Analysis& analysis,
                                          const std::vector<identify::ModeClassification>& classifications,
                                          const std::vector<std::string>& names);

@@ -15,7 +15,7 @@ namespace percuss::report {
 namespace {
 
 constexpr std::size_t kMaxFrfs = 8, kMaxHitsShown = 12, kDecayPoints = 400, kSpectrumPoints = 300;
-constexpr double kMaxAbove_dB = 40;  // a deviation as large as its value has no end in decibels
+constexpr double kMaxAbove_dB = 40;  // a standard deviation as large as the value is unbounded in decibels
 constexpr double kBeyondBandwidth = 1.5;
 constexpr double kNotSeen = std::numeric_limits<double>::quiet_NaN();
 
@@ -27,7 +27,7 @@ double level_of(const frf::PointFrf& frf) {
   return sum;
 }
 
-// The strongest, in the order of the file.
+// The strongest outputs, in the order of the file.
 std::vector<std::size_t> strongest_frfs_of(const std::vector<frf::PointFrf>& frfs) {
   std::vector<std::size_t> order(frfs.size());
   std::iota(order.begin(), order.end(), 0U);
@@ -69,7 +69,7 @@ FrfCurve curve_of_frf(const pipeline::Analysis& analysis, const frf::PointFrf& f
 }
 
 HitSamples spectrum_of(const acquire::Hit& hit, double fs_Hz) {
-  constexpr std::size_t kPadding = 8;  // times the pulse: between lines its spectrum is nearly straight
+  constexpr std::size_t kPadding = 8;  // times the pulse: makes the spectrum nearly linear between lines
   std::vector<double> padded(fast_length_at_least(kPadding * std::max<std::size_t>(hit.gated_N.size(), 256)));
   std::copy(hit.gated_N.begin(), hit.gated_N.end(), padded.begin());
   const double df_Hz = fs_Hz / static_cast<double>(padded.size());
@@ -83,7 +83,7 @@ HitSamples spectrum_of(const acquire::Hit& hit, double fs_Hz) {
   return out;
 }
 
-// The response before, while and shortly after the pulse acts.
+// The response before, during and shortly after the pulse.
 HitSamples response_of(const pipeline::Analysis& analysis, const acquire::Hit& hit, std::size_t channel) {
   constexpr std::size_t kMaxSamples = 1000;
   constexpr double kPulsesShown = 20;
@@ -101,9 +101,9 @@ struct Decay {
   double noise_dB = kNotSeen;
 };
 
-// The response's level from block to block after the peak, and before the pulse.
+// The response's level per block after the peak, and before the pulse.
 Decay decay_of(const pipeline::Analysis& analysis, const acquire::Hit& hit, std::size_t channel) {
-  constexpr std::size_t kMinRest = 16;  // samples that tell a level
+  constexpr std::size_t kMinRest = 16;  // samples for a level
   const acquire::Record& record = analysis.record();
   const std::size_t first = std::min(hit.peak, hit.first + hit.samples - 1), count = hit.first + hit.samples - first;
   std::vector<double> samples(count);

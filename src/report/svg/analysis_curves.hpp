@@ -7,17 +7,17 @@
 
 namespace percuss::report {
 
-/// An FRF as pictures show it, over Analysis::lines(); NaN where there is nothing to show, empty what is not known.
+/// The plotted curves of an FRF over Analysis::lines(). NaN marks gaps; a curve that is not known is empty.
 struct FrfCurve {
   std::string name;              // "accel 1 (0°)"
   std::vector<double> level_dB;  // re 1 (m/s²)/N
   std::vector<double> phase_deg;
   std::vector<double> coherence;
   std::vector<double> above_dB;  // one standard deviation above, in dB over level_dB
-  std::vector<double> fit_dB;    // of the modes found
+  std::vector<double> fit_dB;    // of the fitted modes
 };
 
-/// Of the strongest outputs, eight at most, in the order of the file.
+/// Curves of the strongest outputs, eight at most, in the order of the file.
 std::vector<FrfCurve> frf_curves(const pipeline::Analysis& analysis);
 
 /// Equally spaced values of a hit.
@@ -26,7 +26,7 @@ struct HitSamples {
   std::vector<double> value;
 };
 
-/// A hit as pictures show it.
+/// The plotted curves of a hit.
 struct HitCurves {
   std::size_t number = 0;
   bool accepted = false;
@@ -34,11 +34,11 @@ struct HitCurves {
   HitSamples force_N;        // over seconds from the onset; zero outside
   HitSamples response_mps2;  // of the first accelerometer over seconds from the onset; may be empty
   HitSamples spectrum_dB;    // of the force over Hz, under its largest line, to 1.5 times the bandwidth
-  double noise_dB = 0;       // of the first accelerometer before the hit, as decay_dB; NaN: it was not seen at rest
+  double noise_dB = 0;       // of the first accelerometer before the hit, as decay_dB; NaN: it was not at rest
   HitSamples decay_dB;  // of the first accelerometer over seconds from the peak, under its largest block; may be empty
 };
 
-/// Of the first hits that show a pulse, twelve at most.
+/// Curves of the first hits with a pulse, twelve at most.
 std::vector<HitCurves> hit_curves(const pipeline::Analysis& analysis);
 
 }  // namespace percuss::report

@@ -15,7 +15,7 @@ namespace {
 constexpr int kSides = 90;
 constexpr double kExaggeration = 0.25;  // of the radius
 
-// Where the mode is seen best.
+// The point at which the mode has its largest residue.
 std::size_t strongest_point(const identify::Mode& mode) {
   const auto stronger = [](const identify::Residue& a, const identify::Residue& b) {
     return std::norm(a.value) < std::norm(b.value);
@@ -24,9 +24,9 @@ std::size_t strongest_point(const identify::Mode& mode) {
   return best == mode.residues.end() ? 0 : best->point;
 }
 
-// The smallest movement c cos nθ + s sin nθ that the sensors agree to, 1 at its largest.
+// The smallest displacement c cos nθ + s sin nθ that both sensors agree with, scaled to 1 at its largest.
 Eigen::Vector2d pattern_of(const std::vector<BarrelSensor>& sensors, double n) {
-  constexpr double kBlind = 1e-9;  // two sensors may both sit where one of the patterns does not move
+  constexpr double kBlind = 1e-9;  // regularisation: both sensors may sit on nodes of one of the two patterns
   const auto strongest = std::max_element(sensors.begin(), sensors.end(), [](const auto& a, const auto& b) {
     return std::norm(a.residue) < std::norm(b.residue);
   });
@@ -42,7 +42,7 @@ Eigen::Vector2d pattern_of(const std::vector<BarrelSensor>& sensors, double n) {
   return pattern / std::max(pattern.norm(), 1e-300);
 }
 
-// Outwards, and along the ring so that it keeps its length.
+// Radial, and tangential so that the ring keeps its length.
 Polyline ring(const Eigen::Vector2d& pattern, double n, double amount) {
   Polyline line;
   for (int k = 0; k <= kSides; ++k) {

@@ -5,7 +5,7 @@
 namespace percuss::report {
 namespace {
 
-constexpr double kMarkSize = 3.6;  // from a mark's middle to its ends
+constexpr double kMarkSize = 3.6;  // half the size of a mark
 
 }  // namespace
 

@@ -4,13 +4,13 @@
 
 namespace percuss::report {
 
-/// How a point is drawn: shapes that stay apart without colour.
+/// The shape of a point's mark; shapes can be told apart without colour.
 enum class ChartMark : std::uint8_t { circle, plus, open_diamond, diamond, triangle, square, cross };
 
-/// The mark as an element of SVG, its middle at (x, y).
+/// The mark as an SVG element, centred at (x, y).
 std::string chart_mark_svg(ChartMark mark, double x, double y, const char* colour);
 
-/// A text as it may stand in SVG: what would be read as markup escaped, control characters as blanks.
+/// Escapes a text for SVG: markup characters escaped, control characters as blanks.
 std::string svg_escape(const std::string& text);
 
 }  // namespace percuss::report

@@ -13,15 +13,14 @@ struct ChartScale {
 
   double drawn(double value) const;
   void cover(double value);
-  /// Once all values are covered: a margin, as a fraction of their range, and some width in any case.
+  /// Adds a margin, as a fraction of the range, once all values are covered; a range of zero gets some width.
   void settle(double margin);
   double pixel(double value) const { return from + (drawn(value) - low) / (high - low) * (to - from); }
-  /// Round values, about `wanted` steps.
+  /// Tick values, about `wanted` steps.
   std::vector<double> ticks(std::size_t wanted) const;
 };
 
-/// Round numbers (1, 2 or 5 times a power of ten apart) that cover low to high with about `wanted` steps, those inside
-/// only.
+/// Round numbers within [low, high], 1, 2 or 5 times a power of ten apart, with about `wanted` steps.
 std::vector<double> round_ticks(double low, double high, std::size_t wanted);
 
 }  // namespace percuss::report

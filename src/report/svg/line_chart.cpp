@@ -16,24 +16,24 @@ namespace percuss::report {
 namespace {
 
 constexpr double kWidth = 760, kHeight = 440;
-constexpr double kLeft = 72, kRight = 620, kTop = 44, kBottom = 384;  // of the plot; names stand right of it
+constexpr double kLeft = 72, kRight = 620, kTop = 44, kBottom = 384;  // of the plot; the curves' names are to its right
 constexpr double kLineHeight = 15, kCharacterWidth = 7;               // at most
 constexpr double kFlagCharacterWidth = 6.4;                           // on average
 constexpr double kLabelRoom = 20;                                     // right of a point, for its label
 constexpr std::size_t kMaxDrawn = 1000, kLongestName = 48;
 constexpr std::size_t kTicks = 6;
 
-// Okabe and Ito's colours without yellow, which is too pale for a line; a dash pattern with each.
+// The colours of Okabe and Ito without yellow, which is too pale for a line; each with a dash pattern.
 constexpr std::array<const char*, 7> kColours{"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                               "#000000", "#5B3A8C", "#7A5C00"};
-// … as dark as letters must be.
+// Darker variants for text.
 constexpr std::array<const char*, 7> kLetterColours{"#0072B2", "#B34700", "#00704F", "#8A3A73",
                                                     "#000000", "#5B3A8C", "#7A5C00"};
 constexpr std::array<const char*, 7> kPageColours{"var(--c0)", "var(--c1)", "var(--c2)", "var(--c3)",
                                                   "var(--c7)", "var(--c5)", "var(--c4)"};
 constexpr std::array<const char*, 7> kDashes{"none", "7 3", "2 3", "9 3 2 3", "12 4", "4 2", "6 2 1 2 1 2"};
 
-// Of each run of neighbours the lowest and the highest, in their order, and a gap where there is one.
+// The lowest and the highest of each run of neighbouring samples, in their order, and a gap if there is one.
 std::vector<std::size_t> has_enough_points(const std::vector<double>& y) {
   std::vector<std::size_t> kept;
   const std::size_t run = std::max<std::size_t>(1, 2 * y.size() / kMaxDrawn);
@@ -56,7 +56,7 @@ std::vector<std::size_t> has_enough_points(const std::vector<double>& y) {
   return kept;
 }
 
-// Not longer than there is room for.
+// Shortened to the room available.
 std::string shown_name(const std::string& name) {
   if (text_width(name) <= kLongestName) return name;
   std::string out;
@@ -143,7 +143,7 @@ class Drawing {
         svg_escape(chart_.y.label));
   }
 
-  // The way of a pen over x and y; it is lifted where there is a gap.
+  // SVG path through x and y, interrupted at gaps.
   std::string way(const std::vector<double>& x, const std::vector<double>& y, bool backwards = false) const {
     std::string path;
     bool pen = backwards;
@@ -188,7 +188,7 @@ class Drawing {
     out_ += '\n';
   }
 
-  // Names above the plot where they do not run into the one before.
+  // Names above the plot, unless they overlap the name before.
   void flags() {
     double free = kLeft - kLabelRoom;
     for (const ChartAnnotation& flag : chart_.flags) {
@@ -219,7 +219,7 @@ class Drawing {
     }
   }
 
-  // At the ends of the lines, moved apart where they would overlap.
+  // Names at the ends of the curves, moved apart where they would overlap.
   void names() {
     std::vector<std::pair<double, std::size_t>> ends;
     for (std::size_t i = 0; i < chart_.curves.size(); ++i) {

@@ -11,32 +11,32 @@
 
 namespace percuss::report {
 
-/// One line of a chart: its name, written at its end, and its points in the order of x; NaN breaks the line.
+/// One curve of a chart: its name, written at its end, and its points in the order of x. NaN breaks the line.
 struct ChartCurve {
   std::string name;
   std::vector<double> x, y;
-  bool marks = false;  // the points themselves as well
-  bool line = true;    // false: the points alone, in any order
+  bool marks = false;  // also marks the points
+  bool line = true;    // false: points alone, in any order
   ChartMark mark = ChartMark::circle;
-  std::optional<std::size_t> style{};  // colour and dashes: its place among the curves unless given
-  std::vector<std::string> labels{};   // beside the points, as far as there are any
-  bool thin = false;                   // in ink, over the others
+  std::optional<std::size_t> style{};  // colour and dashes; default: the index of the curve
+  std::vector<std::string> labels{};   // beside the first points
+  bool thin = false;                   // a thin line in ink, over the other curves
 };
 
-/// The ground between two lines over x, lightly in the colour of a curve.
+/// The area between two curves, lightly in the colour of a curve.
 struct ChartBand {
   std::vector<double> x, low, high;
   std::size_t style = 0;
 };
 
-/// A place on the x axis with a name above it.
+/// A value on the x axis with a name above it.
 struct ChartAnnotation {
   double x = 0;
   std::string name;
 };
 
 struct ChartAxis {
-  std::string label;         // with its unit: "hoop frequency, Hz"
+  std::string label;         // includes the unit: "hoop frequency, Hz"
   bool logarithmic = false;  // all values above zero
   std::optional<std::pair<double, double>> range{};
   std::vector<double> ticks{};  // in place of round numbers
@@ -50,18 +50,18 @@ struct LineChart {
   std::vector<ChartAnnotation> flags{};
 };
 
-/// What a chart is drawn on: white paper, or a page whose style sheet has the colours.
+/// The background of a chart: white paper, or a page whose style sheet defines the colours.
 enum class ChartTheme : std::uint8_t { paper, page };
 
-/// The chart as a document of its own (SVG 1.1): ticks at round numbers, colours that stay apart for the colour-blind
-/// and dashes that stay apart in print, text of 12 px and more. At most a thousand points of a line are drawn: the
-/// extremes of its neighbours stand for the others. Where a curve is points alone, the names stand in a legend.
+/// The chart as an SVG 1.1 document: ticks at round numbers, colours for the colour-blind, dashes that differ in print,
+/// text of 12 px and more. A longer line is reduced to a thousand points, the extremes of neighbouring samples. If a
+/// curve consists of points alone, the names form a legend.
 std::string line_chart_svg(const LineChart& chart, ChartTheme ground = ChartTheme::paper);
 
-/// The same as a part of a larger one.
+/// The same as a part of a larger drawing.
 SvgFragment line_chart_fragment(const LineChart& chart, ChartTheme ground = ChartTheme::paper);
 
-/// Several charts, one under the other, as one document.
+/// Several charts, stacked, as one document.
 std::string line_charts_svg(const std::vector<LineChart>& charts);
 
 }  // namespace percuss::report

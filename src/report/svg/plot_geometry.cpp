@@ -43,7 +43,7 @@ std::vector<acquire::TraceLine> plot_lines(const pipeline::Survey& survey, const
     if (points.contains(line[0]) && points.contains(line[1])) out.push_back(line);
   }
   if (!out.empty() || !survey.geometry() || !survey.geometry()->tube) return out;
-  std::map<long, std::map<long, int>> rings, lines;  // by position and angle, to a micrometre and a thousandth of 1°
+  std::map<long, std::map<long, int>> rings, lines;  // by position in µm and angle in 0.001°
   for (const acquire::GeometryPoint& p : survey.geometry()->points) {
     if (!points.contains(p.point)) continue;
     const long along = std::lround(p.position_m * 1e6), around = std::lround(p.angle_rad * kRadian_deg * 1e3);

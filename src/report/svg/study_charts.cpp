@@ -13,7 +13,7 @@
 namespace percuss::report {
 namespace {
 
-// Marks of the source for hollow bats: plus signs, open diamonds, and solid ones for those broken in.
+// The source's marks for hollow bats: plus signs, open diamonds, and solid diamonds for bats that are broken in.
 struct BatKind {
   const char* name;
   ChartMark mark;
@@ -26,7 +26,7 @@ constexpr std::array<BatKind, 5> kBatKinds{{{"aluminum", ChartMark::plus},
 constexpr std::array<ChartMark, 7> kLengthMarks{ChartMark::circle,  ChartMark::plus,     ChartMark::open_diamond,
                                                 ChartMark::diamond, ChartMark::triangle, ChartMark::square,
                                                 ChartMark::cross};
-constexpr std::size_t kModelStyle = 0;  // the only solid line
+constexpr std::size_t kModelStyle = 0;  // the only solid curve
 constexpr std::array<std::size_t, 4> kTrendStyles{4, 5, 6, 3};
 
 std::size_t kind_of(const metrics::StudyBat& bat) {
@@ -75,7 +75,7 @@ std::vector<ChartCurve> curves_by_kind(const metrics::Study& study, const metric
   return out;
 }
 
-// From the class's least x to its largest.
+// From the smallest x of the class to its largest.
 void add_trends(const metrics::Study& study, const metrics::StudyFigure& figure, bool by_length,
                 std::vector<ChartCurve>& curves) {
   std::size_t place = 0;
@@ -105,7 +105,7 @@ double value_at(const metrics::StudyCurve& curve, double hoop_Hz) {
   return curve.value[i - 1] + part * (curve.value[i] - curve.value[i - 1]);
 }
 
-// Over the bats' own range, scaled by the median of what they have of it.
+// The model's curve over the range of the bats, scaled by the median of their ratios to it.
 void add_model(const metrics::StudyCurve& model, std::vector<ChartCurve>& curves) {
   std::vector<double> factors;
   double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -155,7 +155,7 @@ std::string points_csv(const metrics::Study& study, metrics::StudyQuantity x, me
   return out;
 }
 
-// Names of files hold nothing that a shell or a file system would take for something else.
+// File names contain no characters that are special to a shell or a file system.
 std::string file_word(const std::string& text) {
   std::string out;
   for (const char c : text.substr(0, 60)) {
@@ -165,7 +165,7 @@ std::string file_word(const std::string& text) {
   return out;
 }
 
-// A figure or a trail: its picture and the bats in it.
+// A figure or a trail: its chart and its bats.
 struct StudyPlot {
   std::string name;
   metrics::StudyQuantity x, y;

@@ -9,15 +9,15 @@
 
 namespace percuss::report {
 
-/// A file of the figures: its name ("besr-moi-wood-all.svg") and its text.
+/// A file with a figure: its name ("besr-moi-wood-all.svg") and its contents.
 struct StudyFile {
   std::string name, text;
 };
 
-/// Every figure and every bat's trail, as a picture and as the table of its points.
+/// Each figure and each bat's trail, as a chart and as a table of its points.
 std::vector<StudyFile> study_files(const metrics::Study& study, const std::optional<metrics::StudyCurve>& curve = {});
 
-/// The same pictures alone.
+/// The charts alone.
 std::vector<LineChart> study_charts(const metrics::Study& study, const std::optional<metrics::StudyCurve>& curve = {});
 
 }  // namespace percuss::report

@@ -15,9 +15,10 @@
 namespace percuss::report {
 namespace {
 
-constexpr double kTurn_rad = 0.35 * std::numbers::pi, kTilt_rad = 0.15 * std::numbers::pi;  // as the page begins
-constexpr double kShapeAmplitude = 0.15;                                                    // of the frame's radius
-constexpr double kCross = 0.02;                                                             // … of its arms
+constexpr double kTurn_rad = 0.35 * std::numbers::pi,
+                 kTilt_rad = 0.15 * std::numbers::pi;  // the initial view of the page
+constexpr double kShapeAmplitude = 0.15;               // of the frame's radius
+constexpr double kCross = 0.02;                        // … of its arms
 constexpr double kLevelFloor = 1e-300;
 
 std::array<double, 2> seen(const std::array<double, 3>& at) {
@@ -46,7 +47,7 @@ std::vector<Polyline> lines_of(const Wireframe& frame, const WireframeMode& mode
   std::vector<Polyline> lines;
   for (const auto& [from, to] : frame.lines) lines.push_back({place(from), place(to)});
   if (!lines.empty()) return lines;
-  for (std::size_t i = 0; i < frame.points.size(); ++i) {  // points alone: crosses
+  for (std::size_t i = 0; i < frame.points.size(); ++i) {  // points without lines are drawn as crosses
     const auto [x, y] = place(i);
     lines.push_back({{x - arm, y}, {x + arm, y}});
     lines.push_back({{x, y - arm}, {x, y + arm}});

@@ -7,10 +7,10 @@
 
 namespace percuss::report {
 
-/// Names of the pictures of a survey: shapes, indicator, and those of an analysis.
+/// Names of the charts of a survey: shapes, indicator, and the charts of an analysis.
 const std::vector<std::string>& survey_chart_names();
 
-/// The pictures asked for, in that order; those there is nothing for are left out.
+/// The chosen charts in that order; charts without data are left out.
 std::vector<SvgFragment> survey_charts(const pipeline::Survey& survey, const std::vector<std::string>& names);
 
 }  // namespace percuss::report

@@ -4,14 +4,14 @@
 
 namespace percuss::report {
 
-/// A drawing of its own size, in pixels.
+/// A drawing and its size in pixels.
 struct SvgFragment {
   std::string body;  // elements of SVG 1.1
   double width = 0, height = 0;
-  const char* ink = "black";  // of what names no colour
+  const char* ink = "black";  // default colour
 };
 
-/// Pieces, one under the other, as one document.
+/// Drawings, stacked, as one document.
 std::string svg_document(const std::vector<SvgFragment>& pieces);
 
 }  // namespace percuss::report

@@ -8,7 +8,7 @@
 namespace percuss::report {
 namespace {
 
-// The points that can be drawn, by number, in the order of the picture.
+// The points with known coordinates: index in the drawing, by number.
 std::map<int, std::size_t> drawn_points(const pipeline::Survey& survey) {
   std::map<int, std::size_t> out;
   for (const identify::ShapePlace& place : survey.shapes().front().places) {

@@ -8,21 +8,21 @@
 
 namespace percuss::report {
 
-/// A mode's movement of the points of a frame, along x, y and z.
+/// A mode's displacements of the frame's points along x, y and z.
 struct WireframeMode {
   std::string name;
   double freq_Hz = 0;
   std::vector<std::array<Complex, 3>> moves;  // [points]
 };
 
-/// The structure of a survey as points and lines, and how its modes move it.
+/// The structure of a survey as points and lines, and its mode shapes.
 struct Wireframe {
   std::vector<std::array<double, 3>> points;      // m
-  std::vector<std::array<std::size_t, 2>> lines;  // of point to point, by place
+  std::vector<std::array<std::size_t, 2>> lines;  // pairs of indices into points
   std::vector<WireframeMode> modes;
 };
 
-/// Of the points that can be drawn; the survey has modes.
+/// Contains the points whose coordinates are known. The survey must have modes.
 Wireframe wireframe(const pipeline::Survey& survey);
 
 }  // namespace percuss::report

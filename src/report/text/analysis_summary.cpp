@@ -36,7 +36,7 @@ std::string summary_sentence(const pipeline::Analysis& analysis,
   const auto [low_Hz, high_Hz] = analysis.band_Hz();
   const std::string band = fmt::format("between {:.4g} and {:.4g} Hz", low_Hz, high_Hz);
   const std::size_t count = analysis.modes().size();
-  if (count == 0) return fmt::format("No mode stands out of the noise {}.", band);
+  if (count == 0) return fmt::format("No mode rises above the noise {}.", band);
   std::vector<std::string> parts;
   for (const identify::ModeType family :
        {identify::ModeType::bending, identify::ModeType::hoop, identify::ModeType::unknown}) {

@@ -14,20 +14,20 @@
 namespace percuss::report {
 namespace {
 
-constexpr std::size_t kMaxHits = 40;  // rows of hits shown when all is well; rejected ones always are
+constexpr std::size_t kMaxHits = 40;  // rows of accepted hits; rejected hits are always shown
 
-// What does not reject is said in full once, among the warnings; beside the hit its name and number do.
+// Findings that do not reject a hit are abbreviated here: the warnings state them in full.
 std::string brief(const acquire::Finding& finding) {
   switch (finding.code) {
     case acquire::FindingCode::weak:
       return fmt::format("weak ({:.0f} %)", finding.value * 100);
     case acquire::FindingCode::truncated_decay:
-      return fmt::format("rings on ({:.0f} dB)", finding.value);
+      return fmt::format("still rings at the end ({:.0f} dB)", finding.value);
     case acquire::FindingCode::low_bandwidth:
       return "soft";
     case acquire::FindingCode::low_coherence:
-      return finding.value > 0 ? fmt::format("agrees {:.0f} % with the others", finding.value * 100)
-                               : "does not agree with the others";
+      return finding.value > 0 ? fmt::format("{:.0f} % coherent with the others", finding.value * 100)
+                               : "not coherent with the others";
     case acquire::FindingCode::polarity:
       return "negative";
     default:
@@ -37,7 +37,7 @@ std::string brief(const acquire::Finding& finding) {
 
 std::string hit_verdict(const pipeline::AnalysedHit& hit) {
   std::string text = hit.accepted ? "ok" : "rejected";
-  if (hit.by_user) text += hit.accepted ? " (kept by --accept-hit)" : " (taken out by --reject-hit)";
+  if (hit.by_user) text += hit.accepted ? " (accepted by the user)" : " (rejected by the user)";
   std::string reasons;
   for (const acquire::Finding& finding : hit.hit.findings) {
     reasons += (reasons.empty() ? ": " : "; ") +

@@ -9,6 +9,7 @@
 #include "report/text/number_format.hpp"
 #include "report/text/response_summary.hpp"
 #include "report/text/text_table.hpp"
+#include "report/text/warnings_text.hpp"
 
 namespace percuss::report {
 namespace {
@@ -25,14 +26,14 @@ std::string hits_text(const pipeline::Analysis& analysis, const std::vector<pipe
   const HitsTable table = hits_table(analysis, hits);
   std::string text = table.shown.text(width);
   if (table.left_out > 0)
-    text += fmt::format("… and {} more hits in order (all of them with --json)\n", table.left_out);
+    text += fmt::format("… and {} more accepted hits (the JSON document lists all)\n", table.left_out);
   return text;
 }
 
 std::string modes_text(const pipeline::Analysis& analysis, bool classes, std::size_t width) {
   if (!analysis.modes().empty()) return modes_table(analysis, classes).text(width);
-  return analysis.options().modes.start_Hz.empty() ? "no mode stands out of the noise in the band\n"
-                                                   : "no mode could be fitted at the frequencies of --start\n";
+  return analysis.options().modes.start_Hz.empty() ? "no mode rises above the noise in the band\n"
+                                                   : "no mode could be fitted at the starting frequencies\n";
 }
 
 std::string frf_text(const pipeline::Analysis& analysis) {
@@ -42,11 +43,11 @@ std::string frf_text(const pipeline::Analysis& analysis) {
   std::string averages = fmt::format("{}", least->frf.averages);
   if (most->frf.averages != least->frf.averages) averages += fmt::format(" to {}", most->frf.averages);
   if (most->frf.averages == 0) averages = "not stated";
-  return fmt::format("FRFs: {} lines, {:.4g} Hz apart; averages: {}\n", analysis.lines().count,
+  return fmt::format("FRFs: {} spectral lines, {:.4g} Hz apart; averages: {}\n", analysis.lines().count,
                      analysis.lines().df_Hz(), averages);
 }
 
-// Of several FRFs the one that agrees least.
+// The lowest coherence of several FRFs.
 std::string coherence_text(const pipeline::Analysis& analysis) {
   std::optional<CoherenceSummary> worst;
   for (const auto& summary : coherence_summaries(analysis)) {
@@ -102,8 +103,7 @@ std::string analysis_text(const pipeline::Analysis& analysis, const TextOptions&
   } else {
     text += std::string(kNoUsableHit) + "\n\n";
   }
-  for (const pipeline::Warning& warning : options.warnings ? analysis.warnings() : std::vector<pipeline::Warning>{})
-    text += wrapped("! " + one_line(warning.message, 4000), options.width, 2) + "\n";
+  if (options.warnings) text += warnings_text(analysis.warnings()).text(options.width, options.write_option);
   while (text.ends_with("\n\n")) text.pop_back();
   return text;
 }

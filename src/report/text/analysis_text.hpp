@@ -2,6 +2,7 @@
 #include <set>
 #include <string>
 
+#include "core/error.hpp"
 #include "pipeline/analysis.hpp"
 #include "report/text/report_sections.hpp"
 
@@ -12,14 +13,15 @@ struct TextOptions {
   std::size_t width = 100;  // of the terminal
   bool per_hit = false;
   bool warnings = true;
-  bool sketch = false;  // a drawing of the FRFs in characters
+  bool sketch = false;                  // a plot of the FRFs in characters
+  OptionWriter write_option = nullptr;  // appends the options of warnings; nullptr leaves them out
 };
 
-/// What is said of a test without FRFs and modes.
-inline constexpr const char* kNoUsableHit = "no hit can be used: no FRF, no modes (--accept-hit overrules a rejection)";
+/// The result of a test without FRFs and modes.
+inline constexpr const char* kNoUsableHit =
+    "no hit can be used: no FRF, no modes (a hit can be accepted despite its findings)";
 
-/// The analysis as a person reads it: one line of what was measured, the hits, the modes with ±, then warnings in
-/// words.
+/// The analysis as text: one line with the test's conditions, the hits, the modes with ±, then the warnings.
 std::string analysis_text(const pipeline::Analysis& analysis, const TextOptions& options = {});
 
 }  // namespace percuss::report

@@ -6,16 +6,16 @@
 
 namespace percuss::report {
 
-/// The coherence of one FRF over the band's lines, in two numbers.
+/// The coherence of one FRF over the spectral lines of the band.
 struct CoherenceSummary {
   double mean = 0;
-  double below = 0;  // the fraction of lines below 0.9
+  double below = 0;  // the fraction of spectral lines below 0.9
 };
 
 /// Nothing for a single hit, which has no coherence.
 std::optional<CoherenceSummary> summary_of_coherence(const pipeline::Analysis& analysis, const frf::PointFrf& frf);
 
-/// Of every FRF of the analysis.
+/// For each FRF of the analysis.
 std::vector<std::optional<CoherenceSummary>> coherence_summaries(const pipeline::Analysis& analysis);
 
 }  // namespace percuss::report

@@ -8,12 +8,13 @@
 #include "core/io/input_file.hpp"
 #include "report/text/number_format.hpp"
 #include "report/text/text_table.hpp"
+#include "report/text/warnings_text.hpp"
 
 namespace percuss::report {
 namespace {
 
 std::string millimetres(double value_m, double std_m) {
-  return std::isnan(value_m) ? "not told" : value_with_std(1000 * value_m, 1000 * std_m) + " mm";
+  return std::isnan(value_m) ? "not known" : value_with_std(1000 * value_m, 1000 * std_m) + " mm";
 }
 
 }  // namespace
@@ -59,10 +60,10 @@ ReportText deflection_tables(const pipeline::Analysis& analysis, const pipeline:
   }
   for (const pipeline::ImpactSpeed& speed : test.speeds) {
     text +=
-        fmt::format("hit {}: the ball came with {} m/s\n", speed.hit, value_with_std(speed.speed_mps, speed.std_mps));
+        fmt::format("hit {}: speed of the ball {} m/s\n", speed.hit, value_with_std(speed.speed_mps, speed.std_mps));
   }
   if (!test.warnings.empty()) text += "\n";
-  for (const pipeline::Warning& warning : test.warnings) text.warn(warning.message);
+  text += warnings_text(test.warnings);
   return text;
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
-// The number of each letter, or 64.
+// The value of each base64 character; 64 for other characters.
 constexpr std::array<std::uint8_t, 256> kNumbers = [] {
   std::array<std::uint8_t, 256> numbers{};
   for (std::uint8_t& number : numbers) number = 64;

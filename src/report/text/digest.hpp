@@ -12,7 +12,7 @@ using Sha256 = std::array<std::uint8_t, 32>;
 
 Sha256 sha256(std::string_view bytes);
 
-/// The SHA-256 of what comes a piece at a time.
+/// The SHA-256 of bytes that are added piece by piece.
 class Digest {
  public:
   Digest();
@@ -20,20 +20,20 @@ class Digest {
   Digest(const Digest&) = delete;
   Digest& operator=(const Digest&) = delete;
   void add(std::string_view bytes);
-  Sha256 result();  // once, last
+  Sha256 result();  // call it once, last
 
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
 
-/// Of a file's bytes, a piece at a time; nothing when it cannot be read.
+/// The SHA-256 of a file, in hexadecimal; empty when the file cannot be read.
 std::string sha256_of_file(const std::string& path);
 
 std::string hexadecimal(std::span<const std::uint8_t> bytes);
 /// RFC 4648, with padding.
 std::string base64(std::span<const std::uint8_t> bytes);
-/// The same back. Throws std::out_of_range for another text.
+/// Inverse of base64. errors  std::out_of_range: not base64.
 std::string from_base64(std::string_view text);
 
 }  // namespace percuss::report

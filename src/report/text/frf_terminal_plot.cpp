@@ -16,9 +16,9 @@ namespace {
 
 constexpr std::size_t kRows = 8, kMaxColumns = 100, kMinColumns = 40, kLabelColumns = 8;
 constexpr std::size_t kDotsDown = 4, kDotsAcross = 2;  // of a braille character
-constexpr double kRange_dB = 80;                       // deeper is a zero or noise
+constexpr double kRange_dB = 80;                       // lower levels are antiresonances or noise
 
-// Levels over the band, one per column of dots: the highest of all FRFs in it.
+// Levels over the band, one per column of dots: the highest level of all FRFs in the column.
 std::vector<double> levels_dB(const pipeline::Analysis& analysis, std::size_t columns) {
   std::vector<double> highest(columns, -std::numeric_limits<double>::infinity());
   const auto [low_Hz, high_Hz] = analysis.band_Hz();
@@ -30,7 +30,7 @@ std::vector<double> levels_dB(const pipeline::Analysis& analysis, std::size_t co
       at = std::max(at, 20 * std::log10(std::abs(frf.frf.value[k])));
     }
   }
-  for (std::size_t i = 1; i < columns; ++i) {  // fewer lines than columns
+  for (std::size_t i = 1; i < columns; ++i) {  // fewer spectral lines than columns
     if (std::isinf(highest[i])) highest[i] = highest[i - 1];
   }
   return highest;
@@ -40,7 +40,7 @@ std::string braille(unsigned dots) {
   return {static_cast<char>(0xE2), static_cast<char>(0xA0U + (dots >> 6U)), static_cast<char>(0x80U + (dots & 0x3FU))};
 }
 
-// Dots that a line from level to level covers, [row][column] as braille's bits.
+// The dots of a curve through the levels, [row][column] as bits of braille characters.
 class Dots {
  public:
   explicit Dots(std::size_t columns) : columns_(columns), bits_(kRows * columns) {}
@@ -59,7 +59,7 @@ class Dots {
   std::vector<unsigned> bits_;
 };
 
-// A mode's number under its place, where it does not run into the one before.
+// A mode's number under its frequency, unless it overlaps the number before.
 std::string numbers_below(const pipeline::Analysis& analysis, std::size_t columns) {
   const auto [low_Hz, high_Hz] = analysis.band_Hz();
   std::string out(columns, ' ');

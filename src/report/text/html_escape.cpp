@@ -5,7 +5,7 @@
 namespace percuss::report {
 namespace {
 
-// Bytes of the UTF-8 character at the beginning of `text`; 0 when there is none.
+// Length in bytes of the UTF-8 character at the beginning of `text`; 0 if it is not UTF-8.
 std::size_t character_bytes(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
   const std::uint8_t first = byte(0);

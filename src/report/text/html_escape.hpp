@@ -4,8 +4,8 @@
 
 namespace percuss::report {
 
-/// A text as it may stand in HTML, between tags and in quoted attributes: what would be read as markup escaped, control
-/// characters as blanks, bytes that are no UTF-8 replaced.
+/// Escapes a text for HTML, between tags and in quoted attributes: markup characters escaped, control characters as
+/// blanks, bytes that are not UTF-8 replaced.
 std::string html_escape(std::string_view text);
 
 }  // namespace percuss::report

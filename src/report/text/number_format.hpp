@@ -3,11 +3,11 @@
 
 namespace percuss::report {
 
-/// "169.00034 ± 0.00042": the deviation with two significant digits, the value with as many decimals. A deviation of 0
-/// or none: the value with six significant digits. At most 12 decimals.
-std::string value_with_std(double value, double deviation);
+/// "169.00034 ± 0.00042": the standard deviation with two significant digits, the value with as many decimals. For a
+/// standard deviation of 0 or NaN: the value alone, with six significant digits. At most 12 decimals.
+std::string value_with_std(double value, double std);
 
-/// Frequencies and lengths for people: four significant digits, k for thousands ("3.9 kHz").
+/// Frequencies: four significant digits, k for thousands ("3.9 kHz").
 std::string rounded_frequency_text(double freq_Hz);
 
 /// "232 N", "1750 N": three significant digits, never an exponent.

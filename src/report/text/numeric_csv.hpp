@@ -10,8 +10,8 @@ struct NumericColumn {
   std::vector<double> values;
 };
 
-/// The table as CSV: names first, then a line per row; nothing between the commas where there is no value. Numbers are
-/// the shortest that read back as the same. shapes: every column alike long.
+/// The table as CSV: names first, then a line per row; an empty field where there is no value. Numbers have the fewest
+/// digits that read back as the same number. shapes: all columns have the same length.
 std::string numeric_csv(const std::vector<NumericColumn>& columns);
 
 }  // namespace percuss::report

@@ -20,8 +20,7 @@ std::set<ReportSection> parse_report_sections(const std::vector<std::string>& na
   for (const std::string& name : names) {
     const auto it = known.find(name);
     if (it == known.end()) {
-      throw UsageError("--only does not know the section '" + name + "'",
-                       "use hits, frf, coherence, modes, classes or deflection");
+      throw UsageError("unknown section '" + name + "'", "use hits, frf, coherence, modes, classes or deflection");
     }
     out.insert(it->second);
   }

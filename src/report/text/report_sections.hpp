@@ -5,12 +5,12 @@
 
 namespace percuss::report {
 
-/// Parts of an analysis that a report can hold; naming them is the demand that computes them.
+/// Sections of a report on an analysis. Only the stages that the chosen sections need are computed.
 enum class ReportSection { hits, frf, coherence, modes, classes, deflection };
 
-/// The sections named in a list such as {"hits", "modes"}; UsageError names the known ones.
+/// The sections named in a list such as {"hits", "modes"}. errors  UsageError: an unknown name.
 std::set<ReportSection> parse_report_sections(const std::vector<std::string>& names);
-/// All but the deflection, which is a question of its own.
+/// All except the deflection, which must be chosen explicitly.
 std::set<ReportSection> default_sections();
 
 }  // namespace percuss::report

@@ -8,9 +8,9 @@
 namespace percuss::report {
 namespace {
 
-constexpr std::size_t kIndent = 2, kLongestWarning = 4000;
+constexpr std::size_t kIndent = 2, kMaxWarningBytes = 4000;
 
-// Paragraphs of a page, the first of which is the verdict; warnings that follow one another stand in one list.
+// Paragraphs of a page. The first paragraph is the verdict; consecutive warnings form one list.
 class Html {
  public:
   void paragraph(const std::string& line) {
@@ -68,19 +68,24 @@ ReportText& ReportText::operator+=(const TextTable& table) {
   return *this;
 }
 
-void ReportText::say(std::string sentence) { parts_.emplace_back(Sentence{.text = std::move(sentence)}); }
-
-void ReportText::warn(const std::string& message) {
-  parts_.emplace_back(Sentence{.text = one_line(message, kLongestWarning), .warning = true});
+void ReportText::say(std::string sentence) {
+  parts_.emplace_back(Sentence{.message = {.text = std::move(sentence), .options = {}}});
 }
 
-std::string ReportText::text(std::size_t width) const {
+void ReportText::warn(Message message) {
+  message.text = one_line(message.text, kMaxWarningBytes);
+  parts_.emplace_back(Sentence{.message = std::move(message), .warning = true});
+}
+
+std::string ReportText::text(std::size_t width, OptionWriter write) const {
   std::string out;
   for (const auto& part : parts_) {
     if (const auto* lines = std::get_if<std::string>(&part)) {
       out += *lines;
     } else if (const auto* sentence = std::get_if<Sentence>(&part)) {
-      out += wrapped((sentence->warning ? "! " : "") + sentence->text, width, kIndent) + "\n";
+      const Message& message = sentence->message;
+      const std::string words = write != nullptr ? message.written(write) : message.text;
+      out += wrapped((sentence->warning ? "! " : "") + words, width, kIndent) + "\n";
     } else {
       out += std::get<TextTable>(part).text(width);
     }
@@ -94,7 +99,7 @@ std::string ReportText::html() const {
     if (const auto* lines = std::get_if<std::string>(&part)) {
       html.lines(*lines);
     } else if (const auto* sentence = std::get_if<Sentence>(&part)) {
-      sentence->warning ? html.warning(sentence->text) : html.paragraph(sentence->text);
+      sentence->warning ? html.warning(sentence->message.text) : html.paragraph(sentence->message.text);
     } else {
       html.table(std::get<TextTable>(part));
     }

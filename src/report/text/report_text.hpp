@@ -4,32 +4,32 @@
 #include <variant>
 #include <vector>
 
+#include "core/error.hpp"
 #include "report/text/text_table.hpp"
 
 namespace percuss::report {
 
-/// What a report says, in its order: lines, tables, sentences and warnings. Told once, shown on a terminal or on a
-/// page.
+/// The text of a report in its order: lines, tables, sentences and warnings, for a terminal or for a page.
 class ReportText {
  public:
   ReportText() = default;
-  ReportText(std::string lines);  // NOLINT(google-explicit-constructor): a text of lines alone is a report's text
+  ReportText(std::string lines);  // NOLINT(google-explicit-constructor): lines alone are a report's text
   ReportText& operator+=(const ReportText& more);
-  ReportText& operator+=(const std::string& lines);  // as they stand, each with its line end
+  ReportText& operator+=(const std::string& lines);  // verbatim, each with its line end
   ReportText& operator+=(const TextTable& table);
-  /// A sentence that is broken where the terminal ends, later lines indented.
+  /// Adds a sentence, wrapped at the terminal's width with later lines indented.
   void say(std::string sentence);
-  /// The same after an exclamation mark.
-  void warn(const std::string& message);
+  /// Adds a warning: a sentence after an exclamation mark.
+  void warn(Message message);
 
-  /// For a terminal of `width` columns.
-  std::string text(std::size_t width) const;
+  /// For a terminal of `width` columns. `write` appends the options of warnings; nullptr leaves them out.
+  std::string text(std::size_t width, OptionWriter write = nullptr) const;
   /// As elements of HTML: the first line as the verdict, then paragraphs, tables and warnings.
   std::string html() const;
 
  private:
   struct Sentence {
-    std::string text;
+    Message message;
     bool warning = false;
   };
   std::vector<std::variant<std::string, Sentence, TextTable>> parts_;

@@ -12,7 +12,7 @@ namespace percuss::report {
 namespace {
 
 struct FirstMotion {
-  std::size_t with = 0, against = 0, open = 0;  // hits
+  std::size_t with = 0, against = 0, undecided = 0;  // hits
   std::vector<double> delay_s;
 };
 
@@ -21,7 +21,7 @@ FirstMotion first_motion(const pipeline::Analysis& analysis, std::size_t channel
   for (const pipeline::AnalysedHit& hit : analysis.hits()) {
     if (!hit.accepted || hit.responses.size() <= channel || hit.responses[channel].dead) continue;
     const acquire::ResponseGrade& grade = hit.responses[channel];
-    if (grade.polarity == 0) ++out.open;
+    if (grade.polarity == 0) ++out.undecided;
     if (grade.polarity * hit.hit.peak_N > 0) ++out.with;
     if (grade.polarity * hit.hit.peak_N < 0) ++out.against;
     if (grade.delay_s) out.delay_s.push_back(*grade.delay_s);
@@ -29,7 +29,7 @@ FirstMotion first_motion(const pipeline::Analysis& analysis, std::size_t channel
   return out;
 }
 
-// Points may differ in direction; the hits of one have been made to agree.
+// Points may differ in direction; the hits of one point agree already, by a vote.
 std::string direction(const FirstMotion& motion) {
   if (motion.with > 0 && motion.against > 0)
     return fmt::format("with the push in {} hits, against it in {}", motion.with, motion.against);
@@ -46,7 +46,7 @@ std::string responses_text(const pipeline::Analysis& analysis, std::size_t width
     if (!motion.delay_s.empty()) {
       text += fmt::format("{} first moves {}, {:.2f} ms after the force's onset", name, direction(motion),
                           median(motion.delay_s) * 1e3);
-    } else if (motion.open > 0) {
+    } else if (motion.undecided > 0) {
       text += fmt::format("{}: the hits do not tell which way it first moves", name);
     }
   }

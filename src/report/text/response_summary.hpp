@@ -6,9 +6,9 @@
 
 namespace percuss::report {
 
-/// Per acceleration channel, over the accepted hits: which way it moves first and how long after the force (medians): a
-/// sensor mounted the wrong way round, a swapped channel or a recorder that samples channels one after the other shows
-/// here. Channels whose hits disagree about the direction are said to. Empty when no response was seen.
+/// For each acceleration channel: the direction of its first motion and its delay after the force, medians over the
+/// accepted hits. Reveals a sensor mounted the wrong way round, swapped channels, and a recorder that samples channels
+/// one after the other. Names channels whose hits disagree about the direction. Empty when no response was measured.
 std::string responses_text(const pipeline::Analysis& analysis, std::size_t width);
 
 }  // namespace percuss::report

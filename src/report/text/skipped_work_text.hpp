@@ -4,7 +4,7 @@
 
 namespace percuss::report {
 
-/// What an analysis did not have to do, how much of it, and why.
+/// The work that an analysis skipped: how much of it, and why.
 ReportText skipped_text(const pipeline::Analysis& analysis);
 
 }  // namespace percuss::report

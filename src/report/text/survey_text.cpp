@@ -10,11 +10,12 @@
 #include "report/text/analysis_text.hpp"
 #include "report/text/number_format.hpp"
 #include "report/text/text_table.hpp"
+#include "report/text/warnings_text.hpp"
 
 namespace percuss::report {
 namespace {
 
-constexpr double kAlike = 0.2;  // a MAC between two modes that is worth a word
+constexpr double kMinMac = 0.2;  // between two modes; lower values are not reported
 
 std::string plane_cell(const std::optional<identify::TubeShape>& tube) {
   if (!tube || !tube->plane_rad) return "–";
@@ -98,7 +99,7 @@ std::string mac_text(const pipeline::Survey& survey) {
     for (std::size_t j = 0; j < i; ++j) {
       const identify::Mac& mac = survey.macs()[i][j];
       most = std::max(most, mac.value);
-      if (mac.value > kAlike)
+      if (mac.value > kMinMac)
         text += fmt::format("{}{} and {} ({})", text.empty() ? "" : ", ", j, i, value_with_std(mac.value, mac.std));
     }
   }
@@ -121,7 +122,7 @@ std::string frac_text(const pipeline::Survey& survey) {
 
 }  // namespace
 
-std::string survey_text(const pipeline::Survey& survey, bool hits, std::size_t width) {
+std::string survey_text(const pipeline::Survey& survey, bool hits, std::size_t width, OptionWriter write_option) {
   std::set<ReportSection> sections{ReportSection::frf, ReportSection::coherence};
   if (hits || !survey.analysis().possible()) sections.insert(ReportSection::hits);
   std::string text = analysis_text(survey.analysis(), {.sections = sections, .width = width, .warnings = false});
@@ -131,8 +132,7 @@ std::string survey_text(const pipeline::Survey& survey, bool hits, std::size_t w
     text += mac_text(survey) + frac_text(survey);
   }
   text += "\n";
-  for (const pipeline::Warning& warning : survey.warnings())
-    text += wrapped("! " + one_line(warning.message, 4000), width, 2) + "\n";
+  text += warnings_text(survey.warnings()).text(width, write_option);
   while (text.ends_with("\n\n")) text.pop_back();
   return text;
 }

@@ -6,12 +6,13 @@
 
 namespace percuss::report {
 
-/// A survey as a person reads it: what was measured, the modes with ± and what their shapes are, how alike shapes are
-/// and how well the modes explain the FRFs, then warnings in words. `hits` adds the table of hits. `width` of the
-/// terminal.
-std::string survey_text(const pipeline::Survey& survey, bool hits, std::size_t width);
+/// The survey as text: the test's conditions, the modes with ± and their shapes, the MAC between shapes, how well the
+/// modes explain the FRFs, then the warnings. `hits` adds the table of hits. `width` is the terminal's. `write_option`
+/// appends the options of warnings; nullptr leaves them out.
+std::string survey_text(const pipeline::Survey& survey, bool hits, std::size_t width,
+                        OptionWriter write_option = nullptr);
 
-/// Every mode with its order, shape and modal mass as far as they are known.
+/// Each mode with its order, shape and modal mass, where known.
 TextTable survey_modes_table(const pipeline::Survey& survey);
 
 }  // namespace percuss::report

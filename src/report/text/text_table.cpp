@@ -10,7 +10,7 @@
 namespace percuss::report {
 namespace {
 
-constexpr std::size_t kMinWrap = 24;  // narrower text is harder to read than a line that runs over
+constexpr std::size_t kMinWrap = 24;  // narrower columns are harder to read than a line that is too long
 
 std::string padded(const std::string& cell, std::size_t width, TextTable::Align align) {
   const std::string space(width - std::min(width, text_width(cell)), ' ');
@@ -74,7 +74,7 @@ std::string TextTable::text(std::size_t width) const {
 }
 
 std::string TextTable::html() const {
-  const auto wraps = [&](std::size_t c) {  // words; what is shorter stays on one line
+  const auto wraps = [&](std::size_t c) {  // several words, too long for one line
     return std::any_of(rows_.begin(), rows_.end(), [&](const auto& row) { return text_width(row[c]) > kMinWrap; });
   };
   std::vector<std::string> kinds;

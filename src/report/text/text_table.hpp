@@ -4,8 +4,8 @@
 
 namespace percuss::report {
 
-/// A table of text for a terminal: columns as wide as their longest cell, two spaces between, the last one wrapped at
-/// `width` onto lines of its own. Width counts characters, not bytes (UTF-8).
+/// A table of text for a terminal: columns as wide as their longest cell, two spaces between; the last column is
+/// wrapped at `width`. Widths count characters, not bytes (UTF-8).
 class TextTable {
  public:
   enum class Align { left, right };
@@ -16,7 +16,7 @@ class TextTable {
   explicit TextTable(std::vector<Column> columns) : columns_(std::move(columns)) {}
   void add(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
   std::string text(std::size_t width) const;
-  /// The same as an element of HTML, its cells escaped.
+  /// The table as an HTML element, its cells escaped.
   std::string html() const;
 
  private:
@@ -24,7 +24,7 @@ class TextTable {
   std::vector<std::vector<std::string>> rows_;
 };
 
-/// Characters of a UTF-8 text (bytes that begin one).
+/// Number of characters of a UTF-8 text.
 std::size_t text_width(const std::string& text);
 
 /// `text` broken at spaces into lines of at most `width` characters, later lines indented.

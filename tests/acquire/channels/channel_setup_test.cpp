@@ -39,7 +39,7 @@ TEST(ChannelSetup, ExampleFollowsTheSchema) {
   EXPECT_THAT(test::schema_violations(example, test::schema_named("channel-setup")), testing::IsEmpty());
 }
 
-TEST(ChannelSetup, LeavesOpenWhatItDoesNotSay) {
+TEST(ChannelSetup, LeavesMissingKeysEmpty) {
   const auto setup = parse_channel_setup(R"([{"name": "2"}])", "s.json");
   EXPECT_EQ(setup.at(0).role, "");
   EXPECT_EQ(setup.at(0).sign, 1);
@@ -69,7 +69,7 @@ TEST(ChannelSetup, KnowsSensitivitiesOfForceAndAcceleration) {
   }
 }
 
-TEST(ChannelSetup, RefusesSensitivitiesThatMakeNoSense) {
+TEST(ChannelSetup, RefusesImpossibleSensitivities) {
   EXPECT_THAT(rejection_of(R"([{"name": "a", "sensitivity": 2}])"), HasSubstr("give both"));
   EXPECT_THAT(rejection_of(R"([{"name": "a", "sensitivity_unit": "mV/N"}])"), HasSubstr("give both"));
   EXPECT_THAT(rejection_of(R"([{"name": "a", "sensitivity": 0, "sensitivity_unit": "mV/N"}])"), HasSubstr("zero"));
@@ -83,7 +83,7 @@ TEST(ChannelSetup, RefusesSensitivitiesThatMakeNoSense) {
               HasSubstr("does not fit the role force"));
 }
 
-TEST(ChannelSetup, NamesTheKeyThatIsWrong) {
+TEST(ChannelSetup, NamesTheWrongKey) {
   EXPECT_THAT(rejection_of(R"([{"name": "a"}, {"name": "b", "angel_deg": 3}])"),
               HasSubstr("unknown key (s.json: [1].angel_deg); known are name,"));
   EXPECT_THAT(rejection_of(R"([{"role": "force"}])"), HasSubstr("no name (s.json: [0])"));
@@ -100,7 +100,7 @@ TEST(ChannelSetup, NamesTheKeyThatIsWrong) {
   EXPECT_THAT(rejection_of(R"([{"name": "a", "sign": 1, "sign": -1}])"), HasSubstr("\"sign\" is given twice"));
 }
 
-TEST(ChannelSetup, RefusesWhatIsNoSetUp) {
+TEST(ChannelSetup, RefusesOtherDocuments) {
   for (const char* json :
        {"", "[", "[]", "{}", "3", "[3]", "[[]]", "nul", R"([{"name": "a"}] x)", "[{\"name\": \"\xFF\"}]"}) {
     EXPECT_THAT(rejection_of(json), HasSubstr("s.json")) << json;

@@ -47,13 +47,13 @@ TEST(CsvColumns, AreFoundByWordsInTheirNames) {
   EXPECT_THAT(accel_names(columns), ElementsAre("ACC top", "accel_2"));
 }
 
-TEST(CsvColumns, BelieveTheUnitMoreThanTheWord) {
+TEST(CsvColumns, PreferTheUnitToTheName) {
   const auto columns = columns_of({"t", "hammer acceleration (g)", "force (N)"});
   EXPECT_EQ(columns.force.name, "force (N)");
   EXPECT_THAT(accel_names(columns), ElementsAre("hammer acceleration (g)"));
 }
 
-TEST(CsvColumns, GoByTheUsersWord) {
+TEST(CsvColumns, FollowTheOptions) {
   const std::vector<std::string> names = {"t_s", "CH2", "CH3", "CH8"};
   auto columns = columns_of(names, {.force_channel = "ch8", .accel_channels = {"3", "CH2"}});
   EXPECT_EQ(columns.force.index, 3U);
@@ -62,7 +62,7 @@ TEST(CsvColumns, GoByTheUsersWord) {
   EXPECT_EQ(columns.force.index, 1U);
 }
 
-TEST(CsvColumns, GoByTheSetUpsRoles) {
+TEST(CsvColumns, FollowTheSetUpsRoles) {
   ReadOptions options;
   options.setup = {
       {.name = "CH8", .role = "force"}, {.name = "2", .role = "acceleration"}, {.name = "acc", .role = "ignore"}};
@@ -71,7 +71,7 @@ TEST(CsvColumns, GoByTheSetUpsRoles) {
   EXPECT_THAT(accel_names(columns), ElementsAre("CH2"));
 }
 
-TEST(CsvColumns, NameThoseSeenWhenNoneFits) {
+TEST(CsvColumns, ListTheColumnsWhenNoneFits) {
   EXPECT_EQ(input_error_of([] {
               columns_of({"t_s", "CH2 [cm/s2]", "CH8 [V]"});
             }),
@@ -86,7 +86,7 @@ TEST(CsvColumns, NameThoseSeenWhenNoneFits) {
               HasSubstr("2 columns could be the force: a_N, b_N"));
 }
 
-TEST(CsvColumns, RefuseNamesThatAreNotThereOrTwice) {
+TEST(CsvColumns, RefuseNamesThatAreMissingOrDoubled) {
   const std::vector<std::string> names = {"t_s", "f", "a", "A"};
   EXPECT_THAT(input_error_of([&] { columns_of(names, {.force_channel = "x"}); }),
               HasSubstr("no column \"x\" among t_s, f, a, A"));

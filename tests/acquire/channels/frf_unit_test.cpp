@@ -42,7 +42,7 @@ TEST(ParseFrfUnit, ReadsNothingElse) {
   EXPECT_FALSE(parse_frf_unit(std::string(100000, '(')));
 }
 
-TEST(ParseFrfKind, KnowsTheFieldsWords) {
+TEST(ParseFrfKind, KnowsTheUsualWords) {
   EXPECT_EQ(parse_frf_kind("Accelerance"), FrfKind::accelerance);
   EXPECT_EQ(parse_frf_kind("inertance"), FrfKind::accelerance);
   EXPECT_EQ(parse_frf_kind("mobility"), FrfKind::mobility);

@@ -8,7 +8,7 @@
 #include "support/input_error.hpp"
 #include "support/messages.hpp"
 
-namespace percuss::acquire::signal_choice_test {
+namespace percuss::acquire::signal_overrides_test {
 
 using test::input_error_of;
 using testing::HasSubstr;
@@ -19,7 +19,7 @@ SignalInfo applied(const SignalOverrides& choice, Quantity measures = Quantity::
   return signal;
 }
 
-TEST(SignalOverrides, TakesSIWhereNobodyStatesAUnit) {
+TEST(SignalOverrides, AssumesSIWithoutAStatedUnit) {
   EXPECT_EQ(applied({}).to_SI, 1);
   EXPECT_EQ(applied({.sign = -1}).to_SI, -1);
 }
@@ -48,7 +48,7 @@ TEST(SignalOverrides, KeepsAForceInVoltsWithANote) {
     if (!notes.empty()) {
       EXPECT_THAT(notes[0].text, HasSubstr("hammer"));
       EXPECT_THAT(notes[0].text, HasSubstr("per volt"));
-      EXPECT_THAT(notes[0].options, ElementsAre("force_scale", "force_sensitivity"));
+      EXPECT_THAT(notes[0].options, testing::ElementsAre("force_scale", "force_sensitivity"));
     }
     return signal.to_SI;
   };
@@ -60,11 +60,11 @@ TEST(SignalOverrides, KeepsAForceInVoltsWithANote) {
   EXPECT_EQ(force_of({}, "N", 0), 1);
 }
 
-TEST(SignalOverrides, LetsAScaleWinOverUnitAndSensitivity) {
+TEST(SignalOverrides, PrefersAScaleToUnitAndSensitivity) {
   EXPECT_EQ(applied({.scale = 3, .sensitivity_V_per_SI = 0.01}, Quantity::force, "no unit").to_SI, 3);
 }
 
-TEST(SignalOverrides, RefusesFactorsThatLoseTheSamples) {
+TEST(SignalOverrides, RefusesFactorsThatAreZeroOrNotFinite) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   for (const double factor : {0.0, kInfinity, std::numeric_limits<double>::quiet_NaN()}) {
     EXPECT_THAT(input_error_of([&] { applied({.scale = factor}); }), HasSubstr("scale"));
@@ -72,7 +72,7 @@ TEST(SignalOverrides, RefusesFactorsThatLoseTheSamples) {
   }
 }
 
-TEST(SignalOverrides, LetsOptionsWinOverTheSetup) {
+TEST(SignalOverrides, PrefersOptionsToTheSetup) {
   const ChannelSetup setup{.sign = -1, .angle_rad = 0.5, .sensitivity_V_per_SI = 2, .unit = "V"};
   const ReadOptions options{
       .accel_sensitivity_V_per_mps2 = {3, 4}, .accel_unit = "mV", .angle_rad = {1, 2}, .position_m = {0.25}};
@@ -95,4 +95,4 @@ TEST(SignalOverrides, RefusesListsOfAnotherLength) {
   EXPECT_THAT(input_error_of([] { accel_overrides({.angle_rad = {1}}, nullptr, 0, 2); }), HasSubstr("one per channel"));
 }
 
-}  // namespace percuss::acquire::signal_choice_test
+}  // namespace percuss::acquire::signal_overrides_test

@@ -86,38 +86,4 @@ TEST(StoredFrfs, RefusesOptionsWithoutMeaningAndImplausibleNumbers) {
               HasSubstr("scale"));
 }
 
-TEST(LinesFromFrequencies, FindsSpacingAndFirstLine) {
-  const LineRange lines = lines_from_frequencies({60, 60.5, 61}, "x");
-  EXPECT_EQ(lines.first, 120U);
-  EXPECT_EQ(lines.count, 3U);
-  EXPECT_EQ(lines.df_Hz(), 0.5);
-  EXPECT_EQ(lines.freq_Hz(2), 61.0);
-}
-
-TEST(LinesFromFrequencies, AllowsFrequenciesThatWereRounded) {
-  std::vector<double> freq_Hz(1000);
-  for (std::size_t k = 0; k < freq_Hz.size(); ++k)
-    freq_Hz[k] = std::round(0.1953125 * static_cast<double>(k) * 100) / 100;
-  EXPECT_LE(std::abs(lines_from_frequencies(freq_Hz, "x").df_Hz() / 0.1953125 - 1), 1e-4)
-      << "half a hundredth in 195 Hz";
-}
-
-TEST(JoinFrfs, MakesEveryFileAPoint) {
-  std::vector<FrfRecord> files(3, to_accelerances(stored(std::nullopt), {}));
-  const FrfRecord all = join_frfs(files);
-  ASSERT_THAT(all.frfs, SizeIs(6));
-  EXPECT_EQ(all.frfs[5].point, 2);
-  EXPECT_EQ(all.frfs[5].channel, 1U);
-  EXPECT_THAT(all.notes, SizeIs(1)) << "what holds for all is said once";
-  EXPECT_THAT(all.files, SizeIs(3));
-}
-
-TEST(JoinFrfs, RefusesOtherLinesAndNamesTheFile) {
-  const FrfRecord first = to_accelerances(stored(), {});
-  FrfRecord other = first;
-  other.files[0].path = "other.csv";
-  other.lines = lines_from_frequencies({0, 2, 4}, "other.csv");
-  EXPECT_THAT(test::input_error_of([&] { join_frfs({first, other}); }), HasSubstr("other.csv"));
-}
-
 }  // namespace percuss::acquire::stored_frfs_test

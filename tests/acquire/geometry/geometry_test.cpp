@@ -48,7 +48,7 @@ TEST(Geometry, KnowsUnitsInNamesAndInALineOfTheirOwn) {
   }
 }
 
-TEST(Geometry, KeepsCoordinatesOfWhatIsNoTube) {
+TEST(Geometry, KeepsCoordinatesThatFormNoTube) {
   const Geometry plate = parse_geometry("point,x_mm,y_mm,z_mm\n0,0,0,0\n1,100,0,0\n2,0,100,0\n3,100,100,0\n", "g.csv");
   EXPECT_FALSE(plate.tube);
   EXPECT_NEAR((*plate.points[3].xyz_m)[1], 0.1, kRounding);
@@ -90,14 +90,14 @@ TEST(Geometry, ComesFromTheRecordItself) {
   EXPECT_FALSE(geometry_of_record({{1}}));
 }
 
-TEST(Geometry, NamesLineAndRemedyOfWhatIsWrong) {
+TEST(Geometry, NamesLineAndRemedyOfAnError) {
   EXPECT_THAT(rejection_of("point,position_m,angle_deg\n0,0.1,zero\n"),
               AllOf(HasSubstr("angle \"zero\" is not a number (g.csv: line 2)"), HasSubstr("; write a number")));
   EXPECT_THAT(rejection_of("point,position_m,angle_deg\n0,0.1,0\n\n0,0.2,0\n"),
               HasSubstr("point 0 stands twice (g.csv: line 4)"));
   EXPECT_THAT(rejection_of("point,position_m,angle_deg\n0.5,0.1,0\n"),
-              HasSubstr("0.5 is no point's number (g.csv: line 2)"));
-  EXPECT_THAT(rejection_of("point,position_m,angle_deg\n-1,0.1,0\n"), HasSubstr("-1 is no point's number"));
+              HasSubstr("0.5 is not a point number (g.csv: line 2)"));
+  EXPECT_THAT(rejection_of("point,position_m,angle_deg\n-1,0.1,0\n"), HasSubstr("-1 is not a point number"));
   EXPECT_THAT(rejection_of("point,position_m,angle_deg\n0,0.1\n"), HasSubstr("no cell for angle (g.csv: line 2)"));
   EXPECT_THAT(rejection_of("point,position,angle_deg\n0,0.1,0\n"), HasSubstr("no unit for position (g.csv: line 1)"));
   EXPECT_THAT(rejection_of("point,position_kg,angle_deg\n0,0.1,0\n"), HasSubstr("g.csv: line 1"));
@@ -109,7 +109,7 @@ TEST(Geometry, NamesLineAndRemedyOfWhatIsWrong) {
   EXPECT_THAT(rejection_of("point,position_m,angle_deg\n0,1e300,0\n"), HasSubstr("too large"));
 }
 
-TEST(Geometry, RefusesWhatIsNoGeometry) {
+TEST(Geometry, RefusesOtherTexts) {
   for (const std::string text :
        {"", "\n\n", "point,position_m,angle_deg\n", "0,1,2\n3,4,5\n", "{\"a\": 1}", "\x89HDF\r\n\x1a\n", ",,,\n,,,\n",
         "point\n1\n", "point,position_m,angle_deg\nm,m,deg\n"}) {

@@ -9,7 +9,7 @@
 #include "acquire/hits/pulse_shape.hpp"
 #include "support/force_row.hpp"
 
-namespace percuss::acquire::rail_test {
+namespace percuss::acquire::clipping_test {
 
 using std::numbers::pi;
 
@@ -17,7 +17,7 @@ std::size_t largest_sample(const std::vector<double>& x) {
   return static_cast<std::size_t>(std::max_element(x.begin(), x.end()) - x.begin());
 }
 
-// Eight samples to a period, of which the tops' rows have one or two.
+// About eight samples per period: a peak has one or two samples at the top.
 std::vector<double> fast_decay(double peak, double tau) {
   std::vector<double> x(8000);
   for (std::size_t n = 100; n < x.size(); ++n) {
@@ -27,7 +27,7 @@ std::vector<double> fast_decay(double peak, double tau) {
   return x;
 }
 
-std::size_t rail_of(const std::vector<double>& x) {
+std::size_t clipped_samples_of(const std::vector<double>& x) {
   return count_clipped_samples(x, block_extremes(x, kClippingBlock), x, 0);
 }
 
@@ -38,7 +38,7 @@ TEST(ResolutionOf, IsTheSmallestChange) {
   EXPECT_EQ(resolution_of({}), 0);
 }
 
-TEST(SamplesAtRail, CountsWhatIsClipped) {
+TEST(ClippedSamples, CountClippedPeaks) {
   for (const double scale : {1.0, -1.0, 1e-30, 1e30}) {
     std::vector<double> x(60);
     test::add_haversine(x, 10, 40, 100);
@@ -48,32 +48,31 @@ TEST(SamplesAtRail, CountsWhatIsClipped) {
       value = std::min(value, 70.0) * scale;
     }
     ASSERT_GE(clipped, 10U);
-    EXPECT_EQ(rail_of(x), clipped);
+    EXPECT_EQ(clipped_samples_of(x), clipped);
   }
 }
 
-TEST(SamplesAtRail, CountsBothRails) {
+TEST(ClippedSamples, CountBothLimits) {
   std::vector<double> x(4000);
   std::size_t clipped = 0;
   for (std::size_t n = 0; n < x.size(); ++n) {
     x[n] = std::clamp(10 * std::sin(2 * pi * (static_cast<double>(n) + 0.3) / 37.7), -8.0, 8.0);
     if (std::abs(x[n]) == 8) ++clipped;
   }
-  EXPECT_EQ(rail_of(x), clipped);
+  EXPECT_EQ(clipped_samples_of(x), clipped);
 }
 
-TEST(SamplesAtRail, TakesNoRestForARail) {
+TEST(ClippedSamples, AreNoneAtRest) {
   for (const double sign : {1.0, -1.0}) {
     std::vector<double> x(200);
-    for (std::size_t n = 50; n < 80; ++n)
-      x[n] = sign * (3 + std::sin(0.7 * static_cast<double>(n)));  // to one side only
-    EXPECT_EQ(rail_of(x), 0U);
+    for (std::size_t n = 50; n < 80; ++n) x[n] = sign * (3 + std::sin(0.7 * static_cast<double>(n)));  // one-sided
+    EXPECT_EQ(clipped_samples_of(x), 0U);
     for (double& value : x) value = std::clamp(value, -3.1, 3.1);
-    EXPECT_EQ(rail_of(x), static_cast<std::size_t>(std::count(x.begin(), x.end(), sign * 3.1)));
+    EXPECT_EQ(clipped_samples_of(x), static_cast<std::size_t>(std::count(x.begin(), x.end(), sign * 3.1)));
   }
 }
 
-TEST(SamplesAtRail, IsNotMisledByQuantisedSmoothPeaks) {
+TEST(ClippedSamples, AreNoneInQuantisedSmoothPeaks) {
   for (const int bits : {6, 8, 12, 16}) {
     const double steps = std::ldexp(1, bits - 1) * 0.8;
     for (double width = 6; width < 400; width *= 1.17) {
@@ -91,36 +90,36 @@ TEST(SamplesAtRail, IsNotMisledByQuantisedSmoothPeaks) {
   }
 }
 
-TEST(SamplesAtRail, SeesNoRailInSilenceOrShortStretches) {
-  EXPECT_EQ(rail_of({}), 0U);
-  EXPECT_EQ(rail_of(std::vector<double>(3, 5.0)), 0U);
-  EXPECT_EQ(rail_of(std::vector<double>(100, 5.0)), 0U);
+TEST(ClippedSamples, AreNoneInSilenceOrShortSignals) {
+  EXPECT_EQ(clipped_samples_of({}), 0U);
+  EXPECT_EQ(clipped_samples_of(std::vector<double>(3, 5.0)), 0U);
+  EXPECT_EQ(clipped_samples_of(std::vector<double>(100, 5.0)), 0U);
   std::vector<double> noise(10000);
   test::add_noise(noise, 1, 2);
-  EXPECT_EQ(rail_of(noise), 0U);
+  EXPECT_EQ(clipped_samples_of(noise), 0U);
 }
 
-TEST(SamplesAtRail, CountsTopsOfAFastSwingThatEndAtOneValue) {
+TEST(ClippedSamples, CountPeaksOfAFastOscillationThatEndAtOneValue) {
   for (const double noise : {0.0, 0.01}) {
     std::vector<double> x = fast_decay(100, 300);
     test::add_noise(x, noise, 3);
     for (double& value : x) value = std::clamp(value, -80.0, 80.0);
-    const auto at_rail = std::count_if(x.begin(), x.end(), [](double value) { return std::abs(value) == 80; });
-    ASSERT_GT(at_rail, 8);
-    EXPECT_EQ(rail_of(x), static_cast<std::size_t>(at_rail));
+    const auto at_limit = std::count_if(x.begin(), x.end(), [](double value) { return std::abs(value) == 80; });
+    ASSERT_GT(at_limit, 8);
+    EXPECT_EQ(clipped_samples_of(x), static_cast<std::size_t>(at_limit));
   }
 }
 
-TEST(SamplesAtRail, IsNotMisledByQuantisedSwings) {
+TEST(ClippedSamples, AreNoneInQuantisedOscillations) {
   for (const int bits : {3, 4, 6, 8, 12, 16}) {
     for (const double tau : {50.0, 300.0, 3000.0, 1e9}) {
       for (double peak = 0.71; peak < 1; peak *= 1.013) {
         std::vector<double> x = fast_decay(peak * std::ldexp(1, bits - 1), tau);
         for (double& value : x) value = std::round(value);
-        EXPECT_EQ(rail_of(x), 0U) << bits << ' ' << tau << ' ' << peak;
+        EXPECT_EQ(clipped_samples_of(x), 0U) << bits << ' ' << tau << ' ' << peak;
       }
     }
   }
 }
 
-}  // namespace percuss::acquire::rail_test
+}  // namespace percuss::acquire::clipping_test

@@ -20,7 +20,7 @@ TEST(Finding, HasTheNamesThatScriptsRelyOn) {
   EXPECT_STREQ(name_of(Severity::reject), "reject");
 }
 
-TEST(Finding, RejectsAHitWhereverTheRejectionStands) {
+TEST(Finding, RejectsAHitAtAnyPlaceInTheList) {
   const Finding info{.code = FindingCode::double_hit, .severity = Severity::info};
   const Finding warn{.code = FindingCode::weak, .severity = Severity::warn};
   const Finding reject{.code = FindingCode::overload, .severity = Severity::reject};

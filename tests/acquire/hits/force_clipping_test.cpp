@@ -8,14 +8,14 @@
 #include "synth/read_spec.hpp"
 #include "synth/synthesise.hpp"
 
-namespace percuss::acquire::shared_rail_test {
+namespace percuss::acquire::force_clipping_test {
 
 std::size_t overloads(const Hit& hit) {
   return static_cast<std::size_t>(std::count_if(hit.findings.begin(), hit.findings.end(),
                                                 [](const Finding& f) { return f.code == FindingCode::overload; }));
 }
 
-/// A row whose pulse of five samples is clipped at `rail`, on a baseline of its own.
+/// A row with a pulse of five samples on a baseline, clipped at `clipping_level_N`.
 std::vector<double> clipped_row(double peak_N, double clipping_level_N, double baseline_N, double onset) {
   std::vector<double> row(4000, baseline_N);
   test::add_haversine(row, onset, 5, peak_N);
@@ -23,7 +23,7 @@ std::vector<double> clipped_row(double peak_N, double clipping_level_N, double b
   return row;
 }
 
-TEST(SharedRail, IsTouchedByHitsThatPeakWhereAnotherIsClipped) {
+TEST(ForceClipping, IsFoundInHitsThatPeakWhereAnotherIsClipped) {
   const auto hits =
       find_hits(test::force_record(25600, {clipped_row(150, 200, 0.1, 500.3), clipped_row(215, 200, 0.7, 500.5),
                                            clipped_row(400, 200, 0.3, 500.7)}));
@@ -36,7 +36,7 @@ TEST(SharedRail, IsTouchedByHitsThatPeakWhereAnotherIsClipped) {
   EXPECT_LE(finding.value, 2);
 }
 
-TEST(SharedRail, IsTouchedOnTheNegativeSideToo) {
+TEST(ForceClipping, IsFoundInNegativePulses) {
   auto record = test::force_record(
       25600, {clipped_row(-150, 200, 0, 500.3), clipped_row(-215, 200, 0, 500.5), clipped_row(-400, 200, 0, 500.7)});
   const auto hits = find_hits(record);
@@ -44,7 +44,7 @@ TEST(SharedRail, IsTouchedOnTheNegativeSideToo) {
   EXPECT_EQ(overloads(hits[1]), 1U);
 }
 
-TEST(SharedRail, IsNoneWhereAnotherHitGoesFurther) {
+TEST(ForceClipping, IsNoneWhereAnotherHitExceedsIt) {
   std::vector<Hit> hits(3);
   for (Hit& hit : hits) hit.peak_N = 200;
   hits[0].findings.push_back({.code = FindingCode::overload, .severity = Severity::reject});
@@ -58,7 +58,7 @@ TEST(SharedRail, IsNoneWhereAnotherHitGoesFurther) {
   EXPECT_EQ(overloads(hits[2]), 0U);
 }
 
-TEST(SharedRail, BelongsToOneFile) {
+TEST(ForceClipping, IsJudgedPerFile) {
   std::vector<Hit> hits(2);
   for (std::size_t h = 0; h < 2; ++h) hits[h] = {.row = h, .peak_N = 200};
   hits[0].findings.push_back({.code = FindingCode::overload, .severity = Severity::reject});
@@ -69,13 +69,13 @@ TEST(SharedRail, BelongsToOneFile) {
   EXPECT_EQ(overloads(hits[1]), 0U);
 }
 
-TEST(SharedRail, IsNotSeenInEqualHitsThatAreNotClipped) {
+TEST(ForceClipping, IsNoneInEqualHits) {
   const auto row = clipped_row(150, 1e9, 0, 500.3);
   for (const Hit& hit : find_hits(test::force_record(25600, {row, row, row}))) EXPECT_EQ(overloads(hit), 0U);
 }
 
-// Of a pulse of three samples one or two touch the rail: no hit shows it alone.
-TEST(SharedRail, ShowsInThePeaksOfSeveralShortPulses) {
+// A pulse of three samples has one or two clipped ones: no hit shows clipping alone.
+TEST(ForceClipping, IsFoundInEqualPeaksOfShortPulses) {
   const auto row = [](double peak_N, double onset) {
     std::vector<double> x(4000);
     test::add_haversine(x, onset, 3, peak_N);
@@ -90,7 +90,7 @@ TEST(SharedRail, ShowsInThePeaksOfSeveralShortPulses) {
   EXPECT_EQ(overloads(some[3]), 0U);
 }
 
-TEST(SharedRail, AgreesWithTheTruthOfEveryPreset) {
+TEST(ForceClipping, AgreesWithTheTruthOfEveryPreset) {
   for (const synth::SynthPreset& preset : synth::synth_presets()) {
     const synth::SyntheticTest test = synth::synthesise(synth::synth_preset(preset.name));
     const auto hits = find_hits(test.record);
@@ -101,4 +101,4 @@ TEST(SharedRail, AgreesWithTheTruthOfEveryPreset) {
   }
 }
 
-}  // namespace percuss::acquire::shared_rail_test
+}  // namespace percuss::acquire::force_clipping_test

@@ -29,10 +29,10 @@ const Finding* found(const Hit& hit, FindingCode code) {
   return at == hit.findings.end() ? nullptr : &*at;
 }
 
-/// That the hit has this finding and no other.
+/// Expects this finding and no other.
 const Finding* only(const Hit& hit, FindingCode code) { return hit.findings.size() == 1 ? found(hit, code) : nullptr; }
 
-TEST(GradeHits, FindsNothingWrongWithAGoodHit) {
+TEST(HitFindings, AreNoneForAGoodHit) {
   for (const double noise : {0.0, 1e-4, 0.5}) {
     auto row = good_row();
     test::add_noise(row, noise, 4);
@@ -40,9 +40,9 @@ TEST(GradeHits, FindsNothingWrongWithAGoodHit) {
   }
 }
 
-TEST(GradeHits, TellsASecondHitAfterOrBeforeTheMainOne) {
-  constexpr double kSample_s = 1 / kFs_Hz;  // of the delay: each top lies within half a sample of the true one
-  constexpr double kRatio = 0.06;           // of it: tops half a sample aside of a pulse of 8
+TEST(HitFindings, ReportASecondHitAfterOrBeforeTheMainOne) {
+  constexpr double kSample_s = 1 / kFs_Hz;  // of the delay: each peak is within half a sample of the true one
+  constexpr double kRatio = 0.06;           // of the ratio: peaks half a sample off in a pulse of 8
   for (const double delay : {31.5, 256.0, 2560.4, -31.5, -400.2}) {
     for (const double ratio : {0.05, 0.4}) {
       auto row = good_row();
@@ -59,7 +59,7 @@ TEST(GradeHits, TellsASecondHitAfterOrBeforeTheMainOne) {
   }
 }
 
-TEST(GradeHits, RejectsASecondHitOnlyAboveOnePercent) {
+TEST(HitFindings, RejectASecondHitOnlyAboveOnePercent) {
   auto row = good_row();
   test::add_filtered_haversine(row, 900.3, 8, 200 * 0.008);
   const Hit hit = hit_of(row);
@@ -68,7 +68,7 @@ TEST(GradeHits, RejectsASecondHitOnlyAboveOnePercent) {
   EXPECT_FALSE(rejects(hit.findings));
 }
 
-TEST(GradeHits, TellsASecondHitOnEitherSideInALongRecord) {
+TEST(HitFindings, ReportASecondHitOnBothSidesInALongRecord) {
   for (const double delay : {310.0, 900.0, -310.0, -2000.0}) {
     std::vector<double> x(120000);
     for (const double onset : {20000.0, 50000.0, 90000.0}) test::add_filtered_haversine(x, onset, 8, 200);
@@ -83,20 +83,20 @@ TEST(GradeHits, TellsASecondHitOnEitherSideInALongRecord) {
   }
 }
 
-TEST(GradeHits, TellsALateTrigger) {
+TEST(HitFindings, ReportALateTrigger) {
   const auto whole = good_row();
-  for (const std::ptrdiff_t start : {502, 504}) {  // on the flank, on the top
+  for (const std::ptrdiff_t start : {502, 504}) {  // on the flank, at the peak
     const std::vector<double> row(whole.begin() + start, whole.end());
     const Hit hit = hit_of(row);
     const Finding* finding = only(hit, FindingCode::late_trigger);
     ASSERT_NE(finding, nullptr) << start;
     EXPECT_EQ(finding->severity, Severity::reject);
-    EXPECT_LE(std::abs(finding->value - row[0] / hit.peak_N), 1e-6);  // the baseline's share of the ringing
+    EXPECT_LE(std::abs(finding->value - row[0] / hit.peak_N), 1e-6);  // the ringing in the baseline
   }
   EXPECT_TRUE(hit_of({whole.begin() + 400, whole.end()}).findings.empty());
 }
 
-TEST(GradeHits, FindsNoPulseInDriftNoiseOrSilence) {
+TEST(HitFindings, ReportNoPulseInDriftNoiseOrSilence) {
   std::vector<double> drift(kSamples), noise(kSamples), hum(kSamples);
   for (std::size_t n = 0; n < kSamples; ++n) {
     drift[n] = 1e-3 * static_cast<double>(n);
@@ -117,22 +117,22 @@ TEST(GradeHits, FindsNoPulseInDriftNoiseOrSilence) {
   }
 }
 
-TEST(GradeHits, DoesNotTakeASlowPushForAHit) {
+TEST(HitFindings, DoNotTakeASlowPushForAHit) {
   std::vector<double> row(kSamples);
   test::add_haversine(row, 2000, 0.1 * kFs_Hz, 50);  // 100 ms
   EXPECT_NE(only(hit_of(row), FindingCode::no_pulse), nullptr);
 }
 
-TEST(GradeHits, TellsAWeakHitBesideTheOthers) {
+TEST(HitFindings, ReportAWeakHit) {
   const Hit hit = hit_of(good_row(500, 200 * 0.15));
   const Finding* finding = only(hit, FindingCode::weak);
   ASSERT_NE(finding, nullptr);
   EXPECT_EQ(finding->severity, Severity::warn);
-  EXPECT_LE(std::abs(finding->value - 0.15), 0.01);  // tops beside samples
+  EXPECT_LE(std::abs(finding->value - 0.15), 0.01);  // peaks between samples
   EXPECT_TRUE(hit_of(good_row(500, 200 * 0.25)).findings.empty());
 }
 
-TEST(GradeHits, TellsAClippedForceFromAQuantisedOne) {
+TEST(HitFindings, DistinguishAClippedForceFromAQuantisedOne) {
   auto clipped = good_row(), quantised = good_row();
   for (double& value : clipped) value = std::min(value, 120.0);
   for (double& value : quantised) value = std::round(value / 0.1) * 0.1;
@@ -144,7 +144,7 @@ TEST(GradeHits, TellsAClippedForceFromAQuantisedOne) {
   EXPECT_TRUE(hit_of(quantised).findings.empty());
 }
 
-TEST(GradeHits, WarnsOfANegativeForce) {
+TEST(HitFindings, WarnOfANegativeForce) {
   auto row = good_row();
   for (double& value : row) value = -value;
   const Hit hit = hit_of(row);
@@ -154,13 +154,13 @@ TEST(GradeHits, WarnsOfANegativeForce) {
   EXPECT_LE(hit.peak_N, -190);
 }
 
-TEST(GradeHits, KeepsOnTheUndershootOfAnAcCoupledForce) {
+TEST(HitFindings, AcceptTheUndershootOfAnAcCoupledForce) {
   for (const double time_constant : {100.0, 1000.0}) {
     EXPECT_TRUE(hit_of(test::ac_coupled(good_row(), time_constant)).findings.empty()) << time_constant;
   }
 }
 
-TEST(GradeHits, TakesAPulseAtTheVeryEnd) {
+TEST(HitFindings, AcceptAPulseAtTheVeryEnd) {
   for (const std::size_t left : {0U, 1U, 5U}) {
     std::vector<double> row(kSamples);
     row[kSamples - 1 - left] = 200;
@@ -172,7 +172,7 @@ TEST(GradeHits, TakesAPulseAtTheVeryEnd) {
   }
 }
 
-TEST(GradeHits, AgreesWithTheFaultsOfASyntheticTest) {
+TEST(HitFindings, AgreeWithTheFaultsOfASyntheticTest) {
   synth::SynthSpec spec;
   spec.samples = 8192;
   spec.hits = 6;
@@ -203,7 +203,7 @@ TEST(GradeBandwidth, WarnsWhenTheForceEndsBelowTheBand) {
   EXPECT_EQ(hits[0].findings[0].value, 3000);
   EXPECT_EQ(hits[0].findings[0].severity, Severity::warn);
   EXPECT_TRUE(hits[1].findings.empty());
-  EXPECT_TRUE(hits[2].findings.empty());  // no pulse says enough
+  EXPECT_TRUE(hits[2].findings.empty());  // no_pulse is enough
 }
 
 }  // namespace percuss::acquire::hits_grade_test

@@ -55,7 +55,7 @@ TEST(FindHits, CutsALongRecordFromEachPretriggerToTheNext) {
   for (const Hit& hit : hits) EXPECT_FALSE(rejects(hit.findings));
 }
 
-TEST(FindHits, TakesEachOfSeveralRowsForOneHitUnlessTheyAreContinuous) {
+TEST(FindHits, TakesEachRowAsOneHitUnlessTheRecordIsContinuous) {
   Rows rows = {with_pulses(50000, {300, 30000}), with_pulses(40000, {500})};
   const auto one_each = hits_in(rows);
   ASSERT_EQ(one_each.size(), 2U);
@@ -73,20 +73,20 @@ TEST(FindHits, TakesEachOfSeveralRowsForOneHitUnlessTheyAreContinuous) {
   EXPECT_EQ(searched[2].row, 1U);
 }
 
-TEST(FindHits, KeepsPretriggerAndLengthGiven) {
+TEST(FindHits, UsesTheGivenPretriggerAndLength) {
   const Rows row = {with_pulses(200000, {20000, 70000})};
   const auto hits = hits_in(row, {.pretrigger_s = 0.02, .length_s = 1.5});
   ASSERT_EQ(hits.size(), 2U);
   EXPECT_EQ(hits[0].first, 20004U - 512);
   EXPECT_EQ(hits[0].samples, 38400U);
-  EXPECT_EQ(hits_in(row, {.length_s = 100})[0].samples, 50000U);  // the next hit's stretch begins there
+  EXPECT_EQ(hits_in(row, {.length_s = 100})[0].samples, 50000U);  // the samples of the next hit begin there
   const auto none = hits_in(row, {.pretrigger_s = 0});
   EXPECT_EQ(none[0].first, 20004U);
   const auto early = hits_in({with_pulses(9000, {50})}, {.pretrigger_s = 1});
   EXPECT_EQ(early[0].first, 0U);
 }
 
-TEST(FindHits, HoldsThePulseHoweverShortTheLengthGiven) {
+TEST(FindHits, KeepsThePulseForAnyLength) {
   for (const double length_s : {1e-4, 0.001, 0.1}) {
     for (const Rows& rows : {Rows(1, with_pulses(9000, {5000})), Rows(2, with_pulses(9000, {5000}))}) {
       for (const Hit& hit : hits_in(rows, {.length_s = length_s})) {
@@ -97,7 +97,7 @@ TEST(FindHits, HoldsThePulseHoweverShortTheLengthGiven) {
   }
 }
 
-TEST(FindHits, LooksOnlyAtThePartAskedFor) {
+TEST(FindHits, SearchesOnlyTheSelectedTime) {
   const Rows row = {with_pulses(200000, {20000, 70000, 150000})};
   const auto middle = hits_in(row, {.from_s = 50000 / kFs_Hz, .to_s = 100000 / kFs_Hz});
   ASSERT_EQ(middle.size(), 1U);
@@ -109,16 +109,17 @@ TEST(FindHits, LooksOnlyAtThePartAskedFor) {
   EXPECT_TRUE(has(nothing[0], FindingCode::no_pulse));
 }
 
-TEST(FindHits, RefusesAnEmptyPart) {
+TEST(FindHits, RejectsAnEmptyTimeRange) {
   const Rows row = {with_pulses(25600, {20000})};
   using testing::HasSubstr;
   EXPECT_THAT(test::input_error_of([&] { hits_in(row, {.from_s = 1}); }), HasSubstr("1 s long"));
-  EXPECT_THAT(test::input_error_of([&] { hits_in(row, {.from_s = 0.5, .to_s = 0.5}); }), HasSubstr("--to 0.5"));
-  EXPECT_THAT(test::input_error_of([&] { hits_in(row, {.to_s = -1}); }), HasSubstr("--to"));
+  EXPECT_THAT(test::input_error_of([&] { hits_in(row, {.from_s = 0.5, .to_s = 0.5}); }),
+              HasSubstr("between 0.5 s and 0.5 s"));
+  EXPECT_THAT(test::input_error_of([&] { hits_in(row, {.to_s = -1}); }), HasSubstr("and -1 s"));
   EXPECT_EQ(hits_in(row, {.from_s = -5, .to_s = 99}).size(), 1U);
 }
 
-TEST(FindHits, TakesTheTriggerGiven) {
+TEST(FindHits, UsesTheGivenTrigger) {
   auto x = with_pulses(100000, {20000});
   test::add_haversine(x, 60000, kWidth, 20);
   EXPECT_EQ(hits_in({x}).size(), 2U);
@@ -132,7 +133,7 @@ TEST(FindHits, GatesTheForceToItsPulse) {
   test::add_filtered_haversine(x, 5000.4, kWidth, 200);
   const Hit hit = hits_in({x})[0];
   EXPECT_TRUE(hit.ungated_N.empty());
-  EXPECT_LE(hit.gated_N.size(), 144 + kWidth + 2);  // the filter's reach on either side
+  EXPECT_LE(hit.gated_N.size(), 144 + kWidth + 2);  // the length of the filter on both sides
   constexpr double kFloor = 1e-9 * 200 + 1e-13;     // of the peak; rounding of the offset
   double outside = 0;
   for (std::size_t n = 0; n < x.size(); ++n) {

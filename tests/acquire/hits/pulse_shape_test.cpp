@@ -40,7 +40,7 @@ TEST(ShapeOfPulse, MeasuresAHaversine) {
   EXPECT_LE(std::abs(shape_of(x).fall - (250.3 - foot)), kChord);
 }
 
-TEST(ShapeOfPulse, EndsWithTheStretch) {
+TEST(ShapeOfPulse, EndsWithTheSignal) {
   const PulseShape cut = shape_of({80, 100, 60});
   EXPECT_FALSE(cut.starts_inside);
   EXPECT_EQ(cut.rise, 0);
@@ -68,7 +68,7 @@ TEST(GateAround, HoldsAllTheRingingOfTheFilter) {
     std::vector<double> x(500);
     test::add_filtered_haversine(x, onset, 8, 300);
     const Gate gate = gate_around(x, shape_of(x), 0);
-    EXPECT_GE(onset - static_cast<double>(gate.first), 20);  // it does ring
+    EXPECT_GE(onset - static_cast<double>(gate.first), 20);  // the filter rings
     for (std::size_t n = 0; n < x.size(); ++n) {
       const bool outside = n < gate.first || n >= gate.end;
       ASSERT_LE(outside ? std::abs(x[n]) : 0, 1e-9 * 300) << n;
@@ -89,20 +89,20 @@ TEST(GateAround, LeavesTheNoiseOutside) {
   EXPECT_EQ(gate_around(x, clean, 0.01).end, gate.end);
 }
 
-// It would let in the noise of all samples between.
-TEST(GateAround, IsNotOpenedByOneSampleFarBehindTheRinging) {
+// Otherwise the gate would contain the noise in between.
+TEST(GateAround, EndsBeforeASampleFarBehindTheRinging) {
   std::vector<double> x(4000);
   test::add_haversine(x, 2000, 40, 100);
   const PulseShape clean = shape_of(x);
   const Gate gate = gate_around(x, clean, 0.01);
-  x[1950] = x[2100] = 0.05;  // five deviations
+  x[1950] = x[2100] = 0.05;  // five standard deviations
   EXPECT_EQ(gate_around(x, clean, 0.01).first, gate.first);
   EXPECT_EQ(gate_around(x, clean, 0.01).end, gate.end);
   x[gate.end + 6] = 0.05;
   EXPECT_EQ(gate_around(x, clean, 0.01).end, gate.end + 7);
 }
 
-TEST(GateAround, StaysInsideTheStretch) {
+TEST(GateAround, StaysInsideTheSignal) {
   for (const std::vector<double>& x : {std::vector<double>{5}, {5, 4}, {0, 5}, {0, 0, 5}, {5, 0, 0}, {1, 5, 1}}) {
     const Gate gate = gate_around(x, shape_of(x), 0);
     EXPECT_LE(gate.first, largest_sample(x));
@@ -131,7 +131,7 @@ TEST(Bandwidth, OfAHaversineIsTheMainLobesTwentyDecibels) {
   }
 }
 
-TEST(Bandwidth, TakesPulsesOfAnyLength) {
+TEST(Bandwidth, IsDefinedForPulsesOfAnyLength) {
   std::vector<double> x(20011, 1.0);
   EXPECT_LE(bandwidth_Hz(x, 20011), 2.0);  // the first zero of a rectangle is at 1 Hz
   EXPECT_GE(bandwidth_Hz(x, 20011), 0.9);

@@ -41,7 +41,7 @@ std::size_t decayed(const Hit& hit, std::span<const double> accel) {
 
 ResponseGrade grade(const std::vector<double>& accel) { return grade_response(hit(), accel, kFs_Hz); }
 
-TEST(GradeResponse, MeasuresWhatIsLeftOfTheDecay) {
+TEST(GradeResponse, MeasuresTheLevelAtTheEnd) {
   for (const double tau : {1000.0, 3000.0, 20000.0}) {
     const std::size_t after = hit().gate_first + hit().gated_N.size();
     const double window = std::floor(static_cast<double>(kSamples - after) / 20);  // first and last of the decay
@@ -57,8 +57,8 @@ TEST(GradeResponse, IsTruncatedWhenItStillRingsAtSixTimeConstants) {
   EXPECT_FALSE(grade(ringing(1500)).truncated);  // −63 dB
 }
 
-// Rounded without noise a decay ends in a constant, and what was rounded off is no noise.
-TEST(GradeResponse, TellsStepsThatNoNoiseBlurs) {
+// A decay that is rounded without noise ends in a constant. The rounding error is not noise.
+TEST(GradeResponse, FindsStepsWithoutNoise) {
   const auto rounded = [](std::vector<double> x, double step) {
     for (double& value : x) value = step * std::round(value / step);
     return x;
@@ -72,10 +72,10 @@ TEST(GradeResponse, TellsStepsThatNoNoiseBlurs) {
     EXPECT_EQ(grade(rounded(blurred, step)).coarse_step, 0) << step;
   }
   EXPECT_EQ(grade(ringing(600)).coarse_step, 0);
-  EXPECT_EQ(grade(ringing(20)).coarse_step, 0);  // sunk to nothing
+  EXPECT_EQ(grade(ringing(20)).coarse_step, 0);  // decayed to zero
 }
 
-TEST(GradeResponse, IsNotTruncatedWhenOnlyNoiseIsLeft) {
+TEST(GradeResponse, IsNotTruncatedWhenOnlyNoiseRemains) {
   for (const double noise : {0.01, 0.3, 3.0}) {
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
       auto decayed = ringing(600);
@@ -88,7 +88,7 @@ TEST(GradeResponse, IsNotTruncatedWhenOnlyNoiseIsLeft) {
   }
 }
 
-TEST(GradeResponse, KnowsRingingFromNoiseWithoutAPretrigger) {
+TEST(GradeResponse, DistinguishesRingingFromNoiseWithoutAPretrigger) {
   const Hit early = hit_at(2);
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     auto decayed = ringing(600, 50, 2);
@@ -98,7 +98,7 @@ TEST(GradeResponse, KnowsRingingFromNoiseWithoutAPretrigger) {
   EXPECT_TRUE(grade_response(early, ringing(3000, 50, 2), kFs_Hz).truncated);
 }
 
-TEST(GradeResponse, SeesWhatRingsBeforeTheHit) {
+TEST(GradeResponse, FindsRingingBeforeTheHit) {
   auto earlier = ringing(1500);
   for (std::size_t n = 0; n < kSamples; ++n) {
     const auto t = static_cast<double>(n);
@@ -127,7 +127,7 @@ TEST(GradeResponse, MeasuresDelayAndDirectionOfTheFirstMotion) {
   }
 }
 
-TEST(GradeResponse, SaysNothingOfAChannelThatShowsNothing) {
+TEST(GradeResponse, IsEmptyForAChannelWithoutResponse) {
   for (const double level : {0.0, -3.25}) {
     const ResponseGrade found = grade(std::vector<double>(kSamples, level));
     EXPECT_EQ(found.polarity, 0);
@@ -138,7 +138,7 @@ TEST(GradeResponse, SaysNothingOfAChannelThatShowsNothing) {
   }
 }
 
-TEST(GradeResponse, KnowsADeadChannel) {
+TEST(GradeResponse, FindsADeadChannel) {
   for (const double level : {0.0, -3.25}) EXPECT_TRUE(grade(std::vector<double>(kSamples, level)).dead);
   std::vector<double> nearly(kSamples);
   nearly[17] = 1e-300;
@@ -146,17 +146,17 @@ TEST(GradeResponse, KnowsADeadChannel) {
   EXPECT_FALSE(grade(ringing(1000)).dead);
 }
 
-TEST(GradeResponse, TakesNoRestForARail) {
+TEST(GradeResponse, DoesNotTakeRestForClipping) {
   for (const std::size_t onset : {kOnset, std::size_t{2}}) {  // with and without a pre-trigger
     std::vector<double> x(kSamples);
     for (std::size_t n = onset; n < onset + 400; ++n)
-      x[n] = 30 + 20 * std::sin(0.2 * static_cast<double>(n - onset));  // to one side only
+      x[n] = 30 + 20 * std::sin(0.2 * static_cast<double>(n - onset));  // one-sided
     EXPECT_EQ(grade_response(hit_at(onset), x, kFs_Hz).clipped_samples, 0U) << onset;
   }
 }
 
-// The record's filter lets the response ring before it comes, in turns near half the rate.
-TEST(GradeResponse, IsNotMisledByTheFiltersRinging) {
+// The filter makes the response ring before its onset, near half the sampling rate.
+TEST(GradeResponse, IgnoresTheRingingOfTheFilter) {
   for (const double sign : {1.0, -1.0}) {
     for (const std::size_t start : {kOnset - 2, kOnset - 1, kOnset}) {
       auto x = ringing(1000, sign * 50);
@@ -170,7 +170,7 @@ TEST(GradeResponse, IsNotMisledByTheFiltersRinging) {
   }
 }
 
-TEST(GradeResponse, CountsSamplesAtTheRail) {
+TEST(GradeResponse, CountsClippedSamples) {
   auto clipped = ringing(2000);
   for (double& value : clipped) value = std::clamp(value, -30.0, 30.0);
   const auto expected = static_cast<std::size_t>(
@@ -198,7 +198,7 @@ TEST(GradeResponse, DoesNotDependOnUnitOrOffset) {
   EXPECT_EQ(grade(x).delay_s, plain.delay_s);
 }
 
-TEST(GradeResponse, SurvivesPulsesAtTheVeryEndAndShortStretches) {
+TEST(GradeResponse, AcceptsPulsesAtTheVeryEndAndShortSignals) {
   for (const std::size_t samples : {3U, 40U, 200U, 5000U}) {
     for (const std::size_t left : {0U, 1U, 2U, 9U}) {
       if (left >= samples) continue;
@@ -226,7 +226,7 @@ TEST(DecayedLength, IsTwiceTheTimeToTheBackground) {
   EXPECT_LE(std::abs(static_cast<double>(decayed(hit(), x)) - exact), 2.5 * window);  // whole windows, twice
 }
 
-TEST(DecayedLength, IsEverythingWhileItStillFallsOrIsShort) {
+TEST(DecayedLength, IsTheWholeSignalWhileItFallsOrIsShort) {
   for (const double tau : {1e6, 20000.0, 9000.0, 7500.0, 7000.0, 5000.0}) {
     EXPECT_EQ(decayed(hit(), ringing(tau)), kSamples) << tau;
   }
@@ -235,7 +235,7 @@ TEST(DecayedLength, IsEverythingWhileItStillFallsOrIsShort) {
   EXPECT_EQ(decayed(hit_at(20, 300), ringing(10, 50, 20, 300)), 300U);
 }
 
-TEST(DecayedLength, IsShortForAChannelThatShowsNothingButItsNoise) {
+TEST(DecayedLength, IsShortForAChannelWithNoiseOnly) {
   std::vector<double> x(kSamples);
   test::add_noise(x, 0.3, 6);
   EXPECT_LE(decayed(hit(), x), kSamples / 10);

@@ -25,12 +25,12 @@ std::vector<double> two_pulses(double width, double delay, double ratio, double 
   return x;
 }
 
-/// Both tops fall up to half a sample beside a sample: 1 − cos² of π/2 over the width; and what rings from one into the
-/// other, and the 5-sample mean's own flattening of unequal phases.
+/// Each peak is up to half a sample off: 1 − cos² of π/2 over the width. Added are the ringing of one pulse in the
+/// other, and the different effect of the 5-sample mean at different phases.
 double ratio_slack(double width) { return std::pow(std::numbers::pi / 2 / width, 2) + 0.01; }
 
 TEST(SecondPulse, IsFoundWithItsDelayAndRatio) {
-  constexpr double kDelay = 1;  // samples: each top lies within half a sample of the true one
+  constexpr double kDelay = 1;  // samples: each peak is within half a sample of the true one
   for (const double width : {6.0, 7.7, 20.0, 60.0}) {
     for (const double delay : {4.1 * width + 20, 1000.0, -1777.7, -4.0 * width - 21.3}) {
       for (const double ratio : {0.02, 0.1, 0.35, 0.9}) {
@@ -91,7 +91,7 @@ TEST(SecondPulse, IsNotNoise) {
   }
 }
 
-TEST(SecondPulse, StandsOutOfNoise) {
+TEST(SecondPulse, IsFoundInNoise) {
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     auto x = two_pulses(8, 400, 0.1, 1);
     test::add_noise(x, 0.005, seed);
@@ -108,7 +108,7 @@ TEST(SecondPulse, IsNotTheUndershootOfAnAcCoupledChannel) {
     std::vector<double> x(kSamples);
     test::add_filtered_haversine(x, 3000, 8, 300);
     const auto coupled = test::ac_coupled(x, time_constant);
-    ASSERT_LE(*std::min_element(coupled.begin() + 3010, coupled.end()), -0.2);  // it does undershoot
+    ASSERT_LE(*std::min_element(coupled.begin() + 3010, coupled.end()), -0.2);  // the coupling makes an undershoot
     EXPECT_FALSE(second_in(coupled)) << time_constant;
     if (time_constant < 50) continue;
     // Two couplings overshoot back, by less the longer they are beside the pulse.
@@ -116,13 +116,13 @@ TEST(SecondPulse, IsNotTheUndershootOfAnAcCoupledChannel) {
   }
 }
 
-TEST(SecondPulse, IsSeenInTheUndershootOfAnAcCoupledChannel) {
+TEST(SecondPulse, IsFoundInTheUndershootOfAnAcCoupledChannel) {
   const auto second = second_in(test::ac_coupled(two_pulses(8, 200, 0.3), 300));
   ASSERT_TRUE(second);
   EXPECT_LE(std::abs(second->delay_samples - 200), 1);
 }
 
-TEST(SecondPulse, NeedsNoMoreThanThePulse) {
+TEST(SecondPulse, IsNoneInThePulseAlone) {
   for (const std::vector<double>& x : {std::vector<double>{5}, {5, 4}, {0, 5}, {0, 0, 5}, {5, 0, 0}, {1, 5, 1}}) {
     EXPECT_FALSE(second_in(x));
   }

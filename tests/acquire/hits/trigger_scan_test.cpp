@@ -9,12 +9,12 @@
 #include "core/parallel/parallel.hpp"
 #include "support/force_row.hpp"
 
-namespace percuss::acquire::pulse_search_test {
+namespace percuss::acquire::trigger_scan_test {
 
 using Events = std::vector<std::size_t>;
 
 constexpr double kFs_Hz = 25600;
-constexpr std::size_t kChunk = std::size_t{1} << 18U;  // about what is read at a time
+constexpr std::size_t kChunk = std::size_t{1} << 18U;  // about the samples per read
 constexpr std::size_t kSeparation = 6400;              // 0.25 s
 
 // A pulse of ±4 samples whose largest sample is `at`.
@@ -26,7 +26,7 @@ TriggerScan scan(const std::vector<double>& x, const TriggerOptions& options = {
   return scan_for_triggers(test::force_record(kFs_Hz, {x}), 0, options);
 }
 
-TEST(SurveyForce, FindsPulsesOfEitherSignAtTheirLargestSample) {
+TEST(TriggerScan, FindsPulsesOfEitherSignAtTheirLargestSample) {
   std::vector<double> x(100000);
   add_pulse(x, 5000, 200);
   add_pulse(x, 30000, -120);
@@ -34,12 +34,12 @@ TEST(SurveyForce, FindsPulsesOfEitherSignAtTheirLargestSample) {
   const TriggerScan found = scan(x);
   EXPECT_EQ(found.events, (Events{5000, 30000, 70001}));
   EXPECT_EQ(found.baseline_N, 0);
-  EXPECT_EQ(found.noise_N, 0);  // an exactly silent channel is no obstacle
+  EXPECT_EQ(found.noise_N, 0);  // an exactly silent channel is valid
   EXPECT_DOUBLE_EQ(found.largest_N, 200);
   EXPECT_DOUBLE_EQ(found.trigger_N, 2);  // 1 % of the largest
 }
 
-TEST(SurveyForce, MeasuresBaselineAndNoiseBesideThePulses) {
+TEST(TriggerScan, MeasuresBaselineAndNoiseBesideThePulses) {
   std::vector<double> x(60000, -7.5);
   test::add_noise(x, 0.4, 3);
   for (std::size_t at = 8000; at < 60000; at += 8000) add_pulse(x, at, 90);
@@ -52,7 +52,7 @@ TEST(SurveyForce, MeasuresBaselineAndNoiseBesideThePulses) {
   EXPECT_EQ(found.events.size(), 7U);
 }
 
-TEST(SurveyForce, FindsNothingInNoiseAConstantOrSilence) {
+TEST(TriggerScan, FindsNothingInNoiseAConstantOrSilence) {
   std::vector<double> noise(500000, 3.0);
   test::add_noise(noise, 1, 1);
   EXPECT_TRUE(scan(noise).events.empty());
@@ -65,7 +65,7 @@ TEST(SurveyForce, FindsNothingInNoiseAConstantOrSilence) {
   EXPECT_TRUE(scan({}).events.empty());
 }
 
-TEST(SurveyForce, CountsWhatFollowsWithinTheSeparationAsOneEvent) {
+TEST(TriggerScan, JoinsPulsesWithinTheSeparation) {
   for (const double bounce : {30.0, 170.0}) {  // smaller or larger than the first
     std::vector<double> x(50000);
     add_pulse(x, 10000, 100);
@@ -75,7 +75,7 @@ TEST(SurveyForce, CountsWhatFollowsWithinTheSeparationAsOneEvent) {
   }
 }
 
-TEST(SurveyForce, SeparatesPulsesFurtherApart) {
+TEST(TriggerScan, SeparatesPulsesFurtherApart) {
   std::vector<double> x(50000);
   add_pulse(x, 10000, 100);
   add_pulse(x, 10000 + kSeparation + 256, 90);
@@ -84,7 +84,7 @@ TEST(SurveyForce, SeparatesPulsesFurtherApart) {
   EXPECT_EQ(scan(x, {.separation_s = 0}).events.size(), 2U);
 }
 
-TEST(SurveyForce, TakesAForceThatRingsAboutTheTriggerForOneEvent) {
+TEST(TriggerScan, TakesAForceThatRingsAtTheTriggerAsOneEvent) {
   std::vector<double> x(60000);
   for (std::size_t n = 20000; n < x.size(); ++n) {
     const double t = static_cast<double>(n - 20000) / kFs_Hz;
@@ -93,7 +93,7 @@ TEST(SurveyForce, TakesAForceThatRingsAboutTheTriggerForOneEvent) {
   EXPECT_EQ(scan(x, {.trigger_N = 5}).events, Events{20000});
 }
 
-TEST(SurveyForce, TakesTheTriggerGiven) {
+TEST(TriggerScan, UsesTheGivenTrigger) {
   std::vector<double> x(60000);
   add_pulse(x, 10000, 100);
   add_pulse(x, 30000, 10);
@@ -102,7 +102,7 @@ TEST(SurveyForce, TakesTheTriggerGiven) {
   EXPECT_TRUE(scan(x, {.trigger_N = 101}).events.empty());
 }
 
-// Where the survey's reads of a silent row of this length begin.
+// The first samples of the reads of a silent row of this length.
 std::vector<std::size_t> part_borders(std::size_t samples) {
   Record record = test::force_record(kFs_Hz, {std::vector<double>(samples)});
   std::vector<std::size_t> starts;
@@ -110,12 +110,12 @@ std::vector<std::size_t> part_borders(std::size_t samples) {
     starts.push_back(first);
     std::fill(out.begin(), out.end(), 0.0);
   };
-  const ThreadLimit one(1);  // so that they come in order
+  const ThreadLimit one(1);  // in order
   scan_for_triggers(record, 0);
   return starts;
 }
 
-TEST(SurveyForce, FindsPulsesOnTheBordersOfChunksAndBlocks) {
+TEST(TriggerScan, FindsPulsesAtTheBordersOfChunksAndBlocks) {
   constexpr std::size_t kSamples = 2 * kChunk + 1000;
   const std::vector<std::size_t> parts = part_borders(kSamples);
   ASSERT_EQ(parts.size() % 3, 0U);  // three chunks of so many parts; the first border is one of blocks instead
@@ -132,7 +132,7 @@ TEST(SurveyForce, FindsPulsesOnTheBordersOfChunksAndBlocks) {
   EXPECT_EQ(scan(all).events, borders);
 }
 
-TEST(SurveyForce, FindsAPulseAtTheVeryFirstAndLastSample) {
+TEST(TriggerScan, FindsAPulseAtTheVeryFirstAndLastSample) {
   for (const std::size_t size : {3U, 64U, 65U, 1000U}) {
     for (const std::size_t at : {std::size_t{0}, size - 1}) {
       std::vector<double> x(size);
@@ -142,7 +142,7 @@ TEST(SurveyForce, FindsAPulseAtTheVeryFirstAndLastSample) {
   }
 }
 
-TEST(SurveyForce, KnowsBaselineAndNoiseWhateverTheLengthOfTheLastChunk) {
+TEST(TriggerScan, MeasuresBaselineAndNoiseForAnyLengthOfTheLastChunk) {
   for (const std::size_t extra : {0U, 1U, 2U, 70U, 5000U}) {
     std::vector<double> x(kChunk + extra, 20.0);
     test::add_noise(x, 0.5, extra);
@@ -154,7 +154,7 @@ TEST(SurveyForce, KnowsBaselineAndNoiseWhateverTheLengthOfTheLastChunk) {
   }
 }
 
-TEST(SurveyForce, SearchesOnlyThePartAskedFor) {
+TEST(TriggerScan, SearchesOnlyTheSelectedSamples) {
   std::vector<double> x(60000);
   for (const std::size_t at : {10000U, 30000U, 50000U}) add_pulse(x, at, 100);
   EXPECT_EQ(scan(x, {.first = 20001}).events, (Events{30000, 50000}));
@@ -165,7 +165,7 @@ TEST(SurveyForce, SearchesOnlyThePartAskedFor) {
   EXPECT_TRUE(scan(x, {.first = 5, .last = 5}).events.empty());
 }
 
-TEST(SurveyForce, ReadsEachSampleOnceAndTheBlocksOfItsEventsTwice) {
+TEST(TriggerScan, ReadsEachSampleOnceAndTheBlocksOfItsEventsTwice) {
   std::vector<double> x(2 * kChunk + 777);
   for (const std::size_t at : {1000U, 100000U, 300000U}) add_pulse(x, at, 100);
   Record record = test::force_record(kFs_Hz, {x});
@@ -184,7 +184,7 @@ TEST(SurveyForce, ReadsEachSampleOnceAndTheBlocksOfItsEventsTwice) {
   EXPECT_EQ(times(1), x.size() - 500 - 192);
 }
 
-TEST(SurveyForce, DoesNotDependOnUnitSignOrOffset) {
+TEST(TriggerScan, DoesNotDependOnUnitSignOrOffset) {
   std::vector<double> x(100000);
   test::add_noise(x, 0.25, 7);
   for (const std::size_t at : {9000U, 40000U, 77777U}) add_pulse(x, at, 60);
@@ -201,4 +201,4 @@ TEST(SurveyForce, DoesNotDependOnUnitSignOrOffset) {
   EXPECT_EQ(scan(x).events, plain.events);
 }
 
-}  // namespace percuss::acquire::pulse_search_test
+}  // namespace percuss::acquire::trigger_scan_test

@@ -12,14 +12,14 @@
 #include "support/input_error.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace percuss::acquire::plain_samples_test {
+namespace percuss::acquire::contiguous_samples_test {
 
 using test::Hdf5Builder;
 using test::Hdf5Storage;
 
 constexpr std::size_t kRows = 3, kChannels = 2, kSamples = 40000;  // more than one piece of a read
 
-class PlainSamples : public testing::Test {
+class ContiguousSamples : public testing::Test {
  protected:
   std::string file(const Hdf5Storage& storage) const {
     std::string path = folder_.file("record.h5");
@@ -44,7 +44,7 @@ void expect_ramps(const Record& record, double g) {
   for (std::size_t i = 0; i < accel.size(); ++i) ASSERT_DOUBLE_EQ(accel[i], g * test::ramp_value(begin + i));
 }
 
-TEST_F(PlainSamples, AreReadAsTheLibraryReadsThem) {
+TEST_F(ContiguousSamples, AreReadAsTheLibraryReadsThem) {
   constexpr double kGravity_mps2 = 9.80665;
   for (const hid_t type : {H5T_IEEE_F64LE, H5T_IEEE_F32LE, H5T_IEEE_F64BE, H5T_STD_I16LE}) {
     const bool contiguous = H5Tequal(type, H5T_IEEE_F64LE) > 0 || H5Tequal(type, H5T_IEEE_F32LE) > 0;
@@ -56,14 +56,14 @@ TEST_F(PlainSamples, AreReadAsTheLibraryReadsThem) {
   }
 }
 
-TEST_F(PlainSamples, OfTheChannelsThatWereChosen) {
+TEST_F(ContiguousSamples, AreReadForTheChosenChannels) {
   const Record record = open_record(file({}), {.accel_channels = {"2"}, .accel_scale = {-3}});
   std::vector<double> accel(9);
   record.read_accel_mps2(0, 0, 4, accel);
   for (std::size_t i = 0; i < accel.size(); ++i) EXPECT_EQ(accel[i], -3 * test::ramp_value(kSamples + 4 + i));
 }
 
-TEST_F(PlainSamples, AreNotThoseOfScatteredSets) {
+TEST_F(ContiguousSamples, ExcludeChunkedSets) {
   const std::string path = folder_.file("chunks.h5");
   Hdf5Builder(path).numbers("", "fs", {1000}).ramp("force", {kSamples}).ramp("accel", {kSamples}, {.chunk = {1000}});
   const Record record = open_record(path);
@@ -74,7 +74,7 @@ TEST_F(PlainSamples, AreNotThoseOfScatteredSets) {
 }
 
 // The library's reader words the refusal: it knows the place.
-TEST_F(PlainSamples, ThatAreNoNumbersAreRefusedWithTheirPlace) {
+TEST_F(ContiguousSamples, AreRefusedWithTheirPlaceWhenNotFinite) {
   const std::string path = folder_.file("bad.h5");
   std::vector<double> values(kSamples, 1.0);
   values[20000] = std::numeric_limits<double>::quiet_NaN();
@@ -90,7 +90,7 @@ TEST_F(PlainSamples, ThatAreNoNumbersAreRefusedWithTheirPlace) {
   }
 }
 
-TEST_F(PlainSamples, OfAFileThatWasCutMeanwhileAreRefused) {
+TEST_F(ContiguousSamples, AreRefusedInAFileTruncatedMeanwhile) {
   const std::string path = file({});
   const Record record = open_record(path);
   std::filesystem::resize_file(path, 4096);
@@ -98,4 +98,4 @@ TEST_F(PlainSamples, OfAFileThatWasCutMeanwhileAreRefused) {
   EXPECT_THAT(test::input_error_of([&] { record.read_accel_mps2(2, 1, 0, accel); }), testing::HasSubstr("changed"));
 }
 
-}  // namespace percuss::acquire::plain_samples_test
+}  // namespace percuss::acquire::contiguous_samples_test

@@ -49,7 +49,7 @@ TEST(Converted, MultipliedBackIsTheAccelerance) {
   }
 }
 
-TEST(Converted, LeavesItsInputAndAnAcceleranceAlone) {
+TEST(Converted, LeavesItsInputAndAnAcceleranceUnchanged) {
   const Frf input = accelerance();
   const Frf mobility = converted(input, lines(9), FrfKind::mobility);
   EXPECT_EQ(input.value, accelerance().value);
@@ -58,7 +58,7 @@ TEST(Converted, LeavesItsInputAndAnAcceleranceAlone) {
   EXPECT_EQ(converted(input, lines(9), FrfKind::accelerance, 7).value, input.value);
 }
 
-TEST(Converted, IsZeroAtZeroFrequencyUnlessAWindowMovesIt) {
+TEST(Converted, IsZeroAtZeroFrequencyWithoutAWindow) {
   for (const FrfKind kind : {FrfKind::mobility, FrfKind::receptance}) {
     const Frf still = converted(accelerance(), lines(0), kind);
     EXPECT_EQ(still.value[0], 0.0);
@@ -77,7 +77,7 @@ TEST(Converted, TakesAnFrfOfOneHit) {
   EXPECT_TRUE(converted(single, lines(5), FrfKind::receptance).std.empty());
 }
 
-TEST(FrfKind, HasTheNamesAndUnitsOfTheField) {
+TEST(FrfKind, HasTheUsualNamesAndUnits) {
   EXPECT_STREQ(name_of(FrfKind::accelerance), "accelerance");
   EXPECT_STREQ(name_of(FrfKind::mobility), "mobility");
   EXPECT_STREQ(name_of(FrfKind::receptance), "receptance");

@@ -29,7 +29,7 @@ std::vector<int> points_of(const Record& record) {
   return points;
 }
 
-TEST(JoinRecords, PassesASingleOneThrough) {
+TEST(JoinRecords, ReturnsASingleRecordUnchanged) {
   Record one = record_at("a", {{1, 2}, {3, 4}});
   one.notes = {"as it was"};
   const Record joined = join_records({one}, FileGrouping::points);
@@ -52,7 +52,7 @@ TEST(JoinRecords, KeepsEveryRowOfEveryFileInOrder) {
   EXPECT_FALSE(joined.continuous);
 }
 
-TEST(JoinRecords, LooksForHitsWhereEveryFileHasOneRow) {
+TEST(JoinRecords, SearchesForHitsWhereEachFileHasOneRow) {
   EXPECT_TRUE(join_records({record_at("a", {{1, 2}}), record_at("b", {{3, 4}})}, FileGrouping::hits).continuous);
 }
 
@@ -80,7 +80,7 @@ TEST(JoinRecords, NamesTheFileThatDiffers) {
   EXPECT_THAT(input_error_of([] { join_records({}, FileGrouping::hits); }), HasSubstr("nothing to join"));
 }
 
-TEST(JoinRecords, NotesChannelsThatAreCalledOtherwise) {
+TEST(JoinRecords, NotesChannelsWithOtherNames) {
   Record other = record_at("b", {{1}});
   other.accel.front().name = "top";
   other.notes = {"mind this"};

@@ -8,7 +8,7 @@
 
 namespace percuss::acquire::sampling_rate_test {
 
-TEST(SamplingRate, IsWhatCanRing) {
+TEST(SamplingRate, IsLimitedToPlausibleRates) {
   EXPECT_EQ(checked_rate_Hz(1e-3, "x"), 1e-3);
   EXPECT_EQ(checked_rate_Hz(51200, "x"), 51200);
   for (const double fs_Hz : {0.0, -1.0, 1e10, std::nan("")})

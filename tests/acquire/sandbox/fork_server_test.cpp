@@ -13,11 +13,11 @@
 #include "support/scratch_folder.hpp"
 #include "support/synthetic_files.hpp"
 
-namespace percuss::acquire::reader_nursery_test {
+namespace percuss::acquire::fork_server_test {
 
 using testing::HasSubstr;
 
-/// Serves a row of numbers that count from the path's length; dies or refuses when the path asks for it.
+/// Serves a row of numbers that count from the length of the path. The paths "crash" and "refuse" fail.
 SandboxService counting(const std::string& path) {
   if (path == "crash") std::raise(SIGSEGV);
   if (path == "refuse") throw InputError("refused", path, "ask for another");
@@ -36,11 +36,11 @@ std::string refusal(const std::shared_ptr<ForkServer>& fork_server, const std::s
   }
 }
 
-TEST(ForkServer, ForksReadersThatServe) {
+TEST(ForkServer, ForksReaders) {
   const auto fork_server = std::make_shared<ForkServer>(counting);
   SandboxProcess process("four", fork_server);
   EXPECT_EQ(process.description(), "four");
-  std::vector<double> numbers(300'000);  // more than go over at once
+  std::vector<double> numbers(300'000);  // more than one transfer
   process.read(0, 0, 10, numbers);
   for (std::size_t i = 0; i < numbers.size(); ++i) ASSERT_EQ(numbers[i], 14.0 + static_cast<double>(i));
 }
@@ -56,15 +56,15 @@ TEST(ForkServer, ServesSeveralThreads) {
   });
 }
 
-TEST(ForkServer, TellsWhatBecomesOfAReader) {
+TEST(ForkServer, ReportsErrorsAndCrashesOfReaders) {
   const auto fork_server = std::make_shared<ForkServer>(counting);
   EXPECT_THAT(refusal(fork_server, "refuse"), HasSubstr("refused (refuse)"));
   EXPECT_THAT(refusal(fork_server, "crash"), HasSubstr("crash"));
-  EXPECT_EQ(refusal(fork_server, "fine"), "");  // and is there for the next
+  EXPECT_EQ(refusal(fork_server, "fine"), "");  // the server still runs
   EXPECT_FALSE(fork_server->lost());
 }
 
-TEST(ForkServer, SaysOfReadersThatNeverWere) {
+TEST(ForkServer, ReportsUnknownReaders) {
   ForkServer fork_server(counting);
   int status = 0;
   EXPECT_EQ(fork_server.ended(1, status), -1);
@@ -74,16 +74,16 @@ TEST(ForkServer, SaysOfReadersThatNeverWere) {
   EXPECT_FALSE(fork_server.lost());
 }
 
-TEST(ForkServer, OpensWhatIsOpenedWithoutIt) {
+TEST(ForkServer, OpensFilesAsTheyAreOpenedWithoutIt) {
   const test::ScratchFolder folder;
-  frf::FrfReadOptions options;
+  FrfReadOptions options;
   options.read.sandboxed = true;
-  const auto fork_server = frf::measurement_fork_server(options);
+  const auto fork_server = measurement_fork_server(options);
   for (const char* kind : {".h5", ".mat", ".wav", ".csv"}) {
     const std::string path = folder.file(std::string("t") + kind);
     test::write_small_test(path);
-    const auto opened = frf::open_measurement_forked(fork_server, path, options),
-               alone = frf::open_measurement(path, options);
+    const auto opened = open_measurement_forked(fork_server, path, options),
+               alone = open_measurement(path, options);
     const auto &one = std::get<Record>(opened), &other = std::get<Record>(alone);
     EXPECT_EQ(one.fs_Hz, other.fs_Hz);
     ASSERT_EQ(one.rows.size(), other.rows.size());
@@ -94,4 +94,4 @@ TEST(ForkServer, OpensWhatIsOpenedWithoutIt) {
   }
 }
 
-}  // namespace percuss::acquire::reader_nursery_test
+}  // namespace percuss::acquire::fork_server_test

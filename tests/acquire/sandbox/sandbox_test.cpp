@@ -28,7 +28,7 @@
 #include "support/scratch_folder.hpp"
 #include "support/synthetic_files.hpp"
 
-namespace percuss::acquire::confined_test {
+namespace percuss::acquire::sandbox_test {
 
 using test::accel_mps2;
 using test::force_N;
@@ -39,9 +39,9 @@ using testing::HasSubstr;
 
 Record small_record() { return record_in_memory(1000, {{1, 2, 3}, {4, 5, 6}}, {{{7, 8, 9}}, {{10, 11, 12}}}); }
 
-class Confined : public testing::Test {
+class Sandbox : public testing::Test {
  protected:
-  /// The message when the reader of a file does that in its confined process.
+  /// The message when the sandboxed reader of a file calls `happens`.
   std::string message_when(const std::function<void()>& happens) const {
     return input_error_of([&] {
       open_in_sandbox(path_, [&] {
@@ -55,7 +55,7 @@ class Confined : public testing::Test {
   std::string path_ = folder_.file("r.mat");
 };
 
-TEST_F(Confined, GivesTheRecordThatTheReaderGives) {
+TEST_F(Sandbox, OpensTheSameRecord) {
   for (const char* name : {"r.mat", "r.h5"}) {
     const std::string path = folder_.file(name);
     if (path.ends_with("mat")) {
@@ -73,7 +73,7 @@ TEST_F(Confined, GivesTheRecordThatTheReaderGives) {
   }
 }
 
-TEST_F(Confined, ServesMoreThanGoesOverAtOnce) {
+TEST_F(Sandbox, ServesMoreThanOneTransfer) {
   std::vector<double> force(400'000), accel(400'000);
   for (std::size_t i = 0; i < force.size(); ++i) {
     force[i] = static_cast<double>(i);
@@ -84,7 +84,7 @@ TEST_F(Confined, ServesMoreThanGoesOverAtOnce) {
   EXPECT_EQ(accel_mps2(record), accel);
 }
 
-TEST_F(Confined, PassesOnWhatTheReaderRefuses) {
+TEST_F(Sandbox, PassesErrorsOn) {
   EXPECT_EQ(message_when([] { throw InputError("wrong", "here", "mend it"); }), "wrong (here); mend it");
   test::MatBuilder(path_, test::MatLevel::v5).numbers("a", {3, 1}, {1, 2, 3}).numbers("fs", {1, 1}, {9});
   try {
@@ -101,10 +101,32 @@ TEST_F(Confined, PassesOnWhatTheReaderRefuses) {
     return bad;
   });
   EXPECT_THAT(input_error_of([&] { force_N(record); }), HasSubstr("bad sample"));
-  EXPECT_EQ(accel_mps2(record)[0], 7) << "and goes on";
+  EXPECT_EQ(accel_mps2(record)[0], 7) << "the reader still runs";
 }
 
-TEST_F(Confined, TurnsACrashIntoOneLine) {
+TEST_F(Sandbox, PassesTheFieldsOfAnErrorOn) {
+  const auto error_of = [&](const InputError& thrown) -> std::optional<InputError> {
+    try {
+      open_in_sandbox(path_, [&]() -> Record { throw thrown; });
+    } catch (const InputError& error) {
+      return error;
+    }
+    return std::nullopt;
+  };
+  const InputError thrown("no sampling rate", path_, "state it in Hz", {"fs", "survey.example"});
+  const auto error = error_of(thrown);
+  ASSERT_TRUE(error);
+  EXPECT_EQ(error->problem(), thrown.problem());
+  EXPECT_EQ(error->where(), thrown.where());
+  EXPECT_EQ(error->remedy(), thrown.remedy());
+  EXPECT_EQ(error->options(), thrown.options());
+  EXPECT_STREQ(error->what(), thrown.what());
+  // Only a compromised process sends such identifiers, which would reach the terminal.
+  EXPECT_THAT(error_of(InputError("a", "b", "c", {"\x1b[2J"}))->what(), HasSubstr("contradict"));
+  EXPECT_THAT(error_of(InputError("a", "b", "c", std::vector<OptionId>(17, "fs")))->what(), HasSubstr("contradict"));
+}
+
+TEST_F(Sandbox, ReportsACrashInOneLine) {
   EXPECT_THAT(message_when([] { std::raise(SIGSEGV); }), AllOf(HasSubstr("crash"), HasSubstr(path_)));
   EXPECT_THAT(message_when([] { ::_exit(7); }), HasSubstr("crash"));
   const Record record = sandboxed([] {
@@ -116,7 +138,7 @@ TEST_F(Confined, TurnsACrashIntoOneLine) {
   EXPECT_THAT(input_error_of([&] { force_N(record); }), HasSubstr("has ended"));
 }
 
-TEST_F(Confined, LetsTheReaderWriteNothingAndTalkToNobody) {
+TEST_F(Sandbox, ForbidsWritingConnectingAndForking) {
   const std::string other = folder_.file("other");
   test::write_bytes(other, "kept");
   EXPECT_THAT(message_when([&] {
@@ -131,7 +153,7 @@ TEST_F(Confined, LetsTheReaderWriteNothingAndTalkToNobody) {
   EXPECT_EQ(test::bytes_of(other), "kept");
 }
 
-TEST_F(Confined, EndsWhatWaitsForEver) {
+TEST_F(Sandbox, EndsAReaderThatWaitsForEver) {
   const auto wait = [] {
     std::promise<SandboxService> never;
     return never.get_future().get();
@@ -142,13 +164,13 @@ TEST_F(Confined, EndsWhatWaitsForEver) {
                           .read = [&](std::size_t, std::size_t, std::size_t, std::span<double>) { wait(); }};
   };
   SandboxProcess served(path_, serve, 1);
-  ::usleep(1'500'000);  // between requests it may wait as long as it likes
+  ::usleep(1'500'000);  // the timeout does not apply between requests
   std::vector<double> out(3);
   EXPECT_THAT(input_error_of([&] { served.read(0, 0, 0, out); }), HasSubstr("takes longer"));
 }
 
-// Another thread within the library while this one forks.
-TEST_F(Confined, BeginsWithLibrariesAtRest) {
+// Another thread uses the library while this one forks.
+TEST_F(Sandbox, ForksWithLibrariesIdle) {
   std::atomic<bool> stop = false;
   std::thread other([&] {
     while (!stop) const hdf5::Lock lock;
@@ -165,7 +187,7 @@ TEST_F(Confined, BeginsWithLibrariesAtRest) {
 }
 
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && !defined(__clang__)  // they need terabytes
-TEST_F(Confined, LimitsMemory) {
+TEST_F(Sandbox, LimitsMemory) {
   EXPECT_THAT(message_when([] {
                 const std::vector<char> much(std::size_t{3} << 30U);
                 throw InputError(std::to_string(much.size()), "was", "there");
@@ -174,8 +196,8 @@ TEST_F(Confined, LimitsMemory) {
 }
 #endif
 
-// libmatio crashes on a few of these; percuss may not.
-TEST_F(Confined, SurvivesMatFilesDamagedAnywhere) {
+// libmatio crashes on a few of these files; percuss must not.
+TEST_F(Sandbox, SurvivesDamagedMatFiles) {
   std::mt19937 random(73);
   for (const auto level : {test::MatLevel::v5, test::MatLevel::v5_packed, test::MatLevel::v73}) {
     std::vector<double> samples(200, 1.5);
@@ -201,7 +223,7 @@ TEST_F(Confined, SurvivesMatFilesDamagedAnywhere) {
   }
 }
 
-TEST_F(Confined, IsHowTheCommandsReadUnlessTold) {
+TEST_F(Sandbox, IsUsedByCommandsUnlessTheInputIsTrusted) {
   test::write_small_test(path_);
   const auto sandboxed = test::run_percuss({"analyze", path_, "--json"});
   const auto trusting = test::run_percuss({"analyze", path_, "--json", "--trust-input"});
@@ -211,4 +233,4 @@ TEST_F(Confined, IsHowTheCommandsReadUnlessTold) {
   test::expect_every_command_rejects(path_, path_);
 }
 
-}  // namespace percuss::acquire::confined_test
+}  // namespace percuss::acquire::sandbox_test

@@ -25,7 +25,7 @@ using testing::IsEmpty;
 using Temporary = AtomicFile::Temporary;
 
 /// Every test twice: without a name until the end, and with a temporary one.
-class AtomicFiles : public testing::TestWithParam<Temporary> {
+class AtomicFileTest : public testing::TestWithParam<Temporary> {
  protected:
   std::vector<std::string> files() const {
     std::vector<std::string> names;
@@ -37,7 +37,7 @@ class AtomicFiles : public testing::TestWithParam<Temporary> {
     file.write(bytes);
     file.commit();
   }
-  /// How a child that runs `work` ended, as waitpid tells it.
+  /// The status of a child that ran `work`, as from waitpid.
   static int end_of_child(const std::function<void()>& work) {
     const pid_t child = ::fork();
     if (child == 0) {
@@ -53,10 +53,10 @@ class AtomicFiles : public testing::TestWithParam<Temporary> {
   std::string path_ = folder_.file("x.csv");
 };
 
-INSTANTIATE_TEST_SUITE_P(, AtomicFiles, testing::Values(Temporary::unnamed_if_possible, Temporary::named),
+INSTANTIATE_TEST_SUITE_P(, AtomicFileTest, testing::Values(Temporary::unnamed_if_possible, Temporary::named),
                          [](const auto& one) { return one.param == Temporary::named ? "Named" : "Nameless"; });
 
-TEST_P(AtomicFiles, AppearWholeAndOnlyAtTheEnd) {
+TEST_P(AtomicFileTest, AppearsWholeAtTheEnd) {
   {
     AtomicFile file(path_, false, GetParam());
     file.write("one ");
@@ -68,7 +68,7 @@ TEST_P(AtomicFiles, AppearWholeAndOnlyAtTheEnd) {
   EXPECT_THAT(files(), ElementsAre("x.csv"));
 }
 
-TEST_P(AtomicFiles, HaveTheModeOfOrdinaryFiles) {
+TEST_P(AtomicFileTest, HasTheModeOfOrdinaryFiles) {
   const mode_t before = ::umask(027);
   write("x", false);
   ::umask(before);
@@ -77,16 +77,17 @@ TEST_P(AtomicFiles, HaveTheModeOfOrdinaryFiles) {
   EXPECT_EQ(info.st_mode & 07777, 0640u);
 }
 
-TEST_P(AtomicFiles, ReplaceOnlyWhenForced) {
+TEST_P(AtomicFileTest, ReplacesOnlyWhenForced) {
   test::write_bytes(path_, "old");
-  EXPECT_EQ(input_error_of([&] { write("new", false); }), "file exists (" + path_ + "); give another name, or overwrite it");
+  EXPECT_EQ(input_error_of([&] { write("new", false); }),
+            "file exists (" + path_ + "); give another name, or overwrite it");
   EXPECT_EQ(test::bytes_of(path_), "old");
   write("new", true);
   EXPECT_EQ(test::bytes_of(path_), "new");
   EXPECT_THAT(files(), ElementsAre("x.csv"));
 }
 
-TEST_P(AtomicFiles, DoNotReplaceWhatAppearedMeanwhile) {
+TEST_P(AtomicFileTest, DoesNotReplaceAFileThatAppearedMeanwhile) {
   AtomicFile file(path_, false, GetParam());
   file.write("new");
   test::write_bytes(path_, "somebody else's");
@@ -94,14 +95,14 @@ TEST_P(AtomicFiles, DoNotReplaceWhatAppearedMeanwhile) {
   EXPECT_EQ(test::bytes_of(path_), "somebody else's");
 }
 
-TEST_P(AtomicFiles, VanishWhenNotFinished) {
+TEST_P(AtomicFileTest, VanishesWithoutCommit) {
   test::write_bytes(path_, "old");
   { AtomicFile(path_, true, GetParam()).write("half"); }
   EXPECT_EQ(test::bytes_of(path_), "old");
   EXPECT_THAT(files(), ElementsAre("x.csv"));
 }
 
-TEST_P(AtomicFiles, LeaveTheOldFileWhenTheWriterIsKilled) {
+TEST_P(AtomicFileTest, LeavesTheOldFileWhenTheWriterIsKilled) {
   test::write_bytes(path_, "old");
   EXPECT_TRUE(WIFSIGNALED(end_of_child([&] {
     AtomicFile file(path_, true, GetParam());
@@ -112,11 +113,11 @@ TEST_P(AtomicFiles, LeaveTheOldFileWhenTheWriterIsKilled) {
   if (GetParam() == Temporary::unnamed_if_possible) {
     EXPECT_THAT(files(), ElementsAre("x.csv"));
   }
-  write("new", true);  // and with it, what the killed one left
+  write("new", true);  // also removes the temporary file of the killed writer
   EXPECT_THAT(files(), ElementsAre("x.csv"));
 }
 
-TEST_P(AtomicFiles, CanBeRemovedByASignalHandler) {
+TEST_P(AtomicFileTest, CanBeRemovedByASignalHandler) {
   EXPECT_EQ(end_of_child([&] {
               AtomicFile file(path_, false, GetParam());
               file.write("half");
@@ -127,7 +128,7 @@ TEST_P(AtomicFiles, CanBeRemovedByASignalHandler) {
   EXPECT_THAT(files(), IsEmpty());
 }
 
-TEST_P(AtomicFiles, LeaveOtherWritersAlone) {
+TEST_P(AtomicFileTest, KeepsTheFilesOfOtherWriters) {
   AtomicFile first(path_, true, GetParam()), second(path_, true, GetParam());
   first.write("first");
   second.write("second");
@@ -138,7 +139,7 @@ TEST_P(AtomicFiles, LeaveOtherWritersAlone) {
   EXPECT_THAT(files(), ElementsAre("x.csv"));
 }
 
-TEST_P(AtomicFiles, FollowSymbolicLinks) {
+TEST_P(AtomicFileTest, FollowsSymbolicLinks) {
   const std::string target = folder_.file("target");
   test::write_bytes(target, "old");
   fs::create_symlink("target", path_);
@@ -147,13 +148,13 @@ TEST_P(AtomicFiles, FollowSymbolicLinks) {
   EXPECT_EQ(test::bytes_of(target), "new");
 }
 
-TEST_P(AtomicFiles, TakeLongNames) {
+TEST_P(AtomicFileTest, AcceptsLongNames) {
   path_ = folder_.file(std::string(255, 'n'));
   write("x", false);
   EXPECT_EQ(test::bytes_of(path_), "x");
 }
 
-TEST_P(AtomicFiles, SayWhyTheyCannotBeWritten) {
+TEST_P(AtomicFileTest, ReportsWhyItCannotBeWritten) {
   const auto refusal = [&](const std::string& path) {
     return input_error_of([&] { AtomicFile(path, true, GetParam()); });
   };
@@ -164,9 +165,9 @@ TEST_P(AtomicFiles, SayWhyTheyCannotBeWritten) {
   EXPECT_THAT(refusal(folder_.file(std::string(300, 'n'))), HasSubstr("nnn"));
 }
 
-TEST_P(AtomicFiles, SayWhenTheDiskIsFull) {
+TEST_P(AtomicFileTest, ReportsAFullDisk) {
   EXPECT_EQ(end_of_child([&] {
-              const rlimit limit{.rlim_cur = 100, .rlim_max = 100};  // fails as a full disk does
+              const rlimit limit{.rlim_cur = 100, .rlim_max = 100};  // fails like a full disk
               ::setrlimit(RLIMIT_FSIZE, &limit);
               ::signal(SIGXFSZ, SIG_IGN);
               const std::string message = input_error_of([&] { write(std::string(200, 'x'), false); });

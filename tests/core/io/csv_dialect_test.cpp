@@ -19,7 +19,7 @@ TEST(CsvDialect, IsFoundFromTheLinesOfNumbers) {
   EXPECT_EQ(dialect_of("  a  b\n  0.5    1\n  0.6    2\n").delimiter, ' ');
 }
 
-TEST(CsvDialect, TakesACommaForTheDecimalMarkWhereAnotherDelimiterIs) {
+TEST(CsvDialect, HasADecimalCommaBesideAnotherDelimiter) {
   for (const char* text : {"a;b\n0,5;1\n0,6;2\n", "a\tb\n0,5\t1\n0,6\t2\n", "0,5 1,5\n0,6 2,5\n"}) {
     const CsvDialect dialect = dialect_of(text);
     EXPECT_TRUE(dialect.decimal_comma) << text;
@@ -28,20 +28,20 @@ TEST(CsvDialect, TakesACommaForTheDecimalMarkWhereAnotherDelimiterIs) {
   EXPECT_FALSE(dialect_of("0.5;1\n0.6;2\n").decimal_comma);
 }
 
-TEST(CsvDialect, TakesACommaWithBlanksForADelimiter) {
+TEST(CsvDialect, HasACommaWithBlanksAsDelimiter) {
   EXPECT_EQ(dialect_of("0, 15, 20\n1, 16, 21\n").delimiter, ',');
   EXPECT_EQ(dialect_of("0 ,15 ,20\n1 ,16 ,21\n").delimiter, ',');
   EXPECT_FALSE(dialect_of("0, 15, 20\n1, 16, 21\n").decimal_comma);
 }
 
-TEST(CsvDialect, SeesDecimalCommasInsideQuotes) {
+TEST(CsvDialect, HasDecimalCommasInsideQuotes) {
   const CsvDialect dialect = dialect_of("a,b\n\"0,5\",\"1\"\n\"0,6\",\"2\"\n");
   EXPECT_EQ(dialect.delimiter, ',');
   EXPECT_TRUE(dialect.decimal_comma);
   EXPECT_TRUE(dialect.quoted);
 }
 
-TEST(CsvDialect, KnowsEveryEndOfLine) {
+TEST(CsvDialect, HasEveryKindOfLineEnd) {
   EXPECT_EQ(find_line_end("a\nb"), '\n');
   EXPECT_EQ(find_line_end("a\r\nb"), '\n');
   EXPECT_EQ(find_line_end("a\rb"), '\r');
@@ -52,7 +52,7 @@ TEST(CsvDialect, KnowsEveryEndOfLine) {
   EXPECT_TRUE(rest.empty());
 }
 
-TEST(CsvDialect, SplitsCellsAsTheDelimiterSays) {
+TEST(CsvDialect, SplitsCellsAtTheDelimiter) {
   EXPECT_THAT(split_cells("a, \"b,c\" ,,", {}), ElementsAre("a", "b,c", "", ""));
   EXPECT_THAT(split_cells("", {}), ElementsAre(""));
   EXPECT_THAT(split_cells("  a   b\t c ", {.delimiter = ' '}), ElementsAre("a", "b", "c"));

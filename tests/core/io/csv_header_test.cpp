@@ -40,7 +40,7 @@ TEST(CsvHeader, SplitsUnitsOffNames) {
   }
 }
 
-TEST(CsvHeader, TakesUnitsFromALineOfTheirOwn) {
+TEST(CsvHeader, ReadsUnitsFromASeparateLine) {
   const auto header = header_of("time,force,acc\ns,N,m/s\xB2\n0,1,2\n1,2,3\n");
   EXPECT_THAT(names_of(header), ElementsAre("time|s", "force|N", "acc|m/s\xC2\xB2"));
   EXPECT_EQ(header.lines, 2U);
@@ -64,7 +64,7 @@ TEST(CsvHeader, LeavesOutTextBesideTheNumbers) {
   EXPECT_THAT(names_of(header), ElementsAre("CH No.|", "CH6|cm/s2", "CH8|V"));
 }
 
-TEST(CsvHeader, ReadsNamesFromACommentWhereNoOtherLineHasThem) {
+TEST(CsvHeader, ReadsNamesFromACommentOtherwise) {
   EXPECT_THAT(names_of(header_of("# a record, made today, by me\n# t_s, force_N, acc_g\n0,1,2\n1,2,3\n")),
               ElementsAre("t_s|s", "force_N|N", "acc_g|g"));
   EXPECT_THAT(names_of(header_of("t_s,force_N,acc_g\n# one, two, three\n0,1,2\n1,2,3\n")),
@@ -78,7 +78,7 @@ TEST(CsvHeader, ReadsNamesWithBlanksInAlignedText) {
               ElementsAre("Time (s)|s", "Force (N)|N", "Acc (g)|g"));
 }
 
-TEST(CsvHeader, NumbersColumnsThatHaveNoName) {
+TEST(CsvHeader, NumbersUnnamedColumns) {
   const auto header = header_of("0,1\n1,2\n");
   EXPECT_FALSE(header.named);
   EXPECT_EQ(header.lines, 0U);
@@ -87,7 +87,7 @@ TEST(CsvHeader, NumbersColumnsThatHaveNoName) {
 
 TEST(CsvHeader, CountsALineWithAGapAsData) { EXPECT_EQ(header_of("t,f,a\n0,,1\n1,2,3\n2,3,4\n").lines, 1U); }
 
-TEST(CsvHeader, RefusesFrequencyResponses) {
+TEST(CsvHeader, RejectsFrequencyResponses) {
   const std::string latin1 =
       "Frequency\t Real\t Imaginary\t\n\nUnits:\nHz\t(m/s\xB2)(N)\t \n0.0\t 1\t 2\n1.0\t 1\t 2\n";
   EXPECT_EQ(
@@ -96,7 +96,7 @@ TEST(CsvHeader, RefusesFrequencyResponses) {
   EXPECT_THAT(test::input_error_of([] { header_of("Freq (Hz),Level\n0,1\n1,2\n"); }), HasSubstr("spectrum"));
 }
 
-TEST(CsvHeader, TurnsLatin1IntoUtf8AndLeavesUtf8Alone) {
+TEST(CsvHeader, ConvertsLatin1ToUtf8AndKeepsUtf8) {
   EXPECT_EQ(to_utf8("m/s\xB2"), "m/s\xC2\xB2");
   EXPECT_EQ(to_utf8("m/s\xC2\xB2"), "m/s\xC2\xB2");
   EXPECT_EQ(to_utf8("\xE2\x82\xAC \xF0\x9F\x98\x80"), "\xE2\x82\xAC \xF0\x9F\x98\x80");

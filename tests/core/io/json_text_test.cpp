@@ -25,7 +25,7 @@ TEST(JsonText, MayBeAnyValue) {
   EXPECT_NO_THROW(check("{\"a\": 1} // one", true));
 }
 
-TEST(JsonText, IsRefusedWithThePlaceAndTheRemedy) {
+TEST(JsonText, IsRejectedWithThePlaceAndTheRemedy) {
   EXPECT_THAT(refusal("{\"a\": 1} // one"), HasSubstr("not JSON (x.json, byte 10); write it again"));
   for (const char* text : {"", "{", "[1,]", "{\"a\":}", "nul", "\"\xFF\"", "1 2"})
     EXPECT_THAT(refusal(text), HasSubstr("not JSON")) << text;
@@ -35,7 +35,7 @@ TEST(JsonText, IsRefusedWithThePlaceAndTheRemedy) {
   EXPECT_THAT(refusal(std::string(1000000, '[')), HasSubstr("nested deeper"));
 }
 
-// With the library's callbacks this took minutes: the square of the length.
+// The callbacks of json::parse take time with the square of the length: minutes here.
 TEST(JsonText, TakesTimeAsItsLength) {
   const auto seconds = [](std::size_t objects) {
     std::string text = "[{}";
@@ -44,8 +44,8 @@ TEST(JsonText, TakesTimeAsItsLength) {
     check(text + "]");
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   };
-  seconds(20000);  // what the first call alone takes
-  // A tenfold length takes some tenfold time; its square would be a hundredfold.
+  seconds(20000);  // without the time of a first call
+  // Ten times the length takes about ten times as long; the square would take a hundred times.
   EXPECT_LT(seconds(400000), 40 * (seconds(40000) + 1e-3));
 }
 

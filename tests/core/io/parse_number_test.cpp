@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace percuss::csv_number_test {
+namespace percuss::parse_number_test {
 
 double value_of(std::string_view cell, bool decimal_comma = false) {
   const auto number = parse_number(cell, decimal_comma);
@@ -16,7 +16,7 @@ NumberProblem problem_of(std::string_view cell, bool decimal_comma = false) {
   return parse_number(cell, decimal_comma).problem;
 }
 
-TEST(CsvNumber, IsReadAsInstrumentsWriteIt) {
+TEST(ParseNumber, AcceptsTheFormatsOfInstruments) {
   EXPECT_EQ(value_of("-1.25"), -1.25);
   EXPECT_EQ(value_of("+1.25"), 1.25);
   EXPECT_EQ(value_of("+.5"), 0.5);
@@ -28,7 +28,7 @@ TEST(CsvNumber, IsReadAsInstrumentsWriteIt) {
   EXPECT_EQ(value_of("-1.5d-1"), -0.15);
 }
 
-TEST(CsvNumber, TakesADecimalCommaOnlyWhereToldTo) {
+TEST(ParseNumber, AcceptsADecimalCommaOnlyWhenRequested) {
   EXPECT_EQ(value_of("-1,25", true), -1.25);
   EXPECT_EQ(value_of("+,5", true), 0.5);
   EXPECT_EQ(value_of("1,5E3", true), 1500);
@@ -38,18 +38,18 @@ TEST(CsvNumber, TakesADecimalCommaOnlyWhereToldTo) {
   EXPECT_EQ(problem_of("1.234,5", true), NumberProblem::not_a_number);
 }
 
-TEST(CsvNumber, IsRefusedWhenSomethingElseFollows) {
+TEST(ParseNumber, RejectsTrailingText) {
   for (const char* cell : {"1.5x", "1 2", "--1", "+-1", "1e", "0x10", "x", "-", ".", "1,5,5", "16:34:01", "\"", "D5"}) {
     EXPECT_EQ(problem_of(cell), NumberProblem::not_a_number) << cell;
   }
   EXPECT_EQ(problem_of(std::string(100, '1') + ",5", true), NumberProblem::not_a_number);
 }
 
-TEST(CsvNumber, IsEmptyWhereOnlyBlanksStand) {
+TEST(ParseNumber, FindsEmptyCells) {
   for (const char* cell : {"", "  ", "\"\"", " \" \" "}) EXPECT_EQ(problem_of(cell), NumberProblem::empty) << cell;
 }
 
-TEST(CsvNumber, TooLargeIsAProblemAndTooSmallIsZero) {
+TEST(ParseNumber, RejectsTooLargeNumbersAndRoundsTooSmallOnesToZero) {
   EXPECT_EQ(problem_of("1e400"), NumberProblem::too_large);
   EXPECT_EQ(problem_of("-1D400"), NumberProblem::too_large);
   EXPECT_EQ(problem_of(std::string(400, '9')), NumberProblem::too_large);
@@ -57,13 +57,13 @@ TEST(CsvNumber, TooLargeIsAProblemAndTooSmallIsZero) {
   EXPECT_EQ(value_of("0." + std::string(400, '0') + "1"), 0);
 }
 
-TEST(CsvNumber, KnowsTheTextsOfWhatIsNotFinite) {
+TEST(ParseNumber, RecognisesTextsForNonFiniteNumbers) {
   for (const char* cell : {"nan", "NaN", "-inf", "INF", "infinity", "1.#INF", "#DIV/0!", "#N/A"}) {
     EXPECT_EQ(problem_of(cell), NumberProblem::not_finite) << cell;
   }
 }
 
-TEST(CsvNumber, CountsDecimalsWithTheExponentApplied) {
+TEST(ParseNumber, CountsDecimalsWithTheExponentApplied) {
   EXPECT_EQ(decimals_of("0.25", false), 2);
   EXPECT_EQ(decimals_of("0,250", true), 3);
   EXPECT_EQ(decimals_of("12", false), 0);
@@ -71,4 +71,4 @@ TEST(CsvNumber, CountsDecimalsWithTheExponentApplied) {
   EXPECT_EQ(decimals_of("4E+03", false), -3);
 }
 
-}  // namespace percuss::csv_number_test
+}  // namespace percuss::parse_number_test

@@ -4,9 +4,9 @@
 
 #include <limits>
 
-namespace percuss::significant_test {
+namespace percuss::significant_digits_test {
 
-TEST(Significant, ShowsSoManyDigitsWhateverTheSize) {
+TEST(Significant, ShowsTheGivenDigitsForAnySize) {
   EXPECT_EQ(significant(12, 3), "12.0");
   EXPECT_EQ(significant(0.04321, 3), "0.0432");
   EXPECT_EQ(significant(-0.04321, 2), "-0.043");
@@ -24,9 +24,9 @@ TEST(Significant, NeverRoundsToZero) {
   for (double value = 1e-300; value < 1; value *= 7) EXPECT_NE(std::stod(significant(value, 1)), 0) << value;
 }
 
-TEST(Significant, ShowsWhatIsNoNumber) {
+TEST(Significant, ShowsNonFiniteNumbers) {
   EXPECT_EQ(significant(0, 3), "0");
   EXPECT_EQ(significant(std::numeric_limits<double>::infinity(), 3), "inf");
 }
 
-}  // namespace percuss::significant_test
+}  // namespace percuss::significant_digits_test

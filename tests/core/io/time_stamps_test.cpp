@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace percuss::csv_rate_test {
+namespace percuss::time_stamps_test {
 
 using testing::HasSubstr;
 
@@ -27,7 +27,7 @@ std::optional<StampedRate> rate_of(const std::vector<double>& time_s, double res
   return rate;
 }
 
-TEST(StatedRate, IsReadFromTheLinesThatInstrumentsWrite) {
+TEST(StatedRate, IsReadFromHeadersOfInstruments) {
   EXPECT_EQ(stated_rate_Hz("Sampling Rate(Hz),50", {}), 50);
   EXPECT_EQ(stated_rate_Hz("\"Sampling Rate(Hz)\",50,,,", {}), 50);
   EXPECT_EQ(stated_rate_Hz("fs = 25.6 kHz", {}), 25600);
@@ -38,14 +38,14 @@ TEST(StatedRate, IsReadFromTheLinesThatInstrumentsWrite) {
   EXPECT_EQ(stated_rate_Hz("Sample Interval,0.001", {}), 1000);
 }
 
-TEST(StatedRate, IsNotSeenInOtherLines) {
+TEST(StatedRate, IsAbsentInOtherLines) {
   for (const char* line : {"", "Data Nos/CH,9120", "MEAS Time(sec),182.4", "fsync,7", "Sampling Rate(Hz),",
                            "Sampling Rate(Hz),-1", "time,force,acc", "dtype,3"}) {
     EXPECT_FALSE(stated_rate_Hz(line, {})) << line;
   }
 }
 
-TEST(RateOfStamps, IsExactWhateverTheStampsAreRoundedTo) {
+TEST(RateOfTimeStamps, IsExactForAnyRoundingOfTheStamps) {
   for (const double fs_Hz : {50.0, 1000.0, 25600.0, 44100.0, 51200.0, 102400.0}) {
     for (const double resolution_s : {1e-9, 1e-6, 1e-4}) {
       const auto rate = rate_of(rounded_stamps(fs_Hz, 200000, resolution_s), resolution_s);
@@ -55,12 +55,12 @@ TEST(RateOfStamps, IsExactWhateverTheStampsAreRoundedTo) {
   }
 }
 
-TEST(RateOfStamps, NeedsFewStampsWhereTheyAreExact) {
+TEST(RateOfTimeStamps, NeedsFewStampsWhereTheyAreExact) {
   EXPECT_EQ(rate_of({0, 1e-3}, 1e-3)->fs_Hz, 1000);
   EXPECT_EQ(rate_of({0.5, 0.75, 1}, 0.01)->fs_Hz, 4);
 }
 
-TEST(RateOfStamps, BearsSinglePrecision) {
+TEST(RateOfTimeStamps, AcceptsSinglePrecision) {
   std::vector<double> t(200000);
   for (std::size_t i = 0; i < t.size(); ++i)
     t[i] = static_cast<double>(static_cast<float>(static_cast<double>(i) / 25600.0));
@@ -69,7 +69,7 @@ TEST(RateOfStamps, BearsSinglePrecision) {
   EXPECT_NEAR(rate->fs_Hz / 25600, 1, 0x1p-23);  // two roundings to 24 bits
 }
 
-TEST(RateOfStamps, MissesNoLostSample) {
+TEST(RateOfTimeStamps, FindsEveryLostSample) {
   for (const std::size_t lost : {std::size_t{1}, std::size_t{500}, std::size_t{998}}) {
     for (const double resolution_s : {1e-6, 1e-5, 1e-3}) {
       auto t = rounded_stamps(resolution_s == 1e-3 ? 1000 : 25600, 20000, resolution_s);
@@ -81,7 +81,7 @@ TEST(RateOfStamps, MissesNoLostSample) {
   }
 }
 
-TEST(RateOfStamps, RefusesTimeThatGoesBackOrStandsStill) {
+TEST(RateOfTimeStamps, RejectsTimeThatDoesNotRise) {
   std::string problem;
   EXPECT_FALSE(rate_of({0, 1e-3, 2e-3, 0, 1e-3, 2e-3}, 1e-3, &problem));
   EXPECT_THAT(problem, HasSubstr("does not rise"));
@@ -90,13 +90,13 @@ TEST(RateOfStamps, RefusesTimeThatGoesBackOrStandsStill) {
   EXPECT_FALSE(rate_of({0}, 1e-3, &problem));
 }
 
-TEST(RateOfStamps, RefusesStampsTooCoarseToTell) {
+TEST(RateOfTimeStamps, RejectsStampsThatAreTooCoarse) {
   std::string problem;
   EXPECT_FALSE(rate_of(rounded_stamps(25600, 2560, 1e-3), 1e-3, &problem));
   EXPECT_THAT(problem, HasSubstr("too coarse"));
 }
 
-TEST(RateOfStamps, PoolsRowsThatEachStartAnew) {
+TEST(RateOfTimeStamps, CombinesRowsThatStartAgain) {
   const auto t = rounded_stamps(12800, 1280, 1e-9);
   const std::vector<TimeStamps> rows(5, {t, 1e-9});
   StampProblem problem;
@@ -116,4 +116,4 @@ TEST(RoundestBetween, HasTheFewestDigits) {
   }
 }
 
-}  // namespace percuss::csv_rate_test
+}  // namespace percuss::time_stamps_test

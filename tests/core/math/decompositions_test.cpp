@@ -5,14 +5,14 @@
 #include <cmath>
 #include <complex>
 
-namespace percuss::principal_directions_test {
+namespace percuss::decompositions_test {
 
 using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 using Complex = std::complex<double>;
 
 // [[2, 1], [1, 2]] stretches (1, 1) by 3 and (1, −1) by 1.
-TEST(Eigenvectors, ComeLargestFirst) {
+TEST(Eigenvectors, AreOrderedByDescendingEigenvalue) {
   const MatrixXd vectors = eigenvectors((MatrixXd(2, 2) << 2, 1, 1, 2).finished());
   EXPECT_NEAR(vectors(0, 0), vectors(1, 0), 1e-15);
   EXPECT_NEAR(vectors(0, 1), -vectors(1, 1), 1e-15);
@@ -34,4 +34,4 @@ TEST(SingularValues, OfAMatrixMadeFromThem) {
   EXPECT_NEAR(std::abs(leading_right_vector(matrix).dot(v)), 1, 1e-14);
 }
 
-}  // namespace percuss::principal_directions_test
+}  // namespace percuss::decompositions_test

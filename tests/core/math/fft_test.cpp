@@ -20,7 +20,7 @@ std::vector<double> noise(std::size_t samples) {
   return x;
 }
 
-// The sum as it is defined, with the angle reduced before it is rounded.
+// The defining sum, with the angle reduced before rounding.
 std::vector<Complex> by_definition(const std::vector<double>& x) {
   const std::size_t size = x.size();
   std::vector<Complex> out(size / 2 + 1);
@@ -59,7 +59,7 @@ TEST(RealDft, OfAConstantIsItsSumAtZero) {
   EXPECT_LE(difference(real_dft(std::vector<double>(15, 0.25)), expected), 4 * kRounding);
 }
 
-TEST(RealDft, OfACosineAndASineStandsInOneLineUnscaledWithNegativeExponent) {
+TEST(RealDft, OfACosineAndASineIsOneUnscaledLineWithNegativeExponent) {
   constexpr std::size_t kSamples = 40;
   std::vector<double> x(kSamples);
   for (std::size_t n = 0; n < kSamples; ++n) {
@@ -81,7 +81,7 @@ TEST(RealDft, AgreesWithItsDefinitionForAnyLength) {
   for (const std::size_t size : {3U, 4U, 5U, 17U, 64U, 97U, 210U, 251U, 499U, 512U, 1009U}) {  // primes among them
     const auto x = noise(size);
     const auto exact = by_definition(x);
-    const double slack = static_cast<double>(size) * 0x1p-53;  // the plain sum's own rounding, beside the transform's
+    const double slack = static_cast<double>(size) * 0x1p-53;  // rounding of the sum itself
     EXPECT_LE(difference(real_dft(x), exact), (kRounding + slack) * largest(exact)) << size;
   }
 }
@@ -114,21 +114,21 @@ TEST(RealDft, ScalesExactlyByPowersOfTwo) {
   }
 }
 
-TEST(RealDft, GivesEqualBytesWhateverTheAddressAndLeavesItsInputAlone) {
+TEST(RealDft, GivesEqualBytesForAnyAddressAndKeepsItsInput) {
   const auto x = noise(1001);
-  std::vector<double> shifted(x.size() + 1);  // 8 bytes off the vector units' alignment
+  std::vector<double> shifted(x.size() + 1);  // 8 bytes off the alignment of vector instructions
   std::copy(x.begin(), x.end(), shifted.begin() + 1);
   EXPECT_EQ(real_dft(std::span(shifted).subspan(1)), real_dft(x));
   EXPECT_TRUE(std::equal(x.begin(), x.end(), shifted.begin() + 1));
 }
 
-TEST(RealDft, MayBeCalledByManyThreadsAtOnce) {
+TEST(RealDft, MayBeCalledByManyThreads) {
   std::vector<std::vector<Complex>> got(24);
   parallel_for(got.size(), 0, [&](std::size_t i) { got[i] = real_dft(noise(700 + i % 3)); });
   for (std::size_t i = 0; i < got.size(); ++i) EXPECT_EQ(got[i], real_dft(noise(700 + i % 3)));
 }
 
-TEST(InverseRealDft, BringsTheSamplesBack) {
+TEST(InverseRealDft, RestoresTheSamples) {
   for (const std::size_t size : {1U, 2U, 3U, 257U, 1000U, 25601U}) {
     const auto x = noise(size);
     const auto back = inverse_real_dft(real_dft(x), size);
@@ -137,7 +137,7 @@ TEST(InverseRealDft, BringsTheSamplesBack) {
   }
 }
 
-TEST(InverseRealDft, LeavesItsInputAlone) {
+TEST(InverseRealDft, KeepsItsInput) {
   const auto lines = real_dft(noise(90));
   inverse_real_dft(lines, 90);
   EXPECT_EQ(lines, real_dft(noise(90)));
@@ -159,7 +159,7 @@ TEST(FastLength, IsTheLargestProductOfTwoThreeFiveAndSeven) {
   }
 }
 
-TEST(FastLength, CostsFewSamplesOfALongRecord) {
+TEST(FastLength, DropsFewSamplesOfALongRecord) {
   EXPECT_EQ(fast_length_at_most(4'608'000), 4'608'000U);  // 180 s at 25.6 kHz
   const std::size_t prime = 4'607'999;
   EXPECT_LE(static_cast<double>(prime - fast_length_at_most(prime)), 0.01 * static_cast<double>(prime));
@@ -168,7 +168,7 @@ TEST(FastLength, CostsFewSamplesOfALongRecord) {
 TEST(RealDft, IsTheSameInScratch) {
   std::vector<double> x(77);
   for (std::size_t n = 0; n < x.size(); ++n) x[n] = std::sin(0.3 * static_cast<double>(n * n));
-  for (const std::size_t size : {77U, 12U, 40U}) {  // longer and shorter than the one before
+  for (const std::size_t size : {77U, 12U, 40U}) {  // longer and shorter than the previous one
     const std::span<const double> part(x.data(), size);
     const auto lines = real_dft_in_scratch(part);
     EXPECT_EQ(std::vector<Complex>(lines.begin(), lines.end()), real_dft(part)) << size;

@@ -56,7 +56,7 @@ TEST(LeastSquares, OfALineThroughFourPoints) {
   EXPECT_NEAR((*inverse * right)(1), 0.8, 1e-14);
 }
 
-TEST(LeftInverse, IsNoneWhereAColumnIsNearlyAnother) {
+TEST(LeftInverse, IsNothingForNearlyEqualColumns) {
   const MatrixXd columns = (MatrixXd(3, 2) << 1, 1, 1, 1, 1, 1.001).finished();
   EXPECT_TRUE(left_inverse(columns, 1e-6));
   EXPECT_FALSE(left_inverse(columns, 1e-2));

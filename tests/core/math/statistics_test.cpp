@@ -40,13 +40,13 @@ TEST(RobustStd, IsTheScaledMedianDeviation) {
   EXPECT_EQ(robust_std({}), 0);
 }
 
-TEST(RobustStd, IsTheDeviationOfGaussianNoise) {
+TEST(RobustStd, IsTheStandardDeviationOfGaussianNoise) {
   const auto x = gaussian(100000, 0.02);
   constexpr double kFiveDeviations = 5 * 1.167 / 316.2;  // of the median deviation of 1e5 values: 1.167 σ/√n
   EXPECT_LE(std::abs(robust_std(x) / 0.02 - 1), kFiveDeviations);
 }
 
-TEST(RobustStd, IsUnmovedByRarePulses) {
+TEST(RobustStd, IsNotChangedByRarePulses) {
   auto x = gaussian(10000, 1);
   const double quiet = robust_std(x);
   for (std::size_t i = 0; i < 100; ++i) x[i] = 1e12;
@@ -72,7 +72,7 @@ TEST(Rms, IsTheRootOfTheMeanSquare) {
   EXPECT_EQ(rms({}), 0);
 }
 
-TEST(ExtremesOf, AreFoundWhereverTheyAre) {
+TEST(ExtremesOf, AreFoundAtAnyPlace) {
   for (std::size_t size = 1; size < 30; ++size) {
     for (std::size_t at = 0; at < size; ++at) {
       std::vector<double> values(size, 2.0);
@@ -84,7 +84,7 @@ TEST(ExtremesOf, AreFoundWhereverTheyAre) {
   }
 }
 
-TEST(BlockExtremes, AreThoseOfEachBlockAndTogetherThoseOfAll) {
+TEST(BlockExtremes, AreTheExtremesOfEachBlockAndTogetherOfAllValues) {
   const std::vector<double> values{1, 5, -2, 0, 3};
   const auto blocks = block_extremes(values, 2);
   ASSERT_EQ(blocks.size(), 3U);

@@ -9,7 +9,7 @@ using Eigen::MatrixXd;
 
 constexpr double kRounding = 1e-13;  // of sums of a hundred products of order one
 
-TEST(TallProducts, AreEigensOwn) {
+TEST(TallProducts, AgreeWithEigen) {
   for (const Eigen::Index n : {1, 2, 7, 100}) {
     const MatrixXcd a = MatrixXcd::Random(n, 3), b = MatrixXcd::Random(n, 2);
     const MatrixXd r = MatrixXd::Random(n, 2);

@@ -35,7 +35,7 @@ TEST(PlaneFromSensors, IsTheBendingPlane) {
   }
 }
 
-TEST(PlaneFromSensors, IsTheHoopTurnOfSensorsThatStandOtherwise) {
+TEST(PlaneFromSensors, IsTheHoopPlaneForOtherSensorAngles) {
   for (const double plane_deg : {1.0, 20.0, 50.0, 80.0}) {
     const SensorPair sensors = sensors_at(10, 60);
     const auto plane = plane_from_sensors(seen(2, plane_deg, sensors), sensors, 2, 0);
@@ -44,13 +44,13 @@ TEST(PlaneFromSensors, IsTheHoopTurnOfSensorsThatStandOtherwise) {
   }
 }
 
-TEST(PlaneFromSensors, CannotTellHoopModesAtARightAngle) {
+TEST(PlaneFromSensors, IsUnknownForHoopModesAtARightAngle) {
   const SensorPair sensors = sensors_at(0, 90);
   EXPECT_FALSE(plane_from_sensors(seen(2, 20, sensors), sensors, 2, 0));
   EXPECT_FALSE(plane_from_sensors(seen(1, 20, sensors, 0), sensors, 1, 0));
 }
 
-TEST(PlaneFromSensors, HasHonestDeviations) {
+TEST(PlaneFromSensors, HasTrueStandardDeviations) {
   constexpr double kStd = 0.02, kScatter = 0.1;  // of 600 trials
   constexpr std::size_t kTrials = 600;
   const SensorPair sensors = sensors_at(0, 70);
@@ -66,7 +66,7 @@ TEST(PlaneFromSensors, HasHonestDeviations) {
   EXPECT_NEAR(plane_from_sensors(seen(1, 30, sensors, 1, kStd), sensors, 1, 0)->std_rad / seen_std, 1, kScatter);
 }
 
-TEST(PlaneFromSensors, AllowsForTheSensorsPlacement) {
+TEST(PlaneFromSensors, IncludesTheSensorsPlacementError) {
   // Both sensors turned by ε turn the plane by ε; independently, at 90° and a plane between them, by ε/√2 each way.
   const SensorPair sensors = sensors_at(0, 90);
   EXPECT_NEAR(plane_from_sensors(seen(1, 45, sensors, 1, 0), sensors, 1, 0.035)->std_rad, 0.035 / std::sqrt(2.0),
@@ -85,7 +85,7 @@ Pair described(double between_deg, int order, double std_rad = 0.01) {
   return pair;
 }
 
-TEST(RingSplit, TellsAsymmetryByPlanesTurnedAgainstEachOther) {
+TEST(SplitMode, IsFromAsymmetryWhereThePlanesDiffer) {
   EXPECT_EQ(described(45, 2).first.planes->cause, SplitCause::asymmetry);
   EXPECT_EQ(described(90, 1).first.planes->cause, SplitCause::asymmetry);
   EXPECT_EQ(described(0, 2).first.planes->cause, SplitCause::coupled);
@@ -95,7 +95,7 @@ TEST(RingSplit, TellsAsymmetryByPlanesTurnedAgainstEachOther) {
   EXPECT_NEAR(described(45, 2).first.planes->between_std_rad, 0.01 * std::sqrt(2.0), kRounding);
 }
 
-TEST(RingSplit, QuotesTheFirstUnlessItIsHidden) {
+TEST(SplitMode, QuotesTheFirstUnlessHidden) {
   const SensorPair sensors = sensors_at(0, 90);
   for (const double scale : {1.0, 0.2, 0.02}) {
     Pair pair;
@@ -107,7 +107,7 @@ TEST(RingSplit, QuotesTheFirstUnlessItIsHidden) {
   }
 }
 
-TEST(RingSplit, IsInTheVerdictsOfTwoSensors) {
+TEST(SplitMode, IsPartOfTheClassification) {
   const SensorPair sensors = sensors_at(0, 90);
   std::vector<Mode> modes{seen(1, 20, sensors), seen(1, 110, sensors)};
   modes[0].pole.freq_Hz = 169;

@@ -1,4 +1,4 @@
-// The rules of a bat test that go beside the ratio: overlay, double peaks, order numbers.
+// The rules of a bat test beside the ratio: overlay, split modes, order numbers.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -27,7 +27,7 @@ std::vector<int> orders_of(const std::vector<ModeClassification>& found) {
   return orders;
 }
 
-TEST(Overlay, HoldsWhenTheMagnitudesDifferByNoMoreThanTheThreshold) {
+TEST(Overlay, HoldsForLevelsWithinTheThreshold) {
   const std::vector<std::optional<double>> differences{0.0, 1.0, -1.0, 1.01, -1.01, 1.7, std::nullopt};
   const std::vector<Mode> modes(differences.size(), bending(500));
   const auto found = classify(modes, std::nullopt, differences);
@@ -38,20 +38,20 @@ TEST(Overlay, HoldsWhenTheMagnitudesDifferByNoMoreThanTheThreshold) {
   }
 }
 
-TEST(Overlay, ThresholdIsTheUsers) {
+TEST(Overlay, HasAnAdjustableThreshold) {
   EXPECT_TRUE(classify({bending(500)}, std::nullopt, {1.7}, {.overlay_dB = 2})[0].overlaid);
   EXPECT_FALSE(classify({bending(500)}, std::nullopt, {0.5}, {.overlay_dB = 0.4})[0].overlaid);
 }
 
-TEST(Overlay, StandsBesideTheVerdictAndDoesNotMakeIt) {
-  // Equal magnitudes, moving together: overlaid as a hoop mode would be, yet bending at 45°.
+TEST(Overlay, DoesNotDecideTheType) {
+  // Equal levels in phase: overlaid like a hoop mode, but bending at 45°.
   const SensorPair sensors{.first = 0, .second = 1, .first_rad = 0, .second_rad = std::numbers::pi / 2};
   const ModeClassification verdict = classify({mode_at(169, 1, 1)}, sensors, {0.0})[0];
   EXPECT_TRUE(verdict.overlaid);
   EXPECT_EQ(verdict.family, ModeType::bending);
 }
 
-TEST(SplitMode, IsTwoOfOneFamilyWithin25Hertz) {
+TEST(SplitMode, IsTwoModesOfOneTypeWithin25Hertz) {
   const auto found = classifications({hoop(1900), hoop(1925)});
   ASSERT_TRUE(found[0].split_mode && found[1].split_mode);
   EXPECT_EQ(found[0].split_mode->partner, 1U);
@@ -69,7 +69,7 @@ TEST(SplitMode, EndsAt25Hertz) {
     EXPECT_TRUE(verdict.split_mode);
 }
 
-TEST(SplitMode, IsNotMadeOfABendingAndAHoopMode) {
+TEST(SplitMode, ExcludesABendingAndAHoopMode) {
   const auto found = classifications({bending(1895, 0.0), hoop(1912)});
   if (found[0].family != found[1].family) {
     EXPECT_FALSE(found[0].split_mode);
@@ -86,28 +86,28 @@ TEST(SplitMode, OfThreeTakesTheFirstTwo) {
   EXPECT_FALSE(found[2].split_mode);
 }
 
-TEST(SplitMode, IsSeenWithoutSensorsToo) {
+TEST(SplitMode, IsFoundWithoutSensors) {
   const auto found = classify({hoop(1900), hoop(1912)}, std::nullopt, {std::nullopt, std::nullopt});
   ASSERT_TRUE(found[0].split_mode);
   EXPECT_TRUE(found[0].split_mode->first);
 }
 
-TEST(Order, CountsFromOneWithinEachFamily) {
+TEST(Order, CountsFromOneWithinEachType) {
   EXPECT_EQ(orders_of(classifications({bending(169), bending(575), hoop(1300), bending(1800), hoop(2650)})),
             (std::vector<int>{1, 2, 1, 3, 2}));
 }
 
-TEST(Order, IsSharedByADoublePeak) {
+TEST(Order, IsSharedByASplitMode) {
   EXPECT_EQ(orders_of(classifications({hoop(1900), hoop(1912), hoop(2650)})), (std::vector<int>{1, 1, 2}));
 }
 
 TEST(Order, IsSharedByTheTwoPlanesOfABendingMode) {
-  // Planes across each other, 1.8 % apart.
+  // Planes at right angles, 1.8 % apart.
   EXPECT_EQ(orders_of(classifications({bending(169, 0.4), bending(172, -2.5), bending(575), bending(581, -2.5)})),
             (std::vector<int>{1, 1, 2, 2}));
 }
 
-TEST(Order, IsSharedByTwoAtMost) {
+TEST(Order, IsSharedByAtMostTwoModes) {
   EXPECT_EQ(orders_of(classifications({hoop(1900), hoop(1912), hoop(1924), hoop(1936)})),
             (std::vector<int>{1, 1, 2, 2}));
 }

@@ -11,7 +11,7 @@ using std::numbers::pi;
 
 constexpr double kDegree = pi / 180;
 
-/// A mode whose residues at channels 0 and 1 are these.
+/// A mode with these residues at channels 0 and 1.
 Mode mode_at(double freq_Hz, Complex first, Complex second, double std = 1e-3) {
   return {.pole = {freq_Hz, 0.005},
           .freq_std_Hz = 0.01,
@@ -19,7 +19,7 @@ Mode mode_at(double freq_Hz, Complex first, Complex second, double std = 1e-3) {
           .residues = {{.channel = 0, .value = first, .std = std}, {.channel = 1, .value = second, .std = std}}};
 }
 
-/// Bending in the plane ψ and hoop turned by θ₀, as sensors at these angles see them.
+/// Residues of bending in the plane ψ and of hoop at θ₀, for sensors at these angles.
 Mode bending(double freq_Hz, double plane_deg, double second_deg = 90) {
   return mode_at(freq_Hz, std::cos(plane_deg * kDegree), std::cos((second_deg - plane_deg) * kDegree));
 }
@@ -54,28 +54,28 @@ TEST(Classify, TangentOfAPlaneIsBending) {
 
 TEST(Classify, EqualMotionIsBending) { EXPECT_EQ(classifications({bending(169, 45)})[0].family, ModeType::bending); }
 
-TEST(Classify, DoesNotTakeOneBendingModeAtMinus45DegreesForSure) {
-  // Its ratio is hoop's own: only an unsure verdict is honest.
+TEST(Classify, IsUnsureOfOneBendingModeAtMinus45Degrees) {
+  // Its ratio equals the hoop ratio, so that the confidence must be low.
   const ModeClassification verdict = classifications({bending(169, -45)})[0];
   EXPECT_FALSE(verdict.family == ModeType::hoop && verdict.confidence > 0.97);
   ASSERT_TRUE(verdict.alternative);
   EXPECT_EQ(*verdict.alternative, verdict.family == ModeType::bending ? ModeType::hoop : ModeType::bending);
 }
 
-TEST(Classify, KnowsBendingAt45DegreesByItsOtherPlane) {
+TEST(Classify, FindsBendingAt45DegreesByItsOtherPlane) {
   const auto found = classifications({bending(169, -45), bending(172, 45)});
   for (const ModeClassification& verdict : found) EXPECT_EQ(verdict.family, ModeType::bending);
 }
 
-TEST(Classify, KnowsBendingAtMinus45DegreesByTheSurePlanesOfOthers) {
-  // Modes at 45° say where the bat bends; one across it is then as likely as not, and never sure to be hoop.
+TEST(Classify, FindsBendingAtMinus45DegreesByThePlanesOfOtherModes) {
+  // Modes at 45° show the bat's plane; a mode at right angles to it is then never certainly a hoop mode.
   const auto found = classifications({bending(169, 45), bending(575, 45), bending(1180, -45)});
   EXPECT_EQ(found[0].family, ModeType::bending);
   EXPECT_EQ(found[1].family, ModeType::bending);
   EXPECT_TRUE(found[2].family != ModeType::hoop || found[2].alternative);
 }
 
-TEST(Classify, ReadsAHoopPairByItsEqualRatios) {
+TEST(Classify, FindsAHoopPairByItsEqualRatios) {
   const auto found = classifications({hoop(1900, 12), hoop(1912, 57)});
   for (const ModeClassification& verdict : found) {
     EXPECT_EQ(verdict.family, ModeType::hoop);
@@ -83,18 +83,18 @@ TEST(Classify, ReadsAHoopPairByItsEqualRatios) {
   }
 }
 
-TEST(Classify, AllowsForSensorsPlacedByHand) {
+TEST(Classify, ToleratesSensorsPlacedByHand) {
   for (const double off : {-2.0, 2.0}) {
     for (const double turn : {0.0, 20.0})
       EXPECT_EQ(classifications({hoop(1900, turn, 90 + off)})[0].family, ModeType::hoop) << off << " " << turn;
-    // Turned so that both sensors sit near its nodes, a misplaced one reads a ratio that bending explains as well.
+    // With both sensors near its nodes, a misplaced sensor gives a ratio that bending explains as well.
     EXPECT_NE(classifications({hoop(1900, 35, 90 + off)})[0].family, ModeType::bending) << off;
     for (const double plane : {5.0, 20.0, 65.0})
       EXPECT_EQ(classifications({bending(169, plane, 90 + off)})[0].family, ModeType::bending) << off << " " << plane;
   }
 }
 
-TEST(Classify, HoldsWhenASensorSitsOnANode) {
+TEST(Classify, AcceptsASensorAtANode) {
   for (const bool first : {true, false}) {
     const ModeClassification verdict = classifications({first ? mode_at(169, 1e-5, 1) : mode_at(169, 1, 1e-5)})[0];
     EXPECT_EQ(verdict.family, ModeType::bending);
@@ -103,7 +103,7 @@ TEST(Classify, HoldsWhenASensorSitsOnANode) {
   }
 }
 
-TEST(Classify, SaysUnknownWithoutTwoSensors) {
+TEST(Classify, IsUnknownWithoutTwoSensors) {
   const auto found = classify({bending(169, 20), hoop(1900, 0)}, std::nullopt, {std::nullopt, std::nullopt});
   for (const ModeClassification& verdict : found) {
     EXPECT_EQ(verdict.family, ModeType::unknown);
@@ -112,20 +112,20 @@ TEST(Classify, SaysUnknownWithoutTwoSensors) {
   }
 }
 
-TEST(Classify, SaysUnknownOfAModeSeenByNobodyOrOutOfPhase) {
+TEST(Classify, IsUnknownForAnUnobservedOrComplexMode) {
   EXPECT_EQ(classifications({mode_at(169, 0, 0)})[0].family, ModeType::unknown);
   EXPECT_EQ(classifications({mode_at(169, 1, {0.05, 1})})[0].family, ModeType::unknown);
 }
 
-TEST(Classify, IsLessSureOfAnUncertainRatio) {
+TEST(Classify, IsLessCertainForAnUncertainRatio) {
   const auto sure = classifications({mode_at(1900, 1, -1, 1e-3)})[0],
              unsure = classifications({mode_at(1900, 1, -1, 0.6)})[0];
   EXPECT_EQ(sure.family, ModeType::hoop);
   EXPECT_TRUE(unsure.family == ModeType::unknown || unsure.confidence < sure.confidence);
 }
 
-TEST(Classify, ReadsSensorsAt60Degrees) {
-  // Bending that both sensors see alike lies between them; a hoop mode would be turned to fit by chance.
+TEST(Classify, AcceptsSensorsAt60Degrees) {
+  // Equal residues mean bending between the sensors; a hoop mode would have them only by chance.
   const auto found = classifications({bending(169, 30, 60), bending(575, 30, 60)}, 60);
   EXPECT_EQ(found[0].family, ModeType::bending);
   for (const double turn : {0.0, 15.0, 30.0, 60.0, 75.0}) {
@@ -134,7 +134,7 @@ TEST(Classify, ReadsSensorsAt60Degrees) {
   }
 }
 
-TEST(Classify, IsBlindToTheResiduesUnitAndSign) {
+TEST(Classify, DoesNotDependOnUnitOrSign) {
   constexpr double kTolerance = 1e-12;  // rounding
   const auto scaled = [](Mode mode, Complex by) {
     for (Residue& r : mode.residues) {
@@ -155,8 +155,8 @@ TEST(Classify, IsBlindToTheResiduesUnitAndSign) {
   }
 }
 
-TEST(Classify, DoesNotCareWhichSensorComesFirst) {
-  constexpr double kTolerance = 0.05;  // the placement error is put on the second sensor
+TEST(Classify, DoesNotDependOnTheOrderOfSensors) {
+  constexpr double kTolerance = 0.05;  // the second sensor carries the placement error
   const SensorPair ab{.first = 0, .second = 1, .first_rad = 0, .second_rad = pi / 2};
   const SensorPair ba{.first = 1, .second = 0, .first_rad = pi / 2, .second_rad = 0};
   const std::vector<std::optional<double>> overlay(2);
@@ -169,7 +169,7 @@ TEST(Classify, DoesNotCareWhichSensorComesFirst) {
   }
 }
 
-TEST(Classify, TakesTheRatioOverAllPoints) {
+TEST(Classify, UsesTheRatioOverAllPoints) {
   constexpr double kTolerance = 1e-12;          // rounding
   Mode mode = mode_at(1900, 0.01, 0.02, 0.01);  // a point at a node: noise
   mode.residues.push_back({.point = 1, .channel = 0, .value = 2, .std = 0.01});

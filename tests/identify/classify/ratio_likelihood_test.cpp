@@ -28,12 +28,12 @@ TEST(WrappedDensity, IsAGaussianOnTheCircleOf180Degrees) {
   EXPECT_NEAR(wrapped_density(-0.03, 0.1), wrapped_density(0.03, 0.1), kTolerance);
 }
 
-TEST(WrappedDensity, IsNeverZeroAndEvenWhenNothingIsKnown) {
+TEST(WrappedDensity, IsNeverZeroAndUniformForALargeDeviation) {
   EXPECT_GT(wrapped_density(pi / 2, 1e-6), 0);
   EXPECT_DOUBLE_EQ(wrapped_density(0.3, 2), 1 / pi);
 }
 
-TEST(RatioLikelihood, ReadingsAreDensities) {
+TEST(RatioLikelihood, ConsistsOfDensities) {
   constexpr double kTolerance = 0.02;  // wrapped tails cut
   for (const double second : {pi / 2, pi / 3, -pi / 2}) {
     const RatioLikelihood likelihood(0, second, kPlaced);
@@ -50,7 +50,7 @@ TEST(RatioLikelihood, PrefersHoopForOppositeMotionAt90Degrees) {
   EXPECT_LE(likelihood.hoop(equal), 0.1 * likelihood.bending(equal));
 }
 
-TEST(RatioLikelihood, LeavesABendingPlaneOpenAt90Degrees) {
+TEST(RatioLikelihood, IsUniformForBendingAt90Degrees) {
   // tan ψ takes every value equally often.
   const RatioLikelihood likelihood(0, pi / 2, kPlaced);
   constexpr double kTolerance = 1e-9;  // rounding
@@ -58,22 +58,22 @@ TEST(RatioLikelihood, LeavesABendingPlaneOpenAt90Degrees) {
     EXPECT_NEAR(likelihood.bending({.chi_rad = chi, .std_rad = 0.05}) * pi, 1, kTolerance) << chi;
 }
 
-TEST(RatioLikelihood, KnowsTheRatioOfAHoopModeAt60Degrees) {
-  // cos 2(60° − θ₀)/cos 2θ₀ takes every value: a hoop mode cannot be told by its ratio alone …
+TEST(RatioLikelihood, PrefersOppositeMotionForHoopAt60Degrees) {
+  // cos 2(60° − θ₀)/cos 2θ₀ takes every value: the ratio alone does not show a hoop mode …
   const RatioLikelihood likelihood(0, pi / 3, kPlaced);
   for (double chi = -1.5; chi < 1.6; chi += 0.3) {
     const RatioAngle ratio{.chi_rad = chi, .std_rad = 0.02};
     EXPECT_LE(likelihood.hoop(ratio), 10 * likelihood.bending(ratio)) << chi;
   }
-  // … but one shape at least is likelier: opposite motion for hoop, equal motion for bending (60° is less than 90°).
+  // … but one motion is more likely: opposite motion for hoop, equal motion for bending (60° is less than 90°).
   const RatioAngle opposite{.chi_rad = -pi / 4, .std_rad = 0.02}, equal{.chi_rad = pi / 4, .std_rad = 0.02};
   EXPECT_GE(likelihood.hoop(opposite), 1.5 * likelihood.bending(opposite));
   EXPECT_GE(likelihood.bending(equal), 1.5 * likelihood.hoop(equal));
 }
 
-TEST(RatioLikelihood, ExpectsModesInTheBatsPlaneOrAcross) {
+TEST(RatioLikelihood, ExpectsModesInTheBatsPlaneOrAtRightAngles) {
   const RatioLikelihood likelihood(0, pi / 2, kPlaced);
-  constexpr double kPlane = -pi / 4;  // bending at −45°, so that the ratio −1 is not hoop's own any more
+  constexpr double kPlane = -pi / 4;  // bending at −45°, so that the ratio −1 is not unique to hoop
   const RatioAngle same{.chi_rad = -pi / 4, .std_rad = 0.01}, across{.chi_rad = pi / 4, .std_rad = 0.01},
       between{.chi_rad = 0, .std_rad = 0.01};
   EXPECT_GE(likelihood.bending(same, kPlane), 2 * likelihood.bending(same));
@@ -81,8 +81,8 @@ TEST(RatioLikelihood, ExpectsModesInTheBatsPlaneOrAcross) {
   EXPECT_LE(likelihood.bending(between, kPlane), 0.5 * likelihood.bending(between));
 }
 
-TEST(RatioLikelihood, IsBlindToWhichWayBothSensorsTurn) {
-  constexpr double kTolerance = 1e-9;  // sums of the same terms, begun elsewhere
+TEST(RatioLikelihood, DoesNotDependOnARotationOfBothSensors) {
+  constexpr double kTolerance = 1e-9;  // sums of the same terms in another order
   const RatioLikelihood here(0, pi / 2, kPlaced), there(pi, 3 * pi / 2, kPlaced);
   for (double chi = -1.5; chi < 1.6; chi += 0.1) {
     const RatioAngle ratio{.chi_rad = chi, .std_rad = 0.03};
@@ -91,7 +91,7 @@ TEST(RatioLikelihood, IsBlindToWhichWayBothSensorsTurn) {
   }
 }
 
-TEST(RatioLikelihood, HoldsAWronglyPlacedSensorForPossible) {
+TEST(RatioLikelihood, AllowsForAMisplacedSensor) {
   // Sensors 2° off 90° over a hoop mode turned by 40°: the ratio is −1.39, not −1.
   const double chi = std::atan(-1.39);
   const RatioAngle ratio{.chi_rad = chi, .std_rad = 0.005};
@@ -99,9 +99,9 @@ TEST(RatioLikelihood, HoldsAWronglyPlacedSensorForPossible) {
   EXPECT_GE(by_hand.hoop(ratio), 4 * exact.hoop(ratio));
 }
 
-TEST(RatioLikelihood, IsTheDensityOfTheRatiosOfAllTurns) {
-  // Counted over turns, with the gains' and the noise's own deviation so small that only the floor of 2° remains.
-  constexpr double kSecond = 1.3, kFloor = 0.035, kTolerance = 1e-3;  // 7200 turns, and the last of the series
+TEST(RatioLikelihood, IsTheDensityOfTheRatiosOverAllAngles) {
+  // A histogram over angles, with gain and noise errors so small that only the 2° of the pattern remain.
+  constexpr double kSecond = 1.3, kFloor = 0.035, kTolerance = 1e-3;  // 7200 angles, and the truncated series
   const RatioLikelihood likelihood(0.2, kSecond, {.angle_rad = 0, .gain = 0});
   constexpr int kTurns = 7200;
   for (const double chi : {-1.2, -0.5, 0.1, 0.9, 1.5}) {
@@ -115,8 +115,8 @@ TEST(RatioLikelihood, IsTheDensityOfTheRatiosOfAllTurns) {
   }
 }
 
-TEST(RatioLikelihood, AllowsForTheGainsWhereTheyTurnTheRatio) {
-  // Reading 5 % low on one channel turns −45° by 1.4°, and a ratio of 0 not at all.
+TEST(RatioLikelihood, IncludesGainErrorsWhereTheyChangeTheRatio) {
+  // A gain error of 5 % changes χ = −45° by 1.4°, and χ = 0 not at all.
   const RatioLikelihood known(0, pi / 2, {.angle_rad = 0.001, .gain = 0}),
       unknown(0, pi / 2, {.angle_rad = 0.001, .gain = 0.1});
   const RatioAngle off{.chi_rad = -pi / 4 + 0.12}, none{.chi_rad = 0};

@@ -26,7 +26,7 @@ std::vector<TypePosterior> beliefs(const std::vector<TypeEvidence>& modes) {
   return type_posteriors(modes, RatioLikelihood(0, pi / 2, {}));
 }
 
-TEST(FamilyBelief, IsAProbability) {
+TEST(TypePosterior, IsAProbability) {
   for (const auto& modes : {std::vector<TypeEvidence>{mode_at(169, 25), mode_at(1900, -45), {.freq_Hz = 2500}},
                             paired(mode_at(169, 25), mode_at(171, 115))}) {
     for (const TypePosterior& b : beliefs(modes)) {
@@ -37,13 +37,13 @@ TEST(FamilyBelief, IsAProbability) {
   EXPECT_TRUE(beliefs({}).empty());
 }
 
-TEST(FamilyBelief, KnowsNothingOfAModeThatNoSensorSees) {
+TEST(TypePosterior, IsThePriorForAnUnobservedMode) {
   const auto found = beliefs({mode_at(169, 25), {.freq_Hz = 2500}});
   for (const double p : found[1]) EXPECT_NEAR(p, 1.0 / 3, 1e-12);
 }
 
-TEST(FamilyBelief, KeepsTheRivalWhereTheLowestModeLooksLikeHoopToo) {
-  // A bat that bends at −45° shows the hoop ratio in every mode; one that bends at 25° leaves it to hoop modes.
+TEST(TypePosterior, StaysUncertainWhereTheLowestModeHasTheHoopRatio) {
+  // A bat that bends at −45° shows the hoop ratio in every mode; with bending at 25°, only hoop modes have it.
   const auto all = beliefs({mode_at(169, -45), mode_at(575, -45), mode_at(1150, -45), mode_at(1900, -45)});
   const auto one = beliefs({mode_at(169, 25), mode_at(575, 25), mode_at(1150, 25), mode_at(1900, -45)});
   EXPECT_GT(all[0][0], 0.5);
@@ -52,26 +52,26 @@ TEST(FamilyBelief, KeepsTheRivalWhereTheLowestModeLooksLikeHoopToo) {
   EXPECT_LT(one[3][0], 0.5 * all[3][0]);
 }
 
-TEST(FamilyBelief, TakesTheLowestModeForBendingOnlyWhereBatsBend) {
+TEST(TypePosterior, AssumesBendingOfTheLowestModeOnlyAtItsFrequencies) {
   EXPECT_GT(beliefs({mode_at(169, -45)})[0][0], 0.5);
   EXPECT_GT(beliefs({mode_at(1900, -45)})[0][1], 0.9);
 }
 
-TEST(FamilyBelief, KnowsTheTwoPlanesOfAModeByTheirRightAngle) {
+TEST(TypePosterior, FindsTheTwoPlanesOfAModeByTheirRightAngle) {
   const auto across = beliefs(paired(mode_at(1900, -45), mode_at(1912, 45)));
   EXPECT_GT(across[0][0], 0.8);
   EXPECT_GT(across[1][0], 0.8);
 }
 
-TEST(FamilyBelief, AsksHowLargeAHoopModeIsThatBothSensorsSeeOnANode) {
-  // Misplaced sensors near nodes read any ratio, but see a tenth of what they see of the pair's other half.
+TEST(TypePosterior, UsesTheAmplitudeOfAHoopModeNearItsNodes) {
+  // Misplaced sensors near nodes may give any ratio, but with a tenth of the other member's amplitude.
   const auto as_large = beliefs(paired(mode_at(1895, 0, 1), mode_at(1912, -45, 1)));
   const auto smaller = beliefs(paired(mode_at(1895, 0, 0.07), mode_at(1912, -45, 1)));
   EXPECT_GT(as_large[0][0], as_large[0][1]);
   EXPECT_GT(smaller[0][1], smaller[0][0]);
 }
 
-TEST(FamilyBelief, HoldsForSoManyModesThatProductsLeaveTheRangeOfADouble) {
+TEST(TypePosterior, IsFiniteForManyModes) {
   std::vector<TypeEvidence> modes(600);
   for (std::size_t i = 0; i < modes.size(); ++i) modes[i] = mode_at(169 + 20 * static_cast<double>(i), 25);
   const auto found = beliefs(modes);

@@ -10,8 +10,8 @@ namespace percuss::identify::line_blocks_test {
 
 const frf::LineRange kLines{.fs_Hz = 8192, .samples = 16384, .first = 100, .count = 4000};
 
-TEST(FrequencyBins, KeepTheEnergyOfWhiteNoiseInEveryBlock) {
-  constexpr double kTolerance = 0.1;  // of a variance from a thousand blocks: three deviations
+TEST(FrequencyBins, KeepTheEnergyOfWhiteNoiseInEveryBin) {
+  constexpr double kTolerance = 0.1;  // of a variance from a thousand bins: three standard deviations
   const FrequencyBins blocks(kLines, {{400, 0.005}, {1500, 0.002}});
   FrfDataset set = test::empty_set(kLines.fs_Hz, kLines.samples, 50, 2049.5, 1);
   ASSERT_EQ(set.lines.count, kLines.count);
@@ -27,8 +27,8 @@ TEST(FrequencyBins, KeepTheEnergyOfWhiteNoiseInEveryBlock) {
   EXPECT_LE(std::abs(energy - 1), kTolerance);
 }
 
-TEST(FrequencyBins, LoseNextToNothingOfWhatALineKnowsOfAPole) {
-  // Fisher information of frequency, damping and residue, with and without the sums.
+TEST(FrequencyBins, LoseAlmostNoInformationAboutAPole) {
+  // Fisher information of frequency, damping and residue, with and without bins.
   const Pole pole{800.3, 0.004};
   const FrequencyBins blocks(kLines, {pole});
   EXPECT_LE(blocks.count(), 400);
@@ -48,7 +48,7 @@ TEST(FrequencyBins, CoverEveryLineOnce) {
   Eigen::VectorXd column(2 * blocks.count());
   const Eigen::VectorXd even = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(kLines.count));
   blocks.sum(even.cast<Complex>(), even, column);
-  // A block of n lines gives n/√n: the squares count the lines.
+  // A bin of n lines gives n/√n: the squares count the lines.
   EXPECT_LE(std::abs(column.squaredNorm() - static_cast<double>(kLines.count)), 1e-8);
   EXPECT_EQ(blocks.middles().size(), static_cast<std::size_t>(blocks.count()));
 }

@@ -37,13 +37,13 @@ TEST(FitJointly, IsExactOnLinesWithoutNoise) {
   EXPECT_LE(std::abs(fit.residues(1, 2) + 0.3), 1e3 * kTolerance);
 }
 
-// χ² of all poles' errors in units of the reported deviations, over many records of noise.
+// χ² of all poles' errors in reported standard deviations, over many realisations of the noise.
 struct Scatter {
   double freq = 0, damping = 0, residue = 0;
   int complex_modes = 0;
 };
 
-// A step may exchange close poles.
+// The fit may exchange close poles.
 std::size_t nearest(const std::vector<Pole>& poles, const Pole& truth) {
   const auto closer = [&](const Pole& a, const Pole& b) {
     return std::abs(a.freq_Hz - truth.freq_Hz) < std::abs(b.freq_Hz - truth.freq_Hz);
@@ -70,8 +70,8 @@ Scatter scatter(Complex turn, double noise, int seeds) {
   return out;
 }
 
-TEST(FitJointly, ItsDeviationsAreTrue) {
-  // χ² over 300 values (correlated within a pair) scatters by about 0.1; four of those.
+TEST(FitJointly, StatesTrueStandardDeviations) {
+  // χ² over 300 values (correlated within a pair) scatters by about 0.1; four times that.
   constexpr double kTolerance = 0.4;
   for (const Complex turn : {Complex(1, 0), Complex(0.8, 0.6)}) {
     const Scatter all = scatter(turn, 0.5, 100);
@@ -81,12 +81,13 @@ TEST(FitJointly, ItsDeviationsAreTrue) {
   }
 }
 
-TEST(FitJointly, TakesResiduesForRealUnlessTheLinesContradict) {
+TEST(FitJointly, KeepsResiduesRealUnlessTheDataContradict) {
   EXPECT_EQ(scatter(1, 0.5, 40).complex_modes, 0);
-  EXPECT_EQ(scatter(Complex(0.8, 0.6), 0.5, 40).complex_modes, 80);  // the pair is turned, the third mode is not
+  EXPECT_EQ(scatter(Complex(0.8, 0.6), 0.5, 40).complex_modes,
+            80);  // the pair has complex residues, the third mode has real ones
 }
 
-TEST(FitJointly, SeesOutputsWhosePhasesDiffer) {
+TEST(FitJointly, DetectsFrfsWithDifferentPhases) {
   FrfDataset set = test::empty_set(4096, 32768, 250, 400, 2);
   test::add_mode(set, 0, kTruth[0], Complex(0.5, 0.3));
   test::add_mode(set, 1, kTruth[0], Complex(0.5, -0.3));
@@ -98,7 +99,7 @@ TEST(FitJointly, SeesOutputsWhosePhasesDiffer) {
 
 TEST(FitJointly, MeetsTheBoundOfATruncatedRecord) {
   // 0.6 s of modes that need more to decay; the bound comes from the exact time series, not from this model. Within a
-  // tenth: the lines below and above the band, and what is not along the force, are not used.
+  // tenth: lines outside the band, and the response orthogonal to the force, are not used.
   synth::SynthSpec spec = test::bat_spec({{.freq_Hz = 180, .damping_ratio = 0.004, .residue_per_kg = {0.9, 0.5}},
                                           {.freq_Hz = 600, .damping_ratio = 0.003, .residue_per_kg = {-0.7, 0.8}}},
                                          0.6);

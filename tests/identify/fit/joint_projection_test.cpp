@@ -20,7 +20,7 @@ FrfDataset three_modes(Complex turn = 1) {
   return set;
 }
 
-TEST(JointProjection, LeavesNothingOfLinesThatAreTheModel) {
+TEST(JointProjection, HasNoResidualOnExactData) {
   constexpr double kRounding = 1e-18;  // of the lines' energy
   for (const bool real : {true, false}) {
     const FrfDataset set = three_modes(real ? Complex(1) : Complex(0.6, 0.8));
@@ -54,8 +54,8 @@ TEST(JointProjection, ItsRightHandSideIsTheSlopeOfTheCost) {
   }
 }
 
-TEST(JointProjection, FindsEachOutputsNoise) {
-  constexpr double kTolerance = 0.05;  // of an rms over 2000 lines, four deviations
+TEST(JointProjection, FindsTheNoiseOfEachFrf) {
+  constexpr double kTolerance = 0.05;  // of an rms over 2000 lines, four standard deviations
   FrfDataset set = three_modes();
   test::add_frf_noise(set, 0.02, 5);
   std::vector<Complex>& second = set.channels[1].frf;
@@ -68,8 +68,8 @@ TEST(JointProjection, FindsEachOutputsNoise) {
   projection.weight_by_residual(flat, projection.unweighted_residual(flat));
   EXPECT_LE(std::abs(projection.noise()(0) / 0.02 - 1), kTolerance);
   EXPECT_LE(std::abs(projection.noise()(1) / 0.10 - 1), kTolerance);
-  // With its own weights every row has the variance 1.
-  constexpr double kOfRows = 0.12;  // of a variance from over a thousand rows, three deviations
+  // With these weights every row has the variance 1.
+  constexpr double kOfRows = 0.12;  // of a variance from over a thousand rows, three standard deviations
   const JointState state = projection.evaluate(model);
   EXPECT_LE(std::abs(state.cost / static_cast<double>(state.parts[0].residual.size()) - 1), kOfRows);
 }

@@ -20,7 +20,7 @@ std::vector<VectorXcd> lines_of(const FrfDataset& set) {
 
 const std::vector<Complex> kResidues{{0.8, 0.1}, {-0.3, 0.02}};
 
-/// Two channels, one mode at 300.37 Hz of 1 %, on a background that is a parabola over the lines.
+/// Two channels, one mode at 300.37 Hz of 1 %, on a parabolic background.
 FrfDataset one_mode() {
   FrfDataset set = test::empty_set(4096, 32768, 270, 330, 2);
   for (std::size_t o = 0; o < 2; ++o) {
@@ -48,7 +48,7 @@ TEST(FitLocally, IsExactOnLinesWithoutNoise) {
   EXPECT_LE(found.noise.maxCoeff(), 1e-9 * 40);  // of the peak, 40 (m/s²)/N
 }
 
-TEST(FitLocally, Parts2ModesAHalfPowerBandwidthApart) {
+TEST(FitLocally, Separates2ModesAHalfPowerBandwidthApart) {
   constexpr double kTolerance = 1e-8;  // rounding, amplified by the overlap
   FrfDataset set = test::empty_set(4096, 32768, 270, 330, 2);
   const std::vector<Pole> truth{{298, 0.01}, {304, 0.012}};
@@ -69,8 +69,8 @@ TEST(FitLocally, CountsItsDegreesOfFreedom) {
   EXPECT_EQ(fit(set, {{300, 0.01}}).degrees, 4 * set.lines.count - 18);
 }
 
-TEST(FitLocally, TellsTheNoiseOfEachChannel) {
-  constexpr double kTolerance = 0.1;  // three deviations of an rms over 480 lines
+TEST(FitLocally, FindsTheNoiseOfEachFrf) {
+  constexpr double kTolerance = 0.1;  // three standard deviations of an rms over 480 lines
   FrfDataset set = one_mode();
   test::add_frf_noise(set, 0.03, 5);
   const LocalFit found = fit(set, {{300, 0.01}});
@@ -93,10 +93,10 @@ TEST(FitLocally, ScalesWithTheDataAndNotWithTheWeights) {
   EXPECT_LE(std::abs(b.residue_std(1, 0) / a.residue_std(1, 0) - 1e6), kTolerance * 1e6);
 }
 
-TEST(FitLocally, DeviationsAreThoseOfTheEstimatesOver200Repetitions) {
+TEST(FitLocally, StatesTheStandardDeviationsOf200Repetitions) {
   constexpr int kRuns = 200;
-  constexpr double kTolerance = 0.2;  // four deviations of a standard deviation from 200 values (5 %)
-  constexpr double kBias = 0.3;       // of a deviation: four deviations of a mean of 200 values
+  constexpr double kTolerance = 0.2;  // four standard deviations of a standard deviation from 200 values (5 %)
+  constexpr double kBias = 0.3;       // of a standard deviation: four standard deviations of a mean of 200 values
   VectorXd square = VectorXd::Zero(4), sum = VectorXd::Zero(4), told = VectorXd::Zero(4);
   for (int run = 0; run < kRuns; ++run) {
     FrfDataset set = one_mode();
@@ -115,11 +115,11 @@ TEST(FitLocally, DeviationsAreThoseOfTheEstimatesOver200Repetitions) {
     EXPECT_LE(std::abs(scatter(i) * kRuns / told(i) - 1), kTolerance) << i;
     EXPECT_LE(std::abs(sum(i) / told(i)), kBias) << i;
   }
-  // The residue's deviation is the mean of that of its two parts.
+  // The residue's standard deviation is the mean of its two parts'.
   EXPECT_LE(std::abs(std::hypot(scatter(2), scatter(3)) / std::sqrt(2) * kRuns / told(2) - 1), kTolerance);
 }
 
-TEST(FitLocally, StaysWhereItStartedWhenThereIsNothingToFit) {
+TEST(FitLocally, KeepsItsStartWithoutData) {
   const FrfDataset set = test::empty_set(4096, 32768, 270, 330, 2);
   const LocalFit found = fit(set, {{300, 0.01}});
   EXPECT_EQ(found.poles[0].freq_Hz, 300);
@@ -137,7 +137,7 @@ TEST(PoleOfWindow, IsNearlyExactOnASingleMode) {
   EXPECT_LE(std::abs(found.damping_ratio / 0.01 - 1), 10 * kTolerance);
 }
 
-TEST(PoleOfWindow, SaysSoWhenThereIsNone) {
+TEST(PoleOfWindow, IsZeroWithoutADecayingMode) {
   FrfDataset set = test::empty_set(4096, 32768, 290, 310, 1);
   EXPECT_EQ(pole_of_window(set, lines_of(set), 0).freq_Hz, 0);
   test::add_mode(set, 0, {300, 0.01}, {1, 0});

@@ -5,7 +5,7 @@
 #include "core/math/linear_algebra.hpp"
 #include "support/modal_frfs.hpp"
 
-namespace percuss::identify::phase_evidence_test {
+namespace percuss::identify::phase_test_test {
 
 const Pole kPole{300.3, 0.01};
 
@@ -30,13 +30,13 @@ double evidence(double first_rad, double second_rad, std::uint64_t seed) {
   return phase_test_statistic(projection, state, 0, covariance);
 }
 
-TEST(PhaseContradiction, IsWeakForRealResidues) {
+TEST(PhaseTest, AcceptsRealResidues) {
   for (std::uint64_t seed = 0; seed < 50; ++seed) EXPECT_LE(evidence(0, 0, seed), 1) << seed;
 }
 
-TEST(PhaseContradiction, IsStrongForACommonPhaseAndForPhasesThatDiffer) {
+TEST(PhaseTest, RejectsACommonPhaseAndDifferentPhases) {
   EXPECT_GE(evidence(0.2, 0.2, 1), 1);
   EXPECT_GE(evidence(0.2, -0.2, 1), 1);
 }
 
-}  // namespace percuss::identify::phase_evidence_test
+}  // namespace percuss::identify::phase_test_test

@@ -6,7 +6,7 @@
 
 namespace percuss::identify::pole_step_test {
 
-TEST(PoleStep, AllowsWhatDecays) {
+TEST(PoleUpdate, AllowsDecayingPoles) {
   EXPECT_TRUE(poles_in_bounds({{100, 0.01}, {100.1, 0.49}}));
   EXPECT_FALSE(poles_in_bounds({{-1, 0.01}}));
   EXPECT_FALSE(poles_in_bounds({{100, 0}}));
@@ -14,14 +14,14 @@ TEST(PoleStep, AllowsWhatDecays) {
   EXPECT_FALSE(poles_in_bounds({{std::numeric_limits<double>::quiet_NaN(), 0.1}}));
 }
 
-TEST(PoleStep, MovesAndMeasuresInHalfBandwidths) {
+TEST(PoleUpdate, IsMeasuredInHalfBandwidths) {
   const std::vector<Pole> poles{{100, 0.01}, {200, 0.02}};
   Eigen::VectorXd step(4);
   step << 0.5, 0.001, -1, -0.004;
   const auto after = updated_poles(poles, step);
   EXPECT_EQ(after[0].freq_Hz, 100.5);
   EXPECT_EQ(after[1].damping_ratio, 0.016);
-  EXPECT_DOUBLE_EQ(normalised_step(step, poles), 0.5);  // half a hertz is half of half of 2 Hz
+  EXPECT_DOUBLE_EQ(normalised_step(step, poles), 0.5);  // 0.5 Hz over half of 2 Hz
 }
 
 }  // namespace percuss::identify::pole_step_test

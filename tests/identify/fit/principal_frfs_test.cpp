@@ -13,10 +13,10 @@ const std::vector<Pole> kTruth{{300.3, 0.01}, {305, 0.012}, {420, 0.006}};
 
 // Forty channels of three modes: residues as along a beam.
 FrfDataset survey() {
-  constexpr std::size_t kOutputs = 40;
-  FrfDataset set = test::empty_set(4096, 32768, 250, 500, kOutputs);
-  for (std::size_t o = 0; o < kOutputs; ++o) {
-    const double x = static_cast<double>(o) / kOutputs;
+  constexpr std::size_t kChannels = 40;
+  FrfDataset set = test::empty_set(4096, 32768, 250, 500, kChannels);
+  for (std::size_t o = 0; o < kChannels; ++o) {
+    const double x = static_cast<double>(o) / kChannels;
     for (std::size_t m = 0; m < kTruth.size(); ++m)
       test::add_mode(set, o, kTruth[m], 0.5 * std::cos(3.1 * (static_cast<double>(m) + 1) * x + 0.4));
   }
@@ -25,7 +25,7 @@ FrfDataset survey() {
 
 FrfDataset few_of(const FrfDataset& set) { return principal_frfs(set, principal_components(set, 8)); }
 
-TEST(PrincipalOutputs, HoldAllOfThreeModesInThree) {
+TEST(PrincipalFrfs, HoldThreeModesInThreeComponents) {
   constexpr double kRounding = 1e-9;  // of the energy
   const FrfDataset few = few_of(survey());
   ASSERT_EQ(few.channels.size(), 8U);
@@ -37,7 +37,7 @@ TEST(PrincipalOutputs, HoldAllOfThreeModesInThree) {
   for (std::size_t i = 3; i < energy.size(); ++i) EXPECT_LE(energy[i], kRounding * energy[0]) << i;
 }
 
-TEST(PrincipalOutputs, KnowAsMuchOfThePolesAsAllOutputs) {
+TEST(PrincipalFrfs, KeepTheInformationAboutThePoles) {
   constexpr double kTolerance = 0.05;  // the noise's own estimate from 4000 values
   FrfDataset set = survey();
   test::add_frf_noise(set, 0.5, 11);

@@ -8,17 +8,17 @@
 
 namespace percuss::identify::grouped_fit_test {
 
-TEST(WindowedFit, PartsAChainOfPolesWhereTheyAreFurthestApart) {
+TEST(WindowedFit, SplitsAChainOfPolesAtItsWidestGap) {
   const FrfDataset set = test::empty_set(8192, 8192, 60, 3000, 1);
   WindowedFit all(set);
-  // Each within four bandwidths of the next, the last two side by side.
+  // Each within four bandwidths of the next, the last two close together.
   all.replace({{500, 0.01}, {530, 0.01}, {560, 0.01}, {595, 0.01}, {596, 0.01}});
   ASSERT_EQ(all.groups().size(), 2U);
   EXPECT_EQ(all.groups()[0].fit.poles.size(), 3U);
   EXPECT_EQ(all.groups()[1].fit.poles.size(), 2U);
 }
 
-TEST(WindowedFit, WidensTheWindowOfAPoleThatBeganTooNarrow) {
+TEST(WindowedFit, WidensTheWindowOfABroadResonance) {
   FrfDataset set = test::empty_set(8192, 8192, 60, 3000, 1);
   test::add_mode(set, 0, {1000, 0.05}, 1);
   test::add_frf_noise(set, 0.3, 5);

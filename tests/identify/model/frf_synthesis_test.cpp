@@ -18,7 +18,7 @@ Mode mode_of(const Pole& pole, std::vector<Complex> residues) {
   return mode;
 }
 
-// Two channels of two modes on a rigid-body line.
+// Two channels of two modes on a mass line.
 struct Case {
   FrfDataset set = test::empty_set(8192, 16384, 50, 2000, 2);
   std::vector<Mode> modes{mode_of({300, 0.01}, {1.0, -0.4}), mode_of({1100, 0.004}, {0.5, {0.2, 0.05}})};
@@ -30,7 +30,7 @@ struct Case {
   }
 };
 
-TEST(SynthesisedFrf, IsTheMeasuredOneOfExactModes) {
+TEST(SynthesisedFrf, EqualsTheMeasuredFrfForExactModes) {
   const Case c;
   const auto made = synthesised_frfs(c.set, c.modes, c.set.lines);
   ASSERT_EQ(made.size(), 2U);
@@ -43,20 +43,20 @@ TEST(SynthesisedFrf, IsTheMeasuredOneOfExactModes) {
   EXPECT_NEAR(std::abs(made[1].terms[1]), 0, 1e-10);
 }
 
-TEST(SynthesisedFrf, AllowsForAModeAboveTheBand) {
-  constexpr double kClose = 1e-4;  // its series, cut after two terms
+TEST(SynthesisedFrf, FollowsAModeAboveTheBand) {
+  constexpr double kClose = 1e-4;  // two terms of its series
   Case c;
   test::add_mode(c.set, 0, {6000, 0.01}, 2.0);
   EXPECT_LE(1 - synthesised_frfs(c.set, c.modes, c.set.lines)[0].frac, kClose);
 }
 
-TEST(SynthesisedFrf, MissesAModeThatIsLeftOut) {
+TEST(SynthesisedFrf, LacksAnOmittedMode) {
   Case c;
   c.modes.pop_back();
   for (const SynthesisedFrf& made : synthesised_frfs(c.set, c.modes, c.set.lines)) EXPECT_LE(made.frac, 0.9);
 }
 
-TEST(SynthesisedFrf, TakesAPointsOwnPoleWhereItHasOne) {
+TEST(SynthesisedFrf, UsesAPointsOwnPole) {
   Case c;
   Mode& mode = c.modes.front();
   const Pole own = mode.pole;
@@ -66,7 +66,7 @@ TEST(SynthesisedFrf, TakesAPointsOwnPoleWhereItHasOne) {
   EXPECT_NEAR(synthesised_frfs(c.set, c.modes, c.set.lines)[0].frac, 1, kRounding);
 }
 
-TEST(SynthesisedFrf, TellsNoiseFromModes) {
+TEST(SynthesisedFrf, SeparatesNoiseFromOmittedModes) {
   Case c;
   test::add_frf_noise(c.set, 1, 3);
   EXPECT_NEAR(synthesised_frfs(c.set, c.modes, c.set.lines)[0].noise_share, 1, 0.05);  // some hundred lines
@@ -75,7 +75,7 @@ TEST(SynthesisedFrf, TellsNoiseFromModes) {
   EXPECT_LE(synthesised_frfs(missing.set, missing.modes, missing.set.lines)[0].noise_share, 0.05);  // a smooth curve
 }
 
-TEST(SynthesisedFrf, TellsLevelsUnderTheStrongest) {
+TEST(SynthesisedFrf, StatesLevelsRelativeToTheStrongestFrf) {
   Case c;
   for (std::size_t k = 0; k < c.set.lines.count; ++k) c.set.channels[1].frf[k] = 0.1 * c.set.channels[0].frf[k];
   const auto made = synthesised_frfs(c.set, c.modes, c.set.lines);
@@ -83,7 +83,7 @@ TEST(SynthesisedFrf, TellsLevelsUnderTheStrongest) {
   EXPECT_NEAR(made[1].level_dB, -20, kRounding * 100);
 }
 
-TEST(SynthesisedFrf, SurvivesADeadChannelAndNoModes) {
+TEST(SynthesisedFrf, AcceptsADeadChannelAndNoModes) {
   Case c;
   c.set.channels[1].frf.assign(c.set.lines.count, Complex());
   const auto made = synthesised_frfs(c.set, {}, c.set.lines);
@@ -91,8 +91,8 @@ TEST(SynthesisedFrf, SurvivesADeadChannelAndNoModes) {
   EXPECT_TRUE(std::isfinite(made[1].level_dB));
 }
 
-TEST(SynthesisedFrf, KnowsDecaysThatAreCutOff) {
-  constexpr double kClose = 1e-6;  // the rigid body's line and the filter near the band's end
+TEST(SynthesisedFrf, IncludesTruncatedDecays) {
+  constexpr double kClose = 1e-6;  // the mass line, and the filter near the band's end
   synth::SynthSpec spec = test::bat_spec({{.freq_Hz = 300, .damping_ratio = 0.002}}, 0.3);
   const auto made = synth::synthesise(spec);
   const FrfDataset set = test::frf_set_of(made.record, 60, 2400);
@@ -102,7 +102,7 @@ TEST(SynthesisedFrf, KnowsDecaysThatAreCutOff) {
   for (const SynthesisedFrf& frf : synthesised_frfs(set, {mode}, set.lines)) EXPECT_LE(1 - frf.frac, kClose);
 }
 
-TEST(Frac, IsBlindToOneFactor) {
+TEST(Frac, DoesNotDependOnScale) {
   EXPECT_NEAR(frac({1, {0, 2}, 3}, {{0, 5}, -10, {0, 15}}), 1, kRounding);
   EXPECT_NEAR(frac({1, 0}, {0, 1}), 0, kRounding);
   EXPECT_EQ(frac({0, 0}, {0, 1}), 0);

@@ -24,7 +24,7 @@ synth::SynthSpec truncated() {
 }
 
 TEST(ModeColumn, IsTheClosedFormOfAModeThatHasDecayed) {
-  constexpr double kTolerance = 1e-12;  // decay beyond e^−34 is left out; rounding of a resonance of height 50
+  constexpr double kTolerance = 1e-12;  // the decay beyond e^−34 is omitted; rounding of a resonance of height 50
   const FrfDataset set = test::empty_set(4096, 65536, 100, 600, 1);
   const Pole pole{.freq_Hz = 300, .damping_ratio = 0.01};
   ASSERT_TRUE(decays_within_record(pole, set.points[0], set.lines));
@@ -37,7 +37,7 @@ TEST(ModeColumn, IsTheClosedFormOfAModeThatHasDecayed) {
   EXPECT_LE(error, kTolerance * largest(column.value));
 }
 
-// Drive: sum of the modes' columns and the rigid line against the H1 of the record itself.
+// Compares the modes' columns plus the mass line with the H1 of the record.
 double error_of_the_sum(double decay_per_s) {
   const synth::SyntheticTest made = synth::synthesise(truncated());
   const FrfDataset set = test::frf_set_of(made.record, 40, 2000, decay_per_s);
@@ -56,18 +56,18 @@ double error_of_the_sum(double decay_per_s) {
   return worst;
 }
 
-TEST(ModeColumn, TimesResidueAndRigidLineIsTheH1OfATruncatedRecord) {
+TEST(ModeColumn, TimesResiduePlusMassLineIsTheH1OfATruncatedRecord) {
   constexpr double kTolerance = 1e-9;  // the force's own filter ringing at the row's ends, aliases and rounding
   EXPECT_LE(error_of_the_sum(0), kTolerance);
 }
 
 TEST(ModeColumn, HoldsUnderAnExponentialWindow) {
-  constexpr double kTolerance = 1e-9;  // as without one
+  constexpr double kTolerance = 1e-9;  // as without a window
   EXPECT_LE(error_of_the_sum(6), kTolerance);
 }
 
-TEST(ModeColumn, MissesTheTruncatedRecordWithoutItsSecondTerm) {
-  // The plain accelerance is off by percents here, which is what makes the test above mean something.
+TEST(ModeColumn, DiffersFromATruncatedRecordWithoutItsSecondTerm) {
+  // Without the second term the error is a few per cent, which shows that the test above can fail.
   const synth::SyntheticTest made = synth::synthesise(truncated());
   const FrfDataset set = test::frf_set_of(made.record, 40, 2000);
   const Pole pole{.freq_Hz = 120, .damping_ratio = 0.004};
@@ -83,8 +83,8 @@ struct Setting {
 };
 class ModeColumnSlope : public testing::TestWithParam<Setting> {};
 
-TEST_P(ModeColumnSlope, IsWhatCentralDifferencesGive) {
-  constexpr double kStep = 1e-5;       // of the parameter's own scale: truncation 1e-10, rounding 1e-11
+TEST_P(ModeColumnSlope, AgreesWithCentralDifferences) {
+  constexpr double kStep = 1e-5;       // of the parameter's scale: truncation 1e-10, rounding 1e-11
   constexpr double kTolerance = 1e-7;  // of the largest: both, amplified by up to 100 near the resonance
   synth::SynthSpec spec = truncated();
   spec.samples = static_cast<std::size_t>(GetParam().duration_s * spec.fs_Hz);
@@ -107,7 +107,7 @@ TEST_P(ModeColumnSlope, IsWhatCentralDifferencesGive) {
 INSTANTIATE_TEST_SUITE_P(WithAndWithoutTruncationAndWindow, ModeColumnSlope,
                          testing::Values(Setting{0.35, 0}, Setting{0.35, 8}, Setting{8, 0}, Setting{2, 3}));
 
-TEST(ModeColumn, DoesNotDependOnTheForcesUnitNorOnTheHitsOrder) {
+TEST(ModeColumn, DoesNotDependOnTheForcesUnitOrTheOrderOfHits) {
   constexpr double kTolerance = 1e-13;  // order of summation
   const synth::SyntheticTest made = synth::synthesise(truncated());
   const FrfDataset set = test::frf_set_of(made.record, 40, 2000);
@@ -124,7 +124,7 @@ TEST(ModeColumn, DoesNotDependOnTheForcesUnitNorOnTheHitsOrder) {
   EXPECT_LE(largest(a - b), kTolerance * largest(a));
 }
 
-TEST(ModeColumn, OfAWindowIsAPartOfTheWhole) {
+TEST(ModeColumn, OfAWindowIsPartOfTheFullColumn) {
   const FrfDataset set = test::frf_set_of(synth::synthesise(truncated()).record, 40, 2000);
   const Pole pole{.freq_Hz = 640, .damping_ratio = 0.004};
   constexpr double kTolerance = 1e-12;  // the phase is stepped from line to line
@@ -135,7 +135,7 @@ TEST(ModeColumn, OfAWindowIsAPartOfTheWhole) {
 
 constexpr frf::LineRange kTwoLines{.fs_Hz = 8, .samples = 8, .first = 1, .count = 2};
 
-TEST(PointForce, WeighsEachHitByItsPartOfTheEnergy) {
+TEST(PointForce, WeightsEachHitByItsEnergy) {
   const std::vector<Complex> a{{3, 4}, {0, 1}}, b{{0, 5}, {2, 0}};
   const PointForce force = point_force({{}, {}}, {frf::shared(a), frf::shared(b)}, kTwoLines, 0.5);
   EXPECT_DOUBLE_EQ(force.ff[0], 50);
@@ -146,7 +146,7 @@ TEST(PointForce, WeighsEachHitByItsPartOfTheEnergy) {
     EXPECT_NEAR(std::abs(line - 1.0), 0, 1e-15);
 }
 
-TEST(PointForce, NamesALineThatTheForceNeverExcited) {
+TEST(PointForce, RejectsALineWithoutForceEnergy) {
   const std::vector<Complex> force{{3, 4}, {0, 0}};
   try {
     point_force({{}}, {frf::shared(force)}, kTwoLines, 0);
@@ -156,7 +156,7 @@ TEST(PointForce, NamesALineThatTheForceNeverExcited) {
   }
 }
 
-TEST(TruncatedDecay, IsWhatAColumnLacksOfTheWholeOne) {
+TEST(TruncatedDecay, IsTheDifferenceOfUntruncatedAndTruncatedColumns) {
   constexpr double kTolerance = 1e-12;  // rounding, of the largest line
   const synth::SyntheticTest made = synth::synthesise(truncated());
   for (const double decay_per_s : {0.0, 3.0}) {

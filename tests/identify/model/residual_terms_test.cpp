@@ -8,7 +8,7 @@ namespace percuss::identify::background_test {
 
 const frf::LineRange kLines{.fs_Hz = 8192, .samples = 8192, .first = 60, .count = 3200};
 
-// Of the lines of an undamped mode's accelerance beyond the band, the part that the background cannot follow.
+// The part of an undamped out-of-band mode's accelerance that the terms cannot follow.
 double missed(double freq_Hz) {
   const Eigen::MatrixXd shapes = out_of_band_terms(kLines);
   Eigen::VectorXd tail(shapes.rows());
@@ -19,19 +19,19 @@ double missed(double freq_Hz) {
   return (tail - shapes * least_squares(shapes, tail)).norm() / tail.norm();
 }
 
-TEST(BackgroundShapes, FollowTheTailsOfModesBeyondTheLines) {
+TEST(OutOfBandTerms, FollowTheTailsOfModesBeyondTheLines) {
   constexpr double kFollowed = 0.002;  // of the tail; below the noise of a good measurement
   for (const double freq_Hz : {3600.0, 4200.0, 6000.0, 1e4, 1e5}) EXPECT_LE(missed(freq_Hz), kFollowed) << freq_Hz;
   for (const double freq_Hz : {0.5, 5.0, 30.0}) EXPECT_LE(missed(freq_Hz), kFollowed) << freq_Hz;
 }
 
-TEST(BackgroundShapes, BeginWithTheMassLine) {
+TEST(OutOfBandTerms, BeginWithTheMassLine) {
   const Eigen::MatrixXd shapes = out_of_band_terms(kLines);
   EXPECT_EQ(shapes.col(0).minCoeff(), 1);
   EXPECT_EQ(shapes.col(0).maxCoeff(), 1);
 }
 
-TEST(BackgroundShapes, AreFiniteFromZeroHertz) {
+TEST(OutOfBandTerms, AreFiniteFromZeroHertz) {
   EXPECT_TRUE(out_of_band_terms({.fs_Hz = 1000, .samples = 1000, .first = 0, .count = 400}).allFinite());
 }
 

@@ -29,10 +29,10 @@ std::vector<std::size_t> all_lines(const FrfDataset& set) {
   return lines;
 }
 
-TEST(GainErrors, HaveTheCovarianceOfTheGatesNoise) {
+TEST(GainErrors, HaveTheCovarianceOfTheNoiseInTheGate) {
   const FrfDataset set = gated_hit();
   const Eigen::MatrixXcd errors = gain_errors(set, 0, all_lines(set));
-  // Independent truth: noise on every sample of the gate, transformed, over the force's spectrum.
+  // Independent reference: noise on every sample of the gate, transformed, over the force's spectrum.
   const frf::ForceBlock& block = set.points[0].blocks[0];
   const auto force = frf::force_spectrum(block, set.lines);
   constexpr int kTrials = 2000;
@@ -65,7 +65,7 @@ TEST(GainErrors, HaveTheCovarianceOfTheGatesNoise) {
   }
 }
 
-TEST(GainErrors, AgreeWithTheDeviationOfOneLine) {
+TEST(GainErrors, AgreeWithTheStandardDeviationOfOneLine) {
   const FrfDataset set = gated_hit();
   const Eigen::MatrixXcd errors = gain_errors(set, 0, all_lines(set));
   const double whole = errors.row(4000).squaredNorm();
@@ -73,7 +73,7 @@ TEST(GainErrors, AgreeWithTheDeviationOfOneLine) {
   EXPECT_LE(std::abs(whole / (2 * one * one) - 1), 1e-9);
 }
 
-TEST(GainErrors, AreNoneWithoutAForce) {
+TEST(GainErrors, AreEmptyWithoutAForce) {
   FrfDataset set = gated_hit();
   set.points[0].noise_N = 0;
   EXPECT_EQ(gain_errors(set, 0, {1, 2}).size(), 0);

@@ -14,9 +14,9 @@
 
 namespace percuss::identify::line_noise_test {
 
-// A median over some thousand lines of which three neighbours share their noise is good to 5 %; five of its deviations.
+// The median of some thousand roughness values, three neighbours of which share noise: five standard deviations.
 constexpr double kTolerance = 0.1;
-constexpr double kPart = 0.01;  // deviation of a real part
+constexpr double kPart = 0.01;  // standard deviation of a real part
 constexpr double kWhole = kPart * std::numbers::sqrt2;
 constexpr Pole kMode{.freq_Hz = 800, .damping_ratio = 0.004};
 
@@ -28,20 +28,20 @@ FrfDataset noisy_mode() {
   return set;
 }
 
-// As the same response's noise makes it where the force falls with frequency: 1/|F| above the first line.
+// The noise of an FRF where the force falls with frequency: 1/|F| above the first line.
 double amplitude(std::size_t line) { return 1 / (1 + 1e-3 * static_cast<double>(line)); }
 
-TEST(LineNoise, IsThatOfTheLinesWhateverResonatesAmongThem) {
+TEST(LineNoise, DoesNotDependOnResonances) {
   const FrfDataset set = noisy_mode();
   const LineNoise noise(set);
   for (std::size_t channel = 0; channel < 2; ++channel) {
     EXPECT_NEAR(noise.at(channel, 100) / kWhole, 1, kTolerance);
-    EXPECT_NEAR(noise.at(channel, 100), noise.at(channel, 4000), 1e-12);  // the force of one sample is even
+    EXPECT_NEAR(noise.at(channel, 100), noise.at(channel, 4000), 1e-12);  // a force of one sample has a white spectrum
     EXPECT_NEAR(noise.over(0, set.lines.count)(static_cast<Eigen::Index>(channel)), noise.at(channel, 0), 1e-12);
   }
 }
 
-TEST(LineNoise, GoesAsOneOverTheForce) {
+TEST(LineNoise, IsInverselyProportionalToTheForce) {
   FrfDataset set = noisy_mode();
   for (std::size_t k = 0; k < set.lines.count; ++k) {
     for (FrfChannel& channel : set.channels) channel.frf[k] /= amplitude(k);
@@ -50,12 +50,12 @@ TEST(LineNoise, GoesAsOneOverTheForce) {
   const LineNoise noise(set);
   for (const std::size_t line : {0U, 1000U, 4000U})
     EXPECT_NEAR(noise.at(1, line) * amplitude(line) / kWhole, 1, kTolerance) << line;
-  // Over some lines: as strong as where the force has their mean power.
+  // Over a range of lines: the noise at the mean power of the force.
   const double power = (std::pow(amplitude(2000), 2) + std::pow(amplitude(2001), 2)) / 2;
   EXPECT_NEAR(noise.over(2000, 2)(0) / (noise.at(0, 0) / std::sqrt(power)), 1, 1e-9);
 }
 
-TEST(LineNoise, IsEvenWhereTheForceIsNotKnown) {
+TEST(LineNoise, IsWhiteWhereTheForceIsUnknown) {
   FrfDataset set = noisy_mode();
   set.points[0].ff.clear();
   const LineNoise noise(set);
@@ -80,19 +80,19 @@ std::vector<Complex> noise_of(std::size_t lines, std::uint64_t seed) {
 
 TEST(BlockNoise, SkipsResonances) {
   auto lines = noise_of(4000, 3);
-  for (std::size_t k = 0; k < 4000; k += 64) lines[k] += 1e3;  // narrow ones everywhere
+  for (std::size_t k = 0; k < 4000; k += 64) lines[k] += 1e3;  // narrow resonances everywhere
   const auto broad = noise_of(400, 4);
   for (std::size_t k = 0; k < 400; ++k) lines[k] += 1e3 * broad[k];
-  // 2000 values of an exponential distribution: 3 %; what the narrow ones add to a median 10 %, the broad one 3 %.
+  // 2000 values of an exponential distribution: 3 %; the narrow resonances add 10 % to the median, the broad one 3 %.
   EXPECT_NEAR(median(block_noise(lines, kWhiteRoughness)), 1, 0.25);
 }
 
-TEST(BlockNoise, TellsItBlockByBlock) {
+TEST(BlockNoise, IsSeparateForEachBlock) {
   auto lines = noise_of(100 * kNoiseBlock - 1, 5);
   for (std::size_t k = 50 * kNoiseBlock; k < lines.size(); ++k)
     lines[k] = 2.0 * lines[k] + Complex(0.1, 3) * static_cast<double>(k);
   const auto noise = block_noise(lines, kWhiteRoughness);
-  ASSERT_EQ(noise.size(), 99U);  // the last one has the rest
+  ASSERT_EQ(noise.size(), 99U);  // the last block has the rest
   const auto mean = [&](std::size_t from, std::size_t to) {
     return std::accumulate(noise.begin() + static_cast<std::ptrdiff_t>(from),
                            noise.begin() + static_cast<std::ptrdiff_t>(to), 0.0) /
@@ -105,11 +105,11 @@ TEST(BlockNoise, TellsItBlockByBlock) {
   EXPECT_EQ(block_noise(std::vector<Complex>(3), kWhiteRoughness).size(), 1U);
 }
 
-TEST(LocalNoise, IsTheMiddleOneOfThreeBlocks) {
+TEST(LocalNoise, IsTheMedianOfThreeBlocks) {
   const std::vector<double> blocks{1, 9, 2, 4};
   const auto noise = local_noise(blocks, 4 * kNoiseBlock + 5);
   ASSERT_EQ(noise.size(), 4 * kNoiseBlock + 5);
-  EXPECT_EQ(noise[0], 5);  // of two at an end, their mean
+  EXPECT_EQ(noise[0], 5);  // two blocks at an end: their mean
   EXPECT_EQ(noise[kNoiseBlock], 2);
   EXPECT_EQ(noise[3 * kNoiseBlock - 1], 4);
   EXPECT_EQ(noise.back(), 3);

@@ -15,7 +15,7 @@ namespace percuss::identify::window_noise_test {
 
 constexpr std::size_t kSamples = 8192;
 constexpr double kFs_Hz = 8192;    // a record of one second
-constexpr double kSampled = 2e-3;  // sums over samples in place of integrals
+constexpr double kSampled = 2e-3;  // sums over samples instead of integrals
 
 FrfDataset windowed(double decay_per_s) {
   FrfDataset set = test::empty_set(kFs_Hz, kSamples, 40, 2400, 1);
@@ -34,7 +34,7 @@ std::complex<double> sum(double decay_per_s, int power, double mode_decay_per_s,
   return total;
 }
 
-TEST(WindowNoise, IsAsRoughAsItsLinesHaveNoiseOfTheirOwn) {
+TEST(WindowNoise, HasTheRoughnessOfCorrelatedLines) {
   for (const double decay_per_s : {0.3, 4.6, 20.0}) {
     const auto common = [&](int apart) {
       return (sum(decay_per_s, 2, 0, 0, apart) / sum(decay_per_s, 2, 0, 0, 0)).real();
@@ -43,8 +43,8 @@ TEST(WindowNoise, IsAsRoughAsItsLinesHaveNoiseOfTheirOwn) {
   }
 }
 
-TEST(WindowNoise, TellsWhatTheWindowsSquareLeavesOfAModesSamples) {
-  const Pole pole{.freq_Hz = 500, .damping_ratio = 0.004};  // gone within the record
+TEST(WindowNoise, HasTheFactorsOfWeightedLeastSquaresOverTime) {
+  const Pole pole{.freq_Hz = 500, .damping_ratio = 0.004};  // decays within the record
   const double mode_decay_per_s = pole.damping_ratio * kTwoPi * pole.freq_Hz;
   for (const double decay_per_s : {2.0, 4.6, 20.0}) {
     const WindowNoise noise(windowed(decay_per_s));
@@ -55,7 +55,7 @@ TEST(WindowNoise, TellsWhatTheWindowsSquareLeavesOfAModesSamples) {
     };
     EXPECT_NEAR(noise.of_residue(pole) / factor(0), 1, 10 * kSampled);
     EXPECT_NEAR(noise.of_pole(pole) / std::max(1.0, factor(2)), 1, 10 * kSampled);
-    EXPECT_GE(noise.most(), noise.of_residue(pole));
+    EXPECT_GE(noise.max_factor(), noise.of_residue(pole));
   }
 }
 
@@ -63,15 +63,17 @@ TEST(WindowNoise, IsWhiteWithoutAWindow) {
   const WindowNoise noise(windowed(0));
   const Pole pole{.freq_Hz = 500, .damping_ratio = 0.004};
   EXPECT_EQ(noise.roughness(), 1.5);
-  EXPECT_EQ(noise.most(), 1);
+  EXPECT_EQ(noise.max_factor(), 1);
   EXPECT_EQ(noise.of_pole(pole), 1);
   EXPECT_EQ(noise.of_residue(pole), 1);
 }
 
-// Counted as independent, the lines gave false modes in two records of three, and half the deviation.
-TEST(WindowNoise, LetsFitsFindTheModesAndTheirDeviations) {
+// With lines counted as independent, two of three records gave spurious modes, and standard deviations were halved.
+TEST(WindowNoise, LetsFitsFindTheModesAndTheirStandardDeviations) {
   constexpr std::size_t kRecords = 12;
-  constexpr double kLeast = 0.65, kMax = 1.4;  // times: 72 values tell a deviation to 8 %; four of them, and the model
+  constexpr double
+      kMin = 0.65,
+      kMax = 1.4;  // a standard deviation from 72 values is accurate to 8 %: four times that, and the model error
   const std::vector<double> freq_Hz{165, 568, 1177}, damping_ratio{0.01, 0.007, 0.006};
   double squares = 0;
   for (std::size_t seed = 0; seed < kRecords; ++seed) {
@@ -93,7 +95,7 @@ TEST(WindowNoise, LetsFitsFindTheModesAndTheirDeviations) {
     }
   }
   const double rms = std::sqrt(squares / (2 * kRecords * static_cast<double>(freq_Hz.size())));
-  EXPECT_GE(rms, kLeast);
+  EXPECT_GE(rms, kMin);
   EXPECT_LE(rms, kMax);
 }
 

@@ -12,7 +12,7 @@ constexpr double kNoise = 0.02;  // of lines whose peaks are 1/(2·0.001) = 500 
 
 using Points = std::vector<std::vector<std::pair<Pole, Complex>>>;
 
-// One channel per point, the modes of each its own; nothing is known of the force.
+// One channel per point, with separate modes at each point; the force is unknown.
 FrfDataset set_of(const Points& points, std::uint64_t seed) {
   FrfDataset set = test::empty_set(4096, 65536, 80, 120, points.size());
   set.points.assign(points.size(), {});
@@ -27,7 +27,7 @@ FrfDataset set_of(const Points& points, std::uint64_t seed) {
 
 double shape(int point) { return std::cos(0.4 * point); }
 
-// A mode at 100 Hz (0.1 %: 0.2 Hz wide) that moves by 0.02 Hz from point to point.
+// A mode at 100 Hz (0.1 %: 0.2 Hz wide) whose frequency changes by 0.02 Hz from point to point.
 FrfDataset moving_set(std::uint64_t seed) {
   Points points;
   for (int p = 0; p < 9; ++p) points.push_back({{Pole{100 + 0.02 * (p - 4), 1e-3}, shape(p)}});
@@ -42,7 +42,7 @@ FrfDataset pair_set() {
   return set_of(points, 3);
 }
 
-// The one group of modes, fitted from these poles.
+// The single group of modes, fitted from these poles.
 WindowedFit fitted(const FrfDataset& set, const std::vector<Pole>& start) {
   WindowedFit all(set);
   all.replace(start);
@@ -51,7 +51,7 @@ WindowedFit fitted(const FrfDataset& set, const std::vector<Pole>& start) {
   return all;
 }
 
-TEST(MovingModes, AreTheMeanOverThePointsWithItsDeviation) {
+TEST(ScatteredModes, AreTheMeanOverThePointsWithItsStandardDeviation) {
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
     const FrfDataset set = moving_set(seed);
     const WindowedFit all = fitted(set, {{100, 1e-3}});
@@ -59,14 +59,14 @@ TEST(MovingModes, AreTheMeanOverThePointsWithItsDeviation) {
     ASSERT_EQ(modes.size(), 1U) << seed;
     EXPECT_NEAR(modes[0].pole.freq_Hz, 100, 3 * modes[0].freq_std_Hz);
     EXPECT_NEAR(modes[0].pole.damping_ratio, 1e-3, 1e-5) << "not broadened by the moving, as a common pole is";
-    // The spread of nine frequencies 0.02 Hz apart is 0.055 Hz; by moments, points of unequal weight give it to a
-    // third.
+    // The spread of nine frequencies 0.02 Hz apart is 0.055 Hz; the method of moments with unequal weights is accurate
+    // to a third.
     EXPECT_NEAR(modes[0].freq_scatter_Hz, 0.055, 0.02);
     EXPECT_NEAR(modes[0].freq_std_Hz, modes[0].freq_scatter_Hz / 3, 1e-3) << "of the mean of nine";
   }
 }
 
-TEST(MovingModes, KeepTheShape) {
+TEST(ScatteredModes, KeepTheShape) {
   const FrfDataset set = moving_set(1);
   const WindowedFit all = fitted(set, {{100, 1e-3}});
   const auto modes = scattered_modes(all, all.groups().front());
@@ -75,31 +75,31 @@ TEST(MovingModes, KeepTheShape) {
     EXPECT_NEAR(modes[0].residues.at(static_cast<std::size_t>(p)).real(), shape(p), 0.01) << p;
 }
 
-TEST(MovingModes, HaveAPoleForEachPointThatLeavesNothing) {
+TEST(ScatteredModes, HaveAPoleForEachPointThatLeavesOnlyNoise) {
   const FrfDataset set = moving_set(2);
   const WindowedFit all = fitted(set, {{100, 1e-3}});
   const FitGroup& group = all.groups().front();
   const auto modes = scattered_modes(all, group);
   ASSERT_EQ(modes.size(), 1U);
   for (std::size_t p = 0; p < 9; ++p) {
-    if (std::abs(shape(static_cast<int>(p))) < 0.2) continue;  // hardly sees it
+    if (std::abs(shape(static_cast<int>(p))) < 0.2) continue;  // hardly observes the mode
     ASSERT_TRUE(modes[0].own_poles[p].has_value()) << p;
     EXPECT_NEAR(modes[0].own_poles[p]->freq_Hz, 100 + 0.02 * (static_cast<double>(p) - 4), 1e-3) << p;
   }
   auto residual = all.residual();
   EXPECT_GT(residual[0].norm(), 20 * kNoise * std::sqrt(2.0 * static_cast<double>(set.lines.count)));
   subtract_freq_scatter(set, group, 0, modes[0], residual);
-  // White noise, good to 1 % over this many lines, and less what a fit takes up.
+  // White noise, good to 1 % over this many lines, less the fitted unknowns.
   EXPECT_NEAR(residual[0].norm() / (kNoise * std::sqrt(2.0 * static_cast<double>(set.lines.count))), 1, 0.1);
 }
 
-TEST(MovingModes, AreNotSeenWhereOnlyNoiseDiffers) {
+TEST(ScatteredModes, AreAbsentWhereOnlyNoiseDiffers) {
   const FrfDataset set = set_of(Points(9, {{Pole{100, 1e-3}, 1.0}}), 5);
   const WindowedFit all = fitted(set, {{100, 1e-3}});
   EXPECT_TRUE(scattered_modes(all, all.groups().front()).empty());
 }
 
-TEST(Merged, MakesOneOfThePairThatStandsForAMovingMode) {
+TEST(MergeIfScattered, MergesAPairThatDescribesFrequencyScatter) {
   const FrfDataset set = moving_set(2);
   const WindowedFit all = fitted(set, {{99.95, 1e-3}, {100.05, 1e-3}});
   const auto one = merge_if_scattered(all, all.groups().front());
@@ -107,15 +107,15 @@ TEST(Merged, MakesOneOfThePairThatStandsForAMovingMode) {
   EXPECT_NEAR(one->freq_Hz, 100, 0.1);
 }
 
-TEST(Merged, LeavesATruePairAlone) {
+TEST(MergeIfScattered, LeavesATruePairAlone) {
   const FrfDataset set = pair_set();
   const WindowedFit all = fitted(set, {{100, 1e-3}, {100.3, 1e-3}});
   EXPECT_FALSE(merge_if_scattered(all, all.groups().front()));
   EXPECT_TRUE(scattered_modes(all, all.groups().front()).empty());
 }
 
-TEST(Merged, TakesTwoPointsForTooFewToTell) {
-  // Each sees one of two orthogonal modes: the same lines as one mode that moved.
+TEST(MergeIfScattered, NeedsThreePoints) {
+  // Each point observes one of two orthogonal modes: the same FRFs as one mode with frequency scatter.
   const FrfDataset set = set_of({{{Pole{100, 1e-3}, 1.0}}, {{Pole{100.1, 1e-3}, 1.0}}}, 1);
   const WindowedFit all = fitted(set, {{100, 1e-3}, {100.1, 1e-3}});
   EXPECT_FALSE(merge_if_scattered(all, all.groups().front()));

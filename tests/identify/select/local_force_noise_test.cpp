@@ -13,7 +13,7 @@ namespace percuss::identify::local_force_noise_test {
 constexpr double kNoise_N = 1e-3;  // of a pulse of 1 N
 const Pole kPole{500, 0.05};
 
-// A pulse of 9 samples in a gate of 90, and a mode seen by two channels.
+// A pulse of 9 samples in a gate of 90, and a mode in two FRFs.
 FrfDataset noisy_force() {
   FrfDataset set = test::empty_set(8192, 8192, 60, 2400, 2);
   frf::ForceBlock block{.offset = 100, .force_N = std::vector<double>(90), .ungated_N = {}};
@@ -25,7 +25,7 @@ FrfDataset noisy_force() {
   return set;
 }
 
-// The same with a gain drawn from what the force's errors are.
+// The same set with a random gain from the force's errors.
 FrfDataset with_a_gain(FrfDataset set, std::uint64_t seed) {
   std::vector<std::size_t> lines(set.lines.count);
   for (std::size_t k = 0; k < lines.size(); ++k) lines[k] = k;
@@ -39,10 +39,10 @@ FrfDataset with_a_gain(FrfDataset set, std::uint64_t seed) {
   return set;
 }
 
-TEST(LocalForceNoise, GivesTheScatterOfAModeWhoseResponsesHaveNoNoise) {
+TEST(LocalForceNoise, EqualsTheScatterOfAModeWithNoiseFreeResponses) {
   constexpr int kTrials = 30;
   const FrfDataset set = noisy_force();
-  double freq = 0, damping = 0, largest_before = 0;  // squares of errors over deviations
+  double freq = 0, damping = 0, largest_before = 0;  // squares of errors over standard deviations
   for (int trial = 0; trial < kTrials; ++trial) {
     const FrfDataset measured = with_a_gain(set, static_cast<std::uint64_t>(trial));
     auto modes = fit_sequentially(measured);
@@ -54,7 +54,7 @@ TEST(LocalForceNoise, GivesTheScatterOfAModeWhoseResponsesHaveNoNoise) {
     freq += std::pow((mode.pole.freq_Hz - kPole.freq_Hz) / mode.freq_std_Hz, 2) / kTrials;
     damping += std::pow((mode.pole.damping_ratio - kPole.damping_ratio) / mode.damping_std, 2) / kTrials;
   }
-  // A mean square of 30 is known to 26 %; the residual, which is no noise either, is counted beside it.
+  // A mean square of 30 is known to 26 %; the model error in the residual is counted as well.
   EXPECT_LE(freq, 1.6);
   EXPECT_GE(freq, 0.4);
   EXPECT_LE(damping, 1.6);
@@ -62,7 +62,7 @@ TEST(LocalForceNoise, GivesTheScatterOfAModeWhoseResponsesHaveNoNoise) {
   EXPECT_LE(largest_before, 0.9) << "the residual alone does not tell it";
 }
 
-TEST(LocalForceNoise, LeavesModesOfAJointFitAlone) {
+TEST(LocalForceNoise, ExcludesModesOfAJointFit) {
   const FrfDataset measured = with_a_gain(noisy_force(), 3);
   auto modes = fit_sequentially(measured);
   ASSERT_EQ(modes.size(), 1U);

@@ -21,20 +21,20 @@ FrfDataset narrow_and_broad(std::uint64_t seed) {
   return set;
 }
 
-TEST(ResidualModeSearch, GivesTheClearestBroadOneASecondChanceAlone) {
+TEST(ResidualModeSearch, RetriesTheMostSignificantBroadModeAlone) {
   const FrfDataset set = narrow_and_broad(1);
   WindowedFit all(set);
   all.replace({kNarrow});
   all.sweep();
   ResidualModeSearch search;
   EXPECT_FALSE(search.has_tried_any());
-  const auto crowd = search.next(all, ResidualSearch::all);
-  EXPECT_FALSE(crowd.empty());
+  const auto spurious = search.next(all, ResidualSearch::all);
+  EXPECT_FALSE(spurious.empty());
   EXPECT_TRUE(search.has_tried_any());
   EXPECT_EQ(search.next(all, ResidualSearch::all).size(), 1U) << "what was given up, the clearest of it";
 }
 
-TEST(ResidualModeSearch, FindsNothingWhereNothingIsLeft) {
+TEST(ResidualModeSearch, FindsNothingInAZeroResidual) {
   const FrfDataset set = narrow_and_broad(2);
   WindowedFit all(set);
   all.replace({kNarrow, kBroad});
@@ -42,7 +42,7 @@ TEST(ResidualModeSearch, FindsNothingWhereNothingIsLeft) {
   EXPECT_TRUE(ResidualModeSearch().next(all, ResidualSearch::all).empty());
 }
 
-TEST(FitPeaks, FindsAModeTooBroadForAPeak) {
+TEST(FitSequentially, FindsAModeTooBroadForAPeak) {
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     const FrfDataset set = narrow_and_broad(seed);
     const auto modes = fit_sequentially(set);

@@ -46,7 +46,7 @@ ModeShape pattern(const TubeGeometry& geometry, int n, double plane_rad, Axial&&
 
 double flat(double /*position_m*/) { return 1; }
 
-TEST(TubeShape, TellsTheOrdersThatTheAnglesResolve) {
+TEST(TubeShape, FindsTheOrdersThatTheAnglesResolve) {
   for (const int angles : {5, 6, 8, 10}) {
     const TubeGeometry geometry = geometry_of({.angles = angles});
     for (int n = 0; n <= (angles - 1) / 2; ++n) {
@@ -80,8 +80,8 @@ TEST(TubeShape, NamesBendingAndHoopOnly) {
   }
 }
 
-TEST(TubeShape, SeesTheCosineOfHalfTheAnglesAlone) {
-  // Six angles: cos 3θ alternates, sin 3θ is zero everywhere; its plane cannot be told.
+TEST(TubeShape, HasOnlyTheCosineOfHalfTheNumberOfAngles) {
+  // Six angles: cos 3θ alternates, sin 3θ is zero everywhere; its plane is unknown.
   const TubeGeometry geometry = geometry_of({});
   const auto tube = tube_shape(pattern(geometry, 3, 10 * kDegree, flat), geometry);
   ASSERT_TRUE(tube);
@@ -90,7 +90,7 @@ TEST(TubeShape, SeesTheCosineOfHalfTheAnglesAlone) {
   EXPECT_NEAR(tube->energy[3], 1, kRounding);
 }
 
-TEST(TubeShape, SaysWhichOrderLooksTheSame) {
+TEST(TubeShape, StatesTheAlias) {
   const TubeGeometry geometry = geometry_of({});
   EXPECT_EQ(tube_shape(pattern(geometry, 2, 0, flat), geometry)->alias, 4);
   EXPECT_EQ(tube_shape(pattern(geometry, 1, 0, flat), geometry)->alias, 5);
@@ -99,7 +99,7 @@ TEST(TubeShape, SaysWhichOrderLooksTheSame) {
   EXPECT_EQ(four->alias, 4);
 }
 
-TEST(TubeShape, SharesTheEnergyOfAMixture) {
+TEST(TubeShape, DividesTheEnergyOfAMixture) {
   const TubeGeometry geometry = geometry_of({});
   ModeShape mixed = pattern(geometry, 2, 0.3, flat);
   const ModeShape bending = pattern(geometry, 1, 0.9, flat);
@@ -111,7 +111,7 @@ TEST(TubeShape, SharesTheEnergyOfAMixture) {
   EXPECT_LT(tube->confidence, tube_shape(pattern(geometry, 2, 0.3, flat), geometry)->confidence + kRounding);
 }
 
-TEST(TubeShape, IsUnsureOfAnEvenMixture) {
+TEST(TubeShape, IsUncertainForAnEqualMixture) {
   const TubeGeometry geometry = geometry_of({});
   ModeShape mixed = pattern(geometry, 2, 0.3, flat);
   const ModeShape bending = pattern(geometry, 1, 0.9, flat);
@@ -140,11 +140,11 @@ TEST(TubeShape, CountsSignChangesAlongTheAxis) {
 
 TEST(TubeShape, DoesNotCountTheSignsOfNoise) {
   const TubeGeometry geometry = geometry_of({.rings = 21});
-  const auto barrel = [](double x) { return 1 / (1 + std::exp((x - 0.4) / 0.02)); };  // nothing beyond 0.5 m
+  const auto barrel = [](double x) { return 1 / (1 + std::exp((x - 0.4) / 0.02)); };  // zero beyond 0.5 m
   EXPECT_EQ(tube_shape(pattern(geometry, 2, 0.4, barrel, 0.01), geometry)->sign_changes, 0);
 }
 
-TEST(TubeShape, TellsNothingOfTheAxisFromOneRing) {
+TEST(TubeShape, HasNoSignChangesForOneRing) {
   const TubeGeometry geometry = geometry_of({.rings = 1, .angles = 8});
   const auto tube = tube_shape(pattern(geometry, 2, 0.3, flat), geometry);
   ASSERT_TRUE(tube);
@@ -152,7 +152,7 @@ TEST(TubeShape, TellsNothingOfTheAxisFromOneRing) {
   EXPECT_FALSE(tube->sign_changes);
 }
 
-TEST(TubeShape, HasHonestDeviations) {
+TEST(TubeShape, HasTrueStandardDeviations) {
   constexpr double kNoise = 0.05, kDeviations = 4;
   const TubeGeometry geometry = geometry_of({.rings = 10});
   const auto tube = tube_shape(pattern(geometry, 2, 0.3, flat, kNoise), geometry);
@@ -162,13 +162,13 @@ TEST(TubeShape, HasHonestDeviations) {
   EXPECT_NEAR(tube->axial[0].std, kNoise * std::sqrt(2.0 / 6), 1e-3 * kNoise);
 }
 
-TEST(TubeShape, IsUnsureOfNoise) {
+TEST(TubeShape, IsUncertainForNoise) {
   const TubeGeometry geometry = geometry_of({});
   const auto nothing = [](double) { return 0.0; };
   EXPECT_LT(tube_shape(pattern(geometry, 1, 0, nothing, 1), geometry)->confidence, 0.95);
 }
 
-TEST(TubeShape, NeedsFourAnglesApart) {
+TEST(TubeShape, NeedsFourDistinctAngles) {
   EXPECT_FALSE(tube_shape(pattern(geometry_of({.angles = 3}), 1, 0, flat), geometry_of({.angles = 3})));
   EXPECT_TRUE(tube_shape(pattern(geometry_of({.angles = 4}), 1, 0, flat), geometry_of({.angles = 4})));
   TubeGeometry line;
@@ -177,7 +177,7 @@ TEST(TubeShape, NeedsFourAnglesApart) {
   EXPECT_FALSE(tube_shape({}, line));
 }
 
-TEST(TubeShape, TakesAnglesThatAreNotEven) {
+TEST(TubeShape, AcceptsUnevenAngles) {
   TubeGeometry geometry = geometry_of({.rings = 4, .angles = 8});
   for (auto& [point, place] : geometry) place.angle_rad += 0.1 * std::sin(17.0 * static_cast<double>(point));
   const auto tube = tube_shape(pattern(geometry, 2, 0.3, flat), geometry);

@@ -18,7 +18,7 @@ ShapeValues shape(std::vector<Complex> value, double std = 0) {
   return {.value = std::move(value), .std = std::vector<double>(places, std)};
 }
 
-// cos(n θ) at so many angles around a ring.
+// cos(n θ) at equal angles around a ring.
 ShapeValues harmonic(int n, double std = 0, std::size_t places = 12) {
   std::vector<Complex> value(places);
   for (std::size_t i = 0; i < places; ++i)
@@ -44,7 +44,7 @@ TEST(Mac, IsTheSquaredCosineBetweenRealShapes) {
 }
 
 TEST(Mac, ConjugatesTheFirstShape) {
-  // A wave that runs round is orthogonal to the one that runs back.
+  // Waves that travel in opposite directions are orthogonal.
   EXPECT_NEAR(mac(shape({1, {0, 1}}), shape({1, {0, -1}})).value, 0, kRounding);
   EXPECT_NEAR(mac(shape({1, {0, 1}}), shape({1, {0, 1}})).value, 1, kRounding);
 }
@@ -55,15 +55,15 @@ TEST(Mac, IsSymmetric) {
   EXPECT_NEAR(mac(a, b).std, mac(b, a).std, kRounding);
 }
 
-TEST(Mac, IsZeroOfAShapeThatIsNowhere) {
+TEST(Mac, IsZeroForAZeroShape) {
   EXPECT_EQ(mac(shape({0, 0}), shape({1, 2})).value, 0);
   EXPECT_EQ(mac(shape({}), shape({})).value, 0);
 }
 
 class MacDeviation : public testing::TestWithParam<double> {};
 
-TEST_P(MacDeviation, IsWhatNoiseDoes) {
-  constexpr double kLow = 0.85, kHigh = 1.35;  // of 1500 trials; between first and second order both are added
+TEST_P(MacDeviation, IsTheRmsErrorFromNoise) {
+  constexpr double kLow = 0.85, kHigh = 1.35;  // of 1500 trials; both orders are added
   constexpr double kNoise = 0.02;
   constexpr std::size_t kTrials = 1500;
   ShapeValues a = harmonic(1, kNoise), b = harmonic(1, kNoise);

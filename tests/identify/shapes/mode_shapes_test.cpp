@@ -10,7 +10,7 @@ namespace percuss::identify::shapes_test {
 
 constexpr double kRounding = 1e-12;
 
-// A_pc = φ_p φ_c with deviations.
+// A_pc = φ_p φ_c with standard deviations.
 Mode mode_of(const std::vector<Complex>& points, const std::vector<Complex>& sensors, double std = 1e-3) {
   Mode mode{.pole = {1000, 0.005}};
   for (std::size_t p = 0; p < points.size(); ++p) {
@@ -31,7 +31,7 @@ TEST(Shape, IsOneAtItsLargestWithoutADrivingPoint) {
 }
 
 TEST(Shape, HasUnitModalMassWithADrivingPoint) {
-  // A_pp = φ_p²: the shape itself comes back, its sign such that the driving point's is positive.
+  // A_pp = φ_p²: the result is the shape, positive at the driving point.
   const std::vector<Complex> phi{0.3, -1.2, 0.6};
   const ModeShape shape = shape_of(mode_of(phi, {phi[1]}), {.driving = {{.point = 1, .channel = 0}}});
   EXPECT_EQ(shape.normalisation, Normalisation::unit_modal_mass);
@@ -40,7 +40,7 @@ TEST(Shape, HasUnitModalMassWithADrivingPoint) {
   EXPECT_NEAR(*shape.modal_mass_kg, 1 / (1.2 * 1.2), kRounding);
 }
 
-TEST(Shape, TellsTheScalesDeviationApart) {
+TEST(Shape, SeparatesTheStandardDeviationOfTheScale) {
   // δφ/φ = ½ δA/A
   const ModeShape shape = shape_of(mode_of({2.0, 1.0}, {2.0}, 0.04), {.driving = {{.point = 0, .channel = 0}}});
   EXPECT_NEAR(shape.scale_std, 0.5 * 0.04 / 4, kRounding);
@@ -60,7 +60,7 @@ TEST(Shape, MultipliesBackToTheResidues) {
   }
 }
 
-TEST(Shape, TakesEverySensorOfARovingOneAsAPlace) {
+TEST(Shape, TreatsEveryPositionOfARovingSensorAsAPlace) {
   const Mode mode = mode_of({0.5, 1.0}, {1.0, -2.0});
   const ModeShape shape = shape_of(mode, {.roving = Roving::sensor});
   ASSERT_EQ(shape.places.size(), 4U);
@@ -70,8 +70,8 @@ TEST(Shape, TakesEverySensorOfARovingOneAsAPlace) {
   EXPECT_NEAR(std::abs(shape.places[2].value - Complex(-0.5)), 0, kRounding);
 }
 
-TEST(Shape, TrustsTheBetterSensor) {
-  constexpr double kWithin = 3;  // deviations
+TEST(Shape, WeightsTheBetterSensor) {
+  constexpr double kWithin = 3;  // standard deviations
   Mode mode = mode_of({1.0, 0.5, -0.7, 0.2}, {1.0, 1.0}, 0);
   std::vector<double> noise(2 * mode.residues.size());
   synth::RandomStream({3, 3}).add_normal(1, noise);
@@ -85,7 +85,7 @@ TEST(Shape, TrustsTheBetterSensor) {
   EXPECT_LE(shape.places[1].std, 2e-4);
 }
 
-TEST(Shape, IsBlindToTheResiduesUnit) {
+TEST(Shape, DoesNotDependOnTheUnit) {
   Mode mode = mode_of({0.3, {-1.2, 0.2}, 0.6}, {1.0, 0.4});
   const ModeShape before = shape_of(mode);
   for (Residue& r : mode.residues) {
@@ -100,32 +100,32 @@ TEST(Shape, IsBlindToTheResiduesUnit) {
   EXPECT_NEAR(before.significance, after.significance, kRounding * before.significance);
 }
 
-TEST(Shape, HasTheForcesOwnNoiseInItsDeviations) {
+TEST(Shape, IncludesTheForcesNoiseInItsStandardDeviations) {
   Mode mode = mode_of({1.0, 0.5}, {1.0}, 0.003);
   mode.residues[1].relative_std = 0.008;  // 0.004 of the value 0.5
   EXPECT_NEAR(shape_of(mode).places[1].std, 0.005, kRounding);
 }
 
-TEST(Shape, IsNotScaledByADrivingPointOnItsNode) {
+TEST(Shape, IsNotScaledByADrivingPointAtANode) {
   const ModeShape shape = shape_of(mode_of({1.0, 1e-4}, {0.01}), {.driving = {{.point = 1, .channel = 0}}});
   EXPECT_EQ(shape.normalisation, Normalisation::largest_one);
   EXPECT_FALSE(shape.modal_mass_kg);
 }
 
-TEST(PhaseCollinearity, IsOneOfARealShapeAtAnyPhase) {
+TEST(PhaseCollinearity, IsOneForARealShapeAtAnyPhase) {
   EXPECT_NEAR(shape_of(mode_of({0.3, -1.2, 0.6}, {{0.4, 0.9}})).mpc, 1, kRounding);
 }
 
-TEST(PhaseCollinearity, IsZeroOfAWaveThatRunsRound) {
+TEST(PhaseCollinearity, IsZeroForATravellingWave) {
   EXPECT_NEAR(shape_of(mode_of({1, {0, 1}, -1, {0, -1}}, {1.0})).mpc, 0, kRounding);
 }
 
-TEST(ShapeSignificance, IsAboutOneOfNoiseAndLargeOfAMode) {
+TEST(ShapeSignificance, IsAboutOneForNoiseAndLargeForAMode) {
   EXPECT_NEAR(shape_of(mode_of({{1e-3, 1e-3}, {1e-3, -1e-3}}, {1.0}, 1e-3)).significance, 1, kRounding);
   EXPECT_GT(shape_of(mode_of({1, -1}, {1.0}, 1e-3)).significance, 100);
 }
 
-TEST(Shape, SurvivesAModeThatIsNowhere) {
+TEST(Shape, AcceptsAZeroMode) {
   const ModeShape none = shape_of(mode_of({0, 0}, {0, 0}));
   for (const ShapePlace& place : none.places) EXPECT_EQ(place.value, Complex());
   EXPECT_EQ(none.mpc, 0);

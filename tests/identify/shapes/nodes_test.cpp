@@ -55,7 +55,7 @@ TEST(FindNodes, FindsEveryNodeOfAShape) {
   EXPECT_NEAR(nodes[0].position_m + nodes[3].position_m, 0.84, 1e-4) << "a free beam is symmetric";
 }
 
-TEST(FindNodes, SeesNoneWhereTheShapeKeepsItsSign) {
+TEST(FindNodes, FindsNoneWhereTheShapeKeepsItsSign) {
   EXPECT_TRUE(find_nodes(scan_of(
                              0, 0.01, 20, [](double x) { return 1 + x; }, 1e-3))
                   .empty());
@@ -65,8 +65,8 @@ TEST(FindNodes, SeesNoneWhereTheShapeKeepsItsSign) {
                   .empty());
 }
 
-TEST(FindNodes, TakesNoiseAroundZeroForOneNode) {
-  // Slope of one deviation per step: the points next to the node change sign at random.
+TEST(FindNodes, FindsOneNodeInNoiseAroundZero) {
+  // Slope of one standard deviation per step: the points next to the node change sign at random.
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     const auto scan = scan_of(
         0, 0.01, 25, [](double x) { return 0.117 - x; }, 0.01);
@@ -74,8 +74,8 @@ TEST(FindNodes, TakesNoiseAroundZeroForOneNode) {
   }
 }
 
-TEST(FindNodes, MissesByWhatItsDeviationSays) {
-  // The share within one, two and three deviations; the distance to the next degree only adds to them.
+TEST(FindNodes, StatesTrueStandardDeviations) {
+  // The fraction within one, two and three standard deviations; the distance to the next degree only adds to them.
   constexpr int kScans = 2000;
   const auto shape = [](double x) { return synth::free_beam_shape(1, x / 0.84); };
   int one = 0, three = 0;
@@ -95,8 +95,8 @@ TEST(FindNodes, MissesByWhatItsDeviationSays) {
   EXPECT_GE(std::sqrt(squares / kScans), 0.4) << "not exaggerated either";
 }
 
-TEST(FindNodes, CountsTheSpreadThatDeviationsDoNotExplain) {
-  // Hits that land 1 mm off: ten times the stated deviation.
+TEST(FindNodes, IncludesScatterBeyondTheStatedStandardDeviations) {
+  // Hits that land 1 mm off: ten times the stated standard deviation.
   const auto line = [](double x) { return 0.117 - x; };
   const auto exact = find_nodes(scan_of(0, 0.01, 25, line, 1e-4)).at(0);
   auto scan = with_noise(scan_of(0, 0.01, 25, line, 1e-3), 7);
@@ -106,7 +106,7 @@ TEST(FindNodes, CountsTheSpreadThatDeviationsDoNotExplain) {
   EXPECT_LE(std::abs(node.position_m - 0.117), 4 * node.std_m);
 }
 
-TEST(FindNodes, IsTheSameUpsideDownAndInOtherUnits) {
+TEST(FindNodes, DoesNotDependOnSignOrUnits) {
   auto scan = with_noise(scan_of(
                              0.08, 0.01, 15, [](double x) { return synth::free_beam_shape(2, x / 0.84); }, 1e-3),
                          1);

@@ -9,7 +9,7 @@ namespace percuss::identify::scan_shape_test {
 
 constexpr double kRounding = 1e-12;  // of a singular value decomposition
 
-// Residues φ_p · sees_c with equal deviations.
+// Residues φ_p · sees_c with equal standard deviations.
 Mode mode_of(const std::vector<double>& shape, const std::vector<Complex>& sees, double std) {
   Mode mode;
   for (std::size_t p = 0; p < shape.size(); ++p) {
@@ -22,19 +22,19 @@ Mode mode_of(const std::vector<double>& shape, const std::vector<Complex>& sees,
 constexpr std::array kPoints{0, 1, 2, 3};
 constexpr std::array kPositions{0.1, 0.2, 0.3, 0.4};
 
-TEST(ShapeAlong, GivesBackTheShapeAsTheBetterChannelHasIt) {
+TEST(ShapeAlong, HasTheScaleOfTheBetterChannel) {
   const auto shape = shape_along(mode_of({2, 1, -0.5, -3}, {0.3, -0.8}, 0.01), kPoints, kPositions);
   const std::array expected{1.6, 0.8, -0.4, -2.4};  // times 0.8; positive at the first point
   for (std::size_t i = 0; i < 4; ++i) EXPECT_LE(std::abs(shape.amplitude[i] - expected.at(i)), kRounding) << i;
 }
 
-TEST(ShapeAlong, JoinsTheChannelsDeviations) {
+TEST(ShapeAlong, CombinesTheChannelsStandardDeviations) {
   // Two equal channels: the mean of two is √2 better than one.
   const auto shape = shape_along(mode_of({1, 2, 3, -4}, {1.0, 1.0}, 0.01), kPoints, kPositions);
   for (const double std : shape.std) EXPECT_LE(std::abs(std - 0.01 / std::sqrt(2.0)), kRounding);
 }
 
-TEST(ShapeAlong, AddsTheForcesPartToEachPoint) {
+TEST(ShapeAlong, AddsTheForcesErrorToEachPoint) {
   Mode mode = mode_of({1, 2, 0, -4}, {1.0}, 0.003);
   for (Residue& r : mode.residues) r.relative_std = 0.004;
   const auto shape = shape_along(mode, kPoints, kPositions);
@@ -42,14 +42,14 @@ TEST(ShapeAlong, AddsTheForcesPartToEachPoint) {
   EXPECT_LE(std::abs(shape.std[2] - 0.003), kRounding);
 }
 
-TEST(ShapeAlong, TurnsAComplexShapeReal) {
+TEST(ShapeAlong, RotatesAComplexShapeToReal) {
   const Complex turned = std::polar(1.0, 2.1);
   const auto shape = shape_along(mode_of({1, 2, 0.5, -4}, {turned, 0.2 * turned}, 0.01), kPoints, kPositions);
   const std::array expected{1.0, 2.0, 0.5, -4.0};
   for (std::size_t i = 0; i < 4; ++i) EXPECT_LE(std::abs(shape.amplitude[i] - expected.at(i)), kRounding) << i;
 }
 
-TEST(ShapeAlong, LeavesOutPointsWithoutResidues) {
+TEST(ShapeAlong, OmitsPointsWithoutResidues) {
   Mode mode = mode_of({2, 1, -0.5, -3}, {1.0}, 0.01);
   mode.residues.erase(mode.residues.begin() + 1);
   const auto shape = shape_along(mode, kPoints, kPositions);

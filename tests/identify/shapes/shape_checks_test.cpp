@@ -19,11 +19,11 @@ TEST(DrivingPointCheck, FindsAResidueThatIsNotPositive) {
   EXPECT_FALSE(checks[2].wrong_sign) << "two deviations are no proof";
 }
 
-TEST(DrivingPointCheck, LooksAtPointsThatWereMeasured) {
+TEST(DrivingPointCheck, SkipsUnmeasuredPoints) {
   EXPECT_TRUE(check_driving_points({mode_with({{.point = 1, .value = 1.0}})}, {{.point = 2, .channel = 0}}).empty());
 }
 
-TEST(ReciprocityCheck, ComparesBothWaysRound) {
+TEST(ReciprocityCheck, ComparesBothDirections) {
   const std::vector<Mode> modes{mode_with(
       {{.point = 0, .channel = 1, .value = 1.0, .std = 0.03}, {.point = 1, .channel = 0, .value = 1.1, .std = 0.04}})};
   const auto checks = check_reciprocity(modes, {{{.point = 0, .channel = 1}, {.point = 1, .channel = 0}}});

@@ -27,7 +27,7 @@ FrfDataset three_modes() {
   return set;
 }
 
-TEST(CandidatePoles, AreNearTheModesThatShow) {
+TEST(CandidatePoles, AreNearTheModesWithAPeak) {
   const FrfDataset set = three_modes();
   const auto poles = candidate_poles(set, LineNoise(set));
   ASSERT_EQ(poles.size(), 3U);
@@ -46,7 +46,7 @@ TEST(CandidatePoles, AreNotQuantisedToALine) {
   }
 }
 
-TEST(CandidatePoles, AreFoundInNoneOf40SetsOfPureNoise) {
+TEST(CandidatePoles, AreAbsentFrom40SetsOfPureNoise) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     FrfDataset set = test::empty_set(4096, 32768, 60, 1500, 2);
     test::add_frf_noise(set, 1, seed);
@@ -74,20 +74,20 @@ TEST(CandidatePoles, NeedAFewLines) {
   EXPECT_TRUE(candidate_poles(set, LineNoise(set)).empty());
 }
 
-TEST(HiddenPoles, AreFoundInWhatIsLeft) {
+TEST(ResidualModePoles, AreFoundInAResidual) {
   constexpr double kDeviation = 0.05;
   FrfDataset set = three_modes();
   test::add_frf_noise(set, kDeviation, 3);
   FrfDataset left = test::empty_set(4096, 32768, 60, 1500, 2);
-  test::add_mode(left, 0, {800, 0.004}, 30 * 0.008 * kDeviation);  // a peak of 30 deviations
+  test::add_mode(left, 0, {800, 0.004}, 30 * 0.008 * kDeviation);  // a peak of 30 standard deviations
   test::add_frf_noise(left, kDeviation, 4);
   const auto poles = residual_mode_poles(set, lines_of(left));
-  // A few widths may claim the same place; the fit that follows decides. One of them lies within half the bandwidth.
+  // Several widths may show the same mode; the later fit decides. One pole lies within half the bandwidth.
   const auto near = [](const Pole& pole) { return std::abs(pole.freq_Hz - 800) <= 0.5 * 6.4; };
   EXPECT_EQ(std::count_if(poles.begin(), poles.end(), near), 1);
 }
 
-TEST(HiddenPoles, AreNotFoundInNoise) {
+TEST(ResidualModePoles, AreNotFoundInNoise) {
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
     FrfDataset left = test::empty_set(4096, 32768, 60, 1500, 2);
     test::add_frf_noise(left, 0.3, seed);
@@ -95,12 +95,12 @@ TEST(HiddenPoles, AreNotFoundInNoise) {
   }
 }
 
-TEST(HiddenPoles, AreNotFoundInNothing) {
+TEST(ResidualModePoles, AreNotFoundInAZeroResidual) {
   const FrfDataset left = test::empty_set(4096, 32768, 60, 1500, 2);
   EXPECT_TRUE(residual_mode_poles(three_modes(), lines_of(left)).empty());
 }
 
-TEST(PolesNear, AreThePeaksThatTheUserPointsAt) {
+TEST(PolesNear, AreThePeaksNearTheGivenFrequencies) {
   const FrfDataset set = three_modes();
   const auto poles = poles_near(set, {574, 170});
   ASSERT_EQ(poles.size(), 2U);
@@ -108,15 +108,15 @@ TEST(PolesNear, AreThePeaksThatTheUserPointsAt) {
   EXPECT_LE(std::abs(poles[1].freq_Hz - 169.03), 0.5);
 }
 
-TEST(PolesNear, StayWhereThereIsNone) {
+TEST(PolesNear, StayAtTheFrequencyWithoutAPeak) {
   FrfDataset set = three_modes();
   test::add_frf_noise(set, 0.3, 8);
   const Pole pole = poles_near(set, {900}).front();
   EXPECT_LE(std::abs(pole.freq_Hz - 900),
-            2 * std::max(0.005 * 900, 4 * set.lines.df_Hz()));  // its reach, and a pole beside its line
+            2 * std::max(0.005 * 900, 4 * set.lines.df_Hz()));  // the search range, and a pole beside its line
   EXPECT_GT(pole.damping_ratio, 0);
   EXPECT_GT(poles_near(set, {0}).front().freq_Hz, 0);    // below the lines
-  EXPECT_GT(poles_near(set, {1e6}).front().freq_Hz, 0);  // beyond them
+  EXPECT_GT(poles_near(set, {1e6}).front().freq_Hz, 0);  // above the lines
 }
 
 TEST(PolesNear, DoNotShareAPeak) {

@@ -10,7 +10,7 @@ namespace percuss::identify::cmif_test {
 
 constexpr double kRounding = 1e-12;
 
-// Two points, two channels, modes at one frequency whose shapes are orthogonal, and one alone.
+// Two points and two channels; two orthogonal modes at one frequency, and a single mode.
 FrfDataset two_by_two() {
   FrfDataset set = test::empty_set(4096, 8192, 50, 1000, 2);
   set.points.push_back(set.points.front());
@@ -51,7 +51,7 @@ TEST(Cmif, ShowsTwoModesOfOneFrequencyInTwoValues) {
   EXPECT_LT(alone(1), 0.1 * alone(0));
 }
 
-TEST(Cmif, KeepsToTheBand) {
+TEST(Cmif, CoversTheBandOnly) {
   const FrfDataset set = two_by_two();
   const frf::LineRange band = frf::lines_in_band(4096, 8192, 300, 500);
   const Eigen::MatrixXd part = cmif(set, band), all = cmif(set, set.lines);
@@ -59,7 +59,7 @@ TEST(Cmif, KeepsToTheBand) {
   EXPECT_EQ(part.row(0), all.row(static_cast<Eigen::Index>(band.first - set.lines.first)));
 }
 
-TEST(Cmif, TakesAnOutputThatIsMissingAsZero) {
+TEST(Cmif, CountsAMissingFrfAsZero) {
   FrfDataset set = two_by_two();
   set.channels.pop_back();
   EXPECT_TRUE(cmif(set, set.lines).allFinite());

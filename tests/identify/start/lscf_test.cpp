@@ -14,7 +14,7 @@ Complex root_of(const Pole& pole) {
   return {-pole.damping_ratio * pole.freq_Hz, pole.freq_Hz * std::sqrt(1 - pole.damping_ratio * pole.damping_ratio)};
 }
 
-// From the truth to the nearest pole of this order, in bandwidths.
+// Distance from the truth to the nearest pole of this order, in bandwidths.
 double error_of(const LscfOrder& order, const Pole& truth) {
   double nearest = 1e9;
   for (const Pole& pole : order.poles) nearest = std::min(nearest, std::abs(root_of(pole) - root_of(truth)));
@@ -33,7 +33,7 @@ FrfDataset set_of(const std::vector<Pole>& modes, double low_Hz, double high_Hz)
 const std::vector<Pole> kThree{{169.03, 0.01}, {575.4, 0.006}, {1190.06, 0.004}};
 constexpr double kExact = 1e-6;  // bandwidths; rounding in sums of squares
 
-TEST(LscfPoles, AreExactOnNoiseFreeLinesAndNothingElse) {
+TEST(LscfPoles, AreExactOnNoiseFreeDataWithoutSpuriousPoles) {
   const auto orders = lscf_poles(set_of(kThree, 60, 1500));
   ASSERT_EQ(orders.size(), 39U);
   EXPECT_EQ(orders.front().order, 2U);
@@ -55,13 +55,13 @@ TEST(LscfPoles, SeparateModesThatAreHalfABandwidthApart) {
   const std::vector<Pole> truth{{180, 0.01}, {1900, 0.003}, {1900 + 0.6 * 11.4, 0.003}, {2650, 0.004}};
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
     FrfDataset set = set_of(truth, 60, 3200);
-    test::add_frf_noise(set, 0.01, seed);  // the doublet's residues make peaks of 60
+    test::add_frf_noise(set, 0.01, seed);  // the close pair has peaks of 60
     for (const Pole& mode : truth) EXPECT_LE(error_of(lscf_poles(set).back(), mode), 0.1) << mode.freq_Hz;
   }
 }
 
 TEST(LscfPoles, AreExactOnTruncatedAndOnWindowedRecords) {
-  // What is missing after the end has the same poles; the window's decay is taken off.
+  // The truncation term has the same poles; the window's decay is subtracted.
   constexpr double kForce = 1e-4;  // bandwidths: the force's spectrum, which truncation divides by, is no polynomial
   const Pole mode{200.3, 0.002};
   const auto made =
@@ -74,7 +74,7 @@ TEST(LscfPoles, AreExactOnTruncatedAndOnWindowedRecords) {
   }
 }
 
-TEST(LscfPoles, AreThoseOfTheLinesAskedFor) {
+TEST(LscfPoles, AreLimitedToTheGivenLines) {
   const FrfDataset set = set_of(kThree, 60, 1500);
   const auto line = [&](double freq_Hz) {
     return static_cast<std::size_t>(freq_Hz / set.lines.df_Hz()) - set.lines.first;
@@ -85,7 +85,7 @@ TEST(LscfPoles, AreThoseOfTheLinesAskedFor) {
   for (const Pole& pole : orders.back().poles) EXPECT_TRUE(pole.freq_Hz >= 399 && pole.freq_Hz <= 801) << pole.freq_Hz;
 }
 
-TEST(LscfPoles, DoNotDependOnUnitsNorOnTheOrderOfOutputs) {
+TEST(LscfPoles, DoNotDependOnUnitsOrTheOrderOfFrfs) {
   constexpr double kRounding = 1e-5;  // bandwidths; of modes: poles of the noise are less well determined
   FrfDataset set = set_of(kThree, 60, 1500);
   test::add_frf_noise(set, 0.05, 3);
@@ -102,7 +102,7 @@ TEST(LscfPoles, DoNotDependOnUnitsNorOnTheOrderOfOutputs) {
   }
 }
 
-TEST(LscfPoles, AreNotHurtByADeadChannel) {
+TEST(LscfPoles, AreUnaffectedByADeadChannel) {
   FrfDataset set = set_of(kThree, 60, 1500);
   std::fill(set.channels[1].frf.begin(), set.channels[1].frf.end(), Complex());
   for (const Pole& mode : kThree) EXPECT_LE(error_of(lscf_poles(set).back(), mode), kExact);
@@ -110,7 +110,7 @@ TEST(LscfPoles, AreNotHurtByADeadChannel) {
   EXPECT_TRUE(lscf_poles(set).empty());
 }
 
-TEST(LscfPoles, HaveNoMoreOrdersThanTheLinesCarry) {
+TEST(LscfPoles, HaveAtMostOneOrderPerFourLines) {
   EXPECT_TRUE(lscf_poles(set_of(kThree, 166, 171)).empty());          // 7 lines
   EXPECT_EQ(lscf_poles(set_of(kThree, 150, 190)).back().order, 13U);  // 52
   EXPECT_TRUE(lscf_poles(set_of(kThree, 60, 1500), {.first = 1u << 20U}).empty());

@@ -10,8 +10,8 @@
 
 namespace percuss::identify::peaks_test {
 
-/// The definition, word for word, in quadratic time: walk from a maximum to either side until something is higher (or
-/// the end comes); the lowest value met on each side is a saddle; the higher one counts.
+/// The definition in quadratic time: from a maximum to either side up to a higher value or the end, the lowest value is
+/// a saddle; the higher of the two saddles counts.
 std::vector<Peak> by_definition(const std::vector<double>& x) {
   std::vector<Peak> peaks;
   const auto n = static_cast<std::ptrdiff_t>(x.size());
@@ -47,13 +47,13 @@ TEST(FindPeaks, TakesTheMiddleOfAFlatTop) {
   expect_same(find_peaks(std::vector<double>{0, 2, 2, 2, 1, 3, 3, 0}), {{2, 1}, {5, 3}});
 }
 
-TEST(FindPeaks, HasNoneInWhatIsFlatOrEmpty) {
+TEST(FindPeaks, FindsNoneInAFlatOrEmptySequence) {
   EXPECT_TRUE(find_peaks(std::vector<double>{}).empty());
   EXPECT_TRUE(find_peaks(std::vector<double>{1}).empty());
   EXPECT_TRUE(find_peaks(std::vector<double>(50, 1.0)).empty());
 }
 
-TEST(FindPeaks, CountsAnEndThatStandsAboveItsNeighbour) {
+TEST(FindPeaks, CountsAnEndAboveItsNeighbour) {
   // The end is its own saddle, so that its prominence is zero.
   expect_same(find_peaks(std::vector<double>{3, 1, 2}), {{0, 0}, {2, 0}});
 }
@@ -69,7 +69,7 @@ TEST(FindPeaks, AgreesWithTheDefinitionOnRandomSequences) {
   }
 }
 
-TEST(FindPeaks, SeesTheSameBackwardsShiftedAndScaled) {
+TEST(FindPeaks, IsInvariantUnderReversalShiftAndScale) {
   synth::RandomStream random{7};
   std::vector<double> x(500);
   for (double& value : x) value = std::floor(random.uniform(0, 1 << 20));
@@ -83,10 +83,10 @@ TEST(FindPeaks, SeesTheSameBackwardsShiftedAndScaled) {
 }
 
 TEST(FindPeaks, IsLinearOnAStaircase) {
-  // A million steps up and down with a notch at each: a method that walks from every summit needs 10^11 steps
+  // A million steps up and down with a notch at each: a search from every maximum needs 10^11 steps
   // (minutes).
   constexpr std::size_t kCount = 1'000'000;
-  constexpr double kSeconds = 5;  // a hundred times what a linear one needs
+  constexpr double kSeconds = 5;  // a hundred times the duration of a linear method
   std::vector<double> x(kCount);
   for (std::size_t i = 0; i < kCount; ++i)
     x[i] = static_cast<double>(std::min(i, kCount - i)) + (i % 2 == 0 ? 0.0 : 2.5);
@@ -95,7 +95,7 @@ TEST(FindPeaks, IsLinearOnAStaircase) {
   EXPECT_LE(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), kSeconds);
 }
 
-TEST(MaximaAbove, AreThePeaksThatAreHigher) {
+TEST(MaximaAbove, AreThePeaksAboveALevel) {
   const std::vector<double> level{1, 5, 5, 2, 3, 2, 4, 4};
   EXPECT_EQ(maxima_above(level, 0), (std::vector<std::size_t>{1, 4, 6}));
   EXPECT_EQ(maxima_above(level, 3), (std::vector<std::size_t>{1, 6}));

@@ -32,7 +32,7 @@ identify::Stabilisation column(std::size_t orders, double freq_Hz, double dampin
   return diagram;
 }
 
-TEST(Stabilise, CallsAPoleNewAtItsFirstOrderAndStableWhereItStays) {
+TEST(Stabilise, MarksAPoleNewAtItsFirstOrderAndStableAfterwards) {
   const identify::Stabilisation diagram = identify::stabilise(set_of(0));
   EXPECT_NEAR(diagram.low_Hz, 60, 0.5);  // a line
   EXPECT_NEAR(diagram.high_Hz, 1500, 0.5);
@@ -52,14 +52,14 @@ TEST(Stabilise, CallsAPoleNewAtItsFirstOrderAndStableWhereItStays) {
   }
 }
 
-TEST(Stabilise, HoldsPolesByOrderThenFrequency) {
+TEST(Stabilise, SortsPolesByOrderThenFrequency) {
   const auto poles = identify::stabilise(set_of(0.05)).poles;
   EXPECT_TRUE(std::is_sorted(poles.begin(), poles.end(), [](const auto& a, const auto& b) {
     return a.order != b.order ? a.order < b.order : a.pole.freq_Hz < b.pole.freq_Hz;
   }));
 }
 
-TEST(Stabilise, NamesItsFlags) {
+TEST(Stabilise, HasNamesForItsStates) {
   EXPECT_STREQ(name_of(identify::Stability::fresh), "new");
   EXPECT_STREQ(name_of(identify::Stability::frequency), "frequency");
   EXPECT_STREQ(name_of(identify::Stability::damping), "damping");
@@ -71,7 +71,7 @@ TEST(Stabilise, OfNoLinesIsEmpty) {
   EXPECT_TRUE(identify::stabilised_candidates({}).empty());
 }
 
-TEST(ClusterPoles, GathersWhatStaysFromOrderToOrder) {
+TEST(ClusterPoles, GroupPolesThatStayOverTheOrders) {
   const auto clusters = identify::cluster_poles(column(10, 500, 0.01));
   ASSERT_EQ(clusters.size(), 1U);
   EXPECT_EQ(clusters[0].stable, 9U);
@@ -81,9 +81,9 @@ TEST(ClusterPoles, GathersWhatStaysFromOrderToOrder) {
   EXPECT_EQ(clusters[0].damping_spread, 0);
 }
 
-TEST(ClusterPoles, LeavesOutWhatComesAndGoes) { EXPECT_TRUE(identify::cluster_poles(column(5, 500, 0.01)).empty()); }
+TEST(ClusterPoles, OmitIntermittentPoles) { EXPECT_TRUE(identify::cluster_poles(column(5, 500, 0.01)).empty()); }
 
-TEST(ClusterPoles, TakesOnePolePerOrder) {
+TEST(ClusterPoles, TakeOnePolePerOrder) {
   identify::Stabilisation diagram = column(10, 500, 0.01);
   const identify::Stabilisation beside = column(10, 502, 0.01);  // a fifth of a bandwidth
   diagram.poles.insert(diagram.poles.end(), beside.poles.begin(), beside.poles.end());
@@ -103,7 +103,7 @@ TEST(ClusterPoles, AreTheModesOfNoiseFreeLines) {
     EXPECT_LE(std::abs(clusters[m].pole.freq_Hz - kModes[m].freq_Hz), kExact * kModes[m].half_power_Hz());
 }
 
-TEST(StabilisedCandidates, AreNearEveryModeAndMembersOfADoublet) {
+TEST(StabilisedCandidates, AreNearEveryModeAlsoOfAClosePair) {
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
     const auto poles = identify::stabilised_candidates(set_of(0.05, seed));
     for (const identify::Pole& mode : kModes) {

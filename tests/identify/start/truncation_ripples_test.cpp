@@ -16,7 +16,7 @@ FrfDataset cut_off() {
   return test::frf_set_of(synth::synthesise(spec, 1).record, 60, 2400);
 }
 
-TEST(Ripples, MayBeWhatIsNoHigherThanTheFlankOfADecayCutOff) {
+TEST(TruncationRipples, AreSuspectedBelowTheFlankOfATruncatedDecay) {
   const FrfDataset set = cut_off();
   const std::vector<Pole> poles{{400.3, 1e-5}, {430, 1e-4}, {900, 0.005}};
   const auto doubtful = find_truncation_ripples(set, poles);
@@ -25,13 +25,13 @@ TEST(Ripples, MayBeWhatIsNoHigherThanTheFlankOfADecayCutOff) {
   EXPECT_FALSE(doubtful[2]) << "a peak above it";
 }
 
-TEST(Ripples, AreNoneWhereEverythingDecays) {
+TEST(TruncationRipples, AreAbsentWhereAllModesDecay) {
   const auto doubtful = find_truncation_ripples(cut_off(), {{430, 0.01}, {900, 0.005}});
   EXPECT_FALSE(doubtful[0]);
   EXPECT_FALSE(doubtful[1]);
 }
 
-TEST(Ripples, RemainOnlyWhereTheResidualDoes) {
+TEST(TruncationRipples, RemainOnlyWithEnergyInTheResidual) {
   const FrfDataset set = cut_off();
   const auto lines = static_cast<Eigen::Index>(set.lines.count);
   std::vector<Eigen::VectorXcd> residual;

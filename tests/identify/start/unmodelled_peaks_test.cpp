@@ -30,7 +30,7 @@ std::vector<Mode> modes_of(const std::vector<Pole>& poles) {
   return modes;
 }
 
-TEST(UnclaimedPeaks, AreThoseWithoutAMode) {
+TEST(UnmodelledPeaks, AreThePeaksWithoutAMode) {
   const FrfDataset set = three_peaks();
   EXPECT_TRUE(unmodelled_peaks(set, modes_of(kPoles), kRange_dB).empty());
   const auto peaks = unmodelled_peaks(set, modes_of({kPoles[0], kPoles[2]}), kRange_dB);
@@ -39,13 +39,13 @@ TEST(UnclaimedPeaks, AreThoseWithoutAMode) {
   EXPECT_NEAR(peaks[0].level_dB, 20 * std::log10(0.004 / 0.005), 0.5) << "the tallest has the least damping";
 }
 
-TEST(UnclaimedPeaks, CountAsClaimedWithinThreeBandwidths) {
+TEST(UnmodelledPeaks, ExcludeThreeBandwidthsAroundAMode) {
   const FrfDataset set = three_peaks();
   EXPECT_TRUE(unmodelled_peaks(set, modes_of({kPoles[0], {615, 0.005}, kPoles[2]}), kRange_dB).empty());
   EXPECT_EQ(unmodelled_peaks(set, modes_of({kPoles[0], {625, 0.005}, kPoles[2]}), kRange_dB).size(), 1U);
 }
 
-TEST(UnclaimedPeaks, AreNotLookedForBeyondTheForcesReachOrTheRange) {
+TEST(UnmodelledPeaks, AreLimitedToTheForcesBandwidthAndTheRange) {
   FrfDataset set = three_peaks();
   set.usable_bandwidth_Hz = 700;
   EXPECT_EQ(unmodelled_peaks(set, {}, kRange_dB).size(), 2U);
@@ -54,9 +54,8 @@ TEST(UnclaimedPeaks, AreNotLookedForBeyondTheForcesReachOrTheRange) {
   EXPECT_EQ(unmodelled_peaks(set, {}, 1).size(), 1U);
 }
 
-// Six deviations of the noise tall: on a flank, a line that noise lifted and one beside it that it lowered look like
-// that.
-TEST(UnclaimedPeaks, AreNotTheNoiseOfAFlank) {
+// A peak of six standard deviations: on a flank, noise can raise one line and lower its neighbour.
+TEST(UnmodelledPeaks, AreNotNoiseOnAFlank) {
   constexpr double kNoise = 0.5;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     FrfDataset set = test::empty_set(8192, 8192, 60, 3000, 2);
@@ -68,8 +67,8 @@ TEST(UnclaimedPeaks, AreNotTheNoiseOfAFlank) {
   }
 }
 
-// Of two that ring on at the end, what is cut off of one makes a row of nulls in the other's flank.
-TEST(UnclaimedPeaks, AreNotTheRipplesOfADecayCutOff) {
+// Of two truncated modes, the truncation of one makes a row of zeros in the flank of the other.
+TEST(UnmodelledPeaks, AreNotTruncationRipples) {
   synth::SynthSpec spec = test::bat_spec({{.freq_Hz = 400.3, .damping_ratio = 1e-5, .residue_per_kg = {1, 0.5}}}, 1);
   spec.points = {{}};
   const FrfDataset set = test::frf_set_of(synth::synthesise(spec, 1).record, 60, 2400);

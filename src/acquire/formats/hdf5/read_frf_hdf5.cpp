@@ -85,7 +85,7 @@ std::vector<int> points_of(const InputHdf5& file, std::size_t count) {
     points[p] = static_cast<int>(numbers[p]);
   }
   if (std::set<int>(points.begin(), points.end()).size() != count)
-    throw InputError("a point stands there twice", where, "number the points");
+    throw InputError("a point occurs twice", where, "number the points");
   return points;
 }
 
@@ -107,7 +107,7 @@ void read_root(const InputHdf5& file, StoredFrfs& out, std::size_t& averages) {
   if (const auto kind = hdf5::text_attribute(file.id(), "kind", file.path())) out.kind = parse_frf_kind(*kind);
   if (const auto decay = hdf5::number_attribute(file.id(), "decay_per_s", file.path(), 1)) {
     if (!(decay->front() >= 0) || !std::isfinite(decay->front()))
-      throw InputError("decay_per_s is no decay", file.path(), "store 0 or more, in 1/s");
+      throw InputError("decay_per_s is not a decay", file.path(), "store 0 or more, in 1/s");
     out.record.decay_per_s = decay->front();
   }
   const auto count = hdf5::number_attribute(file.id(), "averages", file.path(), 1);

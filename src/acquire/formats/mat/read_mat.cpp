@@ -131,7 +131,7 @@ void take_trace_lines(const MatFile& file, SignalTable& table) {
   try {
     table.trace_lines = trace_lines_in(file, table.geometry.size());
   } catch (const InputError&) {
-    table.notes.emplace_back("trace_lines is not used: it leads to points that geometry has not");
+    table.notes.emplace_back("trace_lines is not used: it refers to points without geometry");
   }
 }
 
@@ -189,7 +189,7 @@ SignalRoles chosen_roles(const SignalTable& table, const MatFile& file, const Re
     }
     if (found == 0 || std::find(roles.accel.begin(), roles.accel.end(), found) != roles.accel.end()) {
       throw InputError(
-          fmt::format("no channel \"{}\", or asked for twice, among {}", one_line(name, 40), table.signals.size() - 1),
+          fmt::format("no channel \"{}\", or requested twice, among {}", one_line(name, 40), table.signals.size() - 1),
           file.path, "give 1 for the first, or the name that percuss info shows");
     }
     roles.accel.push_back(found);

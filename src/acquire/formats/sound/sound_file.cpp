@@ -169,10 +169,10 @@ SoundOutput::SoundOutput(const std::string& path, bool force, SoundKind kind, st
   if (!chunk) return;
   i.chunk = chunk->text;
   i.chunk.resize((i.chunk.size() + 3) / 4 * 4, ' ');
-  SF_CHUNK_INFO info = chunk_named(chunk->id);
-  info.data = i.chunk.data();
-  info.datalen = static_cast<unsigned>(i.chunk.size());
-  if (sf_set_chunk(i.file, &info) != SF_ERR_NO_ERROR) i.fail();
+  SF_CHUNK_INFO chunk_info = chunk_named(chunk->id);
+  chunk_info.data = i.chunk.data();
+  chunk_info.datalen = static_cast<unsigned>(i.chunk.size());
+  if (sf_set_chunk(i.file, &chunk_info) != SF_ERR_NO_ERROR) i.fail();
 }
 
 SoundOutput::~SoundOutput() { sf_close(impl_->file); }

@@ -21,7 +21,7 @@ CsvLayout layout_of_text(const FileBytes& bytes, CsvContent content) {
   const auto probes = probe_lines(text, line_end);
   layout.dialect = find_dialect(probes, line_end);
   if (has_two_kinds_of_comma(text, probes, layout.dialect)) {
-    throw InputError("commas stand between the cells and for the decimal point as well", file,
+    throw InputError("commas separate the cells and mark decimals", file,
                      "save it with semicolons or tabs between the cells, or with decimal points");
   }
   layout.number_columns = find_number_columns(probes, layout.dialect);

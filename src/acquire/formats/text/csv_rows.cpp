@@ -105,7 +105,7 @@ double agreed_rate_Hz(const CsvHeader& header, const StampedRate& stamped, const
     notes.push_back(fmt::format("sampling rate {:.10g} Hz by the time column; the header says {:.10g} Hz",
                                 stamped.fs_Hz, *header.fs_Hz));
   } else if (!stamped.note.empty()) {
-    notes.push_back(stamped.note);
+    notes.emplace_back(stamped.note, std::vector<OptionId>{"fs"});
   }
   return stamped.fs_Hz;
 }
@@ -130,7 +130,7 @@ std::vector<CsvRow> find_csv_rows(const CsvTable& table, const CsvColumns& colum
       if (!changes[k].empty()) labels[k] = changes[k][at[k]].value;
     }
     if (!seen.insert(labels).second) {
-      throw InputError(fmt::format("hit {} comes back after another", labels[0]), table.place(line),
+      throw InputError(fmt::format("hit {} returns after another", labels[0]), table.place(line),
                        "sort the lines by hit, in order of time");
     }
     end_row(rows, line);

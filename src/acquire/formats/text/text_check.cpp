@@ -15,7 +15,7 @@ struct Magic {
 // Files of instruments and programs that percuss does not read, by their first bytes.
 constexpr std::array kNotReadable = {
     Magic{"TDSm", "a TDMS file"},
-    Magic{"PK\x03\x04", "a zip archive (xlsx and npz are such)"},
+    Magic{"PK\x03\x04", "a zip archive (such as xlsx or npz)"},
     Magic{"\xD0\xCF\x11\xE0", "an old Excel file"},
     Magic{"\x1F\x8B", "a gzip archive"},
     Magic{"\x93NUMPY", "a NumPy array"},

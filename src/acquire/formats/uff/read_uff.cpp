@@ -158,7 +158,7 @@ Record open_uff(const FileBytes& file, UffContents contents, const ReadOptions& 
   if (functions.empty()) {
     const auto& all = open->contents.functions;
     if (std::any_of(all.begin(), all.end(), [](const UffFunction& function) { return is_uff_frf(function); })) {
-      throw InputError("it holds FRFs, and records of time are needed here", name,
+      throw InputError("the file holds FRFs, not a record of time", name,
                        "give the record that they were made from");
     }
     const bool shapes = open->contents.shapes > 0;
@@ -186,7 +186,7 @@ Record open_uff(const FileBytes& file, UffContents contents, const ReadOptions& 
   if (!table.geometry.empty()) table.trace_lines = uff_trace_lines(open->contents, stated.node_offset);
   std::string note;
   if (!options.fs_Hz) table.fs_Hz = rate_of_function_Hz(*first.front(), uff_location(file, first.front()->at), note);
-  if (!note.empty()) table.notes.push_back(note);
+  if (!note.empty()) table.notes.emplace_back(note, std::vector<OptionId>{"fs"});
   table.continuous = stated.by_percuss ? stated.continuous : table.rows.size() == 1;
   table.read = [open](std::size_t row, std::size_t signal, std::size_t start, std::span<double> out) {
     open->rows[row][signal]->read(0, start, out);

@@ -33,7 +33,7 @@ class FunctionParser {
     out_.denominator = axis(next());
     next();  // the z axis is not used
     if (set_.binary) {
-      if (set_.data.size() < *uff_data_bytes(record7_)) fail("fewer bytes than record 7 says");
+      if (set_.data.size() < *uff_data_bytes(record7_)) fail("fewer bytes than record 7 states");
       out_.bytes = set_.data;
       if (set_.unread) {
         out_.file = file_.lazy;
@@ -119,10 +119,10 @@ class FunctionParser {
     const std::vector<std::size_t> widths = columns();
     const std::size_t wanted = out_.count * ((out_.even ? 0U : 1U) + (out_.complex ? 2U : 1U));
     // A full line of six numbers has at least 66 characters.
-    if (wanted > rest_.size() / 11 + 6) fail("fewer numbers than record 7 says");
+    if (wanted > rest_.size() / 11 + 6) fail("fewer numbers than record 7 states");
     out_.values.reserve(wanted);
     while (out_.values.size() < wanted) {
-      if (rest_.empty()) fail(fmt::format("{} numbers where record 7 says {}", out_.values.size(), wanted));
+      if (rest_.empty()) fail(fmt::format("{} numbers where record 7 states {}", out_.values.size(), wanted));
       UffFields fields = next();
       for (const std::size_t width : widths) {
         if (out_.values.size() == wanted) break;

@@ -122,7 +122,7 @@ class NodeReader {
       if (frame == frames_.end()) {
         // 0 is the global system; so is 1 unless the file defines it.
         if (system <= 1) return at;
-        fail(set, line, "a node in a coordinate system that is not there");
+        fail(set, line, "a node in an undefined coordinate system");
       }
       at = frame->second.origin + frame->second.axes * cartesian(frame->second.kind, at);
       if (frame->second.refers_to == system) return at;

@@ -1,16 +1,16 @@
-// A row of pictures that move together, a button that stops them, and sliders. `play` takes what draws them at a phase, 0 … 1.
+// A row of plots animated together, a pause button, and sliders. `play` takes a function that draws all plots at a phase, 0 … 1.
 const animation = (figure, kind) => {
-  const controls = made("div", figure), row = made("div", figure), button = made("button", controls), sliders = [];
+  const controls = addElement("div", figure), row = addElement("div", figure), button = addElement("button", controls), sliders = [];
   controls.className = "controls";
   row.className = kind;
   const slider = (text, value) => {
-    const input = made("input", made("label", controls, `${text} `));
+    const input = addElement("input", addElement("label", controls, `${text} `));
     Object.assign(input, { type: "range", min: 0, max: 100, value });
     sliders.push(input);
     return input;
   };
   const play = (draw) => {
-    let running = !still.matches, phase = 0.25;
+    let running = !reducedMotion.matches, phase = 0.25;
     const step = (time) => {
       if (!running) return;
       phase = (time / 2000) % 1;

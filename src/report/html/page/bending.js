@@ -1,31 +1,31 @@
-// The bat itself, bent: its outline where it is known, else a rod; nodes with their deviations below.
+// The bent bat: its outline if known, else a line; nodes with their ± as vertical bands.
 const bendingPlots = () => {
   const bending = data.bending;
-  for (const figure of places("bending")) {
+  for (const figure of figuresOf("bending")) {
     if (!bending || !bending.modes.length) { figure.remove(); continue; }
     const { row, slider, play } = animation(figure, "bats");
     const amplitude = slider("amplitude", 50);
     const all = bending.outline.map(([z]) => z).concat(bending.modes.flatMap((m) => m.z_m));
     const low = Math.min(...all), high = Math.max(...all);
-    const pictures = bending.modes.map((mode) => {
-      const box = made("div", row), canvas = made("canvas", box);
+    const drawings = bending.modes.map((mode) => {
+      const box = addElement("div", row), canvas = addElement("canvas", box);
       canvas.width = 640 * devicePixelRatio;
       canvas.height = 120 * devicePixelRatio;
-      made("p", box, `${mode.name}, ${mode.hz.toPrecision(5)} Hz${mode.nodes.length ? `; nodes: ${mode.nodes.map((n) => n.text).join("; ")}` : ""}`);
+      addElement("p", box, `${mode.name}, ${mode.hz.toPrecision(5)} Hz${mode.nodes.length ? `; nodes: ${mode.nodes.map((n) => n.text).join("; ")}` : ""}`);
       return { canvas, mode };
     });
     play((phase) => {
       const now = Math.sin(2 * Math.PI * phase) * amplitude.value / 100;
-      for (const { canvas, mode } of pictures) {
+      for (const { canvas, mode } of drawings) {
         const context = canvas.getContext("2d"), margin = 16 * devicePixelRatio;
-        const scale = (canvas.width - 2 * margin) / (high - low), middle = canvas.height / 2, most = 0.3 * canvas.height;
+        const scale = (canvas.width - 2 * margin) / (high - low), middle = canvas.height / 2, largest = 0.3 * canvas.height;
         const across = (z) => margin + (bending.from_right ? high - z : z - low) * scale;
-        const bent = (z) => {
+        const deflection = (z) => {
           const k = mode.z_m.findIndex((at) => at >= z);
           if (k < 0) return mode.y[mode.y.length - 1];
           if (k === 0) return mode.y[0];
-          const part = (z - mode.z_m[k - 1]) / (mode.z_m[k] - mode.z_m[k - 1]);
-          return mode.y[k - 1] + part * (mode.y[k] - mode.y[k - 1]);
+          const fraction = (z - mode.z_m[k - 1]) / (mode.z_m[k] - mode.z_m[k - 1]);
+          return mode.y[k - 1] + fraction * (mode.y[k] - mode.y[k - 1]);
         };
         context.clearRect(0, 0, canvas.width, canvas.height);
         context.strokeStyle = colour("--rule");
@@ -36,8 +36,8 @@ const bendingPlots = () => {
         context.stroke();
         const outline = bending.outline.length ? bending.outline : mode.z_m.map((z) => [z, 0]);
         context.beginPath();
-        for (const [z, r] of outline) context.lineTo(across(z), middle - now * most * bent(z) - r * scale);
-        for (const [z, r] of [...outline].reverse()) context.lineTo(across(z), middle - now * most * bent(z) + r * scale);
+        for (const [z, r] of outline) context.lineTo(across(z), middle - now * largest * deflection(z) - r * scale);
+        for (const [z, r] of [...outline].reverse()) context.lineTo(across(z), middle - now * largest * deflection(z) + r * scale);
         context.closePath();
         context.fillStyle = colour("--c0") + "33";
         context.fill();
@@ -57,6 +57,6 @@ const bendingPlots = () => {
         }
       }
     });
-    made("figcaption", figure, `${bending.ends} Exaggerated; vertical lines: nodes, as wide as their ±.`);
+    addElement("figcaption", figure, `${bending.ends} Exaggerated; vertical lines: nodes, as wide as their ±.`);
   }
 };

@@ -1,12 +1,12 @@
-// How a ring moves that two sensors saw: bending shifts it, hoop turns it into an ellipse.
-const ringOf = (mode) => {
+// Displacement of the cross-section from two sensors: bending shifts it, a hoop mode turns it into an ellipse.
+const ringPattern = (mode) => {
   const [a, b] = mode.sensors;
   const strong = [a, b].reduce((x, y) => (Math.hypot(x.re, x.im) >= Math.hypot(y.re, y.im) ? x : y));
   const turn = Math.atan2(strong.im, strong.re), part = (s) => s.re * Math.cos(turn) + s.im * Math.sin(turn);
   const n = mode.family === "hoop" ? 2 : 1;
   const m = [[Math.cos(n * a.angle_rad), Math.sin(n * a.angle_rad)], [Math.cos(n * b.angle_rad), Math.sin(n * b.angle_rad)]];
   const v = [part(a), part(b)];
-  // The smallest movement that both sensors agree to (they may be blind to one pattern).
+  // The smallest displacement that both sensors agree with; regularised, as both may sit on nodes of one pattern.
   const g = [[m[0][0] ** 2 + m[1][0] ** 2 + 1e-9, m[0][0] * m[0][1] + m[1][0] * m[1][1]], [0, m[0][1] ** 2 + m[1][1] ** 2 + 1e-9]];
   g[1][0] = g[0][1];
   const h = [m[0][0] * v[0] + m[1][0] * v[1], m[0][1] * v[0] + m[1][1] * v[1]];
@@ -17,16 +17,16 @@ const ringOf = (mode) => {
 
 const crossSectionPlots = () => {
   const modes = (data.modes || []).filter((m) => m.sensors.length === 2 && m.family !== "unknown");
-  for (const figure of places("movement")) {
+  for (const figure of figuresOf("movement")) {
     if (!modes.length) { figure.closest("section").remove(); continue; }
     const { row, slider, play } = animation(figure, "barrels");
     const amplitude = slider("amplitude", 60);
     const rings = modes.map((mode) => {
-      const box = made("div", row), canvas = made("canvas", box);
+      const box = addElement("div", row), canvas = addElement("canvas", box);
       canvas.width = canvas.height = 150 * devicePixelRatio;
-      made("p", box, mode.name);
-      made("p", box, `${mode.hz.toPrecision(4)} Hz`);
-      return { canvas, ring: ringOf(mode) };
+      addElement("p", box, mode.name);
+      addElement("p", box, `${mode.hz.toPrecision(4)} Hz`);
+      return { canvas, ring: ringPattern(mode) };
     });
     play((phase) => {
       for (const { canvas, ring } of rings) {
@@ -36,7 +36,7 @@ const crossSectionPlots = () => {
         const outline = (amount, style, width) => {
           context.beginPath();
           for (let k = 0; k <= 180; ++k) {
-            // Outwards, and along the ring so that it keeps its length: n = 1 is a shift, n = 2 an ellipse.
+            // Radial, and tangential so that the ring keeps its length: n = 1 is a shift, n = 2 an ellipse.
             const t = (k * Math.PI) / 90, [c, s] = [Math.cos(ring.n * t), Math.sin(ring.n * t)];
             const out = r + amount * size * (ring.c * c + ring.s * s), along = (amount * size * (ring.s * c - ring.c * s)) / ring.n;
             context.lineTo(middle + out * Math.cos(t) - along * Math.sin(t), middle - out * Math.sin(t) - along * Math.cos(t));
@@ -49,6 +49,6 @@ const crossSectionPlots = () => {
         outline(now, colour("--c0"), 3);
       }
     });
-    made("figcaption", figure, "Looked at along the axis from the barrel's end; 0° points right, 90° up. Exaggerated.");
+    addElement("figcaption", figure, "View along the axis from the barrel's end; 0° points right, 90° up. Exaggerated.");
   }
 };

@@ -1,22 +1,22 @@
 "use strict";
 const data = Object.assign({}, ...JSON.parse(document.getElementById("data").textContent));
-const still = matchMedia("(prefers-reduced-motion: reduce)");
-const dark = matchMedia("(prefers-color-scheme: dark)");
-// Looked up when a picture is drawn, as the colours of paper are not those of a dark screen.
+const reducedMotion = matchMedia("(prefers-reduced-motion: reduce)");
+const darkScheme = matchMedia("(prefers-color-scheme: dark)");
+// Looked up at each drawing: colours differ between paper and a dark screen.
 const colour = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 const dashes = [[], [8, 4], [2, 3], [10, 3, 2, 3], [5, 5], [1, 4], [12, 4], [6, 2]];
 const strokes = (i) => ({ stroke: () => colour(`--c${i % 8}`), dash: dashes[i % 8] });
 
-const made = (tag, parent, text) => {
+const addElement = (tag, parent, text) => {
   const element = document.createElement(tag);
   if (text !== undefined) element.textContent = text;
   if (parent) parent.append(element);
   return element;
 };
-const places = (kind) => document.querySelectorAll(`[data-picture="${kind}"]`);
+const figuresOf = (kind) => document.querySelectorAll(`[data-picture="${kind}"]`);
 
-// Numbers as the page carries them: from + step · k, 65535 for none.
-const numbers = (packed) => {
+// Decodes a quantised curve: from + step · k, null for k = 65535.
+const decoded = (packed) => {
   const bytes = atob(packed.u16);
   const out = new Array(bytes.length / 2);
   for (let i = 0; i < out.length; ++i) {
@@ -27,10 +27,10 @@ const numbers = (packed) => {
 };
 
 const legend = (figure, names) => {
-  const list = made("ul", figure);
+  const list = addElement("ul", figure);
   list.className = "legend";
   names.forEach((name, i) => {
-    const item = made("li", list);
+    const item = addElement("li", list);
     const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg");
     svg.setAttribute("width", "28");
     svg.setAttribute("height", "8");
@@ -44,11 +44,11 @@ const legend = (figure, names) => {
 };
 
 const axis = (label, more) => ({ label, stroke: () => colour("--ink"), grid: { stroke: () => colour("--rule"), width: 1 }, ticks: { stroke: () => colour("--rule") }, font: "13px system-ui", labelFont: "13px system-ui", ...more });
-const drawn = [];
+const plots = [];
 
-// A picture of curves over one x; `shared` ones move together.
+// Plots curves over one x. Plots with `shared` zoom together.
 const plot = (figure, height, x, y, xs, series, options = {}) => {
-  const target = options.target || made("div", figure);
+  const target = options.target || addElement("div", figure);
   const opts = {
     width: Math.max(320, figure.clientWidth), height,
     legend: { show: false },
@@ -60,9 +60,9 @@ const plot = (figure, height, x, y, xs, series, options = {}) => {
     bands: options.bands,
     padding: [options.top || 12, 16, null, null],
   };
-  const made_plot = new uPlot(opts, [xs, ...series.map((s) => s.values)], target);
-  drawn.push({ plot: made_plot, figure, height });
-  return made_plot;
+  const newPlot = new uPlot(opts, [xs, ...series.map((s) => s.values)], target);
+  plots.push({ plot: newPlot, figure, height });
+  return newPlot;
 };
 
 const inCanvas = (u, draw) => {
@@ -71,7 +71,7 @@ const inCanvas = (u, draw) => {
   u.ctx.restore();
 };
 
-// An upright line over the whole height of a picture.
+// A vertical line over the whole height of a plot.
 const drawVerticalLine = (u, x) => {
   if (x < u.scales.x.min || x > u.scales.x.max) return;
   const at = u.valToPos(x, "x", true);

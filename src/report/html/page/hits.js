@@ -1,6 +1,6 @@
-const kFallen_dB = -20; // where a force's band ends
+const kBandwidth_dB = -20; // defines the bandwidth of the force
 
-// Curves of the hits over one x; between a hit's own samples by straight lines, `outside` beyond them.
+// Plots the curves of the hits over one x, interpolated linearly, `outside` beyond their samples.
 const hitPlot = (figure, curves, steps, low, high, outside, x, y, options) => {
   const xs = Array.from({ length: steps }, (_, k) => low + ((high - low) * k) / (steps - 1));
   const at = ({ first, step, values }, place) => {
@@ -13,20 +13,20 @@ const hitPlot = (figure, curves, steps, low, high, outside, x, y, options) => {
 
 const samplesOf = (hits, kind, unit) =>
   hits.map((hit, i) => ({ hit, i, samples: hit[kind] })).filter((c) => c.samples)
-    .map((c) => ({ hit: c.hit, i: c.i, first: c.samples.first * unit, step: c.samples.step * unit, values: numbers(c.samples.values) }));
+    .map((c) => ({ hit: c.hit, i: c.i, first: c.samples.first * unit, step: c.samples.step * unit, values: decoded(c.samples.values) }));
 
 const endOf = (c) => c.first + c.step * (c.values.length - 1);
 
 const hitPlots = () => {
   const hits = data.hits || [];
-  const pictures = (kind, name, unit, draw) => {
-    for (const figure of places(kind)) {
+  const eachFigure = (kind, name, unit, draw) => {
+    for (const figure of figuresOf(kind)) {
       const curves = samplesOf(hits, name, unit);
       if (curves.length) draw(figure, curves);
       else figure.remove();
     }
   };
-  pictures("force", "force_n", 1e3, (figure, curves) => {
+  eachFigure("force", "force_n", 1e3, (figure, curves) => {
     legend(figure, hits.map((h) => h.name + (h.accepted ? "" : " (rejected)")));
     const ends = curves.map((c) => {
       const largest = c.values.reduce((a, b) => Math.max(a, Math.abs(b || 0)), 0);
@@ -34,18 +34,18 @@ const hitPlots = () => {
       while (last > 0 && Math.abs(c.values[last] || 0) < 0.02 * largest) --last;
       return c.first + c.step * last;
     });
-    if (hits.length < data.of_hits) made("figcaption", figure, `The first ${hits.length} of ${data.of_hits} hits.`);
+    if (hits.length < data.of_hits) addElement("figcaption", figure, `The first ${hits.length} of ${data.of_hits} hits.`);
     hitPlot(figure, curves, 800, Math.min(...curves.map((c) => Math.max(c.first, -0.5))), Math.max(...ends) + 0.2, 0, "time after the onset, ms", "force, N");
   });
-  pictures("response", "response_mps2", 1e3, (figure, curves) => {
+  eachFigure("response", "response_mps2", 1e3, (figure, curves) => {
     hitPlot(figure, curves, 800, Math.min(...curves.map((c) => Math.max(c.first, -0.5))), Math.max(...curves.map(endOf)), null, "time after the onset, ms", "response, m/s²");
-    made("figcaption", figure, "First accelerometer. Colours as above.");
+    addElement("figcaption", figure, "First accelerometer. Colours as above.");
   });
-  pictures("spectrum", "spectrum_db", 1, (figure, curves) => {
-    const reach = (u) => inCanvas(u, (context) => {
+  eachFigure("spectrum", "spectrum_db", 1, (figure, curves) => {
+    const bandwidth = (u) => inCanvas(u, (context) => {
       context.strokeStyle = colour("--soft");
       context.setLineDash([6 * devicePixelRatio, 4 * devicePixelRatio]);
-      const at = u.valToPos(kFallen_dB, "y", true);
+      const at = u.valToPos(kBandwidth_dB, "y", true);
       context.beginPath();
       context.moveTo(u.bbox.left, at);
       context.lineTo(u.bbox.left + u.bbox.width, at);
@@ -53,14 +53,14 @@ const hitPlots = () => {
       context.setLineDash([2 * devicePixelRatio, 3 * devicePixelRatio]);
       for (const edge of data.band_hz || []) drawVerticalLine(u, edge);
     });
-    hitPlot(figure, curves, 600, 0, Math.max(...curves.map(endOf)), null, "frequency, Hz", "force, dB", { range: [-45, 3], hooks: { draw: [reach] } });
-    made("figcaption", figure, `Spectrum of the force. Dashed: 20 dB down, where it reaches no further${data.band_hz ? "; dotted: the band analysed" : ""}. Colours as above.`);
+    hitPlot(figure, curves, 600, 0, Math.max(...curves.map(endOf)), null, "frequency, Hz", "force, dB", { range: [-45, 3], hooks: { draw: [bandwidth] } });
+    addElement("figcaption", figure, `Spectrum of the force. Dashed: −20 dB, which defines the usable bandwidth${data.band_hz ? "; dotted: the analysed band" : ""}. Colours as above.`);
   });
-  pictures("decay", "decay_db", 1, (figure, curves) => {
-    const floors = curves.filter((c) => c.hit.noise_db !== null);
-    const floor = (u) => inCanvas(u, (context) => {
+  eachFigure("decay", "decay_db", 1, (figure, curves) => {
+    const withNoise = curves.filter((c) => c.hit.noise_db !== null);
+    const noise = (u) => inCanvas(u, (context) => {
       context.setLineDash([2 * devicePixelRatio, 4 * devicePixelRatio]);
-      for (const c of floors) {
+      for (const c of withNoise) {
         const at = u.valToPos(c.hit.noise_db, "y", true);
         if (at > u.bbox.top + u.bbox.height) continue;
         context.strokeStyle = colour(`--c${c.i % 8}`);
@@ -70,7 +70,7 @@ const hitPlots = () => {
         context.stroke();
       }
     });
-    hitPlot(figure, curves, 800, 0, Math.max(...curves.map(endOf)), null, "time after the peak, s", "response, dB", { hooks: { draw: [floor] } });
-    made("figcaption", figure, `Decay of the first accelerometer.${floors.length ? " Dotted: its noise before the hit." : ""} Colours as above.`);
+    hitPlot(figure, curves, 800, 0, Math.max(...curves.map(endOf)), null, "time after the peak, s", "response, dB", { hooks: { draw: [noise] } });
+    addElement("figcaption", figure, `Decay of the first accelerometer.${withNoise.length ? " Dotted: its noise before the hit." : ""} Colours as above.`);
   });
 };

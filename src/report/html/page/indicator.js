@@ -1,9 +1,9 @@
-// Singular values of the FRFs: a mode is a peak of the first; where the second peaks as well, two modes share a frequency.
+// Singular values of the FRFs: the first peaks at each mode; if the second peaks as well, two modes share a frequency.
 const indicatorPlot = () => {
   const indicator = data.indicator;
-  for (const figure of places("indicator")) {
+  for (const figure of figuresOf("indicator")) {
     if (!indicator || !indicator.values.length) { figure.remove(); continue; }
-    const values = indicator.values.map(numbers);
+    const values = indicator.values.map(decoded);
     const xs = values[0].map((_, k) => indicator.first_hz + k * indicator.df_hz);
     legend(figure, values.map((_, i) => ["largest", "second", "third"][i] + " singular value"));
     plot(figure, 260, "frequency, Hz", "dB re 1 (m/s²)/N", xs, values.map((v, i) => ({ values: v, ...strokes(i) })), { top: 40, hooks: { draw: [nameModes] } });

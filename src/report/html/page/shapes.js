@@ -1,25 +1,25 @@
-// Points and lines seen from above at an angle that the slider turns; every mode in a picture of its own.
+// The structure's points and lines from a viewpoint set by the sliders, one animated drawing per mode.
 const shapePlots = () => {
   const shapes = data.shapes;
-  for (const figure of places("shapes")) {
+  for (const figure of figuresOf("shapes")) {
     if (!shapes || shapes.points.length < 2) { figure.remove(); continue; }
     const { row, slider, play } = animation(figure, "shapes");
     const amplitude = slider("amplitude", 50), turn = slider("turn", 35), tilt = slider("tilt", 30);
     const middle = [0, 1, 2].map((i) => shapes.points.reduce((sum, p) => sum + p[i], 0) / shapes.points.length);
     const radius = Math.max(...shapes.points.map((p) => Math.hypot(p[0] - middle[0], p[1] - middle[1], p[2] - middle[2]))) || 1;
-    const pictures = shapes.modes.map((mode) => {
-      const box = made("div", row), canvas = made("canvas", box);
+    const drawings = shapes.modes.map((mode) => {
+      const box = addElement("div", row), canvas = addElement("canvas", box);
       canvas.width = 300 * devicePixelRatio;
       canvas.height = 240 * devicePixelRatio;
-      made("p", box, `${mode.name}, ${mode.hz.toPrecision(4)} Hz`);
-      const largest = mode.moves.reduce((most, x) => Math.max(most, Math.abs(x)), 0) || 1;
+      addElement("p", box, `${mode.name}, ${mode.hz.toPrecision(4)} Hz`);
+      const largest = mode.moves.reduce((max, x) => Math.max(max, Math.abs(x)), 0) || 1;
       return { canvas, moves: mode.moves.map((x) => x / largest) };
     });
     play((phase) => {
       const a = (turn.value / 100) * Math.PI, b = (tilt.value / 100) * (Math.PI / 2), size = (0.3 * radius * amplitude.value) / 100;
       const [ca, sa, cb, sb] = [Math.cos(a), Math.sin(a), Math.cos(b), Math.sin(b)];
       const c = Math.cos(2 * Math.PI * phase), s = Math.sin(2 * Math.PI * phase);
-      for (const { canvas, moves } of pictures) {
+      for (const { canvas, moves } of drawings) {
         const context = canvas.getContext("2d"), scale = (0.37 * canvas.height) / radius;
         const at = (p, i, amount) => {
           const q = [0, 1, 2].map((k) => p[k] - middle[k] + amount * size * (moves[6 * i + 2 * k] * s + moves[6 * i + 2 * k + 1] * c));
@@ -41,6 +41,6 @@ const shapePlots = () => {
         }
       }
     });
-    made("figcaption", figure, "Exaggerated; grey: at rest.");
+    addElement("figcaption", figure, "Exaggerated; grey: at rest.");
   }
 };

@@ -20,16 +20,16 @@ const stabilisationMark = (context, mark, x, y) => {
   context.globalAlpha = 1;
 };
 
-// The strongest FRF behind the poles, over the height of the picture.
+// The strongest FRF behind the poles, over the height of the plot.
 const frfBehind = (u) => {
   const frf = data.frf;
   if (!frf || !frf.curves.length) return;
-  const levels = frf.curves.map((c) => numbers(c.db));
-  const mean = levels[0].map((_, k) => levels.reduce((most, values) => (values[k] === null ? most : Math.max(most, values[k])), -Infinity));
-  const finite = mean.filter((v) => v > -Infinity);
+  const levels = frf.curves.map((c) => decoded(c.db));
+  const strongest = levels[0].map((_, k) => levels.reduce((max, values) => (values[k] === null ? max : Math.max(max, values[k])), -Infinity));
+  const finite = strongest.filter((v) => v > -Infinity);
   const low = finite.reduce((a, b) => Math.min(a, b), Infinity), high = finite.reduce((a, b) => Math.max(a, b), -Infinity);
   u.ctx.beginPath();
-  mean.forEach((v, k) => {
+  strongest.forEach((v, k) => {
     const hz = frf.first_hz + k * frf.df_hz;
     if (v > -Infinity && hz >= u.scales.x.min && hz <= u.scales.x.max)
       u.ctx.lineTo(u.valToPos(hz, "x", true), u.bbox.top + u.bbox.height * (0.95 - (0.9 * (v - low)) / (high - low || 1)));
@@ -41,15 +41,15 @@ const frfBehind = (u) => {
 
 const stabilisationPlot = () => {
   const diagram = data.stabilisation;
-  for (const figure of places("stabilisation")) {
+  for (const figure of figuresOf("stabilisation")) {
     if (!diagram || !diagram.order.length) { figure.remove(); continue; }
-    const hz = numbers(diagram.hz);
-    const list = made("ul", figure);
+    const hz = decoded(diagram.hz);
+    const list = addElement("ul", figure);
     list.className = "legend";
-    for (const [, name, mark] of kStabilities) made("li", list, `${mark} ${name}`);
+    for (const [, name, mark] of kStabilities) addElement("li", list, `${mark} ${name}`);
     const order = hz.map((_, i) => i).sort((a, b) => hz[a] - hz[b]);
     const xs = order.map((i) => hz[i]), ys = order.map((i) => diagram.order[i]), marks = order.map((i) => diagram.stability[i]);
-    // A mode's ring goes around its stable pole of the highest order.
+    // Each mode's ring marks its stable pole of the highest order.
     const ringed = (data.modes || []).map((mode) => {
       let best = -1;
       xs.forEach((x, i) => { if (marks[i] === "s" && Math.abs(x - mode.hz) <= Math.max(mode.zeta, 1e-3) * mode.hz && (best < 0 || ys[i] > ys[best])) best = i; });
@@ -73,6 +73,6 @@ const stabilisationPlot = () => {
       }
     });
     plot(figure, 300, "frequency, Hz", "model order", xs, [{ values: ys, stroke: "transparent", paths: () => null }], { hooks: { draw: [dots] } });
-    made("figcaption", figure, "Grey: the strongest FRF. Upright lines: the modes found; ringed: their stable poles of the highest order.");
+    addElement("figcaption", figure, "Grey: the strongest FRF. Vertical lines: the modes; ringed: their stable poles of the highest order.");
   }
 };

@@ -50,7 +50,7 @@ std::string written(const test::ScratchFolder& folder, const FrfFile& made) {
   return path;
 }
 
-TEST(ReadFrfHdf5, ReadsWhatTheLayoutSays) {
+TEST(ReadFrfHdf5, ReadsTheDocumentedLayout) {
   const test::ScratchFolder folder;
   const auto frfs = read_frf_hdf5(written(folder, {}));
   ASSERT_TRUE(frfs);
@@ -63,7 +63,7 @@ TEST(ReadFrfHdf5, ReadsWhatTheLayoutSays) {
   EXPECT_NEAR(*frfs->record.accel.at(1).angle_rad, std::numbers::pi / 2, 1e-15);
 }
 
-TEST(ReadFrfHdf5, LeavesRecordsOfTimeAlone) {
+TEST(ReadFrfHdf5, IgnoresRecordsOfTime) {
   const test::ScratchFolder folder;
   const std::string path = folder.file("record.h5");
   test::Hdf5Builder(path).numbers("", "fs", {1000}).ramp("force", {2, 8}).ramp("accel", {2, 1, 8});

@@ -123,7 +123,7 @@ TEST_F(Hdf5Read, AcceptsOneDimensionFewer) {
   }
 }
 
-TEST_F(Hdf5Read, ReadsOnlyTheStretchAskedFor) {
+TEST_F(Hdf5Read, ReadsOnlyTheRangeRequested) {
   Hdf5Builder(path_).numbers("", "fs", {1000}).ramp("force", {2, 100}).ramp("accel", {2, 2, 100});
   const Record record = open_hdf5(path_);
   std::vector<double> part(7);
@@ -133,7 +133,7 @@ TEST_F(Hdf5Read, ReadsOnlyTheStretchAskedFor) {
   EXPECT_EQ(part, ramp(213, 7));
 }
 
-TEST_F(Hdf5Read, FindsTheRateOnTheDataSetsToo) {
+TEST_F(Hdf5Read, FindsTheRateOnTheDataSets) {
   Hdf5Builder(path_).ramp("force", {2, 9}).ramp("accel", {2, 1, 9}).numbers("accel", "fs", {2000});
   EXPECT_EQ(open_hdf5(path_).fs_Hz, 2000);
   EXPECT_EQ(open_hdf5(path_, {.fs_Hz = 512}).fs_Hz, 512);
@@ -154,7 +154,7 @@ TEST_F(Hdf5Read, ConvertsUnitsOfEveryKindOfText) {
   }
 }
 
-TEST_F(Hdf5Read, TakesTheUsersWordOverTheFiles) {
+TEST_F(Hdf5Read, PrefersTheUsersStatementsToTheFiles) {
   Hdf5Builder(path_)
       .numbers("", "fs", {1000})
       .ramp("force", {2, 9})
@@ -178,7 +178,7 @@ TEST_F(Hdf5Read, TakesTheUsersWordOverTheFiles) {
   EXPECT_EQ(accel_mps2(record, 1, 1), ramp(27, 9, -kStandardGravity_mps2));
 }
 
-TEST_F(Hdf5Read, KeepsAForceInVoltsAndSaysThatFrfsArePerVolt) {
+TEST_F(Hdf5Read, KeepsAForceInVoltsWithANote) {
   Hdf5Builder(path_)
       .numbers("", "fs", {1000})
       .ramp("force", {2, 9})
@@ -191,7 +191,7 @@ TEST_F(Hdf5Read, KeepsAForceInVoltsAndSaysThatFrfsArePerVolt) {
   EXPECT_TRUE(open_hdf5(path_, {.force_sensitivity_V_per_N = 0.01}).notes.empty());
 }
 
-TEST_F(Hdf5Read, LeavesOutWhatTheSetupIgnores) {
+TEST_F(Hdf5Read, OmitsChannelsThatTheSetupIgnores) {
   Hdf5Builder(path_).numbers("", "fs", {1000}).ramp("force", {2, 9}).ramp("accel", {2, 3, 9});
   const Record record = open_hdf5(path_, {.setup = {{.name = "2", .role = "ignore"}}});
   ASSERT_EQ(record.accel.size(), 2u);
@@ -199,7 +199,7 @@ TEST_F(Hdf5Read, LeavesOutWhatTheSetupIgnores) {
   EXPECT_EQ(accel_mps2(record, 0, 1), ramp(18, 9));
 }
 
-TEST_F(Hdf5Read, RefusesChannelsThatAreNotThere) {
+TEST_F(Hdf5Read, RefusesChannelsThatDoNotExist) {
   Hdf5Builder(path_).numbers("", "fs", {1000}).ramp("force", {2, 9}).ramp("accel", {2, 2, 9});
   const auto message = [&](const ReadOptions& options) { return input_error_of([&] { open_hdf5(path_, options); }); };
   EXPECT_THAT(message({.accel_channels = {"3"}}), HasSubstr("accel 1 to accel 2"));

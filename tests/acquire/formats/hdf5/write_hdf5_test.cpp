@@ -91,7 +91,7 @@ TEST_F(Hdf5Write, GivesTheSameRecordWhenRead) {
   EXPECT_THAT(back.notes, testing::IsEmpty());
 }
 
-TEST_F(Hdf5Write, KeepsLongRowsAndWhetherTheyHoldSeveralHits) {
+TEST_F(Hdf5Write, KeepsLongRowsAndTheContinuousFlag) {
   constexpr std::size_t kSamples = 300'001;  // more than are copied at once
   for (const std::size_t rows : {1u, 2u}) {
     for (const bool continuous : {false, true}) {
@@ -105,7 +105,7 @@ TEST_F(Hdf5Write, KeepsLongRowsAndWhetherTheyHoldSeveralHits) {
   }
 }
 
-TEST_F(Hdf5Write, ConvertsWhatOtherUnitsWereRead) {
+TEST_F(Hdf5Write, WritesSIWhateverUnitWasRead) {
   const std::string source = folder_.file("g.h5");
   test::Hdf5Builder(source)
       .numbers("", "fs", {1000})
@@ -138,7 +138,7 @@ TEST_F(Hdf5Write, MayReplaceTheFileItReads) {
   expect_same_samples(record, back);  // the old file lives until the record is gone
 }
 
-TEST_F(Hdf5Write, RefusesWhatTheLayoutCannotHold) {
+TEST_F(Hdf5Write, RefusesRecordsThatTheLayoutCannotHold) {
   Record record = make_record(2, 1, 50);
   record.rows[1].samples = 49;
   EXPECT_THAT(input_error_of([&] { write_hdf5(path_, record, false); }), HasSubstr("50 and 49 samples"));
@@ -159,7 +159,7 @@ TEST_F(Hdf5Write, LeavesNothingWhenTheSamplesCannotBeRead) {
   EXPECT_THAT(files(), testing::ElementsAre("r.h5"));
 }
 
-TEST_F(Hdf5Write, LeavesTheOldFileWhenKilledAndTheNextWriterTidiesUp) {
+TEST_F(Hdf5Write, LeavesTheOldFileWhenKilledAndTheNextWriterCleansUp) {
   test::write_bytes(path_, "old");
   const pid_t child = ::fork();
   if (child == 0) {

@@ -84,7 +84,7 @@ TEST_F(MatRecord, ReadsLevel4LaidOutByHand) {
   }
 }
 
-TEST_F(MatRecord, TakesHitsEitherWayRound) {
+TEST_F(MatRecord, ReadsHitsInEitherOrientation) {
   // Two hits of three samples, two channels: sample i of hit h is 10 h + i, of channel c 100 (c + 1) more.
   const auto value = [](std::size_t h, std::size_t i) { return static_cast<double>(10 * h + i); };
   std::vector<double> force_first, force_last, accel_first, accel_last;
@@ -135,7 +135,7 @@ TEST_F(MatRecord, ReadsStructuresAndStructureArrays) {
   EXPECT_THAT(accel_mps2(record, 0, 1), ElementsAre(9, 10, 11));
 }
 
-TEST_F(MatRecord, TakesVariablesThatOptionsName) {
+TEST_F(MatRecord, ReadsVariablesThatOptionsName) {
   MatBuilder(path_, MatLevel::v5)
       .singles("Time_chan_1", {3, 1}, {1, 2, 3})
       .singles("Time_chan_2", {3, 1}, {4, 5, 6})
@@ -154,7 +154,7 @@ TEST_F(MatRecord, TakesVariablesThatOptionsName) {
   EXPECT_THAT(input_error_of([&] { opened(other); }), HasSubstr("no such variable"));
 }
 
-TEST_F(MatRecord, RefusesWhatContradictsItself) {
+TEST_F(MatRecord, RefusesContradictions) {
   MatBuilder(path_, MatLevel::v5).numbers("fs", {1, 1}, {1000}).numbers("dt", {1, 1}, {0.5});
   MatBuilder(path_, MatLevel::v5).numbers("force", {3, 1}, {1, 2, 3}).numbers("accel", {3, 1}, {1, 2, 3});
   EXPECT_THAT(input_error_of([&] { opened(); }), HasSubstr("no sampling rate"));
@@ -192,7 +192,7 @@ TEST_F(MatRecord, GivesFrfsWithTheirFrequencies) {
   EXPECT_NEAR(frfs({.read = {.fs_Hz = 400}}).lines.freq_Hz(2), 200, 1e-9);
 }
 
-TEST_F(MatRecord, AsksWhichOfSeveralArraysIsMeant) {
+TEST_F(MatRecord, IsAmbiguousWithSeveralComplexArrays) {
   const std::vector<std::complex<double>> lines{{1, 2}, {3, 4}};
   MatBuilder(path_, MatLevel::v5).complex("H1", {2, 1}, lines).complex("H2", {2, 1}, lines).numbers("df", {1, 1}, {2});
   EXPECT_THAT(input_error_of([&] { frfs(); }), HasSubstr("2 complex arrays could be the FRFs"));
@@ -238,7 +238,7 @@ TEST_F(MatWritten, IsReadBackExactly) {
   EXPECT_EQ(test::bytes_of(path_), test::bytes_of(folder_.file("again.mat")));
 }
 
-TEST_F(MatWritten, KnowsASingleHitFromAStretchOfTime) {
+TEST_F(MatWritten, DistinguishesASingleHitFromAContinuousRow) {
   for (const bool continuous : {false, true}) {
     Record record = record_in_memory(1000, {{1, 2, 3}}, {{{4, 5, 6}}});
     record.continuous = continuous;

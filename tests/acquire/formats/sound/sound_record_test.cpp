@@ -128,7 +128,7 @@ TEST_F(SoundRecord, IsCalibratedByItsChunk) {
   EXPECT_THAT(accel_mps2(record, 0, 1), ElementsAre(-25, 0));
 }
 
-TEST_F(SoundRecord, TakesTheOtherChannelsForSensorsOnceTheHammerIsNamed) {
+TEST_F(SoundRecord, TakesTheOtherChannelsAsAccelerationsWhenTheForceIsNamed) {
   const std::string bytes = wav({.channels = 3}, integers({1 << 14, 0, 1 << 13, 0, 1 << 14, 0}, 2));
   const Record record = opened(bytes, {.force_channel = "2"});
   EXPECT_EQ(record.force.name, "channel 2");
@@ -137,11 +137,11 @@ TEST_F(SoundRecord, TakesTheOtherChannelsForSensorsOnceTheHammerIsNamed) {
   EXPECT_THAT(accel_mps2(record, 1), ElementsAre(0.25, 0));
 }
 
-TEST_F(SoundRecord, AsksWhichChannelIsTheHammer) {
+TEST_F(SoundRecord, IsAmbiguousWithoutAForceChannel) {
   EXPECT_THROW(opened(wav({}, integers({1, 2, 3, 4}, 2))), AmbiguousColumns);
 }
 
-TEST_F(SoundRecord, ReadsWhatIsThereOfARecordingThatWasCutOff) {
+TEST_F(SoundRecord, ReadsATruncatedRecordingUpToItsEnd) {
   const std::string samples = integers({0, 0, 1 << 14, 1 << 14}, 2);
   EXPECT_THAT(force_N(opened(wav({.claimed = 4000}, samples), kHammerOnOne)), ElementsAre(0, 0.5));
   const std::string chunk = calibration_chunk(
@@ -152,7 +152,7 @@ TEST_F(SoundRecord, ReadsWhatIsThereOfARecordingThatWasCutOff) {
   EXPECT_THAT(test::texts(record.notes), Contains(HasSubstr("ends early: 1 of 2 rows")));
 }
 
-TEST_F(SoundRecord, RefusesWhatIsNoMeasurement) {
+TEST_F(SoundRecord, RefusesFilesThatAreNoMeasurement) {
   const auto error = [&](const std::string& bytes) { return input_error_of([&] { opened(bytes, kHammerOnOne); }); };
   EXPECT_THAT(error(wav({.kind = 6, .bits = 8}, std::string(400, 'x'))), HasSubstr("compressed"));
   EXPECT_THAT(error(wav({.channels = 0}, "xxxx")), HasSubstr(path_));
@@ -169,7 +169,7 @@ TEST_F(SoundRecord, RefusesWhatIsNoMeasurement) {
               HasSubstr("not a finite number"));
 }
 
-TEST_F(SoundRecord, SurvivesBeingCutAnywhereAndChangedAnywhere) {
+TEST_F(SoundRecord, SurvivesTruncationAndMutations) {
   const std::string chunk = calibration_chunk(
       R"({"signals": [{"name": "f", "measures": "force", "si_at_full_scale": 1}, {"si_at_full_scale": 1}]})");
   const std::string whole = wav({.before = chunk}, integers({0, 0, 1 << 14, 1 << 14, 3, 4}, 2));
@@ -189,7 +189,7 @@ TEST_F(SoundRecord, SurvivesBeingCutAnywhereAndChangedAnywhere) {
   }
 }
 
-TEST(SoundCalibration, IsReadAsItWasWritten) {
+TEST(SoundCalibration, ReadsBackWhatItWrites) {
   const SoundCalibration made{.fs_Hz = 51200.0 / 3,
                               .signals = {{.name = "f \"1\"", .measures = Quantity::force, .to_SI = 0.1},
                                           {.name = "a", .to_SI = -3, .angle_rad = 0.1, .position_m = 1e-3}},

@@ -41,10 +41,10 @@ TEST(CsvRows, CarryPointAndRun) {
   EXPECT_EQ(record.rows[2].run, 1);
 }
 
-TEST(CsvRows, RefuseHitsThatComeBack) {
+TEST(CsvRows, RefuseAHitThatReturnsAfterAnother) {
   EXPECT_THAT(input_error_of(
                   [] { csv_record("hit,t_s,force_N,acc_g\n0,0,1,2\n0,1,1,2\n1,0,1,2\n1,1,1,2\n0,0,1,2\n0,1,1,2\n"); }),
-              HasSubstr("hit 0 comes back after another (x.csv: line 6)"));
+              HasSubstr("hit 0 returns after another (x.csv: line 6)"));
 }
 
 TEST(CsvRows, RefuseNumbersOfHitsThatAreNotWhole) {
@@ -61,7 +61,7 @@ TEST(CsvRows, RefuseARowOfOneSample) {
               HasSubstr("fewer than two samples (x.csv: line 4)"));
 }
 
-TEST(CsvRate, IsTheUsersWhateverTheFileSays) {
+TEST(CsvRate, IsTheUsersRateBeforeTheFiles) {
   EXPECT_EQ(csv_record("t_s,force_N,acc_g\n0,1,2\n0.1,1,2\n7,1,2\n", {.fs_Hz = 25600}).fs_Hz, 25600);
   for (const double fs_Hz :
        {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e12}) {
@@ -82,7 +82,7 @@ TEST(CsvRate, ComesFromTheHeaderWithoutATimeColumn) {
   EXPECT_THAT(record.notes, IsEmpty());
 }
 
-TEST(CsvRate, NamesBothWhenTwoDisagree) {
+TEST(CsvRate, NamesBothRatesThatDisagree) {
   const std::string text = lines_at("Sampling Rate(Hz),50\nt_s,force_N,acc_g\n", 0.01, 100, ",1,2\n");
   const std::string message = input_error_of([&] { csv_record(text); });
   EXPECT_THAT(message, HasSubstr("50 Hz by \"Sampling Rate(Hz),50\""));
@@ -90,7 +90,7 @@ TEST(CsvRate, NamesBothWhenTwoDisagree) {
   EXPECT_EQ(csv_record(text, {.fs_Hz = 50}).fs_Hz, 50);
 }
 
-TEST(CsvRate, IsMissedWithARemedy) {
+TEST(CsvRate, HasARemedyWhenItIsMissing) {
   EXPECT_THAT(input_error_of([] { csv_record("force_N,acc_g\n1,2\n1,2\n"); }), HasSubstr("no sampling rate"));
   EXPECT_THAT(input_error_of([] { csv_record("sample,force_N,acc_g\n0,1,2\n1,1,2\n2,1,2\n"); }),
               HasSubstr("state it in Hz"));
@@ -98,7 +98,7 @@ TEST(CsvRate, IsMissedWithARemedy) {
               HasSubstr("state it in Hz"));
 }
 
-TEST(CsvRate, TakesAFirstColumnThatRisesEvenlyForTimeAndSaysSo) {
+TEST(CsvRate, TakesAFirstColumnThatRisesEvenlyAsTimeWithANote) {
   const Record record = csv_record("CH No.,force_N,acc_g\n0,1,2\n0.02,1,2\n0.04,1,2\n");
   EXPECT_EQ(record.fs_Hz, 50);
   EXPECT_THAT(test::texts(record.notes), ElementsAre(HasSubstr("CH No.")));

@@ -40,7 +40,7 @@ TEST(CsvTable, ReadsOneColumnOfEveryDialect) {
   }
 }
 
-TEST(CsvTable, ReadsAnyStretchOfALongColumn) {
+TEST(CsvTable, ReadsAnyRangeOfALongColumn) {
   std::string text = "a,b\n";
   constexpr std::size_t kLines = 10000;  // more than two blocks
   for (std::size_t i = 0; i < kLines; ++i) text += std::to_string(i) + ",-" + std::to_string(i) + "\n";
@@ -66,7 +66,7 @@ TEST(CsvTable, IsReadByManyThreadsAtOnce) {
   for (std::size_t task = 0; task < sums.size(); ++task) EXPECT_EQ(sums[task], task % 2 == 0 ? 20000 : 40000);
 }
 
-TEST(CsvTable, ComplainsOfAGapOnlyWhereItIsAskedFor) {
+TEST(CsvTable, RefusesAGapOnlyInARangeThatIsRead) {
   const auto table = table_of("t,f,a\n0,1,2\n# note\n1,,3\n2,3,4\n");
   EXPECT_THAT(column_of(*table, 2), ElementsAre(2, 3, 4));
   EXPECT_EQ(input_error_of([&] { column_of(*table, 1); }),
@@ -75,7 +75,7 @@ TEST(CsvTable, ComplainsOfAGapOnlyWhereItIsAskedFor) {
   EXPECT_THAT(input_error_of([&] { column_of(*table, 1); }), HasSubstr("line 4"));
 }
 
-TEST(CsvTable, NamesTheCellThatIsNoFiniteNumber) {
+TEST(CsvTable, NamesTheCellThatIsNotAFiniteNumber) {
   EXPECT_THAT(input_error_of([] { column_of(*table_of("t,f\n0,1\n1,nan\n2,3\n"), 1); }),
               HasSubstr("\"nan\" is not finite (x.csv: line 3, column 2 (f))"));
   EXPECT_THAT(input_error_of([] { column_of(*table_of("t,f\n0,1\n1,1e999\n2,3\n"), 1); }),
@@ -93,7 +93,7 @@ TEST(CsvTable, RefusesLinesOfAnotherLength) {
   EXPECT_EQ(table_of("t,f,a\n0,1,2,,\n1,2,3\n2,3,4,\n")->lines(), 3U);
 }
 
-TEST(CsvTable, RefusesALineThatNeverEnds) {
+TEST(CsvTable, RefusesALineWithoutAnEnd) {
   const std::string text = "t,f\n0,1\n1," + std::string((std::size_t{1} << 20U) + 1, '1') + "\n2,3\n3,4\n";
   EXPECT_THAT(input_error_of([&] { table_of(text); }), HasSubstr("line of more than 1 MiB"));
 }

@@ -47,13 +47,13 @@ TEST(ReadCsv, GivesTheSameNumbersInEveryDialect) {
   }
 }
 
-TEST(ReadCsv, SaysWhatItTookForGranted) {
+TEST(ReadCsv, NotesAssumedUnits) {
   const Record record = csv_record("time,force,acc\n0,1,2\n0.1,3,4\n0.2,1,2\n");
   EXPECT_THAT(test::texts(record.notes), ElementsAre(HasSubstr("force is not stated; taken as N"),
                                                      HasSubstr("acc is not stated; taken as m/s^2")));
 }
 
-TEST(ReadCsv, SaysAtOnceThatCommasDoTwoThings) {
+TEST(ReadCsv, RefusesCommasBetweenCellsAndInNumbers) {
   std::string even = "time_s,force_N,acc_m_s2\n", uneven = even, late = even, units = "time,force,acc\ns,N,m/s2\n";
   for (int n = 0; n < 300; ++n) {
     const std::string time = "0," + std::to_string(1000 + n).substr(1);
@@ -64,7 +64,7 @@ TEST(ReadCsv, SaysAtOnceThatCommasDoTwoThings) {
   }
   for (const std::string& text : {even, uneven, late, units}) {
     const std::string message = input_error_of([&] { csv_record(text); });
-    EXPECT_THAT(message, HasSubstr("commas stand between the cells and for the decimal point"));
+    EXPECT_THAT(message, HasSubstr("commas separate the cells and mark decimals"));
     EXPECT_THAT(message, HasSubstr("semicolons"));
   }
 }
@@ -77,7 +77,7 @@ TEST(ReadCsv, TakesWholeNumbersBetweenCommas) {
   EXPECT_EQ(csv_record("time_s,force_N,acc_m_s2\n0,1,2,,\n1,3,4,,\n2,3,4,,\n").fs_Hz, 1);
 }
 
-TEST(ReadCsv, KeepsAForceInVoltsAndSaysThatItIsNotCalibrated) {
+TEST(ReadCsv, KeepsAForceInVoltsWithANote) {
   const std::string text = "t_s,CH2 (cm/s2),CH8 (mV)\n0,100,5\n0.1,100,5\n0.2,100,5\n";
   Record record = csv_record(text, {.force_channel = "CH8"});
   EXPECT_THAT(test::texts(record.notes), ElementsAre(HasSubstr("FRFs are per volt")));
@@ -101,14 +101,14 @@ TEST(ReadCsv, AppliesTheChannelSetUp) {
   EXPECT_EQ(record.accel.at(0).position_m, 0.1);
 }
 
-TEST(ReadCsv, ParsesNoColumnThatNobodyAsksFor) {
+TEST(ReadCsv, ParsesOnlyTheColumnsRead) {
   const Record record = csv_record("t_s,force_N,acc_g\n0,1,2\n0.1,3,over\n0.2,5,6\n");
   EXPECT_THAT(force_N(record), ElementsAre(1, 3, 5));
   EXPECT_THAT(input_error_of([&] { accel_mps2(record); }),
               HasSubstr("\"over\" is not a number (x.csv: line 3, column 3 (acc_g))"));
 }
 
-TEST(ReadCsv, RefusesWhatOverflowsOnceScaled) {
+TEST(ReadCsv, RefusesSamplesThatOverflowWhenScaled) {
   const Record record = csv_record("t_s,force_N,acc_g\n0,1,2\n0.1,3,1e308\n0.2,5,6\n");
   EXPECT_THAT(input_error_of([&] { accel_mps2(record); }), HasSubstr("too large once scaled"));
 }
@@ -122,7 +122,7 @@ TEST(ReadCsv, RefusesTextsWithoutColumnsOfNumbers) {
   EXPECT_THAT(input_error_of([] { csv_record("\xEF\xBB\xBF"); }), HasSubstr("empty"));
 }
 
-TEST(ReadCsv, RefusesBytesThatAreNoText) {
+TEST(ReadCsv, RefusesBytesThatAreNotText) {
   EXPECT_THAT(input_error_of([] { csv_record(std::string("\xFF\xFE\x31\0", 4)); }), HasSubstr("UTF-16"));
   EXPECT_THAT(input_error_of([] { csv_record(std::string(100, '\0')); }), HasSubstr("neither text"));
 }

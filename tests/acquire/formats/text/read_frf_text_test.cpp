@@ -64,12 +64,12 @@ TEST(ReadFrfText, ReadsMagnitudeAndPhase) {
   EXPECT_LE(std::abs(frfs.frfs[0].value[2] - Complex(-100, 0)), kRounding * 100);
 }
 
-TEST(ReadFrfText, TakesColumnsWithoutNamesWhenTold) {
+TEST(ReadFrfText, TakesColumnsWithoutNamesWhenForced) {
   EXPECT_FALSE(read_frf_text(test::csv_bytes("0 1 2\n1 3 4\n2 5 6\n"), false));
   EXPECT_EQ(read("0 1 2\n1 3 4\n2 5 6\n", true).frfs.at(0).value[2], Complex(5, 6));
 }
 
-TEST(ReadFrfText, LeavesRecordsOfTimeAlone) {
+TEST(ReadFrfText, IgnoresRecordsOfTime) {
   EXPECT_FALSE(read_frf_text(test::csv_bytes("t_s,force_N,acc_m_s2\n0,1,2\n1,3,4\n2,5,6\n"), false));
   EXPECT_FALSE(read_frf_text(test::csv_bytes("Frequency,Power\n0,1\n1,3\n2,5\n"), false));
 }
@@ -78,7 +78,7 @@ std::string refusal(const std::string& text) {
   return test::input_error_of([&] { read_frf_text(test::csv_bytes(text), false); });
 }
 
-TEST(ReadFrfText, RefusesColumnsWithoutPartner) {
+TEST(ReadFrfText, RefusesColumnsWithoutTheirPartner) {
   EXPECT_THAT(refusal("frequency,a_re,b_re\n0,1,2\n1,1,2\n"), HasSubstr("b_re has no partner"));
   EXPECT_THAT(refusal("frequency,a_im\n0,1\n1,1\n"), HasSubstr("no partner"));
   EXPECT_THAT(refusal("frequency,a_re,a_phase\n0,1,2\n1,1,2\n"), HasSubstr("no partner"));

@@ -44,7 +44,7 @@ TEST(ReadLvm, TakesSegmentsAsRows) {
   EXPECT_EQ(record.format, "LabVIEW");
 }
 
-TEST(ReadLvm, ObeysSeparatorAndDecimalMark) {
+TEST(ReadLvm, FollowsSeparatorAndDecimalMark) {
   const std::string german =
       replaced(replaced(kHead + kSegment, "Decimal_Separator\t.", "Decimal_Separator\t,"), "1.5", "1,5");
   EXPECT_EQ(force_N(opened(replaced(german, "0.00", "0,00")))[0], 1.5);
@@ -52,7 +52,7 @@ TEST(ReadLvm, ObeysSeparatorAndDecimalMark) {
   EXPECT_EQ(force_N(opened(commas))[0], 1.5);
 }
 
-TEST(ReadLvm, KnowsFilesWithoutTimesAndWithTimesOfEveryChannel) {
+TEST(ReadLvm, ReadsFilesWithoutTimesAndWithTimesPerChannel) {
   const std::string none =
       replaced(replaced(kHead + kSegment, "X_Columns\tOne", "X_Columns\tNo"), "0.000\t1.5", "\t1.5");
   EXPECT_THAT(force_N(opened(none)), ElementsAre(1.5, -2, 3));
@@ -65,7 +65,7 @@ TEST(ReadLvm, KnowsFilesWithoutTimesAndWithTimesOfEveryChannel) {
   EXPECT_EQ(record.accel[0].name, "Tip");
 }
 
-TEST(ReadLvm, RefusesWhatIsDamagedWithItsLine) {
+TEST(ReadLvm, RefusesDamageWithItsLine) {
   EXPECT_THAT(input_error_of([] { opened(kHead); }), HasSubstr("no segment"));
   EXPECT_THAT(input_error_of([] { opened("LabVIEW Measurement\n"); }), HasSubstr("without its end"));
   EXPECT_THAT(input_error_of([] { opened(kHead + replaced(kSegment, "-2", "two")); }),

@@ -26,9 +26,9 @@ using testing::HasSubstr;
 
 constexpr std::size_t kSamples = 20000;
 
-class SparseUff : public testing::Test {
+class LazyUff : public testing::Test {
  protected:
-  SparseUff() {
+  LazyUff() {
     std::vector<std::vector<double>> force(3);
     std::vector<std::vector<std::vector<double>>> accel(3, std::vector<std::vector<double>>(2));
     for (std::size_t row = 0; row < 3; ++row) {
@@ -50,7 +50,7 @@ class SparseUff : public testing::Test {
   Record record_;
 };
 
-TEST_F(SparseUff, GivesTheSameNumbersAsAFileInMemory) {
+TEST_F(LazyUff, GivesTheSameNumbersAsAFileInMemory) {
   const Record record = open_record(path_);
   ASSERT_EQ(record.rows.size(), 3U);
   for (std::size_t row = 0; row < 3; ++row) {
@@ -63,7 +63,7 @@ TEST_F(SparseUff, GivesTheSameNumbersAsAFileInMemory) {
   EXPECT_EQ(few[3], accel_mps2(record_, 1, 2)[12348]);
 }
 
-TEST_F(SparseUff, ReadsNumbersOfAnyKind) {
+TEST_F(LazyUff, ReadsNumbersOfAnyKind) {
   for (const bool big : {false, true}) {
     for (const int type : {2, 4}) {
       test::UffText set{.ordinate_type = type, .values = kSamples, .ordinate = 13};
@@ -82,7 +82,7 @@ TEST_F(SparseUff, ReadsNumbersOfAnyKind) {
   }
 }
 
-TEST_F(SparseUff, IsCutWhereAFileInMemoryIs) {
+TEST_F(LazyUff, IsTruncatedLikeAFileInMemory) {
   const std::string bytes = test::bytes_of(path_);
   for (std::size_t cut = 9973; cut < bytes.size(); cut += 9973) {
     test::write_bytes(path_, bytes.substr(0, cut));
@@ -94,23 +94,23 @@ TEST_F(SparseUff, IsCutWhereAFileInMemoryIs) {
   }
 }
 
-TEST_F(SparseUff, LooksAtEverythingWhereAClaimedLengthLeadsNowhere) {
+TEST_F(LazyUff, ReadsEverythingWhereAClaimedLengthIsWrong) {
   std::string bytes = test::bytes_of(path_);
   const std::string claimed = "     20000         1";
   for (std::size_t at = bytes.find(claimed); at != std::string::npos; at = bytes.find(claimed, at + 1))
     bytes.replace(at, claimed.size(), "     20001         1");
   test::write_bytes(path_, bytes);
-  EXPECT_THAT(input_error_of([&] { open_record(path_); }), HasSubstr("fewer bytes than record 7 says"));
+  EXPECT_THAT(input_error_of([&] { open_record(path_); }), HasSubstr("fewer bytes than record 7 states"));
 }
 
-TEST_F(SparseUff, SaysWhenTheFileWasCutMeanwhile) {
+TEST_F(LazyUff, ReportsAFileTruncatedMeanwhile) {
   const Record record = open_record(path_);
   fs::resize_file(path_, 100000);
   EXPECT_THAT(input_error_of([&] { force_N(record, 2); }), HasSubstr("became shorter while it was read"));
 }
 
 // A file without the end of a line: every byte is looked at once.
-TEST(LazyFile, TakesTimeAsItsLength) {
+TEST(LazyFile, TakesTimeInProportionToItsLength) {
   const test::ScratchFolder folder;
   const std::string path = folder.file("long.unv");
   test::write_bytes(path, "    -1\n    58\n");
@@ -120,7 +120,7 @@ TEST(LazyFile, TakesTimeAsItsLength) {
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10)) << "it was 30 s when it was quadratic";
 }
 
-TEST(LazyFile, ReadsWhatIsAskedFor) {
+TEST(LazyFile, ReadsTheRangeRequested) {
   const test::ScratchFolder folder;
   test::write_bytes(folder.file("x"), "0123456789");
   LazyFile file(folder.file("x"), 100);

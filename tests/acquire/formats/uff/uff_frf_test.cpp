@@ -65,7 +65,7 @@ TEST(UffFrf, MakesPointsOfStruckNodesAndChannelsOfResponses) {
   EXPECT_EQ(record.kind, frf::FrfKind::accelerance);
 }
 
-TEST(UffFrf, MakesPointsOfResponsesWhereTheSensorWasMoved) {
+TEST(UffFrf, MakesPointsOfResponsesOfARovingSensor) {
   std::string text;
   for (const int node : {7, 3, 5}) text += frf_text({.response_node = node, .reference_node = 1}, node);
   const frf::FrfRecord record = read(text);
@@ -99,7 +99,7 @@ TEST(UffFrf, RefusesGapsAndOtherLines) {
   EXPECT_THAT(input_error_of([&] { read(at(1, 1) + other); }), HasSubstr("other lines"));
 }
 
-TEST(UffFrf, GivesWayToRecordsOfTimeUnlessAskedFor) {
+TEST(UffFrf, YieldsToRecordsOfTimeUnlessForced) {
   const UffText time{.values = 2};
   const FileBytes bytes = csv_bytes(frf_text({}, 1) + time.text("  1.00000E+00  2.00000E+00\n"));
   EXPECT_FALSE(acquire::read_frf_uff(bytes, read_uff_contents(bytes), false).has_value());

@@ -86,7 +86,7 @@ TEST(UffFunction, ReadsLinesPaddedToEightyAndMixedLineEnds) {
 }
 
 // A delimiter is a line, not a text: coordinates and values may be −1.
-TEST(UffFunction, DoesNotTakeNumbersForDelimiters) {
+TEST(UffFunction, DistinguishesNumbersFromDelimiters) {
   const auto f = only_function(UffText{.values = 2}.text("    -1.000000    -1.000000\n"));
   EXPECT_THAT(part_of(f), ElementsAre(-1, -1));
 }
@@ -124,7 +124,7 @@ TEST(UffFunction, ReadsUnevenBinary) {
   EXPECT_THAT(part_of(f, 1), ElementsAre(-1, -2));
 }
 
-TEST(UffFunction, TrustsTheValuesRatherThanAWrongByteCount) {
+TEST(UffFunction, PrefersTheValueCountToAWrongByteCount) {
   const std::string bytes = number_bytes(1.0) + number_bytes(2.0);
   const UffText set{.ordinate_type = 4, .values = 2};
   for (const std::size_t stated : {0U, 8U, 17U, 400U}) {
@@ -157,7 +157,7 @@ TEST(UffFunction, ReadsNamesInLatin1AndNodesWithoutThem) {
   EXPECT_EQ(f.reference.name, "");
 }
 
-TEST(UffFunction, FreesTheStepOfItsRounding) {
+TEST(UffFunction, RemovesTheStepsRounding) {
   struct Case {
     const char* dx;
     double fs_Hz;
@@ -173,7 +173,7 @@ TEST(UffFunction, FreesTheStepOfItsRounding) {
   }
 }
 
-TEST(UffFunction, RefusesWhatIsDamagedWithItsLine) {
+TEST(UffFunction, RefusesDamageWithItsLine) {
   const UffText set{.values = 3};
   const std::string good = set.text("  1.00000E+00  2.00000E+00  3.00000E+00\n");
   const auto refusal = [](const std::string& text) {

@@ -37,7 +37,7 @@ std::string function_text(UffText set, double x) {
 const UffText kForce{.response = "hammer", .ordinate = 13, .ordinate_unit = "N"};
 const UffText kAccel{.response = "acc", .ordinate = 12, .ordinate_unit = "g"};
 
-TEST(UffRecord, BeginsARowWithEveryForce) {
+TEST(UffRecord, BeginsARowWithEachForce) {
   UffText second = kAccel;
   second.response_direction = 2;
   const std::string hit = function_text(kForce, 1) + function_text(kAccel, 3) + function_text(second, 5);
@@ -51,7 +51,7 @@ TEST(UffRecord, BeginsARowWithEveryForce) {
   EXPECT_THAT(accel_mps2(record, 1, 1), ElementsAre(5 * kStandardGravity_mps2, 6 * kStandardGravity_mps2));
 }
 
-TEST(UffRecord, TakesForcesThatComeLastOrInAGroupOfTheirOwn) {
+TEST(UffRecord, ReadsForcesThatComeLastOrInTheirOwnGroup) {
   const Record last =
       opened(function_text(kAccel, 3) + function_text(kForce, 1) + function_text(kAccel, 7) + function_text(kForce, 5));
   ASSERT_EQ(last.rows.size(), 2U);
@@ -93,7 +93,7 @@ TEST(UffRecord, TakesUnitsFromTheFileWhereFunctionsStateNone) {
   EXPECT_THAT(test::texts(bare.notes), ElementsAre(HasSubstr("taken as N"), HasSubstr("taken as m/s^2")));
 }
 
-TEST(UffRecord, AsksWhichFunctionIsTheForce) {
+TEST(UffRecord, IsAmbiguousWithoutAForceFunction) {
   UffText first = kAccel, second = kAccel;
   first.response = "ch1";
   second.response = "ch2";
@@ -105,7 +105,7 @@ TEST(UffRecord, AsksWhichFunctionIsTheForce) {
   EXPECT_EQ(force_N(record)[0], 5);
 }
 
-TEST(UffRecord, RefusesWhatCannotBePairedOrIsNoRecord) {
+TEST(UffRecord, RefusesUnpairedFunctionsAndOtherContents) {
   EXPECT_THAT(
       input_error_of([&] { opened(function_text(kForce, 1) + function_text(kForce, 1) + function_text(kAccel, 1)); }),
       HasSubstr("2 forces and 1 responses"));
@@ -179,7 +179,7 @@ TEST_F(UffWritten, FollowsTheLayout) {
               HasSubstr("    58b     1     2          11          16     0     0           0           0\nhit 0\n"));
 }
 
-TEST_F(UffWritten, IsRefusedWhenCutAnywhere) {
+TEST_F(UffWritten, IsRefusedWhenTruncatedAnywhere) {
   Record record = record_in_memory(1000, {{1, 2}}, {{{3, -4}}});
   for (const UffData data : {UffData::binary, UffData::text}) {
     write_uff(path_, record, true, data);

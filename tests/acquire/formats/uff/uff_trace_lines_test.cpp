@@ -67,7 +67,7 @@ TEST(UffTraceLines, AreTheEdgesOfElements) {
   EXPECT_EQ(other.lines.size(), 3U);
 }
 
-TEST(UffTraceLines, AreReadAsFarAsTheyCanBe) {
+TEST(UffTraceLines, AreReadUpToDamage) {
   const UffTraceLines found =
       lines_in(set_of(2412, head(91, 3) + cells({1, 2, 3}) + head(91, 3) + "         1      a  2\n"));
   EXPECT_EQ(found.lines.size(), 3U);
@@ -75,15 +75,15 @@ TEST(UffTraceLines, AreReadAsFarAsTheyCanBe) {
   EXPECT_THAT(lines_in(set_of(2412, head(91, 1'000'000'000))).lines, IsEmpty()) << "what is claimed takes no memory";
 }
 
-TEST(UffTraceLines, AreWrittenAsFarAsThePenGoes) {
+TEST(UffTraceLines, AreWrittenAsConnectedPaths) {
   const auto sets = uff_trace_line_sets({{0, 1}, {1, 2}, {4, 5}}, 1);
   EXPECT_THAT(sets, ElementsAre("         1         3        11\nNONE\n         1         2         3\n",
                                 "         2         2        11\nNONE\n         5         6\n"));
 }
 
-class Drawn : public testing::Test {
+class TraceLineFiles : public testing::Test {
  protected:
-  Drawn() {
+  TraceLineFiles() {
     record_.geometry = {{0, 0, 0}, {kNan, kNan, kNan}, {0.1, 0.25, -1}, {0.2, 0, 1e-7}};
     record_.trace_lines = {{0, 2}, {2, 3}, {3, 0}};
   }
@@ -92,7 +92,7 @@ class Drawn : public testing::Test {
   test::ScratchFolder folder_;
 };
 
-TEST_F(Drawn, IsKeptByEveryFormatWithRoomForIt) {
+TEST_F(TraceLineFiles, AreKeptByEveryFormatThatHoldsThem) {
   for (const char* kind : {".h5", ".mat", ".uff", ".wav", ".rf64"}) {
     const std::string path = folder_.file(std::string("r") + kind), again = folder_.file(std::string("s") + kind);
     write_record(path, record_, false);
@@ -109,7 +109,7 @@ TEST_F(Drawn, IsKeptByEveryFormatWithRoomForIt) {
   EXPECT_THAT(losses_of("r.csv", record_), testing::Contains(HasSubstr("lines")));
 }
 
-TEST_F(Drawn, IsKeptWhereTheLastPointsHaveNoPlace) {
+TEST_F(TraceLineFiles, AreKeptWhenTheLastPointsHaveNoCoordinates) {
   record_.geometry.push_back({kNan, kNan, kNan});
   record_.trace_lines.push_back({3, 4});
   for (const char* kind : {".h5", ".mat", ".wav"}) {
@@ -123,7 +123,7 @@ TEST_F(Drawn, IsKeptWhereTheLastPointsHaveNoPlace) {
   EXPECT_THAT(losses_of(path, record_), testing::Contains("lines to points without coordinates"));
 }
 
-TEST_F(Drawn, IsLeftOutWhereItCannotBeKeptAndSaysSo) {
+TEST_F(TraceLineFiles, AreReportedWhenTheyAreLost) {
   record_.geometry.assign(5000, {kNan, kNan, kNan});
   record_.geometry.back() = {1, 2, 3};
   record_.trace_lines = {{0, 4999}};
@@ -136,7 +136,7 @@ TEST_F(Drawn, IsLeftOutWhereItCannotBeKeptAndSaysSo) {
   EXPECT_THAT(losses_of("r.uff", record_), testing::Contains("the lines between points"));
 }
 
-TEST_F(Drawn, LeadsToPointsThatAreThere) {
+TEST_F(TraceLineFiles, ConnectExistingPoints) {
   for (const std::vector<double>& numbers : {std::vector<double>{0, 4}, {0, -1}, {0, 0.5}, {0, kNan}}) {
     test::Hdf5Builder(folder_.file("bad.h5"))
         .numbers("", "fs", {1000})
