@@ -105,10 +105,8 @@ std::string curve_text(const model::BatModes& bat, const BatCurve& curve) {
   }
   return fmt::format(
       "the ball leaves fastest, with {:.2f} m/s, {:.1f} mm from the knob ({:.2f} in from the barrel's end); a rigid "
-      "bat: "
-      "{:.2f} m/s at {:.1f} mm\nmodes: {}; half of them would change the exit speed by up to {:.3f} m/s (at {:.0f} "
-      "mm): "
-      "those left out, by about as much again\n",
+      "bat: {:.2f} m/s at {:.1f} mm\nmodes: {}; with half of them the exit speed changes by up to {:.3f} m/s (at "
+      "{:.0f} mm); higher modes may change it by about as much\n",
       curve.best.y, 1000 * curve.best.x, (bat.length_m - curve.best.x) / kInch_m, curve.best_rigid.y,
       1000 * curve.best_rigid.x, bat.freq_Hz.size(), most, 1000 * most_at);
 }
@@ -142,10 +140,10 @@ Json show_wave(const model::BatModes& bat, const model::BatCollision& collision,
 }
 
 BendingPlot bending_of(const model::BatModes& bat, const model::BatProfile& profile) {
-  BendingPlot picture{.ends = "Left: the knob."};
+  BendingPlot plot{.ends = "Left: the knob."};
   double begin_m = 0;
   for (std::size_t i = 0; i < profile.end_m.size(); ++i) {
-    for (const double z_m : {begin_m, profile.end_m[i]}) picture.outline_m.emplace_back(z_m, profile.diameter_m[i] / 2);
+    for (const double z_m : {begin_m, profile.end_m[i]}) plot.outline_m.emplace_back(z_m, profile.diameter_m[i] / 2);
     begin_m = profile.end_m[i];
   }
   for (std::size_t m = 0; m < std::min(kModesInText, static_cast<std::size_t>(bat.freq_Hz.size())); ++m) {
@@ -157,9 +155,9 @@ BendingPlot bending_of(const model::BatModes& bat, const model::BatProfile& prof
     for (const double y : line.y) largest = std::max(largest, std::abs(y));
     for (double& y : line.y) y /= largest;
     for (const double z_m : model::nodes_of(bat, m)) line.nodes.push_back({z_m, 0, inches_and_mm(z_m, 0)});
-    picture.modes.push_back(std::move(line));
+    plot.modes.push_back(std::move(line));
   }
-  return picture;
+  return plot;
 }
 
 }  // namespace

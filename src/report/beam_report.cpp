@@ -74,7 +74,7 @@ Json fit_json(const BeamOrigin& origin) {
 std::string parameter_text(model::BeamParameter which, double value, const std::optional<double>& std) {
   const ParameterName name = name_of(which);
   if (std) return fmt::format("{} = {} {}\n", name.name, value_with_std(value, *std), name.unit);
-  return fmt::format("{} = {:.6g} {} (no deviation: no more readings than unknowns)\n", name.name, value, name.unit);
+  return fmt::format("{} = {:.6g} {} (no ±: no more readings than unknowns)\n", name.name, value, name.unit);
 }
 
 ReportText fit_text(const BeamOrigin& origin) {
@@ -87,7 +87,7 @@ ReportText fit_text(const BeamOrigin& origin) {
   for (const model::FittedParameter& one : origin.fit->parameters)
     text += "fitted: " + parameter_text(one.which, one.value, one.std);
   if (origin.fit->at_limit)
-    text += "the spring ran to where it is as good as none or as a clamp: its stiffness is not determined\n";
+    text += "the fitted spring acts like a free or a clamped end: its stiffness is not determined\n";
   TextTable table({{"mode", TextTable::Align::right},
                    {"measured", TextTable::Align::right},
                    {"model", TextTable::Align::right},
@@ -127,7 +127,7 @@ std::string heading(const model::UniformBeam& beam) {
                                                                                : "clamped/free",
                                  beam.stiffness_Nm2, beam.mass_per_length_kgpm, beam.length_m);
   if (beam.support == model::BeamSupport::torsion) text += fmt::format(", spring {:.6g} N·m/rad", beam.torsion_Nmprad);
-  if (beam.is_timoshenko()) text += "; with rotary inertia and shear as given (Timoshenko)";
+  if (beam.is_timoshenko()) text += "; with the stated rotary inertia and shear (Timoshenko)";
   return text + "\n\n";
 }
 

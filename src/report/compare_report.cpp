@@ -143,7 +143,7 @@ ReportText modes_text(const std::vector<metrics::ComparedDocument>& documents,
 
 ReportText deflections_text(const Comparison& c) {
   const bool inverted = c.a.model && !c.b.model;
-  TextTable table({{"place", TextTable::Align::right},
+  TextTable table({{"position", TextTable::Align::right},
                    {one_line(c.a.name, 40), TextTable::Align::right},
                    {one_line(c.b.name, 40), TextTable::Align::right},
                    {inverted ? "first/second" : "second/first", TextTable::Align::right},

@@ -65,9 +65,9 @@ std::string recontact_text(const model::ImpactResult& r) {
 std::string result_text(const model::Impact& impact, const model::ImpactResult& r) {
   std::string text = fmt::format(
       "coefficient of restitution {:.5f} at the first separation, after {:.3f} ms of contact\n"
-      "the ball comes with {:.4g} m/s and leaves with {:.4g} m/s{}\n"
+      "ball speed {:.4g} m/s before and {:.4g} m/s after impact{}\n"
       "largest force {:.5g} N; largest deflection of the beam there {:.4g} mm, {:.2f} ms after first touch\n"
-      "touch again: {}\nenergy closes to {:.1e}",
+      "second contact: {}\nerror of the energy balance {:.1e}",
       r.cor, 1000 * r.contact_s, impact.speed_mps, std::abs(r.cor) * impact.speed_mps,
       r.cor < 0 ? " in the same direction" : "", r.peak_force_N, 1000 * r.peak_deflection_m,
       1000 * r.peak_deflection_time_s, recontact_text(r), r.energy_error);
@@ -81,7 +81,7 @@ TextTable sweep_table(const ImpactSweep& sweep) {
                    {"contact", TextTable::Align::right},
                    {"force", TextTable::Align::right},
                    {"deflection", TextTable::Align::right},
-                   {"touch again"}});
+                   {"second contact"}});
   for (std::size_t i = 0; i < sweep.values.size(); ++i) {
     const model::ImpactResult& r = sweep.results[i];
     table.add({fmt::format("{:.6g}", sweep.values[i]), fmt::format("{:.4f}", r.cor),

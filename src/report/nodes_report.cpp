@@ -21,14 +21,14 @@ using Json = nlohmann::ordered_json;
 
 Json mode_json(const pipeline::Analysis& analysis, const pipeline::ModeAlongScan& along) {
   const identify::Mode& mode = analysis.modes()[along.mode];
-  const identify::ModeClassification& verdict = analysis.classifications()[along.mode];
+  const identify::ModeClassification& classification = analysis.classifications()[along.mode];
   Json json{{"index", along.mode},
             {"frequency_hz", mode.pole.freq_Hz},
             {"frequency_std_hz", mode.freq_std_Hz},
             {"damping_ratio", mode.pole.damping_ratio},
             {"damping_ratio_std", mode.damping_std},
-            {"family", name_of(verdict.family)},
-            {"order", verdict.order > 0 ? Json(verdict.order) : Json()},
+            {"family", name_of(classification.family)},
+            {"order", classification.order > 0 ? Json(classification.order) : Json()},
             {"nodes", Json::array()}};
   for (const identify::Node& node : along.nodes) {
     json["nodes"].push_back({{"position_m", node.position_m},
@@ -96,13 +96,13 @@ ReportText nodes_text(const pipeline::Analysis& analysis, const pipeline::NodeSc
                    {""}});
   for (const pipeline::ModeAlongScan& along : scan.modes) {
     const identify::Mode& mode = analysis.modes()[along.mode];
-    const identify::ModeClassification& verdict = analysis.classifications()[along.mode];
+    const identify::ModeClassification& classification = analysis.classifications()[along.mode];
     std::vector<std::string> nodes;
     for (const identify::Node& node : along.nodes)
       nodes.push_back(value_with_std(node.position_m / kInch_m, node.std_m / kInch_m) + " in");
     table.add({fmt::format("{}", along.mode),
-               verdict.order > 0 ? fmt::format("{} {}", name_of(verdict.family), verdict.order)
-                                 : std::string(name_of(verdict.family)),
+               classification.order > 0 ? fmt::format("{} {}", name_of(classification.family), classification.order)
+                                        : std::string(name_of(classification.family)),
                value_with_std(mode.pole.freq_Hz, mode.freq_std_Hz) + " Hz", joined(nodes),
                along.rule_m ? fmt::format("{:.3f} in", *along.rule_m / kInch_m) : "–", ""});
   }
@@ -119,7 +119,7 @@ ReportText nodes_text(const pipeline::Analysis& analysis, const pipeline::NodeSc
 }
 
 BendingPlot bending_of(const pipeline::Analysis& analysis, const pipeline::NodeScan& scan) {
-  BendingPlot picture{.ends = "Right: towards the barrel's end.", .from_right = true};
+  BendingPlot plot{.ends = "Right: towards the barrel's end.", .from_right = true};
   for (const pipeline::ModeAlongScan& along : scan.modes) {
     double largest = 1e-300;
     for (const double value : along.shape.amplitude) largest = std::max(largest, std::abs(value));
@@ -129,9 +129,9 @@ BendingPlot bending_of(const pipeline::Analysis& analysis, const pipeline::NodeS
     for (const double value : along.shape.amplitude) line.y.push_back(value / largest);
     for (const identify::Node& node : along.nodes)
       line.nodes.push_back({node.position_m, node.std_m, inches_and_mm(node.position_m, node.std_m)});
-    picture.modes.push_back(std::move(line));
+    plot.modes.push_back(std::move(line));
   }
-  return picture;
+  return plot;
 }
 
 // Each mode's residues along the scan, 1 at their largest, and its nodes.

@@ -85,10 +85,11 @@ std::string shapes_csv(const pipeline::Survey& survey) {
   auto end = std::back_inserter(out);
   const auto& modes = survey.analysis().modes();
   for (std::size_t m = 0; m < modes.size(); ++m) {
-    const identify::ModeClassification& verdict = survey.classifications()[m];
+    const identify::ModeClassification& classification = survey.classifications()[m];
     for (const identify::ShapePlace& place : survey.shapes()[m].places) {
       fmt::format_to(end, "{},{},{},{},{},{},{},", m, modes[m].pole.freq_Hz, modes[m].pole.damping_ratio,
-                     name_of(verdict.family), verdict.order > 0 ? fmt::format("{}", verdict.order) : "", place.point,
+                     name_of(classification.family),
+                     classification.order > 0 ? fmt::format("{}", classification.order) : "", place.point,
                      place.channel);
       const acquire::GeometryPoint* at = geometry_point_of(survey, place.point);
       const bool tube = at != nullptr && survey.geometry()->tube;

@@ -49,8 +49,8 @@ Json fit_json(const FittedExponents& fitted) {
 std::string fit_text(const FittedExponents& fitted) {
   const model::ExponentFit& fit = fitted.fit;
   return fmt::format(
-      "fit to measured CCOR: a = {}, b = {}, correlation {:.6f}: were a known, b would be ± {:.2g}; chi2 {:.2f} of {} "
-      "points, {} missed by more than their deviation\n",
+      "fit to measured CCOR: a = {}, b = {}, correlation {:.6f}: b for a known a: ± {:.2g}; chi2 {:.2f} of {} "
+      "points, {} with residuals above their ±\n",
       value_with_std(fit.stiffness_exponent, fit.stiffness_exponent_std),
       value_with_std(fit.damping_exponent, fit.damping_exponent_std), fit.correlation, fit.damping_exponent_std_given_a,
       fit.chi2, fitted.measured.size(), fit.beyond_std);

@@ -35,7 +35,7 @@ struct Reads {
   std::set<std::size_t> channels;
 };
 
-// The record with its reading counted.
+// The record with a count of the samples read.
 acquire::Record counted(acquire::Record record, const std::shared_ptr<Reads>& reads) {
   record.read_force_N = [inner = record.read_force_N, reads](std::size_t row, std::size_t first,
                                                              std::span<double> out) {
@@ -63,7 +63,7 @@ Analysis analysis_of(acquire::Record record, AnalysisOptions options = {}) {
   return {std::move(record), std::move(options)};
 }
 
-TEST(Analysis, RunsNothingButTheHitsWhenOnlyTheyAreAsked) {
+TEST(Analysis, RunsOnlyTheHitStageForTheHitsSection) {
   const auto reads = std::make_shared<Reads>();
   const Analysis analysis = analysis_of(counted(synth::synthesise(bat()).record, reads));
   report::analysis_json(analysis, {.sections = {report::ReportSection::hits}});
@@ -150,7 +150,7 @@ TEST(Analysis, FindsTheModesAndTheirFamilies) {
   EXPECT_EQ(analysis.modes_per_hit().size(), 10U);
 }
 
-TEST(Analysis, LeavesOutADoubleHitUnlessTheUserKeepsIt) {
+TEST(Analysis, RejectsADoubleHitUnlessTheUserAcceptsIt) {
   synth::SynthSpec spec = bat();
   spec.faults = {{.hit = 2, .kind = synth::SynthFaultKind::double_hit, .ratio = 0.3, .delay_s = 0.010}};
   const acquire::Record record = synth::synthesise(spec).record;
@@ -163,7 +163,7 @@ TEST(Analysis, LeavesOutADoubleHitUnlessTheUserKeepsIt) {
   EXPECT_EQ(without.frfs().front().frf.averages, 3U);
 }
 
-TEST(Analysis, SaysWhenNoHitCanBeUsed) {
+TEST(Analysis, IsNotPossibleWithoutAUsableHit) {
   synth::SynthSpec spec = bat();
   for (std::size_t hit = 0; hit < 5; ++hit) spec.faults.push_back({.hit = hit, .kind = synth::SynthFaultKind::missing});
   const Analysis analysis = analysis_of(synth::synthesise(spec).record);
@@ -174,21 +174,21 @@ TEST(Analysis, SaysWhenNoHitCanBeUsed) {
   EXPECT_THROW(analysis.frfs(), InputError);
 }
 
-TEST(Analysis, RefusesBandsThatHoldNothing) {
+TEST(Analysis, RefusesBandsWithTooFewLines) {
   const acquire::Record record = synth::synthesise(bat()).record;
   EXPECT_THROW(Analysis(record, {.band_Hz = std::pair{100.0, 101.0}}).lines(), InputError);
   EXPECT_THROW(Analysis(record, {.band_Hz = std::pair{100.0, 9e9}}).lines(), InputError);
   EXPECT_THROW(Analysis(record, {.accept_hits = {7}}).hits(), InputError);
 }
 
-TEST(Analysis, BlamesTheForceWhereNoBandFollowsFromIt) {
+TEST(Analysis, NamesTheForceWhenItShowsNoBandwidth) {
   std::vector<double> force(4096), accel(4096);
-  std::fill_n(force.begin() + 500, 20, 1e308);  // the transform runs over
+  std::fill_n(force.begin() + 500, 20, 1e308);  // the transform overflows
   accel[510] = 1;
   const Analysis analysis(acquire::record_in_memory(12800, {force}, {{accel}}), {});
   const std::string message = test::input_error_of([&] { analysis.lines(); });
   EXPECT_THAT(message, testing::HasSubstr("the force shows no bandwidth"));
-  EXPECT_THAT(message, testing::HasSubstr("or give --band"));
+  EXPECT_THAT(message, testing::HasSubstr("or state the band"));
   EXPECT_THAT(message, testing::Not(testing::HasSubstr("0:0")));
 }
 
@@ -208,6 +208,41 @@ TEST(SplitRuns, GivesEachRunItsRows) {
   const auto runs = split_runs(synth::synthesise(spec).record);
   ASSERT_EQ(runs.size(), 3U);
   for (const auto& [run, record] : runs) EXPECT_EQ(record.rows.size(), 5U) << run;
+}
+
+acquire::Record two_runs() {
+  synth::SynthSpec spec = bat();
+  spec.runs = 2;
+  return synth::synthesise(spec).record;
+}
+
+TEST(AnalysesOfRuns, NumberTheRunsOfOneRecordAsTheRecordDoes) {
+  std::vector<acquire::Record> one;
+  one.push_back(two_runs());
+  for (acquire::RowInfo& row : one.front().rows) row.run += 3;
+  const auto analyses = analyses_of_runs(std::move(one), {});
+  ASSERT_EQ(analyses.size(), 2U);
+  EXPECT_EQ(analyses[0].run, 3);
+  EXPECT_EQ(analyses[1].run, 4);
+}
+
+TEST(AnalysesOfRuns, NumberTheRunsOfSeveralRecordsInOrder) {
+  std::vector<acquire::Record> two;
+  two.push_back(two_runs());
+  two.push_back(two_runs());
+  const auto analyses = analyses_of_runs(std::move(two), {});
+  ASSERT_EQ(analyses.size(), 4U);
+  for (int i = 0; i < 4; ++i) EXPECT_EQ(analyses[static_cast<std::size_t>(i)].run, i);
+}
+
+TEST(AnalysesOfRuns, AssumeTheAnglesOfTwoAccelerometersAndNoteIt) {
+  acquire::Record record = synth::synthesise(bat()).record;
+  for (acquire::SignalInfo& signal : record.accel) signal.angle_rad.reset();
+  const auto analyses = analyses_of_runs(std::variant<acquire::Record, frf::FrfRecord>(std::move(record)), {});
+  const acquire::Record& assumed = analyses.front().analysis->record();
+  EXPECT_EQ(assumed.accel[0].angle_rad, 0);
+  EXPECT_NEAR(*assumed.accel[1].angle_rad, 1.5707963267948966, 1e-15);
+  EXPECT_EQ(assumed.notes.size(), 1U);
 }
 
 }  // namespace percuss::pipeline::analysis_test

@@ -11,6 +11,8 @@ namespace percuss::pipeline::warnings_test {
 
 using testing::AllOf;
 using testing::Contains;
+using testing::ElementsAre;
+using testing::Field;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
@@ -33,7 +35,7 @@ AnalysisOptions band(double low_Hz = 60, double high_Hz = 3200) {
   return {.band_Hz = std::pair{low_Hz, high_Hz}, .threads = 1};
 }
 
-/// "code: message" of all of them, with modes and verdicts known.
+/// "code: message" of all warnings after the modes are classified.
 std::vector<std::string> warnings_of(const acquire::Record& record, const AnalysisOptions& options = band()) {
   const Analysis analysis(record, options);
   if (!analysis.force_hits().empty() && analysis.possible()) analysis.classifications();
@@ -42,7 +44,7 @@ std::vector<std::string> warnings_of(const acquire::Record& record, const Analys
   return out;
 }
 
-/// The record with one channel reading this number in the rows for which `dead` holds.
+/// The record with one channel constant in the rows for which `dead` holds.
 template <class Dead>
 acquire::Record with_dead(acquire::Record record, std::size_t dead_channel, double number, Dead dead) {
   record.read_accel_mps2 = [inner = record.read_accel_mps2, dead_channel, number, dead](
@@ -55,10 +57,19 @@ acquire::Record with_dead(acquire::Record record, std::size_t dead_channel, doub
 
 TEST(Warnings, AreNoneForAGoodTest) { EXPECT_THAT(warnings_of(synth::synthesise(bat()).record), IsEmpty()); }
 
-TEST(Warnings, PassOnWhatTheReaderAssumed) {
+TEST(Warnings, RepeatTheNotesOfTheReader) {
   acquire::Record record = synth::synthesise(bat()).record;
   record.notes = {"the unit of x is not stated"};
   EXPECT_THAT(warnings_of(record), Contains("input: the unit of x is not stated"));
+}
+
+TEST(Warnings, NameTheOptionOfTheirRemedy) {
+  const acquire::Record record = with_dead(synth::synthesise(bat()).record, 1, 0, [](std::size_t) { return true; });
+  const Analysis analysis(record, band());
+  analysis.hits();
+  const std::vector<Warning> warnings = analysis.warnings();
+  EXPECT_THAT(warnings, Contains(AllOf(Field(&Warning::code, "dead_channel"),
+                                       Field(&Warning::options, ElementsAre("accel_channel")))));
 }
 
 TEST(Warnings, CountTheHitsNotUsed) {
@@ -72,22 +83,22 @@ TEST(Warnings, NameADeadChannel) {
     const acquire::Record record =
         with_dead(synth::synthesise(bat()).record, 1, number, [](std::size_t) { return true; });
     const auto warnings = warnings_of(record);
-    EXPECT_THAT(warnings, Contains(AllOf(HasSubstr("dead_channel: accel 2 "), HasSubstr("every hit used"))));
+    EXPECT_THAT(warnings, Contains(AllOf(HasSubstr("dead_channel: accel 2 "), HasSubstr("every accepted hit"))));
     EXPECT_THAT(warnings, Not(Contains(HasSubstr("accel 1 "))));
   }
 }
 
-TEST(Warnings, NameStepsThatNoNoiseBlurs) {
+TEST(Warnings, NameCoarseQuantisation) {
   synth::SynthSpec spec = bat();
   spec.noise = {};
   spec.recorder.bits = 10;
   EXPECT_THAT(warnings_of(synth::synthesise(spec).record),
-              Contains(HasSubstr("coarse_steps: the numbers of accel 1 ")));
+              Contains(HasSubstr("coarse_steps: accel 1 is quantised in steps of ")));
   spec.noise.accel = 0.05;
   EXPECT_THAT(warnings_of(synth::synthesise(spec).record), Not(Contains(HasSubstr("coarse_steps"))));
 }
 
-TEST(Warnings, TellAPretriggerShorterThanTheFiltersRinging) {
+TEST(Warnings, NameAPretriggerShorterThanTheFiltersRinging) {
   synth::SynthSpec spec = bat();
   spec.onset_spread_s = 0;
   spec.pretrigger_s = 20 / spec.fs_Hz;
@@ -103,32 +114,32 @@ TEST(Warnings, NameTheHitsInWhichAChannelIsDead) {
   EXPECT_THAT(warnings_of(record), Contains(AllOf(HasSubstr("dead_channel: accel 1 "), HasSubstr("hits 0, 2"))));
 }
 
-TEST(Warnings, SayNothingOfChannelsThatNobodyRead) {
+TEST(Warnings, DoNotMentionChannelsThatWereNotRead) {
   const acquire::Record record = with_dead(synth::synthesise(bat()).record, 1, 0, [](std::size_t) { return true; });
   const Analysis analysis(record, band());
   analysis.force_hits();
   EXPECT_TRUE(analysis.warnings().empty());
 }
 
-TEST(Warnings, TellANegativeForce) {
+TEST(Warnings, NameANegativeForce) {
   synth::SynthSpec spec = bat();
   for (std::size_t hit = 0; hit < spec.hits; ++hit)
     spec.faults.push_back({.hit = hit, .kind = synth::SynthFaultKind::reversed});
   EXPECT_THAT(warnings_of(synth::synthesise(spec).record), Contains(HasSubstr("polarity: ")));
 }
 
-TEST(Warnings, TellAForceThatDoesNotReachTheBandsEnd) {
+TEST(Warnings, NameAForceThatDoesNotReachTheEndOfTheBand) {
   synth::SynthSpec spec = bat();
   spec.pulse.width_s = 1e-3;
   EXPECT_THAT(warnings_of(synth::synthesise(spec).record), Contains(HasSubstr("low_bandwidth: ")));
 }
 
-TEST(Warnings, TellModesThatRingWhenTheRecordEnds) {
+TEST(Warnings, NameModesThatRingWhenTheRecordEnds) {
   EXPECT_THAT(warnings_of(synth::synthesise(bat(0.15)).record),
               Contains(AllOf(HasSubstr("truncated_decay: "), HasSubstr("200.0 Hz"), Not(HasSubstr("1900")))));
 }
 
-TEST(Warnings, NameNoPeaksWhereTheUserChoseTheModes) {
+TEST(Warnings, NameNoPeaksWhenTheUserChoseTheModes) {
   AnalysisOptions by_frequency = band(), by_number = band();
   by_frequency.modes.start_Hz = {200};
   by_number.modes.modes = 1;
@@ -136,7 +147,7 @@ TEST(Warnings, NameNoPeaksWhereTheUserChoseTheModes) {
   EXPECT_THAT(warnings_of(synth::synthesise(bat()).record, by_number), IsEmpty());
 }
 
-TEST(Warnings, ShowHowFarApartClosePairsAreHoweverClose) {
+TEST(Warnings, StateTheSeparationOfVeryClosePairs) {
   synth::SynthSpec spec = bat(40);
   spec.modes = {spec.modes[1], spec.modes[1]};
   spec.modes[0].freq_Hz = 500;

@@ -1,4 +1,4 @@
-// Bending or hoop over many random bats: a verdict is right as often as it says, and says so when it cannot know.
+// Bending or hoop over many random bats: classifications are right as often as their confidence states.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 #include "support/random_bat.hpp"
 #include "synth/synthesise.hpp"
 
-namespace percuss::pipeline::verdict_calibration_test {
+namespace percuss::pipeline::classification_calibration_test {
 
 constexpr std::size_t kBats = 240;
 constexpr double kConfident = 0.9;
@@ -50,13 +50,13 @@ std::vector<std::vector<Judged>> judged_bats() {
   return bats;
 }
 
-/// Verdicts on a family whose confidence lies in [low, high). Those of one bat go wrong together, because they share
-/// its plane and its sensors, so that the bats, not the verdicts, are what is drawn independently.
+/// Classifications whose confidence lies in [low, high). Errors within one bat are correlated, because its modes share
+/// plane and sensors: the bats, not the classifications, are independent.
 struct Pool {
   double classifications = 0, right = 0, confidence = 0;
-  double expected_variance = 0;  // of the number that is right, if the confidences hold and verdicts are independent
-  double variance_by_bats = 0;   // of right minus confidence, summed over each bat first
-  double wrong_squared_by_bats = 0;  // of wrong ones, likewise
+  double expected_variance = 0;      // of the number of right ones, if the confidences hold and all are independent
+  double variance_by_bats = 0;       // of right minus confidence, summed within each bat first
+  double wrong_squared_by_bats = 0;  // the same for wrong ones
 };
 
 Pool pool_of(const std::vector<std::vector<Judged>>& bats, double low, double high) {
@@ -79,10 +79,9 @@ Pool pool_of(const std::vector<std::vector<Judged>>& bats, double low, double hi
   return pool;
 }
 
-/// Of the verdicts that call themselves 90 % sure or more, 95 in 100 are right, and that is no luck of the draw: the
-/// fraction stands above 95 % by 1.645 standard errors, so that a method that is right less often would pass once in
-/// twenty populations at most. Without the modes that this leaves a method could be right by saying nothing: 75 % must
-/// get such a verdict.
+/// Of the classifications with a confidence of 90 % or more, 95 % are right. The fraction exceeds 95 % by 1.645
+/// standard errors, so that a method that is right less often passes in one population of twenty at most. 75 % of all
+/// modes must have such a confidence, so that a method cannot pass by abstaining.
 void expect_confident_ones_right(const std::vector<std::vector<Judged>>& bats) {
   const Pool sure = pool_of(bats, kConfident, 1.1);
   double all = 0;
@@ -104,7 +103,7 @@ void expect_doubts_named(const std::vector<std::vector<Judged>>& bats) {
   }
 }
 
-/// In every bin of confidence as many are right as the confidences add up to, within three deviations.
+/// In each bin of confidence the number of right ones is the sum of the confidences, within three standard deviations.
 void expect_calibrated(const std::vector<std::vector<Judged>>& bats) {
   constexpr std::array<double, 5> kEdges{0.6, 0.8, 0.9, 0.97, 1.1};
   for (std::size_t b = 0; b + 1 < kEdges.size(); ++b) {
@@ -115,12 +114,12 @@ void expect_calibrated(const std::vector<std::vector<Judged>>& bats) {
   }
 }
 
-// One test, because each would make all bats anew.
-TEST(Verdicts, AreRightAsOftenAsTheySayOverRandomBats) {
+// One test, because each test would have to make all bats.
+TEST(Classification, IsCalibratedOverRandomBats) {
   const auto bats = judged_bats();
   expect_confident_ones_right(bats);
   expect_doubts_named(bats);
   expect_calibrated(bats);
 }
 
-}  // namespace percuss::pipeline::verdict_calibration_test
+}  // namespace percuss::pipeline::classification_calibration_test

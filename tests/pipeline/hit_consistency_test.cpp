@@ -10,7 +10,7 @@ namespace percuss::pipeline::hit_agreement_test {
 
 constexpr std::size_t kLines = 200;
 
-/// Hits of one point whose spectra follow one FRF, but for noise and for what a test changes.
+/// Hits of one point whose spectra follow one FRF with noise; tests change some of them.
 class HitAgreement : public testing::Test {
  protected:
   void make(std::size_t count, double noise) {
@@ -52,7 +52,7 @@ TEST_F(HitAgreement, FindsNothingAmongHitsThatAgree) {
   }
 }
 
-TEST_F(HitAgreement, TakesOutTheOneUnlikeTheOthers) {
+TEST_F(HitAgreement, RejectsOneOutlier) {
   for (const std::size_t count : {4U, 5U, 12U}) {
     hits_.clear(), force_.clear(), accel_.clear();
     make(count, 0.01);
@@ -68,7 +68,7 @@ TEST_F(HitAgreement, TakesOutTheOneUnlikeTheOthers) {
   }
 }
 
-TEST_F(HitAgreement, TakesOutMoreThanOne) {
+TEST_F(HitAgreement, RejectsSeveralOutliers) {
   make(7, 0.01);
   for (const std::size_t h : {1U, 4U}) {
     for (Complex& line : accel_[h]) line *= Complex(0, 1);
@@ -77,13 +77,13 @@ TEST_F(HitAgreement, TakesOutMoreThanOne) {
   for (std::size_t h = 0; h < hits_.size(); ++h) EXPECT_EQ(hits_[h].accepted, h != 1 && h != 4) << h;
 }
 
-TEST_F(HitAgreement, KeepsHitsThatDifferAsMuchAsTheOthers) {
+TEST_F(HitAgreement, AcceptsHitsThatDifferAsMuchAsTheOthers) {
   make(6, 0.8);
   grade();
   for (const AnalysedHit& hit : hits_) EXPECT_TRUE(hit.accepted);
 }
 
-TEST_F(HitAgreement, LeavesInWhatTheUserKeeps) {
+TEST_F(HitAgreement, AcceptsAnOutlierThatTheUserAccepts) {
   make(5, 0.01);
   for (Complex& line : accel_[2]) line *= -1;
   hits_[2].by_user = true;
@@ -92,7 +92,7 @@ TEST_F(HitAgreement, LeavesInWhatTheUserKeeps) {
   EXPECT_TRUE(hits_[2].accepted);
 }
 
-TEST_F(HitAgreement, OnlyWarnsWhereThreeHitsCannotOutvoteOne) {
+TEST_F(HitAgreement, WarnsOnlyWhenThreeHitsCannotOutvoteOne) {
   make(3, 0.01);
   for (Complex& line : accel_[2]) line *= -1;
   grade();
@@ -114,7 +114,7 @@ TEST_F(HitAgreement, ComparesHitsOfOnePointOnly) {
   for (const AnalysedHit& hit : hits_) EXPECT_TRUE(hit.hit.findings.empty());
 }
 
-TEST_F(HitAgreement, SurvivesResponsesThatAreZero) {
+TEST_F(HitAgreement, AcceptsResponsesOfZero) {
   make(5, 0.01);
   std::fill(accel_[1].begin(), accel_[1].end(), Complex());
   grade();
@@ -149,27 +149,27 @@ std::vector<int> settled(std::vector<AnalysedHit> hits) {
 
 using Polarities = std::vector<int>;
 
-TEST(SettleFirstMotion, KeepsWhatTheHitsAgreeOn) {
+TEST(VoteFirstMotion, KeepsADirectionThatAllHitsShow) {
   EXPECT_EQ(settled(moving({1, 1, 0, 1})), (Polarities{1, 1, 0, 1}));
   EXPECT_EQ(settled(moving({-1})), (Polarities{-1}));
 }
 
-TEST(SettleFirstMotion, OverrulesOneAmongMany) {
+TEST(VoteFirstMotion, OverrulesOneAmongMany) {
   EXPECT_EQ(settled(moving({1, 1, -1, 1, 1})), (Polarities{1, 1, 0, 1, 1}));
 }
 
-TEST(SettleFirstMotion, LeavesOpenWhatTheHitsDisagreeOn) {
+TEST(VoteFirstMotion, IsUndecidedWhenHitsDisagree) {
   EXPECT_EQ(settled(moving({1, -1})), (Polarities{0, 0}));
   EXPECT_EQ(settled(moving({1, -1, -1, -1})), (Polarities{0, 0, 0, 0}));
 }
 
-TEST(SettleFirstMotion, GoesByTheForcesSign) {
+TEST(VoteFirstMotion, IsRelativeToTheSignOfTheForce) {
   auto hits = moving({1, -1, 1});
   hits[1].hit.peak_N = -100;
   EXPECT_EQ(settled(hits), (Polarities{1, -1, 1}));
 }
 
-TEST(SettleFirstMotion, AsksTheAcceptedHitsOfOnePoint) {
+TEST(VoteFirstMotion, CountsTheAcceptedHitsOfOnePoint) {
   auto hits = moving({1, 1, -1, -1});
   hits[2].accepted = false;
   hits[3].point = 1;

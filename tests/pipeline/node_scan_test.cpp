@@ -13,10 +13,10 @@
 
 namespace percuss::pipeline::node_scan_test {
 
-// What a scan by hand is asked to give (the positions themselves are good to a few hundredths of an inch) …
+// Accuracy demanded of a scan by hand, whose positions are accurate to a few hundredths of an inch …
 constexpr double kNode_in = 0.02;
 constexpr double kDeviations = 3;
-// … and the source's rule, whose step it is.
+// … and of the source's rule, equal to its step.
 constexpr double kRule_in = 0.125;
 
 constexpr ScanPositions kScan{.start_m = 3 * kInch_m, .step_m = 0.25 * kInch_m, .count = 25};
@@ -85,14 +85,14 @@ TEST(NodeScan, IsExactWithoutNoise) {
   spec.noise = {};
   const NodeScan scan = scan_of(spec);
   ASSERT_EQ(scan.modes.size(), 3U);
-  constexpr double kModel_in = 1e-4;  // what a polynomial of degree five leaves of a beam's shape over ±2 in
+  constexpr double kModel_in = 1e-4;  // residual of a polynomial of degree five over ±2 in of a beam's shape
   for (std::size_t m = 0; m < 3; ++m) {
     const double off_m = scan.modes[m].nodes.at(0).position_m - exact_nodes_m(spec, spec.modes[m]).at(0);
     EXPECT_LE(std::abs(off_m) / kInch_m, kModel_in) << m;
   }
 }
 
-TEST(NodeScan, DoesWithoutAPositionThatHasNoUsableHit) {
+TEST(NodeScan, OmitsAPositionWithoutAUsableHit) {
   synth::SynthSpec spec = scan_spec("wood-bat", 3);
   spec.faults = {{.hit = 17, .kind = synth::SynthFaultKind::missing}};
   const NodeScan scan = scan_of(spec);
@@ -104,7 +104,7 @@ TEST(NodeScan, DoesWithoutAPositionThatHasNoUsableHit) {
   EXPECT_THAT(scan.warnings[0].message, testing::HasSubstr("7.25 in"));
 }
 
-TEST(AsScan, TakesRowsInTurnWherePointsAreNotStated) {
+TEST(AsScan, AssignsRowsInOrderWhenPointsAreNotStated) {
   acquire::Record record = synth::synthesise(scan_spec("wood-bat", 0)).record;
   for (acquire::RowInfo& row : record.rows) row.point = 0;
   const acquire::Record scan = as_scan(record, kScan);

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace percuss::pipeline::response_rail_test {
+namespace percuss::pipeline::response_clipping_test {
 
 AnalysedHit hit_of(Extremes extremes, double resolution) {
   AnalysedHit hit;
@@ -20,17 +20,17 @@ std::vector<std::size_t> rails(std::vector<AnalysedHit> hits) {
 
 using Counts = std::vector<std::size_t>;
 
-TEST(SharedResponseRail, IsWhereUnlikeHitsEndAtOneNumber) {
+TEST(RepeatedClipping, IsFoundWhereDifferentHitsHaveOneExtreme) {
   EXPECT_EQ(rails({hit_of({-91, 100}, 1e-6), hit_of({-87, 100}, 1e-6), hit_of({-84, 99}, 1e-6)}), (Counts{1, 1, 0}));
   EXPECT_EQ(rails({hit_of({-100, 91}, 1e-6), hit_of({-100, 87}, 1e-6), hit_of({-99, 84}, 1e-6)}), (Counts{1, 1, 0}));
 }
 
-TEST(SharedResponseRail, IsNotTheEqualTopOfLowerHits) {
+TEST(RepeatedClipping, IgnoresEqualPeaksBelowTheLargest) {
   EXPECT_EQ(rails({hit_of({-91, 90}, 1e-6), hit_of({-87, 90}, 1e-6), hit_of({-84, 99}, 1e-6)}), (Counts{0, 0, 0}));
 }
 
-// At eight bits two of five peaks agree by chance every other time; and a machine's blows agree in everything.
-TEST(SharedResponseRail, IsNotWhatChanceOrEqualBlowsBringAbout) {
+// At eight bits two of five peaks agree by chance in every second test, and the hits of a machine agree entirely.
+TEST(RepeatedClipping, IgnoresChanceAndEqualHits) {
   EXPECT_EQ(rails({hit_of({-91, 100}, 1), hit_of({-87, 100}, 1), hit_of({-84, 99}, 1)}), (Counts{0, 0, 0}));
   EXPECT_EQ(rails({hit_of({-91, 100}, 0.01), hit_of({-91, 100}, 0.01), hit_of({-91, 100}, 0.01)}), (Counts{0, 0, 0}));
   EXPECT_EQ(rails({hit_of({-91, 100}, 1), hit_of({-90, 100}, 1), hit_of({-91, 100}, 1)}), (Counts{0, 0, 0}));
@@ -38,10 +38,10 @@ TEST(SharedResponseRail, IsNotWhatChanceOrEqualBlowsBringAbout) {
   EXPECT_EQ(rails({AnalysedHit{}, hit_of({-91, 100}, 1e-6)}), (Counts{0, 0}));
 }
 
-TEST(SharedResponseRail, LiesAsFarToEitherSide) {
+TEST(RepeatedClipping, IsFoundAtEqualExtremesOnBothSides) {
   EXPECT_EQ(rails({hit_of({-100, 100}, 1e-6), hit_of({-87, 95}, 1e-6), hit_of({-100, 93}, 1e-6)}), (Counts{1, 0, 1}));
   EXPECT_EQ(rails({hit_of({-91, 100}, 1e-6), hit_of({-87, 100}, 1e-6), hit_of({-100, 93}, 1e-6)}), (Counts{1, 1, 1}));
   EXPECT_EQ(rails({hit_of({-100, 100}, 1), hit_of({-87, 95}, 1)}), (Counts{0, 0}));
 }
 
-}  // namespace percuss::pipeline::response_rail_test
+}  // namespace percuss::pipeline::response_clipping_test

@@ -42,21 +42,21 @@ std::size_t calls_of(const Analysis& analysis, const std::string& name) {
   return 0;
 }
 
-TEST(SkippedWork, IsAllAtFirstAndComputesNothing) {
+TEST(SkippedWork, IsEverythingAtFirstAndComputesNothing) {
   const Analysis analysis(synth::synthesise(bat()).record, {});
   EXPECT_THAT(codes_of(analysis), ElementsAre("modes", "classes", "stabilisation", "per_hit"));
   EXPECT_TRUE(analysis.trace().stages().empty());
 }
 
-TEST(SkippedWork, AreTheAccelerationsWhereOnlyTheForceIsAskedFor) {
+TEST(SkippedWork, IncludesTheAccelerationsWhenOnlyTheForceIsDemanded) {
   const Analysis analysis(synth::synthesise(bat()).record, {});
   analysis.force_hits();
   EXPECT_EQ(share_of(analysis, "channels"), 1);
   EXPECT_EQ(calls_of(analysis, "read acceleration"), 0U);
 }
 
-// Three rows of one hit each: what the user rejects is neither read nor transformed.
-TEST(SkippedWork, AreHitsThatAreRejected) {
+// Three rows of one hit each: a rejected hit is neither read nor transformed.
+TEST(SkippedWork, IncludesRejectedHits) {
   const Analysis all(synth::synthesise(bat()).record, {}), fewer(synth::synthesise(bat()).record, {.reject_hits = {1}});
   all.frfs();
   fewer.frfs();
@@ -65,8 +65,8 @@ TEST(SkippedWork, AreHitsThatAreRejected) {
   EXPECT_EQ(calls_of(fewer, "fft") * 3, calls_of(all, "fft") * 2);
 }
 
-// Rows too long to be taken whole: their decay is over after a hundredth.
-TEST(SkippedWork, AreTheDecayedTailsOfLongRows) {
+// Long rows whose responses decay within a hundredth of their length.
+TEST(SkippedWork, IncludesTheDecayedTailsOfLongRows) {
   synth::SynthSpec spec = bat();
   spec.samples = std::size_t{1} << 18U;
   const Analysis analysis(synth::synthesise(spec).record, {.band_Hz = std::pair{100.0, 400.0}});
@@ -76,7 +76,7 @@ TEST(SkippedWork, AreTheDecayedTailsOfLongRows) {
   EXPECT_LT(analysis.lines().samples, spec.samples / 10);
 }
 
-TEST(SkippedWork, AreLinesOutsideTheBandAndTheForceOutsideItsPulse) {
+TEST(SkippedWork, IncludesLinesOutsideTheBandAndTheForceOutsideItsPulse) {
   const Analysis analysis(synth::synthesise(bat()).record, {.band_Hz = std::pair{100.0, 400.0}});
   analysis.frfs();
   const frf::LineRange& lines = analysis.lines();
@@ -89,8 +89,8 @@ TEST(SkippedWork, AreLinesOutsideTheBandAndTheForceOutsideItsPulse) {
   EXPECT_EQ(share_of(analysis, "modes"), 0);
 }
 
-// A long record: what lies between the hits and behind their decay is never transformed.
-TEST(SkippedWork, AreSilenceAndDecayedTailsOfALongRecord) {
+// In a long record the samples between the hits and after their decay are not transformed.
+TEST(SkippedWork, IncludesSilenceAndDecayedTailsOfALongRecord) {
   synth::SynthSpec spec = bat();
   spec.layout = synth::SynthLayout::continuous;
   spec.samples = std::size_t{30} * 8192;
@@ -102,7 +102,7 @@ TEST(SkippedWork, AreSilenceAndDecayedTailsOfALongRecord) {
   EXPECT_LT(analysis.lines().samples, 3U * 8192);
 }
 
-TEST(SkippedWork, IsToldByExplain) {
+TEST(SkippedWork, IsListedByExplain) {
   const test::ScratchFolder folder;
   ASSERT_EQ(test::run_percuss({"synth", "double-hit", "-o", folder.file("bat.h5")}).code, 0);
   const auto outcome = test::run_percuss({"analyze", folder.file("bat.h5"), "--explain", "--only", "modes"});

@@ -20,13 +20,13 @@ using testing::Field;
 using testing::HasSubstr;
 
 constexpr double kDegree = pi / 180;
-constexpr double kDeviations = 5;  // of some dozens of comparisons
+constexpr double kDeviations = 5;  // for dozens of comparisons
 
 // An aluminium bat whose first hoop mode is split, 5 rings of 8 points on the barrel.
 synth::SynthSpec barrel() {
   synth::SynthSpec spec;
   spec.fs_Hz = 8192;
-  spec.samples = 8192;  // everything has decayed by then: truncated records take much longer to fit
+  spec.samples = 8192;  // all modes have decayed by then: truncated records take much longer to fit
   spec.seed = 4;
   spec.band_high_Hz = 3000;
   const auto mode = [&](double freq_Hz, double damping, synth::SynthFamily family, int order, double angle_deg) {
@@ -59,7 +59,7 @@ synth::SynthSpec roving(synth::SynthSpec spec, int rings = 5) {
 
 AnalysisOptions in_band() { return {.band_Hz = std::pair{60.0, 3000.0}}; }
 
-// The survey of that bat, made once: point 0 lies where the sensor sits.
+// The survey of that bat, computed once; the sensor sits at point 0.
 class BarrelSurvey : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -127,7 +127,7 @@ TEST_F(BarrelSurvey, NamesModesFromTheirShapes) {
   EXPECT_EQ(survey_->tubes()[4]->sign_changes, 1);
 }
 
-TEST_F(BarrelSurvey, TellsThePlanesOfTheSplitHoopMode) {
+TEST_F(BarrelSurvey, FindsThePlanesOfTheSplitHoopMode) {
   const auto& first = survey_->classifications()[2].split_mode;
   const auto& second = survey_->classifications()[3].split_mode;
   ASSERT_TRUE(first && second && first->planes && second->planes);
@@ -181,7 +181,7 @@ TEST_F(BarrelSurvey, LeavesNamesAloneWithoutAGeometry) {
   EXPECT_THAT(survey.warnings(), Contains(Field(&Warning::code, "no_geometry")));
 }
 
-TEST_F(BarrelSurvey, RefusesPointsThatTheGeometryDoesNotKnow) {
+TEST_F(BarrelSurvey, RefusesPointsThatTheGeometryLacks) {
   acquire::Geometry geometry = *survey_->geometry();
   geometry.points.erase(geometry.points.begin());
   const std::string message = test::input_error_of([&] { const Survey survey(*analysis_, {.geometry = geometry}); });
@@ -189,11 +189,11 @@ TEST_F(BarrelSurvey, RefusesPointsThatTheGeometryDoesNotKnow) {
   EXPECT_THAT(message, HasSubstr("0 to 39"));
   EXPECT_THAT(
       test::input_error_of([&] { const Survey survey(*analysis_, {.driving = {{.point = 40, .channel = 0}}}); }),
-      HasSubstr("--driving-point"));
+      HasSubstr("point 40 with channel 0 was not measured"));
 }
 
-TEST(Survey, SaysThatASensorSitsOnANode) {
-  // The bending plane is the sensor's: it cannot see the other one, nor the hoop mode's partner.
+TEST(Survey, WarnsOfASensorOnANode) {
+  // The sensor lies in the bending plane: it sits on a node of the partner.
   synth::SynthSpec spec = roving(barrel(), 2);
   spec.modes.resize(1);
   spec.modes[0].angle_rad = 1 * kDegree;
@@ -205,7 +205,7 @@ TEST(Survey, SaysThatASensorSitsOnANode) {
   EXPECT_THAT(warnings, Contains(Field(&Warning::message, HasSubstr("antinode at 91°"))));
 }
 
-TEST(Survey, NamesTheSensorThatSitsOnANode) {
+TEST(Survey, NamesTheSensorOnANode) {
   synth::SynthSpec spec = roving(barrel(), 2);
   spec.modes.resize(1);
   spec.modes[0].angle_rad = 0;
@@ -215,7 +215,7 @@ TEST(Survey, NamesTheSensorThatSitsOnANode) {
   EXPECT_THAT(warnings, Contains(Field(&Warning::message, HasSubstr("accel 2 sits on a node of mode 0"))));
 }
 
-TEST(Survey, FindsTheWrongSignOfADrivingPointAndBrokenReciprocity) {
+TEST(Survey, WarnsOfAWrongDrivingPointSignAndBrokenReciprocity) {
   synth::SynthSpec spec = roving(barrel(), 2);
   spec.modes.resize(2);
   spec.sensors.push_back({.position_m = 0.11, .angle_rad = pi / 4, .gain = 1.2});

@@ -35,7 +35,7 @@ std::vector<std::string> cells_of(const std::string& line) {
   return cells;
 }
 
-TEST(FrfCsv, NamesKindUnitAndEveryColumn) {
+TEST(FrfCsv, NamesKindUnitAndColumns) {
   const auto lines = lines_of(frf_csv(analysis_of(2, 2), frf::FrfKind::mobility));
   EXPECT_EQ(lines.at(0), "# mobility (m/s)/N, H1, exp(+jwt), angle_deg 0 90");
   const auto names = cells_of(lines.at(1));
@@ -46,7 +46,7 @@ TEST(FrfCsv, NamesKindUnitAndEveryColumn) {
   EXPECT_EQ(names[16], "p1_c1_coherence");
 }
 
-TEST(FrfCsv, HoldsTheBandsLinesToTheLastDigit) {
+TEST(FrfCsv, ContainsTheBandsLinesToTheLastDigit) {
   const pipeline::Analysis analysis = analysis_of(3);
   const auto lines = lines_of(frf_csv(analysis, frf::FrfKind::accelerance));
   const frf::LineRange& range = analysis.lines();

@@ -52,7 +52,7 @@ std::vector<Complex> complex_numbers(const std::string& path, std::size_t count)
   return out;
 }
 
-TEST_F(FrfHdf5, HoldsLinesPointsAndFrfsToTheLastDigit) {
+TEST_F(FrfHdf5, ContainsLinesPointsAndFrfsToTheLastDigit) {
   const pipeline::Analysis analysis = analysis_of(3);
   write_frf_hdf5(path_, analysis, frf::FrfKind::accelerance, false);
   const auto freq_Hz = numbers("frequency_hz");
@@ -77,7 +77,7 @@ TEST_F(FrfHdf5, HoldsLinesPointsAndFrfsToTheLastDigit) {
   }
 }
 
-TEST_F(FrfHdf5, SaysWhatItHolds) {
+TEST_F(FrfHdf5, StatesKindUnitAndEstimator) {
   write_frf_hdf5(path_, analysis_of(3), frf::FrfKind::receptance, false);
   const InputHdf5 file(path_);
   EXPECT_EQ(acquire::hdf5::text_attribute(file.id(), "kind", path_), "receptance");
@@ -86,7 +86,7 @@ TEST_F(FrfHdf5, SaysWhatItHolds) {
   EXPECT_THAT(acquire::hdf5::number_attribute(file.id(), "averages", path_, 1).value(), ElementsAre(3));
 }
 
-TEST_F(FrfHdf5, HasNoDeviationsOfSingleHits) {
+TEST_F(FrfHdf5, HasNoStdForSingleHits) {
   write_frf_hdf5(path_, analysis_of(1), frf::FrfKind::accelerance, false);
   const InputHdf5 file(path_);
   EXPECT_TRUE(file.has("frf"));

@@ -27,7 +27,7 @@ std::vector<double> numbers_in(std::string_view line) {
 }
 
 // The small test has a bending mode at 200 Hz (1 %, sensors 0.9 and 0.3) and a hoop mode at 700 Hz (0.5 %).
-TEST(ModesUff, HoldsEveryModeAs55AndAs2414) {
+TEST(ModesUff, ContainsEachModeAs55AndAs2414) {
   const test::ScratchFolder folder;
   test::write_small_test(folder.file("bat.h5"));
   const auto outcome =

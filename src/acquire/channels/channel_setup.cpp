@@ -27,8 +27,7 @@ constexpr std::array<std::string_view, 9> kSetupKeys = {
     "name", "role", "sign", "direction", "angle_deg", "position_m", "sensitivity", "sensitivity_unit", "unit"};
 
 Json parse_json(std::string_view text, const std::string& where) {
-  if (text.size() > kMaxSetup_bytes)
-    throw InputError("longer than 1 MiB", where, "keep only the channels' entries");
+  if (text.size() > kMaxSetup_bytes) throw InputError("longer than 1 MiB", where, "keep only the channels' entries");
   check_json({.text = text,
               .where = where,
               .remedy = "compare it with a valid example",

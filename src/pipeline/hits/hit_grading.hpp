@@ -9,10 +9,10 @@
 
 namespace percuss::pipeline {
 
-/// What the user demands of the hits.
+/// The user's demands on the hits.
 struct HitDemands {
   std::vector<std::size_t> accept, reject;  // hit numbers
-  std::optional<double> high_Hz;            // the force must reach this frequency
+  std::optional<double> high_Hz;            // upper end of the band, which the bandwidth of the force should reach
 };
 
 /// Accepts hits by their force and by the user's demands.

@@ -25,9 +25,9 @@ std::pair<double, double> band_with_margin(double low_Hz, double high_Hz) {
 void require_lines(const frf::LineRange& lines, double low_Hz, double high_Hz, const std::string& where,
                    const std::string& remedy) {
   if (lines.count >= kMinBandLines) return;
-  throw InputError(fmt::format("only {} lines of {:.4g} Hz lie in the band {:.6g}:{:.6g} Hz", lines.count,
+  throw InputError(fmt::format("only {} spectral lines, {:.4g} Hz apart, lie in the band {:.6g}:{:.6g} Hz", lines.count,
                                lines.df_Hz(), low_Hz, high_Hz),
-                   where, remedy);
+                   where, remedy, {"band"});
 }
 
 }  // namespace percuss::pipeline

@@ -6,13 +6,13 @@
 
 namespace percuss::pipeline {
 
-/// Where a band begins whose user names none: below it drift and the suspension rule.
+/// Lower end of the default band. Below it drift and the suspension dominate.
 double default_low_Hz(double highest_Hz);
 
-/// The band, and on either side what it takes to see the modes just outside it.
+/// The band with a margin on both sides for modes just outside it.
 std::pair<double, double> band_with_margin(double low_Hz, double high_Hz);
 
-/// errors  InputError at `where`: fewer lines in the band than modes can be found in.
+/// errors  InputError at `where`, with the option "band": too few spectral lines in the band to find modes.
 void require_lines(const frf::LineRange& lines, double low_Hz, double high_Hz, const std::string& where,
                    const std::string& remedy);
 

@@ -91,13 +91,13 @@ identify::FrfDataset FrfSource::dataset(const TestSpectra& spectra, const std::v
   std::optional<int> point;
   for (const frf::PointFrf& frf : frfs_.frfs) {
     if (frf.point != point) {
-      set.points.emplace_back();  // the force's window is all that is known of it
+      set.points.emplace_back();  // of the force only the window is known
       if (frfs_.decay_per_s > 0) set.points.back().blocks.push_back({.decay_per_s = frfs_.decay_per_s});
     }
     point = frf.point;
     set.channels.push_back({.point = set.points.size() - 1,
-                           .channel = frf.channel,
-                           .frf = slice(frf.frf.value, lines.first - frfs_.lines.first, lines.count)});
+                            .channel = frf.channel,
+                            .frf = slice(frf.frf.value, lines.first - frfs_.lines.first, lines.count)});
   }
   return set;
 }

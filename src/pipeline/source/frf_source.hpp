@@ -3,7 +3,7 @@
 
 namespace percuss::pipeline {
 
-/// FRFs that were given in place of a record: no hits, and nothing is known of the force.
+/// FRFs that were given in place of a record: no hits, and the force is not known.
 class FrfSource : public Source {
  public:
   explicit FrfSource(frf::FrfRecord frfs);

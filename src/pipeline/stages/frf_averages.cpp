@@ -80,10 +80,10 @@ identify::FrfDataset h1_dataset(const TestSpectra& spectra, const std::vector<st
     for (std::size_t c = 0; c < channels; ++c) {
       const std::size_t o = p * channels + c;
       set.channels[o] = {.point = p,
-                        .channel = c,
-                        .frf = averages != nullptr
-                                   ? (*averages)[o].frf.value
-                                   : identify::h1_at(set.points[p], responses_of(spectra, members[p], c))};
+                         .channel = c,
+                         .frf = averages != nullptr
+                                    ? (*averages)[o].frf.value
+                                    : identify::h1_at(set.points[p], responses_of(spectra, members[p], c))};
     }
   });
   return set;

@@ -35,7 +35,8 @@ double coarsest_step(const std::vector<AnalysedHit>& hits, std::size_t channel) 
 
 std::vector<Warning> input_warnings(const acquire::Record& record) {
   std::vector<Warning> out;
-  for (const Message& note : record.notes) out.push_back({.code = "input", .message = note.text, .options = note.options});
+  for (const Message& note : record.notes)
+    out.push_back({.code = "input", .message = note.text, .options = note.options});
   return out;
 }
 

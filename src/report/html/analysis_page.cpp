@@ -14,11 +14,11 @@
 
 namespace percuss::report {
 
-std::string frf_section(const std::string& verdict) {
+std::string frf_section(const std::string& summary) {
   return page_section(
       "frf", "Frequency responses",
       page_paragraph("Drag to zoom in on a frequency range in all three plots; double-click to see the whole band.") +
-          page_picture("magnitude", "Magnitude of the frequency responses in decibels over frequency. " + verdict) +
+          page_picture("magnitude", "Magnitude of the frequency responses in decibels over frequency. " + summary) +
           page_picture("phase", "Phase of the frequency responses over frequency.") +
           page_picture("coherence", "Coherence over frequency, 0 to 1."));
 }
@@ -80,17 +80,17 @@ std::string analysis_page(const pipeline::Analysis& analysis, const PageOptions&
   const bool frfs = possible && (wants(ReportSection::frf) || wants(ReportSection::coherence));
   const std::vector<identify::ModeClassification> classifications =
       possible && modes ? analysis.classifications() : std::vector<identify::ModeClassification>();
-  const std::string verdict = modes || !possible ? summary_sentence(analysis, classifications)
+  const std::string summary = modes || !possible ? summary_sentence(analysis, classifications)
                               : frfs             ? frf_sentence(analysis)
                                                  : hits_sentence(analysis);
-  std::string found = "<p class=\"verdict\">" + html_escape(verdict) + "</p>\n";
+  std::string found = "<p class=\"verdict\">" + html_escape(summary) + "</p>\n";
   if (!classifications.empty()) found += modes_table(analysis, wants(ReportSection::classes)).html();
   found += page_warnings(analysis.warnings());
   const std::string title = title_of(analysis.record().files);
   std::string body = page_header(title, test_conditions(analysis, with_hits ? analysis.hits().size() : 0)) + "<main>\n";
   body += page_section(modes ? "modes" : "result", modes ? "Modes" : "Result", found);
   if (options.comparison != nullptr) body += comparison_section(*options.comparison);
-  if (frfs) body += frf_section(verdict);
+  if (frfs) body += frf_section(summary);
   if (with_hits) body += hits_section(analysis);
   if (options.deflection != nullptr) body += deflection_section(analysis, *options.deflection);
   if (possible && modes) {

@@ -21,7 +21,7 @@ struct PageOptions {
 std::string analysis_page(const pipeline::Analysis& analysis, const PageOptions& options, const Provenance& provenance);
 
 /// The sections of the FRFs and of the hits, which other pages use, too.
-std::string frf_section(const std::string& verdict);
+std::string frf_section(const std::string& summary);
 std::string hits_section(const pipeline::Analysis& analysis);
 
 }  // namespace percuss::report

@@ -48,11 +48,11 @@ Json modes_plot_json(const pipeline::Analysis& analysis,
   Json out = Json::array();
   for (std::size_t m = 0; m < classifications.size(); ++m) {
     const identify::Mode& mode = analysis.modes()[m];
-    const identify::ModeClassification& verdict = classifications[m];
+    const identify::ModeClassification& classification = classifications[m];
     Json json{{"hz", mode.pole.freq_Hz},
               {"zeta", mode.pole.damping_ratio},
-              {"name", mode_name(verdict, m)},
-              {"family", name_of(verdict.family)},
+              {"name", mode_name(classification, m)},
+              {"family", name_of(classification.family)},
               {"sensors", Json::array()}};
     for (const BarrelSensor& sensor : barrel_sensors(analysis, mode)) {
       json["sensors"].push_back(

@@ -80,8 +80,8 @@ std::string survey_page(const pipeline::Survey& survey, const Provenance& proven
   const bool with_hits = analysis.given_frfs() == nullptr, possible = analysis.possible();
   const std::vector<identify::ModeClassification> classifications =
       possible ? survey.classifications() : std::vector<identify::ModeClassification>();
-  const std::string verdict = summary_sentence(analysis, classifications);
-  std::string found = "<p class=\"verdict\">" + html_escape(verdict) + "</p>\n", shapes;
+  const std::string summary = summary_sentence(analysis, classifications);
+  std::string found = "<p class=\"verdict\">" + html_escape(summary) + "</p>\n", shapes;
   std::string data = "[" + analysis_plot_data(analysis, classifications, {.stabilisation = false});
   if (!classifications.empty()) {
     found += survey_modes_table(survey).html();
@@ -98,7 +98,7 @@ std::string survey_page(const pipeline::Survey& survey, const Provenance& proven
                          page_paragraph("Singular values of the FRFs: if the second peaks with the first, two modes "
                                         "share a frequency.") +
                              page_picture("indicator", "Singular values of the FRFs in decibels over frequency."));
-    body += frf_section(verdict);
+    body += frf_section(summary);
   }
   if (with_hits) body += hits_section(analysis);
   body += page_section("provenance", "Method and provenance", page_provenance(analysis.record().files, provenance)) +

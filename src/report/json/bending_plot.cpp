@@ -34,12 +34,11 @@ Json line_json(const BendingShape& line) {
 
 }  // namespace
 
-std::string bending_plot_json(const BendingPlot& picture) {
-  Json json{
-      {"outline", Json::array()}, {"modes", Json::array()}, {"ends", picture.ends}, {"from_right", picture.from_right}};
-  for (const auto& [z_m, radius_m] : picture.outline_m)
+std::string bending_plot_json(const BendingPlot& plot) {
+  Json json{{"outline", Json::array()}, {"modes", Json::array()}, {"ends", plot.ends}, {"from_right", plot.from_right}};
+  for (const auto& [z_m, radius_m] : plot.outline_m)
     json["outline"].push_back({shown_digits(z_m), shown_digits(radius_m)});
-  for (const BendingShape& line : picture.modes) json["modes"].push_back(line_json(line));
+  for (const BendingShape& line : plot.modes) json["modes"].push_back(line_json(line));
   return Json{{"bending", std::move(json)}}.dump(-1, ' ', true, Json::error_handler_t::replace);
 }
 

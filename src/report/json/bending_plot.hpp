@@ -29,7 +29,7 @@ struct BendingPlot {
 
 /// The data of src/report/html/page/bending.js, as JSON in ASCII: {"bending": {outline, modes: [{name, hz, z_m, y,
 /// nodes}], ends}}.
-std::string bending_plot_json(const BendingPlot& picture);
+std::string bending_plot_json(const BendingPlot& plot);
 
 /// `value_m ± std_m` in inches and in millimetres; without the ± where std_m is 0.
 std::string inches_and_mm(double value_m, double std_m);

@@ -42,22 +42,24 @@ void add_split(Json& json, const identify::SplitMode& peak) {
                    {"between_std_deg", peak.planes->between_std_rad * kRadian_deg}};
 }
 
-void add_verdict(Json& json, const identify::ModeClassification& verdict) {
-  json["family"] = name_of(verdict.family);
-  json["order"] = verdict.order > 0 ? Json(verdict.order) : Json();
-  json["confidence"] = verdict.confidence;
-  json["alternative"] = verdict.alternative ? Json(name_of(*verdict.alternative)) : Json();
-  json["overlay"] =
-      verdict.overlay_dB ? Json{{"difference_db", *verdict.overlay_dB}, {"overlaid", verdict.overlaid}} : Json();
-  json["ratio"] = verdict.ratio
-                      ? Json{{"re", verdict.ratio->real()}, {"im", verdict.ratio->imag()}, {"std", verdict.ratio_std}}
-                      : Json();
+void add_classification(Json& json, const identify::ModeClassification& classification) {
+  json["family"] = name_of(classification.family);
+  json["order"] = classification.order > 0 ? Json(classification.order) : Json();
+  json["confidence"] = classification.confidence;
+  json["alternative"] = classification.alternative ? Json(name_of(*classification.alternative)) : Json();
+  json["overlay"] = classification.overlay_dB
+                        ? Json{{"difference_db", *classification.overlay_dB}, {"overlaid", classification.overlaid}}
+                        : Json();
+  json["ratio"] = classification.ratio ? Json{{"re", classification.ratio->real()},
+                                              {"im", classification.ratio->imag()},
+                                              {"std", classification.ratio_std}}
+                                       : Json();
   json["double_peak"] = Json();
-  if (verdict.split_mode) {
-    json["double_peak"] = {{"partner", verdict.split_mode->partner},
-                           {"separation_hz", verdict.split_mode->separation_Hz},
-                           {"first", verdict.split_mode->first}};
-    add_split(json["double_peak"], *verdict.split_mode);
+  if (classification.split_mode) {
+    json["double_peak"] = {{"partner", classification.split_mode->partner},
+                           {"separation_hz", classification.split_mode->separation_Hz},
+                           {"first", classification.split_mode->first}};
+    add_split(json["double_peak"], *classification.split_mode);
   }
 }
 
@@ -102,7 +104,7 @@ std::string hit_json(const acquire::Record& record, std::size_t i, const pipelin
 }
 
 std::string mode_json(const identify::Mode& mode, std::size_t m, double window_decay_per_s,
-                      const identify::ModeClassification* verdict) {
+                      const identify::ModeClassification* classification) {
   Json json{{"index", m},
             {"frequency_hz", mode.pole.freq_Hz},
             {"frequency_std_hz", mode.freq_std_Hz},
@@ -110,7 +112,7 @@ std::string mode_json(const identify::Mode& mode, std::size_t m, double window_d
             {"damping_ratio_std", mode.damping_std}};
   if (mode.freq_scatter_Hz > 0) json["moves_hz"] = mode.freq_scatter_Hz;
   if (window_decay_per_s > 0) json["damping_ratio_raw"] = raw_damping(mode.pole, window_decay_per_s);
-  if (verdict != nullptr) add_verdict(json, *verdict);
+  if (classification != nullptr) add_classification(json, *classification);
   json["residues"] = Json::array();
   for (const identify::Residue& r : mode.residues) json["residues"].push_back(residue_json(r));
   return indented_text(json);

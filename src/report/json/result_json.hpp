@@ -9,9 +9,9 @@ namespace percuss::report {
 
 /// Hit number `i`.
 std::string hit_json(const acquire::Record& record, std::size_t i, const pipeline::AnalysedHit& hit);
-/// `verdict`: nullptr for modes that are not classified.
+/// `classification`: nullptr for modes that are not classified.
 std::string mode_json(const identify::Mode& mode, std::size_t m, double window_decay_per_s,
-                      const identify::ModeClassification* verdict);
+                      const identify::ModeClassification* classification);
 std::string frf_json(const pipeline::Analysis& analysis);
 std::string coherence_json(const pipeline::Analysis& analysis);
 std::string modes_per_hit_json(const pipeline::Analysis& analysis);

@@ -24,12 +24,12 @@ std::string brief(const acquire::Finding& finding) {
     case acquire::FindingCode::truncated_decay:
       return fmt::format("still rings at the end ({:.0f} dB)", finding.value);
     case acquire::FindingCode::low_bandwidth:
-      return "soft";
+      return "low bandwidth";
     case acquire::FindingCode::low_coherence:
       return finding.value > 0 ? fmt::format("{:.0f} % coherent with the others", finding.value * 100)
                                : "not coherent with the others";
     case acquire::FindingCode::polarity:
-      return "negative";
+      return "negative force";
     default:
       return finding.message;
   }
@@ -86,17 +86,17 @@ HitsTable hits_table(const pipeline::Analysis& analysis, const std::vector<pipel
 namespace {
 
 std::string note_of(const pipeline::Analysis& analysis, std::size_t m) {
-  const identify::ModeClassification& verdict = analysis.classifications()[m];
+  const identify::ModeClassification& classification = analysis.classifications()[m];
   std::string note;
   const auto add = [&](const std::string& text) { note += (note.empty() ? "" : "; ") + text; };
-  if (verdict.split_mode) {
-    add(verdict.split_mode->first ? fmt::format("double peak, {} Hz apart: this one is quoted",
-                                                significant(verdict.split_mode->separation_Hz, 3))
-                                  : "second of the double peak");
+  if (classification.split_mode) {
+    add(classification.split_mode->first ? fmt::format("double peak, {} Hz apart: this one is quoted",
+                                                       significant(classification.split_mode->separation_Hz, 3))
+                                         : "second of the double peak");
   }
-  if (verdict.family != identify::ModeType::unknown && verdict.confidence < 0.95)
-    add(fmt::format("{:.0f} % sure", verdict.confidence * 100));
-  if (verdict.alternative) add(fmt::format("could be {}", name_of(*verdict.alternative)));
+  if (classification.family != identify::ModeType::unknown && classification.confidence < 0.95)
+    add(fmt::format("{:.0f} % sure", classification.confidence * 100));
+  if (classification.alternative) add(fmt::format("could be {}", name_of(*classification.alternative)));
   return note;
 }
 
@@ -133,8 +133,9 @@ TextTable modes_table(const pipeline::Analysis& analysis, bool classes) {
   return table;
 }
 
-std::string mode_type_of(const identify::ModeClassification& verdict) {
-  return verdict.order > 0 ? fmt::format("{} {}", name_of(verdict.family), verdict.order) : name_of(verdict.family);
+std::string mode_type_of(const identify::ModeClassification& classification) {
+  return classification.order > 0 ? fmt::format("{} {}", name_of(classification.family), classification.order)
+                                  : name_of(classification.family);
 }
 
 std::string test_conditions(const pipeline::Analysis& analysis, std::size_t hits) {
@@ -159,8 +160,8 @@ std::string test_conditions(const pipeline::Analysis& analysis, std::size_t hits
   return text;
 }
 
-std::string mode_name(const identify::ModeClassification& verdict, std::size_t number) {
-  return verdict.order > 0 ? mode_type_of(verdict) : fmt::format("mode {}", number);
+std::string mode_name(const identify::ModeClassification& classification, std::size_t number) {
+  return classification.order > 0 ? mode_type_of(classification) : fmt::format("mode {}", number);
 }
 
 std::string source_name(const pipeline::Analysis& analysis) {

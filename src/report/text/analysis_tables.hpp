@@ -23,9 +23,9 @@ TextTable modes_table(const pipeline::Analysis& analysis, bool classes);
 std::string test_conditions(const pipeline::Analysis& analysis, std::size_t hits);
 
 /// "hoop 1"; "bending" or "unknown" without an order.
-std::string mode_type_of(const identify::ModeClassification& verdict);
+std::string mode_type_of(const identify::ModeClassification& classification);
 /// "hoop 1"; "mode 3", by its number, for a mode without an order.
-std::string mode_name(const identify::ModeClassification& verdict, std::size_t number);
+std::string mode_name(const identify::ModeClassification& classification, std::size_t number);
 
 /// The name of the first file, with "and 3 more".
 std::string source_name(const pipeline::Analysis& analysis);

@@ -22,14 +22,14 @@ std::string plane_cell(const std::optional<identify::TubeShape>& tube) {
   return value_with_std(*tube->plane_rad * kRadian_deg, tube->plane_std_rad * kRadian_deg) + "°";
 }
 
-std::string note_cell(const identify::ModeClassification& verdict) {
+std::string note_cell(const identify::ModeClassification& classification) {
   std::string note;
-  if (verdict.split_mode) {
-    note = fmt::format("double peak, {:.3g} Hz apart{}", verdict.split_mode->separation_Hz,
-                       verdict.split_mode->quoted ? ": this one is quoted" : "");
+  if (classification.split_mode) {
+    note = fmt::format("double peak, {:.3g} Hz apart{}", classification.split_mode->separation_Hz,
+                       classification.split_mode->quoted ? ": this one is quoted" : "");
   }
-  if (verdict.alternative)
-    note += fmt::format("{}could be {}", note.empty() ? "" : "; ", name_of(*verdict.alternative));
+  if (classification.alternative)
+    note += fmt::format("{}could be {}", note.empty() ? "" : "; ", name_of(*classification.alternative));
   return note;
 }
 
@@ -75,7 +75,7 @@ TextTable survey_modes_table(const pipeline::Survey& survey) {
 namespace {
 
 std::string modes_text(const pipeline::Survey& survey, std::size_t width) {
-  if (survey.analysis().modes().empty()) return "no mode stands out of the noise in the band\n";
+  if (survey.analysis().modes().empty()) return "no mode rises above the noise in the band\n";
   return survey_modes_table(survey).text(width);
 }
 
@@ -84,12 +84,13 @@ std::string scale_text(const pipeline::Survey& survey) {
   const auto unit = std::count_if(shapes.begin(), shapes.end(), [](const identify::ModeShape& s) {
     return s.normalisation == identify::Normalisation::unit_modal_mass;
   });
-  if (unit == 0) return "shapes: 1 at their largest, as no driving point was measured\n";
+  if (unit == 0) return "shapes: scaled to 1 at their largest, because no driving point was measured\n";
   std::string points;
   for (const identify::DrivingPoint& at : survey.driving_points())
     points += fmt::format("{}point {} (channel {})", points.empty() ? "" : ", ", at.point, at.channel);
-  return fmt::format("shapes: unit modal mass, from the driving {}{}\n", points,
-                     static_cast<std::size_t>(unit) < shapes.size() ? "; the others 1 at their largest" : "");
+  return fmt::format(
+      "shapes: unit modal mass, from the driving {}{}\n", points,
+      static_cast<std::size_t>(unit) < shapes.size() ? "; the others are scaled to 1 at their largest" : "");
 }
 
 std::string mac_text(const pipeline::Survey& survey) {
@@ -105,7 +106,7 @@ std::string mac_text(const pipeline::Survey& survey) {
   }
   if (survey.macs().size() < 2) return "";
   return text.empty() ? fmt::format("MAC between different modes: {:.4f} at most\n", most)
-                      : "shapes alike on these points (MAC): modes " + text + "\n";
+                      : "similar shapes on these points (MAC): modes " + text + "\n";
 }
 
 std::string frac_text(const pipeline::Survey& survey) {
@@ -116,7 +117,7 @@ std::string frac_text(const pipeline::Survey& survey) {
                                         return a_strong != b_strong ? a_strong : a.frac < b.frac;
                                       });
   const auto poor = std::count_if(survey.synthesis().begin(), survey.synthesis().end(), pipeline::poorly_explained);
-  return fmt::format("modes against FRFs: FRAC {:.4f} at the worst of the strong ones{}\n", worst->frac,
+  return fmt::format("FRFs synthesised from the modes: lowest FRAC of the strong FRFs {:.4f}{}\n", worst->frac,
                      poor > 0 ? fmt::format("; {} below 0.99", poor) : "");
 }
 

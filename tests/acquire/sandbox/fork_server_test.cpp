@@ -82,8 +82,7 @@ TEST(ForkServer, OpensFilesAsTheyAreOpenedWithoutIt) {
   for (const char* kind : {".h5", ".mat", ".wav", ".csv"}) {
     const std::string path = folder.file(std::string("t") + kind);
     test::write_small_test(path);
-    const auto opened = open_measurement_forked(fork_server, path, options),
-               alone = open_measurement(path, options);
+    const auto opened = open_measurement_forked(fork_server, path, options), alone = open_measurement(path, options);
     const auto &one = std::get<Record>(opened), &other = std::get<Record>(alone);
     EXPECT_EQ(one.fs_Hz, other.fs_Hz);
     ASSERT_EQ(one.rows.size(), other.rows.size());

@@ -34,7 +34,7 @@ nlohmann::json data_of(const std::string& page) {
 }
 
 // FIPS 180-2, appendix B, and RFC 4648, section 10.
-TEST(Digest, IsWhatTheStandardsSay) {
+TEST(Digest, MatchesTheStandardsExamples) {
   EXPECT_EQ(hexadecimal(sha256("abc")), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
   const auto coded = [](std::string_view text) {
     return base64({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
@@ -45,13 +45,13 @@ TEST(Digest, IsWhatTheStandardsSay) {
   EXPECT_EQ(coded("foobar"), "Zm9vYmFy");
 }
 
-TEST(HtmlText, LeavesNothingThatIsMarkup) {
+TEST(HtmlText, EscapesMarkup) {
   EXPECT_EQ(html_escape("a<b>&\"'\n"), "a&lt;b&gt;&amp;&quot;&#39; ");
   EXPECT_EQ(html_escape("90° \xF0\x9F\x8F\x8F"), "90° \xF0\x9F\x8F\x8F");
   EXPECT_EQ(html_escape("\xFF\xC0\xAFx\xED\xA0\x80"), "\uFFFD\uFFFD\uFFFDx\uFFFD\uFFFD\uFFFD");
 }
 
-TEST(QuantisedCurve, KeepWhatCanBeSeen) {
+TEST(QuantisedCurve, KeepsTheResolutionOfThePlot) {
   const QuantisedCurve numbers = quantised_curve(std::vector<double>{-3, 1, std::nan("")}, 0.5);
   EXPECT_EQ(numbers.from, -3);
   EXPECT_EQ(numbers.step, 0.5);
@@ -72,7 +72,7 @@ class AnalysisPage : public testing::Test {
   test::ScratchFolder folder_;
 };
 
-TEST_F(AnalysisPage, HoldsVerdictTableAndPictures) {
+TEST_F(AnalysisPage, ContainsVerdictTableAndPlots) {
   test::write_small_test(folder_.file("bat.h5"));
   const std::string page = page_of(folder_.file("bat.h5"));
   EXPECT_THAT(page, HasSubstr(R"(<p class="verdict">2 modes between)"));
@@ -88,7 +88,7 @@ TEST_F(AnalysisPage, HoldsVerdictTableAndPictures) {
   EXPECT_LT(page.size(), 500'000U);
 }
 
-TEST_F(AnalysisPage, AllowsItsOwnProgramsAndNothingElse) {
+TEST_F(AnalysisPage, AllowsOnlyItsOwnScripts) {
   test::write_small_test(folder_.file("bat.h5"));
   const std::string page = page_of(folder_.file("bat.h5"));
   const std::string program = between(page, "</script>\n<script>", "</script>"),
@@ -105,7 +105,7 @@ TEST_F(AnalysisPage, IsTheSameForTheSameInput) {
   EXPECT_TRUE(page_of(folder_.file("bat.h5")) == page_of(folder_.file("bat.h5")));
 }
 
-TEST_F(AnalysisPage, LetsNoNameBecomeMarkup) {
+TEST_F(AnalysisPage, EscapesNames) {
   const std::string attack = "<img src=x onerror=alert(1)>";
   acquire::Record record = acquire::open_record([&] {
     test::write_small_test(folder_.file("bat.h5"));
@@ -121,7 +121,7 @@ TEST_F(AnalysisPage, LetsNoNameBecomeMarkup) {
   EXPECT_THAT(data_of(page)["frf"]["curves"][0]["name"].get<std::string>(), HasSubstr(attack));
 }
 
-TEST_F(AnalysisPage, TellsOfARecordThatCannotBeUsed) {
+TEST_F(AnalysisPage, ShowsThatARecordCannotBeUsed) {
   test::write_small_test(folder_.file("bat.h5"), R"("hits": 1)");
   const std::string page = page_of(folder_.file("bat.h5"), {"--reject-hit", "0"});
   EXPECT_THAT(page, HasSubstr("No hit can be used"));
@@ -135,7 +135,7 @@ TEST_F(AnalysisPage, IsOfOneTest) {
   EXPECT_EQ(run_percuss({"analyze", folder_.file("bat.h5"), "-o", folder_.file("x.html")}).code, 2);
 }
 
-TEST_F(AnalysisPage, OfASurveyHoldsShapesAndMac) {
+TEST_F(AnalysisPage, OfASurveyContainsShapesAndMac) {
   const std::string record = folder_.file("barrel.h5"), path = folder_.file("survey.html");
   ASSERT_EQ(run_percuss({"synth", "roving-barrel", "-o", record}).code, 0);
   const auto outcome = run_percuss({"survey", record, "-o", path});

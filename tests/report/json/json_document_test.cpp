@@ -15,8 +15,8 @@ JsonDocument::Value text_of(const Json& json) {
   return [json] { return indented_text(json); };
 }
 
-// What the JSON library writes of the same is the truth.
-TEST(JsonDocument, WritesWhatTheLibraryWouldOnAnyNumberOfThreads) {
+// The reference is the text that the JSON library writes.
+TEST(JsonDocument, EqualsTheLibrarysTextOnAnyNumberOfThreads) {
   const Json nested{{"list", {1, 2.5, "a\nb \"quoted\""}}, {"empty", Json::object()}, {"none", Json::array()}};
   Json expected{{"name", "x"}, {"nested", nested}, {"elements", Json::array()}, {"nothing", Json::array()}};
   for (int i = 0; i < 500; ++i) expected["elements"].push_back({{"i", i}, {"nested", nested}});
@@ -33,7 +33,7 @@ TEST(JsonDocument, WritesWhatTheLibraryWouldOnAnyNumberOfThreads) {
   }
 }
 
-TEST(JsonDocument, IsAnObjectWithoutMembersAsWell) { EXPECT_EQ(JsonDocument().text(), "{}"); }
+TEST(JsonDocument, MayBeEmpty) { EXPECT_EQ(JsonDocument().text(), "{}"); }
 
 TEST(JsonDocument, MayBeAnElementOfAnother) {
   JsonDocument inner;
@@ -44,7 +44,7 @@ TEST(JsonDocument, MayBeAnElementOfAnother) {
   EXPECT_EQ(outer.text(), indented_text(Json{{"runs", {run, run}}}));
 }
 
-TEST(JsonDocument, AddsAMemberToWhatIsWritten) {
+TEST(JsonDocument, AddsAMemberToAnObject) {
   const Json value{{"re", 1}, {"list", {1, 2}}};
   for (Json object : {Json::object(), Json{{"a", 1}}, Json{{"a", Json::array()}, {"b", value}}}) {
     const std::string text = with_member(indented_text(object), "shape", indented_text(value));

@@ -28,7 +28,7 @@ LineChart chart() {
                      {.name = "b", .x = {0, 3}, .y = {4, 4}, .marks = true}}};
 }
 
-TEST(LineChart, DrawsEachLineInsideThePlotAndBreaksItWhereThereIsNoValue) {
+TEST(LineChart, DrawsCurvesInsideThePlotAndBreaksThemAtNan) {
   const std::string svg = line_chart_svg(chart());
   EXPECT_THAT(svg, HasSubstr("M72.0 371.4L254.7 266.5M620.0 56.6\""));  // margins of 4 % of the plot's 340 px
   EXPECT_THAT(svg, HasSubstr("<circle cx=\"620.0\""));
@@ -43,10 +43,10 @@ TEST(LineChart, DrawsPointsAloneWithALegend) {
   EXPECT_THAT(svg, HasSubstr(">A</text>"));
   EXPECT_THAT(svg, HasSubstr(">&lt;B</text>"));
   EXPECT_THAT(svg, HasSubstr("<circle cx=\"599.7\" cy=\"371.4\" r=\"3\" fill=\"#0072B2\"/>"));  // 4 % in from the edges
-  EXPECT_THAT(svg, HasSubstr("stroke=\"#0072B2\" stroke-width=\"1.8\""));                       // the style asked for
+  EXPECT_THAT(svg, HasSubstr("stroke=\"#0072B2\" stroke-width=\"1.8\""));                       // the given style
 }
 
-TEST(LineChart, MarksStayApartWithoutColour) {
+TEST(LineChart, MarksDifferWithoutColour) {
   std::set<std::string> shapes;
   for (const ChartMark mark : {ChartMark::circle, ChartMark::plus, ChartMark::open_diamond, ChartMark::diamond,
                                ChartMark::triangle, ChartMark::square, ChartMark::cross})
@@ -54,22 +54,20 @@ TEST(LineChart, MarksStayApartWithoutColour) {
   EXPECT_EQ(shapes.size(), 7U);
 }
 
-TEST(LineChart, EscapesWhatSvgWouldRead) {
-  EXPECT_THAT(line_chart_svg(chart()), HasSubstr("COR &lt; 1 &amp; falling"));
-}
+TEST(LineChart, EscapesMarkup) { EXPECT_THAT(line_chart_svg(chart()), HasSubstr("COR &lt; 1 &amp; falling")); }
 
 TEST(LineChart, KeepsNamesApart) {
   const std::string svg = line_chart_svg(chart());
   EXPECT_THAT(svg, HasSubstr("y=\"60.6\" fill=\"#0072B2\">a<"));
-  EXPECT_THAT(svg, HasSubstr("y=\"75.6\" fill=\"#B34700\">b<"));  // darker than its line, as letters must be
+  EXPECT_THAT(svg, HasSubstr("y=\"75.6\" fill=\"#B34700\">b<"));  // darker than its curve, for legibility
 }
 
-TEST(LineChart, StandsWithoutAnyValue) {
+TEST(LineChart, WorksWithoutValues) {
   EXPECT_THAT(line_chart_svg({.title = "nothing"}), Not(HasSubstr("nan")));
   EXPECT_THAT(line_chart_svg({.curves = {{.name = "one", .x = {5}, .y = {7}}}}), Not(HasSubstr("nan")));
 }
 
-TEST(LineChart, DrawsNoMoreThanThePageCanShow) {
+TEST(LineChart, ReducesLongCurves) {
   ChartCurve curve{.name = "noise"};
   for (int i = 0; i < 100000; ++i) {
     curve.x.push_back(i);
@@ -77,10 +75,10 @@ TEST(LineChart, DrawsNoMoreThanThePageCanShow) {
   }
   const std::string svg = line_chart_svg({.curves = {curve}});
   EXPECT_LT(svg.size(), 30000U);
-  EXPECT_THAT(svg, HasSubstr(" 56.6L"));  // the one that stands out is kept
+  EXPECT_THAT(svg, HasSubstr(" 56.6L"));  // the extreme sample is kept
 }
 
-TEST(LineChart, CountsDecadesOnALogarithmicAxis) {
+TEST(LineChart, HasTicksAtDecadesOnALogarithmicAxis) {
   const std::string svg =
       line_chart_svg({.x = {.logarithmic = true}, .y = {.logarithmic = true}, .curves = {{"", {1, 1000}, {1, 1e-6}}}});
   EXPECT_THAT(svg, HasSubstr("<text x=\"254.7\" y=\"402\" text-anchor=\"middle\">10</text>"));

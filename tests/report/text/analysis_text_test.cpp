@@ -35,7 +35,7 @@ std::string text_of(const synth::SynthSpec& spec, const TextOptions& options = {
   return analysis_text(analysis, options);
 }
 
-TEST(AnalysisText, TellsWhatWasMeasuredAndWhatWasFound) {
+TEST(AnalysisText, ContainsConditionsAndModes) {
   const std::string text = text_of(bat());
   EXPECT_THAT(text, AllOf(HasSubstr("8.192 kHz · 3 hits × 2 accelerometers (0°, 90°) · band 60–3200 Hz"),
                           HasSubstr("bending 1"), HasSubstr("hoop 1"), HasSubstr("averages: 3")));
@@ -43,7 +43,7 @@ TEST(AnalysisText, TellsWhatWasMeasuredAndWhatWasFound) {
   EXPECT_FALSE(text.ends_with("\n\n"));
 }
 
-TEST(AnalysisText, HoldsTheSectionsAskedForOnly) {
+TEST(AnalysisText, ContainsOnlyTheChosenSections) {
   EXPECT_THAT(text_of(bat(), {.sections = {ReportSection::hits}}),
               AllOf(HasSubstr("verdict"), Not(HasSubstr("first moves")), Not(HasSubstr("bending"))));
   EXPECT_THAT(text_of(bat(), {.sections = {ReportSection::frf}}),
@@ -60,14 +60,14 @@ TEST(AnalysisText, GivesTheReasonBesideARejectedHit) {
   EXPECT_THAT(text, HasSubstr("! 1 of 3 hits not used"));
 }
 
-TEST(AnalysisText, SaysWhenNothingCanBeHad) {
+TEST(AnalysisText, StatesThatNoHitCanBeUsed) {
   synth::SynthSpec spec = bat();
   for (std::size_t hit = 0; hit < spec.hits; ++hit)
     spec.faults.push_back({.hit = hit, .kind = synth::SynthFaultKind::missing});
   EXPECT_THAT(text_of(spec), AllOf(HasSubstr("no hit can be used"), Not(HasSubstr("damping"))));
 }
 
-TEST(AnalysisText, ListsEveryModeOfEveryHitWhenAsked) {
+TEST(AnalysisText, ListsTheModesOfEachHitIfChosen) {
   const pipeline::Analysis analysis(synth::synthesise(bat()).record,
                                     {.band_Hz = std::pair{60.0, 3200.0}, .threads = 1});
   const std::size_t plain = test::lines_of(analysis_text(analysis)).size();
@@ -75,7 +75,7 @@ TEST(AnalysisText, ListsEveryModeOfEveryHitWhenAsked) {
   EXPECT_EQ(more, plain + 2 + 3 * analysis.modes().size());  // a blank, the heads, three hits' modes
 }
 
-TEST(AnalysisText, ShowsHowFarApartAPairIsHoweverClose) {
+TEST(AnalysisText, StatesTheSeparationOfVeryClosePairs) {
   synth::SynthSpec spec = bat();
   spec.modes = {spec.modes[1], spec.modes[1]};
   spec.modes[0].freq_Hz = 500;
@@ -89,7 +89,7 @@ TEST(AnalysisText, ShowsHowFarApartAPairIsHoweverClose) {
   EXPECT_THAT(analysis_text(analysis, {.width = 200}), HasSubstr("double peak, 0.0400 Hz apart"));
 }
 
-TEST(AnalysisText, KeepsToTheWidth) {
+TEST(AnalysisText, ObeysTheWidth) {
   for (const std::size_t width : {100U, 120U, 160U}) {
     for (const std::string& line : test::lines_of(text_of(bat(), {.width = width}))) {
       EXPECT_LE(text_width(line), width) << line;
@@ -97,8 +97,8 @@ TEST(AnalysisText, KeepsToTheWidth) {
   }
 }
 
-// Under each mode's number the sketch must stand higher than beside it, and the highest dot is the highest mode's.
-TEST(FrfSketch, ShowsThePeaksAboveTheirNumbers) {
+// The curve is higher at each mode's number than beside it, and the highest dot belongs to the highest mode.
+TEST(FrfTerminalPlot, ShowsThePeaksAboveTheirNumbers) {
   const pipeline::Analysis analysis(synth::synthesise(bat()).record,
                                     {.band_Hz = std::pair{60.0, 3200.0}, .threads = 1});
   const auto rows = test::lines_of(frf_terminal_plot(analysis, 108));
@@ -115,14 +115,14 @@ TEST(FrfSketch, ShowsThePeaksAboveTheirNumbers) {
   for (const std::size_t beside : {hoop - 20, hoop + 20}) EXPECT_EQ(cell(0, beside), "\u2800");
 }
 
-TEST(FrfSketch, NeedsRoom) {
+TEST(FrfTerminalPlot, IsEmptyWhenTooNarrow) {
   const pipeline::Analysis analysis(synth::synthesise(bat()).record,
                                     {.band_Hz = std::pair{60.0, 3200.0}, .threads = 1});
   EXPECT_EQ(frf_terminal_plot(analysis, 40), "");
 }
 
-// What a terminal gets is tried by .ci/shells: a bare machine has none.
-TEST(FrfSketch, IsForTerminalsAlone) {
+// .ci/shells tests the output on a terminal: a bare machine has none.
+TEST(FrfTerminalPlot, AppearsOnTerminalsOnly) {
   const test::ScratchFolder folder;
   test::write_small_test(folder.file("bat.h5"));
   EXPECT_THAT(test::run_percuss({"analyze", folder.file("bat.h5")}).out, Not(HasSubstr("\xE2\xA0")));

@@ -15,7 +15,7 @@ pipeline::Analysis analysis_of(std::size_t hits) {
   return {synth::synthesise(spec).record, {.band_Hz = std::pair{100.0, 400.0}, .threads = 1}};
 }
 
-TEST(CoherenceSummary, CountsTheBandsLinesOnly) {
+TEST(CoherenceSummary, CountsOnlyTheLinesOfTheBand) {
   const pipeline::Analysis analysis = analysis_of(2);
   frf::PointFrf frf = analysis.frfs().front();
   std::size_t inside = 0;
@@ -33,7 +33,7 @@ TEST(CoherenceSummary, CountsTheBandsLinesOnly) {
   EXPECT_NEAR(summary->mean, 1 - below / 2, 1e-12);
 }
 
-TEST(CoherenceSummary, IsNoneForASingleHit) {
+TEST(CoherenceSummary, IsEmptyForASingleHit) {
   const pipeline::Analysis analysis = analysis_of(1);
   EXPECT_FALSE(summary_of_coherence(analysis, analysis.frfs().front()));
 }

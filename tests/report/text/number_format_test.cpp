@@ -6,34 +6,34 @@
 
 namespace percuss::report::number_test {
 
-TEST(WithDeviation, GivesTheDeviationTwoDigitsAndTheValueAsManyDecimals) {
+TEST(ValueWithStd, HasTwoDigitsOfTheStdAndAsManyDecimalsOfTheValue) {
   EXPECT_EQ(value_with_std(169.000341, 0.00042), "169.00034 ± 0.00042");
   EXPECT_EQ(value_with_std(1900, 0.15), "1900.00 ± 0.15");
   EXPECT_EQ(value_with_std(-3.14159, 0.012), "-3.142 ± 0.012");
   EXPECT_EQ(value_with_std(1.0002, 4e-4), "1.00020 ± 0.00040");
 }
 
-TEST(WithDeviation, FollowsTheRoundedDeviation) {
+TEST(ValueWithStd, FollowsTheRoundedStd) {
   EXPECT_EQ(value_with_std(5, 0.0996), "5.00 ± 0.10");
   EXPECT_EQ(value_with_std(5, 0.00999), "5.000 ± 0.010");
   EXPECT_EQ(value_with_std(5, 0.0994), "5.000 ± 0.099");
 }
 
-TEST(WithDeviation, HasNoDecimalsWhenTheDeviationIsLarge) {
+TEST(ValueWithStd, HasNoDecimalsWhenTheStdIsLarge) {
   EXPECT_EQ(value_with_std(1234.4, 56), "1234 ± 56");
   EXPECT_EQ(value_with_std(1234.4, 560), "1234 ± 560");
 }
 
-TEST(WithDeviation, StopsAtTwelveDecimals) { EXPECT_EQ(value_with_std(1, 1e-15), "1.000000000000 ± 0.000000000000"); }
+TEST(ValueWithStd, StopsAtTwelveDecimals) { EXPECT_EQ(value_with_std(1, 1e-15), "1.000000000000 ± 0.000000000000"); }
 
-TEST(WithDeviation, ShowsTheValueAloneWithoutAUsableDeviation) {
+TEST(ValueWithStd, ShowsTheValueAloneWithoutAUsableStd) {
   EXPECT_EQ(value_with_std(169.0003412, 0), "169");
   EXPECT_EQ(value_with_std(169.1234567, -1), "169.123");
   EXPECT_EQ(value_with_std(2, std::numeric_limits<double>::quiet_NaN()), "2");
   EXPECT_EQ(value_with_std(2, std::numeric_limits<double>::infinity()), "2");
 }
 
-TEST(ShortFrequency, TakesKilohertzFromAThousand) {
+TEST(RoundedFrequencyText, UsesKilohertzFromAThousand) {
   EXPECT_EQ(rounded_frequency_text(999.4), "999.4 Hz");
   EXPECT_EQ(rounded_frequency_text(1000), "1 kHz");
   EXPECT_EQ(rounded_frequency_text(25600), "25.6 kHz");

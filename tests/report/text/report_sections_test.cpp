@@ -6,7 +6,7 @@
 
 namespace percuss::report::sections_test {
 
-TEST(ParseSections, KnowsEveryOneByName) {
+TEST(ParseSections, KnowsEachSectionByName) {
   EXPECT_EQ(parse_report_sections({"hits", "frf", "coherence", "modes", "classes"}), default_sections());
   EXPECT_EQ(parse_report_sections({"frf", "frf"}), std::set{ReportSection::frf});
   EXPECT_TRUE(parse_report_sections({}).empty());

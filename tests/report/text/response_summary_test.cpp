@@ -14,7 +14,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-/// Two sensors on either side, the second upside down.
+/// Two sensors on opposite sides, the second upside down.
 acquire::Record record() {
   synth::SynthSpec spec =
       test::bat_spec({{.freq_Hz = 200, .damping_ratio = 0.02, .order = 1, .amplitude_per_sqrt_kg = 1.7}}, 0.5);
@@ -28,23 +28,24 @@ std::string summary_of(acquire::Record one) {
   return responses_text(analysis, 1000);
 }
 
-TEST(ResponsesText, TellsWhichWayEachChannelSetsOut) {
+TEST(ResponsesText, StatesTheDirectionOfEachChannelsFirstMotion) {
   EXPECT_THAT(summary_of(record()), AllOf(HasSubstr("accel 1 first moves with the push"),
                                           HasSubstr("accel 2 first moves against the push"), Not(HasSubstr("-0."))));
 }
 
-TEST(ResponsesText, SaysWhereTheHitsDoNotTell) {
+TEST(ResponsesText, StatesThatHitsDisagree) {
   acquire::Record uneven = record();
   uneven.read_accel_mps2 = [inner = uneven.read_accel_mps2](std::size_t row, std::size_t channel, std::size_t first,
                                                             std::span<double> out) {
     inner(row, channel, first, out);
     if (channel == 1 && row == 1) std::transform(out.begin(), out.end(), out.begin(), std::negate<>());
   };
-  EXPECT_THAT(summary_of(uneven), AllOf(HasSubstr("accel 1 first moves with the push"),
-                                        HasSubstr("accel 2: the hits do not tell which way it first moves")));
+  EXPECT_THAT(summary_of(uneven),
+              AllOf(HasSubstr("accel 1 first moves with the push"),
+                    HasSubstr("accel 2: the hits disagree about the direction of its first motion")));
 }
 
-TEST(ResponsesText, SaysNothingOfADeadChannel) {
+TEST(ResponsesText, OmitsADeadChannel) {
   acquire::Record dead = record();
   dead.read_accel_mps2 = [inner = dead.read_accel_mps2](std::size_t row, std::size_t channel, std::size_t first,
                                                         std::span<double> out) {

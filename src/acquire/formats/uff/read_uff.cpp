@@ -158,8 +158,7 @@ Record open_uff(const FileBytes& file, UffContents contents, const ReadOptions& 
   if (functions.empty()) {
     const auto& all = open->contents.functions;
     if (std::any_of(all.begin(), all.end(), [](const UffFunction& function) { return is_uff_frf(function); })) {
-      throw InputError("the file holds FRFs, not a record of time", name,
-                       "give the record that they were made from");
+      throw InputError("the file holds FRFs, not a record of time", name, "give the record that they were made from");
     }
     const bool shapes = open->contents.shapes > 0;
     throw InputError("no records of time and no FRFs among " + list_of_sets(open->contents), name,
