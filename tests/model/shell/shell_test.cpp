@@ -125,7 +125,8 @@ TEST(ShellFit, RefusesPatternsThatDoNotSeparateTheUnknowns) {
   TubeShell tube = kAluminium;
   tube.length_m = 5;
   const auto alike = measured_on(tube, {{.n = 2, .m = 1}, {.n = 3, .m = 1}});
-  EXPECT_THAT(test::input_error_of([&] { fit_shell(tube, alike, ShellUnknowns::both); }), testing::HasSubstr("separate"));
+  EXPECT_THAT(test::input_error_of([&] { fit_shell(tube, alike, ShellUnknowns::both); }),
+              testing::HasSubstr("separate"));
   EXPECT_THAT(test::input_error_of([&] { fit_shell(tube, {alike[0]}, ShellUnknowns::both); }),
               testing::HasSubstr("two frequencies"));
 }
