@@ -177,7 +177,7 @@ TEST_F(AnalyzeChoices, WarnsOfFilesOfDifferentStructures) {
     words.push_back(folder_->file(preset + ".h5"));
     ASSERT_EQ(run_percuss({"synth", preset, "-o", words.back()}).code, 0);
   }
-  EXPECT_THAT(run_percuss(words).out, HasSubstr("--files tests takes each file for itself"));
+  EXPECT_THAT(run_percuss(words).out, HasSubstr("analyse each file as a test of its own (--files)"));
 }
 
 }  // namespace percuss::analyze_choices_test
