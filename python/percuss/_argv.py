@@ -53,7 +53,7 @@ class Option:
         if self.is_file:
             several = value if self.repeatable and isinstance(value, (list, tuple)) else [value]
             return [f"{self.flag}={files.path(one, self.keyword)}" for one in several]
-        return [f"{self.flag}={text}" for text in self._examples(value)]
+        return [f"{self.flag}={text}" for text in self._value_texts(value)]
 
     def _value_texts(self, value: Any) -> list[str]:
         if isinstance(value, dict):
