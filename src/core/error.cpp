@@ -4,7 +4,8 @@
 
 #include <utility>
 
-namespace percuss::inline core {
+namespace percuss {
+inline namespace core {
 
 namespace {
 
@@ -36,7 +37,8 @@ UsageError::UsageError(std::string_view problem, std::string_view remedy)
     : std::runtime_error(fmt::format("{}; {}", one_line(problem, kMaxField_bytes), one_line(remedy, kMaxField_bytes))) {
 }
 
-}  // namespace percuss::inline core
+}  // namespace core
+}  // namespace percuss
 
 namespace percuss {
 

@@ -5,7 +5,8 @@
 
 #include "percuss/error.hpp"
 
-namespace percuss::inline core {
+namespace percuss {
+inline namespace core {
 
 /// The message of std::bad_alloc.
 inline constexpr const char* kOutOfMemoryMessage =
@@ -21,4 +22,5 @@ class UsageError : public std::runtime_error {
 /// bytes, never inside a UTF-8 character, and ends with "...".
 std::string one_line(std::string_view text, std::size_t limit = 200);
 
-}  // namespace percuss::inline core
+}  // namespace core
+}  // namespace percuss

@@ -4,7 +4,8 @@
 #include <stdexcept>
 #include <utility>
 
-namespace percuss::inline core {
+namespace percuss {
+inline namespace core {
 
 /// A result that is computed on first use and kept.
 ///   double fs() const { return fs_.get([&] { return costly(); }); }
@@ -34,4 +35,5 @@ class Lazy {
   mutable bool running_ = false;
 };
 
-}  // namespace percuss::inline core
+}  // namespace core
+}  // namespace percuss

@@ -1,6 +1,7 @@
 #include "core/trace.hpp"
 
-namespace percuss::inline core {
+namespace percuss {
+inline namespace core {
 
 void Trace::add(const char* stage, std::size_t calls, double seconds) {
   const std::scoped_lock lock(mutex_);
@@ -21,4 +22,5 @@ Trace::Timer::~Timer() {
   trace.add(stage, 1, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
 }
 
-}  // namespace percuss::inline core
+}  // namespace core
+}  // namespace percuss

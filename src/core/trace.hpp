@@ -6,7 +6,8 @@
 #include <utility>
 #include <vector>
 
-namespace percuss::inline core {
+namespace percuss {
+inline namespace core {
 
 /// The stages that ran, with calls and seconds, ordered by name. Several threads may add at the same time.
 class Trace {
@@ -37,4 +38,5 @@ class Trace {
   std::map<std::string, Stage> stages_;
 };
 
-}  // namespace percuss::inline core
+}  // namespace core
+}  // namespace percuss

@@ -6,7 +6,8 @@
 #include <span>
 #include <type_traits>
 
-namespace percuss::inline core {
+namespace percuss {
+inline namespace core {
 
 /// Uninitialised array, written once by its owner. Setting many MiB to zero first can take a fifth of the time.
 /// errors  std::bad_alloc
@@ -31,4 +32,5 @@ class UninitializedArray {
   std::size_t size_;
 };
 
-}  // namespace percuss::inline core
+}  // namespace core
+}  // namespace percuss

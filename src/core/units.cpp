@@ -7,7 +7,8 @@
 
 #include "core/error.hpp"
 
-namespace percuss::inline core {
+namespace percuss {
+inline namespace core {
 namespace {
 
 struct Name {
@@ -186,4 +187,5 @@ std::string si_name(Quantity quantity) {
   return {};
 }
 
-}  // namespace percuss::inline core
+}  // namespace core
+}  // namespace percuss

@@ -4,7 +4,8 @@
 #include <string>
 #include <string_view>
 
-namespace percuss::inline core {
+namespace percuss {
+inline namespace core {
 
 inline constexpr double kStandardGravity_mps2 = 9.80665;  // exact by definition, [1] in docs/theory/sources.md
 inline constexpr double kPoundForce_N = 4.4482216152605;  // exact by definition, [1]
@@ -39,4 +40,5 @@ Unit require_unit(std::string_view name, Quantity wanted, std::string_view where
 /// The SI name of a quantity: N, m/s^2, V, s, rad, m, kg.
 std::string si_name(Quantity quantity);
 
-}  // namespace percuss::inline core
+}  // namespace core
+}  // namespace percuss

@@ -14,7 +14,8 @@
 
 #include "core/error.hpp"
 
-namespace percuss::inline core {
+namespace percuss {
+inline namespace core {
 namespace {
 
 constexpr mode_t kMode = 0644;
@@ -198,4 +199,5 @@ void write_file(const std::string& path, std::string_view bytes, bool force) {
   file.commit();
 }
 
-}  // namespace percuss::inline core
+}  // namespace core
+}  // namespace percuss

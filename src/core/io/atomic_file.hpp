@@ -5,7 +5,8 @@
 
 #include "core/io/temporary_files.hpp"
 
-namespace percuss::inline core {
+namespace percuss {
+inline namespace core {
 
 /// A file that appears under its name only when it is complete. It is written under a temporary name in the same
 /// folder, synchronised to the disk, then renamed. A killed writer leaves the old file, or none.
@@ -48,4 +49,5 @@ class AtomicFile {
 /// Writes a whole file.
 void write_file(const std::string& path, std::string_view bytes, bool force);
 
-}  // namespace percuss::inline core
+}  // namespace core
+}  // namespace percuss

@@ -5,7 +5,8 @@
 
 #include "core/io/parse_number.hpp"
 
-namespace percuss::inline core {
+namespace percuss {
+inline namespace core {
 namespace {
 
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
@@ -215,4 +216,5 @@ std::vector<std::size_t> find_number_columns(const std::vector<std::string_view>
   return columns;
 }
 
-}  // namespace percuss::inline core
+}  // namespace core
+}  // namespace percuss

@@ -4,7 +4,8 @@
 #include <string_view>
 #include <vector>
 
-namespace percuss::inline core {
+namespace percuss {
+inline namespace core {
 
 /// The separators of lines and cells in a text file.
 struct CsvDialect {
@@ -45,4 +46,5 @@ bool has_two_kinds_of_comma(std::string_view text, const std::vector<std::string
 /// Indices of the columns that hold numbers in at least half of `probes`.
 std::vector<std::size_t> find_number_columns(const std::vector<std::string_view>& probes, const CsvDialect& dialect);
 
-}  // namespace percuss::inline core
+}  // namespace core
+}  // namespace percuss

@@ -8,7 +8,8 @@
 #include "core/io/time_stamps.hpp"
 #include "core/units.hpp"
 
-namespace percuss::inline core {
+namespace percuss {
+inline namespace core {
 namespace {
 
 using Cells = std::vector<std::string_view>;
@@ -220,4 +221,5 @@ NameAndUnit split_name(std::string_view name) {
   return {std::string(text), {}};
 }
 
-}  // namespace percuss::inline core
+}  // namespace core
+}  // namespace percuss

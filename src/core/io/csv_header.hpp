@@ -7,7 +7,8 @@
 
 #include "core/io/csv_dialect.hpp"
 
-namespace percuss::inline core {
+namespace percuss {
+inline namespace core {
 
 /// A column of a text file as described by its header.
 struct CsvColumn {
@@ -51,4 +52,5 @@ std::string to_utf8(std::string_view text);
 /// ASCII letters in lower case.
 std::string lower_case(std::string_view text);
 
-}  // namespace percuss::inline core
+}  // namespace core
+}  // namespace percuss

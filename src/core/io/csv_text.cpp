@@ -2,7 +2,8 @@
 
 #include "core/io/csv_header.hpp"
 
-namespace percuss::inline core {
+namespace percuss {
+inline namespace core {
 namespace {
 
 // Length of the UTF-8 sequence at the start of `text`; 0 for an invalid one, also for overlong forms and surrogates.
@@ -57,4 +58,5 @@ std::string lower_case(std::string_view text) {
   return out;
 }
 
-}  // namespace percuss::inline core
+}  // namespace core
+}  // namespace percuss

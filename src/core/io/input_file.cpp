@@ -15,7 +15,8 @@
 #include "core/error.hpp"
 #include "core/io/lazy_file.hpp"
 
-namespace percuss::inline core {
+namespace percuss {
+inline namespace core {
 namespace {
 
 constexpr std::size_t kHead_bytes = std::size_t{1} << 16U;
@@ -164,4 +165,5 @@ FileBytes read_input(const std::string& path, std::uint64_t limit_bytes, const H
   return read_all(file, guess, limit_bytes, check_head, path);
 }
 
-}  // namespace percuss::inline core
+}  // namespace core
+}  // namespace percuss

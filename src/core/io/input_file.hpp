@@ -5,7 +5,8 @@
 #include <string>
 #include <string_view>
 
-namespace percuss::inline core {
+namespace percuss {
+inline namespace core {
 
 class LazyFile;
 
@@ -39,4 +40,5 @@ std::string first_bytes(const std::string& path, std::size_t count);
 /// a file claims. errors  as first_bytes; longer than `limit_bytes`; the errors of `check_head`
 FileBytes read_input(const std::string& path, std::uint64_t limit_bytes, const HeadCheck& check_head = {});
 
-}  // namespace percuss::inline core
+}  // namespace core
+}  // namespace percuss

@@ -10,7 +10,8 @@
 #include "core/io/csv_header.hpp"
 #include "core/io/parse_number.hpp"
 
-namespace percuss::inline core {
+namespace percuss {
+inline namespace core {
 namespace {
 
 using nlohmann::json;
@@ -129,4 +130,5 @@ bool nests_deeper_than(std::string_view text, int depth) {
   return false;
 }
 
-}  // namespace percuss::inline core
+}  // namespace core
+}  // namespace percuss

@@ -5,7 +5,8 @@
 
 #include "core/io/strict_json.hpp"
 
-namespace percuss::inline core {
+namespace percuss {
+inline namespace core {
 
 /// The text that contains StrictObjects. For a table, also the line of each row of the list `rows`.
 struct StrictSource {
@@ -20,4 +21,5 @@ struct StrictSource {
 /// errors  as read_strict_table
 std::string json_from_table(const StrictText& input, StrictSource& source);
 
-}  // namespace percuss::inline core
+}  // namespace core
+}  // namespace percuss

@@ -6,7 +6,8 @@
 #include <set>
 #include <vector>
 
-namespace percuss::inline core {
+namespace percuss {
+inline namespace core {
 namespace {
 
 using nlohmann::json;
@@ -64,4 +65,5 @@ void check_json(const JsonText& input) {
   json::sax_parse(input.text.begin(), input.text.end(), &validator, json::input_format_t::json, true, input.comments);
 }
 
-}  // namespace percuss::inline core
+}  // namespace core
+}  // namespace percuss

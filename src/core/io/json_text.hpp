@@ -5,7 +5,8 @@
 
 #include "core/error.hpp"
 
-namespace percuss::inline core {
+namespace percuss {
+inline namespace core {
 
 /// A text to be read as JSON, and what messages say about it.
 struct JsonText {
@@ -21,4 +22,5 @@ struct JsonText {
 /// errors  InputError: not JSON, nested too deep, a key given twice, a number beyond the range of double
 void check_json(const JsonText& input);
 
-}  // namespace percuss::inline core
+}  // namespace core
+}  // namespace percuss

@@ -10,7 +10,8 @@
 #include "core/error.hpp"
 #include "core/io/input_file.hpp"
 
-namespace percuss::inline core {
+namespace percuss {
+inline namespace core {
 
 LazyFile::LazyFile(const std::string& path, std::uint64_t limit_bytes) : path_(path) {
   std::uint64_t size = 0;
@@ -49,4 +50,5 @@ void LazyFile::copy(std::size_t first, std::size_t count, char* to) const {
   }
 }
 
-}  // namespace percuss::inline core
+}  // namespace core
+}  // namespace percuss

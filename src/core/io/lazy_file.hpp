@@ -3,7 +3,8 @@
 #include <cstdint>
 #include <string>
 
-namespace percuss::inline core {
+namespace percuss {
+inline namespace core {
 
 /// A regular file with address space for all its bytes, which are read on request. Unread bytes take no memory.
 class LazyFile {
@@ -29,4 +30,5 @@ class LazyFile {
   std::size_t size_ = 0;
 };
 
-}  // namespace percuss::inline core
+}  // namespace core
+}  // namespace percuss

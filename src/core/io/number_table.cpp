@@ -10,7 +10,8 @@
 #include "core/io/input_file.hpp"
 #include "core/io/parse_number.hpp"
 
-namespace percuss::inline core {
+namespace percuss {
+inline namespace core {
 namespace {
 
 constexpr std::uint64_t kLargestTable_bytes = std::uint64_t{16} << 20U;
@@ -68,4 +69,5 @@ std::vector<NumberTableRow> read_number_table(const std::string& path, const Num
   return parse_number_table(bytes.view(), input_name(path), wanted);
 }
 
-}  // namespace percuss::inline core
+}  // namespace core
+}  // namespace percuss

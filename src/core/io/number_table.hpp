@@ -4,7 +4,8 @@
 #include <string_view>
 #include <vector>
 
-namespace percuss::inline core {
+namespace percuss {
+inline namespace core {
 
 /// A line of a small table of numbers, with its place for messages.
 struct NumberTableRow {
@@ -29,4 +30,5 @@ std::vector<NumberTableRow> read_number_table(const std::string& path, const Num
 std::vector<NumberTableRow> parse_number_table(std::string_view text, const std::string& where,
                                                const NumberTableSpec& wanted);
 
-}  // namespace percuss::inline core
+}  // namespace core
+}  // namespace percuss

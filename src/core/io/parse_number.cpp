@@ -6,7 +6,8 @@
 #include <cmath>
 #include <system_error>
 
-namespace percuss::inline core {
+namespace percuss {
+inline namespace core {
 namespace {
 
 constexpr std::size_t kLongestRewritten = 64;  // characters of a number with decimal comma or D exponent
@@ -113,4 +114,5 @@ int decimals_of(std::string_view cell, bool decimal_comma) {
   return static_cast<int>(std::min<std::size_t>(behind, 400)) - exponent;
 }
 
-}  // namespace percuss::inline core
+}  // namespace core
+}  // namespace percuss

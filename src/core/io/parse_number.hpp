@@ -2,7 +2,8 @@
 #include <cstdint>
 #include <string_view>
 
-namespace percuss::inline core {
+namespace percuss {
+inline namespace core {
 
 enum class NumberProblem : std::uint8_t { none, empty, not_a_number, not_finite, too_large };
 
@@ -25,4 +26,5 @@ int decimals_of(std::string_view cell, bool decimal_comma);
 /// `text` without blanks at both ends, and without quotes if both ends have them.
 std::string_view trimmed(std::string_view text);
 
-}  // namespace percuss::inline core
+}  // namespace core
+}  // namespace percuss

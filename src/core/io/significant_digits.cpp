@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-namespace percuss::inline core {
+namespace percuss {
+inline namespace core {
 
 std::string significant(double value, int digits) {
   if (value == 0 || !std::isfinite(value)) return fmt::format("{:g}", value);
@@ -16,4 +17,5 @@ std::string significant(double value, int digits) {
   return fmt::format("{:.{}f}", value, std::max(0, digits - 1 - exponent));
 }
 
-}  // namespace percuss::inline core
+}  // namespace core
+}  // namespace percuss

@@ -14,7 +14,8 @@
 #include "core/io/json_text.hpp"
 #include "core/io/parse_number.hpp"
 
-namespace percuss::inline core {
+namespace percuss {
+inline namespace core {
 
 using nlohmann::json;
 
@@ -239,4 +240,5 @@ void read_strict_table(const StrictText& text, const std::string& rows, const St
   object.finish();
 }
 
-}  // namespace percuss::inline core
+}  // namespace core
+}  // namespace percuss

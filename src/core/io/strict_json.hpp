@@ -8,7 +8,8 @@
 
 #include "core/error.hpp"
 
-namespace percuss::inline core {
+namespace percuss {
+inline namespace core {
 
 /// A text to be read strictly, and what messages say about it.
 struct StrictText {
@@ -88,4 +89,5 @@ bool looks_like_json(std::string_view text);
 bool nests_deeper_than(std::string_view text, int depth);
 inline constexpr int kMaxDocumentDepth = 16;  // documents of percuss nest far less
 
-}  // namespace percuss::inline core
+}  // namespace core
+}  // namespace percuss

@@ -12,7 +12,8 @@
 #include <string_view>
 #include <utility>
 
-namespace percuss::inline core {
+namespace percuss {
+inline namespace core {
 namespace {
 
 // An array of atomics: a signal handler may neither allocate nor lock. Files beyond its size are not removed there.
@@ -64,4 +65,5 @@ void remove_abandoned_files(const std::string& folder, const std::string& prefix
   }
 }
 
-}  // namespace percuss::inline core
+}  // namespace core
+}  // namespace percuss

@@ -1,7 +1,8 @@
 #pragma once
 #include <string>
 
-namespace percuss::inline core {
+namespace percuss {
+inline namespace core {
 
 /// Registers a file under a temporary name with remove_temporary_files() during the lifetime of this object. A lock
 /// (flock) distinguishes the file from those that a killed process left behind.
@@ -28,4 +29,5 @@ void remove_temporary_files() noexcept;
 /// Removes the files in `folder` whose names start with `prefix`, except those that a running process has locked.
 void remove_abandoned_files(const std::string& folder, const std::string& prefix);
 
-}  // namespace percuss::inline core
+}  // namespace core
+}  // namespace percuss

@@ -9,7 +9,8 @@
 #include "core/io/csv_header.hpp"
 #include "core/io/parse_number.hpp"
 
-namespace percuss::inline core {
+namespace percuss {
+inline namespace core {
 namespace {
 
 // Letters and digits only, lower case: "Sampling Rate(Hz)" → "samplingratehz".
@@ -200,4 +201,5 @@ double roundest_between(double low, double high) {
   return low + (high - low) / 2;
 }
 
-}  // namespace percuss::inline core
+}  // namespace core
+}  // namespace percuss

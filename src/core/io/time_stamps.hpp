@@ -8,7 +8,8 @@
 
 #include "core/io/csv_dialect.hpp"
 
-namespace percuss::inline core {
+namespace percuss {
+inline namespace core {
 
 /// The sampling rate in Hz in a header line: "Sampling Rate(Hz),50" → 50, "fs = 25.6 kHz" → 25600, "dt [ms];0,5" →
 /// 2000.
@@ -40,4 +41,5 @@ std::optional<StampedRate> rate_of_time_stamps(std::span<const TimeStamps> rows,
 /// The number with the fewest significant decimal digits in [low, high], 0 < low <= high.
 double roundest_between(double low, double high);
 
-}  // namespace percuss::inline core
+}  // namespace core
+}  // namespace percuss

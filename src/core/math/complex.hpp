@@ -1,7 +1,8 @@
 #pragma once
 #include <complex>
 
-namespace percuss::inline core {
+namespace percuss {
+inline namespace core {
 
 // The product and quotient of std::complex handle infinities: ten times the work, and loops that do not vectorise.
 
@@ -16,4 +17,5 @@ inline std::complex<double> conj_times(std::complex<double> a, std::complex<doub
 
 inline std::complex<double> inverse(std::complex<double> a) { return std::conj(a) * (1 / std::norm(a)); }
 
-}  // namespace percuss::inline core
+}  // namespace core
+}  // namespace percuss

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-namespace percuss::inline core {
+namespace percuss {
+inline namespace core {
 namespace {
 
 using Eigen::Index;
@@ -45,4 +46,5 @@ VectorXcd leading_right_vector(const MatrixXcd& matrix) {
   return out;
 }
 
-}  // namespace percuss::inline core
+}  // namespace core
+}  // namespace percuss

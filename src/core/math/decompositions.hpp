@@ -1,7 +1,8 @@
 #pragma once
 #include <Eigen/Core>
 
-namespace percuss::inline core {
+namespace percuss {
+inline namespace core {
 
 /// Eigenvectors of a real symmetric matrix by descending eigenvalue. shape [n, n], in columns.
 Eigen::MatrixXd eigenvectors(const Eigen::MatrixXd& symmetric);
@@ -13,4 +14,5 @@ Eigen::VectorXd singular_values(const Eigen::MatrixXcd& matrix);
 /// Right singular vector of the largest singular value, with arbitrary phase. shape [columns], norm 1.
 Eigen::VectorXcd leading_right_vector(const Eigen::MatrixXcd& matrix);
 
-}  // namespace percuss::inline core
+}  // namespace core
+}  // namespace percuss

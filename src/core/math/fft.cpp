@@ -8,7 +8,8 @@
 #include <mutex>
 #include <shared_mutex>
 
-namespace percuss::inline core {
+namespace percuss {
+inline namespace core {
 namespace {
 
 fftw_complex* as_fftw(Complex* p) { return reinterpret_cast<fftw_complex*>(p); }
@@ -134,4 +135,5 @@ std::size_t fast_length_at_least(std::size_t n) {
   return n;
 }
 
-}  // namespace percuss::inline core
+}  // namespace core
+}  // namespace percuss

@@ -4,7 +4,8 @@
 #include <span>
 #include <vector>
 
-namespace percuss::inline core {
+namespace percuss {
+inline namespace core {
 
 using Complex = std::complex<double>;
 
@@ -36,4 +37,5 @@ std::size_t fast_length_at_most(std::size_t n);
 /// The smallest such length >= n.
 std::size_t fast_length_at_least(std::size_t n);
 
-}  // namespace percuss::inline core
+}  // namespace core
+}  // namespace percuss

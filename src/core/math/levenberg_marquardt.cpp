@@ -7,7 +7,8 @@
 
 #include "core/math/linear_algebra.hpp"
 
-namespace percuss::inline core {
+namespace percuss {
+inline namespace core {
 namespace {
 
 using Eigen::MatrixXd;
@@ -125,4 +126,5 @@ LevenbergMarquardtSummary levenberg_marquardt(VectorXd& parameters, const Residu
   return levenberg_marquardt(problem, options);
 }
 
-}  // namespace percuss::inline core
+}  // namespace core
+}  // namespace percuss

@@ -4,7 +4,8 @@
 #include <limits>
 #include <optional>
 
-namespace percuss::inline core {
+namespace percuss {
+inline namespace core {
 
 /// matrix·step = right: matrix = JᵀJ and right = −Jᵀr for a residual r with the Jacobian J = ∂r/∂x.
 /// shapes: matrix [n, n], right [n].
@@ -80,4 +81,5 @@ LevenbergMarquardtSummary levenberg_marquardt(Eigen::VectorXd& parameters, const
                                               const JacobianFunction& jacobian,
                                               const LevenbergMarquardtOptions& options = {});
 
-}  // namespace percuss::inline core
+}  // namespace core
+}  // namespace percuss

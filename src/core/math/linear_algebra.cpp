@@ -4,7 +4,8 @@
 #include <Eigen/QR>
 #include <cmath>
 
-namespace percuss::inline core {
+namespace percuss {
+inline namespace core {
 namespace {
 
 using Eigen::Index;
@@ -62,4 +63,5 @@ std::optional<MatrixXd> left_inverse(const MatrixXd& columns, double min_pivot) 
   return qr.solve(MatrixXd::Identity(columns.rows(), columns.rows()));
 }
 
-}  // namespace percuss::inline core
+}  // namespace core
+}  // namespace percuss

@@ -2,7 +2,8 @@
 #include <Eigen/Core>
 #include <optional>
 
-namespace percuss::inline core {
+namespace percuss {
+inline namespace core {
 
 /// Inverse of a symmetric (Hermitian) positive matrix. It is scaled to ones on the diagonal first, because the diagonal
 /// may span many decades. shape [n, n].
@@ -24,4 +25,5 @@ Eigen::VectorXd least_squares(const Eigen::MatrixXd& columns, const Eigen::Vecto
 /// `min_pivot` of the largest. For small n. shapes: columns [n, m], result [m, n].
 std::optional<Eigen::MatrixXd> left_inverse(const Eigen::MatrixXd& columns, double min_pivot);
 
-}  // namespace percuss::inline core
+}  // namespace core
+}  // namespace percuss

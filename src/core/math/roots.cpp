@@ -15,7 +15,8 @@
 
 #include "core/math/complex.hpp"
 
-namespace percuss::inline core {
+namespace percuss {
+inline namespace core {
 namespace {
 
 using Complex = std::complex<double>;
@@ -153,4 +154,5 @@ Eigen::VectorXcd polynomial_roots(const Eigen::VectorXcd& c, const Eigen::Vector
   return companion_roots(c);
 }
 
-}  // namespace percuss::inline core
+}  // namespace core
+}  // namespace percuss

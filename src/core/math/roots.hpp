@@ -3,7 +3,8 @@
 #include <functional>
 #include <vector>
 
-namespace percuss::inline core {
+namespace percuss {
+inline namespace core {
 
 using RealFunction = std::function<double(double)>;
 
@@ -38,4 +39,5 @@ Eigen::VectorXcd polynomial_roots(const Eigen::VectorXcd& c, const Eigen::Vector
 /// Finds the same roots as the eigenvalues of the companion matrix. Needs no start, but about thirty times the work.
 Eigen::VectorXcd companion_roots(const Eigen::VectorXcd& c);
 
-}  // namespace percuss::inline core
+}  // namespace core
+}  // namespace percuss

@@ -3,7 +3,8 @@
 #include <Eigen/Core>
 #include <cmath>
 
-namespace percuss::inline core {
+namespace percuss {
+inline namespace core {
 namespace {
 
 constexpr double kGaussian = 1.4826022185056018;  // standard deviation over median absolute deviation
@@ -77,4 +78,5 @@ double rms(std::span<const double> values) {
   return values.empty() ? 0 : std::sqrt(sum / static_cast<double>(values.size()));
 }
 
-}  // namespace percuss::inline core
+}  // namespace core
+}  // namespace percuss

@@ -3,7 +3,8 @@
 #include <span>
 #include <vector>
 
-namespace percuss::inline core {
+namespace percuss {
+inline namespace core {
 
 /// Median of the values (mean of the middle two for an even count); 0 for none.
 double median(std::vector<double> values);
@@ -36,4 +37,5 @@ Extremes extremes_of(std::span<const Extremes> blocks);
 /// √(Σx²/n); 0 for none.
 double rms(std::span<const double> values);
 
-}  // namespace percuss::inline core
+}  // namespace core
+}  // namespace percuss

@@ -2,7 +2,8 @@
 
 #include "core/parallel/parallel.hpp"
 
-namespace percuss::inline core {
+namespace percuss {
+inline namespace core {
 namespace {
 
 using Complex = std::complex<double>;
@@ -126,4 +127,5 @@ ColumnFit fit_columns(const MatrixXcd& columns, const MatrixXcd& inverse_gram, c
   return fit;
 }
 
-}  // namespace percuss::inline core
+}  // namespace core
+}  // namespace percuss

@@ -4,7 +4,8 @@
 #include <cstddef>
 #include <vector>
 
-namespace percuss::inline core {
+namespace percuss {
+inline namespace core {
 
 // Products of tall matrices with few columns. Eigen's general product copies both factors into blocks first, which
 // takes longer than the product of such matrices.
@@ -35,4 +36,5 @@ struct ColumnFit {
 ColumnFit fit_columns(const Eigen::MatrixXcd& columns, const Eigen::MatrixXcd& inverse_gram,
                       const Eigen::MatrixXcd& data, const std::vector<std::size_t>& outputs);
 
-}  // namespace percuss::inline core
+}  // namespace core
+}  // namespace percuss

@@ -6,7 +6,8 @@
 
 #include "core/parallel/task_arena.hpp"
 
-namespace percuss::inline core {
+namespace percuss {
+inline namespace core {
 namespace {
 
 using Task = std::function<void(std::size_t)>;
@@ -79,4 +80,5 @@ void parallel_for_chunks(std::size_t size, std::size_t flops,
   });
 }
 
-}  // namespace percuss::inline core
+}  // namespace core
+}  // namespace percuss

@@ -2,7 +2,8 @@
 #include <cstddef>
 #include <functional>
 
-namespace percuss::inline core {
+namespace percuss {
+inline namespace core {
 
 /// Calls task(0) … task(count − 1), each once, on at most `threads` threads (0: all processors; 1: the calling thread,
 /// in order). Tasks write only to data of their own, so that results do not depend on the number of threads.
@@ -36,4 +37,5 @@ void parallel_for_chunks(std::size_t size, std::size_t flops,
 /// Other threads call `initialise` once, before their first task of a loop.
 void set_thread_initialiser(void (*initialise)());
 
-}  // namespace percuss::inline core
+}  // namespace core
+}  // namespace percuss

@@ -5,7 +5,8 @@
 
 #include <memory>
 
-namespace percuss::inline core {
+namespace percuss {
+inline namespace core {
 namespace {
 
 // At most the processors of the machine: oneTBB warns on standard error when asked for more.
@@ -43,4 +44,5 @@ void run_in_arena(std::size_t count, std::size_t threads, void (*call)(const voi
   });
 }
 
-}  // namespace percuss::inline core
+}  // namespace core
+}  // namespace percuss

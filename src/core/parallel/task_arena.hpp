@@ -1,11 +1,13 @@
 #pragma once
 #include <cstddef>
 
-namespace percuss::inline core {
+namespace percuss {
+inline namespace core {
 
 /// Calls call(task, 0) … call(task, count − 1) on up to `threads` threads (0: all processors), in any order. Only this
 /// file uses oneTBB. It is built without the thread sanitizer, which cannot see the order that the library guarantees.
 void run_in_arena(std::size_t count, std::size_t threads, void (*call)(const void* task, std::size_t i),
                   const void* task);
 
-}  // namespace percuss::inline core
+}  // namespace core
+}  // namespace percuss
